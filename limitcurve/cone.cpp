@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#include "limitcurve/closed_form.hpp"
+#include "limitcurve/laws.hpp"
+
+#include <cmath>
+
+namespace limitcurve {
+
+namespace {
+
+/// 2 arccosh(1/ρ), logarithmically infinite at the centre; punches q(t) = 2t (indenter z ∝ r).
+class ConeLaw final : public PressureLaw {
+ public:
+  ConeLaw() { DoubleExponential::rule(); }
+  std::string name() const override { return "cone"; }
+
+  Extended density(RadialPosition at) const noexcept override {
+    // arccosh(1/ρ) = log((1 + √(1−ρ²))/ρ) = log1p((rim + √(1−ρ²))/ρ), which keeps its digits at the rim.
+    return 2 * std::log1p((at.rim + std::sqrt(at.rim * (1 + at.radius))) / at.radius);
+  }
+  std::optional<Extended> punch_density(RadialPosition at) const noexcept override { return 2 * at.radius; }
+  std::optional<UnitForces<Extended>> closed(Extended s) const noexcept override { return closed_form::cone(s); }
+  UnitForces<double> forces(double s) const noexcept override {
+    // Between the rim and √2 the closed form loses a digit in double.
+    const auto [force, moment, slope] = closed_form::cone<Extended>(s);
+    return {static_cast<double>(force), static_cast<double>(moment), static_cast<double>(slope)};
+  }
+};
+
+}  // namespace
+
+Law cone() {
+  return std::make_shared<ConeLaw>();
+}
+
+}  // namespace limitcurve

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include "limitcurve/laws.hpp"
+#include "limitcurve/number.hpp"
+
+#include <array>
+#include <stdexcept>
+#include <string>
+
+namespace limitcurve {
+
+namespace {
+
+std::invalid_argument complaint(std::string_view text, const std::string& what) {
+  return std::invalid_argument("law '" + std::string(text) + "': " + what);
+}
+
+/// The value of `key=value`, where that is all there is.
+double parameter(std::string_view text, std::string_view parameters, std::string_view key) {
+  const std::string expected = "expected " + std::string(key) + "=NUMBER after the colon";
+  if (parameters.substr(0, key.size()) != key || parameters.size() <= key.size() || parameters[key.size()] != '=') {
+    throw complaint(text, expected + ", got '" + std::string(parameters) + "'");
+  }
+  const std::string_view number = parameters.substr(key.size() + 1);
+  const auto value = parse_number(number);
+  if (!value) throw complaint(text, expected + ", got '" + std::string(number) + "' for the number");
+  return *value;
+}
+
+Law parse_mixture(std::string_view text, std::string_view parts) {
+  std::vector<std::pair<double, Law>> mixed;
+  std::size_t begin = 0;
+  while (begin <= parts.size()) {
+    // A plus that follows an exponent's e belongs to the number: 1e+3*hertz.
+    std::size_t end = parts.find('+', begin);
+    while (end != std::string_view::npos && end > begin + 1 && parts[end - 1] == 'e' && parts[end - 2] >= '0' && parts[end - 2] <= '9') {
+      end = parts.find('+', end + 1);
+    }
+    const std::string_view part = parts.substr(begin, end == std::string_view::npos ? end : end - begin);
+    const std::size_t star = part.find('*');
+    const auto weight = star == std::string_view::npos ? std::nullopt : parse_number(part.substr(0, star));
+    if (!weight) throw complaint(text, "expected WEIGHT*LAW, got '" + std::string(part) + "'");
+    const std::string_view name = part.substr(star + 1);
+    if (name.substr(0, 4) == "mix:") throw complaint(text, "a mixture of mixtures: write it as one");
+    mixed.emplace_back(*weight, parse_law(name));
+    if (end == std::string_view::npos) break;
+    begin = end + 1;
+  }
+  return mixture(mixed);
+}
+
+Law parse_unchecked(std::string_view text) {
+  const std::size_t colon = text.find(':');
+  const std::string_view kind = text.substr(0, colon);
+  const std::string_view parameters = colon == std::string_view::npos ? std::string_view{} : text.substr(colon + 1);
+  if (colon == std::string_view::npos) {
+    if (kind == "hertz") return hertz();
+    if (kind == "uniform") return uniform();
+    if (kind == "parabolic") return parabolic();
+    if (kind == "flat-punch") return flat_punch();
+    if (kind == "cone") return cone();
+  }
+  if (kind == "power") return power(parameter(text, parameters, "n"));
+  if (kind == "xydas-kao") return xydas_kao(parameter(text, parameters, "k"));
+  if (kind == "gaussian") return gaussian(parameter(text, parameters, "sigma"));
+  if (kind == "mix") return parse_mixture(text, parameters);
+  std::string expected = "expected one of";
+  for (const std::string_view example : law_examples()) expected += ' ' + std::string(example);
+  throw complaint(text, expected);
+}
+
+}  // namespace
+
+std::span<const std::string_view> law_examples() {
+  static constexpr std::array<std::string_view, 9> examples{"hertz",
+                                                            "uniform",
+                                                            "parabolic",
+                                                            "flat-punch",
+                                                            "cone",
+                                                            "power:n=2.3",
+                                                            "xydas-kao:k=3",
+                                                            "gaussian:sigma=0.4",
+                                                            "mix:0.7*hertz+0.3*uniform"};
+  return examples;
+}
+
+Law parse_law(std::string_view text) {
+  try {
+    return parse_unchecked(text);
+  } catch (const std::invalid_argument& error) {
+    // Parameters out of range are told by the factories, which do not know the string.
+    if (std::string_view(error.what()).substr(0, 5) == "law '") throw;
+    throw complaint(text, error.what());
+  }
+}
+
+}  // namespace limitcurve

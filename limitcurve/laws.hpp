@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "limitcurve/pressure_law.hpp"
+
+#include <span>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+/// The pressure laws. Each factory validates and throws `std::invalid_argument` naming the parameter, its value and
+/// its range. Formulae: p(ρ)·πa²/P on 0 ≤ ρ = r/a ≤ 1, zero outside.
+namespace limitcurve {
+
+/// (3/2)(1−ρ²)^½: elastic sphere (Hertz 1882). Closed.
+Law hertz();
+/// 1: soft pad, uniform pressure. Closed.
+Law uniform();
+/// 2(1−ρ²): elastic foundation (Winkler). Closed.
+Law parabolic();
+/// ½(1−ρ²)^(−½): rigid flat punch on an elastic half-space (Boussinesq). Closed.
+Law flat_punch();
+/// 2 arccosh(1/ρ): rigid cone on an elastic half-space (Love 1939). Closed.
+Law cone();
+/// (n+1)(1−ρ²)ⁿ, n ∈ (−1, 1000]: ₂F₁ by its Euler integral, of one sign for every n. n → −1 is the ring.
+Law power(double n);
+/// C_k(1−ρᵏ)^{1/k}, k ∈ [0.01, 10⁶] (Xydas and Kao 1999). By `ring`.
+Law xydas_kao(double k);
+/// exp(−ρ²/2σ²)/(2σ²), σ > 0 in units of a, which is then only a unit of length: there is no rim. Closed (Bessel).
+Law gaussian(double sigma);
+/// Σ wᵢ pᵢ with positive weights, scaled to sum 1: f and m are linear in the pressure.
+Law mixture(std::span<const std::pair<double, Law>> parts);
+
+/// The law named by `text`: `hertz uniform parabolic flat-punch cone power:n=2.3 xydas-kao:k=3 gaussian:sigma=0.4
+/// mix:0.7*hertz+0.3*uniform`. Throws `std::invalid_argument` that names the place and what was expected.
+Law parse_law(std::string_view text);
+
+/// A law string as documentation shows it: one a kind, with an example parameter.
+std::span<const std::string_view> law_examples();
+
+}  // namespace limitcurve

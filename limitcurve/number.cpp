@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#include "limitcurve/number.hpp"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+#include <system_error>
+
+namespace limitcurve {
+
+std::string format_number(double value) {
+  if (std::isnan(value)) return "nan";
+  std::array<char, 32> buffer{};
+  const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+  return error == std::errc{} ? std::string(buffer.data(), end) : std::string("nan");
+}
+
+std::optional<double> parse_number(std::string_view text) {
+  // from_chars knows no leading plus, which spreadsheets write.
+  if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
+  double value = 0.0;
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  if (stop != end || text.empty()) return std::nullopt;
+  if (error == std::errc::result_out_of_range) {
+    // Too small or too large for a double: the nearest double, as strtod gives, not a refusal.
+    value = std::strtod(std::string(text).c_str(), nullptr);
+  } else if (error != std::errc{}) {
+    return std::nullopt;
+  }
+  return value;
+}
+
+std::invalid_argument out_of_range(std::string_view name, double value, std::string_view unit, std::string_view range) {
+  std::string message(name);
+  message += " = " + format_number(value);
+  if (unit != "1") message.append(" ").append(unit);
+  message.append(" is out of range: expected ").append(range);
+  return std::invalid_argument(message);
+}
+
+}  // namespace limitcurve

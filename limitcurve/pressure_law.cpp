@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#include "limitcurve/pressure_law.hpp"
+
+#include "limitcurve/evaluators.hpp"
+
+#include <array>
+
+namespace limitcurve {
+
+std::string_view to_string(Method method) {
+  constexpr std::array<std::string_view, 5> names{"auto", "closed", "ring", "punch", "direct"};
+  return names[static_cast<std::size_t>(method)];
+}
+
+const std::vector<Extended>& PressureLaw::breaks() const noexcept {
+  static const std::vector<Extended> unit_disc{0, 1};
+  return unit_disc;
+}
+
+UnitForces<double> PressureLaw::forces(double s) const noexcept {
+  const WrenchEstimate estimate = evaluate(s);
+  return {estimate.wrench.force, estimate.wrench.moment, estimate.force_slope};
+}
+
+bool PressureLaw::allows(Method method) const noexcept {
+  if (method == Method::closed) return closed(1).has_value();
+  if (method == Method::punch) return punch_density({0.5L, 0.5L}).has_value();
+  return true;
+}
+
+WrenchEstimate PressureLaw::evaluate(double s, Method method) const noexcept {
+  if (method == Method::punch) return evaluators::rounded(evaluators::punch(*this, s));
+  if (method == Method::direct) return evaluators::rounded(evaluators::direct(*this, s));
+  if (method != Method::ring) {
+    if (const auto forces = closed(s)) return evaluators::rounded({*forces, {0, 0, 0}});
+  }
+  return evaluators::rounded(evaluators::ring(*this, s));
+}
+
+}  // namespace limitcurve

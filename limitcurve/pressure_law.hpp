@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "limitcurve/double_exponential.hpp"
+#include "limitcurve/moment_series.hpp"
+#include "limitcurve/wrench.hpp"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace limitcurve {
+
+/// Ways to evaluate eq. (17). README, "Evaluators", has each one's domain and cost.
+enum class Method {
+  automatic,  ///< closed where the law has one, else ring
+  closed,     ///< the law's closed form
+  ring,       ///< elliptic kernels, one integral over the radius
+  punch,      ///< superposition of rigid flat punches, one integral over their radius
+  direct,     ///< eq. (17) as printed: the double integral over the disc
+};
+
+/// The method's name on the command line ("auto", "closed", "ring", "punch", "direct").
+std::string_view to_string(Method method);
+
+/// A place under the finger: ρ = r/a, and its distance from the rim, which keeps its digits where ρ → outer radius.
+struct RadialPosition {
+  Extended radius;
+  Extended rim;
+};
+
+/// The shape of an axisymmetric pressure under a soft finger: g(ρ) = πa² p(ρa)/P, normalised so that ∫ 2ρ g dρ = 1.
+/// Laws are immutable and may be shared between threads.
+///
+/// A new law derives from this, in a file of its own, and gets a factory in laws.hpp and a line in law_grammar.cpp.
+/// What it must satisfy is listed and tested by name in tests/law_suite.cpp.
+class PressureLaw {
+ public:
+  virtual ~PressureLaw() = default;
+
+  /// The law in the grammar of laws.hpp; `parse_law(name())` makes an equal law.
+  [[nodiscard]] virtual std::string name() const = 0;
+
+  /// g(ρ) divided by rim^rim_exponent(). Relative error ≤ 1e-17, or the law's own documented one.
+  [[nodiscard]] virtual Extended density(RadialPosition position) const noexcept = 0;
+
+  /// −1 < e ≤ 0 where the pressure at the rim grows like rim^e; 0 where it stays finite.
+  [[nodiscard]] virtual Extended rim_exponent() const noexcept { return 0; }
+
+  /// Increasing radii between which g is analytic, from where the pressure begins (0) to where it ends (1 unless the
+  /// law has no rim).
+  [[nodiscard]] virtual const std::vector<Extended>& breaks() const noexcept;
+
+  /// The closed form at s, if the law has one.
+  [[nodiscard]] virtual std::optional<UnitForces<Extended>> closed(Extended) const noexcept { return std::nullopt; }
+
+  /// q(t): load share of the flat punches of radius t that superpose to the law (∫ q dt = 1), divided by
+  /// (1−t)^punch_exponent(); if the law has such a superposition.
+  [[nodiscard]] virtual std::optional<Extended> punch_density(RadialPosition) const noexcept { return std::nullopt; }
+  [[nodiscard]] virtual Extended punch_exponent() const noexcept { return 0; }
+
+  /// Unit wrench at s = c/a ∈ [0, ∞] for control loops: in double arithmetic where the law has a fast form.
+  /// Relative error ≤ 1e-14; never throws, allocates or locks.
+  [[nodiscard]] virtual UnitForces<double> forces(double s) const noexcept;
+
+  /// Unit wrench at s with its error, computed in extended precision. `method` must be one that `allows` grants.
+  /// Relative error ≤ 1e-15 for a closed form, ≤ 1e-14 for the others, and in every case ≤ the error returned.
+  [[nodiscard]] virtual WrenchEstimate evaluate(double s, Method method = Method::automatic) const noexcept;
+
+  /// Whether the law can be evaluated by `method`.
+  [[nodiscard]] virtual bool allows(Method method) const noexcept;
+
+  /// m₀ = m(0) = ⟨ρ⟩: the moment of a pure twist in units of μPa. Closed where known; relative error ≤ 1e-15.
+  [[nodiscard]] double moment_ratio() const noexcept { return evaluate(0.0).wrench.moment; }
+};
+
+/// Laws are handed around by this: shared, immutable.
+using Law = std::shared_ptr<const PressureLaw>;
+
+}  // namespace limitcurve

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#include "limitcurve/radius_law.hpp"
+
+#include "limitcurve/number.hpp"
+
+#include <array>
+#include <limits>
+#include <optional>
+
+namespace limitcurve {
+
+namespace {
+
+double positive(std::string_view name, double value, std::string_view unit) {
+  if (!(value > 0.0 && value <= std::numeric_limits<double>::max())) throw out_of_range(name, value, unit, "> 0 and finite");
+  return value;
+}
+
+/// Reads exactly the `keys`, in any order, from "key=value,key=value".
+template <std::size_t count>
+std::array<double, count> parameters(std::string_view whole, std::string_view text, const std::array<std::string_view, count>& keys) {
+  std::array<std::optional<double>, count> values;
+  const auto complain = [&](std::string_view item) {
+    std::string expected;
+    for (const std::string_view key : keys) expected += (expected.empty() ? "" : ",") + std::string(key) + "=NUMBER";
+    return std::invalid_argument("radius law '" + std::string(whole) + "': expected " + expected + ", got '" + std::string(item) + "'");
+  };
+  std::size_t begin = 0;
+  while (begin <= text.size()) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    const std::string_view item = text.substr(begin, end - begin);
+    bool known = false;
+    for (std::size_t i = 0; i < count; ++i) {
+      if (item.substr(0, keys[i].size() + 1) != std::string(keys[i]) + "=") continue;
+      if (values[i]) throw complain(item);
+      values[i] = parse_number(item.substr(keys[i].size() + 1));
+      known = values[i].has_value();
+    }
+    if (!known) throw complain(item);
+    begin = end + 1;
+  }
+  std::array<double, count> result{};
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!values[i]) throw complain(text);
+    result[i] = *values[i];
+  }
+  return result;
+}
+
+}  // namespace
+
+RadiusLaw RadiusLaw::constant(double radius) {
+  return {positive("a", radius, "m"), 0.0};
+}
+
+RadiusLaw RadiusLaw::hertz(double sphere_radius, double modulus) {
+  return {std::cbrt(0.75 * positive("R", sphere_radius, "m") / positive("E", modulus, "Pa")), 1.0 / 3.0};
+}
+
+RadiusLaw RadiusLaw::power(double coefficient, double exponent) {
+  if (!(exponent >= 0.0 && exponent <= 1.0)) throw out_of_range("gamma", exponent, "1", "0 <= gamma <= 1");
+  return {positive("c", coefficient, "m/N^gamma"), exponent};
+}
+
+RadiusLaw RadiusLaw::parse(std::string_view text) {
+  const std::size_t colon = text.find(':');
+  const std::string_view kind = text.substr(0, colon);
+  if (colon == std::string_view::npos || (kind != "constant" && kind != "hertz" && kind != "power")) {
+    throw std::invalid_argument("radius law '" + std::string(text) +
+                                "': expected constant:a=0.005, hertz:R=0.008,E=2e5 or power:c=0.00207,gamma=0.259");
+  }
+  const std::string_view rest = text.substr(colon + 1);
+  try {
+    if (kind == "constant") return constant(parameters<1>(text, rest, {"a"})[0]);
+    const bool is_hertz = kind == "hertz";
+    const auto [first, second] = is_hertz ? parameters<2>(text, rest, {"R", "E"}) : parameters<2>(text, rest, {"c", "gamma"});
+    return is_hertz ? hertz(first, second) : power(first, second);
+  } catch (const std::invalid_argument& error) {
+    if (std::string_view(error.what()).substr(0, 12) == "radius law '") throw;
+    throw std::invalid_argument("radius law '" + std::string(text) + "': " + error.what());
+  }
+}
+
+}  // namespace limitcurve

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#include "limitcurve/laws.hpp"
+#include "limitcurve/number.hpp"
+
+#include <boost/math/special_functions/gamma.hpp>
+
+#include <cmath>
+
+namespace limitcurve {
+
+namespace {
+
+/// C_k(1−ρᵏ)^{1/k}, C_k = (3k/2)Γ(3/k)/[Γ(1/k)Γ(2/k)] (Xydas and Kao 1999, as normalised by ∫ 2ρ g dρ = 1).
+class XydasKaoLaw final : public PressureLaw {
+ public:
+  explicit XydasKaoLaw(double k) : k_(k) {
+    // By logarithms: Γ(3/k) overflows for small k.
+    const Extended inverse = 1 / k_;
+    using boost::math::lgamma;
+    scale_ = Extended(1.5) * k_ * std::exp(lgamma(3 * inverse) - lgamma(inverse) - lgamma(2 * inverse));
+    // Between 1 − 1/k and the rim a large k squeezes all of the fall: a piece of its own.
+    breaks_ = k_ > 8 ? std::vector<Extended>{0, std::exp(-4 * inverse), 1} : std::vector<Extended>{0, 1};
+    DoubleExponential::rule();
+  }
+
+  std::string name() const override { return "xydas-kao:k=" + format_number(static_cast<double>(k_)); }
+  const std::vector<Extended>& breaks() const noexcept override { return breaks_; }
+
+  Extended density(RadialPosition at) const noexcept override {
+    // 1 − ρᵏ from the distance that is exact on this side.
+    const Extended log_radius = at.rim < at.radius ? std::log1p(-at.rim) : std::log(at.radius);
+    return scale_ * std::pow(-std::expm1(k_ * log_radius), 1 / k_);
+  }
+
+ private:
+  Extended k_;
+  Extended scale_;
+  std::vector<Extended> breaks_;
+};
+
+}  // namespace
+
+Law xydas_kao(double k) {
+  if (!(k >= 0.01 && k <= 1e6)) throw out_of_range("k", k, "1", "0.01 <= k <= 1e6");
+  return std::make_shared<XydasKaoLaw>(k);
+}
+
+}  // namespace limitcurve
