@@ -19,19 +19,16 @@ namespace limitcurve {
 ///  - `gauge(w)`:  the factor γ ≥ 0 with w/γ on the boundary: < 1 holds, > 1 slips, 0 for w = 0;
 ///  - `moment_ratio()`: moment intercept over force intercept, m₀ = μ_r/(μ a).
 /// None of them throws, allocates, locks, or loops without bound.
+// clang-format off
 template <class Boundary>
 concept LimitBoundary = requires(const Boundary& boundary, SlipTwist twist, UnitWrench wrench) {
-  { boundary.wrench(twist) }
-  noexcept->std::same_as<UnitWrench>;
-  { boundary.point(twist) }
-  noexcept->std::same_as<BoundaryPoint>;
-  { boundary.along(wrench) }
-  noexcept->std::same_as<RadialPoint>;
-  { boundary.gauge(wrench) }
-  noexcept->std::same_as<double>;
-  { boundary.moment_ratio() }
-  noexcept->std::same_as<double>;
+  { boundary.wrench(twist) } noexcept -> std::same_as<UnitWrench>;
+  { boundary.point(twist) } noexcept -> std::same_as<BoundaryPoint>;
+  { boundary.along(wrench) } noexcept -> std::same_as<RadialPoint>;
+  { boundary.gauge(wrench) } noexcept -> std::same_as<double>;
+  { boundary.moment_ratio() } noexcept -> std::same_as<double>;
 };
+// clang-format on
 
 /// How far `wrench` is from the origin in units of the boundary point on the same ray. Both components are
 /// non-negative and collinear, so their sum serves as the length, without a square root.
