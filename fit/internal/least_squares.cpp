@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+#include "fit/internal/least_squares.hpp"
+
+#include <ceres/ceres.h>
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <stdexcept>
+
+namespace limitcurve::fit::internal {
+
+namespace {
+
+/// One sample's residual for Ceres. The model outlives the problem.
+class SampleCost final : public ceres::CostFunction {
+ public:
+  SampleCost(const ResidualModel& model, std::size_t sample, std::size_t parameters)
+      : model_(model), sample_(sample), parameters_(parameters) {
+    set_num_residuals(1);
+    mutable_parameter_block_sizes()->push_back(static_cast<int>(parameters));
+  }
+
+  bool Evaluate(double const* const* blocks, double* residuals, double** jacobians) const override {
+    double* const gradient = jacobians != nullptr ? jacobians[0] : nullptr;
+    if (!model_.evaluate(sample_, {blocks[0], parameters_}, residuals[0], gradient)) return false;
+    return std::isfinite(residuals[0]);
+  }
+
+ private:
+  const ResidualModel& model_;
+  std::size_t sample_;
+  std::size_t parameters_;
+};
+
+std::unique_ptr<ceres::LossFunction> make_loss(const Loss& loss) {
+  switch (loss.kind) {
+    case Loss::Kind::huber:
+      return std::make_unique<ceres::HuberLoss>(loss.scale);
+    case Loss::Kind::cauchy:
+      return std::make_unique<ceres::CauchyLoss>(loss.scale);
+    case Loss::Kind::squared:
+      break;
+  }
+  return nullptr;
+}
+
+/// ψ(r) = ½ dρ(r²)/dr and ψ′(r).
+struct Influence {
+  double value;
+  double slope;
+};
+Influence influence(const Loss& loss, double residual) {
+  const double scaled = residual / loss.scale;
+  switch (loss.kind) {
+    case Loss::Kind::huber:
+      return std::abs(scaled) <= 1.0 ? Influence{residual, 1.0} : Influence{std::copysign(loss.scale, residual), 0.0};
+    case Loss::Kind::cauchy: {
+      const double weight = 1.0 / (1.0 + scaled * scaled);
+      return {residual * weight, (1.0 - scaled * scaled) * weight * weight};
+    }
+    case Loss::Kind::squared:
+      break;
+  }
+  return {residual, 1.0};
+}
+
+/// Ceres speaks through glog, which prints to standard error unless told otherwise; a library must not.
+ceres::Solver::Options quiet_options() {
+  ceres::Solver::Options options;
+  options.logging_type = ceres::SILENT;
+  options.minimizer_progress_to_stdout = false;
+  options.linear_solver_type = ceres::DENSE_QR;
+  options.max_num_iterations = 200;
+  // Noise-free data are to be met to the last digits, which the defaults (1e-6) are not made for.
+  options.function_tolerance = 1e-16;
+  options.gradient_tolerance = 1e-18;
+  options.parameter_tolerance = 1e-14;
+  options.num_threads = 1;
+  return options;
+}
+
+}  // namespace
+
+Solution minimise(const ResidualModel& model, std::span<const Parameter> parameters, const Loss& loss) {
+  Solution solution;
+  const std::size_t free = parameters.size();
+  for (const Parameter& parameter : parameters) {
+    solution.values.push_back(std::clamp(parameter.start, parameter.low, parameter.high));
+  }
+  double* const block = solution.values.data();
+  const std::unique_ptr<ceres::LossFunction> loss_function = make_loss(loss);
+  ceres::Problem::Options problem_options;
+  problem_options.loss_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
+  ceres::Problem problem(problem_options);
+  problem.AddParameterBlock(block, static_cast<int>(free));
+  for (std::size_t i = 0; i < model.count(); ++i) {
+    // The problem owns the cost functions.
+    problem.AddResidualBlock(new SampleCost(model, i, free), loss_function.get(), block);
+  }
+  for (std::size_t j = 0; j < free; ++j) {
+    const int index = static_cast<int>(j);
+    if (std::isfinite(parameters[j].low)) problem.SetParameterLowerBound(block, index, parameters[j].low);
+    if (std::isfinite(parameters[j].high)) problem.SetParameterUpperBound(block, index, parameters[j].high);
+  }
+  ceres::Solver::Summary summary;
+  ceres::Solve(quiet_options(), &problem, &summary);
+  if (summary.termination_type == ceres::FAILURE && summary.num_successful_steps <= 0) {
+    throw std::invalid_argument("the fit cannot start: " + summary.message);
+  }
+  solution.converged = summary.termination_type == ceres::CONVERGENCE;
+  solution.iterations = static_cast<int>(summary.iterations.size());
+  solution.message = summary.message;
+  solution.cost = summary.final_cost;
+  solution.residuals.resize(model.count());
+  solution.jacobian.resize(model.count() * free);
+  for (std::size_t i = 0; i < model.count(); ++i) {
+    if (!model.evaluate(i, solution.values, solution.residuals[i], solution.jacobian.data() + i * free)) solution.converged = false;
+  }
+  return solution;
+}
+
+std::vector<double> covariance(const Solution& solution, std::span<const Parameter> parameters, const Loss& loss, double variance) {
+  using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  const auto free = static_cast<Eigen::Index>(parameters.size());
+  const auto count = static_cast<Eigen::Index>(solution.residuals.size());
+  const Eigen::Map<const RowMatrix> jacobian(solution.jacobian.data(), count, free);
+
+  // Identifiability is judged with columns of unit length, so that units do not matter.
+  Eigen::VectorXd length = jacobian.colwise().norm();
+  for (Eigen::Index j = 0; j < free; ++j) {
+    if (!(length[j] > 0.0)) length[j] = std::numeric_limits<double>::min();
+  }
+  const Eigen::MatrixXd scaled = jacobian * length.cwiseInverse().asDiagonal();
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(scaled, Eigen::ComputeThinV);
+  constexpr double rank_threshold = 1e-9;
+  const double largest = svd.singularValues()[0];
+  const bool too_few = count < free;
+  if (too_few || !(svd.singularValues()[free - 1] > rank_threshold * largest)) {
+    std::string names;
+    for (Eigen::Index j = 0; j < free; ++j) {
+      // The direction that costs nothing: its large components are what cannot be told.
+      if (too_few || std::abs(svd.matrixV()(j, free - 1)) > 0.1)
+        names += (names.empty() ? "" : ", ") + parameters[static_cast<std::size_t>(j)].name;
+    }
+    throw std::invalid_argument("not identifiable from these samples: " + names);
+  }
+
+  Eigen::MatrixXd bread = Eigen::MatrixXd::Zero(free, free);
+  Eigen::MatrixXd filling = Eigen::MatrixXd::Zero(free, free);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const Influence pull = influence(loss, solution.residuals[static_cast<std::size_t>(i)]);
+    const Eigen::VectorXd row = scaled.row(i);
+    bread += pull.slope * row * row.transpose();
+    filling += pull.value * pull.value * row * row.transpose();
+  }
+  RowMatrix result;
+  if (loss.kind == Loss::Kind::squared) {
+    result = variance * svd.matrixV() * svd.singularValues().array().square().inverse().matrix().asDiagonal() * svd.matrixV().transpose();
+  } else {
+    const Eigen::MatrixXd inverse = bread.inverse();
+    const double few = static_cast<double>(count) / std::max(1.0, static_cast<double>(count - free));
+    result = few * inverse * filling * inverse;
+  }
+  result = (length.cwiseInverse().asDiagonal() * result * length.cwiseInverse().asDiagonal()).eval();
+  return {result.data(), result.data() + result.size()};
+}
+
+}  // namespace limitcurve::fit::internal

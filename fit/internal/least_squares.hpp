@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "fit/loss.hpp"
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+/// The one door to Ceres: no other file of the module knows it.
+namespace limitcurve::fit::internal {
+
+/// A model with one residual a sample and its analytic gradient. Called from one thread, many times with the same
+/// parameters in a row, so that a model may keep what depends on the parameters alone.
+class ResidualModel {
+ public:
+  virtual ~ResidualModel() = default;
+  [[nodiscard]] virtual std::size_t count() const noexcept = 0;
+  /// The residual of sample i at `parameters`, and into `gradient` (if not null) its derivatives. False where the model is not defined.
+  virtual bool evaluate(std::size_t i, std::span<const double> parameters, double& residual, double* gradient) const = 0;
+};
+
+/// A free parameter: where to begin and the bounds that keep it physical.
+struct Parameter {
+  std::string name;
+  double start;
+  double low;
+  double high;
+};
+
+struct Solution {
+  std::vector<double> values;
+  /// Residuals before any loss, in the samples' order, and the gradient of each, row by row.
+  std::vector<double> residuals;
+  std::vector<double> jacobian;
+  double cost = 0.0;  ///< ½ Σ loss(residual²)
+  bool converged = false;
+  int iterations = 0;
+  std::string message;
+};
+
+/// Minimises ½ Σ loss(residual²) within the bounds. Throws std::invalid_argument if the model is undefined at the start.
+Solution minimise(const ResidualModel& model, std::span<const Parameter> parameters, const Loss& loss = {});
+
+/// Covariance of the parameters, row by row: (JᵀJ)⁻¹ for plain least squares, the sandwich
+/// (Σψ′ggᵀ)⁻¹ (Σψ²ggᵀ) (Σψ′ggᵀ)⁻¹ for a robust loss. `variance` is that of one residual (1 if residuals are already in
+/// units of their standard deviation). Throws std::invalid_argument naming the parameters that the samples leave
+/// undetermined (singular value of the column-scaled Jacobian below 1e-9 of the largest).
+std::vector<double> covariance(const Solution& solution, std::span<const Parameter> parameters, const Loss& loss, double variance);
+
+}  // namespace limitcurve::fit::internal

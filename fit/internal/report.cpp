@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#include "fit/internal/report.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace limitcurve::fit::internal {
+
+double root_mean_square(std::span<const double> residuals) noexcept {
+  double sum = 0.0;
+  for (const double residual : residuals) sum += residual * residual;
+  return residuals.empty() ? 0.0 : std::sqrt(sum / static_cast<double>(residuals.size()));
+}
+
+double residual_variance(const Solution& solution) noexcept {
+  const std::size_t count = solution.residuals.size();
+  const std::size_t free = solution.values.size();
+  if (count <= free) return 0.0;
+  const double rms = root_mean_square(solution.residuals);
+  return rms * rms * static_cast<double>(count) / static_cast<double>(count - free);
+}
+
+void describe(FitReport& report, const Solution& solution) {
+  report.residuals = solution.residuals.size();
+  report.free_parameters = solution.values.size();
+  report.rms = root_mean_square(solution.residuals);
+  report.converged = solution.converged;
+  report.iterations = solution.iterations;
+  report.message = solution.message;
+}
+
+void set_estimates(FitReport& report, std::span<const Quantity> quantities, std::span<const double> jacobian,
+                   std::span<const double> covariance) {
+  const std::size_t count = quantities.size();
+  const std::size_t free = count == 0 ? 0 : jacobian.size() / count;
+  const auto propagated = [&](std::size_t a, std::size_t b) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < free; ++i) {
+      for (std::size_t j = 0; j < free; ++j) sum += jacobian[a * free + i] * covariance[i * free + j] * jacobian[b * free + j];
+    }
+    return sum;
+  };
+  report.estimates.clear();
+  for (std::size_t a = 0; a < count; ++a) {
+    report.estimates.push_back({quantities[a].name, quantities[a].value, std::sqrt(std::max(propagated(a, a), 0.0)), quantities[a].unit});
+  }
+  report.correlation.assign(count * count, 0.0);
+  for (std::size_t a = 0; a < count; ++a) {
+    for (std::size_t b = 0; b < count; ++b) {
+      const double scale = report.estimates[a].std_error * report.estimates[b].std_error;
+      if (scale > 0.0) report.correlation[a * count + b] = a == b ? 1.0 : propagated(a, b) / scale;
+    }
+  }
+}
+
+double akaike(double cost, std::size_t residuals, std::size_t free_parameters, bool known_variance) noexcept {
+  const auto n = static_cast<double>(residuals);
+  const double p = static_cast<double>(free_parameters) + (known_variance ? 0.0 : 1.0);
+  if (n - p - 1.0 <= 0.0) return std::numeric_limits<double>::infinity();
+  // A perfect fit of noise-free data has no variance to estimate: the floor keeps the logarithm finite.
+  const double chi_square = std::max(2.0 * cost, n * std::numeric_limits<double>::min());
+  const double misfit = known_variance ? chi_square : n * std::log(chi_square / n);
+  return misfit + 2.0 * p + 2.0 * p * (p + 1.0) / (n - p - 1.0);
+}
+
+}  // namespace limitcurve::fit::internal

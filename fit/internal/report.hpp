@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "fit/estimate.hpp"
+#include "fit/internal/least_squares.hpp"
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace limitcurve::fit::internal {
+
+/// A quantity to report, a function of the free parameters.
+struct Quantity {
+  std::string name;
+  double value;
+  std::string unit;
+};
+
+double root_mean_square(std::span<const double> residuals) noexcept;
+
+/// Variance of one residual as its scatter shows it: Σr²/(N − p), 0 if N = p.
+double residual_variance(const Solution& solution) noexcept;
+
+/// Copies counts, convergence, message and rms of the solution into the report.
+void describe(FitReport& report, const Solution& solution);
+
+/// Estimates with standard errors and correlations by linear propagation: the quantities' derivatives with respect to the free
+/// parameters are the rows of `jacobian`, `covariance` is that of the parameters.
+void set_estimates(FitReport& report, std::span<const Quantity> quantities, std::span<const double> jacobian,
+                   std::span<const double> covariance);
+
+/// AICc of a fit whose residuals r have known unit variance (`known_variance`), χ² + 2p + …, or a common unknown one, N log(χ²/N) + 2(p+1) + ….
+/// `cost` is ½ Σ loss(r²).
+double akaike(double cost, std::size_t residuals, std::size_t free_parameters, bool known_variance) noexcept;
+
+}  // namespace limitcurve::fit::internal
