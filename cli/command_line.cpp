@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+#include "cli/command_line.hpp"
+
+#include "cli/subcommands.hpp"
+
+// The only place that includes it: it takes seconds to compile.
+#include <CLI/CLI.hpp>
+
+#include <stdexcept>
+#include <utility>
+
+namespace limitcurve::cli {
+
+namespace {
+
+CLI::Option* add_option(CLI::App& app, const std::string& name, const std::string& kind, std::function<void(const std::string&)> take,
+                        const std::string& help, Presence presence) {
+  const auto take_each = [name, take = std::move(take)](const CLI::results_t& texts) {
+    try {
+      for (const std::string& text : texts) take(text);
+    } catch (const std::invalid_argument& error) {
+      throw std::invalid_argument(name + ": " + error.what());
+    }
+    return true;
+  };
+  return app.add_option(name, take_each, help)->type_name(kind)->required(presence == Presence::required);
+}
+
+struct Entry {
+  std::unique_ptr<Subcommand> subcommand;
+  CLI::App* app = nullptr;
+  Format format = Format::csv;
+};
+
+std::vector<Entry> make_entries() {
+  std::vector<Entry> entries;
+  for (const auto make : {make_laws, make_eval, make_curve, make_p_curves, make_c_curves}) entries.push_back({make()});
+  return entries;
+}
+
+void declare(CLI::App& whole, Entry& entry) {
+  const Manual manual = entry.subcommand->manual();
+  entry.app = whole.add_subcommand(manual.name, manual.purpose);
+  entry.app->footer(manual.notes + (manual.notes.empty() ? "" : "\n\n") + "Example:\n  " + manual.example);
+  Options options(*entry.app);
+  entry.subcommand->declare(options);
+  options.value(
+      "--format", "csv|json",
+      [&entry](const std::string& text) {
+        if (text != "csv" && text != "json") throw std::invalid_argument("got '" + text + "', expected csv or json");
+        entry.format = text == "json" ? Format::json : Format::csv;
+      },
+      "Form of the results (default csv)", Presence::optional);
+}
+
+void check_subcommand(const std::string& name, const std::vector<Entry>& entries) {
+  std::string expected;
+  for (const Entry& entry : entries) {
+    if (entry.app->get_name() == name) return;
+    expected += ' ' + entry.app->get_name();
+  }
+  throw std::invalid_argument("unknown subcommand '" + name + "', expected one of" + expected);
+}
+
+}  // namespace
+
+void Options::value(const std::string& name, const std::string& kind, std::function<void(const std::string&)> take, const std::string& help,
+                    Presence presence) {
+  add_option(app_, name, kind, std::move(take), help, presence)->expected(1);
+}
+
+void Options::repeated(const std::string& name, const std::string& kind, std::function<void(const std::string&)> take,
+                       const std::string& help, Presence presence) {
+  add_option(app_, name, kind, std::move(take), help, presence)
+      ->expected(1, CLI::detail::expected_max_vector_size)
+      ->allow_extra_args(false);
+}
+
+void Options::flag(const std::string& name, bool& value, const std::string& help) {
+  app_.add_flag(name, value, help);
+}
+
+void run_command_line(const std::vector<std::string>& arguments, OutputFile& output) {
+  CLI::App app("Friction limit curves of soft fingers: exact, tabulated, approximated, and driving a god-object.", "limitcurve");
+  app.set_version_flag("--version", "limitcurve " LIMITCURVE_VERSION);
+  app.require_subcommand(1);
+  app.footer(
+      "Results go to standard output as CSV (or JSON), messages to standard error.\n"
+      "Exit status: 0 success, 1 the job failed, 2 wrong usage or bad input.\n"
+      "limitcurve SUBCOMMAND --help shows its options and an example.");
+  std::vector<Entry> entries = make_entries();
+  for (Entry& entry : entries) declare(app, entry);
+  if (!arguments.empty() && arguments[0].substr(0, 1) != "-") check_subcommand(arguments[0], entries);
+  try {
+    app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
+  } catch (const CLI::CallForHelp&) {
+    output.write(app.help());
+    return output.flush();
+  } catch (const CLI::CallForVersion& version) {
+    output.write(std::string(version.what()) + "\n");
+    return output.flush();
+  } catch (const CLI::ParseError& error) {
+    throw std::invalid_argument(error.what());
+  }
+  for (const Entry& entry : entries) {
+    if (entry.app->parsed()) entry.subcommand->run({output, entry.format});
+  }
+}
+
+}  // namespace limitcurve::cli

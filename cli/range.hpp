@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <limits>
+#include <string_view>
+
+namespace limitcurve::cli {
+
+/// The values an option or a column takes, and how a complaint describes them. NaN is in none.
+struct Range {
+  bool (*contains)(double);
+  std::string_view text;
+};
+
+inline constexpr double largest = std::numeric_limits<double>::max();
+
+inline constexpr Range finite{[](double value) { return value >= -largest && value <= largest; }, "a finite number"};
+inline constexpr Range positive{[](double value) { return value > 0.0 && value <= largest; }, "a finite number > 0"};
+inline constexpr Range non_negative{[](double value) { return value >= 0.0 && value <= largest; }, "a finite number >= 0"};
+/// Distances of a centre of rotation: infinitely far is pure sliding.
+inline constexpr Range distance{[](double value) { return value >= 0.0; }, "a number >= 0, or inf"};
+
+}  // namespace limitcurve::cli

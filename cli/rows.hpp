@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "cli/output_file.hpp"
+
+#include <concepts>
+#include <initializer_list>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace limitcurve::cli {
+
+enum class Format { csv, json };
+
+/// Where a subcommand's results go, and in which form.
+struct Results {
+  OutputFile& output;
+  Format format = Format::csv;
+};
+
+/// Writes rows of named columns, one by one as they come.
+///
+/// CSV: one header line; numbers in shortest round-trip form, `inf` and `nan` in lower case; a text with a comma, a
+/// quote or a line break is quoted as in RFC 4180.
+/// JSON: an array of objects, one a line, keyed by the column names; what JSON has no number for is a string:
+/// "inf", "-inf", "nan".
+class Rows {
+ public:
+  Rows(Results results, std::initializer_list<std::string_view> columns);
+
+  /// One row; as many cells as columns, numbers or texts.
+  template <class... Cells>
+  void row(const Cells&... cells) {
+    begin_row();
+    (cell(cells), ...);
+    end_row();
+  }
+
+  /// Ends the output and hands it to the operating system. Must be called: without it the rows may be incomplete.
+  void finish();
+
+ private:
+  void begin_row();
+  void end_row();
+  void begin_cell();
+  void cell(double number);
+  void cell(std::string_view text);
+  void cell(const std::string& text) { cell(std::string_view(text)); }
+  void cell(const char* text) { cell(std::string_view(text)); }
+  template <std::unsigned_integral Integer>
+  void cell(Integer number) {
+    whole_number(number);
+  }
+  void whole_number(unsigned long long number);
+
+  Results results_;
+  std::vector<std::string> columns_;
+  std::size_t column_ = 0;
+  bool first_row_ = true;
+};
+
+}  // namespace limitcurve::cli

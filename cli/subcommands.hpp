@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "cli/subcommand.hpp"
+
+#include <memory>
+
+/// The subcommands, one file each.
+namespace limitcurve::cli {
+
+std::unique_ptr<Subcommand> make_laws();
+std::unique_ptr<Subcommand> make_eval();
+std::unique_ptr<Subcommand> make_curve();
+std::unique_ptr<Subcommand> make_p_curves();
+std::unique_ptr<Subcommand> make_c_curves();
+
+}  // namespace limitcurve::cli
