@@ -44,3 +44,209 @@ steady_twist.csv    law,boundary,projection,cor,stiffness_ratio,force,moment,exa
                       against kappa = k_r/k_l/(m0 a)^2 from 0.1 to 10, finely in log; for table/closest-point,
                       table/radial, ellipse/closest-point, ellipse/radial; error = norm of the difference of (f, m/m0)
 """
+
+import argparse
+import html
+import sys
+from pathlib import Path
+
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+
+from chart_style import Table, save  # noqa: E402
+from report_figures import FIGURES  # noqa: E402
+
+FILES = ("laws", "curves", "p_curves", "c_curves", "validate", "ellipse_error", "tables", "materials", "table_error", "replay",
+         "replay_runs", "replay_limits", "steady_twist")
+
+
+def percent(fraction, digits=2):
+    return f"{100 * fraction:.{digits}f} %"
+
+
+def numbers_to_remember(data):
+    """The three figures a reader should take away, each with the sentence that explains it."""
+    ellipses = data["validate"].where(model="ellipse")
+    worst, best = (pick(ellipses, key=lambda row: row["max_over_estimate"]) for pick in (max, min))
+    twist = data["steady_twist"]
+    settled = {projection: max(twist.where(boundary="table", projection=projection).column("error")) for projection in ("radial", "closest-point")}
+    ratios = twist.column("stiffness_ratio")
+    at_one = min(twist.where(boundary="table", projection="radial"), key=lambda row: abs(row["stiffness_ratio"] - 1))["error"]
+    fine = data["tables"].where(tolerance=min(data["tables"].column("tolerance"), key=lambda value: abs(value - 1e-8) / value))
+    small, large = (pick(fine, key=lambda row: row["bytes"]) for pick in (min, max))
+    return [
+        (percent(worst["max_over_estimate"]),
+         f"by which the ellipse over-estimates what a contact bears, at worst ({worst['law']}; {percent(best['max_over_estimate'])} for "
+         f"{best['law']}). It never under-estimates."),
+        (percent(settled["radial"], 0),
+         f"error of the steady wrench when a finger driven at a constant twist is projected radially, for stiffness ratios κ from "
+         f"{min(ratios):.2g} to {max(ratios):.2g} ({percent(at_one, 1)} at κ = 1). On the closest point it is {settled['closest-point']:.0e}."),
+        (f"{small['bytes']:.0f} bytes",
+         f"hold a look-up table of the {small['law']} law that is certified to {small['certified_error']:.1e} in force and moment "
+         f"(at most {large['bytes']:.0f} bytes, {large['law']})."),
+    ]
+
+
+def facts_table(columns, rows):
+    """An HTML table; the first column is text, the others are numbers."""
+    head = "".join(f"<th>{title}</th>" for title in columns)
+    body = "".join("<tr>" + "".join(f"<td>{cell}</td>" for cell in row) + "</tr>" for row in rows)
+    return f'<table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>'
+
+
+def materials_table(data):
+    def link(name):
+        return f'<a href="{html.escape(name)}">{html.escape(name)}</a>'
+
+    return facts_table(
+        ("material", "μ", "μ<sub>r</sub> [mm]", "law", "radius a [mm]", "certified error", "nodes", "bytes", "file"),
+        [(row["material"], f"{row['mu']:g}", f"{1e3 * row['mu_r']:g}", row["law"], f"{1e3 * row['radius']:.2f}",
+          f"{row['certified_error']:.1e}", f"{row['nodes']:.0f}", f"{row['bytes']:.0f}", link(row["file"])) for row in data["materials"]])
+
+
+def laws_table(data):
+    rows = []
+    for law in data["laws"]:
+        ellipse = data["validate"].where(law=law["law"], model="ellipse")[0]
+        cor = data["ellipse_error"].where(law=law["law"])
+        ratios = [row["cor_ratio"] for row in cor if row["cor_ratio"] == row["cor_ratio"]]
+        rows.append((law["law"], f"{law['moment_ratio']:.12g}", law["method"], percent(ellipse["max_over_estimate"]),
+                     f"{min(ratios):.2f} … {max(ratios):.2f}"))
+    return facts_table(("law", "moment ratio m<sub>0</sub>", "evaluated by", "ellipse too strong by", "COR, ellipse / true"), rows)
+
+
+def sections(data):
+    """The page's story: heading, figure, what to see in it; each number is read from the files."""
+    ellipses = data["validate"].where(model="ellipse")
+    over = sorted(ellipses.column("max_over_estimate"))
+    ratios = [row["cor_ratio"] for row in data["ellipse_error"] if row["cor_ratio"] == row["cor_ratio"]]
+    run = data["replay_runs"][-1]
+    certified = max(data["table_error"].column("tolerance"))
+    worst_between = max(max(abs(row["force_error"]), abs(row["moment_error"])) for row in data["table_error"])
+    return [
+        ("One curve for each pressure law", [
+            ("limit_curves", "The limit curves by eq. (17) of Frisoli et al. (2006), each divided by its own limits (left, the paper’s "
+             "Fig. 3) and in units of μP and μPa (right). Every law lies <em>inside</em> the dashed ellipse: a contact holds less than the "
+             "unit circle says. The laws differ little in shape and much in the moment they bear."),
+        ], laws_table(data)),
+        ("Loads and centres of rotation", [
+            ("load_curves", "p-curves (blue, load fixed) and c-curves (orange, centre of rotation fixed) of the Hertz law, the paper’s "
+             "Fig. 4. With a contact radius that does not depend on the load, c-curves are straight lines from the origin. With one that "
+             "grows with the load they bend, and the paper’s construction along straight lines no longer keeps the centre of rotation."),
+        ], ""),
+        ("How wrong the ellipse is", [
+            ("ellipse_error", f"Left: the capacity is over-estimated by up to {percent(over[0])} to {percent(over[-1])}, about half way "
+             "between pure force and pure moment. Right: the centre of rotation that follows from the ellipse’s normal is "
+             f"{min(ratios):.2f} to {max(ratios):.2f} times as far away as the true one. This is what the ellipse is worst at."),
+            ("models", "One parameter more is worth a factor of about ten; limits of force and moment that know nothing of each other "
+             "(the box) are too strong by about half."),
+        ], ""),
+        ("Look-up tables", [
+            ("tables", f"Left: bytes against tolerance. Right: the error between the nodes of a table of {certified:g} stays inside the "
+             f"tolerance (grey); the largest found here is {worst_between:.1e}."),
+        ], "<p>The tables for Table 1 of the paper (Kinoshita et al., J. Neurophysiol. 78:1619–1630, 1997). The radius is the one that "
+           "the measured ratio μ<sub>r</sub>/μ implies under the law; it exceeds a fingertip’s, so keep μ<sub>r</sub> itself where it was "
+           "measured.</p>" + materials_table(data)),
+        ("A god-object that obeys the curve", [
+            ("god_object", "The god-object’s offset from its goal on three scripted motions, with the p-curves of several loads: a pure "
+             "drag stays on the axis of r, a pure twist on that of ρ, and both boundaries agree there. In the third the finger slides and "
+             "turns while the load falls to a third and rises again."),
+            ("repositioning", "Single steps of that slip, magnified (the paper’s Fig. 5). The goal moves on, which leaves the god-object "
+             "outside the p-curve of the step’s load (diamonds); it is moved back on to it (dots): along the ray to the origin, or to the "
+             "closest point, which lies at a right angle in these axes, scaled by the springs’ energy."),
+            ("felt", "What the finger feels. Shaded: slip, by the exact curve. Where motion is combined, the radial ellipse gives a "
+             f"different moment (law {html.escape(run['law'])}, μ = {run['mu']:g}, k<sub>l</sub> = {run['stiffness']:g} N/m, "
+             f"k<sub>r</sub> = {run['twist_stiffness']:g} N m/rad)."),
+        ], ""),
+        ("The projection matters more than the curve", [
+            ("steady_twist", "A finger is driven at a constant twist until the wrench is steady. Physics says the wrench of eq. (17) at "
+             "that centre of rotation. The closest point gives it at every stiffness; the radial projection gives a wrench set by the "
+             "ratio of the springs, whatever the curve. On the ellipse the closest point is off by the ellipse’s own error."),
+        ], ""),
+    ]
+
+
+STYLE = """
+:root { color-scheme: light; }
+body { margin: 0; color: #222; background: #fff; font: 17px/1.55 Charter, "Bitstream Charter", Georgia, "DejaVu Serif", serif; }
+main { max-width: 62rem; margin: 0 auto; padding: 2.5rem 1.5rem 4rem; }
+p, figcaption, h1, h2 { max-width: 44rem; }
+h1 { font-size: 2rem; line-height: 1.2; margin: 0 0 .6rem; }
+h2 { font-size: 1.3rem; margin: 3.2rem 0 .6rem; }
+.numbers { display: grid; grid-template-columns: repeat(auto-fit, minmax(15rem, 1fr)); gap: 1.6rem; margin: 2rem 0 0; padding: 0; list-style: none; }
+.numbers li { border-top: 3px solid #0072B2; padding-top: .5rem; font-size: .92rem; line-height: 1.45; }
+.numbers b { display: block; font: 600 1.7rem/1.3 "DejaVu Sans", Helvetica, Arial, sans-serif; }
+figure { margin: 1.2rem 0 2rem; }
+figure svg { width: 100%; height: auto; display: block; }
+figcaption { font-size: .93rem; color: #444; margin-top: .5rem; }
+.wide { overflow-x: auto; }
+table { border-collapse: collapse; font: 14px/1.4 "DejaVu Sans", Helvetica, Arial, sans-serif; font-variant-numeric: tabular-nums; margin: .8rem 0; }
+th, td { text-align: right; padding: .3rem .8rem .3rem 0; border-bottom: 1px solid #e4e4e4; white-space: nowrap; }
+th { font-weight: 600; border-bottom-color: #8a8a8a; }
+th:first-child, td:first-child { text-align: left; }
+footer { margin-top: 3.5rem; border-top: 1px solid #e4e4e4; padding-top: 1rem; font-size: .9rem; color: #444; }
+a { color: #00598c; }
+@media print { h2, figure { break-inside: avoid; } }
+"""
+
+
+def page(data, pictures):
+    numbers = "".join(f"<li><b>{html.escape(value)}</b>{html.escape(text)}</li>" for value, text in numbers_to_remember(data))
+    parts = []
+    for title, figures, after in sections(data):
+        parts.append(f"<section><h2>{title}</h2>")
+        for name, caption in figures:
+            plain = html.escape(title, quote=True)
+            picture = pictures[name].replace("<svg ", f'<svg role="img" aria-label="{plain}" ', 1)
+            parts.append(f'<figure id="{name}">{picture}<figcaption>{caption}</figcaption></figure>')
+        parts.append(f'<div class="wide">{after}</div></section>' if after else "</section>")
+    files = ", ".join(f'<a href="{name}.csv">{name}.csv</a>' for name in FILES)
+    return f"""<!doctype html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<title>Limit curves of a soft finger</title>
+<style>{STYLE}</style>
+</head>
+<body>
+<main>
+<h1>Limit curves of a soft finger</h1>
+<p>A finger pad that slides and twists at once cannot bear full friction force and full friction moment together. The limit curve says
+which pairs it can bear. This page computes it exactly for several pressure laws, says what the usual ellipse gets wrong, and drives a
+soft-finger god-object with both. All figures and numbers are drawn from the CSV files beside this page.</p>
+<ul class="numbers">{numbers}</ul>
+{"".join(parts)}
+<footer>Data: {files}. Each figure stands beside this page as SVG and PNG. Source: A. Frisoli, F. Barbagli, E. Ruffaldi,
+K. Salisbury, M. Bergamasco, <em>A limit-curve based soft finger god-object algorithm</em>, Haptics Symposium 2006.</footer>
+</main>
+</body>
+</html>
+"""
+
+
+def main():
+    parser = argparse.ArgumentParser(description="Draws the report from the CSVs that `limitcurve report` writes.")
+    parser.add_argument("--data", required=True, type=Path, help="folder of the CSV files")
+    parser.add_argument("--output", required=True, type=Path, help="folder for index.html and the figures")
+    arguments = parser.parse_args()
+    try:
+        data = {name: Table.read(arguments.data / f"{name}.csv") for name in FILES}
+        arguments.output.mkdir(parents=True, exist_ok=True)
+        pictures = {name: save(draw(data), arguments.output, name) for name, draw in FIGURES.items()}
+        text = page(data, pictures)
+        whole = arguments.output / "index.html.part"
+        whole.write_text(text, encoding="utf-8")
+        whole.replace(arguments.output / "index.html")
+    except (OSError, ValueError, KeyError) as error:
+        sys.exit(f"report.py: error: {type(error).__name__}: {error}")
+
+    print(f"{arguments.output}/index.html  the report: {len(pictures)} figures, each beside it as SVG and PNG")
+    print(f"{arguments.output}/*.csv       the data: {', '.join(FILES)}")
+    print("To remember:")
+    for number, (value, words) in enumerate(numbers_to_remember(data), 1):
+        print(f"  {number}. {value} {words}")
+
+
+if __name__ == "__main__":
+    main()

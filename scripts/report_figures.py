@@ -1,0 +1,362 @@
+# SPDX-License-Identifier: MIT
+"""The figures of the report, one function each: takes the CSVs (see report.py for their columns), returns a figure."""
+
+import math
+
+from chart_style import BLUE, ELLIPSE, FAINT, GREEN, GRID, INK, ORANGE, VERMILION, law_style, plt
+
+QUARTER = [math.pi / 2 * i / 180 for i in range(181)]
+
+
+def quadrant(axes, title, x_label, y_label):
+    axes.set(title=title, xlabel=x_label, ylabel=y_label, xlim=(0, None), ylim=(0, None))
+
+
+def legend_below(figure, axes, columns):
+    figure.legend(*axes.get_legend_handles_labels(), loc="upper center", bbox_to_anchor=(0.5, 0), ncols=columns, handlelength=3)
+
+
+def limit_curves(data):
+    """Paper, Fig. 3, corrected: every law, with the ellipse that all of them stay inside."""
+    figure, (left, right) = plt.subplots(1, 2, figsize=(9.6, 4.7), layout="constrained")
+    lens = left.inset_axes([0.06, 0.06, 0.52, 0.52])
+    for law, rows in data["curves"].groups("law").items():
+        for axes in (left, lens):
+            axes.plot(rows.column("x"), rows.column("y"), label=law, **law_style(law))
+        right.plot(rows.column("force"), rows.column("moment"), **law_style(law))
+    for axes in (left, lens):
+        axes.plot([math.cos(t) for t in QUARTER], [math.sin(t) for t in QUARTER], label="ellipse", **ELLIPSE)
+    for axes in (left, lens):
+        axes.set_aspect("equal", adjustable="box")
+    quadrant(left, "Normalised by each law's own limits", "force  $F/F_{fr}$", "moment  $M/M_{fr}$")
+    left.set(xlim=(0, 1.05), ylim=(0, 1.05))
+    lens.set(xlim=(0.61, 0.76), ylim=(0.61, 0.76), xticks=[], yticks=[])
+    for spine in lens.spines.values():
+        spine.set(visible=True, color=FAINT)
+    left.indicate_inset_zoom(lens, edgecolor=FAINT)
+    quadrant(right, "In units of friction × load × contact radius", "force  $F/(\\mu P)$", "moment  $M/(\\mu P a)$")
+    right.set(xlim=(0, 1.05), ylim=(0, 1.05 * max(data["curves"].column("moment"))))
+    legend_below(figure, left, 5)
+    return figure
+
+
+def load_curves(data):
+    """Paper, Fig. 4: p-curves (load fixed) and c-curves (COR fixed), with a constant and with a growing radius."""
+    radius_laws = list(data["p_curves"].groups("radius_law"))
+    figure, panels = plt.subplots(1, len(radius_laws), figsize=(9.6, 4.4), layout="constrained", sharex=True, sharey=True)
+    top_force, top_moment = 1.28 * max(data["p_curves"].column("force")), 1.12 * 1e3 * max(data["p_curves"].column("moment"))
+    for axes, radius_law in zip(panels, radius_laws):
+        for load, rows in data["p_curves"].where(radius_law=radius_law).groups("load").items():
+            axes.plot(rows.column("force"), rows.column("moment", 1e3), color=BLUE)
+            axes.annotate(f"{load:g} N", (0, max(rows.column("moment", 1e3))), (3, 3), textcoords="offset points", color=BLUE, fontsize=8,
+                          bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.6})
+        for cor, rows in data["c_curves"].where(radius_law=radius_law).groups("c").items():
+            force, moment = rows.column("force"), rows.column("moment", 1e3)
+            inside = [i for i in range(len(force)) if force[i] <= top_force * 0.85 and moment[i] <= top_moment * 0.94]
+            axes.plot(force[:inside[-1] + 1], moment[:inside[-1] + 1], color=ORANGE, linewidth=1.2)
+            if 0 < cor < math.inf:
+                end = (force[inside[-1]], moment[inside[-1]])
+                axes.annotate(f"c = {cor * 1e3:g} mm", end, (3, 1), textcoords="offset points", color="#a06a00", fontsize=8)
+        quadrant(axes, title_of_radius_law(radius_law), "friction force  F  [N]", "friction moment  M  [N mm]")
+        axes.set(xlim=(0, top_force), ylim=(0, top_moment))
+        axes.label_outer()
+    return figure
+
+
+def title_of_radius_law(text):
+    kind, _, parameters = text.partition(":")
+    values = dict(item.split("=") for item in parameters.split(","))
+    if kind == "constant":
+        return f"Contact radius constant: a = {float(values['a']) * 1e3:g} mm"
+    if kind == "power":
+        return f"Growing with the load: a = {float(values['c']) * 1e3:g} mm × $(P/\\mathrm{{N}})^{{{values['gamma']}}}$"
+    return f"Growing with the load: {text}"
+
+
+def ellipse_error(data):
+    """How much too strong the ellipse is, and how wrong the centre of rotation it implies."""
+    figure, (left, right) = plt.subplots(1, 2, figsize=(9.6, 3.9), layout="constrained")
+    groups = data["ellipse_error"].groups("law")
+    for law in sorted(groups, key=lambda name: -max(groups[name].column("over_estimate"))):
+        rows = groups[law]
+        degrees = rows.column("angle", 180 / math.pi)
+        left.plot(degrees, rows.column("over_estimate", 100), label=f"{law}", **law_style(law))
+        right.plot(degrees, rows.column("cor_ratio"), **law_style(law))
+    direction = "direction of the wrench, 0° force … 90° moment"
+    left.set(title="Capacity over-estimated by [%]", xlabel=direction, xlim=(0, 90), ylim=(0, None))
+    right.set(title="COR distance, ellipse / true", xlabel=direction, xlim=(0, 90), yscale="log")
+    right.axhline(1, color=INK, linewidth=0.8)
+    ratios = (0.6, 0.7, 0.8, 1, 1.2, 1.5, 1.8)
+    right.set_yticks(ratios, [f"{ratio:g}" for ratio in ratios])
+    right.minorticks_off()
+    for axes in (left, right):
+        axes.set_xticks(range(0, 91, 15))
+    figure.legend(*left.get_legend_handles_labels(), loc="center left", bbox_to_anchor=(1, 0.5), handlelength=3)
+    return figure
+
+
+MODEL_MARKERS = {"box": ("X", VERMILION), "ellipse": ("o", INK), "superellipse": ("^", BLUE), "quartic": ("s", GREEN)}
+
+
+def models(data):
+    """Largest radial error of each approximation, law by law."""
+    rows = data["validate"]
+    laws = list(rows.groups("law"))
+    figure, axes = plt.subplots(figsize=(9.6, 0.34 * len(laws) + 1.1), layout="constrained")
+    for model, part in rows.groups("model").items():
+        marker, colour = MODEL_MARKERS.get(model, ("D", FAINT))
+        if model in MODEL_MARKERS:
+            axes.plot(part.column("max_error", 100), [laws.index(law) for law in part.column("law", 1)], marker, color=colour, label=model,
+                      markersize=6)
+    axes.set(xscale="log", ylim=(len(laws) - 0.5, -0.5), xlabel="largest error of the capacity in any direction [%]")
+    axes.set_yticks(range(len(laws)), laws)
+    ticks = (0.2, 0.5, 1, 2, 5, 10, 20, 50)
+    axes.set_xticks(ticks, [f"{tick:g}" for tick in ticks])
+    axes.minorticks_off()
+    legend_below(figure, axes, len(MODEL_MARKERS))
+    return figure
+
+
+def tables(data):
+    """What a look-up table costs in bytes at each tolerance, and that its error stays within it between the nodes."""
+    figure, (left, right) = plt.subplots(1, 2, figsize=(9.6, 3.9), layout="constrained", width_ratios=(1, 1.15))
+    for law, rows in data["tables"].groups("law").items():
+        left.plot(rows.column("tolerance"), rows.column("bytes"), marker="o", markersize=3, label=law, **law_style(law))
+    tolerances = data["tables"].column("tolerance")
+    left.set(title="Size of the table [bytes]", xscale="log", yscale="log", xlabel="tolerance in f and m")
+    left.set_xlim(max(tolerances) * 2, min(tolerances) / 2)
+    level_one = 32768
+    left.axhline(level_one, color=FAINT, linewidth=0.8, dashes=(2, 2))
+    left.annotate("a level-1 cache, 32 KiB", (max(tolerances) * 1.5, level_one), (0, 3), textcoords="offset points", fontsize=8, color=FAINT)
+    left.legend(loc="upper left", bbox_to_anchor=(0.0, 0.9), fontsize=7.5, handlelength=2.6, labelspacing=0.25)
+    tolerance = min(data["table_error"].column("tolerance"))
+    shown = data["table_error"].where(tolerance=tolerance)
+    for law, rows in shown.groups("law").items():
+        style = law_style(law)
+        right.plot(rows.column("spin_fraction"), rows.column("force_error", 1 / tolerance), linewidth=0.9, label=f"{law}, f", **style)
+        right.plot(rows.column("spin_fraction"), rows.column("moment_error", 1 / tolerance), linewidth=0.9, alpha=0.45, label=f"{law}, m",
+                   color=style["color"])
+    right.axhspan(-1, 1, color=GRID, alpha=0.5, zorder=0, linewidth=0)
+    right.set(title=f"Error of a table of {tolerance:g}, in tolerances", xlim=(0, 1), ylim=(-1.45, 1.45),
+              xlabel="spin fraction u of the slip:  0 slides, ½ turns about the rim, 1 spins")
+    right.legend(loc="upper center", ncols=4, fontsize=7.5, handlelength=1.8, columnspacing=1.2)
+    return figure
+
+
+def repositionings(rows, run):
+    """Per step the trial point [r, rho] before, and the point after repositioning (m, rad), recomputed from the log."""
+    steps = []
+    for before, here in zip(rows, rows[1:]):
+        if here["load"] <= 0 or before["load"] <= 0:
+            continue
+        goal_x, goal_y = here["px"] - here["fx"] / run["stiffness"], here["py"] - here["fy"] / run["stiffness"]
+        goal_angle = here["angle"] - here["moment"] / run["twist_stiffness"]
+        steps.append({
+            "state": here["state"],
+            "load": here["load"],
+            "trial": (math.hypot(before["px"] - goal_x, before["py"] - goal_y), abs(before["angle"] - goal_angle)),
+            "new": (math.hypot(here["fx"], here["fy"]) / run["stiffness"], abs(here["moment"]) / run["twist_stiffness"]),
+        })
+    return steps
+
+
+TITLES = {"ellipse": "Ellipse, radial (the paper's)", "table": "Exact curve, closest point"}
+TRACE_TITLES = {"press_drag_release": "press, drag, release", "press_twist_release": "press, twist, release",
+                "slide_twist_load": "slide and twist, load falls and rises"}
+
+
+def god_object(data):
+    """Paper, Figs. 5 and 9: the god-object in the [r, rho] plane on each trace, for ellipse and exact curve."""
+    traces = list(data["replay"].groups("trace"))
+    boundaries = list(data["replay"].groups("boundary"))
+    figure, panels = plt.subplots(len(boundaries), len(traces), figsize=(9.6, 3.1 * len(boundaries)), layout="constrained",
+                                  sharex=True, sharey=True)
+    for across, trace in enumerate(traces):
+        run = data["replay_runs"].where(trace=trace)[0]
+        for down, boundary in enumerate(boundaries):
+            axes = panels[down][across]
+            for rows in data["replay_limits"].where(trace=trace, boundary=boundary).groups("load").values():
+                axes.plot(rows.column("force", 1e3 / run["stiffness"]), rows.column("moment", 1 / run["twist_stiffness"]), color="#c4c4c4",
+                          linewidth=0.9)
+            steps = repositionings(data["replay"].where(trace=trace, boundary=boundary), run)
+            draw_steps(axes, steps)
+            if down == 0:
+                axes.set_title(TRACE_TITLES.get(trace, trace))
+            axes.set(xlim=(-0.03, None), ylim=(-0.01, None))
+            if across == 0:
+                axes.set_ylabel(f"{TITLES.get(boundary, boundary)}\nρ  [rad]")
+            if down == len(boundaries) - 1:
+                axes.set_xlabel("r  [mm]")
+    for state, colour in (("stick", FAINT), ("slip", BLUE)):
+        panels[0][0].plot([], [], color=colour, linewidth=2, label=state)
+    panels[0][0].plot([], [], color="#c4c4c4", label="p-curves")
+    legend_below(figure, panels[0][0], 4)
+    return figure
+
+
+def draw_steps(axes, steps):
+    """The path of the repositioned point, one line for each stretch of one state."""
+    begin = 0
+    for i in range(1, len(steps) + 1):
+        if i == len(steps) or steps[i]["state"] != steps[begin]["state"]:
+            path = [steps[j]["new"] for j in range(max(begin - 1, 0), i)]
+            slips_here = steps[begin]["state"] == "slip"
+            axes.plot([1e3 * r for r, _ in path], [rho for _, rho in path], color=BLUE if slips_here else FAINT,
+                      linewidth=1.8 if slips_here else 1.1, solid_capstyle="round")
+            begin = i
+
+
+LENS_STEPS, LENS_STRIDE = 6, 5
+
+
+def repositioning(data):
+    """Paper, Fig. 5: single steps of a slip whose load falls, magnified; every fifth one, so that they can be told apart."""
+    trace = list(data["replay"].groups("trace"))[-1]
+    run = data["replay_runs"].where(trace=trace)[0]
+    boundaries = list(data["replay"].groups("boundary"))
+    figure, panels = plt.subplots(1, len(boundaries), figsize=(9.6, 4.4), layout="constrained")
+    for axes, boundary in zip(panels, boundaries):
+        rows = data["replay"].where(trace=trace, boundary=boundary)
+        steps = repositionings(rows, run)
+        start = falling_load(steps)
+        shown = steps[start:start + LENS_STEPS * LENS_STRIDE:LENS_STRIDE]
+        limits = data["replay_limits"].where(trace=trace, boundary=boundary).groups("load")
+        largest = max(limits)
+        for step in shown:
+            scale = step["load"] / largest
+            grown = scale ** (1 + radius_exponent(run["radius_law"]))
+            axes.plot(limits[largest].column("force", 1e6 * scale / run["stiffness"]),
+                      limits[largest].column("moment", 1e3 * grown / run["twist_stiffness"]), color="#c4c4c4", linewidth=0.9)
+            (r, rho), (new_r, new_rho) = step["trial"], step["new"]
+            axes.plot([1e6 * r, 1e6 * new_r], [1e3 * rho, 1e3 * new_rho], color=INK, linewidth=0.9)
+            axes.plot(1e6 * r, 1e3 * rho, "D", color=INK, markersize=4)
+            axes.plot(1e6 * new_r, 1e3 * new_rho, "o", color=BLUE, markersize=4.5)
+        # One scale for both axes in the metric of the springs' energy, in which the closest point lies at a right angle.
+        equal = math.sqrt(run["twist_stiffness"] / run["stiffness"]) * 1e3
+        across = [1e6 * point[0] for step in shown for point in (step["trial"], step["new"])]
+        along = [1e3 * point[1] for step in shown for point in (step["trial"], step["new"])]
+        half = 0.62 * max(max(across) - min(across), (max(along) - min(along)) * equal)
+        middle = (0.5 * (max(across) + min(across)), 0.5 * (max(along) + min(along)))
+        axes.set(title=TITLES.get(boundary, boundary), xlabel="r  [µm]", ylabel="ρ  [mrad]", aspect=equal,
+                 xlim=(middle[0] - half, middle[0] + half), ylim=(middle[1] - half / equal, middle[1] + half / equal))
+    panels[0].plot([], [], "D", color=INK, markersize=4, label="goal has moved: before repositioning")
+    panels[0].plot([], [], "o", color=BLUE, markersize=4.5, label="god-object moved on to the p-curve")
+    panels[0].plot([], [], color="#c4c4c4", label="p-curve of each step's load")
+    legend_below(figure, panels[0], 3)
+    return figure
+
+
+def falling_load(steps):
+    """Index of the first step of the slip in the middle of the longest fall of the load while slipping."""
+    best, longest, begin = 0, 0, None
+    for i in range(1, len(steps)):
+        falls = steps[i]["state"] == "slip" and steps[i]["load"] < steps[i - 1]["load"]
+        if falls and begin is None:
+            begin = i
+        if begin is not None and not falls:
+            if i - begin > longest and min(steps[begin]["new"]) > 0:
+                best, longest = (begin + i - LENS_STEPS * LENS_STRIDE) // 2, i - begin
+            begin = None
+    return best
+
+
+def radius_exponent(text):
+    kind, _, parameters = text.partition(":")
+    if kind == "power":
+        return float(dict(item.split("=") for item in parameters.split(","))["gamma"])
+    return {"constant": 0.0, "hertz": 1 / 3}[kind]
+
+
+def felt(data):
+    """What the user feels over time on each trace: force and moment, for ellipse and exact curve."""
+    traces = list(data["replay"].groups("trace"))
+    figure, panels = plt.subplots(3, len(traces), figsize=(9.6, 5.2), layout="constrained", sharex="col", sharey="row",
+                                  height_ratios=(0.6, 1, 1))
+    looks = {"ellipse": {"color": INK, "dashes": (4, 2), "linewidth": 1.1}, "table": {"color": BLUE, "linewidth": 1.6}}
+    for column, trace in zip(zip(*panels), traces):
+        for boundary, rows in data["replay"].where(trace=trace).groups("boundary").items():
+            look = looks.get(boundary, {"color": FAINT})
+            times = rows.column("time")
+            if boundary != "ellipse":
+                column[0].plot(times, rows.column("load"), color=INK, linewidth=1.1)
+                for begin, end in slips(rows):
+                    for axes in column:
+                        axes.axvspan(begin, end, color=BLUE, alpha=0.07, linewidth=0)
+            column[1].plot(times, [math.hypot(row["fx"], row["fy"]) for row in rows], label=TITLES.get(boundary, boundary), **look)
+            column[2].plot(times, [1e3 * abs(row["moment"]) for row in rows], **look)
+        column[0].set_title(TRACE_TITLES.get(trace, trace))
+        column[2].set_xlabel("time  [s]")
+        for axes in column:
+            axes.margins(x=0)
+    for axes, label in zip((row[0] for row in panels), ("load  [N]", "force  [N]", "moment  [N mm]")):
+        axes.set_ylabel(label)
+        axes.set_ylim(0, None)
+    figure.align_ylabels()
+    legend_below(figure, panels[1][0], 2)
+    return figure
+
+
+def slips(rows):
+    """Intervals of time in which the state is slip."""
+    begin, intervals = None, []
+    for row in rows:
+        if row["state"] == "slip" and begin is None:
+            begin = row["time"]
+        elif row["state"] != "slip" and begin is not None:
+            intervals.append((begin, row["time"]))
+            begin = None
+    return intervals + ([(begin, rows[-1]["time"])] if begin is not None else [])
+
+
+TWIST_LOOKS = {
+    ("table", "closest-point"): ("exact curve, closest point", {"color": BLUE, "linewidth": 2.2}),
+    ("table", "radial"): ("exact curve, radial", {"color": VERMILION}),
+    ("ellipse", "closest-point"): ("ellipse, closest point", {"color": BLUE, "dashes": (5, 3)}),
+    ("ellipse", "radial"): ("ellipse, radial (the paper's)", {"color": VERMILION, "dashes": (5, 3)}),
+}
+
+
+def steady_twist(data):
+    """Driven long at a constant twist: the error of the wrench over the stiffness ratio, and where it settles on the curve."""
+    rows = data["steady_twist"]
+    figure, (left, right) = plt.subplots(1, 2, figsize=(9.6, 4.3), layout="constrained", width_ratios=(1.25, 1))
+    for key, part in rows.groups("boundary", "projection").items():
+        label, look = TWIST_LOOKS[key]
+        left.plot(part.column("stiffness_ratio"), part.column("error", 100), label=label, **look)
+    left.set(title="Error of the steady wrench [%]", xscale="log", xlabel="stiffness ratio  κ = $k_r/(k_l m_0^2 a^2)$", ylim=(-3, None))
+    left.set_xlim(min(rows.column("stiffness_ratio")), max(rows.column("stiffness_ratio")))
+    ratios = (0.1, 0.2, 0.5, 1, 2, 5, 10)
+    left.set_xticks(ratios, [f"{ratio:g}" for ratio in ratios])
+    left.minorticks_off()
+    left.legend(loc="upper left", handlelength=3)
+
+    law = rows[0]["law"]
+    curve = data["curves"].where(law=law)
+    moment_ratio = data["laws"].where(law=law)[0]["moment_ratio"]
+    right.plot(curve.column("x"), curve.column("y"), color=FAINT, linewidth=1.2)
+    radial = rows.where(boundary="table", projection="radial")
+    right.plot(radial.column("force"), radial.column("moment", 1 / moment_ratio), color=VERMILION, linewidth=2.2)
+    for ratio in (0.1, 0.5, 1, 2, 10):
+        row = min(radial, key=lambda one: abs(math.log(one["stiffness_ratio"] / ratio)))
+        point = (row["force"], row["moment"] / moment_ratio)
+        right.plot(*point, "o", color=VERMILION, markersize=4)
+        right.annotate(f"κ = {ratio:g}", point, (-7, -10), textcoords="offset points", color=VERMILION, fontsize=8, ha="right")
+    truth = (rows[0]["exact_force"], rows[0]["exact_moment"] / moment_ratio)
+    right.plot(*truth, "o", color=BLUE, markersize=7)
+    right.annotate("closest point: every κ", truth, (5, 7), textcoords="offset points", color=BLUE, fontsize=8.5)
+    quadrant(right, "Where the wrench settles", "force  $F/F_{fr}$", "moment  $M/M_{fr}$")
+    right.set(xlim=(0, 1.32), ylim=(0, 1.1), aspect="equal")
+    return figure
+
+
+FIGURES = {
+    "limit_curves": limit_curves,
+    "load_curves": load_curves,
+    "ellipse_error": ellipse_error,
+    "models": models,
+    "tables": tables,
+    "god_object": god_object,
+    "repositioning": repositioning,
+    "felt": felt,
+    "steady_twist": steady_twist,
+}
