@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: MIT
+#include "limitcurve/boundary_error.hpp"
+
+#include <boost/math/tools/minima.hpp>
+#include <boost/math/tools/toms748_solve.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+namespace limitcurve::detail {
+
+namespace {
+
+constexpr std::size_t intervals = 1024;
+constexpr double inf = std::numeric_limits<double>::infinity();
+
+/// The slip twist whose normal stands at ψ in the normalised plane, from pure spin (0) to pure sliding (1): evenly in
+/// this the rays are nearly even in angle, and every ray is exact without a search.
+SlipTwist twist_at(double part, UnitWrench intercepts) {
+  if (part <= 0.0) return {0.0, 1.0};
+  if (part >= 1.0) return {1.0, 0.0};
+  const double angle = 0.5 * std::numbers::pi * part;
+  return {std::sin(angle) / intercepts.force, std::cos(angle) / intercepts.moment};
+}
+
+double part_of(std::size_t i) {
+  return static_cast<double>(i) / static_cast<double>(intervals);
+}
+
+/// The largest value of `function` over [0, 1], given it on the grid: the largest there, refined between its neighbours.
+template <class Function>
+double refined_maximum(const std::vector<double>& on_grid, const Function& function) {
+  const auto best = std::max_element(on_grid.begin(), on_grid.end());
+  const auto i = static_cast<std::size_t>(best - on_grid.begin());
+  if (std::isinf(*best)) return *best;
+  constexpr int bits = 28;
+  std::uintmax_t steps = 60;
+  const double low = part_of(i == 0 ? 0 : i - 1);
+  const double high = part_of(std::min(i + 1, intervals));
+  const auto refined = boost::math::tools::brent_find_minima([&](double part) { return -function(part); }, low, high, bits, steps);
+  return std::max(*best, -refined.second);
+}
+
+/// The ratio of the CORs at an end, from two decades before it; inf or 0 if it has no other limit.
+double cor_ratio_at_end(const CompareRay& compare, double decade) {
+  const auto ratio_at = [&](double exponent) { return compare(SlipTwist::about_cor(std::pow(10.0, decade * exponent))).cor_ratio; };
+  const double before = ratio_at(5.0);
+  const double at = ratio_at(6.0);
+  if (std::isinf(at) || at == 0.0) return at;
+  // Smooth boundaries approach the limit like s or 1/s; where one turns like a power the ratio runs away as a power.
+  constexpr double runaway = 1e-3;
+  if (at > before * (1.0 + runaway)) return inf;
+  if (before > at * (1.0 + runaway)) return 0.0;
+  return at + (at - before) / 9.0;
+}
+
+}  // namespace
+
+BoundaryError boundary_error(const CompareRay& compare, UnitWrench intercepts) {
+  const auto ray_at = [&](double part) { return compare(twist_at(part, intercepts)); };
+  std::vector<double> radius(intervals + 1);
+  std::vector<double> inverse_radius(intervals + 1);
+  // At the axes themselves both CORs are 0, or both infinite.
+  std::vector<double> cor(intervals + 1, 0.0);
+  std::vector<double> inverse_cor(intervals + 1, 0.0);
+  double squares = 0.0;
+  double last_angle = 0.0;
+  double span = 0.0;
+  for (std::size_t i = 0; i <= intervals; ++i) {
+    const RayComparison ray = ray_at(part_of(i));
+    radius[i] = ray.radius_ratio;
+    inverse_radius[i] = 1.0 / ray.radius_ratio;
+    if (i > 0 && i < intervals) {
+      cor[i] = ray.cor_ratio;
+      inverse_cor[i] = 1.0 / ray.cor_ratio;
+    }
+    if (i > 0) {
+      const double width = std::fabs(ray.angle - last_angle);
+      const double here = ray.radius_ratio - 1.0;
+      const double before = radius[i - 1] - 1.0;
+      squares += width * 0.5 * (here * here + before * before);
+      span += width;
+    }
+    last_angle = ray.angle;
+  }
+  BoundaryError error;
+  error.max_over_estimate = std::max(0.0, refined_maximum(radius, [&](double part) { return ray_at(part).radius_ratio; }) - 1.0);
+  const double least = 1.0 / refined_maximum(inverse_radius, [&](double part) { return 1.0 / ray_at(part).radius_ratio; });
+  error.max_under_estimate = std::max(0.0, 1.0 - least);
+  error.max_error = std::max(error.max_over_estimate, error.max_under_estimate);
+  error.rms_error = std::sqrt(squares / span);
+
+  // Inside the outermost rays: beyond them the limits speak.
+  const auto cor_ratio = [&](double part) { return ray_at(std::clamp(part, part_of(1), part_of(intervals - 1))).cor_ratio; };
+  const double near_spin = cor_ratio_at_end(compare, -1.0);
+  const double near_slide = cor_ratio_at_end(compare, 1.0);
+  error.max_cor_ratio = std::max({refined_maximum(cor, cor_ratio), near_spin, near_slide});
+  error.min_cor_ratio =
+      std::min({1.0 / refined_maximum(inverse_cor, [&](double part) { return 1.0 / cor_ratio(part); }), near_spin, near_slide});
+  error.max_cor_error = std::max(std::fabs(error.max_cor_ratio - 1.0), std::fabs(error.min_cor_ratio - 1.0));
+  return error;
+}
+
+double equal_ripple(const WrenchOfTwist& exact, UnitWrench intercepts, const GaugeOfParameter& gauge, double low, double high) {
+  std::vector<UnitWrench> wrenches(intervals + 1);
+  for (std::size_t i = 0; i <= intervals; ++i) wrenches[i] = exact(twist_at(part_of(i), intercepts));
+  // Over-estimate less under-estimate: monotone in the parameter, because the gauge is.
+  const auto imbalance = [&](double parameter) {
+    std::vector<double> inside(intervals + 1);
+    std::vector<double> outside(intervals + 1);
+    for (std::size_t i = 0; i <= intervals; ++i) {
+      outside[i] = gauge(wrenches[i], parameter);
+      inside[i] = 1.0 / outside[i];
+    }
+    const auto gauge_at = [&](double part) { return gauge(exact(twist_at(part, intercepts)), parameter); };
+    const double over = refined_maximum(inside, [&](double part) { return 1.0 / gauge_at(part); }) - 1.0;
+    const double under = 1.0 - 1.0 / refined_maximum(outside, gauge_at);
+    return over - under;
+  };
+  const double at_low = imbalance(low);
+  const double at_high = imbalance(high);
+  if (at_low == 0.0 || at_high == 0.0 || std::signbit(at_low) == std::signbit(at_high)) {
+    return std::fabs(at_low) <= std::fabs(at_high) ? low : high;
+  }
+  constexpr int bits = 40;
+  std::uintmax_t steps = 100;
+  const auto [left, right] =
+      boost::math::tools::toms748_solve(imbalance, low, high, at_low, at_high, boost::math::tools::eps_tolerance<double>(bits), steps);
+  return 0.5 * (left + right);
+}
+
+namespace {
+
+/// One condition on an ellipse's squared semi-axes, or on their inverses: α·first + β·second ≤ bound.
+struct Condition {
+  double first;
+  double second;
+  double bound;
+};
+
+/// The α, β > 0 of largest product that meet all conditions. ln α + ln β(α), β(α) the largest that α leaves, is concave.
+std::pair<double, double> largest_product(const std::vector<Condition>& conditions) {
+  double largest = inf;
+  for (const Condition& condition : conditions) {
+    if (condition.first > 0.0) largest = std::min(largest, condition.bound / condition.first);
+  }
+  const auto second_of = [&](double first) {
+    double second = inf;
+    for (const Condition& condition : conditions) {
+      if (condition.second > 0.0) second = std::min(second, (condition.bound - first * condition.first) / condition.second);
+    }
+    return std::max(second, 0.0);
+  };
+  const auto loss = [&](double first) { return -first * second_of(first); };
+  constexpr int bits = 40;
+  std::uintmax_t steps = 200;
+  const auto [first, value] = boost::math::tools::brent_find_minima(loss, 0.0, largest, bits, steps);
+  // The largest α itself is often the answer, and a search inside the interval never quite gets there.
+  const double best = loss(largest) <= value ? largest : first;
+  return {best, second_of(best)};
+}
+
+}  // namespace
+
+Ellipse inner_ellipse(const WrenchOfTwist& exact, UnitWrench intercepts) {
+  // Inside is: no support function above the exact one, α p² + β q² ≤ (px + qy)² for every normal (p, q).
+  const auto support_at = [&](double part) {
+    const SlipTwist twist = twist_at(part, intercepts);
+    const UnitWrench wrench = exact(twist);
+    const double p = twist.slide * intercepts.force;
+    const double q = twist.spin * intercepts.moment;
+    const double support = twist.slide * wrench.force + twist.spin * wrench.moment;
+    return Condition{p * p, q * q, support * support};
+  };
+  std::vector<Condition> conditions(intervals + 1);
+  for (std::size_t i = 0; i <= intervals; ++i) conditions[i] = support_at(part_of(i));
+  conditions.front() = {0.0, 1.0, 1.0};
+  conditions.back() = {1.0, 0.0, 1.0};
+  const auto [alpha, beta] = largest_product(conditions);
+  // Between the grid's normals it may still stick out by the square of their distance.
+  const auto excess = [alpha = alpha, beta = beta](const Condition& condition) {
+    return std::sqrt((alpha * condition.first + beta * condition.second) / condition.bound);
+  };
+  std::vector<double> on_grid(intervals + 1);
+  std::transform(conditions.begin(), conditions.end(), on_grid.begin(), excess);
+  const double scale = std::max(1.0, refined_maximum(on_grid, [&](double part) { return excess(support_at(part)); }));
+  return {intercepts.force * std::sqrt(alpha) / scale, intercepts.moment * std::sqrt(beta) / scale};
+}
+
+Ellipse outer_ellipse(const WrenchOfTwist& exact, UnitWrench intercepts) {
+  // Outside is: α x² + β y² ≤ 1 at every exact point, α and β the inverse squares of the semi-axes.
+  const auto point_at = [&](double part) {
+    const UnitWrench wrench = exact(twist_at(part, intercepts));
+    const double x = wrench.force / intercepts.force;
+    const double y = wrench.moment / intercepts.moment;
+    return Condition{x * x, y * y, 1.0};
+  };
+  std::vector<Condition> conditions(intervals + 1);
+  for (std::size_t i = 0; i <= intervals; ++i) conditions[i] = point_at(part_of(i));
+  const auto [alpha, beta] = largest_product(conditions);
+  const auto excess = [alpha = alpha, beta = beta](const Condition& condition) {
+    return std::sqrt(alpha * condition.first + beta * condition.second);
+  };
+  std::vector<double> on_grid(intervals + 1);
+  std::transform(conditions.begin(), conditions.end(), on_grid.begin(), excess);
+  const double scale = refined_maximum(on_grid, [&](double part) { return excess(point_at(part)); });
+  // A rounding above 1 is not a reason to leave the intercepts.
+  const double grow = scale > 1.0 + 4.0 * std::numeric_limits<double>::epsilon() ? scale : 1.0;
+  return {intercepts.force / std::sqrt(alpha) * grow, intercepts.moment / std::sqrt(beta) * grow};
+}
+
+}  // namespace limitcurve::detail
