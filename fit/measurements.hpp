@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+namespace limitcurve::fit {
+
+/// What a force–torque sensor saw at a moment of slip: a point of the limit curve at that load, with noise.
+/// A row of a file with the columns `load,force,moment[,sigma_force,sigma_moment]`.
+struct Sample {
+  double load = 0.0;    ///< P [N], > 0
+  double force = 0.0;   ///< F [N]: tangential friction force; its sign does not matter
+  double moment = 0.0;  ///< M [N·m]: friction moment about the contact normal; its sign does not matter
+  /// Standard deviations [N], [N·m], > 0; or both 0 in all samples where they are not known.
+  double sigma_force = 0.0;
+  double sigma_moment = 0.0;
+};
+
+/// A contact radius, or the moment of a pure twist, at a load.
+/// A row of a file with the columns `load,radius[,sigma_radius]` or `load,moment[,sigma_moment]`.
+struct LoadSample {
+  double load = 0.0;   ///< P [N], > 0
+  double value = 0.0;  ///< radius [m] or moment [N·m], > 0
+  double sigma = 0.0;  ///< standard deviation of the value, > 0; or 0 in all samples where it is not known
+};
+
+struct LoadSamples {
+  enum class Quantity { radius, moment };
+  Quantity quantity = Quantity::radius;
+  std::vector<LoadSample> samples;
+};
+
+}  // namespace limitcurve::fit
