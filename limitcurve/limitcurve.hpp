@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// The page to start from: everything public in limitcurve, in the order in which it is used.
+///
+///   const Law law = parse_law("hertz");                         a pressure law (laws.hpp)
+///   law->evaluate(0.5)                                          its unit wrench at s = c/a, with an error bound
+///   const ExactCurve curve(law);                                its limit curve: a limit boundary (limit_boundary.hpp)
+///   curve.wrench(SlipTwist::about_cor(0.5)); curve.gauge(w);    what every boundary can tell
+///   Ellipse::through_intercepts(curve.moment_ratio());          a cheaper boundary …
+///   boundary_error(ellipse, curve)                              … and how wrong it is
+///   p_curve(curve, RadiusLaw::hertz(0.008, 2e5), mu, load, 64)  limit curves in newtons
+
+#include "limitcurve/boundary_error.hpp"
+#include "limitcurve/ellipse.hpp"
+#include "limitcurve/exact_curve.hpp"
+#include "limitcurve/laws.hpp"
+#include "limitcurve/limit_boundary.hpp"
+#include "limitcurve/load_curves.hpp"
+#include "limitcurve/number.hpp"
+#include "limitcurve/polygon.hpp"
+#include "limitcurve/pressure_law.hpp"
+#include "limitcurve/quartic.hpp"
+#include "limitcurve/radius_law.hpp"
+#include "limitcurve/superellipse.hpp"
+#include "limitcurve/wrench.hpp"

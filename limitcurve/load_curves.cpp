@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#include "limitcurve/load_curves.hpp"
+
+#include "limitcurve/number.hpp"
+
+#include <numbers>
+#include <stdexcept>
+#include <string>
+
+namespace limitcurve {
+
+namespace detail {
+
+namespace {
+
+void check_finite_magnitude(std::string_view name, double value, std::string_view unit) {
+  if (!(value >= 0.0 && value <= std::numeric_limits<double>::max())) throw out_of_range(name, value, unit, ">= 0 and finite");
+}
+
+}  // namespace
+
+void check_friction(double mu) {
+  check_finite_magnitude("mu", mu, "1");
+}
+
+void check_load(double load) {
+  check_finite_magnitude("load", load, "N");
+}
+
+void check_cor(double cor) {
+  if (!(cor >= 0.0)) throw out_of_range("cor", cor, "m", ">= 0");
+}
+
+void check_wrench(double force, double moment) {
+  check_finite_magnitude("force", force, "N");
+  check_finite_magnitude("moment", moment, "N m");
+}
+
+}  // namespace detail
+
+std::vector<SlipTwist> slip_twists(std::size_t points) {
+  if (points < 2) throw std::invalid_argument("points = " + std::to_string(points) + " is out of range: expected >= 2");
+  std::vector<SlipTwist> twists(points);
+  const double step = 0.5 * std::numbers::pi / static_cast<double>(points - 1);
+  for (std::size_t i = 0; i < points; ++i) {
+    const double angle = step * static_cast<double>(i);
+    twists[i] = {std::sin(angle), std::cos(angle)};
+  }
+  // The cosine of a rounded right angle is not quite 0.
+  twists.back() = {1.0, 0.0};
+  return twists;
+}
+
+double moment_capacity(double moment_ratio, const RadiusLaw& radius_law, double mu, double load) {
+  detail::check_friction(mu);
+  detail::check_load(load);
+  if (!(moment_ratio >= 0.0 && moment_ratio <= std::numeric_limits<double>::max())) {
+    throw out_of_range("moment_ratio", moment_ratio, "1", ">= 0 and finite");
+  }
+  return moment_ratio * mu * load * radius_law.radius(load);
+}
+
+}  // namespace limitcurve

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "limitcurve/limit_boundary.hpp"
+#include "limitcurve/radius_law.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <span>
+#include <vector>
+
+/// The limit surface over the normal load P: the unit curve grows by μP in force and by μPa(P) in moment. All in SI
+/// units. These functions are for the door, not for the loop: they throw std::invalid_argument for bad input.
+namespace limitcurve {
+
+/// A wrench at which a contact under load P slips about a COR at distance c.
+struct LoadPoint {
+  double load = 0.0;    ///< P [N]
+  double cor = 0.0;     ///< c [m] ∈ [0, ∞]
+  double force = 0.0;   ///< F [N]
+  double moment = 0.0;  ///< M [N·m]
+};
+
+namespace detail {
+/// Each throws std::invalid_argument naming the parameter, value, unit and range.
+void check_friction(double mu);
+void check_load(double load);
+void check_cor(double cor);
+void check_wrench(double force, double moment);
+}  // namespace detail
+
+/// Twists from pure spin (c = 0) to pure sliding (c = ∞), both ends included, evenly in the slip angle atan2(|v|, a|ω|):
+/// the curve's normal turns by equal steps, so that polylines through the points have no corner. `points` ≥ 2.
+std::vector<SlipTwist> slip_twists(std::size_t points);
+
+/// Where a contact of radius a(P) slips when it turns about `cor` [m] ∈ [0, ∞] under `load` [N] ≥ 0, μ ≥ 0:
+/// F = μP f(c/a), M = μPa m(c/a). Relative error: the boundary's and 8 ε.
+template <LimitBoundary Boundary>
+LoadPoint load_point(const Boundary& boundary, const RadiusLaw& radius_law, double mu, double load, double cor) {
+  detail::check_friction(mu);
+  detail::check_load(load);
+  detail::check_cor(cor);
+  const double radius = radius_law.radius(load);
+  const double capacity = mu * load;
+  // Without a contact there is nothing to slip against, and c/a may be 0/0.
+  if (!(radius > 0.0)) return {load, cor, 0.0, 0.0};
+  const UnitWrench unit = boundary.wrench(SlipTwist::about_cor(cor / radius));
+  return {load, cor, capacity * unit.force, capacity * radius * unit.moment};
+}
+
+/// p-curve: the limit curve at one load, at `slip_twists(points)`.
+template <LimitBoundary Boundary>
+std::vector<LoadPoint> p_curve(const Boundary& boundary, const RadiusLaw& radius_law, double mu, double load, std::size_t points) {
+  detail::check_friction(mu);
+  detail::check_load(load);
+  const double radius = radius_law.radius(load);
+  std::vector<LoadPoint> curve;
+  for (const SlipTwist twist : slip_twists(points)) {
+    const UnitWrench unit = boundary.wrench(twist);
+    // At load 0 the radius may be 0, and 0·∞ is no place.
+    const double cor = twist.spin > 0.0 ? radius * twist.cor() : twist.cor();
+    curve.push_back({load, cor, mu * load * unit.force, mu * load * radius * unit.moment});
+  }
+  return curve;
+}
+
+/// c-curve: the wrench that slips about one COR [m], over the `loads` [N]. A straight line from the origin if a does
+/// not depend on P, else bent.
+template <LimitBoundary Boundary>
+std::vector<LoadPoint> c_curve(const Boundary& boundary, const RadiusLaw& radius_law, double mu, double cor,
+                               std::span<const double> loads) {
+  std::vector<LoadPoint> curve;
+  for (const double load : loads) curve.push_back(load_point(boundary, radius_law, mu, load, cor));
+  return curve;
+}
+
+/// Γ(P) = m₀ μ P a(P) [N·m]: the moment that a pure twist needs. `moment_ratio` is m₀ ≥ 0.
+double moment_capacity(double moment_ratio, const RadiusLaw& radius_law, double mu, double load);
+
+/// The load [N] at which (F, M) begins to slip: the grip that holds it. F, M ≥ 0; 0 for F = M = 0, ∞ for any other wrench
+/// without friction (μ = 0) or beyond every finite load.
+///
+/// Root of ln gauge(F/μP, M/μPa(P)) = 0, which falls with ln P at the slope −(1 + γω): γ the radius law's exponent, ω the
+/// twist's share of the dissipation, told by the normal ahead. Newton in ln P, inside the bracket of the loads that hold
+/// F or M alone (below) and their sum (above, by convexity). 3 to 6 calls of `along`, at most 60; for a constant radius
+/// one call of `gauge`. Relative error ≤ 1e-12, the boundary's own apart.
+template <LimitBoundary Boundary>
+double load_to_hold(const Boundary& boundary, const RadiusLaw& radius_law, double mu, double force, double moment) {
+  constexpr int search_limit = 60;
+  constexpr double tolerance = 1e-14;
+  detail::check_friction(mu);
+  detail::check_wrench(force, moment);
+  if (force == 0.0 && moment == 0.0) return 0.0;
+  if (mu == 0.0) return std::numeric_limits<double>::infinity();
+  const double gamma = radius_law.exponent();
+  const double scaled_force = force / mu;
+  const double scaled_moment = moment / mu / radius_law.coefficient();
+  if (gamma == 0.0) return boundary.gauge({scaled_force, scaled_moment});
+  const double force_alone = scaled_force / boundary.wrench({1.0, 0.0}).force;
+  const double moment_alone = std::pow(scaled_moment / boundary.wrench({0.0, 1.0}).moment, 1.0 / (1.0 + gamma));
+  double low = std::max(force_alone, moment_alone);
+  double high = force_alone + moment_alone;
+  if (force == 0.0 || moment == 0.0 || std::isinf(high)) return high;
+  double load = low;
+  for (int i = 0; i < search_limit; ++i) {
+    const UnitWrench wrench{scaled_force / load, scaled_moment / (load * std::pow(load, gamma))};
+    const auto [on_boundary, normal] = boundary.along(wrench);
+    const double gauge = gauge_from(wrench, on_boundary);
+    (gauge > 1.0 ? low : high) = load;
+    const double slide_power = normal.slide * on_boundary.force;
+    const double spin_power = normal.spin * on_boundary.moment;
+    const double share = spin_power / (slide_power + spin_power);
+    double next = load * std::pow(gauge, 1.0 / (1.0 + gamma * share));
+    if (!(next >= low && next <= high)) next = 0.5 * (low + high);
+    const double step = std::fabs(next - load);
+    load = next;
+    if (step <= tolerance * load) break;
+  }
+  return load;
+}
+
+/// Grip to spare [N]: `load` less the load at which (F, M) begins to slip. Negative where it slips.
+template <LimitBoundary Boundary>
+double grip_margin(const Boundary& boundary, const RadiusLaw& radius_law, double mu, double load, double force, double moment) {
+  detail::check_load(load);
+  return load - load_to_hold(boundary, radius_law, mu, force, moment);
+}
+
+}  // namespace limitcurve
