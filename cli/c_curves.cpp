@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "cli/subcommands.hpp"
 
-#include <limits>
+#include "limitcurve/exact_curve.hpp"
+#include "limitcurve/load_curves.hpp"
 
 namespace limitcurve::cli {
 
@@ -23,16 +24,12 @@ class CCurves final : public Subcommand {
     options.numbers("--loads", loads_, non_negative, "Normal loads P [N]");
   }
 
-  void run(Results results) override {
+  void run(const Results& results) override {
     Rows rows(results, {"c", "load", "force", "moment"});
+    const ExactCurve exact(law_);
     for (const double c : distances_) {
-      for (const double load : loads_) {
-        const double radius = radius_law_->radius(load);
-        const double limit = friction_ * load;
-        // No load may mean no radius: then any centre of rotation is infinitely many radii away.
-        const double s = radius > 0.0 ? c / radius : std::numeric_limits<double>::infinity();
-        const UnitWrench unit = law_->evaluate(s).wrench;
-        rows.row(c, load, limit * unit.force, limit * radius * unit.moment);
+      for (const LoadPoint& point : c_curve(exact, *radius_law_, friction_, c, loads_)) {
+        rows.row(point.cor, point.load, point.force, point.moment);
       }
     }
     rows.finish();

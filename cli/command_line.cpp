@@ -34,7 +34,7 @@ struct Entry {
 
 std::vector<Entry> make_entries() {
   std::vector<Entry> entries;
-  for (const auto make : {make_laws, make_eval, make_curve, make_p_curves, make_c_curves}) entries.push_back({make()});
+  for (const auto make : {make_laws, make_eval, make_curve, make_p_curves, make_c_curves, make_validate}) entries.push_back({make()});
   return entries;
 }
 
@@ -80,7 +80,7 @@ void Options::flag(const std::string& name, bool& value, const std::string& help
   app_.add_flag(name, value, help);
 }
 
-void run_command_line(const std::vector<std::string>& arguments, OutputFile& output) {
+void run_command_line(const std::vector<std::string>& arguments, Results results) {
   CLI::App app("Friction limit curves of soft fingers: exact, tabulated, approximated, and driving a god-object.", "limitcurve");
   app.set_version_flag("--version", "limitcurve " LIMITCURVE_VERSION);
   app.require_subcommand(1);
@@ -94,16 +94,18 @@ void run_command_line(const std::vector<std::string>& arguments, OutputFile& out
   try {
     app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
   } catch (const CLI::CallForHelp&) {
-    output.write(app.help());
-    return output.flush();
+    results.output.write(app.help());
+    return results.output.flush();
   } catch (const CLI::CallForVersion& version) {
-    output.write(std::string(version.what()) + "\n");
-    return output.flush();
+    results.output.write(std::string(version.what()) + "\n");
+    return results.output.flush();
   } catch (const CLI::ParseError& error) {
     throw std::invalid_argument(error.what());
   }
   for (const Entry& entry : entries) {
-    if (entry.app->parsed()) entry.subcommand->run({output, entry.format});
+    if (!entry.app->parsed()) continue;
+    results.format = entry.format;
+    entry.subcommand->run(results);
   }
 }
 

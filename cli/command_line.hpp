@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "cli/output_file.hpp"
+#include "cli/rows.hpp"
 
 #include <string>
 #include <vector>
 
 namespace limitcurve::cli {
 
-/// Runs `limitcurve ARGUMENTS…` with its results going to `output`. Throws std::invalid_argument for wrong usage or bad
+/// Runs `limitcurve ARGUMENTS…`; what --format says overrules `results`. Throws std::invalid_argument for wrong usage or bad
 /// input, any other std::exception when the job failed. This is what main() calls, and `report` for each of its tables.
-void run_command_line(const std::vector<std::string>& arguments, OutputFile& output);
+void run_command_line(const std::vector<std::string>& arguments, Results results);
 
 }  // namespace limitcurve::cli

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "cli/slip_angles.hpp"
 #include "cli/subcommands.hpp"
+
+#include "limitcurve/load_curves.hpp"
 
 namespace limitcurve::cli {
 
@@ -20,13 +21,12 @@ class Curve final : public Subcommand {
     options.count("--points", points_, 2, 10'000'000, "Number of points");
   }
 
-  void run(Results results) override {
+  void run(const Results& results) override {
     Rows rows(results, {"c", "force", "moment", "x", "y"});
     const double moment_ratio = law_->moment_ratio();
-    for (std::size_t i = 0; i < points_; ++i) {
-      const double s = cor_at_slip_angle(i, points_);
-      const UnitWrench wrench = law_->evaluate(s).wrench;
-      rows.row(s, wrench.force, wrench.moment, wrench.force, wrench.moment / moment_ratio);
+    for (const SlipTwist twist : slip_twists(points_)) {
+      const UnitWrench wrench = law_->evaluate(twist.cor()).wrench;
+      rows.row(twist.cor(), wrench.force, wrench.moment, wrench.force, wrench.moment / moment_ratio);
     }
     rows.finish();
   }

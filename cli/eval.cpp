@@ -38,7 +38,7 @@ class Eval final : public Subcommand {
     options.choice("--method", method_, method_names(), "How eq. (17) is evaluated");
   }
 
-  void run(Results results) override {
+  void run(const Results& results) override {
     const Method method = methods.at(method_);
     if (!law_->allows(method)) throw std::invalid_argument(unsupported(method));
     Rows rows(results, {"c", "force", "moment", "force_error", "moment_error"});

@@ -20,7 +20,7 @@ class Laws final : public Subcommand {
 
   void declare(Options&) override {}
 
-  void run(Results results) override {
+  void run(const Results& results) override {
     Rows rows(results, {"law", "moment_ratio", "method", "error"});
     for (const std::string_view name : law_examples()) {
       const Law law = parse_law(name);

@@ -23,7 +23,7 @@ int main(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN);
   try {
     auto output = limitcurve::cli::OutputFile::standard_output();
-    limitcurve::cli::run_command_line({argv + 1, argv + argc}, output);
+    limitcurve::cli::run_command_line({argv + 1, argv + argc}, {output});
     return 0;
   } catch (const std::invalid_argument& error) {
     complain(error.what());

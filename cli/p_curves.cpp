@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "cli/slip_angles.hpp"
 #include "cli/subcommands.hpp"
 
-#include <cmath>
+#include "limitcurve/exact_curve.hpp"
+#include "limitcurve/load_curves.hpp"
 
 namespace limitcurve::cli {
 
@@ -24,16 +24,12 @@ class PCurves final : public Subcommand {
     options.count("--points", points_, 2, 10'000'000, "Number of points a curve");
   }
 
-  void run(Results results) override {
+  void run(const Results& results) override {
     Rows rows(results, {"load", "c", "force", "moment"});
+    const ExactCurve exact(law_);
     for (const double load : loads_) {
-      const double radius = radius_law_->radius(load);
-      const double limit = friction_ * load;
-      for (std::size_t i = 0; i < points_; ++i) {
-        const double s = cor_at_slip_angle(i, points_);
-        const UnitWrench unit = law_->evaluate(s).wrench;
-        // A load of zero may leave no contact at all; its pure slide is infinitely far all the same.
-        rows.row(load, std::isinf(s) ? s : s * radius, limit * unit.force, limit * radius * unit.moment);
+      for (const LoadPoint& point : p_curve(exact, *radius_law_, friction_, load, points_)) {
+        rows.row(point.load, point.cor, point.force, point.moment);
       }
     }
     rows.finish();

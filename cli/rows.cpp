@@ -29,22 +29,31 @@ std::string quoted_for_json(std::string_view text) {
 
 }  // namespace
 
-Rows::Rows(Results results, std::initializer_list<std::string_view> columns) : results_(results) {
+Rows::Rows(Results results, std::initializer_list<std::string_view> columns) : results_(std::move(results)) {
   for (const std::string_view name : columns) {
-    if (results_.format == Format::csv) {
-      if (!columns_.empty()) results_.output.write(",");
-      results_.output.write(quoted_for_csv(name));
-      columns_.emplace_back(name);
-    } else {
-      columns_.push_back(quoted_for_json(name));
-    }
+    columns_.push_back(results_.format == Format::csv ? quoted_for_csv(name) : quoted_for_json(name));
   }
-  results_.output.write(results_.format == Format::csv ? "\n" : "[");
+  if (results_.format == Format::json) {
+    results_.output.write("[");
+    return;
+  }
+  std::string header;
+  for (const auto& [name, cell] : results_.leading) {
+    header += quoted_for_csv(name) + ',';
+    leading_ += quoted_for_csv(cell) + ',';
+  }
+  for (const std::string& name : columns_) header += name + ',';
+  header.back() = '\n';
+  if (results_.header) results_.output.write(header);
 }
 
 void Rows::begin_row() {
   column_ = 0;
-  if (results_.format == Format::json) results_.output.write(first_row_ ? "\n{" : ",\n{");
+  if (results_.format == Format::csv) {
+    results_.output.write(leading_);
+  } else {
+    results_.output.write(first_row_ ? "\n{" : ",\n{");
+  }
   first_row_ = false;
 }
 

@@ -7,16 +7,20 @@
 #include <initializer_list>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace limitcurve::cli {
 
 enum class Format { csv, json };
 
-/// Where a subcommand's results go, and in which form.
+/// Where a subcommand's results go, and in which form. `report` gathers those of several runs in one CSV file: each row
+/// then begins with what distinguishes its run, and only the first run writes the header.
 struct Results {
   OutputFile& output;
   Format format = Format::csv;
+  std::vector<std::pair<std::string, std::string>> leading = {};  ///< column, its cell in every row; CSV only
+  bool header = true;                                             ///< CSV only
 };
 
 /// Writes rows of named columns, one by one as they come.
@@ -56,6 +60,7 @@ class Rows {
 
   Results results_;
   std::vector<std::string> columns_;
+  std::string leading_;
   std::size_t column_ = 0;
   bool first_row_ = true;
 };

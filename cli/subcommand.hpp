@@ -23,7 +23,7 @@ class Subcommand {
   virtual void declare(Options& options) = 0;
   /// Writes the results. Throws std::invalid_argument for wrong usage or bad input, any other std::exception when the
   /// job failed.
-  virtual void run(Results results) = 0;
+  virtual void run(const Results& results) = 0;
 };
 
 }  // namespace limitcurve::cli

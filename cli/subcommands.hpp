@@ -13,5 +13,8 @@ std::unique_ptr<Subcommand> make_eval();
 std::unique_ptr<Subcommand> make_curve();
 std::unique_ptr<Subcommand> make_p_curves();
 std::unique_ptr<Subcommand> make_c_curves();
+std::unique_ptr<Subcommand> make_table();
+std::unique_ptr<Subcommand> make_validate();
+std::unique_ptr<Subcommand> make_replay();
 
 }  // namespace limitcurve::cli

@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: MIT
+"""Calls the limitcurve executable, and reads what it prints."""
+
+import csv
+import io
+import os
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+EXECUTABLE = os.environ["LIMITCURVE"]
+DATA = Path(os.environ["LIMITCURVE_DATA"])
+
+
+def run(*arguments, **options):
+    """The finished process, with its texts."""
+    return subprocess.run([EXECUTABLE, *map(str, arguments)], capture_output=True, text=True, timeout=120, check=False, **options)
+
+
+def rows(*arguments):
+    """The rows of a call that succeeds, as dictionaries whose numbers are numbers."""
+    done = run(*arguments)
+    if done.returncode != 0 or done.stderr:
+        raise AssertionError(f"{arguments}: exit {done.returncode}, {done.stderr}")
+    return [{name: number_or_text(value) for name, value in row.items()} for row in csv.DictReader(io.StringIO(done.stdout))]
+
+
+def header(*arguments):
+    return run(*arguments).stdout.split("\n", 1)[0]
+
+
+def number_or_text(text):
+    try:
+        return float(text)
+    except ValueError:
+        return text
+
+
+def numbers(values):
+    """A list as --c and its like take it, each number exactly."""
+    return ",".join(repr(float(value)) for value in values)
+
+
+class CommandLineTest(unittest.TestCase):
+    """Tests in a directory of their own, where nothing may be left behind unnoticed."""
+
+    def setUp(self):
+        directory = tempfile.TemporaryDirectory()
+        self.addCleanup(directory.cleanup)
+        self.directory = Path(directory.name)
+
+    def file(self, name, text):
+        path = self.directory / name
+        path.write_text(text)
+        return path
+
+    def assert_fails(self, status, told, *arguments, **options):
+        """Exit `status`, and one line on standard error that has all of `told` (a text or several)."""
+        done = run(*arguments, **options)
+        context = f"{arguments}: {done.stderr!r}"
+        self.assertEqual(done.returncode, status, context)
+        self.assertRegex(done.stderr, r"\Alimitcurve: error: [^\n]+\n\Z", context)
+        for text in [told] if isinstance(told, str) else told:
+            self.assertIn(text, done.stderr, context)
+
+    def assert_close(self, value, expected, relative, context=""):
+        self.assertLessEqual(abs(value - expected), relative * abs(expected), f"{value!r}, expected {expected!r} {context}")

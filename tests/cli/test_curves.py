@@ -1,0 +1,141 @@
+# SPDX-License-Identifier: MIT
+"""laws, eval, curve, p-curves, c-curves: columns, values against the reference, agreement between them."""
+
+import csv
+import json
+import math
+import unittest
+
+from command_line import DATA, CommandLineTest, header, numbers, rows, run
+
+LAWS = ["hertz", "uniform", "parabolic", "flat-punch", "cone", "power:n=2.3", "xydas-kao:k=3", "gaussian:sigma=0.4"]
+
+
+class Laws(CommandLineTest):
+    def test_lists_every_kind_with_its_ratio(self):
+        listed = {row["law"]: row for row in rows("laws")}
+        self.assertEqual(header("laws"), "law,moment_ratio,method,error")
+        for law in LAWS:
+            self.assertIn(law, listed)
+        self.assertEqual(listed["hertz"]["moment_ratio"], 3 * math.pi / 16)
+        self.assertEqual(listed["uniform"]["moment_ratio"], 2 / 3)
+        self.assert_close(listed["xydas-kao:k=3"]["moment_ratio"], 0.620245007350, 1e-11)
+        self.assertEqual({row["method"] for row in listed.values()}, {"closed", "ring"})
+
+    def test_every_listed_law_can_be_evaluated(self):
+        for row in rows("laws"):
+            pure_twist = rows("eval", "--law", row["law"], "--c", "0")[0]
+            self.assertEqual(pure_twist["moment"], row["moment_ratio"])
+
+
+class Eval(CommandLineTest):
+    def test_columns(self):
+        self.assertEqual(header("eval", "--law", "hertz", "--c", "1"), "c,force,moment,force_error,moment_error")
+
+    def test_hertz_at_exactly_known_places(self):
+        m0 = 3 * math.pi / 16
+        for row, ratio in zip(rows("eval", "--law", "hertz", "--c", "0.25,0.5,1"), [0.93896484375, 99 / 128, 3 / 8]):
+            self.assert_close(row["moment"] / m0, ratio, 4e-16)
+        self.assert_close(rows("eval", "--law", "hertz", "--c", "1")[0]["force"], 9 * math.pi / 32, 4e-16)
+
+    def test_every_reference_value_is_met_within_the_error_stated(self):
+        with open(DATA / "reference" / "limit_curve.csv", newline="", encoding="utf-8") as file:
+            reference = list(csv.DictReader(line for line in file if not line.startswith("#")))
+        self.assertGreater(len(reference), 100)
+        by_law = {}
+        for row in reference:
+            by_law.setdefault(row["law"], []).append(row)
+        for law, expected in by_law.items():
+            bound = 1e-11 if law.startswith("xydas-kao") else 1e-13
+            found = rows("eval", "--law", law, "--c", numbers(float(row["c_over_a"]) for row in expected))
+            self.assertEqual(len(found), len(expected))
+            for row, exact in zip(found, expected):
+                self.assertEqual(row["c"], float(exact["c_over_a"]))
+                for name in ["force", "moment"]:
+                    value = float(exact[name])
+                    self.assert_close(row[name], value, bound, f"{law} at {row['c']}")
+                    # The reference is rounded to a double here; a value below the normal range has fewer digits.
+                    rounding = max(1.2e-16 * value, 5e-324)
+                    self.assertLessEqual(abs(row[name] - value), row[name + "_error"] + rounding, f"{law} {name} at {row['c']}")
+
+    def test_scales_with_radius_load_and_friction(self):
+        unit = rows("eval", "--law", "parabolic", "--c", "0,0.5,1,8,inf")
+        # Powers of two: the scaled values are the same bits.
+        scaled = rows("eval", "--law", "parabolic", "--c", "0,0.125,0.25,2,inf", "--radius", "0.25", "--load", "8", "--mu", "0.5")
+        for one, other in zip(unit, scaled):
+            self.assertEqual(other["force"], 4 * one["force"])
+            self.assertEqual(other["moment"], one["moment"])
+
+    def test_methods_agree_within_their_errors(self):
+        places = numbers([0, 1e-6, 0.3, 0.999, 1, 1.001, 3, 1e6, math.inf])
+        for law in ["hertz", "uniform", "parabolic", "power:n=2.3"]:
+            closed = rows("eval", "--law", law, "--c", places, "--method", "closed")
+            self.assertEqual(closed, rows("eval", "--law", law, "--c", places))
+            for method in ["ring", "punch", "direct"]:
+                for one, other in zip(closed, rows("eval", "--law", law, "--c", places, "--method", method)):
+                    for name in ["force", "moment"]:
+                        allowed = one[name + "_error"] + other[name + "_error"]
+                        self.assertLessEqual(abs(one[name] - other[name]), allowed, f"{law} {method} {name} at {one['c']}")
+
+    def test_numbers_read_back_exactly(self):
+        places = [0.1, 1 / 3, 2**-1074, 1.7976931348623157e308, 1 + 2**-52]
+        for row, place in zip(rows("eval", "--law", "hertz", "--c", numbers(places)), places):
+            self.assertEqual(row["c"], place)
+
+    def test_json_holds_the_same(self):
+        call = ["eval", "--law", "hertz", "--c", "0.25,inf"]
+        parsed = json.loads(run(*call, "--format", "json").stdout)
+        self.assertEqual(parsed[1]["c"], "inf")
+        parsed[1]["c"] = math.inf
+        self.assertEqual(parsed, rows(*call))
+
+
+class Curves(CommandLineTest):
+    def test_columns(self):
+        load_dependent = ["--law", "hertz", "--radius-law", "power:c=0.002,gamma=0.25", "--mu", "0.8", "--loads", "1,2"]
+        self.assertEqual(header("curve", "--law", "hertz"), "c,force,moment,x,y")
+        self.assertEqual(header("p-curves", *load_dependent), "load,c,force,moment")
+        self.assertEqual(header("c-curves", *load_dependent, "--cors", "0,1"), "c,load,force,moment")
+
+    def test_curve_runs_from_twist_to_slide_evenly_in_angle(self):
+        for law in LAWS:
+            curve = rows("curve", "--law", law, "--points", "91")
+            self.assertEqual(len(curve), 91)
+            self.assertEqual((curve[0]["c"], curve[0]["x"], curve[0]["y"]), (0, 0, 1))
+            self.assertEqual((curve[-1]["c"], curve[-1]["x"], curve[-1]["y"]), (math.inf, 1, 0))
+            for degrees, point in enumerate(curve):
+                self.assertAlmostEqual(math.degrees(math.atan(point["c"])), degrees, places=9)
+                self.assertLessEqual(point["x"] ** 2 + point["y"] ** 2, 1 + 1e-15)
+            exact = rows("eval", "--law", law, "--c", numbers(point["c"] for point in curve))
+            for point, expected in zip(curve, exact):
+                self.assertEqual((point["force"], point["moment"]), (expected["force"], expected["moment"]))
+
+    def test_p_curves_are_eval_at_the_loads_radius(self):
+        found = rows("p-curves", "--law", "uniform", "--radius-law", "hertz:R=0.008,E=2e5", "--mu", "0.8", "--loads", "0.5,2",
+                     "--points", "7")
+        self.assertEqual([row["load"] for row in found], [0.5] * 7 + [2] * 7)
+        for row in found:
+            radius = (3 * row["load"] * 0.008 / (4 * 2e5)) ** (1 / 3)
+            exact = rows("eval", "--law", "uniform", "--c", numbers([row["c"]]), "--radius", repr(radius), "--load", row["load"],
+                         "--mu", "0.8")[0]
+            self.assert_close(row["force"], exact["force"], 1e-14)
+            self.assert_close(row["moment"], exact["moment"], 1e-14)
+
+    def test_c_curves_are_eval_at_the_loads_radius(self):
+        found = rows("c-curves", "--law", "cone", "--radius-law", "power:c=0.00207,gamma=0.259", "--mu", "0.8", "--cors", "0,0.002,inf",
+                     "--loads", "0,0.5,2")
+        self.assertEqual([(row["c"], row["load"]) for row in found],
+                         [(c, load) for c in (0, 0.002, math.inf) for load in (0, 0.5, 2)])
+        for row in found:
+            if row["load"] == 0:
+                self.assertEqual((row["force"], row["moment"]), (0, 0))
+                continue
+            radius = 0.00207 * row["load"] ** 0.259
+            exact = rows("eval", "--law", "cone", "--c", numbers([row["c"]]), "--radius", repr(radius), "--load", row["load"],
+                         "--mu", "0.8")[0]
+            self.assert_close(row["force"], exact["force"], 1e-14)
+            self.assert_close(row["moment"], exact["moment"], 1e-14)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,72 @@
+# SPDX-License-Identifier: MIT
+"""validate: the figures by which the ellipse and its kin are wrong."""
+
+import math
+import unittest
+
+from command_line import CommandLineTest, header, rows, run
+
+COLUMNS = "law,model,parameter,max_error,rms_error,max_over_estimate,max_under_estimate,max_cor_error"
+
+
+class Validate(CommandLineTest):
+    def models(self, law):
+        return {row["model"]: row for row in rows("validate", "--law", law)}
+
+    def test_columns(self):
+        self.assertEqual(header("validate", "--law", "hertz"), COLUMNS)
+
+    def test_without_a_law_all_that_are_listed(self):
+        laws = [row["law"] for row in rows("laws")]
+        found = rows("validate")
+        self.assertEqual(list(dict.fromkeys(row["law"] for row in found)), laws)
+        self.assertGreaterEqual({row["model"] for row in found}, {"ellipse", "ellipse-least-squares", "superellipse", "quartic", "box"})
+
+    def test_laws_may_be_repeated(self):
+        self.assertEqual([row["law"] for row in rows("validate", "--law", "hertz", "--law", "cone") if row["model"] == "box"],
+                         ["hertz", "cone"])
+        self.assert_fails(2, "'herz'", "validate", "--law", "hertz", "--law", "herz")
+
+    def test_the_ellipse_through_the_intercepts_is_too_strong(self):
+        for law, over, low, high in [("flat-punch", 0.0826, 0.62, 1.85), ("uniform", 0.0704, 0.67, 1.78), ("hertz", 0.0638, 0.69, 1.74),
+                                     ("parabolic", 0.0597, 0.71, 1.71)]:
+            ellipse = self.models(law)["ellipse"]
+            self.assertAlmostEqual(ellipse["max_over_estimate"], over, delta=0.00005 + 1e-9)
+            self.assertAlmostEqual(ellipse["max_under_estimate"], 0, delta=1e-12)
+            self.assertEqual(ellipse["max_error"], ellipse["max_over_estimate"])
+            self.assertAlmostEqual(ellipse["max_cor_error"], max(1 - low, high - 1), delta=0.006)
+            self.assertEqual(ellipse["parameter"], 1)
+
+    def test_the_least_squares_ellipse_is_smaller_and_better(self):
+        models = self.models("hertz")
+        best = models["ellipse-least-squares"]
+        self.assertLess(best["parameter"], 1)
+        self.assertLess(best["rms_error"], models["ellipse"]["rms_error"])
+        self.assertGreater(best["max_under_estimate"], 0.01)
+
+    def test_one_parameter_more_buys_a_factor_of_ten(self):
+        for law, exponent, kappa in [("uniform", 1.702, 3.261), ("hertz", 1.725, 3.142)]:
+            models = self.models(law)
+            self.assertAlmostEqual(models["superellipse"]["parameter"], exponent, delta=0.0005)
+            self.assertAlmostEqual(models["superellipse"]["max_error"], 0.009, delta=0.0005)
+            self.assertAlmostEqual(models["quartic"]["parameter"], kappa, delta=0.0005)
+            self.assertTrue(0.0064 <= models["quartic"]["max_error"] <= 0.0067)
+
+    def test_a_box_is_half_as_strong_again_in_its_corner(self):
+        box = self.models("uniform")["box"]
+        self.assertEqual(box["parameter"], math.inf)
+        # Of the exact curve the corner's ray meets the point of equal x and y.
+        self.assertTrue(0.45 < box["max_over_estimate"] < 0.55)
+
+    def test_inner_and_outer_keep_their_promise(self):
+        for law in ["hertz", "cone"]:
+            models = self.models(law)
+            self.assertLessEqual(models["ellipse-inner"]["max_over_estimate"], 1e-12)
+            self.assertLessEqual(models["ellipse-outer"]["max_under_estimate"], 1e-12)
+
+    def test_json(self):
+        self.assertIn('"max_cor_error":"inf"', run("validate", "--law", "hertz", "--format", "json").stdout)
+
+
+if __name__ == "__main__":
+    unittest.main()
