@@ -9,16 +9,16 @@ namespace limitcurve {
 namespace {
 
 /// 2 arccosh(1/ρ), logarithmically infinite at the centre; punches q(t) = 2t (indenter z ∝ r).
-class ConeLaw final : public PressureLaw {
+class ConeLaw final : public PressureLawOf<ConeLaw> {
  public:
-  ConeLaw() { DoubleExponential::rule(); }
   std::string name() const override { return "cone"; }
 
-  Extended density(RadialPosition at) const noexcept override {
+  template <class Real>
+  Real pressure(RadialPosition<Real> at) const noexcept {
     // arccosh(1/ρ) = log((1 + √(1−ρ²))/ρ) = log1p((rim + √(1−ρ²))/ρ), which keeps its digits at the rim.
     return 2 * std::log1p((at.rim + std::sqrt(at.rim * (1 + at.radius))) / at.radius);
   }
-  std::optional<Extended> punch_density(RadialPosition at) const noexcept override { return 2 * at.radius; }
+  std::optional<Extended> punch_density(RadialPosition<Extended> at) const noexcept override { return 2 * at.radius; }
   std::optional<UnitForces<Extended>> closed(Extended s) const noexcept override { return closed_form::cone(s); }
   UnitForces<double> forces(double s) const noexcept override {
     // Between the rim and √2 the closed form loses a digit in double.

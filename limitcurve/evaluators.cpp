@@ -13,52 +13,54 @@ namespace {
 
 constexpr Extended pi = closed_form::pi;
 
-using Triple = std::array<Extended, 3>;  // force, moment, force slope
+template <class Real>
+using Triple = std::array<Real, 3>;  // force, moment, force slope
 
 /// A place in a piece of the radius, with its distance from the COR's ring ρ = s.
+template <class Real>
 struct SplitPosition {
-  RadialPosition at;
-  Extended from_cor;
+  RadialPosition<Real> at;
+  Real from_cor;
 };
 
 /// Sums ∫ kernel(position) dρ over the pieces between the breaks, split at s. `rim_exponent` e < 0 says that the
 /// kernel lacks a factor rim^e on the last piece: the substitution rim ∝ y^{1/(1+e)} absorbs it exactly.
-template <class Kernel>
-ExtendedEstimate integrate_pieces(const std::vector<Extended>& breaks, Extended rim_exponent, Extended s, Kernel&& kernel) noexcept {
-  const DoubleExponential& rule = DoubleExponential::rule();
-  const Extended outer = breaks.back();
-  Triple value{};
-  Triple error{};
-  const auto add_piece = [&](Extended left, Extended right) {
-    const auto at = [&](Extended from_left, Extended from_right) {
-      const Extended radius = from_left < from_right ? left + from_left : right - from_right;
-      const Extended from_cor = s <= left ? (left - s) + from_left : (s - right) + from_right;
-      return SplitPosition{{radius, (outer - right) + from_right}, from_cor};
+template <class Real, class Kernel>
+Quadrature<Real> integrate_pieces(const std::vector<Extended>& breaks, Real rim_exponent, Real s, Kernel&& kernel) noexcept {
+  const auto& rule = DoubleExponential<Real>::rule();
+  const auto outer = static_cast<Real>(breaks.back());
+  Triple<Real> value{};
+  Triple<Real> error{};
+  const auto add_piece = [&](Real left, Real right) {
+    const auto at = [&](Real from_left, Real from_right) {
+      const Real radius = from_left < from_right ? left + from_left : right - from_right;
+      const Real from_cor = s <= left ? (left - s) + from_left : (s - right) + from_right;
+      return SplitPosition<Real>{{radius, (outer - right) + from_right}, from_cor};
     };
-    DoubleExponential::Result<3> piece;
+    typename DoubleExponential<Real>::template Result<3> piece;
     if (rim_exponent == 0) {
-      piece = rule.integrate<3>([&](Extended x, Extended y) { return kernel(at(x, y)); }, right - left);
+      piece = rule.template integrate<3>([&](Real x, Real y) { return kernel(at(x, y)); }, right - left);
     } else if (right < outer) {
-      piece = rule.integrate<3>(
-          [&](Extended x, Extended y) {
-            const SplitPosition position = at(x, y);
-            const Extended weight = std::pow(position.at.rim, rim_exponent);
-            Triple result = kernel(position);
-            for (Extended& r : result) r *= weight;
+      piece = rule.template integrate<3>(
+          [&](Real x, Real y) {
+            const SplitPosition<Real> position = at(x, y);
+            const Real weight = std::pow(position.at.rim, rim_exponent);
+            Triple<Real> result = kernel(position);
+            for (Real& r : result) r *= weight;
             return result;
           },
           right - left);
     } else {
       // rim = ℓ·y^p with p = 1/(1+e), hence rim^e d(rim) = ℓ^{1+e} p dy: the singular factor is gone.
-      const Extended length = right - left;
-      const Extended power = 1 / (1 + rim_exponent);
-      const Extended scale = std::pow(length, 1 + rim_exponent) * power;
-      piece = rule.integrate<3>(
-          [&](Extended x, Extended y) {
-            const Extended from_right = length * std::pow(y, power);
-            const Extended from_left = length * -std::expm1(power * (x < y ? std::log1p(-x) : std::log(y)));
-            Triple result = kernel(at(from_left, from_right));
-            for (Extended& r : result) r *= scale;
+      const Real length = right - left;
+      const Real power = 1 / (1 + rim_exponent);
+      const Real scale = std::pow(length, 1 + rim_exponent) * power;
+      piece = rule.template integrate<3>(
+          [&](Real x, Real y) {
+            const Real from_right = length * std::pow(y, power);
+            const Real from_left = length * -std::expm1(power * (x < y ? std::log1p(-x) : std::log(y)));
+            Triple<Real> result = kernel(at(from_left, from_right));
+            for (Real& r : result) r *= scale;
             return result;
           },
           1);
@@ -69,8 +71,8 @@ ExtendedEstimate integrate_pieces(const std::vector<Extended>& breaks, Extended 
     }
   };
   for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
-    const Extended left = breaks[i];
-    const Extended right = breaks[i + 1];
+    const auto left = static_cast<Real>(breaks[i]);
+    const auto right = static_cast<Real>(breaks[i + 1]);
     if (left < s && s < right) {
       add_piece(left, s);
       add_piece(s, right);
@@ -81,26 +83,34 @@ ExtendedEstimate integrate_pieces(const std::vector<Extended>& breaks, Extended 
   return {{value[0], value[1], value[2]}, {error[0], error[1], error[2]}};
 }
 
-}  // namespace
-
-ExtendedEstimate ring(const PressureLaw& law, Extended s) noexcept {
+template <class Real>
+Quadrature<Real> ring_in(const PressureLaw& law, Real s) noexcept {
   // At s = ∞ the kernels are their limits; the general form would be ∞/∞.
   if (std::isinf(s)) return {{1, 0, 0}, {0, 0, 0}};
-  return integrate_pieces(law.breaks(), law.rim_exponent(), s, [&](const SplitPosition& position) -> Triple {
+  return integrate_pieces(law.breaks(), static_cast<Real>(law.rim_exponent()), s, [&](const SplitPosition<Real>& position) -> Triple<Real> {
     const auto [rho, rim] = position.at;
-    const Extended weight = 4 / pi * rho * law.density(position.at);
-    const Extended larger = std::max(rho, s);
-    const Extended q = std::min(rho, s) / larger;
-    const Extended complement = position.from_cor / larger * ((rho + s) / larger);
+    const Real weight = static_cast<Real>(4 / pi) * rho * law.density(position.at);
+    const Real larger = std::max(rho, s);
+    const Real q = std::min(rho, s) / larger;
+    const Real complement = position.from_cor / larger * ((rho + s) / larger);
     const auto [b, d] = elliptic_pair(q, complement);
-    const Extended e = b + complement * d;
+    const Real e = b + complement * d;
     if (rho <= s) return {weight * e, weight * rho * q * b, weight * q * d * (q / s)};
     return {weight * q * b, weight * rho * e, weight * d / rho};
   });
 }
 
-ExtendedEstimate punch(const PressureLaw& law, Extended s) noexcept {
-  return integrate_pieces(law.breaks(), law.punch_exponent(), s, [&](const SplitPosition& position) -> Triple {
+}  // namespace
+
+Quadrature<Extended> ring(const PressureLaw& law, Extended s) noexcept {
+  return ring_in(law, s);
+}
+Quadrature<double> ring(const PressureLaw& law, double s) noexcept {
+  return ring_in(law, s);
+}
+
+Quadrature<Extended> punch(const PressureLaw& law, Extended s) noexcept {
+  return integrate_pieces(law.breaks(), law.punch_exponent(), s, [&](const SplitPosition<Extended>& position) -> Triple<Extended> {
     const Extended t = position.at.radius;
     const Extended weight = law.punch_density(position.at).value_or(0);
     const UnitForces<Extended> flat = closed_form::flat_punch(s / t);
@@ -108,32 +118,33 @@ ExtendedEstimate punch(const PressureLaw& law, Extended s) noexcept {
   });
 }
 
-ExtendedEstimate direct(const PressureLaw& law, Extended s) noexcept {
+Quadrature<Extended> direct(const PressureLaw& law, Extended s) noexcept {
   if (std::isinf(s)) return {{1, 0, 0}, {0, 0, 0}};
-  Triple inner_error{};
-  ExtendedEstimate estimate = integrate_pieces(law.breaks(), law.rim_exponent(), s, [&](const SplitPosition& position) -> Triple {
-    const auto [rho, rim] = position.at;
-    const Extended weight = 2 / pi * rho * law.density(position.at);
-    const Extended gap = rho < s ? position.from_cor : -position.from_cor;  // s − ρ
-    const auto angular = DoubleExponential::rule().integrate<3>(
-        [&, rho = rho](Extended from_cor_side, Extended) -> Triple {
-          // 1 − cos θ = 2 sin²(θ/2): exact where the COR is near.
-          const Extended half = std::sin(from_cor_side / 2);
-          const Extended versine = 2 * half * half;
-          const Extended distance = std::sqrt(gap * gap + 2 * rho * s * versine);
-          const Extended across = gap + rho * versine;  // s − ρ cos θ
-          const Extended along = -gap + s * versine;    // ρ − s cos θ
-          const Extended sine = 2 * half * std::cos(from_cor_side / 2);
-          return {across / distance, rho * along / distance, (rho * sine / distance) * (rho * sine / distance) / distance};
-        },
-        pi);
-    Triple result{};
-    for (std::size_t i = 0; i < result.size(); ++i) {
-      result[i] = weight * angular.value[i];
-      inner_error[i] = std::max(inner_error[i], angular.error[i]);
-    }
-    return result;
-  });
+  Triple<Extended> inner_error{};
+  Quadrature<Extended> estimate =
+      integrate_pieces(law.breaks(), law.rim_exponent(), s, [&](const SplitPosition<Extended>& position) -> Triple<Extended> {
+        const auto [rho, rim] = position.at;
+        const Extended weight = 2 / pi * rho * law.density(position.at);
+        const Extended gap = rho < s ? position.from_cor : -position.from_cor;  // s − ρ
+        const auto angular = DoubleExponential<Extended>::rule().integrate<3>(
+            [&, rho = rho](Extended from_cor_side, Extended) -> Triple<Extended> {
+              // 1 − cos θ = 2 sin²(θ/2): exact where the COR is near.
+              const Extended half = std::sin(from_cor_side / 2);
+              const Extended versine = 2 * half * half;
+              const Extended distance = std::sqrt(gap * gap + 2 * rho * s * versine);
+              const Extended across = gap + rho * versine;  // s − ρ cos θ
+              const Extended along = -gap + s * versine;    // ρ − s cos θ
+              const Extended sine = 2 * half * std::cos(from_cor_side / 2);
+              return {across / distance, rho * along / distance, (rho * sine / distance) * (rho * sine / distance) / distance};
+            },
+            pi);
+        Triple<Extended> result{};
+        for (std::size_t i = 0; i < result.size(); ++i) {
+          result[i] = weight * angular.value[i];
+          inner_error[i] = std::max(inner_error[i], angular.error[i]);
+        }
+        return result;
+      });
   // The angular errors enter with ∫ 2ρ g dρ = 1; the signs of the integrand cost absolute, not relative, precision.
   constexpr Extended rounding = 16 * std::numeric_limits<Extended>::epsilon();
   estimate.error.force += inner_error[0] / pi + rounding;
@@ -141,7 +152,7 @@ ExtendedEstimate direct(const PressureLaw& law, Extended s) noexcept {
   return estimate;
 }
 
-WrenchEstimate rounded(const ExtendedEstimate& estimate) noexcept {
+WrenchEstimate rounded(const Quadrature<Extended>& estimate) noexcept {
   // Half a unit in the last place of the double, and what the extended sums may have lost.
   constexpr Extended relative = std::numeric_limits<double>::epsilon() / 2 + 64 * std::numeric_limits<Extended>::epsilon();
   const auto bound = [](Extended value, Extended truncation) {

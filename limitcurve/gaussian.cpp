@@ -38,22 +38,29 @@ ScaledBessel asymptotic(Extended inverse) noexcept {
 
 /// exp(−ρ²/2σ²)/(2σ²). With x = s/2σ, z = x² (Bessel functions scaled by e^{−z}):
 ///   f = √(π/2) x (I₀ + I₁),  m = σ√(π/2) I₀,  df/ds = √(π/2)/(2σ) (I₀ − I₁).
-class GaussianLaw final : public PressureLaw {
+class GaussianLaw final : public PressureLawOf<GaussianLaw> {
  public:
-  explicit GaussianLaw(double sigma) : sigma_(sigma), breaks_{0, 2 * sigma_, 13 * sigma_} { DoubleExponential::rule(); }
+  explicit GaussianLaw(double sigma) : sigma_(sigma), breaks_{0, 2 * sigma_, 13 * sigma_} {}
 
   std::string name() const override { return "gaussian:sigma=" + format_number(static_cast<double>(sigma_)); }
 
   /// Ends at 13σ, beyond which there is less than 1e-36 of the load.
   const std::vector<Extended>& breaks() const noexcept override { return breaks_; }
 
-  Extended density(RadialPosition at) const noexcept override {
-    const Extended ratio = at.radius / sigma_;
-    return std::exp(-ratio * ratio / 2) / (2 * sigma_ * sigma_);
+  template <class Real>
+  Real pressure(RadialPosition<Real> at) const noexcept {
+    const auto sigma = static_cast<Real>(sigma_);
+    const Real ratio = at.radius / sigma;
+    return std::exp(-ratio * ratio / 2) / (2 * sigma * sigma);
   }
-  std::optional<Extended> punch_density(RadialPosition at) const noexcept override {
+  std::optional<Extended> punch_density(RadialPosition<Extended> at) const noexcept override {
     const Extended ratio = at.radius / sigma_;
     return 1 / std::sqrt(half_pi) * ratio * ratio * std::exp(-ratio * ratio / 2) / sigma_;
+  }
+
+  UnitForces<double> forces(double s) const noexcept override {
+    const auto [force, moment, slope] = *closed(s);
+    return {static_cast<double>(force), static_cast<double>(moment), static_cast<double>(slope)};
   }
 
   std::optional<UnitForces<Extended>> closed(Extended s) const noexcept override {

@@ -12,7 +12,7 @@ namespace limitcurve {
 namespace {
 
 /// Σ wᵢ pᵢ: each part is evaluated by its own best evaluator and the wrenches are mixed, not the pressures.
-class MixtureLaw final : public PressureLaw {
+class MixtureLaw final : public PressureLawOf<MixtureLaw> {
  public:
   struct Part {
     double weight;   // as given
@@ -40,12 +40,14 @@ class MixtureLaw final : public PressureLaw {
 
   const std::vector<Extended>& breaks() const noexcept override { return breaks_; }
 
-  Extended density(RadialPosition at) const noexcept override {
-    Extended sum = 0;
+  template <class Real>
+  Real pressure(RadialPosition<Real> at) const noexcept {
+    Real sum = 0;
     for (const Part& part : parts_) {
-      const Extended rim = at.rim - (breaks_.back() - part.law->breaks().back());
+      const Real rim = at.rim - static_cast<Real>(breaks_.back() - part.law->breaks().back());
       if (rim <= 0) continue;
-      sum += part.share * part.law->density({at.radius, rim}) * std::pow(rim, part.law->rim_exponent());
+      sum += static_cast<Real>(part.share) * part.law->density(RadialPosition<Real>{at.radius, rim}) *
+             std::pow(rim, static_cast<Real>(part.law->rim_exponent()));
     }
     return sum;
   }

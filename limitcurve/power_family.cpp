@@ -21,7 +21,7 @@ constexpr Extended pi = closed_form::pi;
 ///   s ≥ 1, z = s⁻²:   f = A ∫ cos^{2n+2}θ w^½ dθ,  A = 2Γ(n+2)/(√π Γ(n+3/2)),
 ///                     m = A'/(2(n+2)s) ∫ cos^{2n+4}θ w^{−½} dθ,  A' = A(n+2)/(n+3/2),
 /// over [0, π/2]. Every term is positive, which the hypergeometric series is not for large n.
-class PowerFamilyLaw : public PressureLaw {
+class PowerFamilyLaw : public PressureLawOf<PowerFamilyLaw> {
  public:
   explicit PowerFamilyLaw(double n) : n_(n) {
     // tgamma_delta_ratio(x, δ) = Γ(x)/Γ(x+δ)
@@ -29,18 +29,19 @@ class PowerFamilyLaw : public PressureLaw {
     moment_ratio_ = std::sqrt(pi) / 2 * tgamma_delta_ratio(n_ + 2, Extended(0.5));
     chord_scale_ = 2 / (std::sqrt(pi) * tgamma_delta_ratio(n_ + Extended(1.5), Extended(0.5)));
     if (n_ > -0.5L) punch_scale_ = 4 / (std::sqrt(pi) * tgamma_delta_ratio(n_ + Extended(0.5), Extended(1.5)));
-    DoubleExponential::rule();
   }
 
   std::string name() const override { return "power:n=" + format_number(static_cast<double>(n_)); }
 
-  Extended density(RadialPosition at) const noexcept override {
-    const Extended sum = 1 + at.radius;
-    return (n_ + 1) * std::pow(n_ < 0 ? sum : sum * at.rim, n_);
+  template <class Real>
+  Real pressure(RadialPosition<Real> at) const noexcept {
+    const Real sum = 1 + at.radius;
+    const auto n = static_cast<Real>(n_);
+    return (n + 1) * std::pow(n < 0 ? sum : sum * at.rim, n);
   }
   Extended rim_exponent() const noexcept override { return n_ < 0 ? n_ : 0; }
 
-  std::optional<Extended> punch_density(RadialPosition at) const noexcept override {
+  std::optional<Extended> punch_density(RadialPosition<Extended> at) const noexcept override {
     // Below n = −½ the superposition would need punches that pull.
     if (n_ <= -0.5L) return std::nullopt;
     const Extended exponent = n_ - Extended(0.5);
@@ -50,43 +51,48 @@ class PowerFamilyLaw : public PressureLaw {
   Extended punch_exponent() const noexcept override { return std::fmin(n_ - Extended(0.5), 0); }
 
   std::optional<UnitForces<Extended>> closed(Extended s) const noexcept override { return s <= 1 ? inside(s) : outside(s); }
+  UnitForces<double> forces(double s) const noexcept override { return s <= 1 ? inside(s) : outside(s); }
 
  private:
-  using Triple = std::array<Extended, 3>;
+  template <class Real>
+  using Triple = std::array<Real, 3>;
 
-  UnitForces<Extended> inside(Extended s) const noexcept {
-    const Extended eta = (1 - s) * (1 + s);
-    const Extended exponent = n_ + Extended(0.5);
+  template <class Real>
+  UnitForces<Real> inside(Real s) const noexcept {
+    const Real eta = (1 - s) * (1 + s);
+    const Real exponent = static_cast<Real>(n_ + 0.5L);
     // At s = 1 the integrand is cos^{2n+1}θ times what follows, singular at θ = π/2 for n < −½: hence ψ = π/2 − θ.
-    const auto integral = DoubleExponential::rule().integrate<3>(
-        [&](Extended psi, Extended theta) -> Triple {
-          const Extended cosine = std::sin(psi);
-          const Extended sine = std::sin(theta);
-          const Extended w = cosine * cosine + eta * sine * sine;
-          const Extended weight = std::pow(w, exponent);
+    const auto integral = DoubleExponential<Real>::rule().template integrate<3>(
+        [&](Real psi, Real theta) -> Triple<Real> {
+          const Real cosine = std::sin(psi);
+          const Real sine = std::sin(theta);
+          const Real w = cosine * cosine + eta * sine * sine;
+          const Real weight = std::pow(w, exponent);
           return {cosine * cosine * weight, w * weight, sine * sine * weight};
         },
-        pi / 2);
-    const Extended scale = 4 / pi * (n_ + Extended(1.5)) * moment_ratio_;
-    return {scale * s * integral.value[0], 2 / pi * moment_ratio_ * integral.value[1], scale * integral.value[2]};
+        static_cast<Real>(pi / 2));
+    const auto scale = static_cast<Real>(4 / pi * (n_ + 1.5L) * moment_ratio_);
+    return {scale * s * integral.value[0], static_cast<Real>(2 / pi * moment_ratio_) * integral.value[1], scale * integral.value[2]};
   }
 
-  UnitForces<Extended> outside(Extended s) const noexcept {
+  template <class Real>
+  UnitForces<Real> outside(Real s) const noexcept {
     // At s = ∞ the complement below would be ∞/∞.
     if (std::isinf(s)) return {1, 0, 0};
-    const Extended q = 1 / s;
-    const Extended eta = (s - 1) / s * ((s + 1) / s);
-    const auto integral = DoubleExponential::rule().integrate<3>(
-        [&](Extended psi, Extended theta) -> Triple {
-          const Extended cosine = std::sin(psi);
-          const Extended sine = std::sin(theta);
-          const Extended root = std::sqrt(cosine * cosine + eta * sine * sine);
-          const Extended weight = std::pow(cosine, 2 * n_ + 2);
+    const Real q = 1 / s;
+    const Real eta = (s - 1) / s * ((s + 1) / s);
+    const auto integral = DoubleExponential<Real>::rule().template integrate<3>(
+        [&](Real psi, Real theta) -> Triple<Real> {
+          const Real cosine = std::sin(psi);
+          const Real sine = std::sin(theta);
+          const Real root = std::sqrt(cosine * cosine + eta * sine * sine);
+          const Real weight = std::pow(cosine, static_cast<Real>(2 * n_ + 2));
           return {weight * root, weight * cosine * cosine / root, weight * sine * sine / root};
         },
-        pi / 2);
-    return {chord_scale_ * integral.value[0], chord_scale_ * q / (2 * n_ + 3) * integral.value[1],
-            chord_scale_ * q * q * q * integral.value[2]};
+        static_cast<Real>(pi / 2));
+    const auto scale = static_cast<Real>(chord_scale_);
+    return {scale * integral.value[0], scale * q / static_cast<Real>(2 * n_ + 3) * integral.value[1],
+            scale * q * q * q * integral.value[2]};
   }
 
   Extended n_;

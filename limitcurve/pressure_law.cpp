@@ -12,14 +12,18 @@ std::string_view to_string(Method method) {
   return names[static_cast<std::size_t>(method)];
 }
 
+PressureLaw::PressureLaw() {
+  DoubleExponential<double>::rule();
+  DoubleExponential<Extended>::rule();
+}
+
 const std::vector<Extended>& PressureLaw::breaks() const noexcept {
   static const std::vector<Extended> unit_disc{0, 1};
   return unit_disc;
 }
 
 UnitForces<double> PressureLaw::forces(double s) const noexcept {
-  const WrenchEstimate estimate = evaluate(s);
-  return {estimate.wrench.force, estimate.wrench.moment, estimate.force_slope};
+  return evaluators::ring(*this, s).forces;
 }
 
 bool PressureLaw::allows(Method method) const noexcept {
@@ -29,12 +33,12 @@ bool PressureLaw::allows(Method method) const noexcept {
 }
 
 WrenchEstimate PressureLaw::evaluate(double s, Method method) const noexcept {
-  if (method == Method::punch) return evaluators::rounded(evaluators::punch(*this, s));
-  if (method == Method::direct) return evaluators::rounded(evaluators::direct(*this, s));
+  if (method == Method::punch) return evaluators::rounded(evaluators::punch(*this, Extended(s)));
+  if (method == Method::direct) return evaluators::rounded(evaluators::direct(*this, Extended(s)));
   if (method != Method::ring) {
     if (const auto forces = closed(s)) return evaluators::rounded({*forces, {0, 0, 0}});
   }
-  return evaluators::rounded(evaluators::ring(*this, s));
+  return evaluators::rounded(evaluators::ring(*this, Extended(s)));
 }
 
 }  // namespace limitcurve

@@ -26,9 +26,10 @@ enum class Method {
 std::string_view to_string(Method method);
 
 /// A place under the finger: ρ = r/a, and its distance from the rim, which keeps its digits where ρ → outer radius.
+template <class Real>
 struct RadialPosition {
-  Extended radius;
-  Extended rim;
+  Real radius;
+  Real rim;
 };
 
 /// The shape of an axisymmetric pressure under a soft finger: g(ρ) = πa² p(ρa)/P, normalised so that ∫ 2ρ g dρ = 1.
@@ -38,13 +39,16 @@ struct RadialPosition {
 /// What it must satisfy is listed and tested by name in tests/law_suite.cpp.
 class PressureLaw {
  public:
+  PressureLaw();
   virtual ~PressureLaw() = default;
 
   /// The law in the grammar of laws.hpp; `parse_law(name())` makes an equal law.
   [[nodiscard]] virtual std::string name() const = 0;
 
   /// g(ρ) divided by rim^rim_exponent(). Relative error ≤ 1e-17, or the law's own documented one.
-  [[nodiscard]] virtual Extended density(RadialPosition position) const noexcept = 0;
+  [[nodiscard]] virtual Extended density(RadialPosition<Extended> position) const noexcept = 0;
+  /// The same in double arithmetic, for `forces`: relative error ≤ 1e-15.
+  [[nodiscard]] virtual double density(RadialPosition<double> position) const noexcept = 0;
 
   /// −1 < e ≤ 0 where the pressure at the rim grows like rim^e; 0 where it stays finite.
   [[nodiscard]] virtual Extended rim_exponent() const noexcept { return 0; }
@@ -58,10 +62,11 @@ class PressureLaw {
 
   /// q(t): load share of the flat punches of radius t that superpose to the law (∫ q dt = 1), divided by
   /// (1−t)^punch_exponent(); if the law has such a superposition.
-  [[nodiscard]] virtual std::optional<Extended> punch_density(RadialPosition) const noexcept { return std::nullopt; }
+  [[nodiscard]] virtual std::optional<Extended> punch_density(RadialPosition<Extended>) const noexcept { return std::nullopt; }
   [[nodiscard]] virtual Extended punch_exponent() const noexcept { return 0; }
 
-  /// Unit wrench at s = c/a ∈ [0, ∞] for control loops: in double arithmetic where the law has a fast form.
+  /// Unit wrench at s = c/a ∈ [0, ∞] for control loops and table building, in double arithmetic; by `ring` unless the
+  /// law knows better.
   /// Relative error ≤ 1e-14; never throws, allocates or locks.
   [[nodiscard]] virtual UnitForces<double> forces(double s) const noexcept;
 
@@ -74,6 +79,17 @@ class PressureLaw {
 
   /// m₀ = m(0) = ⟨ρ⟩: the moment of a pure twist in units of μPa. Closed where known; relative error ≤ 1e-15.
   [[nodiscard]] double moment_ratio() const noexcept { return evaluate(0.0).wrench.moment; }
+};
+
+/// Writes both densities of a law from one template, `pressure<Real>(RadialPosition<Real>)`.
+template <class Derived>
+class PressureLawOf : public PressureLaw {
+ public:
+  [[nodiscard]] Extended density(RadialPosition<Extended> at) const noexcept override { return derived().pressure(at); }
+  [[nodiscard]] double density(RadialPosition<double> at) const noexcept override { return derived().pressure(at); }
+
+ private:
+  [[nodiscard]] const Derived& derived() const noexcept { return static_cast<const Derived&>(*this); }
 };
 
 /// Laws are handed around by this: shared, immutable.

@@ -11,7 +11,7 @@ namespace limitcurve {
 namespace {
 
 /// C_k(1−ρᵏ)^{1/k}, C_k = (3k/2)Γ(3/k)/[Γ(1/k)Γ(2/k)] (Xydas and Kao 1999, as normalised by ∫ 2ρ g dρ = 1).
-class XydasKaoLaw final : public PressureLaw {
+class XydasKaoLaw final : public PressureLawOf<XydasKaoLaw> {
  public:
   explicit XydasKaoLaw(double k) : k_(k) {
     // By logarithms: Γ(3/k) overflows for small k.
@@ -20,16 +20,16 @@ class XydasKaoLaw final : public PressureLaw {
     scale_ = Extended(1.5) * k_ * std::exp(lgamma(3 * inverse) - lgamma(inverse) - lgamma(2 * inverse));
     // Between 1 − 1/k and the rim a large k squeezes all of the fall: a piece of its own.
     breaks_ = k_ > 8 ? std::vector<Extended>{0, std::exp(-4 * inverse), 1} : std::vector<Extended>{0, 1};
-    DoubleExponential::rule();
   }
 
   std::string name() const override { return "xydas-kao:k=" + format_number(static_cast<double>(k_)); }
   const std::vector<Extended>& breaks() const noexcept override { return breaks_; }
 
-  Extended density(RadialPosition at) const noexcept override {
+  template <class Real>
+  Real pressure(RadialPosition<Real> at) const noexcept {
     // 1 − ρᵏ from the distance that is exact on this side.
-    const Extended log_radius = at.rim < at.radius ? std::log1p(-at.rim) : std::log(at.radius);
-    return scale_ * std::pow(-std::expm1(k_ * log_radius), 1 / k_);
+    const Real log_radius = at.rim < at.radius ? std::log1p(-at.rim) : std::log(at.radius);
+    return static_cast<Real>(scale_) * std::pow(-std::expm1(static_cast<Real>(k_) * log_radius), static_cast<Real>(1 / k_));
   }
 
  private:

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#include "limitcurve/table.hpp"
+
+#include "limitcurve/number.hpp"
+#include "limitcurve/table_builder.hpp"
+
+#include <stdexcept>
+
+namespace limitcurve {
+
+Table Table::build(const Law& law, double tolerance) {
+  if (!(tolerance >= finest_tolerance && tolerance <= coarsest_tolerance)) {
+    throw out_of_range("tolerance", tolerance, "1", "1e-12 <= tolerance <= 0.1");
+  }
+  CertifiedSide inside = build_side(*law, Side::inside, tolerance);
+  CertifiedSide outside = build_side(*law, Side::outside, tolerance);
+  const double error = std::max(inside.error, outside.error);
+  return {{law->name(), tolerance, error}, std::move(inside.side), std::move(outside.side)};
+}
+
+Table::Table(Facts facts, TableSide inside, TableSide outside)
+    : facts_(std::move(facts)), inside_(std::move(inside)), outside_(std::move(outside)) {
+  const TableNode& from_inside = inside_.nodes().back();
+  const TableNode& from_outside = outside_.nodes().back();
+  if (from_inside.primary != from_outside.secondary || from_inside.secondary != from_outside.primary) {
+    throw std::invalid_argument("the sides of the table do not meet at the rim");
+  }
+  if (outside_.nodes().front().secondary != 1.0) throw std::invalid_argument("the table's force under pure sliding is not 1");
+  if (!(facts_.certified_error >= 0.0 && facts_.certified_error <= facts_.tolerance)) {
+    throw out_of_range("certified_error", facts_.certified_error, "1", "0 <= certified_error <= tolerance");
+  }
+}
+
+}  // namespace limitcurve

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+#include "limitcurve/table_builder.hpp"
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace limitcurve {
+
+namespace {
+
+/// A stretch of a side and the node density (per unit of the coordinate) that its error asks for.
+struct Stretch {
+  double left;
+  double right;
+  double density;
+};
+
+class SideBuilder {
+ public:
+  SideBuilder(const PressureLaw& law, Side side, double tolerance) : law_(law), side_(side), tolerance_(tolerance) {}
+
+  CertifiedSide build() {
+    learn(exact(0.0), exact(1.0), 0);
+    for (int attempt = 0; attempt < most_attempts; ++attempt) {
+      std::vector<TableNode> nodes = lay_nodes();
+      std::vector<Stretch> found;
+      double worst = 0.0;
+      bool convex = true;
+      for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
+        const CellReport report = examine(nodes[i], nodes[i + 1]);
+        worst = std::max(worst, report.error);
+        convex = convex && report.convex;
+        const double width = nodes[i + 1].coordinate - nodes[i].coordinate;
+        // A cell that is not convex is too wide whatever its error.
+        const double wanted = std::max(std::pow(report.error / target(), 0.25), report.convex ? 0.0 : 1.5);
+        found.push_back({nodes[i].coordinate, nodes[i + 1].coordinate, wanted / width});
+      }
+      if (worst * (1.0 + certificate_margin) <= tolerance_ && convex) {
+        return {TableSide(std::move(nodes)), worst * (1.0 + certificate_margin)};
+      }
+      stretches_ = std::move(found);
+      surplus_ *= 1.03;
+    }
+    throw std::runtime_error("table of " + law_.name() + ": the tolerance is not reached");
+  }
+
+ private:
+  static constexpr int most_attempts = 40;
+  /// No stretch narrower than this: below it the curve's last digits are noise.
+  static constexpr int deepest = 44;
+
+  struct CellReport {
+    double error;
+    bool convex;
+  };
+
+  /// What is left of the tolerance for interpolation.
+  [[nodiscard]] double target() const { return 0.9 * tolerance_ / (1.0 + certificate_margin); }
+
+  [[nodiscard]] TableNode exact(double x) const {
+    if (side_ == Side::inside) {
+      const UnitForces<double> forces = law_.forces(x);
+      return {x, forces.force, forces.moment, forces.force_slope};
+    }
+    if (x == 0.0) {
+      // dm/dq = s³ df/ds has a limit, ⟨ρ²⟩/2, which the law shows at any s that is large enough.
+      constexpr double far = 1e80;
+      return {0.0, 0.0, 1.0, law_.forces(far).force_slope * far * far * far};
+    }
+    const UnitForces<double> forces = law_.forces(1.0 / x);
+    return {x, forces.moment, forces.force, forces.force_slope / (x * x * x)};
+  }
+
+  /// The slope of the rim node that makes the middle of the cell before it exact. The curve's own slope there may be
+  /// reached only within 1e-20 of the rim (n → −1), so that a cubic with it overshoots; the *direction* of the curve
+  /// at the rim, dm/df = −1, does not depend on it.
+  [[nodiscard]] TableNode fitted_rim(const TableNode& left, TableNode right) const {
+    const double width = right.coordinate - left.coordinate;
+    const TableNode middle = exact(left.coordinate + 0.5 * width);
+    const double fitted = left.slope + 8.0 * (0.5 * (left.primary + right.primary) - middle.primary) / width;
+    if (fitted > 0.0) right.slope = fitted;
+    return right;
+  }
+
+  [[nodiscard]] double error_at(const TableNode& left, const TableNode& right, double t) const {
+    const TableNode truth = exact(left.coordinate + t * (right.coordinate - left.coordinate));
+    const TableSide::Value value = TableSide::Cell{left, right, truth.coordinate}.value();
+    return std::max(std::fabs(value.primary - truth.primary), std::fabs(value.secondary - truth.secondary));
+  }
+
+  /// Bisects until the cells' errors tell the density: they are near the tolerance, within a factor of 16.
+  void learn(const TableNode& left, const TableNode& from_right, int depth) {
+    const TableNode right = from_right.coordinate == 1.0 ? fitted_rim(left, from_right) : from_right;
+    const double error = std::max({error_at(left, right, 0.25), error_at(left, right, 0.5), error_at(left, right, 0.75)});
+    if (depth < deepest && (depth < 1 || error > 16.0 * tolerance_)) {
+      const TableNode middle = exact(0.5 * (left.coordinate + right.coordinate));
+      learn(left, middle, depth + 1);
+      learn(middle, right, depth + 1);
+      return;
+    }
+    const double width = right.coordinate - left.coordinate;
+    stretches_.push_back({left.coordinate, right.coordinate, std::pow(error / target(), 0.25) / width});
+  }
+
+  /// Lays nodes so that each cell holds the same integral of the density.
+  [[nodiscard]] std::vector<TableNode> lay_nodes() const {
+    double total = 0.0;
+    for (const Stretch& stretch : stretches_) total += demand(stretch);
+    const auto cells = static_cast<std::size_t>(std::ceil(total * surplus_));
+    if (cells + 1 > TableSide::most_nodes) throw std::runtime_error("table of " + law_.name() + ": too many nodes for the tolerance");
+    const double share = total / static_cast<double>(std::max<std::size_t>(cells, 1));
+    std::vector<TableNode> nodes{exact(0.0)};
+    double filled = 0.0;
+    for (const Stretch& stretch : stretches_) {
+      const double here = demand(stretch);
+      const double width = stretch.right - stretch.left;
+      while (filled + here > share * (static_cast<double>(nodes.size()) - 1e-9) && nodes.size() < cells) {
+        const double part = (share * static_cast<double>(nodes.size()) - filled) / here;
+        nodes.push_back(exact(stretch.left + part * width));
+      }
+      filled += here;
+    }
+    nodes.push_back(fitted_rim(nodes.back(), exact(1.0)));
+    return nodes;
+  }
+
+  /// Cells that a stretch asks for. Never none, or the laying could not pass it.
+  static double demand(const Stretch& stretch) { return std::max(stretch.density * (stretch.right - stretch.left), 1e-3); }
+
+  [[nodiscard]] CellReport examine(const TableNode& left, const TableNode& right) const {
+    double error = 0.0;
+    for (int i = 1; i <= certificate_points; ++i) error = std::max(error, error_at(left, right, i / (certificate_points + 1.0)));
+    if (right.coordinate == 1.0) {
+      // The singularity of the rim pulls the largest error towards it.
+      for (double from_rim = 0.5; from_rim > 1e-6; from_rim *= 0.75) error = std::max(error, error_at(left, right, 1.0 - from_rim));
+    }
+    return {error, is_convex({left, right, left.coordinate})};
+  }
+
+  const PressureLaw& law_;
+  Side side_;
+  double tolerance_;
+  double surplus_ = 1.03;
+  std::vector<Stretch> stretches_;
+};
+
+}  // namespace
+
+CertifiedSide build_side(const PressureLaw& law, Side side, double tolerance) {
+  return SideBuilder(law, side, tolerance).build();
+}
+
+}  // namespace limitcurve

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+#include "limitcurve/table_side.hpp"
+
+#include "limitcurve/number.hpp"
+
+#include <bit>
+#include <stdexcept>
+#include <string>
+
+namespace limitcurve {
+
+namespace {
+
+[[noreturn]] void refuse(std::size_t node, const TableNode& at, const std::string& what) {
+  throw std::invalid_argument("table node " + std::to_string(node) + " at coordinate " + format_number(at.coordinate) + ": " + what);
+}
+
+}  // namespace
+
+bool is_convex(const TableSide::Cell& cell) noexcept {
+  // First derivatives are quadratics a + bt + ct², A + Bt + Ct²; their cross with the second derivatives is again a
+  // quadratic, because the cubic terms cancel: (aB − bA) + 2(aC − cA)t + (bC − cB)t².
+  const double width = cell.right.coordinate - cell.left.coordinate;
+  const auto quadratic = [](double from, double to, double slope_from, double slope_to) {
+    const double rise = to - from;
+    struct {
+      double constant, linear, square;
+    } const result{slope_from, 2.0 * (3.0 * rise - 2.0 * slope_from - slope_to), 3.0 * (slope_from + slope_to - 2.0 * rise)};
+    return result;
+  };
+  const auto p = quadratic(cell.left.primary, cell.right.primary, width * cell.left.slope, width * cell.right.slope);
+  const auto r = quadratic(cell.left.secondary, cell.right.secondary, -width * cell.left.coordinate * cell.left.slope,
+                           -width * cell.right.coordinate * cell.right.slope);
+  // On a convex curve traversed towards the rim the direction turns from the primary towards minus the secondary.
+  const double constant = r.constant * p.linear - r.linear * p.constant;
+  const double linear = 2.0 * (r.constant * p.square - r.square * p.constant);
+  const double square = r.linear * p.square - r.square * p.linear;
+  const auto at = [&](double t) { return constant + t * (linear + t * square); };
+  double least = std::min(at(0.0), at(1.0));
+  const double turn = -linear / (2.0 * square);
+  if (turn > 0.0 && turn < 1.0) least = std::min(least, at(turn));
+  // What the rounding of the nodes (a few units of 1e-16, against rises ∝ width) can do to the differences above.
+  const double rounding = 1e-14 * std::fabs(p.constant + r.constant) + 1e-14 * std::max(std::fabs(p.linear), std::fabs(r.linear));
+  return least >= -rounding;
+}
+
+TableSide::TableSide(std::vector<TableNode> nodes) : nodes_(std::move(nodes)) {
+  verify();
+  build_index();
+}
+
+void TableSide::verify() const {
+  if (nodes_.size() < 2 || nodes_.size() > most_nodes) {
+    throw std::invalid_argument("table side has " + std::to_string(nodes_.size()) + " nodes: expected 2 to " + std::to_string(most_nodes));
+  }
+  if (nodes_.front().coordinate != 0.0 || nodes_.front().primary != 0.0) refuse(0, nodes_.front(), "expected coordinate 0 and primary 0");
+  if (nodes_.back().coordinate != 1.0) refuse(nodes_.size() - 1, nodes_.back(), "expected coordinate 1, the rim");
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    const TableNode& node = nodes_[i];
+    for (const double value : {node.coordinate, node.primary, node.secondary, node.slope}) {
+      if (!std::isfinite(value)) refuse(i, node, "expected finite numbers");
+    }
+    if (!(node.slope > 0.0)) refuse(i, node, "expected a slope > 0, got " + format_number(node.slope));
+    if (!(node.secondary > 0.0)) refuse(i, node, "expected a secondary component > 0, got " + format_number(node.secondary));
+    if (i == 0) continue;
+    const TableNode& before = nodes_[i - 1];
+    if (!(before.coordinate < node.coordinate)) refuse(i, node, "expected coordinates that increase");
+    if (!(before.primary < node.primary)) refuse(i, node, "expected a primary component that increases");
+    if (!(before.secondary > node.secondary)) refuse(i, node, "expected a secondary component that decreases");
+    const Cell cell{before, node, node.coordinate};
+    if (!is_convex(cell)) refuse(i, node, "expected a convex curve before it");
+  }
+}
+
+void TableSide::build_index() {
+  const std::size_t cells = nodes_.size() - 1;
+  const std::size_t buckets = std::bit_ceil(cells);
+  buckets_ = static_cast<double>(buckets);
+  // A bucket's first cell is found for a coordinate a little before it, so that the rounding of the root cannot miss.
+  constexpr double slack = 1e-9;
+  std::size_t fullest = 0;
+  std::size_t after = cells - 1;
+  for (std::size_t bucket = 0; bucket <= buckets; ++bucket) {
+    const double root = static_cast<double>(bucket + 1) / buckets_;
+    const double coordinate = 1.0 - root * root - slack;
+    const auto next = std::upper_bound(nodes_.begin(), nodes_.end() - 1, coordinate,
+                                       [](double value, const TableNode& node) { return value < node.coordinate; });
+    const std::size_t first = next == nodes_.begin() ? 0 : static_cast<std::size_t>(next - nodes_.begin()) - 1;
+    first_cell_.push_back(static_cast<std::uint16_t>(first));
+    fullest = std::max(fullest, after - first);
+    after = first;
+    // The last cell of this bucket may begin up to the slack before the next bucket's end.
+    while (after + 1 < cells && nodes_[after + 1].coordinate <= coordinate + 2.0 * slack) ++after;
+  }
+  first_step_ = std::bit_ceil(fullest + 1) / 2;
+}
+
+std::pair<TableSide::Value, double> TableSide::along(Value direction) const noexcept {
+  // p·d_secondary − r·d_primary rises with the coordinate.
+  const auto cross = [&](Value value) { return value.primary * direction.secondary - value.secondary * direction.primary; };
+  std::size_t low = 0;
+  std::size_t high = nodes_.size() - 1;
+  while (high - low > 1) {
+    const std::size_t middle = (low + high) / 2;
+    (cross({nodes_[middle].primary, nodes_[middle].secondary}) <= 0.0 ? low : high) = middle;
+  }
+  const TableNode& left = nodes_[low];
+  const TableNode& right = nodes_[high];
+  const double cross_left = cross({left.primary, left.secondary});
+  const double cross_right = cross({right.primary, right.secondary});
+  double from = left.coordinate;
+  double to = right.coordinate;
+  double x = from + (to - from) * (cross_left / (cross_left - cross_right));
+  for (int i = 0; i < newton_steps; ++i) {
+    const Cell here{left, right, x};
+    const double residual = cross(here.value());
+    (residual <= 0.0 ? from : to) = x;
+    double next = x - residual / cross(here.slope());
+    // At a rim that is all but a corner Newton's step may leave the bracket.
+    if (!(next >= from && next <= to)) next = 0.5 * (from + to);
+    const double step = std::fabs(next - x);
+    x = next;
+    // Quadratic convergence: what the next step would change is below the last bit.
+    if (step <= 1e-10 * (right.coordinate - left.coordinate)) break;
+  }
+  return {Cell{left, right, x}.value(), x};
+}
+
+}  // namespace limitcurve
