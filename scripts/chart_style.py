@@ -55,6 +55,7 @@ plt.rcParams.update({
     "lines.linewidth": 1.5,
     "legend.frameon": False,
     "legend.fontsize": 8.5,
+    "legend.handlelength": 3,
     "mathtext.fontset": "dejavusans",
     "figure.dpi": 100,
     "savefig.dpi": 160,

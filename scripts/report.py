@@ -119,6 +119,7 @@ def sections(data):
     """The page's story: heading, figure, what to see in it; each number is read from the files."""
     ellipses = data["validate"].where(model="ellipse")
     over = sorted(ellipses.column("max_over_estimate"))
+    quartics, superellipses, boxes = (sorted(data["validate"].where(model=name).column("max_error")) for name in ("quartic", "superellipse", "box"))
     ratios = [row["cor_ratio"] for row in data["ellipse_error"] if row["cor_ratio"] == row["cor_ratio"]]
     run = data["replay_runs"][-1]
     certified = max(data["table_error"].column("tolerance"))
@@ -138,8 +139,9 @@ def sections(data):
             ("ellipse_error", f"Left: the capacity is over-estimated by up to {percent(over[0])} to {percent(over[-1])}, about half way "
              "between pure force and pure moment. Right: the centre of rotation that follows from the ellipse’s normal is "
              f"{min(ratios):.2f} to {max(ratios):.2f} times as far away as the true one. This is what the ellipse is worst at."),
-            ("models", "One parameter more is worth a factor of about ten; limits of force and moment that know nothing of each other "
-             "(the box) are too strong by about half."),
+            ("models", f"A least-squares ellipse is not much better; one parameter more, in a superellipse or a quartic, leaves "
+             f"{percent(quartics[0], 1)} to {percent(superellipses[-1], 1)}. Limits of force and moment that know nothing of each other "
+             f"(the box) are too strong by up to {percent(boxes[-1], 0)}."),
         ], ""),
         ("Look-up tables", [
             ("tables", f"Left: bytes against tolerance. Right: the error between the nodes of a table of {certified:g} stays inside the "

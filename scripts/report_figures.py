@@ -13,7 +13,7 @@ def quadrant(axes, title, x_label, y_label):
 
 
 def legend_below(figure, axes, columns):
-    figure.legend(*axes.get_legend_handles_labels(), loc="upper center", bbox_to_anchor=(0.5, 0), ncols=columns, handlelength=3)
+    figure.legend(*axes.get_legend_handles_labels(), loc="upper center", bbox_to_anchor=(0.5, 0), ncols=columns)
 
 
 def limit_curves(data):
@@ -95,25 +95,30 @@ def ellipse_error(data):
     return figure
 
 
-MODEL_MARKERS = {"box": ("X", VERMILION), "ellipse": ("o", INK), "superellipse": ("^", BLUE), "quartic": ("s", GREEN)}
+# Model of validate.csv: what the legend says, marker and colour.
+MODELS = {
+    "quartic": ("quartic", "s", GREEN),
+    "superellipse": ("superellipse", "^", BLUE),
+    "ellipse-least-squares": ("ellipse, best fit", "o", FAINT),
+    "ellipse": ("ellipse through the limits", "o", INK),
+    "diamond": ("diamond", "D", ORANGE),
+    "box": ("box (uncoupled)", "X", VERMILION),
+}
 
 
 def models(data):
     """Largest radial error of each approximation, law by law."""
-    rows = data["validate"]
-    laws = list(rows.groups("law"))
-    figure, axes = plt.subplots(figsize=(9.6, 0.34 * len(laws) + 1.1), layout="constrained")
-    for model, part in rows.groups("model").items():
-        marker, colour = MODEL_MARKERS.get(model, ("D", FAINT))
-        if model in MODEL_MARKERS:
-            axes.plot(part.column("max_error", 100), [laws.index(law) for law in part.column("law", 1)], marker, color=colour, label=model,
-                      markersize=6)
-    axes.set(xscale="log", ylim=(len(laws) - 0.5, -0.5), xlabel="largest error of the capacity in any direction [%]")
+    laws = list(data["validate"].groups("law"))
+    figure, axes = plt.subplots(figsize=(9.6, 0.32 * len(laws) + 1.0), layout="constrained")
+    for model, (label, marker, colour) in MODELS.items():
+        rows = data["validate"].where(model=model)
+        axes.plot(rows.column("max_error", 100), [laws.index(row["law"]) for row in rows], marker, color=colour, label=label, markersize=6)
+    axes.set(title="Largest error of the capacity in any direction [%]", xscale="log", ylim=(len(laws) - 0.5, -0.5))
     axes.set_yticks(range(len(laws)), laws)
     ticks = (0.2, 0.5, 1, 2, 5, 10, 20, 50)
     axes.set_xticks(ticks, [f"{tick:g}" for tick in ticks])
     axes.minorticks_off()
-    legend_below(figure, axes, len(MODEL_MARKERS))
+    legend_below(figure, axes, len(MODELS))
     return figure
 
 
