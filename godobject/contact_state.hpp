@@ -16,10 +16,14 @@ enum class ContactState {
 /// "free", "stick", "slip", "invalid".
 constexpr std::string_view to_string(ContactState state) noexcept {
   switch (state) {
-    case ContactState::free: return "free";
-    case ContactState::stick: return "stick";
-    case ContactState::slip: return "slip";
-    case ContactState::invalid: break;
+    case ContactState::free:
+      return "free";
+    case ContactState::stick:
+      return "stick";
+    case ContactState::slip:
+      return "slip";
+    case ContactState::invalid:
+      break;
   }
   return "invalid";
 }

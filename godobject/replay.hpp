@@ -28,10 +28,10 @@ struct ReplayRow {
   ContactState state = ContactState::free;  ///< invalid: all that follows is held from the last good row
   double px = 0.0;                          ///< proxy position [m]
   double py = 0.0;
-  double angle = 0.0;   ///< proxy angle α_p [rad], in the frame of the sample's twist
-  double depth = 0.0;   ///< penetration depth d = −z [m]
-  double load = 0.0;    ///< P = k_l d [N]
-  double fx = 0.0;      ///< friction force on the user k_l (x_p − x_g) [N]
+  double angle = 0.0;  ///< proxy angle α_p [rad], in the frame of the sample's twist
+  double depth = 0.0;  ///< penetration depth d = −z [m]
+  double load = 0.0;   ///< P = k_l d [N]
+  double fx = 0.0;     ///< friction force on the user k_l (x_p − x_g) [N]
   double fy = 0.0;
   double moment = 0.0;  ///< friction moment on the user k_r (α_p − α_g) [N m]
   double cor = 0.0;     ///< distance of the slip's centre of rotation from the contact centre [m]; NaN unless it slips
@@ -39,21 +39,23 @@ struct ReplayRow {
 
 /// Everything that a replay needs to know. `Replay` validates it.
 struct ReplayOptions {
-  Law law;                                                  ///< pressure law; must be set
-  RadiusLaw radius_law = RadiusLaw::constant(0.005);        ///< a(P)
-  double mu = 0.5;                                          ///< coefficient of (static) friction, ≥ 0
-  std::optional<double> mu_dynamic;                         ///< while slipping, 0 ≤ μ_d ≤ μ; absent: μ
-  std::optional<double> moment_coefficient;                 ///< μ_r [m] ≥ 0: Γ = μ_r P whatever the radius law; absent: Γ = m₀ μ P a(P)
-  double stiffness = 0.0;                                   ///< k_l [N/m] > 0
-  double twist_stiffness = 0.0;                             ///< k_r [N m/rad] > 0
-  BoundaryKind boundary = BoundaryKind::table;              ///< limit curve
+  Law law = {};                                       ///< pressure law; must be set
+  RadiusLaw radius_law = RadiusLaw::constant(0.005);  ///< a(P)
+  double mu = 0.5;                                    ///< coefficient of (static) friction, ≥ 0
+  std::optional<double> mu_dynamic = {};              ///< while slipping, 0 ≤ μ_d ≤ μ; absent: μ
+  std::optional<double> moment_coefficient = {};      ///< μ_r [m] ≥ 0: Γ = μ_r P whatever the radius law; absent: Γ = m₀ μ P a(P)
+  double stiffness = 0.0;                             ///< k_l [N/m] > 0
+  double twist_stiffness = 0.0;                       ///< k_r [N m/rad] > 0
+  BoundaryKind boundary = BoundaryKind::table;        ///< limit curve
   ProjectionKind projection = ProjectionKind::closest_point;
-  double tolerance = 1e-6;                                  ///< of the table, in unit wrenches; used by `table` only
+  double tolerance = 1e-6;  ///< of the table, in unit wrenches; used by `table` only
 };
 
 /// The god-object over a trace, boundary and projection chosen at run time.
 class Replay {
  public:
+  class Runner;  // one a boundary and projection; known to replay.cpp only
+
   /// Throws `std::invalid_argument` that names the parameter, its value, unit and range.
   explicit Replay(const ReplayOptions& options);
   ~Replay();
@@ -67,7 +69,6 @@ class Replay {
   void run(std::span<const TraceSample> samples, std::span<ReplayRow> rows) noexcept;
 
  private:
-  class Runner;
   std::unique_ptr<Runner> runner_;
 };
 

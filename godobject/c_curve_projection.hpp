@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "godobject/radial_projection.hpp"
+
+#include <cmath>
+
+namespace limitcurve::godobject {
+
+/// The paper's Fig. 5 in general: the centre of rotation is kept while the load is brought back. The load λP whose p-curve
+/// runs through the trial wrench has its centre of rotation at c; the result is the point of the p-curve of P with that c.
+/// Where the radius does not depend on the load c-curves are rays, and this is the radial projection.
+struct CCurve {
+  /// Newton steps for the load; the residual is nearly linear in log λ, so that 3 or 4 suffice as a rule.
+  static constexpr int iteration_limit = 30;
+
+  template <LimitBoundary Boundary>
+  Projected operator()(const Boundary& boundary, const Trial& trial) const noexcept {
+    const double gamma = trial.radius_exponent;
+    if (gamma == 0.0) return Radial{}(boundary, trial);
+    // At load λP the trial is (x̂/λ, ŷ/λ^{1+γ}) in unit wrenches: find λ where its gauge is 1. The logarithm of the gauge
+    // falls by between 1 and 1+γ a unit of log λ, which brackets the root: (log g)/(1+γ) ≤ log λ ≤ log g.
+    double log_load = std::log(boundary.gauge(trial.wrench)) / (1.0 + gamma);
+    RadialPoint foot{};
+    UnitWrench at_load{};
+    for (int i = 0; i < iteration_limit; ++i) {
+      at_load = {trial.wrench.force * std::exp(-log_load), trial.wrench.moment * std::exp(-(1.0 + gamma) * log_load)};
+      foot = boundary.along(at_load);
+      const double excess = std::log(gauge_from(at_load, foot.wrench));
+      const double slide_part = foot.normal.slide * foot.wrench.force;
+      const double spin_part = foot.normal.spin * foot.wrench.moment;
+      const double step = excess * (slide_part + spin_part) / (slide_part + (1.0 + gamma) * spin_part);
+      log_load += step;
+      if (std::fabs(step) <= 1e-14) break;
+    }
+    // c = s·a(λP) is kept, and a(P) is smaller by λ^γ. At either end of the curve c/a is the same, 0 or ∞, and the foot with it.
+    UnitWrench wrench = foot.wrench;
+    if (foot.normal.slide > 0.0 && foot.normal.spin > 0.0) {
+      wrench = boundary.wrench({foot.normal.slide * std::exp(gamma * log_load), foot.normal.spin});
+    }
+    // For a pressure heaped at the rim, or a boundary with corners, f(s) can grow faster than s and the same c would
+    // add force instead of taking it off. The same c/a never does.
+    if (wrench.force > trial.wrench.force || wrench.moment > trial.wrench.moment) wrench = foot.wrench;
+    return {wrench, slip_between(trial, wrench)};
+  }
+};
+
+}  // namespace limitcurve::godobject

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "godobject/projection.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+
+namespace limitcurve::godobject {
+
+/// A boundary of straight faces: its corners in order, from (f_max, 0) to (0, m_max).
+// clang-format off
+template <class Boundary>
+concept PolygonalBoundary = LimitBoundary<Boundary> && requires(const Boundary& boundary) {
+  { boundary.vertices() } noexcept -> std::convertible_to<std::span<const UnitWrench>>;
+};
+// clang-format on
+
+/// Maximum dissipation (implicit Euler of the sliding law): the slip is normal to the limit curve at the wrench it
+/// leaves. With the springs as metric that is the point of the curve closest to the trial, and a finger that keeps
+/// sliding about one centre of rotation settles at eq. (17)'s wrench for it, whatever the stiffnesses. On the box of
+/// uncoupled limits force and moment are clamped each on its own: the paper's §3.1.
+struct ClosestPoint {
+  /// Steps of the search at most; 2 to 4 as a rule, each one evaluation of the boundary.
+  static constexpr int iteration_limit = 64;
+  /// A Newton step this small, relative to u(1−u), is the last: the next would be below rounding.
+  static constexpr double last_step = 1e-8;
+
+  template <LimitBoundary Boundary>
+  Projected operator()(const Boundary& boundary, const Trial& trial) const noexcept {
+    if constexpr (PolygonalBoundary<Boundary>) {
+      return onto_polygon(boundary.vertices(), trial);
+    } else {
+      return onto_curve(boundary, trial);
+    }
+  }
+
+ private:
+  /// Newton's method in the spin fraction u for G(u) = u(x̂ − f(u)) − (1−u)χ(ŷ − m(u)), kept within a bracket. G has one
+  /// root, for only one point of the curve has the trial on its outward normal; G(0) = −χŷ ≤ 0 and G(1) = x̂ ≥ 0.
+  template <class Boundary>
+  static Projected onto_curve(const Boundary& boundary, const Trial& trial) noexcept {
+    const auto [x, y] = trial.wrench;
+    const double chi = trial.compliance_ratio;
+    // On an axis the root is the end itself, which no bracket closes in on.
+    if (x == 0.0 || y == 0.0) {
+      const SlipTwist end = x == 0.0 ? SlipTwist{0.0, 1.0} : SlipTwist{1.0, 0.0};
+      return {boundary.wrench(end), end};
+    }
+    double low = 0.0;
+    double high = 1.0;
+    double u = trial.start > 0.0 && trial.start < 1.0 ? trial.start : start(boundary.moment_ratio(), trial);
+    for (int i = 0; i < iteration_limit; ++i) {
+      const BoundaryPoint here = boundary.point(SlipTwist::of_spin_fraction(u));
+      const double over_force = x - here.wrench.force;
+      const double over_moment = chi * (y - here.wrench.moment);
+      const double residual = u * over_force - (1.0 - u) * over_moment;
+      if (residual == 0.0) return {here.wrench, SlipTwist::of_spin_fraction(u)};
+      (residual > 0.0 ? high : low) = u;
+      const double slope = over_force + over_moment - u * here.slope.force + (1.0 - u) * chi * here.slope.moment;
+      double next = u - residual / slope;
+      // The last third of the budget bisects, so that the bracket is closed whatever the curve does.
+      const bool bisect = !(next > low && next < high) || (i > iteration_limit / 6 && i % 2 == 0);
+      if (bisect) next = 0.5 * (low + high);
+      const double step = std::fabs(next - u);
+      u = next;
+      if ((!bisect && step <= last_step * u * (1.0 - u)) || high - low <= std::numeric_limits<double>::epsilon() * u) break;
+    }
+    const SlipTwist slip = SlipTwist::of_spin_fraction(u);
+    return {boundary.wrench(slip), slip};
+  }
+
+  /// A first guess: the slip at the closest point of the ellipse with the same intercepts, by two Newton steps for the
+  /// multiplier λ of f = x̂/(1+λ), m = ŷ/(1+λη), from λ = 0, where they cannot overshoot.
+  static double start(double moment_ratio, const Trial& trial) noexcept {
+    const double x = trial.wrench.force;
+    const double y = trial.wrench.moment / moment_ratio;
+    const double eta = 1.0 / (trial.compliance_ratio * moment_ratio * moment_ratio);
+    double lambda = 0.0;
+    double force = x;
+    double moment = y;
+    for (int i = 0; i < 2; ++i) {
+      const double force_scale = 1.0 / (1.0 + lambda);
+      const double moment_scale = 1.0 / (1.0 + lambda * eta);
+      force = x * force_scale;
+      moment = y * moment_scale;
+      const double excess = force * force + moment * moment - 1.0;
+      lambda += 0.5 * excess / (force * force * force_scale + eta * moment * moment * moment_scale);
+    }
+    const double slide = x / (1.0 + lambda);
+    const double spin = y / ((1.0 + lambda * eta) * moment_ratio);
+    const double u = spin / (slide + spin);
+    return u > 0.0 && u < 1.0 ? u : 0.5;
+  }
+
+  /// Exactly, face by face: the closest of the feet. Cost: one division a slanted face.
+  static Projected onto_polygon(std::span<const UnitWrench> corners, const Trial& trial) noexcept {
+    const double chi = trial.compliance_ratio;
+    UnitWrench best = corners.front();
+    double best_distance = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i + 1 < corners.size(); ++i) {
+      const UnitWrench foot = foot_on_face(corners[i], corners[i + 1], trial);
+      const double force = trial.wrench.force - foot.force;
+      const double moment = trial.wrench.moment - foot.moment;
+      const double distance = force * force + chi * moment * moment;
+      if (distance < best_distance) {
+        best_distance = distance;
+        best = foot;
+      }
+    }
+    return {best, slip_between(trial, best)};
+  }
+
+  static UnitWrench foot_on_face(UnitWrench from, UnitWrench to, const Trial& trial) noexcept {
+    const double chi = trial.compliance_ratio;
+    const double along_force = to.force - from.force;     // ≤ 0
+    const double along_moment = to.moment - from.moment;  // ≥ 0
+    // Faces parallel to an axis leave the other component bit for bit alone.
+    if (along_force == 0.0) return {from.force, std::clamp(trial.wrench.moment, from.moment, to.moment)};
+    if (along_moment == 0.0) return {std::clamp(trial.wrench.force, to.force, from.force), from.moment};
+    const double t = ((trial.wrench.force - from.force) * along_force + chi * (trial.wrench.moment - from.moment) * along_moment) /
+                     (along_force * along_force + chi * along_moment * along_moment);
+    if (t <= 0.0) return from;
+    if (t >= 1.0) return to;
+    return {from.force + t * along_force, from.moment + t * along_moment};
+  }
+};
+
+}  // namespace limitcurve::godobject

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#include "godobject/contact_law.hpp"
+
+#include "limitcurve/number.hpp"
+
+#include <limits>
+#include <string_view>
+
+namespace limitcurve::godobject {
+
+namespace {
+
+constexpr double largest = std::numeric_limits<double>::max();
+
+double positive(std::string_view name, double value, std::string_view unit) {
+  if (!(value > 0.0 && value <= largest)) throw out_of_range(name, value, unit, "> 0 and finite");
+  return value;
+}
+
+double non_negative(std::string_view name, double value, std::string_view unit) {
+  if (!(value >= 0.0 && value <= largest)) throw out_of_range(name, value, unit, ">= 0 and finite");
+  return value;
+}
+
+/// The radius at which μ m₀ a is the moment coefficient; 0 where it or μ is zero.
+double equivalent_radius(double moment_coefficient, double mu, double moment_ratio) {
+  return mu > 0.0 ? moment_coefficient / (mu * moment_ratio) : 0.0;
+}
+
+}  // namespace
+
+ContactLaw::ContactLaw(const FingerParameters& parameters, double moment_ratio)
+    : stiffness_(positive("stiffness", parameters.stiffness, "N/m")),
+      twist_stiffness_(positive("twist_stiffness", parameters.twist_stiffness, "N m/rad")),
+      stiffness_ratio_(stiffness_ / twist_stiffness_) {
+  positive("moment_ratio", moment_ratio, "1");
+  const double mu = non_negative("mu", parameters.mu, "1");
+  const double mu_dynamic = non_negative("mu_dynamic", parameters.mu_dynamic.value_or(mu), "1");
+  if (mu_dynamic > mu) throw out_of_range("mu_dynamic", mu_dynamic, "1", "0 <= mu_dynamic <= mu");
+  if (parameters.moment_coefficient) {
+    const double mu_r = non_negative("moment_coefficient", *parameters.moment_coefficient, "m");
+    if (mu == 0.0 && mu_r > 0.0) throw out_of_range("moment_coefficient", mu_r, "m", "0 where mu is 0");
+    const double share = mu > 0.0 ? mu_dynamic / mu : 1.0;
+    const double mu_r_dynamic =
+        non_negative("moment_coefficient_dynamic", parameters.moment_coefficient_dynamic.value_or(mu_r * share), "m");
+    if (mu_r_dynamic > mu_r) {
+      throw out_of_range("moment_coefficient_dynamic", mu_r_dynamic, "m", "0 <= moment_coefficient_dynamic <= moment_coefficient");
+    }
+    static_ = {mu, equivalent_radius(mu_r, mu, moment_ratio)};
+    dynamic_ = {mu_dynamic, equivalent_radius(mu_r_dynamic, mu_dynamic, moment_ratio)};
+    // Not computed anew: the quotient would differ in the last digit.
+    if (!parameters.moment_coefficient_dynamic && mu_dynamic > 0.0) dynamic_.radius = static_.radius;
+  } else {
+    if (parameters.moment_coefficient_dynamic) {
+      throw out_of_range("moment_coefficient_dynamic", *parameters.moment_coefficient_dynamic, "m", "absent without moment_coefficient");
+    }
+    static_ = {mu, parameters.radius_law.coefficient()};
+    dynamic_ = {mu_dynamic, parameters.radius_law.coefficient()};
+    if (parameters.radius_law.exponent() != 0.0) radius_law_ = parameters.radius_law;
+  }
+  has_one_limit_ = static_.mu == dynamic_.mu && static_.radius == dynamic_.radius;
+}
+
+}  // namespace limitcurve::godobject

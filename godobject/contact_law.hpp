@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "limitcurve/radius_law.hpp"
+
+#include <optional>
+
+namespace limitcurve::godobject {
+
+/// What a soft finger is made of, besides the shape of its limit curve. Every length in metres, every angle in radians.
+struct FingerParameters {
+  double mu = 0.5;                                        ///< coefficient of static friction μ, ≥ 0
+  std::optional<double> mu_dynamic = {};                  ///< while slipping, 0 ≤ μ_d ≤ μ; absent: μ
+  RadiusLaw radius_law = RadiusLaw::constant(0.005);      ///< contact radius a(P)
+  std::optional<double> moment_coefficient = {};          ///< μ_r [m] ≥ 0: Γ = μ_r P whatever the radius law (eq. 2)
+  std::optional<double> moment_coefficient_dynamic = {};  ///< μ_r while slipping, [m]; absent: μ_r μ_d/μ
+  double stiffness = 1000.0;                              ///< k_l [N/m] > 0, normal and tangential
+  double twist_stiffness = 0.04;                          ///< k_r [N m/rad] > 0
+};
+
+/// How a unit limit curve grows with the load: force in units of μP, moment in units of μPa. With a moment coefficient
+/// the radius is the one that gives it, a = μ_r/(μ m₀), at every load. Immutable.
+class ContactLaw {
+ public:
+  /// `moment_ratio` is the boundary's m₀. Throws std::invalid_argument naming parameter, value, unit and range.
+  ContactLaw(const FingerParameters& parameters, double moment_ratio);
+
+  /// The scales of the unit curve at a load.
+  struct Scale {
+    double force;   ///< μP [N]
+    double radius;  ///< a(P) [m]; 0 where there is no torsional friction
+  };
+
+  [[nodiscard]] Scale static_scale(double load) const noexcept { return scale(static_, load); }
+  [[nodiscard]] Scale dynamic_scale(double load) const noexcept { return scale(dynamic_, load); }
+  [[nodiscard]] bool has_one_limit() const noexcept { return has_one_limit_; }  ///< static and dynamic limits are the same
+
+  [[nodiscard]] double stiffness() const noexcept { return stiffness_; }              ///< k_l [N/m]
+  [[nodiscard]] double twist_stiffness() const noexcept { return twist_stiffness_; }  ///< k_r [N m/rad]
+  [[nodiscard]] double stiffness_ratio() const noexcept { return stiffness_ratio_; }  ///< k_l/k_r [1/m²]
+  /// γ of a ∝ P^γ as it acts here: 0 with a moment coefficient.
+  [[nodiscard]] double radius_exponent() const noexcept { return radius_law_ ? radius_law_->exponent() : 0.0; }
+
+ private:
+  struct Limit {
+    double mu;
+    double radius;  ///< where it does not depend on the load
+  };
+
+  [[nodiscard]] Scale scale(const Limit& limit, double load) const noexcept {
+    return {limit.mu * load, radius_law_ ? radius_law_->radius(load) : limit.radius};
+  }
+
+  Limit static_{};
+  Limit dynamic_{};
+  std::optional<RadiusLaw> radius_law_;  // only where the radius depends on the load
+  double stiffness_;
+  double twist_stiffness_;
+  double stiffness_ratio_;
+  bool has_one_limit_;
+};
+
+}  // namespace limitcurve::godobject

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "godobject/contact_law.hpp"
+#include "godobject/projection.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace limitcurve::godobject {
+
+/// Steps b and c of the paper (eqs. 8, 19–23) for one contact, in its own two coordinates: how far the proxy is from the
+/// finger along the surface, r, and about the normal, ρ. Immutable: one may serve any number of fingers and threads.
+///
+/// The rule of sticking: a contact at rest holds while the trial wrench lies within the static limit. Once it slips the
+/// dynamic limit acts, and it comes to rest again in the first step whose trial lies within the dynamic limit.
+template <LimitBoundary Boundary, class Projection>
+requires ProjectionOnto<Projection, Boundary>
+class Friction {
+ public:
+  /// A trial is beyond the limit when its gauge exceeds 1 by more than this; below it rounding of the proxy that lies
+  /// on the boundary would be taken for slip.
+  static constexpr double slip_guard = 1e-12;
+  /// Trials beyond this many limits are scaled back to it, which changes no direction and keeps squares finite.
+  static constexpr double farthest_trial = 1e100;
+
+  /// What the contact does, all magnitudes.
+  struct Result {
+    bool slips = false;
+    double force = 0.0;                                     ///< |F| = k_l r′ [N]
+    double moment = 0.0;                                    ///< |M| = k_r ρ′ [N m]
+    double offset = 0.0;                                    ///< r′ [m], ≤ r; equal to it bit for bit where there was no sliding
+    double twist = 0.0;                                     ///< ρ′ [rad], likewise
+    double cor = std::numeric_limits<double>::quiet_NaN();  ///< of the slip [m], ∞ for pure sliding; NaN where it sticks
+    double slip_work = 0.0;                                 ///< |F|(r − r′) + |M|(ρ − ρ′) [J], ≥ 0
+    double spin_fraction = -1.0;                            ///< of the slip: a start for the next step; < 0 where it sticks
+  };
+
+  /// Throws std::invalid_argument naming parameter, value, unit and range.
+  Friction(Boundary boundary, const FingerParameters& parameters, Projection projection = {})
+      : boundary_(std::move(boundary)),
+        projection_(projection),
+        law_(parameters, boundary_.moment_ratio()),
+        force_max_(boundary_.wrench({1.0, 0.0}).force),
+        moment_max_(boundary_.wrench({0.0, 1.0}).moment) {}
+
+  [[nodiscard]] const Boundary& boundary() const noexcept { return boundary_; }
+  [[nodiscard]] const ContactLaw& law() const noexcept { return law_; }
+
+  /// The contact under load P [N] > 0 with the proxy r [m] ≥ 0 and ρ [rad] ≥ 0 away, all finite. `start` is the last result's
+  /// `spin_fraction`, which also tells whether the contact slips already.
+  [[nodiscard]] Result resolve(double r, double rho, double load, double start) const noexcept {
+    const bool slipping = start >= 0.0;
+    const Limits limits = make_limits(slipping ? law_.dynamic_scale(load) : law_.static_scale(load));
+    if (!limits.twists) return resolve_untwisted(limits, r, load);
+    const Trial trial = make_trial(limits, r, rho, start);
+    const double gauge = bounding_gauge(trial);
+    if (gauge <= 1.0 + slip_guard) return stuck(r, rho, std::max(gauge, 1.0));
+    if (slipping || law_.has_one_limit()) return slid(limits, trial, r, rho);
+    const Limits dynamic = make_limits(law_.dynamic_scale(load));
+    if (!dynamic.twists) return slid_untwisted(dynamic, r);
+    return slid(dynamic, make_trial(dynamic, r, rho, start), r, rho);
+  }
+
+  /// How far the contact is from slipping: 1 − gauge of the trial in the limit that acts, 1 unloaded by friction, ≤ 0 slipping.
+  [[nodiscard]] double margin(double r, double rho, double load, bool slipping) const noexcept {
+    const Limits limits = make_limits(slipping ? law_.dynamic_scale(load) : law_.static_scale(load));
+    if (r == 0.0 && rho == 0.0) return 1.0;
+    if (!limits.twists) return limits.slides ? 1.0 - law_.stiffness() * r / (force_max_ * limits.force_unit) : r > 0.0 ? 0.0 : 1.0;
+    return 1.0 - boundary_.gauge(make_trial(limits, r, rho, -1.0).wrench);
+  }
+
+ private:
+  struct Limits {
+    double force_unit;   ///< μP [N]
+    double moment_unit;  ///< μPa [N m]
+    double radius;       ///< a [m]
+    bool slides;         ///< there is friction at all
+    bool twists;         ///< there is torsional friction
+  };
+
+  [[nodiscard]] static Limits make_limits(ContactLaw::Scale scale) noexcept {
+    const double moment_unit = scale.force * scale.radius;
+    // So near zero a quotient by the unit may overflow: the limit of no friction.
+    constexpr double least = 1e-200;
+    return {scale.force, moment_unit, scale.radius, scale.force > least, scale.force > least && moment_unit > least};
+  }
+
+  [[nodiscard]] Trial make_trial(const Limits& limits, double r, double rho, double start) const noexcept {
+    double force = law_.stiffness() * r / limits.force_unit;
+    double moment = law_.twist_stiffness() * rho / limits.moment_unit;
+    const double larger = std::max(force, moment);
+    if (larger > farthest_trial) {
+      force *= farthest_trial / larger;
+      moment *= farthest_trial / larger;
+    }
+    return {{force, moment}, limits.radius * limits.radius * law_.stiffness_ratio(), law_.radius_exponent(), start};
+  }
+
+  /// The gauge of the trial where it lies within rounding of 1, and else any number on the same side of 1: inside the
+  /// chord of the intercepts, beyond an intercept or outside the tangent of the last slip the gauge itself is not needed.
+  [[nodiscard]] double bounding_gauge(const Trial& trial) const noexcept {
+    constexpr double inside = 0.0;
+    constexpr double outside = 2.0;
+    const auto [x, y] = trial.wrench;
+    if (x * moment_max_ + y * force_max_ <= force_max_ * moment_max_) return inside;
+    if (x > force_max_ * (1.0 + slip_guard) || y > moment_max_ * (1.0 + slip_guard)) return outside;
+    if (trial.start > 0.0 && trial.start < 1.0) {
+      const SlipTwist twist = SlipTwist::of_spin_fraction(trial.start);
+      const UnitWrench touch = boundary_.wrench(twist);
+      const double reach = twist.slide * touch.force + twist.spin * touch.moment;
+      if (twist.slide * x + twist.spin * y > reach * (1.0 + 2.0 * slip_guard)) return outside;
+    }
+    return boundary_.gauge(trial.wrench);
+  }
+
+  /// A wrench that is outside by the guard is brought back; the proxy is not touched.
+  [[nodiscard]] Result stuck(double r, double rho, double gauge) const noexcept {
+    return {
+        .slips = false, .force = law_.stiffness() * r / gauge, .moment = law_.twist_stiffness() * rho / gauge, .offset = r, .twist = rho};
+  }
+
+  [[nodiscard]] Result slid(const Limits& limits, const Trial& trial, double r, double rho) const noexcept {
+    const auto [wrench, slip] = projection_(boundary_, trial);
+    Result result;
+    result.slips = true;
+    // A search may leave a small component a rounding above the trial's; the spring cannot.
+    result.force = std::min(wrench.force * limits.force_unit, law_.stiffness() * r);
+    result.moment = std::min(wrench.moment * limits.moment_unit, law_.twist_stiffness() * rho);
+    // What was not clamped did not slide, bit for bit.
+    result.offset = wrench.force == trial.wrench.force ? r : std::min(result.force / law_.stiffness(), r);
+    result.twist = wrench.moment == trial.wrench.moment ? rho : std::min(result.moment / law_.twist_stiffness(), rho);
+    result.cor = limits.radius * slip.cor();
+    result.spin_fraction = slip.slide + slip.spin > 0.0 ? slip.spin_fraction() : 0.5;
+    result.slip_work = result.force * (r - result.offset) + result.moment * (rho - result.twist);
+    return result;
+  }
+
+  /// Γ = 0 takes the twist out of the contact: the proxy's angle is the finger's, and the force is limited by itself.
+  [[nodiscard]] Result resolve_untwisted(const Limits& limits, double r, double load) const noexcept {
+    const double force = law_.stiffness() * r;
+    if (force <= force_max_ * limits.force_unit * (1.0 + slip_guard)) return {.slips = false, .force = force, .offset = r};
+    return slid_untwisted(make_limits(law_.dynamic_scale(load)), r);
+  }
+
+  [[nodiscard]] Result slid_untwisted(const Limits& limits, double r) const noexcept {
+    Result result;
+    result.slips = true;
+    result.force = limits.slides ? std::min(force_max_ * limits.force_unit, law_.stiffness() * r) : 0.0;
+    result.offset = std::min(result.force / law_.stiffness(), r);
+    result.cor = std::numeric_limits<double>::infinity();
+    result.spin_fraction = 0.0;
+    result.slip_work = result.force * (r - result.offset);
+    return result;
+  }
+
+  Boundary boundary_;
+  [[no_unique_address]] Projection projection_;
+  ContactLaw law_;
+  double force_max_;
+  double moment_max_;
+};
+
+}  // namespace limitcurve::godobject

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// The soft-finger god-object: everything of this module. The mathematics, symbols and caveats are in godobject/README.md.
+#include "godobject/c_curve_projection.hpp"        // IWYU pragma: export
+#include "godobject/choice.hpp"                    // IWYU pragma: export
+#include "godobject/closest_point_projection.hpp"  // IWYU pragma: export
+#include "godobject/contact_law.hpp"               // IWYU pragma: export
+#include "godobject/contact_state.hpp"             // IWYU pragma: export
+#include "godobject/friction.hpp"                  // IWYU pragma: export
+#include "godobject/kinds.hpp"                     // IWYU pragma: export
+#include "godobject/projection.hpp"                // IWYU pragma: export
+#include "godobject/radial_projection.hpp"         // IWYU pragma: export
+#include "godobject/replay.hpp"                    // IWYU pragma: export
+#include "godobject/soft_finger.hpp"               // IWYU pragma: export

@@ -1,0 +1,360 @@
+// SPDX-License-Identifier: MIT
+#include "tests/godobject/scene.hpp"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <limits>
+#include <numbers>
+
+namespace limitcurve::godobject::test {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double pi = std::numbers::pi;
+
+template <class Boundary = Ellipse, class Projection = ClosestPoint>
+SoftFinger<Boundary, Projection> hertz_finger(FingerParameters with = parameters()) {
+  if constexpr (std::is_same_v<Boundary, Ellipse>) {
+    return {Ellipse::through_intercepts(hertz()->moment_ratio()), with};
+  } else {
+    return {ExactCurve(hertz()), with};
+  }
+}
+
+bool same_bits(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  return std::bit_cast<std::array<double, 3>>(std::array{a.x(), a.y(), a.z()}) == std::array{b.x(), b.y(), b.z()};
+}
+
+TEST(SoftFinger, IsFreeUntilItTouches) {
+  auto finger = hertz_finger();
+  const FingerOutput& output = finger.update(on_plane(0.01, -0.02, -0.001), 0.3);
+  EXPECT_EQ(output.state, ContactState::free);
+  EXPECT_EQ(output.proxy, Eigen::Vector3d(0.01, -0.02, 0.001));
+  EXPECT_EQ(output.angle, 0.3);
+  EXPECT_EQ(output.load, 0.0);
+  EXPECT_EQ(output.depth, -0.001);
+  EXPECT_TRUE(std::isnan(output.cor));
+  finger.update(on_plane(0.01, -0.02, 0.0), 0.3);
+  EXPECT_EQ(output.state, ContactState::free);
+}
+
+TEST(SoftFinger, TouchesDownWithoutFriction) {
+  auto finger = hertz_finger();
+  finger.update(on_plane(0.0, 0.0, -0.001), 5.0);
+  const FingerOutput& output = finger.update(on_plane(0.001, 0.002, 0.003), 7.0);
+  EXPECT_EQ(output.state, ContactState::stick);
+  EXPECT_EQ(output.proxy, Eigen::Vector3d(0.001, 0.002, 0.0));
+  EXPECT_EQ(output.angle, 7.0);
+  EXPECT_EQ(output.force, Eigen::Vector3d::Zero());
+  EXPECT_EQ(output.moment, 0.0);
+  EXPECT_DOUBLE_EQ(output.load, 3.0);
+}
+
+TEST(SoftFinger, PullsBackTowardsTheProxy) {
+  auto finger = hertz_finger();
+  finger.update(on_plane(0.0, 0.0, 0.002), 1.0);
+  const FingerOutput& output = finger.update(on_plane(0.0003, -0.0004, 0.002), 1.01);
+  EXPECT_EQ(output.state, ContactState::stick);
+  EXPECT_DOUBLE_EQ(output.force.x(), -0.3);
+  EXPECT_DOUBLE_EQ(output.force.y(), 0.4);
+  EXPECT_EQ(output.force.z(), 0.0);
+  EXPECT_NEAR(output.moment, -0.0004, 1e-16);
+}
+
+// A held finger must not creep: noise of position, twist and load that never reaches the limit moves nothing.
+TEST(SoftFinger, HeldFingerNeverCreeps) {
+  SoftFinger finger(Table::build(hertz(), 1e-6), parameters(), ClosestPoint{});
+  finger.update(on_plane(0.1, 0.2, 0.002), 3.0);
+  const Eigen::Vector3d proxy = finger.output().proxy;
+  const double angle = finger.output().angle;
+  Random random(7);
+  std::uint64_t moved = 0;
+  for (int i = 0; i < 10'000'000; ++i) {
+    // Up to 0.8 of the limit at the least load: 0.96 N and 0.8·0.589·1.2 N·5 mm.
+    const std::uint64_t bits = random.bits();
+    const auto share = [&](int shift) { return static_cast<double>((bits >> shift) & 0xffffU) / 65536.0 - 0.5; };
+    const FingerOutput& output =
+        finger.update(on_plane(0.1 + 0.0009 * share(0), 0.2 + 0.0009 * share(16), 0.002 + 0.0004 * share(32)), 3.0 + 0.05 * share(48));
+    moved += output.state != ContactState::stick || !same_bits(output.proxy, proxy) || output.angle != angle;
+  }
+  EXPECT_EQ(moved, 0U);
+}
+
+TEST(SoftFinger, HeldOnTheLimitNeverCreeps) {
+  // Dragged until it slips, then held where it is.
+  Random random(11);
+  for (int round = 0; round < 200; ++round) {
+    auto finger = hertz_finger<ExactCurve>();
+    const double x = random.uniform(-2.0, 2.0);
+    const double y = random.uniform(-2.0, 2.0);
+    finger.update(on_plane(x, y, 0.002), 0.0);
+    const double reach = random.uniform(0.002, 0.01);
+    const double turn = random.uniform(0.0, 2.0);
+    finger.update(on_plane(x + reach, y, 0.002), turn);
+    EXPECT_EQ(finger.output().state, ContactState::slip);
+    finger.update(on_plane(x + reach, y, 0.002), turn);
+    const FingerOutput held = finger.output();
+    for (int i = 0; i < 1000; ++i) {
+      const FingerOutput& output = finger.update(on_plane(x + reach, y, 0.002), turn);
+      ASSERT_EQ(output.state, ContactState::stick);
+      ASSERT_TRUE(same_bits(output.proxy, held.proxy));
+      ASSERT_EQ(output.angle, held.angle);
+    }
+  }
+}
+
+// In 360 directions of force and moment, sense included: it sticks a billionth inside the curve and slips a billionth outside.
+TEST(SoftFinger, SlipStartsOnTheBoundary) {
+  for_each_boundary(hertz(), [](const auto& boundary, std::string_view name) {
+    const FingerParameters with = parameters();
+    const double load = 2.0;
+    for (int i = 0; i < 360; ++i) {
+      const double angle = 2.0 * pi * (i + 0.5) / 360.0;
+      const UnitWrench direction{std::fabs(std::cos(angle)), boundary.moment_ratio() * std::fabs(std::sin(angle))};
+      const UnitWrench limit = boundary.along(direction).wrench;
+      for (const double share : {1.0 - 1e-9, 1.0 + 1e-9}) {
+        SoftFinger finger(boundary, with, ClosestPoint{});
+        finger.update(on_plane(0.0, 0.0, 0.002), 0.0);
+        const double r = share * limit.force * with.mu * load / with.stiffness;
+        const double rho = share * limit.moment * with.mu * load * 0.005 / with.twist_stiffness;
+        // The direction of the pull turns as well.
+        finger.update(on_plane(r * std::cos(3.0 * angle), r * std::sin(3.0 * angle), 0.002), std::copysign(rho, std::sin(angle)));
+        EXPECT_EQ(finger.output().state, share < 1.0 ? ContactState::stick : ContactState::slip) << name << ' ' << i;
+      }
+    }
+  });
+}
+
+TEST(SoftFinger, BoxWithClosestPointIsTheUncoupledAlgorithm) {
+  // Paper, eq. (11): r′ = μd, ρ′ = Γ/k_r, each on its own.
+  FingerParameters with = parameters();
+  with.moment_coefficient = 0.0025;
+  SoftFinger finger(box(1.0, hertz()->moment_ratio()), with, ClosestPoint{});
+  const double depth = 0.002;
+  finger.update(on_plane(0.0, 0.0, depth), 0.0);
+  finger.update(on_plane(0.01, 0.0, depth), 0.05);
+  EXPECT_EQ(finger.output().state, ContactState::slip);
+  EXPECT_DOUBLE_EQ(finger.output().proxy.x(), 0.01 - with.mu * depth);
+  EXPECT_EQ(finger.output().angle, 0.0);  // Γ/k_r = 0.125 rad: the twist holds, bit for bit
+  EXPECT_EQ(finger.output().cor, infinity);
+  finger.update(on_plane(0.01, 0.0, depth), 0.5);
+  EXPECT_DOUBLE_EQ(finger.output().angle, 0.5 - 0.0025 * 2.0 / with.twist_stiffness);
+  EXPECT_EQ(finger.output().cor, 0.0);
+}
+
+TEST(SoftFinger, MomentCoefficientSetsTheLimitWhateverTheRadiusLaw) {
+  for (const RadiusLaw& law : {RadiusLaw::constant(0.001), RadiusLaw::hertz(0.008, 2e5), RadiusLaw::power(0.00207, 0.259)}) {
+    FingerParameters with = parameters();
+    with.radius_law = law;
+    with.moment_coefficient = 0.00384;
+    auto finger = hertz_finger<ExactCurve>(with);
+    for (const double depth : {0.0005, 0.004}) {
+      finger.reset();
+      finger.update(on_plane(0.0, 0.0, depth), 0.0);
+      finger.update(on_plane(0.0, 0.0, depth), 3.0);
+      EXPECT_NEAR(finger.output().moment, -0.00384 * with.stiffness * depth, 1e-15);
+    }
+  }
+}
+
+TEST(SoftFinger, DynamicLimitActsWhileItSlips) {
+  FingerParameters with = parameters();
+  with.mu_dynamic = 0.4;
+  auto finger = hertz_finger(with);
+  const double depth = 0.002;  // static limit 1.2 N, dynamic 0.8 N
+  finger.update(on_plane(0.0, 0.0, depth), 0.0);
+  finger.update(on_plane(0.00119, 0.0, depth), 0.0);
+  EXPECT_EQ(finger.output().state, ContactState::stick);
+  finger.update(on_plane(0.00121, 0.0, depth), 0.0);
+  EXPECT_EQ(finger.output().state, ContactState::slip);
+  EXPECT_DOUBLE_EQ(finger.output().force.x(), -0.8);
+  finger.update(on_plane(0.00122, 0.0, depth), 0.0);
+  EXPECT_EQ(finger.output().state, ContactState::slip);
+  EXPECT_DOUBLE_EQ(finger.output().force.x(), -0.8);
+  // A step back is within the dynamic limit: it rests, and then bears the static one.
+  finger.update(on_plane(0.00121, 0.0, depth), 0.0);
+  EXPECT_EQ(finger.output().state, ContactState::stick);
+  finger.update(on_plane(0.00155, 0.0, depth), 0.0);
+  EXPECT_EQ(finger.output().state, ContactState::stick);
+  EXPECT_NEAR(finger.output().force.x(), -1.13, 1e-12);
+}
+
+TEST(SoftFinger, UnwrapsTheTwist) {
+  auto finger = hertz_finger();
+  auto wrapped = hertz_finger();
+  for (int i = 0; i <= 20000; ++i) {
+    const double twist = 1.0 - i * 0.01;  // thirty turns backwards
+    finger.update(on_plane(0.0, 0.0, 0.002), twist);
+    wrapped.update(on_plane(0.0, 0.0, 0.002), std::remainder(twist, 2.0 * pi));
+    ASSERT_NEAR(wrapped.output().moment, finger.output().moment, 1e-12);
+    ASSERT_NEAR(wrapped.output().angle, finger.output().angle, 1e-12);
+  }
+  EXPECT_GT(finger.output().moment, 0.0);
+}
+
+TEST(SoftFinger, LeavesAnglesBitForBitAloneWithoutAJump) {
+  auto finger = hertz_finger();
+  for (int i = 0; i < 1000; ++i) {
+    finger.update(on_plane(0.0, 0.0, 0.002), 100.0 + 0.1 * i);
+    ASSERT_EQ(finger.state().goal_angle, 100.0 + 0.1 * i);
+  }
+}
+
+TEST(SoftFinger, TakesLimitsNotQuotients) {
+  struct Case {
+    const char* name;
+    double mu, radius, depth, x, twist;
+    double force, moment;
+  };
+  const double m0 = hertz()->moment_ratio();
+  const Case cases[] = {
+      {"no friction", 0.0, 0.005, 0.002, 0.001, 0.3, 0.0, 0.0},
+      {"no sliding", 0.6, 0.005, 0.002, 0.0, 3.0, 0.0, 1.2 * 0.005 * m0},
+      {"no twist", 0.6, 0.005, 0.002, 0.01, 0.0, 1.2, 0.0},
+      {"hardly a load", 0.6, 0.005, 1e-300, 0.01, 3.0, 0.0, 0.0},
+      {"the least load", 0.6, 0.005, 5e-324, 0.01, 3.0, 0.0, 0.0},
+      {"a hair of sliding", 0.6, 0.005, 0.002, 1e-300, 3.0, 0.0, 1.2 * 0.005 * m0},
+      {"a hair of twist", 0.6, 0.005, 0.002, 0.01, 1e-300, 1.2, 0.0},
+      {"at rest", 0.6, 0.005, 0.002, 0.0, 0.0, 0.0, 0.0},
+  };
+  for (const Case& test : cases) {
+    for (const ProjectionKind kind : {ProjectionKind::radial, ProjectionKind::c_curve, ProjectionKind::closest_point}) {
+      visit_projection(kind, [&](auto projection) {
+        for_each_boundary(hertz(), [&](const auto& boundary, std::string_view name) {
+          SoftFinger finger(boundary, parameters(test.mu, test.radius), projection);
+          finger.update(on_plane(0.0, 0.0, test.depth), 0.0);
+          const FingerOutput& output = finger.update(on_plane(test.x, 0.0, test.depth), test.twist);
+          EXPECT_NEAR(output.force.norm(), test.force, 1e-12) << test.name << ' ' << name << ' ' << to_string(kind);
+          EXPECT_NEAR(std::fabs(output.moment), test.moment, 1e-14) << test.name << ' ' << name << ' ' << to_string(kind);
+          EXPECT_TRUE(output.proxy.allFinite() && std::isfinite(output.angle)) << test.name << ' ' << name;
+        });
+      });
+    }
+  }
+}
+
+TEST(SoftFinger, WithoutTorsionalFrictionTheForceIsLimitedByItself) {
+  FingerParameters with = parameters();
+  with.moment_coefficient = 0.0;
+  auto finger = hertz_finger(with);
+  finger.update(on_plane(0.0, 0.0, 0.002), 0.0);
+  finger.update(on_plane(0.001, 0.0, 0.002), 2.0);
+  EXPECT_EQ(finger.output().state, ContactState::stick);
+  EXPECT_EQ(finger.output().moment, 0.0);
+  EXPECT_EQ(finger.output().angle, 2.0);
+  EXPECT_EQ(finger.output().proxy, Eigen::Vector3d::Zero());
+  finger.update(on_plane(0.003, 0.0, 0.002), 2.0);
+  EXPECT_EQ(finger.output().state, ContactState::slip);
+  EXPECT_DOUBLE_EQ(finger.output().force.x(), -1.2);
+}
+
+TEST(SoftFinger, HoldsTheLastGoodOutputOnBadInput) {
+  auto finger = hertz_finger();
+  finger.update(on_plane(0.0, 0.0, 0.002), 0.0);
+  finger.update(on_plane(0.0005, 0.0, 0.002), 0.01);
+  const FingerOutput good = finger.output();
+  std::vector<std::pair<Contact, double>> bad;
+  for (const double value : {nan, infinity, -infinity, 1e300}) {
+    bad.emplace_back(on_plane(value, 0.0, 0.002), 0.0);
+    bad.emplace_back(on_plane(0.0, value, 0.002), 0.0);
+    bad.emplace_back(on_plane(0.0, 0.0, value), 0.0);
+    bad.emplace_back(on_plane(0.0, 0.0, 0.002), value);
+    bad.emplace_back(Contact{Eigen::Vector3d::Zero(), {0.0, 0.0, value}, 0.002}, 0.0);
+  }
+  for (const auto& [contact, twist] : bad) {
+    const FingerOutput& output = finger.update(contact, twist);
+    EXPECT_EQ(output.state, ContactState::invalid);
+    EXPECT_EQ(output.force, good.force);
+    EXPECT_EQ(output.moment, good.moment);
+    EXPECT_EQ(output.proxy, good.proxy);
+    EXPECT_EQ(output.load, good.load);
+  }
+  // And goes on as if nothing had happened.
+  const FingerOutput& output = finger.update(on_plane(0.0005, 0.0, 0.002), 0.01);
+  EXPECT_EQ(output.state, ContactState::stick);
+  EXPECT_EQ(output.force, good.force);
+}
+
+// Steps of random magnitude and sign, loads over eight decades: the wrench stays on or within the curve, the slip
+// dissipates, and nothing is lost to NaN.
+TEST(SoftFinger, RandomStepsStayWithinTheCurveAndDissipate) {
+  for (const ProjectionKind kind : {ProjectionKind::radial, ProjectionKind::c_curve, ProjectionKind::closest_point}) {
+    visit_projection(kind, [&](auto projection) {
+      for_each_boundary(hertz(), [&](const auto& boundary, std::string_view name) {
+        Random random(99);
+        FingerParameters with = parameters();
+        with.radius_law = RadiusLaw::power(0.002, 0.26);
+        SoftFinger finger(boundary, with, projection);
+        double x = 0.0;
+        double y = 0.0;
+        double twist = 0.0;
+        for (int i = 0; i < 5000; ++i) {
+          const double step = random.logarithmic(1e-9, 1e-2);
+          x += random.uniform(-step, step);
+          y += random.uniform(-step, step);
+          twist += random.uniform(-1.0, 1.0) * random.logarithmic(1e-7, 1.0);
+          const double depth = random.logarithmic(1e-9, 1e-1);
+          const FingerOutput& output = finger.update(on_plane(x, y, depth), twist);
+          ASSERT_TRUE(output.state == ContactState::stick || output.state == ContactState::slip);
+          ASSERT_GE(output.slip_work, 0.0) << name;
+          const double unit = with.mu * output.load;
+          const UnitWrench wrench{output.force.norm() / unit, std::fabs(output.moment) / (unit * with.radius_law.radius(output.load))};
+          ASSERT_LE(boundary.gauge(wrench), 1.0 + 2e-14) << name << ' ' << to_string(kind);
+          ASSERT_TRUE(std::isfinite(output.angle) && output.proxy.allFinite());
+        }
+      });
+    });
+  }
+}
+
+TEST(SoftFinger, MarginIsTheShareThatIsLeft) {
+  auto finger = hertz_finger();
+  EXPECT_EQ(finger.margin(), 1.0);
+  finger.update(on_plane(0.0, 0.0, 0.002), 0.0);
+  EXPECT_EQ(finger.margin(), 1.0);
+  finger.update(on_plane(0.0003, 0.0, 0.002), 0.0);
+  EXPECT_NEAR(finger.margin(), 0.75, 1e-12);
+  finger.update(on_plane(0.003, 0.0, 0.002), 0.0);
+  EXPECT_EQ(finger.margin(), 0.0);
+}
+
+TEST(SoftFinger, StateIsAValue) {
+  auto finger = hertz_finger<ExactCurve>();
+  auto other = hertz_finger<ExactCurve>();
+  for (int i = 0; i < 100; ++i) finger.update(on_plane(i * 1e-4, 0.0, 0.002), i * 0.01);
+  other.restore(finger.state());
+  for (int i = 100; i < 200; ++i) {
+    finger.update(on_plane(i * 1e-4, 0.0, 0.002), i * 0.01);
+    other.update(on_plane(i * 1e-4, 0.0, 0.002), i * 0.01);
+    ASSERT_TRUE(same_bits(finger.output().force, other.output().force));
+    ASSERT_EQ(finger.output().moment, other.output().moment);
+  }
+}
+
+TEST(FingerParameters, AreValidated) {
+  const auto rejects = [](auto change, const char* parameter) {
+    FingerParameters with = parameters();
+    change(with);
+    try {
+      ContactLaw law(with, 0.5);
+      ADD_FAILURE() << parameter << " was accepted";
+    } catch (const std::invalid_argument& error) {
+      EXPECT_NE(std::string(error.what()).find(parameter), std::string::npos) << error.what();
+    }
+  };
+  for (const double bad : {-1.0, nan, infinity}) {
+    rejects([&](FingerParameters& with) { with.mu = bad; }, "mu");
+    rejects([&](FingerParameters& with) { with.mu_dynamic = bad; }, "mu_dynamic");
+    rejects([&](FingerParameters& with) { with.moment_coefficient = bad; }, "moment_coefficient");
+    rejects([&](FingerParameters& with) { with.stiffness = bad; }, "stiffness");
+    rejects([&](FingerParameters& with) { with.twist_stiffness = bad; }, "twist_stiffness");
+  }
+  rejects([](FingerParameters& with) { with.stiffness = 0.0; }, "stiffness");
+  rejects([](FingerParameters& with) { with.twist_stiffness = 0.0; }, "twist_stiffness");
+  rejects([](FingerParameters& with) { with.mu_dynamic = 0.7; }, "mu_dynamic");
+}
+
+}  // namespace
+}  // namespace limitcurve::godobject::test

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#include "tests/godobject/scene.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <new>
+
+// The sanitizers bring an allocator of their own.
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#define LIMITCURVE_WATCHES_MALLOC 1
+
+namespace {
+thread_local bool watching = false;
+thread_local int calls = 0;
+void note() noexcept {
+  calls += watching;
+}
+}  // namespace
+
+extern "C" {
+void* __libc_malloc(std::size_t size);
+void* __libc_calloc(std::size_t count, std::size_t size);
+void* __libc_realloc(void* memory, std::size_t size);
+void __libc_free(void* memory);
+
+void* malloc(std::size_t size) {
+  note();
+  return __libc_malloc(size);
+}
+void* calloc(std::size_t count, std::size_t size) {
+  note();
+  return __libc_calloc(count, size);
+}
+void* realloc(void* memory, std::size_t size) {
+  note();
+  return __libc_realloc(memory, size);
+}
+void free(void* memory) {
+  note();
+  __libc_free(memory);
+}
+}
+#endif
+
+namespace limitcurve::godobject::test {
+namespace {
+
+#ifdef LIMITCURVE_WATCHES_MALLOC
+/// Calls of the allocator during `body`.
+template <class Body>
+int allocations(Body&& body) {
+  calls = 0;
+  watching = true;
+  body();
+  watching = false;
+  return calls;
+}
+
+TEST(RealTime, TheGuardSeesAnAllocation) {
+  EXPECT_GT(allocations([] { delete new volatile int(3); }), 0);
+  EXPECT_GT(allocations([] {
+              volatile std::size_t size = 100;
+              std::vector<double> v(size);
+              volatile double sink = v[0];
+              static_cast<void>(sink);
+            }),
+            0);
+}
+
+TEST(RealTime, AStepAllocatesNothing) {
+  for (const ProjectionKind kind : {ProjectionKind::radial, ProjectionKind::c_curve, ProjectionKind::closest_point}) {
+    visit_projection(kind, [&](auto projection) {
+      for_each_boundary(uniform(), [&](const auto& boundary, std::string_view name) {
+        FingerParameters with = parameters();
+        with.radius_law = RadiusLaw::hertz(0.008, 2e5);
+        SoftFinger finger(boundary, with, projection);
+        const int count = allocations([&] {
+          for (int i = 0; i < 500; ++i) {
+            finger.update(on_plane(i * 1e-4, i * 2e-5, 0.002 - i * 5e-6), i * 0.01);
+            static_cast<void>(finger.margin());
+          }
+          finger.update(on_plane(std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0), 0.0);
+        });
+        EXPECT_EQ(count, 0) << name << ' ' << to_string(kind);
+      });
+    });
+  }
+}
+#endif
+
+TEST(RealTime, NothingInTheLoopThrows) {
+  using Finger = SoftFinger<Table, ClosestPoint>;
+  static_assert(noexcept(std::declval<Finger&>().update(std::declval<const Contact&>(), 0.0)));
+  static_assert(noexcept(std::declval<Finger&>().restore(std::declval<const FingerState&>())));
+  static_assert(noexcept(std::declval<const Finger&>().margin()));
+  static_assert(noexcept(std::declval<Replay&>().step(TraceSample{})));
+}
+
+}  // namespace
+}  // namespace limitcurve::godobject::test

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+#include "tests/godobject/scene.hpp"
+
+#include <gtest/gtest.h>
+
+namespace limitcurve::godobject::test {
+namespace {
+
+constexpr double mu = 0.6;
+constexpr double radius = 0.005;
+constexpr double stiffness = 1000.0;
+constexpr double depth = 0.002;
+constexpr double load = stiffness * depth;
+
+/// Unit wrench that a finger settles at when it is moved at a constant twist about a centre at s = c/a for long: ninety
+/// times the give of the softer spring, the length that the transient decays with (README, "How long it takes").
+template <class Boundary, class Projection>
+UnitWrench settled(const Boundary& boundary, const Projection& projection, double s, double kappa) {
+  const double m0 = boundary.moment_ratio();
+  const double twist_stiffness = kappa * stiffness * (m0 * radius) * (m0 * radius);
+  SoftFinger finger(boundary, parameters(mu, radius, stiffness, twist_stiffness), projection);
+  const double give = std::max(mu * load / stiffness, mu * load * m0 * radius / twist_stiffness * radius);
+  const double u = SlipTwist::about_cor(s).spin_fraction();
+  // Two radians a step at most, or it would be taken for a wrapped angle.
+  const double step = std::min(0.1 * give, 2.0 * radius / u);
+  const int count = static_cast<int>(90.0 * give / step);
+  for (int i = 0; i <= count; ++i) {
+    finger.update(on_plane(i * step * (1.0 - u), 0.0, depth), i * step * u / radius);
+  }
+  EXPECT_EQ(finger.output().state, ContactState::slip);
+  return {finger.output().force.norm() / (mu * load), std::fabs(finger.output().moment) / (mu * load * radius)};
+}
+
+/// Distance of two wrenches in the normalised plane x = f, y = m/m₀.
+double distance(UnitWrench a, UnitWrench b, double m0) {
+  return std::hypot(a.force - b.force, (a.moment - b.moment) / m0);
+}
+
+TEST(SteadyTwist, ClosestPointSettlesAtTheCurvesWrench) {
+  for (const Law& law : {hertz(), uniform(), flat_punch()}) {
+    const ExactCurve curve(law);
+    for (const double kappa : {1e-3, 0.1, 1.0, 10.0, 1e3}) {
+      for (const double s : {1e-3, 0.3, 1.0, 4.0, 1e3}) {
+        const UnitWrench expected = curve.wrench(SlipTwist::about_cor(s));
+        EXPECT_LT(distance(settled(curve, ClosestPoint{}, s, kappa), expected, curve.moment_ratio()), 1e-9)
+            << law->name() << " kappa " << kappa << " s " << s;
+      }
+    }
+  }
+}
+
+TEST(SteadyTwist, ClosestPointOnTheEllipseSettlesAtTheEllipsesWrench) {
+  const Ellipse ellipse = Ellipse::through_intercepts(hertz()->moment_ratio());
+  for (const double kappa : {1e-3, 0.1, 1.0, 10.0, 1e3}) {
+    for (const double s : {0.1, 1.0, 10.0}) {
+      const UnitWrench expected = ellipse.wrench(SlipTwist::about_cor(s));
+      EXPECT_LT(distance(settled(ellipse, ClosestPoint{}, s, kappa), expected, ellipse.moment_ratio()), 1e-9);
+    }
+  }
+}
+
+TEST(SteadyTwist, ClosestPointOnATableSettlesAtEquation17) {
+  const ExactCurve curve(hertz());
+  const Table table = Table::build(hertz(), 1e-8);
+  for (const double kappa : {1e-3, 0.1, 1.0, 10.0, 1e3}) {
+    for (const double s : {1e-3, 0.3, 1.0, 4.0, 1e3}) {
+      const UnitWrench expected = curve.wrench(SlipTwist::about_cor(s));
+      const UnitWrench found = settled(table, ClosestPoint{}, s, kappa);
+      EXPECT_NEAR(found.force, expected.force, 1e-7) << "kappa " << kappa << " s " << s;
+      EXPECT_NEAR(found.moment, expected.moment, 1e-7) << "kappa " << kappa << " s " << s;
+    }
+  }
+}
+
+TEST(SteadyTwist, RadialSettlesAtTheStiffnessRatio) {
+  for (const double kappa : {0.1, 1.0, 10.0}) {
+    const ExactCurve curve(hertz());
+    const double m0 = curve.moment_ratio();
+    // F/M = (k_l/k_r) c, whatever the curve: f/m = s/(κ m₀²).
+    const UnitWrench found = settled(curve, Radial{}, 1.0, kappa);
+    EXPECT_NEAR(found.force / found.moment * kappa * m0 * m0, 1.0, 1e-9);
+  }
+}
+
+// What the paper's own projection makes of a steady twist at c = a (Hertz), as a share of the limit: figures that were
+// computed apart from this code.
+TEST(SteadyTwist, RadialIsWrongByAsMuchAsTheStiffnessesDiffer) {
+  const ExactCurve curve(hertz());
+  const double m0 = curve.moment_ratio();
+  const Ellipse ellipse = Ellipse::through_intercepts(m0);
+  const UnitWrench expected = curve.wrench(SlipTwist::about_cor(1.0));
+  const auto error = [&](const auto& boundary, double kappa) { return distance(settled(boundary, Radial{}, 1.0, kappa), expected, m0); };
+  EXPECT_NEAR(error(curve, 1.0), 0.125, 0.0005);
+  EXPECT_NEAR(error(curve, 2.0), 0.44, 0.005);
+  EXPECT_NEAR(error(curve, 10.0), 0.94, 0.005);
+  EXPECT_NEAR(error(curve, 0.1), 0.34, 0.005);
+  EXPECT_NEAR(error(ellipse, 1.0), 0.134, 0.0005);
+  EXPECT_NEAR(error(ellipse, 2.0), 0.45, 0.005);
+}
+
+TEST(SteadyTwist, ClosestPointObeysALoadDependentRadius) {
+  const ExactCurve curve(hertz());
+  FingerParameters soft = parameters();
+  soft.radius_law = RadiusLaw::power(0.00207, 0.259);
+  const double a = soft.radius_law.radius(load);
+  SoftFinger finger(curve, soft, ClosestPoint{});
+  const double c = 0.7 * a;
+  for (int i = 0; i <= 2000; ++i) finger.update(on_plane(i * 1e-5, 0.0, depth), i * 1e-5 / c);
+  const UnitWrench expected = curve.wrench(SlipTwist::about_cor(0.7));
+  EXPECT_NEAR(finger.output().force.norm(), mu * load * expected.force, 1e-9);
+  EXPECT_NEAR(std::fabs(finger.output().moment), mu * load * a * expected.moment, 1e-11);
+  EXPECT_NEAR(finger.output().cor, c, 1e-6 * c);
+}
+
+// The path of a finger that slides and turns through a bend: with half the time step it is at least twice as near to
+// the path of very small steps.
+TEST(SteadyTwist, HalvingTheTimeStepHalvesThePathError) {
+  const ExactCurve curve(uniform());
+  const auto run = [&](int steps) {
+    SoftFinger finger(curve, parameters(), ClosestPoint{});
+    for (int i = 0; i <= steps; ++i) {
+      const double t = static_cast<double>(i) / steps;
+      finger.update(on_plane(0.01 * t, 0.01 * t * t, depth), 2.0 * t * t * t);
+    }
+    const FingerOutput& output = finger.output();
+    return Eigen::Vector3d(output.proxy.x() / radius, output.proxy.y() / radius, output.angle);
+  };
+  const Eigen::Vector3d limit = run(1 << 17);
+  double last = (run(64) - limit).norm();
+  EXPECT_GT(last, 1e-5);
+  for (int steps = 128; steps <= 2048; steps *= 2) {
+    const double error = (run(steps) - limit).norm();
+    EXPECT_LT(error, 0.55 * last) << steps;
+    last = error;
+  }
+}
+
+}  // namespace
+}  // namespace limitcurve::godobject::test
