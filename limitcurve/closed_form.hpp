@@ -90,7 +90,7 @@ UnitForces<Real> parabolic(Real s) noexcept {
           scale * s * ((32 - 96 * eta) * b + (16 + 48 * eta) * eta * d)};
 }
 
-/// Cone: p = 2 arccosh(1/ρ) P/(πa²), infinite at the centre.
+/// Cone: p = arccosh(1/ρ) P/(πa²), infinite at the centre.
 template <std::floating_point Real>
 UnitForces<Real> cone(Real s) noexcept {
   if (s <= 1) {

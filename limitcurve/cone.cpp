@@ -8,7 +8,7 @@ namespace limitcurve {
 
 namespace {
 
-/// 2 arccosh(1/ρ), logarithmically infinite at the centre; punches q(t) = 2t (indenter z ∝ r).
+/// arccosh(1/ρ), logarithmically infinite at the centre; punches q(t) = 2t (indenter z ∝ r).
 class ConeLaw final : public PressureLawOf<ConeLaw> {
  public:
   std::string name() const override { return "cone"; }
@@ -16,7 +16,7 @@ class ConeLaw final : public PressureLawOf<ConeLaw> {
   template <class Real>
   Real pressure(RadialPosition<Real> at) const noexcept {
     // arccosh(1/ρ) = log((1 + √(1−ρ²))/ρ) = log1p((rim + √(1−ρ²))/ρ), which keeps its digits at the rim.
-    return 2 * std::log1p((at.rim + std::sqrt(at.rim * (1 + at.radius))) / at.radius);
+    return std::log1p((at.rim + std::sqrt(at.rim * (1 + at.radius))) / at.radius);
   }
   std::optional<Extended> punch_density(RadialPosition<Extended> at) const noexcept override { return 2 * at.radius; }
   std::optional<UnitForces<Extended>> closed(Extended s) const noexcept override { return closed_form::cone(s); }

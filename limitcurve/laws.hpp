@@ -20,7 +20,7 @@ Law uniform();
 Law parabolic();
 /// ½(1−ρ²)^(−½): rigid flat punch on an elastic half-space (Boussinesq). Closed.
 Law flat_punch();
-/// 2 arccosh(1/ρ): rigid cone on an elastic half-space (Love 1939). Closed.
+/// arccosh(1/ρ): rigid cone on an elastic half-space (Love 1939). Closed.
 Law cone();
 /// (n+1)(1−ρ²)ⁿ, n ∈ (−1, 1000]: ₂F₁ by its Euler integral, of one sign for every n. n → −1 is the ring.
 Law power(double n);
