@@ -13,7 +13,8 @@ int main() {
   const struct {
     limitcurve::Law law;
     double over_estimate;
-  } laws[] = {{limitcurve::flat_punch(), 8.26}, {limitcurve::uniform(), 7.04}, {limitcurve::hertz(), 6.38}, {limitcurve::parabolic(), 5.97}};
+  } laws[] = {
+      {limitcurve::flat_punch(), 8.26}, {limitcurve::uniform(), 7.04}, {limitcurve::hertz(), 6.38}, {limitcurve::parabolic(), 5.97}};
 
   bool right = true;
   for (const auto& [law, expected] : laws) {
