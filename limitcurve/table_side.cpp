@@ -39,8 +39,10 @@ bool is_convex(const TableSide::Cell& cell) noexcept {
   double least = std::min(at(0.0), at(1.0));
   const double turn = -linear / (2.0 * square);
   if (turn > 0.0 && turn < 1.0) least = std::min(least, at(turn));
-  // What the rounding of the nodes (a few units of 1e-16, against rises ∝ width) can do to the differences above.
-  const double rounding = 1e-14 * std::fabs(p.constant + r.constant) + 1e-14 * std::max(std::fabs(p.linear), std::fabs(r.linear));
+  // The nodes' values are right to a few units of 1e-15, and so are the second derivatives here (differences of them);
+  // the first derivatives multiply that.
+  constexpr double node_error = 2e-14;
+  const double rounding = node_error * (std::fabs(p.constant) + std::fabs(p.linear) + std::fabs(r.constant) + std::fabs(r.linear));
   return least >= -rounding;
 }
 
