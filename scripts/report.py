@@ -69,18 +69,20 @@ def numbers_to_remember(data):
     ellipses = data["validate"].where(model="ellipse")
     worst, best = (pick(ellipses, key=lambda row: row["max_over_estimate"]) for pick in (max, min))
     twist = data["steady_twist"]
-    settled = {projection: max(twist.where(boundary="table", projection=projection).column("error")) for projection in ("radial", "closest-point")}
+    radial = twist.where(boundary="table", projection="radial")
+    closest = twist.where(boundary="table", projection="closest-point")
     ratios = twist.column("stiffness_ratio")
-    at_one = min(twist.where(boundary="table", projection="radial"), key=lambda row: abs(row["stiffness_ratio"] - 1))["error"]
+    at_one = min(radial, key=lambda row: abs(row["stiffness_ratio"] - 1))["error"]
     fine = data["tables"].where(tolerance=min(data["tables"].column("tolerance"), key=lambda value: abs(value - 1e-8) / value))
     small, large = (pick(fine, key=lambda row: row["bytes"]) for pick in (min, max))
     return [
         (percent(worst["max_over_estimate"]),
          f"by which the ellipse over-estimates what a contact bears, at worst ({worst['law']}; {percent(best['max_over_estimate'])} for "
          f"{best['law']}). It never under-estimates."),
-        (percent(settled["radial"], 0),
+        (percent(max(radial.column("error")), 0),
          f"error of the steady wrench when a finger driven at a constant twist is projected radially, for stiffness ratios κ from "
-         f"{min(ratios):.2g} to {max(ratios):.2g} ({percent(at_one, 1)} at κ = 1). On the closest point it is {settled['closest-point']:.0e}."),
+         f"{min(ratios):.2g} to {max(ratios):.2g} ({percent(at_one, 1)} at κ = 1). On the closest point it is "
+         f"{max(closest.column('error')):.0e}."),
         (f"{small['bytes']:.0f} bytes",
          f"hold a look-up table of the {small['law']} law that is certified to {small['certified_error']:.1e} in force and moment "
          f"(at most {large['bytes']:.0f} bytes, {large['law']})."),
@@ -119,7 +121,8 @@ def sections(data):
     """The page's story: heading, figure, what to see in it; each number is read from the files."""
     ellipses = data["validate"].where(model="ellipse")
     over = sorted(ellipses.column("max_over_estimate"))
-    quartics, superellipses, boxes = (sorted(data["validate"].where(model=name).column("max_error")) for name in ("quartic", "superellipse", "box"))
+    quartics, superellipses, boxes = (sorted(data["validate"].where(model=name).column("max_error"))
+                                      for name in ("quartic", "superellipse", "box"))
     ratios = [row["cor_ratio"] for row in data["ellipse_error"] if row["cor_ratio"] == row["cor_ratio"]]
     run = data["replay_runs"][-1]
     certified = max(data["table_error"].column("tolerance"))
@@ -175,14 +178,16 @@ main { max-width: 62rem; margin: 0 auto; padding: 2.5rem 1.5rem 4rem; }
 p, figcaption, h1, h2 { max-width: 44rem; }
 h1 { font-size: 2rem; line-height: 1.2; margin: 0 0 .6rem; }
 h2 { font-size: 1.3rem; margin: 3.2rem 0 .6rem; }
-.numbers { display: grid; grid-template-columns: repeat(auto-fit, minmax(15rem, 1fr)); gap: 1.6rem; margin: 2rem 0 0; padding: 0; list-style: none; }
+.numbers { display: grid; grid-template-columns: repeat(auto-fit, minmax(15rem, 1fr)); gap: 1.6rem;
+  margin: 2rem 0 0; padding: 0; list-style: none; }
 .numbers li { border-top: 3px solid #0072B2; padding-top: .5rem; font-size: .92rem; line-height: 1.45; }
 .numbers b { display: block; font: 600 1.7rem/1.3 "DejaVu Sans", Helvetica, Arial, sans-serif; }
 figure { margin: 1.2rem 0 2rem; }
 figure svg { width: 100%; height: auto; display: block; }
 figcaption { font-size: .93rem; color: #444; margin-top: .5rem; }
 .wide { overflow-x: auto; }
-table { border-collapse: collapse; font: 14px/1.4 "DejaVu Sans", Helvetica, Arial, sans-serif; font-variant-numeric: tabular-nums; margin: .8rem 0; }
+table { border-collapse: collapse; font: 14px/1.4 "DejaVu Sans", Helvetica, Arial, sans-serif; font-variant-numeric: tabular-nums;
+  margin: .8rem 0; }
 th, td { text-align: right; padding: .3rem .8rem .3rem 0; border-bottom: 1px solid #e4e4e4; white-space: nowrap; }
 th { font-weight: 600; border-bottom-color: #8a8a8a; }
 th:first-child, td:first-child { text-align: left; }

@@ -132,7 +132,8 @@ def tables(data):
     left.set_xlim(max(tolerances) * 2, min(tolerances) / 2)
     level_one = 32768
     left.axhline(level_one, color=FAINT, linewidth=0.8, dashes=(2, 2))
-    left.annotate("a level-1 cache, 32 KiB", (max(tolerances) * 1.5, level_one), (0, 3), textcoords="offset points", fontsize=8, color=FAINT)
+    left.annotate("a level-1 cache, 32 KiB", (max(tolerances) * 1.5, level_one), (0, 3), textcoords="offset points", fontsize=8,
+                  color=FAINT)
     left.legend(loc="upper left", bbox_to_anchor=(0.0, 0.9), fontsize=7.5, handlelength=2.6, labelspacing=0.25)
     tolerance = min(data["table_error"].column("tolerance"))
     shown = data["table_error"].where(tolerance=tolerance)
