@@ -3,6 +3,8 @@
 
 #include "cli/subcommands.hpp"
 
+#include "limitcurve/version.hpp"
+
 // The only place that includes it: it takes seconds to compile.
 #include <CLI/CLI.hpp>
 
@@ -34,7 +36,9 @@ struct Entry {
 
 std::vector<Entry> make_entries() {
   std::vector<Entry> entries;
-  for (const auto make : {make_laws, make_eval, make_curve, make_p_curves, make_c_curves, make_validate}) entries.push_back({make()});
+  for (const auto make :
+       {make_laws, make_eval, make_curve, make_p_curves, make_c_curves, make_table, make_lookup, make_validate, make_replay, make_report})
+    entries.push_back({make()});
   return entries;
 }
 
@@ -82,7 +86,7 @@ void Options::flag(const std::string& name, bool& value, const std::string& help
 
 void run_command_line(const std::vector<std::string>& arguments, Results results) {
   CLI::App app("Friction limit curves of soft fingers: exact, tabulated, approximated, and driving a god-object.", "limitcurve");
-  app.set_version_flag("--version", "limitcurve " LIMITCURVE_VERSION);
+  app.set_version_flag("--version", "limitcurve " + std::string(version));
   app.require_subcommand(1);
   app.footer(
       "Results go to standard output as CSV (or JSON), messages to standard error.\n"

@@ -14,7 +14,9 @@ std::unique_ptr<Subcommand> make_curve();
 std::unique_ptr<Subcommand> make_p_curves();
 std::unique_ptr<Subcommand> make_c_curves();
 std::unique_ptr<Subcommand> make_table();
+std::unique_ptr<Subcommand> make_lookup();
 std::unique_ptr<Subcommand> make_validate();
 std::unique_ptr<Subcommand> make_replay();
+std::unique_ptr<Subcommand> make_report();
 
 }  // namespace limitcurve::cli

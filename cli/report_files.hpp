@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "cli/output_file.hpp"
+#include "cli/rows.hpp"
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace limitcurve::cli {
+
+/// One CSV file of the report, gathered from the rows of several subcommands. It appears whole, by `finish`, or not at all.
+class GatheredRows {
+ public:
+  explicit GatheredRows(const std::filesystem::path& file) : file_(file) {}
+
+  /// Adds the rows of `limitcurve ARGUMENTS…`, each with the `leading` cells before it.
+  void add(const std::vector<std::string>& arguments, std::vector<std::pair<std::string, std::string>> leading = {});
+  void finish() { file_.commit(); }
+
+ private:
+  AtomicFile file_;
+  bool first_ = true;
+};
+
+/// The CSV files from which the report is drawn; their columns are documented in scripts/report.py.
+/// `data` holds the materials and traces.
+void write_curve_files(const std::filesystem::path& output);
+void write_error_files(const std::filesystem::path& output);
+void write_table_files(const std::filesystem::path& output, const std::filesystem::path& data);
+void write_replay_files(const std::filesystem::path& output, const std::filesystem::path& data);
+void write_steady_twist_file(const std::filesystem::path& output);
+
+}  // namespace limitcurve::cli

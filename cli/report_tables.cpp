@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#include "cli/csv_reader.hpp"
+#include "cli/report_files.hpp"
+
+#include "limitcurve/laws.hpp"
+#include "limitcurve/number.hpp"
+#include "limitcurve/table.hpp"
+
+#include <array>
+
+namespace limitcurve::cli {
+
+namespace {
+
+constexpr std::array tolerances{1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10};
+
+/// What tables of each tolerance cost. They are not kept.
+void write_sizes(const std::filesystem::path& output) {
+  AtomicFile file(output / "tables.csv");
+  Rows rows({file.output()}, {"law", "tolerance", "certified_error", "nodes", "bytes"});
+  for (const std::string_view name : law_examples()) {
+    const Law law = parse_law(name);
+    for (const double tolerance : tolerances) {
+      const auto table = Table::build(law, tolerance);
+      rows.row(name, tolerance, table.certified_error(), table.node_count(), table.bytes());
+    }
+  }
+  rows.finish();
+  file.commit();
+}
+
+/// A table for each material, under the radius that its coefficients imply by each law: mu_r = m0 mu a.
+void write_materials(const std::filesystem::path& output, const std::filesystem::path& data) {
+  GatheredRows rows(output / "materials.csv");
+  CsvReader materials((data / "materials.csv").string(), {"material", "mu", "mu_r"});
+  while (materials.next()) {
+    const std::string material(materials.text(0));
+    const double mu = materials.number(1, positive);
+    const double mu_r = materials.number(2, positive);
+    for (const std::string law : {"hertz", "uniform"}) {
+      const double radius = mu_r / (mu * parse_law(law)->moment_ratio());
+      const std::string name = "table-" + material + '-' + law + ".csv";
+      rows.add({"table", "--law", law, "--tolerance", "1e-6", "--output", (output / name).string()}, {{"material", material},
+                                                                                                      {"mu", format_number(mu)},
+                                                                                                      {"mu_r", format_number(mu_r)},
+                                                                                                      {"radius", format_number(radius)},
+                                                                                                      {"file", name}});
+    }
+  }
+  rows.finish();
+}
+
+}  // namespace
+
+void write_table_files(const std::filesystem::path& output, const std::filesystem::path& data) {
+  write_sizes(output);
+  write_materials(output, data);
+}
+
+}  // namespace limitcurve::cli

@@ -1,0 +1,209 @@
+# SPDX-License-Identifier: MIT
+"""table and lookup: within the tolerance, read back to the last bit, refused when torn, edited or foreign; no half file left."""
+
+import json
+import math
+import random
+import re
+import signal
+import subprocess
+import time
+import unittest
+
+from command_line import EXECUTABLE, CommandLineTest, header, numbers, rows, run
+
+FORMS = ["csv", "json"]
+
+
+class Tables(CommandLineTest):
+    def build(self, law, tolerance, form="csv"):
+        path = self.directory / f"table.{form}"
+        return path, rows("table", "--law", law, "--tolerance", tolerance, "-o", path)[0]
+
+    def test_columns(self):
+        path, facts = self.build("hertz", 1e-6)
+        self.assertEqual(list(facts), ["law", "tolerance", "certified_error", "nodes", "bytes"])
+        self.assertEqual((facts["law"], facts["tolerance"]), ("hertz", 1e-6))
+        self.assertLessEqual(facts["certified_error"], 1e-6)
+        self.assertEqual(header("lookup", "--table", path, "--c", "1"), "c,force,moment")
+
+    def test_within_the_tolerance_between_the_nodes(self):
+        generator = random.Random(20061)
+        # Even in spin fraction, and thick about the rim where the curve is singular.
+        places = [1 / generator.uniform(1e-9, 1) - 1 for _ in range(8000)]
+        places += [1 + generator.choice([-1, 1]) * 10 ** generator.uniform(-12, -1) for _ in range(1990)]
+        places += [10.0 ** exponent for exponent in range(-5, 5)]
+        for law in ["hertz", "uniform", "flat-punch"]:
+            for form in FORMS:
+                path, facts = self.build(law, 1e-6, form)
+                exact = []
+                found = []
+                for begin in range(0, len(places), 2000):
+                    part = numbers(places[begin:begin + 2000])
+                    exact += rows("eval", "--law", law, "--c", part)
+                    found += rows("lookup", "--table", path, "--c", part)
+                self.assertEqual(len(found), 10000)
+                worst = max(abs(one[name] - other[name]) for one, other in zip(found, exact) for name in ["force", "moment"])
+                self.assertLessEqual(worst, facts["certified_error"], f"{law} {form}")
+                self.assertGreater(worst, 0)
+
+    def test_csv_and_json_are_the_same_table(self):
+        places = numbers([0, 1e-300, 0.1, 0.5, 1 - 1e-9, 1, 1 + 1e-9, 3, 1e300, math.inf])
+        for law in ["cone", "xydas-kao:k=3", "mix:0.7*hertz+0.3*uniform"]:
+            found = [rows("lookup", "--table", self.build(law, 1e-4, form)[0], "--c", places) for form in FORMS]
+            self.assertEqual(found[0], found[1])
+            self.assertEqual((found[0][-1]["force"], found[0][-1]["moment"]), (1, 0))
+            self.assertEqual(found[0][0]["force"], 0)
+
+    def test_json_is_json(self):
+        path, facts = self.build("hertz", 1e-6, "json")
+        whole = json.loads(path.read_text())
+        self.assertEqual(len(whole["inside"]) + len(whole["outside"]), facts["nodes"])
+
+    def test_the_header_compiles_alone(self):
+        path, _ = self.build("hertz", 1e-6, "hpp")
+        name = next(word for word in path.read_text().split() if word.startswith("limitcurve_table_") and word.endswith("hertz"))
+        source = self.file("use.cpp", f"""#include "table.hpp"
+            #include <cstdio>
+            static_assert({name}::wrench(1.0, 0.0).force == 1.0, "");
+            int main() {{ std::printf("%.17g,%.17g\\n", {name}::wrench(0.3, 1.0).force, {name}::wrench(0.3, 1.0).moment); }}
+            """)
+        try:
+            subprocess.run(["c++", "-std=c++17", "-Wall", "-Wextra", "-pedantic", "-Werror", source, "-o", self.directory / "use"], check=True)
+        except FileNotFoundError:
+            self.skipTest("no compiler on the PATH")
+        printed = subprocess.run([self.directory / "use"], capture_output=True, text=True, check=True).stdout
+        force, moment = map(float, printed.split(","))
+        exact = rows("eval", "--law", "hertz", "--c", "0.3")[0]
+        self.assertAlmostEqual(force, exact["force"], delta=1e-6)
+        self.assertAlmostEqual(moment, exact["moment"], delta=1e-6)
+
+
+class BadTables(CommandLineTest):
+    def test_tolerances(self):
+        path = self.directory / "table.csv"
+        for tolerance in ["0", "-1e-6", "nan", "inf", "1e-30", "10", "", "1e-6x"]:
+            self.assert_fails(2, ["tolerance", "expected"], "table", "--law", "hertz", "--tolerance", tolerance, "-o", path)
+        self.assertEqual(list(self.directory.iterdir()), [])
+
+    def test_names(self):
+        for name in ["table", "table.txt", "table.CSV", "csv"]:
+            self.assert_fails(2, ["--output", name, ".csv, .json or .hpp"], "table", "--law", "hertz", "--tolerance", "1e-4", "-o",
+                              self.directory / name)
+        self.assert_fails(2, "--output", "table", "--law", "hertz", "--tolerance", "1e-4")
+        self.assertEqual(list(self.directory.iterdir()), [])
+
+    def test_torn_anywhere(self):
+        for form in FORMS:
+            path = self.directory / f"whole.{form}"
+            rows("table", "--law", "hertz", "--tolerance", "1e-4", "-o", path)
+            text = path.read_text()
+            for length in [0, 1, 10, len(text) // 3, len(text) // 2, len(text) - 20, len(text) - 3]:
+                torn = self.file(f"torn.{form}", text[:length])
+                self.assert_fails(2, f"torn.{form}", "lookup", "--table", torn, "--c", "1")
+
+    def test_edited_anywhere(self):
+        for form in FORMS:
+            path = self.directory / f"whole.{form}"
+            rows("table", "--law", "hertz", "--tolerance", "1e-4", "-o", path)
+            text = path.read_text()
+            count = 0
+            # Every number that is part of the contents, a little.
+            for number in re.finditer(r"(?<![\w.:])-?\d[\d.]*(e[-+]?\d+)?(?![\w.:])", text):
+                line = text[text.rfind("\n", 0, number.start()) + 1:number.end()]
+                if "version" in line or "format" in line:
+                    continue
+                changed = repr(float(number[0]) * (1 + 1e-9) or 1e-9)
+                edited = self.file(f"edited.{form}", text[:number.start()] + changed + text[number.end():])
+                self.assert_fails(2, f"edited.{form}", "lookup", "--table", edited, "--c", "1")
+                count += 1
+            self.assertGreater(count, 20)
+            swapped = self.file(f"swapped.{form}", text.replace("hertz", "cone"))
+            self.assert_fails(2, [f"swapped.{form}", "checksum"], "lookup", "--table", swapped, "--c", "1")
+
+    def test_foreign_files(self):
+        foreign = {
+            "trace.csv": "time,x,y,z,twist\n0,0,0,0,0\n",
+            "empty.csv": "",
+            "binary.csv": "\0\x01\x02\n",
+            "empty.json": "",
+            "array.json": "[1, 2, 3]",
+            "number.json": "3",
+            "other.json": '{"format": "something else"}',
+            "bare.json": '{"format": "limitcurve table 1"}',
+            "kinds.json": '{"format": "limitcurve table 1", "law": 1, "tolerance": "x"}',
+            "deep.json": "[" * 10000,
+        }
+        for name, text in foreign.items():
+            self.assert_fails(2, name, "lookup", "--table", self.file(name, text), "--c", "1")
+        self.assert_fails(2, ["nothing.csv", "No such file"], "lookup", "--table", self.directory / "nothing.csv", "--c", "1")
+        self.assert_fails(2, [".csv or .json"], "lookup", "--table", self.file("table.hpp", ""), "--c", "1")
+        (self.directory / "folder.csv").mkdir()
+        self.assert_fails(2, ["folder.csv", "directory"], "lookup", "--table", self.directory / "folder.csv", "--c", "1")
+
+    def test_nodes_of_the_wrong_kind(self):
+        path = self.directory / "table.json"
+        rows("table", "--law", "hertz", "--tolerance", "1e-2", "-o", path)
+        for spoil in [lambda t: t["inside"].clear(), lambda t: t["outside"].pop(), lambda t: t["inside"].__setitem__(0, None),
+                      lambda t: t["inside"][0].pop(), lambda t: t["outside"][0].__setitem__(2, "1"), lambda t: t.pop("inside"),
+                      lambda t: t["inside"].reverse(), lambda t: t["inside"][1].__setitem__(0, 1e999), lambda t: t.update(tolerance=-1)]:
+            table = json.loads(path.read_text())
+            spoil(table)
+            self.assert_fails(2, "spoilt.json", "lookup", "--table", self.file("spoilt.json", json.dumps(table)), "--c", "1")
+
+    def test_distances(self):
+        path = self.directory / "table.csv"
+        rows("table", "--law", "hertz", "--tolerance", "1e-2", "-o", path)
+        for text in ["-1", "nan", "", "1,,2"]:
+            self.assert_fails(2, ["--c", "item"], "lookup", "--table", path, "--c", text)
+
+
+class Writing(CommandLineTest):
+    CALL = ["table", "--law", "hertz", "--tolerance", "1e-4", "-o"]
+
+    def test_an_old_file_is_replaced_whole(self):
+        path = self.file("table.csv", "old")
+        rows(*self.CALL, path)
+        self.assertTrue(path.read_text().startswith("# limitcurve table"))
+        self.assertEqual([entry.name for entry in self.directory.iterdir()], ["table.csv"])
+
+    def test_where_nothing_can_be_written(self):
+        self.assert_fails(1, ["absent/table.csv", "No such file"], *self.CALL, self.directory / "absent" / "table.csv")
+        self.assert_fails(1, ["/proc/table.csv"], *self.CALL, "/proc/table.csv")
+        (self.directory / "table.csv").mkdir()
+        self.assert_fails(1, "table.csv", *self.CALL, self.directory / "table.csv")
+        self.assertEqual([entry.name for entry in self.directory.iterdir()], ["table.csv"])
+
+    def test_a_failed_run_keeps_the_old_file(self):
+        path = self.file("table.csv", "old")
+        self.assert_fails(2, "--law", "table", "--law", "herz", "--tolerance", "1e-4", "-o", path)
+        # No file may grow beyond 100 bytes: like a disk that is full in the middle of the table.
+        limited = subprocess.run(["sh", "-c", 'ulimit -f 0; trap "" XFSZ; exec "$0" "$@"', EXECUTABLE, *self.CALL, path],
+                                 capture_output=True, text=True, check=False)
+        self.assertEqual(limited.returncode, 1, limited.stderr)
+        self.assertRegex(limited.stderr, r"\Alimitcurve: error: [^\n]*table.csv[^\n]*\n\Z")
+        self.assertEqual(path.read_text(), "old")
+        self.assertEqual([entry.name for entry in self.directory.iterdir()], ["table.csv"])
+
+    def test_killed_at_any_moment_the_name_stands_for_a_whole_table(self):
+        path = self.directory / "table.csv"
+        call = ["table", "--law", "uniform", "--tolerance", "1e-9", "-o", path]
+        begin = time.monotonic()
+        rows(*call)
+        duration = time.monotonic() - begin
+        whole = path.read_bytes()
+        generator = random.Random(5)
+        killed = 0
+        for _ in range(60):
+            path.unlink(missing_ok=True)
+            with subprocess.Popen([EXECUTABLE, *map(str, call)], stdout=subprocess.DEVNULL) as process:
+                time.sleep(generator.uniform(0, 1.1 * duration))
+                process.send_signal(signal.SIGKILL)
+            killed += process.returncode == -signal.SIGKILL
+            if path.exists():
+                self.assertEqual(path.read_bytes(), whole)
+        self.assertGreater(killed, 0)
+
+
+if __name__ == "__main__":
+    unittest.main()
