@@ -73,6 +73,11 @@ def law_style(law):
     return style
 
 
+def short(number):
+    """1e-8, not 1e-08."""
+    return f"{number:g}".replace("e-0", "e-")
+
+
 class Table(list):
     """Rows of a CSV as dictionaries, numbers as float, lines that begin with # left out; `groups` keeps the file's order."""
 
@@ -93,8 +98,8 @@ class Table(list):
             parts[tuple(row[name] for name in names) if len(names) > 1 else row[names[0]]].append(row)
         return parts
 
-    def column(self, name, scale=1.0):
-        return [row[name] * scale for row in self]
+    def column(self, name, scale=None):
+        return [row[name] if scale is None else row[name] * scale for row in self]
 
 
 def _value(text):

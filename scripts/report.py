@@ -53,7 +53,7 @@ from pathlib import Path
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
-from chart_style import Table, save  # noqa: E402
+from chart_style import Table, save, short  # noqa: E402
 from report_figures import FIGURES  # noqa: E402
 
 FILES = ("laws", "curves", "p_curves", "c_curves", "validate", "ellipse_error", "tables", "materials", "table_error", "replay",
@@ -74,7 +74,7 @@ def numbers_to_remember(data):
     ratios = twist.column("stiffness_ratio")
     at_one = min(radial, key=lambda row: abs(row["stiffness_ratio"] - 1))["error"]
     fine = data["tables"].where(tolerance=min(data["tables"].column("tolerance"), key=lambda value: abs(value - 1e-8) / value))
-    small, large = (pick(fine, key=lambda row: row["bytes"]) for pick in (min, max))
+    usual, large = fine[0], max(fine, key=lambda row: row["bytes"])
     return [
         (percent(worst["max_over_estimate"]),
          f"by which the ellipse over-estimates what a contact bears, at worst ({worst['law']}; {percent(best['max_over_estimate'])} for "
@@ -83,9 +83,9 @@ def numbers_to_remember(data):
          f"error of the steady wrench when a finger driven at a constant twist is projected radially, for stiffness ratios κ from "
          f"{min(ratios):.2g} to {max(ratios):.2g} ({percent(at_one, 1)} at κ = 1). On the closest point it is "
          f"{max(closest.column('error')):.0e}."),
-        (f"{small['bytes']:.0f} bytes",
-         f"hold a look-up table of the {small['law']} law that is certified to {small['certified_error']:.1e} in force and moment "
-         f"(at most {large['bytes']:.0f} bytes, {large['law']})."),
+        (f"{usual['bytes']:.0f} bytes",
+         f"hold a look-up table of the {usual['law']} law that is certified to {usual['certified_error']:.1e} in force and moment. "
+         f"No law here needs more than {large['bytes']:.0f} ({large['law']})."),
     ]
 
 
@@ -121,10 +121,10 @@ def sections(data):
     """The page's story: heading, figure, what to see in it; each number is read from the files."""
     ellipses = data["validate"].where(model="ellipse")
     over = sorted(ellipses.column("max_over_estimate"))
-    quartics, superellipses, boxes = (sorted(data["validate"].where(model=name).column("max_error"))
-                                      for name in ("quartic", "superellipse", "box"))
+    quartics, superellipses, boxes, fitted = (sorted(data["validate"].where(model=name).column("max_error"))
+                                              for name in ("quartic", "superellipse", "box", "ellipse-least-squares"))
     ratios = [row["cor_ratio"] for row in data["ellipse_error"] if row["cor_ratio"] == row["cor_ratio"]]
-    run = data["replay_runs"][-1]
+    run, twist = data["replay_runs"][-1], data["steady_twist"][0]
     certified = max(data["table_error"].column("tolerance"))
     worst_between = max(max(abs(row["force_error"]), abs(row["moment_error"])) for row in data["table_error"])
     return [
@@ -142,12 +142,12 @@ def sections(data):
             ("ellipse_error", f"Left: the capacity is over-estimated by up to {percent(over[0])} to {percent(over[-1])}, about half way "
              "between pure force and pure moment. Right: the centre of rotation that follows from the ellipse’s normal is "
              f"{min(ratios):.2f} to {max(ratios):.2f} times as far away as the true one. This is what the ellipse is worst at."),
-            ("models", f"A least-squares ellipse is not much better; one parameter more, in a superellipse or a quartic, leaves "
+            ("models", f"A least-squares ellipse is still off by up to {percent(fitted[-1], 1)}; one parameter more, in a superellipse or a quartic, leaves "
              f"{percent(quartics[0], 1)} to {percent(superellipses[-1], 1)}. Limits of force and moment that know nothing of each other "
              f"(the box) are too strong by up to {percent(boxes[-1], 0)}."),
         ], ""),
         ("Look-up tables", [
-            ("tables", f"Left: bytes against tolerance. Right: the error between the nodes of a table of {certified:g} stays inside the "
+            ("tables", f"Left: bytes against tolerance. Right: the error between the nodes of a table of {short(certified)} stays inside the "
              f"tolerance (grey); the largest found here is {worst_between:.1e}."),
         ], "<p>The tables for Table 1 of the paper (Kinoshita et al., J. Neurophysiol. 78:1619–1630, 1997). The radius is the one that "
            "the measured ratio μ<sub>r</sub>/μ implies under the law; it exceeds a fingertip’s, so keep μ<sub>r</sub> itself where it was "
@@ -164,8 +164,8 @@ def sections(data):
              f"k<sub>r</sub> = {run['twist_stiffness']:g} N m/rad)."),
         ], ""),
         ("The projection matters more than the curve", [
-            ("steady_twist", "A finger is driven at a constant twist until the wrench is steady. Physics says the wrench of eq. (17) at "
-             "that centre of rotation. The closest point gives it at every stiffness; the radial projection gives a wrench set by the "
+            ("steady_twist", f"A finger (law {html.escape(twist['law'])}) is driven at a constant twist about a centre at c = {twist['cor']:g} a "
+             "until the wrench is steady. Physics says the wrench of eq. (17) at that centre of rotation. The closest point gives it at every stiffness; the radial projection gives a wrench set by the "
              "ratio of the springs, whatever the curve. On the ellipse the closest point is off by the ellipse’s own error."),
         ], ""),
     ]
@@ -249,7 +249,8 @@ def main():
         sys.exit(f"report.py: error: {type(error).__name__}: {error}")
 
     print(f"{arguments.output}/index.html  the report: {len(pictures)} figures, each beside it as SVG and PNG")
-    print(f"{arguments.output}/*.csv       the data: {', '.join(FILES)}")
+    print(f"{arguments.output}/*.csv       the data it is drawn from, and {len(data['materials'])} look-up tables: "
+          f"{', '.join(data['materials'].column('file'))}")
     print("To remember:")
     for number, (value, words) in enumerate(numbers_to_remember(data), 1):
         print(f"  {number}. {value} {words}")

@@ -3,7 +3,7 @@
 
 import math
 
-from chart_style import BLUE, ELLIPSE, FAINT, GREEN, GRID, INK, ORANGE, VERMILION, law_style, plt
+from chart_style import BLUE, ELLIPSE, FAINT, GREEN, GRID, INK, ORANGE, VERMILION, law_style, plt, short
 
 QUARTER = [math.pi / 2 * i / 180 for i in range(181)]
 
@@ -67,9 +67,9 @@ def title_of_radius_law(text):
     kind, _, parameters = text.partition(":")
     values = dict(item.split("=") for item in parameters.split(","))
     if kind == "constant":
-        return f"Contact radius constant: a = {float(values['a']) * 1e3:g} mm"
+        return f"Contact radius constant: a = {float(values['a']) * 1e3:.3g} mm"
     if kind == "power":
-        return f"Growing with the load: a = {float(values['c']) * 1e3:g} mm × $(P/\\mathrm{{N}})^{{{values['gamma']}}}$"
+        return f"Growing with the load: a = {float(values['c']) * 1e3:.3g} mm × $(P/\\mathrm{{N}})^{{{values['gamma']}}}$"
     return f"Growing with the load: {text}"
 
 
@@ -143,7 +143,7 @@ def tables(data):
         right.plot(rows.column("spin_fraction"), rows.column("moment_error", 1 / tolerance), linewidth=0.9, alpha=0.45, label=f"{law}, m",
                    color=style["color"])
     right.axhspan(-1, 1, color=GRID, alpha=0.5, zorder=0, linewidth=0)
-    right.set(title=f"Error of a table of {tolerance:g}, in tolerances", xlim=(0, 1), ylim=(-1.45, 1.45),
+    right.set(title=f"Error of a table of {short(tolerance)}, in tolerances", xlim=(0, 1), ylim=(-1.45, 1.45),
               xlabel="spin fraction u of the slip:  0 slides, ½ turns about the rim, 1 spins")
     right.legend(loc="upper center", ncols=4, fontsize=7.5, handlelength=1.8, columnspacing=1.2)
     return figure
@@ -181,9 +181,10 @@ def god_object(data):
         run = data["replay_runs"].where(trace=trace)[0]
         for down, boundary in enumerate(boundaries):
             axes = panels[down][across]
-            for rows in data["replay_limits"].where(trace=trace, boundary=boundary).groups("load").values():
-                axes.plot(rows.column("force", 1e3 / run["stiffness"]), rows.column("moment", 1 / run["twist_stiffness"]), color="#c4c4c4",
-                          linewidth=0.9)
+            for load, rows in data["replay_limits"].where(trace=trace, boundary=boundary).groups("load").items():
+                rho = rows.column("moment", 1 / run["twist_stiffness"])
+                axes.plot(rows.column("force", 1e3 / run["stiffness"]), rho, color="#c4c4c4", linewidth=0.9)
+                axes.annotate(f"{load:g} N", (0, max(rho)), (4, 2), textcoords="offset points", color=FAINT, fontsize=7)
             steps = repositionings(data["replay"].where(trace=trace, boundary=boundary), run)
             draw_steps(axes, steps)
             if down == 0:
@@ -242,7 +243,7 @@ def repositioning(data):
         across = [1e6 * point[0] for step in shown for point in (step["trial"], step["new"])]
         along = [1e3 * point[1] for step in shown for point in (step["trial"], step["new"])]
         half = 0.62 * max(max(across) - min(across), (max(along) - min(along)) * equal)
-        middle = (0.5 * (max(across) + min(across)), 0.5 * (max(along) + min(along)))
+        middle = (0.5 * (max(across) + min(across)), max(0.5 * (max(along) + min(along)), half / equal))
         axes.set(title=TITLES.get(boundary, boundary), xlabel="r  [µm]", ylabel="ρ  [mrad]", aspect=equal,
                  xlim=(middle[0] - half, middle[0] + half), ylim=(middle[1] - half / equal, middle[1] + half / equal))
     panels[0].plot([], [], "D", color=INK, markersize=4, label="goal has moved: before repositioning")
