@@ -74,20 +74,23 @@ class DoubleExponential {
 
   static constexpr bool extended = sizeof(Real) > sizeof(double);
   static constexpr Real agreement = extended ? Real(2e-17L) : Real(1e-10);
-  /// A tail is cut after two terms that no longer change the sum.
+  /// A tail is cut after two falling terms that no longer change the sum. Falling: where the integrand is all at one
+  /// end, the terms between the middle and there do not count either.
   static constexpr Real negligible = extended ? Real(1e-24L) : Real(1e-18);
 
   template <std::size_t count, class Integrand>
   static void add_side(const std::vector<DoubleExponentialNode<Real>>& nodes, Integrand& integrand, Real length,
                        std::array<Real, count>& sums) noexcept {
     int quiet = 0;
+    std::array<Real, count> last{};
     for (const DoubleExponentialNode<Real>& node : nodes) {
       const std::array<Real, count> values = integrand(length * node.from_left, length * node.from_right);
       bool counts = false;
       for (std::size_t i = 0; i < count; ++i) {
         const Real term = node.weight * values[i];
         sums[i] += term;
-        counts = counts || std::fabs(term) > negligible * std::fabs(sums[i]);
+        counts = counts || std::fabs(term) > negligible * std::fabs(sums[i]) || !(std::fabs(term) < std::fabs(last[i]));
+        last[i] = term;
       }
       quiet = counts ? 0 : quiet + 1;
       if (quiet == 2) break;

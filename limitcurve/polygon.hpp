@@ -57,11 +57,13 @@ class Polygon {
   [[nodiscard]] UnitWrench wrench(SlipTwist twist) const noexcept {
     if (twist.slide == 0.0) return vertices_.back();
     std::size_t i = 0;
-    // Up the chain while the next vertex is further along the normal. Divided by spin, so that no product underflows:
-    // the box's corner supports every twist with a spin, however small.
+    if (twist.spin == 0.0) return vertices_[i];
+    // Up the chain while the next vertex is further along the normal. By c = slide/spin, not by products, which
+    // underflow: the box's corner supports every twist with a spin, however small.
     const double cor = twist.cor();
-    while (i + 1 < count && twist.spin > 0.0 &&
-           vertices_[i + 1].moment - vertices_[i].moment > cor * (vertices_[i].force - vertices_[i + 1].force)) {
+    while (i + 1 < count) {
+      const auto [rise, retreat] = face_normal(i);
+      if (retreat > 0.0 && !(rise > cor * retreat)) break;
       ++i;
     }
     return vertices_[i];

@@ -54,7 +54,9 @@ RadiusLaw RadiusLaw::constant(double radius) {
 }
 
 RadiusLaw RadiusLaw::hertz(double sphere_radius, double modulus) {
-  return {std::cbrt(0.75 * positive("R", sphere_radius, "m") / positive("E", modulus, "Pa")), 1.0 / 3.0};
+  // Two good numbers may have a quotient that is none.
+  const double ratio = positive("R/E", positive("R", sphere_radius, "m") / positive("E", modulus, "Pa"), "m/Pa");
+  return {std::cbrt(0.75 * ratio), 1.0 / 3.0};
 }
 
 RadiusLaw RadiusLaw::power(double coefficient, double exponent) {
