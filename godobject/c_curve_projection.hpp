@@ -18,9 +18,11 @@ struct CCurve {
   Projected operator()(const Boundary& boundary, const Trial& trial) const noexcept {
     const double gamma = trial.radius_exponent;
     if (gamma == 0.0) return Radial{}(boundary, trial);
+    const double gauge = boundary.gauge(trial.wrench);
+    if (!(gauge > 1.0 + slip_guard)) return {};
     // At load λP the trial is (x̂/λ, ŷ/λ^{1+γ}) in unit wrenches: find λ where its gauge is 1. The logarithm of the gauge
     // falls by between 1 and 1+γ a unit of log λ, which brackets the root: (log g)/(1+γ) ≤ log λ ≤ log g.
-    double log_load = std::log(boundary.gauge(trial.wrench)) / (1.0 + gamma);
+    double log_load = std::log(gauge) / (1.0 + gamma);
     RadialPoint foot{};
     UnitWrench at_load{};
     for (int i = 0; i < iteration_limit; ++i) {
@@ -41,7 +43,7 @@ struct CCurve {
     // For a pressure heaped at the rim, or a boundary with corners, f(s) can grow faster than s and the same c would
     // add force instead of taking it off. The same c/a never does.
     if (wrench.force > trial.wrench.force || wrench.moment > trial.wrench.moment) wrench = foot.wrench;
-    return {wrench, slip_between(trial, wrench)};
+    return {true, wrench, slip_between(trial, wrench)};
   }
 };
 

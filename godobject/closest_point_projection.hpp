@@ -25,12 +25,13 @@ concept PolygonalBoundary = LimitBoundary<Boundary> && requires(const Boundary& 
 struct ClosestPoint {
   /// Steps of the search at most; 2 to 4 as a rule, each one evaluation of the boundary.
   static constexpr int iteration_limit = 64;
-  /// A Newton step this small, relative to u(1−u), is the last: the next would be below rounding.
-  static constexpr double last_step = 1e-8;
+  /// A Newton step this small, relative to u(1−u), is the last: what it leaves is its square.
+  static constexpr double last_step = 1e-6;
 
   template <LimitBoundary Boundary>
   Projected operator()(const Boundary& boundary, const Trial& trial) const noexcept {
     if constexpr (PolygonalBoundary<Boundary>) {
+      if (!(boundary.gauge(trial.wrench) > 1.0 + slip_guard)) return {};
       return onto_polygon(boundary.vertices(), trial);
     } else {
       return onto_curve(boundary, trial);
@@ -47,29 +48,34 @@ struct ClosestPoint {
     // On an axis the root is the end itself, which no bracket closes in on.
     if (x == 0.0 || y == 0.0) {
       const SlipTwist end = x == 0.0 ? SlipTwist{0.0, 1.0} : SlipTwist{1.0, 0.0};
-      return {boundary.wrench(end), end};
+      const UnitWrench wrench = boundary.wrench(end);
+      return {x + y > (wrench.force + wrench.moment) * (1.0 + slip_guard), wrench, end};
     }
+    double u = trial.start > 0.0 && trial.start < 1.0 ? trial.start : start(boundary.moment_ratio(), trial);
+    BoundaryPoint here = boundary.point(SlipTwist::of_spin_fraction(u));
+    // Beyond the tangent at u it is outside for sure, and the gauge, a search of its own, is not needed.
+    const double reach = (1.0 - u) * here.wrench.force + u * here.wrench.moment;
+    if (!((1.0 - u) * x + u * y > reach * (1.0 + 2.0 * slip_guard)) && !(boundary.gauge(trial.wrench) > 1.0 + slip_guard)) return {};
     double low = 0.0;
     double high = 1.0;
-    double u = trial.start > 0.0 && trial.start < 1.0 ? trial.start : start(boundary.moment_ratio(), trial);
     for (int i = 0; i < iteration_limit; ++i) {
-      const BoundaryPoint here = boundary.point(SlipTwist::of_spin_fraction(u));
       const double over_force = x - here.wrench.force;
       const double over_moment = chi * (y - here.wrench.moment);
       const double residual = u * over_force - (1.0 - u) * over_moment;
-      if (residual == 0.0) return {here.wrench, SlipTwist::of_spin_fraction(u)};
       (residual > 0.0 ? high : low) = u;
       const double slope = over_force + over_moment - u * here.slope.force + (1.0 - u) * chi * here.slope.moment;
-      double next = u - residual / slope;
-      // The last third of the budget bisects, so that the bracket is closed whatever the curve does.
-      const bool bisect = !(next > low && next < high) || (i > iteration_limit / 6 && i % 2 == 0);
-      if (bisect) next = 0.5 * (low + high);
-      const double step = std::fabs(next - u);
-      u = next;
-      if ((!bisect && step <= last_step * u * (1.0 - u)) || high - low <= std::numeric_limits<double>::epsilon() * u) break;
+      const double step = residual / slope;
+      // A last step counts even where rounding leads it out of the bracket.
+      const bool converged = std::fabs(step) <= std::max(last_step * u * (1.0 - u), std::numeric_limits<double>::epsilon());
+      double next = u - step;
+      // Now and then halve the bracket, so that it closes whatever the curve does.
+      if (!converged && (!(next > low && next < high) || i % 8 == 7)) next = 0.5 * (low + high);
+      u = std::clamp(next, 0.0, 1.0);
+      if (converged || high - low <= std::numeric_limits<double>::epsilon() * u) break;
+      here = boundary.point(SlipTwist::of_spin_fraction(u));
     }
     const SlipTwist slip = SlipTwist::of_spin_fraction(u);
-    return {boundary.wrench(slip), slip};
+    return {true, boundary.wrench(slip), slip};
   }
 
   /// A first guess: the slip at the closest point of the ellipse with the same intercepts, by two Newton steps for the
@@ -110,7 +116,7 @@ struct ClosestPoint {
         best = foot;
       }
     }
-    return {best, slip_between(trial, best)};
+    return {true, best, slip_between(trial, best)};
   }
 
   static UnitWrench foot_on_face(UnitWrench from, UnitWrench to, const Trial& trial) noexcept {

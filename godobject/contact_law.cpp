@@ -3,22 +3,20 @@
 
 #include "limitcurve/number.hpp"
 
-#include <limits>
 #include <string_view>
 
 namespace limitcurve::godobject {
 
 namespace {
 
-constexpr double largest = std::numeric_limits<double>::max();
-
+/// So far from any finger that only a wrong unit leads there, and so near 1 that no product of the step overflows.
 double positive(std::string_view name, double value, std::string_view unit) {
-  if (!(value > 0.0 && value <= largest)) throw out_of_range(name, value, unit, "> 0 and finite");
+  if (!(value >= 1e-15 && value <= 1e15)) throw out_of_range(name, value, unit, "> 0, from 1e-15 to 1e15");
   return value;
 }
 
 double non_negative(std::string_view name, double value, std::string_view unit) {
-  if (!(value >= 0.0 && value <= largest)) throw out_of_range(name, value, unit, ">= 0 and finite");
+  if (!(value >= 0.0 && value <= 1e15)) throw out_of_range(name, value, unit, ">= 0, up to 1e15");
   return value;
 }
 
@@ -32,7 +30,9 @@ double equivalent_radius(double moment_coefficient, double mu, double moment_rat
 ContactLaw::ContactLaw(const FingerParameters& parameters, double moment_ratio)
     : stiffness_(positive("stiffness", parameters.stiffness, "N/m")),
       twist_stiffness_(positive("twist_stiffness", parameters.twist_stiffness, "N m/rad")),
-      stiffness_ratio_(stiffness_ / twist_stiffness_) {
+      stiffness_ratio_(stiffness_ / twist_stiffness_),
+      compliance_(1.0 / stiffness_),
+      twist_compliance_(1.0 / twist_stiffness_) {
   positive("moment_ratio", moment_ratio, "1");
   const double mu = non_negative("mu", parameters.mu, "1");
   const double mu_dynamic = non_negative("mu_dynamic", parameters.mu_dynamic.value_or(mu), "1");
@@ -54,8 +54,9 @@ ContactLaw::ContactLaw(const FingerParameters& parameters, double moment_ratio)
     if (parameters.moment_coefficient_dynamic) {
       throw out_of_range("moment_coefficient_dynamic", *parameters.moment_coefficient_dynamic, "m", "absent without moment_coefficient");
     }
-    static_ = {mu, parameters.radius_law.coefficient()};
-    dynamic_ = {mu_dynamic, parameters.radius_law.coefficient()};
+    const double radius = positive("radius_law coefficient", parameters.radius_law.coefficient(), "m/N^gamma");
+    static_ = {mu, radius};
+    dynamic_ = {mu_dynamic, radius};
     if (parameters.radius_law.exponent() != 0.0) radius_law_ = parameters.radius_law;
   }
   has_one_limit_ = static_.mu == dynamic_.mu && static_.radius == dynamic_.radius;

@@ -35,9 +35,11 @@ class ContactLaw {
   [[nodiscard]] Scale dynamic_scale(double load) const noexcept { return scale(dynamic_, load); }
   [[nodiscard]] bool has_one_limit() const noexcept { return has_one_limit_; }  ///< static and dynamic limits are the same
 
-  [[nodiscard]] double stiffness() const noexcept { return stiffness_; }              ///< k_l [N/m]
-  [[nodiscard]] double twist_stiffness() const noexcept { return twist_stiffness_; }  ///< k_r [N m/rad]
-  [[nodiscard]] double stiffness_ratio() const noexcept { return stiffness_ratio_; }  ///< k_l/k_r [1/m²]
+  [[nodiscard]] double stiffness() const noexcept { return stiffness_; }                ///< k_l [N/m]
+  [[nodiscard]] double twist_stiffness() const noexcept { return twist_stiffness_; }    ///< k_r [N m/rad]
+  [[nodiscard]] double stiffness_ratio() const noexcept { return stiffness_ratio_; }    ///< k_l/k_r [1/m²]
+  [[nodiscard]] double compliance() const noexcept { return compliance_; }              ///< 1/k_l [m/N]
+  [[nodiscard]] double twist_compliance() const noexcept { return twist_compliance_; }  ///< 1/k_r [rad/(N m)]
   /// γ of a ∝ P^γ as it acts here: 0 with a moment coefficient.
   [[nodiscard]] double radius_exponent() const noexcept { return radius_law_ ? radius_law_->exponent() : 0.0; }
 
@@ -57,6 +59,8 @@ class ContactLaw {
   double stiffness_;
   double twist_stiffness_;
   double stiffness_ratio_;
+  double compliance_;
+  double twist_compliance_;
   bool has_one_limit_;
 };
 

@@ -19,9 +19,6 @@ template <LimitBoundary Boundary, class Projection>
 requires ProjectionOnto<Projection, Boundary>
 class Friction {
  public:
-  /// A trial is beyond the limit when its gauge exceeds 1 by more than this; below it rounding of the proxy that lies
-  /// on the boundary would be taken for slip.
-  static constexpr double slip_guard = 1e-12;
   /// Trials beyond this many limits are scaled back to it, which changes no direction and keeps squares finite.
   static constexpr double farthest_trial = 1e100;
 
@@ -54,13 +51,18 @@ class Friction {
     const bool slipping = start >= 0.0;
     const Limits limits = make_limits(slipping ? law_.dynamic_scale(load) : law_.static_scale(load));
     if (!limits.twists) return resolve_untwisted(limits, r, load);
+    // Within the chord of the intercepts it holds, without a division.
+    const double pull = law_.stiffness() * r;
+    const double turn = law_.twist_stiffness() * rho;
+    if (pull * limits.radius * moment_max_ + turn * force_max_ <= limits.moment_unit * force_max_ * moment_max_) return stuck(r, rho);
     const Trial trial = make_trial(limits, r, rho, start);
-    const double gauge = bounding_gauge(trial);
-    if (gauge <= 1.0 + slip_guard) return stuck(r, rho, std::max(gauge, 1.0));
-    if (slipping || law_.has_one_limit()) return slid(limits, trial, r, rho);
+    const Projected projected = projection_(boundary_, trial);
+    if (!projected.outside) return stuck(r, rho);
+    if (slipping || law_.has_one_limit()) return slid(limits, trial, projected, r, rho);
     const Limits dynamic = make_limits(law_.dynamic_scale(load));
     if (!dynamic.twists) return slid_untwisted(dynamic, r);
-    return slid(dynamic, make_trial(dynamic, r, rho, start), r, rho);
+    const Trial beyond = make_trial(dynamic, r, rho, start);
+    return slid(dynamic, beyond, projection_(boundary_, beyond), r, rho);
   }
 
   /// How far the contact is from slipping: 1 − gauge of the trial in the limit that acts, 1 unloaded by friction, ≤ 0 slipping.
@@ -88,8 +90,9 @@ class Friction {
   }
 
   [[nodiscard]] Trial make_trial(const Limits& limits, double r, double rho, double start) const noexcept {
-    double force = law_.stiffness() * r / limits.force_unit;
-    double moment = law_.twist_stiffness() * rho / limits.moment_unit;
+    const double per_unit = 1.0 / limits.moment_unit;
+    double force = law_.stiffness() * r * limits.radius * per_unit;
+    double moment = law_.twist_stiffness() * rho * per_unit;
     const double larger = std::max(force, moment);
     if (larger > farthest_trial) {
       force *= farthest_trial / larger;
@@ -98,39 +101,25 @@ class Friction {
     return {{force, moment}, limits.radius * limits.radius * law_.stiffness_ratio(), law_.radius_exponent(), start};
   }
 
-  /// The gauge of the trial where it lies within rounding of 1, and else any number on the same side of 1: inside the
-  /// chord of the intercepts, beyond an intercept or outside the tangent of the last slip the gauge itself is not needed.
-  [[nodiscard]] double bounding_gauge(const Trial& trial) const noexcept {
-    constexpr double inside = 0.0;
-    constexpr double outside = 2.0;
-    const auto [x, y] = trial.wrench;
-    if (x * moment_max_ + y * force_max_ <= force_max_ * moment_max_) return inside;
-    if (x > force_max_ * (1.0 + slip_guard) || y > moment_max_ * (1.0 + slip_guard)) return outside;
-    if (trial.start > 0.0 && trial.start < 1.0) {
-      const SlipTwist twist = SlipTwist::of_spin_fraction(trial.start);
-      const UnitWrench touch = boundary_.wrench(twist);
-      const double reach = twist.slide * touch.force + twist.spin * touch.moment;
-      if (twist.slide * x + twist.spin * y > reach * (1.0 + 2.0 * slip_guard)) return outside;
-    }
-    return boundary_.gauge(trial.wrench);
+  [[nodiscard]] Result stuck(double r, double rho) const noexcept {
+    Result result;
+    result.force = law_.stiffness() * r;
+    result.moment = law_.twist_stiffness() * rho;
+    result.offset = r;
+    result.twist = rho;
+    return result;
   }
 
-  /// A wrench that is outside by the guard is brought back; the proxy is not touched.
-  [[nodiscard]] Result stuck(double r, double rho, double gauge) const noexcept {
-    return {
-        .slips = false, .force = law_.stiffness() * r / gauge, .moment = law_.twist_stiffness() * rho / gauge, .offset = r, .twist = rho};
-  }
-
-  [[nodiscard]] Result slid(const Limits& limits, const Trial& trial, double r, double rho) const noexcept {
-    const auto [wrench, slip] = projection_(boundary_, trial);
+  [[nodiscard]] Result slid(const Limits& limits, const Trial& trial, const Projected& projected, double r, double rho) const noexcept {
+    const auto& [outside, wrench, slip] = projected;
     Result result;
     result.slips = true;
     // A search may leave a small component a rounding above the trial's; the spring cannot.
     result.force = std::min(wrench.force * limits.force_unit, law_.stiffness() * r);
     result.moment = std::min(wrench.moment * limits.moment_unit, law_.twist_stiffness() * rho);
     // What was not clamped did not slide, bit for bit.
-    result.offset = wrench.force == trial.wrench.force ? r : std::min(result.force / law_.stiffness(), r);
-    result.twist = wrench.moment == trial.wrench.moment ? rho : std::min(result.moment / law_.twist_stiffness(), rho);
+    result.offset = wrench.force == trial.wrench.force ? r : std::min(result.force * law_.compliance(), r);
+    result.twist = wrench.moment == trial.wrench.moment ? rho : std::min(result.moment * law_.twist_compliance(), rho);
     result.cor = limits.radius * slip.cor();
     result.spin_fraction = slip.slide + slip.spin > 0.0 ? slip.spin_fraction() : 0.5;
     result.slip_work = result.force * (r - result.offset) + result.moment * (rho - result.twist);
@@ -139,8 +128,7 @@ class Friction {
 
   /// Γ = 0 takes the twist out of the contact: the proxy's angle is the finger's, and the force is limited by itself.
   [[nodiscard]] Result resolve_untwisted(const Limits& limits, double r, double load) const noexcept {
-    const double force = law_.stiffness() * r;
-    if (force <= force_max_ * limits.force_unit * (1.0 + slip_guard)) return {.slips = false, .force = force, .offset = r};
+    if (law_.stiffness() * r <= force_max_ * limits.force_unit * (1.0 + slip_guard)) return stuck(r, 0.0);
     return slid_untwisted(make_limits(law_.dynamic_scale(load)), r);
   }
 
@@ -148,7 +136,7 @@ class Friction {
     Result result;
     result.slips = true;
     result.force = limits.slides ? std::min(force_max_ * limits.force_unit, law_.stiffness() * r) : 0.0;
-    result.offset = std::min(result.force / law_.stiffness(), r);
+    result.offset = std::min(result.force * law_.compliance(), r);
     result.cor = std::numeric_limits<double>::infinity();
     result.spin_fraction = 0.0;
     result.slip_work = result.force * (r - result.offset);

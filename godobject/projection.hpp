@@ -8,23 +8,29 @@
 
 namespace limitcurve::godobject {
 
+/// A trial is outside the limit when its gauge exceeds 1 by more than this; within it, rounding of a proxy that lies on the
+/// boundary would be taken for slip.
+inline constexpr double slip_guard = 1e-12;
+
 /// The wrench that the springs between proxy and finger would cause if the proxy stayed where it is, in unit wrenches of
 /// the load: x̂ = k_l r/(μP), ŷ = k_r ρ/(μPa) (paper, eqs. 7 and 21), and what a projection needs to know beside it.
 struct Trial {
-  UnitWrench wrench;              ///< (x̂, ŷ), finite, ≥ 0, outside the boundary
+  UnitWrench wrench;              ///< (x̂, ŷ), finite, ≥ 0, not both 0
   double compliance_ratio = 1.0;  ///< χ = a²k_l/k_r: how soft the twist is against the sliding, > 0
   double radius_exponent = 0.0;   ///< γ of a ∝ P^γ
   double start = -1.0;            ///< spin fraction of the last slip, where a search may start; < 0: none
 };
 
-/// Where the proxy's wrench comes to lie when it slips, and how it slips there.
+/// What a projection finds.
 struct Projected {
+  bool outside;       ///< the trial is outside the boundary: it slips. If not, the rest is void
   UnitWrench wrench;  ///< on the boundary; no component is larger than the trial's
   SlipTwist slip;     ///< direction of the slip, (r − r′ : a(ρ − ρ′)) in the frame of the contact
 };
 
-/// A rule that moves a trial wrench on to a limit boundary. Written once, for every boundary; bounded, without
-/// allocation, trigonometry or exceptions. It must dissipate: force·(r − r′) + moment·(ρ − ρ′) ≥ 0.
+/// A rule that tells whether a trial wrench lies outside a limit boundary, and if so moves it on to the boundary.
+/// Written once, for every boundary; bounded, without allocation, trigonometry or exceptions. It must dissipate:
+/// force·(r − r′) + moment·(ρ − ρ′) ≥ 0.
 // clang-format off
 template <class Rule, class Boundary>
 concept ProjectionOnto = requires(const Rule& rule, const Boundary& boundary, const Trial& trial) {

@@ -11,8 +11,9 @@ namespace limitcurve::godobject {
 struct Radial {
   template <LimitBoundary Boundary>
   Projected operator()(const Boundary& boundary, const Trial& trial) const noexcept {
+    const UnitWrench foot = boundary.along(trial.wrench).wrench;
     // The proxy moves along the trial, whatever the normal of the curve there.
-    return {boundary.along(trial.wrench).wrench, {trial.wrench.force, trial.compliance_ratio * trial.wrench.moment}};
+    return {gauge_from(trial.wrench, foot) > 1.0 + slip_guard, foot, {trial.wrench.force, trial.compliance_ratio * trial.wrench.moment}};
   }
 };
 

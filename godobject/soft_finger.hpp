@@ -86,6 +86,16 @@ class SoftFinger {
     const double rho = std::fabs(lag);
     const auto result = friction_.resolve(r, rho, output.load, state_.start);
 
+    if (!result.slips) {
+      output.state = ContactState::stick;
+      output.force = offset * friction_.law().stiffness();
+      output.moment = friction_.law().twist_stiffness() * (result.twist == rho ? lag : 0.0);
+      if (result.twist != rho) output.angle = goal_angle;
+      output.cor = std::numeric_limits<double>::quiet_NaN();
+      output.slip_work = 0.0;
+      state_.start = -1.0;
+      return output;
+    }
     // r = 0 and ρ = 0 have no direction, and need none: eq. (23) without its 0/0.
     const double per_metre = r > 0.0 ? 1.0 / r : 0.0;
     output.force = offset * (result.force * per_metre);
@@ -102,11 +112,10 @@ class SoftFinger {
       output.angle = angle;
     }
     // A slip that is lost in the rounding of the proxy is none.
-    const bool slips = result.slips && moves;
-    output.state = slips ? ContactState::slip : ContactState::stick;
-    output.cor = slips ? result.cor : std::numeric_limits<double>::quiet_NaN();
-    output.slip_work = slips ? result.slip_work : 0.0;
-    state_.start = slips ? result.spin_fraction : -1.0;
+    output.state = moves ? ContactState::slip : ContactState::stick;
+    output.cor = moves ? result.cor : std::numeric_limits<double>::quiet_NaN();
+    output.slip_work = moves ? result.slip_work : 0.0;
+    state_.start = moves ? result.spin_fraction : -1.0;
     return output;
   }
 
@@ -129,9 +138,9 @@ class SoftFinger {
 
  private:
   [[nodiscard]] static bool usable(const Contact& contact, double twist) noexcept {
-    const auto within = [](double value) { return std::fabs(value) <= farthest; };  // false for NaN
-    return within(contact.point.x()) && within(contact.point.y()) && within(contact.point.z()) && within(contact.depth) && within(twist) &&
-           std::fabs(contact.normal.squaredNorm() - 1.0) <= 1e-6;
+    // One comparison for all, which is false for NaN too.
+    const double squares = contact.point.squaredNorm() + contact.depth * contact.depth + twist * twist;
+    return squares <= farthest * farthest && std::fabs(contact.normal.squaredNorm() - 1.0) <= 1e-6;
   }
 
   const FingerOutput& release(const Contact& contact, double twist) noexcept {

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+// A step of the god-object on the plane, boundary by projection. Mean by Google Benchmark; `worst` is the slowest single
+// step of a second pass, each timed on its own (clock included; the operating system may be in it).
+#include "godobject/godobject.hpp"
+#include "limitcurve/laws.hpp"
+#include "limitcurve/table.hpp"
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstddef>
+#include <random>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace limitcurve;
+using namespace limitcurve::godobject;
+
+struct Sample {
+  Contact contact;
+  double twist;
+};
+
+FingerParameters parameters() {
+  FingerParameters result;
+  result.mu = 0.6;
+  result.radius_law = RadiusLaw::constant(0.005);
+  result.stiffness = 1000.0;
+  result.twist_stiffness = 0.04;
+  return result;
+}
+
+Contact on_plane(double x, double y, double depth) {
+  return {{x, y, 0.0}, Eigen::Vector3d::UnitZ(), depth};
+}
+
+constexpr std::size_t count = 4096;
+
+/// Slides and twists so that the centre of rotation wanders slowly over the whole range: every step slips.
+std::vector<Sample> slow() {
+  std::vector<Sample> samples;
+  double x = 0.0;
+  double twist = 0.0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double u = 0.5 - 0.45 * std::cos(2.0 * M_PI * static_cast<double>(i) / count);
+    x += 1e-4 * (1.0 - u);
+    twist += 1e-4 * u / 0.005;
+    samples.push_back({on_plane(x, 0.0, 0.002), twist});
+  }
+  return samples;
+}
+
+/// Jumps of millimetres and tenths of radians in all directions, under a load that changes too: hardly a step sticks.
+std::vector<Sample> wild() {
+  std::mt19937 engine(1);
+  std::uniform_real_distribution<double> share(-1.0, 1.0);
+  std::vector<Sample> samples;
+  for (std::size_t i = 0; i < count; ++i) {
+    samples.push_back({on_plane(0.01 * share(engine), 0.01 * share(engine), 0.002 + 0.001 * share(engine)), 2.0 * share(engine)});
+  }
+  return samples;
+}
+
+/// Trembles within the limit.
+std::vector<Sample> held() {
+  std::mt19937 engine(1);
+  std::uniform_real_distribution<double> share(-1.0, 1.0);
+  std::vector<Sample> samples;
+  for (std::size_t i = 0; i < count; ++i) {
+    samples.push_back({on_plane(2e-4 * share(engine), 2e-4 * share(engine), 0.002), 0.02 * share(engine)});
+  }
+  return samples;
+}
+
+template <class Boundary, class Projection>
+void step(benchmark::State& state, const Boundary& boundary, Projection projection, const std::vector<Sample>& samples, bool cold) {
+  SoftFinger finger(boundary, parameters(), projection);
+  finger.update(on_plane(0.0, 0.0, 0.002), 0.0);
+  const auto advance = [&](const Sample& sample) -> const FingerOutput& {
+    if (cold) {
+      // Forget where the last slip was, but not that it slipped.
+      FingerState forgetful = finger.state();
+      if (forgetful.start > 0.0) forgetful.start = 0.0;
+      finger.restore(forgetful);
+    }
+    return finger.update(sample.contact, sample.twist);
+  };
+  std::size_t i = 0;
+  for (auto _ : state) {
+    const FingerOutput& output = advance(samples[i]);
+    benchmark::DoNotOptimize(output.moment);
+    i = (i + 1) % samples.size();
+  }
+  using Clock = std::chrono::steady_clock;
+  double worst = 0.0;
+  std::size_t slips = 0;
+  for (const Sample& sample : samples) {
+    const auto start = Clock::now();
+    const FingerOutput& output = advance(sample);
+    benchmark::DoNotOptimize(output.moment);
+    worst = std::max(worst, std::chrono::duration<double, std::nano>(Clock::now() - start).count());
+    slips += output.state == ContactState::slip;
+  }
+  state.counters["worst_ns"] = worst;
+  state.counters["slips"] = static_cast<double>(slips) / static_cast<double>(samples.size());
+}
+
+template <class Boundary>
+void all_projections(const std::string& name, const Boundary& boundary) {
+  static const std::vector<std::pair<std::string, std::vector<Sample>>> motions{{"slow", slow()}, {"wild", wild()}, {"held", held()}};
+  for (const auto& [motion, samples] : motions) {
+    const auto add = [&, &samples_of = samples](const std::string& rule, auto projection, bool cold) {
+      benchmark::RegisterBenchmark(("step/" + name + "/" + rule + "/" + motion).c_str(),
+                                   [=, &samples_of](benchmark::State& state) { step(state, boundary, projection, samples_of, cold); });
+    };
+    add("radial", Radial{}, false);
+    add("c-curve", CCurve{}, false);
+    add("closest-point-warm", ClosestPoint{}, false);
+    add("closest-point-cold", ClosestPoint{}, true);
+  }
+}
+
+const bool registered = [] {
+  const Law law = hertz();
+  all_projections("ellipse", Ellipse::through_intercepts(law->moment_ratio()));
+  all_projections("table-1e-8", Table::build(law, 1e-8));
+  all_projections("exact-hertz", ExactCurve(law));
+  all_projections("superellipse", Superellipse::through_intercepts(law->moment_ratio(), 1.725));
+  all_projections("quartic", Quartic::through_intercepts(law->moment_ratio(), 3.142));
+  all_projections("box", box(1.0, law->moment_ratio()));
+  return true;
+}();
+
+}  // namespace
