@@ -2,6 +2,8 @@
 #pragma once
 
 /// Fits: from curves and measurements to friction parameters with their uncertainty.
+#include "fit/contact_fit.hpp"
 #include "fit/curve_fit.hpp"
 #include "fit/estimate.hpp"
 #include "fit/loss.hpp"
+#include "fit/measurements.hpp"

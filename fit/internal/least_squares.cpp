@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <stdexcept>
 
@@ -130,16 +129,19 @@ std::vector<double> covariance(const Solution& solution, std::span<const Paramet
 
   // Identifiability is judged with columns of unit length, so that units do not matter.
   Eigen::VectorXd length = jacobian.colwise().norm();
+  constexpr double rank_threshold = 1e-9;
+  const double longest = length.maxCoeff();
+  std::string names;
   for (Eigen::Index j = 0; j < free; ++j) {
-    if (!(length[j] > 0.0)) length[j] = std::numeric_limits<double>::min();
+    // No residual moves with it, but for rounding (parameters are logarithms or of order one).
+    if (!(length[j] > rank_threshold * longest)) names += (names.empty() ? "" : ", ") + parameters[static_cast<std::size_t>(j)].name;
   }
+  if (!names.empty()) throw std::invalid_argument("not identifiable from these samples: " + names);
   const Eigen::MatrixXd scaled = jacobian * length.cwiseInverse().asDiagonal();
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(scaled, Eigen::ComputeThinV);
-  constexpr double rank_threshold = 1e-9;
   const double largest = svd.singularValues()[0];
   const bool too_few = count < free;
   if (too_few || !(svd.singularValues()[free - 1] > rank_threshold * largest)) {
-    std::string names;
     for (Eigen::Index j = 0; j < free; ++j) {
       // The direction that costs nothing: its large components are what cannot be told.
       if (too_few || std::abs(svd.matrixV()(j, free - 1)) > 0.1)

@@ -46,7 +46,7 @@ Solution minimise(const ResidualModel& model, std::span<const Parameter> paramet
 /// Covariance of the parameters, row by row: (JᵀJ)⁻¹ for plain least squares, the sandwich
 /// (Σψ′ggᵀ)⁻¹ (Σψ²ggᵀ) (Σψ′ggᵀ)⁻¹ for a robust loss. `variance` is that of one residual (1 if residuals are already in
 /// units of their standard deviation). Throws std::invalid_argument naming the parameters that the samples leave
-/// undetermined (singular value of the column-scaled Jacobian below 1e-9 of the largest).
+/// undetermined: a column of the Jacobian, or a singular value of it with columns of unit length, below 1e-9 of the largest.
 std::vector<double> covariance(const Solution& solution, std::span<const Parameter> parameters, const Loss& loss, double variance);
 
 }  // namespace limitcurve::fit::internal

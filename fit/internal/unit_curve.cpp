@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+#include "fit/internal/unit_curve.hpp"
+
+#include <cmath>
+#include <utility>
+
+namespace limitcurve::fit::internal {
+
+namespace {
+
+/// A curve given by its gauge γ(x, y), in polar angle: point (cos φ, sin φ)/γ, tangent (−γ_y, γ_x), and
+/// d(point)/dβ = −point·∂ln γ/∂β at fixed φ.
+class PolarCurve : public UnitCurve {
+ public:
+  struct Gauge {
+    double value;
+    double x;             ///< ∂γ/∂x
+    double y;             ///< ∂γ/∂y
+    double log_by_shape;  ///< ∂ln γ/∂β
+  };
+
+  Place at(double t) const noexcept override {
+    const PlanePoint ray = ray_at(t);
+    const Gauge gauge = gauge_of(ray);
+    return {{ray.x / gauge.value, ray.y / gauge.value}, {-gauge.y, gauge.x}};
+  }
+  PlanePoint shape_slope(double t) const noexcept override {
+    const PlanePoint ray = ray_at(t);
+    const Gauge gauge = gauge_of(ray);
+    const double scale = -gauge.log_by_shape / gauge.value;
+    return {scale * ray.x, scale * ray.y};
+  }
+  double guess(PlanePoint ray) const noexcept override { return std::atan2(ray.y, ray.x) / quarter_turn; }
+
+ protected:
+  virtual Gauge gauge_of(PlanePoint ray) const noexcept = 0;
+
+ private:
+  static constexpr double quarter_turn = 1.5707963267948966;
+  static PlanePoint ray_at(double t) noexcept {
+    // cos(π/2) is not quite 0, and powers of a negative are not numbers.
+    return {std::fmax(std::cos(quarter_turn * t), 0.0), std::sin(quarter_turn * t)};
+  }
+};
+
+/// γ = √(x² + y²).
+class EllipseCurve final : public PolarCurve {
+ protected:
+  Gauge gauge_of(PlanePoint ray) const noexcept override { return {1.0, ray.x, ray.y, 0.0}; }
+};
+
+/// γ = S^{1/n}, S = xⁿ + yⁿ; γ_x = γ x^{n−1}/S; ∂ln γ/∂n = −ln S/n² + (xⁿ ln x + yⁿ ln y)/(nS).
+class SuperellipseCurve final : public PolarCurve {
+ public:
+  std::string shape_name() const override { return "exponent"; }
+  double low() const noexcept override { return 1.05; }
+  double high() const noexcept override { return 20.0; }
+  double start() const noexcept override { return 1.8; }
+  void bend(double exponent) noexcept override { exponent_ = exponent; }
+
+ protected:
+  Gauge gauge_of(PlanePoint ray) const noexcept override {
+    const double x = std::pow(ray.x, exponent_ - 1.0);
+    const double y = std::pow(ray.y, exponent_ - 1.0);
+    const double sum = x * ray.x + y * ray.y;
+    const double gauge = std::pow(sum, 1.0 / exponent_);
+    const auto entropy = [](double power, double base) { return base > 0.0 ? power * base * std::log(base) : 0.0; };
+    const double by_shape = (-std::log(sum) / exponent_ + (entropy(x, ray.x) + entropy(y, ray.y)) / sum) / exponent_;
+    return {gauge, gauge * x / sum, gauge * y / sum, by_shape};
+  }
+
+ private:
+  double exponent_ = 2.0;
+};
+
+/// γ⁴ = Q = x⁴ + y⁴ + κx²y²; γ_x = (4x³ + 2κxy²)γ/(4Q); ∂ln γ/∂κ = x²y²/(4Q).
+class QuarticCurve final : public PolarCurve {
+ public:
+  std::string shape_name() const override { return "kappa"; }
+  double low() const noexcept override { return 0.0; }
+  double high() const noexcept override { return 6.0; }
+  double start() const noexcept override { return 3.0; }
+  void bend(double kappa) noexcept override { kappa_ = kappa; }
+
+ protected:
+  Gauge gauge_of(PlanePoint ray) const noexcept override {
+    const double x = ray.x * ray.x;
+    const double y = ray.y * ray.y;
+    const double fourth = x * x + y * y + kappa_ * x * y;
+    const double gauge = std::sqrt(std::sqrt(fourth));
+    const double scale = gauge / (2.0 * fourth);
+    return {gauge, ray.x * (2.0 * x + kappa_ * y) * scale, ray.y * (2.0 * y + kappa_ * x) * scale, x * y / (4.0 * fourth)};
+  }
+
+ private:
+  double kappa_ = 2.0;
+};
+
+/// The exact curve of a law or of a member of a family, by its Chebyshev series; t is the spin fraction u.
+class LawCurve final : public UnitCurve {
+ public:
+  explicit LawCurve(const PressureLaw& law) : curve_(law) {}
+  LawCurve(const ShapeFamily& family, std::string shape_name, double start)
+      : family_(&family), shape_name_(std::move(shape_name)), start_(family.coordinate(start)) {
+    bend(start_);
+  }
+
+  std::string shape_name() const override { return shape_name_; }
+  double low() const noexcept override { return family_ != nullptr ? family_->low() : 0.0; }
+  double high() const noexcept override { return family_ != nullptr ? family_->high() : 0.0; }
+  double start() const noexcept override { return start_; }
+  double parameter(double coordinate) const noexcept override { return family_ != nullptr ? family_->parameter(coordinate) : coordinate; }
+  double parameter_slope(double coordinate) const noexcept override {
+    return family_ != nullptr ? family_->parameter_slope(coordinate) : 1.0;
+  }
+
+  void bend(double coordinate) noexcept override {
+    if (family_ == nullptr || coordinate == bent_to_) return;
+    curve_ = family_->member(coordinate);
+    bent_to_ = coordinate;
+  }
+  // The slip twist is the normal, dm/df = −s: in the normalised plane the tangent is (−m₀w, v).
+  Place at(double t) const noexcept override { return {curve_.at(t), {-curve_.moment_ratio() * t, 1.0 - t}}; }
+  PlanePoint shape_slope(double t) const noexcept override { return curve_.shape_slope(t); }
+  double guess(PlanePoint ray) const noexcept override { return ray.y / (curve_.moment_ratio() * ray.x + ray.y); }
+  double moment_ratio() const noexcept override { return curve_.moment_ratio(); }
+  double moment_ratio_slope() const noexcept override { return curve_.moment_ratio_slope(); }
+
+ private:
+  const ShapeFamily* family_ = nullptr;
+  std::string shape_name_;
+  double start_ = 0.0;
+  double bent_to_ = -1e300;
+  ChebyshevCurve curve_;
+};
+
+}  // namespace
+
+std::unique_ptr<UnitCurve> make_ellipse() {
+  return std::make_unique<EllipseCurve>();
+}
+std::unique_ptr<UnitCurve> make_superellipse() {
+  return std::make_unique<SuperellipseCurve>();
+}
+std::unique_ptr<UnitCurve> make_quartic() {
+  return std::make_unique<QuarticCurve>();
+}
+std::unique_ptr<UnitCurve> make_law(const PressureLaw& law) {
+  return std::make_unique<LawCurve>(law);
+}
+std::unique_ptr<UnitCurve> make_family(const ShapeFamily& family, std::string shape_name, double start) {
+  return std::make_unique<LawCurve>(family, std::move(shape_name), start);
+}
+
+}  // namespace limitcurve::fit::internal

@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: MIT
+#include "fit/contact_fit.hpp"
+
+#include "limitcurve/ellipse.hpp"
+#include "limitcurve/laws.hpp"
+#include "limitcurve/quartic.hpp"
+#include "limitcurve/superellipse.hpp"
+#include "tests/fit/synthetic.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace limitcurve::fit {
+namespace {
+
+using synthetic::Curve;
+using synthetic::Random;
+using synthetic::Truth;
+using Kind = ContactModel::Kind;
+
+double log_relative_error(double value, double truth) {
+  return -std::log10(std::fmax(std::fabs(value / truth - 1.0), 1e-17));
+}
+
+std::string refusal(std::span<const Sample> samples, const ContactModel& model, const ContactFitOptions& options = {}) {
+  try {
+    fit_contact(samples, model, options);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+/// A random truth and its curve; the shape parameter's name in the reports is `shape_name`.
+struct Draw {
+  ContactModel model;
+  Curve curve;
+  Truth truth;
+  double moment_ratio;
+  double shape;
+};
+
+Draw draw(Kind kind, Random& random) {
+  Draw result{{kind}, {}, {std::exp(random.uniform(-2.0, 1.0)), std::exp(random.uniform(-7.0, -4.5))}, 0.6, 0.0};
+  const auto boundary = [&](auto shape) {
+    return [shape](double t) { return shape.wrench(SlipTwist::about_cor(t * shape.moment_ratio())); };
+  };
+  const auto law = [&](const Law& exact) {
+    result.moment_ratio = exact->moment_ratio();
+    return synthetic::curve_of(exact);
+  };
+  switch (kind) {
+    case Kind::ellipse:
+      result.curve = boundary(Ellipse::through_intercepts(result.moment_ratio));
+      break;
+    case Kind::superellipse:
+      result.shape = random.uniform(1.4, 2.5);
+      result.curve = boundary(Superellipse::through_intercepts(result.moment_ratio, result.shape));
+      break;
+    case Kind::quartic:
+      result.shape = random.uniform(1.0, 5.0);
+      result.curve = boundary(Quartic::through_intercepts(result.moment_ratio, result.shape));
+      break;
+    case Kind::law:
+      result.model = ContactModel::of(hertz());
+      result.curve = law(hertz());
+      break;
+    case Kind::power:
+      result.shape = random.uniform(-0.7, 5.0);
+      result.curve = law(power(result.shape));
+      break;
+    case Kind::xydas_kao:
+      result.shape = random.uniform(0.9, 10.0);
+      result.curve = law(xydas_kao(result.shape));
+      break;
+  }
+  return result;
+}
+
+const char* shape_name(Kind kind) {
+  switch (kind) {
+    case Kind::superellipse:
+      return "exponent";
+    case Kind::quartic:
+      return "kappa";
+    case Kind::power:
+      return "n";
+    case Kind::xydas_kao:
+      return "k";
+    default:
+      return nullptr;
+  }
+}
+
+TEST(ContactFit, RecoversAHundredTruthsOfEveryModelToEightDigits) {
+  for (const Kind kind : {Kind::ellipse, Kind::superellipse, Kind::quartic, Kind::law, Kind::power, Kind::xydas_kao}) {
+    Random random(1);
+    for (int i = 0; i < 100; ++i) {
+      const Draw item = draw(kind, random);
+      const std::vector<Sample> samples = synthetic::clean(item.curve, item.truth, 40, random);
+      const FitReport report = fit_contact(samples, item.model).report;
+      EXPECT_TRUE(report.converged) << report.message;
+      EXPECT_GE(log_relative_error(report.estimates[0].value, item.truth.mu), 8.0) << item.model.name();
+      EXPECT_GE(log_relative_error(report.estimates[1].value, item.truth.mu * item.truth.radius * item.moment_ratio), 8.0)
+          << item.model.name();
+      if (const char* shape = shape_name(kind)) {
+        EXPECT_GE(log_relative_error(report.at(shape).value, item.shape), 8.0) << item.model.name() << " " << item.shape;
+      }
+      if (kind == Kind::law || kind == Kind::power || kind == Kind::xydas_kao) {
+        EXPECT_GE(log_relative_error(report.at("radius").value, item.truth.radius), 8.0) << item.model.name() << " " << item.shape;
+      }
+    }
+  }
+}
+
+TEST(ContactFit, RecoversTheGrowthOfTheRadiusWithTheLoad) {
+  Random random(2);
+  for (int i = 0; i < 20; ++i) {
+    const Truth truth{random.uniform(0.3, 1.5), random.uniform(0.002, 0.006), random.uniform(0.0, 1.0 / 3.0)};
+    const std::vector<Sample> samples = synthetic::clean(synthetic::curve_of(uniform()), truth, 60, random);
+    ContactFitOptions options;
+    options.fit_gamma = true;
+    const FitReport free = fit_contact(samples, ContactModel::of(uniform()), options).report;
+    EXPECT_GE(log_relative_error(free.at("c").value, truth.radius), 8.0);
+    EXPECT_NEAR(free.at("gamma").value, truth.gamma, 1e-9);
+    options.fit_gamma = false;
+    options.gamma = truth.gamma;
+    EXPECT_GE(log_relative_error(fit_contact(samples, ContactModel::of(uniform()), options).report.at("c").value, truth.radius), 8.0);
+  }
+}
+
+TEST(ContactFit, SignsOfForceAndMomentDoNotMatter) {
+  Random random(3);
+  std::vector<Sample> samples = synthetic::clean(synthetic::curve_of(hertz()), {0.7, 0.004}, 30, random);
+  const double before = fit_contact(samples, ContactModel::of(hertz())).report.at("radius").value;
+  for (std::size_t i = 0; i < samples.size(); i += 2) samples[i].force = -samples[i].force;
+  for (std::size_t i = 0; i < samples.size(); i += 3) samples[i].moment = -samples[i].moment;
+  EXPECT_EQ(fit_contact(samples, ContactModel::of(hertz())).report.at("radius").value, before);
+}
+
+TEST(ContactFit, RefusesByNameWhatTheSamplesCannotTell) {
+  Random random(4);
+  const std::vector<Sample> good = synthetic::clean(synthetic::curve_of(hertz()), {0.7, 0.004}, 30, random);
+  const ContactModel law = ContactModel::of(hertz());
+  EXPECT_NE(refusal({}, law).find("at least one"), std::string::npos);
+  EXPECT_NE(refusal(std::span(good).first(1), law).find("1 sample: mu, mu_r"), std::string::npos);
+  EXPECT_NE(refusal(std::span(good).first(2), {Kind::power}).find("2 samples: mu, mu_r, n"), std::string::npos);
+
+  std::vector<Sample> slides(30, {1.0, 0.7, 0.0});
+  EXPECT_NE(refusal(slides, law).find("mu_r (every moment is 0: no twist at all)"), std::string::npos);
+  std::vector<Sample> twists(30, {1.0, 0.0, 0.003});
+  EXPECT_NE(refusal(twists, law).find("mu (every force is 0: no slide at all)"), std::string::npos);
+  // The same with noise that the sigmas explain.
+  for (Sample& sample : slides) {
+    sample.force += 0.01 * random.normal();
+    sample.moment += 1e-4 * random.normal();
+    sample.sigma_force = 0.01;
+    sample.sigma_moment = 1e-4;
+  }
+  EXPECT_NE(refusal(slides, law).find("mu_r (every moment is within its noise"), std::string::npos);
+
+  // One point of the curve, over and over: only a combination of the two limits is known.
+  const std::vector<Sample> repeated(30, {1.0, 0.4, 0.001});
+  EXPECT_NE(refusal(repeated, law).find("not identifiable"), std::string::npos) << refusal(repeated, law);
+
+  // Pure slides and pure twists say nothing of what is between.
+  std::vector<Sample> ends;
+  for (int i = 0; i < 20; ++i) ends.push_back(i % 2 == 0 ? Sample{1.0, 0.7, 0.0} : Sample{1.0, 0.0, 0.0016});
+  EXPECT_EQ(refusal(ends, law), "accepted");
+  EXPECT_NE(refusal(ends, {Kind::power}).find("not identifiable from these samples: n"), std::string::npos) << refusal(ends, {Kind::power});
+}
+
+TEST(ContactFit, NamesTheBadSample) {
+  Random random(5);
+  const std::vector<Sample> good = synthetic::clean(synthetic::curve_of(hertz()), {0.7, 0.004}, 30, random);
+  const auto with = [&](auto change) {
+    std::vector<Sample> samples = good;
+    change(samples[6]);
+    return refusal(samples, ContactModel::of(hertz()));
+  };
+  EXPECT_EQ(with([](Sample& s) { s.load = -1.0; }), "sample 7: load = -1: expected > 0 N and finite");
+  EXPECT_EQ(with([](Sample& s) { s.force = NAN; }), "sample 7: force = nan: expected a finite number of N");
+  EXPECT_EQ(with([](Sample& s) { s.moment = INFINITY; }), "sample 7: moment = inf: expected a finite number of N m");
+  EXPECT_EQ(with([](Sample& s) { s.sigma_force = 0.1; }), "sample 7: sigma_force = 0.1: expected 0 in every sample, as in the first");
+}
+
+TEST(ContactFit, WarnsOfARadiusLargerThanTheFinger) {
+  Random random(6);
+  const std::vector<Sample> samples = synthetic::clean(synthetic::curve_of(hertz()), {0.5, 0.0125}, 30, random);
+  const FitReport report = fit_contact(samples, ContactModel::of(hertz())).report;
+  ASSERT_EQ(report.warnings.size(), 1u);
+  EXPECT_NE(report.warnings[0].find("12.5 mm, more than the finger's 8 mm"), std::string::npos) << report.warnings[0];
+}
+
+TEST(ContactFit, RobustLossesOutliveGrossOutliers) {
+  // One sample in ten is mislabelled: taken while the finger held, so that it lies well inside the curve, or during an impact.
+  for (const bool tell : {false, true}) {
+    for (const Loss& loss : {Loss::huber(), Loss::cauchy()}) {
+      int within = 0;
+      int plain_within = 0;
+      constexpr int seeds = 40;
+      const Truth truth{0.8, 0.005};
+      const double mu_r = truth.mu * truth.radius * hertz()->moment_ratio();
+      for (int seed = 0; seed < seeds; ++seed) {
+        Random random(static_cast<std::uint64_t>(100 + seed));
+        std::vector<Sample> samples = synthetic::clean(synthetic::curve_of(hertz()), truth, 100, random);
+        synthetic::disturb(samples, 0.01, truth.mu, mu_r, tell, random);
+        for (std::size_t i = 3; i < samples.size(); i += 10) {
+          const double factor = i % 20 == 3 ? random.uniform(0.2, 0.6) : random.uniform(1.5, 3.0);
+          samples[i].force *= factor;
+          samples[i].moment *= factor;
+        }
+        const auto good = [&](const Loss& with) {
+          ContactFitOptions options;
+          options.loss = with;
+          const FitReport report = fit_contact(samples, ContactModel::of(hertz()), options).report;
+          const Estimate& mu = report.at("mu");
+          const Estimate& ratio = report.at("ratio");
+          return std::fabs(mu.value - truth.mu) <= 2.0 * mu.std_error && std::fabs(ratio.value - mu_r / truth.mu) <= 2.0 * ratio.std_error;
+        };
+        within += good(loss) ? 1 : 0;
+        plain_within += tell && good(Loss::squared()) ? 1 : 0;
+      }
+      // Both within two standard errors has probability 0.91 for independent estimates: 40 draws give ≥ 31 in all but 1 % of cases.
+      EXPECT_GE(within, 31) << "kind " << static_cast<int>(loss.kind) << " sigmas " << tell;
+      if (tell) {
+        EXPECT_LE(plain_within, 10);
+      }
+    }
+  }
+}
+
+TEST(ContactFit, SaysWhichLawsTheDataCannotTell) {
+  const Truth truth{0.8, 0.005};
+  Random random(8);
+  std::vector<Sample> vague = synthetic::clean(synthetic::curve_of(hertz()), truth, 60, random);
+  synthetic::disturb(vague, 0.05, truth.mu, truth.mu * truth.radius * hertz()->moment_ratio(), true, random);
+  const LawSelection unclear = select_law(vague);
+  ASSERT_EQ(unclear.candidates.size(), 8u);
+  EXPECT_EQ(unclear.aic_difference[0], 0.0);
+  EXPECT_LT(unclear.aic_difference[1], 2.0);
+  const auto& warnings = unclear.candidates[0].report.warnings;
+  EXPECT_TRUE(
+      std::any_of(warnings.begin(), warnings.end(), [](const std::string& w) { return w.find("cannot tell") != std::string::npos; }));
+
+  // With errors of 0.05 % flat punch and Hertz are worlds apart.
+  std::vector<Sample> sharp = synthetic::clean(synthetic::curve_of(flat_punch()), truth, 200, random);
+  synthetic::disturb(sharp, 0.0005, truth.mu, truth.mu * truth.radius * flat_punch()->moment_ratio(), true, random);
+  const LawSelection clear = select_law(sharp);
+  for (std::size_t i = 0; i < clear.candidates.size(); ++i) {
+    if (clear.candidates[i].model == "hertz") {
+      EXPECT_GT(clear.aic_difference[i], 100.0);
+    }
+    if (clear.candidates[i].model == "flat-punch") {
+      EXPECT_LT(clear.aic_difference[i], 6.0);
+    }
+  }
+}
+
+TEST(ContactFit, ShapeThatNoiseHidesIsReportedUnknown) {
+  const Truth truth{0.8, 0.005};
+  Random random(9);
+  std::vector<Sample> samples = synthetic::clean(synthetic::curve_of(hertz()), truth, 12, random);
+  synthetic::disturb(samples, 0.1, truth.mu, truth.mu * truth.radius * hertz()->moment_ratio(), true, random);
+  const FitReport report = fit_contact(samples, {Kind::power}).report;
+  EXPECT_TRUE(std::isinf(report.at("n").std_error));
+  EXPECT_TRUE(std::isinf(report.at("radius").std_error));
+  EXPECT_FALSE(report.warnings.empty());
+}
+
+}  // namespace
+}  // namespace limitcurve::fit
