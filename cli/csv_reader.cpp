@@ -31,10 +31,14 @@ int open_to_read(const std::string& file) {
   return descriptor;
 }
 
-/// Enough of a text to recognise it by.
+/// Enough of a text to recognise it by, printable whatever it was.
 std::string excerpt(std::string_view text) {
   constexpr std::size_t most = 60;
-  return text.size() <= most ? std::string(text) : std::string(text.substr(0, most)) + "…";
+  std::string shown(text.substr(0, most));
+  for (char& character : shown) {
+    if (static_cast<unsigned char>(character) < 0x20 || character == 0x7f) character = '?';
+  }
+  return text.size() <= most ? shown : shown + "…";
 }
 
 }  // namespace

@@ -1,45 +1,15 @@
 // SPDX-License-Identifier: MIT
+#include "cli/drawing.hpp"
 #include "cli/report_files.hpp"
 #include "cli/share.hpp"
 #include "cli/subcommands.hpp"
 
-#include <array>
-#include <cerrno>
 #include <stdexcept>
 #include <system_error>
-
-#include <spawn.h>
-#include <sys/wait.h>
-
-extern char** environ;
 
 namespace limitcurve::cli {
 
 namespace {
-
-// Debian's own: another python3 that is first on the PATH may lack matplotlib.
-constexpr const char* python = "/usr/bin/python3";
-
-/// Runs the script that draws; what it prints becomes ours.
-void draw(const std::filesystem::path& script, const std::filesystem::path& directory) {
-  const std::string tell = "; the CSV files are in '" + directory.string() + "'";
-  std::array<std::string, 6> words{python, script.string(), "--data", directory.string(), "--output", directory.string()};
-  std::array<char*, 7> arguments{};
-  for (std::size_t i = 0; i < words.size(); ++i) arguments[i] = words[i].data();
-  pid_t child = 0;
-  const int refused = ::posix_spawn(&child, python, nullptr, nullptr, arguments.data(), environ);
-  if (refused != 0) {
-    throw std::runtime_error(std::string("cannot run ") + python + ": " + std::generic_category().message(refused) +
-                             "; install python3-matplotlib to draw the report" + tell);
-  }
-  int status = 0;
-  while (::waitpid(child, &status, 0) < 0) {
-    if (errno != EINTR) throw std::runtime_error("lost track of " + script.string() + tell);
-  }
-  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
-    throw std::runtime_error("'" + script.string() + "' failed (it needs python3-matplotlib)" + tell);
-  }
-}
 
 class Report final : public Subcommand {
  public:
@@ -66,7 +36,7 @@ class Report final : public Subcommand {
     write_table_files(directory, data);
     write_replay_files(directory, data);
     write_steady_twist_file(directory);
-    draw(share / "scripts" / "report.py", directory);
+    draw_report(share / "scripts" / "report.py", directory);
   }
 
  private:

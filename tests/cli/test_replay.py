@@ -1,0 +1,212 @@
+# SPDX-License-Identifier: MIT
+"""replay: settles where physics says, refuses a spoilt trace by place, reads any order of columns, streams."""
+
+import math
+import os
+import subprocess
+import unittest
+
+from command_line import DATA, EXECUTABLE, CommandLineTest, header, numbers, rows, run
+
+COLUMNS = "time,state,px,py,angle,depth,load,fx,fy,moment,cor"
+STIFFNESS = 1000.0
+M0 = 3 * math.pi / 16  # Hertz
+FINGER = ["--law", "hertz", "--radius-law", "constant:a=0.006", "--mu", "0.6", "--stiffness", "1000", "--twist-stiffness", "0.036"]
+TRACE = "time,x,y,z,twist\n0,0,0,0.001,0\n0.001,0,0,-0.001,0\n0.002,0.0001,0,-0.001,0\n0.003,0.005,0,-0.001,0\n"
+
+
+class Replays(CommandLineTest):
+    def replay(self, text, *options):
+        return rows("replay", "--trace", self.file("trace.csv", text), *FINGER, *options)
+
+    def test_press_and_drag(self):
+        free, touch, stick, slip = self.replay(TRACE)
+        self.assertEqual(header("replay", "--trace", self.directory / "trace.csv", *FINGER), COLUMNS)
+        self.assertEqual([row["state"] for row in (free, touch, stick, slip)], ["free", "stick", "stick", "slip"])
+        self.assertEqual((free["load"], free["fx"]), (0, 0))
+        self.assertAlmostEqual(stick["load"], 1, delta=1e-12)
+        self.assertAlmostEqual(stick["fx"], -0.1, delta=1e-12)
+        self.assertEqual((stick["px"], stick["moment"]), (0, 0))
+        self.assertTrue(math.isnan(stick["cor"]))
+        self.assertAlmostEqual(slip["fx"], -0.6, delta=1e-9)
+        self.assertAlmostEqual(slip["px"], 0.0044, delta=1e-9)
+        self.assertEqual(slip["cor"], math.inf)
+
+    def test_every_trace_of_the_repository_on_every_boundary_and_projection(self):
+        for trace in sorted((DATA / "traces").glob("*.csv")):
+            for boundary in ["exact", "table", "ellipse", "superellipse", "quartic", "box"]:
+                for projection in ["radial", "c-curve", "closest-point"]:
+                    found = rows("replay", "--trace", trace, *FINGER, "--boundary", boundary, "--projection", projection)
+                    states = {row["state"] for row in found}
+                    self.assertEqual(states, {"free", "stick", "slip"}, f"{trace.name} {boundary} {projection}")
+                    for row in found:
+                        self.assertLessEqual(math.hypot(row["fx"], row["fy"]), 0.6 * row["load"] * (1 + 1e-12))
+                        self.assertLessEqual(abs(row["moment"]), 0.6 * 0.006 * M0 * row["load"] * (1 + 1e-9))
+
+    def test_the_paper_s_uncoupled_algorithm_clamps_each_on_its_own(self):
+        last = rows("replay", "--trace", DATA / "traces" / "constant_twist.csv", *FINGER, "--boundary", "box", "--projection",
+                    "closest-point")[-1]
+        self.assertAlmostEqual(last["fx"], -1.2, delta=1e-9)
+        self.assertAlmostEqual(last["moment"], -1.2 * 0.006 * M0, delta=1e-12)
+
+    def test_coefficients(self):
+        twist = "time,x,y,z,twist\n0,0,0,-0.001,0\n1,0,0,-0.001,3\n2,0,0,-0.001,6\n"
+        self.assertAlmostEqual(self.replay(twist)[-1]["moment"], -0.6 * 0.006 * M0, delta=1e-12)
+        self.assertAlmostEqual(self.replay(twist, "--moment-coefficient", "0.004")[-1]["moment"], -0.004, delta=1e-12)
+        self.assertAlmostEqual(self.replay(TRACE, "--mu-dynamic", "0.3")[-1]["fx"], -0.3, delta=1e-9)
+        without_radius = [word for word in FINGER if word not in ("--radius-law", "constant:a=0.006")]
+        path = self.directory / "trace.csv"
+        self.assertEqual(run("replay", "--trace", path, *without_radius, "--moment-coefficient", "0.004").returncode, 0)
+        self.assert_fails(2, ["--radius-law", "--moment-coefficient"], "replay", "--trace", path, *without_radius)
+
+    def test_a_time_that_goes_back_is_an_invalid_row(self):
+        found = self.replay(TRACE + "0.001,0.007,0,-0.001,0\n0.005,0.0051,0,-0.001,0\n")
+        self.assertEqual(found[4]["state"], "invalid")
+        self.assertEqual(found[4]["fx"], found[3]["fx"])
+        self.assertEqual(found[5]["state"], "slip")
+
+
+class SteadyTwist(CommandLineTest):
+    """A finger that moves at a constant twist with COR c for long ends at eq. (17)'s wrench, if projected rightly."""
+
+    def settled(self, cor, ratio, *options, radius=0.005, load=2.0, mu=0.5):
+        """Unit wrench at the end of a trace that turns about `cor` [m]; ratio = k_r/k_l/(m0 a)^2."""
+        give = mu * load / STIFFNESS
+        step = 0.5 * give if cor > 0 else 0.0
+        lines = ["time,x,y,z,twist", "0,0,0,0.001,0"]
+        for i in range(600):
+            twist = i * (step / cor) if cor < math.inf else 0.0
+            lines.append(f"{(i + 1) / 1000!r},{i * step!r},0,{-load / STIFFNESS!r},{twist!r}")
+        trace = self.file("trace.csv", "\n".join(lines) + "\n")
+        twist_stiffness = ratio * STIFFNESS * (M0 * radius) ** 2
+        last = rows("replay", "--trace", trace, "--law", "hertz", "--radius-law", f"constant:a={radius}", "--mu", mu, "--stiffness",
+                    STIFFNESS, "--twist-stiffness", repr(twist_stiffness), *options)[-1]
+        self.assertEqual(last["state"], "slip")
+        return math.hypot(last["fx"], last["fy"]) / (mu * load), abs(last["moment"]) / (mu * load * radius)
+
+    def error(self, found, cor, radius=0.005):
+        exact = rows("eval", "--law", "hertz", "--c", numbers([cor / radius]))[0]
+        return math.hypot(found[0] - exact["force"], (found[1] - exact["moment"]) / M0)
+
+    def test_closest_point_settles_at_the_exact_wrench(self):
+        for ratio in [0.1, 0.3, 1, 2, 10]:
+            for cor in [0.002, 0.005, 0.02]:
+                found = self.settled(cor, ratio, "--boundary", "table", "--tolerance", "1e-8", "--projection", "closest-point")
+                self.assertLess(self.error(found, cor), 1e-6, f"ratio {ratio}, c {cor}")
+
+    def test_radial_settles_where_the_stiffness_says(self):
+        for ratio, expected in [(0.1, 0.34), (1, 0.125), (2, 0.44), (10, 0.94)]:
+            found = self.settled(0.005, ratio, "--boundary", "table", "--tolerance", "1e-8", "--projection", "radial")
+            self.assertAlmostEqual(self.error(found, 0.005), expected, delta=0.005)
+            # F/M = (k_l/k_r) c, whatever the curve.
+            self.assert_close(found[0] / found[1], 1 / (ratio * M0**2), 1e-6)
+
+    def test_radial_on_the_ellipse(self):
+        for ratio, expected in [(1, 0.134), (2, 0.45)]:
+            found = self.settled(0.005, ratio, "--boundary", "ellipse", "--projection", "radial")
+            self.assertAlmostEqual(self.error(found, 0.005), expected, delta=0.005)
+
+    def test_the_repository_s_own_trace(self):
+        last = rows("replay", "--trace", DATA / "traces" / "constant_twist.csv", *FINGER, "--boundary", "table", "--tolerance", "1e-8",
+                    "--projection", "closest-point")[-1]
+        exact = rows("eval", "--law", "hertz", "--c", "0.005", "--radius", "0.006", "--mu", "0.6", "--load", repr(last["load"]))[0]
+        self.assert_close(math.hypot(last["fx"], last["fy"]), exact["force"], 1e-6)
+        self.assert_close(abs(last["moment"]), exact["moment"], 1e-6)
+        self.assert_close(last["cor"], 0.005, 1e-6)
+
+
+class Files(CommandLineTest):
+    def replayed(self, text, name="trace.csv"):
+        path = self.directory / name
+        path.write_bytes(text.encode())
+        return run("replay", "--trace", path, *FINGER)
+
+    def test_forms_that_mean_the_same(self):
+        plain = self.replayed(TRACE)
+        self.assertEqual(plain.returncode, 0, plain.stderr)
+        table = [line.split(",") for line in TRACE.splitlines()]
+        forms = {
+            "comments": "# made by hand\n" + TRACE.replace("\n0.002", "\n  # a remark, with a comma\n\n0.002"),
+            "carriage returns": TRACE.replace("\n", "\r\n"),
+            "byte order mark": "\ufeff" + TRACE,
+            "no last line end": TRACE[:-1],
+            "blanks": TRACE.replace(",", " , "),
+            "quotes": "\n".join(",".join(f'"{field}"' for field in row) for row in table) + "\n",
+            "another order": "\n".join(",".join(reversed(row)) for row in table) + "\n",
+            "more columns": "\n".join(",".join(["note", *row, "z2"] if i == 0 else ['"a, b ""c"""', *row, "nan"])
+                                      for i, row in enumerate(table)) + "\n",
+        }
+        for form, text in forms.items():
+            done = self.replayed(text)
+            self.assertEqual((done.returncode, done.stdout), (0, plain.stdout), f"{form}: {done.stderr}")
+
+    def test_standard_input(self):
+        piped = run("replay", "--trace", "-", *FINGER, input=TRACE)
+        self.assertEqual(piped.stdout, self.replayed(TRACE).stdout)
+
+    def test_what_is_wrong_is_told_by_place(self):
+        cases = [
+            ("", "bad.csv:1:1:", "empty"),
+            ("# nothing\n", "bad.csv:1:1:", "empty"),
+            ("time,x,y,z,twist\n", "bad.csv:2:1:", "no rows"),
+            ("time,x,y,twist\n0,0,0,0\n", "bad.csv:1:1:", "'z'"),
+            ("0,0,0,0,0\n", "bad.csv:1:1:", "'time'"),
+            ("time,x,y,z,twist,x\n0,0,0,0,0,0\n", "bad.csv:1:18:", "'x' twice"),
+            (TRACE + "0.004,0.01,0,-0.0", "bad.csv:6:18:", "4 fields"),
+            (TRACE + "0.004", "bad.csv:6:6:", "1 field,"),
+            (TRACE + "0.004,0,0,0,0,0\n", "bad.csv:6:16:", "6 fields"),
+            (TRACE + "0.004,nan,0,0,0\n", "bad.csv:6:7:", "'nan'"),
+            (TRACE + "0.004,0,inf,0,0\n", "bad.csv:6:9:", "'inf'"),
+            (TRACE + "0.004,0,,0,0\n", "bad.csv:6:9:", "''"),
+            (TRACE + "0.004,0,0,0.1.2,0\n", "bad.csv:6:11:", "'0.1.2'"),
+            (TRACE + "0.004,0,0,0x1,0\n", "bad.csv:6:11:", "'0x1'"),
+            (TRACE.replace("0.002", '"0.002'), "bad.csv:4:1:", "quote"),
+            ("\0\1\2\3", "bad.csv:1:1:", "'time'"),
+        ]
+        for text, place, what in cases:
+            self.replayed(text, "bad.csv")
+            self.assert_fails(2, [place, what, "expected"] if what != "quote" else [place, what], "replay", "--trace",
+                              self.directory / "bad.csv", *FINGER)
+
+    def test_files_that_are_none(self):
+        self.assert_fails(2, ["absent.csv", "No such file"], "replay", "--trace", self.directory / "absent.csv", *FINGER)
+        self.assert_fails(2, "directory", "replay", "--trace", self.directory, *FINGER)
+        endless = self.directory / "endless.csv"
+        endless.write_bytes(b"x" * 3_000_000)
+        self.assert_fails(2, ["endless.csv:1:", "million"], "replay", "--trace", endless, *FINGER)
+
+    def test_options_out_of_range(self):
+        path = self.file("trace.csv", TRACE)
+        for option in ["--mu", "--stiffness", "--twist-stiffness", "--mu-dynamic", "--moment-coefficient", "--tolerance"]:
+            call = ["replay", "--trace", path, *FINGER]
+            if option in call:
+                del call[call.index(option):call.index(option) + 2]
+            for value in ["-1", "nan", "inf", "x"]:
+                self.assert_fails(2, [option, "expected"], *call, option, value)
+        for option in ["--stiffness", "--twist-stiffness", "--mu", "--law"]:
+            call = list(FINGER)
+            del call[call.index(option):call.index(option) + 2]
+            self.assert_fails(2, option, "replay", "--trace", path, *call)
+        self.assert_fails(2, ["--boundary", "triangle", "ellipse"], "replay", "--trace", path, *FINGER, "--boundary", "triangle")
+        self.assert_fails(2, ["--projection", "c-curve"], "replay", "--trace", path, *FINGER, "--projection", "oblique")
+        self.assert_fails(2, ["mu_dynamic"], "replay", "--trace", path, *FINGER, "--mu-dynamic", "0.7")
+        self.assert_fails(2, ["tolerance"], "replay", "--trace", path, *FINGER, "--tolerance", "0")
+
+    def test_a_long_trace_is_streamed(self):
+        def peak(samples):
+            path = self.directory / "long.csv"
+            with open(path, "w", encoding="ascii") as file:
+                file.write("time,x,y,z,twist\n")
+                for i in range(samples):
+                    file.write(f"{i / 1000},{1e-6 * i},0,-0.0012345678901234,{1e-5 * i}\n")
+            with open(os.devnull, "wb") as sink, subprocess.Popen([EXECUTABLE, "replay", "--trace", path, *FINGER], stdout=sink) as process:
+                _, status, usage = os.wait4(process.pid, 0)
+                process.returncode = os.waitstatus_to_exitcode(status)
+            self.assertEqual(process.returncode, 0)
+            return usage.ru_maxrss  # KiB
+
+        self.assertLess(peak(200_000), peak(100) + 2048)
+
+
+if __name__ == "__main__":
+    unittest.main()

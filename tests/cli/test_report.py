@@ -1,0 +1,110 @@
+# SPDX-License-Identifier: MIT
+"""report: one page and all that it is drawn from; whole files or none, and the data kept when drawing fails."""
+
+import csv
+import os
+import random
+import signal
+import subprocess
+import time
+import unittest
+
+from command_line import DATA, EXECUTABLE, CommandLineTest, run
+
+FILES = {
+    "laws": "law,moment_ratio,method,error",
+    "curves": "law,c,force,moment,x,y",
+    "p_curves": "law,radius_law,mu,load,c,force,moment",
+    "c_curves": "law,radius_law,mu,c,load,force,moment",
+    "validate": "law,model,parameter,max_error,rms_error,max_over_estimate,max_under_estimate,max_cor_error",
+    "ellipse_error": "law,angle,over_estimate,cor_ratio",
+    "tables": "law,tolerance,certified_error,nodes,bytes",
+    "materials": "material,mu,mu_r,radius,file,law,tolerance,certified_error,nodes,bytes",
+    "table_error": "law,tolerance,spin_fraction,force_error,moment_error",
+    "replay": "trace,boundary,projection,time,state,px,py,angle,depth,load,fx,fy,moment,cor",
+    "replay_runs": "trace,law,radius_law,mu,stiffness,twist_stiffness,moment_ratio",
+    "replay_limits": "trace,boundary,load,force,moment",
+    "steady_twist": "law,boundary,projection,cor,stiffness_ratio,force,moment,exact_force,exact_moment,error",
+}
+
+
+class Report(CommandLineTest):
+    def share(self, script):
+        """A folder such as the installed one, with a script that draws nothing."""
+        share = self.directory / "share"
+        (share / "scripts").mkdir(parents=True, exist_ok=True)
+        (share / "scripts" / "report.py").write_text(script)
+        (share / "data").unlink(missing_ok=True)
+        (share / "data").symlink_to(DATA)
+        return {**os.environ, "LIMITCURVE_SHARE": str(share)}
+
+    def read(self, name):
+        with open(self.directory / "out" / f"{name}.csv", newline="", encoding="utf-8") as file:
+            return list(csv.DictReader(file))
+
+    def test_the_data(self):
+        done = run("report", "-o", self.directory / "out", env=self.share("print('drawn')"))
+        self.assertEqual((done.returncode, done.stderr, done.stdout), (0, "", "drawn\n"))
+        for name, columns in FILES.items():
+            rows = self.read(name)
+            self.assertEqual(",".join(rows[0]), columns)
+            self.assertNotIn(None, {value for row in rows for value in row.values()}, name)
+        for row in self.read("materials"):
+            self.assertTrue((self.directory / "out" / row["file"]).exists())
+        for row in self.read("tables"):
+            self.assertLessEqual(float(row["certified_error"]), float(row["tolerance"]))
+        for row in self.read("table_error"):
+            self.assertLessEqual(max(abs(float(row["force_error"])), abs(float(row["moment_error"]))), float(row["tolerance"]))
+        for row in self.read("steady_twist"):
+            if (row["boundary"], row["projection"]) == ("table", "closest-point"):
+                self.assertLess(float(row["error"]), 1e-7)
+        left = {entry.suffix for entry in (self.directory / "out").iterdir()}
+        self.assertEqual(left, {".csv"})
+
+    def test_the_page(self):
+        if subprocess.run(["/usr/bin/python3", "-c", "import matplotlib"], capture_output=True, check=False).returncode != 0:
+            self.skipTest("no matplotlib")
+        done = run("report", "-o", self.directory / "out")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertIn("index.html", done.stdout)
+        page = (self.directory / "out" / "index.html").read_text()
+        self.assertIn("</html>", page)
+        # Self-contained: it loads nothing.
+        self.assertNotRegex(page, r"<(script|link|img)[^>]+(src|href)=")
+        self.assertTrue((self.directory / "out" / "limit_curves.svg").exists())
+
+    def test_when_drawing_fails_the_data_stay(self):
+        for script, told in [("import sys\nsys.exit(3)", "report.py"), ("import no_such_module", "No module named 'no_such_module'")]:
+            environment = self.share(script)
+            self.assert_fails(1, [told, "matplotlib", "out"], "report", "-o", self.directory / "out", env=environment)
+        self.assertTrue(self.read("curves"))
+
+    def test_without_its_script(self):
+        environment = {**os.environ, "LIMITCURVE_SHARE": str(self.directory)}
+        self.assert_fails(1, ["scripts/report.py", "LIMITCURVE_SHARE"], "report", "-o", self.directory / "out", env=environment)
+
+    def test_where_nothing_can_be_written(self):
+        self.assert_fails(2, "--output", "report")
+        self.assert_fails(1, "/proc/out", "report", "-o", "/proc/out")
+        self.assert_fails(1, "taken", "report", "-o", self.file("taken", ""))
+
+    def test_killed_at_any_moment_every_file_is_whole(self):
+        environment = self.share("")
+        out = self.directory / "out"
+        begin = time.monotonic()
+        self.assertEqual(run("report", "-o", out, env=environment).returncode, 0)
+        duration = time.monotonic() - begin
+        whole = {path.name: path.read_bytes() for path in out.iterdir()}
+        generator = random.Random(7)
+        for _ in range(4):
+            for path in out.iterdir():
+                path.unlink()
+            with subprocess.Popen([EXECUTABLE, "report", "-o", out], env=environment) as process:
+                time.sleep(generator.uniform(0, duration))
+                process.send_signal(signal.SIGKILL)
+            for path in out.glob("*.csv"):
+                self.assertEqual(path.read_bytes(), whole[path.name], path.name)
+
+
+if __name__ == "__main__":
+    unittest.main()
