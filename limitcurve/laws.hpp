@@ -3,7 +3,9 @@
 
 #include "limitcurve/pressure_law.hpp"
 
+#include <functional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -30,6 +32,26 @@ Law xydas_kao(double k);
 Law gaussian(double sigma);
 /// Σ wᵢ pᵢ with positive weights, scaled to sum 1: f and m are linear in the pressure.
 Law mixture(std::span<const std::pair<double, Law>> parts);
+
+/// A place of a measured profile: radius [any unit], pressure [any unit].
+struct PressureSample {
+  double radius;
+  double pressure;
+};
+
+/// A measured profile, its last radius scaled to a and its pressure to load 1. Between samples a monotone cubic
+/// (Fritsch and Carlson 1980) that never overshoots; up to the first radius the first pressure; two samples at one
+/// radius make a jump; negative pressures, which are noise, count as zero. By `ring`, piece by piece.
+///
+/// The error that `evaluate` returns includes the interpolation: a bound of the distance to the wrench that every
+/// other sample gives, which is above the error wherever the profile is resolved. Throws std::invalid_argument for fewer than 4 samples, radii
+/// that decrease or are negative, what is not finite, or no pressure at all. `source` names the data in `name()`.
+Law samples(std::span<const PressureSample> profile, std::string_view source);
+
+/// Any pressure shape on 0 ≤ ρ ≤ breaks.back() (scaled to 1), analytic between the increasing `breaks` (from 0), finite,
+/// ≥ 0; scaled to load 1. `pressure` is called from const member functions: it must be safe to share between threads.
+/// `name` is what `name()` returns; the grammar does not know it.
+Law from_pressure(std::string name, std::function<double(double)> pressure, std::span<const double> breaks);
 
 /// The law named by `text`: `hertz uniform parabolic flat-punch cone power:n=2.3 xydas-kao:k=3 gaussian:sigma=0.4
 /// mix:0.7*hertz+0.3*uniform`. Throws `std::invalid_argument` that names the place and what was expected.

@@ -57,6 +57,9 @@ class PressureLaw {
   /// law has no rim).
   [[nodiscard]] virtual const std::vector<Extended>& breaks() const noexcept;
 
+  /// Whether g is a polynomial between its breaks: a piece away from the COR is then integrated by a Gauss rule.
+  [[nodiscard]] virtual bool has_polynomial_pieces() const noexcept { return false; }
+
   /// The closed form at s, if the law has one.
   [[nodiscard]] virtual std::optional<UnitForces<Extended>> closed(Extended) const noexcept { return std::nullopt; }
 

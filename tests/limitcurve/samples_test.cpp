@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+#include "limitcurve/laws.hpp"
+#include "limitcurve/table.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <random>
+
+namespace limitcurve {
+namespace {
+
+constexpr std::array<double, 12> cors{0.0, 1e-6, 0.1, 0.37, 0.5, 0.75, 0.9, 1.0, 1.1, 2.0, 30.0, 1e6};
+
+/// Unevenly spaced samples of a profile, the radii in millimetres and the pressures in any unit.
+template <class Profile>
+std::vector<PressureSample> sampled(Profile&& profile, std::size_t count, double noise) {
+  std::mt19937_64 random(5);
+  std::normal_distribution<double> error(0.0, noise);
+  std::vector<PressureSample> result;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double even = static_cast<double>(i) / static_cast<double>(count - 1);
+    const double radius = even + 0.05 * std::sin(3.0 * 3.14159265358979 * even) / 3.0;
+    result.push_back({4.2 * radius, 17.0 * profile(std::min(radius, 1.0)) + (noise > 0.0 ? error(random) : 0.0)});
+  }
+  return result;
+}
+
+void expect_within_stated_error(const PressureLaw& law, const PressureLaw& truth, double largest_error) {
+  for (const double s : cors) {
+    const WrenchEstimate estimate = law.evaluate(s);
+    const WrenchEstimate exact = truth.evaluate(s);
+    EXPECT_NEAR(estimate.wrench.force, exact.wrench.force, estimate.error.force + exact.error.force) << "s = " << s;
+    EXPECT_NEAR(estimate.wrench.moment, exact.wrench.moment, estimate.error.moment + exact.error.moment) << "s = " << s;
+    EXPECT_LE(estimate.error.moment, largest_error);
+  }
+}
+
+TEST(Samples, TwoHundredOfAHertzProfileAreHertzWithinTheirStatedError) {
+  const Law law = samples(sampled([](double r) { return std::sqrt((1.0 - r) * (1.0 + r)); }, 200, 0.0), "hertz.csv");
+  expect_within_stated_error(*law, *hertz(), 5e-4);
+}
+
+TEST(Samples, AParabolaIsFoundFarCloser) {
+  // No singularity at the rim: the monotone cubic is of third order there.
+  const Law law = samples(sampled([](double r) { return (1.0 - r) * (1.0 + r); }, 200, 0.0), "parabola.csv");
+  expect_within_stated_error(*law, *parabolic(), 5e-5);
+}
+
+/// p = 1 on b ≤ ρ ≤ 1: the uniform disc less a smaller one, by linearity.
+UnitWrench annulus(double b, double s) {
+  const WrenchEstimate whole = uniform()->evaluate(s);
+  const WrenchEstimate hole = uniform()->evaluate(s / b);
+  const double share = b * b;
+  return {(whole.wrench.force - share * hole.wrench.force) / (1.0 - share),
+          (whole.wrench.moment - share * b * hole.wrench.moment) / (1.0 - share)};
+}
+
+TEST(Samples, ARingWithSharpEdgesIsExact) {
+  // Jumps are samples that share a radius: nothing is interpolated across them.
+  const std::array<PressureSample, 6> profile{{{0.0, 0.0}, {1.0, 0.0}, {2.0, 0.0}, {2.0, 3.0}, {3.0, 3.0}, {4.0, 3.0}}};
+  const Law law = samples(profile, "ring.csv");
+  for (const double s : cors) {
+    const WrenchEstimate estimate = law->evaluate(s);
+    const UnitWrench exact = annulus(0.5, s);
+    EXPECT_NEAR(estimate.wrench.force, exact.force, 1e-15 + 1e-15 * exact.force) << s;
+    EXPECT_NEAR(estimate.wrench.moment, exact.moment, 1e-15 + 1e-15 * exact.moment) << s;
+    EXPECT_LE(estimate.error.force, 1e-15);
+  }
+}
+
+TEST(Samples, ASmoothRingIsThatOfTheSamePressureAsAFunction) {
+  const auto bump = [](double r) { return std::exp(-40.0 * (r - 0.6) * (r - 0.6)) * (1.0 - r * r); };
+  const Law law = samples(sampled(bump, 120, 0.0), "bump.csv");
+  expect_within_stated_error(*law, *from_pressure("bump", bump, std::array{0.0, 0.6, 1.0}), 1e-3);
+}
+
+TEST(Samples, NoiseEntersTheStatedError) {
+  const Law law = samples(sampled([](double r) { return (1.0 - r) * (1.0 + r); }, 150, 0.2), "noisy.csv");
+  for (const double s : {0.3, 1.0, 2.0}) {
+    const WrenchEstimate estimate = law->evaluate(s);
+    const WrenchEstimate exact = parabolic()->evaluate(s);
+    EXPECT_NEAR(estimate.wrench.moment, exact.wrench.moment, estimate.error.moment);
+    EXPECT_LT(estimate.error.moment, 2e-2);
+  }
+}
+
+TEST(Samples, TheInterpolantDoesNotOvershoot) {
+  const std::array<PressureSample, 7> profile{{{0.0, 0.0}, {0.2, 0.0}, {0.25, 1.0}, {0.3, 1.0}, {0.7, 1.0}, {0.75, 0.1}, {1.0, 0.0}}};
+  const Law law = samples(profile, "steps.csv");
+  const double top = law->density(RadialPosition<double>{0.5, 0.5});
+  for (int i = 0; i <= 1000; ++i) {
+    const double rho = i / 1000.0;
+    const double density = law->density(RadialPosition<double>{rho, 1.0 - rho});
+    EXPECT_GE(density, 0.0);
+    EXPECT_LE(density, top * (1.0 + 1e-12));
+  }
+}
+
+TEST(Samples, TabulatesWithinItsBudget) {
+  const Law law = samples(sampled([](double r) { return std::sqrt((1.0 - r) * (1.0 + r)); }, 60, 0.0), "hertz.csv");
+  const Table table = Table::build(law, 1e-6);
+  EXPECT_LE(table.bytes(), 4096U);
+  const std::array<PressureSample, 6> ring{{{0.0, 0.0}, {1.0, 0.0}, {2.0, 0.0}, {2.0, 3.0}, {3.0, 3.0}, {4.0, 3.0}}};
+  EXPECT_LE(Table::build(samples(ring, "ring.csv"), 1e-8).bytes(), 65536U);
+}
+
+TEST(Samples, RefusesWhatIsNoProfile) {
+  using Profile = std::vector<PressureSample>;
+  const auto complaint = [](const Profile& profile) -> std::string {
+    try {
+      samples(profile, "p.csv");
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "none";
+  };
+  EXPECT_NE(complaint({}).find("expected at least 4"), std::string::npos);
+  EXPECT_NE(complaint({{0, 1}, {1, 1}, {0.5, 1}, {2, 1}}).find("sample 3 (radius 0.5"), std::string::npos);
+  EXPECT_NE(complaint({{0, 1}, {1, std::nan("")}, {1.5, 1}, {2, 1}}).find("finite"), std::string::npos);
+  EXPECT_NE(complaint({{-1, 1}, {1, 1}, {1.5, 1}, {2, 1}}).find("radius >= 0"), std::string::npos);
+  EXPECT_NE(complaint({{0, 0}, {1, 0}, {1.5, 0}, {2, 0}}).find("no pressure"), std::string::npos);
+  EXPECT_NE(complaint({{0, 1}, {1, 1}, {1, 1}, {1, 2}, {2, 1}}).find("at most two"), std::string::npos);
+  EXPECT_NE(complaint({{0, 1}, {1, 1}, {2, 1}, {2, 0}}).find("jump at the last radius"), std::string::npos);
+}
+
+TEST(FromPressure, IsTheLawItComputes) {
+  const Law law = from_pressure(
+      "mine", [](double r) { return std::sqrt((2.0 - r) * (2.0 + r)); }, std::array{0.0, 2.0});
+  for (const double s : cors) {
+    const WrenchEstimate estimate = law->evaluate(s);
+    const WrenchEstimate exact = hertz()->evaluate(s);
+    EXPECT_NEAR(estimate.wrench.force, exact.wrench.force, estimate.error.force);
+    EXPECT_NEAR(estimate.wrench.moment, exact.wrench.moment, estimate.error.moment);
+  }
+  EXPECT_THROW(from_pressure("none", {}, std::array{0.0, 1.0}), std::invalid_argument);
+  EXPECT_THROW(from_pressure(
+                   "empty", [](double) { return 0.0; }, std::array{0.0, 1.0}),
+               std::invalid_argument);
+  EXPECT_THROW(from_pressure(
+                   "backwards", [](double) { return 1.0; }, std::array{0.0, 1.0, 0.5}),
+               std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace limitcurve
