@@ -34,16 +34,18 @@ double part_of(std::size_t i) {
 }
 
 /// The largest value of `function` over [0, 1], given it on the grid: the largest there, refined between its neighbours.
+/// Its place is right to 1e-10: of a kink the value is right to that, of a smooth maximum to rounding.
 template <class Function>
 double refined_maximum(const std::vector<double>& on_grid, const Function& function) {
   const auto best = std::max_element(on_grid.begin(), on_grid.end());
-  const auto i = static_cast<std::size_t>(best - on_grid.begin());
   if (std::isinf(*best)) return *best;
-  constexpr int bits = 28;
-  std::uintmax_t steps = 60;
-  const double low = part_of(i == 0 ? 0 : i - 1);
-  const double high = part_of(std::min(i + 1, intervals));
-  const auto refined = boost::math::tools::brent_find_minima([&](double part) { return -function(part); }, low, high, bits, steps);
+  // In units of the grid from the best point on: the search's tolerance is one of its variable.
+  const auto centre = static_cast<double>(best - on_grid.begin());
+  constexpr double count = static_cast<double>(intervals);
+  constexpr int bits = 24;
+  std::uintmax_t steps = 80;
+  const auto refined = boost::math::tools::brent_find_minima([&](double offset) { return -function((centre + offset) / count); },
+                                                             centre == 0.0 ? 0.0 : -1.0, centre == count ? 0.0 : 1.0, bits, steps);
   return std::max(*best, -refined.second);
 }
 
@@ -137,82 +139,85 @@ double equal_ripple(const WrenchOfTwist& exact, UnitWrench intercepts, const Gau
 
 namespace {
 
-/// One condition on an ellipse's squared semi-axes, or on their inverses: α·first + β·second ≤ bound.
+/// A condition on an ellipse's squared semi-axes, or on their inverses: α·first + β·second ≤ bound.
 struct Condition {
   double first;
   double second;
   double bound;
 };
 
-/// The α, β > 0 of largest product that meet all conditions. ln α + ln β(α), β(α) the largest that α leaves, is concave.
-std::pair<double, double> largest_product(const std::vector<Condition>& conditions) {
+/// The α, β > 0 of largest product that meet `condition(part)` for every part ∈ [0, 1]. With β(α) the largest that α
+/// leaves, ln α + ln β(α) is concave.
+template <class ConditionAt>
+std::pair<double, double> largest_product(const ConditionAt& condition_at) {
+  // The outermost conditions but for the ends themselves, where a coefficient vanishes and leaves 0/0.
+  constexpr double innermost = 1e-6;
+  std::vector<Condition> conditions(intervals + 1);
+  for (std::size_t i = 0; i <= intervals; ++i) conditions[i] = condition_at(part_of(i));
   double largest = inf;
   for (const Condition& condition : conditions) {
     if (condition.first > 0.0) largest = std::min(largest, condition.bound / condition.first);
   }
   const auto second_of = [&](double first) {
-    double second = inf;
-    for (const Condition& condition : conditions) {
-      if (condition.second > 0.0) second = std::min(second, (condition.bound - first * condition.first) / condition.second);
-    }
-    return std::max(second, 0.0);
+    const auto inverse = [&](const Condition& condition) {
+      return condition.second > 0.0 ? condition.second / std::max(condition.bound - first * condition.first, 0.0) : 0.0;
+    };
+    std::vector<double> on_grid(intervals + 1);
+    std::transform(conditions.begin(), conditions.end(), on_grid.begin(), inverse);
+    // 1/0 is a β of 0, as it should be; 0/0 is excluded above.
+    return 1.0 / refined_maximum(on_grid, [&](double part) { return inverse(condition_at(std::clamp(part, innermost, 1.0 - innermost))); });
   };
   const auto loss = [&](double first) { return -first * second_of(first); };
   constexpr int bits = 40;
-  std::uintmax_t steps = 200;
+  std::uintmax_t steps = 100;
   const auto [first, value] = boost::math::tools::brent_find_minima(loss, 0.0, largest, bits, steps);
   // The largest α itself is often the answer, and a search inside the interval never quite gets there.
   const double best = loss(largest) <= value ? largest : first;
   return {best, second_of(best)};
 }
 
+/// By how much the condition is broken, as a length: > 1 if it is.
+double excess(const Condition& condition, const std::pair<double, double>& squares) {
+  return std::sqrt((squares.first * condition.first + squares.second * condition.second) / condition.bound);
+}
+
+/// The ellipse's largest excess, 1 if only rounding is in excess.
+template <class ConditionAt>
+double largest_excess(const ConditionAt& condition_at, const std::pair<double, double>& squares) {
+  std::vector<double> on_grid(intervals + 1);
+  for (std::size_t i = 0; i <= intervals; ++i) on_grid[i] = excess(condition_at(part_of(i)), squares);
+  const double largest = refined_maximum(on_grid, [&](double part) { return excess(condition_at(part), squares); });
+  return largest > 1.0 + 4.0 * std::numeric_limits<double>::epsilon() ? largest : 1.0;
+}
+
 }  // namespace
 
 Ellipse inner_ellipse(const WrenchOfTwist& exact, UnitWrench intercepts) {
   // Inside is: no support function above the exact one, α p² + β q² ≤ (px + qy)² for every normal (p, q).
-  const auto support_at = [&](double part) {
+  const auto condition_at = [&](double part) -> Condition {
     const SlipTwist twist = twist_at(part, intercepts);
     const UnitWrench wrench = exact(twist);
     const double p = twist.slide * intercepts.force;
     const double q = twist.spin * intercepts.moment;
     const double support = twist.slide * wrench.force + twist.spin * wrench.moment;
-    return Condition{p * p, q * q, support * support};
+    return {p * p, q * q, support * support};
   };
-  std::vector<Condition> conditions(intervals + 1);
-  for (std::size_t i = 0; i <= intervals; ++i) conditions[i] = support_at(part_of(i));
-  conditions.front() = {0.0, 1.0, 1.0};
-  conditions.back() = {1.0, 0.0, 1.0};
-  const auto [alpha, beta] = largest_product(conditions);
-  // Between the grid's normals it may still stick out by the square of their distance.
-  const auto excess = [alpha = alpha, beta = beta](const Condition& condition) {
-    return std::sqrt((alpha * condition.first + beta * condition.second) / condition.bound);
-  };
-  std::vector<double> on_grid(intervals + 1);
-  std::transform(conditions.begin(), conditions.end(), on_grid.begin(), excess);
-  const double scale = std::max(1.0, refined_maximum(on_grid, [&](double part) { return excess(support_at(part)); }));
-  return {intercepts.force * std::sqrt(alpha) / scale, intercepts.moment * std::sqrt(beta) / scale};
+  const auto squares = largest_product(condition_at);
+  const double scale = 1.0 / largest_excess(condition_at, squares);
+  return {intercepts.force * std::sqrt(squares.first) * scale, intercepts.moment * std::sqrt(squares.second) * scale};
 }
 
 Ellipse outer_ellipse(const WrenchOfTwist& exact, UnitWrench intercepts) {
   // Outside is: α x² + β y² ≤ 1 at every exact point, α and β the inverse squares of the semi-axes.
-  const auto point_at = [&](double part) {
+  const auto condition_at = [&](double part) -> Condition {
     const UnitWrench wrench = exact(twist_at(part, intercepts));
     const double x = wrench.force / intercepts.force;
     const double y = wrench.moment / intercepts.moment;
-    return Condition{x * x, y * y, 1.0};
+    return {x * x, y * y, 1.0};
   };
-  std::vector<Condition> conditions(intervals + 1);
-  for (std::size_t i = 0; i <= intervals; ++i) conditions[i] = point_at(part_of(i));
-  const auto [alpha, beta] = largest_product(conditions);
-  const auto excess = [alpha = alpha, beta = beta](const Condition& condition) {
-    return std::sqrt(alpha * condition.first + beta * condition.second);
-  };
-  std::vector<double> on_grid(intervals + 1);
-  std::transform(conditions.begin(), conditions.end(), on_grid.begin(), excess);
-  const double scale = refined_maximum(on_grid, [&](double part) { return excess(point_at(part)); });
-  // A rounding above 1 is not a reason to leave the intercepts.
-  const double grow = scale > 1.0 + 4.0 * std::numeric_limits<double>::epsilon() ? scale : 1.0;
-  return {intercepts.force / std::sqrt(alpha) * grow, intercepts.moment / std::sqrt(beta) * grow};
+  const auto squares = largest_product(condition_at);
+  const double scale = largest_excess(condition_at, squares);
+  return {intercepts.force / std::sqrt(squares.first) * scale, intercepts.moment / std::sqrt(squares.second) * scale};
 }
 
 }  // namespace limitcurve::detail

@@ -69,8 +69,9 @@ class PressureLaw {
   [[nodiscard]] virtual Extended punch_exponent() const noexcept { return 0; }
 
   /// Unit wrench at s = c/a ∈ [0, ∞] for control loops and table building, in double arithmetic; by `ring` unless the
-  /// law knows better.
-  /// Relative error ≤ 1e-14; never throws, allocates or locks.
+  /// law knows better. Relative error ≤ 1e-14 for an elementary or elliptic closed form and the Gaussian, ≤ 1e-13 for all
+  /// others (in df/ds 1e-13, 1e-12; a pressure steeper than rim^(−½) gives df/ds a cusp at s = 1, where one rounding
+  /// of s moves it by 1 % and more). Never throws, allocates or locks.
   [[nodiscard]] virtual UnitForces<double> forces(double s) const noexcept;
 
   /// Unit wrench at s with its error, computed in extended precision. `method` must be one that `allows` grants.

@@ -1,0 +1,404 @@
+// SPDX-License-Identifier: MIT
+// What every limit boundary must satisfy (limit_boundary.hpp), one test a requirement, instantiated for every kind.
+#include "limitcurve/ellipse.hpp"
+#include "limitcurve/exact_curve.hpp"
+#include "limitcurve/laws.hpp"
+#include "limitcurve/limit_boundary.hpp"
+#include "limitcurve/polygon.hpp"
+#include "limitcurve/quartic.hpp"
+#include "limitcurve/superellipse.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <ostream>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace limitcurve::test {
+
+namespace {
+
+constexpr double inf = std::numeric_limits<double>::infinity();
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+/// A boundary of any type, with what may be asked of it.
+struct Tested {
+  std::string name;
+  std::function<UnitWrench(SlipTwist)> wrench;
+  std::function<BoundaryPoint(SlipTwist)> point;
+  std::function<RadialPoint(UnitWrench)> along;
+  std::function<double(UnitWrench)> gauge;
+  double moment_ratio = 0.0;
+  /// Relative error of a point's distance along its normal.
+  double support_error = 8 * epsilon;
+  /// Has faces and corners: the same wrench for many twists.
+  bool polygonal = false;
+  /// A flat place, where the slope is infinite and a twist says little about where on it the point is.
+  bool has_flat_place = false;
+  /// An exponent p of f ∝ s^p as s → 0: 1 if the curve bends at its ends like an ellipse.
+  double end_exponent = 1.0;
+};
+
+void PrintTo(const Tested& boundary, std::ostream* stream) {
+  *stream << boundary.name;
+}
+
+template <LimitBoundary Boundary>
+Tested tested(std::string name, const Boundary& boundary) {
+  Tested result;
+  result.name = std::move(name);
+  result.wrench = [boundary](SlipTwist twist) { return boundary.wrench(twist); };
+  result.point = [boundary](SlipTwist twist) { return boundary.point(twist); };
+  result.along = [boundary](UnitWrench wrench) { return boundary.along(wrench); };
+  result.gauge = [boundary](UnitWrench wrench) { return boundary.gauge(wrench); };
+  result.moment_ratio = boundary.moment_ratio();
+  return result;
+}
+
+template <std::size_t count>
+Tested polygonal(std::string name, const Polygon<count>& boundary) {
+  Tested result = tested(std::move(name), boundary);
+  result.polygonal = true;
+  return result;
+}
+
+Tested superellipse(std::string name, double exponent) {
+  Tested result = tested(std::move(name), Superellipse(1.1, 0.6, exponent));
+  result.end_exponent = 1.0 / (exponent - 1.0);
+  return result;
+}
+
+Tested quartic(std::string name, double kappa) {
+  Tested result = tested(std::move(name), Quartic(0.9, 0.6, kappa));
+  result.has_flat_place = kappa > 5.99 || kappa < 0.01;
+  if (kappa == 0.0) result.end_exponent = 1.0 / 3.0;
+  return result;
+}
+
+std::vector<Tested> all_boundaries() {
+  return {tested("exact_hertz", ExactCurve(hertz())),
+          tested("exact_uniform", ExactCurve(uniform())),
+          tested("exact_flat_punch", ExactCurve(flat_punch())),
+          tested("exact_cone", ExactCurve(cone())),
+          tested("exact_gaussian", ExactCurve(gaussian(0.4))),
+          tested("ellipse", Ellipse::through_intercepts(0.58)),
+          tested("slender_ellipse", Ellipse(2.0, 1e-3)),
+          superellipse("superellipse_1p05", 1.05),
+          superellipse("superellipse_1p7", 1.7),
+          superellipse("superellipse_2", 2.0),
+          superellipse("superellipse_3", 3.0),
+          superellipse("superellipse_50", 50.0),
+          quartic("quartic_0", 0.0),
+          quartic("quartic_1em6", 1e-6),
+          quartic("quartic_2", 2.0),
+          quartic("quartic_3p2", 3.2),
+          quartic("quartic_5", 5.0),
+          quartic("quartic_6", 6.0),
+          polygonal("box", box(1.0, 0.6)),
+          polygonal("diamond", diamond(1.2, 0.5)),
+          polygonal("octagon", Polygon<4>({UnitWrench{1.0, 0.0}, UnitWrench{0.9, 0.3}, UnitWrench{0.4, 0.55}, UnitWrench{0.0, 0.6}}))};
+}
+
+/// Degenerate, nearly degenerate, generic and seeded random twists, from pure spin to pure sliding.
+std::vector<SlipTwist> many_twists() {
+  std::vector<double> cors{0.0, 1e-300, 1e-150, 1e-16, 1e-8, 1e-3, 1.0 - 1e-12, 1.0, 1.0 + 1e-12, 1e3, 1e8, 1e16, 1e150, 1e300, inf};
+  std::mt19937_64 random(19);
+  std::uniform_real_distribution<double> decade(-4.0, 4.0);
+  for (int i = 0; i < 150; ++i) cors.push_back(std::pow(10.0, decade(random)));
+  std::uniform_real_distribution<double> angle(0.0, 1.5707963);
+  for (int i = 0; i < 150; ++i) cors.push_back(std::tan(angle(random)));
+  std::sort(cors.begin(), cors.end());
+  std::vector<SlipTwist> twists;
+  for (const double cor : cors) twists.push_back(SlipTwist::about_cor(cor));
+  return twists;
+}
+
+double power_of(SlipTwist twist, UnitWrench wrench) {
+  return twist.slide * wrench.force + twist.spin * wrench.moment;
+}
+
+class BoundarySuite : public testing::TestWithParam<Tested> {
+ protected:
+  const Tested& boundary() const { return GetParam(); }
+  const std::vector<SlipTwist> twists_ = many_twists();
+};
+
+TEST_P(BoundarySuite, EndsOnTheAxes) {
+  const UnitWrench spin = boundary().wrench({0.0, 1.0});
+  const UnitWrench slide = boundary().wrench({1.0, 0.0});
+  EXPECT_EQ(spin.force, 0.0);
+  EXPECT_EQ(slide.moment, 0.0);
+  EXPECT_GT(slide.force, 0.0);
+  EXPECT_NEAR(spin.moment / slide.force / boundary().moment_ratio, 1.0, 2 * epsilon);
+}
+
+/// No boundary point is further along the normal than the one that `wrench` gives: maximum dissipation.
+TEST_P(BoundarySuite, WrenchSupportsItsTwist) {
+  for (const SlipTwist twist : twists_) {
+    const double own = power_of(twist, boundary().wrench(twist));
+    for (const SlipTwist other : twists_) {
+      EXPECT_LE(power_of(twist, boundary().wrench(other)), own * (1.0 + boundary().support_error)) << twist.cor() << ' ' << other.cor();
+    }
+  }
+}
+
+/// The same against points that come from `along`, which is another piece of code.
+TEST_P(BoundarySuite, WrenchSupportsAmongTheRays) {
+  constexpr int rays = 400;
+  std::vector<UnitWrench> points;
+  for (int i = 0; i <= rays; ++i) {
+    points.push_back(boundary().along({static_cast<double>(rays - i), boundary().moment_ratio * static_cast<double>(i)}).wrench);
+  }
+  for (const SlipTwist twist : twists_) {
+    const double own = power_of(twist, boundary().wrench(twist));
+    double most = 0.0;
+    for (const UnitWrench& point : points) most = std::max(most, power_of(twist, point));
+    EXPECT_LE(most, own * (1.0 + boundary().support_error)) << twist.cor();
+    // The rays are dense enough that one of them comes near.
+    EXPECT_GE(most, own * (1.0 - (boundary().polygonal ? 5e-3 : 2e-3))) << twist.cor();
+  }
+}
+
+TEST_P(BoundarySuite, ItsOwnPointsHaveGaugeOne) {
+  for (const SlipTwist twist : twists_) EXPECT_NEAR(boundary().gauge(boundary().wrench(twist)), 1.0, 8 * epsilon) << twist.cor();
+}
+
+TEST_P(BoundarySuite, GaugeIsHomogeneous) {
+  EXPECT_EQ(boundary().gauge({0.0, 0.0}), 0.0);
+  for (const SlipTwist twist : twists_) {
+    const UnitWrench wrench = boundary().wrench(twist);
+    for (const double factor : {1e-120, 1e-9, 0.5, 3.0, 1e9, 1e120}) {
+      const double gauge = boundary().gauge({factor * wrench.force, factor * wrench.moment});
+      EXPECT_NEAR(gauge / factor, 1.0, 12 * epsilon) << twist.cor() << ' ' << factor;
+    }
+  }
+}
+
+/// The ray through a boundary point meets the boundary there.
+TEST_P(BoundarySuite, AlongFindsThePointAgain) {
+  for (const SlipTwist twist : twists_) {
+    const UnitWrench wrench = boundary().wrench(twist);
+    for (const double factor : {1e-3, 1.0, 1e3}) {
+      const UnitWrench again = boundary().along({factor * wrench.force, factor * wrench.moment}).wrench;
+      // Absolute at the ends: a search in the spin fraction resolves 1e-16 of it.
+      EXPECT_NEAR(again.force, wrench.force, 2e-15 * boundary().wrench({1.0, 0.0}).force) << twist.cor();
+      EXPECT_NEAR(again.moment, wrench.moment, 2e-15 * boundary().wrench({0.0, 1.0}).moment) << twist.cor();
+    }
+  }
+}
+
+/// The normal that `along` gives supports the point that it gives.
+TEST_P(BoundarySuite, NormalAlongARaySupportsItsPoint) {
+  for (const SlipTwist twist : twists_) {
+    const auto [wrench, normal] = boundary().along(boundary().wrench(twist));
+    EXPECT_GE(normal.slide, 0.0);
+    EXPECT_GE(normal.spin, 0.0);
+    const double own = power_of(normal, wrench);
+    EXPECT_GT(own, 0.0);
+    EXPECT_NEAR(power_of(normal, boundary().wrench(normal)) / own, 1.0, 2 * boundary().support_error) << twist.cor();
+  }
+}
+
+/// … and where the boundary is smooth it is the twist itself.
+TEST_P(BoundarySuite, NormalAlongARayIsTheTwist) {
+  if (boundary().polygonal) GTEST_SKIP() << "faces have one normal, corners many";
+  for (const SlipTwist twist : twists_) {
+    const double u = twist.spin_fraction();
+    const BoundaryPoint point = boundary().point(twist);
+    const double turning = std::hypot(point.slope.force, point.slope.moment);
+    // Where the boundary hardly moves with the twist (a near corner), the wrench does not tell the twist.
+    if (turning < 1e-3) continue;
+    EXPECT_NEAR(boundary().along(point.wrench).normal.spin_fraction(), u, 1e-15 + 8 * epsilon / turning) << twist.cor();
+  }
+}
+
+TEST_P(BoundarySuite, PointIsTheWrench) {
+  for (const SlipTwist twist : twists_) {
+    const UnitWrench wrench = boundary().wrench(twist);
+    const UnitWrench point = boundary().point(twist).wrench;
+    if (boundary().has_flat_place) {
+      EXPECT_NEAR(power_of(twist, point) / power_of(twist, wrench), 1.0, 8 * epsilon) << twist.cor();
+      continue;
+    }
+    // The exact curve's point stops at u = 1e-80, where the slope still has a finite square.
+    EXPECT_NEAR(point.force, wrench.force, 1e-13 * wrench.force + 1e-79) << twist.cor();
+    EXPECT_NEAR(point.moment, wrench.moment, 1e-13 * wrench.moment + 1e-79) << twist.cor();
+  }
+}
+
+/// The slope against central differences in u, and its signs.
+TEST_P(BoundarySuite, SlopeIsThatOfTheWrench) {
+  for (const SlipTwist twist : twists_) {
+    const UnitWrench slope = boundary().point(twist).slope;
+    EXPECT_LE(slope.force, 0.0) << twist.cor();
+    EXPECT_GE(slope.moment, 0.0) << twist.cor();
+    EXPECT_TRUE(std::isfinite(slope.force) && std::isfinite(slope.moment)) << twist.cor();
+    const double u = twist.spin_fraction();
+    const double step = 1e-5 * u * (1.0 - u);
+    // At corners, at the rim (s = 1) and at the ends a difference says nothing.
+    if (boundary().polygonal || step < 1e-9 || std::fabs(u - 0.5) < 1e-3) continue;
+    const UnitWrench before = boundary().wrench(SlipTwist::of_spin_fraction(u - step));
+    const UnitWrench after = boundary().wrench(SlipTwist::of_spin_fraction(u + step));
+    const double rounding = 4 * epsilon / step;
+    EXPECT_NEAR((after.force - before.force) / (2 * step), slope.force, -1e-5 * slope.force + rounding) << twist.cor();
+    EXPECT_NEAR((after.moment - before.moment) / (2 * step), slope.moment, 1e-5 * slope.moment + rounding) << twist.cor();
+  }
+}
+
+/// The twist is the normal: it is at right angles with the slope.
+TEST_P(BoundarySuite, SlopeIsAtRightAnglesToTheTwist) {
+  for (const SlipTwist twist : twists_) {
+    // Where u or 1 − u is below 1e-80 the slope is that of 1e-80.
+    if (!(twist.cor() > 1e-60 && twist.cor() < 1e60)) continue;
+    const UnitWrench slope = boundary().point(twist).slope;
+    const double along_force = -twist.slide * slope.force;
+    const double along_moment = twist.spin * slope.moment;
+    EXPECT_NEAR(along_force, along_moment, 1e-12 * std::max(along_force, along_moment) + 1e-300) << twist.cor();
+  }
+}
+
+/// From pure spin to pure sliding the force never falls, the moment never rises, and every chord lies between the
+/// normals at its ends, s₁ ≤ −Δm/Δf ≤ s₂: convexity without a step size.
+TEST_P(BoundarySuite, IsMonotoneAndConvex) {
+  for (std::size_t i = 1; i < twists_.size(); ++i) {
+    const UnitWrench from = boundary().wrench(twists_[i - 1]);
+    const UnitWrench to = boundary().wrench(twists_[i]);
+    const double rise = to.force - from.force;
+    const double fall = from.moment - to.moment;
+    const double forgiven = boundary().support_error;
+    EXPECT_GE(rise, -forgiven * to.force);
+    EXPECT_GE(fall, -forgiven * from.moment);
+    const auto excess = [&](SlipTwist normal) { return normal.spin * fall - normal.slide * rise; };
+    EXPECT_GE(excess(twists_[i - 1]), -forgiven * power_of(twists_[i - 1], from)) << twists_[i].cor();
+    EXPECT_LE(excess(twists_[i]), forgiven * power_of(twists_[i], to)) << twists_[i].cor();
+  }
+}
+
+/// Only the ratio of slide and spin counts.
+TEST_P(BoundarySuite, WrenchDependsOnTheDirectionOfTheTwistOnly) {
+  for (const SlipTwist twist : twists_) {
+    if (!(twist.cor() > 1e-30 && twist.cor() < 1e30)) continue;
+    const UnitWrench wrench = boundary().wrench(twist);
+    for (const double factor : {0x1p-300, 0x1p-1, 0x1p3, 0x1p300}) {
+      EXPECT_EQ(boundary().wrench({factor * twist.slide, factor * twist.spin}), wrench) << twist.cor() << ' ' << factor;
+    }
+  }
+}
+
+/// Both components keep their digits towards the ends: f ∝ s^p as s → 0, m ∝ s^−p as s → ∞, over a hundred decades.
+TEST_P(BoundarySuite, KeepsItsDigitsTowardsTheEnds) {
+  if (boundary().polygonal) GTEST_SKIP() << "its ends are vertices";
+  if (boundary().end_exponent > 5.0) GTEST_SKIP() << "the powers leave the range of doubles";
+  for (const double decade : {30.0, 60.0, 130.0}) {
+    const double expected = std::pow(10.0, -10.0 * boundary().end_exponent);
+    const double near_spin = boundary().wrench(SlipTwist::about_cor(std::pow(10.0, -decade - 10.0))).force /
+                             boundary().wrench(SlipTwist::about_cor(std::pow(10.0, -decade))).force;
+    const double near_slide = boundary().wrench(SlipTwist::about_cor(std::pow(10.0, decade + 10.0))).moment /
+                              boundary().wrench(SlipTwist::about_cor(std::pow(10.0, decade))).moment;
+    EXPECT_NEAR(near_spin / expected, 1.0, 1e-13) << decade;
+    EXPECT_NEAR(near_slide / expected, 1.0, 1e-13) << decade;
+  }
+}
+
+/// Inside holds, outside slips.
+TEST_P(BoundarySuite, GaugeTellsInsideFromOutside) {
+  for (const SlipTwist twist : twists_) {
+    const UnitWrench wrench = boundary().wrench(twist);
+    EXPECT_LT(boundary().gauge({(1.0 - 1e-14) * wrench.force, (1.0 - 1e-14) * wrench.moment}), 1.0) << twist.cor();
+    EXPECT_GT(boundary().gauge({(1.0 + 1e-14) * wrench.force, (1.0 + 1e-14) * wrench.moment}), 1.0) << twist.cor();
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(EveryBoundary, BoundarySuite, testing::ValuesIn(all_boundaries()),
+                         [](const auto& parameter) { return parameter.param.name; });
+
+TEST(Superellipse, SupportFunctionIsTheDualNorm) {
+  const double exponent = 1.7;
+  const double dual = exponent / (exponent - 1.0);
+  const Superellipse boundary(1.1, 0.6, exponent);
+  for (const SlipTwist twist : many_twists()) {
+    const double p = 1.1 * twist.slide;
+    const double q = 0.6 * twist.spin;
+    EXPECT_NEAR(power_of(twist, boundary.wrench(twist)) / std::pow(std::pow(p, dual) + std::pow(q, dual), 1.0 / dual), 1.0, 1e-14);
+  }
+}
+
+TEST(Boundaries, OfExponentOrKappaTwoAreTheEllipse) {
+  const Ellipse ellipse(0.9, 0.6);
+  const Superellipse superellipse_two(0.9, 0.6, 2.0);
+  const Quartic quartic_two(0.9, 0.6, 2.0);
+  for (const SlipTwist twist : many_twists()) {
+    const UnitWrench wrench = ellipse.wrench(twist);
+    EXPECT_NEAR(superellipse_two.wrench(twist).force, wrench.force, 1e-15 * wrench.force);
+    EXPECT_NEAR(superellipse_two.wrench(twist).moment, wrench.moment, 1e-15 * wrench.moment);
+    EXPECT_NEAR(quartic_two.wrench(twist).force, wrench.force, 2e-15 * wrench.force);
+    EXPECT_NEAR(quartic_two.wrench(twist).moment, wrench.moment, 2e-15 * wrench.moment);
+  }
+}
+
+/// κ = 6 is the superellipse of exponent 4 turned by 45°: (x + y)⁴ + (x − y)⁴ = 2.
+TEST(Quartic, OfKappaSixIsATurnedSuperellipse) {
+  const Quartic boundary(1.0, 1.0, 6.0);
+  for (const SlipTwist twist : many_twists()) {
+    const auto [x, y] = boundary.wrench(twist);
+    EXPECT_NEAR(std::pow(x + y, 4) + std::pow(x - y, 4), 2.0, 1e-14) << twist.cor();
+    const double slope_x = std::pow(x + y, 3) + std::pow(x - y, 3);
+    const double slope_y = std::pow(x + y, 3) - std::pow(x - y, 3);
+    EXPECT_NEAR(slope_x * twist.spin, slope_y * twist.slide, 1e-14) << twist.cor();
+  }
+}
+
+TEST(Polygon, CornerOfTheBoxServesEveryTwistThatSlidesAndSpins) {
+  const Box boundary = box(1.0, 0.6);
+  const UnitWrench corner{1.0, 0.6};
+  for (const double s : {5e-324, 1e-300, 1e-3, 1.0, 1e3, 1e300, 1.7e308}) EXPECT_EQ(boundary.wrench({s, 1.0}), corner) << s;
+  EXPECT_EQ(boundary.wrench({1.0, 5e-324}), corner);
+  EXPECT_EQ(boundary.wrench({1.0, 0.0}), (UnitWrench{1.0, 0.0}));
+  EXPECT_EQ(boundary.wrench({0.0, 1.0}), (UnitWrench{0.0, 0.6}));
+  EXPECT_EQ(boundary.gauge({0.5, 0.6}), 1.0);
+  EXPECT_EQ(boundary.gauge({2.0, 0.3}), 2.0);
+  EXPECT_EQ(boundary.along({2.0, 0.3}).normal.spin, 0.0);
+  EXPECT_EQ(boundary.along({0.2, 3.0}).normal.slide, 0.0);
+}
+
+TEST(Polygon, DiamondHasTwoVertices) {
+  const Diamond boundary = diamond(1.0, 0.6);
+  EXPECT_EQ(boundary.wrench(SlipTwist::about_cor(0.59)), (UnitWrench{0.0, 0.6}));
+  EXPECT_EQ(boundary.wrench(SlipTwist::about_cor(0.61)), (UnitWrench{1.0, 0.0}));
+  EXPECT_DOUBLE_EQ(boundary.gauge({0.5, 0.3}), 1.0);
+}
+
+TEST(Boundaries, RefuseBadParameters) {
+  const double nan = std::nan("");
+  for (const double bad : {0.0, -1.0, nan, inf}) {
+    EXPECT_THROW(Ellipse(bad, 1.0), std::invalid_argument) << bad;
+    EXPECT_THROW(Ellipse(1.0, bad), std::invalid_argument) << bad;
+    EXPECT_THROW(Superellipse(bad, 1.0, 2.0), std::invalid_argument) << bad;
+    EXPECT_THROW(Superellipse(1.0, bad, 2.0), std::invalid_argument) << bad;
+    EXPECT_THROW(Superellipse(1.0, 1.0, bad), std::invalid_argument) << bad;
+    EXPECT_THROW(Quartic(bad, 1.0, 2.0), std::invalid_argument) << bad;
+    EXPECT_THROW(Quartic(1.0, bad, 2.0), std::invalid_argument) << bad;
+    EXPECT_THROW(box(bad, 1.0), std::invalid_argument) << bad;
+    EXPECT_THROW(box(1.0, bad), std::invalid_argument) << bad;
+    EXPECT_THROW(diamond(bad, 1.0), std::invalid_argument) << bad;
+    EXPECT_THROW(diamond(1.0, bad), std::invalid_argument) << bad;
+  }
+  EXPECT_THROW(Superellipse(1.0, 1.0, 1.0), std::invalid_argument);
+  EXPECT_THROW(Quartic(1.0, 1.0, -1e-9), std::invalid_argument);
+  EXPECT_THROW(Quartic(1.0, 1.0, 6.0 + 1e-9), std::invalid_argument);
+  EXPECT_THROW(Quartic(1.0, 1.0, nan), std::invalid_argument);
+  EXPECT_THROW(Polygon<3>({UnitWrench{1.0, 0.0}, UnitWrench{0.4, 0.4}, UnitWrench{0.0, 1.0}}), std::invalid_argument) << "concave";
+  EXPECT_THROW(Polygon<3>({UnitWrench{1.0, 0.0}, UnitWrench{1.1, 0.4}, UnitWrench{0.0, 1.0}}), std::invalid_argument) << "overhang";
+  EXPECT_THROW(Polygon<2>({UnitWrench{1.0, 0.1}, UnitWrench{0.0, 1.0}}), std::invalid_argument) << "not on the axis";
+  EXPECT_THROW(Polygon<2>({UnitWrench{1.0, 0.0}, UnitWrench{0.1, 1.0}}), std::invalid_argument) << "not on the axis";
+  EXPECT_THROW(Polygon<3>({UnitWrench{1.0, 0.0}, UnitWrench{nan, 0.4}, UnitWrench{0.0, 1.0}}), std::invalid_argument);
+}
+
+}  // namespace
+
+}  // namespace limitcurve::test

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+// The evaluators of eq. (17) against values that mpmath made, law by law.
+#include "limitcurve/exact_curve.hpp"
+#include "limitcurve/laws.hpp"
+#include "reference.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <string>
+
+namespace limitcurve::test {
+
+namespace {
+
+const std::set<std::string> elementary{"hertz", "uniform", "parabolic", "flat-punch", "cone"};
+
+std::string test_name(std::string law) {
+  for (char& c : law) {
+    if (c == '-') c = 'm';
+    if (c == '.') c = 'p';
+    if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
+  }
+  return law;
+}
+
+class Reference : public testing::TestWithParam<std::string> {
+ protected:
+  template <class Check>
+  void each_row(Check&& check) const {
+    for (const ReferenceRow& row : reference_rows()) {
+      if (row.law == GetParam()) check(row);
+    }
+  }
+  const Law law_ = parse_law(GetParam());
+};
+
+TEST_P(Reference, EvaluateIsRightInRelativeTerms) {
+  // Promised by PressureLaw::evaluate.
+  const long double bound = law_->allows(Method::closed) ? 1e-15L : 1e-14L;
+  each_row([&](const ReferenceRow& row) {
+    const WrenchEstimate estimate = law_->evaluate(row.s);
+    EXPECT_LE(relative_error(estimate.wrench.force, row.force), bound) << "s = " << row.s;
+    EXPECT_LE(relative_error(estimate.wrench.moment, row.moment), bound) << "s = " << row.s;
+    EXPECT_LE(relative_error(estimate.force_slope, row.force_slope), 1e-13L) << "s = " << row.s;
+  });
+}
+
+TEST_P(Reference, ForcesForLoopsAreRightInRelativeTerms) {
+  each_row([&](const ReferenceRow& row) {
+    const UnitForces<double> forces = law_->forces(row.s);
+    const LoopBounds bounds = loop_bounds(*law_, row.s);
+    EXPECT_LE(relative_error(forces.force, row.force), bounds.wrench) << "s = " << row.s;
+    EXPECT_LE(relative_error(forces.moment, row.moment), bounds.wrench) << "s = " << row.s;
+    EXPECT_LE(relative_error(forces.force_slope, row.force_slope), bounds.slope) << "s = " << row.s;
+  });
+}
+
+/// The true error is never above the estimate, and the estimate is not more than 1000 times the true error or 1e-15.
+TEST_P(Reference, ErrorEstimatesAreHonest) {
+  for (const Method method : {Method::automatic, Method::closed, Method::ring, Method::punch}) {
+    if (!law_->allows(method)) continue;
+    each_row([&](const ReferenceRow& row) {
+      const WrenchEstimate estimate = law_->evaluate(row.s, method);
+      const auto check = [&](const char* what, double value, long double exact, double error) {
+        const long double truth = std::fabs(value - exact);
+        EXPECT_LE(truth, error) << to_string(method) << ' ' << what << " at s = " << row.s;
+        EXPECT_LE(error, std::max(1000 * truth, 1e-15L)) << to_string(method) << ' ' << what << " at s = " << row.s;
+      };
+      check("force", estimate.wrench.force, row.force, estimate.error.force);
+      check("moment", estimate.wrench.moment, row.moment, estimate.error.moment);
+    });
+  }
+}
+
+/// The double integral costs ten milliseconds a point: some points, every law.
+TEST_P(Reference, DirectIsHonestToo) {
+  const std::set<double> chosen{0.0, 1e-4, 0.5, 0.9999, 1.0, 1.0001, 3.0, std::numeric_limits<double>::infinity()};
+  int checked = 0;
+  each_row([&](const ReferenceRow& row) {
+    if (!chosen.contains(row.s)) return;
+    ++checked;
+    const WrenchEstimate estimate = law_->evaluate(row.s, Method::direct);
+    const auto check = [&](const char* what, double value, long double exact, double error) {
+      const long double truth = std::fabs(value - exact);
+      EXPECT_LE(truth, error) << what << " at s = " << row.s;
+      EXPECT_LE(error, std::max(1000 * truth, 1e-15L)) << what << " at s = " << row.s;
+    };
+    check("force", estimate.wrench.force, row.force, estimate.error.force);
+    check("moment", estimate.wrench.moment, row.moment, estimate.error.moment);
+  });
+  EXPECT_EQ(checked, 8);
+}
+
+INSTANTIATE_TEST_SUITE_P(AllLaws, Reference, testing::ValuesIn(reference_laws()),
+                         [](const auto& tested) { return test_name(tested.param); });
+
+TEST(ReferenceFile, CoversEveryKindOfLaw) {
+  const auto laws = reference_laws();
+  for (const std::string& name : elementary) EXPECT_TRUE(std::find(laws.begin(), laws.end(), name) != laws.end()) << name;
+  for (const char* kind : {"power:", "xydas-kao:", "gaussian:", "mix:"}) {
+    EXPECT_TRUE(std::any_of(laws.begin(), laws.end(), [&](const std::string& law) { return law.starts_with(kind); })) << kind;
+  }
+}
+
+/// Values that a double holds exactly (times a power of π): no reference file between them and the theory.
+TEST(Anchors, HertzMomentsAreSimpleFractions) {
+  const Law law = hertz();
+  const double m0 = law->moment_ratio();
+  EXPECT_DOUBLE_EQ(law->evaluate(0.25).wrench.moment / m0, 0.93896484375);
+  EXPECT_DOUBLE_EQ(law->evaluate(0.5).wrench.moment / m0, 99.0 / 128.0);
+  EXPECT_DOUBLE_EQ(law->evaluate(1.0).wrench.moment / m0, 3.0 / 8.0);
+  EXPECT_DOUBLE_EQ(law->evaluate(1.0).wrench.force, 0.88357293382212931);  // 9π/32
+}
+
+/// Γ(3/k)²/(Γ(2/k)Γ(4/k))·¾, printed to 12 digits in Xydas and Kao's notation.
+TEST(Anchors, MomentRatioOfXydasAndKao) {
+  for (const auto& [k, ratio] : {std::pair{1.0, 0.5}, {1.8, 0.578681684721}, {3.0, 0.620245007350}, {4.0, 0.635409813595}}) {
+    EXPECT_NEAR(xydas_kao(k)->moment_ratio(), ratio, 1e-12) << k;
+  }
+  EXPECT_DOUBLE_EQ(xydas_kao(2.0)->moment_ratio(), hertz()->moment_ratio());
+}
+
+/// n → −1 is the ring: all load at ρ = 1, f = (2/π)·…, whose wrench at s = 1 is f = m = 2/π.
+TEST(Anchors, PowerLawTendsToTheRing) {
+  const WrenchEstimate estimate = power(-1.0 + 1e-9)->evaluate(1.0);
+  EXPECT_NEAR(estimate.wrench.force, 2.0 / 3.14159265358979323846, 1e-7);
+  EXPECT_NEAR(estimate.wrench.moment, 2.0 / 3.14159265358979323846, 1e-7);
+}
+
+}  // namespace
+
+}  // namespace limitcurve::test

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+// Law strings: what is accepted, and what a refusal says.
+#include "limitcurve/laws.hpp"
+#include "limitcurve/number.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace limitcurve::test {
+
+namespace {
+
+std::string complaint_about(const std::string& text) {
+  try {
+    parse_law(text);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(LawGrammar, EveryExampleParses) {
+  ASSERT_GE(law_examples().size(), 9U);
+  for (const std::string_view example : law_examples()) EXPECT_EQ(parse_law(example)->name(), example);
+}
+
+TEST(LawGrammar, NamedLawsAreMembersOfTheirFamilies) {
+  for (const auto& [named, general] :
+       {std::pair{"hertz", "power:n=0.5"}, {"uniform", "power:n=0"}, {"parabolic", "power:n=1"}, {"flat-punch", "power:n=-0.5"}}) {
+    EXPECT_EQ(parse_law(named)->evaluate(0.7).wrench, parse_law(general)->evaluate(0.7).wrench) << named;
+  }
+}
+
+TEST(LawGrammar, MixtureTakesExponentsWithASign) {
+  const UnitWrench mixed = parse_law("mix:1e+3*hertz+1e3*uniform")->evaluate(0.7).wrench;
+  const UnitWrench same = parse_law("mix:0.5*hertz+0.5*uniform")->evaluate(0.7).wrench;
+  EXPECT_EQ(mixed, same);
+}
+
+TEST(LawGrammar, SaysWhatIsWrong) {
+  for (const auto& [text, place] : {std::pair{"", "expected one of hertz"},
+                                    {"herz", "expected one of hertz"},
+                                    {"Hertz", "expected one of hertz"},
+                                    {"hertz ", "expected one of hertz"},
+                                    {" hertz", "expected one of hertz"},
+                                    {"hertz:", "expected one of hertz"},
+                                    {"hertz:n=1", "expected one of hertz"},
+                                    {"power", "expected n=NUMBER"},
+                                    {"power:", "expected n=NUMBER"},
+                                    {"power:n", "expected n=NUMBER"},
+                                    {"power:n=", "got ''"},
+                                    {"power:k=1", "got 'k=1'"},
+                                    {"power:n=1x", "got '1x'"},
+                                    {"power:n=1,n=2", "got '1,n=2'"},
+                                    {"power:n=-1", "n = -1"},
+                                    {"power:n=-1.5", "-1 < n"},
+                                    {"power:n=nan", "n = nan"},
+                                    {"power:n=inf", "n = inf"},
+                                    {"xydas-kao:k=0", "k = 0"},
+                                    {"xydas-kao:k=-3", "k = -3"},
+                                    {"xydas-kao:k=nan", "k = nan"},
+                                    {"xydas-kao:n=3", "expected k=NUMBER"},
+                                    {"gaussian:sigma=0", "sigma = 0"},
+                                    {"gaussian:sigma=-1", "sigma = -1"},
+                                    {"gaussian:sigma=", "expected sigma=NUMBER"},
+                                    {"mix:", "expected WEIGHT*LAW, got ''"},
+                                    {"mix:hertz", "expected WEIGHT*LAW, got 'hertz'"},
+                                    {"mix:0.5*hertz+", "expected WEIGHT*LAW, got ''"},
+                                    {"mix:0.5*hertz++0.5*uniform", "expected WEIGHT*LAW, got ''"},
+                                    {"mix:x*hertz", "expected WEIGHT*LAW, got 'x*hertz'"},
+                                    {"mix:0.5*herz", "law 'herz'"},
+                                    {"mix:0*hertz", "weight of hertz = 0"},
+                                    {"mix:-1*hertz+2*uniform", "weight of hertz = -1"},
+                                    {"mix:nan*hertz", "weight of hertz = nan"},
+                                    {"mix:1*mix:1*hertz", "mixture of mixtures"},
+                                    {"mix:1*power:n=-2", "n = -2"}}) {
+    const std::string complaint = complaint_about(text);
+    EXPECT_NE(complaint.find(place), std::string::npos) << '"' << text << "\" -> " << complaint;
+    EXPECT_EQ(complaint.find("law '"), 0U) << '"' << text << "\" -> " << complaint;
+    EXPECT_EQ(complaint.find('\n'), std::string::npos) << "one line";
+  }
+}
+
+TEST(LawGrammar, FactoriesRefuseToo) {
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  EXPECT_THROW(power(-1.0), std::invalid_argument);
+  EXPECT_THROW(power(inf), std::invalid_argument);
+  EXPECT_THROW(xydas_kao(0.0), std::invalid_argument);
+  EXPECT_THROW(xydas_kao(std::nan("")), std::invalid_argument);
+  EXPECT_THROW(gaussian(-0.1), std::invalid_argument);
+  EXPECT_THROW(mixture({}), std::invalid_argument);
+}
+
+/// Torn and spliced strings either parse or are refused with a complaint about themselves: never a crash, never another
+/// exception.
+TEST(LawGrammar, SurvivesTornStrings) {
+  std::mt19937_64 random(2006);
+  const std::string alphabet = "hertzuniformmix:*+-=.,0123456789enk \t\"\\";
+  std::vector<std::string> seeds;
+  for (const std::string_view example : law_examples()) seeds.emplace_back(example);
+  for (int i = 0; i < 3000; ++i) {
+    std::string text = seeds[random() % seeds.size()];
+    for (auto edits = 1 + random() % 3; edits > 0; --edits) {
+      const std::size_t at = text.empty() ? 0 : random() % text.size();
+      const char letter = alphabet[random() % alphabet.size()];
+      if (random() % 3 == 0) {
+        text.insert(at, 1, letter);
+      } else if (random() % 2 == 0) {
+        text.erase(at, 1);
+      } else if (!text.empty()) {
+        text[at] = letter;
+      }
+    }
+    try {
+      const Law law = parse_law(text);
+      EXPECT_EQ(parse_law(law->name())->name(), law->name()) << text;
+    } catch (const std::invalid_argument& error) {
+      EXPECT_EQ(std::string(error.what()).find("law '"), 0U) << error.what();
+    }
+  }
+}
+
+}  // namespace
+
+}  // namespace limitcurve::test

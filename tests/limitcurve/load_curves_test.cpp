@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: MIT
+#include "limitcurve/load_curves.hpp"
+
+#include "limitcurve/ellipse.hpp"
+#include "limitcurve/exact_curve.hpp"
+#include "limitcurve/laws.hpp"
+#include "limitcurve/polygon.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace limitcurve::test {
+
+namespace {
+
+constexpr double inf = std::numeric_limits<double>::infinity();
+constexpr double mu = 0.7;
+const std::array<double, 5> loads{0.1, 0.5, 1.0, 3.0, 20.0};
+const std::array<const char*, 4> radius_laws{"constant:a=0.005", "hertz:R=0.008,E=2e5", "power:c=0.00207,gamma=0.259",
+                                             "power:c=0.002,gamma=1"};
+
+TEST(SlipTwists, TurnByEqualSteps) {
+  const auto twists = slip_twists(91);
+  ASSERT_EQ(twists.size(), 91U);
+  EXPECT_EQ(twists.front().cor(), 0.0);
+  EXPECT_EQ(twists.back().cor(), inf);
+  for (std::size_t i = 0; i < twists.size(); ++i) {
+    const double degrees = std::atan2(twists[i].slide, twists[i].spin) * 180.0 / std::numbers::pi;
+    EXPECT_NEAR(degrees, static_cast<double>(i), 1e-12);
+  }
+  EXPECT_EQ(slip_twists(2).size(), 2U);
+  EXPECT_THROW(slip_twists(1), std::invalid_argument);
+  EXPECT_THROW(slip_twists(0), std::invalid_argument);
+}
+
+/// F = μP f(c/a), M = μPa m(c/a), with a(P) from the radius law.
+TEST(PCurve, IsTheUnitCurveScaled) {
+  const Law law = uniform();
+  const ExactCurve curve(law);
+  for (const char* text : radius_laws) {
+    const RadiusLaw radius_law = RadiusLaw::parse(text);
+    for (const double load : loads) {
+      const double radius = radius_law.radius(load);
+      const auto points = p_curve(curve, radius_law, mu, load, 33);
+      ASSERT_EQ(points.size(), 33U);
+      EXPECT_EQ(points.front().cor, 0.0);
+      EXPECT_EQ(points.front().force, 0.0);
+      EXPECT_NEAR(points.front().moment / moment_capacity(curve.moment_ratio(), radius_law, mu, load), 1.0, 1e-15);
+      EXPECT_EQ(points.back().cor, inf);
+      EXPECT_NEAR(points.back().force / (mu * load), 1.0, 1e-15);
+      EXPECT_EQ(points.back().moment, 0.0);
+      for (const LoadPoint& point : points) {
+        EXPECT_EQ(point.load, load);
+        const UnitWrench unit = law->evaluate(point.cor / radius).wrench;
+        EXPECT_NEAR(point.force, mu * load * unit.force, 1e-14 * point.force);
+        EXPECT_NEAR(point.moment, mu * load * radius * unit.moment, 1e-14 * point.moment);
+      }
+    }
+  }
+}
+
+/// Straight lines from the origin when the radius does not depend on the load …
+TEST(CCurve, IsStraightForAConstantRadius) {
+  const ExactCurve curve(hertz());
+  const RadiusLaw radius_law = RadiusLaw::constant(0.005);
+  for (const double cor : {0.001, 0.005, 0.02}) {
+    const auto points = c_curve(curve, radius_law, mu, cor, loads);
+    ASSERT_EQ(points.size(), loads.size());
+    for (const LoadPoint& point : points) {
+      EXPECT_EQ(point.cor, cor);
+      EXPECT_NEAR(point.moment / point.force, points[0].moment / points[0].force, 1e-15 * points[0].moment / points[0].force);
+      EXPECT_NEAR(point.force / point.load, points[0].force / points[0].load, 1e-15 * mu);
+    }
+  }
+}
+
+/// … else bent: with a growing radius the same COR moves inwards, c/a falls, and the moment's arm grows.
+TEST(CCurve, IsBentWhenTheRadiusGrows) {
+  const Law law = hertz();
+  const ExactCurve curve(law);
+  const RadiusLaw radius_law = RadiusLaw::hertz(0.008, 2e5);
+  const double cor = radius_law.radius(1.0);
+  const auto points = c_curve(curve, radius_law, mu, cor, loads);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double radius = std::cbrt(0.75 * loads[i] * 0.008 / 2e5);
+    const UnitWrench unit = law->evaluate(cor / radius, Method::ring).wrench;
+    EXPECT_NEAR(points[i].force, mu * loads[i] * unit.force, 1e-14 * points[i].force);
+    EXPECT_NEAR(points[i].moment, mu * loads[i] * radius * unit.moment, 1e-14 * points[i].moment);
+    if (i > 0) {
+      EXPECT_GT(points[i].moment / points[i].force, 1.1 * points[i - 1].moment / points[i - 1].force);
+    }
+  }
+}
+
+/// Curves of fixed c/a are powers: M ∝ F^{1+γ}.
+TEST(CCurve, OfFixedRelativeCorIsAPower) {
+  const ExactCurve curve(uniform());
+  const RadiusLaw radius_law = RadiusLaw::power(0.00207, 0.259);
+  const LoadPoint first = load_point(curve, radius_law, mu, 1.0, 0.6 * radius_law.radius(1.0));
+  for (const double load : loads) {
+    const LoadPoint point = load_point(curve, radius_law, mu, load, 0.6 * radius_law.radius(load));
+    EXPECT_NEAR(point.moment / first.moment, std::pow(point.force / first.force, 1.259), 1e-13 * point.moment / first.moment);
+  }
+}
+
+TEST(LoadPoint, WithoutLoadIsNothing) {
+  const ExactCurve curve(uniform());
+  for (const char* text : radius_laws) {
+    for (const double cor : {0.0, 0.01, inf}) {
+      const LoadPoint point = load_point(curve, RadiusLaw::parse(text), mu, 0.0, cor);
+      EXPECT_EQ(point.force, 0.0);
+      EXPECT_EQ(point.moment, 0.0);
+      EXPECT_EQ(point.cor, cor);
+    }
+    for (const LoadPoint& point : p_curve(curve, RadiusLaw::parse(text), mu, 0.0, 5)) {
+      EXPECT_EQ(point.force, 0.0);
+      EXPECT_EQ(point.moment, 0.0);
+      EXPECT_FALSE(std::isnan(point.cor));
+    }
+  }
+}
+
+TEST(MomentCapacity, GrowsAsTheLoadTimesTheRadius) {
+  const RadiusLaw radius_law = RadiusLaw::power(0.002, 0.25);
+  EXPECT_NEAR(moment_capacity(0.6, radius_law, 0.5, 16.0), 0.6 * 0.5 * 16.0 * 0.002 * 2.0, 1e-17);
+  EXPECT_EQ(moment_capacity(0.6, radius_law, 0.5, 0.0), 0.0);
+  EXPECT_NEAR(moment_capacity(0.6, radius_law, 0.5, 32.0) / moment_capacity(0.6, radius_law, 0.5, 2.0), std::pow(16.0, 1.25), 1e-12);
+}
+
+template <class Boundary>
+void expect_round_trip(const Boundary& boundary, const char* what) {
+  std::mt19937_64 random(77);
+  std::uniform_real_distribution<double> decade(-6.0, 6.0);
+  std::uniform_real_distribution<double> angle(0.01, 1.56);
+  for (const char* text : radius_laws) {
+    const RadiusLaw radius_law = RadiusLaw::parse(text);
+    for (int i = 0; i < 100; ++i) {
+      const double load = std::pow(10.0, decade(random));
+      const LoadPoint point = load_point(boundary, radius_law, mu, load, std::tan(angle(random)) * radius_law.radius(load));
+      EXPECT_NEAR(load_to_hold(boundary, radius_law, mu, point.force, point.moment) / load, 1.0, 1e-12)
+          << what << ' ' << text << ' ' << load << ' ' << point.cor;
+    }
+  }
+}
+
+TEST(LoadToHold, IsTheLoadOfThePCurveThroughTheWrench) {
+  expect_round_trip(ExactCurve(hertz()), "hertz");
+  expect_round_trip(ExactCurve(flat_punch()), "flat-punch");
+  expect_round_trip(Ellipse(1.0, 0.6), "ellipse");
+  expect_round_trip(box(1.0, 0.6), "box");
+  expect_round_trip(diamond(1.0, 0.6), "diamond");
+}
+
+/// Against plain bisection on the gauge, for wrenches that no curve was asked for.
+TEST(LoadToHold, IsWhatBisectionFinds) {
+  const ExactCurve curve(uniform());
+  const RadiusLaw radius_law = RadiusLaw::hertz(0.008, 2e5);
+  std::mt19937_64 random(78);
+  std::uniform_real_distribution<double> decade(-4.0, 2.0);
+  for (int i = 0; i < 50; ++i) {
+    const double force = std::pow(10.0, decade(random));
+    const double moment = 1e-3 * std::pow(10.0, decade(random));
+    double low = 0.0;
+    double high = 1e12;
+    for (int step = 0; step < 200; ++step) {
+      const double middle = step < 60 && low > 0.0 ? std::sqrt(low * high) : 0.5 * (low + high);
+      const double scale = mu * middle;
+      (curve.gauge({force / scale, moment / (scale * radius_law.radius(middle))}) > 1.0 ? low : high) = middle;
+    }
+    const double held = load_to_hold(curve, radius_law, mu, force, moment);
+    EXPECT_NEAR(held / high, 1.0, 1e-12) << force << ' ' << moment;
+    EXPECT_GT(grip_margin(curve, radius_law, mu, held * (1.0 + 1e-9), force, moment), 0.0);
+    EXPECT_LT(grip_margin(curve, radius_law, mu, held * (1.0 - 1e-9), force, moment), 0.0);
+  }
+}
+
+TEST(LoadToHold, OfOneComponentIsElementary) {
+  const ExactCurve curve(hertz());
+  const RadiusLaw radius_law = RadiusLaw::power(0.002, 0.25);
+  EXPECT_NEAR(load_to_hold(curve, radius_law, 0.5, 3.0, 0.0), 6.0, 1e-14);
+  const double moment = moment_capacity(curve.moment_ratio(), radius_law, 0.5, 7.0);
+  EXPECT_NEAR(load_to_hold(curve, radius_law, 0.5, 0.0, moment), 7.0, 1e-13);
+  EXPECT_EQ(load_to_hold(curve, radius_law, 0.5, 0.0, 0.0), 0.0);
+  EXPECT_EQ(load_to_hold(curve, radius_law, 0.0, 0.0, 0.0), 0.0);
+  EXPECT_EQ(load_to_hold(curve, radius_law, 0.0, 1.0, 0.0), inf);
+  EXPECT_EQ(load_to_hold(curve, radius_law, 0.0, 0.0, 1.0), inf);
+  EXPECT_EQ(grip_margin(curve, radius_law, 0.5, 2.0, 0.0, 0.0), 2.0);
+}
+
+/// Never not a number, whatever the sizes.
+TEST(LoadToHold, SurvivesExtremes) {
+  const ExactCurve curve(hertz());
+  for (const char* text : radius_laws) {
+    for (const double force : {0.0, 5e-324, 1e-300, 1e-100, 1.0, 1e100, 1e308}) {
+      for (const double moment : {0.0, 5e-324, 1e-300, 1e-100, 1.0, 1e100, 1e308}) {
+        const double load = load_to_hold(curve, RadiusLaw::parse(text), 1.0, force, moment);
+        EXPECT_GE(load, 0.0) << text << ' ' << force << ' ' << moment;
+        EXPECT_GE(load, force * (1.0 - 1e-12)) << text << ' ' << force << ' ' << moment;
+      }
+    }
+  }
+}
+
+TEST(LoadCurves, RefuseBadInput) {
+  const Ellipse boundary(1.0, 0.6);
+  const RadiusLaw radius_law = RadiusLaw::constant(0.005);
+  const auto complaint_of = [](auto&& call) -> std::string {
+    try {
+      call();
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "accepted";
+  };
+  for (const double bad : {-1.0, std::nan(""), inf}) {
+    EXPECT_NE(complaint_of([&] { p_curve(boundary, radius_law, bad, 1.0, 3); }).find("mu = "), std::string::npos) << bad;
+    EXPECT_NE(complaint_of([&] { p_curve(boundary, radius_law, mu, bad, 3); }).find("load = "), std::string::npos) << bad;
+    EXPECT_NE(complaint_of([&] { load_point(boundary, radius_law, mu, bad, 1.0); }).find("load = "), std::string::npos) << bad;
+    EXPECT_NE(complaint_of([&] { load_to_hold(boundary, radius_law, mu, bad, 0.0); }).find("force = "), std::string::npos) << bad;
+    EXPECT_NE(complaint_of([&] { load_to_hold(boundary, radius_law, mu, 0.0, bad); }).find("moment = "), std::string::npos) << bad;
+    EXPECT_NE(complaint_of([&] { moment_capacity(bad, radius_law, mu, 1.0); }).find("moment_ratio = "), std::string::npos) << bad;
+  }
+  EXPECT_NE(complaint_of([&] { load_point(boundary, radius_law, mu, 1.0, -1.0); }).find("cor = -1 m"), std::string::npos);
+  EXPECT_NE(complaint_of([&] { c_curve(boundary, radius_law, mu, std::nan(""), loads); }).find("cor = nan m"), std::string::npos);
+}
+
+}  // namespace
+
+}  // namespace limitcurve::test

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#include "limitcurve/radius_law.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace limitcurve::test {
+
+namespace {
+
+std::string complaint_about(const std::string& text) {
+  try {
+    RadiusLaw::parse(text);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(RadiusLaw, ConstantIsConstant) {
+  const RadiusLaw law = RadiusLaw::parse("constant:a=0.005");
+  for (const double load : {0.0, 1e-9, 1.0, 1e9}) EXPECT_EQ(law.radius(load), 0.005);
+  EXPECT_EQ(law.growth(7.0), 1.0);
+}
+
+/// Johnson, Contact Mechanics, eq. 4.22: a³ = 3PR/(4E*).
+TEST(RadiusLaw, HertzCubes) {
+  const RadiusLaw law = RadiusLaw::parse("hertz:R=0.008,E=2e5");
+  for (const double load : {1e-6, 0.3, 1.0, 50.0}) {
+    const double radius = law.radius(load);
+    EXPECT_NEAR(4.0 * 2e5 * radius * radius * radius / (3.0 * load * 0.008), 1.0, 4e-15) << load;
+  }
+  EXPECT_EQ(law.radius(0.0), 0.0);
+}
+
+/// A silicone finger as published: 2.07 mm at 1 N, exponent 0.259.
+TEST(RadiusLaw, PowerGrows) {
+  const RadiusLaw law = RadiusLaw::parse("power:c=0.00207,gamma=0.259");
+  EXPECT_EQ(law.radius(1.0), 0.00207);
+  EXPECT_NEAR(law.radius(10.0) / 0.00207, 1.8155156627731355, 1e-15);  // 10^0.259
+  EXPECT_NEAR(law.radius(6.0) / law.radius(2.0), law.growth(3.0), 1e-15);
+}
+
+TEST(RadiusLaw, ParametersComeInAnyOrder) {
+  EXPECT_EQ(RadiusLaw::parse("hertz:E=2e5,R=0.008").radius(3.0), RadiusLaw::hertz(0.008, 2e5).radius(3.0));
+}
+
+TEST(RadiusLaw, SaysWhatIsWrong) {
+  for (const auto& [text, place] : {std::pair{"", "radius law ''"},
+                                    {"constant", "expected constant:a="},
+                                    {"cone:a=1", "'cone:a=1'"},
+                                    {"constant:", "got ''"},
+                                    {"constant:a=", "got 'a='"},
+                                    {"constant:a=1x", "got 'a=1x'"},
+                                    {"constant:b=1", "got 'b=1'"},
+                                    {"constant:a=1,", "got ''"},
+                                    {"constant:a=1,a=2", "got 'a=2'"},
+                                    {"constant:a=0", "a = 0 m"},
+                                    {"constant:a=-1", "a = -1 m"},
+                                    {"constant:a=nan", "a = nan m"},
+                                    {"constant:a=inf", "a = inf m"},
+                                    {"hertz:R=0.008", "expected R=NUMBER,E=NUMBER"},
+                                    {"hertz:R=0.008,E=0", "E = 0 Pa"},
+                                    {"hertz:R=-0.008,E=1", "R = -0.008 m"},
+                                    {"hertz:R=0.008,E=nan", "E = nan Pa"},
+                                    {"power:c=0.002,gamma=1.5", "gamma = 1.5"},
+                                    {"power:c=0.002,gamma=-0.1", "gamma = -0.1"},
+                                    {"power:c=0,gamma=0.2", "c = 0 m/N^gamma"},
+                                    {"power:c=0.002,gamma=0.2 ", "got 'gamma=0.2 '"}}) {
+    const std::string complaint = complaint_about(text);
+    EXPECT_NE(complaint.find(place), std::string::npos) << text << " -> " << complaint;
+    EXPECT_NE(complaint.find(std::string("radius law '") + text + "'"), std::string::npos) << text << " -> " << complaint;
+  }
+}
+
+TEST(RadiusLaw, FactoriesRefuseToo) {
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  EXPECT_THROW(RadiusLaw::constant(0.0), std::invalid_argument);
+  EXPECT_THROW(RadiusLaw::hertz(inf, 1.0), std::invalid_argument);
+  EXPECT_THROW(RadiusLaw::hertz(1.0, -1.0), std::invalid_argument);
+  EXPECT_THROW(RadiusLaw::power(0.002, std::nan("")), std::invalid_argument);
+  // Each is a good number, their ratio is not.
+  EXPECT_THROW(RadiusLaw::hertz(1e300, 1e-300), std::invalid_argument);
+}
+
+}  // namespace
+
+}  // namespace limitcurve::test
