@@ -5,5 +5,7 @@
 #include "fit/contact_fit.hpp"
 #include "fit/curve_fit.hpp"
 #include "fit/estimate.hpp"
+#include "fit/load_fit.hpp"
 #include "fit/loss.hpp"
 #include "fit/measurements.hpp"
+#include "fit/model_fit.hpp"

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: MIT
+#include "fit/load_fit.hpp"
+
+#include "fit/internal/least_squares.hpp"
+#include "fit/internal/report.hpp"
+#include "limitcurve/number.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+
+namespace limitcurve::fit {
+
+namespace {
+
+struct Row {
+  double log_load;  // ln(P/P₀), P₀ the geometric mean
+  double value;
+  double sigma;  // 0: not known
+};
+
+/// With p₀ = ln value(P₀) and γ: model v = exp(p₀ + (γ + e) ln(P/P₀)), e = 0 for radii and 1 for moments.
+///   known σ:   r = (v − value)/σ,          ∂r/∂p₀ = v/σ, ∂r/∂γ = v ln(P/P₀)/σ;
+///   unknown σ: r = (ln v − ln value)/noise, ∂r/∂p₀ = 1/noise, ∂r/∂γ = ln(P/P₀)/noise.
+class LoadResiduals final : public internal::ResidualModel {
+ public:
+  LoadResiduals(const std::vector<Row>& rows, double offset, bool fit_gamma, double gamma, double noise)
+      : rows_(rows), offset_(offset), fit_gamma_(fit_gamma), gamma_(gamma), noise_(noise) {}
+  std::size_t count() const noexcept override { return rows_.size(); }
+  bool evaluate(std::size_t i, std::span<const double> parameters, double& residual, double* gradient) const override {
+    const Row& row = rows_[i];
+    const double log_model = parameters[0] + ((fit_gamma_ ? parameters[1] : gamma_) + offset_) * row.log_load;
+    double rate = 1.0 / noise_;
+    if (row.sigma > 0.0) {
+      const double model = std::exp(log_model);
+      residual = (model - row.value) / row.sigma;
+      rate = model / row.sigma;
+    } else {
+      residual = (log_model - std::log(row.value)) * rate;
+    }
+    if (gradient != nullptr) {
+      gradient[0] = rate;
+      if (fit_gamma_) gradient[1] = rate * row.log_load;
+    }
+    return true;
+  }
+
+ private:
+  const std::vector<Row>& rows_;
+  double offset_;
+  bool fit_gamma_;
+  double gamma_;
+  double noise_;
+};
+
+double fixed_gamma(LoadModel model) {
+  return model == LoadModel::hertz ? 1.0 / 3.0 : 0.0;
+}
+
+double median_of(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+struct Preparation {
+  std::vector<Row> rows;
+  double log_reference = 0.0;
+  double offset = 0.0;
+  bool with_sigma = false;
+  double noise = 1.0;
+};
+
+std::vector<internal::Parameter> free_parameters(const Preparation& data, LoadModel model) {
+  std::vector<double> logs;
+  const double gamma = model == LoadModel::power ? 0.25 : fixed_gamma(model);
+  for (const Row& row : data.rows) logs.push_back(std::log(row.value) - (gamma + data.offset) * row.log_load);
+  const double start = median_of(logs);
+  std::vector<internal::Parameter> parameters{{data.offset > 0.0 ? "mu_r" : "c", start, start - 20.0, start + 20.0}};
+  if (model == LoadModel::power) parameters.push_back({"gamma", gamma, -0.5, 1.5});
+  return parameters;
+}
+
+Preparation prepare(const LoadSamples& samples, const Loss& loss) {
+  if (samples.samples.empty()) throw std::invalid_argument("samples: expected at least one, got none");
+  Preparation data;
+  const bool moments = samples.quantity == LoadSamples::Quantity::moment;
+  data.offset = moments ? 1.0 : 0.0;
+  data.with_sigma = samples.samples.front().sigma > 0.0;
+  for (std::size_t i = 0; i < samples.samples.size(); ++i) {
+    const LoadSample& sample = samples.samples[i];
+    const auto require = [&](bool good, const char* name, double value, const char* expected) {
+      if (!good) {
+        throw std::invalid_argument("sample " + std::to_string(i + 1) + ": " + name + " = " + format_number(value) + ": expected " +
+                                    expected);
+      }
+    };
+    require(sample.load > 0.0 && std::isfinite(sample.load), "load", sample.load, "> 0 N and finite");
+    require(sample.value > 0.0 && std::isfinite(sample.value), moments ? "moment" : "radius", sample.value, "> 0 and finite");
+    require(data.with_sigma ? sample.sigma > 0.0 && std::isfinite(sample.sigma) : sample.sigma == 0.0, "sigma", sample.sigma,
+            data.with_sigma ? "> 0 and finite in every sample" : "0 in every sample, as in the first");
+    data.rows.push_back({std::log(sample.load), sample.value, sample.sigma});
+    data.log_reference += std::log(sample.load) / static_cast<double>(samples.samples.size());
+  }
+  for (Row& row : data.rows) row.log_load -= data.log_reference;
+  if (!data.with_sigma && loss.kind != Loss::Kind::squared) {
+    // A robust loss must know what a usual error is, the same for all models: from the most flexible one.
+    const std::vector<internal::Parameter> parameters = free_parameters(data, LoadModel::power);
+    const LoadResiduals residuals(data.rows, data.offset, true, 0.0, 1.0);
+    std::vector<double> sizes = internal::minimise(residuals, parameters, Loss::cauchy(0.05)).residuals;
+    for (double& size : sizes) size = std::fabs(size);
+    data.noise = std::max(1.4826 * median_of(sizes), 1e-9);
+  }
+  return data;
+}
+
+LoadFit fit_prepared(const Preparation& data, LoadModel model, const Loss& loss) {
+  const bool fit_gamma = model == LoadModel::power;
+  const std::vector<internal::Parameter> parameters = free_parameters(data, model);
+  const std::size_t free = parameters.size();
+  const std::size_t count = data.rows.size();
+  const bool robust = loss.kind != Loss::Kind::squared;
+  if (count < free || (count == free && !data.with_sigma)) {
+    throw std::invalid_argument("not identifiable from " + std::to_string(count) + (count == 1 ? " sample: " : " samples: ") +
+                                parameters[0].name + (fit_gamma ? ", gamma" : ""));
+  }
+  const LoadResiduals residuals(data.rows, data.offset, fit_gamma, fixed_gamma(model), data.noise);
+  const internal::Solution solution = internal::minimise(residuals, parameters, loss);
+  const double variance = data.with_sigma ? 1.0 : internal::residual_variance(solution);
+  const std::vector<double> covariance = internal::covariance(solution, parameters, loss, variance);
+
+  LoadFit fit{model, {}};
+  internal::describe(fit.report, solution);
+  fit.report.rms *= data.noise;
+  fit.report.aic = internal::akaike(solution.cost, count, free, data.with_sigma || robust);
+  // From the value at the reference load to that at 1 N, per newton for moments.
+  const double gamma = fit_gamma ? solution.values[1] : fixed_gamma(model);
+  const double coefficient = std::exp(solution.values[0] - (gamma + data.offset) * data.log_reference);
+  const std::array<internal::Quantity, 2> quantities{
+      {{parameters[0].name, coefficient, gamma == 0.0 && !fit_gamma ? "m" : "m/N^gamma"}, {"gamma", gamma, "1"}}};
+  if (fit_gamma) {
+    internal::set_estimates(fit.report, quantities, std::array{coefficient, -coefficient * data.log_reference, 0.0, 1.0}, covariance);
+    const Estimate& estimate = fit.report.at("gamma");
+    if (estimate.value < -2.0 * estimate.std_error || estimate.value > 1.0 / 3.0 + 2.0 * estimate.std_error) {
+      fit.report.warnings.push_back("gamma = " + format_number(estimate.value) + " lies outside 0 to 1/3, where contacts of solids are");
+    }
+  } else {
+    internal::set_estimates(fit.report, quantities, std::array{coefficient, 0.0}, covariance);
+  }
+  if (!fit.report.converged) fit.report.warnings.push_back("the minimiser did not converge: " + fit.report.message);
+  return fit;
+}
+
+}  // namespace
+
+const char* to_string(LoadModel model) noexcept {
+  switch (model) {
+    case LoadModel::linear:
+      return "linear";
+    case LoadModel::hertz:
+      return "hertz";
+    case LoadModel::power:
+      return "power";
+  }
+  return "";
+}
+
+LoadFit fit_load(const LoadSamples& samples, LoadModel model, const Loss& loss) {
+  return fit_prepared(prepare(samples, loss), model, loss);
+}
+
+LoadSelection select_load(const LoadSamples& samples, const Loss& loss) {
+  const Preparation data = prepare(samples, loss);
+  LoadSelection selection;
+  for (const LoadModel model : {LoadModel::linear, LoadModel::hertz, LoadModel::power}) {
+    selection.candidates.push_back(fit_prepared(data, model, loss));
+  }
+  std::stable_sort(selection.candidates.begin(), selection.candidates.end(),
+                   [](const LoadFit& a, const LoadFit& b) { return a.report.aic < b.report.aic; });
+  LoadFit& best = selection.candidates.front();
+  for (const LoadFit& candidate : selection.candidates) {
+    const double difference = candidate.report.aic - best.report.aic;
+    selection.aic_difference.push_back(difference);
+    if (&candidate != &best && difference < 2.0) {
+      best.report.warnings.push_back(std::string("the data cannot tell ") + to_string(best.model) + " from " + to_string(candidate.model) +
+                                     " (AICc difference " + format_number(std::round(difference * 100.0) / 100.0) + ")");
+    }
+  }
+  return selection;
+}
+
+}  // namespace limitcurve::fit

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#include "fit/model_fit.hpp"
+
+#include "limitcurve/laws.hpp"
+
+#include <array>
+#include <cstdio>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace limitcurve::fit {
+
+namespace {
+
+std::invalid_argument unknown(std::string_view model, const char* expected) {
+  return std::invalid_argument("model '" + std::string(model) + "': expected " + expected);
+}
+
+/// The radius that the ratio implies under each common law, in one sentence.
+std::string radii(const Estimate& ratio) {
+  std::string text = "the ratio implies a contact radius of";
+  const char* separator = " ";
+  for (const Law& law : {flat_punch(), hertz(), uniform(), parabolic()}) {
+    std::array<char, 64> number{};
+    std::snprintf(number.data(), number.size(), "%.2f mm", 1e3 * implied_radius(ratio, *law).value);
+    text += separator + std::string(number.data()) + " (" + law->name() + ")";
+    separator = ", ";
+  }
+  return text;
+}
+
+template <class Fit>
+ModelFit curve_fit(std::string_view model, const Fit& fit) {
+  return {std::string(model), fit.report, fit.error};
+}
+
+}  // namespace
+
+ModelFit fit_model(std::string_view model, const Law& law, Criterion criterion) {
+  if (model == "ellipse") return curve_fit(model, fit_ellipse(law, criterion));
+  if (model == "superellipse") return curve_fit(model, fit_superellipse(law, criterion));
+  if (model == "quartic") return curve_fit(model, fit_quartic(law, criterion));
+  throw unknown(model, "ellipse, superellipse or quartic for the curve of a law");
+}
+
+ModelFit fit_model(std::string_view model, std::span<const Sample> samples, const Law& law, const ContactFitOptions& options) {
+  using Kind = ContactModel::Kind;
+  const auto done = [](ContactFit fit) { return ModelFit{std::move(fit.model), std::move(fit.report), std::nullopt}; };
+  if (model == "ellipse") return done(fit_contact(samples, {Kind::ellipse}, options));
+  if (model == "superellipse") return done(fit_contact(samples, {Kind::superellipse}, options));
+  if (model == "quartic") return done(fit_contact(samples, {Kind::quartic}, options));
+  if (model == "law") {
+    if (law) return done(fit_contact(samples, ContactModel::of(law), options));
+    return done(std::move(select_law(samples, options).candidates.front()));
+  }
+  if (model == "ratio") {
+    ModelFit fit = done(fit_contact(samples, ContactModel::of(law ? law : hertz()), options));
+    if (options.gamma == 0.0 && !options.fit_gamma) fit.report.warnings.push_back(radii(fit.report.at("ratio")));
+    return fit;
+  }
+  throw unknown(model, "ellipse, superellipse, quartic, ratio or law for samples of load, force and moment");
+}
+
+ModelFit fit_model(std::string_view model, const LoadSamples& samples, const Loss& loss) {
+  if (model != "load") throw unknown(model, "load for samples of radius or moment over the load");
+  LoadSelection selection = select_load(samples, loss);
+  LoadFit& best = selection.candidates.front();
+  return {to_string(best.model), std::move(best.report), std::nullopt};
+}
+
+}  // namespace limitcurve::fit

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include "fit/model_fit.hpp"
+
+#include "limitcurve/laws.hpp"
+#include "tests/fit/synthetic.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace limitcurve::fit {
+namespace {
+
+TEST(ModelFit, RatioOnTheTableOfKinoshitaGivesBackItsRatios) {
+  // Kinoshita et al. 1997, as the paper's Table 1 has it: means ± SD of μ_l, μ_r [mm] and of their ratio [mm].
+  struct Row {
+    const char* material;
+    double mu, mu_sd, mu_r, mu_r_sd, ratio, ratio_sd;
+  };
+  for (const Row& row : {Row{"rayon", 0.42, 0.07, 3.05, 0.57, 7.39, 0.91}, Row{"suede", 0.61, 0.1, 3.84, 0.74, 6.37, 0.88},
+                         Row{"sandpaper", 1.67, 0.24, 10.11, 1.50, 6.20, 1.54}}) {
+    // Per newton of load: one pure slide, one pure twist.
+    const std::vector<Sample> samples{{1.0, row.mu, 0.0, row.mu_sd, 1e-3 * row.mu_r_sd},
+                                      {1.0, 0.0, 1e-3 * row.mu_r, row.mu_sd, 1e-3 * row.mu_r_sd}};
+    const ModelFit fit = fit_model("ratio", samples);
+    const Estimate& ratio = fit.report.at("ratio");
+    EXPECT_NEAR(ratio.value, 1e-3 * row.mu_r / row.mu, 1e-9) << row.material;
+    EXPECT_NEAR(fit.report.at("mu").std_error, row.mu_sd, 1e-6) << row.material;
+    // The published ratio is a mean of ratios, not a ratio of means: the two differ by the scatter between subjects.
+    EXPECT_NEAR(ratio.value, 1e-3 * row.ratio, 0.2e-3 * row.ratio_sd) << row.material;
+    EXPECT_GT(fit.report.at("radius").value, 9e-3);
+    EXPECT_LT(fit.report.at("radius").value, 13e-3);
+    ASSERT_EQ(fit.report.warnings.size(), 2u);
+    EXPECT_NE(fit.report.warnings[0].find("more than the finger's"), std::string::npos);
+    EXPECT_NE(fit.report.warnings[1].find("(flat-punch)"), std::string::npos);
+  }
+}
+
+TEST(ModelFit, EachNameDoesItsFit) {
+  synthetic::Random random(1);
+  const std::vector<Sample> samples = synthetic::clean(synthetic::curve_of(uniform()), {0.8, 0.004}, 60, random);
+  EXPECT_EQ(fit_model("ellipse", samples).report.estimates[0].name, "force_max");
+  EXPECT_EQ(fit_model("superellipse", samples).report.estimates[2].name, "exponent");
+  EXPECT_EQ(fit_model("quartic", samples).report.estimates[2].name, "kappa");
+  EXPECT_NEAR(fit_model("law", samples, uniform()).report.at("radius").value, 0.004, 1e-10);
+  EXPECT_NEAR(fit_model("law", samples).report.at("radius").value, 0.004, 1e-6);
+  EXPECT_EQ(
+      fit_model("load", LoadSamples{LoadSamples::Quantity::radius, {{1.0, 2e-3}, {2.0, 2e-3}, {4.0, 2.1e-3}, {8.0, 1.9e-3}, {9.0, 2e-3}}})
+          .model,
+      "linear");
+  EXPECT_NEAR(fit_model("superellipse", hertz(), Criterion::minimax).report.at("exponent").value, 1.725, 5e-4);
+  EXPECT_TRUE(fit_model("ellipse", hertz()).error.has_value());
+}
+
+TEST(ModelFit, UnknownNamesAreToldWhatWasExpected) {
+  const auto message = [](auto call) -> std::string {
+    try {
+      call();
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "accepted";
+  };
+  const std::vector<Sample> samples(3, {1.0, 0.5, 0.001});
+  EXPECT_NE(message([&] { fit_model("elipse", hertz()); }).find("model 'elipse': expected ellipse, superellipse or quartic"),
+            std::string::npos);
+  EXPECT_NE(message([&] { fit_model("load", samples); }).find("ratio or law"), std::string::npos);
+  EXPECT_NE(message([&] { fit_model("law", LoadSamples{}); }).find("expected load"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace limitcurve::fit
