@@ -9,6 +9,7 @@
 ///   curve.wrench(SlipTwist::about_cor(0.5)); curve.gauge(w);    what every boundary can tell
 ///   Ellipse::through_intercepts(curve.moment_ratio());          a cheaper boundary …
 ///   boundary_error(ellipse, curve)                              … and how wrong it is
+///   Table::build(law, 1e-6)                                     … or the exact one as a table, and its files (table_file.hpp)
 ///   p_curve(curve, RadiusLaw::hertz(0.008, 2e5), mu, load, 64)  limit curves in newtons
 
 #include "limitcurve/boundary_error.hpp"
@@ -23,4 +24,6 @@
 #include "limitcurve/quartic.hpp"
 #include "limitcurve/radius_law.hpp"
 #include "limitcurve/superellipse.hpp"
+#include "limitcurve/table.hpp"
+#include "limitcurve/table_file.hpp"
 #include "limitcurve/wrench.hpp"
