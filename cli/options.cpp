@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "cli/options.hpp"
 
+#include "cli/law_argument.hpp"
 #include "cli/number_list.hpp"
 
-#include "limitcurve/laws.hpp"
 #include "limitcurve/number.hpp"
 
 #include <algorithm>
@@ -52,10 +52,11 @@ void Options::count(const std::string& name, std::size_t& value, std::size_t lea
       help + " (default " + std::to_string(value) + ")", Presence::optional);
 }
 
-void Options::choice(const std::string& name, std::size_t& value, std::vector<std::string> choices, const std::string& help) {
+void Options::choice(const std::string& name, std::size_t& value, std::vector<std::string> choices, const std::string& help,
+                     Presence presence) {
   std::string kind;
   for (const std::string& choice : choices) kind += (kind.empty() ? "" : "|") + choice;
-  const std::string standard = choices.at(value);
+  const std::string standard = presence == Presence::required ? "" : " (default " + choices.at(value) + ")";
   this->value(
       name, kind,
       [&value, choices = std::move(choices), kind](const std::string& text) {
@@ -63,13 +64,13 @@ void Options::choice(const std::string& name, std::size_t& value, std::vector<st
         if (found == choices.end()) throw std::invalid_argument("got '" + text + "', expected " + kind);
         value = static_cast<std::size_t>(found - choices.begin());
       },
-      help + " (default " + standard + ")", Presence::optional);
+      help + standard, presence);
 }
 
 void Options::law(Law& value, Presence presence) {
   this->value(
-      "--law", "LAW", [&value](const std::string& text) { value = parse_law(text); },
-      "Pressure law: hertz, uniform, power:n=2.3, …; 'limitcurve laws' lists them", presence);
+      "--law", "LAW", [&value](const std::string& text) { value = read_law(text); },
+      "Pressure law: hertz, uniform, power:n=2.3, samples:FILE.csv, …; 'limitcurve laws' lists them", presence);
 }
 
 void Options::radius_law(std::optional<RadiusLaw>& value, Presence presence) {

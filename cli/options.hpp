@@ -45,7 +45,8 @@ class Options {
                Presence presence = Presence::required);
   void count(const std::string& name, std::size_t& value, std::size_t least, std::size_t most, const std::string& help);
   /// One of `choices`; `value` gets its index and shows the default.
-  void choice(const std::string& name, std::size_t& value, std::vector<std::string> choices, const std::string& help);
+  void choice(const std::string& name, std::size_t& value, std::vector<std::string> choices, const std::string& help,
+              Presence presence = Presence::optional);
 
   void law(Law& value, Presence presence = Presence::required);
   void radius_law(std::optional<RadiusLaw>& value, Presence presence = Presence::required);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cli/csv_reader.hpp"
+#include "cli/materials.hpp"
 #include "cli/report_files.hpp"
 
 #include "limitcurve/laws.hpp"
@@ -32,19 +32,16 @@ void write_sizes(const std::filesystem::path& output) {
 /// A table for each material, under the radius that its coefficients imply by each law: mu_r = m0 mu a.
 void write_materials(const std::filesystem::path& output, const std::filesystem::path& data) {
   GatheredRows rows(output / "materials.csv");
-  CsvReader materials((data / "materials.csv").string(), {"material", "mu", "mu_r"});
-  while (materials.next()) {
-    const std::string material(materials.text(0));
-    const double mu = materials.number(1, positive);
-    const double mu_r = materials.number(2, positive);
+  for (const Material& material : read_materials(data)) {
     for (const std::string law : {"hertz", "uniform"}) {
-      const double radius = mu_r / (mu * parse_law(law)->moment_ratio());
-      const std::string name = "table-" + material + '-' + law + ".csv";
-      rows.add({"table", "--law", law, "--tolerance", "1e-6", "--output", (output / name).string()}, {{"material", material},
-                                                                                                      {"mu", format_number(mu)},
-                                                                                                      {"mu_r", format_number(mu_r)},
-                                                                                                      {"radius", format_number(radius)},
-                                                                                                      {"file", name}});
+      const double radius = material.mu_r / (material.mu * parse_law(law)->moment_ratio());
+      const std::string name = "table-" + material.name + '-' + law + ".csv";
+      rows.add({"table", "--law", law, "--tolerance", "1e-6", "--output", (output / name).string()},
+               {{"material", material.name},
+                {"mu", format_number(material.mu)},
+                {"mu_r", format_number(material.mu_r)},
+                {"radius", format_number(radius)},
+                {"file", name}});
     }
   }
   rows.finish();

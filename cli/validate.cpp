@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "cli/law_argument.hpp"
 #include "cli/subcommands.hpp"
 
 #include "fit/curve_fit.hpp"
@@ -36,7 +37,7 @@ class Validate final : public Subcommand {
 
   void declare(Options& options) override {
     options.repeated(
-        "--law", "LAW", [this](const std::string& text) { laws_.push_back(parse_law(text)); },
+        "--law", "LAW", [this](const std::string& text) { laws_.push_back(read_law(text)); },
         "Pressure law; may be repeated (default: all that 'limitcurve laws' lists)", Presence::optional);
   }
 

@@ -103,6 +103,31 @@ class Eval(CommandLineTest):
         self.assertEqual(parsed, rows(*call))
 
 
+class MeasuredProfiles(CommandLineTest):
+    def profile(self, text):
+        return "samples:" + str(self.file("profile.csv", text))
+
+    def test_a_hertz_profile_is_hertz_within_the_error_stated(self):
+        # 200 places, unevenly spaced, of a contact of 4 mm; any unit of pressure.
+        places = [1 - (1 - i / 199) ** 1.5 for i in range(200)]
+        text = "radius,pressure\n" + "".join(f"{0.004 * x!r},{7e4 * max(1 - x * x, 0) ** 0.5!r}\n" for x in places)
+        law = self.profile(text)
+        call = ["--c", "0,0.3,1,2,inf", "--radius", "0.5"]
+        for found, exact in zip(rows("eval", "--law", law, *call), rows("eval", "--law", "hertz", *call)):
+            for name in ["force", "moment"]:
+                self.assertLessEqual(abs(found[name] - exact[name]), found[name + "_error"] + exact[name + "_error"])
+                self.assertLess(found[name + "_error"], 1e-3)
+
+    def test_bad_profiles(self):
+        for text, told in [("", "profile.csv:1:1"), ("radius\n1\n", "'pressure'"), ("radius,pressure\n0,1\n1", "profile.csv:3"),
+                           ("radius,pressure\n0,1\n0.5,nan\n1,0\n", "profile.csv:3:5"), ("radius,pressure\n-1,1\n1,0\n", "profile.csv:2:1"),
+                           ("radius,pressure\n0,1\n1,1\n", "profile.csv"), ("radius,pressure\n0,0\n1,0\n2,0\n3,0\n", "profile.csv"),
+                           ("radius,pressure\n0,1\n2,1\n1,1\n3,1\n", "profile.csv")]:
+            self.assert_fails(2, ["--law", told, "expected"], "eval", "--law", self.profile(text), "--c", "1")
+        self.assert_fails(2, ["absent.csv"], "eval", "--law", "samples:absent.csv", "--c", "1")
+        self.assert_fails(2, ["samples:", "expected"], "eval", "--law", "samples:", "--c", "1")
+
+
 class Curves(CommandLineTest):
     def test_columns(self):
         load_dependent = ["--law", "hertz", "--radius-law", "power:c=0.002,gamma=0.25", "--mu", "0.8", "--loads", "1,2"]
