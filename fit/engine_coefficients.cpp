@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+#include "fit/engine_coefficients.hpp"
+
+#include "limitcurve/ellipse.hpp"
+#include "limitcurve/exact_curve.hpp"
+#include "limitcurve/number.hpp"
+#include "limitcurve/polygon.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace limitcurve::fit {
+
+namespace {
+
+/// Where the hardest place of the comparison at imposed COR lies is not known beforehand: this many twists, evenly in spin fraction.
+constexpr int twists = 4000;
+
+/// Largest distance of two boundaries' wrenches at the same twist, in the normalised plane of the exact one.
+template <class Model>
+double wrench_error(const Model& model, const ExactCurve& exact) {
+  double largest = 0.0;
+  for (int i = 0; i <= twists; ++i) {
+    const SlipTwist twist = SlipTwist::of_spin_fraction(static_cast<double>(i) / twists);
+    const UnitWrench a = model.wrench(twist);
+    const UnitWrench b = exact.wrench(twist);
+    largest = std::max(largest, std::hypot(a.force - b.force, (a.moment - b.moment) / exact.moment_ratio()));
+  }
+  return largest;
+}
+
+/// Measures the shape that `make(moment_max)` gives, in unit wrenches at the load of the translation; at another load the engine's
+/// moment limit per newton stays what it is, while the contact's grows with a(P).
+template <class MakeModel>
+void measure(EngineContact& contact, const ExactCurve& exact, const RadiusLaw& radius_law, double load, LoadRange loads, MakeModel make) {
+  contact.error = boundary_error(make(exact.moment_ratio()), exact);
+  contact.max_wrench_error = wrench_error(make(exact.moment_ratio()), exact);
+  contact.max_error_over_loads = contact.error.max_error;
+  // The limit's ratio to the true one is monotone in the load: the ends of the range are its extremes.
+  for (const double other : {loads.low, loads.high}) {
+    const double moment_max = exact.moment_ratio() * radius_law.growth(load / other);
+    contact.max_error_over_loads = std::max(contact.max_error_over_loads, boundary_error(make(moment_max), exact).max_error);
+  }
+}
+
+}  // namespace
+
+std::vector<EngineContact> translate(const Law& law, const RadiusLaw& radius_law, double mu, double load, LoadRange loads) {
+  const auto require = [](const char* name, double value, const char* unit) {
+    if (!(value > 0.0) || std::isinf(value)) throw out_of_range(name, value, unit, "> 0 and finite");
+  };
+  require("mu", mu, "1");
+  require("load", load, "N");
+  require("lowest load", loads.low, "N");
+  if (!(loads.high >= loads.low) || std::isinf(loads.high)) throw out_of_range("highest load", loads.high, "N", ">= the lowest and finite");
+
+  const ExactCurve exact(law);
+  const double lever = exact.moment_ratio() * radius_law.radius(load);
+  const double mu_r = mu * lever;
+  constexpr double pi = 3.14159265358979323846;
+  const double hertz_radius = 16.0 / (3.0 * pi) * lever;
+
+  const EngineCoefficient sliding{"", mu, "1", "mu"};
+  const auto named = [](EngineCoefficient coefficient, const char* parameter) {
+    coefficient.parameter = parameter;
+    return coefficient;
+  };
+  const EngineCoefficient torsional{"", mu_r, "m", "mu m0 a(P)"};
+
+  const auto ellipse = [](double moment_max) { return Ellipse(1.0, moment_max); };
+  const auto pyramid = [](double moment_max) { return diamond(1.0, moment_max); };
+  const auto uncoupled = [](double moment_max) { return box(1.0, moment_max); };
+
+  std::vector<EngineContact> contacts;
+  const auto add = [&](EngineContact contact, auto make) {
+    measure(contact, exact, radius_law, load, loads, make);
+    contacts.push_back(std::move(contact));
+  };
+
+  const std::vector<EngineCoefficient> mujoco{
+      {"geom.condim", 4.0, "1", "sliding and torsion"}, named(sliding, "geom.friction[0]"), named(torsional, "geom.friction[1]")};
+  std::vector<EngineCoefficient> mujoco_elliptic = mujoco;
+  mujoco_elliptic.push_back({"option.impratio", 10.0, "1", "advice: friction ten times as stiff as the normal constraint, against creep"});
+  add({"mujoco",
+       "ellipse",
+       mujoco_elliptic,
+       {},
+       0.0,
+       0.0,
+       "https://mujoco.readthedocs.io/en/stable/computation/index.html#friction-cones",
+       "needs <option cone=\"elliptic\"/>; of two geoms the larger coefficient counts, so set both or the priority; the documentation "
+       "calls friction[1] the diameter of the patch, but the moment's limit is friction[1] times the load"},
+      ellipse);
+  add({"mujoco",
+       "diamond",
+       mujoco,
+       {},
+       0.0,
+       0.0,
+       "https://mujoco.readthedocs.io/en/stable/computation/index.html#friction-cones",
+       "the default <option cone=\"pyramidal\"/>; sliding is a pyramid too, weakest between its axes; keep impratio at 1"},
+      pyramid);
+  add({"chrono",
+       "box",
+       {named(sliding, "SetFriction"), named(torsional, "SetSpinningFriction")},
+       {},
+       0.0,
+       0.0,
+       "https://api.projectchrono.org/classchrono_1_1_ch_contact_material_n_s_c.html",
+       "non-smooth contacts (NSC); the spinning moment is projected on its own, apart from sliding"},
+      uncoupled);
+  add({"gazebo",
+       "box",
+       {named(sliding, "surface/friction/ode/mu"),
+        named(sliding, "surface/friction/ode/mu2"),
+        named(sliding, "surface/friction/torsional/coefficient"),
+        {"surface/friction/torsional/use_patch_radius", 1.0, "1", "true: a radius that does not follow the depth"},
+        {"surface/friction/torsional/patch_radius", hertz_radius, "m", "16 m0 a(P)/(3 pi), which is a(P) for hertz"}},
+       {},
+       0.0,
+       0.0,
+       "https://classic.gazebosim.org/tutorials?tut=torsional_friction&cat=physics",
+       "with the ODE engine only; it computes T = 3 pi/16 patch_radius coefficient N, a Hertzian contact's moment, whatever the law"},
+      uncoupled);
+  add({"physx",
+       "box",
+       {named(sliding, "PxMaterial.staticFriction"),
+        named(sliding, "PxMaterial.dynamicFriction"),
+        {"PxShape.minTorsionalPatchRadius", lever, "m", "m0 a(P)"},
+        {"PxShape.torsionalPatchRadius", 0.0, "m", "0: else the lever grows as the root of radius times depth"}},
+       {},
+       0.0,
+       0.0,
+       "https://docs.rs/physx-sys/latest/physx_sys/fn.PxShape_setMinTorsionalPatchRadius_mut.html",
+       "the lever is max(min, sqrt(depth torsionalPatchRadius)), times friction and load; only where the contact patch has a single point"},
+      uncoupled);
+  add({"bullet",
+       "box",
+       {named(sliding, "setFriction"), named(torsional, "setSpinningFriction")},
+       {},
+       0.0,
+       0.0,
+       "https://github.com/bulletphysics/bullet3/blob/master/src/BulletCollision/CollisionDispatch/btManifoldResult.cpp",
+       "the other body needs friction 1 and spinning friction 0: frictions multiply, and each spinning friction is multiplied by the "
+       "other body's friction; the impulse of a step must stay below 1 N s"},
+      uncoupled);
+  add({"ode",
+       "box",
+       {named(sliding, "surface.mu"),
+        named(sliding, "surface.mu2"),
+        {"surface.rho", 0.0, "m", "no rolling friction"},
+        {"surface.rho2", 0.0, "m", "no rolling friction"},
+        named(torsional, "surface.rhoN")},
+       {},
+       0.0,
+       0.0,
+       "http://ode-wiki.org/wiki/index.php?title=Manual:_Joint_Types_and_Functions",
+       "mode needs dContactAxisDep (else rho serves for rhoN), dContactRolling and dContactApprox1 (else the limits are in N and N m, "
+       "whatever the load); sliding is a pyramid"},
+      uncoupled);
+  return contacts;
+}
+
+std::vector<EngineContact> translate(const Law& law, const RadiusLaw& radius_law, double mu, double load) {
+  return translate(law, radius_law, mu, load, {0.25 * load, 4.0 * load});
+}
+
+}  // namespace limitcurve::fit
