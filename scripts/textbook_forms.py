@@ -1,0 +1,89 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: MIT
+"""Draws where the closed forms of the textbooks lose their digits, in double, against `limitcurve eval`.
+
+usage: textbook_forms.py LIMITCURVE FOLDER, which gets textbook_forms.svg (and .png)
+
+Truth is mpmath at 60 digits (python3-mpmath): the hypergeometric forms, which cancel nowhere.
+"""
+
+import csv
+import math
+import subprocess
+import sys
+
+import mpmath
+
+from chart_style import FAINT, INK, law_style, plt, save
+
+DIGITS = 60
+CORS = [10 ** (k / 24) for k in range(-2 * 24, 5 * 24 + 1)]
+
+
+def uniform_textbook(s):
+    """Moment of the uniform law as printed, with K and E in double."""
+    with mpmath.workdps(16):
+        square = min(s, 1 / s) ** 2
+        first, second = float(mpmath.ellipk(square)), float(mpmath.ellipe(square))
+    if s <= 1:
+        return 4 / (9 * math.pi) * ((4 - 2 * s**2) * second + (s**2 - 1) * first)
+    return 4 * s / (9 * math.pi) * ((4 - 2 * s**2) * second + (2 * s**2 - 5 + 3 / s**2) * first)
+
+
+def hertz_textbook(s):
+    """Moment of the Hertz law as printed."""
+    if s <= 1:
+        return 3 * math.pi / 16 * (1 - s**2 + 3 / 8 * s**4)
+    angle, root = math.asin(1 / s), math.sqrt(s**2 - 1)
+    return 3 / 64 * ((8 - 8 * s**2 + 3 * s**4) * angle + 3 * (2 - s**2) * root)
+
+
+def power_truth(n, s):
+    """Moment of p ∝ (1−ρ²)ⁿ by its hypergeometric forms."""
+    s, n = mpmath.mpf(s), mpmath.mpf(n)
+    if s <= 1:
+        scale = mpmath.gamma(1.5) * mpmath.gamma(n + 2) / mpmath.gamma(n + 2.5)
+        return scale * mpmath.hyp2f1(0.5, -n - 1.5, 1, s**2)
+    return mpmath.hyp2f1(0.5, 0.5, n + 3, 1 / s**2) / (2 * (n + 2) * s)
+
+
+LAWS = {"uniform": (0, uniform_textbook), "hertz": (0.5, hertz_textbook)}
+
+
+def ours(limitcurve, law):
+    """Moments that the command line prints."""
+    cors = ",".join(repr(s) for s in CORS)
+    printed = subprocess.run([limitcurve, "eval", "--law", law, "--c", cors], check=True, capture_output=True, text=True)
+    return [float(row["moment"]) for row in csv.DictReader(printed.stdout.splitlines())]
+
+
+def relative_error(value, truth):
+    # An error below the last bit is drawn at the floor.
+    return max(float(abs(value / truth - 1)), 2.0**-54)
+
+
+def main():
+    limitcurve, folder = sys.argv[1:]
+    mpmath.mp.dps = DIGITS
+    figure, axes = plt.subplots(figsize=(6.4, 3.4), layout="constrained")
+    for law, (n, textbook) in LAWS.items():
+        truth = [power_truth(n, s) for s in CORS]
+        colour = law_style(law)["color"]
+        printed = [relative_error(textbook(s), m) for s, m in zip(CORS, truth)]
+        axes.loglog(CORS, printed, color=colour, linewidth=1.2)
+        axes.loglog(CORS, [relative_error(value, m) for value, m in zip(ours(limitcurve, law), truth)], color=colour, linewidth=1, alpha=0.9)
+        last = next(i for i, error in enumerate(printed) if CORS[i] > 1 and error > (1e-6 if law == "hertz" else 1e-9))
+        axes.annotate(f"{law}, as printed", (CORS[last], printed[last]), textcoords="offset points",
+                      xytext=(-6, 2) if law == "hertz" else (18, -6), ha="right" if law == "hertz" else "left", color=colour)
+    axes.axhline(1, color=FAINT, linewidth=0.8)
+    axes.annotate("no digit left", (1e-2, 1), textcoords="offset points", xytext=(2, 4), color=FAINT)
+    axes.annotate("limitcurve, both laws", (1e3, 1e-16), textcoords="offset points", xytext=(2, 6), color=INK)
+    axes.set_ylim(2e-17, 30)
+    axes.set_xlabel("distance of the centre of rotation  s = c/a")
+    axes.set_ylabel("relative error of the moment m")
+    axes.set_title("The closed forms as printed lose every digit of the moment as s grows")
+    save(figure, folder, "textbook_forms")
+
+
+if __name__ == "__main__":
+    main()
