@@ -17,6 +17,7 @@ std::unique_ptr<Subcommand> make_table();
 std::unique_ptr<Subcommand> make_lookup();
 std::unique_ptr<Subcommand> make_validate();
 std::unique_ptr<Subcommand> make_fit();
+std::unique_ptr<Subcommand> make_translate();
 std::unique_ptr<Subcommand> make_replay();
 std::unique_ptr<Subcommand> make_report();
 

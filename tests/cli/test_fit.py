@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""fit: parameters come back from the curves they made; bad and silent data are refused."""
+"""fit and translate: parameters come back from the curves they made; bad and silent data are refused."""
 
 import random
 import unittest
@@ -94,6 +94,37 @@ class Fit(CommandLineTest):
             done = run("fit", "ellipse", "--data", self.file("silent.csv", text))
             self.assertEqual((done.returncode, done.stdout), (2, ""))
             self.assertIn("limitcurve: error: ", done.stderr)
+
+
+class Translate(CommandLineTest):
+    CONTACT = ["translate", "--law", "uniform", "--radius-law", "power:c=0.002,gamma=0.25", "--mu", "0.8", "--load", "16"]
+
+    def test_every_engine_gets_both_limits(self):
+        self.assertEqual(header(*self.CONTACT), "engine,parameter,value,unit,model,max_error")
+        found = rows(*self.CONTACT)
+        self.assertEqual({row["engine"] for row in found}, {"mujoco", "chrono", "gazebo", "physx", "bullet", "ode"})
+        coefficients = {(row["engine"], row["parameter"]): row["value"] for row in found}
+        self.assertEqual(coefficients["mujoco", "geom.friction[0]"], 0.8)
+        # mu m0 a(P), a = 4 mm
+        self.assert_close(coefficients["mujoco", "geom.friction[1]"], 0.8 * 2 / 3 * 0.004, 1e-14)
+        errors = {row["model"]: row["max_error"] for row in found}
+        self.assertAlmostEqual(errors["ellipse"], 0.0704, delta=5e-5)
+        self.assertAlmostEqual(errors["box"], 0.512, delta=1e-3)
+
+    def test_explained_on_standard_error(self):
+        done = run(*self.CONTACT, "--explain")
+        self.assertEqual(done.returncode, 0)
+        self.assertEqual(done.stdout, run(*self.CONTACT).stdout)
+        self.assertTrue(all(line.startswith("limitcurve: note: ") for line in done.stderr.splitlines()))
+        self.assertIn("mujoco", done.stderr)
+
+    def test_bad_input(self):
+        for option, value in [("--mu", "0"), ("--load", "0"), ("--load", "-1"), ("--mu", "nan")]:
+            call = list(self.CONTACT)
+            call[call.index(option) + 1] = value
+            self.assert_fails(2, option, *call)
+        for loads in ["1", "2,1", "0,1", "1,2,3", "1,,2"]:
+            self.assert_fails(2, "--loads", *self.CONTACT, "--loads", loads)
 
 
 if __name__ == "__main__":
