@@ -251,7 +251,7 @@ void warn(FitReport& report, const UnitCurve& curve, const ContactModel& model, 
 ContactFit fit_prepared(const Preparation& preparation, const ContactModel& model, const ContactFitOptions& options) {
   const std::unique_ptr<UnitCurve> curve = make_curve(model);
   const ContactLayout layout{!curve->shape_name().empty(), options.fit_gamma, options.gamma};
-  const std::vector<Parameter> parameters = free_parameters(*curve, layout, model, preparation.start);
+  std::vector<Parameter> parameters = free_parameters(*curve, layout, model, preparation.start);
   const std::size_t free = layout.size();
   const std::size_t count = preparation.samples.size();
   if (count < free || (!preparation.with_sigma && count == free)) {
@@ -259,9 +259,16 @@ ContactFit fit_prepared(const Preparation& preparation, const ContactModel& mode
     for (const Parameter& parameter : parameters) names += (names.empty() ? "" : ", ") + parameter.name;
     throw std::invalid_argument("not identifiable from " + std::to_string(count) + (count == 1 ? " sample: " : " samples: ") + names);
   }
-  const ContactResiduals residuals(preparation.samples, *curve, layout);
-  const Solution solution = internal::minimise(residuals, parameters, options.loss);
   const bool robust = options.loss.kind != Loss::Kind::squared;
+  ContactResiduals residuals(preparation.samples, *curve, layout);
+  Solution solution = internal::minimise(residuals, parameters, options.loss);
+  // Again from there, with the drift that the scatter found causes (sigmas may overstate it).
+  const double scatter = robust ? std::pow(1.4826 * median_size(solution.residuals), 2) : internal::residual_variance(solution);
+  residuals.expect_drift(solution.values, preparation.with_sigma ? std::min(scatter, 1.0) : scatter);
+  for (std::size_t j = 0; j < free; ++j) parameters[j].start = solution.values[j];
+  const int iterations = solution.iterations;
+  solution = internal::minimise(residuals, parameters, options.loss);
+  solution.iterations += iterations;
   const double variance = preparation.with_sigma ? 1.0 : internal::residual_variance(solution);
   std::vector<double> covariance = internal::covariance(solution, parameters, options.loss, variance);
   for (std::size_t j = 0; j < 2; ++j) {

@@ -2,12 +2,13 @@
 #include "fit/internal/contact_residuals.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace limitcurve::fit::internal {
 
 ContactResiduals::ContactResiduals(std::span<const WeightedSample> samples, UnitCurve& curve, ContactLayout layout)
-    : samples_(samples), curve_(curve), layout_(layout), last_(samples.size(), -1.0) {}
+    : samples_(samples), curve_(curve), layout_(layout), last_(samples.size(), -1.0), drift_(samples.size(), 0.0) {}
 
 /// The t where (sample − q)·q′ changes sign, from ≥ 0 at the slide's end to ≤ 0 at the twist's: secant steps within a bracket.
 /// The distance is stationary there, so that an error of 1e-9 in t is one of 1e-18 in it.
@@ -40,12 +41,35 @@ double ContactResiduals::closest(PlanePoint sample, PlanePoint scale, double sta
   return t;
 }
 
+PlanePoint ContactResiduals::scale_of(const WeightedSample& sample, std::span<const double> parameters) const noexcept {
+  const double gamma = layout_.gamma ? parameters[layout_.gamma_place()] : layout_.fixed_gamma;
+  return {std::exp(parameters[0]) * sample.load_force, std::exp(parameters[1] + gamma * sample.log_load) * sample.load_moment};
+}
+
+void ContactResiduals::expect_drift(std::span<const double> parameters, double variance) {
+  if (layout_.shape) curve_.bend(parameters[2]);
+  for (std::size_t i = 0; i < samples_.size(); ++i) {
+    // Curvature by the circle through three points: 4·area/(product of the sides).
+    constexpr double step = 0.01;
+    const double t = std::clamp(last_[i], step, 1.0 - step);
+    const PlanePoint scale = scale_of(samples_[i], parameters);
+    std::array<PlanePoint, 3> points{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const PlanePoint point = curve_.at(t + step * (static_cast<double>(k) - 1.0)).point;
+      points[k] = {scale.x * point.x, scale.y * point.y};
+    }
+    const auto side = [&](std::size_t a, std::size_t b) { return std::hypot(points[a].x - points[b].x, points[a].y - points[b].y); };
+    const double twice_area =
+        std::fabs((points[1].x - points[0].x) * (points[2].y - points[0].y) - (points[1].y - points[0].y) * (points[2].x - points[0].x));
+    const double curvature = 2.0 * twice_area / (side(0, 1) * side(1, 2) * side(0, 2));
+    drift_[i] = std::min(0.5 * curvature * variance, 0.25 * std::sqrt(variance));
+  }
+}
+
 bool ContactResiduals::evaluate(std::size_t i, std::span<const double> parameters, double& residual, double* gradient) const {
   const WeightedSample& sample = samples_[i];
   if (layout_.shape) curve_.bend(parameters[2]);
-  const double gamma = layout_.gamma ? parameters[layout_.gamma_place()] : layout_.fixed_gamma;
-  const PlanePoint scale{std::exp(parameters[0]) * sample.load_force,
-                         std::exp(parameters[1] + gamma * sample.log_load) * sample.load_moment};
+  const PlanePoint scale = scale_of(sample, parameters);
   const PlanePoint at{sample.force, sample.moment};
   double& t = last_[i];
   t = closest(at, scale, t >= 0.0 ? t : curve_.guess({at.x / scale.x, at.y / scale.y}));
@@ -59,7 +83,7 @@ bool ContactResiduals::evaluate(std::size_t i, std::span<const double> parameter
   const double outward_y = -scale.x * place.tangent.x;
   const double length = std::sqrt(outward_x * outward_x + outward_y * outward_y);
   const PlanePoint normal{outward_x / length, outward_y / length};
-  residual = (at.x - on_curve.x) * normal.x + (at.y - on_curve.y) * normal.y;
+  residual = (at.x - on_curve.x) * normal.x + (at.y - on_curve.y) * normal.y - drift_[i];
   if (gradient != nullptr) {
     gradient[0] = -normal.x * on_curve.x;
     gradient[1] = -normal.y * on_curve.y;

@@ -31,13 +31,18 @@ struct ContactLayout {
 /// Signed distance of each sample from the curve q(t) = (μ P x(t)/σ_F, μ_r P (P/P₀)^γ y(t)/σ_M), positive outside:
 ///   d = (sample − q(t*))·N, where N is the outward unit normal at the closest point t*.
 /// As t* minimises the distance, its own change does not count: ∂d/∂θ = −N·∂q/∂θ at fixed t*.
+/// Errors of variance σ² along a curve of curvature κ carry samples outwards by κσ²/2 on average; `expect_drift` takes that off.
 class ContactResiduals final : public ResidualModel {
  public:
   ContactResiduals(std::span<const WeightedSample> samples, UnitCurve& curve, ContactLayout layout);
   std::size_t count() const noexcept override { return samples_.size(); }
   bool evaluate(std::size_t i, std::span<const double> parameters, double& residual, double* gradient) const override;
 
+  /// From now on subtracts from each residual the drift κσ²/2 at its closest point for `parameters`, but at most σ/4.
+  void expect_drift(std::span<const double> parameters, double variance);
+
  private:
+  [[nodiscard]] PlanePoint scale_of(const WeightedSample& sample, std::span<const double> parameters) const noexcept;
   [[nodiscard]] double closest(PlanePoint sample, PlanePoint scale, double start) const noexcept;
 
   std::span<const WeightedSample> samples_;
@@ -45,6 +50,7 @@ class ContactResiduals final : public ResidualModel {
   ContactLayout layout_;
   /// Last closest point of each sample, a good start for the next; negative: none yet.
   mutable std::vector<double> last_;
+  std::vector<double> drift_;
 };
 
 }  // namespace limitcurve::fit::internal

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "fit/contact_fit.hpp"
+#include "tests/fit/synthetic.hpp"
+
+#include <cmath>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace limitcurve::fit::synthetic {
+
+/// How honest the estimates of one quantity are, over many noisy copies of the same truth.
+struct Honesty {
+  double bias = 0.0;       ///< mean error over mean standard error
+  double coverage = 0.0;   ///< share of the 95 % intervals that hold the truth
+  double std_error = 0.0;  ///< mean standard error over the truth
+};
+
+/// Fits `model` to `seeds` noisy copies of 100 samples of the contact that `law` (shape parameter `shape`) makes with
+/// μ = 0.8, a = 5 mm. `noise` is the relative error of force and moment; `tell` gives the sigmas to the fit. Fits that declare the
+/// shape unknown (infinite standard error) are left out and counted in `blanks`.
+inline std::map<std::string, Honesty> study(const ContactModel& model, const Law& law, double shape, double noise, bool tell, int seeds,
+                                            int& blanks) {
+  const Truth truth{0.8, 0.005};
+  const double mu_r = truth.mu * truth.radius * law->moment_ratio();
+  const std::map<std::string, double> truths{{"mu", truth.mu},         {"mu_r", mu_r}, {"ratio", mu_r / truth.mu},
+                                             {"radius", truth.radius}, {"n", shape},   {"k", shape}};
+  Random loads(5);
+  const std::vector<Sample> exact = clean(curve_of(law), truth, 100, loads);
+  std::map<std::string, Honesty> result;
+  blanks = 0;
+  for (int seed = 0; seed < seeds; ++seed) {
+    Random random(static_cast<std::uint64_t>(1000 + seed));
+    std::vector<Sample> samples = exact;
+    disturb(samples, noise, truth.mu, mu_r, tell, random);
+    const FitReport report = fit_contact(samples, model).report;
+    bool blank = false;
+    for (const Estimate& estimate : report.estimates) blank = blank || !std::isfinite(estimate.std_error);
+    if (blank) {
+      ++blanks;
+      continue;
+    }
+    for (const Estimate& estimate : report.estimates) {
+      const double error = estimate.value - truths.at(estimate.name);
+      Honesty& honesty = result[estimate.name];
+      honesty.bias += error;
+      honesty.coverage += std::fabs(error) <= 1.959964 * estimate.std_error ? 1.0 : 0.0;
+      honesty.std_error += estimate.std_error;
+    }
+  }
+  for (auto& [name, honesty] : result) {
+    const auto counted = static_cast<double>(seeds - blanks);
+    honesty.bias /= honesty.std_error;
+    honesty.coverage /= counted;
+    honesty.std_error /= counted * truths.at(name);
+  }
+  return result;
+}
+
+}  // namespace limitcurve::fit::synthetic
