@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The evaluators of eq. (17) against values that mpmath made, law by law.
+#include "limitcurve/closed_form.hpp"
 #include "limitcurve/exact_curve.hpp"
 #include "limitcurve/laws.hpp"
 #include "reference.hpp"
@@ -10,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <random>
 #include <set>
 #include <string>
 
@@ -115,6 +117,43 @@ TEST(Anchors, HertzMomentsAreSimpleFractions) {
   EXPECT_DOUBLE_EQ(law->evaluate(0.5).wrench.moment / m0, 99.0 / 128.0);
   EXPECT_DOUBLE_EQ(law->evaluate(1.0).wrench.moment / m0, 3.0 / 8.0);
   EXPECT_DOUBLE_EQ(law->evaluate(1.0).wrench.force, 0.88357293382212931);  // 9π/32
+}
+
+/// The closed forms are templates: what closed_form.hpp promises in ε holds for each Real.
+template <class Real>
+void expect_promised_precision(const char* law, UnitForces<Real> (*form)(Real) noexcept, UnitForces<Extended> (*exact)(Extended) noexcept) {
+  constexpr Extended epsilon = std::numeric_limits<Real>::epsilon();
+  const int roundings = std::string(law) == "cone" ? 16 : 8;
+  std::mt19937_64 random(41);
+  std::uniform_real_distribution<double> decade(-6.0, 6.0);
+  std::uniform_real_distribution<double> near_rim(-16.0, -0.3);
+  for (int i = 0; i < 4000; ++i) {
+    const double drawn = i % 2 == 0 ? std::pow(10.0, decade(random)) : 1.0 + (i % 4 == 1 ? 1.0 : -1.0) * std::pow(10.0, near_rim(random));
+    const auto s = static_cast<Real>(drawn);
+    const UnitForces<Real> found = form(s);
+    const UnitForces<Extended> truth = exact(s);
+    EXPECT_LE(std::fabs(found.force - truth.force), 8 * epsilon * truth.force) << law << ' ' << s;
+    EXPECT_LE(std::fabs(found.moment - truth.moment), roundings * epsilon * truth.moment) << law << ' ' << s;
+    EXPECT_LE(std::fabs(found.force_slope - truth.force_slope), 64 * epsilon * truth.force_slope) << law << ' ' << s;
+  }
+}
+
+template <class Real>
+void expect_promised_precision_of_all() {
+  namespace form = closed_form;
+  expect_promised_precision<Real>("hertz", form::hertz<Real>, form::hertz<Extended>);
+  expect_promised_precision<Real>("flat-punch", form::flat_punch<Real>, form::flat_punch<Extended>);
+  expect_promised_precision<Real>("uniform", form::uniform<Real>, form::uniform<Extended>);
+  expect_promised_precision<Real>("parabolic", form::parabolic<Real>, form::parabolic<Extended>);
+  expect_promised_precision<Real>("cone", form::cone<Real>, form::cone<Extended>);
+}
+
+TEST(ClosedForms, InSinglePrecision) {
+  expect_promised_precision_of_all<float>();
+}
+
+TEST(ClosedForms, InDoublePrecision) {
+  expect_promised_precision_of_all<double>();
 }
 
 /// Γ(3/k)²/(Γ(2/k)Γ(4/k))·¾, printed to 12 digits in Xydas and Kao's notation.
