@@ -17,33 +17,25 @@ int main(int argc, char** argv) {
     std::fputs("usage: fit_coverage_study [SEEDS >= 1]\n", stderr);
     return 2;
   }
-  struct Row {
-    const char* name;
-    ContactModel model;
-    Law law;
-    double shape;
-    double noise;
-    bool tell;
-  };
-  const Row rows[] = {
-      {"hertz", ContactModel::of(hertz()), hertz(), 0.5, 0.01, true},
-      {"hertz", ContactModel::of(hertz()), hertz(), 0.5, 0.01, false},
-      {"hertz", ContactModel::of(hertz()), hertz(), 0.5, 0.03, true},
-      {"hertz", ContactModel::of(hertz()), hertz(), 0.5, 0.03, false},
-      {"power n=0.5", {ContactModel::Kind::power}, hertz(), 0.5, 0.003, true},
-      {"power n=0.5", {ContactModel::Kind::power}, hertz(), 0.5, 0.003, false},
-      {"power n=0.5", {ContactModel::Kind::power}, hertz(), 0.5, 0.01, true},
-      {"xydas-kao k=3", {ContactModel::Kind::xydas_kao}, xydas_kao(3.0), 3.0, 0.001, true},
-      {"xydas-kao k=3", {ContactModel::Kind::xydas_kao}, xydas_kao(3.0), 3.0, 0.003, true},
-  };
   std::puts("model,noise,sigmas,parameter,relative_std_error,bias,coverage,blanks");
-  for (const Row& row : rows) {
+  const auto row = [seeds](const char* name, const ContactModel& model, const Law& law, double shape, double noise, bool tell) {
     int blanks = 0;
-    for (const auto& [name, honesty] : synthetic::study(row.model, row.law, row.shape, row.noise, row.tell, seeds, blanks)) {
-      std::printf("%s,%g,%s,%s,%.4f,%+.3f,%.3f,%d\n", row.name, row.noise, row.tell ? "known" : "found", name.c_str(), honesty.std_error,
+    for (const auto& [parameter, honesty] : synthetic::study(model, law, shape, noise, tell, seeds, blanks)) {
+      std::printf("%s,%g,%s,%s,%.4f,%+.3f,%.3f,%d\n", name, noise, tell ? "known" : "found", parameter.c_str(), honesty.std_error,
                   honesty.bias, honesty.coverage, blanks);
     }
     std::fflush(stdout);
-  }
+  };
+  const ContactModel power_family{ContactModel::Kind::power};
+  const ContactModel xydas_kao_family{ContactModel::Kind::xydas_kao};
+  row("hertz", ContactModel::of(hertz()), hertz(), 0.5, 0.01, true);
+  row("hertz", ContactModel::of(hertz()), hertz(), 0.5, 0.01, false);
+  row("hertz", ContactModel::of(hertz()), hertz(), 0.5, 0.03, true);
+  row("hertz", ContactModel::of(hertz()), hertz(), 0.5, 0.03, false);
+  row("power n=0.5", power_family, hertz(), 0.5, 0.003, true);
+  row("power n=0.5", power_family, hertz(), 0.5, 0.003, false);
+  row("power n=0.5", power_family, hertz(), 0.5, 0.01, true);
+  row("xydas-kao k=3", xydas_kao_family, xydas_kao(3.0), 3.0, 0.001, true);
+  row("xydas-kao k=3", xydas_kao_family, xydas_kao(3.0), 3.0, 0.003, true);
   return 0;
 }
