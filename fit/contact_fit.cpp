@@ -208,7 +208,7 @@ Preparation prepare(std::span<const Sample> samples, const ContactFitOptions& op
     const ContactResiduals residuals(weighted, *curve, layout);
     const std::vector<Parameter> parameters = free_parameters(*curve, layout, ellipse, preparation.start);
     const Loss loss = pass == 0 && robust ? Loss::cauchy(0.05) : options.loss;
-    const Solution solution = internal::minimise(residuals, parameters, loss);
+    const Solution solution = internal::minimise(residuals, parameters, loss, internal::coarse_tolerance);
     preparation.start = {std::exp(solution.values[0]), std::exp(solution.values[1])};
     if (robust) {
       preparation.noise *= std::max(1.4826 * median_size(solution.residuals), 1e-9);
@@ -218,7 +218,7 @@ Preparation prepare(std::span<const Sample> samples, const ContactFitOptions& op
   return preparation;
 }
 
-void warn(FitReport& report, const UnitCurve& curve, const ContactModel& model, const ContactFitOptions& options, bool with_sigma) {
+void warn(FitReport& report, const UnitCurve& curve, const ContactModel& model, const ContactFitOptions& options) {
   if (!report.converged) report.warnings.push_back("the minimiser did not converge: " + report.message);
   if (is_exact(model)) {
     const Estimate& radius = report.at(options.gamma != 0.0 || options.fit_gamma ? "c" : "radius");
@@ -237,14 +237,26 @@ void warn(FitReport& report, const UnitCurve& curve, const ContactModel& model, 
       }
     }
   }
-  if (with_sigma && report.residuals > report.free_parameters) {
-    const double reduced =
-        report.rms * std::sqrt(static_cast<double>(report.residuals) / static_cast<double>(report.residuals - report.free_parameters));
-    const double doubt = 3.0 / std::sqrt(2.0 * static_cast<double>(report.residuals));
-    if (reduced > 1.0 + doubt) {
-      report.warnings.push_back("the scatter is " + brief(reduced) +
-                                " times what the sigmas say: the model is wrong, or the sigmas are too small");
+}
+
+/// What the residuals, in standard deviations as told or found, say against the fit.
+void warn_of_scatter(FitReport& report, const Solution& solution, const Loss& loss, bool with_sigma) {
+  const auto count = static_cast<double>(solution.residuals.size());
+  if (loss.kind != Loss::Kind::squared) {
+    constexpr double gross = 5.0;
+    const auto outliers =
+        std::count_if(solution.residuals.begin(), solution.residuals.end(), [](double r) { return std::fabs(r) > gross; });
+    if (outliers > 0) {
+      report.warnings.push_back(std::to_string(outliers) + " of " + std::to_string(solution.residuals.size()) +
+                                " samples are more than 5 standard deviations off: mislabelled?");
     }
+  }
+  if (!with_sigma || report.residuals <= report.free_parameters) return;
+  const double scatter =
+      loss.kind != Loss::Kind::squared ? 1.4826 * median_size(solution.residuals) : std::sqrt(internal::residual_variance(solution));
+  if (scatter > 1.0 + 3.0 / std::sqrt(count)) {
+    report.warnings.push_back("the scatter is " + brief(scatter) +
+                              " times what the sigmas say: outliers, the wrong model, or sigmas that are too small");
   }
 }
 
@@ -261,7 +273,7 @@ ContactFit fit_prepared(const Preparation& preparation, const ContactModel& mode
   }
   const bool robust = options.loss.kind != Loss::Kind::squared;
   ContactResiduals residuals(preparation.samples, *curve, layout);
-  Solution solution = internal::minimise(residuals, parameters, options.loss);
+  Solution solution = internal::minimise(residuals, parameters, options.loss, internal::coarse_tolerance);
   // Again from there, with the drift that the scatter found causes (sigmas may overstate it).
   const double scatter = robust ? std::pow(1.4826 * median_size(solution.residuals), 2) : internal::residual_variance(solution);
   residuals.expect_drift(solution.values, preparation.with_sigma ? std::min(scatter, 1.0) : scatter);
@@ -313,7 +325,8 @@ ContactFit fit_prepared(const Preparation& preparation, const ContactModel& mode
   if (layout.shape) add(curve->shape_name(), curve->parameter(shape), "1", 0.0, 0.0, curve->parameter_slope(shape), 0.0);
   if (layout.gamma) add("gamma", gamma, "1", 0.0, 0.0, 0.0, 1.0);
   internal::set_estimates(fit.report, quantities, jacobian, covariance);
-  warn(fit.report, *curve, model, options, preparation.with_sigma);
+  warn(fit.report, *curve, model, options);
+  warn_of_scatter(fit.report, solution, options.loss, preparation.with_sigma);
 
   if (layout.shape) {
     const double range = curve->high() - curve->low();

@@ -126,7 +126,8 @@ LoadFit fit_prepared(const Preparation& data, LoadModel model, const Loss& loss)
                                 parameters[0].name + (fit_gamma ? ", gamma" : ""));
   }
   const LoadResiduals residuals(data.rows, data.offset, fit_gamma, fixed_gamma(model), data.noise);
-  const internal::Solution solution = internal::minimise(residuals, parameters, loss);
+  // Cheap, and linear in the logarithms: as good as a regression line.
+  const internal::Solution solution = internal::minimise(residuals, parameters, loss, 1e-18);
   const double variance = data.with_sigma ? 1.0 : internal::residual_variance(solution);
   const std::vector<double> covariance = internal::covariance(solution, parameters, loss, variance);
 

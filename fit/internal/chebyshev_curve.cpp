@@ -64,18 +64,36 @@ ChebyshevCurve::ChebyshevCurve(const PressureLaw& law) : moment_ratio_(law.momen
   // A law without a rim has no singularity to split at; 2.7 m₀ serves the Gaussian best.
   if (law.breaks().back() != 1) split_ = 2.7 * moment_ratio_;
   value_ = analyse(law, moment_ratio_, split_);
+  trim();
+}
+
+void ChebyshevCurve::trim() noexcept {
+  constexpr double negligible = 1e-14;
+  for (std::size_t side = 0; side < 2; ++side) {
+    double tail = 0.0;
+    std::size_t used = terms;
+    while (used > 2) {
+      const PlanePoint& value = value_[side][used - 1];
+      const PlanePoint& slope = slope_[side][used - 1];
+      tail += std::fabs(value.x) + std::fabs(value.y) + std::fabs(slope.x) + std::fabs(slope.y);
+      if (tail > negligible) break;
+      --used;
+    }
+    used_[side] = used;
+  }
 }
 
 PlanePoint ChebyshevCurve::sum(const std::array<Series, 2>& sides, double u) const noexcept {
   const double slide = 1.0 - u;
   const double spin = split_ * u;
   const bool inside = slide <= spin;
-  const Series& series = sides[inside ? 0 : 1];
+  const std::size_t side = inside ? 0 : 1;
+  const Series& series = sides[side];
   const double z = 2.0 * place_of(inside ? slide / spin : spin / slide) - 1.0;
   // Clenshaw's recurrence for both components at once.
   PlanePoint first{0.0, 0.0};
   PlanePoint second{0.0, 0.0};
-  for (std::size_t j = terms - 1; j > 0; --j) {
+  for (std::size_t j = used_[side] - 1; j > 0; --j) {
     const PlanePoint next{2.0 * z * first.x - second.x + series[j].x, 2.0 * z * first.y - second.y + series[j].y};
     second = first;
     first = next;
@@ -150,6 +168,7 @@ ChebyshevCurve ShapeFamily::member(double coordinate) const noexcept {
     slope = next_slope;
     next_slope = slope_after;
   }
+  curve.trim();
   return curve;
 }
 

@@ -42,9 +42,13 @@ class ChebyshevCurve {
   friend class ShapeFamily;
   [[nodiscard]] PlanePoint sum(const std::array<Series, 2>& sides, double u) const noexcept;
 
+  /// Leaves out the last terms, which only add rounding.
+  void trim() noexcept;
+
   std::array<Series, 2> value_{};
   std::array<Series, 2> slope_{};
-  double split_ = 1.0;  // s where the series meet: the rim
+  std::array<std::size_t, 2> used_{terms, terms};  // terms that count, on each side
+  double split_ = 1.0;                             // s where the series meet: the rim
   double moment_ratio_ = 0.0;
   double moment_ratio_slope_ = 0.0;
 };

@@ -67,14 +67,14 @@ Influence influence(const Loss& loss, double residual) {
 }
 
 /// Ceres speaks through glog, which prints to standard error unless told otherwise; a library must not.
-ceres::Solver::Options quiet_options() {
+ceres::Solver::Options quiet_options(double tolerance) {
   ceres::Solver::Options options;
   options.logging_type = ceres::SILENT;
   options.minimizer_progress_to_stdout = false;
   options.linear_solver_type = ceres::DENSE_QR;
   options.max_num_iterations = 200;
-  // Noise-free data are to be met to the last digits, which the defaults (1e-6) are not made for.
-  options.function_tolerance = 1e-16;
+  // The defaults (1e-6, 1e-10, 1e-8) are not made for noise-free data, which are to be met to the last digits.
+  options.function_tolerance = tolerance;
   options.gradient_tolerance = 1e-18;
   options.parameter_tolerance = 1e-14;
   options.num_threads = 1;
@@ -83,7 +83,7 @@ ceres::Solver::Options quiet_options() {
 
 }  // namespace
 
-Solution minimise(const ResidualModel& model, std::span<const Parameter> parameters, const Loss& loss) {
+Solution minimise(const ResidualModel& model, std::span<const Parameter> parameters, const Loss& loss, double tolerance) {
   Solution solution;
   const std::size_t free = parameters.size();
   for (const Parameter& parameter : parameters) {
@@ -105,7 +105,7 @@ Solution minimise(const ResidualModel& model, std::span<const Parameter> paramet
     if (std::isfinite(parameters[j].high)) problem.SetParameterUpperBound(block, index, parameters[j].high);
   }
   ceres::Solver::Summary summary;
-  ceres::Solve(quiet_options(), &problem, &summary);
+  ceres::Solve(quiet_options(tolerance), &problem, &summary);
   if (summary.termination_type == ceres::FAILURE && summary.num_successful_steps <= 0) {
     throw std::invalid_argument("the fit cannot start: " + summary.message);
   }

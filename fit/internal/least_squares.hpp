@@ -40,8 +40,14 @@ struct Solution {
   std::string message;
 };
 
+/// Relative change of the cost at which an iteration is the last. The parameters are then within about its root, times that of
+/// the number of samples, of their standard errors; without noise they are met to rounding in any case.
+inline constexpr double fine_tolerance = 1e-14;
+inline constexpr double coarse_tolerance = 1e-7;
+
 /// Minimises ½ Σ loss(residual²) within the bounds. Throws std::invalid_argument if the model is undefined at the start.
-Solution minimise(const ResidualModel& model, std::span<const Parameter> parameters, const Loss& loss = {});
+Solution minimise(const ResidualModel& model, std::span<const Parameter> parameters, const Loss& loss = {},
+                  double tolerance = fine_tolerance);
 
 /// Covariance of the parameters, row by row: (JᵀJ)⁻¹ for plain least squares, the sandwich
 /// (Σψ′ggᵀ)⁻¹ (Σψ²ggᵀ) (Σψ′ggᵀ)⁻¹ for a robust loss. `variance` is that of one residual (1 if residuals are already in

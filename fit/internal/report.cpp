@@ -57,11 +57,12 @@ void set_estimates(FitReport& report, std::span<const Quantity> quantities, std:
 double akaike(double cost, std::size_t residuals, std::size_t free_parameters, bool known_variance) noexcept {
   const auto n = static_cast<double>(residuals);
   const double p = static_cast<double>(free_parameters) + (known_variance ? 0.0 : 1.0);
-  if (n - p - 1.0 <= 0.0) return std::numeric_limits<double>::infinity();
   // A perfect fit of noise-free data has no variance to estimate: the floor keeps the logarithm finite.
   const double chi_square = std::max(2.0 * cost, n * std::numeric_limits<double>::min());
   const double misfit = known_variance ? chi_square : n * std::log(chi_square / n);
-  return misfit + 2.0 * p + 2.0 * p * (p + 1.0) / (n - p - 1.0);
+  // The correction has no meaning for as few samples as parameters; plain AIC then.
+  const double few = n - p - 1.0 > 0.0 ? 2.0 * p * (p + 1.0) / (n - p - 1.0) : 0.0;
+  return misfit + 2.0 * p + few;
 }
 
 }  // namespace limitcurve::fit::internal
