@@ -36,8 +36,8 @@ struct Entry {
 
 std::vector<Entry> make_entries() {
   std::vector<Entry> entries;
-  for (const auto make : {make_laws, make_eval, make_curve, make_p_curves, make_c_curves, make_table, make_lookup, make_validate, make_fit,
-                          make_translate, make_replay, make_report})
+  for (const auto make : {make_laws, make_eval, make_curve, make_p_curves, make_c_curves, make_table, make_lookup, make_validate,
+                          make_choose, make_fit, make_translate, make_replay, make_report})
     entries.push_back({make()});
   return entries;
 }
@@ -63,7 +63,7 @@ void check_subcommand(const std::string& name, const std::vector<Entry>& entries
     if (entry.app->get_name() == name) return;
     expected += ' ' + entry.app->get_name();
   }
-  throw std::invalid_argument("unknown subcommand '" + name + "', expected one of" + expected);
+  throw std::invalid_argument((name.empty() ? "no subcommand" : "unknown subcommand '" + name + "'") + ", expected one of" + expected);
 }
 
 }  // namespace
@@ -94,7 +94,8 @@ void run_command_line(const std::vector<std::string>& arguments, Results results
       "limitcurve SUBCOMMAND --help shows its options and an example.");
   std::vector<Entry> entries = make_entries();
   for (Entry& entry : entries) declare(app, entry);
-  if (!arguments.empty() && arguments[0].substr(0, 1) != "-") check_subcommand(arguments[0], entries);
+  const std::string name = arguments.empty() ? "" : arguments[0];
+  if (name != "-h" && name != "--help" && name != "--version") check_subcommand(name, entries);
   try {
     app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
   } catch (const CLI::CallForHelp&) {
@@ -104,7 +105,7 @@ void run_command_line(const std::vector<std::string>& arguments, Results results
     results.output.write(std::string(version.what()) + "\n");
     return results.output.flush();
   } catch (const CLI::ParseError& error) {
-    throw std::invalid_argument(error.what());
+    throw std::invalid_argument(std::string(error.what()) + " (expected usage: limitcurve " + name + " --help)");
   }
   for (const Entry& entry : entries) {
     if (!entry.app->parsed()) continue;

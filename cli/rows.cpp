@@ -77,9 +77,9 @@ void Rows::cell(double number) {
   results_.output.write(results_.format == Format::json && !std::isfinite(number) ? '"' + text + '"' : text);
 }
 
-void Rows::whole_number(unsigned long long number) {
+void Rows::literal(std::string_view text) {
   begin_cell();
-  results_.output.write(std::to_string(number));
+  results_.output.write(text);
 }
 
 void Rows::cell(std::string_view text) {

@@ -54,9 +54,11 @@ class Rows {
   void cell(const char* text) { cell(std::string_view(text)); }
   template <std::unsigned_integral Integer>
   void cell(Integer number) {
-    whole_number(number);
+    literal(std::to_string(number));
   }
-  void whole_number(unsigned long long number);
+  void cell(bool truth) { literal(truth ? "true" : "false"); }
+  /// A cell that is the same in both forms.
+  void literal(std::string_view text);
 
   Results results_;
   std::vector<std::string> columns_;

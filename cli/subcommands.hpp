@@ -16,6 +16,7 @@ std::unique_ptr<Subcommand> make_c_curves();
 std::unique_ptr<Subcommand> make_table();
 std::unique_ptr<Subcommand> make_lookup();
 std::unique_ptr<Subcommand> make_validate();
+std::unique_ptr<Subcommand> make_choose();
 std::unique_ptr<Subcommand> make_fit();
 std::unique_ptr<Subcommand> make_translate();
 std::unique_ptr<Subcommand> make_replay();

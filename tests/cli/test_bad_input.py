@@ -24,9 +24,10 @@ class Usage(CommandLineTest):
             self.assertIn(f"Example:\n  limitcurve {name}", run(name, "--help").stdout)
 
     def test_wrong_usage(self):
-        self.assert_fails(2, "subcommand")
+        self.assert_fails(2, ["no subcommand", "eval"])
+        self.assert_fails(2, ["--foo", "eval"], "--foo")
         self.assert_fails(2, ["'evil'", "eval"], "evil")
-        self.assert_fails(2, "--law", "eval", "--c", "1")
+        self.assert_fails(2, ["--law", "eval --help"], "eval", "--c", "1")
         self.assert_fails(2, "--c", "eval", "--law", "hertz")
         self.assert_fails(2, "--c", "eval", "--law", "hertz", "--c")
         self.assert_fails(2, "--sea", *EVAL, "--sea", "1")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""validate: the figures by which the ellipse and its kin are wrong."""
+"""validate and choose: the figures by which the ellipse and its kin are wrong, and what is good enough."""
 
 import math
 import unittest
@@ -66,6 +66,38 @@ class Validate(CommandLineTest):
 
     def test_json(self):
         self.assertIn('"max_cor_error":"inf"', run("validate", "--law", "hertz", "--format", "json").stdout)
+
+
+class Choose(CommandLineTest):
+    def chosen(self, law, tolerance):
+        found = rows("choose", "--law", law, "--tolerance", tolerance)
+        best = [row for row in found if row["chosen"] == "true"]
+        self.assertEqual(len(best), 1)
+        good = [row for row in found if row["error"] <= tolerance]
+        self.assertIn(best[0], good)
+        self.assertEqual(best[0]["nanoseconds"], min(row["nanoseconds"] for row in good))
+        return {row["model"]: row for row in found}, best[0]["model"]
+
+    def test_columns(self):
+        self.assertEqual(header("choose", "--law", "hertz", "--tolerance", "0.01"), "model,parameter,error,nanoseconds,chosen")
+
+    def test_the_cheapest_that_is_good_enough(self):
+        for tolerance in [1, 0.1, 1e-2, 1e-5]:
+            models, _ = self.chosen("uniform", tolerance)
+            self.assertEqual(set(models), {"box", "diamond", "ellipse", "superellipse", "quartic", "table", "exact"})
+            self.assertLessEqual(models["table"]["error"], tolerance)
+            self.assertAlmostEqual(models["ellipse"]["error"], 0.0704, delta=5e-5)
+
+    def test_what_no_approximation_reaches(self):
+        # Below the ellipse's 4 % no shape of one parameter, below a table's 1e-10 only the curve itself.
+        self.assertIn(self.chosen("gaussian:sigma=0.4", 1e-4)[1], {"table", "exact"})
+        self.assertEqual(self.chosen("hertz", 1e-13)[1], "exact")
+        self.assert_fails(1, ["1e-14", "hertz"], "choose", "--law", "hertz", "--tolerance", "1e-16")
+
+    def test_bad_input(self):
+        for tolerance in ["0", "-1", "nan", "inf", ""]:
+            self.assert_fails(2, ["--tolerance", "expected"], "choose", "--law", "hertz", "--tolerance", tolerance)
+        self.assertIn('"chosen":true', run("choose", "--law", "hertz", "--tolerance", "0.1", "--format", "json").stdout)
 
 
 if __name__ == "__main__":
