@@ -197,7 +197,7 @@ TEST(InnerEllipse, IsInsideAndLargest) {
     const Ellipse inner = inner_ellipse(exact);
     EXPECT_LE(count_errors(inner, *law).over, 1e-12) << name;
     const double area = inner.force_max() * inner.moment_max();
-    for (int i = 0; i < 100; ++i) {
+    for (int i = 0; i < 40; ++i) {
       const double stretch = std::exp(shape(random));
       const double grow = std::sqrt(1.0 + 1e-6);
       const Ellipse larger(inner.force_max() * stretch * grow, inner.moment_max() / stretch * grow);

@@ -87,8 +87,8 @@ TEST(MethodAgreement, ClosedRingAndPunch) {
 /// Where there is no closed form, and where all three have one integral or two: the double integral of eq. (17).
 TEST(MethodAgreement, DirectAndTheRest) {
   RandomCases cases(2);
-  for (int i = 0; i < 60; ++i) {
-    const Law law = i % 3 == 0 ? xydas_kao(cases.log_uniform(0.2, 30.0)) : cases.law();
+  for (int i = 0; i < 36; ++i) {
+    const Law law = i % 3 == 0 ? xydas_kao(cases.log_uniform(0.01, 1e6)) : cases.law();
     const double s = cases.cor();
     expect_agreement(law, s, Method::direct, Method::ring);
     if (law->allows(Method::punch)) expect_agreement(law, s, Method::direct, Method::punch);
