@@ -85,7 +85,7 @@ double moment_capacity(double moment_ratio, const RadiusLaw& radius_law, double 
 /// Root of ln gauge(F/μP, M/μPa(P)) = 0, which falls with ln P at the slope −(1 + γω): γ the radius law's exponent, ω the
 /// twist's share of the dissipation, told by the normal ahead. Newton in ln P, inside the bracket of the loads that hold
 /// F or M alone (below) and their sum (above, by convexity). 3 to 6 calls of `along`, at most 60; for a constant radius
-/// one call of `gauge`. Relative error ≤ 1e-12, the boundary's own apart.
+/// one call of `gauge`. A sampled radius law gives its exponent at the load at hand. Relative error ≤ 1e-12, the boundary's own apart.
 template <LimitBoundary Boundary>
 double load_to_hold(const Boundary& boundary, const RadiusLaw& radius_law, double mu, double force, double moment) {
   constexpr int search_limit = 60;
@@ -94,18 +94,23 @@ double load_to_hold(const Boundary& boundary, const RadiusLaw& radius_law, doubl
   detail::check_wrench(force, moment);
   if (force == 0.0 && moment == 0.0) return 0.0;
   if (mu == 0.0) return std::numeric_limits<double>::infinity();
-  const double gamma = radius_law.exponent();
   const double scaled_force = force / mu;
-  const double scaled_moment = moment / mu / radius_law.coefficient();
-  if (gamma == 0.0) return boundary.gauge({scaled_force, scaled_moment});
+  const double scaled_moment = moment / mu;
+  if (!radius_law.is_sampled() && radius_law.exponent() == 0.0)
+    return boundary.gauge({scaled_force, scaled_moment / radius_law.coefficient()});
   const double force_alone = scaled_force / boundary.wrench({1.0, 0.0}).force;
-  const double moment_alone = std::pow(scaled_moment / boundary.wrench({0.0, 1.0}).moment, 1.0 / (1.0 + gamma));
+  const double moment_alone = radius_law.load_of_product(scaled_moment / boundary.wrench({0.0, 1.0}).moment);
   double low = std::max(force_alone, moment_alone);
   double high = force_alone + moment_alone;
   if (force == 0.0 || moment == 0.0 || std::isinf(high)) return high;
+  // A sampled radius may fall with the load, where the sum of the two loads need not hold; a load that bears twice the
+  // force and twice the moment, each alone, does.
+  if (radius_law.is_sampled())
+    high = std::max(high, radius_law.load_of_product(scaled_moment / boundary.wrench({0.0, 1.0}).moment * 2.0) + 2.0 * force_alone);
   double load = low;
   for (int i = 0; i < search_limit; ++i) {
-    const UnitWrench wrench{scaled_force / load, scaled_moment / (load * std::pow(load, gamma))};
+    const UnitWrench wrench{scaled_force / load, scaled_moment / (load * radius_law.radius(load))};
+    const double gamma = radius_law.exponent(load);
     const auto [on_boundary, normal] = boundary.along(wrench);
     const double gauge = gauge_from(wrench, on_boundary);
     (gauge > 1.0 ? low : high) = load;

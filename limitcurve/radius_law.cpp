@@ -3,6 +3,7 @@
 
 #include "limitcurve/number.hpp"
 
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <optional>
@@ -62,6 +63,57 @@ RadiusLaw RadiusLaw::hertz(double sphere_radius, double modulus) {
 RadiusLaw RadiusLaw::power(double coefficient, double exponent) {
   if (!(exponent >= 0.0 && exponent <= 1.0)) throw out_of_range("gamma", exponent, "1", "0 <= gamma <= 1");
   return {positive("c", coefficient, "m/N^gamma"), exponent};
+}
+
+RadiusLaw RadiusLaw::sampled(std::span<const LoadSample> radii) {
+  if (radii.size() < 2) throw std::invalid_argument("radius law of " + std::to_string(radii.size()) + " samples: expected at least 2");
+  auto stretches = std::make_shared<std::vector<Stretch>>();
+  for (std::size_t i = 0; i < radii.size(); ++i) {
+    const std::string sample = " of sample " + std::to_string(i + 1);
+    positive("load" + sample, radii[i].load, "N");
+    positive("value" + sample, radii[i].value, "m or N m");
+    if (i == 0) continue;
+    const LoadSample& before = radii[i - 1];
+    if (!(radii[i].load > before.load)) throw out_of_range("load" + sample, radii[i].load, "N", "greater than the one before");
+    const double exponent = std::log(radii[i].value / before.value) / std::log(radii[i].load / before.load);
+    if (!(exponent > -1.0 && exponent <= 1.0))
+      throw out_of_range("exponent before sample " + std::to_string(i + 1), exponent, "1", "-1 < gamma <= 1");
+    stretches->push_back({before.load, before.value * std::pow(before.load, -exponent), exponent});
+  }
+  // The first stretch serves every smaller load.
+  stretches->front().from_load = 0.0;
+  RadiusLaw law(stretches->front().coefficient, stretches->front().exponent);
+  law.stretches_ = std::move(stretches);
+  return law;
+}
+
+RadiusLaw RadiusLaw::of_moments(std::span<const LoadSample> moments, double mu, double moment_ratio) {
+  positive("mu", mu, "1");
+  positive("moment_ratio", moment_ratio, "1");
+  std::vector<LoadSample> radii;
+  for (const LoadSample& sample : moments) radii.push_back({sample.load, sample.value / (moment_ratio * mu * sample.load)});
+  return sampled(radii);
+}
+
+RadiusLaw RadiusLaw::linear_moment(double moment_coefficient, double mu, double moment_ratio) {
+  return constant(positive("moment_coefficient", moment_coefficient, "m") /
+                  (positive("mu", mu, "1") * positive("moment_ratio", moment_ratio, "1")));
+}
+
+const RadiusLaw::Stretch& RadiusLaw::stretch_at(double load) const noexcept {
+  const auto after = std::upper_bound(stretches_->begin() + 1, stretches_->end(), load,
+                                      [](double value, const Stretch& stretch) { return value < stretch.from_load; });
+  return *(after - 1);
+}
+
+double RadiusLaw::load_of_product(double product) const noexcept {
+  const auto load_in = [&](const Stretch& stretch) { return std::pow(product / stretch.coefficient, 1.0 / (1.0 + stretch.exponent)); };
+  if (!stretches_) return load_in(whole_);
+  // P·a(P) rises throughout, because every exponent is above −1.
+  const auto after = std::upper_bound(stretches_->begin() + 1, stretches_->end(), product, [&](double value, const Stretch& stretch) {
+    return value < stretch.from_load * stretch.coefficient * std::pow(stretch.from_load, stretch.exponent);
+  });
+  return load_in(*(after - 1));
 }
 
 RadiusLaw RadiusLaw::parse(std::string_view text) {

@@ -160,9 +160,8 @@ TEST(LoadToHold, IsTheLoadOfThePCurveThroughTheWrench) {
 }
 
 /// Against plain bisection on the gauge, for wrenches that no curve was asked for.
-TEST(LoadToHold, IsWhatBisectionFinds) {
+void expect_bisection(const RadiusLaw& radius_law) {
   const ExactCurve curve(uniform());
-  const RadiusLaw radius_law = RadiusLaw::hertz(0.008, 2e5);
   std::mt19937_64 random(78);
   std::uniform_real_distribution<double> decade(-4.0, 2.0);
   for (int i = 0; i < 50; ++i) {
@@ -180,6 +179,16 @@ TEST(LoadToHold, IsWhatBisectionFinds) {
     EXPECT_GT(grip_margin(curve, radius_law, mu, held * (1.0 + 1e-9), force, moment), 0.0);
     EXPECT_LT(grip_margin(curve, radius_law, mu, held * (1.0 - 1e-9), force, moment), 0.0);
   }
+}
+
+TEST(LoadToHold, IsWhatBisectionFinds) {
+  expect_bisection(RadiusLaw::hertz(0.008, 2e5));
+}
+
+TEST(LoadToHold, IsWhatBisectionFindsForASampledRadius) {
+  // Measured radii may even shrink a little.
+  expect_bisection(
+      RadiusLaw::sampled(std::array{LoadSample{0.5, 0.0021}, LoadSample{2.0, 0.0029}, LoadSample{3.0, 0.0028}, LoadSample{9.0, 0.0035}}));
 }
 
 TEST(LoadToHold, OfOneComponentIsElementary) {

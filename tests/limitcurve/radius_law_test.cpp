@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -13,13 +14,18 @@ namespace limitcurve::test {
 
 namespace {
 
-std::string complaint_about(const std::string& text) {
+template <class Call>
+std::string complaint(Call&& call) {
   try {
-    RadiusLaw::parse(text);
+    call();
   } catch (const std::invalid_argument& error) {
     return error.what();
   }
   return "accepted";
+}
+
+std::string complaint_about(const std::string& text) {
+  return complaint([&] { RadiusLaw::parse(text); });
 }
 
 TEST(RadiusLaw, ConstantIsConstant) {
@@ -44,6 +50,45 @@ TEST(RadiusLaw, PowerGrows) {
   EXPECT_EQ(law.radius(1.0), 0.00207);
   EXPECT_NEAR(law.radius(10.0) / 0.00207, 1.8155156627731355, 1e-15);  // 10^0.259
   EXPECT_NEAR(law.radius(6.0) / law.radius(2.0), law.growth(3.0), 1e-15);
+}
+
+constexpr std::array<LoadSample, 4> measured{{{0.5, 0.0021}, {1.0, 0.0025}, {3.0, 0.0030}, {8.0, 0.0031}}};
+
+TEST(SampledRadiusLaw, MeetsItsSamplesAndIsAPowerBetween) {
+  const RadiusLaw law = RadiusLaw::sampled(measured);
+  for (const LoadSample& sample : measured) EXPECT_NEAR(law.radius(sample.load) / sample.value, 1.0, 1e-14);
+  // Between two samples the geometric mean of the loads has that of the radii; beyond the last the power goes on.
+  EXPECT_NEAR(law.radius(std::sqrt(3.0)) / std::sqrt(0.0025 * 0.0030), 1.0, 1e-14);
+  EXPECT_NEAR(law.radius(64.0 / 3.0) / (0.0031 * 0.0031 / 0.0030), 1.0, 1e-14);
+  EXPECT_NEAR(law.growth(3.0, 1.0), 1.2, 1e-14);
+  EXPECT_TRUE(law.is_sampled());
+}
+
+TEST(SampledRadiusLaw, FindsTheLoadOfAMoment) {
+  const RadiusLaw law = RadiusLaw::sampled(measured);
+  for (const double load : {1e-3, 0.4, 0.7, 2.0, 5.0, 100.0}) EXPECT_NEAR(law.load_of_product(load * law.radius(load)) / load, 1.0, 1e-13);
+}
+
+TEST(SampledRadiusLaw, IsThatOfTheMomentsItIsMadeOf) {
+  constexpr double mu = 0.6;
+  constexpr double moment_ratio = 0.589;
+  const std::array<LoadSample, 3> moments{{{1.0, 1.1e-3}, {2.0, 2.7e-3}, {4.0, 6.0e-3}}};
+  const RadiusLaw law = RadiusLaw::of_moments(moments, mu, moment_ratio);
+  for (const LoadSample& sample : moments)
+    EXPECT_NEAR(moment_ratio * mu * sample.load * law.radius(sample.load) / sample.value, 1.0, 1e-14);
+  EXPECT_NEAR(moment_ratio * mu * 7.0 * RadiusLaw::linear_moment(0.003, mu, moment_ratio).radius(7.0), 0.003 * 7.0, 1e-16);
+}
+
+TEST(SampledRadiusLaw, RefusesWhatIsNoLaw) {
+  EXPECT_NE(complaint([] { RadiusLaw::sampled(std::array{LoadSample{1.0, 0.002}}); }).find("expected at least 2"), std::string::npos);
+  EXPECT_NE(complaint([] {
+              RadiusLaw::sampled(std::array{LoadSample{1.0, 0.002}, LoadSample{1.0, 0.003}});
+            }).find("load of sample 2"),
+            std::string::npos);
+  EXPECT_NE(complaint([] {
+              RadiusLaw::sampled(std::array{LoadSample{1.0, 0.002}, LoadSample{2.0, 0.0009}});
+            }).find("exponent before sample 2"),
+            std::string::npos);
 }
 
 TEST(RadiusLaw, ParametersComeInAnyOrder) {
