@@ -36,10 +36,20 @@ void measure(EngineContact& contact, const ExactCurve& exact, const RadiusLaw& r
   contact.error = boundary_error(make(exact.moment_ratio()), exact);
   contact.max_wrench_error = wrench_error(make(exact.moment_ratio()), exact);
   contact.max_error_over_loads = contact.error.max_error;
-  // The limit's ratio to the true one is monotone in the load: the ends of the range are its extremes.
-  for (const double other : {loads.low, loads.high}) {
-    const double moment_max = exact.moment_ratio() * radius_law.growth(load / other);
-    contact.max_error_over_loads = std::max(contact.max_error_over_loads, boundary_error(make(moment_max), exact).max_error);
+  // What counts is how far the radius gets from the one translated for; a measured law need not be monotone.
+  double least = 1.0;
+  double greatest = 1.0;
+  constexpr int steps = 32;
+  for (int i = 0; i <= steps; ++i) {
+    const double other = loads.low * std::pow(loads.high / loads.low, static_cast<double>(i) / steps);
+    const double ratio = radius_law.radius(load) / radius_law.radius(other);
+    least = std::min(least, ratio);
+    greatest = std::max(greatest, ratio);
+  }
+  for (const double ratio : {least, greatest}) {
+    if (ratio == 1.0) continue;
+    const double worst = boundary_error(make(exact.moment_ratio() * ratio), exact).max_error;
+    contact.max_error_over_loads = std::max(contact.max_error_over_loads, worst);
   }
 }
 

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include "fit/model_fit.hpp"
+
+#include "limitcurve/laws.hpp"
+#include "limitcurve/number.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace limitcurve::fit {
+namespace {
+
+/// The fields of a data file's rows, header and comments left out.
+std::vector<std::vector<std::string>> rows_of(const std::string& name) {
+  std::ifstream file(std::string(LIMITCURVE_DATA) + "/fit/" + name);
+  EXPECT_TRUE(file) << name;
+  std::vector<std::vector<std::string>> rows;
+  bool header = true;
+  for (std::string line; std::getline(file, line);) {
+    if (line.empty() || line[0] == '#') continue;
+    if (!header) {
+      rows.emplace_back();
+      std::istringstream fields(line);
+      for (std::string field; std::getline(fields, field, ',');) rows.back().push_back(field);
+    }
+    header = false;
+  }
+  return rows;
+}
+
+std::map<std::string, double> truth() {
+  std::map<std::string, double> values;
+  for (const auto& row : rows_of("truth.csv")) values[row.at(0)] = *parse_number(row.at(1));
+  return values;
+}
+
+std::vector<Sample> slips(const std::string& name) {
+  std::vector<Sample> samples;
+  for (const auto& row : rows_of(name)) {
+    const auto number = [&](std::size_t column) { return *parse_number(row.at(column)); };
+    samples.push_back({number(0), number(1), number(2), number(3), number(4)});
+  }
+  return samples;
+}
+
+TEST(SensorLog, RobustFitFindsTheTruthInSpiteOfMislabelledSlips) {
+  const std::vector<Sample> samples = slips("slips.csv");
+  ContactFitOptions options;
+  options.fit_gamma = true;
+  options.loss = Loss::cauchy();
+  const FitReport report = fit_contact(samples, ContactModel::of(hertz()), options).report;
+  for (const auto& [name, value] : truth()) {
+    const Estimate& estimate = report.at(name);
+    EXPECT_NEAR(estimate.value, value, 2.0 * estimate.std_error) << name;
+    EXPECT_LT(estimate.std_error, 0.005 * value) << name;
+  }
+  ASSERT_FALSE(report.warnings.empty());
+  EXPECT_NE(report.warnings[0].find("samples are more than 5 standard deviations off"), std::string::npos) << report.warnings[0];
+
+  options.loss = Loss::squared();
+  const FitReport plain = fit_contact(samples, ContactModel::of(hertz()), options).report;
+  EXPECT_GT(std::fabs(plain.at("c").value - truth()["c"]), 3.0 * plain.at("c").std_error);
+}
+
+TEST(SensorLog, ThePressureLawIsFoundAndItsRivalsAreNamed) {
+  ContactFitOptions options;
+  options.fit_gamma = true;
+  options.loss = Loss::cauchy();
+  const LawSelection selection = select_law(slips("slips.csv"), options);
+  EXPECT_EQ(selection.candidates[0].model, "hertz");
+  for (std::size_t i = 0; i < selection.candidates.size(); ++i) {
+    const ContactFit& candidate = selection.candidates[i];
+    if (candidate.model == "uniform" || candidate.model == "flat-punch") {
+      EXPECT_GT(selection.aic_difference[i], 10.0) << candidate.model;
+    }
+    if (candidate.model == "power") {
+      EXPECT_NEAR(candidate.report.at("n").value, 0.5, 2.0 * candidate.report.at("n").std_error);
+      EXPECT_GT(candidate.report.correlation_of("n", "c"), 0.9);
+    }
+  }
+}
+
+TEST(SensorLog, RadiiGiveTheGrowthOfTheContact) {
+  LoadSamples samples;
+  for (const auto& row : rows_of("radii.csv"))
+    samples.samples.push_back({*parse_number(row[0]), *parse_number(row[1]), *parse_number(row[2])});
+  const FitReport report = select_load(samples).candidates[0].report;
+  EXPECT_NEAR(report.at("gamma").value, truth()["gamma"], 2.5 * report.at("gamma").std_error);
+  EXPECT_NEAR(report.at("c").value, truth()["c"], 2.5 * report.at("c").std_error);
+}
+
+TEST(SensorLog, MaterialsGiveTheirRatios) {
+  const std::map<std::string, double> quotients{{"rayon", 3.05e-3 / 0.42}, {"suede", 3.84e-3 / 0.61}, {"sandpaper", 10.11e-3 / 1.67}};
+  for (const auto& [material, quotient] : quotients) {
+    EXPECT_NEAR(fit_model("ratio", slips(material + ".csv")).report.at("ratio").value, quotient, 1e-12) << material;
+  }
+}
+
+}  // namespace
+}  // namespace limitcurve::fit
