@@ -28,11 +28,10 @@ double equivalent_radius(double moment_coefficient, double mu, double moment_rat
 }  // namespace
 
 ContactLaw::ContactLaw(const FingerParameters& parameters, double moment_ratio)
-    : stiffness_(positive("stiffness", parameters.stiffness, "N/m")),
-      twist_stiffness_(positive("twist_stiffness", parameters.twist_stiffness, "N m/rad")),
-      stiffness_ratio_(stiffness_ / twist_stiffness_),
-      compliance_(1.0 / stiffness_),
-      twist_compliance_(1.0 / twist_stiffness_) {
+    : springs_(Springs::of(positive("stiffness", parameters.stiffness, "N/m"),
+                           positive("twist_stiffness", parameters.twist_stiffness, "N m/rad"))),
+      damping_(non_negative("damping", parameters.damping, "N s/m")),
+      twist_damping_(non_negative("twist_damping", parameters.twist_damping, "N m s/rad")) {
   positive("moment_ratio", moment_ratio, "1");
   const double mu = non_negative("mu", parameters.mu, "1");
   const double mu_dynamic = non_negative("mu_dynamic", parameters.mu_dynamic.value_or(mu), "1");

@@ -16,6 +16,21 @@ struct FingerParameters {
   std::optional<double> moment_coefficient_dynamic = {};  ///< μ_r while slipping, [m]; absent: μ_r μ_d/μ
   double stiffness = 1000.0;                              ///< k_l [N/m] > 0, normal and tangential
   double twist_stiffness = 0.04;                          ///< k_r [N m/rad] > 0
+  double damping = 0.0;                                   ///< b_l [N s/m] ≥ 0, normal and tangential; acts in timed updates
+  double twist_damping = 0.0;                             ///< b_r [N m s/rad] ≥ 0
+};
+
+/// The springs between proxy and finger.
+struct Springs {
+  double stiffness;         ///< k_l [N/m]
+  double twist_stiffness;   ///< k_r [N m/rad]
+  double ratio;             ///< k_l/k_r [1/m²]
+  double compliance;        ///< 1/k_l [m/N]
+  double twist_compliance;  ///< 1/k_r [rad/(N m)]
+
+  static Springs of(double stiffness, double twist_stiffness) noexcept {
+    return {stiffness, twist_stiffness, stiffness / twist_stiffness, 1.0 / stiffness, 1.0 / twist_stiffness};
+  }
 };
 
 /// How a unit limit curve grows with the load: force in units of μP, moment in units of μPa. With a moment coefficient
@@ -35,11 +50,11 @@ class ContactLaw {
   [[nodiscard]] Scale dynamic_scale(double load) const noexcept { return scale(dynamic_, load); }
   [[nodiscard]] bool has_one_limit() const noexcept { return has_one_limit_; }  ///< static and dynamic limits are the same
 
-  [[nodiscard]] double stiffness() const noexcept { return stiffness_; }                ///< k_l [N/m]
-  [[nodiscard]] double twist_stiffness() const noexcept { return twist_stiffness_; }    ///< k_r [N m/rad]
-  [[nodiscard]] double stiffness_ratio() const noexcept { return stiffness_ratio_; }    ///< k_l/k_r [1/m²]
-  [[nodiscard]] double compliance() const noexcept { return compliance_; }              ///< 1/k_l [m/N]
-  [[nodiscard]] double twist_compliance() const noexcept { return twist_compliance_; }  ///< 1/k_r [rad/(N m)]
+  [[nodiscard]] const Springs& springs() const noexcept { return springs_; }
+  [[nodiscard]] double stiffness() const noexcept { return springs_.stiffness; }              ///< k_l [N/m]
+  [[nodiscard]] double twist_stiffness() const noexcept { return springs_.twist_stiffness; }  ///< k_r [N m/rad]
+  [[nodiscard]] double damping() const noexcept { return damping_; }                          ///< b_l [N s/m]
+  [[nodiscard]] double twist_damping() const noexcept { return twist_damping_; }              ///< b_r [N m s/rad]
   /// γ of a ∝ P^γ as it acts here: 0 with a moment coefficient.
   [[nodiscard]] double radius_exponent() const noexcept { return radius_law_ ? radius_law_->exponent() : 0.0; }
 
@@ -56,11 +71,9 @@ class ContactLaw {
   Limit static_{};
   Limit dynamic_{};
   std::optional<RadiusLaw> radius_law_;  // only where the radius depends on the load
-  double stiffness_;
-  double twist_stiffness_;
-  double stiffness_ratio_;
-  double compliance_;
-  double twist_compliance_;
+  Springs springs_;
+  double damping_;
+  double twist_damping_;
   bool has_one_limit_;
 };
 

@@ -48,21 +48,27 @@ class Friction {
   /// The contact under load P [N] > 0 with the proxy r [m] ≥ 0 and ρ [rad] ≥ 0 away, all finite. `start` is the last result's
   /// `spin_fraction`, which also tells whether the contact slips already.
   [[nodiscard]] Result resolve(double r, double rho, double load, double start) const noexcept {
+    return resolve(r, rho, load, start, law_.springs());
+  }
+
+  /// The same with other springs than the law's: damping stiffens them for a step.
+  [[nodiscard]] Result resolve(double r, double rho, double load, double start, const Springs& springs) const noexcept {
     const bool slipping = start >= 0.0;
     const Limits limits = make_limits(slipping ? law_.dynamic_scale(load) : law_.static_scale(load));
-    if (!limits.twists) return resolve_untwisted(limits, r, load);
+    if (!limits.twists) return resolve_untwisted(limits, r, load, springs);
     // Within the chord of the intercepts it holds, without a division.
-    const double pull = law_.stiffness() * r;
-    const double turn = law_.twist_stiffness() * rho;
-    if (pull * limits.radius * moment_max_ + turn * force_max_ <= limits.moment_unit * force_max_ * moment_max_) return stuck(r, rho);
-    const Trial trial = make_trial(limits, r, rho, start);
+    const double pull = springs.stiffness * r;
+    const double turn = springs.twist_stiffness * rho;
+    if (pull * limits.radius * moment_max_ + turn * force_max_ <= limits.moment_unit * force_max_ * moment_max_)
+      return stuck(r, rho, springs);
+    const Trial trial = make_trial(limits, r, rho, start, springs);
     const Projected projected = projection_(boundary_, trial);
-    if (!projected.outside) return stuck(r, rho);
-    if (slipping || law_.has_one_limit()) return slid(limits, trial, projected, r, rho);
+    if (!projected.outside) return stuck(r, rho, springs);
+    if (slipping || law_.has_one_limit()) return slid(limits, trial, projected, r, rho, springs);
     const Limits dynamic = make_limits(law_.dynamic_scale(load));
-    if (!dynamic.twists) return slid_untwisted(dynamic, r);
-    const Trial beyond = make_trial(dynamic, r, rho, start);
-    return slid(dynamic, beyond, projection_(boundary_, beyond), r, rho);
+    if (!dynamic.twists) return slid_untwisted(dynamic, r, springs);
+    const Trial beyond = make_trial(dynamic, r, rho, start, springs);
+    return slid(dynamic, beyond, projection_(boundary_, beyond), r, rho, springs);
   }
 
   /// How far the contact is from slipping: 1 − gauge of the trial in the limit that acts, 1 unloaded by friction, ≤ 0 slipping.
@@ -70,7 +76,7 @@ class Friction {
     const Limits limits = make_limits(slipping ? law_.dynamic_scale(load) : law_.static_scale(load));
     if (r == 0.0 && rho == 0.0) return 1.0;
     if (!limits.twists) return limits.slides ? 1.0 - law_.stiffness() * r / (force_max_ * limits.force_unit) : r > 0.0 ? 0.0 : 1.0;
-    return 1.0 - boundary_.gauge(make_trial(limits, r, rho, -1.0).wrench);
+    return 1.0 - boundary_.gauge(make_trial(limits, r, rho, -1.0, law_.springs()).wrench);
   }
 
  private:
@@ -89,37 +95,38 @@ class Friction {
     return {scale.force, moment_unit, scale.radius, scale.force > least, scale.force > least && moment_unit > least};
   }
 
-  [[nodiscard]] Trial make_trial(const Limits& limits, double r, double rho, double start) const noexcept {
+  [[nodiscard]] Trial make_trial(const Limits& limits, double r, double rho, double start, const Springs& springs) const noexcept {
     const double per_unit = 1.0 / limits.moment_unit;
-    double force = law_.stiffness() * r * limits.radius * per_unit;
-    double moment = law_.twist_stiffness() * rho * per_unit;
+    double force = springs.stiffness * r * limits.radius * per_unit;
+    double moment = springs.twist_stiffness * rho * per_unit;
     const double larger = std::max(force, moment);
     if (larger > farthest_trial) {
       force *= farthest_trial / larger;
       moment *= farthest_trial / larger;
     }
-    return {{force, moment}, limits.radius * limits.radius * law_.stiffness_ratio(), law_.radius_exponent(), start};
+    return {{force, moment}, limits.radius * limits.radius * springs.ratio, law_.radius_exponent(), start};
   }
 
-  [[nodiscard]] Result stuck(double r, double rho) const noexcept {
+  [[nodiscard]] Result stuck(double r, double rho, const Springs& springs) const noexcept {
     Result result;
-    result.force = law_.stiffness() * r;
-    result.moment = law_.twist_stiffness() * rho;
+    result.force = springs.stiffness * r;
+    result.moment = springs.twist_stiffness * rho;
     result.offset = r;
     result.twist = rho;
     return result;
   }
 
-  [[nodiscard]] Result slid(const Limits& limits, const Trial& trial, const Projected& projected, double r, double rho) const noexcept {
+  [[nodiscard]] Result slid(const Limits& limits, const Trial& trial, const Projected& projected, double r, double rho,
+                            const Springs& springs) const noexcept {
     const auto& [outside, wrench, slip] = projected;
     Result result;
     result.slips = true;
     // A search may leave a small component a rounding above the trial's; the spring cannot.
-    result.force = std::min(wrench.force * limits.force_unit, law_.stiffness() * r);
-    result.moment = std::min(wrench.moment * limits.moment_unit, law_.twist_stiffness() * rho);
+    result.force = std::min(wrench.force * limits.force_unit, springs.stiffness * r);
+    result.moment = std::min(wrench.moment * limits.moment_unit, springs.twist_stiffness * rho);
     // What was not clamped did not slide, bit for bit.
-    result.offset = wrench.force == trial.wrench.force ? r : std::min(result.force * law_.compliance(), r);
-    result.twist = wrench.moment == trial.wrench.moment ? rho : std::min(result.moment * law_.twist_compliance(), rho);
+    result.offset = wrench.force == trial.wrench.force ? r : std::min(result.force * springs.compliance, r);
+    result.twist = wrench.moment == trial.wrench.moment ? rho : std::min(result.moment * springs.twist_compliance, rho);
     result.cor = limits.radius * slip.cor();
     result.spin_fraction = slip.slide + slip.spin > 0.0 ? slip.spin_fraction() : 0.5;
     result.slip_work = result.force * (r - result.offset) + result.moment * (rho - result.twist);
@@ -127,16 +134,16 @@ class Friction {
   }
 
   /// Γ = 0 takes the twist out of the contact: the proxy's angle is the finger's, and the force is limited by itself.
-  [[nodiscard]] Result resolve_untwisted(const Limits& limits, double r, double load) const noexcept {
-    if (law_.stiffness() * r <= force_max_ * limits.force_unit * (1.0 + slip_guard)) return stuck(r, 0.0);
-    return slid_untwisted(make_limits(law_.dynamic_scale(load)), r);
+  [[nodiscard]] Result resolve_untwisted(const Limits& limits, double r, double load, const Springs& springs) const noexcept {
+    if (springs.stiffness * r <= force_max_ * limits.force_unit * (1.0 + slip_guard)) return stuck(r, 0.0, springs);
+    return slid_untwisted(make_limits(law_.dynamic_scale(load)), r, springs);
   }
 
-  [[nodiscard]] Result slid_untwisted(const Limits& limits, double r) const noexcept {
+  [[nodiscard]] Result slid_untwisted(const Limits& limits, double r, const Springs& springs) const noexcept {
     Result result;
     result.slips = true;
-    result.force = limits.slides ? std::min(force_max_ * limits.force_unit, law_.stiffness() * r) : 0.0;
-    result.offset = std::min(result.force * law_.compliance(), r);
+    result.force = limits.slides ? std::min(force_max_ * limits.force_unit, springs.stiffness * r) : 0.0;
+    result.offset = std::min(result.force * springs.compliance, r);
     result.cor = std::numeric_limits<double>::infinity();
     result.spin_fraction = 0.0;
     result.slip_work = result.force * (r - result.offset);

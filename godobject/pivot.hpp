@@ -33,10 +33,10 @@ struct GripSample {
 /// tightening the grip, and regrips at the target angle. All rates > 0.
 struct GripOperator {
   double target = 0.5235987755982988;  ///< angle at which to regrip [rad], > 0; the default is 30°
-  double start_load = 2.0;             ///< load of each finger at the beginning, and after regripping [N]
-  double rate = 2.0;                   ///< of easing and tightening [N/s]
-  double regrip_rate = 20.0;           ///< of regripping [N/s]
-  double speed = 1.0;                  ///< at which the block should turn [rad/s]
+  double start_load = 1.0;             ///< load of each finger at the beginning, and after regripping [N]
+  double rate = 0.5;                   ///< of easing and tightening [N/s]
+  double regrip_rate = 5.0;            ///< of regripping [N/s]
+  double speed = 0.3;                  ///< at which the block should turn [rad/s]
 };
 
 /// The paper's experiment: a rectangular block in the vertical plane between two opposite soft fingers that stay where
@@ -54,11 +54,13 @@ struct PivotOptions {
   double gravity = 9.81;                       ///< [m/s²] ≥ 0
   double stiffness = 1000.0;                   ///< k_l of each finger [N/m] > 0
   std::optional<double> twist_stiffness = {};  ///< k_r of each finger [N m/rad] > 0; absent: k_l (μ_r/μ_l)²
+  double damping = 5.0;                        ///< b_l of each finger [N s/m] ≥ 0
+  std::optional<double> twist_damping = {};    ///< b_r of each finger [N m s/rad] ≥ 0; absent: b_l k_r/k_l
   double time_step = 1e-3;                     ///< [s] > 0
-  double duration = 3.0;                       ///< [s] ≥ 0
+  double duration = 10.0;                      ///< [s] ≥ 0
   Law law = {};                                ///< pressure law of the exact case; absent: Hertz
   double tolerance = 1e-8;                     ///< of its table
-  /// Load of each finger over time: increasing times, at least one. Absent and no operator: from 2 N to 0 over 2 s.
+  /// Load of each finger over time: increasing times, at least one. Absent and no operator: from 0.5 N to 0.25 N in 10 s.
   std::vector<GripSample> grip = {};
   std::optional<GripOperator> grip_operator = {};  ///< instead of `grip`
 };

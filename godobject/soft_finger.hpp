@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "godobject/contact.hpp"
 #include "godobject/contact_state.hpp"
 #include "godobject/friction.hpp"
 
@@ -10,13 +11,6 @@
 #include <utility>
 
 namespace limitcurve::godobject {
-
-/// Where a finger touches a surface: the result of step a (paper, eq. 7).
-struct Contact {
-  Eigen::Vector3d point = Eigen::Vector3d::Zero();    ///< x_g, the surface point nearest the finger [m]
-  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< outward unit normal there
-  double depth = 0.0;                                 ///< d [m], how far the finger is beneath the surface; ≤ 0 outside
-};
 
 /// What a step gives.
 struct FingerOutput {
@@ -34,11 +28,13 @@ struct FingerOutput {
 /// All that a finger remembers from one step to the next. A plain value: copy, save and restore it.
 struct FingerState {
   FingerOutput output;
-  Eigen::Vector3d goal = Eigen::Vector3d::Zero();  ///< x_g of the last good step [m]
-  double goal_angle = 0.0;                         ///< α_g of the last good step [rad], unwrapped
-  double device_angle = 0.0;                       ///< the device's twist as it was given [rad]
-  double turn = 0.0;                               ///< what unwrapping has added to it [rad], a multiple of 2π
-  double start = -1.0;                             ///< spin fraction of the last slip; < 0: it sticks
+  Eigen::Vector3d goal = Eigen::Vector3d::Zero();    ///< x_g of the last good step [m]
+  double goal_angle = 0.0;                           ///< α_g of the last good step [rad], unwrapped
+  double device_angle = 0.0;                         ///< the device's twist as it was given [rad]
+  double turn = 0.0;                                 ///< what unwrapping has added to it [rad], a multiple of 2π
+  Eigen::Vector3d offset = Eigen::Vector3d::Zero();  ///< x_p − x_g after the step, tangential [m]
+  double lag = 0.0;                                  ///< α_p − α_g after the step [rad]
+  double start = -1.0;                               ///< spin fraction of the last slip; < 0: it sticks
   bool touching = false;
 };
 
@@ -58,65 +54,18 @@ class SoftFinger {
   /// wrap around at any multiple of 2π: a jump of more than π between steps is taken for a turn of the other sense.
   /// Input that is not finite, or no contact (a normal that is not of unit length), gives the state `invalid`: the last
   /// good output is held, the finger's memory untouched.
-  const FingerOutput& update(const Contact& contact, double twist) noexcept {
-    FingerOutput& output = state_.output;
-    if (!usable(contact, twist)) {
-      output.state = ContactState::invalid;
-      output.slip_work = 0.0;
-      return output;
-    }
-    if (!(contact.depth > 0.0)) return release(contact, twist);
-    const double goal_angle = unwrap(twist);
-    if (!state_.touching) {
-      // Touch-down: no friction yet. (The paper's α_0 is the twist here; angles are kept absolute, and α_p − α_g is the same.)
-      output.proxy = contact.point;
-      output.angle = goal_angle;
-      state_.touching = true;
-      state_.start = -1.0;
-    }
-    state_.goal = contact.point;
-    state_.goal_angle = goal_angle;
-    output.depth = contact.depth;
-    output.load = friction_.law().stiffness() * contact.depth;
+  /// With a time step [s] > 0 since the last update the dampers act too, within the limit: the wrench that friction bounds
+  /// is that of springs and dampers together, and so is what the user feels.
+  const FingerOutput& update(const Contact& contact, double twist, double time_step = 0.0) noexcept {
+    advance(state_, contact, twist, time_step);
+    return state_.output;
+  }
 
-    Eigen::Vector3d offset = output.proxy - contact.point;
-    offset -= contact.normal * contact.normal.dot(offset);
-    const double r = offset.norm();
-    const double lag = output.angle - goal_angle;
-    const double rho = std::fabs(lag);
-    const auto result = friction_.resolve(r, rho, output.load, state_.start);
-
-    if (!result.slips) {
-      output.state = ContactState::stick;
-      output.force = offset * friction_.law().stiffness();
-      output.moment = friction_.law().twist_stiffness() * (result.twist == rho ? lag : 0.0);
-      if (result.twist != rho) output.angle = goal_angle;
-      output.cor = std::numeric_limits<double>::quiet_NaN();
-      output.slip_work = 0.0;
-      state_.start = -1.0;
-      return output;
-    }
-    // r = 0 and ρ = 0 have no direction, and need none: eq. (23) without its 0/0.
-    const double per_metre = r > 0.0 ? 1.0 / r : 0.0;
-    output.force = offset * (result.force * per_metre);
-    output.moment = std::copysign(result.moment, lag);
-    bool moves = false;
-    if (result.offset != r) {
-      const Eigen::Vector3d proxy = contact.point + offset * (result.offset * per_metre);
-      moves = proxy != output.proxy;
-      output.proxy = proxy;
-    }
-    if (result.twist != rho) {
-      const double angle = goal_angle + std::copysign(result.twist, lag);
-      moves = moves || angle != output.angle;
-      output.angle = angle;
-    }
-    // A slip that is lost in the rounding of the proxy is none.
-    output.state = moves ? ContactState::slip : ContactState::stick;
-    output.cor = moves ? result.cor : std::numeric_limits<double>::quiet_NaN();
-    output.slip_work = moves ? result.slip_work : 0.0;
-    state_.start = moves ? result.spin_fraction : -1.0;
-    return output;
+  /// What `update` would give, without remembering it.
+  [[nodiscard]] FingerOutput preview(const Contact& contact, double twist, double time_step = 0.0) const noexcept {
+    FingerState state = state_;
+    advance(state, contact, twist, time_step);
+    return state.output;
   }
 
   [[nodiscard]] const FingerOutput& output() const noexcept { return state_.output; }
@@ -143,25 +92,115 @@ class SoftFinger {
     return squares <= farthest * farthest && std::fabs(contact.normal.squaredNorm() - 1.0) <= 1e-6;
   }
 
-  const FingerOutput& release(const Contact& contact, double twist) noexcept {
+  static void release(FingerState& state, const Contact& contact, double twist) noexcept {
     FingerOutput output;
     output.proxy = contact.point - contact.normal * contact.depth;
     output.angle = twist;
     output.depth = contact.depth;
-    state_ = {.output = output, .goal = contact.point, .goal_angle = twist, .device_angle = twist};
-    return state_.output;
+    state = {.output = output, .goal = contact.point, .goal_angle = twist, .device_angle = twist};
   }
 
   /// α_g: the device's angle with its turns put back. Adds exactly 0 as long as the device does not jump.
-  double unwrap(double twist) noexcept {
-    const double jump = twist - state_.device_angle;
-    if (state_.touching && std::fabs(jump) > std::numbers::pi) {
-      state_.turn -= 2.0 * std::numbers::pi * std::round(jump / (2.0 * std::numbers::pi));
-    } else if (!state_.touching) {
-      state_.turn = 0.0;
+  static double unwrap(FingerState& state, double twist) noexcept {
+    const double jump = twist - state.device_angle;
+    if (state.touching && std::fabs(jump) > std::numbers::pi) {
+      state.turn -= 2.0 * std::numbers::pi * std::round(jump / (2.0 * std::numbers::pi));
+    } else if (!state.touching) {
+      state.turn = 0.0;
     }
-    state_.device_angle = twist;
-    return twist + state_.turn;
+    state.device_angle = twist;
+    return twist + state.turn;
+  }
+
+  void advance(FingerState& state, const Contact& contact, double twist, double time_step) const noexcept {
+    FingerOutput& output = state.output;
+    if (!usable(contact, twist)) {
+      output.state = ContactState::invalid;
+      output.slip_work = 0.0;
+      return;
+    }
+    if (!(contact.depth > 0.0)) return release(state, contact, twist);
+    const ContactLaw& law = friction_.law();
+    const double goal_angle = unwrap(state, twist);
+    const double last_depth = output.depth;
+    if (!state.touching) {
+      // Touch-down: no friction yet. (The paper's α_0 is the twist here; angles are kept absolute, and α_p − α_g is the same.)
+      output.proxy = contact.point;
+      output.angle = goal_angle;
+      state.offset.setZero();
+      state.lag = 0.0;
+      state.touching = true;
+      state.start = -1.0;
+    }
+    state.goal = contact.point;
+    state.goal_angle = goal_angle;
+    output.depth = contact.depth;
+    output.load = law.stiffness() * contact.depth;
+
+    Eigen::Vector3d offset = output.proxy - contact.point;
+    offset -= contact.normal * contact.normal.dot(offset);
+    const double lag = output.angle - goal_angle;
+    if (time_step > 0.0 && (law.damping() > 0.0 || law.twist_damping() > 0.0)) {
+      // Implicitly, k e + (b/Δt)(e − e_last) is a spring of k + b/Δt from a place nearer to the last offset.
+      const double rate = law.damping() / time_step;
+      const double twist_rate = law.twist_damping() / time_step;
+      const Springs springs = Springs::of(law.stiffness() + rate, law.twist_stiffness() + twist_rate);
+      const Eigen::Vector3d rest = state.offset * (rate * springs.compliance);
+      const double twist_rest = state.lag * (twist_rate * springs.twist_compliance);
+      output.load = std::max(output.load + rate * (contact.depth - last_depth), 0.0);
+      return rub(state, contact, offset, rest, lag, twist_rest, springs);
+    }
+    rub(state, contact, offset, Eigen::Vector3d::Zero(), lag, 0.0, law.springs());
+  }
+
+  /// Steps b and c: friction on an offset and a lag, sprung from the places where the springs would rest.
+  void rub(FingerState& state, const Contact& contact, const Eigen::Vector3d& offset, const Eigen::Vector3d& rest, double lag,
+           double twist_rest, const Springs& springs) const noexcept {
+    FingerOutput& output = state.output;
+    const Eigen::Vector3d pull = offset - rest;
+    const double turn = lag - twist_rest;
+    const double r = pull.norm();
+    const double rho = std::fabs(turn);
+    const auto result = friction_.resolve(r, rho, output.load, state.start, springs);
+    state.offset = offset;
+    state.lag = lag;
+    if (!result.slips) {
+      output.state = ContactState::stick;
+      output.force = pull * springs.stiffness;
+      output.moment = springs.twist_stiffness * turn;
+      if (result.twist != rho) {
+        // No torsional friction: the proxy turns with the finger.
+        output.moment = 0.0;
+        output.angle = state.goal_angle;
+        state.lag = 0.0;
+      }
+      output.cor = std::numeric_limits<double>::quiet_NaN();
+      output.slip_work = 0.0;
+      state.start = -1.0;
+      return;
+    }
+    // r = 0 and ρ = 0 have no direction, and need none: eq. (23) without its 0/0.
+    const double per_metre = r > 0.0 ? 1.0 / r : 0.0;
+    output.force = pull * (result.force * per_metre);
+    output.moment = std::copysign(result.moment, turn);
+    bool moves = false;
+    if (result.offset != r) {
+      state.offset = rest + pull * (result.offset * per_metre);
+      const Eigen::Vector3d proxy = contact.point + state.offset;
+      moves = proxy != output.proxy;
+      output.proxy = proxy;
+    }
+    if (result.twist != rho) {
+      state.lag = twist_rest + std::copysign(result.twist, turn);
+      const double angle = state.goal_angle + state.lag;
+      moves = moves || angle != output.angle;
+      output.angle = angle;
+    }
+    // A slip that is lost in the rounding of the proxy is none.
+    output.state = moves ? ContactState::slip : ContactState::stick;
+    output.cor = moves ? result.cor : std::numeric_limits<double>::quiet_NaN();
+    output.slip_work = moves ? result.slip_work : 0.0;
+    state.start = moves ? result.spin_fraction : -1.0;
   }
 
   Friction<Boundary, Projection> friction_;

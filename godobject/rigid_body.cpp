@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#include "godobject/rigid_body.hpp"
+
+#include "limitcurve/number.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace limitcurve::godobject {
+
+namespace {
+
+void require_positive(std::string_view name, double value, std::string_view unit) {
+  if (!(value > 0.0 && value <= std::numeric_limits<double>::max())) throw out_of_range(name, value, unit, "> 0 and finite");
+}
+
+}  // namespace
+
+BodyParameters BodyParameters::block(double mass, const Eigen::Vector3d& edges) {
+  require_positive("mass", mass, "kg");
+  for (const double edge : edges) require_positive("edge", edge, "m");
+  const Eigen::Vector3d squares = edges.cwiseProduct(edges);
+  BodyParameters result;
+  result.mass = mass;
+  result.inertia = mass / 12.0 * (Eigen::Vector3d::Constant(squares.sum()) - squares);
+  return result;
+}
+
+BodyParameters BodyParameters::planar_block(double mass, const Eigen::Vector3d& edges, double gravity) {
+  BodyParameters result = block(mass, edges);
+  result.gravity = {0.0, -gravity, 0.0};
+  result.free = {true, true, false, false, false, true};
+  return result;
+}
+
+void BodyParameters::validate() const {
+  require_positive("mass", mass, "kg");
+  for (const double moment : inertia) require_positive("inertia", moment, "kg m^2");
+  for (const double component : gravity) {
+    if (!std::isfinite(component)) throw out_of_range("gravity", component, "m/s^2", "finite");
+  }
+}
+
+Eigen::Quaterniond turned(const Eigen::Quaterniond& orientation, const Eigen::Vector3d& angular_velocity, double time) noexcept {
+  // tan of a quarter of the angle, to third order: τ(1 + τ²/3).
+  const Eigen::Vector3d quarter = angular_velocity * (0.25 * time);
+  const Eigen::Vector3d tangent = quarter * (1.0 + quarter.squaredNorm() / 3.0);
+  const double square = tangent.squaredNorm();
+  const double scale = 1.0 / (1.0 + square);
+  Eigen::Quaterniond change;
+  change.w() = (1.0 - square) * scale;
+  change.vec() = tangent * (2.0 * scale);
+  return (change * orientation).normalized();
+}
+
+double kinetic_energy(const BodyParameters& body, const BodyState& state) noexcept {
+  return 0.5 * body.mass * state.velocity.squaredNorm() + 0.5 * state.angular_velocity.dot(angular_momentum(body, state));
+}
+
+double gravity_energy(const BodyParameters& body, const BodyState& state) noexcept {
+  return -body.mass * body.gravity.dot(state.position);
+}
+
+Eigen::Vector3d angular_momentum(const BodyParameters& body, const BodyState& state) noexcept {
+  const Eigen::Vector3d in_body = state.orientation.conjugate() * state.angular_velocity;
+  return state.orientation * body.inertia.cwiseProduct(in_body);
+}
+
+double twist_about(const Eigen::Quaterniond& orientation, const Eigen::Vector3d& axis) noexcept {
+  return 2.0 * std::atan2(orientation.vec().dot(axis), orientation.w());
+}
+
+}  // namespace limitcurve::godobject

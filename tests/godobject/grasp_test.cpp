@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: MIT
+#include "godobject/grasp.hpp"
+
+#include "godobject/surfaces.hpp"
+#include "tests/godobject/scene.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+namespace limitcurve::godobject::test {
+namespace {
+
+using Eigen::Quaterniond;
+using Eigen::Vector3d;
+
+constexpr double pi = std::numbers::pi;
+
+template <class Boundary, class Projection = ClosestPoint>
+auto make_grasp(const BodyParameters& body, const Vector3d& edges, const FingerParameters& with, const Boundary& boundary, int fingers,
+                Integrator integrator = Integrator::implicit_euler, Projection projection = {}) {
+  using Finger = SoftFinger<Boundary, Projection>;
+  return Grasp<BoxSurface, Boundary, Projection>(body, BodyState{}, BoxSurface(0.5 * edges),
+                                                 std::vector<Finger>(static_cast<std::size_t>(fingers), Finger(boundary, with, projection)),
+                                                 integrator);
+}
+
+/// Two opposite fingers on the faces ±z of a block of this thickness.
+std::array<DevicePose, 2> pinch(double thickness, double depth, const Vector3d& at = Vector3d::Zero()) {
+  return {DevicePose{at + Vector3d(0.0, 0.0, 0.5 * thickness - depth)}, DevicePose{at - Vector3d(0.0, 0.0, 0.5 * thickness - depth)}};
+}
+
+const Vector3d edges{0.12, 0.04, 0.04};
+
+const Ellipse ellipse = Ellipse::through_intercepts(hertz()->moment_ratio());
+
+TEST(RigidBody, FallsAndSpinsFreely) {
+  BodyParameters body = BodyParameters::block(0.3, edges);
+  auto grasp = make_grasp(body, edges, parameters(), ellipse, 0);
+  BodyState start;
+  start.velocity = {1.0, -2.0, 0.5};
+  start.angular_velocity = {3.0, -1.0, 20.0};
+  grasp.place(start, {});
+  const Vector3d momentum = angular_momentum(body, grasp.body());
+  const double step = 1e-4;
+  for (int i = 1; i <= 10000; ++i) grasp.step({}, step);
+  EXPECT_NEAR(grasp.body().velocity.z(), 0.5 - 9.81, 1e-9);
+  // Implicit Euler's fall is ½gtΔt too far.
+  EXPECT_NEAR(grasp.body().position.z(), 0.5 - 0.5 * 9.81 * (1.0 + step), 1e-9);
+  EXPECT_NEAR(grasp.body().position.x(), 1.0, 1e-12);
+  // Angular momentum is kept exactly, by construction.
+  EXPECT_LT((angular_momentum(body, grasp.body()) - momentum).norm(), 1e-12 * momentum.norm());
+  EXPECT_NEAR(grasp.body().orientation.norm(), 1.0, 1e-15);
+}
+
+TEST(RigidBody, TurnsByTheAngleItShould) {
+  Quaterniond orientation = Quaterniond::Identity();
+  const Vector3d axis = Vector3d(1.0, 2.0, -0.5).normalized();
+  for (int i = 0; i < 1000; ++i) orientation = turned(orientation, axis * 0.7, 1e-3);
+  const Quaterniond expected(Eigen::AngleAxisd(0.7, axis));
+  EXPECT_LT(orientation.angularDistance(expected), 1e-9);
+  EXPECT_NEAR(orientation.norm(), 1.0, 4e-16);
+}
+
+TEST(RigidBody, TwistIsUnwrappedOverManyTurns) {
+  // A device that turns by 40 turns about the normal of a plane, given as an orientation.
+  SoftFinger finger(ellipse, parameters(), ClosestPoint{});
+  for (int i = 0; i <= 40 * 628; ++i) {
+    const double angle = 0.01 * i;
+    Quaterniond orientation(Eigen::AngleAxisd(angle, Vector3d::UnitZ()));
+    if (i % 3 == 1) orientation.coeffs() *= -1.0;  // the same orientation
+    finger.update(on_plane(0.0, 0.0, 0.002), twist_about(orientation, Vector3d::UnitZ()));
+    ASSERT_NEAR(finger.state().goal_angle, angle, 1e-9);
+  }
+}
+
+TEST(Grasp, StaysWithinTheSpringsGive) {
+  const BodyParameters body = BodyParameters::block(0.1, edges);
+  FingerParameters with = parameters();
+  auto grasp = make_grasp(body, edges, with, ellipse, 2);
+  grasp.place(BodyState{}, pinch(0.04, 0.0));
+  // Gripped from both sides; gravity acts along the faces.
+  BodyParameters sideways = body;
+  sideways.gravity = {0.0, -9.81, 0.0};
+  auto held = make_grasp(sideways, edges, with, ellipse, 2);
+  held.place(BodyState{}, pinch(0.04, 0.003));
+  for (int i = 0; i < 3000; ++i) held.step(pinch(0.04, 0.003), 1e-3);
+  EXPECT_NEAR(held.body().position.y(), -0.1 * 9.81 / (2.0 * with.stiffness), 1e-9);
+  EXPECT_NEAR(held.body().position.z(), 0.0, 1e-12);
+  EXPECT_LT(held.body().velocity.norm(), 1e-12);
+  EXPECT_EQ(held.finger(0).output().state, ContactState::stick);
+  EXPECT_EQ(held.unsolved(), 0U);
+}
+
+// The sign of rotation is kept (eq. 13 of the paper takes its absolute value): a body that turns under a still finger drags
+// the proxy with it, in either sense, and the moment on the user follows.
+TEST(Grasp, CarriesTheProxyWithTheBodyInBothSenses) {
+  for (const double sense : {1.0, -1.0}) {
+    BodyParameters body = BodyParameters::block(0.1, edges);
+    body.gravity.setZero();
+    FingerParameters with = parameters();
+    auto grasp = make_grasp(body, edges, with, ellipse, 1);
+    const std::array<DevicePose, 1> device{DevicePose{{0.0, 0.0, 0.018}}};
+    grasp.place(BodyState{}, device);
+    BodyState turned_body;
+    turned_body.orientation = Eigen::AngleAxisd(sense * 0.01, Vector3d::UnitZ());
+    grasp.place(turned_body, device);
+    EXPECT_EQ(grasp.finger(0).output().state, ContactState::stick);
+    EXPECT_NEAR(grasp.moment_on_user(0).z(), sense * with.twist_stiffness * 0.01, 1e-15);
+    // And the body is turned back by the opposite.
+    grasp.step(device, 1e-4);
+    EXPECT_LT(sense * grasp.body().angular_velocity.z(), 0.0);
+  }
+}
+
+TEST(Grasp, CarriesTheProxyWithTheBodyAcrossTheSurface) {
+  BodyParameters body = BodyParameters::block(0.1, edges);
+  auto grasp = make_grasp(body, edges, parameters(), ellipse, 1);
+  const std::array<DevicePose, 1> device{DevicePose{{0.01, 0.0, 0.018}}};
+  grasp.place(BodyState{}, device);
+  BodyState moved_body;
+  moved_body.position = {0.0003, -0.0002, 0.0};
+  moved_body.orientation = Eigen::AngleAxisd(0.01, Vector3d::UnitZ());
+  grasp.place(moved_body, device);
+  const Vector3d material = moved_body.to_world({0.01, 0.0, 0.02});
+  EXPECT_LT((moved_body.to_world(grasp.finger(0).output().proxy) - material).norm(), 1e-16);
+  EXPECT_LT((grasp.force_on_user(0) - (Vector3d(0.0, 0.0, 2.0) + 1000.0 * (material - Vector3d(0.01, 0.0, 0.02)))).norm(), 1e-12);
+}
+
+// A light body between two stiff fingers at 1 kHz: k Δt²/m = 2·2000·1e-6/0.01 = 0.4 along the faces.
+TEST(Grasp, HoldsALightBlockThatAnExplicitStepCannot) {
+  BodyParameters body = BodyParameters::block(0.01, {0.03, 0.03, 0.02});
+  body.gravity = {0.0, -9.81, 0.0};
+  FingerParameters with = parameters(0.6, 0.005, 2000.0, 0.07);
+  const auto run = [&](Integrator integrator, double stiffness) {
+    with.stiffness = stiffness;
+    auto grasp = make_grasp(body, {0.03, 0.03, 0.02}, with, ellipse, 2, integrator);
+    const auto devices = pinch(0.02, 2.0 / stiffness);
+    grasp.place(BodyState{}, devices);
+    int slips = 0;
+    for (int i = 0; i < 5000; ++i) {
+      grasp.step(devices, 1e-3);
+      slips += grasp.finger(0).output().state != ContactState::stick;
+    }
+    return slips == 0 && grasp.body().velocity.norm() < 1e-3;
+  };
+  EXPECT_FALSE(run(Integrator::explicit_euler, 2000.0));
+  EXPECT_TRUE(run(Integrator::implicit_euler, 2000.0));
+  // kΔt²/m = 40: a hundred times what it takes.
+  EXPECT_TRUE(run(Integrator::implicit_euler, 200000.0));
+  EXPECT_FALSE(run(Integrator::symplectic_euler, 200000.0));
+}
+
+// The limit of the semi-implicit step, k Δt²/m = 4 undamped, and that the implicit step has none.
+TEST(Grasp, StabilityLimitsAreTheAnalyticOnes) {
+  const auto grows = [](Integrator integrator, double ratio) {
+    const double mass = 0.1;
+    const double time_step = 1e-3;
+    BodyParameters body = BodyParameters::block(mass, edges);
+    body.gravity.setZero();
+    body.free = {true, false, false, false, false, false};
+    const double stiffness = 0.5 * ratio * mass / (time_step * time_step);  // of each of two fingers
+    FingerParameters with = parameters(1e6, 0.005, stiffness, 1000.0);
+    auto grasp = make_grasp(body, edges, with, ellipse, 2, integrator);
+    grasp.place(BodyState{}, pinch(0.04, 1e-3));
+    BodyState moved_body;
+    moved_body.position.x() = 1e-6;
+    grasp.place(moved_body, pinch(0.04, 1e-3));
+    for (int i = 0; i < 400; ++i) {
+      grasp.step(pinch(0.04, 1e-3), time_step);
+      if (std::fabs(grasp.body().position.x()) > 1e-4) return true;
+    }
+    return false;
+  };
+  EXPECT_FALSE(grows(Integrator::symplectic_euler, 3.9));
+  EXPECT_TRUE(grows(Integrator::symplectic_euler, 4.1));
+  EXPECT_TRUE(grows(Integrator::explicit_euler, 0.1));
+  for (const double ratio : {0.1, 4.1, 100.0, 1e4}) EXPECT_FALSE(grows(Integrator::implicit_euler, ratio)) << ratio;
+}
+
+// Fixed fingers, no gravity: a body set in motion between them never gains energy, and what it loses to slip is accounted.
+TEST(Grasp, NeverGainsEnergy) {
+  Random random(5);
+  for (int round = 0; round < 20; ++round) {
+    BodyParameters body = BodyParameters::planar_block(0.1, edges, 0.0);
+    auto grasp = make_grasp(body, edges, parameters(), ExactCurve(hertz()), 2);
+    grasp.place(BodyState{}, pinch(0.04, 0.002));
+    BodyState start;
+    start.velocity = {random.uniform(-0.5, 0.5), random.uniform(-0.5, 0.5), 0.0};
+    start.angular_velocity = {0.0, 0.0, random.uniform(-30.0, 30.0)};
+    grasp.place(start, pinch(0.04, 0.002));
+    double last = grasp.energy();
+    const double first = last;
+    for (int i = 0; i < 2000; ++i) {
+      grasp.step(pinch(0.04, 0.002), 1e-4);
+      const double now = grasp.energy();
+      ASSERT_LE(now, last + 1e-12 * first);
+      last = now;
+    }
+    EXPECT_GT(grasp.dissipated(), 0.0);
+    EXPECT_LE(grasp.dissipated(), first * (1.0 + 1e-9));
+  }
+}
+
+// Ten seconds here; the hour is in bench/.
+TEST(Grasp, RestsWithoutCreeping) {
+  BodyParameters body = BodyParameters::planar_block(0.1, edges, 9.81);
+  FingerParameters with = parameters(1.67, 0.01, 1000.0, 0.0366);
+  with.damping = 10.0;
+  with.twist_damping = 0.001;
+  auto grasp = make_grasp(body, edges, with, ExactCurve(hertz()), 2);
+  const auto devices = pinch(0.04, 0.002, {0.005, 0.0, 0.0});
+  grasp.place(BodyState{}, devices);
+  const Vector3d proxy = grasp.finger(0).output().proxy;
+  const double angle = grasp.finger(0).output().angle;
+  for (int i = 0; i < 5000; ++i) grasp.step(devices, 1e-3);
+  const BodyState settled = grasp.body();
+  for (int i = 0; i < 10000; ++i) {
+    grasp.step(devices, 1e-3);
+    ASSERT_TRUE(grasp.finger(0).output().proxy == proxy && grasp.finger(0).output().angle == angle);
+  }
+  EXPECT_LT((grasp.body().position - settled.position).norm(), 1e-12);
+  EXPECT_LT(grasp.body().orientation.angularDistance(settled.orientation), 1e-12);
+}
+
+// A damped oscillator has an answer: the ratio of successive swings of a body between two damped fingers.
+TEST(Grasp, DampingIsTheOneAskedFor) {
+  BodyParameters body = BodyParameters::planar_block(0.1, edges, 0.0);
+  FingerParameters with = parameters(100.0, 0.01, 1000.0, 0.04);
+  with.damping = 0.5;  // twice: 1 N s/m; γ = b/2m = 5/s, ω² = 2k/m − γ²
+  auto grasp = make_grasp(body, edges, with, ellipse, 2);
+  grasp.place(BodyState{}, pinch(0.04, 0.002));
+  BodyState moved_body;
+  moved_body.position.x() = 1e-4;
+  grasp.place(moved_body, pinch(0.04, 0.002));
+  const double time_step = 1e-6;
+  const double omega = std::sqrt(2.0 * 1000.0 / 0.1 - 25.0);
+  const int period = static_cast<int>(std::lround(2.0 * pi / omega / time_step));
+  for (int i = 0; i < period; ++i) grasp.step(pinch(0.04, 0.002), time_step);
+  // Implicit Euler adds ω²Δt/2 = 0.01/s.
+  EXPECT_NEAR(grasp.body().position.x() / 1e-4, std::exp(-5.01 * 2.0 * pi / omega), 1e-4);
+}
+
+TEST(Grasp, SurvivesBadDevices) {
+  BodyParameters body = BodyParameters::block(0.1, edges);
+  body.gravity = {0.0, -9.81, 0.0};
+  auto grasp = make_grasp(body, edges, parameters(), ellipse, 2);
+  const auto good = pinch(0.04, 0.003);
+  grasp.place(BodyState{}, good);
+  for (int i = 0; i < 1000; ++i) grasp.step(good, 1e-3);
+  auto bad = good;
+  bad[0].position.x() = std::numeric_limits<double>::quiet_NaN();
+  bad[1].orientation.x() = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 5; ++i) grasp.step(bad, 1e-3);
+  EXPECT_EQ(grasp.finger(0).output().state, ContactState::invalid);
+  EXPECT_TRUE(grasp.body().position.allFinite());
+  for (int i = 0; i < 1000; ++i) grasp.step(good, 1e-3);
+  EXPECT_EQ(grasp.finger(0).output().state, ContactState::stick);
+  EXPECT_TRUE(grasp.body().position.allFinite());
+  // No device at all: it falls.
+  for (int i = 0; i < 10; ++i) grasp.step({}, 1e-3);
+  EXPECT_LT(grasp.body().velocity.y(), -0.09);
+}
+
+TEST(Body, IsValidated) {
+  EXPECT_THROW(static_cast<void>(BodyParameters::block(0.0, edges)), std::invalid_argument);
+  EXPECT_THROW(static_cast<void>(BodyParameters::block(0.1, {0.1, -0.1, 0.1})), std::invalid_argument);
+  EXPECT_THROW(SphereSurface(0.0), std::invalid_argument);
+  EXPECT_THROW(BoxSurface({0.1, 0.1, std::numeric_limits<double>::quiet_NaN()}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace limitcurve::godobject::test

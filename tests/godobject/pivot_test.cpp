@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+#include "godobject/pivot.hpp"
+
+#include "tests/godobject/scene.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+namespace limitcurve::godobject::test {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180.0;
+
+PivotOptions experiment(PivotCase kind) {
+  PivotOptions options;
+  options.kind = kind;
+  return options;
+}
+
+constexpr PivotCase cases[] = {PivotCase::coupled, PivotCase::uncoupled, PivotCase::exact};
+
+/// Of the rows in which the block is still held, the largest angle, and the slip by then.
+struct Outcome {
+  double angle = 0.0;
+  double slip = 0.0;
+};
+
+Outcome outcome(const PivotOptions& options) {
+  Outcome result;
+  for (const PivotRow& row : run_pivot(options)) {
+    if (row.state == ContactState::free) break;
+    result = {std::max(result.angle, std::fabs(row.angle)), row.grip_slip};
+  }
+  return result;
+}
+
+TEST(Pivot, StartsLevelAndAtRest) {
+  for (const PivotCase kind : cases) {
+    const PivotRow row = Pivot(experiment(kind)).row();
+    EXPECT_EQ(row.time, 0.0);
+    EXPECT_EQ(row.x, -0.005);
+    EXPECT_EQ(row.y, 0.0);
+    EXPECT_EQ(row.angle, 0.0);
+    EXPECT_EQ(row.load, 0.5);
+    EXPECT_EQ(row.state, ContactState::stick);
+    EXPECT_NEAR(row.friction_force, 0.981, 1e-12);
+    EXPECT_NEAR(row.friction_moment, 0.981 * 0.005, 1e-14);
+    PivotOptions constant = experiment(kind);
+    constant.grip = {{0.0, 0.5}};
+    constant.duration = 1.0;
+    const PivotRow end = run_pivot(constant).back();
+    EXPECT_NEAR(end.time, 1.0, 1e-12);
+    EXPECT_NEAR(end.x, -0.005, 1e-12);
+    EXPECT_NEAR(end.y, 0.0, 1e-12);
+    EXPECT_NEAR(end.angle, 0.0, 1e-10);
+    EXPECT_EQ(end.grip_slip, 0.0);
+  }
+}
+
+// The load at which it begins to slip is the analytic one, to within what the load falls by in one time step.
+TEST(Pivot, FirstSlipsAtTheHoldingLoad) {
+  for (const PivotCase kind : cases) {
+    PivotOptions options = experiment(kind);
+    const double expected = holding_load(options);
+    // Slowly, past the holding load: 1e-6 of it in 100 steps.
+    options.grip = {{0.0, expected * (1.0 + 1e-6)}, {0.4, expected * (1.0 - 3e-6)}};
+    options.duration = 0.4;
+    double found = 0.0;
+    for (const PivotRow& row : run_pivot(options)) {
+      if (row.state != ContactState::slip) continue;
+      found = row.load;
+      break;
+    }
+    EXPECT_NEAR(found / expected, 1.0, 1e-6) << to_string(kind);
+  }
+  // Eq. (19) by hand: (0.4905/1.67)² + (0.4905·5/10.11)².
+  EXPECT_NEAR(holding_load(experiment(PivotCase::coupled)), std::hypot(0.4905 / 1.67, 0.4905 * 5.0 / 10.11), 1e-12);
+  EXPECT_NEAR(holding_load(experiment(PivotCase::uncoupled)), 0.4905 / 1.67, 1e-12);
+}
+
+// The paper's finding: with coupled friction the block turns between the fingers, with uncoupled it slides out level.
+TEST(Pivot, TurnsWhereFrictionIsCoupledAndSlidesOutWhereItIsNot) {
+  const Outcome coupled = outcome(experiment(PivotCase::coupled));
+  EXPECT_GT(coupled.angle, 45.0 * degree);
+  const Outcome exact = outcome(experiment(PivotCase::exact));
+  EXPECT_GT(exact.angle, 45.0 * degree);
+  const Outcome uncoupled = outcome(experiment(PivotCase::uncoupled));
+  EXPECT_LT(uncoupled.angle, 5.0 * degree);
+  EXPECT_GT(uncoupled.slip, 0.015);
+}
+
+TEST(Pivot, TheOperatorRegripsAtTheTarget) {
+  for (const PivotCase kind : {PivotCase::coupled, PivotCase::exact}) {
+    PivotOptions options = experiment(kind);
+    options.grip_operator = GripOperator{};
+    const std::vector<PivotRow> rows = run_pivot(options);
+    EXPECT_EQ(rows.back().state, ContactState::stick) << to_string(kind);
+    EXPECT_NEAR(rows.back().angle, 30.0 * degree, 3.0 * degree) << to_string(kind);
+    EXPECT_EQ(rows.back().grip_slip, rows[rows.size() - 3000].grip_slip) << to_string(kind);
+  }
+  PivotOptions options = experiment(PivotCase::uncoupled);
+  options.grip_operator = GripOperator{};
+  EXPECT_LT(outcome(options).angle, 5.0 * degree);
+}
+
+// First order: the change from halving the time step halves too.
+TEST(Pivot, ConvergesWithTheTimeStep) {
+  for (const PivotCase kind : {PivotCase::coupled, PivotCase::exact}) {
+    PivotOptions options = experiment(kind);
+    const double load = holding_load(options);
+    options.grip = {{0.0, load}, {1.5, 0.95 * load}};
+    options.duration = 1.5;
+    std::vector<PivotRow> ends;
+    for (const double time_step : {1e-3, 5e-4, 2.5e-4, 1.25e-4}) {
+      options.time_step = time_step;
+      ends.push_back(run_pivot(options).back());
+    }
+    EXPECT_GT(ends.back().angle, 5.0 * degree);
+    for (std::size_t i = 2; i < ends.size(); ++i) {
+      EXPECT_LT(std::fabs(ends[i].angle - ends[i - 1].angle), 0.7 * std::fabs(ends[i - 1].angle - ends[i - 2].angle)) << to_string(kind);
+      EXPECT_LT(std::fabs(ends[i].grip_slip - ends[i - 1].grip_slip), 0.7 * std::fabs(ends[i - 1].grip_slip - ends[i - 2].grip_slip));
+    }
+  }
+}
+
+TEST(Pivot, NamesWhatIsWrongWithItsOptions) {
+  const auto message = [](auto change) -> std::string {
+    PivotOptions options;
+    change(options);
+    try {
+      const Pivot pivot(options);
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "accepted";
+  };
+  EXPECT_NE(message([](PivotOptions& o) { o.mass = 0.0; }).find("mass"), std::string::npos);
+  EXPECT_NE(message([](PivotOptions& o) { o.mu = -1.0; }).find("mu"), std::string::npos);
+  EXPECT_NE(message([](PivotOptions& o) { o.offset = 0.06; }).find("offset"), std::string::npos);
+  EXPECT_NE(message([](PivotOptions& o) { o.time_step = 0.0; }).find("time_step"), std::string::npos);
+  EXPECT_NE(message([](PivotOptions& o) { o.stiffness = std::numeric_limits<double>::quiet_NaN(); }).find("stiffness"), std::string::npos);
+  EXPECT_NE(message([](PivotOptions& o) { o.grip = {{1.0, 1.0}, {1.0, 2.0}}; }).find("time"), std::string::npos);
+  EXPECT_NE(message([](PivotOptions& o) { o.grip = {{1.0, -1.0}}; }).find("load"), std::string::npos);
+  EXPECT_NE(message([](PivotOptions& o) {
+              o.grip = {{0.0, 1.0}};
+              o.grip_operator = GripOperator{};
+            }).find("grip"),
+            std::string::npos);
+  for (const PivotCase kind : cases) EXPECT_EQ(parse_pivot_case(to_string(kind)), kind);
+  EXPECT_THROW(static_cast<void>(parse_pivot_case("both")), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace limitcurve::godobject::test
