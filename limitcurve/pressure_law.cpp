@@ -12,14 +12,24 @@ std::string_view to_string(Method method) {
   return names[static_cast<std::size_t>(method)];
 }
 
+namespace {
+
+const std::vector<Extended>& unit_disc() {
+  static const std::vector<Extended> ends{0, 1};
+  return ends;
+}
+
+}  // namespace
+
 PressureLaw::PressureLaw() {
+  // What is built on first use is built here, not in a loop.
   DoubleExponential<double>::rule();
   DoubleExponential<Extended>::rule();
+  unit_disc();
 }
 
 const std::vector<Extended>& PressureLaw::breaks() const noexcept {
-  static const std::vector<Extended> unit_disc{0, 1};
-  return unit_disc;
+  return unit_disc();
 }
 
 UnitForces<double> PressureLaw::forces(double s) const noexcept {

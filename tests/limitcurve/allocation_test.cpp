@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+// Nothing allocates once it is built: every `new` of this executable is counted.
+#include "limitcurve/ellipse.hpp"
+#include "limitcurve/exact_curve.hpp"
+#include "limitcurve/laws.hpp"
+#include "limitcurve/polygon.hpp"
+#include "limitcurve/quartic.hpp"
+#include "limitcurve/superellipse.hpp"
+#include "limitcurve/table.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdlib>
+#include <memory>
+#include <new>
+#include <type_traits>
+#include <vector>
+
+namespace {
+
+thread_local long allocations = 0;
+
+void* counted(std::size_t size) {
+  ++allocations;
+  void* const memory = std::malloc(size > 0 ? size : 1);
+  if (memory == nullptr) throw std::bad_alloc();
+  return memory;
+}
+
+}  // namespace
+
+// The pairs that the standard library's others fall back on.
+void* operator new(std::size_t size) {
+  return counted(size);
+}
+void operator delete(void* memory) noexcept {
+  std::free(memory);
+}
+void operator delete(void* memory, std::size_t) noexcept {
+  std::free(memory);
+}
+
+namespace limitcurve::test {
+
+namespace {
+
+/// Allocations while `call` runs.
+template <class Call>
+long allocations_in(Call&& call) {
+  const long before = allocations;
+  call();
+  return allocations - before;
+}
+
+TEST(Allocation, IsNoticedByTheGuard) {
+  EXPECT_EQ(allocations_in([] {}), 0);
+  EXPECT_GE(allocations_in([] { std::make_unique<int>(1); }), 1);
+  EXPECT_GE(allocations_in([] { std::vector<double> values(100, 1.0); }), 1);
+}
+
+template <LimitBoundary Boundary>
+void expect_no_allocation(const char* what, const Boundary& boundary) {
+  static_assert(noexcept(boundary.wrench(SlipTwist{}))&& noexcept(boundary.point(SlipTwist{})));
+  static_assert(noexcept(boundary.along(UnitWrench{}))&& noexcept(boundary.gauge(UnitWrench{})));
+  double sum = 0.0;
+  const long count = allocations_in([&] {
+    for (const double s : {0.0, 1e-200, 0.3, 1.0, 1.2, 5.0, 1e200}) {
+      const SlipTwist twist = SlipTwist::about_cor(s);
+      const UnitWrench wrench = boundary.wrench(twist);
+      sum += boundary.point(twist).slope.moment + boundary.along(wrench).normal.spin + boundary.gauge(wrench);
+    }
+  });
+  EXPECT_EQ(count, 0) << what;
+  EXPECT_GT(sum, 0.0);
+}
+
+TEST(Allocation, NoBoundaryAllocates) {
+  expect_no_allocation("ellipse", Ellipse(1.0, 0.6));
+  expect_no_allocation("superellipse", Superellipse(1.0, 0.6, 1.7));
+  expect_no_allocation("quartic", Quartic(1.0, 0.6, 3.2));
+  expect_no_allocation("box", box(1.0, 0.6));
+  expect_no_allocation("diamond", diamond(1.0, 0.6));
+  expect_no_allocation("table", Table::build(uniform(), 1e-6));
+}
+
+TEST(Allocation, NoLawAllocates) {
+  for (const std::string_view name : law_examples()) {
+    const Law law = parse_law(name);
+    expect_no_allocation(name.data(), ExactCurve(law));
+    for (const Method method : {Method::automatic, Method::closed, Method::ring, Method::punch}) {
+      if (!law->allows(method)) continue;
+      EXPECT_EQ(allocations_in([&] { static_cast<void>(law->evaluate(0.7, method)); }), 0) << name << ' ' << to_string(method);
+    }
+  }
+}
+
+}  // namespace
+
+}  // namespace limitcurve::test
