@@ -12,7 +12,7 @@ namespace limitcurve {
 /// twist causes. The exact curve, the table, the ellipse and its kin and the uncoupled box all are one;
 /// projections, gauges and the god-object are written once against this.
 ///
-/// Requirements, each tested by name for every boundary (tests/boundary_suite.cpp):
+/// Requirements, each tested by name for every boundary (tests/limitcurve/boundary_suite.cpp):
 ///  - `wrench(t)`: the boundary point that has t as an outward normal (any one of them where a face is flat);
 ///  - `point(t)`:  the same with its derivative in the spin fraction;
 ///  - `along(w)`:  the boundary point on the ray through w ≠ 0, and the normal there (any one at a corner);

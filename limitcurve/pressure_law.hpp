@@ -36,7 +36,7 @@ struct RadialPosition {
 /// Laws are immutable and may be shared between threads.
 ///
 /// A new law derives from this, in a file of its own, and gets a factory in laws.hpp and a line in law_grammar.cpp.
-/// What it must satisfy is listed and tested by name in tests/law_suite.cpp.
+/// What it must satisfy is listed and tested by name in tests/limitcurve/law_suite.cpp.
 class PressureLaw {
  public:
   PressureLaw();
