@@ -66,6 +66,8 @@ limitcurve::Table read_table_json(std::string_view text, const std::string& sour
     whole = json::parse(text);
   } catch (const json::parse_error& error) {
     fail_at(source, text, error.byte);
+  } catch (const json::out_of_range&) {
+    fail(source, "a number that no double can hold");
   }
   if (!whole.is_object() || whole.value("format", json()) != expected_format) {
     fail(source, "not a table: expected an object with \"format\": " + quoted(expected_format));

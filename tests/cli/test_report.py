@@ -96,7 +96,7 @@ class Report(CommandLineTest):
         duration = time.monotonic() - begin
         whole = {path.name: path.read_bytes() for path in out.iterdir()}
         generator = random.Random(7)
-        for _ in range(4):
+        for _ in range(3):
             for path in out.iterdir():
                 path.unlink()
             with subprocess.Popen([EXECUTABLE, "report", "-o", out], env=environment) as process:

@@ -133,6 +133,7 @@ class BadTables(CommandLineTest):
             "bare.json": '{"format": "limitcurve table 1"}',
             "kinds.json": '{"format": "limitcurve table 1", "law": 1, "tolerance": "x"}',
             "deep.json": "[" * 10000,
+            "huge.json": '{"format": "limitcurve table 1", "tolerance": 1e999}',
         }
         for name, text in foreign.items():
             self.assert_fails(2, name, "lookup", "--table", self.file(name, text), "--c", "1")
