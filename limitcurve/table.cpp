@@ -18,14 +18,14 @@ Table Table::build(const Law& law, double tolerance) {
   return {{law->name(), tolerance, error}, std::move(inside.side), std::move(outside.side)};
 }
 
-Table::Table(Facts facts, TableSide inside, TableSide outside)
-    : facts_(std::move(facts)), inside_(std::move(inside)), outside_(std::move(outside)) {
-  const TableNode& from_inside = inside_.nodes().back();
-  const TableNode& from_outside = outside_.nodes().back();
+Table::Table(Facts facts, TableSide inside, TableSide outside) : facts_(std::move(facts)), sides_{std::move(inside), std::move(outside)} {
+  TableSide::align(sides_[0], sides_[1]);
+  const TableNode& from_inside = this->inside().nodes().back();
+  const TableNode& from_outside = this->outside().nodes().back();
   if (from_inside.primary != from_outside.secondary || from_inside.secondary != from_outside.primary) {
     throw std::invalid_argument("the sides of the table do not meet at the rim");
   }
-  if (outside_.nodes().front().secondary != 1.0) throw std::invalid_argument("the table's force under pure sliding is not 1");
+  if (this->outside().nodes().front().secondary != 1.0) throw std::invalid_argument("the table's force under pure sliding is not 1");
   if (!(facts_.certified_error >= 0.0 && facts_.certified_error <= facts_.tolerance)) {
     throw out_of_range("certified_error", facts_.certified_error, "1", "0 <= certified_error <= tolerance");
   }

@@ -5,6 +5,8 @@
 #include "limitcurve/pressure_law.hpp"
 #include "limitcurve/table_side.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <string>
 
@@ -42,52 +44,40 @@ class Table {
   [[nodiscard]] double tolerance() const noexcept { return facts_.tolerance; }
   /// Upper bound of the absolute error of f and of m, found by comparison with the exact curve between the nodes.
   [[nodiscard]] double certified_error() const noexcept { return facts_.certified_error; }
-  [[nodiscard]] const TableSide& inside() const noexcept { return inside_; }
-  [[nodiscard]] const TableSide& outside() const noexcept { return outside_; }
-  [[nodiscard]] std::size_t node_count() const noexcept { return inside_.nodes().size() + outside_.nodes().size(); }
-  /// Bytes that lookups may touch: nodes and index.
-  [[nodiscard]] std::size_t bytes() const noexcept { return inside_.bytes() + outside_.bytes(); }
+  [[nodiscard]] const TableSide& inside() const noexcept { return sides_[0]; }
+  [[nodiscard]] const TableSide& outside() const noexcept { return sides_[1]; }
+  [[nodiscard]] std::size_t node_count() const noexcept { return inside().nodes().size() + outside().nodes().size(); }
+  /// Bytes of the nodes: what a file or a constant in a program must hold, and all that defines the table.
+  [[nodiscard]] std::size_t bytes() const noexcept { return node_count() * sizeof(TableNode); }
+  /// Bytes that a lookup by twist may touch: the nodes' cubics, a cache line each, and their index. About twice `bytes`.
+  [[nodiscard]] std::size_t working_bytes() const noexcept { return inside().working_bytes() + outside().working_bytes(); }
 
-  [[nodiscard]] double moment_ratio() const noexcept { return inside_.nodes().front().secondary; }
+  [[nodiscard]] double moment_ratio() const noexcept { return inside().nodes().front().secondary; }
 
   /// The wrench that the slip twist causes, within certified_error().
   [[nodiscard]] UnitWrench wrench(SlipTwist twist) const noexcept {
-    // The COR inside the rim: the force leads. Outside: the moment does, in 1/s.
-    if (twist.slide <= twist.spin) {
-      const TableSide::Value value = inside_.cell(twist.slide / twist.spin).value();
-      return {value.primary, value.secondary};
-    }
-    const TableSide::Value value = outside_.cell(twist.spin / twist.slide).value();
-    return {value.secondary, value.primary};
+    const auto [outside, coordinate] = place(twist);
+    return wrench_of(outside, sides_[outside].cell(coordinate).value(coordinate));
   }
 
   [[nodiscard]] BoundaryPoint point(SlipTwist twist) const noexcept {
+    const auto [outside, coordinate] = place(twist);
+    const TableSide::Cell& cell = sides_[outside].cell(coordinate);
+    const UnitWrench slope = wrench_of(outside, cell.slope(coordinate));
     // u = 1/(1+s) = q/(1+q): ds/du = −(1+s)², dq/du = (1+q)².
-    if (twist.slide <= twist.spin) {
-      const TableSide::Cell cell = inside_.cell(twist.slide / twist.spin);
-      const TableSide::Value value = cell.value();
-      const TableSide::Value slope = cell.slope();
-      const double rate = -(1.0 + cell.coordinate) * (1.0 + cell.coordinate);
-      return {{value.primary, value.secondary}, {rate * slope.primary, rate * slope.secondary}};
-    }
-    const TableSide::Cell cell = outside_.cell(twist.spin / twist.slide);
-    const TableSide::Value value = cell.value();
-    const TableSide::Value slope = cell.slope();
-    const double rate = (1.0 + cell.coordinate) * (1.0 + cell.coordinate);
-    return {{value.secondary, value.primary}, {rate * slope.secondary, rate * slope.primary}};
+    const double rate = (outside ? 1.0 : -1.0) * (1.0 + coordinate) * (1.0 + coordinate);
+    return {wrench_of(outside, cell.value(coordinate)), {rate * slope.force, rate * slope.moment}};
   }
 
   /// Where the ray through `direction` (not zero) meets the table's curve, and the twist there. Bisection over the
   /// nodes, then bracketed Newton within a cell: at most 15 + 24 steps, 6 + 3 as a rule.
   [[nodiscard]] RadialPoint along(UnitWrench direction) const noexcept {
-    const TableNode& rim = inside_.nodes().back();
-    if (rim.primary * direction.moment >= rim.secondary * direction.force) {
-      // Steeper than the rim's wrench: more twist than slide.
-      const auto [value, x] = inside_.along({direction.force, direction.moment});
-      return {{value.primary, value.secondary}, {x, 1.0}};
-    }
-    const auto [value, x] = outside_.along({direction.moment, direction.force});
-    return {{value.secondary, value.primary}, {1.0, x}};
+    // Steeper than the rim's wrench: more twist than slide.
+    const TableNode& rim = inside().nodes().back();
+    const bool outside = rim.primary * direction.moment < rim.secondary * direction.force;
+    const auto [value, x] = sides_[outside].along(outside ? TableSide::Value{direction.moment, direction.force}
+                                                          : TableSide::Value{direction.force, direction.moment});
+    return {wrench_of(outside, value), outside ? SlipTwist{1.0, x} : SlipTwist{x, 1.0}};
   }
 
   [[nodiscard]] double gauge(UnitWrench wrench) const noexcept {
@@ -95,9 +85,24 @@ class Table {
   }
 
  private:
+  struct Place {
+    bool outside;
+    double coordinate;
+  };
+  /// Selected, not branched for: which side a twist lies on is the one thing that no predictor knows.
+  static Place place(SlipTwist twist) noexcept {
+    const bool outside = twist.slide > twist.spin;
+    return {outside, std::min(twist.slide, twist.spin) / std::max(twist.slide, twist.spin)};
+  }
+  /// Inside the rim the force leads, outside the moment.
+  static UnitWrench wrench_of(bool outside, TableSide::Value value) noexcept {
+    // By index: compilers turn a choice between doubles into a branch.
+    const double components[2] = {value.primary, value.secondary};
+    return {components[outside], components[!outside]};
+  }
+
   Facts facts_;
-  TableSide inside_;
-  TableSide outside_;
+  std::array<TableSide, 2> sides_;  // inside, outside
 };
 
 static_assert(LimitBoundary<Table>);

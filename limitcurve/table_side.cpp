@@ -6,6 +6,7 @@
 #include <bit>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 
 namespace limitcurve {
 
@@ -17,24 +18,33 @@ namespace {
 
 }  // namespace
 
-bool is_convex(const TableSide::Cell& cell) noexcept {
-  // First derivatives are quadratics a + bt + ct², A + Bt + Ct²; their cross with the second derivatives is again a
-  // quadratic, because the cubic terms cancel: (aB − bA) + 2(aC − cA)t + (bC − cB)t².
-  const double width = cell.right.coordinate - cell.left.coordinate;
-  const auto quadratic = [](double from, double to, double slope_from, double slope_to) {
-    const double rise = to - from;
-    struct {
-      double constant, linear, square;
-    } const result{slope_from, 2.0 * (3.0 * rise - 2.0 * slope_from - slope_to), 3.0 * (slope_from + slope_to - 2.0 * rise)};
-    return result;
+TableSide::Cell::Cell(const TableNode& from, const TableNode& to) noexcept : left(from.coordinate), secondary(from.secondary) {
+  const double width = to.coordinate - from.coordinate;
+  const auto curved = [&](double rise, double slope_from, double slope_to) {
+    const double chord = rise / width;
+    return std::pair{(3.0 * chord - 2.0 * slope_from - slope_to) / width, (slope_from + slope_to - 2.0 * chord) / (width * width)};
   };
-  const auto p = quadratic(cell.left.primary, cell.right.primary, width * cell.left.slope, width * cell.right.slope);
-  const auto r = quadratic(cell.left.secondary, cell.right.secondary, -width * cell.left.coordinate * cell.left.slope,
-                           -width * cell.right.coordinate * cell.right.slope);
+  const auto [square, cube] = curved(to.primary - from.primary, from.slope, to.slope);
+  primary = {from.primary, from.slope, square, cube};
+  std::tie(secondary_square, secondary_cube) =
+      curved(to.secondary - from.secondary, -from.coordinate * from.slope, -to.coordinate * to.slope);
+}
+
+bool is_convex(const TableNode& left, const TableNode& right) noexcept {
+  // In the place t ∈ [0, 1] the first derivatives are quadratics a + bt + ct², A + Bt + Ct²; their cross with the second
+  // derivatives is again a quadratic, because the cubic terms cancel: (aB − bA) + 2(aC − cA)t + (bC − cB)t².
+  const double width = right.coordinate - left.coordinate;
+  const TableSide::Cell cell(left, right);
+  const double a = width * cell.primary[1];
+  const double b = 2.0 * width * width * cell.primary[2];
+  const double c = 3.0 * width * width * width * cell.primary[3];
+  const double A = -width * cell.left * cell.primary[1];
+  const double B = 2.0 * width * width * cell.secondary_square;
+  const double C = 3.0 * width * width * width * cell.secondary_cube;
   // On a convex curve traversed towards the rim the direction turns from the primary towards minus the secondary.
-  const double constant = r.constant * p.linear - r.linear * p.constant;
-  const double linear = 2.0 * (r.constant * p.square - r.square * p.constant);
-  const double square = r.linear * p.square - r.square * p.linear;
+  const double constant = A * b - B * a;
+  const double linear = 2.0 * (A * c - C * a);
+  const double square = B * c - C * b;
   const auto at = [&](double t) { return constant + t * (linear + t * square); };
   double least = std::min(at(0.0), at(1.0));
   const double turn = -linear / (2.0 * square);
@@ -42,12 +52,12 @@ bool is_convex(const TableSide::Cell& cell) noexcept {
   // The nodes' values are right to a few units of 1e-15, and so are the second derivatives here (differences of them);
   // the first derivatives multiply that.
   constexpr double node_error = 2e-14;
-  const double rounding = node_error * (std::fabs(p.constant) + std::fabs(p.linear) + std::fabs(r.constant) + std::fabs(r.linear));
-  return least >= -rounding;
+  return least >= -node_error * (std::fabs(a) + std::fabs(b) + std::fabs(A) + std::fabs(B));
 }
 
 TableSide::TableSide(std::vector<TableNode> nodes) : nodes_(std::move(nodes)) {
   verify();
+  for (std::size_t i = 0; i + 1 < nodes_.size(); ++i) cells_.emplace_back(nodes_[i], nodes_[i + 1]);
   build_index();
 }
 
@@ -69,8 +79,7 @@ void TableSide::verify() const {
     if (!(before.coordinate < node.coordinate)) refuse(i, node, "expected coordinates that increase");
     if (!(before.primary < node.primary)) refuse(i, node, "expected a primary component that increases");
     if (!(before.secondary > node.secondary)) refuse(i, node, "expected a secondary component that decreases");
-    const Cell cell{before, node, node.coordinate};
-    if (!is_convex(cell)) refuse(i, node, "expected a convex curve before it");
+    if (!is_convex(before, node)) refuse(i, node, "expected a convex curve before it");
   }
 }
 
@@ -108,16 +117,16 @@ std::pair<TableSide::Value, double> TableSide::along(Value direction) const noex
   }
   const TableNode& left = nodes_[low];
   const TableNode& right = nodes_[high];
+  const Cell& cell = cells_[low];
   const double cross_left = cross({left.primary, left.secondary});
   const double cross_right = cross({right.primary, right.secondary});
   double from = left.coordinate;
   double to = right.coordinate;
   double x = from + (to - from) * (cross_left / (cross_left - cross_right));
   for (int i = 0; i < newton_steps; ++i) {
-    const Cell here{left, right, x};
-    const double residual = cross(here.value());
+    const double residual = cross(cell.value(x));
     (residual <= 0.0 ? from : to) = x;
-    double next = x - residual / cross(here.slope());
+    double next = x - residual / cross(cell.slope(x));
     // At a rim that is all but a corner Newton's step may leave the bracket.
     if (!(next >= from && next <= to)) next = 0.5 * (from + to);
     const double step = std::fabs(next - x);
@@ -125,7 +134,7 @@ std::pair<TableSide::Value, double> TableSide::along(Value direction) const noex
     // Quadratic convergence: what the next step would change is below the last bit.
     if (step <= 1e-10 * (right.coordinate - left.coordinate)) break;
   }
-  return {Cell{left, right, x}.value(), x};
+  return {cell.value(x), x};
 }
 
 }  // namespace limitcurve

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -11,7 +12,7 @@
 
 namespace limitcurve {
 
-/// A node of one side of a table. Inside the rim the coordinate is s = c/a, the primary component the force and the
+/// A node of one side of a table: 32 bytes. Inside the rim the coordinate is s = c/a, the primary component the force and the
 /// secondary the moment; outside the coordinate is 1/s and they change places. The slope is the primary's; the
 /// secondary's is −coordinate·slope on either side (dm/df = −s).
 struct TableNode {
@@ -34,39 +35,28 @@ class TableSide {
     double secondary;
   };
 
-  /// The cubics between two nodes, at a place in between.
-  struct Cell {
-    const TableNode& left;
-    const TableNode& right;
-    double coordinate;
+  /// The two cubics between neighbouring nodes in powers of the distance from the left one: a cache line. The secondary
+  /// component's linear coefficient is not held: dm/df = −s makes it −coordinate times the primary's.
+  struct alignas(64) Cell {
+    double left;  ///< coordinate of the left node
+    std::array<double, 4> primary;
+    double secondary;
+    double secondary_square;
+    double secondary_cube;
 
-    [[nodiscard]] Value value() const noexcept {
-      const auto [width, t] = place();
-      return {cubic(left.primary, right.primary, width * left.slope, width * right.slope, t),
-              cubic(left.secondary, right.secondary, -width * left.coordinate * left.slope, -width * right.coordinate * right.slope, t)};
+    Cell(const TableNode& from, const TableNode& to) noexcept;
+
+    [[nodiscard]] Value value(double coordinate) const noexcept {
+      const double x = coordinate - left;
+      return {primary[0] + x * (primary[1] + x * (primary[2] + x * primary[3])),
+              secondary + x * (-left * primary[1] + x * (secondary_square + x * secondary_cube))};
     }
 
     /// Derivatives by the coordinate.
-    [[nodiscard]] Value slope() const noexcept {
-      const auto [width, t] = place();
-      return {
-          cubic_slope(left.primary, right.primary, width * left.slope, width * right.slope, t) / width,
-          cubic_slope(left.secondary, right.secondary, -width * left.coordinate * left.slope, -width * right.coordinate * right.slope, t) /
-              width};
-    }
-
-   private:
-    [[nodiscard]] std::pair<double, double> place() const noexcept {
-      const double width = right.coordinate - left.coordinate;
-      return {width, (coordinate - left.coordinate) / width};
-    }
-    static double cubic(double from, double to, double slope_from, double slope_to, double t) noexcept {
-      const double rise = to - from;
-      return from + t * (slope_from + t * (3.0 * rise - 2.0 * slope_from - slope_to + t * (slope_from + slope_to - 2.0 * rise)));
-    }
-    static double cubic_slope(double from, double to, double slope_from, double slope_to, double t) noexcept {
-      const double rise = to - from;
-      return slope_from + t * (2.0 * (3.0 * rise - 2.0 * slope_from - slope_to) + t * 3.0 * (slope_from + slope_to - 2.0 * rise));
+    [[nodiscard]] Value slope(double coordinate) const noexcept {
+      const double x = coordinate - left;
+      return {primary[1] + x * (2.0 * primary[2] + x * 3.0 * primary[3]),
+              -left * primary[1] + x * (2.0 * secondary_square + x * 3.0 * secondary_cube)};
     }
   };
 
@@ -75,20 +65,26 @@ class TableSide {
   explicit TableSide(std::vector<TableNode> nodes);
 
   [[nodiscard]] std::span<const TableNode> nodes() const noexcept { return nodes_; }
-  [[nodiscard]] std::size_t bytes() const noexcept {
-    return nodes_.size() * sizeof(TableNode) + first_cell_.size() * sizeof(std::uint16_t);
+  /// Of the cells and their index, which are derived from the nodes: all that a lookup by twist may touch.
+  [[nodiscard]] std::size_t working_bytes() const noexcept {
+    return cells_.size() * sizeof(Cell) + first_cell_.size() * sizeof(std::uint16_t);
   }
 
   /// The cell that holds `coordinate` ∈ [0, 1], by a bucket uniform in √(1−x) (as the nodes nearly are, being graded
   /// to the rim) and a bisection of a length that is fixed for the table: mostly one or two steps, no branch on data.
-  [[nodiscard]] Cell cell(double coordinate) const noexcept {
+  [[nodiscard]] const Cell& cell(double coordinate) const noexcept {
     const auto bucket = static_cast<std::size_t>(std::sqrt(1.0 - coordinate) * buckets_);
     std::size_t found = first_cell_[bucket];
     for (std::size_t step = first_step_; step > 0; step >>= 1U) {
-      const std::size_t probe = std::min(found + step, nodes_.size() - 2);
-      found = nodes_[probe].coordinate <= coordinate ? probe : found;
+      const std::size_t probe = std::min(found + step, cells_.size() - 1);
+      found += (probe - found) * static_cast<std::size_t>(cells_[probe].left <= coordinate);
     }
-    return {nodes_[found], nodes_[found + 1], coordinate};
+    return cells_[found];
+  }
+
+  /// Gives both sides of a table bisections of one length, so that its loop has no branch that a twist decides.
+  static void align(TableSide& one, TableSide& other) noexcept {
+    one.first_step_ = other.first_step_ = std::max(one.first_step_, other.first_step_);
   }
 
   /// Where primary : secondary is that of `direction`, and the coordinate there. The direction must lie on this side.
@@ -101,13 +97,14 @@ class TableSide {
   void build_index();
 
   std::vector<TableNode> nodes_;
+  std::vector<Cell> cells_;
   std::vector<std::uint16_t> first_cell_;  // of each bucket, counted from the rim; one more for coordinate 0 itself
   double buckets_ = 1.0;
   std::size_t first_step_ = 0;
 };
 
-/// Whether the curve of a cell is convex throughout, by the sign of the cross product of its first and second
+/// Whether the curve between two nodes is convex throughout, by the sign of the cross product of its first and second
 /// derivatives, which is a quadratic in the place; up to what the rounding of the nodes explains.
-bool is_convex(const TableSide::Cell& cell) noexcept;
+bool is_convex(const TableNode& left, const TableNode& right) noexcept;
 
 }  // namespace limitcurve
