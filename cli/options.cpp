@@ -75,8 +75,8 @@ void Options::law(Law& value, Presence presence) {
 
 void Options::radius_law(std::optional<RadiusLaw>& value, Presence presence) {
   this->value(
-      "--radius-law", "RADIUS-LAW", [&value](const std::string& text) { value = RadiusLaw::parse(text); },
-      "Contact radius a(P) [m]: constant:a=0.005, hertz:R=0.008,E=2e5, or power:c=0.00207,gamma=0.259", presence);
+      "--radius-law", "RADIUS-LAW", [&value](const std::string& text) { value = read_radius_law(text); },
+      "Contact radius a(P) [m]: constant:a=0.005, hertz:R=0.008,E=2e5, power:c=0.00207,gamma=0.259, samples:FILE.csv", presence);
 }
 
 }  // namespace limitcurve::cli
