@@ -52,7 +52,7 @@ struct ContactFit {
 /// Fits by orthogonal distance: errors of force and moment both count, each in units of its own sigma. Without sigmas both
 /// errors are taken as proportional to the load, equal in the normalised plane, and their size is found from the scatter;
 /// then `report.rms` is relative to the limit (0.02 is 2 %), with sigmas it is in standard deviations.
-/// No starting values are needed. Cost: some 1 ms for 100 samples, once a process some 0.2 s for each family with a free shape.
+/// No starting values are needed. Cost: some 1 ms for 100 samples, once a process 20 to 70 ms for each family with a free shape.
 /// Throws std::invalid_argument that names the sample for bad samples, or the parameters that the samples cannot determine
 /// (too few; all on an axis; no twist at all).
 ContactFit fit_contact(std::span<const Sample> samples, const ContactModel& model, const ContactFitOptions& options = {});

@@ -108,7 +108,8 @@ std::vector<EngineContact> translate(const Law& law, const RadiusLaw& radius_law
        0.0,
        0.0,
        "https://mujoco.readthedocs.io/en/stable/computation/index.html#friction-cones",
-       "the default <option cone=\"pyramidal\"/>; sliding is a pyramid too, weakest between its axes; keep impratio at 1"},
+       "the default <option cone=\"pyramidal\"/>; sliding is a pyramid too, weakest between its axes; keep impratio at 1; its friction is "
+       "soft: slip of a few mm/s may meet only a third of the limit, where the elliptic cone with its impratio meets all of it"},
       pyramid);
   add({"chrono",
        "box",
@@ -146,13 +147,15 @@ std::vector<EngineContact> translate(const Law& law, const RadiusLaw& radius_law
       uncoupled);
   add({"bullet",
        "box",
-       {named(sliding, "setFriction"), named(torsional, "setSpinningFriction")},
+       {named(sliding, "setFriction"),
+        named(torsional, "setSpinningFriction"),
+        {"setRollingFriction", 1e-3 * mu_r, "m", "any small number > 0: without rolling friction Bullet skips the spinning friction too"}},
        {},
        0.0,
        0.0,
        "https://github.com/bulletphysics/bullet3/blob/master/src/BulletCollision/CollisionDispatch/btManifoldResult.cpp",
        "the other body needs friction 1 and spinning friction 0: frictions multiply, and each spinning friction is multiplied by the "
-       "other body's friction; the impulse of a step must stay below 1 N s"},
+       "other body's friction; without any rolling friction there is none about the normal; the impulse of a step must stay below 1 N s"},
       uncoupled);
   add({"ode",
        "box",

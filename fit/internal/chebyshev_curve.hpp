@@ -54,7 +54,7 @@ class ChebyshevCurve {
 };
 
 /// A family of pressure laws with one shape parameter, as a Chebyshev tensor in the shape's coordinate and the place on
-/// the curve. Built at first use (some 0.2 s, by the laws' own evaluators); immutable afterwards, shared by all threads.
+/// the curve. Built at first use (20 to 70 ms, by the laws' own evaluators); immutable afterwards, shared by all threads.
 class ShapeFamily {
  public:
   /// p ∝ (1−ρ²)ⁿ, n ∈ [−0.75, 6]; coordinate log(n + 3/2). Error of the curve ≤ 1e-11.
