@@ -4,7 +4,6 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <cstdlib>
 #include <system_error>
 
 namespace limitcurve {
@@ -24,8 +23,11 @@ std::optional<double> parse_number(std::string_view text) {
   const auto [stop, error] = std::from_chars(text.data(), end, value);
   if (stop != end || text.empty()) return std::nullopt;
   if (error == std::errc::result_out_of_range) {
-    // Too small or too large for a double: the nearest double, as strtod gives, not a refusal.
-    value = std::strtod(std::string(text).c_str(), nullptr);
+    // Too small or too large for a double: the nearest double, not a refusal. (strtod would mind the locale.)
+    long double wide = 0.0L;
+    if (std::from_chars(text.data(), end, wide).ec == std::errc{}) return static_cast<double>(wide);
+    const bool tiny = text.find("e-") != std::string_view::npos || text.find("E-") != std::string_view::npos;
+    value = std::copysign(tiny ? 0.0 : HUGE_VAL, text[0] == '-' ? -1.0 : 1.0);
   } else if (error != std::errc{}) {
     return std::nullopt;
   }
