@@ -88,6 +88,7 @@ class Pivot final : public Subcommand {
     options.number("--twist-damping", settings_.twist_damping, non_negative, "b_r of each finger [N m s/rad] (default b_l k_r/k_l)");
     options.number("--time-step", settings_.time_step, positive, "Time step [s]");
     options.number("--duration", settings_.duration, non_negative, "Duration [s]");
+    options.count("--every", every_, 1, 1'000'000'000, "Rows to write: each Nth time step's, from the first on");
     options.law(settings_.law, Presence::optional);
     options.number("--tolerance", settings_.tolerance, positive, "Of the exact case's table, in unit wrenches");
   }
@@ -107,7 +108,9 @@ class Pivot final : public Subcommand {
     settings_.grip = grip_file_.empty() ? release_ : read_grip(grip_file_);
     godobject::Pivot pivot(settings_);
     Rows rows(results, {"time", "x", "y", "angle", "grip_slip", "load", "friction_force", "friction_moment", "state", "cor"});
+    std::size_t step = 0;
     do {
+      if (step++ % every_ != 0) continue;
       const godobject::PivotRow& row = pivot.row();
       rows.row(row.time, row.x, row.y, row.angle, row.grip_slip, row.load, row.friction_force, row.friction_moment,
                godobject::to_string(row.state), row.cor);
@@ -122,6 +125,7 @@ class Pivot final : public Subcommand {
   std::optional<double> moment_coefficient_;
   std::string grip_file_;
   std::vector<GripSample> release_;
+  std::size_t every_ = 1;
   godobject::PivotOptions settings_;
 };
 

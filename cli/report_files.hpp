@@ -32,5 +32,9 @@ void write_error_files(const std::filesystem::path& output);
 void write_table_files(const std::filesystem::path& output, const std::filesystem::path& data);
 void write_replay_files(const std::filesystem::path& output, const std::filesystem::path& data);
 void write_steady_twist_file(const std::filesystem::path& output);
+/// pivot.csv: case,grip and the columns of `pivot`, grip being `release` or `operator`.
+void write_pivot_file(const std::filesystem::path& output);
+/// translate.csv: law,radius_law,mu,load and the columns of `translate`.
+void write_translate_file(const std::filesystem::path& output);
 
 }  // namespace limitcurve::cli

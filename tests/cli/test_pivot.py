@@ -4,7 +4,7 @@
 import math
 import unittest
 
-from command_line import CommandLineTest, header, rows
+from command_line import CommandLineTest, header, rows, run
 
 CASES = ["coupled", "uncoupled", "exact"]
 
@@ -39,6 +39,11 @@ class Pivot(CommandLineTest):
         grip = self.file("grip.csv", "# eased\ntime,load\n0,1.5\n1,0.5\n")
         call = ["pivot", "--case", "exact", "--duration", "1"]
         self.assertEqual(rows(*call, "--grip", grip)[-1]["angle"], rows(*call, "--release", "over=1,from=1.5,to=0.5")[-1]["angle"])
+
+    def test_every_nth_row(self):
+        call = ["pivot", "--case", "exact", "--duration", "0.1"]
+        lines = run(*call).stdout.splitlines()
+        self.assertEqual(run(*call, "--every", "7").stdout.splitlines(), lines[:1] + lines[1::7])
 
     def test_angles(self):
         call = ["pivot", "--case", "coupled", "--duration", "1", "--operator"]

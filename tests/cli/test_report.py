@@ -24,6 +24,8 @@ FILES = {
     "replay": "trace,boundary,projection,time,state,px,py,angle,depth,load,fx,fy,moment,cor",
     "replay_runs": "trace,law,radius_law,mu,stiffness,twist_stiffness,moment_ratio",
     "replay_limits": "trace,boundary,load,force,moment",
+    "pivot": "case,grip,time,x,y,angle,grip_slip,load,friction_force,friction_moment,state,cor",
+    "translate": "law,radius_law,mu,load,engine,parameter,value,unit,model,max_error",
     "steady_twist": "law,boundary,projection,cor,stiffness_ratio,force,moment,exact_force,exact_moment,error",
 }
 
