@@ -260,6 +260,36 @@ void warn_of_scatter(FitReport& report, const Solution& solution, const Loss& lo
   }
 }
 
+/// The fitted curve and its band: with q the curve's point in the normalised plane and N its normal, the standard error of q·N is that of
+/// N·(x δlog μ, y δlog μ_r) + N·∂q/∂β δβ (at 1 N: δlog μ_r is that of the limit there).
+std::vector<ContactFit::BandPoint> band_of(const UnitCurve& curve, const ContactLayout& layout, std::span<const double> covariance,
+                                           double mu, double mu_r, double log_reference) {
+  constexpr int points = 91;
+  constexpr double two_sided_95 = 1.959964;
+  const std::size_t free = layout.size();
+  std::vector<ContactFit::BandPoint> band;
+  for (int i = 0; i < points; ++i) {
+    const double t = static_cast<double>(i) / (points - 1);
+    const auto [point, tangent] = curve.at(t);
+    const double length = std::hypot(tangent.x, tangent.y);
+    const internal::PlanePoint normal{tangent.y / length, -tangent.x / length};
+    std::array<double, 4> gradient{normal.x * point.x, normal.y * point.y, 0.0, 0.0};
+    if (layout.shape) {
+      const internal::PlanePoint slope = curve.shape_slope(t);
+      gradient[2] = normal.x * slope.x + normal.y * slope.y;
+    }
+    if (layout.gamma) gradient[layout.gamma_place()] = -gradient[1] * log_reference;
+    double variance = 0.0;
+    for (std::size_t a = 0; a < free; ++a) {
+      for (std::size_t b = 0; b < free; ++b) variance += gradient[a] * covariance[a * free + b] * gradient[b];
+    }
+    const double width = two_sided_95 * std::sqrt(std::max(variance, 0.0));
+    band.push_back({mu * point.x, mu_r * point.y, mu * (point.x - width * normal.x), mu_r * (point.y - width * normal.y),
+                    mu * (point.x + width * normal.x), mu_r * (point.y + width * normal.y)});
+  }
+  return band;
+}
+
 ContactFit fit_prepared(const Preparation& preparation, const ContactModel& model, const ContactFitOptions& options) {
   const std::unique_ptr<UnitCurve> curve = make_curve(model);
   const ContactLayout layout{!curve->shape_name().empty(), options.fit_gamma, options.gamma};
@@ -291,7 +321,10 @@ ContactFit fit_prepared(const Preparation& preparation, const ContactModel& mode
     }
   }
 
-  ContactFit fit{model.name(), {}};
+  ContactFit fit{model.name(), {}, solution.residuals, {}};
+  if (!preparation.with_sigma && !robust && variance > 0.0) {
+    for (double& residual : fit.residuals) residual /= std::sqrt(variance);
+  }
   internal::describe(fit.report, solution);
   fit.report.rms *= preparation.noise;
   fit.report.aic = internal::akaike(solution.cost, count, free, preparation.with_sigma || robust);
@@ -325,6 +358,7 @@ ContactFit fit_prepared(const Preparation& preparation, const ContactModel& mode
   if (layout.shape) add(curve->shape_name(), curve->parameter(shape), "1", 0.0, 0.0, curve->parameter_slope(shape), 0.0);
   if (layout.gamma) add("gamma", gamma, "1", 0.0, 0.0, 0.0, 1.0);
   internal::set_estimates(fit.report, quantities, jacobian, covariance);
+  fit.band = band_of(*curve, layout, covariance, mu, mu_r, log_reference);
   warn(fit.report, *curve, model, options);
   warn_of_scatter(fit.report, solution, options.loss, preparation.with_sigma);
 

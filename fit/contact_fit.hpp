@@ -45,8 +45,22 @@ struct ContactFitOptions {
 ///   approximations: force_max [1] (= F/P), moment_max [m] (= M/P), then exponent or kappa.
 /// With gamma ≠ 0 or fitted, moments are those at a load of 1 N, in m/N^γ, the radius is called c, and gamma follows if free.
 struct ContactFit {
+  /// A point of the fitted limit curve per newton of load, and those of the 95 % band on either side along the normal
+  /// (in the normalised plane): what a chart of the fit shows. With a growing radius, at a load of 1 N.
+  struct BandPoint {
+    double force;   ///< F/P [1]
+    double moment;  ///< M/P [m]
+    double inner_force;
+    double inner_moment;
+    double outer_force;
+    double outer_moment;
+  };
+
   std::string model;
   FitReport report;
+  /// Distance of each sample from the curve in standard deviations (as told, or as found from the scatter), outside positive.
+  std::vector<double> residuals;
+  std::vector<BandPoint> band;  ///< from pure slide to pure twist
 };
 
 /// Fits by orthogonal distance: errors of force and moment both count, each in units of its own sigma. Without sigmas both

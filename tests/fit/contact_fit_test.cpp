@@ -2,6 +2,7 @@
 #include "fit/contact_fit.hpp"
 
 #include "limitcurve/ellipse.hpp"
+#include "limitcurve/exact_curve.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/quartic.hpp"
 #include "limitcurve/superellipse.hpp"
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 namespace limitcurve::fit {
@@ -182,8 +184,10 @@ TEST(ContactFit, NamesTheBadSample) {
     return refusal(samples, ContactModel::of(hertz()));
   };
   EXPECT_EQ(with([](Sample& s) { s.load = -1.0; }), "sample 7: load = -1: expected > 0 N and finite");
-  EXPECT_EQ(with([](Sample& s) { s.force = NAN; }), "sample 7: force = nan: expected a finite number of N");
-  EXPECT_EQ(with([](Sample& s) { s.moment = INFINITY; }), "sample 7: moment = inf: expected a finite number of N m");
+  EXPECT_EQ(with([](Sample& s) { s.force = std::numeric_limits<double>::quiet_NaN(); }),
+            "sample 7: force = nan: expected a finite number of N");
+  EXPECT_EQ(with([](Sample& s) { s.moment = std::numeric_limits<double>::infinity(); }),
+            "sample 7: moment = inf: expected a finite number of N m");
   EXPECT_EQ(with([](Sample& s) { s.sigma_force = 0.1; }), "sample 7: sigma_force = 0.1: expected 0 in every sample, as in the first");
 }
 
@@ -257,6 +261,37 @@ TEST(ContactFit, SaysWhichLawsTheDataCannotTell) {
     if (clear.candidates[i].model == "flat-punch") {
       EXPECT_LT(clear.aic_difference[i], 6.0);
     }
+  }
+}
+
+TEST(ContactFit, BandHoldsTheTruthAndResidualsAreInStandardDeviations) {
+  const Truth truth{0.8, 0.005};
+  const double mu_r = truth.mu * truth.radius * hertz()->moment_ratio();
+  for (const bool tell : {true, false}) {
+    // At each point of the curve the band should hold the truth in 95 of 100 cases.
+    int held = 0;
+    double squares = 0.0;
+    constexpr int seeds = 200;
+    constexpr std::size_t place = 45;
+    for (int seed = 0; seed < seeds; ++seed) {
+      Random random(static_cast<std::uint64_t>(300 + seed));
+      std::vector<Sample> samples = synthetic::clean(synthetic::curve_of(hertz()), truth, 60, random);
+      synthetic::disturb(samples, 0.02, truth.mu, mu_r, tell, random);
+      const ContactFit fit = fit_contact(samples, ContactModel::of(hertz()));
+      ASSERT_EQ(fit.band.size(), 91u);
+      const auto& at = fit.band[place];
+      // The band is thin and the curve nearly straight across it: compare gauges along the ray.
+      const auto gauge = [&](double force, double moment) {
+        const double f = force / truth.mu;
+        const double m = moment / (truth.mu * truth.radius);
+        return ExactCurve(hertz()).gauge({f, m});
+      };
+      held += gauge(at.inner_force, at.inner_moment) <= 1.0 && gauge(at.outer_force, at.outer_moment) >= 1.0 ? 1 : 0;
+      for (const double residual : fit.residuals) squares += residual * residual / (seeds * static_cast<double>(samples.size()));
+    }
+    // Binomial: 190 ± 3.1.
+    EXPECT_NEAR(held, 190, 10) << tell;
+    EXPECT_NEAR(squares, 1.0 * 58 / 60, 0.04) << tell;
   }
 }
 

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -90,7 +91,7 @@ TEST(EngineCoefficients, ConstantCoefficientsCannotFollowAGrowingRadius) {
 
 TEST(EngineCoefficients, RefuseBadInput) {
   EXPECT_THROW(translate(hertz(), silicone, -1.0, 3.0), std::invalid_argument);
-  EXPECT_THROW(translate(hertz(), silicone, NAN, 3.0), std::invalid_argument);
+  EXPECT_THROW(translate(hertz(), silicone, std::numeric_limits<double>::quiet_NaN(), 3.0), std::invalid_argument);
   EXPECT_THROW(translate(hertz(), silicone, 0.8, 0.0), std::invalid_argument);
   EXPECT_THROW(translate(hertz(), silicone, 0.8, 3.0, {4.0, 2.0}), std::invalid_argument);
   EXPECT_THROW(translate(hertz(), silicone, 0.8, 3.0, {0.0, 2.0}), std::invalid_argument);
