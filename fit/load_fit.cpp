@@ -83,6 +83,7 @@ std::vector<internal::Parameter> free_parameters(const Preparation& data, LoadMo
 }
 
 Preparation prepare(const LoadSamples& samples, const Loss& loss) {
+  if (!(loss.scale > 0.0) || std::isinf(loss.scale)) throw out_of_range("loss scale", loss.scale, "1", "> 0 and finite");
   if (samples.samples.empty()) throw std::invalid_argument("samples: expected at least one, got none");
   Preparation data;
   const bool moments = samples.quantity == LoadSamples::Quantity::moment;

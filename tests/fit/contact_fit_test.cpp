@@ -191,6 +191,18 @@ TEST(ContactFit, NamesTheBadSample) {
   EXPECT_EQ(with([](Sample& s) { s.sigma_force = 0.1; }), "sample 7: sigma_force = 0.1: expected 0 in every sample, as in the first");
 }
 
+TEST(ContactFit, RefusesOptionsOutOfRange) {
+  Random random(5);
+  const std::vector<Sample> good = synthetic::clean(synthetic::curve_of(hertz()), {0.7, 0.004}, 30, random);
+  ContactFitOptions options;
+  options.gamma = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_NE(refusal(good, ContactModel::of(hertz()), options).find("gamma = nan is out of range"), std::string::npos);
+  options.gamma = 0.0;
+  options.loss = Loss::huber(0.0);
+  EXPECT_NE(refusal(good, ContactModel::of(hertz()), options).find("loss scale = 0 is out of range"), std::string::npos);
+  EXPECT_NE(refusal(good, {ContactModel::Kind::law}).find("expected a pressure law"), std::string::npos);
+}
+
 TEST(ContactFit, WarnsOfARadiusLargerThanTheFinger) {
   Random random(6);
   const std::vector<Sample> samples = synthetic::clean(synthetic::curve_of(hertz()), {0.5, 0.0125}, 30, random);

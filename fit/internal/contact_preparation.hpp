@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "fit/contact_fit.hpp"
+#include "fit/internal/contact_residuals.hpp"
+
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace limitcurve::fit::internal {
+
+struct Limits {
+  double force;   // μ
+  double moment;  // μ_r at the reference load
+};
+
+/// What all models fitted to the same samples share, so that their likelihoods can be compared.
+struct ContactPreparation {
+  bool with_sigma;
+  double reference_load;  // geometric mean: there the moment's limit and its growth are least correlated
+  Limits start;
+  double noise;  // what a unit of the weighted samples is, in sigmas
+  std::vector<WeightedSample> samples;
+};
+
+/// Checks the samples, finds starting values, and weighs. Throws std::invalid_argument as `fit_contact` does.
+ContactPreparation prepare(std::span<const Sample> samples, const ContactFitOptions& options);
+
+std::unique_ptr<UnitCurve> make_curve(const ContactModel& model);
+/// Whether the model's curve is that of a pressure law.
+bool is_exact(const ContactModel& model);
+
+/// The free parameters with their starting values and bounds, in the order of `layout`.
+std::vector<Parameter> free_parameters(const UnitCurve& curve, const ContactLayout& layout, const ContactModel& model, Limits start);
+
+/// Median of the absolute values; values must not be empty.
+double median_size(std::vector<double> values);
+
+}  // namespace limitcurve::fit::internal
