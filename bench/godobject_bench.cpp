@@ -109,6 +109,22 @@ void step(benchmark::State& state, const Boundary& boundary, Projection projecti
   state.counters["slips"] = static_cast<double>(slips) / static_cast<double>(samples.size());
 }
 
+/// Sixteen fingers in turn: one step need not wait for the last of the same finger, as in a scene of many.
+template <class Boundary, class Projection>
+void steps_of_many(benchmark::State& state, const Boundary& boundary, Projection projection, const std::vector<Sample>& samples) {
+  constexpr std::size_t fingers = 16;
+  const SoftFinger finger(boundary, parameters(), projection);
+  std::vector<SoftFinger<Boundary, Projection>> many(fingers, finger);
+  for (auto& one : many) one.update(on_plane(0.0, 0.0, 0.002), 0.0);
+  std::size_t i = 0;
+  for (auto _ : state) {
+    for (auto& one : many) benchmark::DoNotOptimize(one.update(samples[i].contact, samples[i].twist).moment);
+    i = (i + 1) % samples.size();
+  }
+  state.counters["ns_a_step"] = benchmark::Counter(static_cast<double>(state.iterations() * fingers) * 1e-9,
+                                                   benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+}
+
 template <class Boundary>
 void all_projections(const std::string& name, const Boundary& boundary) {
   static const std::vector<std::pair<std::string, std::vector<Sample>>> motions{{"slow", slow()}, {"wild", wild()}, {"held", held()}};
@@ -117,6 +133,12 @@ void all_projections(const std::string& name, const Boundary& boundary) {
       benchmark::RegisterBenchmark(("step/" + name + "/" + rule + "/" + motion).c_str(),
                                    [=, &samples_of](benchmark::State& state) { step(state, boundary, projection, samples_of, cold); });
     };
+    const auto add_many = [&, &samples_of = samples](const std::string& rule, auto projection) {
+      benchmark::RegisterBenchmark(("many/" + name + "/" + rule + "/" + motion).c_str(),
+                                   [=, &samples_of](benchmark::State& state) { steps_of_many(state, boundary, projection, samples_of); });
+    };
+    add_many("radial", Radial{});
+    add_many("closest-point", ClosestPoint{});
     add("radial", Radial{}, false);
     add("c-curve", CCurve{}, false);
     add("closest-point-warm", ClosestPoint{}, false);

@@ -65,6 +65,10 @@ struct ClosestPoint {
       (residual > 0.0 ? high : low) = u;
       const double slope = over_force + over_moment - u * here.slope.force + (1.0 - u) * chi * here.slope.moment;
       const double step = residual / slope;
+      // A step within rounding: the wrench at hand is the one.
+      if (std::fabs(step) <= 2.0 * std::numeric_limits<double>::epsilon() * u * (1.0 - u)) {
+        return {true, here.wrench, SlipTwist::of_spin_fraction(u), u};
+      }
       // A last step counts even where rounding leads it out of the bracket.
       const bool converged = std::fabs(step) <= std::max(last_step * u * (1.0 - u), std::numeric_limits<double>::epsilon());
       double next = u - step;
@@ -75,7 +79,7 @@ struct ClosestPoint {
       here = boundary.point(SlipTwist::of_spin_fraction(u));
     }
     const SlipTwist slip = SlipTwist::of_spin_fraction(u);
-    return {true, boundary.wrench(slip), slip};
+    return {true, boundary.wrench(slip), slip, u};
   }
 
   /// A first guess: the slip at the closest point of the ellipse with the same intercepts, by two Newton steps for the

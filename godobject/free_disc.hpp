@@ -56,7 +56,7 @@ class FreeDisc {
       spin_ = 0.0;
       return;
     }
-    start_ = projected.slip.spin_fraction();
+    start_ = projected.start;
     speed_ = std::max(speed_ - change * projected.wrench.force, 0.0);
     spin_ = std::max(spin_ - twist_change * projected.wrench.moment, 0.0);
   }

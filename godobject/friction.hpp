@@ -31,7 +31,7 @@ class Friction {
     double twist = 0.0;                                     ///< ρ′ [rad], likewise
     double cor = std::numeric_limits<double>::quiet_NaN();  ///< of the slip [m], ∞ for pure sliding; NaN where it sticks
     double slip_work = 0.0;                                 ///< |F|(r − r′) + |M|(ρ − ρ′) [J], ≥ 0
-    double spin_fraction = -1.0;                            ///< of the slip: a start for the next step; < 0 where it sticks
+    double spin_fraction = -1.0;                            ///< of the slip, or 0: a start for the next step; < 0 where it sticks
   };
 
   /// Throws std::invalid_argument naming parameter, value, unit and range.
@@ -40,7 +40,9 @@ class Friction {
         projection_(projection),
         law_(parameters, boundary_.moment_ratio()),
         force_max_(boundary_.wrench({1.0, 0.0}).force),
-        moment_max_(boundary_.wrench({0.0, 1.0}).moment) {}
+        moment_max_(boundary_.wrench({0.0, 1.0}).moment),
+        per_force_max_(1.0 / force_max_),
+        per_moment_max_(1.0 / moment_max_) {}
 
   [[nodiscard]] const Boundary& boundary() const noexcept { return boundary_; }
   [[nodiscard]] const ContactLaw& law() const noexcept { return law_; }
@@ -69,6 +71,33 @@ class Friction {
     if (!dynamic.twists) return slid_untwisted(dynamic, r, springs);
     const Trial beyond = make_trial(dynamic, r, rho, start, springs);
     return slid(dynamic, beyond, projection_(boundary_, beyond), r, rho, springs);
+  }
+
+  /// The projection needs only squares, and shrinks r and ρ by one factor.
+  static constexpr bool shrinks = [] {
+    if constexpr (requires { Projection::template needs_squares_only<Boundary>; }) {
+      return Projection::template needs_squares_only<Boundary>;
+    } else {
+      return false;
+    }
+  }();
+
+  /// What a step shrinks r and ρ by.
+  struct Shrinking {
+    bool known;    ///< if not, `resolve` must tell
+    double share;  ///< r′/r = ρ′/ρ; 1 where it sticks
+  };
+
+  /// The step from r² and ρ², where the projection allows it: one root and one division, none where it sticks.
+  [[nodiscard]] Shrinking shrink(double r_square, double rho_square, double load, bool slipping, const Springs& springs) const noexcept {
+    const Limits limits = make_limits(slipping ? law_.dynamic_scale(load) : law_.static_scale(load));
+    const double force = springs.stiffness * limits.radius * per_force_max_;
+    const double moment = springs.twist_stiffness * per_moment_max_;
+    const double square = force * force * r_square + moment * moment * rho_square;  // (gauge · μPa)²
+    const double limit = limits.moment_unit * (1.0 + slip_guard);
+    if (!limits.twists) return {false, 1.0};
+    if (square <= limit * limit) return {true, 1.0};
+    return {(slipping || law_.has_one_limit()) && square <= farthest_trial, limits.moment_unit / std::sqrt(square)};
   }
 
   /// How far the contact is from slipping: 1 − gauge of the trial in the limit that acts, 1 unloaded by friction, ≤ 0 slipping.
@@ -118,7 +147,7 @@ class Friction {
 
   [[nodiscard]] Result slid(const Limits& limits, const Trial& trial, const Projected& projected, double r, double rho,
                             const Springs& springs) const noexcept {
-    const auto& [outside, wrench, slip] = projected;
+    const auto& [outside, wrench, slip, next_start] = projected;
     Result result;
     result.slips = true;
     // A search may leave a small component a rounding above the trial's; the spring cannot.
@@ -128,7 +157,7 @@ class Friction {
     result.offset = wrench.force == trial.wrench.force ? r : std::min(result.force * springs.compliance, r);
     result.twist = wrench.moment == trial.wrench.moment ? rho : std::min(result.moment * springs.twist_compliance, rho);
     result.cor = limits.radius * slip.cor();
-    result.spin_fraction = slip.slide + slip.spin > 0.0 ? slip.spin_fraction() : 0.5;
+    result.spin_fraction = next_start;
     result.slip_work = result.force * (r - result.offset) + result.moment * (rho - result.twist);
     return result;
   }
@@ -155,6 +184,8 @@ class Friction {
   ContactLaw law_;
   double force_max_;
   double moment_max_;
+  double per_force_max_;
+  double per_moment_max_;
 };
 
 }  // namespace limitcurve::godobject

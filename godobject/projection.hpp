@@ -23,9 +23,10 @@ struct Trial {
 
 /// What a projection finds.
 struct Projected {
-  bool outside;       ///< the trial is outside the boundary: it slips. If not, the rest is void
-  UnitWrench wrench;  ///< on the boundary; no component is larger than the trial's
-  SlipTwist slip;     ///< direction of the slip, (r − r′ : a(ρ − ρ′)) in the frame of the contact
+  bool outside;        ///< the trial is outside the boundary: it slips. If not, the rest is void
+  UnitWrench wrench;   ///< on the boundary; no component is larger than the trial's
+  SlipTwist slip;      ///< direction of the slip, (r − r′ : a(ρ − ρ′)) in the frame of the contact
+  double start = 0.0;  ///< where the next search may start: a spin fraction, or 0 for none
 };
 
 /// A rule that tells whether a trial wrench lies outside a limit boundary, and if so moves it on to the boundary.

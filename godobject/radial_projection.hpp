@@ -2,6 +2,9 @@
 #pragma once
 
 #include "godobject/projection.hpp"
+#include "limitcurve/ellipse.hpp"
+
+#include <concepts>
 
 namespace limitcurve::godobject {
 
@@ -11,10 +14,18 @@ namespace limitcurve::godobject {
 struct Radial {
   template <LimitBoundary Boundary>
   Projected operator()(const Boundary& boundary, const Trial& trial) const noexcept {
-    const UnitWrench foot = boundary.along(trial.wrench).wrench;
+    const double gauge = boundary.gauge(trial.wrench);
+    if (!(gauge > 1.0 + slip_guard)) return {};
+    const double share = 1.0 / gauge;
     // The proxy moves along the trial, whatever the normal of the curve there.
-    return {gauge_from(trial.wrench, foot) > 1.0 + slip_guard, foot, {trial.wrench.force, trial.compliance_ratio * trial.wrench.moment}};
+    return {true,
+            {trial.wrench.force * share, trial.wrench.moment * share},
+            {trial.wrench.force, trial.compliance_ratio * trial.wrench.moment}};
   }
+
+  /// On the ellipse through its intercepts the step needs no more than squares (paper, eq. 21): no root of r.
+  template <class Boundary>
+  static constexpr bool needs_squares_only = std::same_as<Boundary, Ellipse>;
 };
 
 }  // namespace limitcurve::godobject

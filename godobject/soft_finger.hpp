@@ -34,7 +34,8 @@ struct FingerState {
   double turn = 0.0;                                 ///< what unwrapping has added to it [rad], a multiple of 2π
   Eigen::Vector3d offset = Eigen::Vector3d::Zero();  ///< x_p − x_g after the step, tangential [m]
   double lag = 0.0;                                  ///< α_p − α_g after the step [rad]
-  double start = -1.0;                               ///< spin fraction of the last slip; < 0: it sticks
+  double start = -1.0;                               ///< spin fraction of the last slip, or 0; < 0: it sticks
+  double trend = 0.0;                                ///< how far that has moved since the slip before
   bool touching = false;
 };
 
@@ -141,66 +142,101 @@ class SoftFinger {
     offset -= contact.normal * contact.normal.dot(offset);
     const double lag = output.angle - goal_angle;
     if (time_step > 0.0 && (law.damping() > 0.0 || law.twist_damping() > 0.0)) {
-      // Implicitly, k e + (b/Δt)(e − e_last) is a spring of k + b/Δt from a place nearer to the last offset.
-      const double rate = law.damping() / time_step;
-      const double twist_rate = law.twist_damping() / time_step;
-      const Springs springs = Springs::of(law.stiffness() + rate, law.twist_stiffness() + twist_rate);
-      const Eigen::Vector3d rest = state.offset * (rate * springs.compliance);
-      const double twist_rest = state.lag * (twist_rate * springs.twist_compliance);
-      output.load = std::max(output.load + rate * (contact.depth - last_depth), 0.0);
-      return rub(state, contact, offset, rest, lag, twist_rest, springs);
+      output.load = std::max(output.load + law.damping() / time_step * (contact.depth - last_depth), 0.0);
+      return rub_damped(state, contact, offset, lag, time_step);
     }
-    rub(state, contact, offset, Eigen::Vector3d::Zero(), lag, 0.0, law.springs());
+    state.offset.setZero();
+    state.lag = 0.0;
+    rub(state, contact, offset, lag, law.springs());
   }
 
-  /// Steps b and c: friction on an offset and a lag, sprung from the places where the springs would rest.
-  void rub(FingerState& state, const Contact& contact, const Eigen::Vector3d& offset, const Eigen::Vector3d& rest, double lag,
-           double twist_rest, const Springs& springs) const noexcept {
+  /// Implicitly, k e + (b/Δt)(e − e_last) is a spring of k + b/Δt from a place nearer to the last offset.
+  void rub_damped(FingerState& state, const Contact& contact, const Eigen::Vector3d& offset, double lag, double time_step) const noexcept {
+    const ContactLaw& law = friction_.law();
+    const double rate = law.damping() / time_step;
+    const double twist_rate = law.twist_damping() / time_step;
+    const Springs springs = Springs::of(law.stiffness() + rate, law.twist_stiffness() + twist_rate);
+    state.offset *= rate * springs.compliance;
+    state.lag *= twist_rate * springs.twist_compliance;
+    rub(state, contact, offset - state.offset, lag - state.lag, springs);
+  }
+
+  /// Steps b and c. The springs rest where `state` has offset and lag, and are drawn from there by pull and turn;
+  /// afterwards `state` has the new offset and lag.
+  void rub(FingerState& state, const Contact& contact, const Eigen::Vector3d& pull, double turn, const Springs& springs) const noexcept {
     FingerOutput& output = state.output;
-    const Eigen::Vector3d pull = offset - rest;
-    const double turn = lag - twist_rest;
+    if constexpr (Friction<Boundary, Projection>::shrinks) {
+      const double square = pull.squaredNorm();
+      const auto [known, share] = friction_.shrink(square, turn * turn, output.load, state.start >= 0.0, springs);
+      if (known) {
+        if (share == 1.0) return stick(state, pull, turn, springs);
+        output.force = pull * (springs.stiffness * share);
+        output.moment = springs.twist_stiffness * share * turn;
+        output.slip_work = (1.0 - share) * share * (springs.stiffness * square + springs.twist_stiffness * turn * turn);
+        output.cor = std::sqrt(square) / std::fabs(turn);
+        state.offset += pull * share;
+        state.lag += turn * share;
+        return slip(state, contact, 0.0);
+      }
+    }
     const double r = pull.norm();
     const double rho = std::fabs(turn);
-    const auto result = friction_.resolve(r, rho, output.load, state.start, springs);
-    state.offset = offset;
-    state.lag = lag;
+    const auto result = friction_.resolve(r, rho, output.load, search_start(state), springs);
     if (!result.slips) {
-      output.state = ContactState::stick;
-      output.force = pull * springs.stiffness;
-      output.moment = springs.twist_stiffness * turn;
-      if (result.twist != rho) {
-        // No torsional friction: the proxy turns with the finger.
-        output.moment = 0.0;
-        output.angle = state.goal_angle;
-        state.lag = 0.0;
-      }
-      output.cor = std::numeric_limits<double>::quiet_NaN();
-      output.slip_work = 0.0;
-      state.start = -1.0;
+      if (result.twist == rho) return stick(state, pull, turn, springs);
+      // No torsional friction: the proxy turns with the finger.
+      stick(state, pull, 0.0, springs);
+      output.angle = state.goal_angle;
+      state.lag = 0.0;
       return;
     }
     // r = 0 and ρ = 0 have no direction, and need none: eq. (23) without its 0/0.
     const double per_metre = r > 0.0 ? 1.0 / r : 0.0;
     output.force = pull * (result.force * per_metre);
     output.moment = std::copysign(result.moment, turn);
-    bool moves = false;
-    if (result.offset != r) {
-      state.offset = rest + pull * (result.offset * per_metre);
-      const Eigen::Vector3d proxy = contact.point + state.offset;
-      moves = proxy != output.proxy;
-      output.proxy = proxy;
-    }
-    if (result.twist != rho) {
-      state.lag = twist_rest + std::copysign(result.twist, turn);
-      const double angle = state.goal_angle + state.lag;
-      moves = moves || angle != output.angle;
-      output.angle = angle;
-    }
+    output.cor = result.cor;
+    output.slip_work = result.slip_work;
+    state.offset += result.offset == r ? pull : Eigen::Vector3d(pull * (result.offset * per_metre));
+    state.lag += std::copysign(result.twist, turn);
+    slip(state, contact, result.spin_fraction, result.offset != r, result.twist != rho);
+  }
+
+  static void stick(FingerState& state, const Eigen::Vector3d& pull, double turn, const Springs& springs) noexcept {
+    FingerOutput& output = state.output;
+    output.state = ContactState::stick;
+    output.force = pull * springs.stiffness;
+    output.moment = springs.twist_stiffness * turn;
+    output.cor = std::numeric_limits<double>::quiet_NaN();
+    output.slip_work = 0.0;
+    state.offset += pull;
+    state.lag += turn;
+    state.start = -1.0;
+  }
+
+  /// Moves the proxy to where offset and lag now put it. What did not slide is not touched, not even by rounding.
+  static void slip(FingerState& state, const Contact& contact, double start, bool slides = true, bool turns = true) noexcept {
+    FingerOutput& output = state.output;
+    const Eigen::Vector3d proxy = slides ? Eigen::Vector3d(contact.point + state.offset) : output.proxy;
+    const double angle = turns ? state.goal_angle + state.lag : output.angle;
     // A slip that is lost in the rounding of the proxy is none.
+    const bool moves = proxy != output.proxy || angle != output.angle;
+    output.proxy = proxy;
+    output.angle = angle;
     output.state = moves ? ContactState::slip : ContactState::stick;
-    output.cor = moves ? result.cor : std::numeric_limits<double>::quiet_NaN();
-    output.slip_work = moves ? result.slip_work : 0.0;
-    state.start = moves ? result.spin_fraction : -1.0;
+    if (!moves) {
+      output.cor = std::numeric_limits<double>::quiet_NaN();
+      output.slip_work = 0.0;
+      start = -1.0;
+    }
+    state.trend = start > 0.0 && state.start > 0.0 ? start - state.start : 0.0;
+    state.start = start;
+  }
+
+  /// Where the last slips point to: the centre of rotation seldom jumps.
+  static double search_start(const FingerState& state) noexcept {
+    const double ahead = state.start + state.trend;
+    const bool small = std::fabs(state.trend) <= 0.1 * std::min(state.start, 1.0 - state.start);
+    return small ? ahead : state.start;
   }
 
   Friction<Boundary, Projection> friction_;
