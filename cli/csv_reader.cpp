@@ -148,10 +148,7 @@ void CsvReader::find_columns() {
     }
   }
   for (std::size_t column = 0; column < required_; ++column) {
-    if (places_[column] == missing) {
-      throw complaint_at(0, "no column '" + columns_[column] + "', got '" + excerpt(line_) + "', expected a header line with " +
-                                joined(columns_, required_));
-    }
+    if (places_[column] == missing) throw no_column("'" + columns_[column] + "'");
   }
 }
 
@@ -175,6 +172,11 @@ double CsvReader::number(std::size_t column, const Range& range) const {
   } catch (const std::invalid_argument&) {
     throw complaint(column, "got '" + excerpt(text(column)) + "', expected " + std::string(range.text));
   }
+}
+
+std::invalid_argument CsvReader::no_column(const std::string& column) const {
+  return complaint_at(0,
+                      "no column " + column + ", got '" + excerpt(line_) + "', expected a header line with " + joined(columns_, required_));
 }
 
 std::invalid_argument CsvReader::complaint(std::size_t column, const std::string& what) const {

@@ -36,6 +36,8 @@ class CsvReader {
   /// The same as a number within `range`.
   [[nodiscard]] double number(std::size_t column, const Range& range) const;
 
+  /// The complaint that the header lacks `column`; before the first row is read.
+  [[nodiscard]] std::invalid_argument no_column(const std::string& column) const;
   /// The complaint about the field of the current row in the i-th column.
   [[nodiscard]] std::invalid_argument complaint(std::size_t column, const std::string& what) const;
 

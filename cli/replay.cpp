@@ -3,8 +3,14 @@
 #include "cli/subcommands.hpp"
 
 #include "godobject/replay.hpp"
+#include "godobject/rigid_body.hpp"
+#include "limitcurve/number.hpp"
+
+#include <Eigen/Geometry>
 
 #include <array>
+#include <cmath>
+#include <optional>
 #include <stdexcept>
 
 namespace limitcurve::cli {
@@ -25,11 +31,45 @@ std::vector<std::string> names(const Kinds& kinds) {
   return result;
 }
 
+/// A trace with the finger's twist about the plane's normal, or its orientation as a quaternion from which that follows.
+class TraceReader {
+ public:
+  explicit TraceReader(const std::string& file) : reader_(file, {"time", "x", "y", "z"}, {"twist", "qw", "qx", "qy", "qz"}) {
+    bool oriented = true;
+    for (std::size_t column = first_of_orientation; column < first_of_orientation + 4; ++column) oriented = oriented && reader_.has(column);
+    if (!oriented && !reader_.has(twist)) throw reader_.no_column("'twist', nor qw,qx,qy,qz");
+  }
+
+  /// The next sample; nothing after the last.
+  std::optional<godobject::TraceSample> next() {
+    if (!reader_.next()) return std::nullopt;
+    return godobject::TraceSample{reader_.number(0, finite), reader_.number(1, finite), reader_.number(2, finite),
+                                  reader_.number(3, finite), reader_.has(twist) ? reader_.number(twist, finite) : twist_of_orientation()};
+  }
+
+ private:
+  static constexpr std::size_t twist = 4;
+  static constexpr std::size_t first_of_orientation = 5;
+
+  [[nodiscard]] double twist_of_orientation() const {
+    const Eigen::Quaterniond orientation(number(0), number(1), number(2), number(3));
+    // Devices round; what is off by more is no rotation.
+    if (std::abs(orientation.norm() - 1.0) > 1e-3) {
+      throw reader_.complaint(first_of_orientation, "the quaternion has length " + format_number(orientation.norm()) + ", expected 1");
+    }
+    return godobject::twist_about(orientation, Eigen::Vector3d::UnitZ());
+  }
+  [[nodiscard]] double number(std::size_t component) const { return reader_.number(first_of_orientation + component, finite); }
+
+  CsvReader reader_;
+};
+
 class Replay final : public Subcommand {
  public:
   [[nodiscard]] Manual manual() const override {
     return {"replay", "Runs the god-object over a recorded motion of a finger on the plane z = 0",
-            "The trace has columns time,x,y,z,twist [s, m, m, m, rad]; the plane's outward normal is +z, the penetration -z.\n"
+            "The trace has columns time,x,y,z,twist [s, m, m, m, rad], or qw,qx,qy,qz (a unit quaternion, finger to world) in\n"
+            "place of twist; both may wrap around. The plane's outward normal is +z, the penetration -z.\n"
             "Columns: time; state free|stick|slip|invalid (a sample earlier than the one before it); px,py [m] and angle\n"
             "[rad] of the proxy; depth [m]; load [N]; fx,fy [N] and moment [N m], the friction that the user feels;\n"
             "cor [m], the distance of the slip's centre of rotation (nan unless it slips).",
@@ -60,13 +100,11 @@ class Replay final : public Subcommand {
     }
     settings_.boundary = boundaries.at(boundary_);
     settings_.projection = projections.at(projection_);
-    CsvReader trace(trace_, {"time", "x", "y", "z", "twist"});
+    TraceReader trace(trace_);
     godobject::Replay replay(settings_);
     Rows rows(results, {"time", "state", "px", "py", "angle", "depth", "load", "fx", "fy", "moment", "cor"});
-    while (trace.next()) {
-      const godobject::TraceSample sample{trace.number(0, finite), trace.number(1, finite), trace.number(2, finite),
-                                          trace.number(3, finite), trace.number(4, finite)};
-      const godobject::ReplayRow row = replay.step(sample);
+    while (const auto sample = trace.next()) {
+      const godobject::ReplayRow row = replay.step(*sample);
       rows.row(row.time, godobject::to_string(row.state), row.px, row.py, row.angle, row.depth, row.load, row.fx, row.fy, row.moment,
                row.cor);
     }

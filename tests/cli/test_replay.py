@@ -59,6 +59,24 @@ class Replays(CommandLineTest):
         self.assertEqual(run("replay", "--trace", path, *without_radius, "--moment-coefficient", "0.004").returncode, 0)
         self.assert_fails(2, ["--radius-law", "--moment-coefficient"], "replay", "--trace", path, *without_radius)
 
+    def test_an_orientation_in_place_of_the_twist(self):
+        samples = [(i / 1000, 1e-5 * i, -0.001, 0.02 * i) for i in range(700)]  # more than two turns
+        plain = "time,x,y,z,twist\n" + "".join(f"{t},{x!r},0,{z},{twist!r}\n" for t, x, z, twist in samples)
+        turned = "time,x,y,z,qw,qx,qy,qz\n" + "".join(
+            f"{t},{x!r},0,{z},{math.cos(twist / 2)!r},0,0,{math.sin(twist / 2)!r}\n" for t, x, z, twist in samples)
+        for one, other in zip(self.replay(plain), self.replay(turned)):
+            self.assertEqual(one["state"], other["state"])
+            for name in ["px", "angle", "fx", "moment"]:
+                self.assertAlmostEqual(one[name], other[name], delta=1e-11)
+        # A tilted finger: its twist about the normal is what counts.
+        half = math.sqrt(0.5)
+        tilted = "time,x,y,z,qw,qx,qy,qz\n0,0,0,-0.001,1,0,0,0\n1,0,0,-0.001,%r,%r,0,0\n" % (half, half)
+        self.assertEqual(self.replay(tilted)[-1]["angle"], 0)
+        long = self.file("bad.csv", "time,x,y,z,qw,qx,qy,qz\n0,0,0,-0.001,1,1,0,0\n")
+        self.assert_fails(2, ["bad.csv:2:14", "expected 1"], "replay", "--trace", long, *FINGER)
+        part = self.file("bad.csv", "time,x,y,z,qw,qx,qy\n0,0,0,-0.001,1,0,0\n")
+        self.assert_fails(2, ["bad.csv:1:1", "'twist'", "qw,qx,qy,qz"], "replay", "--trace", part, *FINGER)
+
     def test_a_time_that_goes_back_is_an_invalid_row(self):
         found = self.replay(TRACE + "0.001,0.007,0,-0.001,0\n0.005,0.0051,0,-0.001,0\n")
         self.assertEqual(found[4]["state"], "invalid")
@@ -151,6 +169,7 @@ class Files(CommandLineTest):
             ("time,x,y,z,twist\n", "bad.csv:2:1:", "no rows"),
             ("time,x,y,twist\n0,0,0,0\n", "bad.csv:1:1:", "'z'"),
             ("0,0,0,0,0\n", "bad.csv:1:1:", "'time'"),
+            ("time,x,y,z\n0,0,0,0\n", "bad.csv:1:1:", "'twist'"),
             ("time,x,y,z,twist,x\n0,0,0,0,0,0\n", "bad.csv:1:18:", "'x' twice"),
             (TRACE + "0.004,0.01,0,-0.0", "bad.csv:6:18:", "4 fields"),
             (TRACE + "0.004", "bad.csv:6:6:", "1 field,"),
