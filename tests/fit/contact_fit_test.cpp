@@ -191,6 +191,38 @@ TEST(ContactFit, NamesTheBadSample) {
   EXPECT_EQ(with([](Sample& s) { s.sigma_force = 0.1; }), "sample 7: sigma_force = 0.1: expected 0 in every sample, as in the first");
 }
 
+TEST(ContactFit, NoiseIsRefusedOrAnsweredInFiniteNumbers) {
+  // A few random numbers of any size, some columns nearly empty: nothing that could be a limit curve.
+  Random random(10);
+  int answered = 0;
+  for (int trial = 0; trial < 60; ++trial) {
+    std::vector<Sample> samples;
+    const double force_size = std::pow(10.0, random.uniform(-9.0, 9.0)) * (trial % 5 == 1 ? 1e-9 : 1.0);
+    const double moment_size = trial % 5 == 2 ? 1e-9 : 1.0;
+    for (int k = 0; k < 1 + trial % 9; ++k) {
+      samples.push_back({std::exp(random.uniform(-5.0, 5.0)), force_size * random.normal(), moment_size * random.normal()});
+    }
+    for (const Kind kind : {Kind::ellipse, Kind::superellipse, Kind::quartic, Kind::power, Kind::xydas_kao}) {
+      for (const Loss& loss : {Loss::squared(), Loss::cauchy()}) {
+        ContactFitOptions options;
+        options.loss = loss;
+        try {
+          const FitReport report = fit_contact(samples, {kind}, options).report;
+          ++answered;
+          for (const Estimate& estimate : report.estimates) {
+            EXPECT_FALSE(std::isnan(estimate.std_error)) << estimate.name;
+            // A blank value is declared by an infinite standard error.
+            EXPECT_TRUE(std::isfinite(estimate.value) || std::isinf(estimate.std_error)) << estimate.name;
+          }
+        } catch (const std::invalid_argument& error) {
+          EXPECT_NE(std::string(error.what()).find("not identifiable"), std::string::npos) << error.what();
+        }
+      }
+    }
+  }
+  EXPECT_GT(answered, 0);
+}
+
 TEST(ContactFit, RefusesOptionsOutOfRange) {
   Random random(5);
   const std::vector<Sample> good = synthetic::clean(synthetic::curve_of(hertz()), {0.7, 0.004}, 30, random);
