@@ -43,10 +43,16 @@ steady_twist.csv    law,boundary,projection,cor,stiffness_ratio,force,moment,exa
                       the wrench at which a finger driven at a constant twist with COR c = cor*a settles (unit wrenches),
                       against kappa = k_r/k_l/(m0 a)^2 from 0.1 to 10, finely in log; for table/closest-point,
                       table/radial, ellipse/closest-point, ellipse/radial; error = norm of the difference of (f, m/m0)
+pivot.csv           case,grip,time,x,y,angle,grip_slip,load,friction_force,friction_moment,state,cor
+                      as `pivot`, every tenth step, for sandpaper and the block's default size; grip is release or operator
+                      (target=30deg)
+translate.csv       law,radius_law,mu,load,engine,parameter,value,unit,model,max_error
+                      as `translate`
 """
 
 import argparse
 import html
+import math
 import sys
 from pathlib import Path
 
@@ -57,7 +63,7 @@ from chart_style import Table, save, short  # noqa: E402
 from report_figures import FIGURES  # noqa: E402
 
 FILES = ("laws", "curves", "p_curves", "c_curves", "validate", "ellipse_error", "tables", "materials", "table_error", "replay",
-         "replay_runs", "replay_limits", "steady_twist")
+         "replay_runs", "replay_limits", "steady_twist", "pivot", "translate")
 
 
 def percent(fraction, digits=2):
@@ -117,6 +123,14 @@ def laws_table(data):
     return facts_table(("law", "moment ratio m<sub>0</sub>", "evaluated by", "ellipse too strong by", "COR, ellipse / true"), rows)
 
 
+def engines_table(data):
+    first = data["translate"][0]
+    rows = [(row["engine"], row["parameter"], f"{row['value']:.6g}" if isinstance(row["value"], float) else row["value"], row["unit"],
+             row["model"], percent(row["max_error"], 1)) for row in data["translate"].where(law=first["law"])]
+    return facts_table(("engine", "parameter", "value", "unit", "its limit curve", "error that remains"),
+                       [[html.escape(str(cell)) for cell in row] for row in rows])
+
+
 def sections(data):
     """The page's story: heading, figure, what to see in it; each number is read from the files."""
     ellipses = data["validate"].where(model="ellipse")
@@ -125,6 +139,8 @@ def sections(data):
                                               for name in ("quartic", "superellipse", "box", "ellipse-least-squares"))
     ratios = [row["cor_ratio"] for row in data["ellipse_error"] if row["cor_ratio"] == row["cor_ratio"]]
     run, twist = data["replay_runs"][-1], data["steady_twist"][0]
+    engine = data["translate"][0]
+    turned = {case: max(rows.column("angle", 180 / math.pi)) for case, rows in data["pivot"].where(grip="release").groups("case").items()}
     certified = max(data["table_error"].column("tolerance"))
     worst_between = max(max(abs(row["force_error"]), abs(row["moment_error"])) for row in data["table_error"])
     return [
@@ -168,6 +184,17 @@ def sections(data):
              "until the wrench is steady. Physics says the wrench of eq. (17) at that centre of rotation. The closest point gives it at every stiffness; the radial projection gives a wrench set by the "
              "ratio of the springs, whatever the curve. On the ellipse the closest point is off by the ellipse’s own error."),
         ], ""),
+        ("A block between two fingers", [
+            ("pivot", "The paper’s experiment (its Figs. 7, 8, 10 and 11): a block, its centre of mass (blue path) beside the grip (dot), "
+             f"on sandpaper. Where force and moment share one limit the block turns in the grip before it slides out: by "
+             f"{turned['coupled']:.0f}° and {turned['exact']:.0f}° as the grip eases by itself, and an operator can stop it at 30°. With "
+             "limits of their own, the moment holds to the end and the block falls without turning. Outlines: the released grip, darker "
+             "is later."),
+        ], ""),
+        ("The same finger in a physics engine", [],
+         f"<p>What to type into an engine for a finger of the {html.escape(engine['law'])} law, a(P) by "
+         f"{html.escape(engine['radius_law'])}, μ = {engine['mu']:g}, at a load of {engine['load']:g} N, and how far its own limit curve "
+         "then remains from the exact one.</p>" + engines_table(data)),
     ]
 
 

@@ -315,6 +315,58 @@ def slips(rows):
     return intervals + ([(begin, rows[-1]["time"])] if begin is not None else [])
 
 
+BLOCK_LENGTH, BLOCK_HEIGHT = 0.12, 0.04  # m, `limitcurve pivot`'s default
+CASES = {"coupled": "Coupled: ellipse, radial (A)", "exact": "Exact curve, closest point", "uncoupled": "Uncoupled: box (B)"}
+
+
+def pivot(data):
+    """Paper, Figs. 7, 8, 10 and 11: a block between two fingers whose grip eases, as seen and over time."""
+    figure, panels = plt.subplots(3, len(CASES), figsize=(9.6, 7.2), layout="constrained", sharex="row", sharey="row",
+                                  height_ratios=(1.5, 1, 1))
+    for column, (case, title) in zip(zip(*panels), CASES.items()):
+        released = data["pivot"].where(case=case, grip="release")
+        draw_block(column[0], released)
+        column[0].set(title=title, aspect="equal", xlim=(-80, 80), ylim=(-95, 55), xlabel="x  [mm]")
+        for grip, look in (("release", {"color": BLUE}), ("operator", {"color": VERMILION, "dashes": (5, 2)})):
+            held = held_rows(data["pivot"].where(case=case, grip=grip))
+            times = held.column("time")
+            column[1].plot(times, held.column("angle", 180 / math.pi), label=GRIPS[grip], **look)
+            column[2].plot(times, held.column("grip_slip", 1e3), **look)
+        column[2].set_xlabel("time  [s]")
+    for row, label in zip(panels, ("y  [mm]", "angle  [°]", "slip at the grip  [mm]")):
+        row[0].set_ylabel(label)
+    panels[2][0].set_ylim(0, 25)
+    figure.align_ylabels()
+    legend_below(figure, panels[1][0], 2)
+    return figure
+
+
+GRIPS = {"release": "grip released at a steady rate", "operator": "operator who regrips at 30°"}
+
+
+def held_rows(rows):
+    """The rows until the block has left the fingers."""
+    end = next((i for i, row in enumerate(rows) if row["state"] == "free"), len(rows))
+    return type(rows)(rows[:end])
+
+
+def draw_block(axes, rows):
+    """Outlines of the block each time it has turned or slid visibly on: darker is later."""
+    held = held_rows(rows)
+    shown = [held[0]]
+    for row in held:
+        if abs(row["angle"] - shown[-1]["angle"]) > 0.2 or row["grip_slip"] - shown[-1]["grip_slip"] > 0.006:
+            shown.append(row)
+    for i, row in enumerate(shown):
+        shade = str(0.82 - 0.7 * i / max(len(shown) - 1, 1))
+        cosine, sine = math.cos(row["angle"]), math.sin(row["angle"])
+        corners = [(x * BLOCK_LENGTH / 2, y * BLOCK_HEIGHT / 2) for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1), (-1, -1))]
+        axes.plot([1e3 * (row["x"] + x * cosine - y * sine) for x, y in corners],
+                  [1e3 * (row["y"] + x * sine + y * cosine) for x, y in corners], color=shade, linewidth=1.1)
+    axes.plot([1e3 * row["x"] for row in held], [1e3 * row["y"] for row in held], color=BLUE, linewidth=1.6)
+    axes.plot(0, 0, "o", color=VERMILION, markersize=6)
+
+
 TWIST_LOOKS = {
     ("table", "closest-point"): ("exact curve, closest point", {"color": BLUE, "linewidth": 2.2}),
     ("table", "radial"): ("exact curve, radial", {"color": VERMILION}),
@@ -366,4 +418,5 @@ FIGURES = {
     "repositioning": repositioning,
     "felt": felt,
     "steady_twist": steady_twist,
+    "pivot": pivot,
 }
