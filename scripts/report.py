@@ -123,9 +123,13 @@ def laws_table(data):
     return facts_table(("law", "moment ratio m<sub>0</sub>", "evaluated by", "ellipse too strong by", "COR, ellipse / true"), rows)
 
 
+def readable(cell):
+    return f"{cell:.6g}" if isinstance(cell, float) else cell
+
+
 def engines_table(data):
     first = data["translate"][0]
-    rows = [(row["engine"], row["parameter"], f"{row['value']:.6g}" if isinstance(row["value"], float) else row["value"], row["unit"],
+    rows = [(row["engine"], row["parameter"], readable(row["value"]), readable(row["unit"]),
              row["model"], percent(row["max_error"], 1)) for row in data["translate"].where(law=first["law"])]
     return facts_table(("engine", "parameter", "value", "unit", "its limit curve", "error that remains"),
                        [[html.escape(str(cell)) for cell in row] for row in rows])
