@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "fit/model_fit.hpp"
 
-#include "cli/csv_reader.hpp"
+#include "cli/slip_samples.hpp"
 #include "cli/subcommands.hpp"
 
 #include "limitcurve/number.hpp"
@@ -18,41 +18,6 @@ constexpr std::size_t last_of_a_curve = 2;
 const std::vector<std::string> criteria{"intercepts", "least-squares", "minimax", "inner", "outer"};
 const std::vector<std::string> losses{"squared", "huber", "cauchy"};
 const std::vector<std::string> load_models{"linear", "hertz", "power", "best"};
-
-std::vector<fit::Sample> read_samples(const std::string& file) {
-  CsvReader reader(file, {"load", "force", "moment"}, {"sigma_force", "sigma_moment"});
-  if (reader.has(3) != reader.has(4)) {
-    throw std::invalid_argument(file + ": got one of the columns sigma_force and sigma_moment, expected both or none");
-  }
-  std::vector<fit::Sample> samples;
-  while (reader.next()) {
-    fit::Sample sample{reader.number(0, positive), reader.number(1, finite), reader.number(2, finite)};
-    if (reader.has(3)) {
-      sample.sigma_force = reader.number(3, positive);
-      sample.sigma_moment = reader.number(4, positive);
-    }
-    samples.push_back(sample);
-  }
-  return samples;
-}
-
-fit::LoadSamples read_load_samples(const std::string& file) {
-  CsvReader reader(file, {"load"}, {"radius", "moment", "sigma_radius", "sigma_moment"});
-  if (reader.has(1) == reader.has(2)) throw std::invalid_argument(file + ": expected one of the columns radius and moment beside load");
-  const std::size_t value = reader.has(1) ? 1 : 2;
-  const std::size_t sigma = value + 2;
-  fit::LoadSamples samples{value == 1 ? fit::LoadSamples::Quantity::radius : fit::LoadSamples::Quantity::moment, {}};
-  while (reader.next()) {
-    samples.samples.push_back(
-        {reader.number(0, positive), reader.number(value, positive), reader.has(sigma) ? reader.number(sigma, positive) : 0.0});
-  }
-  return samples;
-}
-
-/// What a reader must know before using the numbers.
-void say(const char* kind, const std::string& text) {
-  std::fprintf(stderr, "limitcurve: %s: %s\n", kind, text.c_str());
-}
 
 class Fit final : public Subcommand {
  public:
@@ -77,6 +42,7 @@ class Fit final : public Subcommand {
                    "For load: how the radius grows, c P^gamma with gamma 0, 1/3, free; or the best");
     options.number("--gamma", settings_.gamma, non_negative, "Exponent of the contact radius a = c P^gamma");
     options.flag("--fit-gamma", settings_.fit_gamma, "Find gamma from the data too");
+    options.flag("--quiet", quiet_, "Say nothing on standard error but errors");
     options.number("--largest-radius", settings_.largest_radius, positive, "Warn of a contact radius beyond this [m]");
   }
 
@@ -93,6 +59,11 @@ class Fit final : public Subcommand {
   }
 
  private:
+  /// What a reader must know before using the numbers.
+  void say(const char* kind, const std::string& text) const {
+    if (!quiet_) std::fprintf(stderr, "limitcurve: %s: %s\n", kind, text.c_str());
+  }
+
   [[nodiscard]] fit::ModelFit curve_fit() const {
     if (model_ > last_of_a_curve) throw std::invalid_argument("--data is required to fit '" + models[model_] + "'");
     if (law_ == nullptr) throw std::invalid_argument("--data or --law is required, to fit to measurements or to the exact curve");
@@ -101,7 +72,7 @@ class Fit final : public Subcommand {
 
   [[nodiscard]] fit::ModelFit data_fit() {
     settings_.loss = loss_ == 0 ? fit::Loss::squared() : loss_ == 1 ? fit::Loss::huber() : fit::Loss::cauchy();
-    if (models[model_] != "load") return fit::fit_model(models[model_], read_samples(data_), law_, settings_);
+    if (models[model_] != "load") return fit::fit_model(models[model_], read_slip_samples(data_), law_, settings_);
     return load_fit(read_load_samples(data_));
   }
 
@@ -128,6 +99,7 @@ class Fit final : public Subcommand {
   std::size_t criterion_ = 1;
   std::size_t loss_ = 0;
   std::size_t load_model_ = 2;
+  bool quiet_ = false;
   fit::ContactFitOptions settings_;
 };
 

@@ -36,7 +36,8 @@ class Report final : public Subcommand {
     write_table_files(directory, data);
     write_replay_files(directory, data);
     write_steady_twist_file(directory);
-    write_pivot_file(directory);
+    write_fit_files(directory, data);
+    write_pivot_files(directory);
     write_translate_file(directory);
     draw_report(share / "scripts" / "report.py", directory);
   }

@@ -32,8 +32,14 @@ void write_error_files(const std::filesystem::path& output);
 void write_table_files(const std::filesystem::path& output, const std::filesystem::path& data);
 void write_replay_files(const std::filesystem::path& output, const std::filesystem::path& data);
 void write_steady_twist_file(const std::filesystem::path& output);
-/// pivot.csv: case,grip and the columns of `pivot`, grip being `release` or `operator`.
-void write_pivot_file(const std::filesystem::path& output);
+/// fits.csv: data,model and the columns of `fit`, for the measurements in data/fit. Of the fit to slips.csv, fit_band.csv:
+/// force,moment,inner_force,inner_moment,outer_force,outer_moment, the fitted curve per newton and its 95 % band [1, m]; and
+/// fit_residuals.csv: load,force,moment,sigma_force,sigma_moment,residual, in standard deviations.
+void write_fit_files(const std::filesystem::path& output, const std::filesystem::path& data);
+/// pivot.csv: case,grip and the columns of `pivot`, grip being `release` or `operator`. pivot_map.csv:
+/// case,offset,rate,angle: by how much the block has turned [rad] when it has slid 5 mm past the fingers or left them, over the
+/// offset [m] of its centre of mass and the rate [N/s] at which the grip eases.
+void write_pivot_files(const std::filesystem::path& output);
 /// translate.csv: law,radius_law,mu,load and the columns of `translate`.
 void write_translate_file(const std::filesystem::path& output);
 
