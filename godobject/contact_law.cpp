@@ -31,7 +31,11 @@ ContactLaw::ContactLaw(const FingerParameters& parameters, double moment_ratio)
     : springs_(Springs::of(positive("stiffness", parameters.stiffness, "N/m"),
                            positive("twist_stiffness", parameters.twist_stiffness, "N m/rad"))),
       damping_(non_negative("damping", parameters.damping, "N s/m")),
-      twist_damping_(non_negative("twist_damping", parameters.twist_damping, "N m s/rad")) {
+      twist_damping_(non_negative("twist_damping", parameters.twist_damping, "N m s/rad")),
+      jump_limit_(parameters.jump_limit),
+      hold_share_(parameters.hold_share) {
+  if (!(jump_limit_ > 0.0)) throw out_of_range("jump_limit", jump_limit_, "m", "> 0");
+  if (!(hold_share_ >= 0.0 && hold_share_ <= 1.0)) throw out_of_range("hold_share", hold_share_, "1", "0 <= hold_share <= 1");
   positive("moment_ratio", moment_ratio, "1");
   const double mu = non_negative("mu", parameters.mu, "1");
   const double mu_dynamic = non_negative("mu_dynamic", parameters.mu_dynamic.value_or(mu), "1");
@@ -56,7 +60,7 @@ ContactLaw::ContactLaw(const FingerParameters& parameters, double moment_ratio)
     const double radius = positive("radius_law coefficient", parameters.radius_law.coefficient(), "m/N^gamma");
     static_ = {mu, radius};
     dynamic_ = {mu_dynamic, radius};
-    if (parameters.radius_law.exponent() != 0.0) radius_law_ = parameters.radius_law;
+    if (parameters.radius_law.is_sampled() || parameters.radius_law.exponent() != 0.0) radius_law_ = parameters.radius_law;
   }
   has_one_limit_ = static_.mu == dynamic_.mu && static_.radius == dynamic_.radius;
 }

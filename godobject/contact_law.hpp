@@ -3,6 +3,7 @@
 
 #include "limitcurve/radius_law.hpp"
 
+#include <limits>
 #include <optional>
 
 namespace limitcurve::godobject {
@@ -18,6 +19,10 @@ struct FingerParameters {
   double twist_stiffness = 0.04;                          ///< k_r [N m/rad] > 0
   double damping = 0.0;                                   ///< b_l [N s/m] ≥ 0, normal and tangential; acts in timed updates
   double twist_damping = 0.0;                             ///< b_r [N m s/rad] ≥ 0
+  /// A finger that moves farther than this between two updates [m] > 0 is a fault of the device: refused once, as `invalid`.
+  double jump_limit = std::numeric_limits<double>::infinity();
+  /// Share of load, force and moment that is kept in every step whose input is invalid, ∈ [0, 1]: 1 holds, less lets go softly.
+  double hold_share = 1.0;
 };
 
 /// The springs between proxy and finger.
@@ -55,8 +60,13 @@ class ContactLaw {
   [[nodiscard]] double twist_stiffness() const noexcept { return springs_.twist_stiffness; }  ///< k_r [N m/rad]
   [[nodiscard]] double damping() const noexcept { return damping_; }                          ///< b_l [N s/m]
   [[nodiscard]] double twist_damping() const noexcept { return twist_damping_; }              ///< b_r [N m s/rad]
-  /// γ of a ∝ P^γ as it acts here: 0 with a moment coefficient.
-  [[nodiscard]] double radius_exponent() const noexcept { return radius_law_ ? radius_law_->exponent() : 0.0; }
+  /// a(P) where it depends on the load; else null.
+  [[nodiscard]] const RadiusLaw* radius_law() const noexcept { return radius_law_ ? &*radius_law_ : nullptr; }
+  [[nodiscard]] double mu() const noexcept { return static_.mu; }  ///< static μ
+  /// Static a [m] where it does not depend on the load.
+  [[nodiscard]] double constant_radius() const noexcept { return static_.radius; }
+  [[nodiscard]] double jump_limit() const noexcept { return jump_limit_; }  ///< [m]
+  [[nodiscard]] double hold_share() const noexcept { return hold_share_; }
 
  private:
   struct Limit {
@@ -74,6 +84,8 @@ class ContactLaw {
   Springs springs_;
   double damping_;
   double twist_damping_;
+  double jump_limit_;
+  double hold_share_;
   bool has_one_limit_;
 };
 

@@ -3,6 +3,7 @@
 
 #include "godobject/contact_law.hpp"
 #include "godobject/projection.hpp"
+#include "limitcurve/load_curves.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -63,13 +64,13 @@ class Friction {
     const double turn = springs.twist_stiffness * rho;
     if (pull * limits.radius * moment_max_ + turn * force_max_ <= limits.moment_unit * force_max_ * moment_max_)
       return stuck(r, rho, springs);
-    const Trial trial = make_trial(limits, r, rho, start, springs);
+    const Trial trial = make_trial(limits, r, rho, load, start, springs);
     const Projected projected = projection_(boundary_, trial);
     if (!projected.outside) return stuck(r, rho, springs);
     if (slipping || law_.has_one_limit()) return slid(limits, trial, projected, r, rho, springs);
     const Limits dynamic = make_limits(law_.dynamic_scale(load));
     if (!dynamic.twists) return slid_untwisted(dynamic, r, springs);
-    const Trial beyond = make_trial(dynamic, r, rho, start, springs);
+    const Trial beyond = make_trial(dynamic, r, rho, load, start, springs);
     return slid(dynamic, beyond, projection_(boundary_, beyond), r, rho, springs);
   }
 
@@ -105,7 +106,18 @@ class Friction {
     const Limits limits = make_limits(slipping ? law_.dynamic_scale(load) : law_.static_scale(load));
     if (r == 0.0 && rho == 0.0) return 1.0;
     if (!limits.twists) return limits.slides ? 1.0 - law_.stiffness() * r / (force_max_ * limits.force_unit) : r > 0.0 ? 0.0 : 1.0;
-    return 1.0 - boundary_.gauge(make_trial(limits, r, rho, -1.0, law_.springs()).wrench);
+    return 1.0 - boundary_.gauge(make_trial(limits, r, rho, load, -1.0, law_.springs()).wrench);
+  }
+
+  /// The least load [N] under which a contact at rest bears the friction force [N] and moment [N m], both ≥ 0 and finite: the
+  /// grip needed to hold. ∞ where no load does.
+  [[nodiscard]] double load_to_hold(double force, double moment) const noexcept {
+    if (law_.radius_law() != nullptr) return limitcurve::load_to_hold(boundary_, *law_.radius_law(), law_.mu(), force, moment);
+    constexpr double never = std::numeric_limits<double>::infinity();
+    const double radius = law_.constant_radius();
+    if ((law_.mu() == 0.0 && force > 0.0) || (law_.mu() * radius == 0.0 && moment > 0.0)) return never;
+    if (law_.mu() == 0.0) return 0.0;
+    return boundary_.gauge({force / law_.mu(), moment > 0.0 ? moment / (law_.mu() * radius) : 0.0});
   }
 
  private:
@@ -124,7 +136,8 @@ class Friction {
     return {scale.force, moment_unit, scale.radius, scale.force > least, scale.force > least && moment_unit > least};
   }
 
-  [[nodiscard]] Trial make_trial(const Limits& limits, double r, double rho, double start, const Springs& springs) const noexcept {
+  [[nodiscard]] Trial make_trial(const Limits& limits, double r, double rho, double load, double start,
+                                 const Springs& springs) const noexcept {
     const double per_unit = 1.0 / limits.moment_unit;
     double force = springs.stiffness * r * limits.radius * per_unit;
     double moment = springs.twist_stiffness * rho * per_unit;
@@ -133,7 +146,7 @@ class Friction {
       force *= farthest_trial / larger;
       moment *= farthest_trial / larger;
     }
-    return {{force, moment}, limits.radius * limits.radius * springs.ratio, law_.radius_exponent(), start};
+    return {{force, moment}, limits.radius * limits.radius * springs.ratio, start, law_.radius_law(), load};
   }
 
   [[nodiscard]] Result stuck(double r, double rho, const Springs& springs) const noexcept {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "limitcurve/limit_boundary.hpp"
+#include "limitcurve/radius_law.hpp"
 
 #include <algorithm>
 #include <concepts>
@@ -15,10 +16,11 @@ inline constexpr double slip_guard = 1e-12;
 /// The wrench that the springs between proxy and finger would cause if the proxy stayed where it is, in unit wrenches of
 /// the load: x̂ = k_l r/(μP), ŷ = k_r ρ/(μPa) (paper, eqs. 7 and 21), and what a projection needs to know beside it.
 struct Trial {
-  UnitWrench wrench;              ///< (x̂, ŷ), finite, ≥ 0, not both 0
-  double compliance_ratio = 1.0;  ///< χ = a²k_l/k_r: how soft the twist is against the sliding, > 0
-  double radius_exponent = 0.0;   ///< γ of a ∝ P^γ
-  double start = -1.0;            ///< spin fraction of the last slip, where a search may start; < 0: none
+  UnitWrench wrench;                      ///< (x̂, ŷ), finite, ≥ 0, not both 0
+  double compliance_ratio = 1.0;          ///< χ = a²k_l/k_r: how soft the twist is against the sliding, > 0
+  double start = -1.0;                    ///< spin fraction of the last slip, where a search may start; ≤ 0: none
+  const RadiusLaw* radius_law = nullptr;  ///< a(P), where it depends on the load
+  double load = 0.0;                      ///< P [N]
 };
 
 /// What a projection finds.

@@ -28,15 +28,18 @@ struct FingerOutput {
 /// All that a finger remembers from one step to the next. A plain value: copy, save and restore it.
 struct FingerState {
   FingerOutput output;
-  Eigen::Vector3d goal = Eigen::Vector3d::Zero();    ///< x_g of the last good step [m]
-  double goal_angle = 0.0;                           ///< α_g of the last good step [rad], unwrapped
-  double device_angle = 0.0;                         ///< the device's twist as it was given [rad]
-  double turn = 0.0;                                 ///< what unwrapping has added to it [rad], a multiple of 2π
-  Eigen::Vector3d offset = Eigen::Vector3d::Zero();  ///< x_p − x_g after the step, tangential [m]
-  double lag = 0.0;                                  ///< α_p − α_g after the step [rad]
-  double start = -1.0;                               ///< spin fraction of the last slip, or 0; < 0: it sticks
-  double trend = 0.0;                                ///< how far that has moved since the slip before
+  Eigen::Vector3d goal = Eigen::Vector3d::Zero();     ///< x_g of the last good step [m]
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< outward normal there
+  Eigen::Vector3d seen = Eigen::Vector3d::Zero();     ///< where the finger was when last seen, refused or not [m]
+  double goal_angle = 0.0;                            ///< α_g of the last good step [rad], unwrapped
+  double device_angle = 0.0;                          ///< the device's twist as it was given [rad]
+  double turn = 0.0;                                  ///< what unwrapping has added to it [rad], a multiple of 2π
+  Eigen::Vector3d offset = Eigen::Vector3d::Zero();   ///< x_p − x_g after the step, tangential [m]
+  double lag = 0.0;                                   ///< α_p − α_g after the step [rad]
+  double start = -1.0;                                ///< spin fraction of the last slip, or 0; < 0: it sticks
+  double trend = 0.0;                                 ///< how far that has moved since the slip before
   bool touching = false;
+  bool known = false;  ///< there was a step before
 };
 
 /// A soft-finger god-object on one surface: steps a–c of the paper, corrected (README, "Corrections to the paper").
@@ -54,7 +57,7 @@ class SoftFinger {
   /// One step: the contact of the finger with the surface and the device's twist α_s [rad] about the normal. The twist may
   /// wrap around at any multiple of 2π: a jump of more than π between steps is taken for a turn of the other sense.
   /// Input that is not finite, or no contact (a normal that is not of unit length), gives the state `invalid`: the last
-  /// good output is held, the finger's memory untouched.
+  /// good output is held (or let go of, see `hold_share`), and the proxy stays where it is.
   /// With a time step [s] > 0 since the last update the dampers act too, within the limit: the wrench that friction bounds
   /// is that of springs and dampers together, and so is what the user feels.
   const FingerOutput& update(const Contact& contact, double twist, double time_step = 0.0) noexcept {
@@ -86,6 +89,20 @@ class SoftFinger {
     return std::clamp(friction_.margin(r, rho, output.load, state_.start >= 0.0), 0.0, 1.0);
   }
 
+  /// The least load [N] under which the contact would bear its present friction without slipping: the grip needed to hold.
+  [[nodiscard]] double load_to_hold() const noexcept {
+    return friction_.load_to_hold(state_.output.force.norm(), std::fabs(state_.output.moment));
+  }
+
+  /// Where the slip's centre of rotation is, in the surface's frame [m]; infinite for pure sliding, NaN unless it slips.
+  [[nodiscard]] Eigen::Vector3d centre_of_rotation() const noexcept {
+    const FingerOutput& output = state_.output;
+    // The finger slides along −force, and turns against the moment: v = ω n × (x_g − C).
+    const double force = output.force.norm();
+    if (!(output.cor > 0.0) || force == 0.0) return state_.goal + Eigen::Vector3d::Constant(0.0 * output.cor);
+    return state_.goal - output.force.cross(state_.normal) * (std::copysign(output.cor, output.moment) / force);
+  }
+
  private:
   [[nodiscard]] static bool usable(const Contact& contact, double twist) noexcept {
     // One comparison for all, which is false for NaN too.
@@ -93,12 +110,42 @@ class SoftFinger {
     return squares <= farthest * farthest && std::fabs(contact.normal.squaredNorm() - 1.0) <= 1e-6;
   }
 
+  /// Whether the finger has moved farther than a device can since it was last seen. It is then seen where it is: a
+  /// fault of one sample costs one step, and a finger that stays there is believed.
+  [[nodiscard]] bool jumped(FingerState& state, const Contact& contact) const noexcept {
+    const double limit = friction_.law().jump_limit();
+    if (limit == std::numeric_limits<double>::infinity()) return false;
+    const Eigen::Vector3d finger = contact.point - contact.normal * contact.depth;
+    const bool result = state.known && (finger - state.seen).squaredNorm() > limit * limit;
+    state.seen = finger;
+    state.known = true;
+    return result;
+  }
+
+  void hold(FingerState& state) const noexcept {
+    FingerOutput& output = state.output;
+    const double share = friction_.law().hold_share();
+    output.state = ContactState::invalid;
+    output.slip_work = 0.0;
+    output.load *= share;
+    output.force *= share;
+    output.moment *= share;
+  }
+
   static void release(FingerState& state, const Contact& contact, double twist) noexcept {
     FingerOutput output;
     output.proxy = contact.point - contact.normal * contact.depth;
     output.angle = twist;
     output.depth = contact.depth;
-    state = {.output = output, .goal = contact.point, .goal_angle = twist, .device_angle = twist};
+    FingerState free;
+    free.output = output;
+    free.goal = contact.point;
+    free.normal = contact.normal;
+    free.seen = state.seen;
+    free.known = state.known;
+    free.goal_angle = twist;
+    free.device_angle = twist;
+    state = free;
   }
 
   /// α_g: the device's angle with its turns put back. Adds exactly 0 as long as the device does not jump.
@@ -115,11 +162,7 @@ class SoftFinger {
 
   void advance(FingerState& state, const Contact& contact, double twist, double time_step) const noexcept {
     FingerOutput& output = state.output;
-    if (!usable(contact, twist)) {
-      output.state = ContactState::invalid;
-      output.slip_work = 0.0;
-      return;
-    }
+    if (!usable(contact, twist) || jumped(state, contact)) return hold(state);
     if (!(contact.depth > 0.0)) return release(state, contact, twist);
     const ContactLaw& law = friction_.law();
     const double goal_angle = unwrap(state, twist);
@@ -134,6 +177,7 @@ class SoftFinger {
       state.start = -1.0;
     }
     state.goal = contact.point;
+    state.normal = contact.normal;
     state.goal_angle = goal_angle;
     output.depth = contact.depth;
     output.load = law.stiffness() * contact.depth;

@@ -30,7 +30,9 @@ void for_random_trials(double moment_ratio, int count, Body&& body) {
     Trial trial;
     trial.wrench = {i % 10 == 1 ? 0.0 : length * std::cos(angle), length * moment_ratio * std::sin(angle)};
     trial.compliance_ratio = random.logarithmic(1e-3, 1e3) / (moment_ratio * moment_ratio);
-    trial.radius_exponent = i % 2 == 0 ? 0.0 : random.uniform(0.0, 1.0 / 3.0);
+    const RadiusLaw soft = RadiusLaw::power(0.003, random.uniform(0.01, 1.0 / 3.0));
+    if (i % 2 == 1) trial.radius_law = &soft;
+    trial.load = random.logarithmic(0.1, 10.0);
     trial.start = i % 4 == 0 ? random.uniform(0.0, 1.0) : -1.0;
     body(trial);
   }
@@ -149,7 +151,7 @@ TEST(CCurve, IsRadialWhenTheRadiusIsConstant) {
   for_each_boundary(uniform(), [&](const auto& boundary, std::string_view) {
     for_random_trials(uniform()->moment_ratio(), 200, [&](Trial trial) {
       if (boundary.gauge(trial.wrench) <= 1.0) return;
-      trial.radius_exponent = 0.0;
+      trial.radius_law = nullptr;
       const Projected radial = Radial{}(boundary, trial);
       const Projected c_curve = CCurve{}(boundary, trial);
       EXPECT_EQ(c_curve.wrench, radial.wrench);
@@ -163,7 +165,7 @@ TEST(CCurve, KeepsTheCentreOfRotation) {
     const ExactCurve curve(law);
     for_random_trials(law->moment_ratio(), 200, [&](const Trial& trial) {
       if (curve.gauge(trial.wrench) <= 1.0 || trial.wrench.force == 0.0 || trial.wrench.moment < 1e-9) return;
-      const double gamma = trial.radius_exponent;
+      const double gamma = trial.radius_law != nullptr ? trial.radius_law->exponent() : 0.0;
       double low = 1.0;
       double high = 1e8;
       for (int i = 0; i < 200; ++i) {

@@ -6,6 +6,14 @@
 #include <cstdlib>
 #include <new>
 
+#ifdef __linux__
+#include <linux/seccomp.h>
+#include <sys/prctl.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#endif
+
 // The sanitizers bring an allocator of their own.
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #define LIMITCURVE_WATCHES_MALLOC 1
@@ -86,6 +94,38 @@ TEST(RealTime, AStepAllocatesNothing) {
       });
     });
   }
+}
+#endif
+
+#if defined(__linux__) && defined(LIMITCURVE_WATCHES_MALLOC)
+/// Whether `body` runs to its end in a process that is killed at any system call but read, write and exit.
+template <class Body>
+bool runs_without_system_calls(Body&& body) {
+  const pid_t child = fork();
+  if (child == 0) {
+    prctl(PR_SET_SECCOMP, SECCOMP_MODE_STRICT);
+    body();
+    syscall(SYS_exit, 0);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
+TEST(RealTime, TheCageHoldsWhatCallsTheSystem) {
+  EXPECT_FALSE(runs_without_system_calls([] { syscall(SYS_getppid); }));
+}
+
+TEST(RealTime, AMillionStepsMakeNoSystemCall) {
+  SoftFinger coupled(Ellipse::through_intercepts(hertz()->moment_ratio()), parameters(), Radial{});
+  SoftFinger exact(Table::build(hertz(), 1e-8), parameters(), ClosestPoint{});
+  EXPECT_TRUE(runs_without_system_calls([&] {
+    for (int i = 0; i < 1'000'000; ++i) {
+      const Contact contact = on_plane(1e-5 * (i % 1000), 2e-6 * (i % 777), 0.002 + 1e-6 * (i % 99));
+      coupled.update(contact, 1e-3 * i);
+      exact.update(contact, 1e-3 * i);
+    }
+  }));
 }
 #endif
 
