@@ -5,6 +5,9 @@
 #include "limitcurve/ellipse.hpp"
 #include "limitcurve/exact_curve.hpp"
 #include "limitcurve/laws.hpp"
+#include "limitcurve/polygon.hpp"
+#include "limitcurve/quartic.hpp"
+#include "limitcurve/superellipse.hpp"
 #include "limitcurve/table.hpp"
 
 #include <benchmark/benchmark.h>
@@ -63,6 +66,12 @@ void gauge(benchmark::State& state, const Boundary& boundary) {
   over(state, spin_fractions(0.0, 1.0), [&](double u) { return boundary.gauge({1.0 - u, u}); });
 }
 
+template <class Boundary>
+void register_model(const std::string& name, const Boundary& boundary) {
+  benchmark::RegisterBenchmark(name.c_str(), [boundary](benchmark::State& state) { lookup(state, boundary); });
+  benchmark::RegisterBenchmark((name + "-gauge").c_str(), [boundary](benchmark::State& state) { gauge(state, boundary); });
+}
+
 void register_all() {
   benchmark::RegisterBenchmark("closed/hertz/inside", closed<closed_form::hertz<double>>, 0.5, 1.0);
   benchmark::RegisterBenchmark("closed/hertz/outside", closed<closed_form::hertz<double>>, 0.0, 0.5);
@@ -81,9 +90,10 @@ void register_all() {
       benchmark::RegisterBenchmark(("table-gauge/" + name).c_str(), [table](benchmark::State& state) { gauge(state, table); });
     }
   }
-  const Ellipse ellipse = Ellipse::through_intercepts(0.589);
-  benchmark::RegisterBenchmark("ellipse", [ellipse](benchmark::State& state) { lookup(state, ellipse); });
-  benchmark::RegisterBenchmark("ellipse-gauge", [ellipse](benchmark::State& state) { gauge(state, ellipse); });
+  register_model("box", box(1.0, 0.589));
+  register_model("ellipse", Ellipse::through_intercepts(0.589));
+  register_model("superellipse", Superellipse(1.0, 0.589, 1.725));
+  register_model("quartic", Quartic(1.0, 0.589, 3.142));
 }
 
 }  // namespace
