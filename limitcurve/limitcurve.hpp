@@ -13,6 +13,7 @@
 ///   p_curve(curve, RadiusLaw::hertz(0.008, 2e5), mu, load, 64)  limit curves in newtons
 
 #include "limitcurve/boundary_error.hpp"
+#include "limitcurve/choose.hpp"
 #include "limitcurve/ellipse.hpp"
 #include "limitcurve/exact_curve.hpp"
 #include "limitcurve/laws.hpp"
