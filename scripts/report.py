@@ -46,6 +46,14 @@ steady_twist.csv    law,boundary,projection,cor,stiffness_ratio,force,moment,exa
 pivot.csv           case,grip,time,x,y,angle,grip_slip,load,friction_force,friction_moment,state,cor
                       as `pivot`, every tenth step, for sandpaper and the block's default size; grip is release or operator
                       (target=30deg)
+pivot_map.csv       case,offset,rate,angle
+                      angle at which the block leaves a grip that eases at a steady rate [N/s], for a grid of offsets and rates
+fits.csv            data,model,parameter,value,std_error,unit
+                      as `fit` on the measurements in data/fit
+fit_band.csv        force,moment,inner_force,inner_moment,outer_force,outer_moment
+                      the curve fitted to data/fit/slips.csv, per newton of load, and its 95 % band
+fit_residuals.csv   load,force,moment,sigma_force,sigma_moment,residual
+                      its samples, and their distances from the curve in standard deviations
 translate.csv       law,radius_law,mu,load,engine,parameter,value,unit,model,max_error
                       as `translate`
 """
@@ -63,7 +71,7 @@ from chart_style import Table, save, short  # noqa: E402
 from report_figures import FIGURES  # noqa: E402
 
 FILES = ("laws", "curves", "p_curves", "c_curves", "validate", "ellipse_error", "tables", "materials", "table_error", "replay",
-         "replay_runs", "replay_limits", "steady_twist", "pivot", "translate")
+         "replay_runs", "replay_limits", "steady_twist", "pivot", "pivot_map", "fits", "fit_band", "fit_residuals", "translate")
 
 
 def percent(fraction, digits=2):
@@ -135,6 +143,12 @@ def engines_table(data):
                        [[html.escape(str(cell)) for cell in row] for row in rows])
 
 
+def fits_table(data):
+    return facts_table(("data", "fit", "parameter", "value", "standard error", "unit"),
+                       [(row["data"], row["model"], html.escape(row["parameter"]), f"{row['value']:.5g}", f"{row['std_error']:.2g}",
+                         readable(row["unit"])) for row in data["fits"]])
+
+
 def sections(data):
     """The page's story: heading, figure, what to see in it; each number is read from the files."""
     ellipses = data["validate"].where(model="ellipse")
@@ -143,7 +157,7 @@ def sections(data):
                                               for name in ("quartic", "superellipse", "box", "ellipse-least-squares"))
     ratios = [row["cor_ratio"] for row in data["ellipse_error"] if row["cor_ratio"] == row["cor_ratio"]]
     run, twist = data["replay_runs"][-1], data["steady_twist"][0]
-    engine = data["translate"][0]
+    engine, sandpaper = data["translate"][0], data["materials"].where(material="sandpaper")[0]
     turned = {case: max(rows.column("angle", 180 / math.pi)) for case, rows in data["pivot"].where(grip="release").groups("case").items()}
     certified = max(data["table_error"].column("tolerance"))
     worst_between = max(max(abs(row["force_error"]), abs(row["moment_error"])) for row in data["table_error"])
@@ -194,7 +208,15 @@ def sections(data):
              f"{turned['coupled']:.0f}° and {turned['exact']:.0f}° as the grip eases by itself, and an operator can stop it at 30°. With "
              "limits of their own, the moment holds to the end and the block falls without turning. Outlines: the released grip, darker "
              "is later."),
+            ("pivot_map", "How far the block has turned when it leaves the grip, over the offset of its centre of mass and the rate at "
+             "which the grip eases. The paper has two points of this map. With limits of their own the block turns only where the "
+             f"offset exceeds μ<sub>r</sub>/μ = {1e3 * sandpaper['mu_r'] / sandpaper['mu']:.2f} mm."),
         ], ""),
+        ("From measurements to parameters", [
+            ("fits", "A synthetic sensor log with a few gross outliers (data/fit/slips.csv) and the limit curve fitted to it by a robust "
+             "loss: friction, moment coefficient and the growth of the contact with the load, each with its standard error; the 95 % "
+             "band is hardly wider than the line. Grey on the right: where 95 % of the residuals of a right model lie."),
+        ], fits_table(data)),
         ("The same finger in a physics engine", [],
          f"<p>What to type into an engine for a finger of the {html.escape(engine['law'])} law, a(P) by "
          f"{html.escape(engine['radius_law'])}, μ = {engine['mu']:g}, at a load of {engine['load']:g} N, and how far its own limit curve "

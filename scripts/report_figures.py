@@ -367,6 +367,51 @@ def draw_block(axes, rows):
     axes.plot(0, 0, "o", color=VERMILION, markersize=6)
 
 
+def pivot_map(data):
+    """How far the block has turned when it leaves the grip, over the centre of mass's offset and the rate of release."""
+    figure, panels = plt.subplots(1, len(CASES), figsize=(9.6, 3.2), layout="constrained", sharey=True)
+    rows = data["pivot_map"]
+    offsets, rates = sorted(rows.groups("offset")), sorted(rows.groups("rate"))
+    for axes, (case, title) in zip(panels, CASES.items()):
+        angles = {(row["offset"], row["rate"]): math.degrees(row["angle"]) for row in rows.where(case=case)}
+        grid = [[angles[offset, rate] for offset in offsets] for rate in rates]
+        picture = axes.pcolormesh([1e3 * offset for offset in offsets], rates, grid, vmin=0, vmax=90, cmap="cividis", shading="nearest")
+        axes.set(title=title, yscale="log", xlabel="offset of the centre of mass  [mm]")
+        axes.grid(False)
+        axes.set_yticks(rates, [f"{rate:g}" for rate in rates])
+        axes.minorticks_off()
+    panels[0].set_ylabel("release  [N/s]")
+    bar = figure.colorbar(picture, ax=panels, ticks=(0, 30, 60, 90), pad=0.02)
+    bar.set_label("turned by  [°]")
+    return figure
+
+
+RESIDUALS_SHOWN = 6
+
+
+def fits(data):
+    """A limit curve fitted to measured slips, per newton of load, with its 95 % band; and what the fit leaves over."""
+    figure, (left, right) = plt.subplots(1, 2, figsize=(9.6, 4.1), layout="constrained")
+    samples, band = data["fit_residuals"], data["fit_band"]
+    gamma = data["fits"].where(data="slips", parameter="gamma")[0]["value"]
+    left.plot([row["force"] / row["load"] for row in samples], [1e3 * row["moment"] / row["load"] ** (1 + gamma) for row in samples], ".",
+              color=FAINT, markersize=2.5, alpha=0.6, label="a slip, scaled to 1 N")
+    left.fill(band.column("inner_force") + band.column("outer_force")[::-1],
+              band.column("inner_moment", 1e3) + band.column("outer_moment", 1e3)[::-1], color=BLUE, alpha=0.3, linewidth=0,
+              label="its 95 % band")
+    left.plot(band.column("force"), band.column("moment", 1e3), color=BLUE, label="fitted limit curve")
+    quadrant(left, "Slips and the limit curve fitted to them", "force  $F/P$", f"moment  $M/P^{{{1 + gamma:.3f}}}$  [N mm]")
+    left.set(xlim=(0, 1.2 * max(band.column("force"))), ylim=(0, 1.25e3 * max(band.column("moment"))))
+    left.legend(loc="lower left", markerscale=3, handlelength=2)
+
+    near = [row for row in samples if abs(row["residual"]) <= RESIDUALS_SHOWN]
+    right.axhspan(-1.96, 1.96, color=GRID, alpha=0.5, zorder=0, linewidth=0)
+    right.plot([row["load"] for row in near], [row["residual"] for row in near], ".", color=BLUE, markersize=3, alpha=0.5)
+    right.set(title=f"Residuals in standard deviations ({len(samples) - len(near)} of {len(samples)} beyond ±{RESIDUALS_SHOWN})",
+              xlabel="load  [N]", ylim=(-RESIDUALS_SHOWN, RESIDUALS_SHOWN))
+    return figure
+
+
 TWIST_LOOKS = {
     ("table", "closest-point"): ("exact curve, closest point", {"color": BLUE, "linewidth": 2.2}),
     ("table", "radial"): ("exact curve, radial", {"color": VERMILION}),
@@ -419,4 +464,6 @@ FIGURES = {
     "felt": felt,
     "steady_twist": steady_twist,
     "pivot": pivot,
+    "pivot_map": pivot_map,
+    "fits": fits,
 }
