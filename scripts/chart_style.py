@@ -109,6 +109,14 @@ def _value(text):
         return text
 
 
+def quadrant(axes, title, x_label, y_label):
+    axes.set(title=title, xlabel=x_label, ylabel=y_label, xlim=(0, None), ylim=(0, None))
+
+
+def legend_below(figure, axes, columns):
+    figure.legend(*axes.get_legend_handles_labels(), loc="upper center", bbox_to_anchor=(0.5, 0), ncols=columns)
+
+
 def save(figure, folder, name):
     """Writes NAME.svg and NAME.png, the same bytes each time; returns the SVG for a page, its ids made its own."""
     folder = Path(folder)

@@ -67,11 +67,27 @@ from pathlib import Path
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
+import curve_figures  # noqa: E402
+import finger_figures  # noqa: E402
 from chart_style import Table, save, short  # noqa: E402
-from report_figures import FIGURES  # noqa: E402
 
 FILES = ("laws", "curves", "p_curves", "c_curves", "validate", "ellipse_error", "tables", "materials", "table_error", "replay",
          "replay_runs", "replay_limits", "steady_twist", "pivot", "pivot_map", "fits", "fit_band", "fit_residuals", "translate")
+
+FIGURES = {
+    "limit_curves": curve_figures.limit_curves,
+    "load_curves": curve_figures.load_curves,
+    "ellipse_error": curve_figures.ellipse_error,
+    "models": curve_figures.models,
+    "tables": curve_figures.tables,
+    "god_object": finger_figures.god_object,
+    "repositioning": finger_figures.repositioning,
+    "felt": finger_figures.felt,
+    "steady_twist": finger_figures.steady_twist,
+    "pivot": finger_figures.pivot,
+    "pivot_map": finger_figures.pivot_map,
+    "fits": curve_figures.fits,
+}
 
 
 def percent(fraction, digits=2):

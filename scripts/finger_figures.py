@@ -1,153 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""The figures of the report, one function each: takes the CSVs (see report.py for their columns), returns a figure."""
+"""The report's figures of the god-object: on traces, at a steady twist, and with a block between two fingers. One function
+each: takes the CSVs (see report.py for their columns), returns a figure."""
 
 import math
 
-from chart_style import BLUE, ELLIPSE, FAINT, GREEN, GRID, INK, ORANGE, VERMILION, law_style, plt, short
-
-QUARTER = [math.pi / 2 * i / 180 for i in range(181)]
-
-
-def quadrant(axes, title, x_label, y_label):
-    axes.set(title=title, xlabel=x_label, ylabel=y_label, xlim=(0, None), ylim=(0, None))
-
-
-def legend_below(figure, axes, columns):
-    figure.legend(*axes.get_legend_handles_labels(), loc="upper center", bbox_to_anchor=(0.5, 0), ncols=columns)
-
-
-def limit_curves(data):
-    """Paper, Fig. 3, corrected: every law, with the ellipse that all of them stay inside."""
-    figure, (left, right) = plt.subplots(1, 2, figsize=(9.6, 4.7), layout="constrained")
-    lens = left.inset_axes([0.06, 0.06, 0.52, 0.52])
-    for law, rows in data["curves"].groups("law").items():
-        for axes in (left, lens):
-            axes.plot(rows.column("x"), rows.column("y"), label=law, **law_style(law))
-        right.plot(rows.column("force"), rows.column("moment"), **law_style(law))
-    for axes in (left, lens):
-        axes.plot([math.cos(t) for t in QUARTER], [math.sin(t) for t in QUARTER], label="ellipse", **ELLIPSE)
-    for axes in (left, lens):
-        axes.set_aspect("equal", adjustable="box")
-    quadrant(left, "Normalised by each law's own limits", "force  $F/F_{fr}$", "moment  $M/M_{fr}$")
-    left.set(xlim=(0, 1.05), ylim=(0, 1.05))
-    lens.set(xlim=(0.61, 0.76), ylim=(0.61, 0.76), xticks=[], yticks=[])
-    for spine in lens.spines.values():
-        spine.set(visible=True, color=FAINT)
-    left.indicate_inset_zoom(lens, edgecolor=FAINT)
-    quadrant(right, "In units of friction × load × contact radius", "force  $F/(\\mu P)$", "moment  $M/(\\mu P a)$")
-    right.set(xlim=(0, 1.05), ylim=(0, 1.05 * max(data["curves"].column("moment"))))
-    legend_below(figure, left, 5)
-    return figure
-
-
-def load_curves(data):
-    """Paper, Fig. 4: p-curves (load fixed) and c-curves (COR fixed), with a constant and with a growing radius."""
-    radius_laws = list(data["p_curves"].groups("radius_law"))
-    figure, panels = plt.subplots(1, len(radius_laws), figsize=(9.6, 4.4), layout="constrained", sharex=True, sharey=True)
-    top_force, top_moment = 1.28 * max(data["p_curves"].column("force")), 1.12 * 1e3 * max(data["p_curves"].column("moment"))
-    for axes, radius_law in zip(panels, radius_laws):
-        for load, rows in data["p_curves"].where(radius_law=radius_law).groups("load").items():
-            axes.plot(rows.column("force"), rows.column("moment", 1e3), color=BLUE)
-            axes.annotate(f"{load:g} N", (0, max(rows.column("moment", 1e3))), (3, 3), textcoords="offset points", color=BLUE, fontsize=8,
-                          bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.6})
-        for cor, rows in data["c_curves"].where(radius_law=radius_law).groups("c").items():
-            force, moment = rows.column("force"), rows.column("moment", 1e3)
-            inside = [i for i in range(len(force)) if force[i] <= top_force * 0.85 and moment[i] <= top_moment * 0.94]
-            axes.plot(force[:inside[-1] + 1], moment[:inside[-1] + 1], color=ORANGE, linewidth=1.2)
-            if 0 < cor < math.inf:
-                end = (force[inside[-1]], moment[inside[-1]])
-                axes.annotate(f"c = {cor * 1e3:g} mm", end, (3, 1), textcoords="offset points", color="#a06a00", fontsize=8)
-        quadrant(axes, title_of_radius_law(radius_law), "friction force  F  [N]", "friction moment  M  [N mm]")
-        axes.set(xlim=(0, top_force), ylim=(0, top_moment))
-        axes.label_outer()
-    return figure
-
-
-def title_of_radius_law(text):
-    kind, _, parameters = text.partition(":")
-    values = dict(item.split("=") for item in parameters.split(","))
-    if kind == "constant":
-        return f"Contact radius constant: a = {float(values['a']) * 1e3:.3g} mm"
-    if kind == "power":
-        return f"Growing with the load: a = {float(values['c']) * 1e3:.3g} mm × $(P/\\mathrm{{N}})^{{{values['gamma']}}}$"
-    return f"Growing with the load: {text}"
-
-
-def ellipse_error(data):
-    """How much too strong the ellipse is, and how wrong the centre of rotation it implies."""
-    figure, (left, right) = plt.subplots(1, 2, figsize=(9.6, 3.9), layout="constrained")
-    groups = data["ellipse_error"].groups("law")
-    for law in sorted(groups, key=lambda name: -max(groups[name].column("over_estimate"))):
-        rows = groups[law]
-        degrees = rows.column("angle", 180 / math.pi)
-        left.plot(degrees, rows.column("over_estimate", 100), label=f"{law}", **law_style(law))
-        right.plot(degrees, rows.column("cor_ratio"), **law_style(law))
-    direction = "direction of the wrench, 0° force … 90° moment"
-    left.set(title="Capacity over-estimated by [%]", xlabel=direction, xlim=(0, 90), ylim=(0, None))
-    right.set(title="COR distance, ellipse / true", xlabel=direction, xlim=(0, 90), yscale="log")
-    right.axhline(1, color=INK, linewidth=0.8)
-    ratios = (0.6, 0.7, 0.8, 1, 1.2, 1.5, 1.8)
-    right.set_yticks(ratios, [f"{ratio:g}" for ratio in ratios])
-    right.minorticks_off()
-    for axes in (left, right):
-        axes.set_xticks(range(0, 91, 15))
-    figure.legend(*left.get_legend_handles_labels(), loc="center left", bbox_to_anchor=(1, 0.5), handlelength=3)
-    return figure
-
-
-# Model of validate.csv: what the legend says, marker and colour.
-MODELS = {
-    "quartic": ("quartic", "s", GREEN),
-    "superellipse": ("superellipse", "^", BLUE),
-    "ellipse-least-squares": ("ellipse, best fit", "o", FAINT),
-    "ellipse": ("ellipse through the limits", "o", INK),
-    "diamond": ("diamond", "D", ORANGE),
-    "box": ("box (uncoupled)", "X", VERMILION),
-}
-
-
-def models(data):
-    """Largest radial error of each approximation, law by law."""
-    laws = list(data["validate"].groups("law"))
-    figure, axes = plt.subplots(figsize=(9.6, 0.32 * len(laws) + 1.0), layout="constrained")
-    for model, (label, marker, colour) in MODELS.items():
-        rows = data["validate"].where(model=model)
-        axes.plot(rows.column("max_error", 100), [laws.index(row["law"]) for row in rows], marker, color=colour, label=label, markersize=6)
-    axes.set(title="Largest error of the capacity in any direction [%]", xscale="log", ylim=(len(laws) - 0.5, -0.5))
-    axes.set_yticks(range(len(laws)), laws)
-    ticks = (0.2, 0.5, 1, 2, 5, 10, 20, 50)
-    axes.set_xticks(ticks, [f"{tick:g}" for tick in ticks])
-    axes.minorticks_off()
-    legend_below(figure, axes, len(MODELS))
-    return figure
-
-
-def tables(data):
-    """What a look-up table costs in bytes at each tolerance, and that its error stays within it between the nodes."""
-    figure, (left, right) = plt.subplots(1, 2, figsize=(9.6, 3.9), layout="constrained", width_ratios=(1, 1.15))
-    for law, rows in data["tables"].groups("law").items():
-        left.plot(rows.column("tolerance"), rows.column("bytes"), marker="o", markersize=3, label=law, **law_style(law))
-    tolerances = data["tables"].column("tolerance")
-    left.set(title="Size of the table [bytes]", xscale="log", yscale="log", xlabel="tolerance in f and m")
-    left.set_xlim(max(tolerances) * 2, min(tolerances) / 2)
-    level_one = 32768
-    left.axhline(level_one, color=FAINT, linewidth=0.8, dashes=(2, 2))
-    left.annotate("a level-1 cache, 32 KiB", (max(tolerances) * 1.5, level_one), (0, 3), textcoords="offset points", fontsize=8,
-                  color=FAINT)
-    left.legend(loc="upper left", bbox_to_anchor=(0.0, 0.9), fontsize=7.5, handlelength=2.6, labelspacing=0.25)
-    tolerance = min(data["table_error"].column("tolerance"))
-    shown = data["table_error"].where(tolerance=tolerance)
-    for law, rows in shown.groups("law").items():
-        style = law_style(law)
-        right.plot(rows.column("spin_fraction"), rows.column("force_error", 1 / tolerance), linewidth=0.9, label=f"{law}, f", **style)
-        right.plot(rows.column("spin_fraction"), rows.column("moment_error", 1 / tolerance), linewidth=0.9, alpha=0.45, label=f"{law}, m",
-                   color=style["color"])
-    right.axhspan(-1, 1, color=GRID, alpha=0.5, zorder=0, linewidth=0)
-    right.set(title=f"Error of a table of {short(tolerance)}, in tolerances", xlim=(0, 1), ylim=(-1.45, 1.45),
-              xlabel="spin fraction u of the slip:  0 slides, ½ turns about the rim, 1 spins")
-    right.legend(loc="upper center", ncols=4, fontsize=7.5, handlelength=1.8, columnspacing=1.2)
-    return figure
-
+from chart_style import BLUE, FAINT, INK, VERMILION, legend_below, plt, quadrant
 
 def repositionings(rows, run):
     """Per step the trial point [r, rho] before, and the point after repositioning (m, rad), recomputed from the log."""
@@ -386,32 +243,6 @@ def pivot_map(data):
     return figure
 
 
-RESIDUALS_SHOWN = 6
-
-
-def fits(data):
-    """A limit curve fitted to measured slips, per newton of load, with its 95 % band; and what the fit leaves over."""
-    figure, (left, right) = plt.subplots(1, 2, figsize=(9.6, 4.1), layout="constrained")
-    samples, band = data["fit_residuals"], data["fit_band"]
-    gamma = data["fits"].where(data="slips", parameter="gamma")[0]["value"]
-    left.plot([row["force"] / row["load"] for row in samples], [1e3 * row["moment"] / row["load"] ** (1 + gamma) for row in samples], ".",
-              color=FAINT, markersize=2.5, alpha=0.6, label="a slip, scaled to 1 N")
-    left.fill(band.column("inner_force") + band.column("outer_force")[::-1],
-              band.column("inner_moment", 1e3) + band.column("outer_moment", 1e3)[::-1], color=BLUE, alpha=0.3, linewidth=0,
-              label="its 95 % band")
-    left.plot(band.column("force"), band.column("moment", 1e3), color=BLUE, label="fitted limit curve")
-    quadrant(left, "Slips and the limit curve fitted to them", "force  $F/P$", f"moment  $M/P^{{{1 + gamma:.3f}}}$  [N mm]")
-    left.set(xlim=(0, 1.2 * max(band.column("force"))), ylim=(0, 1.25e3 * max(band.column("moment"))))
-    left.legend(loc="lower left", markerscale=3, handlelength=2)
-
-    near = [row for row in samples if abs(row["residual"]) <= RESIDUALS_SHOWN]
-    right.axhspan(-1.96, 1.96, color=GRID, alpha=0.5, zorder=0, linewidth=0)
-    right.plot([row["load"] for row in near], [row["residual"] for row in near], ".", color=BLUE, markersize=3, alpha=0.5)
-    right.set(title=f"Residuals in standard deviations ({len(samples) - len(near)} of {len(samples)} beyond ±{RESIDUALS_SHOWN})",
-              xlabel="load  [N]", ylim=(-RESIDUALS_SHOWN, RESIDUALS_SHOWN))
-    return figure
-
-
 TWIST_LOOKS = {
     ("table", "closest-point"): ("exact curve, closest point", {"color": BLUE, "linewidth": 2.2}),
     ("table", "radial"): ("exact curve, radial", {"color": VERMILION}),
@@ -451,19 +282,3 @@ def steady_twist(data):
     quadrant(right, "Where the wrench settles", "force  $F/F_{fr}$", "moment  $M/M_{fr}$")
     right.set(xlim=(0, 1.32), ylim=(0, 1.1), aspect="equal")
     return figure
-
-
-FIGURES = {
-    "limit_curves": limit_curves,
-    "load_curves": load_curves,
-    "ellipse_error": ellipse_error,
-    "models": models,
-    "tables": tables,
-    "god_object": god_object,
-    "repositioning": repositioning,
-    "felt": felt,
-    "steady_twist": steady_twist,
-    "pivot": pivot,
-    "pivot_map": pivot_map,
-    "fits": fits,
-}
