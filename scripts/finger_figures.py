@@ -232,7 +232,8 @@ def pivot_map(data):
     for axes, (case, title) in zip(panels, CASES.items()):
         angles = {(row["offset"], row["rate"]): math.degrees(row["angle"]) for row in rows.where(case=case)}
         grid = [[angles[offset, rate] for offset in offsets] for rate in rates]
-        picture = axes.pcolormesh([1e3 * offset for offset in offsets], rates, grid, vmin=0, vmax=90, cmap="cividis", shading="nearest")
+        picture = axes.pcolormesh([1e3 * offset for offset in offsets], rates, grid, vmin=0, vmax=90, cmap="cividis", shading="nearest",
+                                  edgecolors="face")
         axes.set(title=title, yscale="log", xlabel="offset of the centre of mass  [mm]")
         axes.grid(False)
         axes.set_yticks(rates, [f"{rate:g}" for rate in rates])
