@@ -41,9 +41,12 @@ class Eval final : public Subcommand {
   void run(const Results& results) override {
     const Method method = methods.at(method_);
     if (!law_->allows(method)) throw std::invalid_argument(unsupported(method));
-    Rows rows(results, {"c", "force", "moment", "force_error", "moment_error"});
     const double force_unit = friction_ * load_;
     const double moment_unit = force_unit * radius_;
+    if (!std::isfinite(force_unit) || !std::isfinite(moment_unit)) {
+      throw std::invalid_argument("--mu, --load, --radius: their product is too large, expected a finite number");
+    }
+    Rows rows(results, {"c", "force", "moment", "force_error", "moment_error"});
     // Half an ulp for each of the roundings of the scaling, and what that of s = c/a does to the curve.
     constexpr double rounding = 0.5 * std::numeric_limits<double>::epsilon();
     for (const double c : distances_) {

@@ -77,6 +77,7 @@ class Numbers(CommandLineTest):
             for value in ["-1", "nan", "-nan", "inf", "", "1x", "one"]:
                 self.assert_fails(2, [option, "expected"], *EVAL, option, value)
         self.assert_fails(2, "--radius", *EVAL, "--radius", "0")
+        self.assert_fails(2, "too large", *EVAL, "--load", "1e308", "--mu", "100")
 
     def test_loads_and_centres(self):
         curves = ["--law", "hertz", "--radius-law", "constant:a=0.005", "--mu", "0.5"]
