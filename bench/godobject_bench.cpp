@@ -125,6 +125,28 @@ void steps_of_many(benchmark::State& state, const Boundary& boundary, Projection
                                                    benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
 
+/// One call for many contacts; every one slips.
+template <class Boundary, class Projection>
+void step_of_batch(benchmark::State& state, const Boundary& boundary, Projection projection) {
+  const auto contacts = static_cast<std::size_t>(state.range(0));
+  const Friction<Boundary, Projection> friction(boundary, parameters(), projection);
+  std::vector<double> x(contacts), y(contacts), angle(contacts), depth(contacts, 0.002), proxy_x(contacts), proxy_y(contacts),
+      proxy_angle(contacts), start(contacts, -1.0), trend(contacts), force_x(contacts), force_y(contacts), moment(contacts);
+  const ContactBatch batch{x, y, angle, depth, proxy_x, proxy_y, proxy_angle, start, trend, force_x, force_y, moment};
+  for (auto _ : state) {
+    // Moving the fingers is in the time, some 0.5 ns a contact.
+    for (std::size_t i = 0; i < contacts; ++i) {
+      x[i] += 1e-4;
+      angle[i] += 0.02 + 1e-6 * static_cast<double>(i % 64);
+    }
+    step(friction, batch);
+    benchmark::DoNotOptimize(moment.data());
+    benchmark::ClobberMemory();
+  }
+  state.counters["ns_a_contact"] = benchmark::Counter(static_cast<double>(state.iterations()) * static_cast<double>(contacts) * 1e-9,
+                                                      benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+}
+
 template <class Boundary>
 void all_projections(const std::string& name, const Boundary& boundary) {
   static const std::vector<std::pair<std::string, std::vector<Sample>>> motions{{"slow", slow()}, {"wild", wild()}, {"held", held()}};
@@ -137,6 +159,19 @@ void all_projections(const std::string& name, const Boundary& boundary) {
       benchmark::RegisterBenchmark(("many/" + name + "/" + rule + "/" + motion).c_str(),
                                    [=, &samples_of](benchmark::State& state) { steps_of_many(state, boundary, projection, samples_of); });
     };
+    if (&samples == &motions.front().second) {
+      const auto add_batch = [&](const std::string& rule, auto projection) {
+        benchmark::RegisterBenchmark(("batch/" + name + "/" + rule).c_str(),
+                                     [=](benchmark::State& state) { step_of_batch(state, boundary, projection); })
+            ->Arg(1)
+            ->Arg(4)
+            ->Arg(64)
+            ->Arg(1024)
+            ->Arg(65536);
+      };
+      add_batch("radial", Radial{});
+      add_batch("closest-point", ClosestPoint{});
+    }
     add_many("radial", Radial{});
     add_many("closest-point", ClosestPoint{});
     add("radial", Radial{}, false);

@@ -11,6 +11,12 @@
 
 namespace limitcurve::godobject {
 
+/// Where the last slips point to: the centre of rotation seldom jumps.
+inline double ahead_of(double start, double trend) noexcept {
+  const bool small = std::fabs(trend) <= 0.1 * std::min(start, 1.0 - start);
+  return small ? start + trend : start;
+}
+
 /// Steps b and c of the paper (eqs. 8, 19–23) for one contact, in its own two coordinates: how far the proxy is from the
 /// finger along the surface, r, and about the normal, ρ. Immutable: one may serve any number of fingers and threads.
 ///
@@ -47,6 +53,8 @@ class Friction {
 
   [[nodiscard]] const Boundary& boundary() const noexcept { return boundary_; }
   [[nodiscard]] const ContactLaw& law() const noexcept { return law_; }
+  [[nodiscard]] double per_force_max() const noexcept { return per_force_max_; }    ///< one over the curve's force intercept
+  [[nodiscard]] double per_moment_max() const noexcept { return per_moment_max_; }  ///< one over its moment intercept
 
   /// The contact under load P [N] > 0 with the proxy r [m] ≥ 0 and ρ [rad] ≥ 0 away, all finite. `start` is the last result's
   /// `spin_fraction`, which also tells whether the contact slips already.

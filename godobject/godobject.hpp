@@ -2,6 +2,7 @@
 #pragma once
 
 /// The soft-finger god-object: everything of this module. The mathematics, symbols and caveats are in godobject/README.md.
+#include "godobject/batch.hpp"                     // IWYU pragma: export
 #include "godobject/c_curve_projection.hpp"        // IWYU pragma: export
 #include "godobject/choice.hpp"                    // IWYU pragma: export
 #include "godobject/closest_point_projection.hpp"  // IWYU pragma: export

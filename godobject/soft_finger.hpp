@@ -225,7 +225,7 @@ class SoftFinger {
     }
     const double r = pull.norm();
     const double rho = std::fabs(turn);
-    const auto result = friction_.resolve(r, rho, output.load, search_start(state), springs);
+    const auto result = friction_.resolve(r, rho, output.load, ahead_of(state.start, state.trend), springs);
     if (!result.slips) {
       if (result.twist == rho) return stick(state, pull, turn, springs);
       // No torsional friction: the proxy turns with the finger.
@@ -274,13 +274,6 @@ class SoftFinger {
     }
     state.trend = start > 0.0 && state.start > 0.0 ? start - state.start : 0.0;
     state.start = start;
-  }
-
-  /// Where the last slips point to: the centre of rotation seldom jumps.
-  static double search_start(const FingerState& state) noexcept {
-    const double ahead = state.start + state.trend;
-    const bool small = std::fabs(state.trend) <= 0.1 * std::min(state.start, 1.0 - state.start);
-    return small ? ahead : state.start;
   }
 
   Friction<Boundary, Projection> friction_;

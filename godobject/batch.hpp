@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "godobject/friction.hpp"
+#include "godobject/radial_projection.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+
+namespace limitcurve::godobject {
+
+/// Many contacts at once, as a structure of arrays of one length, each contact in its own tangent plane: where the finger
+/// is, and how deep (in), where the proxy is (in and out), and what the user feels (out). The arrays must not overlap.
+struct ContactBatch {
+  std::span<const double> x;  ///< x_g [m]
+  std::span<const double> y;
+  std::span<const double> angle;  ///< α_g [rad], unwrapped
+  std::span<const double> depth;  ///< d [m]; ≤ 0 (or NaN): free, the proxy goes with the finger
+  std::span<double> proxy_x;      ///< x_p [m]
+  std::span<double> proxy_y;
+  std::span<double> proxy_angle;  ///< α_p [rad]
+  std::span<double> start;        ///< memory: −2 free (so to begin with), −1 sticks, ≥ 0 slips and where to search from
+  std::span<double> trend;        ///< memory: how far that has moved; 0 to begin with
+  std::span<double> force_x;      ///< friction on the user [N]
+  std::span<double> force_y;
+  std::span<double> moment;  ///< [N m]
+
+  /// The length of the shortest: no more contacts are stepped.
+  [[nodiscard]] std::size_t size() const noexcept {
+    return std::min({x.size(), y.size(), angle.size(), depth.size(), proxy_x.size(), proxy_y.size(), proxy_angle.size(), start.size(),
+                     trend.size(), force_x.size(), force_y.size(), moment.size()});
+  }
+};
+
+namespace detail {
+
+/// What the vectorised loop needs to know of a finger.
+struct EllipticStep {
+  double stiffness;
+  double twist_stiffness;
+  double mu;
+  double radius;
+  double per_force_max;
+  double per_moment_max;
+};
+
+/// Ellipse and radial projection with one limit and a constant radius: a loop without branches. Bit for bit the single step.
+void step_elliptic(const EllipticStep& law, std::size_t count, const double* x, const double* y, const double* angle, const double* depth,
+                   double* proxy_x, double* proxy_y, double* proxy_angle, double* start, double* force_x, double* force_y,
+                   double* moment) noexcept;
+
+}  // namespace detail
+
+/// Steps b and c for a batch: the same results as `SoftFinger` on a plane gives, bit for bit. Allocates nothing; threads
+/// are the caller's, who may give each a part of the arrays.
+template <LimitBoundary Boundary, class Projection>
+void step(const Friction<Boundary, Projection>& friction, const ContactBatch& batch) noexcept {
+  const ContactLaw& law = friction.law();
+  const std::size_t count = batch.size();
+  const double k = law.stiffness();
+  const double k_twist = law.twist_stiffness();
+  if constexpr (Friction<Boundary, Projection>::shrinks) {
+    if (law.radius_law() == nullptr && law.has_one_limit() && law.mu() * law.constant_radius() > 0.0) {
+      const detail::EllipticStep elliptic{k, k_twist, law.mu(), law.constant_radius(), friction.per_force_max(), friction.per_moment_max()};
+      detail::step_elliptic(elliptic, count, batch.x.data(), batch.y.data(), batch.angle.data(), batch.depth.data(), batch.proxy_x.data(),
+                            batch.proxy_y.data(), batch.proxy_angle.data(), batch.start.data(), batch.force_x.data(), batch.force_y.data(),
+                            batch.moment.data());
+      return;
+    }
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    double& proxy_x = batch.proxy_x[i];
+    double& proxy_y = batch.proxy_y[i];
+    double& proxy_angle = batch.proxy_angle[i];
+    if (!(batch.depth[i] > 0.0)) {
+      proxy_x = batch.x[i];
+      proxy_y = batch.y[i];
+      proxy_angle = batch.angle[i];
+      batch.start[i] = -2.0;
+      batch.trend[i] = 0.0;
+      batch.force_x[i] = batch.force_y[i] = batch.moment[i] = 0.0;
+      continue;
+    }
+    double& start = batch.start[i];
+    if (start < -1.0) {
+      proxy_x = batch.x[i];
+      proxy_y = batch.y[i];
+      proxy_angle = batch.angle[i];
+      start = -1.0;
+    }
+    const double pull_x = proxy_x - batch.x[i];
+    const double pull_y = proxy_y - batch.y[i];
+    const double turn = proxy_angle - batch.angle[i];
+    const double square = pull_x * pull_x + pull_y * pull_y;
+    if constexpr (Friction<Boundary, Projection>::shrinks) {
+      const auto [known, share] = friction.shrink(square, turn * turn, k * batch.depth[i], start >= 0.0, law.springs());
+      if (known) {
+        const double new_x = share == 1.0 ? proxy_x : batch.x[i] + pull_x * share;
+        const double new_y = share == 1.0 ? proxy_y : batch.y[i] + pull_y * share;
+        const double new_angle = share == 1.0 ? proxy_angle : batch.angle[i] + turn * share;
+        start = new_x != proxy_x || new_y != proxy_y || new_angle != proxy_angle ? 0.0 : -1.0;
+        batch.force_x[i] = pull_x * (k * share);
+        batch.force_y[i] = pull_y * (k * share);
+        batch.moment[i] = k_twist * share * turn;
+        proxy_x = new_x;
+        proxy_y = new_y;
+        proxy_angle = new_angle;
+        continue;
+      }
+    }
+    const double r = std::sqrt(square);
+    const double rho = std::fabs(turn);
+    const auto result = friction.resolve(r, rho, k * batch.depth[i], ahead_of(start, batch.trend[i]));
+    if (!result.slips) {
+      batch.force_x[i] = pull_x * k;
+      batch.force_y[i] = pull_y * k;
+      batch.moment[i] = result.twist == rho ? k_twist * turn : 0.0;
+      if (result.twist != rho) proxy_angle = batch.angle[i];
+      start = -1.0;
+      continue;
+    }
+    const double per_metre = r > 0.0 ? 1.0 / r : 0.0;
+    const double force = result.force * per_metre;
+    const double share = result.offset * per_metre;
+    const double new_x = result.offset != r ? batch.x[i] + pull_x * share : proxy_x;
+    const double new_y = result.offset != r ? batch.y[i] + pull_y * share : proxy_y;
+    const double new_angle = result.twist != rho ? batch.angle[i] + std::copysign(result.twist, turn) : proxy_angle;
+    const bool moves = new_x != proxy_x || new_y != proxy_y || new_angle != proxy_angle;
+    batch.force_x[i] = pull_x * force;
+    batch.force_y[i] = pull_y * force;
+    batch.moment[i] = std::copysign(result.moment, turn);
+    proxy_x = new_x;
+    proxy_y = new_y;
+    proxy_angle = new_angle;
+    const double next = moves ? result.spin_fraction : -1.0;
+    batch.trend[i] = next > 0.0 && start > 0.0 ? next - start : 0.0;
+    start = next;
+  }
+}
+
+}  // namespace limitcurve::godobject

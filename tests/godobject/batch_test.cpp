@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#include "godobject/batch.hpp"
+
+#include "tests/godobject/scene.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <vector>
+
+namespace limitcurve::godobject::test {
+namespace {
+
+/// The arrays of a batch of contacts.
+struct Arrays {
+  explicit Arrays(std::size_t count) {
+    for (auto& array : values) array.assign(count, 0.0);
+    values[7].assign(count, -2.0);
+  }
+  ContactBatch batch() {
+    return {values[0], values[1], values[2], values[3], values[4],  values[5],
+            values[6], values[7], values[8], values[9], values[10], values[11]};
+  }
+  std::array<std::vector<double>, 12> values;
+};
+
+// 1001 contacts (no multiple of a vector's length), some free, stepped together and one by one: the same bits.
+template <class Boundary, class Projection>
+void expect_the_same_bits(const Boundary& boundary, Projection projection, const FingerParameters& with, std::string_view name) {
+  constexpr std::size_t count = 1001;
+  const SoftFinger<Boundary, Projection> finger(boundary, with, projection);
+  std::vector<SoftFinger<Boundary, Projection>> fingers(count, finger);
+  Arrays arrays(count);
+  Random random(17);
+  auto& [x, y, angle, depth, proxy_x, proxy_y, proxy_angle, start, trend, force_x, force_y, moment] = arrays.values;
+  for (int round = 0; round < 30; ++round) {
+    for (std::size_t i = 0; i < count; ++i) {
+      const double stride = random.logarithmic(1e-7, 1e-2);
+      x[i] += random.uniform(-stride, stride);
+      y[i] += random.uniform(-stride, stride);
+      angle[i] += random.uniform(-1.0, 1.0) * random.logarithmic(1e-5, 1.0);
+      depth[i] = random.uniform(-0.0005, 0.003);
+    }
+    step(finger.friction(), arrays.batch());
+    for (std::size_t i = 0; i < count; ++i) {
+      const FingerOutput& output = fingers[i].update(on_plane(x[i], y[i], depth[i]), angle[i]);
+      ASSERT_EQ(force_x[i], output.force.x()) << name << ' ' << round << ' ' << i;
+      ASSERT_EQ(force_y[i], output.force.y()) << name;
+      ASSERT_EQ(moment[i], output.moment) << name;
+      ASSERT_EQ(proxy_x[i], output.proxy.x()) << name;
+      ASSERT_EQ(proxy_y[i], output.proxy.y()) << name;
+      ASSERT_EQ(proxy_angle[i], output.angle) << name;
+      ASSERT_EQ(start[i] >= 0.0, output.state == ContactState::slip) << name;
+    }
+  }
+}
+
+TEST(Batch, GivesTheBitsOfTheSingleStep) {
+  FingerParameters plain = parameters();
+  FingerParameters soft = parameters();
+  soft.radius_law = RadiusLaw::power(0.00207, 0.259);
+  soft.mu_dynamic = 0.5;
+  for (const FingerParameters& with : {plain, soft}) {
+    for (const ProjectionKind kind : {ProjectionKind::radial, ProjectionKind::closest_point}) {
+      visit_projection(kind, [&](auto projection) {
+        for_each_boundary(hertz(),
+                          [&](const auto& boundary, std::string_view name) { expect_the_same_bits(boundary, projection, with, name); });
+      });
+    }
+  }
+}
+
+TEST(Batch, StepsAsManyAsTheShortestArray) {
+  const SoftFinger finger(Ellipse::through_intercepts(0.5), parameters(), Radial{});
+  Arrays arrays(10);
+  for (double& x : arrays.values[0]) x = 0.01;
+  for (double& depth : arrays.values[3]) depth = 0.002;
+  arrays.values[9].resize(4);
+  step(finger.friction(), arrays.batch());
+  for (double& x : arrays.values[0]) x = 0.02;
+  step(finger.friction(), arrays.batch());
+  EXPECT_NEAR(arrays.values[4][3], 0.02 - 0.0012, 1e-12);
+  EXPECT_EQ(arrays.values[4][4], 0.0);
+}
+
+}  // namespace
+}  // namespace limitcurve::godobject::test
