@@ -309,6 +309,39 @@ TEST(SoftFinger, RandomStepsStayWithinTheCurveAndDissipate) {
   }
 }
 
+// Any bits at all as input: never a NaN, an inf, or a wrench that the load does not bear.
+TEST(SoftFinger, RandomBitsDoNoHarm) {
+  for (const ProjectionKind kind : {ProjectionKind::radial, ProjectionKind::c_curve, ProjectionKind::closest_point}) {
+    visit_projection(kind, [&](auto projection) {
+      for_each_boundary(uniform(), [&](const auto& boundary, std::string_view name) {
+        Random random(2);
+        FingerParameters with = parameters();
+        with.radius_law = RadiusLaw::hertz(0.008, 2e5);
+        with.damping = 1.0;
+        SoftFinger finger(boundary, with, projection);
+        const auto any = [&] { return std::bit_cast<double>(random.bits()); };
+        for (int i = 0; i < 5000; ++i) {
+          Contact contact = on_plane(any(), any(), any());
+          double twist = any();
+          // Bits alone are mostly absurd: three of four steps have only one of them.
+          if (i % 4 != 0) {
+            contact = on_plane(random.uniform(-0.01, 0.01), random.uniform(-0.01, 0.01), random.logarithmic(1e-12, 0.01));
+            twist = random.uniform(-3.0, 3.0);
+            if (i % 4 == 1) contact.point.x() = any();
+            if (i % 4 == 2) contact.depth = any();
+            if (i % 4 == 3) twist = any();
+          }
+          const FingerOutput& output = finger.update(contact, twist, i % 2 == 0 ? 1e-3 : any());
+          ASSERT_TRUE(output.proxy.allFinite() && output.force.allFinite()) << name << ' ' << to_string(kind) << ' ' << i;
+          ASSERT_TRUE(std::isfinite(output.angle) && std::isfinite(output.moment) && std::isfinite(output.load));
+          ASSERT_GE(output.slip_work, 0.0);
+          ASSERT_LE(output.force.norm(), with.mu * output.load * (1.0 + 2e-12) + 1e-300) << name;
+        }
+      });
+    });
+  }
+}
+
 TEST(SoftFinger, MarginIsTheShareThatIsLeft) {
   auto finger = hertz_finger();
   EXPECT_EQ(finger.margin(), 1.0);
