@@ -18,7 +18,10 @@ KeyValue angle_key(std::string_view key, double& value, const Range& range, bool
     const std::string_view unit = text.size() > 3 ? text.substr(text.size() - 3) : std::string_view{};
     const bool has_unit = unit == "deg" || unit == "rad";
     const double number = read_number(has_unit ? text.substr(0, text.size() - 3) : text, range);
-    value = unit == "deg" ? number * std::numbers::pi / 180.0 : number;
+    const double angle = unit == "deg" ? number * std::numbers::pi / 180.0 : number;
+    // So many degrees that the product is none, or out of the range in radians.
+    if (!range.contains(angle)) throw std::invalid_argument("got '" + std::string(text) + "', expected " + std::string(range.text));
+    value = angle;
   };
   return {key, take, required};
 }

@@ -32,7 +32,11 @@ Law parse_mixture(std::string_view text, std::string_view parts) {
   while (begin <= parts.size()) {
     // A plus that follows an exponent's e belongs to the number: 1e+3*hertz.
     std::size_t end = parts.find('+', begin);
-    while (end != std::string_view::npos && end > begin + 1 && parts[end - 1] == 'e' && parts[end - 2] >= '0' && parts[end - 2] <= '9') {
+    const auto in_exponent = [&] {
+      const bool after_e = end > begin + 1 && (parts[end - 1] == 'e' || parts[end - 1] == 'E');
+      return after_e && ((parts[end - 2] >= '0' && parts[end - 2] <= '9') || parts[end - 2] == '.');
+    };
+    while (end != std::string_view::npos && in_exponent()) {
       end = parts.find('+', end + 1);
     }
     const std::string_view part = parts.substr(begin, end == std::string_view::npos ? end : end - begin);

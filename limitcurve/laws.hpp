@@ -45,7 +45,7 @@ struct PressureSample {
 ///
 /// The error that `evaluate` returns includes the interpolation: a bound of the distance to the wrench that every
 /// other sample gives, which is above the error wherever the profile is resolved. Throws std::invalid_argument for fewer than 4 samples, radii
-/// that decrease or are negative, what is not finite, or no pressure at all. `source` names the data in `name()`.
+/// that decrease, are negative or nearer together than 1e-9 of the last (but not equal), what is not finite, or no pressure at all. `source` names the data in `name()`.
 Law samples(std::span<const PressureSample> profile, std::string_view source);
 
 /// Any pressure shape on 0 ≤ ρ ≤ breaks.back() (scaled to 1), analytic between the increasing `breaks` (from 0), finite,

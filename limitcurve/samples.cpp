@@ -208,6 +208,13 @@ Law samples(std::span<const PressureSample> profile, std::string_view source) {
     if (i > 0 && profile[i].radius < profile[i - 1].radius) throw refuse(i, "expected radii that do not decrease");
     if (i > 1 && profile[i].radius == profile[i - 2].radius) throw refuse(i, "expected at most two samples at one radius");
   }
+  // Nearer together, the cubics' coefficients leave the doubles.
+  const double least_gap = 1e-9 * profile.back().radius;
+  for (std::size_t i = 0; i < profile.size(); ++i) {
+    const double gap = profile[i].radius - (i > 0 ? profile[i - 1].radius : 0.0);
+    if (gap > 0.0 && gap < least_gap)
+      throw refuse(i, "expected it farther than 1e-9 of the last radius from the one before, or at the same");
+  }
   if (!(profile.back().radius > profile.front().radius)) throw refuse(profile.size() - 1, "expected a last radius > the first");
   if (profile[profile.size() - 2].radius == profile.back().radius)
     throw refuse(profile.size() - 1, "a jump at the last radius: leave it out");

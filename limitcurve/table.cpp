@@ -19,6 +19,11 @@ Table Table::build(const Law& law, double tolerance) {
 }
 
 Table::Table(Facts facts, TableSide inside, TableSide outside) : facts_(std::move(facts)), sides_{std::move(inside), std::move(outside)} {
+  // It is a line of every text of the table.
+  for (const char c : facts_.law_name) {
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
+      throw std::invalid_argument("the name of the table's law has a control character");
+  }
   TableSide::align(sides_[0], sides_[1]);
   const TableNode& from_inside = this->inside().nodes().back();
   const TableNode& from_outside = this->outside().nodes().back();

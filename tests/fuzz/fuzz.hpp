@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <limits>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+#include <sys/mman.h>
+#include <unistd.h>
+
+/// The body of a fuzz target, called by libFuzzer or by replay_seeds.cpp; each target defines it.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
+
+/// What the fuzz targets share.
+namespace limitcurve::fuzz {
+
+/// Ends the program, which is how libFuzzer learns of a finding, unless `holds`.
+inline void require(bool holds, std::string_view what) {
+  if (holds) return;
+  std::fprintf(stderr, "finding: %.*s\n", static_cast<int>(what.size()), what.data());
+  std::abort();
+}
+
+/// The complaint of `body` about its input; nothing if it had none. Any exception but std::invalid_argument is a finding,
+/// and so is a complaint that says nothing.
+template <class Body>
+std::optional<std::string> complaint_of(Body&& body) {
+  try {
+    body();
+  } catch (const std::invalid_argument& error) {
+    require(error.what()[0] != '\0', "an empty complaint");
+    return error.what();
+  }
+  return std::nullopt;
+}
+
+inline std::string_view as_text(const std::uint8_t* data, std::size_t size) {
+  return {reinterpret_cast<const char*>(data), size};
+}
+
+/// Same bits, or both NaN.
+inline bool same(double one, double other) {
+  return std::memcmp(&one, &other, sizeof one) == 0 || (one != one && other != other);
+}
+
+inline bool is_finite(double value) {
+  return value - value == 0.0;
+}
+
+/// Takes raw values off the front of an input.
+class Bytes {
+ public:
+  Bytes(const std::uint8_t* data, std::size_t size) : rest_(data, size) {}
+
+  [[nodiscard]] std::size_t left() const { return rest_.size(); }
+
+  /// The next bytes as a value of any bit pattern; zero bits when the input is spent.
+  template <class Value>
+  Value take() {
+    Value value{};
+    const std::size_t count = rest_.size() < sizeof value ? rest_.size() : sizeof value;
+    if (count > 0) std::memcpy(&value, rest_.data(), count);
+    rest_ = rest_.subspan(count);
+    return value;
+  }
+
+ private:
+  std::span<const std::uint8_t> rest_;
+};
+
+/// A file in memory whose contents can be replaced, for readers that open a file by its name.
+class MemoryFile {
+ public:
+  MemoryFile() : descriptor_(::memfd_create("fuzz", 0)), path_("/proc/self/fd/" + std::to_string(descriptor_)) {
+    require(descriptor_ >= 0, "no file in memory");
+  }
+  ~MemoryFile() { ::close(descriptor_); }
+  MemoryFile(const MemoryFile&) = delete;
+  MemoryFile& operator=(const MemoryFile&) = delete;
+
+  void replace(std::string_view text) {
+    const bool written =
+        ::ftruncate(descriptor_, 0) == 0 && ::pwrite(descriptor_, text.data(), text.size(), 0) == static_cast<ssize_t>(text.size());
+    require(written, "cannot write to the file in memory");
+  }
+  [[nodiscard]] const std::string& path() const { return path_; }
+
+ private:
+  int descriptor_;
+  std::string path_;
+};
+
+}  // namespace limitcurve::fuzz

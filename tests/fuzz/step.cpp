@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+#include "godobject/choice.hpp"
+#include "godobject/godobject.hpp"
+#include "limitcurve/laws.hpp"
+#include "tests/fuzz/fuzz.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace limitcurve;
+using namespace limitcurve::godobject;
+
+namespace {
+
+/// A double of the input's own bits, or one that a finger might have: |value| ≤ `usual`.
+double any_double(fuzz::Bytes& bytes, bool raw, double usual) {
+  if (raw) return bytes.take<double>();
+  return usual * static_cast<double>(bytes.take<std::int16_t>()) / 32768.0;
+}
+
+FingerParameters any_parameters(fuzz::Bytes& bytes) {
+  const auto choice = bytes.take<std::uint8_t>();
+  const auto raw = [&](unsigned bit) { return ((choice >> bit) & 1U) != 0; };
+  FingerParameters result;
+  result.mu = std::fabs(any_double(bytes, raw(0), 2.0));
+  if (raw(1)) result.mu_dynamic = result.mu * std::fabs(any_double(bytes, false, 1.0));
+  if (raw(2)) result.moment_coefficient = std::fabs(any_double(bytes, raw(0), 0.01));
+  if (raw(3)) result.radius_law = RadiusLaw::power(0.002, std::fabs(any_double(bytes, false, 1.0)));
+  result.stiffness = std::fabs(any_double(bytes, raw(4), 3000.0));
+  result.twist_stiffness = std::fabs(any_double(bytes, raw(5), 0.1));
+  if (raw(6)) {
+    result.damping = std::fabs(any_double(bytes, raw(5), 5.0));
+    result.twist_damping = std::fabs(any_double(bytes, raw(4), 1e-3));
+  }
+  if (raw(7)) {
+    result.jump_limit = std::fabs(any_double(bytes, raw(0), 0.1));
+    result.hold_share = std::fabs(any_double(bytes, raw(4), 1.0));
+  }
+  return result;
+}
+
+bool all_finite(const Eigen::Vector3d& vector) {
+  return fuzz::is_finite(vector.x()) && fuzz::is_finite(vector.y()) && fuzz::is_finite(vector.z());
+}
+
+bool same(const FingerOutput& one, const FingerOutput& other) {
+  return one.state == other.state && one.proxy == other.proxy && one.force == other.force && fuzz::same(one.angle, other.angle) &&
+         fuzz::same(one.depth, other.depth) && fuzz::same(one.load, other.load) && fuzz::same(one.moment, other.moment) &&
+         fuzz::same(one.cor, other.cor) && fuzz::same(one.slip_work, other.slip_work);
+}
+
+/// The gauge of what the user feels in the limit that may act: the static one unless it slips.
+template <class Finger>
+void require_within_limit(const Finger& finger) {
+  const FingerOutput& output = finger.output();
+  const ContactLaw& law = finger.friction().law();
+  const auto scale = output.state == ContactState::slip ? law.dynamic_scale(output.load) : law.static_scale(output.load);
+  const double moment_unit = scale.force * scale.radius;
+  const double force = output.force.norm();
+  const double moment = std::fabs(output.moment);
+  // So little friction is none.
+  constexpr double least = 1e-200;
+  constexpr double allowed = 1.0 + 1e-11;
+  if (scale.force <= least) {
+    fuzz::require(force <= least && moment <= least, "a wrench without friction");
+  } else if (moment_unit <= least) {
+    fuzz::require(force * finger.friction().per_force_max() <= scale.force * allowed, "a force above its limit");
+    fuzz::require(moment <= least, "a moment without torsional friction");
+  } else {
+    const UnitWrench wrench{force / scale.force, moment / moment_unit};
+    fuzz::require(fuzz::is_finite(wrench.force) && fuzz::is_finite(wrench.moment), "a wrench far outside the limit");
+    if (force > 0.0 || moment > 0.0) fuzz::require(finger.friction().boundary().gauge(wrench) <= allowed, "a wrench outside the limit");
+  }
+}
+
+template <class Finger>
+void require_sound(const Finger& finger, const FingerOutput& before, bool usable) {
+  const FingerOutput& output = finger.output();
+  if (!usable) fuzz::require(output.state == ContactState::invalid, "unusable input is used");
+  fuzz::require(all_finite(output.proxy) && all_finite(output.force), "proxy or force are not finite");
+  for (const double value : {output.angle, output.depth, output.load, output.moment, output.slip_work}) {
+    fuzz::require(fuzz::is_finite(value), "an output is not finite");
+  }
+  fuzz::require(output.load >= 0.0, "a load that pulls");
+  fuzz::require(output.slip_work >= 0.0, "slip work is negative");
+  if (output.state == ContactState::invalid) {
+    fuzz::require(output.proxy == before.proxy && output.angle == before.angle, "invalid input moves the proxy");
+    fuzz::require(
+        output.force.norm() <= before.force.norm() && std::fabs(output.moment) <= std::fabs(before.moment) && output.load <= before.load,
+        "invalid input adds friction");
+    return;
+  }
+  fuzz::require((output.cor >= 0.0) == (output.state == ContactState::slip), "a centre of rotation without slip, or the reverse");
+  if (output.state == ContactState::free) {
+    fuzz::require(output.force.isZero(0.0) && output.moment == 0.0 && output.load == 0.0, "friction in free space");
+  } else {
+    require_within_limit(finger);
+  }
+}
+
+template <class Boundary, class Projection>
+void run(fuzz::Bytes bytes, const Boundary& boundary, Projection projection) {
+  std::optional<SoftFinger<Boundary, Projection>> made;
+  if (fuzz::complaint_of([&] { made.emplace(boundary, any_parameters(bytes), projection); })) return;
+  auto& finger = *made;
+  while (bytes.left() > 0) {
+    const auto choice = bytes.take<std::uint8_t>();
+    const auto raw = [&](unsigned bit) { return ((choice >> bit) & 1U) != 0; };
+    Contact contact;
+    for (Eigen::Index i = 0; i < 2; ++i) contact.point[i] = any_double(bytes, raw(0), 0.02);
+    if (raw(1)) contact.point.z() = any_double(bytes, raw(0), 0.02);
+    contact.depth = any_double(bytes, raw(2), 0.004);
+    if (raw(3)) {
+      for (Eigen::Index i = 0; i < 3; ++i) contact.normal[i] = any_double(bytes, raw(4), 1.0);
+      // As handed over, or made a unit normal.
+      if (raw(5)) contact.normal.normalize();
+    }
+    const double twist = any_double(bytes, raw(6), 4.0);
+    const double time_step = raw(7) ? any_double(bytes, raw(6), 0.01) : 0.0;
+
+    const double squares = contact.point.squaredNorm() + contact.depth * contact.depth + twist * twist;
+    const bool usable = fuzz::is_finite(squares) && std::fabs(contact.normal.norm() - 1.0) <= 1e-5;
+    const FingerOutput before = finger.output();
+    const FingerOutput preview = finger.preview(contact, twist, time_step);
+    require_sound((finger.update(contact, twist, time_step), finger), before, usable);
+    fuzz::require(same(preview, finger.output()), "a preview shows another step");
+    const double margin = finger.margin();
+    fuzz::require(margin >= 0.0 && margin <= 1.0, "a margin outside 0 to 1");
+    fuzz::require(finger.load_to_hold() >= 0.0, "a load to hold that is none");
+  }
+}
+
+}  // namespace
+
+/// The step of the god-object, fed with any bits: finite output, wrench within the limit, slip work ≥ 0, no exception.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  static const Law law = hertz();
+  static const Table table = Table::build(law, 1e-6);
+  static const ExactCurve exact(law);
+  static const Ellipse ellipse = Ellipse::through_intercepts(law->moment_ratio());
+  static const auto square = box(1.0, law->moment_ratio());
+  fuzz::Bytes bytes(data, size);
+  switch (bytes.take<std::uint8_t>() % 6U) {
+    case 0:
+      run(bytes, table, ClosestPoint{});
+      break;
+    case 1:
+      run(bytes, table, CCurve{});
+      break;
+    case 2:
+      run(bytes, table, Radial{});
+      break;
+    case 3:
+      run(bytes, ellipse, Radial{});
+      break;
+    case 4:
+      run(bytes, square, ClosestPoint{});
+      break;
+    default:
+      run(bytes, exact, ClosestPoint{});
+      break;
+  }
+  return 0;
+}

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+#include "cli/table_reader.hpp"
+#include "tests/fuzz/accepted_table.hpp"
+
+using namespace limitcurve;
+
+/// Tables in JSON: a complaint, or a table that can be used.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  fuzz::read_despite_checksum(std::string(fuzz::as_text(data, size)),
+                              [](const std::string& text) { return cli::read_table_json(text, "source"); });
+  return 0;
+}

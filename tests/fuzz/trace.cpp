@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#include "cli/csv_reader.hpp"
+#include "godobject/replay.hpp"
+#include "limitcurve/number.hpp"
+#include "tests/fuzz/fuzz.hpp"
+
+#include <array>
+#include <vector>
+
+using namespace limitcurve;
+
+namespace {
+
+using Row = std::array<double, 5>;
+
+std::vector<Row> read(const std::string& file) {
+  std::vector<Row> rows;
+  cli::CsvReader reader(file, {"time", "x", "y", "z"}, {"twist"});
+  while (reader.next()) {
+    Row row{};
+    for (std::size_t column = 0; column < row.size(); ++column) {
+      if (reader.has(column)) row[column] = reader.number(column, cli::finite);
+    }
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+}  // namespace
+
+/// A trace: rows of finite numbers, or a complaint that names the place; what was read comes back when it is written
+/// again; and the god-object replays it in finite numbers.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  static fuzz::MemoryFile file;
+  file.replace(fuzz::as_text(data, size));
+  std::vector<Row> rows;
+  if (const auto complaint = fuzz::complaint_of([&] { rows = read(file.path()); })) {
+    fuzz::require(complaint->substr(0, file.path().size() + 1) == file.path() + ":", "a complaint that does not name the place");
+    return 0;
+  }
+  fuzz::require(!rows.empty(), "a file of no rows is accepted");
+
+  std::string written = "twist,z,y,x,time\n";
+  for (const Row& row : rows) {
+    for (std::size_t column = row.size(); column-- > 0;) written += format_number(row[column]) + (column > 0 ? "," : "\r\n");
+  }
+  file.replace(written);
+  fuzz::require(read(file.path()) == rows, "rows do not come back");
+
+  static const godobject::ReplayOptions options = [] {
+    godobject::ReplayOptions result;
+    result.law = hertz();
+    result.stiffness = 1000.0;
+    result.twist_stiffness = 0.04;
+    result.boundary = godobject::BoundaryKind::ellipse;
+    return result;
+  }();
+  godobject::Replay replay(options);
+  for (const auto& [time, x, y, z, twist] : rows) {
+    const godobject::ReplayRow row = replay.step({time, x, y, z, twist});
+    for (const double value : {row.px, row.py, row.angle, row.depth, row.load, row.fx, row.fy, row.moment}) {
+      fuzz::require(fuzz::is_finite(value), "the replay of finite numbers is not finite");
+    }
+    fuzz::require((row.cor >= 0.0) == (row.state == godobject::ContactState::slip), "a centre of rotation without slip, or the reverse");
+  }
+  return 0;
+}
