@@ -51,8 +51,6 @@ class SoftFinger {
   static constexpr double farthest = 1e6;
   /// Dampers do not act in steps shorter than this [s].
   static constexpr double shortest_time_step = 1e-9;
-  /// A shorter time step [s] is taken for one of this: damping over less would leave the doubles.
-  static constexpr double shortest = 1e-9;
 
   /// Throws std::invalid_argument naming parameter, value, unit and range.
   SoftFinger(Boundary boundary, const FingerParameters& parameters, Projection projection = {})
@@ -190,7 +188,6 @@ class SoftFinger {
     offset -= contact.normal * contact.normal.dot(offset);
     const double lag = output.angle - goal_angle;
     if (time_step >= shortest_time_step && (law.damping() > 0.0 || law.twist_damping() > 0.0)) {
-      time_step = std::max(time_step, shortest);
       output.load = std::max(output.load + law.damping() / time_step * (contact.depth - last_depth), 0.0);
       return rub_damped(state, contact, offset, lag, time_step);
     }
