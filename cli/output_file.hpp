@@ -30,9 +30,9 @@ class OutputFile {
   std::string buffer_;
 };
 
-/// A file that appears under its name whole or not at all: written under a temporary name in the same directory, then
-/// renamed by `commit`. Destroyed without commit, it leaves nothing behind. Failures throw std::runtime_error that names
-/// file and cause.
+/// A file that appears under its name whole or not at all: written without a name (where the file system cannot, under a
+/// hidden one) in the same directory, then named by `commit`. Destroyed without commit, it leaves nothing behind. Failures
+/// throw std::runtime_error that names file and cause.
 class AtomicFile {
  public:
   explicit AtomicFile(std::filesystem::path path);
@@ -48,6 +48,7 @@ class AtomicFile {
  private:
   std::filesystem::path path_;
   std::filesystem::path temporary_;
+  bool named_ = false;  ///< whether `temporary_` exists
   int descriptor_;
   OutputFile output_;
 };
