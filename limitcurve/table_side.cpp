@@ -52,6 +52,11 @@ bool is_convex(const TableNode& left, const TableNode& right) noexcept {
   // The nodes' values are right to a few units of 1e-15, and so are the second derivatives here (differences of them);
   // the first derivatives multiply that.
   constexpr double node_error = 2e-14;
+  // Slopes far too steep for their chord turn by a whole round more, to the same side all the way: the primary then falls.
+  const double rising = std::min(a, a + b + c);
+  const double middle = -b / (2.0 * c);
+  const double slowest = middle > 0.0 && middle < 1.0 ? std::min(rising, a + 0.5 * b * middle) : rising;
+  if (slowest < -node_error * (std::fabs(a) + std::fabs(b) + std::fabs(c))) return false;
   return least >= -node_error * (std::fabs(a) + std::fabs(b) + std::fabs(A) + std::fabs(B));
 }
 

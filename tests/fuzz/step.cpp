@@ -56,7 +56,8 @@ void require_within_limit(const Finger& finger) {
   const ContactLaw& law = finger.friction().law();
   const auto scale = output.state == ContactState::slip ? law.dynamic_scale(output.load) : law.static_scale(output.load);
   const double moment_unit = scale.force * scale.radius;
-  const double force = output.force.norm();
+  // Squares of so little would be lost.
+  const double force = output.force.stableNorm();
   const double moment = std::fabs(output.moment);
   // So little friction is none.
   constexpr double least = 1e-200;
