@@ -56,8 +56,9 @@ void require_within_limit(const Finger& finger) {
   const ContactLaw& law = finger.friction().law();
   const auto scale = output.state == ContactState::slip ? law.dynamic_scale(output.load) : law.static_scale(output.load);
   const double moment_unit = scale.force * scale.radius;
-  // Squares of so little would be lost.
-  const double force = output.force.stableNorm();
+  // The step compares squares: what vanishes when squared counts as none.
+  const double norm = output.force.norm();
+  const double force = norm > 1e-150 ? norm : 0.0;
   const double moment = std::fabs(output.moment);
   // So little friction is none.
   constexpr double least = 1e-200;
