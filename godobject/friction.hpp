@@ -139,8 +139,8 @@ class Friction {
 
   [[nodiscard]] static Limits make_limits(ContactLaw::Scale scale) noexcept {
     const double moment_unit = scale.force * scale.radius;
-    // So near zero a quotient by the unit may overflow: the limit of no friction.
-    constexpr double least = 1e-200;
+    // So near zero the unit's square vanishes, and a quotient by it may overflow: the limit of no friction.
+    constexpr double least = 1e-150;
     return {scale.force, moment_unit, scale.radius, scale.force > least, scale.force > least && moment_unit > least};
   }
 

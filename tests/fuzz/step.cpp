@@ -61,7 +61,7 @@ void require_within_limit(const Finger& finger) {
   const double force = norm > 1e-150 ? norm : 0.0;
   const double moment = std::fabs(output.moment);
   // So little friction is none.
-  constexpr double least = 1e-200;
+  constexpr double least = 1e-150;
   constexpr double allowed = 1.0 + 1e-11;
   if (scale.force <= least) {
     fuzz::require(force <= least && moment <= least, "a wrench without friction");
