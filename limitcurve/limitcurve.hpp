@@ -12,6 +12,7 @@
 ///   Table::build(law, 1e-6)                                     … or the exact one as a table, and its files (table_file.hpp)
 ///   p_curve(curve, RadiusLaw::hertz(0.008, 2e5), mu, load, 64)  limit curves in newtons
 
+#include "limitcurve/accuracy.hpp"
 #include "limitcurve/boundary_error.hpp"
 #include "limitcurve/choose.hpp"
 #include "limitcurve/ellipse.hpp"

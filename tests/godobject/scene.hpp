@@ -5,6 +5,8 @@
 
 #include <Eigen/Core>
 
+#include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <random>
@@ -48,6 +50,20 @@ void for_each_boundary(const Law& law, Body&& body) {
     visit_boundary(kind, law, 1e-8, [&](const auto& boundary) { body(boundary, to_string(kind)); });
   }
   body(diamond(1.0, law->moment_ratio()), std::string_view("diamond"));
+}
+
+inline bool same_bits(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  return std::bit_cast<std::array<double, 3>>(std::array{a.x(), a.y(), a.z()}) == std::array{b.x(), b.y(), b.z()};
+}
+
+/// A finger of the Hertz law, on the ellipse or the exact curve.
+template <class Boundary = Ellipse, class Projection = ClosestPoint>
+SoftFinger<Boundary, Projection> hertz_finger(FingerParameters with = parameters()) {
+  if constexpr (std::is_same_v<Boundary, Ellipse>) {
+    return {Ellipse::through_intercepts(hertz()->moment_ratio()), with};
+  } else {
+    return {ExactCurve(hertz()), with};
+  }
 }
 
 }  // namespace limitcurve::godobject::test

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "limitcurve/accuracy.hpp"
 #include "tests/godobject/scene.hpp"
 
 #include <gtest/gtest.h>
@@ -66,8 +67,8 @@ TEST(SteadyTwist, ClosestPointOnATableSettlesAtEquation17) {
     for (const double s : {1e-3, 0.3, 1.0, 4.0, 1e3}) {
       const UnitWrench expected = curve.wrench(SlipTwist::about_cor(s));
       const UnitWrench found = settled(table, ClosestPoint{}, s, kappa);
-      EXPECT_NEAR(found.force, expected.force, 1e-7) << "kappa " << kappa << " s " << s;
-      EXPECT_NEAR(found.moment, expected.moment, 1e-7) << "kappa " << kappa << " s " << s;
+      EXPECT_NEAR(found.force, expected.force, accuracy::steady_wrench) << "kappa " << kappa << " s " << s;
+      EXPECT_NEAR(found.moment, expected.moment, accuracy::steady_wrench) << "kappa " << kappa << " s " << s;
     }
   }
 }

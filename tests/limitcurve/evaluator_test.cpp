@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The evaluators of eq. (17) against values that mpmath made, law by law.
+#include "limitcurve/accuracy.hpp"
 #include "limitcurve/closed_form.hpp"
 #include "limitcurve/exact_curve.hpp"
 #include "limitcurve/laws.hpp"
@@ -42,8 +43,7 @@ class Reference : public testing::TestWithParam<std::string> {
 };
 
 TEST_P(Reference, EvaluateIsRightInRelativeTerms) {
-  // Promised by PressureLaw::evaluate.
-  const long double bound = law_->allows(Method::closed) ? 1e-15L : 1e-14L;
+  const long double bound = law_->allows(Method::closed) ? accuracy::evaluate_closed : accuracy::evaluate_by_quadrature;
   each_row([&](const ReferenceRow& row) {
     const WrenchEstimate estimate = law_->evaluate(row.s);
     EXPECT_LE(relative_error(estimate.wrench.force, row.force), bound) << "s = " << row.s;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "reference.hpp"
 
+#include "limitcurve/accuracy.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -61,10 +63,10 @@ std::vector<std::string> reference_laws() {
 LoopBounds loop_bounds(const PressureLaw& law, double s) {
   const std::string name = law.name();
   const bool elementary = name == "hertz" || name == "uniform" || name == "parabolic" || name == "flat-punch" || name == "cone";
-  if (elementary || name.starts_with("gaussian:")) return {1e-14, 1e-13};
+  if (elementary || name.starts_with("gaussian:")) return {accuracy::forces_closed, 1e-13};
   // A pressure steeper than rim^(−½) gives the slope a cusp at the rim, where one rounding of s moves it that much.
-  if (law.rim_exponent() < -0.5L && std::fabs(s - 1.0) < 1e-6) return {1e-13, 1e-2};
-  return {1e-13, 1e-12};
+  if (law.rim_exponent() < -0.5L && std::fabs(s - 1.0) < 1e-6) return {accuracy::forces_by_quadrature, 1e-2};
+  return {accuracy::forces_by_quadrature, 1e-12};
 }
 
 long double relative_error(double value, long double exact) {
