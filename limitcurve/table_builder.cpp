@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 
@@ -44,13 +45,9 @@ class SideBuilder {
   static constexpr int most_attempts = 40;
   static constexpr std::size_t few_cells = 12;
   static constexpr int settling_attempts = 6;
+  static constexpr int few_points = 3;
   /// No stretch narrower than this: below it the curve's last digits are noise.
   static constexpr int deepest = 44;
-
-  struct CellReport {
-    double error;
-    bool convex;
-  };
 
   /// What is left of the tolerance for interpolation.
   [[nodiscard]] double target() const { return 0.9 * tolerance_ / (1.0 + certificate_margin); }
@@ -116,22 +113,30 @@ class SideBuilder {
   /// anew from what was found, so that a next call lays them better.
   [[nodiscard]] std::optional<CertifiedSide> certify(std::size_t cells) {
     std::vector<TableNode> nodes = lay_nodes(cells);
-    std::vector<Stretch> found;
-    double worst = 0.0;
-    bool convex = true;
-    for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
-      const CellReport report = examine(nodes[i], nodes[i + 1]);
-      worst = std::max(worst, report.error);
-      convex = convex && report.convex;
-      const double width = nodes[i + 1].coordinate - nodes[i].coordinate;
-      // A cell that is not convex is too wide whatever its error.
-      const double wanted = std::max(std::pow(report.error / target(), 0.25), report.convex ? 0.0 : 1.5);
-      found.push_back({nodes[i].coordinate, nodes[i + 1].coordinate, wanted / width});
+    // Most failures show at a few places a cell; the certificate's many are for what passes those.
+    for (const int points : {few_points, certificate_points}) {
+      const double worst = survey(nodes, points) * (1.0 + certificate_margin);
+      if (worst > tolerance_) return std::nullopt;
+      if (points == certificate_points) return CertifiedSide{TableSide(std::move(nodes)), worst};
     }
-    stretches_ = std::move(found);
-    worst *= 1.0 + certificate_margin;
-    if (worst > tolerance_ || !convex) return std::nullopt;
-    return CertifiedSide{TableSide(std::move(nodes)), worst};
+    return std::nullopt;
+  }
+
+  /// The largest error found at so many places a cell, infinite where a cell is not convex; learns the density from them.
+  [[nodiscard]] double survey(const std::vector<TableNode>& nodes, int points) {
+    stretches_.clear();
+    double worst = 0.0;
+    for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
+      const TableNode& left = nodes[i];
+      const TableNode& right = nodes[i + 1];
+      const double error = largest_error(left, right, points);
+      const bool convex = is_convex(left, right);
+      worst = std::max(worst, convex ? error : std::numeric_limits<double>::infinity());
+      // A cell that is not convex is too wide whatever its error.
+      const double wanted = std::max(std::pow(error / target(), 0.25), convex ? 0.0 : 1.5);
+      stretches_.push_back({left.coordinate, right.coordinate, wanted / (right.coordinate - left.coordinate)});
+    }
+    return worst;
   }
 
   /// Lays nodes so that each of `cells` holds the same integral of the density.
@@ -155,14 +160,14 @@ class SideBuilder {
   /// Cells that a stretch asks for. Never none, or the laying could not pass it.
   static double demand(const Stretch& stretch) { return std::max(stretch.density * (stretch.right - stretch.left), 1e-3); }
 
-  [[nodiscard]] CellReport examine(const TableNode& left, const TableNode& right) const {
+  [[nodiscard]] double largest_error(const TableNode& left, const TableNode& right, int points) const {
     double error = 0.0;
-    for (int i = 1; i <= certificate_points; ++i) error = std::max(error, error_at(left, right, i / (certificate_points + 1.0)));
+    for (int i = 1; i <= points; ++i) error = std::max(error, error_at(left, right, i / (points + 1.0)));
     if (right.coordinate == 1.0) {
       // The singularity of the rim pulls the largest error towards it.
       for (double from_rim = 0.5; from_rim > 1e-6; from_rim *= 0.75) error = std::max(error, error_at(left, right, 1.0 - from_rim));
     }
-    return {error, is_convex(left, right)};
+    return error;
   }
 
   const PressureLaw& law_;
