@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "limitcurve/intercepts.hpp"
 #include "limitcurve/limit_boundary.hpp"
-#include "limitcurve/number.hpp"
 
 #include <cmath>
 
@@ -14,8 +14,7 @@ class Ellipse {
  public:
   /// Semi-axes in unit wrenches, both > 0 and finite; throws std::invalid_argument otherwise.
   Ellipse(double force_max, double moment_max) : force_max_(force_max), moment_max_(moment_max) {
-    if (!(force_max > 0.0) || std::isinf(force_max)) throw out_of_range("force_max", force_max, "1", "> 0 and finite");
-    if (!(moment_max > 0.0) || std::isinf(moment_max)) throw out_of_range("moment_max", moment_max, "1", "> 0 and finite");
+    check_intercepts(force_max, moment_max);
   }
 
   /// The paper's ellipse: through (1, 0) and (0, m₀).

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "limitcurve/intercepts.hpp"
 #include "limitcurve/limit_boundary.hpp"
 #include "limitcurve/number.hpp"
 
@@ -29,8 +30,7 @@ class Polygon {
   explicit Polygon(const std::array<UnitWrench, count>& vertices) : vertices_(vertices) {
     const auto [force_max, no_moment] = vertices_.front();
     const auto [no_force, moment_max] = vertices_.back();
-    if (!(force_max > 0.0) || std::isinf(force_max)) throw out_of_range("force_max", force_max, "1", "> 0 and finite");
-    if (!(moment_max > 0.0) || std::isinf(moment_max)) throw out_of_range("moment_max", moment_max, "1", "> 0 and finite");
+    check_intercepts(force_max, moment_max);
     if (no_moment != 0.0) throw out_of_range("moment of the first vertex", no_moment, "1", "0");
     if (no_force != 0.0) throw out_of_range("force of the last vertex", no_force, "1", "0");
     for (std::size_t i = 0; i + 1 < count; ++i) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "limitcurve/intercepts.hpp"
 #include "limitcurve/limit_boundary.hpp"
 #include "limitcurve/number.hpp"
 
@@ -20,8 +21,7 @@ class Quartic {
  public:
   /// Intercepts in unit wrenches, > 0 and finite, and κ ∈ [0, 6]; throws std::invalid_argument otherwise.
   Quartic(double force_max, double moment_max, double kappa) : force_max_(force_max), moment_max_(moment_max), kappa_(kappa) {
-    if (!(force_max > 0.0) || std::isinf(force_max)) throw out_of_range("force_max", force_max, "1", "> 0 and finite");
-    if (!(moment_max > 0.0) || std::isinf(moment_max)) throw out_of_range("moment_max", moment_max, "1", "> 0 and finite");
+    check_intercepts(force_max, moment_max);
     if (!(kappa >= 0.0 && kappa <= 6.0)) throw out_of_range("kappa", kappa, "1", "0 <= kappa <= 6");
   }
 

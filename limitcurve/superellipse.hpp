@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "limitcurve/intercepts.hpp"
 #include "limitcurve/limit_boundary.hpp"
 #include "limitcurve/number.hpp"
 
@@ -20,8 +21,7 @@ class Superellipse {
   /// Intercepts in unit wrenches, > 0 and finite, and the exponent, > 1 and finite; throws std::invalid_argument otherwise.
   Superellipse(double force_max, double moment_max, double exponent)
       : force_max_(force_max), moment_max_(moment_max), exponent_(exponent), inverse_(1.0 / (exponent - 1.0)) {
-    if (!(force_max > 0.0) || std::isinf(force_max)) throw out_of_range("force_max", force_max, "1", "> 0 and finite");
-    if (!(moment_max > 0.0) || std::isinf(moment_max)) throw out_of_range("moment_max", moment_max, "1", "> 0 and finite");
+    check_intercepts(force_max, moment_max);
     if (!(exponent > 1.0) || std::isinf(exponent)) throw out_of_range("exponent", exponent, "1", "> 1 and finite");
   }
 
