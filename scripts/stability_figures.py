@@ -1,0 +1,43 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: MIT
+"""Draws the figures of docs/stability.md from what `stability_atlas` measured.
+
+usage: stability_figures.py ATLAS_FOLDER OUTPUT_FOLDER     every FIGURE.csv as FIGURE.svg (and .png), the same bytes each time
+"""
+
+import re
+import sys
+from pathlib import Path
+
+import stability_numerics
+from chart_style import Table, save
+
+MODULES = (stability_numerics,)
+LARGEST = 60_000  # bytes of a figure in docs/
+
+
+def slim(svg):
+    """The same picture in fewer bytes: hundredths of a point, no comments, no indentation."""
+    svg = re.sub(r"<!--.*?-->\s*|<metadata>.*?</metadata>\s*", "", svg, flags=re.S)
+    # Not what stands right after a bracket: a scale.
+    svg = re.sub(r"(?<![\d.(])\d+\.\d{3,}", lambda number: f"{float(number[0]):.2f}".rstrip("0").rstrip("."), svg)
+    return re.sub(r"\s*\n\s*", "\n", svg)
+
+
+def main():
+    atlas, output = map(Path, sys.argv[1:])
+    output.mkdir(parents=True, exist_ok=True)
+    figures = {name: draw for module in MODULES for name, draw in module.FIGURES.items()}
+    measured = {path.stem for path in atlas.glob("*.csv")} - {"summary"}
+    if measured != set(figures):
+        sys.exit(f"stability_figures.py: error: measured but not drawn, or drawn but not measured: {sorted(measured ^ set(figures))}")
+    for name, draw in figures.items():
+        save(draw(Table.read(atlas / f"{name}.csv")), output, name)
+        file = output / f"{name}.svg"
+        file.write_text(slim(file.read_text(encoding="utf-8")), encoding="utf-8")
+        if file.stat().st_size > LARGEST:
+            sys.exit(f"stability_figures.py: error: {name}.svg has {file.stat().st_size} bytes: expected at most {LARGEST}")
+
+
+if __name__ == "__main__":
+    main()

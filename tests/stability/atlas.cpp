@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+// stability_atlas DIR: measures every entry of the atlas and writes, into DIR, summary.csv (a line a finding) and a CSV a
+// figure (panel,series,x,value). scripts/stability draws and documents them.
+#include "atlas.hpp"
+#include "limitcurve/number.hpp"
+
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <stdexcept>
+
+namespace {
+
+using namespace limitcurve;
+using namespace limitcurve::stability;
+
+/// Entries in the order of the document.
+const std::vector<std::function<const Entry&()>> entries = {quadrature};
+
+/// Text may hold commas.
+std::string quoted(const std::string& text) {
+  std::string result = "\"";
+  for (const char letter : text) result += letter == '"' ? std::string("\"\"") : std::string(1, letter);
+  return result + '"';
+}
+
+void close(std::ofstream& file, const std::filesystem::path& path) {
+  file.close();
+  if (!file) throw std::runtime_error(path.string() + ": cannot be written");
+}
+
+void write(const Figure& figure, const std::filesystem::path& folder) {
+  const std::filesystem::path path = folder / (figure.name + ".csv");
+  std::ofstream file(path);
+  file << "panel,series,x,value\n";
+  for (const Row& row : figure.rows) {
+    file << quoted(row.panel) << ',' << quoted(row.series) << ',' << format_number(row.x) << ',' << format_number(row.value) << '\n';
+  }
+  close(file, path);
+}
+
+void run(const std::filesystem::path& folder) {
+  std::filesystem::create_directories(folder);
+  const std::filesystem::path path = folder / "summary.csv";
+  std::ofstream summary(path);
+  summary << "entry,hazard,method,quantity,breaks,stands,test\n";
+  for (const auto& measure : entries) {
+    const Entry& entry = measure();
+    for (const Finding& finding : entry.findings) {
+      summary << entry.name << ',' << quoted(finding.hazard) << ',' << quoted(finding.method) << ',' << quoted(finding.quantity) << ','
+              << format_number(finding.breaks) << ',' << format_number(finding.stands) << ',' << finding.test << '\n';
+    }
+    for (const Figure& figure : entry.figures) write(figure, folder);
+  }
+  close(summary, path);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 2) {
+    std::fputs("usage: stability_atlas DIR\n", stderr);
+    return 2;
+  }
+  try {
+    run(argv[1]);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "stability_atlas: error: %s\n", error.what());
+    return 1;
+  }
+}
