@@ -56,7 +56,23 @@ void elliptic_loop(double k, double k_twist, double mu, double radius, double pe
   }
 }
 
+LIMITCURVE_CLONES
+int any_shallow(double least, std::size_t count, const double* __restrict depth) noexcept {
+  int shallow = 0;
+  for (std::size_t i = 0; i < count; ++i) shallow |= static_cast<int>(depth[i] > 0.0) & static_cast<int>(depth[i] < least);
+  return shallow;
+}
+
 }  // namespace
+
+bool suits_elliptic_loop(const EllipticStep& law, std::size_t count, const double* depth) noexcept {
+  // Far within the bounds that Friction sets, so that rounding decides nothing.
+  constexpr double largest = 1e40;
+  constexpr double least = 1e-140;
+  if (!(law.stiffness * law.radius * law.per_force_max < largest && law.twist_stiffness * law.per_moment_max < largest)) return false;
+  const double per_depth = law.mu * law.stiffness;
+  return any_shallow(least / per_depth + least / (per_depth * law.radius), count, depth) == 0;
+}
 
 void step_elliptic(const EllipticStep& law, std::size_t count, const double* x, const double* y, const double* angle, const double* depth,
                    double* proxy_x, double* proxy_y, double* proxy_angle, double* start, double* force_x, double* force_y,

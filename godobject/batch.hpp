@@ -45,6 +45,10 @@ struct EllipticStep {
   double per_moment_max;
 };
 
+/// Whether no contact's friction is so little that it counts as none, nor a scale so large that a square may overflow: the
+/// vectorised loop leaves those cases to the single step.
+bool suits_elliptic_loop(const EllipticStep& law, std::size_t count, const double* depth) noexcept;
+
 /// Ellipse and radial projection with one limit and a constant radius: a loop without branches. Bit for bit the single step.
 void step_elliptic(const EllipticStep& law, std::size_t count, const double* x, const double* y, const double* angle, const double* depth,
                    double* proxy_x, double* proxy_y, double* proxy_angle, double* start, double* force_x, double* force_y,
@@ -63,10 +67,12 @@ void step(const Friction<Boundary, Projection>& friction, const ContactBatch& ba
   if constexpr (Friction<Boundary, Projection>::shrinks) {
     if (law.radius_law() == nullptr && law.has_one_limit() && law.mu() * law.constant_radius() > 0.0) {
       const detail::EllipticStep elliptic{k, k_twist, law.mu(), law.constant_radius(), friction.per_force_max(), friction.per_moment_max()};
-      detail::step_elliptic(elliptic, count, batch.x.data(), batch.y.data(), batch.angle.data(), batch.depth.data(), batch.proxy_x.data(),
-                            batch.proxy_y.data(), batch.proxy_angle.data(), batch.start.data(), batch.force_x.data(), batch.force_y.data(),
-                            batch.moment.data());
-      return;
+      if (detail::suits_elliptic_loop(elliptic, count, batch.depth.data())) {
+        detail::step_elliptic(elliptic, count, batch.x.data(), batch.y.data(), batch.angle.data(), batch.depth.data(), batch.proxy_x.data(),
+                              batch.proxy_y.data(), batch.proxy_angle.data(), batch.start.data(), batch.force_x.data(),
+                              batch.force_y.data(), batch.moment.data());
+        return;
+      }
     }
   }
   for (std::size_t i = 0; i < count; ++i) {

@@ -16,7 +16,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (refused) {
     fuzz::require(names_file(*refused), "a complaint that does not name the file");
   } else {
-    fuzz::require_honest(*law);
+    fuzz::require_honest(*law, fuzz::as_text(data, size));
   }
 
   std::optional<RadiusLaw> radius_law;

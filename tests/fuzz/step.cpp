@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "godobject/choice.hpp"
-#include "godobject/godobject.hpp"
-#include "limitcurve/laws.hpp"
-#include "tests/fuzz/fuzz.hpp"
+#include "tests/fuzz/any_finger.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,33 +8,6 @@ using namespace limitcurve;
 using namespace limitcurve::godobject;
 
 namespace {
-
-/// A double of the input's own bits, or one that a finger might have: |value| ≤ `usual`.
-double any_double(fuzz::Bytes& bytes, bool raw, double usual) {
-  if (raw) return bytes.take<double>();
-  return usual * static_cast<double>(bytes.take<std::int16_t>()) / 32768.0;
-}
-
-FingerParameters any_parameters(fuzz::Bytes& bytes) {
-  const auto choice = bytes.take<std::uint8_t>();
-  const auto raw = [&](unsigned bit) { return ((choice >> bit) & 1U) != 0; };
-  FingerParameters result;
-  result.mu = std::fabs(any_double(bytes, raw(0), 2.0));
-  if (raw(1)) result.mu_dynamic = result.mu * std::fabs(any_double(bytes, false, 1.0));
-  if (raw(2)) result.moment_coefficient = std::fabs(any_double(bytes, raw(0), 0.01));
-  if (raw(3)) result.radius_law = RadiusLaw::power(0.002, std::fabs(any_double(bytes, false, 1.0)));
-  result.stiffness = std::fabs(any_double(bytes, raw(4), 3000.0));
-  result.twist_stiffness = std::fabs(any_double(bytes, raw(5), 0.1));
-  if (raw(6)) {
-    result.damping = std::fabs(any_double(bytes, raw(5), 5.0));
-    result.twist_damping = std::fabs(any_double(bytes, raw(4), 1e-3));
-  }
-  if (raw(7)) {
-    result.jump_limit = std::fabs(any_double(bytes, raw(0), 0.1));
-    result.hold_share = std::fabs(any_double(bytes, raw(4), 1.0));
-  }
-  return result;
-}
 
 bool all_finite(const Eigen::Vector3d& vector) {
   return fuzz::is_finite(vector.x()) && fuzz::is_finite(vector.y()) && fuzz::is_finite(vector.z());
@@ -103,22 +73,22 @@ void require_sound(const Finger& finger, const FingerOutput& before, bool usable
 template <class Boundary, class Projection>
 void run(fuzz::Bytes bytes, const Boundary& boundary, Projection projection) {
   std::optional<SoftFinger<Boundary, Projection>> made;
-  if (fuzz::complaint_of([&] { made.emplace(boundary, any_parameters(bytes), projection); })) return;
+  if (fuzz::complaint_of([&] { made.emplace(boundary, fuzz::any_parameters(bytes), projection); })) return;
   auto& finger = *made;
   while (bytes.left() > 0) {
     const auto choice = bytes.take<std::uint8_t>();
     const auto raw = [&](unsigned bit) { return ((choice >> bit) & 1U) != 0; };
     Contact contact;
-    for (Eigen::Index i = 0; i < 2; ++i) contact.point[i] = any_double(bytes, raw(0), 0.02);
-    if (raw(1)) contact.point.z() = any_double(bytes, raw(0), 0.02);
-    contact.depth = any_double(bytes, raw(2), 0.004);
+    for (Eigen::Index i = 0; i < 2; ++i) contact.point[i] = fuzz::any_double(bytes, raw(0), 0.02);
+    if (raw(1)) contact.point.z() = fuzz::any_double(bytes, raw(0), 0.02);
+    contact.depth = fuzz::any_double(bytes, raw(2), 0.004);
     if (raw(3)) {
-      for (Eigen::Index i = 0; i < 3; ++i) contact.normal[i] = any_double(bytes, raw(4), 1.0);
+      for (Eigen::Index i = 0; i < 3; ++i) contact.normal[i] = fuzz::any_double(bytes, raw(4), 1.0);
       // As handed over, or made a unit normal.
       if (raw(5)) contact.normal.normalize();
     }
-    const double twist = any_double(bytes, raw(6), 4.0);
-    const double time_step = raw(7) ? any_double(bytes, raw(6), 0.01) : 0.0;
+    const double twist = fuzz::any_double(bytes, raw(6), 4.0);
+    const double time_step = raw(7) ? fuzz::any_double(bytes, raw(6), 0.01) : 0.0;
 
     const double squares = contact.point.squaredNorm() + contact.depth * contact.depth + twist * twist;
     const bool usable = fuzz::is_finite(squares) && std::fabs(contact.normal.norm() - 1.0) <= 1e-5;
@@ -136,31 +106,7 @@ void run(fuzz::Bytes bytes, const Boundary& boundary, Projection projection) {
 
 /// The step of the god-object, fed with any bits: finite output, wrench within the limit, slip work ≥ 0, no exception.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  static const Law law = hertz();
-  static const Table table = Table::build(law, 1e-6);
-  static const ExactCurve exact(law);
-  static const Ellipse ellipse = Ellipse::through_intercepts(law->moment_ratio());
-  static const auto square = box(1.0, law->moment_ratio());
   fuzz::Bytes bytes(data, size);
-  switch (bytes.take<std::uint8_t>() % 6U) {
-    case 0:
-      run(bytes, table, ClosestPoint{});
-      break;
-    case 1:
-      run(bytes, table, CCurve{});
-      break;
-    case 2:
-      run(bytes, table, Radial{});
-      break;
-    case 3:
-      run(bytes, ellipse, Radial{});
-      break;
-    case 4:
-      run(bytes, square, ClosestPoint{});
-      break;
-    default:
-      run(bytes, exact, ClosestPoint{});
-      break;
-  }
+  fuzz::with_any_boundary(bytes, [&](const auto& boundary, auto projection) { run(bytes, boundary, projection); });
   return 0;
 }
