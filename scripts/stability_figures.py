@@ -16,11 +16,15 @@ MODULES = (stability_numerics,)
 LARGEST = 60_000  # bytes of a figure in docs/
 
 
+def shorter(match):
+    text = match[0]
+    return text if text.startswith("scale") else f"{float(text):.2f}".rstrip("0").rstrip(".")
+
+
 def slim(svg):
     """The same picture in fewer bytes: hundredths of a point, no comments, no indentation."""
     svg = re.sub(r"<!--.*?-->\s*|<metadata>.*?</metadata>\s*", "", svg, flags=re.S)
-    # Not what stands right after a bracket: a scale.
-    svg = re.sub(r"(?<![\d.(])\d+\.\d{3,}", lambda number: f"{float(number[0]):.2f}".rstrip("0").rstrip("."), svg)
+    svg = re.sub(r"scale\([^)]*\)|\d+\.\d{3,}", shorter, svg)
     return re.sub(r"\s*\n\s*", "\n", svg)
 
 

@@ -1,32 +1,99 @@
 # SPDX-License-Identifier: MIT
 """Figures of docs/stability.md, entries quadrature, tables and fits: one function a figure, takes its rows, returns a figure."""
 
-from chart_style import BLUE, FAINT, GREEN, ORANGE, PURPLE, VERMILION, legend_below, plt
+import math
+
+from chart_style import BLUE, FAINT, GREEN, ORANGE, PURPLE, VERMILION, law_style, legend_below, plt
 
 OURS = "limitcurve"
 COLOURS = (VERMILION, ORANGE, GREEN, PURPLE, FAINT)
-NO_DIGIT_LEFT = 1.0
+LAWS = ("hertz", "uniform", "parabolic", "flat-punch", "cone")
+ERRORS = (1e-17, 1e2)  # an axis of relative errors; what is not a number is drawn along its top
+COR = "centre of rotation  s = c/a"
 
 
-def error_panels(rows, titles, x_label, y_label, x_scale="linear", columns=4, floor=2e-17, top=30):
-    """A panel for each of `titles` (panel -> title): one line a series, ours in blue over the others."""
-    figure, panels = plt.subplots(1, len(titles), figsize=(9.6 if len(titles) > 1 else 6.4, 3.4), layout="constrained", sharey=True,
-                                  squeeze=False)
-    names = list(dict.fromkeys(row["series"] for row in rows if row["series"] != OURS))
-    for axes, (panel, title) in zip(panels[0], titles.items()):
-        for series, points in rows.where(panel=panel).groups("series").items():
-            ours = series == OURS
-            axes.plot(points.column("x"), points.column("value"), label=series, color=BLUE if ours else COLOURS[names.index(series)],
-                      linewidth=1.4 if ours else 1.1, zorder=3 if ours else 2)
-        axes.set(title=title, xlabel=x_label, xscale=x_scale, yscale="log", ylim=(floor, top))
-    panels[0][0].set_ylabel(y_label)
-    legend_below(figure, panels[0][0], columns)
-    return figure
+def styles(names):
+    """Ours blue and above the others; a law in its own colour; else the colours in order."""
+    others = [name for name in names if name != OURS and name not in LAWS]
+    style = {name: {"color": COLOURS[i % len(COLOURS)], "linewidth": 1.2} for i, name in enumerate(others)}
+    style |= {name: {**law_style(name), "linewidth": 1.2} for name in names if name in LAWS}
+    return style | {OURS: {"color": BLUE if "hertz" not in names else "#222222", "linewidth": 1.5, "zorder": 3}}
+
+
+def draw(axes, rows, style, top=math.inf):
+    for series, points in rows.groups("series").items():
+        axes.plot(points.column("x"), [min(value, top) for value in points.column("value")], label=series, **style[series])
+
+
+def frame(count, height=3.2, **more):
+    figure, panels = plt.subplots(1, count, figsize=(9.6 if count > 1 else 6.4, height), layout="constrained", **more)
+    return figure, panels if count > 1 else [panels]
+
+
+def error_axes(axes, **more):
+    axes.set(yscale="log", ylim=ERRORS, **more)
+    axes.set_yticks([10.0**k for k in range(-16, 3, 4)])
+    axes.minorticks_off()
 
 
 def quadrature_rim(rows):
-    return error_panels(rows, {"force": "The force of a Hertz contact by one integral over the radius"},
-                        "distance of the centre of rotation  s = c/a", "relative error of f")
+    figure, (across, near) = frame(2, sharey=True)
+    style = styles(list(rows.groups("series")))
+    draw(across, rows.where(panel="across"), style)
+    draw(near, rows.where(panel="near"), style)
+    error_axes(across, title="Relative error of the force, 1e-9 asked", xlabel=COR, xlim=(0, 2))
+    error_axes(near, title="… towards the rim, from inside", xlabel="distance from the rim  1 − s", xscale="log", xlim=(1, 1e-15))
+    legend_below(figure, across, 3)
+    return figure
 
 
-FIGURES = {"quadrature_rim": quadrature_rim}
+def quadrature_singular(rows):
+    figure, (exponent, cor) = frame(2, sharey=True)
+    style = styles(list(rows.groups("series")))
+    draw(exponent, rows.where(panel="exponent"), style)
+    draw(cor, rows.where(panel="cor"), style)
+    error_axes(exponent, title="Error of the force at s = ½, pressure $(1-\\rho^2)^n$", xlabel="n + 1   (½: flat punch;  → 0: ring)", xscale="log", xlim=(1, 1e-3))
+    error_axes(cor, title="… against the COR, n = −0.9", xlabel=COR, xlim=(0, 3))
+    legend_below(figure, exponent, 3)
+    return figure
+
+
+def quadrature_kinks(rows):
+    figure, (axes,) = frame(1)
+    draw(axes, rows, styles(list(rows.groups("series"))))
+    error_axes(axes, title="Relative error of the force of a profile with four kinks", xlabel=COR, xlim=(0, 2))
+    legend_below(figure, axes, 2)
+    return figure
+
+
+def quadrature_complement(rows):
+    figure, (axes,) = frame(1)
+    draw(axes, rows, styles(list(rows.groups("series"))), top=ERRORS[1])
+    error_axes(axes, title="Relative error of the elliptic integral K next to ρ = s", xlabel="distance  |ρ − s|/(ρ + s)", xscale="log")
+    axes.set_xlim(1, 1e-300)
+    axes.set_xticks([10.0**k for k in range(0, -301, -50)])
+    axes.annotate("threw, or returned no number", (1e-25, ERRORS[1]), (0, -4), textcoords="offset points", ha="left", va="top", color=FAINT)
+    legend_below(figure, axes, 3)
+    return figure
+
+
+def closed_forms_far(rows):
+    return closed_forms(rows, "Relative error of the moment far away: as printed, and ours")
+
+
+def closed_forms_near(rows):
+    return closed_forms(rows, "Relative error of the force near the centre: as printed, and ours")
+
+
+def closed_forms(rows, title):
+    figure, (axes,) = frame(1)
+    draw(axes, rows, styles(list(rows.groups("series"))), top=1)
+    places = rows.column("x")
+    error_axes(axes, title=title, xlabel=COR, xscale="log", xlim=(min(places), max(places)))
+    axes.annotate("no digit left", (math.sqrt(min(places) * max(places)), 1), (0, 4), textcoords="offset points", ha="center", color=FAINT)
+    legend_below(figure, axes, 5)
+    return figure
+
+
+FIGURES = {figure.__name__: figure for figure in (quadrature_rim, quadrature_singular, quadrature_kinks, quadrature_complement,
+                                                  closed_forms_far, closed_forms_near)}

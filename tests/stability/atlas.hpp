@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <span>
 #include <string>
 #include <vector>
 
 /// The atlas of failure: where methods break, the customary ones and ours. Each entry of docs/stability.md has a file that
-/// measures (ENTRY.cpp), a test that holds the code to what was measured (ENTRY_test.cpp) and its figures. The customary
-/// methods stand in the measuring files, short and as they are commonly written; truth comes from truth.hpp.
+/// measures (ENTRY.cpp, a function a hazard), tests that hold the code to what was measured (ENTRY_test.cpp) and its figures.
+/// The customary methods stand in the measuring files, short and as they are commonly written; truth comes from truth.hpp.
 namespace limitcurve::stability {
 
 /// A point of a figure: series `series` in panel `panel`.
@@ -18,7 +17,7 @@ struct Row {
   double value;
 };
 
-/// A figure's rows: FIGURE.csv, drawn as docs/stability/FIGURE.svg by scripts/stability_figures.py.
+/// A figure's rows: NAME.csv, drawn as docs/stability/NAME.svg by scripts/stability_figures.py.
 struct Figure {
   std::string name;
   std::vector<Row> rows;
@@ -35,18 +34,16 @@ struct Finding {
   std::string test;      ///< SUITE.NAME, in tests/stability
 };
 
-/// An entry of the atlas.
-struct Entry {
-  std::string name;  ///< quadrature, tables, fits, …
+/// What was measured of one hazard.
+struct Hazard {
   std::vector<Finding> findings;
   std::vector<Figure> figures;
 };
 
-/// The findings of an entry that `test` answers for; throws std::logic_error if there are none, so that no test can pass by
-/// looking at nothing.
-std::vector<Finding> findings_of(const Entry& entry, const std::string& test);
-
-/// Measured once a process, some seconds each at most.
-const Entry& quadrature();
+/// An entry of the document, under the heading `name`. A hazard takes some seconds to measure, at most.
+struct Entry {
+  std::string name;
+  std::vector<Hazard (*)()> hazards;
+};
 
 }  // namespace limitcurve::stability

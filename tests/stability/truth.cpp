@@ -69,10 +69,10 @@ ExactWrench exact_cone(double distance) {
           (Exact(1) / 3 - z / 2) * angle - t / 6 - 4 * t * t * t / 9 + 4 * z * s / 9};
 }
 
-Exact exact_first_kind(double complement) {
+Exact exact_first_kind(const Exact& complement) {
   Exact a = 1;
-  Exact g = sqrt(Exact(complement));
-  for (int i = 0; i < 24; ++i) {
+  Exact g = sqrt(complement);
+  for (int i = 0; i < 40; ++i) {
     const Exact mean = (a + g) / 2;
     g = sqrt(Exact(a * g));
     a = mean;
