@@ -156,6 +156,35 @@ TEST(ClosedForms, InDoublePrecision) {
   expect_promised_precision_of_all<double>();
 }
 
+/// What is no place gives no number, and reads nothing that is not there.
+template <class Real>
+void expect_no_number_from_none() {
+  namespace form = closed_form;
+  constexpr Real none = std::numeric_limits<Real>::quiet_NaN();
+  for (auto* const law : {form::hertz<Real>, form::flat_punch<Real>, form::uniform<Real>, form::parabolic<Real>, form::cone<Real>}) {
+    const UnitForces<Real> forces = law(none);
+    EXPECT_TRUE(std::isnan(forces.force) && std::isnan(forces.moment) && std::isnan(forces.force_slope));
+  }
+}
+
+TEST(ClosedForms, GiveNoNumberForNone) {
+  expect_no_number_from_none<float>();
+  expect_no_number_from_none<double>();
+}
+
+/// The polynomials' ends: pure sliding and the farthest that a number can tell.
+TEST(ClosedForms, EndWherePureSlidingIs) {
+  namespace form = closed_form;
+  for (auto* const law :
+       {form::hertz<double>, form::flat_punch<double>, form::uniform<double>, form::parabolic<double>, form::cone<double>}) {
+    for (const double s : {1e20, 1e149, 1e151, 1e160, 1.7e308, std::numeric_limits<double>::infinity()}) {
+      const UnitForces<double> forces = law(s);
+      EXPECT_NEAR(forces.force, 1.0, 2.3e-16) << s;
+      EXPECT_NEAR(forces.moment, law(1e10).moment * (1e10 / s), 1e-15 * forces.moment) << s;
+    }
+  }
+}
+
 /// Γ(3/k)²/(Γ(2/k)Γ(4/k))·¾, printed to 12 digits in Xydas and Kao's notation.
 TEST(Anchors, MomentRatioOfXydasAndKao) {
   for (const auto& [k, ratio] : {std::pair{1.0, 0.5}, {1.8, 0.578681684721}, {3.0, 0.620245007350}, {4.0, 0.635409813595}}) {
