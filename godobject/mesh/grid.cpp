@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include "godobject/mesh/grid.hpp"
+
+#include <Eigen/Geometry>
+
+#include <cmath>
+#include <cstdint>
+
+namespace limitcurve::godobject {
+
+namespace {
+
+__extension__ using Wide = __int128;  // 128 bits: three factors of 40 bits, summed
+
+struct Steps {
+  std::int64_t x, y, z;
+};
+
+Steps in_steps(const Eigen::Vector3d& value, double per_step) noexcept {
+  return {static_cast<std::int64_t>(value.x() * per_step), static_cast<std::int64_t>(value.y() * per_step),
+          static_cast<std::int64_t>(value.z() * per_step)};
+}
+
+Wide minor(std::int64_t a, std::int64_t b, std::int64_t c, std::int64_t d) noexcept {
+  return static_cast<Wide>(a) * d - static_cast<Wide>(b) * c;
+}
+
+}  // namespace
+
+Grid::Grid(double largest) noexcept {
+  int exponent = 0;
+  static_cast<void>(std::frexp(largest, &exponent));
+  reach_ = std::ldexp(1.0, exponent);
+  step_ = std::ldexp(1.0, exponent - 38);
+  per_step_ = std::ldexp(1.0, 38 - exponent);
+}
+
+Eigen::Vector3d Grid::snap(const Eigen::Vector3d& place) const noexcept {
+  return {std::nearbyint(place.x() * per_step_) * step_, std::nearbyint(place.y() * per_step_) * step_,
+          std::nearbyint(place.z() * per_step_) * step_};
+}
+
+int Grid::sign(const Eigen::Vector3d& u, const Eigen::Vector3d& v, const Eigen::Vector3d& w) const noexcept {
+  const double determinant = u.dot(v.cross(w));
+  const Eigen::Vector3d a = v.cwiseAbs();
+  const Eigen::Vector3d b = w.cwiseAbs();
+  const double size = std::fabs(u.x()) * (a.y() * b.z() + a.z() * b.y()) + std::fabs(u.y()) * (a.z() * b.x() + a.x() * b.z()) +
+                      std::fabs(u.z()) * (a.x() * b.y() + a.y() * b.x());
+  // Seven roundings at most, of 1.1e-16 each: beyond that the sign is right.
+  if (std::fabs(determinant) > 1e-15 * size) return determinant > 0.0 ? 1 : -1;
+  const Steps i = in_steps(u, per_step_);
+  const Steps j = in_steps(v, per_step_);
+  const Steps k = in_steps(w, per_step_);
+  const Wide exact = i.x * minor(j.y, j.z, k.y, k.z) + i.y * minor(j.z, j.x, k.z, k.x) + i.z * minor(j.x, j.y, k.x, k.y);
+  return exact > 0 ? 1 : exact < 0 ? -1 : 0;
+}
+
+Eigen::Vector3d Grid::cross(const Eigen::Vector3d& u, const Eigen::Vector3d& v) const noexcept {
+  const Steps i = in_steps(u, per_step_);
+  const Steps j = in_steps(v, per_step_);
+  const double unit = step_ * step_;
+  return {static_cast<double>(minor(i.y, i.z, j.y, j.z)) * unit, static_cast<double>(minor(i.z, i.x, j.z, j.x)) * unit,
+          static_cast<double>(minor(i.x, i.y, j.x, j.y)) * unit};
+}
+
+int first_sign(const Eigen::Vector3d& value) noexcept {
+  for (const double component : value) {
+    if (component != 0.0) return component > 0.0 ? 1 : -1;
+  }
+  return 0;
+}
+
+int crossing(const Grid& grid, const Eigen::Vector3d& from, const Eigen::Vector3d& to, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
+             const Eigen::Vector3d& c) noexcept {
+  const Eigen::Vector3d ab = b - a;
+  const Eigen::Vector3d ac = c - a;
+  const auto side = [&](const Eigen::Vector3d& place) {
+    const int result = grid.sign(place - a, ab, ac);
+    return result != 0 ? result : first_sign(grid.cross(ab, ac));
+  };
+  const int before = side(from);
+  if (before == side(to)) return 0;
+  const Eigen::Vector3d way = to - from;
+  const auto left = [&](const Eigen::Vector3d& start, const Eigen::Vector3d& end) {
+    const int result = grid.sign(way, start - from, end - from);
+    return result != 0 ? result : first_sign(grid.cross(way, end - start));
+  };
+  // Inward the segment passes every edge on its left, which the determinant counts as negative.
+  const int passes = -before;
+  if (left(a, b) != passes || left(b, c) != passes || left(c, a) != passes) return 0;
+  return before;
+}
+
+}  // namespace limitcurve::godobject

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#include "godobject/mesh/mesh_surface.hpp"
+
+#include "godobject/mesh/triangle.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace limitcurve::godobject {
+
+using Eigen::Vector3d;
+
+namespace {
+
+/// The memory of a finger that does not touch has the face nearest it as −2 − face.
+int remembered(int face) noexcept {
+  return -2 - face;
+}
+
+}  // namespace
+
+MeshSurface::MeshSurface(std::shared_ptr<const Mesh> mesh) : mesh_(std::move(mesh)) {
+  if (!mesh_) throw std::invalid_argument("mesh: none given, expected one");
+}
+
+Contact MeshSurface::touched(const MeshPlace& place, const Vector3d& finger, ContactMemory& memory) const noexcept {
+  memory = {place.face, place.point, true};
+  if (mesh_->flat(place)) {
+    const Vector3d& normal = mesh_->normal(place.face);
+    const double depth = -mesh_->height(place.face, finger);
+    return {finger + normal * depth, normal, depth};
+  }
+  // In a crease or a pit: from the finger to the god-object, which turns steadily from the one face's normal to the other's.
+  const Vector3d way = place.point - finger;
+  const double depth = way.norm();
+  const Vector3d outward = mesh_->outward(place);
+  if (depth > 1e-9 * mesh_->grid().reach()) {
+    const double side = way.dot(outward) >= 0.0 ? 1.0 : -1.0;
+    return {place.point, way * (side / depth), side * depth};
+  }
+  return {place.point, outward, way.dot(outward)};
+}
+
+Contact MeshSurface::free(const Vector3d& finger, int guess, ContactMemory& memory) const noexcept {
+  const MeshPlace place = mesh_->nearest(finger, guess, near_limit);
+  memory = {remembered(place.face), finger, true};
+  const Vector3d away = finger - place.point;
+  const double gap = away.norm();
+  // On the surface, within the grid, there is no direction but the surface's own.
+  if (gap > 1e-9 * mesh_->grid().reach()) return {place.point, away / gap, -gap};
+  return {place.point, mesh_->outward(place), -gap};
+}
+
+Contact MeshSurface::contact(const Vector3d& finger, ContactMemory& memory) const noexcept {
+  if (!finger.allFinite()) return {Vector3d::Zero(), Vector3d::UnitZ(), std::numeric_limits<double>::quiet_NaN()};
+  const int faces = static_cast<int>(mesh_->faces().size());
+  int face = memory.face;
+  Vector3d from = memory.finger;
+  if (!memory.known || face >= faces) {
+    // Nothing is known of it: a finger inside came in by what is nearest.
+    if (!mesh_->holds(finger)) return free(finger, 0, memory);
+    face = mesh_->nearest(finger, 0).face;
+  }
+  const int guess = face >= 0 ? face : face <= remembered(0) && face >= remembered(faces - 1) ? remembered(face) : 0;
+  if (face < 0) {
+    const auto entry = mesh_->entry(from, finger);
+    if (!entry) return free(finger, guess, memory);
+    face = entry->face;
+  }
+  MeshPlace place = mesh_->settle(face, finger);
+  double after = -1.0;
+  for (int round = 0; round < rounds; ++round) {
+    const double depth = mesh_->flat(place) ? -mesh_->height(place.face, finger) : mesh_->outward(place).dot(place.point - finger);
+    if (depth > 0.0) return touched(place, finger, memory);
+    // The finger pulls the god-object off the surface: it flies to the finger, or to what is in its way.
+    const auto entry = mesh_->entry(place.point, finger, after);
+    if (!entry) {
+      // Inside, but not beneath the face: by less than the grid. It has not left yet.
+      if (mesh_->holds(finger)) break;
+      return free(finger, place.face, memory);
+    }
+    const MeshPlace next = mesh_->settle(entry->face, finger);
+    // Where the god-object's place is rounded into the surface it leaves, it seems to enter it on the way: look farther.
+    const bool stays = (next.point - place.point).squaredNorm() <= 1e-18 * mesh_->grid().reach() * mesh_->grid().reach();
+    after = stays ? entry->along : -1.0;
+    place = next;
+  }
+  Contact contact = touched(place, finger, memory);
+  contact.depth = std::min(contact.depth, 0.0);
+  return contact;
+}
+
+}  // namespace limitcurve::godobject

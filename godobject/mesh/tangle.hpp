@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "godobject/mesh/closed_triangles.hpp"
+
+#include <optional>
+#include <utility>
+
+namespace limitcurve::godobject {
+
+/// Two faces that meet where they share neither edge nor vertex, or fold on to each other; nothing if there are none.
+/// Exact on the grid. The time is that of finding faces with overlapping boxes.
+std::optional<std::pair<int, int>> find_tangle(const ClosedTriangles& triangles);
+
+}  // namespace limitcurve::godobject

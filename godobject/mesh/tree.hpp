@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace limitcurve::godobject {
+
+using Face = std::array<int, 3>;  ///< three vertices by number, anticlockwise seen from outside
+
+/// Boxes around boxes around triangles, halved at the median: at most 2 nodes a triangle, log2 of their number deep. The queries
+/// allocate nothing and visit each node at most once.
+class Tree {
+ public:
+  Tree() = default;
+  Tree(std::span<const Eigen::Vector3d> vertices, std::span<const Face> faces);
+
+  [[nodiscard]] std::size_t size() const noexcept { return nodes_.size(); }
+  [[nodiscard]] const Eigen::Vector3d& low() const noexcept { return nodes_[0].low; }
+  [[nodiscard]] const Eigen::Vector3d& high() const noexcept { return nodes_[0].high; }
+
+  /// `visit(face)` for every face whose boxes, grown by `margin` on all sides, the segment meets; it returns how far along the
+  /// segment (1: all of it) is still of interest.
+  template <class Visit>
+  void along(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double margin, Visit&& visit) const noexcept;
+
+  /// `visit(face)` for every face whose box meets the box.
+  template <class Visit>
+  void overlapping(const Eigen::Vector3d& low, const Eigen::Vector3d& high, Visit&& visit) const;
+
+  /// `visit(face)`, nearest boxes first, for faces whose boxes are nearer to the point than the square root of the bound
+  /// that it returns; stops when `node_limit` nodes have been opened.
+  template <class Visit>
+  void near(const Eigen::Vector3d& point, double bound, int node_limit, Visit&& visit) const noexcept;
+
+ private:
+  static constexpr int leaf_size = 4;
+  static constexpr std::size_t stack_size = 64;  // deeper than halving 2^31 triangles goes
+
+  struct Node {
+    Eigen::Vector3d low = Eigen::Vector3d::Zero();
+    Eigen::Vector3d high = Eigen::Vector3d::Zero();
+    int first = 0;  // of its faces in order_, or of its two children
+    int count = 0;  // of its faces; 0: it has children
+  };
+
+  void split(int node, std::span<const Eigen::Vector3d> vertices, std::span<const Face> faces, int first, int count);
+  [[nodiscard]] double square_distance(int node, const Eigen::Vector3d& point) const noexcept {
+    const Node& box = nodes_[static_cast<std::size_t>(node)];
+    return (box.low - point).cwiseMax(point - box.high).cwiseMax(0.0).squaredNorm();
+  }
+  [[nodiscard]] const Node& at(int node) const noexcept { return nodes_[static_cast<std::size_t>(node)]; }
+
+  std::vector<Node> nodes_;
+  std::vector<int> order_;
+};
+
+template <class Visit>
+void Tree::along(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double margin, Visit&& visit) const noexcept {
+  const Eigen::Vector3d way = to - from;
+  const double square = way.squaredNorm();
+  if (!(square > 0.0)) return;
+  const Eigen::Vector3d half = 0.5 * way;
+  const Eigen::Vector3d middle = from + half;
+  const Eigen::Vector3d size = half.cwiseAbs();
+  const Eigen::Vector3d per_way = way / square;
+  double end = 1.0;
+  // Separating axes: the box's three, and its edges crossed with the segment. Without a division, which rounding could
+  // spoil; the margin covers the rounding that is left.
+  const auto meets = [&](const Node& node) {
+    const Eigen::Vector3d extent = 0.5 * (node.high - node.low) + Eigen::Vector3d::Constant(margin);
+    const Eigen::Vector3d apart = middle - 0.5 * (node.high + node.low);
+    if (((apart.cwiseAbs() - extent - size).array() > 0.0).any()) return false;
+    if (std::abs(apart.y() * half.z() - apart.z() * half.y()) > extent.y() * size.z() + extent.z() * size.y()) return false;
+    if (std::abs(apart.z() * half.x() - apart.x() * half.z()) > extent.z() * size.x() + extent.x() * size.z()) return false;
+    if (std::abs(apart.x() * half.y() - apart.y() * half.x()) > extent.x() * size.y() + extent.y() * size.x()) return false;
+    return 0.5 + apart.dot(-per_way) - extent.dot(per_way.cwiseAbs()) <= end + 1e-9;
+  };
+  std::array<int, stack_size> stack;
+  std::size_t height = 0;
+  stack[height++] = 0;
+  while (height > 0) {
+    const Node& node = at(stack[--height]);
+    if (!meets(node)) continue;
+    if (node.count > 0) {
+      for (int i = 0; i < node.count; ++i) end = std::min(end, visit(order_[static_cast<std::size_t>(node.first + i)]));
+      continue;
+    }
+    const Node& one = at(node.first);
+    const Node& other = at(node.first + 1);
+    const bool one_first = (other.low + other.high - one.low - one.high).dot(way) >= 0.0;
+    stack[height++] = one_first ? node.first + 1 : node.first;
+    stack[height++] = one_first ? node.first : node.first + 1;
+  }
+}
+
+template <class Visit>
+void Tree::overlapping(const Eigen::Vector3d& low, const Eigen::Vector3d& high, Visit&& visit) const {
+  std::array<int, stack_size> stack;
+  std::size_t height = 0;
+  stack[height++] = 0;
+  while (height > 0) {
+    const Node& node = at(stack[--height]);
+    if (((node.low - high).array() > 0.0).any() || ((low - node.high).array() > 0.0).any()) continue;
+    for (int i = 0; i < node.count; ++i) visit(order_[static_cast<std::size_t>(node.first + i)]);
+    if (node.count > 0) continue;
+    stack[height++] = node.first;
+    stack[height++] = node.first + 1;
+  }
+}
+
+template <class Visit>
+void Tree::near(const Eigen::Vector3d& point, double bound, int node_limit, Visit&& visit) const noexcept {
+  struct Entry {
+    int node;
+    double square;
+  };
+  std::array<Entry, stack_size> stack;
+  std::size_t height = 0;
+  stack[height++] = {0, square_distance(0, point)};
+  for (int opened = 0; height > 0 && opened < node_limit; ++opened) {
+    const Entry entry = stack[--height];
+    if (!(entry.square < bound)) continue;
+    const Node& node = at(entry.node);
+    if (node.count > 0) {
+      for (int i = 0; i < node.count; ++i) bound = std::min(bound, visit(order_[static_cast<std::size_t>(node.first + i)]));
+      continue;
+    }
+    Entry nearer{node.first, square_distance(node.first, point)};
+    Entry farther{node.first + 1, square_distance(node.first + 1, point)};
+    if (farther.square < nearer.square) std::swap(nearer, farther);
+    if (farther.square < bound) stack[height++] = farther;
+    if (nearer.square < bound) stack[height++] = nearer;
+  }
+}
+
+}  // namespace limitcurve::godobject

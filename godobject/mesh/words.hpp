@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "godobject/mesh/triangle_list.hpp"
+#include "limitcurve/number.hpp"
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace limitcurve::godobject {
+
+/// The words of a text, line by line, and where they stand, for complaints that name the place.
+class Words {
+ public:
+  Words(std::string_view text, std::string_view name) : rest_(text), name_(name) {}
+
+  /// Goes to the next line; false at the end of the text.
+  bool next_line() {
+    if (rest_.empty()) return false;
+    if (line_ == std::numeric_limits<int>::max()) fail("too many lines");
+    const std::size_t end = std::min(rest_.find('\n'), rest_.size());
+    here_ = rest_.substr(0, end);
+    rest_.remove_prefix(std::min(end + 1, rest_.size()));
+    ++line_;
+    begin_ = here_.data();
+    word_ = here_.substr(0, 0);
+    return true;
+  }
+
+  /// The next word of this line; empty at its end.
+  std::string_view next() {
+    constexpr std::string_view blank = " \t\r\v\f";
+    here_.remove_prefix(std::min(here_.find_first_not_of(blank), here_.size()));
+    word_ = here_.substr(0, here_.find_first_of(blank));
+    here_.remove_prefix(word_.size());
+    return word_;
+  }
+
+  [[nodiscard]] int line() const { return line_; }
+  [[nodiscard]] std::string_view name() const { return name_; }
+
+  /// About the word last read.
+  [[noreturn]] void fail(std::string_view what) const {
+    const auto column = word_.data() == nullptr ? 1 : word_.data() - begin_ + 1;
+    throw std::invalid_argument(joined({name_, ":", std::to_string(line_), ":", std::to_string(column), ": ", what}));
+  }
+  /// The word last read, in quotes and not longer than a line of a terminal, and what should stand there.
+  [[noreturn]] void expected(std::string_view what) const {
+    std::string found(word_.substr(0, 40));
+    for (char& character : found) {
+      if (character < ' ' || character > '~') character = '?';
+    }
+    fail(word_.empty() ? joined({"the line ends, expected ", what})
+                       : joined({"'", found, word_.size() > 40 ? "...', expected " : "', expected ", what}));
+  }
+
+  /// Three coordinates, as numbers of the unit `scale` [m].
+  Eigen::Vector3d place(double scale) {
+    Eigen::Vector3d result;
+    for (double& coordinate : result) coordinate = number() * scale;
+    return result;
+  }
+
+  double number() {
+    const auto value = parse_number(next());
+    if (!value || !std::isfinite(*value)) expected("a finite number");
+    return *value;
+  }
+
+ private:
+  std::string_view rest_;
+  std::string_view name_;
+  std::string_view here_;
+  std::string_view word_;
+  const char* begin_ = nullptr;
+  int line_ = 0;
+};
+
+}  // namespace limitcurve::godobject

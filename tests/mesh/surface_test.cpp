@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: MIT
+#include "godobject/mesh/mesh_surface.hpp"
+
+#include "godobject/surfaces.hpp"
+#include "tests/mesh/shapes.hpp"
+
+#include <gtest/gtest.h>
+
+namespace limitcurve::godobject::test {
+namespace {
+
+using Eigen::Vector3d;
+
+Contact first_contact(const MeshSurface& surface, const Vector3d& finger) {
+  ContactMemory memory;
+  return surface.contact(finger, memory);
+}
+
+Vector3d anywhere(Random& random, double reach) {
+  return {random.uniform(-reach, reach), random.uniform(-reach, reach), random.uniform(-reach, reach)};
+}
+
+/// What holds for every contact: the point lies `depth` along the normal from the finger, the normal is of unit length.
+void expect_consistent(const Contact& contact, const Vector3d& finger) {
+  ASSERT_NEAR(contact.normal.norm(), 1.0, 1e-14);
+  ASSERT_LT((finger + contact.normal * contact.depth - contact.point).norm(), 1e-12);
+}
+
+// A ball of 2048 triangles, corners on the sphere: its faces are inside by up to h = R(1 − cos ε), where ε is the angle that a
+// face's circumcircle is seen under, and so are depth and normal.
+TEST(MeshSurface, ABallIsTheSphereWithinTheChord) {
+  const double radius = 0.05;
+  const MeshSurface mesh(Mesh(ball_triangles(radius, 4)));
+  double epsilon = 0.0;
+  for (const Face& face : mesh.mesh().faces()) {
+    const int number = static_cast<int>(&face - mesh.mesh().faces().data());
+    epsilon =
+        std::max(epsilon, std::acos(mesh.mesh().normal(number).dot(mesh.mesh().vertices()[static_cast<std::size_t>(face[0])] / radius)));
+  }
+  const double chord = radius * (1.0 - std::cos(epsilon));
+  ASSERT_LT(chord, 3e-4);
+  const SphereSurface sphere(radius);
+  Random random(1);
+  int inside = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const Vector3d finger = anywhere(random, 1.0).normalized() * random.uniform(0.3, 2.0) * radius;
+    ContactMemory memory;
+    const Contact exact = sphere.contact(finger, memory);
+    const Contact contact = first_contact(mesh, finger);
+    expect_consistent(contact, finger);
+    ASSERT_LE(contact.depth, exact.depth + 1e-12);
+    ASSERT_GE(contact.depth, exact.depth - chord - 1e-12);
+    inside += contact.depth > 0.0;
+    // Inside the normal is a face's, and the finger is beneath that face: beside its middle by the circumcircle's radius at most.
+    if (contact.depth > 0.0) {
+      const double beside = std::min(1.0, radius * std::sin(epsilon) / finger.norm());
+      ASSERT_LE(std::acos(std::min(1.0, contact.normal.dot(exact.normal))), std::asin(beside) + 1e-7);
+    }
+  }
+  EXPECT_GT(inside, 5000);
+}
+
+// A finger wanders about a box, in and out, with jumps: what the mesh says is what the box says, which was written for it.
+TEST(MeshSurface, ABoxOfTrianglesIsTheBox) {
+  const Vector3d half{0.06, 0.02, 0.02};
+  const BoxSurface box(half);
+  const MeshSurface mesh(Mesh(box_triangles(half)));
+  Random random(2);
+  const Vector3d margin = Vector3d::Constant(0.005);
+  Vector3d finger(0.0, 0.0, 0.03);
+  ContactMemory of_box;
+  ContactMemory of_mesh;
+  int touching = 0;
+  for (int i = 0; i < 200000; ++i) {
+    finger += anywhere(random, i % 100 == 0 ? 0.05 : 0.002);
+    finger = finger.cwiseMax(-half - margin).cwiseMin(half + margin);
+    const Contact expected = box.contact(finger, of_box);
+    const Contact contact = mesh.contact(finger, of_mesh);
+    expect_consistent(contact, finger);
+    ASSERT_LT((contact.normal - expected.normal).norm(), 1e-7) << i;
+    ASSERT_NEAR(contact.depth, expected.depth, 2e-12);
+    ASSERT_LT((contact.point - expected.point).norm(), 2e-12);
+    touching += contact.depth > 0.0;
+  }
+  EXPECT_GT(touching, 50000);
+}
+
+// The god-object slides along the top, over the edge to the side, round the corner, and is always on the surface.
+TEST(MeshSurface, SlidesOverAnEdgeAndRoundACorner) {
+  // An octagonal rod: edges of 45°, and ends.
+  TriangleList rod;
+  for (int i = 0; i < 8; ++i) {
+    const double angle = std::numbers::pi * (0.25 * i + 0.125);
+    for (const double z : {-0.03, 0.03}) rod.vertices.push_back({0.02 * std::cos(angle), 0.02 * std::sin(angle), z});
+  }
+  for (int i = 0; i < 8; ++i) {
+    const int a = 2 * i, b = 2 * ((i + 1) % 8);
+    rod.faces.push_back({a, b, b + 1});
+    rod.faces.push_back({a, b + 1, a + 1});
+    if (i > 0 && i < 7) rod.faces.push_back({0, b, a});
+    if (i > 0 && i < 7) rod.faces.push_back({1, a + 1, b + 1});
+  }
+  const MeshSurface surface{Mesh(rod)};
+  const double inner = 0.02 * std::cos(std::numbers::pi / 8.0);
+  ContactMemory memory;
+  ASSERT_LT(surface.contact({0.025, 0.0, 0.0}, memory).depth, 0.0);
+  const double depth = 0.001;
+  double last = depth;
+  int changes = 0;
+  Vector3d normal = Vector3d::UnitX();
+  for (double angle = 0.0; angle < 2.0 * std::numbers::pi; angle += 1e-3) {
+    const Vector3d finger((inner - depth) * std::cos(angle), (inner - depth) * std::sin(angle), 0.01 * std::sin(3.0 * angle));
+    const Contact contact = surface.contact(finger, memory);
+    // Beneath a plane of the rod, never farther than the corner allows, and the normal is one of eight.
+    ASSERT_GE(contact.depth, depth - 1e-12);
+    ASSERT_LE(contact.depth, inner - (inner - depth) * std::cos(std::numbers::pi / 4.0));
+    ASSERT_LT(distance_by_search(surface.mesh(), contact.point), 1e-12);
+    const double turn = std::acos(std::min(1.0, contact.normal.dot(normal)));
+    if (turn > 1e-6) {
+      ++changes;
+      ASSERT_NEAR(turn, std::numbers::pi / 4.0, 1e-6);
+      // Over an edge of angle θ the force (depth along the normal) turns by d sin θ and no more.
+      ASSERT_LE((contact.normal * contact.depth - normal * last).norm(), last * std::sin(std::numbers::pi / 4.0) + 1e-4);
+    }
+    normal = contact.normal;
+    last = contact.depth;
+  }
+  EXPECT_EQ(changes, 8);
+  // Round the corner to the end: out over the edge the finger is free, back in by the end it is beneath that.
+  ASSERT_GT(surface.contact({0.015, 0.0, 0.0295}, memory).depth, 0.0);
+  EXPECT_LT(surface.contact({0.015, 0.0, 0.0305}, memory).depth, 0.0);
+  EXPECT_LT((surface.contact({0.01, 0.0, 0.0295}, memory).normal - Vector3d::UnitZ()).norm(), 1e-12);
+}
+
+// In the inner edge of an L the god-object rests against both walls, and the force turns steadily from one wall's normal to the other's.
+TEST(MeshSurface, TheForceIsContinuousInACrease) {
+  const MeshSurface surface = read_mesh(data_mesh("bracket.stl"));
+  ContactMemory memory;
+  ASSERT_LT(surface.contact({0.03, 0.03, 0.0}, memory).depth, 0.0);
+  Vector3d last = Vector3d::Zero();
+  bool first = true;
+  int between = 0;
+  const double step = 1e-6;
+  for (int i = 0; i < 12000; ++i) {
+    // From beneath the lower arm's top, past the crease, to behind the upper arm's side.
+    const double along = -0.006 + step * i;
+    const Vector3d finger =
+        Vector3d(0.02, 0.02, 0.001) + (along < 0 ? Vector3d(-along, -0.002, 0.0) : Vector3d(-0.5 * along, -0.002 + along, 0.0));
+    const Contact contact = surface.contact(finger, memory);
+    expect_consistent(contact, finger);
+    const Vector3d push = contact.normal * std::max(contact.depth, 0.0);
+    if (!first) {
+      ASSERT_LE((push - last).norm(), 1.2 * step) << i;
+    }
+    first = false;
+    last = push;
+    between += contact.depth > 0.0 && contact.normal.x() > 0.01 && contact.normal.y() > 0.01;
+  }
+  EXPECT_GT(between, 500);
+}
+
+TEST(MeshSurface, AThinPlateIsNotPassedThrough) {
+  const MeshSurface plate = read_mesh(data_mesh("plate.stl"));
+  for (const bool slowly : {false, true}) {
+    ContactMemory memory;
+    ASSERT_LT(plate.contact({0.005, 0.0, 0.01}, memory).depth, 0.0);
+    for (double z = slowly ? 0.0005 : -0.0025; z >= -0.0025; z -= 1e-5) static_cast<void>(plate.contact({0.005, 0.0, z}, memory));
+    // 3 mm through: beneath the top still, wherever it goes beneath the plate, by steps or by leaps.
+    Random random(3);
+    for (int i = 0; i < 5000; ++i) {
+      const Vector3d finger(random.uniform(-0.0299, 0.0299), random.uniform(-0.0199, 0.0199), -0.0025);
+      const Contact contact = plate.contact(finger, memory);
+      ASSERT_EQ(contact.normal, Vector3d::UnitZ());
+      ASSERT_NEAR(contact.depth, 0.003, 1e-12);
+      ASSERT_NEAR(contact.point.z(), 0.0005, 1e-12);
+    }
+    // Past its rim it is free, and comes back from below.
+    ASSERT_LT(plate.contact({0.0301, 0.0, -0.0025}, memory).depth, 0.0);
+    ASSERT_LT(plate.contact({0.0, 0.0, -0.0025}, memory).depth, 0.0);
+    ASSERT_LT((plate.contact({0.0, 0.0, 0.0025}, memory).normal + Vector3d::UnitZ()).norm(), 1e-12);
+  }
+}
+
+// A star of spikes, slivers and creases, and a finger that moves at random, by micrometres and by leaps, often exactly to a vertex or
+// along an edge. Whatever it does: free means outside, by the solid angle; nothing in the way of a free move; touching means a
+// god-object on the surface with no place about it that is nearer the finger.
+TEST(MeshSurface, AMillionRandomMovesNeverFallThrough) {
+  const MeshSurface surface = read_mesh(data_mesh("star.obj"));
+  const Mesh& mesh = surface.mesh();
+  Random random(4);
+  ContactMemory memory;
+  Vector3d finger(0.1, 0.0, 0.0);
+  static_cast<void>(surface.contact(finger, memory));
+  int touching = 0;
+  int checked_free = 0;
+  const auto vertex = [&] { return mesh.vertices()[static_cast<std::size_t>(random.bits() % mesh.vertices().size())]; };
+  for (int i = 0; i < 1'000'000; ++i) {
+    const std::uint64_t kind = random.bits() % 64;
+    if (kind == 0) {
+      finger = anywhere(random, 0.1);
+    } else if (kind == 1) {
+      finger = vertex();
+    } else if (kind == 2) {
+      finger = -finger;
+    } else if (kind == 3) {
+      const Face& face = mesh.faces()[static_cast<std::size_t>(random.bits() % mesh.faces().size())];
+      const Vector3d& a = mesh.vertices()[static_cast<std::size_t>(face[0])];
+      finger = a + random.uniform(-1.0, 2.0) * (mesh.vertices()[static_cast<std::size_t>(face[1])] - a);
+    } else if (kind == 4) {
+      finger *= random.uniform(0.0, 1.5);
+    } else {
+      finger += anywhere(random, random.logarithmic(1e-13, 1e-2));
+    }
+    if (finger.cwiseAbs().maxCoeff() > 0.2) finger *= 0.1;
+    const bool was_free = memory.face < 0;
+    const Contact contact = surface.contact(finger, memory);
+    ASSERT_NEAR(contact.normal.norm(), 1.0, 1e-14);
+    ASSERT_TRUE(contact.point.allFinite());
+    touching += contact.depth > 0.0;
+    static_cast<void>(was_free);
+    if (memory.face >= 0) {
+      ASSERT_EQ(contact.depth > 0.0 || mesh.holds(finger), true);
+      if (i % 16 != 0) continue;
+      ASSERT_LT(distance_by_search(mesh, memory.finger), 1e-12);
+    } else if (i % 16 == 0) {
+      ++checked_free;
+      const double distance = distance_by_search(mesh, finger);
+      if (distance > 1e-11) {
+        ASSERT_LT(std::fabs(winding_by_search(mesh, finger)), 0.5) << i;
+      }
+      ASSERT_NEAR(-contact.depth, distance, 1e-12);
+    }
+  }
+  EXPECT_GT(touching, 200'000);
+  EXPECT_GT(checked_free, 10'000);
+}
+
+}  // namespace
+}  // namespace limitcurve::godobject::test
