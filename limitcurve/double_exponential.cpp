@@ -39,8 +39,9 @@ DoubleExponential<Real>::DoubleExponential() {
     for (int j = first;; j += stride) {
       const Extended t = step * j;
       const DoubleExponentialNode<Real> right = node_at<Real>(t);
-      // Squares of the distance must stay normal: nothing downstream meets a subnormal.
-      if (right.from_right < std::sqrt(std::numeric_limits<Real>::min())) break;
+      // Squares of the distance must stay normal: nothing downstream meets a subnormal. Asked so that the loop ends even
+      // where long double has a narrower exponent than it claims, and both sides underflow to zero (valgrind).
+      if (!(right.from_right > std::sqrt(std::numeric_limits<Real>::min()))) break;
       right_[static_cast<std::size_t>(level)].push_back(right);
       if (j > 0) left_[static_cast<std::size_t>(level)].push_back(node_at<Real>(-t));
     }
