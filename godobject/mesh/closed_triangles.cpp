@@ -59,7 +59,7 @@ class Closing {
   [[noreturn]] void fail(Parts what) const { throw std::invalid_argument(joined({given_.name, ": ", joined(what)})); }
 
   [[nodiscard]] std::string at(int vertex) const {
-    const Vector3d& v = result_.vertices[index(vertex)];
+    const Vector3d& v = given_.vertices[given_vertex_[index(vertex)]];
     return joined({"(", format_number(v.x()), ", ", format_number(v.y()), ", ", format_number(v.z()), ")"});
   }
 
@@ -101,6 +101,7 @@ class Closing {
       const auto [found, is_new] = known.try_emplace(place, static_cast<int>(result_.vertices.size()));
       if (is_new) {
         result_.vertices.push_back(place);
+        given_vertex_.push_back(i);
       } else {
         ++result_.repairs.welded;
       }
@@ -280,8 +281,9 @@ class Closing {
 
   const TriangleList& given_;
   ClosedTriangles result_;
-  std::vector<std::size_t> origin_;  // where in the list given each face is
-  std::vector<int> shell_;           // which connected part each face belongs to
+  std::vector<std::size_t> origin_;        // where in the list given each face is
+  std::vector<std::size_t> given_vertex_;  // and each vertex, the first of those welded
+  std::vector<int> shell_;                 // which connected part each face belongs to
   std::vector<char> turned_;
   int shells_ = 0;
 };

@@ -4,6 +4,8 @@
 #include "godobject/mesh/mesh_file.hpp"
 #include "tests/godobject/scene.hpp"
 
+#include <Eigen/LU>
+
 #include <cmath>
 #include <limits>
 #include <map>
@@ -87,6 +89,20 @@ inline double winding_by_search(const Mesh& mesh, const Eigen::Vector3d& p) {
     angle += 2.0 * std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
   }
   return angle / (4.0 * std::numbers::pi);
+}
+
+/// Whether a segment passes through a face, not within rounding of its edges or of the segment's ends.
+inline bool clearly_crosses(const Mesh& mesh, const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+  for (const auto& [i, j, k] : mesh.faces()) {
+    const auto v = [&](int n) { return mesh.vertices()[static_cast<std::size_t>(n)]; };
+    Eigen::Matrix3d system;
+    system << v(j) - v(i), v(k) - v(i), from - to;
+    const Eigen::Vector3d solution = system.fullPivLu().solve(from - v(i));
+    if ((system * solution - (from - v(i))).norm() > 1e-12) continue;
+    const double first = 1.0 - solution[0] - solution[1];
+    if (std::min({solution[0], solution[1], first, solution[2], 1.0 - solution[2]}) > 1e-6) return true;
+  }
+  return false;
 }
 
 }  // namespace limitcurve::godobject::test

@@ -213,17 +213,19 @@ TEST(MeshSurface, AMillionRandomMovesNeverFallThrough) {
     }
     if (finger.cwiseAbs().maxCoeff() > 0.2) finger *= 0.1;
     const bool was_free = memory.face < 0;
+    const Vector3d last = memory.finger;
     const Contact contact = surface.contact(finger, memory);
     ASSERT_NEAR(contact.normal.norm(), 1.0, 1e-14);
     ASSERT_TRUE(contact.point.allFinite());
     touching += contact.depth > 0.0;
-    static_cast<void>(was_free);
     if (memory.face >= 0) {
       ASSERT_EQ(contact.depth > 0.0 || mesh.holds(finger), true);
       if (i % 16 != 0) continue;
       ASSERT_LT(distance_by_search(mesh, memory.finger), 1e-12);
     } else if (i % 16 == 0) {
       ++checked_free;
+      // A move from free to free goes through no face, or slides off one, as over the tip of a spike.
+      ASSERT_TRUE(!was_free || mesh.entry(last, finger) || !clearly_crosses(mesh, last, finger)) << i;
       const double distance = distance_by_search(mesh, finger);
       if (distance > 1e-11) {
         ASSERT_LT(std::fabs(winding_by_search(mesh, finger)), 0.5) << i;

@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: MIT
+#include "godobject/mesh/mesh.hpp"
+
+#include "tests/mesh/shapes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace limitcurve::godobject::test {
+namespace {
+
+using Eigen::Vector3d;
+
+std::string complaint(const TriangleList& list) {
+  try {
+    static_cast<void>(Mesh(list));
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "none";
+}
+
+void expect_complaint(const TriangleList& list, std::initializer_list<std::string_view> parts) {
+  const std::string message = complaint(list);
+  for (const std::string_view part : parts) EXPECT_NE(message.find(part), std::string::npos) << message << "\n  lacks " << part;
+}
+
+TriangleList cube() {
+  return box_triangles(Vector3d::Constant(0.01));
+}
+
+/// Adds the triangles of another list, moved.
+void add(TriangleList& list, const TriangleList& other, const Vector3d& by = Vector3d::Zero()) {
+  const int first = static_cast<int>(list.vertices.size());
+  for (const Vector3d& vertex : other.vertices) list.vertices.push_back(vertex + by);
+  for (const auto& [a, b, c] : other.faces) list.faces.push_back({first + a, first + b, first + c});
+}
+
+TEST(Mesh, KnowsItsVolume) {
+  EXPECT_NEAR(Mesh(cube()).volume(), 8e-6, 1e-16);
+  EXPECT_EQ(Mesh(cube()).repairs().turned, 0);
+  TriangleList far_away = cube();
+  for (Vector3d& vertex : far_away.vertices) vertex += Vector3d(1.0, -2.0, 3.0);
+  EXPECT_NEAR(Mesh(far_away).volume(), 8e-6, 1e-13);
+}
+
+TEST(Mesh, RefusesWhatBoundsNoSolid) {
+  TriangleList list = cube();
+  list.name = "cube.obj";
+  list.faces.pop_back();
+  expect_complaint(list, {"cube.obj: face ", "nothing beyond its edge from (", "expected a closed surface"});
+  list.lines.assign(list.faces.size(), 17);
+  expect_complaint(list, {"cube.obj:17: face "});
+
+  list = cube();
+  list.vertices.push_back({0.03, 0.03, 0.03});
+  list.faces.push_back({0, 1, 8});
+  expect_complaint(list, {"is one of 3 faces at the edge", "expected two"});
+
+  list = cube();
+  list.faces[3] = {0, 1, 8};
+  expect_complaint(list, {"mesh: face 3 has the vertex 8, of 8 counted from 0"});
+  list.faces[3] = {0, -1, 2};
+  expect_complaint(list, {"face 3 has the vertex -1"});
+
+  for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 1e7}) {
+    list = cube();
+    list.vertices[5].y() = bad;
+    expect_complaint(list, {"has a vertex that is not within 1e6 m of the origin"});
+  }
+  list = cube();
+  list.faces.resize(3);
+  expect_complaint(list, {"3 faces, expected at least 4"});
+  expect_complaint({}, {"0 faces, expected at least 4"});
+  expect_complaint(box_triangles(Vector3d::Constant(1e-8)), {"farthest coordinate is 1e-08 m"});
+}
+
+// Two cubes that share a corner, and two that share an edge.
+TEST(Mesh, RefusesWhatIsNoManifold) {
+  TriangleList list = cube();
+  add(list, cube(), Vector3d::Constant(0.02));
+  expect_complaint(list, {"has a corner (0.01", "where parts of the surface touch in a point"});
+  list = cube();
+  add(list, cube(), {0.02, 0.02, 0.0});
+  expect_complaint(list, {"is one of 4 faces at the edge"});
+}
+
+// A Klein bottle as a grid of 8 × 8 squares whose one pair of sides is joined crosswise: closed, but with one side only.
+TEST(Mesh, RefusesWhatHasOneSide) {
+  TriangleList list;
+  constexpr int n = 8;
+  Random random(1);
+  for (int i = 0; i < n * n; ++i) list.vertices.push_back({random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)});
+  const auto at = [](int i, int j) { return i < n ? i * n + (j + n) % n : (2 * n - j) % n; };
+  for (int i = 0; i < n; ++i) {
+    for (int j = 0; j < n; ++j) {
+      list.faces.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+      list.faces.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+    }
+  }
+  expect_complaint(list, {"cannot both look outward: expected a surface with two sides"});
+}
+
+TEST(Mesh, RefusesTangles) {
+  // Two cubes that cross, that touch with faces, with a corner on a face, with an edge on a face.
+  for (const Vector3d& by : {Vector3d(0.011, 0.012, 0.013), Vector3d(0.02, 0.003, 0.004), Vector3d(0.0, 0.0, 0.02)}) {
+    TriangleList list = cube();
+    TriangleList other = cube();
+    if (by.x() == 0.0) {
+      for (Vector3d& vertex : other.vertices) vertex *= 0.5;
+      add(list, other, {0.001, 0.002, 0.015});
+    } else {
+      add(list, other, by);
+    }
+    expect_complaint(list, {"meets face ", "where they share neither edge nor vertex"});
+  }
+  TriangleList list = cube();
+  list.vertices.insert(list.vertices.end(), {{0.0, 0.0, 0.01}, {0.005, 0.001, 0.03}, {-0.005, 0.002, 0.03}, {0.001, 0.005, 0.03}});
+  for (const Face& face : {Face{8, 9, 10}, Face{8, 10, 11}, Face{8, 11, 9}, Face{9, 11, 10}}) list.faces.push_back(face);
+  expect_complaint(list, {"meets face "});
+
+  // A cube with one corner pulled through the opposite face, and one with a face folded back on to another.
+  list = cube();
+  list.vertices[7] = {-0.02, -0.005, -0.004};
+  expect_complaint(list, {"meets face "});
+  list = cube();
+  list.vertices.push_back({0.0, 0.0, 0.01});
+  list.vertices.push_back({0.005, 0.005, 0.01});
+  // A pocket without depth in the top.
+  const auto top =
+      std::find_if(list.faces.begin(), list.faces.end(), [](const Face& face) { return (face[0] & face[1] & face[2] & 1) != 0; });
+  ASSERT_NE(top, list.faces.end());
+  const auto [a, b, c] = *top;
+  *top = {a, b, 8};
+  list.faces.push_back({b, c, 8});
+  list.faces.push_back({c, 9, 8});
+  list.faces.push_back({c, a, 9});
+  list.faces.push_back({a, 8, 9});
+  EXPECT_NE(complaint(list), "none");
+}
+
+TEST(Mesh, RefusesFacesTooThinToHaveASide) {
+  // A vertex on an edge, and one beside it by less than 1e-6 of its length.
+  for (const double beside : {0.0, 1e-9}) {
+    TriangleList list;
+    list.vertices = {{0, 0, 0}, {0.01, 0, 0}, {0, 0.01, 0}, {0, 0, 0.01}, {0.005, -beside, 0}};
+    list.faces = {{0, 2, 1}, {0, 3, 2}, {1, 2, 3}, {0, 4, 3}, {4, 1, 3}, {0, 1, 4}};
+    expect_complaint(list, {"face 5 ", beside == 0.0 ? "has no area" : "is a sliver"});
+  }
+  TriangleList list;
+  list.vertices = {{0, 0, 0}, {0.01, 0, 0}, {0, 0.01, 0}, {0, 0, 0.01}, {0.005, -1e-7, 0}};
+  list.faces = {{0, 2, 1}, {0, 3, 2}, {1, 2, 3}, {0, 4, 3}, {4, 1, 3}, {0, 1, 4}};
+  EXPECT_EQ(complaint(list), "none");
+}
+
+TEST(Mesh, MendsWhatCanBeMendedInOneWay) {
+  // As in an STL: no vertex is shared.
+  const TriangleList shared = cube();
+  TriangleList list;
+  for (const Face& face : shared.faces) {
+    for (const int corner : face) {
+      // Two that differ by less than the grid are one.
+      list.vertices.push_back(shared.vertices[static_cast<std::size_t>(corner)] * (list.vertices.size() % 2 == 0 ? 1.0 : 1.0 + 1e-15));
+    }
+    const int last = static_cast<int>(list.vertices.size());
+    list.faces.push_back({last - 3, last - 2, last - 1});
+  }
+  EXPECT_EQ(Mesh(list).repairs().welded, 28);
+  EXPECT_EQ(Mesh(list).vertices().size(), 8U);
+
+  // Needles of no width between two faces.
+  list.faces.push_back({0, 1, 1});
+  list.faces.push_back({3, 3, 3});
+  EXPECT_EQ(Mesh(list).repairs().dropped, 2);
+  EXPECT_EQ(Mesh(list).faces().size(), 12U);
+
+  // Some faces look inward, or all.
+  list = cube();
+  for (const std::size_t face : {0U, 3U, 4U, 11U}) std::swap(list.faces[face][0], list.faces[face][2]);
+  EXPECT_EQ(Mesh(list).repairs().turned, 4);
+  EXPECT_NEAR(Mesh(list).volume(), 8e-6, 1e-16);
+  list = cube();
+  for (Face& face : list.faces) std::swap(face[0], face[1]);
+  EXPECT_EQ(Mesh(list).repairs().turned, 12);
+  for (int i = 0; i < 12; ++i)
+    EXPECT_GT(Mesh(list).normal(i).dot(list.vertices[static_cast<std::size_t>(list.faces[static_cast<std::size_t>(i)][0])]), 0.0);
+}
+
+// A cube with a hollow in which a smaller cube floats: outward is out of the matter, however the faces were given.
+TEST(Mesh, KnowsHollows) {
+  TriangleList list = cube();
+  for (const double scale : {0.6, 0.3}) {
+    TriangleList inner = cube();
+    for (Vector3d& vertex : inner.vertices) vertex *= scale;
+    add(list, inner);
+  }
+  const Mesh mesh(list);
+  EXPECT_EQ(mesh.repairs().turned, 12);
+  EXPECT_NEAR(mesh.volume(), 8e-6 * (1.0 - 0.216 + 0.027), 1e-16);
+  for (const auto& [x, inside] : {std::pair(0.009, true), {0.005, false}, {0.002, true}, {0.011, false}}) {
+    EXPECT_EQ(mesh.holds({x, 0.0001, 0.0002}), inside) << x;
+  }
+}
+
+// Inside or outside, and where a segment enters, against the solid angle and each face: places on vertices and edges, or in line with them, too.
+TEST(Mesh, InsideIsExact) {
+  const Mesh mesh(read_triangles(data_mesh("star.obj")));
+  Random random(5);
+  int inside = 0;
+  for (int i = 0; i < 20000; ++i) {
+    Vector3d point{random.uniform(-0.06, 0.06), random.uniform(-0.06, 0.06), random.uniform(-0.06, 0.06)};
+    // In line with a vertex along the axis on which the way out is counted.
+    const Vector3d& vertex = mesh.vertices()[static_cast<std::size_t>(random.bits() % mesh.vertices().size())];
+    if (i % 4 == 1) point = {point.x(), vertex.y(), vertex.z()};
+    if (i % 4 == 2) point = {point.x(), 0.0, 0.0};
+    if (distance_by_search(mesh, point) < 1e-11) continue;
+    const bool holds = mesh.holds(point);
+    ASSERT_EQ(holds, winding_by_search(mesh, point) > 0.5) << point.transpose();
+    inside += holds;
+  }
+  EXPECT_GT(inside, 1000);
+}
+
+TEST(Mesh, EveryWayInHasAnEntry) {
+  const Mesh mesh(read_triangles(data_mesh("star.obj")));
+  Random random(6);
+  const auto any_vertex = [&] { return mesh.vertices()[static_cast<std::size_t>(random.bits() % mesh.vertices().size())]; };
+  int entries = 0;
+  for (int i = 0; i < 100000; ++i) {
+    Vector3d from{random.uniform(-0.1, 0.1), random.uniform(-0.1, 0.1), random.uniform(-0.1, 0.1)};
+    Vector3d to{random.uniform(-0.03, 0.03), random.uniform(-0.03, 0.03), random.uniform(-0.03, 0.03)};
+    if (i % 4 == 1) to = 2.0 * any_vertex() - from;           // through a vertex
+    if (i % 4 == 2) to = any_vertex() + any_vertex() - from;  // often through the middle of an edge
+    if (i % 4 == 3) from = any_vertex(), to = -from;          // from one
+    const bool enters = !mesh.holds(from) && mesh.holds(to);
+    entries += enters;
+    if (enters) {
+      ASSERT_TRUE(mesh.entry(from, to).has_value()) << i;
+      // From afar as well.
+      ASSERT_TRUE(mesh.entry(from + 1e8 * (from - to), from).has_value() || mesh.entry(from, to).has_value());
+    }
+  }
+  EXPECT_GT(entries, 10000);
+}
+
+TEST(Mesh, TheNearestPlaceIsThatOfASearch) {
+  const Mesh mesh(read_triangles(data_mesh("star.obj")));
+  Random random(7);
+  for (int i = 0; i < 5000; ++i) {
+    const Vector3d point{random.uniform(-0.1, 0.1), random.uniform(-0.1, 0.1), random.uniform(-0.1, 0.1)};
+    const MeshPlace place = mesh.nearest(point, i % 240);
+    ASSERT_NEAR((place.point - point).norm(), distance_by_search(mesh, point), 1e-15);
+    ASSERT_LT(distance_by_search(mesh, place.point), 1e-16);
+  }
+}
+
+// Slivers of 1.2e-6: a long plate cut lengthwise into strips, with places nearest on them.
+TEST(Mesh, SliversHaveNearestPlacesToo) {
+  TriangleList list = box_triangles({0.05, 6e-8, 0.01});
+  const Mesh mesh(list);
+  Random random(8);
+  for (int i = 0; i < 5000; ++i) {
+    const Vector3d point{random.uniform(-0.1, 0.1), random.uniform(-0.01, 0.01), random.uniform(-0.02, 0.02)};
+    const Vector3d exact = point.cwiseMax(Vector3d(-0.05, -6e-8, -0.01)).cwiseMin(Vector3d(0.05, 6e-8, 0.01));
+    ASSERT_NEAR((mesh.nearest(point, 0).point - exact).norm(), 0.0, 1e-11);
+  }
+}
+
+}  // namespace
+}  // namespace limitcurve::godobject::test
