@@ -95,5 +95,45 @@ def closed_forms(rows, title):
     return figure
 
 
-FIGURES = {figure.__name__: figure for figure in (quadrature_rim, quadrature_singular, quadrature_kinks, quadrature_complement,
-                                                  closed_forms_far, closed_forms_near)}
+def tables_spacing(rows):
+    figure, (nodes, cor) = frame(2, sharey=True)
+    style = styles(list(rows.groups("series")))
+    draw(nodes, rows.where(panel="nodes"), style)
+    nodes.set(title="Largest error of f and m, flat punch", xlabel="nodes", xscale="log", yscale="log", xlim=(8, 1000))
+    draw(cor, rows.where(panel="cor"), style)
+    cor.set(title="… against the COR, as many nodes as our table of 1e-8", xlabel=COR, yscale="log", xlim=(0, 3), ylim=(1e-12, 1e-1))
+    for axes in (nodes, cor):
+        axes.minorticks_off()
+    legend_below(figure, nodes, 2)
+    return figure
+
+
+def tables_extrapolation(rows):
+    figure, (axes,) = frame(1)
+    draw(axes, rows, styles(list(rows.groups("series"))), top=1e6)
+    axes.set(title="Relative error of the moment of a table that ends at s = 5", xlabel=COR, xscale="log", yscale="log", xlim=(1, 1e6), ylim=(1e-10, 1e6))
+    axes.minorticks_off()
+    legend_below(figure, axes, 4)
+    return figure
+
+
+def tables_equilibria(rows):
+    figure, (power, rests) = frame(2)
+    style = styles(list(rows.groups("series")))
+    for series, points in rows.where(panel="power").groups("series").items():
+        power.plot(points.column("x"), points.column("value"), label=series, **style[series])
+    power.set(title="Power of one twist along the curve", xlabel="place on the curve (spin fraction)",
+              ylabel="less the largest  [1e-4 µPaω]")
+    for series, points in rows.where(panel="rests").groups("series").items():
+        rests.plot(points.column("x"), points.column("value"), marker="o", markersize=3, label=series, **style[series])
+    rests.set(title="Wrenches at which one steady twist can rest", xlabel="nodes", xscale="log", yscale="log", ylim=(0.8, 60))
+    for axis, ticks in ((rests.yaxis, (1, 2, 5, 10, 20, 50)), (rests.xaxis, (5, 10, 20, 50, 100, 200, 500))):
+        axis.set_ticks(ticks, [f"{tick:g}" for tick in ticks])
+    rests.minorticks_off()
+    legend_below(figure, power, 2)
+    return figure
+
+
+FIGURES = {figure.__name__: figure for figure in (
+    quadrature_rim, quadrature_singular, quadrature_kinks, quadrature_complement, closed_forms_far, closed_forms_near,
+    tables_spacing, tables_extrapolation, tables_equilibria)}

@@ -4,6 +4,7 @@
 #include "atlas.hpp"
 #include "limitcurve/number.hpp"
 #include "quadrature.hpp"
+#include "tables.hpp"
 
 #include <cstdio>
 #include <exception>
@@ -21,6 +22,7 @@ const std::vector<Entry> entries = {
     {"quadrature",
      {centre_under_the_finger, adaptive_subdivision, singular_rim, kinks_of_a_profile, vanishing_complement, moment_far_away,
       force_near_the_centre}},
+    {"tables", {even_spacing, beyond_the_last_node, false_equilibria}},
 };
 
 /// Text may hold commas.

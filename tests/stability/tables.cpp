@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: MIT
+// Entry b: limit curves as lookup tables.
+#include "tables.hpp"
+
+#include "limitcurve/laws.hpp"
+#include "limitcurve/table.hpp"
+#include "sampling.hpp"
+#include "truth.hpp"
+
+#include <math.h>  // NOLINT: Boost 1.74's interpolators need it
+
+#include <boost/math/interpolators/cardinal_cubic_b_spline.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace limitcurve::stability {
+
+namespace {
+
+using Spline = boost::math::interpolators::cardinal_cubic_b_spline<double>;
+
+/// A table as one writes it: `nodes` places at even distances on [0, last], values and exact slopes, a cubic between.
+class EvenTable {
+ public:
+  EvenTable(const PressureLaw& law, double last, int nodes) : step_(last / (nodes - 1)) {
+    for (const double s : evenly(0.0, last, nodes)) nodes_.push_back(law.forces(s));
+  }
+
+  /// Beyond the last node the last cubic goes on.
+  [[nodiscard]] UnitWrench wrench(double s) const {
+    const double place = std::min(std::floor(s / step_), static_cast<double>(nodes_.size() - 2));
+    const auto i = static_cast<std::size_t>(place);
+    const double left = step_ * place;
+    const double t = (s - left) / step_;
+    const UnitForces<double>& from = nodes_[i];
+    const UnitForces<double>& to = nodes_[i + 1];
+    return {hermite(t, from.force, to.force, step_ * from.force_slope, step_ * to.force_slope),
+            hermite(t, from.moment, to.moment, -step_ * left * from.force_slope, -step_ * (left + step_) * to.force_slope)};
+  }
+
+ private:
+  static double hermite(double t, double from, double to, double from_slope, double to_slope) {
+    const double r = 1.0 - t;
+    return r * r * ((1.0 + 2.0 * t) * from + t * from_slope) + t * t * ((1.0 + 2.0 * r) * to - r * to_slope);
+  }
+
+  double step_;
+  std::vector<UnitForces<double>> nodes_;
+};
+
+/// Places that find what an interpolant of the inside and the near outside does: evenly, and crowding to the rim.
+std::vector<std::pair<double, ExactWrench>> flat_punch_around_the_rim(double last) {
+  std::vector<std::pair<double, ExactWrench>> places;
+  for (const double s : evenly(0.0013, last, 1200)) places.emplace_back(s, exact_flat_punch(s));
+  for (const double distance : in_ratios(1e-6, 0.2, 160)) {
+    places.emplace_back(1.0 - distance, exact_flat_punch(1.0 - distance));
+    places.emplace_back(1.0 + distance, exact_flat_punch(1.0 + distance));
+  }
+  std::sort(places.begin(), places.end(), [](const auto& one, const auto& other) { return one.first < other.first; });
+  return places;
+}
+
+double absolute_error(UnitWrench wrench, const ExactWrench& exact) {
+  return std::max(
+      {static_cast<double>(abs(Exact(wrench.force - exact.force))), static_cast<double>(abs(Exact(wrench.moment - exact.moment))), 1e-17});
+}
+
+/// A value as a file of four decimals holds it.
+double printed(double value) {
+  return std::round(value * 1e4) / 1e4;
+}
+
+/// A closed stretch of curve from pure slide to pure spin, by points that lie near together.
+using Polyline = std::vector<UnitWrench>;
+constexpr int polyline_points = 8001;
+
+/// A cubic spline of f and another of m over the spin fraction, through `nodes` even places, each value to four decimals.
+Polyline splined(const PressureLaw& law, int nodes) {
+  std::vector<double> force;
+  std::vector<double> moment;
+  for (const double u : evenly(0.0, 1.0, nodes)) {
+    const UnitForces<double> at = law.forces(SlipTwist::of_spin_fraction(u).cor());
+    force.push_back(printed(at.force));
+    moment.push_back(printed(at.moment));
+  }
+  const double step = 1.0 / (nodes - 1);
+  const Spline f(force.begin(), force.end(), 0.0, step);
+  const Spline m(moment.begin(), moment.end(), 0.0, step);
+  Polyline points;
+  for (const double u : evenly(0.0, 1.0, polyline_points)) points.push_back({f(u), m(u)});
+  return points;
+}
+
+Polyline tabulated(const Table& table) {
+  Polyline points;
+  for (const double u : evenly(0.0, 1.0, polyline_points)) points.push_back(table.wrench(SlipTwist::of_spin_fraction(u)));
+  return points;
+}
+
+double power(UnitWrench wrench, double u) {
+  return (1.0 - u) * wrench.force + u * wrench.moment;
+}
+
+/// Where a finger that is driven with the twist u for long comes to rest, if each step moves its wrench to the closest
+/// point of the curve: a local maximum of the dissipated power. Climbs from the place `from`.
+std::size_t rest(const Polyline& curve, double u, std::size_t from) {
+  std::size_t at = from;
+  while (true) {
+    if (at + 1 < curve.size() && power(curve[at + 1], u) > power(curve[at], u)) {
+      ++at;
+    } else if (at > 0 && power(curve[at - 1], u) > power(curve[at], u)) {
+      --at;
+    } else {
+      return at;
+    }
+  }
+}
+
+struct Rests {
+  int most = 0;           ///< resting places of one twist
+  double distance = 0.0;  ///< between the wrenches of the outermost two
+  double twist = 0.5;     ///< spin fraction of the twist with the most
+};
+
+/// The worst of 99 twists.
+Rests rests(const Polyline& curve) {
+  Rests worst;
+  for (const double u : evenly(0.01, 0.99, 99)) {
+    int count = 0;
+    for (std::size_t i = 0; i < curve.size(); ++i) {
+      const double here = power(curve[i], u);
+      if ((i == 0 || here > power(curve[i - 1], u)) && (i + 1 == curve.size() || here >= power(curve[i + 1], u))) ++count;
+    }
+    if (count > worst.most) worst.twist = u;
+    worst.most = std::max(worst.most, count);
+    const UnitWrench one = curve[rest(curve, u, 0)];
+    const UnitWrench other = curve[rest(curve, u, curve.size() - 1)];
+    worst.distance = std::max(worst.distance, std::hypot(one.force - other.force, one.moment - other.moment));
+  }
+  return worst;
+}
+
+/// The power of a twist along either curve around its true resting place, in units of 1e-4 μPaω, from the largest.
+void draw_power(Figure& figure, const Polyline& curve, const Polyline& ours, double twist) {
+  const std::size_t middle = rest(ours, twist, 0);
+  const double most = power(ours[middle], twist);
+  const std::size_t reach = 480;
+  for (std::size_t i = std::max(middle, reach) - reach; i <= std::min(middle + reach, curve.size() - 1); i += 8) {
+    const double u = static_cast<double>(i) / (polyline_points - 1);
+    figure.rows.push_back({"power", "spline through four decimals", u, 1e4 * (power(curve[i], twist) - most)});
+    figure.rows.push_back({"power", "limitcurve", u, 1e4 * (power(ours[i], twist) - most)});
+  }
+}
+
+}  // namespace
+
+Hazard even_spacing() {
+  Hazard found;
+  Figure figure{"tables_spacing", {}};
+  const std::string test = "Tables.EvenSpacing";
+  const Law law = flat_punch();
+  constexpr double last = 3.0;
+  const auto places = flat_punch_around_the_rim(last);
+  const auto worst_of = [&](const auto& wrench) {
+    double worst = 0.0;
+    for (const auto& [s, exact] : places) worst = std::max(worst, absolute_error(wrench(s), exact));
+    return worst;
+  };
+  const auto even_error = [&](int nodes) {
+    const EvenTable table(*law, last, nodes);
+    return worst_of([&](double s) { return table.wrench(s); });
+  };
+  for (const double nodes : in_ratios(8.0, 1000.0, 30)) {
+    const int even = 2 * static_cast<int>(nodes / 2.0);
+    figure.rows.push_back({"nodes", "even nodes", static_cast<double>(even), even_error(even)});
+  }
+  for (const double tolerance : in_ratios(1e-2, 1e-11, 19)) {
+    const Table table = Table::build(law, tolerance);
+    const double error = worst_of([&](double s) { return table.wrench(SlipTwist::about_cor(s)); });
+    figure.rows.push_back({"nodes", "limitcurve", static_cast<double>(table.node_count()), error});
+  }
+  const Table table = Table::build(law, 1e-8);
+  const auto nodes = static_cast<int>(table.node_count());
+  const EvenTable even(*law, last, nodes);
+  double ours = 0.0;
+  // Stretches of CORs, of each the worst.
+  constexpr int stretches = 90;
+  std::array<double, stretches> even_worst{};
+  std::array<double, stretches> ours_worst{};
+  for (const auto& [s, exact] : places) {
+    const auto i = static_cast<std::size_t>(std::min(stretches * s / last, stretches - 1.0));
+    const double error = absolute_error(table.wrench(SlipTwist::about_cor(s)), exact);
+    even_worst[i] = std::max(even_worst[i], absolute_error(even.wrench(s), exact));
+    ours_worst[i] = std::max(ours_worst[i], error);
+    ours = std::max(ours, error);
+  }
+  for (std::size_t i = 0; i < stretches; ++i) {
+    const double s = last * (static_cast<double>(i) + 0.5) / stretches;
+    figure.rows.push_back({"cor", "even nodes", s, even_worst[i]});
+    figure.rows.push_back({"cor", "limitcurve", s, ours_worst[i]});
+  }
+  found.findings.push_back({"even spacing across the rim", "cubic Hermite, exact slopes, even nodes in s ≤ 3",
+                            "largest error of f and m with the nodes of our table of 1e-8 (flat punch)", even_error(nodes), ours, test});
+  found.findings.push_back(
+      {"even spacing across the rim", "the same with 1000 nodes", "largest error of f and m (flat punch)", even_error(1000), ours, test});
+  found.figures.push_back(std::move(figure));
+  return found;
+}
+
+Hazard beyond_the_last_node() {
+  Hazard found;
+  Figure figure{"tables_extrapolation", {}};
+  const std::string test = "Tables.BeyondTheLastNode";
+  const Law law = hertz();
+  constexpr double last = 5.0;
+  constexpr int nodes = 64;
+  const EvenTable even(*law, last, nodes);
+  std::vector<double> moments;
+  for (const double s : evenly(0.0, last, nodes)) moments.push_back(law->forces(s).moment);
+  const Spline spline(moments.begin(), moments.end(), 0.0, last / (nodes - 1));
+  const Table table = Table::build(law, 1e-8);
+  const auto errors = [&](double s) {
+    const Exact truth = exact_hertz(s).moment;
+    return std::array{relative_error(even.wrench(std::min(s, last)).moment, truth), relative_error(even.wrench(s).moment, truth),
+                      relative_error(spline(s), truth), relative_error(table.wrench(SlipTwist::about_cor(s)).moment, truth)};
+  };
+  constexpr std::array series{"last value held", "last cubic goes on", "Boost's cubic spline", "limitcurve"};
+  double ours = 0.0;
+  for (const double s : in_ratios(1.0, 1e6, 110)) {
+    const auto found_here = errors(s);
+    for (std::size_t i = 0; i < series.size(); ++i) figure.rows.push_back({"moment", series[i], s, found_here[i]});
+    ours = std::max(ours, found_here[3]);
+  }
+  const auto far = errors(1e4);
+  for (std::size_t i = 0; i < 3; ++i) {
+    found.findings.push_back({"COR beyond the last node", std::string(series[i]) + ", 64 nodes to s = 5",
+                              "relative error of m at s = 1e4 (ours: table of 1e-8, s ≤ 1e6)", far[i], ours, test});
+  }
+  found.findings.push_back({"COR beyond the last node", "last value held", "moment of a pure slide, of the largest (must be 0)",
+                            even.wrench(last).moment / moments.front(), table.wrench({1.0, 0.0}).moment / table.moment_ratio(), test});
+  found.figures.push_back(std::move(figure));
+  return found;
+}
+
+Hazard false_equilibria() {
+  Hazard found;
+  Figure figure{"tables_equilibria", {}};
+  const std::string test = "Tables.FalseEquilibria";
+  const Law law = hertz();
+  const Polyline ours = tabulated(Table::build(law, 1e-4));
+  Rests worst;
+  for (const int nodes : {17, 33, 65, 129, 257, 513}) {
+    const Polyline curve = splined(*law, nodes);
+    const Rests here = rests(curve);
+    figure.rows.push_back({"rests", "spline through four decimals", static_cast<double>(nodes), static_cast<double>(here.most)});
+    worst.most = std::max(worst.most, here.most);
+    worst.distance = std::max(worst.distance, here.distance);
+    if (nodes == 257) draw_power(figure, curve, ours, here.twist);
+  }
+  Rests our_worst;
+  for (const double tolerance : in_ratios(1e-2, 1e-10, 9)) {
+    const Table table = Table::build(law, tolerance);
+    const Rests here = rests(tabulated(table));
+    figure.rows.push_back({"rests", "limitcurve", static_cast<double>(table.node_count()), static_cast<double>(here.most)});
+    our_worst.most = std::max(our_worst.most, here.most);
+    our_worst.distance = std::max(our_worst.distance, here.distance);
+  }
+  const std::string method = "cubic splines of f and m through values of four decimals";
+  found.findings.push_back({"interpolant not convex", method, "wrenches at which one steady twist can rest",
+                            static_cast<double>(worst.most), static_cast<double>(our_worst.most), test});
+  found.findings.push_back(
+      {"interpolant not convex", method, "distance of two of them in (f, m)", worst.distance, our_worst.distance, test});
+  found.figures.push_back(std::move(figure));
+  return found;
+}
+
+}  // namespace limitcurve::stability
