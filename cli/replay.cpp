@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: MIT
-#include "cli/csv_reader.hpp"
+#include "cli/body_argument.hpp"
+#include "cli/key_values.hpp"
 #include "cli/subcommands.hpp"
+#include "cli/surface_argument.hpp"
+#include "cli/trace_reader.hpp"
 
+#include "godobject/passivity.hpp"
 #include "godobject/replay.hpp"
-#include "godobject/rigid_body.hpp"
+#include "godobject/scene_replay.hpp"
 #include "limitcurve/number.hpp"
 
-#include <Eigen/Geometry>
-
 #include <array>
-#include <cmath>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 
@@ -17,6 +19,7 @@ namespace limitcurve::cli {
 
 namespace {
 
+using godobject::BodyMotion;
 using godobject::BoundaryKind;
 using godobject::ProjectionKind;
 
@@ -31,92 +34,196 @@ std::vector<std::string> names(const Kinds& kinds) {
   return result;
 }
 
-/// A trace with the finger's twist about the plane's normal, or its orientation as a quaternion from which that follows.
-class TraceReader {
- public:
-  explicit TraceReader(const std::string& file) : reader_(file, {"time", "x", "y", "z"}, {"twist", "qw", "qx", "qy", "qz"}) {
-    bool oriented = true;
-    for (std::size_t column = first_of_orientation; column < first_of_orientation + 4; ++column) oriented = oriented && reader_.has(column);
-    if (!oriented && !reader_.has(twist)) throw reader_.no_column("'twist', nor qw,qx,qy,qz");
-  }
-
-  /// The next sample; nothing after the last.
-  std::optional<godobject::TraceSample> next() {
-    if (!reader_.next()) return std::nullopt;
-    return godobject::TraceSample{reader_.number(0, finite), reader_.number(1, finite), reader_.number(2, finite),
-                                  reader_.number(3, finite), reader_.has(twist) ? reader_.number(twist, finite) : twist_of_orientation()};
-  }
-
- private:
-  static constexpr std::size_t twist = 4;
-  static constexpr std::size_t first_of_orientation = 5;
-
-  [[nodiscard]] double twist_of_orientation() const {
-    const Eigen::Quaterniond orientation(number(0), number(1), number(2), number(3));
-    // Devices round; what is off by more is no rotation.
-    if (std::abs(orientation.norm() - 1.0) > 1e-3) {
-      throw reader_.complaint(first_of_orientation, "the quaternion has length " + format_number(orientation.norm()) + ", expected 1");
-    }
-    return godobject::twist_about(orientation, Eigen::Vector3d::UnitZ());
-  }
-  [[nodiscard]] double number(std::size_t component) const { return reader_.number(first_of_orientation + component, finite); }
-
-  CsvReader reader_;
+/// What a row tells of one finger beside the columns of the plane.
+struct Columns {
+  bool in_space = false;  ///< pz,fz and the normal
+  bool details = false;
 };
+
+void add_columns(std::vector<std::string>& names, const std::string& suffix, const Columns& columns) {
+  const auto add = [&](std::initializer_list<const char*> more) {
+    for (const char* name : more) names.push_back(name + suffix);
+  };
+  add({"state", "px", "py", "angle", "depth", "load", "fx", "fy", "moment", "cor"});
+  if (columns.in_space) add({"pz", "fz", "nx", "ny", "nz"});
+  if (columns.details) add({"margin", "hold_load", "corx", "cory", "corz", "dissipated"});
+}
+
+template <class Cell>
+void write_contact(const Cell& cell, const godobject::SceneContact& contact, const Columns& columns) {
+  cell(godobject::to_string(contact.state));
+  const auto numbers = [&](std::initializer_list<double> values) {
+    for (const double value : values) cell(value);
+  };
+  numbers({contact.proxy.x(), contact.proxy.y(), contact.angle, contact.depth, contact.load, contact.force.x(), contact.force.y(),
+           contact.moment, contact.cor});
+  if (columns.in_space) numbers({contact.proxy.z(), contact.force.z(), contact.normal.x(), contact.normal.y(), contact.normal.z()});
+  if (columns.details) {
+    const Eigen::Vector3d& centre = contact.centre_of_rotation;
+    numbers({contact.margin, contact.load_to_hold, centre.x(), centre.y(), centre.z(), contact.dissipated});
+  }
+}
 
 class Replay final : public Subcommand {
  public:
   [[nodiscard]] Manual manual() const override {
-    return {"replay", "Runs the god-object over a recorded motion of a finger on the plane z = 0",
+    return {"replay", "Runs the god-object over a recorded motion of a finger on a surface",
             "The trace has columns time,x,y,z,twist [s, m, m, m, rad], or qw,qx,qy,qz (a unit quaternion, finger to world) in\n"
-            "place of twist; both may wrap around. The plane's outward normal is +z, the penetration -z.\n"
+            "place of twist; both may wrap around. The surface is the plane z = 0, outward normal +z, penetration -z, or another\n"
+            "about the origin.\n"
             "Columns: time; state free|stick|slip|invalid (a sample earlier than the one before it); px,py [m] and angle\n"
             "[rad] of the proxy; depth [m]; load [N]; fx,fy [N] and moment [N m], the friction that the user feels;\n"
-            "cor [m], the distance of the slip's centre of rotation (nan unless it slips).",
+            "cor [m], the distance of the slip's centre of rotation (nan unless it slips).\n"
+            "With another surface, a body that moves, or several fingers: also pz, fz and the surface's outward normal nx,ny,nz\n"
+            "there, in the world; angle is relative to the body. The user feels load along the normal, too, and moment about it.\n"
+            "Body 'trace' is moved by the columns bx,by,bz [m] and bqw,bqx,bqy,bqz (body to world); 'planar' and 'free' are pushed\n"
+            "by the fingers and begin at the origin: their pose after each sample is in columns of those names.\n"
+            "Finger N reads x2,y2,z2,twist2 (qw2,...) and so on, and writes state2,px2,py2,...\n"
+            "--details: margin to slip (1 none of the limit is used, 0 slips); hold_load [N], the least load that would bear\n"
+            "this friction; corx,cory,corz [m], where the slip's centre of rotation is; dissipated [J] by slip so far.",
             "limitcurve replay --trace data/traces/slide_twist_load.csv --law hertz --radius-law constant:a=0.006 --mu 0.6\n"
             "    --stiffness 1000 --twist-stiffness 0.036 --boundary table --projection closest-point"};
   }
 
   void declare(Options& options) override {
     options.text("--trace", trace_, "FILE", "CSV with columns time,x,y,z,twist, or - for standard input", Presence::required);
-    options.law(settings_.law);
+    options.law(finger_.law);
     options.radius_law(radius_law_, Presence::optional);
-    options.number("--mu", settings_.mu, non_negative, "Friction coefficient mu [1]", Presence::required);
-    options.number("--stiffness", settings_.stiffness, positive, "Contact stiffness k_l [N/m]; the load is P = k_l d", Presence::required);
-    options.number("--twist-stiffness", settings_.twist_stiffness, positive, "Torsional stiffness k_r [N m/rad]", Presence::required);
-    options.number("--mu-dynamic", settings_.mu_dynamic, non_negative, "Friction coefficient while slipping (mu if left out)");
-    options.number("--moment-coefficient", settings_.moment_coefficient, non_negative,
+    options.number("--mu", finger_.mu, non_negative, "Friction coefficient mu [1]", Presence::required);
+    options.number("--stiffness", finger_.stiffness, positive, "Contact stiffness k_l [N/m]; the load is P = k_l d", Presence::required);
+    options.number("--twist-stiffness", finger_.twist_stiffness, positive, "Torsional stiffness k_r [N m/rad]", Presence::required);
+    options.number("--mu-dynamic", finger_.mu_dynamic, non_negative, "Friction coefficient while slipping (mu if left out)");
+    options.number("--moment-coefficient", finger_.moment_coefficient, non_negative,
                    "mu_r [m]: the largest moment is mu_r P, whatever the radius law");
     options.choice("--boundary", boundary_, names(boundaries), "Limit curve");
     options.choice("--projection", projection_, names(projections), "How the proxy is brought back on to it");
-    options.number("--tolerance", settings_.tolerance, positive, "Error of the table, in unit wrenches");
+    options.number("--tolerance", finger_.tolerance, positive, "Error of the table, in unit wrenches");
+    options.value(
+        "--surface", "SURFACE",
+        [this](const std::string& text) {
+          surface_ = read_surface(text);
+          on_plane_ = text == "plane";
+        },
+        "What is touched [m]: plane, sphere:radius=0.05, capsule:radius=0.01,length=0.1, cylinder:radius=0.02,length=0.1, "
+        "box:x=0.12,y=0.04,z=0.04, mesh:FILE.obj (default plane)",
+        Presence::optional);
+    options.text("--body", body_text_, "BODY",
+                 "Who moves it: fixed, trace, planar:mass=0.1[,inertia=1e-4] (in x-y, frictionless), "
+                 "free:mass=0.1[,inertia=1e-4][,gravity=9.81] (default fixed)");
+    options.count("--fingers", fingers_, 1, godobject::SceneReplay::most_fingers, "Fingers in the trace");
+    options.number("--damping", damping_, non_negative, "b_l of each finger [N s/m]");
+    options.number("--twist-damping", twist_damping_, non_negative, "b_r of each finger [N m s/rad]");
+    options.value(
+        "--check-gains", "LIST", [this](const std::string& text) { read_device(text); },
+        "b=NUMBER[,b_r=NUMBER][,T=0.001]: refuse gains that are not passive on a device of that damping [N s/m, N m s/rad] at a "
+        "sample time [s]",
+        Presence::optional);
+    options.flag("--details", details_, "Columns for a controller: margin,hold_load,corx,cory,corz,dissipated");
   }
 
   void run(const Results& results) override {
     if (radius_law_) {
-      settings_.radius_law = *radius_law_;
-    } else if (!settings_.moment_coefficient) {
+      finger_.radius_law = *radius_law_;
+    } else if (!finger_.moment_coefficient) {
       throw std::invalid_argument("--radius-law is required, unless --moment-coefficient is given");
     }
-    settings_.boundary = boundaries.at(boundary_);
-    settings_.projection = projections.at(projection_);
-    TraceReader trace(trace_);
-    godobject::Replay replay(settings_);
+    finger_.boundary = boundaries.at(boundary_);
+    finger_.projection = projections.at(projection_);
+    check_gains();
+    const BodyArgument body = body_argument();
+    const bool in_space = !on_plane_ || body.motion != BodyMotion::fixed || fingers_ > 1;
+    if (in_space || details_ || damping_ > 0.0 || twist_damping_ > 0.0) {
+      run_scene(results, body, {in_space, details_});
+    } else {
+      run_on_plane(results);
+    }
+  }
+
+ private:
+  [[nodiscard]] BodyArgument body_argument() const {
+    try {
+      return read_body(body_text_, surface_);
+    } catch (const std::invalid_argument& error) {
+      throw std::invalid_argument(std::string("--body: ") + error.what());
+    }
+  }
+
+  void read_device(const std::string& text) {
+    godobject::DeviceDamping device{0.0, std::numeric_limits<double>::infinity()};
+    read_key_values(text, {number_key("b", device.sliding, non_negative), number_key("b_r", device.twist, non_negative, false),
+                           number_key("T", sample_time_, positive, false)});
+    device_ = device;
+  }
+
+  void check_gains() const {
+    if (!device_) return;
+    godobject::FingerParameters parameters = godobject::finger_parameters(finger_);
+    parameters.damping = damping_;
+    parameters.twist_damping = twist_damping_;
+    godobject::require_passive(parameters, sample_time_, *device_);
+  }
+
+  void run_on_plane(const Results& results) const {
+    TraceReader trace(trace_, 1, false);
+    godobject::Replay replay(finger_);
     Rows rows(results, {"time", "state", "px", "py", "angle", "depth", "load", "fx", "fy", "moment", "cor"});
-    while (const auto sample = trace.next()) {
-      const godobject::ReplayRow row = replay.step(*sample);
+    while (trace.next()) {
+      const Eigen::Vector3d& at = trace.fingers().front().position;
+      const godobject::ReplayRow row = replay.step({trace.time(), at.x(), at.y(), at.z(), trace.plane_twist()});
       rows.row(row.time, godobject::to_string(row.state), row.px, row.py, row.angle, row.depth, row.load, row.fx, row.fy, row.moment,
                row.cor);
     }
     rows.finish();
   }
 
- private:
+  void run_scene(const Results& results, const BodyArgument& body, const Columns& columns) const {
+    TraceReader trace(trace_, fingers_, body.motion == BodyMotion::prescribed);
+    godobject::SceneReplay replay({.finger = finger_,
+                                   .damping = damping_,
+                                   .twist_damping = twist_damping_,
+                                   .surface = surface_.surface,
+                                   .fingers = fingers_,
+                                   .motion = body.motion,
+                                   .body = body.parameters});
+    const bool is_free = body.motion == BodyMotion::free;
+    std::vector<std::string> names{"time"};
+    for (std::size_t i = 0; i < fingers_; ++i) add_columns(names, i == 0 ? "" : std::to_string(i + 1), columns);
+    if (is_free) names.insert(names.end(), {"bx", "by", "bz", "bqw", "bqx", "bqy", "bqz"});
+    Rows rows(results, names);
+    double last = std::numeric_limits<double>::infinity();
+    while (trace.next()) {
+      if (is_free && trace.time() - last > godobject::SceneReplay::longest_step) {
+        throw trace.complaint("a gap of " + format_number(trace.time() - last) + " s, expected at most " +
+                              format_number(godobject::SceneReplay::longest_step) + " s where the body is free");
+      }
+      last = trace.time();
+      replay.step(trace.time(), trace.fingers(), trace.body());
+      rows.row_by([&](const auto& cell) {
+        cell(trace.time());
+        for (const godobject::SceneContact& contact : replay.contacts()) write_contact(cell, contact, columns);
+        if (!is_free) return;
+        for (const double place : replay.body().position) cell(place);
+        const Eigen::Quaterniond& turn = replay.body().orientation;
+        for (const double part : {turn.w(), turn.x(), turn.y(), turn.z()}) cell(part);
+      });
+    }
+    rows.finish();
+  }
+
   std::string trace_;
   std::optional<RadiusLaw> radius_law_;
   std::size_t boundary_ = 1;
   std::size_t projection_ = 2;
-  godobject::ReplayOptions settings_;
+  SurfaceArgument surface_ = read_surface("plane");
+  bool on_plane_ = true;
+  std::string body_text_ = "fixed";
+  std::size_t fingers_ = 1;
+  double damping_ = 0.0;
+  double twist_damping_ = 0.0;
+  bool details_ = false;
+  std::optional<godobject::DeviceDamping> device_;
+  double sample_time_ = 1e-3;
+  godobject::ReplayOptions finger_;
 };
 
 }  // namespace

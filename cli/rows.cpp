@@ -29,8 +29,8 @@ std::string quoted_for_json(std::string_view text) {
 
 }  // namespace
 
-Rows::Rows(Results results, std::initializer_list<std::string_view> columns) : results_(std::move(results)) {
-  for (const std::string_view name : columns) {
+Rows::Rows(Results results, const std::vector<std::string>& columns) : results_(std::move(results)) {
+  for (const std::string& name : columns) {
     columns_.push_back(results_.format == Format::csv ? quoted_for_csv(name) : quoted_for_json(name));
   }
   if (results_.format == Format::json) {

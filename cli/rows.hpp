@@ -31,13 +31,24 @@ struct Results {
 /// "inf", "-inf", "nan".
 class Rows {
  public:
-  Rows(Results results, std::initializer_list<std::string_view> columns);
+  Rows(Results results, std::initializer_list<std::string_view> columns)
+      : Rows(std::move(results), std::vector<std::string>(columns.begin(), columns.end())) {}
+  /// Columns that are known at run time.
+  Rows(Results results, const std::vector<std::string>& columns);
 
   /// One row; as many cells as columns, numbers or texts.
   template <class... Cells>
   void row(const Cells&... cells) {
     begin_row();
     (cell(cells), ...);
+    end_row();
+  }
+
+  /// The same for columns that are known at run time: `write` is called with a function that takes one cell.
+  template <class Write>
+  void row_by(Write&& write) {
+    begin_row();
+    write([this](const auto& one) { cell(one); });
     end_row();
   }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "godobject/device_pose.hpp"
 #include "godobject/rigid_body.hpp"
 #include "godobject/soft_finger.hpp"
 #include "godobject/surface.hpp"
@@ -14,12 +15,6 @@
 #include <vector>
 
 namespace limitcurve::godobject {
-
-/// Where a device holds its finger, in the world.
-struct DevicePose {
-  Eigen::Vector3d position = Eigen::Vector3d::Zero();               ///< x_h [m]
-  Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  ///< of unit length
-};
 
 /// How the springs of the fingers and the body's inertia are integrated together (README, "Bodies").
 enum class Integrator {
@@ -81,7 +76,14 @@ class Grasp {
         break;
       }
     }
-    for (const Hold& hold : holds_) dissipated_ += hold.finger.output().slip_work;
+    account();
+  }
+
+  /// Steps a–c and e with the body moved by somebody else, to a state, in a time [s] ≥ 0 (0: no dampers).
+  void carry(const BodyState& state, std::span<const DevicePose> devices, double time_step) noexcept {
+    state_ = state;
+    commit(devices, time_step);
+    account();
   }
 
   /// Steps a–c with the body held in a state: where fingers touch down, and where a scene starts.
@@ -146,6 +148,10 @@ class Grasp {
     double twist;
   };
 
+  void account() noexcept {
+    for (const Hold& hold : holds_) dissipated_ += hold.finger.output().slip_work;
+  }
+
   static Load total(const Load& a, const Load& b) noexcept { return {a.force + b.force, a.moment + b.moment}; }
 
   /// Step a in the body's frame.
@@ -156,7 +162,7 @@ class Grasp {
       return {{Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ(), std::numeric_limits<double>::quiet_NaN()}, 0.0};
     }
     const Contact contact = shape_.contact(finger, memory);
-    return {contact, twist_about(state.orientation.conjugate() * device.orientation, contact.normal)};
+    return {contact, twist_about(state.orientation.conjugate() * device.orientation, contact.normal) + device.twist};
   }
 
   /// What a finger does to the body: the opposite of what its user feels, at the contact.

@@ -61,14 +61,18 @@ class PlaneRunner : public Replay::Runner {
 
 }  // namespace
 
+FingerParameters finger_parameters(const ReplayOptions& options) {
+  return {.mu = options.mu,
+          .mu_dynamic = options.mu_dynamic,
+          .radius_law = options.radius_law,
+          .moment_coefficient = options.moment_coefficient,
+          .stiffness = options.stiffness,
+          .twist_stiffness = options.twist_stiffness};
+}
+
 Replay::Replay(const ReplayOptions& options) {
   if (!options.law) throw std::invalid_argument("law: none given, expected a pressure law");
-  const FingerParameters parameters{.mu = options.mu,
-                                    .mu_dynamic = options.mu_dynamic,
-                                    .radius_law = options.radius_law,
-                                    .moment_coefficient = options.moment_coefficient,
-                                    .stiffness = options.stiffness,
-                                    .twist_stiffness = options.twist_stiffness};
+  const FingerParameters parameters = finger_parameters(options);
   // Before a table is built for nothing.
   static_cast<void>(ContactLaw(parameters, options.law->moment_ratio()));
   runner_ = visit_boundary(options.boundary, options.law, options.tolerance, [&](auto&& boundary) {

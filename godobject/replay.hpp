@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "godobject/contact_law.hpp"
 #include "godobject/contact_state.hpp"
 #include "godobject/kinds.hpp"
 #include "limitcurve/laws.hpp"
@@ -50,6 +51,9 @@ struct ReplayOptions {
   ProjectionKind projection = ProjectionKind::closest_point;
   double tolerance = 1e-6;  ///< of the table, in unit wrenches; used by `table` only
 };
+
+/// The part of the options that makes a finger.
+[[nodiscard]] FingerParameters finger_parameters(const ReplayOptions& options);
 
 /// The god-object over a trace, boundary and projection chosen at run time.
 class Replay {

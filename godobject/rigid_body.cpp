@@ -26,6 +26,37 @@ BodyParameters BodyParameters::block(double mass, const Eigen::Vector3d& edges) 
   return result;
 }
 
+BodyParameters BodyParameters::ball(double mass, double radius) {
+  return capsule(mass, radius, 0.0);
+}
+
+BodyParameters BodyParameters::cylinder(double mass, double radius, double length) {
+  require_positive("mass", mass, "kg");
+  require_positive("radius", radius, "m");
+  require_positive("length", length, "m");
+  const double across = mass * (radius * radius / 4.0 + length * length / 12.0);
+  BodyParameters result;
+  result.mass = mass;
+  result.inertia = {across, across, 0.5 * mass * radius * radius};
+  return result;
+}
+
+BodyParameters BodyParameters::capsule(double mass, double radius, double length) {
+  require_positive("mass", mass, "kg");
+  require_positive("radius", radius, "m");
+  if (!(length >= 0.0 && length <= std::numeric_limits<double>::max())) throw out_of_range("length", length, "m", ">= 0 and finite");
+  // A cylinder and two half balls, by their volumes over πr²; a half ball's centre of mass is 3r/8 from its face.
+  const double balls = mass * (4.0 / 3.0 * radius) / (4.0 / 3.0 * radius + length);
+  const double shaft = mass - balls;
+  const double square = radius * radius;
+  const double across =
+      shaft * (square / 4.0 + length * length / 12.0) + balls * (0.4 * square + length * length / 4.0 + 0.375 * length * radius);
+  BodyParameters result;
+  result.mass = mass;
+  result.inertia = {across, across, 0.5 * shaft * square + 0.4 * balls * square};
+  return result;
+}
+
 BodyParameters BodyParameters::planar_block(double mass, const Eigen::Vector3d& edges, double gravity) {
   BodyParameters result = block(mass, edges);
   result.gravity = {0.0, -gravity, 0.0};

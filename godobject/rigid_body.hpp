@@ -19,7 +19,12 @@ struct BodyParameters {
 
   /// A block of even density with these edges [m] > 0. Throws std::invalid_argument naming what is out of range.
   static BodyParameters block(double mass, const Eigen::Vector3d& edges);
-  /// The same, moving in the x-y plane only, with gravity along −y.
+  /// Of even density too: a ball [m] > 0; a cylinder and a capsule (both along z) of a length [m] > 0 and ≥ 0, that of the capsule
+  /// between the centres of its ends. Throw like `block`.
+  static BodyParameters ball(double mass, double radius);
+  static BodyParameters cylinder(double mass, double radius, double length);
+  static BodyParameters capsule(double mass, double radius, double length);
+  /// A block moving in the x-y plane only, with gravity along −y.
   static BodyParameters planar_block(double mass, const Eigen::Vector3d& edges, double gravity);
 
   /// Throws std::invalid_argument naming the parameter, its value, unit and range.

@@ -184,6 +184,43 @@ TEST(CCurve, KeepsTheCentreOfRotation) {
   }
 }
 
+// The same for measured radii, a power law of another exponent from sample to sample, falling ones too: the way from the trial's
+// load to the p-curve's crosses kinks, and the radius is the measured one at both ends.
+TEST(CCurve, KeepsTheCentreOfRotationOfAMeasuredRadius) {
+  const std::array<LoadSample, 6> samples{{{0.2, 0.0015}, {0.5, 0.0021}, {1.0, 0.0022}, {2.0, 0.0035}, {5.0, 0.0031}, {40.0, 0.0077}}};
+  const RadiusLaw radius = RadiusLaw::sampled(samples);
+  Random random(77);
+  for (const Law& law : laws) {
+    const ExactCurve curve(law);
+    for (int i = 0; i < 500; ++i) {
+      Trial trial;
+      trial.load = random.logarithmic(0.05, 20.0);
+      trial.radius_law = &radius;
+      trial.compliance_ratio = random.logarithmic(0.01, 100.0);
+      trial.wrench = {random.logarithmic(1e-3, 1e2), random.logarithmic(1e-3, 1e2)};
+      if (curve.gauge(trial.wrench) <= 1.0 + 1e-9) continue;
+      const auto at_load = [&](double ratio) {
+        const double growth = radius.radius(ratio * trial.load) / radius.radius(trial.load);
+        return std::pair(UnitWrench{trial.wrench.force / ratio, trial.wrench.moment / (ratio * growth)}, growth);
+      };
+      double low = 1.0;
+      double high = 1e8;
+      for (int halving = 0; halving < 200; ++halving) {
+        const double middle = std::sqrt(low * high);
+        (curve.gauge(at_load(middle).first) > 1.0 ? low : high) = middle;
+      }
+      const auto [foot, growth] = at_load(std::sqrt(low * high));
+      const double s = curve.along(foot).normal.cor();
+      UnitWrench expected = curve.wrench(SlipTwist::about_cor(s * growth));
+      // Where the same c would add force or moment, the same c/a counts.
+      if (expected.force > trial.wrench.force || expected.moment > trial.wrench.moment) expected = curve.wrench(SlipTwist::about_cor(s));
+      const UnitWrench found = CCurve{}(curve, trial).wrench;
+      EXPECT_NEAR(found.force, expected.force, 1e-9) << law->name() << " load " << trial.load;
+      EXPECT_NEAR(found.moment, expected.moment, 1e-9) << law->name() << " load " << trial.load;
+    }
+  }
+}
+
 TEST(Projection, NeverCreatesEnergy) {
   for (const Law& law : laws) {
     for_each_boundary(law, [&](const auto& boundary, std::string_view name) {

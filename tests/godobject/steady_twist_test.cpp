@@ -12,6 +12,8 @@ constexpr double radius = 0.005;
 constexpr double stiffness = 1000.0;
 constexpr double depth = 0.002;
 constexpr double load = stiffness * depth;
+/// The start is forgotten to 1e-7 after this many lengths max(μP/k_l, aΓ/k_r) of slip (README, "How long it takes").
+constexpr double transient = 24.0;
 
 /// Unit wrench that a finger settles at when it is moved at a constant twist about a centre at s = c/a for long: ninety
 /// times the give of the softer spring, the length that the transient decays with (README, "How long it takes").
@@ -111,6 +113,42 @@ TEST(SteadyTwist, ClosestPointObeysALoadDependentRadius) {
   EXPECT_NEAR(finger.output().force.norm(), mu * load * expected.force, 1e-9);
   EXPECT_NEAR(std::fabs(finger.output().moment), mu * load * a * expected.moment, 1e-11);
   EXPECT_NEAR(finger.output().cor, c, 1e-6 * c);
+}
+
+// Stiffness ratios and centres of rotation over six decades each, every half decade, with a radius that grows with the load, at
+// light and heavy loads: eq. (17) at once, and the transient no longer than the README says.
+TEST(SteadyTwist, ForgetsTheStartInTheLengthDocumented) {
+  const ExactCurve curve(hertz());
+  const Table table = Table::build(hertz(), 1e-8);
+  const double m0 = curve.moment_ratio();
+  double longest = 0.0;
+  for (int i = -6; i <= 6; ++i) {
+    for (int j = -6; j <= 6; ++j) {
+      FingerParameters soft = parameters();
+      soft.radius_law = RadiusLaw::power(0.00207, 0.259);
+      const double pressed = (i + j) % 2 == 0 ? 0.002 : 0.0002;
+      const double a = soft.radius_law.radius(stiffness * pressed);
+      soft.twist_stiffness = std::pow(10.0, 0.5 * i) * stiffness * (m0 * a) * (m0 * a);
+      SoftFinger finger(table, soft, ClosestPoint{});
+      const double limit = mu * stiffness * pressed;
+      const double length = std::max(limit / stiffness, a * limit * m0 * a / soft.twist_stiffness);
+      const double s = std::pow(10.0, 0.5 * j);
+      const double u = SlipTwist::about_cor(s).spin_fraction();
+      const UnitWrench expected = curve.wrench(SlipTwist::about_cor(s));
+      const double step = std::min(0.05 * length, 2.0 * a / u);
+      double settled_after = 0.0;
+      for (int n = 0; n * step <= 2.0 * transient * length; ++n) {
+        finger.update(on_plane(n * step * (1.0 - u), 0.0, pressed), n * step * u / a);
+        const UnitWrench felt{finger.output().force.norm() / limit, std::fabs(finger.output().moment) / (limit * a)};
+        if (std::hypot(felt.force - expected.force, felt.moment - expected.moment) > accuracy::steady_wrench) settled_after = n * step;
+      }
+      EXPECT_LT(settled_after, transient * length) << "kappa 10^" << 0.5 * i << " s 10^" << 0.5 * j;
+      longest = std::max(longest, settled_after / length);
+    }
+  }
+  // And the bound is no idle one.
+  EXPECT_GT(longest, 0.5 * transient);
+  RecordProperty("longest", std::to_string(longest));
 }
 
 // The path of a finger that slides and turns through a bend: with half the time step it is at least twice as near to

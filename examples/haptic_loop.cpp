@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+// How the finger is hooked into a haptic loop that exists: the device's position and orientation go in, force and torque come
+// out. The device is a stand-in with the habits of real interfaces (OpenHaptics: a callback at 1 kHz that reads a transform
+// in millimetres, column by column, and writes force [N] and torque [N mm]; CHAI3D's cGenericHapticDevice is the same with
+// getPosition, getRotation and setForceAndTorque, in metres); nothing of either is needed to build this.
+#include "godobject/godobject.hpp"
+#include "limitcurve/laws.hpp"
+#include "limitcurve/table.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace lc = limitcurve;
+namespace god = limitcurve::godobject;
+
+/// Stands in for a device: a handle of 60 g in a user's hand, which is a spring and a damper towards where the user wants to
+/// be. y is up, as in most device frames. The scheduler calls back once a millisecond.
+class StandInDevice {
+ public:
+  using Callback = void (*)(StandInDevice& device, void* user_data);
+
+  void get_transform(double (&columns)[16]) const noexcept {
+    const double c = std::cos(angle_), s = std::sin(angle_);
+    const double about_y[16] = {c, 0, -s, 0, 0, 1, 0, 0, s, 0, c, 0, 1e3 * place_.x(), 1e3 * place_.y(), 1e3 * place_.z(), 1};
+    std::copy(std::begin(about_y), std::end(about_y), columns);
+  }
+  void set_force(const double (&newton)[3]) noexcept { force_ = {newton[0], newton[1], newton[2]}; }
+  void set_torque(const double (&newton_millimetre)[3]) noexcept { torque_ = 1e-3 * newton_millimetre[1]; }
+  [[nodiscard]] double greatest_force() const noexcept { return 8.0; }  ///< that its motors bear [N]
+
+  /// The user wants to be at a place [m] and turned by an angle about y [rad].
+  void want(const Eigen::Vector3d& place, double angle) noexcept {
+    wanted_ = place;
+    wanted_angle_ = angle;
+  }
+  void run(double seconds, Callback callback, void* user_data) {
+    constexpr int parts = 10;  // of a millisecond, for the handle's own motion
+    for (int millisecond = 0; millisecond < std::lround(1000.0 * seconds); ++millisecond) {
+      callback(*this, user_data);
+      for (int part = 0; part < parts; ++part) move(1e-3 / parts);
+    }
+  }
+  [[nodiscard]] Eigen::Vector3d hand_force() const noexcept { return 400.0 * (wanted_ - place_) - 6.0 * velocity_; }
+  [[nodiscard]] double speed() const noexcept { return velocity_.norm(); }
+
+ private:
+  void move(double time) noexcept {
+    velocity_ += time / 0.06 * (hand_force() + force_);
+    place_ += time * velocity_;
+    spin_ += time / 2e-5 * (0.1 * (wanted_angle_ - angle_) - 2e-3 * spin_ + torque_);
+    angle_ += time * spin_;
+  }
+
+  Eigen::Vector3d place_{0.0, 0.01, 0.0}, velocity_ = Eigen::Vector3d::Zero(), force_ = Eigen::Vector3d::Zero(), wanted_ = place_;
+  double angle_ = 0.0, spin_ = 0.0, torque_ = 0.0, wanted_angle_ = 0.0;
+};
+
+/// All that is needed to hook the finger in: make it before the loop, call `step` once in each of its rounds.
+class TouchOfPlane {
+ public:
+  explicit TouchOfPlane(double greatest_force)
+      : finger_(lc::Table::build(lc::hertz(), 1e-6), parameters(), god::ClosestPoint{}), greatest_force_(greatest_force) {}
+
+  /// Device in, force [N] and torque [N m] in the device's frame out. Allocates nothing and never throws.
+  void step(const Eigen::Vector3d& position, const Eigen::Quaterniond& orientation, Eigen::Vector3d& force,
+            Eigen::Vector3d& torque) noexcept {
+    // The plane through the device's origin, y up.
+    const Eigen::Vector3d normal = Eigen::Vector3d::UnitY();
+    const god::Contact contact{{position.x(), 0.0, position.z()}, normal, -position.y()};
+    const god::FingerOutput& output = finger_.update(contact, god::twist_about(orientation, normal), 1e-3);
+    force = output.load * normal + output.force;
+    torque = output.moment * normal;
+    // What the motors cannot give is scaled, not cut: its direction stays.
+    const double share = std::min(1.0, greatest_force_ / std::max(force.norm(), 1e-300));
+    force *= share;
+    torque *= share;
+  }
+  [[nodiscard]] const god::FingerOutput& output() const noexcept { return finger_.output(); }
+
+ private:
+  static god::FingerParameters parameters() {
+    god::FingerParameters result;
+    result.mu = 0.6;
+    result.radius_law = lc::RadiusLaw::power(0.00207, 0.259);  // a silicone finger
+    result.stiffness = 1000.0;
+    result.twist_stiffness = 0.01;
+    result.damping = 1.0;  // > kT/2 = 0.5 N s/m
+    result.twist_damping = 1e-5;
+    result.jump_limit = 0.02;  // a device that leaps 20 mm in a millisecond is broken
+    result.hold_share = 0.95;  // and its last force fades in some 50 ms
+    return result;
+  }
+
+  god::SoftFinger<lc::Table, god::ClosestPoint> finger_;
+  double greatest_force_;
+};
+
+/// The callback: units and frames are turned here, and nowhere else.
+void servo(StandInDevice& device, void* user_data) {
+  auto& touch = *static_cast<TouchOfPlane*>(user_data);
+  double columns[16];
+  device.get_transform(columns);
+  Eigen::Matrix3d rotation;
+  rotation << columns[0], columns[4], columns[8], columns[1], columns[5], columns[9], columns[2], columns[6], columns[10];
+  const Eigen::Vector3d position = 1e-3 * Eigen::Vector3d(columns[12], columns[13], columns[14]);
+  Eigen::Vector3d force, torque;
+  touch.step(position, Eigen::Quaterniond(rotation).normalized(), force, torque);
+  device.set_force({force.x(), force.y(), force.z()});
+  device.set_torque({1e3 * torque.x(), 1e3 * torque.y(), 1e3 * torque.z()});
+}
+
+int main() {
+  StandInDevice device;
+  TouchOfPlane touch(device.greatest_force());
+  bool right = true;
+  const auto report = [&](const char* what, god::ContactState expected) {
+    const god::FingerOutput& output = touch.output();
+    std::printf("%-28s %-6s load %.3f N  friction %.3f N  moment %+.3f N mm  margin to the hand's force %.1e N\n", what,
+                god::to_string(output.state).data(), output.load, output.force.norm(), 1e3 * output.moment,
+                (device.hand_force() + output.load * Eigen::Vector3d::UnitY() + output.force).norm());
+    right = right && output.state == expected;
+  };
+  device.run(0.5, servo, &touch);
+  report("above the plane", god::ContactState::free);
+  device.want({0.0, -0.005, 0.0}, 0.0);
+  device.run(1.0, servo, &touch);
+  report("pressed on it", god::ContactState::stick);
+  device.want({0.001, -0.005, 0.0}, 0.02);
+  device.run(1.0, servo, &touch);
+  report("pulled and turned a little", god::ContactState::stick);
+  right = right && device.speed() < 1e-3;
+  for (int i = 0; i <= 100; ++i) {
+    device.want({0.001 + 0.0003 * i, -0.005, 0.0}, 0.02 + 0.06 * i);
+    device.run(0.01, servo, &touch);
+  }
+  report("dragged and turned on", god::ContactState::slip);
+  right = right && touch.output().force.norm() < 0.6 * touch.output().load;  // less than a finger that only slides would feel
+  return right ? 0 : 1;
+}

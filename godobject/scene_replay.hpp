@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "godobject/any_surface.hpp"
+#include "godobject/contact_state.hpp"
+#include "godobject/device_pose.hpp"
+#include "godobject/replay.hpp"
+#include "godobject/rigid_body.hpp"
+#include "godobject/surfaces.hpp"
+
+#include <cstddef>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <span>
+
+namespace limitcurve::godobject {
+
+/// Who moves the body whose surface the fingers touch.
+enum class BodyMotion {
+  fixed,       ///< nobody: its frame is the world's
+  prescribed,  ///< the trace: each sample says where it is
+  free,        ///< the fingers and gravity: it begins at rest, its frame the world's
+};
+
+/// What a finger of the scene does and feels; places and vectors in the world.
+struct SceneContact {
+  ContactState state = ContactState::free;                ///< invalid: all that follows is held from the last good step
+  Eigen::Vector3d proxy = Eigen::Vector3d::Zero();        ///< x_p [m]; while free, the finger itself
+  double angle = 0.0;                                     ///< α_p [rad], of the finger's twist relative to the body
+  double depth = 0.0;                                     ///< d [m]
+  double load = 0.0;                                      ///< P [N]; what the user feels of it is P times the normal
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();        ///< friction on the user [N], tangential
+  double moment = 0.0;                                    ///< friction moment on the user about the normal [N m]
+  double cor = std::numeric_limits<double>::quiet_NaN();  ///< of the slip, from the contact centre [m]; NaN unless it slips
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();       ///< outward, of the surface at the contact; 0 before the first contact query
+  double margin = 1.0;                                    ///< to slip, as a fraction: `SoftFinger::margin`
+  double load_to_hold = 0.0;                              ///< the grip needed [N]: `SoftFinger::load_to_hold`
+  Eigen::Vector3d centre_of_rotation =
+      Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());  ///< of the slip [m]; inf for pure sliding, NaN unless it slips
+  double dissipated = 0.0;                                                  ///< by this finger's slip since the beginning [J], never falls
+};
+
+/// Everything that the replay of a scene needs to know. `SceneReplay` validates it.
+struct SceneOptions {
+  ReplayOptions finger = {};                        ///< of every finger, and how friction is modelled
+  double damping = 0.0;                             ///< b_l [N s/m] ≥ 0 of every finger
+  double twist_damping = 0.0;                       ///< b_r [N m s/rad] ≥ 0
+  AnySurface surface = AnySurface(PlaneSurface{});  ///< of the body, in its frame
+  std::size_t fingers = 1;                          ///< 1 to `SceneReplay::most_fingers`
+  BodyMotion motion = BodyMotion::fixed;
+  BodyParameters body = {};  ///< where it is free
+};
+
+/// The god-object over a recorded motion of one finger or several on a surface of any kind, which may rest, be moved or be
+/// free; boundary, projection and surface chosen at run time. On the plane and at rest it gives `Replay`'s numbers.
+class SceneReplay {
+ public:
+  class Runner;  // one a boundary and projection; known to scene_replay.cpp only
+
+  static constexpr std::size_t most_fingers = 16;
+  /// A free body is not moved over a gap in the trace longer than this [s].
+  static constexpr double longest_step = 1.0;
+
+  /// Throws `std::invalid_argument` that names the parameter, its value, unit and range.
+  explicit SceneReplay(const SceneOptions& options);
+  ~SceneReplay();
+  SceneReplay(SceneReplay&&) noexcept;
+  SceneReplay& operator=(SceneReplay&&) noexcept;
+
+  /// The next sample: time [s], a pose for each finger (a missing one counts as far away), and where the body is, which counts
+  /// where its motion is prescribed. A time that is not finite or earlier than the last, or a pose of the body that is no pose,
+  /// makes all fingers `invalid` and moves nothing; so does a pose of a finger that is not finite, for that finger.
+  void step(double time, std::span<const DevicePose> fingers, const BodyPose& body = {}) noexcept;
+
+  /// What the fingers do now, one each.
+  [[nodiscard]] std::span<const SceneContact> contacts() const noexcept;
+  [[nodiscard]] const BodyState& body() const noexcept;
+
+ private:
+  std::unique_ptr<Runner> runner_;
+};
+
+}  // namespace limitcurve::godobject

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+// The gains that the formulas call passive or stable, against energy counted in a sampled wall and a body let go.
+#include "godobject/passivity.hpp"
+
+#include "tests/godobject/scene.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+namespace limitcurve::godobject::test {
+namespace {
+
+constexpr double sample_time = 1e-3;
+
+FingerParameters gains(double stiffness, double damping, double twist_stiffness, double twist_damping) {
+  FingerParameters result = parameters(0.6, 0.005, stiffness, twist_stiffness);
+  result.damping = damping;
+  result.twist_damping = twist_damping;
+  return result;
+}
+
+/// A device with damping of its own, moved by its user from place to place in straight lines (which is what damps least between
+/// two samples), while the finger's wrench is held for a sample. Counts what the user puts in.
+class SampledWall {
+ public:
+  SampledWall(const FingerParameters& with, DeviceDamping device) : finger_(hertz_finger(with)), device_(device) {}
+
+  void move(double x, double depth, double twist) {
+    const FingerOutput& output = finger_.update(on_plane(x_, 0.0, depth_), twist_, sample_time);
+    const double load = output.state == ContactState::free ? 0.0 : output.load;
+    const double slide = x - x_;
+    const double press = depth - depth_;
+    const double turn = twist - twist_;
+    // What is felt pulls back: the user works against it, and against the device's damper at the speed of the straight line.
+    energy_ += load * press - output.force.x() * slide - output.moment * turn;
+    energy_ += (device_.sliding * (slide * slide + press * press) + device_.twist * turn * turn) / sample_time;
+    x_ = x;
+    depth_ = depth;
+    twist_ = twist;
+  }
+  [[nodiscard]] double energy() const { return energy_; }
+
+ private:
+  SoftFinger<Ellipse, ClosestPoint> finger_;
+  DeviceDamping device_;
+  double x_ = 0.0;
+  double depth_ = -1e-3;
+  double twist_ = 0.0;
+  double energy_ = 0.0;
+};
+
+const FingerParameters choices[] = {gains(1000.0, 0.0, 0.04, 0.0), gains(1000.0, 0.4, 0.04, 1e-5), gains(50.0, 2.0, 0.001, 1e-4)};
+
+// Whatever the user does, pressing, sliding, twisting, lifting off: nobody gets energy out of it.
+TEST(Passivity, EnoughDampingNeverGivesEnergy) {
+  Random random(31);
+  for (const FingerParameters& with : choices) {
+    for (int round = 0; round < 300; ++round) {
+      SampledWall wall(with, device_damping_needed(with, sample_time));
+      const double step = random.logarithmic(1e-6, 1e-2);
+      double x = 0.0;
+      double depth = 0.0;
+      double twist = 0.0;
+      double scale = 0.0;
+      for (int i = 0; i < 300; ++i) {
+        // To and fro, or on.
+        const double back = round % 2 == 0 ? -1.0 : 0.3;
+        x = back * x + random.uniform(-step, step);
+        depth = round % 3 == 0 ? 0.002 : back * depth + random.uniform(-step, step);
+        twist = back * twist + random.uniform(-step, step) / 0.005;
+        wall.move(x, depth, twist);
+        scale = std::max(scale, wall.energy());
+        ASSERT_GE(wall.energy(), -1e-12 * scale) << round << ' ' << i;
+      }
+    }
+  }
+}
+
+// A thousandth less, and a user who goes to and fro with every sample gets energy from each channel without end.
+TEST(Passivity, AThousandthLessGivesEnergyWithoutEnd) {
+  for (const FingerParameters& with : choices) {
+    const DeviceDamping enough = device_damping_needed(with, sample_time);
+    for (const double share : {0.999, 1.001}) {
+      for (int channel = 0; channel < 3; ++channel) {
+        SampledWall wall(with, {share * enough.sliding, share * enough.twist});
+        double after_start = 0.0;
+        for (int i = 0; i < 3000; ++i) {
+          const double side = i % 2 == 0 ? 1.0 : -1.0;
+          wall.move(channel == 0 ? side * 1e-5 : 0.0, channel == 1 ? 0.002 + side * 1e-5 : 0.002, channel == 2 ? side * 1e-4 : 0.0);
+          if (i == 99) after_start = wall.energy();
+        }
+        if (share < 1.0) {
+          EXPECT_LT(wall.energy(), after_start) << channel;
+        } else {
+          EXPECT_GT(wall.energy(), after_start) << channel;
+        }
+      }
+    }
+  }
+}
+
+TEST(Passivity, ExplicitCouplingEndsWhereSaid) {
+  const auto grows = [](double stiffness, double damping, double mass, double twist_stiffness, double twist_damping, double inertia) {
+    BodyParameters body;
+    body.mass = mass;
+    body.inertia.setConstant(inertia);
+    body.gravity.setZero();
+    body.free = {true, false, false, false, false, true};
+    FingerParameters with = gains(stiffness, damping, twist_stiffness, twist_damping);
+    with.mu = 1e6;
+    const auto finger = hertz_finger(with);
+    Grasp<BoxSurface, Ellipse, ClosestPoint> grasp(body, BodyState{}, BoxSurface(Eigen::Vector3d::Constant(0.02)), {finger, finger},
+                                                   Integrator::symplectic_euler);
+    const std::array devices{DevicePose{{0.0, 0.0, 0.019}}, DevicePose{{0.0, 0.0, -0.019}}};
+    grasp.place(BodyState{}, devices);
+    BodyState start;
+    start.position.x() = 1e-9;
+    start.orientation = Eigen::AngleAxisd(1e-9, Eigen::Vector3d::UnitZ());
+    grasp.place(start, devices);
+    for (int i = 0; i < 3000; ++i) grasp.step(devices, sample_time);
+    return std::fabs(grasp.body().position.x()) > 1e-8 || std::fabs(grasp.body().orientation.z()) > 1e-8;
+  };
+  for (const double damping_share : {0.0, 0.3}) {
+    for (const double share : {0.98, 1.02}) {
+      const double mass = 0.05;
+      const double damping = damping_share * mass / sample_time;
+      const double stiffness = (4.0 * share * mass / (2.0 * sample_time) - 2.0 * damping) / sample_time;
+      EXPECT_NEAR(explicit_coupling(stiffness, damping, mass, sample_time, 2), share, 1e-12);
+      // Sliding at its limit with a harmless twist, and the other way round.
+      EXPECT_EQ(grows(stiffness, damping, mass, 1e-3, 1e-5, 1e-3), share > 1.0) << damping_share << ' ' << share;
+      EXPECT_EQ(grows(10.0, 0.1, mass, stiffness * 1e-4, damping * 1e-4, mass * 1e-4), share > 1.0) << damping_share << ' ' << share;
+    }
+  }
+}
+
+TEST(Passivity, SaysWhatToChange) {
+  const FingerParameters with = gains(1000.0, 0.4, 0.04, 1e-5);
+  EXPECT_EQ(device_damping_needed(1000.0, 0.4, 1e-3), 0.9);
+  EXPECT_EQ(device_damping_needed(1000.0, -0.4, 1e-3), 0.9);
+  EXPECT_NO_THROW(require_passive(with, sample_time, {0.91, 1.0}));
+  const auto message = [&](DeviceDamping device, double time) -> std::string {
+    try {
+      require_passive(with, time, device);
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "accepted";
+  };
+  EXPECT_NE(message({0.65, 1.0}, sample_time).find("more than 0.9 N s/m, got 0.65; expected a stiffness below 500"), std::string::npos);
+  EXPECT_NE(message({0.3, 1.0}, sample_time).find("less damping"), std::string::npos);
+  EXPECT_NE(message({1.0, 1e-5}, sample_time).find("twist"), std::string::npos);
+  EXPECT_NE(message({-1.0, 1.0}, sample_time).find("damping of the device"), std::string::npos);
+  EXPECT_NE(message({1.0, 1.0}, 0.0).find("sample_time"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace limitcurve::godobject::test

@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: MIT
+// The god-object over recorded motions on surfaces that rest, are moved, or are free.
+#include "godobject/scene_replay.hpp"
+
+#include "tests/godobject/scene.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <numbers>
+
+namespace limitcurve::godobject::test {
+namespace {
+
+using Eigen::Quaterniond;
+using Eigen::Vector3d;
+
+constexpr double mu = 0.6;
+constexpr double radius = 0.005;
+
+SceneOptions options(BoundaryKind boundary = BoundaryKind::exact, ProjectionKind projection = ProjectionKind::closest_point) {
+  SceneOptions result;
+  result.finger.law = hertz();
+  result.finger.radius_law = RadiusLaw::constant(radius);
+  result.finger.mu = mu;
+  result.finger.stiffness = 1000.0;
+  result.finger.twist_stiffness = 0.04;
+  result.finger.boundary = boundary;
+  result.finger.projection = projection;
+  return result;
+}
+
+Quaterniond about(const Vector3d& axis, double angle) {
+  return Quaterniond(Eigen::AngleAxisd(angle, axis));
+}
+
+DevicePose pose(const Vector3d& position, double twist = 0.0) {
+  return {position, Quaterniond::Identity(), twist};
+}
+
+SceneContact moved(SceneReplay& replay, double time, const DevicePose& finger, const BodyPose& body = {}) {
+  replay.step(time, std::array{finger}, body);
+  return replay.contacts().front();
+}
+
+TEST(SceneReplay, OnThePlaneAtRestIsReplayBitForBit) {
+  for (const BoundaryKind boundary : {BoundaryKind::table, BoundaryKind::ellipse, BoundaryKind::box}) {
+    for (const ProjectionKind projection : {ProjectionKind::radial, ProjectionKind::c_curve, ProjectionKind::closest_point}) {
+      const SceneOptions with = options(boundary, projection);
+      Replay plain(with.finger);
+      SceneReplay scene(with);
+      int slips = 0;
+      for (int i = 0; i <= 1000; ++i) {
+        const double t = i * 1e-3;
+        const double z = 0.0005 - 0.004 * t * (1.0 - t) * 4.0;
+        const ReplayRow row = plain.step({t, 0.01 * t, 0.02 * t * t, z, 2.0 * t});
+        const SceneContact contact = moved(scene, t, pose({0.01 * t, 0.02 * t * t, z}, 2.0 * t));
+        ASSERT_EQ(contact.state, row.state);
+        ASSERT_EQ(contact.proxy.x(), row.px);
+        ASSERT_EQ(contact.proxy.y(), row.py);
+        ASSERT_EQ(contact.angle, row.angle);
+        ASSERT_EQ(contact.load, row.load);
+        ASSERT_EQ(contact.force.x(), row.fx);
+        ASSERT_EQ(contact.force.y(), row.fy);
+        ASSERT_EQ(contact.moment, row.moment);
+        slips += row.state == ContactState::slip;
+      }
+      EXPECT_GT(slips, 100);
+    }
+  }
+}
+
+// Only the motion of the finger in the body's frame counts: a scene that is carried about as a whole feels the same.
+TEST(SceneReplay, FeelsTheRelativeMotionAlone) {
+  SceneOptions with = options();
+  SceneReplay still(with);
+  with.motion = BodyMotion::prescribed;
+  SceneReplay carried(with);
+  for (int i = 0; i <= 1000; ++i) {
+    const double t = i * 1e-3;
+    const DevicePose finger{{0.01 * t, 0.004 * t * t, -0.002}, about(Vector3d::UnitZ(), 3.0 * t), 0.0};
+    const BodyPose body{{0.3 * t, -0.2 * t * t, 0.1 * t}, about(Vector3d(1.0, 2.0, -0.5).normalized(), 2.0 * t)};
+    const DevicePose along{body.position + body.orientation * finger.position, body.orientation * finger.orientation, 0.0};
+    const SceneContact one = moved(still, t, finger);
+    const SceneContact other = moved(carried, t, along, body);
+    ASSERT_EQ(one.state, other.state) << i;
+    ASSERT_LT((body.orientation * one.force - other.force).norm(), 1e-11);
+    ASSERT_LT((body.orientation * one.normal - other.normal).norm(), 1e-14);
+    ASSERT_LT((body.position + body.orientation * one.proxy - other.proxy).norm(), 1e-13);
+    ASSERT_NEAR(one.moment, other.moment, 1e-13);
+    ASSERT_NEAR(one.angle, other.angle, 1e-12);
+  }
+  EXPECT_EQ(still.contacts().front().state, ContactState::slip);
+  EXPECT_NEAR(still.contacts().front().dissipated, carried.contacts().front().dissipated, 1e-12);
+}
+
+// A plate that turns under a finger at rest: its slip turns about the plate's axis, and eq. (17) says what is felt.
+TEST(SceneReplay, ATurntableRubsAsEquation17Says) {
+  SceneOptions with = options();
+  with.motion = BodyMotion::prescribed;
+  // So stiff that the springs give a thousandth of the way to the axis, 4 mm.
+  with.finger.stiffness = 3e5;
+  with.finger.twist_stiffness = 12.0;
+  SceneReplay replay(with);
+  const double cor = 0.004;
+  const double load = 2.0;
+  SceneContact contact;
+  for (int i = 0; i <= 4000; ++i) {
+    contact =
+        moved(replay, i * 1e-3, pose({cor, 0.0, -load / with.finger.stiffness}), {Vector3d::Zero(), about(Vector3d::UnitZ(), 2e-4 * i)});
+  }
+  const UnitForces<double> exact = hertz()->forces(cor / radius);
+  // The plate's material moves along +y and turns to the left: so does what it does to the finger.
+  EXPECT_NEAR(contact.force.y(), mu * load * exact.force, 2e-3 * mu * load);
+  EXPECT_NEAR(contact.moment, mu * load * radius * exact.moment, 2e-3 * mu * load * radius);
+  EXPECT_LT(contact.centre_of_rotation.norm(), 2e-3 * cor);
+  EXPECT_NEAR(contact.cor, cor, 2e-3 * cor);
+  EXPECT_EQ(contact.margin, 0.0);
+  EXPECT_NEAR(contact.load_to_hold, load, 1e-9);
+  // Power: force times speed and moment times turning, 0.2 rad/s for most of four seconds.
+  EXPECT_NEAR(contact.dissipated, (contact.force.norm() * cor + contact.moment) * 0.8, 0.05 * contact.dissipated);
+}
+
+TEST(SceneReplay, FrictionOnABallIsTangential) {
+  SceneOptions with = options();
+  const double ball = 0.05;
+  with.surface = AnySurface(SphereSurface(ball));
+  SceneReplay replay(with);
+  int slips = 0;
+  for (int i = 0; i <= 2000; ++i) {
+    const double angle = 1e-3 * i;
+    const Vector3d finger = (ball - 0.002) * Vector3d(std::sin(angle), 0.3 * std::sin(2.0 * angle), std::cos(angle)).normalized();
+    const SceneContact contact = moved(replay, i * 1e-3, {finger, about(Vector3d::UnitY(), angle), 0.0});
+    slips += contact.state == ContactState::slip;
+    ASSERT_NEAR(contact.load, 2.0, 1e-12);
+    ASSERT_LT(std::fabs(contact.force.dot(contact.normal)), 1e-13);
+    ASSERT_LT((contact.normal - finger.normalized()).norm(), 1e-14);
+    ASSERT_LE(contact.force.norm(), mu * contact.load * (1.0 + 1e-12));
+    // In the tangent plane r²/2R above the ball, r ≤ μP/k = 1.2 mm.
+    ASSERT_NEAR(contact.proxy.norm(), ball, 1.2e-3 * 1.2e-3 / (2.0 * ball) * 1.01);
+  }
+  EXPECT_GT(slips, 1900);
+}
+
+// A finger that sticks to a free plate on an air table and moves off at a steady speed takes the plate along.
+TEST(SceneReplay, TakesAFreeBodyAlong) {
+  SceneOptions with = options();
+  with.motion = BodyMotion::free;
+  with.damping = 2.0;
+  with.twist_damping = 5e-3;
+  const Vector3d edges{0.1, 0.06, 0.02};
+  with.surface = AnySurface(BoxSurface(0.5 * edges));
+  with.body = BodyParameters::planar_block(0.2, edges, 0.0);
+  SceneReplay replay(with);
+  SceneContact contact;
+  for (int i = 0; i <= 3000; ++i) {
+    const double t = i * 1e-3;
+    // Turns to the left at 0.2 rad/s about the plate's centre of mass, and moves along y at 20 mm/s.
+    const double angle = 0.2 * t;
+    const Vector3d arm{0.02 * std::cos(angle), 0.02 * std::sin(angle), 0.008};
+    contact = moved(replay, t, {arm + Vector3d(0.0, 0.02 * t, 0.0), about(Vector3d::UnitZ(), angle), 0.0});
+    ASSERT_NE(contact.state, ContactState::free);
+  }
+  EXPECT_EQ(contact.state, ContactState::stick);
+  EXPECT_NEAR(replay.body().velocity.y(), 0.02, 2e-4);
+  EXPECT_NEAR(replay.body().angular_velocity.z(), 0.2, 2e-3);
+  EXPECT_EQ(replay.body().velocity.z(), 0.0);
+}
+
+TEST(SceneReplay, TwoFingersCarryABlock) {
+  SceneOptions with = options();
+  with.motion = BodyMotion::free;
+  with.fingers = 2;
+  with.damping = 2.0;
+  with.twist_damping = 1e-4;
+  const Vector3d edges{0.12, 0.04, 0.04};
+  with.surface = AnySurface(BoxSurface(0.5 * edges));
+  with.body = BodyParameters::block(0.1, edges);
+  SceneReplay replay(with);
+  for (int i = 0; i <= 3000; ++i) {
+    const double lift = 0.01 * std::min(i * 1e-3, 2.0);
+    replay.step(i * 1e-3, std::array{pose({0.0, 0.017, lift}), pose({0.0, -0.017, lift})});
+  }
+  // It hangs 0.981 N/(2·1000 N/m) below the fingers.
+  EXPECT_NEAR(replay.body().position.z(), 0.02 - 0.0004905, 1e-9);
+  EXPECT_EQ(replay.contacts()[0].state, ContactState::stick);
+  EXPECT_NEAR(replay.contacts()[0].force.z() + replay.contacts()[1].force.z(), -0.981, 1e-6);
+  EXPECT_NEAR(replay.contacts()[0].load, 3.0, 1e-6);
+  EXPECT_NEAR(replay.contacts()[0].load_to_hold, 0.4905 / mu, 1e-6);
+  EXPECT_NEAR(replay.contacts()[0].margin, 1.0 - 0.4905 / (mu * 3.0), 1e-6);
+}
+
+TEST(SceneReplay, HoldsOnSamplesThatAreNotUsable) {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const BodyMotion motion : {BodyMotion::fixed, BodyMotion::prescribed, BodyMotion::free}) {
+    SceneOptions with = options();
+    with.motion = motion;
+    with.surface = AnySurface(BoxSurface(Vector3d::Constant(0.02)));
+    with.body.gravity.setZero();
+    SceneReplay replay(with);
+    moved(replay, 0.0, pose({0.0, 0.0, 0.018}));
+    const SceneContact good = moved(replay, 0.001, pose({0.0003, 0.0, 0.018}));
+    const BodyState body = replay.body();
+    const auto is_held = [&](const SceneContact& contact) {
+      EXPECT_EQ(contact.state, ContactState::invalid);
+      EXPECT_EQ(contact.force, good.force);
+      EXPECT_EQ(contact.proxy, good.proxy);
+      EXPECT_EQ(contact.load, good.load);
+      EXPECT_EQ(replay.body().position, body.position);
+    };
+    is_held(moved(replay, 0.0005, pose({0.0, 0.0, 0.018})));
+    is_held(moved(replay, nan, pose({0.0, 0.0, 0.018})));
+    if (motion == BodyMotion::prescribed) {
+      is_held(moved(replay, 0.002, pose({0.0, 0.0, 0.018}), {Vector3d::Constant(nan), Quaterniond::Identity()}));
+      is_held(moved(replay, 0.002, pose({0.0, 0.0, 0.018}), {Vector3d::Zero(), Quaterniond(2.0, 0.0, 0.0, 0.0)}));
+    }
+    if (motion != BodyMotion::free) is_held(moved(replay, 0.002, pose({nan, 0.0, 0.018})));
+    EXPECT_EQ(moved(replay, 0.002, pose({0.0003, 0.0, 0.018})).state, ContactState::stick);
+  }
+}
+
+TEST(SceneReplay, NamesWhatIsWrongWithItsOptions) {
+  const auto message = [](auto change) -> std::string {
+    SceneOptions with = options();
+    change(with);
+    try {
+      const SceneReplay replay(with);
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "accepted";
+  };
+  EXPECT_NE(message([](SceneOptions& with) { with.finger.law = nullptr; }).find("law"), std::string::npos);
+  EXPECT_NE(message([](SceneOptions& with) { with.fingers = 0; }).find("fingers"), std::string::npos);
+  EXPECT_NE(message([](SceneOptions& with) { with.fingers = 17; }).find("fingers"), std::string::npos);
+  EXPECT_NE(message([](SceneOptions& with) { with.damping = -1.0; }).find("damping"), std::string::npos);
+  EXPECT_NE(message([](SceneOptions& with) { with.body.mass = 0.0; }).find("mass"), std::string::npos);
+  EXPECT_NE(message([](SceneOptions& with) { with.finger.stiffness = 0.0; }).find("stiffness"), std::string::npos);
+}
+
+/// Moments of inertia of an evenly filled solid per mass, by counting cells of a grid: nothing but its outline.
+template <class Inside>
+Vector3d counted_inertia(const Vector3d& half_edges, const Inside& inside) {
+  constexpr int cells = 120;
+  Vector3d sum = Vector3d::Zero();
+  double count = 0.0;
+  for (int i = 0; i < cells * cells * cells; ++i) {
+    const Vector3d place(i % cells, i / cells % cells, i / cells / cells);
+    const Vector3d at = ((2.0 * place + Vector3d::Ones()) / cells - Vector3d::Ones()).cwiseProduct(half_edges);
+    if (!inside(at)) continue;
+    const Vector3d squares = at.cwiseProduct(at);
+    sum += Vector3d::Constant(squares.sum()) - squares;
+    count += 1.0;
+  }
+  return sum / count;
+}
+
+TEST(BodyParameters, EvenlyFilledBodiesHaveTheInertiaOfTheirOutline) {
+  const double r = 0.02;
+  const double length = 0.07;
+  const auto is_near = [](const BodyParameters& body, const Vector3d& expected) {
+    EXPECT_LT((body.inertia / body.mass - expected).norm(), 2e-3 * expected.norm()) << body.inertia.transpose();
+  };
+  const Vector3d slim{r, r, 0.5 * length};
+  is_near(BodyParameters::ball(0.3, r), counted_inertia(Vector3d::Constant(r), [&](const Vector3d& at) { return at.norm() <= r; }));
+  is_near(BodyParameters::cylinder(0.3, r, length), counted_inertia(slim, [&](const Vector3d& at) { return at.head<2>().norm() <= r; }));
+  is_near(BodyParameters::capsule(0.3, r, length), counted_inertia(slim + Vector3d(0.0, 0.0, r), [&](const Vector3d& at) {
+            return (at - Vector3d(0.0, 0.0, std::clamp(at.z(), -0.5 * length, 0.5 * length))).norm() <= r;
+          }));
+  is_near(BodyParameters::block(0.3, 2.0 * slim), counted_inertia(slim, [](const Vector3d&) { return true; }));
+  EXPECT_THROW(static_cast<void>(BodyParameters::ball(0.1, 0.0)), std::invalid_argument);
+  EXPECT_THROW(static_cast<void>(BodyParameters::cylinder(0.1, 0.1, 0.0)), std::invalid_argument);
+  EXPECT_THROW(static_cast<void>(BodyParameters::capsule(-0.1, 0.1, 0.0)), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace limitcurve::godobject::test
