@@ -3,11 +3,12 @@
 
 #include "limitcurve/number.hpp"
 
+#include <array>
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
+#include <memory>
 #include <stdexcept>
 
 namespace limitcurve::godobject {
@@ -21,13 +22,15 @@ TriangleList read_triangles(const std::string& path, double scale) {
   if (extension != ".obj" && extension != ".stl") {
     throw std::invalid_argument(joined({path, ": a mesh of type '", extension, "', expected .obj or .stl"}));
   }
-  errno = 0;
-  std::ifstream file(path, std::ios::binary);
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
   std::string bytes;
-  // A folder opens, but has nothing to read.
-  if (!file || !bytes.assign(std::istreambuf_iterator<char>(file), {}).size() || file.bad()) {
-    throw std::invalid_argument(joined({path, ": ", errno != 0 ? std::strerror(errno) : "it is empty", ", expected a mesh"}));
+  std::array<char, 1 << 16> buffer;
+  while (file) {
+    const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), file.get());
+    bytes.append(buffer.data(), count);
+    if (count < buffer.size()) break;
   }
+  if (!file || std::ferror(file.get()) != 0) throw std::invalid_argument(joined({path, ": ", std::strerror(errno), ", expected a mesh"}));
   return extension == ".obj" ? read_obj(bytes, path, scale) : read_stl(bytes, path, scale);
 }
 

@@ -54,7 +54,9 @@ Contact MeshSurface::free(const Vector3d& finger, int guess, ContactMemory& memo
 }
 
 Contact MeshSurface::contact(const Vector3d& finger, ContactMemory& memory) const noexcept {
-  if (!finger.allFinite()) return {Vector3d::Zero(), Vector3d::UnitZ(), std::numeric_limits<double>::quiet_NaN()};
+  // False for NaN too.
+  if (!(finger.cwiseAbs().array() <= farthest).all())
+    return {Vector3d::Zero(), Vector3d::UnitZ(), std::numeric_limits<double>::quiet_NaN()};
   const int faces = static_cast<int>(mesh_->faces().size());
   int face = memory.face;
   Vector3d from = memory.finger;

@@ -18,6 +18,9 @@ namespace limitcurve::godobject {
 /// to `near_limit` boxes, and in each flight up to 2 boxes a face, as a rule some dozens.
 class MeshSurface {
  public:
+  /// A finger farther than this from the origin [m], or not finite, is refused: the depth is NaN, which a SoftFinger takes for
+  /// `invalid`, and the memory is not touched.
+  static constexpr double farthest = 1e6;
   /// Flights from the surface that end on it again, within one step.
   static constexpr int rounds = 16;
   /// Boxes opened for the distance of a finger that does not touch; then the nearest place found by then counts.

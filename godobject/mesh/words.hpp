@@ -22,7 +22,11 @@ class Words {
 
   /// Goes to the next line; false at the end of the text.
   bool next_line() {
-    if (rest_.empty()) return false;
+    if (rest_.empty()) {
+      word_ = here_.substr(here_.size());
+      ended_ = true;
+      return false;
+    }
     if (line_ == std::numeric_limits<int>::max()) fail("too many lines");
     const std::size_t end = std::min(rest_.find('\n'), rest_.size());
     here_ = rest_.substr(0, end);
@@ -56,7 +60,7 @@ class Words {
     for (char& character : found) {
       if (character < ' ' || character > '~') character = '?';
     }
-    fail(word_.empty() ? joined({"the line ends, expected ", what})
+    fail(word_.empty() ? joined({ended_ ? "the text ends, expected " : "the line ends, expected ", what})
                        : joined({"'", found, word_.size() > 40 ? "...', expected " : "', expected ", what}));
   }
 
@@ -80,6 +84,7 @@ class Words {
   std::string_view word_;
   const char* begin_ = nullptr;
   int line_ = 0;
+  bool ended_ = false;
 };
 
 }  // namespace limitcurve::godobject

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include "godobject/mesh/mesh_surface.hpp"
+#include "tests/mesh/shapes.hpp"
+
+#include <gtest/gtest.h>
+
+namespace limitcurve::godobject::test {
+namespace {
+
+using Eigen::Vector3d;
+
+const Vector3d edges{0.12, 0.04, 0.04};
+
+template <class Shape>
+auto hold(const Shape& shape, const BodyParameters& body, const std::array<DevicePose, 2>& devices) {
+  FingerParameters with = parameters(1.67, 0.01, 1000.0, 0.0366);
+  with.damping = 10.0;
+  with.twist_damping = 0.001;
+  using Finger = SoftFinger<Ellipse, ClosestPoint>;
+  const Finger finger(Ellipse::through_intercepts(hertz()->moment_ratio()), with, ClosestPoint{});
+  Grasp<Shape, Ellipse, ClosestPoint> grasp(body, BodyState{}, shape, {finger, finger});
+  grasp.place(BodyState{}, devices);
+  return grasp;
+}
+
+/// Two opposite fingers, 2 mm deep, on the block's faces ±z, beside its centre of mass.
+const std::array<DevicePose, 2> pinch{DevicePose{{0.005, 0.0, 0.018}}, DevicePose{{0.005, 0.0, -0.018}}};
+
+// Ten minutes of a block at rest between two fingers: 600,000 steps, and so a test of seconds. The fingers stand where two
+// triangles of a face meet as well, since the diagonals of block.obj run through the middle.
+TEST(MeshGrasp, RestsForTenMinutesWithoutCreeping) {
+  for (const double beside : {0.005, 0.0}) {
+    auto devices = pinch;
+    for (DevicePose& device : devices) device.position.x() = beside;
+    auto grasp = hold(read_mesh(data_mesh("block.obj")), BodyParameters::planar_block(0.1, edges, 9.81), devices);
+    const std::array<Vector3d, 2> proxies{grasp.finger(0).output().proxy, grasp.finger(1).output().proxy};
+    const std::array<double, 2> angles{grasp.finger(0).output().angle, grasp.finger(1).output().angle};
+    for (int i = 0; i < 5000; ++i) grasp.step(devices, 1e-3);
+    const BodyState settled = grasp.body();
+    const int steps = beside == 0.005 ? 600'000 : 20'000;
+    for (int i = 0; i < steps; ++i) {
+      grasp.step(devices, 1e-3);
+      for (std::size_t finger : {0U, 1U}) {
+        ASSERT_TRUE(same_bits(grasp.finger(finger).output().proxy, proxies[finger]) &&
+                    grasp.finger(finger).output().angle == angles[finger]);
+      }
+      ASSERT_LT((grasp.body().position - settled.position).norm(), 1e-12);
+    }
+    EXPECT_LT(grasp.body().orientation.angularDistance(settled.orientation), 1e-12);
+    EXPECT_EQ(grasp.finger(0).output().state, ContactState::stick);
+    EXPECT_EQ(grasp.unsolved(), 0U);
+    // Held above its centre of mass it hangs where the springs give way to its weight.
+    if (beside == 0.0) {
+      EXPECT_NEAR(settled.position.y(), -0.1 * 9.81 / 2000.0, 1e-9);
+    }
+  }
+}
+
+// What happens to a block of triangles is what happens to the block.
+TEST(MeshGrasp, ABlockOfTrianglesMovesLikeTheBlock) {
+  const BodyParameters body = BodyParameters::block(0.1, edges);
+  auto exact = hold(BoxSurface(0.5 * edges), body, pinch);
+  auto mesh = hold(MeshSurface(Mesh(box_triangles(0.5 * edges))), body, pinch);
+  for (int i = 0; i < 3000; ++i) {
+    auto devices = pinch;
+    // Carried about, turned, and let go of slowly.
+    for (DevicePose& device : devices) device.position += Vector3d(0.02 * std::sin(1e-3 * i), 0.01 * std::cos(2e-3 * i) - 0.01, 0.0);
+    devices[0].position.z() += 4e-7 * i;
+    exact.step(devices, 1e-3);
+    mesh.step(devices, 1e-3);
+    ASSERT_LT((exact.body().position - mesh.body().position).norm(), 1e-9) << i;
+    ASSERT_LT(exact.body().orientation.angularDistance(mesh.body().orientation), 1e-7) << i;
+    ASSERT_EQ(exact.finger(0).output().state, mesh.finger(0).output().state) << i;
+  }
+}
+
+// A finger drags its proxy round a ball of triangles: friction opposes it all the way and is continuous to what the facets turn.
+TEST(MeshGrasp, AFingerSlidesAroundABall) {
+  const MeshSurface ball(Mesh(ball_triangles(0.05, 5)));
+  SoftFinger finger = hertz_finger();
+  ContactMemory memory;
+  for (int i = 0; i <= 6283; ++i) {
+    const double angle = 1e-3 * i;
+    const Vector3d out{std::cos(angle), std::sin(angle), 0.0};
+    const FingerOutput& output = finger.update(ball.contact(out * 0.048 + Vector3d(0.0, 0.0, 0.0003), memory), 0.0);
+    ASSERT_NEAR(output.load, 2.0, 0.05) << i;
+    if (i < 100) continue;
+    ASSERT_EQ(output.state, ContactState::slip);
+    ASSERT_NEAR(output.force.norm(), 0.6 * output.load, 1e-12);
+    ASSERT_LT(output.force.dot(Vector3d(-out.y(), out.x(), 0.0)), -0.95 * 0.6 * output.load);
+    ASSERT_GE(output.slip_work, 0.0);
+  }
+}
+
+}  // namespace
+}  // namespace limitcurve::godobject::test

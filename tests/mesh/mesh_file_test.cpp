@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+#include "godobject/mesh/mesh_file.hpp"
+
+#include "tests/mesh/shapes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+namespace limitcurve::godobject::test {
+namespace {
+
+using Eigen::Vector3d;
+
+template <class Body>
+std::string complaint_of(Body&& body) {
+  try {
+    body();
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "none";
+}
+
+std::string obj_complaint(std::string_view text) {
+  return complaint_of([&] { static_cast<void>(read_obj(text, "a.obj")); });
+}
+std::string stl_complaint(std::string_view text) {
+  return complaint_of([&] { static_cast<void>(read_stl(text, "a.stl")); });
+}
+
+TEST(MeshFile, ReadsWhatTheScriptWrote) {
+  struct Known {
+    std::string name;
+    std::size_t faces, vertices;
+    double volume;
+  };
+  for (const Known& known : {Known{"block.obj", 12, 8, 0.12 * 0.04 * 0.04},
+                             {"plate.stl", 12, 8, 0.06 * 0.04 * 0.001},
+                             {"bracket.stl", 20, 12, (0.06 * 0.02 + 0.04 * 0.02) * 0.04}}) {
+    const MeshSurface surface = read_mesh(data_mesh(known.name));
+    EXPECT_EQ(surface.mesh().faces().size(), known.faces) << known.name;
+    EXPECT_EQ(surface.mesh().vertices().size(), known.vertices) << known.name;
+    EXPECT_NEAR(surface.mesh().volume(), known.volume, 1e-6 * known.volume) << known.name;
+    EXPECT_EQ(surface.mesh().repairs().turned, 0) << known.name;
+  }
+  EXPECT_EQ(read_mesh(data_mesh("ball.obj")).mesh().faces().size(), 320U);
+  EXPECT_EQ(read_mesh(data_mesh("star.obj")).mesh().faces().size(), 240U);
+  // In millimetres.
+  EXPECT_NEAR(read_mesh(data_mesh("block.obj"), 0.001).mesh().volume(), 1.92e-13, 1e-22);
+}
+
+TEST(MeshFile, ReadsObjAsProgramsWriteIt) {
+  const TriangleList list = read_obj(
+      "# exported\r\nmtllib x.mtl\r\no Thing\r\nv 0 0 0 1.0\r\nv\t1 0 0\t0.5 0.5 0.5\r\nv 0 +1 0\r\nv 0 0 1e0\r\nvn 0 0 1\r\n"
+      "vt 0.5 0.5\r\ng part\r\nusemtl grey\r\ns off\r\nf 1 2 3\r\nf 1/1 2/1/1 4//1\r\nf -4 -2 -1\r\n\r\nf 2 3 4   \r\nl 1 2\r\nf 1 2 3 4",
+      "a.obj", 2.0);
+  EXPECT_EQ(list.vertices.size(), 4U);
+  EXPECT_EQ(list.vertices[2], Vector3d(0.0, 2.0, 0.0));
+  EXPECT_EQ(list.faces, (std::vector<Face>{{0, 1, 2}, {0, 1, 3}, {0, 2, 3}, {1, 2, 3}, {0, 1, 2}, {0, 2, 3}}));
+  EXPECT_EQ(list.lines, (std::vector<int>{13, 14, 15, 17, 19, 19}));
+}
+
+TEST(MeshFile, NamesThePlaceInAnObj) {
+  EXPECT_EQ(obj_complaint("v 0 0 0\nv 1 x 0\n"), "a.obj:2:5: 'x', expected a finite number");
+  EXPECT_EQ(obj_complaint("v 0 0\n"), "a.obj:1:6: the line ends, expected a finite number");
+  EXPECT_EQ(obj_complaint("v 0 0 inf"), "a.obj:1:7: 'inf', expected a finite number");
+  EXPECT_EQ(obj_complaint("v 0 0 nan"), "a.obj:1:7: 'nan', expected a finite number");
+  EXPECT_EQ(obj_complaint("v 0 0 0 1 2 3 4 5"), "a.obj:1:17: '5', expected the line to end");
+  EXPECT_EQ(obj_complaint("v 0 0 0\n\n  f 1 1 2"),
+            "a.obj:3:9: '2', expected a vertex before this line: 1 to 1, or from the last, -1 to -1");
+  EXPECT_EQ(obj_complaint("v 0 0 0\nf 1 0 1"), "a.obj:2:5: '0', expected a vertex before this line: 1 to 1, or from the last, -1 to -1");
+  EXPECT_EQ(obj_complaint("v 0 0 0\nf 1 1"), "a.obj:2:6: the line ends, expected three vertices at least");
+  for (const std::string_view word : {"1.5", "x", "/1", "1/x", "99999999999999999999", "--1"}) {
+    const std::string text = std::string("v 0 0 0\nf ").append(word);
+    EXPECT_EQ(obj_complaint(text).substr(0, 11), "a.obj:2:3: ") << word;
+  }
+  EXPECT_EQ(obj_complaint("vertex 0 0 0"),
+            "a.obj:1:1: 'vertex', expected v, f, or what a mesh does without (vn, vt, o, g, s, usemtl, mtllib, …)");
+  // What a terminal would take for a command stays out of the complaint.
+  EXPECT_EQ(obj_complaint("v 0 0 \x1b[31m").find('\x1b'), std::string::npos);
+  EXPECT_EQ(obj_complaint(""), "none");
+}
+
+constexpr std::string_view tetrahedron =
+    "solid t\n"
+    "facet normal 0 0 -1\nouter loop\nvertex 0 0 0\nvertex 0 1 0\nvertex 1 0 0\nendloop\nendfacet\n"
+    "  facet normal nan nan nan\n outer loop\n vertex 0 0 0\n vertex 0 0 1\n vertex 0 1 0\n endloop\n endfacet\n"
+    "facet normal 0 -1 0\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 0 1\nendloop\nendfacet\n"
+    "facet normal 1 1 1\nouter loop\nvertex 1 0 0\nvertex 0 1 0\nvertex 0 0 1\nendloop\nendfacet\nendsolid t\n";
+
+TEST(MeshFile, ReadsStlAsText) {
+  const TriangleList list = read_stl(tetrahedron, "a.stl", 0.01);
+  EXPECT_EQ(list.faces.size(), 4U);
+  EXPECT_EQ(list.lines, (std::vector<int>{2, 9, 16, 23}));
+  const Mesh mesh(list);
+  EXPECT_EQ(mesh.repairs().welded, 8);
+  EXPECT_NEAR(mesh.volume(), 1e-6 / 6.0, 1e-17);
+}
+
+TEST(MeshFile, NamesThePlaceInAnStl) {
+  const auto with = [](std::string_view what, std::string_view instead) {
+    std::string text(tetrahedron);
+    return stl_complaint(text.replace(text.find(what), what.size(), instead));
+  };
+  EXPECT_EQ(with("outer loop", "inner loop"), "a.stl:3:1: 'inner', expected outer");
+  EXPECT_EQ(with("vertex 0 1 0", "vertex 0 inf 0"), "a.stl:5:10: 'inf', expected a finite number");
+  EXPECT_EQ(with("vertex 0 1 0", "vertex 0 1 0 0"), "a.stl:5:14: '0', expected the line to end");
+  EXPECT_EQ(with("endloop", "vertex 0 0 0"), "a.stl:7:1: 'vertex', expected endloop");
+  EXPECT_EQ(with("endsolid t\n", ""), "a.stl:29:9: the text ends, expected facet or endsolid");
+  EXPECT_EQ(with("facet normal 1 1 1", "triangle"), "a.stl:23:1: 'triangle', expected facet or endsolid");
+  EXPECT_EQ(stl_complaint("solid"), "a.stl:1:6: the text ends, expected facet or endsolid");
+  EXPECT_EQ(stl_complaint("solid x\nendsolid x\n"), "a.stl:2:11: the text ends, expected solid");
+}
+
+TEST(MeshFile, NamesThePlaceInABinaryStl) {
+  std::ifstream file(data_mesh("bracket.stl"), std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  EXPECT_EQ(read_stl(bytes, "a.stl").faces.size(), 20U);
+  EXPECT_EQ(stl_complaint(bytes.substr(0, bytes.size() - 1)),
+            "a.stl: 1083 bytes, expected 1084 of a binary file with its count of faces, or a text that begins with solid");
+  EXPECT_EQ(stl_complaint("abc"),
+            "a.stl: 3 bytes, expected 84 or more of a binary file with its count of faces, or a text that begins with solid");
+  std::string bad = bytes;
+  for (std::size_t i = 0; i < 4; ++i) bad[84 + 50 * 7 + 12 + 4 + i] = '\xff';
+  EXPECT_EQ(stl_complaint(bad), "a.stl: face 7 has a coordinate that is not a finite number");
+}
+
+TEST(MeshFile, RefusesFilesThatAreNone) {
+  const auto complaint = [](const std::string& path, double scale = 1.0) {
+    return complaint_of([&] { static_cast<void>(read_mesh(path, scale)); });
+  };
+  EXPECT_EQ(complaint("no/such.obj"), "no/such.obj: No such file or directory, expected a mesh");
+  EXPECT_EQ(complaint("thing.ply"), "thing.ply: a mesh of type '.ply', expected .obj or .stl");
+  EXPECT_EQ(complaint(data_mesh("block.obj"), 0.0).substr(0, 25), "scale = 0 m is out of ran");
+  const std::string folder = ::testing::TempDir() + "/folder.OBJ";
+  std::filesystem::create_directories(folder);
+  EXPECT_NE(complaint(folder).find("folder.OBJ: Is a directory, expected a mesh"), std::string::npos) << complaint(folder);
+  const std::string open_box = ::testing::TempDir() + "/open.obj";
+  std::ofstream(open_box) << "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 1 1 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 5\n";
+  EXPECT_NE(complaint(open_box).find("open.obj:7: face 1 has nothing beyond its edge from (1, 0, 0) to (0, 0, 1)"), std::string::npos)
+      << complaint(open_box);
+  std::filesystem::remove(open_box);
+  std::filesystem::remove(folder);
+}
+
+}  // namespace
+}  // namespace limitcurve::godobject::test

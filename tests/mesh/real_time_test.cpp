@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+#include "tests/mesh/shapes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <thread>
+
+#ifdef __linux__
+#include <linux/seccomp.h>
+#include <sys/prctl.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#endif
+
+// The sanitizers bring an allocator of their own.
+#if defined(__linux__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+namespace {
+thread_local bool watching = false;
+thread_local int calls = 0;
+}  // namespace
+
+extern "C" {
+void* __libc_malloc(std::size_t size);
+void* __libc_calloc(std::size_t count, std::size_t size);
+void* __libc_realloc(void* memory, std::size_t size);
+void __libc_free(void* memory);
+
+void* malloc(std::size_t size) {
+  calls += watching;
+  return __libc_malloc(size);
+}
+void* calloc(std::size_t count, std::size_t size) {
+  calls += watching;
+  return __libc_calloc(count, size);
+}
+void* realloc(void* memory, std::size_t size) {
+  calls += watching;
+  return __libc_realloc(memory, size);
+}
+void free(void* memory) {
+  calls += watching;
+  __libc_free(memory);
+}
+}
+
+namespace limitcurve::godobject::test {
+namespace {
+
+using Eigen::Vector3d;
+
+/// Where a finger is that goes about the star: near it, through it, far away, at its vertices.
+std::vector<Vector3d> moves(const Mesh& mesh, int count) {
+  Random random(9);
+  std::vector<Vector3d> result;
+  Vector3d finger(0.1, 0.0, 0.0);
+  for (int i = 0; i < count; ++i) {
+    finger += 0.01 * Vector3d(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+    if (i % 50 == 0) finger = mesh.vertices()[static_cast<std::size_t>(random.bits() % mesh.vertices().size())];
+    if (i % 77 == 0) finger *= -1.0;
+    if (finger.norm() > 0.15) finger *= 0.1;
+    result.push_back(finger);
+    if (i % 111 == 0) result.push_back(1e7 * finger);
+    if (i % 112 == 0) result.push_back(Vector3d::Constant(std::numeric_limits<double>::quiet_NaN()));
+    if (i % 113 == 0) result.push_back(Vector3d::Constant(-std::numeric_limits<double>::max()));
+  }
+  return result;
+}
+
+template <class Body>
+int allocations(Body&& body) {
+  calls = 0;
+  watching = true;
+  body();
+  watching = false;
+  return calls;
+}
+
+TEST(MeshRealTime, TheGuardSeesAnAllocation) {
+  EXPECT_GT(allocations([] { delete new volatile int(3); }), 0);
+}
+
+TEST(MeshRealTime, AStepAllocatesNothing) {
+  const MeshSurface star = read_mesh(data_mesh("star.obj"));
+  const std::vector<Vector3d> path = moves(star.mesh(), 20000);
+  SoftFinger finger = hertz_finger();
+  ContactMemory memory;
+  int touching = 0;
+  const int count = allocations([&] {
+    for (const Vector3d& place : path) {
+      const FingerOutput& output = finger.update(star.contact(place, memory), 0.0);
+      touching += output.state == ContactState::slip || output.state == ContactState::stick;
+    }
+    const MeshSurface shared = star;
+    static_cast<void>(shared.contact(path[0], memory));
+  });
+  EXPECT_EQ(count, 0);
+  EXPECT_GT(touching, 2000);
+}
+
+template <class Body>
+bool runs_without_system_calls(Body&& body) {
+  const pid_t child = fork();
+  if (child == 0) {
+    prctl(PR_SET_SECCOMP, SECCOMP_MODE_STRICT);
+    body();
+    syscall(SYS_exit, 0);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
+TEST(MeshRealTime, StepsMakeNoSystemCall) {
+  EXPECT_FALSE(runs_without_system_calls([] { syscall(SYS_getppid); }));
+  const MeshSurface star = read_mesh(data_mesh("star.obj"));
+  const std::vector<Vector3d> path = moves(star.mesh(), 100000);
+  EXPECT_TRUE(runs_without_system_calls([&] {
+    SoftFinger finger = hertz_finger();
+    ContactMemory memory;
+    for (const Vector3d& place : path) finger.update(star.contact(place, memory), 0.0);
+  }));
+}
+
+// Four threads, a finger each, one mesh: each feels what it would feel alone, bit for bit.
+TEST(MeshRealTime, ManyFingersShareAMesh) {
+  const MeshSurface star = read_mesh(data_mesh("star.obj"));
+  const std::vector<Vector3d> path = moves(star.mesh(), 20000);
+  const auto felt = [&] {
+    const MeshSurface own = star;
+    ContactMemory memory;
+    Vector3d sum = Vector3d::Zero();
+    for (const Vector3d& place : path) {
+      const Contact contact = own.contact(place, memory);
+      if (contact.depth > 0.0) sum += contact.depth * contact.normal;
+    }
+    return sum;
+  };
+  const Vector3d alone = felt();
+  std::array<Vector3d, 4> together;
+  std::vector<std::thread> threads;
+  for (Vector3d& one : together) threads.emplace_back([&] { one = felt(); });
+  for (std::thread& thread : threads) thread.join();
+  for (const Vector3d& one : together) EXPECT_TRUE(same_bits(one, alone));
+}
+
+TEST(MeshRealTime, NothingInTheLoopThrows) {
+  static_assert(noexcept(std::declval<const MeshSurface&>().contact(std::declval<const Vector3d&>(), std::declval<ContactMemory&>())));
+  static_assert(noexcept(std::declval<const Mesh&>().settle(0, std::declval<const Vector3d&>())));
+}
+
+}  // namespace
+}  // namespace limitcurve::godobject::test
+#endif
