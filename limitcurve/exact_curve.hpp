@@ -10,7 +10,8 @@ namespace limitcurve {
 
 /// The unit limit curve of a pressure law, exact: a limit boundary. Relative error of the wrench: that of
 /// the law's `forces`, ≤ 1e-14 to 1e-13.
-/// Cost: that of the law's `forces`, some nanoseconds where it is closed, tens of microseconds by quadrature.
+/// Cost: that of the law's `forces`: some nanoseconds where it is closed, some microseconds by quadrature, which `expanded`
+/// (expanded_law.hpp) makes nanoseconds again.
 class ExactCurve {
  public:
   explicit ExactCurve(Law law) : law_(std::move(law)), moment_ratio_(law_->moment_ratio()) {}

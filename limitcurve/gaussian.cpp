@@ -65,6 +65,7 @@ class GaussianLaw final : public PressureLawOf<GaussianLaw> {
     return 1 / std::sqrt(half_pi) * ratio * ratio * std::exp(-ratio * ratio / 2) / sigma_;
   }
 
+  bool has_quick_forces() const noexcept override { return true; }
   /// By polynomials in y = 1/(1 + x), in which the scaled Bessel functions are smooth from the centre to ∞.
   UnitForces<double> forces(double s) const noexcept override {
     static constexpr PiecewisePolynomials<double, 17, 15, 2> wrenches(economised::gaussian_wrench);

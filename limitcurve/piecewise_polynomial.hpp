@@ -66,47 +66,52 @@ PiecePlace<Real> place_in_octaves(Real x) noexcept {
   return {static_cast<std::size_t>(std::min<Bits>((bits >> quarter_bit) - first, 4 * octaves - 1)), x - middle};
 }
 
-/// `lanes` functions by a polynomial of `terms` terms each on every one of `pieces`. Neighbouring terms are joined, then their pairs
-/// and so on (Estrin's scheme), so that operations overlap; the lanes go side by side, so that one instruction serves them.
+namespace detail {
+/// Σ c_{first+k} x^k, k < count: neighbouring terms are joined, then their pairs and so on (Estrin's scheme).
+template <std::size_t first, std::size_t count, std::size_t lanes, class Real, std::size_t steps>
+[[gnu::always_inline]] inline typename Lanes<Real, lanes>::type sum_of(const Real* coefficients,
+                                                                       const std::array<Real, steps>& powers) noexcept {
+  if constexpr (count == 1) {
+    typename Lanes<Real, lanes>::type loaded;
+    std::memcpy(&loaded, coefficients + first * lanes, sizeof loaded);
+    return loaded;
+  } else {
+    constexpr std::size_t half = std::bit_floor(count - 1);
+    return sum_of<first, half, lanes>(coefficients, powers) +
+           sum_of<first + half, count - half, lanes>(coefficients, powers) * powers[std::bit_width(half) - 1];
+  }
+}
+}  // namespace detail
+
+/// `lanes` polynomials of `terms` terms at x: their coefficients side by side, lowest power first, so that one instruction serves them
+/// all; in an order of operations that lets them overlap.
+template <std::size_t terms, std::size_t lanes, class Real>
+[[gnu::always_inline]] inline std::array<Real, lanes> polynomial(const Real* coefficients, Real x) noexcept {
+  static_assert(lanes <= 2, "wider than every target's vectors");
+  std::array<Real, std::bit_width(terms - 1)> powers;  // x, x², x⁴, …
+  powers[0] = x;
+  for (std::size_t i = 1; i < powers.size(); ++i) powers[i] = powers[i - 1] * powers[i - 1];
+  const auto sum = detail::sum_of<0, terms, lanes>(coefficients, powers);
+  static_assert(sizeof sum == lanes * sizeof(Real));
+  std::array<Real, lanes> result;
+  std::memcpy(result.data(), &sum, sizeof sum);
+  return result;
+}
+
+/// `lanes` functions, each by a polynomial of `terms` terms on every one of `pieces`.
 template <class Real, std::size_t pieces, std::size_t terms, std::size_t lanes>
 class PiecewisePolynomials {
  public:
-  static_assert(lanes <= 2, "wider than every target's vectors");
-
   /// Per piece and power, lowest first, the lanes' coefficients.
   constexpr explicit PiecewisePolynomials(const std::array<double, pieces * terms * lanes>& coefficients) noexcept {
     for (std::size_t i = 0; i < coefficients.size(); ++i) coefficients_[i] = static_cast<Real>(coefficients[i]);
   }
 
   [[nodiscard, gnu::always_inline]] std::array<Real, lanes> at(PiecePlace<Real> place) const noexcept {
-    const Real* const coefficients = coefficients_.data() + place.piece * (terms * lanes);
-    std::array<Real, std::bit_width(terms)> powers;  // x, x², x⁴, …
-    powers[0] = place.offset;
-    for (std::size_t i = 1; i < powers.size(); ++i) powers[i] = powers[i - 1] * powers[i - 1];
-    const Lanes sum = sum_of<0, terms>(coefficients, powers);
-    std::array<Real, lanes> result;
-    std::memcpy(result.data(), &sum, sizeof sum);
-    return result;
+    return polynomial<terms, lanes>(coefficients_.data() + place.piece * (terms * lanes), place.offset);
   }
 
  private:
-  using Lanes = typename detail::Lanes<Real, lanes>::type;
-  static_assert(sizeof(Lanes) == lanes * sizeof(Real));
-
-  /// Σ c_{first+k} x^k, k < count.
-  template <std::size_t first, std::size_t count>
-  [[gnu::always_inline]] static Lanes sum_of(const Real* coefficients, const std::array<Real, std::bit_width(terms)>& powers) noexcept {
-    if constexpr (count == 1) {
-      Lanes loaded;
-      std::memcpy(&loaded, coefficients + first * lanes, sizeof loaded);
-      return loaded;
-    } else {
-      constexpr std::size_t half = std::bit_floor(count - 1);
-      return sum_of<first, half>(coefficients, powers) +
-             sum_of<first + half, count - half>(coefficients, powers) * powers[std::bit_width(half) - 1];
-    }
-  }
-
   alignas(2 * sizeof(Real)) std::array<Real, pieces * terms * lanes> coefficients_{};
 };
 

@@ -74,6 +74,9 @@ class PressureLaw {
   /// of s moves it by 1 % and more). Never throws, allocates or locks.
   [[nodiscard]] virtual UnitForces<double> forces(double s) const noexcept;
 
+  /// Whether `forces` takes nanoseconds; by quadrature it takes microseconds, and expanded_law.hpp pays for loops.
+  [[nodiscard]] virtual bool has_quick_forces() const noexcept { return false; }
+
   /// Unit wrench at s with its error, computed in extended precision. `method` must be one that `allows` grants.
   /// Relative error ≤ 1e-15 for a closed form, ≤ 1e-14 for the others, and in every case ≤ the error returned.
   [[nodiscard]] virtual WrenchEstimate evaluate(double s, Method method = Method::automatic) const noexcept;
