@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include "bench/boost_quadrature.hpp"
 #include "bench/worst.hpp"
 
 #include "limitcurve/closed_form.hpp"
 #include "limitcurve/ellipse.hpp"
 #include "limitcurve/exact_curve.hpp"
+#include "limitcurve/expanded_law.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/polygon.hpp"
 #include "limitcurve/quartic.hpp"
@@ -12,7 +14,10 @@
 
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -45,12 +50,110 @@ void over(benchmark::State& state, const std::vector<double>& fractions, Call&& 
   state.counters["worst_ns"] = worst_nanoseconds(fractions, call);
 }
 
+/// CORs by region: under the finger, at the rim on both sides down to one rounding, outside.
+std::vector<double> cors(const std::string& region) {
+  std::vector<double> result;
+  if (region == "rim") {
+    for (const double u : spin_fractions(0.0, 2.0)) {
+      result.push_back(u < 1.0 ? 1.0 - std::pow(10.0, -1.0 - 15.0 * u) : 1.0 + std::pow(10.0, -1.0 - 15.0 * (u - 1.0)));
+    }
+    return result;
+  }
+  for (const double u : region == "inside" ? spin_fractions(0.5, 1.0) : spin_fractions(1e-6, 0.5)) result.push_back((1.0 - u) / u);
+  return result;
+}
+
+/// The least time of a call [ns], over passes through all inputs.
+template <class Inputs, class Call>
+double best_nanoseconds(const Inputs& inputs, int passes, Call&& call) {
+  using Clock = std::chrono::steady_clock;
+  double best = std::numeric_limits<double>::infinity();
+  for (int pass = 0; pass < passes; ++pass) {
+    const auto start = Clock::now();
+    for (const double s : inputs) {
+      const UnitWrench wrench = call(s);
+      benchmark::DoNotOptimize(wrench.force + wrench.moment);
+    }
+    best = std::min(best, std::chrono::duration<double, std::nano>(Clock::now() - start).count());
+  }
+  return best / static_cast<double>(inputs.size());
+}
+
+/// The largest relative error of f and m, against the law's `evaluate`.
+template <class Inputs, class Call>
+double largest_error(const PressureLaw& law, const Inputs& inputs, Call&& call) {
+  double error = 0.0;
+  for (const double s : inputs) {
+    const UnitWrench found = call(s);
+    const UnitWrench truth = law.evaluate(s).wrench;
+    error = std::max({error, std::fabs(found.force / truth.force - 1.0), std::fabs(found.moment / truth.moment - 1.0)});
+  }
+  return error;
+}
+
+/// The pair (f, m) by `ours`, with its error, and how many times longer Boost's quadrature takes at the same CORs.
+template <class Ours, class Pressure>
+void pair(benchmark::State& state, const Law& law, const std::string& region, const Ours& ours, const Pressure& pressure) {
+  static BoostQuadrature boost;
+  const std::vector<double> all = cors(region);
+  for (auto _ : state) {
+    double sum = 0.0;
+    for (const double s : all) {
+      const UnitWrench wrench = ours(s);
+      sum += wrench.force + wrench.moment;
+    }
+    benchmark::DoNotOptimize(sum);
+  }
+  const std::vector<double> some(all.begin(), all.begin() + 128);
+  const auto theirs = [&](double s) { return boost.wrench(pressure, s); };
+  const double peer = best_nanoseconds(some, 5, theirs);
+  const auto count = static_cast<double>(all.size());
+  state.counters["per_call"] = benchmark::Counter(count, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+  state.counters["worst_ns"] = worst_nanoseconds(all, ours);
+  state.counters["error"] = largest_error(*law, some, ours);
+  state.counters["boost_ns"] = peer;
+  state.counters["boost_error"] = largest_error(*law, some, theirs);
+  state.counters["times_faster"] = peer / best_nanoseconds(all, 200, ours);
+}
+
 template <UnitForces<double> (*form)(double) noexcept>
-void closed(benchmark::State& state, double from, double to) {
-  over(state, spin_fractions(from, to), [](double u) {
-    const UnitForces<double> forces = form((1.0 - u) / u);
-    return forces.force + forces.moment;
-  });
+UnitWrench wrench_of(double s) noexcept {
+  const UnitForces<double> forces = form(s);
+  return {forces.force, forces.moment};
+}
+
+template <class Ours, class Pressure>
+void register_pair(const Law& law, const Ours& ours, const Pressure& pressure) {
+  for (const char* region : {"inside", "rim", "outside"}) {
+    benchmark::RegisterBenchmark(("pair/" + law->name() + "/" + region).c_str(),
+                                 [law, region, ours, pressure](benchmark::State& state) { pair(state, law, region, ours, pressure); });
+  }
+}
+
+/// The exact pair (f, m) beside Boost's quadrature.
+void register_pairs() {
+  // A lambda each, so that the form is inlined.
+  register_pair(
+      hertz(), [](double s) { return wrench_of<closed_form::hertz<double>>(s); },
+      [](double rho, double rim) { return 1.5 * std::sqrt(rim * (1.0 + rho)); });
+  register_pair(
+      flat_punch(), [](double s) { return wrench_of<closed_form::flat_punch<double>>(s); },
+      [](double rho, double rim) { return 0.5 / std::sqrt(rim * (1.0 + rho)); });
+  register_pair(
+      uniform(), [](double s) { return wrench_of<closed_form::uniform<double>>(s); }, [](double, double) { return 1.0; });
+  register_pair(
+      parabolic(), [](double s) { return wrench_of<closed_form::parabolic<double>>(s); },
+      [](double rho, double rim) { return 2.0 * rim * (1.0 + rho); });
+  for (const Law& law : {xydas_kao(3.0), limitcurve::power(2.3)}) {
+    const auto by_law = [&](const Law& used) {
+      return [used](double s) {
+        const UnitForces<double> forces = used->forces(s);
+        return UnitWrench{forces.force, forces.moment};
+      };
+    };
+    const auto pressure = [law](double rho, double rim) { return law->density(RadialPosition<double>{rho, rim}); };
+    register_pair(law, by_law(expanded(law)), pressure);
+  }
 }
 
 template <class Boundary>
@@ -73,11 +176,7 @@ void register_model(const std::string& name, const Boundary& boundary) {
 }
 
 void register_all() {
-  benchmark::RegisterBenchmark("closed/hertz/inside", closed<closed_form::hertz<double>>, 0.5, 1.0);
-  benchmark::RegisterBenchmark("closed/hertz/outside", closed<closed_form::hertz<double>>, 0.0, 0.5);
-  benchmark::RegisterBenchmark("closed/uniform", closed<closed_form::uniform<double>>, 0.0, 1.0);
-  benchmark::RegisterBenchmark("closed/parabolic", closed<closed_form::parabolic<double>>, 0.0, 1.0);
-  benchmark::RegisterBenchmark("closed/flat-punch", closed<closed_form::flat_punch<double>>, 0.0, 1.0);
+  register_pairs();
   for (const char* text : {"xydas-kao:k=3", "power:n=2.3"}) {
     const ExactCurve curve(parse_law(text));
     benchmark::RegisterBenchmark(("quadrature/" + std::string(text)).c_str(), [curve](benchmark::State& state) { lookup(state, curve); });
