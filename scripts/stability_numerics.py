@@ -3,7 +3,7 @@
 
 import math
 
-from chart_style import BLUE, FAINT, GREEN, ORANGE, PURPLE, VERMILION, law_style, legend_below, plt
+from chart_style import BLUE, FAINT, GREEN, GRID, INK, ORANGE, PURPLE, VERMILION, law_style, legend_below, plt
 
 OURS = "limitcurve"
 COLOURS = (VERMILION, ORANGE, GREEN, PURPLE, FAINT)
@@ -17,7 +17,7 @@ def styles(names):
     others = [name for name in names if name != OURS and name not in LAWS]
     style = {name: {"color": COLOURS[i % len(COLOURS)], "linewidth": 1.2} for i, name in enumerate(others)}
     style |= {name: {**law_style(name), "linewidth": 1.2} for name in names if name in LAWS}
-    return style | {OURS: {"color": BLUE if "hertz" not in names else "#222222", "linewidth": 1.5, "zorder": 3}}
+    return style | {OURS: {"color": BLUE if "hertz" not in names else INK, "linewidth": 1.5, "zorder": 3}}
 
 
 def draw(axes, rows, style, top=math.inf):
@@ -134,6 +134,54 @@ def tables_equilibria(rows):
     return figure
 
 
+def fits_cor(rows):
+    figure, (axes,) = frame(1)
+    draw(axes, rows, styles(list(rows.groups("series"))))
+    axes.set(title="COR implied over the true one, flat punch", xlabel=COR, xscale="log", yscale="log", xlim=(1e-3, 1e3), ylim=(0.05, 20))
+    axes.set_yticks((0.1, 0.2, 0.5, 1, 2, 5, 10), ("0.1", "0.2", "0.5", "1", "2", "5", "10"))
+    axes.minorticks_off()
+    legend_below(figure, axes, 4)
+    return figure
+
+
+def fits_tails(rows):
+    figure, (moment, cor) = frame(2, sharey=True)
+    style = styles(list(rows.groups("series")))
+    for axes, panel in ((moment, "moment"), (cor, "cor")):
+        draw(axes, rows.where(panel=panel), style, top=10)
+        axes.axvspan(0.05, 5, color=GRID, alpha=0.5, linewidth=0, zorder=0)
+        axes.set(xlabel=COR, xscale="log", yscale="log", xlim=(0.05, 100), ylim=(1e-6, 10))
+        axes.minorticks_off()
+    moment.set(title="Relative error of the moment (shaded: fitted)")
+    cor.set(title="… of the COR that the curve implies")
+    legend_below(figure, moment, 2)
+    return figure
+
+
+def fits_shape(rows):
+    figure, (cloud, errors) = frame(2)
+    valley = rows.where(panel="cloud", series="same moment")
+    cloud.plot(valley.column("x"), valley.column("value"), color=BLUE, label="same moment, limitcurve reports it")
+    points = rows.where(panel="cloud", series="a fit")
+    cloud.plot(points.column("x")[::2], points.column("value")[::2], ".", color=VERMILION, markersize=4, label="fits of n and a")
+    cloud.plot([0.5], [5], "+", color=INK, markersize=11, markeredgewidth=1.6, label="truth")
+    cloud.set(title="Measurements of one contact, 1 % noise", xlabel="fitted shape n", ylabel="fitted radius a  [mm]", xlim=(-0.8, 3),
+              ylim=(3.4, 7.6))
+    cloud.legend(loc="upper left", handlelength=2)
+    for series, colour in (("Hertz assumed", VERMILION), (OURS, BLUE)):
+        values = sorted(max(value, 0.01) for value in rows.where(panel="errors", series=series).column("value"))[1::3]
+        errors.plot(values, [(i + 0.5) / len(values) for i in range(len(values))], color=colour,
+                    label={OURS: "limitcurve, shape free"}.get(series, series))
+    errors.axvline(1.96, color=FAINT, linewidth=0.8, dashes=(2, 2))
+    errors.annotate("95 % should be\nleft of this", (1.96, 0.2), (5, 0), textcoords="offset points", color=FAINT)
+    errors.set(title="The radius of a uniform pad", xlabel="error / standard error stated", ylabel="share of measurements",
+               xscale="log", xlim=(0.02, 200), ylim=(0, 1))
+    errors.set_xticks((0.1, 1, 10, 100), ("0.1", "1", "10", "100"))
+    errors.minorticks_off()
+    errors.legend(loc="upper left", handlelength=2)
+    return figure
+
+
 FIGURES = {figure.__name__: figure for figure in (
     quadrature_rim, quadrature_singular, quadrature_kinks, quadrature_complement, closed_forms_far, closed_forms_near,
-    tables_spacing, tables_extrapolation, tables_equilibria)}
+    tables_spacing, tables_extrapolation, tables_equilibria, fits_cor, fits_tails, fits_shape)}

@@ -2,6 +2,7 @@
 // stability_atlas DIR: measures every entry of the atlas and writes, into DIR, summary.csv (a line a finding) and a CSV a
 // figure (panel,series,x,value). scripts/stability draws and documents them.
 #include "atlas.hpp"
+#include "fits.hpp"
 #include "limitcurve/number.hpp"
 #include "quadrature.hpp"
 #include "tables.hpp"
@@ -23,6 +24,7 @@ const std::vector<Entry> entries = {
      {centre_under_the_finger, adaptive_subdivision, singular_rim, kinks_of_a_profile, vanishing_complement, moment_far_away,
       force_near_the_centre}},
     {"tables", {even_spacing, beyond_the_last_node, false_equilibria}},
+    {"fits", {cor_near_the_axes, dying_tails, shape_and_radius}},
 };
 
 /// Text may hold commas.
