@@ -39,7 +39,11 @@ class RandomBits {
   double unit() { return std::ldexp(static_cast<double>(bits() >> 11U), -53); }
   double uniform(double low, double high) { return low + (high - low) * unit(); }
   /// 2^e·[1, 2), e evenly from `least` to `most`.
-  double scale(int least, int most) { return std::ldexp(1.0 + unit(), least + below(most - least + 1)); }
+  double scale(int least, int most) {
+    // One after the other: compilers evaluate arguments in orders of their own.
+    const double mantissa = 1.0 + unit();
+    return std::ldexp(mantissa, least + below(most - least + 1));
+  }
   /// Any bits at all: subnormal, infinite, no number.
   double any() { return std::bit_cast<double>(bits()); }
 
