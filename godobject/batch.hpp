@@ -139,7 +139,7 @@ void step(const Friction<Boundary, Projection>& friction, const ContactBatch& ba
     proxy_x = new_x;
     proxy_y = new_y;
     proxy_angle = new_angle;
-    const double next = moves ? result.spin_fraction : -1.0;
+    const double next = moves ? result.start : -1.0;
     batch.trend[i] = next > 0.0 && start > 0.0 ? next - start : 0.0;
     start = next;
   }

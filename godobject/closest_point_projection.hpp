@@ -18,6 +18,14 @@ concept PolygonalBoundary = LimitBoundary<Boundary> && requires(const Boundary& 
 };
 // clang-format on
 
+/// A boundary that finds the closest point itself, by what it knows of its own make-up.
+// clang-format off
+template <class Boundary>
+concept FindsClosest = LimitBoundary<Boundary> && requires(const Boundary& boundary, UnitWrench trial, double chi, double start) {
+  { boundary.closest(trial, chi, start) } noexcept -> std::same_as<Foot>;
+};
+// clang-format on
+
 /// Maximum dissipation (implicit Euler of the sliding law): the slip is normal to the limit curve at the wrench it
 /// leaves. With the springs as metric that is the point of the curve closest to the trial, and a finger that keeps
 /// sliding about one centre of rotation settles at eq. (17)'s wrench for it, whatever the stiffnesses. On the box of
@@ -51,7 +59,14 @@ struct ClosestPoint {
       const UnitWrench wrench = boundary.wrench(end);
       return {x + y > (wrench.force + wrench.moment) * (1.0 + slip_guard), wrench, end};
     }
-    double u = trial.start > 0.0 && trial.start < 1.0 ? trial.start : start(boundary.moment_ratio(), trial);
+    const double from = trial.start > 0.0 && trial.start < 2.0 ? trial.start : start(boundary.moment_ratio(), trial);
+    if constexpr (FindsClosest<Boundary>) {
+      const auto [foot, normal, place] = boundary.closest(trial.wrench, chi, from);
+      // Beyond the tangent at its foot it is outside; and if it is outside at all, it is beyond that one.
+      const double reach = normal.slide * foot.force + normal.spin * foot.moment;
+      return {normal.slide * x + normal.spin * y > reach * (1.0 + slip_guard), foot, normal, place};
+    }
+    double u = SlipTwist::at_place(from).spin_fraction();
     BoundaryPoint here = boundary.point(SlipTwist::of_spin_fraction(u));
     // Beyond the tangent at u it is outside for sure, and the gauge, a search of its own, is not needed.
     const double reach = (1.0 - u) * here.wrench.force + u * here.wrench.moment;
@@ -67,7 +82,8 @@ struct ClosestPoint {
       const double step = residual / slope;
       // A step within rounding: the wrench at hand is the one.
       if (std::fabs(step) <= 2.0 * std::numeric_limits<double>::epsilon() * u * (1.0 - u)) {
-        return {true, here.wrench, SlipTwist::of_spin_fraction(u), u};
+        const SlipTwist slip = SlipTwist::of_spin_fraction(u);
+        return {true, here.wrench, slip, slip.place()};
       }
       // A last step counts even where rounding leads it out of the bracket.
       const bool converged = std::fabs(step) <= std::max(last_step * u * (1.0 - u), std::numeric_limits<double>::epsilon());
@@ -79,30 +95,22 @@ struct ClosestPoint {
       here = boundary.point(SlipTwist::of_spin_fraction(u));
     }
     const SlipTwist slip = SlipTwist::of_spin_fraction(u);
-    return {true, boundary.wrench(slip), slip, u};
+    return {true, boundary.wrench(slip), slip, slip.place()};
   }
 
-  /// A first guess: the slip at the closest point of the ellipse with the same intercepts, by two Newton steps for the
-  /// multiplier λ of f = x̂/(1+λ), m = ŷ/(1+λη), from λ = 0, where they cannot overshoot.
+  /// A first guess, as a place: the slip at the closest point of the ellipse with the same intercepts, by one Newton step for
+  /// the multiplier λ of f = x̂/(1+λ), m = ŷ/(1+λη) from λ = 0, taken on 1/√(f² + m²): that is straight in λ where η = 1, and
+  /// nearly so elsewhere.
   static double start(double moment_ratio, const Trial& trial) noexcept {
     const double x = trial.wrench.force;
     const double y = trial.wrench.moment / moment_ratio;
     const double eta = 1.0 / (trial.compliance_ratio * moment_ratio * moment_ratio);
-    double lambda = 0.0;
-    double force = x;
-    double moment = y;
-    for (int i = 0; i < 2; ++i) {
-      const double force_scale = 1.0 / (1.0 + lambda);
-      const double moment_scale = 1.0 / (1.0 + lambda * eta);
-      force = x * force_scale;
-      moment = y * moment_scale;
-      const double excess = force * force + moment * moment - 1.0;
-      lambda += 0.5 * excess / (force * force * force_scale + eta * moment * moment * moment_scale);
-    }
-    const double slide = x / (1.0 + lambda);
-    const double spin = y / ((1.0 + lambda * eta) * moment_ratio);
-    const double u = spin / (slide + spin);
-    return u > 0.0 && u < 1.0 ? u : 0.5;
+    const double square = x * x + y * y;
+    const double lambda = std::max(square * (std::sqrt(square) - 1.0) / (x * x + eta * y * y), 0.0);
+    const double slide = x * (1.0 + lambda * eta) * moment_ratio;
+    const double spin = y * (1.0 + lambda);
+    const double place = SlipTwist{slide, spin}.place();
+    return place > 0.0 && place < 2.0 ? place : 1.0;
   }
 
   /// Exactly, face by face: the closest of the feet. Cost: one division a slanted face.

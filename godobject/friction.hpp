@@ -13,7 +13,7 @@ namespace limitcurve::godobject {
 
 /// Where the last slips point to: the centre of rotation seldom jumps.
 inline double ahead_of(double start, double trend) noexcept {
-  const bool small = std::fabs(trend) <= 0.1 * std::min(start, 1.0 - start);
+  const bool small = std::fabs(trend) <= 0.1 * std::min(start, 2.0 - start);
   return small ? start + trend : start;
 }
 
@@ -38,7 +38,7 @@ class Friction {
     double twist = 0.0;                                     ///< ρ′ [rad], likewise
     double cor = std::numeric_limits<double>::quiet_NaN();  ///< of the slip [m], ∞ for pure sliding; NaN where it sticks
     double slip_work = 0.0;                                 ///< |F|(r − r′) + |M|(ρ − ρ′) [J], ≥ 0
-    double spin_fraction = -1.0;                            ///< of the slip, or 0: a start for the next step; < 0 where it sticks
+    double start = -1.0;                                    ///< for the next step: place of the slip, or 0; < 0 where it sticks
   };
 
   /// Throws std::invalid_argument naming parameter, value, unit and range.
@@ -56,8 +56,8 @@ class Friction {
   [[nodiscard]] double per_force_max() const noexcept { return per_force_max_; }    ///< one over the curve's force intercept
   [[nodiscard]] double per_moment_max() const noexcept { return per_moment_max_; }  ///< one over its moment intercept
 
-  /// The contact under load P [N] > 0 with the proxy r [m] ≥ 0 and ρ [rad] ≥ 0 away, all finite. `start` is the last result's
-  /// `spin_fraction`, which also tells whether the contact slips already.
+  /// The contact under load P [N] > 0 with the proxy r [m] ≥ 0 and ρ [rad] ≥ 0 away, all finite. `start` is the last result's,
+  /// which also tells whether the contact slips already.
   [[nodiscard]] Result resolve(double r, double rho, double load, double start) const noexcept {
     return resolve(r, rho, load, start, law_.springs());
   }
@@ -178,7 +178,7 @@ class Friction {
     result.offset = wrench.force == trial.wrench.force ? r : std::min(result.force * springs.compliance, r);
     result.twist = wrench.moment == trial.wrench.moment ? rho : std::min(result.moment * springs.twist_compliance, rho);
     result.cor = limits.radius * slip.cor();
-    result.spin_fraction = next_start;
+    result.start = next_start;
     result.slip_work = result.force * (r - result.offset) + result.moment * (rho - result.twist);
     return result;
   }
@@ -195,7 +195,7 @@ class Friction {
     result.force = limits.slides ? std::min(force_max_ * limits.force_unit, springs.stiffness * r) : 0.0;
     result.offset = std::min(result.force * springs.compliance, r);
     result.cor = std::numeric_limits<double>::infinity();
-    result.spin_fraction = 0.0;
+    result.start = 0.0;
     result.slip_work = result.force * (r - result.offset);
     return result;
   }

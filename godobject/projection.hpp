@@ -18,7 +18,7 @@ inline constexpr double slip_guard = 1e-12;
 struct Trial {
   UnitWrench wrench;                      ///< (x̂, ŷ), finite, ≥ 0, not both 0
   double compliance_ratio = 1.0;          ///< χ = a²k_l/k_r: how soft the twist is against the sliding, > 0
-  double start = -1.0;                    ///< spin fraction of the last slip, where a search may start; ≤ 0: none
+  double start = -1.0;                    ///< place of the last slip, where a search may start; ≤ 0: none
   const RadiusLaw* radius_law = nullptr;  ///< a(P), where it depends on the load
   double load = 0.0;                      ///< P [N]
 };
@@ -28,7 +28,7 @@ struct Projected {
   bool outside;        ///< the trial is outside the boundary: it slips. If not, the rest is void
   UnitWrench wrench;   ///< on the boundary; no component is larger than the trial's
   SlipTwist slip;      ///< direction of the slip, (r − r′ : a(ρ − ρ′)) in the frame of the contact
-  double start = 0.0;  ///< where the next search may start: a spin fraction, or 0 for none
+  double start = 0.0;  ///< where the next search may start: a place (SlipTwist::at_place), or 0 for none
 };
 
 /// A rule that tells whether a trial wrench lies outside a limit boundary, and if so moves it on to the boundary.

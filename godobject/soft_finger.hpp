@@ -36,7 +36,7 @@ struct FingerState {
   double turn = 0.0;                                  ///< what unwrapping has added to it [rad], a multiple of 2π
   Eigen::Vector3d offset = Eigen::Vector3d::Zero();   ///< x_p − x_g after the step, tangential [m]
   double lag = 0.0;                                   ///< α_p − α_g after the step [rad]
-  double start = -1.0;                                ///< spin fraction of the last slip, or 0; < 0: it sticks
+  double start = -1.0;                                ///< place of the last slip, or 0; < 0: it sticks
   double trend = 0.0;                                 ///< how far that has moved since the slip before
   bool touching = false;
   bool known = false;  ///< there was a step before
@@ -244,7 +244,7 @@ class SoftFinger {
     output.slip_work = result.slip_work;
     state.offset += result.offset == r ? pull : Eigen::Vector3d(pull * (result.offset * per_metre));
     state.lag += std::copysign(result.twist, turn);
-    slip(state, contact, result.spin_fraction, result.offset != r, result.twist != rho);
+    slip(state, contact, result.start, result.offset != r, result.twist != rho);
   }
 
   static void stick(FingerState& state, const Eigen::Vector3d& pull, double turn, const Springs& springs) noexcept {

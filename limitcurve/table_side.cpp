@@ -3,7 +3,6 @@
 
 #include "limitcurve/number.hpp"
 
-#include <bit>
 #include <stdexcept>
 #include <string>
 #include <tuple>
@@ -89,57 +88,41 @@ void TableSide::verify() const {
 }
 
 void TableSide::build_index() {
-  const std::size_t cells = nodes_.size() - 1;
-  const std::size_t buckets = std::bit_ceil(cells);
-  buckets_ = static_cast<double>(buckets);
-  // A bucket's first cell is found for a coordinate a little before it, so that the rounding of the root cannot miss.
-  constexpr double slack = 1e-9;
-  std::size_t fullest = 0;
-  std::size_t after = cells - 1;
-  for (std::size_t bucket = 0; bucket <= buckets; ++bucket) {
-    const double root = static_cast<double>(bucket + 1) / buckets_;
-    const double coordinate = 1.0 - root * root - slack;
-    const auto next = std::upper_bound(nodes_.begin(), nodes_.end() - 1, coordinate,
-                                       [](double value, const TableNode& node) { return value < node.coordinate; });
-    const std::size_t first = next == nodes_.begin() ? 0 : static_cast<std::size_t>(next - nodes_.begin()) - 1;
-    first_cell_.push_back(static_cast<std::uint16_t>(first));
-    fullest = std::max(fullest, after - first);
-    after = first;
-    // The last cell of this bucket may begin up to the slack before the next bucket's end.
-    while (after + 1 < cells && nodes_[after + 1].coordinate <= coordinate + 2.0 * slack) ++after;
+  // As few buckets as leave none with more than two nodes, which both are compared with at once. Laws that are steep at
+  // the rim spread their nodes over many octaves of 1 − x; there is a limit to the bytes that is worth.
+  constexpr std::size_t few = 2;
+  constexpr unsigned mantissa = 52;
+  constexpr unsigned finest = 10;
+  const std::size_t most_buckets = std::max<std::size_t>(512, 16 * nodes_.size());
+  const TableNode& last = nodes_[nodes_.size() - 2];
+  for (unsigned bits = 0; bits <= finest; ++bits) {
+    const unsigned shift = mantissa - bits;
+    const std::uint64_t least = std::bit_cast<std::uint64_t>(1.0 - last.coordinate) >> shift;
+    const std::uint64_t buckets = (std::bit_cast<std::uint64_t>(1.0) >> shift) - least + 1;
+    if (bits > 0 && buckets > most_buckets) break;
+    shift_ = shift;
+    least_key_ = least;
+    first_cell_.assign(static_cast<std::size_t>(buckets), 0);
+    // A bucket's first cell begins with the last node before all of its coordinates: nodes come with falling buckets.
+    std::size_t nodes_here = 0;
+    std::size_t fullest = 0;
+    std::size_t below = static_cast<std::size_t>(buckets);
+    for (std::size_t i = 0; i + 1 < nodes_.size(); ++i) {
+      const std::size_t at = bucket(nodes_[i].coordinate);
+      nodes_here = at < below ? 1 : nodes_here + 1;
+      if (i > 0) fullest = std::max(fullest, nodes_here);
+      for (std::size_t j = at; j-- > 0;) first_cell_[j] = static_cast<std::uint16_t>(i);
+      below = at;
+    }
+    probes_ = std::max<std::size_t>(fullest, 1);
+    if (probes_ <= few) break;
   }
-  first_step_ = std::bit_ceil(fullest + 1) / 2;
+  cells_.resize(nodes_.size() - 1 + probes_, Cell::end());
 }
 
-std::pair<TableSide::Value, double> TableSide::along(Value direction) const noexcept {
-  // p·d_secondary − r·d_primary rises with the coordinate.
-  const auto cross = [&](Value value) { return value.primary * direction.secondary - value.secondary * direction.primary; };
-  std::size_t low = 0;
-  std::size_t high = nodes_.size() - 1;
-  while (high - low > 1) {
-    const std::size_t middle = (low + high) / 2;
-    (cross({nodes_[middle].primary, nodes_[middle].secondary}) <= 0.0 ? low : high) = middle;
-  }
-  const TableNode& left = nodes_[low];
-  const TableNode& right = nodes_[high];
-  const Cell& cell = cells_[low];
-  const double cross_left = cross({left.primary, left.secondary});
-  const double cross_right = cross({right.primary, right.secondary});
-  double from = left.coordinate;
-  double to = right.coordinate;
-  double x = from + (to - from) * (cross_left / (cross_left - cross_right));
-  for (int i = 0; i < newton_steps; ++i) {
-    const double residual = cross(cell.value(x));
-    (residual <= 0.0 ? from : to) = x;
-    double next = x - residual / cross(cell.slope(x));
-    // At a rim that is all but a corner Newton's step may leave the bracket.
-    if (!(next >= from && next <= to)) next = 0.5 * (from + to);
-    const double step = std::fabs(next - x);
-    x = next;
-    // Quadratic convergence: what the next step would change is below the last bit.
-    if (step <= 1e-10 * (right.coordinate - left.coordinate)) break;
-  }
-  return {cell.value(x), x};
+void TableSide::align(TableSide& one, TableSide& other) {
+  one.probes_ = other.probes_ = std::max(one.probes_, other.probes_);
+  for (TableSide* side : {&one, &other}) side->cells_.resize(side->nodes_.size() - 1 + side->probes_, Cell::end());
 }
 
 }  // namespace limitcurve

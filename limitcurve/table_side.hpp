@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <utility>
 #include <vector>
@@ -45,6 +47,8 @@ class TableSide {
     double secondary_cube;
 
     Cell(const TableNode& from, const TableNode& to) noexcept;
+    /// What follows the last cell: no coordinate reaches it.
+    static Cell end() noexcept { return Cell(); }
 
     [[nodiscard]] Value value(double coordinate) const noexcept {
       const double x = coordinate - left;
@@ -58,6 +62,15 @@ class TableSide {
       return {primary[1] + x * (2.0 * primary[2] + x * 3.0 * primary[3]),
               -left * primary[1] + x * (2.0 * secondary_square + x * 3.0 * secondary_cube)};
     }
+
+    /// Second derivatives.
+    [[nodiscard]] Value bend(double coordinate) const noexcept {
+      const double x = coordinate - left;
+      return {2.0 * primary[2] + x * 6.0 * primary[3], 2.0 * secondary_square + x * 6.0 * secondary_cube};
+    }
+
+   private:
+    Cell() noexcept : left(1.0 + std::numeric_limits<double>::epsilon()), primary{}, secondary(0.0), secondary_square(0.0), secondary_cube(0.0) {}
   };
 
   /// Takes at least two nodes, with coordinates increasing from 0 to 1. Throws std::invalid_argument naming the first
@@ -70,37 +83,103 @@ class TableSide {
     return cells_.size() * sizeof(Cell) + first_cell_.size() * sizeof(std::uint16_t);
   }
 
-  /// The cell that holds `coordinate` ∈ [0, 1], by a bucket uniform in √(1−x) (as the nodes nearly are, being graded
-  /// to the rim) and a bisection of a length that is fixed for the table: mostly one or two steps, no branch on data.
+  /// The cell that holds `coordinate` ∈ [0, 1]: by a bucket of the leading bits of 1 − x, which grades the buckets to the rim
+  /// as the nodes are, and a few comparisons that do not wait for each other, as many for every coordinate of a table.
   [[nodiscard]] const Cell& cell(double coordinate) const noexcept {
-    const auto bucket = static_cast<std::size_t>(std::sqrt(1.0 - coordinate) * buckets_);
-    std::size_t found = first_cell_[bucket];
-    for (std::size_t step = first_step_; step > 0; step >>= 1U) {
-      const std::size_t probe = std::min(found + step, cells_.size() - 1);
-      found += (probe - found) * static_cast<std::size_t>(cells_[probe].left <= coordinate);
-    }
+    const std::uint16_t first = first_cell_[bucket(coordinate)];
+    std::size_t found = first;
+    for (std::size_t i = 1; i <= probes_; ++i) found += static_cast<std::size_t>(cells_[first + i].left <= coordinate);
     return cells_[found];
   }
 
-  /// Gives both sides of a table bisections of one length, so that its loop has no branch that a twist decides.
-  static void align(TableSide& one, TableSide& other) noexcept {
-    one.first_step_ = other.first_step_ = std::max(one.first_step_, other.first_step_);
+  /// Gives both sides of a table one number of probes, so that the loop over them has no branch that a twist decides.
+  static void align(TableSide& one, TableSide& other);
+
+  /// Where primary : secondary is that of `direction`, and the coordinate there; a search from `start`. The direction must
+  /// lie on this side.
+  [[nodiscard]] std::pair<Value, double> along(Value direction, double start) const noexcept {
+    // secondary·d_primary − primary·d_secondary falls with the coordinate.
+    return root(start, [&](const Cell& cell, double x) noexcept {
+      const auto cross = [&](Value value) { return value.secondary * direction.primary - value.primary * direction.secondary; };
+      return Residual{cross(cell.value(x)), -cross(cell.slope(x)), -cross(cell.bend(x))};
+    });
   }
 
-  /// Where primary : secondary is that of `direction`, and the coordinate there. The direction must lie on this side.
-  [[nodiscard]] std::pair<Value, double> along(Value direction) const noexcept;
+  /// The point whose normal (x : 1) leads, in the metric (1, 1/κ) of compliances, to the trial, and the coordinate there; a
+  /// search from `start`. The trial must lie beyond the normal at the rim, on this side of it.
+  [[nodiscard]] std::pair<Value, double> closest(Value trial, double kappa, double start) const noexcept {
+    return root(start, [&](const Cell& cell, double x) noexcept {
+      const Value value = cell.value(x);
+      const Value slope = cell.slope(x);
+      const Value bend = cell.bend(x);
+      const double over = kappa * (trial.secondary - value.secondary);
+      return Residual{(trial.primary - value.primary) - x * over, slope.primary + over - x * kappa * slope.secondary,
+                      bend.primary - kappa * (2.0 * slope.secondary + x * bend.secondary)};
+    });
+  }
 
  private:
-  static constexpr int newton_steps = 24;
+  /// Of a function h of the coordinate that is searched for its root: h, −h′, −h″.
+  struct Residual {
+    double value;
+    double fall;
+    double bend;
+  };
+
+  static constexpr int search_limit = 64;
+  /// A step is the last if what it leaves is smaller than this share of the coordinate.
+  static constexpr double search_share = 1e-14;
+
+  /// The leading bits of 1 − x, counted from the rim. Not increasing in x, whatever is rounded.
+  [[nodiscard]] std::size_t bucket(double coordinate) const noexcept {
+    const std::uint64_t key = std::bit_cast<std::uint64_t>(1.0 - coordinate) >> shift_;
+    return static_cast<std::size_t>(std::max(key, least_key_) - least_key_);
+  }
+
+  /// The root of a function that is ≥ 0 at coordinate 0 and ≤ 0 at 1: Newton's method with the second derivative's
+  /// correction, within a bracket, which looks up a cell only where it leaves one. Bounded by search_limit; 1 to 3 as a rule.
+  template <class Function>
+  [[nodiscard]] std::pair<Value, double> root(double x, Function&& function) const noexcept {
+    double low = 0.0;
+    double high = 1.0;
+    const Cell* here = &cell(x);
+    for (int i = 0; i < search_limit; ++i) {
+      const auto [value, fall, bend] = function(*here, x);
+      (value > 0.0 ? low : high) = x;
+      const double per_fall = 1.0 / fall;
+      const double newton = value * per_fall;
+      // h + h′δ + ½h″δ² = 0, to third order in δ. Far off, where the correction is not small, Newton's step by itself.
+      const double correction = 0.5 * bend * per_fall * newton * newton;
+      const double step = std::fabs(correction) < 0.5 * std::fabs(newton) ? newton - correction : newton;
+      double next = x + step;
+      const double right = (here + 1)->left;
+      const double width = right - here->left;
+      // What the step leaves is about the square of the correction by the step, and what the third derivative adds, as long as
+      // the cubics stay the same.
+      const double left_over = search_share * x * std::fabs(newton);
+      const bool last = correction * correction <= left_over && newton * newton * newton * newton <= left_over * width * width &&
+                        next >= here->left && next <= right;
+      // Now and then halve the bracket, so that it closes whatever the curve does.
+      if (!last && (!(next > low && next < high) || i % 8 == 7)) next = 0.5 * (low + high);
+      // A last step counts even where rounding leads it out of the bracket.
+      x = std::clamp(next, 0.0, 1.0);
+      if (last || high - low <= std::numeric_limits<double>::epsilon() * x) break;
+      if (!(x >= here->left && x < right)) here = &cell(x);
+    }
+    // The bracket may have closed just beyond the cell at hand, by rounding: its cubics end there with the same value.
+    return {here->value(x), x};
+  }
 
   void verify() const;
   void build_index();
+  [[nodiscard]] std::size_t fullest_bucket() const;
 
   std::vector<TableNode> nodes_;
-  std::vector<Cell> cells_;
-  std::vector<std::uint16_t> first_cell_;  // of each bucket, counted from the rim; one more for coordinate 0 itself
-  double buckets_ = 1.0;
-  std::size_t first_step_ = 0;
+  std::vector<Cell> cells_;                // and the end, once more for every probe beyond it
+  std::vector<std::uint16_t> first_cell_;  // of each bucket, counted from the rim
+  unsigned shift_ = 0;
+  std::uint64_t least_key_ = 0;  // of the last cell: nearer to the rim there is no other
+  std::size_t probes_ = 1;
 };
 
 /// Whether the curve between two nodes is convex throughout, by the sign of the cross product of its first and second

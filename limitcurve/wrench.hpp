@@ -30,11 +30,18 @@ struct SlipTwist {
   /// The twist of spin fraction u ∈ [0, 1]: 0 is pure sliding, ½ has its COR on the rim, 1 is pure spin.
   static constexpr SlipTwist of_spin_fraction(double u) noexcept { return {1.0 - u, u}; }
 
+  /// The twist at the place t ∈ [0, 2]: s = c/a up to the rim (t = 1), 2 − 1/s beyond. Runs from pure spin to pure sliding,
+  /// and neither way needs a division where the twist is about_cor or from a table.
+  static constexpr SlipTwist at_place(double t) noexcept { return t <= 1.0 ? SlipTwist{t, 1.0} : SlipTwist{1.0, 2.0 - t}; }
+
   /// s = c/a ∈ [0, ∞]: distance of the COR in contact radii.
   [[nodiscard]] constexpr double cor() const noexcept { return spin > 0.0 ? slide / spin : std::numeric_limits<double>::infinity(); }
 
   /// u = aω/(|v| + aω) ∈ [0, 1].
   [[nodiscard]] constexpr double spin_fraction() const noexcept { return spin / (slide + spin); }
+
+  /// t ∈ [0, 2], see at_place.
+  [[nodiscard]] constexpr double place() const noexcept { return slide <= spin ? slide / spin : 2.0 - spin / slide; }
 };
 
 /// A point of a limit boundary with its derivative along the spin fraction u. On an exact curve the
@@ -42,6 +49,13 @@ struct SlipTwist {
 struct BoundaryPoint {
   UnitWrench wrench;
   UnitWrench slope;  ///< (df/du, dm/du): df/du ≤ 0 ≤ dm/du
+};
+
+/// The point of a limit boundary that is closest to a trial wrench, the slip twist that is the normal there, and its place.
+struct Foot {
+  UnitWrench wrench;
+  SlipTwist normal;
+  double place;
 };
 
 /// Where a ray from the origin meets a limit boundary, and the slip twist that is the normal there.
