@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Figures of docs/stability.md, entries quadrature, tables and fits: one function a figure, takes its rows, returns a figure."""
+"""Figures of docs/stability.md, entries quadrature, tables, fits, and of geometry the turns: one function a figure, takes its rows, returns a figure."""
 
 import math
 
@@ -182,6 +182,28 @@ def fits_shape(rows):
     return figure
 
 
+def turns_half(rows):
+    figure, (stiff, soft) = frame(2, sharey=True)
+    style = styles(list(rows.groups("series")))
+    for axes, panel in ((stiff, "stiff"), (soft, "soft")):
+        draw(axes, rows.where(panel=panel), style)
+        axes.set(xlabel="turned by [rad]", xlim=(0, 12), ylim=(-1.15, 1.15))
+        axes.set_xticks([math.pi * k for k in range(4)], ["0", "π", "2π", "3π"])
+    stiff.set(title="Moment felt, of its limit; slips after 0.1 rad")
+    soft.set(title="… slips after 4 rad")
+    legend_below(figure, stiff, 3)
+    return figure
+
+
+def turns_many(rows):
+    figure, (axes,) = frame(1)
+    draw(axes, rows, styles(list(rows.groups("series"))))
+    axes.set(title="Error of the unwrapped angle [rad]", xlabel="turns, of 100 steps each", xscale="log", yscale="log", xlim=(1, 1e4), ylim=(1e-16, 1e4))
+    axes.minorticks_off()
+    legend_below(figure, axes, 3)
+    return figure
+
+
 FIGURES = {figure.__name__: figure for figure in (
     quadrature_rim, quadrature_singular, quadrature_kinks, quadrature_complement, closed_forms_far, closed_forms_near,
-    tables_spacing, tables_extrapolation, tables_equilibria, fits_cor, fits_tails, fits_shape)}
+    tables_spacing, tables_extrapolation, tables_equilibria, fits_cor, fits_tails, fits_shape, turns_half, turns_many)}

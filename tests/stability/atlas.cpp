@@ -6,6 +6,7 @@
 #include "limitcurve/number.hpp"
 #include "quadrature.hpp"
 #include "tables.hpp"
+#include "turns.hpp"
 
 #include <cstdio>
 #include <exception>
@@ -25,6 +26,7 @@ const std::vector<Entry> entries = {
       force_near_the_centre}},
     {"tables", {even_spacing, beyond_the_last_node, false_equilibria}},
     {"fits", {cor_near_the_axes, dying_tails, shape_and_radius}},
+    {"geometry", {half_a_turn, ten_thousand_turns}},
 };
 
 /// Text may hold commas.

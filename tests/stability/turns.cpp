@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+// Entry f, its part on angles.
+#include "turns.hpp"
+
+#include "godobject/godobject.hpp"
+#include "limitcurve/ellipse.hpp"
+#include "sampling.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace limitcurve::stability {
+
+namespace {
+
+constexpr long double turn = 2.0L * std::numbers::pi_v<long double>;
+
+/// What a device tells of the angle `angle`: rounded once.
+double told(long double angle) {
+  return static_cast<double>(std::remainder(angle, turn));
+}
+
+double wrapped(double angle) {
+  return std::remainder(angle, 2.0 * std::numbers::pi);
+}
+
+/// A finger pressed on a plane under 1 N, whose moment is bounded by 2 mN m.
+struct Twisting {
+  double twist_stiffness;  ///< [N m/rad]
+
+  static constexpr double limit = 0.002;
+  static constexpr double depth = 0.001;
+
+  [[nodiscard]] godobject::SoftFinger<Ellipse, godobject::ClosestPoint> finger() const {
+    const godobject::FingerParameters parameters{.mu = 1.0,
+                                                 .radius_law = RadiusLaw::constant(0.005),
+                                                 .moment_coefficient = limit,
+                                                 .stiffness = 1000.0,
+                                                 .twist_stiffness = twist_stiffness};
+    return {Ellipse::through_intercepts(0.5), parameters, godobject::ClosestPoint{}};
+  }
+
+  static godobject::Contact contact() { return {{0.0, 0.0, 0.0}, {0.0, 0.0, 1.0}, depth}; }
+};
+
+/// Torsional friction as one writes it: a spring from the proxy's angle to the device's, clamped.
+class CustomaryTwist {
+ public:
+  CustomaryTwist(double twist_stiffness, bool wraps) : twist_stiffness_(twist_stiffness), wraps_(wraps) {}
+
+  /// The moment on the user [N m].
+  double update(double device) {
+    double lag = proxy_ - device;
+    if (wraps_) lag = wrapped(lag);
+    const double held = std::clamp(lag, -Twisting::limit / twist_stiffness_, Twisting::limit / twist_stiffness_);
+    if (held != lag) proxy_ = device + held;
+    return twist_stiffness_ * held;
+  }
+
+ private:
+  double twist_stiffness_;
+  bool wraps_;
+  double proxy_ = 0.0;
+};
+
+}  // namespace
+
+Hazard half_a_turn() {
+  Hazard found;
+  Figure figure{"turns_half", {}};
+  const std::string test = "Turns.HalfATurn";
+  // A stiff and a soft spring: the one slips after a tenth of a radian, the other after four.
+  for (const double largest_lag : {0.1, 4.0}) {
+    const Twisting twisting{Twisting::limit / largest_lag};
+    CustomaryTwist as_told(twisting.twist_stiffness, false);
+    CustomaryTwist wrapping(twisting.twist_stiffness, true);
+    auto finger = twisting.finger();
+    finger.update(Twisting::contact(), 0.0);
+    double worst_told = 0.0;
+    double worst_wrapping = 0.0;
+    double worst_ours = 0.0;
+    const std::string panel = largest_lag < 1.0 ? "stiff" : "soft";
+    constexpr int steps = 800;
+    for (int i = 1; i <= steps; ++i) {
+      const long double angle = 12.0L * i / steps;
+      const double device = told(angle);
+      // What friction must feel like: against the turning, growing to the limit and staying there.
+      const double truth = -std::min(static_cast<double>(angle) / largest_lag, 1.0);
+      const double by_told = as_told.update(device) / Twisting::limit;
+      const double by_wrapping = wrapping.update(device) / Twisting::limit;
+      const double ours = finger.update(Twisting::contact(), device).moment / Twisting::limit;
+      worst_told = std::max(worst_told, std::fabs(by_told - truth));
+      worst_wrapping = std::max(worst_wrapping, std::fabs(by_wrapping - truth));
+      worst_ours = std::max(worst_ours, std::fabs(ours - truth));
+      if (i % 5 != 0) continue;
+      figure.rows.push_back({panel, "angle as told", static_cast<double>(angle), by_told});
+      figure.rows.push_back({panel, "difference wrapped", static_cast<double>(angle), by_wrapping});
+      figure.rows.push_back({panel, "limitcurve", static_cast<double>(angle), ours});
+    }
+    const std::string quantity =
+        std::string("error of the moment, of its limit (slips after ") + (largest_lag < 1.0 ? "0.1" : "4") + " rad)";
+    found.findings.push_back({"twist passes ±π", "spring to the angle as told", quantity, worst_told, worst_ours, test});
+    // To wrap the difference is right as long as the finger slips before half a turn.
+    if (largest_lag < std::numbers::pi) continue;
+    found.findings.push_back({"twist passes ±π", "difference wrapped into ±π", quantity, worst_wrapping, worst_ours, test});
+  }
+  found.figures.push_back(std::move(figure));
+  return found;
+}
+
+Hazard ten_thousand_turns() {
+  Hazard found;
+  Figure figure{"turns_many", {}};
+  const std::string test = "Turns.TenThousandTurns";
+  constexpr long turns = 10000;
+  constexpr long steps_a_turn = 100;
+  auto finger = Twisting{0.02}.finger();
+  finger.update(Twisting::contact(), 0.0);
+  float single = 0.0F;
+  double summed = 0.0;
+  double last = 0.0;
+  double drawn = 1.0;
+  double ours = 0.0;
+  const auto error = [](double value, long double angle) { return std::max(static_cast<double>(std::fabs(value - angle)), 1e-16); };
+  for (long i = 1; i <= turns * steps_a_turn; ++i) {
+    const long double angle = turn * static_cast<long double>(i) / steps_a_turn;
+    const double device = told(angle);
+    const double step = wrapped(device - last);
+    single += static_cast<float>(step);
+    summed += step;
+    last = device;
+    finger.update(Twisting::contact(), device);
+    const double here = error(finger.state().goal_angle, angle);
+    ours = std::max(ours, here);
+    const double count = static_cast<double>(i) / steps_a_turn;
+    if (count < drawn) continue;
+    drawn *= 1.2;
+    figure.rows.push_back({"angle", "steps summed in float", count, error(static_cast<double>(single), angle)});
+    figure.rows.push_back({"angle", "steps summed in double", count, error(summed, angle)});
+    figure.rows.push_back({"angle", "limitcurve", count, here});
+  }
+  const long double end = turn * turns;
+  const std::string quantity = "error of the angle after 10⁴ turns of 100 steps [rad]";
+  found.findings.push_back({"10⁴ turns", "steps summed in float", quantity, error(static_cast<double>(single), end), ours, test});
+  found.findings.push_back({"10⁴ turns", "steps summed in double", quantity, error(summed, end), ours, test});
+  found.figures.push_back(std::move(figure));
+  return found;
+}
+
+}  // namespace limitcurve::stability
