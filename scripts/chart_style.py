@@ -2,6 +2,8 @@
 """How every chart of this project is drawn: one palette, one set of line weights, files that a redraw repeats bit for bit."""
 
 import csv
+import io
+import os
 import re
 from collections import defaultdict
 from pathlib import Path
@@ -117,13 +119,35 @@ def legend_below(figure, axes, columns):
     figure.legend(*axes.get_legend_handles_labels(), loc="upper center", bbox_to_anchor=(0.5, 0), ncols=columns)
 
 
+def write_whole(path, contents):
+    """The file appears under its name whole or not at all: bytes go to a hidden file beside it, which is then renamed."""
+    path = Path(path)
+    part = path.with_name(f".{path.name}.{os.getpid()}.part")
+    try:
+        with open(part, "wb") as file:
+            file.write(contents)
+            file.flush()
+            os.fsync(file.fileno())
+        os.replace(part, path)
+    except BaseException:
+        part.unlink(missing_ok=True)
+        raise
+
+
+def picture(figure, form, metadata):
+    buffer = io.BytesIO()
+    figure.savefig(buffer, format=form, metadata=metadata, bbox_inches="tight", pad_inches=0.06)
+    return buffer.getvalue()
+
+
 def save(figure, folder, name):
     """Writes NAME.svg and NAME.png, the same bytes each time; returns the SVG for a page, its ids made its own."""
     folder = Path(folder)
-    figure.savefig(folder / f"{name}.svg", metadata={"Date": None, "Creator": None}, bbox_inches="tight", pad_inches=0.06)
-    figure.savefig(folder / f"{name}.png", metadata={"Software": None}, bbox_inches="tight", pad_inches=0.06)
+    drawing = picture(figure, "svg", {"Date": None, "Creator": None})
+    write_whole(folder / f"{name}.svg", drawing)
+    write_whole(folder / f"{name}.png", picture(figure, "png", {"Software": None}))
     plt.close(figure)
-    svg = (folder / f"{name}.svg").read_text(encoding="utf-8")
+    svg = drawing.decode("utf-8")
     svg = svg[svg.index("<svg"):]
     svg = re.sub(r'\b(id=")', rf"\g<1>{name}-", svg)
     svg = re.sub(r'(xlink:href="#|url\(#)', rf"\g<1>{name}-", svg)

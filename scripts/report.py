@@ -69,7 +69,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent))
 
 import curve_figures  # noqa: E402
 import finger_figures  # noqa: E402
-from chart_style import Table, save, short  # noqa: E402
+from chart_style import Table, save, short, write_whole  # noqa: E402
 
 FILES = ("laws", "curves", "p_curves", "c_curves", "validate", "ellipse_error", "tables", "materials", "table_error", "replay",
          "replay_runs", "replay_limits", "steady_twist", "pivot", "pivot_map", "fits", "fit_band", "fit_residuals", "translate")
@@ -311,9 +311,7 @@ def main():
         arguments.output.mkdir(parents=True, exist_ok=True)
         pictures = {name: save(draw(data), arguments.output, name) for name, draw in FIGURES.items()}
         text = page(data, pictures)
-        whole = arguments.output / "index.html.part"
-        whole.write_text(text, encoding="utf-8")
-        whole.replace(arguments.output / "index.html")
+        write_whole(arguments.output / "index.html", text.encode("utf-8"))
     except (OSError, ValueError, KeyError) as error:
         sys.exit(f"report.py: error: {type(error).__name__}: {error}")
 

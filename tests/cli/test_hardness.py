@@ -1,0 +1,250 @@
+# SPDX-License-Identifier: MIT
+"""What the world does to a run: killed at any moment, a disk that fills, a folder that refuses, a pipe that closes, a gigabyte of input.
+
+LIMITCURVE_KILLS runs are killed (4; CI asks for 100), and LIMITCURVE_BULK megabytes streamed (64; CI asks for 1024).
+"""
+
+import os
+import random
+import resource
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+import unittest
+from pathlib import Path
+
+from command_line import DATA, EXECUTABLE, CommandLineTest, run
+
+KILLS = int(os.environ.get("LIMITCURVE_KILLS", "4"))
+BULK = int(os.environ.get("LIMITCURVE_BULK", "64"))
+MEGABYTE = 1 << 20
+# Of shadow memory and redzones; a sanitizer's program also reserves more than it uses.
+SANITIZED = bool(os.environ.get("LIMITCURVE_SANITIZED"))
+TABLE = ["table", "--law", "uniform", "--tolerance", "1e-9", "-o"]
+REPLAY = ["replay", "--law", "hertz", "--radius-law", "constant:a=0.006", "--mu", "0.6", "--stiffness", "1000", "--twist-stiffness", "0.036",
+          "--boundary", "ellipse", "--projection", "radial", "--trace", "-"]
+STUB = "import sys; print('drawn')"
+
+
+def stub_share(directory, script=STUB):
+    """A folder such as the installed one, with a script that draws nothing."""
+    share = Path(directory) / "share"
+    (share / "scripts").mkdir(parents=True, exist_ok=True)
+    (share / "scripts" / "report.py").write_text(script)
+    (share / "data").unlink(missing_ok=True)
+    (share / "data").symlink_to(DATA)
+    return {**os.environ, "LIMITCURVE_SHARE": str(share)}
+
+
+class Killed(CommandLineTest):
+    def kill_often(self, call, folder, **options):
+        """Runs the call KILLS times and kills it, drawing and all, at random moments; what has a name must be what a whole run writes."""
+        folder.mkdir(exist_ok=True)
+        begin = time.monotonic()
+        subprocess.run(call, stdout=subprocess.DEVNULL, check=True, **options)
+        duration = time.monotonic() - begin
+        whole = {path.name: path.read_bytes() for path in folder.iterdir()}
+        generator = random.Random(11)
+        killed = 0
+        for _ in range(KILLS):
+            shutil.rmtree(folder)
+            folder.mkdir()
+            with subprocess.Popen(call, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, start_new_session=True, **options) as process:
+                time.sleep(generator.uniform(0, duration))
+                os.killpg(process.pid, signal.SIGKILL)
+            killed += process.returncode == -signal.SIGKILL
+            for path in folder.iterdir():
+                if not path.name.startswith("."):
+                    self.assertEqual(path.read_bytes(), whole[path.name], path.name)
+        self.assertGreaterEqual(killed, KILLS // 8)
+
+    def test_while_it_writes_a_table(self):
+        folder = self.directory / "tables"
+        self.kill_often([EXECUTABLE, *TABLE, str(folder / "table.csv")], folder)
+
+    def test_while_it_writes_the_data_of_a_report(self):
+        folder = self.directory / "out"
+        self.kill_often([EXECUTABLE, "report", "-o", str(folder)], folder, env=stub_share(self.directory))
+
+    def test_while_it_draws(self):
+        scripts = DATA.parent / "scripts"
+        drawing = f"""
+import sys
+sys.path.insert(0, {str(scripts)!r})
+from chart_style import plt, save
+for i in range(6):
+    figure, axes = plt.subplots()
+    axes.plot(range(500), [x * x % 97 for x in range(500)])
+    save(figure, sys.argv[1], f"figure_{{i}}")
+"""
+        if subprocess.run(["/usr/bin/python3", "-c", "import matplotlib"], capture_output=True, check=False).returncode != 0:
+            self.skipTest("no matplotlib")
+        folder = self.directory / "out"
+        self.kill_often(["/usr/bin/python3", "-B", "-c", drawing, str(folder)], folder)
+
+
+class Refused(CommandLineTest):
+    def assert_refused(self, call, told, **options):
+        done = subprocess.run(call, capture_output=True, text=True, check=False, **options)
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertRegex(done.stderr, r"\Alimitcurve: error: [^\n]+\n\Z")
+        for text in told:
+            self.assertIn(text, done.stderr)
+
+    def test_a_limit_of_file_size(self):
+        # A shell ignores the signal; then it is like a disk that is full in the middle of a file.
+        limited = ["sh", "-c", 'ulimit -f 1; trap "" XFSZ; exec "$0" "$@"', EXECUTABLE]
+        for name in ["table.csv", "table.json", "table.hpp"]:
+            path = self.file(name, "old")
+            self.assert_refused([*limited, *TABLE, str(path)], [name, "File too large"])
+            self.assertEqual(path.read_text(), "old")
+        out = self.directory / "out"
+        self.assert_refused([*limited, "report", "-o", str(out)], ["out", "File too large"], env=stub_share(self.directory))
+        for path in out.iterdir():
+            self.assertFalse(path.name.startswith("."), path.name)
+            self.assertLessEqual(path.stat().st_size, 1024)
+            self.assertTrue(path.read_text().endswith("\n"))
+
+    def mounted(self, options):
+        """A file system of our own, where that is allowed."""
+        folder = self.directory / "mounted"
+        folder.mkdir()
+        if subprocess.run(["mount", "-t", "tmpfs", "-o", options, "tmpfs", folder], capture_output=True, check=False).returncode != 0:
+            self.skipTest("not allowed to mount")
+        self.addCleanup(subprocess.run, ["umount", folder], check=True)
+        return folder
+
+    def test_a_full_disk(self):
+        folder = self.mounted("size=16k")
+        (folder / "table.csv").write_text("old")
+        self.assert_refused([EXECUTABLE, *TABLE, str(folder / "table.csv")], ["table.csv", "No space left on device"])
+        self.assertEqual([(path.name, path.read_text()) for path in folder.iterdir()], [("table.csv", "old")])
+        self.assert_refused([EXECUTABLE, "report", "-o", str(folder / "out")], ["No space left on device"], env=stub_share(self.directory))
+        for path in (folder / "out").iterdir():
+            self.assertFalse(path.name.startswith("."), path.name)
+
+    def test_a_disk_that_fills_while_it_draws(self):
+        if subprocess.run(["/usr/bin/python3", "-c", "import matplotlib"], capture_output=True, check=False).returncode != 0:
+            self.skipTest("no matplotlib")
+        # Room for the data and some of the figures: a page of the file system each, and what is in it.
+        self.assertEqual(run("report", "-o", self.directory / "data", env=stub_share(self.directory)).returncode, 0)
+        pages = sum(path.stat().st_size // 4096 + 2 for path in (self.directory / "data").iterdir())
+        folder = self.mounted(f"size={4 * pages + 300}k")
+        self.assert_refused([EXECUTABLE, "report", "-o", str(folder / "out")], ["No space left on device"],
+                            env={**os.environ, "LIMITCURVE_SHARE": str(DATA.parent)})
+        for path in (folder / "out").iterdir():
+            self.assertFalse(path.name.startswith("."), path.name)
+            if path.suffix == ".svg":
+                self.assertTrue(path.read_text().rstrip().endswith("</svg>"), path.name)
+        self.assertFalse((folder / "out" / "index.html").exists())
+
+    def test_a_folder_that_cannot_be_written(self):
+        folder = self.mounted("ro,size=1m")
+        self.assert_refused([EXECUTABLE, *TABLE, str(folder / "table.csv")], ["table.csv", "Read-only file system"])
+        self.assert_refused([EXECUTABLE, "report", "-o", str(folder / "out")], ["out", "Read-only file system"])
+
+    def test_a_folder_without_permission(self):
+        if os.getuid() != 0:
+            folder, options = self.directory / "locked", {}
+        else:
+            # As root everything is permitted: be nobody, in a place that nobody may enter.
+            directory = tempfile.TemporaryDirectory(dir="/tmp")
+            self.addCleanup(directory.cleanup)
+            os.chmod(directory.name, 0o755)
+            folder, options = Path(directory.name) / "locked", {"user": 65534, "group": 65534, "extra_groups": []}
+            if subprocess.run([EXECUTABLE, "--version"], capture_output=True, check=False, **options).returncode != 0:
+                self.skipTest("nobody may not run the executable")
+        folder.mkdir(mode=0o555)
+        self.assert_refused([EXECUTABLE, *TABLE, str(folder / "table.csv")], ["table.csv", "Permission denied"], **options)
+        self.assert_refused([EXECUTABLE, "report", "-o", str(folder / "out")], ["out", "Permission denied"], **options)
+
+    def test_a_path_below_a_file(self):
+        path = self.file("file", "")
+        self.assert_refused([EXECUTABLE, *TABLE, str(path / "table.csv")], ["table.csv", "Not a directory"])
+        self.assert_refused([EXECUTABLE, "report", "-o", str(path / "out")], ["out", "Not a directory"])
+
+    def test_a_pipe_that_closes(self):
+        for call in ["curve --law hertz --points 200000", "replay --trace long.csv " + " ".join(REPLAY[1:-2])]:
+            (self.directory / "long.csv").write_text("time,x,y,z,twist\n" + "0,0,0,-0.001,0\n" * 50000)
+            done = subprocess.run(["bash", "-c", f"{EXECUTABLE} {call} | head -1; exit ${{PIPESTATUS[0]}}"], cwd=self.directory,
+                                  capture_output=True, text=True, check=False)
+            self.assertEqual((done.returncode, done.stdout.count("\n")), (1, 1), call)
+            self.assertRegex(done.stderr, r"\Alimitcurve: error: [^\n]*standard output[^\n]*Broken pipe[^\n]*\n\Z")
+
+
+class Bulk(unittest.TestCase):
+    """Standard input of any length, and how much memory a run takes at most."""
+
+    def stream(self, arguments, header, line, megabytes):
+        """Exit status, standard error, rows fed and the largest memory [MB] of a run that is fed so much of one line."""
+        block = line * (MEGABYTE // len(line))
+        complaint = tempfile.TemporaryFile()
+        self.addCleanup(complaint.close)
+        process = subprocess.Popen([EXECUTABLE, *arguments], stdin=subprocess.PIPE, stdout=subprocess.DEVNULL, stderr=complaint)
+
+        def feed():
+            try:
+                process.stdin.write(header)
+                for _ in range(megabytes):
+                    process.stdin.write(block)
+            except BrokenPipeError:
+                pass
+            try:
+                process.stdin.close()
+            except BrokenPipeError:
+                pass
+
+        feeder = threading.Thread(target=feed)
+        feeder.start()
+        _, status, usage = os.wait4(process.pid, 0)
+        process.returncode = os.waitstatus_to_exitcode(status)
+        feeder.join()
+        complaint.seek(0)
+        return process.returncode, complaint.read().decode(), megabytes * (len(block) // len(line)), usage.ru_maxrss / 1024
+
+    def test_a_long_trace_is_streamed(self):
+        line = b"0,0.01,0.02,-0.001,0.1," + b"-" * 1000 + b"\n"
+        header = b"time,x,y,z,twist,remark\n"
+        status, complaint, _, little = self.stream(REPLAY, header, line, 4)
+        self.assertEqual((status, complaint), (0, ""))
+        status, complaint, _, much = self.stream(REPLAY, header, line, BULK)
+        self.assertEqual((status, complaint), (0, ""))
+        self.assertLess(much, little + 4)
+        print(f"replay of {BULK} MB: {much:.0f} MB", file=sys.stderr)
+
+    def test_a_fit_holds_its_numbers_and_no_more(self):
+        # A fit goes over its data many times, and must hold them; but not what else a row has.
+        rest = b"," + b"-" * 20000 + b"\n"
+        line = b"2,1,0" + rest + b"2,0,0.005" + rest + b"2,0.7,0.0037" + rest
+        header = b"load,force,moment,remark\n"
+        fit = ["fit", "ellipse", "--quiet", "--data", "-"]
+        status, complaint, _, little = self.stream(fit, header, line, 4)
+        self.assertEqual((status, complaint), (0, ""))
+        status, complaint, count, much = self.stream(fit, header, line, BULK)
+        count *= 3
+        self.assertEqual((status, complaint), (0, ""))
+        self.assertLess(much - little, 4 + count * 1000 / MEGABYTE * (4 if SANITIZED else 1))
+        print(f"fit of {BULK} MB, {count} rows: {much:.0f} MB", file=sys.stderr)
+
+    def test_what_is_no_csv_is_refused_at_its_beginning(self):
+        for arguments in [REPLAY, ["fit", "ratio", "--data", "-"], ["eval", "--law", "samples:/dev/stdin", "--c", "1"]]:
+            status, complaint, _, much = self.stream(arguments, b"", bytes(1024), BULK)
+            self.assertEqual(status, 2, complaint)
+            self.assertRegex(complaint, r"\Alimitcurve: error: [^\n]*more than a million characters[^\n]*\n\Z")
+            self.assertLess(much, 1024 if SANITIZED else 64)
+
+    def test_a_gigabyte_is_no_table(self):
+        with tempfile.NamedTemporaryFile(suffix=".csv") as file:
+            file.truncate(1 << 30)  # sparse
+            done = run("lookup", "--table", file.name, "--c", "1")
+        self.assertEqual(done.returncode, 2)
+        self.assertRegex(done.stderr, r"\Alimitcurve: error: [^\n]*not a table: longer than any[^\n]*\n\Z")
+
+
+if __name__ == "__main__":
+    resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+    unittest.main()
