@@ -73,7 +73,7 @@ class DoubleExponential {
   DoubleExponential();
 
   static constexpr bool extended = sizeof(Real) > sizeof(double);
-  static constexpr Real agreement = extended ? Real(2e-17L) : Real(1e-10);
+  static constexpr Real agreement = extended ? Real(2e-17L) : Real(2e-11);
   /// A tail is cut after two falling terms that no longer change the sum. Falling: where the integrand is all at one
   /// end, the terms between the middle and there do not count either.
   static constexpr Real negligible = extended ? Real(1e-24L) : Real(1e-18);

@@ -8,6 +8,7 @@
 #include <bit>
 #include <cmath>
 #include <optional>
+#include <span>
 
 namespace limitcurve {
 
@@ -82,7 +83,7 @@ class ExpandedLaw::Builder {
   /// The rest of an approach is tried as one piece every so many octaves.
   static constexpr std::size_t trial = 3;
 
-  /// After so many octaves without a single piece, so is what is left of the approach.
+  /// After so many octaves with gaps, one after the other, so is what is left of the approach.
   static constexpr std::size_t hopeless = 3;
 
   void build(std::size_t number) {
@@ -94,30 +95,31 @@ class ExpandedLaw::Builder {
       if (last || octave % trial == 0) {
         const auto rest = expand(number, 0.0, end);
         if (rest || last) {
-          add_stretch(approach, 1.0 / end, 0.0, {rest});
+          add_stretch(approach, 1.0 / end, 0.0, std::span(&rest, 1));
           return;
         }
       }
-      const std::size_t found = target_.pieces_.size();
-      add_octave(number, 0.5 * end);
-      failed = target_.pieces_.size() > found ? 0 : failed + 1;
+      failed = add_octave(number, 0.5 * end) ? 0 : failed + 1;
     }
   }
 
-  /// [left, 2·left], in as few parts as keep the tolerance.
-  void add_octave(std::size_t number, double left) {
-    std::vector<std::optional<Expansion>> parts;
-    for (std::size_t count = 1; count <= most_parts; count *= 2) {
-      parts.assign(count, std::nullopt);
+  /// [left, 2·left], in as few parts as keep the tolerance; whether all of them do.
+  bool add_octave(std::size_t number, double left) {
+    std::array<std::optional<Expansion>, most_parts> parts;
+    bool good = false;
+    std::size_t count = 0;
+    while (!good && count < most_parts) {
+      count = count == 0 ? 1 : 2 * count;
+      parts.fill(std::nullopt);
       const double width = left / static_cast<double>(count);
-      bool good = true;
+      good = true;
       for (std::size_t i = 0; i < count && (good || count == most_parts); ++i) {
         parts[i] = expand(number, left + static_cast<double>(i) * width, left + static_cast<double>(i + 1) * width);
         good = good && parts[i].has_value();
       }
-      if (good) break;
     }
-    add_stretch(target_.approaches_[number], 1.0 / left, 1.0, parts);
+    add_stretch(target_.approaches_[number], 1.0 / left, 1.0, std::span(parts).first(count));
+    return good;
   }
 
   struct Expansion {
@@ -125,7 +127,7 @@ class ExpandedLaw::Builder {
     double error;
   };
 
-  void add_stretch(Approach& approach, double scale, double offset, const std::vector<std::optional<Expansion>>& parts) {
+  void add_stretch(Approach& approach, double scale, double offset, std::span<const std::optional<Expansion>> parts) {
     approach.stretches[approach.count++] = {scale, offset, target_.slots_.size(), parts.size()};
     for (const auto& part : parts) {
       target_.slots_.push_back(part ? static_cast<std::uint16_t>(target_.pieces_.size()) : no_piece);

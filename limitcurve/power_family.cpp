@@ -57,6 +57,13 @@ class PowerFamilyLaw : public PressureLawOf<PowerFamilyLaw> {
   template <class Real>
   using Triple = std::array<Real, 3>;
 
+  /// w^exponent for w = 1 − below. A high power multiplies the rounding of w, which `below` is free of.
+  template <class Real>
+  static Real power_below_one(Real w, Real below, Real exponent) noexcept {
+    constexpr Real high = 16;
+    return exponent > high && below < Real(0.5) ? std::exp(exponent * std::log1p(-below)) : std::pow(w, exponent);
+  }
+
   template <class Real>
   UnitForces<Real> inside(Real s) const noexcept {
     const Real eta = (1 - s) * (1 + s);
@@ -67,7 +74,7 @@ class PowerFamilyLaw : public PressureLawOf<PowerFamilyLaw> {
           const Real cosine = std::sin(psi);
           const Real sine = std::sin(theta);
           const Real w = cosine * cosine + eta * sine * sine;
-          const Real weight = std::pow(w, exponent);
+          const Real weight = power_below_one(w, s * s * sine * sine, exponent);
           return {cosine * cosine * weight, w * weight, sine * sine * weight};
         },
         static_cast<Real>(pi / 2));
@@ -86,7 +93,7 @@ class PowerFamilyLaw : public PressureLawOf<PowerFamilyLaw> {
           const Real cosine = std::sin(psi);
           const Real sine = std::sin(theta);
           const Real root = std::sqrt(cosine * cosine + eta * sine * sine);
-          const Real weight = std::pow(cosine, static_cast<Real>(2 * n_ + 2));
+          const Real weight = power_below_one(cosine * cosine, sine * sine, static_cast<Real>(n_ + 1));
           return {weight * root, weight * cosine * cosine / root, weight * sine * sine / root};
         },
         static_cast<Real>(pi / 2));

@@ -156,6 +156,23 @@ TEST(ClosedForms, InDoublePrecision) {
   expect_promised_precision_of_all<double>();
 }
 
+/// The quadrature must not be fooled between the reference's points either: large exponents, whose pressure is all in one place,
+/// and CORs where two levels of the rule happen to agree.
+TEST(ForcesForLoops, KeepTheirBoundForLargeExponents) {
+  for (const char* name : {"xydas-kao:k=30", "xydas-kao:k=1000", "power:n=300", "power:n=1000"}) {
+    const Law law = parse_law(name);
+    const auto check = [&](double s) {
+      const UnitForces<double> found = law->forces(s);
+      const UnitWrench truth = law->evaluate(s).wrench;
+      EXPECT_NEAR(found.force, truth.force, accuracy::forces_by_quadrature * truth.force) << name << ' ' << s;
+      EXPECT_NEAR(found.moment, truth.moment, accuracy::forces_by_quadrature * truth.moment) << name << ' ' << s;
+    };
+    for (double s = 1e-5; s < 0.2; s *= 1.5) check(s);
+    for (double s = 0.2; s < 1.0; s *= 1.01) check(s);
+    for (double s = 1.0; s < 30.0; s *= 1.2) check(s);
+  }
+}
+
 /// What is no place gives no number, and reads nothing that is not there.
 template <class Real>
 void expect_no_number_from_none() {
