@@ -33,8 +33,12 @@ class Grasp {
  public:
   using Finger = SoftFinger<Boundary, Projection>;
 
-  /// Newton steps of the implicit integrator at most; 2 to 4 as a rule, each seven evaluations of all fingers.
+  /// Newton steps of the implicit integrator at most, from each of two starts; 2 to 4 as a rule, each seven evaluations of all fingers.
   static constexpr int iteration_limit = 20;
+  /// Halvings of a Newton step at most; 0 as a rule.
+  static constexpr int halving_limit = 24;
+  /// Equations count as solved when what is left of them is this share of the velocities, and those that the loads give in a step.
+  static constexpr double solved_share = 1e-9;
 
   /// Throws std::invalid_argument naming parameter, value, unit and range.
   Grasp(const BodyParameters& parameters, const BodyState& state, Shape shape, std::vector<Finger> fingers,
@@ -165,12 +169,12 @@ class Grasp {
     return {contact, twist_about(state.orientation.conjugate() * device.orientation, contact.normal) + device.twist};
   }
 
-  /// What a finger does to the body: the opposite of what its user feels, at the contact.
-  static void act(const BodyState& state, const Eigen::Vector3d& point, const Eigen::Vector3d& normal, const FingerOutput& output,
-                  Load& load) noexcept {
+  /// What a finger does to the body: the opposite of what its user feels, at the proxy. The springs pull along the line from
+  /// there to the finger, so that both ends agree on the moment; at x_g it would be off by the depth times the friction force.
+  static void act(const BodyState& state, const Eigen::Vector3d& normal, const FingerOutput& output, Load& load) noexcept {
     const Eigen::Vector3d force = state.orientation * Eigen::Vector3d(-output.force - normal * output.load);
     load.force += force;
-    load.moment += (state.orientation * point).cross(force) - state.orientation * Eigen::Vector3d(normal * output.moment);
+    load.moment += (state.orientation * output.proxy).cross(force) - state.orientation * Eigen::Vector3d(normal * output.moment);
   }
 
   /// The fingers' load on the body in this state, if it were the next. Remembers nothing.
@@ -180,8 +184,7 @@ class Grasp {
       ContactMemory memory = holds_[i].memory;
       const auto [contact, twist] = touch(state, devices[i], memory);
       const FingerOutput output = holds_[i].finger.preview(contact, twist, time_step);
-      const bool valid = output.state != ContactState::invalid;
-      act(state, valid ? contact.point : holds_[i].finger.state().goal, valid ? contact.normal : holds_[i].normal, output, load);
+      act(state, output.state != ContactState::invalid ? contact.normal : holds_[i].normal, output, load);
     }
     return load;
   }
@@ -199,7 +202,7 @@ class Grasp {
       const auto [contact, twist] = touch(state_, devices[i], hold.memory);
       const FingerOutput& output = hold.finger.update(contact, twist, time_step);
       if (output.state != ContactState::invalid) hold.normal = contact.normal;
-      act(state_, hold.finger.state().goal, hold.normal, output, load);
+      act(state_, hold.normal, output, load);
     }
     return load;
   }
@@ -237,51 +240,73 @@ class Grasp {
     return result;
   }
 
-  /// Implicit Euler: Newton's method for the velocities at the end of the step, its Jacobian by differences, halving
-  /// steps that do not reduce the residual (where a finger begins to slip the load has a kink).
+  /// Velocities at the end of the step, what is wrong with them, and its size in a common unit: the speed of a point a radius of
+  /// gyration away.
+  struct Attempt {
+    Vector6 velocities;
+    Vector6 error;
+    double size;
+  };
+
+  /// Implicit Euler: from the present velocities or from rest, whichever is nearer to solving it; if that does not lead to the end,
+  /// from the other.
   [[nodiscard]] BodyState solve(std::span<const DevicePose> devices, double time_step, const Load& external) noexcept {
     const Eigen::Vector3d momentum = angular_momentum(parameters_, state_);
-    const auto wrong = [&](const Vector6& velocities) { return residual(velocities, devices, time_step, external, momentum); };
-    // Residuals in a common unit, the speed of a point a radius of gyration away.
     const double gyration = std::sqrt(parameters_.inertia.mean() / parameters_.mass);
     const auto size = [&](const Vector6& value) { return value.head<3>().norm() + gyration * value.tail<3>().norm(); };
+    const auto attempt = [&](const Vector6& velocities) {
+      const Vector6 error = residual(velocities, devices, time_step, external, momentum);
+      return Attempt{velocities, error, size(error)};
+    };
+    Vector6 present;
+    present << state_.velocity, state_.angular_velocity;
+    Vector6 still = present;
+    for (int i = 0; i < 6; ++i) {
+      if (parameters_.free[static_cast<std::size_t>(i)]) still[i] = 0.0;
+    }
+    double force = external.force.norm();
+    for (const Hold& hold : holds_) force += hold.finger.output().load;
+    const double unit = size(present) + force * time_step / parameters_.mass;
 
-    Vector6 now;
-    now << state_.velocity, state_.angular_velocity;
-    Vector6 error = wrong(now);
-    double error_size = size(error);
-    const double unit = size(now) + time_step * parameters_.gravity.norm() + error_size;
-    bool solved = error_size == 0.0;
-    for (int i = 0; i < iteration_limit && !solved; ++i) {
+    Attempt first = attempt(present);
+    Attempt second = attempt(still);
+    if (second.size < first.size) std::swap(first, second);
+    Attempt best = improve(first, unit, gyration, time_step, attempt);
+    if (!(best.size <= solved_share * unit)) {
+      const Attempt other = improve(second, unit, gyration, time_step, attempt);
+      if (other.size < best.size) best = other;
+      if (!(best.size <= solved_share * unit)) ++unsolved_;
+    }
+    return moved(state_, best.velocities.template head<3>(), best.velocities.template tail<3>(), time_step);
+  }
+
+  /// Newton's method, its Jacobian by differences, halving steps that do not reduce the residual (where a finger begins to
+  /// slip the load has a kink).
+  template <class Try>
+  [[nodiscard]] Attempt improve(Attempt now, double unit, double gyration, double time_step, const Try& attempt) const noexcept {
+    for (int i = 0; i < iteration_limit && now.size > 1e-15 * unit; ++i) {
       Matrix6 jacobian = Matrix6::Identity();
       for (int column = 0; column < 6; ++column) {
         if (!parameters_.free[static_cast<std::size_t>(column)]) continue;
         // Large against rounding of the proxies' places, small against the give of the springs.
         const double change = (column < 3 ? 1.0 : 1.0 / gyration) * 1e-9 / time_step;
-        Vector6 beside = now;
+        Vector6 beside = now.velocities;
         beside[column] += change;
-        jacobian.col(column) = (wrong(beside) - error) / change;
+        jacobian.col(column) = (attempt(beside).error - now.error) / change;
       }
-      const Vector6 step = jacobian.partialPivLu().solve(error);
+      const Vector6 step = jacobian.partialPivLu().solve(now.error);
       if (!step.allFinite()) break;
       double share = 1.0;
-      Vector6 next = now - step;
-      Vector6 next_error = wrong(next);
-      for (int halving = 0; halving < 8 && !(size(next_error) < error_size); ++halving) {
+      Attempt next = attempt(now.velocities - step);
+      for (int halving = 0; halving < halving_limit && !(next.size < now.size); ++halving) {
         share *= 0.5;
-        next = now - share * step;
-        next_error = wrong(next);
+        next = attempt(now.velocities - share * step);
       }
-      const double next_size = size(next_error);
       // No better: what is left is rounding, or a kink that the next time step will pass.
-      if (!(next_size < error_size)) break;
+      if (!(next.size < now.size)) break;
       now = next;
-      error = next_error;
-      error_size = next_size;
-      solved = error_size <= 1e-15 * unit;
     }
-    if (!(error_size <= 1e-9 * unit)) ++unsolved_;
-    return moved(state_, now.head<3>(), now.tail<3>(), time_step);
+    return now;
   }
 
   BodyParameters parameters_;

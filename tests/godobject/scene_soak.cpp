@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: MIT
+// Random scenes without end: one to four fingers on a body of any shape that rests, is moved or is free, every boundary and
+// projection, radius laws, dampers, static and dynamic friction. In every step of every finger
+//   · what slip dissipates is ≥ 0,
+//   · all that it tells is finite,
+//   · the wrench is within the limit of the load,
+//   · a finger that sticks has not moved its proxy by a single bit;
+// and a free body between fingers at rest without gravity does not gain energy (README, "Bodies", has the bound).
+//     scene_soak [FINGER_STEPS [SEED]]
+// Prints what it saw and exits with 1 after the first scene that is wrong, which it names so that it can be run again.
+#include "tests/godobject/scene.hpp"
+
+#include "godobject/grasp.hpp"
+
+#include <cinttypes>
+#include <cstdio>
+#include <functional>
+#include <numbers>
+#include <string>
+#include <vector>
+
+namespace limitcurve::godobject::test {
+namespace {
+
+using Eigen::Quaterniond;
+using Eigen::Vector3d;
+
+struct Tally {
+  std::uint64_t finger_steps = 0;
+  std::uint64_t slips = 0;
+  std::uint64_t sticks = 0;
+  std::uint64_t scenes = 0;
+  std::uint64_t unsolved = 0;
+  double rise_planar = 0.0;  // of the energy in one step, as a share of the energy at first
+  double rise_spatial = 0.0;
+  std::string fault = {};
+};
+
+/// Of the energy at first, in one step: what rounding may add. In space there comes what the finite angle turned in the step may
+/// add, its square times the energy and the moments of the fingers' forces (README, "Bodies").
+constexpr double rounding_bound = 1e-12;
+
+constexpr int steps_per_scene = 500;
+
+Vector3d vector(Random& random, double size) {
+  return {random.uniform(-size, size), random.uniform(-size, size), random.uniform(-size, size)};
+}
+
+Quaterniond rotation(Random& random, double angle) {
+  return Quaterniond(Eigen::AngleAxisd(random.uniform(-angle, angle), (vector(random, 1.0) + Vector3d(1e-9, 0.0, 0.0)).normalized()));
+}
+
+AnySurface surface(Random& random, double size) {
+  switch (random.bits() % 5) {
+    case 0:
+      return AnySurface(PlaneSurface{});
+    case 1:
+      return AnySurface(SphereSurface(size));
+    case 2:
+      return AnySurface(CapsuleSurface(0.5 * size, size));
+    case 3:
+      return AnySurface(CylinderSurface(size, 0.5 * size));
+    default:
+      return AnySurface(BoxSurface({size, 0.5 * size, random.uniform(0.02, 1.0) * size}));
+  }
+}
+
+RadiusLaw radius(Random& random) {
+  static const std::array<LoadSample, 4> measured{{{0.3, 0.002}, {1.0, 0.0026}, {3.0, 0.0034}, {9.0, 0.0031}}};
+  switch (random.bits() % 4) {
+    case 0:
+      return RadiusLaw::constant(random.logarithmic(1e-4, 0.05));
+    case 1:
+      return RadiusLaw::hertz(0.008, 2e5);
+    case 2:
+      return RadiusLaw::power(0.00207, 0.259);
+    default:
+      return RadiusLaw::sampled(measured);
+  }
+}
+
+FingerParameters finger(Random& random) {
+  FingerParameters result;
+  result.mu = random.logarithmic(0.01, 3.0);
+  if (random.bits() % 3 == 0) result.mu_dynamic = result.mu * random.uniform(0.1, 1.0);
+  result.radius_law = radius(random);
+  if (random.bits() % 4 == 0) result.moment_coefficient = random.logarithmic(1e-4, 0.02);
+  result.stiffness = random.logarithmic(10.0, 1e5);
+  result.twist_stiffness = result.stiffness * random.logarithmic(1e-7, 1e-3);
+  if (random.bits() % 2 == 0) {
+    result.damping = result.stiffness * random.logarithmic(1e-5, 1e-2);
+    result.twist_damping = result.twist_stiffness * random.logarithmic(1e-5, 1e-2);
+  }
+  return result;
+}
+
+/// One scene with this boundary and projection. Everything in it follows from the seed.
+template <LimitBoundary Boundary, class Projection>
+class Scene {
+ public:
+  using Hand = Grasp<AnySurface, Boundary, Projection>;
+
+  Scene(const Boundary& boundary, Projection projection, std::uint64_t seed, Tally& tally)
+      : random_(seed), tally_(tally), size_(random_.logarithmic(0.01, 0.1)), hand_(make(boundary, projection)) {
+    devices_.resize(hand_.finger_count());
+    for (DevicePose& device : devices_) device = {vector(random_, 0.9 * size_), rotation(random_, 3.0), 0.0};
+  }
+
+  /// How it goes wrong; empty if it does not.
+  std::string run() {
+    ++tally_.scenes;
+    const double time_step = random_.logarithmic(1e-5, 1e-2);
+    const std::uint64_t kind = random_.bits() % 10;
+    if (kind == 0) return rest(time_step);
+    const double stride = random_.logarithmic(1e-6, 0.2) * size_;
+    BodyState body;
+    hand_.place(body, devices_);
+    for (int i = 0; i < steps_per_scene; ++i) {
+      remember();
+      for (DevicePose& device : devices_) wander(device, stride);
+      if (kind == 1) {
+        hand_.step(devices_, time_step);
+      } else {
+        if (kind > 5) {
+          body.position += vector(random_, 0.3 * stride);
+          body.orientation = (rotation(random_, stride / size_) * body.orientation).normalized();
+        }
+        hand_.carry(body, devices_, time_step);
+      }
+      if (std::string fault = wrong(); !fault.empty()) return fault + " in step " + std::to_string(i);
+    }
+    tally_.unsolved += hand_.unsolved();
+    return {};
+  }
+
+ private:
+  Hand make(const Boundary& boundary, Projection projection) {
+    BodyParameters body = BodyParameters::block(random_.logarithmic(1e-3, 10.0), Vector3d::Constant(size_) + 0.5 * vector(random_, size_));
+    if (random_.bits() % 2 == 0) body.gravity.setZero();
+    if (random_.bits() % 3 == 0) body.free = {true, true, false, false, false, true};
+    const FingerParameters with = finger(random_);
+    const std::size_t fingers = 1 + random_.bits() % 4;
+    using Finger = typename Hand::Finger;
+    return Hand(body, BodyState{}, surface(random_, size_), std::vector<Finger>(fingers, Finger(boundary, with, projection)));
+  }
+
+  void wander(DevicePose& device, double stride) {
+    // Now and then it leaps: to another side, off, or deep into the body; and back where it has gone too far.
+    if (random_.bits() % 100 == 0 || (device.position - hand_.body().position).norm() > 1.2 * size_) {
+      device.position = hand_.body().to_world(vector(random_, 0.9 * size_));
+    } else {
+      device.position += vector(random_, stride);
+    }
+    device.orientation = (rotation(random_, stride / size_) * device.orientation).normalized();
+    device.twist += random_.uniform(-1.0, 1.0) * stride / size_;
+  }
+
+  /// Fingers at rest, pressed from two sides on a body that is knocked: its energy must not rise.
+  std::string rest(double time_step) {
+    BodyParameters body = hand_.parameters();
+    const bool planar = !body.free[2];
+    body.gravity.setZero();
+    const Vector3d half = Vector3d::Constant(0.5 * size_);
+    using Box = Grasp<BoxSurface, Boundary, Projection>;
+    Box held(body, BodyState{}, BoxSurface(half), {hand_.finger(0), hand_.finger(0)});
+    const double depth = random_.logarithmic(1e-3, 0.1) * size_;
+    const Vector3d at{random_.uniform(-0.3, 0.3) * size_, random_.uniform(-0.3, 0.3) * size_, 0.0};
+    const Vector3d reach{0.0, 0.0, half.z() - depth};
+    const std::array<DevicePose, 2> pinch{DevicePose{at + reach}, DevicePose{at - reach}};
+    held.place(BodyState{}, pinch);
+    BodyState knocked;
+    const double speed = random_.logarithmic(1e-3, 1.0);
+    knocked.velocity = vector(random_, speed);
+    knocked.angular_velocity = vector(random_, speed / size_);
+    if (planar) {
+      knocked.velocity.z() = 0.0;
+      knocked.angular_velocity.head<2>().setZero();
+    }
+    held.place(knocked, pinch);
+    const double first = held.energy();
+    double last = first;
+    double& worst = planar ? tally_.rise_planar : tally_.rise_spatial;
+    for (int i = 0; i < steps_per_scene; ++i) {
+      held.step(pinch, time_step);
+      for (std::size_t k = 0; k < 2; ++k) {
+        ++tally_.finger_steps;
+        if (!(held.finger(k).output().slip_work >= 0.0)) return "slip work of a held body in step " + std::to_string(i);
+      }
+      const double now = held.energy();
+      const double rise = (now - last) / first;
+      const double turned = planar ? 0.0 : held.body().angular_velocity.norm() * time_step;
+      double moments = first;
+      for (std::size_t k = 0; k < 2; ++k) {
+        const FingerOutput& output = held.finger(k).output();
+        moments += held.force_on_user(k).norm() * output.proxy.norm() + std::fabs(output.moment);
+      }
+      worst = std::max(worst, planar || turned < 1e-6 ? rise : 0.0);
+      if (!(rise <= rounding_bound + turned * turned * moments / first)) {
+        return "energy rises by " + format_number(rise) + " of the first, turning by " + format_number(turned) + ", in step " +
+               std::to_string(i) + (planar ? " (planar)" : " (spatial)");
+      }
+      last = now;
+    }
+    tally_.unsolved += held.unsolved();
+    return {};
+  }
+
+  void remember() {
+    before_.clear();
+    for (std::size_t i = 0; i < hand_.finger_count(); ++i) before_.push_back(hand_.finger(i).state());
+  }
+
+  std::string wrong() {
+    for (std::size_t i = 0; i < hand_.finger_count(); ++i) {
+      const auto& one = hand_.finger(i);
+      const FingerOutput& output = one.output();
+      const FingerState& before = before_[i];
+      ++tally_.finger_steps;
+      tally_.slips += output.state == ContactState::slip;
+      tally_.sticks += output.state == ContactState::stick;
+      if (output.state == ContactState::invalid) return "good input is refused";
+      if (!(output.slip_work >= 0.0 && output.slip_work <= 1e300)) return "slip work " + std::to_string(output.slip_work);
+      if (!output.proxy.allFinite() || !output.force.allFinite() || !std::isfinite(output.moment) || !std::isfinite(output.angle))
+        return "not finite";
+      if (output.state == ContactState::free) continue;
+      if (output.state == ContactState::stick && before.touching) {
+        if (!same_bits(output.proxy, before.output.proxy) || output.angle != before.output.angle) return "a stuck proxy moved";
+      }
+      const ContactLaw::Scale scale = one.friction().law().static_scale(output.load);
+      if (!(scale.force * scale.radius > 1e-100)) continue;
+      const UnitWrench wrench{output.force.norm() / scale.force, std::fabs(output.moment) / (scale.force * scale.radius)};
+      if (!(one.friction().boundary().gauge(wrench) <= 1.0 + 1e-11)) return "beyond the limit";
+      if (!(one.margin() >= 0.0 && one.margin() <= 1.0)) return "margin " + std::to_string(one.margin());
+    }
+    return {};
+  }
+
+  Random random_;
+  Tally& tally_;
+  double size_;
+  Hand hand_;
+  std::vector<DevicePose> devices_;
+  std::vector<FingerState> before_;
+};
+
+using Run = std::function<std::string(std::uint64_t seed, Tally& tally)>;
+
+struct Choice {
+  std::string name;
+  Run run;
+};
+
+/// A scene for every law, boundary and projection; what is slow to build is built once.
+std::vector<Choice> choices() {
+  std::vector<Choice> result;
+  for (const Law& law : {hertz(), uniform(), flat_punch()}) {
+    for_each_boundary(law, [&](const auto& boundary, std::string_view name) {
+      for (const ProjectionKind kind : {ProjectionKind::radial, ProjectionKind::c_curve, ProjectionKind::closest_point}) {
+        visit_projection(kind, [&](auto projection) {
+          const std::string all = law->name() + ", " + std::string(name) + ", " + std::string(to_string(kind));
+          result.push_back({all, [boundary, projection](std::uint64_t seed, Tally& tally) {
+                              using Boundary = std::decay_t<decltype(boundary)>;
+                              return Scene<Boundary, std::decay_t<decltype(projection)>>(boundary, projection, seed, tally).run();
+                            }});
+        });
+      }
+    });
+  }
+  return result;
+}
+
+int soak(std::uint64_t finger_steps, std::uint64_t seed) {
+  const std::vector<Choice> all = choices();
+  Tally tally;
+  for (std::uint64_t scene = 0; tally.finger_steps < finger_steps; ++scene) {
+    const Choice& choice = all[scene % all.size()];
+    const std::string fault = choice.run(seed + scene, tally);
+    if (fault.empty()) continue;
+    std::printf("scene %" PRIu64 " of seed %" PRIu64 " (%s): %s\n", scene, seed, choice.name.c_str(), fault.c_str());
+    return 1;
+  }
+  std::printf("seed %" PRIu64 ": %" PRIu64 " finger steps in %" PRIu64
+              " scenes, %.1f %% slip, %.1f %% stick; none wrong. Steps whose equations were "
+              "not solved to rounding: %" PRIu64 ". Largest rise of energy in a step, of the first: planar %.1e, spatial %.1e\n",
+              seed, tally.finger_steps, tally.scenes, 100.0 * static_cast<double>(tally.slips) / static_cast<double>(tally.finger_steps),
+              100.0 * static_cast<double>(tally.sticks) / static_cast<double>(tally.finger_steps), tally.unsolved, tally.rise_planar,
+              tally.rise_spatial);
+  return 0;
+}
+
+}  // namespace
+}  // namespace limitcurve::godobject::test
+
+int main(int argc, char** argv) {
+  const std::uint64_t steps = argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 1'000'000;
+  const std::uint64_t seed = argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 1;
+  return limitcurve::godobject::test::soak(steps, seed);
+}
