@@ -23,6 +23,7 @@ concept PolygonalBoundary = LimitBoundary<Boundary> && requires(const Boundary& 
 template <class Boundary>
 concept FindsClosest = LimitBoundary<Boundary> && requires(const Boundary& boundary, UnitWrench trial, double chi, double start) {
   { boundary.closest(trial, chi, start) } noexcept -> std::same_as<Foot>;
+  { boundary.place_of_ellipse(start) } noexcept -> std::same_as<double>;
 };
 // clang-format on
 
@@ -37,7 +38,7 @@ struct ClosestPoint {
   static constexpr double last_step = 1e-6;
 
   template <LimitBoundary Boundary>
-  Projected operator()(const Boundary& boundary, const Trial& trial) const noexcept {
+  [[gnu::always_inline]] Projected operator()(const Boundary& boundary, const Trial& trial) const noexcept {
     if constexpr (PolygonalBoundary<Boundary>) {
       if (!(boundary.gauge(trial.wrench) > 1.0 + slip_guard)) return {};
       return onto_polygon(boundary.vertices(), trial);
@@ -50,7 +51,7 @@ struct ClosestPoint {
   /// Newton's method in the spin fraction u for G(u) = u(x̂ − f(u)) − (1−u)χ(ŷ − m(u)), kept within a bracket. G has one
   /// root, for only one point of the curve has the trial on its outward normal; G(0) = −χŷ ≤ 0 and G(1) = x̂ ≥ 0.
   template <class Boundary>
-  static Projected onto_curve(const Boundary& boundary, const Trial& trial) noexcept {
+  [[gnu::always_inline]] static Projected onto_curve(const Boundary& boundary, const Trial& trial) noexcept {
     const auto [x, y] = trial.wrench;
     const double chi = trial.compliance_ratio;
     // On an axis the root is the end itself, which no bracket closes in on.
@@ -59,7 +60,7 @@ struct ClosestPoint {
       const UnitWrench wrench = boundary.wrench(end);
       return {x + y > (wrench.force + wrench.moment) * (1.0 + slip_guard), wrench, end};
     }
-    const double from = trial.start > 0.0 && trial.start < 2.0 ? trial.start : start(boundary.moment_ratio(), trial);
+    const double from = trial.start > 0.0 && trial.start < 2.0 ? trial.start : start(boundary, trial);
     if constexpr (FindsClosest<Boundary>) {
       const auto [foot, normal, place] = boundary.closest(trial.wrench, chi, from);
       // Beyond the tangent at its foot it is outside; and if it is outside at all, it is beyond that one.
@@ -101,7 +102,9 @@ struct ClosestPoint {
   /// A first guess, as a place: the slip at the closest point of the ellipse with the same intercepts, by one Newton step for
   /// the multiplier λ of f = x̂/(1+λ), m = ŷ/(1+λη) from λ = 0, taken on 1/√(f² + m²): that is straight in λ where η = 1, and
   /// nearly so elsewhere.
-  static double start(double moment_ratio, const Trial& trial) noexcept {
+  template <class Boundary>
+  static double start(const Boundary& boundary, const Trial& trial) noexcept {
+    const double moment_ratio = boundary.moment_ratio();
     const double x = trial.wrench.force;
     const double y = trial.wrench.moment / moment_ratio;
     const double eta = 1.0 / (trial.compliance_ratio * moment_ratio * moment_ratio);
@@ -109,8 +112,10 @@ struct ClosestPoint {
     const double lambda = std::max(square * (std::sqrt(square) - 1.0) / (x * x + eta * y * y), 0.0);
     const double slide = x * (1.0 + lambda * eta) * moment_ratio;
     const double spin = y * (1.0 + lambda);
-    const double place = SlipTwist{slide, spin}.place();
-    return place > 0.0 && place < 2.0 ? place : 1.0;
+    double place = SlipTwist{slide, spin}.place();
+    if (!(place > 0.0 && place < 2.0)) return 1.0;
+    if constexpr (FindsClosest<Boundary>) place = boundary.place_of_ellipse(place);
+    return place;
   }
 
   /// Exactly, face by face: the closest of the feet. Cost: one division a slanted face.

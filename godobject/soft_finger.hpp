@@ -162,7 +162,7 @@ class SoftFinger {
     return twist + state.turn;
   }
 
-  void advance(FingerState& state, const Contact& contact, double twist, double time_step) const noexcept {
+  [[gnu::always_inline]] void advance(FingerState& state, const Contact& contact, double twist, double time_step) const noexcept {
     FingerOutput& output = state.output;
     if (!usable(contact, twist) || jumped(state, contact)) return hold(state);
     if (!(contact.depth > 0.0)) return release(state, contact, twist);
@@ -209,7 +209,7 @@ class SoftFinger {
 
   /// Steps b and c. The springs rest where `state` has offset and lag, and are drawn from there by pull and turn;
   /// afterwards `state` has the new offset and lag.
-  void rub(FingerState& state, const Contact& contact, const Eigen::Vector3d& pull, double turn, const Springs& springs) const noexcept {
+  [[gnu::always_inline]] void rub(FingerState& state, const Contact& contact, const Eigen::Vector3d& pull, double turn, const Springs& springs) const noexcept {
     FingerOutput& output = state.output;
     if constexpr (Friction<Boundary, Projection>::shrinks) {
       const double square = pull.squaredNorm();

@@ -34,6 +34,17 @@ Table::Table(Facts facts, TableSide inside, TableSide outside) : facts_(std::mov
   if (!(facts_.certified_error >= 0.0 && facts_.certified_error <= facts_.tolerance)) {
     throw out_of_range("certified_error", facts_.certified_error, "1", "0 <= certified_error <= tolerance");
   }
+  learn_places();
+}
+
+void Table::learn_places() {
+  for (std::size_t i = 0; i <= place_cells; ++i) places_[i] = static_cast<float>(2 * i) / static_cast<float>(place_cells);
+  std::array<float, place_cells + 1> learnt = places_;
+  for (std::size_t i = 1; i < place_cells; ++i) {
+    const SlipTwist twist = SlipTwist::at_place(2.0 * static_cast<double>(i) / place_cells);
+    learnt[i] = static_cast<float>(along({twist.slide, twist.spin * moment_ratio() * moment_ratio()}).normal.place());
+  }
+  places_ = learnt;
 }
 
 }  // namespace limitcurve

@@ -49,7 +49,7 @@ class Table {
   [[nodiscard]] std::size_t node_count() const noexcept { return inside().nodes().size() + outside().nodes().size(); }
   /// Bytes of the nodes: what a file or a constant in a program must hold, and all that defines the table.
   [[nodiscard]] std::size_t bytes() const noexcept { return node_count() * sizeof(TableNode); }
-  /// Bytes that a lookup by twist may touch: the nodes' cubics, a cache line each, and their index. About twice `bytes`.
+  /// Bytes that a lookup by twist may touch: the nodes' cubics, a cache line each, and their index. Some 2 to 3 times `bytes`.
   [[nodiscard]] std::size_t working_bytes() const noexcept { return inside().working_bytes() + outside().working_bytes(); }
 
   [[nodiscard]] double moment_ratio() const noexcept { return inside().nodes().front().secondary; }
@@ -70,28 +70,41 @@ class Table {
   }
 
   /// Where the ray through `direction` (not zero) meets the table's curve, and the twist there: a search within cells from
-  /// where the ellipse with the same intercepts has it, 2 to 3 steps as a rule, 64 at most.
+  /// place_of_ellipse, 1 to 2 steps as a rule, 64 at most.
   [[nodiscard]] RadialPoint along(UnitWrench direction) const noexcept {
     // Steeper than the rim's wrench: more twist than slide.
     const TableNode& rim = inside().nodes().back();
     const bool outside = rim.primary * direction.moment < rim.secondary * direction.force;
-    const double slide = direction.force * moment_ratio() * moment_ratio();
-    const double start = outside ? direction.moment / slide : slide / direction.moment;
-    const auto [value, x] = sides_[outside].along(side_value(outside, direction), std::min(start, 1.0));
+    const double start = place_of_ellipse(SlipTwist{direction.force * moment_ratio() * moment_ratio(), direction.moment}.place());
+    const double from = std::clamp(outside ? 2.0 - start : start, 0.0, 1.0);
+    const auto [value, x] = sides_[outside].along(side_value(outside, direction), from);
     return {wrench_of(outside, value), outside ? SlipTwist{1.0, x} : SlipTwist{x, 1.0}};
+  }
+
+  /// About the place (SlipTwist::at_place) of this curve's normal on the ray from the origin where the ellipse with the same
+  /// intercepts has its normal at `place` ∈ [0, 2]; good to some 1e-3, and in relative terms at both ends. A start for searches.
+  [[nodiscard]] double place_of_ellipse(double place) const noexcept {
+    const double scaled = place * (0.5 * place_cells);
+    const auto index = static_cast<std::size_t>(std::min(scaled, place_cells - 1.0));
+    const double left = places_[index];
+    return left + (scaled - static_cast<double>(index)) * (double{places_[index + 1]} - left);
   }
 
   /// The point of the curve from which the trial (both components > 0) lies along the outward normal in the metric
   /// f² + χm², χ > 0: the closest point, if the trial is outside. `start` is a place to search from (SlipTwist::at_place).
   /// One or two steps from a start nearby, each a few multiplications and a division; 64 at most.
-  [[nodiscard]] Foot closest(UnitWrench trial, double chi, double start) const noexcept {
+  [[gnu::always_inline]] [[nodiscard]] Foot closest(UnitWrench trial, double chi, double start) const noexcept {
     const TableNode& rim = inside().nodes().back();
     // Which side of the normal at the rim.
     const bool outside = trial.force - rim.primary > chi * (trial.moment - rim.secondary);
-    const double there = outside ? 2.0 - start : start;
-    const auto [value, x] =
-        sides_[outside].closest(side_value(outside, trial), outside ? 1.0 / chi : chi, there >= 0.0 && there <= 1.0 ? there : 1.0);
-    return {wrench_of(outside, value), outside ? SlipTwist{1.0, x} : SlipTwist{x, 1.0}, outside ? 2.0 - x : x};
+    // Branched for, unlike in a lookup: a finger's slip seldom changes sides.
+    if (outside) {
+      const double from = 2.0 - start;
+      const auto [value, x] = sides_[1].closest({trial.moment, trial.force}, 1.0 / chi, from >= 0.0 && from <= 1.0 ? from : 1.0);
+      return {{value.secondary, value.primary}, {1.0, x}, 2.0 - x};
+    }
+    const auto [value, x] = sides_[0].closest({trial.force, trial.moment}, chi, start >= 0.0 && start <= 1.0 ? start : 1.0);
+    return {{value.primary, value.secondary}, {x, 1.0}, x};
   }
 
   [[nodiscard]] double gauge(UnitWrench wrench) const noexcept {
@@ -119,8 +132,13 @@ class Table {
     return {components[outside], components[!outside]};
   }
 
+  void learn_places();
+
+  static constexpr std::size_t place_cells = 64;
+
   Facts facts_;
-  std::array<TableSide, 2> sides_;  // inside, outside
+  std::array<TableSide, 2> sides_;              // inside, outside
+  std::array<float, place_cells + 1> places_{};  // of this curve, evenly in the ellipse's
 };
 
 static_assert(LimitBoundary<Table>);

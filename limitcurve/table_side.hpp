@@ -69,6 +69,9 @@ class TableSide {
       return {2.0 * primary[2] + x * 6.0 * primary[3], 2.0 * secondary_square + x * 6.0 * secondary_cube};
     }
 
+    /// Third derivatives.
+    [[nodiscard]] Value third() const noexcept { return {6.0 * primary[3], 6.0 * secondary_cube}; }
+
    private:
     Cell() noexcept : left(1.0 + std::numeric_limits<double>::epsilon()), primary{}, secondary(0.0), secondary_square(0.0), secondary_cube(0.0) {}
   };
@@ -101,31 +104,35 @@ class TableSide {
     // secondary·d_primary − primary·d_secondary falls with the coordinate.
     return root(start, [&](const Cell& cell, double x) noexcept {
       const auto cross = [&](Value value) { return value.secondary * direction.primary - value.primary * direction.secondary; };
-      return Residual{cross(cell.value(x)), -cross(cell.slope(x)), -cross(cell.bend(x))};
+      return Residual{cross(cell.value(x)), -cross(cell.slope(x)), -cross(cell.bend(x)), -cross(cell.third())};
     });
   }
 
   /// The point whose normal (x : 1) leads, in the metric (1, 1/κ) of compliances, to the trial, and the coordinate there; a
   /// search from `start`. The trial must lie beyond the normal at the rim, on this side of it.
-  [[nodiscard]] std::pair<Value, double> closest(Value trial, double kappa, double start) const noexcept {
+  [[gnu::always_inline]] [[nodiscard]] std::pair<Value, double> closest(Value trial, double kappa, double start) const noexcept {
     return root(start, [&](const Cell& cell, double x) noexcept {
       const Value value = cell.value(x);
       const Value slope = cell.slope(x);
       const Value bend = cell.bend(x);
+      const Value third = cell.third();
       const double over = kappa * (trial.secondary - value.secondary);
       return Residual{(trial.primary - value.primary) - x * over, slope.primary + over - x * kappa * slope.secondary,
-                      bend.primary - kappa * (2.0 * slope.secondary + x * bend.secondary)};
+                      bend.primary - kappa * (2.0 * slope.secondary + x * bend.secondary),
+                      third.primary - kappa * (3.0 * bend.secondary + x * third.secondary)};
     });
   }
 
  private:
-  /// Of a function h of the coordinate that is searched for its root: h, −h′, −h″.
+  /// Of a function h of the coordinate that is searched for its root: h, −h′, −h″, −h‴.
   struct Residual {
     double value;
     double fall;
     double bend;
+    double third;
   };
 
+  static constexpr int quick_limit = 4;
   static constexpr int search_limit = 64;
   /// A step is the last if what it leaves is smaller than this share of the coordinate.
   static constexpr double search_share = 1e-14;
@@ -136,37 +143,62 @@ class TableSide {
     return static_cast<std::size_t>(std::max(key, least_key_) - least_key_);
   }
 
-  /// The root of a function that is ≥ 0 at coordinate 0 and ≤ 0 at 1: Newton's method with the second derivative's
-  /// correction, within a bracket, which looks up a cell only where it leaves one. Bounded by search_limit; 1 to 3 as a rule.
+  /// A step towards the root.
+  struct Step {
+    double next;
+    bool last;  ///< what it leaves is below search_share, if it stays in the cell
+  };
+
+  /// h + h′δ + ½h″δ² = 0 to third order in δ: Newton's step and its correction, where that is small. What it leaves is about
+  /// the square of the correction by the step, and what the third derivative adds.
+  static Step step_from(double x, const Residual& at) noexcept {
+    const double per_fall = 1.0 / at.fall;
+    const double newton = at.value * per_fall;
+    const double square = newton * newton;
+    const double correction = 0.5 * at.bend * per_fall * square;
+    const double size = std::fabs(newton);
+    const double share = search_share * x;
+    return {x + (std::fabs(correction) < 0.5 * size ? newton - correction : newton),
+            correction * correction <= share * size && std::fabs(at.third * per_fall) * square * size <= share};
+  }
+
+  /// The root of a function that is ≥ 0 at coordinate 0 and ≤ 0 at 1. A few steps without a bracket, which a start nearby
+  /// needs 1 or 2 of and looks up a cell only where one leaves it; should they not do, within a bracket.
   template <class Function>
-  [[nodiscard]] std::pair<Value, double> root(double x, Function&& function) const noexcept {
+  [[gnu::always_inline]] [[nodiscard]] std::pair<Value, double> root(double start, Function&& function) const noexcept {
+    const Cell* here = &cell(start);
+    double x = start;
+    for (int i = 0; i < quick_limit; ++i) {
+      const auto [next, last] = step_from(x, function(*here, x));
+      if (next >= here->left && next < (here + 1)->left) {
+        if (last) return {here->value(next), next};
+      } else {
+        if (!(next >= 0.0 && next <= 1.0)) break;
+        here = &cell(next);
+      }
+      x = next;
+    }
+    return bracketed_root(start, function);
+  }
+
+  /// At most search_limit steps.
+  template <class Function>
+  [[nodiscard, gnu::noinline]] std::pair<Value, double> bracketed_root(double x, Function&& function) const noexcept {
     double low = 0.0;
     double high = 1.0;
     const Cell* here = &cell(x);
     for (int i = 0; i < search_limit; ++i) {
-      const auto [value, fall, bend] = function(*here, x);
-      (value > 0.0 ? low : high) = x;
-      const double per_fall = 1.0 / fall;
-      const double newton = value * per_fall;
-      // h + h′δ + ½h″δ² = 0, to third order in δ. Far off, where the correction is not small, Newton's step by itself.
-      const double correction = 0.5 * bend * per_fall * newton * newton;
-      const double step = std::fabs(correction) < 0.5 * std::fabs(newton) ? newton - correction : newton;
-      double next = x + step;
-      const double right = (here + 1)->left;
-      const double width = right - here->left;
-      // What the step leaves is about the square of the correction by the step, and what the third derivative adds, as long as
-      // the cubics stay the same.
-      const double left_over = search_share * x * std::fabs(newton);
-      const bool last = correction * correction <= left_over && newton * newton * newton * newton <= left_over * width * width &&
-                        next >= here->left && next <= right;
+      const Residual at = function(*here, x);
+      (at.value > 0.0 ? low : high) = x;
+      auto [next, last] = step_from(x, at);
+      last = last && next >= here->left && next <= (here + 1)->left;
       // Now and then halve the bracket, so that it closes whatever the curve does.
       if (!last && (!(next > low && next < high) || i % 8 == 7)) next = 0.5 * (low + high);
       // A last step counts even where rounding leads it out of the bracket.
       x = std::clamp(next, 0.0, 1.0);
+      here = &cell(x);
       if (last || high - low <= std::numeric_limits<double>::epsilon() * x) break;
-      if (!(x >= here->left && x < right)) here = &cell(x);
     }
-    // The bracket may have closed just beyond the cell at hand, by rounding: its cubics end there with the same value.
     return {here->value(x), x};
   }
 
