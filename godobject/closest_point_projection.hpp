@@ -109,7 +109,8 @@ struct ClosestPoint {
     const double y = trial.wrench.moment / moment_ratio;
     const double eta = 1.0 / (trial.compliance_ratio * moment_ratio * moment_ratio);
     const double square = x * x + y * y;
-    const double lambda = std::max(square * (std::sqrt(square) - 1.0) / (x * x + eta * y * y), 0.0);
+    // Within the ellipse, which bulges beyond most curves, the trial itself is near enough.
+    const double lambda = square > 1.0 ? square * (std::sqrt(square) - 1.0) / (x * x + eta * y * y) : 0.0;
     const double slide = x * (1.0 + lambda * eta) * moment_ratio;
     const double spin = y * (1.0 + lambda);
     double place = SlipTwist{slide, spin}.place();

@@ -63,7 +63,8 @@ class Friction {
   }
 
   /// The same with other springs than the law's: damping stiffens them for a step.
-  [[gnu::always_inline]] [[nodiscard]] Result resolve(double r, double rho, double load, double start, const Springs& springs) const noexcept {
+  [[gnu::always_inline]] [[nodiscard]] Result resolve(double r, double rho, double load, double start,
+                                                      const Springs& springs) const noexcept {
     const bool slipping = start >= 0.0;
     const Limits limits = make_limits(slipping ? law_.dynamic_scale(load) : law_.static_scale(load));
     if (!limits.twists) return resolve_untwisted(limits, r, load, springs);
@@ -145,7 +146,7 @@ class Friction {
   }
 
   [[gnu::always_inline]] [[nodiscard]] Trial make_trial(const Limits& limits, double r, double rho, double load, double start,
-                                 const Springs& springs) const noexcept {
+                                                        const Springs& springs) const noexcept {
     const double per_unit = 1.0 / limits.moment_unit;
     double force = springs.stiffness * r * limits.radius * per_unit;
     double moment = springs.twist_stiffness * rho * per_unit;
@@ -166,8 +167,8 @@ class Friction {
     return result;
   }
 
-  [[gnu::always_inline]] [[nodiscard]] Result slid(const Limits& limits, const Trial& trial, const Projected& projected, double r, double rho,
-                            const Springs& springs) const noexcept {
+  [[gnu::always_inline]] [[nodiscard]] Result slid(const Limits& limits, const Trial& trial, const Projected& projected, double r,
+                                                   double rho, const Springs& springs) const noexcept {
     const auto& [outside, wrench, slip, next_start] = projected;
     Result result;
     result.slips = true;

@@ -209,7 +209,8 @@ class SoftFinger {
 
   /// Steps b and c. The springs rest where `state` has offset and lag, and are drawn from there by pull and turn;
   /// afterwards `state` has the new offset and lag.
-  [[gnu::always_inline]] void rub(FingerState& state, const Contact& contact, const Eigen::Vector3d& pull, double turn, const Springs& springs) const noexcept {
+  [[gnu::always_inline]] void rub(FingerState& state, const Contact& contact, const Eigen::Vector3d& pull, double turn,
+                                  const Springs& springs) const noexcept {
     FingerOutput& output = state.output;
     if constexpr (Friction<Boundary, Projection>::shrinks) {
       const double square = pull.squaredNorm();

@@ -137,7 +137,7 @@ class Table {
   static constexpr std::size_t place_cells = 64;
 
   Facts facts_;
-  std::array<TableSide, 2> sides_;              // inside, outside
+  std::array<TableSide, 2> sides_;               // inside, outside
   std::array<float, place_cells + 1> places_{};  // of this curve, evenly in the ellipse's
 };
 

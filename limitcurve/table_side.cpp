@@ -5,7 +5,7 @@
 
 #include <stdexcept>
 #include <string>
-#include <tuple>
+#include <utility>
 
 namespace limitcurve {
 
@@ -17,16 +17,18 @@ namespace {
 
 }  // namespace
 
-TableSide::Cell::Cell(const TableNode& from, const TableNode& to) noexcept : left(from.coordinate), secondary(from.secondary) {
+TableSide::Cell::Cell(const TableNode& from, const TableNode& to) noexcept
+    : left(from.coordinate), rise(from.slope), constant{from.primary, from.secondary} {
   const double width = to.coordinate - from.coordinate;
-  const auto curved = [&](double rise, double slope_from, double slope_to) {
-    const double chord = rise / width;
+  const auto curved = [&](double rise_of_value, double slope_from, double slope_to) {
+    const double chord = rise_of_value / width;
     return std::pair{(3.0 * chord - 2.0 * slope_from - slope_to) / width, (slope_from + slope_to - 2.0 * chord) / (width * width)};
   };
-  const auto [square, cube] = curved(to.primary - from.primary, from.slope, to.slope);
-  primary = {from.primary, from.slope, square, cube};
-  std::tie(secondary_square, secondary_cube) =
+  const auto [primary_square, primary_cube] = curved(to.primary - from.primary, from.slope, to.slope);
+  const auto [secondary_square, secondary_cube] =
       curved(to.secondary - from.secondary, -from.coordinate * from.slope, -to.coordinate * to.slope);
+  square = Pair{primary_square, secondary_square};
+  cube = Pair{primary_cube, secondary_cube};
 }
 
 bool is_convex(const TableNode& left, const TableNode& right) noexcept {
@@ -34,12 +36,12 @@ bool is_convex(const TableNode& left, const TableNode& right) noexcept {
   // derivatives is again a quadratic, because the cubic terms cancel: (aB − bA) + 2(aC − cA)t + (bC − cB)t².
   const double width = right.coordinate - left.coordinate;
   const TableSide::Cell cell(left, right);
-  const double a = width * cell.primary[1];
-  const double b = 2.0 * width * width * cell.primary[2];
-  const double c = 3.0 * width * width * width * cell.primary[3];
-  const double A = -width * cell.left * cell.primary[1];
-  const double B = 2.0 * width * width * cell.secondary_square;
-  const double C = 3.0 * width * width * width * cell.secondary_cube;
+  const double a = width * cell.rise;
+  const double b = 2.0 * width * width * cell.square[0];
+  const double c = 3.0 * width * width * width * cell.cube[0];
+  const double A = -width * cell.left * cell.rise;
+  const double B = 2.0 * width * width * cell.square[1];
+  const double C = 3.0 * width * width * width * cell.cube[1];
   // On a convex curve traversed towards the rim the direction turns from the primary towards minus the secondary.
   const double constant = A * b - B * a;
   const double linear = 2.0 * (A * c - C * a);

@@ -37,43 +37,59 @@ class TableSide {
     double secondary;
   };
 
+  /// Both components at once, (primary, secondary): one instruction does the arithmetic of two. GCC's and Clang's extension.
+  using Pair = double __attribute__((vector_size(16)));
+
   /// The two cubics between neighbouring nodes in powers of the distance from the left one: a cache line. The secondary
   /// component's linear coefficient is not held: dm/df = −s makes it −coordinate times the primary's.
   struct alignas(64) Cell {
     double left;  ///< coordinate of the left node
-    std::array<double, 4> primary;
-    double secondary;
-    double secondary_square;
-    double secondary_cube;
+    double rise;  ///< linear coefficient of the primary
+    Pair constant;
+    Pair square;
+    Pair cube;
 
     Cell(const TableNode& from, const TableNode& to) noexcept;
     /// What follows the last cell: no coordinate reaches it.
     static Cell end() noexcept { return Cell(); }
 
+    [[nodiscard]] Pair linear() const noexcept { return Pair{rise, -left * rise}; }
+
     [[nodiscard]] Value value(double coordinate) const noexcept {
-      const double x = coordinate - left;
-      return {primary[0] + x * (primary[1] + x * (primary[2] + x * primary[3])),
-              secondary + x * (-left * primary[1] + x * (secondary_square + x * secondary_cube))};
+      const double from_left = coordinate - left;
+      const Pair x{from_left, from_left};
+      const Pair result = (constant + x * linear()) + (x * x) * (square + x * cube);
+      return {result[0], result[1]};
     }
 
     /// Derivatives by the coordinate.
     [[nodiscard]] Value slope(double coordinate) const noexcept {
-      const double x = coordinate - left;
-      return {primary[1] + x * (2.0 * primary[2] + x * 3.0 * primary[3]),
-              -left * primary[1] + x * (2.0 * secondary_square + x * 3.0 * secondary_cube)};
+      const double from_left = coordinate - left;
+      const Pair x{from_left, from_left};
+      const Pair result = linear() + x * ((square + square) + (x * 3.0) * cube);
+      return {result[0], result[1]};
     }
 
-    /// Second derivatives.
-    [[nodiscard]] Value bend(double coordinate) const noexcept {
-      const double x = coordinate - left;
-      return {2.0 * primary[2] + x * 6.0 * primary[3], 2.0 * secondary_square + x * 6.0 * secondary_cube};
-    }
+    /// Value and derivatives up to the third.
+    struct Jet {
+      Pair value;
+      Pair slope;
+      Pair bend;
+      Pair third;
+    };
 
-    /// Third derivatives.
-    [[nodiscard]] Value third() const noexcept { return {6.0 * primary[3], 6.0 * secondary_cube}; }
+    [[nodiscard]] Jet jet(double coordinate) const noexcept {
+      const double from_left = coordinate - left;
+      const Pair x{from_left, from_left};
+      const Pair rises = linear();
+      const Pair cubed = x * cube;
+      const Pair bent = square + cubed;
+      const Pair rest = bent + cubed + cubed;  // ½ of the second derivative
+      return {(constant + x * rises) + (x * x) * bent, rises + x * (square + rest), rest + rest, 6.0 * cube};
+    }
 
    private:
-    Cell() noexcept : left(1.0 + std::numeric_limits<double>::epsilon()), primary{}, secondary(0.0), secondary_square(0.0), secondary_cube(0.0) {}
+    Cell() noexcept : left(1.0 + std::numeric_limits<double>::epsilon()), rise(0.0), constant{}, square{}, cube{} {}
   };
 
   /// Takes at least two nodes, with coordinates increasing from 0 to 1. Throws std::invalid_argument naming the first
@@ -103,23 +119,22 @@ class TableSide {
   [[nodiscard]] std::pair<Value, double> along(Value direction, double start) const noexcept {
     // secondary·d_primary − primary·d_secondary falls with the coordinate.
     return root(start, [&](const Cell& cell, double x) noexcept {
-      const auto cross = [&](Value value) { return value.secondary * direction.primary - value.primary * direction.secondary; };
-      return Residual{cross(cell.value(x)), -cross(cell.slope(x)), -cross(cell.bend(x)), -cross(cell.third())};
+      const auto cross = [&](Pair of) { return of[1] * direction.primary - of[0] * direction.secondary; };
+      const auto [value, slope, bend, third] = cell.jet(x);
+      return Residual{cross(value), -cross(slope), -cross(bend), -cross(third)};
     });
   }
 
   /// The point whose normal (x : 1) leads, in the metric (1, 1/κ) of compliances, to the trial, and the coordinate there; a
   /// search from `start`. The trial must lie beyond the normal at the rim, on this side of it.
-  [[gnu::always_inline]] [[nodiscard]] std::pair<Value, double> closest(Value trial, double kappa, double start) const noexcept {
+  [[nodiscard]] std::pair<Value, double> closest(Value trial, double kappa, double start) const noexcept {
+    const Pair aim{trial.primary, trial.secondary};
     return root(start, [&](const Cell& cell, double x) noexcept {
-      const Value value = cell.value(x);
-      const Value slope = cell.slope(x);
-      const Value bend = cell.bend(x);
-      const Value third = cell.third();
-      const double over = kappa * (trial.secondary - value.secondary);
-      return Residual{(trial.primary - value.primary) - x * over, slope.primary + over - x * kappa * slope.secondary,
-                      bend.primary - kappa * (2.0 * slope.secondary + x * bend.secondary),
-                      third.primary - kappa * (3.0 * bend.secondary + x * third.secondary)};
+      const auto [value, slope, bend, third] = cell.jet(x);
+      const Pair over = aim - value;
+      const double lever = x * kappa;
+      return Residual{over[0] - lever * over[1], slope[0] - lever * slope[1] + kappa * over[1],
+                      bend[0] - lever * bend[1] - 2.0 * kappa * slope[1], third[0] - lever * third[1] - 3.0 * kappa * bend[1]};
     });
   }
 
@@ -135,7 +150,7 @@ class TableSide {
   static constexpr int quick_limit = 4;
   static constexpr int search_limit = 64;
   /// A step is the last if what it leaves is smaller than this share of the coordinate.
-  static constexpr double search_share = 1e-14;
+  static constexpr double search_share = 1e-15;
 
   /// The leading bits of 1 − x, counted from the rim. Not increasing in x, whatever is rounded.
   [[nodiscard]] std::size_t bucket(double coordinate) const noexcept {
