@@ -80,9 +80,10 @@ Hazard dying_tails() {
   };
   const auto of_sums = [&](double s) -> Errors {
     // The normal of the curve that the two sums draw: s = −dm/df.
-    const double cor = moment.slope(s) / lack_of_force.slope(s);
-    return {relative_error(moment.value(s), exact_hertz(s).moment),
-            std::isfinite(cor) ? std::fabs(cor / s - 1.0) : std::numeric_limits<double>::infinity()};
+    const double force_slope = lack_of_force.slope(s);
+    const double error = relative_error(moment.value(s), exact_hertz(s).moment);
+    if (force_slope == 0.0) return {error, std::numeric_limits<double>::infinity()};
+    return {error, std::fabs(moment.slope(s) / force_slope / s - 1.0)};
   };
   const auto of_table = [&](double s) -> Errors {
     const BoundaryPoint at = table.point(SlipTwist::about_cor(s));
