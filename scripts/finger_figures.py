@@ -176,26 +176,60 @@ BLOCK_LENGTH, BLOCK_HEIGHT = 0.12, 0.04  # m, `limitcurve pivot`'s default
 CASES = {"coupled": "Coupled: ellipse, radial (A)", "exact": "Exact curve, closest point", "uncoupled": "Uncoupled: box (B)"}
 
 
+PIVOT_STIFFNESS = 1000.0  # N/m of each finger, `limitcurve pivot`'s default; the twist's is k_l (mu_r/mu)^2
+PIVOT_LOADS = (0.2, 0.3, 0.4, 0.5)  # N of each finger: the p-curves that are drawn
+
+
 def pivot(data):
-    """Paper, Figs. 7, 8, 10 and 11: a block between two fingers whose grip eases, as seen and over time."""
-    figure, panels = plt.subplots(3, len(CASES), figsize=(9.6, 7.2), layout="constrained", sharex="row", sharey="row",
-                                  height_ratios=(1.5, 1, 1))
+    """Paper, Figs. 7 to 11: a block between two fingers whose grip eases, as seen, in the [r, rho] plane, and over time."""
+    figure, panels = plt.subplots(4, len(CASES), figsize=(9.6, 9.6), layout="constrained", sharex="row", sharey="row",
+                                  height_ratios=(1.5, 1.4, 1, 1))
+    sandpaper = data["materials"].where(material="sandpaper")[0]
     for column, (case, title) in zip(zip(*panels), CASES.items()):
         released = data["pivot"].where(case=case, grip="release")
         draw_block(column[0], released)
         column[0].set(title=title, aspect="equal", xlim=(-80, 80), ylim=(-95, 55), xlabel="x  [mm]")
+        draw_pivot_plane(column[1], case, held_rows(released), sandpaper, data["curves"].where(law="hertz"))
         for grip, look in (("release", {"color": BLUE}), ("operator", {"color": VERMILION, "dashes": (5, 2)})):
             held = held_rows(data["pivot"].where(case=case, grip=grip))
             times = held.column("time")
-            column[1].plot(times, held.column("angle", 180 / math.pi), label=GRIPS[grip], **look)
-            column[2].plot(times, held.column("grip_slip", 1e3), **look)
-        column[2].set_xlabel("time  [s]")
-    for row, label in zip(panels, ("y  [mm]", "angle  [°]", "slip at the grip  [mm]")):
+            column[2].plot(times, held.column("angle", 180 / math.pi), label=GRIPS[grip], **look)
+            column[3].plot(times, held.column("grip_slip", 1e3), **look)
+        column[3].set_xlabel("time  [s]")
+    for row, label in zip(panels, ("y  [mm]", "ρ  [rad]", "angle  [°]", "slip at the grip  [mm]")):
         row[0].set_ylabel(label)
-    panels[2][0].set_ylim(0, 25)
+    panels[3][0].set_ylim(0, 25)
     figure.align_ylabels()
-    legend_below(figure, panels[1][0], 2)
+    for colour, label in ((FAINT, "finger sticks"), (BLUE, "finger slips"), ("#c4c4c4", "p-curves")):
+        panels[1][0].plot([], [], color=colour, linewidth=1.8, label=label)
+    panels[1][0].legend(loc="upper right", fontsize=7.5)
+    legend_below(figure, panels[2][0], 2)
     return figure
+
+
+def draw_pivot_plane(axes, case, rows, material, hertz):
+    """One finger's share of the wrench as the springs' give, and the p-curves that shrink on to it as the grip eases."""
+    ratio = material["mu_r"] / material["mu"]
+    twist_stiffness = PIVOT_STIFFNESS * ratio * ratio
+    unit = {
+        "coupled": [(math.cos(angle / 100), math.sin(angle / 100)) for angle in range(158)],
+        "exact": list(zip(hertz.column("x"), hertz.column("y"))),
+        "uncoupled": [(1, 0), (1, 1), (0, 1)],
+    }[case]
+    for load in PIVOT_LOADS:
+        reach, turn = 1e3 * material["mu"] * load / PIVOT_STIFFNESS, material["mu_r"] * load / twist_stiffness
+        axes.plot([reach * x for x, _ in unit], [turn * y for _, y in unit], color="#c4c4c4", linewidth=0.9)
+        axes.annotate(f"{load:g} N", (0, turn), (3, 2), textcoords="offset points", color=FAINT, fontsize=7)
+    path = [(1e3 * row["friction_force"] / 2 / PIVOT_STIFFNESS, row["friction_moment"] / 2 / twist_stiffness, row["state"]) for row in rows]
+    begin = 0
+    for i in range(1, len(path) + 1):
+        if i == len(path) or path[i][2] != path[begin][2]:
+            part = path[max(begin - 1, 0):i]
+            slips_here = path[begin][2] == "slip"
+            axes.plot([r for r, _, _ in part], [rho for _, rho, _ in part], color=BLUE if slips_here else FAINT, linewidth=1.6)
+            begin = i
+    axes.plot(*path[0][:2], "o", color=INK, markersize=4.5)
+    axes.set(xlabel="r  [mm]", xlim=(-0.02, 0.95), ylim=(-0.004, 0.16))
 
 
 GRIPS = {"release": "grip released at a steady rate", "operator": "operator who regrips at 30°"}
@@ -225,15 +259,23 @@ def draw_block(axes, rows):
 
 
 def pivot_map(data):
-    """How far the block has turned when it leaves the grip, over the centre of mass's offset and the rate of release."""
-    figure, panels = plt.subplots(1, len(CASES), figsize=(9.6, 3.2), layout="constrained", sharey=True)
+    """How far the block has turned when it is lost, over the centre of mass's offset and the rate of release."""
+    figure, panels = plt.subplots(1, len(CASES), figsize=(9.6, 3.4), layout="constrained", sharey=True)
     rows = data["pivot_map"]
     offsets, rates = sorted(rows.groups("offset")), sorted(rows.groups("rate"))
+    sandpaper = data["materials"].where(material="sandpaper")[0]
     for axes, (case, title) in zip(panels, CASES.items()):
         angles = {(row["offset"], row["rate"]): math.degrees(row["angle"]) for row in rows.where(case=case)}
         grid = [[angles[offset, rate] for offset in offsets] for rate in rates]
         picture = axes.pcolormesh([1e3 * offset for offset in offsets], rates, grid, vmin=0, vmax=90, cmap="cividis", shading="nearest",
                                   edgecolors="face")
+        for (offset, rate), angle in angles.items():
+            axes.annotate(f"{abs(angle):.0f}", (1e3 * offset, rate), ha="center", va="center", fontsize=6.5,
+                          color="white" if angle < 50 else INK)
+        # Up to this offset the uncoupled limits hold the moment to the end.
+        for edge, marker in ((0, "^"), (1, "v")):
+            axes.plot(1e3 * sandpaper["mu_r"] / sandpaper["mu"], edge, marker, color=VERMILION, markersize=6, clip_on=False,
+                      transform=axes.get_xaxis_transform())
         axes.set(title=title, yscale="log", xlabel="offset of the centre of mass  [mm]")
         axes.grid(False)
         axes.set_yticks(rates, [f"{rate:g}" for rate in rates])

@@ -219,14 +219,15 @@ def sections(data):
              "ratio of the springs, whatever the curve. On the ellipse the closest point is off by the ellipse’s own error."),
         ], ""),
         ("A block between two fingers", [
-            ("pivot", "The paper’s experiment (its Figs. 7, 8, 10 and 11): a block, its centre of mass (blue path) beside the grip (dot), "
+            ("pivot", "The paper’s experiment (its Figs. 7 to 11): a block, its centre of mass (blue path) beside the grip (dot), "
              f"on sandpaper. Where force and moment share one limit the block turns in the grip before it slides out: by "
              f"{turned['coupled']:.0f}° and {turned['exact']:.0f}° as the grip eases by itself, and an operator can stop it at 30°. With "
              "limits of their own, the moment holds to the end and the block falls without turning. Outlines: the released grip, darker "
-             "is later."),
-            ("pivot_map", "How far the block has turned when it leaves the grip, over the offset of its centre of mass and the rate at "
+             "is later. Second row: what one finger bears, as its springs’ give, from the dot on; the p-curves shrink on to it as the grip "
+             "eases, and then the wrench has to follow them."),
+            ("pivot_map", "How far the block has turned, in degrees, when it has slid 5 mm past the grip and is lost, over the offset of its centre of mass and the rate at "
              "which the grip eases. The paper has two points of this map. With limits of their own the block turns only where the "
-             f"offset exceeds μ<sub>r</sub>/μ = {1e3 * sandpaper['mu_r'] / sandpaper['mu']:.2f} mm."),
+             f"offset exceeds μ<sub>r</sub>/μ = {1e3 * sandpaper['mu_r'] / sandpaper['mu']:.2f} mm (triangles)."),
         ], ""),
         ("From measurements to parameters", [
             ("fits", "A synthetic sensor log with a few gross outliers (data/fit/slips.csv) and the limit curve fitted to it by a robust "
