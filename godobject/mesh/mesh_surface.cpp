@@ -79,9 +79,12 @@ Contact MeshSurface::contact(const Vector3d& finger, ContactMemory& memory) cons
     // The finger pulls the god-object off the surface: it flies to the finger, or to what is in its way.
     const auto entry = mesh_->entry(place.point, finger, after);
     if (!entry) {
-      // Inside, but not beneath the face: by less than the grid. It has not left yet.
-      if (mesh_->holds(finger)) break;
-      return free(finger, place.face, memory);
+      if (!mesh_->holds(finger)) return free(finger, place.face, memory);
+      // Inside, but not beneath the face: it was a long way, and g is still on it; or it lacks less than the grid, and g stays.
+      const MeshPlace farther = mesh_->settle(place.face, finger);
+      if (farther.point == place.point) break;
+      place = farther;
+      continue;
     }
     const MeshPlace next = mesh_->settle(entry->face, finger);
     // Where the god-object's place is rounded into the surface it leaves, it seems to enter it on the way: look farther.

@@ -159,6 +159,54 @@ TEST(MeshSurface, TheForceIsContinuousInACrease) {
   EXPECT_GT(between, 500);
 }
 
+// A cube with a pit in its top: beneath its lowest vertex a god-object is exactly at the vertex, and holds it bit for bit.
+TEST(MeshSurface, RestsExactlyAtAVertex) {
+  TriangleList list = box_triangles(Vector3d::Constant(0.02));
+  // The top's corners are 1, 3, 5, 7.
+  std::erase_if(list.faces, [](const Face& face) { return (face[0] & face[1] & face[2] & 1) != 0; });
+  const Vector3d pit(0.001, 0.002, 0.013);
+  list.vertices.push_back(pit);
+  for (const Face& face : {Face{1, 5, 8}, Face{5, 7, 8}, Face{7, 3, 8}, Face{3, 1, 8}}) list.faces.push_back(face);
+  const MeshSurface surface{Mesh(list)};
+  const Vector3d vertex = surface.mesh().vertices()[8];
+  Random random(10);
+  ContactMemory memory;
+  ASSERT_LT(surface.contact({0.0, 0.0, 0.03}, memory).depth, 0.0);
+  // At the vertex itself, then ever deeper beneath it, trembling by less than its walls give.
+  ASSERT_NEAR(surface.contact(vertex, memory).depth, 0.0, 1e-12);
+  SoftFinger finger = hertz_finger();
+  Vector3d proxy = Vector3d::Zero();
+  for (int i = 0; i < 1000; ++i) {
+    const double depth = 0.001 + 1e-6 * i;
+    const Vector3d place = vertex - Vector3d(0.0, 0.0, depth) + anywhere(random, 1e-4);
+    const Contact contact = surface.contact(place, memory);
+    expect_consistent(contact, place);
+    ASSERT_TRUE(same_bits(contact.point, vertex));
+    ASSERT_NEAR(contact.depth, (vertex - place).norm(), 1e-15);
+    const FingerOutput& output = finger.update(contact, 0.0);
+    if (i == 0) proxy = output.proxy;
+    ASSERT_EQ(output.state, ContactState::stick);
+    ASSERT_TRUE(same_bits(output.proxy, proxy));
+  }
+  // Aside by more, it slides up a wall.
+  EXPECT_GT((surface.contact(vertex + Vector3d(0.004, 0.0, -0.002), memory).point - vertex).norm(), 1e-3);
+}
+
+// A leap over more faces than one walk looks at: the god-object is on its way, still on the surface, and arrives with the next steps.
+TEST(MeshSurface, AFarLeapTakesSeveralSteps) {
+  const MeshSurface ball(Mesh(ball_triangles(0.05, 6)));
+  ContactMemory memory;
+  ASSERT_LT(ball.contact({0.06, 0.0, 0.0}, memory).depth, 0.0);
+  ASSERT_GT(ball.contact({0.045, 0.0, 0.0}, memory).depth, 0.0);
+  const Vector3d finger(-0.02, 0.04, 0.0);
+  int steps = 1;
+  while (std::fabs(ball.contact(finger, memory).depth - (0.05 - finger.norm())) > 2e-5) {
+    ASSERT_LT(distance_by_search(ball.mesh(), memory.finger), 1e-12);
+    ASSERT_LT(++steps, 5);
+  }
+  EXPECT_GT(steps, 1);
+}
+
 TEST(MeshSurface, AThinPlateIsNotPassedThrough) {
   const MeshSurface plate = read_mesh(data_mesh("plate.stl"));
   for (const bool slowly : {false, true}) {
