@@ -10,9 +10,13 @@ namespace limitcurve::godobject {
 
 /// The damping that the device itself must have (friction and inertia do not count) for a sampled spring k and damper b to be
 /// passive in any hand: kT/2 + |b| (Colgate and Schenkel, J. Robotic Systems 14:37–47, 1997; the damper's difference is a
-/// backward one, as here). Per channel: N/m and N s/m, or N m/rad and N m s/rad; T [s] > 0.
-[[nodiscard]] constexpr double device_damping_needed(double stiffness, double damping, double sample_time) noexcept {
-  return 0.5 * stiffness * sample_time + (damping < 0.0 ? -damping : damping);
+/// backward one, as here), and kT more for each whole sample that the force comes late. Per channel: N/m and N s/m, or N m/rad and
+/// N m s/rad; T [s] > 0, delay ≥ 0 samples.
+///
+/// In their condition a spring that is d samples late has Re{(1 − e^{−jθ})e^{−jdθ}}/(1 − cos θ) = 1 + 2 Σ_{i≤d} cos iθ ≤ 2d + 1, and a damper
+/// −2 cos((d+1)θ): the bound is exact for either alone, and for both without delay.
+[[nodiscard]] constexpr double device_damping_needed(double stiffness, double damping, double sample_time, int delay = 0) noexcept {
+  return (0.5 + delay) * stiffness * sample_time + (damping < 0.0 ? -damping : damping);
 }
 
 /// How near a spring k and a damper b are to the end of stability when they couple n fingers to a body of mass m (or k_r, b_r and

@@ -9,10 +9,11 @@ import re
 import sys
 from pathlib import Path
 
+import stability_motion
 import stability_numerics
 from chart_style import Table, save
 
-MODULES = (stability_numerics,)
+MODULES = (stability_numerics, stability_motion)
 LARGEST = 60_000  # bytes of a figure in docs/
 
 

@@ -138,6 +138,7 @@ TEST(Passivity, SaysWhatToChange) {
   const FingerParameters with = gains(1000.0, 0.4, 0.04, 1e-5);
   EXPECT_EQ(device_damping_needed(1000.0, 0.4, 1e-3), 0.9);
   EXPECT_EQ(device_damping_needed(1000.0, -0.4, 1e-3), 0.9);
+  EXPECT_EQ(device_damping_needed(1000.0, 0.0, 1e-3, 2), 2.5);
   EXPECT_NO_THROW(require_passive(with, sample_time, {0.91, 1.0}));
   const auto message = [&](DeviceDamping device, double time) -> std::string {
     try {

@@ -4,7 +4,9 @@
 #include "atlas.hpp"
 #include "fits.hpp"
 #include "limitcurve/number.hpp"
+#include "projection.hpp"
 #include "quadrature.hpp"
+#include "stepping.hpp"
 #include "tables.hpp"
 #include "turns.hpp"
 
@@ -26,6 +28,10 @@ const std::vector<Entry> entries = {
       force_near_the_centre}},
     {"tables", {even_spacing, beyond_the_last_node, false_equilibria}},
     {"fits", {cor_near_the_axes, dying_tails, shape_and_radius}},
+    {"projection",
+     {degenerate_steps, stiffness_ratios, newton_without_bracket, corners, order_of_limits, chatter, collapsing_load}},
+    {"time",
+     {light_body, stiffness_and_damping, block_of_ten_grams, released_grip, delayed_forces, sampled_contact, encoder_steps}},
     {"geometry", {half_a_turn, ten_thousand_turns}},
 };
 

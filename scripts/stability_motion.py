@@ -1,0 +1,140 @@
+# SPDX-License-Identifier: MIT
+"""Figures of docs/stability.md, entries projection, time, geometry and reality: one function a figure, takes its rows, returns a figure."""
+
+from chart_style import BLUE, FAINT, GREEN, INK, ORANGE, VERMILION, legend_below, plt
+from stability_numerics import COR, draw, frame, styles
+
+
+def panels(rows, names, **more):
+    """A panel for each name, with all series in the same style."""
+    figure, axes = frame(len(names), **more)
+    style = styles(list(rows.groups("series")))
+    for one, name in zip(axes, names):
+        draw(one, rows.where(panel=name), style)
+    return figure, axes
+
+
+RATIO = "stiffness ratio  $k_r/(k_l\\,(m_0a)^2)$"
+
+
+def projection_stiffness(rows):
+    figure, (axes,) = panels(rows, ["error"])
+    axes.set(title="Error of the wrench of a steady twist, c = a", xlabel=RATIO, xscale="log", xlim=(1e-6, 1e6), ylim=(-0.03, None),
+             ylabel="in the normalised plane")
+    axes.minorticks_off()
+    legend_below(figure, axes, 2)
+    return figure
+
+
+def projection_newton(rows):
+    figure, (stiffness, load) = panels(rows, ["stiffness", "load"], sharey=True)
+    stiffness.set(title="Slips with no closest point found", xlabel=RATIO, xscale="log", xlim=(1e-6, 1e6), ylim=(-0.02, 1), ylabel="share")
+    load.set(title="… against the trial's distance, ratio 1", xlabel="trial wrench / limit − 1", xscale="log", xlim=(1e-4, 1e8))
+    for axes in (stiffness, load):
+        axes.minorticks_off()
+    legend_below(figure, stiffness, 3)
+    return figure
+
+
+def projection_order(rows):
+    figure, (force, moment) = panels(rows, ["force", "moment"], sharey=True)
+    force.set(title="Force of a steady twist / its largest", xlabel=COR, xscale="log", xlim=(0.01, 100), ylim=(-0.03, 1.06))
+    moment.set(title="Moment / its largest", xlabel=COR, xscale="log", xlim=(0.01, 100))
+    for axes in (force, moment):
+        axes.minorticks_off()
+    legend_below(figure, force, 3)
+    return figure
+
+
+def projection_chatter(rows):
+    figure, (force, period) = frame(2)
+    colours = {"static limit in every step": VERMILION, "limitcurve": BLUE, "exact": INK}
+    for series, points in rows.where(panel="force").groups("series").items():
+        force.plot(points.column("x"), points.column("value"), color=colours[series], linewidth=1.2, label=series)
+    force.set(title="Friction of a drag at 5 mm/s", xlabel="time [ms]", ylabel="[N]", xlim=(0, 200), ylim=(0.45, 0.65))
+    for series, points in rows.where(panel="period").groups("series").items():
+        dashes = {"dashes": (4, 3), "linewidth": 2.2} if series == "exact" else {"linewidth": 1.2}
+        period.plot(points.column("x"), points.column("value"), color=colours[series], label=series, **dashes)
+    period.set(title="Period of stick–slip of a drawn mass", xlabel="speed [mm/s]", ylabel="[ms]", xlim=(20, 200), ylim=(0, None))
+    legend_below(figure, period, 3)
+    return figure
+
+
+MARKS = {"defaults": ("o", "defaults"), "pivot": ("s", "pivot"), "10 g": ("D", "10 g")}
+
+
+def time_map(rows):
+    figure, panels_ = frame(3, sharey=True)
+    for axes, name in zip(panels_, ("explicit Euler", "symplectic Euler", "limitcurve")):
+        part = rows.where(panel=name)
+        cells = part.groups("series")
+        dampings = [series for series in cells if isinstance(series, float)]
+        stiffnesses = cells[dampings[0]].column("x")
+        gains = [cells[series].column("value") for series in dampings]
+        colours = plt.matplotlib.colors.ListedColormap(["#cfe3f2", "#f3cdb8"])
+        axes.pcolormesh(stiffnesses, dampings, gains, cmap=colours, vmin=0, vmax=1, shading="nearest", rasterized=True, linewidth=0)
+        for series in ("least damping", "most damping"):
+            if series in cells:
+                axes.plot(cells[series].column("x"), cells[series].column("value"), color=INK, linewidth=1.2, label="analytic limit" if series == "most damping" else None)
+        for series, (marker, label) in MARKS.items():
+            axes.plot(cells[series].column("x"), cells[series].column("value"), marker, color=BLUE, markeredgecolor="white", markersize=6,
+                      clip_on=False, zorder=5, label=label, linestyle="none")
+        axes.set(title=f"{name}, the default" if name == "limitcurve" else name, xscale="log", xlim=(1e-2, 1e3), ylim=(-0.05, 2),
+                 xlabel="stiffness  $k\\,\\Delta t^2/m$")
+        axes.set_xticks([1e-2, 1, 1e2])
+        axes.set_yticks([0, 1, 2])
+        axes.minorticks_off()
+        axes.grid(False)
+    panels_[0].set_ylabel("damping  $\\zeta = b/2\\sqrt{km}$")
+    panels_[0].annotate("held", (0.05, 0.9), ha="center", color=INK)
+    panels_[0].annotate("gains energy", (10, 1), ha="center", color=INK)
+    legend_below(figure, panels_[1], 4)
+    return figure
+
+
+def time_block(rows):
+    figure, (axes,) = panels(rows, ["height"])
+    axes.set(title="Height of 10 g between two fingers of 2000 N/m, 1 kHz, undamped", xlabel="time [ms]", ylabel="[mm]", xlim=(0, 120), ylim=(-0.5, 0.1))
+    legend_below(figure, axes, 3)
+    return figure
+
+
+def time_delay(rows):
+    figure, (axes,) = frame(1)
+    colours = {"no delay": BLUE, "one sample late": ORANGE, "two samples late": VERMILION}
+    for series, points in rows.groups("series").items():
+        if series.endswith(", formula"):
+            axes.plot(points.column("x"), points.column("value"), color=INK, linewidth=0.8, dashes=(4, 3),
+                      label="$k(\\frac{1}{2} + d)T$" if "no delay" in series else None)
+        else:
+            axes.plot(points.column("x"), points.column("value"), ".", color=colours[series], label=series)
+    axes.set(title="Damping with which a device of 0.1 kg settles on a contact, 1 kHz", xlabel="stiffness  [N/m]", ylabel="[N s/m]", xscale="log", yscale="log",
+             xlim=(45, 5500))
+    axes.minorticks_off()
+    legend_below(figure, axes, 4)
+    return figure
+
+
+def time_passivity(rows):
+    figure, (axes,) = frame(1)
+    for (series, points), colour in zip(rows.groups("series").items(), (VERMILION, ORANGE, BLUE)):
+        axes.plot(points.column("x"), points.column("value"), "o", markersize=3.5, color=colour, label=series, linestyle="none")
+    ends = [min(rows.column("x")), max(rows.column("x"))]
+    axes.plot(ends, ends, color=INK, linewidth=0.8, label="$kT/2 + |b|$", zorder=1)
+    axes.set(title="Damping that a device needs: measured, against the formula", xlabel="$kT/2 + |b|$  [N s/m]", ylabel="measured [N s/m]", xscale="log", yscale="log")
+    axes.minorticks_off()
+    legend_below(figure, axes, 4)
+    return figure
+
+
+def time_encoder(rows):
+    figure, (axes,) = panels(rows, ["force"])
+    axes.set(title="Largest friction force / limit; encoder of 10 µm, 5 N s/m, a drag at 5 mm/s", xlabel="rate [Hz]", xscale="log", xlim=(100, 1e4), ylim=(0.9, 2.1))
+    axes.minorticks_off()
+    legend_below(figure, axes, 2)
+    return figure
+
+
+FIGURES = {figure.__name__: figure for figure in (
+    projection_stiffness, projection_newton, projection_order, projection_chatter,
+    time_map, time_block, time_delay, time_passivity, time_encoder)}

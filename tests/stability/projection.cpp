@@ -1,0 +1,373 @@
+// SPDX-License-Identifier: MIT
+// Entry d: how a step finds the wrench that friction allows, where the search for it fails.
+#include "projection.hpp"
+
+#include "godobject/closest_point_projection.hpp"
+#include "godobject/friction.hpp"
+#include "godobject/radial_projection.hpp"
+#include "godobject/soft_finger.hpp"
+#include "limitcurve/ellipse.hpp"
+#include "limitcurve/exact_curve.hpp"
+#include "limitcurve/laws.hpp"
+#include "limitcurve/polygon.hpp"
+#include "limitcurve/table.hpp"
+#include "random.hpp"
+#include "sampling.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+namespace limitcurve::stability {
+
+namespace {
+
+using namespace godobject;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double stiffness = 1000.0;
+constexpr double radius = 0.005;
+
+/// A wrench in SI units.
+struct Felt {
+  double force;
+  double moment;
+};
+
+/// A step that somebody will make: offset, twist, depth, and the two coefficients of friction; what must be felt then.
+struct Degenerate {
+  double r, rho, depth, mu, moment_coefficient;
+  Felt right;
+};
+
+/// Eqs. (21)–(23) of Frisoli et al. (2006) as they are printed.
+Felt as_printed(const Degenerate& step, double twist_stiffness) {
+  const double x = step.r / (step.mu * step.depth);
+  const double y = twist_stiffness * step.rho / (step.moment_coefficient * stiffness * step.depth);
+  const double epsilon = x * x + y * y;
+  double r = step.r;
+  double rho = step.rho;
+  if (epsilon > 1.0) {
+    const double new_r = r / std::sqrt(epsilon);
+    const double new_rho = rho / std::sqrt(epsilon);
+    r = new_r / step.r * step.r;
+    rho = new_rho / step.rho * step.rho;
+  }
+  return {stiffness * r, twist_stiffness * rho};
+}
+
+Felt by_finger(const Degenerate& step, double twist_stiffness) {
+  FingerParameters with;
+  with.mu = step.mu;
+  with.moment_coefficient = step.moment_coefficient;
+  with.stiffness = stiffness;
+  with.twist_stiffness = twist_stiffness;
+  SoftFinger finger(Ellipse::through_intercepts(hertz()->moment_ratio()), with, Radial{});
+  finger.update({Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ(), 0.01}, 0.0);
+  const FingerOutput& output = finger.update({{step.r, 0.0, 0.0}, Eigen::Vector3d::UnitZ(), step.depth}, step.rho);
+  return {output.force.norm(), std::fabs(output.moment)};
+}
+
+/// Both components to 1e-12 of what the springs could do at most.
+bool is_right(Felt felt, const Degenerate& step, double twist_stiffness) {
+  return std::fabs(felt.force - step.right.force) <= 1e-12 * stiffness * step.r &&
+         std::fabs(felt.moment - step.right.moment) <= 1e-12 * twist_stiffness * step.rho;
+}
+
+/// Wrench that a finger driven with a steady twist about a COR at c = a settles at, for κ = k_r/(k_l(m₀a)²).
+template <class Boundary, class Projection>
+UnitWrench settled(const Boundary& boundary, Projection projection, double kappa) {
+  const double moment_ratio = hertz()->moment_ratio();
+  FingerParameters with;
+  with.mu = 0.5;
+  with.radius_law = RadiusLaw::constant(radius);
+  with.stiffness = stiffness;
+  with.twist_stiffness = kappa * stiffness * moment_ratio * moment_ratio * radius * radius;
+  const Friction<Boundary, Projection> friction(boundary, with, projection);
+  constexpr double load = 1.0;
+  const double force_unit = with.mu * load;
+  // The longer of the two lengths in which springs forget, a quarter of it a step.
+  const double step = 0.25 * std::max(force_unit / with.stiffness, force_unit * moment_ratio * radius * radius / with.twist_stiffness);
+  double r = 0.0;
+  double rho = 0.0;
+  double start = -1.0;
+  typename Friction<Boundary, Projection>::Result result;
+  for (int i = 0; i < 400; ++i) {
+    result = friction.resolve(r + step, rho + step / radius, load, start);
+    r = result.offset;
+    rho = result.twist;
+    start = result.start;
+  }
+  return {result.force / force_unit, result.moment / (force_unit * radius)};
+}
+
+double normalised_distance(UnitWrench one, UnitWrench other, double moment_ratio) {
+  return std::hypot(one.force - other.force, (one.moment - other.moment) / moment_ratio);
+}
+
+/// The closest point's condition in s = c/a: (x − f(s)) − sχ(y − m(s)) = 0.
+struct Condition {
+  const PressureLaw& law;
+  Trial trial;
+
+  [[nodiscard]] std::pair<double, double> value_and_slope(double s) const {
+    const UnitForces<double> at = law.forces(s);
+    const double chi = trial.compliance_ratio;
+    const double over_moment = chi * (trial.wrench.moment - at.moment);
+    return {trial.wrench.force - at.force - s * over_moment, -at.force_slope - over_moment - s * s * chi * at.force_slope};
+  }
+
+  /// The one root, by halving the spin fraction's interval until it is a number.
+  [[nodiscard]] double root() const {
+    double low = 0.0;
+    double high = 1.0;
+    for (int i = 0; i < 1100; ++i) {
+      const double u = low > 0.0 || high > 1e-300 ? 0.5 * (low + high) : 0.0;
+      if (u == low || u == high) break;
+      // In u the function rises from −χy to x; in s it falls. Its sign is that of u(x − f) − (1−u)χ(y − m).
+      const UnitForces<double> at = law.forces((1.0 - u) / u);
+      const double value = u * (trial.wrench.force - at.force) - (1.0 - u) * trial.compliance_ratio * (trial.wrench.moment - at.moment);
+      (value > 0.0 ? high : low) = u;
+    }
+    return high;
+  }
+};
+
+/// Newton's method as it is commonly written: until a step is small, no bracket, 64 steps at most. NaN if it finds nothing.
+double by_newton(const Condition& condition, double s) {
+  for (int i = 0; i < 64; ++i) {
+    const auto [value, slope] = condition.value_and_slope(s);
+    const double step = value / slope;
+    s -= step;
+    if (!(s >= 0.0 && s < infinity)) break;
+    if (std::fabs(step) <= 1e-10 * s) return s;
+  }
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+struct Failures {
+  double newton;
+  double newton_ahead;
+  double ours;
+};
+
+/// Shares of random trials for which the closest point is not found, with stiffness ratio κ and trials `over` times the limit.
+Failures failures(const PressureLaw& law, const ExactCurve& curve, double kappa, double least_over, double most_over) {
+  const double m0 = law.moment_ratio();
+  Random random(5);
+  constexpr int rounds = 300;
+  Failures count{0.0, 0.0, 0.0};
+  for (int i = 0; i < rounds; ++i) {
+    const double angle = 0.5 * std::numbers::pi * random.uniform(0.001, 0.999);
+    Trial trial;
+    trial.compliance_ratio = 1.0 / (kappa * m0 * m0);
+    trial.wrench = {std::cos(angle), m0 * std::sin(angle)};
+    const double scale = (1.0 + random.logarithmic(least_over, most_over)) / curve.gauge(trial.wrench);
+    trial.wrench = {trial.wrench.force * scale, trial.wrench.moment * scale};
+    const Condition condition{law, trial};
+    const UnitWrench truth = curve.wrench(SlipTwist::of_spin_fraction(condition.root()));
+    const auto fails = [&](UnitWrench wrench) { return !(normalised_distance(wrench, truth, m0) <= 1e-8); };
+    const auto at = [&](double s) {
+      const UnitForces<double> forces = law.forces(std::isfinite(s) ? s : 0.0);
+      return UnitWrench{std::isfinite(s) ? forces.force : infinity, forces.moment};
+    };
+    const double last = random.logarithmic(0.1, 10.0);
+    count.newton += fails(at(by_newton(condition, last)));
+    count.newton_ahead += fails(at(by_newton(condition, trial.wrench.force / (trial.compliance_ratio * trial.wrench.moment))));
+    trial.start = SlipTwist::about_cor(last).place();
+    count.ours += fails(ClosestPoint{}(curve, trial).wrench);
+  }
+  return {count.newton / rounds, count.newton_ahead / rounds, count.ours / rounds};
+}
+
+/// A polygon that does not tell its corners: all that a search for smooth curves sees.
+template <class Polygon>
+struct Unpolygonal {
+  Polygon polygon;
+  [[nodiscard]] UnitWrench wrench(SlipTwist twist) const noexcept { return polygon.wrench(twist); }
+  [[nodiscard]] BoundaryPoint point(SlipTwist twist) const noexcept { return polygon.point(twist); }
+  [[nodiscard]] RadialPoint along(UnitWrench wrench) const noexcept { return polygon.along(wrench); }
+  [[nodiscard]] double gauge(UnitWrench wrench) const noexcept { return polygon.gauge(wrench); }
+  [[nodiscard]] double moment_ratio() const noexcept { return polygon.moment_ratio(); }
+};
+
+/// The closest point of a polygon, by cutting an interval of each face to two thirds until it is rounding; in long double, for what
+/// is left is its root.
+template <class Polygon>
+UnitWrench by_thirds(const Polygon& polygon, const Trial& trial) {
+  UnitWrench best{};
+  long double least = infinity;
+  const auto& corners = polygon.vertices();
+  for (std::size_t i = 0; i + 1 < corners.size(); ++i) {
+    const auto force = [&](long double t) { return corners[i].force + t * (corners[i + 1].force - corners[i].force); };
+    const auto moment = [&](long double t) { return corners[i].moment + t * (corners[i + 1].moment - corners[i].moment); };
+    const auto distance = [&](long double t) {
+      const long double over_force = trial.wrench.force - force(t);
+      const long double over_moment = trial.wrench.moment - moment(t);
+      return over_force * over_force + trial.compliance_ratio * over_moment * over_moment;
+    };
+    long double low = 0.0L;
+    long double high = 1.0L;
+    for (int j = 0; j < 200; ++j) {
+      const long double third = (high - low) / 3.0L;
+      if (distance(low + third) < distance(high - third)) {
+        high -= third;
+      } else {
+        low += third;
+      }
+    }
+    if (distance(low) < least) {
+      least = distance(low);
+      best = {static_cast<double>(force(low)), static_cast<double>(moment(low))};
+    }
+  }
+  return best;
+}
+
+struct CornerErrors {
+  double distance = 0.0;  // of the wrench from the closest point
+  double work = 0.0;      // the least slip work, in units of the limits
+};
+
+template <class Polygon>
+std::array<CornerErrors, 2> corner_errors(const Polygon& polygon) {
+  std::array<CornerErrors, 2> worst;
+  const Unpolygonal<Polygon> hidden{polygon};
+  Random random(6);
+  for (int i = 0; i < 2000; ++i) {
+    Trial trial;
+    trial.compliance_ratio = random.logarithmic(0.1, 10.0);
+    trial.wrench = {random.uniform(0.0, 3.0), random.uniform(0.0, 3.0) * polygon.moment_ratio()};
+    if (!(polygon.gauge(trial.wrench) > 1.0 + 1e-6)) continue;
+    const UnitWrench truth = by_thirds(polygon, trial);
+    const std::array found{ClosestPoint{}(hidden, trial).wrench, ClosestPoint{}(polygon, trial).wrench};
+    for (std::size_t j = 0; j < found.size(); ++j) {
+      const auto [force, moment] = found[j];
+      worst[j].distance = std::max(worst[j].distance, normalised_distance(found[j], truth, polygon.moment_ratio()));
+      worst[j].work =
+          std::min(worst[j].work, force * (trial.wrench.force - force) + trial.compliance_ratio * moment * (trial.wrench.moment - moment));
+    }
+  }
+  return worst;
+}
+
+}  // namespace
+
+Hazard degenerate_steps() {
+  const std::string test = "Projection.DegenerateSteps";
+  const double k_r = 0.04;
+  const double mu = 0.5;
+  const double mu_r = 0.002;
+  const double depth = 0.001;
+  const double load = stiffness * depth;
+  const std::array steps{
+      Degenerate{0.0, 0.5, depth, mu, mu_r, {0.0, mu_r * load}},                // a twist, no sliding
+      Degenerate{0.01, 0.0, depth, mu, mu_r, {mu * load, 0.0}},                 // sliding, no twist
+      Degenerate{0.0, 0.0, 0.0, mu, mu_r, {0.0, 0.0}},                          // touch-down
+      Degenerate{0.01, 0.5, 1e-200, mu, mu_r, {0.0, 0.0}},                      // hardly touching
+      Degenerate{0.0, 0.5, depth, 0.0, 0.0, {0.0, 0.0}},                        // no friction, no sliding
+      Degenerate{0.01, 0.5, depth, mu, 0.0, {mu * load, 0.0}},                  // no torsional friction, and a twist
+      Degenerate{0.01, 0.0, depth, mu, 0.0, {mu * load, 0.0}},                  // no torsional friction, no twist
+      Degenerate{0.0, 0.0, depth, mu, 0.0, {0.0, 0.0}},                         // the same at rest
+      Degenerate{0.0, 0.0, depth, mu, mu_r, {0.0, 0.0}},                        // at rest
+      Degenerate{1e-4, 0.01, depth, mu, mu_r, {stiffness * 1e-4, k_r * 0.01}},  // held
+  };
+  double printed = 0.0;
+  double ours = 0.0;
+  for (const Degenerate& step : steps) {
+    printed += !is_right(as_printed(step, k_r), step, k_r);
+    ours += !is_right(by_finger(step, k_r), step, k_r);
+  }
+  Hazard found;
+  found.findings.push_back({"r = 0, ρ = 0, d → 0, μ = 0, Γ = 0", "eqs. (21)–(23) as printed", "steps of ten with no number or a wrong one",
+                            printed, ours, test});
+  return found;
+}
+
+Hazard stiffness_ratios() {
+  Hazard found;
+  Figure figure{"projection_stiffness", {}};
+  const std::string test = "Projection.StiffnessRatios";
+  const Law law = hertz();
+  const double m0 = law->moment_ratio();
+  const UnitWrench truth = ExactCurve(law).wrench(SlipTwist::about_cor(1.0));
+  const Ellipse ellipse = Ellipse::through_intercepts(m0);
+  const Table table = Table::build(law, 1e-8);
+  const auto errors = [&](double kappa) {
+    return std::array{normalised_distance(settled(ellipse, Radial{}, kappa), truth, m0),
+                      normalised_distance(settled(ExactCurve(law), Radial{}, kappa), truth, m0),
+                      normalised_distance(settled(box(1.0, m0), ClosestPoint{}, kappa), truth, m0),
+                      normalised_distance(settled(table, ClosestPoint{}, kappa), truth, m0)};
+  };
+  constexpr std::array series{"ellipse, shrunk along the ray", "exact curve, shrunk along the ray", "force and moment clamped each",
+                              "limitcurve"};
+  double ours = 0.0;
+  for (const double kappa : in_ratios(1e-6, 1e6, 49)) {
+    const auto at = errors(kappa);
+    for (std::size_t i = 0; i < series.size(); ++i) figure.rows.push_back({"error", series[i], kappa, at[i]});
+    ours = std::max(ours, at.back());
+  }
+  for (const double kappa : {1e-6, 1.0, 10.0, 1e6}) {
+    const std::string power = kappa == 1.0 ? "1" : kappa == 10.0 ? "10" : kappa < 1.0 ? "1e-6" : "1e6";
+    found.findings.push_back({"stiffness ratios", "ellipse, shrunk along the ray (eq. 23)",
+                              "error of the wrench of a steady twist, c = a, k_r/k_l = " + power + "·(m₀a)² (ours: any)", errors(kappa)[0],
+                              ours, test});
+  }
+  found.findings.push_back({"stiffness ratios", "force and moment clamped each (§3.1)", "the same, any ratio", errors(1.0)[2], ours, test});
+  found.figures.push_back(std::move(figure));
+  return found;
+}
+
+Hazard newton_without_bracket() {
+  Hazard found;
+  Figure figure{"projection_newton", {}};
+  const std::string test = "Projection.NewtonWithoutBracket";
+  const Law law = hertz();
+  const ExactCurve curve(law);
+  const auto add = [&](const char* panel, double x, const Failures& at) {
+    figure.rows.push_back({panel, "Newton from the last COR", x, at.newton});
+    figure.rows.push_back({panel, "Newton from the trial's direction", x, at.newton_ahead});
+    figure.rows.push_back({panel, "limitcurve", x, at.ours});
+  };
+  double ours = 0.0;
+  for (const double kappa : in_ratios(1e-6, 1e6, 37)) {
+    const Failures at = failures(*law, curve, kappa, 1e-4, 10.0);
+    ours = std::max(ours, at.ours);
+    add("stiffness", kappa, at);
+  }
+  for (const double over : in_ratios(1e-4, 1e8, 37)) {
+    const Failures at = failures(*law, curve, 1.0, over, over * 1.0001);
+    ours = std::max(ours, at.ours);
+    add("load", over, at);
+  }
+  const Failures even = failures(*law, curve, 1.0, 1e-4, 10.0);
+  const Failures stiff = failures(*law, curve, 1e6, 1e-4, 10.0);
+  const std::string share = "share of slips with no closest point found, ";
+  found.findings.push_back(
+      {"Newton without a bracket", "from the last COR", share + "trials up to 11 times the limit", even.newton, ours, test});
+  found.findings.push_back(
+      {"Newton without a bracket", "from the trial's direction", share + "k_r/k_l = 1e6·(m₀a)²", stiff.newton_ahead, ours, test});
+  found.figures.push_back(std::move(figure));
+  return found;
+}
+
+Hazard corners() {
+  Hazard found;
+  const std::string test = "Projection.Corners";
+  const double m0 = hertz()->moment_ratio();
+  const auto of_box = corner_errors(box(1.0, m0));
+  const auto of_diamond = corner_errors(diamond(1.0, m0));
+  const std::string hazard = "corners and faces";
+  const std::string method = "search for the normal's wrench, ";
+  found.findings.push_back(
+      {hazard, method + "box", "distance from the closest point, in the normalised plane", of_box[0].distance, of_box[1].distance, test});
+  found.findings.push_back({hazard, method + "pyramid", "distance from the closest point, in the normalised plane", of_diamond[0].distance,
+                            of_diamond[1].distance, test});
+  found.findings.push_back({hazard, method + "box", "least slip work, in (μP)²/k_l (must be ≥ 0)", of_box[0].work, of_box[1].work, test});
+  return found;
+}
+
+}  // namespace limitcurve::stability
