@@ -229,6 +229,29 @@ TEST(MeshSurface, AThinPlateIsNotPassedThrough) {
   }
 }
 
+// Two plates, one over the other: a finger that leaps off the lower one, through the upper one and beyond, is held beneath the upper.
+TEST(MeshSurface, AFlightEndsAtWhatIsInItsWay) {
+  TriangleList list = box_triangles({0.03, 0.02, 0.0005});
+  for (int i = 0; i < 8; ++i) list.vertices.push_back(list.vertices[static_cast<std::size_t>(i)] + Vector3d(0.0, 0.0, 0.01));
+  for (std::size_t i = 0; i < 12; ++i) list.faces.push_back({list.faces[i][0] + 8, list.faces[i][1] + 8, list.faces[i][2] + 8});
+  const MeshSurface plates{Mesh(list)};
+  Random random(11);
+  for (int i = 0; i < 1000; ++i) {
+    ContactMemory memory;
+    const double x = random.uniform(-0.029, 0.029);
+    const double y = random.uniform(-0.019, 0.019);
+    ASSERT_LT(plates.contact({x, y, 0.005}, memory).depth, 0.0);
+    ASSERT_EQ(plates.contact({x, y, -0.002}, memory).normal, Vector3d::UnitZ());
+    const Contact contact = plates.contact({0.9 * y, 0.5 * x, 0.015}, memory);
+    ASSERT_EQ(contact.normal, -Vector3d::UnitZ());
+    ASSERT_NEAR(contact.depth, 0.0055, 1e-12);
+    // And back: through the lower plate, held on its top.
+    ASSERT_EQ(plates.contact({x, y, -0.02}, memory).normal, Vector3d::UnitZ());
+    // Between them it is free.
+    ASSERT_LT(plates.contact({x, y, 0.006}, memory).depth, 0.0);
+  }
+}
+
 // A star of spikes, slivers and creases, and a finger that moves at random, by micrometres and by leaps, often exactly to a vertex or
 // along an edge. Whatever it does: free means outside, by the solid angle; nothing in the way of a free move; touching means a
 // god-object on the surface with no place about it that is nearer the finger.
