@@ -48,7 +48,7 @@ class Rows {
   template <class Write>
   void row_by(Write&& write) {
     begin_row();
-    write([this](const auto& one) { cell(one); });
+    write([this](const auto& one) { this->cell(one); });
     end_row();
   }
 

@@ -24,7 +24,6 @@ namespace limitcurve::test {
 
 namespace {
 
-constexpr double inf = std::numeric_limits<double>::infinity();
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 /// A boundary of any type, with what may be asked of it.
