@@ -1,15 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "godobject/batch.hpp"
 
-#include <cmath>
+#include "godobject/internal/clones.hpp"
 
-// Clang 14 fails to link clones. With -DLIMITCURVE_CLONES= there is one loop, for the processor that the compiler is told of.
-#if defined(LIMITCURVE_CLONES)
-#elif defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__)
-#define LIMITCURVE_CLONES __attribute__((target_clones("default", "avx2", "arch=x86-64-v4")))
-#else
-#define LIMITCURVE_CLONES
-#endif
+#include <cmath>
 
 namespace limitcurve::godobject::detail {
 

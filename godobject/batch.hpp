@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "godobject/closest_point_projection.hpp"
 #include "godobject/friction.hpp"
 #include "godobject/radial_projection.hpp"
+#include "limitcurve/table.hpp"
 
 #include <algorithm>
+#include <array>
+#include <concepts>
 #include <cstddef>
 #include <span>
 
@@ -25,6 +29,13 @@ struct ContactBatch {
   std::span<double> force_x;      ///< friction on the user [N]
   std::span<double> force_y;
   std::span<double> moment;  ///< [N m]
+
+  /// `length` contacts from the one of index `from` on; both within the size.
+  [[nodiscard]] ContactBatch part(std::size_t from, std::size_t length) const noexcept {
+    const auto cut = [&](auto array) { return array.subspan(from, length); };
+    return {cut(x),           cut(y),     cut(angle), cut(depth),   cut(proxy_x), cut(proxy_y),
+            cut(proxy_angle), cut(start), cut(trend), cut(force_x), cut(force_y), cut(moment)};
+  }
 
   /// The length of the shortest: no more contacts are stepped.
   [[nodiscard]] std::size_t size() const noexcept {
@@ -54,6 +65,30 @@ void step_elliptic(const EllipticStep& law, std::size_t count, const double* x, 
                    double* proxy_x, double* proxy_y, double* proxy_angle, double* start, double* force_x, double* force_y,
                    double* moment) noexcept;
 
+/// Closest point on a table with one limit and a constant radius: the vectorised loops take so many contacts at a time.
+inline constexpr std::size_t table_block = 128;
+
+/// What they need to know of a finger.
+struct TableStep {
+  double stiffness;
+  double twist_stiffness;
+  double compliance;
+  double twist_compliance;
+  double mu;
+  double radius;
+  double compliance_ratio;  ///< χ
+  double force_max;
+  double moment_max;
+};
+
+/// Steps the contacts of `block`, at most table_block: those that stick, and those that slip and slipped before, which are
+/// nearly all of a scene in motion. For the others `left` is true and nothing is written. Bit for bit the single step.
+void step_on_table(const Table& table, const TableStep& law, const ContactBatch& block, std::array<bool, table_block>& left) noexcept;
+
+/// One contact of a batch by itself.
+template <LimitBoundary Boundary, class Projection>
+void step_one(const Friction<Boundary, Projection>& friction, const ContactBatch& batch, std::size_t i) noexcept;
+
 }  // namespace detail
 
 /// Steps b and c for a batch: the same results as `SoftFinger` on a plane gives, bit for bit. Allocates nothing; threads
@@ -75,74 +110,108 @@ void step(const Friction<Boundary, Projection>& friction, const ContactBatch& ba
       }
     }
   }
-  for (std::size_t i = 0; i < count; ++i) {
-    double& proxy_x = batch.proxy_x[i];
-    double& proxy_y = batch.proxy_y[i];
-    double& proxy_angle = batch.proxy_angle[i];
-    if (!(batch.depth[i] > 0.0)) {
-      proxy_x = batch.x[i];
-      proxy_y = batch.y[i];
-      proxy_angle = batch.angle[i];
-      batch.start[i] = -2.0;
-      batch.trend[i] = 0.0;
-      batch.force_x[i] = batch.force_y[i] = batch.moment[i] = 0.0;
-      continue;
-    }
-    double& start = batch.start[i];
-    if (start < -1.0) {
-      proxy_x = batch.x[i];
-      proxy_y = batch.y[i];
-      proxy_angle = batch.angle[i];
-      start = -1.0;
-    }
-    const double pull_x = proxy_x - batch.x[i];
-    const double pull_y = proxy_y - batch.y[i];
-    const double turn = proxy_angle - batch.angle[i];
-    const double square = pull_x * pull_x + pull_y * pull_y;
-    if constexpr (Friction<Boundary, Projection>::shrinks) {
-      const auto [known, share] = friction.shrink(square, turn * turn, k * batch.depth[i], start >= 0.0, law.springs());
-      if (known) {
-        const double new_x = share == 1.0 ? proxy_x : batch.x[i] + pull_x * share;
-        const double new_y = share == 1.0 ? proxy_y : batch.y[i] + pull_y * share;
-        const double new_angle = share == 1.0 ? proxy_angle : batch.angle[i] + turn * share;
-        start = new_x != proxy_x || new_y != proxy_y || new_angle != proxy_angle ? 0.0 : -1.0;
-        batch.force_x[i] = pull_x * (k * share);
-        batch.force_y[i] = pull_y * (k * share);
-        batch.moment[i] = k_twist * share * turn;
-        proxy_x = new_x;
-        proxy_y = new_y;
-        proxy_angle = new_angle;
-        continue;
+  if constexpr (std::same_as<Boundary, Table> && std::same_as<Projection, ClosestPoint>) {
+    if (law.radius_law() == nullptr && law.has_one_limit()) {
+      const Springs& springs = law.springs();
+      const double radius = law.constant_radius();
+      const detail::TableStep on_table{k,
+                                       k_twist,
+                                       springs.compliance,
+                                       springs.twist_compliance,
+                                       law.mu(),
+                                       radius,
+                                       radius * radius * springs.ratio,
+                                       friction.boundary().wrench({1.0, 0.0}).force,
+                                       friction.boundary().wrench({0.0, 1.0}).moment};
+      std::array<bool, detail::table_block> left;
+      for (std::size_t from = 0; from < count; from += detail::table_block) {
+        const ContactBatch block = batch.part(from, std::min(detail::table_block, count - from));
+        detail::step_on_table(friction.boundary(), on_table, block, left);
+        for (std::size_t i = 0; i < block.size(); ++i) {
+          if (left[i]) detail::step_one(friction, block, i);
+        }
       }
+      return;
     }
-    const double r = std::sqrt(square);
-    const double rho = std::fabs(turn);
-    const auto result = friction.resolve(r, rho, k * batch.depth[i], ahead_of(start, batch.trend[i]));
-    if (!result.slips) {
-      batch.force_x[i] = pull_x * k;
-      batch.force_y[i] = pull_y * k;
-      batch.moment[i] = result.twist == rho ? k_twist * turn : 0.0;
-      if (result.twist != rho) proxy_angle = batch.angle[i];
-      start = -1.0;
-      continue;
-    }
-    const double per_metre = r > 0.0 ? 1.0 / r : 0.0;
-    const double force = result.force * per_metre;
-    const double share = result.offset * per_metre;
-    const double new_x = result.offset != r ? batch.x[i] + pull_x * share : proxy_x;
-    const double new_y = result.offset != r ? batch.y[i] + pull_y * share : proxy_y;
-    const double new_angle = result.twist != rho ? batch.angle[i] + std::copysign(result.twist, turn) : proxy_angle;
-    const bool moves = new_x != proxy_x || new_y != proxy_y || new_angle != proxy_angle;
-    batch.force_x[i] = pull_x * force;
-    batch.force_y[i] = pull_y * force;
-    batch.moment[i] = std::copysign(result.moment, turn);
-    proxy_x = new_x;
-    proxy_y = new_y;
-    proxy_angle = new_angle;
-    const double next = moves ? result.start : -1.0;
-    batch.trend[i] = next > 0.0 && start > 0.0 ? next - start : 0.0;
-    start = next;
   }
+  for (std::size_t i = 0; i < count; ++i) detail::step_one(friction, batch, i);
 }
+
+namespace detail {
+
+template <LimitBoundary Boundary, class Projection>
+void step_one(const Friction<Boundary, Projection>& friction, const ContactBatch& batch, std::size_t i) noexcept {
+  const ContactLaw& law = friction.law();
+  const double k = law.stiffness();
+  const double k_twist = law.twist_stiffness();
+  double& proxy_x = batch.proxy_x[i];
+  double& proxy_y = batch.proxy_y[i];
+  double& proxy_angle = batch.proxy_angle[i];
+  if (!(batch.depth[i] > 0.0)) {
+    proxy_x = batch.x[i];
+    proxy_y = batch.y[i];
+    proxy_angle = batch.angle[i];
+    batch.start[i] = -2.0;
+    batch.trend[i] = 0.0;
+    batch.force_x[i] = batch.force_y[i] = batch.moment[i] = 0.0;
+    return;
+  }
+  double& start = batch.start[i];
+  if (start < -1.0) {
+    proxy_x = batch.x[i];
+    proxy_y = batch.y[i];
+    proxy_angle = batch.angle[i];
+    start = -1.0;
+  }
+  const double pull_x = proxy_x - batch.x[i];
+  const double pull_y = proxy_y - batch.y[i];
+  const double turn = proxy_angle - batch.angle[i];
+  const double square = pull_x * pull_x + pull_y * pull_y;
+  if constexpr (Friction<Boundary, Projection>::shrinks) {
+    const auto [known, share] = friction.shrink(square, turn * turn, k * batch.depth[i], start >= 0.0, law.springs());
+    if (known) {
+      const double new_x = share == 1.0 ? proxy_x : batch.x[i] + pull_x * share;
+      const double new_y = share == 1.0 ? proxy_y : batch.y[i] + pull_y * share;
+      const double new_angle = share == 1.0 ? proxy_angle : batch.angle[i] + turn * share;
+      start = new_x != proxy_x || new_y != proxy_y || new_angle != proxy_angle ? 0.0 : -1.0;
+      batch.force_x[i] = pull_x * (k * share);
+      batch.force_y[i] = pull_y * (k * share);
+      batch.moment[i] = k_twist * share * turn;
+      proxy_x = new_x;
+      proxy_y = new_y;
+      proxy_angle = new_angle;
+      return;
+    }
+  }
+  const double r = std::sqrt(square);
+  const double rho = std::fabs(turn);
+  const auto result = friction.resolve(r, rho, k * batch.depth[i], ahead_of(start, batch.trend[i]));
+  if (!result.slips) {
+    batch.force_x[i] = pull_x * k;
+    batch.force_y[i] = pull_y * k;
+    batch.moment[i] = result.twist == rho ? k_twist * turn : 0.0;
+    if (result.twist != rho) proxy_angle = batch.angle[i];
+    start = -1.0;
+    return;
+  }
+  const double per_metre = r > 0.0 ? 1.0 / r : 0.0;
+  const double force = result.force * per_metre;
+  const double share = result.offset * per_metre;
+  const double new_x = result.offset != r ? batch.x[i] + pull_x * share : proxy_x;
+  const double new_y = result.offset != r ? batch.y[i] + pull_y * share : proxy_y;
+  const double new_angle = result.twist != rho ? batch.angle[i] + std::copysign(result.twist, turn) : proxy_angle;
+  const bool moves = new_x != proxy_x || new_y != proxy_y || new_angle != proxy_angle;
+  batch.force_x[i] = pull_x * force;
+  batch.force_y[i] = pull_y * force;
+  batch.moment[i] = std::copysign(result.moment, turn);
+  proxy_x = new_x;
+  proxy_y = new_y;
+  proxy_angle = new_angle;
+  const double next = moves ? result.start : -1.0;
+  batch.trend[i] = next > 0.0 && start > 0.0 ? next - start : 0.0;
+  start = next;
+}
+
+}  // namespace detail
 
 }  // namespace limitcurve::godobject

@@ -52,6 +52,9 @@ class Table {
   /// Bytes that a lookup by twist may touch: the nodes' cubics, a cache line each, and their index. Some 2 to 3 times `bytes`.
   [[nodiscard]] std::size_t working_bytes() const noexcept { return inside().working_bytes() + outside().working_bytes(); }
 
+  [[nodiscard]] UnitWrench rim() const noexcept {
+    return {inside().nodes().back().primary, inside().nodes().back().secondary};
+  }  ///< at s = 1
   [[nodiscard]] double moment_ratio() const noexcept { return inside().nodes().front().secondary; }
 
   /// The wrench that the slip twist causes, within certified_error().
@@ -73,8 +76,7 @@ class Table {
   /// place_of_ellipse, 1 to 2 steps as a rule, 64 at most.
   [[nodiscard]] RadialPoint along(UnitWrench direction) const noexcept {
     // Steeper than the rim's wrench: more twist than slide.
-    const TableNode& rim = inside().nodes().back();
-    const bool outside = rim.primary * direction.moment < rim.secondary * direction.force;
+    const bool outside = rim().force * direction.moment < rim().moment * direction.force;
     const double start = place_of_ellipse(SlipTwist{direction.force * moment_ratio() * moment_ratio(), direction.moment}.place());
     const double from = std::clamp(outside ? 2.0 - start : start, 0.0, 1.0);
     const auto [value, x] = sides_[outside].along(side_value(outside, direction), from);
@@ -94,9 +96,8 @@ class Table {
   /// f² + χm², χ > 0: the closest point, if the trial is outside. `start` is a place to search from (SlipTwist::at_place).
   /// One or two steps from a start nearby, each a few multiplications and a division; 64 at most.
   [[gnu::always_inline]] [[nodiscard]] Foot closest(UnitWrench trial, double chi, double start) const noexcept {
-    const TableNode& rim = inside().nodes().back();
     // Which side of the normal at the rim.
-    const bool outside = trial.force - rim.primary > chi * (trial.moment - rim.secondary);
+    const bool outside = trial.force - rim().force > chi * (trial.moment - rim().moment);
     // Branched for, unlike in a lookup: a finger's slip seldom changes sides.
     if (outside) {
       const double from = 2.0 - start;

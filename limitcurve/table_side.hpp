@@ -31,6 +31,10 @@ struct TableNode {
 class TableSide {
  public:
   static constexpr std::size_t most_nodes = 1U << 15U;
+  /// A search takes so many steps without a bracket, where it can …
+  static constexpr int quick_limit = 4;
+  /// … and a step is the last if what it leaves is smaller than this share of the coordinate.
+  static constexpr double search_share = 1e-15;
 
   struct Value {
     double primary;
@@ -147,10 +151,7 @@ class TableSide {
     double third;
   };
 
-  static constexpr int quick_limit = 4;
   static constexpr int search_limit = 64;
-  /// A step is the last if what it leaves is smaller than this share of the coordinate.
-  static constexpr double search_share = 1e-15;
 
   /// The leading bits of 1 − x, counted from the rim. Not increasing in x, whatever is rounded.
   [[nodiscard]] std::size_t bucket(double coordinate) const noexcept {

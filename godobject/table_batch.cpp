@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: MIT
+#include "godobject/batch.hpp"
+#include "godobject/internal/clones.hpp"
+
+#include <cmath>
+
+namespace limitcurve::godobject::detail {
+
+namespace {
+
+/// A number for each contact of a block, aligned for the widest vectors.
+struct alignas(64) Row {
+  std::array<double, table_block> values;
+  double* data() noexcept { return values.data(); }
+  double& operator[](std::size_t i) noexcept { return values[i]; }
+};
+
+/// What becomes of a contact. As a double, because selections between rows of one width are vectorised.
+constexpr double sticks = 0.0;
+constexpr double searches = 1.0;
+constexpr double slides = 2.0;
+constexpr double left_over = 3.0;
+
+// The loops below repeat Friction::resolve, ClosestPoint, TableSide::closest and step_one operation by operation, in the
+// same order, so that the bits are the same. Restrict counts on parameters only.
+
+/// Friction::resolve as far as the trial, for contacts that touch and touched before.
+LIMITCURVE_CLONES
+void make_trials(const TableStep& law, std::size_t count, const double* __restrict x, const double* __restrict y,
+                 const double* __restrict angle, const double* __restrict depth, const double* __restrict proxy_x,
+                 const double* __restrict proxy_y, const double* __restrict proxy_angle, const double* __restrict start,
+                 const double* __restrict trend, double* __restrict r, double* __restrict trial_force, double* __restrict trial_moment,
+                 double* __restrict place, double* __restrict fate) noexcept {
+  constexpr double least = 1e-150;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double pull_x = proxy_x[i] - x[i];
+    const double pull_y = proxy_y[i] - y[i];
+    const double turn = std::fabs(proxy_angle[i] - angle[i]);
+    r[i] = std::sqrt(pull_x * pull_x + pull_y * pull_y);
+    const double force_unit = law.mu * (law.stiffness * depth[i]);
+    const double moment_unit = force_unit * law.radius;
+    const double force = law.stiffness * r[i];
+    const double moment = law.twist_stiffness * turn;
+    const bool within = force * law.radius * law.moment_max + moment * law.force_max <= moment_unit * law.force_max * law.moment_max;
+    const double per_unit = 1.0 / moment_unit;
+    trial_force[i] = law.stiffness * r[i] * law.radius * per_unit;
+    trial_moment[i] = law.twist_stiffness * turn * per_unit;
+    const double trust = 0.1 * (start[i] < 2.0 - start[i] ? start[i] : 2.0 - start[i]);
+    place[i] = std::fabs(trend[i]) <= trust ? start[i] + trend[i] : start[i];
+    // Non-short-circuit, to be vectorised. Free contacts, new ones, those without torsional friction and trials on an axis
+    // or beyond farthest_trial are left.
+    const bool usual = (depth[i] > 0.0) & (start[i] >= -1.0) & (force_unit > least) & (moment_unit > least);
+    const bool searched = (trial_force[i] > 0.0) & (trial_moment[i] > 0.0) & (trial_force[i] <= 1e100) & (trial_moment[i] <= 1e100) &
+                          (place[i] > 0.0) & (place[i] < 2.0);
+    fate[i] = usual ? (within ? sticks : (searched ? searches : left_over)) : left_over;
+  }
+}
+
+/// A search in a table for a contact, with the cell that it is in.
+struct Searches {
+  Row x, kappa, trial_primary, trial_secondary;
+  Row left, right, rise, constant_primary, constant_secondary, square_primary, square_secondary, cube_primary, cube_secondary;
+  Row next, primary, secondary, done;
+};
+
+/// TableSide::closest's residual and step, and the cell's values where the step leads.
+LIMITCURVE_CLONES
+void advance_searches(std::size_t count, double share_of_x, const double* __restrict x_of, const double* __restrict kappa_of,
+                      const double* __restrict trial_primary, const double* __restrict trial_secondary, const double* __restrict left,
+                      const double* __restrict right, const double* __restrict rise, const double* __restrict constant_primary,
+                      const double* __restrict constant_secondary, const double* __restrict square_primary,
+                      const double* __restrict square_secondary, const double* __restrict cube_primary,
+                      const double* __restrict cube_secondary, double* __restrict next_of, double* __restrict primary,
+                      double* __restrict secondary, double* __restrict done) noexcept {
+  for (std::size_t i = 0; i < count; ++i) {
+    const double x = x_of[i];
+    const double kappa = kappa_of[i];
+    const double rise_secondary = -left[i] * rise[i];
+    const double from_left = x - left[i];
+    // TableSide::Cell::jet.
+    const double cubed_0 = from_left * cube_primary[i];
+    const double cubed_1 = from_left * cube_secondary[i];
+    const double bent_0 = square_primary[i] + cubed_0;
+    const double bent_1 = square_secondary[i] + cubed_1;
+    const double rest_0 = bent_0 + cubed_0 + cubed_0;
+    const double rest_1 = bent_1 + cubed_1 + cubed_1;
+    const double value_0 = (constant_primary[i] + from_left * rise[i]) + (from_left * from_left) * bent_0;
+    const double value_1 = (constant_secondary[i] + from_left * rise_secondary) + (from_left * from_left) * bent_1;
+    const double slope_0 = rise[i] + from_left * (square_primary[i] + rest_0);
+    const double slope_1 = rise_secondary + from_left * (square_secondary[i] + rest_1);
+    const double bend_0 = rest_0 + rest_0;
+    const double bend_1 = rest_1 + rest_1;
+    const double third_0 = 6.0 * cube_primary[i];
+    const double third_1 = 6.0 * cube_secondary[i];
+    const double over_0 = trial_primary[i] - value_0;
+    const double over_1 = trial_secondary[i] - value_1;
+    const double lever = x * kappa;
+    const double value = over_0 - lever * over_1;
+    const double fall = slope_0 - lever * slope_1 + kappa * over_1;
+    const double bend = bend_0 - lever * bend_1 - 2.0 * kappa * slope_1;
+    const double third = third_0 - lever * third_1 - 3.0 * kappa * bend_1;
+    // TableSide::step_from.
+    const double per_fall = 1.0 / fall;
+    const double newton = value * per_fall;
+    const double square = newton * newton;
+    const double correction = 0.5 * bend * per_fall * square;
+    const double size = std::fabs(newton);
+    const double share = share_of_x * x;
+    const double next = x + (std::fabs(correction) < 0.5 * size ? newton - correction : newton);
+    const bool last = (correction * correction <= share * size) & (std::fabs(third * per_fall) * square * size <= share);
+    const bool inside = (next >= left[i]) & (next < right[i]);
+    const double there = next - left[i];
+    next_of[i] = next;
+    primary[i] = (constant_primary[i] + there * rise[i]) + (there * there) * (square_primary[i] + there * cube_primary[i]);
+    secondary[i] = (constant_secondary[i] + there * rise_secondary) + (there * there) * (square_secondary[i] + there * cube_secondary[i]);
+    done[i] = (last & inside) ? 1.0 : 0.0;
+  }
+}
+
+/// Friction::slid and what step_one does with it.
+LIMITCURVE_CLONES
+void finish(const TableStep& law, std::size_t count, const double* __restrict x, const double* __restrict y, const double* __restrict angle,
+            const double* __restrict depth, double* __restrict proxy_x, double* __restrict proxy_y, double* __restrict proxy_angle,
+            double* __restrict start, double* __restrict trend, double* __restrict force_x, double* __restrict force_y,
+            double* __restrict moment_of, const double* __restrict r_of, const double* __restrict trial_force,
+            const double* __restrict trial_moment, const double* __restrict wrench_force, const double* __restrict wrench_moment,
+            const double* __restrict place, double* __restrict fate) noexcept {
+  // All is read first: what is read under a condition is not vectorised.
+  const double stiffness = law.stiffness;
+  const double twist_stiffness = law.twist_stiffness;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double old_force_x = force_x[i];
+    const double old_force_y = force_y[i];
+    const double old_moment = moment_of[i];
+    const double old_x = proxy_x[i];
+    const double old_y = proxy_y[i];
+    const double old_angle = proxy_angle[i];
+    const double old_start = start[i];
+    const double old_trend = trend[i];
+    const double pull_x = old_x - x[i];
+    const double pull_y = old_y - y[i];
+    const double turn = old_angle - angle[i];
+    const double r = r_of[i];
+    const double rho = std::fabs(turn);
+    const double force_unit = law.mu * (stiffness * depth[i]);
+    const double moment_unit = force_unit * law.radius;
+    const double t = place[i];
+    const double foot_force = wrench_force[i];
+    const double foot_moment = wrench_moment[i];
+    const double aim_force = trial_force[i];
+    const double aim_moment = trial_moment[i];
+    const double what = fate[i];
+    // The tangent at the foot: what is not beyond it sticks.
+    const double spin_outside = 2.0 - t;
+    const double slide = t > 1.0 ? 1.0 : t;
+    const double spin = t > 1.0 ? spin_outside : 1.0;
+    const double reach = slide * foot_force + spin * foot_moment;
+    const bool beyond = slide * aim_force + spin * aim_moment > reach * (1.0 + slip_guard);
+    const bool slipping = (what == slides) & beyond;
+    const double spring = stiffness * r;
+    const double twist_spring = twist_stiffness * rho;
+    const double bound = foot_force * force_unit;
+    const double twist_bound = foot_moment * moment_unit;
+    const double force = spring < bound ? spring : bound;
+    const double moment = twist_spring < twist_bound ? twist_spring : twist_bound;
+    const double reduced = force * law.compliance;
+    const double twist_reduced = moment * law.twist_compliance;
+    const double least_offset = r < reduced ? r : reduced;
+    const double least_twist = rho < twist_reduced ? rho : twist_reduced;
+    const double offset = foot_force == aim_force ? r : least_offset;
+    const double twist = foot_moment == aim_moment ? rho : least_twist;
+    const double per_metre = 1.0 / r;
+    const double force_share = force * per_metre;
+    const double share = offset * per_metre;
+    const double slid_x = x[i] + pull_x * share;
+    const double slid_y = y[i] + pull_y * share;
+    const double slid_angle = angle[i] + std::copysign(twist, turn);
+    const bool slides_there = slipping & (offset != r);
+    const bool turns_there = slipping & (twist != rho);
+    const double new_x = slides_there ? slid_x : old_x;
+    const double new_y = slides_there ? slid_y : old_y;
+    const double new_angle = turns_there ? slid_angle : old_angle;
+    const bool moves = (new_x != old_x) | (new_y != old_y) | (new_angle != old_angle);
+    const double next = moves ? t : -1.0;
+    const bool left = what == left_over;
+    const double change = next - old_start;
+    const double new_trend = ((next > 0.0) & (old_start > 0.0)) ? change : 0.0;
+    const double factor = slipping ? force_share : stiffness;
+    const double slid_moment = std::copysign(moment, turn);
+    const double held_moment = twist_stiffness * turn;
+    const double new_moment = slipping ? slid_moment : held_moment;
+    const double new_start = slipping ? next : -1.0;
+    const double new_force_x = pull_x * factor;
+    const double new_force_y = pull_y * factor;
+    force_x[i] = left ? old_force_x : new_force_x;
+    force_y[i] = left ? old_force_y : new_force_y;
+    moment_of[i] = left ? old_moment : new_moment;
+    proxy_x[i] = left ? old_x : new_x;
+    proxy_y[i] = left ? old_y : new_y;
+    proxy_angle[i] = left ? old_angle : new_angle;
+    trend[i] = (slipping & !left) ? new_trend : old_trend;
+    start[i] = left ? old_start : new_start;
+  }
+}
+
+}  // namespace
+
+void step_on_table(const Table& table, const TableStep& law, const ContactBatch& block, std::array<bool, table_block>& left) noexcept {
+  const std::size_t count = block.size();
+  Row r, trial_force, trial_moment, place, fate, wrench_force, wrench_moment;
+  make_trials(law, count, block.x.data(), block.y.data(), block.angle.data(), block.depth.data(), block.proxy_x.data(),
+              block.proxy_y.data(), block.proxy_angle.data(), block.start.data(), block.trend.data(), r.data(), trial_force.data(),
+              trial_moment.data(), place.data(), fate.data());
+
+  Searches search;
+  std::array<std::size_t, table_block> contact;
+  std::array<bool, table_block> outside;
+  std::size_t open = 0;
+  const UnitWrench rim = table.rim();
+  const double chi = law.compliance_ratio;
+  for (std::size_t i = 0; i < count; ++i) {
+    wrench_force[i] = wrench_moment[i] = 0.0;
+    if (fate[i] != searches) continue;
+    // As Table::closest.
+    const bool beyond = trial_force[i] - rim.force > chi * (trial_moment[i] - rim.moment);
+    const double from = beyond ? 2.0 - place[i] : place[i];
+    contact[open] = i;
+    outside[open] = beyond;
+    search.x[open] = from >= 0.0 && from <= 1.0 ? from : 1.0;
+    search.kappa[open] = beyond ? 1.0 / chi : chi;
+    search.trial_primary[open] = beyond ? trial_moment[i] : trial_force[i];
+    search.trial_secondary[open] = beyond ? trial_force[i] : trial_moment[i];
+    ++open;
+  }
+  for (int round = 0; round < TableSide::quick_limit && open > 0; ++round) {
+    for (std::size_t j = 0; j < open; ++j) {
+      const TableSide& side = outside[j] ? table.outside() : table.inside();
+      const TableSide::Cell* cell = &side.cell(search.x[j]);
+      search.left[j] = cell->left;
+      search.right[j] = (cell + 1)->left;
+      search.rise[j] = cell->rise;
+      search.constant_primary[j] = cell->constant[0];
+      search.constant_secondary[j] = cell->constant[1];
+      search.square_primary[j] = cell->square[0];
+      search.square_secondary[j] = cell->square[1];
+      search.cube_primary[j] = cell->cube[0];
+      search.cube_secondary[j] = cell->cube[1];
+    }
+    advance_searches(open, TableSide::search_share, search.x.data(), search.kappa.data(), search.trial_primary.data(),
+                     search.trial_secondary.data(), search.left.data(), search.right.data(), search.rise.data(),
+                     search.constant_primary.data(), search.constant_secondary.data(), search.square_primary.data(),
+                     search.square_secondary.data(), search.cube_primary.data(), search.cube_secondary.data(), search.next.data(),
+                     search.primary.data(), search.secondary.data(), search.done.data());
+    std::size_t still = 0;
+    for (std::size_t j = 0; j < open; ++j) {
+      const std::size_t i = contact[j];
+      if (search.done[j] != 0.0) {
+        wrench_force[i] = outside[j] ? search.secondary[j] : search.primary[j];
+        wrench_moment[i] = outside[j] ? search.primary[j] : search.secondary[j];
+        place[i] = outside[j] ? 2.0 - search.next[j] : search.next[j];
+        fate[i] = slides;
+      } else if (search.next[j] >= 0.0 && search.next[j] <= 1.0) {
+        contact[still] = i;
+        outside[still] = outside[j];
+        search.x[still] = search.next[j];
+        search.kappa[still] = search.kappa[j];
+        search.trial_primary[still] = search.trial_primary[j];
+        search.trial_secondary[still] = search.trial_secondary[j];
+        ++still;
+      } else {
+        fate[i] = left_over;  // it wants a bracket
+      }
+    }
+    open = still;
+  }
+  for (std::size_t j = 0; j < open; ++j) fate[contact[j]] = left_over;
+
+  finish(law, count, block.x.data(), block.y.data(), block.angle.data(), block.depth.data(), block.proxy_x.data(), block.proxy_y.data(),
+         block.proxy_angle.data(), block.start.data(), block.trend.data(), block.force_x.data(), block.force_y.data(), block.moment.data(),
+         r.data(), trial_force.data(), trial_moment.data(), wrench_force.data(), wrench_moment.data(), place.data(), fate.data());
+  for (std::size_t i = 0; i < count; ++i) left[i] = fate[i] == left_over;
+}
+
+}  // namespace limitcurve::godobject::detail
