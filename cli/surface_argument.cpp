@@ -2,8 +2,12 @@
 #include "cli/surface_argument.hpp"
 
 #include "cli/key_values.hpp"
+#include "cli/number_list.hpp"
 
 #include "godobject/surfaces.hpp"
+#ifdef LIMITCURVE_HAS_MESH
+#include "godobject/mesh/mesh_file.hpp"
+#endif
 
 #include <stdexcept>
 #include <string_view>
@@ -15,9 +19,20 @@ namespace {
 using godobject::AnySurface;
 using godobject::BodyParameters;
 
-SurfaceArgument read_mesh(std::string_view file) {
-  throw std::invalid_argument("'mesh:" + std::string(file) + "': this program was built without meshes, expected another surface");
+#ifdef LIMITCURVE_HAS_MESH
+SurfaceArgument read_mesh(const std::string& text) {
+  constexpr std::string_view key = ",scale=";
+  const std::size_t comma = text.rfind(key);
+  const std::string file = text.substr(0, comma);
+  if (file.empty()) throw std::invalid_argument("no file, expected mesh:FILE.obj or mesh:FILE.stl");
+  const double scale = comma == std::string::npos ? 1.0 : read_number(std::string_view(text).substr(comma + key.size()), positive);
+  return {AnySurface(godobject::read_mesh(file, scale)), {}};
 }
+#else
+SurfaceArgument read_mesh(const std::string& file) {
+  throw std::invalid_argument("'mesh:" + file + "': this program was built without meshes, expected another surface");
+}
+#endif
 
 SurfaceArgument read_sphere(std::string_view text) {
   double radius = 0.0;
@@ -58,7 +73,7 @@ SurfaceArgument read_surface(const std::string& text) {
   if (kind == "capsule") return read_capsule(rest);
   if (kind == "cylinder") return read_cylinder(rest);
   if (kind == "box") return read_box(rest);
-  if (kind == "mesh") return read_mesh(rest);
+  if (kind == "mesh") return read_mesh(std::string(rest));
   throw std::invalid_argument("got '" + text +
                               "', expected plane, sphere:radius=0.05, capsule:radius=0.01,length=0.1, cylinder:radius=0.02,length=0.1, "
                               "box:x=0.12,y=0.04,z=0.04 or mesh:FILE.obj");

@@ -238,8 +238,30 @@ class Scenes(CommandLineTest):
         gap = self.file("gap.csv", "time,x,y,z,twist\n0,0,0,0,0\n3,0,0,0,0\n")
         self.assert_fails(2, ["gap.csv:3:1:", "gap of 3 s", "expected at most 1 s"], "replay", "--trace", gap, *FINGER, "--surface",
                           "sphere:radius=1", "--body", "free:mass=1")
-        if "built without meshes" in run("replay", "--trace", path, *FINGER, "--surface", "mesh:x.obj").stderr:
-            self.assert_fails(2, ["--surface", "mesh:x.obj"], "replay", "--trace", path, *FINGER, "--surface", "mesh:x.obj")
+
+    def test_a_mesh(self):
+        path = self.file("trace.csv", TRACE)
+        call = ["replay", "--trace", path, *FINGER, "--surface"]
+        if "built without meshes" in run(*call, "mesh:x.obj").stderr:
+            self.assert_fails(2, ["--surface", "mesh:x.obj"], *call, "mesh:x.obj")
+            self.skipTest("built without meshes")
+        self.assert_fails(2, ["--surface", "absent.obj"], *call, f"mesh:{self.directory}/absent.obj")
+        self.assert_fails(2, ["--surface", "expected mesh:FILE"], *call, "mesh:")
+        self.assert_fails(2, ["--surface", "'x'"], *call, f"mesh:{DATA}/meshes/block.obj,scale=x")
+        torn = self.file("torn.obj", "v 0 0 0\nv 1 0\n")
+        self.assert_fails(2, ["--surface", "torn.obj:2:"], *call, f"mesh:{torn}")
+        # A block is a block, whether given by its edges or its corners, in metres or millimetres.
+        scene = ["--fingers", "2", "--damping", "2", "--body", "free:mass=0.1,inertia=1e-4"]
+        box = self.scene("pinch.csv", "--surface", "box:x=0.12,y=0.04,z=0.04", *scene)
+        lines = (DATA / "meshes" / "block.obj").read_text().splitlines()
+        millimetres = [" ".join(["v", *(repr(float(word) * 1000) for word in line.split()[1:])]) if line.startswith("v ") else line for line in lines]
+        scaled = self.file("block.obj", "\n".join(millimetres) + "\n")
+        for mesh in [f"mesh:{DATA}/meshes/block.obj", f"mesh:{scaled},scale=0.001"]:
+            found = self.scene("pinch.csv", "--surface", mesh, *scene)
+            for one, other in zip(box, found):
+                self.assertEqual(one["state"], other["state"])
+                for name in ["px", "py", "pz", "fx", "fy", "fz", "load", "nz", "bx", "by", "bz", "bqz", "load2"]:
+                    self.assertAlmostEqual(one[name], other[name], delta=1e-8, msg=name)
 
 
 class Files(CommandLineTest):
