@@ -3,9 +3,11 @@
 // figure (panel,series,x,value). scripts/stability draws and documents them.
 #include "atlas.hpp"
 #include "fits.hpp"
+#include "geometry.hpp"
 #include "limitcurve/number.hpp"
 #include "projection.hpp"
 #include "quadrature.hpp"
+#include "reality.hpp"
 #include "stepping.hpp"
 #include "tables.hpp"
 #include "turns.hpp"
@@ -32,7 +34,8 @@ const std::vector<Entry> entries = {
      {degenerate_steps, stiffness_ratios, newton_without_bracket, corners, order_of_limits, chatter, collapsing_load}},
     {"time",
      {light_body, stiffness_and_damping, block_of_ten_grams, released_grip, delayed_forces, sampled_contact, encoder_steps}},
-    {"geometry", {half_a_turn, ten_thousand_turns}},
+    {"geometry", {half_a_turn, ten_thousand_turns, thin_plate, side_at_a_vertex, broken_meshes, normals_that_jump}},
+    {"reality", {rates_and_jitter, clocks, bad_samples, plate_between_samples, frozen_device}},
 };
 
 /// Text may hold commas.

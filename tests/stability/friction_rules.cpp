@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Entry d: how a step finds the wrench that friction allows, where the rule itself is wrong.
+#include "bristles.hpp"
 #include "godobject/closest_point_projection.hpp"
 #include "godobject/soft_finger.hpp"
 #include "limitcurve/ellipse.hpp"
@@ -143,21 +144,6 @@ struct Drawn {
   }
 };
 
-/// Bristles (P. Dahl 1968; LuGre without its viscous parts): dz/dt = v − |v| k z/(μP), force k z.
-class Bristles {
- public:
-  double update(double x, double load, double mu) {
-    const double moved = x - last_;
-    last_ = x;
-    stretch_ += moved - std::fabs(moved) * contact_stiffness * stretch_ / (mu * load);
-    return contact_stiffness * stretch_;
-  }
-
- private:
-  double last_ = 0.0;
-  double stretch_ = 0.0;
-};
-
 }  // namespace
 
 Hazard order_of_limits() {
@@ -233,17 +219,17 @@ Hazard collapsing_load() {
   with.mu = mu;
   with.stiffness = contact_stiffness;
   SoftFinger finger(ExactCurve(hertz()), with, ClosestPoint{});
-  Bristles bristles;
+  Bristles bristles(contact_stiffness, 0.0);
   const auto contact = [](double x, double load) { return Contact{{x, 0.0, 0.0}, Eigen::Vector3d::UnitZ(), load / contact_stiffness}; };
   // Pressed with 5 N, drawn to the limit, and let go to 5 mN within one step, at rest.
   finger.update(contact(0.0, 5.0), 0.0);
   double bristle_force = 0.0;
   for (int i = 0; i <= 1000; ++i) {
     finger.update(contact(1e-5 * i, 5.0), 0.0);
-    bristle_force = bristles.update(1e-5 * i, 5.0, mu);
+    bristle_force = bristles.update(1e-5 * i, mu * 5.0);
   }
   const FingerOutput let_go = finger.update(contact(0.01, 0.005), 0.0);
-  bristle_force = bristles.update(0.01, 0.005, mu);
+  bristle_force = bristles.update(0.01, mu * 0.005);
   found.findings.push_back({"load collapsing in one step", "bristles (Dahl, LuGre)",
                             "friction force at rest / limit, load to a thousandth in one step", bristle_force / (mu * 0.005),
                             let_go.force.norm() / (mu * let_go.load), test});

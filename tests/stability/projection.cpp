@@ -183,77 +183,6 @@ Failures failures(const PressureLaw& law, const ExactCurve& curve, double kappa,
   return {count.newton / rounds, count.newton_ahead / rounds, count.ours / rounds};
 }
 
-/// A polygon that does not tell its corners: all that a search for smooth curves sees.
-template <class Polygon>
-struct Unpolygonal {
-  Polygon polygon;
-  [[nodiscard]] UnitWrench wrench(SlipTwist twist) const noexcept { return polygon.wrench(twist); }
-  [[nodiscard]] BoundaryPoint point(SlipTwist twist) const noexcept { return polygon.point(twist); }
-  [[nodiscard]] RadialPoint along(UnitWrench wrench) const noexcept { return polygon.along(wrench); }
-  [[nodiscard]] double gauge(UnitWrench wrench) const noexcept { return polygon.gauge(wrench); }
-  [[nodiscard]] double moment_ratio() const noexcept { return polygon.moment_ratio(); }
-};
-
-/// The closest point of a polygon, by cutting an interval of each face to two thirds until it is rounding; in long double, for what
-/// is left is its root.
-template <class Polygon>
-UnitWrench by_thirds(const Polygon& polygon, const Trial& trial) {
-  UnitWrench best{};
-  long double least = infinity;
-  const auto& corners = polygon.vertices();
-  for (std::size_t i = 0; i + 1 < corners.size(); ++i) {
-    const auto force = [&](long double t) { return corners[i].force + t * (corners[i + 1].force - corners[i].force); };
-    const auto moment = [&](long double t) { return corners[i].moment + t * (corners[i + 1].moment - corners[i].moment); };
-    const auto distance = [&](long double t) {
-      const long double over_force = trial.wrench.force - force(t);
-      const long double over_moment = trial.wrench.moment - moment(t);
-      return over_force * over_force + trial.compliance_ratio * over_moment * over_moment;
-    };
-    long double low = 0.0L;
-    long double high = 1.0L;
-    for (int j = 0; j < 200; ++j) {
-      const long double third = (high - low) / 3.0L;
-      if (distance(low + third) < distance(high - third)) {
-        high -= third;
-      } else {
-        low += third;
-      }
-    }
-    if (distance(low) < least) {
-      least = distance(low);
-      best = {static_cast<double>(force(low)), static_cast<double>(moment(low))};
-    }
-  }
-  return best;
-}
-
-struct CornerErrors {
-  double distance = 0.0;  // of the wrench from the closest point
-  double work = 0.0;      // the least slip work, in units of the limits
-};
-
-template <class Polygon>
-std::array<CornerErrors, 2> corner_errors(const Polygon& polygon) {
-  std::array<CornerErrors, 2> worst;
-  const Unpolygonal<Polygon> hidden{polygon};
-  Random random(6);
-  for (int i = 0; i < 2000; ++i) {
-    Trial trial;
-    trial.compliance_ratio = random.logarithmic(0.1, 10.0);
-    trial.wrench = {random.uniform(0.0, 3.0), random.uniform(0.0, 3.0) * polygon.moment_ratio()};
-    if (!(polygon.gauge(trial.wrench) > 1.0 + 1e-6)) continue;
-    const UnitWrench truth = by_thirds(polygon, trial);
-    const std::array found{ClosestPoint{}(hidden, trial).wrench, ClosestPoint{}(polygon, trial).wrench};
-    for (std::size_t j = 0; j < found.size(); ++j) {
-      const auto [force, moment] = found[j];
-      worst[j].distance = std::max(worst[j].distance, normalised_distance(found[j], truth, polygon.moment_ratio()));
-      worst[j].work =
-          std::min(worst[j].work, force * (trial.wrench.force - force) + trial.compliance_ratio * moment * (trial.wrench.moment - moment));
-    }
-  }
-  return worst;
-}
-
 }  // namespace
 
 Hazard degenerate_steps() {
@@ -351,22 +280,6 @@ Hazard newton_without_bracket() {
   found.findings.push_back(
       {"Newton without a bracket", "from the trial's direction", share + "k_r/k_l = 1e6·(m₀a)²", stiff.newton_ahead, ours, test});
   found.figures.push_back(std::move(figure));
-  return found;
-}
-
-Hazard corners() {
-  Hazard found;
-  const std::string test = "Projection.Corners";
-  const double m0 = hertz()->moment_ratio();
-  const auto of_box = corner_errors(box(1.0, m0));
-  const auto of_diamond = corner_errors(diamond(1.0, m0));
-  const std::string hazard = "corners and faces";
-  const std::string method = "search for the normal's wrench, ";
-  found.findings.push_back(
-      {hazard, method + "box", "distance from the closest point, in the normalised plane", of_box[0].distance, of_box[1].distance, test});
-  found.findings.push_back({hazard, method + "pyramid", "distance from the closest point, in the normalised plane", of_diamond[0].distance,
-                            of_diamond[1].distance, test});
-  found.findings.push_back({hazard, method + "box", "least slip work, in (μP)²/k_l (must be ≥ 0)", of_box[0].work, of_box[1].work, test});
   return found;
 }
 
