@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Figures of docs/stability.md, entries projection, time, geometry and reality: one function a figure, takes its rows, returns a figure."""
 
-from chart_style import BLUE, FAINT, GREEN, INK, ORANGE, VERMILION, legend_below, plt
+from chart_style import BLUE, INK, ORANGE, VERMILION, legend_below, plt
 from stability_numerics import COR, draw, frame, styles
 
 
@@ -135,6 +135,38 @@ def time_encoder(rows):
     return figure
 
 
+def geometry_plate(rows):
+    figure, (axes,) = panels(rows, ["force"])
+    axes.set(title="Force towards the finger's side, pressed into a plate of 1 mm (1000 N/m)", xlabel="depth [mm]", ylabel="[N]", xlim=(-0.2, 3), ylim=(-1, 3))
+    legend_below(figure, axes, 2)
+    return figure
+
+
+def geometry_vertex(rows):
+    figure, (axes,) = panels(rows, ["share"])
+    axes.set(title="Points about the tip of a pyramid taken for the other side", xlabel="angle of the tip [°]", ylabel="share", xlim=(10, 150), ylim=(-0.01, None))
+    legend_below(figure, axes, 2)
+    return figure
+
+
+def reality_rates(rows):
+    figure, (force, error) = panels(rows, ["force", "error"])
+    force.set(title="Largest friction / limit, scrubbing up to 0.25 m/s", xlabel="rate [Hz]", xscale="log", yscale="log", xlim=(100, 1e4), ylim=(0.5, 1e3))
+    error.set(title="Our error of the friction while stirring / limit", xlabel="rate [Hz]", xscale="log", yscale="log", xlim=(100, 1e4), ylim=(1e-3, 1))
+    for axes in (force, error):
+        axes.minorticks_off()
+    legend_below(figure, force, 2)
+    return figure
+
+
+def reality_clock(rows):
+    figure, (axes,) = panels(rows, ["load"])
+    axes.set(title="Damper's share of the load at a steady speed, 1 kHz ± 30 %", xlabel="time [ms]", ylabel="of b v", xlim=(0, 50), ylim=(0, 2))
+    legend_below(figure, axes, 2)
+    return figure
+
+
 FIGURES = {figure.__name__: figure for figure in (
     projection_stiffness, projection_newton, projection_order, projection_chatter,
-    time_map, time_block, time_delay, time_passivity, time_encoder)}
+    time_map, time_block, time_delay, time_passivity, time_encoder,
+    geometry_plate, geometry_vertex, reality_rates, reality_clock)}
