@@ -86,7 +86,9 @@ std::array<CornerErrors, 2> corner_errors(const Polygon& polygon) {
     const std::array found{ClosestPoint{}(hidden, trial).wrench, ClosestPoint{}(polygon, trial).wrench};
     for (std::size_t j = 0; j < found.size(); ++j) {
       const auto [force, moment] = found[j];
-      worst[j].distance = std::max(worst[j].distance, normalised_distance(found[j], truth, polygon.moment_ratio()));
+      // Nearer than 1e-8 the search by thirds cannot tell.
+      const double distance = normalised_distance(found[j], truth, polygon.moment_ratio());
+      if (distance > 1e-8) worst[j].distance = std::max(worst[j].distance, distance);
       worst[j].work =
           std::min(worst[j].work, force * (trial.wrench.force - force) + trial.compliance_ratio * moment * (trial.wrench.moment - moment));
     }

@@ -38,7 +38,7 @@ TEST(Projection, Corners) {
   ASSERT_EQ(findings.size(), 3U);
   for (const std::size_t i : {0U, 1U}) {
     EXPECT_GE(findings[i].breaks, 0.1) << findings[i].method;
-    EXPECT_LE(findings[i].stands, 1e-8);
+    EXPECT_EQ(findings[i].stands, 0.0);
   }
   EXPECT_LE(findings[2].breaks, -0.1);
   EXPECT_EQ(findings[2].stands, 0.0);
