@@ -36,6 +36,22 @@ def projection_newton(rows):
     return figure
 
 
+def projection_corners(rows):
+    figure, axes = frame(2, height=4.2, sharey=True)
+    outlines = {"box": ([0, 1, 1], [1, 1, 0]), "pyramid": ([0, 1], [1, 0])}
+    for one, (panel, outline) in zip(axes, outlines.items()):
+        one.plot(*outline, color=INK, linewidth=1.2)
+        for series, points in rows.where(panel=panel).groups("series").items():
+            ours = series.startswith("ours")
+            one.plot(points.column("x"), points.column("value"), color=BLUE if ours else VERMILION, linewidth=1, zorder=3 if ours else 2,
+                     linestyle="-" if ours else (0, (3, 2)), label={"ours 0": "limitcurve", "search 0": "search for the wrench whose normal fits"}.get(series))
+            one.plot(points.column("x")[-1:], points.column("value")[-1:], "o" if ours else "x", markersize=4, color=BLUE if ours else VERMILION, zorder=4)
+        one.set(title=f"From trial to wrench, {panel}", xlabel="force / its largest", xlim=(0, 1.7), ylim=(0, 1.7), aspect="equal", xticks=(0, 1), yticks=(0, 1))
+    axes[0].set_ylabel("moment / its largest")
+    legend_below(figure, axes[0], 2)
+    return figure
+
+
 def projection_order(rows):
     figure, (force, moment) = panels(rows, ["force", "moment"], sharey=True)
     force.set(title="Force of a steady twist / its largest", xlabel=COR, xscale="log", xlim=(0.01, 100), ylim=(-0.03, 1.06))
@@ -166,7 +182,14 @@ def reality_clock(rows):
     return figure
 
 
+def reality_samples(rows):
+    figure, (axes,) = panels(rows, ["load"])
+    axes.set(title="Load; one sample leaps, one is no number, from 500 ms on there are none", xlabel="time [ms]", ylabel="[N]", xlim=(0, 1000), ylim=(0, 6.2))
+    legend_below(figure, axes, 2)
+    return figure
+
+
 FIGURES = {figure.__name__: figure for figure in (
-    projection_stiffness, projection_newton, projection_order, projection_chatter,
+    projection_stiffness, projection_newton, projection_corners, projection_order, projection_chatter,
     time_map, time_block, time_delay, time_passivity, time_encoder,
-    geometry_plate, geometry_vertex, reality_rates, reality_clock)}
+    geometry_plate, geometry_vertex, reality_rates, reality_clock, reality_samples)}

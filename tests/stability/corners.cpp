@@ -10,6 +10,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <string>
+#include <utility>
 
 namespace limitcurve::stability {
 
@@ -96,21 +98,48 @@ std::array<CornerErrors, 2> corner_errors(const Polygon& polygon) {
   return worst;
 }
 
+/// Ways from trials to the wrenches found for them, in the normalised plane; equal springs there.
+template <class Polygon>
+void draw(Figure& figure, const std::string& panel, const Polygon& polygon) {
+  const Unpolygonal<Polygon> hidden{polygon};
+  const double m0 = polygon.moment_ratio();
+  int number = 0;
+  for (const double x : {0.3, 0.7, 1.2, 1.6}) {
+    for (const double y : {0.4, 0.8, 1.2, 1.6}) {
+      Trial trial;
+      trial.wrench = {x, y * m0};
+      trial.compliance_ratio = 1.0 / (m0 * m0);
+      if (!(polygon.gauge(trial.wrench) > 1.0)) continue;
+      const auto add = [&](const std::string& series, UnitWrench wrench) {
+        figure.rows.push_back({panel, series + std::to_string(number), x, y});
+        figure.rows.push_back({panel, series + std::to_string(number), wrench.force, wrench.moment / m0});
+      };
+      add("search ", ClosestPoint{}(hidden, trial).wrench);
+      add("ours ", ClosestPoint{}(polygon, trial).wrench);
+      ++number;
+    }
+  }
+}
+
 }  // namespace
 
 Hazard corners() {
   Hazard found;
+  Figure figure{"projection_corners", {}};
   const std::string test = "Projection.Corners";
   const double m0 = hertz()->moment_ratio();
   const auto of_box = corner_errors(box(1.0, m0));
   const auto of_diamond = corner_errors(diamond(1.0, m0));
   const std::string hazard = "corners and faces";
   const std::string method = "search for the normal's wrench, ";
+  draw(figure, "box", box(1.0, m0));
+  draw(figure, "pyramid", diamond(1.0, m0));
   found.findings.push_back(
       {hazard, method + "box", "distance from the closest point, in the normalised plane", of_box[0].distance, of_box[1].distance, test});
   found.findings.push_back({hazard, method + "pyramid", "distance from the closest point, in the normalised plane", of_diamond[0].distance,
                             of_diamond[1].distance, test});
   found.findings.push_back({hazard, method + "box", "least slip work, in (μP)²/k_l (must be ≥ 0)", of_box[0].work, of_box[1].work, test});
+  found.figures.push_back(std::move(figure));
   return found;
 }
 

@@ -26,7 +26,6 @@ using namespace godobject;
 using Eigen::Vector3d;
 using Finger = SoftFinger<Ellipse, ClosestPoint>;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double mu = 0.5;
 constexpr double stiffness = 1000.0;
 constexpr double depth = 1e-3;
@@ -82,6 +81,22 @@ std::vector<Vector3d> stirring(double rate, double jitter) {
 /// The load as one writes it, a spring and a damper over the step that the clock tells.
 double customary_load(double beneath, double last, double damping, double time_step) {
   return stiffness * beneath + damping * (beneath - last) / time_step;
+}
+
+/// Loads over a second at 1 kHz: one sample of them leaps by 5 mm, one is no number, and from the middle on there are none.
+void draw_samples(Figure& figure, FingerParameters with) {
+  with.jump_limit = 1e-3;
+  Finger finger = made_of(with);
+  double held = 0.0;
+  for (int i = 0; i < 1000; ++i) {
+    const bool lost = i == 200 || i >= 500;
+    const double beneath = lost ? std::numeric_limits<double>::quiet_NaN() : i == 100 ? 6e-3 : depth * (1.0 + 0.2 * std::sin(0.01 * i));
+    if (!lost) held = stiffness * beneath;
+    const double ours = finger.update(at(0.0, 0.0, beneath), 0.0).load;
+    if (i % 5 != 0 && std::abs(i - 100) > 1) continue;
+    figure.rows.push_back({"load", "as told, the last held", static_cast<double>(i), held});
+    figure.rows.push_back({"load", "limitcurve", static_cast<double>(i), ours});
+  }
 }
 
 }  // namespace
@@ -180,6 +195,7 @@ Hazard clocks() {
 
 Hazard bad_samples() {
   Hazard found;
+  Figure figure{"reality_samples", {}};
   const std::string test = "Reality.BadSamples";
   FingerParameters with = parameters();
   with.jump_limit = 0.01;
@@ -204,6 +220,7 @@ Hazard bad_samples() {
   }
   found.findings.push_back({"one sample that is no number", "bristles; any state that is added to",
                             "samples of the next 1000 without a force", customary, ours, test});
+  draw_samples(figure, with);
   // A sample 10 cm deep.
   const double leap = finger.update(at(path(1101), 0.0, 0.1), 0.0).load;
   found.findings.push_back({"one sample that leaps by 10 cm", "load k_l d of what is told",
@@ -214,6 +231,7 @@ Hazard bad_samples() {
   for (int i = 0; i < 1000; ++i) finger.update(at(nothing), 0.0);
   found.findings.push_back({"samples that no longer come", "the last force held",
                             "load after a second at 1 kHz / before (ours: hold_share 0.99)", 1.0, finger.output().load / last, test});
+  found.figures.push_back(std::move(figure));
   return found;
 }
 
