@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "fit/contact_fit.hpp"
 
+#include "fit/internal/contact_correction.hpp"
 #include "fit/internal/contact_preparation.hpp"
 #include "fit/internal/report.hpp"
 #include "limitcurve/laws.hpp"
@@ -144,6 +145,13 @@ ContactFit fit_prepared(const ContactPreparation& preparation, const ContactMode
   fit.report.rms *= preparation.noise;
   fit.report.aic = internal::akaike(solution.cost, count, free, preparation.with_sigma || robust);
 
+  bool at_bound = false;
+  bool hidden = false;
+  if (layout.shape) {
+    const double range = curve->high() - curve->low();
+    at_bound = std::min(solution.values[2] - curve->low(), curve->high() - solution.values[2]) < 1e-6 * range;
+    hidden = std::sqrt(covariance[2 * free + 2]) > 0.5 * range;
+  }
   // From the logarithms at the reference load to the quantities themselves, at 1 N where the radius depends on the load.
   const double shape = layout.shape ? solution.values[2] : 0.0;
   curve->bend(shape);
@@ -153,47 +161,60 @@ ContactFit fit_prepared(const ContactPreparation& preparation, const ContactMode
   const std::string metre = grows ? "m/N^gamma" : "m";
   const double mu = std::exp(solution.values[0]);
   const double mu_r = std::exp(solution.values[1] - gamma * log_reference);
-  std::vector<internal::Quantity> quantities;
-  std::vector<double> jacobian;
-  const auto add = [&](std::string name, double value, std::string unit, double by_mu, double by_mu_r, double by_shape, double by_gamma) {
-    quantities.push_back({std::move(name), value, std::move(unit)});
-    jacobian.insert(jacobian.end(), {by_mu, by_mu_r});
-    if (layout.shape) jacobian.push_back(by_shape);
-    if (layout.gamma) jacobian.push_back(by_gamma);
+  internal::Reported reported;
+  const auto add = [&](std::string name, double value, std::string unit, double scale, std::array<double, 4> slopes) {
+    reported.quantities.push_back({std::move(name), value, std::move(unit)});
+    reported.scales.push_back(scale);
+    reported.bends.push_back(0.0);
+    reported.jacobian.insert(reported.jacobian.end(), {slopes[0], slopes[1]});
+    if (layout.shape) reported.jacobian.push_back(slopes[2]);
+    if (layout.gamma) reported.jacobian.push_back(slopes[3]);
   };
-  add(parameters[0].name, mu, "1", mu, 0.0, 0.0, 0.0);
-  add(parameters[1].name, mu_r, metre, 0.0, mu_r, 0.0, -mu_r * log_reference);
+  add(parameters[0].name, mu, "1", mu, {mu, 0.0, 0.0, 0.0});
+  add(parameters[1].name, mu_r, metre, mu_r, {0.0, mu_r, 0.0, -mu_r * log_reference});
   if (is_exact(model)) {
     const double ratio = mu_r / mu;
-    add("ratio", ratio, metre, -ratio, ratio, 0.0, -ratio * log_reference);
+    add("ratio", ratio, metre, ratio, {-ratio, ratio, 0.0, -ratio * log_reference});
     const double radius = ratio / curve->moment_ratio();
-    add(grows ? "c" : "radius", radius, metre, -radius, radius, -radius * curve->moment_ratio_slope() / curve->moment_ratio(),
-        -radius * log_reference);
+    add(grows ? "c" : "radius", radius, metre, radius,
+        {-radius, radius, -radius * curve->moment_ratio_slope() / curve->moment_ratio(), -radius * log_reference});
+    if (layout.shape) reported.bends.back() = -0.5 * internal::log_moment_ratio_curvature(*curve, shape);
   }
-  if (layout.shape) add(curve->shape_name(), curve->parameter(shape), "1", 0.0, 0.0, curve->parameter_slope(shape), 0.0);
-  if (layout.gamma) add("gamma", gamma, "1", 0.0, 0.0, 0.0, 1.0);
-  internal::set_estimates(fit.report, quantities, jacobian, covariance);
-  fit.band = band_of(*curve, layout, covariance, mu, mu_r, log_reference);
+  const bool logarithmic = curve->is_logarithmic();
+  if (layout.shape) {
+    const double slope = curve->parameter_slope(shape);
+    add(curve->shape_name(), curve->parameter(shape), "1", logarithmic ? slope : 0.0, {0.0, 0.0, slope, 0.0});
+  }
+  if (layout.gamma) add("gamma", gamma, "1", 0.0, {0.0, 0.0, 0.0, 1.0});
+  internal::set_estimates(fit.report, reported.quantities, reported.jacobian, covariance);
+  if (!at_bound && !hidden) {
+    internal::FittedContact fitted{residuals, solution, parameters, options.loss, variance};
+    if (logarithmic) fit.report.estimates[4].std_error = internal::mean_shape_error(fitted, covariance, *curve);
+    // As for the drift: only as much noise bends the estimates as there is.
+    if (preparation.with_sigma && !robust) fitted.variance = std::min(scatter, 1.0);
+    internal::Stray stray = internal::stray_of(fitted);
+    if (layout.shape) {
+      stray = internal::expected_stray(fitted, stray, logarithmic);
+    }
+    internal::unbias(fit.report, reported, stray);
+    curve->bend(layout.shape ? shape - stray.bias[2] : 0.0);
+  }
+  fit.band = band_of(*curve, layout, covariance, fit.report.estimates[0].value, fit.report.estimates[1].value, log_reference);
   warn(fit.report, *curve, model, options);
   warn_of_scatter(fit.report, solution, options.loss, preparation.with_sigma);
 
-  if (layout.shape) {
-    const double range = curve->high() - curve->low();
-    const double error = std::sqrt(covariance[2 * free + 2]);
-    const bool at_bound = std::min(shape - curve->low(), curve->high() - shape) < 1e-6 * range;
-    if (at_bound || error > 0.5 * range) {
-      // An honest blank is better than a number: neither the shape nor what depends on it is known.
-      constexpr double infinity = std::numeric_limits<double>::infinity();
-      for (Estimate& estimate : fit.report.estimates) {
-        if (estimate.name != curve->shape_name() && estimate.name != "radius" && estimate.name != "c") continue;
-        if (!at_bound) estimate.value = std::numeric_limits<double>::quiet_NaN();
-        estimate.std_error = infinity;
-      }
-      fit.report.warnings.push_back(at_bound ? curve->shape_name() + " is at the end of its range, " + brief(curve->parameter(shape)) +
-                                                   ": the data ask for more than the family has, or say nothing of it"
-                                             : curve->shape_name() +
-                                                   " is not identifiable from these samples: any value in its range explains them");
+  if (at_bound || hidden) {
+    // An honest blank is better than a number: neither the shape nor what depends on it is known.
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    for (Estimate& estimate : fit.report.estimates) {
+      if (estimate.name != curve->shape_name() && estimate.name != "radius" && estimate.name != "c") continue;
+      if (!at_bound) estimate.value = std::numeric_limits<double>::quiet_NaN();
+      estimate.std_error = infinity;
     }
+    fit.report.warnings.push_back(at_bound ? curve->shape_name() + " is at the end of its range, " + brief(curve->parameter(shape)) +
+                                                 ": the data ask for more than the family has, or say nothing of it"
+                                           : curve->shape_name() +
+                                                 " is not identifiable from these samples: any value in its range explains them");
   }
   return fit;
 }

@@ -113,6 +113,7 @@ class LawCurve final : public UnitCurve {
   double parameter_slope(double coordinate) const noexcept override {
     return family_ != nullptr ? family_->parameter_slope(coordinate) : 1.0;
   }
+  bool is_logarithmic() const noexcept override { return family_ != nullptr; }
 
   void bend(double coordinate) noexcept override {
     if (family_ == nullptr || coordinate == bent_to_) return;

@@ -26,6 +26,8 @@ class UnitCurve {
   [[nodiscard]] virtual double start() const noexcept { return 0.0; }
   [[nodiscard]] virtual double parameter(double coordinate) const noexcept { return coordinate; }
   [[nodiscard]] virtual double parameter_slope(double) const noexcept { return 1.0; }
+  /// Whether the coordinate is a logarithm of the parameter, up to a shift (else it is the parameter itself).
+  [[nodiscard]] virtual bool is_logarithmic() const noexcept { return false; }
 
   /// Bends the curve to a shape coordinate. What follows is of that shape.
   virtual void bend(double) noexcept {}

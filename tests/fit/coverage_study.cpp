@@ -35,6 +35,7 @@ int main(int argc, char** argv) {
   row("power n=0.5", power_family, hertz(), 0.5, 0.003, true);
   row("power n=0.5", power_family, hertz(), 0.5, 0.003, false);
   row("power n=0.5", power_family, hertz(), 0.5, 0.01, true);
+  row("power n=0.5", power_family, hertz(), 0.5, 0.01, false);
   row("xydas-kao k=3", xydas_kao_family, xydas_kao(3.0), 3.0, 0.001, true);
   row("xydas-kao k=3", xydas_kao_family, xydas_kao(3.0), 3.0, 0.003, true);
   return 0;

@@ -34,5 +34,25 @@ TEST(Coverage, PressureLawWithErrorsOfAThirdOfAPercent) {
   expect_honest({ContactModel::Kind::power}, 0.003, true);
 }
 
+/// Where the shape is known to some tens of percent only, least squares alone is biased by 0.13 to 0.17 standard errors: the full
+/// study of 1000 seeds, and what is promised of it. Some 3 s each.
+void expect_promise(const ContactModel& model, const Law& law, double shape, double noise) {
+  int blanks = 0;
+  for (const auto& [name, honesty] : synthetic::study(model, law, shape, noise, true, 1000, blanks)) {
+    EXPECT_LT(std::fabs(honesty.bias), 0.1) << name;
+    EXPECT_GE(honesty.coverage, 0.93) << name;
+    EXPECT_LE(honesty.coverage, 0.97) << name;
+  }
+  EXPECT_LE(blanks, 5);
+}
+
+TEST(Coverage, PressureLawOfPowerNHardlyKnownIsUnbiased) {
+  expect_promise({ContactModel::Kind::power}, hertz(), 0.5, 0.01);
+}
+
+TEST(Coverage, PressureLawOfXydasAndKaoHardlyKnownIsUnbiased) {
+  expect_promise({ContactModel::Kind::xydas_kao}, xydas_kao(3.0), 3.0, 0.003);
+}
+
 }  // namespace
 }  // namespace limitcurve::fit
