@@ -52,6 +52,8 @@ void write_chart(const std::filesystem::path& output, const std::filesystem::pat
 void write_fit_files(const std::filesystem::path& output, const std::filesystem::path& data) {
   write_parameters(output, data);
   write_chart(output, data);
+  // Measured once in the engines themselves, which a reader need not have.
+  std::filesystem::copy_file(data / "engines" / "drag.csv", output / "engine_drag.csv", std::filesystem::copy_options::overwrite_existing);
 }
 
 }  // namespace limitcurve::cli

@@ -145,13 +145,35 @@ def tables(data):
 RESIDUALS_SHOWN = 6
 
 
+ERROR_BARS_EVERY = 12
+
+
 def fits(data):
     """A limit curve fitted to measured slips, per newton of load, with its 95 % band; and what the fit leaves over."""
     figure, (left, right) = plt.subplots(1, 2, figsize=(9.6, 4.1), layout="constrained")
     samples, band = data["fit_residuals"], data["fit_band"]
     gamma = data["fits"].where(data="slips", parameter="gamma")[0]["value"]
-    left.plot([row["force"] / row["load"] for row in samples], [1e3 * row["moment"] / row["load"] ** (1 + gamma) for row in samples], ".",
-              color=FAINT, markersize=2.5, alpha=0.6, label="a slip, scaled to 1 N")
+    forces = [row["force"] / row["load"] for row in samples]
+    moments = [1e3 * row["moment"] / row["load"] ** (1 + gamma) for row in samples]
+    left.plot(forces, moments, ".", color=FAINT, markersize=2.5, alpha=0.6, label="a slip, scaled to 1 N")
+    barred = slice(None, None, ERROR_BARS_EVERY)
+    left.errorbar(forces[barred], moments[barred], xerr=[row["sigma_force"] / row["load"] for row in samples[barred]],
+                  yerr=[1e3 * row["sigma_moment"] / row["load"] ** (1 + gamma) for row in samples[barred]], fmt=".", color=INK,
+                  markersize=2.5, elinewidth=0.8, label=f"one in {ERROR_BARS_EVERY}, ± its standard deviation")
+    # The band is thinner than the line, but for a lens.
+    middle = band[len(band) // 2]
+    reach = 8 * math.hypot(middle["outer_force"] / middle["force"] - 1, middle["outer_moment"] / middle["moment"] - 1)
+    lens = left.inset_axes([0.66, 0.58, 0.34, 0.38])
+    lens.fill(band.column("inner_force") + band.column("outer_force")[::-1],
+              band.column("inner_moment", 1e3) + band.column("outer_moment", 1e3)[::-1], color=BLUE, alpha=0.3, linewidth=0)
+    lens.plot(band.column("force"), band.column("moment", 1e3), color=BLUE, linewidth=1)
+    lens.plot(forces, moments, ".", color=FAINT, markersize=4, alpha=0.8)
+    lens.set(xlim=[middle["force"] * (1 + sign * reach) for sign in (-1, 1)], xticks=[], yticks=[],
+             ylim=[1e3 * middle["moment"] * (1 + sign * reach) for sign in (-1, 1)])
+    lens.text(0.05, 0.05, f"± {100 * reach:.1f} %", transform=lens.transAxes, fontsize=8)
+    for spine in lens.spines.values():
+        spine.set(visible=True, color=FAINT)
+    left.indicate_inset_zoom(lens, edgecolor=FAINT)
     left.fill(band.column("inner_force") + band.column("outer_force")[::-1],
               band.column("inner_moment", 1e3) + band.column("outer_moment", 1e3)[::-1], color=BLUE, alpha=0.3, linewidth=0,
               label="its 95 % band")
@@ -162,7 +184,51 @@ def fits(data):
 
     near = [row for row in samples if abs(row["residual"]) <= RESIDUALS_SHOWN]
     right.axhspan(-1.96, 1.96, color=GRID, alpha=0.5, zorder=0, linewidth=0)
+    right.axhline(0, color=FAINT, linewidth=0.8)
     right.plot([row["load"] for row in near], [row["residual"] for row in near], ".", color=BLUE, markersize=3, alpha=0.5)
     right.set(title=f"Residuals in standard deviations ({len(samples) - len(near)} of {len(samples)} beyond ±{RESIDUALS_SHOWN})",
               xlabel="load  [N]", ylim=(-RESIDUALS_SHOWN, RESIDUALS_SHOWN))
     return figure
+
+
+ENGINE_STYLES = {  # marker, colour, filled
+    "mujoco ellipse": ("o", BLUE, False),
+    "mujoco diamond": ("D", GREEN, False),
+    "ode box": ("s", ORANGE, False),
+    "bullet box": ("x", VERMILION, True),
+}
+
+
+def engines(data):
+    """What engines make of one finger, dragged in each of them: the wrenches, the shapes they lie on, and the exact curve."""
+    figure, (left, right) = plt.subplots(1, 2, figsize=(9.6, 4.4), layout="constrained")
+    drag = data["engine_drag"]
+    exact = drag.where(engine=drag[0]["engine"], model=drag[0]["model"])
+    curve = data["curves"].where(law="hertz")
+    left.plot(curve.column("x"), curve.column("y"), color=INK, linewidth=1.8, label="exact (Hertz)", zorder=3)
+    left.plot([math.cos(t) for t in QUARTER], [math.sin(t) for t in QUARTER], color=BLUE, linewidth=0.9)
+    left.plot([0, 1], [1, 0], color=GREEN, linewidth=0.9)
+    left.plot([0, 1, 1], [1, 1, 0], color=ORANGE, linewidth=0.9)
+    ends = (min(row["c"] for row in exact if row["c"] > 0), max(row["c"] for row in exact if math.isfinite(row["c"])))
+    for (engine, model), rows in drag.groups("engine", "model").items():
+        marker, colour, filled = ENGINE_STYLES[f"{engine} {model}"]
+        style = {"color": colour, "marker": marker, "markersize": 5.5, "markerfacecolor": colour if filled else "none", "clip_on": False}
+        label = f"{ {'mujoco': 'MuJoCo', 'ode': 'ODE', 'bullet': 'Bullet'}[engine]} {readable_version(rows)}, {model}"
+        left.plot(rows.column("force"), rows.column("moment"), linestyle="", label=label, zorder=4, **style)
+        between = [row for row in rows if ends[0] <= row["c"] <= ends[1]]
+        right.plot([row["c"] for row in between],
+                   [math.hypot(row["force"] - row["exact_force"], row["moment"] - row["exact_moment"]) for row in between], linewidth=0.9, **style)
+    quadrant(left, "Wrenches measured by dragging a finger", "force  $F/(\\mu P)$", "moment  $M/(m_0\\mu P a)$")
+    left.set(xlim=(0, 1.08), ylim=(0, 1.08))
+    left.set_aspect("equal", adjustable="box")
+    quadrant(right, "Distance from the exact wrench at the same centre of rotation", "centre of rotation  $c/a$", "of the limits")
+    right.set(xscale="log", xlim=(0.9 * ends[0], 1.1 * ends[1]), ylim=(0, 1.1))
+    right.set_xticks([0.1, 0.3, 1, 3], ["0.1", "0.3", "1", "3"])
+    right.minorticks_off()
+    legend_below(figure, left, 5)
+    return figure
+
+
+def readable_version(rows):
+    version = rows[0]["version"]
+    return f"{version:g}" if isinstance(version, float) else version

@@ -54,6 +54,9 @@ fit_band.csv        force,moment,inner_force,inner_moment,outer_force,outer_mome
                       the curve fitted to data/fit/slips.csv, per newton of load, and its 95 % band
 fit_residuals.csv   load,force,moment,sigma_force,sigma_moment,residual
                       its samples, and their distances from the curve in standard deviations
+engine_drag.csv     engine,version,model,c,force,moment,exact_force,exact_moment
+                      data/engines/drag.csv: a finger dragged in the engines themselves about centres of rotation c [a]; force and
+                      moment over their limits, and those of the law
 translate.csv       law,radius_law,mu,load,engine,parameter,value,unit,model,max_error
                       as `translate`
 """
@@ -72,7 +75,8 @@ import finger_figures  # noqa: E402
 from chart_style import Table, save, short, write_whole  # noqa: E402
 
 FILES = ("laws", "curves", "p_curves", "c_curves", "validate", "ellipse_error", "tables", "materials", "table_error", "replay",
-         "replay_runs", "replay_limits", "steady_twist", "pivot", "pivot_map", "fits", "fit_band", "fit_residuals", "translate")
+         "replay_runs", "replay_limits", "steady_twist", "pivot", "pivot_map", "fits", "fit_band", "fit_residuals", "engine_drag",
+         "translate")
 
 FIGURES = {
     "limit_curves": curve_figures.limit_curves,
@@ -87,6 +91,7 @@ FIGURES = {
     "pivot": finger_figures.pivot,
     "pivot_map": finger_figures.pivot_map,
     "fits": curve_figures.fits,
+    "engines": curve_figures.engines,
 }
 
 
@@ -232,9 +237,15 @@ def sections(data):
         ("From measurements to parameters", [
             ("fits", "A synthetic sensor log with a few gross outliers (data/fit/slips.csv) and the limit curve fitted to it by a robust "
              "loss: friction, moment coefficient and the growth of the contact with the load, each with its standard error; the 95 % "
-             "band is hardly wider than the line. Grey on the right: where 95 % of the residuals of a right model lie."),
+             "band is hardly wider than the line (lens). Grey on the right: where 95 % of the residuals of a right model lie."),
         ], fits_table(data)),
-        ("The same finger in a physics engine", [],
+        ("The same finger in a physics engine", [
+            ("engines", "Measured: a finger dragged in the engines themselves about imposed centres of rotation, with the coefficients that "
+             "<code>limitcurve translate</code> gives. MuJoCo’s elliptic cone is the ellipse and its default pyramid the diamond; ODE and "
+             "Bullet limit force and moment each on its own (the box), so that all their wrenches but the two ends lie in its corner. The "
+             "limits of pure force and pure moment are right in every engine; right: what is wrong in between. PhysX, Chrono and Gazebo "
+             "were not measured: their shapes in the table are those that their documentation describes. Gazebo’s default engine is ODE."),
+        ],
          f"<p>What to type into an engine for a finger of the {html.escape(engine['law'])} law, a(P) by "
          f"{html.escape(engine['radius_law'])}, μ = {engine['mu']:g}, at a load of {engine['load']:g} N, and how far its own limit curve "
          "then remains from the exact one.</p>" + engines_table(data)),

@@ -36,6 +36,12 @@ inline double coefficient(const EngineContact& contact, const std::string& param
   throw std::out_of_range(parameter);
 }
 
+/// What the engine answered: the wrench over μN and μNa, N being the normal force [N] of the same step.
+struct Measured {
+  UnitWrench wrench;
+  double normal = 0.0;
+};
+
 /// Slip twists (|v| : a|ω|) to impose: both ends, and between.
 inline const std::vector<SlipTwist> twists{
     SlipTwist::about_cor(0.0), SlipTwist::about_cor(0.1), SlipTwist::about_cor(0.3), SlipTwist::about_cor(0.6),

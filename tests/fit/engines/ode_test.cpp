@@ -1,65 +1,22 @@
 // SPDX-License-Identifier: MIT
 //
 // A finger in ODE, given the translated coefficients and dragged about imposed centres of rotation.
-#include "tests/fit/engines/dragged.hpp"
+#include "tests/fit/engines/ode_drag.hpp"
 
 #include "limitcurve/polygon.hpp"
 
 #include <gtest/gtest.h>
-#include <ode/ode.h>
-
-#include <cmath>
 
 namespace limitcurve::fit::engines {
 namespace {
-
-/// The wrench over μN and μNa of one step, with the contact at the body's centre so that force and moment do not mix.
-UnitWrench drag(const EngineContact& contact, SlipTwist twist) {
-  constexpr double gravity = 10.0;
-  const double radius = radius_law().radius(load);
-  dInitODE2(0);
-  const dWorldID world = dWorldCreate();
-  dWorldSetGravity(world, 0, 0, static_cast<dReal>(-gravity));
-  const dBodyID body = dBodyCreate(world);
-  dMass mass;
-  dMassSetZero(&mass);
-  // Inert enough about the normal that a step's friction does not stop the twist.
-  const auto weight = static_cast<dReal>(load / gravity);
-  dMassSetParameters(&mass, weight, 0, 0, 0, 1, 1, 1, 0, 0, 0);
-  dBodySetMass(body, &mass);
-  dContact touch{};
-  touch.surface.mode = dContactAxisDep | dContactRolling | dContactApprox1 | dContactFDir1;
-  touch.surface.mu = static_cast<dReal>(coefficient(contact, "surface.mu"));
-  touch.surface.mu2 = static_cast<dReal>(coefficient(contact, "surface.mu2"));
-  touch.surface.rho = static_cast<dReal>(coefficient(contact, "surface.rho"));
-  touch.surface.rho2 = static_cast<dReal>(coefficient(contact, "surface.rho2"));
-  touch.surface.rhoN = static_cast<dReal>(coefficient(contact, "surface.rhoN"));
-  touch.geom.normal[2] = 1;
-  touch.fdir1[0] = 1;
-  const dJointID joint = dJointCreateContact(world, nullptr, &touch);
-  dJointAttach(joint, body, nullptr);
-  dJointFeedback feedback{};
-  dJointSetFeedback(joint, &feedback);
-  constexpr double speed = 1.0;
-  dBodySetLinearVel(body, static_cast<dReal>(speed * twist.slide), 0, 0);
-  dBodySetAngularVel(body, 0, 0, static_cast<dReal>(speed * twist.spin / radius));
-  dWorldStep(world, static_cast<dReal>(1e-3));
-  const double limit = friction * static_cast<double>(feedback.f1[2]);
-  const UnitWrench wrench{std::fabs(static_cast<double>(feedback.f1[0])) / limit,
-                          std::fabs(static_cast<double>(feedback.t1[2])) / (limit * radius)};
-  EXPECT_NEAR(limit, friction * load, 1e-3);
-  dJointDestroy(joint);
-  dWorldDestroy(world);
-  dCloseODE();
-  return wrench;
-}
 
 TEST(Ode, IsABoxWithTheExactLimits) {
   const EngineContact contact = translated("ode", "box");
   const double moment_ratio = law()->moment_ratio();
   const Box expected = box(1.0, moment_ratio);
   for (const SlipTwist twist : twists) {
-    const UnitWrench measured = drag(contact, twist);
+    const auto [measured, normal] = drag_in_ode(contact, twist);
+    EXPECT_NEAR(friction * normal, friction * load, 1e-3);
     EXPECT_NEAR(measured.force, expected.wrench(twist).force, 1e-3) << "c/a = " << twist.cor();
     EXPECT_NEAR(measured.moment / moment_ratio, expected.wrench(twist).moment / moment_ratio, 1e-3) << "c/a = " << twist.cor();
   }
