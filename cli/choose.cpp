@@ -1,7 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "limitcurve/choose.hpp"
 
+#include "cli/number_list.hpp"
 #include "cli/subcommands.hpp"
+
+#include "godobject/choose_step.hpp"
+#include "limitcurve/shipped_costs.hpp"
+
+#include <iostream>
+#include <limits>
+#include <stdexcept>
 
 namespace limitcurve::cli {
 
@@ -13,28 +21,79 @@ class Choose final : public Subcommand {
     return {"choose", "The cheapest limit boundary that is good enough, with those it beat",
             "Columns: model and parameter as in validate (table: its tolerance; exact: nan); error, the largest radial error in the\n"
             "normalised plane; nanoseconds of a wrench by its slip twist, on one machine: read them as ratios; chosen, true for\n"
-            "the cheapest whose error is at most the tolerance.",
-            "limitcurve choose --law hertz --tolerance 1e-3"};
+            "the cheapest whose error is at most the tolerance. --explain says why, on standard error.\n"
+            "With --scene the whole step of the god-object is chosen: model is 'no torsion' or BOUNDARY/PROJECTION, with the radius\n"
+            "of the mean load unless it ends in '/a(P)'; error is the largest change of what is felt, as a share of what the\n"
+            "contact bears, that slides and twists at the scene's rates have shown; nanoseconds are those of a step that\n"
+            "slips. Which of torsion, coupling, load-dependent radius, exact curve and closest point matter is said on standard error.",
+            "limitcurve choose --law hertz --tolerance 0.01 --scene --mu 0.6 --loads 0.5,2 --stiffness 1000 --twist-stiffness 0.036"};
   }
 
   void declare(Options& options) override {
     options.law(law_);
-    options.number("--tolerance", tolerance_, positive, "Largest radial error, relative (0.01 is 1 %), from 1e-10 to 1",
+    options.number("--tolerance", tolerance_, positive, "Largest error, relative (0.01 is 1 %), from 1e-10 to 1; with --scene from 1e-6",
                    Presence::required);
+    options.flag("--explain", explain_, "Say what the chosen one beat, and why, on standard error");
+    options.flag("--scene", scene_wanted_, "Choose the step of a scene: boundary, projection, and whether torsion matters at all");
+    options.number("--mu", scene_.mu, positive, "Scene: coefficient of friction");
+    options.radius_law(radius_law_, Presence::optional);
+    options.number("--moment-coefficient", scene_.moment_coefficient, positive,
+                   "Scene: mu_r [m]: moment limit mu_r P whatever the radius law");
+    options.numbers("--loads", loads_, positive, "Scene: least and largest load [N] (default 0.5,2)", Presence::optional);
+    options.number("--stiffness", scene_.stiffness, positive, "Scene: k_l [N/m]");
+    options.number("--twist-stiffness", scene_.twist_stiffness, positive, "Scene: k_r [N m/rad]");
+    options.number("--sample-time", scene_.sample_time, positive, "Scene: [s]");
+    options.number("--slide-speed", scene_.slide_speed, non_negative, "Scene: largest sliding speed [m/s]");
+    options.number("--twist-rate", scene_.twist_rate, non_negative, "Scene: largest rate of the twist [rad/s]");
+    options.number("--slide", slide_, non_negative, "Scene: largest way from where the finger touched down [m] (default: any)");
+    options.number("--twist", twist_, non_negative, "Scene: largest twist from where the finger touched down [rad] (default: any)");
   }
 
-  void run(const Results& results) override {
+  void run(const Results& results) override { scene_wanted_ ? choose_for_scene(results) : choose_boundary(results); }
+
+ private:
+  void choose_boundary(const Results& results) const {
     const std::vector<Candidate> candidates = choose(law_, tolerance_);
     Rows rows(results, {"model", "parameter", "error", "nanoseconds", "chosen"});
     for (const Candidate& candidate : candidates) {
       rows.row(candidate.model, candidate.parameter, candidate.error, candidate.nanoseconds, candidate.chosen);
+      if (explain_) std::cerr << candidate.model << ": " << candidate.reason << '\n';
     }
     rows.finish();
+    if (explain_) std::cerr << "costs measured: " << shipped_costs::measured << '\n';
   }
 
- private:
+  void choose_for_scene(const Results& results) {
+    scene_.law = law_;
+    if (radius_law_) scene_.radius_law = *radius_law_;
+    if (slide_) scene_.slide = *slide_;
+    if (twist_) scene_.twist = *twist_;
+    if (!loads_.empty()) {
+      if (loads_.size() > 2)
+        throw std::invalid_argument("--loads: got " + std::to_string(loads_.size()) + " loads, expected the least and the largest");
+      scene_.least_load = loads_.front();
+      scene_.most_load = loads_.back();
+    }
+    const godobject::StepChoice choice = godobject::choose_step(scene_, tolerance_);
+    Rows rows(results, {"model", "parameter", "error", "nanoseconds", "chosen"});
+    for (const godobject::StepCandidate& candidate : choice.candidates) {
+      const std::string model = candidate.model + (candidate.constant_radius ? "" : "/a(P)");
+      rows.row(model, candidate.parameter, candidate.error, candidate.nanoseconds, candidate.chosen);
+      if (explain_) std::cerr << model << ": " << candidate.reason << '\n';
+    }
+    rows.finish();
+    std::cerr << choice.verdict << '\n';
+  }
+
   Law law_;
   double tolerance_ = 0.0;
+  bool explain_ = false;
+  bool scene_wanted_ = false;
+  godobject::Scene scene_;
+  std::optional<RadiusLaw> radius_law_;
+  std::vector<double> loads_;
+  std::optional<double> slide_;
+  std::optional<double> twist_;
 };
 
 }  // namespace

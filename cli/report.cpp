@@ -39,6 +39,7 @@ class Report final : public Subcommand {
     write_fit_files(directory, data);
     write_pivot_files(directory);
     write_translate_file(directory);
+    write_work_precision_files(directory, data);
     draw_report(share / "scripts" / "report.py", directory);
   }
 

@@ -40,6 +40,9 @@ void write_fit_files(const std::filesystem::path& output, const std::filesystem:
 /// case,offset,rate,angle: by how much the block has turned [rad] when it has slid 5 mm past the fingers or left them, over the
 /// offset [m] of its centre of mass and the rate [N/s] at which the grip eases.
 void write_pivot_files(const std::filesystem::path& output);
+/// work_precision_wrench.csv, …_step.csv and …_scaling.csv: what was measured for the figures in data/, as it stands there; its
+/// columns are documented in data/README.md.
+void write_work_precision_files(const std::filesystem::path& output, const std::filesystem::path& data);
 /// translate.csv: law,radius_law,mu,load and the columns of `translate`.
 void write_translate_file(const std::filesystem::path& output);
 

@@ -7,6 +7,9 @@
 #include "limitcurve/table.hpp"
 
 #include <array>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
 
 namespace limitcurve::cli {
 
@@ -52,6 +55,19 @@ void write_materials(const std::filesystem::path& output, const std::filesystem:
 void write_table_files(const std::filesystem::path& output, const std::filesystem::path& data) {
   write_sizes(output);
   write_materials(output, data);
+}
+
+void write_work_precision_files(const std::filesystem::path& output, const std::filesystem::path& data) {
+  for (const std::string name : {"wrench", "step", "scaling"}) {
+    const std::filesystem::path source = data / "work_precision" / (name + ".csv");
+    std::ifstream file(source, std::ios::binary);
+    std::string text{std::istreambuf_iterator<char>(file), {}};
+    if (!file || text.empty()) throw std::runtime_error("cannot read '" + source.string() + "'");
+    AtomicFile copy(output / ("work_precision_" + name + ".csv"));
+    copy.output().write(text);
+    copy.output().flush();
+    copy.commit();
+  }
 }
 
 }  // namespace limitcurve::cli

@@ -6,6 +6,7 @@
 #include "godobject/batch.hpp"                     // IWYU pragma: export
 #include "godobject/c_curve_projection.hpp"        // IWYU pragma: export
 #include "godobject/choice.hpp"                    // IWYU pragma: export
+#include "godobject/choose_step.hpp"               // IWYU pragma: export
 #include "godobject/closest_point_projection.hpp"  // IWYU pragma: export
 #include "godobject/contact.hpp"                   // IWYU pragma: export
 #include "godobject/contact_law.hpp"               // IWYU pragma: export

@@ -10,20 +10,24 @@ namespace limitcurve {
 
 /// A limit boundary that might do, and what it is worth.
 struct Candidate {
-  std::string model;   ///< box, ellipse, superellipse, quartic, table, exact
+  std::string model;   ///< diamond, box, ellipse, superellipse, quartic, table, exact
   double parameter;    ///< as `limitcurve validate` prints it; of the table its tolerance; nan of the exact curve
   double error;        ///< largest radial error relative to the exact curve, either way (boundary_error.hpp)
   double nanoseconds;  ///< of a wrench by its slip twist
   bool chosen = false;
+  std::string reason = {};  ///< in words: what it is too wrong by, "chosen", or what it costs more than the chosen one
 };
 
 /// The cheapest boundary for `law` whose error is at most `tolerance`, among those it beat: dearer ones that would also
 /// do, cheaper ones that would not. Sorted by cost; one is chosen, since the exact curve always does.
 ///
-/// Costs of the models are shipped figures, means of `bench_limitcurve` on one machine: read them as ratios. That of the
+/// Costs of the models are shipped figures (shipped_costs.hpp), measured on one machine: read them as ratios. That of the
 /// exact curve is measured here, because it depends on the law by four powers of ten, and given in the shipped unit.
 /// Throws std::invalid_argument for a tolerance out of [1e-10, 1]. Cost: a millisecond for a closed form, a second
-/// by quadrature.
+/// by quadrature. For what a whole scene needs, projection included: godobject/choose_step.hpp.
 std::vector<Candidate> choose(const Law& law, double tolerance);
+
+/// A fraction as people read it: "6.4 %", "0.9 %", and below 0.01 % as "1e-6".
+std::string in_percent(double fraction);
 
 }  // namespace limitcurve

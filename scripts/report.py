@@ -59,6 +59,7 @@ engine_drag.csv     engine,version,model,c,force,moment,exact_force,exact_moment
                       moment over their limits, and those of the law
 translate.csv       law,radius_law,mu,load,engine,parameter,value,unit,model,max_error
                       as `translate`
+work_precision_*.csv  what scripts/work_precision measured (data/README.md), as it was shipped
 """
 
 import argparse
@@ -73,10 +74,11 @@ sys.path.insert(0, str(Path(__file__).resolve().parent))
 import curve_figures  # noqa: E402
 import finger_figures  # noqa: E402
 from chart_style import Table, save, short, write_whole  # noqa: E402
+from work_precision_figures import work_precision  # noqa: E402
 
 FILES = ("laws", "curves", "p_curves", "c_curves", "validate", "ellipse_error", "tables", "materials", "table_error", "replay",
          "replay_runs", "replay_limits", "steady_twist", "pivot", "pivot_map", "fits", "fit_band", "fit_residuals", "engine_drag",
-         "translate")
+         "translate", "work_precision_wrench", "work_precision_step", "work_precision_scaling")
 
 FIGURES = {
     "limit_curves": curve_figures.limit_curves,
@@ -92,6 +94,7 @@ FIGURES = {
     "pivot_map": finger_figures.pivot_map,
     "fits": curve_figures.fits,
     "engines": curve_figures.engines,
+    "work_precision": work_precision,
 }
 
 
@@ -239,6 +242,12 @@ def sections(data):
              "loss: friction, moment coefficient and the growth of the contact with the load, each with its standard error; the 95 % "
              "band is hardly wider than the line (lens). Grey on the right: where 95 % of the residuals of a right model lie."),
         ], fits_table(data)),
+        ("Speed against accuracy", [
+            ("work_precision", "One dot for every way to a friction wrench: its largest error over every centre of rotation, as a share of what "
+             "the contact bears, against its cost on one machine; filled ours, hollow others’. Bands: the cheapest at each error. Last, a "
+             "step of the god-object: its error is that of the steady wrench under a constant twist, over stiffness ratios and centres of "
+             "rotation a decade to either side of one."),
+        ], ""),
         ("The same finger in a physics engine", [
             ("engines", "Measured: a finger dragged in the engines themselves about imposed centres of rotation, with the coefficients that "
              "<code>limitcurve translate</code> gives. MuJoCo’s elliptic cone is the ellipse and its default pyramid the diamond; ODE and "

@@ -84,9 +84,29 @@ class Choose(CommandLineTest):
     def test_the_cheapest_that_is_good_enough(self):
         for tolerance in [1, 0.1, 1e-2, 1e-5]:
             models, _ = self.chosen("uniform", tolerance)
-            self.assertEqual(set(models), {"box", "ellipse", "superellipse", "quartic", "table", "exact"})
+            self.assertEqual(set(models), {"diamond", "box", "ellipse", "superellipse", "quartic", "table", "exact"})
             self.assertLessEqual(models["table"]["error"], tolerance)
             self.assertAlmostEqual(models["ellipse"]["error"], 0.0704, delta=5e-5)
+
+    def test_explains_itself_on_standard_error(self):
+        done = run("choose", "--law", "hertz", "--tolerance", "0.01", "--explain")
+        self.assertEqual(done.stdout.splitlines()[0], "model,parameter,error,nanoseconds,chosen")
+        self.assertIn("ellipse: 6.4 % > 1 %", done.stderr)
+        self.assertIn(": chosen", done.stderr)
+        self.assertEqual(run("choose", "--law", "hertz", "--tolerance", "0.01").stderr, "")
+
+    def test_a_scene(self):
+        scene = ["choose", "--law", "hertz", "--tolerance", "0.01", "--scene", "--mu", "0.6"]
+        coupled = run(*scene)
+        self.assertEqual(coupled.stdout.splitlines()[0], "model,parameter,error,nanoseconds,chosen")
+        self.assertTrue(coupled.stderr.startswith("coupling is needed"), coupled.stderr)
+        best = [line for line in coupled.stdout.splitlines() if line.endswith(",true")]
+        self.assertEqual([line.split(",")[0] for line in best], ["table/closest-point"])
+        self.assertTrue(run(*scene, "--slide-speed", "0").stderr.startswith("uncoupled will do"))
+        self.assertTrue(run(*scene, "--twist-rate", "0").stderr.startswith("no torsion is needed"))
+        self.assert_fails(2, ["slide speed", "twist rate"], *scene, "--slide-speed", "0", "--twist-rate", "0")
+        self.assert_fails(2, ["--loads", "expected"], *scene, "--loads", "1,2,3")
+        self.assert_fails(2, ["least load"], *scene, "--loads", "2,1")
 
     def test_what_no_approximation_reaches(self):
         self.assertIn(self.chosen("gaussian:sigma=0.4", 1e-4)[1], {"table", "exact"})

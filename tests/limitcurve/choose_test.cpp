@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <string>
 
 namespace limitcurve::test {
 
@@ -32,10 +33,31 @@ TEST(Choose, TakesTheCheapestThatIsGoodEnough) {
 }
 
 TEST(Choose, FollowsTheTolerance) {
-  EXPECT_EQ(chosen(choose(hertz(), 0.6)).model, "box");
+  EXPECT_EQ(chosen(choose(hertz(), 0.6)).model, "diamond");  // costs what the box does, and is half as wrong
   EXPECT_EQ(chosen(choose(hertz(), 0.07)).model, "ellipse");
   EXPECT_EQ(chosen(choose(uniform(), 0.07)).model, "table");  // whose ellipse is off by 7.04 %
   EXPECT_EQ(chosen(choose(hertz(), 1e-6)).model, "table");
+}
+
+TEST(Choose, SaysWhatItBeatAndWhy) {
+  const auto candidates = choose(hertz(), 0.01);
+  const auto reason = [&](const char* model) {
+    return std::find_if(candidates.begin(), candidates.end(), [&](const Candidate& candidate) { return candidate.model == model; })->reason;
+  };
+  EXPECT_EQ(reason("ellipse"), "6.4 % > 1 %");
+  EXPECT_EQ(reason("box"), "50 % > 1 %");
+  EXPECT_EQ(reason("superellipse").substr(0, 8), "0.87 %, ");
+  EXPECT_NE(reason("superellipse").find(" times the cost"), std::string::npos);
+  EXPECT_EQ(reason(chosen(candidates).model.c_str()).substr(reason(chosen(candidates).model.c_str()).find(':')), ": chosen");
+}
+
+TEST(Choose, FractionsAsPeopleReadThem) {
+  EXPECT_EQ(in_percent(0.0638), "6.4 %");
+  EXPECT_EQ(in_percent(0.01), "1 %");
+  EXPECT_EQ(in_percent(1.26), "126 %");
+  EXPECT_EQ(in_percent(0.00087), "0.087 %");
+  EXPECT_EQ(in_percent(2e-6), "2.0e-06");
+  EXPECT_EQ(in_percent(0.0), "0");
 }
 
 TEST(Choose, RefusesTolerancesThatMeanNothing) {

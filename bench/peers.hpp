@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "limitcurve/pressure_law.hpp"
+
+#include <boost/math/quadrature/gauss_kronrod.hpp>
+#include <boost/math/quadrature/tanh_sinh.hpp>
+#include <boost/math/special_functions/ellint_rd.hpp>
+#include <boost/math/special_functions/ellint_rf.hpp>
+
+#ifdef LIMITCURVE_BENCH_GSL
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_integration.h>
+#endif
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <vector>
+
+/// How a friction wrench is had without this library, each done as well as its tools allow: s ∈ [0, ∞), pressures on
+/// 0 ≤ ρ ≤ 1.
+namespace limitcurve::bench {
+
+/// g(ρ) whole, with what is singular at the rim.
+inline double pressure_at(const PressureLaw& law, double radius, double rim) {
+  const double exponent = static_cast<double>(law.rim_exponent());
+  const double regular = law.density(RadialPosition<double>{radius, rim});
+  return exponent == 0.0 ? regular : regular * std::pow(rim, exponent);
+}
+
+/// Eq. (17) summed over the N × N cells of a square around the contact, as papers do. The pressure of each cell is taken
+/// beforehand and scaled to load 1, which is to the grid's advantage.
+class Grid {
+ public:
+  Grid(const PressureLaw& law, int cells) {
+    double load = 0.0;
+    for (int i = 0; i < cells; ++i) {
+      for (int j = 0; j < cells; ++j) {
+        const double x = -1.0 + (2.0 * i + 1.0) / cells;
+        const double y = -1.0 + (2.0 * j + 1.0) / cells;
+        const double radius = std::sqrt(x * x + y * y);
+        if (!(radius < 1.0)) continue;
+        cells_.push_back({x, y, pressure_at(law, radius, 1.0 - radius)});
+        load += cells_.back().load;
+      }
+    }
+    for (Cell& cell : cells_) cell.load /= load;
+  }
+
+  UnitWrench operator()(double s) const {
+    UnitWrench sum;
+    for (const auto& [x, y, load] : cells_) {
+      const double share = load / std::sqrt((s - x) * (s - x) + y * y);
+      sum.force += share * (s - x);
+      sum.moment += share * (x * (x - s) + y * y);
+    }
+    return sum;
+  }
+
+ private:
+  struct Cell {
+    double x, y, load;
+  };
+  std::vector<Cell> cells_;
+};
+
+/// Boost's tanh–sinh rule over Carlson's elliptic integrals, split at ρ = s, with exact distances from there and from
+/// the rim, and without promotion to long double: the best that could be had without this library.
+class BoostSplit {
+ public:
+  BoostSplit(const PressureLaw& law, double tolerance) : law_(&law), tolerance_(tolerance), rule_(std::make_shared<Rule>()) {}
+
+  UnitWrench operator()(double s) const {
+    const auto integral = [&](bool moment) {
+      double sum = 0.0;
+      const auto piece = [&](double from, double to) {
+        if (!(to > from)) return;
+        const auto integrand = [&](double radius, double from_end) {
+          const bool left = radius - from < to - radius;
+          const double near = std::fabs(from_end);
+          const double rim = left || to < 1.0 ? 1.0 - radius : near;
+          const double from_cor = to <= s ? (s - to) + (left ? to - radius : near) : (from - s) + (left ? near : radius - from);
+          return kernel(moment, s, radius, rim, from_cor);
+        };
+        sum += rule_->integrate(integrand, from, to, tolerance_);
+      };
+      piece(0.0, std::min(s, 1.0));
+      piece(std::min(s, 1.0), 1.0);
+      return sum;
+    };
+    return {integral(false), integral(true)};
+  }
+
+ private:
+  using Policy = boost::math::policies::policy<boost::math::policies::promote_double<false>>;
+  using Rule = boost::math::quadrature::tanh_sinh<double, Policy>;
+
+  [[nodiscard]] double kernel(bool moment, double s, double radius, double rim, double from_cor) const {
+    constexpr double per_pi = 4.0 / 3.14159265358979323846;
+    if (radius == 0.0) return 0.0;
+    const double larger = std::max(radius, s);
+    const double q = std::min(radius, s) / larger;
+    const double complement = std::max(from_cor / larger * ((radius + s) / larger), std::numeric_limits<double>::min());
+    const double k = boost::math::ellint_rf(0.0, complement, 1.0, Policy());
+    const double d = boost::math::ellint_rd(0.0, complement, 1.0, Policy()) / 3.0;
+    const double b = k - d;
+    const double e = b + complement * d;
+    const double weight = per_pi * radius * pressure_at(*law_, radius, rim);
+    if (radius <= s) return weight * (moment ? radius * q * b : e);
+    return weight * (moment ? radius * e : q * b);
+  }
+
+  const PressureLaw* law_;
+  double tolerance_;
+  std::shared_ptr<Rule> rule_;  // its construction costs more than an integral
+};
+
+/// The integrand of eq. (17) as printed, at radius ρ and angle θ from the COR.
+inline double printed_integrand(const PressureLaw& law, bool moment, double s, double radius, double angle) {
+  const double x = radius * std::cos(angle);
+  const double y = radius * std::sin(angle);
+  const double distance = std::sqrt((s - x) * (s - x) + y * y);
+  if (distance == 0.0) return 0.0;
+  const double weight = 2.0 / 3.14159265358979323846 * radius * pressure_at(law, radius, 1.0 - radius);
+  return weight * (moment ? radius * radius - s * x : s - x) / distance;
+}
+
+/// Eq. (17) as printed by two nested adaptive Gauss–Kronrod rules of Boost.
+class BoostNested {
+ public:
+  BoostNested(const PressureLaw& law, double tolerance) : law_(&law), tolerance_(tolerance) {}
+
+  UnitWrench operator()(double s) const {
+    using Rule = boost::math::quadrature::gauss_kronrod<double, 15>;
+    constexpr unsigned depth = 10;
+    const auto integral = [&](bool moment) {
+      const auto over_angle = [&](double radius) {
+        return Rule::integrate([&](double angle) { return printed_integrand(*law_, moment, s, radius, angle); }, 0.0,
+                               3.14159265358979323846, depth, tolerance_);
+      };
+      return Rule::integrate(over_angle, 0.0, 1.0, depth, tolerance_);
+    };
+    return {integral(false), integral(true)};
+  }
+
+ private:
+  const PressureLaw* law_;
+  double tolerance_;
+};
+
+#ifdef LIMITCURVE_BENCH_GSL
+/// The same by two nested QAGS rules of the GNU Scientific Library.
+class GslNested {
+ public:
+  GslNested(const PressureLaw& law, double tolerance) : law_(&law), tolerance_(tolerance), inner_(make()), outer_(make()) {
+    gsl_set_error_handler_off();  // what does not converge to the tolerance returns its best
+  }
+
+  UnitWrench operator()(double s) const { return {integral(false, s), integral(true, s)}; }
+
+ private:
+  static constexpr std::size_t intervals = 200;
+  using Workspace = std::shared_ptr<gsl_integration_workspace>;
+  static Workspace make() { return {gsl_integration_workspace_alloc(intervals), gsl_integration_workspace_free}; }
+
+  struct Place {
+    const GslNested* rule;
+    bool moment;
+    double s;
+    double radius;
+  };
+
+  static double over_angle(double angle, void* place) {
+    const auto& [rule, moment, s, radius] = *static_cast<const Place*>(place);
+    return printed_integrand(*rule->law_, moment, s, radius, angle);
+  }
+  static double over_radius(double radius, void* place) {
+    Place at = *static_cast<const Place*>(place);
+    at.radius = radius;
+    return at.rule->integrate({over_angle, &at}, 3.14159265358979323846, *at.rule->inner_);
+  }
+  [[nodiscard]] double integrate(gsl_function function, double to, gsl_integration_workspace& workspace) const {
+    double value = 0.0;
+    double error = 0.0;
+    gsl_integration_qags(&function, 0.0, to, tolerance_, tolerance_, intervals, &workspace, &value, &error);
+    return value;
+  }
+  [[nodiscard]] double integral(bool moment, double s) const {
+    Place place{this, moment, s, 0.0};
+    return integrate({over_radius, &place}, 1.0, *outer_);
+  }
+
+  const PressureLaw* law_;
+  double tolerance_;
+  Workspace inner_;
+  Workspace outer_;
+};
+#endif
+
+/// Hermite cubics over equal cells of the spin fraction with the exact curve's slopes, both components from one cell: not
+/// another's method, but the least that a look-up can cost. Without a bound of its error, which equal cells leave large at the rim.
+class EqualHermite {
+ public:
+  template <class Exact>
+  EqualHermite(const Exact& exact, std::size_t entries) : scale_(static_cast<double>(entries)) {
+    for (std::size_t i = 0; i < entries; ++i) {
+      const BoundaryPoint left = exact.point(SlipTwist::of_spin_fraction(static_cast<double>(i) / scale_));
+      const BoundaryPoint right = exact.point(SlipTwist::of_spin_fraction(static_cast<double>(i + 1) / scale_));
+      cells_.push_back({cubic(left.wrench.force, right.wrench.force, left.slope.force / scale_, right.slope.force / scale_),
+                        cubic(left.wrench.moment, right.wrench.moment, left.slope.moment / scale_, right.slope.moment / scale_)});
+    }
+  }
+
+  UnitWrench operator()(SlipTwist twist) const {
+    const double place = twist.spin_fraction() * scale_;
+    const std::size_t i = std::min(static_cast<std::size_t>(place), cells_.size() - 1);
+    const double x = place - static_cast<double>(i);
+    const auto& [f, m] = cells_[i];
+    return {f.a + x * (f.b + x * (f.c + x * f.d)), m.a + x * (m.b + x * (m.c + x * m.d))};
+  }
+
+ private:
+  struct Cubic {
+    double a, b, c, d;
+  };
+  struct Cell {
+    Cubic force, moment;
+  };
+  static Cubic cubic(double left, double right, double left_slope, double right_slope) {
+    const double rise = right - left;
+    return {left, left_slope, 3.0 * rise - 2.0 * left_slope - right_slope, left_slope + right_slope - 2.0 * rise};
+  }
+  double scale_;
+  std::vector<Cell> cells_;
+};
+
+}  // namespace limitcurve::bench

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "limitcurve/pressure_law.hpp"
+#include "limitcurve/wrench.hpp"
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <time.h>
+
+/// What `scripts/work_precision` measures: ways to a friction wrench, each with its error and its cost.
+namespace limitcurve::bench {
+
+/// Something with a cost that can be timed by Google Benchmark, or run a number of times while instructions are counted.
+struct Way {
+  std::string name;  ///< slashes between the columns that the driver makes of it
+  std::function<void(benchmark::State&)> time;
+  std::function<void(std::size_t calls)> run;
+  double nanoseconds;  ///< of a call, roughly
+};
+
+/// All methods, in the order of the chart's data.
+inline std::vector<Way>& ways() {
+  static std::vector<Way> all;
+  return all;
+}
+
+/// Distance of two wrenches in the normalised plane of the paper: 0.01 is 1 % of what the contact bears.
+inline double distance(UnitWrench one, UnitWrench other, double moment_ratio) {
+  return std::hypot(one.force - other.force, (one.moment - other.moment) / moment_ratio);
+}
+
+/// Numbers in [0, 1] that are spread evenly however many are taken, and without an order that a branch predictor could learn.
+inline std::vector<double> spread(std::size_t count) {
+  std::vector<double> result;
+  double u = 0.5;
+  for (std::size_t i = 0; i < count; ++i) {
+    u += 0.6180339887498949;
+    u -= std::floor(u);
+    result.push_back(u);
+  }
+  return result;
+}
+
+/// Time that this thread has had [ns]. Two clocks: one that is read in some 20 ns, and the thread's own, which other work
+/// on the machine does not disturb and which takes a system call.
+inline double thread_nanoseconds() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return 1e9 * static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec);
+}
+inline double wall_nanoseconds() {
+  return static_cast<double>(std::chrono::steady_clock::now().time_since_epoch() / std::chrono::nanoseconds(1));
+}
+
+/// Median and worst of the cost of a call over its inputs [ns]; of several calls in a row with each input the fastest,
+/// so that an interrupt is not taken for the call. The clock's own time is taken off.
+struct CostOverInputs {
+  double median = 0.0;
+  double worst = 0.0;
+};
+
+template <class Call>
+CostOverInputs cost_over(const std::vector<double>& inputs, Call&& call, double rough_nanoseconds) {
+  const bool slow = rough_nanoseconds > 2e4;
+  const int calls = static_cast<int>(std::clamp(300.0 / rough_nanoseconds, 1.0, 64.0));
+  const int rounds = rough_nanoseconds > 1e6 ? 1 : 5;
+  const auto now = slow ? thread_nanoseconds : wall_nanoseconds;
+  const auto fastest = [&](auto&& body) {
+    double least = std::numeric_limits<double>::infinity();
+    for (int round = 0; round < rounds; ++round) {
+      const double start = now();
+      body();
+      least = std::min(least, now() - start);
+    }
+    return least;
+  };
+  double clock = fastest([] {});
+  for (int i = 0; i < 100; ++i) clock = std::min(clock, fastest([] {}));
+  std::vector<double> costs;
+  for (const double input : inputs) {
+    double u = input;
+    const double taken = fastest([&] {
+      for (int i = 0; i < calls; ++i) {
+        benchmark::DoNotOptimize(u);
+        auto result = call(u);
+        benchmark::DoNotOptimize(result);
+      }
+    });
+    costs.push_back(std::max(taken - clock, 0.1) / calls);
+  }
+  std::sort(costs.begin(), costs.end());
+  return {costs[costs.size() / 2], costs.back()};
+}
+
+/// A pressure law with its reference: wrenches by `evaluate` in 80-bit arithmetic, which the tests hold to 50-digit values.
+/// Methods are added as calls from a slip twist to a unit wrench.
+class WrenchStudy {
+ public:
+  explicit WrenchStudy(std::string_view law_name, Law law) : law_name_(law_name), law_(std::move(law)) {
+    // The places where methods fail come first, so that the slow ones meet them too.
+    for (const double s : {1.0, 0.0, 0.5, 2.0, 0.999, 1.001, 1e3, 1e-3, 1.0 + 1e-6, 1.0 - 1e-6, 0.9, 1.1, 1e6, 1e-6}) {
+      places_.push_back(SlipTwist::about_cor(s));
+    }
+    places_.push_back({1.0, 0.0});
+    special_ = places_.size();
+    for (const double u : spread(497)) places_.push_back(SlipTwist::of_spin_fraction(u));
+    for (const SlipTwist place : places_) references_.push_back(law_->evaluate(place.cor()).wrench);
+    moment_ratio_ = law_->moment_ratio();
+  }
+
+  [[nodiscard]] const Law& law() const { return law_; }
+  [[nodiscard]] double moment_ratio() const { return moment_ratio_; }
+
+  /// `kind` is "ours", "others", or "floor" for what bounds a look-up from below; `family` and `parameter` are what the chart calls the method.
+  template <class Call>
+  void add(std::string_view kind, std::string_view family, std::string_view parameter, Call call) const {
+    const std::string name = "wrench/" + law_name_ + '/' + std::string(kind) + '/' + std::string(family) + '/' + std::string(parameter);
+    const auto at = [call](double u) {
+      const UnitWrench wrench = call(SlipTwist::of_spin_fraction(u));
+      return wrench.force + wrench.moment;
+    };
+    const double rough = std::max(cost_over(spread(8), at, 1e3).median, 0.5);
+    const auto facts = std::make_shared<Facts>();
+    const auto time = [this, call, at, rough, facts](benchmark::State& state) {
+      const std::vector<double> inputs = spread(static_cast<std::size_t>(std::clamp(1e6 / rough, 4.0, 1024.0)));
+      for (auto _ : state) {
+        double sum = 0.0;
+        for (const double u : inputs) sum += at(u);
+        benchmark::DoNotOptimize(sum);
+      }
+      if (!facts->known) *facts = facts_of(call, at, rough);
+      const auto calls = static_cast<double>(inputs.size());
+      state.counters["seconds"] = benchmark::Counter(calls, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+      state.counters["max_error"] = facts->max_error;
+      state.counters["mean_error"] = facts->mean_error;
+      state.counters["median_ns"] = facts->cost.median;
+      state.counters["worst_ns"] = facts->cost.worst;
+    };
+    const auto run = [at](std::size_t calls) {
+      const std::vector<double> inputs = spread(calls);
+      double sum = 0.0;
+      for (const double u : inputs) sum += at(u);
+      benchmark::DoNotOptimize(sum);
+    };
+    ways().push_back({name, time, run, rough});
+  }
+
+ private:
+  struct Facts {
+    bool known = false;
+    double max_error = 0.0;
+    double mean_error = 0.0;
+    CostOverInputs cost;
+  };
+
+  template <class Call, class At>
+  Facts facts_of(const Call& call, const At& at, double rough) const {
+    Facts facts;
+    facts.known = true;
+    const auto count = std::min(places_.size(), special_ + static_cast<std::size_t>(std::max(2e8 / rough, 9.0)));
+    for (std::size_t i = 0; i < count; ++i) {
+      const double error = distance(call(places_[i]), references_[i], moment_ratio_);
+      facts.max_error = std::fmax(facts.max_error, error);
+      if (i >= special_) facts.mean_error += error / static_cast<double>(count - special_);
+    }
+    facts.cost = cost_over(spread(static_cast<std::size_t>(std::clamp(1e8 / rough, 9.0, 255.0))), at, rough);
+    return facts;
+  }
+
+  std::string law_name_;
+  Law law_;
+  std::vector<SlipTwist> places_;
+  std::size_t special_ = 0;
+  std::vector<UnitWrench> references_;
+  double moment_ratio_ = 0.0;
+};
+
+}  // namespace limitcurve::bench

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: MIT
+// Error against cost of every way to a friction wrench, ours and others'. scripts/work_precision runs it and draws the chart;
+// by hand it is a Google Benchmark like the others, and with --instructions, under valgrind --tool=callgrind
+// --instr-atstart=no, it dumps one count of instructions a method.
+#include "bench/fixed_gauss.hpp"
+#include "bench/peers.hpp"
+#include "bench/way.hpp"
+#include "bench/work_precision_step.hpp"
+
+#include "limitcurve/boundary_error.hpp"
+#include "limitcurve/closed_form.hpp"
+#include "limitcurve/ellipse.hpp"
+#include "limitcurve/evaluators.hpp"
+#include "limitcurve/exact_curve.hpp"
+#include "limitcurve/expanded_law.hpp"
+#include "limitcurve/laws.hpp"
+#include "limitcurve/number.hpp"
+#include "limitcurve/polygon.hpp"
+#include "limitcurve/quartic.hpp"
+#include "limitcurve/superellipse.hpp"
+#include "limitcurve/table.hpp"
+
+#include <benchmark/benchmark.h>
+
+#if __has_include(<valgrind/callgrind.h>)
+#include <valgrind/callgrind.h>
+#define LIMITCURVE_BENCH_CALLGRIND
+#endif
+
+#include <cstdio>
+#include <cstring>
+#include <deque>
+#include <string>
+#include <vector>
+
+namespace limitcurve::bench {
+namespace {
+
+// Beyond this place of the COR no method of others' is asked, for s = ∞ is none that they take: the wrench has ceased to change.
+constexpr double farthest = 1e17;
+
+bool under_valgrind() {
+#ifdef LIMITCURVE_BENCH_CALLGRIND
+  return RUNNING_ON_VALGRIND != 0;
+#else
+  return false;
+#endif
+}
+
+template <class Boundary>
+void add_boundary(const WrenchStudy& study, const char* family, const std::string& parameter, const Boundary& boundary) {
+  study.add("ours", family, parameter, [boundary](SlipTwist twist) { return boundary.wrench(twist); });
+}
+
+template <class Rule>
+void add_of_cor(const WrenchStudy& study, const char* kind, const char* family, const std::string& parameter, Rule rule) {
+  study.add(kind, family, parameter, [rule](SlipTwist twist) { return rule(std::min(twist.cor(), farthest)); });
+}
+
+/// The law's own closed form, inlined as in a loop that knows its law.
+template <class Real, UnitForces<Real> (*form)(Real) noexcept>
+void add_closed(const WrenchStudy& study, const char* parameter) {
+  study.add("ours", "closed", parameter, [](SlipTwist twist) {
+    const UnitForces<Real> forces = form(static_cast<Real>(twist.cor()));
+    return UnitWrench{static_cast<double>(forces.force), static_cast<double>(forces.moment)};
+  });
+}
+
+void add_closed_forms(const WrenchStudy& study, const std::string& law) {
+  if (law == "hertz") {
+    add_closed<double, closed_form::hertz<double>>(study, "double");
+    add_closed<float, closed_form::hertz<float>>(study, "float");
+  } else if (law == "uniform") {
+    add_closed<double, closed_form::uniform<double>>(study, "double");
+    add_closed<float, closed_form::uniform<float>>(study, "float");
+  } else if (law == "flat-punch") {
+    add_closed<double, closed_form::flat_punch<double>>(study, "double");
+    add_closed<float, closed_form::flat_punch<float>>(study, "float");
+  }
+}
+
+void add_evaluators(const WrenchStudy& study) {
+  const Law law = study.law();
+  if (!law->has_quick_forces()) {
+    for (const double tolerance : {1e-4, 1e-7, 1e-13}) {
+      const ExpandedLaw expanded(law, tolerance);
+      study.add("ours", "expanded", format_number(tolerance), [expanded](SlipTwist twist) {
+        const UnitForces<double> forces = expanded.forces(twist.cor());
+        return UnitWrench{forces.force, forces.moment};
+      });
+    }
+  }
+  study.add("ours", "ring", "double", [law](SlipTwist twist) {
+    const UnitForces<double> forces = evaluators::ring(*law, twist.cor()).forces;
+    return UnitWrench{forces.force, forces.moment};
+  });
+  const auto add_method = [&](const char* family, limitcurve::Method method) {
+    if (law->allows(method))
+      study.add("ours", family, "80 bit", [law, method](SlipTwist twist) { return law->evaluate(twist.cor(), method).wrench; });
+  };
+  add_method("ring", limitcurve::Method::ring);
+  if (under_valgrind()) return;
+  add_method("punch", limitcurve::Method::punch);
+  add_method("direct", limitcurve::Method::direct);
+}
+
+template <unsigned... orders>
+void add_gauss(const WrenchStudy& study) {
+  (add_of_cor(study, "ours", "Gauss", std::to_string(orders), FixedGauss(*study.law(), boost::math::quadrature::gauss<double, orders>{})),
+   ...);
+}
+
+void add_boundaries(const WrenchStudy& study) {
+  const ExactCurve exact(study.law());
+  for (int digits = 2; digits <= 10; ++digits) {
+    const double tolerance = std::pow(10.0, -digits);
+    add_boundary(study, "table", "1e-" + std::to_string(digits), Table::build(study.law(), tolerance));
+  }
+  add_boundary(study, "diamond", "", diamond(1.0, exact.moment_ratio()));
+  add_boundary(study, "box", "", box(1.0, exact.moment_ratio()));
+  add_boundary(study, "ellipse", "", Ellipse::through_intercepts(exact.moment_ratio()));
+  add_boundary(study, "superellipse", "", minimax_superellipse(exact));
+  add_boundary(study, "quartic", "", minimax_quartic(exact));
+}
+
+void add_peers(const WrenchStudy& study) {
+  const PressureLaw& law = *study.law();
+  study.add("floor", "Hermite", "64", EqualHermite(ExactCurve(study.law()), 64));
+  for (const int cells : {20, 50, 200, 1000}) {
+    if (under_valgrind() && cells > 200) continue;
+    add_of_cor(study, "others", "grid", std::to_string(cells), Grid(law, cells));
+  }
+  for (const double tolerance : {1e-2, 1e-4, 1e-8}) {
+    add_of_cor(study, "others", "Boost split", format_number(tolerance), BoostSplit(law, tolerance));
+  }
+  if (under_valgrind()) return;
+  for (const double tolerance : {1e-3, 1e-6, 1e-9}) {
+    add_of_cor(study, "others", "Boost nested", format_number(tolerance), BoostNested(law, tolerance));
+  }
+#ifdef LIMITCURVE_BENCH_GSL
+  for (const double tolerance : {1e-3, 1e-6, 1e-9}) {
+    add_of_cor(study, "others", "GSL nested", format_number(tolerance), GslNested(law, tolerance));
+  }
+#endif
+}
+
+/// Nodes, and so the cost of a build, are to grow no faster than with tolerance^(−1/4), which is what the argument is.
+void build_table(benchmark::State& state, const Law& law) {
+  const double tolerance = std::pow(static_cast<double>(state.range(0)), -4.0);
+  std::size_t nodes = 0;
+  for (auto _ : state) {
+    const Table table = Table::build(law, tolerance);
+    nodes = table.node_count();
+    benchmark::DoNotOptimize(nodes);
+  }
+  state.SetComplexityN(state.range(0));
+  state.counters["nodes"] = static_cast<double>(nodes);
+}
+
+int count_instructions() {
+#ifdef LIMITCURVE_BENCH_CALLGRIND
+  for (const Way& way : ways()) {
+    // Valgrind makes a call some fifty times as slow.
+    const std::size_t calls = way.nanoseconds < 1e5 ? 256 : way.nanoseconds < 1e6 ? 32 : 4;
+    way.run(4);  // what is built on first use
+    CALLGRIND_START_INSTRUMENTATION;
+    CALLGRIND_ZERO_STATS;
+    way.run(calls);
+    CALLGRIND_DUMP_STATS_AT((way.name + '#' + std::to_string(calls)).c_str());
+    CALLGRIND_STOP_INSTRUMENTATION;
+  }
+  return 0;
+#else
+  std::fputs("bench_work_precision: error: built without valgrind/callgrind.h: install valgrind\n", stderr);
+  return 1;
+#endif
+}
+
+}  // namespace
+}  // namespace limitcurve::bench
+
+int main(int argc, char** argv) {
+  using namespace limitcurve;
+  using namespace limitcurve::bench;
+  std::deque<WrenchStudy> studies;  // methods refer to them
+  for (const char* name : {"hertz", "uniform", "flat-punch", "xydas-kao:k=3", "power:n=2.3"}) {
+    const WrenchStudy& study = studies.emplace_back(name, parse_law(name));
+    add_closed_forms(study, name);
+    add_evaluators(study);
+    add_gauss<7, 10, 15, 20, 30>(study);
+    add_boundaries(study);
+    add_peers(study);
+  }
+  add_steps();
+  if (argc > 1 && std::strcmp(argv[1], "--instructions") == 0) return count_instructions();
+  for (const Way& way : ways()) {
+    const auto benchmark = benchmark::RegisterBenchmark(way.name.c_str(), way.time);
+    if (way.nanoseconds > 1e5) {
+      benchmark->Iterations(1);
+    } else {
+      benchmark->MinTime(0.01)->Repetitions(5);
+    }
+  }
+  register_batches();
+  for (const char* name : {"hertz", "xydas-kao:k=3"}) {
+    const Law law = parse_law(name);
+    benchmark::RegisterBenchmark(("build/" + std::string(name)).c_str(), [law](benchmark::State& state) { build_table(state, law); })
+        ->RangeMultiplier(2)
+        ->Range(4, 256)
+        ->MinTime(0.05)
+        ->Complexity(benchmark::oN);
+  }
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
+  benchmark::RunSpecifiedBenchmarks();
+  return 0;
+}

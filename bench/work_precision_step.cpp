@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: MIT
+#include "bench/work_precision_step.hpp"
+
+#include "bench/way.hpp"
+
+#include "godobject/godobject.hpp"
+#include "limitcurve/boundary_error.hpp"
+#include "limitcurve/exact_curve.hpp"
+#include "limitcurve/laws.hpp"
+#include "limitcurve/table.hpp"
+
+#include <numbers>
+
+namespace limitcurve::bench {
+namespace {
+
+using namespace limitcurve::godobject;
+
+constexpr double radius = 0.005;
+constexpr double depth = 0.002;
+
+FingerParameters parameters(double stiffness_ratio, double moment_ratio) {
+  FingerParameters result;
+  result.mu = 0.6;
+  result.radius_law = RadiusLaw::constant(radius);
+  result.stiffness = 1000.0;
+  result.twist_stiffness = stiffness_ratio * result.stiffness * (radius * moment_ratio) * (radius * moment_ratio);
+  return result;
+}
+
+Contact on_plane(double x) {
+  return {{x, 0.0, 0.0}, Eigen::Vector3d::UnitZ(), depth};
+}
+
+struct SteadyError {
+  double max = 0.0;
+  double mean = 0.0;
+};
+
+/// Error of the steady wrench over stiffness ratios k_r/k_l/(m₀a)² and CORs a decade to either side of 1.
+template <class Boundary, class Projection>
+SteadyError steady_error(const Law& law, const Boundary& boundary, Projection projection) {
+  constexpr int steps = 1000;           // forgets the start to rounding
+  constexpr double step_length = 1e-3;  // [m]
+  const double m0 = law->moment_ratio();
+  SteadyError result;
+  int runs = 0;
+  for (const double ratio : {0.1, 0.3, 1.0, 3.0, 10.0}) {
+    for (const double s : {0.1, 0.3, 1.0, 3.0, 10.0}) {
+      SoftFinger finger(boundary, parameters(ratio, m0), projection);
+      const SlipTwist twist = SlipTwist::about_cor(s);
+      for (int i = 0; i <= steps; ++i) {
+        finger.update(on_plane(step_length * i * twist.slide), step_length * i * twist.spin / radius);
+      }
+      const double unit = finger.friction().law().mu() * finger.output().load;
+      const UnitWrench settled{finger.output().force.norm() / unit, std::fabs(finger.output().moment) / (unit * radius)};
+      const double error = distance(settled, law->evaluate(s).wrench, m0);
+      result.max = std::fmax(result.max, error);
+      result.mean += error;
+      ++runs;
+    }
+  }
+  result.mean /= runs;
+  return result;
+}
+
+struct Sample {
+  double x;
+  double twist;
+};
+
+/// Slides and twists so that the COR wanders slowly over the whole range: every step slips.
+const std::vector<Sample>& motion() {
+  static const std::vector<Sample> samples = [] {
+    constexpr int count = 4096;
+    std::vector<Sample> result;
+    Sample at{0.0, 0.0};
+    for (int i = 0; i < count; ++i) {
+      const double u = 0.5 - 0.45 * std::cos(2.0 * std::numbers::pi * i / count);
+      at.x += 1e-4 * (1.0 - u);
+      at.twist += 1e-4 * u / radius;
+      result.push_back(at);
+    }
+    return result;
+  }();
+  return samples;
+}
+
+/// A finger that takes the motion's steps one by one; `cold` forgets where the last slip was, but not that it slipped.
+template <class Boundary, class Projection>
+class Stepper {
+ public:
+  Stepper(const Boundary& boundary, const FingerParameters& of_finger, Projection projection, bool cold)
+      : finger_(boundary, of_finger, projection), cold_(cold) {
+    finger_.update(on_plane(0.0), 0.0);
+  }
+
+  double step() {
+    if (cold_) {
+      FingerState forgetful = finger_.state();
+      if (forgetful.start > 0.0) forgetful.start = 0.0;
+      finger_.restore(forgetful);
+    }
+    const Sample& sample = motion()[next_];
+    next_ = (next_ + 1) % motion().size();
+    return finger_.update(on_plane(sample.x), sample.twist).moment;
+  }
+
+ private:
+  SoftFinger<Boundary, Projection> finger_;
+  bool cold_;
+  std::size_t next_ = 0;
+};
+
+template <class Boundary, class Projection>
+void add_step(const Law& law, const std::string& boundary_name, const Boundary& boundary, const std::string& rule, Projection projection) {
+  const auto error = std::make_shared<SteadyError>();
+  for (const bool cold : {false, true}) {
+    const FingerParameters of_finger = parameters(2.0, law->moment_ratio());
+    const auto time = [=](benchmark::State& state) {
+      Stepper stepper(boundary, of_finger, projection, cold);
+      for (auto _ : state) benchmark::DoNotOptimize(stepper.step());
+      if (error->mean == 0.0) *error = steady_error(law, boundary, projection);
+      state.counters["seconds"] = benchmark::Counter(1, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+      state.counters["max_error"] = error->max;
+      state.counters["mean_error"] = error->mean;
+      const CostOverInputs cost = cost_over(
+          spread(1023), [&](double) { return stepper.step(); }, 1e3);
+      state.counters["median_ns"] = cost.median;
+      state.counters["worst_ns"] = cost.worst;
+    };
+    const auto run = [=](std::size_t calls) {
+      Stepper stepper(boundary, of_finger, projection, cold);
+      for (std::size_t i = 0; i < calls; ++i) benchmark::DoNotOptimize(stepper.step());
+    };
+    ways().push_back({"step/" + boundary_name + '/' + rule + '/' + (cold ? "cold" : "warm"), time, run, 50.0});
+  }
+}
+
+/// Contacts as arrays, all of which slip in every step: their fingers begin far enough from the proxies.
+class Contacts {
+ public:
+  explicit Contacts(std::size_t count)
+      : x_(count, 0.003),
+        y_(count),
+        angle_(count, 0.5),
+        depth_(count, depth),
+        proxy_x_(count),
+        proxy_y_(count),
+        proxy_angle_(count),
+        start_(count, -1.0),
+        trend_(count),
+        force_x_(count),
+        force_y_(count),
+        moment_(count) {}
+
+  [[nodiscard]] ContactBatch batch() {
+    return {x_, y_, angle_, depth_, proxy_x_, proxy_y_, proxy_angle_, start_, trend_, force_x_, force_y_, moment_};
+  }
+
+  /// Some 0.5 ns a contact, which the measured times include.
+  void move() {
+    for (std::size_t i = 0; i < x_.size(); ++i) {
+      x_[i] += 1e-4;
+      angle_[i] += 0.02 + 1e-6 * static_cast<double>(i % 64);
+    }
+  }
+
+ private:
+  std::vector<double> x_, y_, angle_, depth_, proxy_x_, proxy_y_, proxy_angle_, start_, trend_, force_x_, force_y_, moment_;
+};
+
+template <class Boundary, class Projection>
+void step_batch(benchmark::State& state, const Boundary& boundary, Projection projection, double moment_ratio) {
+  const auto count = static_cast<std::size_t>(state.range(0));
+  const Friction<Boundary, Projection> friction(boundary, parameters(2.0, moment_ratio), projection);
+  Contacts contacts(count);
+  const ContactBatch batch = contacts.batch();
+  step(friction, batch);
+  for (auto _ : state) {
+    contacts.move();
+    step(friction, batch);
+    benchmark::ClobberMemory();
+  }
+  state.SetComplexityN(state.range(0));
+  state.counters["seconds"] =
+      benchmark::Counter(static_cast<double>(count), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+
+/// Calls `body(name, boundary)` for the boundaries of the chart of steps, all of one law.
+template <class Body>
+void for_each_boundary(const Law& law, Body&& body) {
+  const ExactCurve exact(law);
+  const double m0 = law->moment_ratio();
+  body("box", box(1.0, m0));
+  body("diamond", diamond(1.0, m0));
+  body("ellipse", Ellipse::through_intercepts(m0));
+  body("superellipse", minimax_superellipse(exact));
+  body("quartic", minimax_quartic(exact));
+  for (const int digits : {2, 4, 6, 8, 10}) body("table 1e-" + std::to_string(digits), Table::build(law, std::pow(10.0, -digits)));
+  body("exact", exact);
+}
+
+}  // namespace
+
+void add_steps() {
+  const Law law = hertz();
+  for_each_boundary(law, [&](const std::string& name, const auto& boundary) {
+    add_step(law, name, boundary, "radial", Radial{});
+    add_step(law, name, boundary, "c-curve", CCurve{});
+    add_step(law, name, boundary, "closest-point", ClosestPoint{});
+  });
+}
+
+void register_batches() {
+  const Law law = hertz();
+  const double m0 = law->moment_ratio();
+  const auto add = [&](const std::string& name, const auto& boundary, auto projection) {
+    return benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& state) { step_batch(state, boundary, projection, m0); });
+  };
+  for_each_boundary(law, [&](const std::string& name, const auto& boundary) {
+    const auto add_sizes = [&](const std::string& rule, auto projection) {
+      auto* const batches = add("batch/" + name + '/' + rule, boundary, projection)->MinTime(0.01)->Repetitions(3);
+      for (const int size : {1, 4, 64, 1024, 65536}) batches->Arg(size);
+    };
+    add_sizes("radial", Radial{});
+    add_sizes("c-curve", CCurve{});
+    add_sizes("closest-point", ClosestPoint{});
+  });
+  constexpr int most = 10'000'000;
+  const auto add_scale = [&](const std::string& name, const auto& boundary, auto projection) {
+    add("scale/" + name, boundary, projection)->RangeMultiplier(10)->Range(1000, most)->MinTime(0.05)->Complexity(benchmark::oN);
+  };
+  add_scale("ellipse/radial", Ellipse::through_intercepts(m0), Radial{});
+  add_scale("table 1e-6/closest-point", Table::build(law, 1e-6), ClosestPoint{});
+}
+
+}  // namespace limitcurve::bench

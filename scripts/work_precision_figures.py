@@ -1,0 +1,215 @@
+# SPDX-License-Identifier: MIT
+"""The work-precision chart: error of every way to a friction wrench against what it costs, from data/work_precision/."""
+
+import math
+
+import matplotlib.pyplot as plt
+from chart_style import BLUE, FAINT, GREEN, INK, ORANGE, PURPLE, SKY, VERMILION
+
+# Errors below the rounding of a double are drawn there.
+ROUNDING = 1e-16
+# Family: colour, marker, and whether its dots are named by their parameter alone (the legend then tells the family).
+FAMILIES = {
+    "box": (INK, "s", False),
+    "diamond": (INK, "D", False),
+    "ellipse": (INK, "o", False),
+    "superellipse": (INK, "^", False),
+    "quartic": (INK, "P", False),
+    "table": (BLUE, "o", True),
+    "closed": (GREEN, "*", False),
+    "expanded": (GREEN, "h", True),
+    "Gauss": (SKY, "o", True),
+    "ring": (PURPLE, "D", True),
+    "punch": (PURPLE, "v", True),
+    "direct": (PURPLE, "X", True),
+    "Hermite": (ORANGE, "s", True),
+    "grid": (VERMILION, "s", True),
+    "Boost split": (VERMILION, "^", True),
+    "Boost nested": (VERMILION, "v", True),
+    "GSL nested": (VERMILION, "D", True),
+    "scipy dblquad": (VERMILION, "o", True),
+}
+LEGEND = {
+    "table": "look-up table, its tolerance",
+    "expanded": "law expanded in polynomials, tolerance",
+    "Gauss": "one Gauss rule, its order",
+    "ring": "one integral over the radius",
+    "punch": "superposed flat punches",
+    "direct": "eq. (17) as printed",
+    "Hermite": "a look-up's floor: even cubics, entries",
+    "grid": "N × N grid, N",
+    "Boost split": "Boost, elliptic integrals, tolerance",
+    "Boost nested": "Boost, nested, tolerance",
+    "GSL nested": "GSL, nested, tolerance",
+    "scipy dblquad": "scipy dblquad, tolerance",
+}
+PROJECTIONS = {"radial": (VERMILION, "^"), "closest-point": (BLUE, "o")}
+
+
+def parameter(row):
+    """1e-4, not 0.0001."""
+    text = row["parameter"]
+    if not isinstance(text, float):
+        return text
+    return f"{text:.0e}".replace("e-0", "e-") if text < 0.1 else f"{text:g}"
+
+
+def name(row):
+    return " ".join(part for part in (row["family"], parameter(row)) if part)
+
+
+def cheapest_first(rows, cost="mean_ns"):
+    """Of (error, cost) the rows that no other beats, from the largest error on."""
+    front, best = [], math.inf
+    for row in sorted(rows, key=lambda item: (max(item["max_error"], ROUNDING), item[cost])):
+        if row[cost] < best:
+            front.append(row)
+            best = row[cost]
+    return front[::-1]
+
+
+def steps(front, right):
+    """The frontier as a staircase: what is to be had at every error, up to the right edge."""
+    xs, ys = [], []
+    for i, row in enumerate(front):
+        error = max(row["max_error"], ROUNDING)
+        following = max(front[i + 1]["max_error"], ROUNDING) if i + 1 < len(front) else right
+        xs += [error, following]
+        ys += [row["mean_ns"], row["mean_ns"]]
+    return xs, ys
+
+
+class Labels:
+    """Puts words beside dots so that none covers another: each takes the nearest free place around its dot."""
+
+    def __init__(self, figure, axes, size):
+        self.axes, self.size = axes, size
+        self.renderer = figure.canvas.get_renderer()
+        self.taken = []
+        self.wanted = []
+
+    def dot(self, x, y, word, colour, radius=4.5):
+        at = self.axes.transData.transform((x, y))
+        self.taken.append((at[0] - radius, at[1] - radius, at[0] + radius, at[1] + radius))
+        if word:
+            self.wanted.append((at, word, colour))
+
+    def line(self, xs, ys):
+        """Words keep off lines too."""
+        points = [self.axes.transData.transform(point) for point in zip(xs, ys)]
+        for (x0, y0), (x1, y1) in zip(points, points[1:]):
+            count = max(2, int(math.hypot(x1 - x0, y1 - y0) / 4))
+            self.taken += [(x0 + (x1 - x0) * i / count - 0.5, y0 + (y1 - y0) * i / count - 0.5, x0 + (x1 - x0) * i / count + 0.5,
+                            y0 + (y1 - y0) * i / count + 0.5) for i in range(count + 1)]
+
+    @staticmethod
+    def overlap(one, other):
+        width = min(one[2], other[2]) - max(one[0], other[0])
+        height = min(one[3], other[3]) - max(one[1], other[1])
+        return width * height if width > 0 and height > 0 else 0
+
+    def place(self):
+        frame = self.axes.get_window_extent(self.renderer)
+        crowd = [sum(math.hypot(at[0] - other[0][0], at[1] - other[0][1]) < 60 for other in self.wanted) for at, _, _ in self.wanted]
+        for (at, word, colour), _ in sorted(zip(self.wanted, crowd), key=lambda item: -item[1]):
+            probe = self.axes.text(0, 0, word, fontsize=self.size)
+            extent = probe.get_window_extent(self.renderer)
+            probe.remove()
+            width, height = extent.width, extent.height * 0.85
+            best = None
+            for ring, distance in enumerate((7, 12, 18, 26, 36, 48, 62, 78, 96)):
+                for turn in range(16):
+                    angle = math.pi / 8 * turn
+                    cosine, sine = math.cos(angle), math.sin(angle)
+                    x = at[0] + distance * cosine + (width / 2 if cosine > 0.3 else -width / 2 if cosine < -0.3 else 0)
+                    y = at[1] + distance * sine + (height / 2 if sine > 0.3 else -height / 2 if sine < -0.3 else 0)
+                    box = (x - width / 2 - 1, y - height / 2 - 1, x + width / 2 + 1, y + height / 2 + 1)
+                    outside = box[0] < frame.x0 + 2 or box[2] > frame.x1 - 2 or box[1] < frame.y0 + 2 or box[3] > frame.y1 - 2
+                    cost = sum(self.overlap(box, other) for other in self.taken) + 1e4 * outside + 3.0 * distance + 2.0 * (turn % 4 != 0)
+                    if best is None or cost < best[0]:
+                        best = (cost, x, y, box, ring)
+                if best[0] < 3.0 * distance + 3:
+                    break
+            _, x, y, box, ring = best
+            self.taken.append(box)
+            inverse = self.axes.transData.inverted()
+            if ring > 1:
+                near = (min(max(at[0], box[0]), box[2]), min(max(at[1], box[1]), box[3]))
+                self.axes.plot(*zip(inverse.transform(at), inverse.transform(near)), color=colour, linewidth=0.4, zorder=1)
+            self.axes.text(*inverse.transform((x, y)), word, fontsize=self.size, color=colour, ha="center", va="center_baseline")
+
+
+def law_panel(figure, axes, rows, law):
+    right = ROUNDING / 4
+    axes.set(title=law, xscale="log", yscale="log", xlim=(3, right), ylim=(0.8, 6e8))
+    axes.set_xticks([10.0 ** -k for k in range(0, 17, 2)])
+    axes.minorticks_off()
+    labels = Labels(figure, axes, 7)
+    ours = rows.where(kind="ours")
+    for front, style in ((cheapest_first(ours), {"color": BLUE, "linewidth": 5, "alpha": 0.16}),
+                         (cheapest_first(rows.where(kind="others")), {"color": VERMILION, "linewidth": 5, "alpha": 0.16})):
+        axes.plot(*steps(front, right), solid_capstyle="butt", zorder=0, **style)
+    for family, of_family in rows.groups("family").items():
+        colour, marker, by_parameter = FAMILIES[family]
+        points = [(max(row["max_error"], ROUNDING), row["mean_ns"]) for row in of_family]
+        hollow = {"markerfacecolor": "white"} if of_family[0]["kind"] != "ours" else {}
+        axes.plot(*zip(*points), marker=marker, markersize=7 if marker == "*" else 4.2, color=colour, linewidth=0.6,
+                  linestyle="-" if by_parameter else "none", zorder=3, label=LEGEND.get(family, family), **hollow)
+        if by_parameter:
+            labels.line(*zip(*points))
+        for point, row in zip(points, of_family):
+            labels.dot(*point, parameter(row) if by_parameter else name(row), colour)
+    labels.place()
+
+
+def step_panel(figure, axes, rows):
+    right = ROUNDING / 4
+    axes.set(title="a step of the god-object (hertz): error of the steady wrench", xscale="log", yscale="log", xlim=(1e3, right), ylim=(0.8, 3e3))
+    axes.set_xticks([10.0 ** -k for k in range(0, 17, 2)])
+    axes.minorticks_off()
+    labels = Labels(figure, axes, 7)
+    for projection, (colour, marker) in PROJECTIONS.items():
+        for row in rows.where(projection=projection):
+            # Under the radial projection every table is as wrong as the curve.
+            if projection == "radial" and row["boundary"].startswith("table") and row["boundary"] != "table 1e-8":
+                continue
+            error = max(row["max_error"], ROUNDING)
+            axes.plot([error, error], [row["batch_1024_ns"], row["cold_ns"]], color=colour, linewidth=0.6, zorder=2)
+            axes.plot([error], [row["warm_ns"]], marker, color=colour, markersize=4.6, zorder=3)
+            axes.plot([error], [row["cold_ns"]], "_", color=colour, markersize=6, zorder=3)
+            axes.plot([error], [row["batch_1024_ns"]], marker, color=colour, markersize=4.2, markerfacecolor="white", zorder=3)
+            labels.line([error, error], [row["batch_1024_ns"], row["cold_ns"]])
+            labels.dot(error, row["cold_ns"], "", colour)
+            labels.dot(error, row["batch_1024_ns"], "", colour)
+            labels.dot(error, row["warm_ns"], row["boundary"], colour)
+    labels.place()
+    handles = [axes.plot([], [], marker, color=colour, label=f"{projection}, warm")[0] for projection, (colour, marker) in PROJECTIONS.items()]
+    handles += [axes.plot([], [], "o", color=BLUE, markerfacecolor="white", label="a contact in a batch of 1024")[0],
+                axes.plot([], [], "_", color=BLUE, label="cold")[0]]
+    axes.legend(handles=handles, loc="lower right", fontsize=7, handlelength=1.2)
+
+
+def work_precision(data):
+    """One panel a law, and one for the step."""
+    wrench, step = data["work_precision_wrench"], data["work_precision_step"]
+    laws = list(wrench.groups("law"))
+    figure, panels = plt.subplots(3, 2, figsize=(12.4, 15.6))
+    figure.subplots_adjust(left=0.06, right=0.99, top=0.975, bottom=0.1, hspace=0.17, wspace=0.11)
+    figure.canvas.draw()
+    for axes, law in zip(panels.flat, laws):
+        law_panel(figure, axes, wrench.where(law=law), law)
+    step_panel(figure, panels.flat[len(laws)], step)
+    for axes in panels[:, 0]:
+        axes.set_ylabel("a wrench costs, mean  [ns]")
+    panels[-1, 1].set_ylabel("a step costs, mean  [ns]", labelpad=1)
+    for axes in panels[-1]:
+        axes.set_xlabel("largest error, of what the contact bears")
+    handles = {}
+    for axes in panels.flat[:len(laws)]:
+        handles.update({label: handle for handle, label in zip(*axes.get_legend_handles_labels()) if label in LEGEND.values()})
+    order = [label for label in LEGEND.values() if label in handles]
+    figure.legend([handles[label] for label in order], order, loc="lower center", ncols=4, bbox_to_anchor=(0.5, 0.028), handlelength=2)
+    machine = step[0]["machine"]
+    figure.text(0.5, 0.016, f"Filled: this library. Hollow: others. Bands: the cheapest at each error, of ours (blue) and of the others (red). "
+                f"Measured on {machine}.", ha="center", fontsize=8.5, color=FAINT)
+    return figure

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: MIT
+#include "godobject/choose_step.hpp"
+
+#include "godobject/replay.hpp"
+#include "limitcurve/laws.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <stdexcept>
+#include <vector>
+
+namespace limitcurve::godobject::test {
+namespace {
+
+Scene scene() {
+  Scene result;
+  result.law = hertz();
+  result.mu = 0.6;
+  result.radius_law = RadiusLaw::constant(0.006);
+  result.stiffness = 1000.0;
+  // The stiffness ratio that suits the radial projection: (a m₀)² of the linear one.
+  result.twist_stiffness = 1000.0 * 0.006 * 0.006 * 0.589 * 0.589;
+  return result;
+}
+
+const StepCandidate& chosen(const StepChoice& choice) {
+  return *std::find_if(choice.candidates.begin(), choice.candidates.end(), [](const StepCandidate& candidate) { return candidate.chosen; });
+}
+
+/// A finger that wanders within the scene: sliding in all directions, twisting and pressing at random rates.
+std::vector<TraceSample> wander(const Scene& scene, unsigned seed) {
+  std::mt19937 engine(seed);
+  std::uniform_real_distribution<double> share(-1.0, 1.0);
+  std::vector<TraceSample> trace;
+  TraceSample at;
+  double vx = 0.0;
+  double vy = 0.0;
+  double spin = 0.0;
+  for (int i = 0; i < 6000; ++i) {
+    if (i % 200 == 0) {
+      vx = 0.7 * scene.slide_speed * share(engine);
+      vy = 0.7 * scene.slide_speed * share(engine);
+      spin = scene.twist_rate * share(engine);
+    }
+    at.time = scene.sample_time * i;
+    at.x += vx * scene.sample_time;
+    at.y += vy * scene.sample_time;
+    if (std::fabs(at.twist + spin * scene.sample_time) > 0.5 * scene.twist) spin = -spin;
+    at.twist += spin * scene.sample_time;
+    const double swing = 0.5 - 0.5 * std::cos(2.0 * M_PI * i / 1500.0);
+    at.z = -(scene.least_load + (scene.most_load - scene.least_load) * swing) / scene.stiffness;
+    trace.push_back(at);
+  }
+  return trace;
+}
+
+std::vector<ReplayRow> replayed(const Scene& scene, const std::vector<TraceSample>& trace, BoundaryKind boundary, ProjectionKind projection,
+                                const RadiusLaw& radius_law, std::optional<double> moment_coefficient) {
+  ReplayOptions options;
+  options.law = scene.law;
+  options.radius_law = radius_law;
+  options.mu = scene.mu;
+  options.moment_coefficient = moment_coefficient;
+  options.stiffness = scene.stiffness;
+  options.twist_stiffness = scene.twist_stiffness;
+  options.boundary = boundary;
+  options.projection = projection;
+  options.tolerance = 1e-8;
+  Replay replay(options);
+  std::vector<ReplayRow> rows(trace.size());
+  replay.run(trace, rows);
+  return rows;
+}
+
+/// The largest change of what is felt over a random trace, in units of what the contact bears: the witness, which shares
+/// with `choose_step` no motion.
+double witnessed(const Scene& scene, unsigned seed, BoundaryKind boundary, ProjectionKind projection, const RadiusLaw& radius_law,
+                 std::optional<double> moment_coefficient = {}) {
+  const auto trace = wander(scene, seed);
+  const auto truth = replayed(scene, trace, BoundaryKind::table, ProjectionKind::closest_point, scene.radius_law, scene.moment_coefficient);
+  const auto other = replayed(scene, trace, boundary, projection, radius_law, moment_coefficient);
+  const double m0 = scene.law->moment_ratio();
+  double result = 0.0;
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    const double unit = scene.mu * truth[i].load;
+    const double force = std::hypot(truth[i].fx - other[i].fx, truth[i].fy - other[i].fy) / unit;
+    const double moment = (truth[i].moment - other[i].moment) / (m0 * unit * scene.radius_law.radius(truth[i].load));
+    result = std::max(result, std::hypot(force, moment));
+  }
+  return result;
+}
+
+TEST(ChooseStep, TakesTheCheapestThatIsGoodEnough) {
+  for (const double tolerance : {1.0, 0.2, 0.05, 0.01, 1e-3}) {
+    const StepChoice choice = choose_step(scene(), tolerance);
+    const StepCandidate& best = chosen(choice);
+    EXPECT_LE(best.error, tolerance);
+    EXPECT_EQ(std::count_if(choice.candidates.begin(), choice.candidates.end(), [](const auto& candidate) { return candidate.chosen; }), 1);
+    for (const StepCandidate& other : choice.candidates) {
+      if (other.nanoseconds < best.nanoseconds) {
+        EXPECT_GT(other.error, tolerance) << other.model;
+      }
+    }
+  }
+}
+
+TEST(ChooseStep, APureDragNeedsNoTorsion) {
+  Scene drag = scene();
+  drag.twist_rate = 0.0;
+  const StepChoice choice = choose_step(drag, 1e-4);
+  EXPECT_EQ(choice.effects.torsion, 0.0);
+  EXPECT_EQ(chosen(choice).model, "no torsion");
+  EXPECT_EQ(choice.verdict.find("no torsion is needed"), 0U) << choice.verdict;
+}
+
+TEST(ChooseStep, APureTwistNeedsNoCoupling) {
+  Scene twist = scene();
+  twist.slide_speed = 0.0;
+  const StepChoice choice = choose_step(twist, 1e-6);
+  EXPECT_NEAR(choice.effects.torsion, 1.0, 1e-9);  // all of the moment
+  EXPECT_LT(choice.effects.coupling, 1e-9);
+  EXPECT_EQ(choice.verdict.find("uncoupled will do"), 0U) << choice.verdict;
+}
+
+TEST(ChooseStep, WhatIsHeldNeedsNoCouplingEither) {
+  Scene held = scene();
+  held.slide = 0.2 * held.mu * held.least_load / held.stiffness;
+  held.twist = 0.2 * 0.589 * held.mu * held.least_load * 0.006 / held.twist_stiffness;
+  const StepChoice choice = choose_step(held, 0.01);
+  EXPECT_LT(choice.effects.coupling, 1e-9);
+  EXPECT_GT(choice.effects.torsion, 0.1);
+  EXPECT_EQ(choice.verdict.find("uncoupled will do"), 0U) << choice.verdict;
+}
+
+TEST(ChooseStep, SlidingAndTwistingAtOnceNeedsCoupling) {
+  const StepChoice choice = choose_step(scene(), 0.01);
+  EXPECT_EQ(choice.verdict.find("coupling is needed"), 0U) << choice.verdict;
+  EXPECT_EQ(chosen(choice).model, "table/closest-point");
+  // Of a box, in whose corner both are full at once.
+  EXPECT_GT(choice.effects.coupling, 0.4);
+}
+
+// What the chosen step and each simplification change on random motions stays near what `choose_step` found on its own.
+TEST(ChooseStep, RandomMotionsBearItOut) {
+  Scene soft = scene();
+  soft.radius_law = RadiusLaw::power(0.005, 0.259);
+  const StepChoice choice = choose_step(soft, 0.05);
+  const RadiusLaw mean = RadiusLaw::constant(soft.radius_law.radius(0.5 * (soft.least_load + soft.most_load)));
+  for (const unsigned seed : {1U, 2U, 3U}) {
+    const auto expect = [&](const char* what, double found, double error) {
+      EXPECT_LT(error, 1.3 * found + 1e-6) << what;
+      EXPECT_GT(error, 0.1 * found) << what;
+    };
+    expect("coupling", choice.effects.coupling, witnessed(soft, seed, BoundaryKind::box, ProjectionKind::closest_point, soft.radius_law));
+    expect("curve", choice.effects.curve, witnessed(soft, seed, BoundaryKind::ellipse, ProjectionKind::closest_point, soft.radius_law));
+    expect("projection", choice.effects.projection, witnessed(soft, seed, BoundaryKind::table, ProjectionKind::radial, soft.radius_law));
+    expect("load radius", choice.effects.load_radius, witnessed(soft, seed, BoundaryKind::table, ProjectionKind::closest_point, mean));
+    expect("torsion", choice.effects.torsion,
+           witnessed(soft, seed, BoundaryKind::table, ProjectionKind::closest_point, soft.radius_law, 0.0));
+  }
+}
+
+TEST(ChooseStep, SamplingThatIsTooSlowIsSaid) {
+  Scene slow = scene();
+  slow.sample_time = 0.05;
+  slow.slide_speed = 0.2;
+  const StepChoice choice = choose_step(slow, 0.01);
+  EXPECT_GT(choice.effects.sampling, 0.01);
+  EXPECT_NE(choice.verdict.find("sample faster"), std::string::npos) << choice.verdict;
+  EXPECT_EQ(choose_step(scene(), 0.05).verdict.find("sample faster"), std::string::npos);
+}
+
+TEST(ChooseStep, RefusesWhatMeansNothing) {
+  const auto refuses = [](auto&& change, double tolerance = 0.01) {
+    Scene wrong = scene();
+    change(wrong);
+    EXPECT_THROW(choose_step(wrong, tolerance), std::invalid_argument);
+  };
+  const double nan = std::nan("");
+  refuses([](Scene& s) { s.law = nullptr; });
+  for (const double bad : {0.0, -1.0, nan, HUGE_VAL}) {
+    refuses([=](Scene& s) { s.mu = bad; });
+    refuses([=](Scene& s) { s.least_load = bad; });
+    refuses([=](Scene& s) { s.most_load = bad; });
+    refuses([=](Scene& s) { s.stiffness = bad; });
+    refuses([=](Scene& s) { s.twist_stiffness = bad; });
+    refuses([=](Scene& s) { s.sample_time = bad; });
+    refuses([=](Scene& s) { s.moment_coefficient = bad; });
+    refuses([](Scene&) {}, bad);
+  }
+  for (const double bad : {-1.0, nan, HUGE_VAL}) {
+    refuses([=](Scene& s) { s.slide_speed = bad; });
+    refuses([=](Scene& s) { s.twist_rate = bad; });
+  }
+  refuses([](Scene& s) { s.slide_speed = s.twist_rate = 0.0; });
+  refuses([=](Scene& s) { s.twist = nan; });
+}
+
+}  // namespace
+}  // namespace limitcurve::godobject::test
