@@ -21,7 +21,9 @@ struct CCurve {
     const double gauge = boundary.gauge(trial.wrench);
     if (!(gauge > 1.0 + slip_guard)) return {};
     // At load λP the trial is (x̂/λ, ŷ/(λ a(λP)/a(P))) in unit wrenches: find λ where its gauge is 1. The logarithm of the
-    // gauge falls by at most 2 a unit of log λ, which tells where to begin; bracketed, for the kinks of a sampled law.
+    // gauge falls by at most 2 a unit of log λ, which tells where to begin; bracketed, for the kinks of a sampled law. There is one
+    // root, since P·a(P) grows with P. The growth is the law's own from P to λP; its exponent serves only as the derivative at
+    // λP, so that of a sampled law it is that of the stretch at hand.
     double low = 0.5 * std::log(gauge);
     double high = std::numeric_limits<double>::infinity();
     double log_load = std::log(gauge) / (1.0 + trial.radius_law->exponent(trial.load));

@@ -169,12 +169,19 @@ class Grasp {
     return {contact, twist_about(state.orientation.conjugate() * device.orientation, contact.normal) + device.twist};
   }
 
-  /// What a finger does to the body: the opposite of what its user feels, at the proxy. The springs pull along the line from
-  /// there to the finger, so that both ends agree on the moment; at x_g it would be off by the depth times the friction force.
-  static void act(const BodyState& state, const Eigen::Vector3d& normal, const FingerOutput& output, Load& load) noexcept {
-    const Eigen::Vector3d force = state.orientation * Eigen::Vector3d(-output.force - normal * output.load);
+  /// What a finger does to the body: the opposite of what its user feels, on the line through the finger, so that both ends agree on
+  /// the moment and the springs' energy is accounted for. (It runs through the proxy too, where no damper acts. Through x_g it would
+  /// be off by the depth times the friction force.)
+  static void act(const BodyState& state, const Contact& contact, const FingerOutput& output, Load& load) noexcept {
+    const Eigen::Vector3d force = state.orientation * Eigen::Vector3d(-output.force - contact.normal * output.load);
+    const Eigen::Vector3d finger = contact.point - contact.normal * contact.depth;
     load.force += force;
-    load.moment += (state.orientation * output.proxy).cross(force) - state.orientation * Eigen::Vector3d(normal * output.moment);
+    load.moment += (state.orientation * finger).cross(force) - state.orientation * Eigen::Vector3d(contact.normal * output.moment);
+  }
+
+  /// The last good contact of a finger, in the body's frame.
+  [[nodiscard]] static Contact last_contact(const Finger& finger) noexcept {
+    return {finger.state().goal, finger.state().normal, finger.output().depth};
   }
 
   /// The fingers' load on the body in this state, if it were the next. Remembers nothing.
@@ -184,7 +191,7 @@ class Grasp {
       ContactMemory memory = holds_[i].memory;
       const auto [contact, twist] = touch(state, devices[i], memory);
       const FingerOutput output = holds_[i].finger.preview(contact, twist, time_step);
-      act(state, output.state != ContactState::invalid ? contact.normal : holds_[i].normal, output, load);
+      act(state, output.state != ContactState::invalid ? contact : last_contact(holds_[i].finger), output, load);
     }
     return load;
   }
@@ -202,7 +209,7 @@ class Grasp {
       const auto [contact, twist] = touch(state_, devices[i], hold.memory);
       const FingerOutput& output = hold.finger.update(contact, twist, time_step);
       if (output.state != ContactState::invalid) hold.normal = contact.normal;
-      act(state_, hold.normal, output, load);
+      act(state_, last_contact(hold.finger), output, load);
     }
     return load;
   }

@@ -92,23 +92,36 @@ TEST(SoftFinger, HeldOnTheLimitNeverCreeps) {
   }
 }
 
-// In 360 directions of force and moment, sense included: it sticks a billionth inside the curve and slips a billionth outside.
+// In 360 directions of force and moment, sense included: it sticks a billionth inside the curve and slips a billionth outside,
+// whatever the projection, with a constant radius and one that grows with the load; and both components pull back to the proxy.
 TEST(SoftFinger, SlipStartsOnTheBoundary) {
   for_each_boundary(hertz(), [](const auto& boundary, std::string_view name) {
-    const FingerParameters with = parameters();
-    const double load = 2.0;
-    for (int i = 0; i < 360; ++i) {
-      const double angle = 2.0 * pi * (i + 0.5) / 360.0;
-      const UnitWrench direction{std::fabs(std::cos(angle)), boundary.moment_ratio() * std::fabs(std::sin(angle))};
-      const UnitWrench limit = boundary.along(direction).wrench;
-      for (const double share : {1.0 - accuracy::slip_onset, 1.0 + accuracy::slip_onset}) {
-        SoftFinger finger(boundary, with, ClosestPoint{});
-        finger.update(on_plane(0.0, 0.0, 0.002), 0.0);
-        const double r = share * limit.force * with.mu * load / with.stiffness;
-        const double rho = share * limit.moment * with.mu * load * 0.005 / with.twist_stiffness;
-        // The direction of the pull turns as well.
-        finger.update(on_plane(r * std::cos(3.0 * angle), r * std::sin(3.0 * angle), 0.002), std::copysign(rho, std::sin(angle)));
-        EXPECT_EQ(finger.output().state, share < 1.0 ? ContactState::stick : ContactState::slip) << name << ' ' << i;
+    for (const ProjectionKind kind : {ProjectionKind::radial, ProjectionKind::c_curve, ProjectionKind::closest_point}) {
+      for (const RadiusLaw& law : {RadiusLaw::constant(0.005), RadiusLaw::power(0.00207, 0.259)}) {
+        FingerParameters with = parameters();
+        with.radius_law = law;
+        const double load = 2.0;
+        visit_projection(kind, [&](auto projection) {
+          SoftFinger finger(boundary, with, projection);
+          for (int i = 0; i < 360; ++i) {
+            const double angle = 2.0 * pi * (i + 0.5) / 360.0;
+            const UnitWrench direction{std::fabs(std::cos(angle)), boundary.moment_ratio() * std::fabs(std::sin(angle))};
+            const UnitWrench limit = boundary.along(direction).wrench;
+            for (const double share : {1.0 - accuracy::slip_onset, 1.0 + accuracy::slip_onset}) {
+              finger.reset();
+              finger.update(on_plane(0.0, 0.0, 0.002), 0.0);
+              const double r = share * limit.force * with.mu * load / with.stiffness;
+              const double rho = share * limit.moment * with.mu * load * law.radius(load) / with.twist_stiffness;
+              // The direction of the pull turns as well.
+              const FingerOutput& output =
+                  finger.update(on_plane(r * std::cos(3.0 * angle), r * std::sin(3.0 * angle), 0.002), std::copysign(rho, std::sin(angle)));
+              EXPECT_EQ(output.state, share < 1.0 ? ContactState::stick : ContactState::slip) << name << ' ' << to_string(kind) << ' ' << i;
+              EXPECT_LE(output.force.x() * std::cos(3.0 * angle), 0.0);
+              EXPECT_LE(output.force.y() * std::sin(3.0 * angle), 0.0);
+              EXPECT_LE(output.moment * std::sin(angle), 0.0);
+            }
+          }
+        });
       }
     }
   });
