@@ -8,6 +8,7 @@
 
 #include <cstdio>
 #include <stdexcept>
+#include <utility>
 
 namespace limitcurve::cli {
 
@@ -49,6 +50,7 @@ class Fit final : public Subcommand {
   void run(const Results& results) override {
     const fit::ModelFit found = data_.empty() ? curve_fit() : data_fit();
     if (found.model != models[model_]) say("note", "the model is " + found.model);
+    describe(found);
     for (const std::string& warning : found.report.warnings) say("warning", warning);
     if (!found.report.converged) throw std::runtime_error("the fit did not converge: " + found.report.message);
     Rows rows(results, {"parameter", "value", "std_error", "unit"});
@@ -64,6 +66,19 @@ class Fit final : public Subcommand {
     if (!quiet_) std::fprintf(stderr, "limitcurve: %s: %s\n", kind, text.c_str());
   }
 
+  /// How good the fit is.
+  void describe(const fit::ModelFit& found) const {
+    const fit::FitReport& report = found.report;
+    std::string text = std::to_string(report.residuals) + " residuals, " + std::to_string(report.free_parameters) +
+                       " free parameters, rms " + format_number(report.rms) + "; ";
+    if (found.error) {
+      text += "too strong by up to " + format_number(found.error->max_over_estimate) + ", too weak by up to " +
+              format_number(found.error->max_under_estimate) + ", its centre of rotation off by up to " +
+              format_number(found.error->max_cor_error) + "; ";
+    }
+    say("note", text + report.message);
+  }
+
   [[nodiscard]] fit::ModelFit curve_fit() const {
     if (model_ > last_of_a_curve) throw std::invalid_argument("--data is required to fit '" + models[model_] + "'");
     if (law_ == nullptr) throw std::invalid_argument("--data or --law is required, to fit to measurements or to the exact curve");
@@ -72,8 +87,18 @@ class Fit final : public Subcommand {
 
   [[nodiscard]] fit::ModelFit data_fit() {
     settings_.loss = loss_ == 0 ? fit::Loss::squared() : loss_ == 1 ? fit::Loss::huber() : fit::Loss::cauchy();
+    if (models[model_] == "law" && law_ == nullptr) return law_fit(read_slip_samples(data_));
     if (models[model_] != "load") return fit::fit_model(models[model_], read_slip_samples(data_), law_, settings_);
     return load_fit(read_load_samples(data_));
+  }
+
+  [[nodiscard]] fit::ModelFit law_fit(const std::vector<fit::Sample>& samples) const {
+    fit::LawSelection selection = fit::select_law(samples, settings_);
+    for (std::size_t i = 0; i < selection.candidates.size(); ++i) {
+      say("note", selection.candidates[i].model + ": AICc " + format_number(selection.aic_difference[i]) + " above the best");
+    }
+    fit::ContactFit& best = selection.candidates.front();
+    return {best.model, std::move(best.report), std::nullopt};
   }
 
   [[nodiscard]] fit::ModelFit load_fit(const fit::LoadSamples& samples) const {

@@ -106,6 +106,10 @@ std::vector<ContactFit::BandPoint> band_of(const UnitCurve& curve, const Contact
   return band;
 }
 
+bool is_at_bound(const UnitCurve& curve, double shape) {
+  return std::min(shape - curve.low(), curve.high() - shape) < 1e-6 * (curve.high() - curve.low());
+}
+
 ContactFit fit_prepared(const ContactPreparation& preparation, const ContactModel& model, const ContactFitOptions& options) {
   const std::unique_ptr<UnitCurve> curve = internal::make_curve(model);
   const ContactLayout layout{!curve->shape_name().empty(), options.fit_gamma, options.gamma};
@@ -125,7 +129,9 @@ ContactFit fit_prepared(const ContactPreparation& preparation, const ContactMode
   residuals.expect_drift(solution.values, preparation.with_sigma ? std::min(scatter, 1.0) : scatter);
   for (std::size_t j = 0; j < free; ++j) parameters[j].start = solution.values[j];
   const int iterations = solution.iterations;
-  solution = internal::minimise(residuals, parameters, options.loss);
+  // Held by a bound, a minimiser creeps, to make a number exact that is then reported as unknown.
+  const bool held = layout.shape && is_at_bound(*curve, solution.values[2]);
+  solution = internal::minimise(residuals, parameters, options.loss, held ? internal::coarse_tolerance : internal::fine_tolerance);
   solution.iterations += iterations;
   const double variance = preparation.with_sigma ? 1.0 : internal::residual_variance(solution);
   std::vector<double> covariance = internal::covariance(solution, parameters, options.loss, variance);
@@ -149,7 +155,7 @@ ContactFit fit_prepared(const ContactPreparation& preparation, const ContactMode
   bool hidden = false;
   if (layout.shape) {
     const double range = curve->high() - curve->low();
-    at_bound = std::min(solution.values[2] - curve->low(), curve->high() - solution.values[2]) < 1e-6 * range;
+    at_bound = is_at_bound(*curve, solution.values[2]);
     hidden = std::sqrt(covariance[2 * free + 2]) > 0.5 * range;
   }
   // From the logarithms at the reference load to the quantities themselves, at 1 N where the radius depends on the load.
@@ -254,19 +260,31 @@ LawSelection select_law(std::span<const Sample> samples, const ContactFitOptions
                                            ContactModel::of(gaussian(1.0)),
                                            ContactModel{ContactModel::Kind::power},
                                            ContactModel{ContactModel::Kind::xydas_kao}};
-  for (const ContactModel& model : models) selection.candidates.push_back(fit_prepared(preparation, model, options));
+  try {
+    for (const ContactModel& model : models) selection.candidates.push_back(fit_prepared(preparation, model, options));
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(std::string(error.what()) +
+                                "; to tell laws apart takes slips that slide and twist at once, and more of them than parameters");
+  }
   std::stable_sort(selection.candidates.begin(), selection.candidates.end(),
                    [](const ContactFit& a, const ContactFit& b) { return a.report.aic < b.report.aic; });
   ContactFit& best = selection.candidates.front();
   std::string rivals;
+  std::string ties;
   for (const ContactFit& candidate : selection.candidates) {
     const double difference = candidate.report.aic - best.report.aic;
     selection.aic_difference.push_back(difference);
     if (&candidate != &best && difference < 2.0) {
       rivals += (rivals.empty() ? "" : ", ") + candidate.model + " (AICc difference " + brief(difference) + ")";
+    } else if (&candidate != &best && std::max(candidate.report.rms, best.report.rms) < internal::perfect) {
+      ties += (ties.empty() ? "" : ", ") + candidate.model;
     }
   }
   if (!rivals.empty()) best.report.warnings.push_back("the data cannot tell " + best.model + " from " + rivals);
+  if (!ties.empty()) {
+    best.report.warnings.push_back(best.model + " explains the samples to the last digit, and so does " + ties +
+                                   ", with more parameters: the one with fewer is given");
+  }
   return selection;
 }
 

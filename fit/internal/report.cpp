@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace limitcurve::fit::internal {
 
@@ -57,8 +56,7 @@ void set_estimates(FitReport& report, std::span<const Quantity> quantities, std:
 double akaike(double cost, std::size_t residuals, std::size_t free_parameters, bool known_variance) noexcept {
   const auto n = static_cast<double>(residuals);
   const double p = static_cast<double>(free_parameters) + (known_variance ? 0.0 : 1.0);
-  // A perfect fit of noise-free data has no variance to estimate: the floor keeps the logarithm finite.
-  const double chi_square = std::max(2.0 * cost, n * std::numeric_limits<double>::min());
+  const double chi_square = std::max(2.0 * cost, n * perfect * perfect);
   const double misfit = known_variance ? chi_square : n * std::log(chi_square / n);
   // The correction has no meaning for as few samples as parameters; plain AIC then.
   const double few = n - p - 1.0 > 0.0 ? 2.0 * p * (p + 1.0) / (n - p - 1.0) : 0.0;

@@ -30,8 +30,11 @@ void describe(FitReport& report, const Solution& solution);
 void set_estimates(FitReport& report, std::span<const Quantity> quantities, std::span<const double> jacobian,
                    std::span<const double> covariance);
 
+/// Residuals, in units of the limits or of standard deviations, that are nothing but rounding: the curves are exact to 1e-11.
+inline constexpr double perfect = 1e-10;
+
 /// AICc of a fit whose residuals r have known unit variance (`known_variance`), χ² + 2p + …, or a common unknown one, N log(χ²/N) + 2(p+1) + ….
-/// `cost` is ½ Σ loss(r²).
+/// `cost` is ½ Σ loss(r²). Residuals below `perfect` count as that: fits that are perfect differ by their parameters alone.
 double akaike(double cost, std::size_t residuals, std::size_t free_parameters, bool known_variance) noexcept;
 
 }  // namespace limitcurve::fit::internal

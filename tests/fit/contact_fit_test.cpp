@@ -281,6 +281,30 @@ TEST(ContactFit, RobustLossesOutliveGrossOutliers) {
   }
 }
 
+TEST(LawSelection, OfPerfectFitsGivesTheOneWithFewerParametersAndSaysSo) {
+  for (const Law& law : {hertz(), parabolic(), uniform(), flat_punch()}) {
+    for (const bool tell : {false, true}) {
+      Random random(9);
+      std::vector<Sample> samples = synthetic::clean(synthetic::curve_of(law), {0.7, 0.004}, 40, random);
+      for (Sample& sample : samples) {
+        if (tell) {
+          sample.sigma_force = 0.01 * sample.load;
+          sample.sigma_moment = 3e-5 * sample.load;
+        }
+      }
+      const LawSelection selection = select_law(samples);
+      const ContactFit& best = selection.candidates.front();
+      EXPECT_EQ(best.model, law->name());
+      if (!tell) {
+        // Every one of these laws is a member of the family p ∝ (1−ρ²)ⁿ.
+        ASSERT_EQ(best.report.warnings.size(), 1u) << best.model;
+        EXPECT_NE(best.report.warnings[0].find("and so does power"), std::string::npos) << best.report.warnings[0];
+        EXPECT_GT(selection.aic_difference[1], 0.0);
+      }
+    }
+  }
+}
+
 TEST(ContactFit, SaysWhichLawsTheDataCannotTell) {
   const Truth truth{0.8, 0.005};
   Random random(8);
