@@ -16,22 +16,25 @@ namespace {
 /// One sample's residual for Ceres. The model outlives the problem.
 class SampleCost final : public ceres::CostFunction {
  public:
-  SampleCost(const ResidualModel& model, std::size_t sample, std::size_t parameters)
+  SampleCost(const ResidualModel& model, std::size_t sample, std::span<const Parameter> parameters)
       : model_(model), sample_(sample), parameters_(parameters) {
     set_num_residuals(1);
-    mutable_parameter_block_sizes()->push_back(static_cast<int>(parameters));
+    mutable_parameter_block_sizes()->push_back(static_cast<int>(parameters.size()));
   }
 
   bool Evaluate(double const* const* blocks, double* residuals, double** jacobians) const override {
     double* const gradient = jacobians != nullptr ? jacobians[0] : nullptr;
-    if (!model_.evaluate(sample_, {blocks[0], parameters_}, residuals[0], gradient)) return false;
+    if (!model_.evaluate(sample_, {blocks[0], parameters_.size()}, residuals[0], gradient)) return false;
+    for (std::size_t j = 0; gradient != nullptr && j < parameters_.size(); ++j) {
+      if (parameters_[j].is_held()) gradient[j] = 0.0;
+    }
     return std::isfinite(residuals[0]);
   }
 
  private:
   const ResidualModel& model_;
   std::size_t sample_;
-  std::size_t parameters_;
+  std::span<const Parameter> parameters_;
 };
 
 std::unique_ptr<ceres::LossFunction> make_loss(const Loss& loss) {
@@ -97,10 +100,11 @@ Solution minimise(const ResidualModel& model, std::span<const Parameter> paramet
   problem.AddParameterBlock(block, static_cast<int>(free));
   for (std::size_t i = 0; i < model.count(); ++i) {
     // The problem owns the cost functions.
-    problem.AddResidualBlock(new SampleCost(model, i, free), loss_function.get(), block);
+    problem.AddResidualBlock(new SampleCost(model, i, parameters), loss_function.get(), block);
   }
   for (std::size_t j = 0; j < free; ++j) {
     const int index = static_cast<int>(j);
+    if (parameters[j].is_held()) continue;
     if (std::isfinite(parameters[j].low)) problem.SetParameterLowerBound(block, index, parameters[j].low);
     if (std::isfinite(parameters[j].high)) problem.SetParameterUpperBound(block, index, parameters[j].high);
   }

@@ -21,12 +21,13 @@ class ResidualModel {
   virtual bool evaluate(std::size_t i, std::span<const double> parameters, double& residual, double* gradient) const = 0;
 };
 
-/// A free parameter: where to begin and the bounds that keep it physical.
+/// A free parameter: where to begin and the bounds that keep it physical. With low = high it stays there.
 struct Parameter {
   std::string name;
   double start;
   double low;
   double high;
+  [[nodiscard]] bool is_held() const noexcept { return low == high; }
 };
 
 struct Solution {
