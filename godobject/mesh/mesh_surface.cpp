@@ -84,6 +84,7 @@ Contact MeshSurface::contact(const Vector3d& finger, ContactMemory& memory) cons
       const MeshPlace farther = mesh_->settle(place.face, finger);
       if (farther.point == place.point) break;
       place = farther;
+      after = -1.0;
       continue;
     }
     const MeshPlace next = mesh_->settle(entry->face, finger);
