@@ -97,8 +97,10 @@ StepCheck check_step(const Finger& finger, const godobject::FingerState& last, c
   const bool rested = before.state == ContactState::stick || before.state == ContactState::slip;
   if (output.state == ContactState::stick && rested && output.proxy != before.proxy) fails("a proxy that sticks moves");
   if (output.state == ContactState::slip && rested && sample.contact.normal == last.normal && !dampers) {
-    // The wrench on the finger times the way of the proxy, taken anew; but for the rounding of where the proxy is.
-    const double work = output.force.dot(before.proxy - output.proxy) + output.moment * (before.angle - output.angle);
+    // The wrench on the finger times the way of the proxy along the surface, taken anew; but for the rounding of where the proxy is.
+    const Eigen::Vector3d way = before.proxy - output.proxy;
+    const Eigen::Vector3d along = way - sample.contact.normal * sample.contact.normal.dot(way);
+    const double work = output.force.dot(along) + output.moment * (before.angle - output.angle);
     const double rounding = output.force.norm() * (output.proxy.norm() + before.proxy.norm()) +
                             std::fabs(output.moment) * (std::fabs(output.angle) + std::fabs(before.angle) + std::fabs(sample.twist));
     if (!(work >= -4.0 * std::numeric_limits<double>::epsilon() * rounding - 1e-300)) fails("a slip that gains energy");
