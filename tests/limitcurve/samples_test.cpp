@@ -17,12 +17,12 @@ constexpr std::array<double, 12> cors{0.0, 1e-6, 0.1, 0.37, 0.5, 0.75, 0.9, 1.0,
 template <class Profile>
 std::vector<PressureSample> sampled(Profile&& profile, std::size_t count, double noise) {
   std::mt19937_64 random(5);
-  std::normal_distribution<double> error(0.0, noise);
+  std::normal_distribution<double> error(0.0, 1.0);
   std::vector<PressureSample> result;
   for (std::size_t i = 0; i < count; ++i) {
     const double even = static_cast<double>(i) / static_cast<double>(count - 1);
     const double radius = even + 0.05 * std::sin(3.0 * 3.14159265358979 * even) / 3.0;
-    result.push_back({4.2 * radius, 17.0 * profile(std::min(radius, 1.0)) + (noise > 0.0 ? error(random) : 0.0)});
+    result.push_back({4.2 * radius, 17.0 * profile(std::min(radius, 1.0)) + (noise > 0.0 ? noise * error(random) : 0.0)});
   }
   return result;
 }

@@ -14,8 +14,15 @@
 #include <unistd.h>
 #endif
 
-// The sanitizers bring an allocator of their own.
-#if defined(__linux__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+// The sanitizers bring an allocator of their own. GCC tells by macros, Clang by features.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define LIMITCURVE_SANITIZED 1
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#define LIMITCURVE_SANITIZED 1
+#endif
+#endif
+#if defined(__linux__) && !defined(LIMITCURVE_SANITIZED)
 #define LIMITCURVE_WATCHES_MALLOC 1
 
 namespace {
