@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Random batches of contacts, and a hash of the bits of all that comes out for each boundary: what scripts/bit_identity compares
-// between compilers, vector lengths and processors. Argument: rounds of 1001 contacts.
+// between compilers, vector lengths and processors. Arguments: rounds of 1001 contacts, and a folder of tables that soak wrote.
 #include "godobject/batch.hpp"
 #include "godobject/godobject.hpp"
 #include "limitcurve/quartic.hpp"
+#include "tests/soak/boundaries.hpp"
 #include "tests/soak/random_bits.hpp"
 
 #include <array>
@@ -11,6 +12,7 @@
 #include <cinttypes>
 #include <cstdio>
 #include <cstdlib>
+#include <type_traits>
 #include <vector>
 
 using namespace limitcurve;
@@ -60,5 +62,13 @@ int main(int argc, char** argv) {
   print_bits("ellipse-closest-point", ellipse, ClosestPoint{}, rounds);
   print_bits("box-closest-point", box(1.0, 0.5890486225480862), ClosestPoint{}, rounds);
   print_bits("quartic-closest-point", Quartic::through_intercepts(0.5890486225480862, 3.142), ClosestPoint{}, rounds);
+  if (argc > 2) {
+    const soak::Boundaries boundaries{std::filesystem::path(argv[2])};
+    soak::RandomBits random(1);
+    boundaries.visit(1, random, [&](const auto& boundary) {
+      using Boundary = std::decay_t<decltype(boundary)>;
+      if constexpr (std::is_same_v<Boundary, Table>) print_bits("table-closest-point", boundary, ClosestPoint{}, rounds);
+    });
+  }
   return 0;
 }
