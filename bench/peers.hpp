@@ -161,7 +161,7 @@ class GslNested {
   UnitWrench operator()(double s) const { return {integral(false, s), integral(true, s)}; }
 
  private:
-  static constexpr std::size_t intervals = 200;
+  static constexpr std::size_t intervals = 50;
   using Workspace = std::shared_ptr<gsl_integration_workspace>;
   static Workspace make() { return {gsl_integration_workspace_alloc(intervals), gsl_integration_workspace_free}; }
 

@@ -19,13 +19,13 @@ struct Cost {
 };
 
 inline constexpr std::array<Cost, 7> models{{
-    {"diamond", 1.6, 52.9, 46.0},
-    {"box", 1.8, 55.6, 49.5},
-    {"ellipse", 3.9, 38.9, 133.2},
-    {"table", 4.6, 122.3, 84.4},
-    {"quartic", 38.2, 63.0, 324.5},
-    {"superellipse", 47.8, 97.8, 460.9},
-    {"exact", 7.0, 329.7, 117.3},
+    {"diamond", 1.6, 54.3, 47.3},
+    {"box", 1.8, 54.7, 49.5},
+    {"ellipse", 3.9, 39.1, 133.2},
+    {"table", 5.5, 121.0, 76.3},
+    {"quartic", 38.4, 63.7, 325.1},
+    {"superellipse", 48.0, 97.5, 464.3},
+    {"exact", 6.2, 332.0, 115.6},
 }};
 
 /// Of a model that is in the table.
