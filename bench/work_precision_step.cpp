@@ -129,9 +129,9 @@ void add_step(const Law& law, const std::string& boundary_name, const Boundary& 
       state.counters["median_ns"] = cost.median;
       state.counters["worst_ns"] = cost.worst;
     };
-    const auto run = [=](std::size_t calls) {
-      Stepper stepper(boundary, of_finger, projection, cold);
-      for (std::size_t i = 0; i < calls; ++i) benchmark::DoNotOptimize(stepper.step());
+    const auto counted = std::make_shared<Stepper<Boundary, Projection>>(boundary, of_finger, projection, cold);
+    const auto run = [counted](std::size_t calls) {
+      for (std::size_t i = 0; i < calls; ++i) benchmark::DoNotOptimize(counted->step());
     };
     ways().push_back({"step/" + boundary_name + '/' + rule + '/' + (cold ? "cold" : "warm"), time, run, 50.0});
   }
