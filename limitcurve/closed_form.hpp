@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "limitcurve/economised_elementary.hpp"
+#include "limitcurve/economised_elliptic.hpp"
 #include "limitcurve/elliptic.hpp"
 #include "limitcurve/moment_series.hpp"
 
@@ -14,7 +16,7 @@
 ///   s ≤ 1        the COR is under the finger: polynomial, or elliptic integrals of modulus s;
 ///   1 < s² ≤ 2   the closed form for a COR outside, in τ = s² − 1 = (s−1)(s+1), which is exact near the rim;
 ///   s² > 2       the series in pressure moments (moment_series.hpp): converges fast and keeps m to relative precision.
-/// In double and float the last two are piecewise polynomials (economised.hpp) in a variable in which the form is
+/// In double and float the last two are piecewise polynomials (economised_*.hpp) in a variable in which the form is
 /// analytic, w = √(1 − s⁻²), or, where it has a logarithm at the rim, in η = 1 − s⁻² down to ⅛ and the closed form below.
 /// Relative error of f and m: ≤ 8 ε of Real, the cone's m ≤ 16 ε. df/ds: ≤ 64 ε. Cost: README, "Evaluators". What of
 /// the three is not used costs nothing once the call is inlined.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "limitcurve/economised.hpp"
+#include "limitcurve/economised_elliptic.hpp"
 #include "limitcurve/piecewise_polynomial.hpp"
 
 #include <cmath>

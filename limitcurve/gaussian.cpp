@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "limitcurve/economised.hpp"
+#include "limitcurve/internal/economised_gaussian.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/number.hpp"
 #include "limitcurve/piecewise_polynomial.hpp"

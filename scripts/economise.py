@@ -1,9 +1,10 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Polynomials for the closed forms in double precision: limitcurve/economised.hpp.
+"""Polynomials for the closed forms in double precision: the headers limitcurve/economised_*.hpp and, for the Gaussian, which no
+public header uses, limitcurve/internal/economised_gaussian.hpp.
 
-    economise.py            write the header (a quarter of a minute; needs mpmath)
-    economise.py --check    compute it again and compare it byte by byte with the file
+    economise.py            write the headers (a quarter of a minute; needs mpmath)
+    economise.py --check    compute them again and compare them byte by byte with the files
 
 Every function is interpolated at Chebyshev nodes in 50-digit arithmetic and written in powers of the distance from the
 middle of its piece, where Horner's scheme loses nothing. The pieces keep away from the function's singularities, which are
@@ -33,7 +34,7 @@ from pathlib import Path
 from mpmath import mp, mpf
 
 mp.dps = 50
-OUTPUT = Path(__file__).resolve().parent.parent / "limitcurve" / "economised.hpp"
+FOLDER = Path(__file__).resolve().parent.parent / "limitcurve"
 LARGEST_ERROR = mpf(2) ** -54
 
 
@@ -181,13 +182,18 @@ def array(comment, name, values):
     return "\n".join(lines) + "\n"
 
 
-def header():
-    parts = []
+def elementary_forms():
     half = mpf(1) / 2
+    parts = []
     for name, functions in (("hertz", family(half)), ("flat_punch", family(-half)), ("cone", cone())):
         in_w = [lambda w, g=g: g(1 - w * w) for g in functions]
         parts.append(array(f"{name}: f and s·m in w, 9 pieces of 12 terms.", f"{name}_wrench", equal_pieces(in_w[:2], 9, 12)))
         parts.append(array(f"{name}: s³·df/ds in w, 9 pieces of 12 terms.", f"{name}_slope", equal_pieces(in_w[2:], 9, 12)))
+    return parts
+
+
+def elliptic_forms():
+    parts = []
     for name, n in (("uniform", mpf(0)), ("parabolic", mpf(1))):
         in_eta = [lambda eta, g=g: g(1 - eta) for g in family(n)]
         parts.append(array(f"{name}: f and s·m in η, 12 pieces of 11 terms.", f"{name}_wrench", octave_pieces(in_eta[:2], 3, 11)))
@@ -199,29 +205,48 @@ def header():
     for i, (comment, name) in enumerate((("B0 and D0", "elliptic_at_rim"), ("B1 and D1", "elliptic_logarithm"))):
         columns = [piece(g, mpf(0), rim, 12, mpf(1)) for g in at_rim[2 * i : 2 * i + 2]]
         parts.append(array(f"{comment} on η ≤ 1/8, 12 terms.", name, [v for power in zip(*columns) for v in power]))
+    return parts
+
+
+def gaussian_forms():
     bessel = [lambda y, i=i: gaussian(y)[i] for i in range(3)]
-    parts.append(array("Gaussian: f/(x·y) and m/(σ√(π/2)·y) in y, 17 pieces of 15 terms.", "gaussian_wrench", equal_pieces(bessel[:2], 17, 15)))
-    parts.append(array("Gaussian: the slope over y³ in y, 17 pieces of 17 terms.", "gaussian_slope", equal_pieces(bessel[2:], 17, 17)))
+    return [
+        array("f/(x·y) and m/(σ√(π/2)·y) in y, 17 pieces of 15 terms.", "gaussian_wrench", equal_pieces(bessel[:2], 17, 15)),
+        array("The slope over y³ in y, 17 pieces of 17 terms.", "gaussian_slope", equal_pieces(bessel[2:], 17, 17)),
+    ]
+
+
+HEADERS = {
+    "economised_elementary.hpp": ("the pressures whose limit curve is elementary outside the rim", elementary_forms),
+    "economised_elliptic.hpp": ("the elliptic integrals B and D, and for the pressures whose limit curves hold them", elliptic_forms),
+    "internal/economised_gaussian.hpp": ("the Gaussian's Bessel functions", gaussian_forms),
+}
+
+
+def header(what, parts):
     return (
         "// SPDX-License-Identifier: MIT\n"
         "// Made by scripts/economise.py, which says what these are; do not edit.\n"
         "// clang-format off\n"
         "#pragma once\n\n"
         "#include <array>\n\n"
-        "/// Coefficients of the closed forms in double precision: per piece and power, lowest first, one a function.\n"
+        f"/// Polynomials in double precision for {what}.\n"
+        "/// Coefficients per piece and power, lowest first, one a function.\n"
         "namespace limitcurve::economised {\n\n" + "\n".join(parts) + "\n}  // namespace limitcurve::economised\n"
     )
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--check", action="store_true", help="compare with the file instead of writing it")
+    parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
+    parser.add_argument("--check", action="store_true", help="compare with the files instead of writing them")
     check = parser.parse_args().check
-    text = header()
-    if not check:
-        OUTPUT.write_text(text)
-    elif OUTPUT.read_text() != text:
-        sys.exit(f"{OUTPUT} is not what this script makes")
+    for name, (what, forms) in HEADERS.items():
+        text = header(what, forms())
+        file = FOLDER / name
+        if not check:
+            file.write_text(text)
+        elif not file.exists() or file.read_text() != text:
+            sys.exit(f"{file} is not what this script makes")
 
 
 if __name__ == "__main__":
