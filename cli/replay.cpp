@@ -71,7 +71,7 @@ class Replay final : public Subcommand {
             "The trace has columns time,x,y,z,twist [s, m, m, m, rad], or qw,qx,qy,qz (a unit quaternion, finger to world) in\n"
             "place of twist; both may wrap around. The surface is the plane z = 0, outward normal +z, penetration -z, or another\n"
             "about the origin.\n"
-            "Columns: time; state free|stick|slip|invalid (a sample earlier than the one before it); px,py [m] and angle\n"
+            "Columns: time; state free|stick|slip|invalid (a sample earlier than the one before it, or that leaps); px,py [m] and angle\n"
             "[rad] of the proxy; depth [m]; load [N]; fx,fy [N] and moment [N m], the friction that the user feels;\n"
             "cor [m], the distance of the slip's centre of rotation (nan unless it slips).\n"
             "With another surface, a body that moves, or several fingers: also pz, fz and the surface's outward normal nx,ny,nz\n"
@@ -113,6 +113,10 @@ class Replay final : public Subcommand {
     options.count("--fingers", fingers_, 1, godobject::SceneReplay::most_fingers, "Fingers in the trace");
     options.number("--damping", damping_, non_negative, "b_l of each finger [N s/m]");
     options.number("--twist-damping", twist_damping_, non_negative, "b_r of each finger [N m s/rad]");
+    options.number("--jump-limit", finger_.jump_limit, positive_or_inf,
+                   "A finger that leaps farther than this between two rows [m] is a fault of the device: refused once, as invalid");
+    options.number("--hold-share", finger_.hold_share, share,
+                   "Of load, force and moment [1] that an invalid row keeps of the row before: 1 holds them, 0.99 lets go softly");
     options.value(
         "--check-gains", "LIST", [this](const std::string& text) { read_device(text); },
         "b=NUMBER[,b_r=NUMBER][,T=0.001]: refuse gains that are not passive on a device of that damping [N s/m, N m s/rad] at a "

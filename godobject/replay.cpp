@@ -67,7 +67,9 @@ FingerParameters finger_parameters(const ReplayOptions& options) {
           .radius_law = options.radius_law,
           .moment_coefficient = options.moment_coefficient,
           .stiffness = options.stiffness,
-          .twist_stiffness = options.twist_stiffness};
+          .twist_stiffness = options.twist_stiffness,
+          .jump_limit = options.jump_limit,
+          .hold_share = options.hold_share};
 }
 
 Replay::Replay(const ReplayOptions& options) {

@@ -7,6 +7,7 @@
 #include "limitcurve/laws.hpp"
 #include "limitcurve/radius_law.hpp"
 
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -49,7 +50,9 @@ struct ReplayOptions {
   double twist_stiffness = 0.0;                       ///< k_r [N m/rad] > 0
   BoundaryKind boundary = BoundaryKind::table;        ///< limit curve
   ProjectionKind projection = ProjectionKind::closest_point;
-  double tolerance = 1e-6;  ///< of the table, in unit wrenches; used by `table` only
+  double tolerance = 1e-6;                                      ///< of the table, in unit wrenches; used by `table` only
+  double jump_limit = std::numeric_limits<double>::infinity();  ///< [m] > 0: a sample farther than this from the last is refused once
+  double hold_share = 1.0;                                      ///< of load, force and moment kept in every invalid row, ∈ [0, 1]
 };
 
 /// The part of the options that makes a finger.

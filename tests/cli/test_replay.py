@@ -83,6 +83,28 @@ class Replays(CommandLineTest):
         self.assertEqual(found[4]["fx"], found[3]["fx"])
         self.assertEqual(found[5]["state"], "slip")
 
+    def test_a_leap_is_refused_once_and_believed_if_it_stays(self):
+        away = TRACE + "0.004,0.3,0,-0.001,0\n"
+        back = away + "0.005,0.0051,0,-0.001,0\n0.006,0.0052,0,-0.001,0\n"
+        self.assertEqual([row["state"] for row in self.replay(back)], ["free", "stick", "stick", "slip", "slip", "slip", "stick"])
+        for options in [[], ["--details"], ["--surface", "box:x=10,y=10,z=2e-12"]]:
+            held = self.replay(back, "--jump-limit", "0.01", *options)
+            self.assertEqual([held[i]["state"] for i in (3, 4, 6)], ["slip", "invalid", "slip"], options)
+            for name in ["px", "load", "fx", "moment"]:
+                self.assertEqual(held[4][name], held[3][name])
+            faded = self.replay(back, "--jump-limit", "0.01", "--hold-share", "0.25", *options)
+            for name in ["load", "fx"]:
+                self.assertEqual(faded[4][name], 0.25 * held[3][name])
+            self.assertEqual(faded[4]["px"], held[3]["px"])
+            self.assertEqual(str(faded[6]), str(held[6]))
+            self.assertAlmostEqual(held[6]["fx"], -0.6, delta=1e-9)
+        stays = self.replay(away + "0.005,0.3,0,-0.001,0\n", "--jump-limit", "0.01")
+        self.assertEqual([row["state"] for row in stays[4:]], ["invalid", "slip"])
+        self.assertAlmostEqual(stays[5]["px"], 0.3 - 0.0006, delta=1e-9)
+        # A time that goes back is no leap, and fades all the same.
+        faded = self.replay(TRACE + "0.001,0.007,0,-0.001,0\n", "--hold-share", "0")
+        self.assertEqual((faded[4]["state"], faded[4]["load"], faded[4]["fx"]), ("invalid", 0, 0))
+
 
 class SteadyTwist(CommandLineTest):
     """A finger that moves at a constant twist with COR c for long ends at eq. (17)'s wrench, if projected rightly."""
@@ -146,7 +168,7 @@ class Scenes(CommandLineTest):
         path = self.file("trace.csv", TRACE)
         plain = run("replay", "--trace", path, *FINGER).stdout
         self.assertEqual(plain.split("\n", 1)[0], COLUMNS)
-        for options in [["--surface", "plane"], ["--body", "fixed"], ["--fingers", "1"], ["--damping", "0"]]:
+        for options in [["--surface", "plane"], ["--body", "fixed"], ["--fingers", "1"], ["--damping", "0"], ["--jump-limit", "inf"], ["--hold-share", "1"]]:
             self.assertEqual(run("replay", "--trace", path, *FINGER, *options).stdout, plain, options)
         self.assertEqual(header("replay", "--trace", path, *FINGER, "--details"), COLUMNS + self.DETAILS)
         for more, less in zip(self.replay_of(path, "--details"), self.replay_of(path)):
@@ -337,6 +359,10 @@ class Files(CommandLineTest):
             call = list(FINGER)
             del call[call.index(option):call.index(option) + 2]
             self.assert_fails(2, option, "replay", "--trace", path, *call)
+        for option, values, told in [("--jump-limit", ["0", "-0.01", "nan", "x", ""], "expected a number > 0, or inf"),
+                                     ("--hold-share", ["-0.1", "1.1", "nan", "inf", "x"], "expected a number from 0 to 1")]:
+            for value in values:
+                self.assert_fails(2, [option, told], "replay", "--trace", path, *FINGER, option, value)
         self.assert_fails(2, ["--boundary", "triangle", "ellipse"], "replay", "--trace", path, *FINGER, "--boundary", "triangle")
         self.assert_fails(2, ["--projection", "c-curve"], "replay", "--trace", path, *FINGER, "--projection", "oblique")
         self.assert_fails(2, ["mu_dynamic"], "replay", "--trace", path, *FINGER, "--mu-dynamic", "0.7")
