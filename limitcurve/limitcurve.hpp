@@ -11,6 +11,7 @@
 ///   Ellipse::through_intercepts(curve.moment_ratio());          a cheaper boundary …
 ///   boundary_error(ellipse, curve)                              … and how wrong it is
 ///   Table::build(law, 1e-6)                                     … or the exact one as a table, and its files (table_file.hpp)
+///   FloatTable::build(law, 1e-6)                                … in single precision, for many contacts at once
 ///   p_curve(curve, RadiusLaw::hertz(0.008, 2e5), mu, load, 64)  limit curves in newtons
 
 #include "limitcurve/accuracy.hpp"
@@ -19,6 +20,7 @@
 #include "limitcurve/ellipse.hpp"
 #include "limitcurve/exact_curve.hpp"
 #include "limitcurve/expanded_law.hpp"
+#include "limitcurve/float_table.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/limit_boundary.hpp"
 #include "limitcurve/load_curves.hpp"
