@@ -1,59 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "tests/mesh/shapes.hpp"
+#include "tests/real_time_guard.hpp"
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <thread>
-
-#ifdef __linux__
-#include <linux/seccomp.h>
-#include <sys/prctl.h>
-#include <sys/syscall.h>
-#include <sys/wait.h>
-#include <unistd.h>
-#endif
-
-// The sanitizers bring an allocator of their own. GCC tells by macros, Clang by features.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define LIMITCURVE_SANITIZED 1
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-#define LIMITCURVE_SANITIZED 1
-#endif
-#endif
-#if defined(__linux__) && !defined(LIMITCURVE_SANITIZED)
-#define LIMITCURVE_WATCHES_MALLOC 1
-
-namespace {
-thread_local bool watching = false;
-thread_local int calls = 0;
-}  // namespace
-
-extern "C" {
-void* __libc_malloc(std::size_t size);
-void* __libc_calloc(std::size_t count, std::size_t size);
-void* __libc_realloc(void* memory, std::size_t size);
-void __libc_free(void* memory);
-
-void* malloc(std::size_t size) {
-  calls += watching;
-  return __libc_malloc(size);
-}
-void* calloc(std::size_t count, std::size_t size) {
-  calls += watching;
-  return __libc_calloc(count, size);
-}
-void* realloc(void* memory, std::size_t size) {
-  calls += watching;
-  return __libc_realloc(memory, size);
-}
-void free(void* memory) {
-  calls += watching;
-  __libc_free(memory);
-}
-}
-#endif
 
 namespace limitcurve::godobject::test {
 namespace {
@@ -78,15 +29,9 @@ std::vector<Vector3d> moves(const Mesh& mesh, int count) {
   return result;
 }
 
-#ifdef LIMITCURVE_WATCHES_MALLOC
-template <class Body>
-int allocations(Body&& body) {
-  calls = 0;
-  watching = true;
-  body();
-  watching = false;
-  return calls;
-}
+#ifdef LIMITCURVE_GUARDS_REAL_TIME
+using limitcurve::test::allocations;
+using limitcurve::test::runs_without_system_calls;
 
 TEST(MeshRealTime, TheGuardSeesAnAllocation) {
   EXPECT_GT(allocations([] { delete new volatile int(3); }), 0);
@@ -110,19 +55,6 @@ TEST(MeshRealTime, AStepAllocatesNothing) {
   EXPECT_GT(touching, 2000);
 }
 
-template <class Body>
-bool runs_without_system_calls(Body&& body) {
-  const pid_t child = fork();
-  if (child == 0) {
-    prctl(PR_SET_SECCOMP, SECCOMP_MODE_STRICT);
-    body();
-    syscall(SYS_exit, 0);
-  }
-  int status = 0;
-  waitpid(child, &status, 0);
-  return WIFEXITED(status) && WEXITSTATUS(status) == 0;
-}
-
 TEST(MeshRealTime, StepsMakeNoSystemCall) {
   EXPECT_FALSE(runs_without_system_calls([] { syscall(SYS_getppid); }));
   const MeshSurface star = read_mesh(data_mesh("star.obj"));
@@ -134,7 +66,6 @@ TEST(MeshRealTime, StepsMakeNoSystemCall) {
     for (const Vector3d& place : path) finger.update(star.contact(place, memory), 0.0);
   }));
 }
-
 #endif
 
 // Four threads, a finger each, one mesh: each feels what it would feel alone, bit for bit.
