@@ -5,12 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include <limits>
-
 namespace limitcurve::godobject::test {
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 TEST(SoftFinger, MarginIsTheShareThatIsLeft) {
   auto finger = hertz_finger();
@@ -34,37 +30,6 @@ TEST(SoftFinger, StateIsAValue) {
     ASSERT_TRUE(same_bits(finger.output().force, other.output().force));
     ASSERT_EQ(finger.output().moment, other.output().moment);
   }
-}
-
-TEST(SoftFinger, LetsGoSoftlyWhereAsked) {
-  FingerParameters with = parameters();
-  with.hold_share = 0.5;
-  auto finger = hertz_finger(with);
-  finger.update(on_plane(0.0, 0.0, 0.002), 0.0);
-  finger.update(on_plane(0.0004, 0.0, 0.002), 0.01);
-  const FingerOutput good = finger.output();
-  for (const double share : {0.5, 0.25, 0.125}) {
-    finger.update(on_plane(nan, 0.0, 0.002), 0.0);
-    EXPECT_EQ(finger.output().force, Eigen::Vector3d(good.force * share));
-    EXPECT_EQ(finger.output().load, good.load * share);
-    EXPECT_EQ(finger.output().moment, good.moment * share);
-  }
-  finger.update(on_plane(0.0004, 0.0, 0.002), 0.01);
-  EXPECT_EQ(finger.output().force, good.force);
-  EXPECT_EQ(finger.output().proxy, good.proxy);
-}
-
-TEST(SoftFinger, RefusesAJumpOnce) {
-  FingerParameters with = parameters();
-  with.jump_limit = 0.01;
-  auto finger = hertz_finger(with);
-  finger.update(on_plane(0.0, 0.0, 0.002), 0.0);
-  finger.update(on_plane(0.0004, 0.0, 0.002), 0.0);
-  const FingerOutput good = finger.output();
-  EXPECT_EQ(finger.update(on_plane(1.0, 0.0, 0.002), 0.0).state, ContactState::invalid);
-  EXPECT_EQ(finger.output().force, good.force);
-  EXPECT_EQ(finger.update(on_plane(1.0, 0.0, 0.002), 0.0).state, ContactState::slip);
-  EXPECT_EQ(finger.update(on_plane(1.0, 0.0, 0.5), 0.0).state, ContactState::invalid);
 }
 
 TEST(SoftFinger, TellsTheLoadThatHolds) {

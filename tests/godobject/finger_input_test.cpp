@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: MIT
+// What a finger makes of any input: the ends of each range, numbers that are none, leaps, steps at random, bits at random.
+#include "tests/godobject/scene.hpp"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace limitcurve::godobject::test {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+TEST(SoftFinger, TakesLimitsNotQuotients) {
+  struct Case {
+    const char* name;
+    double mu, radius, depth, x, twist;
+    double force, moment;
+  };
+  const double m0 = hertz()->moment_ratio();
+  const Case cases[] = {
+      {"no friction", 0.0, 0.005, 0.002, 0.001, 0.3, 0.0, 0.0},
+      {"no sliding", 0.6, 0.005, 0.002, 0.0, 3.0, 0.0, 1.2 * 0.005 * m0},
+      {"no twist", 0.6, 0.005, 0.002, 0.01, 0.0, 1.2, 0.0},
+      {"hardly a load", 0.6, 0.005, 1e-300, 0.01, 3.0, 0.0, 0.0},
+      {"the least load", 0.6, 0.005, 5e-324, 0.01, 3.0, 0.0, 0.0},
+      {"a hair of sliding", 0.6, 0.005, 0.002, 1e-300, 3.0, 0.0, 1.2 * 0.005 * m0},
+      {"a hair of twist", 0.6, 0.005, 0.002, 0.01, 1e-300, 1.2, 0.0},
+      {"at rest", 0.6, 0.005, 0.002, 0.0, 0.0, 0.0, 0.0},
+  };
+  for (const Case& test : cases) {
+    for (const ProjectionKind kind : {ProjectionKind::radial, ProjectionKind::c_curve, ProjectionKind::closest_point}) {
+      visit_projection(kind, [&](auto projection) {
+        for_each_boundary(hertz(), [&](const auto& boundary, std::string_view name) {
+          SoftFinger finger(boundary, parameters(test.mu, test.radius), projection);
+          finger.update(on_plane(0.0, 0.0, test.depth), 0.0);
+          const FingerOutput& output = finger.update(on_plane(test.x, 0.0, test.depth), test.twist);
+          EXPECT_NEAR(output.force.norm(), test.force, 1e-12) << test.name << ' ' << name << ' ' << to_string(kind);
+          EXPECT_NEAR(std::fabs(output.moment), test.moment, 1e-14) << test.name << ' ' << name << ' ' << to_string(kind);
+          EXPECT_TRUE(output.proxy.allFinite() && std::isfinite(output.angle)) << test.name << ' ' << name;
+        });
+      });
+    }
+  }
+}
+
+TEST(SoftFinger, WithoutTorsionalFrictionTheForceIsLimitedByItself) {
+  FingerParameters with = parameters();
+  with.moment_coefficient = 0.0;
+  auto finger = hertz_finger(with);
+  finger.update(on_plane(0.0, 0.0, 0.002), 0.0);
+  finger.update(on_plane(0.001, 0.0, 0.002), 2.0);
+  EXPECT_EQ(finger.output().state, ContactState::stick);
+  EXPECT_EQ(finger.output().moment, 0.0);
+  EXPECT_EQ(finger.output().angle, 2.0);
+  EXPECT_EQ(finger.output().proxy, Eigen::Vector3d::Zero());
+  finger.update(on_plane(0.003, 0.0, 0.002), 2.0);
+  EXPECT_EQ(finger.output().state, ContactState::slip);
+  EXPECT_DOUBLE_EQ(finger.output().force.x(), -1.2);
+}
+
+TEST(SoftFinger, HoldsTheLastGoodOutputOnBadInput) {
+  auto finger = hertz_finger();
+  finger.update(on_plane(0.0, 0.0, 0.002), 0.0);
+  finger.update(on_plane(0.0005, 0.0, 0.002), 0.01);
+  const FingerOutput good = finger.output();
+  std::vector<std::pair<Contact, double>> bad;
+  for (const double value : {nan, infinity, -infinity, 1e300}) {
+    bad.emplace_back(on_plane(value, 0.0, 0.002), 0.0);
+    bad.emplace_back(on_plane(0.0, value, 0.002), 0.0);
+    bad.emplace_back(on_plane(0.0, 0.0, value), 0.0);
+    bad.emplace_back(on_plane(0.0, 0.0, 0.002), value);
+    bad.emplace_back(Contact{Eigen::Vector3d::Zero(), {0.0, 0.0, value}, 0.002}, 0.0);
+  }
+  for (const auto& [contact, twist] : bad) {
+    const FingerOutput& output = finger.update(contact, twist);
+    EXPECT_EQ(output.state, ContactState::invalid);
+    EXPECT_EQ(output.force, good.force);
+    EXPECT_EQ(output.moment, good.moment);
+    EXPECT_EQ(output.proxy, good.proxy);
+    EXPECT_EQ(output.load, good.load);
+  }
+  // And goes on as if nothing had happened.
+  const FingerOutput& output = finger.update(on_plane(0.0005, 0.0, 0.002), 0.01);
+  EXPECT_EQ(output.state, ContactState::stick);
+  EXPECT_EQ(output.force, good.force);
+}
+
+TEST(SoftFinger, LetsGoSoftlyWhereAsked) {
+  FingerParameters with = parameters();
+  with.hold_share = 0.5;
+  auto finger = hertz_finger(with);
+  finger.update(on_plane(0.0, 0.0, 0.002), 0.0);
+  finger.update(on_plane(0.0004, 0.0, 0.002), 0.01);
+  const FingerOutput good = finger.output();
+  for (const double share : {0.5, 0.25, 0.125}) {
+    finger.update(on_plane(nan, 0.0, 0.002), 0.0);
+    EXPECT_EQ(finger.output().force, Eigen::Vector3d(good.force * share));
+    EXPECT_EQ(finger.output().load, good.load * share);
+    EXPECT_EQ(finger.output().moment, good.moment * share);
+  }
+  finger.update(on_plane(0.0004, 0.0, 0.002), 0.01);
+  EXPECT_EQ(finger.output().force, good.force);
+  EXPECT_EQ(finger.output().proxy, good.proxy);
+}
+
+TEST(SoftFinger, RefusesAJumpOnce) {
+  FingerParameters with = parameters();
+  with.jump_limit = 0.01;
+  auto finger = hertz_finger(with);
+  finger.update(on_plane(0.0, 0.0, 0.002), 0.0);
+  finger.update(on_plane(0.0004, 0.0, 0.002), 0.0);
+  const FingerOutput good = finger.output();
+  EXPECT_EQ(finger.update(on_plane(1.0, 0.0, 0.002), 0.0).state, ContactState::invalid);
+  EXPECT_EQ(finger.output().force, good.force);
+  EXPECT_EQ(finger.update(on_plane(1.0, 0.0, 0.002), 0.0).state, ContactState::slip);
+  EXPECT_EQ(finger.update(on_plane(1.0, 0.0, 0.5), 0.0).state, ContactState::invalid);
+}
+
+// Steps of random magnitude and sign, loads over eight decades: the wrench stays on or within the curve, the slip
+// dissipates, and nothing is lost to NaN.
+TEST(SoftFinger, RandomStepsStayWithinTheCurveAndDissipate) {
+  for (const ProjectionKind kind : {ProjectionKind::radial, ProjectionKind::c_curve, ProjectionKind::closest_point}) {
+    visit_projection(kind, [&](auto projection) {
+      for_each_boundary(hertz(), [&](const auto& boundary, std::string_view name) {
+        Random random(99);
+        FingerParameters with = parameters();
+        with.radius_law = RadiusLaw::power(0.002, 0.26);
+        SoftFinger finger(boundary, with, projection);
+        double x = 0.0;
+        double y = 0.0;
+        double twist = 0.0;
+        for (int i = 0; i < 5000; ++i) {
+          const double step = random.logarithmic(1e-9, 1e-2);
+          x += random.uniform(-step, step);
+          y += random.uniform(-step, step);
+          twist += random.uniform(-1.0, 1.0) * random.logarithmic(1e-7, 1.0);
+          const double depth = random.logarithmic(1e-9, 1e-1);
+          const FingerOutput& output = finger.update(on_plane(x, y, depth), twist);
+          ASSERT_TRUE(output.state == ContactState::stick || output.state == ContactState::slip);
+          ASSERT_GE(output.slip_work, 0.0) << name;
+          const double unit = with.mu * output.load;
+          const UnitWrench wrench{output.force.norm() / unit, std::fabs(output.moment) / (unit * with.radius_law.radius(output.load))};
+          ASSERT_LE(boundary.gauge(wrench), 1.0 + 2e-14) << name << ' ' << to_string(kind);
+          ASSERT_TRUE(std::isfinite(output.angle) && output.proxy.allFinite());
+        }
+      });
+    });
+  }
+}
+
+// Any bits at all as input: never a NaN, an inf, or a wrench that the load does not bear.
+TEST(SoftFinger, RandomBitsDoNoHarm) {
+  for (const ProjectionKind kind : {ProjectionKind::radial, ProjectionKind::c_curve, ProjectionKind::closest_point}) {
+    visit_projection(kind, [&](auto projection) {
+      for_each_boundary(uniform(), [&](const auto& boundary, std::string_view name) {
+        Random random(2);
+        FingerParameters with = parameters();
+        with.radius_law = RadiusLaw::hertz(0.008, 2e5);
+        with.damping = 1.0;
+        SoftFinger finger(boundary, with, projection);
+        const auto any = [&] { return std::bit_cast<double>(random.bits()); };
+        for (int i = 0; i < 5000; ++i) {
+          Contact contact = on_plane(any(), any(), any());
+          double twist = any();
+          // Bits alone are mostly absurd: three of four steps have only one of them.
+          if (i % 4 != 0) {
+            contact = on_plane(random.uniform(-0.01, 0.01), random.uniform(-0.01, 0.01), random.logarithmic(1e-12, 0.01));
+            twist = random.uniform(-3.0, 3.0);
+            if (i % 4 == 1) contact.point.x() = any();
+            if (i % 4 == 2) contact.depth = any();
+            if (i % 4 == 3) twist = any();
+          }
+          const FingerOutput& output = finger.update(contact, twist, i % 2 == 0 ? 1e-3 : any());
+          ASSERT_TRUE(output.proxy.allFinite() && output.force.allFinite()) << name << ' ' << to_string(kind) << ' ' << i;
+          ASSERT_TRUE(std::isfinite(output.angle) && std::isfinite(output.moment) && std::isfinite(output.load));
+          ASSERT_GE(output.slip_work, 0.0);
+          ASSERT_LE(output.force.norm(), with.mu * output.load * (1.0 + 2e-12) + 1e-300) << name;
+        }
+      });
+    });
+  }
+}
+
+TEST(FingerParameters, AreValidated) {
+  const auto rejects = [](auto change, const char* parameter) {
+    FingerParameters with = parameters();
+    change(with);
+    try {
+      ContactLaw law(with, 0.5);
+      ADD_FAILURE() << parameter << " was accepted";
+    } catch (const std::invalid_argument& error) {
+      EXPECT_NE(std::string(error.what()).find(parameter), std::string::npos) << error.what();
+    }
+  };
+  for (const double bad : {-1.0, nan, infinity}) {
+    rejects([&](FingerParameters& with) { with.mu = bad; }, "mu");
+    rejects([&](FingerParameters& with) { with.mu_dynamic = bad; }, "mu_dynamic");
+    rejects([&](FingerParameters& with) { with.moment_coefficient = bad; }, "moment_coefficient");
+    rejects([&](FingerParameters& with) { with.stiffness = bad; }, "stiffness");
+    rejects([&](FingerParameters& with) { with.twist_stiffness = bad; }, "twist_stiffness");
+  }
+  rejects([](FingerParameters& with) { with.stiffness = 0.0; }, "stiffness");
+  rejects([](FingerParameters& with) { with.twist_stiffness = 0.0; }, "twist_stiffness");
+  rejects([](FingerParameters& with) { with.mu_dynamic = 0.7; }, "mu_dynamic");
+}
+
+}  // namespace
+}  // namespace limitcurve::godobject::test
