@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A step of the god-object on the plane, boundary by projection. Mean by Google Benchmark; `worst` is the slowest single
 // step of a second pass, each timed on its own (clock included; the operating system may be in it).
+#include "bench/finger_motion.hpp"
 #include "godobject/godobject.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/table.hpp"
@@ -9,7 +10,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <cstddef>
 #include <random>
 #include <utility>
@@ -19,40 +19,12 @@ namespace {
 
 using namespace limitcurve;
 using namespace limitcurve::godobject;
-
-struct Sample {
-  Contact contact;
-  double twist;
-};
-
-FingerParameters parameters() {
-  FingerParameters result;
-  result.mu = 0.6;
-  result.radius_law = RadiusLaw::constant(0.005);
-  result.stiffness = 1000.0;
-  result.twist_stiffness = 0.04;
-  return result;
-}
-
-Contact on_plane(double x, double y, double depth) {
-  return {{x, y, 0.0}, Eigen::Vector3d::UnitZ(), depth};
-}
+using bench::on_plane;
+using bench::parameters;
+using bench::Sample;
+using bench::slow_motion;
 
 constexpr std::size_t count = 4096;
-
-/// Slides and twists so that the centre of rotation wanders slowly over the whole range: every step slips.
-std::vector<Sample> slow() {
-  std::vector<Sample> samples;
-  double x = 0.0;
-  double twist = 0.0;
-  for (std::size_t i = 0; i < count; ++i) {
-    const double u = 0.5 - 0.45 * std::cos(2.0 * M_PI * static_cast<double>(i) / count);
-    x += 1e-4 * (1.0 - u);
-    twist += 1e-4 * u / 0.005;
-    samples.push_back({on_plane(x, 0.0, 0.002), twist});
-  }
-  return samples;
-}
 
 /// Jumps of millimetres and tenths of radians in all directions, under a load that changes too: hardly a step sticks.
 std::vector<Sample> wild() {
@@ -149,7 +121,8 @@ void step_of_batch(benchmark::State& state, const Boundary& boundary, Projection
 
 template <class Boundary>
 void all_projections(const std::string& name, const Boundary& boundary) {
-  static const std::vector<std::pair<std::string, std::vector<Sample>>> motions{{"slow", slow()}, {"wild", wild()}, {"held", held()}};
+  static const std::vector<std::pair<std::string, std::vector<Sample>>> motions{
+      {"slow", slow_motion(count)}, {"wild", wild()}, {"held", held()}};
   for (const auto& [motion, samples] : motions) {
     const auto add = [&, &samples_of = samples](const std::string& rule, auto projection, bool cold) {
       benchmark::RegisterBenchmark(("step/" + name + "/" + rule + "/" + motion).c_str(),

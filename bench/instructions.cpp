@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The calls of a servo loop, for valgrind to count their instructions: a number that a noisy machine cannot spoil. Run by
 // scripts/instruction_counts, which compares it with bench/instruction_counts.csv; alone it prints its cases and no more.
+#include "bench/finger_motion.hpp"
 #include "godobject/batch.hpp"
 #include "godobject/godobject.hpp"
 #include "limitcurve/laws.hpp"
@@ -20,6 +21,10 @@ namespace {
 
 using namespace limitcurve;
 using namespace limitcurve::godobject;
+using bench::on_plane;
+using bench::parameters;
+using bench::Sample;
+using bench::slow_motion;
 
 constexpr std::size_t count = 1024;
 
@@ -69,44 +74,18 @@ void measure_table(const Table& table) {
   });
 }
 
-FingerParameters parameters() {
-  FingerParameters result;
-  result.mu = 0.6;
-  result.radius_law = RadiusLaw::constant(0.005);
-  result.stiffness = 1000.0;
-  result.twist_stiffness = 0.04;
-  return result;
-}
-
-struct Sample {
-  Contact contact;
-  double twist;
-};
-
 /// A slip about a centre of rotation that wanders slowly; or leaps, of which hardly any sticks; or a trembling that sticks.
 enum class Motion { slow, wild, held };
 
 std::vector<Sample> samples(Motion motion) {
+  if (motion == Motion::slow) return slow_motion(count);
+  const double size = motion == Motion::wild ? 1.0 : 0.02;
   std::vector<Sample> result;
-  double x = 0.0;
-  double twist = 0.0;
   for (std::size_t i = 0; i < count; ++i) {
     const double one = 2.0 * share(i) - 1.0;
     const double other = 2.0 * share(i + 7 * count) - 1.0;
-    double y = 0.0;
-    double depth = 0.002;
-    if (motion == Motion::slow) {
-      const double u = 0.5 - 0.45 * std::cos(2.0 * M_PI * static_cast<double>(i) / count);
-      x += 1e-4 * (1.0 - u);
-      twist += 1e-4 * u / 0.005;
-    } else {
-      const double size = motion == Motion::wild ? 1.0 : 0.02;
-      x = 0.01 * size * one;
-      y = 0.01 * size * other;
-      twist = size * (2.0 * share(i + 3 * count) - 1.0);
-      depth += 0.0005 * size * one;
-    }
-    result.push_back({{{x, y, 0.0}, Eigen::Vector3d::UnitZ(), depth}, twist});
+    const double third = 2.0 * share(i + 3 * count) - 1.0;
+    result.push_back({on_plane(0.01 * size * one, 0.01 * size * other, 0.002 + 0.0005 * size * one), size * third});
   }
   return result;
 }
