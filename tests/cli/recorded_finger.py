@@ -1,0 +1,10 @@
+# SPDX-License-Identifier: MIT
+"""The finger that the tests of replay move, the shortest trace that has it free, stick and slip, and what replay prints of it."""
+
+import math
+
+COLUMNS = "time,state,px,py,angle,depth,load,fx,fy,moment,cor"
+STIFFNESS = 1000.0
+M0 = 3 * math.pi / 16  # Hertz
+FINGER = ["--law", "hertz", "--radius-law", "constant:a=0.006", "--mu", "0.6", "--stiffness", "1000", "--twist-stiffness", "0.036"]
+TRACE = "time,x,y,z,twist\n0,0,0,0.001,0\n0.001,0,0,-0.001,0\n0.002,0.0001,0,-0.001,0\n0.003,0.005,0,-0.001,0\n"

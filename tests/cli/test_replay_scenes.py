@@ -1,0 +1,143 @@
+# SPDX-License-Identifier: MIT
+"""replay beyond the plane: other surfaces, bodies that are moved or pushed, several fingers."""
+
+import math
+import unittest
+
+from command_line import DATA, CommandLineTest, header, rows, run
+from recorded_finger import COLUMNS, FINGER, TRACE
+
+
+class Scenes(CommandLineTest):
+    """Surfaces other than the plane, bodies that are moved or pushed, and several fingers."""
+
+    SPACE = ",pz,fz,nx,ny,nz"
+    DETAILS = ",margin,hold_load,corx,cory,corz,dissipated"
+
+    def scene(self, name, *options):
+        return rows("replay", "--trace", DATA / "scenes" / name, *FINGER, *options)
+
+    def test_the_plane_is_as_ever(self):
+        path = self.file("trace.csv", TRACE)
+        plain = run("replay", "--trace", path, *FINGER).stdout
+        self.assertEqual(plain.split("\n", 1)[0], COLUMNS)
+        for options in [["--surface", "plane"], ["--body", "fixed"], ["--fingers", "1"], ["--damping", "0"], ["--jump-limit", "inf"], ["--hold-share", "1"]]:
+            self.assertEqual(run("replay", "--trace", path, *FINGER, *options).stdout, plain, options)
+        self.assertEqual(header("replay", "--trace", path, *FINGER, "--details"), COLUMNS + self.DETAILS)
+        for more, less in zip(self.replay_of(path, "--details"), self.replay_of(path)):
+            self.assertEqual({name: repr(more[name]) for name in less}, {name: repr(less[name]) for name in less})
+
+    def replay_of(self, path, *options):
+        return rows("replay", "--trace", path, *FINGER, *options)
+
+    def test_a_ball(self):
+        found = self.scene("around_a_ball.csv", "--surface", "sphere:radius=0.05")
+        self.assertEqual(header("replay", "--trace", DATA / "scenes" / "around_a_ball.csv", *FINGER, "--surface", "sphere:radius=0.05"),
+                         COLUMNS + self.SPACE)
+        self.assertEqual({row["state"] for row in found}, {"free", "stick", "slip"})
+        for row in found:
+            force = (row["fx"], row["fy"], row["fz"])
+            normal = (row["nx"], row["ny"], row["nz"])
+            self.assertLessEqual(abs(sum(f * n for f, n in zip(force, normal))), 1e-12)
+            self.assertLessEqual(math.hypot(*force), 0.6 * row["load"] * (1 + 1e-12))
+            if row["state"] == "slip":
+                # The finger's axis stays upright on the ball: it hardly twists.
+                self.assertLess(abs(row["moment"]), 1e-6)
+                self.assertAlmostEqual(math.hypot(row["px"], row["py"], row["pz"]), 0.05, delta=2e-5)
+
+    def test_other_surfaces(self):
+        for surface, top in [("capsule:radius=0.01,length=0.04", 0.03), ("cylinder:radius=0.05,length=0.1", 0.05),
+                             ("box:x=0.1,y=0.1,z=0.02", 0.01), ("box:z=0.02,y=0.1,x=0.1", 0.01), ("sphere:radius=0.05", 0.05)]:
+            trace = f"time,x,y,z,twist\n0,0,0,{top + 0.001},0\n1,0,0,{top - 0.001},0\n2,0.0001,0,{top - 0.001},0.5\n"
+            last = rows("replay", "--trace", self.file("trace.csv", trace), *FINGER, "--surface", surface)[-1]
+            self.assertAlmostEqual(last["load"], 1, delta=3e-3, msg=surface)
+            self.assertAlmostEqual(last["pz"], top, delta=2e-6, msg=surface)
+            self.assertAlmostEqual(last["nz"], 1, delta=1e-4, msg=surface)
+            self.assertLess(last["moment"], -1e-3, surface)
+
+    def test_a_turntable_rubs_about_its_axis(self):
+        # 20 N at 0.1 mm less give: the springs trail by a hundredth of the way to the axis, 5 mm.
+        stiff = ["--law", "hertz", "--radius-law", "constant:a=0.006", "--mu", "0.03", "--stiffness", "10000", "--twist-stiffness", "0.36"]
+        last = rows("replay", "--trace", DATA / "scenes" / "turntable.csv", *stiff, "--body", "trace", "--details")[-1]
+        exact = rows("eval", "--law", "hertz", "--c", "0.005", "--radius", "0.006", "--mu", "0.03", "--load", repr(last["load"]))[0]
+        self.assertEqual((last["state"], last["margin"]), ("slip", 0))
+        self.assert_close(math.hypot(last["fx"], last["fy"]), exact["force"], 0.02)
+        self.assert_close(last["moment"], exact["moment"], 0.03)
+        self.assertLess(math.hypot(last["corx"], last["cory"]), 2e-4)
+        self.assertGreater(last["dissipated"], 0)
+
+    def test_a_free_block_is_carried(self):
+        options = ["--surface", "box:x=0.12,y=0.04,z=0.04", "--fingers", "2", "--body", "free:mass=0.1", "--damping", "2", "--details"]
+        call = ["replay", "--trace", DATA / "scenes" / "pinch.csv", *FINGER, *options]
+        self.assertEqual(header(*call).split(",")[-7:], ["bx", "by", "bz", "bqw", "bqx", "bqy", "bqz"])
+        last = rows(*call)[-1]
+        self.assertAlmostEqual(last["bx"], 0.03, delta=1e-5)
+        self.assertAlmostEqual(last["bz"], -0.1 * 9.81 / 2000, delta=1e-5)
+        # tan of half its angle, as the fingers turned.
+        self.assertAlmostEqual(last["bqz"] / last["bqw"], 0.2, delta=2e-3)
+        self.assertEqual((last["state"], last["state2"]), ("stick", "stick"))
+        self.assertAlmostEqual(last["load"] + last["load2"], 6, delta=1e-6)
+        self.assertAlmostEqual(last["nz2"], -1, delta=1e-6)
+        without_gravity = rows(*call[:-4], "free:mass=0.1,inertia=1e-4,gravity=0", "--damping", "2", "--details")[-1]
+        self.assertAlmostEqual(without_gravity["bz"], 0, delta=1e-8)
+
+    def test_a_planar_body_is_pushed(self):
+        # The finger presses on the plate's middle and moves off along y: the plate follows, and nowhere else.
+        lines = ["time,x,y,z,twist"] + [f"{i / 1000},0,{2e-5 * max(i - 100, 0)},0.008,0" for i in range(1500)]
+        last = rows("replay", "--trace", self.file("trace.csv", "\n".join(lines) + "\n"), *FINGER, "--surface", "box:x=0.1,y=0.06,z=0.02",
+                    "--body", "planar:mass=0.2", "--damping", "5")[-1]
+        self.assertEqual(last["state"], "stick")
+        self.assertAlmostEqual(last["by"], 2e-5 * 1399, delta=1e-4)
+        self.assertEqual((last["bx"], last["bz"], last["bqx"]), (0, 0, 0))
+
+    def test_what_is_wrong_is_told_by_place(self):
+        path = self.file("trace.csv", TRACE)
+        for surface, told in [("ball", "'ball', expected plane"), ("sphere", "expected radius=NUMBER"), ("sphere:radius=0", "'radius'"),
+                              ("sphere:radius=1,radius=2", "twice"), ("box:x=1,y=1", "z=NUMBER"), ("box:x=1,y=1,z=nan", "'z'"),
+                              ("capsule:radius=1,length=-1", "'length'"), ("cylinder:radius=1e9,length=1", "radius"),
+                              ("plane:z=0", "expected plane"), ("", "expected")]:
+            self.assert_fails(2, ["--surface", told], "replay", "--trace", path, *FINGER, "--surface", surface)
+        for body, told in [("loose", "expected fixed"), ("free", "mass"), ("free:mass=0", "'mass'"), ("free:mass=1", "inertia"),
+                           ("planar:mass=1,inertia=1,gravity=1", "gravity"), ("free:mass=1,inertia=-1", "'inertia'")]:
+            self.assert_fails(2, ["--body", told], "replay", "--trace", path, *FINGER, "--body", body)
+        self.assert_fails(2, ["trace.csv:1:1:", "'bx'"], "replay", "--trace", path, *FINGER, "--body", "trace")
+        self.assert_fails(2, ["trace.csv:1:1:", "'x2'"], "replay", "--trace", path, *FINGER, "--fingers", "2")
+        for fingers in ["0", "17", "1.5", "x"]:
+            self.assert_fails(2, ["--fingers", "from 1 to 16"], "replay", "--trace", path, *FINGER, "--fingers", fingers)
+        two = self.file("two.csv", "time,x,y,z,twist,x2,y2,z2\n0,0,0,0,0,0,0,0\n")
+        self.assert_fails(2, ["two.csv:1:1:", "'twist2'"], "replay", "--trace", two, *FINGER, "--fingers", "2")
+        body = self.file("body.csv", "time,x,y,z,twist,bx,by,bz,bqw\n0,0,0,0,0,0,0,0,1\n")
+        self.assert_fails(2, ["body.csv:1:1:", "bqw,bqx,bqy,bqz"], "replay", "--trace", body, *FINGER, "--body", "trace")
+        body = self.file("body.csv", "time,x,y,z,twist,bx,by,bz,bqw,bqx,bqy,bqz\n0,0,0,0,0,0,0,0,1,0,0,1\n")
+        self.assert_fails(2, ["body.csv:2:17:", "length 1.41"], "replay", "--trace", body, *FINGER, "--body", "trace")
+        gap = self.file("gap.csv", "time,x,y,z,twist\n0,0,0,0,0\n3,0,0,0,0\n")
+        self.assert_fails(2, ["gap.csv:3:1:", "gap of 3 s", "expected at most 1 s"], "replay", "--trace", gap, *FINGER, "--surface",
+                          "sphere:radius=1", "--body", "free:mass=1")
+
+    def test_a_mesh(self):
+        path = self.file("trace.csv", TRACE)
+        call = ["replay", "--trace", path, *FINGER, "--surface"]
+        if "built without meshes" in run(*call, "mesh:x.obj").stderr:
+            self.assert_fails(2, ["--surface", "mesh:x.obj"], *call, "mesh:x.obj")
+            self.skipTest("built without meshes")
+        self.assert_fails(2, ["--surface", "absent.obj"], *call, f"mesh:{self.directory}/absent.obj")
+        self.assert_fails(2, ["--surface", "expected mesh:FILE"], *call, "mesh:")
+        self.assert_fails(2, ["--surface", "'x'"], *call, f"mesh:{DATA}/meshes/block.obj,scale=x")
+        torn = self.file("torn.obj", "v 0 0 0\nv 1 0\n")
+        self.assert_fails(2, ["--surface", "torn.obj:2:"], *call, f"mesh:{torn}")
+        # A block is a block, whether given by its edges or its corners, in metres or millimetres.
+        scene = ["--fingers", "2", "--damping", "2", "--body", "free:mass=0.1,inertia=1e-4"]
+        box = self.scene("pinch.csv", "--surface", "box:x=0.12,y=0.04,z=0.04", *scene)
+        lines = (DATA / "meshes" / "block.obj").read_text().splitlines()
+        millimetres = [" ".join(["v", *(repr(float(word) * 1000) for word in line.split()[1:])]) if line.startswith("v ") else line for line in lines]
+        scaled = self.file("block.obj", "\n".join(millimetres) + "\n")
+        for mesh in [f"mesh:{DATA}/meshes/block.obj", f"mesh:{scaled},scale=0.001"]:
+            found = self.scene("pinch.csv", "--surface", mesh, *scene)
+            for one, other in zip(box, found):
+                self.assertEqual(one["state"], other["state"])
+                for name in ["px", "py", "pz", "fx", "fy", "fz", "load", "nz", "bx", "by", "bz", "bqz", "load2"]:
+                    self.assertAlmostEqual(one[name], other[name], delta=1e-8, msg=name)
+
+
+if __name__ == "__main__":
+    unittest.main()
