@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "limitcurve/laws.hpp"
 #include "limitcurve/number.hpp"
+#include "limitcurve/smooth_pieces.hpp"
 
 #include <limits>
 #include <stdexcept>
@@ -14,22 +15,21 @@ class CallableLaw final : public PressureLawOf<CallableLaw> {
  public:
   CallableLaw(std::string name, std::function<double(double)> pressure, std::span<const double> breaks)
       : name_(std::move(name)), pressure_(std::move(pressure)), outer_(breaks.back()) {
-    for (const double place : breaks) breaks_.push_back(place / outer_);
-    Extended load = 0;
-    for (std::size_t i = 0; i + 1 < breaks_.size(); ++i) {
-      const auto piece = DoubleExponential<Extended>::rule().integrate<1>(
-          [&](Extended from_left, Extended) {
-            const Extended radius = breaks_[i] + from_left;
-            return std::array<Extended, 1>{2 * radius * this->pressure(RadialPosition<Extended>{radius, 1 - radius})};
-          },
-          breaks_[i + 1] - breaks_[i]);
-      load += piece.value[0];
-    }
+    std::vector<Extended> told;
+    for (const double place : breaks) told.push_back(place / outer_);
+    SmoothPieces pieces = smooth_pieces(
+        [&](Extended radius) {
+          return 2 * radius * this->pressure(RadialPosition<Extended>{radius, 1 - radius});
+        },
+        told);
+    const Extended load = pieces.integral;
     if (!(load > 0) || !(load <= std::numeric_limits<Extended>::max())) {
       throw std::invalid_argument("law '" + name_ + "': the pressure's integral is " + format_number(static_cast<double>(load)) +
                                   ", expected > 0 and finite");
     }
     scale_ = 1 / load;
+    breaks_ = std::move(pieces.breaks);
+    unresolved_ = static_cast<double>(pieces.error);
   }
 
   std::string name() const override { return name_; }
@@ -44,8 +44,9 @@ class CallableLaw final : public PressureLawOf<CallableLaw> {
     WrenchEstimate estimate = PressureLaw::evaluate(s, method);
     // The pressure itself is right to a few units of the last place of a double.
     constexpr double rounding = 4.0 * std::numeric_limits<double>::epsilon();
-    estimate.error.force += rounding * estimate.wrench.force;
-    estimate.error.moment += rounding * estimate.wrench.moment;
+    // And where it is rough, so is its integral; both kernels are at most 1.
+    estimate.error.force += rounding * estimate.wrench.force + unresolved_;
+    estimate.error.moment += rounding * estimate.wrench.moment + unresolved_;
     return estimate;
   }
 
@@ -54,6 +55,7 @@ class CallableLaw final : public PressureLawOf<CallableLaw> {
   std::function<double(double)> pressure_;
   double outer_;
   Extended scale_ = 1;
+  double unresolved_ = 0.0;  ///< of the load, by quadrature of the pressure
   std::vector<Extended> breaks_;
 };
 

@@ -49,7 +49,8 @@ struct PressureSample {
 Law samples(std::span<const PressureSample> profile, std::string_view source);
 
 /// Any pressure shape on 0 ≤ ρ ≤ breaks.back() (scaled to 1), analytic between the increasing `breaks` (from 0), finite,
-/// ≥ 0; scaled to load 1. `pressure` is called from const member functions: it must be safe to share between threads.
+/// ≥ 0; scaled to load 1. Kinks and jumps that `breaks` leaves out are looked for and found (smooth_pieces.hpp); a pressure too rough
+/// for that has a larger stated error in `evaluate`. Telling them is quicker, and certain. `pressure` is called from const member functions: it must be safe to share between threads.
 /// `name` is what `name()` returns; the grammar does not know it.
 Law from_pressure(std::string name, std::function<double(double)> pressure, std::span<const double> breaks);
 

@@ -49,10 +49,14 @@ inline Answer tanh_sinh(const Function& integrand, double from = 0.0, double to 
 }
 
 /// Piece by piece between the places one knows of.
-inline double tanh_sinh(const Function& integrand, const std::vector<double>& places) {
-  double value = 0.0;
-  for (std::size_t i = 0; i + 1 < places.size(); ++i) value += tanh_sinh(integrand, places[i], places[i + 1]).value;
-  return value;
+inline Answer tanh_sinh(const Function& integrand, const std::vector<double>& places) {
+  Answer sum{};
+  for (std::size_t i = 0; i + 1 < places.size(); ++i) {
+    const Answer piece = tanh_sinh(integrand, places[i], places[i + 1]);
+    sum.value += piece.value;
+    sum.stated_error += piece.stated_error;
+  }
+  return sum;
 }
 
 inline constexpr unsigned gauss_points = 30;
@@ -66,8 +70,8 @@ inline double gauss(const Function& integrand, const std::vector<double>& places
 }
 
 /// 15 points, halving intervals at most 15 times.
-inline double adaptive_gauss_kronrod(const Function& integrand) {
-  return boost::math::quadrature::gauss_kronrod<double, 15>::integrate(integrand, 0.0, 1.0, 15, asked);
+inline double adaptive_gauss_kronrod(const Function& integrand, double accuracy = asked) {
+  return boost::math::quadrature::gauss_kronrod<double, 15>::integrate(integrand, 0.0, 1.0, 15, accuracy);
 }
 
 /// 0, s if it is inside, 1.
