@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Figures of docs/stability.md, entries projection, time, geometry and reality: one function a figure, takes its rows, returns a figure."""
 
-from chart_style import BLUE, INK, ORANGE, VERMILION, legend_below, plt
+from chart_style import BLUE, GRID, INK, ORANGE, VERMILION, legend_below, plt
 from stability_numerics import COR, draw, frame, styles
 
 
@@ -15,6 +15,24 @@ def panels(rows, names, **more):
 
 
 RATIO = "stiffness ratio  $k_r/(k_l\\,(m_0a)^2)$"
+
+
+def projection_quotients(rows):
+    """Ten steps, each a line: what is felt, as printed and by us."""
+    figure, axes = frame(2, height=2.9, sharey=True)
+    steps = list(rows.groups("panel"))
+    marks = {0: ("o", BLUE, "right"), 1: ("x", VERMILION, "wrong"), 2: ("s", VERMILION, "no number")}
+    for one, series in zip(axes, ("as printed", "limitcurve")):
+        for value, (marker, colour, label) in marks.items():
+            found = [(row["x"], steps.index(row["panel"])) for row in rows.where(series=series) if row["value"] == value]
+            one.plot([x for x, _ in found], [y for _, y in found], marker, color=colour, label=label, linestyle="none", markersize=6, markeredgewidth=1.6,
+                     markerfacecolor="none" if value == 2 else colour)
+        one.set(title="Eqs. (21)–(23) as printed" if series == "as printed" else series, xlim=(-0.5, 1.5), ylim=(len(steps) - 0.4, -0.6))
+        one.set_xticks([0, 1], ["force", "moment"])
+        one.set_yticks(range(len(steps)), steps)
+        one.tick_params(length=0)
+    legend_below(figure, axes[0], 3)
+    return figure
 
 
 def projection_stiffness(rows):
@@ -76,6 +94,18 @@ def projection_chatter(rows):
     return figure
 
 
+def projection_collapse(rows):
+    figure, (axes,) = frame(1)
+    for series, style in (("limit", {"color": INK, "linewidth": 3, "alpha": 0.35}), ("bristles", {"color": VERMILION, "linewidth": 1.2}), ("limitcurve", {"color": BLUE})):
+        points = rows.where(series=series)
+        axes.step(points.column("x"), points.column("value"), where="post", label={"limit": "limit µP"}.get(series, series), **style)
+    axes.set(title="Friction of a finger at rest, let go from 5 N to 5 mN", xlabel="samples", ylabel="[N]", yscale="log", xlim=(-10, 10), ylim=(1e-3, 10))
+    axes.set_xticks(range(-10, 11, 5))
+    axes.minorticks_off()
+    legend_below(figure, axes, 3)
+    return figure
+
+
 MARKS = {"defaults": ("o", "defaults"), "pivot": ("s", "pivot"), "10 g": ("D", "10 g")}
 
 
@@ -111,6 +141,13 @@ def time_map(rows):
 def time_block(rows):
     figure, (axes,) = panels(rows, ["height"])
     axes.set(title="Height of 10 g between two fingers of 2000 N/m, 1 kHz, undamped", xlabel="time [ms]", ylabel="[mm]", xlim=(0, 120), ylim=(-0.5, 0.1))
+    legend_below(figure, axes, 3)
+    return figure
+
+
+def time_release(rows):
+    figure, (axes,) = panels(rows, ["energy"])
+    axes.set(title="Energy of 10 g after the grip is let go from 10 N to 0.2 N in one step", xlabel="time [ms]", ylabel="of what there was", xlim=(0, 200), ylim=(0, 1.5))
     legend_below(figure, axes, 3)
     return figure
 
@@ -165,6 +202,42 @@ def geometry_vertex(rows):
     return figure
 
 
+def geometry_broken(rows):
+    """A slice through each mesh: what is inside, and where the nearest face tells the wrong side."""
+    figure, panels_ = plt.subplots(2, 3, figsize=(9.6, 3.3), layout="constrained", sharex=True, sharey=True)
+    colours = plt.matplotlib.colors.ListedColormap(["#ffffff", "#cfe3f2", VERMILION])
+    for axes, (name, part) in zip(panels_.flat, rows.groups("panel").items()):
+        lines = {series: points for series, points in part.groups("series").items() if isinstance(series, float)}
+        across = next(iter(lines.values())).column("x")
+        axes.pcolormesh(across, list(lines), [points.column("value") for points in lines.values()], cmap=colours, vmin=0, vmax=2, shading="nearest", rasterized=True,
+                        linewidth=0)
+        refused = part.where(series="refused").column("value")[0]
+        axes.set(title=f"{name}: {'refused' if refused else 'mended'}", aspect="equal", xticks=(-60, 0, 60), yticks=(-20, 20))
+        axes.grid(False)
+    figure.supxlabel("along and above the middle [mm]", fontsize=9)
+    for colour, label in (("#cfe3f2", "inside"), (VERMILION, "taken for the other side by the nearest face")):
+        panels_[0][0].plot([], [], "s", color=colour, label=label)
+    legend_below(figure, panels_[0][0], 2)
+    return figure
+
+
+def geometry_slivers(rows):
+    figure, (axes,) = panels(rows, ["error"])
+    axes.axvspan(1e-10, 1e-6, color=GRID, alpha=0.5, linewidth=0, zorder=0)
+    axes.set(title="Error of a thin face's normal, single precision (shaded: we refuse)", xlabel="height / length", ylabel="[rad]", xscale="log", yscale="log", xlim=(1e-10, 0.1),
+             ylim=(1e-7, 10))
+    axes.minorticks_off()
+    legend_below(figure, axes, 2)
+    return figure
+
+
+def geometry_normals(rows):
+    figure, (axes,) = panels(rows, ["normal"])
+    axes.set(title="Friction along the normal / µP, round a rod of eight edges", xlabel="angle [°]", xlim=(10, 80), ylim=(-0.7, 0.2))
+    legend_below(figure, axes, 2)
+    return figure
+
+
 def reality_rates(rows):
     figure, (force, error) = panels(rows, ["force", "error"])
     force.set(title="Largest friction / limit, scrubbing up to 0.25 m/s", xlabel="rate [Hz]", xscale="log", yscale="log", xlim=(100, 1e4), ylim=(0.5, 1e3))
@@ -189,7 +262,26 @@ def reality_samples(rows):
     return figure
 
 
+def reality_plate(rows):
+    figure, (axes,) = panels(rows, ["load"])
+    for line in axes.lines:
+        line.set(marker="o", markersize=3.5, linestyle="none", clip_on=False)
+    axes.set(title="Load after lost samples / right; a plate of 1 mm, 0.4 m/s, 1 kHz", xlabel="samples lost", xlim=(0, 20), ylim=(-0.8, 1.1))
+    axes.set_xticks(range(0, 21, 5))
+    legend_below(figure, axes, 2)
+    return figure
+
+
+def reality_frozen(rows):
+    figure, (axes,) = panels(rows, ["force"])
+    axes.set(title="Friction / limit of a device that froze, and goes on 2 cm away", xlabel="samples", yscale="log", xlim=(-10, 30), ylim=(0.1, 100))
+    axes.minorticks_off()
+    legend_below(figure, axes, 2)
+    return figure
+
+
 FIGURES = {figure.__name__: figure for figure in (
-    projection_stiffness, projection_newton, projection_corners, projection_order, projection_chatter,
-    time_map, time_block, time_delay, time_passivity, time_encoder,
-    geometry_plate, geometry_vertex, reality_rates, reality_clock, reality_samples)}
+    projection_quotients, projection_stiffness, projection_newton, projection_corners, projection_order, projection_chatter, projection_collapse,
+    time_map, time_block, time_release, time_delay, time_passivity, time_encoder,
+    geometry_plate, geometry_vertex, geometry_broken, geometry_slivers, geometry_normals,
+    reality_rates, reality_clock, reality_samples, reality_plate, reality_frozen)}

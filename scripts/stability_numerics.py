@@ -47,6 +47,16 @@ def quadrature_rim(rows):
     return figure
 
 
+def quadrature_adaptive(rows):
+    figure, (axes,) = frame(1)
+    for (series, points), style in zip(rows.groups("series").items(), ({"color": VERMILION, "marker": "."}, {"color": BLUE, "marker": "o", "linestyle": "none"})):
+        axes.plot(points.column("x"), points.column("value"), label=series, **style)
+    error_axes(axes, title="Largest relative error of the force, 50 CORs under the finger", xlabel="evaluations of the pressure, mean", xscale="log",
+               xlim=(50, 1e6))
+    legend_below(figure, axes, 2)
+    return figure
+
+
 def quadrature_singular(rows):
     figure, (exponent, cor) = frame(2, sharey=True)
     style = styles(list(rows.groups("series")))
@@ -205,5 +215,5 @@ def turns_many(rows):
 
 
 FIGURES = {figure.__name__: figure for figure in (
-    quadrature_rim, quadrature_singular, quadrature_kinks, quadrature_complement, closed_forms_far, closed_forms_near,
+    quadrature_rim, quadrature_adaptive, quadrature_singular, quadrature_kinks, quadrature_complement, closed_forms_far, closed_forms_near,
     tables_spacing, tables_extrapolation, tables_equilibria, fits_cor, fits_tails, fits_shape, turns_half, turns_many)}

@@ -228,11 +228,26 @@ Hazard collapsing_load() {
     finger.update(contact(1e-5 * i, 5.0), 0.0);
     bristle_force = bristles.update(1e-5 * i, mu * 5.0);
   }
+  // Drawn from the tenth sample before it to the tenth after it.
+  Figure figure{"projection_collapse", {}};
+  const auto draw = [&](double sample, double load, double of_bristles, double ours) {
+    figure.rows.push_back({"force", "limit", sample, mu * load});
+    figure.rows.push_back({"force", "bristles", sample, of_bristles});
+    figure.rows.push_back({"force", "limitcurve", sample, ours});
+  };
+  for (int i = -10; i < 0; ++i) draw(i, 5.0, bristle_force, finger.output().force.norm());
   const FingerOutput let_go = finger.update(contact(0.01, 0.005), 0.0);
   bristle_force = bristles.update(0.01, mu * 0.005);
+  const double at_once = bristle_force;
+  draw(0.0, 0.005, bristle_force, let_go.force.norm());
+  for (int i = 1; i <= 10; ++i) {
+    bristle_force = bristles.update(0.01, mu * 0.005);
+    draw(i, 0.005, bristle_force, finger.update(contact(0.01, 0.005), 0.0).force.norm());
+  }
   found.findings.push_back({"load collapsing in one step", "bristles (Dahl, LuGre)",
-                            "friction force at rest / limit, load to a thousandth in one step", bristle_force / (mu * 0.005),
+                            "friction force at rest / limit, load to a thousandth in one step", at_once / (mu * 0.005),
                             let_go.force.norm() / (mu * let_go.load), test});
+  found.figures.push_back(std::move(figure));
   return found;
 }
 

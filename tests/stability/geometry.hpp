@@ -12,6 +12,8 @@ Hazard thin_plate();
 Hazard side_at_a_vertex();
 /// Meshes that bound nothing: open, turned, tangled, with faces of no area.
 Hazard broken_meshes();
+/// Faces so thin that their normal is one of rounding.
+Hazard slivers();
 /// Friction carried over an edge.
 Hazard normals_that_jump();
 

@@ -34,6 +34,13 @@ TEST(Geometry, BrokenMeshes) {
   EXPECT_GE(findings[1].stands, 4.0);
 }
 
+TEST(Geometry, Slivers) {
+  for (const Finding& finding : held_here(slivers())) {
+    EXPECT_GE(finding.breaks, 1.0);
+    EXPECT_LE(finding.stands, 0.05);
+  }
+}
+
 TEST(Geometry, NormalsThatJump) {
   for (const Finding& finding : held_here(normals_that_jump())) {
     EXPECT_GE(finding.breaks, 0.5);

@@ -39,6 +39,7 @@ struct Felt {
 
 /// A step that somebody will make: offset, twist, depth, and the two coefficients of friction; what must be felt then.
 struct Degenerate {
+  const char* name;
   double r, rho, depth, mu, moment_coefficient;
   Felt right;
 };
@@ -71,10 +72,10 @@ Felt by_finger(const Degenerate& step, double twist_stiffness) {
   return {output.force.norm(), std::fabs(output.moment)};
 }
 
-/// Both components to 1e-12 of what the springs could do at most.
-bool is_right(Felt felt, const Degenerate& step, double twist_stiffness) {
-  return std::fabs(felt.force - step.right.force) <= 1e-12 * stiffness * step.r &&
-         std::fabs(felt.moment - step.right.moment) <= 1e-12 * twist_stiffness * step.rho;
+/// Of a component of what is felt: 0 right to 1e-12 of what the spring could do at most, 1 wrong, 2 no number.
+double verdict(double felt, double right, double most) {
+  if (!std::isfinite(felt)) return 2.0;
+  return std::fabs(felt - right) <= 1e-12 * most ? 0.0 : 1.0;
 }
 
 /// Wrench that a finger driven with a steady twist about a COR at c = a settles at, for κ = k_r/(k_l(m₀a)²).
@@ -193,26 +194,35 @@ Hazard degenerate_steps() {
   const double depth = 0.001;
   const double load = stiffness * depth;
   const std::array steps{
-      Degenerate{0.0, 0.5, depth, mu, mu_r, {0.0, mu_r * load}},                // a twist, no sliding
-      Degenerate{0.01, 0.0, depth, mu, mu_r, {mu * load, 0.0}},                 // sliding, no twist
-      Degenerate{0.0, 0.0, 0.0, mu, mu_r, {0.0, 0.0}},                          // touch-down
-      Degenerate{0.01, 0.5, 1e-200, mu, mu_r, {0.0, 0.0}},                      // hardly touching
-      Degenerate{0.0, 0.5, depth, 0.0, 0.0, {0.0, 0.0}},                        // no friction, no sliding
-      Degenerate{0.01, 0.5, depth, mu, 0.0, {mu * load, 0.0}},                  // no torsional friction, and a twist
-      Degenerate{0.01, 0.0, depth, mu, 0.0, {mu * load, 0.0}},                  // no torsional friction, no twist
-      Degenerate{0.0, 0.0, depth, mu, 0.0, {0.0, 0.0}},                         // the same at rest
-      Degenerate{0.0, 0.0, depth, mu, mu_r, {0.0, 0.0}},                        // at rest
-      Degenerate{1e-4, 0.01, depth, mu, mu_r, {stiffness * 1e-4, k_r * 0.01}},  // held
+      Degenerate{"a twist, no sliding", 0.0, 0.5, depth, mu, mu_r, {0.0, mu_r * load}},
+      Degenerate{"sliding, no twist", 0.01, 0.0, depth, mu, mu_r, {mu * load, 0.0}},
+      Degenerate{"touch-down, d = 0", 0.0, 0.0, 0.0, mu, mu_r, {0.0, 0.0}},
+      Degenerate{"d = 1e-200 m", 0.01, 0.5, 1e-200, mu, mu_r, {0.0, 0.0}},
+      Degenerate{"µ = 0, a twist", 0.0, 0.5, depth, 0.0, 0.0, {0.0, 0.0}},
+      Degenerate{"Γ = 0, sliding and a twist", 0.01, 0.5, depth, mu, 0.0, {mu * load, 0.0}},
+      Degenerate{"Γ = 0, sliding", 0.01, 0.0, depth, mu, 0.0, {mu * load, 0.0}},
+      Degenerate{"Γ = 0, at rest", 0.0, 0.0, depth, mu, 0.0, {0.0, 0.0}},
+      Degenerate{"at rest", 0.0, 0.0, depth, mu, mu_r, {0.0, 0.0}},
+      Degenerate{"held", 1e-4, 0.01, depth, mu, mu_r, {stiffness * 1e-4, k_r * 0.01}},
   };
+  Figure figure{"projection_quotients", {}};
   double printed = 0.0;
   double ours = 0.0;
   for (const Degenerate& step : steps) {
-    printed += !is_right(as_printed(step, k_r), step, k_r);
-    ours += !is_right(by_finger(step, k_r), step, k_r);
+    const auto wrong = [&](const char* series, Felt felt) {
+      const double force = verdict(felt.force, step.right.force, stiffness * step.r);
+      const double moment = verdict(felt.moment, step.right.moment, k_r * step.rho);
+      figure.rows.push_back({step.name, series, 0.0, force});
+      figure.rows.push_back({step.name, series, 1.0, moment});
+      return force > 0.0 || moment > 0.0;
+    };
+    printed += wrong("as printed", as_printed(step, k_r));
+    ours += wrong("limitcurve", by_finger(step, k_r));
   }
   Hazard found;
   found.findings.push_back({"r = 0, ρ = 0, d → 0, μ = 0, Γ = 0", "eqs. (21)–(23) as printed", "steps of ten with no number or a wrong one",
                             printed, ours, test});
+  found.figures.push_back(std::move(figure));
   return found;
 }
 

@@ -45,13 +45,13 @@ TEST(Quadrature, SingularRim) {
 
 TEST(Quadrature, KinksOfAMeasuredProfile) {
   const auto findings = held_here(kinks_of_a_profile());
-  ASSERT_EQ(findings.size(), 4U);
-  for (std::size_t i = 0; i < 3; ++i) {
+  ASSERT_EQ(findings.size(), 3U);
+  for (const std::size_t i : {0U, 2U}) {
     EXPECT_GE(findings[i].breaks, 1e-6) << findings[i].method;
     EXPECT_LE(findings[i].stands, promised);
   }
-  EXPECT_GE(findings[3].breaks, 2.0);
-  EXPECT_LE(findings[3].stands, 1.0);
+  EXPECT_GE(findings[1].breaks, 2.0);
+  EXPECT_LE(findings[1].stands, 1.0);
 }
 
 TEST(Quadrature, VanishingComplement) {

@@ -239,16 +239,27 @@ Hazard plate_between_samples() {
   const std::string test = "Reality.PlateBetweenSamples";
   const Vector3d half{0.03, 0.02, 0.0005};
   const BoxSurface box(half);
-  ContactMemory memory;
-  static_cast<void>(box.contact({0.003, 0.001, 0.002}, memory));
-  // Ten samples of a fall at 0.4 m/s are lost.
-  const Vector3d now(0.003, 0.001, -0.002);
-  const double ours = box.contact(now, memory).depth;
-  const double customary = -(now.cwiseAbs() - half).maxCoeff();
+  Figure figure{"reality_plate", {}};
   Hazard found;
-  found.findings.push_back({"lost samples, and a plate between", "inside or not, sample by sample",
-                            "load / k_l d under the side it came from", std::max(customary, 0.0) / 0.0025, std::max(ours, 0.0) / 0.0025,
-                            test});
+  // A fall at 0.4 m/s, sampled at 1 kHz, of which samples are lost; the first that comes again.
+  constexpr double way = 0.4e-3;
+  for (int lost = 0; lost <= 20; ++lost) {
+    ContactMemory memory;
+    static_cast<void>(box.contact({0.003, 0.001, half.z() + 0.5 * way}, memory));
+    const Vector3d now(0.003, 0.001, half.z() + 0.5 * way - way * (lost + 1));
+    const double depth_right = half.z() - now.z();
+    // As one writes it: inside or not, and out by the nearest face.
+    const double beneath = std::max(half.z() - std::fabs(now.z()), 0.0);
+    const double customary = std::copysign(beneath, now.z()) / depth_right;
+    const Contact contact = box.contact(now, memory);
+    const double ours = std::max(contact.depth, 0.0) * contact.normal.z() / depth_right;
+    figure.rows.push_back({"load", "inside or not, sample by sample", static_cast<double>(lost), customary});
+    figure.rows.push_back({"load", "limitcurve", static_cast<double>(lost), ours});
+    if (lost != 10) continue;
+    found.findings.push_back({"lost samples, and a plate between", "inside or not, sample by sample",
+                              "load / k_l d under the side it came from, ten samples lost", customary, ours, test});
+  }
+  found.figures.push_back(std::move(figure));
   return found;
 }
 
@@ -266,17 +277,27 @@ Hazard frozen_device() {
     bristles.update(0.25e-4 * i, limit);
   }
   const Vector3d proxy = finger.output().proxy;
+  Figure figure{"reality_frozen", {}};
+  const auto draw = [&](double sample, double of_bristles, double of_finger) {
+    figure.rows.push_back({"force", "bristles", sample, of_bristles / limit});
+    figure.rows.push_back({"force", "limitcurve", sample, of_finger / limit});
+  };
   for (int i = 0; i < 10000; ++i) {
-    finger.update(at(0.25e-3), 0.0);
-    creep = std::max(creep, (finger.output().proxy - proxy).norm());
+    const double held = std::fabs(bristles.update(0.25e-3, limit));
+    const FingerOutput& output = finger.update(at(0.25e-3), 0.0);
+    creep = std::max(creep, (output.proxy - proxy).norm());
+    if (i >= 9990) draw(i - 10000, held, output.force.norm());
   }
   for (int i = 0; i < 100; ++i) {
-    customary = std::max(customary, std::fabs(bristles.update(0.02 + 1e-5 * i, limit)) / limit);
+    const double force = std::fabs(bristles.update(0.02 + 1e-5 * i, limit));
+    customary = std::max(customary, force / limit);
     const FingerOutput& output = finger.update(at(0.02 + 1e-5 * i), 0.0);
     ours = std::max(ours, output.force.norm() / limit);
+    if (i <= 30) draw(i, force, output.force.norm());
   }
   found.findings.push_back({"a device that freezes, and goes on 2 cm away", "bristles (Dahl, LuGre), explicit",
                             "largest friction / limit after it", customary, ours + creep, test});
+  found.figures.push_back(std::move(figure));
   return found;
 }
 

@@ -206,6 +206,7 @@ Hazard released_grip() {
   Hazard found;
   const std::string test = "Time.ReleasedGrip";
   std::array<double, 3> gain{};
+  Figure figure{"time_release", {}};
   for (std::size_t i = 0; i < integrators.size(); ++i) {
     const Eigen::Vector3d edges{0.03, 0.03, 0.02};
     BodyParameters body = BodyParameters::block(0.01, edges);
@@ -223,14 +224,17 @@ Hazard released_grip() {
     scene.step(pinch(0.02, 1e-4), tick);
     const double before = scene.energy();
     double most = before;
-    for (int j = 0; j < 200; ++j) {
+    figure.rows.push_back({"energy", names[i], 0.0, 1.0});
+    for (int j = 1; j <= 200; ++j) {
       scene.step(pinch(0.02, 1e-4), tick);
       if (std::isfinite(scene.energy())) most = std::max(most, scene.energy());
+      figure.rows.push_back({"energy", names[i], static_cast<double>(j), scene.energy() / before});
     }
     gain[i] = most / before - 1.0;
   }
   found.findings.push_back({"grip released in one step", "explicit Euler, undamped", "energy gained in 0.2 s after it, of what there was",
                             gain[0], gain[2], test});
+  found.figures.push_back(std::move(figure));
   return found;
 }
 
