@@ -40,8 +40,7 @@ class Quartic {
     const double q = moment_max_ * twist.spin;
     const double ratio = ratio_of(std::min(p, q) / std::max(p, q));
     const double larger = 1.0 / unit_length(ratio);
-    return p >= q ? UnitWrench{force_max_ * larger, moment_max_ * (ratio * larger)}
-                  : UnitWrench{force_max_ * (ratio * larger), moment_max_ * larger};
+    return between_intercepts(force_max_, moment_max_, p >= q, larger, ratio);
   }
 
   /// Where a side is flat (κ = 0 at the ends, κ = 6 at the diagonal) the slope is infinite; given large but finite.
@@ -86,10 +85,7 @@ class Quartic {
   }
 
   [[nodiscard]] double gauge(UnitWrench wrench) const noexcept {
-    const double x = wrench.force / force_max_;
-    const double y = wrench.moment / moment_max_;
-    const double larger = std::max(x, y);
-    return larger > 0.0 ? larger * unit_length(std::min(x, y) / larger) : 0.0;
+    return symmetric_gauge(force_max_, moment_max_, wrench, [this](double ratio) { return unit_length(ratio); });
   }
 
  private:

@@ -40,8 +40,7 @@ class Superellipse {
     const double q = moment_max_ * twist.spin;
     const double ratio = std::pow(std::min(p, q) / std::max(p, q), inverse_);
     const double larger = std::pow(1.0 + std::pow(ratio, exponent_), -1.0 / exponent_);
-    return p >= q ? UnitWrench{force_max_ * larger, moment_max_ * (ratio * larger)}
-                  : UnitWrench{force_max_ * (ratio * larger), moment_max_ * larger};
+    return between_intercepts(force_max_, moment_max_, p >= q, larger, ratio);
   }
 
   /// For n > 2 the slope is infinite at the ends; it is given as that of u = 1e-80 (large, finite).
@@ -68,10 +67,7 @@ class Superellipse {
   }
 
   [[nodiscard]] double gauge(UnitWrench wrench) const noexcept {
-    const double x = wrench.force / force_max_;
-    const double y = wrench.moment / moment_max_;
-    const double larger = std::max(x, y);
-    return larger > 0.0 ? larger * unit_length(std::min(x, y) / larger) : 0.0;
+    return symmetric_gauge(force_max_, moment_max_, wrench, [this](double ratio) { return unit_length(ratio); });
   }
 
  private:
