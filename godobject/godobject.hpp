@@ -12,6 +12,7 @@
 #include "godobject/contact_law.hpp"               // IWYU pragma: export
 #include "godobject/contact_state.hpp"             // IWYU pragma: export
 #include "godobject/device_pose.hpp"               // IWYU pragma: export
+#include "godobject/float_batch.hpp"               // IWYU pragma: export
 #include "godobject/free_disc.hpp"                 // IWYU pragma: export
 #include "godobject/friction.hpp"                  // IWYU pragma: export
 #include "godobject/grasp.hpp"                     // IWYU pragma: export

@@ -78,7 +78,7 @@ Values values_of(const Cell& cell, double d) {
 }
 
 /// What the rounding of a lookup in the cell adds at most: that of the twist's quotient, and of each operation by the size of
-/// its result, in the order in which `FloatTable::wrench` takes them.
+/// its result, in the order in which `FloatTable::float_wrench` takes them.
 double rounding_error(const Cell& cell, double right) {
   const double h = right - static_cast<double>(cell.left);
   double most = 0.0;

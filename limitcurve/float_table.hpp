@@ -66,7 +66,7 @@ class FloatTable {
   FloatTable(const Table& table, double tolerance);
 
   [[nodiscard]] double tolerance() const noexcept { return tolerance_; }
-  /// Upper bound of the absolute error of f and of m, by `wrench(FloatTwist)`: the table's, what was found between the ends of
+  /// Upper bound of the absolute error of f and of m, by `float_wrench`: the table's, what was found between the ends of
   /// each cell (raised by 2 % for what lies between the places), and a bound of what rounding adds.
   [[nodiscard]] double certified_error() const noexcept { return certified_error_; }
   [[nodiscard]] double moment_ratio() const noexcept { return static_cast<double>(moment_ratio_); }
@@ -77,7 +77,7 @@ class FloatTable {
   [[nodiscard]] std::span<const Cell> outside() const noexcept { return std::span(cells_).subspan(inside_count_); }
 
   /// The wrench that the slip twist causes, in single precision throughout, within certified_error().
-  [[nodiscard]] FloatWrench wrench(FloatTwist twist) const noexcept {
+  [[nodiscard]] FloatWrench float_wrench(FloatTwist twist) const noexcept {
     const bool outside = twist.slide > twist.spin;
     const float x = std::min(twist.slide, twist.spin) / std::max(twist.slide, twist.spin);
     const Cell& here = cell(outside, x);

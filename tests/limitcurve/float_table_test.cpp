@@ -47,7 +47,7 @@ TEST_P(FloatTableSuite, ErrorIsCertifiedRoundingIncluded) {
     const double u = i % 3 == 0 ? unit(random) : i % 3 == 1 ? 0.5 + (i % 2 == 0 ? 0.25 : -0.25) * tiny : i % 2 == 0 ? tiny : 1.0 - tiny;
     const FloatTwist twist{static_cast<float>(1.0 - u), static_cast<float>(u)};
     const UnitForces<double> exact = exact_forces(law_, twist);
-    const FloatWrench read = table_.wrench(twist);
+    const FloatWrench read = table_.float_wrench(twist);
     worst = std::max(
         {worst, std::fabs(static_cast<double>(read.force) - exact.force), std::fabs(static_cast<double>(read.moment) - exact.moment)});
   }
@@ -58,8 +58,8 @@ TEST_P(FloatTableSuite, ErrorIsCertifiedRoundingIncluded) {
 
 TEST_P(FloatTableSuite, IsExactAtTheEnds) {
   const auto moment_ratio = static_cast<float>(law_->moment_ratio());
-  EXPECT_EQ(table_.wrench(FloatTwist{0.0F, 1.0F}), (FloatWrench{0.0F, moment_ratio}));
-  EXPECT_EQ(table_.wrench(FloatTwist{1.0F, 0.0F}), (FloatWrench{1.0F, 0.0F}));
+  EXPECT_EQ(table_.float_wrench(FloatTwist{0.0F, 1.0F}), (FloatWrench{0.0F, moment_ratio}));
+  EXPECT_EQ(table_.float_wrench(FloatTwist{1.0F, 0.0F}), (FloatWrench{1.0F, 0.0F}));
   EXPECT_EQ(table_.wrench(SlipTwist{0.0, 1.0}), (UnitWrench{0.0, static_cast<double>(moment_ratio)}));
   EXPECT_EQ(table_.wrench(SlipTwist{1.0, 0.0}), (UnitWrench{1.0, 0.0}));
   EXPECT_EQ(table_.moment_ratio(), static_cast<double>(moment_ratio));
@@ -70,20 +70,21 @@ TEST_P(FloatTableSuite, KeepsItsDigitsTowardsTheEnds) {
   for (const float tiny : {1e-8F, 1e-12F, 3e-20F, 1e-30F, 1e-36F}) {
     const FloatTwist slide{1.0F, tiny};
     const FloatTwist spin{tiny, 1.0F};
-    EXPECT_NEAR(static_cast<double>(table_.wrench(slide).moment) / exact_forces(law_, slide).moment, 1.0,
+    EXPECT_NEAR(static_cast<double>(table_.float_wrench(slide).moment) / exact_forces(law_, slide).moment, 1.0,
                 4.0 * static_cast<double>(epsilon))
         << tiny;
-    EXPECT_NEAR(static_cast<double>(table_.wrench(spin).force) / exact_forces(law_, spin).force, 1.0, 4.0 * static_cast<double>(epsilon))
+    EXPECT_NEAR(static_cast<double>(table_.float_wrench(spin).force) / exact_forces(law_, spin).force, 1.0,
+                4.0 * static_cast<double>(epsilon))
         << tiny;
   }
 }
 
 TEST_P(FloatTableSuite, IsMonotoneToARounding) {
-  FloatWrench before = table_.wrench(FloatTwist{1.0F, 0.0F});
+  FloatWrench before = table_.float_wrench(FloatTwist{1.0F, 0.0F});
   constexpr int steps = 20'000;
   for (int i = 1; i <= steps; ++i) {
     const float u = static_cast<float>(i) / static_cast<float>(steps);
-    const FloatWrench here = table_.wrench(FloatTwist{1.0F - u, u});
+    const FloatWrench here = table_.float_wrench(FloatTwist{1.0F - u, u});
     ASSERT_LE(here.force, before.force + epsilon) << u;
     ASSERT_GE(here.moment, before.moment - epsilon) << u;
     before = here;
@@ -102,7 +103,7 @@ TEST_P(FloatTableSuite, IsALimitBoundary) {
     EXPECT_NEAR(again.force, wrench.force, rounding);
     EXPECT_NEAR(again.moment, wrench.moment, rounding);
     const FloatTwist rounded{static_cast<float>(twist.slide), static_cast<float>(twist.spin)};
-    const FloatWrench single = table_.wrench(rounded);
+    const FloatWrench single = table_.float_wrench(rounded);
     const UnitWrench there = table_.wrench(SlipTwist{static_cast<double>(rounded.slide), static_cast<double>(rounded.spin)});
     EXPECT_NEAR(static_cast<double>(single.force), there.force, FloatTable::finest_tolerance);
     EXPECT_NEAR(static_cast<double>(single.moment), there.moment, FloatTable::finest_tolerance);
@@ -128,7 +129,7 @@ TEST(FloatTable, NoFloatNextToTheRimIsBeyondTheCertificate) {
   for (float x = 0.5F; x <= 1.0F; x = std::nextafter(x, 2.0F)) {
     for (const FloatTwist twist : {FloatTwist{x, 1.0F}, FloatTwist{1.0F, x}}) {
       const UnitWrench exact = fine.wrench({static_cast<double>(twist.slide), static_cast<double>(twist.spin)});
-      const FloatWrench read = table.wrench(twist);
+      const FloatWrench read = table.float_wrench(twist);
       worst = std::max(
           {worst, std::fabs(static_cast<double>(read.force) - exact.force), std::fabs(static_cast<double>(read.moment) - exact.moment)});
     }
@@ -148,8 +149,8 @@ TEST(FloatTable, TakesHalfTheBytesOfATable) {
 TEST(FloatTable, OnlyTheRatioOfATwistCounts) {
   const FloatTable table = FloatTable::build(hertz(), 1e-6);
   for (const float s : {0.1F, 0.9F, 1.0F, 1.7F, 30.0F}) {
-    const FloatWrench wrench = table.wrench(FloatTwist{s, 1.0F});
-    for (const float factor : {0x1p-100F, 0x1p-1F, 0x1p100F}) EXPECT_EQ(table.wrench(FloatTwist{factor * s, factor}), wrench) << s;
+    const FloatWrench wrench = table.float_wrench(FloatTwist{s, 1.0F});
+    for (const float factor : {0x1p-100F, 0x1p-1F, 0x1p100F}) EXPECT_EQ(table.float_wrench(FloatTwist{factor * s, factor}), wrench) << s;
   }
 }
 
