@@ -293,6 +293,39 @@ TEST(FloatBatch, NoNaNComesOutWhateverComesIn) {
   });
 }
 
+// In double arithmetic a float table is a boundary for a finger like any other, by every projection. Its cells miss each other by a
+// rounding of a float, so that a finger dragged to where two meet may move once more, inwards.
+TEST(FloatTableInAFinger, StepsByEveryProjection) {
+  const FloatTable table = FloatTable::build(hertz(), 1e-6);
+  for (const ProjectionKind kind : {ProjectionKind::radial, ProjectionKind::c_curve, ProjectionKind::closest_point}) {
+    visit_projection(kind, [&](auto projection) {
+      Random random(37);
+      SoftFinger finger(table, parameters(), projection);
+      int slips = 0;
+      for (int i = 0; i < 20'000; ++i) {
+        const double reach = random.logarithmic(1e-7, 1e-2);
+        const Contact contact = on_plane(random.uniform(-reach, reach), random.uniform(-reach, reach), random.uniform(-0.0001, 0.003));
+        const double twist = random.uniform(-100.0, 100.0) * reach;
+        const FingerOutput output = finger.update(contact, twist);
+        ASSERT_NE(output.state, ContactState::invalid);
+        ASSERT_GE(output.slip_work, 0.0);
+        if (output.state == ContactState::free) continue;
+        const double unit = 0.6 * output.load;
+        ASSERT_LE(table.gauge({output.force.norm() / unit, std::fabs(output.moment) / (0.005 * unit)}), 1.0 + 4.0 * epsilon);
+        if (output.state != ContactState::slip) continue;
+        ++slips;
+        SoftFinger held = finger;
+        for (int hold = 0; hold < 2; ++hold) held.update(contact, twist);
+        const FingerOutput at_rest = held.output();
+        for (int hold = 0; hold < 3; ++hold) held.update(contact, twist);
+        ASSERT_EQ(held.output().state, ContactState::stick);
+        ASSERT_TRUE(same_bits(held.output().proxy, at_rest.proxy) && held.output().angle == at_rest.angle);
+      }
+      EXPECT_GT(slips, 5000);
+    });
+  }
+}
+
 // Fingers whose numbers a float's squares cannot hold are stepped all the same.
 TEST(FloatBatch, StepsFingersOfAnyScale) {
   const FloatTable table = FloatTable::build(hertz(), 1e-6);
