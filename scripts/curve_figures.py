@@ -73,7 +73,7 @@ def ellipse_error(data):
     for law in sorted(groups, key=lambda name: -max(groups[name].column("over_estimate"))):
         rows = groups[law]
         degrees = rows.column("angle", 180 / math.pi)
-        left.plot(degrees, rows.column("over_estimate", 100), label=f"{law}", **law_style(law))
+        left.plot(degrees, rows.column("over_estimate", 100), label=law, **law_style(law))
         right.plot(degrees, rows.column("cor_ratio"), **law_style(law))
     direction = "direction of the wrench, 0° force … 90° moment"
     left.set(title="Capacity over-estimated by [%]", xlabel=direction, xlim=(0, 90), ylim=(0, None))
@@ -84,7 +84,7 @@ def ellipse_error(data):
     right.minorticks_off()
     for axes in (left, right):
         axes.set_xticks(range(0, 91, 15))
-    figure.legend(*left.get_legend_handles_labels(), loc="center left", bbox_to_anchor=(1, 0.5), handlelength=3)
+    legend_below(figure, left, 5)
     return figure
 
 
@@ -174,11 +174,11 @@ def fits(data):
     for spine in lens.spines.values():
         spine.set(visible=True, color=FAINT)
     left.indicate_inset_zoom(lens, edgecolor=FAINT)
+    left.plot(band.column("force"), band.column("moment", 1e3), color=BLUE, label="fitted limit curve")
     left.fill(band.column("inner_force") + band.column("outer_force")[::-1],
               band.column("inner_moment", 1e3) + band.column("outer_moment", 1e3)[::-1], color=BLUE, alpha=0.3, linewidth=0,
               label="its 95 % band")
-    left.plot(band.column("force"), band.column("moment", 1e3), color=BLUE, label="fitted limit curve")
-    quadrant(left, "Slips and the limit curve fitted to them", "force  $F/P$", f"moment  $M/P^{{{1 + gamma:.3f}}}$  [N mm]")
+    quadrant(left, "Slips and the limit curve fitted to them", "force at 1 N:  $F/P$  [N]", f"moment at 1 N:  $M/P^{{{1 + gamma:.3f}}}$  [N mm]")
     left.set(xlim=(0, 1.2 * max(band.column("force"))), ylim=(0, 1.25e3 * max(band.column("moment"))))
     left.legend(loc="lower left", markerscale=3, handlelength=2)
 

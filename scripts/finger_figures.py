@@ -152,6 +152,8 @@ def felt(data):
         column[2].set_xlabel("time  [s]")
         for axes in column:
             axes.margins(x=0)
+            axes.xaxis.set_major_locator(plt.MultipleLocator(0.5))
+    panels[0][0].yaxis.set_major_locator(plt.MultipleLocator(1))
     for axes, label in zip((row[0] for row in panels), ("load  [N]", "force  [N]", "moment  [N mm]")):
         axes.set_ylabel(label)
         axes.set_ylim(0, None)
@@ -297,7 +299,7 @@ TWIST_LOOKS = {
 def steady_twist(data):
     """Driven long at a constant twist: the error of the wrench over the stiffness ratio, and where it settles on the curve."""
     rows = data["steady_twist"]
-    figure, (left, right) = plt.subplots(1, 2, figsize=(9.6, 4.3), layout="constrained", width_ratios=(1.25, 1))
+    figure, (left, right) = plt.subplots(1, 2, figsize=(9.6, 4.3), layout="constrained", width_ratios=(1.18, 1))
     for key, part in rows.groups("boundary", "projection").items():
         label, look = TWIST_LOOKS[key]
         left.plot(part.column("stiffness_ratio"), part.column("error", 100), label=label, **look)
@@ -318,10 +320,11 @@ def steady_twist(data):
         row = min(radial, key=lambda one: abs(math.log(one["stiffness_ratio"] / ratio)))
         point = (row["force"], row["moment"] / moment_ratio)
         right.plot(*point, "o", color=VERMILION, markersize=4)
-        right.annotate(f"κ = {ratio:g}", point, (-7, -10), textcoords="offset points", color=VERMILION, fontsize=8, ha="right")
+        beside = {"xytext": (-8, -4), "ha": "right"} if point[0] > 0.3 else {"xytext": (-1, -14), "ha": "center"}
+        right.annotate(f"κ = {ratio:g}", point, textcoords="offset points", color=VERMILION, fontsize=8, **beside)
     truth = (rows[0]["exact_force"], rows[0]["exact_moment"] / moment_ratio)
     right.plot(*truth, "o", color=BLUE, markersize=7)
-    right.annotate("closest point: every κ", truth, (5, 7), textcoords="offset points", color=BLUE, fontsize=8.5)
+    right.annotate("closest point:\nevery κ", truth, (6, 3), textcoords="offset points", color=BLUE, fontsize=8.5)
     quadrant(right, "Where the wrench settles", "force  $F/F_{fr}$", "moment  $M/M_{fr}$")
-    right.set(xlim=(0, 1.32), ylim=(0, 1.1), aspect="equal")
+    right.set(xlim=(0, 1.24), ylim=(0, 1.1), aspect="equal")
     return figure

@@ -123,15 +123,20 @@ def numbers_to_remember(data):
          f"{max(closest.column('error')):.0e}."),
         (f"{usual['bytes']:.0f} bytes",
          f"hold a look-up table of the {usual['law']} law that is certified to {usual['certified_error']:.1e} in force and moment. "
-         f"No law here needs more than {large['bytes']:.0f} ({large['law']})."),
+         f"No law here needs more than {large['bytes']:.0f} bytes ({large['law']})."),
     ]
 
 
 def facts_table(columns, rows):
-    """An HTML table; the first column is text, the others are numbers."""
-    head = "".join(f"<th>{title}</th>" for title in columns)
-    body = "".join("<tr>" + "".join(f"<td>{cell}</td>" for cell in row) + "</tr>" for row in rows)
-    return f'<table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>'
+    """An HTML table; columns of numbers (that begin with a digit in every row) stand to the right, of words to the left."""
+    numeric = [all(cell[:1].isdigit() for cell in column) for column in zip(*rows)]
+
+    def line(tag, cells):
+        marked = zip(numeric, cells)
+        return "<tr>" + "".join(f"<{tag}{' class=number' if number else ''}>{cell}</{tag}>" for number, cell in marked) + "</tr>"
+
+    head, body = line("th", columns), "".join(line("td", row) for row in rows)
+    return f'<table><thead>{head}</thead><tbody>{body}</tbody></table>'
 
 
 def materials_table(data):
@@ -159,18 +164,22 @@ def readable(cell):
     return f"{cell:.6g}" if isinstance(cell, float) else cell
 
 
+def unit_of(row):
+    """A bare 1 for what has none would be read as a number."""
+    return "–" if row["unit"] == 1 else html.escape(str(row["unit"])).replace("^gamma", "<sup>γ</sup>")
+
+
 def engines_table(data):
     first = data["translate"][0]
-    rows = [(row["engine"], row["parameter"], readable(row["value"]), readable(row["unit"]),
-             row["model"], percent(row["max_error"], 1)) for row in data["translate"].where(law=first["law"])]
-    return facts_table(("engine", "parameter", "value", "unit", "its limit curve", "error that remains"),
-                       [[html.escape(str(cell)) for cell in row] for row in rows])
+    rows = [(html.escape(row["engine"]), html.escape(row["parameter"]), readable(row["value"]), unit_of(row),
+             html.escape(row["model"]), percent(row["max_error"], 1)) for row in data["translate"].where(law=first["law"])]
+    return facts_table(("engine", "parameter", "value", "unit", "its limit curve", "error that remains"), rows)
 
 
 def fits_table(data):
     return facts_table(("data", "fit", "parameter", "value", "standard error", "unit"),
                        [(row["data"], row["model"], html.escape(row["parameter"]), f"{row['value']:.5g}", f"{row['std_error']:.2g}",
-                         readable(row["unit"])) for row in data["fits"]])
+                         unit_of(row)) for row in data["fits"]])
 
 
 def sections(data):
@@ -197,8 +206,8 @@ def sections(data):
              "grows with the load they bend, and the paper’s construction along straight lines no longer keeps the centre of rotation."),
         ], ""),
         ("How wrong the ellipse is", [
-            ("ellipse_error", f"Left: the capacity is over-estimated by up to {percent(over[0])} to {percent(over[-1])}, about half way "
-             "between pure force and pure moment. Right: the centre of rotation that follows from the ellipse’s normal is "
+            ("ellipse_error", f"Left: the capacity is over-estimated by {percent(over[0])} to {percent(over[-1])}, depending on the law, about half "
+             "way between pure force and pure moment. Right: the centre of rotation that follows from the ellipse’s normal is "
              f"{min(ratios):.2f} to {max(ratios):.2f} times as far away as the true one. This is what the ellipse is worst at."),
             ("models", f"A least-squares ellipse is still off by up to {percent(fitted[-1], 1)}; one parameter more, in a superellipse or a quartic, leaves "
              f"{percent(quartics[0], 1)} to {percent(superellipses[-1], 1)}. Limits of force and moment that know nothing of each other "
@@ -217,8 +226,8 @@ def sections(data):
             ("repositioning", "Single steps of that slip, magnified (the paper’s Fig. 5). The goal moves on, which leaves the god-object "
              "outside the p-curve of the step’s load (diamonds); it is moved back on to it (dots): along the ray to the origin, or to the "
              "closest point, which lies at a right angle in these axes, scaled by the springs’ energy."),
-            ("felt", "What the finger feels. Shaded: slip, by the exact curve. Where motion is combined, the radial ellipse gives a "
-             f"different moment (law {html.escape(run['law'])}, μ = {run['mu']:g}, k<sub>l</sub> = {run['stiffness']:g} N/m, "
+            ("felt", "What the finger feels. Shaded: slip, by the exact curve. Where motion is combined, the radial ellipse gives another "
+             f"force and moment (law {html.escape(run['law'])}, μ = {run['mu']:g}, k<sub>l</sub> = {run['stiffness']:g} N/m, "
              f"k<sub>r</sub> = {run['twist_stiffness']:g} N m/rad)."),
         ], ""),
         ("The projection matters more than the curve", [
@@ -278,9 +287,9 @@ figcaption { font-size: .93rem; color: #444; margin-top: .5rem; }
 .wide { overflow-x: auto; }
 table { border-collapse: collapse; font: 14px/1.4 "DejaVu Sans", Helvetica, Arial, sans-serif; font-variant-numeric: tabular-nums;
   margin: .8rem 0; }
-th, td { text-align: right; padding: .3rem .8rem .3rem 0; border-bottom: 1px solid #e4e4e4; white-space: nowrap; }
+th, td { text-align: left; padding: .3rem 1.1rem .3rem 0; border-bottom: 1px solid #e4e4e4; white-space: nowrap; }
 th { font-weight: 600; border-bottom-color: #8a8a8a; }
-th:first-child, td:first-child { text-align: left; }
+.number { text-align: right; }
 footer { margin-top: 3.5rem; border-top: 1px solid #e4e4e4; padding-top: 1rem; font-size: .9rem; color: #444; }
 a { color: #00598c; }
 @media print { h2, figure { break-inside: avoid; } }

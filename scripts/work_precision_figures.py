@@ -43,6 +43,7 @@ LEGEND = {
     "GSL nested": "GSL, nested, tolerance",
     "scipy dblquad": "scipy dblquad, tolerance",
 }
+RADIAL_SHOWN = ("ellipse", "table 1e-8", "exact")
 PROJECTIONS = {"radial": (VERMILION, "^"), "closest-point": (BLUE, "o")}
 
 
@@ -141,7 +142,7 @@ class Labels:
 
 def law_panel(figure, axes, rows, law):
     right = ROUNDING / 4
-    axes.set(title=law, xscale="log", yscale="log", xlim=(3, right), ylim=(0.8, 6e8))
+    axes.set(title=law, xscale="log", yscale="log", xlim=(10, right), ylim=(0.8, 2e8))
     axes.set_xticks([10.0 ** -k for k in range(0, 17, 2)])
     axes.minorticks_off()
     labels = Labels(figure, axes, 7)
@@ -164,14 +165,14 @@ def law_panel(figure, axes, rows, law):
 
 def step_panel(figure, axes, rows):
     right = ROUNDING / 4
-    axes.set(title="a step of the god-object (hertz): error of the steady wrench", xscale="log", yscale="log", xlim=(1e3, right), ylim=(0.8, 3e3))
+    axes.set(title="a god-object's step (hertz): error of the steady wrench", xscale="log", yscale="log", xlim=(1e3, right), ylim=(0.8, 3e3))
     axes.set_xticks([10.0 ** -k for k in range(0, 17, 2)])
     axes.minorticks_off()
     labels = Labels(figure, axes, 7)
     for projection, (colour, marker) in PROJECTIONS.items():
         for row in rows.where(projection=projection):
-            # Under the radial projection every table is as wrong as the curve.
-            if projection == "radial" and row["boundary"].startswith("table") and row["boundary"] != "table 1e-8":
+            # Under the radial projection every boundary is as wrong as the curve itself.
+            if projection == "radial" and row["boundary"] not in RADIAL_SHOWN:
                 continue
             error = max(row["max_error"], ROUNDING)
             axes.plot([error, error], [row["batch_1024_ns"], row["cold_ns"]], color=colour, linewidth=0.6, zorder=2)
@@ -193,8 +194,8 @@ def work_precision(data):
     """One panel a law, and one for the step."""
     wrench, step = data["work_precision_wrench"], data["work_precision_step"]
     laws = list(wrench.groups("law"))
-    figure, panels = plt.subplots(3, 2, figsize=(12.4, 15.6))
-    figure.subplots_adjust(left=0.06, right=0.99, top=0.975, bottom=0.1, hspace=0.17, wspace=0.11)
+    figure, panels = plt.subplots(3, 2, figsize=(10, 13.4))
+    figure.subplots_adjust(left=0.07, right=0.99, top=0.975, bottom=0.11, hspace=0.17, wspace=0.13)
     figure.canvas.draw()
     for axes, law in zip(panels.flat, laws):
         law_panel(figure, axes, wrench.where(law=law), law)
@@ -208,8 +209,8 @@ def work_precision(data):
     for axes in panels.flat[:len(laws)]:
         handles.update({label: handle for handle, label in zip(*axes.get_legend_handles_labels()) if label in LEGEND.values()})
     order = [label for label in LEGEND.values() if label in handles]
-    figure.legend([handles[label] for label in order], order, loc="lower center", ncols=4, bbox_to_anchor=(0.5, 0.028), handlelength=2)
+    figure.legend([handles[label] for label in order], order, loc="lower center", ncols=4, bbox_to_anchor=(0.5, 0.03), handlelength=2)
     machine = step[0]["machine"]
-    figure.text(0.5, 0.016, f"Filled: this library. Hollow: others. Bands: the cheapest at each error, of ours (blue) and of the others (red). "
+    figure.text(0.5, 0.004, "Filled: this library. Hollow: others. Bands: the cheapest at each error, of ours (blue) and of the others (orange).\n"
                 f"Measured on {machine}.", ha="center", fontsize=8.5, color=FAINT)
     return figure
