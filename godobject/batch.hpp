@@ -51,14 +51,14 @@ struct EllipticStep {
   double stiffness;
   double twist_stiffness;
   double mu;
-  double radius;
-  double per_force_max;
-  double per_moment_max;
+  double compliance;
+  double arm;  ///< by which ρ counts as a length [m]
+  double force_max;
 };
 
 /// Whether no contact's friction is so little that it counts as none, nor a scale so large that a square may overflow: the
 /// vectorised loop leaves those cases to the single step.
-bool suits_elliptic_loop(const EllipticStep& law, std::size_t count, const double* depth) noexcept;
+bool suits_elliptic_loop(const EllipticStep& law, double radius, std::size_t count, const double* depth) noexcept;
 
 /// Ellipse and radial projection with one limit and a constant radius: a loop without branches. Bit for bit the single step.
 void step_elliptic(const EllipticStep& law, std::size_t count, const double* x, const double* y, const double* angle, const double* depth,
@@ -77,8 +77,8 @@ struct TableStep {
   double mu;
   double radius;
   double compliance_ratio;  ///< χ
-  double force_max;
-  double moment_max;
+  double per_force_max;
+  double per_moment_max;
 };
 
 /// Steps the contacts of `block`, at most table_block: those that stick, and those that slip and slipped before, which are
@@ -99,10 +99,12 @@ void step(const Friction<Boundary, Projection>& friction, const ContactBatch& ba
   const std::size_t count = batch.size();
   const double k = law.stiffness();
   const double k_twist = law.twist_stiffness();
-  if constexpr (Friction<Boundary, Projection>::shrinks) {
+  const Springs& springs = law.springs();
+  if constexpr (Friction<Boundary, Projection>::needs_squares_only) {
     if (law.radius_law() == nullptr && law.has_one_limit() && law.mu() * law.constant_radius() > 0.0) {
-      const detail::EllipticStep elliptic{k, k_twist, law.mu(), law.constant_radius(), friction.per_force_max(), friction.per_moment_max()};
-      if (detail::suits_elliptic_loop(elliptic, count, batch.depth.data())) {
+      const double arm = springs.inverse_ratio * law.static_scale(1.0).per_radius * friction.force_per_moment_max();
+      const detail::EllipticStep elliptic{k, k_twist, law.mu(), springs.compliance[0], arm, friction.force_max()};
+      if (detail::suits_elliptic_loop(elliptic, law.constant_radius(), count, batch.depth.data())) {
         detail::step_elliptic(elliptic, count, batch.x.data(), batch.y.data(), batch.angle.data(), batch.depth.data(), batch.proxy_x.data(),
                               batch.proxy_y.data(), batch.proxy_angle.data(), batch.start.data(), batch.force_x.data(),
                               batch.force_y.data(), batch.moment.data());
@@ -112,17 +114,16 @@ void step(const Friction<Boundary, Projection>& friction, const ContactBatch& ba
   }
   if constexpr (std::same_as<Boundary, Table> && std::same_as<Projection, ClosestPoint>) {
     if (law.radius_law() == nullptr && law.has_one_limit()) {
-      const Springs& springs = law.springs();
       const double radius = law.constant_radius();
       const detail::TableStep on_table{k,
                                        k_twist,
-                                       springs.compliance,
-                                       springs.twist_compliance,
+                                       springs.compliance[0],
+                                       springs.compliance[1],
                                        law.mu(),
                                        radius,
                                        radius * radius * springs.ratio,
-                                       friction.boundary().wrench({1.0, 0.0}).force,
-                                       friction.boundary().wrench({0.0, 1.0}).moment};
+                                       friction.per_force_max(),
+                                       friction.per_moment_max()};
       std::array<bool, detail::table_block> left;
       for (std::size_t from = 0; from < count; from += detail::table_block) {
         const ContactBatch block = batch.part(from, std::min(detail::table_block, count - from));
@@ -143,7 +144,6 @@ template <LimitBoundary Boundary, class Projection>
 void step_one(const Friction<Boundary, Projection>& friction, const ContactBatch& batch, std::size_t i) noexcept {
   const ContactLaw& law = friction.law();
   const double k = law.stiffness();
-  const double k_twist = law.twist_stiffness();
   double& proxy_x = batch.proxy_x[i];
   double& proxy_y = batch.proxy_y[i];
   double& proxy_angle = batch.proxy_angle[i];
@@ -166,50 +166,40 @@ void step_one(const Friction<Boundary, Projection>& friction, const ContactBatch
   const double pull_x = proxy_x - batch.x[i];
   const double pull_y = proxy_y - batch.y[i];
   const double turn = proxy_angle - batch.angle[i];
-  const double square = pull_x * pull_x + pull_y * pull_y;
-  if constexpr (Friction<Boundary, Projection>::shrinks) {
-    const auto [known, share] = friction.shrink(square, turn * turn, k * batch.depth[i], start >= 0.0, law.springs());
-    if (known) {
-      const double new_x = share == 1.0 ? proxy_x : batch.x[i] + pull_x * share;
-      const double new_y = share == 1.0 ? proxy_y : batch.y[i] + pull_y * share;
-      const double new_angle = share == 1.0 ? proxy_angle : batch.angle[i] + turn * share;
-      start = new_x != proxy_x || new_y != proxy_y || new_angle != proxy_angle ? 0.0 : -1.0;
-      batch.force_x[i] = pull_x * (k * share);
-      batch.force_y[i] = pull_y * (k * share);
-      batch.moment[i] = k_twist * share * turn;
-      proxy_x = new_x;
-      proxy_y = new_y;
-      proxy_angle = new_angle;
+  // As SoftFinger::rub.
+  const Springs& springs = law.springs();
+  const typename Friction<Boundary, Projection>::Pull pull{pull_x * pull_x + pull_y * pull_y, std::fabs(turn), k * batch.depth[i], start,
+                                                           batch.trend[i]};
+  const auto holds = [&] {
+    batch.force_x[i] = pull_x * springs.stiffness[0];
+    batch.force_y[i] = pull_y * springs.stiffness[0];
+    batch.moment[i] = turn * springs.stiffness[1];
+    start = -1.0;
+  };
+  const auto yields = [&](const auto& grip) {
+    batch.force_x[i] = pull_x * grip.stiffness[0];
+    batch.force_y[i] = pull_y * grip.stiffness[0];
+    batch.moment[i] = turn * grip.stiffness[1];
+    if (!grip.slips) {
+      start = -1.0;
       return;
     }
-  }
-  const double r = std::sqrt(square);
-  const double rho = std::fabs(turn);
-  const auto result = friction.resolve(r, rho, k * batch.depth[i], ahead_of(start, batch.trend[i]));
-  if (!result.slips) {
-    batch.force_x[i] = pull_x * k;
-    batch.force_y[i] = pull_y * k;
-    batch.moment[i] = result.twist == rho ? k_twist * turn : 0.0;
-    if (result.twist != rho) proxy_angle = batch.angle[i];
-    start = -1.0;
-    return;
-  }
-  const double per_metre = r > 0.0 ? 1.0 / r : 0.0;
-  const double force = result.force * per_metre;
-  const double share = result.offset * per_metre;
-  const double new_x = result.offset != r ? batch.x[i] + pull_x * share : proxy_x;
-  const double new_y = result.offset != r ? batch.y[i] + pull_y * share : proxy_y;
-  const double new_angle = result.twist != rho ? batch.angle[i] + std::copysign(result.twist, turn) : proxy_angle;
-  const bool moves = new_x != proxy_x || new_y != proxy_y || new_angle != proxy_angle;
-  batch.force_x[i] = pull_x * force;
-  batch.force_y[i] = pull_y * force;
-  batch.moment[i] = std::copysign(result.moment, turn);
-  proxy_x = new_x;
-  proxy_y = new_y;
-  proxy_angle = new_angle;
-  const double next = moves ? result.start : -1.0;
-  batch.trend[i] = next > 0.0 && start > 0.0 ? next - start : 0.0;
-  start = next;
+    const double new_x = grip.clamps_both || grip.share[0] < 1.0 ? batch.x[i] + pull_x * grip.share[0] : proxy_x;
+    const double new_y = grip.clamps_both || grip.share[0] < 1.0 ? batch.y[i] + pull_y * grip.share[0] : proxy_y;
+    const double new_angle = grip.clamps_both || grip.share[1] < 1.0 ? batch.angle[i] + turn * grip.share[1] : proxy_angle;
+    const bool moves = new_x != proxy_x || new_y != proxy_y || new_angle != proxy_angle;
+    proxy_x = new_x;
+    proxy_y = new_y;
+    proxy_angle = new_angle;
+    const double next = moves ? grip.start : -1.0;
+    batch.trend[i] = next > 0.0 && start > 0.0 ? next - start : 0.0;
+    start = next;
+  };
+  friction.grip(pull, springs, holds, yields, [&] {
+    const auto grip = friction.grip_rarely(pull, springs);
+    if (grip.share[1] == 0.0) proxy_angle = batch.angle[i];
+    yields(grip);
+  });
 }
 
 }  // namespace detail

@@ -19,7 +19,7 @@ struct CCurve {
   Projected operator()(const Boundary& boundary, const Trial& trial) const noexcept {
     if (trial.radius_law == nullptr) return Radial{}(boundary, trial);
     const double gauge = boundary.gauge(trial.wrench);
-    if (!(gauge > 1.0 + slip_guard)) return {};
+    if (!(gauge > 1.0 + slip_guard)) return Radial::onto(trial, gauge);
     // At load λP the trial is (x̂/λ, ŷ/(λ a(λP)/a(P))) in unit wrenches: find λ where its gauge is 1. The logarithm of the
     // gauge falls by at most 2 a unit of log λ, which tells where to begin; bracketed, for the kinks of a sampled law. There is one
     // root, since P·a(P) grows with P. The growth is the law's own from P to λP; its exponent serves only as the derivative at
@@ -53,7 +53,7 @@ struct CCurve {
     // For a pressure heaped at the rim, or a boundary with corners, f(s) can grow faster than s and the same c would
     // add force instead of taking it off. The same c/a never does.
     if (wrench.force > trial.wrench.force || wrench.moment > trial.wrench.moment) wrench = foot.wrench;
-    return {true, wrench, slip_between(trial, wrench)};
+    return {true, true, wrench, slip_between(trial, wrench)};
   }
 };
 

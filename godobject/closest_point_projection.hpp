@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "godobject/projection.hpp"
+#include "godobject/radial_projection.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -22,8 +22,7 @@ concept PolygonalBoundary = LimitBoundary<Boundary> && requires(const Boundary& 
 // clang-format off
 template <class Boundary>
 concept FindsClosest = LimitBoundary<Boundary> && requires(const Boundary& boundary, UnitWrench trial, double chi, double start) {
-  { boundary.closest(trial, chi, start) } noexcept -> std::same_as<Foot>;
-  { boundary.place_of_ellipse(start) } noexcept -> std::same_as<double>;
+  { boundary.closest(trial, chi, chi, start) } noexcept -> std::same_as<Foot>;
 };
 // clang-format on
 
@@ -40,38 +39,50 @@ struct ClosestPoint {
   template <LimitBoundary Boundary>
   [[gnu::always_inline]] Projected operator()(const Boundary& boundary, const Trial& trial) const noexcept {
     if constexpr (PolygonalBoundary<Boundary>) {
-      if (!(boundary.gauge(trial.wrench) > 1.0 + slip_guard)) return {};
+      const double gauge = boundary.gauge(trial.wrench);
+      if (!(gauge > 1.0 + slip_guard)) return Radial::onto(trial, gauge);
       return onto_polygon(boundary.vertices(), trial);
     } else {
       return onto_curve(boundary, trial);
     }
   }
 
+  /// The same for a trial with both components > 0, of which then neither is kept: what the step of a finger asks for.
+  template <FindsClosest Boundary>
+  [[gnu::always_inline]] Projected off_axes(const Boundary& boundary, const Trial& trial) const noexcept {
+    const auto [x, y] = trial.wrench;
+    const auto [foot, normal, place] = boundary.closest(trial.wrench, trial.compliance_ratio, 1.0 / trial.compliance_ratio, trial.start);
+    // Beyond the tangent at its foot it is outside; and if it is outside at all, it is beyond that one.
+    const double reach = normal.slide * foot.force + normal.spin * foot.moment;
+    const double height = normal.slide * x + normal.spin * y;
+    // Number by number: GCC copies a pair of numbers through memory.
+    return {height > reach, height > reach * (1.0 + slip_guard), {foot.force, foot.moment}, {normal.slide, normal.spin}, place};
+  }
+
  private:
   /// Newton's method in the spin fraction u for G(u) = u(x̂ − f(u)) − (1−u)χ(ŷ − m(u)), kept within a bracket. G has one
   /// root, for only one point of the curve has the trial on its outward normal; G(0) = −χŷ ≤ 0 and G(1) = x̂ ≥ 0.
   template <class Boundary>
-  [[gnu::always_inline]] static Projected onto_curve(const Boundary& boundary, const Trial& trial) noexcept {
+  Projected onto_curve(const Boundary& boundary, const Trial& trial) const noexcept {
     const auto [x, y] = trial.wrench;
     const double chi = trial.compliance_ratio;
     // On an axis the root is the end itself, which no bracket closes in on.
     if (x == 0.0 || y == 0.0) {
       const SlipTwist end = x == 0.0 ? SlipTwist{0.0, 1.0} : SlipTwist{1.0, 0.0};
       const UnitWrench wrench = boundary.wrench(end);
-      return {x + y > (wrench.force + wrench.moment) * (1.0 + slip_guard), wrench, end};
+      const double limit = wrench.force + wrench.moment;
+      return {x + y > limit, x + y > limit * (1.0 + slip_guard), wrench, end};
     }
+    if constexpr (FindsClosest<Boundary>) return off_axes(boundary, trial);
     const double from = trial.start > 0.0 && trial.start < 2.0 ? trial.start : start(boundary, trial);
-    if constexpr (FindsClosest<Boundary>) {
-      const auto [foot, normal, place] = boundary.closest(trial.wrench, chi, from);
-      // Beyond the tangent at its foot it is outside; and if it is outside at all, it is beyond that one.
-      const double reach = normal.slide * foot.force + normal.spin * foot.moment;
-      return {normal.slide * x + normal.spin * y > reach * (1.0 + slip_guard), foot, normal, place};
-    }
     double u = SlipTwist::at_place(from).spin_fraction();
     BoundaryPoint here = boundary.point(SlipTwist::of_spin_fraction(u));
     // Beyond the tangent at u it is outside for sure, and the gauge, a search of its own, is not needed.
     const double reach = (1.0 - u) * here.wrench.force + u * here.wrench.moment;
-    if (!((1.0 - u) * x + u * y > reach * (1.0 + 2.0 * slip_guard)) && !(boundary.gauge(trial.wrench) > 1.0 + slip_guard)) return {};
+    if (!((1.0 - u) * x + u * y > reach * (1.0 + 2.0 * slip_guard))) {
+      const double gauge = boundary.gauge(trial.wrench);
+      if (!(gauge > 1.0 + slip_guard)) return Radial::onto(trial, gauge);
+    }
     double low = 0.0;
     double high = 1.0;
     for (int i = 0; i < iteration_limit; ++i) {
@@ -84,7 +95,7 @@ struct ClosestPoint {
       // A step within rounding: the wrench at hand is the one.
       if (std::fabs(step) <= 2.0 * std::numeric_limits<double>::epsilon() * u * (1.0 - u)) {
         const SlipTwist slip = SlipTwist::of_spin_fraction(u);
-        return {true, here.wrench, slip, slip.place()};
+        return {true, true, here.wrench, slip, slip.place()};
       }
       // A last step counts even where rounding leads it out of the bracket.
       const bool converged = std::fabs(step) <= std::max(last_step * u * (1.0 - u), std::numeric_limits<double>::epsilon());
@@ -96,7 +107,7 @@ struct ClosestPoint {
       here = boundary.point(SlipTwist::of_spin_fraction(u));
     }
     const SlipTwist slip = SlipTwist::of_spin_fraction(u);
-    return {true, boundary.wrench(slip), slip, slip.place()};
+    return {true, true, boundary.wrench(slip), slip, slip.place()};
   }
 
   /// A first guess, as a place: the slip at the closest point of the ellipse with the same intercepts, by one Newton step for
@@ -114,9 +125,7 @@ struct ClosestPoint {
     const double slide = x * (1.0 + lambda * eta) * moment_ratio;
     const double spin = y * (1.0 + lambda);
     double place = SlipTwist{slide, spin}.place();
-    if (!(place > 0.0 && place < 2.0)) return 1.0;
-    if constexpr (FindsClosest<Boundary>) place = boundary.place_of_ellipse(place);
-    return place;
+    return place > 0.0 && place < 2.0 ? place : 1.0;
   }
 
   /// Exactly, face by face: the closest of the feet. Cost: one division a slanted face.
@@ -134,7 +143,7 @@ struct ClosestPoint {
         best = foot;
       }
     }
-    return {true, best, slip_between(trial, best)};
+    return {true, true, best, slip_between(trial, best)};
   }
 
   static UnitWrench foot_on_face(UnitWrench from, UnitWrench to, const Trial& trial) noexcept {

@@ -36,6 +36,7 @@ ContactLaw::ContactLaw(const FingerParameters& parameters, double moment_ratio)
       hold_share_(parameters.hold_share) {
   if (!(jump_limit_ > 0.0)) throw out_of_range("jump_limit", jump_limit_, "m", "> 0");
   if (!(hold_share_ >= 0.0 && hold_share_ <= 1.0)) throw out_of_range("hold_share", hold_share_, "1", "0 <= hold_share <= 1");
+  has_jump_limit_ = jump_limit_ < std::numeric_limits<double>::infinity();
   positive("moment_ratio", moment_ratio, "1");
   const double mu = non_negative("mu", parameters.mu, "1");
   const double mu_dynamic = non_negative("mu_dynamic", parameters.mu_dynamic.value_or(mu), "1");
@@ -49,8 +50,8 @@ ContactLaw::ContactLaw(const FingerParameters& parameters, double moment_ratio)
     if (mu_r_dynamic > mu_r) {
       throw out_of_range("moment_coefficient_dynamic", mu_r_dynamic, "m", "0 <= moment_coefficient_dynamic <= moment_coefficient");
     }
-    static_ = {mu, equivalent_radius(mu_r, mu, moment_ratio)};
-    dynamic_ = {mu_dynamic, equivalent_radius(mu_r_dynamic, mu_dynamic, moment_ratio)};
+    static_ = {mu, equivalent_radius(mu_r, mu, moment_ratio), 0.0};
+    dynamic_ = {mu_dynamic, equivalent_radius(mu_r_dynamic, mu_dynamic, moment_ratio), 0.0};
     // Not computed anew: the quotient would differ in the last digit.
     if (!parameters.moment_coefficient_dynamic && mu_dynamic > 0.0) dynamic_.radius = static_.radius;
   } else {
@@ -58,9 +59,12 @@ ContactLaw::ContactLaw(const FingerParameters& parameters, double moment_ratio)
       throw out_of_range("moment_coefficient_dynamic", *parameters.moment_coefficient_dynamic, "m", "absent without moment_coefficient");
     }
     const double radius = positive("radius_law coefficient", parameters.radius_law.coefficient(), "m/N^gamma");
-    static_ = {mu, radius};
-    dynamic_ = {mu_dynamic, radius};
+    static_ = {mu, radius, 0.0};
+    dynamic_ = {mu_dynamic, radius, 0.0};
     if (parameters.radius_law.is_sampled() || parameters.radius_law.exponent() != 0.0) radius_law_ = parameters.radius_law;
+  }
+  for (Limit* limit : {&static_, &dynamic_}) {
+    limit->per_radius = limit->radius > 0.0 ? 1.0 / limit->radius : std::numeric_limits<double>::infinity();
   }
   has_one_limit_ = static_.mu == dynamic_.mu && static_.radius == dynamic_.radius;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "limitcurve/pair.hpp"
 #include "limitcurve/radius_law.hpp"
 
 #include <limits>
@@ -25,16 +26,16 @@ struct FingerParameters {
   double hold_share = 1.0;
 };
 
-/// The springs between proxy and finger.
+/// The springs between proxy and finger, of sliding and of twist side by side.
 struct Springs {
-  double stiffness;         ///< k_l [N/m]
-  double twist_stiffness;   ///< k_r [N m/rad]
-  double ratio;             ///< k_l/k_r [1/m²]
-  double compliance;        ///< 1/k_l [m/N]
-  double twist_compliance;  ///< 1/k_r [rad/(N m)]
+  Pair stiffness;        ///< k_l [N/m], k_r [N m/rad]
+  Pair compliance;       ///< 1/k_l [m/N], 1/k_r [rad/(N m)]
+  double ratio;          ///< k_l/k_r [1/m²]
+  double inverse_ratio;  ///< k_r/k_l [m²]
 
   static Springs of(double stiffness, double twist_stiffness) noexcept {
-    return {stiffness, twist_stiffness, stiffness / twist_stiffness, 1.0 / stiffness, 1.0 / twist_stiffness};
+    const Pair both{stiffness, twist_stiffness};
+    return {both, 1.0 / both, stiffness / twist_stiffness, twist_stiffness / stiffness};
   }
 };
 
@@ -47,8 +48,9 @@ class ContactLaw {
 
   /// The scales of the unit curve at a load.
   struct Scale {
-    double force;   ///< μP [N]
-    double radius;  ///< a(P) [m]; 0 where there is no torsional friction
+    double force;       ///< μP [N]
+    double radius;      ///< a(P) [m]; 0 where there is no torsional friction
+    double per_radius;  ///< 1/a [1/m]
   };
 
   [[nodiscard]] Scale static_scale(double load) const noexcept { return scale(static_, load); }
@@ -56,26 +58,31 @@ class ContactLaw {
   [[nodiscard]] bool has_one_limit() const noexcept { return has_one_limit_; }  ///< static and dynamic limits are the same
 
   [[nodiscard]] const Springs& springs() const noexcept { return springs_; }
-  [[nodiscard]] double stiffness() const noexcept { return springs_.stiffness; }              ///< k_l [N/m]
-  [[nodiscard]] double twist_stiffness() const noexcept { return springs_.twist_stiffness; }  ///< k_r [N m/rad]
-  [[nodiscard]] double damping() const noexcept { return damping_; }                          ///< b_l [N s/m]
-  [[nodiscard]] double twist_damping() const noexcept { return twist_damping_; }              ///< b_r [N m s/rad]
+  [[nodiscard]] double stiffness() const noexcept { return springs_.stiffness[0]; }        ///< k_l [N/m]
+  [[nodiscard]] double twist_stiffness() const noexcept { return springs_.stiffness[1]; }  ///< k_r [N m/rad]
+  [[nodiscard]] double damping() const noexcept { return damping_; }                       ///< b_l [N s/m]
+  [[nodiscard]] double twist_damping() const noexcept { return twist_damping_; }           ///< b_r [N m s/rad]
   /// a(P) where it depends on the load; else null.
   [[nodiscard]] const RadiusLaw* radius_law() const noexcept { return radius_law_ ? &*radius_law_ : nullptr; }
   [[nodiscard]] double mu() const noexcept { return static_.mu; }  ///< static μ
   /// Static a [m] where it does not depend on the load.
   [[nodiscard]] double constant_radius() const noexcept { return static_.radius; }
   [[nodiscard]] double jump_limit() const noexcept { return jump_limit_; }  ///< [m]
+  [[nodiscard]] bool has_jump_limit() const noexcept { return has_jump_limit_; }
+  [[nodiscard]] bool has_dampers() const noexcept { return damping_ > 0.0 || twist_damping_ > 0.0; }
   [[nodiscard]] double hold_share() const noexcept { return hold_share_; }
 
  private:
   struct Limit {
     double mu;
     double radius;  ///< where it does not depend on the load
+    double per_radius;
   };
 
   [[nodiscard]] Scale scale(const Limit& limit, double load) const noexcept {
-    return {limit.mu * load, radius_law_ ? radius_law_->radius(load) : limit.radius};
+    if (!radius_law_) return {limit.mu * load, limit.radius, limit.per_radius};
+    const double radius = radius_law_->radius(load);
+    return {limit.mu * load, radius, 1.0 / radius};
   }
 
   Limit static_{};
@@ -87,6 +94,7 @@ class ContactLaw {
   double jump_limit_;
   double hold_share_;
   bool has_one_limit_;
+  bool has_jump_limit_;
 };
 
 }  // namespace limitcurve::godobject

@@ -29,16 +29,27 @@ class Friction {
   /// Trials beyond this many limits are scaled back to it, which changes no direction and keeps squares finite.
   static constexpr double farthest_trial = 1e100;
 
-  /// What the contact does, all magnitudes.
-  struct Result {
+  /// What the contact does to springs that are drawn by r [m] along the surface and ρ [rad] about the normal.
+  struct Grip {
     bool slips = false;
-    double force = 0.0;                                     ///< |F| = k_l r′ [N]
-    double moment = 0.0;                                    ///< |M| = k_r ρ′ [N m]
-    double offset = 0.0;                                    ///< r′ [m], ≤ r; equal to it bit for bit where there was no sliding
-    double twist = 0.0;                                     ///< ρ′ [rad], likewise
+    Pair stiffness{};                                       ///< |F|/r [N/m] and |M|/ρ [N m/rad], ≤ those of the springs
+    Pair share{1.0, 1.0};                                   ///< r′/r and ρ′/ρ ≤ 1, what stays drawn; 1 where nothing slid
+    bool clamps_both = false;                               ///< neither share is 1
     double cor = std::numeric_limits<double>::quiet_NaN();  ///< of the slip [m], ∞ for pure sliding; NaN where it sticks
     double slip_work = 0.0;                                 ///< |F|(r − r′) + |M|(ρ − ρ′) [J], ≥ 0
     double start = -1.0;                                    ///< for the next step: place of the slip, or 0; < 0 where it sticks
+  };
+
+  /// The same, all magnitudes.
+  struct Result {
+    bool slips;
+    double force;      ///< |F| = k_l r′ [N]
+    double moment;     ///< |M| = k_r ρ′ [N m]
+    double offset;     ///< r′ [m], ≤ r; equal to it bit for bit where there was no sliding
+    double twist;      ///< ρ′ [rad], likewise
+    double cor;        ///< as Grip
+    double slip_work;  ///< as Grip
+    double start;      ///< as Grip
   };
 
   /// Throws std::invalid_argument naming parameter, value, unit and range.
@@ -49,73 +60,111 @@ class Friction {
         force_max_(boundary_.wrench({1.0, 0.0}).force),
         moment_max_(boundary_.wrench({0.0, 1.0}).moment),
         per_force_max_(1.0 / force_max_),
-        per_moment_max_(1.0 / moment_max_) {}
+        per_moment_max_(1.0 / moment_max_),
+        force_per_moment_max_(force_max_ / moment_max_) {}
 
   [[nodiscard]] const Boundary& boundary() const noexcept { return boundary_; }
   [[nodiscard]] const ContactLaw& law() const noexcept { return law_; }
-  [[nodiscard]] double per_force_max() const noexcept { return per_force_max_; }    ///< one over the curve's force intercept
-  [[nodiscard]] double per_moment_max() const noexcept { return per_moment_max_; }  ///< one over its moment intercept
+  [[nodiscard]] double force_max() const noexcept { return force_max_; }            ///< the curve's force intercept
+  [[nodiscard]] double per_force_max() const noexcept { return per_force_max_; }    ///< one over it
+  [[nodiscard]] double per_moment_max() const noexcept { return per_moment_max_; }  ///< one over the moment intercept
+  [[nodiscard]] double force_per_moment_max() const noexcept { return force_per_moment_max_; }
 
   /// The contact under load P [N] > 0 with the proxy r [m] ≥ 0 and ρ [rad] ≥ 0 away, all finite. `start` is the last result's,
   /// which also tells whether the contact slips already.
   [[nodiscard]] Result resolve(double r, double rho, double load, double start) const noexcept {
-    return resolve(r, rho, load, start, law_.springs());
+    const Pull pull{r * r, rho, load, start, 0.0};
+    Grip found{.stiffness = law_.springs().stiffness};
+    grip(
+        pull, law_.springs(), [] {}, [&](const Grip& grip) { found = grip; }, [&] { found = grip_rarely(pull, law_.springs()); });
+    return {
+        found.slips, found.stiffness[0] * r, found.stiffness[1] * rho, found.share[0] * r, found.share[1] * rho, found.cor, found.slip_work,
+        found.start};
   }
 
-  /// The same with other springs than the law's: damping stiffens them for a step.
-  [[gnu::always_inline]] [[nodiscard]] Result resolve(double r, double rho, double load, double start,
-                                                      const Springs& springs) const noexcept {
-    const bool slipping = start >= 0.0;
-    const Limits limits = make_limits(slipping ? law_.dynamic_scale(load) : law_.static_scale(load));
-    if (!limits.twists) return resolve_untwisted(limits, r, load, springs);
-    // Within the chord of the intercepts it holds, without a division.
-    const double pull = springs.stiffness * r;
-    const double turn = springs.twist_stiffness * rho;
-    if (pull * limits.radius * moment_max_ + turn * force_max_ <= limits.moment_unit * force_max_ * moment_max_)
-      return stuck(r, rho, springs);
-    const Trial trial = make_trial(limits, r, rho, load, start, springs);
-    const Projected projected = projection_(boundary_, trial);
-    if (!projected.outside) return stuck(r, rho, springs);
-    if (slipping || law_.has_one_limit()) return slid(limits, trial, projected, r, rho, springs);
-    const Limits dynamic = make_limits(law_.dynamic_scale(load));
-    if (!dynamic.twists) return slid_untwisted(dynamic, r, springs);
-    const Trial beyond = make_trial(dynamic, r, rho, load, start, springs);
-    return slid(dynamic, beyond, projection_(boundary_, beyond), r, rho, springs);
+  /// What a step knows of a contact.
+  struct Pull {
+    double r_square;  ///< r² [m²]
+    double rho;       ///< ρ [rad] ≥ 0
+    double load;      ///< P [N] > 0
+    double start;     ///< Grip::start of the last step
+    double trend;     ///< how far that had moved
+  };
+
+  /// The same, with other springs than the law's: damping stiffens them for a step. Calls `holds()` where the springs bear the pull,
+  /// `yields(grip)` where they do not, or `otherwise()` for the caller to ask grip_rarely. Calls instead of a value returned, which
+  /// would go through memory.
+  template <class Holds, class Yields, class Otherwise>
+  [[gnu::always_inline]] void grip(const Pull& pull, const Springs& springs, Holds&& holds, Yields&& yields,
+                                   Otherwise&& otherwise) const noexcept {
+    const bool slipping = pull.start >= 0.0;
+    const Limits limits = make_limits(slipping ? law_.dynamic_scale(pull.load) : law_.static_scale(pull.load));
+    if (!limits.twists) return otherwise();
+    if constexpr (needs_squares_only) {
+      const Elliptic elliptic = make_elliptic(limits, pull, springs);
+      if (elliptic.square <= elliptic.reach * elliptic.reach) return holds();
+      const bool usual = elliptic.square <= farthest_square && elliptic.reach >= least_reach;
+      if (!usual || !(slipping || law_.has_one_limit())) return otherwise();
+      yields(shrink(elliptic, pull, springs));
+    } else if constexpr (goes_off_axes) {
+      const Drawn drawn = draw(limits, pull, springs);
+      // Within the chord of the intercepts it holds.
+      if (drawn.chord <= 1.0) return holds();
+      if (!(std::min(drawn.trial.wrench.force, drawn.trial.wrench.moment) > 0.0)) return otherwise();
+      const Projected projected = projection_.off_axes(boundary_, drawn.trial);
+      if (!projected.outside) return holds();
+      if (!slipping && !law_.has_one_limit() && projected.slips) return otherwise();
+      yields(let_slip(limits, drawn, projected, springs, true));
+    } else {
+      const Drawn drawn = draw(limits, pull, springs);
+      // Within the chord of the intercepts it holds.
+      if (drawn.chord <= 1.0) return holds();
+      const Projected projected = projection_(boundary_, drawn.trial);
+      if (!projected.outside) return holds();
+      if (!slipping && !law_.has_one_limit() && projected.slips) return otherwise();
+      yields(let_slip(limits, drawn, projected, springs));
+    }
+  }
+
+  /// What is too rare for the registers of `grip`: no torsional friction; from rest beyond a static limit of its own; squares that
+  /// overflow.
+  [[gnu::noinline]] [[nodiscard]] Grip grip_rarely(const Pull& pull, const Springs& springs) const noexcept {
+    const bool slipping = pull.start >= 0.0;
+    const Limits limits = make_limits(slipping ? law_.dynamic_scale(pull.load) : law_.static_scale(pull.load));
+    if (!limits.twists) return grip_untwisted(limits.unit[0], pull, springs);
+    const Drawn drawn = draw(limits, pull, springs);
+    const Projected projected = projection_(boundary_, drawn.trial);
+    if (!projected.outside) return {.stiffness = springs.stiffness};
+    if (slipping || law_.has_one_limit() || !projected.slips) return let_slip(limits, drawn, projected, springs);
+    const Limits dynamic = make_limits(law_.dynamic_scale(pull.load));
+    if (!dynamic.twists) return slide_untwisted(pull, springs);
+    const Drawn beyond = draw(dynamic, pull, springs);
+    return let_slip(dynamic, beyond, projection_(boundary_, beyond.trial), springs);
   }
 
   /// The projection needs only squares, and shrinks r and ρ by one factor.
-  static constexpr bool shrinks = [] {
+  static constexpr bool needs_squares_only = [] {
     if constexpr (requires { Projection::template needs_squares_only<Boundary>; }) {
       return Projection::template needs_squares_only<Boundary>;
     } else {
       return false;
     }
   }();
-
-  /// What a step shrinks r and ρ by.
-  struct Shrinking {
-    bool known;    ///< if not, `resolve` must tell
-    double share;  ///< r′/r = ρ′/ρ; 1 where it sticks
+  /// The projection has a way of its own for what lies on neither axis, which keeps neither component.
+  static constexpr bool goes_off_axes = requires(const Projection& projection, const Boundary& boundary, const Trial& trial) {
+    projection.off_axes(boundary, trial);
   };
-
-  /// The step from r² and ρ², where the projection allows it: one root and one division, none where it sticks.
-  [[nodiscard]] Shrinking shrink(double r_square, double rho_square, double load, bool slipping, const Springs& springs) const noexcept {
-    const Limits limits = make_limits(slipping ? law_.dynamic_scale(load) : law_.static_scale(load));
-    const double force = springs.stiffness * limits.radius * per_force_max_;
-    const double moment = springs.twist_stiffness * per_moment_max_;
-    const double square = force * force * r_square + moment * moment * rho_square;  // (gauge · μPa)²
-    const double limit = limits.moment_unit * (1.0 + slip_guard);
-    if (!limits.twists) return {false, 1.0};
-    if (square <= limit * limit) return {true, 1.0};
-    return {(slipping || law_.has_one_limit()) && square <= farthest_trial, limits.moment_unit / std::sqrt(square)};
-  }
+  /// Squares between these neither overflow nor lose digits when divided by; the step by squares leaves others to the general one.
+  static constexpr double farthest_square = 1e100;
+  static constexpr double least_reach = 1e-140;
 
   /// How far the contact is from slipping: 1 − gauge of the trial in the limit that acts, 1 unloaded by friction, ≤ 0 slipping.
   [[nodiscard]] double margin(double r, double rho, double load, bool slipping) const noexcept {
     const Limits limits = make_limits(slipping ? law_.dynamic_scale(load) : law_.static_scale(load));
     if (r == 0.0 && rho == 0.0) return 1.0;
-    if (!limits.twists) return limits.slides ? 1.0 - law_.stiffness() * r / (force_max_ * limits.force_unit) : r > 0.0 ? 0.0 : 1.0;
-    return 1.0 - boundary_.gauge(make_trial(limits, r, rho, load, -1.0, law_.springs()).wrench);
+    if (!limits.twists)
+      return limits.unit[0] > least_unit ? 1.0 - law_.stiffness() * r / (force_max_ * limits.unit[0]) : r > 0.0 ? 0.0 : 1.0;
+    return 1.0 - boundary_.gauge(draw(limits, {r * r, rho, load, -1.0, 0.0}, law_.springs()).trial.wrench);
   }
 
   /// The least load [N] under which a contact at rest bears the friction force [N] and moment [N m], both ≥ 0 and finite: the
@@ -131,74 +180,115 @@ class Friction {
 
  private:
   struct Limits {
-    double force_unit;   ///< μP [N]
-    double moment_unit;  ///< μPa [N m]
-    double radius;       ///< a [m]
-    bool slides;         ///< there is friction at all
-    bool twists;         ///< there is torsional friction
+    Pair unit;          ///< μP [N], μPa [N m]
+    double radius;      ///< a [m]
+    double per_radius;  ///< 1/a [1/m]
+    bool twists;        ///< there is torsional friction
   };
+  /// So near zero a unit's square vanishes, and a quotient by it may overflow: no friction [N, N m].
+  static constexpr double least_unit = 1e-150;
 
   [[nodiscard]] static Limits make_limits(ContactLaw::Scale scale) noexcept {
     const double moment_unit = scale.force * scale.radius;
-    // So near zero the unit's square vanishes, and a quotient by it may overflow: the limit of no friction.
-    constexpr double least = 1e-150;
-    return {scale.force, moment_unit, scale.radius, scale.force > least, scale.force > least && moment_unit > least};
+    return {Pair{scale.force, moment_unit}, scale.radius, scale.per_radius, std::min(scale.force, moment_unit) > least_unit};
   }
 
-  [[gnu::always_inline]] [[nodiscard]] Trial make_trial(const Limits& limits, double r, double rho, double load, double start,
-                                                        const Springs& springs) const noexcept {
-    const double per_unit = 1.0 / limits.moment_unit;
-    double force = springs.stiffness * r * limits.radius * per_unit;
-    double moment = springs.twist_stiffness * rho * per_unit;
-    const double larger = std::max(force, moment);
-    if (larger > farthest_trial) {
-      force *= farthest_trial / larger;
-      moment *= farthest_trial / larger;
+  /// What the springs are drawn by, as a trial.
+  struct Drawn {
+    Pair stretch;  ///< (r, ρ)
+    Trial trial;
+    double chord;  ///< where the trial lies between the origin and the chord of the intercepts: 1 on it
+  };
+
+  [[gnu::always_inline]] [[nodiscard]] Drawn draw(const Limits& limits, const Pull& pull, const Springs& springs) const noexcept {
+    const Pair stretch{square_roots(Pair{pull.r_square, pull.r_square})[0], pull.rho};
+    const Pair wrench = stretch * (springs.stiffness * (1.0 / limits.unit));
+    Drawn drawn{stretch,
+                {{wrench[0], wrench[1]},
+                 limits.radius * limits.radius * springs.ratio,
+                 ahead_of(pull.start, pull.trend),
+                 law_.radius_law(),
+                 pull.load},
+                wrench[0] * per_force_max_ + wrench[1] * per_moment_max_};
+    if (drawn.chord > farthest_trial) {
+      const double share = farthest_trial / std::max(wrench[0], wrench[1]);
+      drawn.trial.wrench = {wrench[0] * share, wrench[1] * share};
     }
-    return {{force, moment}, limits.radius * limits.radius * springs.ratio, start, law_.radius_law(), load};
+    return drawn;
   }
 
-  [[nodiscard]] Result stuck(double r, double rho, const Springs& springs) const noexcept {
-    Result result;
-    result.force = springs.stiffness * r;
-    result.moment = springs.twist_stiffness * rho;
-    result.offset = r;
-    result.twist = rho;
-    return result;
-  }
-
-  [[gnu::always_inline]] [[nodiscard]] Result slid(const Limits& limits, const Trial& trial, const Projected& projected, double r,
-                                                   double rho, const Springs& springs) const noexcept {
-    const auto& [outside, wrench, slip, next_start] = projected;
-    Result result;
-    result.slips = true;
+  [[gnu::always_inline]] [[nodiscard]] Grip let_slip(const Limits& limits, const Drawn& drawn, const Projected& projected,
+                                                     const Springs& springs, bool clamps_both = false) const noexcept {
+    const Pair trial{drawn.trial.wrench.force, drawn.trial.wrench.moment};
+    const Pair foot{projected.wrench.force, projected.wrench.moment};
     // A search may leave a small component a rounding above the trial's; the spring cannot.
-    result.force = std::min(wrench.force * limits.force_unit, springs.stiffness * r);
-    result.moment = std::min(wrench.moment * limits.moment_unit, springs.twist_stiffness * rho);
-    // What was not clamped did not slide, bit for bit.
-    result.offset = wrench.force == trial.wrench.force ? r : std::min(result.force * springs.compliance, r);
-    result.twist = wrench.moment == trial.wrench.moment ? rho : std::min(result.moment * springs.twist_compliance, rho);
-    result.cor = limits.radius * slip.cor();
-    result.start = next_start;
-    result.slip_work = result.force * (r - result.offset) + result.moment * (rho - result.twist);
-    return result;
+    const Pair bound = lesser(foot * (limits.unit / drawn.stretch), springs.stiffness);
+    // What was not clamped did not slide, bit for bit. (Where nothing is drawn the bound is 0/0, and the foot the trial.)
+    const PairMask clamped = foot != trial;
+    Grip grip;
+    grip.stiffness = clamps_both ? bound : clamped ? bound : springs.stiffness;
+    if (!projected.slips) return grip;
+    grip.slips = true;
+    grip.share = clamps_both ? bound * springs.compliance : clamped ? bound * springs.compliance : Pair{1.0, 1.0};
+    grip.clamps_both = clamps_both;
+    grip.cor = limits.radius * projected.slip.cor();
+    grip.start = projected.start;
+    const Pair work = grip.stiffness * drawn.stretch * drawn.stretch * (1.0 - grip.share);
+    grip.slip_work = work[0] + work[1];
+    return grip;
+  }
+
+  /// Ellipse and radial projection in lengths: the springs of the ellipse's two axes weigh ρ against r.
+  struct Elliptic {
+    double square;  ///< (gauge · reach)² [m²]
+    double reach;   ///< r on the boundary without twist [m]
+  };
+
+  [[nodiscard]] Elliptic make_elliptic(const Limits& limits, const Pull& pull, const Springs& springs) const noexcept {
+    const double arm = springs.inverse_ratio * limits.per_radius * force_per_moment_max_;
+    const double turn = arm * pull.rho;
+    return {pull.r_square + turn * turn, limits.unit[0] * springs.compliance[0] * force_max_};
+  }
+
+  /// One packed root and one packed division that do not wait for each other.
+  [[gnu::always_inline]] [[nodiscard]] Grip shrink(const Elliptic& elliptic, const Pull& pull, const Springs& springs) const noexcept {
+    const Pair roots = square_roots(Pair{elliptic.square, pull.r_square});
+    const Pair inverses = Pair{elliptic.reach, 1.0} / Pair{elliptic.square, pull.rho};
+    const double share = roots[0] * inverses[0];
+    Grip grip;
+    grip.stiffness = springs.stiffness * share;
+    const double limit = elliptic.reach * (1.0 + slip_guard);
+    if (elliptic.square <= limit * limit) return grip;
+    grip.slips = true;
+    grip.share = Pair{share, share};
+    grip.clamps_both = true;
+    grip.cor = roots[1] * inverses[1];
+    grip.start = 0.0;
+    const Pair force_lengths = grip.stiffness * Pair{pull.r_square, pull.rho * pull.rho};
+    grip.slip_work = (1.0 - share) * (force_lengths[0] + force_lengths[1]);
+    return grip;
   }
 
   /// Γ = 0 takes the twist out of the contact: the proxy's angle is the finger's, and the force is limited by itself.
-  [[nodiscard]] Result resolve_untwisted(const Limits& limits, double r, double load, const Springs& springs) const noexcept {
-    if (springs.stiffness * r <= force_max_ * limits.force_unit * (1.0 + slip_guard)) return stuck(r, 0.0, springs);
-    return slid_untwisted(make_limits(law_.dynamic_scale(load)), r, springs);
+  [[nodiscard]] Grip grip_untwisted(double force_unit, const Pull& pull, const Springs& springs) const noexcept {
+    const double r = std::sqrt(pull.r_square);
+    const double reach = force_max_ * force_unit;
+    const double force = springs.stiffness[0] * r;
+    if (force > reach * (1.0 + slip_guard)) return slide_untwisted(pull, springs);
+    return {.stiffness = Pair{force > reach ? reach / r : springs.stiffness[0], 0.0}, .share = Pair{1.0, 0.0}};
   }
 
-  [[nodiscard]] Result slid_untwisted(const Limits& limits, double r, const Springs& springs) const noexcept {
-    Result result;
-    result.slips = true;
-    result.force = limits.slides ? std::min(force_max_ * limits.force_unit, springs.stiffness * r) : 0.0;
-    result.offset = std::min(result.force * springs.compliance, r);
-    result.cor = std::numeric_limits<double>::infinity();
-    result.start = 0.0;
-    result.slip_work = result.force * (r - result.offset);
-    return result;
+  [[nodiscard]] Grip slide_untwisted(const Pull& pull, const Springs& springs) const noexcept {
+    const double unit = law_.dynamic_scale(pull.load).force;
+    const double stiffness = unit > least_unit ? std::min(force_max_ * unit / std::sqrt(pull.r_square), springs.stiffness[0]) : 0.0;
+    Grip grip;
+    grip.slips = true;
+    grip.stiffness = Pair{stiffness, 0.0};
+    grip.share = Pair{stiffness * springs.compliance[0], 0.0};
+    grip.cor = std::numeric_limits<double>::infinity();
+    grip.start = 0.0;
+    grip.slip_work = stiffness * pull.r_square * (1.0 - grip.share[0]);
+    return grip;
   }
 
   Boundary boundary_;
@@ -208,6 +298,7 @@ class Friction {
   double moment_max_;
   double per_force_max_;
   double per_moment_max_;
+  double force_per_moment_max_;
 };
 
 }  // namespace limitcurve::godobject

@@ -121,8 +121,9 @@ class Grasp {
       const FingerState& state = hold.finger.state();
       const Springs& springs = hold.finger.friction().law().springs();
       if (!state.touching) continue;
-      sum += 0.5 * springs.stiffness * (state.output.depth * state.output.depth + state.offset.squaredNorm()) +
-             0.5 * springs.twist_stiffness * state.lag * state.lag;
+      const Stretch drawn = state.stretch();
+      sum += 0.5 * springs.stiffness[0] * (state.output.depth * state.output.depth + drawn.square()) +
+             0.5 * springs.stiffness[1] * drawn.twist() * drawn.twist();
     }
     return sum;
   }

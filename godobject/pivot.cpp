@@ -164,8 +164,8 @@ class PivotScene final : public Pivot::Scene {
     const double weight = options_.mass * options_.gravity;
     const ContactLaw& law = grasp_.finger(0).friction().law();
     // The fingers took hold where their springs, once the block hangs on them level, just bear it.
-    const double sag = 0.5 * weight * law.springs().compliance;
-    const double give = 0.5 * weight * options_.offset * law.springs().twist_compliance;
+    const double sag = 0.5 * weight * law.springs().compliance[0];
+    const double give = 0.5 * weight * options_.offset * law.springs().compliance[1];
     BodyState start;
     start.orientation = Eigen::AngleAxisd(-give, Eigen::Vector3d::UnitZ());
     start.position = -(start.orientation * Eigen::Vector3d(options_.offset, -sag, 0.0));
@@ -173,7 +173,7 @@ class PivotScene final : public Pivot::Scene {
     level.position = {-options_.offset, 0.0, 0.0};
     grasp_.place(start, devices());
     const double load = hand_.load(0.0, 0.0, 0.0, 0.0);
-    depth_ = load * law.springs().compliance;
+    depth_ = load * law.springs().compliance[0];
     grasp_.place(start, devices());
     grip_ = grasp_.finger(0).output().proxy;
     grasp_.place(level, devices());

@@ -9,8 +9,8 @@
 
 namespace limitcurve::godobject {
 
-/// A trial is outside the limit when its gauge exceeds 1 by more than this; within it, rounding of a proxy that lies on the
-/// boundary would be taken for slip.
+/// A contact slips when the gauge of its trial exceeds 1 by more than this; within it, rounding of a proxy that lies on the
+/// boundary would be taken for slip. What is felt is within the boundary there too.
 inline constexpr double slip_guard = 1e-12;
 
 /// The wrench that the springs between proxy and finger would cause if the proxy stayed where it is, in unit wrenches of
@@ -25,7 +25,8 @@ struct Trial {
 
 /// What a projection finds.
 struct Projected {
-  bool outside;        ///< the trial is outside the boundary: it slips. If not, the rest is void
+  bool outside;        ///< the trial is outside the boundary. If not, the rest is void
+  bool slips;          ///< … by more than slip_guard
   UnitWrench wrench;   ///< on the boundary; no component is larger than the trial's
   SlipTwist slip;      ///< direction of the slip, (r − r′ : a(ρ − ρ′)) in the frame of the contact
   double start = 0.0;  ///< where the next search may start: a place (SlipTwist::at_place), or 0 for none

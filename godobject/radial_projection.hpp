@@ -14,11 +14,16 @@ namespace limitcurve::godobject {
 struct Radial {
   template <LimitBoundary Boundary>
   Projected operator()(const Boundary& boundary, const Trial& trial) const noexcept {
-    const double gauge = boundary.gauge(trial.wrench);
-    if (!(gauge > 1.0 + slip_guard)) return {};
+    return onto(trial, boundary.gauge(trial.wrench));
+  }
+
+  /// The same for a trial of known gauge.
+  static Projected onto(const Trial& trial, double gauge) noexcept {
+    if (!(gauge > 1.0)) return {};
     const double share = 1.0 / gauge;
     // The proxy moves along the trial, whatever the normal of the curve there.
     return {true,
+            gauge > 1.0 + slip_guard,
             {trial.wrench.force * share, trial.wrench.moment * share},
             {trial.wrench.force, trial.compliance_ratio * trial.wrench.moment}};
   }

@@ -4,6 +4,7 @@
 #include "godobject/contact.hpp"
 #include "godobject/contact_state.hpp"
 #include "godobject/friction.hpp"
+#include "godobject/stretch.hpp"
 
 #include <Eigen/Core>
 
@@ -12,34 +13,37 @@
 
 namespace limitcurve::godobject {
 
-/// What a step gives.
-struct FingerOutput {
-  ContactState state = ContactState::free;
+/// What a step gives. Aligned and in this order so that a step writes two numbers at a time, and none across cache lines.
+struct alignas(16) FingerOutput {
   Eigen::Vector3d proxy = Eigen::Vector3d::Zero();        ///< x_p [m]; while free, the finger itself
   double angle = 0.0;                                     ///< α_p [rad] in the frame of the device's twist; while free, the twist
-  double depth = 0.0;                                     ///< d [m]
-  double load = 0.0;                                      ///< P = k_l d [N], 0 while free
   Eigen::Vector3d force = Eigen::Vector3d::Zero();        ///< friction on the user, k_l (x_p − x_g) [N], tangential
   double moment = 0.0;                                    ///< friction on the user about the normal, k_r (α_p − α_g) [N m]
   double cor = std::numeric_limits<double>::quiet_NaN();  ///< of the slip, from the contact centre [m]; NaN unless it slips
   double slip_work = 0.0;                                 ///< dissipated in this step [J], ≥ 0
+  double depth = 0.0;                                     ///< d [m]
+  double load = 0.0;                                      ///< P = k_l d [N], 0 while free
+  ContactState state = ContactState::free;
 };
 
 /// All that a finger remembers from one step to the next. A plain value: copy, save and restore it.
 struct FingerState {
   FingerOutput output;
   Eigen::Vector3d goal = Eigen::Vector3d::Zero();     ///< x_g of the last good step [m]
-  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< outward normal there
-  Eigen::Vector3d seen = Eigen::Vector3d::Zero();     ///< where the finger was when last seen, refused or not [m]
   double goal_angle = 0.0;                            ///< α_g of the last good step [rad], unwrapped
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< outward normal there
   double device_angle = 0.0;                          ///< the device's twist as it was given [rad]
-  double turn = 0.0;                                  ///< what unwrapping has added to it [rad], a multiple of 2π
-  Eigen::Vector3d offset = Eigen::Vector3d::Zero();   ///< x_p − x_g after the step, tangential [m]
-  double lag = 0.0;                                   ///< α_p − α_g after the step [rad]
   double start = -1.0;                                ///< place of the last slip, or 0; < 0: it sticks
   double trend = 0.0;                                 ///< how far that has moved since the slip before
+  Eigen::Vector3d seen = Eigen::Vector3d::Zero();     ///< where the finger was when last seen, refused or not [m]
+  double turn = 0.0;                                  ///< what unwrapping has added to the device's twist [rad], a multiple of 2π
   bool touching = false;
   bool known = false;  ///< there was a step before
+
+  /// By how much the springs are drawn after the step: x_p − x_g and α_p − α_g.
+  [[nodiscard]] Stretch stretch() const noexcept {
+    return (Stretch::at(output.proxy, output.angle) - Stretch::at(goal, goal_angle)).along(normal);
+  }
 };
 
 /// A soft-finger god-object on one surface: steps a–c of the paper, corrected (README, "Corrections to the paper").
@@ -107,16 +111,15 @@ class SoftFinger {
 
  private:
   [[nodiscard]] static bool usable(const Contact& contact, double twist) noexcept {
-    // One comparison for all, which is false for NaN too.
-    const double squares = contact.point.squaredNorm() + contact.depth * contact.depth + twist * twist;
-    return squares <= farthest * farthest && std::fabs(contact.normal.squaredNorm() - 1.0) <= 1e-6;
+    // Comparisons that are false for NaN too.
+    const Pair squares = Stretch::squares(Stretch::at(contact.point, twist), Stretch::at(contact.normal, 0.0));
+    return all_within(Pair{squares[0] + contact.depth * contact.depth, std::fabs(squares[1] - 1.0)}, Pair{farthest * farthest, 1e-6});
   }
 
   /// Whether the finger has moved farther than a device can since it was last seen. It is then seen where it is: a
   /// fault of one sample costs one step, and a finger that stays there is believed.
-  [[nodiscard]] bool jumped(FingerState& state, const Contact& contact) const noexcept {
+  [[nodiscard, gnu::noinline]] bool jumped(FingerState& state, const Contact& contact) const noexcept {
     const double limit = friction_.law().jump_limit();
-    if (limit == std::numeric_limits<double>::infinity()) return false;
     const Eigen::Vector3d finger = contact.point - contact.normal * contact.depth;
     const bool result = state.known && (finger - state.seen).squaredNorm() > limit * limit;
     state.seen = finger;
@@ -124,7 +127,7 @@ class SoftFinger {
     return result;
   }
 
-  void hold(FingerState& state) const noexcept {
+  [[gnu::noinline, gnu::cold]] void hold(FingerState& state) const noexcept {
     FingerOutput& output = state.output;
     const double share = friction_.law().hold_share();
     output.state = ContactState::invalid;
@@ -134,7 +137,7 @@ class SoftFinger {
     output.moment *= share;
   }
 
-  static void release(FingerState& state, const Contact& contact, double twist) noexcept {
+  [[gnu::noinline]] static void release(FingerState& state, const Contact& contact, double twist) noexcept {
     FingerOutput output;
     output.proxy = contact.point - contact.normal * contact.depth;
     output.angle = twist;
@@ -150,133 +153,115 @@ class SoftFinger {
     state = free;
   }
 
-  /// α_g: the device's angle with its turns put back. Adds exactly 0 as long as the device does not jump.
-  static double unwrap(FingerState& state, double twist) noexcept {
+  /// Puts the device's turns back: α_g is its angle and the turn, which is exactly 0 as long as the device does not jump.
+  [[gnu::noinline, gnu::cold]] static void unwrap(FingerState& state, double twist) noexcept {
     const double jump = twist - state.device_angle;
-    if (state.touching && std::fabs(jump) > std::numbers::pi) {
-      state.turn -= 2.0 * std::numbers::pi * std::round(jump / (2.0 * std::numbers::pi));
-    } else if (!state.touching) {
-      state.turn = 0.0;
-    }
-    state.device_angle = twist;
-    return twist + state.turn;
+    state.turn -= 2.0 * std::numbers::pi * std::round(jump / (2.0 * std::numbers::pi));
   }
 
   [[gnu::always_inline]] void advance(FingerState& state, const Contact& contact, double twist, double time_step) const noexcept {
-    FingerOutput& output = state.output;
-    if (!usable(contact, twist) || jumped(state, contact)) return hold(state);
+    if (!usable(contact, twist) || (friction_.law().has_jump_limit() && jumped(state, contact))) return hold(state);
     if (!(contact.depth > 0.0)) return release(state, contact, twist);
-    const ContactLaw& law = friction_.law();
-    const double goal_angle = unwrap(state, twist);
-    const double last_depth = output.depth;
     if (!state.touching) {
-      // Touch-down: no friction yet. (The paper's α_0 is the twist here; angles are kept absolute, and α_p − α_g is the same.)
-      output.proxy = contact.point;
-      output.angle = goal_angle;
-      state.offset.setZero();
-      state.lag = 0.0;
-      state.touching = true;
-      state.start = -1.0;
+      touch_down(state, contact, twist);
+    } else if (std::fabs(twist - state.device_angle) > std::numbers::pi) {
+      unwrap(state, twist);
     }
-    state.goal = contact.point;
-    state.normal = contact.normal;
-    state.goal_angle = goal_angle;
-    output.depth = contact.depth;
-    output.load = law.stiffness() * contact.depth;
-
-    Eigen::Vector3d offset = output.proxy - contact.point;
-    offset -= contact.normal * contact.normal.dot(offset);
-    const double lag = output.angle - goal_angle;
-    if (time_step >= shortest_time_step && (law.damping() > 0.0 || law.twist_damping() > 0.0)) {
-      output.load = std::max(output.load + law.damping() / time_step * (contact.depth - last_depth), 0.0);
-      return rub_damped(state, contact, offset, lag, time_step);
-    }
-    state.offset.setZero();
-    state.lag = 0.0;
-    rub(state, contact, offset, lag, law.springs());
-  }
-
-  /// Implicitly, k e + (b/Δt)(e − e_last) is a spring of k + b/Δt from a place nearer to the last offset.
-  void rub_damped(FingerState& state, const Contact& contact, const Eigen::Vector3d& offset, double lag, double time_step) const noexcept {
+    state.device_angle = twist;
     const ContactLaw& law = friction_.law();
-    const double rate = law.damping() / time_step;
-    const double twist_rate = law.twist_damping() / time_step;
-    const Springs springs = Springs::of(law.stiffness() + rate, law.twist_stiffness() + twist_rate);
-    state.offset *= rate * springs.compliance;
-    state.lag *= twist_rate * springs.twist_compliance;
-    rub(state, contact, offset - state.offset, lag - state.lag, springs);
+    FingerOutput& output = state.output;
+    const Stretch goal = Stretch::at(contact.point, twist + state.turn);
+    if (time_step >= shortest_time_step && law.has_dampers()) return rub_damped(state, contact, time_step);
+    const Stretch apart = Stretch::at(output.proxy, output.angle) - goal;
+    const Stretch drawn = apart.along(contact.normal);
+    const double square = apart.square_along(contact.normal);
+    output.load = law.stiffness() * contact.depth;
+    see(state, contact, goal);
+    friction_.grip(
+        {square, std::fabs(drawn.twist()), output.load, state.start, state.trend}, law.springs(),
+        [&] {
+          (drawn * law.springs().stiffness).get(output.force, output.moment);
+          stick(state);
+        },
+        [&](const auto& grip) { yield(state, goal, drawn, grip); }, [&] { rub_rarely(state); });
   }
 
-  /// Steps b and c. The springs rest where `state` has offset and lag, and are drawn from there by pull and turn;
-  /// afterwards `state` has the new offset and lag.
-  [[gnu::always_inline]] void rub(FingerState& state, const Contact& contact, const Eigen::Vector3d& pull, double turn,
-                                  const Springs& springs) const noexcept {
-    FingerOutput& output = state.output;
-    if constexpr (Friction<Boundary, Projection>::shrinks) {
-      const double square = pull.squaredNorm();
-      const auto [known, share] = friction_.shrink(square, turn * turn, output.load, state.start >= 0.0, springs);
-      if (known) {
-        if (share == 1.0) return stick(state, pull, turn, springs);
-        output.force = pull * (springs.stiffness * share);
-        output.moment = springs.twist_stiffness * share * turn;
-        output.slip_work = (1.0 - share) * share * (springs.stiffness * square + springs.twist_stiffness * turn * turn);
-        output.cor = std::sqrt(square) / std::fabs(turn);
-        state.offset += pull * share;
-        state.lag += turn * share;
-        return slip(state, contact, 0.0);
-      }
-    }
-    const double r = pull.norm();
-    const double rho = std::fabs(turn);
-    const auto result = friction_.resolve(r, rho, output.load, ahead_of(state.start, state.trend), springs);
-    if (!result.slips) {
-      if (result.twist == rho) return stick(state, pull, turn, springs);
-      // No torsional friction: the proxy turns with the finger.
-      stick(state, pull, 0.0, springs);
-      output.angle = state.goal_angle;
-      state.lag = 0.0;
-      return;
-    }
-    // r = 0 and ρ = 0 have no direction, and need none: eq. (23) without its 0/0.
-    const double per_metre = r > 0.0 ? 1.0 / r : 0.0;
-    output.force = pull * (result.force * per_metre);
-    output.moment = std::copysign(result.moment, turn);
-    output.cor = result.cor;
-    output.slip_work = result.slip_work;
-    state.offset += result.offset == r ? pull : Eigen::Vector3d(pull * (result.offset * per_metre));
-    state.lag += std::copysign(result.twist, turn);
-    slip(state, contact, result.start, result.offset != r, result.twist != rho);
-  }
-
-  static void stick(FingerState& state, const Eigen::Vector3d& pull, double turn, const Springs& springs) noexcept {
-    FingerOutput& output = state.output;
-    output.state = ContactState::stick;
-    output.force = pull * springs.stiffness;
-    output.moment = springs.twist_stiffness * turn;
-    output.cor = std::numeric_limits<double>::quiet_NaN();
-    output.slip_work = 0.0;
-    state.offset += pull;
-    state.lag += turn;
+  /// No friction yet. (The paper's α_0 is the twist here; angles are kept absolute, and α_p − α_g is the same.)
+  [[gnu::noinline, gnu::cold]] static void touch_down(FingerState& state, const Contact& contact, double twist) noexcept {
+    state.output.proxy = state.goal = contact.point;
+    state.output.angle = state.goal_angle = twist;
+    state.turn = 0.0;
+    state.touching = true;
     state.start = -1.0;
   }
 
-  /// Moves the proxy to where offset and lag now put it. What did not slide is not touched, not even by rounding.
-  static void slip(FingerState& state, const Contact& contact, double start, bool slides = true, bool turns = true) noexcept {
+  [[gnu::always_inline]] static void see(FingerState& state, const Contact& contact, const Stretch& goal) noexcept {
+    goal.get(state.goal, state.goal_angle);
+    state.normal = contact.normal;
+    state.output.depth = contact.depth;
+  }
+
+  /// Steps b and c where they take what seldom happens; from the state, so that nothing of the usual case is kept in memory for it.
+  [[gnu::noinline]] void rub_rarely(FingerState& state) const noexcept {
+    rub(state, Stretch::at(state.goal, state.goal_angle), state.stretch(), friction_.law().springs());
+  }
+
+  /// Implicitly, k e + (b/Δt)(e − e_last) is a spring of k + b/Δt from a place nearer to the last offset.
+  [[gnu::noinline]] void rub_damped(FingerState& state, const Contact& contact, double time_step) const noexcept {
+    const ContactLaw& law = friction_.law();
     FingerOutput& output = state.output;
-    const Eigen::Vector3d proxy = slides ? Eigen::Vector3d(contact.point + state.offset) : output.proxy;
-    const double angle = turns ? state.goal_angle + state.lag : output.angle;
-    // A slip that is lost in the rounding of the proxy is none.
-    const bool moves = proxy != output.proxy || angle != output.angle;
-    output.proxy = proxy;
-    output.angle = angle;
-    output.state = moves ? ContactState::slip : ContactState::stick;
-    if (!moves) {
-      output.cor = std::numeric_limits<double>::quiet_NaN();
-      output.slip_work = 0.0;
-      start = -1.0;
+    const Pair rate = Pair{law.damping(), law.twist_damping()} / time_step;
+    const Pair stiffness = law.springs().stiffness + rate;
+    const Springs springs = Springs::of(stiffness[0], stiffness[1]);
+    const Stretch rest = state.stretch() * (rate * springs.compliance);
+    output.load = std::max(law.stiffness() * contact.depth + rate[0] * (contact.depth - output.depth), 0.0);
+    const Stretch goal = Stretch::at(contact.point, state.device_angle + state.turn);
+    see(state, contact, goal);
+    rub(state, goal + rest, state.stretch() - rest, springs);
+  }
+
+  /// Steps b and c: springs that rest with the proxy at `from` are drawn from there.
+  void rub(FingerState& state, const Stretch& from, const Stretch& drawn, const Springs& springs) const noexcept {
+    const auto grip =
+        friction_.grip_rarely({drawn.square(), std::fabs(drawn.twist()), state.output.load, state.start, state.trend}, springs);
+    // No torsional friction: the proxy turns with the finger.
+    if (grip.share[1] == 0.0) state.output.angle = state.goal_angle;
+    yield(state, from, drawn, grip);
+  }
+
+  template <class Grip>
+  [[gnu::always_inline]] static void yield(FingerState& state, const Stretch& from, const Stretch& drawn, const Grip& grip) noexcept {
+    (drawn * grip.stiffness).get(state.output.force, state.output.moment);
+    if (!grip.slips) return stick(state);
+    slip(state, from + drawn * grip.share, grip);
+  }
+
+  static void stick(FingerState& state) noexcept {
+    FingerOutput& output = state.output;
+    output.state = ContactState::stick;
+    output.cor = std::numeric_limits<double>::quiet_NaN();
+    output.slip_work = 0.0;
+    state.start = -1.0;
+  }
+
+  /// Moves the proxy to where the springs now put it. What did not slide is not touched, not even by rounding.
+  template <class Grip>
+  [[gnu::always_inline]] static void slip(FingerState& state, const Stretch& to, const Grip& grip) noexcept {
+    FingerOutput& output = state.output;
+    const Stretch last = Stretch::at(output.proxy, output.angle);
+    const Stretch proxy = grip.clamps_both ? to : to.where_less(grip.share, last);
+    const double before = state.start;
+    if (proxy == last) {
+      // A slip that is lost in the rounding of the proxy is none.
+      state.trend = 0.0;
+      return stick(state);
     }
-    state.trend = start > 0.0 && state.start > 0.0 ? start - state.start : 0.0;
-    state.start = start;
+    proxy.get(output.proxy, output.angle);
+    output.state = ContactState::slip;
+    output.cor = grip.cor;
+    output.slip_work = grip.slip_work;
+    state.start = grip.start;
+    state.trend = grip.start > 0.0 && before > 0.0 ? grip.start - before : 0.0;
   }
 
   Friction<Boundary, Projection> friction_;

@@ -21,10 +21,10 @@ constexpr double searches = 1.0;
 constexpr double slides = 2.0;
 constexpr double left_over = 3.0;
 
-// The loops below repeat Friction::resolve, ClosestPoint, TableSide::closest and step_one operation by operation, in the
+// The loops below repeat Friction::grip, ClosestPoint, TableSide::closest and step_one operation by operation, in the
 // same order, so that the bits are the same. Restrict counts on parameters only.
 
-/// Friction::resolve as far as the trial, for contacts that touch and touched before.
+/// Friction::grip as far as the trial, for contacts that touch and touched before.
 LIMITCURVE_CLONES
 void make_trials(const TableStep& law, std::size_t count, const double* __restrict x, const double* __restrict y,
                  const double* __restrict angle, const double* __restrict depth, const double* __restrict proxy_x,
@@ -32,6 +32,7 @@ void make_trials(const TableStep& law, std::size_t count, const double* __restri
                  const double* __restrict trend, double* __restrict r, double* __restrict trial_force, double* __restrict trial_moment,
                  double* __restrict place, double* __restrict fate) noexcept {
   constexpr double least = 1e-150;
+  constexpr double farthest = 1e90;  // far within farthest_trial
   for (std::size_t i = 0; i < count; ++i) {
     const double pull_x = proxy_x[i] - x[i];
     const double pull_y = proxy_y[i] - y[i];
@@ -39,19 +40,17 @@ void make_trials(const TableStep& law, std::size_t count, const double* __restri
     r[i] = std::sqrt(pull_x * pull_x + pull_y * pull_y);
     const double force_unit = law.mu * (law.stiffness * depth[i]);
     const double moment_unit = force_unit * law.radius;
-    const double force = law.stiffness * r[i];
-    const double moment = law.twist_stiffness * turn;
-    const bool within = force * law.radius * law.moment_max + moment * law.force_max <= moment_unit * law.force_max * law.moment_max;
-    const double per_unit = 1.0 / moment_unit;
-    trial_force[i] = law.stiffness * r[i] * law.radius * per_unit;
-    trial_moment[i] = law.twist_stiffness * turn * per_unit;
+    const double force = r[i] * (law.stiffness * (1.0 / force_unit));
+    const double moment = turn * (law.twist_stiffness * (1.0 / moment_unit));
+    const bool within = force * law.per_force_max + moment * law.per_moment_max <= 1.0;
+    trial_force[i] = force;
+    trial_moment[i] = moment;
     const double trust = 0.1 * (start[i] < 2.0 - start[i] ? start[i] : 2.0 - start[i]);
     place[i] = std::fabs(trend[i]) <= trust ? start[i] + trend[i] : start[i];
     // Non-short-circuit, to be vectorised. Free contacts, new ones, those without torsional friction and trials on an axis
     // or beyond farthest_trial are left.
     const bool usual = (depth[i] > 0.0) & (start[i] >= -1.0) & (force_unit > least) & (moment_unit > least);
-    const bool searched = (trial_force[i] > 0.0) & (trial_moment[i] > 0.0) & (trial_force[i] <= 1e100) & (trial_moment[i] <= 1e100) &
-                          (place[i] > 0.0) & (place[i] < 2.0);
+    const bool searched = (force > 0.0) & (moment > 0.0) & (force <= farthest) & (moment <= farthest) & (place[i] > 0.0) & (place[i] < 2.0);
     fate[i] = usual ? (within ? sticks : (searched ? searches : left_over)) : left_over;
   }
 }
@@ -90,24 +89,22 @@ void advance_searches(std::size_t count, double share_of_x, const double* __rest
     const double slope_1 = rise_secondary + from_left * (square_secondary[i] + rest_1);
     const double bend_0 = rest_0 + rest_0;
     const double bend_1 = rest_1 + rest_1;
-    const double third_0 = 6.0 * cube_primary[i];
-    const double third_1 = 6.0 * cube_secondary[i];
     const double over_0 = trial_primary[i] - value_0;
     const double over_1 = trial_secondary[i] - value_1;
     const double lever = x * kappa;
     const double value = over_0 - lever * over_1;
     const double fall = slope_0 - lever * slope_1 + kappa * over_1;
     const double bend = bend_0 - lever * bend_1 - 2.0 * kappa * slope_1;
-    const double third = third_0 - lever * third_1 - 3.0 * kappa * bend_1;
     // TableSide::step_from.
     const double per_fall = 1.0 / fall;
     const double newton = value * per_fall;
     const double square = newton * newton;
     const double correction = 0.5 * bend * per_fall * square;
     const double size = std::fabs(newton);
-    const double share = share_of_x * x;
+    const double least = share_of_x * x * size;
+    const double width = 4.0 * (right[i] - left[i]);
     const double next = x + (std::fabs(correction) < 0.5 * size ? newton - correction : newton);
-    const bool last = (correction * correction <= share * size) & (std::fabs(third * per_fall) * square * size <= share);
+    const bool last = (correction * correction <= least) & (square * square <= least * (width * width));
     const bool inside = (next >= left[i]) & (next < right[i]);
     const double there = next - left[i];
     next_of[i] = next;
@@ -117,7 +114,7 @@ void advance_searches(std::size_t count, double share_of_x, const double* __rest
   }
 }
 
-/// Friction::slid and what step_one does with it.
+/// Friction::let_slip and what step_one does with it.
 LIMITCURVE_CLONES
 void finish(const TableStep& law, std::size_t count, const double* __restrict x, const double* __restrict y, const double* __restrict angle,
             const double* __restrict depth, double* __restrict proxy_x, double* __restrict proxy_y, double* __restrict proxy_angle,
@@ -140,8 +137,6 @@ void finish(const TableStep& law, std::size_t count, const double* __restrict x,
     const double pull_x = old_x - x[i];
     const double pull_y = old_y - y[i];
     const double turn = old_angle - angle[i];
-    const double r = r_of[i];
-    const double rho = std::fabs(turn);
     const double force_unit = law.mu * (stiffness * depth[i]);
     const double moment_unit = force_unit * law.radius;
     const double t = place[i];
@@ -155,43 +150,32 @@ void finish(const TableStep& law, std::size_t count, const double* __restrict x,
     const double slide = t > 1.0 ? 1.0 : t;
     const double spin = t > 1.0 ? spin_outside : 1.0;
     const double reach = slide * foot_force + spin * foot_moment;
-    const bool beyond = slide * aim_force + spin * aim_moment > reach * (1.0 + slip_guard);
-    const bool slipping = (what == slides) & beyond;
-    const double spring = stiffness * r;
-    const double twist_spring = twist_stiffness * rho;
-    const double bound = foot_force * force_unit;
-    const double twist_bound = foot_moment * moment_unit;
-    const double force = spring < bound ? spring : bound;
-    const double moment = twist_spring < twist_bound ? twist_spring : twist_bound;
-    const double reduced = force * law.compliance;
-    const double twist_reduced = moment * law.twist_compliance;
-    const double least_offset = r < reduced ? r : reduced;
-    const double least_twist = rho < twist_reduced ? rho : twist_reduced;
-    const double offset = foot_force == aim_force ? r : least_offset;
-    const double twist = foot_moment == aim_moment ? rho : least_twist;
-    const double per_metre = 1.0 / r;
-    const double force_share = force * per_metre;
-    const double share = offset * per_metre;
+    const double height = slide * aim_force + spin * aim_moment;
+    const bool outside = (what == slides) & (height > reach);
+    const bool slipping = (what == slides) & (height > reach * (1.0 + slip_guard));
+    const double bound = foot_force * (force_unit / r_of[i]);
+    const double twist_bound = foot_moment * (moment_unit / std::fabs(turn));
+    const double least = bound < stiffness ? bound : stiffness;
+    const double twist_least = twist_bound < twist_stiffness ? twist_bound : twist_stiffness;
+    const double share = least * law.compliance;
+    const double twist_share = twist_least * law.twist_compliance;
+    const double felt = outside ? least : stiffness;
+    const double twist_felt = outside ? twist_least : twist_stiffness;
     const double slid_x = x[i] + pull_x * share;
     const double slid_y = y[i] + pull_y * share;
-    const double slid_angle = angle[i] + std::copysign(twist, turn);
-    const bool slides_there = slipping & (offset != r);
-    const bool turns_there = slipping & (twist != rho);
-    const double new_x = slides_there ? slid_x : old_x;
-    const double new_y = slides_there ? slid_y : old_y;
-    const double new_angle = turns_there ? slid_angle : old_angle;
+    const double slid_angle = angle[i] + turn * twist_share;
+    const double new_x = slipping ? slid_x : old_x;
+    const double new_y = slipping ? slid_y : old_y;
+    const double new_angle = slipping ? slid_angle : old_angle;
     const bool moves = (new_x != old_x) | (new_y != old_y) | (new_angle != old_angle);
     const double next = moves ? t : -1.0;
     const bool left = what == left_over;
     const double change = next - old_start;
     const double new_trend = ((next > 0.0) & (old_start > 0.0)) ? change : 0.0;
-    const double factor = slipping ? force_share : stiffness;
-    const double slid_moment = std::copysign(moment, turn);
-    const double held_moment = twist_stiffness * turn;
-    const double new_moment = slipping ? slid_moment : held_moment;
     const double new_start = slipping ? next : -1.0;
-    const double new_force_x = pull_x * factor;
-    const double new_force_y = pull_y * factor;
+    const double new_force_x = pull_x * felt;
+    const double new_force_y = pull_y * felt;
+    const double new_moment = turn * twist_felt;
     force_x[i] = left ? old_force_x : new_force_x;
     force_y[i] = left ? old_force_y : new_force_y;
     moment_of[i] = left ? old_moment : new_moment;
@@ -246,7 +230,7 @@ void step_on_table(const Table& table, const TableStep& law, const ContactBatch&
       search.cube_primary[j] = cell->cube[0];
       search.cube_secondary[j] = cell->cube[1];
     }
-    advance_searches(open, TableSide::search_share, search.x.data(), search.kappa.data(), search.trial_primary.data(),
+    advance_searches(open, TableSide::closest_share, search.x.data(), search.kappa.data(), search.trial_primary.data(),
                      search.trial_secondary.data(), search.left.data(), search.right.data(), search.rise.data(),
                      search.constant_primary.data(), search.constant_secondary.data(), search.square_primary.data(),
                      search.square_secondary.data(), search.cube_primary.data(), search.cube_secondary.data(), search.next.data(),

@@ -18,7 +18,12 @@ Table Table::build(const Law& law, double tolerance) {
   return {{law->name(), tolerance, error}, std::move(inside.side), std::move(outside.side)};
 }
 
-Table::Table(Facts facts, TableSide inside, TableSide outside) : facts_(std::move(facts)), sides_{std::move(inside), std::move(outside)} {
+Table::Table(Facts facts, TableSide inside, TableSide outside)
+    : facts_(std::move(facts)),
+      sides_{std::move(inside), std::move(outside)},
+      rim_{sides_[0].nodes().back().primary, sides_[0].nodes().back().secondary},
+      moment_ratio_(sides_[0].nodes().front().secondary),
+      per_moment_ratio_(1.0 / moment_ratio_) {
   // It is a line of every text of the table.
   for (const char c : facts_.law_name) {
     if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)

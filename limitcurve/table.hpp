@@ -52,10 +52,8 @@ class Table {
   /// Bytes that a lookup by twist may touch: the nodes' cubics, a cache line each, and their index. Some 2 to 3 times `bytes`.
   [[nodiscard]] std::size_t working_bytes() const noexcept { return inside().working_bytes() + outside().working_bytes(); }
 
-  [[nodiscard]] UnitWrench rim() const noexcept {
-    return {inside().nodes().back().primary, inside().nodes().back().secondary};
-  }  ///< at s = 1
-  [[nodiscard]] double moment_ratio() const noexcept { return inside().nodes().front().secondary; }
+  [[nodiscard]] UnitWrench rim() const noexcept { return rim_; }  ///< at s = 1
+  [[nodiscard]] double moment_ratio() const noexcept { return moment_ratio_; }
 
   /// The wrench that the slip twist causes, within certified_error().
   [[nodiscard]] UnitWrench wrench(SlipTwist twist) const noexcept {
@@ -79,7 +77,8 @@ class Table {
     const bool outside = rim().force * direction.moment < rim().moment * direction.force;
     const double start = place_of_ellipse(SlipTwist{direction.force * moment_ratio() * moment_ratio(), direction.moment}.place());
     const double from = std::clamp(outside ? 2.0 - start : start, 0.0, 1.0);
-    const auto [value, x] = sides_[outside].along(side_value(outside, direction), from);
+    const auto [value, x] =
+        sides_[outside].along(outside ? Pair{direction.moment, direction.force} : Pair{direction.force, direction.moment}, from);
     return {wrench_of(outside, value), outside ? SlipTwist{1.0, x} : SlipTwist{x, 1.0}};
   }
 
@@ -87,25 +86,26 @@ class Table {
   /// intercepts has its normal at `place` ∈ [0, 2]; good to some 1e-3, and in relative terms at both ends. A start for searches.
   [[nodiscard]] double place_of_ellipse(double place) const noexcept {
     const double scaled = place * (0.5 * place_cells);
-    const auto index = static_cast<std::size_t>(std::min(scaled, place_cells - 1.0));
+    const auto index = static_cast<std::size_t>(static_cast<int>(std::min(scaled, place_cells - 1.0)));
     const double left = places_[index];
     return left + (scaled - static_cast<double>(index)) * (double{places_[index + 1]} - left);
   }
 
   /// The point of the curve from which the trial (both components > 0) lies along the outward normal in the metric
-  /// f² + χm², χ > 0: the closest point, if the trial is outside. `start` is a place to search from (SlipTwist::at_place).
-  /// One or two steps from a start nearby, each a few multiplications and a division; 64 at most.
-  [[gnu::always_inline]] [[nodiscard]] Foot closest(UnitWrench trial, double chi, double start) const noexcept {
+  /// f² + χm², χ > 0: the closest point, if the trial is outside. `start` is a place to search from (SlipTwist::at_place), or ≤ 0 for
+  /// none; `per_chi` is 1/χ. One step from a start nearby, two or three from none as a rule, each a few multiplications and a
+  /// division; 64 at most.
+  [[gnu::always_inline]] [[nodiscard]] Foot closest(UnitWrench trial, double chi, double per_chi, double start) const noexcept {
+    const double from = start > 0.0 ? start : guess(trial, per_chi);
     // Which side of the normal at the rim.
-    const bool outside = trial.force - rim().force > chi * (trial.moment - rim().moment);
+    const bool outside = trial.force - rim_.force > chi * (trial.moment - rim_.moment);
     // Branched for, unlike in a lookup: a finger's slip seldom changes sides.
     if (outside) {
-      const double from = 2.0 - start;
-      const auto [value, x] = sides_[1].closest({trial.moment, trial.force}, 1.0 / chi, from >= 0.0 && from <= 1.0 ? from : 1.0);
-      return {{value.secondary, value.primary}, {1.0, x}, 2.0 - x};
+      const auto [value, x] = sides_[1].closest(Pair{trial.moment, trial.force}, per_chi, std::max(0.0, std::min(1.0, 2.0 - from)));
+      return {{value[1], value[0]}, {1.0, x}, 2.0 - x};
     }
-    const auto [value, x] = sides_[0].closest({trial.force, trial.moment}, chi, start >= 0.0 && start <= 1.0 ? start : 1.0);
-    return {{value.primary, value.secondary}, {x, 1.0}, x};
+    const auto [value, x] = sides_[0].closest(Pair{trial.force, trial.moment}, chi, std::max(0.0, std::min(1.0, from)));
+    return {{value[0], value[1]}, {x, 1.0}, x};
   }
 
   [[nodiscard]] double gauge(UnitWrench wrench) const noexcept {
@@ -123,14 +123,30 @@ class Table {
     return {outside, std::min(twist.slide, twist.spin) / std::max(twist.slide, twist.spin)};
   }
   /// Inside the rim the force leads, outside the moment.
-  static UnitWrench wrench_of(bool outside, TableSide::Value value) noexcept {
+  static UnitWrench wrench_of(bool outside, Pair value) noexcept {
     // By index: compilers turn a choice between doubles into a branch.
-    const double components[2] = {value.primary, value.secondary};
+    const double components[2] = {value[0], value[1]};
     return {components[outside], components[!outside]};
   }
-  static TableSide::Value side_value(bool outside, UnitWrench wrench) noexcept {
-    const double components[2] = {wrench.force, wrench.moment};
-    return {components[outside], components[!outside]};
+
+  /// A first guess at the place of `closest`. The closest point of the ellipse with the same intercepts, by one Newton step for the
+  /// multiplier λ of f = x̂/(1+λ), m = ŷ/(1+λη) from λ = 0, taken on 1/√(f² + m²): that is straight in λ where η = 1, and nearly
+  /// so elsewhere. Its normal is the curve's where the trial is far; near by, the curve's is that of the foot. In between the
+  /// turning of foot and normal share. As fractions of one division: λ is n/d.
+  [[nodiscard]] double guess(UnitWrench trial, double per_chi) const noexcept {
+    const double x = trial.force;
+    const double y = trial.moment * per_moment_ratio_;
+    const double eta = per_chi * per_moment_ratio_ * per_moment_ratio_;
+    const double square = x * x + y * y;
+    const double n = square * std::max(std::sqrt(square) - 1.0, 0.0);
+    const double d = x * x + eta * (y * y);
+    const double slide = x * (d + eta * n) * moment_ratio_;
+    const double spin = y * (d + n);
+    const Pair quotients = Pair{std::min(slide, spin), d} / Pair{std::max(slide, spin), d + 0.5 * (1.0 + eta) * n};
+    const double place = slide <= spin ? quotients[0] : 2.0 - quotients[0];
+    // Where products under- or overflow anything will do.
+    if (!(place > 0.0 && place < 2.0)) return 1.0;
+    return place + (place_of_ellipse(place) - place) * quotients[1];
   }
 
   void learn_places();
@@ -138,7 +154,10 @@ class Table {
   static constexpr std::size_t place_cells = 64;
 
   Facts facts_;
-  std::array<TableSide, 2> sides_;               // inside, outside
+  std::array<TableSide, 2> sides_;  // inside, outside
+  UnitWrench rim_;
+  double moment_ratio_;
+  double per_moment_ratio_;
   std::array<float, place_cells + 1> places_{};  // of this curve, evenly in the ellipse's
 };
 

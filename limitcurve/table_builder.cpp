@@ -79,8 +79,8 @@ class SideBuilder {
 
   [[nodiscard]] double error_at(const TableNode& left, const TableNode& right, double t) const {
     const TableNode truth = exact(left.coordinate + t * (right.coordinate - left.coordinate));
-    const TableSide::Value value = TableSide::Cell(left, right).value(truth.coordinate);
-    return std::max(std::fabs(value.primary - truth.primary), std::fabs(value.secondary - truth.secondary));
+    const Pair value = TableSide::Cell(left, right).value(truth.coordinate);
+    return std::max(std::fabs(value[0] - truth.primary), std::fabs(value[1] - truth.secondary));
   }
 
   /// Bisects until the cells' errors tell the density: they are near the tolerance, within a factor of 16.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "limitcurve/pair.hpp"
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -33,18 +35,13 @@ class TableSide {
   static constexpr std::size_t most_nodes = 1U << 15U;
   /// A search takes so many steps without a bracket, where it can …
   static constexpr int quick_limit = 4;
-  /// … and a step is the last if what it leaves is smaller than this share of the coordinate.
-  static constexpr double search_share = 1e-15;
+  /// … and a step is the last if what it leaves is smaller than this share of the coordinate: for a point on a ray, whose gauge
+  /// it decides, …
+  static constexpr double crossing_share = 1e-15;
+  /// … and for a closest point, which it moves along the curve.
+  static constexpr double closest_share = 1e-12;
 
-  struct Value {
-    double primary;
-    double secondary;
-  };
-
-  /// Both components at once, (primary, secondary): one instruction does the arithmetic of two. GCC's and Clang's extension.
-  using Pair = double __attribute__((vector_size(16)));
-
-  /// The two cubics between neighbouring nodes in powers of the distance from the left one: a cache line. The secondary
+  /// The two cubics, (primary, secondary), between neighbouring nodes in powers of the distance from the left one: a cache line. The secondary
   /// component's linear coefficient is not held: dm/df = −s makes it −coordinate times the primary's.
   struct alignas(64) Cell {
     double left;  ///< coordinate of the left node
@@ -59,27 +56,24 @@ class TableSide {
 
     [[nodiscard]] Pair linear() const noexcept { return Pair{rise, -left * rise}; }
 
-    [[nodiscard]] Value value(double coordinate) const noexcept {
+    [[nodiscard]] Pair value(double coordinate) const noexcept {
       const double from_left = coordinate - left;
       const Pair x{from_left, from_left};
-      const Pair result = (constant + x * linear()) + (x * x) * (square + x * cube);
-      return {result[0], result[1]};
+      return (constant + x * linear()) + (x * x) * (square + x * cube);
     }
 
     /// Derivatives by the coordinate.
-    [[nodiscard]] Value slope(double coordinate) const noexcept {
+    [[nodiscard]] Pair slope(double coordinate) const noexcept {
       const double from_left = coordinate - left;
       const Pair x{from_left, from_left};
-      const Pair result = linear() + x * ((square + square) + (x * 3.0) * cube);
-      return {result[0], result[1]};
+      return linear() + x * ((square + square) + (x * 3.0) * cube);
     }
 
-    /// Value and derivatives up to the third.
+    /// Value and first two derivatives.
     struct Jet {
       Pair value;
       Pair slope;
       Pair bend;
-      Pair third;
     };
 
     [[nodiscard]] Jet jet(double coordinate) const noexcept {
@@ -89,7 +83,7 @@ class TableSide {
       const Pair cubed = x * cube;
       const Pair bent = square + cubed;
       const Pair rest = bent + cubed + cubed;  // ½ of the second derivative
-      return {(constant + x * rises) + (x * x) * bent, rises + x * (square + rest), rest + rest, 6.0 * cube};
+      return {(constant + x * rises) + (x * x) * bent, rises + x * (square + rest), rest + rest};
     }
 
    private:
@@ -118,37 +112,53 @@ class TableSide {
   /// Gives both sides of a table one number of probes, so that the loop over them has no branch that a twist decides.
   static void align(TableSide& one, TableSide& other);
 
-  /// Where primary : secondary is that of `direction`, and the coordinate there; a search from `start`. The direction must
-  /// lie on this side.
-  [[nodiscard]] std::pair<Value, double> along(Value direction, double start) const noexcept {
-    // secondary·d_primary − primary·d_secondary falls with the coordinate.
-    return root(start, [&](const Cell& cell, double x) noexcept {
-      const auto cross = [&](Pair of) { return of[1] * direction.primary - of[0] * direction.secondary; };
-      const auto [value, slope, bend, third] = cell.jet(x);
-      return Residual{cross(value), -cross(slope), -cross(bend), -cross(third)};
-    });
-  }
+  /// A point of this side.
+  struct Point {
+    Pair value;  ///< primary, secondary
+    double coordinate;
+  };
 
-  /// The point whose normal (x : 1) leads, in the metric (1, 1/κ) of compliances, to the trial, and the coordinate there; a
-  /// search from `start`. The trial must lie beyond the normal at the rim, on this side of it.
-  [[nodiscard]] std::pair<Value, double> closest(Value trial, double kappa, double start) const noexcept {
-    const Pair aim{trial.primary, trial.secondary};
-    return root(start, [&](const Cell& cell, double x) noexcept {
-      const auto [value, slope, bend, third] = cell.jet(x);
-      const Pair over = aim - value;
-      const double lever = x * kappa;
-      return Residual{over[0] - lever * over[1], slope[0] - lever * slope[1] + kappa * over[1],
-                      bend[0] - lever * bend[1] - 2.0 * kappa * slope[1], third[0] - lever * third[1] - 3.0 * kappa * bend[1]};
-    });
+  /// Where primary : secondary is that of `direction`; a search from `start`. The direction must lie on this side.
+  [[nodiscard]] Point along(Pair direction, double start) const noexcept { return root(Crossing{direction}, start); }
+
+  /// The point whose normal (x : 1) leads, in the metric (1, 1/κ) of compliances, to the trial; a search from `start`. The trial
+  /// must lie beyond the normal at the rim, on this side of it.
+  [[gnu::always_inline]] [[nodiscard]] Point closest(Pair trial, double kappa, double start) const noexcept {
+    return root(Normal{trial, kappa}, start);
   }
 
  private:
-  /// Of a function h of the coordinate that is searched for its root: h, −h′, −h″, −h‴.
+  /// Of a function h of the coordinate that is searched for its root: h, −h′, −h″.
   struct Residual {
     double value;
     double fall;
     double bend;
-    double third;
+  };
+
+  /// secondary·d_primary − primary·d_secondary, which falls with the coordinate.
+  struct Crossing {
+    static constexpr double share = crossing_share;
+    Pair direction;
+
+    [[nodiscard]] Residual operator()(const Cell& cell, double x) const noexcept {
+      const auto cross = [&](Pair of) { return of[1] * direction[0] - of[0] * direction[1]; };
+      const auto [value, slope, bend] = cell.jet(x);
+      return {cross(value), -cross(slope), -cross(bend)};
+    }
+  };
+
+  /// What is over of the trial along the normal's tangent: o_p − xκ o_s.
+  struct Normal {
+    static constexpr double share = closest_share;
+    Pair trial;
+    double kappa;
+
+    [[gnu::always_inline]] [[nodiscard]] Residual operator()(const Cell& cell, double x) const noexcept {
+      const auto [value, slope, bend] = cell.jet(x);
+      const Pair over = trial - value;
+      const double lever = x * kappa;
+      return {over[0] - lever * over[1], slope[0] - lever * slope[1] + kappa * over[1], bend[0] - lever * bend[1] - 2.0 * kappa * slope[1]};
+    }
   };
 
   static constexpr int search_limit = 64;
@@ -162,51 +172,56 @@ class TableSide {
   /// A step towards the root.
   struct Step {
     double next;
-    bool last;  ///< what it leaves is below search_share, if it stays in the cell
+    bool last;  ///< what it leaves is below the share, if it stays in the cell
   };
 
-  /// h + h′δ + ½h″δ² = 0 to third order in δ: Newton's step and its correction, where that is small. What it leaves is about
-  /// the square of the correction by the step, and what the third derivative adds.
-  static Step step_from(double x, const Residual& at) noexcept {
+  /// h + h′δ + ½h″δ² = 0 to third order in δ: Newton's step n and its correction, where that is small. What it leaves is about
+  /// the square of the correction by the step; where h″ passes zero, n³h‴/6h′. Cells are narrower than the length in which
+  /// derivatives grow, so that h‴/h′ is less than 1/(4w)² of a cell of width w.
+  static Step step_from(const Cell& cell, double x, const Residual& at, double least_share) noexcept {
     const double per_fall = 1.0 / at.fall;
     const double newton = at.value * per_fall;
     const double square = newton * newton;
     const double correction = 0.5 * at.bend * per_fall * square;
     const double size = std::fabs(newton);
-    const double share = search_share * x;
+    const double bound = least_share * x * size;
+    const double width = 4.0 * ((&cell)[1].left - cell.left);
     return {x + (std::fabs(correction) < 0.5 * size ? newton - correction : newton),
-            correction * correction <= share * size && std::fabs(at.third * per_fall) * square * size <= share};
+            correction * correction <= bound && square * square <= bound * (width * width)};
   }
 
-  /// The root of a function that is ≥ 0 at coordinate 0 and ≤ 0 at 1. A few steps without a bracket, which a start nearby
-  /// needs 1 or 2 of and looks up a cell only where one leaves it; should they not do, within a bracket.
+  /// The root of a function that is ≥ 0 at coordinate 0 and ≤ 0 at 1. One step from a start nearby is enough as a rule.
   template <class Function>
-  [[gnu::always_inline]] [[nodiscard]] std::pair<Value, double> root(double start, Function&& function) const noexcept {
-    const Cell* here = &cell(start);
-    double x = start;
-    for (int i = 0; i < quick_limit; ++i) {
-      const auto [next, last] = step_from(x, function(*here, x));
-      if (next >= here->left && next < (here + 1)->left) {
-        if (last) return {here->value(next), next};
-      } else {
-        if (!(next >= 0.0 && next <= 1.0)) break;
-        here = &cell(next);
-      }
+  [[gnu::always_inline]] [[nodiscard]] Point root(const Function& function, double start) const noexcept {
+    const Cell& here = cell(start);
+    const auto [next, last] = step_from(here, start, function(here, start), Function::share);
+    if (last && next >= here.left && next < (&here)[1].left) return {here.value(next), next};
+    return search(function, start, next);
+  }
+
+  /// A few more steps without a bracket; should they not do, from the start again within one. Out of the way of the registers.
+  template <class Function>
+  [[nodiscard, gnu::noinline]] Point search(Function function, double start, double x) const noexcept {
+    for (int i = 1; i < quick_limit; ++i) {
+      if (!(x >= 0.0 && x <= 1.0)) break;
+      const Cell& here = cell(x);
+      const auto [next, last] = step_from(here, x, function(here, x), Function::share);
+      if (last && next >= here.left && next < (&here)[1].left) return {here.value(next), next};
       x = next;
     }
-    return bracketed_root(start, function);
+    return bracketed_search(function, start);
   }
 
   /// At most search_limit steps.
   template <class Function>
-  [[nodiscard, gnu::noinline]] std::pair<Value, double> bracketed_root(double x, Function&& function) const noexcept {
+  [[nodiscard, gnu::noinline]] Point bracketed_search(Function function, double x) const noexcept {
     double low = 0.0;
     double high = 1.0;
     const Cell* here = &cell(x);
     for (int i = 0; i < search_limit; ++i) {
       const Residual at = function(*here, x);
       (at.value > 0.0 ? low : high) = x;
-      auto [next, last] = step_from(x, at);
+      auto [next, last] = step_from(*here, x, at, Function::share);
       last = last && next >= here->left && next <= (here + 1)->left;
       // Now and then halve the bracket, so that it closes whatever the curve does.
       if (!last && (!(next > low && next < high) || i % 8 == 7)) next = 0.5 * (low + high);

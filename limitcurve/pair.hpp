@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+
+#if defined(__SSE2__)
+#include <emmintrin.h>
+#endif
+
+namespace limitcurve {
+
+/// Two numbers side by side: one instruction does the arithmetic of two, with the bits that each alone would have. GCC's and
+/// Clang's extension.
+using Pair = double __attribute__((vector_size(16)));
+
+/// Element by element; NaN of what is negative. std::sqrt does the same, but GCC asks each element for its sign, for errno's sake.
+[[gnu::always_inline]] inline Pair square_roots(Pair of) noexcept {
+#if defined(__SSE2__)
+  return _mm_sqrt_pd(of);
+#else
+  return Pair{std::sqrt(of[0]), std::sqrt(of[1])};
+#endif
+}
+
+/// Element by element; where one is not a number the second.
+[[gnu::always_inline]] inline Pair lesser(Pair one, Pair other) noexcept {
+#if defined(__SSE2__)
+  return _mm_min_pd(one, other);
+#else
+  return Pair{one[0] < other[0] ? one[0] : other[0], one[1] < other[1] ? one[1] : other[1]};
+#endif
+}
+
+/// What comparing two pairs gives.
+using PairMask = decltype(Pair{} < Pair{});
+
+/// Whether one and two are the same numbers, element by element, and three and four are.
+[[gnu::always_inline]] inline bool same(Pair one, Pair two, Pair three, Pair four) noexcept {
+#if defined(__SSE2__)
+  return _mm_movemask_pd(_mm_or_pd(_mm_cmpneq_pd(one, two), _mm_cmpneq_pd(three, four))) == 0;
+#else
+  return one[0] == two[0] && one[1] == two[1] && three[0] == four[0] && three[1] == four[1];
+#endif
+}
+
+/// Whether neither element is above its limit, nor not a number.
+[[gnu::always_inline]] inline bool all_within(Pair of, Pair limits) noexcept {
+#if defined(__SSE2__)
+  return _mm_movemask_pd(_mm_cmple_pd(of, limits)) == 3;
+#else
+  return of[0] <= limits[0] && of[1] <= limits[1];
+#endif
+}
+
+}  // namespace limitcurve
