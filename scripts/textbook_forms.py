@@ -79,6 +79,8 @@ def main():
     axes.annotate("no digit left", (1e-2, 1), textcoords="offset points", xytext=(2, 4), color=FAINT)
     axes.annotate("limitcurve, both laws", (1e3, 1e-16), textcoords="offset points", xytext=(2, 6), color=INK)
     axes.set_ylim(2e-17, 30)
+    axes.set_yticks([10.0**power for power in range(-16, 1, 4)])
+    axes.minorticks_off()
     axes.set_xlabel("distance of the centre of rotation  s = c/a")
     axes.set_ylabel("relative error of the moment m")
     axes.set_title("The closed forms as printed lose every digit of the moment as s grows")
