@@ -89,10 +89,13 @@ void advance_searches(std::size_t count, double share_of_x, const double* __rest
     const double slope_1 = rise_secondary + from_left * (square_secondary[i] + rest_1);
     const double bend_0 = rest_0 + rest_0;
     const double bend_1 = rest_1 + rest_1;
+    const double third_0 = 6.0 * cube_primary[i];
+    const double third_1 = 6.0 * cube_secondary[i];
     const double over_0 = trial_primary[i] - value_0;
     const double over_1 = trial_secondary[i] - value_1;
     const double lever = x * kappa;
     const double value = over_0 - lever * over_1;
+    const double third = third_0 - lever * third_1 - 3.0 * kappa * bend_1;
     const double fall = slope_0 - lever * slope_1 + kappa * over_1;
     const double bend = bend_0 - lever * bend_1 - 2.0 * kappa * slope_1;
     // TableSide::step_from.
@@ -102,9 +105,8 @@ void advance_searches(std::size_t count, double share_of_x, const double* __rest
     const double correction = 0.5 * bend * per_fall * square;
     const double size = std::fabs(newton);
     const double least = share_of_x * x * size;
-    const double width = 4.0 * (right[i] - left[i]);
     const double next = x + (std::fabs(correction) < 0.5 * size ? newton - correction : newton);
-    const bool last = (correction * correction <= least) & (square * square <= least * (width * width));
+    const bool last = (correction * correction <= least) & (std::fabs(third * per_fall) * (square * square) <= least);
     const bool inside = (next >= left[i]) & (next < right[i]);
     const double there = next - left[i];
     next_of[i] = next;

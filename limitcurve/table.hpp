@@ -77,8 +77,9 @@ class Table {
     const bool outside = rim().force * direction.moment < rim().moment * direction.force;
     const double start = place_of_ellipse(SlipTwist{direction.force * moment_ratio() * moment_ratio(), direction.moment}.place());
     const double from = std::clamp(outside ? 2.0 - start : start, 0.0, 1.0);
-    const auto [value, x] =
-        sides_[outside].along(outside ? Pair{direction.moment, direction.force} : Pair{direction.force, direction.moment}, from);
+    // By index: compilers turn a choice between doubles into a branch, which no predictor knows here.
+    const double components[2] = {direction.force, direction.moment};
+    const auto [value, x] = sides_[outside].along(Pair{components[outside], components[!outside]}, from);
     return {wrench_of(outside, value), outside ? SlipTwist{1.0, x} : SlipTwist{x, 1.0}};
   }
 
@@ -124,7 +125,6 @@ class Table {
   }
   /// Inside the rim the force leads, outside the moment.
   static UnitWrench wrench_of(bool outside, Pair value) noexcept {
-    // By index: compilers turn a choice between doubles into a branch.
     const double components[2] = {value[0], value[1]};
     return {components[outside], components[!outside]};
   }

@@ -92,7 +92,7 @@ void TableSide::verify() const {
 void TableSide::build_index() {
   // As few buckets as leave none with more than two nodes, which both are compared with at once. Laws that are steep at
   // the rim spread their nodes over many octaves of 1 − x; there is a limit to the bytes that is worth.
-  constexpr std::size_t few = 2;
+  constexpr std::size_t few = 1;
   constexpr unsigned mantissa = 52;
   constexpr unsigned finest = 10;
   const std::size_t most_buckets = std::max<std::size_t>(512, 16 * nodes_.size());

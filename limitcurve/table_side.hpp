@@ -56,6 +56,8 @@ class TableSide {
 
     [[nodiscard]] Pair linear() const noexcept { return Pair{rise, -left * rise}; }
 
+    [[nodiscard]] bool holds(double coordinate) const noexcept { return coordinate >= left && coordinate < (this + 1)->left; }
+
     [[nodiscard]] Pair value(double coordinate) const noexcept {
       const double from_left = coordinate - left;
       const Pair x{from_left, from_left};
@@ -69,11 +71,12 @@ class TableSide {
       return linear() + x * ((square + square) + (x * 3.0) * cube);
     }
 
-    /// Value and first two derivatives.
+    /// Value and derivatives up to the third.
     struct Jet {
       Pair value;
       Pair slope;
       Pair bend;
+      Pair third;
     };
 
     [[nodiscard]] Jet jet(double coordinate) const noexcept {
@@ -83,7 +86,7 @@ class TableSide {
       const Pair cubed = x * cube;
       const Pair bent = square + cubed;
       const Pair rest = bent + cubed + cubed;  // ½ of the second derivative
-      return {(constant + x * rises) + (x * x) * bent, rises + x * (square + rest), rest + rest};
+      return {(constant + x * rises) + (x * x) * bent, rises + x * (square + rest), rest + rest, 6.0 * cube};
     }
 
    private:
@@ -104,8 +107,8 @@ class TableSide {
   /// as the nodes are, and a few comparisons that do not wait for each other, as many for every coordinate of a table.
   [[nodiscard]] const Cell& cell(double coordinate) const noexcept {
     const std::uint16_t first = first_cell_[bucket(coordinate)];
-    std::size_t found = first;
-    for (std::size_t i = 1; i <= probes_; ++i) found += static_cast<std::size_t>(cells_[first + i].left <= coordinate);
+    std::size_t found = first + static_cast<std::size_t>(cells_[first + 1].left <= coordinate);
+    for (std::size_t i = 2; i <= probes_; ++i) found += static_cast<std::size_t>(cells_[first + i].left <= coordinate);
     return cells_[found];
   }
 
@@ -119,7 +122,7 @@ class TableSide {
   };
 
   /// Where primary : secondary is that of `direction`; a search from `start`. The direction must lie on this side.
-  [[nodiscard]] Point along(Pair direction, double start) const noexcept { return root(Crossing{direction}, start); }
+  [[nodiscard]] Point along(Pair direction, double start) const noexcept { return search(Crossing{direction}, start, &cell(start), start); }
 
   /// The point whose normal (x : 1) leads, in the metric (1, 1/κ) of compliances, to the trial; a search from `start`. The trial
   /// must lie beyond the normal at the rim, on this side of it.
@@ -128,11 +131,12 @@ class TableSide {
   }
 
  private:
-  /// Of a function h of the coordinate that is searched for its root: h, −h′, −h″.
+  /// Of a function h of the coordinate that is searched for its root: h, −h′, −h″, −h‴.
   struct Residual {
     double value;
     double fall;
     double bend;
+    double third;
   };
 
   /// secondary·d_primary − primary·d_secondary, which falls with the coordinate.
@@ -142,8 +146,8 @@ class TableSide {
 
     [[nodiscard]] Residual operator()(const Cell& cell, double x) const noexcept {
       const auto cross = [&](Pair of) { return of[1] * direction[0] - of[0] * direction[1]; };
-      const auto [value, slope, bend] = cell.jet(x);
-      return {cross(value), -cross(slope), -cross(bend)};
+      const auto [value, slope, bend, third] = cell.jet(x);
+      return {cross(value), -cross(slope), -cross(bend), -cross(third)};
     }
   };
 
@@ -154,10 +158,11 @@ class TableSide {
     double kappa;
 
     [[gnu::always_inline]] [[nodiscard]] Residual operator()(const Cell& cell, double x) const noexcept {
-      const auto [value, slope, bend] = cell.jet(x);
+      const auto [value, slope, bend, third] = cell.jet(x);
       const Pair over = trial - value;
       const double lever = x * kappa;
-      return {over[0] - lever * over[1], slope[0] - lever * slope[1] + kappa * over[1], bend[0] - lever * bend[1] - 2.0 * kappa * slope[1]};
+      return {over[0] - lever * over[1], slope[0] - lever * slope[1] + kappa * over[1], bend[0] - lever * bend[1] - 2.0 * kappa * slope[1],
+              third[0] - lever * third[1] - 3.0 * kappa * bend[1]};
     }
   };
 
@@ -176,37 +181,44 @@ class TableSide {
   };
 
   /// h + h′δ + ½h″δ² = 0 to third order in δ: Newton's step n and its correction, where that is small. What it leaves is about
-  /// the square of the correction by the step; where h″ passes zero, n³h‴/6h′. Cells are narrower than the length in which
-  /// derivatives grow, so that h‴/h′ is less than 1/(4w)² of a cell of width w.
-  static Step step_from(const Cell& cell, double x, const Residual& at, double least_share) noexcept {
+  /// the square of the correction by the step, and at most n³h‴/h′ from the third derivative.
+  static Step step_from(double x, const Residual& at, double least_share) noexcept {
     const double per_fall = 1.0 / at.fall;
     const double newton = at.value * per_fall;
     const double square = newton * newton;
     const double correction = 0.5 * at.bend * per_fall * square;
     const double size = std::fabs(newton);
     const double bound = least_share * x * size;
-    const double width = 4.0 * ((&cell)[1].left - cell.left);
     return {x + (std::fabs(correction) < 0.5 * size ? newton - correction : newton),
-            correction * correction <= bound && square * square <= bound * (width * width)};
+            correction * correction <= bound && std::fabs(at.third * per_fall) * (square * square) <= bound};
   }
 
-  /// The root of a function that is ≥ 0 at coordinate 0 and ≤ 0 at 1. One step from a start nearby is enough as a rule.
+  /// The root of a function that is ≥ 0 at coordinate 0 and ≤ 0 at 1. One step from a start nearby is enough as a rule; the next
+  /// ones are out of the way of the registers.
   template <class Function>
   [[gnu::always_inline]] [[nodiscard]] Point root(const Function& function, double start) const noexcept {
     const Cell& here = cell(start);
-    const auto [next, last] = step_from(here, start, function(here, start), Function::share);
-    if (last && next >= here.left && next < (&here)[1].left) return {here.value(next), next};
-    return search(function, start, next);
+    const auto [next, last] = step_from(start, function(here, start), Function::share);
+    if (last && here.holds(next)) return {here.value(next), next};
+    return search_on(function, start, &here, next);
   }
 
-  /// A few more steps without a bracket; should they not do, from the start again within one. Out of the way of the registers.
   template <class Function>
-  [[nodiscard, gnu::noinline]] Point search(Function function, double start, double x) const noexcept {
-    for (int i = 1; i < quick_limit; ++i) {
-      if (!(x >= 0.0 && x <= 1.0)) break;
-      const Cell& here = cell(x);
-      const auto [next, last] = step_from(here, x, function(here, x), Function::share);
-      if (last && next >= here.left && next < (&here)[1].left) return {here.value(next), next};
+  [[nodiscard, gnu::noinline]] Point search_on(Function function, double start, const Cell* here, double x) const noexcept {
+    return search(function, start, here, x);
+  }
+
+  /// Steps from x without a bracket, which look up a cell only where one leaves it; should a few not do, from the start again within
+  /// a bracket.
+  template <class Function>
+  [[gnu::always_inline]] [[nodiscard]] Point search(const Function& function, double start, const Cell* here, double x) const noexcept {
+    for (int i = 0; i < quick_limit; ++i) {
+      if (!here->holds(x)) {
+        if (!(x >= 0.0 && x <= 1.0)) break;
+        here = &cell(x);
+      }
+      const auto [next, last] = step_from(x, function(*here, x), Function::share);
+      if (last && here->holds(next)) return {here->value(next), next};
       x = next;
     }
     return bracketed_search(function, start);
@@ -221,8 +233,8 @@ class TableSide {
     for (int i = 0; i < search_limit; ++i) {
       const Residual at = function(*here, x);
       (at.value > 0.0 ? low : high) = x;
-      auto [next, last] = step_from(*here, x, at, Function::share);
-      last = last && next >= here->left && next <= (here + 1)->left;
+      auto [next, last] = step_from(x, at, Function::share);
+      last = last && (here->holds(next) || next == (here + 1)->left);
       // Now and then halve the bracket, so that it closes whatever the curve does.
       if (!last && (!(next > low && next < high) || i % 8 == 7)) next = 0.5 * (low + high);
       // A last step counts even where rounding leads it out of the bracket.
