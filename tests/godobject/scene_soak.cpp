@@ -31,7 +31,9 @@ struct Tally {
   std::uint64_t sticks = 0;
   std::uint64_t scenes = 0;
   std::uint64_t unsolved = 0;
-  double rise_planar = 0.0;  // of the energy in one step, as a share of the energy at first
+  double least_work = std::numeric_limits<double>::infinity();  // of a slip [J]
+  double most_beyond = -1.0;                                    // how far a wrench is beyond the limit, as a share of it
+  double rise_planar = 0.0;                                     // of the energy in one step, as a share of the energy at first
   double rise_spatial = 0.0;
   std::string fault = {};
 };
@@ -220,6 +222,7 @@ class Scene {
       tally_.sticks += output.state == ContactState::stick;
       if (output.state == ContactState::invalid) return "good input is refused";
       if (!(output.slip_work >= 0.0 && output.slip_work <= 1e300)) return "slip work " + std::to_string(output.slip_work);
+      if (output.state == ContactState::slip) tally_.least_work = std::min(tally_.least_work, output.slip_work);
       if (!output.proxy.allFinite() || !output.force.allFinite() || !std::isfinite(output.moment) || !std::isfinite(output.angle))
         return "not finite";
       if (output.state == ContactState::free) continue;
@@ -229,7 +232,9 @@ class Scene {
       const ContactLaw::Scale scale = one.friction().law().static_scale(output.load);
       if (!(scale.force * scale.radius > 1e-100)) continue;
       const UnitWrench wrench{output.force.norm() / scale.force, std::fabs(output.moment) / (scale.force * scale.radius)};
-      if (!(one.friction().boundary().gauge(wrench) <= 1.0 + 1e-11)) return "beyond the limit";
+      const double beyond = one.friction().boundary().gauge(wrench) - 1.0;
+      tally_.most_beyond = std::max(tally_.most_beyond, beyond);
+      if (!(beyond <= 1e-11)) return "beyond the limit";
       if (!(one.margin() >= 0.0 && one.margin() <= 1.0)) return "margin " + std::to_string(one.margin());
     }
     return {};
@@ -280,11 +285,12 @@ int soak(std::uint64_t finger_steps, std::uint64_t seed) {
     return 1;
   }
   std::printf("seed %" PRIu64 ": %" PRIu64 " finger steps in %" PRIu64
-              " scenes, %.1f %% slip, %.1f %% stick; none wrong. Steps whose equations were "
-              "not solved to rounding: %" PRIu64 ". Largest rise of energy in a step, of the first: planar %.1e, spatial %.1e\n",
+              " scenes, %.1f %% slip, %.1f %% stick; none wrong. Least work of a slip: %.1e J. Farthest beyond the limit, of it: "
+              "%.1e. Steps whose equations were not solved to rounding: %" PRIu64
+              ". Largest rise of energy in a step, of the first: planar %.1e, spatial %.1e\n",
               seed, tally.finger_steps, tally.scenes, 100.0 * static_cast<double>(tally.slips) / static_cast<double>(tally.finger_steps),
-              100.0 * static_cast<double>(tally.sticks) / static_cast<double>(tally.finger_steps), tally.unsolved, tally.rise_planar,
-              tally.rise_spatial);
+              100.0 * static_cast<double>(tally.sticks) / static_cast<double>(tally.finger_steps), tally.least_work, tally.most_beyond,
+              tally.unsolved, tally.rise_planar, tally.rise_spatial);
   return 0;
 }
 
