@@ -70,6 +70,9 @@ class Pivot final : public Subcommand {
     options.text("--material", material_, "NAME", "Coefficients from Table 1 (data/materials.csv): rayon, suede, sandpaper");
     options.number("--mu", mu_, non_negative, "Friction coefficient mu_l [1] (default: the material's, else sandpaper's)");
     options.number("--moment-coefficient", moment_coefficient_, non_negative, "mu_r [m] (default: the material's, else sandpaper's)");
+    options.number("--mu-dynamic", settings_.mu_dynamic, non_negative, "mu_l while slipping [1] (mu_l if left out)");
+    options.number("--moment-coefficient-dynamic", settings_.moment_coefficient_dynamic, non_negative,
+                   "mu_r while slipping [m] (mu_r times mu-dynamic/mu if left out)");
     options.text("--grip", grip_file_, "FILE", "CSV with columns time,load");
     options.value(
         "--release", "LIST", [this](const std::string& text) { release_ = read_release(text); }, "from=N,to=N,over=SECONDS",

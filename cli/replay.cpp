@@ -69,7 +69,8 @@ class Replay final : public Subcommand {
   [[nodiscard]] Manual manual() const override {
     return {"replay", "Runs the god-object over a recorded motion of a finger on a surface",
             "The trace has columns time,x,y,z,twist [s, m, m, m, rad], or qw,qx,qy,qz (a unit quaternion, finger to world) in\n"
-            "place of twist; both may wrap around. The surface is the plane z = 0, outward normal +z, penetration -z, or another\n"
+            "place of twist, which counts where both are there; all may wrap around. The surface is the plane z = 0, outward normal +z, "
+            "penetration -z, or another\n"
             "about the origin.\n"
             "Columns: time; state free|stick|slip|invalid (a sample earlier than the one before it, or that leaps); px,py [m] and angle\n"
             "[rad] of the proxy; depth [m]; load [N]; fx,fy [N] and moment [N m], the friction that the user feels;\n"
@@ -95,6 +96,8 @@ class Replay final : public Subcommand {
     options.number("--mu-dynamic", finger_.mu_dynamic, non_negative, "Friction coefficient while slipping (mu if left out)");
     options.number("--moment-coefficient", finger_.moment_coefficient, non_negative,
                    "mu_r [m]: the largest moment is mu_r P, whatever the radius law");
+    options.number("--moment-coefficient-dynamic", finger_.moment_coefficient_dynamic, non_negative,
+                   "mu_r while slipping [m] (mu_r times mu-dynamic/mu if left out)");
     options.choice("--boundary", boundary_, names(boundaries), "Limit curve");
     options.choice("--projection", projection_, names(projections), "How the proxy is brought back on to it");
     options.number("--tolerance", finger_.tolerance, positive, "Error of the table, in unit wrenches");

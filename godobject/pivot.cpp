@@ -66,6 +66,8 @@ FingerParameters finger_parameters(const PivotOptions& options) {
   FingerParameters result;
   result.mu = options.mu;
   result.moment_coefficient = options.moment_coefficient;
+  result.mu_dynamic = options.mu_dynamic;
+  result.moment_coefficient_dynamic = options.moment_coefficient_dynamic;
   result.stiffness = options.stiffness;
   if (options.twist_stiffness) {
     result.twist_stiffness = *options.twist_stiffness;
@@ -79,6 +81,19 @@ FingerParameters finger_parameters(const PivotOptions& options) {
   result.damping = options.damping;
   result.twist_damping = options.twist_damping.value_or(options.damping * result.twist_stiffness / result.stiffness);
   return result;
+}
+
+/// The block must hang in the grip at the start: the springs may give by less than takes it out of the grip, or half around.
+void require_hold(const PivotOptions& options, const FingerParameters& finger) {
+  const double share = 0.5 * options.mass * options.gravity;
+  if (const double least = 2.0 * share / options.height; !(finger.stiffness > least)) {
+    throw out_of_range("stiffness", finger.stiffness, "N/m",
+                       "> " + format_number(least) + ", that the block's weight sinks it by less than half its height");
+  }
+  if (const double least = share * options.offset / std::numbers::pi; !(finger.twist_stiffness > least)) {
+    throw out_of_range("twist_stiffness", finger.twist_stiffness, "N m/rad",
+                       "> " + format_number(least) + ", that the block's weight turns it by less than half a turn");
+  }
 }
 
 /// Calls `visitor` with the boundary and the projection of the case.
@@ -257,7 +272,9 @@ PivotCase parse_pivot_case(std::string_view text) {
 
 Pivot::Pivot(const PivotOptions& options) {
   validate(options);
-  static_cast<void>(ContactLaw(finger_parameters(options), 1.0));
+  const FingerParameters finger = finger_parameters(options);
+  static_cast<void>(ContactLaw(finger, 1.0));
+  require_hold(options, finger);
   scene_ = visit_case(options, [&](auto boundary, auto projection) -> std::unique_ptr<Scene> {
     return std::make_unique<PivotScene<decltype(boundary), decltype(projection)>>(options, std::move(boundary), projection);
   });

@@ -45,8 +45,10 @@ struct GripOperator {
 /// the centre of mass hangs below the grip (90° without slip). The block moves in the plane only.
 struct PivotOptions {
   PivotCase kind = PivotCase::coupled;
-  double mu = 1.67;                            ///< μ_l ≥ 0: sandpaper (Kinoshita et al. 1997)
-  double moment_coefficient = 0.01011;         ///< μ_r [m] ≥ 0: sandpaper
+  double mu = 1.67;                                       ///< μ_l ≥ 0: sandpaper (Kinoshita et al. 1997)
+  double moment_coefficient = 0.01011;                    ///< μ_r [m] ≥ 0: sandpaper
+  std::optional<double> mu_dynamic = {};                  ///< while slipping, 0 ≤ μ_d ≤ μ_l; absent: μ_l
+  std::optional<double> moment_coefficient_dynamic = {};  ///< μ_r while slipping [m]; absent: μ_r μ_d/μ_l
   double length = 0.12;                        ///< of the block, along x at the start [m] > 0; the grip is `offset` right of its middle
   double height = 0.04;                        ///< of the block, along y at the start [m] > 0
   double mass = 0.1;                           ///< [kg] > 0, spread evenly

@@ -66,6 +66,7 @@ FingerParameters finger_parameters(const ReplayOptions& options) {
           .mu_dynamic = options.mu_dynamic,
           .radius_law = options.radius_law,
           .moment_coefficient = options.moment_coefficient,
+          .moment_coefficient_dynamic = options.moment_coefficient_dynamic,
           .stiffness = options.stiffness,
           .twist_stiffness = options.twist_stiffness,
           .jump_limit = options.jump_limit,

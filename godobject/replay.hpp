@@ -46,9 +46,10 @@ struct ReplayOptions {
   double mu = 0.5;                                    ///< coefficient of (static) friction, ≥ 0
   std::optional<double> mu_dynamic = {};              ///< while slipping, 0 ≤ μ_d ≤ μ; absent: μ
   std::optional<double> moment_coefficient = {};      ///< μ_r [m] ≥ 0: Γ = μ_r P whatever the radius law; absent: Γ = m₀ μ P a(P)
-  double stiffness = 0.0;                             ///< k_l [N/m] > 0
-  double twist_stiffness = 0.0;                       ///< k_r [N m/rad] > 0
-  BoundaryKind boundary = BoundaryKind::table;        ///< limit curve
+  std::optional<double> moment_coefficient_dynamic = {};  ///< μ_r while slipping [m]; absent: μ_r μ_d/μ
+  double stiffness = 0.0;                                 ///< k_l [N/m] > 0
+  double twist_stiffness = 0.0;                           ///< k_r [N m/rad] > 0
+  BoundaryKind boundary = BoundaryKind::table;            ///< limit curve
   ProjectionKind projection = ProjectionKind::closest_point;
   double tolerance = 1e-6;                                      ///< of the table, in unit wrenches; used by `table` only
   double jump_limit = std::numeric_limits<double>::infinity();  ///< [m] > 0: a sample farther than this from the last is refused once

@@ -40,6 +40,15 @@ class Pivot(CommandLineTest):
         call = ["pivot", "--case", "exact", "--duration", "1"]
         self.assertEqual(rows(*call, "--grip", grip)[-1]["angle"], rows(*call, "--release", "over=1,from=1.5,to=0.5")[-1]["angle"])
 
+    def test_a_block_that_has_begun_to_slip_is_held_less(self):
+        call = ["pivot", "--case", "exact", "--release", "from=0.45,to=0.39,over=2", "--duration", "2"]
+        as_ever, slippery = rows(*call), rows(*call, "--mu-dynamic", "1.5", "--moment-coefficient-dynamic", "0.009")
+        # The static limit counts until it slips; then it turns farther.
+        first = next(i for i, row in enumerate(as_ever) if row["state"] == "slip")
+        self.assertEqual([row["angle"] for row in slippery[:first]], [row["angle"] for row in as_ever[:first]])
+        self.assertGreater(slippery[-1]["angle"], as_ever[-1]["angle"] + 0.1)
+        self.assert_fails(2, ["mu_dynamic", "0 <= mu_dynamic <= mu"], *call, "--mu-dynamic", "2")
+
     def test_every_nth_row(self):
         call = ["pivot", "--case", "exact", "--duration", "0.1"]
         lines = run(*call).stdout.splitlines()
@@ -69,6 +78,8 @@ class Pivot(CommandLineTest):
             for value in ["0", "-1", "nan", "inf", "x"]:
                 self.assert_fails(2, [option, "expected"], *call, option, value)
         self.assert_fails(2, "offset", *call, "--offset", "0.5")
+        self.assert_fails(2, ["stiffness = 20 N/m", "half its height"], *call, "--stiffness", "20")
+        self.assert_fails(2, ["twist_stiffness = 1e-04", "half a turn"], *call, "--twist-stiffness", "1e-4")
 
 
 if __name__ == "__main__":

@@ -47,6 +47,10 @@ class Replays(CommandLineTest):
         self.assertAlmostEqual(self.replay(twist)[-1]["moment"], -0.6 * 0.006 * M0, delta=1e-12)
         self.assertAlmostEqual(self.replay(twist, "--moment-coefficient", "0.004")[-1]["moment"], -0.004, delta=1e-12)
         self.assertAlmostEqual(self.replay(TRACE, "--mu-dynamic", "0.3")[-1]["fx"], -0.3, delta=1e-9)
+        slower = self.replay(twist, "--moment-coefficient", "0.004", "--moment-coefficient-dynamic", "0.003")
+        self.assertAlmostEqual(slower[-1]["moment"], -0.003, delta=1e-12)
+        self.assert_fails(2, ["moment_coefficient_dynamic", "absent without moment_coefficient"], "replay", "--trace", self.directory / "trace.csv", *FINGER,
+                          "--moment-coefficient-dynamic", "0.003")
         without_radius = [word for word in FINGER if word not in ("--radius-law", "constant:a=0.006")]
         path = self.directory / "trace.csv"
         self.assertEqual(run("replay", "--trace", path, *without_radius, "--moment-coefficient", "0.004").returncode, 0)
