@@ -106,23 +106,20 @@ class Friction {
       const bool usual = elliptic.square <= farthest_square && elliptic.reach >= least_reach;
       if (!usual || !(slipping || law_.has_one_limit())) return otherwise();
       yields(shrink(elliptic, pull, springs));
-    } else if constexpr (goes_off_axes) {
-      const Drawn drawn = draw(limits, pull, springs);
-      // Within the chord of the intercepts it holds.
-      if (drawn.chord <= 1.0) return holds();
-      if (!(std::min(drawn.trial.wrench.force, drawn.trial.wrench.moment) > 0.0)) return otherwise();
-      const Projected projected = projection_.off_axes(boundary_, drawn.trial);
-      if (!projected.outside) return holds();
-      if (!slipping && !law_.has_one_limit() && projected.slips) return otherwise();
-      yields(let_slip(limits, drawn, projected, springs, true));
     } else {
       const Drawn drawn = draw(limits, pull, springs);
       // Within the chord of the intercepts it holds.
       if (drawn.chord <= 1.0) return holds();
-      const Projected projected = projection_(boundary_, drawn.trial);
+      Projected projected;
+      if constexpr (goes_off_axes) {
+        if (!(std::min(drawn.trial.wrench.force, drawn.trial.wrench.moment) > 0.0)) return otherwise();
+        projected = projection_.off_axes(boundary_, drawn.trial);
+      } else {
+        projected = projection_(boundary_, drawn.trial);
+      }
       if (!projected.outside) return holds();
       if (!slipping && !law_.has_one_limit() && projected.slips) return otherwise();
-      yields(let_slip(limits, drawn, projected, springs));
+      yields(let_slip(limits, drawn, projected, springs, goes_off_axes));
     }
   }
 
