@@ -40,7 +40,10 @@ class Stretch {
   [[nodiscard]] double square_along(const Eigen::Vector3d& normal) const noexcept {
     const double height = along_normal(normal);
     const double whole = square();
-    const double lost = height * height;
+    // Of a normal that is not quite of length 1 too: |o − n h|² = |o|² − h²(2 − |n|²).
+    const Stretch along_it = at(normal, 0.0);
+    const Pair squares = along_it.xy_ * along_it.xy_ + along_it.z_twist_ * along_it.z_twist_;
+    const double lost = height * height * (2.0 - (squares[0] + squares[1]));
     // As long as it does not cancel.
     if (lost > 0.0625 * whole) [[unlikely]]
       return along(normal).square();

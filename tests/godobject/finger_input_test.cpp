@@ -125,6 +125,26 @@ TEST(SoftFinger, RefusesAJumpOnce) {
 
 // Steps of random magnitude and sign, loads over eight decades: the wrench stays on or within the curve, the slip
 // dissipates, and nothing is lost to NaN.
+// A normal may be off its length by half a millionth, and the proxy off the tangent plane by what the normal turned: the limit holds
+// for what is felt, whichever way the length of the pull was found.
+TEST(SoftFinger, StaysWithinTheCurveUnderNormalsOfNearlyUnitLength) {
+  const double m0 = hertz()->moment_ratio();
+  const Ellipse ellipse = Ellipse::through_intercepts(m0);
+  const FingerParameters with{.mu = 0.6, .radius_law = RadiusLaw::constant(0.005), .stiffness = 1000.0, .twist_stiffness = 0.036};
+  for (const double length : {1.0 - 4e-7, 1.0, 1.0 + 4e-7}) {
+    for (const double tilt : {0.0, 1e-3, 0.1, 0.24, 0.26, 1.0}) {
+      SoftFinger finger(ellipse, with, Radial{});
+      finger.update({{0.0, 0.0, 0.0}, {0.0, 0.0, 1.0}, 0.002}, 0.0);
+      const Eigen::Vector3d normal = length * Eigen::Vector3d(std::sin(tilt), 0.0, std::cos(tilt));
+      const FingerOutput& output = finger.update({{0.01, 0.003, 0.0}, normal, 0.002}, 0.2);
+      ASSERT_EQ(output.state, ContactState::slip);
+      const double unit = with.mu * output.load;
+      const double gauge = ellipse.gauge({output.force.norm() / unit, std::fabs(output.moment) / (unit * 0.005)});
+      EXPECT_NEAR(gauge, 1.0, 4.0 * std::numeric_limits<double>::epsilon()) << "length " << length << " tilt " << tilt;
+    }
+  }
+}
+
 TEST(SoftFinger, RandomStepsStayWithinTheCurveAndDissipate) {
   for (const ProjectionKind kind : {ProjectionKind::radial, ProjectionKind::c_curve, ProjectionKind::closest_point}) {
     visit_projection(kind, [&](auto projection) {
