@@ -15,6 +15,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -122,15 +123,16 @@ void measure_batch(const std::string& name, const Boundary& boundary, Projection
   auto& [x, y, angle, depth, proxy_x, proxy_y, proxy_angle, start, trend, force_x, force_y, moment] = arrays;
   start.assign(count, -2.0);
   depth.assign(count, 0.002);
-  step(friction, ContactBatch{x, y, angle, depth, proxy_x, proxy_y, proxy_angle, start, trend, force_x, force_y, moment});
+  ContactBatch batch{x, y, angle, depth, proxy_x, proxy_y, proxy_angle, start, trend, force_x, force_y, moment};
+  step(friction, batch);
   for (std::size_t i = 0; i < count; ++i) {
     x[i] = 0.01 * share(i);
     angle[i] = share(i + count);
   }
   // Back and forth, so that most slip each time, and no sum grows.
   measure(name, [&] {
-    x.swap(y);
-    step(friction, ContactBatch{x, y, angle, depth, proxy_x, proxy_y, proxy_angle, start, trend, force_x, force_y, moment});
+    std::swap(batch.x, batch.y);
+    step(friction, batch);
   });
 }
 

@@ -63,8 +63,8 @@ void step(benchmark::State& state, const MeshSurface& surface, const std::vector
       fastest[i] = std::min(fastest[i], std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - start).count());
     }
   }
-  state.counters["mean_ns"] =
-      benchmark::Counter(static_cast<double>(state.iterations() * count) * 1e-9, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+  state.counters["mean_ns"] = benchmark::Counter(static_cast<double>(state.iterations()) * static_cast<double>(count) * 1e-9,
+                                                 benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
   state.counters["worst_ns"] = *std::max_element(fastest.begin(), fastest.end());
 }
 
