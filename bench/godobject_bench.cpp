@@ -93,7 +93,7 @@ void steps_of_many(benchmark::State& state, const Boundary& boundary, Projection
     for (auto& one : many) benchmark::DoNotOptimize(one.update(samples[i].contact, samples[i].twist).moment);
     i = (i + 1) % samples.size();
   }
-  state.counters["ns_a_step"] = benchmark::Counter(static_cast<double>(state.iterations() * fingers) * 1e-9,
+  state.counters["ns_a_step"] = benchmark::Counter(static_cast<double>(state.iterations()) * static_cast<double>(fingers) * 1e-9,
                                                    benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
 
@@ -124,12 +124,12 @@ void all_projections(const std::string& name, const Boundary& boundary) {
   static const std::vector<std::pair<std::string, std::vector<Sample>>> motions{
       {"slow", slow_motion(count)}, {"wild", wild()}, {"held", held()}};
   for (const auto& [motion, samples] : motions) {
-    const auto add = [&, &samples_of = samples](const std::string& rule, auto projection, bool cold) {
-      benchmark::RegisterBenchmark(("step/" + name + "/" + rule + "/" + motion).c_str(),
+    const auto add = [&, &motion_of = motion, &samples_of = samples](const std::string& rule, auto projection, bool cold) {
+      benchmark::RegisterBenchmark(("step/" + name + "/" + rule + "/" + motion_of).c_str(),
                                    [=, &samples_of](benchmark::State& state) { step(state, boundary, projection, samples_of, cold); });
     };
-    const auto add_many = [&, &samples_of = samples](const std::string& rule, auto projection) {
-      benchmark::RegisterBenchmark(("many/" + name + "/" + rule + "/" + motion).c_str(),
+    const auto add_many = [&, &motion_of = motion, &samples_of = samples](const std::string& rule, auto projection) {
+      benchmark::RegisterBenchmark(("many/" + name + "/" + rule + "/" + motion_of).c_str(),
                                    [=, &samples_of](benchmark::State& state) { steps_of_many(state, boundary, projection, samples_of); });
     };
     if (&samples == &motions.front().second) {
