@@ -110,9 +110,8 @@ class SoftFinger {
   }
 
  private:
-  [[nodiscard]] static bool usable(const Contact& contact, double twist) noexcept {
-    // Comparisons that are false for NaN too.
-    const Pair squares = Stretch::squares(Stretch::at(contact.point, twist), Stretch::at(contact.normal, 0.0));
+  /// Of the contact's place and twist, and of its normal: `squares` is of both. Comparisons that are false for NaN too.
+  [[nodiscard]] static bool usable(const Contact& contact, Pair squares) noexcept {
     return all_within(Pair{squares[0] + contact.depth * contact.depth, std::fabs(squares[1] - 1.0)}, Pair{farthest * farthest, 1e-6});
   }
 
@@ -160,7 +159,8 @@ class SoftFinger {
   }
 
   [[gnu::always_inline]] void advance(FingerState& state, const Contact& contact, double twist, double time_step) const noexcept {
-    if (!usable(contact, twist) || (friction_.law().has_jump_limit() && jumped(state, contact))) return hold(state);
+    const Pair squares = Stretch::squares(Stretch::at(contact.point, twist), Stretch::at(contact.normal, 0.0));
+    if (!usable(contact, squares) || (friction_.law().has_jump_limit() && jumped(state, contact))) return hold(state);
     if (!(contact.depth > 0.0)) return release(state, contact, twist);
     if (!state.touching) {
       touch_down(state, contact, twist);
@@ -174,7 +174,7 @@ class SoftFinger {
     if (time_step >= shortest_time_step && law.has_dampers()) return rub_damped(state, contact, time_step);
     const Stretch apart = Stretch::at(output.proxy, output.angle) - goal;
     const Stretch drawn = apart.along(contact.normal);
-    const double square = apart.square_along(contact.normal);
+    const double square = apart.square_along(contact.normal, squares[1]);
     output.load = law.stiffness() * contact.depth;
     see(state, contact, goal);
     friction_.grip(
