@@ -97,19 +97,20 @@ void steps_of_many(benchmark::State& state, const Boundary& boundary, Projection
                                                    benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
 
-/// One call for many contacts; every one slips.
-template <class Boundary, class Projection>
+/// One call for many contacts, in doubles or floats; every one slips.
+template <class Real, class Batch, class Boundary, class Projection>
 void step_of_batch(benchmark::State& state, const Boundary& boundary, Projection projection) {
   const auto contacts = static_cast<std::size_t>(state.range(0));
   const Friction<Boundary, Projection> friction(boundary, parameters(), projection);
-  std::vector<double> x(contacts), y(contacts), angle(contacts), depth(contacts, 0.002), proxy_x(contacts), proxy_y(contacts),
-      proxy_angle(contacts), start(contacts, -1.0), trend(contacts), force_x(contacts), force_y(contacts), moment(contacts);
-  const ContactBatch batch{x, y, angle, depth, proxy_x, proxy_y, proxy_angle, start, trend, force_x, force_y, moment};
+  std::vector<Real> x(contacts), y(contacts), angle(contacts), depth(contacts, Real(0.002)), proxy_x(contacts), proxy_y(contacts),
+      proxy_angle(contacts), start(contacts, Real(-1)), trend(contacts), force_x(contacts), force_y(contacts), moment(contacts);
+  const Batch batch{x, y, angle, depth, proxy_x, proxy_y, proxy_angle, start, trend, force_x, force_y, moment};
   for (auto _ : state) {
-    // Moving the fingers is in the time, some 0.5 ns a contact.
+    // Moving is in the time, some 0.5 ns a contact. The proxies are moved back instead of the fingers on: however long that lasts,
+    // positions stay near the origin, where floats resolve them.
     for (std::size_t i = 0; i < contacts; ++i) {
-      x[i] += 1e-4;
-      angle[i] += 0.02 + 1e-6 * static_cast<double>(i % 64);
+      proxy_x[i] -= Real(1e-4);
+      proxy_angle[i] -= Real(0.02) + Real(1e-6) * static_cast<Real>(i % 64);
     }
     step(friction, batch);
     benchmark::DoNotOptimize(moment.data());
@@ -135,7 +136,7 @@ void all_projections(const std::string& name, const Boundary& boundary) {
     if (&samples == &motions.front().second) {
       const auto add_batch = [&](const std::string& rule, auto projection) {
         benchmark::RegisterBenchmark(("batch/" + name + "/" + rule).c_str(),
-                                     [=](benchmark::State& state) { step_of_batch(state, boundary, projection); })
+                                     [=](benchmark::State& state) { step_of_batch<double, ContactBatch>(state, boundary, projection); })
             ->Arg(1)
             ->Arg(4)
             ->Arg(64)
@@ -162,6 +163,13 @@ const bool registered = [] {
   all_projections("superellipse", Superellipse::through_intercepts(law->moment_ratio(), 1.725));
   all_projections("quartic", Quartic::through_intercepts(law->moment_ratio(), 3.142));
   all_projections("box", box(1.0, law->moment_ratio()));
+  const auto add_floats = [](const char* name, const auto& boundary, auto projection) {
+    auto* const batches = benchmark::RegisterBenchmark(
+        name, [=](benchmark::State& state) { step_of_batch<float, FloatContactBatch>(state, boundary, projection); });
+    for (const int size : {1, 4, 64, 1024, 65536}) batches->Arg(size);
+  };
+  add_floats("floats/ellipse/radial", Ellipse::through_intercepts(law->moment_ratio()), Radial{});
+  add_floats("floats/float-table-1e-6/closest-point", FloatTable::build(law, 1e-6), ClosestPoint{});
   return true;
 }();
 

@@ -109,7 +109,8 @@ CostOverInputs cost_over(const std::vector<double>& inputs, Call&& call, double 
 /// Methods are added as calls from a slip twist to a unit wrench.
 class WrenchStudy {
  public:
-  explicit WrenchStudy(std::string_view law_name, Law law) : law_name_(law_name), law_(std::move(law)) {
+  /// Without references nothing can be timed, but instructions counted.
+  WrenchStudy(std::string_view law_name, Law law, bool with_references) : law_name_(law_name), law_(std::move(law)) {
     // The places where methods fail come first, so that the slow ones meet them too.
     for (const double s : {1.0, 0.0, 0.5, 2.0, 0.999, 1.001, 1e3, 1e-3, 1.0 + 1e-6, 1.0 - 1e-6, 0.9, 1.1, 1e6, 1e-6}) {
       places_.push_back(SlipTwist::about_cor(s));
@@ -117,7 +118,9 @@ class WrenchStudy {
     places_.push_back({1.0, 0.0});
     special_ = places_.size();
     for (const double u : spread(497)) places_.push_back(SlipTwist::of_spin_fraction(u));
-    for (const SlipTwist place : places_) references_.push_back(law_->evaluate(place.cor()).wrench);
+    if (with_references) {
+      for (const SlipTwist place : places_) references_.push_back(law_->evaluate(place.cor()).wrench);
+    }
     moment_ratio_ = law_->moment_ratio();
   }
 

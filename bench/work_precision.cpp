@@ -13,6 +13,7 @@
 #include "limitcurve/evaluators.hpp"
 #include "limitcurve/exact_curve.hpp"
 #include "limitcurve/expanded_law.hpp"
+#include "limitcurve/float_table.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/number.hpp"
 #include "limitcurve/polygon.hpp"
@@ -116,6 +117,13 @@ void add_boundaries(const WrenchStudy& study) {
     const double tolerance = std::pow(10.0, -digits);
     add_boundary(study, "table", "1e-" + std::to_string(digits), Table::build(study.law(), tolerance));
   }
+  for (int digits = 2; digits <= 6; ++digits) {
+    study.add("ours", "float table", "1e-" + std::to_string(digits),
+              [table = FloatTable::build(study.law(), std::pow(10.0, -digits))](SlipTwist twist) {
+                const FloatWrench wrench = table.float_wrench({static_cast<float>(twist.slide), static_cast<float>(twist.spin)});
+                return UnitWrench{static_cast<double>(wrench.force), static_cast<double>(wrench.moment)};
+              });
+  }
   add_boundary(study, "diamond", "", diamond(1.0, exact.moment_ratio()));
   add_boundary(study, "box", "", box(1.0, exact.moment_ratio()));
   add_boundary(study, "ellipse", "", Ellipse::through_intercepts(exact.moment_ratio()));
@@ -162,7 +170,7 @@ int count_instructions() {
   for (const Way& way : ways()) {
     // Valgrind makes a call some fifty times as slow.
     const std::size_t calls = way.nanoseconds < 1e5 ? 256 : way.nanoseconds < 1e6 ? 32 : 4;
-    way.run(4);  // what is built on first use
+    way.run(4);                                                        // what is built on first use
     const std::string label = way.name + '#' + std::to_string(calls);  // outlives the request's own statements
     CALLGRIND_START_INSTRUMENTATION;
     CALLGRIND_ZERO_STATS;
@@ -185,7 +193,7 @@ int main(int argc, char** argv) {
   using namespace limitcurve::bench;
   std::deque<WrenchStudy> studies;  // methods refer to them
   for (const char* name : {"hertz", "uniform", "flat-punch", "xydas-kao:k=3", "power:n=2.3"}) {
-    const WrenchStudy& study = studies.emplace_back(name, parse_law(name));
+    const WrenchStudy& study = studies.emplace_back(name, parse_law(name), !under_valgrind());
     add_closed_forms(study, name);
     add_evaluators(study);
     add_gauss<7, 10, 15, 20, 30>(study);

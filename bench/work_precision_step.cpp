@@ -6,9 +6,11 @@
 #include "godobject/godobject.hpp"
 #include "limitcurve/boundary_error.hpp"
 #include "limitcurve/exact_curve.hpp"
+#include "limitcurve/float_table.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/table.hpp"
 
+#include <array>
 #include <numbers>
 
 namespace limitcurve::bench {
@@ -61,6 +63,43 @@ SteadyError steady_error(const Law& law, const Boundary& boundary, Projection pr
     }
   }
   result.mean /= runs;
+  return result;
+}
+
+/// The same of a batch of floats, one contact for each COR. Positions are told from where the fingers are: a float resolves no
+/// stride of a millimetre a metre away.
+template <class Boundary, class Projection>
+SteadyError steady_error_of_floats(const Law& law, const Boundary& boundary, Projection projection) {
+  constexpr int steps = 1000;
+  constexpr double step_length = 1e-3;
+  const std::array<double, 5> cors{0.1, 0.3, 1.0, 3.0, 10.0};
+  const double m0 = law->moment_ratio();
+  SteadyError result;
+  for (const double ratio : {0.1, 0.3, 1.0, 3.0, 10.0}) {
+    const Friction<Boundary, Projection> friction(boundary, parameters(ratio, m0), projection);
+    std::array<float, cors.size()> x{}, y{}, angle{}, depths{}, proxy_x{}, proxy_y{}, proxy_angle{}, start{}, trend{}, force_x{}, force_y{},
+        moment{};
+    depths.fill(static_cast<float>(depth));
+    start.fill(-2.0F);
+    const FloatContactBatch batch{x, y, angle, depths, proxy_x, proxy_y, proxy_angle, start, trend, force_x, force_y, moment};
+    step(friction, batch);
+    for (int i = 0; i < steps; ++i) {
+      for (std::size_t k = 0; k < cors.size(); ++k) {
+        const SlipTwist twist = SlipTwist::about_cor(cors[k]);
+        proxy_x[k] -= static_cast<float>(step_length * twist.slide);
+        proxy_angle[k] -= static_cast<float>(step_length * twist.spin / radius);
+      }
+      step(friction, batch);
+    }
+    for (std::size_t k = 0; k < cors.size(); ++k) {
+      const double unit = friction.law().mu() * friction.law().stiffness() * depth;
+      const UnitWrench settled{std::hypot(static_cast<double>(force_x[k]), static_cast<double>(force_y[k])) / unit,
+                               std::fabs(static_cast<double>(moment[k])) / (unit * radius)};
+      const double error = distance(settled, law->evaluate(cors[k]).wrench, m0);
+      result.max = std::fmax(result.max, error);
+      result.mean += error / 25.0;
+    }
+  }
   return result;
 }
 
@@ -137,45 +176,47 @@ void add_step(const Law& law, const std::string& boundary_name, const Boundary& 
   }
 }
 
-/// Contacts as arrays, all of which slip in every step: their fingers begin far enough from the proxies.
+/// Contacts as arrays of doubles or floats, all of which slip in every step: their fingers begin far enough from the proxies.
+template <class Real, class Batch>
 class Contacts {
  public:
   explicit Contacts(std::size_t count)
-      : x_(count, 0.003),
+      : x_(count, Real(0.003)),
         y_(count),
-        angle_(count, 0.5),
-        depth_(count, depth),
+        angle_(count, Real(0.5)),
+        depth_(count, Real(depth)),
         proxy_x_(count),
         proxy_y_(count),
         proxy_angle_(count),
-        start_(count, -1.0),
+        start_(count, Real(-1)),
         trend_(count),
         force_x_(count),
         force_y_(count),
         moment_(count) {}
 
-  [[nodiscard]] ContactBatch batch() {
+  [[nodiscard]] Batch batch() {
     return {x_, y_, angle_, depth_, proxy_x_, proxy_y_, proxy_angle_, start_, trend_, force_x_, force_y_, moment_};
   }
 
-  /// Some 0.5 ns a contact, which the measured times include.
+  /// Some 0.5 ns a contact, which the measured times include. The proxies move back instead of the fingers on: however long that
+  /// lasts, positions stay near the origin, where floats resolve them.
   void move() {
     for (std::size_t i = 0; i < x_.size(); ++i) {
-      x_[i] += 1e-4;
-      angle_[i] += 0.02 + 1e-6 * static_cast<double>(i % 64);
+      proxy_x_[i] -= Real(1e-4);
+      proxy_angle_[i] -= Real(0.02) + Real(1e-6) * static_cast<Real>(i % 64);
     }
   }
 
  private:
-  std::vector<double> x_, y_, angle_, depth_, proxy_x_, proxy_y_, proxy_angle_, start_, trend_, force_x_, force_y_, moment_;
+  std::vector<Real> x_, y_, angle_, depth_, proxy_x_, proxy_y_, proxy_angle_, start_, trend_, force_x_, force_y_, moment_;
 };
 
-template <class Boundary, class Projection>
+template <class Real, class Batch, class Boundary, class Projection>
 void step_batch(benchmark::State& state, const Boundary& boundary, Projection projection, double moment_ratio) {
   const auto count = static_cast<std::size_t>(state.range(0));
   const Friction<Boundary, Projection> friction(boundary, parameters(2.0, moment_ratio), projection);
-  Contacts contacts(count);
-  const ContactBatch batch = contacts.batch();
+  Contacts<Real, Batch> contacts(count);
+  const Batch batch = contacts.batch();
   step(friction, batch);
   for (auto _ : state) {
     contacts.move();
@@ -185,6 +226,13 @@ void step_batch(benchmark::State& state, const Boundary& boundary, Projection pr
   state.SetComplexityN(state.range(0));
   state.counters["seconds"] =
       benchmark::Counter(static_cast<double>(count), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+
+template <class Boundary, class Projection>
+void step_floats(benchmark::State& state, const Law& law, const Boundary& boundary, Projection projection, const SteadyError& error) {
+  step_batch<float, FloatContactBatch>(state, boundary, projection, law->moment_ratio());
+  state.counters["max_error"] = error.max;
+  state.counters["mean_error"] = error.mean;
 }
 
 /// Calls `body(name, boundary)` for the boundaries of the chart of steps, all of one law.
@@ -216,23 +264,36 @@ void register_batches() {
   const Law law = hertz();
   const double m0 = law->moment_ratio();
   const auto add = [&](const std::string& name, const auto& boundary, auto projection) {
-    return benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& state) { step_batch(state, boundary, projection, m0); });
+    return benchmark::RegisterBenchmark(
+        name.c_str(), [=](benchmark::State& state) { step_batch<double, ContactBatch>(state, boundary, projection, m0); });
+  };
+  const auto add_floats = [&](const std::string& name, const auto& boundary, auto projection) {
+    const SteadyError error = steady_error_of_floats(law, boundary, projection);
+    return benchmark::RegisterBenchmark(name.c_str(),
+                                        [=](benchmark::State& state) { step_floats(state, law, boundary, projection, error); });
+  };
+  const auto of_sizes = [](benchmark::internal::Benchmark* batches) {
+    batches->MinTime(0.01)->Repetitions(3);
+    for (const int size : {1, 4, 64, 1024, 65536}) batches->Arg(size);
   };
   for_each_boundary(law, [&](const std::string& name, const auto& boundary) {
-    const auto add_sizes = [&](const std::string& rule, auto projection) {
-      auto* const batches = add("batch/" + name + '/' + rule, boundary, projection)->MinTime(0.01)->Repetitions(3);
-      for (const int size : {1, 4, 64, 1024, 65536}) batches->Arg(size);
-    };
-    add_sizes("radial", Radial{});
-    add_sizes("c-curve", CCurve{});
-    add_sizes("closest-point", ClosestPoint{});
+    of_sizes(add("batch/" + name + "/radial", boundary, Radial{}));
+    of_sizes(add("batch/" + name + "/c-curve", boundary, CCurve{}));
+    of_sizes(add("batch/" + name + "/closest-point", boundary, ClosestPoint{}));
   });
+  const Ellipse ellipse = Ellipse::through_intercepts(m0);
+  of_sizes(add_floats("batch/float ellipse/radial", ellipse, Radial{}));
+  for (const int digits : {2, 4, 6}) {
+    of_sizes(add_floats("batch/float table 1e-" + std::to_string(digits) + "/closest-point",
+                        FloatTable::build(law, std::pow(10.0, -digits)), ClosestPoint{}));
+  }
   constexpr int most = 10'000'000;
-  const auto add_scale = [&](const std::string& name, const auto& boundary, auto projection) {
-    add("scale/" + name, boundary, projection)->RangeMultiplier(10)->Range(1000, most)->MinTime(0.05)->Complexity(benchmark::oN);
+  const auto to_ten_million = [](benchmark::internal::Benchmark* batches) {
+    batches->RangeMultiplier(10)->Range(1000, most)->MinTime(0.05)->Complexity(benchmark::oN);
   };
-  add_scale("ellipse/radial", Ellipse::through_intercepts(m0), Radial{});
-  add_scale("table 1e-6/closest-point", Table::build(law, 1e-6), ClosestPoint{});
+  to_ten_million(add("scale/ellipse/radial", ellipse, Radial{}));
+  to_ten_million(add("scale/table 1e-6/closest-point", Table::build(law, 1e-6), ClosestPoint{}));
+  to_ten_million(add_floats("scale/float table 1e-6/closest-point", FloatTable::build(law, 1e-6), ClosestPoint{}));
 }
 
 }  // namespace limitcurve::bench

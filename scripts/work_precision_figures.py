@@ -6,6 +6,7 @@ import math
 import matplotlib.pyplot as plt
 from chart_style import BLUE, FAINT, GREEN, INK, ORANGE, PURPLE, SKY, VERMILION
 
+NAVY = "#1b2a6b"
 # Errors below the rounding of a double are drawn there.
 ROUNDING = 1e-16
 # Family: colour, marker, and whether its dots are named by their parameter alone (the legend then tells the family).
@@ -16,6 +17,7 @@ FAMILIES = {
     "superellipse": (INK, "^", False),
     "quartic": (INK, "P", False),
     "table": (BLUE, "o", True),
+    "float table": (NAVY, "v", True),
     "closed": (GREEN, "*", False),
     "expanded": (GREEN, "h", True),
     "Gauss": (SKY, "o", True),
@@ -31,6 +33,7 @@ FAMILIES = {
 }
 LEGEND = {
     "table": "look-up table, its tolerance",
+    "float table": "the same in single precision",
     "expanded": "law expanded in polynomials, tolerance",
     "Gauss": "one Gauss rule, its order",
     "ring": "one integral over the radius",
@@ -43,7 +46,7 @@ LEGEND = {
     "GSL nested": "GSL, nested, tolerance",
     "scipy dblquad": "scipy dblquad, tolerance",
 }
-RADIAL_SHOWN = ("ellipse", "table 1e-8", "exact")
+RADIAL_SHOWN = ("ellipse", "float ellipse", "table 1e-8", "exact")
 PROJECTIONS = {"radial": (VERMILION, "^"), "closest-point": (BLUE, "o")}
 
 
@@ -165,7 +168,7 @@ def law_panel(figure, axes, rows, law):
 
 def step_panel(figure, axes, rows):
     right = ROUNDING / 4
-    axes.set(title="a god-object's step (hertz): error of the steady wrench", xscale="log", yscale="log", xlim=(1e3, right), ylim=(0.8, 3e3))
+    axes.set(title="a god-object's step (hertz): error of the steady wrench", xscale="log", yscale="log", xlim=(1e3, right), ylim=(0.3, 3e3))
     axes.set_xticks([10.0 ** -k for k in range(0, 17, 2)])
     axes.minorticks_off()
     labels = Labels(figure, axes, 7)
@@ -175,6 +178,10 @@ def step_panel(figure, axes, rows):
             if projection == "radial" and row["boundary"] not in RADIAL_SHOWN:
                 continue
             error = max(row["max_error"], ROUNDING)
+            if row["warm_ns"] == "":  # stepped in batches only
+                axes.plot([error], [row["batch_1024_ns"]], marker, color=colour, markersize=4.2, markerfacecolor="white", zorder=3)
+                labels.dot(error, row["batch_1024_ns"], row["boundary"], colour)
+                continue
             axes.plot([error, error], [row["batch_1024_ns"], row["cold_ns"]], color=colour, linewidth=0.6, zorder=2)
             axes.plot([error], [row["warm_ns"]], marker, color=colour, markersize=4.6, zorder=3)
             axes.plot([error], [row["cold_ns"]], "_", color=colour, markersize=6, zorder=3)
@@ -195,7 +202,7 @@ def work_precision(data):
     wrench, step = data["work_precision_wrench"], data["work_precision_step"]
     laws = list(wrench.groups("law"))
     figure, panels = plt.subplots(3, 2, figsize=(10, 13.4))
-    figure.subplots_adjust(left=0.07, right=0.99, top=0.975, bottom=0.11, hspace=0.17, wspace=0.13)
+    figure.subplots_adjust(left=0.07, right=0.99, top=0.975, bottom=0.127, hspace=0.17, wspace=0.13)
     figure.canvas.draw()
     for axes, law in zip(panels.flat, laws):
         law_panel(figure, axes, wrench.where(law=law), law)
