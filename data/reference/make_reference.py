@@ -36,11 +36,14 @@ import sys
 import time
 from pathlib import Path
 
-from chords import Chords
-from double_exponential import FORMULA_DIGITS
 from mpmath import mp, mpf
-from pressure_laws import LAWS
-from rings import rings
+
+sys.dont_write_bytecode = True
+
+from chords import Chords  # noqa: E402
+from double_exponential import FORMULA_DIGITS  # noqa: E402
+from pressure_laws import LAWS  # noqa: E402
+from rings import rings  # noqa: E402
 
 OUTPUT = Path(__file__).with_name("limit_curve.csv")
 HEADER = (
