@@ -16,12 +16,13 @@ struct SmoothPieces {
 };
 
 /// Finds the kinks and jumps of a function ≥ 0 that nobody told of. A piece whose integral is not the sum of its halves' is halved
-/// until they agree, or it is as narrow as a rounding; what is smooth together is then joined again. So a kink is pinned to where no
-/// more than 1e-15 of the integral depends on its place, and a function that is smooth between the `breaks` told gets no other.
+/// until they agree to 1e-16 of the whole, or it is as narrow as a rounding; what is smooth together is then joined again. So a kink is pinned
+/// between two breaks that no more than a rounding of the integral depends on, and a function that is smooth between the `breaks` told gets
+/// no other.
 ///
-/// A function that this cannot cut into 64 pieces (noise of more than some 1e-13, a hundred jumps) is left with the breaks told, and
-/// with the error that it then has. A feature so narrow that all points miss it stays unseen: three times 100 points lie in a piece, denser
-/// towards its ends. Costs some 5000 evaluations for a smooth piece, and some 1e5 for a kink; at most 1e7.
+/// Where more than 64 places are not smooth (noise, jumps by the hundred) less agreement is asked for, down to 1e-7; what cannot be had even
+/// then is left with the breaks told. `error` says what it came to. A feature so narrow that all points miss it stays unseen: some hundred lie
+/// in a piece, denser towards its ends. Costs some 1e3 evaluations for a smooth piece, 1e5 for a kink, 1e7 at most.
 [[nodiscard]] SmoothPieces smooth_pieces(const std::function<Extended(Extended)>& function, const std::vector<Extended>& breaks);
 
 }  // namespace limitcurve
