@@ -19,13 +19,13 @@ struct Cost {
 };
 
 inline constexpr std::array<Cost, 7> models{{
-    {"diamond", 1.6, 54.3, 47.3},
-    {"box", 1.8, 54.7, 49.5},
-    {"ellipse", 3.9, 39.1, 133.2},
-    {"table", 5.5, 121.0, 76.3},
-    {"quartic", 38.4, 63.7, 325.1},
-    {"superellipse", 48.0, 97.5, 464.3},
-    {"exact", 6.2, 332.0, 115.6},
+    {"diamond", 1.6, 42.2, 38.8},
+    {"box", 1.8, 45.3, 43.3},
+    {"ellipse", 3.9, 32.3, 86.1},
+    {"table", 4.4, 112.8, 56.0},
+    {"quartic", 37.0, 58.9, 321.2},
+    {"superellipse", 46.9, 91.3, 461.9},
+    {"exact", 6.0, 316.0, 102.7},
 }};
 
 /// Of a model that is in the table.
