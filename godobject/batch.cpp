@@ -12,10 +12,10 @@ namespace {
 // Restrict counts on parameters only. Selections instead of branches, and no fused operations (-ffp-contract=off): the
 // bits are those of the single step on every machine.
 LIMITCURVE_CLONES
-void elliptic_loop(double k, double k_twist, double mu, double compliance, double arm, double force_max, std::size_t count,
-                   const double* __restrict x, const double* __restrict y, const double* __restrict angle, const double* __restrict depth,
-                   double* __restrict proxy_x, double* __restrict proxy_y, double* __restrict proxy_angle, double* __restrict start,
-                   double* __restrict force_x, double* __restrict force_y, double* __restrict moment) noexcept {
+void elliptic_loop(double k, double k_twist, double mu, double arm, double reach_per_unit, std::size_t count, const double* __restrict x,
+                   const double* __restrict y, const double* __restrict angle, const double* __restrict depth, double* __restrict proxy_x,
+                   double* __restrict proxy_y, double* __restrict proxy_angle, double* __restrict start, double* __restrict force_x,
+                   double* __restrict force_y, double* __restrict moment) noexcept {
   // The same order of operations as in Friction::make_elliptic, Friction::shrink and SoftFinger::rub.
   for (std::size_t i = 0; i < count; ++i) {
     const bool touches = depth[i] > 0.0;
@@ -28,7 +28,7 @@ void elliptic_loop(double k, double k_twist, double mu, double compliance, doubl
     const double twist = old_angle - angle[i];
     const double turn = arm * twist;
     const double square = (pull_x * pull_x + pull_y * pull_y) + turn * turn;
-    const double reach = mu * (k * depth[i]) * compliance * force_max;
+    const double reach = mu * (k * depth[i]) * reach_per_unit;
     const bool beyond = touches & (square > reach * reach);
     const double limit = reach * (1.0 + slip_guard);
     const bool slips = touches & (square > limit * limit);
@@ -62,17 +62,17 @@ bool suits_elliptic_loop(const EllipticStep& law, double radius, std::size_t cou
   // Far within the bounds that Friction sets, so that rounding decides nothing.
   constexpr double longest_arm = 1e40;
   constexpr double least = 1e-130;
-  if (!(law.arm < longest_arm && law.compliance < longest_arm)) return false;
+  if (!(law.arm < longest_arm && law.reach_per_unit < longest_arm)) return false;
   const double per_depth = law.mu * law.stiffness;
-  const double shallowest = least / per_depth + least / (per_depth * radius) + least / (per_depth * law.compliance * law.force_max);
+  const double shallowest = least / per_depth + least / (per_depth * radius) + least / (per_depth * law.reach_per_unit);
   return any_shallow(shallowest, count, depth) == 0;
 }
 
 void step_elliptic(const EllipticStep& law, std::size_t count, const double* x, const double* y, const double* angle, const double* depth,
                    double* proxy_x, double* proxy_y, double* proxy_angle, double* start, double* force_x, double* force_y,
                    double* moment) noexcept {
-  elliptic_loop(law.stiffness, law.twist_stiffness, law.mu, law.compliance, law.arm, law.force_max, count, x, y, angle, depth, proxy_x,
-                proxy_y, proxy_angle, start, force_x, force_y, moment);
+  elliptic_loop(law.stiffness, law.twist_stiffness, law.mu, law.arm, law.reach_per_unit, count, x, y, angle, depth, proxy_x, proxy_y,
+                proxy_angle, start, force_x, force_y, moment);
 }
 
 }  // namespace limitcurve::godobject::detail

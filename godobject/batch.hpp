@@ -51,9 +51,8 @@ struct EllipticStep {
   double stiffness;
   double twist_stiffness;
   double mu;
-  double compliance;
-  double arm;  ///< by which ρ counts as a length [m]
-  double force_max;
+  double arm;             ///< by which ρ counts as a length [m]
+  double reach_per_unit;  ///< r on the boundary without twist, over μP [m/N]
 };
 
 /// Whether no contact's friction is so little that it counts as none, nor a scale so large that a square may overflow: the
@@ -102,8 +101,8 @@ void step(const Friction<Boundary, Projection>& friction, const ContactBatch& ba
   const Springs& springs = law.springs();
   if constexpr (Friction<Boundary, Projection>::needs_squares_only) {
     if (law.radius_law() == nullptr && law.has_one_limit() && law.mu() * law.constant_radius() > 0.0) {
-      const double arm = springs.inverse_ratio * law.static_scale(1.0).per_radius * friction.force_per_moment_max();
-      const detail::EllipticStep elliptic{k, k_twist, law.mu(), springs.compliance[0], arm, friction.force_max()};
+      const double arm = friction.arm_times_radius() * law.static_scale(1.0).per_radius;
+      const detail::EllipticStep elliptic{k, k_twist, law.mu(), arm, friction.reach_per_unit()};
       if (detail::suits_elliptic_loop(elliptic, law.constant_radius(), count, batch.depth.data())) {
         detail::step_elliptic(elliptic, count, batch.x.data(), batch.y.data(), batch.angle.data(), batch.depth.data(), batch.proxy_x.data(),
                               batch.proxy_y.data(), batch.proxy_angle.data(), batch.start.data(), batch.force_x.data(),
@@ -195,7 +194,7 @@ void step_one(const Friction<Boundary, Projection>& friction, const ContactBatch
     batch.trend[i] = next > 0.0 && start > 0.0 ? next - start : 0.0;
     start = next;
   };
-  friction.grip(pull, springs, holds, yields, [&] {
+  friction.grip(pull, holds, yields, [&] {
     const auto grip = friction.grip_rarely(pull, springs);
     if (grip.share[1] == 0.0) proxy_angle = batch.angle[i];
     yields(grip);

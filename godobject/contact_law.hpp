@@ -28,14 +28,13 @@ struct FingerParameters {
 
 /// The springs between proxy and finger, of sliding and of twist side by side.
 struct Springs {
-  Pair stiffness;        ///< k_l [N/m], k_r [N m/rad]
-  Pair compliance;       ///< 1/k_l [m/N], 1/k_r [rad/(N m)]
-  double ratio;          ///< k_l/k_r [1/m²]
-  double inverse_ratio;  ///< k_r/k_l [m²]
+  Pair stiffness;   ///< k_l [N/m], k_r [N m/rad]
+  Pair compliance;  ///< 1/k_l [m/N], 1/k_r [rad/(N m)]
+  double ratio;     ///< k_l/k_r [1/m²]
 
   static Springs of(double stiffness, double twist_stiffness) noexcept {
     const Pair both{stiffness, twist_stiffness};
-    return {both, 1.0 / both, stiffness / twist_stiffness, twist_stiffness / stiffness};
+    return {both, 1.0 / both, stiffness / twist_stiffness};
   }
 };
 

@@ -26,7 +26,7 @@ template <LimitBoundary Boundary, class Projection>
 requires ProjectionOnto<Projection, Boundary>
 class Friction {
  public:
-  /// Trials beyond this many limits are scaled back to it, which changes no direction and keeps squares finite.
+  /// A component of a trial beyond this many limits is cut back to it, so that squares stay finite.
   static constexpr double farthest_trial = 1e100;
 
   /// What the contact does to springs that are drawn by r [m] along the surface and ρ [rad] about the normal.
@@ -61,14 +61,17 @@ class Friction {
         moment_max_(boundary_.wrench({0.0, 1.0}).moment),
         per_force_max_(1.0 / force_max_),
         per_moment_max_(1.0 / moment_max_),
-        force_per_moment_max_(force_max_ / moment_max_) {}
+        // Rounded once each, the reach inwards: a slip ends within a few roundings of the boundary, and rather inside.
+        reach_per_unit_(std::nextafter(static_cast<double>(static_cast<long double>(force_max_) / law_.stiffness()), 0.0)),
+        arm_times_radius_(static_cast<double>(static_cast<long double>(law_.twist_stiffness()) * force_max_ /
+                                              (static_cast<long double>(law_.stiffness()) * moment_max_))) {}
 
   [[nodiscard]] const Boundary& boundary() const noexcept { return boundary_; }
   [[nodiscard]] const ContactLaw& law() const noexcept { return law_; }
-  [[nodiscard]] double force_max() const noexcept { return force_max_; }            ///< the curve's force intercept
-  [[nodiscard]] double per_force_max() const noexcept { return per_force_max_; }    ///< one over it
-  [[nodiscard]] double per_moment_max() const noexcept { return per_moment_max_; }  ///< one over the moment intercept
-  [[nodiscard]] double force_per_moment_max() const noexcept { return force_per_moment_max_; }
+  [[nodiscard]] double per_force_max() const noexcept { return per_force_max_; }        ///< one over the curve's force intercept
+  [[nodiscard]] double per_moment_max() const noexcept { return per_moment_max_; }      ///< one over the moment intercept
+  [[nodiscard]] double reach_per_unit() const noexcept { return reach_per_unit_; }      ///< r on the boundary without twist, over μP [m/N]
+  [[nodiscard]] double arm_times_radius() const noexcept { return arm_times_radius_; }  ///< arm by which ρ is a length, times a [m²]
 
   /// The contact under load P [N] > 0 with the proxy r [m] ≥ 0 and ρ [rad] ≥ 0 away, all finite. `start` is the last result's,
   /// which also tells whether the contact slips already.
@@ -76,7 +79,7 @@ class Friction {
     const Pull pull{r * r, rho, load, start, 0.0};
     Grip found{.stiffness = law_.springs().stiffness};
     grip(
-        pull, law_.springs(), [] {}, [&](const Grip& grip) { found = grip; }, [&] { found = grip_rarely(pull, law_.springs()); });
+        pull, [] {}, [&](const Grip& grip) { found = grip; }, [&] { found = grip_rarely(pull, law_.springs()); });
     return {
         found.slips, found.stiffness[0] * r, found.stiffness[1] * rho, found.share[0] * r, found.share[1] * rho, found.cor, found.slip_work,
         found.start};
@@ -91,17 +94,16 @@ class Friction {
     double trend;     ///< how far that had moved
   };
 
-  /// The same, with other springs than the law's: damping stiffens them for a step. Calls `holds()` where the springs bear the pull,
-  /// `yields(grip)` where they do not, or `otherwise()` for the caller to ask grip_rarely. Calls instead of a value returned, which
-  /// would go through memory.
+  /// The same. Calls `holds()` where the springs bear the pull, `yields(grip)` where they do not, or `otherwise()` for the caller to
+  /// ask grip_rarely. Calls instead of a value returned, which would go through memory.
   template <class Holds, class Yields, class Otherwise>
-  [[gnu::always_inline]] void grip(const Pull& pull, const Springs& springs, Holds&& holds, Yields&& yields,
-                                   Otherwise&& otherwise) const noexcept {
+  [[gnu::always_inline]] void grip(const Pull& pull, Holds&& holds, Yields&& yields, Otherwise&& otherwise) const noexcept {
+    const Springs& springs = law_.springs();
     const bool slipping = pull.start >= 0.0;
     const Limits limits = make_limits(slipping ? law_.dynamic_scale(pull.load) : law_.static_scale(pull.load));
     if (!limits.twists) return otherwise();
     if constexpr (needs_squares_only) {
-      const Elliptic elliptic = make_elliptic(limits, pull, springs);
+      const Elliptic elliptic = make_elliptic(limits, pull);
       if (elliptic.square <= elliptic.reach * elliptic.reach) return holds();
       const bool usual = elliptic.square <= farthest_square && elliptic.reach >= least_reach;
       if (!usual || !(slipping || law_.has_one_limit())) return otherwise();
@@ -124,7 +126,7 @@ class Friction {
   }
 
   /// What is too rare for the registers of `grip`: no torsional friction; from rest beyond a static limit of its own; squares that
-  /// overflow.
+  /// overflow; other springs than the law's, which damping stiffens for a step.
   [[gnu::noinline]] [[nodiscard]] Grip grip_rarely(const Pull& pull, const Springs& springs) const noexcept {
     const bool slipping = pull.start >= 0.0;
     const Limits limits = make_limits(slipping ? law_.dynamic_scale(pull.load) : law_.static_scale(pull.load));
@@ -207,10 +209,8 @@ class Friction {
                  law_.radius_law(),
                  pull.load},
                 wrench[0] * per_force_max_ + wrench[1] * per_moment_max_};
-    if (drawn.chord > farthest_trial) {
-      const double share = farthest_trial / std::max(wrench[0], wrench[1]);
-      drawn.trial.wrench = {wrench[0] * share, wrench[1] * share};
-    }
+    // Not both by one factor: limits that do not know of each other would see a small component become none.
+    if (drawn.chord > farthest_trial) drawn.trial.wrench = {std::min(wrench[0], farthest_trial), std::min(wrench[1], farthest_trial)};
     return drawn;
   }
 
@@ -241,10 +241,9 @@ class Friction {
     double reach;   ///< r on the boundary without twist [m]
   };
 
-  [[nodiscard]] Elliptic make_elliptic(const Limits& limits, const Pull& pull, const Springs& springs) const noexcept {
-    const double arm = springs.inverse_ratio * limits.per_radius * force_per_moment_max_;
-    const double turn = arm * pull.rho;
-    return {pull.r_square + turn * turn, limits.unit[0] * springs.compliance[0] * force_max_};
+  [[nodiscard]] Elliptic make_elliptic(const Limits& limits, const Pull& pull) const noexcept {
+    const double turn = arm_times_radius_ * limits.per_radius * pull.rho;
+    return {pull.r_square + turn * turn, limits.unit[0] * reach_per_unit_};
   }
 
   /// One packed root and one packed division that do not wait for each other.
@@ -295,7 +294,8 @@ class Friction {
   double moment_max_;
   double per_force_max_;
   double per_moment_max_;
-  double force_per_moment_max_;
+  double reach_per_unit_;
+  double arm_times_radius_;
 };
 
 }  // namespace limitcurve::godobject
