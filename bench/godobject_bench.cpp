@@ -103,14 +103,16 @@ void step_of_batch(benchmark::State& state, const Boundary& boundary, Projection
   const auto contacts = static_cast<std::size_t>(state.range(0));
   const Friction<Boundary, Projection> friction(boundary, parameters(), projection);
   std::vector<Real> x(contacts), y(contacts), angle(contacts), depth(contacts, Real(0.002)), proxy_x(contacts), proxy_y(contacts),
-      proxy_angle(contacts), start(contacts, Real(-1)), trend(contacts), force_x(contacts), force_y(contacts), moment(contacts);
+      proxy_angle(contacts), start(contacts, Real(-1)), trend(contacts), force_x(contacts), force_y(contacts), moment(contacts),
+      turn(contacts);
+  for (std::size_t i = 0; i < contacts; ++i) turn[i] = Real(0.02) + Real(1e-6) * static_cast<Real>(i % 64);
   const Batch batch{x, y, angle, depth, proxy_x, proxy_y, proxy_angle, start, trend, force_x, force_y, moment};
   for (auto _ : state) {
     // Moving is in the time, some 0.5 ns a contact. The proxies are moved back instead of the fingers on: however long that lasts,
     // positions stay near the origin, where floats resolve them.
     for (std::size_t i = 0; i < contacts; ++i) {
       proxy_x[i] -= Real(1e-4);
-      proxy_angle[i] -= Real(0.02) + Real(1e-6) * static_cast<Real>(i % 64);
+      proxy_angle[i] -= turn[i];
     }
     step(friction, batch);
     benchmark::DoNotOptimize(moment.data());

@@ -76,8 +76,10 @@ struct TableStep {
   double mu;
   double radius;
   double compliance_ratio;  ///< χ
+  double per_compliance_ratio;
   double per_force_max;
   double per_moment_max;
+  UnitWrench rim;
 };
 
 /// Steps the contacts of `block`, at most table_block: those that stick, and those that slip and slipped before, which are
@@ -114,20 +116,24 @@ void step(const Friction<Boundary, Projection>& friction, const ContactBatch& ba
   if constexpr (std::same_as<Boundary, Table> && std::same_as<Projection, ClosestPoint>) {
     if (law.radius_law() == nullptr && law.has_one_limit()) {
       const double radius = law.constant_radius();
+      const double chi = radius * radius * springs.ratio;
       const detail::TableStep on_table{k,
                                        k_twist,
                                        springs.compliance[0],
                                        springs.compliance[1],
                                        law.mu(),
                                        radius,
-                                       radius * radius * springs.ratio,
+                                       chi,
+                                       1.0 / chi,
                                        friction.per_force_max(),
-                                       friction.per_moment_max()};
+                                       friction.per_moment_max(),
+                                       friction.boundary().rim()};
       std::array<bool, detail::table_block> left;
       for (std::size_t from = 0; from < count; from += detail::table_block) {
         const ContactBatch block = batch.part(from, std::min(detail::table_block, count - from));
         detail::step_on_table(friction.boundary(), on_table, block, left);
-        for (std::size_t i = 0; i < block.size(); ++i) {
+        const std::size_t length = block.size();
+        for (std::size_t i = 0; i < length; ++i) {
           if (left[i]) detail::step_one(friction, block, i);
         }
       }

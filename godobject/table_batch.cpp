@@ -2,7 +2,9 @@
 #include "godobject/batch.hpp"
 #include "godobject/internal/clones.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace limitcurve::godobject::detail {
 
@@ -55,9 +57,32 @@ void make_trials(const TableStep& law, std::size_t count, const double* __restri
   }
 }
 
-/// A search in a table for a contact, with the cell that it is in.
+/// The beginning of Table::closest. What is not searched for begins at the rim, where any search can.
+LIMITCURVE_CLONES
+void begin_searches(double chi, double per_chi, double rim_force, double rim_moment, std::size_t count,
+                    const double* __restrict trial_force, const double* __restrict trial_moment, const double* __restrict place,
+                    const double* __restrict fate, double* __restrict side, double* __restrict x, double* __restrict kappa,
+                    double* __restrict primary, double* __restrict secondary) noexcept {
+  for (std::size_t i = 0; i < count; ++i) {
+    const double force = trial_force[i];
+    const double moment = trial_moment[i];
+    const double from = place[i];
+    const bool outside = force - rim_force > chi * (moment - rim_moment);
+    const double from_slide = 2.0 - from;
+    const double from_end = outside ? from_slide : from;
+    const double below = from_end < 1.0 ? from_end : 1.0;
+    const double within = below > 0.0 ? below : 0.0;
+    side[i] = outside ? 1.0 : 0.0;
+    x[i] = fate[i] == searches ? within : 1.0;
+    kappa[i] = outside ? per_chi : chi;
+    primary[i] = outside ? moment : force;
+    secondary[i] = outside ? force : moment;
+  }
+}
+
+/// A search in a table for a contact, with the cell that it is in. A side is 0 inside the rim, 1 outside.
 struct Searches {
-  Row x, kappa, trial_primary, trial_secondary;
+  Row side, x, kappa, trial_primary, trial_secondary;
   Row left, right, rise, constant_primary, constant_secondary, square_primary, square_secondary, cube_primary, cube_secondary;
   Row next, primary, secondary, done;
 };
@@ -113,6 +138,25 @@ void advance_searches(std::size_t count, double share_of_x, const double* __rest
     primary[i] = (constant_primary[i] + there * rise[i]) + (there * there) * (square_primary[i] + there * cube_primary[i]);
     secondary[i] = (constant_secondary[i] + there * rise_secondary) + (there * there) * (square_secondary[i] + there * cube_secondary[i]);
     done[i] = (last & inside) ? 1.0 : 0.0;
+  }
+}
+
+/// What the searches that are done have found.
+LIMITCURVE_CLONES
+void take_found(std::size_t count, const double* __restrict side, const double* __restrict next, const double* __restrict primary,
+                const double* __restrict secondary, const double* __restrict done, double* __restrict wrench_force,
+                double* __restrict wrench_moment, double* __restrict place, double* __restrict fate) noexcept {
+  for (std::size_t i = 0; i < count; ++i) {
+    const bool outside = side[i] != 0.0;
+    const double first = primary[i];
+    const double second = secondary[i];
+    const double there = next[i];
+    const double from_slide = 2.0 - there;
+    const double what = fate[i];
+    wrench_force[i] = outside ? second : first;
+    wrench_moment[i] = outside ? first : second;
+    place[i] = outside ? from_slide : there;
+    fate[i] = (what == searches) & (done[i] != 0.0) ? slides : what;
   }
 }
 
@@ -189,6 +233,68 @@ void finish(const TableStep& law, std::size_t count, const double* __restrict x,
   }
 }
 
+/// One step of the first `count` searches.
+void step_searches(const Table& table, Searches& search, std::size_t count) noexcept {
+  for (std::size_t j = 0; j < count; ++j) {
+    const TableSide& side = search.side[j] != 0.0 ? table.outside() : table.inside();
+    const TableSide::Cell* cell = &side.cell(search.x[j]);
+    search.left[j] = cell->left;
+    search.right[j] = (cell + 1)->left;
+    search.rise[j] = cell->rise;
+    search.constant_primary[j] = cell->constant[0];
+    search.constant_secondary[j] = cell->constant[1];
+    search.square_primary[j] = cell->square[0];
+    search.square_secondary[j] = cell->square[1];
+    search.cube_primary[j] = cell->cube[0];
+    search.cube_secondary[j] = cell->cube[1];
+  }
+  advance_searches(count, TableSide::closest_share, search.x.data(), search.kappa.data(), search.trial_primary.data(),
+                   search.trial_secondary.data(), search.left.data(), search.right.data(), search.rise.data(),
+                   search.constant_primary.data(), search.constant_secondary.data(), search.square_primary.data(),
+                   search.square_secondary.data(), search.cube_primary.data(), search.cube_secondary.data(), search.next.data(),
+                   search.primary.data(), search.secondary.data(), search.done.data());
+}
+
+/// The next steps, of the searches that are not done, closed up. What wants a bracket is left over.
+void search_on(const Table& table, Searches& search, std::size_t count, Row& wrench_force, Row& wrench_moment, Row& place,
+               Row& fate) noexcept {
+  std::array<std::size_t, table_block> contact;
+  std::size_t open = 0;
+  const auto keep = [&](std::size_t j, std::size_t i) {
+    if (!(search.next[j] >= 0.0 && search.next[j] <= 1.0)) {
+      fate[i] = left_over;
+      return;
+    }
+    contact[open] = i;
+    search.side[open] = search.side[j];
+    search.x[open] = search.next[j];
+    search.kappa[open] = search.kappa[j];
+    search.trial_primary[open] = search.trial_primary[j];
+    search.trial_secondary[open] = search.trial_secondary[j];
+    ++open;
+  };
+  for (std::size_t i = 0; i < count; ++i) {
+    if (fate[i] == searches) keep(i, i);
+  }
+  for (int round = 1; round < TableSide::quick_limit && open > 0; ++round) {
+    const std::size_t stepped = std::exchange(open, 0);
+    step_searches(table, search, stepped);
+    for (std::size_t j = 0; j < stepped; ++j) {
+      const std::size_t i = contact[j];
+      if (search.done[j] == 0.0) {
+        keep(j, i);
+        continue;
+      }
+      const bool outside = search.side[j] != 0.0;
+      wrench_force[i] = outside ? search.secondary[j] : search.primary[j];
+      wrench_moment[i] = outside ? search.primary[j] : search.secondary[j];
+      place[i] = outside ? 2.0 - search.next[j] : search.next[j];
+      fate[i] = slides;
+    }
+  }
+  for (std::size_t j = 0; j < open; ++j) fate[contact[j]] = left_over;
+}
+
 }  // namespace
 
 void step_on_table(const Table& table, const TableStep& law, const ContactBatch& block, std::array<bool, table_block>& left) noexcept {
@@ -198,69 +304,20 @@ void step_on_table(const Table& table, const TableStep& law, const ContactBatch&
               block.proxy_y.data(), block.proxy_angle.data(), block.start.data(), block.trend.data(), r.data(), trial_force.data(),
               trial_moment.data(), place.data(), fate.data());
 
-  Searches search;
-  std::array<std::size_t, table_block> contact;
-  std::array<bool, table_block> outside;
-  std::size_t open = 0;
-  const UnitWrench rim = table.rim();
-  const double chi = law.compliance_ratio;
-  for (std::size_t i = 0; i < count; ++i) {
-    wrench_force[i] = wrench_moment[i] = 0.0;
-    if (fate[i] != searches) continue;
-    // As Table::closest.
-    const bool beyond = trial_force[i] - rim.force > chi * (trial_moment[i] - rim.moment);
-    const double from = beyond ? 2.0 - place[i] : place[i];
-    contact[open] = i;
-    outside[open] = beyond;
-    search.x[open] = from >= 0.0 && from <= 1.0 ? from : 1.0;
-    search.kappa[open] = beyond ? 1.0 / chi : chi;
-    search.trial_primary[open] = beyond ? trial_moment[i] : trial_force[i];
-    search.trial_secondary[open] = beyond ? trial_force[i] : trial_moment[i];
-    ++open;
+  const bool any = std::find(fate.values.begin(), fate.values.begin() + count, searches) != fate.values.begin() + count;
+  if (any) {
+    Searches search;
+    begin_searches(law.compliance_ratio, law.per_compliance_ratio, law.rim.force, law.rim.moment, count, trial_force.data(),
+                   trial_moment.data(), place.data(), fate.data(), search.side.data(), search.x.data(), search.kappa.data(),
+                   search.trial_primary.data(), search.trial_secondary.data());
+    // The first step of all, searched for or not: in a scene that moves nearly all are, and most need no other.
+    step_searches(table, search, count);
+    take_found(count, search.side.data(), search.next.data(), search.primary.data(), search.secondary.data(), search.done.data(),
+               wrench_force.data(), wrench_moment.data(), place.data(), fate.data());
+    search_on(table, search, count, wrench_force, wrench_moment, place, fate);
+  } else {
+    wrench_force = wrench_moment = place = r;
   }
-  for (int round = 0; round < TableSide::quick_limit && open > 0; ++round) {
-    for (std::size_t j = 0; j < open; ++j) {
-      const TableSide& side = outside[j] ? table.outside() : table.inside();
-      const TableSide::Cell* cell = &side.cell(search.x[j]);
-      search.left[j] = cell->left;
-      search.right[j] = (cell + 1)->left;
-      search.rise[j] = cell->rise;
-      search.constant_primary[j] = cell->constant[0];
-      search.constant_secondary[j] = cell->constant[1];
-      search.square_primary[j] = cell->square[0];
-      search.square_secondary[j] = cell->square[1];
-      search.cube_primary[j] = cell->cube[0];
-      search.cube_secondary[j] = cell->cube[1];
-    }
-    advance_searches(open, TableSide::closest_share, search.x.data(), search.kappa.data(), search.trial_primary.data(),
-                     search.trial_secondary.data(), search.left.data(), search.right.data(), search.rise.data(),
-                     search.constant_primary.data(), search.constant_secondary.data(), search.square_primary.data(),
-                     search.square_secondary.data(), search.cube_primary.data(), search.cube_secondary.data(), search.next.data(),
-                     search.primary.data(), search.secondary.data(), search.done.data());
-    std::size_t still = 0;
-    for (std::size_t j = 0; j < open; ++j) {
-      const std::size_t i = contact[j];
-      if (search.done[j] != 0.0) {
-        wrench_force[i] = outside[j] ? search.secondary[j] : search.primary[j];
-        wrench_moment[i] = outside[j] ? search.primary[j] : search.secondary[j];
-        place[i] = outside[j] ? 2.0 - search.next[j] : search.next[j];
-        fate[i] = slides;
-      } else if (search.next[j] >= 0.0 && search.next[j] <= 1.0) {
-        contact[still] = i;
-        outside[still] = outside[j];
-        search.x[still] = search.next[j];
-        search.kappa[still] = search.kappa[j];
-        search.trial_primary[still] = search.trial_primary[j];
-        search.trial_secondary[still] = search.trial_secondary[j];
-        ++still;
-      } else {
-        fate[i] = left_over;  // it wants a bracket
-      }
-    }
-    open = still;
-  }
-  for (std::size_t j = 0; j < open; ++j) fate[contact[j]] = left_over;
-
   finish(law, count, block.x.data(), block.y.data(), block.angle.data(), block.depth.data(), block.proxy_x.data(), block.proxy_y.data(),
          block.proxy_angle.data(), block.start.data(), block.trend.data(), block.force_x.data(), block.force_y.data(), block.moment.data(),
          r.data(), trial_force.data(), trial_moment.data(), wrench_force.data(), wrench_moment.data(), place.data(), fate.data());
