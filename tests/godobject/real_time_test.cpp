@@ -42,6 +42,27 @@ TEST(RealTime, AStepAllocatesNothing) {
   }
 }
 
+TEST(RealTime, ABatchOfFloatsAllocatesNothing) {
+  const FloatTable table = FloatTable::build(uniform(), 1e-6);
+  const Friction friction(table, parameters(), ClosestPoint{});
+  constexpr std::size_t contacts = 300;
+  std::array<std::vector<float>, 12> arrays;
+  for (auto& array : arrays) array.assign(contacts, 0.0F);
+  auto& [x, y, angle, depth, proxy_x, proxy_y, proxy_angle, start, trend, force_x, force_y, moment] = arrays;
+  depth.assign(contacts, 0.002F);
+  start.assign(contacts, -2.0F);
+  const FloatContactBatch batch{x, y, angle, depth, proxy_x, proxy_y, proxy_angle, start, trend, force_x, force_y, moment};
+  EXPECT_EQ(allocations([&] {
+              for (int i = 0; i < 100; ++i) {
+                for (std::size_t k = 0; k < contacts; ++k) x[k] += 1e-5F * static_cast<float>(k);
+                angle[7] = i == 50 ? std::numeric_limits<float>::quiet_NaN() : 0.01F;
+                step(friction, batch);
+              }
+            }),
+            0);
+  EXPECT_GT(start[200], 0.0F);
+}
+
 TEST(RealTime, TheCageHoldsWhatCallsTheSystem) {
   EXPECT_FALSE(runs_without_system_calls([] { syscall(SYS_getppid); }));
 }
