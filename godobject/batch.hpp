@@ -2,6 +2,7 @@
 #pragma once
 
 #include "godobject/closest_point_projection.hpp"
+#include "godobject/contact_batch.hpp"
 #include "godobject/friction.hpp"
 #include "godobject/radial_projection.hpp"
 #include "limitcurve/table.hpp"
@@ -10,39 +11,8 @@
 #include <array>
 #include <concepts>
 #include <cstddef>
-#include <span>
 
 namespace limitcurve::godobject {
-
-/// Many contacts at once, as a structure of arrays of one length, each contact in its own tangent plane: where the finger
-/// is, and how deep (in), where the proxy is (in and out), and what the user feels (out). The arrays must not overlap.
-struct ContactBatch {
-  std::span<const double> x;  ///< x_g [m]
-  std::span<const double> y;
-  std::span<const double> angle;  ///< α_g [rad], unwrapped
-  std::span<const double> depth;  ///< d [m]; ≤ 0 (or NaN): free, the proxy goes with the finger
-  std::span<double> proxy_x;      ///< x_p [m]
-  std::span<double> proxy_y;
-  std::span<double> proxy_angle;  ///< α_p [rad]
-  std::span<double> start;        ///< memory: −2 free (so to begin with), −1 sticks, ≥ 0 slips and where to search from
-  std::span<double> trend;        ///< memory: how far that has moved; 0 to begin with
-  std::span<double> force_x;      ///< friction on the user [N]
-  std::span<double> force_y;
-  std::span<double> moment;  ///< [N m]
-
-  /// `length` contacts from the one of index `from` on; both within the size.
-  [[nodiscard]] ContactBatch part(std::size_t from, std::size_t length) const noexcept {
-    const auto cut = [&](auto array) { return array.subspan(from, length); };
-    return {cut(x),           cut(y),     cut(angle), cut(depth),   cut(proxy_x), cut(proxy_y),
-            cut(proxy_angle), cut(start), cut(trend), cut(force_x), cut(force_y), cut(moment)};
-  }
-
-  /// The length of the shortest: no more contacts are stepped.
-  [[nodiscard]] std::size_t size() const noexcept {
-    return std::min({x.size(), y.size(), angle.size(), depth.size(), proxy_x.size(), proxy_y.size(), proxy_angle.size(), start.size(),
-                     trend.size(), force_x.size(), force_y.size(), moment.size()});
-  }
-};
 
 namespace detail {
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "godobject/closest_point_projection.hpp"
+#include "godobject/contact_batch.hpp"
 #include "godobject/friction.hpp"
 #include "godobject/radial_projection.hpp"
 #include "limitcurve/ellipse.hpp"
@@ -12,45 +13,8 @@
 #include <concepts>
 #include <cstddef>
 #include <limits>
-#include <span>
 
 namespace limitcurve::godobject {
-
-/// Many contacts at once in single precision, as a structure of arrays of one length: as ContactBatch, in half the memory.
-///
-/// What a float resolves: 6e-8 of a coordinate. At 1 m from the origin that is 60 nm, against slips of micrometres and springs drawn by
-/// a millimetre; so give positions relative to a place near the contact (the object's origin, the touch-down), and angles
-/// within a few turns. What a position cannot resolve does not move a proxy: within that a contact counts as held.
-struct FloatContactBatch {
-  std::span<const float> x;  ///< x_g [m], up to farthest
-  std::span<const float> y;
-  std::span<const float> angle;  ///< α_g [rad], unwrapped
-  std::span<const float> depth;  ///< d [m]; ≤ 0 (or NaN): free, the proxy goes with the finger
-  std::span<float> proxy_x;      ///< x_p [m]
-  std::span<float> proxy_y;
-  std::span<float> proxy_angle;  ///< α_p [rad]
-  std::span<float> start;        ///< memory: −2 free (so to begin with), −1 sticks, ≥ 0 slips and where to search from
-  std::span<float> trend;        ///< memory: how far that has moved; 0 to begin with
-  std::span<float> force_x;      ///< friction on the user [N]
-  std::span<float> force_y;
-  std::span<float> moment;  ///< [N m]
-
-  /// A contact beyond this [m, rad], or NaN, is a fault of the device: nothing of it is touched, its last output is held.
-  static constexpr float farthest = 1e6F;
-
-  /// `length` contacts from the one of index `from` on; both within the size.
-  [[nodiscard]] FloatContactBatch part(std::size_t from, std::size_t length) const noexcept {
-    const auto cut = [&](auto array) { return array.subspan(from, length); };
-    return {cut(x),           cut(y),     cut(angle), cut(depth),   cut(proxy_x), cut(proxy_y),
-            cut(proxy_angle), cut(start), cut(trend), cut(force_x), cut(force_y), cut(moment)};
-  }
-
-  /// The length of the shortest: no more contacts are stepped.
-  [[nodiscard]] std::size_t size() const noexcept {
-    return std::min({x.size(), y.size(), angle.size(), depth.size(), proxy_x.size(), proxy_y.size(), proxy_angle.size(), start.size(),
-                     trend.size(), force_x.size(), force_y.size(), moment.size()});
-  }
-};
 
 namespace detail {
 
