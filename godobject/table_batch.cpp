@@ -156,7 +156,7 @@ void take_found(std::size_t count, const double* __restrict side, const double* 
     wrench_force[i] = outside ? second : first;
     wrench_moment[i] = outside ? first : second;
     place[i] = outside ? from_slide : there;
-    fate[i] = (what == searches) & (done[i] != 0.0) ? slides : what;
+    fate[i] = ((what == searches) & (done[i] != 0.0)) ? slides : what;
   }
 }
 
