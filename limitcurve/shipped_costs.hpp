@@ -19,13 +19,13 @@ struct Cost {
 };
 
 inline constexpr std::array<Cost, 7> models{{
-    {"diamond", 1.6, 42.2, 38.8},
-    {"box", 1.8, 45.3, 43.3},
-    {"ellipse", 3.9, 32.3, 86.1},
-    {"table", 4.4, 112.8, 56.0},
-    {"quartic", 37.0, 58.9, 321.2},
-    {"superellipse", 46.9, 91.3, 461.9},
-    {"exact", 6.0, 316.0, 102.7},
+    {"diamond", 1.6, 43.4, 40.7},
+    {"box", 1.8, 46.6, 44.2},
+    {"ellipse", 4.0, 32.3, 88.7},
+    {"table", 4.3, 114.3, 56.0},
+    {"quartic", 37.8, 60.1, 323.9},
+    {"superellipse", 47.4, 94.0, 480.9},
+    {"exact", 6.2, 321.9, 105.2},
 }};
 
 /// Of a model that is in the table.

@@ -129,7 +129,7 @@ class Labels:
                     y = at[1] + distance * sine + (height / 2 if sine > 0.3 else -height / 2 if sine < -0.3 else 0)
                     box = (x - width / 2 - 1, y - height / 2 - 1, x + width / 2 + 1, y + height / 2 + 1)
                     outside = box[0] < frame.x0 + 2 or box[2] > frame.x1 - 2 or box[1] < frame.y0 + 2 or box[3] > frame.y1 - 2
-                    cost = sum(self.overlap(box, other) for other in self.taken) + 1e4 * outside + 3.0 * distance + 2.0 * (turn % 4 != 0)
+                    cost = 3.0 * sum(self.overlap(box, other) for other in self.taken) + 1e4 * outside + 3.0 * distance + 2.0 * (turn % 4 != 0)
                     if best is None or cost < best[0]:
                         best = (cost, x, y, box, ring)
                 if best[0] < 3.0 * distance + 3:
