@@ -65,7 +65,7 @@ void step(benchmark::State& state, const Boundary& boundary, Projection projecti
   for (auto _ : state) {
     const FingerOutput& output = advance(samples[i]);
     benchmark::DoNotOptimize(output.moment);
-    i = (i + 1) % samples.size();
+    if (++i == samples.size()) i = 0;
   }
   using Clock = std::chrono::steady_clock;
   double worst = 0.0;
@@ -91,7 +91,7 @@ void steps_of_many(benchmark::State& state, const Boundary& boundary, Projection
   std::size_t i = 0;
   for (auto _ : state) {
     for (auto& one : many) benchmark::DoNotOptimize(one.update(samples[i].contact, samples[i].twist).moment);
-    i = (i + 1) % samples.size();
+    if (++i == samples.size()) i = 0;
   }
   state.counters["ns_a_step"] = benchmark::Counter(static_cast<double>(state.iterations()) * static_cast<double>(fingers) * 1e-9,
                                                    benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
