@@ -250,7 +250,7 @@ Hazard plate_between_samples() {
     const double depth_right = half.z() - now.z();
     // As one writes it: inside or not, and out by the nearest face.
     const double beneath = std::max(half.z() - std::fabs(now.z()), 0.0);
-    const double customary = std::copysign(beneath, now.z()) / depth_right;
+    const double customary = beneath > 0.0 ? std::copysign(beneath, now.z()) / depth_right : 0.0;
     const Contact contact = box.contact(now, memory);
     const double ours = std::max(contact.depth, 0.0) * contact.normal.z() / depth_right;
     figure.rows.push_back({"load", "inside or not, sample by sample", static_cast<double>(lost), customary});
