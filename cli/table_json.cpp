@@ -42,13 +42,20 @@ const json& member(const json& whole, const char* name, bool (json::*is_kind)() 
   return *found;
 }
 
+/// What stands in place of a node: its beginning, unless it holds arrays itself, which may lie in each other as deep as the file is long.
+std::string shown(const json& node) {
+  const auto is_flat = [](const json& item) { return item.is_primitive(); };
+  if (!std::all_of(node.begin(), node.end(), is_flat)) return std::string("a nested ") + node.type_name();
+  return node.dump().substr(0, 60);
+}
+
 TableSide side(const json& whole, const char* name, bool inside, const std::string& source) {
   std::vector<TableNode> nodes;
   for (const json& node : member(whole, name, &json::is_array, source, "an array of nodes")) {
     const bool fits =
         node.is_array() && node.size() == 4 && std::all_of(node.begin(), node.end(), [](const json& x) { return x.is_number(); });
     if (!fits) {
-      fail(source, quoted(name) + ", node " + std::to_string(nodes.size() + 1) + ": got " + node.dump().substr(0, 60) +
+      fail(source, quoted(name) + ", node " + std::to_string(nodes.size() + 1) + ": got " + shown(node) +
                        ", expected [coordinate, force, moment, slope]");
     }
     const double force = node[1].get<double>();

@@ -152,6 +152,12 @@ class BadTables(CommandLineTest):
             spoil(table)
             self.assert_fails(2, "spoilt.json", "lookup", "--table", self.file("spoilt.json", json.dumps(table)), "--c", "1")
 
+    def test_nodes_nested_as_deep_as_a_file_may_be(self):
+        deep = "[" * 1000000 + "]" * 1000000
+        sides = f'"inside": [{deep}], "outside": [{deep}]'
+        text = '{"format": "limitcurve table 1", "law": "hertz", "tolerance": 1e-6, "certified_error": 1e-7, "checksum": "0", ' + sides + "}"
+        self.assert_fails(2, "node 1: got a nested array", "lookup", "--table", self.file("deep.json", text), "--c", "1")
+
     def test_distances(self):
         path = self.directory / "table.csv"
         rows("table", "--law", "hertz", "--tolerance", "1e-2", "-o", path)
