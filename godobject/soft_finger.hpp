@@ -116,7 +116,7 @@ class SoftFinger {
   }
 
   /// Whether the finger has moved farther than a device can since it was last seen. It is then seen where it is: a
-  /// fault of one sample costs one step, and a finger that stays there is believed.
+  /// fault of one sample costs two steps, there and back, and a finger that stays there is believed.
   [[nodiscard, gnu::noinline]] bool jumped(FingerState& state, const Contact& contact) const noexcept {
     const double limit = friction_.law().jump_limit();
     const Eigen::Vector3d finger = contact.point - contact.normal * contact.depth;
