@@ -141,11 +141,18 @@ void advance_searches(std::size_t count, double share_of_x, const double* __rest
   }
 }
 
+/// The point of the boundary that is closest to each contact's trial, with its normal, and its place. The normal is not told from the
+/// place: 2 − (2 − x) is not always x, and a rounding decides whether a contact at rest is within the limit.
+struct Feet {
+  Row force, moment, slide, spin, place;
+};
+
 /// What the searches that are done have found.
 LIMITCURVE_CLONES
 void take_found(std::size_t count, const double* __restrict side, const double* __restrict next, const double* __restrict primary,
                 const double* __restrict secondary, const double* __restrict done, double* __restrict wrench_force,
-                double* __restrict wrench_moment, double* __restrict place, double* __restrict fate) noexcept {
+                double* __restrict wrench_moment, double* __restrict slide, double* __restrict spin, double* __restrict place,
+                double* __restrict fate) noexcept {
   for (std::size_t i = 0; i < count; ++i) {
     const bool outside = side[i] != 0.0;
     const double first = primary[i];
@@ -155,6 +162,8 @@ void take_found(std::size_t count, const double* __restrict side, const double* 
     const double what = fate[i];
     wrench_force[i] = outside ? second : first;
     wrench_moment[i] = outside ? first : second;
+    slide[i] = outside ? 1.0 : there;
+    spin[i] = outside ? there : 1.0;
     place[i] = outside ? from_slide : there;
     fate[i] = ((what == searches) & (done[i] != 0.0)) ? slides : what;
   }
@@ -167,7 +176,8 @@ void finish(const TableStep& law, std::size_t count, const double* __restrict x,
             double* __restrict start, double* __restrict trend, double* __restrict force_x, double* __restrict force_y,
             double* __restrict moment_of, const double* __restrict r_of, const double* __restrict trial_force,
             const double* __restrict trial_moment, const double* __restrict wrench_force, const double* __restrict wrench_moment,
-            const double* __restrict place, double* __restrict fate) noexcept {
+            const double* __restrict slide, const double* __restrict spin, const double* __restrict place,
+            double* __restrict fate) noexcept {
   // All is read first: what is read under a condition is not vectorised.
   const double stiffness = law.stiffness;
   const double twist_stiffness = law.twist_stiffness;
@@ -192,11 +202,8 @@ void finish(const TableStep& law, std::size_t count, const double* __restrict x,
     const double aim_moment = trial_moment[i];
     const double what = fate[i];
     // The tangent at the foot: what is not beyond it sticks.
-    const double spin_outside = 2.0 - t;
-    const double slide = t > 1.0 ? 1.0 : t;
-    const double spin = t > 1.0 ? spin_outside : 1.0;
-    const double reach = slide * foot_force + spin * foot_moment;
-    const double height = slide * aim_force + spin * aim_moment;
+    const double reach = slide[i] * foot_force + spin[i] * foot_moment;
+    const double height = slide[i] * aim_force + spin[i] * aim_moment;
     const bool outside = (what == slides) & (height > reach);
     const bool slipping = (what == slides) & (height > reach * (1.0 + slip_guard));
     const double bound = foot_force * (force_unit / r_of[i]);
@@ -256,8 +263,7 @@ void step_searches(const Table& table, Searches& search, std::size_t count) noex
 }
 
 /// The next steps, of the searches that are not done, closed up. What wants a bracket is left over.
-void search_on(const Table& table, Searches& search, std::size_t count, Row& wrench_force, Row& wrench_moment, Row& place,
-               Row& fate) noexcept {
+void search_on(const Table& table, Searches& search, std::size_t count, Feet& feet, Row& fate) noexcept {
   std::array<std::size_t, table_block> contact;
   std::size_t open = 0;
   const auto keep = [&](std::size_t j, std::size_t i) {
@@ -286,9 +292,11 @@ void search_on(const Table& table, Searches& search, std::size_t count, Row& wre
         continue;
       }
       const bool outside = search.side[j] != 0.0;
-      wrench_force[i] = outside ? search.secondary[j] : search.primary[j];
-      wrench_moment[i] = outside ? search.primary[j] : search.secondary[j];
-      place[i] = outside ? 2.0 - search.next[j] : search.next[j];
+      feet.force[i] = outside ? search.secondary[j] : search.primary[j];
+      feet.moment[i] = outside ? search.primary[j] : search.secondary[j];
+      feet.slide[i] = outside ? 1.0 : search.next[j];
+      feet.spin[i] = outside ? search.next[j] : 1.0;
+      feet.place[i] = outside ? 2.0 - search.next[j] : search.next[j];
       fate[i] = slides;
     }
   }
@@ -299,28 +307,30 @@ void search_on(const Table& table, Searches& search, std::size_t count, Row& wre
 
 void step_on_table(const Table& table, const TableStep& law, const ContactBatch& block, std::array<bool, table_block>& left) noexcept {
   const std::size_t count = block.size();
-  Row r, trial_force, trial_moment, place, fate, wrench_force, wrench_moment;
+  Row r, trial_force, trial_moment, fate;
+  Feet feet;
   make_trials(law, count, block.x.data(), block.y.data(), block.angle.data(), block.depth.data(), block.proxy_x.data(),
               block.proxy_y.data(), block.proxy_angle.data(), block.start.data(), block.trend.data(), r.data(), trial_force.data(),
-              trial_moment.data(), place.data(), fate.data());
+              trial_moment.data(), feet.place.data(), fate.data());
 
   const bool any = std::find(fate.values.begin(), fate.values.begin() + count, searches) != fate.values.begin() + count;
   if (any) {
     Searches search;
     begin_searches(law.compliance_ratio, law.per_compliance_ratio, law.rim.force, law.rim.moment, count, trial_force.data(),
-                   trial_moment.data(), place.data(), fate.data(), search.side.data(), search.x.data(), search.kappa.data(),
+                   trial_moment.data(), feet.place.data(), fate.data(), search.side.data(), search.x.data(), search.kappa.data(),
                    search.trial_primary.data(), search.trial_secondary.data());
     // The first step of all, searched for or not: in a scene that moves nearly all are, and most need no other.
     step_searches(table, search, count);
     take_found(count, search.side.data(), search.next.data(), search.primary.data(), search.secondary.data(), search.done.data(),
-               wrench_force.data(), wrench_moment.data(), place.data(), fate.data());
-    search_on(table, search, count, wrench_force, wrench_moment, place, fate);
+               feet.force.data(), feet.moment.data(), feet.slide.data(), feet.spin.data(), feet.place.data(), fate.data());
+    search_on(table, search, count, feet, fate);
   } else {
-    wrench_force = wrench_moment = place = r;
+    feet = {r, r, r, r, r};
   }
   finish(law, count, block.x.data(), block.y.data(), block.angle.data(), block.depth.data(), block.proxy_x.data(), block.proxy_y.data(),
          block.proxy_angle.data(), block.start.data(), block.trend.data(), block.force_x.data(), block.force_y.data(), block.moment.data(),
-         r.data(), trial_force.data(), trial_moment.data(), wrench_force.data(), wrench_moment.data(), place.data(), fate.data());
+         r.data(), trial_force.data(), trial_moment.data(), feet.force.data(), feet.moment.data(), feet.slide.data(), feet.spin.data(),
+         feet.place.data(), fate.data());
   for (std::size_t i = 0; i < count; ++i) left[i] = fate[i] == left_over;
 }
 
