@@ -119,7 +119,7 @@ class Replay final : public Subcommand {
     options.number("--jump-limit", finger_.jump_limit, positive_or_inf,
                    "A finger that leaps farther than this between two rows [m] is a fault of the device: refused once, as invalid");
     options.number("--hold-share", finger_.hold_share, share,
-                   "Of load, force and moment [1] that an invalid row keeps of the row before: 1 holds them, 0.99 lets go softly");
+                   "Of load, force and moment [1] that an invalid row keeps of an invalid row before: 0.99 lets go softly, 1 holds them");
     options.value(
         "--check-gains", "LIST", [this](const std::string& text) { read_device(text); },
         "b=NUMBER[,b_r=NUMBER][,T=0.001]: refuse gains that are not passive on a device of that damping [N s/m, N m s/rad] at a "

@@ -62,8 +62,8 @@ void step_one(const Friction<Boundary, Projection>& friction, const ContactBatch
 
 }  // namespace detail
 
-/// Steps b and c for a batch: the same results as `SoftFinger` on a plane gives, bit for bit. Allocates nothing; threads
-/// are the caller's, who may give each a part of the arrays.
+/// Steps b and c for a batch: the same results as `SoftFinger` on a plane gives, bit for bit. Input is the caller's to check:
+/// nothing is refused. Allocates nothing; threads are the caller's too, who may give each a part of the arrays.
 template <LimitBoundary Boundary, class Projection>
 void step(const Friction<Boundary, Projection>& friction, const ContactBatch& batch) noexcept {
   const ContactLaw& law = friction.law();

@@ -32,11 +32,10 @@ ContactLaw::ContactLaw(const FingerParameters& parameters, double moment_ratio)
                            positive("twist_stiffness", parameters.twist_stiffness, "N m/rad"))),
       damping_(non_negative("damping", parameters.damping, "N s/m")),
       twist_damping_(non_negative("twist_damping", parameters.twist_damping, "N m s/rad")),
-      jump_limit_(parameters.jump_limit),
+      jump_limit_square_(parameters.jump_limit * parameters.jump_limit),
       hold_share_(parameters.hold_share) {
-  if (!(jump_limit_ > 0.0)) throw out_of_range("jump_limit", jump_limit_, "m", "> 0");
+  if (!(parameters.jump_limit > 0.0)) throw out_of_range("jump_limit", parameters.jump_limit, "m", "> 0");
   if (!(hold_share_ >= 0.0 && hold_share_ <= 1.0)) throw out_of_range("hold_share", hold_share_, "1", "0 <= hold_share <= 1");
-  has_jump_limit_ = jump_limit_ < std::numeric_limits<double>::infinity();
   positive("moment_ratio", moment_ratio, "1");
   const double mu = non_negative("mu", parameters.mu, "1");
   const double mu_dynamic = non_negative("mu_dynamic", parameters.mu_dynamic.value_or(mu), "1");

@@ -51,9 +51,9 @@ struct ReplayOptions {
   double twist_stiffness = 0.0;                           ///< k_r [N m/rad] > 0
   BoundaryKind boundary = BoundaryKind::table;            ///< limit curve
   ProjectionKind projection = ProjectionKind::closest_point;
-  double tolerance = 1e-6;                                      ///< of the table, in unit wrenches; used by `table` only
-  double jump_limit = std::numeric_limits<double>::infinity();  ///< [m] > 0: a sample farther than this from the last is refused once
-  double hold_share = 1.0;                                      ///< of load, force and moment kept in every invalid row, ∈ [0, 1]
+  double tolerance = 1e-6;                            ///< of the table, in unit wrenches; used by `table` only
+  double jump_limit = FingerParameters{}.jump_limit;  ///< [m] > 0: a sample farther than this from the last is refused once
+  double hold_share = FingerParameters{}.hold_share;  ///< of load, force and moment kept from one invalid row to the next, ∈ [0, 1]
 };
 
 /// The part of the options that makes a finger.

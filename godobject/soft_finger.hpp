@@ -35,10 +35,10 @@ struct FingerState {
   double device_angle = 0.0;                          ///< the device's twist as it was given [rad]
   double start = -1.0;                                ///< place of the last slip, or 0; < 0: it sticks
   double trend = 0.0;                                 ///< how far that has moved since the slip before
-  Eigen::Vector3d seen = Eigen::Vector3d::Zero();     ///< where the finger was when last seen, refused or not [m]
-  double turn = 0.0;                                  ///< what unwrapping has added to the device's twist [rad], a multiple of 2π
+  /// Where the finger was when last seen, refused or not [m]; not a number before the first step.
+  Eigen::Vector3d seen = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
+  double turn = 0.0;  ///< what unwrapping has added to the device's twist [rad], a multiple of 2π
   bool touching = false;
-  bool known = false;  ///< there was a step before
 
   /// By how much the springs are drawn after the step: x_p − x_g and α_p − α_g.
   [[nodiscard]] Stretch stretch() const noexcept {
@@ -62,8 +62,8 @@ class SoftFinger {
 
   /// One step: the contact of the finger with the surface and the device's twist α_s [rad] about the normal. The twist may
   /// wrap around at any multiple of 2π: a jump of more than π between steps is taken for a turn of the other sense.
-  /// Input that is not finite, or no contact (a normal that is not of unit length), gives the state `invalid`: the last
-  /// good output is held (or let go of, see `hold_share`), and the proxy stays where it is.
+  /// Input that is not finite, no contact (a normal that is not of unit length), a leap (`jump_limit`) or a time step < 0 gives the
+  /// state `invalid`: the last good output is held, let go of softly if that lasts (`hold_share`), and the proxy stays where it is.
   /// With a time step [s] > 0 since the last update the dampers act too, within the limit: the wrench that friction bounds
   /// is that of springs and dampers together, and so is what the user feels.
   const FingerOutput& update(const Contact& contact, double twist, double time_step = 0.0) noexcept {
@@ -115,20 +115,25 @@ class SoftFinger {
     return all_within(Pair{squares[0] + contact.depth * contact.depth, std::fabs(squares[1] - 1.0)}, Pair{farthest * farthest, 1e-6});
   }
 
-  /// Whether the finger has moved farther than a device can since it was last seen. It is then seen where it is: a
-  /// fault of one sample costs two steps, there and back, and a finger that stays there is believed.
-  [[nodiscard, gnu::noinline]] bool jumped(FingerState& state, const Contact& contact) const noexcept {
-    const double limit = friction_.law().jump_limit();
-    const Eigen::Vector3d finger = contact.point - contact.normal * contact.depth;
-    const bool result = state.known && (finger - state.seen).squaredNorm() > limit * limit;
-    state.seen = finger;
-    state.known = true;
-    return result;
+  /// Where the finger itself is.
+  [[nodiscard]] static Stretch finger_of(const Contact& contact) noexcept {
+    return Stretch::at(contact.point, 0.0) - Stretch::at(contact.normal, 0.0) * Pair{contact.depth, contact.depth};
+  }
+
+  /// Whether a finger that is not near where it was last seen is to be refused; it is then seen where it is. Believed is one that
+  /// stays there, one that is back where it last was good, and the first of all.
+  [[nodiscard, gnu::noinline]] bool leaps(FingerState& state, const Contact& contact) const noexcept {
+    const Stretch last = finger_of({state.goal, state.normal, state.output.depth});
+    const bool known = std::isfinite(state.seen.x());
+    const Stretch finger = finger_of(contact);
+    finger.get_place(state.seen);
+    return known && (finger - last).square() > friction_.law().jump_limit_square();
   }
 
   [[gnu::noinline, gnu::cold]] void hold(FingerState& state) const noexcept {
     FingerOutput& output = state.output;
-    const double share = friction_.law().hold_share();
+    // A sample that is lost is nothing that a finger should feel.
+    const double share = output.state == ContactState::invalid ? friction_.law().hold_share() : 1.0;
     output.state = ContactState::invalid;
     output.slip_work = 0.0;
     output.load *= share;
@@ -146,7 +151,6 @@ class SoftFinger {
     free.goal = contact.point;
     free.normal = contact.normal;
     free.seen = state.seen;
-    free.known = state.known;
     free.goal_angle = twist;
     free.device_angle = twist;
     state = free;
@@ -160,7 +164,11 @@ class SoftFinger {
 
   [[gnu::always_inline]] void advance(FingerState& state, const Contact& contact, double twist, double time_step) const noexcept {
     const Pair squares = Stretch::squares(Stretch::at(contact.point, twist), Stretch::at(contact.normal, 0.0));
-    if (!usable(contact, squares) || (friction_.law().has_jump_limit() && jumped(state, contact))) return hold(state);
+    if (!usable(contact, squares) || !(time_step >= 0.0)) return hold(state);
+    const Stretch finger = finger_of(contact);
+    const bool near = (finger - Stretch::at(state.seen, 0.0)).square() <= friction_.law().jump_limit_square();
+    if (!near && leaps(state, contact)) return hold(state);
+    finger.get_place(state.seen);
     if (!(contact.depth > 0.0)) return release(state, contact, twist);
     if (!state.touching) {
       touch_down(state, contact, twist);

@@ -16,6 +16,7 @@ class Stretch {
     place = {xy_[0], xy_[1], z_twist_[0]};
     angle = z_twist_[1];
   }
+  void get_place(Eigen::Vector3d& place) const noexcept { place = {xy_[0], xy_[1], z_twist_[0]}; }
 
   [[nodiscard]] double twist() const noexcept { return z_twist_[1]; }  ///< [rad]
   /// Of the length without the twist [m²].

@@ -83,24 +83,32 @@ class Replays(CommandLineTest):
     def test_a_leap_is_refused_once_and_believed_if_it_stays(self):
         away = TRACE + "0.004,0.3,0,-0.001,0\n"
         back = away + "0.005,0.0051,0,-0.001,0\n0.006,0.0052,0,-0.001,0\n"
-        self.assertEqual([row["state"] for row in self.replay(back)], ["free", "stick", "stick", "slip", "slip", "slip", "stick"])
+        believed = [row["state"] for row in self.replay(back)]
+        self.assertEqual(believed, ["free", "stick", "stick", "slip", "slip", "slip", "stick"])
+        # Half a metre is what a finger can do by itself.
+        metre = TRACE + "0.004,1.006,0,-0.001,0\n0.005,0.0051,0,-0.001,0\n"
+        self.assertEqual([row["state"] for row in self.replay(metre)][3:], ["slip", "invalid", "slip"])
+        self.assertEqual([row["state"] for row in self.replay(metre, "--jump-limit", "inf")][3:], ["slip", "slip", "slip"])
         for options in [[], ["--details"], ["--surface", "box:x=10,y=10,z=2e-12"]]:
             held = self.replay(back, "--jump-limit", "0.01", *options)
-            self.assertEqual([held[i]["state"] for i in (3, 4, 6)], ["slip", "invalid", "slip"], options)
+            self.assertEqual([row["state"] for row in held[3:]], ["slip", "invalid", "slip", "slip"], options)
             for name in ["px", "load", "fx", "moment"]:
                 self.assertEqual(held[4][name], held[3][name])
-            faded = self.replay(back, "--jump-limit", "0.01", "--hold-share", "0.25", *options)
-            for name in ["load", "fx"]:
-                self.assertEqual(faded[4][name], 0.25 * held[3][name])
-            self.assertEqual(faded[4]["px"], held[3]["px"])
-            self.assertEqual(str(faded[6]), str(held[6]))
             self.assertAlmostEqual(held[6]["fx"], -0.6, delta=1e-9)
         stays = self.replay(away + "0.005,0.3,0,-0.001,0\n", "--jump-limit", "0.01")
         self.assertEqual([row["state"] for row in stays[4:]], ["invalid", "slip"])
         self.assertAlmostEqual(stays[5]["px"], 0.3 - 0.0006, delta=1e-9)
-        # A time that goes back is no leap, and fades all the same.
-        faded = self.replay(TRACE + "0.001,0.007,0,-0.001,0\n", "--hold-share", "0")
-        self.assertEqual((faded[4]["state"], faded[4]["load"], faded[4]["fx"]), ("invalid", 0, 0))
+
+    def test_what_is_felt_fades_over_rows_that_stay_invalid(self):
+        late = TRACE + "".join(f"0.001,0.00{i},0,-0.001,0\n" for i in (7, 8, 9)) + "0.005,0.0051,0,-0.001,0\n"
+        for options, share in [([], 0.99), (["--hold-share", "0.25"], 0.25), (["--hold-share", "1"], 1.0), (["--hold-share", "0"], 0.0)]:
+            rows = self.replay(late, *options)
+            self.assertEqual([row["state"] for row in rows[3:]], ["slip", "invalid", "invalid", "invalid", "slip"])
+            for i, kept in [(4, 1.0), (5, share), (6, share)]:
+                for name in ["load", "fx"]:
+                    self.assertEqual(rows[i][name], kept * rows[i - 1][name], (options, name))
+                self.assertEqual(rows[i]["px"], rows[3]["px"])
+            self.assertAlmostEqual(rows[7]["fx"], -0.6, delta=1e-9)
 
 
 class SteadyTwist(CommandLineTest):

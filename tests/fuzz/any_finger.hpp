@@ -7,6 +7,7 @@
 #include "tests/fuzz/fuzz.hpp"
 
 #include <cmath>
+#include <limits>
 
 /// Fingers of any parameters, on the boundaries and projections that the targets of the step go through.
 namespace limitcurve::fuzz {
@@ -31,6 +32,8 @@ inline godobject::FingerParameters any_parameters(Bytes& bytes) {
     result.damping = std::fabs(any_double(bytes, raw(5), 5.0));
     result.twist_damping = std::fabs(any_double(bytes, raw(4), 1e-3));
   }
+  // Believed wherever it is: what leaps is what is hard.
+  result.jump_limit = std::numeric_limits<double>::infinity();
   if (raw(7)) {
     result.jump_limit = std::fabs(any_double(bytes, raw(0), 0.1));
     result.hold_share = std::fabs(any_double(bytes, raw(4), 1.0));

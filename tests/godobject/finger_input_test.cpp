@@ -66,7 +66,9 @@ TEST(SoftFinger, WithoutTorsionalFrictionTheForceIsLimitedByItself) {
 }
 
 TEST(SoftFinger, HoldsTheLastGoodOutputOnBadInput) {
-  auto finger = hertz_finger();
+  FingerParameters with = parameters();
+  with.hold_share = 1.0;
+  auto finger = hertz_finger(with);
   finger.update(on_plane(0.0, 0.0, 0.002), 0.0);
   finger.update(on_plane(0.0005, 0.0, 0.002), 0.01);
   const FingerOutput good = finger.output();
@@ -92,14 +94,15 @@ TEST(SoftFinger, HoldsTheLastGoodOutputOnBadInput) {
   EXPECT_EQ(output.force, good.force);
 }
 
-TEST(SoftFinger, LetsGoSoftlyWhereAsked) {
+// One bad sample is nothing to be felt; a device that no longer tells where it is must not hold on for ever.
+TEST(SoftFinger, HoldsOnceThenLetsGoSoftly) {
   FingerParameters with = parameters();
   with.hold_share = 0.5;
   auto finger = hertz_finger(with);
   finger.update(on_plane(0.0, 0.0, 0.002), 0.0);
   finger.update(on_plane(0.0004, 0.0, 0.002), 0.01);
   const FingerOutput good = finger.output();
-  for (const double share : {0.5, 0.25, 0.125}) {
+  for (const double share : {1.0, 0.5, 0.25, 0.125}) {
     finger.update(on_plane(nan, 0.0, 0.002), 0.0);
     EXPECT_EQ(finger.output().force, Eigen::Vector3d(good.force * share));
     EXPECT_EQ(finger.output().load, good.load * share);
@@ -114,13 +117,42 @@ TEST(SoftFinger, RefusesAJumpOnce) {
   FingerParameters with = parameters();
   with.jump_limit = 0.01;
   auto finger = hertz_finger(with);
-  finger.update(on_plane(0.0, 0.0, 0.002), 0.0);
-  finger.update(on_plane(0.0004, 0.0, 0.002), 0.0);
+  finger.update(on_plane(7.0, 0.0, 0.002), 0.0);
+  EXPECT_EQ(finger.output().state, ContactState::stick) << "there was nothing to leap from";
+  finger.update(on_plane(7.0004, 0.0, 0.002), 0.0);
   const FingerOutput good = finger.output();
   EXPECT_EQ(finger.update(on_plane(1.0, 0.0, 0.002), 0.0).state, ContactState::invalid);
   EXPECT_EQ(finger.output().force, good.force);
   EXPECT_EQ(finger.update(on_plane(1.0, 0.0, 0.002), 0.0).state, ContactState::slip);
   EXPECT_EQ(finger.update(on_plane(1.0, 0.0, 0.5), 0.0).state, ContactState::invalid);
+  EXPECT_EQ(finger.update(on_plane(1.0, 0.0, 0.5), 0.0).load, 500.0);
+}
+
+TEST(SoftFinger, BelievesAFingerThatIsBackFromAJump) {
+  auto finger = hertz_finger();
+  finger.update(on_plane(0.0, 0.0, 0.002), 0.0);
+  finger.update(on_plane(0.0004, 0.0, 0.002), 0.0);
+  const FingerOutput good = finger.output();
+  // A metre away, up, and deep: whatever is told in one sample, nothing is felt of it, in this one or the next.
+  for (const Contact& leap : {on_plane(1.0, 0.0, 0.002), on_plane(0.0, 0.0, -1.0), on_plane(0.0, 0.0, 1.0)}) {
+    EXPECT_EQ(finger.update(leap, 0.0).state, ContactState::invalid);
+    EXPECT_EQ(finger.output().force, good.force);
+    EXPECT_EQ(finger.output().load, good.load);
+    EXPECT_EQ(finger.update(on_plane(0.0004, 0.0, 0.002), 0.0).state, ContactState::stick);
+    EXPECT_EQ(finger.output().force, good.force);
+    EXPECT_EQ(finger.output().proxy, good.proxy);
+  }
+}
+
+TEST(SoftFinger, RefusesTimeThatGoesBackwards) {
+  auto finger = hertz_finger();
+  finger.update(on_plane(0.0, 0.0, 0.002), 0.0, 0.001);
+  finger.update(on_plane(0.0004, 0.0, 0.002), 0.0, 0.001);
+  const FingerOutput good = finger.output();
+  for (const double time_step : {-0.001, -5e-324, -infinity, nan}) {
+    EXPECT_EQ(finger.update(on_plane(0.0008, 0.0, 0.002), 0.0, time_step).state, ContactState::invalid) << time_step;
+    EXPECT_EQ(finger.update(on_plane(0.0004, 0.0, 0.002), 0.0, 0.0).force, good.force);
+  }
 }
 
 // Steps of random magnitude and sign, loads over eight decades: the wrench stays on or within the curve, the slip

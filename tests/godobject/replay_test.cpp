@@ -81,7 +81,9 @@ TEST(Replay, SettlesAtTheImposedCentreOfRotation) {
 }
 
 TEST(Replay, HoldsOnSamplesThatAreNotUsable) {
-  Replay replay(options());
+  ReplayOptions with = options();
+  with.hold_share = 1.0;
+  Replay replay(with);
   static_cast<void>(replay.step({0.0, 0.0, 0.0, -0.002, 0.0}));
   const ReplayRow good = replay.step({0.001, 0.0003, 0.0, -0.002, 0.0});
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();

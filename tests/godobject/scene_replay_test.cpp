@@ -194,6 +194,7 @@ TEST(SceneReplay, HoldsOnSamplesThatAreNotUsable) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   for (const BodyMotion motion : {BodyMotion::fixed, BodyMotion::prescribed, BodyMotion::free}) {
     SceneOptions with = options();
+    with.finger.hold_share = 1.0;
     with.motion = motion;
     with.surface = AnySurface(BoxSurface(Vector3d::Constant(0.02)));
     with.body.gravity.setZero();
