@@ -9,8 +9,8 @@
 /// What the targets of mesh files share.
 namespace limitcurve::fuzz {
 
-/// Triangles that a reader let through: a solid or a complaint; and a solid is touched by fingers at and between its vertices without
-/// falling through it.
+/// Triangles that a reader let through: a solid or a complaint; and a solid is touched by fingers at, between and beyond its vertices
+/// without falling through it.
 inline void touch(const godobject::TriangleList& list) {
   using Eigen::Vector3d;
   require(list.lines.empty() || list.lines.size() == list.faces.size(), "faces without their lines");
@@ -36,7 +36,14 @@ inline void touch(const godobject::TriangleList& list) {
     const Vector3d& other = mesh.vertices()[(7 * i + 3) % mesh.vertices().size()];
     const Vector3d finger = i % 3 == 0 ? one : i % 3 == 1 ? Vector3d(0.5 * (one + other)) : Vector3d(1.5 * one - 0.3 * other);
     const bool was_free = memory.face < 0;
+    const godobject::ContactMemory before = memory;
     const godobject::Contact contact = surface->contact(finger, memory);
+    if (finger.cwiseAbs().maxCoeff() > godobject::MeshSurface::farthest) {
+      // Vertices may be as far out as fingers may, so what is beyond them may be out of range.
+      require(contact.depth != contact.depth, "a finger out of range that is not refused");
+      require(memory.face == before.face && memory.finger == before.finger && memory.known == before.known, "a refusal that is remembered");
+      continue;
+    }
     require(contact.point.allFinite() && is_finite(contact.depth), "a contact that is not finite");
     require(std::fabs(contact.normal.norm() - 1.0) < 1e-9, "a normal that is not of unit length");
     require(memory.face >= 0 || !mesh.holds(finger), "a free finger inside");

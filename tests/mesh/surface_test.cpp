@@ -207,6 +207,40 @@ TEST(MeshSurface, AFarLeapTakesSeveralSteps) {
   EXPECT_GT(steps, 1);
 }
 
+// Slivers to a vertex 845 km out, almost as far as fingers may be: along them contacts are finite and on the surface, and beyond the range
+// a finger is refused, as one that is not finite is, without forgetting where the god-object was.
+TEST(MeshSurface, TouchesAsFarAsFingersMayBe) {
+  TriangleList list;
+  list.vertices = {{0, 0, 2}, {844674, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.2, -1, -30}};
+  list.faces = {{0, 2, 1}, {0, 3, 2}, {1, 2, 3}, {0, 4, 3}, {4, 1, 3}, {0, 1, 4}};
+  const MeshSurface surface{Mesh(list)};
+  const Mesh& mesh = surface.mesh();
+  Random random(13);
+  ContactMemory memory;
+  int touching = 0;
+  int refused = 0;
+  for (int i = 0; i < 10000; ++i) {
+    const double along = random.uniform(-0.5, 1.5);
+    const Vector3d finger = mesh.vertices()[random.bits() % 5] * (1.0 - along) + along * mesh.vertices()[1] + anywhere(random, 1.0);
+    const ContactMemory before = memory;
+    const Contact contact = surface.contact(finger, memory);
+    ASSERT_NEAR(contact.normal.norm(), 1.0, 1e-14);
+    if (finger.cwiseAbs().maxCoeff() > MeshSurface::farthest) {
+      ++refused;
+      ASSERT_TRUE(std::isnan(contact.depth));
+      ASSERT_TRUE(memory.face == before.face && same_bits(memory.finger, before.finger));
+      continue;
+    }
+    ASSERT_TRUE(contact.point.allFinite() && std::isfinite(contact.depth));
+    ASSERT_TRUE(memory.face >= 0 || !mesh.holds(finger));
+    if (memory.face < 0) continue;
+    ++touching;
+    ASSERT_LT(distance_by_search(mesh, memory.finger), mesh.grid().step());
+  }
+  EXPECT_GT(touching, 100);
+  EXPECT_GT(refused, 1000);
+}
+
 TEST(MeshSurface, AThinPlateIsNotPassedThrough) {
   const MeshSurface plate = read_mesh(data_mesh("plate.stl"));
   for (const bool slowly : {false, true}) {
