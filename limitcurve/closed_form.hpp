@@ -5,9 +5,13 @@
 #include "limitcurve/economised_elliptic.hpp"
 #include "limitcurve/elliptic.hpp"
 #include "limitcurve/moment_series.hpp"
+#include "limitcurve/piecewise_polynomial.hpp"
 
+#include <bit>
 #include <cmath>
 #include <concepts>
+#include <cstddef>
+#include <limits>
 
 /// Unit wrenches in closed form, one function a pressure law: f, m and df/ds at s = c/a, for s ∈ [0, ∞].
 ///
@@ -17,7 +21,7 @@
 ///   1 < s² ≤ 2   the closed form for a COR outside, in τ = s² − 1 = (s−1)(s+1), which is exact near the rim;
 ///   s² > 2       the series in pressure moments (moment_series.hpp): converges fast and keeps m to relative precision.
 /// In double and float the last two are piecewise polynomials (economised_*.hpp) in a variable in which the form is
-/// analytic, w = √(1 − s⁻²), or, where it has a logarithm at the rim, in η = 1 − s⁻² down to ⅛ and the closed form below.
+/// analytic: s⁻² from s = 1 + 1/16 on; nearer to the rim w = √(1 − s⁻²), or, where there is a logarithm at the rim, the closed form.
 /// Relative error of f and m: ≤ 8 ε of Real, the cone's m ≤ 16 ε. df/ds: ≤ 64 ε. Cost: README, "Evaluators". What of
 /// the three is not used costs nothing once the call is inlined.
 namespace limitcurve::closed_form {
@@ -28,32 +32,41 @@ namespace detail {
 /// Beyond this square of s the closed forms outside the rim start to cancel, and the series is short.
 inline constexpr double series_from = 2.0;
 
-/// A form that is analytic in w = √(1 − s⁻²) ∈ [0, 1], for s > 1. At s = ∞: (1, 0), slope 0.
+/// s − 1 from which the polynomials in s⁻² serve; there 1 − s⁻² < ⅛.
+inline constexpr double near_rim = 0.0625;
+
+/// A form outside the rim, for s − 1 ≥ near_rim. At s = ∞: (1, 0), slope 0.
 template <const auto& wrench, const auto& slope, class Real>
-[[gnu::always_inline]] inline UnitForces<Real> outside_in_root(Real s) noexcept {
-  static constexpr PiecewisePolynomials<Real, 9, 12, 2> wrenches(wrench);
-  static constexpr PiecewisePolynomials<Real, 9, 12, 1> slopes(slope);
-  // √((s−1)(s+1)) keeps the digits of w at the rim, which the flat punch's slope wants; beyond `far` it would overflow, and w is 1.
-  constexpr Real far = sizeof(Real) == sizeof(float) ? Real(1e18) : Real(1e150);
-  const Real near = s > far ? far : s;
-  const auto place = place_in_equal_pieces<9>(std::sqrt((near - 1) * (near + 1)) * (1 / near));
+[[gnu::always_inline]] inline UnitForces<Real> away_from_rim(Real s) noexcept {
+  constexpr std::size_t pieces = economised::outside_middles.size();
+  static constexpr PiecewisePolynomials<Real, pieces, wrench.size() / (2 * pieces), 2> wrenches(wrench);
+  static constexpr PiecewisePolynomials<Real, pieces, slope.size() / pieces, 1> slopes(slope);
+  // The piece by the leading bits of s − 1, an eighth of an octave each, while the division is still under way: a call costs its latency.
+  using Bits = limitcurve::detail::BitsOf<Real>;
+  constexpr int eighths = std::numeric_limits<Real>::digits - 4;
+  constexpr Real last = 4;  // from here to ∞ one piece
+  const Real beyond = s - 1;
   const Real q = 1 / s;
+  const auto piece = static_cast<std::size_t>((std::bit_cast<Bits>(beyond < last ? beyond : last) >> eighths) -
+                                              (std::bit_cast<Bits>(static_cast<Real>(near_rim)) >> eighths));
+  const PiecePlace<Real> place{piece, q * q - static_cast<Real>(economised::outside_middles[piece])};
   const auto [force, moment] = wrenches.at(place);
   return {force, q * moment, q * q * q * slopes.at(place)[0]};
 }
 
-/// A form with a logarithm at the rim, for s⁻² ≤ ⅞. At s = ∞: (1, 0), slope 0.
-template <const auto& wrench, const auto& slope, class Real>
-[[gnu::always_inline]] inline UnitForces<Real> outside_in_complement(Real q) noexcept {
-  static constexpr PiecewisePolynomials<Real, 12, 11, 2> wrenches(wrench);
-  static constexpr PiecewisePolynomials<Real, 12, 12, 1> slopes(slope);
-  const auto place = place_in_octaves<3>(1 - q * q);
+/// A form that is analytic in w = √(1 − s⁻²), for s > 1.
+template <const auto& wrench, const auto& slope, const auto& rim_wrench, const auto& rim_slope, class Real>
+[[gnu::always_inline]] inline UnitForces<Real> outside(Real s) noexcept {
+  if (s - 1 >= Real(near_rim)) return away_from_rim<wrench, slope>(s);
+  constexpr std::size_t terms = rim_slope.size();
+  static constexpr PiecewisePolynomials<Real, 1, terms, 2> wrenches(rim_wrench);
+  static constexpr PiecewisePolynomials<Real, 1, terms, 1> slopes(rim_slope);
+  const Real q = 1 / s;
+  // (s−1)(s+1)/s², not 1 − s⁻², keeps the digits of w at the rim, which the flat punch's slope wants.
+  const PiecePlace<Real> place{0, std::sqrt((s - 1) * (s + 1)) * q - Real(economised::rim_middle)};
   const auto [force, moment] = wrenches.at(place);
   return {force, q * moment, q * q * q * slopes.at(place)[0]};
 }
-
-/// Where the above ends.
-inline constexpr double near_rim = 0.875;
 }  // namespace detail
 
 /// Hertz (n = ½): p = (3/2)(1−ρ²)^½ P/(πa²), the elastic sphere.
@@ -65,7 +78,7 @@ template <std::floating_point Real>
     return {2 * scale * s * (1 - z / 4), scale * ((1 - s) * (1 + s) + Real(0.375) * z * z), 2 * scale * (1 - Real(0.75) * z)};
   }
   if constexpr (has_polynomials<Real>) {
-    return detail::outside_in_root<economised::hertz_wrench, economised::hertz_slope>(s);
+    return detail::outside<economised::hertz_wrench, economised::hertz_slope, economised::hertz_rim_wrench, economised::hertz_rim_slope>(s);
   } else {
     if (s * s > Real(detail::series_from)) return outside_series<PowerMoments<1, 2>>(s);
     const Real tau = (s - 1) * (s + 1);
@@ -83,7 +96,8 @@ template <std::floating_point Real>
   const Real quarter_pi = Real(pi / 4);
   if (s <= 1) return {quarter_pi * s, quarter_pi / 2 * (1 + (1 - s) * (1 + s)), quarter_pi};
   if constexpr (has_polynomials<Real>) {
-    return detail::outside_in_root<economised::flat_punch_wrench, economised::flat_punch_slope>(s);
+    return detail::outside<economised::flat_punch_wrench, economised::flat_punch_slope, economised::flat_punch_rim_wrench,
+                           economised::flat_punch_rim_slope>(s);
   } else {
     if (s * s > Real(detail::series_from)) return outside_series<PowerMoments<-1, 2>>(s);
     const Real tau = (s - 1) * (s + 1);
@@ -105,7 +119,7 @@ template <std::floating_point Real>
   }
   const Real q = 1 / s;
   if constexpr (has_polynomials<Real>) {
-    if (q * q <= Real(detail::near_rim)) return detail::outside_in_complement<economised::uniform_wrench, economised::uniform_slope>(q);
+    if (s - 1 >= Real(detail::near_rim)) return detail::away_from_rim<economised::uniform_wrench, economised::uniform_slope>(s);
   } else {
     if (s * s > Real(detail::series_from)) return outside_series<PowerMoments<0, 2>>(s);
   }
@@ -128,7 +142,7 @@ template <std::floating_point Real>
   }
   const Real q = 1 / s;
   if constexpr (has_polynomials<Real>) {
-    if (q * q <= Real(detail::near_rim)) return detail::outside_in_complement<economised::parabolic_wrench, economised::parabolic_slope>(q);
+    if (s - 1 >= Real(detail::near_rim)) return detail::away_from_rim<economised::parabolic_wrench, economised::parabolic_slope>(s);
   } else {
     if (s * s > Real(detail::series_from)) return outside_series<PowerMoments<2, 2>>(s);
   }
@@ -147,7 +161,7 @@ template <std::floating_point Real>
     return {s * (Real(pi / 2) - 2 * s / 3), Real(pi / 6) - s * s * (Real(pi / 4) - 4 * s / 9), Real(pi / 2) - 4 * s / 3};
   }
   if constexpr (has_polynomials<Real>) {
-    return detail::outside_in_root<economised::cone_wrench, economised::cone_slope>(s);
+    return detail::outside<economised::cone_wrench, economised::cone_slope, economised::cone_rim_wrench, economised::cone_rim_slope>(s);
   } else {
     if (s * s > Real(detail::series_from)) return outside_series<ConeMoments>(s);
     const Real tau = (s - 1) * (s + 1);

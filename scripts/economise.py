@@ -3,7 +3,7 @@
 """Polynomials for the closed forms in double precision: the headers limitcurve/economised_*.hpp and, for the Gaussian, which no
 public header uses, limitcurve/internal/economised_gaussian.hpp.
 
-    economise.py            write the headers (a quarter of a minute; needs mpmath)
+    economise.py            write the headers (a third of a minute; needs mpmath)
     economise.py --check    compute them again and compare them byte by byte with the files
 
 Every function is interpolated at Chebyshev nodes in 50-digit arithmetic and written in powers of the distance from the
@@ -13,13 +13,14 @@ known; the script measures what each polynomial misses, between the nodes, and r
 
 With q = 1/s (COR outside the rim) or q = s (inside), eta = 1 - q^2 and w = sqrt(eta):
 
-  pressures whose limit curve is elementary outside the rim (Hertz, flat punch, cone): force f, moment s m, slope s^3 df/ds
-  are analytic in w on [0, 1] up to w = -1: nine pieces of equal width.
+  outside the rim force f, moment s m and slope s^3 df/ds are analytic in z = q^2 up to the rim, z = 1. From s = 1 + 1/16 on, a
+  piece for every eighth of an octave of s - 1, up to 4, and one beyond: so the leading bits of s - 1 name the piece.
 
-  those that have a logarithm at the rim (uniform, parabolic): the same three in eta on [1/8, 1], four pieces an octave. Nearer
-  to the rim they are combinations of the elliptic integrals B and D.
+  nearer to the rim, those of the pressures whose limit curve is elementary outside (Hertz, flat punch, cone) are analytic in w up
+  to w = -1: one piece. Those that have a logarithm at the rim (uniform, parabolic) are combinations of the elliptic
+  integrals B and D.
 
-  B and D of modulus q (DLMF 19.2.6: B = K - D, D = (K - E)/q^2): in eta on [1/8, 1] likewise; below, split into what
+  B and D of modulus q (DLMF 19.2.6: B = K - D, D = (K - E)/q^2): in eta on [1/8, 1], four pieces an octave; below, split into what
   is analytic and what multiplies the logarithm (DLMF 19.12.1, in the manner of Hastings 1955, Cody 1965, Fukushima 2009),
       B = B0(eta) - eta log(eta) B1(eta),   D = D0(eta) - log(eta) D1(eta).
 
@@ -29,6 +30,7 @@ With q = 1/s (COR outside the rim) or q = s (inside), eta = 1 - q^2 and w = sqrt
 
 import argparse
 import sys
+from functools import cache
 from pathlib import Path
 
 from mpmath import mp, mpf
@@ -36,6 +38,7 @@ from mpmath import mp, mpf
 mp.dps = 50
 FOLDER = Path(__file__).resolve().parent.parent / "limitcurve"
 LARGEST_ERROR = mpf(2) ** -54
+RIM_MIDDLE = mpf(87) / 512  # half of w at s = 1 + 1/16, and a little
 
 
 def family(n):
@@ -76,10 +79,11 @@ def cone():
         slope = angle + 2 * t - 4 * s / 3 - t / (s * s) * (1 + 2 * t * t / 3)
         return force, s * twist, s**3 * slope
 
-    def one(i):
-        return lambda z: (terms(z) if z < mpf(2) / 3 else closed(z))[i]
+    @cache
+    def all_three(z):
+        return terms(z) if z < mpf(2) / 3 else closed(z)
 
-    return [one(i) for i in range(3)]
+    return [lambda z, i=i: all_three(z)[i] for i in range(3)]
 
 
 def elliptic(eta):
@@ -139,8 +143,9 @@ def piece(function, left, right, terms, unit, loudest=0):
     what the function is measured against, if not itself."""
     exact = chebyshev(function, left, right, terms)
     middle, half = (left + right) / 2, (right - left) / 2
-    for i in range(4 * terms):
-        x = half * mp.cos(mp.pi * (i + mpf(1) / 3) / (4 * terms))
+    for i in range(terms + 1):
+        # The extremes of the Chebyshev polynomial that the error nearly is; but not the very ends, where a formula may have a 0/0.
+        x = half * (1 - mpf(2) ** -20) * mp.cos(mp.pi * i / terms)
         truth = function(middle + x)
         error = abs(mp.polyval(exact[::-1], x) - truth) / max(abs(truth), loudest)
         if not error <= LARGEST_ERROR:
@@ -169,6 +174,26 @@ def octave_pieces(functions, octaves, terms):
     return rows
 
 
+def outside_pieces():
+    """The middle and half width in z of each piece of s >= 1 + 1/16. The middles are rounded, so that a float holds them, and the
+    last is pure sliding, z = 0, so that f = 1 there to the last bit."""
+    edges = [mpf(2) ** octave * (1 + mpf(eighth) / 8) for octave in range(-4, 2) for eighth in range(8)] + [mpf(4), mp.inf]
+    for inner, outer in zip(edges, edges[1:]):
+        right = 1 / (1 + inner) ** 2
+        left = -right if mp.isinf(outer) else 1 / (1 + outer) ** 2
+        middle = mp.nint((left + right) * 2**19) / 2**20
+        yield middle, max(middle - left, right - middle)
+
+
+def outside(functions, terms):
+    """On those, in units of 1."""
+    rows = []
+    for middle, half in outside_pieces():
+        columns = [piece(g, middle - half, middle + half, terms, mpf(1)) for g in functions]
+        rows += [value for power in zip(*columns) for value in power]
+    return rows
+
+
 def array(comment, name, values):
     lines = [f"/// {comment}", f"inline constexpr std::array<double, {len(values)}> {name}{{"]
     numbers = [repr(v) for v in values]
@@ -182,22 +207,39 @@ def array(comment, name, values):
     return "\n".join(lines) + "\n"
 
 
+def outside_forms(name, functions, terms):
+    """With a term more for the slope, whose singularity at the rim is the stronger."""
+    return [
+        array(f"{name}: f and s·m in s⁻², 49 pieces of {terms} terms.", f"{name}_wrench", outside(functions[:2], terms)),
+        array(f"{name}: s³·df/ds in s⁻², 49 pieces of {terms + 1} terms.", f"{name}_slope", outside(functions[2:], terms + 1)),
+    ]
+
+
+def rim_forms(name, functions):
+    columns = [piece(lambda w, g=g: g(1 - w * w), mpf(0), 2 * RIM_MIDDLE, 16, mpf(1)) for g in functions]
+    wrench = [value for power in zip(*columns[:2]) for value in power]
+    return [
+        array(f"{name}: f and s·m in w near the rim, 16 terms.", f"{name}_rim_wrench", wrench),
+        array(f"{name}: s³·df/ds in w near the rim, 16 terms.", f"{name}_rim_slope", columns[2]),
+    ]
+
+
 def elementary_forms():
     half = mpf(1) / 2
-    parts = []
-    for name, functions in (("hertz", family(half)), ("flat_punch", family(-half)), ("cone", cone())):
-        in_w = [lambda w, g=g: g(1 - w * w) for g in functions]
-        parts.append(array(f"{name}: f and s·m in w, 9 pieces of 12 terms.", f"{name}_wrench", equal_pieces(in_w[:2], 9, 12)))
-        parts.append(array(f"{name}: s³·df/ds in w, 9 pieces of 12 terms.", f"{name}_slope", equal_pieces(in_w[2:], 9, 12)))
+    middles = [float(middle) for middle, _ in outside_pieces()]
+    parts = [
+        array("The middles in s⁻² of the pieces outside the rim, here and in economised_elliptic.hpp.", "outside_middles", middles),
+        f"/// The middle in w of the piece near the rim.\ninline constexpr double rim_middle = {float(RIM_MIDDLE)!r};\n",
+    ]
+    for name, functions, terms in (("hertz", family(half), 8), ("flat_punch", family(-half), 9), ("cone", cone(), 8)):
+        parts += outside_forms(name, functions, terms) + rim_forms(name, functions)
     return parts
 
 
 def elliptic_forms():
     parts = []
     for name, n in (("uniform", mpf(0)), ("parabolic", mpf(1))):
-        in_eta = [lambda eta, g=g: g(1 - eta) for g in family(n)]
-        parts.append(array(f"{name}: f and s·m in η, 12 pieces of 11 terms.", f"{name}_wrench", octave_pieces(in_eta[:2], 3, 11)))
-        parts.append(array(f"{name}: s³·df/ds in η, 12 pieces of 12 terms.", f"{name}_slope", octave_pieces(in_eta[2:], 3, 12)))
+        parts += outside_forms(name, family(n), 8)
     both = [lambda eta, i=i: elliptic(eta)[i] for i in range(2)]
     parts.append(array("B and D in η, 12 pieces of 13 terms.", "elliptic", octave_pieces(both, 3, 13)))
     rim = mpf(1) / 8
