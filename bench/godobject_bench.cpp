@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
-// A step of the god-object on the plane, boundary by projection. Mean by Google Benchmark; `worst` is the slowest single
-// step of a second pass, each timed on its own (clock included; the operating system may be in it).
+// A step of the god-object on the plane, boundary by projection. Mean by Google Benchmark; `worst_ns` is the slowest single
+// step of a second pass, each timed on its own (clock included; the operating system may be in it), `instructions` the mean count
+// of some of them (nan where a process may not be traced).
+#include "bench/contacts.hpp"
 #include "bench/finger_motion.hpp"
+#include "bench/stepped_instructions.hpp"
 #include "godobject/godobject.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/table.hpp"
@@ -11,6 +14,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstddef>
+#include <map>
 #include <random>
 #include <utility>
 #include <vector>
@@ -48,19 +52,35 @@ std::vector<Sample> held() {
   return samples;
 }
 
+/// Of one call of `advance` for each of some samples in a row, less what calling costs.
+template <class Advance>
+double mean_instructions(const std::vector<Sample>& samples, const Advance& advance) {
+  constexpr std::size_t some = 256;
+  const auto take = [&](const auto& call) {
+    return bench::stepped_instructions([&] {
+      for (std::size_t i = 0; i < some; ++i) benchmark::DoNotOptimize(call(samples[samples.size() / 4 + i]));
+    });
+  };
+  return (take(advance) - take([](const Sample& sample) { return sample.twist; })) / static_cast<double>(some);
+}
+
+/// The step that is timed and counted: one copy of it for both.
+template <class Finger>
+[[gnu::noinline]] const FingerOutput& take_step(Finger& finger, const Sample& sample, bool cold) {
+  if (cold) {
+    // Forget where the last slip was, but not that it slipped.
+    FingerState forgetful = finger.state();
+    if (forgetful.start > 0.0) forgetful.start = 0.0;
+    finger.restore(forgetful);
+  }
+  return finger.update(sample.contact, sample.twist);
+}
+
 template <class Boundary, class Projection>
 void step(benchmark::State& state, const Boundary& boundary, Projection projection, const std::vector<Sample>& samples, bool cold) {
   SoftFinger finger(boundary, parameters(), projection);
   finger.update(on_plane(0.0, 0.0, 0.002), 0.0);
-  const auto advance = [&](const Sample& sample) -> const FingerOutput& {
-    if (cold) {
-      // Forget where the last slip was, but not that it slipped.
-      FingerState forgetful = finger.state();
-      if (forgetful.start > 0.0) forgetful.start = 0.0;
-      finger.restore(forgetful);
-    }
-    return finger.update(sample.contact, sample.twist);
-  };
+  const auto advance = [&](const Sample& sample) -> const FingerOutput& { return take_step(finger, sample, cold); };
   std::size_t i = 0;
   for (auto _ : state) {
     const FingerOutput& output = advance(samples[i]);
@@ -77,6 +97,11 @@ void step(benchmark::State& state, const Boundary& boundary, Projection projecti
     worst = std::max(worst, std::chrono::duration<double, std::nano>(Clock::now() - start).count());
     slips += output.state == ContactState::slip;
   }
+  // Not again in every trial of how many iterations are enough.
+  static std::map<std::pair<const std::vector<Sample>*, bool>, double> instructions;
+  const auto [counted, is_new] = instructions.try_emplace({&samples, cold}, 0.0);
+  if (is_new) counted->second = mean_instructions(samples, [&](const Sample& sample) { return advance(sample).moment; });
+  state.counters["instructions"] = counted->second;
   state.counters["worst_ns"] = worst;
   state.counters["slips"] = static_cast<double>(slips) / static_cast<double>(samples.size());
 }
@@ -102,20 +127,11 @@ template <class Real, class Batch, class Boundary, class Projection>
 void step_of_batch(benchmark::State& state, const Boundary& boundary, Projection projection) {
   const auto contacts = static_cast<std::size_t>(state.range(0));
   const Friction<Boundary, Projection> friction(boundary, parameters(), projection);
-  std::vector<Real> x(contacts), y(contacts), angle(contacts), depth(contacts, Real(0.002)), proxy_x(contacts), proxy_y(contacts),
-      proxy_angle(contacts), start(contacts, Real(-1)), trend(contacts), force_x(contacts), force_y(contacts), moment(contacts),
-      turn(contacts);
-  for (std::size_t i = 0; i < contacts; ++i) turn[i] = Real(0.02) + Real(1e-6) * static_cast<Real>(i % 64);
-  const Batch batch{x, y, angle, depth, proxy_x, proxy_y, proxy_angle, start, trend, force_x, force_y, moment};
+  bench::Contacts<Real, Batch> arrays(contacts, 0.002);
+  step(friction, arrays.batch());
   for (auto _ : state) {
-    // Moving is in the time, some 0.5 ns a contact. The proxies are moved back instead of the fingers on: however long that lasts,
-    // positions stay near the origin, where floats resolve them.
-    for (std::size_t i = 0; i < contacts; ++i) {
-      proxy_x[i] -= Real(1e-4);
-      proxy_angle[i] -= turn[i];
-    }
-    step(friction, batch);
-    benchmark::DoNotOptimize(moment.data());
+    arrays.turn_round();
+    step(friction, arrays.batch());
     benchmark::ClobberMemory();
   }
   state.counters["ns_a_contact"] = benchmark::Counter(static_cast<double>(state.iterations()) * static_cast<double>(contacts) * 1e-9,

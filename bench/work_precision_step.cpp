@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "bench/work_precision_step.hpp"
 
+#include "bench/contacts.hpp"
 #include "bench/way.hpp"
 
 #include "godobject/godobject.hpp"
@@ -176,51 +177,15 @@ void add_step(const Law& law, const std::string& boundary_name, const Boundary& 
   }
 }
 
-/// Contacts as arrays of doubles or floats, all of which slip in every step: their fingers begin far enough from the proxies.
-template <class Real, class Batch>
-class Contacts {
- public:
-  explicit Contacts(std::size_t count)
-      : x_(count, Real(0.003)),
-        y_(count),
-        angle_(count, Real(0.5)),
-        depth_(count, Real(depth)),
-        proxy_x_(count),
-        proxy_y_(count),
-        proxy_angle_(count),
-        start_(count, Real(-1)),
-        trend_(count),
-        force_x_(count),
-        force_y_(count),
-        moment_(count) {}
-
-  [[nodiscard]] Batch batch() {
-    return {x_, y_, angle_, depth_, proxy_x_, proxy_y_, proxy_angle_, start_, trend_, force_x_, force_y_, moment_};
-  }
-
-  /// Some 0.5 ns a contact, which the measured times include. The proxies move back instead of the fingers on: however long that
-  /// lasts, positions stay near the origin, where floats resolve them.
-  void move() {
-    for (std::size_t i = 0; i < x_.size(); ++i) {
-      proxy_x_[i] -= Real(1e-4);
-      proxy_angle_[i] -= Real(0.02) + Real(1e-6) * static_cast<Real>(i % 64);
-    }
-  }
-
- private:
-  std::vector<Real> x_, y_, angle_, depth_, proxy_x_, proxy_y_, proxy_angle_, start_, trend_, force_x_, force_y_, moment_;
-};
-
 template <class Real, class Batch, class Boundary, class Projection>
 void step_batch(benchmark::State& state, const Boundary& boundary, Projection projection, double moment_ratio) {
   const auto count = static_cast<std::size_t>(state.range(0));
   const Friction<Boundary, Projection> friction(boundary, parameters(2.0, moment_ratio), projection);
-  Contacts<Real, Batch> contacts(count);
-  const Batch batch = contacts.batch();
-  step(friction, batch);
+  godobject::bench::Contacts<Real, Batch> contacts(count, depth);
+  step(friction, contacts.batch());
   for (auto _ : state) {
-    contacts.move();
-    step(friction, batch);
+    contacts.turn_round();
+    step(friction, contacts.batch());
     benchmark::ClobberMemory();
   }
   state.SetComplexityN(state.range(0));

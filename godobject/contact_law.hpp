@@ -54,8 +54,8 @@ class ContactLaw {
     double per_radius;  ///< 1/a [1/m]
   };
 
-  [[nodiscard]] Scale static_scale(double load) const noexcept { return scale(static_, load); }
-  [[nodiscard]] Scale dynamic_scale(double load) const noexcept { return scale(dynamic_, load); }
+  [[gnu::always_inline]] [[nodiscard]] Scale static_scale(double load) const noexcept { return scale(static_, load); }
+  [[gnu::always_inline]] [[nodiscard]] Scale dynamic_scale(double load) const noexcept { return scale(dynamic_, load); }
   [[nodiscard]] bool has_one_limit() const noexcept { return has_one_limit_; }  ///< static and dynamic limits are the same
 
   [[nodiscard]] const Springs& springs() const noexcept { return springs_; }
@@ -79,7 +79,7 @@ class ContactLaw {
     double per_radius;
   };
 
-  [[nodiscard]] Scale scale(const Limit& limit, double load) const noexcept {
+  [[gnu::always_inline]] [[nodiscard]] Scale scale(const Limit& limit, double load) const noexcept {
     if (!radius_law_) return {limit.mu * load, limit.radius, limit.per_radius};
     const double radius = radius_law_->radius(load);
     return {limit.mu * load, radius, 1.0 / radius};

@@ -12,7 +12,7 @@
 namespace limitcurve::godobject {
 
 /// Where the last slips point to: the centre of rotation seldom jumps.
-inline double ahead_of(double start, double trend) noexcept {
+[[gnu::always_inline]] inline double ahead_of(double start, double trend) noexcept {
   const bool small = std::fabs(trend) <= 0.1 * std::min(start, 2.0 - start);
   return small ? start + trend : start;
 }
@@ -187,7 +187,7 @@ class Friction {
   /// So near zero a unit's square vanishes, and a quotient by it may overflow: no friction [N, N m].
   static constexpr double least_unit = 1e-150;
 
-  [[nodiscard]] static Limits make_limits(ContactLaw::Scale scale) noexcept {
+  [[gnu::always_inline]] [[nodiscard]] static Limits make_limits(ContactLaw::Scale scale) noexcept {
     const double moment_unit = scale.force * scale.radius;
     return {Pair{scale.force, moment_unit}, scale.radius, scale.per_radius, std::min(scale.force, moment_unit) > least_unit};
   }
@@ -241,7 +241,7 @@ class Friction {
     double reach;   ///< r on the boundary without twist [m]
   };
 
-  [[nodiscard]] Elliptic make_elliptic(const Limits& limits, const Pull& pull) const noexcept {
+  [[gnu::always_inline]] [[nodiscard]] Elliptic make_elliptic(const Limits& limits, const Pull& pull) const noexcept {
     const double turn = arm_times_radius_ * limits.per_radius * pull.rho;
     return {pull.r_square + turn * turn, limits.unit[0] * reach_per_unit_};
   }

@@ -111,12 +111,12 @@ class SoftFinger {
 
  private:
   /// Of the contact's place and twist, and of its normal: `squares` is of both. Comparisons that are false for NaN too.
-  [[nodiscard]] static bool usable(const Contact& contact, Pair squares) noexcept {
+  [[gnu::always_inline]] [[nodiscard]] static bool usable(const Contact& contact, Pair squares) noexcept {
     return all_within(Pair{squares[0] + contact.depth * contact.depth, std::fabs(squares[1] - 1.0)}, Pair{farthest * farthest, 1e-6});
   }
 
   /// Where the finger itself is.
-  [[nodiscard]] static Stretch finger_of(const Contact& contact) noexcept {
+  [[gnu::always_inline]] [[nodiscard]] static Stretch finger_of(const Contact& contact) noexcept {
     return Stretch::at(contact.point, 0.0) - Stretch::at(contact.normal, 0.0) * Pair{contact.depth, contact.depth};
   }
 
@@ -244,7 +244,7 @@ class SoftFinger {
     slip(state, from + drawn * grip.share, grip);
   }
 
-  static void stick(FingerState& state) noexcept {
+  [[gnu::always_inline]] static void stick(FingerState& state) noexcept {
     FingerOutput& output = state.output;
     output.state = ContactState::stick;
     output.cor = std::numeric_limits<double>::quiet_NaN();

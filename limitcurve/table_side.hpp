@@ -54,11 +54,11 @@ class TableSide {
     /// What follows the last cell: no coordinate reaches it.
     static Cell end() noexcept { return Cell(); }
 
-    [[nodiscard]] Pair linear() const noexcept { return Pair{rise, -left * rise}; }
+    [[gnu::always_inline]] [[nodiscard]] Pair linear() const noexcept { return Pair{rise, -left * rise}; }
 
-    [[nodiscard]] bool holds(double coordinate) const noexcept { return coordinate >= left && coordinate < (this + 1)->left; }
+    [[gnu::always_inline]] [[nodiscard]] bool holds(double coordinate) const noexcept { return coordinate >= left && coordinate < (this + 1)->left; }
 
-    [[nodiscard]] Pair value(double coordinate) const noexcept {
+    [[gnu::always_inline]] [[nodiscard]] Pair value(double coordinate) const noexcept {
       const double from_left = coordinate - left;
       const Pair x{from_left, from_left};
       return (constant + x * linear()) + (x * x) * (square + x * cube);
@@ -79,7 +79,7 @@ class TableSide {
       Pair third;
     };
 
-    [[nodiscard]] Jet jet(double coordinate) const noexcept {
+    [[gnu::always_inline]] [[nodiscard]] Jet jet(double coordinate) const noexcept {
       const double from_left = coordinate - left;
       const Pair x{from_left, from_left};
       const Pair rises = linear();
@@ -105,7 +105,7 @@ class TableSide {
 
   /// The cell that holds `coordinate` ∈ [0, 1]: by a bucket of the leading bits of 1 − x, which grades the buckets to the rim
   /// as the nodes are, and a few comparisons that do not wait for each other, as many for every coordinate of a table.
-  [[nodiscard]] const Cell& cell(double coordinate) const noexcept {
+  [[gnu::always_inline]] [[nodiscard]] const Cell& cell(double coordinate) const noexcept {
     const std::uint16_t first = first_cell_[bucket(coordinate)];
     std::size_t found = first + static_cast<std::size_t>(cells_[first + 1].left <= coordinate);
     for (std::size_t i = 2; i <= probes_; ++i) found += static_cast<std::size_t>(cells_[first + i].left <= coordinate);
@@ -169,7 +169,7 @@ class TableSide {
   static constexpr int search_limit = 64;
 
   /// The leading bits of 1 − x, counted from the rim. Not increasing in x, whatever is rounded.
-  [[nodiscard]] std::size_t bucket(double coordinate) const noexcept {
+  [[gnu::always_inline]] [[nodiscard]] std::size_t bucket(double coordinate) const noexcept {
     const std::uint64_t key = std::bit_cast<std::uint64_t>(1.0 - coordinate) >> shift_;
     return static_cast<std::size_t>(std::max(key, least_key_) - least_key_);
   }
@@ -182,7 +182,7 @@ class TableSide {
 
   /// h + h′δ + ½h″δ² = 0 to third order in δ: Newton's step n and its correction, where that is small. What it leaves is about
   /// the square of the correction by the step, and at most n³h‴/h′ from the third derivative.
-  static Step step_from(double x, const Residual& at, double least_share) noexcept {
+  [[gnu::always_inline]] static Step step_from(double x, const Residual& at, double least_share) noexcept {
     const double per_fall = 1.0 / at.fall;
     const double newton = at.value * per_fall;
     const double square = newton * newton;
