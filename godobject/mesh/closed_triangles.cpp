@@ -39,6 +39,7 @@ class Closing {
     join();
     orient();
     check_fans();
+    check_folds();
     result_.tree = Tree(result_.vertices, result_.faces);
     if (const auto tangle = find_tangle(result_)) {
       fail(tangle->first, {"meets face ", std::to_string(origin_[index(tangle->second)]),
@@ -239,22 +240,40 @@ class Closing {
     }
   }
 
+  /// Where two faces lie back to back, or face to face, the surface has no outward direction at their edge.
+  void check_folds() const {
+    const auto normal = [&](int face) -> Vector3d {
+      const auto& [a, b, c] = result_.faces[index(face)];
+      const Vector3d& origin = result_.vertices[index(a)];
+      return result_.grid.cross(result_.vertices[index(b)] - origin, result_.vertices[index(c)] - origin).normalized();
+    };
+    for (int face = 0; face < static_cast<int>(result_.faces.size()); ++face) {
+      for (const int other : result_.neighbours[index(face)]) {
+        const double angle = other > face ? (normal(face) + normal(other)).norm() : 1.0;
+        if (angle >= sharpest_edge) continue;
+        fail(face, {"folds back on to face ", std::to_string(origin_[index(other)]), ": the angle between them is ", format_number(angle),
+                    " rad, expected >= 1e-13"});
+      }
+    }
+  }
+
   /// A shell inside an even number of others bounds a solid from outside, one inside an odd number a hollow.
   void turn_outward() {
-    std::vector<double> volume(index(shells_), 0.0);
+    std::vector<Volume> volume(index(shells_));
     std::vector<int> member(index(shells_), -1);
     for (std::size_t i = 0; i < result_.faces.size(); ++i) {
       const auto& [a, b, c] = result_.faces[i];
-      // About a vertex of the shell, so that shells far from the origin lose no digits.
+      // About a vertex of the shell.
       int& known = member[index(shell_[i])];
       if (known < 0) known = a;
       const Vector3d& origin = result_.vertices[index(known)];
-      volume[index(shell_[i])] +=
-          (result_.vertices[index(a)] - origin).dot((result_.vertices[index(b)] - origin).cross(result_.vertices[index(c)] - origin));
+      volume[index(shell_[i])].add(result_.grid, result_.vertices[index(a)] - origin, result_.vertices[index(b)] - origin,
+                                   result_.vertices[index(c)] - origin);
     }
     std::vector<char> inward(index(shells_), 0);
     for (std::size_t shell = 0; shell < volume.size(); ++shell) {
-      inward[shell] = (volume[shell] > 0.0) == (shells_ > 1 && surrounding(static_cast<int>(shell), member[shell]) % 2 != 0);
+      inward[shell] =
+          (volume[shell].value(result_.grid) > 0.0) == (shells_ > 1 && surrounding(static_cast<int>(shell), member[shell]) % 2 != 0);
     }
     for (std::size_t i = 0; i < result_.faces.size(); ++i) {
       if (inward[index(shell_[i])] != 0) turn(static_cast<int>(i));

@@ -30,8 +30,12 @@ struct ClosedTriangles {
 /// A face thinner than this, its height over its longest edge, is refused: its normal and nearest places would be rounding.
 inline constexpr double thinnest_face = 1e-6;
 
+/// Faces that meet at less than this [rad], as on a knife or in a slit, are refused: which way is outward at their edge would be rounding.
+/// The thinnest plate along the grid's axes has more.
+inline constexpr double sharpest_edge = 1e-13;
+
 /// Throws std::invalid_argument that names the face, where it is, what is wrong and what is expected, for triangles that are
-/// open, not a manifold, one-sided, tangled (faces cross, touch or fold on to each other), too thin, or not finite.
+/// open, not a manifold, one-sided, tangled (faces cross, touch or fold on to each other), too thin or sharp, or not finite.
 ClosedTriangles close(const TriangleList& triangles);
 
 }  // namespace limitcurve::godobject

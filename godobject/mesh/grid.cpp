@@ -25,6 +25,11 @@ Wide minor(std::int64_t a, std::int64_t b, std::int64_t c, std::int64_t d) noexc
   return static_cast<Wide>(a) * d - static_cast<Wide>(b) * c;
 }
 
+/// u · (v × w) in steps³.
+Wide determinant(const Steps& u, const Steps& v, const Steps& w) noexcept {
+  return u.x * minor(v.y, v.z, w.y, w.z) + u.y * minor(v.z, v.x, w.z, w.x) + u.z * minor(v.x, v.y, w.x, w.y);
+}
+
 }  // namespace
 
 Grid::Grid(double largest) noexcept {
@@ -41,17 +46,14 @@ Eigen::Vector3d Grid::snap(const Eigen::Vector3d& place) const noexcept {
 }
 
 int Grid::sign(const Eigen::Vector3d& u, const Eigen::Vector3d& v, const Eigen::Vector3d& w) const noexcept {
-  const double determinant = u.dot(v.cross(w));
+  const double rounded = u.dot(v.cross(w));
   const Eigen::Vector3d a = v.cwiseAbs();
   const Eigen::Vector3d b = w.cwiseAbs();
   const double size = std::fabs(u.x()) * (a.y() * b.z() + a.z() * b.y()) + std::fabs(u.y()) * (a.z() * b.x() + a.x() * b.z()) +
                       std::fabs(u.z()) * (a.x() * b.y() + a.y() * b.x());
   // Seven roundings at most, of 1.1e-16 each: beyond that the sign is right.
-  if (std::fabs(determinant) > 1e-15 * size) return determinant > 0.0 ? 1 : -1;
-  const Steps i = in_steps(u, per_step_);
-  const Steps j = in_steps(v, per_step_);
-  const Steps k = in_steps(w, per_step_);
-  const Wide exact = i.x * minor(j.y, j.z, k.y, k.z) + i.y * minor(j.z, j.x, k.z, k.x) + i.z * minor(j.x, j.y, k.x, k.y);
+  if (std::fabs(rounded) > 1e-15 * size) return rounded > 0.0 ? 1 : -1;
+  const Wide exact = determinant(in_steps(u, per_step_), in_steps(v, per_step_), in_steps(w, per_step_));
   return exact > 0 ? 1 : exact < 0 ? -1 : 0;
 }
 
@@ -61,6 +63,20 @@ Eigen::Vector3d Grid::cross(const Eigen::Vector3d& u, const Eigen::Vector3d& v) 
   const double unit = step_ * step_;
   return {static_cast<double>(minor(i.y, i.z, j.y, j.z)) * unit, static_cast<double>(minor(i.z, i.x, j.z, j.x)) * unit,
           static_cast<double>(minor(i.x, i.y, j.x, j.y)) * unit};
+}
+
+void Volume::add(const Grid& grid, const Eigen::Vector3d& u, const Eigen::Vector3d& v, const Eigen::Vector3d& w) noexcept {
+  const double per_step = 1.0 / grid.step();
+  // Each is below 2^123, so that a sum of many may need more than 128 bits.
+  const Wide sum = determinant(in_steps(u, per_step), in_steps(v, per_step), in_steps(w, per_step)) + low_;
+  low_ = static_cast<std::uint64_t>(sum);
+  high_ += static_cast<std::int64_t>(sum >> 64);
+}
+
+double Volume::value(const Grid& grid) const noexcept {
+  // The whole is that of a solid within the reach: below 2^120.
+  const Wide sum = (static_cast<Wide>(high_) << 64) + low_;
+  return static_cast<double>(sum) / 6.0 * grid.step() * grid.step() * grid.step();
 }
 
 int first_sign(const Eigen::Vector3d& value) noexcept {

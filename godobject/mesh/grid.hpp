@@ -3,6 +3,8 @@
 
 #include <Eigen/Core>
 
+#include <cstdint>
+
 namespace limitcurve::godobject {
 
 /// The grid of places on which a mesh stands: 2^38 steps, a power of two each, from the origin to its farthest coordinate or
@@ -31,6 +33,20 @@ class Grid {
   double step_ = 1.0;
   double per_step_ = 1.0;
   double reach_ = 1.0;
+};
+
+/// The volume of a closed surface as the sum of its triangles' determinants, exact but for one rounding when it is asked for: a sum in
+/// doubles may have the wrong sign where a solid is thinner than their rounding.
+class Volume {
+ public:
+  /// The tetrahedron of three edges from one place to the corners of a triangle, differences of places of the grid.
+  void add(const Grid& grid, const Eigen::Vector3d& u, const Eigen::Vector3d& v, const Eigen::Vector3d& w) noexcept;
+  /// [m³]
+  [[nodiscard]] double value(const Grid& grid) const noexcept;
+
+ private:
+  std::int64_t high_ = 0;  // in 2^64 steps³
+  std::uint64_t low_ = 0;  // and the rest
 };
 
 /// The sign of the first component that is not 0: on which side of a plane through a place, or of a line, a place on it falls when

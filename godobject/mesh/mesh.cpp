@@ -45,10 +45,11 @@ bool clip(Vector3d& from, Vector3d& to, double bound) noexcept {
 
 Mesh::Mesh(const TriangleList& triangles) : solid_(close(triangles)), vertex_normals_(solid_.vertices.size(), Vector3d::Zero()) {
   normals_.reserve(solid_.faces.size());
+  Volume volume;
   for (const Face& face : solid_.faces) {
     const Vector3d& a = vertex(face[0]);
     normals_.push_back(solid_.grid.cross(vertex(face[1]) - a, vertex(face[2]) - a).normalized());
-    volume_ += (a - vertex(0)).dot((vertex(face[1]) - vertex(0)).cross(vertex(face[2]) - vertex(0))) / 6.0;
+    volume.add(solid_.grid, a - vertex(0), vertex(face[1]) - vertex(0), vertex(face[2]) - vertex(0));
     for (std::size_t i = 0; i < 3; ++i) {
       const Vector3d one = vertex(face[(i + 1) % 3]) - vertex(face[i]);
       const Vector3d other = vertex(face[(i + 2) % 3]) - vertex(face[i]);
@@ -56,6 +57,7 @@ Mesh::Mesh(const TriangleList& triangles) : solid_(close(triangles)), vertex_nor
     }
   }
   for (Vector3d& normal : vertex_normals_) normal.normalize();
+  volume_ = volume.value(solid_.grid);
 }
 
 Vector3d Mesh::outward(const MeshPlace& place) const noexcept {

@@ -154,6 +154,31 @@ TEST(Mesh, RefusesFacesTooThinToHaveASide) {
   EXPECT_EQ(complaint(list), "none");
 }
 
+// Tetrahedra thinner than the rounding of their volume: which way is outward is exact. Beneath 1e-13 rad at an edge there is no telling.
+TEST(Mesh, ABladeIsNotInsideOut) {
+  const double step = std::ldexp(1.0, -38);
+  TriangleList blade;
+  blade.vertices = {step * Vector3d(41731340695, -15346146825, 11037043370), step * Vector3d(-41730666537, 15347495141, -11037717528),
+                    step * Vector3d(3025583153, -1113635696, 800745229), step * Vector3d(-4011142953, 1475370201, -1061035052)};
+  blade.faces = {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}};
+  const Mesh mesh(blade);
+  // The determinant in steps³ by integers of any length.
+  EXPECT_DOUBLE_EQ(mesh.volume(), 709281980661792.0 * step * step * step / 6.0);
+  for (const auto& [a, b, c] : mesh.faces()) {
+    const auto v = [&](int i) { return mesh.vertices()[static_cast<std::size_t>(i)]; };
+    const int opposite = 6 - a - b - c;
+    EXPECT_LT(mesh.grid().sign(v(opposite) - v(a), v(b) - v(a), v(c) - v(a)), 0);
+  }
+
+  TriangleList sharp;
+  sharp.vertices = {{0.11792332661570981, -0.034016344216070138, -0.13538504997995915},
+                    {0.073176491758204065, 0.06306714795937296, -0.1365123163050157},
+                    {-0.091461451211216627, -0.023184073324955534, 0.13591963332146406},
+                    {0.029346612012886908, 0.0090678449378174264, -0.044627562368987128}};
+  sharp.faces = blade.faces;
+  expect_complaint(sharp, {"mesh: face 0 folds back on to face ", " rad, expected >= 1e-13"});
+}
+
 TEST(Mesh, MendsWhatCanBeMendedInOneWay) {
   // As in an STL: no vertex is shared.
   const TriangleList shared = cube();
