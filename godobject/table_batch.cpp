@@ -131,7 +131,7 @@ void advance_searches(std::size_t count, double share_of_x, const double* __rest
     const double size = std::fabs(newton);
     const double least = share_of_x * x * size;
     const double next = x + (std::fabs(correction) < 0.5 * size ? newton - correction : newton);
-    const bool last = (correction * correction <= least) & (std::fabs(third * per_fall) * (square * square) <= least);
+    const bool last = (correction * correction <= least) & (std::fabs(third * per_fall) * (square * square) <= least) & (fall > 0.0);
     const bool inside = (next >= left[i]) & (next < right[i]);
     const double there = next - left[i];
     next_of[i] = next;

@@ -5,6 +5,8 @@
 #include "limitcurve/pressure_law.hpp"
 
 #include <algorithm>
+#include <limits>
+#include <utility>
 
 namespace limitcurve {
 
@@ -33,10 +35,14 @@ class ExactCurve {
     return {{forces.force, forces.moment}, {-slope, s * slope}};
   }
 
+  /// One unit in the last place inwards: the law's own rounding would put a wrench that is brought back onto the curve as often outside.
   [[nodiscard]] RadialPoint along(UnitWrench direction) const noexcept {
     // The ellipse's normal is within a factor two of the curve's.
     const double spin = direction.moment / moment_ratio_;
-    return search_along(*this, direction, spin / (direction.force * moment_ratio_ + spin));
+    RadialPoint found = search_along(*this, direction, spin / (direction.force * moment_ratio_ + spin));
+    found.wrench.force *= inwards;
+    found.wrench.moment *= inwards;
+    return found;
   }
 
   [[nodiscard]] double gauge(UnitWrench wrench) const noexcept {
@@ -44,6 +50,8 @@ class ExactCurve {
   }
 
  private:
+  static constexpr double inwards = 1.0 - std::numeric_limits<double>::epsilon();
+
   Law law_;
   double moment_ratio_;
 };

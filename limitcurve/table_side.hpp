@@ -56,7 +56,9 @@ class TableSide {
 
     [[gnu::always_inline]] [[nodiscard]] Pair linear() const noexcept { return Pair{rise, -left * rise}; }
 
-    [[gnu::always_inline]] [[nodiscard]] bool holds(double coordinate) const noexcept { return coordinate >= left && coordinate < (this + 1)->left; }
+    [[gnu::always_inline]] [[nodiscard]] bool holds(double coordinate) const noexcept {
+      return coordinate >= left && coordinate < (this + 1)->left;
+    }
 
     [[gnu::always_inline]] [[nodiscard]] Pair value(double coordinate) const noexcept {
       const double from_left = coordinate - left;
@@ -181,7 +183,8 @@ class TableSide {
   };
 
   /// h + h′δ + ½h″δ² = 0 to third order in δ: Newton's step n and its correction, where that is small. What it leaves is about
-  /// the square of the correction by the step, and at most n³h‴/h′ from the third derivative.
+  /// the square of the correction by the step, and at most n³h‴/h′ from the third derivative. Where h rises it is no step to its
+  /// root, however small.
   [[gnu::always_inline]] static Step step_from(double x, const Residual& at, double least_share) noexcept {
     const double per_fall = 1.0 / at.fall;
     const double newton = at.value * per_fall;
@@ -190,7 +193,7 @@ class TableSide {
     const double size = std::fabs(newton);
     const double bound = least_share * x * size;
     return {x + (std::fabs(correction) < 0.5 * size ? newton - correction : newton),
-            correction * correction <= bound && std::fabs(at.third * per_fall) * (square * square) <= bound};
+            correction * correction <= bound && std::fabs(at.third * per_fall) * (square * square) <= bound && at.fall > 0.0};
   }
 
   /// The root of a function that is ≥ 0 at coordinate 0 and ≤ 0 at 1. One step from a start nearby is enough as a rule; the next

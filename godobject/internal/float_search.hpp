@@ -60,7 +60,7 @@ struct FloatSearchStep {
   const bool here = (cell_number(next, cells) == cell_number(x, cells)) | (size <= 0x1p-20F * x);
   const float there = next - left;
   return {next, (constant_0 + there * rise) + (there * there) * (square_0 + there * cube_0),
-          (constant_1 + there * fall_1) + (there * there) * (square_1 + there * cube_1), (small & here & (size <= 1.0F)) ? 1.0F : 0.0F};
+          (constant_1 + there * fall_1) + (there * there) * (square_1 + there * cube_1), (small & here & (size <= 1.0F) & (per_fall > 0.0F)) ? 1.0F : 0.0F};
 }
 
 /// A search by itself, on a side of a table.

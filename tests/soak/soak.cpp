@@ -139,8 +139,7 @@ class Soak {
         const bool slips = check.state == godobject::ContactState::slip;
         double& largest = (slips ? totals_.excess_slipping : totals_.excess_sticking)[kind];
         // Also true of what is no number.
-        const double most = kind == 0 ? most_on_the_exact_curve : most_elsewhere;
-        if (!(check.excess <= most) && check.fault.empty()) check.fault = "a wrench outside its limit";
+        if (!(check.excess <= most_excess) && check.fault.empty()) check.fault = "a wrench outside its limit";
         if (settings_.episode && check.excess > largest) std::printf("  %d: %g ulp above the limit\n", i, check.excess);
         largest = std::max(largest, check.excess);
       }
@@ -157,10 +156,7 @@ class Soak {
     totals_.hashes[family] = (totals_.hashes[family] ^ hash.value()) * 0x9fb21c651e98df25U;
   }
 
-  /// In units of 2⁻⁵². On the exact curve the wrench and the boundary it is held against are two evaluations of the law, and the
-  /// error of each (accuracy::forces_closed, 45 units) counts.
-  static constexpr double most_elsewhere = 4.0;
-  static constexpr double most_on_the_exact_curve = 8.0;
+  static constexpr double most_excess = 4.0;  ///< in units of 2⁻⁵²
 
   const Settings& settings_;
   const Boundaries& boundaries_;

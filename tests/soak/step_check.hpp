@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <concepts>
 #include <cstdint>
 #include <limits>
 #include <string>
@@ -42,6 +43,21 @@ class OutputHash {
   std::uint64_t hash_ = 0x51ed270b35a92d17U;
 };
 
+/// How far the boundary reaches along `normal`, which it has at `wrench`.
+template <class Boundary>
+long double support(const Boundary& boundary, UnitWrench wrench, SlipTwist normal) {
+  long double force = wrench.force;
+  long double moment = wrench.moment;
+  if constexpr (std::same_as<Boundary, ExactCurve>) {
+    // By the law's own long double, so that the rounding of what is checked is not in what it is checked against.
+    if (const auto exact = boundary.law().closed(static_cast<long double>(normal.cor()))) {
+      force = exact->force;
+      moment = exact->moment;
+    }
+  }
+  return normal.slide * force + normal.spin * moment;
+}
+
 /// The gauge in the limit that may act, less 1, in units of 2⁻⁵²; against the supporting line where the boundary meets the ray of the
 /// wrench, in long double, so that a gauge's own rounding does not blur it.
 template <class Finger>
@@ -57,9 +73,9 @@ double excess_over_limit(const Finger& finger) {
   if (!(force > 0.0L || moment > 0.0L)) return -1.0;
   // Only the direction counts: squares of what is small would vanish.
   const long double larger = std::max(force, moment);
-  const auto [wrench, normal] =
-      finger.friction().boundary().along({static_cast<double>(force / larger), static_cast<double>(moment / larger)});
-  const long double reach = static_cast<long double>(normal.slide) * wrench.force + static_cast<long double>(normal.spin) * wrench.moment;
+  const auto& boundary = finger.friction().boundary();
+  const auto [wrench, normal] = boundary.along({static_cast<double>(force / larger), static_cast<double>(moment / larger)});
+  const long double reach = support(boundary, wrench, normal);
   const long double drawn = normal.slide * force + normal.spin * moment;
   return static_cast<double>((drawn - reach) / reach / std::numeric_limits<double>::epsilon());
 }
