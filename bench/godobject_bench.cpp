@@ -55,7 +55,7 @@ std::vector<Sample> held() {
 /// Of one call of `advance` for each of some samples in a row, less what calling costs.
 template <class Advance>
 double mean_instructions(const std::vector<Sample>& samples, const Advance& advance) {
-  constexpr std::size_t some = 256;
+  constexpr std::size_t some = 64;
   const auto take = [&](const auto& call) {
     return bench::stepped_instructions([&] {
       for (std::size_t i = 0; i < some; ++i) benchmark::DoNotOptimize(call(samples[samples.size() / 4 + i]));
