@@ -171,8 +171,9 @@ std::optional<Mesh::Entry> Mesh::entry(const Vector3d& from, const Vector3d& to,
 
 bool Mesh::holds(const Vector3d& point) const noexcept {
   const Tree& tree = solid_.tree;
-  if (((point - tree.high()).array() > 0.0).any() || ((tree.low() - point).array() > 0.0).any()) return false;
+  // On the grid first, as in `entry`: just off the boxes a place may be rounded on to a face, and then the tie says whether it is inside.
   const Vector3d start = solid_.grid.snap(point);
+  if (((start - tree.high()).array() > 0.0).any() || ((tree.low() - start).array() > 0.0).any()) return false;
   Vector3d end = start;
   end.x() = std::copysign(Grid::room * solid_.grid.reach(), start.x() - 0.5 * (tree.low().x() + tree.high().x()));
   int left = 0;  // how often the way out leaves the solid, less how often it enters

@@ -247,6 +247,37 @@ TEST(Mesh, InsideIsExact) {
   EXPECT_GT(inside, 1000);
 }
 
+// Less than half a step off a box's side a place is rounded on to it, and how ties are broken decides: the lower sides are inside, the
+// upper ones are not. What is outside by that has a way in.
+TEST(Mesh, JustOffItsSidesInsideIsExactToo) {
+  const Mesh mesh(box_triangles({0.06, 0.03, 0.02}));
+  const double step = mesh.grid().step();
+  const Vector3d high = mesh.grid().snap({0.06, 0.03, 0.02});
+  Random random(14);
+  Vector3d from = 2.0 * high;
+  int entries = 0;
+  int rounded = 0;
+  for (int i = 0; i < 20000; ++i) {
+    Vector3d place = high.cwiseProduct(Vector3d(random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0)));
+    for (int axis = 0; axis < 3; ++axis) {
+      const double side = random.bits() % 2 != 0 ? high[axis] : -high[axis];
+      if (random.bits() % 3 == 0) place[axis] = side + 0.25 * step * static_cast<double>(static_cast<int>(random.bits() % 11) - 5);
+    }
+    const Vector3d on_grid = mesh.grid().snap(place);
+    const bool inside = (on_grid.array() >= -high.array()).all() && (on_grid.array() < high.array()).all();
+    ASSERT_EQ(mesh.holds(place), inside) << i;
+    rounded += inside && (place.array() < -high.array()).any();
+    const bool enters = !mesh.holds(from) && inside;
+    entries += enters;
+    if (enters) {
+      ASSERT_TRUE(mesh.entry(from, place).has_value()) << i;
+    }
+    from = place;
+  }
+  EXPECT_GT(rounded, 500);
+  EXPECT_GT(entries, 2000);
+}
+
 TEST(Mesh, EveryWayInHasAnEntry) {
   const Mesh mesh(read_triangles(data_mesh("star.obj")));
   Random random(6);
