@@ -15,7 +15,8 @@
 namespace limitcurve::godobject::bench {
 
 /// How many instructions `body()` takes: a copy of the process runs it one at a time, some microseconds each. The same on every
-/// run, whatever else the machine does, and without a tool. NaN where a process may not trace its child.
+/// run, whatever else the machine does, and without a tool. NaN where a process may not trace its child, or if
+/// the body does not end.
 template <class Body>
 double stepped_instructions([[maybe_unused]] Body&& body) {
 #if defined(__linux__)
@@ -35,6 +36,8 @@ double stepped_instructions([[maybe_unused]] Body&& body) {
   if (child > 0 && stopped_by(SIGSTOP)) {
     count = 0.0;
     while (ptrace(PTRACE_SINGLESTEP, child, nullptr, nullptr) == 0 && stopped_by(SIGTRAP)) ++count;
+    const bool ended = WIFSTOPPED(status) && WSTOPSIG(status) == SIGSTOP;
+    if (!ended) count = std::numeric_limits<double>::quiet_NaN();
   }
   if (child > 0 && !WIFEXITED(status) && !WIFSIGNALED(status)) {
     kill(child, SIGKILL);

@@ -110,7 +110,6 @@ TEST(ClosestPoint, FindsTheSameFromEveryStart) {
   }
 }
 
-// The paper's §3.1 (eqs. 10–11): force and moment clamped each on its own, and what is not clamped untouched.
 // Under springs so unlike, what is searched for a root first rises from a zero that rounding makes of it.
 TEST(ClosestPoint, OfATrialFarBesideTheCurveIsThatOfItsMoment) {
   const Table table = Table::build(hertz(), 1e-6);
@@ -123,6 +122,7 @@ TEST(ClosestPoint, OfATrialFarBesideTheCurveIsThatOfItsMoment) {
   }
 }
 
+// The paper's §3.1 (eqs. 10–11): force and moment clamped each on its own, and what is not clamped untouched.
 TEST(ClosestPoint, OnTheBoxClampsEachOnItsOwn) {
   const double moment_max = hertz()->moment_ratio();
   const Box limits = box(1.0, moment_max);
