@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "limitcurve/economised_elementary.hpp"
-#include "limitcurve/economised_elliptic.hpp"
+#include "limitcurve/economised_cone.hpp"
+#include "limitcurve/economised_flat_punch.hpp"
+#include "limitcurve/economised_hertz.hpp"
+#include "limitcurve/economised_outside.hpp"
+#include "limitcurve/economised_parabolic.hpp"
+#include "limitcurve/economised_uniform.hpp"
 #include "limitcurve/elliptic.hpp"
 #include "limitcurve/moment_series.hpp"
 #include "limitcurve/piecewise_polynomial.hpp"

@@ -224,22 +224,16 @@ def rim_forms(name, functions):
     ]
 
 
-def elementary_forms():
-    half = mpf(1) / 2
+def places():
     middles = [float(middle) for middle, _ in outside_pieces()]
-    parts = [
-        array("The middles in s⁻² of the pieces outside the rim, here and in economised_elliptic.hpp.", "outside_middles", middles),
-        f"/// The middle in w of the piece near the rim.\ninline constexpr double rim_middle = {float(RIM_MIDDLE)!r};\n",
+    return [
+        array("In s⁻², of each piece from s = 1 + 1/16 on.", "outside_middles", middles),
+        f"/// In w, of the piece near the rim.\ninline constexpr double rim_middle = {float(RIM_MIDDLE)!r};\n",
     ]
-    for name, functions, terms in (("hertz", family(half), 8), ("flat_punch", family(-half), 9), ("cone", cone(), 8)):
-        parts += outside_forms(name, functions, terms) + rim_forms(name, functions)
-    return parts
 
 
 def elliptic_forms():
     parts = []
-    for name, n in (("uniform", mpf(0)), ("parabolic", mpf(1))):
-        parts += outside_forms(name, family(n), 8)
     both = [lambda eta, i=i: elliptic(eta)[i] for i in range(2)]
     parts.append(array("B and D in η, 12 pieces of 13 terms.", "elliptic", octave_pieces(both, 3, 13)))
     rim = mpf(1) / 8
@@ -258,10 +252,20 @@ def gaussian_forms():
     ]
 
 
+def polynomials(whose):
+    return f"Polynomials in double precision: {whose}. Coefficients per piece and power, lowest first, one a function."
+
+
 HEADERS = {
-    "economised_elementary.hpp": ("the pressures whose limit curve is elementary outside the rim", elementary_forms),
-    "economised_elliptic.hpp": ("the elliptic integrals B and D, and for the pressures whose limit curves hold them", elliptic_forms),
-    "internal/economised_gaussian.hpp": ("the Gaussian's Bessel functions", gaussian_forms),
+    "economised_outside.hpp": ("The middles of the pieces of all closed forms outside the rim.", places),
+    "economised_hertz.hpp": (polynomials("Hertz"), lambda: outside_forms("hertz", family(mpf(1) / 2), 8) + rim_forms("hertz", family(mpf(1) / 2))),
+    "economised_flat_punch.hpp": (polynomials("the flat punch"), lambda: outside_forms("flat_punch", family(-mpf(1) / 2), 9)
+                                  + rim_forms("flat_punch", family(-mpf(1) / 2))),
+    "economised_cone.hpp": (polynomials("the cone"), lambda: outside_forms("cone", cone(), 8) + rim_forms("cone", cone())),
+    "economised_uniform.hpp": (polynomials("uniform pressure"), lambda: outside_forms("uniform", family(mpf(0)), 8)),
+    "economised_parabolic.hpp": (polynomials("parabolic pressure"), lambda: outside_forms("parabolic", family(mpf(1)), 8)),
+    "economised_elliptic.hpp": (polynomials("the elliptic integrals B and D"), elliptic_forms),
+    "internal/economised_gaussian.hpp": (polynomials("the Gaussian's Bessel functions"), gaussian_forms),
 }
 
 
@@ -272,8 +276,7 @@ def header(what, parts):
         "// clang-format off\n"
         "#pragma once\n\n"
         "#include <array>\n\n"
-        f"/// Polynomials in double precision for {what}.\n"
-        "/// Coefficients per piece and power, lowest first, one a function.\n"
+        f"/// {what}\n"
         "namespace limitcurve::economised {\n\n" + "\n".join(parts) + "\n}  // namespace limitcurve::economised\n"
     )
 

@@ -5,8 +5,7 @@
 
 #include <array>
 
-/// Polynomials in double precision for the Gaussian's Bessel functions.
-/// Coefficients per piece and power, lowest first, one a function.
+/// Polynomials in double precision: the Gaussian's Bessel functions. Coefficients per piece and power, lowest first, one a function.
 namespace limitcurve::economised {
 
 /// f/(x·y) and m/(σ√(π/2)·y) in y, 17 pieces of 15 terms.
