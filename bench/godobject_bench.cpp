@@ -52,16 +52,18 @@ std::vector<Sample> held() {
   return samples;
 }
 
-/// Of one call of `advance` for each of some samples in a row, less what calling costs.
+/// Of one call of `advance`, over some samples all along the motion, less what calling costs.
 template <class Advance>
 double mean_instructions(const std::vector<Sample>& samples, const Advance& advance) {
-  constexpr std::size_t some = 64;
-  const auto take = [&](const auto& call) {
-    return bench::stepped_instructions([&] {
-      for (std::size_t i = 0; i < some; ++i) benchmark::DoNotOptimize(call(samples[samples.size() / 4 + i]));
-    });
-  };
-  return (take(advance) - take([](const Sample& sample) { return sample.twist; })) / static_cast<double>(some);
+  constexpr std::size_t spots = 64;
+  double sum = 0.0;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const auto take = [&](const auto& call) { return bench::stepped_instructions([&] { benchmark::DoNotOptimize(call(samples[i])); }); };
+    // In copies of the process, so that the finger has not moved here.
+    if (i % (samples.size() / spots) == 0) sum += take(advance) - take([](const Sample& sample) { return sample.twist; });
+    benchmark::DoNotOptimize(advance(samples[i]));
+  }
+  return sum / static_cast<double>(spots);
 }
 
 /// The step that is timed and counted: one copy of it for both.
