@@ -53,8 +53,9 @@ struct TableStep {
 };
 
 /// Steps the contacts of `block`, at most table_block: those that stick, and those that slip and slipped before, which are
-/// nearly all of a scene in motion. For the others `left` is true and nothing is written. Bit for bit the single step.
-void step_on_table(const Table& table, const TableStep& law, const ContactBatch& block, std::array<bool, table_block>& left) noexcept;
+/// nearly all of a scene in motion. Whether there are others; of these nothing is written, and `left` tells which. Bit for bit the
+/// single step.
+bool step_on_table(const Table& table, const TableStep& law, const ContactBatch& block, std::array<bool, table_block>& left) noexcept;
 
 /// One contact of a batch by itself.
 template <LimitBoundary Boundary, class Projection>
@@ -101,7 +102,7 @@ void step(const Friction<Boundary, Projection>& friction, const ContactBatch& ba
       std::array<bool, detail::table_block> left;
       for (std::size_t from = 0; from < count; from += detail::table_block) {
         const ContactBatch block = batch.part(from, std::min(detail::table_block, count - from));
-        detail::step_on_table(friction.boundary(), on_table, block, left);
+        if (!detail::step_on_table(friction.boundary(), on_table, block, left)) continue;
         const std::size_t length = block.size();
         for (std::size_t i = 0; i < length; ++i) {
           if (left[i]) detail::step_one(friction, block, i);

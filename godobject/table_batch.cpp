@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <utility>
 
 namespace limitcurve::godobject::detail {
@@ -17,6 +18,13 @@ struct alignas(64) Row {
   double& operator[](std::size_t i) noexcept { return values[i]; }
 };
 
+/// A pair of numbers for each contact, one pair after another, as they come from memory.
+struct alignas(64) PairRow {
+  std::array<double, 2 * table_block> values;
+  const double* data() const noexcept { return values.data(); }
+  void put(std::size_t i, Pair pair) noexcept { std::memcpy(values.data() + 2 * i, &pair, sizeof pair); }
+};
+
 /// What becomes of a contact. As a double, because selections between rows of one width are vectorised.
 constexpr double sticks = 0.0;
 constexpr double searches = 1.0;
@@ -26,15 +34,16 @@ constexpr double left_over = 3.0;
 // The loops below repeat Friction::grip, ClosestPoint, TableSide::closest and step_one operation by operation, in the
 // same order, so that the bits are the same. Restrict counts on parameters only.
 
-/// Friction::grip as far as the trial, for contacts that touch and touched before.
+/// Friction::grip as far as the trial, for contacts that touch and touched before. Not 0 if any is to be searched for.
 LIMITCURVE_CLONES
-void make_trials(const TableStep& law, std::size_t count, const double* __restrict x, const double* __restrict y,
-                 const double* __restrict angle, const double* __restrict depth, const double* __restrict proxy_x,
-                 const double* __restrict proxy_y, const double* __restrict proxy_angle, const double* __restrict start,
-                 const double* __restrict trend, double* __restrict r, double* __restrict trial_force, double* __restrict trial_moment,
-                 double* __restrict place, double* __restrict fate) noexcept {
+int make_trials(const TableStep& law, std::size_t count, const double* __restrict x, const double* __restrict y,
+                const double* __restrict angle, const double* __restrict depth, const double* __restrict proxy_x,
+                const double* __restrict proxy_y, const double* __restrict proxy_angle, const double* __restrict start,
+                const double* __restrict trend, double* __restrict r, double* __restrict trial_force, double* __restrict trial_moment,
+                double* __restrict place, double* __restrict fate) noexcept {
   constexpr double least = 1e-150;
   constexpr double farthest = 1e90;  // far within farthest_trial
+  int any = 0;
   for (std::size_t i = 0; i < count; ++i) {
     const double pull_x = proxy_x[i] - x[i];
     const double pull_y = proxy_y[i] - y[i];
@@ -54,7 +63,9 @@ void make_trials(const TableStep& law, std::size_t count, const double* __restri
     const bool usual = (depth[i] > 0.0) & (start[i] >= -1.0) & (force_unit > least) & (moment_unit > least);
     const bool searched = (force > 0.0) & (moment > 0.0) & (force <= farthest) & (moment <= farthest) & (place[i] > 0.0) & (place[i] < 2.0);
     fate[i] = usual ? (within ? sticks : (searched ? searches : left_over)) : left_over;
+    any |= static_cast<int>(fate[i] == searches);
   }
+  return any;
 }
 
 /// The beginning of Table::closest. What is not searched for begins at the rim, where any search can.
@@ -83,39 +94,46 @@ void begin_searches(double chi, double per_chi, double rim_force, double rim_mom
 /// A search in a table for a contact, with the cell that it is in. A side is 0 inside the rim, 1 outside.
 struct Searches {
   Row side, x, kappa, trial_primary, trial_secondary;
-  Row left, right, rise, constant_primary, constant_secondary, square_primary, square_secondary, cube_primary, cube_secondary;
+  PairRow left_and_rise, constant, square, cube;
+  Row right;
   Row next, primary, secondary, done;
 };
 
 /// TableSide::closest's residual and step, and the cell's values where the step leads.
 LIMITCURVE_CLONES
 void advance_searches(std::size_t count, double share_of_x, const double* __restrict x_of, const double* __restrict kappa_of,
-                      const double* __restrict trial_primary, const double* __restrict trial_secondary, const double* __restrict left,
-                      const double* __restrict right, const double* __restrict rise, const double* __restrict constant_primary,
-                      const double* __restrict constant_secondary, const double* __restrict square_primary,
-                      const double* __restrict square_secondary, const double* __restrict cube_primary,
-                      const double* __restrict cube_secondary, double* __restrict next_of, double* __restrict primary,
+                      const double* __restrict trial_primary, const double* __restrict trial_secondary,
+                      const double* __restrict left_and_rise, const double* __restrict constant, const double* __restrict square_of,
+                      const double* __restrict cube, const double* __restrict right, double* __restrict next_of, double* __restrict primary,
                       double* __restrict secondary, double* __restrict done) noexcept {
   for (std::size_t i = 0; i < count; ++i) {
     const double x = x_of[i];
     const double kappa = kappa_of[i];
-    const double rise_secondary = -left[i] * rise[i];
-    const double from_left = x - left[i];
+    const double left = left_and_rise[2 * i];
+    const double rise = left_and_rise[2 * i + 1];
+    const double constant_0 = constant[2 * i];
+    const double constant_1 = constant[2 * i + 1];
+    const double square_0 = square_of[2 * i];
+    const double square_1 = square_of[2 * i + 1];
+    const double cube_0 = cube[2 * i];
+    const double cube_1 = cube[2 * i + 1];
+    const double rise_secondary = -left * rise;
+    const double from_left = x - left;
     // TableSide::Cell::jet.
-    const double cubed_0 = from_left * cube_primary[i];
-    const double cubed_1 = from_left * cube_secondary[i];
-    const double bent_0 = square_primary[i] + cubed_0;
-    const double bent_1 = square_secondary[i] + cubed_1;
+    const double cubed_0 = from_left * cube_0;
+    const double cubed_1 = from_left * cube_1;
+    const double bent_0 = square_0 + cubed_0;
+    const double bent_1 = square_1 + cubed_1;
     const double rest_0 = bent_0 + cubed_0 + cubed_0;
     const double rest_1 = bent_1 + cubed_1 + cubed_1;
-    const double value_0 = (constant_primary[i] + from_left * rise[i]) + (from_left * from_left) * bent_0;
-    const double value_1 = (constant_secondary[i] + from_left * rise_secondary) + (from_left * from_left) * bent_1;
-    const double slope_0 = rise[i] + from_left * (square_primary[i] + rest_0);
-    const double slope_1 = rise_secondary + from_left * (square_secondary[i] + rest_1);
+    const double value_0 = (constant_0 + from_left * rise) + (from_left * from_left) * bent_0;
+    const double value_1 = (constant_1 + from_left * rise_secondary) + (from_left * from_left) * bent_1;
+    const double slope_0 = rise + from_left * (square_0 + rest_0);
+    const double slope_1 = rise_secondary + from_left * (square_1 + rest_1);
     const double bend_0 = rest_0 + rest_0;
     const double bend_1 = rest_1 + rest_1;
-    const double third_0 = 6.0 * cube_primary[i];
-    const double third_1 = 6.0 * cube_secondary[i];
+    const double third_0 = 6.0 * cube_0;
+    const double third_1 = 6.0 * cube_1;
     const double over_0 = trial_primary[i] - value_0;
     const double over_1 = trial_secondary[i] - value_1;
     const double lever = x * kappa;
@@ -132,11 +150,11 @@ void advance_searches(std::size_t count, double share_of_x, const double* __rest
     const double least = share_of_x * x * size;
     const double next = x + (std::fabs(correction) < 0.5 * size ? newton - correction : newton);
     const bool last = (correction * correction <= least) & (std::fabs(third * per_fall) * (square * square) <= least) & (fall > 0.0);
-    const bool inside = (next >= left[i]) & (next < right[i]);
-    const double there = next - left[i];
+    const bool inside = (next >= left) & (next < right[i]);
+    const double there = next - left;
     next_of[i] = next;
-    primary[i] = (constant_primary[i] + there * rise[i]) + (there * there) * (square_primary[i] + there * cube_primary[i]);
-    secondary[i] = (constant_secondary[i] + there * rise_secondary) + (there * there) * (square_secondary[i] + there * cube_secondary[i]);
+    primary[i] = (constant_0 + there * rise) + (there * there) * (square_0 + there * cube_0);
+    secondary[i] = (constant_1 + there * rise_secondary) + (there * there) * (square_1 + there * cube_1);
     done[i] = (last & inside) ? 1.0 : 0.0;
   }
 }
@@ -147,12 +165,13 @@ struct Feet {
   Row force, moment, slide, spin, place;
 };
 
-/// What the searches that are done have found.
+/// What the searches that are done have found. Not 0 if any is not done.
 LIMITCURVE_CLONES
-void take_found(std::size_t count, const double* __restrict side, const double* __restrict next, const double* __restrict primary,
-                const double* __restrict secondary, const double* __restrict done, double* __restrict wrench_force,
-                double* __restrict wrench_moment, double* __restrict slide, double* __restrict spin, double* __restrict place,
-                double* __restrict fate) noexcept {
+int take_found(std::size_t count, const double* __restrict side, const double* __restrict next, const double* __restrict primary,
+               const double* __restrict secondary, const double* __restrict done, double* __restrict wrench_force,
+               double* __restrict wrench_moment, double* __restrict slide, double* __restrict spin, double* __restrict place,
+               double* __restrict fate) noexcept {
+  int any = 0;
   for (std::size_t i = 0; i < count; ++i) {
     const bool outside = side[i] != 0.0;
     const double first = primary[i];
@@ -166,21 +185,24 @@ void take_found(std::size_t count, const double* __restrict side, const double* 
     spin[i] = outside ? there : 1.0;
     place[i] = outside ? from_slide : there;
     fate[i] = ((what == searches) & (done[i] != 0.0)) ? slides : what;
+    any |= static_cast<int>(fate[i] == searches);
   }
+  return any;
 }
 
-/// Friction::let_slip and what step_one does with it.
+/// Friction::let_slip and what step_one does with it. Not 0 if any contact is left.
 LIMITCURVE_CLONES
-void finish(const TableStep& law, std::size_t count, const double* __restrict x, const double* __restrict y, const double* __restrict angle,
-            const double* __restrict depth, double* __restrict proxy_x, double* __restrict proxy_y, double* __restrict proxy_angle,
-            double* __restrict start, double* __restrict trend, double* __restrict force_x, double* __restrict force_y,
-            double* __restrict moment_of, const double* __restrict r_of, const double* __restrict trial_force,
-            const double* __restrict trial_moment, const double* __restrict wrench_force, const double* __restrict wrench_moment,
-            const double* __restrict slide, const double* __restrict spin, const double* __restrict place,
-            double* __restrict fate) noexcept {
+int finish(const TableStep& law, std::size_t count, const double* __restrict x, const double* __restrict y, const double* __restrict angle,
+           const double* __restrict depth, double* __restrict proxy_x, double* __restrict proxy_y, double* __restrict proxy_angle,
+           double* __restrict start, double* __restrict trend, double* __restrict force_x, double* __restrict force_y,
+           double* __restrict moment_of, const double* __restrict r_of, const double* __restrict trial_force,
+           const double* __restrict trial_moment, const double* __restrict wrench_force, const double* __restrict wrench_moment,
+           const double* __restrict slide, const double* __restrict spin, const double* __restrict place,
+           const double* __restrict fate) noexcept {
   // All is read first: what is read under a condition is not vectorised.
   const double stiffness = law.stiffness;
   const double twist_stiffness = law.twist_stiffness;
+  int any = 0;
   for (std::size_t i = 0; i < count; ++i) {
     const double old_force_x = force_x[i];
     const double old_force_y = force_y[i];
@@ -237,7 +259,9 @@ void finish(const TableStep& law, std::size_t count, const double* __restrict x,
     proxy_angle[i] = left ? old_angle : new_angle;
     trend[i] = (slipping & !left) ? new_trend : old_trend;
     start[i] = left ? old_start : new_start;
+    any |= static_cast<int>(left);
   }
+  return any;
 }
 
 /// One step of the first `count` searches.
@@ -245,21 +269,16 @@ void step_searches(const Table& table, Searches& search, std::size_t count) noex
   for (std::size_t j = 0; j < count; ++j) {
     const TableSide& side = search.side[j] != 0.0 ? table.outside() : table.inside();
     const TableSide::Cell* cell = &side.cell(search.x[j]);
-    search.left[j] = cell->left;
+    search.left_and_rise.put(j, Pair{cell->left, cell->rise});
+    search.constant.put(j, cell->constant);
+    search.square.put(j, cell->square);
+    search.cube.put(j, cell->cube);
     search.right[j] = (cell + 1)->left;
-    search.rise[j] = cell->rise;
-    search.constant_primary[j] = cell->constant[0];
-    search.constant_secondary[j] = cell->constant[1];
-    search.square_primary[j] = cell->square[0];
-    search.square_secondary[j] = cell->square[1];
-    search.cube_primary[j] = cell->cube[0];
-    search.cube_secondary[j] = cell->cube[1];
   }
   advance_searches(count, TableSide::closest_share, search.x.data(), search.kappa.data(), search.trial_primary.data(),
-                   search.trial_secondary.data(), search.left.data(), search.right.data(), search.rise.data(),
-                   search.constant_primary.data(), search.constant_secondary.data(), search.square_primary.data(),
-                   search.square_secondary.data(), search.cube_primary.data(), search.cube_secondary.data(), search.next.data(),
-                   search.primary.data(), search.secondary.data(), search.done.data());
+                   search.trial_secondary.data(), search.left_and_rise.data(), search.constant.data(), search.square.data(),
+                   search.cube.data(), search.right.data(), search.next.data(), search.primary.data(), search.secondary.data(),
+                   search.done.data());
 }
 
 /// The next steps, of the searches that are not done, closed up. What wants a bracket is left over.
@@ -305,33 +324,34 @@ void search_on(const Table& table, Searches& search, std::size_t count, Feet& fe
 
 }  // namespace
 
-void step_on_table(const Table& table, const TableStep& law, const ContactBatch& block, std::array<bool, table_block>& left) noexcept {
+bool step_on_table(const Table& table, const TableStep& law, const ContactBatch& block, std::array<bool, table_block>& left) noexcept {
   const std::size_t count = block.size();
   Row r, trial_force, trial_moment, fate;
   Feet feet;
-  make_trials(law, count, block.x.data(), block.y.data(), block.angle.data(), block.depth.data(), block.proxy_x.data(),
-              block.proxy_y.data(), block.proxy_angle.data(), block.start.data(), block.trend.data(), r.data(), trial_force.data(),
-              trial_moment.data(), feet.place.data(), fate.data());
-
-  const bool any = std::find(fate.values.begin(), fate.values.begin() + count, searches) != fate.values.begin() + count;
-  if (any) {
+  if (make_trials(law, count, block.x.data(), block.y.data(), block.angle.data(), block.depth.data(), block.proxy_x.data(),
+                  block.proxy_y.data(), block.proxy_angle.data(), block.start.data(), block.trend.data(), r.data(), trial_force.data(),
+                  trial_moment.data(), feet.place.data(), fate.data()) != 0) {
     Searches search;
     begin_searches(law.compliance_ratio, law.per_compliance_ratio, law.rim.force, law.rim.moment, count, trial_force.data(),
                    trial_moment.data(), feet.place.data(), fate.data(), search.side.data(), search.x.data(), search.kappa.data(),
                    search.trial_primary.data(), search.trial_secondary.data());
     // The first step of all, searched for or not: in a scene that moves nearly all are, and most need no other.
     step_searches(table, search, count);
-    take_found(count, search.side.data(), search.next.data(), search.primary.data(), search.secondary.data(), search.done.data(),
-               feet.force.data(), feet.moment.data(), feet.slide.data(), feet.spin.data(), feet.place.data(), fate.data());
-    search_on(table, search, count, feet, fate);
+    if (take_found(count, search.side.data(), search.next.data(), search.primary.data(), search.secondary.data(), search.done.data(),
+                   feet.force.data(), feet.moment.data(), feet.slide.data(), feet.spin.data(), feet.place.data(), fate.data()) != 0) {
+      search_on(table, search, count, feet, fate);
+    }
   } else {
     feet = {r, r, r, r, r};
   }
-  finish(law, count, block.x.data(), block.y.data(), block.angle.data(), block.depth.data(), block.proxy_x.data(), block.proxy_y.data(),
-         block.proxy_angle.data(), block.start.data(), block.trend.data(), block.force_x.data(), block.force_y.data(), block.moment.data(),
-         r.data(), trial_force.data(), trial_moment.data(), feet.force.data(), feet.moment.data(), feet.slide.data(), feet.spin.data(),
-         feet.place.data(), fate.data());
-  for (std::size_t i = 0; i < count; ++i) left[i] = fate[i] == left_over;
+  const bool any_left =
+      finish(law, count, block.x.data(), block.y.data(), block.angle.data(), block.depth.data(), block.proxy_x.data(), block.proxy_y.data(),
+             block.proxy_angle.data(), block.start.data(), block.trend.data(), block.force_x.data(), block.force_y.data(),
+             block.moment.data(), r.data(), trial_force.data(), trial_moment.data(), feet.force.data(), feet.moment.data(),
+             feet.slide.data(), feet.spin.data(), feet.place.data(), fate.data()) != 0;
+  if (any_left)
+    std::transform(fate.values.begin(), fate.values.begin() + count, left.begin(), [](double what) { return what == left_over; });
+  return any_left;
 }
 
 }  // namespace limitcurve::godobject::detail
