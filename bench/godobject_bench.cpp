@@ -125,11 +125,11 @@ void steps_of_many(benchmark::State& state, const Boundary& boundary, Projection
 }
 
 /// One call for many contacts, in doubles or floats; every one slips.
-template <class Real, class Batch, class Boundary, class Projection>
+template <class Real, class Boundary, class Projection>
 void step_of_batch(benchmark::State& state, const Boundary& boundary, Projection projection) {
   const auto contacts = static_cast<std::size_t>(state.range(0));
   const Friction<Boundary, Projection> friction(boundary, parameters(), projection);
-  bench::Contacts<Real, Batch> arrays(contacts, 0.002);
+  bench::Contacts<Real> arrays(contacts, 0.002);
   step(friction, arrays.batch());
   for (auto _ : state) {
     arrays.turn_round();
@@ -156,7 +156,7 @@ void all_projections(const std::string& name, const Boundary& boundary) {
     if (&samples == &motions.front().second) {
       const auto add_batch = [&](const std::string& rule, auto projection) {
         benchmark::RegisterBenchmark(("batch/" + name + "/" + rule).c_str(),
-                                     [=](benchmark::State& state) { step_of_batch<double, ContactBatch>(state, boundary, projection); })
+                                     [=](benchmark::State& state) { step_of_batch<double>(state, boundary, projection); })
             ->Arg(1)
             ->Arg(4)
             ->Arg(64)
@@ -184,8 +184,8 @@ const bool registered = [] {
   all_projections("quartic", Quartic::through_intercepts(law->moment_ratio(), 3.142));
   all_projections("box", box(1.0, law->moment_ratio()));
   const auto add_floats = [](const char* name, const auto& boundary, auto projection) {
-    auto* const batches = benchmark::RegisterBenchmark(
-        name, [=](benchmark::State& state) { step_of_batch<float, FloatContactBatch>(state, boundary, projection); });
+    auto* const batches =
+        benchmark::RegisterBenchmark(name, [=](benchmark::State& state) { step_of_batch<float>(state, boundary, projection); });
     for (const int size : {1, 4, 64, 1024, 65536}) batches->Arg(size);
   };
   add_floats("floats/ellipse/radial", Ellipse::through_intercepts(law->moment_ratio()), Radial{});

@@ -2,6 +2,7 @@
 #include "bench/work_precision_step.hpp"
 
 #include "bench/contacts.hpp"
+#include "bench/finger_motion.hpp"
 #include "bench/way.hpp"
 
 #include "godobject/godobject.hpp"
@@ -12,12 +13,14 @@
 #include "limitcurve/table.hpp"
 
 #include <array>
-#include <numbers>
 
 namespace limitcurve::bench {
 namespace {
 
 using namespace limitcurve::godobject;
+using godobject::bench::on_plane;
+using godobject::bench::Sample;
+using godobject::bench::slow_motion;
 
 constexpr double radius = 0.005;
 constexpr double depth = 0.002;
@@ -29,10 +32,6 @@ FingerParameters parameters(double stiffness_ratio, double moment_ratio) {
   result.stiffness = 1000.0;
   result.twist_stiffness = stiffness_ratio * result.stiffness * (radius * moment_ratio) * (radius * moment_ratio);
   return result;
-}
-
-Contact on_plane(double x) {
-  return {{x, 0.0, 0.0}, Eigen::Vector3d::UnitZ(), depth};
 }
 
 struct SteadyError {
@@ -53,7 +52,7 @@ SteadyError steady_error(const Law& law, const Boundary& boundary, Projection pr
       SoftFinger finger(boundary, parameters(ratio, m0), projection);
       const SlipTwist twist = SlipTwist::about_cor(s);
       for (int i = 0; i <= steps; ++i) {
-        finger.update(on_plane(step_length * i * twist.slide), step_length * i * twist.spin / radius);
+        finger.update(on_plane(step_length * i * twist.slide, 0.0, depth), step_length * i * twist.spin / radius);
       }
       const double unit = finger.friction().law().mu() * finger.output().load;
       const UnitWrench settled{finger.output().force.norm() / unit, std::fabs(finger.output().moment) / (unit * radius)};
@@ -104,27 +103,8 @@ SteadyError steady_error_of_floats(const Law& law, const Boundary& boundary, Pro
   return result;
 }
 
-struct Sample {
-  double x;
-  double twist;
-};
-
-/// Slides and twists so that the COR wanders slowly over the whole range: every step slips.
-const std::vector<Sample>& motion() {
-  static const std::vector<Sample> samples = [] {
-    constexpr int count = 4096;
-    std::vector<Sample> result;
-    Sample at{0.0, 0.0};
-    for (int i = 0; i < count; ++i) {
-      const double u = 0.5 - 0.45 * std::cos(2.0 * std::numbers::pi * i / count);
-      at.x += 1e-4 * (1.0 - u);
-      at.twist += 1e-4 * u / radius;
-      result.push_back(at);
-    }
-    return result;
-  }();
-  return samples;
-}
+/// What the fingers take, one after another. Contacts ready to be used: making them is not in the time of a step.
+const std::vector<Sample> motion = slow_motion(4096);
 
 /// A finger that takes the motion's steps one by one; `cold` forgets where the last slip was, but not that it slipped.
 template <class Boundary, class Projection>
@@ -132,7 +112,7 @@ class Stepper {
  public:
   Stepper(const Boundary& boundary, const FingerParameters& of_finger, Projection projection, bool cold)
       : finger_(boundary, of_finger, projection), cold_(cold) {
-    finger_.update(on_plane(0.0), 0.0);
+    finger_.update(on_plane(0.0, 0.0, depth), 0.0);
   }
 
   double step() {
@@ -141,9 +121,9 @@ class Stepper {
       if (forgetful.start > 0.0) forgetful.start = 0.0;
       finger_.restore(forgetful);
     }
-    const Sample& sample = motion()[next_];
-    next_ = (next_ + 1) % motion().size();
-    return finger_.update(on_plane(sample.x), sample.twist).moment;
+    const Sample& sample = motion[next_];
+    if (++next_ == motion.size()) next_ = 0;
+    return finger_.update(sample.contact, sample.twist).moment;
   }
 
  private:
@@ -177,11 +157,11 @@ void add_step(const Law& law, const std::string& boundary_name, const Boundary& 
   }
 }
 
-template <class Real, class Batch, class Boundary, class Projection>
+template <class Real, class Boundary, class Projection>
 void step_batch(benchmark::State& state, const Boundary& boundary, Projection projection, double moment_ratio) {
   const auto count = static_cast<std::size_t>(state.range(0));
   const Friction<Boundary, Projection> friction(boundary, parameters(2.0, moment_ratio), projection);
-  godobject::bench::Contacts<Real, Batch> contacts(count, depth);
+  godobject::bench::Contacts<Real> contacts(count, depth);
   step(friction, contacts.batch());
   for (auto _ : state) {
     contacts.turn_round();
@@ -195,7 +175,7 @@ void step_batch(benchmark::State& state, const Boundary& boundary, Projection pr
 
 template <class Boundary, class Projection>
 void step_floats(benchmark::State& state, const Law& law, const Boundary& boundary, Projection projection, const SteadyError& error) {
-  step_batch<float, FloatContactBatch>(state, boundary, projection, law->moment_ratio());
+  step_batch<float>(state, boundary, projection, law->moment_ratio());
   state.counters["max_error"] = error.max;
   state.counters["mean_error"] = error.mean;
 }
@@ -229,8 +209,8 @@ void register_batches() {
   const Law law = hertz();
   const double m0 = law->moment_ratio();
   const auto add = [&](const std::string& name, const auto& boundary, auto projection) {
-    return benchmark::RegisterBenchmark(
-        name.c_str(), [=](benchmark::State& state) { step_batch<double, ContactBatch>(state, boundary, projection, m0); });
+    return benchmark::RegisterBenchmark(name.c_str(),
+                                        [=](benchmark::State& state) { step_batch<double>(state, boundary, projection, m0); });
   };
   const auto add_floats = [&](const std::string& name, const auto& boundary, auto projection) {
     const SteadyError error = steady_error_of_floats(law, boundary, projection);

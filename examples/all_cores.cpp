@@ -13,7 +13,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
-#include <span>
 #include <thread>
 #include <vector>
 
@@ -21,49 +20,24 @@ namespace lc = limitcurve;
 namespace god = limitcurve::godobject;
 using Clock = std::chrono::steady_clock;
 
-/// All contacts of a scene as a structure of arrays, and any part of them as a batch.
-class Contacts {
- public:
-  explicit Contacts(std::size_t count)
-      : x_(count),
-        y_(count),
-        angle_(count),
-        depth_(count),
-        proxy_x_(count),
-        proxy_y_(count),
-        proxy_angle_(count),
-        start_(count, -2.0),
-        trend_(count),
-        force_x_(count),
-        force_y_(count),
-        moment_(count) {}
-
-  god::ContactBatch part(std::size_t begin, std::size_t count) {
-    const auto of = [&](std::vector<double>& all) { return std::span<double>(all).subspan(begin, count); };
-    return {of(x_),           of(y_),     of(angle_), of(depth_),   of(proxy_x_), of(proxy_y_),
-            of(proxy_angle_), of(start_), of(trend_), of(force_x_), of(force_y_), of(moment_)};
+/// Moves the fingers of some contacts to where they are at a step: sliding and twisting, each a little differently, pressed by 0.1 to
+/// 0.2 mm.
+void move(god::ContactArrays& contacts, std::size_t begin, std::size_t end, int step) {
+  const auto x = contacts.x();
+  const auto angle = contacts.angle();
+  const auto depth = contacts.depth();
+  for (std::size_t i = begin; i < end; ++i) {
+    const double own = static_cast<double>(i % 1000) * 1e-3;
+    x[i] = 1e-5 * step * (0.5 + own);
+    angle[i] = 5e-3 * step * (1.5 - own);
+    depth[i] = 1e-4 * (1.0 + own);
   }
-
-  /// Where the fingers are at a step: sliding and twisting, each a little differently, pressed by 0.1 to 0.2 mm.
-  void move(std::size_t begin, std::size_t count, int step) {
-    for (std::size_t i = begin; i < begin + count; ++i) {
-      const double own = static_cast<double>(i % 1000) * 1e-3;
-      x_[i] = 1e-5 * step * (0.5 + own);
-      angle_[i] = 5e-3 * step * (1.5 - own);
-      depth_[i] = 1e-4 * (1.0 + own);
-    }
-  }
-
-  [[nodiscard]] const std::vector<double>& moments() const { return moment_; }
-  [[nodiscard]] const std::vector<double>& forces() const { return force_x_; }
-
- private:
-  std::vector<double> x_, y_, angle_, depth_, proxy_x_, proxy_y_, proxy_angle_, start_, trend_, force_x_, force_y_, moment_;
-};
+}
 
 /// Seconds for all steps, moving the fingers included, by a number of threads.
 template <class Friction>
-double run(const Friction& friction, Contacts& contacts, std::size_t count, int steps, unsigned threads) {
+double run(const Friction& friction, god::ContactArrays& contacts, int steps, unsigned threads) {
+  const std::size_t count = contacts.size();
   std::barrier ready(static_cast<std::ptrdiff_t>(threads) + 1);
   Clock::time_point start;
   {
@@ -73,11 +47,11 @@ double run(const Friction& friction, Contacts& contacts, std::size_t count, int 
       const std::size_t begin = count * t / threads / 8 * 8;
       const std::size_t end = t + 1 == threads ? count : count * (t + 1) / threads / 8 * 8;
       team.emplace_back([&, begin, end] {
-        const god::ContactBatch batch = contacts.part(begin, end - begin);
+        const god::ContactBatch batch = contacts.batch().part(begin, end - begin);
         ready.arrive_and_wait();
         // The friction is shared and constant; nobody waits for anybody.
         for (int step = 0; step < steps; ++step) {
-          contacts.move(begin, end - begin, step);
+          move(contacts, begin, end, step);
           god::step(friction, batch);
         }
       });
@@ -116,15 +90,16 @@ int main(int argc, char** argv) {
   double alone = 0.0;
   std::printf("%zu contacts, %d steps, table of 1e-6 and closest point\n", count, steps);
   for (const unsigned threads : teams) {
-    Contacts contacts(count);
-    const double seconds = run(friction, contacts, count, steps, threads);
+    god::ContactArrays contacts(count);
+    const double seconds = run(friction, contacts, steps, threads);
     const double rate = static_cast<double>(count) * steps / seconds;
+    const god::ContactBatch felt = contacts.batch();
     if (forces.empty()) {
       alone = rate;
-      forces = contacts.forces();
-      moments = contacts.moments();
+      forces.assign(felt.force_x.begin(), felt.force_x.end());
+      moments.assign(felt.moment.begin(), felt.moment.end());
     }
-    right = right && contacts.forces() == forces && contacts.moments() == moments;
+    right = right && std::ranges::equal(felt.force_x, forces) && std::ranges::equal(felt.moment, moments);
     std::printf("%3u threads: %7.2f million contacts a second, %.2f times one thread\n", threads, 1e-6 * rate, rate / alone);
   }
   // All slip by now, and none bears more than its limit.

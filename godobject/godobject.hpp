@@ -9,6 +9,7 @@
 #include "godobject/choose_step.hpp"               // IWYU pragma: export
 #include "godobject/closest_point_projection.hpp"  // IWYU pragma: export
 #include "godobject/contact.hpp"                   // IWYU pragma: export
+#include "godobject/contact_arrays.hpp"            // IWYU pragma: export
 #include "godobject/contact_law.hpp"               // IWYU pragma: export
 #include "godobject/contact_state.hpp"             // IWYU pragma: export
 #include "godobject/device_pose.hpp"               // IWYU pragma: export

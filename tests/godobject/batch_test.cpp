@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "godobject/batch.hpp"
+#include "godobject/contact_arrays.hpp"
 
 #include "tests/godobject/scene.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <cstdint>
+#include <set>
+#include <span>
 #include <vector>
 
 namespace limitcurve::godobject::test {
@@ -106,6 +111,46 @@ TEST(Batch, StepsAsManyAsTheShortestArray) {
   step(finger.friction(), arrays.batch());
   EXPECT_NEAR(arrays.values[4][3], 0.02 - 0.0012, 1e-12);
   EXPECT_EQ(arrays.values[4][4], 0.0);
+}
+
+// Where they lie decides how fast a step is, and no result.
+TEST(ContactArrays, LieOnCacheLinesAndApartWithinAPage) {
+  for (const std::size_t count : {0U, 1U, 8U, 511U, 512U, 513U, 100'000U}) {
+    ContactArrays arrays(count);
+    std::set<std::uintptr_t> places;
+    for (const std::span<double> array : arrays.spans()) {
+      ASSERT_EQ(array.size(), count);
+      const auto address = reinterpret_cast<std::uintptr_t>(array.data());
+      EXPECT_EQ(address % 64, 0U) << count;
+      places.insert(address % 4096 / 64);
+    }
+    EXPECT_EQ(places.size(), 12U) << count;
+    const std::vector<std::uintptr_t> lines(places.begin(), places.end());
+    for (std::size_t i = 1; i < lines.size(); ++i) EXPECT_GE(lines[i] - lines[i - 1], 4U) << count;
+  }
+}
+
+TEST(ContactArrays, StepAsAnyOthersDo) {
+  constexpr std::size_t count = 321;
+  const SoftFinger finger(Table::build(hertz(), 1e-6), parameters(), ClosestPoint{});
+  Arrays apart(count);
+  ContactArrays together(count);
+  Random random(5);
+  for (int round = 0; round < 10; ++round) {
+    for (std::size_t i = 0; i < count; ++i) {
+      apart.values[0][i] = together.x()[i] = random.uniform(-0.01, 0.01);
+      apart.values[1][i] = together.y()[i] = random.uniform(-0.01, 0.01);
+      apart.values[2][i] = together.angle()[i] = random.uniform(-1.0, 1.0);
+      apart.values[3][i] = together.depth()[i] = random.uniform(-0.0005, 0.003);
+    }
+    step(finger.friction(), apart.batch());
+    step(finger.friction(), together.batch());
+    // A copy goes on as its original would.
+    together = ContactArrays(together);
+    for (std::size_t array = 0; array < 12; ++array) {
+      ASSERT_TRUE(std::ranges::equal(apart.values[array], together.spans()[array])) << round << ' ' << array;
+    }
+  }
 }
 
 }  // namespace
