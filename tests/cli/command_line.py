@@ -15,7 +15,17 @@ DATA = Path(os.environ["LIMITCURVE_DATA"])
 
 def run(*arguments, **options):
     """The finished process, with its texts."""
-    return subprocess.run([EXECUTABLE, *map(str, arguments)], capture_output=True, text=True, timeout=120, check=False, **options)
+    return subprocess.run([EXECUTABLE, *map(str, arguments)], capture_output=True, text=True, timeout=600, check=False, **options)
+
+
+def share(directory, script):
+    """The environment in which the report is drawn by a script in its place."""
+    folder = directory / "share"
+    (folder / "scripts").mkdir(parents=True, exist_ok=True)
+    (folder / "scripts" / "report.py").write_text(script)
+    (folder / "data").unlink(missing_ok=True)
+    (folder / "data").symlink_to(DATA)
+    return {**os.environ, "LIMITCURVE_SHARE": str(folder)}
 
 
 def rows(*arguments):

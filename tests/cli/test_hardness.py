@@ -17,7 +17,7 @@ import time
 import unittest
 from pathlib import Path
 
-from command_line import DATA, EXECUTABLE, CommandLineTest, run
+from command_line import DATA, EXECUTABLE, CommandLineTest, run, share
 
 KILLS = int(os.environ.get("LIMITCURVE_KILLS", "4"))
 BULK = int(os.environ.get("LIMITCURVE_BULK", "64"))
@@ -28,16 +28,6 @@ TABLE = ["table", "--law", "uniform", "--tolerance", "1e-9", "-o"]
 REPLAY = ["replay", "--law", "hertz", "--radius-law", "constant:a=0.006", "--mu", "0.6", "--stiffness", "1000", "--twist-stiffness", "0.036",
           "--boundary", "ellipse", "--projection", "radial", "--trace", "-"]
 STUB = "import sys; print('drawn')"
-
-
-def stub_share(directory, script=STUB):
-    """A folder such as the installed one, with a script that draws nothing."""
-    share = Path(directory) / "share"
-    (share / "scripts").mkdir(parents=True, exist_ok=True)
-    (share / "scripts" / "report.py").write_text(script)
-    (share / "data").unlink(missing_ok=True)
-    (share / "data").symlink_to(DATA)
-    return {**os.environ, "LIMITCURVE_SHARE": str(share)}
 
 
 class Killed(CommandLineTest):
@@ -68,7 +58,7 @@ class Killed(CommandLineTest):
 
     def test_while_it_writes_the_data_of_a_report(self):
         folder = self.directory / "out"
-        self.kill_often([EXECUTABLE, "report", "-o", str(folder)], folder, env=stub_share(self.directory))
+        self.kill_often([EXECUTABLE, "report", "-o", str(folder)], folder, env=share(self.directory, STUB))
 
     def test_while_it_draws(self):
         scripts = DATA.parent / "scripts"
@@ -103,7 +93,7 @@ class Refused(CommandLineTest):
             self.assert_refused([*limited, *TABLE, str(path)], [name, "File too large"])
             self.assertEqual(path.read_text(), "old")
         out = self.directory / "out"
-        self.assert_refused([*limited, "report", "-o", str(out)], ["out", "File too large"], env=stub_share(self.directory))
+        self.assert_refused([*limited, "report", "-o", str(out)], ["out", "File too large"], env=share(self.directory, STUB))
         for path in out.iterdir():
             self.assertFalse(path.name.startswith("."), path.name)
             self.assertLessEqual(path.stat().st_size, 1024)
@@ -123,7 +113,7 @@ class Refused(CommandLineTest):
         (folder / "table.csv").write_text("old")
         self.assert_refused([EXECUTABLE, *TABLE, str(folder / "table.csv")], ["table.csv", "No space left on device"])
         self.assertEqual([(path.name, path.read_text()) for path in folder.iterdir()], [("table.csv", "old")])
-        self.assert_refused([EXECUTABLE, "report", "-o", str(folder / "out")], ["No space left on device"], env=stub_share(self.directory))
+        self.assert_refused([EXECUTABLE, "report", "-o", str(folder / "out")], ["No space left on device"], env=share(self.directory, STUB))
         for path in (folder / "out").iterdir():
             self.assertFalse(path.name.startswith("."), path.name)
 
@@ -131,7 +121,7 @@ class Refused(CommandLineTest):
         if subprocess.run(["/usr/bin/python3", "-c", "import matplotlib"], capture_output=True, check=False).returncode != 0:
             self.skipTest("no matplotlib")
         # Room for the data and some of the figures: a page of the file system each, and what is in it.
-        self.assertEqual(run("report", "-o", self.directory / "data", env=stub_share(self.directory)).returncode, 0)
+        self.assertEqual(run("report", "-o", self.directory / "data", env=share(self.directory, STUB)).returncode, 0)
         pages = sum(path.stat().st_size // 4096 + 2 for path in (self.directory / "data").iterdir())
         folder = self.mounted(f"size={4 * pages + 300}k")
         self.assert_refused([EXECUTABLE, "report", "-o", str(folder / "out")], ["No space left on device"],

@@ -1,15 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""report: one page and all that it is drawn from; whole files or none, and the data kept when drawing fails."""
+"""report: the data that its figures are drawn from, and what is said when they cannot be."""
 
 import csv
 import os
-import random
-import signal
-import subprocess
-import time
 import unittest
 
-from command_line import DATA, EXECUTABLE, CommandLineTest, run
+from command_line import CommandLineTest, share
 
 FILES = {
     "laws": "law,moment_ratio,method,error",
@@ -35,22 +31,13 @@ FILES = {
 
 
 class Report(CommandLineTest):
-    def share(self, script):
-        """A folder such as the installed one, with a script that draws nothing."""
-        share = self.directory / "share"
-        (share / "scripts").mkdir(parents=True, exist_ok=True)
-        (share / "scripts" / "report.py").write_text(script)
-        (share / "data").unlink(missing_ok=True)
-        (share / "data").symlink_to(DATA)
-        return {**os.environ, "LIMITCURVE_SHARE": str(share)}
-
     def read(self, name):
         with open(self.directory / "out" / f"{name}.csv", newline="", encoding="utf-8") as file:
             return list(csv.DictReader(file))
 
-    def test_the_data(self):
-        done = run("report", "-o", self.directory / "out", env=self.share("print('drawn')"))
-        self.assertEqual((done.returncode, done.stderr, done.stdout), (0, "", "drawn\n"))
+    def test_the_data_stay_when_drawing_fails(self):
+        environment = share(self.directory, "import no_such_module")
+        self.assert_fails(1, ["No module named 'no_such_module'", "matplotlib", "out"], "report", "-o", self.directory / "out", env=environment)
         for name, columns in FILES.items():
             rows = self.read(name)
             self.assertEqual(",".join(rows[0]), columns)
@@ -67,23 +54,6 @@ class Report(CommandLineTest):
         left = {entry.suffix for entry in (self.directory / "out").iterdir()}
         self.assertEqual(left, {".csv"})
 
-    def test_the_page(self):
-        if subprocess.run(["/usr/bin/python3", "-c", "import matplotlib"], capture_output=True, check=False).returncode != 0:
-            self.skipTest("no matplotlib")
-        done = run("report", "-o", self.directory / "out")
-        self.assertEqual((done.returncode, done.stderr), (0, ""))
-        self.assertIn("index.html", done.stdout)
-        page = (self.directory / "out" / "index.html").read_text()
-        self.assertIn("</html>", page)
-        # Self-contained: it loads nothing.
-        self.assertNotRegex(page, r"<(script|link|img)[^>]+(src|href)=")
-        self.assertTrue((self.directory / "out" / "limit_curves.svg").exists())
-
-    def test_when_drawing_fails_the_data_stay(self):
-        environment = self.share("import no_such_module")
-        self.assert_fails(1, ["No module named 'no_such_module'", "matplotlib", "out"], "report", "-o", self.directory / "out", env=environment)
-        self.assertTrue(self.read("curves"))
-
     def test_without_its_script(self):
         environment = {**os.environ, "LIMITCURVE_SHARE": str(self.directory)}
         self.assert_fails(1, ["scripts/report.py", "LIMITCURVE_SHARE"], "report", "-o", self.directory / "out", env=environment)
@@ -92,23 +62,6 @@ class Report(CommandLineTest):
         self.assert_fails(2, "--output", "report")
         self.assert_fails(1, "/proc/out", "report", "-o", "/proc/out")
         self.assert_fails(1, "taken", "report", "-o", self.file("taken", ""))
-
-    def test_killed_at_any_moment_every_file_is_whole(self):
-        environment = self.share("")
-        out = self.directory / "out"
-        begin = time.monotonic()
-        self.assertEqual(run("report", "-o", out, env=environment).returncode, 0)
-        duration = time.monotonic() - begin
-        whole = {path.name: path.read_bytes() for path in out.iterdir()}
-        generator = random.Random(7)
-        for _ in range(3):
-            for path in out.iterdir():
-                path.unlink()
-            with subprocess.Popen([EXECUTABLE, "report", "-o", out], env=environment) as process:
-                time.sleep(generator.uniform(0, duration))
-                process.send_signal(signal.SIGKILL)
-            for path in out.glob("*.csv"):
-                self.assertEqual(path.read_bytes(), whole[path.name], path.name)
 
 
 if __name__ == "__main__":
