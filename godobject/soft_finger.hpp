@@ -186,7 +186,7 @@ class SoftFinger {
     output.load = law.stiffness() * contact.depth;
     see(state, contact, goal);
     friction_.grip(
-        {square, std::fabs(drawn.twist()), output.load, state.start, state.trend},
+        {square, std::fabs(apart.twist()), output.load, state.start, state.trend},
         [&] {
           (drawn * law.springs().stiffness).get(output.force, output.moment);
           stick(state);
