@@ -42,7 +42,8 @@ void elliptic_loop(double k, double k_twist, double mu, double arm, double reach
     const double new_y = y[i] + pull_y * share;
     const double new_angle = angle[i] + twist * share;
     // A slip that is lost in the rounding of the proxy is none.
-    const double slipped = (new_x == old_x) & (new_y == old_y) & (new_angle == old_angle) ? -1.0 : 0.0;
+    const bool stays = (new_x == old_x) & (new_y == old_y) & (new_angle == old_angle);
+    const double slipped = stays ? -1.0 : 0.0;
     const double rests = touches ? -1.0 : -2.0;
     proxy_x[i] = slips ? new_x : old_x;
     proxy_y[i] = slips ? new_y : old_y;
