@@ -45,6 +45,9 @@ Table::Table(Facts facts, TableSide inside, TableSide outside)
     throw std::invalid_argument("the sides of the table do not meet at the rim");
   }
   if (this->outside().nodes().front().secondary != 1.0) throw std::invalid_argument("the table's force under pure sliding is not 1");
+  // No pressure has such a one, and its square is to be finite.
+  if (!(moment_ratio_ >= 1e-30 && moment_ratio_ <= 1e30))
+    throw out_of_range("moment_ratio", moment_ratio_, "1", "1e-30 <= moment_ratio <= 1e30");
   if (!(facts_.certified_error >= 0.0 && facts_.certified_error <= facts_.tolerance)) {
     throw out_of_range("certified_error", facts_.certified_error, "1", "0 <= certified_error <= tolerance");
   }

@@ -36,8 +36,8 @@ class Table {
     double certified_error = 0.0;
   };
 
-  /// A table from its sides, as read from a file. Throws std::invalid_argument if they do not meet at the rim or a
-  /// fact is out of range.
+  /// A table from its sides, as read from a file. Throws std::invalid_argument if they do not meet at the rim, the moment ratio is not
+  /// within 1e±30, or a fact is out of range.
   Table(Facts facts, TableSide inside, TableSide outside);
 
   [[nodiscard]] const std::string& law_name() const noexcept { return facts_.law_name; }

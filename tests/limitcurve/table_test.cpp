@@ -9,6 +9,7 @@
 #include <cmath>
 #include <random>
 #include <string>
+#include <string_view>
 
 namespace limitcurve {
 namespace {
@@ -168,6 +169,19 @@ std::string complaint(const std::string& text) {
     return error.what();
   }
   return "none";
+}
+
+// Whose square overflows. The slope that falls to nothing keeps it convex.
+TEST(Table, RefusesAMomentThatNoPressureHas) {
+  const Table table = Table::build(hertz(), 1e-2);
+  TableNode rim = table.inside().nodes().back();
+  rim.slope = 1e-266;
+  try {
+    const Table bent({"bent", 0.01, 0.01}, TableSide({{0.0, 0.0, 5e250, 0.9}, rim}), table.outside());
+    ADD_FAILURE() << bent.moment_ratio();
+  } catch (const std::invalid_argument& error) {
+    EXPECT_NE(std::string_view(error.what()).find("moment_ratio"), std::string_view::npos) << error.what();
+  }
 }
 
 TEST(TableFile, EveryTornPrefixIsRefusedByPlace) {
