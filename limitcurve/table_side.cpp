@@ -58,6 +58,11 @@ bool is_convex(const TableNode& left, const TableNode& right) noexcept {
   const double middle = -b / (2.0 * c);
   const double slowest = middle > 0.0 && middle < 1.0 ? std::min(rising, a + 0.5 * b * middle) : rising;
   if (slowest < -node_error * (std::fabs(a) + std::fabs(b) + std::fabs(c))) return false;
+  // Where the first slope is next to nothing for its chord it decides no direction, and the secondary may rise before it falls.
+  const double falling = std::max(A, A + B + C);
+  const double between = -B / (2.0 * C);
+  const double quickest = between > 0.0 && between < 1.0 ? std::max(falling, A + 0.5 * B * between) : falling;
+  if (quickest > node_error * left.secondary) return false;
   return least >= -node_error * (std::fabs(a) + std::fabs(b) + std::fabs(A) + std::fabs(B));
 }
 

@@ -261,7 +261,8 @@ class TableSide {
 };
 
 /// Whether the curve between two nodes is convex throughout, by the sign of the cross product of its first and second
-/// derivatives, which is a quadratic in the place; up to what the rounding of the nodes explains.
+/// derivatives, which is a quadratic in the place, and its primary rises and its secondary falls; up to what the rounding of the nodes
+/// explains.
 bool is_convex(const TableNode& left, const TableNode& right) noexcept;
 
 }  // namespace limitcurve

@@ -171,6 +171,12 @@ std::string complaint(const std::string& text) {
   return "none";
 }
 
+// Its first slope is next to nothing for its chord: the moment would rise above that of a pure twist, and turn as a convex curve does.
+TEST(Table, RefusesASecondaryThatRisesBeforeItFalls) {
+  EXPECT_THROW(TableSide({{0.0, 0.0, 0.785, 0.788e-83}, {1.0, 0.785, 0.3925, 1.785}}), std::invalid_argument);
+  EXPECT_NO_THROW(TableSide({{0.0, 0.0, 0.785, 0.788}, {1.0, 0.785, 0.3925, 0.785}}));
+}
+
 // Whose square overflows. The slope that falls to nothing keeps it convex.
 TEST(Table, RefusesAMomentThatNoPressureHas) {
   const Table table = Table::build(hertz(), 1e-2);
