@@ -13,13 +13,15 @@ namespace limitcurve::godobject {
 
 /// The arrays of a batch, in one piece of memory, where a step is fastest: each begins on a cache line, and at a place of its own within
 /// a page. Processors tell loads from earlier stores by the place within 4 KiB first: of arrays that were allocated one after the
-/// other a load may wait for the store before it, which costs an elliptical step up to its own time again. The results do not depend on it.
+/// other a load may wait for the store before it. The results do not depend on it.
 template <class Real>
 class BasicContactArrays {
  public:
   /// Contacts at the origin, free. Takes the arrays and less than 5 KiB more for each. Throws std::bad_alloc or std::length_error.
   explicit BasicContactArrays(std::size_t count)
-      : count_(count), lines_apart_((count * sizeof(Real) + page - 1) / page * (page / sizeof(Line)) + 5), memory_(arrays * lines_apart_) {
+      : count_(count),
+        lines_apart_((count * sizeof(Real) + page - 1) / page * (page / sizeof(Line)) + apart),
+        memory_(arrays * lines_apart_) {
     std::ranges::fill(array(7), Real(-2));
   }
 
@@ -44,6 +46,7 @@ class BasicContactArrays {
  private:
   static constexpr std::size_t arrays = 12;
   static constexpr std::size_t page = 4096;
+  static constexpr std::size_t apart = 5;  // lines: twelve arrays are spread over a page's 64
   /// Of a cache.
   struct alignas(64) Line {
     std::array<Real, 64 / sizeof(Real)> values{};
@@ -54,7 +57,7 @@ class BasicContactArrays {
   }
 
   std::size_t count_;
-  std::size_t lines_apart_;  // whole pages and a twelfth of one
+  std::size_t lines_apart_;
   std::vector<Line> memory_;
 };
 

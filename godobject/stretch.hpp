@@ -41,8 +41,8 @@ class Stretch {
     return {xy_ - Pair{normal.x(), normal.y()} * height, z_twist_ - Pair{normal.z(), 0.0} * height};
   }
   /// Of that part's length [m²], given the normal's own square, which may be a little off 1. By Pythagoras, which need not wait for the
-  /// part itself; and where all of it is along the surface but for rounding, as on a plane, not for the normal's share either. A step
-  /// would wait for half of its time.
+  /// part itself; and where all of it is along the surface but for rounding, as on a plane, not for the normal's share either. The steps
+  /// of one finger wait for it.
   [[gnu::always_inline]] [[nodiscard]] double square_along(const Eigen::Vector3d& normal, double normal_square) const noexcept {
     const double height = along_normal(normal);
     const double whole = square();
