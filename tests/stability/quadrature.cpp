@@ -137,6 +137,8 @@ Hazard adaptive_subdivision() {
   long our_evaluations = 0;
   long ours_worst = 0;
   const std::array<double, 2> breaks{0.0, 1.0};
+  std::vector<std::pair<double, Exact>> cors;
+  for (const double s : evenly(0.0137, 0.9937, 50)) cors.emplace_back(s, exact_power(1.0, s).force);
   const Law counting = from_pressure(
       "counting",
       [&our_evaluations](double rho) {
@@ -148,7 +150,7 @@ Hazard adaptive_subdivision() {
     ++evaluations;
     return 2.0 * (1.0 - rho * rho);
   };
-  for (const double s : evenly(0.0137, 0.9937, 50)) {
+  for (const auto& [s, truth] : cors) {
     evaluations = our_evaluations = 0;
     customary::adaptive_gauss_kronrod(customary::force_integrand(density, s));
     our_force(*counting, s);
@@ -163,10 +165,10 @@ Hazard adaptive_subdivision() {
   const auto add = [&](const char* series, const long& count, const std::function<double(double)>& force) {
     double evaluations_mean = 0.0;
     double error = 0.0;
-    for (const double s : evenly(0.0137, 0.9937, 50)) {
+    for (const auto& [s, truth] : cors) {
       evaluations = our_evaluations = 0;
-      raise(error, relative_error(force(s), exact_power(1.0, s).force));
-      evaluations_mean += static_cast<double>(count) / 50.0;
+      raise(error, relative_error(force(s), truth));
+      evaluations_mean += static_cast<double>(count) / static_cast<double>(cors.size());
     }
     figure.rows.push_back({"error", series, evaluations_mean, error});
   };
