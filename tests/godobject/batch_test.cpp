@@ -3,6 +3,7 @@
 #include "godobject/contact_arrays.hpp"
 
 #include "tests/godobject/scene.hpp"
+#include "tests/repetitions.hpp"
 
 #include <gtest/gtest.h>
 
@@ -38,7 +39,7 @@ void expect_the_same_bits(const Boundary& boundary, Projection projection, const
   Arrays arrays(count);
   Random random(17);
   auto& [x, y, angle, depth, proxy_x, proxy_y, proxy_angle, start, trend, force_x, force_y, moment] = arrays.values;
-  for (int round = 0; round < 30; ++round) {
+  for (int round = 0; round < repetitions(30, 5); ++round) {
     for (std::size_t i = 0; i < count; ++i) {
       const double stride = random.logarithmic(1e-7, 1e-2);
       x[i] += random.uniform(-stride, stride);

@@ -3,6 +3,7 @@
 
 #include "godobject/replay.hpp"
 #include "limitcurve/laws.hpp"
+#include "tests/repetitions.hpp"
 
 #include <gtest/gtest.h>
 
@@ -19,6 +20,8 @@ Scene scene() {
   Scene result;
   result.law = hertz();
   result.mu = 0.6;
+  // In a short build so seldom that a motion has a thousand samples, not four thousand.
+  if (tests_are_short) result.sample_time = 0.02;
   result.radius_law = RadiusLaw::constant(0.006);
   result.stiffness = 1000.0;
   // The stiffness ratio that suits the radial projection: (a m₀)² of the linear one.
@@ -94,7 +97,8 @@ double witnessed(const Scene& scene, unsigned seed, BoundaryKind boundary, Proje
 }
 
 TEST(ChooseStep, TakesTheCheapestThatIsGoodEnough) {
-  for (const double tolerance : {1.0, 0.2, 0.05, 0.01, 1e-3}) {
+  using Tolerances = std::vector<double>;
+  for (const double tolerance : tests_are_short ? Tolerances{0.2, 1e-3} : Tolerances{1.0, 0.2, 0.05, 0.01, 1e-3}) {
     const StepChoice choice = choose_step(scene(), tolerance);
     const StepCandidate& best = chosen(choice);
     EXPECT_LE(best.error, tolerance);
@@ -146,10 +150,13 @@ TEST(ChooseStep, SlidingAndTwistingAtOnceNeedsCoupling) {
 // What the chosen step and each simplification change on random motions stays near what `choose_step` found on its own.
 TEST(ChooseStep, RandomMotionsBearItOut) {
   Scene soft = scene();
+  // A random motion must be sampled more often than that.
+  soft.sample_time = std::min(soft.sample_time, 0.01);
   soft.radius_law = RadiusLaw::power(0.005, 0.259);
   const StepChoice choice = choose_step(soft, 0.05);
   const RadiusLaw mean = RadiusLaw::constant(soft.radius_law.radius(0.5 * (soft.least_load + soft.most_load)));
-  for (const unsigned seed : {1U, 2U, 3U}) {
+  constexpr unsigned seeds = repetitions(3);
+  for (unsigned seed = 1; seed <= seeds; ++seed) {
     const auto expect = [&](const char* what, double found, double error) {
       EXPECT_LT(error, 1.3 * found + 1e-6) << what;
       EXPECT_GT(error, 0.1 * found) << what;
@@ -170,7 +177,9 @@ TEST(ChooseStep, SamplingThatIsTooSlowIsSaid) {
   const StepChoice choice = choose_step(slow, 0.01);
   EXPECT_GT(choice.effects.sampling, 0.01);
   EXPECT_NE(choice.verdict.find("sample faster"), std::string::npos) << choice.verdict;
-  EXPECT_EQ(choose_step(scene(), 0.05).verdict.find("sample faster"), std::string::npos);
+  Scene fast = scene();
+  fast.sample_time = std::min(fast.sample_time, 0.01);
+  EXPECT_EQ(choose_step(fast, tests_are_short ? 0.2 : 0.05).verdict.find("sample faster"), std::string::npos);
 }
 
 TEST(ChooseStep, RefusesWhatMeansNothing) {

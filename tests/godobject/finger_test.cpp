@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "limitcurve/accuracy.hpp"
 #include "tests/godobject/scene.hpp"
+#include "tests/repetitions.hpp"
 
 #include <gtest/gtest.h>
 
@@ -57,7 +58,7 @@ TEST(SoftFinger, HeldFingerNeverCreeps) {
   const double angle = finger.output().angle;
   Random random(7);
   std::uint64_t moved = 0;
-  for (int i = 0; i < 10'000'000; ++i) {
+  for (int i = 0; i < repetitions(10'000'000); ++i) {
     // Up to 0.8 of the limit at the least load: 0.96 N and 0.8·0.589·1.2 N·5 mm.
     const std::uint64_t bits = random.bits();
     const auto share = [&](int shift) { return static_cast<double>((bits >> shift) & 0xffffU) / 65536.0 - 0.5; };

@@ -3,6 +3,7 @@
 
 #include "godobject/batch.hpp"
 #include "tests/godobject/scene.hpp"
+#include "tests/repetitions.hpp"
 
 #include <gtest/gtest.h>
 
@@ -276,7 +277,7 @@ TEST(FloatBatch, NoNaNComesOutWhateverComesIn) {
     constexpr std::size_t count = 999;
     Arrays arrays(count);
     Random random(31);
-    for (int round = 0; round < 200; ++round) {
+    for (int round = 0; round < repetitions(200, 40); ++round) {
       for (std::size_t i = 0; i < count; ++i) {
         for (std::size_t k = 0; k < 4; ++k) {
           const std::uint64_t bits = random.bits();

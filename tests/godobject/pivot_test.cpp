@@ -2,6 +2,7 @@
 #include "godobject/pivot.hpp"
 
 #include "tests/godobject/scene.hpp"
+#include "tests/repetitions.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,6 +16,13 @@ constexpr double degree = std::numbers::pi / 180.0;
 PivotOptions experiment(PivotCase kind) {
   PivotOptions options;
   options.kind = kind;
+  return options;
+}
+
+/// The whole of it, ten seconds; in a short build in steps ten times as long.
+PivotOptions whole_experiment(PivotCase kind) {
+  PivotOptions options = experiment(kind);
+  options.time_step = tests_are_short ? 1e-2 : 1e-3;
   return options;
 }
 
@@ -81,30 +89,31 @@ TEST(Pivot, FirstSlipsAtTheHoldingLoad) {
 
 // The paper's finding: with coupled friction the block turns between the fingers, with uncoupled it slides out level.
 TEST(Pivot, TurnsWhereFrictionIsCoupledAndSlidesOutWhereItIsNot) {
-  const Outcome coupled = outcome(experiment(PivotCase::coupled));
+  const Outcome coupled = outcome(whole_experiment(PivotCase::coupled));
   EXPECT_GT(coupled.angle, 45.0 * degree);
-  const Outcome exact = outcome(experiment(PivotCase::exact));
+  const Outcome exact = outcome(whole_experiment(PivotCase::exact));
   EXPECT_GT(exact.angle, 45.0 * degree);
-  const Outcome uncoupled = outcome(experiment(PivotCase::uncoupled));
+  const Outcome uncoupled = outcome(whole_experiment(PivotCase::uncoupled));
   EXPECT_LT(uncoupled.angle, 5.0 * degree);
   EXPECT_GT(uncoupled.slip, 0.015);
 }
 
 TEST(Pivot, TheOperatorRegripsAtTheTarget) {
   for (const PivotCase kind : {PivotCase::coupled, PivotCase::exact}) {
-    PivotOptions options = experiment(kind);
+    PivotOptions options = whole_experiment(kind);
     options.grip_operator = GripOperator{};
     const std::vector<PivotRow> rows = run_pivot(options);
     EXPECT_EQ(rows.back().state, ContactState::stick) << to_string(kind);
     EXPECT_NEAR(rows.back().angle, 30.0 * degree, 3.0 * degree) << to_string(kind);
-    EXPECT_EQ(rows.back().grip_slip, rows[rows.size() - 3000].grip_slip) << to_string(kind);
+    const auto three_seconds = static_cast<std::size_t>(std::lround(3.0 / options.time_step));
+    EXPECT_EQ(rows.back().grip_slip, rows[rows.size() - three_seconds].grip_slip) << to_string(kind);
   }
-  PivotOptions options = experiment(PivotCase::uncoupled);
+  PivotOptions options = whole_experiment(PivotCase::uncoupled);
   options.grip_operator = GripOperator{};
   EXPECT_LT(outcome(options).angle, 5.0 * degree);
 }
 
-// First order: the change from halving the time step halves too.
+// First order: the change from halving the time step halves too. In a short build the steps are sixteen times as long.
 TEST(Pivot, ConvergesWithTheTimeStep) {
   for (const PivotCase kind : {PivotCase::coupled, PivotCase::exact}) {
     PivotOptions options = experiment(kind);
@@ -113,7 +122,7 @@ TEST(Pivot, ConvergesWithTheTimeStep) {
     options.duration = 1.5;
     std::vector<PivotRow> ends;
     for (const double time_step : {1e-3, 5e-4, 2.5e-4, 1.25e-4}) {
-      options.time_step = time_step;
+      options.time_step = tests_are_short ? 16.0 * time_step : time_step;
       ends.push_back(run_pivot(options).back());
     }
     EXPECT_GT(ends.back().angle, 5.0 * degree);

@@ -3,6 +3,7 @@
 #include "godobject/scene_replay.hpp"
 
 #include "tests/godobject/scene.hpp"
+#include "tests/repetitions.hpp"
 
 #include <gtest/gtest.h>
 
@@ -242,7 +243,7 @@ TEST(SceneReplay, NamesWhatIsWrongWithItsOptions) {
 /// Moments of inertia of an evenly filled solid per mass, by counting cells of a grid: nothing but its outline.
 template <class Inside>
 Vector3d counted_inertia(const Vector3d& half_edges, const Inside& inside) {
-  constexpr int cells = 120;
+  constexpr int cells = repetitions(120, 30);
   Vector3d sum = Vector3d::Zero();
   double count = 0.0;
   for (int i = 0; i < cells * cells * cells; ++i) {
@@ -260,7 +261,9 @@ TEST(BodyParameters, EvenlyFilledBodiesHaveTheInertiaOfTheirOutline) {
   const double r = 0.02;
   const double length = 0.07;
   const auto is_near = [](const BodyParameters& body, const Vector3d& expected) {
-    EXPECT_LT((body.inertia / body.mass - expected).norm(), 2e-3 * expected.norm()) << body.inertia.transpose();
+    // What the cells of a short build do not resolve is ten times as much.
+    constexpr double resolved = tests_are_short ? 2e-2 : 2e-3;
+    EXPECT_LT((body.inertia / body.mass - expected).norm(), resolved * expected.norm()) << body.inertia.transpose();
   };
   const Vector3d slim{r, r, 0.5 * length};
   is_near(BodyParameters::ball(0.3, r), counted_inertia(Vector3d::Constant(r), [&](const Vector3d& at) { return at.norm() <= r; }));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "godobject/mesh/mesh_surface.hpp"
 #include "tests/mesh/shapes.hpp"
+#include "tests/repetitions.hpp"
 
 #include <gtest/gtest.h>
 
@@ -26,8 +27,8 @@ auto hold(const Shape& shape, const BodyParameters& body, const std::array<Devic
 /// Two opposite fingers, 2 mm deep, on the block's faces ±z, beside its centre of mass.
 const std::array<DevicePose, 2> pinch{DevicePose{{0.005, 0.0, 0.018}}, DevicePose{{0.005, 0.0, -0.018}}};
 
-// Ten minutes of a block at rest between two fingers: 600,000 steps, and so a test of seconds. The fingers stand where two
-// triangles of a face meet as well, since the diagonals of block.obj run through the middle.
+// Ten minutes of a block at rest between two fingers: 600,000 steps, and so a test of seconds (in a short build six seconds at rest).
+// The fingers stand where two triangles of a face meet as well, since the diagonals of block.obj run through the middle.
 TEST(MeshGrasp, RestsForTenMinutesWithoutCreeping) {
   for (const double beside : {0.005, 0.0}) {
     auto devices = pinch;
@@ -37,7 +38,7 @@ TEST(MeshGrasp, RestsForTenMinutesWithoutCreeping) {
     const std::array<double, 2> angles{grasp.finger(0).output().angle, grasp.finger(1).output().angle};
     for (int i = 0; i < 5000; ++i) grasp.step(devices, 1e-3);
     const BodyState settled = grasp.body();
-    const int steps = beside == 0.005 ? 600'000 : 20'000;
+    const int steps = beside == 0.005 ? repetitions(600'000) : repetitions(20'000, 5'000);
     for (int i = 0; i < steps; ++i) {
       grasp.step(devices, 1e-3);
       for (std::size_t finger : {0U, 1U}) {
@@ -61,7 +62,8 @@ TEST(MeshGrasp, ABlockOfTrianglesMovesLikeTheBlock) {
   const BodyParameters body = BodyParameters::block(0.1, edges);
   auto exact = hold(BoxSurface(0.5 * edges), body, pinch);
   auto mesh = hold(MeshSurface(Mesh(box_triangles(0.5 * edges))), body, pinch);
-  for (int i = 0; i < 3000; ++i) {
+  constexpr int steps = repetitions(3000, 600);
+  for (int i = 0; i < steps; ++i) {
     auto devices = pinch;
     // Carried about, turned, and let go of slowly.
     for (DevicePose& device : devices) device.position += Vector3d(0.02 * std::sin(1e-3 * i), 0.01 * std::cos(2e-3 * i) - 0.01, 0.0);

@@ -7,6 +7,7 @@
 #include "limitcurve/evaluators.hpp"
 #include "limitcurve/laws.hpp"
 #include "sampling.hpp"
+#include "tests/repetitions.hpp"
 #include "truth.hpp"
 
 #include <boost/math/special_functions/ellint_rf.hpp>
@@ -109,7 +110,7 @@ Hazard centre_under_the_finger() {
     raise(ours_unstated, static_cast<double>(abs(Exact(estimate.wrench.force - truth))) / estimate.error.force);
   };
   constexpr int stretches = 80;
-  constexpr int places = 10;
+  constexpr int places = repetitions(10);
   Envelope across(figure, "across");
   for (int i = 0; i < stretches; ++i) {
     // An odd part of a stretch: at "round" CORs the rule's points happen to fall well.
@@ -138,7 +139,7 @@ Hazard adaptive_subdivision() {
   long ours_worst = 0;
   const std::array<double, 2> breaks{0.0, 1.0};
   std::vector<std::pair<double, Exact>> cors;
-  for (const double s : evenly(0.0137, 0.9937, 50)) cors.emplace_back(s, exact_power(1.0, s).force);
+  for (const double s : evenly(0.0137, 0.9937, repetitions(50, 5))) cors.emplace_back(s, exact_power(1.0, s).force);
   const Law counting = from_pressure(
       "counting",
       [&our_evaluations](double rho) {
@@ -240,7 +241,7 @@ Hazard kinks_of_a_profile() {
   std::array<double, 4> worst{};
   double unstated = 0.0;
   double ours_unstated = 0.0;
-  for (const double s : evenly(0.0131, 1.9931, 100)) {
+  for (const double s : evenly(0.0131, 1.9931, repetitions(100, 20))) {
     const Exact exact = truth(s);
     const customary::Function integrand = customary::force_integrand(pressure, s);
     const customary::Answer answer = customary::tanh_sinh(integrand, customary::split_at(s));

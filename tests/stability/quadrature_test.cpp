@@ -2,6 +2,7 @@
 #include "quadrature.hpp"
 
 #include "here.hpp"
+#include "tests/repetitions.hpp"
 
 #include <gtest/gtest.h>
 
@@ -17,7 +18,8 @@ constexpr double promised = 1e-13;
 TEST(Quadrature, CentreUnderTheFinger) {
   const auto findings = held_here(centre_under_the_finger());
   ASSERT_EQ(findings.size(), 3U);
-  EXPECT_GE(findings[0].breaks, 1e-6);
+  // At the worst of all CORs; at those of a short build it is beyond the 1e-9 that was asked for.
+  EXPECT_GE(findings[0].breaks, tests_are_short ? 1e-9 : 1e-6);
   EXPECT_LE(findings[0].stands, promised);
   // Ours never states less than its error.
   EXPECT_GE(findings[1].breaks, 3.0);

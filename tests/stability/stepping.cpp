@@ -9,6 +9,7 @@
 #include "limitcurve/laws.hpp"
 #include "limitcurve/number.hpp"
 #include "sampling.hpp"
+#include "tests/repetitions.hpp"
 
 #include <algorithm>
 #include <array>
@@ -143,8 +144,8 @@ Hazard stiffness_and_damping() {
   Hazard found;
   Figure figure{"time_map", {}};
   const std::string test = "Time.StiffnessAndDamping";
-  const std::vector<double> stiffnesses = in_ratios(1e-2, 1e3, 41);
-  const std::vector<double> dampings = evenly(0.0, 2.0, 21);
+  const std::vector<double> stiffnesses = in_ratios(1e-2, 1e3, repetitions(41, 11));
+  const std::vector<double> dampings = evenly(0.0, 2.0, repetitions(21, 5));
   std::array<double, 3> lost{};
   for (std::size_t i = 0; i < integrators.size(); ++i) {
     for (const double zeta : dampings) {
