@@ -24,6 +24,8 @@ BULK = int(os.environ.get("LIMITCURVE_BULK", "64"))
 MEGABYTE = 1 << 20
 # Of shadow memory and redzones; a sanitizer's program also reserves more than it uses.
 SANITIZED = bool(os.environ.get("LIMITCURVE_SANITIZED"))
+# The data of a report take up to a minute there. cli.report makes them once; here they would be made several times, and thrown away.
+makes_reports = unittest.skipIf(SANITIZED, "makes several reports, which take up to a minute each under a sanitizer")
 TABLE = ["table", "--law", "uniform", "--tolerance", "1e-9", "-o"]
 REPLAY = ["replay", "--law", "hertz", "--radius-law", "constant:a=0.006", "--mu", "0.6", "--stiffness", "1000", "--twist-stiffness", "0.036",
           "--boundary", "ellipse", "--projection", "radial", "--trace", "-"]
@@ -56,6 +58,7 @@ class Killed(CommandLineTest):
         folder = self.directory / "tables"
         self.kill_often([EXECUTABLE, *TABLE, str(folder / "table.csv")], folder)
 
+    @makes_reports
     def test_while_it_writes_the_data_of_a_report(self):
         folder = self.directory / "out"
         self.kill_often([EXECUTABLE, "report", "-o", str(folder)], folder, env=share(self.directory, STUB))
@@ -117,6 +120,7 @@ class Refused(CommandLineTest):
         for path in (folder / "out").iterdir():
             self.assertFalse(path.name.startswith("."), path.name)
 
+    @makes_reports
     def test_a_disk_that_fills_while_it_draws(self):
         if subprocess.run(["/usr/bin/python3", "-c", "import matplotlib"], capture_output=True, check=False).returncode != 0:
             self.skipTest("no matplotlib")
