@@ -54,15 +54,21 @@ class Killed(CommandLineTest):
                     self.assertEqual(path.read_bytes(), whole[path.name], path.name)
         self.assertGreaterEqual(killed, KILLS // 8)
 
+
+class KilledTable(Killed):
     def test_while_it_writes_a_table(self):
         folder = self.directory / "tables"
         self.kill_often([EXECUTABLE, *TABLE, str(folder / "table.csv")], folder)
 
+
+class KilledReport(Killed):
     @makes_reports
     def test_while_it_writes_the_data_of_a_report(self):
         folder = self.directory / "out"
         self.kill_often([EXECUTABLE, "report", "-o", str(folder)], folder, env=share(self.directory, STUB))
 
+
+class KilledDrawing(Killed):
     def test_while_it_draws(self):
         scripts = DATA.parent / "scripts"
         drawing = f"""
