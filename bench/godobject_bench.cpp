@@ -73,6 +73,7 @@ template <class Finger>
     // Forget where the last slip was, but not that it slipped.
     FingerState forgetful = finger.state();
     if (forgetful.start > 0.0) forgetful.start = 0.0;
+    forgetful.piece = 0;
     finger.restore(forgetful);
   }
   return finger.update(sample.contact, sample.twist);

@@ -119,6 +119,7 @@ class Stepper {
     if (cold_) {
       FingerState forgetful = finger_.state();
       if (forgetful.start > 0.0) forgetful.start = 0.0;
+      forgetful.piece = 0;
       finger_.restore(forgetful);
     }
     const Sample& sample = motion[next_];

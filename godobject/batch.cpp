@@ -35,12 +35,15 @@ void elliptic_loop(double k, double k_twist, double mu, double arm, double reach
     const double divisor = beyond ? square : 1.0;
     const double shrunk = std::sqrt(divisor) * (reach / divisor);
     const double share = beyond ? shrunk : 1.0;
-    force_x[i] = pull_x * (k * share);
-    force_y[i] = pull_y * (k * share);
-    moment[i] = twist * (k_twist * share);
-    const double new_x = x[i] + pull_x * share;
-    const double new_y = y[i] + pull_y * share;
-    const double new_angle = angle[i] + twist * share;
+    const double felt_x = pull_x * share;
+    const double felt_y = pull_y * share;
+    const double felt_twist = twist * share;
+    force_x[i] = felt_x * k;
+    force_y[i] = felt_y * k;
+    moment[i] = felt_twist * k_twist;
+    const double new_x = x[i] + felt_x;
+    const double new_y = y[i] + felt_y;
+    const double new_angle = angle[i] + felt_twist;
     // A slip that is lost in the rounding of the proxy is none.
     const bool stays = (new_x == old_x) & (new_y == old_y) & (new_angle == old_angle);
     const double slipped = stays ? -1.0 : 0.0;

@@ -45,6 +45,7 @@ struct TableStep {
   double twist_compliance;
   double mu;
   double radius;
+  double least_load;        ///< [N]
   double compliance_ratio;  ///< χ
   double per_compliance_ratio;
   double per_force_max;
@@ -94,6 +95,7 @@ void step(const Friction<Boundary, Projection>& friction, const ContactBatch& ba
                                        springs.compliance[1],
                                        law.mu(),
                                        radius,
+                                       law.least_load(),
                                        chi,
                                        1.0 / chi,
                                        friction.per_force_max(),
@@ -153,23 +155,25 @@ void step_one(const Friction<Boundary, Projection>& friction, const ContactBatch
     start = -1.0;
   };
   const auto yields = [&](const auto& grip) {
-    batch.force_x[i] = pull_x * grip.stiffness[0];
-    batch.force_y[i] = pull_y * grip.stiffness[0];
-    batch.moment[i] = turn * grip.stiffness[1];
+    const double felt_x = pull_x * grip.share[0];
+    const double felt_y = pull_y * grip.share[0];
+    const double felt_turn = turn * grip.share[1];
+    batch.force_x[i] = felt_x * springs.stiffness[0];
+    batch.force_y[i] = felt_y * springs.stiffness[0];
+    batch.moment[i] = felt_turn * springs.stiffness[1];
     if (!grip.slips) {
       start = -1.0;
       return;
     }
-    const double new_x = grip.clamps_both || grip.share[0] < 1.0 ? batch.x[i] + pull_x * grip.share[0] : proxy_x;
-    const double new_y = grip.clamps_both || grip.share[0] < 1.0 ? batch.y[i] + pull_y * grip.share[0] : proxy_y;
-    const double new_angle = grip.clamps_both || grip.share[1] < 1.0 ? batch.angle[i] + turn * grip.share[1] : proxy_angle;
+    const double new_x = grip.clamps_both || grip.share[0] < 1.0 ? batch.x[i] + felt_x : proxy_x;
+    const double new_y = grip.clamps_both || grip.share[0] < 1.0 ? batch.y[i] + felt_y : proxy_y;
+    const double new_angle = grip.clamps_both || grip.share[1] < 1.0 ? batch.angle[i] + felt_turn : proxy_angle;
     const bool moves = new_x != proxy_x || new_y != proxy_y || new_angle != proxy_angle;
     proxy_x = new_x;
     proxy_y = new_y;
     proxy_angle = new_angle;
-    const double next = moves ? grip.start : -1.0;
-    batch.trend[i] = next > 0.0 && start > 0.0 ? next - start : 0.0;
-    start = next;
+    batch.trend[i] = moves ? grip.start - start : 0.0;
+    start = moves ? grip.start : -1.0;
   };
   friction.grip(pull, holds, yields, [&] {
     const auto grip = friction.grip_rarely(pull, springs);

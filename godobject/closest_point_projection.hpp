@@ -2,9 +2,11 @@
 #pragma once
 
 #include "godobject/radial_projection.hpp"
+#include "limitcurve/pair.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <span>
 
@@ -22,7 +24,7 @@ concept PolygonalBoundary = LimitBoundary<Boundary> && requires(const Boundary& 
 // clang-format off
 template <class Boundary>
 concept FindsClosest = LimitBoundary<Boundary> && requires(const Boundary& boundary, UnitWrench trial, double chi, double start) {
-  { boundary.closest(trial, chi, chi, start) } noexcept -> std::same_as<Foot>;
+  { boundary.closest(trial, chi, chi, start, std::uint32_t{}) } noexcept -> std::same_as<Foot>;
 };
 // clang-format on
 
@@ -47,16 +49,24 @@ struct ClosestPoint {
     }
   }
 
-  /// The same for a trial with both components > 0, of which then neither is kept: what the step of a finger asks for.
+  /// Where the projection of a trial with both components > 0 leads if the trial is outside: what the step of a finger asks for. Of such
+  /// a trial neither component is kept. `per_chi` is one over its compliance ratio.
   template <FindsClosest Boundary>
-  [[gnu::always_inline]] Projected off_axes(const Boundary& boundary, const Trial& trial) const noexcept {
-    const auto [x, y] = trial.wrench;
-    const auto [foot, normal, place] = boundary.closest(trial.wrench, trial.compliance_ratio, 1.0 / trial.compliance_ratio, trial.start);
+  [[gnu::always_inline]] Foot foot(const Boundary& boundary, const Trial& trial, double per_chi) const noexcept {
+    return boundary.closest(trial.wrench, trial.compliance_ratio, per_chi, trial.start, trial.piece);
+  }
+
+  /// Whether it is.
+  [[gnu::always_inline]] static Projected onto(const Foot& found, const Trial& trial) noexcept {
+    const auto [foot, normal, place, piece] = found;
     // Beyond the tangent at its foot it is outside; and if it is outside at all, it is beyond that one.
-    const double reach = normal.slide * foot.force + normal.spin * foot.moment;
-    const double height = normal.slide * x + normal.spin * y;
+    const Pair direction{normal.slide, normal.spin};
+    const Pair along_foot = direction * Pair{foot.force, foot.moment};
+    const Pair along_trial = direction * Pair{trial.wrench.force, trial.wrench.moment};
+    const double limit = along_foot[0] + along_foot[1];
+    const double height = along_trial[0] + along_trial[1];
     // Number by number: GCC copies a pair of numbers through memory.
-    return {height > reach, height > reach * (1.0 + slip_guard), {foot.force, foot.moment}, {normal.slide, normal.spin}, place};
+    return {height > limit, height > limit * (1.0 + slip_guard), {foot.force, foot.moment}, {normal.slide, normal.spin}, place, piece};
   }
 
  private:
@@ -73,7 +83,7 @@ struct ClosestPoint {
       const double limit = wrench.force + wrench.moment;
       return {x + y > limit, x + y > limit * (1.0 + slip_guard), wrench, end};
     }
-    if constexpr (FindsClosest<Boundary>) return off_axes(boundary, trial);
+    if constexpr (FindsClosest<Boundary>) return onto(foot(boundary, trial, 1.0 / chi), trial);
     const double from = trial.start > 0.0 && trial.start < 2.0 ? trial.start : start(boundary, trial);
     double u = SlipTwist::at_place(from).spin_fraction();
     BoundaryPoint here = boundary.point(SlipTwist::of_spin_fraction(u));

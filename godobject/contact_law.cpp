@@ -49,8 +49,8 @@ ContactLaw::ContactLaw(const FingerParameters& parameters, double moment_ratio)
     if (mu_r_dynamic > mu_r) {
       throw out_of_range("moment_coefficient_dynamic", mu_r_dynamic, "m", "0 <= moment_coefficient_dynamic <= moment_coefficient");
     }
-    static_ = {mu, equivalent_radius(mu_r, mu, moment_ratio), 0.0};
-    dynamic_ = {mu_dynamic, equivalent_radius(mu_r_dynamic, mu_dynamic, moment_ratio), 0.0};
+    static_ = {mu, equivalent_radius(mu_r, mu, moment_ratio)};
+    dynamic_ = {mu_dynamic, equivalent_radius(mu_r_dynamic, mu_dynamic, moment_ratio)};
     // Not computed anew: the quotient would differ in the last digit.
     if (!parameters.moment_coefficient_dynamic && mu_dynamic > 0.0) dynamic_.radius = static_.radius;
   } else {
@@ -58,13 +58,19 @@ ContactLaw::ContactLaw(const FingerParameters& parameters, double moment_ratio)
       throw out_of_range("moment_coefficient_dynamic", *parameters.moment_coefficient_dynamic, "m", "absent without moment_coefficient");
     }
     const double radius = positive("radius_law coefficient", parameters.radius_law.coefficient(), "m/N^gamma");
-    static_ = {mu, radius, 0.0};
-    dynamic_ = {mu_dynamic, radius, 0.0};
+    static_ = {mu, radius};
+    dynamic_ = {mu_dynamic, radius};
     if (parameters.radius_law.is_sampled() || parameters.radius_law.exponent() != 0.0) radius_law_ = parameters.radius_law;
   }
+  constexpr double never = std::numeric_limits<double>::infinity();
+  const auto inverse = [](double number) { return number > 0.0 ? 1.0 / number : never; };
   for (Limit* limit : {&static_, &dynamic_}) {
-    limit->per_radius = limit->radius > 0.0 ? 1.0 / limit->radius : std::numeric_limits<double>::infinity();
+    limit->per_radius = inverse(limit->radius);
+    limit->compliance_ratio = limit->radius * limit->radius * springs_.ratio;
+    limit->per_compliance_ratio = inverse(limit->compliance_ratio);
+    limit->least_load = least_unit * inverse(limit->mu * std::min(limit->radius, 1.0));
   }
+  has_dampers_ = damping_ > 0.0 || twist_damping_ > 0.0;
   has_one_limit_ = static_.mu == dynamic_.mu && static_.radius == dynamic_.radius;
 }
 

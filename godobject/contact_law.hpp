@@ -4,6 +4,10 @@
 #include "limitcurve/pair.hpp"
 #include "limitcurve/radius_law.hpp"
 
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
 #include <limits>
 #include <optional>
 
@@ -31,12 +35,13 @@ struct FingerParameters {
 /// The springs between proxy and finger, of sliding and of twist side by side.
 struct Springs {
   Pair stiffness;   ///< k_l [N/m], k_r [N m/rad]
-  Pair compliance;  ///< 1/k_l [m/N], 1/k_r [rad/(N m)]
+  Pair compliance;  ///< 1/k_l [m/N], 1/k_r [rad/(N m)]; a little less, by a rounding or two: what stays drawn is rather within the limit
   double ratio;     ///< k_l/k_r [1/m²]
 
   static Springs of(double stiffness, double twist_stiffness) noexcept {
     const Pair both{stiffness, twist_stiffness};
-    return {both, 1.0 / both, stiffness / twist_stiffness};
+    const Pair inverse = 1.0 / both;
+    return {both, Pair{std::nextafter(inverse[0], 0.0), std::nextafter(inverse[1], 0.0)}, stiffness / twist_stiffness};
   }
 };
 
@@ -49,13 +54,20 @@ class ContactLaw {
 
   /// The scales of the unit curve at a load.
   struct Scale {
-    double force;       ///< μP [N]
-    double radius;      ///< a(P) [m]; 0 where there is no torsional friction
-    double per_radius;  ///< 1/a [1/m]
+    double force;             ///< μP [N]
+    double radius;            ///< a(P) [m]; 0 where there is no torsional friction
+    double per_radius;        ///< 1/a [1/m]
+    double compliance_ratio;  ///< χ = a²k_l/k_r
+    double per_compliance_ratio;
+    bool twists;  ///< there is torsional friction: neither μP nor μPa is below least_unit
   };
+  /// So near zero a unit's square vanishes, and a quotient by it may overflow: no friction [N, N m].
+  static constexpr double least_unit = 1e-150;
 
   [[gnu::always_inline]] [[nodiscard]] Scale static_scale(double load) const noexcept { return scale(static_, load); }
   [[gnu::always_inline]] [[nodiscard]] Scale dynamic_scale(double load) const noexcept { return scale(dynamic_, load); }
+  /// Of the static limit where the radius does not depend on the load [N]: with no more load there is no torsional friction.
+  [[nodiscard]] double least_load() const noexcept { return static_.least_load; }
   [[nodiscard]] bool has_one_limit() const noexcept { return has_one_limit_; }  ///< static and dynamic limits are the same
 
   [[nodiscard]] const Springs& springs() const noexcept { return springs_; }
@@ -69,20 +81,29 @@ class ContactLaw {
   /// Static a [m] where it does not depend on the load.
   [[nodiscard]] double constant_radius() const noexcept { return static_.radius; }
   [[nodiscard]] double jump_limit_square() const noexcept { return jump_limit_square_; }  ///< [m²]
-  [[nodiscard]] bool has_dampers() const noexcept { return damping_ > 0.0 || twist_damping_ > 0.0; }
+  [[nodiscard]] bool has_dampers() const noexcept { return has_dampers_; }
   [[nodiscard]] double hold_share() const noexcept { return hold_share_; }
 
  private:
   struct Limit {
-    double mu;
-    double radius;  ///< where it does not depend on the load
-    double per_radius;
+    double mu = 0.0;
+    double radius = 0.0;  ///< where it does not depend on the load
+    double per_radius = 0.0;
+    double compliance_ratio = 0.0;
+    double per_compliance_ratio = 0.0;
+    double least_load = 0.0;  ///< below it the units are less than least_unit
   };
 
   [[gnu::always_inline]] [[nodiscard]] Scale scale(const Limit& limit, double load) const noexcept {
-    if (!radius_law_) return {limit.mu * load, limit.radius, limit.per_radius};
+    if (!radius_law_) {
+      // By the bits, whose order is that of the numbers for those ≥ 0: the units that compare numbers have enough to do in a step.
+      const bool twists = std::bit_cast<std::int64_t>(load) > std::bit_cast<std::int64_t>(limit.least_load);
+      return {limit.mu * load, limit.radius, limit.per_radius, limit.compliance_ratio, limit.per_compliance_ratio, twists};
+    }
     const double radius = radius_law_->radius(load);
-    return {limit.mu * load, radius, 1.0 / radius};
+    const double chi = radius * radius * springs_.ratio;
+    const double force = limit.mu * load;
+    return {force, radius, 1.0 / radius, chi, 1.0 / chi, std::min(force, force * radius) > least_unit};
   }
 
   Limit static_{};
@@ -93,6 +114,7 @@ class ContactLaw {
   double twist_damping_;
   double jump_limit_square_;
   double hold_share_;
+  bool has_dampers_;
   bool has_one_limit_;
 };
 

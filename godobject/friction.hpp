@@ -3,16 +3,24 @@
 
 #include "godobject/contact_law.hpp"
 #include "godobject/projection.hpp"
+#include "limitcurve/foot_guesses.hpp"
 #include "limitcurve/load_curves.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <concepts>
+#include <cstdint>
 #include <limits>
+#include <memory>
 
 namespace limitcurve::godobject {
 
 /// Where the last slips point to: the centre of rotation seldom jumps.
 [[gnu::always_inline]] inline double ahead_of(double start, double trend) noexcept {
+  // What is usual is small without more arithmetic.
+  if (is_between(std::fabs(trend), 0.0, 1e-3) && is_between(start, 0.01, 1.99)) [[likely]]
+    return start + trend;
   const bool small = std::fabs(trend) <= 0.1 * std::min(start, 2.0 - start);
   return small ? start + trend : start;
 }
@@ -32,12 +40,12 @@ class Friction {
   /// What the contact does to springs that are drawn by r [m] along the surface and ρ [rad] about the normal.
   struct Grip {
     bool slips = false;
-    Pair stiffness{};                                       ///< |F|/r [N/m] and |M|/ρ [N m/rad], ≤ those of the springs
-    Pair share{1.0, 1.0};                                   ///< r′/r and ρ′/ρ ≤ 1, what stays drawn; 1 where nothing slid
-    bool clamps_both = false;                               ///< neither share is 1
+    Pair share{1.0, 1.0};      ///< r′/r and ρ′/ρ ≤ 1, what is felt of the springs; stays drawn, if it slips
+    bool clamps_both = false;  ///< neither share is 1
     double cor = std::numeric_limits<double>::quiet_NaN();  ///< of the slip [m], ∞ for pure sliding; NaN where it sticks
     double slip_work = 0.0;                                 ///< |F|(r − r′) + |M|(ρ − ρ′) [J], ≥ 0
     double start = -1.0;                                    ///< for the next step: place of the slip, or 0; < 0 where it sticks
+    std::uint32_t piece = 0;                                ///< for the next step: Projected::piece
   };
 
   /// The same, all magnitudes.
@@ -57,10 +65,10 @@ class Friction {
       : boundary_(std::move(boundary)),
         projection_(projection),
         law_(parameters, boundary_.moment_ratio()),
+        guesses_(make_guesses(boundary_, law_)),
         force_max_(boundary_.wrench({1.0, 0.0}).force),
         moment_max_(boundary_.wrench({0.0, 1.0}).moment),
-        per_force_max_(1.0 / force_max_),
-        per_moment_max_(1.0 / moment_max_),
+        per_intercepts_(1.0 / Pair{force_max_, moment_max_}),
         // Rounded once each, the reach inwards: a slip ends within a few roundings of the boundary, and rather inside.
         reach_per_unit_(std::nextafter(static_cast<double>(static_cast<long double>(force_max_) / law_.stiffness()), 0.0)),
         arm_times_radius_(static_cast<double>(static_cast<long double>(law_.twist_stiffness()) * force_max_ /
@@ -68,8 +76,8 @@ class Friction {
 
   [[nodiscard]] const Boundary& boundary() const noexcept { return boundary_; }
   [[nodiscard]] const ContactLaw& law() const noexcept { return law_; }
-  [[nodiscard]] double per_force_max() const noexcept { return per_force_max_; }        ///< one over the curve's force intercept
-  [[nodiscard]] double per_moment_max() const noexcept { return per_moment_max_; }      ///< one over the moment intercept
+  [[nodiscard]] double per_force_max() const noexcept { return per_intercepts_[0]; }    ///< one over the curve's force intercept
+  [[nodiscard]] double per_moment_max() const noexcept { return per_intercepts_[1]; }   ///< one over the moment intercept
   [[nodiscard]] double reach_per_unit() const noexcept { return reach_per_unit_; }      ///< r on the boundary without twist, over μP [m/N]
   [[nodiscard]] double arm_times_radius() const noexcept { return arm_times_radius_; }  ///< arm by which ρ is a length, times a [m²]
 
@@ -77,21 +85,23 @@ class Friction {
   /// which also tells whether the contact slips already.
   [[nodiscard]] Result resolve(double r, double rho, double load, double start) const noexcept {
     const Pull pull{r * r, rho, load, start, 0.0};
-    Grip found{.stiffness = law_.springs().stiffness};
+    Grip found;
     grip(
         pull, [] {}, [&](const Grip& grip) { found = grip; }, [&] { found = grip_rarely(pull, law_.springs()); });
-    return {
-        found.slips, found.stiffness[0] * r, found.stiffness[1] * rho, found.share[0] * r, found.share[1] * rho, found.cor, found.slip_work,
-        found.start};
+    const Pair felt = found.share * Pair{r, rho};
+    const Pair wrench = felt * law_.springs().stiffness;
+    return {found.slips, wrench[0],       wrench[1],  found.slips ? felt[0] : r, found.slips ? felt[1] : rho,
+            found.cor,   found.slip_work, found.start};
   }
 
   /// What a step knows of a contact.
   struct Pull {
-    double r_square;  ///< r² [m²]
-    double rho;       ///< ρ [rad] ≥ 0
-    double load;      ///< P [N] > 0
-    double start;     ///< Grip::start of the last step
-    double trend;     ///< how far that had moved
+    double r_square;          ///< r² [m²]
+    double rho;               ///< ρ [rad] ≥ 0
+    double load;              ///< P [N] > 0
+    double start;             ///< Grip::start of the last step
+    double trend;             ///< how far that had moved
+    std::uint32_t piece = 0;  ///< Grip::piece of the last step, or any number
   };
 
   /// The same. Calls `holds()` where the springs bear the pull, `yields(grip)` where they do not, or `otherwise()` for the caller to
@@ -99,7 +109,7 @@ class Friction {
   template <class Holds, class Yields, class Otherwise>
   [[gnu::always_inline]] void grip(const Pull& pull, Holds&& holds, Yields&& yields, Otherwise&& otherwise) const noexcept {
     const Springs& springs = law_.springs();
-    const bool slipping = pull.start >= 0.0;
+    const bool slipping = !std::signbit(pull.start);
     const Limits limits = make_limits(slipping ? law_.dynamic_scale(pull.load) : law_.static_scale(pull.load));
     if (!limits.twists) return otherwise();
     if constexpr (needs_squares_only) {
@@ -111,31 +121,51 @@ class Friction {
     } else {
       const Drawn drawn = draw(limits, pull, springs);
       // Within the chord of the intercepts it holds.
-      if (drawn.chord <= 1.0) return holds();
-      Projected projected;
+      if (std::bit_cast<std::int64_t>(drawn.chord) <= std::bit_cast<std::int64_t>(1.0)) return holds();
+      if (!slipping && !law_.has_one_limit()) return otherwise();
       if constexpr (goes_off_axes) {
-        if (!(std::min(drawn.trial.wrench.force, drawn.trial.wrench.moment) > 0.0)) return otherwise();
-        projected = projection_.off_axes(boundary_, drawn.trial);
+        Foot foot;
+        bool found = false;
+        if constexpr (has_guesses) {
+          if (std::bit_cast<std::int64_t>(drawn.trial.start) <= 0 && guesses_) [[unlikely]] {
+            Foot guessed;
+            const Pair wrench = guesses_->closest(boundary_, Pair{drawn.trial.wrench.force, drawn.trial.wrench.moment}, drawn.of_intercepts,
+                                                  drawn.chord, guessed);
+            foot = {{wrench[0], wrench[1]}, {guessed.normal.slide, guessed.normal.spin}, guessed.place, guessed.piece};
+            found = true;
+          }
+        }
+        if (!found) foot = projection_.foot(boundary_, drawn.trial, limits.per_compliance_ratio);
+        Projected projected{true,       true,      {foot.wrench.force, foot.wrench.moment}, {foot.normal.slide, foot.normal.spin},
+                            foot.place, foot.piece};
+        Pair share = share_of(projected.wrench, limits, drawn, springs);
+        // Where both components are so much smaller the trial is beyond the tangent by more than the guard, and on neither axis.
+        if (!(is_between(share[0], 0.0, clear_slip) && is_between(share[1], 0.0, clear_slip))) [[unlikely]] {
+          if (!(std::min(drawn.trial.wrench.force, drawn.trial.wrench.moment) > 0.0)) return otherwise();
+          projected = projection_.onto(foot, drawn.trial);
+          if (!projected.outside) return holds();
+          share = cut_to_unit(share);
+        }
+        yields(let_slip(limits, drawn, projected, springs, share, true));
       } else {
-        projected = projection_(boundary_, drawn.trial);
+        const Projected projected = projection_(boundary_, drawn.trial);
+        if (!projected.outside) return holds();
+        yields(let_slip(limits, drawn, projected, springs));
       }
-      if (!projected.outside) return holds();
-      if (!slipping && !law_.has_one_limit() && projected.slips) return otherwise();
-      yields(let_slip(limits, drawn, projected, springs, goes_off_axes));
     }
   }
 
   /// What is too rare for the registers of `grip`: no torsional friction; from rest beyond a static limit of its own; squares that
   /// overflow; other springs than the law's, which damping stiffens for a step.
   [[gnu::noinline]] [[nodiscard]] Grip grip_rarely(const Pull& pull, const Springs& springs) const noexcept {
-    const bool slipping = pull.start >= 0.0;
-    const Limits limits = make_limits(slipping ? law_.dynamic_scale(pull.load) : law_.static_scale(pull.load));
+    const bool slipping = !std::signbit(pull.start);
+    const Limits limits = make_limits(slipping ? law_.dynamic_scale(pull.load) : law_.static_scale(pull.load), springs);
     if (!limits.twists) return grip_untwisted(limits.unit[0], pull, springs);
     const Drawn drawn = draw(limits, pull, springs);
     const Projected projected = projection_(boundary_, drawn.trial);
-    if (!projected.outside) return {.stiffness = springs.stiffness};
+    if (!projected.outside) return {};
     if (slipping || law_.has_one_limit() || !projected.slips) return let_slip(limits, drawn, projected, springs);
-    const Limits dynamic = make_limits(law_.dynamic_scale(pull.load));
+    const Limits dynamic = make_limits(law_.dynamic_scale(pull.load), springs);
     if (!dynamic.twists) return slide_untwisted(pull, springs);
     const Drawn beyond = draw(dynamic, pull, springs);
     return let_slip(dynamic, beyond, projection_(boundary_, beyond.trial), springs);
@@ -151,18 +181,20 @@ class Friction {
   }();
   /// The projection has a way of its own for what lies on neither axis, which keeps neither component.
   static constexpr bool goes_off_axes = requires(const Projection& projection, const Boundary& boundary, const Trial& trial) {
-    projection.off_axes(boundary, trial);
+    projection.foot(boundary, trial, 1.0);
   };
   /// Squares between these neither overflow nor lose digits when divided by; the step by squares leaves others to the general one.
   static constexpr double farthest_square = 1e100;
   static constexpr double least_reach = 1e-140;
+  /// A trial both of whose components are cut by more than this is outside by more than slip_guard, whatever is rounded.
+  static constexpr double clear_slip = 1.0 - 2.0 * slip_guard;
 
   /// How far the contact is from slipping: 1 − gauge of the trial in the limit that acts, 1 unloaded by friction, ≤ 0 slipping.
   [[nodiscard]] double margin(double r, double rho, double load, bool slipping) const noexcept {
     const Limits limits = make_limits(slipping ? law_.dynamic_scale(load) : law_.static_scale(load));
     if (r == 0.0 && rho == 0.0) return 1.0;
     if (!limits.twists)
-      return limits.unit[0] > least_unit ? 1.0 - law_.stiffness() * r / (force_max_ * limits.unit[0]) : r > 0.0 ? 0.0 : 1.0;
+      return limits.unit[0] > ContactLaw::least_unit ? 1.0 - law_.stiffness() * r / (force_max_ * limits.unit[0]) : r > 0.0 ? 0.0 : 1.0;
     return 1.0 - boundary_.gauge(draw(limits, {r * r, rho, load, -1.0, 0.0}, law_.springs()).trial.wrench);
   }
 
@@ -178,61 +210,95 @@ class Friction {
   }
 
  private:
-  struct Limits {
-    Pair unit;          ///< μP [N], μPa [N m]
-    double radius;      ///< a [m]
-    double per_radius;  ///< 1/a [1/m]
-    bool twists;        ///< there is torsional friction
-  };
-  /// So near zero a unit's square vanishes, and a quotient by it may overflow: no friction [N, N m].
-  static constexpr double least_unit = 1e-150;
+  /// Its searches that have no last slip to begin from may begin from guesses.
+  static constexpr bool has_guesses = goes_off_axes && std::same_as<Boundary, Table>;
 
+  static std::shared_ptr<const FootGuesses> make_guesses(const Boundary& boundary, const ContactLaw& law) {
+    if constexpr (has_guesses) {
+      const double chi = law.static_scale(1.0).compliance_ratio;
+      if (law.radius_law() == nullptr && chi > 1e-100 && chi < 1e100) return std::make_shared<const FootGuesses>(boundary, chi);
+    }
+    return nullptr;
+  }
+
+  struct Limits {
+    Pair unit;                ///< μP [N], μPa [N m]
+    double radius;            ///< a [m]
+    double per_radius;        ///< 1/a [1/m]
+    double compliance_ratio;  ///< χ
+    double per_compliance_ratio;
+    bool twists;  ///< there is torsional friction
+  };
   [[gnu::always_inline]] [[nodiscard]] static Limits make_limits(ContactLaw::Scale scale) noexcept {
     const double moment_unit = scale.force * scale.radius;
-    return {Pair{scale.force, moment_unit}, scale.radius, scale.per_radius, std::min(scale.force, moment_unit) > least_unit};
+    return {Pair{scale.force, moment_unit}, scale.radius, scale.per_radius, scale.compliance_ratio,
+            scale.per_compliance_ratio,     scale.twists};
+  }
+  /// For springs that need not be the law's.
+  [[nodiscard]] static Limits make_limits(ContactLaw::Scale scale, const Springs& springs) noexcept {
+    scale.compliance_ratio = scale.radius * scale.radius * springs.ratio;
+    if (scale.twists) scale.per_compliance_ratio = 1.0 / scale.compliance_ratio;
+    return make_limits(scale);
   }
 
   /// What the springs are drawn by, as a trial.
   struct Drawn {
     Pair stretch;  ///< (r, ρ)
     Trial trial;
-    double chord;  ///< where the trial lies between the origin and the chord of the intercepts: 1 on it
+    Pair of_intercepts;  ///< (x̂/f_max, ŷ/m_max)
+    double chord;        ///< where the trial lies between the origin and the chord of the intercepts: 1 on it
   };
 
   [[gnu::always_inline]] [[nodiscard]] Drawn draw(const Limits& limits, const Pull& pull, const Springs& springs) const noexcept {
     const Pair stretch{square_roots(Pair{pull.r_square, pull.r_square})[0], pull.rho};
-    const Pair wrench = stretch * (springs.stiffness * (1.0 / limits.unit));
-    Drawn drawn{stretch,
-                {{wrench[0], wrench[1]},
-                 limits.radius * limits.radius * springs.ratio,
-                 ahead_of(pull.start, pull.trend),
-                 law_.radius_law(),
-                 pull.load},
-                wrench[0] * per_force_max_ + wrench[1] * per_moment_max_};
+    const Pair per_stretch = springs.stiffness * (1.0 / limits.unit);
+    Pair wrench = stretch * per_stretch;
+    const Pair of_intercepts = stretch * (per_stretch * per_intercepts_);
+    const double chord = of_intercepts[0] + of_intercepts[1];
     // Not both by one factor: limits that do not know of each other would see a small component become none.
-    if (drawn.chord > farthest_trial) drawn.trial.wrench = {std::min(wrench[0], farthest_trial), std::min(wrench[1], farthest_trial)};
-    return drawn;
+    if (std::bit_cast<std::int64_t>(chord) > std::bit_cast<std::int64_t>(farthest_trial)) [[unlikely]]
+      wrench = lesser(wrench, Pair{farthest_trial, farthest_trial});
+    return {stretch,
+            {{wrench[0], wrench[1]}, limits.compliance_ratio, ahead_of(pull.start, pull.trend), law_.radius_law(), pull.load, pull.piece},
+            of_intercepts,
+            chord};
   }
 
-  [[gnu::always_inline]] [[nodiscard]] Grip let_slip(const Limits& limits, const Drawn& drawn, const Projected& projected,
-                                                     const Springs& springs, bool clamps_both = false) const noexcept {
-    const Pair trial{drawn.trial.wrench.force, drawn.trial.wrench.moment};
-    const Pair foot{projected.wrench.force, projected.wrench.moment};
-    // A search may leave a small component a rounding above the trial's; the spring cannot.
-    const Pair bound = lesser(foot * (limits.unit / drawn.stretch), springs.stiffness);
-    // What was not clamped did not slide, bit for bit. (Where nothing is drawn the bound is 0/0, and the foot the trial.)
-    const PairMask clamped = foot != trial;
+  /// A search may leave a small component a rounding above the trial's, or below nothing; the spring cannot.
+  [[gnu::always_inline]] [[nodiscard]] static Pair cut_to_unit(Pair share) noexcept {
+    return greater(lesser(share, Pair{1.0, 1.0}), Pair{0.0, 0.0});
+  }
+
+  /// What is felt of the springs, r′/r and ρ′/ρ, at a wrench of the boundary; not cut. (Where nothing is drawn it is 0/0 or infinite.)
+  [[gnu::always_inline]] [[nodiscard]] static Pair share_of(UnitWrench wrench, const Limits& limits, const Drawn& drawn,
+                                                            const Springs& springs) noexcept {
+    return Pair{wrench.force, wrench.moment} * (limits.unit / drawn.stretch * springs.compliance);
+  }
+
+  [[gnu::always_inline]] [[nodiscard]] static Grip let_slip(const Limits& limits, const Drawn& drawn, const Projected& projected,
+                                                            const Springs& springs, Pair share, bool clamps_both) noexcept {
     Grip grip;
-    grip.stiffness = clamps_both ? bound : clamped ? bound : springs.stiffness;
+    grip.share = share;
     if (!projected.slips) return grip;
     grip.slips = true;
-    grip.share = clamps_both ? bound * springs.compliance : clamped ? bound * springs.compliance : Pair{1.0, 1.0};
     grip.clamps_both = clamps_both;
     grip.cor = limits.radius * projected.slip.cor();
     grip.start = projected.start;
-    const Pair work = grip.stiffness * drawn.stretch * drawn.stretch * (1.0 - grip.share);
+    grip.piece = projected.piece;
+    const Pair work = (drawn.stretch * drawn.stretch * springs.stiffness) * (share * (1.0 - share));
     grip.slip_work = work[0] + work[1];
     return grip;
+  }
+
+  [[nodiscard]] static Grip let_slip(const Limits& limits, const Drawn& drawn, const Projected& projected,
+                                     const Springs& springs) noexcept {
+    const Pair share = cut_to_unit(share_of(projected.wrench, limits, drawn, springs));
+    const UnitWrench& trial = drawn.trial.wrench;
+    const bool off_axes = goes_off_axes && std::min(trial.force, trial.moment) > 0.0;
+    if (off_axes) return let_slip(limits, drawn, projected, springs, share, true);
+    // What was not clamped did not slide, bit for bit.
+    const PairMask clamped = Pair{projected.wrench.force, projected.wrench.moment} != Pair{trial.force, trial.moment};
+    return let_slip(limits, drawn, projected, springs, clamped ? share : Pair{1.0, 1.0}, false);
   }
 
   /// Ellipse and radial projection in lengths: the springs of the ellipse's two axes weigh ρ against r.
@@ -252,16 +318,15 @@ class Friction {
     const Pair inverses = Pair{elliptic.reach, 1.0} / Pair{elliptic.square, pull.rho};
     const double share = roots[0] * inverses[0];
     Grip grip;
-    grip.stiffness = springs.stiffness * share;
+    grip.share = Pair{share, share};
     const double limit = elliptic.reach * (1.0 + slip_guard);
     if (elliptic.square <= limit * limit) return grip;
     grip.slips = true;
-    grip.share = Pair{share, share};
     grip.clamps_both = true;
     grip.cor = roots[1] * inverses[1];
     grip.start = 0.0;
-    const Pair force_lengths = grip.stiffness * Pair{pull.r_square, pull.rho * pull.rho};
-    grip.slip_work = (1.0 - share) * (force_lengths[0] + force_lengths[1]);
+    const Pair force_lengths = springs.stiffness * Pair{pull.r_square, pull.rho * pull.rho};
+    grip.slip_work = (share * (1.0 - share)) * (force_lengths[0] + force_lengths[1]);
     return grip;
   }
 
@@ -271,29 +336,30 @@ class Friction {
     const double reach = force_max_ * force_unit;
     const double force = springs.stiffness[0] * r;
     if (force > reach * (1.0 + slip_guard)) return slide_untwisted(pull, springs);
-    return {.stiffness = Pair{force > reach ? reach / r : springs.stiffness[0], 0.0}, .share = Pair{1.0, 0.0}};
+    return {.share = Pair{force > reach ? reach / force : 1.0, 0.0}};
   }
 
   [[nodiscard]] Grip slide_untwisted(const Pull& pull, const Springs& springs) const noexcept {
     const double unit = law_.dynamic_scale(pull.load).force;
-    const double stiffness = unit > least_unit ? std::min(force_max_ * unit / std::sqrt(pull.r_square), springs.stiffness[0]) : 0.0;
+    // As share_of, bit for bit.
+    const double share =
+        unit > ContactLaw::least_unit ? std::min(force_max_ * (unit / std::sqrt(pull.r_square) * springs.compliance[0]), 1.0) : 0.0;
     Grip grip;
     grip.slips = true;
-    grip.stiffness = Pair{stiffness, 0.0};
-    grip.share = Pair{stiffness * springs.compliance[0], 0.0};
+    grip.share = Pair{share, 0.0};
     grip.cor = std::numeric_limits<double>::infinity();
     grip.start = 0.0;
-    grip.slip_work = stiffness * pull.r_square * (1.0 - grip.share[0]);
+    grip.slip_work = springs.stiffness[0] * pull.r_square * share * (1.0 - share);
     return grip;
   }
 
   Boundary boundary_;
   [[no_unique_address]] Projection projection_;
   ContactLaw law_;
+  std::shared_ptr<const FootGuesses> guesses_;  // where the radius, and with it the metric, is one
   double force_max_;
   double moment_max_;
-  double per_force_max_;
-  double per_moment_max_;
+  Pair per_intercepts_;
   double reach_per_unit_;
   double arm_times_radius_;
 };

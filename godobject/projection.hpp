@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <concepts>
+#include <cstdint>
 
 namespace limitcurve::godobject {
 
@@ -21,15 +22,17 @@ struct Trial {
   double start = -1.0;                    ///< place of the last slip, where a search may start; ≤ 0: none
   const RadiusLaw* radius_law = nullptr;  ///< a(P), where it depends on the load
   double load = 0.0;                      ///< P [N]
+  std::uint32_t piece = 0;                ///< Projected::piece of the last slip, or any number
 };
 
 /// What a projection finds.
 struct Projected {
-  bool outside;        ///< the trial is outside the boundary. If not, the rest is void
-  bool slips;          ///< … by more than slip_guard
-  UnitWrench wrench;   ///< on the boundary; no component is larger than the trial's
-  SlipTwist slip;      ///< direction of the slip, (r − r′ : a(ρ − ρ′)) in the frame of the contact
-  double start = 0.0;  ///< where the next search may start: a place (SlipTwist::at_place), or 0 for none
+  bool outside;             ///< the trial is outside the boundary. If not, the rest is void
+  bool slips;               ///< … by more than slip_guard
+  UnitWrench wrench;        ///< on the boundary; no component is larger than the trial's
+  SlipTwist slip;           ///< direction of the slip, (r − r′ : a(ρ − ρ′)) in the frame of the contact
+  double start = 0.0;       ///< where the next search may start: a place (SlipTwist::at_place), or 0 for none
+  std::uint32_t piece = 0;  ///< of the boundary, where the next search may look first
 };
 
 /// A rule that tells whether a trial wrench lies outside a limit boundary, and if so moves it on to the boundary.

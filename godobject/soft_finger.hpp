@@ -8,6 +8,10 @@
 
 #include <Eigen/Core>
 
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <numbers>
 #include <utility>
 
@@ -37,7 +41,8 @@ struct FingerState {
   double trend = 0.0;                                 ///< how far that has moved since the slip before
   /// Where the finger was when last seen, refused or not [m]; not a number before the first step.
   Eigen::Vector3d seen = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
-  double turn = 0.0;  ///< what unwrapping has added to the device's twist [rad], a multiple of 2π
+  double turn = 0.0;        ///< what unwrapping has added to the device's twist [rad], a multiple of 2π
+  std::uint32_t piece = 0;  ///< of the boundary, where the last slip was found
   bool touching = false;
 
   /// By how much the springs are drawn after the step: x_p − x_g and α_p − α_g.
@@ -110,9 +115,13 @@ class SoftFinger {
   }
 
  private:
-  /// Of the contact's place and twist, and of its normal: `squares` is of both. Comparisons that are false for NaN too.
-  [[gnu::always_inline]] [[nodiscard]] static bool usable(const Contact& contact, Pair squares) noexcept {
-    return all_within(Pair{squares[0] + contact.depth * contact.depth, std::fabs(squares[1] - 1.0)}, Pair{farthest * farthest, 1e-6});
+  /// A contact that is near enough, with a normal of unit length, as that of the last one is. By the bits, whose order is that of the
+  /// numbers as far as those are ≥ 0; what is not a number is above all.
+  [[gnu::always_inline]] [[nodiscard]] static bool usable(const FingerState& state, const Contact& contact, double twist) noexcept {
+    const double square = Stretch::at(contact.point, twist).square_of_all() + contact.depth * contact.depth;
+    return std::bit_cast<std::uint64_t>(square) <= std::bit_cast<std::uint64_t>(farthest * farthest) &&
+           (std::memcmp(&contact.normal, &state.normal, sizeof contact.normal) == 0 ||
+            std::fabs(contact.normal.squaredNorm() - 1.0) <= 1e-6);
   }
 
   /// Where the finger itself is.
@@ -163,35 +172,35 @@ class SoftFinger {
   }
 
   [[gnu::always_inline]] void advance(FingerState& state, const Contact& contact, double twist, double time_step) const noexcept {
-    const Pair squares = Stretch::squares(Stretch::at(contact.point, twist), Stretch::at(contact.normal, 0.0));
-    if (!usable(contact, squares) || !(time_step >= 0.0)) return hold(state);
+    const auto bits = [](double number) { return std::bit_cast<std::uint64_t>(number); };
+    if (!usable(state, contact, twist) || (bits(time_step) << 1U != 0 && !(time_step > 0.0))) return hold(state);
     const Stretch finger = finger_of(contact);
-    const bool near = (finger - Stretch::at(state.seen, 0.0)).square() <= friction_.law().jump_limit_square();
+    const bool near = bits((finger - Stretch::at(state.seen, 0.0)).square()) <= bits(friction_.law().jump_limit_square());
     if (!near && leaps(state, contact)) return hold(state);
     finger.get_place(state.seen);
-    if (!(contact.depth > 0.0)) return release(state, contact, twist);
+    if (std::bit_cast<std::int64_t>(contact.depth) <= 0) return release(state, contact, twist);
     if (!state.touching) {
       touch_down(state, contact, twist);
-    } else if (std::fabs(twist - state.device_angle) > std::numbers::pi) {
+    } else if (bits(twist - state.device_angle) << 1U > bits(std::numbers::pi) << 1U) {
       unwrap(state, twist);
     }
     state.device_angle = twist;
     const ContactLaw& law = friction_.law();
     FingerOutput& output = state.output;
     const Stretch goal = Stretch::at(contact.point, twist + state.turn);
-    if (time_step >= shortest_time_step && law.has_dampers()) return rub_damped(state, contact, time_step);
+    if (law.has_dampers() && time_step >= shortest_time_step) return rub_damped(state, contact, time_step);
     const Stretch apart = Stretch::at(output.proxy, output.angle) - goal;
-    const Stretch drawn = apart.along(contact.normal);
-    const double square = apart.square_along(contact.normal, squares[1]);
+    const Stretch::Part part = apart.part_along(contact.normal);
+    const Stretch& drawn = part.stretch;
     output.load = law.stiffness() * contact.depth;
     see(state, contact, goal);
     friction_.grip(
-        {square, std::fabs(apart.twist()), output.load, state.start, state.trend},
+        {part.square, std::fabs(apart.twist()), output.load, state.start, state.trend, state.piece},
         [&] {
           (drawn * law.springs().stiffness).get(output.force, output.moment);
           stick(state);
         },
-        [&](const auto& grip) { yield(state, goal, drawn, grip); }, [&] { rub_rarely(state); });
+        [&](const auto& grip) { yield(state, goal, drawn, law.springs(), grip); }, [&] { rub_rarely(state); });
   }
 
   /// No friction yet. (The paper's α_0 is the twist here; angles are kept absolute, and α_p − α_g is the same.)
@@ -230,18 +239,20 @@ class SoftFinger {
 
   /// Steps b and c: springs that rest with the proxy at `from` are drawn from there.
   void rub(FingerState& state, const Stretch& from, const Stretch& drawn, const Springs& springs) const noexcept {
-    const auto grip =
-        friction_.grip_rarely({drawn.square(), std::fabs(drawn.twist()), state.output.load, state.start, state.trend}, springs);
+    const auto grip = friction_.grip_rarely(
+        {drawn.square(), std::fabs(drawn.twist()), state.output.load, state.start, state.trend, state.piece}, springs);
     // No torsional friction: the proxy turns with the finger.
     if (grip.share[1] == 0.0) state.output.angle = state.goal_angle;
-    yield(state, from, drawn, grip);
+    yield(state, from, drawn, springs, grip);
   }
 
   template <class Grip>
-  [[gnu::always_inline]] static void yield(FingerState& state, const Stretch& from, const Stretch& drawn, const Grip& grip) noexcept {
-    (drawn * grip.stiffness).get(state.output.force, state.output.moment);
+  [[gnu::always_inline]] static void yield(FingerState& state, const Stretch& from, const Stretch& drawn, const Springs& springs,
+                                           const Grip& grip) noexcept {
+    const Stretch felt = drawn * grip.share;
+    (felt * springs.stiffness).get(state.output.force, state.output.moment);
     if (!grip.slips) return stick(state);
-    slip(state, from + drawn * grip.share, grip);
+    slip(state, from + felt, grip);
   }
 
   [[gnu::always_inline]] static void stick(FingerState& state) noexcept {
@@ -269,7 +280,9 @@ class SoftFinger {
     output.cor = grip.cor;
     output.slip_work = grip.slip_work;
     state.start = grip.start;
-    state.trend = grip.start > 0.0 && before > 0.0 ? grip.start - before : 0.0;
+    state.piece = grip.piece;
+    // From where it stuck or had no place the trend is longer than any that is believed.
+    state.trend = grip.start - before;
   }
 
   Friction<Boundary, Projection> friction_;

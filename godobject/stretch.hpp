@@ -5,6 +5,9 @@
 
 #include <Eigen/Core>
 
+#include <bit>
+#include <cstdint>
+
 namespace limitcurve::godobject {
 
 /// A place and an angle, or the difference of two: how far the springs between proxy and finger are drawn [m, rad]. Kept as two
@@ -28,11 +31,10 @@ class Stretch {
     return (squares[0] + squares[1]) + z_twist_[0] * z_twist_[0];
   }
 
-  /// Of all four numbers, for two at once.
-  [[gnu::always_inline]] [[nodiscard]] static Pair squares(const Stretch& one, const Stretch& other) noexcept {
-    const Pair first = one.xy_ * one.xy_ + one.z_twist_ * one.z_twist_;
-    const Pair second = other.xy_ * other.xy_ + other.z_twist_ * other.z_twist_;
-    return Pair{first[0], second[0]} + Pair{first[1], second[1]};
+  /// Of all four numbers.
+  [[gnu::always_inline]] [[nodiscard]] double square_of_all() const noexcept {
+    const Pair squares = xy_ * xy_ + z_twist_ * z_twist_;
+    return squares[0] + squares[1];
   }
 
   /// Its part along a surface with this unit normal.
@@ -40,22 +42,11 @@ class Stretch {
     const double height = along_normal(normal);
     return {xy_ - Pair{normal.x(), normal.y()} * height, z_twist_ - Pair{normal.z(), 0.0} * height};
   }
-  /// Of that part's length [m²], given the normal's own square, which may be a little off 1. By Pythagoras, which need not wait for the
-  /// part itself; and where all of it is along the surface but for rounding, as on a plane, not for the normal's share either. The steps
-  /// of one finger wait for it.
-  [[gnu::always_inline]] [[nodiscard]] double square_along(const Eigen::Vector3d& normal, double normal_square) const noexcept {
-    const double height = along_normal(normal);
-    const double whole = square();
-    // |o − n h|² = |o|² − h²(2 − |n|²).
-    const double lost = height * height * (2.0 - normal_square);
-    // Less than half of the last digit: the difference is the whole.
-    if (lost <= 0x1p-55 * whole) [[likely]]
-      return whole;
-    // As long as it does not cancel.
-    if (lost > 0.0625 * whole) [[unlikely]]
-      return along(normal).square();
-    return whole - lost;
-  }
+  /// A part of a stretch, and the square of its length without the twist [m²].
+  struct Part;
+  /// The same with the square of its length, by Pythagoras, which need not wait for the part itself; and where all of it is along the
+  /// surface, as on a plane, or all but rounding, not for the normal's share either. The steps of one finger wait for it.
+  [[gnu::always_inline]] [[nodiscard]] Part part_along(const Eigen::Vector3d& normal) const noexcept;
 
   [[gnu::always_inline]] friend Stretch operator+(const Stretch& one, const Stretch& other) noexcept {
     return {one.xy_ + other.xy_, one.z_twist_ + other.z_twist_};
@@ -68,6 +59,10 @@ class Stretch {
     return {stretch.xy_ * factors[0], stretch.z_twist_ * factors};
   }
   [[gnu::always_inline]] friend bool operator==(const Stretch& one, const Stretch& other) noexcept {
+    // As a rule the first number tells, by all of its bits but the sign.
+    const auto bits = [](double number) { return std::bit_cast<std::uint64_t>(number); };
+    if ((bits(one.xy_[0]) ^ bits(other.xy_[0])) << 1U != 0) [[likely]]
+      return false;
     return same(one.xy_, other.xy_, one.z_twist_, other.z_twist_);
   }
 
@@ -88,5 +83,26 @@ class Stretch {
   Pair xy_;
   Pair z_twist_;
 };
+
+struct Stretch::Part {
+  Stretch stretch;
+  double square;
+};
+
+inline Stretch::Part Stretch::part_along(const Eigen::Vector3d& normal) const noexcept {
+  const double height = along_normal(normal);
+  const double whole = square();
+  if (std::bit_cast<std::uint64_t>(height) << 1U == 0) [[likely]]
+    return {Stretch(xy_, z_twist_), whole};
+  const Stretch part = along(normal);
+  // |o − n h|² = |o|² − h²(2 − |n|²), and |n| may be a little off 1.
+  const double lost = height * height * (2.0 - Stretch::at(normal, 0.0).square());
+  // Less than half of the last digit: the difference is the whole.
+  if (lost <= 0x1p-55 * whole) return {part, whole};
+  // As long as it does not cancel.
+  if (lost > 0.0625 * whole) [[unlikely]]
+    return {part, part.square()};
+  return {part, whole - lost};
+}
 
 }  // namespace limitcurve::godobject

@@ -41,7 +41,6 @@ int make_trials(const TableStep& law, std::size_t count, const double* __restric
                 const double* __restrict proxy_y, const double* __restrict proxy_angle, const double* __restrict start,
                 const double* __restrict trend, double* __restrict r, double* __restrict trial_force, double* __restrict trial_moment,
                 double* __restrict place, double* __restrict fate) noexcept {
-  constexpr double least = 1e-150;
   constexpr double farthest = 1e90;  // far within farthest_trial
   int any = 0;
   for (std::size_t i = 0; i < count; ++i) {
@@ -49,18 +48,21 @@ int make_trials(const TableStep& law, std::size_t count, const double* __restric
     const double pull_y = proxy_y[i] - y[i];
     const double turn = std::fabs(proxy_angle[i] - angle[i]);
     r[i] = std::sqrt(pull_x * pull_x + pull_y * pull_y);
-    const double force_unit = law.mu * (law.stiffness * depth[i]);
+    const double load = law.stiffness * depth[i];
+    const double force_unit = law.mu * load;
     const double moment_unit = force_unit * law.radius;
-    const double force = r[i] * (law.stiffness * (1.0 / force_unit));
-    const double moment = turn * (law.twist_stiffness * (1.0 / moment_unit));
-    const bool within = force * law.per_force_max + moment * law.per_moment_max <= 1.0;
+    const double per_length = law.stiffness * (1.0 / force_unit);
+    const double per_angle = law.twist_stiffness * (1.0 / moment_unit);
+    const double force = r[i] * per_length;
+    const double moment = turn * per_angle;
+    const bool within = r[i] * (per_length * law.per_force_max) + turn * (per_angle * law.per_moment_max) <= 1.0;
     trial_force[i] = force;
     trial_moment[i] = moment;
     const double trust = 0.1 * (start[i] < 2.0 - start[i] ? start[i] : 2.0 - start[i]);
     place[i] = std::fabs(trend[i]) <= trust ? start[i] + trend[i] : start[i];
     // Non-short-circuit, to be vectorised. Free contacts, new ones, those without torsional friction and trials on an axis
     // or beyond farthest_trial are left.
-    const bool usual = (depth[i] > 0.0) & (start[i] >= -1.0) & (force_unit > least) & (moment_unit > least);
+    const bool usual = (depth[i] > 0.0) & (start[i] >= -1.0) & (load > law.least_load);
     const bool searched = (force > 0.0) & (moment > 0.0) & (force <= farthest) & (moment <= farthest) & (place[i] > 0.0) & (place[i] < 2.0);
     fate[i] = usual ? (within ? sticks : (searched ? searches : left_over)) : left_over;
     any |= static_cast<int>(fate[i] == searches);
@@ -68,23 +70,20 @@ int make_trials(const TableStep& law, std::size_t count, const double* __restric
   return any;
 }
 
-/// The beginning of Table::closest. What is not searched for begins at the rim, where any search can.
+/// The beginning of Table::closest: on the side of the place. What is not searched for begins at the rim, where any search can.
 LIMITCURVE_CLONES
-void begin_searches(double chi, double per_chi, double rim_force, double rim_moment, std::size_t count,
-                    const double* __restrict trial_force, const double* __restrict trial_moment, const double* __restrict place,
-                    const double* __restrict fate, double* __restrict side, double* __restrict x, double* __restrict kappa,
-                    double* __restrict primary, double* __restrict secondary) noexcept {
+void begin_searches(double chi, double per_chi, std::size_t count, const double* __restrict trial_force,
+                    const double* __restrict trial_moment, const double* __restrict place, const double* __restrict fate,
+                    double* __restrict side, double* __restrict x, double* __restrict kappa, double* __restrict primary,
+                    double* __restrict secondary) noexcept {
   for (std::size_t i = 0; i < count; ++i) {
     const double force = trial_force[i];
     const double moment = trial_moment[i];
-    const double from = place[i];
-    const bool outside = force - rim_force > chi * (moment - rim_moment);
+    const double from = fate[i] == searches ? place[i] : 1.0;
+    const bool outside = from > 1.0;
     const double from_slide = 2.0 - from;
-    const double from_end = outside ? from_slide : from;
-    const double below = from_end < 1.0 ? from_end : 1.0;
-    const double within = below > 0.0 ? below : 0.0;
     side[i] = outside ? 1.0 : 0.0;
-    x[i] = fate[i] == searches ? within : 1.0;
+    x[i] = outside ? from_slide : from;
     kappa[i] = outside ? per_chi : chi;
     primary[i] = outside ? moment : force;
     secondary[i] = outside ? force : moment;
@@ -101,8 +100,8 @@ struct Searches {
 
 /// TableSide::closest's residual and step, and the cell's values where the step leads.
 LIMITCURVE_CLONES
-void advance_searches(std::size_t count, double share_of_x, const double* __restrict x_of, const double* __restrict kappa_of,
-                      const double* __restrict trial_primary, const double* __restrict trial_secondary,
+void advance_searches(std::size_t count, double share_of_x, double least_steep, double steepest, const double* __restrict x_of,
+                      const double* __restrict kappa_of, const double* __restrict trial_primary, const double* __restrict trial_secondary,
                       const double* __restrict left_and_rise, const double* __restrict constant, const double* __restrict square_of,
                       const double* __restrict cube, const double* __restrict right, double* __restrict next_of, double* __restrict primary,
                       double* __restrict secondary, double* __restrict done) noexcept {
@@ -124,37 +123,31 @@ void advance_searches(std::size_t count, double share_of_x, const double* __rest
     const double cubed_1 = from_left * cube_1;
     const double bent_0 = square_0 + cubed_0;
     const double bent_1 = square_1 + cubed_1;
-    const double rest_0 = bent_0 + cubed_0 + cubed_0;
-    const double rest_1 = bent_1 + cubed_1 + cubed_1;
+    const double rest_0 = bent_0 + (cubed_0 + cubed_0);
+    const double rest_1 = bent_1 + (cubed_1 + cubed_1);
     const double value_0 = (constant_0 + from_left * rise) + (from_left * from_left) * bent_0;
     const double value_1 = (constant_1 + from_left * rise_secondary) + (from_left * from_left) * bent_1;
     const double slope_0 = rise + from_left * (square_0 + rest_0);
     const double slope_1 = rise_secondary + from_left * (square_1 + rest_1);
-    const double bend_0 = rest_0 + rest_0;
-    const double bend_1 = rest_1 + rest_1;
-    const double third_0 = 6.0 * cube_0;
-    const double third_1 = 6.0 * cube_1;
     const double over_0 = trial_primary[i] - value_0;
     const double over_1 = trial_secondary[i] - value_1;
     const double lever = x * kappa;
     const double value = over_0 - lever * over_1;
-    const double third = third_0 - lever * third_1 - 3.0 * kappa * bend_1;
-    const double fall = slope_0 - lever * slope_1 + kappa * over_1;
-    const double bend = bend_0 - lever * bend_1 - 2.0 * kappa * slope_1;
+    const double fall = (slope_0 - lever * slope_1) + kappa * over_1;
+    const double square = (rest_0 - lever * rest_1) - kappa * slope_1;
+    const double cubic = (cube_0 - lever * cube_1) - kappa * rest_1;
     // TableSide::step_from.
-    const double per_fall = 1.0 / fall;
-    const double newton = value * per_fall;
-    const double square = newton * newton;
-    const double correction = 0.5 * bend * per_fall * square;
-    const double size = std::fabs(newton);
-    const double least = share_of_x * x * size;
-    const double next = x + (std::fabs(correction) < 0.5 * size ? newton - correction : newton);
-    const bool last = (correction * correction <= least) & (std::fabs(third * per_fall) * (square * square) <= least) & (fall > 0.0);
+    const double fall_square = fall * fall;
+    const double shift = (value * fall) / (fall_square + value * square);
+    const double curved = square * square + fall * std::fabs(cubic);
+    const double rest = (shift * shift) * std::fabs(shift) * curved;
+    const double next = x + shift;
+    const bool last = (rest <= (share_of_x * x) * fall_square) & (fall >= least_steep) & (fall < steepest);
     const bool inside = (next >= left) & (next < right[i]);
-    const double there = next - left;
     next_of[i] = next;
-    primary[i] = (constant_0 + there * rise) + (there * there) * (square_0 + there * cube_0);
-    secondary[i] = (constant_1 + there * rise_secondary) + (there * there) * (square_1 + there * cube_1);
+    // TableSide::Cell::Jet::after.
+    primary[i] = (value_0 + shift * slope_0) + (shift * shift) * (rest_0 + shift * cube_0);
+    secondary[i] = (value_1 + shift * slope_1) + (shift * shift) * (rest_1 + shift * cube_1);
     done[i] = (last & inside) ? 1.0 : 0.0;
   }
 }
@@ -228,29 +221,32 @@ int finish(const TableStep& law, std::size_t count, const double* __restrict x, 
     const double height = slide[i] * aim_force + spin[i] * aim_moment;
     const bool outside = (what == slides) & (height > reach);
     const bool slipping = (what == slides) & (height > reach * (1.0 + slip_guard));
-    const double bound = foot_force * (force_unit / r_of[i]);
-    const double twist_bound = foot_moment * (moment_unit / std::fabs(turn));
-    const double least = bound < stiffness ? bound : stiffness;
-    const double twist_least = twist_bound < twist_stiffness ? twist_bound : twist_stiffness;
-    const double share = least * law.compliance;
-    const double twist_share = twist_least * law.twist_compliance;
-    const double felt = outside ? least : stiffness;
-    const double twist_felt = outside ? twist_least : twist_stiffness;
-    const double slid_x = x[i] + pull_x * share;
-    const double slid_y = y[i] + pull_y * share;
-    const double slid_angle = angle[i] + turn * twist_share;
+    const double cut = foot_force * (force_unit / r_of[i] * law.compliance);
+    const double twist_cut = foot_moment * (moment_unit / std::fabs(turn) * law.twist_compliance);
+    const double least = cut < 1.0 ? cut : 1.0;
+    const double twist_least = twist_cut < 1.0 ? twist_cut : 1.0;
+    const double kept = least > 0.0 ? least : 0.0;
+    const double twist_kept = twist_least > 0.0 ? twist_least : 0.0;
+    const double share = outside ? kept : 1.0;
+    const double twist_share = outside ? twist_kept : 1.0;
+    const double felt_x = pull_x * share;
+    const double felt_y = pull_y * share;
+    const double felt_turn = turn * twist_share;
+    const double slid_x = x[i] + felt_x;
+    const double slid_y = y[i] + felt_y;
+    const double slid_angle = angle[i] + felt_turn;
     const double new_x = slipping ? slid_x : old_x;
     const double new_y = slipping ? slid_y : old_y;
     const double new_angle = slipping ? slid_angle : old_angle;
     const bool moves = (new_x != old_x) | (new_y != old_y) | (new_angle != old_angle);
     const double next = moves ? t : -1.0;
     const bool left = what == left_over;
-    const double change = next - old_start;
-    const double new_trend = ((next > 0.0) & (old_start > 0.0)) ? change : 0.0;
+    const double change = t - old_start;
+    const double new_trend = moves ? change : 0.0;
     const double new_start = slipping ? next : -1.0;
-    const double new_force_x = pull_x * felt;
-    const double new_force_y = pull_y * felt;
-    const double new_moment = turn * twist_felt;
+    const double new_force_x = felt_x * stiffness;
+    const double new_force_y = felt_y * stiffness;
+    const double new_moment = felt_turn * twist_stiffness;
     force_x[i] = left ? old_force_x : new_force_x;
     force_y[i] = left ? old_force_y : new_force_y;
     moment_of[i] = left ? old_moment : new_moment;
@@ -275,14 +271,15 @@ void step_searches(const Table& table, Searches& search, std::size_t count) noex
     search.cube.put(j, cell->cube);
     search.right[j] = (cell + 1)->left;
   }
-  advance_searches(count, TableSide::closest_share, search.x.data(), search.kappa.data(), search.trial_primary.data(),
-                   search.trial_secondary.data(), search.left_and_rise.data(), search.constant.data(), search.square.data(),
-                   search.cube.data(), search.right.data(), search.next.data(), search.primary.data(), search.secondary.data(),
-                   search.done.data());
+  advance_searches(count, TableSide::closest_share, TableSide::least_steep, TableSide::steepest, search.x.data(), search.kappa.data(),
+                   search.trial_primary.data(), search.trial_secondary.data(), search.left_and_rise.data(), search.constant.data(),
+                   search.square.data(), search.cube.data(), search.right.data(), search.next.data(), search.primary.data(),
+                   search.secondary.data(), search.done.data());
 }
 
 /// The next steps, of the searches that are not done, closed up. What wants a bracket is left over.
-void search_on(const Table& table, Searches& search, std::size_t count, Feet& feet, Row& fate) noexcept {
+void search_on(const Table& table, const TableStep& law, Row& trial_force, Row& trial_moment, Searches& search, std::size_t count,
+               Feet& feet, Row& fate) noexcept {
   std::array<std::size_t, table_block> contact;
   std::size_t open = 0;
   const auto keep = [&](std::size_t j, std::size_t i) {
@@ -299,7 +296,16 @@ void search_on(const Table& table, Searches& search, std::size_t count, Feet& fe
     ++open;
   };
   for (std::size_t i = 0; i < count; ++i) {
-    if (fate[i] == searches) keep(i, i);
+    if (fate[i] != searches) continue;
+    // From here on on the trial's side, as Table::search_closest: from the rim, where it began on the other.
+    const bool outside = trial_force[i] - law.rim.force > law.compliance_ratio * (trial_moment[i] - law.rim.moment);
+    if (outside != (search.side[i] != 0.0)) {
+      search.side[i] = outside ? 1.0 : 0.0;
+      search.next[i] = 1.0;
+      search.kappa[i] = outside ? law.per_compliance_ratio : law.compliance_ratio;
+      std::swap(search.trial_primary[i], search.trial_secondary[i]);
+    }
+    keep(i, i);
   }
   for (int round = 1; round < TableSide::quick_limit && open > 0; ++round) {
     const std::size_t stepped = std::exchange(open, 0);
@@ -332,14 +338,14 @@ bool step_on_table(const Table& table, const TableStep& law, const ContactBatch&
                   block.proxy_y.data(), block.proxy_angle.data(), block.start.data(), block.trend.data(), r.data(), trial_force.data(),
                   trial_moment.data(), feet.place.data(), fate.data()) != 0) {
     Searches search;
-    begin_searches(law.compliance_ratio, law.per_compliance_ratio, law.rim.force, law.rim.moment, count, trial_force.data(),
-                   trial_moment.data(), feet.place.data(), fate.data(), search.side.data(), search.x.data(), search.kappa.data(),
-                   search.trial_primary.data(), search.trial_secondary.data());
+    begin_searches(law.compliance_ratio, law.per_compliance_ratio, count, trial_force.data(), trial_moment.data(), feet.place.data(),
+                   fate.data(), search.side.data(), search.x.data(), search.kappa.data(), search.trial_primary.data(),
+                   search.trial_secondary.data());
     // The first step of all, searched for or not: in a scene that moves nearly all are, and most need no other.
     step_searches(table, search, count);
     if (take_found(count, search.side.data(), search.next.data(), search.primary.data(), search.secondary.data(), search.done.data(),
                    feet.force.data(), feet.moment.data(), feet.slide.data(), feet.spin.data(), feet.place.data(), fate.data()) != 0) {
-      search_on(table, search, count, feet, fate);
+      search_on(table, law, trial_force, trial_moment, search, count, feet, fate);
     }
   } else {
     feet = {r, r, r, r, r};

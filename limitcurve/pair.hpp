@@ -31,6 +31,15 @@ using Pair = double __attribute__((vector_size(16)));
 #endif
 }
 
+/// Likewise.
+[[gnu::always_inline]] inline Pair greater(Pair one, Pair other) noexcept {
+#if defined(__SSE2__)
+  return _mm_max_pd(one, other);
+#else
+  return Pair{one[0] > other[0] ? one[0] : other[0], one[1] > other[1] ? one[1] : other[1]};
+#endif
+}
+
 /// What comparing two pairs gives.
 using PairMask = decltype(Pair{} < Pair{});
 
@@ -40,15 +49,6 @@ using PairMask = decltype(Pair{} < Pair{});
   return _mm_movemask_pd(_mm_or_pd(_mm_cmpneq_pd(one, two), _mm_cmpneq_pd(three, four))) == 0;
 #else
   return one[0] == two[0] && one[1] == two[1] && three[0] == four[0] && three[1] == four[1];
-#endif
-}
-
-/// Whether neither element is above its limit, nor not a number.
-[[gnu::always_inline]] inline bool all_within(Pair of, Pair limits) noexcept {
-#if defined(__SSE2__)
-  return _mm_movemask_pd(_mm_cmple_pd(of, limits)) == 3;
-#else
-  return of[0] <= limits[0] && of[1] <= limits[1];
 #endif
 }
 

@@ -7,7 +7,9 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 
 namespace limitcurve {
@@ -79,8 +81,8 @@ class Table {
     const double from = std::clamp(outside ? 2.0 - start : start, 0.0, 1.0);
     // By index: compilers turn a choice between doubles into a branch, which no predictor knows here.
     const double components[2] = {direction.force, direction.moment};
-    const auto [value, x] = sides_[outside].along(Pair{components[outside], components[!outside]}, from);
-    return {wrench_of(outside, value), outside ? SlipTwist{1.0, x} : SlipTwist{x, 1.0}};
+    const auto [primary, secondary, x, cell] = sides_[outside].along(Pair{components[outside], components[!outside]}, from);
+    return {wrench_of(outside, Pair{primary, secondary}), outside ? SlipTwist{1.0, x} : SlipTwist{x, 1.0}};
   }
 
   /// About the place (SlipTwist::at_place) of this curve's normal on the ray from the origin where the ellipse with the same
@@ -94,19 +96,24 @@ class Table {
 
   /// The point of the curve from which the trial (both components > 0) lies along the outward normal in the metric
   /// f² + χm², χ > 0: the closest point, if the trial is outside. `start` is a place to search from (SlipTwist::at_place), or ≤ 0 for
-  /// none; `per_chi` is 1/χ. One step from a start nearby, two or three from none as a rule, each a few multiplications and a
-  /// division; 64 at most.
-  [[gnu::always_inline]] [[nodiscard]] Foot closest(UnitWrench trial, double chi, double per_chi, double start) const noexcept {
-    const double from = start > 0.0 ? start : guess(trial, per_chi);
-    // Which side of the normal at the rim.
-    const bool outside = trial.force - rim_.force > chi * (trial.moment - rim_.moment);
-    // Branched for, unlike in a lookup: a finger's slip seldom changes sides.
-    if (outside) {
-      const auto [value, x] = sides_[1].closest(Pair{trial.moment, trial.force}, per_chi, std::max(0.0, std::min(1.0, 2.0 - from)));
-      return {{value[1], value[0]}, {1.0, x}, 2.0 - x};
+  /// none; `piece` that of the last foot, or any number; `per_chi` is 1/χ. One step from a start nearby, two or three from none as a
+  /// rule, each a few multiplications and a division; 64 at most.
+  [[gnu::always_inline]] [[nodiscard]] Foot closest(UnitWrench trial, double chi, double per_chi, double start,
+                                                    std::uint32_t piece = 0) const noexcept {
+    // Branched for, unlike in a lookup: a finger's slip seldom changes sides. Outside the rim the places begin above 1.
+    if (std::bit_cast<std::int64_t>(start) > std::bit_cast<std::int64_t>(1.0)) {
+      const auto [primary, secondary, x, cell] =
+          sides_[1].closest_in_one_step(Pair{trial.moment, trial.force}, per_chi, 2.0 - start, piece);
+      if (cell != TableSide::none) [[likely]]
+        return {{secondary, primary}, {1.0, x}, 2.0 - x, cell};
+    } else {
+      const auto [primary, secondary, x, cell] = sides_[0].closest_in_one_step(Pair{trial.force, trial.moment}, chi, start, piece);
+      if (cell != TableSide::none) [[likely]]
+        return {{primary, secondary}, {x, 1.0}, x, cell};
     }
-    const auto [value, x] = sides_[0].closest(Pair{trial.force, trial.moment}, chi, std::max(0.0, std::min(1.0, from)));
-    return {{value[0], value[1]}, {x, 1.0}, x};
+    // Number by number, because what is returned in memory would be there in either case.
+    const Foot foot = search_closest(trial, chi, per_chi, start);
+    return {{foot.wrench.force, foot.wrench.moment}, {foot.normal.slide, foot.normal.spin}, foot.place, foot.piece};
   }
 
   [[nodiscard]] double gauge(UnitWrench wrench) const noexcept {
@@ -147,6 +154,30 @@ class Table {
     // Where products under- or overflow anything will do.
     if (!(place > 0.0 && place < 2.0)) return 1.0;
     return place + (place_of_ellipse(place) - place) * quotients[1];
+  }
+
+  /// `closest` without a piece to begin with, and out of the way of its registers. The result is the same for every piece.
+  [[nodiscard, gnu::noinline]] Foot search_closest(UnitWrench trial, double chi, double per_chi, double start) const noexcept {
+    const double from = start > 0.0 ? start : guess(trial, per_chi);
+    const auto foot = [](bool outside, const TableSide::Point& found) -> Foot {
+      const auto [primary, secondary, x, cell] = found;
+      if (outside) return {{secondary, primary}, {1.0, x}, 2.0 - x, cell};
+      return {{primary, secondary}, {x, 1.0}, x, cell};
+    };
+    const Pair trials[2] = {{trial.force, trial.moment}, {trial.moment, trial.force}};
+    const double kappas[2] = {chi, per_chi};
+    const bool begins_outside = from > 1.0;
+    const double begin = begins_outside ? 2.0 - from : from;
+    // The trial's side of the normal at the rim. A search that begins on the other takes one step there, as with a piece, before it goes over.
+    const bool outside = trial.force - rim_.force > chi * (trial.moment - rim_.moment);
+    if (outside == begins_outside) return foot(outside, sides_[outside].closest(trials[outside], kappas[outside], std::max(begin, 0.0)));
+    if (begin >= 0.0) {
+      const TableSide& side = sides_[begins_outside];
+      const TableSide::Point found =
+          side.closest_in_one_step(trials[begins_outside], kappas[begins_outside], begin, side.number_of(side.cell(begin)));
+      if (found.cell != TableSide::none) return foot(begins_outside, found);
+    }
+    return foot(outside, sides_[outside].closest(trials[outside], kappas[outside], 1.0));
   }
 
   void learn_places();

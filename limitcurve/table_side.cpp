@@ -69,6 +69,7 @@ bool is_convex(const TableNode& left, const TableNode& right) noexcept {
 TableSide::TableSide(std::vector<TableNode> nodes) : nodes_(std::move(nodes)) {
   verify();
   for (std::size_t i = 0; i + 1 < nodes_.size(); ++i) cells_.emplace_back(nodes_[i], nodes_[i + 1]);
+  cell_count_ = static_cast<std::uint32_t>(cells_.size());
   build_index();
 }
 

@@ -16,6 +16,13 @@
 
 namespace limitcurve {
 
+/// Whether a number is not below `low` ≥ 0, and below `high`. By the bits, which have the order of the numbers as far as those are ≥ 0: the
+/// units that compare numbers have enough to do in a step.
+[[gnu::always_inline]] inline bool is_between(double number, double low, double high) noexcept {
+  const auto bits = [](double of) { return std::bit_cast<std::uint64_t>(of); };
+  return bits(number) - bits(low) < bits(high) - bits(low);
+}
+
 /// A node of one side of a table: 32 bytes. Inside the rim the coordinate is s = c/a, the primary component the force and the
 /// secondary the moment; outside the coordinate is 1/s and they change places. The slope is the primary's; the
 /// secondary's is −coordinate·slope on either side (dm/df = −s).
@@ -40,6 +47,12 @@ class TableSide {
   static constexpr double crossing_share = 1e-15;
   /// … and for a closest point, which it moves along the curve.
   static constexpr double closest_share = 1e-12;
+  /// What falls less or more steeply is searched for within a bracket: squares vanish or overflow, …
+  static constexpr double least_steep = 1e-150;
+  static constexpr double steepest = 1e150;
+  /// … and for a long step cubes.
+  static constexpr double long_least_steep = 1e-70;
+  static constexpr double long_steepest = 1e70;
 
   /// The two cubics, (primary, secondary), between neighbouring nodes in powers of the distance from the left one: a cache line. The secondary
   /// component's linear coefficient is not held: dm/df = −s makes it −coordinate times the primary's.
@@ -57,7 +70,7 @@ class TableSide {
     [[gnu::always_inline]] [[nodiscard]] Pair linear() const noexcept { return Pair{rise, -left * rise}; }
 
     [[gnu::always_inline]] [[nodiscard]] bool holds(double coordinate) const noexcept {
-      return coordinate >= left && coordinate < (this + 1)->left;
+      return is_between(coordinate, left, (this + 1)->left);
     }
 
     [[gnu::always_inline]] [[nodiscard]] Pair value(double coordinate) const noexcept {
@@ -73,12 +86,17 @@ class TableSide {
       return linear() + x * ((square + square) + (x * 3.0) * cube);
     }
 
-    /// Value and derivatives up to the third.
+    /// Taylor's coefficients at a coordinate: the cubics in powers of the distance from there.
     struct Jet {
       Pair value;
       Pair slope;
-      Pair bend;
-      Pair third;
+      Pair square;
+      Pair cube;
+
+      [[gnu::always_inline]] [[nodiscard]] Pair after(double shift) const noexcept {
+        const Pair x{shift, shift};
+        return (value + x * slope) + (x * x) * (square + x * cube);
+      }
     };
 
     [[gnu::always_inline]] [[nodiscard]] Jet jet(double coordinate) const noexcept {
@@ -87,8 +105,17 @@ class TableSide {
       const Pair rises = linear();
       const Pair cubed = x * cube;
       const Pair bent = square + cubed;
-      const Pair rest = bent + cubed + cubed;  // ½ of the second derivative
-      return {(constant + x * rises) + (x * x) * bent, rises + x * (square + rest), rest + rest, 6.0 * cube};
+      const Pair rest = bent + (cubed + cubed);
+      return {(constant + x * rises) + (x * x) * bent, rises + x * (square + rest), rest, cube};
+    }
+
+    /// The same but for rounding, sooner, and by more operations: twice and three times a coefficient need not wait for the coordinate.
+    [[gnu::always_inline]] [[nodiscard]] Jet quick_jet(double coordinate) const noexcept {
+      const double from_left = coordinate - left;
+      const Pair x{from_left, from_left};
+      const Pair rises = linear();
+      const Pair bent = x * (3.0 * cube);
+      return {(constant + x * rises) + (x * x) * (square + x * cube), rises + x * ((square + square) + bent), square + bent, cube};
     }
 
    private:
@@ -119,26 +146,69 @@ class TableSide {
 
   /// A point of this side.
   struct Point {
-    Pair value;  ///< primary, secondary
+    double primary;
+    double secondary;
     double coordinate;
+    std::uint32_t cell;  ///< number of the cell that holds it
   };
 
   /// Where primary : secondary is that of `direction`; a search from `start`. The direction must lie on this side.
-  [[nodiscard]] Point along(Pair direction, double start) const noexcept { return search(Crossing{direction}, start, &cell(start), start); }
+  [[nodiscard]] Point along(Pair direction, double start) const noexcept { return search(Crossing{direction}, start); }
 
-  /// The point whose normal (x : 1) leads, in the metric (1, 1/κ) of compliances, to the trial; a search from `start`. The trial
-  /// must lie beyond the normal at the rim, on this side of it.
-  [[gnu::always_inline]] [[nodiscard]] Point closest(Pair trial, double kappa, double start) const noexcept {
-    return root(Normal{trial, kappa}, start);
+  /// The point whose normal (x : 1) leads, in the metric (1, 1/κ) of compliances, to the trial; a search from `start`. The trial must
+  /// lie beyond the normal at the rim, on this side of it.
+  [[nodiscard]] Point closest(Pair trial, double kappa, double start) const noexcept { return search(Normal{trial, kappa}, start); }
+
+  /// The cell of a point that was not found.
+  static constexpr std::uint32_t none = 0xFFFFFFFF;
+  /// The same point if it lies in the cell of this number, that cell holds `start`, and one step leads from there to it; otherwise none.
+  /// For trials on either side: only one point of a curve has a normal that leads to a trial outside.
+  [[gnu::always_inline]] [[nodiscard]] Point closest_in_one_step(Pair trial, double kappa, double start,
+                                                                 std::uint32_t number) const noexcept {
+    const std::uint32_t at = number < cell_count_ ? number : 0;
+    const Cell& here = cells_[at];
+    if (!here.holds(start)) [[unlikely]]
+      return {start, start, start, none};
+    const Cell::Jet jet = here.jet(start);
+    const auto [shift, last] = step_from(start, Normal{trial, kappa}(jet, start), Normal::share);
+    const double next = start + shift;
+    const Pair value = jet.after(shift);
+    return {value[0], value[1], next, last && here.holds(next) ? at : none};
   }
 
+  /// The same with a step of the fourth order, from the cell that holds `start`; none either where that is not in
+  /// [0, 1). For starts that are not so near.
+  [[gnu::always_inline]] [[nodiscard]] Point closest_in_one_long_step(Pair trial, double kappa, double start) const noexcept {
+    if (!is_between(start, 0.0, 1.0)) [[unlikely]]
+      return {start, start, start, none};
+    // Foreseen, not selected: what follows waits for neither.
+    const Cell& first = cells_[first_cell_[bucket(start)]];
+    const Cell& here = first.holds(start) ? first : cell(start);
+    const Cell::Jet jet = here.quick_jet(start);
+    const auto [value_and_fall, square, cube] = Normal{trial, kappa}(jet, start);
+    const double value = value_and_fall[0];
+    const double fall = value_and_fall[1];
+    // δ = h(f² + hs)/(f³ + 2fhs + h²c) leaves δ⁴(2fsc − s³ − f²q)/f³, where q, the fourth coefficient, is κ times a cube's.
+    const double fall_square = fall * fall;
+    const double bent = value * square;
+    const double shift = value * (fall_square + bent) / (fall * (fall_square + (bent + bent)) + (value * value) * cube);
+    const double size = std::fabs(square);
+    const double curved = size * (square * square) + fall * (2.0 * size * std::fabs(cube) + fall * kappa * std::fabs(jet.cube[1]));
+    const double next = start + shift;
+    const bool last = (shift * shift) * (shift * shift) * curved <= (Normal::share * start) * (fall * fall_square);
+    const Pair found = jet.after(shift);
+    const bool is_found = last && is_between(fall, long_least_steep, long_steepest) && here.holds(next);
+    return {found[0], found[1], next, is_found ? number_of(here) : none};
+  }
+
+  [[nodiscard]] std::uint32_t number_of(const Cell& cell) const noexcept { return static_cast<std::uint32_t>(&cell - cells_.data()); }
+
  private:
-  /// Of a function h of the coordinate that is searched for its root: h, −h′, −h″, −h‴.
+  /// Of a function that is searched for its root, at a distance δ from where it is: h − fδ − sδ² − cδ³ and so on.
   struct Residual {
-    double value;
-    double fall;
-    double bend;
-    double third;
+    Pair value_and_fall;  ///< h, f
+    double square;
+    double cube;
   };
 
   /// secondary·d_primary − primary·d_secondary, which falls with the coordinate.
@@ -146,10 +216,9 @@ class TableSide {
     static constexpr double share = crossing_share;
     Pair direction;
 
-    [[nodiscard]] Residual operator()(const Cell& cell, double x) const noexcept {
+    [[nodiscard]] Residual operator()(const Cell::Jet& jet, double) const noexcept {
       const auto cross = [&](Pair of) { return of[1] * direction[0] - of[0] * direction[1]; };
-      const auto [value, slope, bend, third] = cell.jet(x);
-      return {cross(value), -cross(slope), -cross(bend), -cross(third)};
+      return {Pair{cross(jet.value), -cross(jet.slope)}, -cross(jet.square), -cross(jet.cube)};
     }
   };
 
@@ -159,12 +228,11 @@ class TableSide {
     Pair trial;
     double kappa;
 
-    [[gnu::always_inline]] [[nodiscard]] Residual operator()(const Cell& cell, double x) const noexcept {
-      const auto [value, slope, bend, third] = cell.jet(x);
-      const Pair over = trial - value;
+    [[gnu::always_inline]] [[nodiscard]] Residual operator()(const Cell::Jet& jet, double x) const noexcept {
+      const Pair over = trial - jet.value;
       const double lever = x * kappa;
-      return {over[0] - lever * over[1], slope[0] - lever * slope[1] + kappa * over[1], bend[0] - lever * bend[1] - 2.0 * kappa * slope[1],
-              third[0] - lever * third[1] - 3.0 * kappa * bend[1]};
+      return {Pair{over[0], jet.slope[0] - lever * jet.slope[1]} + Pair{-lever, kappa} * over[1],
+              (jet.square[0] - lever * jet.square[1]) - kappa * jet.slope[1], (jet.cube[0] - lever * jet.cube[1]) - kappa * jet.square[1]};
     }
   };
 
@@ -178,51 +246,40 @@ class TableSide {
 
   /// A step towards the root.
   struct Step {
-    double next;
+    double shift;
     bool last;  ///< what it leaves is below the share, if it stays in the cell
   };
 
-  /// h + h′δ + ½h″δ² = 0 to third order in δ: Newton's step n and its correction, where that is small. What it leaves is about
-  /// the square of the correction by the step, and at most n³h‴/h′ from the third derivative. Where h rises it is no step to its
-  /// root, however small.
+  /// Halley's, of the third order: δ = hf/(f² + hs). What it leaves is δ³(s² − fc)/f². Where h rises it is no step to its root,
+  /// however small, nor where squares vanish or overflow.
   [[gnu::always_inline]] static Step step_from(double x, const Residual& at, double least_share) noexcept {
-    const double per_fall = 1.0 / at.fall;
-    const double newton = at.value * per_fall;
-    const double square = newton * newton;
-    const double correction = 0.5 * at.bend * per_fall * square;
-    const double size = std::fabs(newton);
-    const double bound = least_share * x * size;
-    return {x + (std::fabs(correction) < 0.5 * size ? newton - correction : newton),
-            correction * correction <= bound && std::fabs(at.third * per_fall) * (square * square) <= bound && at.fall > 0.0};
+    const double fall = at.value_and_fall[1];
+    const Pair products = at.value_and_fall * fall;
+    const double shift = products[0] / (products[1] + at.value_and_fall[0] * at.square);
+    const double curved = at.square * at.square + fall * std::fabs(at.cube);
+    const double left = (shift * shift) * std::fabs(shift) * curved;
+    return {shift, is_between(fall, least_steep, steepest) && left <= (least_share * x) * products[1]};
   }
 
-  /// The root of a function that is ≥ 0 at coordinate 0 and ≤ 0 at 1. One step from a start nearby is enough as a rule; the next
-  /// ones are out of the way of the registers.
-  template <class Function>
-  [[gnu::always_inline]] [[nodiscard]] Point root(const Function& function, double start) const noexcept {
-    const Cell& here = cell(start);
-    const auto [next, last] = step_from(start, function(here, start), Function::share);
-    if (last && here.holds(next)) return {here.value(next), next};
-    return search_on(function, start, &here, next);
+  [[gnu::always_inline]] [[nodiscard]] Point point(Pair value, double coordinate, const Cell& cell) const noexcept {
+    return {value[0], value[1], coordinate, number_of(cell)};
   }
 
+  /// The root of a function that is ≥ 0 at coordinate 0 and ≤ 0 at 1: steps without a bracket, which look up a cell only where one leaves
+  /// it; should a few not do, from the start again within a bracket.
   template <class Function>
-  [[nodiscard, gnu::noinline]] Point search_on(Function function, double start, const Cell* here, double x) const noexcept {
-    return search(function, start, here, x);
-  }
-
-  /// Steps from x without a bracket, which look up a cell only where one leaves it; should a few not do, from the start again within
-  /// a bracket.
-  template <class Function>
-  [[gnu::always_inline]] [[nodiscard]] Point search(const Function& function, double start, const Cell* here, double x) const noexcept {
+  [[gnu::always_inline]] [[nodiscard]] Point search(const Function& function, double start) const noexcept {
+    const Cell* here = &cell(start);
+    double x = start;
     for (int i = 0; i < quick_limit; ++i) {
       if (!here->holds(x)) {
         if (!(x >= 0.0 && x <= 1.0)) break;
         here = &cell(x);
       }
-      const auto [next, last] = step_from(x, function(*here, x), Function::share);
-      if (last && here->holds(next)) return {here->value(next), next};
-      x = next;
+      const Cell::Jet jet = here->jet(x);
+      const auto [shift, last] = step_from(x, function(jet, x), Function::share);
+      x += shift;
+      if (last && here->holds(x)) return point(jet.after(shift), x, *here);
     }
     return bracketed_search(function, start);
   }
@@ -234,9 +291,10 @@ class TableSide {
     double high = 1.0;
     const Cell* here = &cell(x);
     for (int i = 0; i < search_limit; ++i) {
-      const Residual at = function(*here, x);
-      (at.value > 0.0 ? low : high) = x;
-      auto [next, last] = step_from(x, at, Function::share);
+      const Residual at = function(here->jet(x), x);
+      (at.value_and_fall[0] > 0.0 ? low : high) = x;
+      auto [shift, last] = step_from(x, at, Function::share);
+      double next = x + shift;
       last = last && (here->holds(next) || next == (here + 1)->left);
       // Now and then halve the bracket, so that it closes whatever the curve does.
       if (!last && (!(next > low && next < high) || i % 8 == 7)) next = 0.5 * (low + high);
@@ -245,7 +303,7 @@ class TableSide {
       here = &cell(x);
       if (last || high - low <= std::numeric_limits<double>::epsilon() * x) break;
     }
-    return {here->value(x), x};
+    return point(here->value(x), x, *here);
   }
 
   void verify() const;
@@ -254,6 +312,7 @@ class TableSide {
 
   std::vector<TableNode> nodes_;
   std::vector<Cell> cells_;                // and the end, once more for every probe beyond it
+  std::uint32_t cell_count_ = 0;           // without the end
   std::vector<std::uint16_t> first_cell_;  // of each bucket, counted from the rim
   unsigned shift_ = 0;
   std::uint64_t least_key_ = 0;  // of the last cell: nearer to the rim there is no other

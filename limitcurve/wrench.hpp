@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <limits>
 
 namespace limitcurve {
@@ -56,6 +57,7 @@ struct Foot {
   UnitWrench wrench;
   SlipTwist normal;
   double place;
+  std::uint32_t piece;  ///< of the boundary that it was found on, for the next search to look at first
 };
 
 /// Where a ray from the origin meets a limit boundary, and the slip twist that is the normal there.

@@ -83,7 +83,7 @@ TEST(ClosestPoint, SlipIsNormalToTheBoundary) {
     const ExactCurve curve(law);
     for_random_trials(law->moment_ratio(), 400, [&](const Trial& trial) {
       if (curve.gauge(trial.wrench) <= 1.0 + 1e-6) return;
-      const auto [outside, slips, wrench, slip, start] = ClosestPoint{}(curve, trial);
+      const auto [outside, slips, wrench, slip, start, piece] = ClosestPoint{}(curve, trial);
       EXPECT_TRUE(outside);
       const double slide = trial.wrench.force - wrench.force;
       const double spin = trial.compliance_ratio * (trial.wrench.moment - wrench.moment);
