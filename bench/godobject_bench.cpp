@@ -69,13 +69,7 @@ double mean_instructions(const std::vector<Sample>& samples, const Advance& adva
 /// The step that is timed and counted: one copy of it for both.
 template <class Finger>
 [[gnu::noinline]] const FingerOutput& take_step(Finger& finger, const Sample& sample, bool cold) {
-  if (cold) {
-    // Forget where the last slip was, but not that it slipped.
-    FingerState forgetful = finger.state();
-    if (forgetful.start > 0.0) forgetful.start = 0.0;
-    forgetful.piece = 0;
-    finger.restore(forgetful);
-  }
+  if (cold) finger.forget_place();
   return finger.update(sample.contact, sample.twist);
 }
 

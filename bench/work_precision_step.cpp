@@ -115,13 +115,8 @@ class Stepper {
     finger_.update(on_plane(0.0, 0.0, depth), 0.0);
   }
 
-  double step() {
-    if (cold_) {
-      FingerState forgetful = finger_.state();
-      if (forgetful.start > 0.0) forgetful.start = 0.0;
-      forgetful.piece = 0;
-      finger_.restore(forgetful);
-    }
+  [[gnu::noinline]] double step() {
+    if (cold_) finger_.forget_place();
     const Sample& sample = motion[next_];
     if (++next_ == motion.size()) next_ = 0;
     return finger_.update(sample.contact, sample.twist).moment;

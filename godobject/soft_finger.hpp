@@ -87,6 +87,11 @@ class SoftFinger {
   [[nodiscard]] const FingerState& state() const noexcept { return state_; }
   void restore(const FingerState& state) noexcept { state_ = state; }
   void reset() noexcept { state_ = {}; }
+  /// Forgets where the last slip was, but not that it slipped: the next search begins from nothing, as a finger's first does.
+  void forget_place() noexcept {
+    if (state_.start > 0.0) state_.start = 0.0;
+    state_.piece = 0;
+  }
 
   [[nodiscard]] const Friction<Boundary, Projection>& friction() const noexcept { return friction_; }
 
@@ -194,13 +199,15 @@ class SoftFinger {
     const Stretch& drawn = part.stretch;
     output.load = law.stiffness() * contact.depth;
     see(state, contact, goal);
+    // By force: where a compiler has many fingers it would rather call, with the grip in memory.
     friction_.grip(
         {part.square, std::fabs(apart.twist()), output.load, state.start, state.trend, state.piece},
-        [&] {
+        [&]() __attribute__((always_inline)) {
           (drawn * law.springs().stiffness).get(output.force, output.moment);
           stick(state);
         },
-        [&](const auto& grip) { yield(state, goal, drawn, law.springs(), grip); }, [&] { rub_rarely(state); });
+        [&](const auto& grip) __attribute__((always_inline)) { yield(state, goal, drawn, law.springs(), grip); },
+        [&]() __attribute__((always_inline)) { rub_rarely(state); });
   }
 
   /// No friction yet. (The paper's α_0 is the twist here; angles are kept absolute, and α_p − α_g is the same.)

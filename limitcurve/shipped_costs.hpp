@@ -19,13 +19,13 @@ struct Cost {
 };
 
 inline constexpr std::array<Cost, 7> models{{
-    {"diamond", 1.8, 31.9, 26.9},
-    {"box", 2.0, 33.3, 29.8},
-    {"ellipse", 3.6, 17.6, 72.1},
-    {"table", 4.5, 98.3, 37.3},
-    {"quartic", 42.4, 48.7, 293.1},
-    {"superellipse", 53.8, 84.7, 490.4},
-    {"exact", 3.5, 276.3, 81.0},
+    {"diamond", 1.8, 29.4, 24.7},
+    {"box", 2.0, 30.7, 26.8},
+    {"ellipse", 3.6, 14.4, 69.8},
+    {"table", 4.5, 92.8, 29.5},
+    {"quartic", 42.9, 46.9, 288.6},
+    {"superellipse", 54.1, 83.0, 490.6},
+    {"exact", 3.5, 277.3, 81.1},
 }};
 
 /// Of a model that is in the table.
