@@ -210,13 +210,14 @@ class Friction {
   }
 
  private:
-  /// Its searches that have no last slip to begin from may begin from guesses.
+  /// Its searches that have no last slip to begin from may begin from guesses, which are for one metric.
   static constexpr bool has_guesses = goes_off_axes && std::same_as<Boundary, Table>;
 
   static std::shared_ptr<const FootGuesses> make_guesses(const Boundary& boundary, const ContactLaw& law) {
     if constexpr (has_guesses) {
       const double chi = law.static_scale(1.0).compliance_ratio;
-      if (law.radius_law() == nullptr && chi > 1e-100 && chi < 1e100) return std::make_shared<const FootGuesses>(boundary, chi);
+      const bool is_one = law.radius_law() == nullptr && law.dynamic_scale(1.0).compliance_ratio == chi;
+      if (is_one && chi > 1e-100 && chi < 1e100) return std::make_shared<const FootGuesses>(boundary, chi);
     }
     return nullptr;
   }

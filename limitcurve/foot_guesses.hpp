@@ -15,8 +15,8 @@ namespace limitcurve {
 ///
 /// Tabulated is by what multiple the coordinate of the foot on its side exceeds what the trial alone tells, the quotient of x̂/f_max and
 /// ŷ/m_max; 1 throughout where the curve is an ellipse and the metric its own. It is bilinear on patches over the share that
-/// the moment has in the sum x̂/f_max + ŷ/m_max, and over one over that sum, which is 1 on the chord of the intercepts. Near a curve the guess is
-/// good to 1e-4 as a rule, and to some 1e-3 about the rim, where the curve's derivatives are singular.
+/// the moment has in the sum x̂/f_max + ŷ/m_max, and over one over that sum, which is 1 on the chord of the intercepts. Near a curve the
+/// guess is good to 1e-4 as a rule, and to some 1e-3 about the rim, where the curve's derivatives are singular.
 class FootGuesses {
  public:
   /// Patches are as wide as one over so many: of the share from 0 to 1, …
@@ -29,7 +29,8 @@ class FootGuesses {
   /// Expects χ within 1e±100. Cost: some 1500 searches; 70 KB.
   FootGuesses(const Table& table, double chi);
 
-  /// As Table::closest, for the table that the guesses are for and a finite trial that is on or beyond the chord of the intercepts. `parts` is (x̂/f_max, ŷ/m_max), and `sum` their sum. As a rule one step of the fourth order, from the guess.
+  /// As Table::closest, for the table that the guesses are for and a finite trial that is on or beyond the chord of the intercepts. `parts`
+  /// is (x̂/f_max, ŷ/m_max), and `sum` their sum. As a rule one step of the fourth order, from the guess.
   /// The wrench is returned alone, in a register, for a step waits for it; all that the foot is goes through memory.
   [[nodiscard, gnu::noinline]] Pair closest(const Table& table, Pair trial, Pair parts, double sum, Foot& foot) const noexcept {
     const auto search = [&](double start) {

@@ -122,6 +122,36 @@ TEST(ClosestPoint, OfATrialFarBesideTheCurveIsThatOfItsMoment) {
   }
 }
 
+// A contact that has no last slip begins its search from guesses for its own metric, another from that slip: to the same point. With a
+// dynamic moment coefficient of its own the metric is not that of rest.
+TEST(ClosestPoint, IsTheSameFromGuessesAndFromASlip) {
+  const Table table = Table::build(hertz(), 1e-8);
+  FingerParameters constant;
+  FingerParameters two_limits;
+  two_limits.mu_dynamic = 0.4;
+  FingerParameters two_metrics = two_limits;
+  two_metrics.moment_coefficient = 0.004;
+  two_metrics.moment_coefficient_dynamic = 0.0008;
+  FingerParameters grows;
+  grows.radius_law = RadiusLaw::power(0.004, 1.0 / 3.0);
+  for (const FingerParameters& parameters : {constant, two_limits, two_metrics, grows}) {
+    const Friction friction(table, parameters, ClosestPoint{});
+    for (const double load : {0.5, 2.0}) {
+      for (int i = 1; i < 40; ++i) {
+        const double r = 5e-4 * load * (0.1 + 0.05 * i);
+        const double rho = 0.02 * load * (2.1 - 0.05 * i);
+        const auto guessed = friction.resolve(r, rho, load, 0.0);
+        ASSERT_EQ(guessed.slips, true);
+        for (const double start : {0.2, 1.0, 1.7}) {
+          const auto searched = friction.resolve(r, rho, load, start);
+          ASSERT_NEAR(guessed.force, searched.force, 1e-9 * load) << i << " from " << start;
+          ASSERT_NEAR(guessed.moment, searched.moment, 1e-11 * load) << i << " from " << start;
+        }
+      }
+    }
+  }
+}
+
 // The paper's §3.1 (eqs. 10–11): force and moment clamped each on its own, and what is not clamped untouched.
 TEST(ClosestPoint, OnTheBoxClampsEachOnItsOwn) {
   const double moment_max = hertz()->moment_ratio();
