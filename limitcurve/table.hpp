@@ -82,7 +82,8 @@ class Table {
     // By index: compilers turn a choice between doubles into a branch, which no predictor knows here.
     const double components[2] = {direction.force, direction.moment};
     const auto [primary, secondary, x, cell] = sides_[outside].along(Pair{components[outside], components[!outside]}, from);
-    return {wrench_of(outside, Pair{primary, secondary}), outside ? SlipTwist{1.0, x} : SlipTwist{x, 1.0}};
+    // Where the intercepts are twenty decades apart, rounding may leave the smaller component below 0.
+    return {wrench_of(outside, Pair{std::max(primary, 0.0), std::max(secondary, 0.0)}), outside ? SlipTwist{1.0, x} : SlipTwist{x, 1.0}};
   }
 
   /// About the place (SlipTwist::at_place) of this curve's normal on the ray from the origin where the ellipse with the same

@@ -214,6 +214,8 @@ class TableSide {
   /// secondary·d_primary − primary·d_secondary, which falls with the coordinate.
   struct Crossing {
     static constexpr double share = crossing_share;
+    /// A step on from the jet would be a rounding more, and a gauge is told by the smaller component too.
+    static constexpr bool is_told_by_jet = false;
     Pair direction;
 
     [[nodiscard]] Residual operator()(const Cell::Jet& jet, double) const noexcept {
@@ -225,6 +227,7 @@ class TableSide {
   /// What is over of the trial along the normal's tangent: o_p − xκ o_s.
   struct Normal {
     static constexpr double share = closest_share;
+    static constexpr bool is_told_by_jet = true;
     Pair trial;
     double kappa;
 
@@ -279,7 +282,7 @@ class TableSide {
       const Cell::Jet jet = here->jet(x);
       const auto [shift, last] = step_from(x, function(jet, x), Function::share);
       x += shift;
-      if (last && here->holds(x)) return point(jet.after(shift), x, *here);
+      if (last && here->holds(x)) return point(Function::is_told_by_jet ? jet.after(shift) : here->value(x), x, *here);
     }
     return bracketed_search(function, start);
   }
