@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // A step of the god-object on the plane, boundary by projection. Mean by Google Benchmark; `worst_ns` is the slowest single
 // step of a second pass, each timed on its own (clock included; the operating system may be in it), `instructions` the mean count
-// of some of them (nan where a process may not be traced).
+// of some of them (nan where a process may not be traced). `naked/` is the arithmetic that no step gets by without, to measure by.
 #include "bench/contacts.hpp"
 #include "bench/finger_motion.hpp"
+#include "bench/naked_step.hpp"
 #include "bench/stepped_instructions.hpp"
 #include "godobject/godobject.hpp"
 #include "limitcurve/laws.hpp"
@@ -103,6 +104,17 @@ void step(benchmark::State& state, const Boundary& boundary, Projection projecti
   state.counters["slips"] = static_cast<double>(slips) / static_cast<double>(samples.size());
 }
 
+/// What any step of this motion waits for, with nothing checked or told.
+template <class Advance>
+void naked_step(benchmark::State& state, const std::vector<Sample>& samples, const Advance& advance) {
+  bench::NakedProxy proxy;
+  std::size_t i = 0;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(advance(proxy, samples[i]));
+    if (++i == samples.size()) i = 0;
+  }
+}
+
 /// Sixteen fingers in turn: one step need not wait for the last of the same finger, as in a scene of many.
 template <class Boundary, class Projection>
 void steps_of_many(benchmark::State& state, const Boundary& boundary, Projection projection, const std::vector<Sample>& samples) {
@@ -175,6 +187,12 @@ void all_projections(const std::string& name, const Boundary& boundary) {
 
 const bool registered = [] {
   const Law law = hertz();
+  const auto add_naked = [](const char* name, double (*advance)(bench::NakedProxy&, const Sample&) noexcept) {
+    static const std::vector<Sample> samples = slow_motion(count);
+    benchmark::RegisterBenchmark(name, [=](benchmark::State& state) { naked_step(state, samples, advance); });
+  };
+  add_naked("naked/ellipse/radial/slow", bench::step_radially);
+  add_naked("naked/parabola/closest-point-warm/slow", bench::step_to_closest);
   all_projections("ellipse", Ellipse::through_intercepts(law->moment_ratio()));
   all_projections("table-1e-8", Table::build(law, 1e-8));
   all_projections("exact-hertz", ExactCurve(law));
