@@ -18,8 +18,10 @@ constexpr std::string_view measured = "samples:";
 
 /// The file that `samples:FILE` names; nothing if the text is not of that kind.
 std::optional<std::string> measured_file(const std::string& text) {
+  if (text == measured || text == measured.substr(0, measured.size() - 1)) {
+    throw std::invalid_argument("'" + text + "': no file, expected samples:FILE.csv");
+  }
   if (text.substr(0, measured.size()) != measured) return std::nullopt;
-  if (text.size() == measured.size()) throw std::invalid_argument("'" + text + "': no file, expected samples:FILE.csv");
   return text.substr(measured.size());
 }
 

@@ -46,6 +46,8 @@ class Laws(CommandLineTest):
         for law in ["herz", "", "hertz ", "hertz:", "hertz:n=1", "power", "power:", "power:n", "power:n=", "power:k=2", "power:n=2.3x",
                     "power:n=2.3,k=1", "xydas-kao:k=3 ", "mix:", "mix:hertz", "mix:0.5*hertz+", "Hertz"]:
             self.assert_fails(2, ["--law", f"'{law}'", "expected"], "eval", "--law", law, "--c", "1")
+        for law in ["samples", "samples:"]:
+            self.assert_fails(2, ["--law", f"'{law}'", "expected samples:FILE.csv"], "eval", "--law", law, "--c", "1")
         self.assert_fails(2, ["--law", "'herz'", "expected"], "eval", "--law", "mix:0.5*herz+0.5*hertz", "--c", "1")
 
     def test_parameters_out_of_range(self):
