@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A step of the god-object on the plane, boundary by projection. Mean by Google Benchmark; `worst_ns` is the slowest single
 // step of a second pass, each timed on its own (clock included; the operating system may be in it), `instructions` the mean count
-// of some of them (nan where a process may not be traced). `naked/` is the arithmetic that no step gets by without, to measure by.
+// of some of them (nan where a process may not be traced). `naked/` is the arithmetic between one proxy and the next alone, to measure by.
 #include "bench/contacts.hpp"
 #include "bench/finger_motion.hpp"
 #include "bench/naked_step.hpp"
