@@ -223,6 +223,14 @@ class Scene {
     for (std::size_t i = 0; i < hand_.finger_count(); ++i) before_.push_back(hand_.finger(i).state());
   }
 
+  /// Whether a finger is refused with reason: a body that is flung away from a device leaves it behind by more than one may leap.
+  static bool leapt(const FingerState& before, const typename Hand::Finger& finger) {
+    const Vector3d& seen = finger.state().seen;
+    const Vector3d good = before.goal - before.output.depth * before.normal;
+    const double nearest = std::min((seen - before.seen).squaredNorm(), (seen - good).squaredNorm());
+    return nearest > finger.friction().law().jump_limit_square();
+  }
+
   std::string wrong() {
     for (std::size_t i = 0; i < hand_.finger_count(); ++i) {
       const auto& one = hand_.finger(i);
@@ -231,7 +239,10 @@ class Scene {
       ++tally_.finger_steps;
       tally_.slips += output.state == ContactState::slip;
       tally_.sticks += output.state == ContactState::stick;
-      if (output.state == ContactState::invalid) return "good input is refused";
+      if (output.state == ContactState::invalid) {
+        if (!leapt(before, one)) return "good input is refused";
+        continue;
+      }
       if (!(output.slip_work >= 0.0 && output.slip_work <= 1e300)) return "slip work " + std::to_string(output.slip_work);
       if (output.state == ContactState::slip) tally_.least_work = std::min(tally_.least_work, output.slip_work);
       if (!output.proxy.allFinite() || !output.force.allFinite() || !std::isfinite(output.moment) || !std::isfinite(output.angle))
