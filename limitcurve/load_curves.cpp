@@ -3,6 +3,7 @@
 
 #include "limitcurve/number.hpp"
 
+#include <cmath>
 #include <numbers>
 #include <stdexcept>
 #include <string>
@@ -36,6 +37,13 @@ void check_wrench(double force, double moment) {
   check_finite_magnitude("moment", moment, "N m");
 }
 
+void check_limits(double mu, double load, double radius) {
+  // Beyond the doubles a share of nothing would be no number.
+  if (std::isfinite(mu * load) && std::isfinite(mu * load * radius)) return;
+  throw std::invalid_argument("mu = " + format_number(mu) + ", load = " + format_number(load) + " N, radius = " + format_number(radius) +
+                              " m: their product is out of range: expected a finite number");
+}
+
 }  // namespace detail
 
 std::vector<SlipTwist> slip_twists(std::size_t points) {
@@ -57,7 +65,9 @@ double moment_capacity(double moment_ratio, const RadiusLaw& radius_law, double 
   if (!(moment_ratio >= 0.0 && moment_ratio <= std::numeric_limits<double>::max())) {
     throw out_of_range("moment_ratio", moment_ratio, "1", ">= 0 and finite");
   }
-  return moment_ratio * mu * load * radius_law.radius(load);
+  const double radius = radius_law.radius(load);
+  detail::check_limits(mu, load, radius);
+  return moment_ratio * mu * load * radius;
 }
 
 }  // namespace limitcurve

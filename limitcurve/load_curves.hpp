@@ -29,6 +29,8 @@ void check_friction(double mu);
 void check_load(double load);
 void check_cor(double cor);
 void check_wrench(double force, double moment);
+/// That the contact's limits μP and μPa are finite.
+void check_limits(double mu, double load, double radius);
 }  // namespace detail
 
 /// Twists from pure spin (c = 0) to pure sliding (c = ∞), both ends included, evenly in the slip angle atan2(|v|, a|ω|):
@@ -46,6 +48,7 @@ LoadPoint load_point(const Boundary& boundary, const RadiusLaw& radius_law, doub
   const double capacity = mu * load;
   // Without a contact there is nothing to slip against, and c/a may be 0/0.
   if (!(radius > 0.0)) return {load, cor, 0.0, 0.0};
+  detail::check_limits(mu, load, radius);
   const UnitWrench unit = boundary.wrench(SlipTwist::about_cor(cor / radius));
   return {load, cor, capacity * unit.force, capacity * radius * unit.moment};
 }
@@ -56,6 +59,7 @@ std::vector<LoadPoint> p_curve(const Boundary& boundary, const RadiusLaw& radius
   detail::check_friction(mu);
   detail::check_load(load);
   const double radius = radius_law.radius(load);
+  detail::check_limits(mu, load, radius);
   std::vector<LoadPoint> curve;
   for (const SlipTwist twist : slip_twists(points)) {
     const UnitWrench unit = boundary.wrench(twist);

@@ -238,6 +238,12 @@ TEST(LoadCurves, RefuseBadInput) {
     EXPECT_NE(complaint_of([&] { moment_capacity(bad, radius_law, mu, 1.0); }).find("moment_ratio = "), std::string::npos) << bad;
   }
   EXPECT_NE(complaint_of([&] { load_point(boundary, radius_law, mu, 1.0, -1.0); }).find("cor = -1 m"), std::string::npos);
+  // Each finite, their product not: a pure twist's force would be 0·∞.
+  const RadiusLaw large = RadiusLaw::constant(10.0);
+  EXPECT_NE(complaint_of([&] { p_curve(boundary, radius_law, 2.0, 1e308, 3); }).find("load = 1e+308 N"), std::string::npos);
+  EXPECT_NE(complaint_of([&] { p_curve(boundary, large, 1.0, 1e308, 3); }).find("radius = 10 m"), std::string::npos);
+  EXPECT_NE(complaint_of([&] { load_point(boundary, large, 1.0, 1e308, inf); }).find("product"), std::string::npos);
+  EXPECT_NE(complaint_of([&] { moment_capacity(0.6, large, 1.0, 1e308); }).find("product"), std::string::npos);
   EXPECT_NE(complaint_of([&] { c_curve(boundary, radius_law, mu, std::nan(""), loads); }).find("cor = nan m"), std::string::npos);
 }
 
