@@ -104,7 +104,7 @@ void step(benchmark::State& state, const Boundary& boundary, Projection projecti
   state.counters["slips"] = static_cast<double>(slips) / static_cast<double>(samples.size());
 }
 
-/// What any step of this motion waits for, with nothing checked or told.
+/// The arithmetic between one proxy and the next alone (bench/naked_step.hpp).
 template <class Advance>
 void naked_step(benchmark::State& state, const std::vector<Sample>& samples, const Advance& advance) {
   bench::NakedProxy proxy;

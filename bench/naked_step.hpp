@@ -5,9 +5,9 @@
 
 #include <cmath>
 
-/// What a sliding finger's step cannot do without, to hold a whole step against: each begins where the last one left the proxy, and so
-/// waits for all of these operations in turn, however many the processor does at a time. Sliding on a plane with one twist, one load and
-/// the limits of parameters(); nothing is checked, and nothing told but the proxy.
+/// The arithmetic between one proxy and the next, written plainly, to hold a whole step against: each begins where the last one left the
+/// proxy, and so waits for all of these operations in turn, however many the processor does at a time. Sliding on a plane with one twist
+/// and one load; nothing is checked, and nothing told but the proxy.
 namespace limitcurve::godobject::bench {
 
 struct NakedProxy {
