@@ -71,6 +71,7 @@ ContactLaw::ContactLaw(const FingerParameters& parameters, double moment_ratio)
     limit->least_load = least_unit * inverse(limit->mu * std::min(limit->radius, 1.0));
   }
   has_dampers_ = damping_ > 0.0 || twist_damping_ > 0.0;
+  is_plain_ = !has_dampers_ && !radius_law_;
   has_one_limit_ = static_.mu == dynamic_.mu && static_.radius == dynamic_.radius;
 }
 

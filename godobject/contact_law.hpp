@@ -64,8 +64,15 @@ class ContactLaw {
   /// So near zero a unit's square vanishes, and a quotient by it may overflow: no friction [N, N m].
   static constexpr double least_unit = 1e-150;
 
-  [[gnu::always_inline]] [[nodiscard]] Scale static_scale(double load) const noexcept { return scale(static_, load); }
-  [[gnu::always_inline]] [[nodiscard]] Scale dynamic_scale(double load) const noexcept { return scale(dynamic_, load); }
+  /// `has_one_radius` promises that the radius does not depend on the load, which is then not asked.
+  template <bool has_one_radius = false>
+  [[gnu::always_inline]] [[nodiscard]] Scale static_scale(double load) const noexcept {
+    return scale<has_one_radius>(static_, load);
+  }
+  template <bool has_one_radius = false>
+  [[gnu::always_inline]] [[nodiscard]] Scale dynamic_scale(double load) const noexcept {
+    return scale<has_one_radius>(dynamic_, load);
+  }
   /// Of the static limit where the radius does not depend on the load [N]: with no more load there is no torsional friction.
   [[nodiscard]] double least_load() const noexcept { return static_.least_load; }
   [[nodiscard]] bool has_one_limit() const noexcept { return has_one_limit_; }  ///< static and dynamic limits are the same
@@ -82,6 +89,7 @@ class ContactLaw {
   [[nodiscard]] double constant_radius() const noexcept { return static_.radius; }
   [[nodiscard]] double jump_limit_square() const noexcept { return jump_limit_square_; }  ///< [m²]
   [[nodiscard]] bool has_dampers() const noexcept { return has_dampers_; }
+  [[nodiscard]] bool is_plain() const noexcept { return is_plain_; }  ///< no dampers, and a radius that does not depend on the load
   [[nodiscard]] double hold_share() const noexcept { return hold_share_; }
 
  private:
@@ -94,8 +102,9 @@ class ContactLaw {
     double least_load = 0.0;  ///< below it the units are less than least_unit
   };
 
+  template <bool has_one_radius>
   [[gnu::always_inline]] [[nodiscard]] Scale scale(const Limit& limit, double load) const noexcept {
-    if (!radius_law_) {
+    if (has_one_radius || !radius_law_) {
       // By the bits, whose order is that of the numbers for those ≥ 0: the units that compare numbers have enough to do in a step.
       const bool twists = std::bit_cast<std::int64_t>(load) > std::bit_cast<std::int64_t>(limit.least_load);
       return {limit.mu * load, limit.radius, limit.per_radius, limit.compliance_ratio, limit.per_compliance_ratio, twists};
@@ -116,6 +125,7 @@ class ContactLaw {
   double hold_share_;
   bool has_dampers_;
   bool has_one_limit_;
+  bool is_plain_;
 };
 
 }  // namespace limitcurve::godobject

@@ -105,12 +105,13 @@ class Friction {
   };
 
   /// The same. Calls `holds()` where the springs bear the pull, `yields(grip)` where they do not, or `otherwise()` for the caller to
-  /// ask grip_rarely. Calls instead of a value returned, which would go through memory.
-  template <class Holds, class Yields, class Otherwise>
+  /// ask grip_rarely. Calls instead of a value returned, which would go through memory. `has_one_radius` as in ContactLaw.
+  template <bool has_one_radius = false, class Holds, class Yields, class Otherwise>
   [[gnu::always_inline]] void grip(const Pull& pull, Holds&& holds, Yields&& yields, Otherwise&& otherwise) const noexcept {
     const Springs& springs = law_.springs();
-    const bool slipping = !std::signbit(pull.start);
-    const Limits limits = make_limits(slipping ? law_.dynamic_scale(pull.load) : law_.static_scale(pull.load));
+    const bool slipping = std::bit_cast<std::int64_t>(pull.start) >= 0;  // by its sign, as below, in a register for whole numbers
+    const Limits limits = make_limits(slipping ? law_.template dynamic_scale<has_one_radius>(pull.load)
+                                               : law_.template static_scale<has_one_radius>(pull.load));
     if (!limits.twists) return otherwise();
     if constexpr (needs_squares_only) {
       const Elliptic elliptic = make_elliptic(limits, pull);

@@ -10,6 +10,7 @@
 
 #include <bit>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <numbers>
@@ -17,7 +18,7 @@
 
 namespace limitcurve::godobject {
 
-/// What a step gives. Aligned and in this order so that a step writes two numbers at a time, and none across cache lines.
+/// What a step gives. Aligned and in this order so that a step writes two numbers at a time (Stretch::store), and none across cache lines.
 struct alignas(16) FingerOutput {
   Eigen::Vector3d proxy = Eigen::Vector3d::Zero();        ///< x_p [m]; while free, the finger itself
   double angle = 0.0;                                     ///< α_p [rad] in the frame of the device's twist; while free, the twist
@@ -46,10 +47,13 @@ struct FingerState {
   bool touching = false;
 
   /// By how much the springs are drawn after the step: x_p − x_g and α_p − α_g.
-  [[nodiscard]] Stretch stretch() const noexcept {
-    return (Stretch::at(output.proxy, output.angle) - Stretch::at(goal, goal_angle)).along(normal);
-  }
+  [[nodiscard]] Stretch stretch() const noexcept { return (Stretch::load(&output) - Stretch::load(&goal)).along(Stretch::at(normal, 0.0)); }
 };
+
+// An angle follows its place, as Stretch reads and writes them.
+static_assert(offsetof(FingerOutput, angle) == sizeof(Eigen::Vector3d));
+static_assert(offsetof(FingerOutput, moment) == offsetof(FingerOutput, force) + sizeof(Eigen::Vector3d));
+static_assert(offsetof(FingerState, goal_angle) == offsetof(FingerState, goal) + sizeof(Eigen::Vector3d));
 
 /// A soft-finger god-object on one surface: steps a–c of the paper, corrected (README, "Corrections to the paper").
 /// The boundary decides how force and moment limit each other, the projection where a slipping proxy comes to lie.
@@ -72,8 +76,7 @@ class SoftFinger {
   /// With a time step [s] > 0 since the last update the dampers act too, within the limit: the wrench that friction bounds
   /// is that of springs and dampers together, and so is what the user feels.
   const FingerOutput& update(const Contact& contact, double twist, double time_step = 0.0) noexcept {
-    advance(state_, contact, twist, time_step);
-    return state_.output;
+    return advance(state_, contact, twist, time_step);
   }
 
   /// What `update` would give, without remembering it.
@@ -129,6 +132,22 @@ class SoftFinger {
             std::fabs(contact.normal.squaredNorm() - 1.0) <= 1e-6);
   }
 
+  /// 0 or more.
+  [[gnu::always_inline]] [[nodiscard]] static bool is_time(double time_step) noexcept {
+    return std::bit_cast<std::uint64_t>(time_step) << 1U == 0 || time_step > 0.0;
+  }
+
+  [[gnu::always_inline]] [[nodiscard]] bool is_near(const FingerState& state, const Stretch& finger) const noexcept {
+    const double square = (finger - Stretch::at(state.seen, 0.0)).square();
+    return std::bit_cast<std::uint64_t>(square) <= std::bit_cast<std::uint64_t>(friction_.law().jump_limit_square());
+  }
+
+  /// By more than half a turn.
+  [[gnu::always_inline]] [[nodiscard]] static bool jumps(const FingerState& state, double twist) noexcept {
+    const double jump = twist - state.device_angle;
+    return std::bit_cast<std::uint64_t>(jump) << 1U > std::bit_cast<std::uint64_t>(std::numbers::pi) << 1U;
+  }
+
   /// Where the finger itself is.
   [[gnu::always_inline]] [[nodiscard]] static Stretch finger_of(const Contact& contact) noexcept {
     return Stretch::at(contact.point, 0.0) - Stretch::at(contact.normal, 0.0) * Pair{contact.depth, contact.depth};
@@ -144,7 +163,7 @@ class SoftFinger {
     return known && (finger - last).square() > friction_.law().jump_limit_square();
   }
 
-  [[gnu::noinline, gnu::cold]] void hold(FingerState& state) const noexcept {
+  [[gnu::noinline, gnu::cold]] const FingerOutput& hold(FingerState& state) const noexcept {
     FingerOutput& output = state.output;
     // A sample that is lost is nothing that a finger should feel.
     const double share = output.state == ContactState::invalid ? friction_.law().hold_share() : 1.0;
@@ -153,9 +172,10 @@ class SoftFinger {
     output.load *= share;
     output.force *= share;
     output.moment *= share;
+    return output;
   }
 
-  [[gnu::noinline]] static void release(FingerState& state, const Contact& contact, double twist) noexcept {
+  [[gnu::noinline]] static const FingerOutput& release(FingerState& state, const Contact& contact, double twist) noexcept {
     FingerOutput output;
     output.proxy = contact.point - contact.normal * contact.depth;
     output.angle = twist;
@@ -168,6 +188,7 @@ class SoftFinger {
     free.goal_angle = twist;
     free.device_angle = twist;
     state = free;
+    return state.output;
   }
 
   /// Puts the device's turns back: α_g is its angle and the turn, which is exactly 0 as long as the device does not jump.
@@ -176,38 +197,65 @@ class SoftFinger {
     state.turn -= 2.0 * std::numbers::pi * std::round(jump / (2.0 * std::numbers::pi));
   }
 
-  [[gnu::always_inline]] void advance(FingerState& state, const Contact& contact, double twist, double time_step) const noexcept {
-    const auto bits = [](double number) { return std::bit_cast<std::uint64_t>(number); };
-    if (!usable(state, contact, twist) || (bits(time_step) << 1U != 0 && !(time_step > 0.0))) return hold(state);
+  /// A step. What is usual calls nothing and comes first: a function that calls has registers to save for others, and to keep in
+  /// memory what it needs thereafter, an eighth of the instructions.
+  [[gnu::always_inline]] const FingerOutput& advance(FingerState& state, const Contact& contact, double twist,
+                                                     double time_step) const noexcept {
+    if (!usable(state, contact, twist) || !is_time(time_step)) return hold(state);
+    // Not from the contact again once something is written, which for all a compiler knows might be that.
+    const Stretch point = Stretch::at(contact.point, twist);
+    const Stretch normal = Stretch::at(contact.normal, 0.0);
+    const double depth = contact.depth;
+    const Stretch finger = point - normal * Pair{depth, depth};
+    if (!is_near(state, finger) || jumps(state, twist) || std::bit_cast<std::int64_t>(depth) <= 0 || !state.touching ||
+        !friction_.law().is_plain())
+      return advance_seldom(state, contact, twist, time_step);
+    finger.get_place(state.seen);
+    return touch<true>(state, point, normal, depth, twist);
+  }
+
+  /// The same for what is not: a finger in the air or just down, one that jumps, dampers, a radius that depends on the load.
+  [[gnu::noinline]] const FingerOutput& advance_seldom(FingerState& state, const Contact& contact, double twist,
+                                                       double time_step) const noexcept {
     const Stretch finger = finger_of(contact);
-    const bool near = bits((finger - Stretch::at(state.seen, 0.0)).square()) <= bits(friction_.law().jump_limit_square());
-    if (!near && leaps(state, contact)) return hold(state);
+    if (!is_near(state, finger) && leaps(state, contact)) return hold(state);
     finger.get_place(state.seen);
     if (std::bit_cast<std::int64_t>(contact.depth) <= 0) return release(state, contact, twist);
     if (!state.touching) {
       touch_down(state, contact, twist);
-    } else if (bits(twist - state.device_angle) << 1U > bits(std::numbers::pi) << 1U) {
+    } else if (jumps(state, twist)) {
       unwrap(state, twist);
     }
+    if (friction_.law().has_dampers() && time_step >= shortest_time_step) return rub_damped(state, contact, twist, time_step);
+    return touch<false>(state, Stretch::at(contact.point, twist), Stretch::at(contact.normal, 0.0), contact.depth, twist);
+  }
+
+  /// Steps b and c of the paper, without dampers. `has_one_radius` as in ContactLaw.
+  template <bool has_one_radius>
+  [[gnu::always_inline]] const FingerOutput& touch(FingerState& state, const Stretch& point, const Stretch& normal, double depth,
+                                                   double twist) const noexcept {
     state.device_angle = twist;
     const ContactLaw& law = friction_.law();
     FingerOutput& output = state.output;
-    const Stretch goal = Stretch::at(contact.point, twist + state.turn);
-    if (law.has_dampers() && time_step >= shortest_time_step) return rub_damped(state, contact, time_step);
-    const Stretch apart = Stretch::at(output.proxy, output.angle) - goal;
-    const Stretch::Part part = apart.part_along(contact.normal);
+    const Stretch goal = point.with_twist(twist + state.turn);
+    const Stretch apart = Stretch::load(&output) - goal;
+    const Stretch::Part part = apart.part_along(normal);
     const Stretch& drawn = part.stretch;
-    output.load = law.stiffness() * contact.depth;
-    see(state, contact, goal);
+    output.load = law.stiffness() * depth;
+    output.depth = depth;
+    goal.store(&state.goal);
+    normal.get_place(state.normal);
+    const FingerOutput* result = &state.output;
     // By force: where a compiler has many fingers it would rather call, with the grip in memory.
-    friction_.grip(
+    friction_.template grip<has_one_radius>(
         {part.square, std::fabs(apart.twist()), output.load, state.start, state.trend, state.piece},
         [&]() __attribute__((always_inline)) {
-          (drawn * law.springs().stiffness).get(output.force, output.moment);
+          (drawn * law.springs().stiffness).store(&output.force);
           stick(state);
         },
         [&](const auto& grip) __attribute__((always_inline)) { yield(state, goal, drawn, law.springs(), grip); },
-        [&]() __attribute__((always_inline)) { rub_rarely(state); });
+        [&]() __attribute__((always_inline)) { result = &rub_rarely(state); });
+    return *result;
   }
 
   /// No friction yet. (The paper's α_0 is the twist here; angles are kept absolute, and α_p − α_g is the same.)
@@ -219,19 +267,16 @@ class SoftFinger {
     state.start = -1.0;
   }
 
-  [[gnu::always_inline]] static void see(FingerState& state, const Contact& contact, const Stretch& goal) noexcept {
-    goal.get(state.goal, state.goal_angle);
-    state.normal = contact.normal;
-    state.output.depth = contact.depth;
-  }
-
   /// Steps b and c where they take what seldom happens; from the state, so that nothing of the usual case is kept in memory for it.
-  [[gnu::noinline]] void rub_rarely(FingerState& state) const noexcept {
-    rub(state, Stretch::at(state.goal, state.goal_angle), state.stretch(), friction_.law().springs());
+  [[gnu::noinline]] const FingerOutput& rub_rarely(FingerState& state) const noexcept {
+    rub(state, Stretch::load(&state.goal), state.stretch(), friction_.law().springs());
+    return state.output;
   }
 
   /// Implicitly, k e + (b/Δt)(e − e_last) is a spring of k + b/Δt from a place nearer to the last offset.
-  [[gnu::noinline]] void rub_damped(FingerState& state, const Contact& contact, double time_step) const noexcept {
+  [[gnu::noinline]] const FingerOutput& rub_damped(FingerState& state, const Contact& contact, double twist,
+                                                   double time_step) const noexcept {
+    state.device_angle = twist;
     const ContactLaw& law = friction_.law();
     FingerOutput& output = state.output;
     const Pair rate = Pair{law.damping(), law.twist_damping()} / time_step;
@@ -239,9 +284,12 @@ class SoftFinger {
     const Springs springs = Springs::of(stiffness[0], stiffness[1]);
     const Stretch rest = state.stretch() * (rate * springs.compliance);
     output.load = std::max(law.stiffness() * contact.depth + rate[0] * (contact.depth - output.depth), 0.0);
-    const Stretch goal = Stretch::at(contact.point, state.device_angle + state.turn);
-    see(state, contact, goal);
+    const Stretch goal = Stretch::at(contact.point, twist + state.turn);
+    output.depth = contact.depth;
+    goal.store(&state.goal);
+    state.normal = contact.normal;
     rub(state, goal + rest, state.stretch() - rest, springs);
+    return state.output;
   }
 
   /// Steps b and c: springs that rest with the proxy at `from` are drawn from there.
@@ -257,7 +305,7 @@ class SoftFinger {
   [[gnu::always_inline]] static void yield(FingerState& state, const Stretch& from, const Stretch& drawn, const Springs& springs,
                                            const Grip& grip) noexcept {
     const Stretch felt = drawn * grip.share;
-    (felt * springs.stiffness).get(state.output.force, state.output.moment);
+    (felt * springs.stiffness).store(&state.output.force);
     if (!grip.slips) return stick(state);
     slip(state, from + felt, grip);
   }
@@ -274,22 +322,24 @@ class SoftFinger {
   template <class Grip>
   [[gnu::always_inline]] static void slip(FingerState& state, const Stretch& to, const Grip& grip) noexcept {
     FingerOutput& output = state.output;
-    const Stretch last = Stretch::at(output.proxy, output.angle);
+    const Stretch last = Stretch::load(&output);
     const Stretch proxy = grip.clamps_both ? to : to.where_less(grip.share, last);
-    const double before = state.start;
     if (proxy == last) {
       // A slip that is lost in the rounding of the proxy is none.
       state.trend = 0.0;
       return stick(state);
     }
-    proxy.get(output.proxy, output.angle);
+    proxy.store(&output);
     output.state = ContactState::slip;
     output.cor = grip.cor;
     output.slip_work = grip.slip_work;
+    // Where the last slip was is nothing that a step by squares asks.
+    if constexpr (!Friction<Boundary, Projection>::needs_squares_only) {
+      // From where it stuck or had no place the trend is longer than any that is believed.
+      state.trend = grip.start - state.start;
+      state.piece = grip.piece;
+    }
     state.start = grip.start;
-    state.piece = grip.piece;
-    // From where it stuck or had no place the trend is longer than any that is believed.
-    state.trend = grip.start - before;
   }
 
   Friction<Boundary, Projection> friction_;

@@ -7,6 +7,7 @@
 
 #include <bit>
 #include <cstdint>
+#include <cstring>
 
 namespace limitcurve::godobject {
 
@@ -18,13 +19,23 @@ class Stretch {
   [[gnu::always_inline]] static Stretch at(const Eigen::Vector3d& place, double angle) noexcept {
     return {Pair{place.x(), place.y()}, Pair{place.z(), angle}};
   }
-  [[gnu::always_inline]] void get(Eigen::Vector3d& place, double& angle) const noexcept {
-    place = {xy_[0], xy_[1], z_twist_[0]};
-    angle = z_twist_[1];
+  /// Of four numbers in a row: a place, and the angle that follows it in memory. Two at a time by name, as `store` writes them: left to
+  /// itself a compiler for wider registers writes all four at once, and the next step waits to read two of them.
+  [[gnu::always_inline]] static Stretch load(const void* four) noexcept {
+    Pair xy;
+    Pair z_twist;
+    std::memcpy(&xy, four, sizeof xy);
+    std::memcpy(&z_twist, static_cast<const char*>(four) + sizeof xy, sizeof z_twist);
+    return {xy, z_twist};
+  }
+  [[gnu::always_inline]] void store(void* four) const noexcept {
+    std::memcpy(four, &xy_, sizeof xy_);
+    std::memcpy(static_cast<char*>(four) + sizeof xy_, &z_twist_, sizeof z_twist_);
   }
   [[gnu::always_inline]] void get_place(Eigen::Vector3d& place) const noexcept { place = {xy_[0], xy_[1], z_twist_[0]}; }
 
   [[nodiscard]] double twist() const noexcept { return z_twist_[1]; }  ///< [rad]
+  [[gnu::always_inline]] [[nodiscard]] Stretch with_twist(double twist) const noexcept { return {xy_, Pair{z_twist_[0], twist}}; }
   /// Of the length without the twist [m²].
   [[gnu::always_inline]] [[nodiscard]] double square() const noexcept {
     const Pair squares = xy_ * xy_;
@@ -37,16 +48,16 @@ class Stretch {
     return squares[0] + squares[1];
   }
 
-  /// Its part along a surface with this unit normal.
-  [[gnu::always_inline]] [[nodiscard]] Stretch along(const Eigen::Vector3d& normal) const noexcept {
+  /// Its part along a surface with this unit normal, whose twist is 0.
+  [[gnu::always_inline]] [[nodiscard]] Stretch along(const Stretch& normal) const noexcept {
     const double height = along_normal(normal);
-    return {xy_ - Pair{normal.x(), normal.y()} * height, z_twist_ - Pair{normal.z(), 0.0} * height};
+    return {xy_ - normal.xy_ * height, z_twist_ - normal.z_twist_ * height};
   }
   /// A part of a stretch, and the square of its length without the twist [m²].
   struct Part;
   /// The same with the square of its length, by Pythagoras, which need not wait for the part itself; and where all of it is along the
   /// surface, as on a plane, or all but rounding, not for the normal's share either. The steps of one finger wait for it.
-  [[gnu::always_inline]] [[nodiscard]] Part part_along(const Eigen::Vector3d& normal) const noexcept;
+  [[gnu::always_inline]] [[nodiscard]] Part part_along(const Stretch& normal) const noexcept;
 
   [[gnu::always_inline]] friend Stretch operator+(const Stretch& one, const Stretch& other) noexcept {
     return {one.xy_ + other.xy_, one.z_twist_ + other.z_twist_};
@@ -73,8 +84,8 @@ class Stretch {
   }
 
  private:
-  [[gnu::always_inline]] [[nodiscard]] double along_normal(const Eigen::Vector3d& normal) const noexcept {
-    const Pair products = Pair{normal.x(), normal.y()} * xy_ + Pair{normal.z(), 0.0} * z_twist_;
+  [[gnu::always_inline]] [[nodiscard]] double along_normal(const Stretch& normal) const noexcept {
+    const Pair products = normal.xy_ * xy_ + normal.z_twist_ * z_twist_;
     return products[0] + products[1];
   }
 
@@ -89,14 +100,14 @@ struct Stretch::Part {
   double square;
 };
 
-inline Stretch::Part Stretch::part_along(const Eigen::Vector3d& normal) const noexcept {
+inline Stretch::Part Stretch::part_along(const Stretch& normal) const noexcept {
   const double height = along_normal(normal);
   const double whole = square();
   if (std::bit_cast<std::uint64_t>(height) << 1U == 0) [[likely]]
     return {Stretch(xy_, z_twist_), whole};
   const Stretch part = along(normal);
   // |o − n h|² = |o|² − h²(2 − |n|²), and |n| may be a little off 1.
-  const double lost = height * height * (2.0 - Stretch::at(normal, 0.0).square());
+  const double lost = height * height * (2.0 - normal.square());
   // Less than half of the last digit: the difference is the whole.
   if (lost <= 0x1p-55 * whole) return {part, whole};
   // As long as it does not cancel.
