@@ -16,7 +16,7 @@ void elliptic_loop(double k, double k_twist, double mu, double arm, double reach
                    const double* __restrict y, const double* __restrict angle, const double* __restrict depth, double* __restrict proxy_x,
                    double* __restrict proxy_y, double* __restrict proxy_angle, double* __restrict start, double* __restrict force_x,
                    double* __restrict force_y, double* __restrict moment) noexcept {
-  // The same order of operations as in Friction::make_elliptic, Friction::shrink and SoftFinger::rub.
+  // The same order of operations as in Friction::grip, EllipticPull::shrink and SoftFinger::yield.
   for (std::size_t i = 0; i < count; ++i) {
     const bool touches = depth[i] > 0.0;
     const bool held = touches & (start[i] >= -1.0);  // not free now, nor before

@@ -144,17 +144,16 @@ void step_one(const Friction<Boundary, Projection>& friction, const ContactBatch
   const double pull_x = proxy_x - batch.x[i];
   const double pull_y = proxy_y - batch.y[i];
   const double turn = proxy_angle - batch.angle[i];
-  // As SoftFinger::rub.
+  // As SoftFinger::touch.
   const Springs& springs = law.springs();
-  const typename Friction<Boundary, Projection>::Pull pull{pull_x * pull_x + pull_y * pull_y, std::fabs(turn), k * batch.depth[i], start,
-                                                           batch.trend[i]};
+  const Pull pull{pull_x * pull_x + pull_y * pull_y, std::fabs(turn), k * batch.depth[i], start, batch.trend[i]};
   const auto holds = [&] {
     batch.force_x[i] = pull_x * springs.stiffness[0];
     batch.force_y[i] = pull_y * springs.stiffness[0];
     batch.moment[i] = turn * springs.stiffness[1];
     start = -1.0;
   };
-  const auto yields = [&](const auto& grip) {
+  const auto yields = [&](const Grip& grip) {
     const double felt_x = pull_x * grip.share[0];
     const double felt_y = pull_y * grip.share[0];
     const double felt_turn = turn * grip.share[1];
@@ -176,7 +175,7 @@ void step_one(const Friction<Boundary, Projection>& friction, const ContactBatch
     start = moves ? grip.start : -1.0;
   };
   friction.grip(pull, holds, yields, [&] {
-    const auto grip = friction.grip_rarely(pull, springs);
+    const Grip grip = friction.grip_rarely(pull, springs);
     if (grip.share[1] == 0.0) proxy_angle = batch.angle[i];
     yields(grip);
   });

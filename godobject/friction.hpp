@@ -2,6 +2,8 @@
 #pragma once
 
 #include "godobject/contact_law.hpp"
+#include "godobject/elliptic_pull.hpp"
+#include "godobject/grip.hpp"
 #include "godobject/projection.hpp"
 #include "limitcurve/foot_guesses.hpp"
 #include "limitcurve/load_curves.hpp"
@@ -37,18 +39,7 @@ class Friction {
   /// A component of a trial beyond this many limits is cut back to it, so that squares stay finite.
   static constexpr double farthest_trial = 1e100;
 
-  /// What the contact does to springs that are drawn by r [m] along the surface and ρ [rad] about the normal.
-  struct Grip {
-    bool slips = false;
-    Pair share{1.0, 1.0};      ///< r′/r and ρ′/ρ ≤ 1, what is felt of the springs; stays drawn, if it slips
-    bool clamps_both = false;  ///< neither share is 1
-    double cor = std::numeric_limits<double>::quiet_NaN();  ///< of the slip [m], ∞ for pure sliding; NaN where it sticks
-    double slip_work = 0.0;                                 ///< |F|(r − r′) + |M|(ρ − ρ′) [J], ≥ 0
-    double start = -1.0;                                    ///< for the next step: place of the slip, or 0; < 0 where it sticks
-    std::uint32_t piece = 0;                                ///< for the next step: Projected::piece
-  };
-
-  /// The same, all magnitudes.
+  /// What the contact does to the springs, all magnitudes.
   struct Result {
     bool slips;
     double force;      ///< |F| = k_l r′ [N]
@@ -94,17 +85,7 @@ class Friction {
             found.cor,   found.slip_work, found.start};
   }
 
-  /// What a step knows of a contact.
-  struct Pull {
-    double r_square;          ///< r² [m²]
-    double rho;               ///< ρ [rad] ≥ 0
-    double load;              ///< P [N] > 0
-    double start;             ///< Grip::start of the last step
-    double trend;             ///< how far that had moved
-    std::uint32_t piece = 0;  ///< Grip::piece of the last step, or any number
-  };
-
-  /// The same. Calls `holds()` where the springs bear the pull, `yields(grip)` where they do not, or `otherwise()` for the caller to
+  /// The same of a pull. Calls `holds()` where the springs bear the pull, `yields(grip)` where they do not, or `otherwise()` for the caller to
   /// ask grip_rarely. Calls instead of a value returned, which would go through memory. `has_one_radius` as in ContactLaw.
   template <bool has_one_radius = false, class Holds, class Yields, class Otherwise>
   [[gnu::always_inline]] void grip(const Pull& pull, Holds&& holds, Yields&& yields, Otherwise&& otherwise) const noexcept {
@@ -114,11 +95,11 @@ class Friction {
                                                : law_.template static_scale<has_one_radius>(pull.load));
     if (!limits.twists) return otherwise();
     if constexpr (needs_squares_only) {
-      const Elliptic elliptic = make_elliptic(limits, pull);
-      if (elliptic.square <= elliptic.reach * elliptic.reach) return holds();
-      const bool usual = elliptic.square <= farthest_square && elliptic.reach >= least_reach;
-      if (!usual || !(slipping || law_.has_one_limit())) return otherwise();
-      yields(shrink(elliptic, pull, springs));
+      const double turn = arm_times_radius_ * limits.per_radius * pull.rho;
+      const EllipticPull elliptic{pull.r_square + turn * turn, limits.unit[0] * reach_per_unit_};
+      if (elliptic.holds()) return holds();
+      if (!elliptic.is_usual() || !(slipping || law_.has_one_limit())) return otherwise();
+      yields(elliptic.shrink(pull, springs));
     } else {
       const Drawn drawn = draw(limits, pull, springs);
       // Within the chord of the intercepts it holds.
@@ -184,9 +165,7 @@ class Friction {
   static constexpr bool goes_off_axes = requires(const Projection& projection, const Boundary& boundary, const Trial& trial) {
     projection.foot(boundary, trial, 1.0);
   };
-  /// Squares between these neither overflow nor lose digits when divided by; the step by squares leaves others to the general one.
-  static constexpr double farthest_square = 1e100;
-  static constexpr double least_reach = 1e-140;
+
   /// A trial both of whose components are cut by more than this is outside by more than slip_guard, whatever is rounded.
   static constexpr double clear_slip = 1.0 - 2.0 * slip_guard;
 
@@ -301,35 +280,6 @@ class Friction {
     // What was not clamped did not slide, bit for bit.
     const PairMask clamped = Pair{projected.wrench.force, projected.wrench.moment} != Pair{trial.force, trial.moment};
     return let_slip(limits, drawn, projected, springs, clamped ? share : Pair{1.0, 1.0}, false);
-  }
-
-  /// Ellipse and radial projection in lengths: the springs of the ellipse's two axes weigh ρ against r.
-  struct Elliptic {
-    double square;  ///< (gauge · reach)² [m²]
-    double reach;   ///< r on the boundary without twist [m]
-  };
-
-  [[gnu::always_inline]] [[nodiscard]] Elliptic make_elliptic(const Limits& limits, const Pull& pull) const noexcept {
-    const double turn = arm_times_radius_ * limits.per_radius * pull.rho;
-    return {pull.r_square + turn * turn, limits.unit[0] * reach_per_unit_};
-  }
-
-  /// One packed root and one packed division that do not wait for each other.
-  [[gnu::always_inline]] [[nodiscard]] Grip shrink(const Elliptic& elliptic, const Pull& pull, const Springs& springs) const noexcept {
-    const Pair roots = square_roots(Pair{elliptic.square, pull.r_square});
-    const Pair inverses = Pair{elliptic.reach, 1.0} / Pair{elliptic.square, pull.rho};
-    const double share = roots[0] * inverses[0];
-    Grip grip;
-    grip.share = Pair{share, share};
-    const double limit = elliptic.reach * (1.0 + slip_guard);
-    if (elliptic.square <= limit * limit) return grip;
-    grip.slips = true;
-    grip.clamps_both = true;
-    grip.cor = roots[1] * inverses[1];
-    grip.start = 0.0;
-    const Pair force_lengths = springs.stiffness * Pair{pull.r_square, pull.rho * pull.rho};
-    grip.slip_work = (share * (1.0 - share)) * (force_lengths[0] + force_lengths[1]);
-    return grip;
   }
 
   /// Γ = 0 takes the twist out of the contact: the proxy's angle is the finger's, and the force is limited by itself.

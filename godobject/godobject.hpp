@@ -13,10 +13,13 @@
 #include "godobject/contact_law.hpp"               // IWYU pragma: export
 #include "godobject/contact_state.hpp"             // IWYU pragma: export
 #include "godobject/device_pose.hpp"               // IWYU pragma: export
+#include "godobject/elliptic_pull.hpp"             // IWYU pragma: export
+#include "godobject/finger_state.hpp"              // IWYU pragma: export
 #include "godobject/float_batch.hpp"               // IWYU pragma: export
 #include "godobject/free_disc.hpp"                 // IWYU pragma: export
 #include "godobject/friction.hpp"                  // IWYU pragma: export
 #include "godobject/grasp.hpp"                     // IWYU pragma: export
+#include "godobject/grip.hpp"                      // IWYU pragma: export
 #include "godobject/kinds.hpp"                     // IWYU pragma: export
 #include "godobject/passivity.hpp"                 // IWYU pragma: export
 #include "godobject/pivot.hpp"                     // IWYU pragma: export
