@@ -34,11 +34,23 @@ struct FingerState {
   double device_angle = 0.0;                          ///< the device's twist as it was given [rad]
   double start = -1.0;                                ///< place of the last slip, or 0; < 0: it sticks
   double trend = 0.0;                                 ///< how far that has moved since the slip before
-  /// Where the finger was when last seen, refused or not [m]; not a number before the first step.
-  Eigen::Vector3d seen = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
+  /// Contact and twist when all was last asked, if a contact that stays near [m, rad] need not be asked again whether it touches, leaps or
+  /// turns through a jump; else the twist is not a number.
+  Eigen::Vector3d home = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
+  double home_twist = std::numeric_limits<double>::quiet_NaN();
   double turn = 0.0;        ///< what unwrapping has added to the device's twist [rad], a multiple of 2π
   std::uint32_t piece = 0;  ///< of the boundary, where the last slip was found
   bool touching = false;
+  /// Without a home: where the finger was when last seen, refused or not [m]; not a number before the first step.
+  Eigen::Vector3d seen = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
+
+  [[nodiscard]] bool has_home() const noexcept { return home_twist == home_twist; }
+  /// Where the finger was when last seen [m]; a finger that has a home has not been refused.
+  [[nodiscard]] Eigen::Vector3d last_seen() const noexcept { return has_home() ? goal - normal * output.depth : seen; }
+  void leave_home() noexcept {
+    seen = last_seen();
+    home_twist = std::numeric_limits<double>::quiet_NaN();
+  }
 
   /// By how much the springs are drawn after the step: x_p − x_g and α_p − α_g.
   [[nodiscard]] Stretch stretch() const noexcept { return (Stretch::load(&output) - Stretch::load(&goal)).along(Stretch::at(normal, 0.0)); }
@@ -48,5 +60,6 @@ struct FingerState {
 static_assert(offsetof(FingerOutput, angle) == sizeof(Eigen::Vector3d));
 static_assert(offsetof(FingerOutput, moment) == offsetof(FingerOutput, force) + sizeof(Eigen::Vector3d));
 static_assert(offsetof(FingerState, goal_angle) == offsetof(FingerState, goal) + sizeof(Eigen::Vector3d));
+static_assert(offsetof(FingerState, home_twist) == offsetof(FingerState, home) + sizeof(Eigen::Vector3d));
 
 }  // namespace limitcurve::godobject

@@ -90,21 +90,22 @@ class Friction {
   template <bool has_one_radius = false, class Holds, class Yields, class Otherwise>
   [[gnu::always_inline]] void grip(const Pull& pull, Holds&& holds, Yields&& yields, Otherwise&& otherwise) const noexcept {
     const Springs& springs = law_.springs();
-    const bool slipping = std::bit_cast<std::int64_t>(pull.start) >= 0;  // by its sign, as below, in a register for whole numbers
-    const Limits limits = make_limits(slipping ? law_.template dynamic_scale<has_one_radius>(pull.load)
-                                               : law_.template static_scale<has_one_radius>(pull.load));
+    // By its sign, as below, in a register for whole numbers.
+    const bool has_limit_of_rest = !law_.has_one_limit() && std::bit_cast<std::int64_t>(pull.start) < 0;
+    const Limits limits = make_limits(has_limit_of_rest ? law_.template static_scale<has_one_radius>(pull.load)
+                                                        : law_.template dynamic_scale<has_one_radius>(pull.load));
     if (!limits.twists) return otherwise();
     if constexpr (needs_squares_only) {
       const double turn = arm_times_radius_ * limits.per_radius * pull.rho;
       const EllipticPull elliptic{pull.r_square + turn * turn, limits.unit[0] * reach_per_unit_};
       if (elliptic.holds()) return holds();
-      if (!elliptic.is_usual() || !(slipping || law_.has_one_limit())) return otherwise();
+      if (!elliptic.is_usual() || has_limit_of_rest) return otherwise();
       yields(elliptic.shrink(pull, springs));
     } else {
       const Drawn drawn = draw(limits, pull, springs);
       // Within the chord of the intercepts it holds.
       if (std::bit_cast<std::int64_t>(drawn.chord) <= std::bit_cast<std::int64_t>(1.0)) return holds();
-      if (!slipping && !law_.has_one_limit()) return otherwise();
+      if (has_limit_of_rest) return otherwise();
       if constexpr (goes_off_axes) {
         Foot foot;
         bool found = false;

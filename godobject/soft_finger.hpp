@@ -53,7 +53,11 @@ class SoftFinger {
 
   [[nodiscard]] const FingerOutput& output() const noexcept { return state_.output; }
   [[nodiscard]] const FingerState& state() const noexcept { return state_; }
-  void restore(const FingerState& state) noexcept { state_ = state; }
+  void restore(const FingerState& state) noexcept {
+    state_ = state;
+    // It may be another finger's.
+    state_.leave_home();
+  }
   void reset() noexcept { state_ = {}; }
   /// Forgets where the last slip was, but not that it slipped: the next search begins from nothing, as a finger's first does.
   void forget_place() noexcept {
@@ -88,13 +92,12 @@ class SoftFinger {
   }
 
  private:
-  /// A contact that is near enough, with a normal of unit length, as that of the last one is. By the bits, whose order is that of the
-  /// numbers as far as those are ≥ 0; what is not a number is above all.
-  [[gnu::always_inline]] [[nodiscard]] static bool usable(const FingerState& state, const Contact& contact, double twist) noexcept {
-    const double square = Stretch::at(contact.point, twist).square_of_all() + contact.depth * contact.depth;
-    return std::bit_cast<std::uint64_t>(square) <= std::bit_cast<std::uint64_t>(farthest * farthest) &&
-           (std::memcmp(&contact.normal, &state.normal, sizeof contact.normal) == 0 ||
-            std::fabs(contact.normal.squaredNorm() - 1.0) <= 1e-6);
+  [[nodiscard]] static double square_of(const Contact& contact, double twist) noexcept {
+    return Stretch::at(contact.point, twist).square_of_all(1.0) + contact.depth * contact.depth;
+  }
+
+  [[gnu::always_inline]] [[nodiscard]] static bool is_unit(const Eigen::Vector3d& normal) noexcept {
+    return std::fabs(normal.squaredNorm() - 1.0) <= 1e-6;
   }
 
   /// 0 or more.
@@ -102,28 +105,17 @@ class SoftFinger {
     return std::bit_cast<std::uint64_t>(time_step) << 1U == 0 || time_step > 0.0;
   }
 
-  [[gnu::always_inline]] [[nodiscard]] bool is_near(const FingerState& state, const Stretch& finger) const noexcept {
-    const double square = (finger - Stretch::at(state.seen, 0.0)).square();
-    return std::bit_cast<std::uint64_t>(square) <= std::bit_cast<std::uint64_t>(friction_.law().jump_limit_square());
-  }
-
-  /// By more than half a turn.
-  [[gnu::always_inline]] [[nodiscard]] static bool jumps(const FingerState& state, double twist) noexcept {
-    const double jump = twist - state.device_angle;
-    return std::bit_cast<std::uint64_t>(jump) << 1U > std::bit_cast<std::uint64_t>(std::numbers::pi) << 1U;
-  }
-
   /// Where the finger itself is.
-  [[gnu::always_inline]] [[nodiscard]] static Stretch finger_of(const Contact& contact) noexcept {
+  [[nodiscard]] static Stretch finger_of(const Contact& contact) noexcept {
     return Stretch::at(contact.point, 0.0) - Stretch::at(contact.normal, 0.0) * Pair{contact.depth, contact.depth};
   }
 
   /// Whether a finger that is not near where it was last seen is to be refused; it is then seen where it is. Believed is one that
   /// stays there, one that is back where it last was good, and the first of all.
-  [[nodiscard, gnu::noinline]] bool leaps(FingerState& state, const Contact& contact) const noexcept {
+  [[nodiscard, gnu::noinline]] bool leaps(FingerState& state, const Stretch& finger) const noexcept {
     const Stretch last = finger_of({state.goal, state.normal, state.output.depth});
+    state.leave_home();
     const bool known = std::isfinite(state.seen.x());
-    const Stretch finger = finger_of(contact);
     finger.get_place(state.seen);
     return known && (finger - last).square() > friction_.law().jump_limit_square();
   }
@@ -162,37 +154,52 @@ class SoftFinger {
     state.turn -= 2.0 * std::numbers::pi * std::round(jump / (2.0 * std::numbers::pi));
   }
 
-  /// A step. What is usual calls nothing and comes first: a function that calls has registers to save for others, and to keep in
-  /// memory what it needs thereafter, an eighth of the instructions.
+  /// A step. What is usual, a contact near its home, is told by one comparison of bits, whose order is that of the numbers as far as those
+  /// are ≥ 0; what is not a number is above all. It calls nothing: a function that calls has registers to save for others, and to keep in
+  /// memory what it needs thereafter.
   [[gnu::always_inline]] const FingerOutput& advance(FingerState& state, const Contact& contact, double twist,
                                                      double time_step) const noexcept {
-    if (!usable(state, contact, twist) || !is_time(time_step)) return hold(state);
+    const auto bits = [](double number) { return std::bit_cast<std::uint64_t>(number); };
+    const ContactLaw& law = friction_.law();
     // Not from the contact again once something is written, which for all a compiler knows might be that.
     const Stretch point = Stretch::at(contact.point, twist);
     const Stretch normal = Stretch::at(contact.normal, 0.0);
     const double depth = contact.depth;
-    const Stretch finger = point - normal * Pair{depth, depth};
-    if (!is_near(state, finger) || jumps(state, twist) || std::bit_cast<std::int64_t>(depth) <= 0 || !state.touching ||
-        !friction_.law().is_plain())
+    const Stretch from_home = point - Stretch::load(&state.home);
+    if (bits(from_home.square_of_all(law.home_arm())) > bits(law.home_square()) || bits(depth) - 1U >= bits(law.home_radius()) ||
+        !is_time(time_step))
       return advance_seldom(state, contact, twist, time_step);
-    finger.get_place(state.seen);
+    if (std::memcmp(&contact.normal, &state.normal, sizeof contact.normal) != 0) {
+      if (!is_unit(contact.normal)) return advance_seldom(state, contact, twist, time_step);
+      normal.get_place(state.normal);
+    }
     return touch<true>(state, point, normal, depth, twist);
   }
 
-  /// The same for what is not: a finger in the air or just down, one that jumps, dampers, a radius that depends on the load.
+  /// The same for what is not usual: whatever may be wrong with the input, a finger in the air or just down, one that is far from where it
+  /// was, dampers, a radius that depends on the load.
   [[gnu::noinline]] const FingerOutput& advance_seldom(FingerState& state, const Contact& contact, double twist,
                                                        double time_step) const noexcept {
+    const double square = square_of(contact, twist);
+    if (!(square <= farthest * farthest) || !is_unit(contact.normal) || !is_time(time_step)) return hold(state);
     const Stretch finger = finger_of(contact);
-    if (!is_near(state, finger) && leaps(state, contact)) return hold(state);
+    const Stretch seen = state.has_home() ? finger_of({state.goal, state.normal, state.output.depth}) : Stretch::at(state.seen, 0.0);
+    const bool near = (finger - seen).square() <= friction_.law().jump_limit_square();
+    if (!near && leaps(state, finger)) return hold(state);
     finger.get_place(state.seen);
-    if (std::bit_cast<std::int64_t>(contact.depth) <= 0) return release(state, contact, twist);
+    if (!(contact.depth > 0.0)) return release(state, contact, twist);
     if (!state.touching) {
       touch_down(state, contact, twist);
-    } else if (jumps(state, twist)) {
+    } else if (std::fabs(twist - state.device_angle) > std::numbers::pi) {
       unwrap(state, twist);
     }
     if (friction_.law().has_dampers() && time_step >= shortest_time_step) return rub_damped(state, contact, twist, time_step);
-    return touch<false>(state, Stretch::at(contact.point, twist), Stretch::at(contact.normal, 0.0), contact.depth, twist);
+    const Stretch point = Stretch::at(contact.point, twist);
+    // With a margin, so that nothing near it is too far.
+    const bool settles = contact.depth <= friction_.law().home_radius() && square <= (farthest - 10.0) * (farthest - 10.0);
+    point.with_twist(settles ? twist : std::numeric_limits<double>::quiet_NaN()).store(&state.home);
+    state.normal = contact.normal;
+    return touch<false>(state, point, Stretch::at(contact.normal, 0.0), contact.depth, twist);
   }
 
   /// Steps b and c of the paper, without dampers. `has_one_radius` as in ContactLaw.
@@ -209,7 +216,6 @@ class SoftFinger {
     output.load = law.stiffness() * depth;
     output.depth = depth;
     goal.store(&state.goal);
-    normal.get_place(state.normal);
     const FingerOutput* result = &state.output;
     // By force: where a compiler has many fingers it would rather call, with the grip in memory.
     friction_.template grip<has_one_radius>(

@@ -42,9 +42,10 @@ class Stretch {
     return (squares[0] + squares[1]) + z_twist_[0] * z_twist_[0];
   }
 
-  /// Of all four numbers.
-  [[gnu::always_inline]] [[nodiscard]] double square_of_all() const noexcept {
-    const Pair squares = xy_ * xy_ + z_twist_ * z_twist_;
+  /// Of all four numbers, the twist as a length by an arm [m].
+  [[gnu::always_inline]] [[nodiscard]] double square_of_all(double arm) const noexcept {
+    const Pair lengths = z_twist_ * Pair{1.0, arm};
+    const Pair squares = xy_ * xy_ + lengths * lengths;
     return squares[0] + squares[1];
   }
 

@@ -75,6 +75,8 @@ void run(fuzz::Bytes bytes, const Boundary& boundary, Projection projection) {
   std::optional<SoftFinger<Boundary, Projection>> made;
   if (fuzz::complaint_of([&] { made.emplace(boundary, fuzz::any_parameters(bytes), projection); })) return;
   auto& finger = *made;
+  // Asked all in every step: what is restored has no home.
+  auto asked = finger;
   while (bytes.left() > 0) {
     const auto choice = bytes.take<std::uint8_t>();
     const auto raw = [&](unsigned bit) { return ((choice >> bit) & 1U) != 0; };
@@ -96,6 +98,8 @@ void run(fuzz::Bytes bytes, const Boundary& boundary, Projection projection) {
     const FingerOutput preview = finger.preview(contact, twist, time_step);
     require_sound((finger.update(contact, twist, time_step), finger), before, usable);
     fuzz::require(same(preview, finger.output()), "a preview shows another step");
+    asked.restore(asked.state());
+    fuzz::require(same(asked.update(contact, twist, time_step), finger.output()), "a finger at home does what another would not");
     const double margin = finger.margin();
     fuzz::require(margin >= 0.0 && margin <= 1.0, "a margin outside 0 to 1");
     fuzz::require(finger.load_to_hold() >= 0.0, "a load to hold that is none");

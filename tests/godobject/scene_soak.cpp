@@ -225,9 +225,9 @@ class Scene {
 
   /// Whether a finger is refused with reason: a body that is flung away from a device leaves it behind by more than one may leap.
   static bool leapt(const FingerState& before, const typename Hand::Finger& finger) {
-    const Vector3d& seen = finger.state().seen;
+    const Vector3d seen = finger.state().last_seen();
     const Vector3d good = before.goal - before.output.depth * before.normal;
-    const double nearest = std::min((seen - before.seen).squaredNorm(), (seen - good).squaredNorm());
+    const double nearest = std::min((seen - before.last_seen()).squaredNorm(), (seen - good).squaredNorm());
     return nearest > finger.friction().law().jump_limit_square();
   }
 
