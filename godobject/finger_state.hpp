@@ -47,6 +47,7 @@ struct FingerState {
   [[nodiscard]] bool has_home() const noexcept { return home_twist == home_twist; }
   /// Where the finger was when last seen [m]; a finger that has a home has not been refused.
   [[nodiscard]] Eigen::Vector3d last_seen() const noexcept { return has_home() ? goal - normal * output.depth : seen; }
+  /// The next step asks all.
   void leave_home() noexcept {
     seen = last_seen();
     home_twist = std::numeric_limits<double>::quiet_NaN();

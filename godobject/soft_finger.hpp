@@ -92,6 +92,7 @@ class SoftFinger {
   }
 
  private:
+  /// Of all that tells how far away it is, metres as radians.
   [[nodiscard]] static double square_of(const Contact& contact, double twist) noexcept {
     return Stretch::at(contact.point, twist).square_of_all(1.0) + contact.depth * contact.depth;
   }
