@@ -16,17 +16,14 @@
 namespace limitcurve::godobject::test {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-bool same(double one, double other) {
+bool are_same(double one, double other) {
   return one == other || (std::isnan(one) && std::isnan(other));
 }
 
-bool same(const FingerOutput& one, const FingerOutput& other) {
+bool are_same(const FingerOutput& one, const FingerOutput& other) {
   return one.state == other.state && same_bits(one.proxy, other.proxy) && same_bits(one.force, other.force) && one.angle == other.angle &&
          one.moment == other.moment && one.depth == other.depth && one.load == other.load && one.slip_work == other.slip_work &&
-         same(one.cor, other.cor);
+         are_same(one.cor, other.cor);
 }
 
 /// A motion that wanders, by steps of six decades, or trembles by as much as may be a leap; and what goes wrong with it: numbers that are none
@@ -65,8 +62,10 @@ class Wandering {
   }
 
  private:
-  static constexpr std::array<double, 14> odd_numbers{0.0,       -0.0, 5e-324, -1e-300, 1e154,       1e300,       infinity,
-                                                      -infinity, nan,  1e6,    -1e6,    999999.9999, 1.0000001e6, -1e-3};
+  using Limits = std::numeric_limits<double>;
+  static constexpr std::array<double, 14> odd_numbers{
+      0.0, -0.0, 5e-324,      -1e-300,     1e154, 1e300, Limits::infinity(), -Limits::infinity(), Limits::quiet_NaN(),
+      1e6, -1e6, 999999.9999, 1.0000001e6, -1e-3};
 
   bool one_in(std::uint64_t count) { return random_.bits() % count == 0; }
   /// Most begin near the origin, some where SoftFinger::farthest is not far.
@@ -92,7 +91,7 @@ class Wandering {
 };
 
 TEST(Home, AFingerThereDoesWhatOneDoesThatIsAskedAll) {
-  for (const double jump_limit : {0.5, 0.02, infinity}) {
+  for (const double jump_limit : {0.5, 0.02, std::numeric_limits<double>::infinity()}) {
     FingerParameters with = parameters();
     with.jump_limit = jump_limit;
     for (const std::optional<double> mu_dynamic : {std::optional<double>{}, std::optional<double>{0.4}}) {
@@ -110,7 +109,7 @@ TEST(Home, AFingerThereDoesWhatOneDoesThatIsAskedAll) {
             at_home += finger.state().has_home();
             asked.restore(asked.state());
             ASSERT_FALSE(asked.state().has_home());
-            ASSERT_TRUE(same(finger.update(contact, twist, time_step), asked.update(contact, twist, time_step))) << seed << ' ' << i;
+            ASSERT_TRUE(are_same(finger.update(contact, twist, time_step), asked.update(contact, twist, time_step))) << seed << ' ' << i;
             ASSERT_EQ(finger.margin(), asked.margin());
           }
         }
