@@ -89,10 +89,10 @@ class ContactLaw {
   [[nodiscard]] double constant_radius() const noexcept { return static_.radius; }
   [[nodiscard]] double jump_limit_square() const noexcept { return jump_limit_square_; }  ///< [m²]
   /// How far from its home a contact may be, and how deep, and still be asked for nothing else [m]: two of them are no leap apart, nor, with
-  /// twists as lengths by the arm [m], turned by half a turn. Negative with dampers, or a radius that depends on the load: there is no home.
+  /// twists as lengths by the arm, turned by half a turn. Negative with dampers, or a radius that depends on the load: there is no home.
   [[nodiscard]] double home_radius() const noexcept { return home_radius_; }
-  [[nodiscard]] double home_arm() const noexcept { return home_arm_; }
-  [[nodiscard]] double home_square() const noexcept { return home_square_; }
+  [[nodiscard]] double home_arm() const noexcept { return home_arm_; }        ///< [m/rad]
+  [[nodiscard]] double home_square() const noexcept { return home_square_; }  ///< of the radius [m²]
   [[nodiscard]] bool has_dampers() const noexcept { return has_dampers_; }
   [[nodiscard]] double hold_share() const noexcept { return hold_share_; }
 
