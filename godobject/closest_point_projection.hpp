@@ -56,6 +56,12 @@ struct ClosestPoint {
     return boundary.closest(trial.wrench, trial.compliance_ratio, per_chi, trial.start, trial.piece);
   }
 
+  /// The same if one step leads there from the last slip; else its piece is TableSide::none.
+  template <class Boundary>
+  [[gnu::always_inline]] Foot near_foot(const Boundary& boundary, const Trial& trial, double per_chi) const noexcept {
+    return boundary.closest_in_one_step(trial.wrench, trial.compliance_ratio, per_chi, trial.start, trial.piece);
+  }
+
   /// Whether it is.
   [[gnu::always_inline]] static Projected onto(const Foot& found, const Trial& trial) noexcept {
     const auto [foot, normal, place, piece] = found;

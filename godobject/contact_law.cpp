@@ -71,10 +71,6 @@ ContactLaw::ContactLaw(const FingerParameters& parameters, double moment_ratio)
     limit->least_load = least_unit * inverse(limit->mu * std::min(limit->radius, 1.0));
   }
   has_dampers_ = damping_ > 0.0 || twist_damping_ > 0.0;
-  // Four of them and a little are the farthest that two fingers at home can be apart, and three radians their twists.
-  home_radius_ = has_dampers_ || radius_law_ ? -1.0 : std::min(0.2 * parameters.jump_limit, 1.0);
-  home_arm_ = home_radius_ / 1.5;
-  home_square_ = home_radius_ * home_radius_;
   has_one_limit_ = static_.mu == dynamic_.mu && static_.radius == dynamic_.radius;
 }
 

@@ -88,11 +88,6 @@ class ContactLaw {
   /// Static a [m] where it does not depend on the load.
   [[nodiscard]] double constant_radius() const noexcept { return static_.radius; }
   [[nodiscard]] double jump_limit_square() const noexcept { return jump_limit_square_; }  ///< [m²]
-  /// How far from its home a contact may be, and how deep, and still be asked for nothing else [m]: two of them are no leap apart, nor, with
-  /// twists as lengths by the arm, turned by half a turn. Negative with dampers, or a radius that depends on the load: there is no home.
-  [[nodiscard]] double home_radius() const noexcept { return home_radius_; }
-  [[nodiscard]] double home_arm() const noexcept { return home_arm_; }        ///< [m/rad]
-  [[nodiscard]] double home_square() const noexcept { return home_square_; }  ///< of the radius [m²]
   [[nodiscard]] bool has_dampers() const noexcept { return has_dampers_; }
   [[nodiscard]] double hold_share() const noexcept { return hold_share_; }
 
@@ -126,9 +121,6 @@ class ContactLaw {
   double damping_;
   double twist_damping_;
   double jump_limit_square_;
-  double home_radius_;
-  double home_arm_;
-  double home_square_;
   double hold_share_;
   bool has_dampers_;
   bool has_one_limit_;

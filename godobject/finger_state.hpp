@@ -34,7 +34,7 @@ struct FingerState {
   double device_angle = 0.0;                          ///< the device's twist as it was given [rad]
   double start = -1.0;                                ///< place of the last slip, or 0; < 0: it sticks
   double trend = 0.0;                                 ///< how far that has moved since the slip before
-  /// Contact [m] and twist [rad] when all was last asked, if one that stays near (ContactLaw::home_radius) need not be asked again whether it
+  /// Contact [m] and twist [rad] when all was last asked, if one that stays near (Home) need not be asked again whether it
   /// touches, leaps or turns through a jump; else the twist is not a number.
   Eigen::Vector3d home = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
   double home_twist = std::numeric_limits<double>::quiet_NaN();

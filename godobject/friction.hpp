@@ -2,8 +2,12 @@
 #pragma once
 
 #include "godobject/contact_law.hpp"
+#include "godobject/drawn.hpp"
 #include "godobject/elliptic_pull.hpp"
 #include "godobject/grip.hpp"
+#include "godobject/home.hpp"
+#include "godobject/known.hpp"
+#include "godobject/limits.hpp"
 #include "godobject/projection.hpp"
 #include "limitcurve/foot_guesses.hpp"
 #include "limitcurve/load_curves.hpp"
@@ -63,10 +67,14 @@ class Friction {
         // Rounded once each, the reach inwards: a slip ends within a few roundings of the boundary, and rather inside.
         reach_per_unit_(std::nextafter(static_cast<double>(static_cast<long double>(force_max_) / law_.stiffness()), 0.0)),
         arm_times_radius_(static_cast<double>(static_cast<long double>(law_.twist_stiffness()) * force_max_ /
-                                              (static_cast<long double>(law_.stiffness()) * moment_max_))) {}
+                                              (static_cast<long double>(law_.stiffness()) * moment_max_))),
+        arm_(arm_times_radius_ * law_.dynamic_scale(1.0).per_radius),
+        square_scale_(square_scale(law_.dynamic_scale(1.0))),
+        home_(law_, parameters.jump_limit, reach_per_unit_, arm_times_radius_) {}
 
   [[nodiscard]] const Boundary& boundary() const noexcept { return boundary_; }
   [[nodiscard]] const ContactLaw& law() const noexcept { return law_; }
+  [[nodiscard]] const Home& home() const noexcept { return home_; }                     ///< of contacts of which little is asked
   [[nodiscard]] double per_force_max() const noexcept { return per_intercepts_[0]; }    ///< one over the curve's force intercept
   [[nodiscard]] double per_moment_max() const noexcept { return per_intercepts_[1]; }   ///< one over the moment intercept
   [[nodiscard]] double reach_per_unit() const noexcept { return reach_per_unit_; }      ///< r on the boundary without twist, over μP [m/N]
@@ -85,40 +93,42 @@ class Friction {
             found.cor,   found.slip_work, found.start};
   }
 
+  struct NeverLost {
+    void operator()() const noexcept {}
+  };
+
   /// The same of a pull. Calls `holds()` where the springs bear the pull, `yields(grip)` where they do not, or `otherwise()` for the caller to
-  /// ask grip_rarely. Calls instead of a value returned, which would go through memory. `has_one_radius` as in ContactLaw.
-  template <bool has_one_radius = false, class Holds, class Yields, class Otherwise>
-  [[gnu::always_inline]] void grip(const Pull& pull, Holds&& holds, Yields&& yields, Otherwise&& otherwise) const noexcept {
+  /// ask grip_rarely. Calls instead of a value returned, which would go through memory. What is `known` is not asked: a contact at home is neither
+  /// too lightly pressed nor pulled too far, and its radius is one. Knowing where to begin a search, or that there is nowhere to begin, it calls
+  /// `lost()` where one step does not lead to the foot, and for the caller to ask as one that is lost.
+  template <Known known = Known::nothing, class Holds, class Yields, class Otherwise, class Lost = NeverLost>
+  [[gnu::always_inline]] void grip(const Pull& pull, Holds&& holds, Yields&& yields, Otherwise&& otherwise,
+                                   [[maybe_unused]] Lost&& lost = {}) const noexcept {
+    constexpr bool is_at_home = known != Known::nothing;
+    constexpr bool may_rest = known != Known::slipping && known != Known::lost;
     const Springs& springs = law_.springs();
     // By its sign, as below, in a register for whole numbers.
-    const bool has_limit_of_rest = !law_.has_one_limit() && std::bit_cast<std::int64_t>(pull.start) < 0;
-    const Limits limits = make_limits(has_limit_of_rest ? law_.template static_scale<has_one_radius>(pull.load)
-                                                        : law_.template dynamic_scale<has_one_radius>(pull.load));
-    if (!limits.twists) return otherwise();
+    if (may_rest && !law_.has_one_limit() && std::bit_cast<std::int64_t>(pull.start) < 0) {
+      const Limits limits = Limits::of(law_.template static_scale<is_at_home>(pull.load));
+      if (limits.twists && holds_for_sure(limits, pull)) return holds();
+      return otherwise();
+    }
+    const Limits limits = Limits::of(law_.template dynamic_scale<is_at_home>(pull.load));
+    if (!is_at_home && !limits.twists) return otherwise();
     if constexpr (needs_squares_only) {
-      const double turn = arm_times_radius_ * limits.per_radius * pull.rho;
-      const EllipticPull elliptic{pull.r_square + turn * turn, limits.unit[0] * reach_per_unit_};
+      const EllipticPull elliptic = measure(pull, limits, is_at_home ? arm_ : arm_times_radius_ * limits.per_radius);
       if (elliptic.holds()) return holds();
-      if (!elliptic.is_usual() || has_limit_of_rest) return otherwise();
+      if (!is_at_home && !elliptic.is_usual()) return otherwise();
       yields(elliptic.shrink(pull, springs));
     } else {
-      const Drawn drawn = draw(limits, pull, springs);
-      // Within the chord of the intercepts it holds.
-      if (std::bit_cast<std::int64_t>(drawn.chord) <= std::bit_cast<std::int64_t>(1.0)) return holds();
-      if (has_limit_of_rest) return otherwise();
+      const Drawn drawn = draw<is_at_home>(limits, pull, springs);
+      if (!(known == Known::resting && drawn.exceeds_chord()) && drawn.holds()) return holds();
       if constexpr (goes_off_axes) {
-        Foot foot;
-        bool found = false;
-        if constexpr (has_guesses) {
-          if (std::bit_cast<std::int64_t>(drawn.trial.start) <= 0 && guesses_) [[unlikely]] {
-            Foot guessed;
-            const Pair wrench = guesses_->closest(boundary_, Pair{drawn.trial.wrench.force, drawn.trial.wrench.moment}, drawn.of_intercepts,
-                                                  drawn.chord, guessed);
-            foot = {{wrench[0], wrench[1]}, {guessed.normal.slide, guessed.normal.spin}, guessed.place, guessed.piece};
-            found = true;
-          }
+        const Foot foot = find_foot<known>(drawn, limits);
+        if constexpr (known == Known::slipping || known == Known::resting) {
+          if (foot.piece == TableSide::none) [[unlikely]]
+            return lost();
         }
-        if (!found) foot = projection_.foot(boundary_, drawn.trial, limits.per_compliance_ratio);
         Projected projected{true,       true,      {foot.wrench.force, foot.wrench.moment}, {foot.normal.slide, foot.normal.spin},
                             foot.place, foot.piece};
         Pair share = share_of(projected.wrench, limits, drawn, springs);
@@ -142,13 +152,13 @@ class Friction {
   /// overflow; other springs than the law's, which damping stiffens for a step.
   [[gnu::noinline]] [[nodiscard]] Grip grip_rarely(const Pull& pull, const Springs& springs) const noexcept {
     const bool slipping = !std::signbit(pull.start);
-    const Limits limits = make_limits(slipping ? law_.dynamic_scale(pull.load) : law_.static_scale(pull.load), springs);
+    const Limits limits = Limits::of(slipping ? law_.dynamic_scale(pull.load) : law_.static_scale(pull.load), springs);
     if (!limits.twists) return grip_untwisted(limits.unit[0], pull, springs);
     const Drawn drawn = draw(limits, pull, springs);
     const Projected projected = projection_(boundary_, drawn.trial);
     if (!projected.outside) return {};
     if (slipping || law_.has_one_limit() || !projected.slips) return let_slip(limits, drawn, projected, springs);
-    const Limits dynamic = make_limits(law_.dynamic_scale(pull.load), springs);
+    const Limits dynamic = Limits::of(law_.dynamic_scale(pull.load), springs);
     if (!dynamic.twists) return slide_untwisted(pull, springs);
     const Drawn beyond = draw(dynamic, pull, springs);
     return let_slip(dynamic, beyond, projection_(boundary_, beyond.trial), springs);
@@ -167,12 +177,15 @@ class Friction {
     projection.foot(boundary, trial, 1.0);
   };
 
+  /// Its searches that have no last slip to begin from may begin from guesses, which are for one metric.
+  static constexpr bool has_guesses = goes_off_axes && std::same_as<Boundary, Table>;
+
   /// A trial both of whose components are cut by more than this is outside by more than slip_guard, whatever is rounded.
   static constexpr double clear_slip = 1.0 - 2.0 * slip_guard;
 
   /// How far the contact is from slipping: 1 − gauge of the trial in the limit that acts, 1 unloaded by friction, ≤ 0 slipping.
   [[nodiscard]] double margin(double r, double rho, double load, bool slipping) const noexcept {
-    const Limits limits = make_limits(slipping ? law_.dynamic_scale(load) : law_.static_scale(load));
+    const Limits limits = Limits::of(slipping ? law_.dynamic_scale(load) : law_.static_scale(load));
     if (r == 0.0 && rho == 0.0) return 1.0;
     if (!limits.twists)
       return limits.unit[0] > ContactLaw::least_unit ? 1.0 - law_.stiffness() * r / (force_max_ * limits.unit[0]) : r > 0.0 ? 0.0 : 1.0;
@@ -191,9 +204,6 @@ class Friction {
   }
 
  private:
-  /// Its searches that have no last slip to begin from may begin from guesses, which are for one metric.
-  static constexpr bool has_guesses = goes_off_axes && std::same_as<Boundary, Table>;
-
   static std::shared_ptr<const FootGuesses> make_guesses(const Boundary& boundary, const ContactLaw& law) {
     if constexpr (has_guesses) {
       const double chi = law.static_scale(1.0).compliance_ratio;
@@ -203,47 +213,54 @@ class Friction {
     return nullptr;
   }
 
-  struct Limits {
-    Pair unit;                ///< μP [N], μPa [N m]
-    double radius;            ///< a [m]
-    double per_radius;        ///< 1/a [1/m]
-    double compliance_ratio;  ///< χ
-    double per_compliance_ratio;
-    bool twists;  ///< there is torsional friction
-  };
-  [[gnu::always_inline]] [[nodiscard]] static Limits make_limits(ContactLaw::Scale scale) noexcept {
-    const double moment_unit = scale.force * scale.radius;
-    return {Pair{scale.force, moment_unit}, scale.radius, scale.per_radius, scale.compliance_ratio,
-            scale.per_compliance_ratio,     scale.twists};
-  }
-  /// For springs that need not be the law's.
-  [[nodiscard]] static Limits make_limits(ContactLaw::Scale scale, const Springs& springs) noexcept {
-    scale.compliance_ratio = scale.radius * scale.radius * springs.ratio;
-    if (scale.twists) scale.per_compliance_ratio = 1.0 / scale.compliance_ratio;
-    return make_limits(scale);
+  /// Of (r², ρ²) over the load's square to make them those of x̂/f_max and ŷ/m_max, where the radius is one.
+  [[nodiscard]] Pair square_scale(const ContactLaw::Scale& of_one_newton) const noexcept {
+    const Pair root = law_.springs().stiffness * per_intercepts_ / Limits::of(of_one_newton).unit;
+    return root * root;
   }
 
-  /// What the springs are drawn by, as a trial.
-  struct Drawn {
-    Pair stretch;  ///< (r, ρ)
-    Trial trial;
-    Pair of_intercepts;  ///< (x̂/f_max, ŷ/m_max)
-    double chord;        ///< where the trial lies between the origin and the chord of the intercepts: 1 on it
-  };
+  [[gnu::always_inline]] [[nodiscard]] EllipticPull measure(const Pull& pull, const Limits& limits, double arm) const noexcept {
+    const double turn = arm * pull.rho;
+    return {pull.r_square + turn * turn, limits.unit[0] * reach_per_unit_};
+  }
 
+  /// Without a search.
+  [[gnu::always_inline]] [[nodiscard]] bool holds_for_sure(const Limits& limits, const Pull& pull) const noexcept {
+    if constexpr (needs_squares_only) {
+      return measure(pull, limits, arm_times_radius_ * limits.per_radius).holds();
+    } else {
+      return draw(limits, pull, law_.springs()).holds();
+    }
+  }
+
+  /// Where the trial's projection leads, if it is outside. Its piece is TableSide::none where one step was to lead there, and does not.
+  template <Known known>
+  [[gnu::always_inline]] [[nodiscard]] Foot find_foot(const Drawn& drawn, const Limits& limits) const noexcept {
+    if constexpr (known == Known::slipping) return projection_.near_foot(boundary_, drawn.trial, limits.per_compliance_ratio);
+    if constexpr (has_guesses && known != Known::home) {
+      const Pair trial{drawn.trial.wrench.force, drawn.trial.wrench.moment};
+      if constexpr (known == Known::resting) {
+        if (!guesses_) return {{}, {}, 0.0, TableSide::none};
+        return guesses_->closest_in_one_step(boundary_, trial, drawn.squares);
+      }
+      if (std::bit_cast<std::int64_t>(drawn.trial.start) <= 0 && guesses_) return guesses_->closest(boundary_, trial, drawn.squares);
+    }
+    return projection_.foot(boundary_, drawn.trial, limits.per_compliance_ratio);
+  }
+
+  template <bool is_at_home = false>
   [[gnu::always_inline]] [[nodiscard]] Drawn draw(const Limits& limits, const Pull& pull, const Springs& springs) const noexcept {
     const Pair stretch{square_roots(Pair{pull.r_square, pull.r_square})[0], pull.rho};
-    const Pair per_stretch = springs.stiffness * (1.0 / limits.unit);
+    const Pair per_stretch = springs.stiffness * (paired.one / limits.unit);
     Pair wrench = stretch * per_stretch;
     const Pair of_intercepts = stretch * (per_stretch * per_intercepts_);
-    const double chord = of_intercepts[0] + of_intercepts[1];
     // Not both by one factor: limits that do not know of each other would see a small component become none.
-    if (std::bit_cast<std::int64_t>(chord) > std::bit_cast<std::int64_t>(farthest_trial)) [[unlikely]]
+    if (!is_at_home && of_intercepts[0] + of_intercepts[1] > farthest_trial) [[unlikely]]
       wrench = lesser(wrench, Pair{farthest_trial, farthest_trial});
     return {stretch,
             {{wrench[0], wrench[1]}, limits.compliance_ratio, ahead_of(pull.start, pull.trend), law_.radius_law(), pull.load, pull.piece},
             of_intercepts,
-            chord};
+            Pair{pull.r_square, pull.rho * pull.rho} * (square_scale_ / Pair{pull.load * pull.load, pull.load * pull.load})};
   }
 
   /// A search may leave a small component a rounding above the trial's, or below nothing; the spring cannot.
@@ -264,10 +281,11 @@ class Friction {
     if (!projected.slips) return grip;
     grip.slips = true;
     grip.clamps_both = clamps_both;
-    grip.cor = limits.radius * projected.slip.cor();
+    // Off the axes a spin that is 0 has no sign: the quotient is ∞ without asking.
+    grip.cor = limits.radius * (clamps_both ? projected.slip.slide / projected.slip.spin : projected.slip.cor());
     grip.start = projected.start;
     grip.piece = projected.piece;
-    const Pair work = (drawn.stretch * drawn.stretch * springs.stiffness) * (share * (1.0 - share));
+    const Pair work = (drawn.stretch * drawn.stretch * springs.stiffness) * (share * (paired.one - share));
     grip.slip_work = work[0] + work[1];
     return grip;
   }
@@ -315,6 +333,9 @@ class Friction {
   Pair per_intercepts_;
   double reach_per_unit_;
   double arm_times_radius_;
+  double arm_;         // by which ρ is a length in the dynamic limit, where the radius is one
+  Pair square_scale_;  // in the dynamic limit
+  Home home_;
 };
 
 }  // namespace limitcurve::godobject

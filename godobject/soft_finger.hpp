@@ -6,10 +6,12 @@
 #include "godobject/finger_state.hpp"
 #include "godobject/friction.hpp"
 #include "godobject/grip.hpp"
+#include "godobject/input_checks.hpp"
 #include "godobject/stretch.hpp"
 
 #include <Eigen/Core>
 
+#include <atomic>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -92,24 +94,7 @@ class SoftFinger {
   }
 
  private:
-  /// Of all that tells how far away it is, metres as radians.
-  [[nodiscard]] static double square_of(const Contact& contact, double twist) noexcept {
-    return Stretch::at(contact.point, twist).square_of_all(1.0) + contact.depth * contact.depth;
-  }
-
-  [[gnu::always_inline]] [[nodiscard]] static bool is_unit(const Eigen::Vector3d& normal) noexcept {
-    return std::fabs(normal.squaredNorm() - 1.0) <= 1e-6;
-  }
-
-  /// 0 or more.
-  [[gnu::always_inline]] [[nodiscard]] static bool is_time(double time_step) noexcept {
-    return std::bit_cast<std::uint64_t>(time_step) << 1U == 0 || time_step > 0.0;
-  }
-
-  /// Where the finger itself is.
-  [[nodiscard]] static Stretch finger_of(const Contact& contact) noexcept {
-    return Stretch::at(contact.point, 0.0) - Stretch::at(contact.normal, 0.0) * Pair{contact.depth, contact.depth};
-  }
+  static constexpr bool has_guesses = Friction<Boundary, Projection>::has_guesses;
 
   /// Whether a finger that is not near where it was last seen is to be refused; it is then seen where it is. Believed is one that
   /// stays there, one that is back where it last was good, and the first of all.
@@ -155,33 +140,45 @@ class SoftFinger {
     state.turn -= 2.0 * std::numbers::pi * std::round(jump / (2.0 * std::numbers::pi));
   }
 
-  /// A step. What is usual, a contact near its home, is told by one comparison of bits, whose order is that of the numbers as far as those
-  /// are ≥ 0; what is not a number is above all. It calls nothing: a function that calls has registers to save for others, and to keep in
-  /// memory what it needs thereafter.
+  /// A step. What is usual, a contact at home, is told by two comparisons (Home). It calls nothing: a function that calls has registers to save
+  /// for others, and to keep in memory what it needs thereafter.
   [[gnu::always_inline]] const FingerOutput& advance(FingerState& state, const Contact& contact, double twist,
                                                      double time_step) const noexcept {
-    const auto bits = [](double number) { return std::bit_cast<std::uint64_t>(number); };
-    const ContactLaw& law = friction_.law();
+    if (!is_time(time_step)) return advance_seldom(state, contact, twist, time_step);
+    if constexpr (has_guesses) {
+      // Apart: a search from a guess, and one from the last slip, have registers of their own.
+      if (std::bit_cast<std::int64_t>(state.start) <= 0) return advance_from_rest(state, contact, twist, time_step);
+      return advance_at_home<Known::slipping>(state, contact, twist, time_step);
+    } else {
+      return advance_at_home<Known::home>(state, contact, twist, time_step);
+    }
+  }
+
+  [[gnu::noinline]] const FingerOutput& advance_from_rest(FingerState& state, const Contact& contact, double twist,
+                                                          double time_step) const noexcept {
+    return advance_at_home<Known::resting>(state, contact, twist, time_step);
+  }
+
+  template <Known known>
+  [[gnu::always_inline]] const FingerOutput& advance_at_home(FingerState& state, const Contact& contact, double twist,
+                                                             double time_step) const noexcept {
     // Not from the contact again once something is written, which for all a compiler knows might be that.
     const Stretch point = Stretch::at(contact.point, twist);
     const Stretch normal = Stretch::at(contact.normal, 0.0);
     const double depth = contact.depth;
-    const Stretch from_home = point - Stretch::load(&state.home);
-    if (bits(from_home.square_of_all(law.home_arm())) > bits(law.home_square()) || bits(depth) - 1U >= bits(law.home_radius()) ||
-        !is_time(time_step))
-      return advance_seldom(state, contact, twist, time_step);
+    if (!friction_.home().holds(point - Stretch::load(&state.home), depth)) return advance_seldom(state, contact, twist, time_step);
     if (std::memcmp(&contact.normal, &state.normal, sizeof contact.normal) != 0) {
       if (!is_unit(contact.normal)) return advance_seldom(state, contact, twist, time_step);
       normal.get_place(state.normal);
     }
-    return touch<true>(state, point, normal, depth, twist);
+    return touch<known>(state, point, normal, depth, twist);
   }
 
   /// The same for what is not usual: whatever may be wrong with the input, a finger in the air or just down, one that is far from where it
   /// was, dampers, a radius that depends on the load.
   [[gnu::noinline]] const FingerOutput& advance_seldom(FingerState& state, const Contact& contact, double twist,
                                                        double time_step) const noexcept {
-    const double square = square_of(contact, twist);
+    const double square = square_from_origin(contact, twist);
     if (!(square <= farthest * farthest) || !is_unit(contact.normal) || !is_time(time_step)) return hold(state);
     const Stretch finger = finger_of(contact);
     const Stretch seen = state.has_home() ? finger_of({state.goal, state.normal, state.output.depth}) : Stretch::at(state.seen, 0.0);
@@ -197,14 +194,14 @@ class SoftFinger {
     if (friction_.law().has_dampers() && time_step >= shortest_time_step) return rub_damped(state, contact, twist, time_step);
     const Stretch point = Stretch::at(contact.point, twist);
     // With a margin, so that nothing near it is too far.
-    const bool settles = contact.depth <= friction_.law().home_radius() && square <= (farthest - 10.0) * (farthest - 10.0);
+    const bool settles = friction_.home().takes(contact.depth) && square <= (farthest - 10.0) * (farthest - 10.0);
     point.with_twist(settles ? twist : std::numeric_limits<double>::quiet_NaN()).store(&state.home);
     state.normal = contact.normal;
-    return touch<false>(state, point, Stretch::at(contact.normal, 0.0), contact.depth, twist);
+    return touch<Known::nothing>(state, point, Stretch::at(contact.normal, 0.0), contact.depth, twist);
   }
 
-  /// Steps b and c of the paper, without dampers. `has_one_radius` as in ContactLaw.
-  template <bool has_one_radius>
+  /// Steps b and c of the paper, without dampers.
+  template <Known known>
   [[gnu::always_inline]] const FingerOutput& touch(FingerState& state, const Stretch& point, const Stretch& normal, double depth,
                                                    double twist) const noexcept {
     state.device_angle = twist;
@@ -212,22 +209,42 @@ class SoftFinger {
     FingerOutput& output = state.output;
     const Stretch goal = point.with_twist(twist + state.turn);
     const Stretch apart = Stretch::load(&output) - goal;
-    const Stretch::Part part = apart.part_along(normal);
-    const Stretch& drawn = part.stretch;
     output.load = law.stiffness() * depth;
     output.depth = depth;
     goal.store(&state.goal);
-    const FingerOutput* result = &state.output;
+    return rub_usually<known>(state, goal, apart, normal);
+  }
+
+  /// The same once the load and the goal are known, with the proxy that far apart from it.
+  template <Known known>
+  [[gnu::always_inline]] const FingerOutput& rub_usually(FingerState& state, const Stretch& goal, const Stretch& apart,
+                                                         const Stretch& normal) const noexcept {
+    const Springs& springs = friction_.law().springs();
+    FingerOutput& output = state.output;
+    const Stretch::Part part = apart.part_along(normal);
+    const Stretch drawn = part.stretch;
+    const FingerOutput* result = &output;
     // By force: where a compiler has many fingers it would rather call, with the grip in memory.
-    friction_.template grip<has_one_radius>(
+    friction_.template grip<known>(
         {part.square, std::fabs(apart.twist()), output.load, state.start, state.trend, state.piece},
-        [&]() __attribute__((always_inline)) {
-          (drawn * law.springs().stiffness).store(&output.force);
+        [&, drawn ]() __attribute__((always_inline)) {
+          (drawn * springs.stiffness).store(&output.force);
           stick(state);
         },
-        [&](const Grip& grip) __attribute__((always_inline)) { yield(state, goal, drawn, law.springs(), grip); },
-        [&]() __attribute__((always_inline)) { result = &rub_rarely(state); });
+        [&, drawn ](const Grip& grip) __attribute__((always_inline)) {
+          // A search leaves no registers for what is in memory too, the proxy and its goal: they are read again.
+          if constexpr (has_guesses) std::atomic_signal_fence(std::memory_order_seq_cst);
+          yield<known>(state, has_guesses ? Stretch::load(&state.goal) : goal, drawn, springs, grip);
+        },
+        [&]() __attribute__((always_inline)) { result = &rub_rarely(state); },
+        [&]() __attribute__((always_inline)) { result = &rub_lost(state); });
     return *result;
+  }
+
+  /// The same where a search takes more than one step; from the state, as rub_rarely.
+  [[gnu::noinline]] const FingerOutput& rub_lost(FingerState& state) const noexcept {
+    const Stretch goal = Stretch::load(&state.goal);
+    return rub_usually<Known::lost>(state, goal, Stretch::load(&state.output) - goal, Stretch::at(state.normal, 0.0));
   }
 
   /// No friction yet. (The paper's α_0 is the twist here; angles are kept absolute, and α_p − α_g is the same.)
@@ -273,12 +290,13 @@ class SoftFinger {
     yield(state, from, drawn, springs, grip);
   }
 
+  template <Known known = Known::nothing>
   [[gnu::always_inline]] static void yield(FingerState& state, const Stretch& from, const Stretch& drawn, const Springs& springs,
                                            const Grip& grip) noexcept {
     const Stretch felt = drawn * grip.share;
     (felt * springs.stiffness).store(&state.output.force);
     if (!grip.slips) return stick(state);
-    slip(state, from + felt, grip);
+    slip<known>(state, from + felt, grip);
   }
 
   [[gnu::always_inline]] static void stick(FingerState& state) noexcept {
@@ -290,6 +308,7 @@ class SoftFinger {
   }
 
   /// Moves the proxy to where the springs now put it. What did not slide is not touched, not even by rounding.
+  template <Known known>
   [[gnu::always_inline]] static void slip(FingerState& state, const Stretch& to, const Grip& grip) noexcept {
     FingerOutput& output = state.output;
     const Stretch last = Stretch::load(&output);
@@ -305,8 +324,7 @@ class SoftFinger {
     output.slip_work = grip.slip_work;
     // Where the last slip was is nothing that a step by squares asks.
     if constexpr (!Friction<Boundary, Projection>::needs_squares_only) {
-      // From where it stuck or had no place the trend is longer than any that is believed.
-      state.trend = grip.start - state.start;
+      state.trend = known == Known::resting || (known != Known::slipping && !(state.start > 0.0)) ? 0.0 : grip.start - state.start;
       state.piece = grip.piece;
     }
     state.start = grip.start;

@@ -42,11 +42,14 @@ class Stretch {
     return (squares[0] + squares[1]) + z_twist_[0] * z_twist_[0];
   }
 
-  /// Of all four numbers, the twist as a length by an arm [m].
-  [[gnu::always_inline]] [[nodiscard]] double square_of_all(double arm) const noexcept {
-    const Pair lengths = z_twist_ * Pair{1.0, arm};
-    const Pair squares = xy_ * xy_ + lengths * lengths;
+  /// Of all four numbers, metres as radians.
+  [[gnu::always_inline]] [[nodiscard]] double square_of_all() const noexcept {
+    const Pair squares = xy_ * xy_ + z_twist_ * z_twist_;
     return squares[0] + squares[1];
+  }
+  /// Whether none of its four numbers is larger, but for its sign, than those of `limits`. One that is not a number is.
+  [[gnu::always_inline]] [[nodiscard]] bool is_within(const Stretch& limits) const noexcept {
+    return are_within(xy_, limits.xy_, z_twist_, limits.z_twist_);
   }
 
   /// Its part along a surface with this unit normal, whose twist is 0.
@@ -71,9 +74,8 @@ class Stretch {
     return {stretch.xy_ * factors[0], stretch.z_twist_ * factors};
   }
   [[gnu::always_inline]] friend bool operator==(const Stretch& one, const Stretch& other) noexcept {
-    // As a rule the first number tells, by all of its bits but the sign.
-    const auto bits = [](double number) { return std::bit_cast<std::uint64_t>(number); };
-    if ((bits(one.xy_[0]) ^ bits(other.xy_[0])) << 1U != 0) [[likely]]
+    // As a rule the first number tells.
+    if (__builtin_islessgreater(one.xy_[0], other.xy_[0])) [[likely]]
       return false;
     return same(one.xy_, other.xy_, one.z_twist_, other.z_twist_);
   }
@@ -104,17 +106,20 @@ struct Stretch::Part {
 inline Stretch::Part Stretch::part_along(const Stretch& normal) const noexcept {
   const double height = along_normal(normal);
   const double whole = square();
-  if (std::bit_cast<std::uint64_t>(height) << 1U == 0) [[likely]]
-    return {Stretch(xy_, z_twist_), whole};
-  const Stretch part = along(normal);
-  // |o − n h|² = |o|² − h²(2 − |n|²), and |n| may be a little off 1.
-  const double lost = height * height * (2.0 - normal.square());
-  // Less than half of the last digit: the difference is the whole.
-  if (lost <= 0x1p-55 * whole) return {part, whole};
-  // As long as it does not cancel.
-  if (lost > 0.0625 * whole) [[unlikely]]
-    return {part, part.square()};
-  return {part, whole - lost};
+  // Pair by pair: GCC keeps a stretch that is assigned as one in memory.
+  Pair xy = xy_;
+  Pair z_twist = z_twist_;
+  double part_square = whole;
+  if (std::bit_cast<std::uint64_t>(height) << 1U != 0) [[unlikely]] {
+    const Stretch part = along(normal);
+    xy = part.xy_;
+    z_twist = part.z_twist_;
+    // |o − n h|² = |o|² − h²(2 − |n|²), and |n| may be a little off 1.
+    const double lost = height * height * (2.0 - normal.square());
+    // Less than half of the last digit: the difference is the whole. As long as it does not cancel.
+    if (lost > 0x1p-55 * whole) part_square = lost > 0.0625 * whole ? part.square() : whole - lost;
+  }
+  return {Stretch(xy, z_twist), part_square};
 }
 
 }  // namespace limitcurve::godobject

@@ -101,20 +101,50 @@ class Table {
   /// rule, each a few multiplications and a division; 64 at most.
   [[gnu::always_inline]] [[nodiscard]] Foot closest(UnitWrench trial, double chi, double per_chi, double start,
                                                     std::uint32_t piece = 0) const noexcept {
+    const Foot near = closest_in_one_step(trial, chi, per_chi, start, piece);
+    if (near.piece != TableSide::none) [[likely]]
+      return near;
+    // Number by number, because what is returned in memory would be there in either case.
+    const Foot foot = search_closest(trial, chi, per_chi, start);
+    return {{foot.wrench.force, foot.wrench.moment}, {foot.normal.slide, foot.normal.spin}, foot.place, foot.piece};
+  }
+
+  /// The same if it lies in the piece of this number, which holds `start`, and one step leads from there to it; else its piece is
+  /// TableSide::none.
+  [[gnu::always_inline]] [[nodiscard]] Foot closest_in_one_step(UnitWrench trial, double chi, double per_chi, double start,
+                                                                std::uint32_t piece) const noexcept {
     // Branched for, unlike in a lookup: a finger's slip seldom changes sides. Outside the rim the places begin above 1.
     if (std::bit_cast<std::int64_t>(start) > std::bit_cast<std::int64_t>(1.0)) {
       const auto [primary, secondary, x, cell] =
           sides_[1].closest_in_one_step(Pair{trial.moment, trial.force}, per_chi, 2.0 - start, piece);
-      if (cell != TableSide::none) [[likely]]
-        return {{secondary, primary}, {1.0, x}, 2.0 - x, cell};
-    } else {
-      const auto [primary, secondary, x, cell] = sides_[0].closest_in_one_step(Pair{trial.force, trial.moment}, chi, start, piece);
-      if (cell != TableSide::none) [[likely]]
-        return {{primary, secondary}, {x, 1.0}, x, cell};
+      return {{secondary, primary}, {1.0, x}, 2.0 - x, cell};
     }
-    // Number by number, because what is returned in memory would be there in either case.
-    const Foot foot = search_closest(trial, chi, per_chi, start);
-    return {{foot.wrench.force, foot.wrench.moment}, {foot.normal.slide, foot.normal.spin}, foot.place, foot.piece};
+    const auto [primary, secondary, x, cell] = sides_[0].closest_in_one_step(Pair{trial.force, trial.moment}, chi, start, piece);
+    return {{primary, secondary}, {x, 1.0}, x, cell};
+  }
+
+  /// `closest` without a piece to begin with, and out of the way of its registers. The result is the same for every piece.
+  [[nodiscard, gnu::noinline]] Foot search_closest(UnitWrench trial, double chi, double per_chi, double start) const noexcept {
+    const double from = start > 0.0 ? start : guess(trial, per_chi);
+    const auto foot = [](bool outside, const TableSide::Point& found) -> Foot {
+      const auto [primary, secondary, x, cell] = found;
+      if (outside) return {{secondary, primary}, {1.0, x}, 2.0 - x, cell};
+      return {{primary, secondary}, {x, 1.0}, x, cell};
+    };
+    const Pair trials[2] = {{trial.force, trial.moment}, {trial.moment, trial.force}};
+    const double kappas[2] = {chi, per_chi};
+    const bool begins_outside = from > 1.0;
+    const double begin = begins_outside ? 2.0 - from : from;
+    // The trial's side of the normal at the rim. A search that begins on the other takes one step there, as with a piece, before it goes over.
+    const bool outside = trial.force - rim_.force > chi * (trial.moment - rim_.moment);
+    if (outside == begins_outside) return foot(outside, sides_[outside].closest(trials[outside], kappas[outside], std::max(begin, 0.0)));
+    if (begin >= 0.0) {
+      const TableSide& side = sides_[begins_outside];
+      const TableSide::Point found =
+          side.closest_in_one_step(trials[begins_outside], kappas[begins_outside], begin, side.number_of(side.cell(begin)));
+      if (found.cell != TableSide::none) return foot(begins_outside, found);
+    }
+    return foot(outside, sides_[outside].closest(trials[outside], kappas[outside], 1.0));
   }
 
   [[nodiscard]] double gauge(UnitWrench wrench) const noexcept {
@@ -155,30 +185,6 @@ class Table {
     // Where products under- or overflow anything will do.
     if (!(place > 0.0 && place < 2.0)) return 1.0;
     return place + (place_of_ellipse(place) - place) * quotients[1];
-  }
-
-  /// `closest` without a piece to begin with, and out of the way of its registers. The result is the same for every piece.
-  [[nodiscard, gnu::noinline]] Foot search_closest(UnitWrench trial, double chi, double per_chi, double start) const noexcept {
-    const double from = start > 0.0 ? start : guess(trial, per_chi);
-    const auto foot = [](bool outside, const TableSide::Point& found) -> Foot {
-      const auto [primary, secondary, x, cell] = found;
-      if (outside) return {{secondary, primary}, {1.0, x}, 2.0 - x, cell};
-      return {{primary, secondary}, {x, 1.0}, x, cell};
-    };
-    const Pair trials[2] = {{trial.force, trial.moment}, {trial.moment, trial.force}};
-    const double kappas[2] = {chi, per_chi};
-    const bool begins_outside = from > 1.0;
-    const double begin = begins_outside ? 2.0 - from : from;
-    // The trial's side of the normal at the rim. A search that begins on the other takes one step there, as with a piece, before it goes over.
-    const bool outside = trial.force - rim_.force > chi * (trial.moment - rim_.moment);
-    if (outside == begins_outside) return foot(outside, sides_[outside].closest(trials[outside], kappas[outside], std::max(begin, 0.0)));
-    if (begin >= 0.0) {
-      const TableSide& side = sides_[begins_outside];
-      const TableSide::Point found =
-          side.closest_in_one_step(trials[begins_outside], kappas[begins_outside], begin, side.number_of(side.cell(begin)));
-      if (found.cell != TableSide::none) return foot(begins_outside, found);
-    }
-    return foot(outside, sides_[outside].closest(trials[outside], kappas[outside], 1.0));
   }
 
   void learn_places();

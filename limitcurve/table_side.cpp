@@ -73,6 +73,37 @@ TableSide::TableSide(std::vector<TableNode> nodes) : nodes_(std::move(nodes)) {
   build_index();
 }
 
+std::vector<TableSide::Trust> TableSide::trusts(double kappa) const {
+  constexpr double never = std::numeric_limits<double>::infinity();
+  std::vector<Trust> result;
+  result.reserve(cell_count_);
+  for (std::size_t i = 0; i < cell_count_; ++i) {
+    const Cell& cell = cells_[i];
+    const double width = cells_[i + 1].left - cell.left;
+    double fall = never;
+    double square = 0.0;
+    double cube = 0.0;
+    for (const double share : {0.0, 0.5, 1.0}) {
+      const double x = cell.left + share * width;
+      const Cell::Jet jet = cell.jet(x);
+      // For a trial on the curve; one that is outside makes it fall more steeply, and is not in what bends.
+      const Residual here = Normal{jet.value, kappa}(jet, x);
+      fall = std::min(fall, here.value_and_fall[1]);
+      square = std::max(square, std::fabs(here.square));
+      cube = std::max(cube, std::fabs(here.cube));
+    }
+    fall *= 0.9;
+    // A parabola that is at most 1 at three places is at most 1.25 between them; the cube is a straight line.
+    square *= 1.25;
+    // The step leaves δ⁴(2fsc − s³ − f²q)/f³, where q, the fourth coefficient, is κ times a cube's.
+    const double of_square = square * (square * square) / closest_share;
+    const double of_rest = (2.0 * square * cube / fall + kappa * std::fabs(cell.cube[1])) / closest_share;
+    const bool is_even = fall > long_least_steep && fall < long_steepest && of_square < never && of_rest < never;
+    result.push_back(is_even ? Trust{fall, of_square, of_rest} : Trust{never, never, never});
+  }
+  return result;
+}
+
 void TableSide::verify() const {
   if (nodes_.size() < 2 || nodes_.size() > most_nodes) {
     throw std::invalid_argument("table side has " + std::to_string(nodes_.size()) + " nodes: expected 2 to " + std::to_string(most_nodes));

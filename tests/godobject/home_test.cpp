@@ -91,13 +91,14 @@ class Wandering {
 };
 
 TEST(Home, AFingerThereDoesWhatOneDoesThatIsAskedAll) {
+  const Table table = Table::build(hertz(), 1e-6);
   for (const double jump_limit : {0.5, 0.02, std::numeric_limits<double>::infinity()}) {
     FingerParameters with = parameters();
     with.jump_limit = jump_limit;
     for (const std::optional<double> mu_dynamic : {std::optional<double>{}, std::optional<double>{0.4}}) {
       with.mu_dynamic = mu_dynamic;
-      const auto walk = [&](auto projection) {
-        SoftFinger finger(Ellipse::through_intercepts(0.6), with, projection);
+      const auto walk = [&](const auto& boundary, auto projection) {
+        SoftFinger finger(boundary, with, projection);
         SoftFinger asked = finger;
         int at_home = 0;
         for (std::uint64_t seed = 0; seed < 100; ++seed) {
@@ -115,8 +116,10 @@ TEST(Home, AFingerThereDoesWhatOneDoesThatIsAskedAll) {
         }
         EXPECT_GT(at_home, 3000);
       };
-      walk(Radial{});
-      walk(ClosestPoint{});
+      walk(Ellipse::through_intercepts(0.6), Radial{});
+      walk(Ellipse::through_intercepts(0.6), ClosestPoint{});
+      // Which knows beforehand where to begin a search, too, or that there is nowhere.
+      walk(table, ClosestPoint{});
     }
   }
 }
