@@ -62,6 +62,12 @@ struct ClosestPoint {
     return boundary.closest_in_one_step(trial.wrench, trial.compliance_ratio, per_chi, trial.start, trial.piece);
   }
 
+  /// The same where one step does not.
+  template <class Boundary>
+  [[gnu::always_inline]] Foot far_foot(const Boundary& boundary, const Trial& trial, double per_chi) const noexcept {
+    return boundary.search_closest(trial.wrench, trial.compliance_ratio, per_chi, trial.start);
+  }
+
   /// Whether it is.
   [[gnu::always_inline]] static Projected onto(const Foot& found, const Trial& trial) noexcept {
     const auto [foot, normal, place, piece] = found;

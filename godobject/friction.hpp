@@ -245,6 +245,7 @@ class Friction {
       }
       if (std::bit_cast<std::int64_t>(drawn.trial.start) <= 0 && guesses_) return guesses_->closest(boundary_, trial, drawn.squares);
     }
+    if constexpr (has_guesses && known == Known::lost) return projection_.far_foot(boundary_, drawn.trial, limits.per_compliance_ratio);
     return projection_.foot(boundary_, drawn.trial, limits.per_compliance_ratio);
   }
 

@@ -37,7 +37,7 @@ class FootGuesses {
     const Foot found = closest_in_one_step(table, trial, squares);
     if (found.piece != TableSide::none) [[likely]]
       return found;
-    return table.closest({trial[0], trial[1]}, chi_, per_chi_, found.place);
+    return table.search_closest({trial[0], trial[1]}, chi_, per_chi_, found.place);
   }
 
   /// The same if one step of the fourth order leads there from the guess, as it does as a rule; else its piece is TableSide::none, and its place

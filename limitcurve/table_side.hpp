@@ -165,10 +165,13 @@ class TableSide {
   /// For trials on either side: only one point of a curve has a normal that leads to a trial outside.
   [[gnu::always_inline]] [[nodiscard]] Point closest_in_one_step(Pair trial, double kappa, double start,
                                                                  std::uint32_t number) const noexcept {
-    const std::uint32_t at = number < cell_count_ ? number : 0;
+    std::uint32_t at = number < cell_count_ ? number : 0;
+    if (!cells_[at].holds(start)) [[unlikely]] {
+      // As a rule it has just left that cell for its neighbour.
+      at += start < cells_[at].left ? -1 : 1;
+      if (at >= cell_count_ || !cells_[at].holds(start)) return {start, start, start, none};
+    }
     const Cell& here = cells_[at];
-    if (!here.holds(start)) [[unlikely]]
-      return {start, start, start, none};
     const Cell::Jet jet = here.jet(start);
     const auto [shift, last] = step_from(start, Normal{trial, kappa}(jet, start), Normal::share);
     const double next = start + shift;
