@@ -93,6 +93,7 @@ class Friction {
             found.cor,   found.slip_work, found.start};
   }
 
+  /// What knows nothing beforehand is not lost.
   struct NeverLost {
     void operator()() const noexcept {}
   };
