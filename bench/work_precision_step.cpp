@@ -13,6 +13,7 @@
 #include "limitcurve/table.hpp"
 
 #include <array>
+#include <vector>
 
 namespace limitcurve::bench {
 namespace {
@@ -153,6 +154,18 @@ void add_step(const Law& law, const std::string& boundary_name, const Boundary& 
   }
 }
 
+/// Sixteen fingers in turn, one call a step, as in a scene of many: no step waits for the last of the same finger.
+template <class Boundary, class Projection>
+void step_many(benchmark::State& state, const Boundary& boundary, Projection projection, double moment_ratio, bool cold) {
+  constexpr std::size_t fingers = 16;
+  std::vector<Stepper<Boundary, Projection>> many(fingers, Stepper(boundary, parameters(2.0, moment_ratio), projection, cold));
+  for (auto _ : state) {
+    for (auto& one : many) benchmark::DoNotOptimize(one.step());
+  }
+  state.counters["seconds"] =
+      benchmark::Counter(static_cast<double>(fingers), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+
 template <class Real, class Boundary, class Projection>
 void step_batch(benchmark::State& state, const Boundary& boundary, Projection projection, double moment_ratio) {
   const auto count = static_cast<std::size_t>(state.range(0));
@@ -224,6 +237,19 @@ void register_batches() {
     of_sizes(add("batch/" + name + "/radial", boundary, Radial{}));
     of_sizes(add("batch/" + name + "/c-curve", boundary, CCurve{}));
     of_sizes(add("batch/" + name + "/closest-point", boundary, ClosestPoint{}));
+  });
+  const auto add_many = [&](const std::string& name, const auto& boundary, auto projection) {
+    for (const bool cold : {false, true}) {
+      benchmark::RegisterBenchmark(("many/" + name + (cold ? "/cold" : "/warm")).c_str(),
+                                   [=](benchmark::State& state) { step_many(state, boundary, projection, m0, cold); })
+          ->MinTime(0.01)
+          ->Repetitions(3);
+    }
+  };
+  for_each_boundary(law, [&](const std::string& name, const auto& boundary) {
+    add_many(name + "/radial", boundary, Radial{});
+    add_many(name + "/c-curve", boundary, CCurve{});
+    add_many(name + "/closest-point", boundary, ClosestPoint{});
   });
   const Ellipse ellipse = Ellipse::through_intercepts(m0);
   of_sizes(add_floats("batch/float ellipse/radial", ellipse, Radial{}));

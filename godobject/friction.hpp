@@ -123,7 +123,8 @@ class Friction {
       yields(elliptic.shrink(pull, springs));
     } else {
       const Drawn drawn = draw<is_at_home>(limits, pull, springs);
-      if (!(known == Known::resting && drawn.exceeds_chord()) && drawn.holds()) return holds();
+      // What slipped seldom holds. If it does its foot is farther out, or it is lost.
+      if (known != Known::slipping && !(known == Known::resting && drawn.exceeds_chord()) && drawn.holds()) return holds();
       if constexpr (goes_off_axes) {
         const Foot foot = find_foot<known>(drawn, limits);
         if constexpr (known == Known::slipping || known == Known::resting) {

@@ -42,9 +42,11 @@ class SoftFinger {
   /// state `invalid`: the last good output is held, let go of softly if that lasts (`hold_share`), and the proxy stays where it is.
   /// With a time step [s] > 0 since the last update the dampers act too, within the limit: the wrench that friction bounds
   /// is that of springs and dampers together, and so is what the user feels.
-  const FingerOutput& update(const Contact& contact, double twist, double time_step = 0.0) noexcept {
+  const FingerOutput& update(const Contact& contact, double twist, double time_step) noexcept {
     return advance(state_, contact, twist, time_step);
   }
+  /// The same in no time.
+  const FingerOutput& update(const Contact& contact, double twist) noexcept { return advance(state_, contact, twist, 0.0); }
 
   /// What `update` would give, without remembering it.
   [[nodiscard]] FingerOutput preview(const Contact& contact, double twist, double time_step = 0.0) const noexcept {
@@ -147,7 +149,7 @@ class SoftFinger {
     if (!is_time(time_step)) return advance_seldom(state, contact, twist, time_step);
     if constexpr (has_guesses) {
       // Apart: a search from a guess, and one from the last slip, have registers of their own.
-      if (std::bit_cast<std::int64_t>(state.start) <= 0) return advance_from_rest(state, contact, twist, time_step);
+      if (std::bit_cast<std::int64_t>(anew(state.start)) <= 0) return advance_from_rest(state, contact, twist, time_step);
       return advance_at_home<Known::slipping>(state, contact, twist, time_step);
     } else {
       return advance_at_home<Known::home>(state, contact, twist, time_step);
