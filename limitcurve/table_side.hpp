@@ -168,7 +168,7 @@ class TableSide {
     std::uint32_t at = number < cell_count_ ? number : 0;
     if (!cells_[at].holds(start)) [[unlikely]] {
       // As a rule it has just left that cell for its neighbour.
-      at += start < cells_[at].left ? -1 : 1;
+      at = start < cells_[at].left ? at - 1 : at + 1;
       if (at >= cell_count_ || !cells_[at].holds(start)) return {start, start, start, none};
     }
     const Cell& here = cells_[at];
