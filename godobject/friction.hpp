@@ -284,7 +284,7 @@ class Friction {
     if (!projected.slips) return grip;
     grip.slips = true;
     grip.clamps_both = clamps_both;
-    // Off the axes a spin that is 0 has no sign: the quotient is ∞ without asking.
+    // A spin that is 0 off the axes has no sign: the quotient is ∞ without asking.
     grip.cor = limits.radius * (clamps_both ? projected.slip.slide / projected.slip.spin : projected.slip.cor());
     grip.start = projected.start;
     grip.piece = projected.piece;

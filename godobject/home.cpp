@@ -21,8 +21,9 @@ double least_depth_of(const ContactLaw& law, double reach_per_unit, double arm_t
     // After a step a pull is no longer than the limit, and before the next by as much more as two contacts at home are apart.
     const double longest = force_per_depth * Home::farthest * reach_per_unit + 4.0 * Home::farthest +
                            2.0 * Home::farthest_twist * arm_times_radius * of_one_newton.per_radius;
-    if (!(longest <= farthest_reach)) return std::numeric_limits<double>::infinity();
-    least = std::max(least, least_reach / (force_per_depth * std::min({1.0, of_one_newton.radius, reach_per_unit})));
+    const double reach_per_depth = force_per_depth * std::min({1.0, of_one_newton.radius, reach_per_unit});
+    if (!(longest <= farthest_reach && reach_per_depth > 0.0)) return std::numeric_limits<double>::infinity();
+    least = std::max(least, least_reach / reach_per_depth);
   }
   return least;
 }
