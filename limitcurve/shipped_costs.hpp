@@ -19,13 +19,13 @@ struct Cost {
 };
 
 inline constexpr std::array<Cost, 7> models{{
-    {"diamond", 1.8, 29.4, 24.7},
-    {"box", 2.0, 30.7, 26.8},
-    {"ellipse", 3.6, 14.4, 69.8},
-    {"table", 4.5, 92.8, 29.5},
-    {"quartic", 42.9, 46.9, 288.6},
-    {"superellipse", 54.1, 83.0, 490.6},
-    {"exact", 3.5, 277.3, 81.1},
+    {"diamond", 1.8, 34.3, 28.1},
+    {"box", 2.1, 36.9, 30.4},
+    {"ellipse", 3.7, 14.3, 96.0},
+    {"table", 4.9, 99.6, 29.0},
+    {"quartic", 43.7, 52.8, 285.6},
+    {"superellipse", 56.2, 87.7, 482.9},
+    {"exact", 3.8, 293.1, 82.0},
 }};
 
 /// Of a model that is in the table.
