@@ -61,8 +61,9 @@ class ContactLaw {
     double per_compliance_ratio;
     bool twists;  ///< there is torsional friction: neither μP nor μPa is below least_unit
   };
-  /// So near zero a unit's square vanishes, and a quotient by it may overflow: no friction [N, N m].
-  static constexpr double least_unit = 1e-150;
+  /// No friction [N, N m]. A pull whose square vanishes is less than 1.5e-154 long, and drawn by the stiffest spring, 1e15 and a damper of as
+  /// much in the shortest time step, it is less than this: whatever limit there is bears it.
+  static constexpr double least_unit = 1e-125;
 
   /// `has_one_radius` promises that the radius does not depend on the load, which is then not asked.
   template <bool has_one_radius = false>

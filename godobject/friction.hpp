@@ -310,6 +310,8 @@ class Friction {
     const double reach = force_max_ * force_unit;
     const double force = springs.stiffness[0] * r;
     if (force > reach * (1.0 + slip_guard)) return slide_untwisted(pull, springs);
+    // Without friction nothing is felt of a pull whose square vanishes either.
+    if (!(force_unit > ContactLaw::least_unit)) return {.share = Pair{0.0, 0.0}};
     return {.share = Pair{force > reach ? reach / force : 1.0, 0.0}};
   }
 

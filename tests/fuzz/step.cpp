@@ -26,18 +26,16 @@ void require_within_limit(const Finger& finger) {
   const ContactLaw& law = finger.friction().law();
   const auto scale = output.state == ContactState::slip ? law.dynamic_scale(output.load) : law.static_scale(output.load);
   const double moment_unit = scale.force * scale.radius;
-  // The step compares squares: what vanishes when squared counts as none.
-  const double norm = output.force.norm();
-  const double force = norm > 1e-150 ? norm : 0.0;
-  const double moment = std::fabs(output.moment);
   // So little friction is none.
-  constexpr double least = 1e-150;
+  constexpr double least = ContactLaw::least_unit;
+  const double force = output.force.norm();
+  const double moment = std::fabs(output.moment);
   constexpr double allowed = 1.0 + 1e-11;
   if (scale.force <= least) {
-    fuzz::require(force <= least && moment <= least, "a wrench without friction");
+    fuzz::require(output.force.isZero(0.0) && moment == 0.0, "a wrench without friction");
   } else if (moment_unit <= least) {
     fuzz::require(force * finger.friction().per_force_max() <= scale.force * allowed, "a force above its limit");
-    fuzz::require(moment <= least, "a moment without torsional friction");
+    fuzz::require(moment == 0.0, "a moment without torsional friction");
   } else {
     const UnitWrench wrench{force / scale.force, moment / moment_unit};
     fuzz::require(fuzz::is_finite(wrench.force) && fuzz::is_finite(wrench.moment), "a wrench far outside the limit");

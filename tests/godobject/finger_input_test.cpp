@@ -65,6 +65,21 @@ TEST(SoftFinger, WithoutTorsionalFrictionTheForceIsLimitedByItself) {
   EXPECT_DOUBLE_EQ(finger.output().force.x(), -1.2);
 }
 
+TEST(SoftFinger, FeelsNothingWithoutFrictionOfAPullWhoseSquareVanishes) {
+  FingerParameters with = parameters();
+  // What such a pull draws this spring by is more than some limits.
+  with.stiffness = 1e15;
+  for (const double depth : {1e-313, 1e-160, 1e-142}) {
+    for_each_boundary(hertz(), [&](const auto& boundary, std::string_view name) {
+      SoftFinger finger(boundary, with, ClosestPoint{});
+      finger.update(on_plane(0.0, 0.0, 0.002), 0.0);
+      const FingerOutput& output = finger.update(on_plane(3e-163, 1e-165, depth), 1e-200);
+      EXPECT_TRUE(output.force.isZero(0.0)) << name << ' ' << depth << ": " << output.force.transpose();
+      EXPECT_EQ(output.moment, 0.0) << name << ' ' << depth;
+    });
+  }
+}
+
 TEST(SoftFinger, HoldsTheLastGoodOutputOnBadInput) {
   FingerParameters with = parameters();
   with.hold_share = 1.0;

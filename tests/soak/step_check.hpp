@@ -121,15 +121,9 @@ StepCheck check_step(const Finger& finger, const godobject::FingerState& last, c
                             std::fabs(output.moment) * (std::fabs(output.angle) + std::fabs(before.angle) + std::fabs(sample.twist));
     if (!(work >= -4.0 * std::numeric_limits<double>::epsilon() * rounding - 1e-300)) fails("a slip that gains energy");
   }
-  // So little friction counts as none; and what is so near that its square vanishes counts as there, whatever the spring.
-  constexpr double least = 1e-150;
-  const godobject::ContactLaw& law = finger.friction().law();
-  const auto scale = law.static_scale(output.load);
-  const double least_force = std::max(least, 1e-153 * law.stiffness());
-  const double least_moment = std::max(least, 1e-153 * law.twist_stiffness());
-  if (scale.force <= least && !(output.force.norm() <= least_force && std::fabs(output.moment) <= least_moment)) {
-    fails("a wrench without friction");
-  }
+  constexpr double least = godobject::ContactLaw::least_unit;
+  const auto scale = finger.friction().law().static_scale(output.load);
+  if (scale.force <= least && !(output.force.isZero(0.0) && output.moment == 0.0)) fails("a wrench without friction");
   if (scale.force > least && scale.force * scale.radius > least) {
     result.excess = excess_over_limit(finger);
     result.counted = true;
