@@ -8,13 +8,28 @@ namespace limitcurve {
 
 namespace {
 
-/// (place's c/a)·ŷ/x̂ at the feet of trials of which the moment's square has one share, by one over the sum of squares.
+UnitWrench intercepts(const Table& table) {
+  return {table.wrench({1.0, 0.0}).force, table.wrench({0.0, 1.0}).moment};
+}
+
+/// ŷ/x̂ of trials of which the moment's square has one share.
+double odds(UnitWrench intercepts, double share) {
+  return std::sqrt(share / (1.0 - share)) * (intercepts.moment / intercepts.force);
+}
+
+SideGuesses::Corners inverse(const SideGuesses::Corners& of) {
+  SideGuesses::Corners result;
+  std::transform(of.begin(), of.end(), result.begin(), [](double number) { return 1.0 / number; });
+  return result;
+}
+
+/// By what multiple the feet's c/a exceeds x̂/ŷ for trials of one share, by one over the sum of squares.
 class Column {
  public:
-  Column(const Table& table, double chi, UnitWrench intercepts, double share)
+  Column(const Table& table, double chi, double share)
       : table_(table),
         chi_(chi),
-        trial_{std::sqrt(1.0 - share) * intercepts.force, std::sqrt(share) * intercepts.moment},
+        trial_{std::sqrt(1.0 - share) * intercepts(table).force, std::sqrt(share) * intercepts(table).moment},
         odds_(trial_.moment / trial_.force),
         on_curve_(table.gauge(trial_) * table.gauge(trial_)) {}
 
@@ -37,26 +52,35 @@ class Column {
 
 }  // namespace
 
-FootGuesses::FootGuesses(const Table& table, double chi)
-    : corners_{}, trusts_{table.inside().trusts(chi), table.outside().trusts(1.0 / chi)}, chi_(chi), per_chi_(1.0 / chi) {
-  const UnitWrench intercepts{table.wrench({1.0, 0.0}).force, table.wrench({0.0, 1.0}).moment};
-  constexpr double width = 1.0 / static_cast<double>(shares);
-  constexpr double height = 1.0 / static_cast<double>(distances);
-  for (std::size_t i = 0; i < shares + 2; ++i) {
+FootGuesses::FootGuesses(const Table& table, double chi) : FootGuesses(table, chi, multiples(table, chi)) {}
+
+FootGuesses::FootGuesses(const Table& table, double chi, const SideGuesses::Corners& multiples)
+    : inside_(table.inside(), chi, multiples, [&](double share) { return 1.0 / odds(intercepts(table), share); }),
+      outside_(table.outside(), 1.0 / chi, inverse(multiples), [&](double share) { return odds(intercepts(table), share); }),
+      chi_(chi),
+      per_chi_(1.0 / chi) {}
+
+SideGuesses::Corners FootGuesses::multiples(const Table& table, double chi) {
+  constexpr double width = 1.0 / static_cast<double>(SideGuesses::shares);
+  constexpr double height = 1.0 / static_cast<double>(SideGuesses::distances);
+  SideGuesses::Corners result;
+  // What no place of the grid asks for is a guess too.
+  result.fill(1.0);
+  for (std::size_t i = 0; i < SideGuesses::shares + 2; ++i) {
     // Corners beyond an axis by half a cell are as within by a quarter.
-    const Column column(table, chi, intercepts, std::clamp((static_cast<double>(i) - 0.5) * width, 0.25 * width, 1.0 - 0.25 * width));
+    const Column column(table, chi, std::clamp((static_cast<double>(i) - 0.5) * width, 0.25 * width, 1.0 - 0.25 * width));
     double last = 1.0;
-    for (std::size_t j = first_distance; j < last_distance + 2; ++j) {
+    for (std::size_t j = SideGuesses::first_distance; j < SideGuesses::last_distance + 2; ++j) {
       // A cell beyond the curve has corners within it, where the normals still do not meet as a rule. No trial needs corners farther in.
       const double distance = (static_cast<double>(j) - 0.5) * height;
       if (distance < column.on_curve() + 1.5 * height) {
         const double multiple = column.at(distance);
         if (multiple > 1e-30 && multiple < 1e30) last = multiple;  // Elsewhere any guess will do.
       }
-      corners_[0][i * stride + j] = last;
-      corners_[1][i * stride + j] = 1.0 / last;
+      result[i * SideGuesses::stride + j] = last;
     }
   }
+  return result;
 }
 
 }  // namespace limitcurve

@@ -165,12 +165,9 @@ class TableSide {
   /// For trials on either side: only one point of a curve has a normal that leads to a trial outside.
   [[gnu::always_inline]] [[nodiscard]] Point closest_in_one_step(Pair trial, double kappa, double start,
                                                                  std::uint32_t number) const noexcept {
-    std::uint32_t at = number < cell_count_ ? number : 0;
-    if (!cells_[at].holds(start)) [[unlikely]] {
-      // As a rule it has just left that cell for its neighbour.
-      at = start < cells_[at].left ? at - 1 : at + 1;
-      if (at >= cell_count_ || !cells_[at].holds(start)) return {start, start, start, none};
-    }
+    const std::uint32_t at = near(number < cell_count_ ? number : 0, start);
+    if (at == none) [[unlikely]]
+      return {start, start, start, none};
     const Cell& here = cells_[at];
     const Cell::Jet jet = here.jet(start);
     const auto [shift, last] = step_from(start, Normal{trial, kappa}(jet, start), Normal::share);
@@ -197,15 +194,15 @@ class TableSide {
   /// Of every cell. Cost: some 50 operations a cell.
   [[nodiscard]] std::vector<Trust> trusts(double kappa) const;
 
-  /// The same with a step of the fourth order, from the cell that holds `start`; none either where that is not in
+  /// The same with a step of the fourth order, whatever cell holds `start`, which may be foreseen; none either where that is not in
   /// [0, 1). For starts that are not so near.
-  [[gnu::always_inline]] [[nodiscard]] Point closest_in_one_long_step(Pair trial, double kappa, double start,
+  [[gnu::always_inline]] [[nodiscard]] Point closest_in_one_long_step(Pair trial, double kappa, double start, std::uint32_t foreseen,
                                                                       std::span<const Trust> trusts) const noexcept {
-    if (!is_between(start, 0.0, 1.0)) [[unlikely]]
-      return {start, start, start, none};
-    // Foreseen, not selected: what follows waits for neither.
-    const std::size_t first = first_cell_[bucket(start)];
-    const std::size_t number = cells_[first].holds(start) ? first : number_of(cell(start));
+    std::uint32_t number = near(foreseen, start);
+    if (number == none) [[unlikely]] {
+      if (!is_between(start, 0.0, 1.0)) return {start, start, start, none};
+      number = number_of(cell(start));
+    }
     const Cell& here = cells_[number];
     const Cell::Jet jet = anew(here).quick_jet(start);
     const auto [value_and_fall, square, cube] = Normal{trial, kappa}(jet, start);
@@ -220,7 +217,7 @@ class TableSide {
     if (!trusts[number].covers(shift, start, fall, fall_square) || !anew(here).holds(next)) [[unlikely]]
       return {start, start, start, none};
     if (number >= most_nodes) __builtin_unreachable();
-    return {found[0], found[1], next, static_cast<std::uint32_t>(number)};
+    return {found[0], found[1], next, number};
   }
 
   [[nodiscard]] std::uint32_t number_of(const Cell& cell) const noexcept { return static_cast<std::uint32_t>(&cell - cells_.data()); }
@@ -267,6 +264,14 @@ class TableSide {
   [[gnu::always_inline]] [[nodiscard]] std::size_t bucket(double coordinate) const noexcept {
     const std::uint64_t key = std::bit_cast<std::uint64_t>(1.0 - coordinate) >> shift_;
     return static_cast<std::size_t>(std::max(key, least_key_) - least_key_);
+  }
+
+  /// The number of the cell that holds `coordinate` if it is the one of this number, or a neighbour; otherwise none.
+  [[gnu::always_inline]] [[nodiscard]] std::uint32_t near(std::uint32_t number, double coordinate) const noexcept {
+    if (cells_[number].holds(coordinate)) [[likely]]
+      return number;
+    const std::uint32_t next = coordinate < cells_[number].left ? number - 1 : number + 1;
+    return next < cell_count_ && cells_[next].holds(coordinate) ? next : none;
   }
 
   /// A step towards the root.
