@@ -19,13 +19,13 @@ struct Cost {
 };
 
 inline constexpr std::array<Cost, 7> models{{
-    {"diamond", 1.8, 34.3, 28.1},
-    {"box", 2.1, 36.9, 30.4},
-    {"ellipse", 3.7, 14.3, 96.0},
-    {"table", 4.9, 99.6, 29.0},
-    {"quartic", 43.7, 52.8, 285.6},
-    {"superellipse", 56.2, 87.7, 482.9},
-    {"exact", 3.8, 293.1, 82.0},
+    {"diamond", 1.8, 34.3, 27.4},
+    {"box", 2.1, 35.4, 29.7},
+    {"ellipse", 3.7, 13.9, 71.6},
+    {"table", 4.6, 97.5, 28.2},
+    {"quartic", 42.8, 52.1, 284.4},
+    {"superellipse", 53.9, 87.1, 485.8},
+    {"exact", 3.5, 278.4, 80.0},
 }};
 
 /// Of a model that is in the table.
