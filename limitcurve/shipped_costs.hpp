@@ -19,13 +19,13 @@ struct Cost {
 };
 
 inline constexpr std::array<Cost, 7> models{{
-    {"diamond", 1.8, 34.3, 27.4},
-    {"box", 2.1, 35.4, 29.7},
-    {"ellipse", 3.7, 13.9, 71.6},
-    {"table", 4.6, 97.5, 28.2},
-    {"quartic", 42.8, 52.1, 284.4},
-    {"superellipse", 53.9, 87.1, 485.8},
-    {"exact", 3.5, 278.4, 80.0},
+    {"diamond", 1.8, 34.6, 27.4},
+    {"box", 2.0, 35.5, 30.4},
+    {"ellipse", 3.6, 14.0, 71.7},
+    {"table", 4.5, 98.3, 28.4},
+    {"quartic", 42.8, 51.6, 285.2},
+    {"superellipse", 54.1, 88.1, 484.1},
+    {"exact", 3.6, 277.6, 79.5},
 }};
 
 /// Of a model that is in the table.
