@@ -67,7 +67,7 @@ int any_shallow(double least, std::size_t count, const double* __restrict depth)
 bool suits_elliptic_loop(const EllipticStep& law, double radius, std::size_t count, const double* depth) noexcept {
   // Far within the bounds that Friction sets, so that rounding decides nothing.
   constexpr double longest_arm = 1e40;
-  constexpr double least = 1e-130;
+  constexpr double least = 1e5 * ContactLaw::least_unit;
   if (!(law.arm < longest_arm && law.reach_per_unit < longest_arm)) return false;
   const double per_depth = law.mu * law.stiffness;
   const double shallowest = least / per_depth + least / (per_depth * radius) + least / (per_depth * law.reach_per_unit);

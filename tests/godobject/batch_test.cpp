@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <set>
 #include <span>
@@ -80,23 +81,27 @@ TEST(Batch, GivesTheBitsOfTheSingleStep) {
 TEST(Batch, GivesTheBitsOfTheSingleStepWhereFrictionVanishes) {
   constexpr std::size_t count = 9;
   const SoftFinger finger(Ellipse::through_intercepts(0.5), parameters(), Radial{});
-  std::vector<SoftFinger<Ellipse, Radial>> fingers(count, finger);
-  Arrays arrays(count);
-  auto& [x, y, angle, depth, proxy_x, proxy_y, proxy_angle, start, trend, force_x, force_y, moment] = arrays.values;
-  for (int round = 0; round < 3; ++round) {
-    for (std::size_t i = 0; i < count; ++i) {
-      x[i] = 0.01 * round;
-      angle[i] = -0.1 * round;
-      depth[i] = i == 4 ? 5e-324 : i == 5 ? 1e-152 : i == 6 ? 1e-148 : 0.001;
-    }
-    step(finger.friction(), arrays.batch());
-    for (std::size_t i = 0; i < count; ++i) {
-      const FingerOutput& output = fingers[i].update(on_plane(x[i], y[i], depth[i]), angle[i]);
-      ASSERT_EQ(force_x[i], output.force.x()) << round << ' ' << i;
-      ASSERT_EQ(moment[i], output.moment) << round << ' ' << i;
-      ASSERT_EQ(proxy_x[i], output.proxy.x()) << round << ' ' << i;
-      ASSERT_EQ(proxy_angle[i], output.angle) << round << ' ' << i;
-      ASSERT_EQ(start[i] >= 0.0, output.state == ContactState::slip) << round << ' ' << i;
+  std::vector<double> depths{5e-324};
+  for (int exponent = -160; exponent <= -100; ++exponent) depths.push_back(std::pow(10.0, exponent));
+  for (const double shallow : depths) {
+    std::vector<SoftFinger<Ellipse, Radial>> fingers(count, finger);
+    Arrays arrays(count);
+    auto& [x, y, angle, depth, proxy_x, proxy_y, proxy_angle, start, trend, force_x, force_y, moment] = arrays.values;
+    for (int round = 0; round < 3; ++round) {
+      for (std::size_t i = 0; i < count; ++i) {
+        x[i] = 0.01 * round;
+        angle[i] = -0.1 * round;
+        depth[i] = i == 4 ? shallow : 0.001;
+      }
+      step(finger.friction(), arrays.batch());
+      for (std::size_t i = 0; i < count; ++i) {
+        const FingerOutput& output = fingers[i].update(on_plane(x[i], y[i], depth[i]), angle[i]);
+        ASSERT_EQ(force_x[i], output.force.x()) << shallow << ' ' << round << ' ' << i;
+        ASSERT_EQ(moment[i], output.moment) << shallow << ' ' << round << ' ' << i;
+        ASSERT_EQ(proxy_x[i], output.proxy.x()) << shallow << ' ' << round << ' ' << i;
+        ASSERT_EQ(proxy_angle[i], output.angle) << shallow << ' ' << round << ' ' << i;
+        ASSERT_EQ(start[i] >= 0.0, output.state == ContactState::slip) << shallow << ' ' << round << ' ' << i;
+      }
     }
   }
 }
