@@ -194,8 +194,8 @@ class TableSide {
   /// Of every cell. Cost: some 50 operations a cell.
   [[nodiscard]] std::vector<Trust> trusts(double kappa) const;
 
-  /// The same with a step of the fourth order, whatever cell holds `start`, which may be foreseen; none either where that is not in
-  /// [0, 1). For starts that are not so near.
+  /// The same with a step of the fourth order, from whatever cell holds `start`, which is found sooner if it is that of the number `foreseen`, one
+  /// of this side's, or a neighbour; none either where `start` is not in [0, 1). For starts that are not so near. `trusts` are of the same metric.
   [[gnu::always_inline]] [[nodiscard]] Point closest_in_one_long_step(Pair trial, double kappa, double start, std::uint32_t foreseen,
                                                                       std::span<const Trust> trusts) const noexcept {
     std::uint32_t number = near(foreseen, start);
