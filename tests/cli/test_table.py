@@ -5,9 +5,7 @@ import json
 import math
 import random
 import re
-import signal
 import subprocess
-import time
 import unittest
 
 from command_line import EXECUTABLE, CommandLineTest, header, numbers, rows, run
@@ -191,25 +189,6 @@ class Writing(CommandLineTest):
         self.assertRegex(limited.stderr, r"\Alimitcurve: error: [^\n]*table.csv[^\n]*\n\Z")
         self.assertEqual(path.read_text(), "old")
         self.assertEqual([entry.name for entry in self.directory.iterdir()], ["table.csv"])
-
-    def test_killed_at_any_moment_the_name_stands_for_a_whole_table(self):
-        path = self.directory / "table.csv"
-        call = ["table", "--law", "uniform", "--tolerance", "1e-9", "-o", path]
-        begin = time.monotonic()
-        rows(*call)
-        duration = time.monotonic() - begin
-        whole = path.read_bytes()
-        generator = random.Random(5)
-        killed = 0
-        for _ in range(60):
-            path.unlink(missing_ok=True)
-            with subprocess.Popen([EXECUTABLE, *map(str, call)], stdout=subprocess.DEVNULL) as process:
-                time.sleep(generator.uniform(0, 1.1 * duration))
-                process.send_signal(signal.SIGKILL)
-            killed += process.returncode == -signal.SIGKILL
-            if path.exists():
-                self.assertEqual(path.read_bytes(), whole)
-        self.assertGreater(killed, 0)
 
 
 if __name__ == "__main__":
