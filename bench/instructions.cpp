@@ -4,6 +4,7 @@
 #include "bench/finger_motion.hpp"
 #include "godobject/batch.hpp"
 #include "godobject/godobject.hpp"
+#include "limitcurve/chord_table.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/table.hpp"
 
@@ -66,6 +67,10 @@ void measure_table(const Table& table) {
   }
   measure("table wrench", [&] {
     for (const SlipTwist twist : twists) keep(table.wrench(twist).moment);
+  });
+  const ChordTable chords(table, 1e-4);
+  measure("chord table wrench", [&] {
+    for (const SlipTwist twist : twists) keep(chords.wrench(twist).moment);
   });
   measure("table point", [&] {
     for (const SlipTwist twist : twists) keep(table.point(twist).slope.moment);

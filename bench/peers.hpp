@@ -199,8 +199,8 @@ class GslNested {
 };
 #endif
 
-/// Hermite cubics over equal cells of the spin fraction with the exact curve's slopes, both components from one cell: not
-/// another's method, but the least that a look-up can cost. Without a bound of its error, which equal cells leave large at the rim.
+/// Hermite cubics over equal cells of the spin fraction with the exact curve's slopes, both components from one cell: the table that
+/// anybody would write first. Without a bound of its error, which equal cells leave large at the rim.
 class EqualHermite {
  public:
   template <class Exact>

@@ -127,7 +127,7 @@ class WrenchStudy {
   [[nodiscard]] const Law& law() const { return law_; }
   [[nodiscard]] double moment_ratio() const { return moment_ratio_; }
 
-  /// `kind` is "ours", "others", or "floor" for what bounds a look-up from below; `family` and `parameter` are what the chart calls the method.
+  /// `kind` is "ours" or "others"; `family` and `parameter` are what the chart calls the method.
   template <class Call>
   void add(std::string_view kind, std::string_view family, std::string_view parameter, Call call) const {
     const std::string name = "wrench/" + law_name_ + '/' + std::string(kind) + '/' + std::string(family) + '/' + std::string(parameter);

@@ -8,6 +8,7 @@
 #include "bench/work_precision_step.hpp"
 
 #include "limitcurve/boundary_error.hpp"
+#include "limitcurve/chord_table.hpp"
 #include "limitcurve/closed_form.hpp"
 #include "limitcurve/ellipse.hpp"
 #include "limitcurve/evaluators.hpp"
@@ -117,6 +118,9 @@ void add_boundaries(const WrenchStudy& study) {
     const double tolerance = std::pow(10.0, -digits);
     add_boundary(study, "table", "1e-" + std::to_string(digits), Table::build(study.law(), tolerance));
   }
+  for (int digits = 1; digits <= 7; ++digits) {
+    add_boundary(study, "chord table", "1e-" + std::to_string(digits), ChordTable::build(study.law(), std::pow(10.0, -digits)));
+  }
   for (int digits = 2; digits <= 6; ++digits) {
     study.add("ours", "float table", "1e-" + std::to_string(digits),
               [table = FloatTable::build(study.law(), std::pow(10.0, -digits))](SlipTwist twist) {
@@ -133,7 +137,7 @@ void add_boundaries(const WrenchStudy& study) {
 
 void add_peers(const WrenchStudy& study) {
   const PressureLaw& law = *study.law();
-  study.add("floor", "Hermite", "64", EqualHermite(ExactCurve(study.law()), 64));
+  study.add("others", "Hermite", "64", EqualHermite(ExactCurve(study.law()), 64));
   for (const int cells : {20, 50, 200, 1000}) {
     if (under_valgrind() && cells > 200) continue;
     add_of_cor(study, "others", "grid", std::to_string(cells), Grid(law, cells));

@@ -18,6 +18,7 @@ FAMILIES = {
     "quartic": (INK, "P", False),
     "table": (BLUE, "o", True),
     "float table": (NAVY, "v", True),
+    "chord table": (BLUE, "s", True),
     "closed": (GREEN, "*", False),
     "expanded": (GREEN, "h", True),
     "Gauss": (SKY, "o", True),
@@ -34,12 +35,13 @@ FAMILIES = {
 LEGEND = {
     "table": "look-up table, its tolerance",
     "float table": "the same in single precision",
+    "chord table": "table of chords, its tolerance",
     "expanded": "law expanded in polynomials, tolerance",
     "Gauss": "one Gauss rule, its order",
     "ring": "one integral over the radius",
     "punch": "superposed flat punches",
     "direct": "eq. (17) as printed",
-    "Hermite": "a look-up's floor: even cubics, entries",
+    "Hermite": "even Hermite cubics, entries",
     "grid": "N × N grid, N",
     "Boost split": "Boost, elliptic integrals, tolerance",
     "Boost nested": "Boost, nested, tolerance",
@@ -55,7 +57,7 @@ def parameter(row):
     text = row["parameter"]
     if not isinstance(text, float):
         return text
-    return f"{text:.0e}".replace("e-0", "e-") if text < 0.1 else f"{text:g}"
+    return f"{text:.0e}".replace("e-0", "e-") if text <= 0.1 else f"{text:g}"
 
 
 def name(row):
@@ -145,7 +147,7 @@ class Labels:
 
 def law_panel(figure, axes, rows, law):
     right = ROUNDING / 4
-    axes.set(title=law, xscale="log", yscale="log", xlim=(10, right), ylim=(0.8, 2e8))
+    axes.set(title=law, xscale="log", yscale="log", xlim=(10, right), ylim=(0.15, 2e8))
     axes.set_xticks([10.0 ** -k for k in range(0, 17, 2)])
     axes.minorticks_off()
     labels = Labels(figure, axes, 7)
