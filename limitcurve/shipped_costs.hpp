@@ -19,13 +19,13 @@ struct Cost {
 };
 
 inline constexpr std::array<Cost, 7> models{{
-    {"diamond", 1.5, 35.6, 28.2},
-    {"box", 1.9, 36.8, 31.3},
-    {"ellipse", 3.7, 14.4, 70.6},
-    {"table", 4.0, 96.2, 27.8},
-    {"quartic", 35.7, 50.6, 275.5},
-    {"superellipse", 44.8, 80.6, 427.3},
-    {"exact", 3.3, 268.6, 72.6},
+    {"diamond", 1.5, 35.8, 28.4},
+    {"box", 1.7, 36.7, 32.1},
+    {"ellipse", 3.7, 14.6, 72.0},
+    {"table", 4.0, 97.2, 28.2},
+    {"quartic", 35.6, 50.9, 282.7},
+    {"superellipse", 44.4, 82.0, 430.7},
+    {"exact", 3.3, 274.8, 73.0},
 }};
 
 /// Of a model that is in the table.
