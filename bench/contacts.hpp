@@ -28,6 +28,16 @@ class Contacts {
 
   [[nodiscard]] const BasicContactBatch<Real>& batch() const { return batch_; }
 
+  /// Touches down, and slips the first times, which takes twice as long: of the largest batches there is time for few steps.
+  template <class Friction>
+  void settle(const Friction& friction) {
+    constexpr int turns = 12;
+    for (int turn = 0; turn < turns; ++turn) {
+      turn_round();
+      step(friction, batch_);
+    }
+  }
+
   void turn_round() {
     std::swap(batch_.x, batch_.y);
     std::swap(batch_.angle, angle_back_);

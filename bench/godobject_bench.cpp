@@ -139,10 +139,7 @@ void step_of_batch(benchmark::State& state, const Boundary& boundary, Projection
   const auto contacts = static_cast<std::size_t>(state.range(0));
   const Friction<Boundary, Projection> friction(boundary, parameters(), projection);
   bench::Contacts<Real> arrays(contacts, 0.002);
-  // Touches down, and slips for the first time, which takes longer.
-  step(friction, arrays.batch());
-  arrays.turn_round();
-  step(friction, arrays.batch());
+  arrays.settle(friction);
   for (auto _ : state) {
     arrays.turn_round();
     step(friction, arrays.batch());

@@ -178,10 +178,7 @@ void step_batch(benchmark::State& state, const Boundary& boundary, Projection pr
   const auto count = static_cast<std::size_t>(state.range(0));
   const Friction<Boundary, Projection> friction(boundary, parameters(2.0, moment_ratio), projection);
   godobject::bench::Contacts<Real> contacts(count, depth);
-  // Touches down, and slips for the first time, which takes longer.
-  step(friction, contacts.batch());
-  contacts.turn_round();
-  step(friction, contacts.batch());
+  contacts.settle(friction);
   for (auto _ : state) {
     contacts.turn_round();
     step(friction, contacts.batch());

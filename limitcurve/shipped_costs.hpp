@@ -19,13 +19,13 @@ struct Cost {
 };
 
 inline constexpr std::array<Cost, 7> models{{
-    {"diamond", 1.5, 35.8, 28.4},
-    {"box", 1.7, 36.7, 32.1},
-    {"ellipse", 3.7, 14.6, 72.0},
-    {"table", 4.0, 97.2, 28.2},
-    {"quartic", 35.6, 50.9, 282.7},
-    {"superellipse", 44.4, 82.0, 430.7},
-    {"exact", 3.3, 274.8, 73.0},
+    {"diamond", 1.6, 35.8, 28.4},
+    {"box", 1.8, 36.9, 31.3},
+    {"ellipse", 3.9, 14.7, 72.2},
+    {"table", 4.1, 97.0, 28.2},
+    {"quartic", 36.4, 51.3, 282.2},
+    {"superellipse", 46.1, 87.1, 437.0},
+    {"exact", 3.3, 271.4, 77.3},
 }};
 
 /// Of a model that is in the table.
