@@ -52,7 +52,7 @@ class ChordTable {
   /// From pure sliding (u = 0) on; and one more, which is pure spin.
   [[nodiscard]] std::span<const Cell> cells() const noexcept { return cells_; }
 
-  /// The wrench that the slip twist causes, within certified_error(); exact at both ends. NaN for a twist that is none.
+  /// The wrench that the slip twist causes, within certified_error(); exact at both ends. NaN for numbers that are none.
   /// Cost: a division, four other operations and a read.
   [[nodiscard]] UnitWrench wrench(SlipTwist twist) const noexcept {
     const double u = twist.spin_fraction();
