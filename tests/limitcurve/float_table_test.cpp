@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "limitcurve/float_table.hpp"
 #include "limitcurve/laws.hpp"
+#include "tests/limitcurve/table_case.hpp"
 #include "tests/repetitions.hpp"
 
 #include <gtest/gtest.h>
@@ -13,6 +14,9 @@
 namespace limitcurve {
 namespace {
 
+using test::table_case_name;
+using test::TableCase;
+
 constexpr float epsilon = std::numeric_limits<float>::epsilon();
 
 /// What a law says to a twist that is given in floats.
@@ -20,18 +24,7 @@ UnitForces<double> exact_forces(const Law& law, FloatTwist twist) {
   return law->forces(static_cast<double>(twist.slide) / static_cast<double>(twist.spin));
 }
 
-struct Case {
-  std::string law;
-  double tolerance;
-};
-
-std::string test_name(const testing::TestParamInfo<Case>& info) {
-  std::string name = info.param.law + '_' + std::to_string(std::lround(-10.0 * std::log10(info.param.tolerance)));
-  for (char& c : name) c = std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
-  return name;
-}
-
-class FloatTableSuite : public testing::TestWithParam<Case> {
+class FloatTableSuite : public testing::TestWithParam<TableCase> {
  protected:
   const Law law_ = parse_law(GetParam().law);
   const FloatTable table_ = FloatTable::build(law_, GetParam().tolerance);
@@ -111,15 +104,15 @@ TEST_P(FloatTableSuite, IsALimitBoundary) {
   }
 }
 
-std::vector<Case> cases() {
-  std::vector<Case> all;
+std::vector<TableCase> cases() {
+  std::vector<TableCase> all;
   for (const char* law : {"hertz", "uniform", "flat-punch", "cone", "power:n=-0.9", "power:n=40", "xydas-kao:k=3", "gaussian:sigma=0.3"}) {
     for (const double tolerance : {1e-1, 1e-3, 1e-6, 5e-7}) all.push_back({law, tolerance});
   }
   return all;
 }
 
-INSTANTIATE_TEST_SUITE_P(Laws, FloatTableSuite, testing::ValuesIn(cases()), test_name);
+INSTANTIATE_TEST_SUITE_P(Laws, FloatTableSuite, testing::ValuesIn(cases()), table_case_name);
 
 // Not sampled: every float of an octave on each side of the rim; in a short build one of 97.
 TEST(FloatTable, NoFloatNextToTheRimIsBeyondTheCertificate) {

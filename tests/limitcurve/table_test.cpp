@@ -3,6 +3,7 @@
 #include "limitcurve/exact_curve.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/table_file.hpp"
+#include "tests/limitcurve/table_case.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,18 +15,10 @@
 namespace limitcurve {
 namespace {
 
-struct Case {
-  std::string law;
-  double tolerance;
-};
+using test::table_case_name;
+using test::TableCase;
 
-std::string test_name(const testing::TestParamInfo<Case>& info) {
-  std::string name = info.param.law + "_1e" + std::to_string(-std::lround(std::log10(info.param.tolerance)));
-  for (char& c : name) c = std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
-  return name;
-}
-
-class TableSuite : public testing::TestWithParam<Case> {};
+class TableSuite : public testing::TestWithParam<TableCase> {};
 
 /// Slip twists that no table has for nodes: uniform, crowding to both ends, and crowding to the rim.
 SlipTwist probe(std::mt19937_64& random, int i) {
@@ -113,8 +106,8 @@ TEST_P(TableSuite, SurvivesBeingWrittenAndRead) {
   }
 }
 
-std::vector<Case> cases() {
-  std::vector<Case> all;
+std::vector<TableCase> cases() {
+  std::vector<TableCase> all;
   for (const char* law : {"hertz", "uniform", "flat-punch", "cone", "power:n=-0.9", "power:n=40", "xydas-kao:k=3", "gaussian:sigma=0.3",
                           "mix:0.7*hertz+0.3*uniform"}) {
     for (const double tolerance : {1e-2, 1e-4, 1e-6, 1e-8}) all.push_back({law, tolerance});
@@ -123,7 +116,7 @@ std::vector<Case> cases() {
   return all;
 }
 
-INSTANTIATE_TEST_SUITE_P(Laws, TableSuite, testing::ValuesIn(cases()), test_name);
+INSTANTIATE_TEST_SUITE_P(Laws, TableSuite, testing::ValuesIn(cases()), table_case_name);
 
 TEST(Table, StaysWithinItsBudgetOfBytes) {
   for (const char* law : {"hertz", "uniform", "parabolic", "flat-punch", "cone", "xydas-kao:k=3"}) {
