@@ -2,10 +2,10 @@
 #pragma once
 
 #include "limitcurve/double_exponential.hpp"
+#include "limitcurve/law.hpp"
 #include "limitcurve/moment_series.hpp"
 #include "limitcurve/wrench.hpp"
 
-#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -98,8 +98,5 @@ class PressureLawOf : public PressureLaw {
  private:
   [[nodiscard]] const Derived& derived() const noexcept { return static_cast<const Derived&>(*this); }
 };
-
-/// Laws are handed around by this: shared, immutable.
-using Law = std::shared_ptr<const PressureLaw>;
 
 }  // namespace limitcurve
