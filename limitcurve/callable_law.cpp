@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "limitcurve/evaluators.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/number.hpp"
 #include "limitcurve/smooth_pieces.hpp"
@@ -42,20 +43,26 @@ class CallableLaw final : public PressureLawOf<CallableLaw> {
 
   WrenchEstimate evaluate(double s, Method method) const noexcept override {
     WrenchEstimate estimate = PressureLaw::evaluate(s, method);
-    // The pressure itself is right to a few units of the last place of a double.
-    constexpr double rounding = 4.0 * std::numeric_limits<double>::epsilon();
-    // And where it is rough, so is its integral; both kernels are at most 1.
     estimate.error.force += rounding * estimate.wrench.force + unresolved_;
     estimate.error.moment += rounding * estimate.wrench.moment + unresolved_;
     return estimate;
   }
+  evaluators::Quadrature<Extended> unrounded(Extended s) const noexcept override {
+    evaluators::Quadrature<Extended> estimate = PressureLaw::unrounded(s);
+    estimate.error.force += rounding * estimate.forces.force + unresolved_;
+    estimate.error.moment += rounding * estimate.forces.moment + unresolved_;
+    return estimate;
+  }
 
  private:
+  /// The pressure itself is right to a few units of the last place of a double.
+  static constexpr double rounding = 4.0 * std::numeric_limits<double>::epsilon();
+
   std::string name_;
   std::function<double(double)> pressure_;
   double outer_;
   Extended scale_ = 1;
-  double unresolved_ = 0.0;  ///< of the load, by quadrature of the pressure
+  double unresolved_ = 0.0;  ///< of the load where the pressure is rough, and so of both components: their kernels are at most 1
   std::vector<Extended> breaks_;
 };
 

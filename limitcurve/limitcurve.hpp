@@ -12,17 +12,14 @@
 ///   boundary_error(ellipse, curve)                              … and how wrong it is
 ///   Table::build(law, 1e-6)                                     … or the exact one as a table, and its files (table_file.hpp)
 ///   FloatTable::build(law, 1e-6)                                … in single precision, for many contacts at once
-///   ChordTable::build(law, 1e-4)                                … for a wrench by its twist and no more, at a nanosecond
 ///   p_curve(curve, RadiusLaw::hertz(0.008, 2e5), mu, load, 64)  limit curves in newtons
 
 #include "limitcurve/accuracy.hpp"
 #include "limitcurve/boundary_error.hpp"
 #include "limitcurve/choose.hpp"
-#include "limitcurve/chord_table.hpp"
 #include "limitcurve/ellipse.hpp"
 #include "limitcurve/exact_curve.hpp"
 #include "limitcurve/expanded_law.hpp"
-#include "limitcurve/float_table.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/limit_boundary.hpp"
 #include "limitcurve/load_curves.hpp"
@@ -33,5 +30,4 @@
 #include "limitcurve/radius_law.hpp"
 #include "limitcurve/superellipse.hpp"
 #include "limitcurve/table.hpp"
-#include "limitcurve/table_file.hpp"
 #include "limitcurve/wrench.hpp"

@@ -74,6 +74,19 @@ class MixtureLaw final : public PressureLawOf<MixtureLaw> {
     return sum;
   }
 
+  evaluators::Quadrature<Extended> unrounded(Extended s) const noexcept override {
+    evaluators::Quadrature<Extended> sum{};
+    for (const Part& part : parts_) {
+      const auto [forces, error] = part.law->unrounded(s);
+      sum.forces.force += part.share * forces.force;
+      sum.forces.moment += part.share * forces.moment;
+      sum.forces.force_slope += part.share * forces.force_slope;
+      sum.error.force += part.share * error.force;
+      sum.error.moment += part.share * error.moment;
+    }
+    return sum;
+  }
+
   bool has_quick_forces() const noexcept override {
     return std::all_of(parts_.begin(), parts_.end(), [](const Part& part) { return part.law->has_quick_forces(); });
   }

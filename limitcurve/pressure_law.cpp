@@ -36,6 +36,11 @@ UnitForces<double> PressureLaw::forces(double s) const noexcept {
   return evaluators::ring(*this, s).forces;
 }
 
+evaluators::Quadrature<Extended> PressureLaw::unrounded(Extended s) const noexcept {
+  if (const auto forces = closed(s)) return {*forces, {0, 0, 0}};
+  return evaluators::ring(*this, s);
+}
+
 bool PressureLaw::allows(Method method) const noexcept {
   if (method == Method::closed) return closed(1).has_value();
   if (method == Method::punch) return punch_density({0.5L, 0.5L}).has_value();
@@ -45,9 +50,7 @@ bool PressureLaw::allows(Method method) const noexcept {
 WrenchEstimate PressureLaw::evaluate(double s, Method method) const noexcept {
   if (method == Method::punch) return evaluators::rounded(evaluators::punch(*this, Extended(s)));
   if (method == Method::direct) return evaluators::rounded(evaluators::direct(*this, Extended(s)));
-  if (method != Method::ring) {
-    if (const auto forces = closed(s)) return evaluators::rounded({*forces, {0, 0, 0}});
-  }
+  if (method != Method::ring) return evaluators::rounded(PressureLaw::unrounded(s));
   return evaluators::rounded(evaluators::ring(*this, Extended(s)));
 }
 

@@ -13,6 +13,11 @@
 
 namespace limitcurve {
 
+namespace evaluators {
+template <class Real>
+struct Quadrature;
+}
+
 /// Ways to evaluate eq. (17). README, "Evaluators", has each one's domain and cost.
 enum class Method {
   automatic,  ///< closed where the law has one, else ring
@@ -80,6 +85,10 @@ class PressureLaw {
   /// Unit wrench at s with its error, computed in extended precision. `method` must be one that `allows` grants.
   /// Relative error ≤ 1e-15 for a closed form, ≤ 1e-14 for the others, and in every case ≤ the error returned.
   [[nodiscard]] virtual WrenchEstimate evaluate(double s, Method method = Method::automatic) const noexcept;
+
+  /// The same by Method::automatic, before it is rounded to double; its error leaves out what a law does not know of its own pressure
+  /// (between samples). For tables whose tolerance the errors of `forces` come near.
+  [[nodiscard]] virtual evaluators::Quadrature<Extended> unrounded(Extended s) const noexcept;
 
   /// Whether the law can be evaluated by `method`.
   [[nodiscard]] virtual bool allows(Method method) const noexcept;

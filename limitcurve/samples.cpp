@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "limitcurve/evaluators.hpp"
+#include "limitcurve/evaluators.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/number.hpp"
 
@@ -169,6 +170,7 @@ class SamplesLaw final : public PressureLawOf<SamplesLaw> {
     estimate.error.moment += std::min(distance_[2], distance_[3] / s);
     return estimate;
   }
+  evaluators::Quadrature<Extended> unrounded(Extended s) const noexcept override { return fine_.unrounded(s); }
 
  private:
   /// Keeps the ends of every run between jumps, which are the profile's and not the interpolation's, and every other

@@ -1,67 +1,339 @@
 // SPDX-License-Identifier: MIT
 #include "limitcurve/table.hpp"
 
-#include "limitcurve/expanded_law.hpp"
+#include "limitcurve/evaluators.hpp"
 #include "limitcurve/number.hpp"
-#include "limitcurve/table_builder.hpp"
+#include "limitcurve/pressure_law.hpp"
+#include "limitcurve/table/buckets.hpp"
+#include "limitcurve/table/builder.hpp"
 
+#include <cmath>
+#include <cstdint>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 
 namespace limitcurve {
 
-Table Table::build(const Law& law, double tolerance) {
-  if (!(tolerance >= finest_tolerance && tolerance <= coarsest_tolerance)) {
-    throw out_of_range("tolerance", tolerance, "1", "1e-12 <= tolerance <= 0.1");
-  }
-  // A table compares many times as often as it has nodes: polynomials pay, but not where a law's curve has singularities that
-  // they do not know of (kinks), or too strong ones at the rim.
-  std::optional<ExpandedLaw> expansion;
-  if (!law->has_quick_forces() && law->breaks().size() == 2 && law->rim_exponent() == 0) {
-    expansion.emplace(law, std::clamp(0.01 * tolerance, ExpandedLaw::default_tolerance, 1e-3));
-  }
-  const ExpandedLaw* const quick = expansion ? &*expansion : nullptr;
-  CertifiedSide inside = build_side(*law, Side::inside, tolerance, quick);
-  CertifiedSide outside = build_side(*law, Side::outside, tolerance, quick);
-  const double error = std::max(inside.error, outside.error);
-  return {{law->name(), tolerance, error}, std::move(inside.side), std::move(outside.side)};
+namespace {
+
+/// A law as its `forces` give it, in microseconds where they are by quadrature.
+table::Source quick_source(const Law& law) {
+  const double moment_ratio = law->moment_ratio();
+  const UnitForces<Extended> unknown = law->unrounded(1).error;
+  const double error = 1e-13 * std::max(1.0, moment_ratio) + static_cast<double>(std::max(unknown.force, unknown.moment));
+  return {law->name(),
+          [=](bool outside, double x) -> table::Sample {
+            if (x == 0.0) return {x, 0, outside ? 1 : moment_ratio, 0.0};
+            const UnitForces<double> forces = law->forces(outside ? 1.0 / x : x);
+            if (outside) return {x, forces.moment, forces.force, error};
+            return {x, forces.force, forces.moment, error};
+          },
+          {}};
 }
 
-Table::Table(Facts facts, TableSide inside, TableSide outside)
-    : facts_(std::move(facts)),
-      sides_{std::move(inside), std::move(outside)},
-      rim_{sides_[0].nodes().back().primary, sides_[0].nodes().back().secondary},
-      moment_ratio_(sides_[0].nodes().front().secondary),
-      per_moment_ratio_(1.0 / moment_ratio_) {
+/// A law in extended precision.
+table::Source fine_source(const Law& law) {
+  const double moment_ratio = law->moment_ratio();
+  return {law->name(),
+          [=](bool outside, double x) -> table::Sample {
+            if (x == 0.0) return {x, 0, outside ? 1 : moment_ratio, 0.0};
+            const auto [forces, bound] = law->unrounded(outside ? 1 / Extended(x) : Extended(x));
+            const auto error = static_cast<double>(std::max(bound.force, bound.moment));
+            if (outside) return {x, forces.moment, forces.force, error};
+            return {x, forces.force, forces.moment, error};
+          },
+          {}};
+}
+
+/// The places where a law's pressure is not smooth, between its centre and its rim.
+table::Source with_breaks(table::Source source, const PressureLaw& law) {
+  for (const Extended s : law.breaks()) {
+    if (s > 0 && s != 1) source.breaks.push_back(static_cast<double>(s));
+  }
+  return source;
+}
+
+/// `attempt` at the tolerance; if it gives nothing, an error that names the finest tolerance that it gives something at.
+template <class Real, class Attempt>
+BasicTable<Real> built(const std::string& name, double tolerance, const Attempt& attempt) {
+  using Result = BasicTable<Real>;
+  if (!(tolerance >= Result::finest_tolerance && tolerance <= Result::coarsest_tolerance)) {
+    throw out_of_range("tolerance", tolerance, "1",
+                       format_number(Result::finest_tolerance) + " <= tolerance <= " + format_number(Result::coarsest_tolerance));
+  }
+  if (auto table = attempt(tolerance)) return std::move(*table);
+  const std::string failed = "table of " + name + ": a tolerance of " + format_number(tolerance) + " is not possible in " +
+                             std::to_string(Result::most_bytes / 1024) + " KiB and by the curve's own error; ";
+  for (int decade = -14; decade < 0; ++decade) {
+    for (const int digit : {1, 2, 5}) {
+      const double coarser = digit / std::pow(10.0, -decade);
+      if (coarser > tolerance && coarser <= Result::coarsest_tolerance && attempt(coarser)) {
+        throw std::runtime_error(failed + "the finest that is possible is " + format_number(coarser));
+      }
+    }
+  }
+  throw std::runtime_error(failed + "nor is any other");
+}
+
+/// A piece of a table on its side, as the constructor checks it. Sums are in extended precision; what the rounding of the coefficients may
+/// have changed is forgiven, and no more.
+struct CheckedCell {
+  const TableCell& cell;
+  Extended width;
+
+  /// D and D′ at the right end, each with what rounding may have changed.
+  struct Value {
+    Extended value;
+    Extended rounding;
+  };
+  [[nodiscard]] Value support() const {
+    return sum([](std::size_t) { return 1; }, 0);
+  }
+  [[nodiscard]] Value leading() const {
+    return sum([](std::size_t i) { return i; }, 1);
+  }
+
+  /// Whether D″ has Bernstein coefficients ≥ 0.
+  [[nodiscard]] bool is_convex(Extended epsilon) const {
+    constexpr Extended choose[5][5] = {{1, 0, 0, 0, 0}, {1, 1, 0, 0, 0}, {1, 2, 1, 0, 0}, {1, 3, 3, 1, 0}, {1, 4, 6, 4, 1}};
+    for (std::size_t j = 0; j < 5; ++j) {
+      Extended bernstein = 0;
+      Extended size = 0;
+      Extended power = 1;
+      for (std::size_t i = 0; i <= j; ++i, power *= width) {
+        const Extended term = choose[j][i] / choose[4][i] * static_cast<Extended>((i + 2) * (i + 1)) * cell.coefficients[i + 2] * power;
+        bernstein += term;
+        size += std::fabs(term);
+      }
+      if (!(bernstein >= -epsilon * size)) return false;
+    }
+    return true;
+  }
+
+ private:
+  template <class Factor>
+  [[nodiscard]] Value sum(Factor factor, std::size_t order) const {
+    Value result{0, 0};
+    Extended power = 1;
+    for (std::size_t i = order; i < cell.coefficients.size(); ++i, power *= width) {
+      const Extended term = static_cast<Extended>(factor(i)) * cell.coefficients[i] * power;
+      result.value += term;
+      result.rounding += std::fabs(term);
+    }
+    return result;
+  }
+};
+
+/// Refuses the cells of one side with a message that begins with `name`; returns D and D′ at the rim.
+template <class Real>
+std::array<CheckedCell::Value, 2> check_side(const std::string& name, const std::vector<TableCell>& cells,
+                                             const std::vector<double>& edges) {
+  constexpr Extended epsilon = 4 * Extended(std::numeric_limits<Real>::epsilon());
+  const auto refuse = [&](std::size_t i, const std::string& what) {
+    return std::invalid_argument("table, " + name + ", cell " + std::to_string(i + 1) + " (x = " + format_number(cells[i].x) +
+                                 "): " + what);
+  };
+  if (cells.empty()) throw std::invalid_argument("table, " + name + ": no cells");
+  if (cells.front().x != 0.0) throw refuse(0, "expected x = 0");
+  if (cells.front().coefficients[1] != 0.0) throw refuse(0, "expected a leading component of 0");
+  if (!(cells.front().coefficients[0] > 0.0)) throw refuse(0, "expected a support function > 0");
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    for (const double c : cells[i].coefficients) {
+      if (!std::isfinite(static_cast<Real>(c))) throw refuse(i, "expected finite numbers, got " + format_number(c));
+    }
+    if (!std::binary_search(edges.begin(), edges.end(), cells[i].x) || cells[i].x == 1.0)
+      throw refuse(i, "expected it at the edge of a bucket");
+    if (i > 0 && !(cells[i].x > cells[i - 1].x)) throw refuse(i, "expected x that increases");
+  }
+  for (std::size_t i = 0;; ++i) {
+    const bool last = i + 1 == cells.size();
+    const CheckedCell here{cells[i], Extended(last ? 1.0 : cells[i + 1].x) - cells[i].x};
+    if (!here.is_convex(epsilon)) throw refuse(i, "expected a convex support function");
+    if (last) return {here.support(), here.leading()};
+    const auto joins = [&](CheckedCell::Value end, double begin) {
+      return std::fabs(end.value - begin) <= epsilon * (end.rounding + std::fabs(begin));
+    };
+    if (!joins(here.support(), cells[i + 1].coefficients[0])) throw refuse(i + 1, "expected it to join the cell before");
+    if (!joins(here.leading(), cells[i + 1].coefficients[1]))
+      throw refuse(i + 1, "expected it to join the cell before with its derivative");
+  }
+}
+
+void check_facts(const TableFacts& facts, double scale) {
   // It is a line of every text of the table.
-  for (const char c : facts_.law_name) {
+  for (const char c : facts.law_name) {
     if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
       throw std::invalid_argument("the name of the table's law has a control character");
   }
-  TableSide::align(sides_[0], sides_[1]);
-  const TableNode& from_inside = this->inside().nodes().back();
-  const TableNode& from_outside = this->outside().nodes().back();
-  if (from_inside.primary != from_outside.secondary || from_inside.secondary != from_outside.primary) {
-    throw std::invalid_argument("the sides of the table do not meet at the rim");
+  if (!(facts.tolerance > 0.0 && facts.tolerance <= 1.0)) throw out_of_range("tolerance", facts.tolerance, "1", "0 < tolerance <= 1");
+  if (!(facts.certified_error >= 0.0 && facts.certified_error <= facts.tolerance * scale)) {
+    throw out_of_range("certified_error", facts.certified_error, "1", "0 <= certified_error <= tolerance * max(force_max, moment_max)");
   }
-  if (this->outside().nodes().front().secondary != 1.0) throw std::invalid_argument("the table's force under pure sliding is not 1");
-  // No pressure has such a one, and its square is to be finite.
-  if (!(moment_ratio_ >= 1e-30 && moment_ratio_ <= 1e30))
-    throw out_of_range("moment_ratio", moment_ratio_, "1", "1e-30 <= moment_ratio <= 1e30");
-  if (!(facts_.certified_error >= 0.0 && facts_.certified_error <= facts_.tolerance)) {
-    throw out_of_range("certified_error", facts_.certified_error, "1", "0 <= certified_error <= tolerance");
-  }
-  learn_places();
 }
 
-void Table::learn_places() {
-  for (std::size_t i = 0; i <= place_cells; ++i) places_[i] = static_cast<float>(2 * i) / static_cast<float>(place_cells);
-  std::array<float, place_cells + 1> learnt = places_;
-  for (std::size_t i = 1; i < place_cells; ++i) {
-    const SlipTwist twist = SlipTwist::at_place(2.0 * static_cast<double>(i) / place_cells);
-    learnt[i] = static_cast<float>(along({twist.slide, twist.spin * moment_ratio() * moment_ratio()}).normal.place());
+template <class Real>
+void check(const TableFacts& facts, const TableCells& cells, const table::Buckets& buckets) {
+  constexpr int finest_edge = std::numeric_limits<Real>::digits - 1;
+  if (!(cells.index_bits >= table::Buckets::least_bits && cells.index_bits <= table::Buckets::most_bits)) {
+    throw out_of_range("index_bits", cells.index_bits, "1", "3 to 9");
   }
-  places_ = learnt;
+  if (!(cells.octaves >= 1 && cells.octaves <= finest_edge - cells.index_bits)) {
+    throw out_of_range("octaves", cells.octaves, "1", "1 to " + std::to_string(finest_edge - cells.index_bits));
+  }
+  const std::size_t bytes = 8 * sizeof(Real) * (cells.inside.size() + cells.outside.size()) + 4 * sizeof(std::uint16_t) * buckets.per_run();
+  if (bytes > BasicTable<Real>::most_bytes) {
+    throw std::invalid_argument("table of " + std::to_string(bytes) + " bytes: expected at most " +
+                                std::to_string(BasicTable<Real>::most_bytes));
+  }
+  const std::vector<double> edges = buckets.edges();
+  const auto [support, force] = check_side<Real>("inside", cells.inside, edges);
+  const auto [other_support, moment] = check_side<Real>("outside", cells.outside, edges);
+  const Extended forgiven =
+      4 * Extended(std::numeric_limits<Real>::epsilon()) * (support.rounding + other_support.rounding + force.rounding + moment.rounding);
+  if (!(std::fabs(support.value - other_support.value) <= forgiven && std::fabs(force.value + moment.value - support.value) <= forgiven)) {
+    throw std::invalid_argument("the sides of the table do not meet at the rim");
+  }
+  const double force_max = cells.outside.front().coefficients[0];
+  const double moment_max = cells.inside.front().coefficients[0];
+  // No pressure and no friction has such ones, and their squares are to be finite.
+  constexpr double largest = sizeof(Real) == sizeof(float) ? 1e15 : 1e30;
+  for (const double most : {force_max, moment_max}) {
+    if (!(most >= 1.0 / largest && most <= largest)) {
+      throw out_of_range("the table's largest force or moment", most, "1", format_number(1.0 / largest) + " to " + format_number(largest));
+    }
+  }
+  check_facts(facts, std::max(force_max, moment_max));
 }
+
+}  // namespace
+
+template <class Real>
+BasicTable<Real> BasicTable<Real>::build(const Law& law, double tolerance) {
+  // What the errors of `forces` are small enough for.
+  constexpr double quick_tolerance = 1e-11;
+  return built<Real>(law->name(), tolerance, [&](double wanted) -> std::optional<BasicTable> {
+    if (wanted >= quick_tolerance) {
+      if (auto table = table::build<Real>(with_breaks(quick_source(law), *law), wanted)) return table;
+    }
+    return table::build<Real>(with_breaks(fine_source(law), *law), wanted);
+  });
+}
+
+template <class Real>
+void BasicTable<Real>::refuse_corners(const std::string& name) {
+  throw std::invalid_argument("table of " + name + ": a curve with corners and faces (box, diamond) has no table");
+}
+
+template <class Real>
+BasicTable<Real> BasicTable<Real>::build_from(const std::function<UnitWrench(SlipTwist)>& curve, double tolerance, std::string name) {
+  constexpr double relative = 1e-15;
+  const table::Source source{name,
+                             [&](bool outside, double x) -> table::Sample {
+                               const UnitWrench wrench = curve(outside ? SlipTwist{1.0, x} : SlipTwist{x, 1.0});
+                               const double error = relative * std::max(wrench.force, wrench.moment);
+                               if (outside) return {x, wrench.moment, wrench.force, error};
+                               return {x, wrench.force, wrench.moment, error};
+                             },
+                             {}};
+  return built<Real>(name, tolerance, [&](double wanted) { return table::build<Real>(source, wanted); });
+}
+
+template <class Real>
+BasicTable<Real>::BasicTable(TableFacts facts, const TableCells& cells) {
+  const table::Buckets buckets{cells.index_bits, cells.octaves};
+  check<Real>(facts, cells, buckets);
+  auto data = std::make_shared<Data>();
+  data->facts = std::move(facts);
+  data->buckets = {cells.index_bits, cells.octaves};
+  data->cells_inside = cells.inside.size();
+  for (const std::vector<TableCell>* side : {&cells.inside, &cells.outside}) {
+    const std::size_t first = data->cells.size();
+    for (const TableCell& cell : *side) {
+      Cell& stored = data->cells.emplace_back();
+      stored.numbers[0] = static_cast<Real>(cell.x);
+      std::transform(cell.coefficients.begin(), cell.coefficients.end(), stored.numbers.begin() + 1,
+                     [](double c) { return static_cast<Real>(c); });
+    }
+    // The cell of a bucket is the last one that begins at or before it; near the rim, where buckets are counted backwards, before it.
+    const auto number = [&](auto after) { return static_cast<std::uint16_t>(first + static_cast<std::size_t>(after - side->begin()) - 1); };
+    for (std::size_t i = 0; i < buckets.per_run(); ++i) {
+      const auto begins_after = [](double x, const TableCell& cell) { return x < cell.x; };
+      data->cell_of_bucket.push_back(number(std::upper_bound(side->begin(), side->end(), buckets.distance(i), begins_after)));
+    }
+    for (std::size_t i = 0; i < buckets.per_run(); ++i) {
+      const auto begins_before = [](const TableCell& cell, double x) { return cell.x < x; };
+      data->cell_of_bucket.push_back(number(std::lower_bound(side->begin(), side->end(), 1.0 - buckets.distance(i), begins_before)));
+    }
+  }
+  const auto offset = std::ldexp(Real(1), -cells.octaves);
+  const int dropped_bits = std::numeric_limits<Real>::digits - 1 - cells.index_bits;
+  pieces_ = {data->cells.front().numbers.data(),
+             data->cell_of_bucket.data(),
+             offset,
+             dropped_bits,
+             static_cast<int>(arithmetic::leading_bits(offset, dropped_bits)),
+             static_cast<int>(buckets.per_run())};
+  data_ = std::move(data);
+  moment_max_ = pieces_.jet(false, Real(0)).value;
+  force_max_ = pieces_.jet(true, Real(0)).value;
+  rim_ = wrench({1.0, 1.0});
+}
+
+template <class Real>
+std::size_t BasicTable<Real>::bytes() const noexcept {
+  return data_->cells.size() * sizeof(Cell) + data_->cell_of_bucket.size() * sizeof(std::uint16_t);
+}
+
+template <class Real>
+TableCells BasicTable<Real>::cells() const {
+  TableCells result{data_->buckets[0], data_->buckets[1], {}, {}};
+  for (std::size_t i = 0; i < data_->cells.size(); ++i) {
+    const auto& numbers = data_->cells[i].numbers;
+    TableCell cell{numbers[0], {}};
+    std::copy(numbers.begin() + 1, numbers.end(), cell.coefficients.begin());
+    (i < data_->cells_inside ? result.inside : result.outside).push_back(cell);
+  }
+  return result;
+}
+
+template <class Real>
+RadialPoint BasicTable<Real>::along(UnitWrench direction) const noexcept {
+  const double size = std::max(direction.force, direction.moment);
+  const auto force = static_cast<Real>(direction.force / size);
+  const auto moment = static_cast<Real>(direction.moment / size);
+  // Steeper than the rim's wrench: more slide than twist.
+  const bool outside = rim_.force * direction.moment < rim_.moment * direction.force;
+  const Real leading = outside ? moment : force;
+  const Real trailing = outside ? force : moment;
+  Real low = 0;
+  Real high = 1;
+  // The normal of the ellipse with the same ends.
+  const double slide = double(force) * moment_max_ * moment_max_;
+  const double spin = double(moment) * force_max_ * force_max_;
+  auto x = static_cast<Real>(std::clamp(outside ? spin / slide : slide / spin, 0.0, 1.0));
+  Jet<Real> jet = pieces_.jet(outside, x);
+  for (int i = 0; i < 64; ++i) {
+    // The cross product of wrench and direction, which increases with x; Halley's step for its root.
+    const Real cross = jet.leading() * trailing - jet.trailing(x) * leading;
+    if (cross == 0) break;
+    (cross > 0 ? high : low) = x;
+    const Real arm = trailing + x * leading;
+    const Real newton = cross / (jet.second * arm);
+    const Real step = newton / (1 - newton * (jet.third * arm + jet.second * leading) / (2 * jet.second * arm));
+    // What a step leaves is at most its square.
+    const bool last = std::fabs(step) <= std::sqrt(std::numeric_limits<Real>::epsilon()) * x;
+    Real next = x - step;
+    if (!last && (!(next > low && next < high) || i % 8 == 7)) next = low + (high - low) / 2;
+    const bool closed = next == low || next == high;
+    x = std::clamp(next, Real(0), Real(1));
+    jet = pieces_.jet(outside, x);
+    if (last || closed) break;
+  }
+  return {wrench_of(outside, jet.leading(), jet.trailing(x)), outside ? SlipTwist{1.0, x} : SlipTwist{x, 1.0}};
+}
+
+template class BasicTable<double>;
+template class BasicTable<float>;
 
 }  // namespace limitcurve

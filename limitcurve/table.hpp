@@ -8,9 +8,11 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace limitcurve {
@@ -19,7 +21,7 @@ namespace limitcurve {
 struct TableFacts {
   std::string law_name;          ///< or the name of the curve
   double tolerance = 0.0;        ///< that it was built to
-  double certified_error = 0.0;  ///< relative, ≤ tolerance: the absolute error of f and m is at most this times max(force_max, m_max)
+  double certified_error = 0.0;  ///< absolute, of f and of m: ≤ tolerance·max(force_max, m_max)
 };
 
 /// A piece of the support function along one side: D(t) = Σ cᵢ (t − x)ⁱ from t = x to the next cell's x, or to 1.
@@ -61,6 +63,7 @@ class BasicTable {
   /// superellipse, a curve of one's own; not a box or a diamond), with |error| ≤ tolerance·max(force_max, m_max). Throws likewise.
   template <class Curve>
   static BasicTable build(const Curve& curve, double tolerance, std::string name) {
+    if constexpr (requires { curve.vertices(); }) refuse_corners(name);
     return build_from([&curve](SlipTwist twist) -> UnitWrench { return curve.wrench(twist); }, tolerance, std::move(name));
   }
 
@@ -71,7 +74,7 @@ class BasicTable {
 
   [[nodiscard]] const std::string& law_name() const noexcept { return data_->facts.law_name; }
   [[nodiscard]] double tolerance() const noexcept { return data_->facts.tolerance; }
-  /// Bound of the error of f and of m over max(force_max, m_max), found by comparison with the exact curve within every cell.
+  /// Upper bound of the absolute error of f and of m, found by comparison with the exact curve within every cell.
   [[nodiscard]] double certified_error() const noexcept { return data_->facts.certified_error; }
   [[nodiscard]] std::size_t cell_count() const noexcept { return data_->cells.size(); }
   /// Bytes that a look-up may touch: the cells, a cache line each in double, and their index.
@@ -97,8 +100,8 @@ class BasicTable {
     const auto [outside, x] = place(twist);
     const Jet<Real> jet = pieces_.jet(outside, x);
     // u = 1/(1+s) = q/(1+q): ds/du = −(1+s)², dq/du = (1+q)².
-    const double rate = (outside ? 1.0 : -1.0) * (1.0 + x) * (1.0 + x) * jet.second;
-    return {wrench_of(outside, jet.leading(), jet.trailing(x)), wrench_of(outside, rate, -x * rate)};
+    const double rate = (outside ? 1 : -1) * (1 + x) * (1 + x) * jet.second;
+    return {wrench_of(outside, jet.leading(), jet.trailing(x)), wrench_of(outside, rate, -double{x} * rate)};
   }
 
   /// Where the ray through `direction` (not zero) meets the table's curve, and the twist there: 2 to 4 evaluations as a rule, 64 at most.
@@ -115,8 +118,8 @@ class BasicTable {
   };
   struct Data {
     TableFacts facts;
-    TableCells shape;         // without its cells
-    std::vector<Cell> cells;  // inside, then outside, each in order
+    std::array<int, 2> buckets;  // p and d
+    std::vector<Cell> cells;     // inside, then outside, each in order
     std::vector<std::uint16_t> cell_of_bucket;
     std::size_t cells_inside;
   };
@@ -125,6 +128,7 @@ class BasicTable {
     Real x;
   };
 
+  [[noreturn]] static void refuse_corners(const std::string& name);
   static BasicTable build_from(const std::function<UnitWrench(SlipTwist)>& curve, double tolerance, std::string name);
 
   static Place place(SlipTwist twist) noexcept {

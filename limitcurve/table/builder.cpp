@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: MIT
+#include "limitcurve/table/builder.hpp"
+
+#include "limitcurve/table/buckets.hpp"
+#include "limitcurve/table/piece.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+namespace limitcurve::table {
+
+namespace {
+
+/// What the certificate adds to the largest error found, because it lies near a place that was looked at, not at it.
+constexpr double certificate_margin = 0.02;
+
+/// Lays both sides of a table with an error of at most `target`.
+class Builder {
+ public:
+  /// `finest_edge` is the most that p + d may be, so that buckets' edges are exact.
+  Builder(const Source& source, double target, int finest_edge, std::size_t cell_bytes)
+      : source_(source), target_(target), finest_edge_(finest_edge), cell_bytes_(cell_bytes) {}
+
+  /// Whether it can be done.
+  bool lay() {
+    int narrowest = 1;
+    for (const bool outside : {false, true}) {
+      for (const bool rim : {false, true}) narrowest = std::max(narrowest, octaves_to_end(outside, rim));
+    }
+    for (int octaves = std::max(narrowest - Buckets::least_bits, 1);; ++octaves) {
+      buckets_ = {Buckets::least_bits, octaves};
+      edges_ = buckets_.edges();
+      Outcome outcome = fits_in_memory() ? lay_side(false) : Outcome::impossible;
+      if (outcome == Outcome::done) outcome = lay_side(true);
+      if (outcome == Outcome::impossible) return false;
+      if (outcome == Outcome::done) return true;
+    }
+  }
+
+  /// Makes the sides meet at the rim, where D = f + m. Whether they stay convex.
+  bool join_at_rim() {
+    const Extended at_rim = sides_[0].back().samples()[5].leading + sides_[1].back().samples()[5].leading;
+    return std::all_of(sides_.begin(), sides_.end(), [&](std::vector<Piece>& side) { return end_at(side, at_rim); });
+  }
+
+  [[nodiscard]] TableCells cells() const {
+    TableCells result{buckets_.index_bits, buckets_.octaves, {}, {}};
+    for (const Piece& piece : sides_[0]) result.inside.push_back(piece.cell());
+    for (const Piece& piece : sides_[1]) result.outside.push_back(piece.cell());
+    return result;
+  }
+  [[nodiscard]] const std::array<std::vector<Piece>, 2>& sides() const noexcept { return sides_; }
+
+ private:
+  enum class Outcome { done, needs_octave, impossible };
+
+  /// The piece over [left, right], by its chord if it must.
+  [[nodiscard]] Piece piece(bool outside, double left, double right, Extended start) const {
+    Piece result(source_, outside, left, right, start);
+    if (left == 0.0 && !fits(result)) {
+      Piece chord = result;
+      chord.straighten();
+      if (fits(chord)) return chord;
+    }
+    return result;
+  }
+  [[nodiscard]] bool fits(const Piece& piece) const { return piece.least_growth() >= 0 && piece.error() <= target_; }
+
+  /// By what factor the piece's width should change. Six nodes: the error goes with the sixth power of the width.
+  [[nodiscard]] double change(const Piece& piece) const {
+    if (!(piece.least_growth() >= 0)) return 0.5;
+    const auto error = static_cast<double>(piece.error());
+    return std::clamp(0.93 * std::pow(target_ / error, 1.0 / 6.0), 0.25, 4.0);
+  }
+
+  /// k such that a piece of width 2^−k fits at an end of a side; the power with which its error falls is learnt on the way.
+  [[nodiscard]] int octaves_to_end(bool outside, bool rim) const {
+    double power = 6.0;
+    double last_error = 0.0;
+    int step = 0;
+    int k = 1;
+    while (k < finest_edge_) {
+      const double width = std::ldexp(1.0, -k);
+      const double left = rim ? 1.0 - width : 0.0;
+      const Sample begin = source_.at(outside, left);
+      const Piece here = piece(outside, left, rim ? 1.0 : width, begin.trailing + begin.x * begin.leading);
+      if (fits(here)) break;
+      const auto error = static_cast<double>(here.error());
+      if (step > 0 && last_error > 0.0 && error > 0.0) power = std::clamp(std::log2(last_error / error) / step, 0.5, 6.0);
+      step = error > target_ ? std::clamp(static_cast<int>(std::ceil(std::log2(error / target_) / power)), 1, 6) : 1;
+      last_error = error;
+      k += step;
+    }
+    return std::min(k, finest_edge_);
+  }
+
+  [[nodiscard]] Outcome lay_side(bool outside) {
+    std::vector<Piece>& side = sides_[outside];
+    side.clear();
+    Extended start = source_.at(outside, 0.0).trailing;
+    double left = 0.0;
+    double guess = 0.25;
+    while (left < 1.0) {
+      const std::optional<Piece> next = widest(outside, left, guess, start);
+      if (!next) {
+        const double offset = std::ldexp(1.0, -buckets_.octaves);
+        const bool at_end = std::min(left, 1.0 - left) <= offset;
+        if (buckets_.index_bits + buckets_.octaves == finest_edge_) return Outcome::impossible;
+        if (at_end) return Outcome::needs_octave;
+        if (buckets_.index_bits == Buckets::most_bits) return Outcome::impossible;
+        // The edges so far are edges again.
+        ++buckets_.index_bits;
+        edges_ = buckets_.edges();
+        continue;
+      }
+      guess = 1.5 * (next->right() - next->left());
+      left = next->right();
+      start = next->end();
+      side.push_back(*next);
+      if (!fits_in_memory()) return Outcome::impossible;
+    }
+    return Outcome::done;
+  }
+
+  /// About the widest piece from `left` that fits; nothing if one bucket is too wide.
+  [[nodiscard]] std::optional<Piece> widest(bool outside, double left, double guess, Extended start) const {
+    const auto at_most = [&](double x) {
+      return static_cast<std::size_t>(std::upper_bound(edges_.begin(), edges_.end(), x) - edges_.begin()) - 1;
+    };
+    std::optional<Piece> best;
+    std::size_t good = at_most(left);
+    std::size_t bad = edges_.size();
+    std::size_t to = std::clamp(at_most(left + guess), good + 1, bad - 1);
+    while (true) {
+      const Piece here = piece(outside, left, edges_[to], start);
+      const bool fit = fits(here);
+      if (fit) best = here;
+      (fit ? good : bad) = to;
+      if (good + 1 >= bad) return best;
+      to = std::clamp(at_most(left + change(here) * (here.right() - left)), good + 1, bad - 1);
+      constexpr double worthwhile = 1.15;
+      if (best && edges_[to] - left < worthwhile * (best->right() - left)) return best;
+    }
+  }
+
+  [[nodiscard]] bool fits_in_memory() const {
+    return (sides_[0].size() + sides_[1].size()) * cell_bytes_ + 4 * buckets_.per_run() * sizeof(std::uint16_t) <= Table::most_bytes;
+  }
+
+  /// Makes D end at `value`: what is missing goes into the piece that it bends least, and lifts those after it.
+  static bool end_at(std::vector<Piece>& side, Extended value) {
+    const Extended rise = value - side.back().end();
+    const auto strength = [](const Piece& one) { return one.least_growth() * (one.right() - one.left()); };
+    const auto bent = std::max_element(side.begin(), side.end(), [&](const Piece& a, const Piece& b) { return strength(a) < strength(b); });
+    bent->raise_end(rise);
+    std::for_each(bent + 1, side.end(), [&](Piece& after) { after.raise(rise); });
+    return bent->least_growth() >= 0;
+  }
+
+  const Source& source_;
+  double target_;
+  int finest_edge_;
+  std::size_t cell_bytes_;
+  Buckets buckets_;
+  std::vector<double> edges_;
+  std::array<std::vector<Piece>, 2> sides_;
+};
+
+/// The largest error of the finished table, in its own arithmetic, wherever the exact curve was looked at; and of the exact curve.
+template <class Real>
+double certify(const BasicTable<Real>& table, const std::array<std::vector<Piece>, 2>& sides) {
+  double worst = 0.0;
+  double exact_error = 0.0;
+  for (const bool outside : {false, true}) {
+    for (const Piece& piece : sides[outside]) {
+      for (const Sample& exact : piece.samples()) {
+        const auto x = static_cast<Real>(exact.x);
+        const Jet<Real> jet = table.pieces().jet(outside, x);
+        worst = std::max({worst, static_cast<double>(std::fabs(Extended(jet.leading()) - exact.leading)),
+                          static_cast<double>(std::fabs(Extended(jet.trailing(x)) - exact.trailing))});
+        exact_error = std::max(exact_error, exact.error);
+      }
+    }
+  }
+  return (1.0 + certificate_margin) * worst + exact_error;
+}
+
+}  // namespace
+
+template <class Real>
+std::optional<BasicTable<Real>> build(const Source& source, double tolerance) {
+  const Sample spin = source.at(false, 0.0);
+  const Sample slide = source.at(true, 0.0);
+  const auto scale = static_cast<double>(std::max(spin.trailing, slide.trailing));
+  const double rounding = 1.5 * double{std::numeric_limits<Real>::epsilon()} * scale;
+  const double allowed = tolerance * scale;
+  double target = 0.95 * (allowed - rounding - source.at(false, 1.0).error) / (1.0 + certificate_margin);
+  constexpr int attempts = 8;
+  for (int i = 0; i < attempts && target > 0.0; ++i, target *= 0.8) {
+    Builder builder(source, target, sizeof(Real) == sizeof(float) ? 23 : 52, 8 * sizeof(Real));
+    if (!builder.lay()) return std::nullopt;
+    if (!builder.join_at_rim()) continue;
+    TableFacts facts{source.name, tolerance, allowed};
+    const BasicTable<Real> table(facts, builder.cells());
+    facts.certified_error = certify(table, builder.sides()) + rounding;
+    if (facts.certified_error <= allowed) return BasicTable<Real>(facts, builder.cells());
+  }
+  return std::nullopt;
+}
+
+template std::optional<BasicTable<double>> build(const Source&, double);
+template std::optional<BasicTable<float>> build(const Source&, double);
+
+}  // namespace limitcurve::table

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+#include "limitcurve/table/piece.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace limitcurve::table {
+
+namespace {
+
+/// cos(kπ/10): the Chebyshev–Lobatto nodes for even k, the places midway between them for odd k.
+constexpr std::array<double, 11> cosines{1.0, 0.9510565162951535,  0.8090169943749475,  0.5877852522924731,  0.3090169943749474,
+                                         0.0, -0.3090169943749474, -0.5877852522924731, -0.8090169943749475, -0.9510565162951535,
+                                         -1.0};
+
+double place(double left, double right, std::size_t k) noexcept {
+  if (k == 0) return left;
+  if (k == 10) return right;
+  return left + (right - left) * (0.5 - 0.5 * cosines[k]);
+}
+
+}  // namespace
+
+Piece::Piece(const Source& source, bool outside, double left, double right, Extended start) : left_(left), right_(right), start_(start) {
+  samples_.reserve(2 * node_count + 3);
+  for (std::size_t k = 0; k <= 10; k += 2) samples_.push_back(source.at(outside, place(left, right, k)));
+  interpolate();
+  if (least_growth() >= 0 || left == 0.0) look_between(source, outside);
+}
+
+void Piece::interpolate() {
+  std::array<Extended, node_count> nodes;
+  std::array<Extended, node_count> differences;
+  for (std::size_t i = 0; i < node_count; ++i) {
+    nodes[i] = (Extended(samples_[i].x) - left_) / width();
+    differences[i] = samples_[i].leading;
+  }
+  for (std::size_t order = 1; order < node_count; ++order) {
+    for (std::size_t i = node_count; i-- > order;) {
+      differences[i] = (differences[i] - differences[i - 1]) / (nodes[i] - nodes[i - order]);
+    }
+  }
+  // Newton's form, from the inside out: multiply by u − node, add the difference.
+  coefficients_.fill(0);
+  for (std::size_t i = node_count; i-- > 0;) {
+    for (std::size_t k = node_count; k-- > 1;) coefficients_[k] = coefficients_[k - 1] - nodes[i] * coefficients_[k];
+    coefficients_[0] = differences[i] - nodes[i] * coefficients_[0];
+  }
+}
+
+void Piece::look_between(const Source& source, bool outside) {
+  const auto look = [&](double x) {
+    if (x > left_ && x < right_) samples_.push_back(source.at(outside, x));
+  };
+  for (std::size_t k = 1; k < 10; k += 2) look(place(left_, right_, k));
+  // Where the curve is singular, the largest error is nearer to there.
+  for (const double share : {0.01, 0.004, 0.0015}) {
+    if (left_ == 0.0) look(share * right_);
+    if (right_ == 1.0) look(1.0 - share * (1.0 - left_));
+  }
+  for (const double s : source.breaks) {
+    const double at = outside ? 1.0 / s : s;
+    for (const double share : {-0.05, 0.0, 0.05}) look(at + share * (right_ - left_));
+  }
+}
+
+void Piece::straighten() {
+  const Extended end = samples_[node_count - 1].leading;
+  coefficients_.fill(0);
+  coefficients_[0] = samples_[0].leading;
+  coefficients_[1] = end - coefficients_[0];
+}
+
+Extended Piece::leading(Extended u) const noexcept {
+  Extended sum = 0;
+  for (std::size_t i = node_count; i-- > 0;) sum = sum * u + coefficients_[i];
+  return sum;
+}
+
+Extended Piece::support(Extended u) const noexcept {
+  Extended sum = 0;
+  for (std::size_t i = node_count; i-- > 0;) sum = sum * u + coefficients_[i] / static_cast<Extended>(i + 1);
+  return start_ + width() * u * sum;
+}
+
+Extended Piece::least_growth() const noexcept {
+  // Σ aᵢ uⁱ of degree 4 has the Bernstein coefficients b_j = Σ_{i ≤ j} C(j,i)/C(4,i) aᵢ.
+  constexpr std::array<std::array<Extended, 5>, 5> binomials{
+      {{1, 0, 0, 0, 0}, {1, 1, 0, 0, 0}, {1, 2, 1, 0, 0}, {1, 3, 3, 1, 0}, {1, 4, 6, 4, 1}}};
+  Extended least = 0;
+  for (std::size_t j = 0; j < 5; ++j) {
+    Extended sum = 0;
+    for (std::size_t i = 0; i <= j; ++i) sum += binomials[j][i] / binomials[4][i] * static_cast<Extended>(i + 1) * coefficients_[i + 1];
+    least = j == 0 ? sum : std::min(least, sum);
+  }
+  return least;
+}
+
+Extended Piece::error() const noexcept {
+  Extended worst = 0;
+  for (std::size_t i = node_count; i < samples_.size(); ++i) {
+    const Sample& exact = samples_[i];
+    const Extended u = (Extended(exact.x) - left_) / width();
+    const Extended slope = leading(u);
+    worst = std::max({worst, std::fabs(slope - exact.leading), std::fabs(support(u) - exact.x * slope - exact.trailing)});
+  }
+  return worst;
+}
+
+void Piece::raise_end(Extended rise) noexcept {
+  // u(1 − u) has the integral 1/6.
+  const Extended bow = 6 * rise / width();
+  coefficients_[1] += bow;
+  coefficients_[2] -= bow;
+}
+
+TableCell Piece::cell() const noexcept {
+  TableCell result{left_, {}};
+  result.coefficients[0] = static_cast<double>(start_);
+  Extended scale = 1;
+  for (std::size_t i = 0; i < node_count; ++i) {
+    result.coefficients[i + 1] = static_cast<double>(coefficients_[i] * scale / static_cast<Extended>(i + 1));
+    scale /= width();
+  }
+  return result;
+}
+
+}  // namespace limitcurve::table
