@@ -15,7 +15,7 @@ namespace limitcurve::table {
 namespace {
 
 /// What the certificate adds to the largest error found, because it lies near a place that was looked at, not at it.
-constexpr double certificate_margin = 0.02;
+constexpr double certificate_margin = 0.05;
 
 /// Lays both sides of a table with an error of at most `target`.
 class Builder {
@@ -59,7 +59,7 @@ class Builder {
 
   /// The piece over [left, right], by its chord if it must.
   [[nodiscard]] Piece piece(bool outside, double left, double right, Extended start) const {
-    Piece result(source_, outside, left, right, start);
+    Piece result(source_, outside, left, right, start, target_);
     if (left == 0.0 && !fits(result)) {
       Piece chord = result;
       chord.straighten();
@@ -102,6 +102,7 @@ class Builder {
     side.clear();
     Extended start = source_.at(outside, 0.0).trailing;
     double left = 0.0;
+    double last_width = 0.25;
     double guess = 0.25;
     while (left < 1.0) {
       const std::optional<Piece> next = widest(outside, left, guess, start);
@@ -116,7 +117,10 @@ class Builder {
         edges_ = buckets_.edges();
         continue;
       }
-      guess = 1.5 * (next->right() - next->left());
+      // Towards a place where the curve is singular, widths shrink by the same factor from piece to piece.
+      const auto width = static_cast<double>(next->width());
+      guess = width * std::clamp(width / last_width, 0.5, 2.0);
+      last_width = width;
       left = next->right();
       start = next->end();
       side.push_back(*next);
@@ -150,14 +154,19 @@ class Builder {
     return (sides_[0].size() + sides_[1].size()) * cell_bytes_ + 4 * buckets_.per_run() * sizeof(std::uint16_t) <= Table::most_bytes;
   }
 
-  /// Makes D end at `value`: what is missing goes into the piece that it bends least, and lifts those after it.
+  /// Makes D end at `value`: what is missing is made up for in the widest piece that stays convex, and lifts those after it.
   static bool end_at(std::vector<Piece>& side, Extended value) {
     const Extended rise = value - side.back().end();
-    const auto strength = [](const Piece& one) { return one.least_growth() * (one.right() - one.left()); };
-    const auto bent = std::max_element(side.begin(), side.end(), [&](const Piece& a, const Piece& b) { return strength(a) < strength(b); });
+    Piece* bent = nullptr;
+    for (Piece& one : side) {
+      if (one.stays_convex(rise) && (bent == nullptr || one.width() > bent->width())) bent = &one;
+    }
+    if (bent == nullptr) return false;
     bent->raise_end(rise);
-    std::for_each(bent + 1, side.end(), [&](Piece& after) { after.raise(rise); });
-    return bent->least_growth() >= 0;
+    for (Piece& after : side) {
+      if (after.left() > bent->left()) after.raise(rise);
+    }
+    return true;
   }
 
   const Source& source_;

@@ -21,11 +21,12 @@ double place(double left, double right, std::size_t k) noexcept {
 
 }  // namespace
 
-Piece::Piece(const Source& source, bool outside, double left, double right, Extended start) : left_(left), right_(right), start_(start) {
+Piece::Piece(const Source& source, bool outside, double left, double right, Extended start, double limit)
+    : left_(left), right_(right), start_(start) {
   samples_.reserve(2 * node_count + 3);
   for (std::size_t k = 0; k <= 10; k += 2) samples_.push_back(source.at(outside, place(left, right, k)));
   interpolate();
-  if (least_growth() >= 0 || left == 0.0) look_between(source, outside);
+  if (least_growth() >= 0 || left == 0.0) look_between(source, outside, limit);
 }
 
 void Piece::interpolate() {
@@ -48,11 +49,14 @@ void Piece::interpolate() {
   }
 }
 
-void Piece::look_between(const Source& source, bool outside) {
+void Piece::look_between(const Source& source, bool outside, double limit) {
+  bool within = true;
   const auto look = [&](double x) {
-    if (x > left_ && x < right_) samples_.push_back(source.at(outside, x));
+    if (!(within && x > left_ && x < right_)) return;
+    samples_.push_back(source.at(outside, x));
+    within = left_ == 0.0 || error_at(samples_.back()) <= limit;
   };
-  for (std::size_t k = 1; k < 10; k += 2) look(place(left_, right_, k));
+  for (const std::size_t k : {1, 9, 5, 3, 7}) look(place(left_, right_, k));
   // Where the curve is singular, the largest error is nearer to there.
   for (const double share : {0.01, 0.004, 0.0015}) {
     if (left_ == 0.0) look(share * right_);
@@ -96,15 +100,21 @@ Extended Piece::least_growth() const noexcept {
   return least;
 }
 
+Extended Piece::error_at(const Sample& exact) const noexcept {
+  const Extended u = (Extended(exact.x) - left_) / width();
+  const Extended slope = leading(u);
+  return std::max(std::fabs(slope - exact.leading), std::fabs(support(u) - exact.x * slope - exact.trailing));
+}
+
 Extended Piece::error() const noexcept {
   Extended worst = 0;
-  for (std::size_t i = node_count; i < samples_.size(); ++i) {
-    const Sample& exact = samples_[i];
-    const Extended u = (Extended(exact.x) - left_) / width();
-    const Extended slope = leading(u);
-    worst = std::max({worst, std::fabs(slope - exact.leading), std::fabs(support(u) - exact.x * slope - exact.trailing)});
-  }
+  for (std::size_t i = node_count; i < samples_.size(); ++i) worst = std::max(worst, error_at(samples_[i]));
   return worst;
+}
+
+bool Piece::stays_convex(Extended rise) const noexcept {
+  // The slope of u(1 − u) is at most 1.
+  return std::fabs(6 * rise / width()) <= least_growth();
 }
 
 void Piece::raise_end(Extended rise) noexcept {

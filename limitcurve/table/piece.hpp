@@ -10,25 +10,28 @@ namespace limitcurve::table {
 /// A cell while it is built: D′ = Σ lᵢ uⁱ and its integral D over [left, right], u = (x − left)/(right − left), in extended precision.
 class Piece {
  public:
-  /// Interpolates D′ between `left` and `right`. `start` is D at its left end.
-  Piece(const Source& source, bool outside, double left, double right, Extended start);
+  /// Interpolates D′ between `left` and `right`. `start` is D at its left end. Looks for its error until it is above `limit`.
+  Piece(const Source& source, bool outside, double left, double right, Extended start, double limit);
 
   /// D′ by its chord instead: for a curve whose D′ begins as a root of x at x = 0.
   void straighten();
 
   [[nodiscard]] double left() const noexcept { return left_; }
   [[nodiscard]] double right() const noexcept { return right_; }
+  [[nodiscard]] Extended width() const noexcept { return Extended(right_) - left_; }
   /// D at its right end.
   [[nodiscard]] Extended end() const noexcept { return support(1); }
   /// The least Bernstein coefficient of dD′/du: the piece is convex if it is ≥ 0.
   [[nodiscard]] Extended least_growth() const noexcept;
-  /// The largest error of both components at the places between the nodes.
+  /// The largest error of both components at the places between the nodes that were looked at.
   [[nodiscard]] Extended error() const noexcept;
   /// The exact curve at the nodes and between them.
   [[nodiscard]] const std::vector<Sample>& samples() const noexcept { return samples_; }
 
   /// Raises D at the right end by so much and leaves D′ at both ends as it is.
   void raise_end(Extended rise) noexcept;
+  /// Whether it is convex after that.
+  [[nodiscard]] bool stays_convex(Extended rise) const noexcept;
   /// Raises D everywhere.
   void raise(Extended rise) noexcept { start_ += rise; }
 
@@ -37,11 +40,11 @@ class Piece {
  private:
   static constexpr std::size_t node_count = 6;
 
-  [[nodiscard]] Extended width() const noexcept { return Extended(right_) - left_; }
   [[nodiscard]] Extended leading(Extended u) const noexcept;
   [[nodiscard]] Extended support(Extended u) const noexcept;
+  [[nodiscard]] Extended error_at(const Sample& exact) const noexcept;
   void interpolate();
-  void look_between(const Source& source, bool outside);
+  void look_between(const Source& source, bool outside, double limit);
 
   double left_;
   double right_;
