@@ -2,7 +2,7 @@
 #pragma once
 
 #include "godobject/rigid_body.hpp"
-#include "godobject/scene_replay.hpp"
+#include "godobject/replay.hpp"
 
 #include <string>
 

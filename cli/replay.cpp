@@ -7,10 +7,10 @@
 
 #include "godobject/passivity.hpp"
 #include "godobject/replay.hpp"
-#include "godobject/scene_replay.hpp"
 #include "limitcurve/number.hpp"
 
 #include <array>
+#include <iostream>
 #include <limits>
 #include <optional>
 #include <stdexcept>
@@ -20,12 +20,12 @@ namespace limitcurve::cli {
 namespace {
 
 using godobject::BodyMotion;
-using godobject::BoundaryKind;
-using godobject::ProjectionKind;
+using godobject::CurveKind;
+using godobject::Projection;
 
-constexpr std::array boundaries{BoundaryKind::exact,        BoundaryKind::table,   BoundaryKind::ellipse,
-                                BoundaryKind::superellipse, BoundaryKind::quartic, BoundaryKind::box};
-constexpr std::array projections{ProjectionKind::radial, ProjectionKind::c_curve, ProjectionKind::closest_point};
+constexpr std::array curves{CurveKind::exact,        CurveKind::table,   CurveKind::ellipse,
+                            CurveKind::superellipse, CurveKind::quartic, CurveKind::box};
+constexpr std::array projections{Projection::radial, Projection::c_curve, Projection::closest_point};
 
 template <class Kinds>
 std::vector<std::string> names(const Kinds& kinds) {
@@ -88,19 +88,19 @@ class Replay final : public Subcommand {
 
   void declare(Options& options) override {
     options.text("--trace", trace_, "FILE", "CSV with columns time,x,y,z,twist, or - for standard input", Presence::required);
-    options.law(finger_.law);
+    options.law(replay_.law);
     options.radius_law(radius_law_, Presence::optional);
-    options.number("--mu", finger_.mu, non_negative, "Friction coefficient mu [1]", Presence::required);
-    options.number("--stiffness", finger_.stiffness, positive, "Contact stiffness k_l [N/m]; the load is P = k_l d", Presence::required);
-    options.number("--twist-stiffness", finger_.twist_stiffness, positive, "Torsional stiffness k_r [N m/rad]", Presence::required);
-    options.number("--mu-dynamic", finger_.mu_dynamic, non_negative, "Friction coefficient while slipping (mu if left out)");
-    options.number("--moment-coefficient", finger_.moment_coefficient, non_negative,
+    options.number("--mu", replay_.finger.mu, non_negative, "Friction coefficient mu [1]", Presence::required);
+    options.number("--stiffness", replay_.finger.stiffness, positive, "Contact stiffness k_l [N/m]; the load is P = k_l d", Presence::required);
+    options.number("--twist-stiffness", replay_.finger.twist_stiffness, positive, "Torsional stiffness k_r [N m/rad]", Presence::required);
+    options.number("--mu-dynamic", replay_.finger.mu_dynamic, non_negative, "Friction coefficient while slipping (mu if left out)");
+    options.number("--moment-coefficient", replay_.finger.moment_coefficient, non_negative,
                    "mu_r [m]: the largest moment is mu_r P, whatever the radius law");
-    options.number("--moment-coefficient-dynamic", finger_.moment_coefficient_dynamic, non_negative,
+    options.number("--moment-coefficient-dynamic", replay_.finger.moment_coefficient_dynamic, non_negative,
                    "mu_r while slipping [m] (mu_r times mu-dynamic/mu if left out)");
-    options.choice("--boundary", boundary_, names(boundaries), "Limit curve");
+    options.choice("--boundary", curve_, names(curves), "Limit curve");
     options.choice("--projection", projection_, names(projections), "How the proxy is brought back on to it");
-    options.number("--tolerance", finger_.tolerance, positive, "Error of the table, in unit wrenches");
+    options.number("--tolerance", replay_.tolerance, positive, "Error of the table, in unit wrenches");
     options.value(
         "--surface", "SURFACE",
         [this](const std::string& text) {
@@ -113,12 +113,12 @@ class Replay final : public Subcommand {
     options.text("--body", body_text_, "BODY",
                  "Who moves it: fixed, trace, planar:mass=0.1[,inertia=1e-4] (in x-y, frictionless), "
                  "free:mass=0.1[,inertia=1e-4][,gravity=9.81] (default fixed)");
-    options.count("--fingers", fingers_, 1, godobject::SceneReplay::most_fingers, "Fingers in the trace");
-    options.number("--damping", damping_, non_negative, "b_l of each finger [N s/m]");
-    options.number("--twist-damping", twist_damping_, non_negative, "b_r of each finger [N m s/rad]");
-    options.number("--jump-limit", finger_.jump_limit, positive_or_inf,
+    options.count("--fingers", fingers_, 1, godobject::Replay::most_fingers, "Fingers in the trace");
+    options.number("--damping", replay_.finger.damping, non_negative, "b_l of each finger [N s/m]");
+    options.number("--twist-damping", replay_.finger.twist_damping, non_negative, "b_r of each finger [N m s/rad]");
+    options.number("--jump-limit", replay_.finger.max_displacement, positive_or_inf,
                    "A finger that leaps farther than this between two rows [m] is a fault of the device: refused once, as invalid");
-    options.number("--hold-share", finger_.hold_share, share,
+    options.number("--hold-share", replay_.finger.fault_decay, share,
                    "Of load, force and moment [1] that an invalid row keeps of an invalid row before: 0.99 lets go softly, 1 holds them");
     options.value(
         "--check-gains", "LIST", [this](const std::string& text) { read_device(text); },
@@ -130,20 +130,20 @@ class Replay final : public Subcommand {
 
   void run(const Results& results) override {
     if (radius_law_) {
-      finger_.radius_law = *radius_law_;
-    } else if (!finger_.moment_coefficient) {
+      replay_.finger.radius_law = *radius_law_;
+    } else if (!replay_.finger.moment_coefficient) {
       throw std::invalid_argument("--radius-law is required, unless --moment-coefficient is given");
     }
-    finger_.boundary = boundaries.at(boundary_);
-    finger_.projection = projections.at(projection_);
+    replay_.curve = curves.at(curve_);
+    replay_.projection = projections.at(projection_);
     check_gains();
     const BodyArgument body = body_argument();
     const bool in_space = !on_plane_ || body.motion != BodyMotion::fixed || fingers_ > 1;
-    if (in_space || details_ || damping_ > 0.0 || twist_damping_ > 0.0) {
-      run_scene(results, body, {in_space, details_});
-    } else {
-      run_on_plane(results);
-    }
+    replay_.surface = surface_.surface;
+    replay_.fingers = fingers_;
+    replay_.motion = body.motion;
+    replay_.body = body.parameters;
+    run_replay(results, {in_space, details_});
   }
 
  private:
@@ -164,44 +164,25 @@ class Replay final : public Subcommand {
 
   void check_gains() const {
     if (!device_) return;
-    godobject::FingerParameters parameters = godobject::finger_parameters(finger_);
-    parameters.damping = damping_;
-    parameters.twist_damping = twist_damping_;
-    godobject::require_passive(parameters, sample_time_, *device_);
+    godobject::require_passive(replay_.finger, sample_time_, *device_);
   }
 
-  void run_on_plane(const Results& results) const {
-    TraceReader trace(trace_, 1, false);
-    godobject::Replay replay(finger_);
-    Rows rows(results, {"time", "state", "px", "py", "angle", "depth", "load", "fx", "fy", "moment", "cor"});
-    while (trace.next()) {
-      const Eigen::Vector3d& at = trace.fingers().front().position;
-      const godobject::ReplayRow row = replay.step({trace.time(), at.x(), at.y(), at.z(), trace.plane_twist()});
-      rows.row(row.time, godobject::to_string(row.state), row.px, row.py, row.angle, row.depth, row.load, row.fx, row.fy, row.moment,
-               row.cor);
+  void run_replay(const Results& results, const Columns& columns) const {
+    TraceReader trace(trace_, fingers_, replay_.motion == BodyMotion::prescribed);
+    godobject::Replay replay(replay_);
+    if (replay_.curve == CurveKind::exact) {
+      std::cerr << "limitcurve: exact: a table with an error of at most " << format_number(replay.curve_error()) << " in unit wrenches\n";
     }
-    rows.finish();
-  }
-
-  void run_scene(const Results& results, const BodyArgument& body, const Columns& columns) const {
-    TraceReader trace(trace_, fingers_, body.motion == BodyMotion::prescribed);
-    godobject::SceneReplay replay({.finger = finger_,
-                                   .damping = damping_,
-                                   .twist_damping = twist_damping_,
-                                   .surface = surface_.surface,
-                                   .fingers = fingers_,
-                                   .motion = body.motion,
-                                   .body = body.parameters});
-    const bool is_free = body.motion == BodyMotion::free;
+    const bool is_free = replay_.motion == BodyMotion::free;
     std::vector<std::string> names{"time"};
     for (std::size_t i = 0; i < fingers_; ++i) add_columns(names, i == 0 ? "" : std::to_string(i + 1), columns);
     if (is_free) names.insert(names.end(), {"bx", "by", "bz", "bqw", "bqx", "bqy", "bqz"});
     Rows rows(results, names);
     double last = std::numeric_limits<double>::infinity();
     while (trace.next()) {
-      if (is_free && trace.time() - last > godobject::SceneReplay::longest_step) {
+      if (is_free && trace.time() - last > godobject::Replay::longest_step) {
         throw trace.complaint("a gap of " + format_number(trace.time() - last) + " s, expected at most " +
-                              format_number(godobject::SceneReplay::longest_step) + " s where the body is free");
+                              format_number(godobject::Replay::longest_step) + " s where the body is free");
       }
       last = trace.time();
       replay.step(trace.time(), trace.fingers(), trace.body());
@@ -219,18 +200,16 @@ class Replay final : public Subcommand {
 
   std::string trace_;
   std::optional<RadiusLaw> radius_law_;
-  std::size_t boundary_ = 1;
+  std::size_t curve_ = 1;
   std::size_t projection_ = 2;
   SurfaceArgument surface_ = read_surface("plane");
   bool on_plane_ = true;
   std::string body_text_ = "fixed";
   std::size_t fingers_ = 1;
-  double damping_ = 0.0;
-  double twist_damping_ = 0.0;
   bool details_ = false;
   std::optional<godobject::DeviceDamping> device_;
   double sample_time_ = 1e-3;
-  godobject::ReplayOptions finger_;
+  godobject::ReplayOptions replay_;
 };
 
 }  // namespace

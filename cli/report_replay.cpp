@@ -80,8 +80,8 @@ void write_replay_files(const std::filesystem::path& output, const std::filesyst
 }
 
 void write_steady_twist_file(const std::filesystem::path& output) {
-  using godobject::BoundaryKind;
-  using godobject::ProjectionKind;
+  using godobject::CurveKind;
+  using godobject::Projection;
   // A contact of load 1 N, radius 1 m and friction 1: force and moment are unit wrenches.
   constexpr double pressing = 1000.0;  // N/m
   constexpr double cor = 1.0;          // on the rim
@@ -93,28 +93,31 @@ void write_steady_twist_file(const std::filesystem::path& output) {
   AtomicFile file(output / "steady_twist.csv");
   Rows rows({file.output()},
             {"law", "boundary", "projection", "cor", "stiffness_ratio", "force", "moment", "exact_force", "exact_moment", "error"});
-  for (const BoundaryKind boundary : {BoundaryKind::table, BoundaryKind::ellipse}) {
-    for (const ProjectionKind projection : {ProjectionKind::closest_point, ProjectionKind::radial}) {
+  for (const CurveKind curve : {CurveKind::table, CurveKind::ellipse}) {
+    for (const Projection projection : {Projection::closest_point, Projection::radial}) {
       for (int i = 0; i <= ratios; ++i) {
         const double ratio = std::pow(10.0, 2.0 * i / ratios - 1.0);
         godobject::ReplayOptions options;
         options.law = law;
-        options.radius_law = RadiusLaw::constant(1.0);
-        options.mu = 1.0;
-        options.stiffness = pressing;
-        options.twist_stiffness = ratio * pressing * moment_ratio * moment_ratio;
-        options.boundary = boundary;
+        options.finger.radius_law = RadiusLaw::constant(1.0);
+        options.finger.mu = 1.0;
+        options.finger.stiffness = pressing;
+        options.finger.twist_stiffness = ratio * pressing * moment_ratio * moment_ratio;
+        options.curve = curve;
         options.projection = projection;
         options.tolerance = 1e-8;
         godobject::Replay replay(options);
-        godobject::ReplayRow row;
         for (int step = 0; step <= steps; ++step) {
           const double x = step / pressing;
-          row = replay.step({1e-3 * step, x, 0.0, -1.0 / pressing, x / cor});
+          godobject::DevicePose finger;
+          finger.position = {x, 0.0, -1.0 / pressing};
+          finger.twist = x / cor;
+          replay.step(1e-3 * step, {&finger, 1});
         }
-        const UnitWrench settled{std::hypot(row.fx, row.fy), std::abs(row.moment)};
+        const godobject::SceneContact& contact = replay.contacts().front();
+        const UnitWrench settled{contact.force.norm(), std::abs(contact.moment)};
         const double error = std::hypot(settled.force - exact.force, (settled.moment - exact.moment) / moment_ratio);
-        rows.row(law->name(), godobject::to_string(boundary), godobject::to_string(projection), cor, ratio, settled.force, settled.moment,
+        rows.row(law->name(), godobject::to_string(curve), godobject::to_string(projection), cor, ratio, settled.force, settled.moment,
                  exact.force, exact.moment, error);
       }
     }

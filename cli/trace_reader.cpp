@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "cli/trace_reader.hpp"
 
-#include "godobject/rigid_body.hpp"
 #include "limitcurve/number.hpp"
 
 #include <cmath>
@@ -77,11 +76,6 @@ bool TraceReader::next() {
   body_.position = position(body_column_);
   if (reader_.has(turn)) body_.orientation = orientation(turn);
   return true;
-}
-
-double TraceReader::plane_twist() const {
-  const godobject::DevicePose& finger = fingers_.front();
-  return reader_.has(first_optional_) ? finger.twist : godobject::twist_about(finger.orientation, Eigen::Vector3d::UnitZ());
 }
 
 std::invalid_argument TraceReader::complaint(const std::string& what) const {

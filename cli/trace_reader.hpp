@@ -26,8 +26,6 @@ class TraceReader {
   [[nodiscard]] double time() const { return time_; }
   [[nodiscard]] const std::vector<godobject::DevicePose>& fingers() const { return fingers_; }
   [[nodiscard]] const godobject::BodyPose& body() const { return body_; }
-  /// The first finger's twist about the normal of the plane z = 0 [rad].
-  [[nodiscard]] double plane_twist() const;
   /// The complaint about the time of this sample.
   [[nodiscard]] std::invalid_argument complaint(const std::string& what) const;
 

@@ -35,8 +35,7 @@ void move(god::ContactArrays& contacts, std::size_t begin, std::size_t end, int 
 }
 
 /// Seconds for all steps, moving the fingers included, by a number of threads.
-template <class Friction>
-double run(const Friction& friction, god::ContactArrays& contacts, int steps, unsigned threads) {
+double run(const god::Batch& friction, god::ContactArrays& contacts, int steps, unsigned threads) {
   const std::size_t count = contacts.size();
   std::barrier ready(static_cast<std::ptrdiff_t>(threads) + 1);
   Clock::time_point start;
@@ -52,7 +51,7 @@ double run(const Friction& friction, god::ContactArrays& contacts, int steps, un
         // The friction is shared and constant; nobody waits for anybody.
         for (int step = 0; step < steps; ++step) {
           move(contacts, begin, end, step);
-          god::step(friction, batch);
+          friction.step(batch);
         }
       });
     }
@@ -77,7 +76,7 @@ int main(int argc, char** argv) {
   skin.radius_law = lc::RadiusLaw::constant(0.005);
   skin.stiffness = 1000.0;
   skin.twist_stiffness = 0.01;
-  const god::Friction friction(lc::Table::build(lc::hertz(), 1e-6), skin, god::ClosestPoint{});
+  const god::Batch friction(lc::Table::build(lc::hertz(), 1e-6), skin);
 
   const unsigned cores = std::max(std::thread::hardware_concurrency(), 1U);
   std::vector<unsigned> teams;

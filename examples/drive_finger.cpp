@@ -18,7 +18,7 @@ int main() {
   parameters.radius_law = lc::RadiusLaw::constant(0.005);
   parameters.stiffness = 1000.0;
   parameters.twist_stiffness = 0.04;
-  god::SoftFinger finger(lc::Table::build(law, 1e-8), parameters, god::ClosestPoint{});
+  god::SoftFinger finger(lc::Table::build(law, 1e-8), parameters);
 
   const double depth = 0.002, radius = 0.005, mu = 0.6;  // so the load is 2 N
   for (int step = 0; step < 2000; ++step) {
@@ -26,7 +26,7 @@ int main() {
     finger.update({{slid, 0.0, 0.0}, {0.0, 0.0, 1.0}, depth}, slid / 0.005);
   }
 
-  const god::FingerOutput& felt = finger.output();
+  const god::FingerOutput felt = finger.output();
   const auto unit = law->forces(1.0);
   const double force = mu * felt.load * unit.force, moment = mu * felt.load * radius * unit.moment;
   std::printf("felt %.9f N and %.9f N mm; eq. (17) at c = a: %.9f N and %.9f N mm; COR at %.6f mm\n", felt.force.norm(),

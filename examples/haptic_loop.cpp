@@ -61,7 +61,7 @@ class StandInDevice {
 class TouchOfPlane {
  public:
   explicit TouchOfPlane(double greatest_force)
-      : finger_(lc::Table::build(lc::hertz(), 1e-6), parameters(), god::ClosestPoint{}), greatest_force_(greatest_force) {}
+      : finger_(lc::Table::build(lc::hertz(), 1e-6), parameters()), greatest_force_(greatest_force) {}
 
   /// Device in, force [N] and torque [N m] in the device's frame out. Allocates nothing and never throws.
   void step(const Eigen::Vector3d& position, const Eigen::Quaterniond& orientation, Eigen::Vector3d& force,
@@ -69,7 +69,7 @@ class TouchOfPlane {
     // The plane through the device's origin, y up.
     const Eigen::Vector3d normal = Eigen::Vector3d::UnitY();
     const god::Contact contact{{position.x(), 0.0, position.z()}, normal, -position.y()};
-    const god::FingerOutput& output = finger_.update(contact, god::twist_about(orientation, normal), 1e-3);
+    const god::FingerOutput output = finger_.update(contact, god::twist_about(orientation, normal), 1e-3);
     force = output.load * normal + output.force;
     torque = output.moment * normal;
     // What the motors cannot give is scaled, not cut: its direction stays.
@@ -77,7 +77,7 @@ class TouchOfPlane {
     force *= share;
     torque *= share;
   }
-  [[nodiscard]] const god::FingerOutput& output() const noexcept { return finger_.output(); }
+  [[nodiscard]] god::FingerOutput output() const noexcept { return finger_.output(); }
 
  private:
   static god::FingerParameters parameters() {
@@ -88,12 +88,12 @@ class TouchOfPlane {
     result.twist_stiffness = 0.01;
     result.damping = 1.0;  // > kT/2 = 0.5 N s/m
     result.twist_damping = 1e-5;
-    result.jump_limit = 0.02;  // a device that leaps 20 mm in a millisecond is broken
-    result.hold_share = 0.95;  // and its last force fades in some 50 ms
+    result.max_displacement = 0.02;  // a device that leaps 20 mm in a millisecond is broken
+    result.fault_decay = 0.95;  // and its last force fades in some 50 ms
     return result;
   }
 
-  god::SoftFinger<lc::Table, god::ClosestPoint> finger_;
+  god::SoftFinger finger_;
   double greatest_force_;
 };
 
@@ -116,7 +116,7 @@ int main() {
   TouchOfPlane touch(device.greatest_force());
   bool right = true;
   const auto report = [&](const char* what, god::ContactState expected) {
-    const god::FingerOutput& output = touch.output();
+    const god::FingerOutput output = touch.output();
     std::printf("%-28s %-6s load %.3f N  friction %.3f N  moment %+.3f N mm  margin to the hand's force %.1e N\n", what,
                 god::to_string(output.state).data(), output.load, output.force.norm(), 1e3 * output.moment,
                 (device.hand_force() + output.load * Eigen::Vector3d::UnitY() + output.force).norm());

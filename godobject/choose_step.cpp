@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "godobject/choose_step.hpp"
 
-#include "godobject/closest_point_projection.hpp"
-#include "godobject/radial_projection.hpp"
+#include "godobject/curve_kind.hpp"
 #include "godobject/soft_finger.hpp"
 #include "limitcurve/boundary_error.hpp"
 #include "limitcurve/choose.hpp"
@@ -102,14 +101,13 @@ class Motions {
   }
 
   /// Drives a finger; the record is at whole sample times, however many steps there are between.
-  template <class Boundary, class Projection>
-  [[nodiscard]] Record drive(const Boundary& boundary, Projection projection, const FingerParameters& parameters, int substeps = 1) const {
+  [[nodiscard]] Record drive(const FingerCurve& curve, Projection projection, const FingerParameters& parameters, int substeps = 1) const {
     Record record;
     const double mean = 0.5 * (scene_.least_load + scene_.most_load);
     const double swing = 0.5 * (scene_.most_load - scene_.least_load);
     const int samples = static_cast<int>(duration_ / step_);
     for (const auto& [slide, twist] : motions_) {
-      SoftFinger finger(boundary, parameters, projection);
+      SoftFinger finger(curve, parameters, projection);
       for (int i = 0; i <= samples * substeps; ++i) {
         const double time = step_ * i / substeps;
         const double load = mean + swing * std::sin(2.0 * std::numbers::pi * 3.0 * time / duration_);
@@ -118,7 +116,7 @@ class Motions {
         };
         const Pose pose{forth_and_back(slide * scene_.slide_speed, scene_.slide), forth_and_back(twist * scene_.twist_rate, scene_.twist),
                         load / scene_.stiffness};
-        const FingerOutput& output = finger.update({{pose.x, 0.0, 0.0}, {0.0, 0.0, 1.0}, pose.depth}, pose.twist);
+        const FingerOutput output = finger.update({{pose.x, 0.0, 0.0}, {0.0, 0.0, 1.0}, pose.depth}, pose.twist);
         if (i % substeps == 0) record.push_back({output.force.x() / (scene_.mu * load), output.moment / moment_of(load)});
       }
     }
@@ -177,10 +175,10 @@ StepChoice choose_step(const Scene& scene, double tolerance) {
   const double m0 = exact.moment_ratio();
   const Motions motions(scene, m0);
   const FingerParameters true_finger = parameters_of(scene);
-  const Table fine = Table::build(scene.law, std::max(1e-2 * tolerance, 1e-9));
-  const Record truth = motions.drive(fine, ClosestPoint{}, true_finger);
-  const auto error_of = [&](const auto& boundary, auto projection, const FingerParameters& finger) {
-    return largest_difference(motions.drive(boundary, projection, finger), truth);
+  const FingerCurve fine = Table::build(scene.law, std::max(1e-2 * tolerance, 1e-9));
+  const Record truth = motions.drive(fine, Projection::closest_point, true_finger);
+  const auto error_of = [&](const FingerCurve& curve, Projection projection, const FingerParameters& finger) {
+    return largest_difference(motions.drive(curve, projection, finger), truth);
   };
   FingerParameters slippery = true_finger;
   slippery.moment_coefficient = 0.0;
@@ -189,38 +187,38 @@ StepChoice choose_step(const Scene& scene, double tolerance) {
   const Ellipse ellipse = Ellipse::through_intercepts(m0);
 
   StepChoice result;
-  result.effects.torsion = error_of(fine, ClosestPoint{}, slippery);
-  result.effects.coupling = error_of(box(1.0, m0), ClosestPoint{}, true_finger);
-  result.effects.load_radius = error_of(fine, ClosestPoint{}, mean_finger);
-  result.effects.curve = error_of(ellipse, ClosestPoint{}, true_finger);
-  result.effects.projection = error_of(fine, Radial{}, true_finger);
-  result.effects.sampling = largest_difference(motions.drive(fine, ClosestPoint{}, true_finger, 2), truth);
+  result.effects.torsion = error_of(fine, Projection::closest_point, slippery);
+  result.effects.coupling = error_of(box(1.0, m0), Projection::closest_point, true_finger);
+  result.effects.load_radius = error_of(fine, Projection::closest_point, mean_finger);
+  result.effects.curve = error_of(ellipse, Projection::closest_point, true_finger);
+  result.effects.projection = error_of(fine, Projection::radial, true_finger);
+  result.effects.sampling = largest_difference(motions.drive(fine, Projection::closest_point, true_finger, 2), truth);
 
   // What a power of the load costs in a step, [ns].
   constexpr double load_radius_cost = 20.0;
   const bool radius_varies =
       !scene.moment_coefficient && scene.radius_law.radius(scene.least_load) != scene.radius_law.radius(scene.most_load);
   auto& candidates = result.candidates;
-  const auto add = [&](const std::string& model, double parameter, const auto& boundary, auto projection, double cost) {
-    candidates.push_back({model, parameter, true, error_of(boundary, projection, mean_finger), cost});
+  const auto add = [&](const std::string& model, double parameter, const FingerCurve& curve, Projection projection, double cost) {
+    candidates.push_back({model, parameter, true, error_of(curve, projection, mean_finger), cost});
     if (radius_varies)
-      candidates.push_back({model, parameter, false, error_of(boundary, projection, true_finger), cost + load_radius_cost});
+      candidates.push_back({model, parameter, false, error_of(curve, projection, true_finger), cost + load_radius_cost});
   };
-  const auto add_both = [&](const char* model, double parameter, const auto& boundary) {
+  const auto add_both = [&](const char* model, double parameter, const FingerCurve& curve) {
     const shipped_costs::Cost& cost = shipped_costs::of(model);
-    add(std::string(model) + "/radial", parameter, boundary, Radial{}, cost.radial);
-    add(std::string(model) + "/closest-point", parameter, boundary, ClosestPoint{}, cost.closest_point);
+    add(std::string(model) + "/radial", parameter, curve, Projection::radial, cost.radial);
+    add(std::string(model) + "/closest-point", parameter, curve, Projection::closest_point, cost.closest_point);
   };
   const double none = std::numeric_limits<double>::quiet_NaN();
   // A clamp of the force alone is less than any of the others.
   candidates.push_back({"no torsion", none, true, result.effects.torsion, 0.5 * shipped_costs::of("ellipse").radial});
-  add_both("diamond", 1.0, diamond(1.0, m0));
-  add_both("box", std::numeric_limits<double>::infinity(), box(1.0, m0));
+  add("box/closest-point", std::numeric_limits<double>::infinity(), box(1.0, m0), Projection::closest_point,
+      shipped_costs::of("box").closest_point);
   add_both("ellipse", 1.0, ellipse);
   const Quartic quartic = minimax_quartic(exact);
-  add_both("quartic", quartic.kappa(), quartic);
+  add_both("quartic", quartic.kappa(), make_finger_curve(CurveKind::quartic, scene.law, tolerance).curve);
   const Superellipse superellipse = minimax_superellipse(exact);
-  add_both("superellipse", superellipse.exponent(), superellipse);
+  add_both("superellipse", superellipse.exponent(), make_finger_curve(CurveKind::superellipse, scene.law, tolerance).curve);
   const double table_tolerance = std::clamp(0.1 * tolerance, Table::finest_tolerance, Table::coarsest_tolerance);
   add_both("table", table_tolerance, Table::build(scene.law, table_tolerance));
 

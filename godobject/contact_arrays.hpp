@@ -3,7 +3,6 @@
 
 #include "godobject/contact_batch.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <span>
@@ -11,18 +10,14 @@
 
 namespace limitcurve::godobject {
 
-/// The arrays of a batch, in one piece of memory, where a step is fastest: each begins on a cache line, and at a place of its own within
-/// a page. Processors tell loads from earlier stores by the place within 4 KiB first: of arrays that were allocated one after the
-/// other a load may wait for the store before it. The results do not depend on it.
+/// The arrays of a batch, allocated: contacts at the origin, free.
 template <class Real>
 class BasicContactArrays {
  public:
-  /// Contacts at the origin, free. Takes the arrays and less than 5 KiB more for each. Throws std::bad_alloc or std::length_error.
+  /// Throws std::bad_alloc or std::length_error.
   explicit BasicContactArrays(std::size_t count)
-      : count_(count),
-        lines_apart_((count * sizeof(Real) + page - 1) / page * (page / sizeof(Line)) + apart),
-        memory_(arrays * lines_apart_) {
-    std::ranges::fill(array(7), Real(-2));
+      : count_(count), stride_((count + spacing - 1) / spacing * spacing + spacing), states_(count) {
+    numbers_.resize(stride_ * arrays);
   }
 
   [[nodiscard]] std::size_t size() const noexcept { return count_; }
@@ -33,32 +28,23 @@ class BasicContactArrays {
   [[nodiscard]] std::span<Real> angle() noexcept { return array(2); }
   [[nodiscard]] std::span<Real> depth() noexcept { return array(3); }
 
-  /// All arrays, in the order of BasicContactBatch.
-  [[nodiscard]] std::array<std::span<Real>, 12> spans() noexcept {
-    return {array(0), array(1), array(2), array(3), array(4), array(5), array(6), array(7), array(8), array(9), array(10), array(11)};
-  }
-
-  /// For `step`, as long as these arrays live.
+  /// For `BasicBatch::step`, as long as these arrays live.
   [[nodiscard]] BasicContactBatch<Real> batch() noexcept {
-    return {array(0), array(1), array(2), array(3), array(4), array(5), array(6), array(7), array(8), array(9), array(10), array(11)};
+    return {array(0), array(1), array(2), array(3), array(4),  array(5), array(6),
+            states_,  array(7), array(8), array(9), array(10), array(11)};
   }
 
  private:
   static constexpr std::size_t arrays = 12;
-  static constexpr std::size_t page = 4096;
-  static constexpr std::size_t apart = 5;  // lines: twelve arrays are spread over a page's 64
-  /// Of a cache.
-  struct alignas(64) Line {
-    std::array<Real, 64 / sizeof(Real)> values{};
-  };
+  // Arrays a whole power of two apart would share lines of the cache: each begins a little farther.
+  static constexpr std::size_t spacing = 320 / sizeof(Real);
 
-  [[nodiscard]] std::span<Real> array(std::size_t i) noexcept {
-    return {reinterpret_cast<Real*>(memory_.data() + i * lines_apart_), count_};
-  }
+  [[nodiscard]] std::span<Real> array(std::size_t i) noexcept { return {numbers_.data() + i * stride_, count_}; }
 
   std::size_t count_;
-  std::size_t lines_apart_;
-  std::vector<Line> memory_;
+  std::size_t stride_;
+  std::vector<Real> numbers_;
+  std::vector<ContactState> states_;
 };
 
 using ContactArrays = BasicContactArrays<double>;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "godobject/passivity.hpp"
 
+#include "godobject/contact_limits.hpp"
 #include "limitcurve/number.hpp"
 
 #include <limits>
@@ -31,10 +32,10 @@ void require(std::string_view channel, std::string_view units, double stiffness,
 
 DeviceDamping device_damping_needed(const FingerParameters& finger, double sample_time) {
   if (!(sample_time > 0.0 && sample_time <= largest)) throw out_of_range("sample_time", sample_time, "s", "> 0 and finite");
-  // The law checks its parameters; any boundary's moment ratio will do.
-  const ContactLaw law(finger, 1.0);
-  return {device_damping_needed(law.stiffness(), law.damping(), sample_time),
-          device_damping_needed(law.twist_stiffness(), law.twist_damping(), sample_time)};
+  // The limits check the parameters; any curve's moment ratio will do.
+  static_cast<void>(ContactLimits(finger, 1.0));
+  return {device_damping_needed(finger.stiffness, finger.damping, sample_time),
+          device_damping_needed(finger.twist_stiffness, finger.twist_damping, sample_time)};
 }
 
 void require_passive(const FingerParameters& finger, double sample_time, const DeviceDamping& device) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "godobject/contact_law.hpp"
+#include "godobject/finger.hpp"
 
 namespace limitcurve::godobject {
 
@@ -20,7 +20,7 @@ namespace limitcurve::godobject {
 }
 
 /// How near a spring k and a damper b are to the end of stability when they couple n fingers to a body of mass m (or k_r, b_r and
-/// the moment of inertia) by explicit steps, `Integrator::symplectic_euler`: n(kT²/m + 2bT/m)/4. Stable below 1, where the
+/// the moment of inertia) by explicit steps (symplectic Euler): n(kT²/m + 2bT/m)/4. Stable below 1, where the
 /// characteristic polynomial z² − (2 − β − κ)z + 1 − β has its roots within the unit circle, κ = nkT²/m, β = nbT/m. Implicit
 /// steps have no such limit. All arguments > 0, the damping ≥ 0.
 [[nodiscard]] constexpr double explicit_coupling(double stiffness, double damping, double mass, double sample_time,

@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "godobject/pivot.hpp"
 
-#include "godobject/closest_point_projection.hpp"
+#include "godobject/curve_kind.hpp"
 #include "godobject/grasp.hpp"
-#include "godobject/radial_projection.hpp"
 #include "godobject/surfaces.hpp"
-#include "limitcurve/ellipse.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/number.hpp"
-#include "limitcurve/polygon.hpp"
-#include "limitcurve/table.hpp"
 
 #include <algorithm>
 #include <array>
@@ -96,19 +92,17 @@ void require_hold(const PivotOptions& options, const FingerParameters& finger) {
   }
 }
 
-/// Calls `visitor` with the boundary and the projection of the case.
-template <class Visitor>
-decltype(auto) visit_case(const PivotOptions& options, Visitor&& visitor) {
+/// The limit curve of the case.
+FingerCurve curve_of(const PivotOptions& options) {
   const Law law = options.law ? options.law : hertz();
-  switch (options.kind) {
-    case PivotCase::uncoupled:
-      return visitor(box(1.0, law->moment_ratio()), ClosestPoint{});
-    case PivotCase::exact:
-      return visitor(Table::build(law, options.tolerance), ClosestPoint{});
-    case PivotCase::coupled:
-      break;
-  }
-  return visitor(Ellipse::through_intercepts(law->moment_ratio()), Radial{});
+  const CurveKind kind = options.kind == PivotCase::uncoupled ? CurveKind::box
+                         : options.kind == PivotCase::exact   ? CurveKind::table
+                                                              : CurveKind::ellipse;
+  return make_finger_curve(kind, law, options.tolerance).curve;
+}
+
+Projection projection_of(const PivotOptions& options) noexcept {
+  return options.kind == PivotCase::coupled ? Projection::radial : Projection::closest_point;
 }
 
 /// Who sets the load of the fingers.
@@ -156,31 +150,12 @@ double angle_of(const BodyState& state) noexcept {
 
 class Pivot::Scene {
  public:
-  explicit Scene(const PivotOptions& options) : options_(options), hand_(options) {}
-  Scene(const Scene&) = delete;
-  Scene& operator=(const Scene&) = delete;
-  virtual ~Scene() = default;
-  [[nodiscard]] const PivotRow& row() const noexcept { return row_; }
-  virtual bool step() noexcept = 0;
-
- protected:
-  PivotOptions options_;
-  GripHand hand_;
-  PivotRow row_;
-};
-
-namespace {
-
-template <LimitBoundary Boundary, class Projection>
-class PivotScene final : public Pivot::Scene {
- public:
-  PivotScene(const PivotOptions& options, Boundary boundary, Projection projection)
-      : Pivot::Scene(options), grasp_(make_grasp(options, std::move(boundary), projection)) {
+  explicit Scene(const PivotOptions& options) : options_(options), hand_(options), grasp_(make_grasp(options)) {
     const double weight = options_.mass * options_.gravity;
-    const ContactLaw& law = grasp_.finger(0).friction().law();
+    const FingerParameters& finger = grasp_.finger(0).parameters();
     // The fingers took hold where their springs, once the block hangs on them level, just bear it.
-    const double sag = 0.5 * weight * law.springs().compliance[0];
-    const double give = 0.5 * weight * options_.offset * law.springs().compliance[1];
+    const double sag = 0.5 * weight / finger.stiffness;
+    const double give = 0.5 * weight * options_.offset / finger.twist_stiffness;
     BodyState start;
     start.orientation = Eigen::AngleAxisd(-give, Eigen::Vector3d::UnitZ());
     start.position = -(start.orientation * Eigen::Vector3d(options_.offset, -sag, 0.0));
@@ -188,36 +163,36 @@ class PivotScene final : public Pivot::Scene {
     level.position = {-options_.offset, 0.0, 0.0};
     grasp_.place(start, devices());
     const double load = hand_.load(0.0, 0.0, 0.0, 0.0);
-    depth_ = load * law.springs().compliance[0];
+    depth_ = load / finger.stiffness;
     grasp_.place(start, devices());
     grip_ = grasp_.finger(0).output().proxy;
     grasp_.place(level, devices());
     describe(0.0, load);
   }
 
-  bool step() noexcept override {
+  [[nodiscard]] const PivotRow& row() const noexcept { return row_; }
+
+  bool step() noexcept {
     if (row_.time >= options_.duration - 0.5 * options_.time_step || row_.y < -options_.length) return false;
     // A multiple, not a sum: times stay round.
     ++count_;
     const double time = static_cast<double>(count_) * options_.time_step;
     const double load = hand_.load(time, options_.time_step, row_.angle, grasp_.body().angular_velocity.z());
     // As deep beneath the faces as spring and damper together give that load.
-    const ContactLaw& law = grasp_.finger(0).friction().law();
-    const double rate = law.damping() / options_.time_step;
-    depth_ = load > 0.0 ? (load + rate * depth_) / (law.stiffness() + rate) : 0.0;
+    const FingerParameters& finger = grasp_.finger(0).parameters();
+    const double rate = finger.damping / options_.time_step;
+    depth_ = load > 0.0 ? (load + rate * depth_) / (finger.stiffness + rate) : 0.0;
     grasp_.step(devices(), options_.time_step);
     describe(time, load);
     return true;
   }
 
  private:
-  using Grip = Grasp<BoxSurface, Boundary, Projection>;
-
-  static Grip make_grasp(const PivotOptions& options, Boundary boundary, Projection projection) {
-    using Finger = typename Grip::Finger;
+  static Grasp make_grasp(const PivotOptions& options) {
     const Eigen::Vector3d edges{options.length, options.height, thickness};
-    const Finger finger(std::move(boundary), finger_parameters(options), projection);
-    return Grip(BodyParameters::planar_block(options.mass, edges, options.gravity), BodyState{}, BoxSurface(0.5 * edges), {finger, finger});
+    const SoftFinger finger(curve_of(options), finger_parameters(options), projection_of(options));
+    return Grasp(BodyParameters::planar_block(options.mass, edges, options.gravity), BodyState{}, AnySurface(BoxSurface(0.5 * edges)),
+                 {finger, finger});
   }
 
   /// Two opposite fingers at the origin.
@@ -228,7 +203,7 @@ class PivotScene final : public Pivot::Scene {
 
   void describe(double time, double load) noexcept {
     const BodyState& body = grasp_.body();
-    const FingerOutput& output = grasp_.finger(0).output();
+    const FingerOutput output = grasp_.finger(0).output();
     row_.time = time;
     row_.x = body.position.x();
     row_.y = body.position.y();
@@ -238,8 +213,7 @@ class PivotScene final : public Pivot::Scene {
     Eigen::Vector3d force = Eigen::Vector3d::Zero();
     double moment = 0.0;
     for (std::size_t i = 0; i < grasp_.finger_count(); ++i) {
-      const FingerOutput& felt = grasp_.finger(i).output();
-      force += felt.force;
+      force += grasp_.finger(i).output().force;
       moment += grasp_.moment_on_user(i).z();
     }
     row_.friction_force = force.norm();
@@ -248,13 +222,14 @@ class PivotScene final : public Pivot::Scene {
     row_.cor = output.cor;
   }
 
-  Grip grasp_;
+  PivotOptions options_;
+  GripHand hand_;
+  PivotRow row_;
+  Grasp grasp_;
   Eigen::Vector3d grip_ = Eigen::Vector3d::Zero();  // where the first finger took hold, in the block's frame
   double depth_ = 0.0;                              // of the fingers beneath their faces [m]
   long count_ = 0;
 };
-
-}  // namespace
 
 std::string_view to_string(PivotCase kind) noexcept {
   for (const auto& [known, name] : cases) {
@@ -273,11 +248,9 @@ PivotCase parse_pivot_case(std::string_view text) {
 Pivot::Pivot(const PivotOptions& options) {
   validate(options);
   const FingerParameters finger = finger_parameters(options);
-  static_cast<void>(ContactLaw(finger, 1.0));
+  static_cast<void>(ContactLimits(finger, 1.0));
   require_hold(options, finger);
-  scene_ = visit_case(options, [&](auto boundary, auto projection) -> std::unique_ptr<Scene> {
-    return std::make_unique<PivotScene<decltype(boundary), decltype(projection)>>(options, std::move(boundary), projection);
-  });
+  scene_ = std::make_unique<Scene>(options);
 }
 
 Pivot::~Pivot() = default;
@@ -303,15 +276,9 @@ double holding_load(const PivotOptions& options) {
   validate(options);
   const FingerParameters finger = finger_parameters(options);
   if (!(finger.mu > 0.0)) return std::numeric_limits<double>::infinity();
-  return visit_case(options, [&](const auto& boundary, auto) {
-    const double share = 0.5 * options.mass * options.gravity;
-    const ContactLaw law(finger, boundary.moment_ratio());
-    const double radius = law.static_scale(1.0).radius;
-    const double moment = share * options.offset;
-    if (moment > 0.0 && radius == 0.0) return std::numeric_limits<double>::infinity();
-    // The gauge of the wrench at a load of 1 N is the load at which it is on the curve: both scale with it.
-    return boundary.gauge({share / finger.mu, moment > 0.0 ? moment / (finger.mu * radius) : 0.0});
-  });
+  const FingerCurve curve = curve_of(options);
+  const double share = 0.5 * options.mass * options.gravity;
+  return ContactLimits(finger, curve.moment_ratio()).load_to_hold(curve, share, share * options.offset);
 }
 
 }  // namespace limitcurve::godobject

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "godobject/contact_state.hpp"
+#include "godobject/finger.hpp"
 #include "limitcurve/pressure_law.hpp"
 
 #include <memory>
@@ -85,7 +85,7 @@ struct PivotRow {
 /// The experiment, step by step. Deterministic.
 class Pivot {
  public:
-  class Scene;  // one a case; known to pivot.cpp only
+  class Scene;  // known to pivot.cpp only
 
   /// Throws `std::invalid_argument` that names the parameter, its value, unit and range.
   explicit Pivot(const PivotOptions& options);

@@ -1,54 +1,124 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "limitcurve/limit_boundary.hpp"
+#include "limitcurve/curve_view.hpp"
 #include "limitcurve/radius_law.hpp"
-
-#include <algorithm>
-#include <concepts>
-#include <cstdint>
 
 namespace limitcurve::godobject {
 
-/// A contact slips when the gauge of its trial exceeds 1 by more than this; within it, rounding of a proxy that lies on the
-/// boundary would be taken for slip. What is felt is within the boundary there too.
-inline constexpr double slip_guard = 1e-12;
-
-/// The wrench that the springs between proxy and finger would cause if the proxy stayed where it is, in unit wrenches of
-/// the load: x̂ = k_l r/(μP), ŷ = k_r ρ/(μPa) (paper, eqs. 7 and 21), and what a projection needs to know beside it.
-struct Trial {
-  UnitWrench wrench;                      ///< (x̂, ŷ), finite, ≥ 0, not both 0
-  double compliance_ratio = 1.0;          ///< χ = a²k_l/k_r: how soft the twist is against the sliding, > 0
-  double start = -1.0;                    ///< place of the last slip, where a search may start; ≤ 0: none
-  const RadiusLaw* radius_law = nullptr;  ///< a(P), where it depends on the load
-  double load = 0.0;                      ///< P [N]
-  std::uint32_t piece = 0;                ///< Projected::piece of the last slip, or any number
+/// How a trial wrench that is outside the limit curve comes back on to it.
+enum class Projection {
+  radial,        ///< eq. (23): force and moment shrink by one factor
+  c_curve,       ///< Fig. 5: the load is brought back with the centre of rotation kept; radial where a does not depend on P
+  closest_point  ///< maximum dissipation: the slip is normal to the limit curve; on the box the paper's §3.1
 };
 
-/// What a projection finds.
+/// A contact slips where its trial exceeds the limit curve by this factor. Nearer to 1 lies the rounding of a proxy that was put on the
+/// curve in the step before.
+template <class Real>
+inline constexpr Real slip_onset = Real(1) + Real(1e-12);
+template <>
+inline constexpr float slip_onset<float> = 1.0F + 0x1p-18F;
+
+/// The wrench that the springs would exert if the proxy stayed where it is (eqs. 7, 21): f̂ = k_l r/(μP), m̂ = k_r ρ/(μPa), both ≥ 0.
+template <class Number>
+struct UnitTrial {
+  Number force;
+  Number moment;
+  Number compliance_ratio;  ///< χ = a² k_l/k_r > 0: a change of m costs χ times the energy of the same change of f
+  Number slip_from;         ///< it slips where the trial exceeds the limit curve by this factor, slip_onset or more
+};
+
+/// A trial brought on to the limit curve.
+template <class Number>
 struct Projected {
-  bool outside;             ///< the trial is outside the boundary. If not, the rest is void
-  bool slips;               ///< … by more than slip_guard
-  UnitWrench wrench;        ///< on the boundary; no component is larger than the trial's
-  SlipTwist slip;           ///< direction of the slip, (r − r′ : a(ρ − ρ′)) in the frame of the contact
-  double start = 0.0;       ///< where the next search may start: a place (SlipTwist::at_place), or 0 for none
-  std::uint32_t piece = 0;  ///< of the boundary, where the next search may look first
+  decltype(Number{} < Number{}) outside;  ///< the trial exceeds the curve by more than the factor slip_from. Where not, the rest is void
+  Number force_ratio;                     ///< f/f̂, what is left of the trial's force; any number where f̂ = 0
+  Number moment_ratio;                    ///< m/m̂
+  Number slide;                           ///< the slip's direction |v| : a|ω|, both ≥ 0
+  Number spin;
+  Number parameter;  ///< of the curve, where the next search may begin; 0 for none
 };
 
-/// A rule that tells whether a trial wrench lies outside a limit boundary, and if so moves it on to the boundary.
-/// Written once, for every boundary; bounded, without allocation, trigonometry or exceptions. It must dissipate:
-/// force·(r − r′) + moment·(ρ − ρ′) ≥ 0.
-// clang-format off
-template <class Rule, class Boundary>
-concept ProjectionOnto = requires(const Rule& rule, const Boundary& boundary, const Trial& trial) {
-  { rule(boundary, trial) } noexcept -> std::same_as<Projected>;
-};
-// clang-format on
-
-/// The direction of a slip that ends at `wrench`: the compliance times what was taken off the trial (never negative,
-/// but for rounding, which is cut off).
-constexpr SlipTwist slip_between(const Trial& trial, UnitWrench wrench) noexcept {
-  return {std::max(trial.wrench.force - wrench.force, 0.0), std::max(trial.compliance_ratio * (trial.wrench.moment - wrench.moment), 0.0)};
+/// Eq. (23): r′/r = ρ′/ρ. The proxy moves along the trial deflection, whatever the curve's normal. `last` is the curve parameter of the last
+/// slip, or 0.
+template <class Real, class Number>
+[[nodiscard]] Projected<Number> project_radially(const CurveView<Real>& curve, const UnitTrial<Number>& trial, Number last) noexcept {
+  Number gauge_of_trial;
+  if (curve.kind == CurveView<Real>::Kind::table) {
+    last = point_on_ray(curve, trial.force, trial.moment, last, gauge_of_trial).parameter;
+  } else {
+    gauge_of_trial = gauge(curve, trial.force, trial.moment, last);
+  }
+  const Number ratio = Number(Real(1)) / gauge_of_trial;
+  return {gauge_of_trial > trial.slip_from, ratio, ratio, trial.force, trial.compliance_ratio * trial.moment, last};
 }
+
+/// The paper's §3.1: force and moment are clamped each on its own. It is the closest point of the box, whatever the metric.
+template <class Real, class Number>
+[[nodiscard]] Projected<Number> clamp_to_box(const CurveView<Real>& curve, const UnitTrial<Number>& trial) noexcept {
+  using namespace arithmetic;
+  const Number zero = Number(Real(0));
+  const Number force = min(trial.force, Number(curve.force_max));
+  const Number moment = min(trial.moment, Number(curve.moment_max));
+  return {gauge(curve, trial.force, trial.moment, zero) > trial.slip_from,
+          force / trial.force,
+          moment / trial.moment,
+          trial.force - force,
+          trial.compliance_ratio * (trial.moment - moment),
+          zero};
+}
+
+/// The point of the curve that is closest to the trial in the metric of the springs' compliance, f² + χm²: the slip
+/// (f̂ − f, χ(m̂ − m)) is normal to the curve there. With L and T the curve's leading and trailing components at x, o_L and o_T the trial's
+/// excess over them in that metric, it is the root of o_L − x·o_T. For a trial that is outside there is just one.
+template <class Real, class Number>
+[[nodiscard]] Projected<Number> project_on_to_closest_point(const CurveView<Real>& curve, const UnitTrial<Number>& trial,
+                                                            Number last) noexcept {
+  using namespace arithmetic;
+  const Number zero = Number(Real(0));
+  const Number one = Number(Real(1));
+  const Number chi = trial.compliance_ratio;
+  // First guess: the closest point of the ellipse with the same intercepts, by one Newton step for its multiplier λ = n/d, taken on
+  // 1/√(f² + m²), which is nearly straight in λ.
+  const Number ratio = Number(curve.moment_max * curve.inverse_force_max);
+  const Number x_trial = trial.force * Number(curve.inverse_force_max);
+  const Number y_trial = trial.moment * Number(curve.inverse_moment_max);
+  const Number eta = one / (chi * ratio * ratio);
+  const Number square = x_trial * x_trial + y_trial * y_trial;
+  const Number n = square * max(sqrt(square) - one, zero);
+  const Number d = x_trial * x_trial + eta * (y_trial * y_trial);
+  const CurveSide<Real, Number> side(trial.force - Number(curve.rim_force) > chi * (trial.moment - Number(curve.rim_moment)), trial.force,
+                                     trial.moment, last, x_trial * (d + eta * n) * ratio, y_trial * (d + n));
+  const Number kappa = select(side.outside, one / chi, chi);
+  Jet<Number> jet;
+  const Number x = find_root<Real>(
+      [&](Number at) noexcept -> Residual<Number> {
+        jet = curve.jet(side.outside, at);
+        const Number over_leading = side.leading - jet.leading();
+        const Number over_trailing = kappa * (side.trailing - jet.trailing(at));
+        const Number stiff = one + kappa * at * at;
+        // A trial below a point of the curve in both components is inside: nothing to search for.
+        const Number value = select(max(over_leading, over_trailing) > zero, over_leading - at * over_trailing, zero);
+        return {value, -jet.second * stiff - over_trailing, -jet.third * stiff - Number(Real(3)) * kappa * at * jet.second,
+                Number(4 * std::numeric_limits<Real>::epsilon()) * (side.leading + at * kappa * side.trailing)};
+      },
+      side.guess);
+  // Beyond the tangent at its closest point a trial is outside; and if it is outside at all, it is beyond that one.
+  const CurvePoint<Number> point = side.point(jet, x);
+  return {side.trailing + x * side.leading > jet.value * trial.slip_from,
+          point.force / trial.force,
+          point.moment / trial.moment,
+          point.slide,
+          point.spin,
+          point.parameter};
+}
+
+/// Fig. 5 where the radius depends on the load: the load λP whose p-curve runs through the trial has its centre of rotation at c; the result is
+/// the point of the p-curve of P with that c. Root in ln λ of ln gauge(f̂/λ, m̂ a(P)/(λ a(λP))), bracketed; 3 or 4 steps as a rule. For a
+/// pressure heaped at the rim f(s) can grow faster than s, and the same c would add force: then the same c/a, which never does.
+template <class Real>
+[[nodiscard]] Projected<Real> project_along_c_curve(const CurveView<Real>& curve, const UnitTrial<Real>& trial, Real last,
+                                                    const RadiusLaw& radius_law, Real load) noexcept;
 
 }  // namespace limitcurve::godobject

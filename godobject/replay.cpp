@@ -1,101 +1,101 @@
 // SPDX-License-Identifier: MIT
 #include "godobject/replay.hpp"
 
-#include "godobject/choice.hpp"
-#include "godobject/soft_finger.hpp"
+#include "limitcurve/pressure_law.hpp"
 
-#include <algorithm>
+#include <cmath>
 #include <stdexcept>
+#include <string>
 
 namespace limitcurve::godobject {
 
-class Replay::Runner {
- public:
-  Runner() = default;
-  Runner(const Runner&) = delete;
-  Runner& operator=(const Runner&) = delete;
-  virtual ~Runner() = default;
-  virtual ReplayRow step(const TraceSample& sample) noexcept = 0;
-  virtual void run(std::span<const TraceSample> samples, std::span<ReplayRow> rows) noexcept = 0;
-};
-
 namespace {
 
-template <LimitBoundary Boundary, class Projection>
-class PlaneRunner : public Replay::Runner {
- public:
-  PlaneRunner(Boundary boundary, const FingerParameters& parameters, Projection projection)
-      : finger_(std::move(boundary), parameters, projection) {}
+/// A pose that every finger refuses.
+DevicePose nowhere() noexcept {
+  DevicePose result;
+  result.position.setConstant(std::numeric_limits<double>::quiet_NaN());
+  return result;
+}
 
-  ReplayRow step(const TraceSample& sample) noexcept override { return advance(sample); }
+bool is_pose(const BodyPose& pose) noexcept {
+  return pose.position.squaredNorm() <= 1e12 && std::fabs(pose.orientation.squaredNorm() - 1.0) <= 1e-6;
+}
 
-  void run(std::span<const TraceSample> samples, std::span<ReplayRow> rows) noexcept override {
-    const std::size_t count = std::min(samples.size(), rows.size());
-    for (std::size_t i = 0; i < count; ++i) rows[i] = advance(samples[i]);
+/// The curve of the options, all of which are checked before a table is built for nothing.
+KindOfCurve checked_curve(const ReplayOptions& options) {
+  if (!options.law) throw std::invalid_argument("law: none given, expected a pressure law");
+  if (!(options.fingers >= 1 && options.fingers <= Replay::most_fingers)) {
+    throw std::invalid_argument("fingers = " + std::to_string(options.fingers) + ": expected 1 to " + std::to_string(Replay::most_fingers));
   }
-
- private:
-  ReplayRow advance(const TraceSample& sample) noexcept {
-    Contact contact{{sample.x, sample.y, 0.0}, Eigen::Vector3d::UnitZ(), -sample.z};
-    // Not finite, or before the last good sample: the finger is given what it refuses.
-    const bool in_time = sample.time >= last_time_ && sample.time <= std::numeric_limits<double>::max();
-    if (!in_time) contact.depth = std::numeric_limits<double>::quiet_NaN();
-    const FingerOutput& output = finger_.update(contact, sample.twist);
-    if (output.state != ContactState::invalid) last_time_ = sample.time;
-    return {.time = sample.time,
-            .state = output.state,
-            .px = output.proxy.x(),
-            .py = output.proxy.y(),
-            .angle = output.angle,
-            .depth = output.depth,
-            .load = output.load,
-            .fx = output.force.x(),
-            .fy = output.force.y(),
-            .moment = output.moment,
-            .cor = output.cor};
+  const double moment_ratio = options.law->moment_ratio();
+  static_cast<void>(ContactLimits(options.finger, moment_ratio));
+  if (options.curve == CurveKind::box) {
+    static_cast<void>(SoftFinger(box(1.0, moment_ratio), options.finger, options.projection));
   }
-
-  SoftFinger<Boundary, Projection> finger_;
-  double last_time_ = -std::numeric_limits<double>::infinity();
-};
+  options.body.validate();
+  return make_finger_curve(options.curve, options.law, options.tolerance);
+}
 
 }  // namespace
 
-FingerParameters finger_parameters(const ReplayOptions& options) {
-  return {.mu = options.mu,
-          .mu_dynamic = options.mu_dynamic,
-          .radius_law = options.radius_law,
-          .moment_coefficient = options.moment_coefficient,
-          .moment_coefficient_dynamic = options.moment_coefficient_dynamic,
-          .stiffness = options.stiffness,
-          .twist_stiffness = options.twist_stiffness,
-          .jump_limit = options.jump_limit,
-          .hold_share = options.hold_share};
+Replay::Replay(const ReplayOptions& options) : Replay(options, checked_curve(options)) {}
+
+Replay::Replay(const ReplayOptions& options, const KindOfCurve& curve)
+    : grasp_(options.body, BodyState{}, options.surface,
+             std::vector<SoftFinger>(options.fingers, SoftFinger(curve.curve, options.finger, options.projection))),
+      contacts_(options.fingers),
+      refused_(options.fingers, nowhere()),
+      motion_(options.motion),
+      curve_error_(curve.error) {}
+
+void Replay::step(double time, std::span<const DevicePose> fingers, const BodyPose& body) noexcept {
+  const bool in_time = time >= last_time_ && time <= std::numeric_limits<double>::max();
+  const bool begins = last_time_ == -std::numeric_limits<double>::infinity();
+  if (!in_time || (motion_ == BodyMotion::prescribed && !is_pose(body))) {
+    grasp_.carry(grasp_.body(), refused_, 0.0);
+  } else {
+    const double time_step = begins ? 0.0 : time - last_time_;
+    last_time_ = time;
+    move(fingers, body, time_step);
+  }
+  for (std::size_t i = 0; i < contacts_.size(); ++i) describe(i);
 }
 
-Replay::Replay(const ReplayOptions& options) {
-  if (!options.law) throw std::invalid_argument("law: none given, expected a pressure law");
-  const FingerParameters parameters = finger_parameters(options);
-  // Before a table is built for nothing.
-  static_cast<void>(ContactLaw(parameters, options.law->moment_ratio()));
-  runner_ = visit_boundary(options.boundary, options.law, options.tolerance, [&](auto&& boundary) {
-    using Boundary = std::decay_t<decltype(boundary)>;
-    return visit_projection(options.projection, [&](auto projection) -> std::unique_ptr<Runner> {
-      return std::make_unique<PlaneRunner<Boundary, decltype(projection)>>(std::move(boundary), parameters, projection);
-    });
-  });
+void Replay::move(std::span<const DevicePose> fingers, const BodyPose& body, double time_step) noexcept {
+  if (motion_ == BodyMotion::free && time_step >= SoftFinger::shortest_time_step && time_step <= longest_step) {
+    grasp_.step(fingers, time_step);
+    return;
+  }
+  BodyState state = grasp_.body();
+  if (motion_ == BodyMotion::prescribed) {
+    state.position = body.position;
+    state.orientation = body.orientation;
+  }
+  grasp_.carry(state, fingers, time_step);
 }
 
-Replay::~Replay() = default;
-Replay::Replay(Replay&&) noexcept = default;
-Replay& Replay::operator=(Replay&&) noexcept = default;
-
-ReplayRow Replay::step(const TraceSample& sample) noexcept {
-  return runner_->step(sample);
-}
-
-void Replay::run(std::span<const TraceSample> samples, std::span<ReplayRow> rows) noexcept {
-  runner_->run(samples, rows);
+void Replay::describe(std::size_t index) noexcept {
+  const SoftFinger& finger = grasp_.finger(index);
+  const FingerOutput output = finger.output();
+  const BodyState& body = grasp_.body();
+  SceneContact& contact = contacts_[index];
+  contact.state = output.state;
+  contact.dissipated += output.slip_work;
+  contact.load = output.load;
+  contact.force = body.orientation * output.force;
+  contact.moment = output.moment;
+  // What is held is what was felt, wherever the body is by now.
+  if (output.state == ContactState::invalid) return;
+  contact.proxy = body.to_world(output.proxy);
+  contact.angle = output.angle;
+  contact.depth = output.depth;
+  contact.cor = output.cor;
+  contact.normal = body.orientation * Eigen::Vector3d(finger.state().normal.data());
+  contact.margin = finger.margin();
+  contact.load_to_hold = finger.load_to_hold();
+  contact.centre_of_rotation = finger.centre_of_rotation();
+  if (contact.centre_of_rotation.allFinite()) contact.centre_of_rotation = body.to_world(contact.centre_of_rotation);
 }
 
 }  // namespace limitcurve::godobject

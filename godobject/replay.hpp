@@ -1,83 +1,87 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "godobject/contact_law.hpp"
-#include "godobject/contact_state.hpp"
-#include "godobject/kinds.hpp"
-#include "limitcurve/laws.hpp"
-#include "limitcurve/radius_law.hpp"
+#include "godobject/curve_kind.hpp"
+#include "godobject/grasp.hpp"
+#include "godobject/surfaces.hpp"
 
+#include <cstddef>
 #include <limits>
-#include <memory>
-#include <optional>
 #include <span>
+#include <vector>
 
 namespace limitcurve::godobject {
 
-/// One sample of a recorded finger: time [s], position [m], and its twist about the surface normal [rad].
-/// The surface is the plane z = 0 with its outward normal +z; the penetration depth is −z.
-struct TraceSample {
-  double time = 0.0;
-  double x = 0.0;
-  double y = 0.0;
-  double z = 0.0;
-  double twist = 0.0;
+/// Who moves the body whose surface the fingers touch.
+enum class BodyMotion {
+  fixed,       ///< nobody: its frame is the world's
+  prescribed,  ///< the trace: each sample says where it is
+  free,        ///< the fingers and gravity: it begins at rest, its frame the world's
 };
 
-/// What the god-object makes of a sample. Free rows have the proxy at the finger, angle = twist and no load.
-struct ReplayRow {
-  double time = 0.0;                        ///< [s], the sample's
-  ContactState state = ContactState::free;  ///< invalid: all that follows is held from the last good row
-  double px = 0.0;                          ///< proxy position [m]
-  double py = 0.0;
-  double angle = 0.0;  ///< proxy angle α_p [rad], in the frame of the sample's twist
-  double depth = 0.0;  ///< penetration depth d = −z [m]
-  double load = 0.0;   ///< P = k_l d [N]
-  double fx = 0.0;     ///< friction force on the user k_l (x_p − x_g) [N]
-  double fy = 0.0;
-  double moment = 0.0;  ///< friction moment on the user k_r (α_p − α_g) [N m]
-  double cor = 0.0;     ///< distance of the slip's centre of rotation from the contact centre [m]; NaN unless it slips
+/// What a finger of the scene does and feels; places and vectors in the world.
+struct SceneContact {
+  ContactState state = ContactState::free;                ///< invalid: all that follows is held from the last good step
+  Eigen::Vector3d proxy = Eigen::Vector3d::Zero();        ///< x_p [m]; while free, the finger itself
+  double angle = 0.0;                                     ///< α_p [rad], of the finger's twist relative to the body
+  double depth = 0.0;                                     ///< d [m]
+  double load = 0.0;                                      ///< P [N]; what the user feels of it is P times the normal
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();        ///< friction on the user [N], tangential
+  double moment = 0.0;                                    ///< friction moment on the user about the normal [N m]
+  double cor = std::numeric_limits<double>::quiet_NaN();  ///< of the slip, from the contact centre [m]; NaN unless it slips
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();       ///< outward, of the surface at the contact; 0 before the first contact query
+  double margin = 1.0;                                    ///< to slip, as a fraction: `SoftFinger::margin`
+  double load_to_hold = 0.0;                              ///< the grip needed [N]: `SoftFinger::load_to_hold`
+  Eigen::Vector3d centre_of_rotation =
+      Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());  ///< of the slip [m]; inf for pure sliding, NaN unless it slips
+  double dissipated = 0.0;                                                  ///< by this finger's slip since the beginning [J], never falls
 };
 
 /// Everything that a replay needs to know. `Replay` validates it.
 struct ReplayOptions {
-  Law law = {};                                       ///< pressure law; must be set
-  RadiusLaw radius_law = RadiusLaw::constant(0.005);  ///< a(P)
-  double mu = 0.5;                                    ///< coefficient of (static) friction, ≥ 0
-  std::optional<double> mu_dynamic = {};              ///< while slipping, 0 ≤ μ_d ≤ μ; absent: μ
-  std::optional<double> moment_coefficient = {};      ///< μ_r [m] ≥ 0: Γ = μ_r P whatever the radius law; absent: Γ = m₀ μ P a(P)
-  std::optional<double> moment_coefficient_dynamic = {};  ///< μ_r while slipping [m]; absent: μ_r μ_d/μ
-  double stiffness = 0.0;                                 ///< k_l [N/m] > 0
-  double twist_stiffness = 0.0;                           ///< k_r [N m/rad] > 0
-  BoundaryKind boundary = BoundaryKind::table;            ///< limit curve
-  ProjectionKind projection = ProjectionKind::closest_point;
-  double tolerance = 1e-6;                            ///< of the table, in unit wrenches; used by `table` only
-  double jump_limit = FingerParameters{}.jump_limit;  ///< [m] > 0: a sample farther than this from the last is refused once
-  double hold_share = FingerParameters{}.hold_share;  ///< of load, force and moment kept from one invalid row to the next, ∈ [0, 1]
+  Law law = {};                        ///< pressure law; must be set
+  CurveKind curve = CurveKind::table;  ///< of the law
+  Projection projection = Projection::closest_point;
+  double tolerance = 1e-6;                          ///< of the table, in unit wrenches; used by `CurveKind::table` only
+  FingerParameters finger = {};                     ///< of every finger
+  AnySurface surface = AnySurface(PlaneSurface{});  ///< of the body, in its frame
+  std::size_t fingers = 1;                          ///< 1 to `Replay::most_fingers`
+  BodyMotion motion = BodyMotion::fixed;
+  BodyParameters body = {};  ///< where it is free
 };
 
-/// The part of the options that makes a finger.
-[[nodiscard]] FingerParameters finger_parameters(const ReplayOptions& options);
-
-/// The god-object over a trace, boundary and projection chosen at run time.
+/// The god-object over a recorded motion of one finger or several on a surface of any kind, which may rest, be moved or be free.
 class Replay {
  public:
-  class Runner;  // one a boundary and projection; known to replay.cpp only
+  static constexpr std::size_t most_fingers = 16;
+  /// A free body is not moved over a gap in the trace longer than this [s].
+  static constexpr double longest_step = 1.0;
 
   /// Throws `std::invalid_argument` that names the parameter, its value, unit and range.
   explicit Replay(const ReplayOptions& options);
-  ~Replay();
-  Replay(Replay&&) noexcept;
-  Replay& operator=(Replay&&) noexcept;
 
-  /// The next sample. A sample that is not finite, or earlier than the last, gives the state `invalid` and holds the rest.
-  [[nodiscard]] ReplayRow step(const TraceSample& sample) noexcept;
+  /// The next sample: time [s], a pose for each finger (a missing one counts as far away), and where the body is, which counts
+  /// where its motion is prescribed. A time that is not finite or earlier than the last, or a pose of the body that is no pose,
+  /// makes all fingers `invalid` and moves nothing; so does a pose of a finger that is not finite, for that finger.
+  void step(double time, std::span<const DevicePose> fingers, const BodyPose& body = {}) noexcept;
 
-  /// Samples to rows, as many as the shorter of the two has; the choice of boundary and projection is made once.
-  void run(std::span<const TraceSample> samples, std::span<ReplayRow> rows) noexcept;
+  /// What the fingers do now, one each.
+  [[nodiscard]] std::span<const SceneContact> contacts() const noexcept { return contacts_; }
+  [[nodiscard]] const BodyState& body() const noexcept { return grasp_.body(); }
+  /// How far the fingers' curve is from the one that was asked for: the table's certified error, 0 in closed form.
+  [[nodiscard]] double curve_error() const noexcept { return curve_error_; }
 
  private:
-  std::unique_ptr<Runner> runner_;
+  Replay(const ReplayOptions& options, const KindOfCurve& curve);
+  void move(std::span<const DevicePose> fingers, const BodyPose& body, double time_step) noexcept;
+  void describe(std::size_t index) noexcept;
+
+  Grasp grasp_;
+  std::vector<SceneContact> contacts_;
+  std::vector<DevicePose> refused_;
+  BodyMotion motion_;
+  double curve_error_;
+  double last_time_ = -std::numeric_limits<double>::infinity();
 };
 
 }  // namespace limitcurve::godobject

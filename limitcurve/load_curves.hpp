@@ -90,7 +90,7 @@ double moment_capacity(double moment_ratio, const RadiusLaw& radius_law, double 
 /// twist's share of the dissipation, told by the normal ahead. Newton in ln P, inside the bracket of the loads that hold
 /// F or M alone (below) and their sum (above, by convexity). 3 to 6 calls of `along`, at most 60; for a constant radius
 /// one call of `gauge`. A sampled radius law gives its exponent at the load at hand. Relative error ≤ 1e-12, the boundary's own apart.
-template <LimitBoundary Boundary>
+template <class Boundary>
 double load_to_hold(const Boundary& boundary, const RadiusLaw& radius_law, double mu, double force, double moment) {
   constexpr int search_limit = 60;
   constexpr double tolerance = 1e-14;
@@ -131,7 +131,7 @@ double load_to_hold(const Boundary& boundary, const RadiusLaw& radius_law, doubl
 }
 
 /// Grip to spare [N]: `load` less the load at which (F, M) begins to slip. Negative where it slips.
-template <LimitBoundary Boundary>
+template <class Boundary>
 double grip_margin(const Boundary& boundary, const RadiusLaw& radius_law, double mu, double load, double force, double moment) {
   detail::check_load(load);
   return load - load_to_hold(boundary, radius_law, mu, force, moment);

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#include "godobject/contact_limits.hpp"
+
+#include "limitcurve/load_curves.hpp"
+#include "limitcurve/number.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+namespace limitcurve::godobject {
+
+namespace {
+
+/// So far from any finger that only a wrong unit leads there, and so near 1 that no product of the step overflows.
+double positive(std::string_view name, double value, std::string_view unit) {
+  if (!(value >= 1e-15 && value <= 1e15)) throw out_of_range(name, value, unit, "> 0, from 1e-15 to 1e15");
+  return value;
+}
+
+double non_negative(std::string_view name, double value, std::string_view unit) {
+  if (!(value >= 0.0 && value <= 1e15)) throw out_of_range(name, value, unit, ">= 0, up to 1e15");
+  return value;
+}
+
+void check_finger(const FingerParameters& parameters) {
+  positive("stiffness", parameters.stiffness, "N/m");
+  positive("twist_stiffness", parameters.twist_stiffness, "N m/rad");
+  non_negative("damping", parameters.damping, "N s/m");
+  non_negative("twist_damping", parameters.twist_damping, "N m s/rad");
+  if (!(parameters.max_displacement > 0.0)) throw out_of_range("max_displacement", parameters.max_displacement, "m", "> 0");
+  if (!(parameters.fault_decay >= 0.0 && parameters.fault_decay <= 1.0))
+    throw out_of_range("fault_decay", parameters.fault_decay, "1", "0 <= fault_decay <= 1");
+}
+
+/// The radius at which μ m₀ a is the moment coefficient. Where that is 0, one so small that the moment is none for any purpose: limits are
+/// continuous in their parameters.
+double equivalent_radius(double moment_coefficient, double mu, double moment_ratio) {
+  constexpr double almost_none = 1e-20;
+  return mu > 0.0 ? std::max(moment_coefficient / (mu * moment_ratio), almost_none) : almost_none;
+}
+
+}  // namespace
+
+ContactLimits::ContactLimits(const FingerParameters& parameters, double moment_ratio) {
+  check_finger(parameters);
+  positive("moment_ratio", moment_ratio, "1");
+  const double mu = non_negative("mu", parameters.mu, "1");
+  const double mu_dynamic = non_negative("mu_dynamic", parameters.mu_dynamic.value_or(mu), "1");
+  if (mu_dynamic > mu) throw out_of_range("mu_dynamic", mu_dynamic, "1", "0 <= mu_dynamic <= mu");
+  if (parameters.moment_coefficient) {
+    const double mu_r = non_negative("moment_coefficient", *parameters.moment_coefficient, "m");
+    if (mu == 0.0 && mu_r > 0.0) throw out_of_range("moment_coefficient", mu_r, "m", "0 where mu is 0");
+    at_rest_ = {mu, equivalent_radius(mu_r, mu, moment_ratio)};
+    // As a rule both coefficients of friction fall alike, and the radius is one.
+    sliding_ = {mu_dynamic, at_rest_.radius};
+    if (parameters.moment_coefficient_dynamic) {
+      const double mu_r_dynamic = non_negative("moment_coefficient_dynamic", *parameters.moment_coefficient_dynamic, "m");
+      if (mu_r_dynamic > mu_r) {
+        throw out_of_range("moment_coefficient_dynamic", mu_r_dynamic, "m", "0 <= moment_coefficient_dynamic <= moment_coefficient");
+      }
+      sliding_.radius = equivalent_radius(mu_r_dynamic, mu_dynamic, moment_ratio);
+    }
+    has_torsion_ = mu_r > 0.0;
+  } else {
+    if (parameters.moment_coefficient_dynamic) {
+      throw out_of_range("moment_coefficient_dynamic", *parameters.moment_coefficient_dynamic, "m", "absent without moment_coefficient");
+    }
+    const double radius = positive("radius_law coefficient", parameters.radius_law.coefficient(), "m/N^gamma");
+    at_rest_ = {mu, radius};
+    sliding_ = {mu_dynamic, radius};
+    if (parameters.radius_law.is_sampled() || parameters.radius_law.exponent() != 0.0) radius_law_ = parameters.radius_law;
+    has_torsion_ = mu > 0.0;
+  }
+}
+
+double ContactLimits::load_to_hold(const FingerCurve& curve, double force, double moment) const noexcept {
+  constexpr double never = std::numeric_limits<double>::infinity();
+  const bool turns = moment > 0.0;
+  if ((at_rest_.mu == 0.0 && force > 0.0) || (!has_torsion_ && turns)) return never;
+  if (at_rest_.mu == 0.0) return 0.0;
+  if (radius_law_) return limitcurve::load_to_hold(curve, *radius_law_, at_rest_.mu, force, moment);
+  return curve.gauge({force / at_rest_.mu, turns ? moment / (at_rest_.mu * at_rest_.radius) : 0.0});
+}
+
+}  // namespace limitcurve::godobject

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "godobject/finger.hpp"
+#include "godobject/finger_curve.hpp"
+
+#include <concepts>
+#include <optional>
+#include <stdexcept>
+
+namespace limitcurve::godobject {
+
+/// a(P) [m], for a single number; packs have one of their own.
+template <std::floating_point Real>
+[[nodiscard]] Real radius_at(const RadiusLaw& law, Real load) noexcept {
+  return static_cast<Real>(law.radius(static_cast<double>(load)));
+}
+
+/// Throws std::invalid_argument where a box is to go with another projection than the closest point, which clamps force and moment each on its
+/// own.
+template <class Real>
+void check_projection(const BasicFingerCurve<Real>& curve, Projection projection) {
+  if (curve.is_box() && projection != Projection::closest_point)
+    throw std::invalid_argument("projection: a box goes with closest-point only, which clamps force and moment each on its own");
+}
+
+/// The friction limits of a finger over its load: force in units of μP, moment in units of μPa. With a moment coefficient the radius is the
+/// one that gives it, a = μ_r/(μ m₀), at every load. Immutable.
+class ContactLimits {
+ public:
+  /// `moment_ratio` is the limit curve's m₀. Throws std::invalid_argument naming parameter, value, unit and range; the springs, dampers and
+  /// fault parameters are checked too.
+  ContactLimits(const FingerParameters& parameters, double moment_ratio);
+
+  /// At a load P [N] ≥ 0 and a ratio of stiffnesses k_l/k_r [1/m²].
+  template <class Real, class Number>
+  [[nodiscard]] FrictionLimits<Number> at(Number load, Number stiffness_ratio) const noexcept {
+    const auto number = [](double value) { return Number(static_cast<Real>(value)); };
+    const bool varies = radius_law_.has_value();
+    const Number radius = varies ? radius_at(*radius_law_, load) : number(0.0);
+    return {{number(at_rest_.mu) * load, varies ? radius : number(at_rest_.radius)},
+            {number(sliding_.mu) * load, varies ? radius : number(sliding_.radius)},
+            stiffness_ratio,
+            has_torsion_,
+            varies ? &*radius_law_ : nullptr,
+            load};
+  }
+  /// The least load [N] under which a contact at rest bears a friction force [N] and moment [N m], both ≥ 0 and finite; ∞ where none does.
+  [[nodiscard]] double load_to_hold(const FingerCurve& curve, double force, double moment) const noexcept;
+
+ private:
+  struct Limit {
+    double mu;
+    double radius;  ///< where it does not depend on the load [m]
+  };
+
+  Limit at_rest_;
+  Limit sliding_;
+  std::optional<RadiusLaw> radius_law_;  // where the radius depends on the load
+  bool has_torsion_;
+};
+
+}  // namespace limitcurve::godobject

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#include "godobject/finger_curve.hpp"
+
+#include <algorithm>
+
+namespace limitcurve::godobject {
+
+template <class Real>
+UnitWrench BasicFingerCurve<Real>::wrench(SlipTwist twist) const noexcept {
+  if (is_box()) {
+    return {twist.slide > 0.0 ? static_cast<double>(view_.force_max) : 0.0, twist.spin > 0.0 ? static_cast<double>(view_.moment_max) : 0.0};
+  }
+  const bool outside = twist.slide > twist.spin;
+  const auto x = static_cast<Real>(std::min(twist.slide, twist.spin) / std::max(twist.slide, twist.spin));
+  const Jet<Real> jet = view_.jet(outside, x);
+  const auto leading = static_cast<double>(jet.leading());
+  const auto trailing = static_cast<double>(jet.trailing(x));
+  return outside ? UnitWrench{trailing, leading} : UnitWrench{leading, trailing};
+}
+
+template <class Real>
+RadialPoint BasicFingerCurve<Real>::along(UnitWrench direction) const noexcept {
+  const auto force = static_cast<Real>(direction.force);
+  const auto moment = static_cast<Real>(direction.moment);
+  if (is_box()) {
+    const double factor = gauge(direction);
+    const bool is_force = force * view_.moment_max >= moment * view_.force_max;
+    return {{direction.force / factor, direction.moment / factor}, {is_force ? 1.0 : 0.0, is_force ? 0.0 : 1.0}};
+  }
+  Real factor{};
+  const CurvePoint<Real> point = point_on_ray(view_, force, moment, Real(0), factor);
+  return {{static_cast<double>(point.force), static_cast<double>(point.moment)},
+          {static_cast<double>(point.slide), static_cast<double>(point.spin)}};
+}
+
+template <class Real>
+double BasicFingerCurve<Real>::gauge(UnitWrench wrench) const noexcept {
+  if (!(wrench.force + wrench.moment > 0.0)) return 0.0;
+  return static_cast<double>(limitcurve::gauge(view_, static_cast<Real>(wrench.force), static_cast<Real>(wrench.moment), Real(0)));
+}
+
+template class BasicFingerCurve<double>;
+template class BasicFingerCurve<float>;
+
+}  // namespace limitcurve::godobject

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "godobject/contact_batch.hpp"
+#include "godobject/contact_limits.hpp"
+#include "godobject/kernel/single.hpp"
+
+#include <cstddef>
+
+namespace limitcurve::godobject::kernel {
+
+/// What the contacts of a batch share.
+template <class Real>
+struct Shared {
+  const CurveView<Real>& curve;
+  Projection projection;
+  const ContactLimits& limits;
+  Real stiffness;
+  Real twist_stiffness;
+};
+
+/// Steps as many contacts as a Number has lanes, from index `i` on. Written once for a single number and for packs.
+template <class Real, class Number>
+void step_contacts(const Shared<Real>& shared, const BasicContactBatch<Real>& contacts, std::size_t i) noexcept {
+  using namespace arithmetic;
+  const auto read = [i](auto array) { return load<Number>(array.data() + i); };
+  const Number zero = Number(Real(0));
+  const Number x = read(contacts.x);
+  const Number y = read(contacts.y);
+  const Number angle = read(contacts.angle);
+  const Number depth = read(contacts.depth);
+  const Number farthest = Number(BasicContactBatch<Real>::farthest);
+  const auto is_plausible = abs(x) <= farthest && abs(y) <= farthest && abs(angle) <= farthest && !(depth > farthest);
+  const auto touches = is_plausible && depth > zero;
+  const auto was_in_contact = !has_state(contacts.state.data() + i, ContactState::free, zero);
+  const auto stays = touches && was_in_contact;
+
+  // a. The trial deflection; none where the finger has just touched down.
+  const Number last_x = read(contacts.proxy_x);
+  const Number last_y = read(contacts.proxy_y);
+  const Number last_angle = read(contacts.proxy_angle);
+  const Number proxy_x = select(stays, last_x, x);
+  const Number proxy_y = select(stays, last_y, y);
+  const Number proxy_angle = select(stays, last_angle, angle);
+  const Number trial_x = proxy_x - x;
+  const Number trial_y = proxy_y - y;
+  const Number twist = proxy_angle - angle;
+
+  // b. What part of it the limit curve lets the springs keep.
+  const Number stiffness = Number(shared.stiffness);
+  const Number twist_stiffness = Number(shared.twist_stiffness);
+  const Number r = sqrt(trial_x * trial_x + trial_y * trial_y);
+  const Number rho = abs(twist);
+  const Number rounding = Number(std::numeric_limits<Real>::epsilon() / 2);
+  const FrictionTrial<Number> trial{stiffness * r, twist_stiffness * rho, stiffness * rounding * (abs(proxy_x) + abs(proxy_y)),
+                                    twist_stiffness * rounding * abs(proxy_angle)};
+  const Number load = stiffness * select(touches, depth, zero);
+  FrictionMemory<Number> memory{stays && has_state(contacts.state.data() + i, ContactState::slip, zero), read(contacts.parameter),
+                                read(contacts.rate)};
+  const FrictionLimits<Number> limits = shared.limits.template at<Real>(load, stiffness / twist_stiffness);
+  const FrictionResult<Number> friction = apply_friction(shared.curve, shared.projection, limits, trial, memory);
+  const Number kept_x = trial_x * friction.force_ratio;
+  const Number kept_y = trial_y * friction.force_ratio;
+  const Number kept_twist = twist * friction.moment_ratio;
+
+  // The proxy follows. What did not slide is not touched, and a slip that its rounding swallows is none.
+  const auto slides = friction.force_ratio < Number(Real(1));
+  const auto turns = friction.moment_ratio < Number(Real(1));
+  const Number new_x = select(slides, x + kept_x, proxy_x);
+  const Number new_y = select(slides, y + kept_y, proxy_y);
+  const Number new_angle = select(turns, angle + kept_twist, proxy_angle);
+  const auto slips = friction.slips && (new_x < proxy_x || new_x > proxy_x || new_y < proxy_y || new_y > proxy_y ||
+                                        new_angle < proxy_angle || new_angle > proxy_angle);
+
+  // c. Force and moment on the user. Of a fault nothing is touched.
+  const auto write = [&](auto array, Number held, Number value) { store(array.data() + i, select(is_plausible, value, held)); };
+  write(contacts.proxy_x, last_x, new_x);
+  write(contacts.proxy_y, last_y, new_y);
+  write(contacts.proxy_angle, last_angle, new_angle);
+  write(contacts.parameter, read(contacts.parameter), select(slips, memory.parameter, zero));
+  write(contacts.rate, read(contacts.rate), select(slips, memory.rate, zero));
+  write(contacts.force_x, read(contacts.force_x), kept_x * stiffness);
+  write(contacts.force_y, read(contacts.force_y), kept_y * stiffness);
+  write(contacts.moment, read(contacts.moment), kept_twist * twist_stiffness);
+  set_states(contacts.state.data() + i, is_plausible, touches, slips, zero);
+}
+
+}  // namespace limitcurve::godobject::kernel
