@@ -16,6 +16,11 @@ template <class Value>
 [[nodiscard]] constexpr Value select(bool condition, Value yes, Value no) noexcept {
   return condition ? yes : no;
 }
+/// Indices by arithmetic: compilers make a branch of the above, and on which side of the rim a twist lies no predictor knows.
+template <std::integral Index>
+[[nodiscard]] constexpr Index select(bool condition, Index yes, Index no) noexcept {
+  return no + (yes - no) * static_cast<Index>(condition);
+}
 
 /// Whether the condition holds in any lane. One number is one lane.
 [[nodiscard]] constexpr bool any(bool condition) noexcept {

@@ -176,7 +176,7 @@ template <class Real>
 void check(const TableFacts& facts, const TableCells& cells, const table::Buckets& buckets) {
   constexpr int finest_edge = std::numeric_limits<Real>::digits - 1;
   if (!(cells.index_bits >= table::Buckets::least_bits && cells.index_bits <= table::Buckets::most_bits)) {
-    throw out_of_range("index_bits", cells.index_bits, "1", "3 to 9");
+    throw out_of_range("index_bits", cells.index_bits, "1", "3 to 11");
   }
   if (!(cells.octaves >= 1 && cells.octaves <= finest_edge - cells.index_bits)) {
     throw out_of_range("octaves", cells.octaves, "1", "1 to " + std::to_string(finest_edge - cells.index_bits));

@@ -32,7 +32,7 @@ struct TableCell {
 
 /// All that defines a table's curve: what a file holds.
 struct TableCells {
-  int index_bits = 0;              ///< p: there are 2^p buckets an octave (TablePieces), 3 to 9
+  int index_bits = 0;              ///< p: there are 2^p buckets an octave (TablePieces), 3 to 11
   int octaves = 0;                 ///< d: the octaves are counted in min(x, 1 − x) + 2^−d
   std::vector<TableCell> inside;   ///< x = c/a, in order, from 0
   std::vector<TableCell> outside;  ///< x = a/c, in order, from 0

@@ -12,7 +12,7 @@ struct Buckets {
   int octaves = 1;
 
   static constexpr int least_bits = 3;
-  static constexpr int most_bits = 9;
+  static constexpr int most_bits = 11;
 
   /// In each of the four runs.
   [[nodiscard]] std::size_t per_run() const noexcept;

@@ -30,13 +30,22 @@ class Builder {
     for (const bool outside : {false, true}) {
       for (const bool rim : {false, true}) narrowest = std::max(narrowest, octaves_to_end(outside, rim));
     }
-    for (int octaves = std::max(narrowest - Buckets::least_bits, 1);; ++octaves) {
-      buckets_ = {Buckets::least_bits, octaves};
+    int bits = Buckets::least_bits;
+    for (int more = 0;;) {
+      // The narrowest bucket has the width 2^−(p + d).
+      buckets_ = {bits, std::max(narrowest - bits, 1) + more};
       edges_ = buckets_.edges();
       Outcome outcome = fits_in_memory() ? lay_side(false) : Outcome::impossible;
       if (outcome == Outcome::done) outcome = lay_side(true);
-      if (outcome == Outcome::impossible) return false;
       if (outcome == Outcome::done) return true;
+      if (outcome == Outcome::needs_octave) {
+        ++more;
+      } else if (buckets_.index_bits > bits) {
+        // It grew on the way. Begun with, it takes fewer octaves.
+        bits = buckets_.index_bits;
+      } else {
+        return false;
+      }
     }
   }
 

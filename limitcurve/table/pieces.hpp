@@ -32,15 +32,23 @@ struct TablePieces {
     using namespace arithmetic;
     const auto at = numbers_per_cell * cell(outside, x);
     const Number t = x - gather(cells, at);
-    Number value = gather(cells, at + 7);
-    Number first = Number(Real(0));
+    const auto coefficient = [&](int i) { return gather(cells, at + 1 + i); };
+    // Horner's scheme for D and its Taylor coefficients at once; each begins one step after the one before.
+    Number value = coefficient(6);
+    Number first = value;
+    value = value * t + coefficient(5);
     Number half_second = first;
-    Number sixth_third = first;
-    for (int i = 6; i >= 1; --i) {
+    first = first * t + value;
+    value = value * t + coefficient(4);
+    Number sixth_third = half_second;
+    half_second = half_second * t + first;
+    first = first * t + value;
+    value = value * t + coefficient(3);
+    for (int i = 2; i >= 0; --i) {
       sixth_third = sixth_third * t + half_second;
       half_second = half_second * t + first;
       first = first * t + value;
-      value = value * t + gather(cells, at + i);
+      value = value * t + coefficient(i);
     }
     return {value, first, Number(Real(2)) * half_second, Number(Real(6)) * sixth_third};
   }
