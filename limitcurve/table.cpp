@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "limitcurve/table.hpp"
 
-#include "limitcurve/expanded_law.hpp"
 #include "limitcurve/number.hpp"
 #include "limitcurve/table_builder.hpp"
 
-#include <optional>
 #include <stdexcept>
 
 namespace limitcurve {
@@ -14,15 +12,8 @@ Table Table::build(const Law& law, double tolerance) {
   if (!(tolerance >= finest_tolerance && tolerance <= coarsest_tolerance)) {
     throw out_of_range("tolerance", tolerance, "1", "1e-12 <= tolerance <= 0.1");
   }
-  // A table compares many times as often as it has nodes: polynomials pay, but not where a law's curve has singularities that
-  // they do not know of (kinks), or too strong ones at the rim.
-  std::optional<ExpandedLaw> expansion;
-  if (!law->has_quick_forces() && law->breaks().size() == 2 && law->rim_exponent() == 0) {
-    expansion.emplace(law, std::clamp(0.01 * tolerance, ExpandedLaw::default_tolerance, 1e-3));
-  }
-  const ExpandedLaw* const quick = expansion ? &*expansion : nullptr;
-  CertifiedSide inside = build_side(*law, Side::inside, tolerance, quick);
-  CertifiedSide outside = build_side(*law, Side::outside, tolerance, quick);
+  CertifiedSide inside = build_side(*law, Side::inside, tolerance);
+  CertifiedSide outside = build_side(*law, Side::outside, tolerance);
   const double error = std::max(inside.error, outside.error);
   return {{law->name(), tolerance, error}, std::move(inside.side), std::move(outside.side)};
 }

@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <optional>
 #include <stdexcept>
@@ -21,12 +20,7 @@ struct Stretch {
 
 class SideBuilder {
  public:
-  SideBuilder(const PressureLaw& law, const ExpandedLaw* expansion, Side side, double tolerance)
-      : law_(law), probed_(law), side_(side), tolerance_(tolerance) {
-    if (expansion == nullptr) return;
-    probed_ = *expansion;
-    probe_error_ = expansion->error();
-  }
+  SideBuilder(const PressureLaw& law, Side side, double tolerance) : law_(law), side_(side), tolerance_(tolerance) {}
 
   CertifiedSide build() {
     learn(exact(0.0), exact(1.0), 0);
@@ -58,22 +52,18 @@ class SideBuilder {
   /// What is left of the tolerance for interpolation.
   [[nodiscard]] double target() const { return 0.9 * tolerance_ / (1.0 + certificate_margin); }
 
-  /// What a table holds: the law's own values.
-  [[nodiscard]] TableNode exact(double x) const { return node_of(law_, x); }
-  /// What it is compared with: of the expansion where there is one, else the same.
-  [[nodiscard]] TableNode probe(double x) const { return node_of(probed_, x); }
-
-  [[nodiscard]] TableNode node_of(const PressureLaw& law, double x) const {
+  /// What a table holds and is compared with.
+  [[nodiscard]] TableNode exact(double x) const {
     if (side_ == Side::inside) {
-      const UnitForces<double> forces = law.forces(x);
+      const UnitForces<double> forces = law_.forces(x);
       return {x, forces.force, forces.moment, forces.force_slope};
     }
     if (x == 0.0) {
       // dm/dq = s³ df/ds has a limit, ⟨ρ²⟩/2, which the law shows at any s that is large enough.
       constexpr double far = 1e80;
-      return {0.0, 0.0, 1.0, law.forces(far).force_slope * far * far * far};
+      return {0.0, 0.0, 1.0, law_.forces(far).force_slope * far * far * far};
     }
-    const UnitForces<double> forces = law.forces(1.0 / x);
+    const UnitForces<double> forces = law_.forces(1.0 / x);
     return {x, forces.moment, forces.force, forces.force_slope / (x * x * x)};
   }
 
@@ -82,14 +72,14 @@ class SideBuilder {
   /// at the rim, dm/df = −1, does not depend on it.
   [[nodiscard]] TableNode fitted_rim(const TableNode& left, TableNode right) const {
     const double width = right.coordinate - left.coordinate;
-    const TableNode middle = probe(left.coordinate + 0.5 * width);
+    const TableNode middle = exact(left.coordinate + 0.5 * width);
     const double fitted = left.slope + 8.0 * (0.5 * (left.primary + right.primary) - middle.primary) / width;
     if (fitted > 0.0) right.slope = fitted;
     return right;
   }
 
   [[nodiscard]] double error_at(const TableNode& left, const TableNode& right, double t) const {
-    const TableNode truth = probe(left.coordinate + t * (right.coordinate - left.coordinate));
+    const TableNode truth = exact(left.coordinate + t * (right.coordinate - left.coordinate));
     const Pair value = TableSide::Cell(left, right).value(truth.coordinate);
     return std::max(std::fabs(value[0] - truth.primary), std::fabs(value[1] - truth.secondary));
   }
@@ -99,7 +89,7 @@ class SideBuilder {
     const TableNode right = from_right.coordinate == 1.0 ? fitted_rim(left, from_right) : from_right;
     const double error = std::max({error_at(left, right, 0.25), error_at(left, right, 0.5), error_at(left, right, 0.75)});
     if (depth < deepest && (depth < 1 || error > 16.0 * tolerance_)) {
-      const TableNode middle = probe(0.5 * (left.coordinate + right.coordinate));
+      const TableNode middle = exact(0.5 * (left.coordinate + right.coordinate));
       learn(left, middle, depth + 1);
       learn(middle, right, depth + 1);
       return;
@@ -126,7 +116,7 @@ class SideBuilder {
     std::vector<TableNode> nodes = lay_nodes(cells);
     // Most failures show at a few places a cell; the certificate's many are for what passes those.
     for (const int points : {few_points, certificate_points}) {
-      const double worst = survey(nodes, points) * (1.0 + certificate_margin) + probe_error_;
+      const double worst = survey(nodes, points) * (1.0 + certificate_margin);
       if (worst > tolerance_) return std::nullopt;
       if (points == certificate_points) return CertifiedSide{TableSide(std::move(nodes)), worst};
     }
@@ -182,8 +172,6 @@ class SideBuilder {
   }
 
   const PressureLaw& law_;
-  std::reference_wrapper<const PressureLaw> probed_;
-  double probe_error_ = 0.0;  // of f and m, which are at most 1
   Side side_;
   double tolerance_;
   std::vector<Stretch> stretches_;
@@ -191,8 +179,8 @@ class SideBuilder {
 
 }  // namespace
 
-CertifiedSide build_side(const PressureLaw& law, Side side, double tolerance, const ExpandedLaw* expansion) {
-  return SideBuilder(law, expansion, side, tolerance).build();
+CertifiedSide build_side(const PressureLaw& law, Side side, double tolerance) {
+  return SideBuilder(law, side, tolerance).build();
 }
 
 }  // namespace limitcurve

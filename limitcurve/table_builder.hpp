@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "limitcurve/expanded_law.hpp"
 #include "limitcurve/pressure_law.hpp"
 #include "limitcurve/table_side.hpp"
 
@@ -23,9 +22,8 @@ struct CertifiedSide {
 /// the exact curve at `certificate_points` places (and, next to the rim, at places that crowd towards it) and, where
 /// it fails, the density there is raised.
 /// The bound returned is the largest error found, raised by `certificate_margin` for what lies between the places.
-/// The nodes are the law's own. With an expansion of the law the comparison is with that, and the bound counts its error.
 /// Throws std::runtime_error if `TableSide::most_nodes` do not suffice.
-CertifiedSide build_side(const PressureLaw& law, Side side, double tolerance, const ExpandedLaw* expansion = nullptr);
+CertifiedSide build_side(const PressureLaw& law, Side side, double tolerance);
 
 inline constexpr int certificate_points = 15;
 inline constexpr double certificate_margin = 0.02;
