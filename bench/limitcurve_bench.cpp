@@ -5,7 +5,6 @@
 #include "limitcurve/closed_form.hpp"
 #include "limitcurve/ellipse.hpp"
 #include "limitcurve/exact_curve.hpp"
-#include "limitcurve/expanded_law.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/polygon.hpp"
 #include "limitcurve/quartic.hpp"
@@ -145,14 +144,12 @@ void register_pairs() {
       parabolic(), [](double s) { return wrench_of<closed_form::parabolic<double>>(s); },
       [](double rho, double rim) { return 2.0 * rim * (1.0 + rho); });
   for (const Law& law : {xydas_kao(3.0), limitcurve::power(2.3)}) {
-    const auto by_law = [&](const Law& used) {
-      return [used](double s) {
-        const UnitForces<double> forces = used->forces(s);
-        return UnitWrench{forces.force, forces.moment};
-      };
+    const auto by_law = [law](double s) {
+      const UnitForces<double> forces = law->forces(s);
+      return UnitWrench{forces.force, forces.moment};
     };
     const auto pressure = [law](double rho, double rim) { return law->density(RadialPosition<double>{rho, rim}); };
-    register_pair(law, by_law(expanded(law)), pressure);
+    register_pair(law, by_law, pressure);
   }
 }
 

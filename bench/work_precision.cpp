@@ -13,7 +13,6 @@
 #include "limitcurve/ellipse.hpp"
 #include "limitcurve/evaluators.hpp"
 #include "limitcurve/exact_curve.hpp"
-#include "limitcurve/expanded_law.hpp"
 #include "limitcurve/float_table.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/number.hpp"
@@ -83,15 +82,6 @@ void add_closed_forms(const WrenchStudy& study, const std::string& law) {
 
 void add_evaluators(const WrenchStudy& study) {
   const Law law = study.law();
-  if (!law->has_quick_forces()) {
-    for (const double tolerance : {1e-4, 1e-7, 1e-13}) {
-      const ExpandedLaw expanded(law, tolerance);
-      study.add("ours", "expanded", format_number(tolerance), [expanded](SlipTwist twist) {
-        const UnitForces<double> forces = expanded.forces(twist.cor());
-        return UnitWrench{forces.force, forces.moment};
-      });
-    }
-  }
   study.add("ours", "ring", "double", [law](SlipTwist twist) {
     const UnitForces<double> forces = evaluators::ring(*law, twist.cor()).forces;
     return UnitWrench{forces.force, forces.moment};

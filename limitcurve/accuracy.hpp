@@ -12,8 +12,6 @@ inline constexpr double evaluate_by_quadrature = 1e-14;
 /// `PressureLaw::forces`, for loops: elementary, elliptic and Gaussian forms, and all other laws.
 inline constexpr double forces_closed = 1e-14;
 inline constexpr double forces_by_quadrature = 1e-13;
-/// The same of a law by polynomials (expanded_law.hpp).
-inline constexpr double forces_expanded = 1e-12;
 
 /// `BoundaryError`: absolute error of its extremes, which are relative errors themselves.
 inline constexpr double boundary_error = 1e-9;

@@ -21,7 +21,6 @@ class ConeLaw final : public PressureLawOf<ConeLaw> {
   std::optional<Extended> punch_density(RadialPosition<Extended> at) const noexcept override { return 2 * at.radius; }
   std::optional<UnitForces<Extended>> closed(Extended s) const noexcept override { return closed_form::cone(s); }
   UnitForces<double> forces(double s) const noexcept override { return closed_form::cone(s); }
-  bool has_quick_forces() const noexcept override { return true; }
 };
 
 }  // namespace

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "limitcurve/economised_elliptic.hpp"
-#include "limitcurve/piecewise_polynomial.hpp"
-
 #include <cmath>
 #include <limits>
 
@@ -24,9 +21,10 @@ struct EllipticPair {
 
 /// B and D of modulus q ∈ [0, 1] by one arithmetic–geometric mean (DLMF 19.8.1 and 19.8.6, with each c_n divided by
 /// q so that nothing cancels as q → 0). `complement` is 1 − q², passed so that it keeps its digits as q → 1.
-/// Relative error ≤ 8 ε in both. At most 16 steps, 5 as a rule: 20 to 40 ns in double.
+/// Relative error ≤ 8 ε in both. At q = 1 exactly, B = 1 and D is that of the smallest normal complement (D → ∞ logarithmically,
+/// and always meets a weight that vanishes). At most 16 steps, 5 as a rule: 20 to 40 ns in double.
 template <class Real>
-EllipticPair<Real> elliptic_pair_by_mean(Real q, Real complement) noexcept {
+EllipticPair<Real> elliptic_pair(Real q, Real complement) noexcept {
   constexpr Real epsilon = std::numeric_limits<Real>::epsilon();
   constexpr Real half_pi = Real(1.570796326794896619231321691639751442L);
   if (complement < std::numeric_limits<Real>::min()) complement = std::numeric_limits<Real>::min();
@@ -49,44 +47,11 @@ EllipticPair<Real> elliptic_pair_by_mean(Real q, Real complement) noexcept {
   if (complement < Real(1) / 64) {
     // As q → 1 sum → 1 and K → ∞: the difference is left to Legendre's relation (DLMF 19.7.1) with the integrals of
     // the complementary modulus, B = (π/2 − (1−q²)K(q)B(q'))/(q²K(q')), whose mean converges in two steps.
-    const EllipticPair<Real> other = elliptic_pair_by_mean(std::sqrt(complement), q * q);
+    const EllipticPair<Real> other = elliptic_pair(std::sqrt(complement), q * q);
     const Real b = (half_pi - complement * k * other.b) / (q * q * other.first_kind());
     return {b, k - b};
   }
   return {k * (1 - sum), k * sum};
-}
-
-/// B and D of a complement η = 1 − q² ∈ [1/8, 1], by a polynomial on one of twelve pieces. Relative error ≤ 2 ε. For double and float.
-template <class Real>
-EllipticPair<Real> elliptic_pair_away_from_one(Real complement) noexcept {
-  static constexpr PiecewisePolynomials<Real, 12, 13, 2> pieces(economised::elliptic);
-  const auto [b, d] = pieces.at(place_in_octaves<3>(complement));
-  return {b, d};
-}
-
-/// B and D of a complement η ∈ [0, 1/8]: what is analytic there and what multiplies the logarithm (DLMF 19.12.1),
-/// B = B₀ − η log η B₁, D = D₀ − log η D₁, every term positive. Relative error ≤ 4 ε. For double and float.
-template <class Real>
-EllipticPair<Real> elliptic_pair_near_one(Real complement) noexcept {
-  static constexpr PiecewisePolynomials<Real, 1, 12, 2> analytic(economised::elliptic_at_rim);
-  static constexpr PiecewisePolynomials<Real, 1, 12, 2> logarithmic(economised::elliptic_logarithm);
-  const PiecePlace<Real> place{0, complement - Real(0.0625)};
-  const auto [b, d] = analytic.at(place);
-  const auto [b_log, d_log] = logarithmic.at(place);
-  const Real logarithm = -std::log(std::fmax(complement, std::numeric_limits<Real>::min()));
-  return {b + complement * logarithm * b_log, d + logarithm * d_log};
-}
-
-/// B and D of modulus q ∈ [0, 1] and its `complement` 1 − q², which must keep its digits as q → 1. Relative error ≤ 8 ε in both. At
-/// q = 1 exactly, B = 1 and D is that of the smallest normal complement (D → ∞ logarithmically, and always meets a
-/// weight that vanishes). Some 5 ns in double (15 ns where the complement is below 1/8); by the mean in long double.
-template <class Real>
-EllipticPair<Real> elliptic_pair([[maybe_unused]] Real q, Real complement) noexcept {
-  if constexpr (has_polynomials<Real>) {
-    return complement < Real(0.125) ? elliptic_pair_near_one(complement) : elliptic_pair_away_from_one(complement);
-  } else {
-    return elliptic_pair_by_mean(q, complement);
-  }
 }
 
 }  // namespace limitcurve

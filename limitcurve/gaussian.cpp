@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "limitcurve/internal/economised_gaussian.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/number.hpp"
-#include "limitcurve/piecewise_polynomial.hpp"
 
 #include <boost/math/special_functions/bessel.hpp>
 
@@ -42,12 +40,7 @@ ScaledBessel asymptotic(Extended inverse) noexcept {
 ///   f = √(π/2) x (I₀ + I₁),  m = σ√(π/2) I₀,  df/ds = √(π/2)/(2σ) (I₀ − I₁).
 class GaussianLaw final : public PressureLawOf<GaussianLaw> {
  public:
-  explicit GaussianLaw(double sigma) : sigma_(sigma), breaks_{0, 2 * sigma_, 13 * sigma_} {
-    const Extended root = std::sqrt(half_pi);
-    inverse_width_ = static_cast<double>(1 / (2 * sigma_));
-    moment_ratio_ = static_cast<double>(sigma_ * root);
-    initial_slope_ = static_cast<double>(root / (2 * sigma_));
-  }
+  explicit GaussianLaw(double sigma) : sigma_(sigma), breaks_{0, 2 * sigma_, 13 * sigma_} {}
 
   std::string name() const override { return "gaussian:sigma=" + format_number(static_cast<double>(sigma_)); }
 
@@ -65,24 +58,11 @@ class GaussianLaw final : public PressureLawOf<GaussianLaw> {
     return 1 / std::sqrt(half_pi) * ratio * ratio * std::exp(-ratio * ratio / 2) / sigma_;
   }
 
-  bool has_quick_forces() const noexcept override { return true; }
-  /// By polynomials in y = 1/(1 + x), in which the scaled Bessel functions are smooth from the centre to ∞.
-  UnitForces<double> forces(double s) const noexcept override {
-    static constexpr PiecewisePolynomials<double, 17, 15, 2> wrenches(economised::gaussian_wrench);
-    static constexpr PiecewisePolynomials<double, 17, 17, 1> slopes(economised::gaussian_slope);
-    const double x = s * inverse_width_;
-    const double y = 1.0 / (1.0 + x);
-    const auto place = place_in_equal_pieces<17>(y);
-    const auto [force, moment] = wrenches.at(place);
-    // x·y tends to 1.
-    return {x > 1e20 ? force : x * y * force, moment_ratio_ * y * moment, initial_slope_ * (y * y * y) * slopes.at(place)[0]};
-  }
-
   std::optional<UnitForces<Extended>> closed(Extended s) const noexcept override {
     const Extended x = s / (2 * sigma_);
     const Extended root = std::sqrt(half_pi);
-    // e^z overflows long before the expansion fails.
-    if (x * x > 40) {
+    // e^z overflows long before the expansion fails. What is no number goes there too: Boost's functions are for numbers.
+    if (!(x * x <= 40)) {
       const Extended inverse = 1 / x;
       const ScaledBessel bessel = asymptotic(inverse * inverse);
       // √(π/2)·x/√(2πz) = ½
@@ -99,9 +79,6 @@ class GaussianLaw final : public PressureLawOf<GaussianLaw> {
  private:
   Extended sigma_;
   std::vector<Extended> breaks_;
-  double inverse_width_;  // x/s
-  double moment_ratio_;   // m₀
-  double initial_slope_;  // df/ds at s = 0
 };
 
 }  // namespace

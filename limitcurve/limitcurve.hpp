@@ -7,7 +7,6 @@
 ///   law->evaluate(0.5)                                          its unit wrench at s = c/a, with an error bound
 ///   const ExactCurve curve(law);                                its limit curve: a limit boundary (limit_boundary.hpp)
 ///   curve.wrench(SlipTwist::about_cor(0.5)); curve.gauge(w);    what every boundary can tell
-///   expanded(law)                                               … from a law without a closed form in nanoseconds
 ///   Ellipse::through_intercepts(curve.moment_ratio());          a cheaper boundary …
 ///   boundary_error(ellipse, curve)                              … and how wrong it is
 ///   Table::build(law, 1e-6)                                     … or the exact one as a table, and its files (table_file.hpp)
@@ -19,7 +18,6 @@
 #include "limitcurve/choose.hpp"
 #include "limitcurve/ellipse.hpp"
 #include "limitcurve/exact_curve.hpp"
-#include "limitcurve/expanded_law.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/limit_boundary.hpp"
 #include "limitcurve/load_curves.hpp"

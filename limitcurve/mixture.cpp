@@ -87,10 +87,6 @@ class MixtureLaw final : public PressureLawOf<MixtureLaw> {
     return sum;
   }
 
-  bool has_quick_forces() const noexcept override {
-    return std::all_of(parts_.begin(), parts_.end(), [](const Part& part) { return part.law->has_quick_forces(); });
-  }
-
   UnitForces<double> forces(double s) const noexcept override {
     UnitForces<double> sum{0.0, 0.0, 0.0};
     for (const Part& part : parts_) {

@@ -116,7 +116,6 @@ class NamedPowerLaw final : public PowerFamilyLaw {
   std::string name() const override { return name_; }
   std::optional<UnitForces<Extended>> closed(Extended s) const noexcept override { return exact(s); }
   UnitForces<double> forces(double s) const noexcept override { return fast(s); }
-  bool has_quick_forces() const noexcept override { return true; }
 
  private:
   std::string name_;

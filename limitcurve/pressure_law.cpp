@@ -33,6 +33,9 @@ const std::vector<Extended>& PressureLaw::breaks() const noexcept {
 }
 
 UnitForces<double> PressureLaw::forces(double s) const noexcept {
+  if (const auto exact = closed(s)) {
+    return {static_cast<double>(exact->force), static_cast<double>(exact->moment), static_cast<double>(exact->force_slope)};
+  }
   return evaluators::ring(*this, s).forces;
 }
 

@@ -73,14 +73,11 @@ class PressureLaw {
   [[nodiscard]] virtual std::optional<Extended> punch_density(RadialPosition<Extended>) const noexcept { return std::nullopt; }
   [[nodiscard]] virtual Extended punch_exponent() const noexcept { return 0; }
 
-  /// Unit wrench at s = c/a ∈ [0, ∞] for control loops and table building, in double arithmetic; by `ring` unless the
-  /// law knows better. Relative error ≤ 1e-14 for an elementary or elliptic closed form and the Gaussian, ≤ 1e-13 for all
+  /// Unit wrench at s = c/a ∈ [0, ∞] without an error estimate: the closed form where the law has one, else `ring`, in double arithmetic
+  /// where that keeps the promise. Relative error ≤ 1e-14 for an elementary or elliptic closed form and the Gaussian, ≤ 1e-13 for all
   /// others (in df/ds 1e-13, 1e-12; a pressure steeper than rim^(−½) gives df/ds a cusp at s = 1, where one rounding
-  /// of s moves it by 1 % and more). Never throws, allocates or locks.
+  /// of s moves it by 1 % and more). NaN for a NaN. Never throws, allocates or locks. A loop reads a table instead.
   [[nodiscard]] virtual UnitForces<double> forces(double s) const noexcept;
-
-  /// Whether `forces` takes nanoseconds; by quadrature it takes microseconds, and expanded_law.hpp pays for loops.
-  [[nodiscard]] virtual bool has_quick_forces() const noexcept { return false; }
 
   /// Unit wrench at s with its error, computed in extended precision. `method` must be one that `allows` grants.
   /// Relative error ≤ 1e-15 for a closed form, ≤ 1e-14 for the others, and in every case ≤ the error returned.

@@ -2,7 +2,6 @@
 // Nothing allocates once it is built: every `new` of this executable is counted.
 #include "limitcurve/ellipse.hpp"
 #include "limitcurve/exact_curve.hpp"
-#include "limitcurve/expanded_law.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/polygon.hpp"
 #include "limitcurve/quartic.hpp"
@@ -90,7 +89,6 @@ TEST(Allocation, NoBoundaryAllocates) {
 }
 
 TEST(Allocation, NoLawAllocates) {
-  expect_no_allocation("expanded", ExactCurve(expanded(xydas_kao(3.0))));
   for (const std::string_view name : law_examples()) {
     const Law law = parse_law(name);
     expect_no_allocation(name.data(), ExactCurve(law));

@@ -189,7 +189,15 @@ TEST(ClosedForms, GiveNoNumberForNone) {
   expect_no_number_from_none<double>();
 }
 
-/// The polynomials' ends: pure sliding and the farthest that a number can tell.
+/// Nor does a law whose form is not among those templates.
+TEST(ForcesForLoops, GiveNoNumberForNone) {
+  for (const std::string_view name : law_examples()) {
+    const UnitForces<double> forces = parse_law(name)->forces(std::numeric_limits<double>::quiet_NaN());
+    EXPECT_TRUE(std::isnan(forces.force) && std::isnan(forces.moment) && std::isnan(forces.force_slope)) << name;
+  }
+}
+
+/// The series' end: pure sliding and the farthest that a number can tell.
 TEST(ClosedForms, EndWherePureSlidingIs) {
   namespace form = closed_form;
   for (auto* const law :
