@@ -142,7 +142,7 @@ std::array<CheckedCell::Value, 2> check_side(const std::string& name, const std:
     for (const double c : cells[i].coefficients) {
       if (!std::isfinite(static_cast<Real>(c))) throw refuse(i, "expected finite numbers, got " + format_number(c));
     }
-    if (!std::binary_search(edges.begin(), edges.end(), cells[i].x) || cells[i].x == 1.0)
+    if (!std::binary_search(edges.begin(), edges.end(), cells[i].x) || !(cells[i].x < 1.0))
       throw refuse(i, "expected it at the edge of a bucket");
     if (i > 0 && !(cells[i].x > cells[i - 1].x)) throw refuse(i, "expected x that increases");
   }
@@ -316,19 +316,17 @@ RadialPoint BasicTable<Real>::along(UnitWrench direction) const noexcept {
   for (int i = 0; i < 64; ++i) {
     // The cross product of wrench and direction, which increases with x; Halley's step for its root.
     const Real cross = jet.leading() * trailing - jet.trailing(x) * leading;
-    if (cross == 0) break;
+    // Within the rounding of D.
+    constexpr Real rounding = std::numeric_limits<Real>::epsilon() / 2;
+    if (std::fabs(cross) <= rounding * (jet.first * trailing + jet.value * leading)) break;
     (cross > 0 ? high : low) = x;
     const Real arm = trailing + x * leading;
     const Real newton = cross / (jet.second * arm);
-    const Real step = newton / (1 - newton * (jet.third * arm + jet.second * leading) / (2 * jet.second * arm));
-    // What a step leaves is at most its square.
-    const bool last = std::fabs(step) <= std::sqrt(std::numeric_limits<Real>::epsilon()) * x;
-    Real next = x - step;
-    if (!last && (!(next > low && next < high) || i % 8 == 7)) next = low + (high - low) / 2;
-    const bool closed = next == low || next == high;
-    x = std::clamp(next, Real(0), Real(1));
+    Real next = x - newton / (1 - newton * (jet.third * arm + jet.second * leading) / (2 * jet.second * arm));
+    if (!(next > low && next < high) || i % 8 == 7) next = low + (high - low) / 2;
+    if (!(next > low && next < high)) break;
+    x = next;
     jet = pieces_.jet(outside, x);
-    if (last || closed) break;
   }
   return {wrench_of(outside, jet.leading(), jet.trailing(x)), outside ? SlipTwist{1.0, x} : SlipTwist{x, 1.0}};
 }

@@ -82,15 +82,6 @@ Tested quartic(std::string name, double kappa) {
   return result;
 }
 
-/// A table is a boundary to its certified error, its tangent to the root of that: towards the ends both slopes' ratio is
-/// one of second derivatives.
-Tested table(std::string name, const Law& law, double tolerance) {
-  Tested result = tested(std::move(name), Table::build(law, tolerance));
-  result.support_error = 4 * tolerance;
-  result.normal_error = 10 * std::sqrt(tolerance);
-  return result;
-}
-
 std::vector<Tested> all_boundaries() {
   return {tested("exact_hertz", ExactCurve(hertz())),
           tested("exact_uniform", ExactCurve(uniform())),
@@ -110,9 +101,12 @@ std::vector<Tested> all_boundaries() {
           quartic("quartic_3p2", 3.2),
           quartic("quartic_5", 5.0),
           quartic("quartic_6", 6.0),
-          table("table_hertz_1em3", hertz(), 1e-3),
-          table("table_uniform_1em6", uniform(), 1e-6),
-          table("table_flat_punch_1em9", flat_punch(), 1e-9),
+          tested("table_hertz_1em3", Table::build(hertz(), 1e-3)),
+          tested("table_uniform_1em6", Table::build(uniform(), 1e-6)),
+          tested("table_flat_punch_1em9", Table::build(flat_punch(), 1e-9)),
+          tested("table_power_1em11", Table::build(power(-0.9), 1e-11)),
+          tested("table_gaussian_1em12", Table::build(gaussian(0.4), 1e-12)),
+          tested("table_superellipse_1em8", Table::build(Superellipse(1.1, 0.6, 1.725), 1e-8, "superellipse")),
           polygonal("box", box(1.0, 0.6)),
           polygonal("diamond", diamond(1.2, 0.5)),
           polygonal("octagon", Polygon<4>({UnitWrench{1.0, 0.0}, UnitWrench{0.9, 0.3}, UnitWrench{0.4, 0.55}, UnitWrench{0.0, 0.6}}))};
