@@ -1,0 +1,440 @@
+// SPDX-License-Identifier: MIT
+// Prints what the library gives where the command line has no subcommand for it: batches, and a finger's preview, restore, leaps, faults
+// and turns. scripts/maintain/record compares that with what is recorded. Motions are made here, by formula.
+//   recorder SCENARIO PARAMETERS CURVE PROJECTION [mu-times=F] [twist-stiffness-times=F]
+#include "godobject/batch.hpp"
+#include "godobject/choice.hpp"
+#include "godobject/float_batch.hpp"
+#include "godobject/soft_finger.hpp"
+#include "limitcurve/float_table.hpp"
+#include "limitcurve/laws.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <exception>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double inf = std::numeric_limits<double>::infinity();
+
+using Vector = std::array<double, 3>;
+
+/// What a finger is given in a step.
+struct Sample {
+  Vector point;
+  Vector normal;
+  double depth;
+  double twist;
+  double time_step;
+};
+
+/// What it gives.
+struct Output {
+  std::string state;
+  Vector proxy;
+  double angle;
+  double depth;
+  double load;
+  Vector force;
+  double moment;
+  double cor;
+  double slip_work;
+  double margin = nan;
+  double load_to_hold = nan;
+};
+
+// The adaptor: all that knows the library. ---------------------------------------------------------------------------------------------
+
+namespace lib = limitcurve;
+namespace go = limitcurve::godobject;
+
+/// Of the command line's words.
+struct Setting {
+  go::BoundaryKind curve;
+  go::ProjectionKind projection;
+  go::FingerParameters finger;
+};
+
+Setting make_setting(std::string_view parameters, std::string_view curve, std::string_view projection, double mu_times,
+                     double twist_stiffness_times) {
+  Setting setting{go::parse_boundary_kind(curve), go::parse_projection_kind(projection), {}};
+  go::FingerParameters& finger = setting.finger;
+  finger.mu = 0.6 * mu_times;
+  finger.radius_law = lib::RadiusLaw::constant(0.006);
+  finger.stiffness = 1000.0;
+  finger.twist_stiffness = 0.036 * twist_stiffness_times;
+  if (parameters == "dynamic") {
+    finger.mu_dynamic = 0.45 * mu_times;
+  } else if (parameters == "power-radius") {
+    finger.radius_law = lib::RadiusLaw::power(0.005, 0.259);
+  } else if (parameters == "no-moment") {
+    finger.moment_coefficient = 0.0;
+  } else if (parameters == "small-leaps") {
+    finger.jump_limit = 0.01;
+  } else if (parameters == "soft-hold") {
+    finger.hold_share = 0.9;
+  } else if (parameters == "damped") {
+    finger.damping = 2.0;
+    finger.twist_damping = 1e-4;
+    finger.mu_dynamic = 0.5 * mu_times;
+    finger.radius_law = lib::RadiusLaw::power(0.005, 0.259);
+  } else if (parameters != "plain") {
+    throw std::invalid_argument("parameters '" + std::string(parameters) +
+                                "', expected plain, dynamic, power-radius, no-moment, small-leaps, soft-hold or damped");
+  }
+  return setting;
+}
+
+/// Calls `visitor` with the friction's curve and projection.
+template <class Visitor>
+auto visit(const Setting& setting, Visitor&& visitor) {
+  return go::visit_boundary(setting.curve, lib::hertz(), 1e-11, [&](auto&& curve) {
+    return go::visit_projection(setting.projection, [&](auto projection) { return visitor(curve, projection); });
+  });
+}
+
+/// One finger of any curve and projection.
+class Finger {
+ public:
+  Finger() = default;
+  Finger(const Finger&) = delete;
+  Finger& operator=(const Finger&) = delete;
+  virtual ~Finger() = default;
+  virtual Output update(const Sample& sample) = 0;
+  [[nodiscard]] virtual Output preview(const Sample& sample) const = 0;
+  [[nodiscard]] virtual go::FingerState state() const = 0;
+  virtual void restore(const go::FingerState& state) = 0;
+  virtual void reset() = 0;
+};
+
+template <class Curve, class Projection>
+class FingerOf final : public Finger {
+ public:
+  FingerOf(Curve curve, const go::FingerParameters& parameters, Projection projection)
+      : finger_(std::move(curve), parameters, projection) {}
+
+  Output update(const Sample& sample) override {
+    Output output = output_of(finger_.update(contact_of(sample), sample.twist, sample.time_step));
+    output.margin = finger_.margin();
+    output.load_to_hold = finger_.load_to_hold();
+    return output;
+  }
+  [[nodiscard]] Output preview(const Sample& sample) const override {
+    return output_of(finger_.preview(contact_of(sample), sample.twist, sample.time_step));
+  }
+  [[nodiscard]] go::FingerState state() const override { return finger_.state(); }
+  void restore(const go::FingerState& state) override { finger_.restore(state); }
+  void reset() override { finger_.reset(); }
+
+ private:
+  static go::Contact contact_of(const Sample& sample) {
+    return {{sample.point[0], sample.point[1], sample.point[2]}, {sample.normal[0], sample.normal[1], sample.normal[2]}, sample.depth};
+  }
+  static Output output_of(const go::FingerOutput& output) {
+    return {.state = std::string(go::to_string(output.state)),
+            .proxy = {output.proxy.x(), output.proxy.y(), output.proxy.z()},
+            .angle = output.angle,
+            .depth = output.depth,
+            .load = output.load,
+            .force = {output.force.x(), output.force.y(), output.force.z()},
+            .moment = output.moment,
+            .cor = output.cor,
+            .slip_work = output.slip_work};
+  }
+
+  go::SoftFinger<Curve, Projection> finger_;
+};
+
+std::unique_ptr<Finger> make_finger(const Setting& setting) {
+  return visit(setting, [&](const auto& curve, auto projection) -> std::unique_ptr<Finger> {
+    return std::make_unique<FingerOf<std::decay_t<decltype(curve)>, decltype(projection)>>(curve, setting.finger, projection);
+  });
+}
+
+/// Many contacts, in the order of the library's batch: x, y, angle, depth; proxy's x, y and angle; its memory; force and moment.
+template <class Real>
+struct Contacts {
+  explicit Contacts(std::size_t count) {
+    for (auto& array : arrays) array.assign(count, Real(0));
+    arrays[7].assign(count, Real(-2));
+  }
+  go::BasicContactBatch<Real> batch() {
+    auto& a = arrays;
+    return {a[0], a[1], a[2], a[3], a[4], a[5], a[6], a[7], a[8], a[9], a[10], a[11]};
+  }
+  [[nodiscard]] std::string_view state(std::size_t i) const {
+    const Real memory = arrays[7][i];
+    return memory < Real(-1) ? "free" : memory < Real(0) ? "stick" : "slip";
+  }
+
+  std::array<std::vector<Real>, 12> arrays;
+};
+
+/// What steps a batch of that setting. A batch of floats is stepped on a table of floats, as fine as there is.
+template <class Real>
+std::function<void(Contacts<Real>&)> make_batch_step(const Setting& setting) {
+  return visit(setting, [&](const auto& curve, auto projection) -> std::function<void(Contacts<Real>&)> {
+    using Curve = std::decay_t<decltype(curve)>;
+    const auto step_with = [](auto friction) { return [friction](Contacts<Real>& contacts) { go::step(friction, contacts.batch()); }; };
+    if constexpr (std::same_as<Real, float> && std::same_as<Curve, lib::Table>) {
+      return step_with(go::Friction(lib::FloatTable::build(lib::hertz(), lib::FloatTable::finest_tolerance), setting.finger, projection));
+    } else {
+      return step_with(go::Friction(curve, setting.finger, projection));
+    }
+  });
+}
+
+// Motions. ----------------------------------------------------------------------------------------------------------------------------
+
+/// Numbers in [0, 1) that are the same everywhere: Knuth's MMIX generator, its upper half.
+class Numbers {
+ public:
+  explicit Numbers(std::uint64_t seed) : state_(seed) { static_cast<void>(between(0.0, 1.0)); }
+  double between(double low, double high) {
+    state_ = state_ * 6364136223846793005U + 1442695040888963407U;
+    return low + (high - low) * static_cast<double>(state_ >> 32U) * 0x1p-32;
+  }
+
+ private:
+  std::uint64_t state_;
+};
+
+constexpr int steps = 400;
+
+/// Swings about 0, of which each contact has its own; all rest in the steps from 150 to 200.
+class Swing {
+ public:
+  Swing(Numbers& numbers, double least, double most)
+      : amplitude_(numbers.between(least, most)), rate_(numbers.between(3.0, 18.0)), phase_(numbers.between(0.0, 6.0)) {}
+  [[nodiscard]] double at(int step) const {
+    const int moved = step < 150 ? step : std::max(step - 50, 150);
+    return amplitude_ * std::sin(rate_ * 1e-3 * moved + phase_);
+  }
+
+ private:
+  double amplitude_;
+  double rate_;
+  double phase_;
+};
+
+/// Of one contact in a batch: rubs to and fro, and lifts off now and then.
+struct Motion {
+  explicit Motion(std::uint64_t seed) : Motion(Numbers(seed)) {}
+  explicit Motion(Numbers numbers)
+      : x(numbers, 1e-3, 8e-3),
+        y(numbers, 1e-3, 8e-3),
+        twist(numbers, 0.1, 1.5),
+        press(numbers, 0.3e-3, 2.2e-3),
+        depth(numbers.between(1e-3, 2e-3)) {}
+  Swing x;
+  Swing y;
+  Swing twist;
+  Swing press;
+  double depth;
+};
+
+/// A finger that rubs a ball of radius 50 mm.
+Sample sample_at(int step) {
+  static const Motion motion(7);
+  const double tilt = motion.x.at(step) / 0.05;
+  const double lean = motion.y.at(step) / 0.05;
+  const Vector normal{std::sin(tilt) * std::cos(lean), std::sin(lean), std::cos(tilt) * std::cos(lean)};
+  return {.point = {0.05 * normal[0], 0.05 * normal[1], 0.05 * normal[2]},
+          .normal = normal,
+          .depth = motion.depth + motion.press.at(step),
+          .twist = motion.twist.at(step),
+          .time_step = 1e-3};
+}
+
+// Scenarios. --------------------------------------------------------------------------------------------------------------------------
+
+template <class Real>
+void run_batch(const Setting& setting) {
+  constexpr std::size_t count = 150;  // more than a loop takes at a time, and no multiple of what a register holds
+  constexpr int fault_begins = 100;
+  constexpr int fault_ends = 110;
+  std::vector<Motion> motions;
+  for (std::size_t i = 0; i < count; ++i) motions.emplace_back(100 + i);
+  Contacts<Real> contacts(count);
+  const auto step_batch = make_batch_step<Real>(setting);
+  std::puts("step,contact,state,px,py,angle,fx,fy,moment");
+  for (int step = 0; step < steps; ++step) {
+    for (std::size_t i = 0; i < count; ++i) {
+      contacts.arrays[0][i] = static_cast<Real>(motions[i].x.at(step));
+      contacts.arrays[1][i] = static_cast<Real>(motions[i].y.at(step));
+      contacts.arrays[2][i] = static_cast<Real>(motions[i].twist.at(step));
+      contacts.arrays[3][i] = static_cast<Real>(motions[i].depth + motions[i].press.at(step));
+    }
+    const bool is_fault = step >= fault_begins && step < fault_ends;
+    // No depth is none; of a position that is no number a batch of floats touches nothing (one of doubles gives nothing that is defined).
+    if (is_fault) contacts.arrays[3][6] = static_cast<Real>(nan);
+    if (is_fault && std::same_as<Real, float>) contacts.arrays[0][77] = static_cast<Real>(nan);
+    step_batch(contacts);
+    if (step % 57 != 56 && step != fault_begins + 2) continue;
+    for (const std::size_t i : {0, 6, 77, 149}) {
+      const auto& a = contacts.arrays;
+      const auto value = [&](std::size_t array) { return static_cast<double>(a[array][i]); };
+      std::printf("%d,%zu,%s,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g\n", step, i, std::string(contacts.state(i)).c_str(), value(4), value(5),
+                  value(6), value(9), value(10), value(11));
+    }
+  }
+}
+
+void print_header() {
+  std::puts("what,step,state,px,py,pz,angle,depth,load,fx,fy,fz,moment,cor,margin,hold_load,dissipated");
+}
+
+void print(std::string_view what, int step, const Output& output, double dissipated) {
+  std::printf("%s,%d,%s", std::string(what).c_str(), step, output.state.c_str());
+  for (const double value : {output.proxy[0], output.proxy[1], output.proxy[2], output.angle, output.depth, output.load, output.force[0],
+                             output.force[1], output.force[2], output.moment, output.cor, output.margin, output.load_to_hold, dissipated}) {
+    if (std::isnan(value)) {
+      std::printf(",nan");
+    } else {
+      std::printf(",%.17g", value);
+    }
+  }
+  std::puts("");
+}
+
+/// Runs a finger over the motion as `change` changes it, and prints every 29th step and those near `shown`.
+void run_changed(const Setting& setting, const std::vector<int>& shown, const std::function<void(int, Sample&)>& change) {
+  const auto finger = make_finger(setting);
+  double dissipated = 0.0;
+  print_header();
+  for (int step = 0; step < steps; ++step) {
+    Sample sample = sample_at(step);
+    change(step, sample);
+    const Output output = finger->update(sample);
+    dissipated += output.slip_work;
+    const bool is_near = std::any_of(shown.begin(), shown.end(), [&](int event) { return std::abs(step - event) <= 1; });
+    if (step % 29 == 28 || is_near) print("update", step, output, dissipated);
+  }
+}
+
+void run_preview(const Setting& setting) {
+  const auto finger = make_finger(setting);
+  double dissipated = 0.0;
+  print_header();
+  for (int step = 0; step < steps; ++step) {
+    // Every step, for a preview must leave nothing behind.
+    const Output ahead = finger->preview(sample_at(step + 7));
+    const Output output = finger->update(sample_at(step));
+    dissipated += output.slip_work;
+    if (step % 37 != 36) continue;
+    print("preview", step + 7, ahead, ahead.slip_work);
+    print("update", step, output, dissipated);
+  }
+}
+
+/// A finger that goes back to where it was, another that is put there, and one that forgets all.
+void run_restore(const Setting& setting) {
+  constexpr int saved = 120;
+  constexpr int restored = 260;
+  const auto finger = make_finger(setting);
+  print_header();
+  go::FingerState state;
+  for (int step = 0; step < restored; ++step) {
+    finger->update(sample_at(step));
+    if (step == saved) state = finger->state();
+  }
+  const auto other = make_finger(setting);
+  finger->restore(state);
+  other->restore(state);
+  for (int step = saved + 1; step < steps; ++step) {
+    if (step == 330) other->reset();
+    const Output again = finger->update(sample_at(step));
+    const Output its = other->update(sample_at(step));
+    if (step % 37 != 36 && step != saved + 1 && step != 330) continue;
+    print("restored", step, again, again.slip_work);
+    print("other", step, its, its.slip_work);
+  }
+}
+
+void run_leaps(const Setting& setting) {
+  run_changed(setting, {100, 101, 220, 300, 320}, [](int step, Sample& sample) {
+    // For one sample; for good, until it is back; by less than is refused.
+    if (step == 100 || (step >= 220 && step < 300)) sample.point[0] += 0.03;
+    if (step >= 320) sample.point[1] += 0.009;
+  });
+}
+
+void run_faults(const Setting& setting) {
+  run_changed(setting, {105, 115, 130, 140, 150, 160, 180, 190, 210}, [](int step, Sample& sample) {
+    if (step >= 100 && step < 115) sample.point[1] = nan;
+    if (step == 130) sample.depth = nan;
+    if (step == 140) sample.twist = inf;
+    if (step == 150) sample.normal[2] *= 1.1;
+    if (step == 160) sample.time_step = -1e-3;
+    if (step == 180) sample.point[0] = 2e6;
+    if (step == 190) sample.twist = -2e6;
+    if (step >= 210 && step < 220) sample.normal = {0.0, 0.0, 0.0};
+  });
+}
+
+/// Turns by more than a turn and back, as a device tells it that wraps its angle.
+void run_turns(const Setting& setting) {
+  run_changed(setting, {300}, [](int step, Sample& sample) {
+    const double turned = 0.05 * (step < 200 ? step : 400 - step);
+    sample.twist = std::remainder(turned, 2.0 * std::numbers::pi);
+    if (step >= 300) sample.twist += 6.0 * std::numbers::pi;
+  });
+}
+
+void run_irregular(const Setting& setting) {
+  run_changed(setting, {}, [](int step, Sample& sample) {
+    constexpr std::array<double, 5> time_steps{1e-3, 2e-3, 0.0, 0.5e-3, 1e-10};
+    sample.time_step = time_steps[static_cast<std::size_t>(step) % time_steps.size()];
+  });
+}
+
+struct Scenario {
+  std::string_view name;
+  void (*run)(const Setting& setting);
+};
+constexpr std::array scenarios{Scenario{"double", run_batch<double>}, Scenario{"float", run_batch<float>}, Scenario{"preview", run_preview},
+                               Scenario{"restore", run_restore},      Scenario{"leaps", run_leaps},        Scenario{"faults", run_faults},
+                               Scenario{"turns", run_turns},          Scenario{"irregular", run_irregular}};
+
+/// The factor that the arguments give that name, or 1.
+double factor(const std::vector<std::string_view>& words, std::string_view name) {
+  for (const std::string_view word : words) {
+    if (word.starts_with(name) && word.substr(name.size()).starts_with('=')) return std::stod(std::string(word.substr(name.size() + 1)));
+  }
+  return 1.0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    const std::vector<std::string_view> words(argv + 1, argv + argc);
+    if (words.size() < 4)
+      throw std::invalid_argument("expected SCENARIO PARAMETERS CURVE PROJECTION [mu-times=F] [twist-stiffness-times=F]");
+    const auto* const scenario =
+        std::find_if(scenarios.begin(), scenarios.end(), [&](const Scenario& one) { return one.name == words[0]; });
+    if (scenario == scenarios.end()) {
+      throw std::invalid_argument("scenario '" + std::string(words[0]) +
+                                  "', expected double, float, preview, restore, leaps, faults, turns or irregular");
+    }
+    scenario->run(make_setting(words[1], words[2], words[3], factor(words, "mu-times"), factor(words, "twist-stiffness-times")));
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "recorder: error: %s\n", error.what());
+    return 2;
+  }
+  return 0;
+}
