@@ -21,9 +21,12 @@
 /// against two commits, each with its own copy of this file.
 namespace limitcurve::bench {
 
+using godobject::BodyState;
 using godobject::Contact;
 using godobject::ContactMemory;
 using godobject::DevicePose;
+using godobject::MeshSurface;
+using godobject::read_mesh;
 
 /// The limit curve, of a Hertz contact, and the projection; the table is of 1e-8 (of a batch of floats: as fine as floats allow).
 enum class Model { ellipse_radial, table_radial, table_closest_point };
@@ -64,6 +67,12 @@ using Projection = std::conditional_t<model == Model::table_closest_point, godob
 template <Model model>
 auto make_finger(Skin skin) {
   return godobject::SoftFinger(make_curve<model>(), parameters(skin), Projection<model>{});
+}
+
+/// A step, in a time [s]. The moment on the user [N m].
+template <class Finger>
+double update(Finger& finger, const Contact& contact, double twist, double time_step) {
+  return finger.update(contact, twist, time_step).moment;
 }
 
 /// The next search for the closest point begins from nothing, as a finger's first does.
@@ -110,7 +119,13 @@ auto make_grasp(Skin skin, std::size_t fingers, bool tilts) {
   body.free = {true, true, true, tilts, tilts, true};
   const auto finger = make_finger<model>(skin);
   using Finger = std::remove_const_t<decltype(finger)>;
-  return godobject::Grasp(body, godobject::BodyState{}, godobject::BoxSurface(0.5 * edges), std::vector<Finger>(fingers, finger));
+  return godobject::Grasp(body, BodyState{}, godobject::BoxSurface(0.5 * edges), std::vector<Finger>(fingers, finger));
+}
+
+/// The moment on the user of a grasp's finger [N m].
+template <class Grasp>
+double moment_of(const Grasp& grasp, std::size_t finger) {
+  return grasp.finger(finger).output().moment;
 }
 
 inline Table build_table(const std::string& law, double tolerance) {

@@ -196,7 +196,7 @@ struct OnMesh {
   };
   using Memory = ContactMemory;
 
-  explicit OnMesh(Motion motion) : surface(godobject::read_mesh(LIMITCURVE_MESHES "/ball.obj")) {
+  explicit OnMesh(Motion motion) : surface(read_mesh(LIMITCURVE_MESHES "/ball.obj")) {
     Random random;
     for (const Sample& s : move(motion)) {
       // The coordinates are arcs about the ball's pole; a wild finger comes down anywhere.
@@ -207,15 +207,15 @@ struct OnMesh {
   [[nodiscard]] Contact contact(std::size_t i, Memory& memory) const { return surface.contact(inputs[i].finger, memory); }
   [[nodiscard]] double twist(std::size_t i) const { return inputs[i].twist; }
 
-  godobject::MeshSurface surface;
+  MeshSurface surface;
   std::vector<Input> inputs;
 };
 
 /// The step that is timed.
 template <bool cold, class Finger, class Place>
-double update(Finger& finger, const Place& place, typename Place::Memory& memory, std::size_t i) {
+double take_step(Finger& finger, const Place& place, typename Place::Memory& memory, std::size_t i) {
   if constexpr (cold) forget_closest_point(finger);
-  return std::fabs(finger.update(place.contact(i, memory), place.twist(i), time_step).moment);
+  return std::fabs(update(finger, place.contact(i, memory), place.twist(i), time_step));
 }
 
 template <Model model, bool cold, class Place>
@@ -224,7 +224,7 @@ Pass one_finger(Skin skin, Motion motion) {
                [finger = make_finger<model>(skin), place = Place(motion), memory = typename Place::Memory{}](std::size_t stretch) mutable {
                  double sum = 0.0;
                  for (std::size_t i = 0; i < stretch_steps; ++i) {
-                   sum += update<cold>(finger, place, memory, stretch * stretch_steps + i);
+                   sum += take_step<cold>(finger, place, memory, stretch * stretch_steps + i);
                  }
                  return sum;
                });
@@ -246,7 +246,7 @@ Pass sixteen_fingers(Skin skin, Motion motion) {
                  for (std::size_t i = 0; i < stretch_steps / count; ++i) {
                    for (std::size_t j = 0; j < count; ++j) {
                      const std::size_t at = (stretch * (stretch_steps / count) + i + j * (samples / count)) % samples;
-                     sum += update<cold>(fingers[j].finger, place, fingers[j].memory, at);
+                     sum += take_step<cold>(fingers[j].finger, place, fingers[j].memory, at);
                    }
                  }
                  return sum;
@@ -271,11 +271,11 @@ Pass grasp(Skin skin, bool slips) {
   for (std::size_t i = 0; i < steps * stretches; ++i) inputs.push_back(devices(i));
   return timed(stretches, steps, [body = make_grasp<model>(skin, 2, !slips), inputs](std::size_t stretch) mutable {
     // Sliding fingers leave the block to drift: it is put back before they lose it.
-    if (stretch == 0) body.place(godobject::BodyState{}, inputs[0]);
+    if (stretch == 0) body.place(BodyState{}, inputs[0]);
     double sum = 0.0;
     for (std::size_t i = 0; i < steps; ++i) {
       body.step(inputs[stretch * steps + i], time_step);
-      sum += body.body().position.z() + std::fabs(body.finger(0).output().moment);
+      sum += body.body().position.z() + std::fabs(moment_of(body, 0));
     }
     return sum;
   });
