@@ -1,0 +1,482 @@
+// SPDX-License-Identifier: MIT
+// What people run: fingers on a plane and on a mesh, a grasp, batches, look-ups, tables being built. Alone it prints mean and worst of
+// every workload on this machine; scripts/maintain/compare_speed compiles it against two commits and runs both in turns.
+//
+//     finger_bench [REGEX]   the workloads whose name it matches (left out: all), as CSV
+//     finger_bench --list    their names
+//     finger_bench --turn NAME   for each line of input one round of the workload; for each a line `mean_ns,worst_ns,result`
+//
+// mean_ns: of a step (batches: of a contact), in the processor's time of this process, so that others do not count. worst_ns: a motion
+// is timed in stretches of 128 steps (grasp: 32); the mean step of the stretch that takes longest, each by the fastest of all its passes,
+// so that an interrupt is not taken for a step. Empty where all stretches are alike. result: the mean of what the steps return, to see
+// that two commits do the same work.
+#include "bench/adaptor.hpp"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <ctime>
+#include <functional>
+#include <iostream>
+#include <limits>
+#include <memory>
+#include <numbers>
+#include <random>
+#include <regex>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace limitcurve::bench {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using Eigen::Vector3d;
+
+constexpr double pi = std::numbers::pi;
+constexpr double time_step = 1e-3;      // [s]
+constexpr double shortest_round = 1e7;  // [ns]
+
+// ---- timing
+
+/// What all passes through a workload gave.
+struct Times {
+  double result = 0.0;          // sum of what the steps returned
+  std::size_t steps = 0;        // in all
+  std::vector<double> fastest;  // a step's time in each stretch [ns]
+};
+
+using Pass = std::function<void(Times&)>;
+
+/// A pass of `stretches` calls of `stretch(index)`, each of which takes `steps` steps and returns the sum of their results.
+template <class Stretch>
+Pass timed(std::size_t stretches, std::size_t steps, Stretch stretch) {
+  return [stretches, steps, stretch = std::move(stretch)](Times& times) mutable {
+    times.fastest.resize(stretches, std::numeric_limits<double>::infinity());
+    auto last = Clock::now();
+    for (std::size_t i = 0; i < stretches; ++i) {
+      times.result += stretch(i);
+      const auto now = Clock::now();
+      const double taken = std::chrono::duration<double, std::nano>(now - last).count();
+      last = now;
+      times.fastest[i] = std::min(times.fastest[i], taken / static_cast<double>(steps));
+    }
+    times.steps += stretches * steps;
+  };
+}
+
+struct Round {
+  double mean, worst, result;
+};
+
+class Workload {
+ public:
+  Workload(std::string name, std::function<Pass()> make) : name_(std::move(name)), make_(std::move(make)) {}
+  [[nodiscard]] const std::string& name() const { return name_; }
+
+  /// Makes what is needed, moves it until it has settled, and finds how many passes are a round.
+  void start() {
+    pass_ = make_();
+    times_ = {};
+    pass_(times_);
+    passes_ = 1;
+    while (take_round() < shortest_round && passes_ < 1000000) passes_ *= 2;
+  }
+  [[nodiscard]] Round round() {
+    times_.result = 0.0;
+    times_.steps = 0;
+    const double taken = take_round();
+    const bool alike = times_.fastest.size() == 1;
+    const auto steps = static_cast<double>(times_.steps);
+    return {taken / steps, alike ? std::nan("") : *std::ranges::max_element(times_.fastest), times_.result / steps};
+  }
+  void stop() { pass_ = nullptr; }
+
+ private:
+  /// The processor's time for it [ns].
+  double take_round() {
+    const std::clock_t begin = std::clock();
+    for (std::size_t i = 0; i < passes_; ++i) pass_(times_);
+    return static_cast<double>(std::clock() - begin) * (1e9 / CLOCKS_PER_SEC);
+  }
+
+  std::string name_;
+  std::function<Pass()> make_;
+  Pass pass_;
+  Times times_;
+  std::size_t passes_ = 1;
+};
+
+// ---- motions of one finger, each a loop without an end
+
+constexpr std::size_t samples = 4096;
+constexpr std::size_t stretch_steps = 128;
+
+enum class Motion { held, slow, wild };
+constexpr std::array<std::pair<Motion, const char*>, 3> motions{{{Motion::held, "held"}, {Motion::slow, "slow"}, {Motion::wild, "wild"}}};
+
+/// A number between −1 and 1.
+class Random {
+ public:
+  double operator()() { return share_(engine_); }
+  Vector3d vector() {
+    const double x = (*this)(), y = (*this)(), z = (*this)();
+    return {x, y, z};
+  }
+
+ private:
+  std::mt19937 engine_{1};
+  std::uniform_real_distribution<double> share_{-1.0, 1.0};
+};
+
+/// How the finger moves along a surface: by how much in two directions [m], how deep [m], and its twist [rad].
+struct Sample {
+  double x, y, depth, twist;
+};
+
+/// Held: trembles within the limit. Slow: slips in every step of 0.1 mm, the centre of rotation wanders once over its range and back, the
+/// load changes a little. Wild: jumps of centimetres and radians in all directions, under any load.
+/// At 2 mm the finger bears 2 N, of which friction takes 1.2 N: the springs are then drawn by 1.2 mm.
+std::vector<Sample> move(Motion motion) {
+  Random random;
+  std::vector<Sample> result;
+  // The spin is half of the motion in the mean: so the device turns six times, and begins again where it began.
+  constexpr double spin_step = 6.0 * 2.0 * pi / (0.5 * samples);
+  double x = 0.0, y = 0.0, twist = 0.0;
+  for (std::size_t i = 0; i < samples; ++i) {
+    switch (motion) {
+      case Motion::held:
+        result.push_back({5e-5 * random(), 5e-5 * random(), 0.002 + 1e-4 * random(), 0.002 * random()});
+        break;
+      case Motion::slow: {
+        const double phase = 2.0 * pi * static_cast<double>(i) / samples;
+        const double u = 0.5 - 0.45 * std::cos(phase);
+        x += 1e-4 * (1.0 - u) * std::cos(2.0 * phase);
+        y += 1e-4 * (1.0 - u) * std::sin(2.0 * phase);
+        twist += spin_step * u;
+        result.push_back({x, y, 0.002 + 2e-4 * std::sin(7.0 * phase), std::remainder(twist, 2.0 * pi)});
+        break;
+      }
+      case Motion::wild:
+        result.push_back({0.01 * random(), 0.01 * random(), 0.002 + 0.001 * random(), 1.5 * random()});
+        break;
+    }
+  }
+  return result;
+}
+
+// ---- fingers
+
+/// Contact and twist are given.
+struct OnPlane {
+  struct Input {
+    Contact contact;
+    double twist;
+  };
+  struct Memory {};
+
+  explicit OnPlane(Motion motion) {
+    for (const Sample& s : move(motion)) inputs.push_back({{{s.x, s.y, 0.0}, Vector3d::UnitZ(), s.depth}, s.twist});
+  }
+  [[nodiscard]] const Contact& contact(std::size_t i, Memory&) const { return inputs[i].contact; }
+  [[nodiscard]] double twist(std::size_t i) const { return inputs[i].twist; }
+
+  std::vector<Input> inputs;
+};
+
+/// The finger's place is given, the contact is sought on a ball of 320 triangles.
+struct OnMesh {
+  static constexpr double radius = 0.05;  // [m]
+  struct Input {
+    Vector3d finger;
+    double twist;
+  };
+  using Memory = ContactMemory;
+
+  explicit OnMesh(Motion motion) : surface(read_mesh(LIMITCURVE_MESHES "/ball.obj")) {
+    Random random;
+    for (const Sample& s : move(motion)) {
+      // The coordinates are arcs about the ball's pole; a wild finger comes down anywhere.
+      const Vector3d towards = motion == Motion::wild ? random.vector() : Vector3d(s.x / radius, s.y / radius, 1.0);
+      inputs.push_back({(radius - s.depth) * towards.normalized(), s.twist});
+    }
+  }
+  [[nodiscard]] Contact contact(std::size_t i, Memory& memory) const { return surface.contact(inputs[i].finger, memory); }
+  [[nodiscard]] double twist(std::size_t i) const { return inputs[i].twist; }
+
+  MeshSurface surface;
+  std::vector<Input> inputs;
+};
+
+/// The step that is timed.
+template <bool cold, class Finger, class Place>
+double take_step(Finger& finger, const Place& place, typename Place::Memory& memory, std::size_t i) {
+  if constexpr (cold) forget_closest_point(finger);
+  return std::fabs(update(finger, place.contact(i, memory), place.twist(i), time_step));
+}
+
+template <Model model, bool cold, class Place>
+Pass one_finger(Skin skin, Motion motion) {
+  return timed(samples / stretch_steps, stretch_steps,
+               [finger = make_finger<model>(skin), place = Place(motion), memory = typename Place::Memory{}](std::size_t stretch) mutable {
+                 double sum = 0.0;
+                 for (std::size_t i = 0; i < stretch_steps; ++i) {
+                   sum += take_step<cold>(finger, place, memory, stretch * stretch_steps + i);
+                 }
+                 return sum;
+               });
+}
+
+/// In turn, each elsewhere in the motion: one's step need not wait for its last one, as in a scene of many.
+template <Model model, bool cold, class Place>
+Pass sixteen_fingers(Skin skin, Motion motion) {
+  constexpr std::size_t count = 16;
+  const auto finger = make_finger<model>(skin);
+  using Finger = std::remove_const_t<decltype(finger)>;
+  struct One {
+    Finger finger;
+    typename Place::Memory memory;
+  };
+  return timed(samples * count / stretch_steps, stretch_steps,
+               [fingers = std::vector<One>(count, One{finger, {}}), place = Place(motion)](std::size_t stretch) mutable {
+                 double sum = 0.0;
+                 for (std::size_t i = 0; i < stretch_steps / count; ++i) {
+                   for (std::size_t j = 0; j < count; ++j) {
+                     const std::size_t at = (stretch * (stretch_steps / count) + i + j * (samples / count)) % samples;
+                     sum += take_step<cold>(fingers[j].finger, place, fingers[j].memory, at);
+                   }
+                 }
+                 return sum;
+               });
+}
+
+// ---- a grasp: two fingers pinch a block; they carry it up and down (held), or they slide and turn on it, opposite ways (slip)
+
+template <Model model>
+Pass grasp(Skin skin, bool slips) {
+  constexpr std::size_t steps = 32;
+  constexpr std::size_t stretches = 16;
+  const auto devices = [slips](std::size_t i) {
+    const double phase = 2.0 * pi * static_cast<double>(i) / static_cast<double>(steps * stretches);
+    const Vector3d middle = slips ? Vector3d(0.0, 0.0, 0.0) : Vector3d(0.0, 0.0, 0.01 * std::sin(phase));
+    const Vector3d apart = slips ? Vector3d(0.01 * std::sin(phase), 0.005 * std::cos(phase), 0.018) : Vector3d(0.0, 0.0, 0.018);
+    const double twist = slips ? std::sin(phase) : 0.0;
+    return std::array<DevicePose, 2>{DevicePose{middle + apart, Eigen::Quaterniond::Identity(), twist},
+                                     DevicePose{middle - apart, Eigen::Quaterniond::Identity(), twist}};
+  };
+  std::vector<std::array<DevicePose, 2>> inputs;
+  for (std::size_t i = 0; i < steps * stretches; ++i) inputs.push_back(devices(i));
+  return timed(stretches, steps, [body = make_grasp<model>(skin, 2, !slips), inputs](std::size_t stretch) mutable {
+    // Sliding fingers leave the block to drift: it is put back before they lose it.
+    if (stretch == 0) body.place(BodyState{}, inputs[0]);
+    double sum = 0.0;
+    for (std::size_t i = 0; i < steps; ++i) {
+      body.step(inputs[stretch * steps + i], time_step);
+      sum += body.body().position.z() + std::fabs(moment_of(body, 0));
+    }
+    return sum;
+  });
+}
+
+// ---- batches: slip: every contact goes to and fro, each with a centre of rotation of its own; held, wild: as one finger
+
+template <class Real>
+struct Inputs {
+  explicit Inputs(std::size_t count) : x(count), y(count), angle(count), depth(count) {}
+  [[nodiscard]] BatchInput<Real> spans() const { return {x, y, angle, depth}; }
+
+  std::vector<Real> x, y, angle, depth;
+};
+
+template <class Real>
+std::vector<Inputs<Real>> batch_inputs(std::size_t count, Motion motion) {
+  Random random;
+  std::vector<Inputs<Real>> result(motion == Motion::slow ? 2 : 8, Inputs<Real>(count));
+  const auto set = [](Inputs<Real>& input, std::size_t i, double x, double y, double angle, double depth) {
+    input.x[i] = static_cast<Real>(x);
+    input.y[i] = static_cast<Real>(y);
+    input.angle[i] = static_cast<Real>(angle);
+    input.depth[i] = static_cast<Real>(depth);
+  };
+  for (std::size_t i = 0; i < count; ++i) {
+    if (motion == Motion::slow) {
+      const double u = 0.5 + 0.45 * random(), direction = pi * random(), depth = 0.002 + 0.001 * random();
+      for (const double sign : {1.0, -1.0}) {
+        const double way = sign * 0.01 * (1.0 - u);
+        set(result[sign < 0.0], i, way * std::cos(direction), way * std::sin(direction), sign * 1.2 * u, depth);
+      }
+    } else {
+      const bool wild = motion == Motion::wild;
+      const double reach = wild ? 0.01 : 5e-5, turn = wild ? 1.5 : 0.002, change = wild ? 0.001 : 1e-4;
+      for (Inputs<Real>& input : result) set(input, i, reach * random(), reach * random(), turn * random(), 0.002 + change * random());
+    }
+  }
+  return result;
+}
+
+template <Model model, class Real>
+Pass batch(Skin skin, std::size_t count, Motion motion) {
+  const auto stepped = std::make_shared<Batch<model, Real>>(skin, count);
+  const auto inputs = std::make_shared<const std::vector<Inputs<Real>>>(batch_inputs<Real>(count, motion));
+  // The first slips take longer than those after.
+  for (std::size_t i = 0; i < 8; ++i) stepped->step((*inputs)[i % inputs->size()].spans());
+  const std::size_t turns = std::max<std::size_t>(1, 4096 / count);
+  const std::size_t steps = turns * inputs->size() * count;
+  return timed(1, steps, [stepped, inputs, turns, steps, count](std::size_t) {
+    for (std::size_t i = 0; i < turns; ++i) {
+      for (const Inputs<Real>& input : *inputs) stepped->step(input.spans());
+    }
+    // Of one contact, as if of all: to read all would cost as much as to step them.
+    return std::fabs(static_cast<double>(stepped->moment()[count / 2])) * static_cast<double>(steps);
+  });
+}
+
+// ---- tables
+
+/// Twists in no order, spread evenly from pure spin to pure slide, so that no predictor learns them.
+Pass wrenches(const std::string& law, double tolerance) {
+  constexpr std::size_t count = 1024;
+  std::vector<std::array<double, 2>> twists;
+  Random random;
+  for (std::size_t i = 0; i < 4 * count; ++i) {
+    const double u = 0.5 + 0.5 * random();
+    twists.push_back({1.0 - u, u});
+  }
+  return timed(4, count, [table = build_table(law, tolerance), twists](std::size_t stretch) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto [slide, spin] = twists[stretch * count + i];
+      sum += wrench_sum(table, slide, spin);
+    }
+    return sum;
+  });
+}
+
+Pass building(const std::string& law, double tolerance) {
+  return timed(1, 1, [law, tolerance](std::size_t) { return wrench_sum(build_table(law, tolerance), 0.5, 0.5); });
+}
+
+// ---- the list
+
+std::vector<Workload> workloads() {
+  std::vector<Workload> result;
+  const auto add = [&](const std::string& name, std::function<Pass()> make) { result.emplace_back(name, std::move(make)); };
+
+  const std::array<std::pair<const char*, Skin>, 4> skins{
+      {{"plain", {false, false}}, {"dampers", {true, false}}, {"a(P)", {false, true}}, {"dampers+a(P)", {true, true}}}};
+  const auto add_fingers = [&]<Model model, bool cold, class Place>(const std::string& place, const std::string& curve) {
+    for (const auto& [skin_name, skin] : skins) {
+      for (const auto& [motion, motion_name] : motions) {
+        const std::string name = curve + '/' + skin_name + '/' + motion_name;
+        add("finger/" + place + "/one/" + name, [=] { return one_finger<model, cold, Place>(skin, motion); });
+        add("finger/" + place + "/sixteen/" + name, [=] { return sixteen_fingers<model, cold, Place>(skin, motion); });
+      }
+    }
+  };
+  add_fingers.operator()<Model::ellipse_radial, false, OnPlane>("plane", "ellipse-radial");
+  add_fingers.operator()<Model::table_closest_point, false, OnPlane>("plane", "table-closest-warm");
+  add_fingers.operator()<Model::table_closest_point, true, OnPlane>("plane", "table-closest-cold");
+  add_fingers.operator()<Model::table_radial, false, OnPlane>("plane", "table-radial");
+  add_fingers.operator()<Model::ellipse_radial, false, OnMesh>("mesh", "ellipse-radial");
+  add_fingers.operator()<Model::table_closest_point, false, OnMesh>("mesh", "table-closest-warm");
+
+  const auto add_grasps = [&]<Model model>(const std::string& curve) {
+    for (const auto& [skin_name, skin] : {skins.front(), skins.back()}) {
+      for (const bool slips : {false, true}) {
+        add("grasp/" + curve + '/' + skin_name + (slips ? "/slip" : "/held"), [=] { return grasp<model>(skin, slips); });
+      }
+    }
+  };
+  add_grasps.operator()<Model::ellipse_radial>("ellipse-radial");
+  add_grasps.operator()<Model::table_closest_point>("table-closest");
+
+  const auto add_batches = [&]<Model model, class Real>(const std::string& curve) {
+    const auto add_batch = [&](Skin skin, const char* skin_name, std::size_t count, Motion motion, const char* motion_name) {
+      add("batch/" + curve + '/' + skin_name + '/' + motion_name + '/' + std::to_string(count),
+          [=] { return batch<model, Real>(skin, count, motion); });
+    };
+    for (const std::size_t count : {64, 1024, 16384, 1000000, 10000000}) add_batch(Skin{}, "plain", count, Motion::slow, "slip");
+    add_batch(Skin{}, "plain", 1024, Motion::held, "held");
+    add_batch(Skin{}, "plain", 1024, Motion::wild, "wild");
+    add_batch(Skin{.radius_grows = true}, "a(P)", 1024, Motion::slow, "slip");
+  };
+  add_batches.operator()<Model::ellipse_radial, double>("double/ellipse-radial");
+  add_batches.operator()<Model::table_closest_point, double>("double/table-closest");
+  add_batches.operator()<Model::ellipse_radial, float>("float/ellipse-radial");
+  add_batches.operator()<Model::table_closest_point, float>("float/table-closest");
+
+  for (const char* law : {"hertz", "power:n=2.3"}) {
+    for (const auto& [name, tolerance] :
+         {std::pair{"1e-4", 1e-4}, std::pair{"1e-6", 1e-6}, std::pair{"1e-8", 1e-8}, std::pair{"finest", finest_tolerance}}) {
+      add(std::string("wrench/") + law + '/' + name, [=, tolerance = tolerance] { return wrenches(law, tolerance); });
+    }
+    add(std::string("build/") + law + "/1e-8", [=] { return building(law, 1e-8); });
+  }
+  return result;
+}
+
+/// As scripts read it.
+void print(const Round& round) {
+  if (std::isnan(round.worst)) {
+    std::printf("%.6g,,%.12g\n", round.mean, round.result);
+  } else {
+    std::printf("%.6g,%.6g,%.12g\n", round.mean, round.worst, round.result);
+  }
+  std::fflush(stdout);
+}
+
+/// The round in the middle of some.
+Round median_round(Workload& workload) {
+  std::vector<Round> rounds;
+  for (int i = 0; i < 5; ++i) rounds.push_back(workload.round());
+  std::ranges::sort(rounds, {}, &Round::mean);
+  return rounds[rounds.size() / 2];
+}
+
+int run(const std::vector<std::string>& arguments) {
+  std::vector<Workload> all = workloads();
+  const std::string first = arguments.empty() ? "" : arguments[0];
+  if (first == "--list") {
+    for (const Workload& workload : all) std::puts(workload.name().c_str());
+    return 0;
+  }
+  if (first == "--turn" && arguments.size() == 2) {
+    const auto found = std::ranges::find(all, arguments[1], &Workload::name);
+    if (found == all.end()) {
+      std::fprintf(stderr, "finger_bench: there is no workload '%s' (--list names them)\n", arguments[1].c_str());
+      return 2;
+    }
+    found->start();
+    for (std::string line; std::getline(std::cin, line);) print(found->round());
+    return 0;
+  }
+  if (arguments.size() > 1 || first.starts_with("-")) {
+    std::fprintf(stderr, "finger_bench [REGEX] | --list | --turn NAME\n");
+    return 2;
+  }
+  const std::regex wanted(first);
+  std::puts("workload,mean_ns,worst_ns,result");
+  for (Workload& workload : all) {
+    if (!std::regex_search(workload.name(), wanted)) continue;
+    workload.start();
+    std::printf("%s,", workload.name().c_str());
+    print(median_round(workload));
+    workload.stop();
+  }
+  return 0;
+}
+
+}  // namespace
+}  // namespace limitcurve::bench
+
+int main(int argc, char** argv) {
+  try {
+    return limitcurve::bench::run({argv + 1, argv + argc});
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "finger_bench: %s\n", error.what());
+    return 2;
+  }
+}

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "godobject/batch.hpp"
+#include "godobject/contact_arrays.hpp"
+#include "godobject/float_batch.hpp"
+#include "godobject/godobject.hpp"
+#include "godobject/mesh/mesh_file.hpp"
+#include "limitcurve/ellipse.hpp"
+#include "limitcurve/float_table.hpp"
+#include "limitcurve/laws.hpp"
+#include "limitcurve/table.hpp"
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+/// All that the workloads (bench/finger_bench.cpp) need of the library's interface. scripts/maintain/compare_speed compiles the workloads
+/// against two commits, each with its own copy of this file.
+namespace limitcurve::bench {
+
+using godobject::BodyState;
+using godobject::Contact;
+using godobject::ContactMemory;
+using godobject::DevicePose;
+using godobject::MeshSurface;
+using godobject::read_mesh;
+
+/// The limit curve, of a Hertz contact, and the projection; the table is of 1e-8 (of a batch of floats: as fine as floats allow).
+enum class Model { ellipse_radial, table_radial, table_closest_point };
+
+/// What a finger has beside springs and friction.
+struct Skin {
+  bool damped = false;
+  bool radius_grows = false;  ///< a(P), a silicone finger's; else constant
+};
+
+inline godobject::FingerParameters parameters(Skin skin) {
+  godobject::FingerParameters result;
+  result.mu = 0.6;
+  result.radius_law = skin.radius_grows ? RadiusLaw::power(0.00207, 0.259) : RadiusLaw::constant(0.005);
+  result.stiffness = 1000.0;
+  result.twist_stiffness = 0.04;
+  if (skin.damped) {
+    result.damping = 1.0;
+    result.twist_damping = 4e-5;
+  }
+  return result;
+}
+
+template <Model model, class Real = double>
+auto make_curve() {
+  if constexpr (model == Model::ellipse_radial) {
+    return Ellipse::through_intercepts(hertz()->moment_ratio());
+  } else if constexpr (std::is_same_v<Real, float>) {
+    return FloatTable::build(hertz(), 1e-6);
+  } else {
+    return Table::build(hertz(), 1e-8);
+  }
+}
+
+template <Model model>
+using Projection = std::conditional_t<model == Model::table_closest_point, godobject::ClosestPoint, godobject::Radial>;
+
+template <Model model>
+auto make_finger(Skin skin) {
+  return godobject::SoftFinger(make_curve<model>(), parameters(skin), Projection<model>{});
+}
+
+/// A step, in a time [s]. The moment on the user [N m].
+template <class Finger>
+double update(Finger& finger, const Contact& contact, double twist, double time_step) {
+  return finger.update(contact, twist, time_step).moment;
+}
+
+/// The next search for the closest point begins from nothing, as a finger's first does.
+template <class Finger>
+void forget_closest_point(Finger& finger) {
+  finger.forget_place();
+}
+
+/// What a batch is given.
+template <class Real>
+struct BatchInput {
+  std::span<const Real> x, y, angle, depth;
+};
+
+template <Model model, class Real>
+class Batch {
+ public:
+  Batch(Skin skin, std::size_t count)
+      : friction_(make_curve<model, Real>(), parameters(skin), Projection<model>{}), arrays_(count), batch_(arrays_.batch()) {}
+  Batch(const Batch&) = delete;
+  Batch& operator=(const Batch&) = delete;
+
+  void step(const BatchInput<Real>& input) {
+    batch_.x = input.x;
+    batch_.y = input.y;
+    batch_.angle = input.angle;
+    batch_.depth = input.depth;
+    godobject::step(friction_, batch_);
+  }
+
+  [[nodiscard]] std::span<const Real> moment() const { return batch_.moment; }
+
+ private:
+  godobject::Friction<decltype(make_curve<model, Real>()), Projection<model>> friction_;
+  godobject::BasicContactArrays<Real> arrays_;
+  godobject::BasicContactBatch<Real> batch_;
+};
+
+/// A block of 100 g, 12 x 4 x 4 cm, and this many fingers on it; implicit integrator. It may be locked against tilting, about x and y.
+template <Model model>
+auto make_grasp(Skin skin, std::size_t fingers, bool tilts) {
+  const Eigen::Vector3d edges{0.12, 0.04, 0.04};
+  auto body = godobject::BodyParameters::block(0.1, edges);
+  body.free = {true, true, true, tilts, tilts, true};
+  const auto finger = make_finger<model>(skin);
+  using Finger = std::remove_const_t<decltype(finger)>;
+  return godobject::Grasp(body, BodyState{}, godobject::BoxSurface(0.5 * edges), std::vector<Finger>(fingers, finger));
+}
+
+/// The moment on the user of a grasp's finger [N m].
+template <class Grasp>
+double moment_of(const Grasp& grasp, std::size_t finger) {
+  return grasp.finger(finger).output().moment;
+}
+
+inline Table build_table(const std::string& law, double tolerance) {
+  return Table::build(parse_law(law), tolerance);
+}
+
+inline constexpr double finest_tolerance = Table::finest_tolerance;
+
+/// Force and moment of a slip twist (|v| : a|ω|), added.
+inline double wrench_sum(const Table& table, double slide, double spin) {
+  const UnitWrench wrench = table.wrench(SlipTwist{slide, spin});
+  return wrench.force + wrench.moment;
+}
+
+}  // namespace limitcurve::bench
