@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
 // A step of the god-object on the plane, boundary by projection. Mean by Google Benchmark; `worst_ns` is the slowest single
-// step of a second pass, each timed on its own (clock included; the operating system may be in it), `instructions` the mean count
-// of some of them (nan where a process may not be traced). `many/` steps sixteen fingers in turn: `a_step` is what one takes where it need not
-// wait for itself. `naked/` is the arithmetic between one proxy and the next alone, to measure by.
+// step of a second pass, each timed on its own (clock included; the operating system may be in it). `many/` steps sixteen fingers in
+// turn: `a_step` is what one takes where it need not wait for itself.
 #include "bench/contacts.hpp"
 #include "bench/finger_motion.hpp"
-#include "bench/naked_step.hpp"
-#include "bench/stepped_instructions.hpp"
 #include "godobject/godobject.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/table.hpp"
@@ -16,7 +13,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cstddef>
-#include <map>
 #include <random>
 #include <utility>
 #include <vector>
@@ -54,21 +50,7 @@ std::vector<Sample> held() {
   return samples;
 }
 
-/// Of one call of `advance`, over some samples all along the motion, less what calling costs.
-template <class Advance>
-double mean_instructions(const std::vector<Sample>& samples, const Advance& advance) {
-  constexpr std::size_t spots = 64;
-  double sum = 0.0;
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    const auto take = [&](const auto& call) { return bench::stepped_instructions([&] { benchmark::DoNotOptimize(call(samples[i])); }); };
-    // In copies of the process, so that the finger has not moved here.
-    if (i % (samples.size() / spots) == 0) sum += take(advance) - take([](const Sample& sample) { return sample.twist; });
-    benchmark::DoNotOptimize(advance(samples[i]));
-  }
-  return sum / static_cast<double>(spots);
-}
-
-/// The step that is timed and counted: one copy of it for both.
+/// The step that is timed, in the mean and for the worst: one copy of it for both.
 template <class Finger>
 [[gnu::noinline]] const FingerOutput& take_step(Finger& finger, const Sample& sample, bool cold) {
   if (cold) finger.forget_place();
@@ -96,24 +78,8 @@ void step(benchmark::State& state, const Boundary& boundary, Projection projecti
     worst = std::max(worst, std::chrono::duration<double, std::nano>(Clock::now() - start).count());
     slips += output.state == ContactState::slip;
   }
-  // Not again in every trial of how many iterations are enough.
-  static std::map<std::pair<const std::vector<Sample>*, bool>, double> instructions;
-  const auto [counted, is_new] = instructions.try_emplace({&samples, cold}, 0.0);
-  if (is_new) counted->second = mean_instructions(samples, [&](const Sample& sample) { return advance(sample).moment; });
-  state.counters["instructions"] = counted->second;
   state.counters["worst_ns"] = worst;
   state.counters["slips"] = static_cast<double>(slips) / static_cast<double>(samples.size());
-}
-
-/// The arithmetic between one proxy and the next alone (bench/naked_step.hpp).
-template <class Advance>
-void naked_step(benchmark::State& state, const std::vector<Sample>& samples, const Advance& advance) {
-  bench::NakedProxy proxy;
-  std::size_t i = 0;
-  for (auto _ : state) {
-    benchmark::DoNotOptimize(advance(proxy, samples[i]));
-    if (++i == samples.size()) i = 0;
-  }
 }
 
 /// Sixteen fingers in turn: one step need not wait for the last of the same finger, as in a scene of many.
@@ -189,12 +155,6 @@ void all_projections(const std::string& name, const Boundary& boundary) {
 
 const bool registered = [] {
   const Law law = hertz();
-  const auto add_naked = [](const char* name, double (*advance)(bench::NakedProxy&, const Sample&) noexcept) {
-    static const std::vector<Sample> samples = slow_motion(count);
-    benchmark::RegisterBenchmark(name, [=](benchmark::State& state) { naked_step(state, samples, advance); });
-  };
-  add_naked("naked/ellipse/radial/slow", bench::step_radially);
-  add_naked("naked/parabola/closest-point-warm/slow", bench::step_to_closest);
   all_projections("ellipse", Ellipse::through_intercepts(law->moment_ratio()));
   all_projections("table-1e-8", Table::build(law, 1e-8));
   all_projections("exact-hertz", ExactCurve(law));
