@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What a servo loop must not do, caught in the act: calls of the allocator, counted, and calls of the system, caged. It defines
-// malloc and its kin for the whole executable: include it in one of its sources only. Where it cannot (no glibc, or a sanitizer, which
-// brings an allocator of its own), LIMITCURVE_GUARDS_REAL_TIME is not defined, nor is anything else.
+// What a servo loop must not do, caught in the act: calls of the allocator and locks, counted, and calls of the system, caged. It defines
+// malloc and its kin and pthread_mutex_lock for the whole executable: include it in one of its sources only. Where it cannot (no glibc, or
+// a sanitizer, which brings an allocator of its own), LIMITCURVE_GUARDS_REAL_TIME is not defined, nor is anything else.
 #pragma once
 
 #include <cstddef>
@@ -19,7 +19,9 @@
 #if defined(__linux__) && defined(__GLIBC__) && !defined(LIMITCURVE_SANITIZED)
 #define LIMITCURVE_GUARDS_REAL_TIME 1
 
+#include <dlfcn.h>
 #include <linux/seccomp.h>
+#include <pthread.h>
 #include <sys/prctl.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
@@ -27,17 +29,17 @@
 
 namespace limitcurve::test {
 
-inline constinit thread_local bool allocator_is_watched = false;
-inline constinit thread_local int allocator_calls = 0;
+inline constinit thread_local bool thread_is_watched = false;
+inline constinit thread_local int watched_calls = 0;
 
-/// Calls of the allocator on this thread during `body`.
+/// How often this thread allocates, frees or locks during `body`. What throws allocates.
 template <class Body>
-int allocations(Body&& body) {
-  allocator_calls = 0;
-  allocator_is_watched = true;
+int allocations_and_locks(Body&& body) {
+  watched_calls = 0;
+  thread_is_watched = true;
   body();
-  allocator_is_watched = false;
-  return allocator_calls;
+  thread_is_watched = false;
+  return watched_calls;
 }
 
 /// Whether `body` runs to its end in a process that is killed at any system call but read, write and exit.
@@ -63,20 +65,25 @@ void* __libc_realloc(void* memory, std::size_t size);
 void __libc_free(void* memory);
 
 void* malloc(std::size_t size) {
-  limitcurve::test::allocator_calls += limitcurve::test::allocator_is_watched;
+  limitcurve::test::watched_calls += limitcurve::test::thread_is_watched;
   return __libc_malloc(size);
 }
 void* calloc(std::size_t count, std::size_t size) {
-  limitcurve::test::allocator_calls += limitcurve::test::allocator_is_watched;
+  limitcurve::test::watched_calls += limitcurve::test::thread_is_watched;
   return __libc_calloc(count, size);
 }
 void* realloc(void* memory, std::size_t size) {
-  limitcurve::test::allocator_calls += limitcurve::test::allocator_is_watched;
+  limitcurve::test::watched_calls += limitcurve::test::thread_is_watched;
   return __libc_realloc(memory, size);
 }
 void free(void* memory) {
-  limitcurve::test::allocator_calls += limitcurve::test::allocator_is_watched;
+  limitcurve::test::watched_calls += limitcurve::test::thread_is_watched;
   __libc_free(memory);
+}
+int pthread_mutex_lock(pthread_mutex_t* mutex) noexcept {
+  limitcurve::test::watched_calls += limitcurve::test::thread_is_watched;
+  static const auto lock = reinterpret_cast<int (*)(pthread_mutex_t*)>(dlsym(RTLD_NEXT, "pthread_mutex_lock"));
+  return lock(mutex);
 }
 }
 #endif

@@ -4,16 +4,20 @@
 
 #include <gtest/gtest.h>
 
+#include <mutex>
+
 namespace limitcurve::godobject::test {
 namespace {
 
 #ifdef LIMITCURVE_GUARDS_REAL_TIME
-using limitcurve::test::allocations;
+using limitcurve::test::allocations_and_locks;
 using limitcurve::test::runs_without_system_calls;
 
-TEST(RealTime, TheGuardSeesAnAllocation) {
-  EXPECT_GT(allocations([] { delete new volatile int(3); }), 0);
-  EXPECT_GT(allocations([] {
+TEST(RealTime, TheGuardSeesAnAllocationAndALock) {
+  EXPECT_GT(allocations_and_locks([] { delete new volatile int(3); }), 0);
+  std::mutex mutex;
+  EXPECT_GT(allocations_and_locks([&] { const std::lock_guard lock(mutex); }), 0);
+  EXPECT_GT(allocations_and_locks([] {
               volatile std::size_t size = 100;
               std::vector<double> v(size);
               volatile double sink = v[0];
@@ -22,14 +26,14 @@ TEST(RealTime, TheGuardSeesAnAllocation) {
             0);
 }
 
-TEST(RealTime, AStepAllocatesNothing) {
+TEST(RealTime, AStepNeitherAllocatesNorLocks) {
   for (const ProjectionKind kind : {ProjectionKind::radial, ProjectionKind::c_curve, ProjectionKind::closest_point}) {
     visit_projection(kind, [&](auto projection) {
       for_each_boundary(uniform(), [&](const auto& boundary, std::string_view name) {
         FingerParameters with = parameters();
         with.radius_law = RadiusLaw::hertz(0.008, 2e5);
         SoftFinger finger(boundary, with, projection);
-        const int count = allocations([&] {
+        const int count = allocations_and_locks([&] {
           for (int i = 0; i < 500; ++i) {
             finger.update(on_plane(i * 1e-4, i * 2e-5, 0.002 - i * 5e-6), i * 0.01);
             static_cast<void>(finger.margin());
@@ -42,7 +46,7 @@ TEST(RealTime, AStepAllocatesNothing) {
   }
 }
 
-TEST(RealTime, ABatchOfFloatsAllocatesNothing) {
+TEST(RealTime, ABatchOfFloatsNeitherAllocatesNorLocks) {
   const FloatTable table = FloatTable::build(uniform(), 1e-6);
   const Friction friction(table, parameters(), ClosestPoint{});
   constexpr std::size_t contacts = 300;
@@ -52,7 +56,7 @@ TEST(RealTime, ABatchOfFloatsAllocatesNothing) {
   depth.assign(contacts, 0.002F);
   start.assign(contacts, -2.0F);
   const FloatContactBatch batch{x, y, angle, depth, proxy_x, proxy_y, proxy_angle, start, trend, force_x, force_y, moment};
-  EXPECT_EQ(allocations([&] {
+  EXPECT_EQ(allocations_and_locks([&] {
               for (int i = 0; i < 100; ++i) {
                 for (std::size_t k = 0; k < contacts; ++k) x[k] += 1e-5F * static_cast<float>(k);
                 angle[7] = i == 50 ? std::numeric_limits<float>::quiet_NaN() : 0.01F;

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <mutex>
 #include <thread>
 
 namespace limitcurve::godobject::test {
@@ -30,20 +31,22 @@ std::vector<Vector3d> moves(const Mesh& mesh, int count) {
 }
 
 #ifdef LIMITCURVE_GUARDS_REAL_TIME
-using limitcurve::test::allocations;
+using limitcurve::test::allocations_and_locks;
 using limitcurve::test::runs_without_system_calls;
 
-TEST(MeshRealTime, TheGuardSeesAnAllocation) {
-  EXPECT_GT(allocations([] { delete new volatile int(3); }), 0);
+TEST(MeshRealTime, TheGuardSeesAnAllocationAndALock) {
+  EXPECT_GT(allocations_and_locks([] { delete new volatile int(3); }), 0);
+  std::mutex mutex;
+  EXPECT_GT(allocations_and_locks([&] { const std::lock_guard lock(mutex); }), 0);
 }
 
-TEST(MeshRealTime, AStepAllocatesNothing) {
+TEST(MeshRealTime, AStepNeitherAllocatesNorLocks) {
   const MeshSurface star = read_mesh(data_mesh("star.obj"));
   const std::vector<Vector3d> path = moves(star.mesh(), 20000);
   SoftFinger finger = hertz_finger();
   ContactMemory memory;
   int touching = 0;
-  const int count = allocations([&] {
+  const int count = allocations_and_locks([&] {
     for (const Vector3d& place : path) {
       const FingerOutput& output = finger.update(star.contact(place, memory), 0.0);
       touching += output.state == ContactState::slip || output.state == ContactState::stick;

@@ -10,20 +10,19 @@
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
+#include <iomanip>
 #include <iostream>
 #include <optional>
-#include <sstream>
 #include <string>
 
 // Random steps of the god-object, in episodes of one finger each: no NaN, no infinity, no wrench outside its limit, no negative
 // slip work, no proxy that moves while it sticks.
 //
-//     soak [--steps N] [--seed S] [--log FILE] [--tables DIR | --write-tables DIR] [--episode E]
+//     soak [--steps N] [--seed S] [--episode E] [--samples FILE] [--tables DIR | --write-tables DIR]
 //
-// An episode is drawn from the seed and its number alone, so that one that fails can be run by itself (--episode). The log has a
-// line every ten million steps; when it exists the soak goes on where its last line ends, if the seed is the same.
-// Prints how many steps there were, how far above its limit a wrench came, and a hash of the bits of every output for each
-// boundary, projection and way the radius depends on the load.
+// An episode is drawn from the seed and its number alone, so that one that fails can be run by itself (--episode). Prints how many
+// steps there were, and how far above its limit a wrench came. --samples writes what the user feels now and then, to compare builds
+// (scripts/maintain/agree); these read the same tables, which one of them writes.
 
 namespace limitcurve::soak {
 namespace {
@@ -31,7 +30,7 @@ namespace {
 struct Settings {
   std::uint64_t steps = 100'000;
   std::uint64_t seed = 1;
-  std::string log;
+  std::string samples;
   std::string tables;
   std::string tables_to_write;
   std::optional<std::uint64_t> episode;
@@ -39,53 +38,15 @@ struct Settings {
 
 constexpr std::size_t kinds = Boundaries::names.size();
 constexpr std::size_t projections = Boundaries::projections.size();
-constexpr std::size_t families = kinds * projections * 2;
 
-/// What a soak has seen so far: all that a line of the log holds.
+/// What a soak has seen so far.
 struct Totals {
   std::uint64_t episodes = 0;
   std::uint64_t steps = 0;
   std::array<std::uint64_t, 4> states{};        ///< free, stick, slip, invalid
   std::array<double, kinds> excess_slipping{};  ///< largest gauge − 1 in units of 2⁻⁵², by boundary
   std::array<double, kinds> excess_sticking{};
-  std::array<std::uint64_t, families> hashes{};
 };
-
-void write_line(std::ostream& out, std::uint64_t seed, const Totals& totals) {
-  std::ostringstream line;
-  line << "seed " << seed << " episodes " << totals.episodes << " steps " << totals.steps << " states";
-  for (const std::uint64_t count : totals.states) line << ' ' << count;
-  line.precision(6);
-  line << " slipping";
-  for (const double excess : totals.excess_slipping) line << ' ' << excess;
-  line << " sticking";
-  for (const double excess : totals.excess_sticking) line << ' ' << excess;
-  line << " hashes" << std::hex;
-  for (const std::uint64_t hash : totals.hashes) line << ' ' << hash;
-  out << line.str() << std::endl;
-}
-
-/// The last whole line of a log; nothing if there is none of this seed.
-Totals read_totals(const std::string& file, std::uint64_t seed) {
-  Totals totals;
-  std::ifstream in(file);
-  for (std::string text; std::getline(in, text);) {
-    std::istringstream line(text);
-    std::string word;
-    std::uint64_t its_seed = 0;
-    Totals read;
-    line >> word >> its_seed >> word >> read.episodes >> word >> read.steps >> word;
-    for (std::uint64_t& count : read.states) line >> count;
-    line >> word;
-    for (double& excess : read.excess_slipping) line >> excess;
-    line >> word;
-    for (double& excess : read.excess_sticking) line >> excess;
-    line >> word >> std::hex;
-    for (std::uint64_t& hash : read.hashes) line >> hash;
-    if (line && its_seed == seed) totals = read;
-  }
-  return totals;
-}
 
 void print_sample(const Sample& sample) {
   const auto& [contact, twist, time_step] = sample;
@@ -101,8 +62,12 @@ void print_output(const godobject::FingerOutput& output) {
 
 class Soak {
  public:
-  Soak(const Settings& settings, const Boundaries& boundaries, const Totals& totals)
-      : settings_(settings), boundaries_(boundaries), totals_(totals) {}
+  Soak(const Settings& settings, const Boundaries& boundaries) : settings_(settings), boundaries_(boundaries) {
+    if (settings.samples.empty()) return;
+    samples_.open(settings.samples);
+    if (!samples_) throw std::runtime_error("cannot write '" + settings.samples + "'");
+    samples_ << "boundary,projection,episode,step,state,force_x,force_y,force_z,moment,force_scale,moment_scale\n" << std::setprecision(17);
+  }
 
   [[nodiscard]] const Totals& totals() const { return totals_; }
   [[nodiscard]] bool failed() const { return failed_; }
@@ -112,32 +77,36 @@ class Soak {
     const auto kind = static_cast<std::size_t>(random.below(kinds));
     const auto projection = static_cast<std::size_t>(random.below(projections));
     const bool plain = random.one_in(2);
-    const std::size_t family = (kind * projections + projection) * 2 + (plain ? 0 : 1);
     boundaries_.visit(kind, random, [&](const auto& boundary) {
       godobject::visit_projection(static_cast<godobject::ProjectionKind>(projection), [&](auto rule) {
         const godobject::FingerParameters parameters = any_finger(random, plain);
         godobject::SoftFinger<std::decay_t<decltype(boundary)>, decltype(rule)> finger(boundary, parameters, rule);
-        run(finger, random, episode, kind, family, kind == 0 ? 512 : 4096);
+        run(finger, parameters, random, {kind, projection, episode}, kind == 0 ? 512 : 4096);
       });
     });
     totals_.episodes = episode + 1;
   }
 
  private:
+  struct Episode {
+    std::size_t kind;
+    std::size_t projection;
+    std::uint64_t number;
+  };
+
   template <class Finger>
-  void run(Finger& finger, RandomBits& random, std::uint64_t episode, std::size_t kind, std::size_t family, int steps) {
+  void run(Finger& finger, const godobject::FingerParameters& parameters, RandomBits& random, const Episode& episode, int steps) {
     Motion motion(random);
-    OutputHash hash;
     for (int i = 0; i < steps; ++i) {
       const Sample& sample = motion.next(random);
       const godobject::FingerState before = finger.state();
       finger.update(sample.contact, sample.twist, sample.time_step);
       StepCheck check = check_step(finger, before, sample);
-      hash.add(finger.output());
+      if (samples_.is_open() && i % steps_per_sample == 0) write_sample(finger, parameters, sample, episode, i);
       ++totals_.states[static_cast<std::size_t>(check.state)];
       if (check.counted) {
         const bool slips = check.state == godobject::ContactState::slip;
-        double& largest = (slips ? totals_.excess_slipping : totals_.excess_sticking)[kind];
+        double& largest = (slips ? totals_.excess_slipping : totals_.excess_sticking)[episode.kind];
         // Also true of what is no number.
         if (!(check.excess <= most_excess) && check.fault.empty()) check.fault = "a wrench outside its limit";
         if (settings_.episode && check.excess > largest) std::printf("  %d: %g ulp above the limit\n", i, check.excess);
@@ -145,22 +114,41 @@ class Soak {
       }
       if (check.fault.empty()) continue;
       failed_ = true;
-      std::printf("episode %" PRIu64 " of seed %" PRIu64 ", %s with %s, step %d: %s (%g)\n", episode, settings_.seed,
-                  Boundaries::names[kind], Boundaries::projections[family / 2 % projections], i, check.fault.c_str(), check.excess);
+      std::printf("episode %" PRIu64 " of seed %" PRIu64 ", %s with %s, step %d: %s (%g)\n", episode.number, settings_.seed,
+                  Boundaries::names[episode.kind], Boundaries::projections[episode.projection], i, check.fault.c_str(), check.excess);
       print_sample(sample);
       print_output(before.output);
       print_output(finger.output());
       break;
     }
     totals_.steps += static_cast<std::uint64_t>(steps);
-    totals_.hashes[family] = (totals_.hashes[family] ^ hash.value()) * 0x9fb21c651e98df25U;
+  }
+
+  /// A row: what the user feels, and the scale that an agreement of it is a share of: the limit, and 2⁻¹⁰ of what the springs and dampers
+  /// would make of the whole of the coordinates, so that 1e-12 of it has room for four roundings of them.
+  template <class Finger>
+  void write_sample(const Finger& finger, const godobject::FingerParameters& parameters, const Sample& sample, const Episode& episode,
+                    int step) {
+    const godobject::FingerOutput& output = finger.output();
+    if (output.state != godobject::ContactState::stick && output.state != godobject::ContactState::slip) return;
+    const auto limit = finger.friction().law().static_scale(output.load);
+    const double stiffness = parameters.stiffness + parameters.damping / sample.time_step;
+    const double twist_stiffness = parameters.twist_stiffness + parameters.twist_damping / sample.time_step;
+    const double place = output.proxy.norm() + sample.contact.point.norm();
+    const double angle = std::fabs(output.angle) + std::fabs(sample.twist);
+    samples_ << Boundaries::names[episode.kind] << ',' << Boundaries::projections[episode.projection] << ',' << episode.number << ','
+             << step << ',' << to_string(output.state) << ',' << output.force.x() << ',' << output.force.y() << ',' << output.force.z()
+             << ',' << output.moment << ',' << limit.force + std::ldexp(stiffness * place, -10) << ','
+             << limit.force * limit.radius + std::ldexp(twist_stiffness * angle, -10) << '\n';
   }
 
   static constexpr double most_excess = 4.0;  ///< in units of 2⁻⁵²
+  static constexpr int steps_per_sample = 128;
 
   const Settings& settings_;
   const Boundaries& boundaries_;
   Totals totals_;
+  std::ofstream samples_;
   bool failed_ = false;
 };
 
@@ -182,8 +170,8 @@ Settings read_settings(int argc, char** argv) {
       result.steps = read_count(value);
     } else if (name == "--seed") {
       result.seed = read_count(value);
-    } else if (name == "--log") {
-      result.log = value;
+    } else if (name == "--samples") {
+      result.samples = value;
     } else if (name == "--tables") {
       result.tables = value;
     } else if (name == "--write-tables") {
@@ -191,7 +179,7 @@ Settings read_settings(int argc, char** argv) {
     } else if (name == "--episode") {
       result.episode = read_count(value);
     } else {
-      throw std::invalid_argument(name + ": expected --steps, --seed, --log, --tables, --write-tables or --episode");
+      throw std::invalid_argument(name + ": expected --steps, --seed, --episode, --samples, --tables or --write-tables");
     }
   }
   return result;
@@ -205,11 +193,6 @@ void print_totals(const Settings& settings, const Totals& totals) {
     std::printf("largest gauge, %s: slipping 1 + %.4g ulp, sticking 1 + %.4g ulp\n", Boundaries::names[kind], totals.excess_slipping[kind],
                 totals.excess_sticking[kind]);
   }
-  for (std::size_t family = 0; family < families; ++family) {
-    std::printf("bits %s %s %s %016" PRIx64 "\n", Boundaries::names[family / 2 / projections],
-                Boundaries::projections[family / 2 % projections], family % 2 == 0 ? "constant-radius" : "power-radius",
-                totals.hashes[family]);
-  }
 }
 
 int run(const Settings& settings) {
@@ -218,20 +201,11 @@ int run(const Settings& settings) {
     return 0;
   }
   const Boundaries boundaries = settings.tables.empty() ? Boundaries() : Boundaries(settings.tables);
-  const bool logged = !settings.log.empty() && !settings.episode;
-  Soak soak(settings, boundaries, logged ? read_totals(settings.log, settings.seed) : Totals{});
+  Soak soak(settings, boundaries);
   if (settings.episode) {
     soak.run_episode(*settings.episode);
   } else {
-    constexpr std::uint64_t steps_per_line = 10'000'000;
-    std::uint64_t lines = soak.totals().steps / steps_per_line;
-    while (soak.totals().steps < settings.steps && !soak.failed()) {
-      soak.run_episode(soak.totals().episodes);
-      if (!logged || (soak.totals().steps / steps_per_line == lines && soak.totals().steps < settings.steps)) continue;
-      lines = soak.totals().steps / steps_per_line;
-      std::ofstream log(settings.log, std::ios::app);
-      write_line(log, settings.seed, soak.totals());
-    }
+    while (soak.totals().steps < settings.steps && !soak.failed()) soak.run_episode(soak.totals().episodes);
   }
   print_totals(settings, soak.totals());
   return soak.failed() ? 1 : 0;

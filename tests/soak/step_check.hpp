@@ -5,10 +5,8 @@
 #include "tests/soak/motion.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <concepts>
-#include <cstdint>
 #include <limits>
 #include <string>
 
@@ -20,27 +18,6 @@ struct StepCheck {
   double excess = 0.0;   ///< gauge of the wrench that the user feels − 1, where it is above, in units of 2⁻⁵²
   bool counted = false;  ///< whether the gauge was taken
   godobject::ContactState state = godobject::ContactState::free;
-};
-
-/// Mixes the bits of an output into a running hash.
-class OutputHash {
- public:
-  void add(const godobject::FingerOutput& output) {
-    for (const double value : {output.proxy.x(), output.proxy.y(), output.proxy.z(), output.angle, output.depth, output.load,
-                               output.force.x(), output.force.y(), output.force.z(), output.moment, output.cor, output.slip_work}) {
-      // Whatever the machine's own NaN, and without the sign of zero.
-      mix(value != value ? 1U : std::bit_cast<std::uint64_t>(value + 0.0));
-    }
-    mix(static_cast<std::uint64_t>(output.state));
-  }
-  [[nodiscard]] std::uint64_t value() const { return hash_; }
-
- private:
-  void mix(std::uint64_t word) {
-    hash_ = (hash_ ^ word) * 0x9fb21c651e98df25U;
-    hash_ ^= hash_ >> 32U;
-  }
-  std::uint64_t hash_ = 0x51ed270b35a92d17U;
 };
 
 /// How far the boundary reaches along `normal`, which it has at `wrench`.
