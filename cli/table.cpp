@@ -19,17 +19,17 @@ Writer writer_for(const std::string& file) {
   const std::string extension = std::filesystem::path(file).extension().string();
   if (extension == ".csv") return [](const limitcurve::Table& table) { return to_csv(table); };
   if (extension == ".json") return [](const limitcurve::Table& table) { return to_json(table); };
-  if (extension == ".hpp") return [](const limitcurve::Table& table) { return to_header(table); };
-  throw std::invalid_argument("--output: got '" + file + "', expected a name that ends in .csv, .json or .hpp");
+  if (extension == ".hpp" || extension == ".h") return [](const limitcurve::Table& table) { return to_header(table); };
+  throw std::invalid_argument("--output: got '" + file + "', expected a name that ends in .csv, .json, .h or .hpp");
 }
 
 class Table final : public Subcommand {
  public:
   [[nodiscard]] Manual manual() const override {
     return {"table", "Writes a lookup table of the limit curve, to a stated error",
-            "The file's form follows its name: .csv, .json, or .hpp (constexpr C++ without dependencies).\n"
+            "The file's form follows its name: .csv, .json, or .h and .hpp (C99 and constexpr C++17, without dependencies).\n"
             "Columns: law; tolerance; certified_error, an upper bound of the absolute error of force and moment in unit\n"
-            "wrenches; nodes; bytes that a lookup may touch.",
+            "wrenches; nodes, the number of the table's polynomials; bytes that a lookup may touch.",
             "limitcurve table --law hertz --tolerance 1e-6 -o hertz.csv"};
   }
 
@@ -46,7 +46,7 @@ class Table final : public Subcommand {
     file.output().write(text_of(table));
     file.commit();
     Rows rows(results, {"law", "tolerance", "certified_error", "nodes", "bytes"});
-    rows.row(table.law_name(), table.tolerance(), table.certified_error(), table.node_count(), table.bytes());
+    rows.row(table.law_name(), table.tolerance(), table.certified_error(), table.cell_count(), table.bytes());
     rows.finish();
   }
 

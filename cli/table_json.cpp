@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "cli/table_reader.hpp"
 
+#include "limitcurve/number.hpp"
 #include "limitcurve/table_file.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cstdint>
 #include <stdexcept>
+#include <tuple>
+#include <vector>
 
 namespace limitcurve::cli {
 
@@ -14,7 +18,8 @@ namespace {
 
 using nlohmann::json;
 
-constexpr const char* expected_format = "limitcurve table 1";
+constexpr const char* expected_format = "limitcurve table 2";
+constexpr const char* format_1 = "limitcurve table 1";
 
 std::string quoted(std::string_view name) {
   std::string text(1, '"');
@@ -42,27 +47,38 @@ const json& member(const json& whole, const char* name, bool (json::*is_kind)() 
   return *found;
 }
 
-/// What stands in place of a node: its beginning, unless it holds arrays itself, which may lie in each other as deep as the file is long.
-std::string shown(const json& node) {
+/// What stands in place of a row: its beginning, unless it holds arrays itself, which may lie in each other as deep as the file is long.
+std::string shown(const json& row) {
   const auto is_flat = [](const json& item) { return item.is_primitive(); };
-  if (!std::all_of(node.begin(), node.end(), is_flat)) return std::string("a nested ") + node.type_name();
-  return node.dump().substr(0, 60);
+  if (!std::all_of(row.begin(), row.end(), is_flat)) return std::string("a nested ") + row.type_name();
+  return row.dump().substr(0, 60);
 }
 
-TableSide side(const json& whole, const char* name, bool inside, const std::string& source) {
-  std::vector<TableNode> nodes;
-  for (const json& node : member(whole, name, &json::is_array, source, "an array of nodes")) {
-    const bool fits =
-        node.is_array() && node.size() == 4 && std::all_of(node.begin(), node.end(), [](const json& x) { return x.is_number(); });
+std::vector<TableContents::Row> side(const json& whole, const char* name, const std::string& source) {
+  std::vector<TableContents::Row> rows;
+  for (const json& row : member(whole, name, &json::is_array, source, "an array of rows")) {
+    const bool fits = row.is_array() && row.size() == std::tuple_size_v<TableContents::Row> &&
+                      std::all_of(row.begin(), row.end(), [](const json& x) { return x.is_number(); });
     if (!fits) {
-      fail(source, quoted(name) + ", node " + std::to_string(nodes.size() + 1) + ": got " + shown(node) +
-                       ", expected [coordinate, force, moment, slope]");
+      fail(source, quoted(name) + ", row " + std::to_string(rows.size() + 1) + ": got " + shown(row) +
+                       ", expected [x, force, moment, c0, c1, c2, c3, c4, c5, c6]");
     }
-    const double force = node[1].get<double>();
-    const double moment = node[2].get<double>();
-    nodes.push_back({node[0].get<double>(), inside ? force : moment, inside ? moment : force, node[3].get<double>()});
+    rows.push_back(row.get<TableContents::Row>());
   }
-  return TableSide(std::move(nodes));
+  return rows;
+}
+
+int whole_number(const json& whole, const char* name, const std::string& source) {
+  const auto value = member(whole, name, &json::is_number_integer, source, "a whole number").get<std::int64_t>();
+  if (value != static_cast<int>(value)) fail(source, quoted(name) + " is " + std::to_string(value) + ", out of range");
+  return static_cast<int>(value);
+}
+
+[[noreturn]] void refuse_format_1(const json& whole, const std::string& source) {
+  const auto law = whole.find("law");
+  const auto tolerance = whole.find("tolerance");
+  throw format_1_complaint(source, law != whole.end() && law->is_string() ? law->get<std::string>() : "",
+                           tolerance != whole.end() && tolerance->is_number() ? format_number(tolerance->get<double>()) : "");
 }
 
 }  // namespace
@@ -76,22 +92,20 @@ limitcurve::Table read_table_json(std::string_view text, const std::string& sour
   } catch (const json::out_of_range&) {
     fail(source, "a number that no double can hold");
   }
-  if (!whole.is_object() || whole.value("format", json()) != expected_format) {
-    fail(source, "not a table: expected an object with \"format\": " + quoted(expected_format));
-  }
-  const std::string law = member(whole, "law", &json::is_string, source, "a text").get<std::string>();
-  const double tolerance = member(whole, "tolerance", &json::is_number, source, "a number").get<double>();
-  const double error_bound = member(whole, "certified_error", &json::is_number, source, "a number").get<double>();
-  const std::string sum = member(whole, "checksum", &json::is_string, source, "a text").get<std::string>();
-  try {
-    limitcurve::Table table({law, tolerance, error_bound}, side(whole, "inside", true, source), side(whole, "outside", false, source));
-    verify_checksum(table, sum, source);
-    return table;
-  } catch (const std::invalid_argument& error) {
-    // What the library finds wrong with the nodes does not name the file yet.
-    if (std::string_view(error.what()).substr(0, source.size()) == source) throw;
-    fail(source, error.what());
-  }
+  const json format = whole.is_object() ? whole.value("format", json()) : json();
+  if (format == format_1) refuse_format_1(whole, source);
+  if (format != expected_format) fail(source, "not a table: expected an object with \"format\": " + quoted(expected_format));
+  const auto text_of = [&](const char* name) { return member(whole, name, &json::is_string, source, "a text").get<std::string>(); };
+  const auto number = [&](const char* name) { return member(whole, name, &json::is_number, source, "a number").get<double>(); };
+  const TableContents contents{.law = text_of("law"),
+                               .tolerance = number("tolerance"),
+                               .certified_error = number("certified_error"),
+                               .index_bits = whole_number(whole, "index_bits", source),
+                               .octaves = whole_number(whole, "octaves", source),
+                               .linear_error = number("linear_error"),
+                               .inside = side(whole, "inside", source),
+                               .outside = side(whole, "outside", source)};
+  return table_of(contents, text_of("checksum"), source);
 }
 
 }  // namespace limitcurve::cli

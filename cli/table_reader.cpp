@@ -14,7 +14,7 @@ namespace limitcurve::cli {
 
 namespace {
 
-/// A table of the most nodes has a third of this; what is longer is something else, and not read into memory.
+/// A table has at most a hundredth of this, one of format 1 a third; what is longer is something else, and not read into memory.
 constexpr std::size_t longest_file = 32U << 20U;
 
 std::string read_whole(const std::string& file) {

@@ -1,16 +1,19 @@
 # SPDX-License-Identifier: MIT
 """table and lookup: within the tolerance, read back to the last bit, refused when torn, edited or foreign; no half file left."""
 
+import csv
 import json
 import math
 import random
 import re
 import subprocess
 import unittest
+from pathlib import Path
 
-from command_line import EXECUTABLE, CommandLineTest, header, numbers, rows, run
+from command_line import DATA, EXECUTABLE, CommandLineTest, header, numbers, rows, run
 
 FORMS = ["csv", "json"]
+SEEDS = Path(__file__).resolve().parent.parent / "fuzz" / "seeds"
 
 
 class Tables(CommandLineTest):
@@ -53,14 +56,34 @@ class Tables(CommandLineTest):
             self.assertEqual((found[0][-1]["force"], found[0][-1]["moment"]), (1, 0))
             self.assertEqual(found[0][0]["force"], 0)
 
-    def test_json_is_json(self):
+    def test_json_has_the_rows_of_the_csv(self):
         path, facts = self.build("hertz", 1e-6, "json")
         whole = json.loads(path.read_text())
-        self.assertEqual(len(whole["inside"]) + len(whole["outside"]), facts["nodes"])
+        # Beside the cells, the rim of each side.
+        self.assertEqual(len(whole["inside"]) + len(whole["outside"]), facts["nodes"] + 2)
+        with self.build("hertz", 1e-6, "csv")[0].open() as file:
+            names, *lines = csv.reader(line for line in file if not line.startswith("#"))
+        self.assertEqual(names[1:], whole["columns"])
+        for side in ["inside", "outside"]:
+            self.assertEqual([list(map(float, numbers)) for name, *numbers in lines if name == side], whole[side])
+
+    def test_the_reader_of_the_documentation(self):
+        text = (DATA.parent / "limitcurve" / "README.md").read_text()
+        reader = re.search(r"^```python\n(.*?)^```", text, re.MULTILINE | re.DOTALL)[1]
+        places = [0, 1e-300, 0.1, 0.5, 1 - 1e-9, 1, 1 + 1e-9, 3, 1e300]
+        for law in ["hertz", "flat-punch"]:
+            path, _ = self.build(law, 1e-8)
+            names = {}
+            exec(reader.replace("hertz.csv", str(path)), names)  # pylint: disable=exec-used
+            for c, found in zip(places, rows("lookup", "--table", path, "--c", numbers(places))):
+                force, moment = names["wrench"](c)
+                self.assertAlmostEqual(force, found["force"], delta=1e-15)
+                self.assertAlmostEqual(moment, found["moment"], delta=1e-15)
 
     def test_the_header_compiles_alone(self):
         path, _ = self.build("hertz", 1e-6, "hpp")
-        name = next(word for word in path.read_text().split() if word.startswith("limitcurve_table_") and word.endswith("hertz"))
+        self.assertEqual(self.build("hertz", 1e-6, "h")[0].read_text(), path.read_text())
+        name = "limitcurve_table_hertz"
         source = self.file("use.cpp", f"""#include "table.hpp"
             #include <cstdio>
             static_assert({name}::wrench(1.0, 0.0).force == 1.0, "");
@@ -86,7 +109,7 @@ class BadTables(CommandLineTest):
 
     def test_names(self):
         for name in ["table", "table.txt", "table.CSV", "csv"]:
-            self.assert_fails(2, ["--output", name, ".csv, .json or .hpp"], "table", "--law", "hertz", "--tolerance", "1e-4", "-o",
+            self.assert_fails(2, ["--output", name, ".csv, .json, .h or .hpp"], "table", "--law", "hertz", "--tolerance", "1e-4", "-o",
                               self.directory / name)
         self.assert_fails(2, "--output", "table", "--law", "hertz", "--tolerance", "1e-4")
         self.assertEqual(list(self.directory.iterdir()), [])
@@ -103,13 +126,13 @@ class BadTables(CommandLineTest):
     def test_edited_anywhere(self):
         for form in FORMS:
             path = self.directory / f"whole.{form}"
-            rows("table", "--law", "hertz", "--tolerance", "1e-4", "-o", path)
+            rows("table", "--law", "hertz", "--tolerance", "1e-2", "-o", path)
             text = path.read_text()
             count = 0
             # Every number that is part of the contents, a little.
             for number in re.finditer(r"(?<![\w.:])-?\d[\d.]*(e[-+]?\d+)?(?![\w.:])", text):
                 line = text[text.rfind("\n", 0, number.start()) + 1:number.end()]
-                if "version" in line or "format" in line:
+                if "version" in line or "format" in line or (line.startswith("#") and not re.match(r"# (tolerance|\w+_\w+|octaves): ", line)):
                     continue
                 changed = repr(float(number[0]) * (1 + 1e-9) or 1e-9)
                 edited = self.file(f"edited.{form}", text[:number.start()] + changed + text[number.end():])
@@ -128,10 +151,10 @@ class BadTables(CommandLineTest):
             "array.json": "[1, 2, 3]",
             "number.json": "3",
             "other.json": '{"format": "something else"}',
-            "bare.json": '{"format": "limitcurve table 1"}',
-            "kinds.json": '{"format": "limitcurve table 1", "law": 1, "tolerance": "x"}',
+            "bare.json": '{"format": "limitcurve table 2"}',
+            "kinds.json": '{"format": "limitcurve table 2", "law": 1, "tolerance": "x"}',
             "deep.json": "[" * 10000,
-            "huge.json": '{"format": "limitcurve table 1", "tolerance": 1e999}',
+            "huge.json": '{"format": "limitcurve table 2", "tolerance": 1e999}',
         }
         for name, text in foreign.items():
             self.assert_fails(2, name, "lookup", "--table", self.file(name, text), "--c", "1")
@@ -140,27 +163,74 @@ class BadTables(CommandLineTest):
         (self.directory / "folder.csv").mkdir()
         self.assert_fails(2, ["folder.csv", "directory"], "lookup", "--table", self.directory / "folder.csv", "--c", "1")
 
-    def test_nodes_of_the_wrong_kind(self):
+    def test_format_1_is_refused_with_the_command_that_makes_it_anew(self):
+        facts = '"law": "flat-punch", "tolerance": 1e-6'
+        old = {
+            "old.csv": "# limitcurve table, format 1\n# law: flat-punch\n# tolerance: 1e-06\n# certified_error: 9e-07\n",
+            "old.json": '{"format": "limitcurve table 1", ' + facts + ', "inside": []}',
+        }
+        for name, text in old.items():
+            path = self.file(name, text)
+            done = run("lookup", "--table", path, "--c", "1")
+            self.assertEqual(done.returncode, 2)
+            told = re.fullmatch(r"limitcurve: error: (\S+): a table of format 1, .*; make it anew: limitcurve (.*)\n", done.stderr)
+            self.assertIsNotNone(told, done.stderr)
+            # What it tells to do does it.
+            rows(*told[2].split())
+            self.assertEqual(rows("lookup", "--table", path, "--c", "inf")[0]["force"], 1)
+        for text in ['{"format": "limitcurve table 1"}', '{"format": "limitcurve table 1", "law": 3, "tolerance": "x"}']:
+            self.assert_fails(2, "limitcurve table --law LAW --tolerance TOLERANCE", "lookup", "--table", self.file("old.json", text), "--c", "1")
+
+    def test_rows_of_the_wrong_kind(self):
         path = self.directory / "table.json"
         rows("table", "--law", "hertz", "--tolerance", "1e-2", "-o", path)
         for spoil in [lambda t: t["inside"].clear(), lambda t: t["outside"].pop(), lambda t: t["inside"].__setitem__(0, None),
                       lambda t: t["inside"][0].pop(), lambda t: t["outside"][0].__setitem__(2, "1"), lambda t: t.pop("inside"),
-                      lambda t: t["inside"].reverse(), lambda t: t["inside"][1].__setitem__(0, 1e999), lambda t: t.update(tolerance=-1)]:
+                      lambda t: t["inside"].reverse(), lambda t: t["inside"][1].__setitem__(0, 1e999), lambda t: t.update(tolerance=-1),
+                      lambda t: t.update(index_bits=4.5), lambda t: t.update(octaves=1 << 40), lambda t: t.pop("linear_error")]:
             table = json.loads(path.read_text())
             spoil(table)
             self.assert_fails(2, "spoilt.json", "lookup", "--table", self.file("spoilt.json", json.dumps(table)), "--c", "1")
 
-    def test_nodes_nested_as_deep_as_a_file_may_be(self):
+    def test_rows_nested_as_deep_as_a_file_may_be(self):
         deep = "[" * 1000000 + "]" * 1000000
         sides = f'"inside": [{deep}], "outside": [{deep}]'
-        text = '{"format": "limitcurve table 1", "law": "hertz", "tolerance": 1e-6, "certified_error": 1e-7, "checksum": "0", ' + sides + "}"
-        self.assert_fails(2, "node 1: got a nested array", "lookup", "--table", self.file("deep.json", text), "--c", "1")
+        text = '{"format": "limitcurve table 2", "law": "hertz", "tolerance": 1e-6, "certified_error": 1e-7, "index_bits": 4, "octaves": 4, ' \
+            '"linear_error": 1, "checksum": "0", ' + sides + "}"
+        self.assert_fails(2, "row 1: got a nested array", "lookup", "--table", self.file("deep.json", text), "--c", "1")
 
     def test_distances(self):
         path = self.directory / "table.csv"
         rows("table", "--law", "hertz", "--tolerance", "1e-2", "-o", path)
         for text in ["-1", "nan", "", "1,,2"]:
             self.assert_fails(2, ["--c", "item"], "lookup", "--table", path, "--c", text)
+
+
+class Seeds(CommandLineTest):
+    """What the fuzzers begin with (tests/fuzz/seeds) leads them beyond the header."""
+
+    def complaint(self, name, text):
+        path = self.directory / name
+        path.write_bytes(text)
+        return run("lookup", "--table", path, "--c", "1").stderr.replace(str(path), "")
+
+    def test_csv(self):
+        for seed in sorted((SEEDS / "table_csv").iterdir()):
+            text = seed.read_bytes()
+            header = text[:text.index(b"\nside,x,")].count(b"\n") + 2
+            place = re.match(r"limitcurve: error: :(\d+):", self.complaint("seed.csv", text))
+            # A place among the rows, or no place: a complaint about all rows together, or none.
+            self.assertTrue(place is None or int(place[1]) > header, f"{seed.name}: {place}")
+
+    def test_json(self):
+        foreign = self.complaint("seed.json", b"{}")
+        for seed in sorted((SEEDS / "table_json").iterdir()):
+            text = seed.read_bytes()
+            complaint = self.complaint("seed.json", text)
+            place = re.match(r"limitcurve: error: :(\d+):", complaint)
+            self.assertNotEqual(complaint, foreign, seed.name)
+            self.assertNotRegex(complaint, "format 1|no member", seed.name)
+            self.assertTrue(place is None or int(place[1]) > 2, f"{seed.name}: {complaint}")
 
 
 class Writing(CommandLineTest):

@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: MIT
+#include "limitcurve/table_file.hpp"
+#include "limitcurve/laws.hpp"
+#include "limitcurve/number.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace limitcurve {
+namespace {
+
+/// What complaint a damaged file gets.
+std::string complaint(const std::string& text) {
+  try {
+    read_table_csv(text, "torn.csv");
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "none";
+}
+
+bool has(const std::string& text, std::string_view part) {
+  return text.find(part) != std::string::npos;
+}
+
+/// Slip twists from pure sliding to pure spin, the rim among them, and crowding to the rim and to both ends.
+std::vector<SlipTwist> probes() {
+  std::vector<SlipTwist> twists;
+  for (int i = 0; i <= 1000; ++i) twists.push_back(SlipTwist::of_spin_fraction(i / 1000.0));
+  for (double gap = 0.3; gap > 1e-17; gap *= 0.3) {
+    twists.push_back({1.0 - gap, 1.0});
+    twists.push_back({1.0, 1.0 - gap});
+    twists.push_back({gap, 1.0});
+    twists.push_back({1.0, gap});
+  }
+  return twists;
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+/// Column `i` of a row of the CSV, counted from x; the side stands before.
+double column(const std::string& row, std::size_t i) {
+  std::istringstream stream(row);
+  std::string field;
+  for (std::size_t at = 0; at <= i + 1; ++at) std::getline(stream, field, ',');
+  return parse_number(field).value();
+}
+
+class TableFileSuite : public testing::TestWithParam<const char*> {};
+
+TEST_P(TableFileSuite, ReadsBackTheSameBits) {
+  for (const double tolerance : {1e-2, 1e-6}) {
+    const Table table = Table::build(parse_law(GetParam()), tolerance);
+    const std::string text = to_csv(table);
+    const Table read = read_table_csv(text, "table.csv");
+    EXPECT_EQ(to_csv(read), text);
+    EXPECT_EQ(checksum(read), checksum(table));
+    EXPECT_EQ(read.law_name(), table.law_name());
+    EXPECT_EQ(read.certified_error(), table.certified_error());
+    EXPECT_EQ(read.bytes(), table.bytes());
+    for (const SlipTwist twist : probes()) EXPECT_EQ(read.wrench(twist), table.wrench(twist));
+  }
+}
+
+// The first four columns are the curve itself, rim and both ends included, in its order.
+TEST_P(TableFileSuite, PlotsAsItStands) {
+  const Table table = Table::build(parse_law(GetParam()), 1e-4);
+  std::vector<std::string> rows;
+  for (const std::string& line : lines_of(to_csv(table))) {
+    if (line.rfind("inside,", 0) == 0 || line.rfind("outside,", 0) == 0) rows.push_back(line);
+  }
+  ASSERT_EQ(rows.size(), table.cell_count() + 2);
+  EXPECT_EQ(column(rows.front(), 1), 0.0);
+  EXPECT_EQ(column(rows.front(), 2), table.moment_ratio());
+  EXPECT_EQ(column(rows.back(), 1), 1.0);
+  EXPECT_EQ(column(rows.back(), 2), 0.0);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const double x = column(rows[i], 0);
+    const UnitWrench exact = table.wrench(rows[i][0] == 'i' ? SlipTwist{x, 1.0} : SlipTwist{1.0, x});
+    EXPECT_NEAR(column(rows[i], 1), exact.force, 1e-14) << rows[i];
+    EXPECT_NEAR(column(rows[i], 2), exact.moment, 1e-14) << rows[i];
+    if (i == 0) continue;
+    // From the rim inside to the rim outside is no step but for rounding.
+    EXPECT_GE(column(rows[i], 1), column(rows[i - 1], 1) - 1e-14) << rows[i];
+    EXPECT_LE(column(rows[i], 2), column(rows[i - 1], 2) + 1e-14) << rows[i];
+  }
+}
+
+// As a program does that knows nothing of polynomials.
+TEST_P(TableFileSuite, StatesTheErrorOfLinesBetweenRows) {
+  for (const double tolerance : {1e-2, 1e-6}) {
+    const Law law = parse_law(GetParam());
+    const std::string text = to_csv(Table::build(law, tolerance));
+    double stated = 0.0;
+    std::string before;
+    double worst = 0.0;
+    for (const std::string& line : lines_of(text)) {
+      constexpr std::string_view name = "# linear_error: ";
+      if (line.rfind(name, 0) == 0) stated = parse_number(line.substr(name.size())).value();
+      const bool outside = line.rfind("outside,", 0) == 0;
+      if (!outside && line.rfind("inside,", 0) != 0) continue;
+      if (!before.empty() && before[0] == line[0]) {
+        for (int i = 0; i <= 100; ++i) {
+          const auto between = [&](std::size_t of) { return column(before, of) + i / 100.0 * (column(line, of) - column(before, of)); };
+          const double x = between(0);
+          const UnitForces<double> exact = law->forces(outside ? 1.0 / x : x);
+          worst = std::max({worst, std::fabs(between(1) - exact.force), std::fabs(between(2) - exact.moment)});
+        }
+      }
+      before = line;
+    }
+    EXPECT_LE(worst, stated) << tolerance;
+    EXPECT_GE(worst, 0.8 * stated - tolerance) << tolerance;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Laws, TableFileSuite, testing::Values("hertz", "uniform", "flat-punch", "cone", "gaussian:sigma=2"),
+                         [](const testing::TestParamInfo<const char*>& tested) {
+                           std::string name = tested.param;
+                           std::replace_if(
+                               name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
+                           return name;
+                         });
+
+TEST(TableFile, EveryTornPrefixIsRefusedByPlace) {
+  const std::string text = to_csv(Table::build(hertz(), 1e-2));
+  for (std::size_t length = 0; length < text.size(); ++length) {
+    EXPECT_EQ(complaint(text.substr(0, length)).rfind("torn.csv:", 0), 0U) << "first " << length << " bytes";
+  }
+}
+
+TEST(TableFile, EveryEditedDigitIsNoticed) {
+  const std::string text = to_csv(Table::build(uniform(), 1e-2));
+  int noticed = 0;
+  for (std::size_t i = text.find("inside,"); i < text.size(); ++i) {
+    if (std::isdigit(static_cast<unsigned char>(text[i])) == 0) continue;
+    std::string edited = text;
+    edited[i] = edited[i] == '9' ? '0' : static_cast<char>(edited[i] + 1);
+    // The last of seventeen digits may change and still denote the same double.
+    if (complaint(edited) == "none") {
+      EXPECT_EQ(to_csv(read_table_csv(edited, "edited.csv")), text) << "byte " << i;
+    } else {
+      ++noticed;
+    }
+  }
+  EXPECT_GT(noticed, 100);
+}
+
+TEST(TableFile, EveryFactIsHeldByTheChecksum) {
+  const std::string text = to_csv(Table::build(hertz(), 1e-3));
+  for (const char* fact : {"law", "tolerance", "certified_error", "index_bits", "octaves", "linear_error"}) {
+    const std::string prefix = "# " + std::string(fact) + ": ";
+    std::string edited = text;
+    const std::size_t value = edited.find(prefix) + prefix.size();
+    edited.replace(value, edited.find('\n', value) - value, "7");
+    EXPECT_TRUE(has(complaint(edited), "edited or damaged")) << fact << ": " << complaint(edited);
+  }
+}
+
+TEST(TableFile, NamesWhatIsWrongAndWhere) {
+  EXPECT_EQ(complaint("a,b\n1,2\n"), "torn.csv:1:1: not a table: expected the first line '# limitcurve table, format 2'");
+  const std::string text = to_csv(Table::build(hertz(), 1e-3));
+  const std::size_t header = text.find("side,x");
+  const std::string line = std::to_string(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(header), '\n') + 2);
+  const auto with = [&](std::string_view from, std::string_view to) {
+    std::string edited = text;
+    return edited.replace(edited.find(from), from.size(), to);
+  };
+  EXPECT_EQ(complaint(with("inside,0,0,", "inside,0,x,")), "torn.csv:" + line + ":10: expected a number, got 'x'");
+  EXPECT_EQ(complaint(with("inside,0,", "aside,0,")), "torn.csv:" + line + ":1: expected inside or outside, got 'aside'");
+  EXPECT_EQ(complaint(with("# octaves: ", "# octaves: 1.5x")).rfind("torn.csv:6:12: expected a whole number, got '1.5x", 0), 0U);
+  EXPECT_TRUE(has(complaint(with("side,x,", "side,y,")), "expected the header side,x,force,moment,c0"));
+  EXPECT_TRUE(has(complaint(with("# law: hertz", "# law: cone")), "torn.csv: the table was edited or damaged: its checksum is fnv1a:"));
+}
+
+// A checksum keeps accidents out, not contents that are no curve.
+TEST(TableFile, RefusesRowsThatAreNoTableWhateverTheirChecksum) {
+  const std::string text = to_csv(Table::build(hertz(), 1e-3));
+  const auto with_its_checksum = [](std::string edited) {
+    const std::string told = complaint(edited);
+    constexpr std::string_view before_actual = "its contents have ";
+    const std::size_t actual = told.find(before_actual);
+    if (actual == std::string::npos) return told;
+    const std::size_t sum = edited.find("fnv1a:");
+    return complaint(edited.replace(sum, 22, told.substr(actual + before_actual.size())));
+  };
+  EXPECT_EQ(with_its_checksum(text), "none");
+  const std::size_t rim = text.find("outside,1,");
+  std::string without_rim = text;
+  without_rim.erase(rim, text.find('\n', rim) + 1 - rim);
+  EXPECT_TRUE(has(with_its_checksum(without_rim), "torn.csv: the rows outside do not reach the rim"));
+  std::string alone = text.substr(0, text.find("inside,0,"));
+  EXPECT_TRUE(has(with_its_checksum(alone), "torn.csv: the rows inside do not reach the rim"));
+  std::string law = text;
+  law.replace(law.find("hertz"), 5, "he\x01tz");
+  EXPECT_TRUE(has(with_its_checksum(law), "torn.csv: ")) << with_its_checksum(law);
+  std::string edge = text;
+  const std::size_t second = edge.find("inside,", edge.find("inside,0,") + 1) + 7;
+  edge.replace(second, edge.find(',', second) - second, "0.1234567");
+  EXPECT_TRUE(has(with_its_checksum(edge), "torn.csv: ")) << with_its_checksum(edge);
+}
+
+TEST(TableFile, RefusesFormat1WithTheCommandThatMakesItAnew) {
+  const std::string facts = "# law: mix:0.7*hertz+0.3*uniform\n# tolerance: 1e-06\n# certified_error: 9e-07\n";
+  EXPECT_EQ(complaint("# limitcurve table, format 1\n" + facts + "# version: 0.1.0\n"),
+            "torn.csv: a table of format 1, which this version does not read; make it anew: limitcurve table "
+            "--law mix:0.7*hertz+0.3*uniform --tolerance 1e-06 -o torn.csv");
+  EXPECT_EQ(complaint("# limitcurve table, format 1\n# la"),
+            "torn.csv: a table of format 1, which this version does not read; make it anew: limitcurve table "
+            "--law LAW --tolerance TOLERANCE -o torn.csv");
+}
+
+TEST(TableFile, JsonAndHeaderCarryTheSameChecksum) {
+  const Table table = Table::build(hertz(), 1e-4);
+  EXPECT_TRUE(has(to_json(table), "\"" + checksum(table) + "\""));
+  EXPECT_TRUE(has(to_header(table), checksum(table)));
+}
+
+/// Compiles a program that prints the wrenches at some twists by the header of `table`, and compares them with the table's.
+void expect_compiles(const Table& table, const std::string& compiler, const std::string& extension) {
+  const auto folder = std::filesystem::path(testing::TempDir()) / ("limitcurve_header_" + extension);
+  std::filesystem::create_directories(folder);
+  const std::string header = to_header(table);
+  std::ofstream(folder / "table.h") << header;
+  constexpr std::string_view name_begins = "typedef struct ";
+  const std::size_t name_at = header.find(name_begins) + name_begins.size();
+  const std::string name = header.substr(name_at, header.find("_unit_wrench", name_at) - name_at);
+  const std::vector<SlipTwist> twists = probes();
+  std::ofstream program(folder / ("use." + extension));
+  program << "#include \"table.h\"\n#include \"table.h\"\n#include <stdio.h>\nstatic const double twists[][2] = {";
+  for (const SlipTwist twist : twists) program << '{' << format_number(twist.slide) << ',' << format_number(twist.spin) << "},";
+  program << "};\n";
+  if (extension == "cpp") {
+    program << "static_assert(" << name << "::wrench(1.0, 0.0).force == 1.0, \"\");\n"
+            << "static_assert(" << name << "::wrench(0.0, 2.0).moment == " << name << "::moment_ratio, \"\");\n";
+  }
+  const std::string function = extension == "cpp" ? name + "::wrench" : name + "_wrench";
+  program << "int main(void) {\n  for (unsigned i = 0; i < sizeof twists / sizeof *twists; ++i) {\n    const " << name
+          << "_unit_wrench found = " << function << "(twists[i][0], twists[i][1]);\n"
+          << "    printf(\"%.17g %.17g\\n\", found.force, found.moment);\n  }\n  return 0;\n}\n";
+  program.close();
+  const std::string directory = "cd '" + folder.string() + "' && ";
+  ASSERT_EQ(std::system((directory + compiler + " -Wall -Wextra -Wpedantic -Werror use." + extension + " -o use && ./use > found").c_str()),
+            0);
+  std::ifstream found(folder / "found");
+  for (const SlipTwist twist : twists) {
+    UnitWrench read;
+    ASSERT_TRUE(found >> read.force >> read.moment);
+    const UnitWrench expected = table.wrench(twist);
+    EXPECT_NEAR(read.force, expected.force, 1e-15);
+    EXPECT_NEAR(read.moment, expected.moment, 1e-15);
+  }
+  std::filesystem::remove_all(folder);
+}
+
+TEST(TableFile, HeaderIsCpp17) {
+  expect_compiles(Table::build(hertz(), 1e-6), "c++ -std=c++17", "cpp");
+}
+
+TEST(TableFile, HeaderIsC99) {
+  expect_compiles(Table::build(parse_law("power:n=-0.5"), 1e-6), "cc -std=c99", "c");
+}
+
+}  // namespace
+}  // namespace limitcurve
