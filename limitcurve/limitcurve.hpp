@@ -30,4 +30,5 @@
 #include "limitcurve/radius_law.hpp"
 #include "limitcurve/superellipse.hpp"
 #include "limitcurve/table.hpp"
+#include "limitcurve/table_file.hpp"
 #include "limitcurve/wrench.hpp"

@@ -31,57 +31,33 @@ constexpr std::string_view legend =
     "# Inside the rim force = D' and moment = D - x D'; outside moment = D' and force = D - x D': to certified_error. A straight\n"
     "# line between two rows: to linear_error.\n";
 
-/// D and D′ at `x`, by the polynomial of a row.
-struct Support {
-  double value;
-  double slope;
-};
-
-Support support(const Row& row, double x) {
-  const double t = x - row[0];
-  Support found{row.back(), 0.0};
-  for (std::size_t i = row.size() - 1; i-- > coefficients_from;) {
-    found.slope = found.slope * t + found.value;
-    found.value = found.value * t + row[i];
-  }
-  return found;
-}
-
-UnitWrench wrench(Support at, double x, bool outside) {
-  const double trailing = at.value - x * at.slope;
-  return outside ? UnitWrench{trailing, at.slope} : UnitWrench{at.slope, trailing};
+UnitWrench wrench(const Table& table, bool outside, double x) {
+  const Jet<double> jet = table.pieces().jet(outside, x);
+  return outside ? UnitWrench{jet.trailing(x), jet.leading()} : UnitWrench{jet.leading(), jet.trailing(x)};
 }
 
 /// The rows of one side in order of x.
-std::vector<Row> rows_of(std::span<const TableCell> cells, bool outside) {
+std::vector<Row> rows_of(const Table& table, const std::vector<TableCell>& cells, bool outside) {
   std::vector<Row> rows;
-  const auto add = [&](double x, std::span<const double> coefficients) {
-    Row row{x};
-    std::copy(coefficients.begin(), coefficients.end(), row.begin() + coefficients_from);
-    const auto [force, moment] = wrench({coefficients[0], coefficients[1]}, x, outside);
-    row[1] = force;
-    row[2] = moment;
-    rows.push_back(row);
+  const auto add = [&](double x, const std::array<double, 7>& c) {
+    const auto [force, moment] = wrench(table, outside, x);
+    rows.push_back({x, force, moment, c[0], c[1], c[2], c[3], c[4], c[5], c[6]});
   };
   for (const TableCell& cell : cells) add(cell.x, cell.coefficients);
-  const auto [value, slope] = support(rows.back(), 1.0);
-  add(1.0, std::array{value, slope});
+  const Jet<double> rim = table.pieces().jet(outside, 1.0);
+  add(1.0, {rim.value, rim.first});
   return rows;
 }
 
-/// The largest distance between the wrenches of the polynomials and of the chords between rows, which are in order of x.
-double error_of_chords(const std::vector<Row>& rows, bool outside) {
+/// The largest distance between the wrenches of the table and of the chords between rows, which are in order of x.
+double error_of_chords(const Table& table, const std::vector<Row>& rows, bool outside) {
   constexpr int parts = 32;
   double worst = 0.0;
   for (std::size_t i = 0; i + 1 < rows.size(); ++i) {
-    const Row& left = rows[i];
-    const Row& right = rows[i + 1];
     for (int part = 1; part < parts; ++part) {
-      const double share = part / static_cast<double>(parts);
-      const double x = left[0] + share * (right[0] - left[0]);
-      const auto [force, moment] = wrench(support(left, x), x, outside);
-      worst = std::max(
-          {worst, std::fabs(left[1] + share * (right[1] - left[1]) - force), std::fabs(left[2] + share * (right[2] - left[2]) - moment)});
+      const auto chord = [&](std::size_t column) { return std::lerp(rows[i][column], rows[i + 1][column], part / double{parts}); };
+      const auto [force, moment] = wrench(table, outside, chord(0));
+      worst = std::max({worst, std::fabs(chord(1) - force), std::fabs(chord(2) - moment)});
     }
   }
   return worst;
@@ -102,10 +78,10 @@ TableContents contents_of(const Table& table) {
                          .certified_error = table.certified_error(),
                          .index_bits = cells.index_bits,
                          .octaves = cells.octaves,
-                         .inside = rows_of(cells.inside, false),
-                         .outside = rows_of(cells.outside, true)};
+                         .inside = rows_of(table, cells.inside, false),
+                         .outside = rows_of(table, cells.outside, true)};
   // The largest of 31 places in every cell is within 1 % of the largest of all.
-  const double chords = 1.01 * std::max(error_of_chords(contents.inside, false), error_of_chords(contents.outside, true));
+  const double chords = 1.01 * std::max(error_of_chords(table, contents.inside, false), error_of_chords(table, contents.outside, true));
   contents.linear_error = rounded_up(chords + table.certified_error());
   std::reverse(contents.outside.begin(), contents.outside.end());
   return contents;
