@@ -25,7 +25,7 @@ void write_sizes(const std::filesystem::path& output) {
     const Law law = parse_law(name);
     for (const double tolerance : tolerances) {
       const auto table = Table::build(law, tolerance);
-      rows.row(name, tolerance, table.certified_error(), table.node_count(), table.bytes());
+      rows.row(name, tolerance, table.certified_error(), table.cell_count(), table.bytes());
     }
   }
   rows.finish();

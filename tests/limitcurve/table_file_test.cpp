@@ -16,6 +16,8 @@
 #include <string_view>
 #include <vector>
 
+#include <unistd.h>
+
 namespace limitcurve {
 namespace {
 
@@ -233,7 +235,7 @@ TEST(TableFile, JsonAndHeaderCarryTheSameChecksum) {
 
 /// Compiles a program that prints the wrenches at some twists by the header of `table`, and compares them with the table's.
 void expect_compiles(const Table& table, const std::string& compiler, const std::string& extension) {
-  const auto folder = std::filesystem::path(testing::TempDir()) / ("limitcurve_header_" + extension);
+  const auto folder = std::filesystem::path(testing::TempDir()) / ("limitcurve_header_" + std::to_string(::getpid()) + extension);
   std::filesystem::create_directories(folder);
   const std::string header = to_header(table);
   std::ofstream(folder / "table.h") << header;
