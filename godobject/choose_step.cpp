@@ -5,6 +5,7 @@
 #include "godobject/soft_finger.hpp"
 #include "limitcurve/boundary_error.hpp"
 #include "limitcurve/choose.hpp"
+#include "limitcurve/ellipse.hpp"
 #include "limitcurve/exact_curve.hpp"
 #include "limitcurve/number.hpp"
 #include "limitcurve/polygon.hpp"
@@ -201,8 +202,7 @@ StepChoice choose_step(const Scene& scene, double tolerance) {
   auto& candidates = result.candidates;
   const auto add = [&](const std::string& model, double parameter, const FingerCurve& curve, Projection projection, double cost) {
     candidates.push_back({model, parameter, true, error_of(curve, projection, mean_finger), cost});
-    if (radius_varies)
-      candidates.push_back({model, parameter, false, error_of(curve, projection, true_finger), cost + load_radius_cost});
+    if (radius_varies) candidates.push_back({model, parameter, false, error_of(curve, projection, true_finger), cost + load_radius_cost});
   };
   const auto add_both = [&](const char* model, double parameter, const FingerCurve& curve) {
     const shipped_costs::Cost& cost = shipped_costs::of(model);
