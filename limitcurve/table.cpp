@@ -65,15 +65,14 @@ BasicTable<Real> built(const std::string& name, double tolerance, const Attempt&
   if (auto table = attempt(tolerance)) return std::move(*table);
   const std::string failed = "table of " + name + ": a tolerance of " + format_number(tolerance) + " is not possible in " +
                              std::to_string(Result::most_bytes / 1024) + " KiB and by the curve's own error; ";
-  for (int decade = -14; decade < 0; ++decade) {
-    for (const int digit : {1, 2, 5}) {
-      const double coarser = digit / std::pow(10.0, -decade);
-      if (coarser > tolerance && coarser <= Result::coarsest_tolerance && attempt(coarser)) {
-        throw std::runtime_error(failed + "the finest that is possible is " + format_number(coarser));
-      }
-    }
+  std::vector<double> coarser;
+  for (int decade = 14; decade > 0; --decade) {
+    for (const int digit : {1, 2, 5}) coarser.push_back(digit / std::pow(10.0, decade));
   }
-  throw std::runtime_error(failed + "nor is any other");
+  std::erase_if(coarser, [&](double t) { return t <= tolerance || t > Result::coarsest_tolerance; });
+  const auto finest = std::partition_point(coarser.begin(), coarser.end(), [&](double t) { return !attempt(t); });
+  if (finest == coarser.end()) throw std::runtime_error(failed + "nor is any other");
+  throw std::runtime_error(failed + "the finest that is possible is " + format_number(*finest));
 }
 
 /// A piece of a table on its side, as the constructor checks it. Sums are in extended precision; what the rounding of the coefficients may

