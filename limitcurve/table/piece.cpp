@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "limitcurve/table/piece.hpp"
 
+#include "limitcurve/table/bernstein.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -95,16 +97,9 @@ Extended Piece::support(Extended u) const noexcept {
 }
 
 Extended Piece::least_growth() const noexcept {
-  // Σ aᵢ uⁱ of degree 4 has the Bernstein coefficients b_j = Σ_{i ≤ j} C(j,i)/C(4,i) aᵢ.
-  constexpr std::array<std::array<Extended, 5>, 5> binomials{
-      {{1, 0, 0, 0, 0}, {1, 1, 0, 0, 0}, {1, 2, 1, 0, 0}, {1, 3, 3, 1, 0}, {1, 4, 6, 4, 1}}};
-  Extended least = 0;
-  for (std::size_t j = 0; j < 5; ++j) {
-    Extended sum = 0;
-    for (std::size_t i = 0; i <= j; ++i) sum += binomials[j][i] / binomials[4][i] * static_cast<Extended>(i + 1) * coefficients_[i + 1];
-    least = j == 0 ? sum : std::min(least, sum);
-  }
-  return least;
+  std::array<Extended, node_count - 1> slope;
+  for (std::size_t i = 0; i < slope.size(); ++i) slope[i] = static_cast<Extended>(i + 1) * coefficients_[i + 1];
+  return least_bernstein_coefficient(slope);
 }
 
 Extended Piece::error_at(const Sample& exact) const noexcept {
