@@ -42,6 +42,14 @@ double equivalent_radius(double moment_coefficient, double mu, double moment_rat
 
 }  // namespace
 
+template <std::floating_point Real>
+Real radius_at(const RadiusLaw& law, Real load) noexcept {
+  return static_cast<Real>(law.radius(static_cast<double>(load)));
+}
+
+template double radius_at(const RadiusLaw&, double) noexcept;
+template float radius_at(const RadiusLaw&, float) noexcept;
+
 ContactLimits::ContactLimits(const FingerParameters& parameters, double moment_ratio) {
   check_finger(parameters);
   positive("moment_ratio", moment_ratio, "1");

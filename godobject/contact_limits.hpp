@@ -12,9 +12,7 @@ namespace limitcurve::godobject {
 
 /// a(P) [m], for a single number; packs have one of their own.
 template <std::floating_point Real>
-[[nodiscard]] Real radius_at(const RadiusLaw& law, Real load) noexcept {
-  return static_cast<Real>(law.radius(static_cast<double>(load)));
-}
+[[nodiscard]] Real radius_at(const RadiusLaw& law, Real load) noexcept;
 
 /// Throws std::invalid_argument where a box is to go with another projection than the closest point, which clamps force and moment each on its
 /// own.

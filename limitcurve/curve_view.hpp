@@ -58,9 +58,10 @@ struct CurveSide {
   Number guess;     ///< x, where to begin
 
   /// `last` is the curve parameter where the search may begin, or 0 if none is known; then the twist (slide : spin) serves.
-  CurveSide(Mask beyond_rim, Number force, Number moment, Number last, Number slide, Number spin) noexcept
-      : outside(beyond_rim), leading(arithmetic::select(outside, moment, force)), trailing(arithmetic::select(outside, force, moment)) {
+  CurveSide(Mask beyond_rim, Number force, Number moment, Number last, Number slide, Number spin) noexcept : outside(beyond_rim) {
     using namespace arithmetic;
+    leading = select(outside, moment, force);
+    trailing = select(outside, force, moment);
     const Number zero = Number(Real(0));
     const Number of_last = select(outside, Number(Real(2)) - last, last);
     const Number of_twist = select(outside, spin / slide, slide / spin);

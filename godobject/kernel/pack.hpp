@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "godobject/contact_limits.hpp"
+#include "godobject/projection.hpp"
+
+#include <immintrin.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+
+/// Packs of numbers, a vector register each, under the names of single numbers (limitcurve/arithmetic.hpp, single.hpp): what is written once
+/// for a Number works on as many contacts as a pack has lanes, and gives the same bits. The one header with extensions of GCC and Clang; the
+/// library is complete without it (LIMITCURVE_PACKS).
+///
+/// The instruction set is part of every type's name. Sources that are compiled for different processors then share no function that the
+/// linker could take from the wrong one; for the same reason lanes that are stepped one by one call functions of other sources only.
+namespace limitcurve::godobject::kernel {
+
+struct Sse2 {
+  static constexpr int bytes = 16;
+};
+struct Avx2 {
+  static constexpr int bytes = 32;
+};
+struct Avx512 {
+  static constexpr int bytes = 64;
+};
+
+/// The registers of an instruction set that hold numbers of one type.
+template <class Real, class Isa>
+struct Registers {
+  static constexpr std::size_t lanes = Isa::bytes / sizeof(Real);
+  typedef Real Numbers __attribute__((vector_size(Isa::bytes)));
+  using Integers = decltype(Numbers{} < Numbers{});  // of the numbers' width
+  typedef std::uint8_t Bytes __attribute__((vector_size(lanes)));
+  using Integer = std::conditional_t<sizeof(Real) == 8, std::int64_t, std::int32_t>;
+};
+
+/// What comparisons of packs give: all bits of a lane, or none.
+template <class Real, class Isa>
+struct Mask {
+  typename Registers<Real, Isa>::Integers bits;
+
+  friend Mask operator&&(Mask a, Mask b) noexcept { return {a.bits & b.bits}; }
+  friend Mask operator||(Mask a, Mask b) noexcept { return {a.bits | b.bits}; }
+  friend Mask operator!(Mask a) noexcept { return {~a.bits}; }
+};
+
+/// Integers, one a lane.
+template <class Real, class Isa>
+struct Index {
+  using Integers = typename Registers<Real, Isa>::Integers;
+  Integers lanes{};
+
+  Index() noexcept = default;
+  Index(int all) noexcept : lanes(typename Registers<Real, Isa>::Integer{all} - Integers{}) {}  // NOLINT: meant to convert
+  explicit Index(Integers of_lanes) noexcept : lanes(of_lanes) {}
+
+  friend Index operator+(Index a, Index b) noexcept { return Index(a.lanes + b.lanes); }
+  friend Index operator-(Index a, Index b) noexcept { return Index(a.lanes - b.lanes); }
+  friend Index operator*(Index a, Index b) noexcept { return Index(a.lanes * b.lanes); }
+};
+
+template <class Real, class Isa>
+struct Pack {
+  using Numbers = typename Registers<Real, Isa>::Numbers;
+  static constexpr std::size_t size = Registers<Real, Isa>::lanes;
+  Numbers lanes;
+
+  Pack() noexcept = default;
+  explicit Pack(Real all) noexcept : lanes(all - Numbers{}) {}
+  explicit Pack(Numbers of_lanes) noexcept : lanes(of_lanes) {}
+
+  friend Pack operator+(Pack a, Pack b) noexcept { return Pack(a.lanes + b.lanes); }
+  friend Pack operator-(Pack a, Pack b) noexcept { return Pack(a.lanes - b.lanes); }
+  friend Pack operator*(Pack a, Pack b) noexcept { return Pack(a.lanes * b.lanes); }
+  friend Pack operator/(Pack a, Pack b) noexcept { return Pack(a.lanes / b.lanes); }
+  friend Pack operator-(Pack a) noexcept { return Pack(-a.lanes); }
+  friend Mask<Real, Isa> operator<(Pack a, Pack b) noexcept { return {a.lanes < b.lanes}; }
+  friend Mask<Real, Isa> operator>(Pack a, Pack b) noexcept { return {a.lanes > b.lanes}; }
+  friend Mask<Real, Isa> operator<=(Pack a, Pack b) noexcept { return {a.lanes <= b.lanes}; }
+  friend Mask<Real, Isa> operator>=(Pack a, Pack b) noexcept { return {a.lanes >= b.lanes}; }
+  friend Mask<Real, Isa> operator!=(Pack a, Pack b) noexcept { return {a.lanes != b.lanes}; }
+};
+
+template <class Real, class Isa>
+[[nodiscard]] Pack<Real, Isa> select(Mask<Real, Isa> condition, Pack<Real, Isa> yes, Pack<Real, Isa> no) noexcept {
+  return Pack<Real, Isa>(condition.bits ? yes.lanes : no.lanes);
+}
+template <class Real, class Isa>
+[[nodiscard]] Index<Real, Isa> select(Mask<Real, Isa> condition, Index<Real, Isa> yes, Index<Real, Isa> no) noexcept {
+  return Index<Real, Isa>(condition.bits ? yes.lanes : no.lanes);
+}
+
+template <class Real, class Isa>
+[[nodiscard]] bool any(Mask<Real, Isa> condition) noexcept {
+  if constexpr (Isa::bytes == 64) {
+    return _mm512_test_epi64_mask((__m512i)condition.bits, (__m512i)condition.bits) != 0;
+  } else if constexpr (Isa::bytes == 32) {
+    return _mm256_movemask_epi8((__m256i)condition.bits) != 0;
+  } else {
+    return _mm_movemask_epi8((__m128i)condition.bits) != 0;
+  }
+}
+
+template <class Real, class Isa>
+[[nodiscard]] Pack<Real, Isa> min(Pack<Real, Isa> a, Pack<Real, Isa> b) noexcept {
+  return select(b < a, b, a);
+}
+template <class Real, class Isa>
+[[nodiscard]] Pack<Real, Isa> max(Pack<Real, Isa> a, Pack<Real, Isa> b) noexcept {
+  return select(a < b, b, a);
+}
+template <class Real, class Isa>
+[[nodiscard]] Pack<Real, Isa> abs(Pack<Real, Isa> a) noexcept {
+  using Integers = typename Registers<Real, Isa>::Integers;
+  const auto sign = (Integers)Pack<Real, Isa>(Real(-0.0)).lanes;
+  return Pack<Real, Isa>((typename Pack<Real, Isa>::Numbers)((Integers)a.lanes & ~sign));
+}
+template <class Real, class Isa>
+[[nodiscard]] Pack<Real, Isa> sqrt(Pack<Real, Isa> a) noexcept {
+  constexpr bool is_double = sizeof(Real) == 8;
+  if constexpr (Isa::bytes == 64) {
+    if constexpr (is_double) {
+      return Pack<Real, Isa>(_mm512_maskz_sqrt_pd(0xFF, a.lanes));
+    } else {
+      return Pack<Real, Isa>(_mm512_maskz_sqrt_ps(0xFFFF, a.lanes));
+    }
+  } else if constexpr (Isa::bytes == 32) {
+    if constexpr (is_double) {
+      return Pack<Real, Isa>(_mm256_sqrt_pd(a.lanes));
+    } else {
+      return Pack<Real, Isa>(_mm256_sqrt_ps(a.lanes));
+    }
+  } else {
+    if constexpr (is_double) {
+      return Pack<Real, Isa>(_mm_sqrt_pd(a.lanes));
+    } else {
+      return Pack<Real, Isa>(_mm_sqrt_ps(a.lanes));
+    }
+  }
+}
+
+template <class Real, class Isa>
+[[nodiscard]] Index<Real, Isa> leading_bits(Pack<Real, Isa> a, int dropped) noexcept {
+  return Index<Real, Isa>((typename Index<Real, Isa>::Integers)a.lanes >> dropped);
+}
+
+template <class Real, class Isa>
+[[nodiscard]] Pack<Real, Isa> gather(const Real* array, Index<Real, Isa> at) noexcept {
+  typename Pack<Real, Isa>::Numbers result{};
+  for (std::size_t lane = 0; lane < Pack<Real, Isa>::size; ++lane) result[lane] = array[at.lanes[lane]];
+  return Pack<Real, Isa>(result);
+}
+template <class Real, class Isa>
+[[nodiscard]] Index<Real, Isa> gather(const std::uint16_t* array, Index<Real, Isa> at) noexcept {
+  Index<Real, Isa> result;
+  for (std::size_t lane = 0; lane < Pack<Real, Isa>::size; ++lane) result.lanes[lane] = array[at.lanes[lane]];
+  return result;
+}
+
+template <class Real, class Isa>
+[[nodiscard]] Pack<Real, Isa> load(const Real* from, Pack<Real, Isa> result) noexcept {
+  __builtin_memcpy(&result.lanes, from, sizeof result.lanes);
+  return result;
+}
+template <class Real, class Isa>
+void store(Real* to, Pack<Real, Isa> value) noexcept {
+  __builtin_memcpy(to, &value.lanes, sizeof value.lanes);
+}
+
+template <class Real, class Isa>
+[[nodiscard]] Index<Real, Isa> load_states(const ContactState* states) noexcept {
+  typename Registers<Real, Isa>::Bytes bytes;
+  __builtin_memcpy(&bytes, states, sizeof bytes);
+  return Index<Real, Isa>(__builtin_convertvector(bytes, typename Index<Real, Isa>::Integers));
+}
+template <class Real, class Isa>
+[[nodiscard]] Mask<Real, Isa> has_state(const ContactState* states, ContactState wanted, Pack<Real, Isa>) noexcept {
+  return {load_states<Real, Isa>(states).lanes == Index<Real, Isa>(static_cast<int>(wanted)).lanes};
+}
+template <class Real, class Isa>
+void set_states(ContactState* states, Mask<Real, Isa> is_plausible, Mask<Real, Isa> touches, Mask<Real, Isa> slips,
+                Pack<Real, Isa>) noexcept {
+  const auto state = [](ContactState value) { return Index<Real, Isa>(static_cast<int>(value)); };
+  const Index<Real, Isa> touching = select(slips, state(ContactState::slip), state(ContactState::stick));
+  const Index<Real, Isa> next = select(is_plausible, select(touches, touching, state(ContactState::free)), load_states<Real, Isa>(states));
+  const auto bytes = __builtin_convertvector(next.lanes, typename Registers<Real, Isa>::Bytes);
+  __builtin_memcpy(states, &bytes, sizeof bytes);
+}
+
+// Powers and logarithms go lane by lane.
+
+template <class Real, class Isa>
+[[nodiscard]] Pack<Real, Isa> radius_at(const RadiusLaw& law, Pack<Real, Isa> load) noexcept {
+  for (std::size_t lane = 0; lane < Pack<Real, Isa>::size; ++lane) load.lanes[lane] = godobject::radius_at(law, load.lanes[lane]);
+  return load;
+}
+
+template <class Real, class Isa>
+[[nodiscard]] Projected<Pack<Real, Isa>> project_along_c_curve(const CurveView<Real>& curve, const UnitTrial<Pack<Real, Isa>>& trial,
+                                                               Pack<Real, Isa> last, const RadiusLaw& radius_law,
+                                                               Pack<Real, Isa> load) noexcept {
+  Projected<Pack<Real, Isa>> result{};
+  for (std::size_t i = 0; i < Pack<Real, Isa>::size; ++i) {
+    const UnitTrial<Real> of_lane{trial.force.lanes[i], trial.moment.lanes[i], trial.compliance_ratio.lanes[i], trial.slip_from.lanes[i]};
+    const Projected<Real> lane = godobject::project_along_c_curve(curve, of_lane, last.lanes[i], radius_law, load.lanes[i]);
+    result.outside.bits[i] = lane.outside ? -1 : 0;
+    result.force_ratio.lanes[i] = lane.force_ratio;
+    result.moment_ratio.lanes[i] = lane.moment_ratio;
+    result.slide.lanes[i] = lane.slide;
+    result.spin.lanes[i] = lane.spin;
+    result.parameter.lanes[i] = lane.parameter;
+  }
+  return result;
+}
+
+}  // namespace limitcurve::godobject::kernel
