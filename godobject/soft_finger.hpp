@@ -36,6 +36,8 @@ class SoftFinger {
   [[nodiscard]] const FingerState& state() const noexcept { return state_; }
   void restore(const FingerState& state) noexcept { state_ = state; }
   void reset() noexcept { state_ = {}; }
+  /// The next search begins as a finger's first does.
+  void forget_warm_start() noexcept { state_.friction.parameter = state_.friction.rate = 0.0; }
 
   [[nodiscard]] const FingerCurve& curve() const noexcept { return curve_; }
   [[nodiscard]] Projection projection() const noexcept { return projection_; }
