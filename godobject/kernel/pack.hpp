@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "godobject/contact_limits.hpp"
-#include "godobject/projection.hpp"
+#include "godobject/kernel/step.hpp"
 
 #include <immintrin.h>
 
@@ -38,14 +37,16 @@ struct Registers {
   using Integer = std::conditional_t<sizeof(Real) == 8, std::int64_t, std::int32_t>;
 };
 
-/// What comparisons of packs give: all bits of a lane, or none.
+/// What comparisons of packs give: all bits of a lane, or none. With AVX-512 one bit a lane.
 template <class Real, class Isa>
 struct Mask {
-  typename Registers<Real, Isa>::Integers bits;
+  using Narrow = std::conditional_t<sizeof(Real) == 8, std::uint8_t, std::uint16_t>;
+  using Bits = std::conditional_t<Isa::bytes == 64, Narrow, typename Registers<Real, Isa>::Integers>;
+  Bits bits;
 
-  friend Mask operator&&(Mask a, Mask b) noexcept { return {a.bits & b.bits}; }
-  friend Mask operator||(Mask a, Mask b) noexcept { return {a.bits | b.bits}; }
-  friend Mask operator!(Mask a) noexcept { return {~a.bits}; }
+  friend Mask operator&&(Mask a, Mask b) noexcept { return {(Bits)(a.bits & b.bits)}; }
+  friend Mask operator||(Mask a, Mask b) noexcept { return {(Bits)(a.bits | b.bits)}; }
+  friend Mask operator!(Mask a) noexcept { return {(Bits)~a.bits}; }
 };
 
 /// Integers, one a lane.
@@ -78,30 +79,56 @@ struct Pack {
   friend Pack operator*(Pack a, Pack b) noexcept { return Pack(a.lanes * b.lanes); }
   friend Pack operator/(Pack a, Pack b) noexcept { return Pack(a.lanes / b.lanes); }
   friend Pack operator-(Pack a) noexcept { return Pack(-a.lanes); }
-  friend Mask<Real, Isa> operator<(Pack a, Pack b) noexcept { return {a.lanes < b.lanes}; }
-  friend Mask<Real, Isa> operator>(Pack a, Pack b) noexcept { return {a.lanes > b.lanes}; }
-  friend Mask<Real, Isa> operator<=(Pack a, Pack b) noexcept { return {a.lanes <= b.lanes}; }
-  friend Mask<Real, Isa> operator>=(Pack a, Pack b) noexcept { return {a.lanes >= b.lanes}; }
-  friend Mask<Real, Isa> operator!=(Pack a, Pack b) noexcept { return {a.lanes != b.lanes}; }
+  friend Mask<Real, Isa> operator<(Pack a, Pack b) noexcept { return mask<_CMP_LT_OQ>(a, b, a.lanes < b.lanes); }
+  friend Mask<Real, Isa> operator>(Pack a, Pack b) noexcept { return b < a; }
+  friend Mask<Real, Isa> operator<=(Pack a, Pack b) noexcept { return mask<_CMP_LE_OQ>(a, b, a.lanes <= b.lanes); }
+  friend Mask<Real, Isa> operator>=(Pack a, Pack b) noexcept { return b <= a; }
+  friend Mask<Real, Isa> operator!=(Pack a, Pack b) noexcept { return mask<_CMP_NEQ_UQ>(a, b, a.lanes != b.lanes); }
+
+ private:
+  /// The comparison `predicate`, or its result without AVX-512.
+  template <int predicate>
+  static Mask<Real, Isa> mask(Pack a, Pack b, typename Registers<Real, Isa>::Integers compared) noexcept {
+    if constexpr (Isa::bytes < 64) {
+      return {compared};
+    } else if constexpr (sizeof(Real) == 8) {
+      return {_mm512_cmp_pd_mask(a.lanes, b.lanes, predicate)};
+    } else {
+      return {_mm512_cmp_ps_mask(a.lanes, b.lanes, predicate)};
+    }
+  }
 };
 
+// By intrinsics, because compilers take `?:` of vectors apart where a processor cannot compare integers as wide.
 template <class Real, class Isa>
 [[nodiscard]] Pack<Real, Isa> select(Mask<Real, Isa> condition, Pack<Real, Isa> yes, Pack<Real, Isa> no) noexcept {
-  return Pack<Real, Isa>(condition.bits ? yes.lanes : no.lanes);
+  using Numbers = typename Registers<Real, Isa>::Numbers;
+  if constexpr (Isa::bytes == 64 && sizeof(Real) == 8) {
+    return Pack<Real, Isa>(_mm512_mask_blend_pd(condition.bits, no.lanes, yes.lanes));
+  } else if constexpr (Isa::bytes == 64) {
+    return Pack<Real, Isa>(_mm512_mask_blend_ps(condition.bits, no.lanes, yes.lanes));
+  } else if constexpr (Isa::bytes == 32) {
+    return Pack<Real, Isa>((Numbers)_mm256_blendv_ps((__m256)no.lanes, (__m256)yes.lanes, (__m256)condition.bits));
+  } else {
+    const auto bits = (__m128)condition.bits;
+    return Pack<Real, Isa>((Numbers)_mm_or_ps(_mm_and_ps(bits, (__m128)yes.lanes), _mm_andnot_ps(bits, (__m128)no.lanes)));
+  }
 }
 template <class Real, class Isa>
 [[nodiscard]] Index<Real, Isa> select(Mask<Real, Isa> condition, Index<Real, Isa> yes, Index<Real, Isa> no) noexcept {
-  return Index<Real, Isa>(condition.bits ? yes.lanes : no.lanes);
+  using Numbers = typename Registers<Real, Isa>::Numbers;
+  const Pack<Real, Isa> bits = select(condition, Pack<Real, Isa>((Numbers)yes.lanes), Pack<Real, Isa>((Numbers)no.lanes));
+  return Index<Real, Isa>((typename Index<Real, Isa>::Integers)bits.lanes);
 }
 
 template <class Real, class Isa>
 [[nodiscard]] bool any(Mask<Real, Isa> condition) noexcept {
   if constexpr (Isa::bytes == 64) {
-    return _mm512_test_epi64_mask((__m512i)condition.bits, (__m512i)condition.bits) != 0;
+    return condition.bits != 0;
   } else if constexpr (Isa::bytes == 32) {
-    return _mm256_movemask_epi8((__m256i)condition.bits) != 0;
+    return _mm256_movemask_ps((__m256)condition.bits) != 0;
   } else {
-    return _mm_movemask_epi8((__m128i)condition.bits) != 0;
+    return _mm_movemask_ps((__m128)condition.bits) != 0;
   }
 }
 
@@ -179,7 +206,8 @@ template <class Real, class Isa>
 }
 template <class Real, class Isa>
 [[nodiscard]] Mask<Real, Isa> has_state(const ContactState* states, ContactState wanted, Pack<Real, Isa>) noexcept {
-  return {load_states<Real, Isa>(states).lanes == Index<Real, Isa>(static_cast<int>(wanted)).lanes};
+  const auto number = [](Index<Real, Isa> state) { return Pack<Real, Isa>(__builtin_convertvector(state.lanes, typename Pack<Real, Isa>::Numbers)); };
+  return !(number(load_states<Real, Isa>(states)) != number(Index<Real, Isa>(static_cast<int>(wanted))));
 }
 template <class Real, class Isa>
 void set_states(ContactState* states, Mask<Real, Isa> is_plausible, Mask<Real, Isa> touches, Mask<Real, Isa> slips,
@@ -204,17 +232,28 @@ template <class Real, class Isa>
                                                                Pack<Real, Isa> last, const RadiusLaw& radius_law,
                                                                Pack<Real, Isa> load) noexcept {
   Projected<Pack<Real, Isa>> result{};
+  Pack<Real, Isa> outside(Real(0));
   for (std::size_t i = 0; i < Pack<Real, Isa>::size; ++i) {
     const UnitTrial<Real> of_lane{trial.force.lanes[i], trial.moment.lanes[i], trial.compliance_ratio.lanes[i], trial.slip_from.lanes[i]};
     const Projected<Real> lane = godobject::project_along_c_curve(curve, of_lane, last.lanes[i], radius_law, load.lanes[i]);
-    result.outside.bits[i] = lane.outside ? -1 : 0;
+    outside.lanes[i] = lane.outside ? Real(1) : Real(0);
     result.force_ratio.lanes[i] = lane.force_ratio;
     result.moment_ratio.lanes[i] = lane.moment_ratio;
     result.slide.lanes[i] = lane.slide;
     result.spin.lanes[i] = lane.spin;
     result.parameter.lanes[i] = lane.parameter;
   }
+  result.outside = outside > Pack<Real, Isa>(Real(0));
   return result;
+}
+
+/// All that a step calls becomes one loop: in registers, not from call to call through memory.
+template <class Isa, class Real>
+[[gnu::flatten]] std::size_t step_packs(const Shared<Real>& shared, const BasicContactBatch<Real>& contacts, std::size_t count) noexcept {
+  using Number = Pack<Real, Isa>;
+  std::size_t i = 0;
+  for (; i + Number::size <= count; i += Number::size) step_contacts<Real, Number>(shared, contacts, i);
+  return i;
 }
 
 }  // namespace limitcurve::godobject::kernel
