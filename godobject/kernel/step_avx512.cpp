@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "godobject/kernel/step_packs.hpp"
+#include "godobject/kernel/pack.hpp"
 
 namespace limitcurve::godobject::kernel {
 
