@@ -65,7 +65,8 @@ template <class Real, class Number>
   const Number rounding = trial.force_rounding * per_force * Number(curve.inverse_force_max) +
                           trial.moment_rounding * per_moment * Number(curve.inverse_moment_max);
   return {min(trial.force * per_force, Number(largest)), min(trial.moment * per_moment, Number(largest)),
-          limit.radius * limit.radius * stiffness_ratio, Number(slip_onset<Real>) + rounding};
+          min(max(limit.radius * limit.radius * stiffness_ratio, Number(least)), Number(Real(1) / least)),
+          Number(slip_onset<Real>) + rounding};
 }
 
 /// Brings the trial on to the limit by the chosen projection.
@@ -129,7 +130,9 @@ template <class Real, class Number>
   result.force_ratio = kept(projected.force_ratio, trial.force);
   result.moment_ratio = limits.has_torsion ? kept(projected.moment_ratio, trial.moment) : zero;
   const Number nan = Number(std::numeric_limits<Real>::quiet_NaN());
-  result.cor = select(result.slips, limit.radius * (projected.slide / projected.spin), nan);
+  // Pure sliding is that at any radius, also at a(0) = 0.
+  const Number radius = max(limit.radius, Number(std::numeric_limits<Real>::min()));
+  result.cor = select(result.slips, radius * (projected.slide / projected.spin), nan);
   memory.slips = result.slips;
   memory.rate = select(result.slips, select(had_parameter, projected.parameter - memory.parameter, zero), zero);
   memory.parameter = select(result.slips, projected.parameter, zero);

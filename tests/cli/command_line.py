@@ -28,10 +28,10 @@ def share(directory, script):
     return {**os.environ, "LIMITCURVE_SHARE": str(folder)}
 
 
-def rows(*arguments):
-    """The rows of a call that succeeds, as dictionaries whose numbers are numbers."""
+def rows(*arguments, remark=""):
+    """The rows of a call that succeeds, as dictionaries whose numbers are numbers. It says nothing on standard error but the remark."""
     done = run(*arguments)
-    if done.returncode != 0 or done.stderr:
+    if done.returncode != 0 or (remark not in done.stderr if remark else done.stderr):
         raise AssertionError(f"{arguments}: exit {done.returncode}, {done.stderr}")
     return [{name: number_or_text(value) for name, value in row.items()} for row in csv.DictReader(io.StringIO(done.stdout))]
 

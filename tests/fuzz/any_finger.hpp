@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "godobject/choice.hpp"
 #include "godobject/godobject.hpp"
 #include "limitcurve/laws.hpp"
+#include "limitcurve/limitcurve.hpp"
 #include "tests/fuzz/fuzz.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
-/// Fingers of any parameters, on the boundaries and projections that the targets of the step go through.
+/// Fingers of any parameters, on the curves and projections that the targets of the step go through.
 namespace limitcurve::fuzz {
 
 /// A double of the input's own bits, or one that a finger might have: |value| ≤ `usual`.
@@ -33,53 +35,48 @@ inline godobject::FingerParameters any_parameters(Bytes& bytes) {
     result.twist_damping = std::fabs(any_double(bytes, raw(4), 1e-3));
   }
   // Believed wherever it is: what leaps is what is hard.
-  result.jump_limit = std::numeric_limits<double>::infinity();
+  result.max_displacement = std::numeric_limits<double>::infinity();
   if (raw(7)) {
-    result.jump_limit = std::fabs(any_double(bytes, raw(0), 0.1));
-    result.hold_share = std::fabs(any_double(bytes, raw(4), 1.0));
+    result.max_displacement = std::fabs(any_double(bytes, raw(0), 0.1));
+    result.fault_decay = std::fabs(any_double(bytes, raw(4), 1.0));
   }
   return result;
 }
 
-/// Calls `body(boundary, projection)` with the pair that the next byte chooses; boundaries are built once.
-template <class Body>
-void with_any_boundary(Bytes& bytes, Body&& body) {
-  static const Law law = hertz();
-  static const Table table = Table::build(law, 1e-6);
-  static const ExactCurve exact(law);
-  static const Ellipse ellipse = Ellipse::through_intercepts(law->moment_ratio());
-  static const auto square = box(1.0, law->moment_ratio());
-  static const Superellipse super = minimax_superellipse(exact);
-  static const Quartic quartic = minimax_quartic(exact);
-  using godobject::CCurve;
-  using godobject::ClosestPoint;
-  using godobject::Radial;
-  switch (bytes.take<std::uint8_t>() % 12U) {
-    case 0:
-      return body(table, ClosestPoint{});
-    case 1:
-      return body(table, CCurve{});
-    case 2:
-      return body(table, Radial{});
-    case 3:
-      return body(ellipse, Radial{});
-    case 4:
-      return body(square, ClosestPoint{});
-    case 5:
-      return body(exact, ClosestPoint{});
-    case 6:
-      return body(ellipse, ClosestPoint{});
-    case 7:
-      return body(super, ClosestPoint{});
-    case 8:
-      return body(quartic, ClosestPoint{});
-    case 9:
-      return body(super, CCurve{});
-    case 10:
-      return body(square, CCurve{});
-    default:
-      return body(quartic, Radial{});
-  }
+/// A curve and a projection that goes with it.
+template <class Real>
+struct CurveAndProjection {
+  godobject::BasicFingerCurve<Real> curve;
+  godobject::Projection projection;
+};
+
+/// The pair that the next byte chooses; curves are built once.
+template <class Real>
+const CurveAndProjection<Real>& any_curve(Bytes& bytes) {
+  using godobject::Projection;
+  static const std::vector<CurveAndProjection<Real>> choices = [] {
+    const Law law = hertz();
+    const double finest = std::max(BasicTable<Real>::finest_tolerance, 1e-12);
+    const BasicTable<Real> coarse = BasicTable<Real>::build(law, 1e-3);
+    const BasicTable<Real> table = BasicTable<Real>::build(law, 1e-6);
+    const BasicTable<Real> fine = BasicTable<Real>::build(law, finest);
+    const BasicTable<Real> super = BasicTable<Real>::build(minimax_superellipse(ExactCurve(law)), 1e-6, "superellipse");
+    const BasicTable<Real> quartic = BasicTable<Real>::build(minimax_quartic(ExactCurve(law)), 1e-6, "quartic");
+    const Ellipse ellipse = Ellipse::through_intercepts(law->moment_ratio());
+    return std::vector<CurveAndProjection<Real>>{{table, Projection::closest_point},
+                                                 {table, Projection::c_curve},
+                                                 {table, Projection::radial},
+                                                 {ellipse, Projection::radial},
+                                                 {box(1.0, law->moment_ratio()), Projection::closest_point},
+                                                 {fine, Projection::closest_point},
+                                                 {ellipse, Projection::closest_point},
+                                                 {super, Projection::closest_point},
+                                                 {quartic, Projection::closest_point},
+                                                 {super, Projection::c_curve},
+                                                 {coarse, Projection::c_curve},
+                                                 {quartic, Projection::radial}};
+  }();
+  return choices[bytes.take<std::uint8_t>() % choices.size()];
 }
 
 }  // namespace limitcurve::fuzz

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cli/csv_reader.hpp"
 #include "godobject/replay.hpp"
+#include "limitcurve/laws.hpp"
 #include "limitcurve/number.hpp"
 #include "tests/fuzz/fuzz.hpp"
 
@@ -50,19 +51,22 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   static const godobject::ReplayOptions options = [] {
     godobject::ReplayOptions result;
     result.law = hertz();
-    result.stiffness = 1000.0;
-    result.twist_stiffness = 0.04;
-    result.boundary = godobject::BoundaryKind::ellipse;
+    result.finger.stiffness = 1000.0;
+    result.finger.twist_stiffness = 0.04;
+    result.curve = godobject::CurveKind::ellipse;
     return result;
   }();
   godobject::Replay replay(options);
   for (const auto& [time, x, y, z, twist] : rows) {
-    const godobject::ReplayRow row = replay.step({time, x, y, z, twist});
-    for (const double value : {row.px, row.py, row.angle, row.depth, row.load, row.fx, row.fy, row.moment}) {
+    replay.step(time, std::array{godobject::DevicePose{{x, y, z}, Eigen::Quaterniond::Identity(), twist}});
+    const godobject::SceneContact& contact = replay.contacts().front();
+    fuzz::require(contact.proxy.allFinite() && contact.force.allFinite(), "the replay of finite numbers is not finite");
+    for (const double value : {contact.angle, contact.depth, contact.load, contact.moment}) {
       fuzz::require(fuzz::is_finite(value), "the replay of finite numbers is not finite");
     }
-    if (row.state == godobject::ContactState::invalid) continue;  // holds what was
-    fuzz::require((row.cor >= 0.0) == (row.state == godobject::ContactState::slip), "a centre of rotation without slip, or the reverse");
+    if (contact.state == godobject::ContactState::invalid) continue;  // holds what was
+    fuzz::require((contact.cor >= 0.0) == (contact.state == godobject::ContactState::slip),
+                  "a centre of rotation without slip, or the reverse");
   }
   return 0;
 }

@@ -52,8 +52,7 @@ inline StepCheck check_step(const godobject::SoftFinger& finger, const godobject
   const godobject::FrictionLimits<double> limits = limits_of(finger);
   const bool dampers = finger.parameters().damping > 0.0 || finger.parameters().twist_damping > 0.0;
   const bool rested = last.state == ContactState::stick || last.state == ContactState::slip;
-  if (output.state == ContactState::stick && rested &&
-      (output.proxy != last_proxy || (limits.has_torsion && output.angle != last.angle)))
+  if (output.state == ContactState::stick && rested && (output.proxy != last_proxy || (limits.has_torsion && output.angle != last.angle)))
     fails("a proxy that sticks moves");
   if (output.state == ContactState::slip && rested && sample.contact.normal == Vector3d(last.normal.data()) && !dampers) {
     // The wrench on the finger times the way of the proxy along the surface, taken anew; but for the rounding of where the proxy is.
@@ -65,8 +64,8 @@ inline StepCheck check_step(const godobject::SoftFinger& finger, const godobject
     if (!(work >= -4.0 * std::numeric_limits<double>::epsilon() * rounding - 1e-300)) fails("a slip that gains energy");
   }
   const godobject::FrictionLimit<double>& limit = output.state == ContactState::slip ? limits.sliding : limits.at_rest;
-  // So little friction is none: the arithmetic divides by no less.
-  constexpr double least = 1e-100;
+  // So little friction is none: no trial is told from one 1e60 times its limit, and no trial here is above 1e21.
+  constexpr double least = 1e-38;
   const double force = output.force.norm();
   const double moment = std::fabs(output.moment);
   if (limits.has_torsion ? limit.force > least && limit.force * limit.radius > least : limit.force > least) {
@@ -74,7 +73,7 @@ inline StepCheck check_step(const godobject::SoftFinger& finger, const godobject
     result.excess = (limits.has_torsion ? finger.curve().gauge({force / limit.force, moment / (limit.force * limit.radius)})
                                         : force / (limit.force * finger.curve().force_max())) -
                     1.0;
-  } else if (limit.force <= least && !(force <= 2.0 * least)) {
+  } else if (!(force <= 2.0 * (least + limit.force) && moment <= 2.0 * (least + limit.force * limit.radius))) {
     fails("a wrench without friction");
   }
   if (!limits.has_torsion && output.moment != 0.0) fails("a moment without torsional friction");
