@@ -15,8 +15,7 @@ template <class Real>
 class BasicContactArrays {
  public:
   /// Throws std::bad_alloc or std::length_error.
-  explicit BasicContactArrays(std::size_t count)
-      : count_(count), stride_((count + spacing - 1) / spacing * spacing + spacing), states_(count) {
+  explicit BasicContactArrays(std::size_t count) : count_(count), stride_((count + page - 1) / page * page + shift), states_(count) {
     numbers_.resize(stride_ * arrays);
   }
 
@@ -36,8 +35,9 @@ class BasicContactArrays {
 
  private:
   static constexpr std::size_t arrays = 12;
-  // Arrays a whole power of two apart would share lines of the cache: each begins a little farther.
-  static constexpr std::size_t spacing = 320 / sizeof(Real);
+  // Arrays whole pages apart would share lines of the cache: each begins a little farther.
+  static constexpr std::size_t page = 4096 / sizeof(Real);
+  static constexpr std::size_t shift = 320 / sizeof(Real);
 
   [[nodiscard]] std::span<Real> array(std::size_t i) noexcept { return {numbers_.data() + i * stride_, count_}; }
 

@@ -78,7 +78,7 @@ template <class Real, class Number>
     const Number limit = Number(curve.force_max);
     return {trial.force > limit * trial.slip_from, limit / trial.force, zero, Number(Real(1)), zero, zero};
   }
-  if (curve.kind == CurveView<Real>::Kind::box) return clamp_to_box(curve, trial);
+  if (curve.is_box) return clamp_to_box(curve, trial);
   if (projection == Projection::closest_point) return project_on_to_closest_point(curve, trial, last);
   if (projection == Projection::c_curve && limits.radius_law != nullptr)
     return project_along_c_curve(curve, trial, last, *limits.radius_law, limits.load);

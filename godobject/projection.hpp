@@ -45,7 +45,7 @@ struct Projected {
 template <class Real, class Number>
 [[nodiscard]] Projected<Number> project_radially(const CurveView<Real>& curve, const UnitTrial<Number>& trial, Number last) noexcept {
   Number gauge_of_trial;
-  if (curve.kind == CurveView<Real>::Kind::table) {
+  if (curve.has_table()) {
     last = point_on_ray(curve, trial.force, trial.moment, last, gauge_of_trial).parameter;
   } else {
     gauge_of_trial = gauge(curve, trial.force, trial.moment, last);

@@ -10,9 +10,7 @@ namespace limitcurve {
 /// of it.
 template <class Real>
 struct CurveView {
-  enum class Kind { ellipse, box, table };
-
-  Kind kind = Kind::ellipse;
+  bool is_box = false;  ///< uncoupled limits; else an ellipse, unless there is a table
   Real force_max = 1;   ///< f at pure sliding
   Real moment_max = 1;  ///< m at pure spin: the moment ratio m₀ where force_max is 1
   Real inverse_force_max = 1;
@@ -21,11 +19,13 @@ struct CurveView {
   Real rim_moment = 0;
   TablePieces<Real> table = {};
 
+  [[nodiscard]] bool has_table() const noexcept { return table.cells != nullptr; }
+
   /// The support function along the side inside or outside the rim, at x ∈ [0, 1]. Not for the box, whose corner has many normals.
   template <class Number, class Mask>
   [[nodiscard]] Jet<Number> jet(Mask outside, Number x) const noexcept {
     using namespace arithmetic;
-    if (kind == Kind::table) return table.jet(outside, x);
+    if (has_table()) return table.jet(outside, x);
     // D = √(A²x² + B²), A the semi-axis of the leading component and B the other's.
     const Number a = select(outside, Number(moment_max), Number(force_max));
     const Number b = select(outside, Number(force_max), Number(moment_max));
@@ -58,9 +58,10 @@ struct CurveSide {
   Number guess;     ///< x, where to begin
 
   /// `last` is the curve parameter where the search may begin, or 0 if none is known; then the twist (slide : spin) serves.
-  CurveSide(Mask beyond_rim, Number force, Number moment, Number last, Number slide, Number spin) noexcept
-      : outside(beyond_rim), leading(arithmetic::select(outside, moment, force)), trailing(arithmetic::select(outside, force, moment)) {
+  CurveSide(Mask beyond_rim, Number force, Number moment, Number last, Number slide, Number spin) noexcept : outside(beyond_rim) {
     using namespace arithmetic;
+    leading = select(outside, moment, force);
+    trailing = select(outside, force, moment);
     const Number zero = Number(Real(0));
     const Number of_last = select(outside, Number(Real(2)) - last, last);
     const Number of_twist = select(outside, spin / slide, slide / spin);
@@ -108,8 +109,8 @@ template <class Real, class Number>
   using namespace arithmetic;
   const Number x = force * Number(curve.inverse_force_max);
   const Number y = moment * Number(curve.inverse_moment_max);
-  if (curve.kind == CurveView<Real>::Kind::box) return max(x, y);
-  if (curve.kind == CurveView<Real>::Kind::ellipse) return sqrt(x * x + y * y);
+  if (curve.is_box) return max(x, y);
+  if (!curve.has_table()) return sqrt(x * x + y * y);
   Number result;
   static_cast<void>(point_on_ray(curve, force, moment, last, result));
   return result;

@@ -5,11 +5,12 @@
 
 #include <concepts>
 
-/// How a single number is read from and written to the arrays of a batch. Packs have the same names (pack.hpp).
+/// How a single number is read from and written to the arrays of a batch. Packs have the same names (pack.hpp); a last argument that is not
+/// used says of how many lanes.
 namespace limitcurve::godobject::kernel {
 
 template <std::floating_point Number>
-[[nodiscard]] Number load(const Number* from) noexcept {
+[[nodiscard]] Number load(const Number* from, Number) noexcept {
   return *from;
 }
 template <std::floating_point Number>

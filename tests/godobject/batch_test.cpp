@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Batches of both precisions: they do what single fingers do, and keep the same promises.
 #include "godobject/batch.hpp"
-#include "godobject/contact_arrays.hpp"
 
 #include "tests/godobject/scene.hpp"
 #include "tests/repetitions.hpp"
@@ -9,153 +9,375 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
-#include <cstdint>
+#include <iterator>
+#include <limits>
 #include <set>
-#include <span>
 #include <vector>
 
 namespace limitcurve::godobject::test {
 namespace {
 
-/// The arrays of a batch of contacts.
-struct Arrays {
-  explicit Arrays(std::size_t count) {
-    for (auto& array : values) array.assign(count, 0.0);
-    values[7].assign(count, -2.0);
-  }
-  ContactBatch batch() {
-    return {values[0], values[1], values[2], values[3], values[4],  values[5],
-            values[6], values[7], values[8], values[9], values[10], values[11]};
-  }
-  std::array<std::vector<double>, 12> values;
+/// What is promised of a wrench, relative to the limit: the onset of slip, and rounding of the gauge that it is checked with.
+template <class Real>
+constexpr double most_gauge = double{slip_onset<Real>} + 8.0 * std::numeric_limits<Real>::epsilon();
+
+template <class Real>
+struct Case {
+  std::string name;
+  BasicFingerCurve<Real> curve;
+  FingerParameters with;
+  Projection projection = Projection::closest_point;
 };
 
-// 1001 contacts (no multiple of a vector's length), some free, stepped together and one by one: the same bits.
-template <class Boundary, class Projection>
-void expect_the_same_bits(const Boundary& boundary, Projection projection, const FingerParameters& with, std::string_view name) {
-  constexpr std::size_t count = 1001;
-  const SoftFinger<Boundary, Projection> finger(boundary, with, projection);
-  std::vector<SoftFinger<Boundary, Projection>> fingers(count, finger);
-  Arrays arrays(count);
-  Random random(17);
-  auto& [x, y, angle, depth, proxy_x, proxy_y, proxy_angle, start, trend, force_x, force_y, moment] = arrays.values;
-  for (int round = 0; round < repetitions(30, 5); ++round) {
-    for (std::size_t i = 0; i < count; ++i) {
-      const double stride = random.logarithmic(1e-7, 1e-2);
-      x[i] += random.uniform(-stride, stride);
-      y[i] += random.uniform(-stride, stride);
-      angle[i] += random.uniform(-1.0, 1.0) * random.logarithmic(1e-5, 1.0);
-      depth[i] = random.uniform(-0.0005, 0.003);
-    }
-    step(finger.friction(), arrays.batch());
-    for (std::size_t i = 0; i < count; ++i) {
-      const FingerOutput& output = fingers[i].update(on_plane(x[i], y[i], depth[i]), angle[i]);
-      ASSERT_EQ(force_x[i], output.force.x()) << name << ' ' << round << ' ' << i;
-      ASSERT_EQ(force_y[i], output.force.y()) << name;
-      ASSERT_EQ(moment[i], output.moment) << name;
-      ASSERT_EQ(proxy_x[i], output.proxy.x()) << name;
-      ASSERT_EQ(proxy_y[i], output.proxy.y()) << name;
-      ASSERT_EQ(proxy_angle[i], output.angle) << name;
-      ASSERT_EQ(start[i] >= 0.0, output.state == ContactState::slip) << name;
-    }
-  }
-}
-
-TEST(Batch, GivesTheBitsOfTheSingleStep) {
-  FingerParameters plain = parameters();
+/// Every curve and projection, and whatever a parameter changes in the step.
+template <class Real>
+std::vector<Case<Real>> cases() {
+  const double m0 = hertz()->moment_ratio();
+  const auto table = BasicTable<Real>::build(hertz(), 1e-6);
+  const Ellipse ellipse = Ellipse::through_intercepts(m0);
   FingerParameters soft = parameters();
   soft.radius_law = RadiusLaw::power(0.00207, 0.259);
   soft.mu_dynamic = 0.5;
-  for (const FingerParameters& with : {plain, soft}) {
-    for (const ProjectionKind kind : {ProjectionKind::radial, ProjectionKind::closest_point}) {
-      visit_projection(kind, [&](auto projection) {
-        for_each_boundary(hertz(),
-                          [&](const auto& boundary, std::string_view name) { expect_the_same_bits(boundary, projection, with, name); });
-      });
+  FingerParameters without_torsion = parameters();
+  without_torsion.moment_coefficient = 0.0;
+  std::vector<Case<Real>> result{{"box", box(1.0, m0), parameters()},
+                                 {"table, stiff twist", table, parameters(0.6, 0.005, 1000.0, 0.4)},
+                                 {"table, soft twist", table, parameters(0.6, 0.005, 1000.0, 0.001)},
+                                 {"table, no torsion", table, without_torsion}};
+  for (const Projection projection : projections) {
+    const std::string name(to_string(projection));
+    result.push_back({"table, " + name, table, parameters(), projection});
+    result.push_back({"table, soft finger, " + name, table, soft, projection});
+    result.push_back({"ellipse, " + name, ellipse, parameters(), projection});
+    result.push_back({"ellipse, soft finger, " + name, ellipse, soft, projection});
+  }
+  return result;
+}
+
+template <class Real>
+void move_all(BasicContactArrays<Real>& arrays, Random& random, double longest) {
+  for (std::size_t i = 0; i < arrays.size(); ++i) {
+    const double stride = random.logarithmic(1e-7, longest);
+    arrays.x()[i] += static_cast<Real>(random.uniform(-stride, stride));
+    arrays.y()[i] += static_cast<Real>(random.uniform(-stride, stride));
+    arrays.angle()[i] += static_cast<Real>(random.uniform(-200.0, 200.0) * stride);
+    arrays.depth()[i] = static_cast<Real>(random.uniform(-0.0002, 0.003));
+  }
+}
+
+/// All numbers of a batch that a step writes, one contact after the other.
+template <class Real>
+std::vector<Real> written(const BasicContactBatch<Real>& batch) {
+  std::vector<Real> result;
+  for (std::size_t i = 0; i < batch.size(); ++i) {
+    for (const auto& array :
+         {batch.proxy_x, batch.proxy_y, batch.proxy_angle, batch.force_x, batch.force_y, batch.moment, batch.parameter, batch.rate}) {
+      result.push_back(array[i]);
+    }
+    result.push_back(static_cast<Real>(batch.state[i]));
+  }
+  return result;
+}
+constexpr std::size_t numbers_per_contact = 9;
+
+TEST(Batch, DoesWhatSoftFingersDo) {
+  constexpr std::size_t count = 201;
+  for (const Case<double>& with : cases<double>()) {
+    const Batch batch(with.curve, with.with, with.projection);
+    std::vector<SoftFinger> fingers(count, SoftFinger(with.curve, with.with, with.projection));
+    ContactArrays arrays(count);
+    const ContactBatch result = arrays.batch();
+    Random random(17);
+    for (int round = 0; round < repetitions(60, 5); ++round) {
+      move_all(arrays, random, 1e-2);
+      batch.step(result);
+      for (std::size_t i = 0; i < count; ++i) {
+        const FingerOutput output = fingers[i].update(on_plane(result.x[i], result.y[i], result.depth[i]), result.angle[i]);
+        ASSERT_EQ(result.state[i], output.state) << with.name << ' ' << round << ' ' << i;
+        const double limit = 1e-12 * with.with.mu * output.load;
+        ASSERT_NEAR(result.force_x[i], output.force.x(), limit) << with.name << ' ' << round << ' ' << i;
+        ASSERT_NEAR(result.force_y[i], output.force.y(), limit) << with.name;
+        ASSERT_NEAR(result.moment[i], output.moment, limit * 0.005) << with.name;
+        ASSERT_NEAR(result.proxy_x[i], output.proxy.x(), 1e-15) << with.name;
+        ASSERT_NEAR(result.proxy_y[i], output.proxy.y(), 1e-15) << with.name;
+        ASSERT_NEAR(result.proxy_angle[i], output.angle, 1e-12) << with.name;
+      }
     }
   }
 }
 
-// So little load that the friction counts as none: the single step lets go, and so does the batch, of all its neighbours no more.
-TEST(Batch, GivesTheBitsOfTheSingleStepWhereFrictionVanishes) {
-  constexpr std::size_t count = 9;
-  const SoftFinger finger(Ellipse::through_intercepts(0.5), parameters(), Radial{});
-  std::vector<double> depths{5e-324};
-  for (int exponent = -160; exponent <= -100; ++exponent) depths.push_back(std::pow(10.0, exponent));
-  for (const double shallow : depths) {
-    std::vector<SoftFinger<Ellipse, Radial>> fingers(count, finger);
-    Arrays arrays(count);
-    auto& [x, y, angle, depth, proxy_x, proxy_y, proxy_angle, start, trend, force_x, force_y, moment] = arrays.values;
-    for (int round = 0; round < 3; ++round) {
+// On the same floats, near the origin: what the positions resolve of the springs' deflection, and a float's rounding.
+TEST(Batch, InFloatGivesTheWrenchOfTheDoubleStep) {
+  constexpr std::size_t count = 501;
+  const FloatBatch single(FloatTable::build(hertz(), 1e-6), parameters());
+  const Batch reference(exact_curve(hertz()), parameters());
+  FloatContactArrays floats(count);
+  ContactArrays doubles(count);
+  Random random(5);
+  double worst = 0.0;
+  for (int round = 0; round < 200; ++round) {
+    move_all(floats, random, 1e-3);
+    std::ranges::copy(floats.x(), doubles.x().begin());
+    std::ranges::copy(floats.y(), doubles.y().begin());
+    std::ranges::copy(floats.angle(), doubles.angle().begin());
+    std::ranges::copy(floats.depth(), doubles.depth().begin());
+    const FloatContactBatch felt = floats.batch();
+    const ContactBatch expected = doubles.batch();
+    single.step(felt);
+    reference.step(expected);
+    for (std::size_t i = 0; i < count; ++i) {
+      if (!(expected.depth[i] > 1e-4)) continue;
+      const double unit = 0.6 * 1000.0 * expected.depth[i];
+      const auto differ = [&](float one, double other) { worst = std::max(worst, std::fabs(double{one} - other)); };
+      differ(felt.force_x[i] / static_cast<float>(unit), expected.force_x[i] / unit);
+      differ(felt.force_y[i] / static_cast<float>(unit), expected.force_y[i] / unit);
+      differ(felt.moment[i] / static_cast<float>(unit * 0.005), expected.moment[i] / (unit * 0.005));
+    }
+  }
+  EXPECT_LE(worst, 1e-5);
+  EXPECT_GT(worst, 1e-9);
+}
+
+template <class Real>
+class BatchOf : public testing::Test {};
+using Reals = testing::Types<double, float>;
+TYPED_TEST_SUITE(BatchOf, Reals);
+
+TYPED_TEST(BatchOf, SlipWorkIsNeverNegativeAndTheWrenchIsWithinTheLimit) {
+  using Real = TypeParam;
+  constexpr std::size_t count = 501;
+  for (const Case<Real>& with : cases<Real>()) {
+    const BasicBatch<Real> batch(with.curve, with.with, with.projection);
+    BasicContactArrays<Real> arrays(count);
+    const BasicContactBatch<Real> result = arrays.batch();
+    Random random(17);
+    double outmost = 0.0;
+    int slips = 0;
+    for (int round = 0; round < 40; ++round) {
+      move_all(arrays, random, round % 2 == 0 ? 1e-2 : 1e-4);
+      const std::vector<Real> before = written(result);
+      batch.step(result);
       for (std::size_t i = 0; i < count; ++i) {
-        x[i] = 0.01 * round;
-        angle[i] = -0.1 * round;
-        depth[i] = i == 4 ? shallow : 0.001;
+        ASSERT_TRUE(std::isfinite(result.force_x[i]) && std::isfinite(result.force_y[i]) && std::isfinite(result.moment[i])) << with.name;
+        if (!(result.depth[i] > Real(0))) continue;
+        const Real* const last = &before[i * numbers_per_contact];
+        // Each component for itself: the proxy comes nearer, against the force on the user.
+        if (last[8] != static_cast<Real>(ContactState::free)) {
+          ASSERT_LE(result.force_x[i] * (result.proxy_x[i] - last[0]), Real(0)) << with.name;
+          ASSERT_LE(result.force_y[i] * (result.proxy_y[i] - last[1]), Real(0)) << with.name;
+          ASSERT_LE(result.moment[i] * (result.proxy_angle[i] - last[2]), Real(0)) << with.name;
+        }
+        const double load = with.with.stiffness * static_cast<double>(result.depth[i]);
+        const double unit = with.with.mu * load;
+        const double force = std::hypot(double{result.force_x[i]}, double{result.force_y[i]}) / unit;
+        const double moment = std::fabs(double{result.moment[i]}) / (unit * with.with.radius_law.radius(load));
+        const bool has_torsion = with.with.moment_coefficient != 0.0;
+        outmost = std::max(outmost, has_torsion ? with.curve.gauge({force, moment}) : std::max(force, moment));
+        slips += result.state[i] == ContactState::slip;
       }
-      step(finger.friction(), arrays.batch());
+    }
+    EXPECT_GT(slips, 500) << with.name;
+    EXPECT_LE(outmost, most_gauge<Real>) << with.name;
+    EXPECT_GT(outmost, 0.99) << with.name;
+  }
+}
+
+// Dragged into slipping, then held where they are: from the next step on nothing moves. Far out too, where a float resolves a tenth of
+// a micrometre, which is a large share of what slides there.
+TYPED_TEST(BatchOf, AHeldContactKeepsEveryBit) {
+  using Real = TypeParam;
+  constexpr std::size_t count = 1001;
+  for (const double far : {0.01, 2.0, 100.0}) {
+    for (const Case<Real>& with : cases<Real>()) {
+      const BasicBatch<Real> batch(with.curve, with.with, with.projection);
+      BasicContactArrays<Real> arrays(count);
+      const BasicContactBatch<Real> result = arrays.batch();
+      Random random(11);
       for (std::size_t i = 0; i < count; ++i) {
-        const FingerOutput& output = fingers[i].update(on_plane(x[i], y[i], depth[i]), angle[i]);
-        ASSERT_EQ(force_x[i], output.force.x()) << shallow << ' ' << round << ' ' << i;
-        ASSERT_EQ(moment[i], output.moment) << shallow << ' ' << round << ' ' << i;
-        ASSERT_EQ(proxy_x[i], output.proxy.x()) << shallow << ' ' << round << ' ' << i;
-        ASSERT_EQ(proxy_angle[i], output.angle) << shallow << ' ' << round << ' ' << i;
-        ASSERT_EQ(start[i] >= 0.0, output.state == ContactState::slip) << shallow << ' ' << round << ' ' << i;
+        arrays.x()[i] = static_cast<Real>(random.uniform(-far, far));
+        arrays.y()[i] = static_cast<Real>(random.uniform(-far, far));
+        arrays.angle()[i] = static_cast<Real>(random.uniform(-10.0 * far, 10.0 * far));
+        arrays.depth()[i] = static_cast<Real>(random.logarithmic(1e-5, 1e-2));
+      }
+      batch.step(result);
+      for (std::size_t i = 0; i < count; ++i) {
+        const double reach = random.logarithmic(1e-4, 1e-1);
+        arrays.x()[i] += static_cast<Real>(random.uniform(-reach, reach));
+        arrays.y()[i] += static_cast<Real>(random.uniform(-reach, reach));
+        arrays.angle()[i] += static_cast<Real>(random.uniform(-100.0, 100.0) * reach);
+      }
+      batch.step(result);
+      ASSERT_GT(std::ranges::count(result.state, ContactState::slip), 100) << with.name;
+      batch.step(result);
+      const std::vector<Real> held = written(result);
+      ASSERT_EQ(std::ranges::count(result.state, ContactState::slip), 0) << with.name << ' ' << far;
+      for (int hold = 0; hold < 8; ++hold) {
+        batch.step(result);
+        ASSERT_EQ(written(result), held) << with.name << ' ' << far << ' ' << hold;
       }
     }
   }
 }
 
-TEST(Batch, StepsAsManyAsTheShortestArray) {
-  const SoftFinger finger(Ellipse::through_intercepts(0.5), parameters(), Radial{});
-  Arrays arrays(10);
-  for (double& x : arrays.values[0]) x = 0.01;
-  for (double& depth : arrays.values[3]) depth = 0.002;
-  arrays.values[9].resize(4);
-  step(finger.friction(), arrays.batch());
-  for (double& x : arrays.values[0]) x = 0.02;
-  step(finger.friction(), arrays.batch());
-  EXPECT_NEAR(arrays.values[4][3], 0.02 - 0.0012, 1e-12);
-  EXPECT_EQ(arrays.values[4][4], 0.0);
+// Driven at a constant twist it settles at eq. (17)'s wrench: the closest point does, whatever the stiffnesses.
+TYPED_TEST(BatchOf, SettlesAtEquation17) {
+  using Real = TypeParam;
+  constexpr bool is_double = sizeof(Real) == sizeof(double);
+  const auto table = BasicTable<Real>::build(hertz(), is_double ? 1e-8 : 1e-6);
+  // What 0.2 m and 40 rad resolve, in float, of the finger's stride of 0.1 mm and 0.02 rad turns the slip by so much.
+  constexpr double bound = is_double ? 1e-7 : 2e-4;
+  for (const double twist_stiffness : {0.004, 0.04, 0.4}) {
+    const BasicBatch<Real> batch(table, parameters(0.6, 0.005, 1000.0, twist_stiffness));
+    const std::vector<double> cors{0.01, 0.1, 0.3, 0.7, 1.0, 1.5, 3.0, 10.0, 100.0};
+    BasicContactArrays<Real> arrays(cors.size());
+    const BasicContactBatch<Real> result = arrays.batch();
+    std::ranges::fill(arrays.depth(), Real(0.002));
+    batch.step(result);
+    for (int i = 1; i <= 2000; ++i) {
+      for (std::size_t k = 0; k < cors.size(); ++k) {
+        const SlipTwist twist = SlipTwist::about_cor(cors[k]);
+        arrays.x()[k] = static_cast<Real>(1e-4 * i * twist.slide);
+        arrays.angle()[k] = static_cast<Real>(1e-4 * i * twist.spin / 0.005);
+      }
+      batch.step(result);
+    }
+    for (std::size_t k = 0; k < cors.size(); ++k) {
+      const UnitForces<double> exact = hertz()->forces(cors[k]);
+      EXPECT_NEAR(double{result.force_x[k]} / 1.2, -exact.force, bound) << cors[k];
+      EXPECT_NEAR(double{result.moment[k]} / (1.2 * 0.005), -exact.moment, bound) << cors[k];
+    }
+  }
+}
+
+// In parts, which threads may share, as well as at once.
+TYPED_TEST(BatchOf, DoesNotDependOnNeighbours) {
+  using Real = TypeParam;
+  constexpr std::size_t count = 117;
+  for (const Case<Real>& with : cases<Real>()) {
+    const BasicBatch<Real> batch(with.curve, with.with, with.projection);
+    BasicContactArrays<Real> together(count);
+    Random random(23);
+    for (int round = 0; round < 20; ++round) {
+      move_all(together, random, 1e-2);
+      BasicContactArrays<Real> alone = together;
+      batch.step(together.batch());
+      for (std::size_t i = 0; i < count; ++i) batch.step(alone.batch().part(i, 1));
+      ASSERT_EQ(written(alone.batch()), written(together.batch())) << with.name << ' ' << round;
+    }
+  }
+}
+
+TYPED_TEST(BatchOf, WhatIsNotUsableTouchesNothingAndItsNeighboursNeither) {
+  using Real = TypeParam;
+  constexpr Real infinity = std::numeric_limits<Real>::infinity();
+  constexpr std::array<Real, 4> nonsense{std::numeric_limits<Real>::quiet_NaN(), infinity, -infinity, Real(1e7)};
+  constexpr std::size_t count = 130;
+  for (const Case<Real>& with : cases<Real>()) {
+    const BasicBatch<Real> batch(with.curve, with.with, with.projection);
+    BasicContactArrays<Real> arrays(count);
+    Random random(29);
+    for (int round = 0; round < 5; ++round) {
+      move_all(arrays, random, 1e-2);
+      batch.step(arrays.batch());
+    }
+    const std::vector<Real> before = written(arrays.batch());
+    move_all(arrays, random, 1e-3);
+    BasicContactArrays<Real> sound = arrays;
+    for (std::size_t i = 0; i < 12; ++i) std::array{arrays.x(), arrays.y(), arrays.angle()}[i % 3][10 * i] = nonsense[i % 4];
+    arrays.depth()[125] = infinity;
+    batch.step(arrays.batch());
+    batch.step(sound.batch());
+    const std::vector<Real> spoilt = written(arrays.batch());
+    const std::vector<Real> expected = written(sound.batch());
+    for (std::size_t k = 0; k < spoilt.size(); ++k) {
+      const std::size_t i = k / numbers_per_contact;
+      const bool is_fault = (i % 10 == 0 && i < 120) || i == 125;
+      ASSERT_EQ(spoilt[k], is_fault ? before[k] : expected[k]) << with.name << ' ' << i;
+    }
+  }
+}
+
+// All that a number can be in every place, for hundreds of steps.
+TYPED_TEST(BatchOf, NoNaNComesOutWhateverComesIn) {
+  using Real = TypeParam;
+  using Limits = std::numeric_limits<Real>;
+  constexpr std::array<Real, 20> odd{Real(0),
+                                     -Real(0),
+                                     Limits::denorm_min(),
+                                     Limits::min(),
+                                     Real(-1e-30),
+                                     Real(1e-20),
+                                     Real(1e-12),
+                                     Real(-1e-6),
+                                     Real(1e-3),
+                                     Real(0.002),
+                                     Real(0.003),
+                                     Real(-0.01),
+                                     Real(1),
+                                     Real(1e3),
+                                     Real(-1e6),
+                                     Real(1e7),
+                                     Limits::max(),
+                                     Limits::quiet_NaN(),
+                                     Limits::infinity(),
+                                     -Limits::infinity()};
+  constexpr std::size_t count = 499;
+  for (const Case<Real>& with : cases<Real>()) {
+    const BasicBatch<Real> batch(with.curve, with.with, with.projection);
+    BasicContactArrays<Real> arrays(count);
+    Random random(31);
+    for (int round = 0; round < repetitions(200, 40); ++round) {
+      for (const std::span<Real> array : {arrays.x(), arrays.y(), arrays.angle(), arrays.depth()}) {
+        for (Real& value : array) {
+          const std::uint64_t bits = random.bits();
+          value = bits % 3 == 0   ? odd[(bits >> 8U) % odd.size()]
+                  : bits % 3 == 1 ? static_cast<Real>(random.logarithmic(1e-30, 1e6))
+                                  : static_cast<Real>(random.uniform(-0.005, 0.005));
+        }
+      }
+      batch.step(arrays.batch());
+      for (const Real value : written(arrays.batch())) ASSERT_TRUE(std::isfinite(value)) << with.name << ' ' << round;
+    }
+  }
+}
+
+// Fingers whose numbers a float's squares cannot hold are stepped all the same.
+TYPED_TEST(BatchOf, StepsFingersOfAnyScale) {
+  using Real = TypeParam;
+  const BasicFingerCurve<Real> table = BasicTable<Real>::build(hertz(), 1e-6);
+  for (const double scale : {1e-13, 1e-10, 1.0, 1e10, 1e12}) {
+    const BasicBatch<Real> batch(table, parameters(0.6, 0.005, 1000.0 * scale, 0.04 * scale));
+    BasicContactArrays<Real> arrays(3);
+    std::ranges::fill(arrays.depth(), Real(0.002));
+    batch.step(arrays.batch());
+    std::ranges::fill(arrays.x(), Real(0.01));
+    std::ranges::fill(arrays.angle(), Real(1));
+    batch.step(arrays.batch());
+    const double unit = 1.2 * scale;
+    const BasicContactBatch<Real> result = arrays.batch();
+    const double gauge = table.gauge({std::fabs(double{result.force_x[2]}) / unit, std::fabs(double{result.moment[2]}) / (0.005 * unit)});
+    EXPECT_NEAR(gauge, 1.0, sizeof(Real) == sizeof(double) ? 1e-14 : 1e-6) << scale;
+  }
 }
 
 // Where they lie decides how fast a step is, and no result.
-TEST(ContactArrays, LieOnCacheLinesAndApartWithinAPage) {
+TYPED_TEST(BatchOf, ArraysLieApartWithinAPage) {
+  using Real = TypeParam;
   for (const std::size_t count : {0U, 1U, 8U, 511U, 512U, 513U, 100'000U}) {
-    ContactArrays arrays(count);
-    std::set<std::uintptr_t> places;
-    for (const std::span<double> array : arrays.spans()) {
-      ASSERT_EQ(array.size(), count);
-      const auto address = reinterpret_cast<std::uintptr_t>(array.data());
-      EXPECT_EQ(address % 64, 0U) << count;
-      places.insert(address % 4096 / 64);
+    BasicContactArrays<Real> arrays(count);
+    const BasicContactBatch<Real> batch = arrays.batch();
+    std::set<std::uintptr_t> lines;
+    for (const Real* begin : {batch.x.data(), batch.y.data(), batch.angle.data(), batch.depth.data(),
+                              static_cast<const Real*>(batch.proxy_x.data()), static_cast<const Real*>(batch.proxy_y.data()),
+                              static_cast<const Real*>(batch.proxy_angle.data()), static_cast<const Real*>(batch.force_x.data()),
+                              static_cast<const Real*>(batch.force_y.data()), static_cast<const Real*>(batch.moment.data())}) {
+      lines.insert(reinterpret_cast<std::uintptr_t>(begin) % 4096 / 64);
     }
-    EXPECT_EQ(places.size(), 12U) << count;
-    const std::vector<std::uintptr_t> lines(places.begin(), places.end());
-    for (std::size_t i = 1; i < lines.size(); ++i) EXPECT_GE(lines[i] - lines[i - 1], 4U) << count;
-  }
-}
-
-TEST(ContactArrays, StepAsAnyOthersDo) {
-  constexpr std::size_t count = 321;
-  const SoftFinger finger(Table::build(hertz(), 1e-6), parameters(), ClosestPoint{});
-  Arrays apart(count);
-  ContactArrays together(count);
-  Random random(5);
-  for (int round = 0; round < 10; ++round) {
-    for (std::size_t i = 0; i < count; ++i) {
-      apart.values[0][i] = together.x()[i] = random.uniform(-0.01, 0.01);
-      apart.values[1][i] = together.y()[i] = random.uniform(-0.01, 0.01);
-      apart.values[2][i] = together.angle()[i] = random.uniform(-1.0, 1.0);
-      apart.values[3][i] = together.depth()[i] = random.uniform(-0.0005, 0.003);
-    }
-    step(finger.friction(), apart.batch());
-    step(finger.friction(), together.batch());
-    // A copy goes on as its original would.
-    together = ContactArrays(together);
-    for (std::size_t array = 0; array < 12; ++array) {
-      ASSERT_TRUE(std::ranges::equal(apart.values[array], together.spans()[array])) << round << ' ' << array;
-    }
+    EXPECT_EQ(batch.size(), count);
+    ASSERT_EQ(lines.size(), 10U) << count;
+    for (auto line = std::next(lines.begin()); line != lines.end(); ++line) EXPECT_GE(*line - *std::prev(line), 4U) << count;
   }
 }
 

@@ -29,67 +29,67 @@ Scene scene() {
   return result;
 }
 
-const StepCandidate& chosen(const StepChoice& choice) {
-  return *std::find_if(choice.candidates.begin(), choice.candidates.end(), [](const StepCandidate& candidate) { return candidate.chosen; });
+const Candidate& chosen(const StepChoice& choice) {
+  return *std::find_if(choice.candidates.begin(), choice.candidates.end(), [](const Candidate& candidate) { return candidate.chosen; });
 }
 
 /// A finger that wanders within the scene: sliding in all directions, twisting and pressing at random rates.
-std::vector<TraceSample> wander(const Scene& scene, unsigned seed) {
+std::vector<DevicePose> wander(const Scene& scene, unsigned seed) {
   std::mt19937 engine(seed);
   std::uniform_real_distribution<double> share(-1.0, 1.0);
-  std::vector<TraceSample> trace;
-  TraceSample at;
-  double vx = 0.0;
-  double vy = 0.0;
+  std::vector<DevicePose> motion;
+  DevicePose at;
+  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
   double spin = 0.0;
   for (int i = 0; i < 6000; ++i) {
     if (i % 200 == 0) {
-      vx = 0.7 * scene.slide_speed * share(engine);
-      vy = 0.7 * scene.slide_speed * share(engine);
+      velocity.x() = 0.7 * scene.slide_speed * share(engine);
+      velocity.y() = 0.7 * scene.slide_speed * share(engine);
       spin = scene.twist_rate * share(engine);
     }
-    at.time = scene.sample_time * i;
-    at.x += vx * scene.sample_time;
-    at.y += vy * scene.sample_time;
+    at.position += velocity * scene.sample_time;
     if (std::fabs(at.twist + spin * scene.sample_time) > 0.5 * scene.twist) spin = -spin;
     at.twist += spin * scene.sample_time;
     const double swing = 0.5 - 0.5 * std::cos(2.0 * M_PI * i / 1500.0);
-    at.z = -(scene.least_load + (scene.most_load - scene.least_load) * swing) / scene.stiffness;
-    trace.push_back(at);
+    at.position.z() = -(scene.least_load + (scene.most_load - scene.least_load) * swing) / scene.stiffness;
+    motion.push_back(at);
   }
-  return trace;
+  return motion;
 }
 
-std::vector<ReplayRow> replayed(const Scene& scene, const std::vector<TraceSample>& trace, BoundaryKind boundary, ProjectionKind projection,
-                                const RadiusLaw& radius_law, std::optional<double> moment_coefficient) {
+std::vector<SceneContact> replayed(const Scene& scene, const std::vector<DevicePose>& motion, CurveKind curve, Projection projection,
+                                   const RadiusLaw& radius_law, std::optional<double> moment_coefficient) {
   ReplayOptions options;
   options.law = scene.law;
-  options.radius_law = radius_law;
-  options.mu = scene.mu;
-  options.moment_coefficient = moment_coefficient;
-  options.stiffness = scene.stiffness;
-  options.twist_stiffness = scene.twist_stiffness;
-  options.boundary = boundary;
+  options.finger.radius_law = radius_law;
+  options.finger.mu = scene.mu;
+  options.finger.moment_coefficient = moment_coefficient;
+  options.finger.stiffness = scene.stiffness;
+  options.finger.twist_stiffness = scene.twist_stiffness;
+  options.curve = curve;
   options.projection = projection;
   options.tolerance = 1e-8;
   Replay replay(options);
-  std::vector<ReplayRow> rows(trace.size());
-  replay.run(trace, rows);
-  return rows;
+  std::vector<SceneContact> contacts;
+  for (std::size_t i = 0; i < motion.size(); ++i) {
+    replay.step(scene.sample_time * static_cast<double>(i), {&motion[i], 1});
+    contacts.push_back(replay.contacts().front());
+  }
+  return contacts;
 }
 
 /// The largest change of what is felt over a random trace, in units of what the contact bears: the witness, which shares
 /// with `choose_step` no motion.
-double witnessed(const Scene& scene, unsigned seed, BoundaryKind boundary, ProjectionKind projection, const RadiusLaw& radius_law,
+double witnessed(const Scene& scene, unsigned seed, CurveKind curve, Projection projection, const RadiusLaw& radius_law,
                  std::optional<double> moment_coefficient = {}) {
-  const auto trace = wander(scene, seed);
-  const auto truth = replayed(scene, trace, BoundaryKind::table, ProjectionKind::closest_point, scene.radius_law, scene.moment_coefficient);
-  const auto other = replayed(scene, trace, boundary, projection, radius_law, moment_coefficient);
+  const auto motion = wander(scene, seed);
+  const auto truth = replayed(scene, motion, CurveKind::table, Projection::closest_point, scene.radius_law, scene.moment_coefficient);
+  const auto other = replayed(scene, motion, curve, projection, radius_law, moment_coefficient);
   const double m0 = scene.law->moment_ratio();
   double result = 0.0;
   for (std::size_t i = 0; i < truth.size(); ++i) {
     const double unit = scene.mu * truth[i].load;
-    const double force = std::hypot(truth[i].fx - other[i].fx, truth[i].fy - other[i].fy) / unit;
+    const double force = (truth[i].force - other[i].force).norm() / unit;
     const double moment = (truth[i].moment - other[i].moment) / (m0 * unit * scene.radius_law.radius(truth[i].load));
     result = std::max(result, std::hypot(force, moment));
   }
@@ -100,10 +100,10 @@ TEST(ChooseStep, TakesTheCheapestThatIsGoodEnough) {
   using Tolerances = std::vector<double>;
   for (const double tolerance : tests_are_short ? Tolerances{0.2, 1e-3} : Tolerances{1.0, 0.2, 0.05, 0.01, 1e-3}) {
     const StepChoice choice = choose_step(scene(), tolerance);
-    const StepCandidate& best = chosen(choice);
+    const Candidate& best = chosen(choice);
     EXPECT_LE(best.error, tolerance);
     EXPECT_EQ(std::count_if(choice.candidates.begin(), choice.candidates.end(), [](const auto& candidate) { return candidate.chosen; }), 1);
-    for (const StepCandidate& other : choice.candidates) {
+    for (const Candidate& other : choice.candidates) {
       if (other.nanoseconds < best.nanoseconds) {
         EXPECT_GT(other.error, tolerance) << other.model;
       }
@@ -161,12 +161,11 @@ TEST(ChooseStep, RandomMotionsBearItOut) {
       EXPECT_LT(error, 1.3 * found + 1e-6) << what;
       EXPECT_GT(error, 0.1 * found) << what;
     };
-    expect("coupling", choice.effects.coupling, witnessed(soft, seed, BoundaryKind::box, ProjectionKind::closest_point, soft.radius_law));
-    expect("curve", choice.effects.curve, witnessed(soft, seed, BoundaryKind::ellipse, ProjectionKind::closest_point, soft.radius_law));
-    expect("projection", choice.effects.projection, witnessed(soft, seed, BoundaryKind::table, ProjectionKind::radial, soft.radius_law));
-    expect("load radius", choice.effects.load_radius, witnessed(soft, seed, BoundaryKind::table, ProjectionKind::closest_point, mean));
-    expect("torsion", choice.effects.torsion,
-           witnessed(soft, seed, BoundaryKind::table, ProjectionKind::closest_point, soft.radius_law, 0.0));
+    expect("coupling", choice.effects.coupling, witnessed(soft, seed, CurveKind::box, Projection::closest_point, soft.radius_law));
+    expect("curve", choice.effects.curve, witnessed(soft, seed, CurveKind::ellipse, Projection::closest_point, soft.radius_law));
+    expect("projection", choice.effects.projection, witnessed(soft, seed, CurveKind::table, Projection::radial, soft.radius_law));
+    expect("load radius", choice.effects.load_radius, witnessed(soft, seed, CurveKind::table, Projection::closest_point, mean));
+    expect("torsion", choice.effects.torsion, witnessed(soft, seed, CurveKind::table, Projection::closest_point, soft.radius_law, 0.0));
   }
 }
 

@@ -20,8 +20,8 @@ TEST(SoftFinger, MarginIsTheShareThatIsLeft) {
 }
 
 TEST(SoftFinger, StateIsAValue) {
-  auto finger = hertz_finger<ExactCurve>();
-  auto other = hertz_finger<ExactCurve>();
+  auto finger = exact_hertz_finger();
+  auto other = exact_hertz_finger();
   for (int i = 0; i < 100; ++i) finger.update(on_plane(i * 1e-4, 0.0, 0.002), i * 0.01);
   other.restore(finger.state());
   for (int i = 100; i < 200; ++i) {
@@ -36,14 +36,14 @@ TEST(SoftFinger, TellsTheLoadThatHolds) {
   for (const RadiusLaw& law : {RadiusLaw::constant(0.005), RadiusLaw::power(0.00207, 0.259)}) {
     FingerParameters with = parameters();
     with.radius_law = law;
-    auto finger = hertz_finger<ExactCurve>(with);
+    auto finger = exact_hertz_finger(with);
     finger.update(on_plane(0.0, 0.0, 0.004), 0.0);
     finger.update(on_plane(0.0005, 0.0, 0.004), 0.02);
     ASSERT_EQ(finger.output().state, ContactState::stick);
     const double load = finger.load_to_hold();
     // At that load the same offsets are on the limit: a billionth less and it slips.
     for (const double share : {1.0 - accuracy::slip_onset, 1.0 + accuracy::slip_onset}) {
-      auto other = hertz_finger<ExactCurve>(with);
+      auto other = exact_hertz_finger(with);
       other.restore(finger.state());
       other.update(on_plane(0.0005, 0.0, share * load / with.stiffness), 0.02);
       EXPECT_EQ(other.output().state, share < 1.0 ? ContactState::slip : ContactState::stick);
@@ -54,7 +54,7 @@ TEST(SoftFinger, TellsTheLoadThatHolds) {
 // A finger that is turned about a fixed place: that place is the centre of rotation of its slip.
 TEST(SoftFinger, TellsWhereTheCentreOfRotationIs) {
   for (const double sense : {1.0, -1.0}) {
-    auto finger = hertz_finger<ExactCurve>();
+    auto finger = exact_hertz_finger();
     const Eigen::Vector3d centre{0.02, 0.01, 0.0};
     for (int i = 0; i <= 4000; ++i) {
       const double angle = 1e-4 * i * sense;
@@ -73,21 +73,17 @@ TEST(SoftFinger, TakesAMeasuredRadius) {
   const std::array<LoadSample, 3> samples{{{0.5, 0.002}, {1.0, 0.0026}, {4.0, 0.0034}}};
   FingerParameters with = parameters();
   with.radius_law = RadiusLaw::sampled(samples);
-  for (const ProjectionKind kind : {ProjectionKind::radial, ProjectionKind::c_curve, ProjectionKind::closest_point}) {
-    visit_projection(kind, [&](auto projection) {
-      SoftFinger finger(ExactCurve(hertz()), with, projection);
-      for (const double depth : {0.0005, 0.001, 0.004}) {
-        finger.reset();
-        finger.update(on_plane(0.0, 0.0, depth), 0.0);
-        finger.update(on_plane(0.0, 0.0, depth), 3.0);
-        const double load = 1000.0 * depth;
-        EXPECT_NEAR(-finger.output().moment, 0.6 * load * with.radius_law.radius(load) * hertz()->moment_ratio(), 1e-15);
-        finger.update(on_plane(0.003, 0.0, depth), 3.2);
-        const UnitWrench wrench{finger.output().force.norm() / (0.6 * load),
-                                -finger.output().moment / (0.6 * load * with.radius_law.radius(load))};
-        EXPECT_NEAR(ExactCurve(hertz()).gauge(wrench), 1.0, 1e-13);
-      }
-    });
+  for (const Projection projection : projections) {
+    SoftFinger finger(exact_curve(hertz()), with, projection);
+    for (const double depth : {0.0005, 0.001, 0.004}) {
+      finger.reset();
+      finger.update(on_plane(0.0, 0.0, depth), 0.0);
+      finger.update(on_plane(0.0, 0.0, depth), 3.0);
+      const double load = 1000.0 * depth;
+      EXPECT_NEAR(-finger.output().moment, 0.6 * load * with.radius_law.radius(load) * hertz()->moment_ratio(), 1e-15);
+      finger.update(on_plane(0.003, 0.0, depth), 3.2);
+      EXPECT_NEAR(ExactCurve(hertz()).gauge(unit_wrench(finger.output(), 0.6, with.radius_law.radius(load))), 1.0, 1e-13);
+    }
   }
 }
 

@@ -2,6 +2,7 @@
 // The gains that the formulas call passive or stable, against energy counted in a sampled wall and a body let go.
 #include "godobject/passivity.hpp"
 
+#include "tests/godobject/explicit_steps.hpp"
 #include "tests/godobject/scene.hpp"
 
 #include <gtest/gtest.h>
@@ -27,7 +28,7 @@ class SampledWall {
   SampledWall(const FingerParameters& with, DeviceDamping device) : finger_(hertz_finger(with)), device_(device) {}
 
   void move(double x, double depth, double twist) {
-    const FingerOutput& output = finger_.update(on_plane(x_, 0.0, depth_), twist_, sample_time);
+    const FingerOutput output = finger_.update(on_plane(x_, 0.0, depth_), twist_, sample_time);
     const double load = output.state == ContactState::free ? 0.0 : output.load;
     const double slide = x - x_;
     const double press = depth - depth_;
@@ -42,7 +43,7 @@ class SampledWall {
   [[nodiscard]] double energy() const { return energy_; }
 
  private:
-  SoftFinger<Ellipse, ClosestPoint> finger_;
+  SoftFinger finger_;
   DeviceDamping device_;
   double x_ = 0.0;
   double depth_ = -1e-3;
@@ -110,15 +111,14 @@ TEST(Passivity, ExplicitCouplingEndsWhereSaid) {
     FingerParameters with = gains(stiffness, damping, twist_stiffness, twist_damping);
     with.mu = 1e6;
     const auto finger = hertz_finger(with);
-    Grasp<BoxSurface, Ellipse, ClosestPoint> grasp(body, BodyState{}, BoxSurface(Eigen::Vector3d::Constant(0.02)), {finger, finger},
-                                                   Integrator::symplectic_euler);
+    Grasp grasp(body, BodyState{}, AnySurface(BoxSurface(Eigen::Vector3d::Constant(0.02))), {finger, finger});
     const std::array devices{DevicePose{{0.0, 0.0, 0.019}}, DevicePose{{0.0, 0.0, -0.019}}};
     grasp.place(BodyState{}, devices);
     BodyState start;
     start.position.x() = 1e-9;
     start.orientation = Eigen::AngleAxisd(1e-9, Eigen::Vector3d::UnitZ());
     grasp.place(start, devices);
-    for (int i = 0; i < 3000; ++i) grasp.step(devices, sample_time);
+    for (int i = 0; i < 3000; ++i) step_explicitly(grasp, devices, sample_time, ExplicitRule::symplectic);
     return std::fabs(grasp.body().position.x()) > 1e-8 || std::fabs(grasp.body().orientation.z()) > 1e-8;
   };
   for (const double damping_share : {0.0, 0.3}) {

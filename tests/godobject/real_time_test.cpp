@@ -27,44 +27,48 @@ TEST(RealTime, TheGuardSeesAnAllocationAndALock) {
 }
 
 TEST(RealTime, AStepNeitherAllocatesNorLocks) {
-  for (const ProjectionKind kind : {ProjectionKind::radial, ProjectionKind::c_curve, ProjectionKind::closest_point}) {
-    visit_projection(kind, [&](auto projection) {
-      for_each_boundary(uniform(), [&](const auto& boundary, std::string_view name) {
-        FingerParameters with = parameters();
-        with.radius_law = RadiusLaw::hertz(0.008, 2e5);
-        SoftFinger finger(boundary, with, projection);
-        const int count = allocations_and_locks([&] {
-          for (int i = 0; i < 500; ++i) {
-            finger.update(on_plane(i * 1e-4, i * 2e-5, 0.002 - i * 5e-6), i * 0.01);
-            static_cast<void>(finger.margin());
-          }
-          finger.update(on_plane(std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0), 0.0);
-        });
-        EXPECT_EQ(count, 0) << name << ' ' << to_string(kind);
-      });
+  for_each_curve_and_projection(uniform(), [&](const FingerCurve& curve, Projection projection, const std::string& name) {
+    FingerParameters with = parameters();
+    with.radius_law = RadiusLaw::hertz(0.008, 2e5);
+    with.damping = 1.0;
+    SoftFinger finger(curve, with, projection);
+    const int count = allocations_and_locks([&] {
+      for (int i = 0; i < 500; ++i) {
+        finger.update(on_plane(i * 1e-4, i * 2e-5, 0.002 - i * 5e-6), i * 0.01, 1e-3);
+        static_cast<void>(finger.margin());
+        static_cast<void>(finger.load_to_hold());
+        static_cast<void>(finger.preview(on_plane(0.0, 0.0, 0.001), 0.0));
+      }
+      finger.update(on_plane(std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0), 0.0);
     });
+    EXPECT_EQ(count, 0) << name;
+  });
+}
+
+template <class Real>
+void expect_batch_neither_allocates_nor_locks() {
+  FingerParameters soft = parameters();
+  soft.radius_law = RadiusLaw::hertz(0.008, 2e5);
+  constexpr std::size_t contacts = 300;
+  for (const Projection projection : projections) {
+    const BasicBatch<Real> batch(BasicTable<Real>::build(uniform(), 1e-6), soft, projection);
+    BasicContactArrays<Real> arrays(contacts);
+    for (Real& depth : arrays.depth()) depth = Real(0.002);
+    const int count = allocations_and_locks([&] {
+      for (int i = 0; i < 100; ++i) {
+        for (std::size_t k = 0; k < contacts; ++k) arrays.x()[k] += Real(1e-5) * static_cast<Real>(k);
+        arrays.angle()[7] = i == 50 ? std::numeric_limits<Real>::quiet_NaN() : Real(0.01);
+        batch.step(arrays.batch());
+      }
+    });
+    EXPECT_EQ(count, 0) << to_string(projection);
+    EXPECT_EQ(arrays.batch().state[200], ContactState::slip);
   }
 }
 
-TEST(RealTime, ABatchOfFloatsNeitherAllocatesNorLocks) {
-  const FloatTable table = FloatTable::build(uniform(), 1e-6);
-  const Friction friction(table, parameters(), ClosestPoint{});
-  constexpr std::size_t contacts = 300;
-  std::array<std::vector<float>, 12> arrays;
-  for (auto& array : arrays) array.assign(contacts, 0.0F);
-  auto& [x, y, angle, depth, proxy_x, proxy_y, proxy_angle, start, trend, force_x, force_y, moment] = arrays;
-  depth.assign(contacts, 0.002F);
-  start.assign(contacts, -2.0F);
-  const FloatContactBatch batch{x, y, angle, depth, proxy_x, proxy_y, proxy_angle, start, trend, force_x, force_y, moment};
-  EXPECT_EQ(allocations_and_locks([&] {
-              for (int i = 0; i < 100; ++i) {
-                for (std::size_t k = 0; k < contacts; ++k) x[k] += 1e-5F * static_cast<float>(k);
-                angle[7] = i == 50 ? std::numeric_limits<float>::quiet_NaN() : 0.01F;
-                step(friction, batch);
-              }
-            }),
-            0);
-  EXPECT_GT(start[200], 0.0F);
+TEST(RealTime, ABatchNeitherAllocatesNorLocks) {
+  expect_batch_neither_allocates_nor_locks<double>();
+  expect_batch_neither_allocates_nor_locks<float>();
 }
 
 TEST(RealTime, TheCageHoldsWhatCallsTheSystem) {
@@ -72,8 +76,8 @@ TEST(RealTime, TheCageHoldsWhatCallsTheSystem) {
 }
 
 TEST(RealTime, AMillionStepsMakeNoSystemCall) {
-  SoftFinger coupled(Ellipse::through_intercepts(hertz()->moment_ratio()), parameters(), Radial{});
-  SoftFinger exact(Table::build(hertz(), 1e-8), parameters(), ClosestPoint{});
+  SoftFinger coupled(Ellipse::through_intercepts(hertz()->moment_ratio()), parameters(), Projection::radial);
+  SoftFinger exact(Table::build(hertz(), 1e-8), parameters());
   EXPECT_TRUE(runs_without_system_calls([&] {
     for (int i = 0; i < 1'000'000; ++i) {
       const Contact contact = on_plane(1e-5 * (i % 1000), 2e-6 * (i % 777), 0.002 + 1e-6 * (i % 99));
@@ -85,11 +89,11 @@ TEST(RealTime, AMillionStepsMakeNoSystemCall) {
 #endif
 
 TEST(RealTime, NothingInTheLoopThrows) {
-  using Finger = SoftFinger<Table, ClosestPoint>;
-  static_assert(noexcept(std::declval<Finger&>().update(std::declval<const Contact&>(), 0.0)));
-  static_assert(noexcept(std::declval<Finger&>().restore(std::declval<const FingerState&>())));
-  static_assert(noexcept(std::declval<const Finger&>().margin()));
-  static_assert(noexcept(std::declval<Replay&>().step(TraceSample{})));
+  static_assert(noexcept(std::declval<SoftFinger&>().update(std::declval<const Contact&>(), 0.0)));
+  static_assert(noexcept(std::declval<SoftFinger&>().restore(std::declval<const FingerState&>())));
+  static_assert(noexcept(std::declval<const SoftFinger&>().margin()));
+  static_assert(noexcept(std::declval<const Batch&>().step(std::declval<const ContactBatch&>())));
+  static_assert(noexcept(std::declval<Replay&>().step(0.0, std::declval<std::span<const DevicePose>>(), std::declval<const BodyPose&>())));
 }
 
 }  // namespace

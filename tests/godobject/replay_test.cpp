@@ -1,101 +1,229 @@
 // SPDX-License-Identifier: MIT
+// The god-object over recorded motions on surfaces that rest, are moved, or are free.
+#include "godobject/replay.hpp"
+
 #include "tests/godobject/scene.hpp"
+#include "tests/repetitions.hpp"
 
 #include <gtest/gtest.h>
 
 #include <limits>
-#include <vector>
+#include <numbers>
 
 namespace limitcurve::godobject::test {
 namespace {
 
-ReplayOptions options(BoundaryKind boundary = BoundaryKind::table, ProjectionKind projection = ProjectionKind::closest_point) {
+using Eigen::Quaterniond;
+using Eigen::Vector3d;
+
+constexpr double mu = 0.6;
+constexpr double radius = 0.005;
+
+ReplayOptions options(CurveKind curve = CurveKind::exact, Projection projection = Projection::closest_point) {
   ReplayOptions result;
   result.law = hertz();
-  result.radius_law = RadiusLaw::constant(0.005);
-  result.mu = 0.6;
-  result.stiffness = 1000.0;
-  result.twist_stiffness = 0.04;
-  result.boundary = boundary;
+  result.finger = parameters(mu, radius);
+  result.curve = curve;
   result.projection = projection;
   result.tolerance = 1e-8;
   return result;
 }
 
-std::vector<TraceSample> slide_and_twist() {
-  std::vector<TraceSample> trace;
-  for (int i = 0; i <= 1000; ++i) {
-    const double t = i * 1e-3;
-    trace.push_back({t, 0.01 * t, 0.02 * t * t, 0.0005 - 0.004 * t * (1.0 - t) * 4.0, 2.0 * t});
-  }
-  return trace;
+Quaterniond about(const Vector3d& axis, double angle) {
+  return Quaterniond(Eigen::AngleAxisd(angle, axis));
 }
 
-constexpr BoundaryKind boundaries[] = {BoundaryKind::exact,        BoundaryKind::table,   BoundaryKind::ellipse,
-                                       BoundaryKind::superellipse, BoundaryKind::quartic, BoundaryKind::box};
-constexpr ProjectionKind projections[] = {ProjectionKind::radial, ProjectionKind::c_curve, ProjectionKind::closest_point};
+DevicePose pose(const Vector3d& position, double twist = 0.0) {
+  return {position, Quaterniond::Identity(), twist};
+}
 
-TEST(Replay, RunsEveryBoundaryWithEveryProjection) {
-  const std::vector<TraceSample> trace = slide_and_twist();
-  for (const BoundaryKind boundary : boundaries) {
-    for (const ProjectionKind projection : projections) {
-      Replay whole(options(boundary, projection));
-      Replay stepwise(options(boundary, projection));
-      std::vector<ReplayRow> rows(trace.size());
-      whole.run(trace, rows);
+SceneContact moved(Replay& replay, double time, const DevicePose& finger, const BodyPose& body = {}) {
+  replay.step(time, std::array{finger}, body);
+  return replay.contacts().front();
+}
+
+// On the plane at rest a replay is the finger itself, with every curve and projection.
+TEST(Replay, OnThePlaneAtRestIsTheFinger) {
+  for (const CurveKind kind : curve_kinds) {
+    for (const Projection projection : projections) {
+      if (kind == CurveKind::box && projection != Projection::closest_point) continue;
+      const std::string name = std::string(to_string(kind)) + ' ' + std::string(to_string(projection));
+      const ReplayOptions with = options(kind, projection);
+      Replay replay(with);
+      SoftFinger finger(make_finger_curve(kind, with.law, with.tolerance).curve, with.finger, projection);
       int slips = 0;
-      for (std::size_t i = 0; i < trace.size(); ++i) {
-        const ReplayRow row = stepwise.step(trace[i]);
-        ASSERT_EQ(row.state, rows[i].state);
-        ASSERT_EQ(row.fx, rows[i].fx);
-        ASSERT_EQ(row.moment, rows[i].moment);
-        slips += row.state == ContactState::slip;
+      double dissipated = 0.0;
+      for (int i = 0; i <= 1000; ++i) {
+        const double t = i * 1e-3;
+        const double z = 0.0005 - 0.004 * t * (1.0 - t) * 4.0;
+        const FingerOutput output = finger.update(on_plane(0.01 * t, 0.02 * t * t, -z), 2.0 * t, 1e-3);
+        const SceneContact contact = moved(replay, t, pose({0.01 * t, 0.02 * t * t, z}, 2.0 * t));
+        dissipated += output.slip_work;
+        ASSERT_EQ(contact.state, output.state) << name << ' ' << i;
+        ASSERT_LT((contact.proxy - output.proxy).norm(), 1e-15) << name << ' ' << i;
+        ASSERT_LT((contact.force - output.force).norm(), 1e-12) << name << ' ' << i;
+        ASSERT_NEAR(contact.angle, output.angle, 1e-13) << name << ' ' << i;
+        ASSERT_NEAR(contact.moment, output.moment, 1e-14) << name << ' ' << i;
+        ASSERT_EQ(contact.load, output.load) << name << ' ' << i;
+        ASSERT_NEAR(contact.margin, finger.margin(), 1e-12) << name << ' ' << i;
+        slips += output.state == ContactState::slip;
       }
-      EXPECT_GT(slips, 100) << to_string(boundary) << ' ' << to_string(projection);
-      EXPECT_EQ(rows.front().state, ContactState::free);
-      EXPECT_EQ(rows.back().state, ContactState::free);
-      EXPECT_EQ(rows.back().px, trace.back().x);
-      EXPECT_EQ(rows.back().angle, trace.back().twist);
-      EXPECT_EQ(rows.back().load, 0.0);
-      EXPECT_EQ(rows.back().depth, -trace.back().z);
-      EXPECT_TRUE(std::isnan(rows.back().cor));
+      EXPECT_GT(slips, 100) << name;
+      EXPECT_NEAR(replay.contacts().front().dissipated, dissipated, 1e-12) << name;
+      EXPECT_EQ(replay.contacts().front().state, ContactState::free) << name;
+      EXPECT_TRUE(std::isnan(replay.contacts().front().cor)) << name;
     }
   }
 }
 
-TEST(Replay, SettlesAtTheImposedCentreOfRotation) {
-  for (const double kappa : {0.1, 1.0, 10.0}) {
-    ReplayOptions with = options();
-    const double m0 = hertz()->moment_ratio();
-    with.twist_stiffness = kappa * with.stiffness * (m0 * 0.005) * (m0 * 0.005);
-    Replay replay(with);
-    ReplayRow row;
-    const double c = 0.005;
-    // At κ = 0.1 the twist spring gives way by four radians.
-    for (int i = 0; i <= 20000; ++i) row = replay.step({i * 1e-3, i * 2e-5, 0.0, -0.002, i * 2e-5 / c});
-    const UnitForces<double> exact = hertz()->forces(1.0);
-    EXPECT_NEAR(row.fx, -1.2 * exact.force, 1e-6 * 1.2);
-    EXPECT_NEAR(row.moment, -1.2 * 0.005 * exact.moment, 1e-6 * 1.2 * 0.005);
-    EXPECT_NEAR(row.cor, c, 1e-5 * c);
+// Only the motion of the finger in the body's frame counts: a scene that is carried about as a whole feels the same.
+TEST(Replay, FeelsTheRelativeMotionAlone) {
+  ReplayOptions with = options();
+  Replay still(with);
+  with.motion = BodyMotion::prescribed;
+  Replay carried(with);
+  for (int i = 0; i <= 1000; ++i) {
+    const double t = i * 1e-3;
+    const DevicePose finger{{0.01 * t, 0.004 * t * t, -0.002}, about(Vector3d::UnitZ(), 3.0 * t), 0.0};
+    const BodyPose body{{0.3 * t, -0.2 * t * t, 0.1 * t}, about(Vector3d(1.0, 2.0, -0.5).normalized(), 2.0 * t)};
+    const DevicePose along{body.position + body.orientation * finger.position, body.orientation * finger.orientation, 0.0};
+    const SceneContact one = moved(still, t, finger);
+    const SceneContact other = moved(carried, t, along, body);
+    ASSERT_EQ(one.state, other.state) << i;
+    ASSERT_LT((body.orientation * one.force - other.force).norm(), 1e-11);
+    ASSERT_LT((body.orientation * one.normal - other.normal).norm(), 1e-14);
+    ASSERT_LT((body.position + body.orientation * one.proxy - other.proxy).norm(), 1e-13);
+    ASSERT_NEAR(one.moment, other.moment, 1e-13);
+    ASSERT_NEAR(one.angle, other.angle, 1e-12);
   }
+  EXPECT_EQ(still.contacts().front().state, ContactState::slip);
+  EXPECT_NEAR(still.contacts().front().dissipated, carried.contacts().front().dissipated, 1e-12);
+}
+
+// A plate that turns under a finger at rest: its slip turns about the plate's axis, and eq. (17) says what is felt.
+TEST(Replay, ATurntableRubsAsEquation17Says) {
+  ReplayOptions with = options();
+  with.motion = BodyMotion::prescribed;
+  // So stiff that the springs give a thousandth of the way to the axis, 4 mm.
+  with.finger.stiffness = 3e5;
+  with.finger.twist_stiffness = 12.0;
+  Replay replay(with);
+  const double cor = 0.004;
+  const double load = 2.0;
+  SceneContact contact;
+  for (int i = 0; i <= 4000; ++i) {
+    contact =
+        moved(replay, i * 1e-3, pose({cor, 0.0, -load / with.finger.stiffness}), {Vector3d::Zero(), about(Vector3d::UnitZ(), 2e-4 * i)});
+  }
+  const UnitForces<double> exact = hertz()->forces(cor / radius);
+  // The plate's material moves along +y and turns to the left: so does what it does to the finger.
+  EXPECT_NEAR(contact.force.y(), mu * load * exact.force, 2e-3 * mu * load);
+  EXPECT_NEAR(contact.moment, mu * load * radius * exact.moment, 2e-3 * mu * load * radius);
+  EXPECT_LT(contact.centre_of_rotation.norm(), 2e-3 * cor);
+  EXPECT_NEAR(contact.cor, cor, 2e-3 * cor);
+  EXPECT_EQ(contact.margin, 0.0);
+  EXPECT_NEAR(contact.load_to_hold, load, 1e-9);
+  // Power: force times speed and moment times turning, 0.2 rad/s for most of four seconds.
+  EXPECT_NEAR(contact.dissipated, (contact.force.norm() * cor + contact.moment) * 0.8, 0.05 * contact.dissipated);
+}
+
+TEST(Replay, FrictionOnABallIsTangential) {
+  ReplayOptions with = options();
+  const double ball = 0.05;
+  with.surface = AnySurface(SphereSurface(ball));
+  Replay replay(with);
+  int slips = 0;
+  for (int i = 0; i <= 2000; ++i) {
+    const double angle = 1e-3 * i;
+    const Vector3d finger = (ball - 0.002) * Vector3d(std::sin(angle), 0.3 * std::sin(2.0 * angle), std::cos(angle)).normalized();
+    const SceneContact contact = moved(replay, i * 1e-3, {finger, about(Vector3d::UnitY(), angle), 0.0});
+    slips += contact.state == ContactState::slip;
+    ASSERT_NEAR(contact.load, 2.0, 1e-12);
+    ASSERT_LT(std::fabs(contact.force.dot(contact.normal)), 1e-13);
+    ASSERT_LT((contact.normal - finger.normalized()).norm(), 1e-14);
+    ASSERT_LE(contact.force.norm(), mu * contact.load * (1.0 + 1e-12));
+    // In the tangent plane r²/2R above the ball, r ≤ μP/k = 1.2 mm.
+    ASSERT_NEAR(contact.proxy.norm(), ball, 1.2e-3 * 1.2e-3 / (2.0 * ball) * 1.01);
+  }
+  EXPECT_GT(slips, 1900);
+}
+
+// A finger that sticks to a free plate on an air table and moves off at a steady speed takes the plate along.
+TEST(Replay, TakesAFreeBodyAlong) {
+  ReplayOptions with = options();
+  with.motion = BodyMotion::free;
+  with.finger.damping = 2.0;
+  with.finger.twist_damping = 5e-3;
+  const Vector3d edges{0.1, 0.06, 0.02};
+  with.surface = AnySurface(BoxSurface(0.5 * edges));
+  with.body = BodyParameters::planar_block(0.2, edges, 0.0);
+  Replay replay(with);
+  SceneContact contact;
+  for (int i = 0; i <= 3000; ++i) {
+    const double t = i * 1e-3;
+    // Turns to the left at 0.2 rad/s about the plate's centre of mass, and moves along y at 20 mm/s.
+    const double angle = 0.2 * t;
+    const Vector3d arm{0.02 * std::cos(angle), 0.02 * std::sin(angle), 0.008};
+    contact = moved(replay, t, {arm + Vector3d(0.0, 0.02 * t, 0.0), about(Vector3d::UnitZ(), angle), 0.0});
+    ASSERT_NE(contact.state, ContactState::free);
+  }
+  EXPECT_EQ(contact.state, ContactState::stick);
+  EXPECT_NEAR(replay.body().velocity.y(), 0.02, 2e-4);
+  EXPECT_NEAR(replay.body().angular_velocity.z(), 0.2, 2e-3);
+  EXPECT_EQ(replay.body().velocity.z(), 0.0);
+}
+
+TEST(Replay, TwoFingersCarryABlock) {
+  ReplayOptions with = options();
+  with.motion = BodyMotion::free;
+  with.fingers = 2;
+  with.finger.damping = 2.0;
+  with.finger.twist_damping = 1e-4;
+  const Vector3d edges{0.12, 0.04, 0.04};
+  with.surface = AnySurface(BoxSurface(0.5 * edges));
+  with.body = BodyParameters::block(0.1, edges);
+  Replay replay(with);
+  for (int i = 0; i <= 3000; ++i) {
+    const double lift = 0.01 * std::min(i * 1e-3, 2.0);
+    replay.step(i * 1e-3, std::array{pose({0.0, 0.017, lift}), pose({0.0, -0.017, lift})});
+  }
+  // It hangs 0.981 N/(2·1000 N/m) below the fingers.
+  EXPECT_NEAR(replay.body().position.z(), 0.02 - 0.0004905, 1e-9);
+  EXPECT_EQ(replay.contacts()[0].state, ContactState::stick);
+  EXPECT_NEAR(replay.contacts()[0].force.z() + replay.contacts()[1].force.z(), -0.981, 1e-6);
+  EXPECT_NEAR(replay.contacts()[0].load, 3.0, 1e-6);
+  EXPECT_NEAR(replay.contacts()[0].load_to_hold, 0.4905 / mu, 1e-6);
+  EXPECT_NEAR(replay.contacts()[0].margin, 1.0 - 0.4905 / (mu * 3.0), 1e-6);
 }
 
 TEST(Replay, HoldsOnSamplesThatAreNotUsable) {
-  ReplayOptions with = options();
-  with.hold_share = 1.0;
-  Replay replay(with);
-  static_cast<void>(replay.step({0.0, 0.0, 0.0, -0.002, 0.0}));
-  const ReplayRow good = replay.step({0.001, 0.0003, 0.0, -0.002, 0.0});
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  for (const TraceSample& bad : {TraceSample{0.002, nan, 0.0, -0.002, 0.0}, TraceSample{0.002, 0.0, 0.0, nan, 0.0},
-                                 TraceSample{nan, 0.0, 0.0, -0.002, 0.0}, TraceSample{0.0005, 0.0, 0.0, -0.002, 0.0}}) {
-    const ReplayRow row = replay.step(bad);
-    EXPECT_EQ(row.state, ContactState::invalid);
-    EXPECT_EQ(row.fx, good.fx);
-    EXPECT_EQ(row.px, good.px);
-    EXPECT_EQ(row.load, good.load);
+  for (const BodyMotion motion : {BodyMotion::fixed, BodyMotion::prescribed, BodyMotion::free}) {
+    ReplayOptions with = options();
+    with.finger.fault_decay = 1.0;
+    with.motion = motion;
+    with.surface = AnySurface(BoxSurface(Vector3d::Constant(0.02)));
+    with.body.gravity.setZero();
+    Replay replay(with);
+    moved(replay, 0.0, pose({0.0, 0.0, 0.018}));
+    const SceneContact good = moved(replay, 0.001, pose({0.0003, 0.0, 0.018}));
+    const BodyState body = replay.body();
+    const auto is_held = [&](const SceneContact& contact) {
+      EXPECT_EQ(contact.state, ContactState::invalid);
+      EXPECT_EQ(contact.force, good.force);
+      EXPECT_EQ(contact.proxy, good.proxy);
+      EXPECT_EQ(contact.load, good.load);
+      EXPECT_EQ(replay.body().position, body.position);
+    };
+    is_held(moved(replay, 0.0005, pose({0.0, 0.0, 0.018})));
+    is_held(moved(replay, nan, pose({0.0, 0.0, 0.018})));
+    if (motion == BodyMotion::prescribed) {
+      is_held(moved(replay, 0.002, pose({0.0, 0.0, 0.018}), {Vector3d::Constant(nan), Quaterniond::Identity()}));
+      is_held(moved(replay, 0.002, pose({0.0, 0.0, 0.018}), {Vector3d::Zero(), Quaterniond(2.0, 0.0, 0.0, 0.0)}));
+    }
+    if (motion != BodyMotion::free) is_held(moved(replay, 0.002, pose({nan, 0.0, 0.018})));
+    EXPECT_EQ(moved(replay, 0.002, pose({0.0003, 0.0, 0.018})).state, ContactState::stick);
   }
-  EXPECT_EQ(replay.step({0.002, 0.0003, 0.0, -0.002, 0.0}).state, ContactState::stick);
 }
 
 TEST(Replay, NamesWhatIsWrongWithItsOptions) {
@@ -103,24 +231,37 @@ TEST(Replay, NamesWhatIsWrongWithItsOptions) {
     ReplayOptions with = options();
     change(with);
     try {
-      Replay replay(with);
+      const Replay replay(with);
     } catch (const std::invalid_argument& error) {
       return error.what();
     }
     return "accepted";
   };
   EXPECT_NE(message([](ReplayOptions& with) { with.law = nullptr; }).find("law"), std::string::npos);
-  EXPECT_NE(message([](ReplayOptions& with) { with.mu = -0.1; }).find("mu"), std::string::npos);
-  EXPECT_NE(message([](ReplayOptions& with) { with.stiffness = 0.0; }).find("stiffness"), std::string::npos);
-  EXPECT_NE(message([](ReplayOptions& with) { with.twist_stiffness = -1.0; }).find("twist_stiffness"), std::string::npos);
-  EXPECT_NE(message([](ReplayOptions& with) { with.tolerance = 0.0; }).find("tolerance"), std::string::npos);
+  EXPECT_NE(message([](ReplayOptions& with) { with.fingers = 0; }).find("fingers"), std::string::npos);
+  EXPECT_NE(message([](ReplayOptions& with) { with.fingers = 17; }).find("fingers"), std::string::npos);
+  EXPECT_NE(message([](ReplayOptions& with) { with.finger.damping = -1.0; }).find("damping"), std::string::npos);
+  EXPECT_NE(message([](ReplayOptions& with) { with.body.mass = 0.0; }).find("mass"), std::string::npos);
+  EXPECT_NE(message([](ReplayOptions& with) { with.finger.mu = -0.1; }).find("mu"), std::string::npos);
+  EXPECT_NE(message([](ReplayOptions& with) { with.finger.stiffness = 0.0; }).find("stiffness"), std::string::npos);
+  EXPECT_NE(message([](ReplayOptions& with) { with.finger.twist_stiffness = -1.0; }).find("twist_stiffness"), std::string::npos);
+  EXPECT_NE(message([](ReplayOptions& with) {
+              with.curve = CurveKind::table;
+              with.tolerance = 0.0;
+            }).find("tolerance"),
+            std::string::npos);
+  EXPECT_NE(message([](ReplayOptions& with) {
+              with.curve = CurveKind::box;
+              with.projection = Projection::radial;
+            }).find("a box goes with closest-point only"),
+            std::string::npos);
 }
 
 TEST(Kinds, ReadBackAsTheyArePrinted) {
-  for (const BoundaryKind kind : boundaries) EXPECT_EQ(parse_boundary_kind(to_string(kind)), kind);
-  for (const ProjectionKind kind : projections) EXPECT_EQ(parse_projection_kind(to_string(kind)), kind);
-  EXPECT_THROW(static_cast<void>(parse_boundary_kind("circle")), std::invalid_argument);
-  EXPECT_THROW(static_cast<void>(parse_projection_kind("")), std::invalid_argument);
+  for (const CurveKind kind : curve_kinds) EXPECT_EQ(parse_curve_kind(to_string(kind)), kind);
+  for (const Projection kind : projections) EXPECT_EQ(parse_projection(to_string(kind)), kind);
+  EXPECT_THROW(static_cast<void>(parse_curve_kind("circle")), std::invalid_argument);
+  EXPECT_THROW(static_cast<void>(parse_projection("")), std::invalid_argument);
 }
 
 }  // namespace

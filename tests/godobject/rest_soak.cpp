@@ -23,8 +23,8 @@ int rest(double minutes) {
   FingerParameters with = parameters(1.67, 0.01, 1000.0, 0.0366);
   with.damping = 10.0;
   with.twist_damping = 1e-3;
-  const SoftFinger finger(Table::build(hertz(), 1e-8), with, ClosestPoint{});
-  Grasp<BoxSurface, Table, ClosestPoint> grasp(body, BodyState{}, BoxSurface(0.5 * edges), {finger, finger});
+  const SoftFinger finger(Table::build(hertz(), 1e-8), with);
+  Grasp grasp(body, BodyState{}, AnySurface(BoxSurface(0.5 * edges)), {finger, finger});
   // 5 mm beside the centre of mass, so that force and moment bear the weight.
   const std::array devices{DevicePose{{0.005, 0.0, 0.018}}, DevicePose{{0.005, 0.0, -0.018}}};
   grasp.place(BodyState{}, devices);
@@ -41,7 +41,7 @@ int rest(double minutes) {
     strayed = std::max(strayed, (grasp.body().position - settled.position).norm());
     turned_by = std::max(turned_by, 2.0 * (grasp.body().orientation.coeffs() - settled.orientation.coeffs()).norm());
     for (std::size_t k = 0; k < 2; ++k) {
-      const FingerOutput& output = grasp.finger(k).output();
+      const FingerOutput output = grasp.finger(k).output();
       moved += !same_bits(output.proxy, proxies[k]) || output.angle != angles[k] || output.state != ContactState::stick;
     }
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "godobject/godobject.hpp"
+#include "limitcurve/limitcurve.hpp"
 
 #include <Eigen/Core>
 
@@ -10,6 +11,8 @@
 #include <cmath>
 #include <cstdint>
 #include <random>
+#include <string>
+#include <string_view>
 
 /// What the tests of this folder share: a finger on the plane z = 0, and seeded random numbers.
 namespace limitcurve::godobject::test {
@@ -42,28 +45,48 @@ class Random {
   std::uniform_real_distribution<double> unit_{0.0, 1.0};
 };
 
-/// Every kind of boundary for a law, handed to `body(boundary, name)`.
+constexpr std::array curve_kinds{CurveKind::exact,        CurveKind::table,   CurveKind::ellipse,
+                                 CurveKind::superellipse, CurveKind::quartic, CurveKind::box};
+constexpr std::array projections{Projection::radial, Projection::c_curve, Projection::closest_point};
+
+/// Every kind of curve of a law, handed to `body(curve, name)`.
 template <class Body>
-void for_each_boundary(const Law& law, Body&& body) {
-  for (const BoundaryKind kind : {BoundaryKind::exact, BoundaryKind::table, BoundaryKind::ellipse, BoundaryKind::superellipse,
-                                  BoundaryKind::quartic, BoundaryKind::box}) {
-    visit_boundary(kind, law, 1e-8, [&](const auto& boundary) { body(boundary, to_string(kind)); });
-  }
-  body(diamond(1.0, law->moment_ratio()), std::string_view("diamond"));
+void for_each_curve(const Law& law, Body&& body) {
+  for (const CurveKind kind : curve_kinds) body(make_finger_curve(kind, law, 1e-8).curve, std::string(to_string(kind)));
+}
+
+/// Every kind of curve with every projection that it goes with, handed to `body(curve, projection, name)`.
+template <class Body>
+void for_each_curve_and_projection(const Law& law, Body&& body) {
+  for_each_curve(law, [&](const FingerCurve& curve, const std::string& name) {
+    for (const Projection projection : projections) {
+      if (curve.is_box() && projection != Projection::closest_point) continue;
+      body(curve, projection, name + " " + std::string(to_string(projection)));
+    }
+  });
+}
+
+/// The finest table of a law.
+inline FingerCurve exact_curve(const Law& law) {
+  return make_finger_curve(CurveKind::exact, law, 0.0).curve;
 }
 
 inline bool same_bits(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   return std::bit_cast<std::array<double, 3>>(std::array{a.x(), a.y(), a.z()}) == std::array{b.x(), b.y(), b.z()};
 }
 
-/// A finger of the Hertz law, on the ellipse or the exact curve.
-template <class Boundary = Ellipse, class Projection = ClosestPoint>
-SoftFinger<Boundary, Projection> hertz_finger(FingerParameters with = parameters()) {
-  if constexpr (std::is_same_v<Boundary, Ellipse>) {
-    return {Ellipse::through_intercepts(hertz()->moment_ratio()), with};
-  } else {
-    return {ExactCurve(hertz()), with};
-  }
+/// A finger of the Hertz law by the closest point, on the ellipse or the exact curve.
+inline SoftFinger hertz_finger(const FingerParameters& with = parameters()) {
+  return {Ellipse::through_intercepts(hertz()->moment_ratio()), with};
+}
+inline SoftFinger exact_hertz_finger(const FingerParameters& with = parameters()) {
+  return {exact_curve(hertz()), with};
+}
+
+/// A friction wrench in units of μP and μPa.
+inline UnitWrench unit_wrench(const FingerOutput& output, double mu, double radius) {
+  const double unit = mu * output.load;
+  return {output.force.norm() / unit, std::fabs(output.moment) / (unit * radius)};
 }
 
 }  // namespace limitcurve::godobject::test

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Random scenes without end: one to four fingers on a body of any shape that rests, is moved or is free, every boundary and
+// Random scenes without end: one to four fingers on a body of any shape that rests, is moved or is free, every curve and
 // projection, radius laws, dampers, static and dynamic friction. In every step of every finger
 //   · what slip dissipates is ≥ 0,
 //   · all that it tells is finite,
@@ -14,7 +14,6 @@
 
 #include <cinttypes>
 #include <cstdio>
-#include <functional>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -103,14 +102,22 @@ FingerParameters finger(Random& random) {
   return result;
 }
 
-/// One scene with this boundary and projection. Everything in it follows from the seed.
-template <LimitBoundary Boundary, class Projection>
-class Scene {
- public:
-  using Hand = Grasp<AnySurface, Boundary, Projection>;
+/// The friction of a finger, as named.
+struct Choice {
+  std::string name;
+  FingerCurve curve;
+  Projection projection;
+};
 
-  Scene(const Boundary& boundary, Projection projection, std::uint64_t seed, Tally& tally)
-      : random_(seed), tally_(tally), size_(random_.logarithmic(0.01, 0.1)), hand_(make(boundary, projection)) {
+Vector3d vector(const FingerState::Vector& numbers) {
+  return {numbers[0], numbers[1], numbers[2]};
+}
+
+/// One scene with this curve and projection. Everything in it follows from the seed.
+class SoakScene {
+ public:
+  SoakScene(const Choice& choice, std::uint64_t seed, Tally& tally)
+      : random_(seed), tally_(tally), size_(random_.logarithmic(0.01, 0.1)), hand_(make(choice)) {
     devices_.resize(hand_.finger_count());
     for (DevicePose& device : devices_) device = {vector(random_, 0.9 * size_), rotation(random_, 3.0), 0.0};
   }
@@ -143,14 +150,14 @@ class Scene {
   }
 
  private:
-  Hand make(const Boundary& boundary, Projection projection) {
+  Grasp make(const Choice& choice) {
     BodyParameters body = BodyParameters::block(random_.logarithmic(1e-3, 10.0), Vector3d::Constant(size_) + 0.5 * vector(random_, size_));
     if (random_.bits() % 2 == 0) body.gravity.setZero();
     if (random_.bits() % 3 == 0) body.free = {true, true, false, false, false, true};
     const FingerParameters with = finger(random_);
     const std::size_t fingers = 1 + random_.bits() % 4;
-    using Finger = typename Hand::Finger;
-    return Hand(body, BodyState{}, surface(random_, size_), std::vector<Finger>(fingers, Finger(boundary, with, projection)));
+    return {body, BodyState{}, surface(random_, size_),
+            std::vector<SoftFinger>(fingers, SoftFinger(choice.curve, with, choice.projection))};
   }
 
   void wander(DevicePose& device, double stride) {
@@ -170,8 +177,7 @@ class Scene {
     const bool planar = !body.free[2];
     body.gravity.setZero();
     const Vector3d half = Vector3d::Constant(0.5 * size_);
-    using Box = Grasp<BoxSurface, Boundary, Projection>;
-    Box held(body, BodyState{}, BoxSurface(half), {hand_.finger(0), hand_.finger(0)});
+    Grasp held(body, BodyState{}, AnySurface(BoxSurface(half)), {hand_.finger(0), hand_.finger(0)});
     const double depth = random_.logarithmic(1e-3, 0.1) * size_;
     const Vector3d at{random_.uniform(-0.3, 0.3) * size_, random_.uniform(-0.3, 0.3) * size_, 0.0};
     const Vector3d reach{0.0, 0.0, half.z() - depth};
@@ -201,10 +207,10 @@ class Scene {
       double moments = first;
       double twisting = 0.0;
       for (std::size_t k = 0; k < 2; ++k) {
-        const FingerOutput& output = held.finger(k).output();
+        const FingerOutput output = held.finger(k).output();
         moments += held.force_on_user(k).norm() * output.proxy.norm() + std::fabs(output.moment);
         // The device is not turned; the tilt within the step is that at its end, and what it turned at most.
-        const double tilt = std::atan(half_tilt(held.body().orientation.conjugate(), held.finger(k).state().normal));
+        const double tilt = std::atan(half_tilt(held.body().orientation.conjugate(), vector(held.finger(k).state().normal)));
         if (!planar) twisting += std::fabs(output.moment) * std::tan(std::min(tilt + 0.5 * turned, 1.57));
       }
       worst = std::max(worst, planar || turned < 1e-6 ? rise : 0.0);
@@ -223,18 +229,18 @@ class Scene {
     for (std::size_t i = 0; i < hand_.finger_count(); ++i) before_.push_back(hand_.finger(i).state());
   }
 
-  /// Whether a finger is refused with reason: a body that is flung away from a device leaves it behind by more than one may leap.
-  static bool leapt(const FingerState& before, const typename Hand::Finger& finger) {
-    const Vector3d seen = finger.state().last_seen();
-    const Vector3d good = before.goal - before.output.depth * before.normal;
-    const double nearest = std::min((seen - before.last_seen()).squaredNorm(), (seen - good).squaredNorm());
-    return nearest > finger.friction().law().jump_limit_square();
+  /// Whether a finger is refused with reason: a body that is flung away from a device leaves it behind by more than it may be displaced.
+  static bool leapt(const FingerState& before, const SoftFinger& finger) {
+    const Vector3d seen = vector(finger.state().refused_at);
+    const Vector3d good = vector(before.goal) - before.depth * vector(before.normal);
+    const double limit = finger.parameters().max_displacement;
+    return (seen - good).norm() > limit && !(before.refused && (seen - vector(before.refused_at)).norm() <= limit);
   }
 
   std::string wrong() {
     for (std::size_t i = 0; i < hand_.finger_count(); ++i) {
-      const auto& one = hand_.finger(i);
-      const FingerOutput& output = one.output();
+      const SoftFinger& one = hand_.finger(i);
+      const FingerOutput output = one.output();
       const FingerState& before = before_[i];
       ++tally_.finger_steps;
       tally_.slips += output.state == ContactState::slip;
@@ -248,15 +254,15 @@ class Scene {
       if (!output.proxy.allFinite() || !output.force.allFinite() || !std::isfinite(output.moment) || !std::isfinite(output.angle))
         return "not finite";
       if (output.state == ContactState::free) continue;
-      if (output.state == ContactState::stick && before.touching) {
-        if (!same_bits(output.proxy, before.output.proxy) || output.angle != before.output.angle) return "a stuck proxy moved";
+      if (output.state == ContactState::stick && before.in_contact) {
+        if (!same_bits(output.proxy, vector(before.proxy)) || output.angle != before.angle) return "a stuck proxy moved";
       }
-      const ContactLaw::Scale scale = one.friction().law().static_scale(output.load);
-      if (!(scale.force * scale.radius > 1e-100)) continue;
-      const UnitWrench wrench{output.force.norm() / scale.force, std::fabs(output.moment) / (scale.force * scale.radius)};
-      const double beyond = one.friction().boundary().gauge(wrench) - 1.0;
+      const FrictionLimit<double> limit = ContactLimits(one.parameters(), one.curve().moment_ratio()).at<double>(output.load, 1.0).at_rest;
+      if (!(limit.force * limit.radius > 1e-100)) continue;
+      const UnitWrench wrench{output.force.norm() / limit.force, std::fabs(output.moment) / (limit.force * limit.radius)};
+      const double beyond = one.curve().gauge(wrench) - 1.0;
       tally_.most_beyond = std::max(tally_.most_beyond, beyond);
-      if (!(beyond <= 1e-11)) return "beyond the limit";
+      if (!(beyond <= 1.1e-12)) return "beyond the limit";
       if (!(one.margin() >= 0.0 && one.margin() <= 1.0)) return "margin " + std::to_string(one.margin());
     }
     return {};
@@ -265,32 +271,17 @@ class Scene {
   Random random_;
   Tally& tally_;
   double size_;
-  Hand hand_;
+  Grasp hand_;
   std::vector<DevicePose> devices_;
   std::vector<FingerState> before_;
 };
 
-using Run = std::function<std::string(std::uint64_t seed, Tally& tally)>;
-
-struct Choice {
-  std::string name;
-  Run run;
-};
-
-/// A scene for every law, boundary and projection; what is slow to build is built once.
+/// The fingers of every law, curve and projection; what is slow to build is built once.
 std::vector<Choice> choices() {
   std::vector<Choice> result;
   for (const Law& law : {hertz(), uniform(), flat_punch()}) {
-    for_each_boundary(law, [&](const auto& boundary, std::string_view name) {
-      for (const ProjectionKind kind : {ProjectionKind::radial, ProjectionKind::c_curve, ProjectionKind::closest_point}) {
-        visit_projection(kind, [&](auto projection) {
-          const std::string all = law->name() + ", " + std::string(name) + ", " + std::string(to_string(kind));
-          result.push_back({all, [boundary, projection](std::uint64_t seed, Tally& tally) {
-                              using Boundary = std::decay_t<decltype(boundary)>;
-                              return Scene<Boundary, std::decay_t<decltype(projection)>>(boundary, projection, seed, tally).run();
-                            }});
-        });
-      }
+    for_each_curve_and_projection(law, [&](const FingerCurve& curve, Projection projection, const std::string& name) {
+      result.push_back({law->name() + ", " + name, curve, projection});
     });
   }
   return result;
@@ -301,7 +292,7 @@ int soak(std::uint64_t finger_steps, std::uint64_t seed) {
   Tally tally;
   for (std::uint64_t scene = 0; tally.finger_steps < finger_steps; ++scene) {
     const Choice& choice = all[scene % all.size()];
-    const std::string fault = choice.run(seed + scene, tally);
+    const std::string fault = SoakScene(choice, seed + scene, tally).run();
     if (fault.empty()) continue;
     std::printf("scene %" PRIu64 " of seed %" PRIu64 " (%s): %s\n", scene, seed, choice.name.c_str(), fault.c_str());
     return 1;

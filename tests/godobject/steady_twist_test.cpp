@@ -17,11 +17,10 @@ constexpr double transient = 24.0;
 
 /// Unit wrench that a finger settles at when it is moved at a constant twist about a centre at s = c/a for long: ninety
 /// times the give of the softer spring, the length that the transient decays with (README, "How long it takes").
-template <class Boundary, class Projection>
-UnitWrench settled(const Boundary& boundary, const Projection& projection, double s, double kappa) {
-  const double m0 = boundary.moment_ratio();
+UnitWrench settled(const FingerCurve& curve, Projection projection, double s, double kappa) {
+  const double m0 = curve.moment_ratio();
   const double twist_stiffness = kappa * stiffness * (m0 * radius) * (m0 * radius);
-  SoftFinger finger(boundary, parameters(mu, radius, stiffness, twist_stiffness), projection);
+  SoftFinger finger(curve, parameters(mu, radius, stiffness, twist_stiffness), projection);
   const double give = std::max(mu * load / stiffness, mu * load * m0 * radius / twist_stiffness * radius);
   const double u = SlipTwist::about_cor(s).spin_fraction();
   // Two radians a step at most, or it would be taken for a wrapped angle.
@@ -31,7 +30,7 @@ UnitWrench settled(const Boundary& boundary, const Projection& projection, doubl
     finger.update(on_plane(i * step * (1.0 - u), 0.0, depth), i * step * u / radius);
   }
   EXPECT_EQ(finger.output().state, ContactState::slip);
-  return {finger.output().force.norm() / (mu * load), std::fabs(finger.output().moment) / (mu * load * radius)};
+  return unit_wrench(finger.output(), mu, radius);
 }
 
 /// Distance of two wrenches in the normalised plane x = f, y = m/m₀.
@@ -41,11 +40,12 @@ double distance(UnitWrench a, UnitWrench b, double m0) {
 
 TEST(SteadyTwist, ClosestPointSettlesAtTheCurvesWrench) {
   for (const Law& law : {hertz(), uniform(), flat_punch()}) {
-    const ExactCurve curve(law);
+    const ExactCurve exact(law);
+    const FingerCurve curve = exact_curve(law);
     for (const double kappa : {1e-3, 0.1, 1.0, 10.0, 1e3}) {
       for (const double s : {1e-3, 0.3, 1.0, 4.0, 1e3}) {
-        const UnitWrench expected = curve.wrench(SlipTwist::about_cor(s));
-        EXPECT_LT(distance(settled(curve, ClosestPoint{}, s, kappa), expected, curve.moment_ratio()), 1e-9)
+        const UnitWrench expected = exact.wrench(SlipTwist::about_cor(s));
+        EXPECT_LT(distance(settled(curve, Projection::closest_point, s, kappa), expected, exact.moment_ratio()), 1e-9)
             << law->name() << " kappa " << kappa << " s " << s;
       }
     }
@@ -57,7 +57,7 @@ TEST(SteadyTwist, ClosestPointOnTheEllipseSettlesAtTheEllipsesWrench) {
   for (const double kappa : {1e-3, 0.1, 1.0, 10.0, 1e3}) {
     for (const double s : {0.1, 1.0, 10.0}) {
       const UnitWrench expected = ellipse.wrench(SlipTwist::about_cor(s));
-      EXPECT_LT(distance(settled(ellipse, ClosestPoint{}, s, kappa), expected, ellipse.moment_ratio()), 1e-9);
+      EXPECT_LT(distance(settled(ellipse, Projection::closest_point, s, kappa), expected, ellipse.moment_ratio()), 1e-9);
     }
   }
 }
@@ -68,7 +68,7 @@ TEST(SteadyTwist, ClosestPointOnATableSettlesAtEquation17) {
   for (const double kappa : {1e-3, 0.1, 1.0, 10.0, 1e3}) {
     for (const double s : {1e-3, 0.3, 1.0, 4.0, 1e3}) {
       const UnitWrench expected = curve.wrench(SlipTwist::about_cor(s));
-      const UnitWrench found = settled(table, ClosestPoint{}, s, kappa);
+      const UnitWrench found = settled(table, Projection::closest_point, s, kappa);
       EXPECT_NEAR(found.force, expected.force, accuracy::steady_wrench) << "kappa " << kappa << " s " << s;
       EXPECT_NEAR(found.moment, expected.moment, accuracy::steady_wrench) << "kappa " << kappa << " s " << s;
     }
@@ -77,10 +77,10 @@ TEST(SteadyTwist, ClosestPointOnATableSettlesAtEquation17) {
 
 TEST(SteadyTwist, RadialSettlesAtTheStiffnessRatio) {
   for (const double kappa : {0.1, 1.0, 10.0}) {
-    const ExactCurve curve(hertz());
+    const FingerCurve curve = exact_curve(hertz());
     const double m0 = curve.moment_ratio();
     // F/M = (k_l/k_r) c, whatever the curve: f/m = s/(κ m₀²).
-    const UnitWrench found = settled(curve, Radial{}, 1.0, kappa);
+    const UnitWrench found = settled(curve, Projection::radial, 1.0, kappa);
     EXPECT_NEAR(found.force / found.moment * kappa * m0 * m0, 1.0, 1e-9);
   }
 }
@@ -88,11 +88,13 @@ TEST(SteadyTwist, RadialSettlesAtTheStiffnessRatio) {
 // What the paper's own projection makes of a steady twist at c = a (Hertz), as a share of the limit: figures that were
 // computed apart from this code.
 TEST(SteadyTwist, RadialIsWrongByAsMuchAsTheStiffnessesDiffer) {
-  const ExactCurve curve(hertz());
+  const FingerCurve curve = exact_curve(hertz());
   const double m0 = curve.moment_ratio();
-  const Ellipse ellipse = Ellipse::through_intercepts(m0);
-  const UnitWrench expected = curve.wrench(SlipTwist::about_cor(1.0));
-  const auto error = [&](const auto& boundary, double kappa) { return distance(settled(boundary, Radial{}, 1.0, kappa), expected, m0); };
+  const FingerCurve ellipse = Ellipse::through_intercepts(m0);
+  const UnitWrench expected = ExactCurve(hertz()).wrench(SlipTwist::about_cor(1.0));
+  const auto error = [&](const FingerCurve& of, double kappa) {
+    return distance(settled(of, Projection::radial, 1.0, kappa), expected, m0);
+  };
   EXPECT_NEAR(error(curve, 1.0), 0.125, 0.0005);
   EXPECT_NEAR(error(curve, 2.0), 0.44, 0.005);
   EXPECT_NEAR(error(curve, 10.0), 0.94, 0.005);
@@ -106,7 +108,7 @@ TEST(SteadyTwist, ClosestPointObeysALoadDependentRadius) {
   FingerParameters soft = parameters();
   soft.radius_law = RadiusLaw::power(0.00207, 0.259);
   const double a = soft.radius_law.radius(load);
-  SoftFinger finger(curve, soft, ClosestPoint{});
+  SoftFinger finger(exact_curve(hertz()), soft);
   const double c = 0.7 * a;
   for (int i = 0; i <= 2000; ++i) finger.update(on_plane(i * 1e-5, 0.0, depth), i * 1e-5 / c);
   const UnitWrench expected = curve.wrench(SlipTwist::about_cor(0.7));
@@ -129,7 +131,7 @@ TEST(SteadyTwist, ForgetsTheStartInTheLengthDocumented) {
       const double pressed = (i + j) % 2 == 0 ? 0.002 : 0.0002;
       const double a = soft.radius_law.radius(stiffness * pressed);
       soft.twist_stiffness = std::pow(10.0, 0.5 * i) * stiffness * (m0 * a) * (m0 * a);
-      SoftFinger finger(table, soft, ClosestPoint{});
+      SoftFinger finger(table, soft);
       const double limit = mu * stiffness * pressed;
       const double length = std::max(limit / stiffness, a * limit * m0 * a / soft.twist_stiffness);
       const double s = std::pow(10.0, 0.5 * j);
@@ -139,7 +141,7 @@ TEST(SteadyTwist, ForgetsTheStartInTheLengthDocumented) {
       double settled_after = 0.0;
       for (int n = 0; n * step <= 2.0 * transient * length; ++n) {
         finger.update(on_plane(n * step * (1.0 - u), 0.0, pressed), n * step * u / a);
-        const UnitWrench felt{finger.output().force.norm() / limit, std::fabs(finger.output().moment) / (limit * a)};
+        const UnitWrench felt = unit_wrench(finger.output(), mu, a);
         if (std::hypot(felt.force - expected.force, felt.moment - expected.moment) > accuracy::steady_wrench) settled_after = n * step;
       }
       EXPECT_LT(settled_after, transient * length) << "kappa 10^" << 0.5 * i << " s 10^" << 0.5 * j;
@@ -154,14 +156,14 @@ TEST(SteadyTwist, ForgetsTheStartInTheLengthDocumented) {
 // The path of a finger that slides and turns through a bend: with half the time step it is at least twice as near to
 // the path of very small steps.
 TEST(SteadyTwist, HalvingTheTimeStepHalvesThePathError) {
-  const ExactCurve curve(uniform());
+  const FingerCurve curve = exact_curve(uniform());
   const auto run = [&](int steps) {
-    SoftFinger finger(curve, parameters(), ClosestPoint{});
+    SoftFinger finger(curve, parameters());
     for (int i = 0; i <= steps; ++i) {
       const double t = static_cast<double>(i) / steps;
       finger.update(on_plane(0.01 * t, 0.01 * t * t, depth), 2.0 * t * t * t);
     }
-    const FingerOutput& output = finger.output();
+    const FingerOutput output = finger.output();
     return Eigen::Vector3d(output.proxy.x() / radius, output.proxy.y() / radius, output.angle);
   };
   const Eigen::Vector3d limit = run(1 << 17);

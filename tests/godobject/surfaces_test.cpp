@@ -111,13 +111,13 @@ TEST(Surfaces, AreDefinedAtTheirCentres) {
 // A finger that slides around a sphere once under constant depth: friction opposes it all the way, and the load is constant.
 TEST(Surfaces, AFingerSlidesAroundASphere) {
   const SphereSurface sphere(0.05);
-  SoftFinger finger(Ellipse::through_intercepts(hertz()->moment_ratio()), parameters(), ClosestPoint{});
+  SoftFinger finger(Ellipse::through_intercepts(hertz()->moment_ratio()), parameters());
   ContactMemory memory;
   const double depth = 0.002;
   for (int i = 0; i <= 6283; ++i) {
     const double angle = 1e-3 * i;
     const Vector3d out{std::cos(angle), std::sin(angle), 0.0};
-    const FingerOutput& output = finger.update(sphere.contact(out * (0.05 - depth), memory), 0.0);
+    const FingerOutput output = finger.update(sphere.contact(out * (0.05 - depth), memory), 0.0);
     ASSERT_NEAR(output.load, 2.0, 1e-10);
     if (i < 100) continue;
     ASSERT_EQ(output.state, ContactState::slip);

@@ -13,13 +13,12 @@ using Eigen::Vector3d;
 const Vector3d edges{0.12, 0.04, 0.04};
 
 template <class Shape>
-auto hold(const Shape& shape, const BodyParameters& body, const std::array<DevicePose, 2>& devices) {
+Grasp hold(const Shape& shape, const BodyParameters& body, const std::array<DevicePose, 2>& devices) {
   FingerParameters with = parameters(1.67, 0.01, 1000.0, 0.0366);
   with.damping = 10.0;
   with.twist_damping = 0.001;
-  using Finger = SoftFinger<Ellipse, ClosestPoint>;
-  const Finger finger(Ellipse::through_intercepts(hertz()->moment_ratio()), with, ClosestPoint{});
-  Grasp<Shape, Ellipse, ClosestPoint> grasp(body, BodyState{}, shape, {finger, finger});
+  const SoftFinger finger = hertz_finger(with);
+  Grasp grasp(body, BodyState{}, AnySurface(shape), {finger, finger});
   grasp.place(BodyState{}, devices);
   return grasp;
 }
@@ -84,7 +83,7 @@ TEST(MeshGrasp, AFingerSlidesAroundABall) {
   for (int i = 0; i <= 6283; ++i) {
     const double angle = 1e-3 * i;
     const Vector3d out{std::cos(angle), std::sin(angle), 0.0};
-    const FingerOutput& output = finger.update(ball.contact(out * 0.048 + Vector3d(0.0, 0.0, 0.0003), memory), 0.0);
+    const FingerOutput output = finger.update(ball.contact(out * 0.048 + Vector3d(0.0, 0.0, 0.0003), memory), 0.0);
     ASSERT_NEAR(output.load, 2.0, 0.05) << i;
     if (i < 100) continue;
     ASSERT_EQ(output.state, ContactState::slip);

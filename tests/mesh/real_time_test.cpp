@@ -48,7 +48,7 @@ TEST(MeshRealTime, AStepNeitherAllocatesNorLocks) {
   int touching = 0;
   const int count = allocations_and_locks([&] {
     for (const Vector3d& place : path) {
-      const FingerOutput& output = finger.update(star.contact(place, memory), 0.0);
+      const FingerOutput output = finger.update(star.contact(place, memory), 0.0);
       touching += output.state == ContactState::slip || output.state == ContactState::stick;
     }
     const MeshSurface shared = star;
@@ -62,7 +62,6 @@ TEST(MeshRealTime, StepsMakeNoSystemCall) {
   EXPECT_FALSE(runs_without_system_calls([] { syscall(SYS_getppid); }));
   const MeshSurface star = read_mesh(data_mesh("star.obj"));
   const std::vector<Vector3d> path = moves(star.mesh(), 100000);
-  // Made before: its table takes memory, for which the heap may have to grow.
   SoftFinger finger = hertz_finger();
   EXPECT_TRUE(runs_without_system_calls([&] {
     ContactMemory memory;

@@ -184,7 +184,7 @@ TEST(MeshSurface, RestsExactlyAtAVertex) {
     expect_consistent(contact, place);
     ASSERT_TRUE(same_bits(contact.point, vertex));
     ASSERT_NEAR(contact.depth, (vertex - place).norm(), 1e-15);
-    const FingerOutput& output = finger.update(contact, 0.0);
+    const FingerOutput output = finger.update(contact, 0.0);
     if (i == 0) proxy = output.proxy;
     ASSERT_EQ(output.state, ContactState::stick);
     ASSERT_TRUE(same_bits(output.proxy, proxy));

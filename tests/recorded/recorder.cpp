@@ -3,11 +3,11 @@
 // and turns. scripts/maintain/record compares that with what is recorded. Motions are made here, by formula.
 //   recorder SCENARIO PARAMETERS CURVE PROJECTION [mu-times=F] [twist-stiffness-times=F]
 #include "godobject/batch.hpp"
-#include "godobject/choice.hpp"
-#include "godobject/float_batch.hpp"
+#include "godobject/contact_arrays.hpp"
+#include "godobject/curve_kind.hpp"
 #include "godobject/soft_finger.hpp"
-#include "limitcurve/float_table.hpp"
 #include "limitcurve/laws.hpp"
+#include "limitcurve/limitcurve.hpp"
 
 #include <algorithm>
 #include <array>
@@ -19,7 +19,6 @@
 #include <exception>
 #include <functional>
 #include <limits>
-#include <memory>
 #include <numbers>
 #include <stdexcept>
 #include <string>
@@ -64,14 +63,14 @@ namespace go = limitcurve::godobject;
 
 /// Of the command line's words.
 struct Setting {
-  go::BoundaryKind curve;
-  go::ProjectionKind projection;
+  go::CurveKind kind;
+  go::Projection projection;
   go::FingerParameters finger;
 };
 
 Setting make_setting(std::string_view parameters, std::string_view curve, std::string_view projection, double mu_times,
                      double twist_stiffness_times) {
-  Setting setting{go::parse_boundary_kind(curve), go::parse_projection_kind(projection), {}};
+  Setting setting{go::parse_curve_kind(curve), go::parse_projection(projection), {}};
   go::FingerParameters& finger = setting.finger;
   finger.mu = 0.6 * mu_times;
   finger.radius_law = lib::RadiusLaw::constant(0.006);
@@ -84,9 +83,9 @@ Setting make_setting(std::string_view parameters, std::string_view curve, std::s
   } else if (parameters == "no-moment") {
     finger.moment_coefficient = 0.0;
   } else if (parameters == "small-leaps") {
-    finger.jump_limit = 0.01;
+    finger.max_displacement = 0.01;
   } else if (parameters == "soft-hold") {
-    finger.hold_share = 0.9;
+    finger.fault_decay = 0.9;
   } else if (parameters == "damped") {
     finger.damping = 2.0;
     finger.twist_damping = 1e-4;
@@ -99,46 +98,27 @@ Setting make_setting(std::string_view parameters, std::string_view curve, std::s
   return setting;
 }
 
-/// Calls `visitor` with the friction's curve and projection.
-template <class Visitor>
-auto visit(const Setting& setting, Visitor&& visitor) {
-  return go::visit_boundary(setting.curve, lib::hertz(), 1e-11, [&](auto&& curve) {
-    return go::visit_projection(setting.projection, [&](auto projection) { return visitor(curve, projection); });
-  });
+go::FingerCurve make_curve(const Setting& setting) {
+  return go::make_finger_curve(setting.kind, lib::hertz(), 1e-11).curve;
 }
 
-/// One finger of any curve and projection.
+/// One finger, fed with samples.
 class Finger {
  public:
-  Finger() = default;
-  Finger(const Finger&) = delete;
-  Finger& operator=(const Finger&) = delete;
-  virtual ~Finger() = default;
-  virtual Output update(const Sample& sample) = 0;
-  [[nodiscard]] virtual Output preview(const Sample& sample) const = 0;
-  [[nodiscard]] virtual go::FingerState state() const = 0;
-  virtual void restore(const go::FingerState& state) = 0;
-  virtual void reset() = 0;
-};
+  explicit Finger(const Setting& setting) : finger_(make_curve(setting), setting.finger, setting.projection) {}
 
-template <class Curve, class Projection>
-class FingerOf final : public Finger {
- public:
-  FingerOf(Curve curve, const go::FingerParameters& parameters, Projection projection)
-      : finger_(std::move(curve), parameters, projection) {}
-
-  Output update(const Sample& sample) override {
+  Output update(const Sample& sample) {
     Output output = output_of(finger_.update(contact_of(sample), sample.twist, sample.time_step));
     output.margin = finger_.margin();
     output.load_to_hold = finger_.load_to_hold();
     return output;
   }
-  [[nodiscard]] Output preview(const Sample& sample) const override {
+  [[nodiscard]] Output preview(const Sample& sample) const {
     return output_of(finger_.preview(contact_of(sample), sample.twist, sample.time_step));
   }
-  [[nodiscard]] go::FingerState state() const override { return finger_.state(); }
-  void restore(const go::FingerState& state) override { finger_.restore(state); }
-  void reset() override { finger_.reset(); }
+  [[nodiscard]] go::FingerState state() const { return finger_.state(); }
+  void restore(const go::FingerState& state) { finger_.restore(state); }
+  void reset() { finger_.reset(); }
 
  private:
   static go::Contact contact_of(const Sample& sample) {
@@ -156,46 +136,32 @@ class FingerOf final : public Finger {
             .slip_work = output.slip_work};
   }
 
-  go::SoftFinger<Curve, Projection> finger_;
+  go::SoftFinger finger_;
 };
 
-std::unique_ptr<Finger> make_finger(const Setting& setting) {
-  return visit(setting, [&](const auto& curve, auto projection) -> std::unique_ptr<Finger> {
-    return std::make_unique<FingerOf<std::decay_t<decltype(curve)>, decltype(projection)>>(curve, setting.finger, projection);
-  });
+/// Many contacts.
+template <class Real>
+using Contacts = go::BasicContactArrays<Real>;
+
+/// The curve of a batch. A batch of floats is stepped on a table of floats, as fine as there is.
+template <class Real>
+go::BasicFingerCurve<Real> make_batch_curve(const Setting& setting) {
+  if (setting.kind == go::CurveKind::ellipse) return lib::Ellipse::through_intercepts(lib::hertz()->moment_ratio());
+  if (setting.kind == go::CurveKind::box) return lib::box(1.0, lib::hertz()->moment_ratio());
+  const double finest = lib::BasicTable<Real>::finest_tolerance;
+  switch (setting.kind) {
+    case go::CurveKind::superellipse:
+      return lib::BasicTable<Real>::build(lib::minimax_superellipse(lib::ExactCurve(lib::hertz())), finest, "superellipse");
+    case go::CurveKind::quartic:
+      return lib::BasicTable<Real>::build(lib::minimax_quartic(lib::ExactCurve(lib::hertz())), finest, "quartic");
+    default:
+      return lib::BasicTable<Real>::build(lib::hertz(), finest);
+  }
 }
 
-/// Many contacts, in the order of the library's batch: x, y, angle, depth; proxy's x, y and angle; its memory; force and moment.
 template <class Real>
-struct Contacts {
-  explicit Contacts(std::size_t count) {
-    for (auto& array : arrays) array.assign(count, Real(0));
-    arrays[7].assign(count, Real(-2));
-  }
-  go::BasicContactBatch<Real> batch() {
-    auto& a = arrays;
-    return {a[0], a[1], a[2], a[3], a[4], a[5], a[6], a[7], a[8], a[9], a[10], a[11]};
-  }
-  [[nodiscard]] std::string_view state(std::size_t i) const {
-    const Real memory = arrays[7][i];
-    return memory < Real(-1) ? "free" : memory < Real(0) ? "stick" : "slip";
-  }
-
-  std::array<std::vector<Real>, 12> arrays;
-};
-
-/// What steps a batch of that setting. A batch of floats is stepped on a table of floats, as fine as there is.
-template <class Real>
-std::function<void(Contacts<Real>&)> make_batch_step(const Setting& setting) {
-  return visit(setting, [&](const auto& curve, auto projection) -> std::function<void(Contacts<Real>&)> {
-    using Curve = std::decay_t<decltype(curve)>;
-    const auto step_with = [](auto friction) { return [friction](Contacts<Real>& contacts) { go::step(friction, contacts.batch()); }; };
-    if constexpr (std::same_as<Real, float> && std::same_as<Curve, lib::Table>) {
-      return step_with(go::Friction(lib::FloatTable::build(lib::hertz(), lib::FloatTable::finest_tolerance), setting.finger, projection));
-    } else {
-      return step_with(go::Friction(curve, setting.finger, projection));
-    }
-  });
+go::BasicBatch<Real> make_batch(const Setting& setting) {
+  return {make_batch_curve<Real>(setting), setting.finger, setting.projection};
 }
 
 // Motions. ----------------------------------------------------------------------------------------------------------------------------
@@ -270,26 +236,27 @@ void run_batch(const Setting& setting) {
   std::vector<Motion> motions;
   for (std::size_t i = 0; i < count; ++i) motions.emplace_back(100 + i);
   Contacts<Real> contacts(count);
-  const auto step_batch = make_batch_step<Real>(setting);
+  const go::BasicBatch<Real> batch = make_batch<Real>(setting);
   std::puts("step,contact,state,px,py,angle,fx,fy,moment");
   for (int step = 0; step < steps; ++step) {
     for (std::size_t i = 0; i < count; ++i) {
-      contacts.arrays[0][i] = static_cast<Real>(motions[i].x.at(step));
-      contacts.arrays[1][i] = static_cast<Real>(motions[i].y.at(step));
-      contacts.arrays[2][i] = static_cast<Real>(motions[i].twist.at(step));
-      contacts.arrays[3][i] = static_cast<Real>(motions[i].depth + motions[i].press.at(step));
+      contacts.x()[i] = static_cast<Real>(motions[i].x.at(step));
+      contacts.y()[i] = static_cast<Real>(motions[i].y.at(step));
+      contacts.angle()[i] = static_cast<Real>(motions[i].twist.at(step));
+      contacts.depth()[i] = static_cast<Real>(motions[i].depth + motions[i].press.at(step));
     }
     const bool is_fault = step >= fault_begins && step < fault_ends;
-    // No depth is none; of a position that is no number a batch of floats touches nothing (one of doubles gives nothing that is defined).
-    if (is_fault) contacts.arrays[3][6] = static_cast<Real>(nan);
-    if (is_fault && std::same_as<Real, float>) contacts.arrays[0][77] = static_cast<Real>(nan);
-    step_batch(contacts);
+    // No depth is none; of a position that is no number a batch of floats touches nothing (one of doubles is not tried here).
+    if (is_fault) contacts.depth()[6] = static_cast<Real>(nan);
+    if (is_fault && std::same_as<Real, float>) contacts.x()[77] = static_cast<Real>(nan);
+    batch.step(contacts.batch());
     if (step % 57 != 56 && step != fault_begins + 2) continue;
+    const go::BasicContactBatch<Real> felt = contacts.batch();
     for (const std::size_t i : {0, 6, 77, 149}) {
-      const auto& a = contacts.arrays;
-      const auto value = [&](std::size_t array) { return static_cast<double>(a[array][i]); };
-      std::printf("%d,%zu,%s,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g\n", step, i, std::string(contacts.state(i)).c_str(), value(4), value(5),
-                  value(6), value(9), value(10), value(11));
+      const auto value = [i](auto array) { return static_cast<double>(array[i]); };
+      std::printf("%d,%zu,%s,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g\n", step, i, std::string(go::to_string(felt.state[i])).c_str(),
+                  value(felt.proxy_x), value(felt.proxy_y), value(felt.proxy_angle), value(felt.force_x), value(felt.force_y),
+                  value(felt.moment));
     }
   }
 }
@@ -313,13 +280,13 @@ void print(std::string_view what, int step, const Output& output, double dissipa
 
 /// Runs a finger over the motion as `change` changes it, and prints every 29th step and those near `shown`.
 void run_changed(const Setting& setting, const std::vector<int>& shown, const std::function<void(int, Sample&)>& change) {
-  const auto finger = make_finger(setting);
+  Finger finger(setting);
   double dissipated = 0.0;
   print_header();
   for (int step = 0; step < steps; ++step) {
     Sample sample = sample_at(step);
     change(step, sample);
-    const Output output = finger->update(sample);
+    const Output output = finger.update(sample);
     dissipated += output.slip_work;
     const bool is_near = std::any_of(shown.begin(), shown.end(), [&](int event) { return std::abs(step - event) <= 1; });
     if (step % 29 == 28 || is_near) print("update", step, output, dissipated);
@@ -327,13 +294,13 @@ void run_changed(const Setting& setting, const std::vector<int>& shown, const st
 }
 
 void run_preview(const Setting& setting) {
-  const auto finger = make_finger(setting);
+  Finger finger(setting);
   double dissipated = 0.0;
   print_header();
   for (int step = 0; step < steps; ++step) {
     // Every step, for a preview must leave nothing behind.
-    const Output ahead = finger->preview(sample_at(step + 7));
-    const Output output = finger->update(sample_at(step));
+    const Output ahead = finger.preview(sample_at(step + 7));
+    const Output output = finger.update(sample_at(step));
     dissipated += output.slip_work;
     if (step % 37 != 36) continue;
     print("preview", step + 7, ahead, ahead.slip_work);
@@ -345,20 +312,20 @@ void run_preview(const Setting& setting) {
 void run_restore(const Setting& setting) {
   constexpr int saved = 120;
   constexpr int restored = 260;
-  const auto finger = make_finger(setting);
+  Finger finger(setting);
   print_header();
   go::FingerState state;
   for (int step = 0; step < restored; ++step) {
-    finger->update(sample_at(step));
-    if (step == saved) state = finger->state();
+    finger.update(sample_at(step));
+    if (step == saved) state = finger.state();
   }
-  const auto other = make_finger(setting);
-  finger->restore(state);
-  other->restore(state);
+  Finger other(setting);
+  finger.restore(state);
+  other.restore(state);
   for (int step = saved + 1; step < steps; ++step) {
-    if (step == 330) other->reset();
-    const Output again = finger->update(sample_at(step));
-    const Output its = other->update(sample_at(step));
+    if (step == 330) other.reset();
+    const Output again = finger.update(sample_at(step));
+    const Output its = other.update(sample_at(step));
     if (step % 37 != 36 && step != saved + 1 && step != 330) continue;
     print("restored", step, again, again.slip_work);
     print("other", step, its, its.slip_work);

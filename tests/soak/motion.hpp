@@ -30,8 +30,8 @@ inline godobject::FingerParameters any_finger(RandomBits& random, bool plain) {
     result.twist_damping = random.scale(-24, -6);
   }
   // Mostly believed: what leaps is what is hard.
-  result.jump_limit = random.one_in(4) ? random.scale(-12, 0) : std::numeric_limits<double>::infinity();
-  if (random.one_in(4)) result.hold_share = random.unit();
+  result.max_displacement = random.one_in(4) ? random.scale(-12, 0) : std::numeric_limits<double>::infinity();
+  if (random.one_in(4)) result.fault_decay = random.unit();
   return result;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tests/soak/boundaries.hpp"
+#include "tests/soak/curves.hpp"
 #include "tests/soak/step_check.hpp"
 
 #include <algorithm>
@@ -36,15 +36,14 @@ struct Settings {
   std::optional<std::uint64_t> episode;
 };
 
-constexpr std::size_t kinds = Boundaries::names.size();
-constexpr std::size_t projections = Boundaries::projections.size();
+constexpr std::size_t kinds = Curves::names.size();
 
 /// What a soak has seen so far.
 struct Totals {
   std::uint64_t episodes = 0;
   std::uint64_t steps = 0;
   std::array<std::uint64_t, 4> states{};        ///< free, stick, slip, invalid
-  std::array<double, kinds> excess_slipping{};  ///< largest gauge − 1 in units of 2⁻⁵², by boundary
+  std::array<double, kinds> excess_slipping{};  ///< largest gauge − 1, by kind of curve
   std::array<double, kinds> excess_sticking{};
 };
 
@@ -62,11 +61,11 @@ void print_output(const godobject::FingerOutput& output) {
 
 class Soak {
  public:
-  Soak(const Settings& settings, const Boundaries& boundaries) : settings_(settings), boundaries_(boundaries) {
+  Soak(const Settings& settings, const Curves& curves) : settings_(settings), curves_(curves) {
     if (settings.samples.empty()) return;
     samples_.open(settings.samples);
     if (!samples_) throw std::runtime_error("cannot write '" + settings.samples + "'");
-    samples_ << "boundary,projection,episode,step,state,force_x,force_y,force_z,moment,force_scale,moment_scale\n" << std::setprecision(17);
+    samples_ << "curve,projection,episode,step,state,force_x,force_y,force_z,moment,force_scale,moment_scale\n" << std::setprecision(17);
   }
 
   [[nodiscard]] const Totals& totals() const { return totals_; }
@@ -75,78 +74,76 @@ class Soak {
   void run_episode(std::uint64_t episode) {
     RandomBits random(settings_.seed * 0x9e3779b97f4a7c15U + episode);
     const auto kind = static_cast<std::size_t>(random.below(kinds));
-    const auto projection = static_cast<std::size_t>(random.below(projections));
+    const auto projection = static_cast<godobject::Projection>(random.below(3));
     const bool plain = random.one_in(2);
-    boundaries_.visit(kind, random, [&](const auto& boundary) {
-      godobject::visit_projection(static_cast<godobject::ProjectionKind>(projection), [&](auto rule) {
-        const godobject::FingerParameters parameters = any_finger(random, plain);
-        godobject::SoftFinger<std::decay_t<decltype(boundary)>, decltype(rule)> finger(boundary, parameters, rule);
-        run(finger, parameters, random, {kind, projection, episode}, kind == 0 ? 512 : 4096);
-      });
-    });
+    const godobject::FingerCurve curve = curves_.any(kind, random);
+    // A box goes with the closest point only.
+    godobject::SoftFinger finger(curve, any_finger(random, plain), curve.is_box() ? godobject::Projection::closest_point : projection);
+    run(finger, random, {kind, episode});
     totals_.episodes = episode + 1;
   }
 
  private:
   struct Episode {
     std::size_t kind;
-    std::size_t projection;
     std::uint64_t number;
   };
 
-  template <class Finger>
-  void run(Finger& finger, const godobject::FingerParameters& parameters, RandomBits& random, const Episode& episode, int steps) {
+  void run(godobject::SoftFinger& finger, RandomBits& random, const Episode& episode) {
     Motion motion(random);
-    for (int i = 0; i < steps; ++i) {
+    for (int i = 0; i < steps_per_episode; ++i) {
       const Sample& sample = motion.next(random);
       const godobject::FingerState before = finger.state();
       finger.update(sample.contact, sample.twist, sample.time_step);
       StepCheck check = check_step(finger, before, sample);
-      if (samples_.is_open() && i % steps_per_sample == 0) write_sample(finger, parameters, sample, episode, i);
-      ++totals_.states[static_cast<std::size_t>(check.state)];
+      if (samples_.is_open() && i % steps_per_sample == 0) write_sample(finger, sample, episode, i);
+      const godobject::ContactState state = finger.state().state;
+      ++totals_.states[static_cast<std::size_t>(state)];
       if (check.counted) {
-        const bool slips = check.state == godobject::ContactState::slip;
+        const bool slips = state == godobject::ContactState::slip;
         double& largest = (slips ? totals_.excess_slipping : totals_.excess_sticking)[episode.kind];
         // Also true of what is no number.
         if (!(check.excess <= most_excess) && check.fault.empty()) check.fault = "a wrench outside its limit";
-        if (settings_.episode && check.excess > largest) std::printf("  %d: %g ulp above the limit\n", i, check.excess);
+        if (settings_.episode && check.excess > largest) std::printf("  %d: %g above the limit\n", i, check.excess);
         largest = std::max(largest, check.excess);
       }
       if (check.fault.empty()) continue;
       failed_ = true;
       std::printf("episode %" PRIu64 " of seed %" PRIu64 ", %s with %s, step %d: %s (%g)\n", episode.number, settings_.seed,
-                  Boundaries::names[episode.kind], Boundaries::projections[episode.projection], i, check.fault.c_str(), check.excess);
+                  Curves::names[episode.kind], std::string(to_string(finger.projection())).c_str(), i, check.fault.c_str(), check.excess);
       print_sample(sample);
-      print_output(before.output);
+      godobject::SoftFinger earlier = finger;
+      earlier.restore(before);
+      print_output(earlier.output());
       print_output(finger.output());
       break;
     }
-    totals_.steps += static_cast<std::uint64_t>(steps);
+    totals_.steps += steps_per_episode;
   }
 
   /// A row: what the user feels, and the scale that an agreement of it is a share of: the limit, and 2⁻¹⁰ of what the springs and dampers
   /// would make of the whole of the coordinates, so that 1e-12 of it has room for four roundings of them.
-  template <class Finger>
-  void write_sample(const Finger& finger, const godobject::FingerParameters& parameters, const Sample& sample, const Episode& episode,
-                    int step) {
-    const godobject::FingerOutput& output = finger.output();
+  void write_sample(const godobject::SoftFinger& finger, const Sample& sample, const Episode& episode, int step) {
+    const godobject::FingerOutput output = finger.output();
     if (output.state != godobject::ContactState::stick && output.state != godobject::ContactState::slip) return;
-    const auto limit = finger.friction().law().static_scale(output.load);
+    const godobject::FingerParameters& parameters = finger.parameters();
+    const godobject::FrictionLimit<double> limit = limits_of(finger).at_rest;
     const double stiffness = parameters.stiffness + parameters.damping / sample.time_step;
     const double twist_stiffness = parameters.twist_stiffness + parameters.twist_damping / sample.time_step;
     const double place = output.proxy.norm() + sample.contact.point.norm();
     const double angle = std::fabs(output.angle) + std::fabs(sample.twist);
-    samples_ << Boundaries::names[episode.kind] << ',' << Boundaries::projections[episode.projection] << ',' << episode.number << ','
-             << step << ',' << to_string(output.state) << ',' << output.force.x() << ',' << output.force.y() << ',' << output.force.z()
-             << ',' << output.moment << ',' << limit.force + std::ldexp(stiffness * place, -10) << ','
+    samples_ << Curves::names[episode.kind] << ',' << to_string(finger.projection()) << ',' << episode.number << ',' << step << ','
+             << to_string(output.state) << ',' << output.force.x() << ',' << output.force.y() << ',' << output.force.z() << ','
+             << output.moment << ',' << limit.force + std::ldexp(stiffness * place, -10) << ','
              << limit.force * limit.radius + std::ldexp(twist_stiffness * angle, -10) << '\n';
   }
 
-  static constexpr double most_excess = 4.0;  ///< in units of 2⁻⁵²
+  static constexpr double most_excess = 1.01e-12;  ///< the onset of slip, and rounding of the gauge
+  static constexpr int steps_per_episode = 4096;
   static constexpr int steps_per_sample = 128;
 
   const Settings& settings_;
-  const Boundaries& boundaries_;
+  const Curves& curves_;
   Totals totals_;
   std::ofstream samples_;
   bool failed_ = false;
@@ -190,18 +187,18 @@ void print_totals(const Settings& settings, const Totals& totals) {
               ", invalid %" PRIu64 "\n",
               totals.steps, totals.episodes, settings.seed, totals.states[0], totals.states[1], totals.states[2], totals.states[3]);
   for (std::size_t kind = 0; kind < kinds; ++kind) {
-    std::printf("largest gauge, %s: slipping 1 + %.4g ulp, sticking 1 + %.4g ulp\n", Boundaries::names[kind], totals.excess_slipping[kind],
+    std::printf("largest gauge, %s: slipping 1 + %.3g, sticking 1 + %.3g\n", Curves::names[kind], totals.excess_slipping[kind],
                 totals.excess_sticking[kind]);
   }
 }
 
 int run(const Settings& settings) {
   if (!settings.tables_to_write.empty()) {
-    Boundaries().write(settings.tables_to_write);
+    Curves().write(settings.tables_to_write);
     return 0;
   }
-  const Boundaries boundaries = settings.tables.empty() ? Boundaries() : Boundaries(settings.tables);
-  Soak soak(settings, boundaries);
+  const Curves curves = settings.tables.empty() ? Curves() : Curves(settings.tables);
+  Soak soak(settings, curves);
   if (settings.episode) {
     soak.run_episode(*settings.episode);
   } else {

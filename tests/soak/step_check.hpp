@@ -4,9 +4,7 @@
 #include "godobject/godobject.hpp"
 #include "tests/soak/motion.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <concepts>
 #include <limits>
 #include <string>
 
@@ -15,56 +13,21 @@ namespace limitcurve::soak {
 /// What must hold after every step, and how near the wrench came to the limit.
 struct StepCheck {
   std::string fault;     ///< what does not hold; empty if all does
-  double excess = 0.0;   ///< gauge of the wrench that the user feels − 1, where it is above, in units of 2⁻⁵²
+  double excess = 0.0;   ///< gauge of the wrench that the user feels − 1
   bool counted = false;  ///< whether the gauge was taken
-  godobject::ContactState state = godobject::ContactState::free;
 };
 
-/// How far the boundary reaches along `normal`, which it has at `wrench`.
-template <class Boundary>
-long double support(const Boundary& boundary, UnitWrench wrench, SlipTwist normal) {
-  long double force = wrench.force;
-  long double moment = wrench.moment;
-  if constexpr (std::same_as<Boundary, ExactCurve>) {
-    // By the law's own long double, so that the rounding of what is checked is not in what it is checked against.
-    if (const auto exact = boundary.law().closed(static_cast<long double>(normal.cor()))) {
-      force = exact->force;
-      moment = exact->moment;
-    }
-  }
-  return normal.slide * force + normal.spin * moment;
-}
-
-/// The gauge in the limit that may act, less 1, in units of 2⁻⁵²; against the supporting line where the boundary meets the ray of the
-/// wrench, in long double, so that a gauge's own rounding does not blur it.
-template <class Finger>
-double excess_over_limit(const Finger& finger) {
-  const godobject::FingerOutput& output = finger.output();
-  const godobject::ContactLaw& law = finger.friction().law();
-  const auto scale = output.state == godobject::ContactState::slip ? law.dynamic_scale(output.load) : law.static_scale(output.load);
-  const long double force_x = output.force.x();
-  const long double force_y = output.force.y();
-  const long double force_z = output.force.z();
-  const long double force = std::sqrt(force_x * force_x + force_y * force_y + force_z * force_z) / scale.force;
-  const long double moment = std::fabs(static_cast<long double>(output.moment)) / (static_cast<long double>(scale.force) * scale.radius);
-  if (!(force > 0.0L || moment > 0.0L)) return -1.0;
-  // Only the direction counts: squares of what is small would vanish.
-  const long double larger = std::max(force, moment);
-  const auto& boundary = finger.friction().boundary();
-  const auto [wrench, normal] = boundary.along({static_cast<double>(force / larger), static_cast<double>(moment / larger)});
-  const long double reach = support(boundary, wrench, normal);
-  const long double drawn = normal.slide * force + normal.spin * moment;
-  return static_cast<double>((drawn - reach) / reach / std::numeric_limits<double>::epsilon());
+inline godobject::FrictionLimits<double> limits_of(const godobject::SoftFinger& finger) {
+  return godobject::ContactLimits(finger.parameters(), finger.curve().moment_ratio()).at<double>(finger.state().load, 1.0);
 }
 
 /// Checks the step that `finger` just made on `sample` from the state `last`.
-template <class Finger>
-StepCheck check_step(const Finger& finger, const godobject::FingerState& last, const Sample& sample) {
-  const godobject::FingerOutput& before = last.output;
+inline StepCheck check_step(const godobject::SoftFinger& finger, const godobject::FingerState& last, const Sample& sample) {
+  using Eigen::Vector3d;
   using godobject::ContactState;
-  const godobject::FingerOutput& output = finger.output();
+  const godobject::FingerOutput output = finger.output();
+  const Vector3d last_proxy(last.proxy.data());
   StepCheck result;
-  result.state = output.state;
   const auto fails = [&](const char* what) {
     if (result.fault.empty()) result.fault = what;
   };
@@ -76,8 +39,8 @@ StepCheck check_step(const Finger& finger, const godobject::FingerState& last, c
   const bool usable = squares <= 1e12 && std::fabs(sample.contact.normal.squaredNorm() - 1.0) <= 1e-6;
   if (!usable && output.state != ContactState::invalid) fails("unusable input is used");
   if (output.state == ContactState::invalid) {
-    if (output.proxy != before.proxy || output.angle != before.angle) fails("invalid input moves the proxy");
-    if (!(output.force.norm() <= before.force.norm() && std::fabs(output.moment) <= std::fabs(before.moment)))
+    if (output.proxy != last_proxy || output.angle != last.angle) fails("invalid input moves the proxy");
+    if (!(output.force.norm() <= Vector3d(last.force.data()).norm() && std::fabs(output.moment) <= std::fabs(last.moment)))
       fails("invalid input adds friction");
     return result;
   }
@@ -86,25 +49,35 @@ StepCheck check_step(const Finger& finger, const godobject::FingerState& last, c
     if (!output.force.isZero(0.0) || output.moment != 0.0 || output.load != 0.0) fails("friction in free space");
     return result;
   }
-  const bool dampers = finger.friction().law().damping() > 0.0 || finger.friction().law().twist_damping() > 0.0;
-  const bool rested = before.state == ContactState::stick || before.state == ContactState::slip;
-  if (output.state == ContactState::stick && rested && output.proxy != before.proxy) fails("a proxy that sticks moves");
-  if (output.state == ContactState::slip && rested && sample.contact.normal == last.normal && !dampers) {
+  const godobject::FrictionLimits<double> limits = limits_of(finger);
+  const bool dampers = finger.parameters().damping > 0.0 || finger.parameters().twist_damping > 0.0;
+  const bool rested = last.state == ContactState::stick || last.state == ContactState::slip;
+  if (output.state == ContactState::stick && rested &&
+      (output.proxy != last_proxy || (limits.has_torsion && output.angle != last.angle)))
+    fails("a proxy that sticks moves");
+  if (output.state == ContactState::slip && rested && sample.contact.normal == Vector3d(last.normal.data()) && !dampers) {
     // The wrench on the finger times the way of the proxy along the surface, taken anew; but for the rounding of where the proxy is.
-    const Eigen::Vector3d way = before.proxy - output.proxy;
-    const Eigen::Vector3d along = way - sample.contact.normal * sample.contact.normal.dot(way);
-    const double work = output.force.dot(along) + output.moment * (before.angle - output.angle);
-    const double rounding = output.force.norm() * (output.proxy.norm() + before.proxy.norm()) +
-                            std::fabs(output.moment) * (std::fabs(output.angle) + std::fabs(before.angle) + std::fabs(sample.twist));
+    const Vector3d way = last_proxy - output.proxy;
+    const Vector3d along = way - sample.contact.normal * sample.contact.normal.dot(way);
+    const double work = output.force.dot(along) + output.moment * (last.angle - output.angle);
+    const double rounding = output.force.norm() * (output.proxy.norm() + last_proxy.norm()) +
+                            std::fabs(output.moment) * (std::fabs(output.angle) + std::fabs(last.angle) + std::fabs(sample.twist));
     if (!(work >= -4.0 * std::numeric_limits<double>::epsilon() * rounding - 1e-300)) fails("a slip that gains energy");
   }
-  constexpr double least = godobject::ContactLaw::least_unit;
-  const auto scale = finger.friction().law().static_scale(output.load);
-  if (scale.force <= least && !(output.force.isZero(0.0) && output.moment == 0.0)) fails("a wrench without friction");
-  if (scale.force > least && scale.force * scale.radius > least) {
-    result.excess = excess_over_limit(finger);
+  const godobject::FrictionLimit<double>& limit = output.state == ContactState::slip ? limits.sliding : limits.at_rest;
+  // So little friction is none: the arithmetic divides by no less.
+  constexpr double least = 1e-100;
+  const double force = output.force.norm();
+  const double moment = std::fabs(output.moment);
+  if (limits.has_torsion ? limit.force > least && limit.force * limit.radius > least : limit.force > least) {
     result.counted = true;
+    result.excess = (limits.has_torsion ? finger.curve().gauge({force / limit.force, moment / (limit.force * limit.radius)})
+                                        : force / (limit.force * finger.curve().force_max())) -
+                    1.0;
+  } else if (limit.force <= least && !(force <= 2.0 * least)) {
+    fails("a wrench without friction");
   }
+  if (!limits.has_torsion && output.moment != 0.0) fails("a moment without torsional friction");
   return result;
 }
 

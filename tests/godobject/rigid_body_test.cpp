@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include "godobject/rigid_body.hpp"
+
+#include "tests/godobject/scene.hpp"
+#include "tests/repetitions.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace limitcurve::godobject::test {
+namespace {
+
+using Eigen::Quaterniond;
+using Eigen::Vector3d;
+
+TEST(RigidBody, TurnsByTheAngleItShould) {
+  Quaterniond orientation = Quaterniond::Identity();
+  const Vector3d axis = Vector3d(1.0, 2.0, -0.5).normalized();
+  for (int i = 0; i < 1000; ++i) orientation = turned(orientation, axis * 0.7, 1e-3);
+  const Quaterniond expected(Eigen::AngleAxisd(0.7, axis));
+  EXPECT_LT(orientation.angularDistance(expected), 1e-9);
+  EXPECT_NEAR(orientation.norm(), 1.0, 4e-16);
+}
+
+TEST(RigidBody, TwistIsUnwrappedOverManyTurns) {
+  // A device that turns by 40 turns about the normal of a plane, given as an orientation.
+  SoftFinger finger = hertz_finger();
+  for (int i = 0; i <= 40 * 628; ++i) {
+    const double angle = 0.01 * i;
+    Quaterniond orientation(Eigen::AngleAxisd(angle, Vector3d::UnitZ()));
+    if (i % 3 == 1) orientation.coeffs() *= -1.0;  // the same orientation
+    finger.update(on_plane(0.0, 0.0, 0.002), twist_about(orientation, Vector3d::UnitZ()));
+    ASSERT_NEAR(finger.state().goal_angle, angle, 1e-9);
+  }
+}
+
+/// Moments of inertia of an evenly filled solid per mass, by counting cells of a grid: nothing but its outline.
+template <class Inside>
+Vector3d counted_inertia(const Vector3d& half_edges, const Inside& inside) {
+  constexpr int cells = repetitions(120, 30);
+  Vector3d sum = Vector3d::Zero();
+  double count = 0.0;
+  for (int i = 0; i < cells * cells * cells; ++i) {
+    const Vector3d place(i % cells, i / cells % cells, i / cells / cells);
+    const Vector3d at = ((2.0 * place + Vector3d::Ones()) / cells - Vector3d::Ones()).cwiseProduct(half_edges);
+    if (!inside(at)) continue;
+    const Vector3d squares = at.cwiseProduct(at);
+    sum += Vector3d::Constant(squares.sum()) - squares;
+    count += 1.0;
+  }
+  return sum / count;
+}
+
+TEST(BodyParameters, EvenlyFilledBodiesHaveTheInertiaOfTheirOutline) {
+  const double r = 0.02;
+  const double length = 0.07;
+  const auto is_near = [](const BodyParameters& body, const Vector3d& expected) {
+    // What the cells of a short build do not resolve is ten times as much.
+    constexpr double resolved = tests_are_short ? 2e-2 : 2e-3;
+    EXPECT_LT((body.inertia / body.mass - expected).norm(), resolved * expected.norm()) << body.inertia.transpose();
+  };
+  const Vector3d slim{r, r, 0.5 * length};
+  is_near(BodyParameters::ball(0.3, r), counted_inertia(Vector3d::Constant(r), [&](const Vector3d& at) { return at.norm() <= r; }));
+  is_near(BodyParameters::cylinder(0.3, r, length), counted_inertia(slim, [&](const Vector3d& at) { return at.head<2>().norm() <= r; }));
+  is_near(BodyParameters::capsule(0.3, r, length), counted_inertia(slim + Vector3d(0.0, 0.0, r), [&](const Vector3d& at) {
+            return (at - Vector3d(0.0, 0.0, std::clamp(at.z(), -0.5 * length, 0.5 * length))).norm() <= r;
+          }));
+  is_near(BodyParameters::block(0.3, 2.0 * slim), counted_inertia(slim, [](const Vector3d&) { return true; }));
+  EXPECT_THROW(static_cast<void>(BodyParameters::ball(0.1, 0.0)), std::invalid_argument);
+  EXPECT_THROW(static_cast<void>(BodyParameters::cylinder(0.1, 0.1, 0.0)), std::invalid_argument);
+  EXPECT_THROW(static_cast<void>(BodyParameters::capsule(-0.1, 0.1, 0.0)), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace limitcurve::godobject::test
