@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <string_view>
 
 /// What models cost on one machine, mean nanoseconds: read them as ratios. Written by scripts/work_precision; do not edit.
@@ -10,7 +11,9 @@ namespace limitcurve::shipped_costs {
 
 inline constexpr std::string_view measured = "2026-11-23, a virtual machine, x86_64, AMD EPYC, 2 cores, GCC 12.2.0";
 
-/// A wrench by its slip twist, and a step of the god-object that slips, by each projection.
+inline constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+/// A wrench by its slip twist, and a step of the god-object that slips, by each projection; `none` where no finger takes it.
 struct Cost {
   std::string_view model;
   double wrench;
