@@ -65,8 +65,9 @@ template <class Real, class Number>
   const Number per_force = radius * per_moment;
   const Number rounding = trial.force_rounding * per_force * Number(curve.inverse_force_max) +
                           trial.moment_rounding * per_moment * Number(curve.inverse_moment_max);
+  // Not more than the limit itself: with no friction at all a contact slips.
   return {min(trial.force * per_force, Number(largest)), min(trial.moment * per_moment, Number(largest)),
-          limit.radius * limit.radius * stiffness_ratio, Number(slip_onset<Real>) + rounding};
+          limit.radius * limit.radius * stiffness_ratio, Number(slip_onset<Real>) + min(rounding, Number(Real(1)))};
 }
 
 /// Brings the trial on to the limit by the chosen projection.

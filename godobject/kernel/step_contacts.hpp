@@ -46,15 +46,15 @@ void step_contacts(const Shared<Real>& shared, const BasicContactBatch<Real>& co
   // b. What part of it the limit curve lets the springs keep.
   const Number stiffness = Number(shared.stiffness);
   const Number twist_stiffness = Number(shared.twist_stiffness);
+  const Number normal_load = stiffness * select(touches, depth, zero);
+  const FrictionLimits<Number> limits = shared.limits.template at<Real>(normal_load, stiffness / twist_stiffness);
   const Number r = sqrt(trial_x * trial_x + trial_y * trial_y);
   const Number rho = abs(twist);
   const Number rounding = Number(std::numeric_limits<Real>::epsilon() / 2);
   const FrictionTrial<Number> trial{stiffness * r, twist_stiffness * rho, stiffness * rounding * (abs(proxy_x) + abs(proxy_y)),
-                                    twist_stiffness * rounding * abs(proxy_angle)};
-  const Number normal_load = stiffness * select(touches, depth, zero);
+                                    limits.has_torsion ? twist_stiffness * rounding * abs(proxy_angle) : zero};
   FrictionMemory<Number> memory{stays && has_state(contacts.state.data() + i, ContactState::slip, zero), read(contacts.parameter),
                                 read(contacts.rate)};
-  const FrictionLimits<Number> limits = shared.limits.template at<Real>(normal_load, stiffness / twist_stiffness);
   const FrictionResult<Number> friction = apply_friction(shared.curve, shared.projection, limits, trial, memory);
   const Number kept_x = trial_x * friction.force_ratio;
   const Number kept_y = trial_y * friction.force_ratio;
