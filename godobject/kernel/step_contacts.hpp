@@ -66,8 +66,7 @@ void step_contacts(const Shared<Real>& shared, const BasicContactBatch<Real>& co
   const Number new_x = select(slides, x + kept_x, proxy_x);
   const Number new_y = select(slides, y + kept_y, proxy_y);
   const Number new_angle = select(turns, angle + kept_twist, proxy_angle);
-  const auto slips = friction.slips && (new_x < proxy_x || new_x > proxy_x || new_y < proxy_y || new_y > proxy_y ||
-                                        new_angle < proxy_angle || new_angle > proxy_angle);
+  const auto slips = friction.slips && (new_x != proxy_x || new_y != proxy_y || new_angle != proxy_angle);
 
   // c. Force and moment on the user. Of a fault nothing is touched.
   const auto write = [&](auto array, Number value) { store_where(is_plausible, array.data() + i, value); };
