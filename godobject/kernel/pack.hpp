@@ -203,15 +203,49 @@ template <class Real, class Isa>
 
 template <class Real, class Isa>
 [[nodiscard]] Pack<Real, Isa> gather(const Real* array, Index<Real, Isa> at) noexcept {
-  typename Pack<Real, Isa>::Numbers result{};
-  for (std::size_t lane = 0; lane < Pack<Real, Isa>::size; ++lane) result[lane] = array[at.lanes[lane]];
-  return Pack<Real, Isa>(result);
+  using Result = Pack<Real, Isa>;
+  constexpr bool is_double = sizeof(Real) == 8;
+  if constexpr (Isa::bytes == 64) {
+    if constexpr (is_double) {
+      return Result(_mm512_mask_i64gather_pd(_mm512_setzero_pd(), 0xFF, (__m512i)at.lanes, array, 8));
+    } else {
+      return Result(_mm512_mask_i32gather_ps(_mm512_setzero_ps(), 0xFFFF, (__m512i)at.lanes, array, 4));
+    }
+  } else if constexpr (Isa::bytes == 32) {
+    if constexpr (is_double) {
+      return Result(_mm256_i64gather_pd(array, (__m256i)at.lanes, 8));
+    } else {
+      return Result(_mm256_i32gather_ps(array, (__m256i)at.lanes, 4));
+    }
+  } else {
+    Result result;
+    for (std::size_t lane = 0; lane < Result::size; ++lane) result.lanes[lane] = array[at.lanes[lane]];
+    return result;
+  }
 }
+/// From an array of an even length that begins where a word of 32 bits may: there is no gathering of less than such words.
 template <class Real, class Isa>
 [[nodiscard]] Index<Real, Isa> gather(const std::uint16_t* array, Index<Real, Isa> at) noexcept {
-  Index<Real, Isa> result;
-  for (std::size_t lane = 0; lane < Pack<Real, Isa>::size; ++lane) result.lanes[lane] = array[at.lanes[lane]];
-  return result;
+  using Integers = typename Index<Real, Isa>::Integers;
+  if constexpr (Isa::bytes == 16) {
+    Index<Real, Isa> result;
+    for (std::size_t lane = 0; lane < Pack<Real, Isa>::size; ++lane) result.lanes[lane] = array[at.lanes[lane]];
+    return result;
+  } else {
+    const Integers word = at.lanes >> 1;
+    Integers words;
+    if constexpr (Isa::bytes == 64 && sizeof(Real) == 8) {
+      words =
+          (Integers)_mm512_maskz_cvtepu32_epi64(0xFF, _mm512_mask_i64gather_epi32(_mm256_setzero_si256(), 0xFF, (__m512i)word, array, 4));
+    } else if constexpr (Isa::bytes == 64) {
+      words = (Integers)_mm512_mask_i32gather_epi32(_mm512_setzero_si512(), 0xFFFF, (__m512i)word, array, 4);
+    } else if constexpr (sizeof(Real) == 8) {
+      words = (Integers)_mm256_cvtepu32_epi64(_mm256_i64gather_epi32((const int*)array, (__m256i)word, 4));
+    } else {
+      words = (Integers)_mm256_i32gather_epi32((const int*)array, (__m256i)word, 4);
+    }
+    return Index<Real, Isa>((words >> ((at.lanes & 1) * 16)) & 0xFFFF);
+  }
 }
 
 template <class Real, class Isa>
@@ -220,8 +254,14 @@ template <class Real, class Isa>
   return result;
 }
 template <class Real, class Isa>
-void store(Real* to, Pack<Real, Isa> value) noexcept {
-  *reinterpret_cast<typename Registers<Real, Isa>::Unaligned*>(to) = value.lanes;
+void store_where(Mask<Real, Isa> condition, Real* to, Pack<Real, Isa> value) noexcept {
+  if constexpr (Isa::bytes == 64 && sizeof(Real) == 8) {
+    _mm512_mask_storeu_pd(to, condition.bits, value.lanes);
+  } else if constexpr (Isa::bytes == 64) {
+    _mm512_mask_storeu_ps(to, condition.bits, value.lanes);
+  } else {
+    *reinterpret_cast<typename Registers<Real, Isa>::Unaligned*>(to) = select(condition, value, load(to, value)).lanes;
+  }
 }
 
 /// A mask from bytes that are 0 or −1, the lowest ones.
@@ -266,9 +306,14 @@ template <class Real, class Isa>
 /// As many states as there are lanes, a byte each.
 template <class Real, class Isa>
 [[nodiscard]] __m128i load_states(const ContactState* states) noexcept {
-  __m128i bytes = _mm_setzero_si128();
-  __builtin_memcpy(&bytes, states, Pack<Real, Isa>::size);
-  return bytes;
+  constexpr std::size_t count = Pack<Real, Isa>::size;
+  if constexpr (count == 16) {
+    return _mm_loadu_si128(reinterpret_cast<const __m128i*>(states));
+  } else {
+    std::conditional_t<count == 8, std::int64_t, std::conditional_t<count == 4, std::int32_t, std::int16_t>> word;
+    __builtin_memcpy(&word, states, count);
+    return _mm_cvtsi64_si128(word);
+  }
 }
 template <class Real, class Isa>
 [[nodiscard]] Mask<Real, Isa> has_state(const ContactState* states, ContactState wanted, Pack<Real, Isa>) noexcept {

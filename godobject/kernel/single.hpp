@@ -14,8 +14,8 @@ template <std::floating_point Number>
   return *from;
 }
 template <std::floating_point Number>
-void store(Number* to, Number value) noexcept {
-  *to = value;
+void store_where(bool condition, Number* to, Number value) noexcept {
+  if (condition) *to = value;
 }
 template <std::floating_point Number>
 [[nodiscard]] bool has_state(const ContactState* states, ContactState wanted, Number) noexcept {
