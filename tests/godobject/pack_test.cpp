@@ -4,7 +4,10 @@
 #include "godobject/contact_arrays.hpp"
 #include "godobject/kernel/step.hpp"
 #include "godobject/soft_finger.hpp"
+#include "limitcurve/ellipse.hpp"
 #include "limitcurve/laws.hpp"
+#include "limitcurve/polygon.hpp"
+#include "limitcurve/table.hpp"
 
 #include "tests/repetitions.hpp"
 
