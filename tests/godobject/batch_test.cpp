@@ -80,6 +80,33 @@ class BatchOf : public testing::Test {};
 using Reals = testing::Types<double, float>;
 TYPED_TEST_SUITE(BatchOf, Reals);
 
+// It sticks as near to the curve as the precision tells, and slips where the onset says, in all directions.
+TYPED_TEST(BatchOf, SlipBeginsOnTheCurve) {
+  using Real = TypeParam;
+  constexpr double onset = double{slip_onset<Real>} - 1.0;
+  for (const Case<Real>& with : cases<Real>()) {
+    if (with.with.moment_coefficient) continue;
+    const BasicBatch<Real> batch(with.curve, with.with, with.projection);
+    constexpr std::size_t count = 180;
+    for (const double share : {1.0 - onset, 1.0 + 2.0 * onset}) {
+      BasicContactArrays<Real> arrays(count);
+      std::ranges::fill(arrays.depth(), Real(0.002));
+      batch.step(arrays.batch());
+      const double load = with.with.stiffness * double{arrays.depth()[0]};
+      const double unit = share * with.with.mu * load;
+      for (std::size_t i = 0; i < count; ++i) {
+        const double angle = 0.5 * M_PI * (static_cast<double>(i) + 0.5) / count;
+        const UnitWrench limit = with.curve.along({std::cos(angle), with.curve.moment_ratio() * std::sin(angle)}).wrench;
+        arrays.y()[i] = static_cast<Real>(limit.force * unit / with.with.stiffness);
+        arrays.angle()[i] = static_cast<Real>(limit.moment * unit * with.with.radius_law.radius(load) / with.with.twist_stiffness);
+      }
+      batch.step(arrays.batch());
+      const ContactState expected = share < 1.0 ? ContactState::stick : ContactState::slip;
+      EXPECT_EQ(std::ranges::count(arrays.batch().state, expected), static_cast<int>(count)) << with.name << ' ' << share;
+    }
+  }
+}
+
 TYPED_TEST(BatchOf, SlipWorkIsNeverNegativeAndTheWrenchIsWithinTheLimit) {
   using Real = TypeParam;
   constexpr std::size_t count = 501;
