@@ -3,11 +3,9 @@
 
 #include "godobject/batch.hpp"
 #include "godobject/contact_arrays.hpp"
-#include "godobject/float_batch.hpp"
 #include "godobject/godobject.hpp"
 #include "godobject/mesh/mesh_file.hpp"
 #include "limitcurve/ellipse.hpp"
-#include "limitcurve/float_table.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/table.hpp"
 
@@ -51,22 +49,18 @@ inline godobject::FingerParameters parameters(Skin skin) {
 }
 
 template <Model model, class Real = double>
-auto make_curve() {
-  if constexpr (model == Model::ellipse_radial) {
-    return Ellipse::through_intercepts(hertz()->moment_ratio());
-  } else if constexpr (std::is_same_v<Real, float>) {
-    return FloatTable::build(hertz(), 1e-6);
-  } else {
-    return Table::build(hertz(), 1e-8);
-  }
+godobject::BasicFingerCurve<Real> make_curve() {
+  if constexpr (model == Model::ellipse_radial) return Ellipse::through_intercepts(hertz()->moment_ratio());
+  return BasicTable<Real>::build(hertz(), std::is_same_v<Real, float> ? 1e-6 : 1e-8);
 }
 
 template <Model model>
-using Projection = std::conditional_t<model == Model::table_closest_point, godobject::ClosestPoint, godobject::Radial>;
+inline constexpr godobject::Projection projection =
+    model == Model::table_closest_point ? godobject::Projection::closest_point : godobject::Projection::radial;
 
 template <Model model>
 auto make_finger(Skin skin) {
-  return godobject::SoftFinger(make_curve<model>(), parameters(skin), Projection<model>{});
+  return godobject::SoftFinger(make_curve<model>(), parameters(skin), projection<model>);
 }
 
 /// A step, in a time [s]. The moment on the user [N m].
@@ -78,7 +72,7 @@ double update(Finger& finger, const Contact& contact, double twist, double time_
 /// The next search for the closest point begins from nothing, as a finger's first does.
 template <class Finger>
 void forget_closest_point(Finger& finger) {
-  finger.forget_place();
+  finger.forget_warm_start();
 }
 
 /// What a batch is given.
@@ -91,7 +85,7 @@ template <Model model, class Real>
 class Batch {
  public:
   Batch(Skin skin, std::size_t count)
-      : friction_(make_curve<model, Real>(), parameters(skin), Projection<model>{}), arrays_(count), batch_(arrays_.batch()) {}
+      : stepper_(make_curve<model, Real>(), parameters(skin), projection<model>), arrays_(count), batch_(arrays_.batch()) {}
   Batch(const Batch&) = delete;
   Batch& operator=(const Batch&) = delete;
 
@@ -100,31 +94,29 @@ class Batch {
     batch_.y = input.y;
     batch_.angle = input.angle;
     batch_.depth = input.depth;
-    godobject::step(friction_, batch_);
+    stepper_.step(batch_);
   }
 
   [[nodiscard]] std::span<const Real> moment() const { return batch_.moment; }
 
  private:
-  godobject::Friction<decltype(make_curve<model, Real>()), Projection<model>> friction_;
+  godobject::BasicBatch<Real> stepper_;
   godobject::BasicContactArrays<Real> arrays_;
   godobject::BasicContactBatch<Real> batch_;
 };
 
-/// A block of 100 g, 12 x 4 x 4 cm, and this many fingers on it; implicit integrator. It may be locked against tilting, about x and y.
+/// A block of 100 g, 12 x 4 x 4 cm, and this many fingers on it. It may be locked against tilting, about x and y.
 template <Model model>
 auto make_grasp(Skin skin, std::size_t fingers, bool tilts) {
   const Eigen::Vector3d edges{0.12, 0.04, 0.04};
   auto body = godobject::BodyParameters::block(0.1, edges);
   body.free = {true, true, true, tilts, tilts, true};
-  const auto finger = make_finger<model>(skin);
-  using Finger = std::remove_const_t<decltype(finger)>;
-  return godobject::Grasp(body, BodyState{}, godobject::BoxSurface(0.5 * edges), std::vector<Finger>(fingers, finger));
+  return godobject::Grasp(body, BodyState{}, godobject::AnySurface(godobject::BoxSurface(0.5 * edges)),
+                          std::vector<godobject::SoftFinger>(fingers, make_finger<model>(skin)));
 }
 
 /// The moment on the user of a grasp's finger [N m].
-template <class Grasp>
-double moment_of(const Grasp& grasp, std::size_t finger) {
+inline double moment_of(const godobject::Grasp& grasp, std::size_t finger) {
   return grasp.finger(finger).output().moment;
 }
 

@@ -23,11 +23,10 @@
 /// What `scripts/work_precision` measures: ways to a friction wrench, each with its error and its cost.
 namespace limitcurve::bench {
 
-/// Something with a cost that can be timed by Google Benchmark, or run a number of times while instructions are counted.
+/// Something with a cost that Google Benchmark times.
 struct Way {
   std::string name;  ///< slashes between the columns that the driver makes of it
   std::function<void(benchmark::State&)> time;
-  std::function<void(std::size_t calls)> run;
   double nanoseconds;  ///< of a call, roughly
 };
 
@@ -109,8 +108,7 @@ CostOverInputs cost_over(const std::vector<double>& inputs, Call&& call, double 
 /// Methods are added as calls from a slip twist to a unit wrench.
 class WrenchStudy {
  public:
-  /// Without references nothing can be timed, but instructions counted.
-  WrenchStudy(std::string_view law_name, Law law, bool with_references) : law_name_(law_name), law_(std::move(law)) {
+  WrenchStudy(std::string_view law_name, Law law) : law_name_(law_name), law_(std::move(law)) {
     // The places where methods fail come first, so that the slow ones meet them too.
     for (const double s : {1.0, 0.0, 0.5, 2.0, 0.999, 1.001, 1e3, 1e-3, 1.0 + 1e-6, 1.0 - 1e-6, 0.9, 1.1, 1e6, 1e-6}) {
       places_.push_back(SlipTwist::about_cor(s));
@@ -118,9 +116,7 @@ class WrenchStudy {
     places_.push_back({1.0, 0.0});
     special_ = places_.size();
     for (const double u : spread(497)) places_.push_back(SlipTwist::of_spin_fraction(u));
-    if (with_references) {
-      for (const SlipTwist place : places_) references_.push_back(law_->evaluate(place.cor()).wrench);
-    }
+    for (const SlipTwist place : places_) references_.push_back(law_->evaluate(place.cor()).wrench);
     moment_ratio_ = law_->moment_ratio();
   }
 
@@ -152,13 +148,7 @@ class WrenchStudy {
       state.counters["median_ns"] = facts->cost.median;
       state.counters["worst_ns"] = facts->cost.worst;
     };
-    // Made beforehand: what is counted is the calls.
-    const auto run = [at, inputs = spread(256)](std::size_t calls) {
-      double sum = 0.0;
-      for (std::size_t i = 0; i < calls; ++i) sum += at(inputs[i % inputs.size()]);
-      benchmark::DoNotOptimize(sum);
-    };
-    ways().push_back({name, time, run, rough});
+    ways().push_back({name, time, rough});
   }
 
  private:

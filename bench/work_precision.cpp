@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: MIT
 // Error against cost of every way to a friction wrench, ours and others'. scripts/work_precision runs it and draws the chart;
-// by hand it is a Google Benchmark like the others, and with --instructions, under valgrind --tool=callgrind
-// --instr-atstart=no, it dumps one count of instructions a method.
+// by hand it is a Google Benchmark like the others.
 #include "bench/fixed_gauss.hpp"
 #include "bench/peers.hpp"
 #include "bench/way.hpp"
 #include "bench/work_precision_step.hpp"
 
 #include "limitcurve/boundary_error.hpp"
-#include "limitcurve/chord_table.hpp"
 #include "limitcurve/closed_form.hpp"
 #include "limitcurve/ellipse.hpp"
 #include "limitcurve/evaluators.hpp"
 #include "limitcurve/exact_curve.hpp"
-#include "limitcurve/float_table.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/number.hpp"
 #include "limitcurve/polygon.hpp"
@@ -23,13 +20,6 @@
 
 #include <benchmark/benchmark.h>
 
-#if __has_include(<valgrind/callgrind.h>)
-#include <valgrind/callgrind.h>
-#define LIMITCURVE_BENCH_CALLGRIND
-#endif
-
-#include <cstdio>
-#include <cstring>
 #include <deque>
 #include <string>
 #include <vector>
@@ -39,14 +29,6 @@ namespace {
 
 // Beyond this place of the COR no method of others' is asked, for s = ∞ is none that they take: the wrench has ceased to change.
 constexpr double farthest = 1e17;
-
-bool under_valgrind() {
-#ifdef LIMITCURVE_BENCH_CALLGRIND
-  return RUNNING_ON_VALGRIND != 0;
-#else
-  return false;
-#endif
-}
 
 template <class Boundary>
 void add_boundary(const WrenchStudy& study, const char* family, const std::string& parameter, const Boundary& boundary) {
@@ -91,7 +73,6 @@ void add_evaluators(const WrenchStudy& study) {
       study.add("ours", family, "80 bit", [law, method](SlipTwist twist) { return law->evaluate(twist.cor(), method).wrench; });
   };
   add_method("ring", limitcurve::Method::ring);
-  if (under_valgrind()) return;
   add_method("punch", limitcurve::Method::punch);
   add_method("direct", limitcurve::Method::direct);
 }
@@ -104,19 +85,8 @@ void add_gauss(const WrenchStudy& study) {
 
 void add_boundaries(const WrenchStudy& study) {
   const ExactCurve exact(study.law());
-  for (int digits = 2; digits <= 10; ++digits) {
-    const double tolerance = std::pow(10.0, -digits);
-    add_boundary(study, "table", "1e-" + std::to_string(digits), Table::build(study.law(), tolerance));
-  }
-  for (int digits = 1; digits <= 7; ++digits) {
-    add_boundary(study, "chord table", "1e-" + std::to_string(digits), ChordTable::build(study.law(), std::pow(10.0, -digits)));
-  }
-  for (int digits = 2; digits <= 6; ++digits) {
-    study.add("ours", "float table", "1e-" + std::to_string(digits),
-              [table = FloatTable::build(study.law(), std::pow(10.0, -digits))](SlipTwist twist) {
-                const FloatWrench wrench = table.float_wrench({static_cast<float>(twist.slide), static_cast<float>(twist.spin)});
-                return UnitWrench{static_cast<double>(wrench.force), static_cast<double>(wrench.moment)};
-              });
+  for (const int digits : {2, 4, 6, 8, 10, 12, 14}) {
+    add_boundary(study, "table", "1e-" + std::to_string(digits), Table::build(study.law(), std::pow(10.0, -digits)));
   }
   add_boundary(study, "diamond", "", diamond(1.0, exact.moment_ratio()));
   add_boundary(study, "box", "", box(1.0, exact.moment_ratio()));
@@ -129,13 +99,11 @@ void add_peers(const WrenchStudy& study) {
   const PressureLaw& law = *study.law();
   study.add("others", "Hermite", "64", EqualHermite(ExactCurve(study.law()), 64));
   for (const int cells : {20, 50, 200, 1000}) {
-    if (under_valgrind() && cells > 200) continue;
     add_of_cor(study, "others", "grid", std::to_string(cells), Grid(law, cells));
   }
   for (const double tolerance : {1e-2, 1e-4, 1e-8}) {
     add_of_cor(study, "others", "Boost split", format_number(tolerance), BoostSplit(law, tolerance));
   }
-  if (under_valgrind()) return;
   for (const double tolerance : {1e-3, 1e-6, 1e-9}) {
     add_of_cor(study, "others", "Boost nested", format_number(tolerance), BoostNested(law, tolerance));
   }
@@ -146,37 +114,17 @@ void add_peers(const WrenchStudy& study) {
 #endif
 }
 
-/// Nodes, and so the cost of a build, are to grow no faster than with tolerance^(−1/4), which is what the argument is.
+/// By tolerance^(−1/4), which is the argument.
 void build_table(benchmark::State& state, const Law& law) {
   const double tolerance = std::pow(static_cast<double>(state.range(0)), -4.0);
-  std::size_t nodes = 0;
+  std::size_t cells = 0;
   for (auto _ : state) {
     const Table table = Table::build(law, tolerance);
-    nodes = table.node_count();
-    benchmark::DoNotOptimize(nodes);
+    cells = table.cell_count();
+    benchmark::DoNotOptimize(cells);
   }
   state.SetComplexityN(state.range(0));
-  state.counters["nodes"] = static_cast<double>(nodes);
-}
-
-int count_instructions() {
-#ifdef LIMITCURVE_BENCH_CALLGRIND
-  for (const Way& way : ways()) {
-    // Valgrind makes a call some fifty times as slow.
-    const std::size_t calls = way.nanoseconds < 1e5 ? 256 : way.nanoseconds < 1e6 ? 32 : 4;
-    way.run(4);                                                        // what is built on first use
-    const std::string label = way.name + '#' + std::to_string(calls);  // outlives the request's own statements
-    CALLGRIND_START_INSTRUMENTATION;
-    CALLGRIND_ZERO_STATS;
-    way.run(calls);
-    CALLGRIND_DUMP_STATS_AT(label.c_str());
-    CALLGRIND_STOP_INSTRUMENTATION;
-  }
-  return 0;
-#else
-  std::fputs("bench_work_precision: error: built without valgrind/callgrind.h: install valgrind\n", stderr);
-  return 1;
-#endif
+  state.counters["cells"] = static_cast<double>(cells);
 }
 
 }  // namespace
@@ -187,15 +135,13 @@ int main(int argc, char** argv) {
   using namespace limitcurve::bench;
   std::deque<WrenchStudy> studies;  // methods refer to them
   for (const char* name : {"hertz", "uniform", "flat-punch", "xydas-kao:k=3", "power:n=2.3"}) {
-    const WrenchStudy& study = studies.emplace_back(name, parse_law(name), !under_valgrind());
+    const WrenchStudy& study = studies.emplace_back(name, parse_law(name));
     add_closed_forms(study, name);
     add_evaluators(study);
     add_gauss<7, 10, 15, 20, 30>(study);
     add_boundaries(study);
     add_peers(study);
   }
-  add_steps();
-  if (argc > 1 && std::strcmp(argv[1], "--instructions") == 0) return count_instructions();
   for (const Way& way : ways()) {
     const auto benchmark = benchmark::RegisterBenchmark(way.name.c_str(), way.time);
     if (way.nanoseconds > 1e5) {
@@ -204,7 +150,7 @@ int main(int argc, char** argv) {
       benchmark->MinTime(0.01)->Repetitions(5);
     }
   }
-  register_batches();
+  register_steps();
   for (const char* name : {"hertz", "xydas-kao:k=3"}) {
     const Law law = parse_law(name);
     benchmark::RegisterBenchmark(("build/" + std::string(name)).c_str(), [law](benchmark::State& state) { build_table(state, law); })

@@ -53,14 +53,17 @@ class Choose final : public Subcommand {
 
  private:
   void choose_boundary(const Results& results) const {
-    const std::vector<Candidate> candidates = choose(law_, tolerance_);
+    write(results, choose(law_, tolerance_));
+    if (explain_) std::cerr << "costs measured: " << shipped_costs::measured << '\n';
+  }
+
+  void write(const Results& results, const std::vector<Candidate>& candidates) const {
     Rows rows(results, {"model", "parameter", "error", "nanoseconds", "chosen"});
     for (const Candidate& candidate : candidates) {
       rows.row(candidate.model, candidate.parameter, candidate.error, candidate.nanoseconds, candidate.chosen);
       if (explain_) std::cerr << candidate.model << ": " << candidate.reason << '\n';
     }
     rows.finish();
-    if (explain_) std::cerr << "costs measured: " << shipped_costs::measured << '\n';
   }
 
   void choose_for_scene(const Results& results) {
@@ -75,13 +78,7 @@ class Choose final : public Subcommand {
       scene_.most_load = loads_.back();
     }
     const godobject::StepChoice choice = godobject::choose_step(scene_, tolerance_);
-    Rows rows(results, {"model", "parameter", "error", "nanoseconds", "chosen"});
-    for (const godobject::StepCandidate& candidate : choice.candidates) {
-      const std::string model = candidate.model + (candidate.constant_radius ? "" : "/a(P)");
-      rows.row(model, candidate.parameter, candidate.error, candidate.nanoseconds, candidate.chosen);
-      if (explain_) std::cerr << model << ": " << candidate.reason << '\n';
-    }
-    rows.finish();
+    write(results, choice.candidates);
     std::cerr << choice.verdict << '\n';
   }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "godobject/batch.hpp"
 
-#include "godobject/kernel/step_contacts.hpp"
+#include "godobject/kernel/step.hpp"
 
 #include <stdexcept>
 #include <utility>
@@ -21,7 +21,7 @@ BasicBatch<Real>::BasicBatch(BasicFingerCurve<Real> curve, const FingerParameter
 template <class Real>
 void BasicBatch<Real>::step(const BasicContactBatch<Real>& contacts) const noexcept {
   const kernel::Shared<Real> shared{curve_.view(), projection_, limits_, stiffness_, twist_stiffness_};
-  for (std::size_t i = 0; i < contacts.size(); ++i) kernel::step_contacts<Real, Real>(shared, contacts, i);
+  kernel::step_with(kernel::widest_set(), shared, contacts);
 }
 
 template class BasicBatch<double>;

@@ -5,6 +5,7 @@
 #include "godobject/soft_finger.hpp"
 #include "limitcurve/boundary_error.hpp"
 #include "limitcurve/choose.hpp"
+#include "limitcurve/ellipse.hpp"
 #include "limitcurve/exact_curve.hpp"
 #include "limitcurve/number.hpp"
 #include "limitcurve/polygon.hpp"
@@ -153,14 +154,14 @@ FingerParameters parameters_of(const Scene& scene) {
   return result;
 }
 
-std::string verdict_of(const Effects& effects, const StepCandidate& chosen, double tolerance) {
+std::string verdict_of(const Effects& effects, const Candidate& chosen, double tolerance) {
   std::string text = effects.torsion <= tolerance    ? "no torsion is needed"
                      : effects.coupling <= tolerance ? "uncoupled will do"
                                                      : "coupling is needed";
   text += ". Of what the contact bears, " + in_percent(effects.torsion) + " would change without torsion, " + in_percent(effects.coupling) +
           " without coupling, " + in_percent(effects.load_radius) + " with the radius of the mean load, " + in_percent(effects.curve) +
           " with the ellipse, " + in_percent(effects.projection) + " with the radial projection; tolerance " + in_percent(tolerance) +
-          ". Cheapest: " + chosen.model + (chosen.constant_radius ? "" : " with a(P)") + ", off by " + in_percent(chosen.error);
+          ". Cheapest: " + chosen.model + ", off by " + in_percent(chosen.error);
   if (effects.sampling > tolerance) {
     text += ". But half the sample time would change " + in_percent(effects.sampling) + ": sample faster first";
   }
@@ -175,7 +176,7 @@ StepChoice choose_step(const Scene& scene, double tolerance) {
   const double m0 = exact.moment_ratio();
   const Motions motions(scene, m0);
   const FingerParameters true_finger = parameters_of(scene);
-  const FingerCurve fine = Table::build(scene.law, std::max(1e-2 * tolerance, 1e-9));
+  const FingerCurve fine = Table::build(scene.law, std::max(1e-4 * tolerance, 1e-9));
   const Record truth = motions.drive(fine, Projection::closest_point, true_finger);
   const auto error_of = [&](const FingerCurve& curve, Projection projection, const FingerParameters& finger) {
     return largest_difference(motions.drive(curve, projection, finger), truth);
@@ -200,9 +201,9 @@ StepChoice choose_step(const Scene& scene, double tolerance) {
       !scene.moment_coefficient && scene.radius_law.radius(scene.least_load) != scene.radius_law.radius(scene.most_load);
   auto& candidates = result.candidates;
   const auto add = [&](const std::string& model, double parameter, const FingerCurve& curve, Projection projection, double cost) {
-    candidates.push_back({model, parameter, true, error_of(curve, projection, mean_finger), cost});
+    candidates.push_back({model, parameter, error_of(curve, projection, mean_finger), cost});
     if (radius_varies)
-      candidates.push_back({model, parameter, false, error_of(curve, projection, true_finger), cost + load_radius_cost});
+      candidates.push_back({model + "/a(P)", parameter, error_of(curve, projection, true_finger), cost + load_radius_cost});
   };
   const auto add_both = [&](const char* model, double parameter, const FingerCurve& curve) {
     const shipped_costs::Cost& cost = shipped_costs::of(model);
@@ -211,7 +212,7 @@ StepChoice choose_step(const Scene& scene, double tolerance) {
   };
   const double none = std::numeric_limits<double>::quiet_NaN();
   // A clamp of the force alone is less than any of the others.
-  candidates.push_back({"no torsion", none, true, result.effects.torsion, 0.5 * shipped_costs::of("ellipse").radial});
+  candidates.push_back({"no torsion", none, result.effects.torsion, 0.5 * shipped_costs::of("ellipse").radial});
   add("box/closest-point", std::numeric_limits<double>::infinity(), box(1.0, m0), Projection::closest_point,
       shipped_costs::of("box").closest_point);
   add_both("ellipse", 1.0, ellipse);
@@ -222,26 +223,8 @@ StepChoice choose_step(const Scene& scene, double tolerance) {
   const double table_tolerance = std::clamp(0.1 * tolerance, Table::finest_tolerance, Table::coarsest_tolerance);
   add_both("table", table_tolerance, Table::build(scene.law, table_tolerance));
 
-  std::stable_sort(candidates.begin(), candidates.end(),
-                   [](const StepCandidate& one, const StepCandidate& other) { return one.nanoseconds < other.nanoseconds; });
-  auto best =
-      std::find_if(candidates.begin(), candidates.end(), [&](const StepCandidate& candidate) { return candidate.error <= tolerance; });
-  // The table under the closest point is within a tenth of the tolerance of the curve, if not of what is felt: then the nearest.
-  if (best == candidates.end()) {
-    best = std::min_element(candidates.begin(), candidates.end(),
-                            [](const StepCandidate& one, const StepCandidate& other) { return one.error < other.error; });
-  }
-  best->chosen = true;
-  for (StepCandidate& candidate : candidates) {
-    if (candidate.error > tolerance) {
-      candidate.reason = in_percent(candidate.error) + " > " + in_percent(tolerance);
-    } else if (candidate.chosen) {
-      candidate.reason = in_percent(candidate.error) + ": chosen";
-    } else {
-      const double ratio = std::round(10.0 * candidate.nanoseconds / best->nanoseconds) / 10.0;
-      candidate.reason = in_percent(candidate.error) + ", " + format_number(ratio) + " times the cost";
-    }
-  }
+  choose_cheapest(candidates, tolerance);
+  const auto best = std::find_if(candidates.begin(), candidates.end(), [](const Candidate& candidate) { return candidate.chosen; });
   result.verdict = verdict_of(result.effects, *best, tolerance);
   return result;
 }

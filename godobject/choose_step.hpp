@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "limitcurve/choose.hpp"
 #include "limitcurve/pressure_law.hpp"
 #include "limitcurve/radius_law.hpp"
 
@@ -28,18 +29,7 @@ struct Scene {
   double twist = std::numeric_limits<double>::infinity();  ///< largest twist from there [rad] ≥ 0
 };
 
-/// A way to simplify the step, and by how much it changes what is felt.
-struct StepCandidate {
-  std::string model;     ///< no torsion; or boundary/projection, as `ellipse/radial`
-  double parameter;      ///< of the boundary, as in choose.hpp; nan for no torsion
-  bool constant_radius;  ///< a of the mean load at every load
-  double error;          ///< largest change of (F/μP, M/Γ), as a distance: 0.01 is 1 % of what the contact bears
-  double nanoseconds;    ///< of a step that slips, shipped figures
-  bool chosen = false;
-  std::string reason = {};  ///< in words
-};
-
-/// What each simplification by itself changes, as `StepCandidate::error`: the rest is exact.
+/// What each simplification by itself changes, as the candidates' error: the rest is exact.
 struct Effects {
   double torsion;      ///< without friction against twist
   double coupling;     ///< force and moment limited each on its own (box, closest point)
@@ -51,7 +41,10 @@ struct Effects {
 
 struct StepChoice {
   Effects effects;
-  std::vector<StepCandidate> candidates;  ///< by cost; one is chosen
+  /// By cost; one is chosen. `model` is "no torsion", or curve/projection, with "/a(P)" where the radius follows the load, else it is that of
+  /// the mean load. `error` is the largest change of (F/μP, M/Γ), as a distance: 0.01 is 1 % of what the contact bears. `nanoseconds` are
+  /// those of a step that slips.
+  std::vector<Candidate> candidates;
   /// "no torsion is needed", "uncoupled will do" or "coupling is needed", with the numbers that say why.
   std::string verdict;
 };

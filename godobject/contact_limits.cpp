@@ -42,6 +42,14 @@ double equivalent_radius(double moment_coefficient, double mu, double moment_rat
 
 }  // namespace
 
+template <std::floating_point Real>
+Real radius_at(const RadiusLaw& law, Real load) noexcept {
+  return static_cast<Real>(law.radius(static_cast<double>(load)));
+}
+
+template double radius_at(const RadiusLaw&, double) noexcept;
+template float radius_at(const RadiusLaw&, float) noexcept;
+
 ContactLimits::ContactLimits(const FingerParameters& parameters, double moment_ratio) {
   check_finger(parameters);
   positive("moment_ratio", moment_ratio, "1");
@@ -77,10 +85,10 @@ ContactLimits::ContactLimits(const FingerParameters& parameters, double moment_r
 double ContactLimits::load_to_hold(const FingerCurve& curve, double force, double moment) const noexcept {
   constexpr double never = std::numeric_limits<double>::infinity();
   const bool turns = moment > 0.0;
-  if ((at_rest_.mu == 0.0 && force > 0.0) || (!has_torsion_ && turns)) return never;
-  if (at_rest_.mu == 0.0) return 0.0;
-  if (radius_law_) return limitcurve::load_to_hold(curve, *radius_law_, at_rest_.mu, force, moment);
-  return curve.gauge({force / at_rest_.mu, turns ? moment / (at_rest_.mu * at_rest_.radius) : 0.0});
+  if ((at_rest_.force == 0.0 && force > 0.0) || (!has_torsion_ && turns)) return never;
+  if (at_rest_.force == 0.0) return 0.0;
+  if (radius_law_) return limitcurve::load_to_hold(curve, *radius_law_, at_rest_.force, force, moment);
+  return curve.gauge({force / at_rest_.force, turns ? moment / (at_rest_.force * at_rest_.radius) : 0.0});
 }
 
 }  // namespace limitcurve::godobject

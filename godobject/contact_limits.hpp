@@ -12,9 +12,7 @@ namespace limitcurve::godobject {
 
 /// a(P) [m], for a single number; packs have one of their own.
 template <std::floating_point Real>
-[[nodiscard]] Real radius_at(const RadiusLaw& law, Real load) noexcept {
-  return static_cast<Real>(law.radius(static_cast<double>(load)));
-}
+[[nodiscard]] Real radius_at(const RadiusLaw& law, Real load) noexcept;
 
 /// Throws std::invalid_argument where a box is to go with another projection than the closest point, which clamps force and moment each on its
 /// own.
@@ -38,8 +36,8 @@ class ContactLimits {
     const auto number = [](double value) { return Number(static_cast<Real>(value)); };
     const bool varies = radius_law_.has_value();
     const Number radius = varies ? radius_at(*radius_law_, load) : number(0.0);
-    return {{number(at_rest_.mu) * load, varies ? radius : number(at_rest_.radius)},
-            {number(sliding_.mu) * load, varies ? radius : number(sliding_.radius)},
+    return {{number(at_rest_.force) * load, varies ? radius : number(at_rest_.radius)},
+            {number(sliding_.force) * load, varies ? radius : number(sliding_.radius)},
             stiffness_ratio,
             has_torsion_,
             varies ? &*radius_law_ : nullptr,
@@ -49,13 +47,9 @@ class ContactLimits {
   [[nodiscard]] double load_to_hold(const FingerCurve& curve, double force, double moment) const noexcept;
 
  private:
-  struct Limit {
-    double mu;
-    double radius;  ///< where it does not depend on the load [m]
-  };
-
-  Limit at_rest_;
-  Limit sliding_;
+  // Under a load of 1 N: μ in newtons, and the radius where it does not depend on the load.
+  FrictionLimit<double> at_rest_;
+  FrictionLimit<double> sliding_;
   std::optional<RadiusLaw> radius_law_;  // where the radius depends on the load
   bool has_torsion_;
 };

@@ -2,7 +2,9 @@
 #include "godobject/curve_kind.hpp"
 
 #include "limitcurve/boundary_error.hpp"
+#include "limitcurve/ellipse.hpp"
 #include "limitcurve/exact_curve.hpp"
+#include "limitcurve/polygon.hpp"
 #include "limitcurve/pressure_law.hpp"
 #include "limitcurve/table.hpp"
 

@@ -84,6 +84,38 @@ struct FingerState {
   bool refused = false;          ///< the last sample was too far from the one before it …
   Vector refused_at{};           ///< … namely here [m]
   FrictionMemory<double> friction{};
+
+  /// How far the springs were deflected along the surface after the last good sample: x_p − x_g [m].
+  [[nodiscard]] Eigen::Vector3d deflection() const noexcept;
+  /// Where the finger itself was in the last good sample [m].
+  [[nodiscard]] Eigen::Vector3d position() const noexcept;
+  /// Where the slip's centre of rotation is, in the surface's frame [m]; infinite for pure sliding, NaN unless it slips.
+  [[nodiscard]] Eigen::Vector3d centre_of_rotation() const noexcept;
+  [[nodiscard]] FingerOutput output() const noexcept;
 };
+
+[[nodiscard]] inline Eigen::Vector3d vector(const FingerState::Vector& numbers) noexcept {
+  return {numbers[0], numbers[1], numbers[2]};
+}
+[[nodiscard]] inline FingerState::Vector numbers(const Eigen::Vector3d& vector) noexcept {
+  return {vector.x(), vector.y(), vector.z()};
+}
+
+/// A contact farther than this from the origin [m], or turned farther [rad], is taken for a fault of the device.
+inline constexpr double farthest = 1e6;
+
+/// Whether a sample may be believed: finite, a normal of unit length, no time step < 0, and not farther than `max_displacement` from where the
+/// finger last was. One that is refused for that once is believed where it stays.
+[[nodiscard]] bool is_plausible(FingerState& state, const FingerParameters& parameters, const Contact& contact, double device_twist,
+                                double time_step) noexcept;
+
+/// What a finger does with a sample that is not: `invalid`; the last good output is held, and from the second such sample on it fades.
+void fade(FingerState& state, double fault_decay) noexcept;
+
+/// No contact: nothing but the last place is remembered.
+void release(FingerState& state, const Contact& contact, double device_twist) noexcept;
+
+/// The first sample in contact: no friction yet. (The paper's α_0 is the twist here; angles are kept absolute, and α_p − α_g is the same.)
+void touch_down(FingerState& state, const Contact& contact, double device_twist) noexcept;
 
 }  // namespace limitcurve::godobject

@@ -2,11 +2,22 @@
 #pragma once
 
 #include "limitcurve/curve_view.hpp"
-#include "limitcurve/ellipse.hpp"
-#include "limitcurve/polygon.hpp"
-#include "limitcurve/table.hpp"
 
+#include <cstddef>
 #include <memory>
+
+namespace limitcurve {
+
+class Ellipse;
+template <std::size_t count>
+class Polygon;
+template <class Real>
+class BasicTable;
+struct UnitWrench;
+struct SlipTwist;
+struct RadialPoint;
+
+}  // namespace limitcurve
 
 namespace limitcurve::godobject {
 
@@ -15,20 +26,13 @@ namespace limitcurve::godobject {
 template <class Real>
 class BasicFingerCurve {
  public:
-  BasicFingerCurve(const Ellipse& ellipse) : BasicFingerCurve(CurveView<Real>::Kind::ellipse, ellipse) {  // NOLINT: meant to convert
-    set_rim(ellipse.wrench({1.0, 1.0}));
-  }
-  BasicFingerCurve(const Box& box) : BasicFingerCurve(CurveView<Real>::Kind::box, box) {  // NOLINT
-    set_rim({box.force_max(), box.moment_max()});
-  }
-  BasicFingerCurve(const BasicTable<Real>& table) : BasicFingerCurve(CurveView<Real>::Kind::table, table) {  // NOLINT
-    view_.table = table.pieces();
-    set_rim(table.rim());
-    owner_ = std::make_shared<const BasicTable<Real>>(table);
-  }
+  // Meant to convert: a finger takes the curve itself.
+  BasicFingerCurve(const Ellipse& ellipse);         // NOLINT
+  BasicFingerCurve(const Polygon<3>& box);          // NOLINT
+  BasicFingerCurve(const BasicTable<Real>& table);  // NOLINT
 
-  [[nodiscard]] bool is_box() const noexcept { return view_.kind == CurveView<Real>::Kind::box; }
   [[nodiscard]] const CurveView<Real>& view() const noexcept { return view_; }
+  [[nodiscard]] bool is_box() const noexcept { return view_.is_box; }
   [[nodiscard]] double force_max() const noexcept { return static_cast<double>(view_.force_max); }
   /// m₀: moment intercept over force intercept.
   [[nodiscard]] double moment_ratio() const noexcept { return static_cast<double>(view_.moment_max) / force_max(); }
@@ -41,18 +45,7 @@ class BasicFingerCurve {
   [[nodiscard]] double gauge(UnitWrench wrench) const noexcept;
 
  private:
-  template <class Curve>
-  BasicFingerCurve(typename CurveView<Real>::Kind kind, const Curve& curve) {
-    view_.kind = kind;
-    view_.force_max = static_cast<Real>(curve.force_max());
-    view_.moment_max = static_cast<Real>(curve.moment_ratio() * curve.force_max());
-    view_.inverse_force_max = Real(1) / view_.force_max;
-    view_.inverse_moment_max = Real(1) / view_.moment_max;
-  }
-  void set_rim(UnitWrench rim) noexcept {
-    view_.rim_force = static_cast<Real>(rim.force);
-    view_.rim_moment = static_cast<Real>(rim.moment);
-  }
+  BasicFingerCurve(double force_max, double moment_max, UnitWrench rim);
 
   CurveView<Real> view_;
   std::shared_ptr<const void> owner_;  // of the cells that the view points to

@@ -51,22 +51,24 @@ struct FrictionResult {
   Number cor;           ///< distance of the slip's centre of rotation [m], ∞ for pure sliding; NaN where it sticks
 };
 
-/// The trial in units of a limit. Kept so far from overflow that all squares are finite; a limit of almost nothing is divided by as if it were
-/// `least`, and no trial is told from a larger one beyond `largest`.
+/// The trial in units of a limit. Kept so far from overflow that all squares are finite; a limit of almost nothing is divided by as if force
+/// and radius were `least`, and no trial is told from a larger one beyond `largest`.
 template <class Real, class Number>
 [[nodiscard]] UnitTrial<Number> unit_trial(const CurveView<Real>& curve, const FrictionLimit<Number>& limit,
                                            const FrictionTrial<Number>& trial, Number stiffness_ratio) noexcept {
   using namespace arithmetic;
   constexpr bool wide = std::numeric_limits<Real>::max_exponent > 256;
-  constexpr Real least = wide ? Real(1e-125) : Real(1e-20);
+  constexpr Real least = wide ? Real(1e-125) : Real(1e-18);
   constexpr Real largest = wide ? Real(1e60) : Real(1e8);
-  const Number per_force = Number(Real(1)) / max(Number(least), limit.force);
-  const Number per_moment = Number(Real(1)) / max(Number(least), limit.force * limit.radius);
+  const Number radius = max(Number(least), limit.radius);
+  const Number per_moment = Number(Real(1)) / (max(Number(least), limit.force) * radius);
+  const Number per_force = radius * per_moment;
   const Number rounding = trial.force_rounding * per_force * Number(curve.inverse_force_max) +
                           trial.moment_rounding * per_moment * Number(curve.inverse_moment_max);
+  // Not more than the limit itself: with no friction at all a contact slips.
   return {min(trial.force * per_force, Number(largest)), min(trial.moment * per_moment, Number(largest)),
-          min(max(limit.radius * limit.radius * stiffness_ratio, Number(least)), Number(Real(1) / least)),
-          Number(slip_onset<Real>) + rounding};
+          min(max(radius * radius * stiffness_ratio, Number(least)), Number(Real(1) / least)),
+          Number(slip_onset<Real>) + min(rounding, Number(Real(1)))};
 }
 
 /// Brings the trial on to the limit by the chosen projection.
@@ -79,7 +81,7 @@ template <class Real, class Number>
     const Number limit = Number(curve.force_max);
     return {trial.force > limit * trial.slip_from, limit / trial.force, zero, Number(Real(1)), zero, zero};
   }
-  if (curve.kind == CurveView<Real>::Kind::box) return clamp_to_box(curve, trial);
+  if (curve.is_box) return clamp_to_box(curve, trial);
   if (projection == Projection::closest_point) return project_on_to_closest_point(curve, trial, last);
   if (projection == Projection::c_curve && limits.radius_law != nullptr)
     return project_along_c_curve(curve, trial, last, *limits.radius_law, limits.load);

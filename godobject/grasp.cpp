@@ -93,7 +93,7 @@ void Grasp::act(const BodyState& state, const Contact& contact, const FingerOutp
 /// The last good contact of a finger, in the body's frame.
 Contact Grasp::last_contact(const SoftFinger& finger) noexcept {
   const FingerState& state = finger.state();
-  return {Eigen::Vector3d(state.goal.data()), Eigen::Vector3d(state.normal.data()), state.depth};
+  return {vector(state.goal), vector(state.normal), state.depth};
 }
 
 /// The fingers' load on the body in this state, if it were the next. Remembers nothing.

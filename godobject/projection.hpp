@@ -45,7 +45,7 @@ struct Projected {
 template <class Real, class Number>
 [[nodiscard]] Projected<Number> project_radially(const CurveView<Real>& curve, const UnitTrial<Number>& trial, Number last) noexcept {
   Number gauge_of_trial;
-  if (curve.kind == CurveView<Real>::Kind::table) {
+  if (curve.has_table()) {
     last = point_on_ray(curve, trial.force, trial.moment, last, gauge_of_trial).parameter;
   } else {
     gauge_of_trial = gauge(curve, trial.force, trial.moment, last);
@@ -79,18 +79,23 @@ template <class Real, class Number>
   const Number zero = Number(Real(0));
   const Number one = Number(Real(1));
   const Number chi = trial.compliance_ratio;
+  const Number inverse_chi = one / chi;
   // First guess: the closest point of the ellipse with the same intercepts, by one Newton step for its multiplier λ = n/d, taken on
   // 1/√(f² + m²), which is nearly straight in λ.
-  const Number ratio = Number(curve.moment_max * curve.inverse_force_max);
-  const Number x_trial = trial.force * Number(curve.inverse_force_max);
-  const Number y_trial = trial.moment * Number(curve.inverse_moment_max);
-  const Number eta = one / (chi * ratio * ratio);
-  const Number square = x_trial * x_trial + y_trial * y_trial;
-  const Number n = square * max(sqrt(square) - one, zero);
-  const Number d = x_trial * x_trial + eta * (y_trial * y_trial);
+  const auto guess_twist = [&]() noexcept {
+    const Number ratio = Number(curve.moment_max * curve.inverse_force_max);
+    const Number inverse_ratio = Number(curve.force_max * curve.inverse_moment_max);
+    const Number x_trial = trial.force * Number(curve.inverse_force_max);
+    const Number y_trial = trial.moment * Number(curve.inverse_moment_max);
+    const Number eta = inverse_chi * inverse_ratio * inverse_ratio;
+    const Number square = x_trial * x_trial + y_trial * y_trial;
+    const Number n = square * max(sqrt(square) - one, zero);
+    const Number d = x_trial * x_trial + eta * (y_trial * y_trial);
+    return std::pair{x_trial * (d + eta * n) * ratio, y_trial * (d + n)};
+  };
   const CurveSide<Real, Number> side(trial.force - Number(curve.rim_force) > chi * (trial.moment - Number(curve.rim_moment)), trial.force,
-                                     trial.moment, last, x_trial * (d + eta * n) * ratio, y_trial * (d + n));
-  const Number kappa = select(side.outside, one / chi, chi);
+                                     trial.moment);
+  const Number kappa = select(side.outside, inverse_chi, chi);
   Jet<Number> jet;
   const Number x = find_root<Real>(
       [&](Number at) noexcept -> Residual<Number> {
@@ -103,7 +108,7 @@ template <class Real, class Number>
         return {value, -jet.second * stiff - over_trailing, -jet.third * stiff - Number(Real(3)) * kappa * at * jet.second,
                 Number(4 * std::numeric_limits<Real>::epsilon()) * (side.leading + at * kappa * side.trailing)};
       },
-      side.guess);
+      side.begin(last, guess_twist));
   // Beyond the tangent at its closest point a trial is outside; and if it is outside at all, it is beyond that one.
   const CurvePoint<Number> point = side.point(jet, x);
   return {side.trailing + x * side.leading > jet.value * trial.slip_from,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "godobject/replay.hpp"
 
+#include "limitcurve/polygon.hpp"
 #include "limitcurve/pressure_law.hpp"
 
 #include <cmath>
@@ -91,7 +92,7 @@ void Replay::describe(std::size_t index) noexcept {
   contact.angle = output.angle;
   contact.depth = output.depth;
   contact.cor = output.cor;
-  contact.normal = body.orientation * Eigen::Vector3d(finger.state().normal.data());
+  contact.normal = body.orientation * vector(finger.state().normal);
   contact.margin = finger.margin();
   contact.load_to_hold = finger.load_to_hold();
   contact.centre_of_rotation = finger.centre_of_rotation();

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "godobject/soft_finger.hpp"
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 #include <utility>
 
 namespace limitcurve::godobject {
@@ -14,55 +11,6 @@ namespace limitcurve::godobject {
 namespace {
 
 using Eigen::Vector3d;
-
-Vector3d vector(const FingerState::Vector& numbers) noexcept {
-  return {numbers[0], numbers[1], numbers[2]};
-}
-FingerState::Vector numbers(const Vector3d& vector) noexcept {
-  return {vector.x(), vector.y(), vector.z()};
-}
-
-/// The part of a displacement that lies in the surface.
-Vector3d tangential(const Vector3d& displacement, const Vector3d& normal) noexcept {
-  return displacement - normal * normal.dot(displacement);
-}
-
-/// How far the springs were deflected along the surface after the last good sample: x_p − x_g [m].
-Vector3d last_deflection(const FingerState& state) noexcept {
-  return tangential(vector(state.proxy) - vector(state.goal), vector(state.normal));
-}
-
-/// Where the finger itself was in the last good sample [m].
-Vector3d last_position(const FingerState& state) noexcept {
-  return vector(state.goal) - vector(state.normal) * state.depth;
-}
-
-FingerOutput output_of(const FingerState& state) noexcept {
-  return {state.state,         vector(state.proxy), state.angle, state.depth,    state.load,
-          vector(state.force), state.moment,        state.cor,   state.slip_work};
-}
-
-/// No contact: nothing but the last place is remembered.
-void release(FingerState& state, const Contact& contact, double device_twist) noexcept {
-  FingerState free;
-  free.proxy = numbers(contact.point - contact.normal * contact.depth);
-  free.goal = numbers(contact.point);
-  free.normal = numbers(contact.normal);
-  free.angle = free.goal_angle = free.device_twist = device_twist;
-  free.depth = contact.depth;
-  free.seen = true;
-  state = free;
-}
-
-/// No friction yet. (The paper's α_0 is the twist here; angles are kept absolute, and α_p − α_g is the same.)
-void touch_down(FingerState& state, const Contact& contact, double device_twist) noexcept {
-  state.in_contact = true;
-  state.proxy = state.goal = numbers(contact.point);
-  state.normal = numbers(contact.normal);
-  state.angle = state.goal_angle = state.device_twist = device_twist;
-  state.turns = 0.0;
-  state.friction = {};
-}
 
 /// The device's twist without its jumps by whole turns: exactly the device's as long as it does not jump.
 double unwrap(FingerState& state, double device_twist) noexcept {
@@ -87,21 +35,17 @@ SoftFinger::SoftFinger(FingerCurve curve, const FingerParameters& parameters, Pr
 
 FingerOutput SoftFinger::update(const Contact& contact, double device_twist, double time_step) noexcept {
   advance(state_, contact, device_twist, time_step);
-  return output_of(state_);
+  return state_.output();
 }
 
 FingerOutput SoftFinger::preview(const Contact& contact, double device_twist, double time_step) const noexcept {
   FingerState state = state_;
   advance(state, contact, device_twist, time_step);
-  return output_of(state);
-}
-
-FingerOutput SoftFinger::output() const noexcept {
-  return output_of(state_);
+  return state.output();
 }
 
 void SoftFinger::advance(FingerState& state, const Contact& contact, double device_twist, double time_step) const noexcept {
-  if (!is_plausible(state, contact, device_twist, time_step)) return fade(state);
+  if (!is_plausible(state, parameters_, contact, device_twist, time_step)) return fade(state, parameters_.fault_decay);
   if (!(contact.depth > 0.0)) return release(state, contact, device_twist);
   if (!state.in_contact) touch_down(state, contact, device_twist);
 
@@ -110,7 +54,7 @@ void SoftFinger::advance(FingerState& state, const Contact& contact, double devi
   Vector3d rest = Vector3d::Zero();
   double twist_rest = 0.0;
   if (has_dampers_) {
-    rest = last_deflection(state) * springs.rest_share;
+    rest = state.deflection() * springs.rest_share;
     twist_rest = (state.angle - state.goal_angle) * springs.twist_rest_share;
   }
   const double damper = springs.stiffness - parameters_.stiffness;
@@ -119,7 +63,9 @@ void SoftFinger::advance(FingerState& state, const Contact& contact, double devi
   state.goal = numbers(contact.point);
   state.normal = numbers(contact.normal);
   state.goal_angle = unwrap(state, device_twist);
-  const Vector3d trial = tangential(vector(state.proxy) - contact.point, contact.normal) - rest;
+  const Vector3d last = vector(state.proxy);
+  const Vector3d apart = last - contact.point;
+  const Vector3d trial = apart - contact.normal * contact.normal.dot(apart) - rest;
   const double twist_trial = (state.angle - state.goal_angle) - twist_rest;
 
   // b. What part of it the limit curve lets the springs keep (eqs. 21–23).
@@ -132,10 +78,10 @@ void SoftFinger::advance(FingerState& state, const Contact& contact, double devi
   const double twist_kept = twist_trial * friction.moment_ratio;
 
   // The proxy follows. What did not slide is not touched, not even by rounding; and a slip that its rounding swallows is none.
-  const FingerState::Vector proxy = friction.force_ratio < 1.0 ? numbers(contact.point + rest + kept) : state.proxy;
+  const Vector3d proxy = friction.force_ratio < 1.0 ? Vector3d(contact.point + rest + kept) : last;
   const double angle = friction.moment_ratio < 1.0 ? state.goal_angle + twist_rest + twist_kept : state.angle;
-  const bool slips = friction.slips && (proxy != state.proxy || angle != state.angle);
-  if (slips) state.proxy = proxy;
+  const bool slips = friction.slips && (proxy.x() != last.x() || proxy.y() != last.y() || proxy.z() != last.z() || angle != state.angle);
+  if (slips) state.proxy = numbers(proxy);
   if (slips || !limits.has_torsion) state.angle = angle;
   if (!slips) state.friction = {};
 
@@ -157,34 +103,6 @@ SoftFinger::Springs SoftFinger::damped(double time_step) const noexcept {
   return {stiffness, twist_stiffness, stiffness / twist_stiffness, damper / stiffness, twist_damper / twist_stiffness};
 }
 
-bool SoftFinger::is_plausible(FingerState& state, const Contact& contact, double device_twist, double time_step) const noexcept {
-  const double square = contact.point.squaredNorm() + contact.depth * contact.depth + device_twist * device_twist;
-  const bool is_unit = std::fabs(contact.normal.squaredNorm() - 1.0) <= 1e-6;
-  if (!(square <= farthest * farthest) || !is_unit || !(time_step >= 0.0)) return false;
-  // Plausible is a finger that is near where it last was good, or near where it was refused last, and the first of all.
-  const Vector3d position = contact.point - contact.normal * contact.depth;
-  const double limit = parameters_.max_displacement * parameters_.max_displacement;
-  if (!state.seen || (position - last_position(state)).squaredNorm() <= limit) {
-    state.refused = false;
-    state.seen = true;
-    return true;
-  }
-  const bool stays = state.refused && (position - vector(state.refused_at)).squaredNorm() <= limit;
-  state.refused = !stays;
-  state.refused_at = numbers(position);
-  return stays;
-}
-
-void SoftFinger::fade(FingerState& state) const noexcept {
-  // A single sample that is lost is nothing that a finger should feel.
-  const double kept = state.state == ContactState::invalid ? parameters_.fault_decay : 1.0;
-  state.state = ContactState::invalid;
-  state.slip_work = 0.0;
-  state.load *= kept;
-  state.moment *= kept;
-  for (double& component : state.force) component *= kept;
-}
-
 double SoftFinger::margin() const noexcept {
   if (!state_.in_contact) return 1.0;
   if (state_.state == ContactState::slip) return 0.0;
@@ -201,17 +119,10 @@ double SoftFinger::load_to_hold() const noexcept {
   return limits_.load_to_hold(curve_, vector(state_.force).norm(), std::fabs(state_.moment));
 }
 
-Vector3d SoftFinger::centre_of_rotation() const noexcept {
-  // The finger slides along −force, and turns against the moment: v = ω n × (x_g − C).
-  const Vector3d force = vector(state_.force);
-  if (!(state_.cor > 0.0) || force.norm() == 0.0) return vector(state_.goal) + Vector3d::Constant(0.0 * state_.cor);
-  return vector(state_.goal) - force.cross(vector(state_.normal)) * (std::copysign(state_.cor, state_.moment) / force.norm());
-}
-
 double SoftFinger::spring_energy() const noexcept {
   if (!state_.in_contact) return 0.0;
   const double twist = state_.angle - state_.goal_angle;
-  return 0.5 * parameters_.stiffness * (state_.depth * state_.depth + last_deflection(state_).squaredNorm()) +
+  return 0.5 * parameters_.stiffness * (state_.depth * state_.depth + state_.deflection().squaredNorm()) +
          0.5 * parameters_.twist_stiffness * twist * twist;
 }
 

@@ -15,8 +15,6 @@ namespace limitcurve::godobject {
 /// Distinct fingers on distinct threads need no lock. No step allocates, throws or takes a lock.
 class SoftFinger {
  public:
-  /// A contact farther than this from the origin [m], or turned farther [rad], is taken for a fault of the device.
-  static constexpr double farthest = 1e6;
   /// Dampers do not act in steps shorter than this [s].
   static constexpr double shortest_time_step = 1e-9;
 
@@ -34,11 +32,11 @@ class SoftFinger {
   /// What `update` would give, without remembering it.
   [[nodiscard]] FingerOutput preview(const Contact& contact, double device_twist, double time_step = 0.0) const noexcept;
 
-  [[nodiscard]] FingerOutput output() const noexcept;
+  [[nodiscard]] FingerOutput output() const noexcept { return state_.output(); }
   [[nodiscard]] const FingerState& state() const noexcept { return state_; }
   void restore(const FingerState& state) noexcept { state_ = state; }
   void reset() noexcept { state_ = {}; }
-  /// Forgets where the curve the last slip was, but not that it slipped: the next search begins as a finger's first does.
+  /// The next search begins as a finger's first does.
   void forget_warm_start() noexcept { state_.friction.parameter = state_.friction.rate = 0.0; }
 
   [[nodiscard]] const FingerCurve& curve() const noexcept { return curve_; }
@@ -50,15 +48,12 @@ class SoftFinger {
   /// The least load [N] under which the contact would bear its present friction without slipping: the grip needed to hold.
   [[nodiscard]] double load_to_hold() const noexcept;
   /// Where the slip's centre of rotation is, in the surface's frame [m]; infinite for pure sliding, NaN unless it slips.
-  [[nodiscard]] Eigen::Vector3d centre_of_rotation() const noexcept;
+  [[nodiscard]] Eigen::Vector3d centre_of_rotation() const noexcept { return state_.centre_of_rotation(); }
   /// The energy in the springs [J]: ½ k_l (d² + r²) + ½ k_r ρ², 0 while free.
   [[nodiscard]] double spring_energy() const noexcept;
 
  private:
   void advance(FingerState& state, const Contact& contact, double device_twist, double time_step) const noexcept;
-  [[nodiscard]] bool is_plausible(FingerState& state, const Contact& contact, double device_twist, double time_step) const noexcept;
-  void fade(FingerState& state) const noexcept;
-
   /// Springs, with the dampers of a time step in them: k + b/Δt, resting nearer to the last deflection.
   struct Springs {
     double stiffness;         ///< [N/m]

@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -18,23 +17,6 @@
 namespace limitcurve {
 
 namespace {
-
-/// Mean nanoseconds of `wrench` over slips of every kind; the least of a few rounds, for the others were disturbed.
-template <LimitBoundary Boundary>
-double measured_cost(const Boundary& boundary) {
-  using Clock = std::chrono::steady_clock;
-  constexpr int rounds = 5;
-  constexpr int calls = 64;
-  double least = std::numeric_limits<double>::infinity();
-  volatile double sink = 0.0;
-  for (int round = 0; round < rounds; ++round) {
-    const auto start = Clock::now();
-    for (int i = 0; i < calls; ++i) sink = boundary.wrench(SlipTwist::of_spin_fraction((i + 0.5) / calls)).force;
-    least = std::min(least, std::chrono::duration<double, std::nano>(Clock::now() - start).count() / calls);
-  }
-  static_cast<void>(sink);
-  return least;
-}
 
 /// A table as coarse as the tolerance of the radius allows.
 Candidate sufficient_table(const Law& law, const ExactCurve& exact, double tolerance) {
@@ -64,6 +46,18 @@ std::string in_percent(double fraction) {
   return printed(fraction < 0.1 ? "%.2g" : "%.0f", 100.0 * fraction) + " %";
 }
 
+void choose_cheapest(std::vector<Candidate>& candidates, double tolerance) {
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [](const Candidate& one, const Candidate& other) { return one.nanoseconds < other.nanoseconds; });
+  auto best = std::find_if(candidates.begin(), candidates.end(), [&](const Candidate& candidate) { return candidate.error <= tolerance; });
+  if (best == candidates.end()) {
+    best = std::min_element(candidates.begin(), candidates.end(),
+                            [](const Candidate& one, const Candidate& other) { return one.error < other.error; });
+  }
+  best->chosen = true;
+  for (Candidate& candidate : candidates) candidate.reason = reason(candidate, *best, tolerance);
+}
+
 std::vector<Candidate> choose(const Law& law, double tolerance) {
   if (!(tolerance >= 1e-10 && tolerance <= 1.0)) throw out_of_range("tolerance", tolerance, "1", "1e-10 <= tolerance <= 1");
   const ExactCurve exact(law);
@@ -79,16 +73,9 @@ std::vector<Candidate> choose(const Law& law, double tolerance) {
       sufficient_table(law, exact, tolerance),
       {"quartic", quartic.kappa(), error_of(quartic), cost_of("quartic")},
       {"superellipse", superellipse.exponent(), error_of(superellipse), cost_of("superellipse")},
-      // In the unit of the shipped figures, whatever this machine is like or busy with.
-      {"exact", std::numeric_limits<double>::quiet_NaN(), 0.0,
-       measured_cost(exact) * cost_of("ellipse") / measured_cost(Ellipse::through_intercepts(m0))},
+      {"exact", std::numeric_limits<double>::quiet_NaN(), 0.0, cost_of(law->allows(Method::closed) ? "exact" : "exact by quadrature")},
   };
-  std::stable_sort(candidates.begin(), candidates.end(),
-                   [](const Candidate& one, const Candidate& other) { return one.nanoseconds < other.nanoseconds; });
-  const auto best =
-      std::find_if(candidates.begin(), candidates.end(), [&](const Candidate& candidate) { return candidate.error <= tolerance; });
-  best->chosen = true;
-  for (Candidate& candidate : candidates) candidate.reason = reason(candidate, *best, tolerance);
+  choose_cheapest(candidates, tolerance);
   return candidates;
 }
 

@@ -21,11 +21,14 @@ struct Candidate {
 /// The cheapest boundary for `law` whose error is at most `tolerance`, among those it beat: dearer ones that would also
 /// do, cheaper ones that would not. Sorted by cost; one is chosen, since the exact curve always does.
 ///
-/// Costs of the models are shipped figures (shipped_costs.hpp), measured on one machine: read them as ratios. That of the
-/// exact curve is measured here, because it depends on the law by four powers of ten, and given in the shipped unit.
+/// Costs are shipped figures (shipped_costs.hpp), measured on one machine: read them as ratios. The same input gives the same choice everywhere.
 /// Throws std::invalid_argument for a tolerance out of [1e-10, 1]. Cost: a millisecond for a closed form, a second
 /// by quadrature. For what a whole scene needs, projection included: godobject/choose_step.hpp.
 std::vector<Candidate> choose(const Law& law, double tolerance);
+
+/// Sorts candidates by cost, and chooses the cheapest whose error is at most `tolerance`, or, where none is, that of the least error; gives each
+/// its reason.
+void choose_cheapest(std::vector<Candidate>& candidates, double tolerance);
 
 /// A fraction as people read it: "6.4 %", "0.9 %", and below 0.01 % as "1e-6".
 std::string in_percent(double fraction);

@@ -4,15 +4,15 @@
 #include "limitcurve/search.hpp"
 #include "limitcurve/table/pieces.hpp"
 
+#include <utility>
+
 namespace limitcurve {
 
 /// A limit curve as a loop reads it: plain data, in units of μP and μPa. `Real` is that of the arithmetic; a `Number` below is Real or a pack
 /// of it.
 template <class Real>
 struct CurveView {
-  enum class Kind { ellipse, box, table };
-
-  Kind kind = Kind::ellipse;
+  bool is_box = false;  ///< uncoupled limits; else an ellipse, unless there is a table
   Real force_max = 1;   ///< f at pure sliding
   Real moment_max = 1;  ///< m at pure spin: the moment ratio m₀ where force_max is 1
   Real inverse_force_max = 1;
@@ -21,11 +21,13 @@ struct CurveView {
   Real rim_moment = 0;
   TablePieces<Real> table = {};
 
+  [[nodiscard]] bool has_table() const noexcept { return table.cells != nullptr; }
+
   /// The support function along the side inside or outside the rim, at x ∈ [0, 1]. Not for the box, whose corner has many normals.
   template <class Number, class Mask>
   [[nodiscard]] Jet<Number> jet(Mask outside, Number x) const noexcept {
     using namespace arithmetic;
-    if (kind == Kind::table) return table.jet(outside, x);
+    if (has_table()) return table.jet(outside, x);
     // D = √(A²x² + B²), A the semi-axis of the leading component and B the other's.
     const Number a = select(outside, Number(moment_max), Number(force_max));
     const Number b = select(outside, Number(force_max), Number(moment_max));
@@ -55,18 +57,27 @@ struct CurveSide {
   Mask outside;
   Number leading;   ///< of the wrench that is sought for
   Number trailing;  ///< of the same
-  Number guess;     ///< x, where to begin
 
-  /// `last` is the curve parameter where the search may begin, or 0 if none is known; then the twist (slide : spin) serves.
-  CurveSide(Mask beyond_rim, Number force, Number moment, Number last, Number slide, Number spin) noexcept
-      : outside(beyond_rim), leading(arithmetic::select(outside, moment, force)), trailing(arithmetic::select(outside, force, moment)) {
+  CurveSide(Mask beyond_rim, Number force, Number moment) noexcept : outside(beyond_rim) {
+    using namespace arithmetic;
+    leading = select(outside, moment, force);
+    trailing = select(outside, force, moment);
+  }
+
+  /// x, where a search begins: at the curve parameter `last`; where that is 0, none is known, and a twist serves, slide : spin =
+  /// guess_twist().
+  template <class Function>
+  [[nodiscard]] Number begin(Number last, Function&& guess_twist) const noexcept {
     using namespace arithmetic;
     const Number zero = Number(Real(0));
-    const Number of_last = select(outside, Number(Real(2)) - last, last);
-    const Number of_twist = select(outside, spin / slide, slide / spin);
-    guess = max(zero, min(Number(Real(1)), select(last > zero, of_last, of_twist)));
+    const auto is_known = last > zero;
+    Number x = select(outside, Number(Real(2)) - last, last);
+    if (any(!is_known)) {
+      const auto [slide, spin] = guess_twist();
+      x = select(is_known, x, select(outside, spin, slide) / select(outside, slide, spin));
+    }
     // A wrench on an axis has its root at the end, which no step reaches exactly.
-    guess = select(leading > zero, guess, zero);
+    return select(leading > zero, max(zero, min(Number(Real(1)), x)), zero);
   }
 
   [[nodiscard]] CurvePoint<Number> point(const Jet<Number>& jet, Number x) const noexcept {
@@ -82,10 +93,13 @@ struct CurveSide {
 template <class Real, class Number>
 [[nodiscard]] CurvePoint<Number> point_on_ray(const CurveView<Real>& curve, Number force, Number moment, Number last,
                                               Number& gauge) noexcept {
-  const Number a = Number(curve.force_max);
-  const Number b = Number(curve.moment_max);
-  const CurveSide<Real, Number> side(force * Number(curve.rim_moment) > moment * Number(curve.rim_force), force, moment, last,
-                                     force * b * b, moment * a * a);
+  // First guess: the normal of the ellipse with the same intercepts.
+  const auto guess_twist = [&]() noexcept {
+    const Number a = Number(curve.force_max);
+    const Number b = Number(curve.moment_max);
+    return std::pair{force * b * b, moment * a * a};
+  };
+  const CurveSide<Real, Number> side(force * Number(curve.rim_moment) > moment * Number(curve.rim_force), force, moment);
   Jet<Number> jet;
   const Number x = find_root<Real>(
       [&](Number at) noexcept -> Residual<Number> {
@@ -96,7 +110,7 @@ template <class Real, class Number>
         return {up - down, -jet.second * turn, -jet.third * turn - jet.second * side.leading,
                 Number(4 * std::numeric_limits<Real>::epsilon()) * (up + down)};
       },
-      side.guess);
+      side.begin(last, guess_twist));
   // By the tangent at x, whose error is the square of that of x.
   gauge = (side.trailing + x * side.leading) / jet.value;
   return side.point(jet, x);
@@ -108,8 +122,8 @@ template <class Real, class Number>
   using namespace arithmetic;
   const Number x = force * Number(curve.inverse_force_max);
   const Number y = moment * Number(curve.inverse_moment_max);
-  if (curve.kind == CurveView<Real>::Kind::box) return max(x, y);
-  if (curve.kind == CurveView<Real>::Kind::ellipse) return sqrt(x * x + y * y);
+  if (curve.is_box) return max(x, y);
+  if (!curve.has_table()) return sqrt(x * x + y * y);
   Number result;
   static_cast<void>(point_on_ray(curve, force, moment, last, result));
   return result;

@@ -13,9 +13,7 @@ namespace limitcurve {
 class Ellipse {
  public:
   /// Semi-axes in unit wrenches, both > 0 and finite; throws std::invalid_argument otherwise.
-  Ellipse(double force_max, double moment_max) : force_max_(force_max), moment_max_(moment_max) {
-    check_intercepts(force_max, moment_max);
-  }
+  Ellipse(double force_max, double moment_max) : force_max_(force_max), moment_max_(moment_max) { check_intercepts(force_max, moment_max); }
 
   /// The paper's ellipse: through (1, 0) and (0, m₀).
   static Ellipse through_intercepts(double moment_ratio) { return {1.0, moment_ratio}; }

@@ -50,6 +50,13 @@ std::array<double, count> parameters(std::string_view whole, std::string_view te
 
 }  // namespace
 
+/// a = coefficient·P^exponent from this load on.
+struct RadiusLaw::Stretch {
+  double from_load;
+  double coefficient;
+  double exponent;
+};
+
 RadiusLaw RadiusLaw::constant(double radius) {
   return {positive("a", radius, "m"), 0.0};
 }
@@ -100,6 +107,19 @@ RadiusLaw RadiusLaw::linear_moment(double moment_coefficient, double mu, double 
                   (positive("mu", mu, "1") * positive("moment_ratio", moment_ratio, "1")));
 }
 
+double RadiusLaw::sampled_radius(double load) const noexcept {
+  const Stretch& stretch = stretch_at(load);
+  return stretch.exponent == 0.0 ? stretch.coefficient : stretch.coefficient * std::pow(load, stretch.exponent);
+}
+
+double RadiusLaw::coefficient(double load) const noexcept {
+  return is_sampled() ? stretch_at(load).coefficient : coefficient_;
+}
+
+double RadiusLaw::exponent(double load) const noexcept {
+  return is_sampled() ? stretch_at(load).exponent : exponent_;
+}
+
 const RadiusLaw::Stretch& RadiusLaw::stretch_at(double load) const noexcept {
   const auto after = std::upper_bound(stretches_->begin() + 1, stretches_->end(), load,
                                       [](double value, const Stretch& stretch) { return value < stretch.from_load; });
@@ -108,7 +128,7 @@ const RadiusLaw::Stretch& RadiusLaw::stretch_at(double load) const noexcept {
 
 double RadiusLaw::load_of_product(double product) const noexcept {
   const auto load_in = [&](const Stretch& stretch) { return std::pow(product / stretch.coefficient, 1.0 / (1.0 + stretch.exponent)); };
-  if (!stretches_) return load_in(whole_);
+  if (!stretches_) return load_in({0.0, coefficient_, exponent_});
   // P·a(P) rises throughout, because every exponent is above −1.
   const auto after = std::upper_bound(stretches_->begin() + 1, stretches_->end(), product, [&](double value, const Stretch& stretch) {
     return value < stretch.from_load * stretch.coefficient * std::pow(stretch.from_load, stretch.exponent);

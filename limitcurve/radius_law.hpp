@@ -41,35 +41,31 @@ class RadiusLaw {
 
   /// a(P) [m] at load P [N] ≥ 0; relative error ≤ 4 ε.
   [[nodiscard]] double radius(double load) const noexcept {
-    const Stretch& stretch = at(load);
-    return stretch.exponent == 0.0 ? stretch.coefficient : stretch.coefficient * std::pow(load, stretch.exponent);
+    if (is_sampled()) return sampled_radius(load);
+    return exponent_ == 0.0 ? coefficient_ : coefficient_ * std::pow(load, exponent_);
   }
   /// a(λP)/a(P). But for a sampled law it does not depend on P.
   [[nodiscard]] double growth(double load_ratio, double load = 1.0) const noexcept {
-    if (!stretches_) return whole_.exponent == 0.0 ? 1.0 : std::pow(load_ratio, whole_.exponent);
+    if (!is_sampled()) return exponent_ == 0.0 ? 1.0 : std::pow(load_ratio, exponent_);
     return radius(load_ratio * load) / radius(load);
   }
   /// The load [N] at which P·a(P) is `product` [N·m] ≥ 0.
   [[nodiscard]] double load_of_product(double product) const noexcept;
   /// c [m/N^γ] and γ at a load: of a sampled law, those of the stretch that holds it.
-  [[nodiscard]] double coefficient(double load = 1.0) const noexcept { return at(load).coefficient; }
-  [[nodiscard]] double exponent(double load = 1.0) const noexcept { return at(load).exponent; }
+  [[nodiscard]] double coefficient(double load = 1.0) const noexcept;
+  [[nodiscard]] double exponent(double load = 1.0) const noexcept;
   [[nodiscard]] bool is_sampled() const noexcept { return stretches_ != nullptr; }
 
  private:
-  /// a = coefficient·P^exponent from this load on.
-  struct Stretch {
-    double from_load;
-    double coefficient;
-    double exponent;
-  };
+  struct Stretch;
 
-  RadiusLaw(double coefficient, double exponent) : whole_{0.0, coefficient, exponent} {}
+  RadiusLaw(double coefficient, double exponent) : coefficient_(coefficient), exponent_(exponent) {}
 
-  [[nodiscard]] const Stretch& at(double load) const noexcept { return stretches_ ? stretch_at(load) : whole_; }
+  [[nodiscard]] double sampled_radius(double load) const noexcept;
   [[nodiscard]] const Stretch& stretch_at(double load) const noexcept;
 
-  Stretch whole_;
+  double coefficient_;
+  double exponent_;
   std::shared_ptr<const std::vector<Stretch>> stretches_;  // of a sampled law; shared, because laws are copied about
 };
 

@@ -6,6 +6,7 @@
 #include "limitcurve/pressure_law.hpp"
 #include "limitcurve/table/buckets.hpp"
 #include "limitcurve/table/builder.hpp"
+#include "limitcurve/table/check.hpp"
 
 #include <cmath>
 #include <cstdint>
@@ -65,145 +66,14 @@ BasicTable<Real> built(const std::string& name, double tolerance, const Attempt&
   if (auto table = attempt(tolerance)) return std::move(*table);
   const std::string failed = "table of " + name + ": a tolerance of " + format_number(tolerance) + " is not possible in " +
                              std::to_string(Result::most_bytes / 1024) + " KiB and by the curve's own error; ";
-  for (int decade = -14; decade < 0; ++decade) {
-    for (const int digit : {1, 2, 5}) {
-      const double coarser = digit / std::pow(10.0, -decade);
-      if (coarser > tolerance && coarser <= Result::coarsest_tolerance && attempt(coarser)) {
-        throw std::runtime_error(failed + "the finest that is possible is " + format_number(coarser));
-      }
-    }
+  std::vector<double> coarser;
+  for (int decade = 14; decade > 0; --decade) {
+    for (const int digit : {1, 2, 5}) coarser.push_back(digit / std::pow(10.0, decade));
   }
-  throw std::runtime_error(failed + "nor is any other");
-}
-
-/// A piece of a table on its side, as the constructor checks it. Sums are in extended precision; what the rounding of the coefficients may
-/// have changed is forgiven, and no more.
-struct CheckedCell {
-  const TableCell& cell;
-  Extended width;
-
-  /// D and D′ at the right end, each with what rounding may have changed.
-  struct Value {
-    Extended value;
-    Extended rounding;
-  };
-  [[nodiscard]] Value support() const {
-    return sum([](std::size_t) { return 1; }, 0);
-  }
-  [[nodiscard]] Value leading() const {
-    return sum([](std::size_t i) { return i; }, 1);
-  }
-
-  /// Whether D″ has Bernstein coefficients ≥ 0.
-  [[nodiscard]] bool is_convex(Extended epsilon) const {
-    constexpr Extended choose[5][5] = {{1, 0, 0, 0, 0}, {1, 1, 0, 0, 0}, {1, 2, 1, 0, 0}, {1, 3, 3, 1, 0}, {1, 4, 6, 4, 1}};
-    for (std::size_t j = 0; j < 5; ++j) {
-      Extended bernstein = 0;
-      Extended size = 0;
-      Extended power = 1;
-      for (std::size_t i = 0; i <= j; ++i, power *= width) {
-        const Extended term = choose[j][i] / choose[4][i] * static_cast<Extended>((i + 2) * (i + 1)) * cell.coefficients[i + 2] * power;
-        bernstein += term;
-        size += std::fabs(term);
-      }
-      if (!(bernstein >= -epsilon * size)) return false;
-    }
-    return true;
-  }
-
- private:
-  template <class Factor>
-  [[nodiscard]] Value sum(Factor factor, std::size_t order) const {
-    Value result{0, 0};
-    Extended power = 1;
-    for (std::size_t i = order; i < cell.coefficients.size(); ++i, power *= width) {
-      const Extended term = static_cast<Extended>(factor(i)) * cell.coefficients[i] * power;
-      result.value += term;
-      result.rounding += std::fabs(term);
-    }
-    return result;
-  }
-};
-
-/// Refuses the cells of one side with a message that begins with `name`; returns D and D′ at the rim.
-template <class Real>
-std::array<CheckedCell::Value, 2> check_side(const std::string& name, const std::vector<TableCell>& cells,
-                                             const std::vector<double>& edges) {
-  constexpr Extended epsilon = 4 * Extended(std::numeric_limits<Real>::epsilon());
-  const auto refuse = [&](std::size_t i, const std::string& what) {
-    return std::invalid_argument("table, " + name + ", cell " + std::to_string(i + 1) + " (x = " + format_number(cells[i].x) +
-                                 "): " + what);
-  };
-  if (cells.empty()) throw std::invalid_argument("table, " + name + ": no cells");
-  if (cells.front().x != 0.0) throw refuse(0, "expected x = 0");
-  if (cells.front().coefficients[1] != 0.0) throw refuse(0, "expected a leading component of 0");
-  if (!(cells.front().coefficients[0] > 0.0)) throw refuse(0, "expected a support function > 0");
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    for (const double c : cells[i].coefficients) {
-      if (!std::isfinite(static_cast<Real>(c))) throw refuse(i, "expected finite numbers, got " + format_number(c));
-    }
-    if (!std::binary_search(edges.begin(), edges.end(), cells[i].x) || !(cells[i].x < 1.0))
-      throw refuse(i, "expected it at the edge of a bucket");
-    if (i > 0 && !(cells[i].x > cells[i - 1].x)) throw refuse(i, "expected x that increases");
-  }
-  for (std::size_t i = 0;; ++i) {
-    const bool last = i + 1 == cells.size();
-    const CheckedCell here{cells[i], Extended(last ? 1.0 : cells[i + 1].x) - cells[i].x};
-    if (!here.is_convex(epsilon)) throw refuse(i, "expected a convex support function");
-    if (last) return {here.support(), here.leading()};
-    const auto joins = [&](CheckedCell::Value end, double begin) {
-      return std::fabs(end.value - begin) <= epsilon * (end.rounding + std::fabs(begin));
-    };
-    if (!joins(here.support(), cells[i + 1].coefficients[0])) throw refuse(i + 1, "expected it to join the cell before");
-    if (!joins(here.leading(), cells[i + 1].coefficients[1]))
-      throw refuse(i + 1, "expected it to join the cell before with its derivative");
-  }
-}
-
-void check_facts(const TableFacts& facts, double scale) {
-  // It is a line of every text of the table.
-  for (const char c : facts.law_name) {
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
-      throw std::invalid_argument("the name of the table's law has a control character");
-  }
-  if (!(facts.tolerance > 0.0 && facts.tolerance <= 1.0)) throw out_of_range("tolerance", facts.tolerance, "1", "0 < tolerance <= 1");
-  if (!(facts.certified_error >= 0.0 && facts.certified_error <= facts.tolerance * scale)) {
-    throw out_of_range("certified_error", facts.certified_error, "1", "0 <= certified_error <= tolerance * max(force_max, moment_max)");
-  }
-}
-
-template <class Real>
-void check(const TableFacts& facts, const TableCells& cells, const table::Buckets& buckets) {
-  constexpr int finest_edge = std::numeric_limits<Real>::digits - 1;
-  if (!(cells.index_bits >= table::Buckets::least_bits && cells.index_bits <= table::Buckets::most_bits)) {
-    throw out_of_range("index_bits", cells.index_bits, "1", "3 to 11");
-  }
-  if (!(cells.octaves >= 1 && cells.octaves <= finest_edge - cells.index_bits)) {
-    throw out_of_range("octaves", cells.octaves, "1", "1 to " + std::to_string(finest_edge - cells.index_bits));
-  }
-  const std::size_t bytes = 8 * sizeof(Real) * (cells.inside.size() + cells.outside.size()) + 4 * sizeof(std::uint16_t) * buckets.per_run();
-  if (bytes > BasicTable<Real>::most_bytes) {
-    throw std::invalid_argument("table of " + std::to_string(bytes) + " bytes: expected at most " +
-                                std::to_string(BasicTable<Real>::most_bytes));
-  }
-  const std::vector<double> edges = buckets.edges();
-  const auto [support, force] = check_side<Real>("inside", cells.inside, edges);
-  const auto [other_support, moment] = check_side<Real>("outside", cells.outside, edges);
-  const Extended forgiven =
-      4 * Extended(std::numeric_limits<Real>::epsilon()) * (support.rounding + other_support.rounding + force.rounding + moment.rounding);
-  if (!(std::fabs(support.value - other_support.value) <= forgiven && std::fabs(force.value + moment.value - support.value) <= forgiven)) {
-    throw std::invalid_argument("the sides of the table do not meet at the rim");
-  }
-  const double force_max = cells.outside.front().coefficients[0];
-  const double moment_max = cells.inside.front().coefficients[0];
-  // No pressure and no friction has such ones, and their squares are to be finite.
-  constexpr double largest = sizeof(Real) == sizeof(float) ? 1e15 : 1e30;
-  for (const double most : {force_max, moment_max}) {
-    if (!(most >= 1.0 / largest && most <= largest)) {
-      throw out_of_range("the table's largest force or moment", most, "1", format_number(1.0 / largest) + " to " + format_number(largest));
-    }
-  }
-  check_facts(facts, std::max(force_max, moment_max));
+  std::erase_if(coarser, [&](double t) { return t <= tolerance || t > Result::coarsest_tolerance; });
+  const auto finest = std::partition_point(coarser.begin(), coarser.end(), [&](double t) { return !attempt(t); });
+  if (finest == coarser.end()) throw std::runtime_error(failed + "nor is any other");
+  throw std::runtime_error(failed + "the finest that is possible is " + format_number(*finest));
 }
 
 }  // namespace
@@ -242,7 +112,7 @@ BasicTable<Real> BasicTable<Real>::build_from(const std::function<UnitWrench(Sli
 template <class Real>
 BasicTable<Real>::BasicTable(TableFacts facts, const TableCells& cells) {
   const table::Buckets buckets{cells.index_bits, cells.octaves};
-  check<Real>(facts, cells, buckets);
+  table::check<Real>(facts, cells);
   auto data = std::make_shared<Data>();
   data->facts = std::move(facts);
   data->buckets = {cells.index_bits, cells.octaves};

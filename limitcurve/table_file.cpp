@@ -6,12 +6,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <optional>
-#include <span>
 #include <stdexcept>
 
 namespace limitcurve {
@@ -20,6 +18,7 @@ namespace {
 
 using Row = TableContents::Row;
 
+constexpr std::string_view any_title = "# limitcurve table, format ";
 constexpr std::string_view title = "# limitcurve table, format 2";
 constexpr std::string_view title_of_format_1 = "# limitcurve table, format 1";
 constexpr std::string_view columns = "x,force,moment,c0,c1,c2,c3,c4,c5,c6";
@@ -214,18 +213,6 @@ std::vector<TableCell> cells_of(const std::vector<Row>& rows, std::string_view s
   return cells;
 }
 
-std::string identifier(std::string_view law) {
-  std::string text;
-  for (const char c : law) {
-    if (std::isalnum(static_cast<unsigned char>(c)) != 0) {
-      text += c;
-    } else if (text.empty() || text.back() != '_') {
-      text += '_';
-    }
-  }
-  return text;
-}
-
 }  // namespace
 
 std::string checksum(const Table& table) {
@@ -247,14 +234,13 @@ std::string to_csv(const Table& table) {
 
 Table read_table_csv(std::string_view text, std::string_view source) {
   Reader reader(text, source);
-  const bool is_format_1 = text.starts_with(title_of_format_1);
-  if (!is_format_1 && !text.starts_with(title)) reader.fail(1, "not a table: expected the first line '" + std::string(title) + "'");
-  reader.line();
-  if (is_format_1) refuse_format_1(reader, source);
+  std::string_view line = text.starts_with(any_title) ? reader.line() : "";
+  if (line == title_of_format_1) refuse_format_1(reader, source);
+  if (line != title) reader.fail(1, "not a table: expected the first line '" + std::string(title) + "'");
   TableContents contents;
   std::string_view sum;
   for (const std::string_view name : fact_names) {
-    const std::string_view line = reader.line();
+    line = reader.line();
     const std::optional<std::string_view> value = fact(line, name);
     if (!value) reader.fail(1, "expected '# " + std::string(name) + ": …'");
     const std::size_t column = line.size() - value->size() + 1;
@@ -266,8 +252,9 @@ Table read_table_csv(std::string_view text, std::string_view source) {
     if (name == "linear_error") contents.linear_error = number(reader, *value, column);
     if (name == "checksum") sum = *value;
   }
-  std::string_view line = reader.line();
-  while (line.starts_with("#")) line = reader.line();
+  do {
+    line = reader.line();
+  } while (line.starts_with("#"));
   if (line != "side," + std::string(columns)) reader.fail(1, "expected the header side," + std::string(columns));
   while (!reader.at_end()) {
     line = reader.line();
@@ -335,126 +322,6 @@ std::string to_json(const Table& table) {
   add("inside", side(contents.inside));
   add("outside", side(contents.outside));
   return text + "\n}\n";
-}
-
-std::string to_header(const Table& table) {
-  const TableCells pieces = table.cells();
-  const auto literal = [](double value) {
-    const std::string text = format_number(value);
-    return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
-  };
-  const auto cells = [&](std::span<const TableCell> side) {
-    std::string text = "[" + std::to_string(side.size()) + "][8] = {\n";
-    for (const TableCell& cell : side) {
-      text += "    {" + literal(cell.x);
-      for (const double coefficient : cell.coefficients) text += ", " + literal(coefficient);
-      text += "},\n";
-    }
-    return text + "};\n";
-  };
-  // What stands between @ differs from table to table.
-  std::string text = R"(// Friction limit curve of the pressure law @LAW@, written by limitcurve @VERSION@.
-// |error| of force and moment <= certified_error, compared with the exact curve. Checksum @CHECKSUM@
-// C99 and C++17; needs no other header.
-#ifndef @GUARD@
-#define @GUARD@
-
-#ifdef __cplusplus
-#define LIMITCURVE_TABLE_DATA inline constexpr
-#define LIMITCURVE_TABLE_FUNCTION constexpr
-#else
-#define LIMITCURVE_TABLE_DATA static const
-#define LIMITCURVE_TABLE_FUNCTION static inline
-#endif
-
-/// force = F/(mu P), moment = M/(mu P a): friction force and moment over what the contact could bear.
-typedef struct @NAME@_unit_wrench {
-  double force;
-  double moment;
-} @NAME@_unit_wrench;
-
-LIMITCURVE_TABLE_DATA double @NAME@_tolerance = @TOLERANCE@;
-LIMITCURVE_TABLE_DATA double @NAME@_certified_error = @CERTIFIED@;
-/// Moment of a pure twist, mu_r / (mu a).
-LIMITCURVE_TABLE_DATA double @NAME@_moment_ratio = @RATIO@;
-
-/// The support function D(x) in pieces: where each begins, then the coefficients of D in powers of the distance from there.
-/// Inside the rim x = c/a, force = D', moment = D - x D'. Outside x = a/c, moment = D', force = D - x D'.
-LIMITCURVE_TABLE_DATA double @NAME@_inside@INSIDE@
-LIMITCURVE_TABLE_DATA double @NAME@_outside@OUTSIDE@
-/// D' (leading) and D - x D' (trailing) at x in [0, 1]. A bisection finds the piece.
-LIMITCURVE_TABLE_FUNCTION void @NAME@_evaluate(const double (*pieces)[8], int count, double x, double *leading, double *trailing) {
-  int low = 0;
-  int high = count;
-  while (high - low > 1) {
-    const int middle = low + (high - low) / 2;
-    if (pieces[middle][0] <= x) {
-      low = middle;
-    } else {
-      high = middle;
-    }
-  }
-  const double *const piece = pieces[low];
-  const double t = x - piece[0];
-  double value = piece[7];
-  double slope = 0.0;
-  for (int i = 6; i >= 1; --i) {
-    slope = slope * t + value;
-    value = value * t + piece[i];
-  }
-  *leading = slope;
-  *trailing = value - x * slope;
-}
-
-/// The unit wrench of a contact that slides with speed `slide` while its rim turns with speed `spin` (a times the
-/// angular speed); both >= 0 and not both zero, and only their ratio matters. slide/spin = c/a.
-LIMITCURVE_TABLE_FUNCTION @NAME@_unit_wrench @NAME@_wrench(double slide, double spin) {
-  @NAME@_unit_wrench found = {0.0, 0.0};
-  if (slide <= spin) {
-    @NAME@_evaluate(@NAME@_inside, @INSIDE_COUNT@, slide / spin, &found.force, &found.moment);
-  } else {
-    @NAME@_evaluate(@NAME@_outside, @OUTSIDE_COUNT@, spin / slide, &found.moment, &found.force);
-  }
-  return found;
-}
-
-#ifdef __cplusplus
-namespace @NAME@ {
-
-using unit_wrench = @NAME@_unit_wrench;
-inline constexpr double tolerance = @NAME@_tolerance;
-inline constexpr double certified_error = @NAME@_certified_error;
-inline constexpr double moment_ratio = @NAME@_moment_ratio;
-
-constexpr unit_wrench wrench(double slide, double spin) { return @NAME@_wrench(slide, spin); }
-
-}  // namespace @NAME@
-#endif
-
-#undef LIMITCURVE_TABLE_DATA
-#undef LIMITCURVE_TABLE_FUNCTION
-
-#endif
-)";
-  const auto put = [&](std::string_view word, const std::string& value) {
-    for (std::size_t at = 0; (at = text.find(word, at)) != std::string::npos; at += value.size()) text.replace(at, word.size(), value);
-  };
-  const std::string sum = checksum(table);
-  const std::string name = "limitcurve_table_" + identifier(table.law_name());
-  put("@GUARD@", name + "_" + sum.substr(6));
-  put("@NAME@", name);
-  put("@VERSION@", std::string(version));
-  put("@CHECKSUM@", sum);
-  put("@TOLERANCE@", literal(table.tolerance()));
-  put("@CERTIFIED@", literal(table.certified_error()));
-  put("@RATIO@", literal(table.moment_ratio()));
-  put("@INSIDE@", cells(pieces.inside));
-  put("@OUTSIDE@", cells(pieces.outside));
-  put("@INSIDE_COUNT@", std::to_string(pieces.inside.size()));
-  put("@OUTSIDE_COUNT@", std::to_string(pieces.outside.size()));
-  // Last, because a file name may hold anything.
-  put("@LAW@", table.law_name());
-  return text;
 }
 
 }  // namespace limitcurve

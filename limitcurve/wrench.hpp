@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstdint>
 #include <limits>
 
 namespace limitcurve {
@@ -50,14 +49,6 @@ struct SlipTwist {
 struct BoundaryPoint {
   UnitWrench wrench;
   UnitWrench slope;  ///< (df/du, dm/du): df/du ≤ 0 ≤ dm/du
-};
-
-/// The point of a limit boundary that is closest to a trial wrench, the slip twist that is the normal there, and its place.
-struct Foot {
-  UnitWrench wrench;
-  SlipTwist normal;
-  double place;
-  std::uint32_t piece;  ///< of the boundary that it was found on, for the next search to look at first
 };
 
 /// Where a ray from the origin meets a limit boundary, and the slip twist that is the normal there.

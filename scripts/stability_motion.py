@@ -56,18 +56,16 @@ def projection_newton(rows):
 
 
 def projection_corners(rows):
-    figure, axes = frame(2, height=4.2, sharey=True)
-    outlines = {"box": ([0, 1, 1], [1, 1, 0]), "pyramid": ([0, 1], [1, 0])}
-    for one, (panel, outline) in zip(axes, outlines.items()):
-        one.plot(*outline, color=INK, linewidth=1.2)
-        for series, points in rows.where(panel=panel).groups("series").items():
-            ours = series.startswith("ours")
-            one.plot(points.column("x"), points.column("value"), color=BLUE if ours else VERMILION, linewidth=1, zorder=3 if ours else 2,
-                     linestyle="-" if ours else (0, (3, 2)), label={"ours 0": "limitcurve", "search 0": "search for the wrench whose normal fits"}.get(series))
-            one.plot(points.column("x")[-1:], points.column("value")[-1:], "o" if ours else "x", markersize=4, color=BLUE if ours else VERMILION, zorder=4)
-        one.set(title=f"From trial to wrench, {panel}", xlabel="force / its largest", xlim=(0, 1.7), ylim=(0, 1.7), aspect="equal", xticks=(0, 1), yticks=(0, 1))
-    axes[0].set_ylabel("moment / its largest")
-    legend_below(figure, axes[0], 2)
+    figure, (axes,) = frame(1, height=4.2)
+    axes.plot([0, 1, 1], [1, 1, 0], color=INK, linewidth=1.2)
+    for series, points in rows.groups("series").items():
+        ours = series.startswith("ours")
+        axes.plot(points.column("x"), points.column("value"), color=BLUE if ours else VERMILION, linewidth=1, zorder=3 if ours else 2,
+                  linestyle="-" if ours else (0, (3, 2)), label={"ours 0": "limitcurve", "search 0": "search for the wrench whose normal fits"}.get(series))
+        axes.plot(points.column("x")[-1:], points.column("value")[-1:], "o" if ours else "x", markersize=4, color=BLUE if ours else VERMILION, zorder=4)
+    axes.set(title="From trial to wrench, box", xlabel="force / its largest", ylabel="moment / its largest", xlim=(0, 1.7), ylim=(0, 1.7), aspect="equal",
+             xticks=(0, 1), yticks=(0, 1))
+    legend_below(figure, axes, 2)
     return figure
 
 

@@ -106,15 +106,15 @@ def closed_forms(rows, title):
 
 
 def tables_spacing(rows):
-    figure, (nodes, cor) = frame(2, sharey=True)
+    figure, (numbers, cor) = frame(2, sharey=True)
     style = styles(list(rows.groups("series")))
-    draw(nodes, rows.where(panel="nodes"), style)
-    nodes.set(title="Largest error of f and m, flat punch", xlabel="nodes", xscale="log", yscale="log", xlim=(8, 1000))
+    draw(numbers, rows.where(panel="numbers"), style)
+    numbers.set(title="Largest error of f and m, flat punch", xlabel="numbers in the table", xscale="log", yscale="log", xlim=(15, 3000))
     draw(cor, rows.where(panel="cor"), style)
-    cor.set(title="… against the COR, as many nodes as our table of 1e-8", xlabel=COR, yscale="log", xlim=(0, 3), ylim=(1e-12, 1e-1))
-    for axes in (nodes, cor):
+    cor.set(title="… against the COR, as many numbers as our table of 1e-8", xlabel=COR, yscale="log", xlim=(0, 3), ylim=(1e-12, 1e-1))
+    for axes in (numbers, cor):
         axes.minorticks_off()
-    legend_below(figure, nodes, 2)
+    legend_below(figure, numbers, 2)
     return figure
 
 
@@ -136,8 +136,8 @@ def tables_equilibria(rows):
               ylabel="less the largest  [1e-4 µPaω]")
     for series, points in rows.where(panel="rests").groups("series").items():
         rests.plot(points.column("x"), points.column("value"), marker="o", markersize=3, label=series, **style[series])
-    rests.set(title="Wrenches at which one steady twist can rest", xlabel="nodes", xscale="log", yscale="log", ylim=(0.8, 60))
-    for axis, ticks in ((rests.yaxis, (1, 2, 5, 10, 20, 50)), (rests.xaxis, (5, 10, 20, 50, 100, 200, 500))):
+    rests.set(title="Wrenches at which one steady twist can rest", xlabel="nodes (limitcurve: cells)", xscale="log", yscale="log", ylim=(0.8, 60))
+    for axis, ticks in ((rests.yaxis, (1, 2, 5, 10, 20, 50)), (rests.xaxis, (2, 5, 10, 20, 50, 100, 200, 500))):
         axis.set_ticks(ticks, [f"{tick:g}" for tick in ticks])
     rests.minorticks_off()
     legend_below(figure, power, 2)

@@ -6,7 +6,6 @@ import math
 import matplotlib.pyplot as plt
 from chart_style import BLUE, FAINT, GREEN, INK, ORANGE, PURPLE, SKY, VERMILION
 
-NAVY = "#1b2a6b"
 # Errors below the rounding of a double are drawn there.
 ROUNDING = 1e-16
 # Family: colour, marker, and whether its dots are named by their parameter alone (the legend then tells the family).
@@ -17,8 +16,6 @@ FAMILIES = {
     "superellipse": (INK, "^", False),
     "quartic": (INK, "P", False),
     "table": (BLUE, "o", True),
-    "float table": (NAVY, "v", True),
-    "chord table": (BLUE, "s", True),
     "closed": (GREEN, "*", False),
     "Gauss": (SKY, "o", True),
     "ring": (PURPLE, "D", True),
@@ -33,8 +30,6 @@ FAMILIES = {
 }
 LEGEND = {
     "table": "look-up table, its tolerance",
-    "float table": "the same in single precision",
-    "chord table": "table of chords, its tolerance",
     "Gauss": "one Gauss rule, its order",
     "ring": "one integral over the radius",
     "punch": "superposed flat punches",
@@ -46,7 +41,7 @@ LEGEND = {
     "GSL nested": "GSL, nested, tolerance",
     "scipy dblquad": "scipy dblquad, tolerance",
 }
-RADIAL_SHOWN = ("ellipse", "float ellipse", "table 1e-8", "exact")
+RADIAL_SHOWN = ("ellipse", "float ellipse", "table 1e-8")
 PROJECTIONS = {"radial": (VERMILION, "^"), "closest-point": (BLUE, "o")}
 
 

@@ -5,16 +5,17 @@
 
 #include <concepts>
 
-/// How a single number is read from and written to the arrays of a batch. Packs have the same names (pack.hpp).
+/// How a single number is read from and written to the arrays of a batch. Packs have the same names (pack.hpp); a last argument that is not
+/// used says of how many lanes.
 namespace limitcurve::godobject::kernel {
 
 template <std::floating_point Number>
-[[nodiscard]] Number load(const Number* from) noexcept {
+[[nodiscard]] Number load(const Number* from, Number) noexcept {
   return *from;
 }
 template <std::floating_point Number>
-void store(Number* to, Number value) noexcept {
-  *to = value;
+void store_where(bool condition, Number* to, Number value) noexcept {
+  if (condition) *to = value;
 }
 template <std::floating_point Number>
 [[nodiscard]] bool has_state(const ContactState* states, ContactState wanted, Number) noexcept {

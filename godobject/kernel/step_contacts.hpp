@@ -23,8 +23,8 @@ struct Shared {
 template <class Real, class Number>
 void step_contacts(const Shared<Real>& shared, const BasicContactBatch<Real>& contacts, std::size_t i) noexcept {
   using namespace arithmetic;
-  const auto read = [i](auto array) { return load<Number>(array.data() + i); };
   const Number zero = Number(Real(0));
+  const auto read = [i, zero](auto array) { return load(array.data() + i, zero); };
   const Number x = read(contacts.x);
   const Number y = read(contacts.y);
   const Number angle = read(contacts.angle);
@@ -36,12 +36,9 @@ void step_contacts(const Shared<Real>& shared, const BasicContactBatch<Real>& co
   const auto stays = touches && was_in_contact;
 
   // a. The trial deflection; none where the finger has just touched down.
-  const Number last_x = read(contacts.proxy_x);
-  const Number last_y = read(contacts.proxy_y);
-  const Number last_angle = read(contacts.proxy_angle);
-  const Number proxy_x = select(stays, last_x, x);
-  const Number proxy_y = select(stays, last_y, y);
-  const Number proxy_angle = select(stays, last_angle, angle);
+  const Number proxy_x = select(stays, read(contacts.proxy_x), x);
+  const Number proxy_y = select(stays, read(contacts.proxy_y), y);
+  const Number proxy_angle = select(stays, read(contacts.proxy_angle), angle);
   const Number trial_x = proxy_x - x;
   const Number trial_y = proxy_y - y;
   const Number twist = proxy_angle - angle;
@@ -49,10 +46,10 @@ void step_contacts(const Shared<Real>& shared, const BasicContactBatch<Real>& co
   // b. What part of it the limit curve lets the springs keep.
   const Number stiffness = Number(shared.stiffness);
   const Number twist_stiffness = Number(shared.twist_stiffness);
+  const Number normal_load = stiffness * select(touches, depth, zero);
+  const FrictionLimits<Number> limits = shared.limits.template at<Real>(normal_load, stiffness / twist_stiffness);
   const Number r = sqrt(trial_x * trial_x + trial_y * trial_y);
   const Number rho = abs(twist);
-  const Number load = stiffness * select(touches, depth, zero);
-  const FrictionLimits<Number> limits = shared.limits.template at<Real>(load, stiffness / twist_stiffness);
   const Number rounding = Number(std::numeric_limits<Real>::epsilon() / 2);
   // Without torsion the angle limits nothing, and so does its rounding.
   const FrictionTrial<Number> trial{stiffness * r, twist_stiffness * rho, stiffness * rounding * (abs(proxy_x) + abs(proxy_y)),
@@ -70,19 +67,18 @@ void step_contacts(const Shared<Real>& shared, const BasicContactBatch<Real>& co
   const Number new_x = select(slides, x + kept_x, proxy_x);
   const Number new_y = select(slides, y + kept_y, proxy_y);
   const Number new_angle = select(turns, angle + kept_twist, proxy_angle);
-  const auto slips = friction.slips && (new_x < proxy_x || new_x > proxy_x || new_y < proxy_y || new_y > proxy_y ||
-                                        new_angle < proxy_angle || new_angle > proxy_angle);
+  const auto slips = friction.slips && (new_x != proxy_x || new_y != proxy_y || new_angle != proxy_angle);
 
   // c. Force and moment on the user. Of a fault nothing is touched.
-  const auto write = [&](auto array, Number held, Number value) { store(array.data() + i, select(is_plausible, value, held)); };
-  write(contacts.proxy_x, last_x, new_x);
-  write(contacts.proxy_y, last_y, new_y);
-  write(contacts.proxy_angle, last_angle, new_angle);
-  write(contacts.parameter, read(contacts.parameter), select(slips, memory.parameter, zero));
-  write(contacts.rate, read(contacts.rate), select(slips, memory.rate, zero));
-  write(contacts.force_x, read(contacts.force_x), kept_x * stiffness);
-  write(contacts.force_y, read(contacts.force_y), kept_y * stiffness);
-  write(contacts.moment, read(contacts.moment), kept_twist * twist_stiffness);
+  const auto write = [&](auto array, Number value) { store_where(is_plausible, array.data() + i, value); };
+  write(contacts.proxy_x, new_x);
+  write(contacts.proxy_y, new_y);
+  write(contacts.proxy_angle, new_angle);
+  write(contacts.parameter, select(slips, memory.parameter, zero));
+  write(contacts.rate, select(slips, memory.rate, zero));
+  write(contacts.force_x, kept_x * stiffness);
+  write(contacts.force_y, kept_y * stiffness);
+  write(contacts.moment, kept_twist * twist_stiffness);
   set_states(contacts.state.data() + i, is_plausible, touches, slips, zero);
 }
 

@@ -81,7 +81,7 @@ class Builder {
   /// By what factor the piece's width should change. Six nodes: the error goes with the sixth power of the width.
   [[nodiscard]] double change(const Piece& piece) const {
     if (!(piece.least_growth() >= 0)) return 0.5;
-    const auto error = static_cast<double>(piece.error());
+    const double error = std::max(static_cast<double>(piece.error()), 1e-6 * target_);
     return std::clamp(0.93 * std::pow(target_ / error, 1.0 / 6.0), 0.25, 4.0);
   }
 
@@ -216,15 +216,19 @@ std::optional<BasicTable<Real>> build(const Source& source, double tolerance) {
   const double rounding = 1.5 * double{std::numeric_limits<Real>::epsilon()} * scale;
   const double allowed = tolerance * scale;
   double target = 0.95 * (allowed - rounding - source.at(false, 1.0).error) / (1.0 + certificate_margin);
-  constexpr int attempts = 8;
-  for (int i = 0; i < attempts && target > 0.0; ++i, target *= 0.8) {
+  constexpr int attempts = 12;
+  for (int i = 0; i < attempts && target > 0.0; ++i) {
     Builder builder(source, target, sizeof(Real) == sizeof(float) ? 23 : 52, 8 * sizeof(Real));
     if (!builder.lay()) return std::nullopt;
-    if (!builder.join_at_rim()) continue;
+    if (!builder.join_at_rim()) {
+      target *= 0.3;
+      continue;
+    }
     TableFacts facts{source.name, tolerance, allowed};
     const BasicTable<Real> table(facts, builder.cells());
     facts.certified_error = certify(table, builder.sides()) + rounding;
     if (facts.certified_error <= allowed) return BasicTable<Real>(facts, builder.cells());
+    target *= 0.8;
   }
   return std::nullopt;
 }

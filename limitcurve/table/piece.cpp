@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "limitcurve/table/piece.hpp"
 
+#include "limitcurve/table/bernstein.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -57,6 +59,9 @@ void Piece::look_between(const Source& source, bool outside, double limit) {
     within = left_ == 0.0 || error_at(samples_.back()) <= limit;
   };
   for (const std::size_t k : {1, 9, 5, 3, 7}) look(place(left_, right_, k));
+  // A coarse cell's error may peak anywhere, and costs little to be looked at twice as closely.
+  constexpr double coarse = 1e-5;
+  for (std::size_t k = 0; limit > coarse && k < 10; ++k) look((place(left_, right_, k) + place(left_, right_, k + 1)) / 2);
   // Where the curve is singular, the largest error is nearer to there.
   for (const double share : {0.01, 0.004, 0.0015}) {
     if (left_ == 0.0) look(share * right_);
@@ -64,7 +69,11 @@ void Piece::look_between(const Source& source, bool outside, double limit) {
   }
   for (const double s : source.breaks) {
     const double at = outside ? 1.0 / s : s;
-    for (const double share : {-0.05, 0.0, 0.05}) look(at + share * (right_ - left_));
+    look(at);
+    for (const double share : {0.01, 0.02, 0.035, 0.05, 0.07, 0.1, 0.14}) {
+      look(at - share * (right_ - left_));
+      look(at + share * (right_ - left_));
+    }
   }
 }
 
@@ -88,16 +97,9 @@ Extended Piece::support(Extended u) const noexcept {
 }
 
 Extended Piece::least_growth() const noexcept {
-  // Σ aᵢ uⁱ of degree 4 has the Bernstein coefficients b_j = Σ_{i ≤ j} C(j,i)/C(4,i) aᵢ.
-  constexpr std::array<std::array<Extended, 5>, 5> binomials{
-      {{1, 0, 0, 0, 0}, {1, 1, 0, 0, 0}, {1, 2, 1, 0, 0}, {1, 3, 3, 1, 0}, {1, 4, 6, 4, 1}}};
-  Extended least = 0;
-  for (std::size_t j = 0; j < 5; ++j) {
-    Extended sum = 0;
-    for (std::size_t i = 0; i <= j; ++i) sum += binomials[j][i] / binomials[4][i] * static_cast<Extended>(i + 1) * coefficients_[i + 1];
-    least = j == 0 ? sum : std::min(least, sum);
-  }
-  return least;
+  std::array<Extended, node_count - 1> slope;
+  for (std::size_t i = 0; i < slope.size(); ++i) slope[i] = static_cast<Extended>(i + 1) * coefficients_[i + 1];
+  return least_bernstein_coefficient(slope);
 }
 
 Extended Piece::error_at(const Sample& exact) const noexcept {

@@ -32,7 +32,7 @@ struct TablePieces {
     using namespace arithmetic;
     const auto at = numbers_per_cell * cell(outside, x);
     const Number t = x - gather(cells, at);
-    const auto coefficient = [&](int i) { return gather(cells, at + 1 + i); };
+    const auto coefficient = [&](int i) { return gather(cells + 1 + i, at); };
     // Horner's scheme for D and its Taylor coefficients at once; each begins one step after the one before.
     Number value = coefficient(6);
     Number first = value;

@@ -29,8 +29,8 @@ Scene scene() {
   return result;
 }
 
-const StepCandidate& chosen(const StepChoice& choice) {
-  return *std::find_if(choice.candidates.begin(), choice.candidates.end(), [](const StepCandidate& candidate) { return candidate.chosen; });
+const Candidate& chosen(const StepChoice& choice) {
+  return *std::find_if(choice.candidates.begin(), choice.candidates.end(), [](const Candidate& candidate) { return candidate.chosen; });
 }
 
 /// A finger that wanders within the scene: sliding in all directions, twisting and pressing at random rates.
@@ -100,10 +100,10 @@ TEST(ChooseStep, TakesTheCheapestThatIsGoodEnough) {
   using Tolerances = std::vector<double>;
   for (const double tolerance : tests_are_short ? Tolerances{0.2, 1e-3} : Tolerances{1.0, 0.2, 0.05, 0.01, 1e-3}) {
     const StepChoice choice = choose_step(scene(), tolerance);
-    const StepCandidate& best = chosen(choice);
+    const Candidate& best = chosen(choice);
     EXPECT_LE(best.error, tolerance);
     EXPECT_EQ(std::count_if(choice.candidates.begin(), choice.candidates.end(), [](const auto& candidate) { return candidate.chosen; }), 1);
-    for (const StepCandidate& other : choice.candidates) {
+    for (const Candidate& other : choice.candidates) {
       if (other.nanoseconds < best.nanoseconds) {
         EXPECT_GT(other.error, tolerance) << other.model;
       }

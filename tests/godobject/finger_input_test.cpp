@@ -143,7 +143,6 @@ TEST(SoftFinger, RefusesAJumpOnce) {
 // Not in one step, but by many small ones.
 TEST(SoftFinger, RefusesWhatIsBeyondTheFarthest) {
   SoftFinger finger = hertz_finger();
-  constexpr double farthest = SoftFinger::farthest;
   int refused = 0;
   for (int i = 0; i < 1000; ++i) {
     const double x = farthest - 20.0 + 0.04 * i;

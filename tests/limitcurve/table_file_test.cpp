@@ -177,6 +177,7 @@ TEST(TableFile, EveryFactIsHeldByTheChecksum) {
 TEST(TableFile, NamesWhatIsWrongAndWhere) {
   EXPECT_EQ(complaint("a,b\n1,2\n"), "torn.csv:1:1: not a table: expected the first line '# limitcurve table, format 2'");
   const std::string text = to_csv(Table::build(hertz(), 1e-3));
+  EXPECT_TRUE(has(complaint("# limitcurve table, format 21" + text.substr(text.find('\n'))), "torn.csv:1:1: not a table"));
   const std::size_t header = text.find("side,x");
   const std::string line = std::to_string(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(header), '\n') + 2);
   const auto with = [&](std::string_view from, std::string_view to) {

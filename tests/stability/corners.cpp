@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Entry d: how a step finds the wrench that friction allows, where the curve has corners.
-#include "godobject/closest_point_projection.hpp"
+#include "godobject/finger_curve.hpp"
+#include "godobject/projection.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/polygon.hpp"
 #include "projection.hpp"
@@ -9,46 +10,47 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
+#include <cstddef>
 #include <string>
-#include <utility>
 
 namespace limitcurve::stability {
 
 namespace {
 
-using namespace godobject;
+using godobject::FingerCurve;
+using Trial = godobject::UnitTrial<double>;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-double normalised_distance(UnitWrench one, UnitWrench other, double moment_ratio) {
-  return std::hypot(one.force - other.force, (one.moment - other.moment) / moment_ratio);
+/// A search for smooth curves: for the twist along which the springs must slip to the wrench of that twist.
+UnitWrench by_search(const Box& box, const Trial& trial) {
+  UnitWrench wrench{};
+  double low = 0.0;
+  double high = 1.0;
+  for (int i = 0; i < 50; ++i) {
+    const double u = 0.5 * (low + high);
+    wrench = box.wrench(SlipTwist::of_spin_fraction(u));
+    const double off = u * (trial.force - wrench.force) - (1.0 - u) * trial.compliance_ratio * (trial.moment - wrench.moment);
+    (off > 0.0 ? high : low) = u;
+  }
+  return wrench;
 }
 
-/// A polygon that does not tell its corners: all that a search for smooth curves sees.
-template <class Polygon>
-struct Unpolygonal {
-  Polygon polygon;
-  [[nodiscard]] UnitWrench wrench(SlipTwist twist) const noexcept { return polygon.wrench(twist); }
-  [[nodiscard]] BoundaryPoint point(SlipTwist twist) const noexcept { return polygon.point(twist); }
-  [[nodiscard]] RadialPoint along(UnitWrench wrench) const noexcept { return polygon.along(wrench); }
-  [[nodiscard]] double gauge(UnitWrench wrench) const noexcept { return polygon.gauge(wrench); }
-  [[nodiscard]] double moment_ratio() const noexcept { return polygon.moment_ratio(); }
-};
+UnitWrench by_us(const Box& box, const Trial& trial) {
+  const auto projected = godobject::clamp_to_box(FingerCurve(box).view(), trial);
+  return {trial.force * projected.force_ratio, trial.moment * projected.moment_ratio};
+}
 
-/// The closest point of a polygon, by cutting an interval of each face to two thirds until it is rounding; in long double, for what
+/// The closest point of the box, by cutting an interval of each face to two thirds until it is rounding; in long double, for what
 /// is left is its root.
-template <class Polygon>
-UnitWrench by_thirds(const Polygon& polygon, const Trial& trial) {
+UnitWrench by_thirds(const Box& box, const Trial& trial) {
   UnitWrench best{};
-  long double least = infinity;
-  const auto& corners = polygon.vertices();
+  long double least = HUGE_VALL;
+  const auto& corners = box.vertices();
   for (std::size_t i = 0; i + 1 < corners.size(); ++i) {
     const auto force = [&](long double t) { return corners[i].force + t * (corners[i + 1].force - corners[i].force); };
     const auto moment = [&](long double t) { return corners[i].moment + t * (corners[i + 1].moment - corners[i].moment); };
     const auto distance = [&](long double t) {
-      const long double over_force = trial.wrench.force - force(t);
-      const long double over_moment = trial.wrench.moment - moment(t);
+      const long double over_force = trial.force - force(t);
+      const long double over_moment = trial.moment - moment(t);
       return over_force * over_force + trial.compliance_ratio * over_moment * over_moment;
     };
     long double low = 0.0L;
@@ -74,73 +76,61 @@ struct CornerErrors {
   double work = 0.0;      // the least slip work, in units of the limits
 };
 
-template <class Polygon>
-std::array<CornerErrors, 2> corner_errors(const Polygon& polygon) {
+/// Of the search, and of ours.
+std::array<CornerErrors, 2> corner_errors(const Box& box) {
   std::array<CornerErrors, 2> worst;
-  const Unpolygonal<Polygon> hidden{polygon};
+  const double m0 = box.moment_ratio();
   Random random(6);
   for (int i = 0; i < 2000; ++i) {
-    Trial trial;
-    trial.compliance_ratio = random.logarithmic(0.1, 10.0);
-    trial.wrench = {random.uniform(0.0, 3.0), random.uniform(0.0, 3.0) * polygon.moment_ratio()};
-    if (!(polygon.gauge(trial.wrench) > 1.0 + 1e-6)) continue;
-    const UnitWrench truth = by_thirds(polygon, trial);
-    const std::array found{ClosestPoint{}(hidden, trial).wrench, ClosestPoint{}(polygon, trial).wrench};
+    const double ratio = random.logarithmic(0.1, 10.0);
+    const double force = random.uniform(0.0, 3.0);
+    const Trial trial{force, random.uniform(0.0, 3.0) * m0, ratio, 1.0};
+    if (!(box.gauge({trial.force, trial.moment}) > 1.0 + 1e-6)) continue;
+    const UnitWrench truth = by_thirds(box, trial);
+    const std::array found{by_search(box, trial), by_us(box, trial)};
     for (std::size_t j = 0; j < found.size(); ++j) {
-      const auto [force, moment] = found[j];
       // Nearer than 1e-8 the search by thirds cannot tell.
-      const double distance = normalised_distance(found[j], truth, polygon.moment_ratio());
+      const double distance = std::hypot(found[j].force - truth.force, (found[j].moment - truth.moment) / m0);
       if (distance > 1e-8) worst[j].distance = std::max(worst[j].distance, distance);
-      worst[j].work =
-          std::min(worst[j].work, force * (trial.wrench.force - force) + trial.compliance_ratio * moment * (trial.wrench.moment - moment));
+      worst[j].work = std::min(
+          worst[j].work, found[j].force * (trial.force - found[j].force) + ratio * found[j].moment * (trial.moment - found[j].moment));
     }
   }
   return worst;
 }
 
 /// Ways from trials to the wrenches found for them, in the normalised plane; equal springs there.
-template <class Polygon>
-void draw(Figure& figure, const std::string& panel, const Polygon& polygon) {
-  const Unpolygonal<Polygon> hidden{polygon};
-  const double m0 = polygon.moment_ratio();
+Figure ways(const Box& box) {
+  Figure figure{"projection_corners", {}};
+  const double m0 = box.moment_ratio();
   int number = 0;
   for (const double x : {0.3, 0.7, 1.2, 1.6}) {
     for (const double y : {0.4, 0.8, 1.2, 1.6}) {
-      Trial trial;
-      trial.wrench = {x, y * m0};
-      trial.compliance_ratio = 1.0 / (m0 * m0);
-      if (!(polygon.gauge(trial.wrench) > 1.0)) continue;
+      const Trial trial{x, y * m0, 1.0 / (m0 * m0), 1.0};
+      if (!(box.gauge({trial.force, trial.moment}) > 1.0)) continue;
       const auto add = [&](const std::string& series, UnitWrench wrench) {
-        figure.rows.push_back({panel, series + std::to_string(number), x, y});
-        figure.rows.push_back({panel, series + std::to_string(number), wrench.force, wrench.moment / m0});
+        figure.rows.push_back({"box", series + std::to_string(number), x, y});
+        figure.rows.push_back({"box", series + std::to_string(number), wrench.force, wrench.moment / m0});
       };
-      add("search ", ClosestPoint{}(hidden, trial).wrench);
-      add("ours ", ClosestPoint{}(polygon, trial).wrench);
+      add("search ", by_search(box, trial));
+      add("ours ", by_us(box, trial));
       ++number;
     }
   }
+  return figure;
 }
 
 }  // namespace
 
 Hazard corners() {
-  Hazard found;
-  Figure figure{"projection_corners", {}};
   const std::string test = "Projection.Corners";
-  const double m0 = hertz()->moment_ratio();
-  const auto of_box = corner_errors(box(1.0, m0));
-  const auto of_diamond = corner_errors(diamond(1.0, m0));
+  const Box of_hertz = box(1.0, hertz()->moment_ratio());
+  const auto [search, ours] = corner_errors(of_hertz);
   const std::string hazard = "corners and faces";
-  const std::string method = "search for the normal's wrench, ";
-  draw(figure, "box", box(1.0, m0));
-  draw(figure, "pyramid", diamond(1.0, m0));
-  found.findings.push_back(
-      {hazard, method + "box", "distance from the closest point, in the normalised plane", of_box[0].distance, of_box[1].distance, test});
-  found.findings.push_back({hazard, method + "pyramid", "distance from the closest point, in the normalised plane", of_diamond[0].distance,
-                            of_diamond[1].distance, test});
-  found.findings.push_back({hazard, method + "box", "least slip work, in (μP)²/k_l (must be ≥ 0)", of_box[0].work, of_box[1].work, test});
-  found.figures.push_back(std::move(figure));
-  return found;
+  const std::string method = "search for the normal's wrench, box";
+  return {{{hazard, method, "distance from the closest point, in the normalised plane", search.distance, ours.distance, test},
+           {hazard, method, "least slip work, in (μP)²/k_l (must be ≥ 0)", search.work, ours.work, test}},
+          {ways(of_hertz)}};
 }
 
 }  // namespace limitcurve::stability

@@ -86,8 +86,9 @@ Hazard dying_tails() {
     return {error, std::fabs(moment.slope(s) / force_slope / s - 1.0)};
   };
   const auto of_table = [&](double s) -> Errors {
-    const BoundaryPoint at = table.point(SlipTwist::about_cor(s));
-    return {relative_error(at.wrench.moment, exact_hertz(s).moment), std::fabs(-at.slope.moment / at.slope.force / s - 1.0)};
+    const ExactWrench exact = exact_hertz(s);
+    const RadialPoint met = table.along({static_cast<double>(exact.force), static_cast<double>(exact.moment)});
+    return {relative_error(table.wrench(SlipTwist::about_cor(s)).moment, exact.moment), std::fabs(met.normal.cor() / s - 1.0)};
   };
   for (const double s : in_ratios(0.05, 100.0, 120)) {
     const Errors sums = of_sums(s);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Entry d: how a step finds the wrench that friction allows, where the rule itself is wrong.
 #include "bristles.hpp"
-#include "godobject/closest_point_projection.hpp"
 #include "godobject/soft_finger.hpp"
 #include "limitcurve/ellipse.hpp"
 #include "limitcurve/exact_curve.hpp"
@@ -66,7 +65,7 @@ class AskedEveryStep {
   double proxy_ = 0.0;
 };
 
-SoftFinger<Ellipse, ClosestPoint> two_limits(double stiffness, double damping) {
+SoftFinger two_limits(double stiffness, double damping) {
   FingerParameters with;
   with.mu = static_limit;
   with.mu_dynamic = dynamic_limit;
@@ -218,7 +217,7 @@ Hazard collapsing_load() {
   FingerParameters with;
   with.mu = mu;
   with.stiffness = contact_stiffness;
-  SoftFinger finger(ExactCurve(hertz()), with, ClosestPoint{});
+  SoftFinger finger(Table::build(hertz(), 1e-8), with);
   Bristles bristles(contact_stiffness, 0.0);
   const auto contact = [](double x, double load) { return Contact{{x, 0.0, 0.0}, Eigen::Vector3d::UnitZ(), load / contact_stiffness}; };
   // Pressed with 5 N, drawn to the limit, and let go to 5 mN within one step, at rest.

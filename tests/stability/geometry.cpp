@@ -2,7 +2,6 @@
 // Entry f, its part on shapes.
 #include "geometry.hpp"
 
-#include "godobject/closest_point_projection.hpp"
 #include "godobject/mesh/mesh_surface.hpp"
 #include "godobject/soft_finger.hpp"
 #include "godobject/surfaces.hpp"
@@ -113,7 +112,7 @@ Hazard normals_that_jump() {
   FingerParameters with;
   with.mu = mu;
   with.stiffness = stiffness;
-  SoftFinger finger(Ellipse::through_intercepts(hertz()->moment_ratio()), with, ClosestPoint{});
+  SoftFinger finger(Ellipse::through_intercepts(hertz()->moment_ratio()), with);
   // Round a rod of eight edges, just beneath its surface.
   Vector3d proxy(0.0, 0.0, 0.0);
   bool touched = false;
@@ -137,7 +136,7 @@ Hazard normals_that_jump() {
     if (pull.norm() > most) pull *= most / pull.norm();
     proxy = contact.point + pull;
     customary = std::max(customary, std::fabs(pull.dot(normal)) / most);
-    const FingerOutput& output = finger.update(contact, 0.0);
+    const FingerOutput output = finger.update(contact, 0.0);
     const double degrees = angle * 180.0 / std::numbers::pi;
     if (degrees >= 10.0 && degrees <= 80.0) {
       figure.rows.push_back({"normal", "spring to the proxy", degrees, pull.dot(normal) / most});

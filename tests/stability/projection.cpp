@@ -2,9 +2,6 @@
 // Entry d: how a step finds the wrench that friction allows, where the search for it fails.
 #include "projection.hpp"
 
-#include "godobject/closest_point_projection.hpp"
-#include "godobject/friction.hpp"
-#include "godobject/radial_projection.hpp"
 #include "godobject/soft_finger.hpp"
 #include "limitcurve/ellipse.hpp"
 #include "limitcurve/exact_curve.hpp"
@@ -66,9 +63,9 @@ Felt by_finger(const Degenerate& step, double twist_stiffness) {
   with.moment_coefficient = step.moment_coefficient;
   with.stiffness = stiffness;
   with.twist_stiffness = twist_stiffness;
-  SoftFinger finger(Ellipse::through_intercepts(hertz()->moment_ratio()), with, Radial{});
+  SoftFinger finger(Ellipse::through_intercepts(hertz()->moment_ratio()), with, Projection::radial);
   finger.update({Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ(), 0.01}, 0.0);
-  const FingerOutput& output = finger.update({{step.r, 0.0, 0.0}, Eigen::Vector3d::UnitZ(), step.depth}, step.rho);
+  const FingerOutput output = finger.update({{step.r, 0.0, 0.0}, Eigen::Vector3d::UnitZ(), step.depth}, step.rho);
   return {output.force.norm(), std::fabs(output.moment)};
 }
 
@@ -79,30 +76,25 @@ double verdict(double felt, double right, double most) {
 }
 
 /// Wrench that a finger driven with a steady twist about a COR at c = a settles at, for κ = k_r/(k_l(m₀a)²).
-template <class Boundary, class Projection>
-UnitWrench settled(const Boundary& boundary, Projection projection, double kappa) {
+UnitWrench settled(const FingerCurve& curve, Projection projection, double kappa) {
   const double moment_ratio = hertz()->moment_ratio();
-  FingerParameters with;
-  with.mu = 0.5;
-  with.radius_law = RadiusLaw::constant(radius);
-  with.stiffness = stiffness;
-  with.twist_stiffness = kappa * stiffness * moment_ratio * moment_ratio * radius * radius;
-  const Friction<Boundary, Projection> friction(boundary, with, projection);
-  constexpr double load = 1.0;
-  const double force_unit = with.mu * load;
+  const double twist_stiffness = kappa * stiffness * moment_ratio * moment_ratio * radius * radius;
+  constexpr double force_unit = 0.5;  // μP [N]
+  constexpr FrictionLimit<double> limit{force_unit, radius};
+  const FrictionLimits<double> limits{limit, limit, stiffness / twist_stiffness};
   // The longer of the two lengths in which springs forget, a quarter of it a step.
-  const double step = 0.25 * std::max(force_unit / with.stiffness, force_unit * moment_ratio * radius * radius / with.twist_stiffness);
+  const double step = 0.25 * std::max(force_unit / stiffness, force_unit * moment_ratio * radius * radius / twist_stiffness);
+  FrictionMemory<double> memory;
   double r = 0.0;
   double rho = 0.0;
-  double start = -1.0;
-  typename Friction<Boundary, Projection>::Result result;
   for (int i = 0; i < 400; ++i) {
-    result = friction.resolve(r + step, rho + step / radius, load, start);
-    r = result.offset;
-    rho = result.twist;
-    start = result.start;
+    r += step;
+    rho += step / radius;
+    const auto kept = apply_friction(curve.view(), projection, limits, {stiffness * r, twist_stiffness * rho}, memory);
+    r *= kept.force_ratio;
+    rho *= kept.moment_ratio;
   }
-  return {result.force / force_unit, result.moment / (force_unit * radius)};
+  return {stiffness * r / force_unit, twist_stiffness * rho / (force_unit * radius)};
 }
 
 double normalised_distance(UnitWrench one, UnitWrench other, double moment_ratio) {
@@ -112,13 +104,13 @@ double normalised_distance(UnitWrench one, UnitWrench other, double moment_ratio
 /// The closest point's condition in s = c/a: (x − f(s)) − sχ(y − m(s)) = 0.
 struct Condition {
   const PressureLaw& law;
-  Trial trial;
+  UnitTrial<double> trial;
 
   [[nodiscard]] std::pair<double, double> value_and_slope(double s) const {
     const UnitForces<double> at = law.forces(s);
     const double chi = trial.compliance_ratio;
-    const double over_moment = chi * (trial.wrench.moment - at.moment);
-    return {trial.wrench.force - at.force - s * over_moment, -at.force_slope - over_moment - s * s * chi * at.force_slope};
+    const double over_moment = chi * (trial.moment - at.moment);
+    return {trial.force - at.force - s * over_moment, -at.force_slope - over_moment - s * s * chi * at.force_slope};
   }
 
   /// The one root, by halving the spin fraction's interval until it is a number.
@@ -130,7 +122,7 @@ struct Condition {
       if (u == low || u == high) break;
       // In u the function rises from −χy to x; in s it falls. Its sign is that of u(x − f) − (1−u)χ(y − m).
       const UnitForces<double> at = law.forces((1.0 - u) / u);
-      const double value = u * (trial.wrench.force - at.force) - (1.0 - u) * trial.compliance_ratio * (trial.wrench.moment - at.moment);
+      const double value = u * (trial.force - at.force) - (1.0 - u) * trial.compliance_ratio * (trial.moment - at.moment);
       (value > 0.0 ? high : low) = u;
     }
     return high;
@@ -156,30 +148,29 @@ struct Failures {
 };
 
 /// Shares of random trials for which the closest point is not found, with stiffness ratio κ and trials `over` times the limit.
-Failures failures(const PressureLaw& law, const ExactCurve& curve, double kappa, double least_over, double most_over) {
-  const double m0 = law.moment_ratio();
+Failures failures(const Law& law, const FingerCurve& table, double kappa, double least_over, double most_over) {
+  const ExactCurve curve(law);
+  const double m0 = law->moment_ratio();
   Random random(5);
   constexpr int rounds = 300;
   Failures count{0.0, 0.0, 0.0};
   for (int i = 0; i < rounds; ++i) {
     const double angle = 0.5 * std::numbers::pi * random.uniform(0.001, 0.999);
-    Trial trial;
-    trial.compliance_ratio = 1.0 / (kappa * m0 * m0);
-    trial.wrench = {std::cos(angle), m0 * std::sin(angle)};
-    const double scale = (1.0 + random.logarithmic(least_over, most_over)) / curve.gauge(trial.wrench);
-    trial.wrench = {trial.wrench.force * scale, trial.wrench.moment * scale};
-    const Condition condition{law, trial};
+    const UnitWrench direction{std::cos(angle), m0 * std::sin(angle)};
+    const double scale = (1.0 + random.logarithmic(least_over, most_over)) / curve.gauge(direction);
+    const UnitTrial<double> trial{direction.force * scale, direction.moment * scale, 1.0 / (kappa * m0 * m0), 1.0};
+    const Condition condition{*law, trial};
     const UnitWrench truth = curve.wrench(SlipTwist::of_spin_fraction(condition.root()));
     const auto fails = [&](UnitWrench wrench) { return !(normalised_distance(wrench, truth, m0) <= 1e-8); };
     const auto at = [&](double s) {
-      const UnitForces<double> forces = law.forces(std::isfinite(s) ? s : 0.0);
+      const UnitForces<double> forces = law->forces(std::isfinite(s) ? s : 0.0);
       return UnitWrench{std::isfinite(s) ? forces.force : infinity, forces.moment};
     };
     const double last = random.logarithmic(0.1, 10.0);
     count.newton += fails(at(by_newton(condition, last)));
-    count.newton_ahead += fails(at(by_newton(condition, trial.wrench.force / (trial.compliance_ratio * trial.wrench.moment))));
-    trial.start = SlipTwist::about_cor(last).place();
-    count.ours += fails(ClosestPoint{}(curve, trial).wrench);
+    count.newton_ahead += fails(at(by_newton(condition, trial.force / (trial.compliance_ratio * trial.moment))));
+    const auto found = project_on_to_closest_point(table.view(), trial, last < 1.0 ? last : 2.0 - 1.0 / last);
+    count.ours += fails({trial.force * found.force_ratio, trial.moment * found.moment_ratio});
   }
   return {count.newton / rounds, count.newton_ahead / rounds, count.ours / rounds};
 }
@@ -236,10 +227,10 @@ Hazard stiffness_ratios() {
   const Ellipse ellipse = Ellipse::through_intercepts(m0);
   const Table table = Table::build(law, 1e-8);
   const auto errors = [&](double kappa) {
-    return std::array{normalised_distance(settled(ellipse, Radial{}, kappa), truth, m0),
-                      normalised_distance(settled(ExactCurve(law), Radial{}, kappa), truth, m0),
-                      normalised_distance(settled(box(1.0, m0), ClosestPoint{}, kappa), truth, m0),
-                      normalised_distance(settled(table, ClosestPoint{}, kappa), truth, m0)};
+    return std::array{normalised_distance(settled(ellipse, Projection::radial, kappa), truth, m0),
+                      normalised_distance(settled(table, Projection::radial, kappa), truth, m0),
+                      normalised_distance(settled(box(1.0, m0), Projection::closest_point, kappa), truth, m0),
+                      normalised_distance(settled(table, Projection::closest_point, kappa), truth, m0)};
   };
   constexpr std::array series{"ellipse, shrunk along the ray", "exact curve, shrunk along the ray", "force and moment clamped each",
                               "limitcurve"};
@@ -265,7 +256,7 @@ Hazard newton_without_bracket() {
   Figure figure{"projection_newton", {}};
   const std::string test = "Projection.NewtonWithoutBracket";
   const Law law = hertz();
-  const ExactCurve curve(law);
+  const FingerCurve table(Table::build(law, 1e-10));
   const auto add = [&](const char* panel, double x, const Failures& at) {
     figure.rows.push_back({panel, "Newton from the last COR", x, at.newton});
     figure.rows.push_back({panel, "Newton from the trial's direction", x, at.newton_ahead});
@@ -273,17 +264,17 @@ Hazard newton_without_bracket() {
   };
   double ours = 0.0;
   for (const double kappa : in_ratios(1e-6, 1e6, 37)) {
-    const Failures at = failures(*law, curve, kappa, 1e-4, 10.0);
+    const Failures at = failures(law, table, kappa, 1e-4, 10.0);
     ours = std::max(ours, at.ours);
     add("stiffness", kappa, at);
   }
   for (const double over : in_ratios(1e-4, 1e8, 37)) {
-    const Failures at = failures(*law, curve, 1.0, over, over * 1.0001);
+    const Failures at = failures(law, table, 1.0, over, over * 1.0001);
     ours = std::max(ours, at.ours);
     add("load", over, at);
   }
-  const Failures even = failures(*law, curve, 1.0, 1e-4, 10.0);
-  const Failures stiff = failures(*law, curve, 1e6, 1e-4, 10.0);
+  const Failures even = failures(law, table, 1.0, 1e-4, 10.0);
+  const Failures stiff = failures(law, table, 1e6, 1e-4, 10.0);
   const std::string share = "share of slips with no closest point found, ";
   found.findings.push_back(
       {"Newton without a bracket", "from the last COR", share + "trials up to 11 times the limit", even.newton, ours, test});

@@ -12,7 +12,7 @@ Hazard degenerate_steps();
 Hazard stiffness_ratios();
 /// Newton's method for the closest point without a bracket, over stiffness ratios and distances of the trial.
 Hazard newton_without_bracket();
-/// Boundaries with corners and faces, given to a search for smooth curves.
+/// A box, given to a search for smooth curves.
 Hazard corners();
 /// Limits of force and moment applied one after the other.
 Hazard order_of_limits();

@@ -35,13 +35,10 @@ TEST(Projection, NewtonWithoutBracket) {
 
 TEST(Projection, Corners) {
   const auto findings = held_here(corners());
-  ASSERT_EQ(findings.size(), 3U);
-  for (const std::size_t i : {0U, 1U}) {
-    EXPECT_GE(findings[i].breaks, 0.1) << findings[i].method;
-    EXPECT_EQ(findings[i].stands, 0.0);
-  }
-  EXPECT_LE(findings[2].breaks, -0.1);
-  EXPECT_EQ(findings[2].stands, 0.0);
+  ASSERT_EQ(findings.size(), 2U);
+  EXPECT_GE(findings[0].breaks, 0.1);
+  EXPECT_LE(findings[1].breaks, -0.1);
+  for (const Finding& finding : findings) EXPECT_EQ(finding.stands, 0.0);
 }
 
 TEST(Projection, OrderOfLimits) {

@@ -3,7 +3,6 @@
 #include "reality.hpp"
 
 #include "bristles.hpp"
-#include "godobject/closest_point_projection.hpp"
 #include "godobject/soft_finger.hpp"
 #include "godobject/surfaces.hpp"
 #include "limitcurve/ellipse.hpp"
@@ -24,7 +23,6 @@ namespace {
 
 using namespace godobject;
 using Eigen::Vector3d;
-using Finger = SoftFinger<Ellipse, ClosestPoint>;
 
 constexpr double mu = 0.5;
 constexpr double stiffness = 1000.0;
@@ -38,7 +36,7 @@ FingerParameters parameters() {
   return with;
 }
 
-Finger made_of(const FingerParameters& with) {
+SoftFinger made_of(const FingerParameters& with) {
   return {Ellipse::through_intercepts(hertz()->moment_ratio()), with};
 }
 
@@ -67,7 +65,7 @@ Contact stirred(double time) {
 
 /// Friction while stirring, when the next sample is due at each of 40 times.
 std::vector<Vector3d> stirring(double rate, double jitter) {
-  Finger finger = made_of(parameters());
+  SoftFinger finger = made_of(parameters());
   std::vector<Vector3d> forces;
   double next = 0.1;
   for (const double time : sampled(rate, 0.9, jitter)) {
@@ -85,8 +83,8 @@ double customary_load(double beneath, double last, double damping, double time_s
 
 /// Loads over a second at 1 kHz: one sample of them leaps by 5 mm, one is no number, and from the middle on there are none.
 void draw_samples(Figure& figure, FingerParameters with) {
-  with.jump_limit = 1e-3;
-  Finger finger = made_of(with);
+  with.max_displacement = 1e-3;
+  SoftFinger finger = made_of(with);
   double held = 0.0;
   for (int i = 0; i < 1000; ++i) {
     const bool lost = i == 200 || i >= 500;
@@ -107,14 +105,14 @@ Hazard rates_and_jitter() {
   const std::string test = "Reality.RatesAndJitter";
   constexpr double jitter = 0.3;
   const auto largest = [&](double rate) {
-    Finger finger = made_of(parameters());
+    SoftFinger finger = made_of(parameters());
     Bristles bristles(stiffness, 0.0);
     std::pair<double, double> most{0.0, 0.0};
     for (const double time : sampled(rate, 1.0, jitter)) {
       const double x = scrubbed(time);
       const double force = std::fabs(bristles.update(x, limit)) / limit;
       most.first = force <= 1e6 ? std::max(most.first, force) : 1e6;
-      const FingerOutput& output = finger.update(at(x), 0.0);
+      const FingerOutput output = finger.update(at(x), 0.0);
       most.second = std::max(most.second, output.force.norm() / limit);
     }
     return most;
@@ -155,7 +153,7 @@ Hazard clocks() {
   // Pressed on at a steady speed: the damper's share of the load is b v.
   const auto load = [&](double time) { return stiffness * speed * time + damping * speed; };
   {
-    Finger finger = made_of(with);
+    SoftFinger finger = made_of(with);
     double last = 0.0;
     double customary = 0.0;
     double ours = 0.0;
@@ -179,7 +177,7 @@ Hazard clocks() {
   }
   // One stamp that repeats the last, or lies before it.
   for (const auto& [stamp, what] : {std::pair(0.0, "stands still"), std::pair(-1e-5, "runs backwards by 10 µs")}) {
-    Finger finger = made_of(with);
+    SoftFinger finger = made_of(with);
     for (int i = 1; i <= 20; ++i) finger.update(at(0.0, 0.0, speed * tick * i), 0.0, tick);
     const double before = speed * tick * 20;
     const double now = speed * tick * 21;
@@ -198,9 +196,9 @@ Hazard bad_samples() {
   Figure figure{"reality_samples", {}};
   const std::string test = "Reality.BadSamples";
   FingerParameters with = parameters();
-  with.jump_limit = 0.01;
-  with.hold_share = 0.99;
-  Finger finger = made_of(with);
+  with.max_displacement = 0.01;
+  with.fault_decay = 0.99;
+  SoftFinger finger = made_of(with);
   Bristles bristles(stiffness, 0.0);
   const auto path = [](int i) { return 1e-5 * i; };
   for (int i = 0; i < 100; ++i) {
@@ -224,13 +222,13 @@ Hazard bad_samples() {
   // A sample 10 cm deep.
   const double leap = finger.update(at(path(1101), 0.0, 0.1), 0.0).load;
   found.findings.push_back({"one sample that leaps by 10 cm", "load k_l d of what is told",
-                            "load of that sample / before (ours: jump_limit 1 cm)", stiffness * 0.1 / before, leap / before, test});
+                            "load of that sample / before (ours: max_displacement 1 cm)", stiffness * 0.1 / before, leap / before, test});
   // No samples any more.
   finger.update(at(path(1102)), 0.0);
   const double last = finger.update(at(path(1103)), 0.0).load;
   for (int i = 0; i < 1000; ++i) finger.update(at(nothing), 0.0);
   found.findings.push_back({"samples that no longer come", "the last force held",
-                            "load after a second at 1 kHz / before (ours: hold_share 0.99)", 1.0, finger.output().load / last, test});
+                            "load after a second at 1 kHz / before (ours: fault_decay 0.99)", 1.0, finger.output().load / last, test});
   found.figures.push_back(std::move(figure));
   return found;
 }
@@ -266,7 +264,7 @@ Hazard plate_between_samples() {
 Hazard frozen_device() {
   Hazard found;
   const std::string test = "Reality.FrozenDevice";
-  Finger finger = made_of(parameters());
+  SoftFinger finger = made_of(parameters());
   Bristles bristles(stiffness, 0.0);
   double creep = 0.0;
   double customary = 0.0;
@@ -284,14 +282,14 @@ Hazard frozen_device() {
   };
   for (int i = 0; i < 10000; ++i) {
     const double held = std::fabs(bristles.update(0.25e-3, limit));
-    const FingerOutput& output = finger.update(at(0.25e-3), 0.0);
+    const FingerOutput output = finger.update(at(0.25e-3), 0.0);
     creep = std::max(creep, (output.proxy - proxy).norm());
     if (i >= 9990) draw(i - 10000, held, output.force.norm());
   }
   for (int i = 0; i < 100; ++i) {
     const double force = std::fabs(bristles.update(0.02 + 1e-5 * i, limit));
     customary = std::max(customary, force / limit);
-    const FingerOutput& output = finger.update(at(0.02 + 1e-5 * i), 0.0);
+    const FingerOutput output = finger.update(at(0.02 + 1e-5 * i), 0.0);
     ours = std::max(ours, output.force.norm() / limit);
     if (i <= 30) draw(i, force, output.force.norm());
   }

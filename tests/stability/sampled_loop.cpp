@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Entry e, its part on the device: forces that are sampled, late, and taken from the steps of an encoder.
-#include "godobject/closest_point_projection.hpp"
 #include "godobject/passivity.hpp"
 #include "godobject/soft_finger.hpp"
 #include "limitcurve/ellipse.hpp"
@@ -19,11 +18,10 @@ namespace limitcurve::stability {
 namespace {
 
 using namespace godobject;
-using Finger = SoftFinger<Ellipse, ClosestPoint>;
 
 constexpr double tick = 1e-3;
 
-Finger finger(double stiffness, double damping, double mu) {
+SoftFinger finger(double stiffness, double damping, double mu) {
   FingerParameters with;
   with.mu = mu;
   with.stiffness = stiffness;
@@ -44,7 +42,7 @@ struct Device {
 
   /// The largest swing in the last tenth of a second, of that in the first.
   [[nodiscard]] double growth(double stiffness) const {
-    Finger contact = finger(stiffness, 0.0, 1e6);
+    SoftFinger contact = finger(stiffness, 0.0, 1e6);
     contact.update(pressed(0.0, 1e-3), 0.0);
     std::array<double, 4> line{};
     double x = 0.0;
@@ -89,7 +87,7 @@ struct ToAndFro {
 
 ToAndFro to_and_fro(double stiffness, double damping, double sample_time) {
   constexpr double reach = 1e-5;
-  Finger contact = finger(stiffness, damping, 1e6);
+  SoftFinger contact = finger(stiffness, damping, 1e6);
   contact.update(pressed(0.0, 1e-3), 0.0);
   ToAndFro sum;
   double x = 0.0;
@@ -174,7 +172,7 @@ Hazard encoder_steps() {
   constexpr double resolution = 1e-5;
   const auto largest_share = [&](double rate) {
     const double sample_time = 1.0 / rate;
-    Finger contact = finger(stiffness, damping, mu);
+    SoftFinger contact = finger(stiffness, damping, mu);
     contact.update(pressed(0.0, 1e-3), 0.0);
     double proxy = 0.0;
     double last = 0.0;
@@ -189,7 +187,7 @@ Hazard encoder_steps() {
       }
       share.first = std::max(share.first, std::fabs(spring - damping * (x - last) / sample_time) / mu);
       last = x;
-      const FingerOutput& output = contact.update(pressed(x, 1e-3), 0.0, sample_time);
+      const FingerOutput output = contact.update(pressed(x, 1e-3), 0.0, sample_time);
       share.second = std::max(share.second, output.force.norm() / (mu * output.load));
     }
     return share;
@@ -205,7 +203,7 @@ Hazard encoder_steps() {
   // A finger that rests at half the limit while the encoder jitters by a step: whoever adds up increments creeps.
   double stretch = 0.5 * mu / stiffness;
   const double at_first = stretch;
-  Finger contact = finger(stiffness, 0.0, mu);
+  SoftFinger contact = finger(stiffness, 0.0, mu);
   contact.update(pressed(0.0, 1e-3), 0.0);
   const double proxy = contact.update(pressed(at_first, 1e-3), 0.0).proxy.x();
   double creep = 0.0;

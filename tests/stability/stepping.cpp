@@ -2,8 +2,7 @@
 // Entry e, its part on bodies: finger springs on a light one.
 #include "stepping.hpp"
 
-#include "godobject/closest_point_projection.hpp"
-#include "godobject/grasp.hpp"
+#include "explicit_grasp.hpp"
 #include "godobject/surfaces.hpp"
 #include "limitcurve/ellipse.hpp"
 #include "limitcurve/laws.hpp"
@@ -21,15 +20,14 @@ namespace limitcurve::stability {
 namespace {
 
 using namespace godobject;
-using Scene = Grasp<BoxSurface, Ellipse, ClosestPoint>;
 
 constexpr double tick = 1e-3;
 constexpr std::array integrators{Integrator::explicit_euler, Integrator::symplectic_euler, Integrator::implicit_euler};
 constexpr std::array names{"explicit Euler", "symplectic Euler", "limitcurve"};
 
-Scene gripped(const BodyParameters& body, const Eigen::Vector3d& edges, const FingerParameters& with, Integrator integrator) {
-  const Scene::Finger finger(Ellipse::through_intercepts(hertz()->moment_ratio()), with);
-  return {body, BodyState{}, BoxSurface(0.5 * edges), {finger, finger}, integrator};
+ExplicitGrasp gripped(const BodyParameters& body, const Eigen::Vector3d& edges, const FingerParameters& with, Integrator integrator) {
+  const SoftFinger finger(Ellipse::through_intercepts(hertz()->moment_ratio()), with);
+  return {Grasp(body, BodyState{}, AnySurface(BoxSurface(0.5 * edges)), {finger, finger}), integrator};
 }
 
 /// Two fingers on the faces ±z.
@@ -53,7 +51,7 @@ bool gains_energy(Integrator integrator, double kappa, double zeta, bool twistin
   const double damper = zeta * std::sqrt(kappa) * inertia / tick;
   (twisting ? with.twist_stiffness : with.stiffness) = spring;
   (twisting ? with.twist_damping : with.damping) = damper;
-  Scene scene = gripped(body, edges, with, integrator);
+  ExplicitGrasp scene = gripped(body, edges, with, integrator);
   const auto devices = pinch(0.04, 1e-3);
   scene.place(BodyState{}, devices);
   constexpr double little = 1e-9;
@@ -110,7 +108,7 @@ Held held(Integrator integrator, double stiffness, double duration) {
   with.mu = 0.6;
   with.stiffness = stiffness;
   with.twist_stiffness = 0.07;
-  Scene scene = gripped(body, edges, with, integrator);
+  ExplicitGrasp scene = gripped(body, edges, with, integrator);
   const auto devices = pinch(0.02, 2.0 / stiffness);
   scene.place(BodyState{}, devices);
   Held result{0.0, {0.0}};
@@ -216,7 +214,7 @@ Hazard released_grip() {
     FingerParameters with;
     with.mu = 0.6;
     with.stiffness = 2000.0;
-    Scene scene = gripped(body, edges, with, integrators[i]);
+    ExplicitGrasp scene = gripped(body, edges, with, integrators[i]);
     // Held by 10 N, drawn sideways near to slipping, and let go to 0.2 N within one step.
     scene.place(BodyState{}, pinch(0.02, 5e-3));
     BodyState drawn;

@@ -175,15 +175,16 @@ Hazard even_spacing() {
   };
   for (const double nodes : in_ratios(8.0, 1000.0, 30)) {
     const int even = 2 * static_cast<int>(nodes / 2.0);
-    figure.rows.push_back({"nodes", "even nodes", static_cast<double>(even), even_error(even)});
+    figure.rows.push_back({"numbers", "even nodes", 3.0 * even, even_error(even)});
   }
   for (const double tolerance : in_ratios(1e-2, 1e-11, 19)) {
     const Table table = Table::build(law, tolerance);
     const double error = worst_of([&](double s) { return table.wrench(SlipTwist::about_cor(s)); });
-    figure.rows.push_back({"nodes", "limitcurve", static_cast<double>(table.node_count()), error});
+    figure.rows.push_back({"numbers", "limitcurve", 8.0 * static_cast<double>(table.cell_count()), error});
   }
   const Table table = Table::build(law, 1e-8);
-  const auto nodes = static_cast<int>(table.node_count());
+  // As many numbers: a node is f, m and a slope, a cell of ours an origin and seven coefficients.
+  const auto nodes = static_cast<int>(8 * table.cell_count() / 3);
   const EvenTable even(*law, last, nodes);
   double ours = 0.0;
   // Stretches of CORs, of each the worst.
@@ -203,7 +204,7 @@ Hazard even_spacing() {
     figure.rows.push_back({"cor", "limitcurve", s, ours_worst[i]});
   }
   found.findings.push_back({"even spacing across the rim", "cubic Hermite, exact slopes, even nodes in s ≤ 3",
-                            "largest error of f and m with the nodes of our table of 1e-8 (flat punch)", even_error(nodes), ours, test});
+                            "largest error of f and m, as many numbers as our table of 1e-8 (flat punch)", even_error(nodes), ours, test});
   found.findings.push_back(
       {"even spacing across the rim", "the same with 1000 nodes", "largest error of f and m (flat punch)", even_error(1000), ours, test});
   found.figures.push_back(std::move(figure));
@@ -264,7 +265,7 @@ Hazard false_equilibria() {
   for (const double tolerance : in_ratios(1e-2, 1e-10, 9)) {
     const Table table = Table::build(law, tolerance);
     const Rests here = rests(tabulated(table));
-    figure.rows.push_back({"rests", "limitcurve", static_cast<double>(table.node_count()), static_cast<double>(here.most)});
+    figure.rows.push_back({"rests", "limitcurve", static_cast<double>(table.cell_count()), static_cast<double>(here.most)});
     our_worst.most = std::max(our_worst.most, here.most);
     our_worst.distance = std::max(our_worst.distance, here.distance);
   }

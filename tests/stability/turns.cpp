@@ -33,13 +33,13 @@ struct Twisting {
   static constexpr double limit = 0.002;
   static constexpr double depth = 0.001;
 
-  [[nodiscard]] godobject::SoftFinger<Ellipse, godobject::ClosestPoint> finger() const {
+  [[nodiscard]] godobject::SoftFinger finger() const {
     const godobject::FingerParameters parameters{.mu = 1.0,
                                                  .radius_law = RadiusLaw::constant(0.005),
                                                  .moment_coefficient = limit,
                                                  .stiffness = 1000.0,
                                                  .twist_stiffness = twist_stiffness};
-    return {Ellipse::through_intercepts(0.5), parameters, godobject::ClosestPoint{}};
+    return {Ellipse::through_intercepts(0.5), parameters};
   }
 
   static godobject::Contact contact() { return {{0.0, 0.0, 0.0}, {0.0, 0.0, 1.0}, depth}; }

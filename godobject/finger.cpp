@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include "godobject/finger.hpp"
+
+#include <Eigen/Geometry>
+
+#include <cmath>
+
+namespace limitcurve::godobject {
+
+using Eigen::Vector3d;
+
+Vector3d FingerState::deflection() const noexcept {
+  const Vector3d n = vector(normal);
+  const Vector3d apart = vector(proxy) - vector(goal);
+  return apart - n * n.dot(apart);
+}
+
+Vector3d FingerState::position() const noexcept {
+  return vector(goal) - vector(normal) * depth;
+}
+
+FingerOutput FingerState::output() const noexcept {
+  return {state, vector(proxy), angle, depth, load, vector(force), moment, cor, slip_work};
+}
+
+Vector3d FingerState::centre_of_rotation() const noexcept {
+  // The finger slides along −force, and turns against the moment: v = ω n × (x_g − C).
+  const Vector3d friction_force = vector(force);
+  const double size = friction_force.norm();
+  if (!(cor > 0.0) || size == 0.0) return vector(goal) + Vector3d::Constant(0.0 * cor);
+  return vector(goal) - friction_force.cross(vector(normal)) * (std::copysign(cor, moment) / size);
+}
+
+bool is_plausible(FingerState& state, const FingerParameters& parameters, const Contact& contact, double device_twist,
+                  double time_step) noexcept {
+  const double square = contact.point.squaredNorm() + contact.depth * contact.depth + device_twist * device_twist;
+  const bool is_unit = std::fabs(contact.normal.squaredNorm() - 1.0) <= 1e-6;
+  if (!(square <= farthest * farthest) || !is_unit || !(time_step >= 0.0)) return false;
+  // Plausible is a finger that is near where it last was good, or near where it was refused last, and the first of all.
+  const Vector3d position = contact.point - contact.normal * contact.depth;
+  const double limit = parameters.max_displacement * parameters.max_displacement;
+  if (!state.seen || (position - state.position()).squaredNorm() <= limit) {
+    state.refused = false;
+    state.seen = true;
+    return true;
+  }
+  const bool stays = state.refused && (position - vector(state.refused_at)).squaredNorm() <= limit;
+  state.refused = !stays;
+  state.refused_at = numbers(position);
+  return stays;
+}
+
+void fade(FingerState& state, double fault_decay) noexcept {
+  // A single sample that is lost is nothing that a finger should feel.
+  const double kept = state.state == ContactState::invalid ? fault_decay : 1.0;
+  state.state = ContactState::invalid;
+  state.slip_work = 0.0;
+  state.load *= kept;
+  state.moment *= kept;
+  for (double& component : state.force) component *= kept;
+}
+
+void release(FingerState& state, const Contact& contact, double device_twist) noexcept {
+  FingerState free;
+  free.proxy = numbers(contact.point - contact.normal * contact.depth);
+  free.goal = numbers(contact.point);
+  free.normal = numbers(contact.normal);
+  free.angle = free.goal_angle = free.device_twist = device_twist;
+  free.depth = contact.depth;
+  free.seen = true;
+  state = free;
+}
+
+void touch_down(FingerState& state, const Contact& contact, double device_twist) noexcept {
+  state.in_contact = true;
+  state.proxy = state.goal = numbers(contact.point);
+  state.normal = numbers(contact.normal);
+  state.angle = state.goal_angle = state.device_twist = device_twist;
+  state.turns = 0.0;
+  state.friction = {};
+}
+
+}  // namespace limitcurve::godobject

@@ -1,0 +1,376 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "godobject/kernel/step.hpp"
+
+#include <immintrin.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+
+/// Packs of numbers, a vector register each, under the names of single numbers (limitcurve/arithmetic.hpp, single.hpp): what is written once
+/// for a Number works on as many contacts as a pack has lanes, and gives the same bits. The one header with extensions of GCC and Clang; the
+/// library is complete without it (LIMITCURVE_PACKS).
+///
+/// The instruction set is part of every type's name. Sources that are compiled for different processors then share no function that the
+/// linker could take from the wrong one; for the same reason lanes that are stepped one by one call functions of other sources only.
+namespace limitcurve::godobject::kernel {
+
+struct Sse2 {
+  static constexpr int bytes = 16;
+};
+struct Avx2 {
+  static constexpr int bytes = 32;
+};
+struct Avx512 {
+  static constexpr int bytes = 64;
+};
+
+/// The registers of an instruction set that hold numbers of one type.
+template <class Real, class Isa>
+struct Registers {
+  static constexpr std::size_t lanes = Isa::bytes / sizeof(Real);
+  typedef Real Numbers __attribute__((vector_size(Isa::bytes)));
+  typedef Real Unaligned __attribute__((vector_size(Isa::bytes), aligned(alignof(Real))));
+  using Integers = decltype(Numbers{} < Numbers{});  // of the numbers' width
+  using Integer = std::conditional_t<sizeof(Real) == 8, std::int64_t, std::int32_t>;
+};
+
+/// What comparisons of packs give: all bits of a lane, or none. With AVX-512 one bit a lane.
+template <class Real, class Isa>
+struct Mask {
+  using Narrow = std::conditional_t<sizeof(Real) == 8, std::uint8_t, std::uint16_t>;
+  using Bits = std::conditional_t<Isa::bytes == 64, Narrow, typename Registers<Real, Isa>::Integers>;
+  Bits bits;
+
+  friend Mask operator&&(Mask a, Mask b) noexcept { return {(Bits)(a.bits & b.bits)}; }
+  friend Mask operator||(Mask a, Mask b) noexcept { return {(Bits)(a.bits | b.bits)}; }
+  friend Mask operator!(Mask a) noexcept { return {(Bits)~a.bits}; }
+};
+
+/// Integers, one a lane.
+template <class Real, class Isa>
+struct Index {
+  using Integers = typename Registers<Real, Isa>::Integers;
+  Integers lanes{};
+
+  Index() noexcept = default;
+  Index(int all) noexcept : lanes(typename Registers<Real, Isa>::Integer{all} - Integers{}) {}  // NOLINT: meant to convert
+  explicit Index(Integers of_lanes) noexcept : lanes(of_lanes) {}
+
+  friend Index operator+(Index a, Index b) noexcept { return Index(a.lanes + b.lanes); }
+  friend Index operator-(Index a, Index b) noexcept { return Index(a.lanes - b.lanes); }
+  friend Index operator*(Index a, Index b) noexcept { return Index(a.lanes * b.lanes); }
+};
+
+template <class Real, class Isa>
+struct Pack {
+  using Numbers = typename Registers<Real, Isa>::Numbers;
+  static constexpr std::size_t size = Registers<Real, Isa>::lanes;
+  Numbers lanes;
+
+  Pack() noexcept = default;
+  explicit Pack(Real all) noexcept : lanes(all - Numbers{}) {}
+  explicit Pack(Numbers of_lanes) noexcept : lanes(of_lanes) {}
+
+  friend Pack operator+(Pack a, Pack b) noexcept { return Pack(a.lanes + b.lanes); }
+  friend Pack operator-(Pack a, Pack b) noexcept { return Pack(a.lanes - b.lanes); }
+  friend Pack operator*(Pack a, Pack b) noexcept { return Pack(a.lanes * b.lanes); }
+  friend Pack operator/(Pack a, Pack b) noexcept { return Pack(a.lanes / b.lanes); }
+  friend Pack operator-(Pack a) noexcept { return Pack(-a.lanes); }
+  friend Mask<Real, Isa> operator<(Pack a, Pack b) noexcept { return mask<_CMP_LT_OQ>(a, b, a.lanes < b.lanes); }
+  friend Mask<Real, Isa> operator>(Pack a, Pack b) noexcept { return b < a; }
+  friend Mask<Real, Isa> operator<=(Pack a, Pack b) noexcept { return mask<_CMP_LE_OQ>(a, b, a.lanes <= b.lanes); }
+  friend Mask<Real, Isa> operator>=(Pack a, Pack b) noexcept { return b <= a; }
+  friend Mask<Real, Isa> operator!=(Pack a, Pack b) noexcept { return mask<_CMP_NEQ_UQ>(a, b, a.lanes != b.lanes); }
+
+ private:
+  /// The comparison `predicate`, or its result without AVX-512.
+  template <int predicate>
+  static Mask<Real, Isa> mask(Pack a, Pack b, typename Registers<Real, Isa>::Integers compared) noexcept {
+    if constexpr (Isa::bytes < 64) {
+      return {compared};
+    } else if constexpr (sizeof(Real) == 8) {
+      return {_mm512_cmp_pd_mask(a.lanes, b.lanes, predicate)};
+    } else {
+      return {_mm512_cmp_ps_mask(a.lanes, b.lanes, predicate)};
+    }
+  }
+};
+
+// By intrinsics, because compilers take `?:` of vectors apart where a processor cannot compare integers as wide.
+template <class Real, class Isa>
+[[nodiscard]] Pack<Real, Isa> select(Mask<Real, Isa> condition, Pack<Real, Isa> yes, Pack<Real, Isa> no) noexcept {
+  using Numbers = typename Registers<Real, Isa>::Numbers;
+  if constexpr (Isa::bytes == 64 && sizeof(Real) == 8) {
+    return Pack<Real, Isa>(_mm512_mask_blend_pd(condition.bits, no.lanes, yes.lanes));
+  } else if constexpr (Isa::bytes == 64) {
+    return Pack<Real, Isa>(_mm512_mask_blend_ps(condition.bits, no.lanes, yes.lanes));
+  } else if constexpr (Isa::bytes == 32) {
+    const auto bits = (__m256)condition.bits;
+    return Pack<Real, Isa>((Numbers)_mm256_or_ps(_mm256_and_ps(bits, (__m256)yes.lanes), _mm256_andnot_ps(bits, (__m256)no.lanes)));
+  } else {
+    const auto bits = (__m128)condition.bits;
+    return Pack<Real, Isa>((Numbers)_mm_or_ps(_mm_and_ps(bits, (__m128)yes.lanes), _mm_andnot_ps(bits, (__m128)no.lanes)));
+  }
+}
+template <class Real, class Isa>
+[[nodiscard]] Index<Real, Isa> select(Mask<Real, Isa> condition, Index<Real, Isa> yes, Index<Real, Isa> no) noexcept {
+  using Numbers = typename Registers<Real, Isa>::Numbers;
+  const Pack<Real, Isa> bits = select(condition, Pack<Real, Isa>((Numbers)yes.lanes), Pack<Real, Isa>((Numbers)no.lanes));
+  return Index<Real, Isa>((typename Index<Real, Isa>::Integers)bits.lanes);
+}
+
+template <class Real, class Isa>
+[[nodiscard]] bool any(Mask<Real, Isa> condition) noexcept {
+  if constexpr (Isa::bytes == 64) {
+    return condition.bits != 0;
+  } else if constexpr (Isa::bytes == 32) {
+    return _mm256_movemask_ps((__m256)condition.bits) != 0;
+  } else {
+    return _mm_movemask_ps((__m128)condition.bits) != 0;
+  }
+}
+
+// The processor's min and max give their second argument where the first is not a number.
+template <class Real, class Isa>
+[[nodiscard]] Pack<Real, Isa> min(Pack<Real, Isa> a, Pack<Real, Isa> b) noexcept {
+  if constexpr (Isa::bytes == 64 && sizeof(Real) == 8) {
+    return Pack<Real, Isa>(_mm512_maskz_min_pd(0xFF, b.lanes, a.lanes));
+  } else if constexpr (Isa::bytes == 64) {
+    return Pack<Real, Isa>(_mm512_maskz_min_ps(0xFFFF, b.lanes, a.lanes));
+  } else if constexpr (Isa::bytes == 32 && sizeof(Real) == 8) {
+    return Pack<Real, Isa>(_mm256_min_pd(b.lanes, a.lanes));
+  } else if constexpr (Isa::bytes == 32) {
+    return Pack<Real, Isa>(_mm256_min_ps(b.lanes, a.lanes));
+  } else if constexpr (sizeof(Real) == 8) {
+    return Pack<Real, Isa>(_mm_min_pd(b.lanes, a.lanes));
+  } else {
+    return Pack<Real, Isa>(_mm_min_ps(b.lanes, a.lanes));
+  }
+}
+template <class Real, class Isa>
+[[nodiscard]] Pack<Real, Isa> max(Pack<Real, Isa> a, Pack<Real, Isa> b) noexcept {
+  if constexpr (Isa::bytes == 64 && sizeof(Real) == 8) {
+    return Pack<Real, Isa>(_mm512_maskz_max_pd(0xFF, b.lanes, a.lanes));
+  } else if constexpr (Isa::bytes == 64) {
+    return Pack<Real, Isa>(_mm512_maskz_max_ps(0xFFFF, b.lanes, a.lanes));
+  } else if constexpr (Isa::bytes == 32 && sizeof(Real) == 8) {
+    return Pack<Real, Isa>(_mm256_max_pd(b.lanes, a.lanes));
+  } else if constexpr (Isa::bytes == 32) {
+    return Pack<Real, Isa>(_mm256_max_ps(b.lanes, a.lanes));
+  } else if constexpr (sizeof(Real) == 8) {
+    return Pack<Real, Isa>(_mm_max_pd(b.lanes, a.lanes));
+  } else {
+    return Pack<Real, Isa>(_mm_max_ps(b.lanes, a.lanes));
+  }
+}
+template <class Real, class Isa>
+[[nodiscard]] Pack<Real, Isa> abs(Pack<Real, Isa> a) noexcept {
+  using Integers = typename Registers<Real, Isa>::Integers;
+  const auto sign = (Integers)Pack<Real, Isa>(Real(-0.0)).lanes;
+  return Pack<Real, Isa>((typename Pack<Real, Isa>::Numbers)((Integers)a.lanes & ~sign));
+}
+template <class Real, class Isa>
+[[nodiscard]] Pack<Real, Isa> sqrt(Pack<Real, Isa> a) noexcept {
+  constexpr bool is_double = sizeof(Real) == 8;
+  if constexpr (Isa::bytes == 64) {
+    if constexpr (is_double) {
+      return Pack<Real, Isa>(_mm512_maskz_sqrt_pd(0xFF, a.lanes));
+    } else {
+      return Pack<Real, Isa>(_mm512_maskz_sqrt_ps(0xFFFF, a.lanes));
+    }
+  } else if constexpr (Isa::bytes == 32) {
+    if constexpr (is_double) {
+      return Pack<Real, Isa>(_mm256_sqrt_pd(a.lanes));
+    } else {
+      return Pack<Real, Isa>(_mm256_sqrt_ps(a.lanes));
+    }
+  } else {
+    if constexpr (is_double) {
+      return Pack<Real, Isa>(_mm_sqrt_pd(a.lanes));
+    } else {
+      return Pack<Real, Isa>(_mm_sqrt_ps(a.lanes));
+    }
+  }
+}
+
+template <class Real, class Isa>
+[[nodiscard]] Index<Real, Isa> leading_bits(Pack<Real, Isa> a, int dropped) noexcept {
+  return Index<Real, Isa>((typename Index<Real, Isa>::Integers)a.lanes >> dropped);
+}
+
+template <class Real, class Isa>
+[[nodiscard]] Pack<Real, Isa> gather(const Real* array, Index<Real, Isa> at) noexcept {
+  using Result = Pack<Real, Isa>;
+  constexpr bool is_double = sizeof(Real) == 8;
+  if constexpr (Isa::bytes == 64) {
+    if constexpr (is_double) {
+      return Result(_mm512_mask_i64gather_pd(_mm512_setzero_pd(), 0xFF, (__m512i)at.lanes, array, 8));
+    } else {
+      return Result(_mm512_mask_i32gather_ps(_mm512_setzero_ps(), 0xFFFF, (__m512i)at.lanes, array, 4));
+    }
+  } else if constexpr (Isa::bytes == 32) {
+    if constexpr (is_double) {
+      return Result(_mm256_i64gather_pd(array, (__m256i)at.lanes, 8));
+    } else {
+      return Result(_mm256_i32gather_ps(array, (__m256i)at.lanes, 4));
+    }
+  } else {
+    Result result;
+    for (std::size_t lane = 0; lane < Result::size; ++lane) result.lanes[lane] = array[at.lanes[lane]];
+    return result;
+  }
+}
+/// From an array of an even length that begins where a word of 32 bits may: there is no gathering of less than such words.
+template <class Real, class Isa>
+[[nodiscard]] Index<Real, Isa> gather(const std::uint16_t* array, Index<Real, Isa> at) noexcept {
+  using Integers = typename Index<Real, Isa>::Integers;
+  if constexpr (Isa::bytes == 16) {
+    Index<Real, Isa> result;
+    for (std::size_t lane = 0; lane < Pack<Real, Isa>::size; ++lane) result.lanes[lane] = array[at.lanes[lane]];
+    return result;
+  } else {
+    const Integers word = at.lanes >> 1;
+    Integers words;
+    if constexpr (Isa::bytes == 64 && sizeof(Real) == 8) {
+      words =
+          (Integers)_mm512_maskz_cvtepu32_epi64(0xFF, _mm512_mask_i64gather_epi32(_mm256_setzero_si256(), 0xFF, (__m512i)word, array, 4));
+    } else if constexpr (Isa::bytes == 64) {
+      words = (Integers)_mm512_mask_i32gather_epi32(_mm512_setzero_si512(), 0xFFFF, (__m512i)word, array, 4);
+    } else if constexpr (sizeof(Real) == 8) {
+      words = (Integers)_mm256_cvtepu32_epi64(_mm256_i64gather_epi32((const int*)array, (__m256i)word, 4));
+    } else {
+      words = (Integers)_mm256_i32gather_epi32((const int*)array, (__m256i)word, 4);
+    }
+    return Index<Real, Isa>((words >> ((at.lanes & 1) * 16)) & 0xFFFF);
+  }
+}
+
+template <class Real, class Isa>
+[[nodiscard]] Pack<Real, Isa> load(const Real* from, Pack<Real, Isa> result) noexcept {
+  result.lanes = *reinterpret_cast<const typename Registers<Real, Isa>::Unaligned*>(from);
+  return result;
+}
+template <class Real, class Isa>
+void store_where(Mask<Real, Isa> condition, Real* to, Pack<Real, Isa> value) noexcept {
+  if constexpr (Isa::bytes == 64 && sizeof(Real) == 8) {
+    _mm512_mask_storeu_pd(to, condition.bits, value.lanes);
+  } else if constexpr (Isa::bytes == 64) {
+    _mm512_mask_storeu_ps(to, condition.bits, value.lanes);
+  } else {
+    *reinterpret_cast<typename Registers<Real, Isa>::Unaligned*>(to) = select(condition, value, load(to, value)).lanes;
+  }
+}
+
+/// A mask from bytes that are 0 or −1, the lowest ones.
+template <class Real, class Isa>
+[[nodiscard]] Mask<Real, Isa> widen(__m128i bytes) noexcept {
+  using Bits = typename Mask<Real, Isa>::Bits;
+  constexpr bool is_double = sizeof(Real) == 8;
+  if constexpr (Isa::bytes == 64) {
+    return {(Bits)_mm_movepi8_mask(bytes)};
+  } else if constexpr (Isa::bytes == 32) {
+    if constexpr (is_double) {
+      return {(Bits)_mm256_cvtepi8_epi64(bytes)};
+    } else {
+      return {(Bits)_mm256_cvtepi8_epi32(bytes)};
+    }
+  } else {
+    bytes = _mm_unpacklo_epi8(bytes, bytes);
+    bytes = _mm_unpacklo_epi16(bytes, bytes);
+    return {(Bits)(is_double ? _mm_unpacklo_epi32(bytes, bytes) : bytes)};
+  }
+}
+/// The inverse.
+template <class Real, class Isa>
+[[nodiscard]] __m128i narrow(Mask<Real, Isa> mask) noexcept {
+  if constexpr (Isa::bytes == 64) {
+    return _mm_movm_epi8(mask.bits);
+  } else {
+    __m128i low;
+    __m128i high;
+    if constexpr (Isa::bytes == 32) {
+      low = _mm256_castsi256_si128((__m256i)mask.bits);
+      high = _mm256_extracti128_si256((__m256i)mask.bits, 1);
+    } else {
+      low = high = (__m128i)mask.bits;
+    }
+    if constexpr (sizeof(Real) == 8) low = high = (__m128i)_mm_shuffle_ps((__m128)low, (__m128)high, _MM_SHUFFLE(2, 0, 2, 0));
+    low = _mm_packs_epi32(low, high);
+    return _mm_packs_epi16(low, low);
+  }
+}
+
+/// As many states as there are lanes, a byte each.
+template <class Real, class Isa>
+[[nodiscard]] __m128i load_states(const ContactState* states) noexcept {
+  constexpr std::size_t count = Pack<Real, Isa>::size;
+  if constexpr (count == 16) {
+    return _mm_loadu_si128(reinterpret_cast<const __m128i*>(states));
+  } else {
+    std::conditional_t<count == 8, std::int64_t, std::conditional_t<count == 4, std::int32_t, std::int16_t>> word;
+    __builtin_memcpy(&word, states, count);
+    return _mm_cvtsi64_si128(word);
+  }
+}
+template <class Real, class Isa>
+[[nodiscard]] Mask<Real, Isa> has_state(const ContactState* states, ContactState wanted, Pack<Real, Isa>) noexcept {
+  return widen<Real, Isa>(_mm_cmpeq_epi8(load_states<Real, Isa>(states), _mm_set1_epi8(static_cast<char>(wanted))));
+}
+template <class Real, class Isa>
+void set_states(ContactState* states, Mask<Real, Isa> is_plausible, Mask<Real, Isa> touches, Mask<Real, Isa> slips,
+                Pack<Real, Isa>) noexcept {
+  const auto choose = [](Mask<Real, Isa> mask, __m128i yes, __m128i no) {
+    const __m128i bits = narrow(mask);
+    return _mm_or_si128(_mm_and_si128(bits, yes), _mm_andnot_si128(bits, no));
+  };
+  const auto state = [](ContactState value) { return _mm_set1_epi8(static_cast<char>(value)); };
+  const __m128i touching = choose(slips, state(ContactState::slip), state(ContactState::stick));
+  const __m128i bytes = choose(is_plausible, choose(touches, touching, state(ContactState::free)), load_states<Real, Isa>(states));
+  __builtin_memcpy(states, &bytes, Pack<Real, Isa>::size);
+}
+
+// Powers and logarithms go lane by lane.
+
+template <class Real, class Isa>
+[[nodiscard]] Pack<Real, Isa> radius_at(const RadiusLaw& law, Pack<Real, Isa> load) noexcept {
+  for (std::size_t lane = 0; lane < Pack<Real, Isa>::size; ++lane) load.lanes[lane] = godobject::radius_at(law, load.lanes[lane]);
+  return load;
+}
+
+template <class Real, class Isa>
+[[nodiscard]] Projected<Pack<Real, Isa>> project_along_c_curve(const CurveView<Real>& curve, const UnitTrial<Pack<Real, Isa>>& trial,
+                                                               Pack<Real, Isa> last, const RadiusLaw& radius_law,
+                                                               Pack<Real, Isa> load) noexcept {
+  Projected<Pack<Real, Isa>> result{};
+  Pack<Real, Isa> outside(Real(0));
+  for (std::size_t i = 0; i < Pack<Real, Isa>::size; ++i) {
+    const UnitTrial<Real> of_lane{trial.force.lanes[i], trial.moment.lanes[i], trial.compliance_ratio.lanes[i], trial.slip_from.lanes[i]};
+    const Projected<Real> lane = godobject::project_along_c_curve(curve, of_lane, last.lanes[i], radius_law, load.lanes[i]);
+    outside.lanes[i] = lane.outside ? Real(1) : Real(0);
+    result.force_ratio.lanes[i] = lane.force_ratio;
+    result.moment_ratio.lanes[i] = lane.moment_ratio;
+    result.slide.lanes[i] = lane.slide;
+    result.spin.lanes[i] = lane.spin;
+    result.parameter.lanes[i] = lane.parameter;
+  }
+  result.outside = outside > Pack<Real, Isa>(Real(0));
+  return result;
+}
+
+/// All that a step calls becomes one loop: in registers, not from call to call through memory.
+template <class Isa, class Real>
+[[gnu::flatten]] std::size_t step_packs(const Shared<Real>& shared, const BasicContactBatch<Real>& contacts, std::size_t count) noexcept {
+  using Number = Pack<Real, Isa>;
+  // Copies, so that they need not be read again after each number that is written.
+  const BasicContactBatch<Real> arrays = contacts;
+  const CurveView<Real> curve = shared.curve;
+  const Shared<Real> same{curve, shared.projection, shared.limits, shared.stiffness, shared.twist_stiffness};
+  std::size_t i = 0;
+  for (; i + Number::size <= count; i += Number::size) step_contacts<Real, Number>(same, arrays, i);
+  return i;
+}
+
+}  // namespace limitcurve::godobject::kernel
