@@ -1,19 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Batches of both precisions: they do what single fingers do, and keep the same promises.
-#include "godobject/batch.hpp"
-
-#include "tests/godobject/scene.hpp"
+#include "tests/godobject/batch_cases.hpp"
 #include "tests/repetitions.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
-#include <bit>
 #include <cmath>
-#include <iterator>
 #include <limits>
-#include <set>
 #include <vector>
 
 namespace limitcurve::godobject::test {
@@ -22,65 +16,6 @@ namespace {
 /// What is promised of a wrench, relative to the limit: the onset of slip, and rounding of the gauge that it is checked with.
 template <class Real>
 constexpr double most_gauge = double{slip_onset<Real>} + 8.0 * std::numeric_limits<Real>::epsilon();
-
-template <class Real>
-struct Case {
-  std::string name;
-  BasicFingerCurve<Real> curve;
-  FingerParameters with;
-  Projection projection = Projection::closest_point;
-};
-
-/// Every curve and projection, and whatever a parameter changes in the step.
-template <class Real>
-std::vector<Case<Real>> cases() {
-  const double m0 = hertz()->moment_ratio();
-  const auto table = BasicTable<Real>::build(hertz(), 1e-6);
-  const Ellipse ellipse = Ellipse::through_intercepts(m0);
-  FingerParameters soft = parameters();
-  soft.radius_law = RadiusLaw::power(0.00207, 0.259);
-  soft.mu_dynamic = 0.5;
-  FingerParameters without_torsion = parameters();
-  without_torsion.moment_coefficient = 0.0;
-  std::vector<Case<Real>> result{{"box", box(1.0, m0), parameters()},
-                                 {"table, stiff twist", table, parameters(0.6, 0.005, 1000.0, 0.4)},
-                                 {"table, soft twist", table, parameters(0.6, 0.005, 1000.0, 0.001)},
-                                 {"table, no torsion", table, without_torsion}};
-  for (const Projection projection : projections) {
-    const std::string name(to_string(projection));
-    result.push_back({"table, " + name, table, parameters(), projection});
-    result.push_back({"table, soft finger, " + name, table, soft, projection});
-    result.push_back({"ellipse, " + name, ellipse, parameters(), projection});
-    result.push_back({"ellipse, soft finger, " + name, ellipse, soft, projection});
-  }
-  return result;
-}
-
-template <class Real>
-void move_all(BasicContactArrays<Real>& arrays, Random& random, double longest) {
-  for (std::size_t i = 0; i < arrays.size(); ++i) {
-    const double stride = random.logarithmic(1e-7, longest);
-    arrays.x()[i] += static_cast<Real>(random.uniform(-stride, stride));
-    arrays.y()[i] += static_cast<Real>(random.uniform(-stride, stride));
-    arrays.angle()[i] += static_cast<Real>(random.uniform(-200.0, 200.0) * stride);
-    arrays.depth()[i] = static_cast<Real>(random.uniform(-0.0002, 0.003));
-  }
-}
-
-/// All numbers of a batch that a step writes, one contact after the other.
-template <class Real>
-std::vector<Real> written(const BasicContactBatch<Real>& batch) {
-  std::vector<Real> result;
-  for (std::size_t i = 0; i < batch.size(); ++i) {
-    for (const auto& array :
-         {batch.proxy_x, batch.proxy_y, batch.proxy_angle, batch.force_x, batch.force_y, batch.moment, batch.parameter, batch.rate}) {
-      result.push_back(array[i]);
-    }
-    result.push_back(static_cast<Real>(batch.state[i]));
-  }
-  return result;
-}
-constexpr std::size_t numbers_per_contact = 9;
 
 TEST(Batch, DoesWhatSoftFingersDo) {
   constexpr std::size_t count = 201;
@@ -144,6 +79,33 @@ template <class Real>
 class BatchOf : public testing::Test {};
 using Reals = testing::Types<double, float>;
 TYPED_TEST_SUITE(BatchOf, Reals);
+
+// It sticks as near to the curve as the precision tells, and slips where the onset says, in all directions.
+TYPED_TEST(BatchOf, SlipBeginsOnTheCurve) {
+  using Real = TypeParam;
+  constexpr double onset = double{slip_onset<Real>} - 1.0;
+  for (const Case<Real>& with : cases<Real>()) {
+    if (with.with.moment_coefficient) continue;
+    const BasicBatch<Real> batch(with.curve, with.with, with.projection);
+    constexpr std::size_t count = 180;
+    for (const double share : {1.0 - onset, 1.0 + 2.0 * onset}) {
+      BasicContactArrays<Real> arrays(count);
+      std::ranges::fill(arrays.depth(), Real(0.002));
+      batch.step(arrays.batch());
+      const double load = with.with.stiffness * double{arrays.depth()[0]};
+      const double unit = share * with.with.mu * load;
+      for (std::size_t i = 0; i < count; ++i) {
+        const double angle = 0.5 * M_PI * (static_cast<double>(i) + 0.5) / count;
+        const UnitWrench limit = with.curve.along({std::cos(angle), with.curve.moment_ratio() * std::sin(angle)}).wrench;
+        arrays.y()[i] = static_cast<Real>(limit.force * unit / with.with.stiffness);
+        arrays.angle()[i] = static_cast<Real>(limit.moment * unit * with.with.radius_law.radius(load) / with.with.twist_stiffness);
+      }
+      batch.step(arrays.batch());
+      const ContactState expected = share < 1.0 ? ContactState::stick : ContactState::slip;
+      EXPECT_EQ(std::ranges::count(arrays.batch().state, expected), static_cast<int>(count)) << with.name << ' ' << share;
+    }
+  }
+}
 
 TYPED_TEST(BatchOf, SlipWorkIsNeverNegativeAndTheWrenchIsWithinTheLimit) {
   using Real = TypeParam;
@@ -266,118 +228,6 @@ TYPED_TEST(BatchOf, DoesNotDependOnNeighbours) {
       for (std::size_t i = 0; i < count; ++i) batch.step(alone.batch().part(i, 1));
       ASSERT_EQ(written(alone.batch()), written(together.batch())) << with.name << ' ' << round;
     }
-  }
-}
-
-TYPED_TEST(BatchOf, WhatIsNotUsableTouchesNothingAndItsNeighboursNeither) {
-  using Real = TypeParam;
-  constexpr Real infinity = std::numeric_limits<Real>::infinity();
-  constexpr std::array<Real, 4> nonsense{std::numeric_limits<Real>::quiet_NaN(), infinity, -infinity, Real(1e7)};
-  constexpr std::size_t count = 130;
-  for (const Case<Real>& with : cases<Real>()) {
-    const BasicBatch<Real> batch(with.curve, with.with, with.projection);
-    BasicContactArrays<Real> arrays(count);
-    Random random(29);
-    for (int round = 0; round < 5; ++round) {
-      move_all(arrays, random, 1e-2);
-      batch.step(arrays.batch());
-    }
-    const std::vector<Real> before = written(arrays.batch());
-    move_all(arrays, random, 1e-3);
-    BasicContactArrays<Real> sound = arrays;
-    for (std::size_t i = 0; i < 12; ++i) std::array{arrays.x(), arrays.y(), arrays.angle()}[i % 3][10 * i] = nonsense[i % 4];
-    arrays.depth()[125] = infinity;
-    batch.step(arrays.batch());
-    batch.step(sound.batch());
-    const std::vector<Real> spoilt = written(arrays.batch());
-    const std::vector<Real> expected = written(sound.batch());
-    for (std::size_t k = 0; k < spoilt.size(); ++k) {
-      const std::size_t i = k / numbers_per_contact;
-      const bool is_fault = (i % 10 == 0 && i < 120) || i == 125;
-      ASSERT_EQ(spoilt[k], is_fault ? before[k] : expected[k]) << with.name << ' ' << i;
-    }
-  }
-}
-
-// All that a number can be in every place, for hundreds of steps.
-TYPED_TEST(BatchOf, NoNaNComesOutWhateverComesIn) {
-  using Real = TypeParam;
-  using Limits = std::numeric_limits<Real>;
-  constexpr std::array<Real, 20> odd{Real(0),
-                                     -Real(0),
-                                     Limits::denorm_min(),
-                                     Limits::min(),
-                                     Real(-1e-30),
-                                     Real(1e-20),
-                                     Real(1e-12),
-                                     Real(-1e-6),
-                                     Real(1e-3),
-                                     Real(0.002),
-                                     Real(0.003),
-                                     Real(-0.01),
-                                     Real(1),
-                                     Real(1e3),
-                                     Real(-1e6),
-                                     Real(1e7),
-                                     Limits::max(),
-                                     Limits::quiet_NaN(),
-                                     Limits::infinity(),
-                                     -Limits::infinity()};
-  constexpr std::size_t count = 499;
-  for (const Case<Real>& with : cases<Real>()) {
-    const BasicBatch<Real> batch(with.curve, with.with, with.projection);
-    BasicContactArrays<Real> arrays(count);
-    Random random(31);
-    for (int round = 0; round < repetitions(200, 40); ++round) {
-      for (const std::span<Real> array : {arrays.x(), arrays.y(), arrays.angle(), arrays.depth()}) {
-        for (Real& value : array) {
-          const std::uint64_t bits = random.bits();
-          value = bits % 3 == 0   ? odd[(bits >> 8U) % odd.size()]
-                  : bits % 3 == 1 ? static_cast<Real>(random.logarithmic(1e-30, 1e6))
-                                  : static_cast<Real>(random.uniform(-0.005, 0.005));
-        }
-      }
-      batch.step(arrays.batch());
-      for (const Real value : written(arrays.batch())) ASSERT_TRUE(std::isfinite(value)) << with.name << ' ' << round;
-    }
-  }
-}
-
-// Fingers whose numbers a float's squares cannot hold are stepped all the same.
-TYPED_TEST(BatchOf, StepsFingersOfAnyScale) {
-  using Real = TypeParam;
-  const BasicFingerCurve<Real> table = BasicTable<Real>::build(hertz(), 1e-6);
-  for (const double scale : {1e-13, 1e-10, 1.0, 1e10, 1e12}) {
-    const BasicBatch<Real> batch(table, parameters(0.6, 0.005, 1000.0 * scale, 0.04 * scale));
-    BasicContactArrays<Real> arrays(3);
-    std::ranges::fill(arrays.depth(), Real(0.002));
-    batch.step(arrays.batch());
-    std::ranges::fill(arrays.x(), Real(0.01));
-    std::ranges::fill(arrays.angle(), Real(1));
-    batch.step(arrays.batch());
-    const double unit = 1.2 * scale;
-    const BasicContactBatch<Real> result = arrays.batch();
-    const double gauge = table.gauge({std::fabs(double{result.force_x[2]}) / unit, std::fabs(double{result.moment[2]}) / (0.005 * unit)});
-    EXPECT_NEAR(gauge, 1.0, sizeof(Real) == sizeof(double) ? 1e-14 : 1e-6) << scale;
-  }
-}
-
-// Where they lie decides how fast a step is, and no result.
-TYPED_TEST(BatchOf, ArraysLieApartWithinAPage) {
-  using Real = TypeParam;
-  for (const std::size_t count : {0U, 1U, 8U, 511U, 512U, 513U, 100'000U}) {
-    BasicContactArrays<Real> arrays(count);
-    const BasicContactBatch<Real> batch = arrays.batch();
-    std::set<std::uintptr_t> lines;
-    for (const Real* begin : {batch.x.data(), batch.y.data(), batch.angle.data(), batch.depth.data(),
-                              static_cast<const Real*>(batch.proxy_x.data()), static_cast<const Real*>(batch.proxy_y.data()),
-                              static_cast<const Real*>(batch.proxy_angle.data()), static_cast<const Real*>(batch.force_x.data()),
-                              static_cast<const Real*>(batch.force_y.data()), static_cast<const Real*>(batch.moment.data())}) {
-      lines.insert(reinterpret_cast<std::uintptr_t>(begin) % 4096 / 64);
-    }
-    EXPECT_EQ(batch.size(), count);
-    ASSERT_EQ(lines.size(), 10U) << count;
-    for (auto line = std::next(lines.begin()); line != lines.end(); ++line) EXPECT_GE(*line - *std::prev(line), 4U) << count;
   }
 }
 

@@ -2,6 +2,7 @@
 // A finger pressed 3 mm through a plate of 1 mm: it feels the side it came from.
 #include "godobject/godobject.hpp"
 #include "godobject/mesh/mesh_file.hpp"
+#include "limitcurve/limitcurve.hpp"
 
 #include <cmath>
 #include <cstdio>

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+// What a batch makes of any input, and where its arrays lie.
+#include "tests/godobject/batch_cases.hpp"
+#include "tests/repetitions.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <iterator>
+#include <limits>
+#include <set>
+#include <span>
+
+namespace limitcurve::godobject::test {
+namespace {
+
+template <class Real>
+class BatchInput : public testing::Test {};
+using Reals = testing::Types<double, float>;
+TYPED_TEST_SUITE(BatchInput, Reals);
+
+TYPED_TEST(BatchInput, WhatIsNotUsableTouchesNothingAndItsNeighboursNeither) {
+  using Real = TypeParam;
+  constexpr Real infinity = std::numeric_limits<Real>::infinity();
+  constexpr std::array<Real, 4> nonsense{std::numeric_limits<Real>::quiet_NaN(), infinity, -infinity, Real(1e7)};
+  constexpr std::size_t count = 130;
+  for (const Case<Real>& with : cases<Real>()) {
+    const BasicBatch<Real> batch(with.curve, with.with, with.projection);
+    BasicContactArrays<Real> arrays(count);
+    Random random(29);
+    for (int round = 0; round < 5; ++round) {
+      move_all(arrays, random, 1e-2);
+      batch.step(arrays.batch());
+    }
+    const std::vector<Real> before = written(arrays.batch());
+    move_all(arrays, random, 1e-3);
+    BasicContactArrays<Real> sound = arrays;
+    for (std::size_t i = 0; i < 12; ++i) std::array{arrays.x(), arrays.y(), arrays.angle()}[i % 3][10 * i] = nonsense[i % 4];
+    arrays.depth()[125] = infinity;
+    batch.step(arrays.batch());
+    batch.step(sound.batch());
+    const std::vector<Real> spoilt = written(arrays.batch());
+    const std::vector<Real> expected = written(sound.batch());
+    for (std::size_t k = 0; k < spoilt.size(); ++k) {
+      const std::size_t i = k / numbers_per_contact;
+      const bool is_fault = (i % 10 == 0 && i < 120) || i == 125;
+      ASSERT_EQ(spoilt[k], is_fault ? before[k] : expected[k]) << with.name << ' ' << i;
+    }
+  }
+}
+
+// All that a number can be in every place, for hundreds of steps.
+TYPED_TEST(BatchInput, NoNaNComesOutWhateverComesIn) {
+  using Real = TypeParam;
+  using Limits = std::numeric_limits<Real>;
+  constexpr std::array<Real, 20> odd{Real(0),
+                                     -Real(0),
+                                     Limits::denorm_min(),
+                                     Limits::min(),
+                                     Real(-1e-30),
+                                     Real(1e-20),
+                                     Real(1e-12),
+                                     Real(-1e-6),
+                                     Real(1e-3),
+                                     Real(0.002),
+                                     Real(0.003),
+                                     Real(-0.01),
+                                     Real(1),
+                                     Real(1e3),
+                                     Real(-1e6),
+                                     Real(1e7),
+                                     Limits::max(),
+                                     Limits::quiet_NaN(),
+                                     Limits::infinity(),
+                                     -Limits::infinity()};
+  constexpr std::size_t count = 499;
+  for (const Case<Real>& with : cases<Real>()) {
+    const BasicBatch<Real> batch(with.curve, with.with, with.projection);
+    BasicContactArrays<Real> arrays(count);
+    Random random(31);
+    for (int round = 0; round < repetitions(200, 40); ++round) {
+      for (const std::span<Real> array : {arrays.x(), arrays.y(), arrays.angle(), arrays.depth()}) {
+        for (Real& value : array) {
+          const std::uint64_t bits = random.bits();
+          value = bits % 3 == 0   ? odd[(bits >> 8U) % odd.size()]
+                  : bits % 3 == 1 ? static_cast<Real>(random.logarithmic(1e-30, 1e6))
+                                  : static_cast<Real>(random.uniform(-0.005, 0.005));
+        }
+      }
+      batch.step(arrays.batch());
+      for (const Real value : written(arrays.batch())) ASSERT_TRUE(std::isfinite(value)) << with.name << ' ' << round;
+    }
+  }
+}
+
+// Fingers whose numbers a float's squares cannot hold are stepped all the same.
+TYPED_TEST(BatchInput, StepsFingersOfAnyScale) {
+  using Real = TypeParam;
+  const BasicFingerCurve<Real> table = BasicTable<Real>::build(hertz(), 1e-6);
+  for (const double scale : {1e-13, 1e-10, 1.0, 1e10, 1e12}) {
+    const BasicBatch<Real> batch(table, parameters(0.6, 0.005, 1000.0 * scale, 0.04 * scale));
+    BasicContactArrays<Real> arrays(3);
+    std::ranges::fill(arrays.depth(), Real(0.002));
+    batch.step(arrays.batch());
+    std::ranges::fill(arrays.x(), Real(0.01));
+    std::ranges::fill(arrays.angle(), Real(1));
+    batch.step(arrays.batch());
+    const double unit = 1.2 * scale;
+    const BasicContactBatch<Real> result = arrays.batch();
+    const double gauge = table.gauge({std::fabs(double{result.force_x[2]}) / unit, std::fabs(double{result.moment[2]}) / (0.005 * unit)});
+    EXPECT_NEAR(gauge, 1.0, sizeof(Real) == sizeof(double) ? 1e-14 : 1e-6) << scale;
+  }
+}
+
+// Where they lie decides how fast a step is, and no result.
+TYPED_TEST(BatchInput, ArraysLieApartWithinAPage) {
+  using Real = TypeParam;
+  for (const std::size_t count : {0U, 1U, 8U, 511U, 512U, 513U, 100'000U}) {
+    BasicContactArrays<Real> arrays(count);
+    const BasicContactBatch<Real> batch = arrays.batch();
+    std::set<std::uintptr_t> lines;
+    for (const Real* begin : {batch.x.data(), batch.y.data(), batch.angle.data(), batch.depth.data(),
+                              static_cast<const Real*>(batch.proxy_x.data()), static_cast<const Real*>(batch.proxy_y.data()),
+                              static_cast<const Real*>(batch.proxy_angle.data()), static_cast<const Real*>(batch.force_x.data()),
+                              static_cast<const Real*>(batch.force_y.data()), static_cast<const Real*>(batch.moment.data())}) {
+      lines.insert(reinterpret_cast<std::uintptr_t>(begin) % 4096 / 64);
+    }
+    EXPECT_EQ(batch.size(), count);
+    ASSERT_EQ(lines.size(), 10U) << count;
+    for (auto line = std::next(lines.begin()); line != lines.end(); ++line) EXPECT_GE(*line - *std::prev(line), 4U) << count;
+  }
+}
+
+}  // namespace
+}  // namespace limitcurve::godobject::test
