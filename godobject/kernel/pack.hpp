@@ -260,7 +260,9 @@ void store_where(Mask<Real, Isa> condition, Real* to, Pack<Real, Isa> value) noe
   } else if constexpr (Isa::bytes == 64) {
     _mm512_mask_storeu_ps(to, condition.bits, value.lanes);
   } else {
-    *reinterpret_cast<typename Registers<Real, Isa>::Unaligned*>(to) = select(condition, value, load(to, value)).lanes;
+    // As a rule all lanes are written, and none need be read.
+    if (any(!condition)) value = select(condition, value, load(to, value));
+    *reinterpret_cast<typename Registers<Real, Isa>::Unaligned*>(to) = value.lanes;
   }
 }
 
@@ -327,8 +329,8 @@ void set_states(ContactState* states, Mask<Real, Isa> is_plausible, Mask<Real, I
     return _mm_or_si128(_mm_and_si128(bits, yes), _mm_andnot_si128(bits, no));
   };
   const auto state = [](ContactState value) { return _mm_set1_epi8(static_cast<char>(value)); };
-  const __m128i touching = choose(slips, state(ContactState::slip), state(ContactState::stick));
-  const __m128i bytes = choose(is_plausible, choose(touches, touching, state(ContactState::free)), load_states<Real, Isa>(states));
+  __m128i bytes = choose(touches, choose(slips, state(ContactState::slip), state(ContactState::stick)), state(ContactState::free));
+  if (any(!is_plausible)) bytes = choose(is_plausible, bytes, load_states<Real, Isa>(states));
   __builtin_memcpy(states, &bytes, Pack<Real, Isa>::size);
 }
 
