@@ -4,6 +4,8 @@
 #include "limitcurve/curve_view.hpp"
 #include "limitcurve/radius_law.hpp"
 
+#include <array>
+
 namespace limitcurve::godobject {
 
 /// How a trial wrench that is outside the limit curve comes back on to it.
@@ -91,7 +93,7 @@ template <class Real, class Number>
     const Number square = x_trial * x_trial + y_trial * y_trial;
     const Number n = square * max(sqrt(square) - one, zero);
     const Number d = x_trial * x_trial + eta * (y_trial * y_trial);
-    return std::pair{x_trial * (d + eta * n) * ratio, y_trial * (d + n)};
+    return std::array{x_trial * (d + eta * n) * ratio, y_trial * (d + n)};
   };
   const CurveSide<Real, Number> side(trial.force - Number(curve.rim_force) > chi * (trial.moment - Number(curve.rim_moment)), trial.force,
                                      trial.moment);

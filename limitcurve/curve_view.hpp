@@ -4,7 +4,7 @@
 #include "limitcurve/search.hpp"
 #include "limitcurve/table/pieces.hpp"
 
-#include <utility>
+#include <array>
 
 namespace limitcurve {
 
@@ -97,7 +97,7 @@ template <class Real, class Number>
   const auto guess_twist = [&]() noexcept {
     const Number a = Number(curve.force_max);
     const Number b = Number(curve.moment_max);
-    return std::pair{force * b * b, moment * a * a};
+    return std::array{force * b * b, moment * a * a};
   };
   const CurveSide<Real, Number> side(force * Number(curve.rim_moment) > moment * Number(curve.rim_force), force, moment);
   Jet<Number> jet;

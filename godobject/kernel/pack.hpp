@@ -5,6 +5,7 @@
 
 #include <immintrin.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
@@ -260,7 +261,9 @@ void store_where(Mask<Real, Isa> condition, Real* to, Pack<Real, Isa> value) noe
   } else if constexpr (Isa::bytes == 64) {
     _mm512_mask_storeu_ps(to, condition.bits, value.lanes);
   } else {
-    *reinterpret_cast<typename Registers<Real, Isa>::Unaligned*>(to) = select(condition, value, load(to, value)).lanes;
+    // As a rule all lanes are written, and none need be read.
+    if (any(!condition)) value = select(condition, value, load(to, value));
+    *reinterpret_cast<typename Registers<Real, Isa>::Unaligned*>(to) = value.lanes;
   }
 }
 
@@ -327,37 +330,59 @@ void set_states(ContactState* states, Mask<Real, Isa> is_plausible, Mask<Real, I
     return _mm_or_si128(_mm_and_si128(bits, yes), _mm_andnot_si128(bits, no));
   };
   const auto state = [](ContactState value) { return _mm_set1_epi8(static_cast<char>(value)); };
-  const __m128i touching = choose(slips, state(ContactState::slip), state(ContactState::stick));
-  const __m128i bytes = choose(is_plausible, choose(touches, touching, state(ContactState::free)), load_states<Real, Isa>(states));
+  __m128i bytes = choose(touches, choose(slips, state(ContactState::slip), state(ContactState::stick)), state(ContactState::free));
+  if (any(!is_plausible)) bytes = choose(is_plausible, bytes, load_states<Real, Isa>(states));
   __builtin_memcpy(states, &bytes, Pack<Real, Isa>::size);
 }
 
-// Powers and logarithms go lane by lane.
+// Powers and logarithms go lane by lane, through arrays, so that packs need not lie in memory where none of them is taken.
+
+template <class Real, class Isa>
+using Lanes = std::array<Real, Pack<Real, Isa>::size>;
+
+template <class Real, class Isa>
+[[nodiscard]] Lanes<Real, Isa> lanes_of(Pack<Real, Isa> pack) noexcept {
+  Lanes<Real, Isa> result;
+  __builtin_memcpy(&result, &pack.lanes, sizeof result);
+  return result;
+}
+template <class Isa, class Real, std::size_t size>
+[[nodiscard]] Pack<Real, Isa> pack_of(const std::array<Real, size>& lanes) noexcept {
+  Pack<Real, Isa> result;
+  __builtin_memcpy(&result.lanes, &lanes, sizeof result.lanes);
+  return result;
+}
 
 template <class Real, class Isa>
 [[nodiscard]] Pack<Real, Isa> radius_at(const RadiusLaw& law, Pack<Real, Isa> load) noexcept {
-  for (std::size_t lane = 0; lane < Pack<Real, Isa>::size; ++lane) load.lanes[lane] = godobject::radius_at(law, load.lanes[lane]);
-  return load;
+  Lanes<Real, Isa> lanes = lanes_of(load);
+  for (Real& lane : lanes) lane = godobject::radius_at(law, lane);
+  return pack_of<Isa>(lanes);
 }
 
 template <class Real, class Isa>
 [[nodiscard]] Projected<Pack<Real, Isa>> project_along_c_curve(const CurveView<Real>& curve, const UnitTrial<Pack<Real, Isa>>& trial,
                                                                Pack<Real, Isa> last, const RadiusLaw& radius_law,
                                                                Pack<Real, Isa> load) noexcept {
-  Projected<Pack<Real, Isa>> result{};
-  Pack<Real, Isa> outside(Real(0));
-  for (std::size_t i = 0; i < Pack<Real, Isa>::size; ++i) {
-    const UnitTrial<Real> of_lane{trial.force.lanes[i], trial.moment.lanes[i], trial.compliance_ratio.lanes[i], trial.slip_from.lanes[i]};
-    const Projected<Real> lane = godobject::project_along_c_curve(curve, of_lane, last.lanes[i], radius_law, load.lanes[i]);
-    outside.lanes[i] = lane.outside ? Real(1) : Real(0);
-    result.force_ratio.lanes[i] = lane.force_ratio;
-    result.moment_ratio.lanes[i] = lane.moment_ratio;
-    result.slide.lanes[i] = lane.slide;
-    result.spin.lanes[i] = lane.spin;
-    result.parameter.lanes[i] = lane.parameter;
+  const auto force = lanes_of(trial.force), moment = lanes_of(trial.moment), compliance_ratio = lanes_of(trial.compliance_ratio),
+             slip_from = lanes_of(trial.slip_from), parameter = lanes_of(last), loads = lanes_of(load);
+  Lanes<Real, Isa> outside, force_ratio, moment_ratio, slide, spin, next;
+  for (std::size_t i = 0; i < outside.size(); ++i) {
+    const Projected<Real> lane = godobject::project_along_c_curve(curve, {force[i], moment[i], compliance_ratio[i], slip_from[i]},
+                                                                  parameter[i], radius_law, loads[i]);
+    outside[i] = lane.outside ? Real(1) : Real(0);
+    force_ratio[i] = lane.force_ratio;
+    moment_ratio[i] = lane.moment_ratio;
+    slide[i] = lane.slide;
+    spin[i] = lane.spin;
+    next[i] = lane.parameter;
   }
-  result.outside = outside > Pack<Real, Isa>(Real(0));
-  return result;
+  return {pack_of<Isa>(outside) > Pack<Real, Isa>(Real(0)),
+          pack_of<Isa>(force_ratio),
+          pack_of<Isa>(moment_ratio),
+          pack_of<Isa>(slide),
+          pack_of<Isa>(spin),
+          pack_of<Isa>(next)};
 }
 
 /// All that a step calls becomes one loop: in registers, not from call to call through memory.
