@@ -52,7 +52,7 @@ struct FrictionResult {
 };
 
 /// The trial in units of a limit. Kept so far from overflow that all squares are finite; a limit of almost nothing is divided by as if force
-/// and radius were `least`, and no trial is told from a larger one beyond `largest`.
+/// and radius were `least`, no trial is told from a larger one beyond `largest`, and no ratio of stiffnesses from a greater one beyond `steepest`.
 template <class Real, class Number>
 [[nodiscard]] UnitTrial<Number> unit_trial(const CurveView<Real>& curve, const FrictionLimit<Number>& limit,
                                            const FrictionTrial<Number>& trial, Number stiffness_ratio) noexcept {
@@ -60,6 +60,7 @@ template <class Real, class Number>
   constexpr bool wide = std::numeric_limits<Real>::max_exponent > 256;
   constexpr Real least = wide ? Real(1e-125) : Real(1e-18);
   constexpr Real largest = wide ? Real(1e60) : Real(1e8);
+  constexpr Real steepest = Real(1e9);
   const Number radius = max(Number(least), limit.radius);
   const Number per_moment = Number(Real(1)) / (max(Number(least), limit.force) * radius);
   const Number per_force = radius * per_moment;
@@ -67,7 +68,7 @@ template <class Real, class Number>
                           trial.moment_rounding * per_moment * Number(curve.inverse_moment_max);
   // Not more than the limit itself: with no friction at all a contact slips.
   return {min(trial.force * per_force, Number(largest)), min(trial.moment * per_moment, Number(largest)),
-          min(max(radius * radius * stiffness_ratio, Number(least)), Number(Real(1) / least)),
+          min(max(radius * radius * stiffness_ratio, Number(Real(1) / steepest)), Number(steepest)),
           Number(slip_onset<Real>) + min(rounding, Number(Real(1)))};
 }
 
