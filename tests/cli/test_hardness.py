@@ -27,7 +27,7 @@ MEGABYTE = 1 << 20
 SANITIZED = bool(os.environ.get("LIMITCURVE_SANITIZED"))
 # The data of a report take up to a minute there. cli.report makes them once; here they would be made several times, and thrown away.
 makes_reports = unittest.skipIf(SANITIZED, "makes several reports, which take up to a minute each under a sanitizer")
-TABLE = ["table", "--law", "uniform", "--tolerance", "1e-9", "-o"]
+TABLE = ["table", "--law", "uniform", "--tolerance", "1e-14", "-o"]
 REPLAY = ["replay", "--law", "hertz", "--radius-law", "constant:a=0.006", "--mu", "0.6", "--stiffness", "1000", "--twist-stiffness", "0.036",
           "--boundary", "ellipse", "--projection", "radial", "--trace", "-"]
 STUB = "import sys; print('drawn')"
