@@ -23,8 +23,8 @@ using godobject::BodyMotion;
 using godobject::CurveKind;
 using godobject::Projection;
 
-constexpr std::array curves{CurveKind::exact,        CurveKind::table,   CurveKind::ellipse,
-                            CurveKind::superellipse, CurveKind::quartic, CurveKind::box};
+constexpr std::array curve_kinds{CurveKind::exact,        CurveKind::table,   CurveKind::ellipse,
+                                 CurveKind::superellipse, CurveKind::quartic, CurveKind::box};
 constexpr std::array projections{Projection::radial, Projection::c_curve, Projection::closest_point};
 
 template <class Kinds>
@@ -91,14 +91,15 @@ class Replay final : public Subcommand {
     options.law(replay_.law);
     options.radius_law(radius_law_, Presence::optional);
     options.number("--mu", replay_.finger.mu, non_negative, "Friction coefficient mu [1]", Presence::required);
-    options.number("--stiffness", replay_.finger.stiffness, positive, "Contact stiffness k_l [N/m]; the load is P = k_l d", Presence::required);
+    options.number("--stiffness", replay_.finger.stiffness, positive, "Contact stiffness k_l [N/m]; the load is P = k_l d",
+                   Presence::required);
     options.number("--twist-stiffness", replay_.finger.twist_stiffness, positive, "Torsional stiffness k_r [N m/rad]", Presence::required);
     options.number("--mu-dynamic", replay_.finger.mu_dynamic, non_negative, "Friction coefficient while slipping (mu if left out)");
     options.number("--moment-coefficient", replay_.finger.moment_coefficient, non_negative,
                    "mu_r [m]: the largest moment is mu_r P, whatever the radius law");
     options.number("--moment-coefficient-dynamic", replay_.finger.moment_coefficient_dynamic, non_negative,
                    "mu_r while slipping [m] (mu_r times mu-dynamic/mu if left out)");
-    options.choice("--boundary", curve_, names(curves), "Limit curve");
+    options.choice("--boundary", curve_, names(curve_kinds), "Limit curve");
     options.choice("--projection", projection_, names(projections), "How the proxy is brought back on to it");
     options.number("--tolerance", replay_.tolerance, positive, "Error of the table, in unit wrenches");
     options.value(
@@ -134,7 +135,7 @@ class Replay final : public Subcommand {
     } else if (!replay_.finger.moment_coefficient) {
       throw std::invalid_argument("--radius-law is required, unless --moment-coefficient is given");
     }
-    replay_.curve = curves.at(curve_);
+    replay_.curve = curve_kinds.at(curve_);
     replay_.projection = projections.at(projection_);
     check_gains();
     const BodyArgument body = body_argument();

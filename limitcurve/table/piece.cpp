@@ -58,7 +58,7 @@ void Piece::look_between(const Source& source, bool outside, double limit) {
     samples_.push_back(source.at(outside, x));
     within = left_ == 0.0 || error_at(samples_.back()) <= limit;
   };
-  for (const std::size_t k : {1, 9, 5, 3, 7}) look(place(left_, right_, k));
+  for (const std::size_t k : {1U, 9U, 5U, 3U, 7U}) look(place(left_, right_, k));
   // A coarse cell's error may peak anywhere, and costs little to be looked at twice as closely.
   constexpr double coarse = 1e-5;
   for (std::size_t k = 0; limit > coarse && k < 10; ++k) look((place(left_, right_, k) + place(left_, right_, k + 1)) / 2);

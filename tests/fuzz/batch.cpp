@@ -29,11 +29,11 @@ void move_all(fuzz::Bytes& bytes, BasicContactArrays<Real>& arrays) {
 /// No NaN, no proxy that moves while it sticks, and none that moves away from the finger.
 template <class Real>
 void run(fuzz::Bytes bytes) {
-  const auto& [curve, projection] = fuzz::any_curve<Real>(bytes);
+  const auto chosen = fuzz::any_curve<Real>(bytes);
   const FingerParameters parameters = fuzz::any_parameters(bytes);
   const std::size_t count = 1 + bytes.take<std::uint8_t>() % 11U;
   std::vector<BasicBatch<Real>> batch;
-  if (fuzz::complaint_of([&] { batch.emplace_back(curve, parameters, projection); })) return;
+  if (fuzz::complaint_of([&] { batch.emplace_back(chosen.curve, parameters, chosen.projection); })) return;
   const bool has_torsion = parameters.mu > 0.0 && parameters.moment_coefficient.value_or(1.0) > 0.0;
   BasicContactArrays<Real> arrays(count);
   const BasicContactBatch<Real> now = arrays.batch();

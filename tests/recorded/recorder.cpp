@@ -252,7 +252,7 @@ void run_batch(const Setting& setting) {
     batch.step(contacts.batch());
     if (step % 57 != 56 && step != fault_begins + 2) continue;
     const go::BasicContactBatch<Real> felt = contacts.batch();
-    for (const std::size_t i : {0, 6, 77, 149}) {
+    for (const std::size_t i : {0U, 6U, 77U, 149U}) {
       const auto value = [i](auto array) { return static_cast<double>(array[i]); };
       std::printf("%d,%zu,%s,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g\n", step, i, std::string(go::to_string(felt.state[i])).c_str(),
                   value(felt.proxy_x), value(felt.proxy_y), value(felt.proxy_angle), value(felt.force_x), value(felt.force_y),
