@@ -15,5 +15,6 @@
 #include "godobject/soft_finger.hpp"     // IWYU pragma: export
 #include "godobject/surfaces.hpp"        // IWYU pragma: export
 #include "limitcurve/ellipse.hpp"        // IWYU pragma: export
+#include "limitcurve/laws.hpp"           // IWYU pragma: export
 #include "limitcurve/polygon.hpp"        // IWYU pragma: export
 #include "limitcurve/table.hpp"          // IWYU pragma: export

@@ -16,8 +16,8 @@ inline constexpr double forces_by_quadrature = 1e-13;
 /// `BoundaryError`: absolute error of its extremes, which are relative errors themselves.
 inline constexpr double boundary_error = 1e-9;
 
-/// Between the wrench at which a god-object begins to slip and the limit boundary.
-inline constexpr double slip_onset = 1e-9;
+/// Between the wrench at which a finger begins to slip and its limit curve, relative.
+inline constexpr double slip_onset = 1e-12;
 
 /// Of the wrench that a finger settles at under a constant twist by the closest point on a table of tolerance 1e-8: distance
 /// in the plane of unit wrenches.

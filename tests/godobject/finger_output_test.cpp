@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // What a finger tells besides force and moment: margin, load that holds, place of the COR; and its state as a value.
-#include "limitcurve/accuracy.hpp"
 #include "tests/godobject/scene.hpp"
 
 #include <gtest/gtest.h>
@@ -42,7 +41,7 @@ TEST(SoftFinger, TellsTheLoadThatHolds) {
     ASSERT_EQ(finger.output().state, ContactState::stick);
     const double load = finger.load_to_hold();
     // At that load the same offsets are on the limit: a billionth less and it slips.
-    for (const double share : {1.0 - accuracy::slip_onset, 1.0 + accuracy::slip_onset}) {
+    for (const double share : {1.0 - 1e-9, 1.0 + 1e-9}) {
       auto other = exact_hertz_finger(with);
       other.restore(finger.state());
       other.update(on_plane(0.0005, 0.0, share * load / with.stiffness), 0.02);
