@@ -10,32 +10,20 @@
 namespace limitcurve::godobject {
 
 template <class Real>
-BasicFingerCurve<Real>::BasicFingerCurve(double force_max, double moment_max, UnitWrench rim) {
-  view_.force_max = static_cast<Real>(force_max);
-  view_.moment_max = static_cast<Real>(moment_max);
-  view_.inverse_force_max = Real(1) / view_.force_max;
-  view_.inverse_moment_max = Real(1) / view_.moment_max;
-  view_.rim_force = static_cast<Real>(rim.force);
-  view_.rim_moment = static_cast<Real>(rim.moment);
+BasicFingerCurve<Real>::BasicFingerCurve(const Ellipse& ellipse) {
+  const auto [force, moment] = ellipse.wrench({1.0, 1.0});
+  view_.set_scale(Real(ellipse.force_max()), Real(ellipse.moment_max()), Real(force), Real(moment));
 }
 
 template <class Real>
-BasicFingerCurve<Real>::BasicFingerCurve(const Ellipse& ellipse)
-    : BasicFingerCurve(ellipse.force_max(), ellipse.moment_max(), ellipse.wrench({1.0, 1.0})) {}
-
-template <class Real>
-BasicFingerCurve<Real>::BasicFingerCurve(const Polygon<3>& box)
-    : BasicFingerCurve(box.force_max(), box.moment_max(), {box.force_max(), box.moment_max()}) {
+BasicFingerCurve<Real>::BasicFingerCurve(const Polygon<3>& box) {
   view_.is_box = true;
+  view_.set_scale(Real(box.force_max()), Real(box.moment_max()), Real(box.force_max()), Real(box.moment_max()));
 }
 
 template <class Real>
 BasicFingerCurve<Real>::BasicFingerCurve(const BasicTable<Real>& table)
-    : BasicFingerCurve(table.force_max(), table.force_max() * table.moment_ratio(), table.rim()) {
-  const auto owner = std::make_shared<const BasicTable<Real>>(table);
-  view_.table = owner->pieces();
-  owner_ = owner;
-}
+    : view_(table.view()), owner_(std::make_shared<const BasicTable<Real>>(table)) {}
 
 template <class Real>
 UnitWrench BasicFingerCurve<Real>::wrench(SlipTwist twist) const noexcept {

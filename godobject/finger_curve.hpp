@@ -45,8 +45,6 @@ class BasicFingerCurve {
   [[nodiscard]] double gauge(UnitWrench wrench) const noexcept;
 
  private:
-  BasicFingerCurve(double force_max, double moment_max, UnitWrench rim);
-
   CurveView<Real> view_;
   std::shared_ptr<const void> owner_;  // of the cells that the view points to
 };

@@ -21,6 +21,16 @@ struct CurveView {
   Real rim_moment = 0;
   TablePieces<Real> table = {};
 
+  /// Sets the intercepts and the wrench on the rim.
+  void set_scale(Real force_intercept, Real moment_intercept, Real force_on_rim, Real moment_on_rim) noexcept {
+    force_max = force_intercept;
+    moment_max = moment_intercept;
+    inverse_force_max = Real(1) / force_max;
+    inverse_moment_max = Real(1) / moment_max;
+    rim_force = force_on_rim;
+    rim_moment = moment_on_rim;
+  }
+
   [[nodiscard]] bool has_table() const noexcept { return table.cells != nullptr; }
 
   /// The support function along the side inside or outside the rim, at x ∈ [0, 1]. Not for the box, whose corner has many normals.

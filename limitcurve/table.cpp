@@ -138,16 +138,15 @@ BasicTable<Real>::BasicTable(TableFacts facts, const TableCells& cells) {
   }
   const auto offset = std::ldexp(Real(1), -cells.octaves);
   const int dropped_bits = std::numeric_limits<Real>::digits - 1 - cells.index_bits;
-  pieces_ = {data->cells.front().numbers.data(),
-             data->cell_of_bucket.data(),
-             offset,
-             dropped_bits,
-             static_cast<int>(arithmetic::leading_bits(offset, dropped_bits)),
-             static_cast<int>(buckets.per_run())};
+  view_.table = {data->cells.front().numbers.data(),
+                 data->cell_of_bucket.data(),
+                 offset,
+                 dropped_bits,
+                 static_cast<int>(arithmetic::leading_bits(offset, dropped_bits)),
+                 static_cast<int>(buckets.per_run())};
   data_ = std::move(data);
-  moment_max_ = pieces_.jet(false, Real(0)).value;
-  force_max_ = pieces_.jet(true, Real(0)).value;
-  rim_ = wrench({1.0, 1.0});
+  const Jet<Real> rim = view_.table.jet(false, Real(1));
+  view_.set_scale(view_.table.jet(true, Real(0)).value, view_.table.jet(false, Real(0)).value, rim.leading(), rim.trailing(Real(1)));
 }
 
 template <class Real>
@@ -170,35 +169,12 @@ TableCells BasicTable<Real>::cells() const {
 template <class Real>
 RadialPoint BasicTable<Real>::along(UnitWrench direction) const noexcept {
   const double size = std::max(direction.force, direction.moment);
-  const auto force = static_cast<Real>(direction.force / size);
-  const auto moment = static_cast<Real>(direction.moment / size);
-  // Steeper than the rim's wrench: more slide than twist.
-  const bool outside = rim_.force * direction.moment < rim_.moment * direction.force;
-  const Real leading = outside ? moment : force;
-  const Real trailing = outside ? force : moment;
-  Real low = 0;
-  Real high = 1;
-  // The normal of the ellipse with the same ends.
-  const double slide = double(force) * moment_max_ * moment_max_;
-  const double spin = double(moment) * force_max_ * force_max_;
-  auto x = static_cast<Real>(std::clamp(outside ? spin / slide : slide / spin, 0.0, 1.0));
-  Jet<Real> jet = pieces_.jet(outside, x);
-  for (int i = 0; i < 64; ++i) {
-    // The cross product of wrench and direction, which increases with x; Halley's step for its root.
-    const Real cross = jet.leading() * trailing - jet.trailing(x) * leading;
-    // Within the rounding of D.
-    constexpr Real rounding = std::numeric_limits<Real>::epsilon() / 2;
-    if (std::fabs(cross) <= rounding * (jet.first * trailing + jet.value * leading)) break;
-    (cross > 0 ? high : low) = x;
-    const Real arm = trailing + x * leading;
-    const Real newton = cross / (jet.second * arm);
-    Real next = x - newton / (1 - newton * (jet.third * arm + jet.second * leading) / (2 * jet.second * arm));
-    if (!(next > low && next < high) || i % 8 == 7) next = low + (high - low) / 2;
-    if (!(next > low && next < high)) break;
-    x = next;
-    jet = pieces_.jet(outside, x);
-  }
-  return {wrench_of(outside, jet.leading(), jet.trailing(x)), outside ? SlipTwist{1.0, x} : SlipTwist{x, 1.0}};
+  Real gauge{};
+  const CurvePoint<Real> point =
+      point_on_ray(view_, static_cast<Real>(direction.force / size), static_cast<Real>(direction.moment / size), Real(0), gauge);
+  // By the gauge, which is exact to the square of what the search leaves.
+  const double length = size * static_cast<double>(gauge);
+  return {{direction.force / length, direction.moment / length}, {static_cast<double>(point.slide), static_cast<double>(point.spin)}};
 }
 
 template class BasicTable<double>;

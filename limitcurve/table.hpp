@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "limitcurve/curve_view.hpp"
 #include "limitcurve/law.hpp"
 #include "limitcurve/limit_boundary.hpp"
-#include "limitcurve/table/pieces.hpp"
 
 #include <algorithm>
 #include <array>
@@ -82,23 +82,24 @@ class BasicTable {
   /// The cells as numbers, exactly: BasicTable(facts, cells()) makes an equal table.
   [[nodiscard]] TableCells cells() const;
 
-  [[nodiscard]] double force_max() const noexcept { return force_max_; }                   ///< at pure sliding: 1 for a law
-  [[nodiscard]] double moment_ratio() const noexcept { return moment_max_ / force_max_; }  ///< m₀
-  [[nodiscard]] UnitWrench rim() const noexcept { return rim_; }                           ///< at s = 1
+  [[nodiscard]] double force_max() const noexcept { return static_cast<double>(view_.force_max); }  ///< at pure sliding: 1 for a law
+  [[nodiscard]] double moment_ratio() const noexcept { return static_cast<double>(view_.moment_max) / force_max(); }  ///< m₀
+  [[nodiscard]] UnitWrench rim() const noexcept { return wrench({1.0, 1.0}); }                                        ///< at s = 1
 
   /// What a loop reads. Valid as long as a copy of the table is.
-  [[nodiscard]] const TablePieces<Real>& pieces() const noexcept { return pieces_; }
+  [[nodiscard]] const CurveView<Real>& view() const noexcept { return view_; }
+  [[nodiscard]] const TablePieces<Real>& pieces() const noexcept { return view_.table; }
 
   /// The wrench that the slip twist causes, within certified_error().
   [[nodiscard]] UnitWrench wrench(SlipTwist twist) const noexcept {
     const auto [outside, x] = place(twist);
-    const Jet<Real> jet = pieces_.jet(outside, x);
+    const Jet<Real> jet = view_.table.jet(outside, x);
     return wrench_of(outside, jet.leading(), jet.trailing(x));
   }
 
   [[nodiscard]] BoundaryPoint point(SlipTwist twist) const noexcept {
     const auto [outside, x] = place(twist);
-    const Jet<Real> jet = pieces_.jet(outside, x);
+    const Jet<Real> jet = view_.table.jet(outside, x);
     // u = 1/(1+s) = q/(1+q): ds/du = −(1+s)², dq/du = (1+q)².
     const double rate = (outside ? 1 : -1) * (1 + x) * (1 + x) * jet.second;
     return {wrench_of(outside, jet.leading(), jet.trailing(x)), wrench_of(outside, rate, -double{x} * rate)};
@@ -141,10 +142,7 @@ class BasicTable {
   }
 
   std::shared_ptr<const Data> data_;
-  TablePieces<Real> pieces_;
-  UnitWrench rim_;
-  double force_max_ = 1.0;
-  double moment_max_ = 1.0;
+  CurveView<Real> view_;
 };
 
 using Table = BasicTable<double>;
