@@ -117,8 +117,12 @@ void Grasp::commit(std::span<const DevicePose> devices, double time_step) noexce
       hold.memory = {};
       continue;
     }
-    const auto [contact, twist] = touch(state_, devices[i], hold.memory);
-    if (hold.finger.update(contact, twist, time_step).state != ContactState::invalid) hold.normal = contact.normal;
+    // A sample that the finger refuses leaves no trace in what the surface remembers either.
+    ContactMemory memory = hold.memory;
+    const auto [contact, twist] = touch(state_, devices[i], memory);
+    if (hold.finger.update(contact, twist, time_step).state == ContactState::invalid) continue;
+    hold.memory = memory;
+    hold.normal = contact.normal;
   }
 }
 

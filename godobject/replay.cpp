@@ -86,17 +86,17 @@ void Replay::describe(std::size_t index) noexcept {
   contact.load = output.load;
   contact.force = body.orientation * output.force;
   contact.moment = output.moment;
-  // What is held is what was felt, wherever the body is by now.
+  if (finger.state().seen) contact.normal = body.orientation * vector(finger.state().normal);
+  contact.cor = output.cor;
+  contact.centre_of_rotation = finger.state().centre_of_rotation();
+  if (contact.centre_of_rotation.allFinite()) contact.centre_of_rotation = body.to_world(contact.centre_of_rotation);
+  // The wrench that is held turns with the body, and its normal too; where it acts is the last good place.
   if (output.state == ContactState::invalid) return;
   contact.proxy = body.to_world(output.proxy);
   contact.angle = output.angle;
   contact.depth = output.depth;
-  contact.cor = output.cor;
-  contact.normal = body.orientation * vector(finger.state().normal);
   contact.margin = finger.margin();
   contact.load_to_hold = finger.load_to_hold();
-  contact.centre_of_rotation = finger.centre_of_rotation();
-  if (contact.centre_of_rotation.allFinite()) contact.centre_of_rotation = body.to_world(contact.centre_of_rotation);
 }
 
 }  // namespace limitcurve::godobject

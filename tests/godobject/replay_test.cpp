@@ -226,6 +226,38 @@ TEST(Replay, HoldsOnSamplesThatAreNotUsable) {
   }
 }
 
+// A plate is entered by a face. A sample that leaps to another one is refused, and the finger must find its own face again thereafter.
+TEST(Replay, ARefusedSampleLeavesNoTrace) {
+  ReplayOptions with = options();
+  with.surface = AnySurface(BoxSurface(Vector3d(0.06, 0.02, 0.02)));
+  Replay replay(with);
+  for (int i = 0; i < 8; ++i) {
+    const bool leaps = i == 3;
+    const SceneContact contact = moved(replay, 1e-3 * i, pose({leaps ? 1.0 : 0.0, 0.0, leaps ? 0.0 : 0.018}));
+    if (leaps) {
+      EXPECT_EQ(contact.state, ContactState::invalid);
+    } else {
+      EXPECT_EQ(contact.state, ContactState::stick);
+      EXPECT_NEAR(contact.load, 0.002 * with.finger.stiffness, 1e-9) << "row " << i;
+    }
+  }
+}
+
+// While a sample is invalid the wrench is held in the body's frame: force and normal turn together.
+TEST(Replay, HeldForceAndNormalTurnWithTheBody) {
+  ReplayOptions with = options();
+  with.motion = BodyMotion::prescribed;
+  Replay replay(with);
+  moved(replay, 0.0, pose({0.0, 0.0, -0.002}));
+  moved(replay, 0.001, pose({0.0003, 0.0, -0.002}));
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const Quaterniond turned(Eigen::AngleAxisd(0.7, Vector3d(1.0, 2.0, 0.5).normalized()));
+  const SceneContact contact = moved(replay, 0.002, pose({nan, 0.0, 0.0}), {Vector3d::Zero(), turned});
+  ASSERT_EQ(contact.state, ContactState::invalid);
+  EXPECT_GT(contact.force.norm(), 0.1);
+  EXPECT_NEAR(contact.force.dot(contact.normal), 0.0, 1e-12);
+}
+
 TEST(Replay, NamesWhatIsWrongWithItsOptions) {
   const auto message = [](auto change) -> std::string {
     ReplayOptions with = options();
