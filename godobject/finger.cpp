@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 
 #include <cmath>
+#include <limits>
 
 namespace limitcurve::godobject {
 
@@ -24,11 +25,11 @@ FingerOutput FingerState::output() const noexcept {
 }
 
 Vector3d FingerState::centre_of_rotation() const noexcept {
-  // The finger slides along −force, and turns against the moment: v = ω n × (x_g − C).
+  // It is the proxy that slides along −force, and turns against the moment: v = ω n × (x_p − C). The finger is ahead by what the springs give.
   const Vector3d friction_force = vector(force);
   const double size = friction_force.norm();
-  if (!(cor > 0.0) || size == 0.0) return vector(goal) + Vector3d::Constant(0.0 * cor);
-  return vector(goal) - friction_force.cross(vector(normal)) * (std::copysign(cor, moment) / size);
+  if (!(cor > 0.0) || size == 0.0) return vector(proxy) + Vector3d::Constant(0.0 * cor);
+  return vector(proxy) - friction_force.cross(vector(normal)) * (std::copysign(cor, moment) / size);
 }
 
 bool is_plausible(FingerState& state, const FingerParameters& parameters, const Contact& contact, double device_twist,
@@ -55,6 +56,7 @@ void fade(FingerState& state, double fault_decay) noexcept {
   const double kept = state.state == ContactState::invalid ? fault_decay : 1.0;
   state.state = ContactState::invalid;
   state.slip_work = 0.0;
+  state.cor = std::numeric_limits<double>::quiet_NaN();
   state.load *= kept;
   state.moment *= kept;
   for (double& component : state.force) component *= kept;

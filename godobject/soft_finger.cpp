@@ -45,12 +45,14 @@ FingerOutput SoftFinger::preview(const Contact& contact, double device_twist, do
 }
 
 void SoftFinger::advance(FingerState& state, const Contact& contact, double device_twist, double time_step) const noexcept {
+  // A velocity is known only from one good sample to the next.
+  const bool has_velocity = state.seen && state.state != ContactState::invalid && time_step >= shortest_time_step;
   if (!is_plausible(state, parameters_, contact, device_twist, time_step)) return fade(state, parameters_.fault_decay);
   if (!(contact.depth > 0.0)) return release(state, contact, device_twist);
   if (!state.in_contact) touch_down(state, contact, device_twist);
 
   // a. The trial deflection (eq. 7).
-  const Springs springs = has_dampers_ && time_step >= shortest_time_step ? damped(time_step) : springs_;
+  const Springs springs = has_dampers_ && has_velocity ? damped(time_step) : springs_;
   Vector3d rest = Vector3d::Zero();
   double twist_rest = 0.0;
   if (has_dampers_) {

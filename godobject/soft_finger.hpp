@@ -24,7 +24,8 @@ class SoftFinger {
   /// One step: the contact of the finger with the surface and the device's twist α_s [rad] about the normal. The twist may
   /// wrap around at any multiple of 2π: a jump of more than π between steps is taken for a turn of the other sense.
   /// With a time step [s] > 0 since the last update the dampers act too, within the limit: the wrench that friction bounds
-  /// is that of springs and dampers together, and so is what the user feels.
+  /// is that of springs and dampers together, and so is what the user feels. They do not act in the first good sample, nor in the first
+  /// one after invalid ones, from where no velocity is known.
   /// Input that is not finite, a normal that is not of unit length, a move beyond `max_displacement` or a time step < 0 gives the
   /// state `invalid`: the last good output is held, fades if that lasts (`fault_decay`), and the proxy stays where it is.
   FingerOutput update(const Contact& contact, double device_twist, double time_step = 0.0) noexcept;
