@@ -22,9 +22,7 @@ inline constexpr int max_search_steps = 64;
 
 /// A root counts as found where a further step would move it by less than this fraction of itself.
 template <class Real>
-inline constexpr Real search_tolerance = std::numeric_limits<Real>::epsilon() * 4096;
-template <>
-inline constexpr float search_tolerance<float> = std::numeric_limits<float>::epsilon() * 16;
+inline constexpr Real search_tolerance = 4 * std::numeric_limits<Real>::epsilon();
 
 /// Finds where `residual(x)` falls through zero, x ∈ [0, 1], from ≥ 0 at 0 to ≤ 0 at 1: Halley's method from a first guess within a bracket
 /// that every step narrows. Returns x; the last call of `residual` was with just this x. A search that has not converged after
