@@ -37,7 +37,8 @@ void check_finger(const FingerParameters& parameters) {
 /// continuous in their parameters.
 double equivalent_radius(double moment_coefficient, double mu, double moment_ratio) {
   constexpr double almost_none = 1e-20;
-  return mu > 0.0 ? std::max(moment_coefficient / (mu * moment_ratio), almost_none) : almost_none;
+  constexpr double finite = 1e200;
+  return mu > 0.0 ? std::clamp(moment_coefficient / (mu * moment_ratio), almost_none, finite) : almost_none;
 }
 
 }  // namespace

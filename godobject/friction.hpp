@@ -51,8 +51,8 @@ struct FrictionResult {
   Number cor;           ///< distance of the slip's centre of rotation [m], ∞ for pure sliding; NaN where it sticks
 };
 
-/// The trial in units of a limit. Kept so far from overflow that all squares are finite; a limit of almost nothing is divided by as if force
-/// and radius were `least`, no trial is told from a larger one beyond `largest`, and no ratio of stiffnesses from a greater one beyond `steepest`.
+/// The trial in units of a limit. Kept so far from overflow that all squares are finite; a limit of almost nothing is divided by as if it
+/// were `least`, no trial is told from a larger one beyond `largest`, and no ratio of stiffnesses from a greater one beyond `steepest`.
 template <class Real, class Number>
 [[nodiscard]] UnitTrial<Number> unit_trial(const CurveView<Real>& curve, const FrictionLimit<Number>& limit,
                                            const FrictionTrial<Number>& trial, Number stiffness_ratio) noexcept {
@@ -61,14 +61,13 @@ template <class Real, class Number>
   constexpr Real least = wide ? Real(1e-125) : Real(1e-18);
   constexpr Real largest = wide ? Real(1e60) : Real(1e8);
   constexpr Real steepest = Real(1e9);
-  const Number radius = max(Number(least), limit.radius);
-  const Number per_moment = Number(Real(1)) / (max(Number(least), limit.force) * radius);
-  const Number per_force = radius * per_moment;
+  const Number per_force = Number(Real(1)) / max(Number(least), limit.force);
+  const Number per_moment = Number(Real(1)) / max(Number(least), limit.force * limit.radius);
   const Number rounding = trial.force_rounding * per_force * Number(curve.inverse_force_max) +
                           trial.moment_rounding * per_moment * Number(curve.inverse_moment_max);
   // Not more than the limit itself: with no friction at all a contact slips.
   return {min(trial.force * per_force, Number(largest)), min(trial.moment * per_moment, Number(largest)),
-          min(max(radius * radius * stiffness_ratio, Number(Real(1) / steepest)), Number(steepest)),
+          min(max(limit.radius * limit.radius * stiffness_ratio, Number(Real(1) / steepest)), Number(steepest)),
           Number(slip_onset<Real>) + min(rounding, Number(Real(1)))};
 }
 
