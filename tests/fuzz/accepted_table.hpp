@@ -4,6 +4,8 @@
 #include "limitcurve/table_file.hpp"
 #include "tests/fuzz/fuzz.hpp"
 
+#include <algorithm>
+
 namespace limitcurve::fuzz {
 
 /// A table that was accepted comes back through its text and gives finite wrenches within its intercepts.
@@ -11,12 +13,14 @@ inline void require_usable(const Table& table) {
   const std::string text = to_csv(table);
   require(to_csv(read_table_csv(text, "written")) == text, "a table does not come back through its text");
   require(!to_header(table).empty() && !to_json(table).empty(), "a table without text");
+  // A table rounds in units of the larger intercept.
+  const double slack = 1e-12 * std::max({1.0, table.force_max(), table.moment_ratio()});
   for (const double u : {0.0, 1e-300, 1e-9, 0.3, 0.5, 0.7, 1.0 - 1e-9, 1.0}) {
     const SlipTwist twist = SlipTwist::of_spin_fraction(u);
     const UnitWrench wrench = table.wrench(twist);
     require(is_finite(wrench.force) && is_finite(wrench.moment), "a table's wrench is not finite");
-    require(wrench.force >= -1e-12 && wrench.force <= 1.0 + 1e-12, "a table's force is outside its intercepts");
-    require(wrench.moment >= -1e-12 * table.moment_ratio() && wrench.moment <= table.moment_ratio() * (1.0 + 1e-12),
+    require(wrench.force >= -slack && wrench.force <= table.force_max() + slack, "a table's force is outside its intercepts");
+    require(wrench.moment >= -slack && wrench.moment <= table.force_max() * table.moment_ratio() + slack,
             "a table's moment is outside its intercepts");
     const RadialPoint along = table.along({u, (1.0 - u) * table.moment_ratio()});
     require(is_finite(along.wrench.force) && is_finite(along.wrench.moment), "a table's radial point is not finite");
