@@ -2,7 +2,6 @@
 #pragma once
 
 #include "godobject/batch.hpp"
-#include "godobject/contact_arrays.hpp"
 #include "godobject/godobject.hpp"
 #include "godobject/mesh/mesh_file.hpp"
 #include "limitcurve/ellipse.hpp"

@@ -204,7 +204,11 @@ struct OnMesh {
       inputs.push_back({(radius - s.depth) * towards.normalized(), s.twist});
     }
   }
-  [[nodiscard]] Contact contact(std::size_t i, Memory& memory) const { return surface.contact(inputs[i].finger, memory); }
+  [[nodiscard]] Contact contact(std::size_t i, Memory& memory) const {
+    const Contact found = surface.contact(inputs[i].finger, memory);
+    memory = found.memory;
+    return found;
+  }
   [[nodiscard]] double twist(std::size_t i) const { return inputs[i].twist; }
 
   MeshSurface surface;

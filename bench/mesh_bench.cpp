@@ -2,6 +2,7 @@
 // A step of a finger on a ball of triangles, contact and friction together: `worst` is the slowest of 4096 steps, each by the fastest
 // of nine runs, so that an interrupt is not taken for the step (the clock's own 20 ns included).
 #include "tests/mesh/shapes.hpp"
+#include "tests/touch.hpp"
 
 #include <benchmark/benchmark.h>
 
@@ -49,7 +50,7 @@ std::vector<Vector3d> leaping() {
 void step(benchmark::State& state, const MeshSurface& surface, const std::vector<Vector3d>& path) {
   SoftFinger finger = test::hertz_finger();
   ContactMemory memory;
-  const auto advance = [&](std::size_t i) { return finger.update(surface.contact(path[i], memory), 0.0).load; };
+  const auto advance = [&](std::size_t i) { return finger.update(touch(surface, path[i], memory), 0.0).load; };
   for (auto _ : state) {
     double sum = 0.0;
     for (std::size_t i = 0; i < count; ++i) sum += advance(i);

@@ -4,6 +4,7 @@
 #include "godobject/mesh/mesh_surface.hpp"
 #include "godobject/mesh/triangle.hpp"
 #include "tests/mesh/shapes.hpp"
+#include "tests/touch.hpp"
 
 #include <unsupported/Eigen/BVH>
 
@@ -137,7 +138,7 @@ int main() {
 
   ContactMemory memory;
   row("limitcurve::mesh", "MeshSurface::contact, a step", points, 1e-4,
-      [&](const Vector3d& p) { return std::fabs(surface.contact(p, memory).depth); });
+      [&](const Vector3d& p) { return std::fabs(touch(surface, p, memory).depth); });
   row("limitcurve::mesh", "Mesh::settle, tracked", points, 1e-4, [&, face = 0](const Vector3d& p) mutable {
     const MeshPlace place = mesh.settle(face, p);
     face = place.face;

@@ -117,6 +117,8 @@ class Replay final : public Subcommand {
     options.count("--fingers", fingers_, 1, godobject::Replay::most_fingers, "Fingers in the trace");
     options.number("--damping", replay_.finger.damping, non_negative, "b_l of each finger [N s/m]");
     options.number("--twist-damping", replay_.finger.twist_damping, non_negative, "b_r of each finger [N m s/rad]");
+    options.number("--rest-margin", replay_.finger.rest_margin, non_negative,
+                   "a finger that slides comes to rest within the dynamic limit/(1 + this*(mu/mu_d - 1)) [1]; 0: within the dynamic limit");
     options.number("--jump-limit", replay_.finger.max_displacement, positive_or_inf,
                    "A finger that leaps farther than this between two rows [m] is a fault of the device: refused once, as invalid");
     options.number("--hold-share", replay_.finger.fault_decay, share,
@@ -186,7 +188,12 @@ class Replay final : public Subcommand {
                               format_number(godobject::Replay::longest_step) + " s where the body is free");
       }
       last = trace.time();
+      const std::size_t unsolved = replay.unsolved();
       replay.step(trace.time(), trace.fingers(), trace.body());
+      if (replay.unsolved() > unsolved) {
+        std::cerr << "limitcurve: time " << format_number(trace.time())
+                  << " s: the body's step was not solved to rounding; a smaller step may help\n";
+      }
       rows.row_by([&](const auto& cell) {
         cell(trace.time());
         for (const godobject::SceneContact& contact : replay.contacts()) write_contact(cell, contact, columns);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "godobject/any_surface.hpp"
 #include "godobject/rigid_body.hpp"
+#include "godobject/surface.hpp"
 
 #include <functional>
 #include <string>

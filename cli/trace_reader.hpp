@@ -3,7 +3,7 @@
 
 #include "cli/csv_reader.hpp"
 
-#include "godobject/device_pose.hpp"
+#include "godobject/replay.hpp"
 
 #include <cstddef>
 #include <string>

@@ -66,12 +66,10 @@ class TouchOfPlane {
   /// Device in, force [N] and torque [N m] in the device's frame out. Allocates nothing and never throws.
   void step(const Eigen::Vector3d& position, const Eigen::Quaterniond& orientation, Eigen::Vector3d& force,
             Eigen::Vector3d& torque) noexcept {
-    // The plane through the device's origin, y up.
-    const Eigen::Vector3d normal = Eigen::Vector3d::UnitY();
-    const god::Contact contact{{position.x(), 0.0, position.z()}, normal, -position.y()};
-    const god::FingerOutput output = finger_.update(contact, god::twist_about(orientation, normal), 1e-3);
-    force = output.load * normal + output.force;
-    torque = output.moment * normal;
+    // The plane through the device's origin: its outward normal is z, the device's is y.
+    const god::FingerOutput output = finger_.update(ground_, {y_up_ * position, y_up_ * orientation}, 1e-3);
+    force = y_up_.conjugate() * (output.load * output.normal + output.force);
+    torque = y_up_.conjugate() * (output.moment * output.normal);
     // What the motors cannot give is scaled, not cut: its direction stays.
     const double share = std::min(1.0, greatest_force_ / std::max(force.norm(), 1e-300));
     force *= share;
@@ -89,10 +87,12 @@ class TouchOfPlane {
     result.damping = 1.0;  // > kT/2 = 0.5 N s/m
     result.twist_damping = 1e-5;
     result.max_displacement = 0.02;  // a device that leaps 20 mm in a millisecond is broken
-    result.fault_decay = 0.95;  // and its last force fades in some 50 ms
+    result.fault_decay = 0.95;       // and its last force fades in some 50 ms
     return result;
   }
 
+  god::AnySurface ground_ = god::AnySurface(god::PlaneSurface{});
+  Eigen::Quaterniond y_up_ = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitY(), Eigen::Vector3d::UnitZ());
   god::SoftFinger finger_;
   double greatest_force_;
 };

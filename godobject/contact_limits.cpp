@@ -28,6 +28,7 @@ void check_finger(const FingerParameters& parameters) {
   positive("twist_stiffness", parameters.twist_stiffness, "N m/rad");
   non_negative("damping", parameters.damping, "N s/m");
   non_negative("twist_damping", parameters.twist_damping, "N m s/rad");
+  non_negative("rest_margin", parameters.rest_margin, "1");
   if (!(parameters.max_displacement > 0.0)) throw out_of_range("max_displacement", parameters.max_displacement, "m", "> 0");
   if (!(parameters.fault_decay >= 0.0 && parameters.fault_decay <= 1.0))
     throw out_of_range("fault_decay", parameters.fault_decay, "1", "0 <= fault_decay <= 1");
@@ -39,6 +40,11 @@ double equivalent_radius(double moment_coefficient, double mu, double moment_rat
   constexpr double almost_none = 1e-20;
   constexpr double finite = 1e200;
   return mu > 0.0 ? std::clamp(moment_coefficient / (mu * moment_ratio), almost_none, finite) : almost_none;
+}
+
+/// What sliding keeps of a limit at rest; 1 where that is 0.
+double share(double sliding, double at_rest) {
+  return at_rest > 0.0 ? sliding / at_rest : 1.0;
 }
 
 }  // namespace
@@ -81,6 +87,11 @@ ContactLimits::ContactLimits(const FingerParameters& parameters, double moment_r
     if (parameters.radius_law.is_sampled() || parameters.radius_law.exponent() != 0.0) radius_law_ = parameters.radius_law;
     has_torsion_ = mu > 0.0;
   }
+  // The larger of the two gaps, of force and of moment, asks for the larger retreat.
+  const double force_share = share(sliding_.force, at_rest_.force);
+  const double moment_share = has_torsion_ ? share(sliding_.force * sliding_.radius, at_rest_.force * at_rest_.radius) : 1.0;
+  const double least = std::min(force_share, moment_share);
+  if (least < 1.0) rest_share_ = least / (least + parameters.rest_margin * (1.0 - least));
 }
 
 double ContactLimits::load_to_hold(const FingerCurve& curve, double force, double moment) const noexcept {

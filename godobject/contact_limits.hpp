@@ -39,6 +39,7 @@ class ContactLimits {
     return {{number(at_rest_.force) * load, varies ? radius : number(at_rest_.radius)},
             {number(sliding_.force) * load, varies ? radius : number(sliding_.radius)},
             stiffness_ratio,
+            number(rest_share_),
             has_torsion_,
             varies ? &*radius_law_ : nullptr,
             load};
@@ -51,6 +52,7 @@ class ContactLimits {
   FrictionLimit<double> at_rest_;
   FrictionLimit<double> sliding_;
   std::optional<RadiusLaw> radius_law_;  // where the radius depends on the load
+  double rest_share_ = 1.0;              // of the sliding limit, within which a contact comes to rest
   bool has_torsion_;
 };
 

@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -10,10 +11,18 @@ namespace limitcurve::godobject {
 
 using Eigen::Vector3d;
 
-Vector3d FingerState::deflection() const noexcept {
-  const Vector3d n = vector(normal);
-  const Vector3d apart = vector(proxy) - vector(goal);
-  return apart - n * n.dot(apart);
+Deflection deflection(const Vector3d& proxy, const Contact& contact) noexcept {
+  const Vector3d apart = proxy - contact.point;
+  const double rise = contact.normal.dot(apart);
+  const Vector3d tangential = apart - contact.normal * rise;
+  if (rise == 0.0) return {tangential, contact.depth};
+  const double square = tangential.squaredNorm();
+  const double least = std::sqrt(std::max(contact.depth * contact.depth - square, 0.0));
+  return {tangential, std::clamp(contact.depth + rise, least, contact.depth + std::sqrt(square))};
+}
+
+Deflection FingerState::deflection() const noexcept {
+  return godobject::deflection(vector(proxy), {vector(goal), vector(normal), depth});
 }
 
 Vector3d FingerState::position() const noexcept {
@@ -21,7 +30,7 @@ Vector3d FingerState::position() const noexcept {
 }
 
 FingerOutput FingerState::output() const noexcept {
-  return {state, vector(proxy), angle, depth, load, vector(force), moment, cor, slip_work};
+  return {state, vector(proxy), angle, depth, vector(normal), load, vector(force), moment, cor, slip_work};
 }
 
 Vector3d FingerState::centre_of_rotation() const noexcept {
@@ -58,26 +67,32 @@ void fade(FingerState& state, double fault_decay) noexcept {
   state.slip_work = 0.0;
   state.cor = std::numeric_limits<double>::quiet_NaN();
   state.load *= kept;
+  state.limit_load *= kept;
   state.moment *= kept;
   for (double& component : state.force) component *= kept;
 }
 
-void release(FingerState& state, const Contact& contact, double device_twist) noexcept {
+void release(FingerState& state, const Contact& contact, const Spin& spin, double device_twist) noexcept {
   FingerState free;
   free.proxy = numbers(contact.point - contact.normal * contact.depth);
   free.goal = numbers(contact.point);
   free.normal = numbers(contact.normal);
-  free.angle = free.goal_angle = free.device_twist = device_twist;
+  free.device_twist = device_twist;
+  free.angle = free.goal_angle = device_twist + spin.angle;
   free.depth = contact.depth;
   free.seen = true;
+  free.spin = spin;
+  free.contact = contact.memory;
   state = free;
 }
 
-void touch_down(FingerState& state, const Contact& contact, double device_twist) noexcept {
+void touch_down(FingerState& state, const Contact& contact, const Spin& spin, double device_twist) noexcept {
   state.in_contact = true;
   state.proxy = state.goal = numbers(contact.point);
   state.normal = numbers(contact.normal);
-  state.angle = state.goal_angle = state.device_twist = device_twist;
+  state.depth = 0.0;
+  state.device_twist = device_twist;
+  state.angle = state.goal_angle = device_twist + spin.angle;
   state.turns = 0.0;
   state.friction = {};
 }

@@ -3,6 +3,7 @@
 
 #include "godobject/contact.hpp"
 #include "godobject/friction.hpp"
+#include "godobject/spin.hpp"
 #include "limitcurve/radius_law.hpp"
 
 #include <Eigen/Core>
@@ -26,6 +27,11 @@ struct FingerParameters {
   double twist_stiffness = 0.04;                          ///< k_r [N m/rad] > 0
   double damping = 0.0;                                   ///< b_l [N s/m] ≥ 0, normal and tangential; acts in timed updates
   double twist_damping = 0.0;                             ///< b_r [N m s/rad] ≥ 0
+  /// Between static and dynamic friction [1] ≥ 0: a finger that slides comes to rest when its trial has retreated within the dynamic limit
+  /// divided by 1 + rest_margin·(μ/μ_d − 1). A sample that repeats the last one, or is off by the device's noise or resolution, so does not
+  /// bring a sliding finger back to static friction. The default asks for a retreat of 0.4 of the gap between the limits; a mass that
+  /// sticks and slips on springs not stiffer than the contact retreats by 0.5 or more. 0: at rest as soon as the trial is within the limit.
+  double rest_margin = 0.4;
   /// A finger that moves farther than this between two samples [m] > 0 is a fault of the device: refused once, as `invalid`. The
   /// default is 500 m/s at 1 kHz; ∞ believes everything.
   double max_displacement = 0.5;
@@ -54,52 +60,56 @@ struct FingerOutput {
   Eigen::Vector3d proxy = Eigen::Vector3d::Zero();        ///< x_p [m]; while free, the finger itself
   double angle = 0.0;                                     ///< α_p [rad] in the frame of the device's twist; while free, the twist
   double depth = 0.0;                                     ///< d [m]
-  double load = 0.0;                                      ///< P = k_l d [N], 0 while free
-  Eigen::Vector3d force = Eigen::Vector3d::Zero();        ///< friction on the user, k_l (x_p − x_g) [N], tangential
-  double moment = 0.0;                                    ///< friction on the user about the normal, k_r (α_p − α_g) [N m]
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();      ///< outward, at the contact; the whole force on the user is normal·load + force
+  double load = 0.0;                                      ///< normal force on the user [N], 0 while free; on a plane at rest k_l d
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();        ///< friction on the user [N], tangential
+  double moment = 0.0;                                    ///< friction on the user about the normal [N m]
   double cor = std::numeric_limits<double>::quiet_NaN();  ///< of the slip, from the contact centre [m]; NaN unless it slips
   double slip_work = 0.0;                                 ///< dissipated in this step [J], ≥ 0
 };
 
+/// How far the spring between proxy and finger is deflected, x_p − x_h.
+struct Deflection {
+  Eigen::Vector3d tangential;  ///< along the surface [m]: r is its length
+  double normal;               ///< [m], ≥ 0: the depth, and on a curved surface by how much that rises or falls towards the proxy
+};
+/// Of a proxy while the finger touches there. Where the surface falls away, x_g is still its point nearest to the finger; where it rises, it
+/// is by 45° at most: a proxy beyond that, on a surface that jumps, counts as there.
+[[nodiscard]] Deflection deflection(const Eigen::Vector3d& proxy, const Contact& contact) noexcept;
+
 /// All that a finger remembers from one step to the next. Plain numbers: copy it, save it, restore it.
 struct FingerState {
-  using Vector = std::array<double, 3>;
-
   ContactState state = ContactState::free;
   bool in_contact = false;  ///< also while samples are invalid
-  Vector proxy{};           ///< as FingerOutput has them
+  Numbers proxy{};          ///< as FingerOutput has them
   double angle = 0.0;
   double depth = 0.0;
   double load = 0.0;
-  Vector force{};
+  Numbers force{};
   double moment = 0.0;
   double cor = std::numeric_limits<double>::quiet_NaN();
   double slip_work = 0.0;
-  Vector goal{};                 ///< x_g of the last good sample [m]
-  double goal_angle = 0.0;       ///< α_g of the last good sample [rad], unwrapped
-  Vector normal{0.0, 0.0, 1.0};  ///< outward normal there
-  double device_twist = 0.0;     ///< the device's twist as it was given [rad]
-  double turns = 0.0;            ///< what unwrapping adds to the device's twist [rad], a multiple of 2π
-  bool seen = false;             ///< there was a good sample
-  bool refused = false;          ///< the last sample was too far from the one before it …
-  Vector refused_at{};           ///< … namely here [m]
+  double limit_load = 0.0;        ///< P that the friction limit grows with [N]: k_l d and what dampers add
+  Numbers goal{};                 ///< x_g of the last good sample [m]
+  double goal_angle = 0.0;        ///< α_g of the last good sample [rad], unwrapped
+  Numbers normal{0.0, 0.0, 1.0};  ///< outward normal there
+  double device_twist = 0.0;      ///< the device's twist as it was given [rad]
+  double turns = 0.0;             ///< what unwrapping adds to the device's twist [rad], a multiple of 2π
+  bool seen = false;              ///< there was a good sample
+  bool refused = false;           ///< the last sample was too far from the one before it …
+  Numbers refused_at{};           ///< … namely here [m]
+  Spin spin{};                    ///< of a device that gives its orientation
+  ContactMemory contact{};        ///< of the surface
   FrictionMemory<double> friction{};
 
-  /// How far the springs were deflected along the surface after the last good sample: x_p − x_g [m].
-  [[nodiscard]] Eigen::Vector3d deflection() const noexcept;
+  /// Of the spring after the last good sample.
+  [[nodiscard]] Deflection deflection() const noexcept;
   /// Where the finger itself was in the last good sample [m].
   [[nodiscard]] Eigen::Vector3d position() const noexcept;
   /// Where the slip's centre of rotation is, in the surface's frame [m]; infinite for pure sliding, NaN unless it slips.
   [[nodiscard]] Eigen::Vector3d centre_of_rotation() const noexcept;
   [[nodiscard]] FingerOutput output() const noexcept;
 };
-
-[[nodiscard]] inline Eigen::Vector3d vector(const FingerState::Vector& numbers) noexcept {
-  return {numbers[0], numbers[1], numbers[2]};
-}
-[[nodiscard]] inline FingerState::Vector numbers(const Eigen::Vector3d& vector) noexcept {
-  return {vector.x(), vector.y(), vector.z()};
-}
 
 /// A contact farther than this from the origin [m], or turned farther [rad], is taken for a fault of the device.
 inline constexpr double farthest = 1e6;
@@ -112,10 +122,11 @@ inline constexpr double farthest = 1e6;
 /// What a finger does with a sample that is not: `invalid`; the last good output is held, and from the second such sample on it fades.
 void fade(FingerState& state, double fault_decay) noexcept;
 
-/// No contact: nothing but the last place is remembered.
-void release(FingerState& state, const Contact& contact, double device_twist) noexcept;
+/// No contact: nothing but the last place and the spin are remembered.
+void release(FingerState& state, const Contact& contact, const Spin& spin, double device_twist) noexcept;
 
-/// The first sample in contact: no friction yet. (The paper's α_0 is the twist here; angles are kept absolute, and α_p − α_g is the same.)
-void touch_down(FingerState& state, const Contact& contact, double device_twist) noexcept;
+/// The first sample in contact: no friction yet, and the springs not yet loaded. (The paper's α_0 is the twist here; angles are kept
+/// absolute, and α_p − α_g is the same.)
+void touch_down(FingerState& state, const Contact& contact, const Spin& spin, double device_twist) noexcept;
 
 }  // namespace limitcurve::godobject

@@ -20,6 +20,7 @@ struct FrictionLimits {
   FrictionLimit<Number> at_rest;          ///< with μ_s: what a contact at rest bears
   FrictionLimit<Number> sliding;          ///< with μ_d: what a contact that slips bears, not larger
   Number stiffness_ratio;                 ///< k_l/k_r [1/m²] of the springs
+  Number rest_share = Number(1);          ///< a contact that slides comes to rest within this share of the sliding limit, ≤ 1
   bool has_torsion = true;                ///< false: Γ = 0, the moment is 0 and the force is limited by itself
   const RadiusLaw* radius_law = nullptr;  ///< a(P), for the c-curve projection where a depends on P
   Number load = Number(0);                ///< P [N], for the same
@@ -37,18 +38,18 @@ struct FrictionTrial {
 /// What friction remembers of a contact from one step to the next. To begin with a contact is at rest.
 template <class Number>
 struct FrictionMemory {
-  decltype(Number{} < Number{}) slips{};  ///< it slipped in the last step: the dynamic limit acts
-  Number parameter = Number(0);           ///< of the curve at the last slip, where a search begins; 0: none
-  Number rate = Number(0);                ///< how far that moved in the last step
+  decltype(Number{} < Number{}) slides{};  ///< it has slipped, and not come to rest since: the sliding limit acts
+  Number parameter = Number(0);            ///< of the curve at the last slip, where a search begins; 0: none
+  Number rate = Number(0);                 ///< how far that moved in the last step
 };
 
 /// What friction does to the trial deflection.
 template <class Number>
 struct FrictionResult {
-  decltype(Number{} < Number{}) slips;
-  Number force_ratio;   ///< r′/r = F/(k_l r) ≤ 1: what the springs keep; 1 where it sticks
-  Number moment_ratio;  ///< ρ′/ρ
-  Number cor;           ///< distance of the slip's centre of rotation [m], ∞ for pure sliding; NaN where it sticks
+  decltype(Number{} < Number{}) slips;  ///< in this step
+  Number force_ratio;                   ///< r′/r = F/(k_l r) ≤ 1: what the springs keep; 1 where it sticks
+  Number moment_ratio;                  ///< ρ′/ρ
+  Number cor;                           ///< distance of the slip's centre of rotation [m], ∞ for pure sliding; NaN where it sticks
 };
 
 /// The trial in units of a limit. Kept so far from overflow that all squares are finite; a limit of almost nothing is divided by as if it
@@ -88,10 +89,18 @@ template <class Real, class Number>
   return project_radially(curve, trial, last);
 }
 
+/// How large a trial is against the limit in whose units it is: 0 for none, 1 on the limit.
+template <class Real, class Number>
+[[nodiscard]] Number share_of_limit(const CurveView<Real>& curve, const FrictionLimits<Number>& limits, const UnitTrial<Number>& trial,
+                                    Number last) noexcept {
+  if (!limits.has_torsion) return trial.force * Number(curve.inverse_force_max);
+  return gauge(curve, trial.force, trial.moment, last);
+}
+
 /// Step b of the paper (eqs. 8–12, 19–23): what part of the trial deflection the limit curve lets the springs keep.
 ///
-/// The rule of sticking: a contact at rest holds while its trial lies within the limit at rest. Once it slips the sliding limit acts, and it
-/// comes to rest in the first step whose trial lies within that. Slip work force·(r − r′) + moment·(ρ − ρ′) is never negative. No
+/// The rule of sticking: a contact at rest holds while its trial lies within the limit at rest. Once it slips the sliding limit acts, until it
+/// comes to rest: in the first step whose trial lies within `rest_share` of that. Slip work force·(r − r′) + moment·(ρ − ρ′) is never negative. No
 /// allocation, no exception, no NaN from finite input; some 10 ns, at most max_search_steps evaluations of the curve. `Number` is `double`, or
 /// a pack of double or float (`Real`) for as many contacts.
 template <class Real, class Number>
@@ -101,21 +110,21 @@ template <class Real, class Number>
   using namespace arithmetic;
   const Number zero = Number(Real(0));
   const Number one = Number(Real(1));
-  const auto was_slipping = memory.slips;
+  const auto was_sliding = memory.slides;
   const auto had_parameter = memory.parameter > zero;
   // The centre of rotation seldom jumps: it is looked for where the last slips point to.
   const Number ahead = memory.parameter + memory.rate;
   const Number reach = Number(Real(0.1)) * min(memory.parameter, Number(Real(2)) - memory.parameter);
   const Number last = select(abs(memory.rate) <= reach, ahead, memory.parameter);
 
-  FrictionLimit<Number> limit{select(was_slipping, limits.sliding.force, limits.at_rest.force),
-                              select(was_slipping, limits.sliding.radius, limits.at_rest.radius)};
+  FrictionLimit<Number> limit{select(was_sliding, limits.sliding.force, limits.at_rest.force),
+                              select(was_sliding, limits.sliding.radius, limits.at_rest.radius)};
   UnitTrial<Number> unit = unit_trial(curve, limit, trial, limits.stiffness_ratio);
   // The chord between the intercepts lies within every limit curve.
   const auto beyond_chord = unit.force * Number(curve.inverse_force_max) + unit.moment * Number(curve.inverse_moment_max) > one;
   Projected<Number> projected{};
   if (any(beyond_chord)) projected = project(curve, projection, limits, unit, last);
-  const auto begins = !was_slipping && projected.outside;
+  const auto begins = !was_sliding && projected.outside;
   if (any(begins && (limits.sliding.force < limits.at_rest.force || limits.sliding.radius != limits.at_rest.radius))) {
     // From rest into slip: now the sliding limit acts.
     limit = {select(begins, limits.sliding.force, limit.force), select(begins, limits.sliding.radius, limit.radius)};
@@ -135,7 +144,9 @@ template <class Real, class Number>
   // Pure sliding is that at any radius, also at a(0) = 0.
   const Number radius = max(limit.radius, Number(std::numeric_limits<Real>::min()));
   result.cor = select(result.slips, radius * (projected.slide / projected.spin), nan);
-  memory.slips = result.slips;
+  memory.slides = result.slips;
+  const auto lingers = was_sliding && !result.slips && limits.rest_share < one;
+  if (any(lingers)) memory.slides = memory.slides || (lingers && !(share_of_limit(curve, limits, unit, last) < limits.rest_share));
   memory.rate = select(result.slips, select(had_parameter, projected.parameter - memory.parameter, zero), zero);
   memory.parameter = select(result.slips, projected.parameter, zero);
   return result;

@@ -21,10 +21,8 @@ BodyState moved(const BodyState& from, const Eigen::Vector3d& velocity, const Ei
 }  // namespace
 
 Grasp::Grasp(const BodyParameters& parameters, const BodyState& state, AnySurface surface, std::vector<SoftFinger> fingers)
-    : parameters_(parameters), state_(state), surface_(std::move(surface)) {
+    : parameters_(parameters), state_(state), surface_(std::move(surface)), fingers_(std::move(fingers)) {
   parameters_.validate();
-  holds_.reserve(fingers.size());
-  for (SoftFinger& finger : fingers) holds_.push_back({std::move(finger), {}, Eigen::Vector3d::Zero()});
   if (const double norm = state.orientation.norm(); !(std::fabs(norm - 1.0) <= 1e-9)) {
     throw out_of_range("norm of the orientation", norm, "1", "1");
   }
@@ -49,80 +47,54 @@ void Grasp::place(const BodyState& state, std::span<const DevicePose> devices) n
 }
 
 Eigen::Vector3d Grasp::force_on_user(std::size_t index) const noexcept {
-  const Hold& hold = holds_[index];
-  const FingerOutput output = hold.finger.output();
-  return state_.orientation * Eigen::Vector3d(output.force + hold.normal * output.load);
+  const FingerOutput output = fingers_[index].output();
+  return state_.orientation * Eigen::Vector3d(output.force + output.normal * output.load);
 }
 
 Eigen::Vector3d Grasp::moment_on_user(std::size_t index) const noexcept {
-  const Hold& hold = holds_[index];
-  return state_.orientation * Eigen::Vector3d(hold.normal * hold.finger.state().moment);
+  const FingerOutput output = fingers_[index].output();
+  return state_.orientation * Eigen::Vector3d(output.normal * output.moment);
 }
 
 double Grasp::energy() const noexcept {
   double sum = kinetic_energy(parameters_, state_) + gravity_energy(parameters_, state_);
-  for (const Hold& hold : holds_) sum += hold.finger.spring_energy();
+  for (const SoftFinger& finger : fingers_) sum += finger.spring_energy();
   return sum;
 }
 
 void Grasp::account() noexcept {
-  for (const Hold& hold : holds_) dissipated_ += hold.finger.state().slip_work;
+  for (const SoftFinger& finger : fingers_) dissipated_ += finger.state().slip_work;
 }
 
-/// Step a in the body's frame.
-Grasp::Touch Grasp::touch(const BodyState& state, const DevicePose& device, ContactMemory& memory) const noexcept {
-  const Eigen::Vector3d finger = state.to_body(device.position);
-  // A surface is asked about finite places only; what is not is left to the finger to refuse.
-  if (!finger.allFinite() || !device.orientation.coeffs().allFinite()) {
-    return {{Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ(), std::numeric_limits<double>::quiet_NaN()}, 0.0};
-  }
-  const Contact contact = surface_.contact(finger, memory);
-  return {contact, twist_about(state.orientation.conjugate() * device.orientation, contact.normal) + device.twist};
+/// Where a device is in the body's frame.
+DevicePose Grasp::in_body(const BodyState& state, const DevicePose& device) noexcept {
+  return {state.to_body(device.position), state.orientation.conjugate() * device.orientation, device.twist};
 }
 
-/// What a finger does to the body: the opposite of what its user feels, on the line through the finger, so that both ends agree on
-/// the moment and the springs' energy is accounted for. (It runs through the proxy too, where no damper acts. Through x_g it would
-/// be off by the depth times the friction force.)
-void Grasp::act(const BodyState& state, const Contact& contact, const FingerOutput& output, Load& load) noexcept {
-  const Eigen::Vector3d force = state.orientation * Eigen::Vector3d(-output.force - contact.normal * output.load);
-  const Eigen::Vector3d finger = contact.point - contact.normal * contact.depth;
-  load.force += force;
-  load.moment += (state.orientation * finger).cross(force) - state.orientation * Eigen::Vector3d(contact.normal * output.moment);
-}
-
-/// The last good contact of a finger, in the body's frame.
-Contact Grasp::last_contact(const SoftFinger& finger) noexcept {
-  const FingerState& state = finger.state();
-  return {vector(state.goal), vector(state.normal), state.depth};
-}
-
-/// The fingers' load on the body in this state, if it were the next. Remembers nothing.
+/// The fingers' load on the body in this state, if it were the next: the opposite of what their users feel, on the lines through the fingers, so
+/// that both ends agree on the moment. Remembers nothing.
 Grasp::Load Grasp::preview(const BodyState& state, std::span<const DevicePose> devices, double time_step) const noexcept {
   Load load;
-  for (std::size_t i = 0; i < holds_.size() && i < devices.size(); ++i) {
-    ContactMemory memory = holds_[i].memory;
-    const auto [contact, twist] = touch(state, devices[i], memory);
-    const FingerOutput output = holds_[i].finger.preview(contact, twist, time_step);
-    act(state, output.state != ContactState::invalid ? contact : last_contact(holds_[i].finger), output, load);
+  for (std::size_t i = 0; i < fingers_.size() && i < devices.size(); ++i) {
+    const DevicePose device = in_body(state, devices[i]);
+    const FingerOutput output = fingers_[i].preview(surface_, device, time_step);
+    // A refused sample acts where the last good one was.
+    const Eigen::Vector3d finger = output.state != ContactState::invalid ? device.position : fingers_[i].state().position();
+    const Eigen::Vector3d force = state.orientation * Eigen::Vector3d(-output.force - output.normal * output.load);
+    load.force += force;
+    load.moment += (state.orientation * finger).cross(force) - state.orientation * Eigen::Vector3d(output.normal * output.moment);
   }
   return load;
 }
 
 /// The same, remembered: steps a–c of all fingers.
 void Grasp::commit(std::span<const DevicePose> devices, double time_step) noexcept {
-  for (std::size_t i = 0; i < holds_.size(); ++i) {
-    Hold& hold = holds_[i];
-    if (i >= devices.size()) {
-      hold.finger.reset();
-      hold.memory = {};
-      continue;
+  for (std::size_t i = 0; i < fingers_.size(); ++i) {
+    if (i < devices.size()) {
+      fingers_[i].update(surface_, in_body(state_, devices[i]), time_step);
+    } else {
+      fingers_[i].reset();
     }
-    // A sample that the finger refuses leaves no trace in what the surface remembers either.
-    ContactMemory memory = hold.memory;
-    const auto [contact, twist] = touch(state_, devices[i], memory);
-    if (hold.finger.update(contact, twist, time_step).state == ContactState::invalid) continue;
-    hold.memory = memory;
-    hold.normal = contact.normal;
   }
 }
 
@@ -190,7 +162,7 @@ BodyState Grasp::solve(std::span<const DevicePose> devices, double time_step, co
     if (parameters_.free[static_cast<std::size_t>(i)]) still[i] = 0.0;
   }
   double force = external.force.norm();
-  for (const Hold& hold : holds_) force += hold.finger.state().load;
+  for (const SoftFinger& finger : fingers_) force += finger.state().load;
   const double unit = size(present) + force * time_step / parameters_.mass;
 
   Attempt first = attempt(present);

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "godobject/any_surface.hpp"
-#include "godobject/device_pose.hpp"
 #include "godobject/rigid_body.hpp"
 #include "godobject/soft_finger.hpp"
+#include "godobject/surface.hpp"
 
 #include <cstddef>
 #include <span>
@@ -44,9 +43,9 @@ class Grasp {
 
   [[nodiscard]] const BodyParameters& parameters() const noexcept { return parameters_; }
   [[nodiscard]] const BodyState& body() const noexcept { return state_; }
-  [[nodiscard]] std::size_t finger_count() const noexcept { return holds_.size(); }
+  [[nodiscard]] std::size_t finger_count() const noexcept { return fingers_.size(); }
   /// A finger; its proxy, force and so on are in the body's frame.
-  [[nodiscard]] const SoftFinger& finger(std::size_t index) const noexcept { return holds_[index].finger; }
+  [[nodiscard]] const SoftFinger& finger(std::size_t index) const noexcept { return fingers_[index]; }
 
   /// What finger `index` exerts on its user, in the world: normal load and friction together [N].
   [[nodiscard]] Eigen::Vector3d force_on_user(std::size_t index) const noexcept;
@@ -63,21 +62,10 @@ class Grasp {
  private:
   using Vector6 = Eigen::Matrix<double, 6, 1>;
 
-  struct Hold {
-    SoftFinger finger;
-    ContactMemory memory;
-    Eigen::Vector3d normal = Eigen::Vector3d::Zero();  // in the body's frame
-  };
-
   /// Force and moment about the centre of mass, world axes.
   struct Load {
     Eigen::Vector3d force = Eigen::Vector3d::Zero();
     Eigen::Vector3d moment = Eigen::Vector3d::Zero();
-  };
-
-  struct Touch {
-    Contact contact;
-    double twist;
   };
 
   /// Velocities at the end of the step, what is wrong with them, and its size in a common unit: the speed of a point a radius of
@@ -88,9 +76,7 @@ class Grasp {
     double size;
   };
 
-  [[nodiscard]] Touch touch(const BodyState& state, const DevicePose& device, ContactMemory& memory) const noexcept;
-  static void act(const BodyState& state, const Contact& contact, const FingerOutput& output, Load& load) noexcept;
-  [[nodiscard]] static Contact last_contact(const SoftFinger& finger) noexcept;
+  [[nodiscard]] static DevicePose in_body(const BodyState& state, const DevicePose& device) noexcept;
   [[nodiscard]] Load preview(const BodyState& state, std::span<const DevicePose> devices, double time_step) const noexcept;
   void commit(std::span<const DevicePose> devices, double time_step) noexcept;
   void account() noexcept;
@@ -103,7 +89,7 @@ class Grasp {
   BodyParameters parameters_;
   BodyState state_;
   AnySurface surface_;
-  std::vector<Hold> holds_;
+  std::vector<SoftFinger> fingers_;
   double dissipated_ = 0.0;
   std::size_t unsolved_ = 0;
 };

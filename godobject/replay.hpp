@@ -12,6 +12,12 @@
 
 namespace limitcurve::godobject {
 
+/// Where a body is that somebody else moves.
+struct BodyPose {
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();               ///< of the centre of mass [m]
+  Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  ///< body to world, of unit length
+};
+
 /// Who moves the body whose surface the fingers touch.
 enum class BodyMotion {
   fixed,       ///< nobody: its frame is the world's
@@ -68,6 +74,8 @@ class Replay {
   /// What the fingers do now, one each.
   [[nodiscard]] std::span<const SceneContact> contacts() const noexcept { return contacts_; }
   [[nodiscard]] const BodyState& body() const noexcept { return grasp_.body(); }
+  /// Steps of a free body whose equations were not solved to rounding: `Grasp::unsolved`.
+  [[nodiscard]] std::size_t unsolved() const noexcept { return grasp_.unsolved(); }
   /// How far the fingers' curve is from the one that was asked for: the table's certified error, 0 in closed form.
   [[nodiscard]] double curve_error() const noexcept { return curve_error_; }
 

@@ -97,8 +97,4 @@ Eigen::Vector3d angular_momentum(const BodyParameters& body, const BodyState& st
   return state.orientation * body.inertia.cwiseProduct(in_body);
 }
 
-double twist_about(const Eigen::Quaterniond& orientation, const Eigen::Vector3d& axis) noexcept {
-  return 2.0 * std::atan2(orientation.vec().dot(axis), orientation.w());
-}
-
 }  // namespace limitcurve::godobject

@@ -56,8 +56,4 @@ double gravity_energy(const BodyParameters& body, const BodyState& state) noexce
 /// Angular momentum about the centre of mass, world axes [kg m²/s].
 Eigen::Vector3d angular_momentum(const BodyParameters& body, const BodyState& state) noexcept;
 
-/// How far an orientation is twisted about a unit axis: the twist of its swing–twist decomposition, in (−2π, 2π]; it wraps at
-/// multiples of 2π, which `SoftFinger` unwraps. Undefined (0) half a turn of swing away.
-double twist_about(const Eigen::Quaterniond& orientation, const Eigen::Vector3d& axis) noexcept;
-
 }  // namespace limitcurve::godobject

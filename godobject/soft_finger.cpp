@@ -33,62 +33,100 @@ SoftFinger::SoftFinger(FingerCurve curve, const FingerParameters& parameters, Pr
   check_projection(curve_, projection);
 }
 
-FingerOutput SoftFinger::update(const Contact& contact, double device_twist, double time_step) noexcept {
-  advance(state_, contact, device_twist, time_step);
+FingerOutput SoftFinger::update(const AnySurface& surface, const DevicePose& device, double time_step) noexcept {
+  advance(state_, surface, device, time_step);
   return state_.output();
+}
+
+FingerOutput SoftFinger::update(const Contact& contact, double device_twist, double time_step) noexcept {
+  advance(state_, contact, state_.spin, device_twist, time_step);
+  return state_.output();
+}
+
+FingerOutput SoftFinger::preview(const AnySurface& surface, const DevicePose& device, double time_step) const noexcept {
+  FingerState state = state_;
+  advance(state, surface, device, time_step);
+  return state.output();
 }
 
 FingerOutput SoftFinger::preview(const Contact& contact, double device_twist, double time_step) const noexcept {
   FingerState state = state_;
-  advance(state, contact, device_twist, time_step);
+  advance(state, contact, state.spin, device_twist, time_step);
   return state.output();
 }
 
-void SoftFinger::advance(FingerState& state, const Contact& contact, double device_twist, double time_step) const noexcept {
+void SoftFinger::advance(FingerState& state, const AnySurface& surface, const DevicePose& device, double time_step) const noexcept {
+  // A surface answers finite places only.
+  if (!device.position.allFinite() || !(std::fabs(device.orientation.squaredNorm() - 1.0) <= 1e-6)) {
+    return fade(state, parameters_.fault_decay);
+  }
+  const Contact contact = surface.contact(device.position, state.contact);
+  advance(state, contact, state.spin.moved(device.orientation, contact.normal), device.twist, time_step);
+}
+
+void SoftFinger::advance(FingerState& state, const Contact& contact, const Spin& spin, double device_twist,
+                         double time_step) const noexcept {
   // A velocity is known only from one good sample to the next.
   const bool has_velocity = state.seen && state.state != ContactState::invalid && time_step >= shortest_time_step;
   if (!is_plausible(state, parameters_, contact, device_twist, time_step)) return fade(state, parameters_.fault_decay);
-  if (!(contact.depth > 0.0)) return release(state, contact, device_twist);
-  if (!state.in_contact) touch_down(state, contact, device_twist);
+  if (!(contact.depth > 0.0)) return release(state, contact, spin, device_twist);
+  if (!state.in_contact) touch_down(state, contact, spin, device_twist);
 
-  // a. The trial deflection (eq. 7).
+  // a. The trial deflection (eq. 7): of the spring between proxy and finger, less where dampers let it rest.
+  const Vector3d& n = contact.normal;
   const Springs springs = has_dampers_ && has_velocity ? damped(time_step) : springs_;
   Vector3d rest = Vector3d::Zero();
-  double twist_rest = 0.0;
   if (has_dampers_) {
-    rest = state.deflection() * springs.rest_share;
-    twist_rest = (state.angle - state.goal_angle) * springs.twist_rest_share;
+    const Deflection before = state.deflection();
+    rest = (before.tangential + vector(state.normal) * before.normal) * springs.rest_share;
   }
+  const double normal_rest = n.dot(rest);
+  const Vector3d tangential_rest = rest - n * normal_rest;
+  const double twist_rest = (state.angle - state.goal_angle) * springs.twist_rest_share;
   const double damper = springs.stiffness - parameters_.stiffness;
-  state.load = std::max(parameters_.stiffness * contact.depth + damper * (contact.depth - state.depth), 0.0);
+  state.limit_load = std::max(parameters_.stiffness * contact.depth + damper * (contact.depth - state.depth), 0.0);
   state.depth = contact.depth;
   state.goal = numbers(contact.point);
-  state.normal = numbers(contact.normal);
-  state.goal_angle = unwrap(state, device_twist);
+  state.normal = numbers(n);
+  state.contact = contact.memory;
+  state.spin = spin;
+  state.goal_angle = unwrap(state, device_twist) + spin.angle;
   const Vector3d last = vector(state.proxy);
-  const Vector3d apart = last - contact.point;
-  const Vector3d trial = apart - contact.normal * contact.normal.dot(apart) - rest;
+  const Deflection now = deflection(last, contact);
+  const Vector3d trial = now.tangential - tangential_rest;
   const double twist_trial = (state.angle - state.goal_angle) - twist_rest;
 
   // b. What part of it the limit curve lets the springs keep (eqs. 21–23).
   const double r = trial.norm();
   const double rho = std::fabs(twist_trial);
   const FrictionTrial<double> wrench{springs.stiffness * r, springs.twist_stiffness * rho};
-  const FrictionLimits<double> limits = limits_.at<double>(state.load, springs.ratio);
+  const FrictionLimits<double> limits = limits_.at<double>(state.limit_load, springs.ratio);
+  const bool was_sliding = state.friction.slides;
   const FrictionResult<double> friction = apply_friction(curve_.view(), projection_, limits, wrench, state.friction);
   const Vector3d kept = trial * friction.force_ratio;
   const double twist_kept = twist_trial * friction.moment_ratio;
 
-  // The proxy follows. What did not slide is not touched, not even by rounding; and a slip that its rounding swallows is none.
-  const Vector3d proxy = friction.force_ratio < 1.0 ? Vector3d(contact.point + rest + kept) : last;
+  // The proxy follows, on a surface that rises or falls with the square of the distance from x_g. What did not slide is not touched, not
+  // even by rounding; and a slip that its rounding swallows is none.
+  Deflection after = now;
+  Vector3d proxy = last;
+  if (friction.force_ratio < 1.0) {
+    after.tangential = tangential_rest + kept;
+    double rise = now.normal - contact.depth;
+    if (rise != 0.0) rise *= std::min(after.tangential.squaredNorm() / now.tangential.squaredNorm(), 1.0);
+    after.normal = contact.depth + rise;
+    proxy = contact.point + after.tangential + n * rise;
+  }
   const double angle = friction.moment_ratio < 1.0 ? state.goal_angle + twist_rest + twist_kept : state.angle;
   const bool slips = friction.slips && (proxy.x() != last.x() || proxy.y() != last.y() || proxy.z() != last.z() || angle != state.angle);
   if (slips) state.proxy = numbers(proxy);
   if (slips || !limits.has_torsion) state.angle = angle;
-  if (!slips) state.friction = {};
+  state.friction.slides = state.friction.slides && (slips || was_sliding);
 
   // c. Force and moment on the user.
   state.state = slips ? ContactState::slip : ContactState::stick;
+  state.load = springs.stiffness * ((slips ? after.normal : now.normal) - normal_rest);
+  if (damper > 0.0) state.load = std::max(state.load, 0.0);  // dampers do not pull
   state.force = numbers(kept * springs.stiffness);
   state.moment = twist_kept * springs.twist_stiffness;
   state.cor = slips ? friction.cor : std::numeric_limits<double>::quiet_NaN();
@@ -110,11 +148,10 @@ double SoftFinger::margin() const noexcept {
   if (state_.state == ContactState::slip) return 0.0;
   const FrictionTrial<double> wrench{vector(state_.force).norm(), std::fabs(state_.moment)};
   if (wrench.force == 0.0 && wrench.moment == 0.0) return 1.0;
-  const FrictionLimits<double> limits = limits_.at<double>(state_.load, parameters_.stiffness / parameters_.twist_stiffness);
+  const FrictionLimits<double> limits = limits_.at<double>(state_.limit_load, parameters_.stiffness / parameters_.twist_stiffness);
   const UnitTrial<double> trial =
-      unit_trial(curve_.view(), state_.friction.slips ? limits.sliding : limits.at_rest, wrench, limits.stiffness_ratio);
-  const double used = limits.has_torsion ? gauge(curve_.view(), trial.force, trial.moment, 0.0) : trial.force / curve_.force_max();
-  return std::clamp(1.0 - used, 0.0, 1.0);
+      unit_trial(curve_.view(), state_.friction.slides ? limits.sliding : limits.at_rest, wrench, limits.stiffness_ratio);
+  return std::clamp(1.0 - share_of_limit(curve_.view(), limits, trial, 0.0), 0.0, 1.0);
 }
 
 double SoftFinger::load_to_hold() const noexcept {
@@ -124,7 +161,8 @@ double SoftFinger::load_to_hold() const noexcept {
 double SoftFinger::spring_energy() const noexcept {
   if (!state_.in_contact) return 0.0;
   const double twist = state_.angle - state_.goal_angle;
-  return 0.5 * parameters_.stiffness * (state_.depth * state_.depth + state_.deflection().squaredNorm()) +
+  const Deflection spring = state_.deflection();
+  return 0.5 * parameters_.stiffness * (spring.normal * spring.normal + spring.tangential.squaredNorm()) +
          0.5 * parameters_.twist_stiffness * twist * twist;
 }
 

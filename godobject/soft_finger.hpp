@@ -2,6 +2,7 @@
 #pragma once
 
 #include "godobject/contact_limits.hpp"
+#include "godobject/surface.hpp"
 
 namespace limitcurve::godobject {
 
@@ -9,8 +10,8 @@ namespace limitcurve::godobject {
 /// The limit curve decides how force and moment limit each other, the projection where a slipping proxy comes to lie.
 ///
 ///     SoftFinger finger(Table::build(hertz(), 1e-6), {.mu = 0.6, .damping = 2.0});
-///     const FingerOutput output = finger.update(contact, twist, 1e-3);  // every millisecond
-///     device.send(contact.normal * output.load + output.force, output.moment);
+///     const FingerOutput output = finger.update(surface, device_pose, 1e-3);  // every millisecond
+///     device.send(output.normal * output.load + output.force, output.moment);
 ///
 /// Distinct fingers on distinct threads need no lock. No step allocates, throws or takes a lock.
 class SoftFinger {
@@ -21,16 +22,21 @@ class SoftFinger {
   /// Throws std::invalid_argument naming parameter, value, unit and range. A box goes with the closest point only.
   SoftFinger(FingerCurve curve, const FingerParameters& parameters, Projection projection = Projection::closest_point);
 
-  /// One step: the contact of the finger with the surface and the device's twist α_s [rad] about the normal. The twist may
-  /// wrap around at any multiple of 2π: a jump of more than π between steps is taken for a turn of the other sense.
+  /// One step: the device's pose in the frame of the surface that it may touch. What the device turns about the contact normal is the twist:
+  /// the spin of its orientation (`Spin`), and `DevicePose::twist` beside it.
   /// With a time step [s] > 0 since the last update the dampers act too, within the limit: the wrench that friction bounds
   /// is that of springs and dampers together, and so is what the user feels. They do not act in the first good sample, nor in the first
   /// one after invalid ones, from where no velocity is known.
-  /// Input that is not finite, a normal that is not of unit length, a move beyond `max_displacement` or a time step < 0 gives the
-  /// state `invalid`: the last good output is held, fades if that lasts (`fault_decay`), and the proxy stays where it is.
+  /// Input that is not finite, an orientation or a normal that is not of unit length, a move beyond `max_displacement` or a time step < 0
+  /// gives the state `invalid`: the last good output is held, fades if that lasts (`fault_decay`), and the proxy, and what the
+  /// surface remembers, stay.
+  FingerOutput update(const AnySurface& surface, const DevicePose& device, double time_step = 0.0) noexcept;
+  /// The same with the contact found by other code, and the device's twist α_s [rad] about the normal. The twist may
+  /// wrap around at any multiple of 2π: a jump of more than π between steps is taken for a turn of the other sense.
   FingerOutput update(const Contact& contact, double device_twist, double time_step = 0.0) noexcept;
 
   /// What `update` would give, without remembering it.
+  [[nodiscard]] FingerOutput preview(const AnySurface& surface, const DevicePose& device, double time_step = 0.0) const noexcept;
   [[nodiscard]] FingerOutput preview(const Contact& contact, double device_twist, double time_step = 0.0) const noexcept;
 
   [[nodiscard]] FingerOutput output() const noexcept { return state_.output(); }
@@ -50,11 +56,12 @@ class SoftFinger {
   [[nodiscard]] double load_to_hold() const noexcept;
   /// Where the slip's centre of rotation is, in the surface's frame [m]; infinite for pure sliding, NaN unless it slips.
   [[nodiscard]] Eigen::Vector3d centre_of_rotation() const noexcept { return state_.centre_of_rotation(); }
-  /// The energy in the springs [J]: ½ k_l (d² + r²) + ½ k_r ρ², 0 while free.
+  /// The energy in the springs [J]: ½ k_l |x_p − x_h|² + ½ k_r (α_p − α_g)², 0 while free. Slip only takes from it.
   [[nodiscard]] double spring_energy() const noexcept;
 
  private:
-  void advance(FingerState& state, const Contact& contact, double device_twist, double time_step) const noexcept;
+  void advance(FingerState& state, const AnySurface& surface, const DevicePose& device, double time_step) const noexcept;
+  void advance(FingerState& state, const Contact& contact, const Spin& spin, double device_twist, double time_step) const noexcept;
   /// Springs, with the dampers of a time step in them: k + b/Δt, resting nearer to the last deflection.
   struct Springs {
     double stiffness;         ///< [N/m]

@@ -15,80 +15,120 @@ double positive(std::string_view name, double value) {
   return value;
 }
 
-/// The ball's surface about `centre`; the normal where the finger is at the centre is the one it had before.
-Contact on_ball(const Eigen::Vector3d& centre, double radius, const Eigen::Vector3d& finger, ContactMemory& memory) noexcept {
+/// The ball's surface about `centre`; where the finger is at the centre, `side` is the normal.
+Contact on_ball(const Eigen::Vector3d& centre, double radius, const Eigen::Vector3d& finger, const Eigen::Vector3d& side) noexcept {
   const Eigen::Vector3d away = finger - centre;
   const double distance = away.norm();
-  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
-  if (distance > 0.0) {
-    normal = away / distance;
-  } else if (memory.finger.squaredNorm() > 0.0) {
-    normal = memory.finger.normalized();
-  }
-  memory.face = distance < radius ? 0 : -1;
-  // At the centre the side last known stays in memory.
-  if (distance > 0.0) memory.finger = finger;
-  memory.known = true;
-  return {centre + normal * radius, normal, radius - distance};
+  const Eigen::Vector3d normal = distance > 0.0 ? Eigen::Vector3d(away / distance) : side;
+  return {centre + normal * radius, normal, radius - distance, {distance < radius ? 0 : -1, numbers(centre + normal), true}};
+}
+
+/// The unit vector along `way`; along `otherwise` where it has no length.
+Eigen::Vector3d direction(const Eigen::Vector3d& way, const Eigen::Vector3d& otherwise) noexcept {
+  const double length = way.norm();
+  return length > 0.0 ? Eigen::Vector3d(way / length) : otherwise;
+}
+
+/// A vector without its part along the axis of a capsule or cylinder.
+Eigen::Vector3d radial_part(const Eigen::Vector3d& way) noexcept {
+  return {way.x(), way.y(), 0.0};
 }
 
 }  // namespace
 
 SphereSurface::SphereSurface(double radius) : radius_(positive("radius", radius)) {}
 
-Contact SphereSurface::contact(const Eigen::Vector3d& finger, ContactMemory& memory) const noexcept {
-  return on_ball(Eigen::Vector3d::Zero(), radius_, finger, memory);
+Contact SphereSurface::contact(const Eigen::Vector3d& finger, const ContactMemory& memory) const noexcept {
+  // A finger at the centre keeps the side that it came from.
+  return on_ball(Eigen::Vector3d::Zero(), radius_, finger, direction(vector(memory.finger), Eigen::Vector3d::UnitZ()));
 }
 
 CapsuleSurface::CapsuleSurface(double radius, double half_length) : radius_(positive("radius", radius)), half_length_(half_length) {
   if (!(half_length >= 0.0 && half_length <= 1e6)) throw out_of_range("half_length", half_length, "m", ">= 0, up to 1e6");
 }
 
-Contact CapsuleSurface::contact(const Eigen::Vector3d& finger, ContactMemory& memory) const noexcept {
-  return on_ball({0.0, 0.0, std::clamp(finger.z(), -half_length_, half_length_)}, radius_, finger, memory);
+Contact CapsuleSurface::contact(const Eigen::Vector3d& finger, const ContactMemory& memory) const noexcept {
+  const auto nearest_on_axis = [this](double z) { return Eigen::Vector3d(0.0, 0.0, std::clamp(z, -half_length_, half_length_)); };
+  const Eigen::Vector3d last = vector(memory.finger);
+  const bool is_end = std::fabs(finger.z()) >= half_length_;
+  // A finger on the axis keeps the side that it came from; between the ends no side is along the axis.
+  const Eigen::Vector3d side = is_end ? direction(last - nearest_on_axis(last.z()), {0.0, 0.0, std::copysign(1.0, finger.z())})
+                                      : direction(radial_part(last), Eigen::Vector3d::UnitX());
+  return on_ball(nearest_on_axis(finger.z()), radius_, finger, side);
 }
 
 CylinderSurface::CylinderSurface(double radius, double half_length)
     : radius_(positive("radius", radius)), half_length_(positive("half_length", half_length)) {}
 
-Contact CylinderSurface::contact(const Eigen::Vector3d& finger, ContactMemory& memory) const noexcept {
-  // Faces: 0 the side, 1 the upper end, 2 the lower.
-  const double distance = std::hypot(finger.x(), finger.y());
+/// The face by which the way between two places enters the cylinder: 0 the side, 1 the upper end, 2 the lower; −1 if it does not.
+int CylinderSurface::entered(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const noexcept {
+  int face = -1;
+  double enter = 0.0;  // as fractions of the way
+  double leave = 1.0;
+  for (const int end : {1, 2}) {
+    const double side = end == 1 ? 1.0 : -1.0;
+    const double before = side * from.z() - half_length_;  // > 0: beyond the end
+    const double now = side * to.z() - half_length_;
+    if (before >= 0.0 && now >= 0.0) return -1;
+    if (before >= 0.0) {
+      face = end;
+      enter = before / (before - now);
+    } else if (now >= 0.0) {
+      leave = std::min(leave, before / (before - now));
+    }
+  }
+  // |from + t·way|² = R² across the axis.
+  const Eigen::Vector3d way = radial_part(to - from);
+  const double a = way.squaredNorm();
+  const double b = way.dot(radial_part(from));
+  const double c = radial_part(from).squaredNorm() - radius_ * radius_;
+  const double discriminant = b * b - a * c;
+  if (c >= 0.0) {
+    if (!(b < 0.0 && discriminant > 0.0)) return -1;
+    const double when = c / (std::sqrt(discriminant) - b);
+    if (when > 1.0) return -1;
+    if (face < 0 || when > enter) face = 0;
+    enter = std::max(enter, when);
+  }
+  if (a > 0.0) leave = std::min(leave, (std::sqrt(discriminant) - b) / a);
+  return enter <= leave ? face : -1;
+}
+
+Contact CylinderSurface::contact(const Eigen::Vector3d& finger, const ContactMemory& memory) const noexcept {
+  const Eigen::Vector3d last = vector(memory.finger);
+  const double distance = radial_part(finger).norm();
   const double beyond_side = distance - radius_;
   const double beyond_end = std::fabs(finger.z()) - half_length_;
-  const Eigen::Vector3d radial =
-      distance > 0.0 ? Eigen::Vector3d(finger.x() / distance, finger.y() / distance, 0.0) : Eigen::Vector3d::UnitX();
+  // A finger on the axis keeps the side that it came from.
+  const Eigen::Vector3d radial = direction(radial_part(finger), direction(radial_part(last), Eigen::Vector3d::UnitX()));
   const Eigen::Vector3d axial = {0.0, 0.0, finger.z() >= 0.0 ? 1.0 : -1.0};
 
   // On the face of the last step as long as the finger is beneath it.
+  const auto is_beneath = [&](int face) {
+    if (face == 0) return beyond_side < 0.0 && beyond_end <= 0.0;
+    return (face == 2 ? -finger.z() : finger.z()) < half_length_ && beyond_side <= 0.0;
+  };
   int face = memory.face;
-  if (face == 0 && (beyond_side >= 0.0 || beyond_end > 0.0)) face = -1;
-  const double height = face == 2 ? -finger.z() : finger.z();
-  if (face > 0 && (height >= half_length_ || beyond_side > 0.0)) face = -1;
-
-  if (face < 0 && beyond_side < 0.0 && beyond_end < 0.0) {
-    // It came in: by an end if it was beyond that before, else by what is nearer.
-    const bool from_above = memory.finger.z() >= half_length_;
-    const bool from_below = memory.finger.z() <= -half_length_;
-    if (from_above || from_below) {
-      face = from_above ? 1 : 2;
-    } else if (std::hypot(memory.finger.x(), memory.finger.y()) >= radius_) {
-      face = 0;
-    } else {
-      face = beyond_side > beyond_end ? 0 : finger.z() >= 0.0 ? 1 : 2;
-    }
+  if (face >= 0 && !is_beneath(face)) face = -1;
+  if (memory.face < 0 && memory.known) {
+    face = entered(last, finger);
+    // Through it and out again at another face: the finger has passed the rim.
+    if (face >= 0 && !is_beneath(face)) face = -1;
   }
-  memory = {face, finger, true};
-  if (face == 0) return {radial * radius_ + Eigen::Vector3d(0.0, 0.0, finger.z()), radial, -beyond_side};
+  if (face < 0 && beyond_side < 0.0 && beyond_end < 0.0) face = beyond_side > beyond_end ? 0 : finger.z() >= 0.0 ? 1 : 2;
+  ContactMemory next{face, numbers(finger), true};
+  if (face == 0) {
+    if (distance == 0.0) next.finger = numbers(radial + Eigen::Vector3d(0.0, 0.0, finger.z()));
+    return {radial * radius_ + Eigen::Vector3d(0.0, 0.0, finger.z()), radial, -beyond_side, next};
+  }
   if (face > 0) {
     const double side = face == 1 ? 1.0 : -1.0;
-    return {{finger.x(), finger.y(), side * half_length_}, {0.0, 0.0, side}, half_length_ - side * finger.z()};
+    return {{finger.x(), finger.y(), side * half_length_}, {0.0, 0.0, side}, half_length_ - side * finger.z(), next};
   }
   // Outside: the nearest point, with the way to it for a normal.
   const Eigen::Vector3d nearest = radial * std::min(distance, radius_) + axial * std::min(std::fabs(finger.z()), half_length_);
   const Eigen::Vector3d way = finger - nearest;
-  const double gap = way.norm();
-  return {nearest, gap > 0.0 ? Eigen::Vector3d(way / gap) : (beyond_side >= beyond_end ? radial : axial), -gap};
+  return {nearest, direction(way, beyond_side >= beyond_end ? radial : axial), -way.norm(), next};
 }
 
 BoxSurface::BoxSurface(const Eigen::Vector3d& half_edges) : half_edges_(half_edges) {
@@ -132,7 +172,7 @@ int BoxSurface::nearest_face(const Eigen::Vector3d& finger) const noexcept {
   return 2 * axis + (finger[axis] >= 0.0 ? 0 : 1);
 }
 
-Contact BoxSurface::contact(const Eigen::Vector3d& finger, ContactMemory& memory) const noexcept {
+Contact BoxSurface::contact(const Eigen::Vector3d& finger, const ContactMemory& memory) const noexcept {
   // Face 2·axis looks along +axis, 2·axis + 1 along −axis.
   const auto depth_under = [&](int face) {
     const double side = face % 2 == 0 ? 1.0 : -1.0;
@@ -142,16 +182,16 @@ Contact BoxSurface::contact(const Eigen::Vector3d& finger, ContactMemory& memory
   if (face >= 0 && (depth_under(face) <= 0.0 || beside(finger, face / 2))) face = -1;
   const bool inside = (finger.cwiseAbs() - half_edges_).maxCoeff() < 0.0;
   if (face < 0 && memory.face < 0 && memory.known) {
-    face = crossed(memory.finger, finger);
+    face = crossed(vector(memory.finger), finger);
     // Through the box and out again at a side: the finger has passed a corner.
     if (face >= 0 && beside(finger, face / 2)) face = -1;
   }
   if (face < 0 && inside) face = nearest_face(finger);
-  memory = {face, finger, true};
+  const ContactMemory next{face, numbers(finger), true};
   if (face >= 0) {
     const int axis = face / 2;
     const double side = face % 2 == 0 ? 1.0 : -1.0;
-    Contact contact{finger, Eigen::Vector3d::Zero(), depth_under(face)};
+    Contact contact{finger, Eigen::Vector3d::Zero(), depth_under(face), next};
     contact.point[axis] = side * half_edges_[axis];
     contact.normal[axis] = side;
     return contact;
@@ -159,10 +199,10 @@ Contact BoxSurface::contact(const Eigen::Vector3d& finger, ContactMemory& memory
   const Eigen::Vector3d nearest = finger.cwiseMax(-half_edges_).cwiseMin(half_edges_);
   const Eigen::Vector3d way = finger - nearest;
   const double gap = way.norm();
-  if (gap > 0.0) return {nearest, way / gap, -gap};
+  if (gap > 0.0) return {nearest, way / gap, -gap, next};
   // Exactly on the surface.
   const int on = nearest_face(finger);
-  Contact contact{nearest, Eigen::Vector3d::Zero(), 0.0};
+  Contact contact{nearest, Eigen::Vector3d::Zero(), 0.0, next};
   contact.normal[on / 2] = on % 2 == 0 ? 1.0 : -1.0;
   return contact;
 }

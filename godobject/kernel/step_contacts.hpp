@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "godobject/contact_batch.hpp"
+#include "godobject/batch.hpp"
 #include "godobject/contact_limits.hpp"
 #include "godobject/kernel/single.hpp"
 
@@ -54,8 +54,8 @@ void step_contacts(const Shared<Real>& shared, const BasicContactBatch<Real>& co
   // Without torsion the angle limits nothing, and so does its rounding.
   const FrictionTrial<Number> trial{stiffness * r, twist_stiffness * rho, stiffness * rounding * (abs(proxy_x) + abs(proxy_y)),
                                     limits.has_torsion ? twist_stiffness * rounding * abs(proxy_angle) : zero};
-  FrictionMemory<Number> memory{stays && has_state(contacts.state.data() + i, ContactState::slip, zero), read(contacts.parameter),
-                                read(contacts.rate)};
+  const auto was_sliding = stays && has_state(contacts.sliding.data() + i, ContactState::slip, zero);
+  FrictionMemory<Number> memory{was_sliding, read(contacts.parameter), read(contacts.rate)};
   const FrictionResult<Number> friction = apply_friction(shared.curve, shared.projection, limits, trial, memory);
   const Number kept_x = trial_x * friction.force_ratio;
   const Number kept_y = trial_y * friction.force_ratio;
@@ -80,6 +80,7 @@ void step_contacts(const Shared<Real>& shared, const BasicContactBatch<Real>& co
   write(contacts.force_y, kept_y * stiffness);
   write(contacts.moment, kept_twist * twist_stiffness);
   set_states(contacts.state.data() + i, is_plausible, touches, slips, zero);
+  set_states(contacts.sliding.data() + i, is_plausible, touches, memory.slides && (slips || was_sliding), zero);
 }
 
 }  // namespace limitcurve::godobject::kernel

@@ -25,12 +25,12 @@ MeshSurface::MeshSurface(std::shared_ptr<const Mesh> mesh) : mesh_(std::move(mes
   if (!mesh_) throw std::invalid_argument("mesh: none given, expected one");
 }
 
-Contact MeshSurface::touched(const MeshPlace& place, const Vector3d& finger, ContactMemory& memory) const noexcept {
-  memory = {place.face, place.point, true};
+Contact MeshSurface::touched(const MeshPlace& place, const Vector3d& finger) const noexcept {
+  const ContactMemory memory{place.face, numbers(place.point), true};
   if (mesh_->flat(place)) {
     const Vector3d& normal = mesh_->normal(place.face);
     const double depth = -mesh_->height(place.face, finger);
-    return {finger + normal * depth, normal, depth};
+    return {finger + normal * depth, normal, depth, memory};
   }
   // In a crease or a pit: from the finger to the god-object, which turns steadily from the one face's normal to the other's.
   const Vector3d way = place.point - finger;
@@ -38,48 +38,48 @@ Contact MeshSurface::touched(const MeshPlace& place, const Vector3d& finger, Con
   const Vector3d outward = mesh_->outward(place);
   if (depth > 1e-9 * mesh_->grid().reach()) {
     const double side = way.dot(outward) >= 0.0 ? 1.0 : -1.0;
-    return {place.point, way * (side / depth), side * depth};
+    return {place.point, way * (side / depth), side * depth, memory};
   }
-  return {place.point, outward, way.dot(outward)};
+  return {place.point, outward, way.dot(outward), memory};
 }
 
-Contact MeshSurface::free(const Vector3d& finger, int guess, ContactMemory& memory) const noexcept {
+Contact MeshSurface::free(const Vector3d& finger, int guess) const noexcept {
   const MeshPlace place = mesh_->nearest(finger, guess, near_limit);
-  memory = {remembered(place.face), finger, true};
+  const ContactMemory memory{remembered(place.face), numbers(finger), true};
   const Vector3d away = finger - place.point;
   const double gap = away.norm();
   // On the surface, within the grid, there is no direction but the surface's own.
-  if (gap > 1e-9 * mesh_->grid().reach()) return {place.point, away / gap, -gap};
-  return {place.point, mesh_->outward(place), -gap};
+  if (gap > 1e-9 * mesh_->grid().reach()) return {place.point, away / gap, -gap, memory};
+  return {place.point, mesh_->outward(place), -gap, memory};
 }
 
-Contact MeshSurface::contact(const Vector3d& finger, ContactMemory& memory) const noexcept {
+Contact MeshSurface::contact(const Vector3d& finger, const ContactMemory& memory) const noexcept {
   // False for NaN too.
   if (!(finger.cwiseAbs().array() <= farthest).all())
-    return {Vector3d::Zero(), Vector3d::UnitZ(), std::numeric_limits<double>::quiet_NaN()};
+    return {Vector3d::Zero(), Vector3d::UnitZ(), std::numeric_limits<double>::quiet_NaN(), memory};
   const int faces = static_cast<int>(mesh_->faces().size());
   int face = memory.face;
-  Vector3d from = memory.finger;
+  const Vector3d from = vector(memory.finger);
   if (!memory.known || face >= faces) {
     // Nothing is known of it: a finger inside came in by what is nearest.
-    if (!mesh_->holds(finger)) return free(finger, 0, memory);
+    if (!mesh_->holds(finger)) return free(finger, 0);
     face = mesh_->nearest(finger, 0).face;
   }
   const int guess = face >= 0 ? face : face <= remembered(0) && face >= remembered(faces - 1) ? remembered(face) : 0;
   if (face < 0) {
     const auto entry = mesh_->entry(from, finger);
-    if (!entry) return free(finger, guess, memory);
+    if (!entry) return free(finger, guess);
     face = entry->face;
   }
   MeshPlace place = mesh_->settle(face, finger);
   double after = -1.0;
   for (int round = 0; round < rounds; ++round) {
     const double depth = mesh_->flat(place) ? -mesh_->height(place.face, finger) : mesh_->outward(place).dot(place.point - finger);
-    if (depth > 0.0) return touched(place, finger, memory);
+    if (depth > 0.0) return touched(place, finger);
     // The finger pulls the god-object off the surface: it flies to the finger, or to what is in its way.
     const auto entry = mesh_->entry(place.point, finger, after);
     if (!entry) {
-      if (!mesh_->holds(finger)) return free(finger, place.face, memory);
+      if (!mesh_->holds(finger)) return free(finger, place.face);
       // Inside, but not beneath the face: it was a long way, and g is still on it; or it lacks less than the grid, and g stays.
       const MeshPlace farther = mesh_->settle(place.face, finger);
       if (farther.point == place.point) break;
@@ -93,7 +93,7 @@ Contact MeshSurface::contact(const Vector3d& finger, ContactMemory& memory) cons
     after = stays ? entry->along : -1.0;
     place = next;
   }
-  Contact contact = touched(place, finger, memory);
+  Contact contact = touched(place, finger);
   contact.depth = std::min(contact.depth, 0.0);
   return contact;
 }

@@ -19,7 +19,7 @@ namespace limitcurve::godobject {
 class MeshSurface {
  public:
   /// A finger farther than this from the origin [m], or not finite, is refused: the depth is NaN, which a SoftFinger takes for
-  /// `invalid`, and the memory is not touched.
+  /// `invalid`, and the memory is the one given.
   static constexpr double farthest = 1e6;
   /// Flights from the surface that end on it again, within one step.
   static constexpr int rounds = 16;
@@ -30,11 +30,11 @@ class MeshSurface {
   explicit MeshSurface(std::shared_ptr<const Mesh> mesh);  ///< throws std::invalid_argument if there is none
 
   [[nodiscard]] const Mesh& mesh() const noexcept { return *mesh_; }
-  [[nodiscard]] Contact contact(const Eigen::Vector3d& finger, ContactMemory& memory) const noexcept;
+  [[nodiscard]] Contact contact(const Eigen::Vector3d& finger, const ContactMemory& memory) const noexcept;
 
  private:
-  [[nodiscard]] Contact touched(const MeshPlace& place, const Eigen::Vector3d& finger, ContactMemory& memory) const noexcept;
-  [[nodiscard]] Contact free(const Eigen::Vector3d& finger, int guess, ContactMemory& memory) const noexcept;
+  [[nodiscard]] Contact touched(const MeshPlace& place, const Eigen::Vector3d& finger) const noexcept;
+  [[nodiscard]] Contact free(const Eigen::Vector3d& finger, int guess) const noexcept;
 
   std::shared_ptr<const Mesh> mesh_;
 };

@@ -3,6 +3,7 @@
 
 #include "godobject/mesh/mesh_surface.hpp"
 #include "tests/fuzz/fuzz.hpp"
+#include "tests/touch.hpp"
 
 #include <cmath>
 
@@ -24,7 +25,7 @@ inline void touch(const godobject::TriangleList& list) {
   godobject::ContactMemory memory;
   Vector3d last = Vector3d::Constant(1.9 * mesh.grid().reach());
   require(!mesh.holds(last), "a place beyond all vertices is inside");
-  static_cast<void>(surface->contact(last, memory));
+  static_cast<void>(godobject::touch(*surface, last, memory));
 #ifdef LIMITCURVE_SEARCHES
   // The reader is what a search is for, and most of the time would go here.
   constexpr std::size_t touches = 50;
@@ -37,7 +38,7 @@ inline void touch(const godobject::TriangleList& list) {
     const Vector3d finger = i % 3 == 0 ? one : i % 3 == 1 ? Vector3d(0.5 * (one + other)) : Vector3d(1.5 * one - 0.3 * other);
     const bool was_free = memory.face < 0;
     const godobject::ContactMemory before = memory;
-    const godobject::Contact contact = surface->contact(finger, memory);
+    const godobject::Contact contact = godobject::touch(*surface, finger, memory);
     if (finger.cwiseAbs().maxCoeff() > godobject::MeshSurface::farthest) {
       // Vertices may be as far out as fingers may, so what is beyond them may be out of range.
       require(contact.depth != contact.depth, "a finger out of range that is not refused");
@@ -48,7 +49,7 @@ inline void touch(const godobject::TriangleList& list) {
     require(std::fabs(contact.normal.norm() - 1.0) < 1e-9, "a normal that is not of unit length");
     require(memory.face >= 0 || !mesh.holds(finger), "a free finger inside");
     require(!was_free || !mesh.holds(finger) || mesh.entry(last, finger), "a way in without an entry");
-    last = memory.finger;
+    last = godobject::vector(memory.finger);
   }
 }
 

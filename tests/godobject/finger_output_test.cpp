@@ -120,7 +120,7 @@ TEST(SoftFinger, TakesAMeasuredRadius) {
       const double load = 1000.0 * depth;
       EXPECT_NEAR(-finger.output().moment, 0.6 * load * with.radius_law.radius(load) * hertz()->moment_ratio(), 1e-15);
       finger.update(on_plane(0.003, 0.0, depth), 3.2);
-      EXPECT_NEAR(ExactCurve(hertz()).gauge(unit_wrench(finger.output(), 0.6, with.radius_law.radius(load))), 1.0, 1e-13);
+      EXPECT_NEAR(ExactCurve(hertz()).gauge(unit_wrench(finger.state(), 0.6, with.radius_law.radius(load))), 1.0, 1e-13);
     }
   }
 }

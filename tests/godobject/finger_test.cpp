@@ -169,10 +169,17 @@ TEST(SoftFinger, DynamicLimitActsWhileItSlips) {
   finger.update(on_plane(0.00122, 0.0, depth), 0.0);
   EXPECT_EQ(finger.output().state, ContactState::slip);
   EXPECT_DOUBLE_EQ(finger.output().force.x(), -0.8);
-  // A step back is within the dynamic limit: it rests, and then bears the static one.
+  // A step back is within the dynamic limit, but by less than 0.4 of the gap: it still slides.
   finger.update(on_plane(0.00121, 0.0, depth), 0.0);
   EXPECT_EQ(finger.output().state, ContactState::stick);
-  finger.update(on_plane(0.00155, 0.0, depth), 0.0);
+  finger.update(on_plane(0.00123, 0.0, depth), 0.0);
+  EXPECT_EQ(finger.output().state, ContactState::slip);
+  EXPECT_DOUBLE_EQ(finger.output().force.x(), -0.8);
+  // Within 0.8 N/(1 + 0.4 · (0.6/0.4 − 1)) it rests, and then bears the static limit.
+  finger.update(on_plane(0.00123 - 0.000134, 0.0, depth), 0.0);
+  EXPECT_NEAR(finger.output().force.x(), -0.666, 1e-12);
+  EXPECT_EQ(finger.output().state, ContactState::stick);
+  finger.update(on_plane(0.00156, 0.0, depth), 0.0);
   EXPECT_EQ(finger.output().state, ContactState::stick);
   EXPECT_NEAR(finger.output().force.x(), -1.13, 1e-12);
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What packs step is what single numbers step, bit for bit; and a batch is what fingers are.
 #include "godobject/batch.hpp"
-#include "godobject/contact_arrays.hpp"
 #include "godobject/kernel/step.hpp"
 #include "godobject/soft_finger.hpp"
 #include "limitcurve/ellipse.hpp"

@@ -26,12 +26,13 @@ TEST(RigidBody, TurnsByTheAngleItShould) {
 
 TEST(RigidBody, TwistIsUnwrappedOverManyTurns) {
   // A device that turns by 40 turns about the normal of a plane, given as an orientation.
+  const AnySurface plane(PlaneSurface{});
   SoftFinger finger = hertz_finger();
   for (int i = 0; i <= 40 * 628; ++i) {
     const double angle = 0.01 * i;
     Quaterniond orientation(Eigen::AngleAxisd(angle, Vector3d::UnitZ()));
     if (i % 3 == 1) orientation.coeffs() *= -1.0;  // the same orientation
-    finger.update(on_plane(0.0, 0.0, 0.002), twist_about(orientation, Vector3d::UnitZ()));
+    finger.update(plane, {{0.0, 0.0, -0.002}, orientation});
     ASSERT_NEAR(finger.state().goal_angle, angle, 1e-9);
   }
 }

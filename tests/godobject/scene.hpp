@@ -84,9 +84,9 @@ inline SoftFinger exact_hertz_finger(const FingerParameters& with = parameters()
 }
 
 /// A friction wrench in units of μP and μPa.
-inline UnitWrench unit_wrench(const FingerOutput& output, double mu, double radius) {
-  const double unit = mu * output.load;
-  return {output.force.norm() / unit, std::fabs(output.moment) / (unit * radius)};
+inline UnitWrench unit_wrench(const FingerState& state, double mu, double radius) {
+  const double unit = mu * state.limit_load;
+  return {vector(state.force).norm() / unit, std::fabs(state.moment) / (unit * radius)};
 }
 
 }  // namespace limitcurve::godobject::test

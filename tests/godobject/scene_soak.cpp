@@ -38,17 +38,12 @@ struct Tally {
 };
 
 /// Of the energy at first, in one step: what rounding may add. In space there comes what the finite angle θ turned in the step may
-/// add, its square times the energy and the moments of the fingers' forces, and what the twist of a finger tilted by φ is not conjugate
-/// to its moment: tan(φ/2) θ times that (README, "Bodies").
+/// add: its square times the energy and the moments of the fingers' forces (README, "Bodies").
 constexpr double rounding_bound = 1e-12;
 
-/// tan(φ/2) for the angle φ by which a finger, seen from the body, is swung away from the normal that it had when it was not turned.
-double half_tilt(const Quaterniond& seen, const Vector3d& normal) {
-  const double along = seen.vec().dot(normal);
-  return (seen.vec() - along * normal).norm() / std::hypot(along, seen.w());
-}
-
 constexpr int steps_per_scene = 500;
+
+using godobject::vector;
 
 Vector3d vector(Random& random, double size) {
   return {random.uniform(-size, size), random.uniform(-size, size), random.uniform(-size, size)};
@@ -108,10 +103,6 @@ struct Choice {
   FingerCurve curve;
   Projection projection;
 };
-
-Vector3d vector(const FingerState::Vector& numbers) {
-  return {numbers[0], numbers[1], numbers[2]};
-}
 
 /// One scene with this curve and projection. Everything in it follows from the seed.
 class SoakScene {
@@ -205,16 +196,12 @@ class SoakScene {
       const double rise = (now - last) / first;
       const double turned = planar ? 0.0 : held.body().angular_velocity.norm() * time_step;
       double moments = first;
-      double twisting = 0.0;
       for (std::size_t k = 0; k < 2; ++k) {
         const FingerOutput output = held.finger(k).output();
         moments += held.force_on_user(k).norm() * output.proxy.norm() + std::fabs(output.moment);
-        // The device is not turned; the tilt within the step is that at its end, and what it turned at most.
-        const double tilt = std::atan(half_tilt(held.body().orientation.conjugate(), vector(held.finger(k).state().normal)));
-        if (!planar) twisting += std::fabs(output.moment) * std::tan(std::min(tilt + 0.5 * turned, 1.57));
       }
       worst = std::max(worst, planar || turned < 1e-6 ? rise : 0.0);
-      if (!(rise <= rounding_bound + (turned * turned * moments + turned * twisting) / first)) {
+      if (!(rise <= rounding_bound + turned * turned * moments / first)) {
         return "energy rises by " + format_number(rise) + " of the first, turning by " + format_number(turned) + ", in step " +
                std::to_string(i) + (planar ? " (planar)" : " (spatial)");
       }
@@ -257,7 +244,7 @@ class SoakScene {
       if (output.state == ContactState::stick && before.in_contact) {
         if (!same_bits(output.proxy, vector(before.proxy)) || output.angle != before.angle) return "a stuck proxy moved";
       }
-      const FrictionLimit<double> limit = ContactLimits(one.parameters(), one.curve().moment_ratio()).at<double>(output.load, 1.0).at_rest;
+      const FrictionLimit<double> limit = ContactLimits(one.parameters(), one.curve().moment_ratio()).at<double>(one.state().limit_load, 1.0).at_rest;
       if (!(limit.force * limit.radius > 1e-100)) continue;
       const UnitWrench wrench{output.force.norm() / limit.force, std::fabs(output.moment) / (limit.force * limit.radius)};
       const double beyond = one.curve().gauge(wrench) - 1.0;

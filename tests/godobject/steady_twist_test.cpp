@@ -30,7 +30,7 @@ UnitWrench settled(const FingerCurve& curve, Projection projection, double s, do
     finger.update(on_plane(i * step * (1.0 - u), 0.0, depth), i * step * u / radius);
   }
   EXPECT_EQ(finger.output().state, ContactState::slip);
-  return unit_wrench(finger.output(), mu, radius);
+  return unit_wrench(finger.state(), mu, radius);
 }
 
 /// Distance of two wrenches in the normalised plane x = f, y = m/m₀.
@@ -141,7 +141,7 @@ TEST(SteadyTwist, ForgetsTheStartInTheLengthDocumented) {
       double settled_after = 0.0;
       for (int n = 0; n * step <= 2.0 * transient * length; ++n) {
         finger.update(on_plane(n * step * (1.0 - u), 0.0, pressed), n * step * u / a);
-        const UnitWrench felt = unit_wrench(finger.output(), mu, a);
+        const UnitWrench felt = unit_wrench(finger.state(), mu, a);
         if (std::hypot(felt.force - expected.force, felt.moment - expected.moment) > accuracy::steady_wrench) settled_after = n * step;
       }
       EXPECT_LT(settled_after, transient * length) << "kappa 10^" << 0.5 * i << " s 10^" << 0.5 * j;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tests/mesh/shapes.hpp"
 #include "tests/real_time_guard.hpp"
+#include "tests/touch.hpp"
 
 #include <gtest/gtest.h>
 
@@ -48,11 +49,11 @@ TEST(MeshRealTime, AStepNeitherAllocatesNorLocks) {
   int touching = 0;
   const int count = allocations_and_locks([&] {
     for (const Vector3d& place : path) {
-      const FingerOutput output = finger.update(star.contact(place, memory), 0.0);
+      const FingerOutput output = finger.update(touch(star, place, memory), 0.0);
       touching += output.state == ContactState::slip || output.state == ContactState::stick;
     }
     const MeshSurface shared = star;
-    static_cast<void>(shared.contact(path[0], memory));
+    static_cast<void>(touch(shared, path[0], memory));
   });
   EXPECT_EQ(count, 0);
   EXPECT_GT(touching, 2000);
@@ -65,7 +66,7 @@ TEST(MeshRealTime, StepsMakeNoSystemCall) {
   SoftFinger finger = hertz_finger();
   EXPECT_TRUE(runs_without_system_calls([&] {
     ContactMemory memory;
-    for (const Vector3d& place : path) finger.update(star.contact(place, memory), 0.0);
+    for (const Vector3d& place : path) finger.update(touch(star, place, memory), 0.0);
   }));
 }
 #endif
@@ -79,7 +80,7 @@ TEST(MeshRealTime, ManyFingersShareAMesh) {
     ContactMemory memory;
     Vector3d sum = Vector3d::Zero();
     for (const Vector3d& place : path) {
-      const Contact contact = own.contact(place, memory);
+      const Contact contact = touch(own, place, memory);
       if (contact.depth > 0.0) sum += contact.depth * contact.normal;
     }
     return sum;

@@ -4,6 +4,7 @@
 #include "godobject/surfaces.hpp"
 #include "tests/mesh/shapes.hpp"
 #include "tests/repetitions.hpp"
+#include "tests/touch.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +15,7 @@ using Eigen::Vector3d;
 
 Contact first_contact(const MeshSurface& surface, const Vector3d& finger) {
   ContactMemory memory;
-  return surface.contact(finger, memory);
+  return touch(surface, finger, memory);
 }
 
 Vector3d anywhere(Random& random, double reach) {
@@ -46,7 +47,7 @@ TEST(MeshSurface, ABallIsTheSphereWithinTheChord) {
   for (int i = 0; i < 20000; ++i) {
     const Vector3d finger = anywhere(random, 1.0).normalized() * random.uniform(0.3, 2.0) * radius;
     ContactMemory memory;
-    const Contact exact = sphere.contact(finger, memory);
+    const Contact exact = touch(sphere, finger, memory);
     const Contact contact = first_contact(mesh, finger);
     expect_consistent(contact, finger);
     ASSERT_LE(contact.depth, exact.depth + 1e-12);
@@ -75,8 +76,8 @@ TEST(MeshSurface, ABoxOfTrianglesIsTheBox) {
   for (int i = 0; i < 200000; ++i) {
     finger += anywhere(random, i % 100 == 0 ? 0.05 : 0.002);
     finger = finger.cwiseMax(-half - margin).cwiseMin(half + margin);
-    const Contact expected = box.contact(finger, of_box);
-    const Contact contact = mesh.contact(finger, of_mesh);
+    const Contact expected = touch(box, finger, of_box);
+    const Contact contact = touch(mesh, finger, of_mesh);
     expect_consistent(contact, finger);
     ASSERT_LT((contact.normal - expected.normal).norm(), 1e-7) << i;
     ASSERT_NEAR(contact.depth, expected.depth, 2e-12);
@@ -104,14 +105,14 @@ TEST(MeshSurface, SlidesOverAnEdgeAndRoundACorner) {
   const MeshSurface surface{Mesh(rod)};
   const double inner = 0.02 * std::cos(std::numbers::pi / 8.0);
   ContactMemory memory;
-  ASSERT_LT(surface.contact({0.025, 0.0, 0.0}, memory).depth, 0.0);
+  ASSERT_LT(touch(surface, {0.025, 0.0, 0.0}, memory).depth, 0.0);
   const double depth = 0.001;
   double last = depth;
   int changes = 0;
   Vector3d normal = Vector3d::UnitX();
   for (double angle = 0.0; angle < 2.0 * std::numbers::pi; angle += 1e-3) {
     const Vector3d finger((inner - depth) * std::cos(angle), (inner - depth) * std::sin(angle), 0.01 * std::sin(3.0 * angle));
-    const Contact contact = surface.contact(finger, memory);
+    const Contact contact = touch(surface, finger, memory);
     // Beneath a plane of the rod, never farther than the corner allows, and the normal is one of eight.
     ASSERT_GE(contact.depth, depth - 1e-12);
     ASSERT_LE(contact.depth, inner - (inner - depth) * std::cos(std::numbers::pi / 4.0));
@@ -128,16 +129,16 @@ TEST(MeshSurface, SlidesOverAnEdgeAndRoundACorner) {
   }
   EXPECT_EQ(changes, 8);
   // Round the corner to the end: out over the edge the finger is free, back in by the end it is beneath that.
-  ASSERT_GT(surface.contact({0.015, 0.0, 0.0295}, memory).depth, 0.0);
-  EXPECT_LT(surface.contact({0.015, 0.0, 0.0305}, memory).depth, 0.0);
-  EXPECT_LT((surface.contact({0.01, 0.0, 0.0295}, memory).normal - Vector3d::UnitZ()).norm(), 1e-12);
+  ASSERT_GT(touch(surface, {0.015, 0.0, 0.0295}, memory).depth, 0.0);
+  EXPECT_LT(touch(surface, {0.015, 0.0, 0.0305}, memory).depth, 0.0);
+  EXPECT_LT((touch(surface, {0.01, 0.0, 0.0295}, memory).normal - Vector3d::UnitZ()).norm(), 1e-12);
 }
 
 // In the inner edge of an L the god-object rests against both walls, and the force turns steadily from one wall's normal to the other's.
 TEST(MeshSurface, TheForceIsContinuousInACrease) {
   const MeshSurface surface = read_mesh(data_mesh("bracket.stl"));
   ContactMemory memory;
-  ASSERT_LT(surface.contact({0.03, 0.03, 0.0}, memory).depth, 0.0);
+  ASSERT_LT(touch(surface, {0.03, 0.03, 0.0}, memory).depth, 0.0);
   Vector3d last = Vector3d::Zero();
   bool first = true;
   int between = 0;
@@ -147,7 +148,7 @@ TEST(MeshSurface, TheForceIsContinuousInACrease) {
     const double along = -0.006 + step * i;
     const Vector3d finger =
         Vector3d(0.02, 0.02, 0.001) + (along < 0 ? Vector3d(-along, -0.002, 0.0) : Vector3d(-0.5 * along, -0.002 + along, 0.0));
-    const Contact contact = surface.contact(finger, memory);
+    const Contact contact = touch(surface, finger, memory);
     expect_consistent(contact, finger);
     const Vector3d push = contact.normal * std::max(contact.depth, 0.0);
     if (!first) {
@@ -172,15 +173,15 @@ TEST(MeshSurface, RestsExactlyAtAVertex) {
   const Vector3d vertex = surface.mesh().vertices()[8];
   Random random(10);
   ContactMemory memory;
-  ASSERT_LT(surface.contact({0.0, 0.0, 0.03}, memory).depth, 0.0);
+  ASSERT_LT(touch(surface, {0.0, 0.0, 0.03}, memory).depth, 0.0);
   // At the vertex itself, then ever deeper beneath it, trembling by less than its walls give.
-  ASSERT_NEAR(surface.contact(vertex, memory).depth, 0.0, 1e-12);
+  ASSERT_NEAR(touch(surface, vertex, memory).depth, 0.0, 1e-12);
   SoftFinger finger = hertz_finger();
   Vector3d proxy = Vector3d::Zero();
   for (int i = 0; i < 1000; ++i) {
     const double depth = 0.001 + 1e-6 * i;
     const Vector3d place = vertex - Vector3d(0.0, 0.0, depth) + anywhere(random, 1e-4);
-    const Contact contact = surface.contact(place, memory);
+    const Contact contact = touch(surface, place, memory);
     expect_consistent(contact, place);
     ASSERT_TRUE(same_bits(contact.point, vertex));
     ASSERT_NEAR(contact.depth, (vertex - place).norm(), 1e-15);
@@ -190,19 +191,19 @@ TEST(MeshSurface, RestsExactlyAtAVertex) {
     ASSERT_TRUE(same_bits(output.proxy, proxy));
   }
   // Aside by more, it slides up a wall.
-  EXPECT_GT((surface.contact(vertex + Vector3d(0.004, 0.0, -0.002), memory).point - vertex).norm(), 1e-3);
+  EXPECT_GT((touch(surface, vertex + Vector3d(0.004, 0.0, -0.002), memory).point - vertex).norm(), 1e-3);
 }
 
 // A leap over more faces than one walk looks at: the god-object is on its way, still on the surface, and arrives with the next steps.
 TEST(MeshSurface, AFarLeapTakesSeveralSteps) {
   const MeshSurface ball(Mesh(ball_triangles(0.05, 6)));
   ContactMemory memory;
-  ASSERT_LT(ball.contact({0.06, 0.0, 0.0}, memory).depth, 0.0);
-  ASSERT_GT(ball.contact({0.045, 0.0, 0.0}, memory).depth, 0.0);
+  ASSERT_LT(touch(ball, {0.06, 0.0, 0.0}, memory).depth, 0.0);
+  ASSERT_GT(touch(ball, {0.045, 0.0, 0.0}, memory).depth, 0.0);
   const Vector3d finger(-0.02, 0.04, 0.0);
   int steps = 1;
-  while (std::fabs(ball.contact(finger, memory).depth - (0.05 - finger.norm())) > 2e-5) {
-    ASSERT_LT(distance_by_search(ball.mesh(), memory.finger), 1e-12);
+  while (std::fabs(touch(ball, finger, memory).depth - (0.05 - finger.norm())) > 2e-5) {
+    ASSERT_LT(distance_by_search(ball.mesh(), vector(memory.finger)), 1e-12);
     ASSERT_LT(++steps, 5);
   }
   EXPECT_GT(steps, 1);
@@ -224,19 +225,19 @@ TEST(MeshSurface, TouchesAsFarAsFingersMayBe) {
     const double along = random.uniform(-0.5, 1.5);
     const Vector3d finger = mesh.vertices()[random.bits() % 5] * (1.0 - along) + along * mesh.vertices()[1] + anywhere(random, 1.0);
     const ContactMemory before = memory;
-    const Contact contact = surface.contact(finger, memory);
+    const Contact contact = touch(surface, finger, memory);
     ASSERT_NEAR(contact.normal.norm(), 1.0, 1e-14);
     if (finger.cwiseAbs().maxCoeff() > MeshSurface::farthest) {
       ++refused;
       ASSERT_TRUE(std::isnan(contact.depth));
-      ASSERT_TRUE(memory.face == before.face && same_bits(memory.finger, before.finger));
+      ASSERT_TRUE(memory.face == before.face && same_bits(vector(memory.finger), vector(before.finger)));
       continue;
     }
     ASSERT_TRUE(contact.point.allFinite() && std::isfinite(contact.depth));
     ASSERT_TRUE(memory.face >= 0 || !mesh.holds(finger));
     if (memory.face < 0) continue;
     ++touching;
-    ASSERT_LT(distance_by_search(mesh, memory.finger), mesh.grid().step());
+    ASSERT_LT(distance_by_search(mesh, vector(memory.finger)), mesh.grid().step());
   }
   EXPECT_GT(touching, 100);
   EXPECT_GT(refused, 1000);
@@ -246,21 +247,21 @@ TEST(MeshSurface, AThinPlateIsNotPassedThrough) {
   const MeshSurface plate = read_mesh(data_mesh("plate.stl"));
   for (const bool slowly : {false, true}) {
     ContactMemory memory;
-    ASSERT_LT(plate.contact({0.005, 0.0, 0.01}, memory).depth, 0.0);
-    for (double z = slowly ? 0.0005 : -0.0025; z >= -0.0025; z -= 1e-5) static_cast<void>(plate.contact({0.005, 0.0, z}, memory));
+    ASSERT_LT(touch(plate, {0.005, 0.0, 0.01}, memory).depth, 0.0);
+    for (double z = slowly ? 0.0005 : -0.0025; z >= -0.0025; z -= 1e-5) static_cast<void>(touch(plate, {0.005, 0.0, z}, memory));
     // 3 mm through: beneath the top still, wherever it goes beneath the plate, by steps or by leaps.
     Random random(3);
     for (int i = 0; i < 5000; ++i) {
       const Vector3d finger(random.uniform(-0.0299, 0.0299), random.uniform(-0.0199, 0.0199), -0.0025);
-      const Contact contact = plate.contact(finger, memory);
+      const Contact contact = touch(plate, finger, memory);
       ASSERT_EQ(contact.normal, Vector3d::UnitZ());
       ASSERT_NEAR(contact.depth, 0.003, 1e-12);
       ASSERT_NEAR(contact.point.z(), 0.0005, 1e-12);
     }
     // Past its rim it is free, and comes back from below.
-    ASSERT_LT(plate.contact({0.0301, 0.0, -0.0025}, memory).depth, 0.0);
-    ASSERT_LT(plate.contact({0.0, 0.0, -0.0025}, memory).depth, 0.0);
-    ASSERT_LT((plate.contact({0.0, 0.0, 0.0025}, memory).normal + Vector3d::UnitZ()).norm(), 1e-12);
+    ASSERT_LT(touch(plate, {0.0301, 0.0, -0.0025}, memory).depth, 0.0);
+    ASSERT_LT(touch(plate, {0.0, 0.0, -0.0025}, memory).depth, 0.0);
+    ASSERT_LT((touch(plate, {0.0, 0.0, 0.0025}, memory).normal + Vector3d::UnitZ()).norm(), 1e-12);
   }
 }
 
@@ -275,15 +276,15 @@ TEST(MeshSurface, AFlightEndsAtWhatIsInItsWay) {
     ContactMemory memory;
     const double x = random.uniform(-0.029, 0.029);
     const double y = random.uniform(-0.019, 0.019);
-    ASSERT_LT(plates.contact({x, y, 0.005}, memory).depth, 0.0);
-    ASSERT_EQ(plates.contact({x, y, -0.002}, memory).normal, Vector3d::UnitZ());
-    const Contact contact = plates.contact({0.9 * y, 0.5 * x, 0.015}, memory);
+    ASSERT_LT(touch(plates, {x, y, 0.005}, memory).depth, 0.0);
+    ASSERT_EQ(touch(plates, {x, y, -0.002}, memory).normal, Vector3d::UnitZ());
+    const Contact contact = touch(plates, {0.9 * y, 0.5 * x, 0.015}, memory);
     ASSERT_EQ(contact.normal, -Vector3d::UnitZ());
     ASSERT_NEAR(contact.depth, 0.0055, 1e-12);
     // And back: through the lower plate, held on its top.
-    ASSERT_EQ(plates.contact({x, y, -0.02}, memory).normal, Vector3d::UnitZ());
+    ASSERT_EQ(touch(plates, {x, y, -0.02}, memory).normal, Vector3d::UnitZ());
     // Between them it is free.
-    ASSERT_LT(plates.contact({x, y, 0.006}, memory).depth, 0.0);
+    ASSERT_LT(touch(plates, {x, y, 0.006}, memory).depth, 0.0);
   }
 }
 
@@ -296,7 +297,7 @@ TEST(MeshSurface, AMillionRandomMovesNeverFallThrough) {
   Random random(4);
   ContactMemory memory;
   Vector3d finger(0.1, 0.0, 0.0);
-  static_cast<void>(surface.contact(finger, memory));
+  static_cast<void>(touch(surface, finger, memory));
   int touching = 0;
   int checked_free = 0;
   const auto vertex = [&] { return mesh.vertices()[static_cast<std::size_t>(random.bits() % mesh.vertices().size())]; };
@@ -320,15 +321,15 @@ TEST(MeshSurface, AMillionRandomMovesNeverFallThrough) {
     }
     if (finger.cwiseAbs().maxCoeff() > 0.2) finger *= 0.1;
     const bool was_free = memory.face < 0;
-    const Vector3d last = memory.finger;
-    const Contact contact = surface.contact(finger, memory);
+    const Vector3d last = vector(memory.finger);
+    const Contact contact = touch(surface, finger, memory);
     ASSERT_NEAR(contact.normal.norm(), 1.0, 1e-14);
     ASSERT_TRUE(contact.point.allFinite());
     touching += contact.depth > 0.0;
     if (memory.face >= 0) {
       ASSERT_EQ(contact.depth > 0.0 || mesh.holds(finger), true);
       if (i % 16 != 0) continue;
-      ASSERT_LT(distance_by_search(mesh, memory.finger), 1e-12);
+      ASSERT_LT(distance_by_search(mesh, vector(memory.finger)), 1e-12);
     } else if (i % 16 == 0) {
       ++checked_free;
       // A move from free to free goes through no face, or slides off one, as over the tip of a spike.

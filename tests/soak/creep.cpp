@@ -2,7 +2,7 @@
 // Held fingers do not creep: whatever trembles within the limit, or is held where it slipped last, keeps its proxy to the last bit.
 //     creep [STEPS]
 // A finger and a batch of each precision, STEPS (ten million) each. Exits with 1 if a proxy moves.
-#include "godobject/contact_arrays.hpp"
+#include "godobject/batch.hpp"
 #include "godobject/godobject.hpp"
 #include "limitcurve/laws.hpp"
 #include "tests/soak/random_bits.hpp"

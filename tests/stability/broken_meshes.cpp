@@ -6,6 +6,7 @@
 #include "random.hpp"
 #include "sampling.hpp"
 #include "solids.hpp"
+#include "tests/touch.hpp"
 
 #include <Eigen/Geometry>
 
@@ -118,8 +119,8 @@ std::pair<double, std::optional<double>> sliver_errors(double share, const Eigen
     const MeshSurface surface{Mesh(list)};
     const Vector3d middle = (a + b + c) / 3.0;
     ContactMemory memory;
-    static_cast<void>(surface.contact(middle + 1e-3 * truth, memory));
-    return {customary, angle(surface.contact(middle - 1e-4 * truth, memory).normal)};
+    static_cast<void>(touch(surface, middle + 1e-3 * truth, memory));
+    return {customary, angle(touch(surface, middle - 1e-4 * truth, memory).normal)};
   } catch (const std::invalid_argument&) {
     return {customary, std::nullopt};
   }

@@ -10,6 +10,7 @@
 #include "random.hpp"
 #include "sampling.hpp"
 #include "solids.hpp"
+#include "tests/touch.hpp"
 
 #include <Eigen/Geometry>
 
@@ -54,7 +55,7 @@ Hazard thin_plate() {
   for (int i = -20; i <= 300; ++i) {
     const double depth = 1e-5 * i;
     const Vector3d finger(0.003, 0.001, half.z() - depth);
-    const std::array forces{push(nearest_face(half, finger)), push(box.contact(finger, on_box)), push(mesh.contact(finger, on_mesh))};
+    const std::array forces{push(nearest_face(half, finger)), push(touch(box, finger, on_box)), push(touch(mesh, finger, on_mesh))};
     constexpr std::array series{"nearest surface point", "limitcurve, box", "limitcurve"};
     for (std::size_t j = 0; j < forces.size(); ++j) {
       short_by[j] = std::max(short_by[j], std::max(stiffness * depth, 0.0) - forces[j]);

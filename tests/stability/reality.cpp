@@ -9,6 +9,7 @@
 #include "limitcurve/laws.hpp"
 #include "random.hpp"
 #include "sampling.hpp"
+#include "tests/touch.hpp"
 
 #include <algorithm>
 #include <array>
@@ -243,13 +244,13 @@ Hazard plate_between_samples() {
   constexpr double way = 0.4e-3;
   for (int lost = 0; lost <= 20; ++lost) {
     ContactMemory memory;
-    static_cast<void>(box.contact({0.003, 0.001, half.z() + 0.5 * way}, memory));
+    static_cast<void>(touch(box, {0.003, 0.001, half.z() + 0.5 * way}, memory));
     const Vector3d now(0.003, 0.001, half.z() + 0.5 * way - way * (lost + 1));
     const double depth_right = half.z() - now.z();
     // As one writes it: inside or not, and out by the nearest face.
     const double beneath = std::max(half.z() - std::fabs(now.z()), 0.0);
     const double customary = beneath > 0.0 ? std::copysign(beneath, now.z()) / depth_right : 0.0;
-    const Contact contact = box.contact(now, memory);
+    const Contact contact = touch(box, now, memory);
     const double ours = std::max(contact.depth, 0.0) * contact.normal.z() / depth_right;
     figure.rows.push_back({"load", "inside or not, sample by sample", static_cast<double>(lost), customary});
     figure.rows.push_back({"load", "limitcurve", static_cast<double>(lost), ours});

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "solids.hpp"
+#include "tests/touch.hpp"
 
 #include <Eigen/Geometry>
 
@@ -80,7 +81,7 @@ double winding(const std::vector<Triangle>& triangles, const Vector3d& point) {
 
 bool is_inside(const MeshSurface& surface, const Vector3d& point) {
   ContactMemory memory;
-  return surface.contact(point, memory).depth > 0.0;
+  return touch(surface, point, memory).depth > 0.0;
 }
 
 }  // namespace limitcurve::stability

@@ -10,11 +10,10 @@
 int main(int argc, char** argv) {
   using namespace limitcurve;
   if (argc != 2) return 2;
-  const godobject::MeshSurface plate = godobject::read_mesh(argv[1]);
+  const godobject::AnySurface plate(godobject::MeshSurface(godobject::read_mesh(argv[1])));
   const godobject::FingerParameters skin{.mu = 0.5, .stiffness = 1000.0, .twist_stiffness = 0.04};
   godobject::SoftFinger finger(Ellipse::through_intercepts(hertz()->moment_ratio()), skin);
-  godobject::ContactMemory memory;
-  for (const double z : {0.002, 0.0, -0.0025}) finger.update(plate.contact({0.0, 0.0, z}, memory), 0.0);
+  for (const double z : {0.002, 0.0, -0.0025}) finger.update(plate, {.position = {0.0, 0.0, z}});
   std::printf("load %.12g N, expected 3 N\n", finger.output().load);
   return std::abs(finger.output().load - 3.0) < 1e-9 ? 0 : 1;
 }

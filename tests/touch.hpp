@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "godobject/surface.hpp"
+
+namespace limitcurve::godobject {
+
+/// A surface's contact with the next place of a finger whose memory a test keeps.
+template <Surface Shape>
+[[nodiscard]] Contact touch(const Shape& surface, const Eigen::Vector3d& finger, ContactMemory& memory) {
+  const Contact contact = surface.contact(finger, memory);
+  memory = contact.memory;
+  return contact;
+}
+
+}  // namespace limitcurve::godobject
