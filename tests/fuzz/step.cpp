@@ -22,7 +22,8 @@ bool same(const FingerOutput& one, const FingerOutput& other) {
 /// What the user feels, in the limit that may act: the static one unless it slips.
 void require_within_limit(const SoftFinger& finger) {
   const FingerOutput output = finger.output();
-  const FrictionLimits<double> limits = ContactLimits(finger.parameters(), finger.curve().moment_ratio()).at<double>(finger.state().limit_load, 1.0);
+  const FrictionLimits<double> limits =
+      ContactLimits(finger.parameters(), finger.curve().moment_ratio()).at<double>(finger.state().limit_load, 1.0);
   const FrictionLimit<double>& limit = output.state == ContactState::slip ? limits.sliding : limits.at_rest;
   const double moment_unit = limit.force * limit.radius;
   // So little friction is none: no trial is told from one 1e60 times its limit, and no trial here is above 1e21.

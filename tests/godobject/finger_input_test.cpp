@@ -219,7 +219,8 @@ TEST(SoftFinger, RandomStepsStayWithinTheCurveAndDissipate) {
       const FingerOutput output = finger.update(on_plane(x, y, random.logarithmic(1e-9, 1e-1)), twist);
       ASSERT_TRUE(output.state == ContactState::stick || output.state == ContactState::slip);
       ASSERT_GE(output.slip_work, 0.0) << name;
-      ASSERT_LE(curve.gauge(unit_wrench(finger.state(), with.mu, with.radius_law.radius(finger.state().limit_load))), 1.0 + 1.01e-12) << name << ' ' << i;
+      ASSERT_LE(curve.gauge(unit_wrench(finger.state(), with.mu, with.radius_law.radius(finger.state().limit_load))), 1.0 + 1.01e-12)
+          << name << ' ' << i;
       ASSERT_TRUE(std::isfinite(output.angle) && output.proxy.allFinite());
     }
   });

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: MIT
+// What a finger on a curved surface must not do, and the first edition did: twist without turning, and win energy on the way round. Work and
+// spin are counted here by quantities of their own: forces along the finger's way, and angles from closed forms.
+#include "godobject/godobject.hpp"
+#include "tests/godobject/scene.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+#include <vector>
+
+namespace limitcurve::godobject::test {
+namespace {
+
+using Eigen::AngleAxisd;
+using Eigen::Quaterniond;
+using Eigen::Vector3d;
+
+constexpr double pi = std::numbers::pi;
+
+SoftFinger finger_of(const FingerParameters& with) {
+  return {Ellipse::through_intercepts(hertz()->moment_ratio()), with};
+}
+
+FingerParameters skin() {
+  return parameters(0.6, 0.006, 1000.0, 0.036);
+}
+
+Quaterniond about(const Vector3d& axis, double angle) {
+  return Quaterniond(AngleAxisd(angle, axis));
+}
+
+/// What a finger's user is given along a way, by the trapezoidal rule in force and in moment about the normal.
+struct Work {
+  double sum = 0.0;  // [J]
+  bool all_stick = true;
+
+  void add(const DevicePose& to, const FingerOutput& output) {
+    const Vector3d force = output.normal * output.load + output.force;
+    const Vector3d moment = output.normal * output.moment;
+    if (known_) {
+      const AngleAxisd turn(to.orientation * last_.orientation.conjugate());
+      sum += 0.5 * (force + force_).dot(to.position - last_.position) + 0.5 * (moment + moment_).dot(turn.axis() * turn.angle());
+      all_stick = all_stick && output.state == ContactState::stick;
+    }
+    last_ = to;
+    force_ = force;
+    moment_ = moment;
+    known_ = true;
+  }
+
+ private:
+  DevicePose last_;
+  Vector3d force_, moment_;
+  bool known_ = false;
+};
+
+// Point 1: a finger that moves from the pole of a ball to its equator and does not turn feels no moment, however its device is turned.
+TEST(CurvedSurface, TranslationGivesNoMoment) {
+  const AnySurface ball(SphereSurface(0.05));
+  for (const double yaw : {0.0, 0.5, 1.0, 3.0, -2.0}) {
+    SoftFinger finger = finger_of(skin());
+    for (int i = 0; i <= 1000; ++i) {
+      const double a = i * 1e-3 * pi / 2.0;
+      const FingerOutput output = finger.update(ball, {Vector3d(std::sin(a), 0.0, std::cos(a)) * 0.0485, about(Vector3d::UnitZ(), yaw)});
+      ASSERT_EQ(output.moment, 0.0) << yaw << ' ' << i;
+      ASSERT_NEAR(output.force.norm(), i >= 20 ? 0.9 : 0.45, i >= 20 ? 1e-12 : 0.46) << yaw << ' ' << i;
+    }
+  }
+}
+
+// Point 1: a finger that rolls round a great circle, tilted by 0.1 rad, turns about an axis in its tangent plane: no twist.
+TEST(CurvedSurface, RollingRoundAGreatCircleGivesNoTwist) {
+  SoftFinger finger = finger_of(skin());
+  const AnySurface ball(SphereSurface(0.05));
+  for (int i = 0; i <= 1000; ++i) {
+    const double a = 2.0 * pi * i * 1e-3;
+    const Quaterniond orientation = about(Vector3d::UnitY(), a) * about(Vector3d::UnitX(), 0.1);
+    finger.update(ball, {Vector3d(std::sin(a), 0.0, std::cos(a)) * 0.0485, orientation});
+    ASSERT_NEAR(finger.state().goal_angle, 0.0, 1e-12) << i;
+  }
+}
+
+// Point 1: on a circle of latitude θ from the pole, with the axes of longitude and latitude for orientation, a finger turns about the pole's
+// axis by 2π, of which cos θ about the normal; and one that keeps its orientation does not turn.
+TEST(CurvedSurface, ACircleOfLatitudeTwistsByItsHolonomy) {
+  const AnySurface ball(SphereSurface(0.05));
+  for (const double theta : {0.05, 0.7, 1.5, 2.5}) {
+    SoftFinger turning = finger_of(skin());
+    SoftFinger still = finger_of(skin());
+    for (int i = 0; i <= 500; ++i) {
+      const double longitude = 2.0 * pi * i / 500.0;
+      const Vector3d place =
+          0.0485 * Vector3d(std::sin(theta) * std::cos(longitude), std::sin(theta) * std::sin(longitude), std::cos(theta));
+      turning.update(ball, {place, about(Vector3d::UnitZ(), longitude) * about(Vector3d::UnitY(), theta)});
+      still.update(ball, {place, about(Vector3d(1.0, 2.0, 3.0).normalized(), 1.0)});
+    }
+    EXPECT_NEAR(turning.state().goal_angle, 2.0 * pi * std::cos(theta), 1e-11) << theta;
+    EXPECT_EQ(still.state().goal_angle, 0.0) << theta;
+  }
+}
+
+// Points 1 and 10: a stuck finger on a plane, wound up, cones about the normal at a tilt of 0.3 rad. What it feeds to its user in each turn is
+// what its springs lose.
+TEST(CurvedSurface, ConingFeedsNothingButTheSprings) {
+  FingerParameters with = skin();
+  with.mu = 50.0;
+  SoftFinger finger = finger_of(with);
+  const AnySurface plane(PlaneSurface{});
+  const auto pose = [](double phase, double wound) {
+    return DevicePose{{0.0, 0.0, -0.002},
+                      about(Vector3d::UnitZ(), phase) * about(Vector3d::UnitY(), 0.3) * about(Vector3d::UnitZ(), wound - phase)};
+  };
+  for (int i = 0; i <= 100; ++i) finger.update(plane, pose(0.0, 0.5 * i / 100.0));
+  const double begin = finger.spring_energy();
+  Work work;
+  for (int i = 0; i <= 20000; ++i) {
+    const DevicePose device = pose(4.0 * pi * i / 20000.0, 0.5);
+    work.add(device, finger.update(plane, device));
+  }
+  EXPECT_TRUE(work.all_stick);
+  EXPECT_GT(std::fabs(finger.spring_energy() - begin), begin);  // by 2π(1 − cos 0.3) a turn
+  EXPECT_NEAR(work.sum, begin - finger.spring_energy(), 1e-8 * begin);
+}
+
+// Point 10: out on a ball at one depth and back at another, a stuck finger gives its user nothing. The first edition gave ½ k s² Δd/R, 1.875e-5 J.
+TEST(CurvedSurface, ALoopOfAStuckFingerWinsNothing) {
+  struct Shape {
+    const char* name;
+    AnySurface surface;
+    Vector3d along;  // the loop goes round this axis
+  };
+  const std::vector<Shape> shapes{{"plane", AnySurface(PlaneSurface{}), Vector3d::UnitY()},
+                                  {"sphere", AnySurface(SphereSurface(0.01)), Vector3d::UnitY()},
+                                  {"capsule", AnySurface(CapsuleSurface(0.01, 0.02)), Vector3d::UnitZ()},
+                                  {"cylinder", AnySurface(CylinderSurface(0.01, 0.02)), Vector3d::UnitZ()}};
+  for (const Shape& shape : shapes) {
+    const bool is_flat = shape.name == std::string_view("plane");
+    const auto place = [&](double s, double depth) -> Vector3d {
+      if (is_flat) return {s, 0.0, -depth};
+      return about(shape.along, s / 0.01) * ((0.01 - depth) * Vector3d::UnitX());
+    };
+    SoftFinger finger = finger_of(skin());
+    Work work;
+    const auto go = [&](double s, double depth) {
+      const DevicePose device{place(s, depth)};
+      work.add(device, finger.update(shape.surface, device));
+    };
+    constexpr int steps = 4000;
+    go(0.0, 0.0025);
+    for (int loop = 0; loop < 3; ++loop) {
+      for (int i = 1; i <= steps; ++i) go(5e-4 * i / steps, 0.0025);
+      for (int i = 1; i <= steps; ++i) go(5e-4, 0.0025 - 0.0015 * i / steps);
+      for (int i = 1; i <= steps; ++i) go(5e-4 - 5e-4 * i / steps, 0.001);
+      for (int i = 1; i <= steps; ++i) go(0.0, 0.001 + 0.0015 * i / steps);
+    }
+    EXPECT_TRUE(work.all_stick) << shape.name;
+    // The force is linear in the finger's place, so that the trapezoidal rule is exact.
+    EXPECT_LT(std::fabs(work.sum), 1e-15) << shape.name;
+  }
+}
+
+// Point 4: with dampers and a normal that turns, friction has no part along the normal.
+TEST(CurvedSurface, DampedFrictionIsTangent) {
+  FingerParameters with = skin();
+  with.damping = 5.0;
+  with.twist_damping = 1e-4;
+  SoftFinger finger = finger_of(with);
+  const AnySurface ball(SphereSurface(0.01));
+  for (int i = 0; i <= 3000; ++i) {
+    const double a = 0.3 * i * 1e-3 / 0.01;
+    const double depth = 0.0015 + 0.0005 * std::sin(0.02 * i);
+    const FingerOutput output = finger.update(ball, {(0.01 - depth) * Vector3d(std::sin(a), 0.0, std::cos(a))}, 1e-3);
+    ASSERT_LT(std::fabs(output.force.dot(output.normal)), 4e-15 * (1.0 + output.force.norm())) << i;
+  }
+}
+
+// Point 7: a ball of 0.1 kg between fingers on its surface loses energy, whatever slips. The first edition won 8e-5 of it in a step.
+TEST(CurvedSurface, ABallBetweenFingersNeverWinsEnergy) {
+  Random random(8);
+  for (int scene = 0; scene < 40; ++scene) {
+    BodyParameters body = BodyParameters::ball(0.1, 0.02);
+    body.gravity.setZero();
+    body.free = {true, true, true, false, false, false};
+    std::vector<DevicePose> devices;
+    std::vector<SoftFinger> fingers;
+    FingerParameters with = skin();
+    with.mu = random.logarithmic(0.05, 2.0);
+    const int count = 2 + scene % 4;
+    for (int i = 0; i < count; ++i) {
+      const Vector3d way = Vector3d(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)).normalized();
+      devices.push_back({(0.02 - random.uniform(0.5e-3, 2e-3)) * way});
+      fingers.push_back(finger_of(with));
+    }
+    BodyState state;
+    Grasp grasp(body, state, AnySurface(SphereSurface(0.02)), fingers);
+    grasp.place(state, devices);
+    state.velocity = 0.05 * Vector3d(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+    grasp.place(state, devices);
+    const double begin = grasp.energy();
+    double last = begin;
+    for (int step = 0; step < 1000; ++step) {
+      grasp.step(devices, 1e-3);
+      ASSERT_LE(grasp.energy(), last + 1e-12 * begin) << scene << ' ' << step;
+      last = grasp.energy();
+    }
+  }
+}
+
+}  // namespace
+}  // namespace limitcurve::godobject::test

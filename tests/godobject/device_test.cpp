@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: MIT
+// What a real device does to a finger: samples that repeat, are quantised, noisy, refused or late.
+#include "godobject/godobject.hpp"
+#include "tests/godobject/scene.hpp"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <random>
+#include <vector>
+
+namespace limitcurve::godobject::test {
+namespace {
+
+using Eigen::Vector3d;
+
+FingerParameters skin() {
+  return parameters(0.6, 0.006, 1000.0, 0.036);
+}
+
+SoftFinger finger_of(const FingerParameters& with) {
+  return {Ellipse::through_intercepts(hertz()->moment_ratio()), with};
+}
+
+// Point 2: at 5 mm/s, whatever the device's resolution, rate and noise, friction is the dynamic one. The first edition gave a saw-tooth of mean 0.449.
+TEST(Device, ASampleThatRepeatsOrIsNoisyDoesNotBringASlidingFingerToRest) {
+  struct Kind {
+    const char* name;
+    std::function<Vector3d(int, std::mt19937&)> place;  // of the finger, beneath the plane z = 0
+    double bound;                                       // of the mean of F/P
+  };
+  std::normal_distribution<double> normal;
+  const std::vector<Kind> kinds{
+      {"encoder of 10 um", [](int i, auto&) { return Vector3d(1e-5 * std::round(0.5 * i), 0.0, -0.0015); }, 1e-6},
+      {"half the rate", [](int i, auto&) { return Vector3d(5e-6 * (i / 2 * 2), 0.0, -0.0015); }, 1e-6},
+      // Where noise takes the finger back by 3 um of 450, the force falls by as much.
+      {"3 um of noise", [&](int i, auto& random) { return Vector3d(5e-6 * i + 3e-6 * normal(random), 0.0, -0.0015); }, 0.001},
+      // A depth that is 50 um more bears 3.3 % more than the trial.
+      {"50 um of noise in depth", [&](int i, auto& random) { return Vector3d(5e-6 * i, 0.0, -0.0015 + 5e-5 * normal(random)); }, 0.01}};
+  for (const Kind& kind : kinds) {
+    std::mt19937 random(1);
+    FingerParameters with = skin();
+    with.mu_dynamic = 0.3;
+    SoftFinger finger = finger_of(with);
+    const AnySurface plane(PlaneSurface{});
+    double sum = 0.0;
+    for (int i = 0; i < 4000; ++i) {
+      const FingerOutput output = finger.update(plane, {kind.place(i, random)}, 1e-3);
+      if (i < 500) continue;
+      ASSERT_LE(output.force.norm(), 0.3 * output.load * (1.0 + 1e-11)) << kind.name << ' ' << i;
+      sum += output.force.norm() / output.load;
+    }
+    EXPECT_NEAR(sum / 3500.0, 0.3, kind.bound) << kind.name;
+  }
+}
+
+/// The times at which a mass on a drive spring, rubbed by a finger at rest, begins to slip. The mass is moved here, by exact steps of its free motion.
+std::vector<double> slips_of_a_mass(double mu, double mu_dynamic, double rest_margin) {
+  constexpr double mass = 0.1, drive = 50.0, speed = 0.01, time_step = 2e-5, end = 14.0;  // [kg, N/m, m/s, s, s]
+  FingerParameters with = skin();
+  with.mu = mu;
+  with.mu_dynamic = mu_dynamic;
+  with.stiffness = 2e4;
+  with.rest_margin = rest_margin;
+  SoftFinger finger = finger_of(with);
+  const double depth = 2.0 / with.stiffness;
+  // The finger's place relative to the mass, which is what touches it: symplectic Euler, far below the contact's period.
+  double place = 0.0, velocity = 0.0;
+  bool slipped = false;
+  double last_slip = -1.0;
+  std::vector<double> begins;
+  for (double time = 0.0; time < end; time += time_step) {
+    const FingerOutput output = finger.update(on_plane(place, 0.0, depth), 0.0);
+    velocity += time_step / mass * (drive * (speed * time - place) + output.force.x());
+    velocity *= 1.0 - 2.0 * time_step * (output.state == ContactState::stick ? 20.0 : 0.0);  // the skin damps what it holds
+    place += time_step * velocity;
+    const bool slips = output.state == ContactState::slip;
+    if (slips && !slipped && time - last_slip > 0.05) begins.push_back(time);
+    if (slips) last_slip = time;
+    slipped = slips;
+  }
+  return begins;
+}
+
+// Point 2: a mass on a spring k that is drawn at v sticks until k x = μ P, slips with μ_d P for half a period of its own, and sticks again:
+// the period is 2 (μ − μ_d) P/(k v) + π √(m/k), and 2/ω atan2 … for the drive's way during the slip. (Popp, Stelter 1990; v small against it.)
+TEST(Device, StickSlipOfAMassKeepsItsPeriod) {
+  for (const auto& [mu, mu_dynamic] : {std::pair{0.6, 0.4}, {0.6, 0.3}, {0.6, 0.55}}) {
+    constexpr double mass = 0.1, drive = 50.0, speed = 0.01, load = 2.0;
+    const double omega = std::sqrt(drive / mass);
+    // While it slips, relative to the drive: u'' = −ω²(u − μ_d P/k), from u = μP/k and u' = v; it sticks when u' is v again.
+    const double jump = (mu - mu_dynamic) * load / drive;
+    const double slip_time = 2.0 / omega * (std::numbers::pi - std::atan2(jump * omega, speed));
+    const double period = 2.0 * jump / speed + slip_time;
+    const std::vector<double> begins = slips_of_a_mass(mu, mu_dynamic, FingerParameters{}.rest_margin);
+    ASSERT_GT(begins.size(), 3U) << mu_dynamic;
+    const double measured = (begins.back() - begins[1]) / static_cast<double>(begins.size() - 2);
+    EXPECT_NEAR(measured, period, 0.01 * period) << mu_dynamic;
+  }
+}
+
+// Point 8: limits are continuous in their parameters, zero included.
+TEST(Device, ADynamicLimitOfZeroIsTheLimitOfSmallOnes) {
+  const auto mean_moment = [](const FingerParameters& with) {
+    SoftFinger finger = finger_of(with);
+    double sum = 0.0, work = 0.0;
+    for (int i = 0; i < 2000; ++i) {
+      const FingerOutput output = finger.update(on_plane(0.0, 0.0, 0.0015), 2e-3 * i);
+      work += output.slip_work;
+      if (i < 1000) continue;
+      sum += std::fabs(output.moment) / 1000.0;
+      EXPECT_EQ(output.state, ContactState::slip);
+    }
+    EXPECT_GT(work, 0.0);
+    return sum;
+  };
+  FingerParameters with = skin();
+  with.mu_dynamic = 0.0;
+  EXPECT_LT(mean_moment(with), 1e-14);
+  with.mu_dynamic = 1e-12;
+  EXPECT_LT(mean_moment(with), 1e-14);
+  with = skin();
+  with.moment_coefficient = 0.002;
+  with.moment_coefficient_dynamic = 0.0;
+  EXPECT_LT(mean_moment(with), 1e-14);
+}
+
+// Point 9: one sample far away, refused, leaves no trace: afterwards the finger is where it was, on the face where it was. The finger keeps what the
+// surface remembers; the first edition's finger was pushed out of the wrong face with 60 N.
+TEST(Device, ARefusedSampleLeavesTheSurfacesMemory) {
+  const std::vector<std::pair<AnySurface, double>> surfaces{{AnySurface(BoxSurface({0.06, 0.02, 0.02})), 0.018},
+                                                            {AnySurface(CylinderSurface(0.05, 0.02)), 0.018},
+                                                            {AnySurface(CapsuleSurface(0.02, 0.01)), 0.028}};
+  for (const auto& [surface, height] : surfaces) {
+    for (const double bad : {1.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+      SoftFinger finger = finger_of(skin());
+      SoftFinger own = finger_of(skin());  // in a loop of one's own
+      for (int i = 0; i < 8; ++i) {
+        const Vector3d place(i == 3 ? bad : 0.0, 0.0, i == 3 ? 0.0 : height);
+        const FingerOutput output = finger.update(surface, {place}, 1e-3);
+        ASSERT_EQ(output.state, i == 3 ? ContactState::invalid : ContactState::stick) << i;
+        ASSERT_NEAR(output.load, 2.0, 1e-12) << i;
+        if (!place.allFinite()) continue;
+        ASSERT_NEAR(own.update(surface.contact(place, own.state().contact), 0.0, 1e-3).load, 2.0, 1e-12) << i;
+      }
+    }
+  }
+}
+
+// Point 14: a body of 1 g is touched at 0.3 m/s by a damped finger. Every step is solved, and the body loses what its user is given.
+TEST(Device, ADampedTouchDownKeepsTheMomentum) {
+  BodyParameters body;
+  body.mass = 1e-3;
+  body.gravity.setZero();
+  body.free = {false, false, true, false, false, false};
+  FingerParameters with = skin();
+  with.damping = 5.0;
+  for (const double gap : {1e-5, 1e-4, 2.9e-4}) {
+    BodyState state;
+    Grasp grasp(body, state, AnySurface(PlaneSurface{}), {finger_of(with)});
+    const std::vector<DevicePose> devices{{{0.0, 0.0, gap}}};
+    grasp.place(state, devices);
+    state.velocity.z() = 0.3;
+    grasp.place(state, devices);
+    double given = 0.0;
+    for (int i = 0; i < 50; ++i) {
+      grasp.step(devices, 1e-3);
+      given += grasp.force_on_user(0).z() * 1e-3;
+      ASSERT_NEAR(body.mass * (0.3 - grasp.body().velocity.z()), given, 1e-12) << gap << ' ' << i;
+    }
+    EXPECT_EQ(grasp.unsolved(), 0U) << gap;
+    EXPECT_GT(given, 1e-4) << gap;
+  }
+}
+
+}  // namespace
+}  // namespace limitcurve::godobject::test
