@@ -2,8 +2,8 @@
 // The gains that the formulas call passive or stable, against energy counted in a sampled wall and a body let go.
 #include "godobject/passivity.hpp"
 
-#include "tests/godobject/explicit_steps.hpp"
 #include "tests/godobject/scene.hpp"
+#include "tests/integrators.hpp"
 
 #include <gtest/gtest.h>
 
@@ -118,7 +118,7 @@ TEST(Passivity, ExplicitCouplingEndsWhereSaid) {
     start.position.x() = 1e-9;
     start.orientation = Eigen::AngleAxisd(1e-9, Eigen::Vector3d::UnitZ());
     grasp.place(start, devices);
-    for (int i = 0; i < 3000; ++i) step_explicitly(grasp, devices, sample_time, ExplicitRule::symplectic);
+    for (int i = 0; i < 3000; ++i) step_by(Integrator::symplectic_euler, grasp, devices, sample_time);
     return std::fabs(grasp.body().position.x()) > 1e-8 || std::fabs(grasp.body().orientation.z()) > 1e-8;
   };
   for (const double damping_share : {0.0, 0.3}) {

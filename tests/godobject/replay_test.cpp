@@ -140,7 +140,8 @@ TEST(Replay, FrictionOnABallIsTangential) {
     slips += contact.state == ContactState::slip;
     // The spring goes from the proxy on the ball to the finger: along the normal it is shorter than the depth by what the ball falls away.
     const double deflection = contact.force.norm() / 1000.0;
-    ASSERT_NEAR(contact.load, 1000.0 * (0.002 - (ball - std::sqrt(ball * ball - deflection * deflection))), 2.5e-6);  // k r^4/8R^3, r with a stride
+    ASSERT_NEAR(contact.load, 1000.0 * (0.002 - (ball - std::sqrt(ball * ball - deflection * deflection))),
+                2.5e-6);  // k r^4/8R^3, r with a stride
     ASSERT_LT(std::fabs(contact.force.dot(contact.normal)), 1e-13);
     ASSERT_LT((contact.normal - finger.normalized()).norm(), 1e-14);
     ASSERT_LE(contact.force.norm(), mu * 2.0 * (1.0 + 1e-12));

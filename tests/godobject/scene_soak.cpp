@@ -244,7 +244,8 @@ class SoakScene {
       if (output.state == ContactState::stick && before.in_contact) {
         if (!same_bits(output.proxy, vector(before.proxy)) || output.angle != before.angle) return "a stuck proxy moved";
       }
-      const FrictionLimit<double> limit = ContactLimits(one.parameters(), one.curve().moment_ratio()).at<double>(one.state().limit_load, 1.0).at_rest;
+      const FrictionLimit<double> limit =
+          ContactLimits(one.parameters(), one.curve().moment_ratio()).at<double>(one.state().limit_load, 1.0).at_rest;
       if (!(limit.force * limit.radius > 1e-100)) continue;
       const UnitWrench wrench{output.force.norm() / limit.force, std::fabs(output.moment) / (limit.force * limit.radius)};
       const double beyond = one.curve().gauge(wrench) - 1.0;

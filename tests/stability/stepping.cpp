@@ -2,12 +2,12 @@
 // Entry e, its part on bodies: finger springs on a light one.
 #include "stepping.hpp"
 
-#include "explicit_grasp.hpp"
 #include "godobject/surfaces.hpp"
 #include "limitcurve/ellipse.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/number.hpp"
 #include "sampling.hpp"
+#include "tests/integrators.hpp"
 #include "tests/repetitions.hpp"
 
 #include <algorithm>
@@ -20,14 +20,16 @@ namespace limitcurve::stability {
 namespace {
 
 using namespace godobject;
+using test::Integrator;
+using test::step_by;
 
 constexpr double tick = 1e-3;
 constexpr std::array integrators{Integrator::explicit_euler, Integrator::symplectic_euler, Integrator::implicit_euler};
 constexpr std::array names{"explicit Euler", "symplectic Euler", "limitcurve"};
 
-ExplicitGrasp gripped(const BodyParameters& body, const Eigen::Vector3d& edges, const FingerParameters& with, Integrator integrator) {
+Grasp gripped(const BodyParameters& body, const Eigen::Vector3d& edges, const FingerParameters& with) {
   const SoftFinger finger(Ellipse::through_intercepts(hertz()->moment_ratio()), with);
-  return {Grasp(body, BodyState{}, AnySurface(BoxSurface(0.5 * edges)), {finger, finger}), integrator};
+  return {body, BodyState{}, AnySurface(BoxSurface(0.5 * edges)), {finger, finger}};
 }
 
 /// Two fingers on the faces ±z.
@@ -51,7 +53,7 @@ bool gains_energy(Integrator integrator, double kappa, double zeta, bool twistin
   const double damper = zeta * std::sqrt(kappa) * inertia / tick;
   (twisting ? with.twist_stiffness : with.stiffness) = spring;
   (twisting ? with.twist_damping : with.damping) = damper;
-  ExplicitGrasp scene = gripped(body, edges, with, integrator);
+  Grasp scene = gripped(body, edges, with);
   const auto devices = pinch(0.04, 1e-3);
   scene.place(BodyState{}, devices);
   constexpr double little = 1e-9;
@@ -68,7 +70,7 @@ bool gains_energy(Integrator integrator, double kappa, double zeta, bool twistin
   double first = 0.0;
   double last = 0.0;
   for (int i = 0; i < steps; ++i) {
-    scene.step(devices, tick);
+    step_by(integrator, scene, devices, tick);
     const double away = std::fabs(twisting ? scene.body().orientation.z() : scene.body().position.x());
     if (!(away <= 1e4 * little)) return true;
     if (i >= steps / 2 && i < steps / 2 + swing) first = std::max(first, away);
@@ -108,12 +110,12 @@ Held held(Integrator integrator, double stiffness, double duration) {
   with.mu = 0.6;
   with.stiffness = stiffness;
   with.twist_stiffness = 0.07;
-  ExplicitGrasp scene = gripped(body, edges, with, integrator);
+  Grasp scene = gripped(body, edges, with);
   const auto devices = pinch(0.02, 2.0 / stiffness);
   scene.place(BodyState{}, devices);
   Held result{0.0, {0.0}};
   for (double time = 0.0; time < duration; time += tick) {
-    scene.step(devices, tick);
+    step_by(integrator, scene, devices, tick);
     result.heights.push_back(scene.body().position.y());
   }
   // Lost is lost, however far it is by now.
@@ -214,18 +216,18 @@ Hazard released_grip() {
     FingerParameters with;
     with.mu = 0.6;
     with.stiffness = 2000.0;
-    ExplicitGrasp scene = gripped(body, edges, with, integrators[i]);
+    Grasp scene = gripped(body, edges, with);
     // Held by 10 N, drawn sideways near to slipping, and let go to 0.2 N within one step.
     scene.place(BodyState{}, pinch(0.02, 5e-3));
     BodyState drawn;
     drawn.position = {2.9e-3, 0.0, 0.0};
     scene.place(drawn, pinch(0.02, 5e-3));
-    scene.step(pinch(0.02, 1e-4), tick);
+    step_by(integrators[i], scene, pinch(0.02, 1e-4), tick);
     const double before = scene.energy();
     double most = before;
     figure.rows.push_back({"energy", names[i], 0.0, 1.0});
     for (int j = 1; j <= 200; ++j) {
-      scene.step(pinch(0.02, 1e-4), tick);
+      step_by(integrators[i], scene, pinch(0.02, 1e-4), tick);
       if (std::isfinite(scene.energy())) most = std::max(most, scene.energy());
       figure.rows.push_back({"energy", names[i], static_cast<double>(j), scene.energy() / before});
     }
