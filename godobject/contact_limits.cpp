@@ -94,6 +94,17 @@ ContactLimits::ContactLimits(const FingerParameters& parameters, double moment_r
   if (least < 1.0) rest_share_ = least / (least + parameters.rest_margin * (1.0 - least));
 }
 
+double ContactLimits::margin(const FingerCurve& curve, const FingerParameters& parameters, const FingerState& state) const noexcept {
+  if (!state.in_contact) return 1.0;
+  if (state.state == ContactState::slip) return 0.0;
+  const FrictionTrial<double> wrench{vector(state.force).norm(), std::fabs(state.moment)};
+  if (wrench.force == 0.0 && wrench.moment == 0.0) return 1.0;
+  const FrictionLimits<double> limits = at<double>(state.limit_load, parameters.stiffness / parameters.twist_stiffness);
+  const UnitTrial<double> trial =
+      unit_trial(curve.view(), state.friction.slides ? limits.sliding : limits.at_rest, wrench, limits.stiffness_ratio);
+  return std::clamp(1.0 - share_of_limit(curve.view(), limits.has_torsion, trial, 0.0), 0.0, 1.0);
+}
+
 double ContactLimits::load_to_hold(const FingerCurve& curve, double force, double moment) const noexcept {
   constexpr double never = std::numeric_limits<double>::infinity();
   const bool turns = moment > 0.0;

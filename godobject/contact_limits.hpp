@@ -44,6 +44,8 @@ class ContactLimits {
             varies ? &*radius_law_ : nullptr,
             load};
   }
+  /// How far a finger's wrench is from the limit that acts, as a fraction: 1 without friction, 0 on the limit and while it slips.
+  [[nodiscard]] double margin(const FingerCurve& curve, const FingerParameters& parameters, const FingerState& state) const noexcept;
   /// The least load [N] under which a contact at rest bears a friction force [N] and moment [N m], both ≥ 0 and finite; ∞ where none does.
   [[nodiscard]] double load_to_hold(const FingerCurve& curve, double force, double moment) const noexcept;
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace limitcurve::godobject {
 
@@ -39,6 +40,32 @@ Vector3d FingerState::centre_of_rotation() const noexcept {
   const double size = friction_force.norm();
   if (!(cor > 0.0) || size == 0.0) return vector(proxy) + Vector3d::Constant(0.0 * cor);
   return vector(proxy) - friction_force.cross(vector(normal)) * (std::copysign(cor, moment) / size);
+}
+
+Springs::Springs(const FingerParameters& finger, double time_step) noexcept
+    : stiffness(finger.stiffness), twist_stiffness(finger.twist_stiffness) {
+  if (!(time_step > 0.0) || (finger.damping == 0.0 && finger.twist_damping == 0.0)) return;
+  const double damper = finger.damping / time_step;
+  const double twist_damper = finger.twist_damping / time_step;
+  stiffness += damper;
+  twist_stiffness += twist_damper;
+  rest_share = damper / stiffness;
+  twist_rest_share = twist_damper / twist_stiffness;
+}
+
+double Springs::energy(const FingerState& state) const noexcept {
+  if (!state.in_contact) return 0.0;
+  const Deflection spring = state.deflection();
+  const double twist = state.angle - state.goal_angle;
+  return 0.5 * stiffness * (spring.normal * spring.normal + spring.tangential.squaredNorm()) + 0.5 * twist_stiffness * twist * twist;
+}
+
+double unwrap(FingerState& state, double device_twist) noexcept {
+  constexpr double turn = 2.0 * std::numbers::pi;
+  const double jump = device_twist - state.device_twist;
+  if (std::fabs(jump) > std::numbers::pi) state.turns -= turn * std::round(jump / turn);
+  state.device_twist = device_twist;
+  return device_twist + state.turns;
 }
 
 bool is_plausible(FingerState& state, const FingerParameters& parameters, const Contact& contact, double device_twist,

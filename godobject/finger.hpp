@@ -111,6 +111,23 @@ struct FingerState {
   [[nodiscard]] FingerOutput output() const noexcept;
 };
 
+/// The springs between proxy and finger, in a timed step with the dampers in them: implicitly a damper b is a spring b/Δt more, which rests where
+/// the deflection was.
+struct Springs {
+  double stiffness;               ///< [N/m]
+  double twist_stiffness;         ///< [N m/rad]
+  double rest_share = 0.0;        ///< of the last deflection, where the springs rest
+  double twist_rest_share = 0.0;  ///< likewise
+
+  /// Of a finger; with its dampers in a step of this time [s], without where that is 0.
+  explicit Springs(const FingerParameters& finger, double time_step = 0.0) noexcept;
+  /// What they store [J]: ½ k_l |x_p − x_h|² + ½ k_r (α_p − α_g)², 0 while free.
+  [[nodiscard]] double energy(const FingerState& state) const noexcept;
+};
+
+/// The device's twist without its jumps by whole turns: exactly the device's as long as it does not jump.
+[[nodiscard]] double unwrap(FingerState& state, double device_twist) noexcept;
+
 /// A contact farther than this from the origin [m], or turned farther [rad], is taken for a fault of the device.
 inline constexpr double farthest = 1e6;
 

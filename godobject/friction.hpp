@@ -89,14 +89,6 @@ template <class Real, class Number>
   return project_radially(curve, trial, last);
 }
 
-/// How large a trial is against the limit in whose units it is: 0 for none, 1 on the limit.
-template <class Real, class Number>
-[[nodiscard]] Number share_of_limit(const CurveView<Real>& curve, const FrictionLimits<Number>& limits, const UnitTrial<Number>& trial,
-                                    Number last) noexcept {
-  if (!limits.has_torsion) return trial.force * Number(curve.inverse_force_max);
-  return gauge(curve, trial.force, trial.moment, last);
-}
-
 /// Step b of the paper (eqs. 8–12, 19–23): what part of the trial deflection the limit curve lets the springs keep.
 ///
 /// The rule of sticking: a contact at rest holds while its trial lies within the limit at rest. Once it slips the sliding limit acts, until it
@@ -146,7 +138,8 @@ template <class Real, class Number>
   result.cor = select(result.slips, radius * (projected.slide / projected.spin), nan);
   memory.slides = result.slips;
   const auto lingers = was_sliding && !result.slips && limits.rest_share < one;
-  if (any(lingers)) memory.slides = memory.slides || (lingers && !(share_of_limit(curve, limits, unit, last) < limits.rest_share));
+  if (any(lingers))
+    memory.slides = memory.slides || (lingers && !(share_of_limit(curve, limits.has_torsion, unit, last) < limits.rest_share));
   memory.rate = select(result.slips, select(had_parameter, projected.parameter - memory.parameter, zero), zero);
   memory.parameter = select(result.slips, projected.parameter, zero);
   return result;

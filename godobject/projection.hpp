@@ -31,6 +31,12 @@ struct UnitTrial {
   Number slip_from;         ///< it slips where the trial exceeds the limit curve by this factor, slip_onset or more
 };
 
+/// How large a trial is against the limit in whose units it is: 0 for none, 1 on the limit. Without torsion the force is limited by itself.
+template <class Real, class Number>
+[[nodiscard]] Number share_of_limit(const CurveView<Real>& curve, bool has_torsion, const UnitTrial<Number>& trial, Number last) noexcept {
+  return has_torsion ? gauge(curve, trial.force, trial.moment, last) : trial.force * Number(curve.inverse_force_max);
+}
+
 /// A trial brought on to the limit curve.
 template <class Number>
 struct Projected {

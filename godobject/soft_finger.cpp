@@ -3,33 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 namespace limitcurve::godobject {
 
-namespace {
-
 using Eigen::Vector3d;
 
-/// The device's twist without its jumps by whole turns: exactly the device's as long as it does not jump.
-double unwrap(FingerState& state, double device_twist) noexcept {
-  constexpr double turn = 2.0 * std::numbers::pi;
-  const double jump = device_twist - state.device_twist;
-  if (std::fabs(jump) > std::numbers::pi) state.turns -= turn * std::round(jump / turn);
-  state.device_twist = device_twist;
-  return device_twist + state.turns;
-}
-
-}  // namespace
-
 SoftFinger::SoftFinger(FingerCurve curve, const FingerParameters& parameters, Projection projection)
-    : curve_(std::move(curve)),
-      parameters_(parameters),
-      projection_(projection),
-      limits_(parameters, curve_.moment_ratio()),
-      springs_{parameters.stiffness, parameters.twist_stiffness, parameters.stiffness / parameters.twist_stiffness},
-      has_dampers_(parameters.damping > 0.0 || parameters.twist_damping > 0.0) {
+    : curve_(std::move(curve)), parameters_(parameters), projection_(projection), limits_(parameters, curve_.moment_ratio()) {
   check_projection(curve_, projection);
 }
 
@@ -74,9 +55,9 @@ void SoftFinger::advance(FingerState& state, const Contact& contact, const Spin&
 
   // a. The trial deflection (eq. 7): of the spring between proxy and finger, less where dampers let it rest.
   const Vector3d& n = contact.normal;
-  const Springs springs = has_dampers_ && has_velocity ? damped(time_step) : springs_;
+  const Springs springs(parameters_, has_velocity ? time_step : 0.0);
   Vector3d rest = Vector3d::Zero();
-  if (has_dampers_) {
+  if (springs.rest_share > 0.0) {
     const Deflection before = state.deflection();
     rest = (before.tangential + vector(state.normal) * before.normal) * springs.rest_share;
   }
@@ -100,7 +81,7 @@ void SoftFinger::advance(FingerState& state, const Contact& contact, const Spin&
   const double r = trial.norm();
   const double rho = std::fabs(twist_trial);
   const FrictionTrial<double> wrench{springs.stiffness * r, springs.twist_stiffness * rho};
-  const FrictionLimits<double> limits = limits_.at<double>(state.limit_load, springs.ratio);
+  const FrictionLimits<double> limits = limits_.at<double>(state.limit_load, springs.stiffness / springs.twist_stiffness);
   const bool was_sliding = state.friction.slides;
   const FrictionResult<double> friction = apply_friction(curve_.view(), projection_, limits, wrench, state.friction);
   const Vector3d kept = trial * friction.force_ratio;
@@ -118,7 +99,7 @@ void SoftFinger::advance(FingerState& state, const Contact& contact, const Spin&
     proxy = contact.point + after.tangential + n * rise;
   }
   const double angle = friction.moment_ratio < 1.0 ? state.goal_angle + twist_rest + twist_kept : state.angle;
-  const bool slips = friction.slips && (proxy.x() != last.x() || proxy.y() != last.y() || proxy.z() != last.z() || angle != state.angle);
+  const bool slips = friction.slips && (proxy != last || angle != state.angle);
   if (slips) state.proxy = numbers(proxy);
   if (slips || !limits.has_torsion) state.angle = angle;
   state.friction.slides = state.friction.slides && (slips || was_sliding);
@@ -135,35 +116,12 @@ void SoftFinger::advance(FingerState& state, const Contact& contact, const Spin&
                           : 0.0;
 }
 
-SoftFinger::Springs SoftFinger::damped(double time_step) const noexcept {
-  const double damper = parameters_.damping / time_step;
-  const double twist_damper = parameters_.twist_damping / time_step;
-  const double stiffness = parameters_.stiffness + damper;
-  const double twist_stiffness = parameters_.twist_stiffness + twist_damper;
-  return {stiffness, twist_stiffness, stiffness / twist_stiffness, damper / stiffness, twist_damper / twist_stiffness};
-}
-
 double SoftFinger::margin() const noexcept {
-  if (!state_.in_contact) return 1.0;
-  if (state_.state == ContactState::slip) return 0.0;
-  const FrictionTrial<double> wrench{vector(state_.force).norm(), std::fabs(state_.moment)};
-  if (wrench.force == 0.0 && wrench.moment == 0.0) return 1.0;
-  const FrictionLimits<double> limits = limits_.at<double>(state_.limit_load, parameters_.stiffness / parameters_.twist_stiffness);
-  const UnitTrial<double> trial =
-      unit_trial(curve_.view(), state_.friction.slides ? limits.sliding : limits.at_rest, wrench, limits.stiffness_ratio);
-  return std::clamp(1.0 - share_of_limit(curve_.view(), limits, trial, 0.0), 0.0, 1.0);
+  return limits_.margin(curve_, parameters_, state_);
 }
 
 double SoftFinger::load_to_hold() const noexcept {
   return limits_.load_to_hold(curve_, vector(state_.force).norm(), std::fabs(state_.moment));
-}
-
-double SoftFinger::spring_energy() const noexcept {
-  if (!state_.in_contact) return 0.0;
-  const double twist = state_.angle - state_.goal_angle;
-  const Deflection spring = state_.deflection();
-  return 0.5 * parameters_.stiffness * (spring.normal * spring.normal + spring.tangential.squaredNorm()) +
-         0.5 * parameters_.twist_stiffness * twist * twist;
 }
 
 }  // namespace limitcurve::godobject

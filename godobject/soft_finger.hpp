@@ -57,27 +57,16 @@ class SoftFinger {
   /// Where the slip's centre of rotation is, in the surface's frame [m]; infinite for pure sliding, NaN unless it slips.
   [[nodiscard]] Eigen::Vector3d centre_of_rotation() const noexcept { return state_.centre_of_rotation(); }
   /// The energy in the springs [J]: ½ k_l |x_p − x_h|² + ½ k_r (α_p − α_g)², 0 while free. Slip only takes from it.
-  [[nodiscard]] double spring_energy() const noexcept;
+  [[nodiscard]] double spring_energy() const noexcept { return Springs(parameters_).energy(state_); }
 
  private:
   void advance(FingerState& state, const AnySurface& surface, const DevicePose& device, double time_step) const noexcept;
   void advance(FingerState& state, const Contact& contact, const Spin& spin, double device_twist, double time_step) const noexcept;
-  /// Springs, with the dampers of a time step in them: k + b/Δt, resting nearer to the last deflection.
-  struct Springs {
-    double stiffness;         ///< [N/m]
-    double twist_stiffness;   ///< [N m/rad]
-    double ratio;             ///< of both [1/m²]
-    double rest_share = 0.0;  ///< of the last deflection, where the springs rest
-    double twist_rest_share = 0.0;
-  };
-  [[nodiscard]] Springs damped(double time_step) const noexcept;
 
   FingerCurve curve_;
   FingerParameters parameters_;
   Projection projection_;
   ContactLimits limits_;
-  Springs springs_;
-  bool has_dampers_;
   FingerState state_;
 };
 
