@@ -41,12 +41,12 @@ struct PressureSample {
 
 /// A measured profile, its last radius scaled to a and its pressure to load 1. Between samples a monotone cubic
 /// (Fritsch and Carlson 1980) that never overshoots; up to the first radius the first pressure; two samples at one
-/// radius make a jump; negative pressures, which are noise, count as zero. By `ring`, piece by piece.
+/// radius make a jump, two equal ones are one; negative pressures, which are noise, count as zero. By `ring`, piece by piece.
 ///
 /// The error that `evaluate` returns includes the interpolation: a bound of the distance to the wrench that every
 /// other sample gives, which is above the error wherever the profile is resolved. Throws std::invalid_argument for fewer than 4 samples, radii
 /// that decrease, are negative or nearer together than 1e-9 of the last (but not equal), what is not finite, or no pressure at all. `source` names the data in `name()`.
-Law samples(std::span<const PressureSample> profile, std::string_view source);
+Law samples(std::span<const PressureSample> rows, std::string_view source);
 
 /// Any pressure shape on 0 ≤ ρ ≤ breaks.back() (scaled to 1), analytic between the increasing `breaks` (from 0), finite,
 /// ≥ 0; scaled to load 1. Kinks, jumps, rings and grooves that `breaks` leaves out are looked for and found (smooth_pieces.hpp) if they are
