@@ -179,6 +179,7 @@ class SamplesLaw final : public PressureLawOf<SamplesLaw> {
     return estimate;
   }
   evaluators::Quadrature<Extended> unrounded(Extended s) const noexcept override { return fine_.unrounded(s); }
+  double profile_error() const noexcept override { return std::max(distance_[1], distance_[2]); }
 
  private:
   /// Keeps the ends of every run between jumps, which are the profile's and not the interpolation's, and every other
