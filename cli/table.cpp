@@ -29,7 +29,8 @@ class Table final : public Subcommand {
     return {"table", "Writes a lookup table of the limit curve, to a stated error",
             "The file's form follows its name: .csv, .json, or .h and .hpp (C99 and constexpr C++17, without dependencies).\n"
             "Columns: law; tolerance; certified_error, an upper bound of the absolute error of force and moment in unit\n"
-            "wrenches; nodes, the number of the table's polynomials; bytes that a lookup may touch.",
+            "wrenches; nodes, the number of the table's polynomials; bytes that a lookup may touch; profile_error, what the samples\n"
+            "of a measured pressure leave open, to be added to certified_error (0 for a law that is given by a formula).",
             "limitcurve table --law hertz --tolerance 1e-6 -o hertz.csv"};
   }
 
@@ -45,8 +46,8 @@ class Table final : public Subcommand {
     AtomicFile file(file_);
     file.output().write(text_of(table));
     file.commit();
-    Rows rows(results, {"law", "tolerance", "certified_error", "nodes", "bytes"});
-    rows.row(table.law_name(), table.tolerance(), table.certified_error(), table.cell_count(), table.bytes());
+    Rows rows(results, {"law", "tolerance", "certified_error", "nodes", "bytes", "profile_error"});
+    rows.row(table.law_name(), table.tolerance(), table.certified_error(), table.cell_count(), table.bytes(), table.profile_error());
     rows.finish();
   }
 

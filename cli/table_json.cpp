@@ -103,6 +103,7 @@ limitcurve::Table read_table_json(std::string_view text, const std::string& sour
                                .index_bits = whole_number(whole, "index_bits", source),
                                .octaves = whole_number(whole, "octaves", source),
                                .linear_error = number("linear_error"),
+                               .profile_error = whole.contains("profile_error") ? number("profile_error") : 0.0,
                                .inside = side(whole, "inside", source),
                                .outside = side(whole, "outside", source)};
   return table_of(contents, text_of("checksum"), source);

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
+#include <string_view>
 
 namespace limitcurve::cli {
 
@@ -38,7 +39,9 @@ limitcurve::Table read_table(const std::string& file) {
   if (extension != ".csv" && extension != ".json") {
     throw std::invalid_argument("got '" + file + "', expected a name that ends in .csv or .json");
   }
-  const std::string text = read_whole(file);
+  const std::string whole = read_whole(file);
+  // Spreadsheets and editors put a byte-order mark before the text.
+  const std::string_view text = std::string_view(whole).substr(whole.starts_with("\xEF\xBB\xBF") ? 3 : 0);
   return extension == ".csv" ? read_table_csv(text, file) : read_table_json(text, file);
 }
 

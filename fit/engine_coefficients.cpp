@@ -8,12 +8,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace limitcurve::fit {
 
 namespace {
 
-/// Where the hardest place of the comparison at imposed COR lies is not known beforehand: this many twists, evenly in spin fraction.
+/// Where the hardest place of the comparison at imposed COR lies is not known beforehand: this many twists, whose normals are even
+/// in the normalised plane, so that the unit of length does not matter.
 constexpr int twists = 4000;
 
 /// Largest distance of two boundaries' wrenches at the same twist, in the normalised plane of the exact one.
@@ -21,7 +23,8 @@ template <class Model>
 double wrench_error(const Model& model, const ExactCurve& exact) {
   double largest = 0.0;
   for (int i = 0; i <= twists; ++i) {
-    const SlipTwist twist = SlipTwist::of_spin_fraction(static_cast<double>(i) / twists);
+    const double angle = 0.5 * std::numbers::pi * i / twists;
+    const SlipTwist twist{std::sin(angle) * exact.moment_ratio(), std::cos(angle)};
     const UnitWrench a = model.wrench(twist);
     const UnitWrench b = exact.wrench(twist);
     largest = std::max(largest, std::hypot(a.force - b.force, (a.moment - b.moment) / exact.moment_ratio()));

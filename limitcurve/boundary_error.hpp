@@ -3,14 +3,17 @@
 
 #include "limitcurve/ellipse.hpp"
 #include "limitcurve/limit_boundary.hpp"
+#include "limitcurve/polygon.hpp"
 #include "limitcurve/quartic.hpp"
 #include "limitcurve/superellipse.hpp"
 
 #include <cmath>
+#include <cstddef>
 #include <functional>
+#include <limits>
 
 /// How wrong a limit boundary is against another that is taken as exact, and the boundaries of few parameters that are
-/// least wrong. Offline work: it allocates, and costs 1050 to 1400 evaluations of the exact boundary a call (0.1 to
+/// least wrong. Offline work: it allocates, and costs 1150 to 1500 evaluations of the exact boundary a call (0.1 to
 /// 0.6 ms for a closed-form law, some 0.1 s by quadrature), fits included.
 namespace limitcurve {
 
@@ -51,7 +54,38 @@ WrenchOfTwist wrench_of(const Boundary& boundary) {
   return [&boundary](SlipTwist twist) { return boundary.wrench(twist); };
 }
 
-BoundaryError boundary_error(const CompareRay& compare, UnitWrench intercepts);
+/// How a boundary turns at its ends: the COR on a ray is about (f/m)/spin near pure spin, and slide/(m/f) near pure sliding.
+struct EndTurns {
+  double spin;   ///< d(f/m)/ds at s = 0
+  double slide;  ///< s·m/f at s = ∞
+};
+
+template <LimitBoundary Boundary>
+EndTurns end_turns(const Boundary& boundary) {
+  const BoundaryPoint spin = boundary.point({0.0, 1.0});
+  const BoundaryPoint slide = boundary.point({1.0, 0.0});
+  return {std::fabs(spin.slope.force) / spin.wrench.moment, std::fabs(slide.slope.moment) / slide.wrench.force};
+}
+
+// What no slope says: these turn like a power at their ends, or not at all.
+inline EndTurns end_turns(const Superellipse& superellipse) {
+  if (superellipse.exponent() == 2.0) return end_turns(Ellipse(superellipse.force_max(), superellipse.moment_max()));
+  const double turn = superellipse.exponent() > 2.0 ? std::numeric_limits<double>::infinity() : 0.0;
+  return {turn, turn};
+}
+inline EndTurns end_turns(const Quartic& quartic) {
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  return quartic.kappa() > 0.0 ? end_turns<Quartic>(quartic) : EndTurns{inf, inf};
+}
+template <std::size_t count>
+EndTurns end_turns(const Polygon<count>& polygon) {
+  const auto& vertices = polygon.vertices();
+  const auto turn = [](double one, double other) { return one == other ? std::numeric_limits<double>::infinity() : 0.0; };
+  return {turn(vertices[count - 2].moment, vertices[count - 1].moment), turn(vertices[0].force, vertices[1].force)};
+}
+
+/// `near_spin` and `near_slide` are the limits of the ratio of the CORs.
+BoundaryError boundary_error(const CompareRay& compare, UnitWrench intercepts, double near_spin, double near_slide);
 /// The parameter in [low, high] at which over- and under-estimate are equal, of a model whose gauge is monotone in it.
 double equal_ripple(const WrenchOfTwist& exact, UnitWrench intercepts, const GaugeOfParameter& gauge, double low, double high);
 Ellipse inner_ellipse(const WrenchOfTwist& exact, UnitWrench intercepts);
@@ -60,7 +94,7 @@ Ellipse outer_ellipse(const WrenchOfTwist& exact, UnitWrench intercepts);
 }  // namespace detail
 
 /// Error of `model` against `exact`, which must be strictly convex (the exact curve, a table, an ellipse; not a polygon).
-/// The ratio of the CORs is taken to the ends as a limit, from s = 1e±5 and 1e±6.
+/// At the ends the ratio of the CORs is its limit, by the slopes of both boundaries there.
 template <LimitBoundary Model, LimitBoundary Exact>
 BoundaryError boundary_error(const Model& model, const Exact& exact) {
   const UnitWrench intercepts = detail::intercepts_of(exact);
@@ -70,7 +104,9 @@ BoundaryError boundary_error(const Model& model, const Exact& exact) {
     return {std::atan2(wrench.moment / intercepts.moment, wrench.force / intercepts.force), gauge_from(on_model.wrench, wrench),
             on_model.normal.cor() / twist.cor()};
   };
-  return detail::boundary_error(compare, intercepts);
+  const auto [exact_spin, exact_slide] = detail::end_turns(exact);
+  const auto [model_spin, model_slide] = detail::end_turns(model);
+  return detail::boundary_error(compare, intercepts, exact_spin / model_spin, model_slide / exact_slide);
 }
 
 /// The superellipse through the exact intercepts whose largest radial error is least: there its largest over- and

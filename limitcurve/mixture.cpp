@@ -87,6 +87,12 @@ class MixtureLaw final : public PressureLawOf<MixtureLaw> {
     return sum;
   }
 
+  double profile_error() const noexcept override {
+    double sum = 0.0;
+    for (const Part& part : parts_) sum += static_cast<double>(part.share) * part.law->profile_error();
+    return sum;
+  }
+
   UnitForces<double> forces(double s) const noexcept override {
     UnitForces<double> sum{0.0, 0.0, 0.0};
     for (const Part& part : parts_) {

@@ -87,6 +87,10 @@ class PressureLaw {
   /// (between samples). For tables whose tolerance the errors of `forces` come near.
   [[nodiscard]] virtual evaluators::Quadrature<Extended> unrounded(Extended s) const noexcept;
 
+  /// By how much f and m may be off at any s because the pressure itself is known at samples only; part of what `evaluate` states. 0 for a law
+  /// that is given by a formula.
+  [[nodiscard]] virtual double profile_error() const noexcept { return 0.0; }
+
   /// Whether the law can be evaluated by `method`.
   [[nodiscard]] virtual bool allows(Method method) const noexcept;
 

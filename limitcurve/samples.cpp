@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "limitcurve/evaluators.hpp"
-#include "limitcurve/evaluators.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/number.hpp"
 
@@ -130,6 +129,15 @@ class ProfileLaw final : public PressureLawOf<ProfileLaw> {
   std::vector<Extended> breaks_;
 };
 
+/// Where in `rows` the samples stand; a row that says the same again is none, and no jump.
+std::vector<std::size_t> places_of_samples(std::span<const PressureSample> rows) {
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (i == 0 || rows[i].radius != rows[i - 1].radius || rows[i].pressure != rows[i - 1].pressure) places.push_back(i);
+  }
+  return places;
+}
+
 /// The profile with a bound of its distance, in force and moment, to the law g' that every other sample gives. With
 /// δ = |g − g'|, and because the kernels of force and moment are at most min(1, s/ρ) and ρ·min(1, ρ/s):
 ///   |Δf| ≤ min(∫ 2ρδ dρ, s ∫ 2δ dρ),  |Δm| ≤ min(∫ 2ρ²δ dρ, s⁻¹ ∫ 2ρ³δ dρ).
@@ -171,16 +179,20 @@ class SamplesLaw final : public PressureLawOf<SamplesLaw> {
     return estimate;
   }
   evaluators::Quadrature<Extended> unrounded(Extended s) const noexcept override { return fine_.unrounded(s); }
+  double profile_error() const noexcept override { return std::max(distance_[1], distance_[2]); }
 
  private:
   /// Keeps the ends of every run between jumps, which are the profile's and not the interpolation's, and every other
-  /// sample counted from the run's outer end; the innermost gap of a run of even length is three wide, never one.
+  /// sample counted from the run's outer end; the innermost gap of a run of even length is three wide, never one. A run of two has none to
+  /// leave out: it becomes as high as its higher end, which is as far from its chord as anything that falls or rises from one end to the other.
   static std::vector<PressureSample> every_other(std::span<const PressureSample> profile) {
     std::vector<PressureSample> kept;
     for (std::size_t begin = 0; begin < profile.size();) {
       std::size_t last = begin;
       while (last + 1 < profile.size() && profile[last + 1].radius > profile[last].radius) ++last;
-      for (std::size_t i = begin; i <= last; ++i) {
+      const double higher = std::max(profile[begin].pressure, profile[last].pressure);
+      if (last == begin + 1) kept.insert(kept.end(), {{profile[begin].radius, higher}, {profile[last].radius, higher}});
+      for (std::size_t i = begin; i <= last && last != begin + 1; ++i) {
         const bool inner = i == begin + 1 && last > begin + 1;
         if (i == begin || ((last - i) % 2 == 0 && !inner)) kept.push_back(profile[i]);
       }
@@ -195,9 +207,12 @@ class SamplesLaw final : public PressureLawOf<SamplesLaw> {
 
 }  // namespace
 
-Law samples(std::span<const PressureSample> profile, std::string_view source) {
+Law samples(std::span<const PressureSample> rows, std::string_view source) {
+  const std::vector<std::size_t> places = places_of_samples(rows);
+  std::vector<PressureSample> profile;
+  for (const std::size_t place : places) profile.push_back(rows[place]);
   const auto refuse = [&](std::size_t i, const std::string& what) {
-    return std::invalid_argument("profile '" + std::string(source) + "', sample " + std::to_string(i + 1) + " (radius " +
+    return std::invalid_argument("profile '" + std::string(source) + "', sample " + std::to_string(places[i] + 1) + " (radius " +
                                  format_number(profile[i].radius) + ", pressure " + format_number(profile[i].pressure) + "): " + what);
   };
   if (profile.size() < 4) {
@@ -208,7 +223,7 @@ Law samples(std::span<const PressureSample> profile, std::string_view source) {
     if (!std::isfinite(profile[i].radius) || !std::isfinite(profile[i].pressure)) throw refuse(i, "expected finite numbers");
     if (profile[i].radius < 0.0) throw refuse(i, "expected a radius >= 0");
     if (i > 0 && profile[i].radius < profile[i - 1].radius) throw refuse(i, "expected radii that do not decrease");
-    if (i > 1 && profile[i].radius == profile[i - 2].radius) throw refuse(i, "expected at most two samples at one radius");
+    if (i > 1 && profile[i].radius == profile[i - 2].radius) throw refuse(i, "expected at most two pressures at one radius");
   }
   // Nearer together, the cubics' coefficients leave the doubles.
   const double least_gap = 1e-9 * profile.back().radius;

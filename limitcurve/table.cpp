@@ -47,8 +47,9 @@ table::Source fine_source(const Law& law) {
           {}};
 }
 
-/// The places where a law's pressure is not smooth, between its centre and its rim.
-table::Source with_breaks(table::Source source, const PressureLaw& law) {
+/// With what the law knows of its own pressure: the places where it is not smooth, between its centre and its rim, and its error.
+table::Source with_profile(table::Source source, const PressureLaw& law) {
+  source.profile_error = law.profile_error();
   for (const Extended s : law.breaks()) {
     if (s > 0 && s != 1) source.breaks.push_back(static_cast<double>(s));
   }
@@ -84,9 +85,9 @@ BasicTable<Real> BasicTable<Real>::build(const Law& law, double tolerance) {
   constexpr double quick_tolerance = 1e-11;
   return built<Real>(law->name(), tolerance, [&](double wanted) -> std::optional<BasicTable> {
     if (wanted >= quick_tolerance) {
-      if (auto table = table::build<Real>(with_breaks(quick_source(law), *law), wanted)) return table;
+      if (auto table = table::build<Real>(with_profile(quick_source(law), *law), wanted)) return table;
     }
-    return table::build<Real>(with_breaks(fine_source(law), *law), wanted);
+    return table::build<Real>(with_profile(fine_source(law), *law), wanted);
   });
 }
 

@@ -22,6 +22,7 @@ struct TableFacts {
   std::string law_name;          ///< or the name of the curve
   double tolerance = 0.0;        ///< that it was built to
   double certified_error = 0.0;  ///< absolute, of f and of m: ≤ tolerance·max(force_max, m_max)
+  double profile_error = 0.0;    ///< absolute, beside it: what samples of the pressure leave open (PressureLaw::profile_error)
 };
 
 /// A piece of the support function along one side: D(t) = Σ cᵢ (t − x)ⁱ from t = x to the next cell's x, or to 1.
@@ -76,6 +77,8 @@ class BasicTable {
   [[nodiscard]] double tolerance() const noexcept { return data_->facts.tolerance; }
   /// Upper bound of the absolute error of f and of m, found by comparison with the exact curve within every cell.
   [[nodiscard]] double certified_error() const noexcept { return data_->facts.certified_error; }
+  /// What the law itself may be off by, because its pressure is known at samples only: to be added to the above. 0 for laws given by a formula.
+  [[nodiscard]] double profile_error() const noexcept { return data_->facts.profile_error; }
   [[nodiscard]] std::size_t cell_count() const noexcept { return data_->cells.size(); }
   /// Bytes that a look-up may touch: the cells, a cache line each in double, and their index.
   [[nodiscard]] std::size_t bytes() const noexcept;

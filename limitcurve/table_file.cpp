@@ -77,6 +77,7 @@ TableContents contents_of(const Table& table) {
                          .certified_error = table.certified_error(),
                          .index_bits = cells.index_bits,
                          .octaves = cells.octaves,
+                         .profile_error = table.profile_error(),
                          .inside = rows_of(table, cells.inside, false),
                          .outside = rows_of(table, cells.outside, true)};
   // The largest of 31 places in every cell is within 1 % of the largest of all.
@@ -99,22 +100,26 @@ std::string csv_rows(const TableContents& contents) {
   return text;
 }
 
-constexpr std::array<std::string_view, 8> fact_names{"law",     "tolerance",    "certified_error", "index_bits",
-                                                     "octaves", "linear_error", "version",         "checksum"};
+constexpr std::array<std::string_view, 9> fact_names{"law",          "tolerance",     "certified_error", "index_bits", "octaves",
+                                                     "linear_error", "profile_error", "version",         "checksum"};
 
 /// The facts that are part of the contents: those before the version.
-std::array<std::string, 6> facts_of(const TableContents& contents) {
+std::array<std::string, 7> facts_of(const TableContents& contents) {
   return {contents.law,
           format_number(contents.tolerance),
           format_number(contents.certified_error),
           std::to_string(contents.index_bits),
           std::to_string(contents.octaves),
-          format_number(contents.linear_error)};
+          format_number(contents.linear_error),
+          format_number(contents.profile_error)};
 }
 
 std::string checksum(const TableContents& contents) {
   std::string text;
-  for (const std::string& fact : facts_of(contents)) text += fact + "\n";
+  const auto facts = facts_of(contents);
+  // Older files have no profile_error: one of 0 counts as not there.
+  const std::size_t count = facts.size() - (contents.profile_error == 0.0 ? 1 : 0);
+  for (std::size_t i = 0; i < count; ++i) text += facts[i] + "\n";
   std::uint64_t hash = 0xcbf29ce484222325U;
   for (const char c : text + csv_rows(contents)) {
     hash ^= static_cast<unsigned char>(c);
@@ -240,8 +245,9 @@ Table read_table_csv(std::string_view text, std::string_view source) {
   TableContents contents;
   std::string_view sum;
   for (const std::string_view name : fact_names) {
-    line = reader.line();
+    if (name != "version" || line.starts_with("# profile_error: ")) line = reader.line();
     const std::optional<std::string_view> value = fact(line, name);
+    if (!value && name == "profile_error") continue;
     if (!value) reader.fail(1, "expected '# " + std::string(name) + ": …'");
     const std::size_t column = line.size() - value->size() + 1;
     if (name == "law") contents.law = *value;
@@ -250,6 +256,7 @@ Table read_table_csv(std::string_view text, std::string_view source) {
     if (name == "index_bits") contents.index_bits = whole_number(reader, *value, column);
     if (name == "octaves") contents.octaves = whole_number(reader, *value, column);
     if (name == "linear_error") contents.linear_error = number(reader, *value, column);
+    if (name == "profile_error") contents.profile_error = number(reader, *value, column);
     if (name == "checksum") sum = *value;
   }
   do {
@@ -274,7 +281,7 @@ Table table_of(const TableContents& contents, std::string_view expected_checksum
                                 std::string(expected_checksum) + ", its contents have " + actual);
   }
   try {
-    return Table({contents.law, contents.tolerance, contents.certified_error},
+    return Table({contents.law, contents.tolerance, contents.certified_error, contents.profile_error},
                  {.index_bits = contents.index_bits,
                   .octaves = contents.octaves,
                   .inside = cells_of(contents.inside, "inside"),

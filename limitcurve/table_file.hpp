@@ -16,12 +16,12 @@ namespace limitcurve {
 /// FNV-1a (64 bits) over the facts and rows of the table as text, "fnv1a:" and 16 hexadecimal digits.
 std::string checksum(const Table& table);
 
-/// Comment lines `# name: value` (law, tolerance, certified_error, index_bits, octaves, linear_error, version, checksum), what the columns
-/// mean, then `side,x,force,moment,c0,…,c6`: one row a cell, and one of each side at the rim. TableContents has their meaning and order.
+/// Comment lines `# name: value` (law, tolerance, certified_error, index_bits, octaves, linear_error, profile_error, version, checksum), what
+/// the columns mean, then `side,x,force,moment,c0,…,c6`: one row a cell, and one of each side at the rim. TableContents has their meaning and order.
 std::string to_csv(const Table& table);
 
 /// The same as one object: {"format": "limitcurve table 2", "law", "tolerance", "certified_error", "index_bits", "octaves", "linear_error",
-/// "version", "checksum", "columns", "inside", "outside"}, the sides as arrays of [x, force, moment, c0, …, c6].
+/// "profile_error", "version", "checksum", "columns", "inside", "outside"}, the sides as arrays of [x, force, moment, c0, …, c6].
 std::string to_json(const Table& table);
 
 /// A header that needs nothing but C99 or C++17. In C: `limitcurve_table_<law>_wrench(slide, spin)` returns a struct of force and moment.
@@ -45,6 +45,8 @@ struct TableContents {
   int octaves = 0;
   /// Largest error of force and moment if they are interpolated linearly in x between the rows, rounded up to two digits.
   double linear_error = 0.0;
+  /// As TableFacts has it. Older files do not have it, and are read as if it were 0.
+  double profile_error = 0.0;
   /// In the order of the curve, from pure spin to pure sliding. So x grows inside the rim and falls outside. The rim, x = 1, has a row of each
   /// side, which is no cell: c₀ = D and c₁ = D′ there, the others 0.
   std::vector<Row> inside;

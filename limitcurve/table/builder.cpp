@@ -224,7 +224,7 @@ std::optional<BasicTable<Real>> build(const Source& source, double tolerance) {
       target *= 0.3;
       continue;
     }
-    TableFacts facts{source.name, tolerance, allowed};
+    TableFacts facts{source.name, tolerance, allowed, source.profile_error};
     const BasicTable<Real> table(facts, builder.cells());
     facts.certified_error = certify(table, builder.sides()) + rounding;
     if (facts.certified_error <= allowed) return BasicTable<Real>(facts, builder.cells());

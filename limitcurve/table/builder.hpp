@@ -24,6 +24,7 @@ struct Source {
   std::string name;
   std::function<Sample(bool outside, double x)> at;
   std::vector<double> breaks;  ///< s where it is not smooth, if known; the rim and the ends need no mention
+  double profile_error = 0.0;  ///< as the table is to state it
 };
 
 /// The table of a curve with |error| ≤ tolerance·max(force_max, m_max), certified in the arithmetic of the table; nothing if it is

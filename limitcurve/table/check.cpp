@@ -105,6 +105,9 @@ void check_facts(const TableFacts& facts, double scale) {
   if (!(facts.certified_error >= 0.0 && facts.certified_error <= facts.tolerance * scale)) {
     throw out_of_range("certified_error", facts.certified_error, "1", "0 <= certified_error <= tolerance * max(force_max, moment_max)");
   }
+  if (!(facts.profile_error >= 0.0 && facts.profile_error <= std::numeric_limits<double>::max())) {
+    throw out_of_range("profile_error", facts.profile_error, "1", "0 <= profile_error, and finite");
+  }
 }
 
 }  // namespace

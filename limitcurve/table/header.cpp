@@ -41,7 +41,8 @@ std::string to_header(const Table& table) {
   };
   // What stands between @ differs from table to table.
   std::string text = R"(// Friction limit curve of the pressure law @LAW@, written by limitcurve @VERSION@.
-// |error| of force and moment <= certified_error, compared with the exact curve. Checksum @CHECKSUM@
+// |error| of force and moment <= certified_error, compared with the exact curve; and profile_error, what samples of the pressure leave
+// open (0 for a law given by a formula). Checksum @CHECKSUM@
 // C99 and C++17; needs no other header.
 #ifndef @GUARD@
 #define @GUARD@
@@ -62,6 +63,7 @@ typedef struct @NAME@_unit_wrench {
 
 LIMITCURVE_TABLE_DATA double @NAME@_tolerance = @TOLERANCE@;
 LIMITCURVE_TABLE_DATA double @NAME@_certified_error = @CERTIFIED@;
+LIMITCURVE_TABLE_DATA double @NAME@_profile_error = @PROFILE@;
 /// Moment of a pure twist, mu_r / (mu a).
 LIMITCURVE_TABLE_DATA double @NAME@_moment_ratio = @RATIO@;
 
@@ -112,6 +114,7 @@ namespace @NAME@ {
 using unit_wrench = @NAME@_unit_wrench;
 inline constexpr double tolerance = @NAME@_tolerance;
 inline constexpr double certified_error = @NAME@_certified_error;
+inline constexpr double profile_error = @NAME@_profile_error;
 inline constexpr double moment_ratio = @NAME@_moment_ratio;
 
 constexpr unit_wrench wrench(double slide, double spin) { return @NAME@_wrench(slide, spin); }
@@ -135,6 +138,7 @@ constexpr unit_wrench wrench(double slide, double spin) { return @NAME@_wrench(s
   put("@CHECKSUM@", sum);
   put("@TOLERANCE@", literal(table.tolerance()));
   put("@CERTIFIED@", literal(table.certified_error()));
+  put("@PROFILE@", literal(table.profile_error()));
   put("@RATIO@", literal(table.moment_ratio()));
   put("@INSIDE@", list(pieces.inside));
   put("@OUTSIDE@", list(pieces.outside));

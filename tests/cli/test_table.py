@@ -23,10 +23,48 @@ class Tables(CommandLineTest):
 
     def test_columns(self):
         path, facts = self.build("hertz", 1e-6)
-        self.assertEqual(list(facts), ["law", "tolerance", "certified_error", "nodes", "bytes"])
+        self.assertEqual(list(facts), ["law", "tolerance", "certified_error", "nodes", "bytes", "profile_error"])
         self.assertEqual((facts["law"], facts["tolerance"]), ("hertz", 1e-6))
         self.assertLessEqual(facts["certified_error"], 1e-6)
         self.assertEqual(header("lookup", "--table", path, "--c", "1"), "c,force,moment")
+
+    def test_a_measured_profile_states_its_own_error(self):
+        # Issue 9, point 6: only the error of interpolating the curve was told, a hundredth of the profile's own.
+        profile = self.directory / "profile.csv"
+        profile.write_text("radius,pressure\n" + "".join(f"{i / 20},{math.sqrt(1 - (i / 20) ** 2)}\n" for i in range(21)))
+        places = numbers([0, 0.2, 0.5, 0.8, 0.95, 1, 1.05, 1.3, 2, 5, 1e9])
+        measured = f"samples:{profile}"
+        estimates = rows("eval", "--law", measured, "--c", places)
+        largest = max(max(row["force_error"], row["moment_error"]) for row in estimates)
+        hertz = rows("eval", "--law", "hertz", "--c", places)
+        for form in [*FORMS, "h"]:
+            path, facts = self.build(measured, 1e-4, form)
+            self.assertAlmostEqual(facts["profile_error"], largest, delta=0.02 * largest)
+            self.assertGreaterEqual(facts["profile_error"], largest - 1e-9)
+            self.assertRegex(path.read_text(), f'profile_error"?( =|:) {facts["profile_error"]}')
+            if form == "h":
+                continue
+            for exact, found in zip(hertz, rows("lookup", "--table", path, "--c", places)):
+                for name in ["force", "moment"]:
+                    self.assertLessEqual(abs(found[name] - exact[name]), facts["certified_error"] + facts["profile_error"])
+        mixed = self.build(f"mix:1*hertz+3*power:n=2.3", 1e-4)[1]
+        self.assertEqual((self.build("hertz", 1e-4)[1]["profile_error"], mixed["profile_error"]), (0, 0))
+
+    def test_tables_without_a_profile_error_are_still_read(self):
+        for form, line in [("csv", "# profile_error: 0\n"), ("json", '  "profile_error": 0,\n')]:
+            path, _ = self.build("hertz", 1e-4, form)
+            found = rows("lookup", "--table", path, "--c", "0,0.5,2")
+            self.assertIn(line, path.read_text())
+            path.write_text(path.read_text().replace(line, ""))
+            self.assertEqual(rows("lookup", "--table", path, "--c", "0,0.5,2"), found)
+
+    def test_a_byte_order_mark_is_no_part_of_a_table(self):
+        # Issue 9, point 5.
+        for form in FORMS:
+            path, _ = self.build("hertz", 1e-4, form)
+            found = rows("lookup", "--table", path, "--c", "0,0.5,2")
+            path.write_bytes(b"\xef\xbb\xbf" + path.read_bytes())
+            self.assertEqual(rows("lookup", "--table", path, "--c", "0,0.5,2"), found)
 
     def test_within_the_tolerance_between_the_nodes(self):
         generator = random.Random(20061)

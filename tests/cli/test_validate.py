@@ -64,6 +64,19 @@ class Validate(CommandLineTest):
             self.assertLessEqual(models["ellipse-inner"]["max_over_estimate"], 1e-12)
             self.assertLessEqual(models["ellipse-outer"]["max_under_estimate"], 1e-12)
 
+    def test_units_of_length_do_not_matter(self):
+        # Issue 9, point 3: max_cor_error was inf, or that of a place far from the ends.
+        alike = [self.models(f"gaussian:sigma={sigma}") for sigma in ["1e-6", "0.001", "1", "1000", "1e6"]]
+        for model in ["ellipse", "ellipse-inner", "ellipse-outer", "superellipse", "quartic", "box", "diamond"]:
+            for column in ["max_error", "rms_error", "max_over_estimate", "max_under_estimate", "max_cor_error"]:
+                values = {models[model][column] for models in alike}
+                if math.inf in values:
+                    self.assertEqual(values, {math.inf}, f"{model} {column}")
+                else:
+                    self.assertLess(max(values) - min(values), 1e-8, f"{model} {column}")
+        self.assertAlmostEqual(alike[0]["ellipse"]["max_cor_error"], math.pi / 2 - 1, delta=1e-8)
+        self.assertAlmostEqual(self.models("xydas-kao:k=0.1")["ellipse"]["max_cor_error"], 2.8426699, delta=1e-6)
+
     def test_json(self):
         self.assertIn('"max_cor_error":"inf"', run("validate", "--law", "hertz", "--format", "json").stdout)
 
@@ -107,6 +120,14 @@ class Choose(CommandLineTest):
         self.assert_fails(2, ["slide speed", "twist rate"], *scene, "--slide-speed", "0", "--twist-rate", "0")
         self.assert_fails(2, ["--loads", "expected"], *scene, "--loads", "1,2,3")
         self.assert_fails(2, ["least load"], *scene, "--loads", "2,1")
+
+    def test_units_of_length_do_not_matter(self):
+        tables = []
+        for sigma in ["1e-6", "0.01", "1", "1000"]:
+            found = rows("choose", "--law", f"gaussian:sigma={sigma}", "--tolerance", "0.01")
+            tables.append([(row["model"], round(row["error"], 8), row["chosen"]) for row in found if row["model"] != "table"])
+        for one in tables[1:]:
+            self.assertEqual(one, tables[0])
 
     def test_what_no_approximation_reaches(self):
         self.assertIn(self.chosen("gaussian:sigma=0.4", 1e-4)[1], {"table", "exact"})

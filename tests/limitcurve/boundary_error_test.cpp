@@ -73,6 +73,53 @@ TEST(BoundaryError, OfTheEllipseInTheCentreOfRotation) {
   }
 }
 
+/// ∫ ρʲ (1 − ρᵏ)^{1/k} dρ.
+double xydas_kao_moment(double k, double j) {
+  return std::beta((j + 1.0) / k, 1.0 / k + 1.0) / k;
+}
+
+// Issue 9, point 3: inf for k = 0.1 (truth 2.843), and for the Gaussian what its unit of length made of it (truth 0.5708).
+TEST(BoundaryError, InTheCentreOfRotationDoesNotDependOnUnitsOfLength) {
+  for (const double sigma : {1e-6, 1e-3, 1.0, 1e3, 1e6}) {
+    const ExactCurve exact(gaussian(sigma));
+    const double m0 = exact.moment_ratio();
+    const BoundaryError error = boundary_error(Ellipse::through_intercepts(m0), exact);
+    EXPECT_NEAR(error.max_cor_error, 0.5 * std::numbers::pi - 1.0, 1e-9) << sigma;
+    EXPECT_NEAR(error.min_cor_ratio, 0.25 * std::numbers::pi, 1e-9) << sigma;
+    EXPECT_NEAR(boundary_error(minimax_quartic(exact), exact).max_cor_error, 0.1404893970656, 1e-9) << sigma;
+    EXPECT_EQ(boundary_error(minimax_superellipse(exact), exact).max_cor_ratio, inf) << sigma;
+  }
+  for (const double k : {0.1, 0.09, 0.07, 0.05, 0.03, 0.01}) {
+    const ExactCurve exact(xydas_kao(k));
+    const double load = 2.0 * xydas_kao_moment(k, 1.0);
+    const double m0 = 2.0 * xydas_kao_moment(k, 2.0) / load;
+    const BoundaryError error = boundary_error(Ellipse::through_intercepts(exact.moment_ratio()), exact);
+    const double near_spin = m0 * xydas_kao_moment(k, 0.0) / load;
+    EXPECT_NEAR(error.max_cor_ratio / near_spin, 1.0, 1e-9) << k;
+  }
+}
+
+// The same: where the normals turn at once, rays even in them lie far from each other, and the mean was off by 6e-3.
+TEST(BoundaryError, MeanIsRightToWhatItStates) {
+  for (const double k : {0.01, 0.1, 1.0}) {
+    const ExactCurve exact(xydas_kao(k));
+    const double m0 = exact.moment_ratio();
+    const Ellipse model = Ellipse::through_intercepts(m0);
+    double squares = 0.0;
+    double last_angle = 0.5 * std::numbers::pi;
+    double last = 0.0;
+    for (int i = 0; i <= 20000; ++i) {
+      const UnitWrench wrench = exact.wrench(SlipTwist::about_cor(m0 * std::pow(10.0, -30.0 + 50.0 * i / 20000.0)));
+      const double angle = std::atan2(wrench.moment / m0, wrench.force);
+      const double error = 1.0 / model.gauge(wrench) - 1.0;
+      squares += 0.5 * (error * error + last * last) * (last_angle - angle);
+      last_angle = angle;
+      last = error;
+    }
+    EXPECT_NEAR(boundary_error(model, exact).rms_error, std::sqrt(squares / (0.5 * std::numbers::pi)), 1e-6) << k;
+  }
+}
+
 TEST(BoundaryError, IsWhatCountingFinds) {
   for (const char* name : {"hertz", "uniform", "flat-punch", "cone"}) {
     const Law law = parse_law(name);

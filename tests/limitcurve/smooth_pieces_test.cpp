@@ -4,11 +4,18 @@
 #include "limitcurve/accuracy.hpp"
 #include "limitcurve/laws.hpp"
 
+#include "tests/repetitions.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <limits>
+#include <random>
+#include <string>
 #include <vector>
 
 namespace limitcurve {
@@ -95,7 +102,8 @@ TEST(SmoothPieces, AreNoMoreThanToldWhereTheFunctionIsSmooth) {
        }) {
     const SmoothPieces pieces = smooth_pieces(function, told);
     EXPECT_EQ(pieces.breaks, told) << name;
-    EXPECT_LE(pieces.error, 1e-16L) << name;
+    // No more than from_pressure states of the rounding of a pressure in double.
+    EXPECT_LE(pieces.error, 4.0 * std::numeric_limits<double>::epsilon()) << name;
   }
   // Those that are told stay.
   const std::vector<Extended> kinked{0, 0.25L, 1};
@@ -118,7 +126,128 @@ TEST(SmoothPieces, StateTheErrorOfWhatIsTooRough) {
   const auto flicker = [](Extended rho) { return rho * (1 + std::sin(1e9L * rho) / 2); };
   const SmoothPieces pieces = smooth_pieces(flicker, {0, 1});
   EXPECT_GE(pieces.error, 1e-3L);
-  EXPECT_EQ(pieces.breaks.size(), 2U);
+  EXPECT_LE(pieces.breaks.size(), 130U);
+}
+
+/// A parabolic pressure, or a uniform one, with rings, grooves and steps: discs of uniform pressure on it and off it.
+class Cut {
+ public:
+  explicit Cut(bool parabolic) : parabolic_(parabolic) {
+    if (!parabolic) add(1.0, 1.0);
+  }
+
+  [[nodiscard]] double operator()(double rho) const {
+    double sum = parabolic_ ? 2.0 * (1.0 - rho) * (1.0 + rho) : 0.0;
+    for (const Disc& disc : discs_) sum += rho < disc.radius ? disc.pressure : 0.0;
+    return sum;
+  }
+
+  void add_between(double inner, double outer, double pressure) {
+    add(outer, pressure);
+    if (inner > 0.0) add(inner, -pressure);
+  }
+  /// A ring that bears so much more than what is there.
+  void add_ring(double inner, double outer, double load) { add_between(inner, outer, load / ((outer - inner) * (outer + inner))); }
+  /// A groove that takes away so much of the least pressure that is there.
+  void add_groove(double inner, double outer, double share) {
+    double least = std::min((*this)(inner), (*this)(outer));
+    for (const Disc& disc : discs_) {
+      if (disc.radius > inner && disc.radius <= outer)
+        least = std::min({least, (*this)(disc.radius), (*this)(disc.radius * (1.0 - 1e-15))});
+    }
+    add_between(inner, outer, -share * least);
+  }
+  /// Two steps beside each other.
+  void add_steps(double inner, double outer, double height) {
+    add(inner, height);
+    add(outer, height);
+  }
+
+  struct Wrench {
+    UnitWrench value;
+    double error;  ///< of the closed forms, and of thin rings as differences of discs
+  };
+  [[nodiscard]] Wrench wrench(double s) const {
+    UnitWrench sum = parabolic_ ? parabolic()->evaluate(s).wrench : UnitWrench{};
+    double load = parabolic_ ? 1.0 : 0.0;
+    double size = load;
+    for (const auto& [radius, pressure] : discs_) {
+      const UnitWrench one = uniform()->evaluate(s / radius).wrench;
+      const double share = pressure * radius * radius;
+      sum.force += share * one.force;
+      sum.moment += share * radius * one.moment;
+      load += share;
+      size += std::fabs(share);
+    }
+    return {{sum.force / load, sum.moment / load}, 5e-16 * size / load};
+  }
+
+ private:
+  struct Disc {
+    double radius;
+    double pressure;
+  };
+  void add(double radius, double pressure) { discs_.push_back({radius, pressure}); }
+
+  bool parabolic_;
+  std::vector<Disc> discs_;
+};
+
+void expect_honest(const std::string& name, const Cut& pressure) {
+  const Law law = from_pressure(name, pressure, whole);
+  const double moment_ratio = law->moment_ratio();
+  for (const double s : {0.0, 0.01, 0.1, 0.31, 0.5, 0.75, 0.9, 1.0, 1.05, 1.5, 3.0, 30.0}) {
+    const auto [truth, rounding] = pressure.wrench(s);
+    const WrenchEstimate estimate = law->evaluate(s);
+    EXPECT_NEAR(estimate.wrench.force, truth.force, estimate.error.force + rounding) << name << ", s = " << s;
+    EXPECT_NEAR(estimate.wrench.moment, truth.moment, estimate.error.moment + rounding) << name << ", s = " << s;
+    const UnitForces<double> quick = law->forces(s);
+    EXPECT_LE(std::max(estimate.wrench.force, quick.force), 1.0) << name << ", s = " << s;
+    EXPECT_LE(std::max(estimate.wrench.moment, quick.moment), moment_ratio) << name << ", s = " << s;
+  }
+}
+
+// Issue 9, point 1: f(1.05) was 1.243 ± 0.010, m₀ 0.6667 ± 7e-16.
+TEST(SmoothPieces, FindARingOfAHundredthOfTheRadius) {
+  Cut ring(false);
+  ring.add_between(0.05625, 0.06625, 1.0 / 3.0 / (0.06625 * 0.06625 - 0.05625 * 0.05625));
+  expect_honest("a quarter of the load in a ring", ring);
+  const Law law = from_pressure("ring", ring, whole);
+  EXPECT_NEAR(law->moment_ratio(), 0.5153, 1e-4);
+  EXPECT_LE(law->evaluate(1.05).error.force, 1e-13);
+}
+
+// Issue 9, point 1: of 400 profiles 83 were wrong beyond the stated error. Features from 10 % to 0.1 % of the radius; by the hundred, too.
+TEST(SmoothPieces, StateTheErrorOfRingsGroovesAndSteps) {
+  const bool all = std::getenv("LIMITCURVE_WHOLE_STUDIES") != nullptr;
+  const int profiles = all ? 400 : repetitions(40, 10);
+  for (int i = 0; i < profiles; ++i) {
+    std::mt19937_64 generator(static_cast<std::uint64_t>(i));
+    std::uniform_real_distribution<double> uniformly(0.0, 1.0);
+    const auto random = [&] { return uniformly(generator); };
+    Cut pressure(i % 2 == 0);
+    const int features = i % 10 == 9 ? 40 : i % 20 == 18 ? 200 : 1 + static_cast<int>(4.0 * random());
+    for (int k = 0; k < features; ++k) {
+      const double width = std::pow(10.0, -1.0 - 2.0 * random());
+      const double inner = random() * (1.0 - width);
+      const double size = random();
+      const double kind = random();
+      if (kind < 1.0 / 3.0)
+        pressure.add_ring(inner, inner + width, 0.05 + 0.5 * size);
+      else if (kind < 2.0 / 3.0)
+        pressure.add_groove(inner, inner + width, size);
+      else
+        pressure.add_steps(inner, inner + width, 2.0 * size);
+    }
+    expect_honest("profile " + std::to_string(i), pressure);
+  }
+}
+
+TEST(SmoothPieces, RefuseAFeatureThatIsNoShare) {
+  const auto flat = [](double) { return 1.0; };
+  EXPECT_THROW(from_pressure("flat", flat, whole, 0.0), std::invalid_argument);
+  EXPECT_THROW(from_pressure("flat", flat, whole, 1.5), std::invalid_argument);
+  EXPECT_THROW(from_pressure("flat", flat, whole, std::nan("")), std::invalid_argument);
 }
 
 }  // namespace

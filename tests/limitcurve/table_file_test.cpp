@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <cstdlib>
@@ -173,6 +174,19 @@ TEST(TableFile, EveryFactIsHeldByTheChecksum) {
     edited.replace(value, edited.find('\n', value) - value, "7");
     EXPECT_TRUE(has(complaint(edited), "edited or damaged")) << fact << ": " << complaint(edited);
   }
+}
+
+TEST(TableFile, TheErrorOfAProfileIsHeldByTheChecksumToo) {
+  const std::array<PressureSample, 5> profile{{{0, 1}, {0.3, 0.9}, {0.6, 0.7}, {0.8, 0.5}, {1, 0}}};
+  const Table table = Table::build(samples(profile, "p.csv"), 1e-3);
+  EXPECT_GT(table.profile_error(), 1e-3);
+  const std::string text = to_csv(table);
+  EXPECT_EQ(read_table_csv(text, "table.csv").profile_error(), table.profile_error());
+  const std::size_t line = text.find("# profile_error: ");
+  std::string edited = text;
+  EXPECT_TRUE(has(complaint(edited.replace(line, text.find('\n', line) - line, "# profile_error: 0")), "edited or damaged"));
+  edited = text;
+  EXPECT_TRUE(has(complaint(edited.erase(line, text.find('\n', line) + 1 - line)), "edited or damaged"));
 }
 
 TEST(TableFile, NamesWhatIsWrongAndWhere) {
