@@ -106,6 +106,24 @@ std::vector<ContactFit::BandPoint> band_of(const UnitCurve& curve, const Contact
   return band;
 }
 
+/// Moves the start to where a robust loss of the scale asked for sees most samples as good ones. Seen from a start that is off by many
+/// sigmas all samples are outliers, and any few of them are a minimum: so the loss begins as wide as the scatter is, and
+/// narrows with it.
+void approach(const ContactResiduals& residuals, std::vector<Parameter>& parameters, const Loss& loss, double tolerance) {
+  std::vector<double> values;
+  for (const Parameter& parameter : parameters) values.push_back(parameter.start);
+  std::vector<double> distances(residuals.count());
+  for (std::size_t i = 0; i < distances.size(); ++i) residuals.evaluate(i, values, distances[i], nullptr);
+  double scatter = 1.4826 * median_size(distances);
+  constexpr int most_passes = 20;
+  for (int pass = 0; pass < most_passes && scatter > 1.0; ++pass) {
+    const Solution solution = internal::minimise(residuals, parameters, {loss.kind, loss.scale * scatter}, tolerance);
+    for (std::size_t j = 0; j < parameters.size(); ++j) parameters[j].start = solution.values[j];
+    const double narrower = std::min(1.4826 * median_size(solution.residuals), 0.5 * scatter);
+    scatter = narrower;
+  }
+}
+
 bool is_at_bound(const UnitCurve& curve, double shape) {
   return std::min(shape - curve.low(), curve.high() - shape) < 1e-6 * (curve.high() - curve.low());
 }
@@ -125,6 +143,7 @@ ContactFit fit_prepared(const ContactPreparation& preparation, const ContactMode
   // To 3 % of a standard error of 100 samples: more is wasted on a first pass.
   constexpr double first_tolerance = 1e-5;
   ContactResiduals residuals(preparation.samples, *curve, layout);
+  if (robust && preparation.with_sigma) approach(residuals, parameters, options.loss, first_tolerance);
   Solution solution = internal::minimise(residuals, parameters, options.loss, first_tolerance);
   // Again from there, with the drift that the scatter found causes (sigmas may overstate it).
   const double scatter = robust ? std::pow(1.4826 * median_size(solution.residuals), 2) : internal::residual_variance(solution);
