@@ -164,6 +164,21 @@ std::vector<Parameter> free_parameters(const UnitCurve& curve, const ContactLayo
   return parameters;
 }
 
+void approach(const ContactResiduals& residuals, std::vector<Parameter>& parameters, const Loss& loss, double tolerance) {
+  std::vector<double> values;
+  for (const Parameter& parameter : parameters) values.push_back(parameter.start);
+  std::vector<double> distances(residuals.count());
+  for (std::size_t i = 0; i < distances.size(); ++i) residuals.evaluate(i, values, distances[i], nullptr);
+  double scatter = 1.4826 * median_size(distances);
+  constexpr int most_passes = 20;
+  for (int pass = 0; pass < most_passes && scatter > 1.0; ++pass) {
+    const Solution solution = minimise(residuals, parameters, {loss.kind, loss.scale * scatter}, tolerance);
+    for (std::size_t j = 0; j < parameters.size(); ++j) parameters[j].start = solution.values[j];
+    const double narrower = std::min(1.4826 * median_size(solution.residuals), 0.5 * scatter);
+    scatter = narrower;
+  }
+}
+
 double median_size(std::vector<double> values) {
   for (double& value : values) value = std::fabs(value);
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -181,17 +196,17 @@ ContactPreparation prepare(std::span<const Sample> samples, const ContactFitOpti
   for (const Sample& sample : samples) log_load += std::log(sample.load);
   preparation.reference_load = std::exp(log_load / static_cast<double>(samples.size()));
   preparation.start = starting_limits(samples, options.gamma, preparation.reference_load);
-  const ContactModel ellipse{};
-  const std::unique_ptr<UnitCurve> curve = make_curve(ellipse);
-  const ContactLayout layout{false, options.fit_gamma, options.gamma};
   // Without sigmas the unit of error is the limit itself, which an ellipse tells well enough; a robust loss also needs to
-  // know what a usual error is: 1.4826 median |residual| estimates σ and does not see outliers.
+  // know what a usual error is, to which a quartic's misfit adds little: 1.4826 median |residual| estimates σ and does not see outliers.
   const bool robust = options.loss.kind != Loss::Kind::squared;
+  const ContactModel shape{robust ? ContactModel::Kind::quartic : ContactModel::Kind::ellipse};
+  const std::unique_ptr<UnitCurve> curve = make_curve(shape);
+  const ContactLayout layout{robust, options.fit_gamma, options.gamma};
   const int passes = preparation.with_sigma ? 0 : robust ? 2 : 1;
   for (int pass = 0; pass < passes; ++pass) {
     const auto weighted = weigh(samples, false, preparation.start, preparation.noise, preparation.reference_load);
     const ContactResiduals residuals(weighted, *curve, layout);
-    const std::vector<Parameter> parameters = free_parameters(*curve, layout, ellipse, preparation.start);
+    const std::vector<Parameter> parameters = free_parameters(*curve, layout, shape, preparation.start);
     const Loss loss = pass == 0 && robust ? Loss::cauchy(0.05) : options.loss;
     const Solution solution = internal::minimise(residuals, parameters, loss, internal::coarse_tolerance);
     preparation.start = {std::exp(solution.values[0]), std::exp(solution.values[1])};
