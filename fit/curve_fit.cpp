@@ -101,6 +101,10 @@ FitReport direct_report(const internal::ResidualModel& model, std::span<const do
   return report;
 }
 
+std::string note_of(const Law& law, Criterion criterion) {
+  return std::string(to_string(criterion)) + " to the exact curve of " + law->name();
+}
+
 /// A shape through the intercepts with one parameter `name`, by least squares or minimax.
 template <class Boundary, class MakeBoundary, class Minimax>
 CurveFit<Boundary> fit_shape(const Law& law, Criterion criterion, const internal::ResidualModel& model, const internal::Parameter& shape,
@@ -126,6 +130,7 @@ CurveFit<Boundary> fit_shape(const Law& law, Criterion criterion, const internal
   const std::array<internal::Quantity, 3> quantities{
       {{"force_max", 1.0, "1"}, {"moment_max", exact.moment_ratio(), "1"}, {shape.name, value, "1"}}};
   internal::set_estimates(report, quantities, std::array{0.0, 0.0, 1.0}, covariance);
+  report.note = note_of(law, criterion);
   return {boundary, boundary_error(boundary, exact), std::move(report)};
 }
 
@@ -191,6 +196,7 @@ CurveFit<Ellipse> fit_ellipse(const Law& law, Criterion criterion, std::size_t p
   const std::array<internal::Quantity, 2> quantities{{{"force_max", ellipse.force_max(), "1"}, {"moment_max", ellipse.moment_max(), "1"}}};
   // From the normalised plane back to unit wrenches: B = m₀·B′.
   internal::set_estimates(report, quantities, std::array{1.0, 0.0, 0.0, moment_ratio}, covariance);
+  report.note = note_of(law, criterion);
   return {ellipse, boundary_error(ellipse, exact), std::move(report)};
 }
 

@@ -134,6 +134,8 @@ LoadFit fit_prepared(const Preparation& data, LoadModel model, const Loss& loss)
 
   LoadFit fit{model, {}};
   internal::describe(fit.report, solution);
+  fit.report.note = std::string(to_string(model)) + "; gamma " + (fit_gamma ? "fitted" : "assumed") + "; " + to_string(loss.kind) +
+                    " loss" + (data.with_sigma ? "" : "; relative errors of one size assumed");
   fit.report.rms *= data.noise;
   fit.report.aic = internal::akaike(solution.cost, count, free, data.with_sigma || robust);
   // From the value at the reference load to that at 1 N, per newton for moments.

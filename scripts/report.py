@@ -48,7 +48,7 @@ pivot.csv           case,grip,time,x,y,angle,grip_slip,load,friction_force,frict
                       (target=30deg)
 pivot_map.csv       case,offset,rate,angle
                       angle at which the block leaves a grip that eases at a steady rate [N/s], for a grid of offsets and rates
-fits.csv            data,model,parameter,value,std_error,unit
+fits.csv            data,model,parameter,value,std_error,unit,note
                       as `fit` on the measurements in data/fit
 fit_band.csv        force,moment,inner_force,inner_moment,outer_force,outer_moment
                       the curve fitted to data/fit/slips.csv, per newton of load, and its 95 % band

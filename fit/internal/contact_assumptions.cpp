@@ -92,9 +92,8 @@ void check_assumptions(ContactFit& fit, std::span<const Sample> samples, const C
 }
 
 std::string note_of(const std::string& model, const ContactFitOptions& options, bool with_sigma) {
-  constexpr std::array losses{"squared", "huber", "cauchy"};
   return model + "; gamma " + (options.fit_gamma ? std::string("fitted") : "= " + format_number(options.gamma) + " assumed") + "; " +
-         losses.at(static_cast<std::size_t>(options.loss.kind)) + " loss" + (with_sigma ? "" : "; errors proportional to the load assumed");
+         to_string(options.loss.kind) + " loss" + (with_sigma ? "" : "; errors proportional to the load assumed");
 }
 
 }  // namespace limitcurve::fit::internal
