@@ -203,7 +203,7 @@ ContactFit internal::fit_prepared(const ContactPreparation& preparation, const C
     if (layout.shape) {
       stray = internal::expected_stray(fitted, stray, logarithmic);
     }
-    internal::unbias(fit.report, reported, stray);
+    internal::unbias(fit.report, reported, stray, layout.gamma ? layout.gamma_place() : free);
     curve->bend(layout.shape ? shape - stray.bias[2] : 0.0);
   }
   fit.band = band_of(*curve, layout, covariance, fit.report.estimates[0].value, fit.report.estimates[1].value, log_reference);
