@@ -71,8 +71,8 @@ struct ContactFit {
 /// then `report.rms` is relative to the limit (0.02 is 2 %), with sigmas it is in standard deviations.
 /// No starting values are needed. Cost: some 1 ms for 100 samples, once a process 20 to 70 ms for each family with a free shape.
 /// Throws std::invalid_argument that names the sample for bad samples, or the parameters that the samples cannot determine
-/// (too few; all on an axis; no twist at all). Warns of gross outliers whatever the loss, and where a free γ is 3.5 standard errors
-/// away from the one assumed: that takes one more fit.
+/// (too few; all on an axis; no twist at all). Warns of gross outliers whatever the loss, and where a free γ is as far from the one
+/// assumed as chance leads in one of 2000 sets: that takes one more fit.
 ContactFit fit_contact(std::span<const Sample> samples, const ContactModel& model, const ContactFitOptions& options = {});
 
 /// All pressure laws against each other, best first by AICc.

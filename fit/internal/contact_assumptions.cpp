@@ -4,6 +4,8 @@
 #include "fit/internal/report.hpp"
 #include "limitcurve/number.hpp"
 
+#include <boost/math/distributions/students_t.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -22,7 +24,8 @@ namespace {
 std::vector<std::size_t> outliers_of(const Solution& robust, const ContactPreparation& preparation) {
   const auto count = static_cast<double>(robust.residuals.size());
   const double spare = count - static_cast<double>(robust.values.size());
-  if (spare < 1.0) return {};
+  // With fewer to spare most rows lie on the curve, and the others look gross.
+  if (spare < 3.0) return {};
   double scatter = 1.4826 * (1.0 + 5.0 / spare) * median_size(robust.residuals);
   if (preparation.with_sigma) scatter = std::max(scatter, 1.0);
   double gross = 3.0;
@@ -56,6 +59,7 @@ void check_assumptions(ContactFit& fit, std::span<const Sample> samples, const C
   const std::unique_ptr<UnitCurve> curve = make_curve(model);
   Estimate gamma;
   double rms = 0.0;
+  double spare = 0.0;
   // With gamma free, where the loads tell it. What cannot be answered says nothing against the fit asked for.
   for (const bool fit_gamma : {true, options.fit_gamma}) {
     robust.fit_gamma = fit_gamma;
@@ -70,6 +74,7 @@ void check_assumptions(ContactFit& fit, std::span<const Sample> samples, const C
       if (fit_gamma) {
         gamma.value = solution.values.back();
         gamma.std_error = std::sqrt(spread.back());
+        spare = static_cast<double>(samples.size()) - static_cast<double>(solution.values.size());
         rms = root_mean_square(solution.residuals) * preparation.noise;
       }
       fit.outliers = outliers_of(solution, preparation);
@@ -83,9 +88,11 @@ void check_assumptions(ContactFit& fit, std::span<const Sample> samples, const C
                                   " (the first is 1): gross outliers; mislabelled, or taken while the finger held?" +
                                   (options.loss.kind == Loss::Kind::squared ? " The squared loss follows them; Cauchy's does not" : ""));
   }
-  // Three and a half standard errors: by chance in one of 2000 sets. The last digits of exact data are no growth.
+  // As far off by chance in one of 2000 sets, by Student's distribution. The last digits of exact data are no growth.
   const double difference = std::fabs(gamma.value - options.gamma);
-  if (options.fit_gamma || !(difference > 3.5 * gamma.std_error) || difference < 1e-6) return;
+  if (options.fit_gamma || !(spare > 0.0) || difference < 1e-6) return;
+  const double rare = boost::math::quantile(boost::math::students_t(spare), 1.0 - 0.5 / 2000.0);
+  if (!(difference > rare * gamma.std_error)) return;
   fit.report.warnings.push_back("gamma = " + format_number(options.gamma) + " was assumed, but " + brief(gamma.value) + " +- " +
                                 brief(gamma.std_error) + " explains the samples better: rms " + brief(rms) + " instead of " +
                                 brief(fit.report.rms) + "; fit gamma too");
