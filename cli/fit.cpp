@@ -160,10 +160,8 @@ class Fit final : public Subcommand {
       say("note", std::string(fit::to_string(selection.candidates[i].model)) + ": AICc " + format_number(selection.aic_difference[i]) +
                       " above the best");
     }
-    for (const fit::LoadFit& candidate : selection.candidates) {
-      if (wanted == "best" || candidate.model == fit::LoadModel::power) return {"load", candidate.report, std::nullopt};
-    }
-    throw std::logic_error("no power law among the fits to loads");
+    if (wanted == "best") return {"load", selection.candidates.front().report, std::nullopt};
+    return {"load", fit::fit_load(samples, fit::LoadModel::power, settings_.loss).report, std::nullopt};
   }
 
   std::size_t model_ = 0;

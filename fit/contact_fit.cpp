@@ -5,6 +5,7 @@
 #include "fit/internal/contact_correction.hpp"
 #include "fit/internal/contact_preparation.hpp"
 #include "fit/internal/report.hpp"
+#include "fit/internal/warnings.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/number.hpp"
 

@@ -3,6 +3,7 @@
 
 #include "fit/internal/contact_assumptions.hpp"
 #include "fit/internal/report.hpp"
+#include "fit/internal/warnings.hpp"
 #include "limitcurve/laws.hpp"
 
 #include <algorithm>

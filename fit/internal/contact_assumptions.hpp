@@ -13,9 +13,6 @@
 /// What a fit to samples takes for granted, and whether the samples speak against it.
 namespace limitcurve::fit::internal {
 
-/// Number with three digits, for sentences.
-std::string brief(double value);
-
 /// The fit of one model; several to the same preparation can be compared.
 ContactFit fit_prepared(const ContactPreparation& preparation, const ContactModel& model, const ContactFitOptions& options);
 

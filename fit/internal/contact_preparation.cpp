@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "fit/internal/contact_preparation.hpp"
 
+#include "fit/internal/report.hpp"
 #include "limitcurve/number.hpp"
 
 #include <algorithm>
@@ -177,13 +178,6 @@ void approach(const ContactResiduals& residuals, std::vector<Parameter>& paramet
     const double narrower = std::min(1.4826 * median_size(solution.residuals), 0.5 * scatter);
     scatter = narrower;
   }
-}
-
-double median_size(std::vector<double> values) {
-  for (double& value : values) value = std::fabs(value);
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 ContactPreparation prepare(std::span<const Sample> samples, const ContactFitOptions& options) {

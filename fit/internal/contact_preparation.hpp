@@ -39,7 +39,4 @@ std::vector<Parameter> free_parameters(const UnitCurve& curve, const ContactLayo
 /// narrows with it.
 void approach(const ContactResiduals& residuals, std::vector<Parameter>& parameters, const Loss& loss, double tolerance);
 
-/// Median of the absolute values; values must not be empty.
-double median_size(std::vector<double> values);
-
 }  // namespace limitcurve::fit::internal
