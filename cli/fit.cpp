@@ -6,6 +6,7 @@
 
 #include "limitcurve/number.hpp"
 
+#include <cmath>
 #include <cstdio>
 #include <stdexcept>
 #include <utility>
@@ -28,8 +29,9 @@ class Fit final : public Subcommand {
             "ellipse, superellipse and quartic are laid over the exact unit curve instead.\n"
             "ratio gives mu, mu_r and the contact radius they imply under --law (hertz if left out); law gives those of the\n"
             "pressure law that explains the data best, or of --law; load fits a(P) or mu_r(P) = c P^gamma to a CSV of\n"
-            "load,radius[,sigma_radius] or load,moment[,sigma_moment]. What to beware of is told on standard error.\n"
-            "Columns: parameter, value, std_error, unit.",
+            "load,radius[,sigma_radius] or load,moment[,sigma_moment]. Standard error has what to beware of, and last what to\n"
+            "type into replay and FingerParameters.\n"
+            "Columns: parameter, value, std_error, unit, note (the model fitted and what was assumed).",
             "limitcurve fit ellipse --law hertz"};
   }
 
@@ -53,11 +55,12 @@ class Fit final : public Subcommand {
     describe(found);
     for (const std::string& warning : found.report.warnings) say("warning", warning);
     if (!found.report.converged) throw std::runtime_error("the fit did not converge: " + found.report.message);
-    Rows rows(results, {"parameter", "value", "std_error", "unit"});
+    Rows rows(results, {"parameter", "value", "std_error", "unit", "note"});
     for (const fit::Estimate& estimate : found.report.estimates) {
-      rows.row(estimate.name, estimate.value, estimate.std_error, estimate.unit);
+      rows.row(estimate.name, estimate.value, estimate.std_error, estimate.unit, found.report.note);
     }
     rows.finish();
+    if (!data_.empty()) say_what_to_type(found);
   }
 
  private:
@@ -77,6 +80,51 @@ class Fit final : public Subcommand {
               format_number(found.error->max_cor_error) + "; ";
     }
     say("note", text + report.message);
+  }
+
+  /// The finger that was fitted, in the words of replay and of FingerParameters.
+  void say_what_to_type(const fit::ModelFit& found) const {
+    const std::vector<fit::Estimate>& estimates = found.report.estimates;
+    const auto value = [&](const std::string& name, double otherwise) {
+      for (const fit::Estimate& estimate : estimates) {
+        if (estimate.name == name) return estimate.value;
+      }
+      return otherwise;
+    };
+    const double gamma = value("gamma", settings_.gamma);
+    const std::string growth = format_number(gamma);
+    if (estimates.front().name == "c") {
+      const std::string c = format_number(estimates.front().value);
+      if (gamma >= 0.0 && gamma <= 1.0) {
+        say("note", "to type into replay: --radius-law power:c=" + c + ",gamma=" + growth +
+                        "; into FingerParameters: .radius_law = RadiusLaw::power(" + c + ", " + growth + ")");
+      }
+      return;
+    }
+    std::string options;
+    std::string fields;
+    const auto add = [&](const char* option, const char* field, const std::string& text) {
+      options += std::string(" --") + option + " " + text;
+      fields += (fields.empty() ? "." : ", .") + std::string(field) + " = " + text;
+    };
+    const std::string law = law_of(found);
+    if (!law.empty()) options = " --law " + law;
+    if (found.model == "ellipse") options = " --boundary ellipse";
+    const bool of_load = estimates.front().name == "mu_r";
+    if (!of_load) add("mu", "mu", format_number(estimates[0].value));
+    add("moment-coefficient", "moment_coefficient", format_number(estimates[of_load ? 0 : 1].value));
+    if (gamma != 0.0) add("moment-exponent", "moment_exponent", growth);
+    say("note", "to type into replay:" + options + "; into FingerParameters: " + fields);
+  }
+
+  /// The law in the words of --law; "" where the curve is none of a law, or its shape unknown.
+  [[nodiscard]] static std::string law_of(const fit::ModelFit& found) {
+    for (const fit::Estimate& estimate : found.report.estimates) {
+      if (estimate.name == "n" || estimate.name == "k") {
+        return std::isfinite(estimate.value) ? found.model + ":" + estimate.name + "=" + format_number(estimate.value) : "";
+      }
+    }
+    return found.report.estimates.front().name == "mu" ? found.model : "";
   }
 
   [[nodiscard]] fit::ModelFit curve_fit() const {
@@ -112,10 +160,8 @@ class Fit final : public Subcommand {
       say("note", std::string(fit::to_string(selection.candidates[i].model)) + ": AICc " + format_number(selection.aic_difference[i]) +
                       " above the best");
     }
-    for (const fit::LoadFit& candidate : selection.candidates) {
-      if (wanted == "best" || candidate.model == fit::LoadModel::power) return {"load", candidate.report, std::nullopt};
-    }
-    throw std::logic_error("no power law among the fits to loads");
+    if (wanted == "best") return {"load", selection.candidates.front().report, std::nullopt};
+    return {"load", fit::fit_load(samples, fit::LoadModel::power, settings_.loss).report, std::nullopt};
   }
 
   std::size_t model_ = 0;

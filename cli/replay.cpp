@@ -96,7 +96,8 @@ class Replay final : public Subcommand {
     options.number("--twist-stiffness", replay_.finger.twist_stiffness, positive, "Torsional stiffness k_r [N m/rad]", Presence::required);
     options.number("--mu-dynamic", replay_.finger.mu_dynamic, non_negative, "Friction coefficient while slipping (mu if left out)");
     options.number("--moment-coefficient", replay_.finger.moment_coefficient, non_negative,
-                   "mu_r [m]: the largest moment is mu_r P, whatever the radius law");
+                   "mu_r [m/N^gamma]: the largest moment is mu_r P^(1+gamma), whatever the radius law");
+    options.number("--moment-exponent", replay_.finger.moment_exponent, finite, "gamma of --moment-coefficient, -0.5 to 1");
     options.number("--moment-coefficient-dynamic", replay_.finger.moment_coefficient_dynamic, non_negative,
                    "mu_r while slipping [m] (mu_r times mu-dynamic/mu if left out)");
     options.choice("--boundary", curve_, names(curve_kinds), "Limit curve");

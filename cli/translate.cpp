@@ -2,7 +2,6 @@
 #include "cli/subcommands.hpp"
 
 #include "fit/engine_coefficients.hpp"
-#include "limitcurve/number.hpp"
 
 #include <cstdio>
 #include <stdexcept>
@@ -17,9 +16,10 @@ class Translate final : public Subcommand {
     return {"translate", "The coefficients to type into physics engines, with the error each keeps",
             "They give the exact limits of force and moment at the load; in between, the engine has the shape it has.\n"
             "Columns: engine; parameter, as the engine spells it; value; unit; model, the shape (ellipse, diamond, box);\n"
-            "max_error, its largest radial error against the exact curve (0.07 is 7 %).\n"
-            "--explain tells on standard error how each follows, where the engine documents it, the errors of the wrench at an\n"
-            "imposed centre of rotation, and over the --loads, which constant coefficients cannot follow.",
+            "max_error, its largest radial error against the exact curve (0.07 is 7 %); cor_error, the largest error of the wrench\n"
+            "at the same centre of rotation, as a fraction of the limits; loads_error, the largest radial error over the --loads, which\n"
+            "constant coefficients cannot follow; note, the value's name in the engine.\n"
+            "--explain says on standard error how each follows and where the engine documents it.",
             "limitcurve translate --law hertz --radius-law power:c=0.00207,gamma=0.259 --mu 0.8 --load 2"};
   }
 
@@ -40,10 +40,11 @@ class Translate final : public Subcommand {
     const std::vector<fit::EngineContact> contacts =
         loads_.empty() ? fit::translate(law_, *radius_law_, friction_, load_)
                        : fit::translate(law_, *radius_law_, friction_, load_, fit::LoadRange{loads_[0], loads_[1]});
-    Rows rows(results, {"engine", "parameter", "value", "unit", "model", "max_error"});
+    Rows rows(results, {"engine", "parameter", "value", "unit", "model", "max_error", "cor_error", "loads_error", "note"});
     for (const fit::EngineContact& contact : contacts) {
       for (const fit::EngineCoefficient& coefficient : contact.coefficients) {
-        rows.row(contact.engine, coefficient.parameter, coefficient.value, coefficient.unit, contact.model, contact.error.max_error);
+        rows.row(contact.engine, coefficient.parameter, coefficient.value, coefficient.unit, contact.model, contact.error.max_error,
+                 contact.max_wrench_error, contact.max_error_over_loads, coefficient.word);
       }
       if (explain_) explain(contact);
     }
@@ -56,8 +57,7 @@ class Translate final : public Subcommand {
     for (const fit::EngineCoefficient& coefficient : contact.coefficients) {
       text += coefficient.parameter + " = " + coefficient.formula + "; ";
     }
-    text += "largest error of the wrench at an imposed centre of rotation " + format_number(contact.max_wrench_error) +
-            ", over the loads " + format_number(contact.max_error_over_loads) + "; " + contact.caveat + " (" + contact.documentation + ")";
+    text += contact.caveat + " (" + contact.documentation + ")";
     std::fprintf(stderr, "limitcurve: note: %s, %s: %s\n", contact.engine.c_str(), contact.model.c_str(), text.c_str());
   }
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "fit/contact_fit.hpp"
 
+#include "fit/internal/contact_assumptions.hpp"
 #include "fit/internal/contact_correction.hpp"
 #include "fit/internal/contact_preparation.hpp"
 #include "fit/internal/report.hpp"
+#include "fit/internal/warnings.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/number.hpp"
 
@@ -12,12 +14,14 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 
 namespace limitcurve::fit {
 
 namespace {
 
+using internal::brief;
 using internal::ContactLayout;
 using internal::ContactPreparation;
 using internal::ContactResiduals;
@@ -26,13 +30,6 @@ using internal::median_size;
 using internal::Parameter;
 using internal::Solution;
 using internal::UnitCurve;
-
-/// Number with three digits, for sentences.
-std::string brief(double value) {
-  std::array<char, 32> buffer{};
-  std::snprintf(buffer.data(), buffer.size(), "%.3g", value);
-  return buffer.data();
-}
 
 void warn(FitReport& report, const UnitCurve& curve, const ContactModel& model, const ContactFitOptions& options) {
   if (!report.converged) report.warnings.push_back("the minimiser did not converge: " + report.message);
@@ -58,15 +55,6 @@ void warn(FitReport& report, const UnitCurve& curve, const ContactModel& model, 
 /// What the residuals, in standard deviations as told or found, say against the fit.
 void warn_of_scatter(FitReport& report, const Solution& solution, const Loss& loss, bool with_sigma) {
   const auto count = static_cast<double>(solution.residuals.size());
-  if (loss.kind != Loss::Kind::squared) {
-    constexpr double gross = 5.0;
-    const auto outliers =
-        std::count_if(solution.residuals.begin(), solution.residuals.end(), [](double r) { return std::fabs(r) > gross; });
-    if (outliers > 0) {
-      report.warnings.push_back(std::to_string(outliers) + " of " + std::to_string(solution.residuals.size()) +
-                                " samples are more than 5 standard deviations off: mislabelled?");
-    }
-  }
   if (!with_sigma || report.residuals <= report.free_parameters) return;
   const double scatter =
       loss.kind != Loss::Kind::squared ? 1.4826 * median_size(solution.residuals) : std::sqrt(internal::residual_variance(solution));
@@ -110,7 +98,9 @@ bool is_at_bound(const UnitCurve& curve, double shape) {
   return std::min(shape - curve.low(), curve.high() - shape) < 1e-6 * (curve.high() - curve.low());
 }
 
-ContactFit fit_prepared(const ContactPreparation& preparation, const ContactModel& model, const ContactFitOptions& options) {
+}  // namespace
+
+ContactFit internal::fit_prepared(const ContactPreparation& preparation, const ContactModel& model, const ContactFitOptions& options) {
   const std::unique_ptr<UnitCurve> curve = internal::make_curve(model);
   const ContactLayout layout{!curve->shape_name().empty(), options.fit_gamma, options.gamma};
   std::vector<Parameter> parameters = internal::free_parameters(*curve, layout, model, preparation.start);
@@ -125,6 +115,7 @@ ContactFit fit_prepared(const ContactPreparation& preparation, const ContactMode
   // To 3 % of a standard error of 100 samples: more is wasted on a first pass.
   constexpr double first_tolerance = 1e-5;
   ContactResiduals residuals(preparation.samples, *curve, layout);
+  if (robust && preparation.with_sigma) internal::approach(residuals, parameters, options.loss, first_tolerance);
   Solution solution = internal::minimise(residuals, parameters, options.loss, first_tolerance);
   // Again from there, with the drift that the scatter found causes (sigmas may overstate it).
   const double scatter = robust ? std::pow(1.4826 * median_size(solution.residuals), 2) : internal::residual_variance(solution);
@@ -153,11 +144,12 @@ ContactFit fit_prepared(const ContactPreparation& preparation, const ContactMode
     }
   }
 
-  ContactFit fit{model.name(), {}, solution.residuals, {}};
+  ContactFit fit{model.name(), {}, solution.residuals, {}, {}};
   if (!preparation.with_sigma && !robust && variance > 0.0) {
     for (double& residual : fit.residuals) residual /= std::sqrt(variance);
   }
   internal::describe(fit.report, solution);
+  fit.report.note = internal::note_of(fit.model, options, preparation.with_sigma);
   fit.report.rms *= preparation.noise;
   fit.report.aic = internal::akaike(solution.cost, count, free, preparation.with_sigma || robust);
 
@@ -212,7 +204,7 @@ ContactFit fit_prepared(const ContactPreparation& preparation, const ContactMode
     if (layout.shape) {
       stray = internal::expected_stray(fitted, stray, logarithmic);
     }
-    internal::unbias(fit.report, reported, stray);
+    internal::unbias(fit.report, reported, stray, layout.gamma ? layout.gamma_place() : free);
     curve->bend(layout.shape ? shape - stray.bias[2] : 0.0);
   }
   fit.band = band_of(*curve, layout, covariance, fit.report.estimates[0].value, fit.report.estimates[1].value, log_reference);
@@ -235,8 +227,6 @@ ContactFit fit_prepared(const ContactPreparation& preparation, const ContactMode
   return fit;
 }
 
-}  // namespace
-
 std::string ContactModel::name() const {
   switch (kind) {
     case Kind::ellipse:
@@ -256,46 +246,12 @@ std::string ContactModel::name() const {
 }
 
 ContactFit fit_contact(std::span<const Sample> samples, const ContactModel& model, const ContactFitOptions& options) {
-  return fit_prepared(internal::prepare(samples, options), model, options);
-}
-
-LawSelection select_law(std::span<const Sample> samples, const ContactFitOptions& options) {
-  const ContactPreparation preparation = internal::prepare(samples, options);
-  LawSelection selection;
-  const std::array<ContactModel, 8> models{ContactModel::of(flat_punch()),
-                                           ContactModel::of(uniform()),
-                                           ContactModel::of(hertz()),
-                                           ContactModel::of(parabolic()),
-                                           ContactModel::of(cone()),
-                                           ContactModel::of(gaussian(1.0)),
-                                           ContactModel{ContactModel::Kind::power},
-                                           ContactModel{ContactModel::Kind::xydas_kao}};
-  try {
-    for (const ContactModel& model : models) selection.candidates.push_back(fit_prepared(preparation, model, options));
-  } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument(std::string(error.what()) +
-                                "; to tell laws apart takes slips that slide and twist at once, and more of them than parameters");
-  }
-  std::stable_sort(selection.candidates.begin(), selection.candidates.end(),
-                   [](const ContactFit& a, const ContactFit& b) { return a.report.aic < b.report.aic; });
-  ContactFit& best = selection.candidates.front();
-  std::string rivals;
-  std::string ties;
-  for (const ContactFit& candidate : selection.candidates) {
-    const double difference = candidate.report.aic - best.report.aic;
-    selection.aic_difference.push_back(difference);
-    if (&candidate != &best && difference < 2.0) {
-      rivals += (rivals.empty() ? "" : ", ") + candidate.model + " (AICc difference " + brief(difference) + ")";
-    } else if (&candidate != &best && std::max(candidate.report.rms, best.report.rms) < internal::perfect) {
-      ties += (ties.empty() ? "" : ", ") + candidate.model;
-    }
-  }
-  if (!rivals.empty()) best.report.warnings.push_back("the data cannot tell " + best.model + " from " + rivals);
-  if (!ties.empty()) {
-    best.report.warnings.push_back(best.model + " explains the samples to the last digit, and so does " + ties +
-                                   ", with more parameters: the one with fewer is given");
-  }
-  return selection;
+  return internal::fit_or_outlive_outliers(options, [&](const ContactFitOptions& with) {
+    const ContactPreparation preparation = internal::prepare(samples, with);
+    ContactFit fit = internal::fit_prepared(preparation, model, with);
+    internal::check_assumptions(fit, samples, model, with);
+    return fit;
+  });
 }
 
 Estimate implied_radius(const Estimate& ratio, const PressureLaw& law) {

@@ -17,7 +17,7 @@ namespace {
 
 using internal::CurvePoint;
 
-/// With the ellipse's gauge γ = √((x/A)² + (y/B)²) of a curve point (x, y), the radial error is e = 1/γ − 1 and
+/// Each residual is a radial error times the point's weight. With the ellipse's gauge γ = √((x/A)² + (y/B)²) of a curve point (x, y), the radial error is e = 1/γ − 1 and
 ///   ∂e/∂A = x²/(A³γ³),  ∂e/∂B = y²/(B³γ³).
 class EllipseResiduals final : public internal::ResidualModel {
  public:
@@ -27,9 +27,9 @@ class EllipseResiduals final : public internal::ResidualModel {
     const double x = points_[i].x / parameters[0];
     const double y = points_[i].y / parameters[1];
     const double inverse = 1.0 / std::sqrt(x * x + y * y);
-    residual = inverse - 1.0;
+    residual = points_[i].weight * (inverse - 1.0);
     if (gradient != nullptr) {
-      const double cube = inverse * inverse * inverse;
+      const double cube = points_[i].weight * inverse * inverse * inverse;
       gradient[0] = x * x / parameters[0] * cube;
       gradient[1] = y * y / parameters[1] * cube;
     }
@@ -52,10 +52,11 @@ class SuperellipseResiduals final : public internal::ResidualModel {
     const double y = std::pow(points_[i].y, n);
     const double sum = x + y;
     const double inverse = std::pow(sum, -1.0 / n);
-    residual = inverse - 1.0;
+    residual = points_[i].weight * (inverse - 1.0);
     if (gradient != nullptr) {
       const auto entropy = [](double power, double base) { return base > 0.0 ? power * std::log(base) : 0.0; };
-      gradient[0] = inverse * (std::log(sum) / (n * n) - (entropy(x, points_[i].x) + entropy(y, points_[i].y)) / (n * sum));
+      gradient[0] =
+          points_[i].weight * inverse * (std::log(sum) / (n * n) - (entropy(x, points_[i].x) + entropy(y, points_[i].y)) / (n * sum));
     }
     return true;
   }
@@ -75,8 +76,8 @@ class QuarticResiduals final : public internal::ResidualModel {
     const double fourth = x * x + y * y + parameters[0] * x * y;
     if (!(fourth > 0.0)) return false;
     const double inverse = 1.0 / std::sqrt(std::sqrt(fourth));
-    residual = inverse - 1.0;
-    if (gradient != nullptr) gradient[0] = -x * y * inverse / (4.0 * fourth);
+    residual = points_[i].weight * (inverse - 1.0);
+    if (gradient != nullptr) gradient[0] = -points_[i].weight * x * y * inverse / (4.0 * fourth);
     return true;
   }
 
@@ -99,6 +100,10 @@ FitReport direct_report(const internal::ResidualModel& model, std::span<const do
   report.converged = true;
   report.message = message;
   return report;
+}
+
+std::string note_of(const Law& law, Criterion criterion) {
+  return std::string(to_string(criterion)) + " to the exact curve of " + law->name();
 }
 
 /// A shape through the intercepts with one parameter `name`, by least squares or minimax.
@@ -126,6 +131,7 @@ CurveFit<Boundary> fit_shape(const Law& law, Criterion criterion, const internal
   const std::array<internal::Quantity, 3> quantities{
       {{"force_max", 1.0, "1"}, {"moment_max", exact.moment_ratio(), "1"}, {shape.name, value, "1"}}};
   internal::set_estimates(report, quantities, std::array{0.0, 0.0, 1.0}, covariance);
+  report.note = note_of(law, criterion);
   return {boundary, boundary_error(boundary, exact), std::move(report)};
 }
 
@@ -191,6 +197,7 @@ CurveFit<Ellipse> fit_ellipse(const Law& law, Criterion criterion, std::size_t p
   const std::array<internal::Quantity, 2> quantities{{{"force_max", ellipse.force_max(), "1"}, {"moment_max", ellipse.moment_max(), "1"}}};
   // From the normalised plane back to unit wrenches: B = m₀·B′.
   internal::set_estimates(report, quantities, std::array{1.0, 0.0, 0.0, moment_ratio}, covariance);
+  report.note = note_of(law, criterion);
   return {ellipse, boundary_error(ellipse, exact), std::move(report)};
 }
 

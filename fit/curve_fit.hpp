@@ -16,7 +16,7 @@ namespace limitcurve::fit {
 /// radius over the curve's along the same ray of the normalised plane (x = f, y = m/m₀), minus one.
 enum class Criterion {
   intercepts,     ///< through (1, 0) and (0, m₀), as the paper draws it: too strong everywhere between
-  least_squares,  ///< least sum of squared errors, by Ceres
+  least_squares,  ///< least rms error over the rays, `BoundaryError::rms_error`, by Ceres
   minimax,        ///< least largest error, of either sign
   inner,          ///< largest area that never promises a hold that slips
   outer,          ///< smallest area that never calls slipping what holds
@@ -35,7 +35,8 @@ struct CurveFit {
   FitReport report;
 };
 
-/// Points of the exact curve, spread evenly in slip angle atan(c/a) from pure twist to pure slide, that a least-squares fit looks at.
+/// Points of the exact curve, spread evenly in the normalised slip angle atan(c/(m₀a)) from pure twist to pure slide, that a least-squares fit
+/// looks at; each counts by the rays that it stands for.
 inline constexpr std::size_t default_curve_points = 361;
 
 /// Ellipse of two semi-axes; estimates force_max [1], moment_max [1] in unit wrenches.

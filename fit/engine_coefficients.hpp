@@ -16,6 +16,7 @@ struct EngineCoefficient {
   double value;
   std::string unit;     ///< SI, "1" if none
   std::string formula;  ///< how it follows from μ, a, m₀
+  std::string word{};   ///< the value's name in the engine, where it has one
 };
 
 /// What a physics engine makes of a soft finger when given the best coefficients it has. Errors are fractions of the

@@ -35,6 +35,8 @@ struct FitReport {
   int iterations = 0;
   /// What Ceres said of convergence.
   std::string message;
+  /// The model and what was taken for granted, in a few words.
+  std::string note;
   /// What a reader must know before using the numbers: one sentence each.
   std::vector<std::string> warnings;
 

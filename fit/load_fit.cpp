@@ -3,6 +3,7 @@
 
 #include "fit/internal/least_squares.hpp"
 #include "fit/internal/report.hpp"
+#include "fit/internal/warnings.hpp"
 #include "limitcurve/number.hpp"
 
 #include <algorithm>
@@ -109,9 +110,7 @@ Preparation prepare(const LoadSamples& samples, const Loss& loss) {
     // A robust loss must know what a usual error is, the same for all models: from the most flexible one.
     const std::vector<internal::Parameter> parameters = free_parameters(data, LoadModel::power);
     const LoadResiduals residuals(data.rows, data.offset, true, 0.0, 1.0);
-    std::vector<double> sizes = internal::minimise(residuals, parameters, Loss::cauchy(0.05)).residuals;
-    for (double& size : sizes) size = std::fabs(size);
-    data.noise = std::max(1.4826 * median_of(sizes), 1e-9);
+    data.noise = std::max(1.4826 * internal::median_size(internal::minimise(residuals, parameters, Loss::cauchy(0.05)).residuals), 1e-9);
   }
   return data;
 }
@@ -134,6 +133,8 @@ LoadFit fit_prepared(const Preparation& data, LoadModel model, const Loss& loss)
 
   LoadFit fit{model, {}};
   internal::describe(fit.report, solution);
+  fit.report.note = std::string(to_string(model)) + "; gamma " + (fit_gamma ? "fitted" : "assumed") + "; " + to_string(loss.kind) +
+                    " loss" + (data.with_sigma ? "" : "; relative errors of one size assumed");
   fit.report.rms *= data.noise;
   fit.report.aic = internal::akaike(solution.cost, count, free, data.with_sigma || robust);
   // From the value at the reference load to that at 1 N, per newton for moments.
@@ -154,6 +155,23 @@ LoadFit fit_prepared(const Preparation& data, LoadModel model, const Loss& loss)
   return fit;
 }
 
+/// By a fit of the power law with Cauchy's loss: warns of gross outliers, and of a growth that was assumed and is not the data's.
+void check_assumptions(LoadFit& fit, const LoadSamples& samples, const Loss& loss) {
+  try {
+    const Preparation data = prepare(samples, Loss::cauchy());
+    const std::vector<internal::Parameter> parameters = free_parameters(data, LoadModel::power);
+    const LoadResiduals residuals(data.rows, data.offset, true, 0.0, data.noise);
+    const internal::Solution solution = internal::minimise(residuals, parameters, Loss::cauchy());
+    internal::warn_of_outliers(fit.report, internal::outliers_of(solution, data.with_sigma, data.noise), loss);
+    if (fit.model == LoadModel::power) return;
+    const std::vector<double> spread = internal::covariance(solution, parameters, Loss::cauchy(), 1.0);
+    internal::warn_of_growth(fit.report, fixed_gamma(fit.model), {"gamma", solution.values[1], std::sqrt(spread[3]), "1"},
+                             static_cast<double>(data.rows.size()) - 2.0, internal::root_mean_square(solution.residuals) * data.noise);
+  } catch (const std::invalid_argument&) {
+    // Too few rows for a power law, or one load: nothing can be said.
+  }
+}
+
 }  // namespace
 
 const char* to_string(LoadModel model) noexcept {
@@ -169,7 +187,9 @@ const char* to_string(LoadModel model) noexcept {
 }
 
 LoadFit fit_load(const LoadSamples& samples, LoadModel model, const Loss& loss) {
-  return fit_prepared(prepare(samples, loss), model, loss);
+  LoadFit fit = fit_prepared(prepare(samples, loss), model, loss);
+  check_assumptions(fit, samples, loss);
+  return fit;
 }
 
 LoadSelection select_load(const LoadSamples& samples, const Loss& loss) {
@@ -181,6 +201,7 @@ LoadSelection select_load(const LoadSamples& samples, const Loss& loss) {
   std::stable_sort(selection.candidates.begin(), selection.candidates.end(),
                    [](const LoadFit& a, const LoadFit& b) { return a.report.aic < b.report.aic; });
   LoadFit& best = selection.candidates.front();
+  check_assumptions(best, samples, loss);
   for (const LoadFit& candidate : selection.candidates) {
     const double difference = candidate.report.aic - best.report.aic;
     selection.aic_difference.push_back(difference);

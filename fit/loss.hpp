@@ -19,4 +19,9 @@ struct Loss {
   static constexpr Loss cauchy(double scale = 2.385) noexcept { return {Kind::cauchy, scale}; }
 };
 
+/// squared, huber, cauchy.
+constexpr const char* to_string(Loss::Kind kind) noexcept {
+  return kind == Loss::Kind::squared ? "squared" : kind == Loss::Kind::huber ? "huber" : "cauchy";
+}
+
 }  // namespace limitcurve::fit

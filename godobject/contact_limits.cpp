@@ -5,6 +5,7 @@
 #include "limitcurve/number.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string_view>
 
@@ -77,7 +78,15 @@ ContactLimits::ContactLimits(const FingerParameters& parameters, double moment_r
       sliding_.radius = equivalent_radius(mu_r_dynamic, mu_dynamic, moment_ratio);
     }
     has_torsion_ = mu_r > 0.0;
+    const double exponent = parameters.moment_exponent;
+    if (!(exponent >= -0.5 && exponent <= 1.0)) throw out_of_range("moment_exponent", exponent, "1", "-0.5 <= moment_exponent <= 1");
+    if (exponent != 0.0) {
+      // Between two loads a sampled law is a power law, and so it is beyond.
+      radius_law_ = RadiusLaw::sampled(std::array<LoadSample, 2>{{{1.0, at_rest_.radius}, {2.0, at_rest_.radius * std::exp2(exponent)}}});
+    }
   } else {
+    if (parameters.moment_exponent != 0.0)
+      throw out_of_range("moment_exponent", parameters.moment_exponent, "1", "0 without moment_coefficient");
     if (parameters.moment_coefficient_dynamic) {
       throw out_of_range("moment_coefficient_dynamic", *parameters.moment_coefficient_dynamic, "m", "absent without moment_coefficient");
     }
@@ -87,6 +96,7 @@ ContactLimits::ContactLimits(const FingerParameters& parameters, double moment_r
     if (parameters.radius_law.is_sampled() || parameters.radius_law.exponent() != 0.0) radius_law_ = parameters.radius_law;
     has_torsion_ = mu > 0.0;
   }
+  sliding_share_ = sliding_.radius / at_rest_.radius;
   // The larger of the two gaps, of force and of moment, asks for the larger retreat.
   const double force_share = share(sliding_.force, at_rest_.force);
   const double moment_share = has_torsion_ ? share(sliding_.force * sliding_.radius, at_rest_.force * at_rest_.radius) : 1.0;

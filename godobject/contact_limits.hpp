@@ -23,7 +23,7 @@ void check_projection(const BasicFingerCurve<Real>& curve, Projection projection
 }
 
 /// The friction limits of a finger over its load: force in units of μP, moment in units of μPa. With a moment coefficient the radius is the
-/// one that gives it, a = μ_r/(μ m₀), at every load. Immutable.
+/// one that gives it, a = μ_r P^γ/(μ m₀). Immutable.
 class ContactLimits {
  public:
   /// `moment_ratio` is the limit curve's m₀. Throws std::invalid_argument naming parameter, value, unit and range; the springs, dampers and
@@ -37,7 +37,7 @@ class ContactLimits {
     const bool varies = radius_law_.has_value();
     const Number radius = varies ? radius_at(*radius_law_, load) : number(0.0);
     return {{number(at_rest_.force) * load, varies ? radius : number(at_rest_.radius)},
-            {number(sliding_.force) * load, varies ? radius : number(sliding_.radius)},
+            {number(sliding_.force) * load, varies ? number(sliding_share_) * radius : number(sliding_.radius)},
             stiffness_ratio,
             number(rest_share_),
             has_torsion_,
@@ -54,6 +54,7 @@ class ContactLimits {
   FrictionLimit<double> at_rest_;
   FrictionLimit<double> sliding_;
   std::optional<RadiusLaw> radius_law_;  // where the radius depends on the load
+  double sliding_share_;                 // of that radius, while it slips
   double rest_share_ = 1.0;              // of the sliding limit, within which a contact comes to rest
   bool has_torsion_;
 };

@@ -21,8 +21,9 @@ struct FingerParameters {
   double mu = 0.5;                                        ///< coefficient of static friction μ, ≥ 0
   std::optional<double> mu_dynamic = {};                  ///< while slipping, 0 ≤ μ_d ≤ μ; absent: μ
   RadiusLaw radius_law = RadiusLaw::constant(0.005);      ///< contact radius a(P)
-  std::optional<double> moment_coefficient = {};          ///< μ_r [m] ≥ 0: Γ = μ_r P whatever the radius law (eq. 2)
-  std::optional<double> moment_coefficient_dynamic = {};  ///< μ_r while slipping, [m]; absent: μ_r μ_d/μ
+  std::optional<double> moment_coefficient = {};          ///< μ_r [m/N^γ] ≥ 0: Γ = μ_r P^(1+γ) whatever the radius law (eq. 2)
+  double moment_exponent = 0.0;                           ///< γ ∈ [−0.5, 1] of the moment coefficients
+  std::optional<double> moment_coefficient_dynamic = {};  ///< μ_r while slipping [m/N^γ]; absent: μ_r μ_d/μ
   double stiffness = 1000.0;                              ///< k_l [N/m] > 0, normal and tangential
   double twist_stiffness = 0.04;                          ///< k_r [N m/rad] > 0
   double damping = 0.0;                                   ///< b_l [N s/m] ≥ 0, normal and tangential; acts in timed updates

@@ -48,7 +48,7 @@ pivot.csv           case,grip,time,x,y,angle,grip_slip,load,friction_force,frict
                       (target=30deg)
 pivot_map.csv       case,offset,rate,angle
                       angle at which the block leaves a grip that eases at a steady rate [N/s], for a grid of offsets and rates
-fits.csv            data,model,parameter,value,std_error,unit
+fits.csv            data,model,parameter,value,std_error,unit,note
                       as `fit` on the measurements in data/fit
 fit_band.csv        force,moment,inner_force,inner_moment,outer_force,outer_moment
                       the curve fitted to data/fit/slips.csv, per newton of load, and its 95 % band
@@ -57,7 +57,8 @@ fit_residuals.csv   load,force,moment,sigma_force,sigma_moment,residual
 engine_drag.csv     engine,version,model,c,force,moment,exact_force,exact_moment
                       data/engines/drag.csv: a finger dragged in the engines themselves about centres of rotation c [a]; force and
                       moment over their limits, and those of the law
-translate.csv       law,radius_law,mu,load,engine,parameter,value,unit,model,max_error
+translate.csv       law,radius_law,mu,load,engine,parameter,value,unit,model,max_error,cor_error,
+                      loads_error,note
                       as `translate`
 work_precision_*.csv  what scripts/work_precision measured (data/README.md), as it was shipped
 """
@@ -171,7 +172,7 @@ def unit_of(row):
 
 def engines_table(data):
     first = data["translate"][0]
-    rows = [(html.escape(row["engine"]), html.escape(row["parameter"]), readable(row["value"]), unit_of(row),
+    rows = [(html.escape(row["engine"]), html.escape(row["parameter"]), html.escape(row["note"]) or readable(row["value"]), unit_of(row),
              html.escape(row["model"]), percent(row["max_error"], 1)) for row in data["translate"].where(law=first["law"])]
     return facts_table(("engine", "parameter", "value", "unit", "its limit curve", "error that remains"), rows)
 

@@ -58,12 +58,31 @@ std::array<ChebyshevCurve::Series, 2> analyse(const PressureLaw& law, double mom
   return series;
 }
 
+/// The size of the last coefficients: about the error of the series.
+double tail_of(const std::array<ChebyshevCurve::Series, 2>& sides) {
+  double sum = 0.0;
+  for (const ChebyshevCurve::Series& series : sides) {
+    for (std::size_t j = terms - 4; j < terms; ++j) sum += std::fabs(series[j].x) + std::fabs(series[j].y);
+  }
+  return sum;
+}
+
 }  // namespace
 
 ChebyshevCurve::ChebyshevCurve(const PressureLaw& law) : moment_ratio_(law.moment_ratio()) {
-  // A law without a rim has no singularity to split at; 2.7 m₀ serves the Gaussian best.
-  if (law.breaks().back() != 1) split_ = 2.7 * moment_ratio_;
+  // A law without a rim has no singularity to split at; 2.7 m₀ serves the Gaussian best, and any law whose pressure has faded long
+  // before the rim: the last coefficients show which is better.
+  const double faded = 2.7 * moment_ratio_;
+  const bool has_rim = law.breaks().back() == 1;
+  split_ = has_rim ? 1.0 : faded;
   value_ = analyse(law, moment_ratio_, split_);
+  if (has_rim && faded < 1.0) {
+    const std::array<Series, 2> other = analyse(law, moment_ratio_, faded);
+    if (tail_of(other) < tail_of(value_)) {
+      value_ = other;
+      split_ = faded;
+    }
+  }
   trim();
 }
 

@@ -27,7 +27,7 @@ class ChebyshevCurve {
   using Series = std::array<PlanePoint, terms>;
 
   ChebyshevCurve() = default;
-  /// The curve of one law; its derivative with respect to the shape is 0. Cost: 80 evaluations of the law.
+  /// The curve of one law; its derivative with respect to the shape is 0. Cost: 80 evaluations of the law, 160 where it fades before its rim.
   explicit ChebyshevCurve(const PressureLaw& law);
 
   [[nodiscard]] double moment_ratio() const noexcept { return moment_ratio_; }
@@ -48,7 +48,7 @@ class ChebyshevCurve {
   std::array<Series, 2> value_{};
   std::array<Series, 2> slope_{};
   std::array<std::size_t, 2> used_{terms, terms};  // terms that count, on each side
-  double split_ = 1.0;                             // s where the series meet: the rim
+  double split_ = 1.0;                             // s where the series meet, as a rule the rim
   double moment_ratio_ = 0.0;
   double moment_ratio_slope_ = 0.0;
 };

@@ -41,7 +41,7 @@ Stray expected_stray(const FittedContact& fit, const Stray& at_solution, bool lo
   return stray_of({fit.residuals, nearer, fit.parameters, fit.loss, fit.variance});
 }
 
-void unbias(FitReport& report, const Reported& reported, const Stray& stray) {
+void unbias(FitReport& report, const Reported& reported, const Stray& stray, std::size_t bent) {
   const std::size_t free = stray.bias.size();
   for (std::size_t a = 0; a < report.estimates.size(); ++a) {
     const double* const slopes = reported.jacobian.data() + a * free;
@@ -49,7 +49,7 @@ void unbias(FitReport& report, const Reported& reported, const Stray& stray) {
     double variance = 0.0;
     for (std::size_t j = 0; j < free; ++j) {
       shift += slopes[j] * stray.bias[j];
-      for (std::size_t k = 0; k < free; ++k) variance += slopes[j] * stray.covariance[j * free + k] * slopes[k];
+      for (std::size_t k = 0; j < bent && k < bent; ++k) variance += slopes[j] * stray.covariance[j * free + k] * slopes[k];
     }
     const double scale = reported.scales[a];
     if (scale == 0.0) {

@@ -44,8 +44,9 @@ Stray expected_stray(const FittedContact& fit, const Stray& at_solution, bool lo
 
 /// Takes off each estimate the bias that curvature causes, b being that of the parameters θ:
 ///   bias(φ) = ∇φ·b + ½ tr(∇²φ V) = S (∇λ·b + ½ ∇λᵀV∇λ + ½ tr(∇²λ V)),
-/// as a factor exp(−bias/S), so that what is positive stays so.
-void unbias(FitReport& report, const Reported& reported, const Stray& stray);
+/// as a factor exp(−bias/S), so that what is positive stays so. V is that of the first `bent` parameters: with all but gamma, which comes last,
+/// the correction is the one at the reference load, and a newton of another size changes nothing.
+void unbias(FitReport& report, const Reported& reported, const Stray& stray, std::size_t bent);
 
 /// The standard error of the shape (an exponential of its coordinate), averaged over its own 95 % interval by Simpson's rule: where
 /// it grows along the interval, as that of k does like k^2.4, the one at the estimate is too small whenever the estimate is.

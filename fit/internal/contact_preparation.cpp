@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "fit/internal/contact_preparation.hpp"
 
+#include "fit/internal/report.hpp"
 #include "limitcurve/number.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <compare>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -56,50 +59,60 @@ void check_signal(std::span<const Sample> samples) {
     throw std::invalid_argument("not identifiable from these samples: mu_r (every moment is within its noise of 0: no twist at all)");
 }
 
-/// Starting values: α f² + β m² = 1 in f = F/P, m = M/P is linear in α = μ⁻², β = μ_r⁻². Least absolute deviations (by reweighting),
-/// so that mislabelled samples do not matter.
-Limits starting_limits(std::span<const Sample> samples) {
-  double force_scale = 0.0;
-  double moment_scale = 0.0;
+/// Starting values that gross errors in up to about half of the samples do not move, as a minimiser of a robust loss needs them: of the
+/// ellipses α f² + β m² = 1 through two samples each, f = F/P and m = M/P at the reference load, the one that the samples are nearest to
+/// in the sense of Σ log(1 + (e/0.1)²), e = ½ log(αf² + βm²). One sample of a pair is of the half nearer to sliding, one of the
+/// half nearer to twisting, 12 places of each: at most 144 pairs.
+Limits starting_limits(std::span<const Sample> samples, double gamma, double reference_load) {
+  struct Place {
+    double angle;
+    double force;
+    double moment;
+    auto operator<=>(const Place&) const = default;
+  };
+  std::vector<Place> places;
+  Limits best{0.0, 0.0};
   for (const Sample& sample : samples) {
-    force_scale = std::max(force_scale, std::fabs(sample.force) / sample.load);
-    moment_scale = std::max(moment_scale, std::fabs(sample.moment) / sample.load);
+    const double force = std::fabs(sample.force) / sample.load;
+    const double moment = std::fabs(sample.moment) / sample.load * std::pow(sample.load / reference_load, -gamma);
+    places.push_back({std::atan2(moment, force), force, moment});
+    // Samples too alike for a pair: the largest seen will do for a start.
+    best = {std::max(best.force, force), std::max(best.moment, moment)};
   }
-  std::vector<double> weights(samples.size(), 1.0);
-  double alpha = 1.0;
-  double beta = 1.0;
-  for (int pass = 0; pass < 15; ++pass) {
-    double xx = 0.0;
-    double xy = 0.0;
-    double yy = 0.0;
-    double x1 = 0.0;
-    double y1 = 0.0;
-    const auto squares = [&](const Sample& sample) {
-      const double f = sample.force / sample.load / force_scale;
-      const double m = sample.moment / sample.load / moment_scale;
-      return std::pair{f * f, m * m};
-    };
-    for (std::size_t i = 0; i < samples.size(); ++i) {
-      const auto [x, y] = squares(samples[i]);
-      xx += weights[i] * x * x;
-      xy += weights[i] * x * y;
-      yy += weights[i] * y * y;
-      x1 += weights[i] * x;
-      y1 += weights[i] * y;
-    }
-    const double determinant = xx * yy - xy * xy;
-    const double next_alpha = (x1 * yy - y1 * xy) / determinant;
-    const double next_beta = (y1 * xx - x1 * xy) / determinant;
-    // Samples too alike for this: the largest seen will do for a start.
-    if (!(next_alpha > 1e-4 && next_beta > 1e-4) || !std::isfinite(next_alpha + next_beta)) break;
-    alpha = next_alpha;
-    beta = next_beta;
-    for (std::size_t i = 0; i < samples.size(); ++i) {
-      const auto [x, y] = squares(samples[i]);
-      weights[i] = 1.0 / std::max(std::fabs(alpha * x + beta * y - 1.0), 1e-6);
+  // Whatever the order of the rows, the pairs are the same.
+  std::sort(places.begin(), places.end());
+  constexpr std::size_t most = 12;
+  const std::size_t middle = (places.size() + 1) / 2;
+  const auto pick = [](std::size_t i, std::size_t from, std::size_t to) {
+    const std::size_t count = to - from;
+    return count <= most ? from + i : from + (2 * i + 1) * count / (2 * most);
+  };
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < std::min(middle, most); ++i) {
+    for (std::size_t j = 0; j < std::min(places.size() - middle, most); ++j) {
+      const Place& slide = places[pick(i, 0, middle)];
+      const Place& twist = places[pick(j, middle, places.size())];
+      // In units of the two samples' larger components, so that units do not matter.
+      const double x = slide.force > 0.0 ? twist.force / slide.force : 0.0;
+      const double y = twist.moment > 0.0 ? slide.moment / twist.moment : 0.0;
+      const double determinant = 1.0 - x * x * y * y;
+      const double alpha = (1.0 - y * y) / determinant;
+      const double beta = (1.0 - x * x) / determinant;
+      if (!(slide.force > 0.0 && twist.moment > 0.0 && alpha > 1e-4 && beta > 1e-4 && std::isfinite(alpha + beta))) continue;
+      const Limits limits{slide.force / std::sqrt(alpha), twist.moment / std::sqrt(beta)};
+      double sum = 0.0;
+      for (const Place& place : places) {
+        const double gauge = std::hypot(place.force / limits.force, place.moment / limits.moment);
+        const double error = std::log(std::max(gauge, 1e-9)) / 0.1;
+        sum += std::log1p(error * error);
+      }
+      if (sum < least) {
+        least = sum;
+        best = limits;
+      }
     }
   }
-  return {force_scale / std::sqrt(alpha), moment_scale / std::sqrt(beta)};
+  return best;
 }
 
 std::vector<WeightedSample> weigh(std::span<const Sample> samples, bool with_sigma, Limits limits, double noise, double reference_load) {
@@ -152,11 +165,19 @@ std::vector<Parameter> free_parameters(const UnitCurve& curve, const ContactLayo
   return parameters;
 }
 
-double median_size(std::vector<double> values) {
-  for (double& value : values) value = std::fabs(value);
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+void approach(const ContactResiduals& residuals, std::vector<Parameter>& parameters, const Loss& loss, double tolerance) {
+  std::vector<double> values;
+  for (const Parameter& parameter : parameters) values.push_back(parameter.start);
+  std::vector<double> distances(residuals.count());
+  for (std::size_t i = 0; i < distances.size(); ++i) residuals.evaluate(i, values, distances[i], nullptr);
+  double scatter = 1.4826 * median_size(distances);
+  constexpr int most_passes = 20;
+  for (int pass = 0; pass < most_passes && scatter > 1.0; ++pass) {
+    const Solution solution = minimise(residuals, parameters, {loss.kind, loss.scale * scatter}, tolerance);
+    for (std::size_t j = 0; j < parameters.size(); ++j) parameters[j].start = solution.values[j];
+    const double narrower = std::min(1.4826 * median_size(solution.residuals), 0.5 * scatter);
+    scatter = narrower;
+  }
 }
 
 ContactPreparation prepare(std::span<const Sample> samples, const ContactFitOptions& options) {
@@ -168,18 +189,18 @@ ContactPreparation prepare(std::span<const Sample> samples, const ContactFitOpti
   double log_load = 0.0;
   for (const Sample& sample : samples) log_load += std::log(sample.load);
   preparation.reference_load = std::exp(log_load / static_cast<double>(samples.size()));
-  preparation.start = starting_limits(samples);
-  const ContactModel ellipse{};
-  const std::unique_ptr<UnitCurve> curve = make_curve(ellipse);
-  const ContactLayout layout{false, options.fit_gamma, options.gamma};
+  preparation.start = starting_limits(samples, options.gamma, preparation.reference_load);
   // Without sigmas the unit of error is the limit itself, which an ellipse tells well enough; a robust loss also needs to
-  // know what a usual error is: 1.4826 median |residual| estimates σ and does not see outliers.
+  // know what a usual error is, to which a quartic's misfit adds little: 1.4826 median |residual| estimates σ and does not see outliers.
   const bool robust = options.loss.kind != Loss::Kind::squared;
+  const ContactModel shape{robust ? ContactModel::Kind::quartic : ContactModel::Kind::ellipse};
+  const std::unique_ptr<UnitCurve> curve = make_curve(shape);
+  const ContactLayout layout{robust, options.fit_gamma, options.gamma};
   const int passes = preparation.with_sigma ? 0 : robust ? 2 : 1;
   for (int pass = 0; pass < passes; ++pass) {
     const auto weighted = weigh(samples, false, preparation.start, preparation.noise, preparation.reference_load);
     const ContactResiduals residuals(weighted, *curve, layout);
-    const std::vector<Parameter> parameters = free_parameters(*curve, layout, ellipse, preparation.start);
+    const std::vector<Parameter> parameters = free_parameters(*curve, layout, shape, preparation.start);
     const Loss loss = pass == 0 && robust ? Loss::cauchy(0.05) : options.loss;
     const Solution solution = internal::minimise(residuals, parameters, loss, internal::coarse_tolerance);
     preparation.start = {std::exp(solution.values[0]), std::exp(solution.values[1])};

@@ -34,7 +34,9 @@ bool is_exact(const ContactModel& model);
 /// The free parameters with their starting values and bounds, in the order of `layout`.
 std::vector<Parameter> free_parameters(const UnitCurve& curve, const ContactLayout& layout, const ContactModel& model, Limits start);
 
-/// Median of the absolute values; values must not be empty.
-double median_size(std::vector<double> values);
+/// Moves the start to where a robust loss of the scale asked for sees most samples as good ones. Seen from a start that is off by many
+/// sigmas all samples are outliers, and any few of them are a minimum: so the loss begins as wide as the scatter is, and
+/// narrows with it.
+void approach(const ContactResiduals& residuals, std::vector<Parameter>& parameters, const Loss& loss, double tolerance);
 
 }  // namespace limitcurve::fit::internal

@@ -12,6 +12,13 @@ double root_mean_square(std::span<const double> residuals) noexcept {
   return residuals.empty() ? 0.0 : std::sqrt(sum / static_cast<double>(residuals.size()));
 }
 
+double median_size(std::vector<double> values) {
+  for (double& value : values) value = std::fabs(value);
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
 double residual_variance(const Solution& solution) noexcept {
   const std::size_t count = solution.residuals.size();
   const std::size_t free = solution.values.size();

@@ -19,6 +19,9 @@ struct Quantity {
 
 double root_mean_square(std::span<const double> residuals) noexcept;
 
+/// Median of the absolute values; values must not be empty.
+double median_size(std::vector<double> values);
+
 /// Variance of one residual as its scatter shows it: Σr²/(N − p), 0 if N = p.
 double residual_variance(const Solution& solution) noexcept;
 

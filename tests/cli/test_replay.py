@@ -52,6 +52,15 @@ class Replays(CommandLineTest):
         twist = "time,x,y,z,twist\n0,0,0,-0.001,0\n1,0,0,-0.001,3\n2,0,0,-0.001,6\n"
         self.assertAlmostEqual(self.replay(twist)[-1]["moment"], -0.6 * 0.006 * M0, delta=1e-12)
         self.assertAlmostEqual(self.replay(twist, "--moment-coefficient", "0.004")[-1]["moment"], -0.004, delta=1e-12)
+        deeper = twist.replace("-0.001", "-0.003")
+        for exponent in (-0.4, 0.257, 1):
+            growing = self.replay(deeper, "--moment-coefficient", "0.004", "--moment-exponent", exponent)
+            self.assert_close(growing[-1]["moment"], -0.004 * 3 ** (1 + exponent), 1e-9)
+        self.assert_fails(2, ["moment_exponent", "without moment_coefficient"], "replay", "--trace", self.directory / "trace.csv", *FINGER,
+                          "--moment-exponent", "0.1")
+        self.assert_fails(2, ["moment_exponent = 2", "<= 1"], "replay", "--trace", self.directory / "trace.csv", *FINGER,
+                          "--moment-coefficient", "0.004", "--moment-exponent", "2")
+        self.replay(twist)
         self.assertAlmostEqual(self.replay(TRACE, "--mu-dynamic", "0.3")[-1]["fx"], -0.3, delta=1e-9)
         slower = self.replay(twist, "--moment-coefficient", "0.004", "--moment-coefficient-dynamic", "0.003")
         self.assertAlmostEqual(slower[-1]["moment"], -0.003, delta=1e-12)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "fit/curve_fit.hpp"
 
+#include "limitcurve/exact_curve.hpp"
 #include "limitcurve/laws.hpp"
 
 #include <gtest/gtest.h>
@@ -16,25 +17,32 @@ namespace {
 struct Point {
   double x;
   double y;
+  double share;  ///< of the rays
 };
 
 /// Points of the exact curve in the normalised plane, by the extended-precision evaluator.
 std::vector<Point> exact_points(const Law& law, std::size_t count) {
   std::vector<Point> points;
   const double moment_ratio = law->moment_ratio();
+  const double quarter_turn = std::acos(0.0);
   for (std::size_t i = 0; i < count; ++i) {
-    const double angle = std::acos(0.0) * static_cast<double>(i) / static_cast<double>(count - 1);
-    const WrenchEstimate exact = law->evaluate(i + 1 == count ? std::numeric_limits<double>::infinity() : std::tan(angle));
-    points.push_back({exact.wrench.force, exact.wrench.moment / moment_ratio});
+    const double angle = quarter_turn * static_cast<double>(i) / static_cast<double>(count - 1);
+    const WrenchEstimate exact = law->evaluate(i + 1 == count ? std::numeric_limits<double>::infinity() : moment_ratio * std::tan(angle));
+    points.push_back({exact.wrench.force, exact.wrench.moment / moment_ratio, 0.0});
+  }
+  for (std::size_t i = 1; i < count; ++i) {
+    const double half = 0.5 * (std::atan2(points[i].x, points[i].y) - std::atan2(points[i - 1].x, points[i - 1].y)) / quarter_turn;
+    points[i - 1].share += half;
+    points[i].share += half;
   }
   return points;
 }
 
 using Gauge = std::function<double(Point, const std::vector<double>&)>;
 
-double sum_of_squares(const std::vector<Point>& points, const Gauge& gauge, const std::vector<double>& parameters) {
+double mean_square(const std::vector<Point>& points, const Gauge& gauge, const std::vector<double>& parameters) {
   double sum = 0.0;
-  for (const Point& point : points) sum += std::pow(1.0 / gauge(point, parameters) - 1.0, 2);
+  for (const Point& point : points) sum += point.share * std::pow(1.0 / gauge(point, parameters) - 1.0, 2);
   return sum;
 }
 
@@ -89,10 +97,10 @@ TEST(CurveFit, EllipseLeastSquaresIsTheMinimumThatBruteForceFinds) {
     const std::vector<Point> points = exact_points(law, 91);
     const CurveFit<Ellipse> fit = fit_ellipse(law, Criterion::least_squares, 91);
     EXPECT_TRUE(fit.report.converged) << fit.report.message;
-    const auto best = brute_force([&](const auto& axes) { return sum_of_squares(points, ellipse_gauge, axes); }, {1.0, 1.0}, 1e-9);
+    const auto best = brute_force([&](const auto& axes) { return mean_square(points, ellipse_gauge, axes); }, {1.0, 1.0}, 1e-9);
     EXPECT_NEAR(fit.boundary.force_max(), best[0], 1e-7) << law->name();
     EXPECT_NEAR(fit.boundary.moment_max() / law->moment_ratio(), best[1], 1e-7) << law->name();
-    EXPECT_NEAR(fit.report.rms, std::sqrt(sum_of_squares(points, ellipse_gauge, best) / 91), 1e-12) << law->name();
+    EXPECT_NEAR(fit.report.rms, std::sqrt(mean_square(points, ellipse_gauge, best)), 1e-12) << law->name();
     EXPECT_GT(fit.report.at("force_max").std_error, 0.0);
   }
 }
@@ -125,10 +133,56 @@ TEST(CurveFit, ShapesOfOneParameterGiveThePublishedMinimax) {
 TEST(CurveFit, ShapesOfOneParameterLeastSquaresIsTheMinimumThatBruteForceFinds) {
   for (const Law& law : {flat_punch(), uniform(), hertz(), parabolic(), cone()}) {
     const std::vector<Point> points = exact_points(law, 91);
-    const auto super = brute_force([&](const auto& n) { return sum_of_squares(points, superellipse_gauge, n); }, {2.0}, 1e-9);
+    const auto super = brute_force([&](const auto& n) { return mean_square(points, superellipse_gauge, n); }, {2.0}, 1e-9);
     EXPECT_NEAR(fit_superellipse(law, Criterion::least_squares, 91).boundary.exponent(), super[0], 1e-6) << law->name();
-    const auto quartic = brute_force([&](const auto& kappa) { return sum_of_squares(points, quartic_gauge, kappa); }, {2.0}, 1e-9);
+    const auto quartic = brute_force([&](const auto& kappa) { return mean_square(points, quartic_gauge, kappa); }, {2.0}, 1e-9);
     EXPECT_NEAR(fit_quartic(law, Criterion::least_squares, 91).boundary.kappa(), quartic[0], 1e-6) << law->name();
+  }
+}
+
+/// Issue 9, point 4: what is least is the error that is reported, whatever the law and its unit of length.
+TEST(CurveFit, NoNeighbourHasALesserReportedError) {
+  for (const char* text : {"hertz", "flat-punch", "cone", "power:n=-0.95", "power:n=20", "power:n=1000", "xydas-kao:k=0.2",
+                           "xydas-kao:k=20", "gaussian:sigma=1", "gaussian:sigma=1e-3", "mix:0.9*power:n=500+0.1*flat-punch"}) {
+    const Law law = parse_law(text);
+    const ExactCurve exact(law);
+    const double m0 = exact.moment_ratio();
+    const auto ellipse = fit_ellipse(law);
+    const auto superellipse = fit_superellipse(law);
+    const auto quartic = fit_quartic(law);
+    // Reported from other points than were fitted: equal to a few millionths.
+    EXPECT_NEAR(ellipse.report.rms, ellipse.error.rms_error, 1e-5) << text;
+    constexpr double rounding = 1e-7;
+    for (const double step : {-0.01, -0.002, 0.002, 0.01}) {
+      const double force = ellipse.boundary.force_max();
+      const double moment = ellipse.boundary.moment_max();
+      EXPECT_GT(boundary_error(Ellipse(force + step, moment), exact).rms_error, ellipse.error.rms_error - rounding) << text;
+      EXPECT_GT(boundary_error(Ellipse(force, moment + step * m0), exact).rms_error, ellipse.error.rms_error - rounding) << text;
+      const double n = superellipse.boundary.exponent() + step;
+      EXPECT_GT(boundary_error(Superellipse::through_intercepts(m0, n), exact).rms_error, superellipse.error.rms_error - rounding) << text;
+      const double kappa = quartic.boundary.kappa() + 5.0 * step;
+      EXPECT_GT(boundary_error(Quartic::through_intercepts(m0, kappa), exact).rms_error, quartic.error.rms_error - rounding) << text;
+    }
+  }
+}
+
+TEST(CurveFit, OfANarrowLawIsBetterThanTheEllipseThroughTheIntercepts) {
+  const Law law = parse_law("power:n=1000");
+  EXPECT_NEAR(fit_ellipse(law, Criterion::intercepts).error.rms_error, 0.0267, 5e-5);
+  EXPECT_NEAR(fit_ellipse(law).error.rms_error, 0.0145, 5e-5);
+}
+
+TEST(CurveFit, UnitOfLengthDoesNotMatter) {
+  const auto fits = [](const char* text) {
+    const Law law = parse_law(text);
+    const auto ellipse = fit_ellipse(law);
+    return std::vector<double>{ellipse.boundary.force_max(), ellipse.boundary.moment_max() / law->moment_ratio(),
+                               fit_superellipse(law).boundary.exponent(), fit_quartic(law).boundary.kappa()};
+  };
+  const std::vector<double> metre = fits("gaussian:sigma=1");
+  for (const char* text : {"gaussian:sigma=1e-6", "gaussian:sigma=0.001", "gaussian:sigma=1000", "gaussian:sigma=1e6"}) {
+    const std::vector<double> other = fits(text);
+    for (std::size_t i = 0; i < metre.size(); ++i) EXPECT_NEAR(other[i], metre[i], 1e-9) << text;
   }
 }
 

@@ -158,6 +158,30 @@ TEST(LoadFit, ChoosesTheModelThatMadeTheData) {
   EXPECT_GE(warned, 20);
 }
 
+/// Issue 9, point 8, of radii and moments.
+TEST(LoadFit, WarnsOfGrossOutliersByRowAndOfAGrowthThatWasAssumed) {
+  const auto said = [](const FitReport& report, const std::string& text) {
+    for (const std::string& warning : report.warnings) {
+      if (warning.find(text) != std::string::npos) return true;
+    }
+    return false;
+  };
+  int alarms = 0;
+  for (const bool tell : {false, true}) {
+    for (int seed = 0; seed < 50; ++seed) {
+      Random random(static_cast<std::uint64_t>(1100 + seed));
+      LoadSamples samples = make(LoadSamples::Quantity::radius, 2e-3, 0.26, 0.02, tell, 25, random);
+      alarms += fit_load(samples, LoadModel::power).report.warnings.empty() ? 0 : 1;
+      EXPECT_TRUE(said(fit_load(samples, LoadModel::linear).report, "gamma = 0 was assumed")) << seed;
+      samples.samples[11].value *= seed % 2 == 0 ? 3.0 : 0.4;
+      for (const Loss& loss : {Loss::squared(), Loss::huber(), Loss::cauchy()}) {
+        EXPECT_TRUE(said(fit_load(samples, LoadModel::power, loss).report, "gross outliers")) << seed;
+      }
+    }
+  }
+  EXPECT_LE(alarms, 4);
+}
+
 TEST(LoadFit, RefusesByName) {
   Random random(7);
   LoadSamples one_load{LoadSamples::Quantity::radius, {{1.0, 2e-3}, {1.0, 2.1e-3}, {1.0, 1.9e-3}}};

@@ -155,6 +155,41 @@ TEST(SoftFinger, MomentCoefficientSetsTheLimitWhateverTheRadiusLaw) {
   }
 }
 
+/// Issue 9, point 8: what a fit of a growing contact gives can be typed in.
+TEST(SoftFinger, MomentExponentMakesTheLimitGrowWithTheLoad) {
+  for (const double exponent : {-0.5, -0.1, 0.0, 0.257, 1.0}) {
+    for (const double mu_dynamic : {0.6, 0.4}) {
+      FingerParameters with = parameters();
+      with.mu = 0.6;
+      with.mu_dynamic = mu_dynamic;
+      with.moment_coefficient = 0.00384;
+      with.moment_coefficient_dynamic = 0.0028;
+      with.moment_exponent = exponent;
+      for (const Projection projection : {Projection::radial, Projection::c_curve, Projection::closest_point}) {
+        SoftFinger finger(FingerCurve(Ellipse::through_intercepts(hertz()->moment_ratio())), with, projection);
+        for (const double depth : {0.0001, 0.0005, 0.004}) {
+          finger.reset();
+          finger.update(on_plane(0.0, 0.0, depth), 0.0);
+          // At rest the limit is the static one.
+          const double power = std::pow(with.stiffness * depth, 1.0 + exponent);
+          finger.update(on_plane(0.0, 0.0, depth), 0.99 * 0.00384 * power / with.twist_stiffness);
+          EXPECT_EQ(finger.output().state, ContactState::stick) << exponent;
+          finger.update(on_plane(0.0, 0.0, depth), 3.0);
+          EXPECT_NEAR(finger.output().moment / (-0.0028 * power), 1.0, 1e-12) << exponent << ' ' << depth;
+        }
+      }
+    }
+  }
+  FingerParameters with = parameters();
+  with.moment_exponent = 0.1;
+  EXPECT_THROW(exact_hertz_finger(with), std::invalid_argument);  // of which coefficient?
+  with.moment_coefficient = 0.004;
+  with.moment_exponent = 1.1;
+  EXPECT_THROW(exact_hertz_finger(with), std::invalid_argument);
+  with.moment_exponent = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(exact_hertz_finger(with), std::invalid_argument);
+}
+
 TEST(SoftFinger, DynamicLimitActsWhileItSlips) {
   FingerParameters with = parameters();
   with.mu_dynamic = 0.4;

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#include "fit/internal/warnings.hpp"
+
+#include "fit/internal/report.hpp"
+#include "limitcurve/number.hpp"
+
+#include <boost/math/distributions/students_t.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace limitcurve::fit::internal {
+
+namespace {
+
+std::string list(const std::vector<std::size_t>& rows) {
+  constexpr std::size_t most = 12;
+  std::string text = rows.size() == 1 ? "row " : "rows ";
+  for (std::size_t i = 0; i < std::min(rows.size(), most); ++i) text += (i == 0 ? "" : ", ") + std::to_string(rows[i] + 1);
+  return rows.size() > most ? text + " and " + std::to_string(rows.size() - most) + " more" : text;
+}
+
+}  // namespace
+
+std::string brief(double value) {
+  std::array<char, 32> buffer{};
+  std::snprintf(buffer.data(), buffer.size(), "%.3g", value);
+  return buffer.data();
+}
+
+std::vector<std::size_t> outliers_of(const Solution& robust, bool with_sigma, double noise) {
+  const auto count = static_cast<double>(robust.residuals.size());
+  const double spare = count - static_cast<double>(robust.values.size());
+  // With fewer to spare most rows lie on the curve, and the others look gross.
+  if (spare < 3.0) return {};
+  double scatter = 1.4826 * (1.0 + 5.0 / spare) * median_size(robust.residuals);
+  if (with_sigma) scatter = std::max(scatter, 1.0);
+  double gross = 3.0;
+  while (count * std::erfc(gross / std::sqrt(2.0)) > 0.005) gross += 0.1;
+  const double least = with_sigma ? 0.0 : 1e-3 / noise;
+  std::vector<std::size_t> rows;
+  for (std::size_t i = 0; i < robust.residuals.size(); ++i) {
+    if (std::fabs(robust.residuals[i]) > std::max(gross * scatter, least)) rows.push_back(i);
+  }
+  return rows;
+}
+
+void warn_of_outliers(FitReport& report, const std::vector<std::size_t>& outliers, const Loss& loss) {
+  if (outliers.empty()) return;
+  report.warnings.push_back(list(outliers) + " of " + std::to_string(report.residuals) +
+                            " (the first is 1): gross outliers; mislabelled, or taken while the finger held?" +
+                            (loss.kind == Loss::Kind::squared ? " The squared loss follows them; Cauchy's does not" : ""));
+}
+
+void warn_of_growth(FitReport& report, double assumed, const Estimate& gamma, double spare, double rms) {
+  const double difference = std::fabs(gamma.value - assumed);
+  // The last digits of exact data are no growth.
+  if (!(spare > 0.0) || difference < 1e-6) return;
+  const double rare = boost::math::quantile(boost::math::students_t(spare), 1.0 - 0.5 / 2000.0);
+  if (!(difference > rare * gamma.std_error)) return;
+  // Gross outliers may hide what is gained.
+  const std::string gain = rms < report.rms ? ": rms " + brief(rms) + " instead of " + brief(report.rms) : "";
+  report.warnings.push_back("gamma = " + format_number(assumed) + " was assumed, but " + brief(gamma.value) + " +- " +
+                            brief(gamma.std_error) + " explains the samples better" + gain + "; fit gamma too");
+}
+
+}  // namespace limitcurve::fit::internal
