@@ -4,7 +4,7 @@
 #include "godobject/batch.hpp"
 #include "godobject/godobject.hpp"
 #include "godobject/mesh/mesh_file.hpp"
-#include "limitcurve/ellipse.hpp"
+#include "limitcurve/approximations.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/table.hpp"
 

@@ -2,13 +2,10 @@
 #include "bench/boost_quadrature.hpp"
 #include "bench/worst.hpp"
 
+#include "limitcurve/approximations.hpp"
 #include "limitcurve/closed_form.hpp"
-#include "limitcurve/ellipse.hpp"
 #include "limitcurve/exact_curve.hpp"
 #include "limitcurve/laws.hpp"
-#include "limitcurve/polygon.hpp"
-#include "limitcurve/quartic.hpp"
-#include "limitcurve/superellipse.hpp"
 #include "limitcurve/table.hpp"
 
 #include <benchmark/benchmark.h>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A step of a finger on a ball of triangles, contact and friction together: `worst` is the slowest of 4096 steps, each by the fastest
 // of nine runs, so that an interrupt is not taken for the step (the clock's own 20 ns included).
+#include "godobject/mesh/mesh.hpp"
 #include "tests/mesh/shapes.hpp"
 #include "tests/touch.hpp"
 

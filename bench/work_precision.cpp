@@ -6,17 +6,14 @@
 #include "bench/way.hpp"
 #include "bench/work_precision_step.hpp"
 
-#include "limitcurve/boundary_error.hpp"
+#include "limitcurve/approximations.hpp"
 #include "limitcurve/closed_form.hpp"
-#include "limitcurve/ellipse.hpp"
 #include "limitcurve/evaluators.hpp"
 #include "limitcurve/exact_curve.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/number.hpp"
-#include "limitcurve/polygon.hpp"
-#include "limitcurve/quartic.hpp"
-#include "limitcurve/superellipse.hpp"
 #include "limitcurve/table.hpp"
+#include "limitcurve/validate.hpp"
 
 #include <benchmark/benchmark.h>
 

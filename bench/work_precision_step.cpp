@@ -4,9 +4,9 @@
 #include "bench/way.hpp"
 
 #include "godobject/godobject.hpp"
-#include "limitcurve/boundary_error.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/table.hpp"
+#include "limitcurve/validate.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "limitcurve/choose.hpp"
+#include "limitcurve/validate.hpp"
 
 #include "cli/number_list.hpp"
 #include "cli/subcommands.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cli/subcommands.hpp"
 
-#include "limitcurve/load_curves.hpp"
+#include "limitcurve/contact_radius.hpp"
 
 namespace limitcurve::cli {
 

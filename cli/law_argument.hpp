@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "limitcurve/contact_radius.hpp"
 #include "limitcurve/pressure_law.hpp"
-#include "limitcurve/radius_law.hpp"
 
 #include <string>
 

@@ -3,8 +3,8 @@
 
 #include "cli/range.hpp"
 
+#include "limitcurve/contact_radius.hpp"
 #include "limitcurve/pressure_law.hpp"
-#include "limitcurve/radius_law.hpp"
 
 #include <cstddef>
 #include <functional>

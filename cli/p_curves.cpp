@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "cli/subcommands.hpp"
 
+#include "limitcurve/contact_radius.hpp"
 #include "limitcurve/exact_curve.hpp"
-#include "limitcurve/load_curves.hpp"
 
 namespace limitcurve::cli {
 

@@ -2,9 +2,9 @@
 #include "cli/command_line.hpp"
 #include "cli/report_files.hpp"
 
+#include "limitcurve/contact_radius.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/number.hpp"
-#include "limitcurve/radius_law.hpp"
 
 #include <array>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cli/report_files.hpp"
 
-#include "limitcurve/ellipse.hpp"
+#include "limitcurve/approximations.hpp"
 #include "limitcurve/exact_curve.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/table.hpp"

@@ -2,9 +2,9 @@
 #include "cli/report_files.hpp"
 
 #include "godobject/replay.hpp"
-#include "limitcurve/ellipse.hpp"
+#include "limitcurve/approximations.hpp"
+#include "limitcurve/contact_radius.hpp"
 #include "limitcurve/laws.hpp"
-#include "limitcurve/load_curves.hpp"
 #include "limitcurve/number.hpp"
 #include "limitcurve/table.hpp"
 

@@ -4,7 +4,7 @@
 #include "cli/key_values.hpp"
 #include "cli/number_list.hpp"
 
-#include "godobject/surfaces.hpp"
+#include "godobject/surface.hpp"
 #ifdef LIMITCURVE_HAS_MESH
 #include "godobject/mesh/mesh_file.hpp"
 #endif

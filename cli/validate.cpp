@@ -3,10 +3,10 @@
 #include "cli/subcommands.hpp"
 
 #include "fit/curve_fit.hpp"
-#include "limitcurve/boundary_error.hpp"
+#include "limitcurve/approximations.hpp"
 #include "limitcurve/exact_curve.hpp"
 #include "limitcurve/laws.hpp"
-#include "limitcurve/polygon.hpp"
+#include "limitcurve/validate.hpp"
 
 #include <array>
 #include <limits>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Job 2, validate: how wrong the usual ellipse is for each pressure law, and what one more parameter buys.
-#include "limitcurve/boundary_error.hpp"
-#include "limitcurve/ellipse.hpp"
+#include "limitcurve/approximations.hpp"
 #include "limitcurve/exact_curve.hpp"
 #include "limitcurve/laws.hpp"
+#include "limitcurve/validate.hpp"
 
 #include <cmath>
 #include <cstdio>

@@ -2,11 +2,9 @@
 #pragma once
 
 #include "fit/estimate.hpp"
-#include "limitcurve/boundary_error.hpp"
-#include "limitcurve/ellipse.hpp"
+#include "limitcurve/approximations.hpp"
 #include "limitcurve/pressure_law.hpp"
-#include "limitcurve/quartic.hpp"
-#include "limitcurve/superellipse.hpp"
+#include "limitcurve/validate.hpp"
 
 #include <cstddef>
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "fit/engine_coefficients.hpp"
 
-#include "limitcurve/ellipse.hpp"
+#include "limitcurve/approximations.hpp"
 #include "limitcurve/exact_curve.hpp"
 #include "limitcurve/number.hpp"
-#include "limitcurve/polygon.hpp"
 
 #include <algorithm>
 #include <cmath>

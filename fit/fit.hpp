@@ -7,6 +7,5 @@
 #include "fit/engine_coefficients.hpp"
 #include "fit/estimate.hpp"
 #include "fit/load_fit.hpp"
-#include "fit/loss.hpp"
 #include "fit/measurements.hpp"
 #include "fit/model_fit.hpp"

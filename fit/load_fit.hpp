@@ -2,7 +2,6 @@
 #pragma once
 
 #include "fit/estimate.hpp"
-#include "fit/loss.hpp"
 #include "fit/measurements.hpp"
 
 #include <string>

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "godobject/choose_step.hpp"
 
-#include "godobject/curve_kind.hpp"
+#include "godobject/finger_curve.hpp"
 #include "godobject/soft_finger.hpp"
-#include "limitcurve/boundary_error.hpp"
-#include "limitcurve/choose.hpp"
-#include "limitcurve/ellipse.hpp"
+#include "limitcurve/approximations.hpp"
 #include "limitcurve/exact_curve.hpp"
 #include "limitcurve/number.hpp"
-#include "limitcurve/polygon.hpp"
 #include "limitcurve/shipped_costs.hpp"
 #include "limitcurve/table.hpp"
+#include "limitcurve/validate.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "godobject/contact_limits.hpp"
 
-#include "limitcurve/load_curves.hpp"
+#include "limitcurve/contact_radius.hpp"
 #include "limitcurve/number.hpp"
 
 #include <algorithm>

@@ -3,8 +3,7 @@
 
 #include "godobject/contact.hpp"
 #include "godobject/friction.hpp"
-#include "godobject/spin.hpp"
-#include "limitcurve/radius_law.hpp"
+#include "limitcurve/contact_radius.hpp"
 
 #include <Eigen/Core>
 

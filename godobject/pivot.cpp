@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "godobject/pivot.hpp"
 
-#include "godobject/curve_kind.hpp"
+#include "godobject/finger_curve.hpp"
 #include "godobject/grasp.hpp"
-#include "godobject/surfaces.hpp"
+#include "godobject/surface.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/number.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "godobject/replay.hpp"
 
-#include "limitcurve/polygon.hpp"
+#include "limitcurve/approximations.hpp"
 #include "limitcurve/pressure_law.hpp"
 
 #include <cmath>

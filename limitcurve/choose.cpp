@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "limitcurve/choose.hpp"
+#include "limitcurve/validate.hpp"
 
-#include "limitcurve/boundary_error.hpp"
+#include "limitcurve/approximations.hpp"
 #include "limitcurve/exact_curve.hpp"
 #include "limitcurve/number.hpp"
-#include "limitcurve/polygon.hpp"
 #include "limitcurve/shipped_costs.hpp"
 #include "limitcurve/table.hpp"
 

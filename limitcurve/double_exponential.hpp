@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "limitcurve/law.hpp"
+
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <vector>
 
 namespace limitcurve {
-
-/// The precision in which reference values are computed; results are rounded to double once, at the end.
-using Extended = long double;
 
 /// One abscissa of the rule on [0, 1]: its distance from either end, both to full relative precision, and its weight.
 template <class Real>

@@ -2,6 +2,7 @@
 #include "limitcurve/evaluators.hpp"
 
 #include "limitcurve/closed_form.hpp"
+#include "limitcurve/double_exponential.hpp"
 #include "limitcurve/elliptic.hpp"
 
 #include <boost/math/quadrature/gauss.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "limitcurve/load_curves.hpp"
+#include "limitcurve/contact_radius.hpp"
 
 #include "limitcurve/number.hpp"
 

@@ -1,18 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "limitcurve/wrench.hpp"
+
 #include <array>
 #include <cstddef>
 
 namespace limitcurve {
-
-/// f, m and df/ds in one precision.
-template <class Real>
-struct UnitForces {
-  Real force;
-  Real moment;
-  Real force_slope;
-};
 
 /// Even moments ⟨ρ^{2k}⟩ of the family (1−ρ²)ⁿ, n = numerator/denominator: k!/(n+2)_k.
 template <int numerator, int denominator>

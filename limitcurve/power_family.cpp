@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "limitcurve/closed_form.hpp"
+#include "limitcurve/double_exponential.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/number.hpp"
 

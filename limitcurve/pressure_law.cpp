@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "limitcurve/pressure_law.hpp"
 
+#include "limitcurve/double_exponential.hpp"
 #include "limitcurve/evaluators.hpp"
 
 #include <array>

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "limitcurve/double_exponential.hpp"
 #include "limitcurve/law.hpp"
-#include "limitcurve/moment_series.hpp"
 #include "limitcurve/wrench.hpp"
 
 #include <optional>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "limitcurve/smooth_pieces.hpp"
+#include "limitcurve/double_exponential.hpp"
 
 #include <algorithm>
 #include <cmath>

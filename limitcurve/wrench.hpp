@@ -64,4 +64,12 @@ struct WrenchEstimate {
   double force_slope = 0.0;  ///< df/ds; the moment's is dm/ds = −s·df/ds
 };
 
+/// A unit wrench and the slope of its force, df/ds, in the precision of a reference.
+template <class Real>
+struct UnitForces {
+  Real force;
+  Real moment;
+  Real force_slope;
+};
+
 }  // namespace limitcurve

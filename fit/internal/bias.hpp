@@ -2,7 +2,7 @@
 #pragma once
 
 #include "fit/internal/least_squares.hpp"
-#include "fit/loss.hpp"
+#include "fit/measurements.hpp"
 
 #include <span>
 #include <vector>

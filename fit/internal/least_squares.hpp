@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "fit/loss.hpp"
+#include "fit/measurements.hpp"
 
 #include <cstddef>
 #include <span>

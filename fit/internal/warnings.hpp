@@ -3,7 +3,7 @@
 
 #include "fit/estimate.hpp"
 #include "fit/internal/least_squares.hpp"
-#include "fit/loss.hpp"
+#include "fit/measurements.hpp"
 
 #include <cstddef>
 #include <string>

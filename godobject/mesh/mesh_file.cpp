@@ -35,7 +35,7 @@ TriangleList read_triangles(const std::string& path, double scale) {
 }
 
 MeshSurface read_mesh(const std::string& path, double scale) {
-  return MeshSurface(Mesh(read_triangles(path, scale)));
+  return MeshSurface(read_triangles(path, scale));
 }
 
 }  // namespace limitcurve::godobject

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "godobject/mesh/mesh_surface.hpp"
 
+#include "godobject/mesh/mesh.hpp"
 #include "godobject/mesh/triangle.hpp"
 
 #include <algorithm>
@@ -19,38 +20,44 @@ int remembered(int face) noexcept {
   return -2 - face;
 }
 
-}  // namespace
-
-MeshSurface::MeshSurface(std::shared_ptr<const Mesh> mesh) : mesh_(std::move(mesh)) {
-  if (!mesh_) throw std::invalid_argument("mesh: none given, expected one");
-}
-
-Contact MeshSurface::touched(const MeshPlace& place, const Vector3d& finger) const noexcept {
+/// Of a finger whose god-object rests there.
+Contact touched(const Mesh& mesh, const MeshPlace& place, const Vector3d& finger) noexcept {
   const ContactMemory memory{place.face, numbers(place.point), true};
-  if (mesh_->flat(place)) {
-    const Vector3d& normal = mesh_->normal(place.face);
-    const double depth = -mesh_->height(place.face, finger);
+  if (mesh.flat(place)) {
+    const Vector3d& normal = mesh.normal(place.face);
+    const double depth = -mesh.height(place.face, finger);
     return {finger + normal * depth, normal, depth, memory};
   }
   // In a crease or a pit: from the finger to the god-object, which turns steadily from the one face's normal to the other's.
   const Vector3d way = place.point - finger;
   const double depth = way.norm();
-  const Vector3d outward = mesh_->outward(place);
-  if (depth > 1e-9 * mesh_->grid().reach()) {
+  const Vector3d outward = mesh.outward(place);
+  if (depth > 1e-9 * mesh.grid().reach()) {
     const double side = way.dot(outward) >= 0.0 ? 1.0 : -1.0;
     return {place.point, way * (side / depth), side * depth, memory};
   }
   return {place.point, outward, way.dot(outward), memory};
 }
 
-Contact MeshSurface::free(const Vector3d& finger, int guess) const noexcept {
-  const MeshPlace place = mesh_->nearest(finger, guess, near_limit);
+/// Of a finger that does not touch; `guess` is a face near it.
+Contact free_contact(const Mesh& mesh, const Vector3d& finger, int guess) noexcept {
+  const MeshPlace place = mesh.nearest(finger, guess, MeshSurface::near_limit);
   const ContactMemory memory{remembered(place.face), numbers(finger), true};
   const Vector3d away = finger - place.point;
   const double gap = away.norm();
   // On the surface, within the grid, there is no direction but the surface's own.
-  if (gap > 1e-9 * mesh_->grid().reach()) return {place.point, away / gap, -gap, memory};
-  return {place.point, mesh_->outward(place), -gap, memory};
+  if (gap > 1e-9 * mesh.grid().reach()) return {place.point, away / gap, -gap, memory};
+  return {place.point, mesh.outward(place), -gap, memory};
+}
+
+}  // namespace
+
+MeshSurface::MeshSurface(Mesh mesh) : mesh_(std::make_shared<const Mesh>(std::move(mesh))) {}
+
+MeshSurface::MeshSurface(const TriangleList& triangles) : MeshSurface(Mesh(triangles)) {}
+
+MeshSurface::MeshSurface(std::shared_ptr<const Mesh> mesh) : mesh_(std::move(mesh)) {
+  if (!mesh_) throw std::invalid_argument("mesh: none given, expected one");
 }
 
 Contact MeshSurface::contact(const Vector3d& finger, const ContactMemory& memory) const noexcept {
@@ -62,24 +69,24 @@ Contact MeshSurface::contact(const Vector3d& finger, const ContactMemory& memory
   const Vector3d from = vector(memory.finger);
   if (!memory.known || face >= faces) {
     // Nothing is known of it: a finger inside came in by what is nearest.
-    if (!mesh_->holds(finger)) return free(finger, 0);
+    if (!mesh_->holds(finger)) return free_contact(*mesh_, finger, 0);
     face = mesh_->nearest(finger, 0).face;
   }
   const int guess = face >= 0 ? face : face <= remembered(0) && face >= remembered(faces - 1) ? remembered(face) : 0;
   if (face < 0) {
     const auto entry = mesh_->entry(from, finger);
-    if (!entry) return free(finger, guess);
+    if (!entry) return free_contact(*mesh_, finger, guess);
     face = entry->face;
   }
   MeshPlace place = mesh_->settle(face, finger);
   double after = -1.0;
   for (int round = 0; round < rounds; ++round) {
     const double depth = mesh_->flat(place) ? -mesh_->height(place.face, finger) : mesh_->outward(place).dot(place.point - finger);
-    if (depth > 0.0) return touched(place, finger);
+    if (depth > 0.0) return touched(*mesh_, place, finger);
     // The finger pulls the god-object off the surface: it flies to the finger, or to what is in its way.
     const auto entry = mesh_->entry(place.point, finger, after);
     if (!entry) {
-      if (!mesh_->holds(finger)) return free(finger, place.face);
+      if (!mesh_->holds(finger)) return free_contact(*mesh_, finger, place.face);
       // Inside, but not beneath the face: it was a long way, and g is still on it; or it lacks less than the grid, and g stays.
       const MeshPlace farther = mesh_->settle(place.face, finger);
       if (farther.point == place.point) break;
@@ -93,7 +100,7 @@ Contact MeshSurface::contact(const Vector3d& finger, const ContactMemory& memory
     after = stays ? entry->along : -1.0;
     place = next;
   }
-  Contact contact = touched(place, finger);
+  Contact contact = touched(*mesh_, place, finger);
   contact.depth = std::min(contact.depth, 0.0);
   return contact;
 }

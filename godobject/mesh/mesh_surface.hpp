@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "godobject/mesh/mesh.hpp"
+#include "godobject/mesh/triangle_list.hpp"
 #include "godobject/surface.hpp"
 
 #include <memory>
 #include <string>
 
 namespace limitcurve::godobject {
+
+class Mesh;
 
 /// A mesh to touch. The finger's memory holds its god-object: while it touches, the place on the surface where it rests, which slides from
 /// face to face towards the finger; else the finger itself. So the god-object decides on which side the finger is, not the
@@ -26,16 +28,15 @@ class MeshSurface {
   /// Boxes opened for the distance of a finger that does not touch; then the nearest place found by then counts.
   static constexpr int near_limit = 1024;
 
-  explicit MeshSurface(Mesh mesh) : mesh_(std::make_shared<const Mesh>(std::move(mesh))) {}
+  /// Of the solid that the triangles bound; throws std::invalid_argument where they bound none, naming the face.
+  explicit MeshSurface(const TriangleList& triangles);
+  explicit MeshSurface(Mesh mesh);
   explicit MeshSurface(std::shared_ptr<const Mesh> mesh);  ///< throws std::invalid_argument if there is none
 
   [[nodiscard]] const Mesh& mesh() const noexcept { return *mesh_; }
   [[nodiscard]] Contact contact(const Eigen::Vector3d& finger, const ContactMemory& memory) const noexcept;
 
  private:
-  [[nodiscard]] Contact touched(const MeshPlace& place, const Eigen::Vector3d& finger) const noexcept;
-  [[nodiscard]] Contact free(const Eigen::Vector3d& finger, int guess) const noexcept;
-
   std::shared_ptr<const Mesh> mesh_;
 };
 

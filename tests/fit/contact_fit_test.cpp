@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "fit/contact_fit.hpp"
 
-#include "limitcurve/ellipse.hpp"
+#include "limitcurve/approximations.hpp"
 #include "limitcurve/exact_curve.hpp"
 #include "limitcurve/laws.hpp"
-#include "limitcurve/quartic.hpp"
-#include "limitcurve/superellipse.hpp"
 #include "tests/fit/synthetic.hpp"
 
 #include <gtest/gtest.h>

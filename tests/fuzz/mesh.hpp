@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "godobject/mesh/mesh.hpp"
 #include "godobject/mesh/mesh_surface.hpp"
 #include "tests/fuzz/fuzz.hpp"
 #include "tests/touch.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "limitcurve/radius_law.hpp"
+#include "limitcurve/contact_radius.hpp"
 #include "limitcurve/number.hpp"
 #include "tests/fuzz/fuzz.hpp"
 

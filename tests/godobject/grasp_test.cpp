@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "godobject/grasp.hpp"
 
-#include "godobject/surfaces.hpp"
+#include "godobject/surface.hpp"
 #include "tests/godobject/scene.hpp"
 #include "tests/integrators.hpp"
 #include "tests/repetitions.hpp"

@@ -3,9 +3,8 @@
 #include "godobject/batch.hpp"
 #include "godobject/kernel/step.hpp"
 #include "godobject/soft_finger.hpp"
-#include "limitcurve/ellipse.hpp"
+#include "limitcurve/approximations.hpp"
 #include "limitcurve/laws.hpp"
-#include "limitcurve/polygon.hpp"
 #include "limitcurve/table.hpp"
 
 #include "tests/repetitions.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "godobject/surfaces.hpp"
+#include "godobject/surface.hpp"
 
 #include "tests/godobject/scene.hpp"
 #include "tests/repetitions.hpp"

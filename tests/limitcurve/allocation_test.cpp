@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Nothing allocates once it is built: every `new` of this executable is counted.
-#include "limitcurve/ellipse.hpp"
+#include "limitcurve/approximations.hpp"
 #include "limitcurve/exact_curve.hpp"
 #include "limitcurve/laws.hpp"
-#include "limitcurve/polygon.hpp"
-#include "limitcurve/quartic.hpp"
-#include "limitcurve/superellipse.hpp"
 #include "limitcurve/table.hpp"
 
 #include <gtest/gtest.h>

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What each approximation is, beyond being a boundary (boundary_suite.cpp).
-#include "limitcurve/ellipse.hpp"
-#include "limitcurve/polygon.hpp"
-#include "limitcurve/quartic.hpp"
-#include "limitcurve/superellipse.hpp"
+#include "limitcurve/approximations.hpp"
 #include "twists.hpp"
 
 #include <gtest/gtest.h>

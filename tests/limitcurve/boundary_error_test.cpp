@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // How wrong the models are. Each figure has two witnesses: a closed form or the literature, and brute force here.
-#include "limitcurve/boundary_error.hpp"
 #include "limitcurve/accuracy.hpp"
+#include "limitcurve/approximations.hpp"
 #include "limitcurve/exact_curve.hpp"
 #include "limitcurve/laws.hpp"
-#include "limitcurve/polygon.hpp"
+#include "limitcurve/validate.hpp"
 
 #include <gtest/gtest.h>
 

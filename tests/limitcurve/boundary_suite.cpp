@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
 // What every limit boundary must satisfy (limit_boundary.hpp), one test a requirement, instantiated for every kind.
-#include "limitcurve/ellipse.hpp"
+#include "limitcurve/approximations.hpp"
 #include "limitcurve/exact_curve.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/limit_boundary.hpp"
-#include "limitcurve/polygon.hpp"
-#include "limitcurve/quartic.hpp"
-#include "limitcurve/superellipse.hpp"
 #include "limitcurve/table.hpp"
 #include "twists.hpp"
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "limitcurve/load_curves.hpp"
+#include "limitcurve/contact_radius.hpp"
 
-#include "limitcurve/ellipse.hpp"
+#include "limitcurve/approximations.hpp"
 #include "limitcurve/exact_curve.hpp"
 #include "limitcurve/laws.hpp"
-#include "limitcurve/polygon.hpp"
 
 #include <gtest/gtest.h>
 

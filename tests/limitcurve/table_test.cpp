@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "limitcurve/table.hpp"
-#include "limitcurve/ellipse.hpp"
+#include "limitcurve/approximations.hpp"
 #include "limitcurve/laws.hpp"
-#include "limitcurve/polygon.hpp"
 #include "limitcurve/pressure_law.hpp"
-#include "limitcurve/quartic.hpp"
-#include "limitcurve/superellipse.hpp"
 
 #include <gtest/gtest.h>
 

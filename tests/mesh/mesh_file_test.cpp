@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "godobject/mesh/mesh_file.hpp"
+#include "godobject/mesh/mesh.hpp"
 
 #include "tests/mesh/shapes.hpp"
 

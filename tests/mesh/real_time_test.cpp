@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "godobject/mesh/mesh.hpp"
 #include "tests/mesh/shapes.hpp"
 #include "tests/real_time_guard.hpp"
 #include "tests/touch.hpp"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "godobject/mesh/mesh.hpp"
 #include "godobject/mesh/mesh_file.hpp"
 #include "tests/godobject/scene.hpp"
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include "godobject/mesh/mesh.hpp"
 #include "godobject/mesh/mesh_surface.hpp"
 
-#include "godobject/surfaces.hpp"
+#include "godobject/surface.hpp"
 #include "tests/mesh/shapes.hpp"
 #include "tests/repetitions.hpp"
 #include "tests/touch.hpp"

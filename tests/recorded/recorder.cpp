@@ -3,7 +3,7 @@
 // and turns. scripts/maintain/record compares that with what is recorded. Motions are made here, by formula.
 //   recorder SCENARIO PARAMETERS CURVE PROJECTION [mu-times=F] [twist-stiffness-times=F]
 #include "godobject/batch.hpp"
-#include "godobject/curve_kind.hpp"
+#include "godobject/finger_curve.hpp"
 #include "godobject/soft_finger.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/limitcurve.hpp"

@@ -2,8 +2,8 @@
 // Entry d: how a step finds the wrench that friction allows, where the curve has corners.
 #include "godobject/finger_curve.hpp"
 #include "godobject/projection.hpp"
+#include "limitcurve/approximations.hpp"
 #include "limitcurve/laws.hpp"
-#include "limitcurve/polygon.hpp"
 #include "projection.hpp"
 #include "random.hpp"
 

@@ -5,11 +5,11 @@
 #include "../fit/synthetic.hpp"
 #include "fit/fit.hpp"
 #include "gaussian_sum.hpp"
-#include "limitcurve/boundary_error.hpp"
 #include "limitcurve/exact_curve.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/number.hpp"
 #include "limitcurve/table.hpp"
+#include "limitcurve/validate.hpp"
 #include "sampling.hpp"
 #include "truth.hpp"
 

@@ -2,7 +2,7 @@
 // Entry d: how a step finds the wrench that friction allows, where the rule itself is wrong.
 #include "bristles.hpp"
 #include "godobject/soft_finger.hpp"
-#include "limitcurve/ellipse.hpp"
+#include "limitcurve/approximations.hpp"
 #include "limitcurve/exact_curve.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/table.hpp"

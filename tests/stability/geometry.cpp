@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Entry f, its part on shapes.
+#include "godobject/mesh/mesh.hpp"
 #include "geometry.hpp"
 
 #include "godobject/mesh/mesh_surface.hpp"
 #include "godobject/soft_finger.hpp"
-#include "godobject/surfaces.hpp"
-#include "limitcurve/ellipse.hpp"
+#include "godobject/surface.hpp"
+#include "limitcurve/approximations.hpp"
 #include "limitcurve/laws.hpp"
 #include "random.hpp"
 #include "sampling.hpp"

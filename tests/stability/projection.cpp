@@ -3,10 +3,9 @@
 #include "projection.hpp"
 
 #include "godobject/soft_finger.hpp"
-#include "limitcurve/ellipse.hpp"
+#include "limitcurve/approximations.hpp"
 #include "limitcurve/exact_curve.hpp"
 #include "limitcurve/laws.hpp"
-#include "limitcurve/polygon.hpp"
 #include "limitcurve/table.hpp"
 #include "random.hpp"
 #include "sampling.hpp"

@@ -4,8 +4,8 @@
 
 #include "bristles.hpp"
 #include "godobject/soft_finger.hpp"
-#include "godobject/surfaces.hpp"
-#include "limitcurve/ellipse.hpp"
+#include "godobject/surface.hpp"
+#include "limitcurve/approximations.hpp"
 #include "limitcurve/laws.hpp"
 #include "random.hpp"
 #include "sampling.hpp"

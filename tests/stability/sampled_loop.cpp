@@ -2,7 +2,7 @@
 // Entry e, its part on the device: forces that are sampled, late, and taken from the steps of an encoder.
 #include "godobject/passivity.hpp"
 #include "godobject/soft_finger.hpp"
-#include "limitcurve/ellipse.hpp"
+#include "limitcurve/approximations.hpp"
 #include "limitcurve/laws.hpp"
 #include "sampling.hpp"
 #include "stepping.hpp"

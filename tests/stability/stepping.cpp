@@ -2,8 +2,8 @@
 // Entry e, its part on bodies: finger springs on a light one.
 #include "stepping.hpp"
 
-#include "godobject/surfaces.hpp"
-#include "limitcurve/ellipse.hpp"
+#include "godobject/surface.hpp"
+#include "limitcurve/approximations.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/number.hpp"
 #include "sampling.hpp"

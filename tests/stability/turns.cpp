@@ -3,7 +3,7 @@
 #include "turns.hpp"
 
 #include "godobject/godobject.hpp"
-#include "limitcurve/ellipse.hpp"
+#include "limitcurve/approximations.hpp"
 #include "sampling.hpp"
 
 #include <algorithm>

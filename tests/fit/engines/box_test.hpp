@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "limitcurve/polygon.hpp"
+#include "limitcurve/approximations.hpp"
 #include "tests/fit/engines/dragged.hpp"
 
 #include <gtest/gtest.h>

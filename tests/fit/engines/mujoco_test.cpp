@@ -3,7 +3,7 @@
 // A finger in MuJoCo, given the translated coefficients and dragged about imposed centres of rotation.
 #include "tests/fit/engines/mujoco_drag.hpp"
 
-#include "limitcurve/ellipse.hpp"
+#include "limitcurve/approximations.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "limitcurve/ellipse.hpp"
+#include "limitcurve/approximations.hpp"
 #include "limitcurve/limit_boundary.hpp"
-#include "limitcurve/polygon.hpp"
-#include "limitcurve/quartic.hpp"
-#include "limitcurve/superellipse.hpp"
+#include "limitcurve/pressure_law.hpp"
 
 #include <cmath>
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <string>
+#include <vector>
 
-/// How wrong a limit boundary is against another that is taken as exact, and the boundaries of few parameters that are
-/// least wrong. Offline work: it allocates, and costs 1150 to 1500 evaluations of the exact boundary a call (0.1 to
-/// 0.6 ms for a closed-form law, some 0.1 s by quadrature), fits included.
+/// How wrong a limit curve is against another that is taken as exact, the curves of few parameters that are least wrong, and the cheapest that
+/// will do. Offline work: it allocates, and costs 1150 to 1500 evaluations of the exact curve a call (0.1 to 0.6 ms for a closed-form law,
+/// some 0.1 s by quadrature), fits included.
 namespace limitcurve {
 
 /// Errors over all rays of the normalised plane x = f/f_max, y = m/m_max of the exact boundary, from axis to axis.
@@ -140,5 +140,30 @@ template <LimitBoundary Exact>
 Ellipse outer_ellipse(const Exact& exact) {
   return detail::outer_ellipse(detail::wrench_of(exact), detail::intercepts_of(exact));
 }
+
+/// A limit boundary that might do, and what it is worth.
+struct Candidate {
+  std::string model;   ///< diamond, box, ellipse, superellipse, quartic, table, exact
+  double parameter;    ///< as `limitcurve validate` prints it; of the table its tolerance; nan of the exact curve
+  double error;        ///< largest radial error relative to the exact curve, either way (boundary_error.hpp)
+  double nanoseconds;  ///< of a wrench by its slip twist
+  bool chosen = false;
+  std::string reason = {};  ///< in words: what it is too wrong by, "chosen", or what it costs more than the chosen one
+};
+
+/// The cheapest boundary for `law` whose error is at most `tolerance`, among those it beat: dearer ones that would also
+/// do, cheaper ones that would not. Sorted by cost; one is chosen, since the exact curve always does.
+///
+/// Costs are shipped figures (shipped_costs.hpp), measured on one machine: read them as ratios. The same input gives the same choice everywhere.
+/// Throws std::invalid_argument for a tolerance out of [1e-10, 1]. Cost: a millisecond for a closed form, a second
+/// by quadrature. For what a whole scene needs, projection included: godobject/choose_step.hpp.
+std::vector<Candidate> choose(const Law& law, double tolerance);
+
+/// Sorts candidates by cost, and chooses the cheapest whose error is at most `tolerance`, or, where none is, that of the least error; gives each
+/// its reason.
+void choose_cheapest(std::vector<Candidate>& candidates, double tolerance);
+
+/// A fraction as people read it: "6.4 %", "0.9 %", and below 0.01 % as "1e-6".
+std::string in_percent(double fraction);
 
 }  // namespace limitcurve

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "godobject/surfaces.hpp"
+#include "godobject/surface.hpp"
 
 #include "limitcurve/number.hpp"
 

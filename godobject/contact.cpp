@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "godobject/spin.hpp"
+#include "godobject/contact.hpp"
 
 #include <cmath>
 
