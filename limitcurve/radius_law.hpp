@@ -2,10 +2,12 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace limitcurve {
@@ -55,6 +57,8 @@ class RadiusLaw {
   [[nodiscard]] double coefficient(double load = 1.0) const noexcept;
   [[nodiscard]] double exponent(double load = 1.0) const noexcept;
   [[nodiscard]] bool is_sampled() const noexcept { return stretches_ != nullptr; }
+  /// The least and the largest load [N] that a sample stands at; beyond them a sampled law is extrapolated. Of any other law 0 and infinity.
+  [[nodiscard]] std::pair<double, double> sampled_loads() const noexcept { return sampled_loads_; }
 
  private:
   struct Stretch;
@@ -66,6 +70,7 @@ class RadiusLaw {
 
   double coefficient_;
   double exponent_;
+  std::pair<double, double> sampled_loads_{0.0, std::numeric_limits<double>::infinity()};
   std::shared_ptr<const std::vector<Stretch>> stretches_;  // of a sampled law; shared, because laws are copied about
 };
 
