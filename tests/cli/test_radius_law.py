@@ -48,6 +48,17 @@ class RadiusLaws(CommandLineTest):
                 self.assertEqual(len(warnings), 1, name)
                 self.assertIn("extrapolated: its samples have loads from 1 to 4 N", warnings[0], name)
 
+    def test_millimetres_in_what_is_fitted(self):
+        path = self.directory / "measured.csv"
+        for scale, expected in [(1, 1), (1e-3, 0)]:
+            path.write_text("load,radius\n" + "".join(f"{load},{scale * 4 * load ** 0.3}\n" for load in [1, 2, 4, 8]))
+            for model in ["linear", "power", "best"]:
+                self.assertEqual(run("fit", "load", "--data", path, "--load-model", model).stderr.count("in metres?"), expected, model)
+            # mu 0.5; moments of a Hertz contact.
+            path.write_text("load,force,moment\n" + "".join(
+                f"{load},{0.5 * load * f},{0.5 * load * scale * 5 * m}\n" for load in [1, 2, 4] for f, m in [(0, 0.589), (1, 0), (0.86, 0.234)]))
+            self.assertEqual(run("fit", "ratio", "--data", path).stderr.count("in metres?"), expected)
+
     def test_samples_are_named_where_laws_are(self):
         self.assert_fails(2, ["samples:FILE.csv"], "eval", "--law", "herz", "--c", "1")
         self.assert_fails(2, ["samples:FILE.csv"], "p-curves", "--law", "hertz", "--radius-law", "konstant:a=1", "--mu", "1", "--loads", "1")
