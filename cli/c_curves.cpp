@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "cli/radius_check.hpp"
 #include "cli/subcommands.hpp"
 
 #include "limitcurve/contact_radius.hpp"
@@ -26,6 +27,7 @@ class CCurves final : public Subcommand {
 
   void run(const Results& results) override {
     Rows rows(results, {"c", "load", "force", "moment"});
+    warn_of_radii(*radius_law_, loads_);
     const ExactCurve exact(law_);
     for (const double c : distances_) {
       for (const LoadPoint& point : c_curve(exact, *radius_law_, friction_, c, loads_)) {

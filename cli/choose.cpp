@@ -2,11 +2,13 @@
 #include "limitcurve/validate.hpp"
 
 #include "cli/number_list.hpp"
+#include "cli/radius_check.hpp"
 #include "cli/subcommands.hpp"
 
 #include "godobject/choose_step.hpp"
 #include "limitcurve/shipped_costs.hpp"
 
+#include <array>
 #include <iostream>
 #include <limits>
 #include <stdexcept>
@@ -77,6 +79,7 @@ class Choose final : public Subcommand {
       scene_.least_load = loads_.front();
       scene_.most_load = loads_.back();
     }
+    if (radius_law_) warn_of_radii(scene_.radius_law, std::array{scene_.least_load, scene_.most_load});
     const godobject::StepChoice choice = godobject::choose_step(scene_, tolerance_);
     write(results, choice.candidates);
     std::cerr << choice.verdict << '\n';

@@ -54,6 +54,7 @@ class Fit final : public Subcommand {
     if (found.model != models[model_]) say("note", "the model is " + found.model);
     describe(found);
     for (const std::string& warning : found.report.warnings) say("warning", warning);
+    warn_of_units(found.report);
     if (!found.report.converged) throw std::runtime_error("the fit did not converge: " + found.report.message);
     Rows rows(results, {"parameter", "value", "std_error", "unit", "note"});
     for (const fit::Estimate& estimate : found.report.estimates) {
@@ -67,6 +68,15 @@ class Fit final : public Subcommand {
   /// What a reader must know before using the numbers.
   void say(const char* kind, const std::string& text) const {
     if (!quiet_) std::fprintf(stderr, "limitcurve: %s: %s\n", kind, text.c_str());
+  }
+
+  /// No finger has such a radius, or such a one at 1 N, but millimetres do.
+  void warn_of_units(const fit::FitReport& report) const {
+    constexpr double largest_radius = 0.1;
+    for (const fit::Estimate& estimate : report.estimates) {
+      if ((estimate.name != "radius" && estimate.name != "c") || !(estimate.value > largest_radius)) continue;
+      say("warning", estimate.name + " = " + format_number(estimate.value) + " " + estimate.unit + ": in metres?");
+    }
   }
 
   /// How good the fit is.

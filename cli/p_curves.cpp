@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "cli/radius_check.hpp"
 #include "cli/subcommands.hpp"
 
 #include "limitcurve/contact_radius.hpp"
@@ -26,6 +27,7 @@ class PCurves final : public Subcommand {
 
   void run(const Results& results) override {
     Rows rows(results, {"load", "c", "force", "moment"});
+    warn_of_radii(*radius_law_, loads_);
     const ExactCurve exact(law_);
     for (const double load : loads_) {
       for (const LoadPoint& point : p_curve(exact, *radius_law_, friction_, load, points_)) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cli/body_argument.hpp"
 #include "cli/key_values.hpp"
+#include "cli/radius_check.hpp"
 #include "cli/subcommands.hpp"
 #include "cli/surface_argument.hpp"
 #include "cli/trace_reader.hpp"
@@ -9,6 +10,7 @@
 #include "godobject/replay.hpp"
 #include "limitcurve/number.hpp"
 
+#include <algorithm>
 #include <array>
 #include <iostream>
 #include <limits>
@@ -183,6 +185,7 @@ class Replay final : public Subcommand {
     if (is_free) names.insert(names.end(), {"bx", "by", "bz", "bqw", "bqx", "bqy", "bqz"});
     Rows rows(results, names);
     double last = std::numeric_limits<double>::infinity();
+    std::array loads{std::numeric_limits<double>::infinity(), 0.0};
     while (trace.next()) {
       if (is_free && trace.time() - last > godobject::Replay::longest_step) {
         throw trace.complaint("a gap of " + format_number(trace.time() - last) + " s, expected at most " +
@@ -197,7 +200,10 @@ class Replay final : public Subcommand {
       }
       rows.row_by([&](const auto& cell) {
         cell(trace.time());
-        for (const godobject::SceneContact& contact : replay.contacts()) write_contact(cell, contact, columns);
+        for (const godobject::SceneContact& contact : replay.contacts()) {
+          write_contact(cell, contact, columns);
+          if (contact.load > 0.0) loads = {std::min(loads[0], contact.load), std::max(loads[1], contact.load)};
+        }
         if (!is_free) return;
         for (const double place : replay.body().position) cell(place);
         const Eigen::Quaterniond& turn = replay.body().orientation;
@@ -205,6 +211,10 @@ class Replay final : public Subcommand {
       });
     }
     rows.finish();
+    if (!radius_law_) return;
+    // One that nothing touched under is seen at 1 N.
+    if (loads[1] == 0.0) loads = {1.0, 1.0};
+    warn_of_radii(*radius_law_, loads);
   }
 
   std::string trace_;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "cli/radius_check.hpp"
 #include "cli/subcommands.hpp"
 
 #include "fit/engine_coefficients.hpp"
@@ -37,6 +38,9 @@ class Translate final : public Subcommand {
     if (!loads_.empty() && (loads_.size() != 2 || loads_[0] > loads_[1])) {
       throw std::invalid_argument("--loads: expected two numbers LOW,HIGH with LOW <= HIGH");
     }
+    std::vector<double> judged = loads_.empty() ? std::vector{load_ / 4.0, 4.0 * load_} : loads_;
+    judged.push_back(load_);
+    warn_of_radii(*radius_law_, judged);
     const std::vector<fit::EngineContact> contacts =
         loads_.empty() ? fit::translate(law_, *radius_law_, friction_, load_)
                        : fit::translate(law_, *radius_law_, friction_, load_, fit::LoadRange{loads_[0], loads_[1]});

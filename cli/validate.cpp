@@ -38,7 +38,7 @@ class Validate final : public Subcommand {
   void declare(Options& options) override {
     options.repeated(
         "--law", "LAW", [this](const std::string& text) { laws_.push_back(read_law(text)); },
-        "Pressure law; may be repeated (default: all that 'limitcurve laws' lists)", Presence::optional);
+        "Pressure law, samples:FILE.csv among them; may be repeated (default: all that 'limitcurve laws' lists)", Presence::optional);
   }
 
   void run(const Results& results) override {

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <stdexcept>
 
 namespace limitcurve {
 
@@ -19,10 +20,17 @@ namespace {
 
 /// A table as coarse as the tolerance of the radius allows.
 Candidate sufficient_table(const Law& law, const ExactCurve& exact, double tolerance) {
-  // An error ε of f and m is at most ε(1 + 1/m₀)/0.9 of a radius.
-  const double bound = std::clamp(0.9 * tolerance / (1.0 + 1.0 / exact.moment_ratio()), Table::finest_tolerance, Table::coarsest_tolerance);
-  const Table table = Table::build(law, bound);
-  return {"table", bound, boundary_error(table, exact).max_error, shipped_costs::of("table").wrench};
+  // An error ε of f and m is at most ε(1 + 1/m₀)/0.9 of a radius, and a table's is its tolerance times max(1, m₀).
+  const double m0 = exact.moment_ratio();
+  const double bound =
+      std::clamp(0.9 * tolerance / ((1.0 + 1.0 / m0) * std::max(1.0, m0)), Table::finest_tolerance, Table::coarsest_tolerance);
+  const double cost = shipped_costs::of("table").wrench;
+  try {
+    const Table table = Table::build(law, bound);
+    return {"table", bound, boundary_error(table, exact).max_error, cost};
+  } catch (const std::runtime_error& error) {
+    return {"table", bound, std::numeric_limits<double>::infinity(), cost, false, error.what()};
+  }
 }
 
 std::string printed(const char* format, double value) {
@@ -32,6 +40,7 @@ std::string printed(const char* format, double value) {
 }
 
 std::string reason(const Candidate& candidate, const Candidate& best, double tolerance) {
+  if (!candidate.reason.empty()) return candidate.reason;
   if (candidate.error > tolerance) return in_percent(candidate.error) + " > " + in_percent(tolerance);
   if (candidate.chosen) return in_percent(candidate.error) + ": chosen";
   return in_percent(candidate.error) + ", " + printed("%.2g", candidate.nanoseconds / best.nanoseconds) + " times the cost";

@@ -11,6 +11,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 /// The contact radius over the normal load P, and the limit surface that follows from it: the unit curve grows by μP in force and by μPa(P)
@@ -62,6 +63,8 @@ class RadiusLaw {
   [[nodiscard]] double coefficient(double load = 1.0) const noexcept;
   [[nodiscard]] double exponent(double load = 1.0) const noexcept;
   [[nodiscard]] bool is_sampled() const noexcept { return stretches_ != nullptr; }
+  /// The least and the largest load [N] that a sample stands at; beyond them a sampled law is extrapolated. Of any other law 0 and infinity.
+  [[nodiscard]] std::pair<double, double> sampled_loads() const noexcept { return sampled_loads_; }
 
  private:
   struct Stretch;
@@ -73,6 +76,7 @@ class RadiusLaw {
 
   double coefficient_;
   double exponent_;
+  std::pair<double, double> sampled_loads_{0.0, std::numeric_limits<double>::infinity()};
   std::shared_ptr<const std::vector<Stretch>> stretches_;  // of a sampled law; shared, because laws are copied about
 };
 

@@ -69,7 +69,7 @@ Law parse_unchecked(std::string_view text) {
   if (kind == "mix") return parse_mixture(text, parameters);
   std::string expected = "expected one of";
   for (const std::string_view example : law_examples()) expected += ' ' + std::string(example);
-  throw complaint(text, expected);
+  throw complaint(text, expected + "; on the command line also samples:FILE.csv (radius,pressure)");
 }
 
 }  // namespace

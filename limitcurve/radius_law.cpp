@@ -91,6 +91,7 @@ RadiusLaw RadiusLaw::sampled(std::span<const LoadSample> radii) {
   stretches->front().from_load = 0.0;
   RadiusLaw law(stretches->front().coefficient, stretches->front().exponent);
   law.stretches_ = std::move(stretches);
+  law.sampled_loads_ = {radii.front().load, radii.back().load};
   return law;
 }
 
@@ -141,7 +142,8 @@ RadiusLaw RadiusLaw::parse(std::string_view text) {
   const std::string_view kind = text.substr(0, colon);
   if (colon == std::string_view::npos || (kind != "constant" && kind != "hertz" && kind != "power")) {
     throw std::invalid_argument("radius law '" + std::string(text) +
-                                "': expected constant:a=0.005, hertz:R=0.008,E=2e5 or power:c=0.00207,gamma=0.259");
+                                "': expected constant:a=0.005, hertz:R=0.008,E=2e5, power:c=0.00207,gamma=0.259; on the command line "
+                                "also samples:FILE.csv (load,radius)");
   }
   const std::string_view rest = text.substr(colon + 1);
   try {

@@ -143,9 +143,10 @@ Ellipse outer_ellipse(const Exact& exact) {
 
 /// A limit boundary that might do, and what it is worth.
 struct Candidate {
-  std::string model;   ///< diamond, box, ellipse, superellipse, quartic, table, exact
-  double parameter;    ///< as `limitcurve validate` prints it; of the table its tolerance; nan of the exact curve
-  double error;        ///< largest radial error relative to the exact curve, either way (boundary_error.hpp)
+  std::string model;  ///< diamond, box, ellipse, superellipse, quartic, table, exact
+  double parameter;   ///< as `limitcurve validate` prints it; of the table its tolerance; nan of the exact curve
+  double
+      error;  ///< largest radial error relative to the exact curve, either way; inf of a table that cannot be built to what the tolerance needs
   double nanoseconds;  ///< of a wrench by its slip twist
   bool chosen = false;
   std::string reason = {};  ///< in words: what it is too wrong by, "chosen", or what it costs more than the chosen one

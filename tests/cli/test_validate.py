@@ -129,6 +129,14 @@ class Choose(CommandLineTest):
         for one in tables[1:]:
             self.assertEqual(one, tables[0])
 
+    def test_where_no_table_can_be_built(self):
+        # Issue 9, point 5: no models at all were listed, for power:n=1000 at 0.1.
+        models, best = self.chosen("xydas-kao:k=0.02", 1e-7)
+        self.assertEqual((models["table"]["error"], best), (math.inf, "exact"))
+        self.assertIn("table: table of xydas-kao:k=0.02: a tolerance of", run("choose", "--law", "xydas-kao:k=0.02", "--tolerance", 1e-7,
+                                                                              "--explain").stderr)
+        self.assertEqual(self.chosen("power:n=1000", 0.1)[1], "ellipse")
+
     def test_what_no_approximation_reaches(self):
         self.assertIn(self.chosen("gaussian:sigma=0.4", 1e-4)[1], {"table", "exact"})
         self.assertEqual(self.chosen("xydas-kao:k=3", 1e-6)[1], "table")
