@@ -165,19 +165,23 @@ std::vector<Parameter> free_parameters(const UnitCurve& curve, const ContactLayo
   return parameters;
 }
 
-void approach(const ContactResiduals& residuals, std::vector<Parameter>& parameters, const Loss& loss, double tolerance) {
+Loss approach(const ContactResiduals& residuals, std::vector<Parameter>& parameters, const Loss& loss) {
   std::vector<double> values;
   for (const Parameter& parameter : parameters) values.push_back(parameter.start);
   std::vector<double> distances(residuals.count());
   for (std::size_t i = 0; i < distances.size(); ++i) residuals.evaluate(i, values, distances[i], nullptr);
-  double scatter = 1.4826 * median_size(distances);
+  // What chance makes of a scatter of 1.
+  constexpr double usual = 1.5;
   constexpr int most_passes = 20;
-  for (int pass = 0; pass < most_passes && scatter > 1.0; ++pass) {
-    const Solution solution = minimise(residuals, parameters, {loss.kind, loss.scale * scatter}, tolerance);
+  double scatter = 1.4826 * median_size(distances);
+  for (int pass = 0; pass < most_passes && scatter > usual; ++pass) {
+    const Solution solution = internal::minimise(residuals, parameters, {loss.kind, loss.scale * scatter}, coarse_tolerance);
     for (std::size_t j = 0; j < parameters.size(); ++j) parameters[j].start = solution.values[j];
-    const double narrower = std::min(1.4826 * median_size(solution.residuals), 0.5 * scatter);
-    scatter = narrower;
+    const double before = scatter;
+    scatter = 1.4826 * median_size(solution.residuals);
+    if (scatter > 0.9 * before) break;
   }
+  return {loss.kind, loss.scale * (scatter > usual ? scatter : 1.0)};
 }
 
 ContactPreparation prepare(std::span<const Sample> samples, const ContactFitOptions& options) {
