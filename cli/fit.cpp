@@ -103,9 +103,11 @@ class Fit final : public Subcommand {
     };
     const double gamma = value("gamma", settings_.gamma);
     const std::string growth = format_number(gamma);
+    // Beyond these no finger takes it.
+    if (!(gamma >= -0.5 && gamma <= 1.0)) return;
     if (estimates.front().name == "c") {
       const std::string c = format_number(estimates.front().value);
-      if (gamma >= 0.0 && gamma <= 1.0) {
+      if (gamma >= 0.0) {
         say("note", "to type into replay: --radius-law power:c=" + c + ",gamma=" + growth +
                         "; into FingerParameters: .radius_law = RadiusLaw::power(" + c + ", " + growth + ")");
       }

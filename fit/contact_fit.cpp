@@ -115,8 +115,8 @@ ContactFit internal::fit_prepared(const ContactPreparation& preparation, const C
   // To 3 % of a standard error of 100 samples: more is wasted on a first pass.
   constexpr double first_tolerance = 1e-5;
   ContactResiduals residuals(preparation.samples, *curve, layout);
-  if (robust && preparation.with_sigma) internal::approach(residuals, parameters, options.loss, first_tolerance);
-  Solution solution = internal::minimise(residuals, parameters, options.loss, first_tolerance);
+  const Loss loss = robust ? internal::approach(residuals, parameters, options.loss) : options.loss;
+  Solution solution = internal::minimise(residuals, parameters, loss, first_tolerance);
   // Again from there, with the drift that the scatter found causes (sigmas may overstate it).
   const double scatter = robust ? std::pow(1.4826 * median_size(solution.residuals), 2) : internal::residual_variance(solution);
   residuals.expect_drift(solution.values, preparation.with_sigma ? std::min(scatter, 1.0) : scatter);
@@ -127,15 +127,15 @@ ContactFit internal::fit_prepared(const ContactPreparation& preparation, const C
   if (held) {
     std::vector<Parameter> fewer = parameters;
     fewer[2].low = fewer[2].high = fewer[2].start;
-    solution = internal::minimise(residuals, fewer, options.loss);
+    solution = internal::minimise(residuals, fewer, loss);
     double pull = 0.0;
     for (std::size_t i = 0; i < count; ++i) pull += solution.residuals[i] * solution.jacobian[i * free + 2];
     held = (pull > 0.0) == (solution.values[2] - curve->low() < curve->high() - solution.values[2]);
   }
-  if (!held) solution = internal::minimise(residuals, parameters, options.loss);
+  if (!held) solution = internal::minimise(residuals, parameters, loss);
   solution.iterations += iterations;
   const double variance = preparation.with_sigma ? 1.0 : internal::residual_variance(solution);
-  std::vector<double> covariance = internal::covariance(solution, parameters, options.loss, variance);
+  std::vector<double> covariance = internal::covariance(solution, parameters, loss, variance);
   for (std::size_t j = 0; j < 2; ++j) {
     const double relative_error = std::sqrt(covariance[j * free + j]);
     if (!(relative_error < 0.5)) {
@@ -151,7 +151,7 @@ ContactFit internal::fit_prepared(const ContactPreparation& preparation, const C
   internal::describe(fit.report, solution);
   fit.report.note = internal::note_of(fit.model, options, preparation.with_sigma);
   fit.report.rms *= preparation.noise;
-  fit.report.aic = internal::akaike(solution.cost, count, free, preparation.with_sigma || robust);
+  fit.report.aic = internal::akaike(internal::cost_of(solution, options.loss), count, free, preparation.with_sigma || robust);
 
   bool at_bound = false;
   bool hidden = false;
@@ -196,7 +196,7 @@ ContactFit internal::fit_prepared(const ContactPreparation& preparation, const C
   if (layout.gamma) add("gamma", gamma, "1", 0.0, {0.0, 0.0, 0.0, 1.0});
   internal::set_estimates(fit.report, reported.quantities, reported.jacobian, covariance);
   if (!at_bound && !hidden) {
-    internal::FittedContact fitted{residuals, solution, parameters, options.loss, variance};
+    internal::FittedContact fitted{residuals, solution, parameters, loss, variance};
     if (logarithmic) fit.report.estimates[4].std_error = internal::mean_shape_error(fitted, covariance, *curve);
     // As for the drift: only as much noise bends the estimates as there is.
     if (preparation.with_sigma && !robust) fitted.variance = std::min(scatter, 1.0);

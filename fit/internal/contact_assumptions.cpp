@@ -27,9 +27,9 @@ void check_assumptions(ContactFit& fit, std::span<const Sample> samples, const C
       const ContactLayout layout{!curve->shape_name().empty(), fit_gamma, options.gamma};
       std::vector<Parameter> parameters = free_parameters(*curve, layout, model, preparation.start);
       const ContactResiduals residuals(preparation.samples, *curve, layout);
-      if (preparation.with_sigma) approach(residuals, parameters, robust.loss, coarse_tolerance);
-      const Solution solution = minimise(residuals, parameters, robust.loss, coarse_tolerance);
-      const std::vector<double> spread = covariance(solution, parameters, robust.loss, 1.0);
+      const Loss loss = approach(residuals, parameters, robust.loss);
+      const Solution solution = minimise(residuals, parameters, loss, coarse_tolerance);
+      const std::vector<double> spread = covariance(solution, parameters, loss, 1.0);
       if (fit_gamma) {
         gamma.value = solution.values.back();
         gamma.std_error = std::sqrt(spread.back());

@@ -61,8 +61,9 @@ void check_signal(std::span<const Sample> samples) {
 
 /// Starting values that gross errors in up to about half of the samples do not move, as a minimiser of a robust loss needs them: of the
 /// ellipses α f² + β m² = 1 through two samples each, f = F/P and m = M/P at the reference load, the one that the samples are nearest to
-/// in the sense of Σ log(1 + (e/0.1)²), e = ½ log(αf² + βm²). One sample of a pair is of the half nearer to sliding, one of the
-/// half nearer to twisting, 12 places of each: at most 144 pairs.
+/// in the sense of Σ e²/(e² + 0.1²), e = (q − 1)/(q + 1), q = αf² + βm²: near the ellipse e is the relative distance, and far off a sample counts
+/// alike inside and outside. One sample of a pair is of the half nearer to sliding, one of the half nearer to twisting, 12 places of each:
+/// at most 144 pairs.
 Limits starting_limits(std::span<const Sample> samples, double gamma, double reference_load) {
   struct Place {
     double angle;
@@ -102,9 +103,11 @@ Limits starting_limits(std::span<const Sample> samples, double gamma, double ref
       const Limits limits{slide.force / std::sqrt(alpha), twist.moment / std::sqrt(beta)};
       double sum = 0.0;
       for (const Place& place : places) {
-        const double gauge = std::hypot(place.force / limits.force, place.moment / limits.moment);
-        const double error = std::log(std::max(gauge, 1e-9)) / 0.1;
-        sum += std::log1p(error * error);
+        const double x_part = place.force / limits.force;
+        const double y_part = place.moment / limits.moment;
+        const double square = x_part * x_part + y_part * y_part;
+        const double error = (square - 1.0) / (square + 1.0);
+        sum += error * error / (error * error + 0.01);
       }
       if (sum < least) {
         least = sum;
@@ -165,19 +168,23 @@ std::vector<Parameter> free_parameters(const UnitCurve& curve, const ContactLayo
   return parameters;
 }
 
-void approach(const ContactResiduals& residuals, std::vector<Parameter>& parameters, const Loss& loss, double tolerance) {
+Loss approach(const ContactResiduals& residuals, std::vector<Parameter>& parameters, const Loss& loss) {
   std::vector<double> values;
   for (const Parameter& parameter : parameters) values.push_back(parameter.start);
   std::vector<double> distances(residuals.count());
   for (std::size_t i = 0; i < distances.size(); ++i) residuals.evaluate(i, values, distances[i], nullptr);
-  double scatter = 1.4826 * median_size(distances);
+  // What chance makes of a scatter of 1.
+  constexpr double usual = 1.5;
   constexpr int most_passes = 20;
-  for (int pass = 0; pass < most_passes && scatter > 1.0; ++pass) {
-    const Solution solution = minimise(residuals, parameters, {loss.kind, loss.scale * scatter}, tolerance);
+  double scatter = 1.4826 * median_size(distances);
+  for (int pass = 0; pass < most_passes && scatter > usual; ++pass) {
+    const Solution solution = internal::minimise(residuals, parameters, {loss.kind, loss.scale * scatter}, coarse_tolerance);
     for (std::size_t j = 0; j < parameters.size(); ++j) parameters[j].start = solution.values[j];
-    const double narrower = std::min(1.4826 * median_size(solution.residuals), 0.5 * scatter);
-    scatter = narrower;
+    const double before = scatter;
+    scatter = 1.4826 * median_size(solution.residuals);
+    if (scatter > 0.9 * before) break;
   }
+  return {loss.kind, loss.scale * (scatter > usual ? scatter : 1.0)};
 }
 
 ContactPreparation prepare(std::span<const Sample> samples, const ContactFitOptions& options) {

@@ -34,9 +34,9 @@ bool is_exact(const ContactModel& model);
 /// The free parameters with their starting values and bounds, in the order of `layout`.
 std::vector<Parameter> free_parameters(const UnitCurve& curve, const ContactLayout& layout, const ContactModel& model, Limits start);
 
-/// Moves the start to where a robust loss of the scale asked for sees most samples as good ones. Seen from a start that is off by many
-/// sigmas all samples are outliers, and any few of them are a minimum: so the loss begins as wide as the scatter is, and
-/// narrows with it.
-void approach(const ContactResiduals& residuals, std::vector<Parameter>& parameters, const Loss& loss, double tolerance);
+/// Moves the start to where a robust loss sees most samples as good ones, and returns the loss to go on with. Seen from a start that is off by
+/// many sigmas all samples are outliers, and any few of them are a minimum: so the loss begins as wide as the scatter is, and narrows with
+/// it, down to the scale asked for. It stays as wide as the scatter of a model that does not fit, or of sigmas that are too small.
+Loss approach(const ContactResiduals& residuals, std::vector<Parameter>& parameters, const Loss& loss);
 
 }  // namespace limitcurve::fit::internal

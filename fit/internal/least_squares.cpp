@@ -5,6 +5,7 @@
 #include <Eigen/Dense>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <stdexcept>
@@ -123,6 +124,17 @@ Solution minimise(const ResidualModel& model, std::span<const Parameter> paramet
     if (!model.evaluate(i, solution.values, solution.residuals[i], solution.jacobian.data() + i * free)) solution.converged = false;
   }
   return solution;
+}
+
+double cost_of(const Solution& solution, const Loss& loss) {
+  const std::unique_ptr<ceres::LossFunction> function = make_loss(loss);
+  double cost = 0.0;
+  for (const double residual : solution.residuals) {
+    std::array<double, 3> rho{residual * residual, 1.0, 0.0};
+    if (function) function->Evaluate(residual * residual, rho.data());
+    cost += 0.5 * rho[0];
+  }
+  return cost;
 }
 
 std::vector<double> covariance(const Solution& solution, std::span<const Parameter> parameters, const Loss& loss, double variance) {

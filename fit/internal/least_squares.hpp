@@ -50,6 +50,9 @@ inline constexpr double coarse_tolerance = 1e-7;
 Solution minimise(const ResidualModel& model, std::span<const Parameter> parameters, const Loss& loss = {},
                   double tolerance = fine_tolerance);
 
+/// ½ Σ loss(residual²) by another loss than was minimised.
+double cost_of(const Solution& solution, const Loss& loss);
+
 /// Covariance of the parameters, row by row: (JᵀJ)⁻¹ for plain least squares, the sandwich
 /// (Σψ′ggᵀ)⁻¹ (Σψ²ggᵀ) (Σψ′ggᵀ)⁻¹ for a robust loss. `variance` is that of one residual (1 if residuals are already in
 /// units of their standard deviation). Throws std::invalid_argument naming the parameters that the samples leave

@@ -22,10 +22,10 @@ FILES = {
     "replay_limits": "trace,boundary,load,force,moment",
     "pivot": "case,grip,time,x,y,angle,grip_slip,load,friction_force,friction_moment,state,cor",
     "pivot_map": "case,offset,rate,angle",
-    "fits": "data,model,parameter,value,std_error,unit",
+    "fits": "data,model,parameter,value,std_error,unit,note",
     "fit_band": "force,moment,inner_force,inner_moment,outer_force,outer_moment",
     "fit_residuals": "load,force,moment,sigma_force,sigma_moment,residual",
-    "translate": "law,radius_law,mu,load,engine,parameter,value,unit,model,max_error",
+    "translate": "law,radius_law,mu,load,engine,parameter,value,unit,model,max_error,cor_error,loads_error,note",
     "steady_twist": "law,boundary,projection,cor,stiffness_ratio,force,moment,exact_force,exact_moment,error",
 }
 

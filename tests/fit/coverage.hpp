@@ -16,13 +16,18 @@ struct Honesty {
   double bias = 0.0;       ///< mean error over mean standard error
   double coverage = 0.0;   ///< share of the 95 % intervals that hold the truth
   double std_error = 0.0;  ///< mean standard error over the truth
+  double scatter = 0.0;    ///< root mean square error over the truth
 };
+
+/// Which samples of a study are spoilt: one in ten, taken while the finger held (inside the curve by factors of 0.2 to 0.6), or every second of
+/// those in an impact (outside, 1.5 to 3).
+enum class Outliers { none, inside, both_sides };
 
 /// Fits `model` to `seeds` noisy copies of 100 samples of the contact that `law` (shape parameter `shape`) makes with
 /// μ = 0.8, a = 5 mm. `noise` is the relative error of force and moment; `tell` gives the sigmas to the fit. Fits that declare the
 /// shape unknown (infinite standard error) are left out and counted in `blanks`.
 inline std::map<std::string, Honesty> study(const ContactModel& model, const Law& law, double shape, double noise, bool tell, int seeds,
-                                            int& blanks) {
+                                            int& blanks, const Loss& loss = {}, Outliers outliers = Outliers::none) {
   const Truth truth{0.8, 0.005};
   const double mu_r = truth.mu * truth.radius * law->moment_ratio();
   const std::map<std::string, double> truths{{"mu", truth.mu},         {"mu_r", mu_r}, {"ratio", mu_r / truth.mu},
@@ -35,7 +40,14 @@ inline std::map<std::string, Honesty> study(const ContactModel& model, const Law
     Random random(static_cast<std::uint64_t>(1000 + seed));
     std::vector<Sample> samples = exact;
     disturb(samples, noise, truth.mu, mu_r, tell, random);
-    const FitReport report = fit_contact(samples, model).report;
+    for (std::size_t i = 3; outliers != Outliers::none && i < samples.size(); i += 10) {
+      const double factor = outliers == Outliers::both_sides && i % 20 == 3 ? random.uniform(1.5, 3.0) : random.uniform(0.2, 0.6);
+      samples[i].force *= factor;
+      samples[i].moment *= factor;
+    }
+    ContactFitOptions options;
+    options.loss = loss;
+    const FitReport report = fit_contact(samples, model, options).report;
     bool blank = false;
     for (const Estimate& estimate : report.estimates) blank = blank || !std::isfinite(estimate.std_error);
     if (blank) {
@@ -48,6 +60,7 @@ inline std::map<std::string, Honesty> study(const ContactModel& model, const Law
       honesty.bias += error;
       honesty.coverage += std::fabs(error) <= 1.959964 * estimate.std_error ? 1.0 : 0.0;
       honesty.std_error += estimate.std_error;
+      honesty.scatter += error * error;
     }
   }
   for (auto& [name, honesty] : result) {
@@ -55,6 +68,7 @@ inline std::map<std::string, Honesty> study(const ContactModel& model, const Law
     honesty.bias /= honesty.std_error;
     honesty.coverage /= counted;
     honesty.std_error /= counted * truths.at(name);
+    honesty.scatter = std::sqrt(honesty.scatter / counted) / truths.at(name);
   }
   return result;
 }

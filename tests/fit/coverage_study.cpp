@@ -17,12 +17,15 @@ int main(int argc, char** argv) {
     std::fputs("usage: fit_coverage_study [SEEDS >= 1]\n", stderr);
     return 2;
   }
-  std::puts("model,noise,sigmas,parameter,relative_std_error,bias,coverage,blanks");
-  const auto row = [seeds](const char* name, const ContactModel& model, const Law& law, double shape, double noise, bool tell) {
+  using synthetic::Outliers;
+  std::puts("model,noise,sigmas,loss,outliers,parameter,relative_std_error,relative_rms_error,bias,coverage,blanks");
+  const auto row = [seeds](const char* name, const ContactModel& model, const Law& law, double shape, double noise, bool tell,
+                           const Loss& loss = {}, Outliers outliers = Outliers::none) {
     int blanks = 0;
-    for (const auto& [parameter, honesty] : synthetic::study(model, law, shape, noise, tell, seeds, blanks)) {
-      std::printf("%s,%g,%s,%s,%.4f,%+.3f,%.3f,%d\n", name, noise, tell ? "known" : "found", parameter.c_str(), honesty.std_error,
-                  honesty.bias, honesty.coverage, blanks);
+    for (const auto& [parameter, honesty] : synthetic::study(model, law, shape, noise, tell, seeds, blanks, loss, outliers)) {
+      const char* const which = outliers == Outliers::none ? "none" : outliers == Outliers::inside ? "inside" : "both sides";
+      std::printf("%s,%g,%s,%s,%s,%s,%.4f,%.4f,%+.3f,%.3f,%d\n", name, noise, tell ? "known" : "found", to_string(loss.kind), which,
+                  parameter.c_str(), honesty.std_error, honesty.scatter, honesty.bias, honesty.coverage, blanks);
     }
     std::fflush(stdout);
   };
@@ -38,5 +41,12 @@ int main(int argc, char** argv) {
   row("power n=0.5", power_family, hertz(), 0.5, 0.01, false);
   row("xydas-kao k=3", xydas_kao_family, xydas_kao(3.0), 3.0, 0.001, true);
   row("xydas-kao k=3", xydas_kao_family, xydas_kao(3.0), 3.0, 0.003, true);
+  for (const bool tell : {true, false}) {
+    for (const Loss& loss : {Loss::squared(), Loss::huber(), Loss::cauchy()}) {
+      for (const Outliers outliers : {Outliers::none, Outliers::inside, Outliers::both_sides}) {
+        row("hertz", ContactModel::of(hertz()), hertz(), 0.5, 0.01, tell, loss, outliers);
+      }
+    }
+  }
   return 0;
 }

@@ -102,6 +102,8 @@ std::vector<Finger> fingers() {
   result.push_back({"two moment coefficients", plain});
   result.back().parameters.moment_coefficient = 0.002;
   result.back().parameters.moment_coefficient_dynamic = 0.001;
+  result.push_back({"moment coefficients that grow with the load", result.back().parameters});
+  result.back().parameters.moment_exponent = 0.259;
   result.push_back({"no moment", plain});
   result.back().parameters.moment_coefficient = 0.0;
   result.push_back({"no friction", plain});
