@@ -101,7 +101,9 @@ ContactLimits::ContactLimits(const FingerParameters& parameters, double moment_r
   const double force_share = share(sliding_.force, at_rest_.force);
   const double moment_share = has_torsion_ ? share(sliding_.force * sliding_.radius, at_rest_.force * at_rest_.radius) : 1.0;
   const double least = std::min(force_share, moment_share);
-  if (least < 1.0) rest_share_ = least / (least + parameters.rest_margin * (1.0 - least));
+  // What is left of a trial within a limit of almost nothing is rounding: a contact that slides against no limit slides on.
+  constexpr double rounding = 1e-12;
+  if (least < 1.0) rest_share_ = least > rounding ? least / (least + parameters.rest_margin * (1.0 - least)) : 0.0;
 }
 
 double ContactLimits::margin(const FingerCurve& curve, const FingerParameters& parameters, const FingerState& state) const noexcept {

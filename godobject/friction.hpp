@@ -61,7 +61,7 @@ template <class Real, class Number>
   constexpr bool wide = std::numeric_limits<Real>::max_exponent > 256;
   constexpr Real least = wide ? Real(1e-125) : Real(1e-18);
   constexpr Real largest = wide ? Real(1e60) : Real(1e8);
-  constexpr Real steepest = Real(1e9);
+  constexpr Real steepest = wide ? Real(1e40) : Real(1e9);
   const Number per_force = Number(Real(1)) / max(Number(least), limit.force);
   const Number per_moment = Number(Real(1)) / max(Number(least), limit.force * limit.radius);
   const Number rounding = trial.force_rounding * per_force * Number(curve.inverse_force_max) +
