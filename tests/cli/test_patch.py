@@ -6,7 +6,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from command_line import header, rows, run
+from command_line import DATA, header, rows, run
 
 COLUMNS = "vx,vy,omega,fx,fy,moment,power,error"
 
@@ -244,6 +244,57 @@ class Patch(PatchCase):
             done = run("patch", "--patch", "rectangle:x=1,y=1", "--twists", self.file("twists.csv", text))
             self.assertEqual(done.returncode, 2)
             self.assertIn(part, done.stderr)
+
+
+class FitFriction(PatchCase):
+    def fit(self, patch, data, *options):
+        return {row["parameter"]: row for row in rows("fit", "friction", "--patch", patch, "--data", data, *options)}
+
+    def test_measured_pushes_are_explained_by_the_points_and_not_by_the_ellipsoid(self):
+        figures = {"hardboard": ((4.467, 0.045), (-0.034, 0.046), (-0.361, 0.064)), "plywood": ((5.326, 0.060), (-0.030, 0.036), (-0.288, 0.038))}
+        for name, (mu, drift, drift_ellipsoid) in figures.items():
+            found = self.fit(f"points:{DATA}/measured/tripod_{name}_a_points.csv", DATA / "measured" / f"tripod_{name}_a.csv")
+            for parameter, (value, error) in (("mu", mu), ("drift", drift), ("drift_ellipsoid", drift_ellipsoid)):
+                self.assertAlmostEqual(found[parameter]["value"], value, delta=6e-4)
+                self.assertAlmostEqual(found[parameter]["std_error"], error, delta=6e-4)
+            self.assertEqual(found["mu"]["unit"], "N")
+
+    def pushes(self, moved, mu=0.4, load=10.0):
+        """Pushes of a two-point patch away from its origin, whose wrench is exact."""
+        points = [(0.1, 0.2, 1.0), (0.4, 0.3, 3.0)]
+        lines = ["dx,dy,dtheta,force_x,force_y,moment"]
+        for twist in moved:
+            fx, fy, moment, _ = by_points(points, twist)
+            lines.append(",".join(repr(value) for value in (*twist, *(mu * load * one for one in (fx, fy, moment)))))
+        patch = self.file("two.csv", "x,y,load\n" + "".join(f"{x},{y},{w}\n" for x, y, w in points))
+        return f"points:{patch}", self.file("pushes.csv", "\n".join(lines) + "\n")
+
+    def test_exact_pushes_give_their_coefficient_without_drift(self):
+        moved = [(0.01, 0.0, 0.1), (0.0, 0.01, -0.05), (0.001, 0.002, 0.3), (0.02, -0.01, 0.0), (0.0, 0.0, 0.2)]
+        found = self.fit(*self.pushes(moved), "--load", 10)
+        self.assertAlmostEqual(found["mu"]["value"], 0.4, delta=1e-14)
+        self.assertAlmostEqual(found["drift"]["value"], 0.0, delta=1e-13)
+        self.assertEqual(found["mu"]["unit"], 1.0)
+        self.assertLess(found["drift_ellipsoid"]["value"], -0.01)
+
+    def test_pushes_that_all_turn_alike_have_no_drift_to_tell(self):
+        found = self.fit(*self.pushes([(0.01, 0.0, 0.0), (0.0, 0.01, 0.0), (-0.02, 0.01, 0.0)]))
+        self.assertAlmostEqual(found["mu"]["value"], 4.0, delta=1e-14)
+        self.assertTrue(math.isnan(found["drift"]["value"]))
+
+    def test_bad_data_are_named(self):
+        patch, data = self.pushes([(0.01, 0.0, 0.1), (0.0, 0.0, 0.0), (0.0, 0.01, 0.2)])
+        few = self.file("few.csv", self.pushes([(0.01, 0.0, 0.1), (0.0, 0.01, 0.0)])[1].read_text())
+        still = self.file("still.csv", self.pushes([(0.01, 0.0, 0.1), (0.0, 0.0, 0.0)])[1].read_text())
+        torn = self.file("torn.csv", "force_x,force_y,moment,dx,dy,dtheta\n1,2,3,4,5\n")
+        for arguments, part in ((("--patch", patch, "--data", still), "still.csv:3"),
+                                (("--patch", patch, "--data", few), "expected at least 3"),
+                                (("--patch", patch, "--data", torn), "torn.csv:2"), (("--patch", patch), "--data"), (("--data", data), "--patch"),
+                                (("--patch", patch, "--data", patch[7:]), "no column 'force_x'")):
+            done = run("fit", "friction", *arguments)
+            self.assertEqual(done.returncode, 2)
+            self.assertIn(part, done.stderr)
+        self.assertIn("--patch", run("fit", "ellipse", "--law", "hertz", "--patch", patch).stderr)
 
 
 if __name__ == "__main__":
