@@ -19,7 +19,7 @@ class PatchCommand final : public Subcommand {
             "Twists: a CSV with the columns vx,vy,omega [m/s, rad/s]: velocity of the patch over the ground, at the origin.\n"
             "Columns: the twist; fx, fy, moment: the wrench about the origin that keeps the patch sliding; power = mu P H;\n"
             "error, a bound of the power's relative error, |dF|/(mu P) and |dM|/(mu P m0), the largest of them.",
-            "printf 'vx,vy,omega\\n0.01,0,1\\n' | limitcurve patch --patch rectangle:x=0.02,y=0.01 --twists - --mu 0.5 --load 4"};
+            "limitcurve patch --patch rectangle:x=0.02,y=0.01 --twists data/patches/twists.csv --mu 0.5 --load 4"};
   }
 
   void declare(Options& options) override {

@@ -105,6 +105,9 @@ class Patch {
   /// The friction factors along x and y, 1 unless `orthotropic`.
   [[nodiscard]] PatchPoint factors() const noexcept { return {mx_, my_}; }
 
+  /// Cost of a wrench with the COR near, as measured on one machine [ns]: read it as a ratio.
+  [[nodiscard]] double nanoseconds() const noexcept;
+
   /// What a round model of the patch takes from it. Zero where it has none: points have no area.
   struct RoundMeasures {
     double area = 0.0;       ///< under pressure [m²]

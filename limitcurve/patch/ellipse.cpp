@@ -218,6 +218,7 @@ struct Ellipse final : Shape {
     return there;
   }
   [[nodiscard]] double area() const override { return pi * a * b; }
+  [[nodiscard]] double nanoseconds() const noexcept override { return projection->is_polynomial() ? 30.0 : 5000.0; }
   [[nodiscard]] SecondMoments second_moments() const override {
     // m(s) → ⟨ρ²⟩/(2s).
     constexpr double far = 1e6;

@@ -140,6 +140,10 @@ PatchFriction Patch::about_origin(const PatchTwist& twist) const noexcept {
   return friction;
 }
 
+double Patch::nanoseconds() const noexcept {
+  return shape_->nanoseconds();
+}
+
 PatchPoint Patch::centre() const noexcept {
   return {shape_->centre.x / my_, shape_->centre.y / mx_};
 }

@@ -40,6 +40,8 @@ struct Shape {
   /// See Patch::smoothed; nothing where the shape is smooth as it is.
   [[nodiscard]] virtual std::shared_ptr<Shape> smoothed(double) const { return nullptr; }
 
+  /// Of `evaluate`, as measured on one machine.
+  [[nodiscard]] virtual double nanoseconds() const noexcept = 0;
   [[nodiscard]] virtual double area() const { return 0.0; }
   [[nodiscard]] virtual SecondMoments second_moments() const = 0;
   /// The law of an ellipse; none for others.

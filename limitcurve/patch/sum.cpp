@@ -107,6 +107,11 @@ struct Sum final : Shape {
     for (const Part& part : parts) area += part.shape->area();
     return area;
   }
+  [[nodiscard]] double nanoseconds() const noexcept override {
+    double sum = 0.0;
+    for (const Part& part : parts) sum += part.shape->nanoseconds();
+    return sum;
+  }
   [[nodiscard]] SecondMoments second_moments() const override {
     SecondMoments sum;
     for (const Part& part : parts) {

@@ -297,5 +297,91 @@ class FitFriction(PatchCase):
         self.assertIn("--patch", run("fit", "ellipse", "--law", "hertz", "--patch", patch).stderr)
 
 
+class HowWrongIsRound(PatchCase):
+    COLUMNS = "law,model,parameter,max_error,rms_error,max_over_estimate,max_under_estimate,max_cor_error"
+
+    def models(self, patch):
+        found = {row["model"].split(":")[0]: row for row in rows("validate", "--patch", patch)}
+        for row in found.values():
+            self.assertEqual(row["law"], patch)
+            self.assertEqual(row["max_error"], max(row["max_over_estimate"], row["max_under_estimate"]))
+            self.assertLessEqual(row["rms_error"], row["max_error"] * (1 + 1e-9) + 1e-12)
+        return found
+
+    def test_columns(self):
+        self.assertEqual(header("validate", "--patch", "rectangle:x=1,y=1"), self.COLUMNS)
+        self.assertEqual(header("choose", "--patch", "rectangle:x=1,y=1", "--tolerance", 0.1), "model,parameter,error,nanoseconds,chosen")
+
+    def test_the_ellipsoid_on_elliptic_hertz_contacts(self):
+        for aspect, over in ((1, 0.0638), (2, 0.1009), (5, 0.1217)):
+            found = self.models(f"ellipse:law=hertz,a={0.004 * aspect},b=0.004")
+            self.assertAlmostEqual(found["ellipsoid"]["max_over_estimate"], over, delta=6e-5)
+
+    def test_a_disc_is_the_disc(self):
+        for law in ("hertz", "uniform", "cone"):
+            found = self.models(f"ellipse:law={law},a=0.004,b=0.004")
+            self.assertEqual(found["disc"]["model"], f"disc:{law}")
+            self.assertAlmostEqual(found["disc"]["parameter"] / 0.004, 1.0, delta=1e-9)
+            self.assertLess(found["disc"]["max_error"], 1e-9)
+            self.assertLess(found["disc"]["max_cor_error"], 1e-6)
+            for model in ("disc-equal-area", "disc-sqrt-ab"):
+                self.assertAlmostEqual(found[model]["parameter"] / 0.004, 1.0, delta=1e-9)
+                self.assertLess(found[model]["max_error"], 1e-9)
+            # The ellipsoid is then the ellipse through the intercepts; its over-estimate of power is that of the radius.
+            (ellipse,) = (row for row in rows("validate", "--law", law) if row["model"] == "ellipse")
+            self.assertAlmostEqual(found["ellipsoid"]["max_over_estimate"], ellipse["max_over_estimate"], delta=1e-6)
+            self.assertAlmostEqual(found["ellipsoid"]["max_cor_error"], ellipse["max_cor_error"], delta=1e-4)
+
+    def test_the_best_disc_is_better_than_the_others_and_balanced(self):
+        for patch in ("rectangle:x=0.02,y=0.01", "ellipse:law=hertz,a=0.02,b=0.004", "rectangle:x=1,y=1"):
+            found = self.models(patch)
+            self.assertLess(found["disc"]["max_error"], found["disc-equal-area"]["max_error"])
+            self.assertLess(found["disc"]["max_error"], found["disc-sqrt-ab"]["max_error"])
+            self.assertAlmostEqual(found["disc"]["max_over_estimate"] / found["disc"]["max_under_estimate"], 1.0, delta=1e-3)
+
+    def test_radii(self):
+        found = self.models("rectangle:x=0.02,y=0.01")
+        self.assertAlmostEqual(found["disc-equal-area"]["parameter"], math.sqrt(2e-4 / math.pi), delta=1e-15)
+        # The ellipse of a rectangle's second moments has the semi-axes side/sqrt(3).
+        self.assertAlmostEqual(found["disc-sqrt-ab"]["parameter"], math.sqrt(2e-4 / 3), delta=1e-12)
+        found = self.models("ellipse:law=power:n=2.3,a=0.02,b=0.005,mx=2,my=0.5")
+        self.assertAlmostEqual(found["disc-sqrt-ab"]["parameter"], 0.01, delta=1e-9)
+
+    def test_a_lopsided_patch_has_no_bound_of_its_cor(self):
+        patch = self.file("points.csv", "x,y,load\n-0.04,-0.04,1\n0.04,-0.02,2\n-0.04,0.08,1\n")
+        found = self.models(f"points:{patch}")
+        self.assertNotIn("disc-equal-area", found)
+        self.assertEqual(found["ellipsoid"]["max_cor_error"], math.inf)
+
+    def test_orthotropic_friction_is_the_ellipsoids_own(self):
+        # A disc under diag(1, 2) is an ellipse 2 : 1 to the ellipsoid.
+        found = self.models("ellipse:law=hertz,a=0.004,b=0.004,my=2")
+        self.assertAlmostEqual(found["ellipsoid"]["max_over_estimate"], 0.1009, delta=6e-5)
+        self.assertGreater(found["disc"]["max_error"], 0.3)
+
+    def test_choose_takes_the_disc_where_it_will_do(self):
+        def chosen(patch, tolerance):
+            (row,) = (row for row in rows("choose", "--patch", patch, "--tolerance", tolerance) if row["chosen"] == "true")
+            return row["model"].split(":")[0]
+
+        self.assertEqual(chosen("ellipse:law=uniform,a=0.004,b=0.004", 1e-6), "disc")
+        self.assertEqual(chosen("rectangle:x=1,y=1", 0.01), "disc")
+        self.assertEqual(chosen("rectangle:x=0.02,y=0.01", 0.1), "disc")
+        self.assertEqual(chosen("rectangle:x=0.02,y=0.01", 0.01), "patch")
+        self.assertEqual(chosen("rectangle:x=0.02,y=0.01,mx=2", 0.1), "ellipsoid")
+
+    def test_bad_usage(self):
+        one = self.file("one.csv", "x,y,load\n1,2,3\n")
+        for arguments, part in ((("validate", "--patch", f"points:{one}"), "on one point"),
+                                (("validate", "--patch", "rectangle:x=1,y=1", "--law", "hertz"), "--law"),
+                                (("choose", "--patch", "rectangle:x=1,y=1", "--law", "hertz", "--tolerance", 0.1), "--law and --patch"),
+                                (("choose", "--tolerance", 0.1), "--law"), (("choose", "--patch", "rectangle:x=1,y=1"), "--tolerance"),
+                                (("choose", "--patch", "rectangle:x=1,y=1", "--tolerance", 0.1, "--scene"), "--scene"),
+                                (("choose", "--patch", "rectangle:x=1,y=1", "--tolerance", 7), "tolerance")):
+            done = run(*arguments)
+            self.assertEqual(done.returncode, 2, arguments)
+            self.assertIn(part, done.stderr)
+
+
 if __name__ == "__main__":
     unittest.main()
