@@ -145,16 +145,18 @@ struct Polygon final : Shape {
     const double cy = cor.y / distance;
     for (const Edge& edge : edges) {
       const double half = 0.5 * edge.length;
-      double integral = 0.0;
-      for (std::size_t k = 0; k < rule.place.size(); ++k) {
+      std::array<double, 10> terms;
+      for (std::size_t k = 0; k < terms.size(); ++k) {
         const double s = half * (1.0 + rule.place[k]);
         const double x = edge.x + s * edge.tx;
         const double y = edge.y + s * edge.ty;
         const double gap = distance - (cx * x + cy * y);  // −ĉ·y
         const double across = cx * y - cy * x;
         const double square = across * across;
-        integral += rule.weight[k] * square / (std::sqrt(gap * gap + square) + gap);
+        terms[k] = rule.weight[k] * square / (std::sqrt(gap * gap + square) + gap);
       }
+      double integral = 0.0;
+      for (const double term : terms) integral += term;
       add(edge, edge.ty * cor.x - edge.tx * cor.y, integral * edge.length);
     }
     return from_distance(twist.omega, distance + mean / (3.0 * whole_area), {gx / whole_area - cx, gy / whole_area - cy},

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+#include "godobject/patch_finger.hpp"
+
+#include "godobject/contact_limits.hpp"
+#include "godobject/patch_projection.hpp"
+#include "limitcurve/number.hpp"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+#include <utility>
+
+namespace limitcurve::godobject {
+
+namespace {
+
+using Eigen::Vector3d;
+
+/// The device's twist without its jumps by whole turns.
+double unwrap(FingerState& state, double device_twist) noexcept {
+  constexpr double turn = 2.0 * std::numbers::pi;
+  const double jump = device_twist - state.device_twist;
+  if (std::fabs(jump) > std::numbers::pi) state.turns -= turn * std::round(jump / turn);
+  state.device_twist = device_twist;
+  return device_twist + state.turns;
+}
+
+/// The tangent part of the last axis; on a new contact the world's x axis, turned from z to the normal.
+Vector3d transported(const Vector3d& axis, const Vector3d& normal) noexcept {
+  const Vector3d tangent = axis - normal * normal.dot(axis);
+  const double length = tangent.norm();
+  if (length > 0.1) return tangent / length;
+  return Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), normal) * Vector3d::UnitX();
+}
+
+/// The patch's axes in the tangent plane.
+struct Axes {
+  Vector3d x;
+  Vector3d y;
+
+  Axes(const Vector3d& axis, const Vector3d& normal, double angle) noexcept {
+    const Vector3d aside = normal.cross(axis);
+    x = axis * std::cos(angle) + aside * std::sin(angle);
+    y = normal.cross(x);
+  }
+};
+
+/// Those in which the last friction was found: before its slip turned the patch.
+Axes last_axes(const PatchFingerState& state) noexcept {
+  return {vector(state.axis), vector(state.finger.normal), state.finger.angle + state.slip.omega};
+}
+
+Patch drivable(const Patch& patch, double point_radius) {
+  const double least = 1e-3 * patch.moment_ratio();
+  if (point_radius == 0.0 && least == 0.0) {
+    throw std::invalid_argument("point_radius: all load of the patch is on one point, which resists no turn; expected a radius > 0");
+  }
+  if (point_radius != 0.0 && !(point_radius >= least && point_radius <= 1e15)) {
+    throw out_of_range("point_radius", point_radius, "m", ">= 1e-3 of the patch's m0, " + format_number(least));
+  }
+  return patch.smoothed(point_radius == 0.0 ? least : point_radius);
+}
+
+}  // namespace
+
+PatchFinger::PatchFinger(const Patch& patch, const FingerParameters& parameters, double point_radius) : parameters_(parameters) {
+  if (parameters.moment_coefficient) {
+    throw out_of_range("moment_coefficient", *parameters.moment_coefficient, "m", "absent with a patch, which has its own moments");
+  }
+  // The springs, dampers and coefficients are checked as any finger's.
+  static_cast<void>(ContactLimits(parameters, 1.0));
+  projector_ = std::make_shared<PatchProjector>(drivable(patch, point_radius));
+}
+
+const Patch& PatchFinger::patch() const noexcept {
+  return projector_->patch();
+}
+
+FingerOutput PatchFinger::update(const Contact& contact, double device_twist, double time_step) noexcept {
+  advance(contact, device_twist, time_step);
+  return output();
+}
+
+void PatchFinger::advance(const Contact& contact, double device_twist, double time_step) noexcept {
+  FingerState& state = state_.finger;
+  // A velocity is known only from one good sample to the next.
+  const bool has_velocity = state.seen && state.state != ContactState::invalid && time_step >= shortest_time_step;
+  if (!is_plausible(state, parameters_, contact, device_twist, time_step)) return fade(state, parameters_.fault_decay);
+  if (!(contact.depth > 0.0)) {
+    state_.axis = {};
+    state_.slip = {};
+    return release(state, contact, device_twist);
+  }
+  if (!state.in_contact) touch_down(state, contact, device_twist);
+
+  // a. The trial deflection; a damper b is, implicitly, a spring k + b/Δt that rests nearer to the last deflection.
+  const double damper = has_velocity ? parameters_.damping / time_step : 0.0;
+  const double twist_damper = has_velocity ? parameters_.twist_damping / time_step : 0.0;
+  const double stiffness = parameters_.stiffness + damper;
+  const double twist_stiffness = parameters_.twist_stiffness + twist_damper;
+  const Vector3d rest = state.deflection() * (damper / stiffness);
+  const double twist_rest = (state.angle - state.goal_angle) * (twist_damper / twist_stiffness);
+  state.load = std::max(parameters_.stiffness * contact.depth + damper * (contact.depth - state.depth), 0.0);
+  state.depth = contact.depth;
+  state.goal = numbers(contact.point);
+  state.normal = numbers(contact.normal);
+  state.goal_angle = unwrap(state, device_twist);
+  const Vector3d axis = transported(vector(state_.axis), contact.normal);
+  state_.axis = numbers(axis);
+  const Vector3d last = vector(state.proxy);
+  const Vector3d apart = last - contact.point;
+  const Vector3d trial = apart - contact.normal * contact.normal.dot(apart) - rest;
+  const double twist_trial = (state.angle - state.goal_angle) - twist_rest;
+
+  // b. What part of it the limit surface lets the springs keep, in the patch's axes.
+  const Axes axes(axis, contact.normal, state.angle);
+  const double mu_dynamic = parameters_.mu_dynamic.value_or(parameters_.mu);
+  const PatchWrench wrench{stiffness * axes.x.dot(trial), stiffness * axes.y.dot(trial), twist_stiffness * twist_trial};
+  const auto project = [&](double mu) -> PatchProjection {
+    const double limit = mu * state.load;
+    if (limit > 0.0) return projector_->project(wrench, limit, stiffness, std::sqrt(twist_stiffness / stiffness), state_.slip);
+    const PatchTwist all{wrench.fx / stiffness, wrench.fy / stiffness, twist_trial};
+    return {true, {}, all};
+  };
+  // A contact at rest holds within the static limit; one that slips comes to rest within the dynamic one.
+  PatchProjection friction = project(state.friction.slips ? mu_dynamic : parameters_.mu);
+  if (friction.slips && !state.friction.slips && mu_dynamic < parameters_.mu) friction = project(mu_dynamic);
+
+  // The proxy follows. What did not slide is not touched, and a slip that its rounding swallows is none.
+  const Vector3d kept = friction.slips ? Vector3d((axes.x * friction.wrench.fx + axes.y * friction.wrench.fy) / stiffness) : trial;
+  const double twist_kept = friction.slips ? friction.wrench.moment / twist_stiffness : twist_trial;
+  const Vector3d proxy = friction.slips ? Vector3d(contact.point + rest + kept) : last;
+  const double angle = friction.slips ? state.goal_angle + twist_rest + twist_kept : state.angle;
+  const bool slips = friction.slips && (proxy.x() != last.x() || proxy.y() != last.y() || proxy.z() != last.z() || angle != state.angle);
+  if (slips) {
+    state.proxy = numbers(proxy);
+    state.angle = angle;
+  }
+  state.friction.slips = slips;
+  state_.slip = slips ? friction.slip : PatchTwist{};
+
+  // c. Force and moment on the user.
+  const auto& [sx, sy, turn] = friction.slip;
+  state.state = slips ? ContactState::slip : ContactState::stick;
+  state.force = numbers(Vector3d(kept * stiffness));
+  state.moment = twist_kept * twist_stiffness;
+  state.cor = slips ? std::hypot(sx, sy) / std::fabs(turn) : std::numeric_limits<double>::quiet_NaN();
+  if (slips && sx == 0.0 && sy == 0.0) state.cor = 0.0;
+  const double work = friction.wrench.fx * sx + friction.wrench.fy * sy + friction.wrench.moment * turn;
+  state.slip_work = slips ? std::max(work, 0.0) : 0.0;
+}
+
+double PatchFinger::margin() const noexcept {
+  const FingerState& state = state_.finger;
+  if (!state.in_contact) return 1.0;
+  if (state.state == ContactState::slip) return 0.0;
+  const double needed = load_to_hold();
+  return needed == 0.0 ? 1.0 : std::clamp(1.0 - needed / state.load, 0.0, 1.0);
+}
+
+double PatchFinger::load_to_hold() const noexcept {
+  const FingerState& state = state_.finger;
+  const Vector3d force = vector(state.force);
+  if (!state.in_contact || (force.norm() == 0.0 && state.moment == 0.0)) return 0.0;
+  if (parameters_.mu == 0.0) return std::numeric_limits<double>::infinity();
+  const Axes axes = last_axes(state_);
+  return projector_->gauge({axes.x.dot(force), axes.y.dot(force), state.moment}) / parameters_.mu;
+}
+
+Vector3d PatchFinger::centre_of_rotation() const noexcept {
+  const FingerState& state = state_.finger;
+  if (!(state.cor >= 0.0) || std::isinf(state.cor)) return Vector3d::Constant(state.cor);
+  // The proxy slides by −slip and turns by −its turn: both have the COR where n × v/ω is, seen from the proxy.
+  const Vector3d normal = vector(state.normal);
+  const Axes axes = last_axes(state_);
+  return vector(state.proxy) + normal.cross(axes.x * state_.slip.vx + axes.y * state_.slip.vy) / state_.slip.omega;
+}
+
+}  // namespace limitcurve::godobject
