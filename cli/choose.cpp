@@ -2,10 +2,12 @@
 #include "limitcurve/validate.hpp"
 
 #include "cli/number_list.hpp"
+#include "cli/patch_argument.hpp"
 #include "cli/radius_check.hpp"
 #include "cli/subcommands.hpp"
 
 #include "godobject/choose_step.hpp"
+#include "limitcurve/patch/round_models.hpp"
 #include "limitcurve/shipped_costs.hpp"
 
 #include <array>
@@ -24,6 +26,9 @@ class Choose final : public Subcommand {
             "Columns: model and parameter as in validate (table: its tolerance; exact: nan); error, the largest radial error in the\n"
             "normalised plane; nanoseconds of a wrench by its slip twist, on one machine: read them as ratios; chosen, true for\n"
             "the cheapest whose error is at most the tolerance. --explain says why, on standard error.\n"
+            "With --patch in place of --law, a contact that is not round (see 'limitcurve patch'): the disc of least largest error\n"
+            "where it will do, parameter its radius, driven as a law is; else the ellipsoid sqrt(v^2 + m0^2 w^2), parameter m0, or the\n"
+            "patch itself. Errors are of power, over all sliding twists.\n"
             "With --scene the whole step of the god-object is chosen: model is 'no torsion' or BOUNDARY/PROJECTION, with the radius\n"
             "of the mean load unless it ends in '/a(P)'; error is the largest change of what is felt, as a share of what the\n"
             "contact bears, that slides and twists at the scene's rates have shown; nanoseconds are those of a step that\n"
@@ -32,7 +37,8 @@ class Choose final : public Subcommand {
   }
 
   void declare(Options& options) override {
-    options.law(law_);
+    options.law(law_, Presence::optional);
+    options.text("--patch", patch_, "PATCH", "In place of --law: a pressure patch that need not be round");
     options.number("--tolerance", tolerance_, positive, "Largest error, relative (0.01 is 1 %), from 1e-10 to 1; with --scene from 1e-6",
                    Presence::required);
     options.flag("--explain", explain_, "Say what the chosen one beat, and why, on standard error");
@@ -51,11 +57,15 @@ class Choose final : public Subcommand {
     options.number("--twist", twist_, non_negative, "Scene: largest twist from where the finger touched down [rad] (default: any)");
   }
 
-  void run(const Results& results) override { scene_wanted_ ? choose_for_scene(results) : choose_boundary(results); }
+  void run(const Results& results) override {
+    if (patch_.empty() == (law_ == nullptr)) throw std::invalid_argument("expected one of --law and --patch");
+    if (!patch_.empty() && scene_wanted_) throw std::invalid_argument("--scene: goes with --law, got --patch");
+    scene_wanted_ ? choose_for_scene(results) : choose_boundary(results);
+  }
 
  private:
   void choose_boundary(const Results& results) const {
-    write(results, choose(law_, tolerance_));
+    write(results, patch_.empty() ? choose(law_, tolerance_) : choose(read_patch(patch_), tolerance_));
     if (explain_) std::cerr << "costs measured: " << shipped_costs::measured << '\n';
   }
 
@@ -86,6 +96,7 @@ class Choose final : public Subcommand {
   }
 
   Law law_;
+  std::string patch_;
   double tolerance_ = 0.0;
   bool explain_ = false;
   bool scene_wanted_ = false;

@@ -37,7 +37,7 @@ struct Entry {
 std::vector<Entry> make_entries() {
   std::vector<Entry> entries;
   for (const auto make : {make_laws, make_eval, make_curve, make_p_curves, make_c_curves, make_table, make_lookup, make_validate,
-                          make_choose, make_fit, make_translate, make_replay, make_pivot, make_report})
+                          make_choose, make_fit, make_translate, make_replay, make_pivot, make_patch, make_report})
     entries.push_back({make()});
   return entries;
 }

@@ -62,6 +62,9 @@ CsvReader::CsvReader(const std::string& file, std::vector<std::string> columns, 
   }
 }
 
+CsvReader::CsvReader(const std::string& file)
+    : name_(file == "-" ? "standard input" : file), required_(0), descriptor_(open_to_read(file)), has_header_(false) {}
+
 CsvReader::~CsvReader() {
   if (descriptor_ != STDIN_FILENO) ::close(descriptor_);
 }
@@ -156,12 +159,20 @@ bool CsvReader::next() {
   if (!next_meaningful_line()) {
     if (any_row_) return false;
     ++line_number_;
-    throw complaint_at(0, "no rows after the header, expected at least one");
+    throw complaint_at(0, has_header_ ? "no rows after the header, expected at least one" : "an empty file, expected rows of numbers");
+  }
+  if (!has_header_ && !any_row_) {
+    header_fields_ = field_count_;
+    for (std::size_t column = 0; column < field_count_; ++column) {
+      columns_.push_back(std::to_string(column + 1));
+      places_.push_back(column);
+    }
   }
   any_row_ = true;
   if (field_count_ != header_fields_) {
     throw complaint_at(line_.size(), "a line of " + std::to_string(field_count_) + (field_count_ == 1 ? " field" : " fields") + ", got '" +
-                                         excerpt(line_) + "', expected " + std::to_string(header_fields_) + " as in the header");
+                                         excerpt(line_) + "', expected " + std::to_string(header_fields_) +
+                                         (has_header_ ? " as in the header" : " as in the first row"));
   }
   return true;
 }

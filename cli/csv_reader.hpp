@@ -21,6 +21,8 @@ class CsvReader {
  public:
   /// Opens `file` and reads its header, which must have all of `columns`.
   CsvReader(const std::string& file, std::vector<std::string> columns, std::vector<std::string> optional_columns = {});
+  /// Opens a file without header, rows of numbers: its columns are 0, 1, … and as many as its first row has fields.
+  explicit CsvReader(const std::string& file);
   ~CsvReader();
   CsvReader(const CsvReader&) = delete;
   CsvReader& operator=(const CsvReader&) = delete;
@@ -29,6 +31,8 @@ class CsvReader {
   /// off in the middle, is an error, and so is a file without any row.
   bool next();
 
+  /// How many fields the header has, or without one the first row.
+  [[nodiscard]] std::size_t field_count() const { return header_fields_; }
   /// Whether the file has the i-th column; columns are counted in the order of the constructor, optional ones last.
   [[nodiscard]] bool has(std::size_t column) const { return places_[column] != missing; }
   /// The field of the current row in the i-th column.
@@ -71,6 +75,7 @@ class CsvReader {
   std::vector<std::size_t> places_;
   std::size_t header_fields_ = 0;
   bool any_row_ = false;
+  bool has_header_ = true;
 };
 
 }  // namespace limitcurve::cli

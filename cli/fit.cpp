@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "fit/model_fit.hpp"
 
+#include "cli/fit_friction.hpp"
 #include "cli/slip_samples.hpp"
 #include "cli/subcommands.hpp"
 
@@ -8,6 +9,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -15,7 +17,7 @@ namespace limitcurve::cli {
 
 namespace {
 
-const std::vector<std::string> models{"ellipse", "superellipse", "quartic", "ratio", "law", "load"};
+const std::vector<std::string> models{"ellipse", "superellipse", "quartic", "ratio", "law", "load", "friction"};
 constexpr std::size_t last_of_a_curve = 2;
 const std::vector<std::string> criteria{"intercepts", "least-squares", "minimax", "inner", "outer"};
 const std::vector<std::string> losses{"squared", "huber", "cauchy"};
@@ -31,6 +33,10 @@ class Fit final : public Subcommand {
             "pressure law that explains the data best, or of --law; load fits a(P) or mu_r(P) = c P^gamma to a CSV of\n"
             "load,radius[,sigma_radius] or load,moment[,sigma_moment]. Standard error has what to beware of, and last what to\n"
             "type into replay and FingerParameters.\n"
+            "friction gives the coefficient of a contact that is not round (--patch, as in 'limitcurve patch') from pushes that\n"
+            "slid, force_x,force_y,moment,dx,dy,dtheta about the patch's origin [N, N m, m, rad]: mu, the mean of power over H;\n"
+            "drift, the slope of that over the share of rotation |w| m0/sqrt(v^2 + w^2 m0^2) divided by the mean, 0 where the\n"
+            "patch explains the pushes; and both with the ellipsoid sqrt(v^2 + m0^2 w^2) in place of H.\n"
             "Columns: parameter, value, std_error, unit, note (the model fitted and what was assumed).",
             "limitcurve fit ellipse --law hertz"};
   }
@@ -39,6 +45,8 @@ class Fit final : public Subcommand {
     options.choice("MODEL", model_, models, "What to fit", Presence::required);
     options.text("--data", data_, "FILE", "CSV of measurements, or - for standard input");
     options.law(law_, Presence::optional);
+    options.text("--patch", patch_, "PATCH", "For friction: the pressure patch");
+    options.number("--load", load_, positive, "For friction: normal load P [N]; without it mu is mu P [N]");
     options.choice("--criterion", criterion_, criteria, "Of an approximation to the exact curve: what is least");
     options.choice("--loss", loss_, losses, "How hard outliers of the data pull");
     options.choice("--load-model", load_model_, load_models,
@@ -50,21 +58,32 @@ class Fit final : public Subcommand {
   }
 
   void run(const Results& results) override {
+    if (models[model_] == "friction") return write(results, friction(), patch_);
+    if (!patch_.empty()) throw std::invalid_argument("--patch: for fit friction alone, got fit " + models[model_]);
+    if (load_) throw std::invalid_argument("--load: for fit friction alone, got fit " + models[model_]);
     const fit::ModelFit found = data_.empty() ? curve_fit() : data_fit();
     if (found.model != models[model_]) say("note", "the model is " + found.model);
     describe(found);
     for (const std::string& warning : found.report.warnings) say("warning", warning);
     warn_of_units(found.report);
     if (!found.report.converged) throw std::runtime_error("the fit did not converge: " + found.report.message);
-    Rows rows(results, {"parameter", "value", "std_error", "unit", "note"});
-    for (const fit::Estimate& estimate : found.report.estimates) {
-      rows.row(estimate.name, estimate.value, estimate.std_error, estimate.unit, found.report.note);
-    }
-    rows.finish();
+    write(results, found.report.estimates, found.report.note);
     if (!data_.empty()) say_what_to_type(found);
   }
 
  private:
+  static void write(const Results& results, const std::vector<fit::Estimate>& estimates, const std::string& note) {
+    Rows rows(results, {"parameter", "value", "std_error", "unit", "note"});
+    for (const fit::Estimate& estimate : estimates) rows.row(estimate.name, estimate.value, estimate.std_error, estimate.unit, note);
+    rows.finish();
+  }
+
+  [[nodiscard]] std::vector<fit::Estimate> friction() const {
+    if (patch_.empty()) throw std::invalid_argument("--patch is required to fit 'friction'");
+    if (data_.empty()) throw std::invalid_argument("--data is required to fit 'friction'");
+    return fit_friction(patch_, data_, load_);
+  }
+
   /// What a reader must know before using the numbers.
   void say(const char* kind, const std::string& text) const {
     if (!quiet_) std::fprintf(stderr, "limitcurve: %s: %s\n", kind, text.c_str());
@@ -178,6 +197,8 @@ class Fit final : public Subcommand {
 
   std::size_t model_ = 0;
   std::string data_;
+  std::string patch_;
+  std::optional<double> load_;
   Law law_;
   std::size_t criterion_ = 1;
   std::size_t loss_ = 0;

@@ -29,7 +29,7 @@ KeyValue angle_key(std::string_view key, double& value, const Range& range, bool
 void read_key_values(std::string_view text, const std::vector<KeyValue>& keys) {
   std::string expected;
   for (const KeyValue& key : keys) {
-    const std::string item = std::string(key.key).append("=NUMBER");
+    const std::string item = std::string(key.key).append("=").append(key.kind);
     expected += expected.empty() ? item : key.required ? "," + item : "[," + item + "]";
   }
   std::vector<bool> seen(keys.size());

@@ -15,6 +15,7 @@ struct KeyValue {
   std::string_view key;
   std::function<void(std::string_view)> take;
   bool required = true;
+  std::string_view kind = "NUMBER";  ///< what a complaint calls the value
 };
 
 /// A key whose value is a number within `range`.

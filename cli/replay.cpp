@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "cli/body_argument.hpp"
 #include "cli/key_values.hpp"
+#include "cli/patch_argument.hpp"
 #include "cli/radius_check.hpp"
 #include "cli/subcommands.hpp"
 #include "cli/surface_argument.hpp"
 #include "cli/trace_reader.hpp"
 
 #include "godobject/passivity.hpp"
+#include "godobject/patch_replay.hpp"
 #include "godobject/replay.hpp"
 #include "limitcurve/number.hpp"
 
@@ -83,14 +85,20 @@ class Replay final : public Subcommand {
             "by the fingers and begin at the origin: their pose after each sample is in columns of those names.\n"
             "Finger N reads x2,y2,z2,twist2 (qw2,...) and so on, and writes state2,px2,py2,...\n"
             "--details: margin to slip (1 none of the limit is used, 0 slips); hold_load [N], the least load that would bear\n"
-            "this friction; corx,cory,corz [m], where the slip's centre of rotation is; dissipated [J] by slip so far.",
+            "this friction; corx,cory,corz [m], where the slip's centre of rotation is; dissipated [J] by slip so far.\n"
+            "With --patch in place of --law and --radius-law the contact is not round (see 'limitcurve patch'): the patch is fixed to\n"
+            "the finger, turns with angle, and its centre of pressure is the contact point; cor is then a distance from there.",
             "limitcurve replay --trace data/traces/slide_twist_load.csv --law hertz --radius-law constant:a=0.006 --mu 0.6\n"
             "    --stiffness 1000 --twist-stiffness 0.036 --boundary table --projection closest-point"};
   }
 
   void declare(Options& options) override {
     options.text("--trace", trace_, "FILE", "CSV with columns time,x,y,z,twist, or - for standard input", Presence::required);
-    options.law(replay_.law);
+    options.law(replay_.law, Presence::optional);
+    options.text("--patch", patch_, "PATCH",
+                 "In place of --law and --radius-law: a pressure patch that need not be round, by the closest point");
+    options.number("--point-radius", point_radius_, positive,
+                   "Radius of a patch's points [m] (default 1e-3 of m0, the moment of a spin over mu P; not less)");
     options.radius_law(radius_law_, Presence::optional);
     options.number("--mu", replay_.finger.mu, non_negative, "Friction coefficient mu [1]", Presence::required);
     options.number("--stiffness", replay_.finger.stiffness, positive, "Contact stiffness k_l [N/m]; the load is P = k_l d",
@@ -135,9 +143,10 @@ class Replay final : public Subcommand {
   }
 
   void run(const Results& results) override {
+    check_patch();
     if (radius_law_) {
       replay_.finger.radius_law = *radius_law_;
-    } else if (!replay_.finger.moment_coefficient) {
+    } else if (!replay_.finger.moment_coefficient && patch_.empty()) {
       throw std::invalid_argument("--radius-law is required, unless --moment-coefficient is given");
     }
     replay_.curve = curve_kinds.at(curve_);
@@ -149,10 +158,30 @@ class Replay final : public Subcommand {
     replay_.fingers = fingers_;
     replay_.motion = body.motion;
     replay_.body = body.parameters;
+    if (!patch_.empty()) return run_patch(results, {in_space, details_});
     run_replay(results, {in_space, details_});
   }
 
  private:
+  void check_patch() const {
+    if (patch_.empty() == (replay_.law == nullptr)) throw std::invalid_argument("expected one of --law and --patch");
+    if (patch_.empty()) {
+      if (point_radius_) throw std::invalid_argument("--point-radius: goes with --patch");
+      return;
+    }
+    const auto refuse = [](const char* option, bool given) {
+      if (given) throw std::invalid_argument(std::string(option) + ": not with --patch, which has a size and moments of its own");
+    };
+    refuse("--radius-law", radius_law_.has_value());
+    refuse("--moment-coefficient", replay_.finger.moment_coefficient.has_value());
+    refuse("--moment-coefficient-dynamic", replay_.finger.moment_coefficient_dynamic.has_value());
+    if (projections.at(projection_) != Projection::closest_point)
+      throw std::invalid_argument("--projection: a patch goes with closest-point only");
+    if (curve_kinds.at(curve_) != CurveKind::table && curve_kinds.at(curve_) != CurveKind::exact) {
+      throw std::invalid_argument("--boundary: a patch is its own limit surface, expected none");
+    }
+  }
+
   [[nodiscard]] BodyArgument body_argument() const {
     try {
       return read_body(body_text_, surface_);
@@ -171,6 +200,22 @@ class Replay final : public Subcommand {
   void check_gains() const {
     if (!device_) return;
     godobject::require_passive(replay_.finger, sample_time_, *device_);
+  }
+
+  void run_patch(const Results& results, const Columns& columns) const {
+    TraceReader trace(trace_, fingers_, replay_.motion == BodyMotion::prescribed);
+    godobject::PatchReplay replay(read_patch(patch_), replay_, point_radius_.value_or(0.0));
+    std::vector<std::string> names{"time"};
+    for (std::size_t i = 0; i < fingers_; ++i) add_columns(names, i == 0 ? "" : std::to_string(i + 1), columns);
+    Rows rows(results, names);
+    while (trace.next()) {
+      replay.step(trace.time(), trace.fingers(), trace.body());
+      rows.row_by([&](const auto& cell) {
+        cell(trace.time());
+        for (const godobject::SceneContact& contact : replay.contacts()) write_contact(cell, contact, columns);
+      });
+    }
+    rows.finish();
   }
 
   void run_replay(const Results& results, const Columns& columns) const {
@@ -218,6 +263,8 @@ class Replay final : public Subcommand {
   }
 
   std::string trace_;
+  std::string patch_;
+  std::optional<double> point_radius_;
   std::optional<RadiusLaw> radius_law_;
   std::size_t curve_ = 1;
   std::size_t projection_ = 2;

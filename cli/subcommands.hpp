@@ -21,6 +21,7 @@ std::unique_ptr<Subcommand> make_fit();
 std::unique_ptr<Subcommand> make_translate();
 std::unique_ptr<Subcommand> make_replay();
 std::unique_ptr<Subcommand> make_pivot();
+std::unique_ptr<Subcommand> make_patch();
 std::unique_ptr<Subcommand> make_report();
 
 }  // namespace limitcurve::cli

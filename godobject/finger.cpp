@@ -68,6 +68,15 @@ double unwrap(FingerState& state, double device_twist) noexcept {
   return device_twist + state.turns;
 }
 
+Contact sense(const AnySurface& surface, const DevicePose& device, const FingerState& state, Spin& spin) noexcept {
+  if (!device.position.allFinite() || !(std::fabs(device.orientation.squaredNorm() - 1.0) <= 1e-6)) {
+    return {Vector3d::Zero(), Vector3d::UnitZ(), std::numeric_limits<double>::quiet_NaN()};
+  }
+  const Contact contact = surface.contact(device.position, state.contact);
+  spin = state.spin.moved(device.orientation, contact.normal);
+  return contact;
+}
+
 bool is_plausible(FingerState& state, const FingerParameters& parameters, const Contact& contact, double device_twist,
                   double time_step) noexcept {
   const double square = contact.point.squaredNorm() + contact.depth * contact.depth + device_twist * device_twist;

@@ -3,6 +3,7 @@
 
 #include "godobject/contact.hpp"
 #include "godobject/friction.hpp"
+#include "godobject/surface.hpp"
 #include "limitcurve/contact_radius.hpp"
 
 #include <Eigen/Core>
@@ -127,6 +128,10 @@ struct Springs {
 
 /// The device's twist without its jumps by whole turns: exactly the device's as long as it does not jump.
 [[nodiscard]] double unwrap(FingerState& state, double device_twist) noexcept;
+
+/// What a surface answers to a device's pose in its frame, and the spin of the device's orientation since the last good sample. A pose that is not
+/// finite, or not of unit length, gives a contact that is not plausible: surfaces answer finite places only.
+[[nodiscard]] Contact sense(const AnySurface& surface, const DevicePose& device, const FingerState& state, Spin& spin) noexcept;
 
 /// A contact farther than this from the origin [m], or turned farther [rad], is taken for a fault of the device.
 inline constexpr double farthest = 1e6;

@@ -8,6 +8,7 @@
 #include "godobject/finger_curve.hpp"     // IWYU pragma: export
 #include "godobject/grasp.hpp"            // IWYU pragma: export
 #include "godobject/passivity.hpp"        // IWYU pragma: export
+#include "godobject/patch_finger.hpp"     // IWYU pragma: export
 #include "godobject/pivot.hpp"            // IWYU pragma: export
 #include "godobject/replay.hpp"           // IWYU pragma: export
 #include "godobject/rigid_body.hpp"       // IWYU pragma: export

@@ -15,7 +15,9 @@ SoftFinger::SoftFinger(FingerCurve curve, const FingerParameters& parameters, Pr
 }
 
 FingerOutput SoftFinger::update(const AnySurface& surface, const DevicePose& device, double time_step) noexcept {
-  advance(state_, surface, device, time_step);
+  Spin spin;
+  const Contact contact = sense(surface, device, state_, spin);
+  advance(state_, contact, spin, device.twist, time_step);
   return state_.output();
 }
 
@@ -26,7 +28,9 @@ FingerOutput SoftFinger::update(const Contact& contact, double device_twist, dou
 
 FingerOutput SoftFinger::preview(const AnySurface& surface, const DevicePose& device, double time_step) const noexcept {
   FingerState state = state_;
-  advance(state, surface, device, time_step);
+  Spin spin;
+  const Contact contact = sense(surface, device, state, spin);
+  advance(state, contact, spin, device.twist, time_step);
   return state.output();
 }
 
@@ -34,15 +38,6 @@ FingerOutput SoftFinger::preview(const Contact& contact, double device_twist, do
   FingerState state = state_;
   advance(state, contact, state.spin, device_twist, time_step);
   return state.output();
-}
-
-void SoftFinger::advance(FingerState& state, const AnySurface& surface, const DevicePose& device, double time_step) const noexcept {
-  // A surface answers finite places only.
-  if (!device.position.allFinite() || !(std::fabs(device.orientation.squaredNorm() - 1.0) <= 1e-6)) {
-    return fade(state, parameters_.fault_decay);
-  }
-  const Contact contact = surface.contact(device.position, state.contact);
-  advance(state, contact, state.spin.moved(device.orientation, contact.normal), device.twist, time_step);
 }
 
 void SoftFinger::advance(FingerState& state, const Contact& contact, const Spin& spin, double device_twist,

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "godobject/contact_limits.hpp"
-#include "godobject/surface.hpp"
 
 namespace limitcurve::godobject {
 
@@ -60,7 +59,6 @@ class SoftFinger {
   [[nodiscard]] double spring_energy() const noexcept { return Springs(parameters_).energy(state_); }
 
  private:
-  void advance(FingerState& state, const AnySurface& surface, const DevicePose& device, double time_step) const noexcept;
   void advance(FingerState& state, const Contact& contact, const Spin& spin, double device_twist, double time_step) const noexcept;
 
   FingerCurve curve_;

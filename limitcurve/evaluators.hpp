@@ -25,6 +25,10 @@ Quadrature<Extended> punch(const PressureLaw& law, Extended s) noexcept;
 /// Eq. (17) as printed, over radius and angle, split at r = c. Its force integrand changes sign: the error is absolute.
 Quadrature<Extended> direct(const PressureLaw& law, Extended s) noexcept;
 
+/// The law's pressure projected on a line through the contact's centre: force is G′ and moment N = G − tG′ of G(t) = ⟨|t − place|⟩, at a place
+/// t ≥ 0 on the line. For contacts that are not round.
+Quadrature<double> projection(const PressureLaw& law, double t) noexcept;
+
 /// Rounds to double and adds the rounding to the error.
 WrenchEstimate rounded(const Quadrature<Extended>& estimate) noexcept;
 

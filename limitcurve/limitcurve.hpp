@@ -12,6 +12,7 @@
 ///   Table::build(law, 1e-6)                                     … or the exact one as a table, and its files (table_file.hpp)
 ///   FloatTable::build(law, 1e-6)                                … in single precision, for many contacts at once
 ///   p_curve(curve, RadiusLaw::hertz(0.008, 2e5), mu, load, 64)  limit curves in newtons
+///   Patch::rectangle(0.02, 0.01).wrench({vx, vy, omega})      a contact that is not round
 
 #include "limitcurve/accuracy.hpp"
 #include "limitcurve/approximations.hpp"
@@ -20,6 +21,7 @@
 #include "limitcurve/laws.hpp"
 #include "limitcurve/limit_boundary.hpp"
 #include "limitcurve/number.hpp"
+#include "limitcurve/patch.hpp"
 #include "limitcurve/pressure_law.hpp"
 #include "limitcurve/table.hpp"
 #include "limitcurve/table_file.hpp"

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "fit/estimate.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace limitcurve::cli {
+
+/// The friction of a patch from a CSV of pushes, force_x,force_y,moment,dx,dy,dtheta. `load` [N]; without it mu is mu P.
+std::vector<fit::Estimate> fit_friction(const std::string& patch, const std::string& data, const std::optional<double>& load);
+
+}  // namespace limitcurve::cli

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include "godobject/patch_replay.hpp"
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace limitcurve::godobject {
+
+namespace {
+
+bool is_pose(const BodyPose& pose) noexcept {
+  return pose.position.squaredNorm() <= 1e12 && std::fabs(pose.orientation.squaredNorm() - 1.0) <= 1e-6;
+}
+
+const ReplayOptions& checked(const ReplayOptions& options) {
+  if (options.motion == BodyMotion::free) throw std::invalid_argument("body: got one that is free, expected fixed or trace with a patch");
+  if (!(options.fingers >= 1 && options.fingers <= Replay::most_fingers)) {
+    throw std::invalid_argument("fingers = " + std::to_string(options.fingers) + ": expected 1 to " + std::to_string(Replay::most_fingers));
+  }
+  return options;
+}
+
+}  // namespace
+
+PatchReplay::PatchReplay(const Patch& patch, const ReplayOptions& options, double point_radius)
+    : surface_(checked(options).surface),
+      fingers_(options.fingers, PatchFinger(patch, options.finger, point_radius)),
+      contacts_(options.fingers),
+      motion_(options.motion) {}
+
+void PatchReplay::step(double time, std::span<const DevicePose> fingers, const BodyPose& body) noexcept {
+  const bool in_time = time >= last_time_ && time <= std::numeric_limits<double>::max();
+  const bool moves = motion_ == BodyMotion::prescribed;
+  const bool begins = last_time_ == -std::numeric_limits<double>::infinity();
+  const bool usable = in_time && (!moves || is_pose(body));
+  const double time_step = usable && !begins ? time - last_time_ : 0.0;
+  if (usable) {
+    last_time_ = time;
+    if (moves) {
+      body_.position = body.position;
+      body_.orientation = body.orientation;
+    }
+  }
+  for (std::size_t i = 0; i < fingers_.size(); ++i) {
+    if (usable && i >= fingers.size()) {
+      fingers_[i].reset();
+    } else {
+      // A row that is refused is so by every finger.
+      DevicePose device{Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN())};
+      if (usable) device = {body_.to_body(fingers[i].position), body_.orientation.conjugate() * fingers[i].orientation, fingers[i].twist};
+      fingers_[i].update(surface_, device, time_step);
+    }
+    describe(i);
+  }
+}
+
+void PatchReplay::describe(std::size_t index) noexcept {
+  const PatchFinger& finger = fingers_[index];
+  const FingerOutput output = finger.output();
+  SceneContact& contact = contacts_[index];
+  contact.state = output.state;
+  contact.dissipated += output.slip_work;
+  contact.load = output.load;
+  contact.force = body_.orientation * output.force;
+  contact.moment = output.moment;
+  if (finger.state().finger.seen) contact.normal = body_.orientation * vector(finger.state().finger.normal);
+  contact.cor = output.cor;
+  contact.centre_of_rotation = finger.centre_of_rotation();
+  if (contact.centre_of_rotation.allFinite()) contact.centre_of_rotation = body_.to_world(contact.centre_of_rotation);
+  // The wrench that is held turns with the body; where it acts is the last good place.
+  if (output.state == ContactState::invalid) return;
+  contact.proxy = body_.to_world(output.proxy);
+  contact.angle = output.angle;
+  contact.depth = output.depth;
+  contact.margin = finger.margin();
+  contact.load_to_hold = finger.load_to_hold();
+}
+
+}  // namespace limitcurve::godobject

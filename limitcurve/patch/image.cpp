@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+#include "limitcurve/number.hpp"
+#include "limitcurve/patch/point_sums.hpp"
+#include "limitcurve/patch/polygon_edge.hpp"
+#include "limitcurve/patch/shape.hpp"
+#include "limitcurve/pressure_law.hpp"
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+#include <string>
+
+namespace limitcurve::patch {
+
+namespace {
+
+/// What a uniform rectangle of sides hx, hy about 0 has with its COR at c: ⟨|y|⟩, ⟨ŷ⟩ and ⟨x·ŷ⟩ (polygon.cpp has the formulae).
+struct RectangleMeans {
+  double distance = 0.0;
+  PatchPoint direction;
+  double moment = 0.0;
+};
+
+RectangleMeans rectangle_means(double hx, double hy, PatchPoint c) noexcept {
+  const double right = 0.5 * hx - c.x;
+  const double left = 0.5 * hx + c.x;
+  const double top = 0.5 * hy - c.y;
+  const double bottom = 0.5 * hy + c.y;
+  const double right_top = std::hypot(right, top);
+  const double left_top = std::hypot(left, top);
+  const double right_bottom = std::hypot(right, bottom);
+  const double left_bottom = std::hypot(left, bottom);
+  const double j_right = edge_integral(right_bottom, right_top, hy, -2.0 * c.y, right);
+  const double j_left = edge_integral(left_top, left_bottom, hy, 2.0 * c.y, left);
+  const double j_top = edge_integral(right_top, left_top, hx, 2.0 * c.x, top);
+  const double j_bottom = edge_integral(left_bottom, right_bottom, hx, -2.0 * c.x, bottom);
+  const double area = hx * hy;
+  const PatchPoint direction{(j_right - j_left) / area, (j_top - j_bottom) / area};
+  const double distance = (right * j_right + left * j_left + top * j_top + bottom * j_bottom) / (3.0 * area);
+  return {distance, direction, distance + c.x * direction.x + c.y * direction.y};
+}
+
+/// Squares of constant pressure. Those next to the COR are summed as such, and all others as points with the square's second moment across the
+/// direction of sliding, w√(|u|² + ω²h²/12): what is left is of fourth order in (side/distance).
+struct Image final : Shape {
+  std::vector<double> loads;  ///< of all pixels, rows from the largest y, scaled to sum 1
+  std::size_t columns;
+  std::size_t rows;
+  double side_x;
+  double side_y;
+  std::vector<double> xs;  ///< pixels under pressure, from the centre of pressure
+  std::vector<double> ys;
+  std::vector<double> weights;
+  PatchPoint corner;  ///< of the image: least x, largest y, from the centre of pressure
+  SecondMoments moments;
+
+  Image(std::vector<double> told, std::size_t width, double hx, double hy)
+      : loads(std::move(told)), columns(width), rows(loads.size() / width), side_x(hx), side_y(hy) {
+    Extended mean_column = 0;
+    Extended mean_row = 0;
+    for (std::size_t i = 0; i < loads.size(); ++i) {
+      mean_column += Extended(loads[i]) * static_cast<Extended>(i % columns);
+      mean_row += Extended(loads[i]) * static_cast<Extended>(i / columns);
+    }
+    corner = {static_cast<double>(-(mean_column + 0.5L) * side_x), static_cast<double>((mean_row + 0.5L) * side_y)};
+    for (std::size_t i = 0; i < loads.size(); ++i) {
+      if (loads[i] == 0.0) continue;
+      const auto column = static_cast<Extended>(i % columns);
+      const auto row = static_cast<Extended>(i / columns);
+      xs.push_back(static_cast<double>((column - mean_column) * side_x));
+      ys.push_back(static_cast<double>((mean_row - row) * side_y));
+      weights.push_back(loads[i]);
+      moments.xx += loads[i] * (xs.back() * xs.back() + side_x * side_x / 12.0);
+      moments.yy += loads[i] * (ys.back() * ys.back() + side_y * side_y / 12.0);
+      moments.xy += loads[i] * xs.back() * ys.back();
+      radius = std::max(radius, std::hypot(std::fabs(xs.back()) + 0.5 * side_x, std::fabs(ys.back()) + 0.5 * side_y));
+    }
+    measure_moment_ratio();
+  }
+
+  /// ε² of a pixel: the square's second moment about its middle; of a stretched one the mean of both directions.
+  [[nodiscard]] double softness() const noexcept { return (side_x * side_x + side_y * side_y) / 24.0; }
+
+  /// Calls `visit(index, place)` for each pixel under pressure of the 3 × 3 round the COR.
+  template <class Visit>
+  void visit_near(PatchPoint cor, const Visit& visit) const noexcept {
+    const double column = std::floor((cor.x - corner.x) / side_x);
+    const double row = std::floor((corner.y - cor.y) / side_y);
+    for (double r = std::max(0.0, row - 1.0); r <= std::min(static_cast<double>(rows) - 1.0, row + 1.0); ++r) {
+      for (double c = std::max(0.0, column - 1.0); c <= std::min(static_cast<double>(columns) - 1.0, column + 1.0); ++c) {
+        const std::size_t i = static_cast<std::size_t>(r) * columns + static_cast<std::size_t>(c);
+        if (loads[i] > 0.0) visit(loads[i], PatchPoint{corner.x + (c + 0.5) * side_x, corner.y - (r + 0.5) * side_y});
+      }
+    }
+  }
+
+  [[nodiscard]] PatchFriction evaluate(const PatchTwist& twist) const noexcept override {
+    if (only_slides(twist, radius)) return sliding(twist);
+    const double soft = softness() * twist.omega * twist.omega;
+    PatchFriction friction = sum_soft_points(xs.data(), ys.data(), weights.data(), xs.size(), twist, soft);
+    const PatchPoint cor{-twist.vy / twist.omega, twist.vx / twist.omega};
+    visit_near(cor, [&](double load, PatchPoint place) {
+      const PatchFriction point = sum_soft_points(&place.x, &place.y, &load, 1, twist, soft);
+      const RectangleMeans means = rectangle_means(side_x, side_y, {cor.x - place.x, cor.y - place.y});
+      PatchFriction square = from_distance(twist.omega, means.distance, means.direction, means.moment);
+      square.wrench.moment += place.x * square.wrench.fy - place.y * square.wrench.fx;
+      friction.power += load * square.power - point.power;
+      friction.wrench.fx += load * square.wrench.fx - point.wrench.fx;
+      friction.wrench.fy += load * square.wrench.fy - point.wrench.fy;
+      friction.wrench.moment += load * square.wrench.moment - point.wrench.moment;
+    });
+    return friction;
+  }
+
+  /// Sums what a pixel's fourth moments, and of a stretched one the difference of its second ones, can do to its force, and that on a lever.
+  [[nodiscard]] double error(const PatchTwist& twist) const noexcept override {
+    const double rounding = (8.0 + static_cast<double>(xs.size()) / 8.0) * epsilon * (1.0 + radius / moment_ratio);
+    const PatchPoint cor{-twist.vy / twist.omega, twist.vx / twist.omega};
+    const double square = std::max(side_x, side_y) * std::max(side_x, side_y);
+    const double unequal = std::fabs(side_x * side_x - side_y * side_y) / 12.0;
+    double bound = 0.0;
+    const auto of_pixel = [&](double load, double x, double y) {
+      const double away = (x - cor.x) * (x - cor.x) + (y - cor.y) * (y - cor.y);
+      const double ratio = square / away;
+      const double force = std::min(fourth_order * ratio * ratio + unequal / away, 1.0);
+      return load * force * (1.0 + (std::hypot(x, y) + std::sqrt(away)) / moment_ratio);
+    };
+    for (std::size_t i = 0; i < xs.size(); ++i) bound += of_pixel(weights[i], xs[i], ys[i]);
+    if (!std::isfinite(cor.x) || !std::isfinite(cor.y)) return rounding;
+    visit_near(cor, [&](double load, PatchPoint place) { bound -= of_pixel(load, place.x, place.y); });
+    return rounding + std::max(0.0, bound);
+  }
+  /// (distance/side)⁴ times the largest error of a square's force, from 1.5 sides on.
+  static constexpr double fourth_order = 0.02;
+
+  [[nodiscard]] std::shared_ptr<Shape> moved(double x, double y) const override {
+    auto there = std::make_shared<Image>(*this);
+    there->centre = {centre.x + x, centre.y + y};
+    return there;
+  }
+  [[nodiscard]] std::shared_ptr<Shape> stretched(double sx, double sy) const override {
+    auto there = std::make_shared<Image>(loads, columns, sx * side_x, sy * side_y);
+    there->centre = {sx * centre.x, sy * centre.y};
+    return there;
+  }
+  [[nodiscard]] std::shared_ptr<Shape> smoothed(double) const override {
+    std::vector<PatchLoad> points;
+    for (std::size_t i = 0; i < xs.size(); ++i) points.push_back({centre.x + xs[i], centre.y + ys[i], weights[i]});
+    return make_soft_points(std::move(points), std::sqrt(softness()));
+  }
+  [[nodiscard]] double area() const override { return static_cast<double>(xs.size()) * side_x * side_y; }
+  [[nodiscard]] double nanoseconds() const noexcept override { return 600.0 + 1.5 * static_cast<double>(xs.size()); }
+  [[nodiscard]] SecondMoments second_moments() const override { return moments; }
+};
+
+}  // namespace
+
+std::shared_ptr<Shape> make_image(std::span<const double> pressures, std::size_t columns, double pixel) {
+  if (columns == 0 || pressures.empty() || pressures.size() % columns != 0) {
+    throw std::invalid_argument("an image of " + std::to_string(pressures.size()) + " pixels in rows of " + std::to_string(columns) +
+                                ", expected whole rows");
+  }
+  double highest = 0.0;
+  for (std::size_t i = 0; i < pressures.size(); ++i) {
+    if (!(pressures[i] >= 0.0 && pressures[i] <= std::numeric_limits<double>::max())) {
+      throw std::invalid_argument("row " + std::to_string(i / columns + 1) + ", column " + std::to_string(i % columns + 1) + ": " +
+                                  out_of_range("pressure", pressures[i], "1", "a finite number >= 0").what());
+    }
+    highest = std::max(highest, pressures[i]);
+  }
+  if (highest == 0.0) {
+    throw std::invalid_argument("all " + std::to_string(pressures.size()) + " pixels have pressure 0, expected one of pressure > 0");
+  }
+  Extended total = 0;
+  for (const double pressure : pressures) total += Extended(pressure) / highest;
+  std::vector<double> loads;
+  for (const double pressure : pressures) loads.push_back(static_cast<double>(Extended(pressure) / highest / total));
+  return std::make_shared<Image>(std::move(loads), columns, pixel, pixel);
+}
+
+}  // namespace limitcurve::patch

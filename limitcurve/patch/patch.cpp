@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+#include "limitcurve/patch.hpp"
+
+#include "limitcurve/laws.hpp"
+#include "limitcurve/number.hpp"
+#include "limitcurve/patch/shape.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace limitcurve {
+
+namespace {
+
+double checked_length(const char* name, double length) {
+  if (!(length >= patch::least_length && length <= patch::most_length)) throw out_of_range(name, length, "m", "1e-100 <= length <= 1e100");
+  return length;
+}
+
+/// How large the twist is, as the fastest of its parts.
+double size_of(const PatchTwist& twist, double reach) {
+  return std::max({std::fabs(twist.vx), std::fabs(twist.vy), std::fabs(twist.omega) * reach});
+}
+
+/// Evaluates with the twist scaled to where no square overflows or vanishes; by powers of two, which round nothing.
+template <class Evaluate>
+PatchFriction scaled(PatchTwist twist, double reach, const Evaluate& evaluate) noexcept {
+  const double size = size_of(twist, reach);
+  constexpr double much = 1e60;
+  if (size > 1.0 / much && size < much && std::isfinite(twist.omega) && std::fabs(twist.omega) < much) return evaluate(twist);
+  if (std::isnan(twist.vx) || std::isnan(twist.vy) || std::isnan(twist.omega) || std::isinf(size)) {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    return {nan, {nan, nan, nan}, nan};
+  }
+  if (size == 0.0) return {};
+  const int exponent = std::ilogb(size);
+  // Only of a single point, which no rate of turn moves, can the rate be beyond this.
+  constexpr double most = 1e200;
+  PatchFriction friction = evaluate(
+      {std::ldexp(twist.vx, -exponent), std::ldexp(twist.vy, -exponent), std::clamp(std::ldexp(twist.omega, -exponent), -most, most)});
+  friction.power = std::ldexp(friction.power, exponent);
+  return friction;
+}
+
+}  // namespace
+
+namespace patch {
+
+PatchFriction Shape::about_origin(const PatchTwist& twist) const noexcept {
+  const PatchPoint velocity = velocity_at(twist, centre.x, centre.y);
+  const PatchTwist here{velocity.x, velocity.y, twist.omega};
+  if (velocity.x == 0.0 && velocity.y == 0.0 && twist.omega == 0.0) return {};
+  PatchFriction friction = evaluate(here);
+  // Moving the twist rounds the velocity by ε of its terms, and the lever of the force multiplies the force's error.
+  const double lever = std::hypot(centre.x, centre.y);
+  const double own = error(here);
+  friction.error = (own + (lever > 0.0 ? 2.0 * epsilon : 0.0)) * (1.0 + lever / moment_ratio);
+  friction.wrench.moment += centre.x * friction.wrench.fy - centre.y * friction.wrench.fx;
+  return friction;
+}
+
+}  // namespace patch
+
+Patch::Patch(std::shared_ptr<const patch::Shape> shape, double mx, double my)
+    : shape_(std::move(shape)), mx_(mx), my_(my), moment_ratio_(shape_->moment_ratio), radius_(shape_->radius / std::min(mx, my)) {}
+
+Patch Patch::points(std::span<const PatchLoad> loads) {
+  return {patch::make_points(loads), 1.0, 1.0};
+}
+
+Patch Patch::polygon(std::span<const PatchPoint> vertices) {
+  return {patch::make_polygon(vertices), 1.0, 1.0};
+}
+
+Patch Patch::rectangle(double x, double y) {
+  const double right = checked_length("x", x) / 2.0;
+  const double top = checked_length("y", y) / 2.0;
+  const std::vector<PatchPoint> corners{{-right, -top}, {right, -top}, {right, top}, {-right, top}};
+  return polygon(corners);
+}
+
+Patch Patch::ellipse(const Law& law, double a, double b) {
+  return {patch::make_ellipse(law, checked_length("a", a), checked_length("b", b)), 1.0, 1.0};
+}
+
+Patch Patch::image(std::span<const double> pressures, std::size_t columns, double pixel) {
+  return {patch::make_image(pressures, columns, checked_length("pixel", pixel)), 1.0, 1.0};
+}
+
+Patch Patch::sum(std::span<const std::pair<double, Patch>> parts) {
+  if (parts.empty()) throw std::invalid_argument("a sum of no patches, expected at least one");
+  const double mx = parts.front().second.mx_;
+  const double my = parts.front().second.my_;
+  std::vector<std::pair<double, std::shared_ptr<const patch::Shape>>> shapes;
+  for (const auto& [weight, part] : parts) {
+    if (!(weight > 0.0 && weight <= std::numeric_limits<double>::max())) throw out_of_range("weight", weight, "1", "a finite number > 0");
+    if (part.mx_ != mx || part.my_ != my) throw std::invalid_argument("a sum of patches of different friction factors, expected the same");
+    shapes.emplace_back(weight, part.shape_);
+  }
+  return {patch::make_sum(std::move(shapes)), mx, my};
+}
+
+Patch Patch::moved(double x, double y) const {
+  const auto fits = [](double move) { return std::fabs(move) <= patch::most_length; };
+  if (!fits(x)) throw out_of_range("x", x, "m", "-1e100 <= x <= 1e100");
+  if (!fits(y)) throw out_of_range("y", y, "m", "-1e100 <= y <= 1e100");
+  return {shape_->moved(my_ * x, mx_ * y), mx_, my_};
+}
+
+Patch Patch::orthotropic(double mx, double my) const {
+  const auto fits = [](double factor) { return factor >= 1e-6 && factor <= 1e6; };
+  if (!fits(mx)) throw out_of_range("mx", mx, "1", "1e-6 <= mx <= 1e6");
+  if (!fits(my)) throw out_of_range("my", my, "1", "1e-6 <= my <= 1e6");
+  if (mx == 1.0 && my == 1.0) return *this;
+  return {shape_->stretched(my, mx), mx_ * mx, my_ * my};
+}
+
+Patch Patch::smoothed(double radius) const {
+  auto smooth = shape_->smoothed(checked_length("radius", radius) * std::sqrt(mx_ * my_));
+  return smooth ? Patch(std::move(smooth), mx_, my_) : *this;
+}
+
+// Orthotropic friction: diag(mx, my)(v + ω ẑ × x) is the velocity of the point (my x, mx y) under the twist (mx v_x, my v_y, ω), so H is that of the
+// stretched patch, and its gradient follows by the chain rule.
+PatchFriction Patch::evaluate(const PatchTwist& twist) const noexcept {
+  PatchFriction friction = scaled({mx_ * twist.vx, my_ * twist.vy, twist.omega}, shape_->radius,
+                                  [this](const PatchTwist& one) { return shape_->evaluate(one); });
+  friction.wrench.fx *= mx_;
+  friction.wrench.fy *= my_;
+  return friction;
+}
+
+PatchFriction Patch::about_origin(const PatchTwist& twist) const noexcept {
+  const double reach = shape_->radius + std::hypot(shape_->centre.x, shape_->centre.y);
+  PatchFriction friction =
+      scaled({mx_ * twist.vx, my_ * twist.vy, twist.omega}, reach, [this](const PatchTwist& one) { return shape_->about_origin(one); });
+  friction.wrench.fx *= mx_;
+  friction.wrench.fy *= my_;
+  if (mx_ != 1.0 || my_ != 1.0) friction.error = (friction.error + 2.0 * patch::epsilon) * std::max({1.0, mx_, my_});
+  return friction;
+}
+
+double Patch::nanoseconds() const noexcept {
+  return shape_->nanoseconds();
+}
+
+PatchPoint Patch::centre() const noexcept {
+  return {shape_->centre.x / my_, shape_->centre.y / mx_};
+}
+
+Patch::RoundMeasures Patch::round_measures() const {
+  // Of the patch itself, not of the stretched one.
+  const patch::SecondMoments moments = shape_->second_moments();
+  const double stretch = mx_ * my_;
+  const double determinant = std::max(0.0, moments.xx * moments.yy - moments.xy * moments.xy) / (stretch * stretch);
+  const Law law = shape_->law() ? shape_->law() : uniform();
+  // An ellipse with semi-axes a, b has the second moments a²⟨ρ²⟩/2 and b²⟨ρ²⟩/2; m(s) → ⟨ρ²⟩/(2s) gives ⟨ρ²⟩.
+  constexpr double far = 1e6;
+  const double mean_square = 2.0 * far * law->forces(far).moment;
+  return {shape_->area() / stretch, std::sqrt(2.0 / mean_square) * std::sqrt(std::sqrt(determinant)), law};
+}
+
+}  // namespace limitcurve

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: MIT
+#include "limitcurve/number.hpp"
+#include "limitcurve/patch/point_sums.hpp"
+#include "limitcurve/patch/shape.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+
+namespace limitcurve::patch {
+
+namespace {
+
+/// Makes the loads sum to 1; returns their centre of pressure.
+PatchPoint normalise(std::vector<PatchLoad>& loads) {
+  Extended total = 0;
+  Extended x = 0;
+  Extended y = 0;
+  double heaviest = 0.0;
+  for (const PatchLoad& point : loads) heaviest = std::max(heaviest, point.load);
+  for (const PatchLoad& point : loads) {
+    const Extended load = Extended(point.load) / heaviest;
+    total += load;
+    x += load * point.x;
+    y += load * point.y;
+  }
+  for (PatchLoad& point : loads) point.load = static_cast<double>(Extended(point.load) / heaviest / total);
+  return {static_cast<double>(x / total), static_cast<double>(y / total)};
+}
+
+SecondMoments moments_about(const std::vector<PatchLoad>& loads, PatchPoint centre) {
+  SecondMoments sum;
+  for (const PatchLoad& point : loads) {
+    const double x = point.x - centre.x;
+    const double y = point.y - centre.y;
+    sum.xx += point.load * x * x;
+    sum.yy += point.load * y * y;
+    sum.xy += point.load * x * y;
+  }
+  return sum;
+}
+
+std::vector<PatchLoad> stretch(std::vector<PatchLoad> loads, double sx, double sy) {
+  for (PatchLoad& point : loads) point = {sx * point.x, sy * point.y, point.load};
+  return loads;
+}
+
+std::vector<PatchLoad> shift(std::vector<PatchLoad> loads, double x, double y) {
+  for (PatchLoad& point : loads) point = {point.x + x, point.y + y, point.load};
+  return loads;
+}
+
+/// Bound of rounding in a sum of n loads' shares: of the sums, and of moments in units of m₀.
+double rounding(std::size_t count, double radius, double moment_ratio) {
+  const double terms = 4.0 + static_cast<double>(count) / 8.0;
+  return terms * epsilon * (1.0 + (moment_ratio > 0.0 ? radius / moment_ratio : 0.0));
+}
+
+/// H = Σ w |v + ω ẑ × x|. The points are kept as told, so that a COR on one of them is met exactly.
+struct Points final : Shape {
+  std::vector<PatchLoad> loads;
+
+  explicit Points(std::vector<PatchLoad> told) : loads(std::move(told)) {
+    centre = normalise(loads);
+    for (const PatchLoad& point : loads) radius = std::max(radius, std::hypot(point.x - centre.x, point.y - centre.y));
+    measure_moment_ratio();
+  }
+
+  /// The sum at a twist of `reference`; adds the loads of the points whose slip is lost in the rounding of the twist to `lost`.
+  [[nodiscard]] PatchFriction sum(const PatchTwist& twist, PatchPoint reference, double& lost) const noexcept {
+    PatchFriction friction;
+    for (const PatchLoad& point : loads) {
+      const double x = point.x - reference.x;
+      const double y = point.y - reference.y;
+      auto [ux, uy] = velocity_at(twist, x, y);
+      // The COR is on the point as far as the digits of the twist tell: it bears no force.
+      if (std::fabs(ux) <= 2.0 * epsilon * std::fabs(twist.vx) && std::fabs(uy) <= 2.0 * epsilon * std::fabs(twist.vy)) {
+        if (ux != 0.0 || uy != 0.0) lost += point.load;
+        continue;
+      }
+      const double speed = std::sqrt(ux * ux + uy * uy);
+      // Of a speed whose square vanishes the direction counts all the same.
+      const double safe = speed > 1e-150 ? speed : std::hypot(ux, uy);
+      ux *= point.load / safe;
+      uy *= point.load / safe;
+      friction.power += point.load * safe;
+      friction.wrench.fx += ux;
+      friction.wrench.fy += uy;
+      friction.wrench.moment += x * uy - y * ux;
+    }
+    return friction;
+  }
+
+  [[nodiscard]] PatchFriction evaluate(const PatchTwist& twist) const noexcept override {
+    double lost = 0.0;
+    return sum(twist, centre, lost);
+  }
+  [[nodiscard]] double error(const PatchTwist& twist) const noexcept override {
+    double lost = 0.0;
+    (void)sum(twist, centre, lost);
+    return rounding(loads.size(), radius, moment_ratio) + lost * (1.0 + (moment_ratio > 0.0 ? radius / moment_ratio : 0.0));
+  }
+  [[nodiscard]] PatchFriction about_origin(const PatchTwist& twist) const noexcept override {
+    double lost = 0.0;
+    PatchFriction friction = sum(twist, {0.0, 0.0}, lost);
+    const double reach = radius + std::hypot(centre.x, centre.y);
+    friction.error = rounding(loads.size(), reach, moment_ratio) + lost * (1.0 + (moment_ratio > 0.0 ? reach / moment_ratio : 0.0));
+    return friction;
+  }
+
+  [[nodiscard]] std::shared_ptr<Shape> moved(double x, double y) const override { return std::make_shared<Points>(shift(loads, x, y)); }
+  [[nodiscard]] std::shared_ptr<Shape> stretched(double sx, double sy) const override {
+    return std::make_shared<Points>(stretch(loads, sx, sy));
+  }
+  [[nodiscard]] std::shared_ptr<Shape> smoothed(double least_radius) const override { return make_soft_points(loads, least_radius); }
+  [[nodiscard]] double nanoseconds() const noexcept override { return 10.0 + 8.0 * static_cast<double>(loads.size()); }
+  [[nodiscard]] SecondMoments second_moments() const override { return moments_about(loads, centre); }
+};
+
+/// H = Σ w √(|u|² + ε²ω²).
+struct SoftPoints final : Shape {
+  std::vector<PatchLoad> loads;
+  std::vector<double> xs;
+  std::vector<double> ys;
+  std::vector<double> weights;
+  double softness;  ///< ε²
+
+  SoftPoints(std::vector<PatchLoad> told, double point_radius) : loads(std::move(told)), softness(point_radius * point_radius) {
+    centre = normalise(loads);
+    for (const PatchLoad& point : loads) {
+      xs.push_back(point.x - centre.x);
+      ys.push_back(point.y - centre.y);
+      weights.push_back(point.load);
+      radius = std::max(radius, std::hypot(xs.back(), ys.back()) + point_radius);
+    }
+    measure_moment_ratio();
+  }
+
+  [[nodiscard]] PatchFriction evaluate(const PatchTwist& twist) const noexcept override {
+    if (only_slides(twist, radius)) return sliding(twist);
+    return sum_soft_points(xs.data(), ys.data(), weights.data(), xs.size(), twist, softness * twist.omega * twist.omega);
+  }
+  [[nodiscard]] double error(const PatchTwist&) const noexcept override { return rounding(loads.size(), radius, moment_ratio); }
+  [[nodiscard]] std::shared_ptr<Shape> moved(double x, double y) const override {
+    return std::make_shared<SoftPoints>(shift(loads, x, y), std::sqrt(softness));
+  }
+  [[nodiscard]] std::shared_ptr<Shape> stretched(double sx, double sy) const override {
+    return std::make_shared<SoftPoints>(stretch(loads, sx, sy), std::sqrt(softness * sx * sy));
+  }
+  [[nodiscard]] double nanoseconds() const noexcept override { return 20.0 + 1.5 * static_cast<double>(loads.size()); }
+  [[nodiscard]] SecondMoments second_moments() const override { return moments_about(loads, centre); }
+};
+
+}  // namespace
+
+std::shared_ptr<Shape> make_points(std::span<const PatchLoad> loads) {
+  std::vector<PatchLoad> pressed;
+  const auto fits = [](double coordinate) { return std::fabs(coordinate) <= most_length; };
+  for (std::size_t i = 0; i < loads.size(); ++i) {
+    const auto& [x, y, load] = loads[i];
+    const std::string place = "point " + std::to_string(i + 1) + ": ";
+    if (!fits(x)) throw std::invalid_argument(place + out_of_range("x", x, "m", "-1e100 <= x <= 1e100").what());
+    if (!fits(y)) throw std::invalid_argument(place + out_of_range("y", y, "m", "-1e100 <= y <= 1e100").what());
+    if (!(load >= 0.0 && load <= std::numeric_limits<double>::max())) {
+      throw std::invalid_argument(place + out_of_range("load", load, "1", "a finite number >= 0").what());
+    }
+    if (load > 0.0) pressed.push_back(loads[i]);
+  }
+  if (loads.empty()) throw std::invalid_argument("no points, expected at least one");
+  if (pressed.empty()) throw std::invalid_argument("all " + std::to_string(loads.size()) + " points have load 0, expected one of load > 0");
+  return std::make_shared<Points>(std::move(pressed));
+}
+
+std::shared_ptr<Shape> make_soft_points(std::vector<PatchLoad> loads, double radius) {
+  return std::make_shared<SoftPoints>(std::move(loads), radius);
+}
+
+}  // namespace limitcurve::patch

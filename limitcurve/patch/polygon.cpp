@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: MIT
+#include "limitcurve/number.hpp"
+#include "limitcurve/patch/polygon_edge.hpp"
+#include "limitcurve/patch/shape.hpp"
+#include "limitcurve/pressure_law.hpp"
+
+#include <boost/math/quadrature/gauss.hpp>
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+#include <string>
+
+namespace limitcurve::patch {
+
+namespace {
+
+/// Beyond so many radii the edge integrals lose digits, and Gauss rules on the edges have all.
+constexpr double far = 3.0;
+
+/// Gauss–Legendre's rule of 10 points on [−1, 1]. With the COR three radii away the nearest singularity lies 2.8 half-edges from the middle:
+/// 5.5^(−20) = 2e-15 of what is small itself.
+struct EdgeRule {
+  std::array<double, 10> place;
+  std::array<double, 10> weight;
+
+  EdgeRule() {
+    using Rule = boost::math::quadrature::gauss<double, 10>;
+    for (std::size_t i = 0; i < 5; ++i) {
+      place[i] = -Rule::abscissa()[i];
+      place[i + 5] = Rule::abscissa()[i];
+      weight[i] = weight[i + 5] = 0.5 * Rule::weights()[i];
+    }
+  }
+};
+
+/// Uniform pressure on a simple polygon: by the divergence theorem, with y = x − c, outward normals n, d = n·y and p = n·x on an edge,
+///   A⟨ŷ⟩ = Σ n J,  A⟨|y|⟩ = Σ d J/3,  A⟨x·ŷ⟩ = Σ J (p/3 + ⅔ n·c),  J = ∫ |y| ds.
+/// |y| may be replaced by q = |y| + ĉ·y, which differs by a linear function whose part is known: −ĉ in ⟨ŷ⟩, |c| in ⟨|y|⟩, none in ⟨x·ŷ⟩. Far away
+/// q = (ĉ⊥·x)²/(|y| − ĉ·y) is small and positive.
+struct Polygon final : Shape {
+  struct Edge {
+    double x, y;    ///< first vertex, from the centre of pressure
+    double tx, ty;  ///< unit vector along it, counter-clockwise: the outward normal is (ty, −tx)
+    double length;
+    double p;    ///< distance of its line from the centre of pressure, along the normal
+    double mid;  ///< twice the place of its middle along the line, from the foot of the centre of pressure
+  };
+  std::vector<PatchPoint> vertices;  ///< counter-clockwise, as told
+  std::vector<Edge> edges;
+  SecondMoments moments;
+  double whole_area = 0.0;
+  double perimeter = 0.0;
+  EdgeRule rule;
+
+  explicit Polygon(std::vector<PatchPoint> told) : vertices(std::move(told)) {
+    measure();
+    const std::size_t count = vertices.size();
+    for (std::size_t i = 0; i < count; ++i) {
+      const PatchPoint& from = vertices[i];
+      const PatchPoint& to = vertices[(i + 1) % count];
+      const double x = from.x - centre.x;
+      const double y = from.y - centre.y;
+      const double dx = to.x - from.x;
+      const double dy = to.y - from.y;
+      const double length = std::hypot(dx, dy);
+      edges.push_back({x, y, dx / length, dy / length, length, (x * dy - y * dx) / length, 2.0 * (x * dx + y * dy) / length + length});
+      radius = std::max(radius, std::hypot(x, y));
+      perimeter += length;
+    }
+    measure_moment_ratio();
+  }
+
+  /// Area, centre of pressure and second moments; turns the vertices counter-clockwise.
+  void measure() {
+    const PatchPoint base = vertices.front();
+    Extended area = 0;
+    Extended ax = 0;
+    Extended ay = 0;
+    Extended axx = 0;
+    Extended ayy = 0;
+    Extended axy = 0;
+    double reach = 0.0;
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+      const PatchPoint& from = vertices[i];
+      const PatchPoint& to = vertices[(i + 1) % vertices.size()];
+      const Extended x1 = Extended(from.x) - base.x;
+      const Extended y1 = Extended(from.y) - base.y;
+      const Extended x2 = Extended(to.x) - base.x;
+      const Extended y2 = Extended(to.y) - base.y;
+      const Extended cross = x1 * y2 - x2 * y1;
+      area += cross / 2;
+      ax += cross * (x1 + x2) / 6;
+      ay += cross * (y1 + y2) / 6;
+      axx += cross * (x1 * x1 + x1 * x2 + x2 * x2) / 12;
+      ayy += cross * (y1 * y1 + y1 * y2 + y2 * y2) / 12;
+      axy += cross * (2 * x1 * y1 + x1 * y2 + x2 * y1 + 2 * x2 * y2) / 24;
+      reach = std::max({reach, std::fabs(to.x - base.x), std::fabs(to.y - base.y)});
+    }
+    // Below this the area is what rounding of the vertices left.
+    constexpr Extended least = 1e-12L;
+    if (!(std::fabs(area) > least * reach * reach)) {
+      throw std::invalid_argument("the polygon has area " + format_number(static_cast<double>(std::fabs(area))) +
+                                  " m^2, expected more than 1e-12 of its extent squared");
+    }
+    const Extended mx = ax / area;
+    const Extended my = ay / area;
+    centre = {static_cast<double>(base.x + mx), static_cast<double>(base.y + my)};
+    moments = {static_cast<double>(axx / area - mx * mx), static_cast<double>(ayy / area - my * my),
+               static_cast<double>(axy / area - mx * my)};
+    if (area < 0) std::reverse(vertices.begin(), vertices.end());
+    whole_area = static_cast<double>(std::fabs(area));
+  }
+
+  [[nodiscard]] PatchFriction evaluate(const PatchTwist& twist) const noexcept override {
+    if (only_slides(twist, radius)) return sliding(twist);
+    const PatchPoint cor{-twist.vy / twist.omega, twist.vx / twist.omega};
+    const double distance = std::hypot(cor.x, cor.y);
+    double gx = 0.0;
+    double gy = 0.0;
+    double mean = 0.0;
+    double moment = 0.0;
+    const auto add = [&](const Edge& edge, double nc, double integral) {
+      gx += edge.ty * integral;
+      gy -= edge.tx * integral;
+      mean += (edge.p - nc) * integral;
+      moment += (edge.p / 3.0 + 2.0 / 3.0 * nc) * integral;
+    };
+    if (distance <= far * radius) {
+      double next = std::hypot(edges.front().x - cor.x, edges.front().y - cor.y);
+      const double first = next;
+      for (std::size_t i = 0; i < edges.size(); ++i) {
+        const Edge& edge = edges[i];
+        const double here = next;
+        const double to_x = i + 1 < edges.size() ? edges[i + 1].x - cor.x : 0.0;
+        const double to_y = i + 1 < edges.size() ? edges[i + 1].y - cor.y : 0.0;
+        next = i + 1 < edges.size() ? std::sqrt(to_x * to_x + to_y * to_y) : first;
+        const double nc = edge.ty * cor.x - edge.tx * cor.y;
+        const double along = edge.mid - 2.0 * (edge.tx * cor.x + edge.ty * cor.y);
+        add(edge, nc, edge_integral(here, next, edge.length, along, edge.p - nc));
+      }
+      return from_distance(twist.omega, mean / (3.0 * whole_area), {gx / whole_area, gy / whole_area}, moment / whole_area);
+    }
+    const double cx = cor.x / distance;
+    const double cy = cor.y / distance;
+    for (const Edge& edge : edges) {
+      const double half = 0.5 * edge.length;
+      std::array<double, 10> terms;
+      for (std::size_t k = 0; k < terms.size(); ++k) {
+        const double s = half * (1.0 + rule.place[k]);
+        const double x = edge.x + s * edge.tx;
+        const double y = edge.y + s * edge.ty;
+        const double gap = distance - (cx * x + cy * y);  // −ĉ·y
+        const double across = cx * y - cy * x;
+        const double square = across * across;
+        terms[k] = rule.weight[k] * square / (std::sqrt(gap * gap + square) + gap);
+      }
+      double integral = 0.0;
+      for (const double term : terms) integral += term;
+      add(edge, edge.ty * cor.x - edge.tx * cor.y, integral * edge.length);
+    }
+    return from_distance(twist.omega, distance + mean / (3.0 * whole_area), {gx / whole_area - cx, gy / whole_area - cy},
+                         moment / whole_area);
+  }
+
+  [[nodiscard]] double error(const PatchTwist& twist) const noexcept override {
+    const double distance = std::hypot(twist.vx, twist.vy) / std::fabs(twist.omega);
+    const double reach = distance <= far * radius ? radius + distance : 2.0 * radius;
+    return epsilon * (16.0 + perimeter * reach * reach / (whole_area * moment_ratio));
+  }
+
+  [[nodiscard]] std::shared_ptr<Shape> moved(double x, double y) const override {
+    std::vector<PatchPoint> there = vertices;
+    for (PatchPoint& vertex : there) vertex = {vertex.x + x, vertex.y + y};
+    return std::make_shared<Polygon>(std::move(there));
+  }
+  [[nodiscard]] std::shared_ptr<Shape> stretched(double sx, double sy) const override {
+    std::vector<PatchPoint> there = vertices;
+    for (PatchPoint& vertex : there) vertex = {vertex.x * sx, vertex.y * sy};
+    return std::make_shared<Polygon>(std::move(there));
+  }
+  [[nodiscard]] double area() const override { return whole_area; }
+  [[nodiscard]] double nanoseconds() const noexcept override { return 20.0 + 20.0 * static_cast<double>(edges.size()); }
+  [[nodiscard]] SecondMoments second_moments() const override { return moments; }
+};
+
+bool same(const PatchPoint& one, const PatchPoint& other) {
+  return one.x == other.x && one.y == other.y;
+}
+
+}  // namespace
+
+std::shared_ptr<Shape> make_polygon(std::span<const PatchPoint> vertices) {
+  const auto fits = [](double coordinate) { return std::fabs(coordinate) <= most_length; };
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const std::string place = "vertex " + std::to_string(i + 1) + ": ";
+    if (!fits(vertices[i].x)) throw std::invalid_argument(place + out_of_range("x", vertices[i].x, "m", "-1e100 <= x <= 1e100").what());
+    if (!fits(vertices[i].y)) throw std::invalid_argument(place + out_of_range("y", vertices[i].y, "m", "-1e100 <= y <= 1e100").what());
+    if (i > 0 && same(vertices[i], vertices[i - 1])) {
+      throw std::invalid_argument(place + "equal to vertex " + std::to_string(i) + ", expected another place");
+    }
+  }
+  if (vertices.size() > 3 && same(vertices.front(), vertices.back())) vertices = vertices.first(vertices.size() - 1);
+  if (vertices.size() < 3) {
+    throw std::invalid_argument("a polygon of " + std::to_string(vertices.size()) + " vertices, expected at least 3");
+  }
+  check_simple(vertices);
+  return std::make_shared<Polygon>(std::vector<PatchPoint>(vertices.begin(), vertices.end()));
+}
+
+}  // namespace limitcurve::patch

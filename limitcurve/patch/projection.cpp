@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#include "limitcurve/patch/projection.hpp"
+
+#include "limitcurve/evaluators.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+namespace limitcurve::patch {
+
+namespace {
+
+double clenshaw(const auto& series, double x) noexcept {
+  double b1 = 0.0;
+  double b2 = 0.0;
+  for (std::size_t i = series.size() - 1; i > 0; --i) {
+    const double b = 2.0 * x * b1 - b2 + series[i];
+    b2 = b1;
+    b1 = b;
+  }
+  return x * b1 - b2 + series[0];
+}
+
+}  // namespace
+
+Projection::Projection(Law law) : law_(std::move(law)), outer_(static_cast<double>(law_->breaks().back())) {
+  const std::string name = law_->name();
+  is_polynomial_ = true;
+  if (name == "hertz") {
+    polynomial_ = {3.0 / 8.0, 3.0 / 4.0, -1.0 / 8.0};
+    return;
+  }
+  if (name == "flat-punch") {
+    polynomial_ = {0.5, 0.5, 0.0};
+    return;
+  }
+  is_polynomial_ = false;
+  is_smooth_ = name == "uniform" || name == "parabolic" || name == "cone" || (name.starts_with("power:") && law_->rim_exponent() >= -0.3L);
+  for (const Extended place : law_->breaks()) kinks_.push_back(static_cast<double>(place));
+  kinks_.pop_back();
+  if (kinks_.empty() || kinks_.front() > 0.0) kinks_.insert(kinks_.begin(), 0.0);
+  // What the law does not know of its own pressure (samples): the largest share of it that a round contact's wrench shows.
+  for (const double s : {0.0, 0.25, 0.5, 1.0, 2.0}) {
+    const WrenchEstimate estimate = law_->evaluate(s);
+    error_ = std::max({error_, estimate.error.force, estimate.error.moment / law_->moment_ratio()});
+  }
+  constexpr double rounding = 1e-14;
+  tabulate(std::max(rounding, 0.01 * error_));
+}
+
+void Projection::tabulate(double tolerance) {
+  for (std::size_t i = 0; i < kinks_.size(); ++i) add_cells(kinks_[i], i + 1 < kinks_.size() ? kinks_[i + 1] : outer_, tolerance, 1.0);
+  error_ += 4.0 * tolerance;
+}
+
+void Projection::add_cells(double begin, double end, double tolerance, double before) {
+  const auto exact = [this](double t) -> Value {
+    const auto forces = evaluators::projection(*law_, t).forces;
+    return {forces.force, forces.moment};
+  };
+  Cell cell{begin, 0.5 * (end - begin), {}, {}};
+  std::array<Value, order> values;
+  for (std::size_t j = 0; j < order; ++j) {
+    const double angle = std::numbers::pi * (static_cast<double>(j) + 0.5) / static_cast<double>(order);
+    values[j] = exact(begin + cell.half * (1.0 + std::cos(angle)));
+  }
+  for (std::size_t k = 0; k < order; ++k) {
+    for (std::size_t j = 0; j < order; ++j) {
+      const double angle = std::numbers::pi * (static_cast<double>(j) + 0.5) / static_cast<double>(order);
+      const double weight = (k == 0 ? 1.0 : 2.0) / static_cast<double>(order) * std::cos(static_cast<double>(k) * angle);
+      cell.slope[k] += weight * values[j].slope;
+      cell.rest[k] += weight * values[j].rest;
+    }
+  }
+  // Nearest to the ends, where singularities are, a polynomial is worst.
+  double off = 0.0;
+  for (const double x : {-0.999, -0.4, 0.6, 0.999}) {
+    const double t = begin + cell.half * (1.0 + x);
+    const Value true_value = exact(t);
+    const Value value = at(cell, t);
+    off = std::max({off, std::fabs(value.slope - true_value.slope), std::fabs(value.rest - true_value.rest)});
+  }
+  // Halving does not help where the integrals themselves are rounded.
+  constexpr double narrowest = 1e-11;
+  constexpr double small = 1e-9;
+  const bool rounded = off < small && off > 0.7 * before;
+  if (off <= tolerance || rounded || cell.half < narrowest * outer_) {
+    cells_.push_back(cell);
+    return;
+  }
+  const double middle = begin + cell.half;
+  add_cells(begin, middle, tolerance, off);
+  add_cells(middle, end, tolerance, off);
+}
+
+Projection::Value Projection::at(const Cell& cell, double t) noexcept {
+  const double x = std::clamp((t - cell.begin) / cell.half - 1.0, -1.0, 1.0);
+  return {clenshaw(cell.slope, x), clenshaw(cell.rest, x)};
+}
+
+Projection::Value Projection::operator()(double t) const noexcept {
+  const double place = std::fabs(t);
+  if (is_polynomial_) {
+    const double square = std::min(place, 1.0) * std::min(place, 1.0);
+    const auto& [g0, g2, g4] = polynomial_;
+    return {std::clamp(t, -1.0, 1.0) * (2.0 * g2 + 4.0 * g4 * square), g0 - g2 * square - 3.0 * g4 * square * square};
+  }
+  if (!(place < outer_)) return {std::copysign(1.0, t), 0.0};
+  const auto after = std::upper_bound(cells_.begin() + 1, cells_.end(), place, [](double p, const Cell& cell) { return p < cell.begin; });
+  const Value value = at(*(after - 1), place);
+  return {std::copysign(value.slope, t), value.rest};
+}
+
+}  // namespace limitcurve::patch

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "limitcurve/law.hpp"
+#include "limitcurve/pressure_law.hpp"
+
+#include <array>
+#include <vector>
+
+namespace limitcurve::patch {
+
+/// A law's pressure projected on a line through the contact's centre, t the place on it in contact radii: with G(t) = ⟨|t − place|⟩ the slope G′,
+/// which is odd, and N = G − tG′ = ∫ of 2x(projected density) from |t| to the rim, even and 0 beyond.
+class Projection {
+ public:
+  explicit Projection(Law law);
+
+  struct Value {
+    double slope;
+    double rest;  ///< N
+  };
+  /// |t| is taken as `outer` where it is beyond. Error: `error`.
+  [[nodiscard]] Value operator()(double t) const noexcept;
+
+  /// Where the pressure ends: 1 but for laws without a rim.
+  [[nodiscard]] double outer() const noexcept { return outer_; }
+  /// Places 0 ≤ t < outer where a derivative of the slope may jump; none for the polynomials of Hertz and the flat punch.
+  [[nodiscard]] const std::vector<double>& kinks() const noexcept { return kinks_; }
+  [[nodiscard]] double error() const noexcept { return error_; }
+  /// Whether the law is one of those for which an ellipse's integrals are right to 1e-12.
+  [[nodiscard]] bool is_smooth() const noexcept { return is_smooth_; }
+  /// For Hertz and the flat punch: G = g[0] + g[1] t² + g[2] t⁴ in |t| ≤ 1.
+  [[nodiscard]] bool is_polynomial() const noexcept { return is_polynomial_; }
+  [[nodiscard]] const std::array<double, 3>& polynomial() const noexcept { return polynomial_; }
+  [[nodiscard]] const Law& law() const noexcept { return law_; }
+
+ private:
+  static constexpr std::size_t order = 14;
+  /// Chebyshev series of both functions on [begin, begin + 2 half].
+  struct Cell {
+    double begin;
+    double half;
+    std::array<double, order> slope;
+    std::array<double, order> rest;
+  };
+
+  void tabulate(double tolerance);
+  /// `before` is what the cell that is halved was off by.
+  void add_cells(double begin, double end, double tolerance, double before);
+  [[nodiscard]] static Value at(const Cell& cell, double t) noexcept;
+
+  Law law_;
+  double outer_ = 1.0;
+  double error_ = 0.0;
+  bool is_smooth_ = true;
+  bool is_polynomial_ = false;
+  std::array<double, 3> polynomial_{};
+  std::vector<double> kinks_;
+  std::vector<Cell> cells_;
+};
+
+}  // namespace limitcurve::patch

@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: MIT
+#include "limitcurve/patch/round_models.hpp"
+
+#include "limitcurve/approximations.hpp"
+#include "limitcurve/exact_curve.hpp"
+#include "limitcurve/laws.hpp"
+#include "limitcurve/number.hpp"
+#include "limitcurve/shipped_costs.hpp"
+#include "limitcurve/table.hpp"
+
+#include <boost/math/tools/toms748_solve.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+
+namespace limitcurve {
+
+namespace {
+
+constexpr double inf = std::numeric_limits<double>::infinity();
+constexpr std::size_t directions = 128;
+constexpr std::size_t distances = 121;
+constexpr double decades = 3.0;  ///< of distances, either way
+
+/// The COR of a twist: its direction, and the logarithm (base 10) of its distance in m₀. ±∞ is pure sliding and pure spin.
+struct Cor {
+  double direction;
+  double exponent;
+};
+
+/// A model by its power, and the distance of the COR that it gives to a wrench.
+struct Model {
+  std::function<double(const PatchTwist&)> power;
+  std::function<double(const PatchWrench&)> cor_distance;
+  bool is_isotropic = true;  ///< its power depends on |v| and |ω| alone
+};
+
+class Comparison {
+ public:
+  explicit Comparison(const Patch& patch) : patch_(patch), m0_(patch.moment_ratio()) {
+    if (!(m0_ > 0.0)) throw std::invalid_argument("all load of the patch is on one point, expected a patch that resists a turn");
+    for (std::size_t i = 0; i < distances; ++i) {
+      for (std::size_t j = 0; j < directions; ++j) {
+        grid_.push_back(cor_at(i, j));
+        power_.push_back(patch_.power(twist_at(grid_.back())));
+      }
+    }
+  }
+
+  /// H_model/H − 1 and 1 − H_model/H at their largest, and the mean square over the grid.
+  [[nodiscard]] BoundaryError power_error(const Model& model) const {
+    std::size_t most = 0;
+    std::size_t least = 0;
+    std::vector<double> ratio(grid_.size());
+    double squares = 0.0;
+    double power = 0.0;
+    for (std::size_t i = 0; i < grid_.size(); ++i) {
+      if (!model.is_isotropic || i % directions == 0) power = model.power(twist_at(grid_[i]));
+      ratio[i] = power / power_[i];
+      squares += (ratio[i] - 1.0) * (ratio[i] - 1.0);
+      if (ratio[i] > ratio[most]) most = i;
+      if (ratio[i] < ratio[least]) least = i;
+    }
+    const auto ratio_at = [&](const Cor& cor) { return model.power(twist_at(cor)) / patch_.power(twist_at(cor)); };
+    double largest = climb(grid_[most], ratio[most], ratio_at);
+    double smallest = -climb(grid_[least], -ratio[least], [&](const Cor& cor) { return -ratio_at(cor); });
+    // Pure spin, and pure sliding in all directions.
+    for (std::size_t j = 0; j <= directions; ++j) {
+      const double end = ratio_at({cor_at(0, j).direction, j == directions ? -inf : inf});
+      largest = std::max(largest, end);
+      smallest = std::min(smallest, end);
+    }
+    BoundaryError error;
+    error.max_over_estimate = std::max(0.0, largest - 1.0);
+    error.max_under_estimate = std::max(0.0, 1.0 - smallest);
+    error.max_error = std::max(error.max_over_estimate, error.max_under_estimate);
+    error.rms_error = std::sqrt(squares / static_cast<double>(grid_.size()));
+    return error;
+  }
+
+  [[nodiscard]] BoundaryError error(const Model& model) const {
+    BoundaryError error = power_error(model);
+    add_cor_error(model, error);
+    return error;
+  }
+
+  /// The disc of this law whose largest error on the grid is least, and that error; the larger its radius the larger its power.
+  [[nodiscard]] std::pair<double, double> best_radius(const PressureLaw& law) const {
+    const auto over_and_under = [&](double a) {
+      double over = a * law.moment_ratio() / m0_;  // pure spin
+      double under = over;
+      for (std::size_t i = 0; i < distances; ++i) {
+        const PatchTwist twist = twist_at(grid_[i * directions]);
+        const double disc = disc_power(law, a, twist);
+        const auto [low, high] = std::minmax_element(power_.begin() + static_cast<std::ptrdiff_t>(i * directions),
+                                                     power_.begin() + static_cast<std::ptrdiff_t>((i + 1) * directions));
+        over = std::max(over, disc / *low);
+        under = std::min(under, disc / *high);
+      }
+      return std::pair{over - 1.0, 1.0 - under};
+    };
+    double low = std::log(m0_ / law.moment_ratio()) - 4.0;
+    double high = low + 8.0;
+    while (high - low > 1e-14) {
+      const double middle = 0.5 * (low + high);
+      const auto [over, under] = over_and_under(std::exp(middle));
+      (over > under ? high : low) = middle;
+    }
+    const double a = std::exp(0.5 * (low + high));
+    const auto [over, under] = over_and_under(a);
+    return {a, std::max(over, under)};
+  }
+
+  [[nodiscard]] static double disc_power(const PressureLaw& law, double a, const PatchTwist& twist) {
+    const double slide = std::hypot(twist.vx, twist.vy);
+    const double spin = a * std::fabs(twist.omega);
+    const UnitForces<double> forces = law.forces(spin > 0.0 ? slide / spin : inf);
+    return slide * forces.force + spin * forces.moment;
+  }
+
+ private:
+  [[nodiscard]] static Cor cor_at(std::size_t distance, std::size_t direction) {
+    return {2.0 * std::numbers::pi * static_cast<double>(direction) / static_cast<double>(directions),
+            decades * (2.0 * static_cast<double>(distance) / static_cast<double>(distances - 1) - 1.0)};
+  }
+
+  [[nodiscard]] PatchTwist twist_at(const Cor& cor) const {
+    // |v| = 1 beyond m₀, m₀ω = 1 within.
+    const double slide = cor.exponent > 0.0 ? 1.0 : std::pow(10.0, cor.exponent);
+    const double spin = cor.exponent > 0.0 ? std::pow(10.0, -cor.exponent) : 1.0;
+    return {slide * std::sin(cor.direction), -slide * std::cos(cor.direction), spin / m0_};
+  }
+
+  /// From a good place of the grid to the best near it, by steps to the sides that are halved.
+  template <class Function>
+  [[nodiscard]] static double climb(Cor at, double value, const Function& function) {
+    Cor step{2.0 * std::numbers::pi / static_cast<double>(directions), 2.0 * decades / static_cast<double>(distances - 1)};
+    for (int halvings = 0; halvings < 24;) {
+      bool better = false;
+      for (const Cor& other : {Cor{at.direction + step.direction, at.exponent}, Cor{at.direction - step.direction, at.exponent},
+                               Cor{at.direction, at.exponent + step.exponent}, Cor{at.direction, at.exponent - step.exponent}}) {
+        const double there = function(other);
+        if (!(there > value)) continue;
+        value = there;
+        at = other;
+        better = true;
+      }
+      if (better && std::fabs(at.exponent) < 2.0 * decades) continue;
+      step = {0.5 * step.direction, 0.5 * step.exponent};
+      ++halvings;
+    }
+    return value;
+  }
+
+  void add_cor_error(const Model& model, BoundaryError& error) const {
+    error.max_cor_ratio = 0.0;
+    error.min_cor_ratio = inf;
+    const auto take = [&](double ratio) {
+      error.max_cor_ratio = std::max(error.max_cor_ratio, ratio);
+      error.min_cor_ratio = std::min(error.min_cor_ratio, ratio);
+    };
+    const auto ratio_at = [&](const Cor& cor) {
+      const PatchWrench wrench = patch_.wrench(twist_at(cor));
+      return model.cor_distance(wrench) / (m0_ * std::pow(10.0, cor.exponent));
+    };
+    for (const Cor& cor : grid_) take(ratio_at(cor));
+    // Towards the ends: a limit, or none.
+    constexpr double runaway = 0.1;
+    for (std::size_t j = 0; j < directions; ++j) {
+      for (const double end : {-1.0, 1.0}) {
+        const double before = ratio_at({cor_at(0, j).direction, 5.0 * end});
+        const double at = ratio_at({cor_at(0, j).direction, 6.0 * end});
+        take(!(at <= before * (1.0 + runaway)) ? inf : before > at * (1.0 + runaway) ? 0.0 : at);
+      }
+    }
+    error.max_cor_error = std::max(error.max_cor_ratio - 1.0, 1.0 - error.min_cor_ratio);
+  }
+
+  const Patch& patch_;
+  double m0_;
+  std::vector<Cor> grid_;      ///< distance by distance
+  std::vector<double> power_;  ///< of the patch there
+};
+
+/// A boundary's COR for a wrench.
+template <class Boundary>
+double cor_distance(const Boundary& boundary, double a, const PatchWrench& wrench) {
+  const UnitWrench unit{std::hypot(wrench.fx, wrench.fy), std::fabs(wrench.moment) / a};
+  return a * boundary.along(unit).normal.cor();
+}
+
+Model disc(const Law& law, double a) {
+  const auto power = [law, a](const PatchTwist& twist) { return Comparison::disc_power(*law, a, twist); };
+  if (law->allows(Method::closed)) {
+    return {power, [exact = ExactCurve(law), a](const PatchWrench& wrench) { return cor_distance(exact, a, wrench); }};
+  }
+  constexpr double tolerance = 1e-9;
+  return {power, [table = Table::build(law, tolerance), a](const PatchWrench& wrench) { return cor_distance(table, a, wrench); }};
+}
+
+Model ellipsoid(const Patch& patch) {
+  const auto [mx, my] = patch.factors();
+  const double m0 = patch.moment_ratio();
+  // The normal at the wrench (F, M) is (F_x/mx², F_y/my², M/m₀²).
+  return {[mx = mx, my = my, m0](const PatchTwist& twist) { return std::hypot(mx * twist.vx, my * twist.vy, m0 * twist.omega); },
+          [mx = mx, my = my, m0](const PatchWrench& wrench) {
+            return std::hypot(wrench.fx / (mx * mx), wrench.fy / (my * my)) / std::fabs(wrench.moment) * m0 * m0;
+          },
+          mx == my};
+}
+
+RoundModel disc_model(const Comparison& comparison, const char* kind, const Law& law, double a) {
+  return {std::string(kind) + ":" + law->name(), a, comparison.error(disc(law, a))};
+}
+
+RoundModel best_disc(const Comparison& comparison) {
+  Law best;
+  double radius = 0.0;
+  double least = inf;
+  for (const std::string_view name : law_examples()) {
+    const Law law = parse_law(name);
+    const auto [a, error] = comparison.best_radius(*law);
+    if (!(error < least)) continue;
+    best = law;
+    radius = a;
+    least = error;
+  }
+  // Between the places of the grid both errors are larger: balanced anew.
+  const auto imbalance = [&](double a) {
+    const BoundaryError error = comparison.power_error(disc(best, a));
+    return error.max_over_estimate - error.max_under_estimate;
+  };
+  constexpr double near = 0.01;
+  if (least > 1e-6 && imbalance(radius * (1.0 - near)) < 0.0 && imbalance(radius * (1.0 + near)) > 0.0) {
+    constexpr int bits = 24;
+    std::uintmax_t steps = 20;
+    const auto [low, high] = boost::math::tools::toms748_solve(imbalance, radius * (1.0 - near), radius * (1.0 + near),
+                                                               boost::math::tools::eps_tolerance<double>(bits), steps);
+    radius = 0.5 * (low + high);
+  }
+  return disc_model(comparison, "disc", best, radius);
+}
+
+}  // namespace
+
+std::vector<RoundModel> round_models(const Patch& patch) {
+  const Comparison comparison(patch);
+  std::vector<RoundModel> models{best_disc(comparison)};
+  const Patch::RoundMeasures measures = patch.round_measures();
+  const double equal_area = std::sqrt(measures.area / std::numbers::pi);
+  if (equal_area > 0.0) models.push_back(disc_model(comparison, "disc-equal-area", measures.law, equal_area));
+  if (measures.geometric > 0.0) models.push_back(disc_model(comparison, "disc-sqrt-ab", measures.law, measures.geometric));
+  models.push_back({"ellipsoid", patch.moment_ratio(), comparison.error(ellipsoid(patch))});
+  return models;
+}
+
+std::vector<Candidate> choose(const Patch& patch, double tolerance) {
+  if (!(tolerance >= 1e-10 && tolerance <= 1.0)) throw out_of_range("tolerance", tolerance, "1", "1e-10 <= tolerance <= 1");
+  const Comparison comparison(patch);
+  const RoundModel round = best_disc(comparison);
+  const double ellipsoid_error = comparison.error(ellipsoid(patch)).max_error;
+  const Candidate as_disc{round.name, round.parameter, round.error.max_error, shipped_costs::of("table").wrench};
+  const Candidate as_ellipsoid{"ellipsoid", patch.moment_ratio(), ellipsoid_error, shipped_costs::of("ellipse").wrench};
+  const Candidate itself{"patch", std::numeric_limits<double>::quiet_NaN(), 0.0, patch.nanoseconds()};
+  std::vector<Candidate> candidates{as_disc, itself};
+  // Where a disc will do the ellipsoid, which is wrong even for a disc, is not weighed.
+  if (as_disc.error > tolerance) candidates.push_back(as_ellipsoid);
+  choose_cheapest(candidates, tolerance);
+  if (as_disc.error <= tolerance) {
+    candidates.push_back(as_ellipsoid);
+    candidates.back().reason = in_percent(ellipsoid_error) + ", not needed: a disc will do";
+  }
+  return candidates;
+}
+
+}  // namespace limitcurve

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+#include "limitcurve/patch/shape.hpp"
+
+#include <algorithm>
+
+namespace limitcurve::patch {
+
+namespace {
+
+/// Patches that share one load: their powers add, and so do their wrenches about one point.
+struct Sum final : Shape {
+  struct Part {
+    double weight;
+    std::shared_ptr<const Shape> shape;
+  };
+  std::vector<Part> parts;
+
+  explicit Sum(std::vector<Part> told) : parts(std::move(told)) {
+    double heaviest = 0.0;
+    for (const Part& part : parts) heaviest = std::max(heaviest, part.weight);
+    double total = 0.0;
+    for (Part& part : parts) total += part.weight /= heaviest;
+    for (Part& part : parts) {
+      part.weight /= total;
+      centre.x += part.weight * part.shape->centre.x;
+      centre.y += part.weight * part.shape->centre.y;
+    }
+    for (const Part& part : parts) {
+      const PatchPoint lever = from_centre(part);
+      radius = std::max(radius, std::hypot(lever.x, lever.y) + part.shape->radius);
+    }
+    measure_moment_ratio();
+  }
+
+  [[nodiscard]] PatchPoint from_centre(const Part& part) const noexcept {
+    return {part.shape->centre.x - centre.x, part.shape->centre.y - centre.y};
+  }
+
+  /// Adds `friction` of a part, whose moment counts about its own centre, at `lever` from the point that counts.
+  static void add(PatchFriction& sum, double weight, const PatchFriction& friction, PatchPoint lever) noexcept {
+    sum.power += weight * friction.power;
+    sum.wrench.fx += weight * friction.wrench.fx;
+    sum.wrench.fy += weight * friction.wrench.fy;
+    sum.wrench.moment += weight * (friction.wrench.moment + lever.x * friction.wrench.fy - lever.y * friction.wrench.fx);
+  }
+
+  /// The part's twist, about its own centre.
+  [[nodiscard]] static PatchTwist twist_at(const PatchTwist& twist, PatchPoint lever) noexcept {
+    const PatchPoint velocity = velocity_at(twist, lever.x, lever.y);
+    return {velocity.x, velocity.y, twist.omega};
+  }
+  static bool is_zero(const PatchTwist& twist) noexcept { return twist.vx == 0.0 && twist.vy == 0.0 && twist.omega == 0.0; }
+
+  [[nodiscard]] PatchFriction evaluate(const PatchTwist& twist) const noexcept override {
+    PatchFriction sum;
+    for (const Part& part : parts) {
+      const PatchPoint lever = from_centre(part);
+      const PatchTwist there = twist_at(twist, lever);
+      if (!is_zero(there)) add(sum, part.weight, part.shape->evaluate(there), lever);
+    }
+    return sum;
+  }
+  /// A part's error, in its own m₀ and about its own centre, seen from the sum's.
+  [[nodiscard]] double seen(const Part& part, double own, double lever) const noexcept {
+    return part.weight * own * (1.0 + (part.shape->moment_ratio + lever) / moment_ratio);
+  }
+  [[nodiscard]] double error(const PatchTwist& twist) const noexcept override {
+    double bound = 4.0 * epsilon;
+    for (const Part& part : parts) {
+      const PatchPoint lever = from_centre(part);
+      const PatchTwist there = twist_at(twist, lever);
+      if (!is_zero(there)) bound += seen(part, part.shape->error(there) + 2.0 * epsilon, std::hypot(lever.x, lever.y));
+    }
+    return bound;
+  }
+  [[nodiscard]] PatchFriction about_origin(const PatchTwist& twist) const noexcept override {
+    PatchFriction sum;
+    sum.error = 4.0 * epsilon;
+    for (const Part& part : parts) {
+      const PatchFriction own = part.shape->about_origin(twist);
+      add(sum, part.weight, own, {0.0, 0.0});
+      sum.error += seen(part, own.error, std::hypot(part.shape->centre.x, part.shape->centre.y));
+    }
+    return sum;
+  }
+
+  template <class Change>
+  [[nodiscard]] std::shared_ptr<Shape> changed(const Change& change) const {
+    std::vector<Part> there;
+    for (const Part& part : parts) {
+      std::shared_ptr<const Shape> shape = change(*part.shape);
+      there.push_back({part.weight, shape ? std::move(shape) : part.shape});
+    }
+    return std::make_shared<Sum>(std::move(there));
+  }
+  [[nodiscard]] std::shared_ptr<Shape> moved(double x, double y) const override {
+    return changed([=](const Shape& shape) { return shape.moved(x, y); });
+  }
+  [[nodiscard]] std::shared_ptr<Shape> stretched(double sx, double sy) const override {
+    return changed([=](const Shape& shape) { return shape.stretched(sx, sy); });
+  }
+  [[nodiscard]] std::shared_ptr<Shape> smoothed(double least_radius) const override {
+    return changed([=](const Shape& shape) { return shape.smoothed(least_radius); });
+  }
+  [[nodiscard]] double area() const override {
+    double area = 0.0;
+    for (const Part& part : parts) area += part.shape->area();
+    return area;
+  }
+  [[nodiscard]] double nanoseconds() const noexcept override {
+    double sum = 0.0;
+    for (const Part& part : parts) sum += part.shape->nanoseconds();
+    return sum;
+  }
+  [[nodiscard]] SecondMoments second_moments() const override {
+    SecondMoments sum;
+    for (const Part& part : parts) {
+      const SecondMoments own = part.shape->second_moments();
+      const PatchPoint lever = from_centre(part);
+      sum.xx += part.weight * (own.xx + lever.x * lever.x);
+      sum.yy += part.weight * (own.yy + lever.y * lever.y);
+      sum.xy += part.weight * (own.xy + lever.x * lever.y);
+    }
+    return sum;
+  }
+};
+
+}  // namespace
+
+std::shared_ptr<Shape> make_sum(std::vector<std::pair<double, std::shared_ptr<const Shape>>> parts) {
+  std::vector<Sum::Part> told;
+  for (auto& [weight, shape] : parts) told.push_back({weight, std::move(shape)});
+  return std::make_shared<Sum>(std::move(told));
+}
+
+}  // namespace limitcurve::patch

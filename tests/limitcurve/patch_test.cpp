@@ -1,0 +1,341 @@
+// SPDX-License-Identifier: MIT
+#include "limitcurve/patch.hpp"
+
+#include "limitcurve/laws.hpp"
+#include "patch_reference.hpp"
+
+#include <gtest/gtest.h>
+#include <boost/math/special_functions/ellint_2.hpp>
+
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <numbers>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace limitcurve {
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double inf = std::numeric_limits<double>::infinity();
+
+using Polygon = std::vector<PatchPoint>;
+
+PatchTwist about(PatchPoint cor, double omega = 1.0) {
+  return {omega * cor.y, -omega * cor.x, omega};
+}
+
+Polygon rectangle(double x, double y) {
+  return {{-x / 2, -y / 2}, {x / 2, -y / 2}, {x / 2, y / 2}, {-x / 2, y / 2}};
+}
+
+const Polygon ell{{0, 0}, {4, 0}, {4, 1}, {1, 1}, {1, 3}, {0, 3}};
+
+Polygon star(std::size_t points, double inner) {
+  Polygon vertices;
+  for (std::size_t i = 0; i < 2 * points; ++i) {
+    const double angle = pi * static_cast<double>(i) / static_cast<double>(points);
+    const double r = i % 2 == 0 ? 1.0 : inner;
+    vertices.push_back({0.3 + r * std::cos(angle), -2.0 + r * std::sin(angle)});
+  }
+  return vertices;
+}
+
+/// CORs near, on the rim's scale and far away, in all directions, of a patch of radius 1; seeded.
+std::vector<PatchTwist> twists(double radius, std::size_t count, double least = -4.0, double most = 6.0) {
+  std::mt19937 bits(12);
+  const auto uniform = [&bits] { return std::generate_canonical<double, 53>(bits); };
+  std::vector<PatchTwist> made;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double distance = radius * std::pow(10.0, least + (most - least) * uniform());
+    const double angle = 2.0 * pi * uniform();
+    made.push_back(about({distance * std::cos(angle), distance * std::sin(angle)}, uniform() < 0.5 ? -1.0 : 1.0));
+  }
+  return made;
+}
+
+double stated(const Patch& patch, const PatchTwist& twist) {
+  const PatchPoint c = patch.centre();
+  return patch.about_origin({twist.vx + twist.omega * c.y, twist.vy - twist.omega * c.x, twist.omega}).error;
+}
+
+void expect_polygon(const Polygon& vertices, const std::vector<PatchTwist>& cases) {
+  const Patch patch = Patch::polygon(vertices);
+  for (const PatchTwist& twist : cases) {
+    const PatchFriction exact = test::polygon_by_triangles(vertices, twist, patch.centre());
+    const double error = test::difference(patch.evaluate(twist), exact, patch.moment_ratio());
+    EXPECT_LE(error, 1e-13) << twist.vx << ' ' << twist.vy << ' ' << twist.omega;
+    EXPECT_LE(error, stated(patch, twist)) << twist.vx << ' ' << twist.vy << ' ' << twist.omega;
+  }
+}
+
+void expect_ellipse(const char* law_name, double bound) {
+  const Law law = parse_law(law_name);
+  for (const double aspect : {1.0, 3.0, 20.0}) {
+    const Patch patch = Patch::ellipse(law, aspect, 1.0);
+    std::vector<PatchTwist> cases = twists(1.0, 2, -2.0, 2.0);
+    for (const PatchPoint cor : {PatchPoint{0, 0},
+                                 {aspect, 0},
+                                 {0, 1},
+                                 {0.3, 0},
+                                 {0, 1.0 + 1e-9},
+                                 {-aspect * 0.6, -0.8},
+                                 {0, -0.999},
+                                 {0.99999 * aspect, 0},
+                                 {1.01 * aspect * 0.8, 1.01 * 0.6},
+                                 {aspect * 0.28 * 0.9, 0.96 * 0.9}}) {
+      cases.push_back(about(cor));
+    }
+    // 0.1 s each: a seventh of them, another one for every law, unless all are asked for.
+    static std::size_t turn = 0;
+    const std::size_t stride = std::getenv("LIMITCURVE_WHOLE") != nullptr ? 1 : 7;
+    for (std::size_t i = turn++ % stride; i < cases.size(); i += stride) {
+      const PatchTwist& twist = cases[i];
+      const PatchFriction exact = test::ellipse_by_rays(*law, aspect, 1.0, twist);
+      const double error = test::difference(patch.evaluate(twist), exact, patch.moment_ratio());
+      EXPECT_LE(error, bound) << law_name << ' ' << aspect << ": " << twist.vx << ' ' << twist.vy << ' ' << twist.omega;
+      EXPECT_LE(error, stated(patch, twist)) << law_name << ' ' << aspect;
+    }
+  }
+}
+
+template <class Make>
+std::string complaint(const Make& make) {
+  try {
+    (void)make();
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "";
+}
+
+}  // namespace
+
+TEST(PatchPoints, AreTheExactSum) {
+  const std::vector<PatchLoad> loads{{-0.04, -0.04, 1}, {0.04, -0.02, 2}, {-0.04, 0.08, 1}, {0.01, 0.02, 0}};
+  const Patch patch = Patch::points(loads);
+  EXPECT_NEAR(patch.centre().x, 0.0, 1e-17);
+  for (const PatchTwist& twist : twists(0.05, 2000)) {
+    const PatchFriction exact = test::points_by_sum(loads, twist, patch.centre());
+    EXPECT_LE(test::difference(patch.evaluate(twist), exact, patch.moment_ratio()), 1e-13);
+    const PatchFriction about_origin = test::points_by_sum(loads, twist, {0, 0});
+    EXPECT_LE(test::difference(patch.about_origin(twist), about_origin, patch.moment_ratio()), patch.about_origin(twist).error);
+  }
+}
+
+TEST(PatchPoints, OneUnderTheCorBearsNoForce) {
+  const std::vector<PatchLoad> loads{{0.1, 0.2, 1}, {0.4, 0.2, 1}, {0.1, 0.7, 2}};
+  const Patch patch = Patch::points(loads);
+  // The digits of 3 * 0.1 and 3 * 0.2 are rounded: the COR is on the point as far as they tell.
+  for (const double omega : {1.0, -1.0, 3.0, 1e-3, 7e5}) {
+    const PatchFriction friction = patch.about_origin({omega * 0.2, -omega * 0.1, omega});
+    const double sense = omega > 0 ? 1.0 : -1.0;
+    EXPECT_NEAR(friction.wrench.fx, -sense * 0.5, 1e-15) << omega;
+    EXPECT_NEAR(friction.wrench.fy, sense * 0.25, 1e-15) << omega;
+    EXPECT_NEAR(friction.power, std::fabs(omega) * (0.25 * 0.3 + 0.5 * 0.5), 1e-15 * std::fabs(omega)) << omega;
+  }
+  EXPECT_LT(patch.about_origin({0.2, -0.1, 1.0}).error, 1e-13);
+}
+
+TEST(PatchPoints, ASinglePointHasForceAndNoMoment) {
+  const Patch patch = Patch::points(std::vector<PatchLoad>{{3, 4, 7}});
+  const PatchFriction friction = patch.evaluate({3e-3, 4e-3, 1e9});
+  EXPECT_NEAR(friction.wrench.fx, 0.6, 1e-15);
+  EXPECT_NEAR(friction.wrench.fy, 0.8, 1e-15);
+  EXPECT_EQ(friction.wrench.moment, 0.0);
+  EXPECT_EQ(patch.evaluate({0, 0, 1}).power, 0.0);
+}
+
+TEST(PatchPolygon, IsTheIntegralOverTriangles) {
+  for (const Polygon& vertices :
+       {rectangle(2, 2), rectangle(20, 2), rectangle(0.002, 0.02), ell, star(5, 0.3), star(12, 0.9), star(3, 0.5)}) {
+    double radius = 0.0;
+    for (const PatchPoint& vertex : vertices) radius = std::max(radius, std::hypot(vertex.x, vertex.y));
+    expect_polygon(vertices, twists(radius, 300));
+  }
+}
+
+TEST(PatchPolygon, WithTheCorOnVerticesEdgesAndTheirLines) {
+  for (const Polygon& vertices : {rectangle(2, 2), rectangle(20, 2), ell, star(5, 0.3)}) {
+    const PatchPoint c = Patch::polygon(vertices).centre();
+    std::vector<PatchTwist> cases;
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+      const PatchPoint& from = vertices[i];
+      const PatchPoint& to = vertices[(i + 1) % vertices.size()];
+      for (const double t : {0.0, 1e-12, 1e-5, 0.25, 0.5, 0.9999999, -0.5, 1.7, 2.4}) {
+        const PatchPoint cor{from.x + t * (to.x - from.x) - c.x, from.y + t * (to.y - from.y) - c.y};
+        for (const double off : {0.0, 1e-14, 1e-7}) cases.push_back(about({cor.x + off, cor.y - off}));
+      }
+    }
+    expect_polygon(vertices, cases);
+  }
+}
+
+TEST(PatchPolygon, SquareHasItsKnownSpin) {
+  EXPECT_NEAR(Patch::rectangle(2.0, 2.0).moment_ratio(), (std::sqrt(2.0) + std::asinh(1.0)) / 3.0, 1e-15);
+}
+
+TEST(PatchPolygon, OfTenThousandVerticesIsTheDisc) {
+  Polygon vertices;
+  constexpr int count = 10000;
+  for (int i = 0; i < count; ++i) vertices.push_back({std::cos(2 * pi * i / count), std::sin(2 * pi * i / count)});
+  const Patch patch = Patch::polygon(vertices);
+  const Law law = uniform();
+  for (const double c : {0.0, 1e-3, 0.4, 0.999, 1.0, 1.5, 3.1, 40.0, 1e6}) {
+    const UnitForces<double> disc = law->forces(c);
+    const PatchFriction friction = patch.evaluate(about({c, 0}));
+    // Its radius of equal area is (2π/n)²/12 = 3.3e-8 short of 1.
+    EXPECT_NEAR(-friction.wrench.fy, disc.force, 4e-8);
+    EXPECT_NEAR(friction.wrench.moment, disc.moment, 4e-8);
+  }
+}
+
+TEST(PatchEllipse, SmoothLawsAreTheIntegralOverRays) {
+  for (const char* law : {"hertz", "flat-punch", "uniform", "parabolic", "cone", "power:n=2.3", "power:n=-0.3", "power:n=0.2"}) {
+    expect_ellipse(law, 1e-12);
+  }
+}
+
+TEST(PatchEllipse, OtherLawsAreTheIntegralOverRays) {
+  for (const char* law : {"xydas-kao:k=3", "xydas-kao:k=1", "gaussian:sigma=0.4", "mix:0.7*hertz+0.3*uniform", "power:n=-0.9"}) {
+    expect_ellipse(law, 1e-10);
+  }
+}
+
+TEST(PatchEllipse, OfEqualAxesIsTheDisc) {
+  for (const std::string_view name : law_examples()) {
+    const Law law = parse_law(name);
+    const Patch patch = Patch::ellipse(law, 0.004, 0.004);
+    for (const double s : {0.0, 0.01, 0.5, 0.99, 1.0, 1.01, 2.0, 30.0, 1e6}) {
+      const UnitForces<double> disc = law->forces(s);
+      const PatchFriction friction = patch.evaluate(about({0.004 * s * 0.6, 0.004 * s * 0.8}, -2.0));
+      EXPECT_NEAR(std::hypot(friction.wrench.fx, friction.wrench.fy), disc.force, 1e-12) << name << ' ' << s;
+      EXPECT_NEAR(friction.wrench.moment, -0.004 * disc.moment, 0.004e-12) << name << ' ' << s;
+    }
+  }
+}
+
+TEST(PatchEllipse, LargestMomentIsThatOfTheDiscOfEqualPerimeter) {
+  for (const std::string_view name : law_examples()) {
+    const Law law = parse_law(name);
+    for (const double aspect : {1.0, 1.5, 2.0, 3.0, 5.0, 20.0}) {
+      const double a_eff = 2.0 / pi * aspect * boost::math::ellint_2(std::sqrt(1.0 - 1.0 / (aspect * aspect)));
+      EXPECT_NEAR(Patch::ellipse(law, aspect, 1.0).moment_ratio() / (law->moment_ratio() * a_eff), 1.0, 1e-12) << name << ' ' << aspect;
+      EXPECT_NEAR(Patch::ellipse(law, 0.1, 0.1 * aspect).moment_ratio() / (0.1 * law->moment_ratio() * a_eff), 1.0, 1e-12) << name;
+    }
+  }
+}
+
+TEST(PatchEllipse, BeyondAnAspectOfTwentyKeepsItsError) {
+  for (const char* name : {"hertz", "uniform", "cone"}) {
+    const Law law = parse_law(name);
+    for (const double aspect : {50.0, 1000.0}) {
+      const Patch patch = Patch::ellipse(law, 1.0, aspect);
+      for (const PatchPoint cor : {PatchPoint{0, 0}, {0.3, 0.2 * aspect}, {1.2, 0.1}, {0.1, 1.1 * aspect}}) {
+        const PatchFriction exact = test::ellipse_by_rays(*law, 1.0, aspect, about(cor));
+        EXPECT_LE(test::difference(patch.evaluate(about(cor)), exact, patch.moment_ratio()), stated(patch, about(cor))) << name << aspect;
+      }
+    }
+  }
+}
+
+TEST(PatchImage, IsTheSumOfItsSquaresToItsStatedError) {
+  std::mt19937 bits(3);
+  const auto uniform = [&bits] { return std::generate_canonical<double, 53>(bits); };
+  std::vector<double> dense;
+  for (int i = 0; i < 64 * 64; ++i) {
+    const double x = (i % 64 - 31.5) / 32.0;
+    const double y = (i / 64 - 31.5) / 32.0;
+    dense.push_back(std::max(0.0, 1.0 - x * x - y * y) * (0.5 + uniform()));
+  }
+  std::vector<double> row(64, 0.0);
+  for (std::size_t i = 0; i < 8; ++i) row[16 + i] = 1.0;
+  const std::vector<double> lone{0, 0, 0, 0, 5, 0, 0, 0, 0};
+  const std::vector<double> few{1, 2, 0, 4, 0, 0, 1, 1, 3, 0.5, 0, 2};
+  const auto expect = [](const std::vector<double>& pressures, std::size_t columns, double least, double bound) {
+    const Patch patch = Patch::image(pressures, columns, 0.0005);
+    for (const PatchTwist& twist : twists(patch.radius(), 40, least, 1.0)) {
+      const PatchFriction exact = test::image_by_squares(pressures, columns, 0.0005, twist);
+      const double error = test::difference(patch.evaluate(twist), exact, patch.moment_ratio());
+      EXPECT_LE(error, patch.about_origin(twist).error) << twist.vx << ' ' << twist.vy;
+      EXPECT_LE(patch.about_origin(twist).error, bound);
+      EXPECT_LE(error, 0.1 * bound);
+    }
+  };
+  expect(dense, 64, -2.0, 1e-3);
+  expect(row, 8, -2.0, 0.1);
+  expect(lone, 3, -1.0, 0.1);
+  expect(few, 4, -1.0, 0.1);
+}
+
+TEST(PatchImage, FirstRowHasTheLargestY) {
+  // Heavier on top: seen from the centre of pressure the light row is farther away, at negative y.
+  const Patch patch = Patch::image(std::vector<double>{3, 3, 1, 1}, 2, 1.0);
+  const double low = patch.evaluate(about({0, -0.7})).power;
+  const double high = patch.evaluate(about({0, 0.7})).power;
+  EXPECT_GT(low, high);
+}
+
+TEST(PatchOrthotropic, IsTheSumOfItsPoints) {
+  const std::vector<PatchLoad> loads{{0.3, 0.1, 1}, {-0.2, 0.5, 2}, {0.1, -0.4, 1.5}};
+  const Patch patch = Patch::points(loads).orthotropic(0.7, 1.6);
+  const PatchTwist twist{0.3, -0.2, 0.9};
+  double power = 0.0;
+  double fx = 0.0;
+  double fy = 0.0;
+  double moment = 0.0;
+  for (const auto& [x, y, load] : loads) {
+    const double ux = 0.7 * (twist.vx - twist.omega * y);
+    const double uy = 1.6 * (twist.vy + twist.omega * x);
+    const double speed = std::hypot(ux, uy);
+    const double share = load / 4.5;
+    power += share * speed;
+    fx += share * 0.7 * ux / speed;
+    fy += share * 1.6 * uy / speed;
+    moment += share * (x * 1.6 * uy - y * 0.7 * ux) / speed;
+  }
+  const PatchFriction friction = patch.about_origin(twist);
+  EXPECT_NEAR(friction.power, power, 1e-15);
+  EXPECT_NEAR(friction.wrench.fx, fx, 1e-15);
+  EXPECT_NEAR(friction.wrench.fy, fy, 1e-15);
+  EXPECT_NEAR(friction.wrench.moment, moment, 1e-15);
+  EXPECT_NEAR(patch.centre().x, Patch::points(loads).centre().x, 1e-15);
+}
+
+TEST(PatchInput, BadOnesAreNamed) {
+  const auto has = [](const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; };
+  EXPECT_TRUE(has(complaint([] { return Patch::points(std::vector<PatchLoad>{{0, 0, 1}, {0, nan, 1}}); }), "point 2: y = nan"));
+  EXPECT_TRUE(has(complaint([] { return Patch::points(std::vector<PatchLoad>{{0, 0, -1}}); }), "point 1: load = -1"));
+  EXPECT_TRUE(has(complaint([] { return Patch::points(std::vector<PatchLoad>{{0, 0, 0}, {1, 0, 0}}); }), "all 2 points have load 0"));
+  EXPECT_TRUE(has(complaint([] { return Patch::points({}); }), "no points"));
+  EXPECT_TRUE(has(complaint([] { return Patch::polygon(Polygon{{0, 0}, {1, 0}}); }), "2 vertices"));
+  EXPECT_TRUE(has(complaint([] { return Patch::polygon(Polygon{{0, 0}, {1, inf}, {1, 0}}); }), "vertex 2: y = inf"));
+  EXPECT_TRUE(has(complaint([] { return Patch::polygon(Polygon{{0, 0}, {1, 0}, {1, 0}, {0, 1}}); }), "vertex 3: equal to vertex 2"));
+  EXPECT_TRUE(has(complaint([] { return Patch::polygon(Polygon{{0, 0}, {1, 1}, {2, 2}}); }), "enclose no area"));
+  const std::string bow_tie = complaint([] { return Patch::polygon(Polygon{{0, 0}, {1, 1}, {1, 0}, {0, 1}}); });
+  EXPECT_TRUE(has(bow_tie, "the edge from vertex 1 to 2 meets the edge from vertex 3 to 4")) << bow_tie;
+  // A hole that a slit joins to the outside, and one vertex on another edge.
+  EXPECT_TRUE(has(complaint([] { return Patch::polygon(Polygon{{0, 0}, {4, 0}, {4, 4}, {2, 0}, {0, 4}}); }), "meets"));
+  EXPECT_TRUE(has(complaint([] { return Patch::rectangle(0.0, 1.0); }), "x = 0 m"));
+  EXPECT_TRUE(has(complaint([] { return Patch::rectangle(1.0, nan); }), "y = nan m"));
+  EXPECT_TRUE(has(complaint([] { return Patch::ellipse(hertz(), 1.0, -1.0); }), "b = -1 m"));
+  EXPECT_TRUE(has(complaint([] { return Patch::image(std::vector<double>{1, 2, 3, nan}, 2, 1.0); }), "row 2, column 2: pressure = nan"));
+  EXPECT_TRUE(has(complaint([] { return Patch::image(std::vector<double>{1, -2, 3, 1}, 2, 1.0); }), "row 1, column 2: pressure = -2"));
+  EXPECT_TRUE(has(complaint([] { return Patch::image(std::vector<double>{0, 0}, 2, 1.0); }), "all 2 pixels have pressure 0"));
+  EXPECT_TRUE(has(complaint([] { return Patch::rectangle(1, 1).orthotropic(0, 1); }), "mx = 0"));
+}
+
+TEST(PatchInput, VerticesInEitherSenseAndAClosingOneAreTheSame) {
+  Polygon other(ell.rbegin(), ell.rend());
+  other.push_back(other.front());
+  const Patch one = Patch::polygon(ell);
+  const Patch two = Patch::polygon(other);
+  for (const PatchTwist& twist : twists(4.0, 20))
+    EXPECT_LE(test::difference(one.evaluate(twist), two.evaluate(twist), one.moment_ratio()), 1e-14);
+}
+
+}  // namespace limitcurve
