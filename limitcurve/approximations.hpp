@@ -57,7 +57,7 @@ class Ellipse {
 static_assert(LimitBoundary<Ellipse>);
 
 /// The superellipse (f/A)ⁿ + (m/B)ⁿ = 1, n > 1: 2 is the ellipse, n → 1 the diamond, n → ∞ the box. One exponent fitted
-/// to a law (minimax_superellipse in boundary_error.hpp) is off by some 0.9 %, where the ellipse is off by 6 to 8 %.
+/// to a law (minimax_superellipse in validate.hpp) is off by some 0.9 %, where the ellipse is off by 6 to 8 %.
 /// Its COR, though, is wrong without bound towards both ends unless n = 2: there the normal turns like xⁿ⁻¹, not like x.
 ///
 /// A limit boundary; no trigonometry, two powers a call. Relative error of both components ≤ 4 ε(1 + 1/(n−1)) for every
@@ -103,7 +103,7 @@ static_assert(LimitBoundary<Superellipse>);
 
 /// The quartic x⁴ + y⁴ + κx²y² = 1 with x = f/A, y = m/B and 0 ≤ κ ≤ 6, where it is convex: 2 is the ellipse, 6 is nearly
 /// a diamond (flat on the diagonal), 0 nearly a box (flat at the ends). Fitted to a law (minimax_quartic in
-/// boundary_error.hpp) it is off by some 0.65 %, and unlike the superellipse it turns as it should at both ends.
+/// validate.hpp) it is off by some 0.65 %, and unlike the superellipse it turns as it should at both ends.
 ///
 /// A limit boundary; no trigonometry, no iteration: two square roots and a cube root at most. Relative error of both
 /// components ≤ 16 ε for κ away from 0 and 6; where a side is flat (κ = 6 at the diagonal) the place on it is as

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Entry f, its part on meshes that bound nothing, or hardly.
+#include "godobject/mesh/mesh.hpp"
 #include "geometry.hpp"
 
 #include "limitcurve/number.hpp"
