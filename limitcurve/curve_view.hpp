@@ -25,10 +25,10 @@ struct Jet {
 /// A table as a loop reads it: the support function D(x) of both sides (Jet) as polynomials of degree 6, one a cell. Plain data that the
 /// table owns; copies are cheap.
 ///
-/// A cell is found without a search. The distance y = min(x, 1 − x) from the nearer end of [0, 1], raised by `offset` = 2^−d, has an
+/// A cell is found without a search, but where a bucket holds several: next to a place where the curve is singular and that is no end. The distance y = min(x, 1 − x) from the nearer end of [0, 1], raised by `offset` = 2^−d, has an
 /// exponent and leading mantissa bits: these number a bucket, the same number of buckets in every octave towards either end, where limit
 /// curves may be singular. There are four runs of buckets: inside and outside the rim, near x = 0 and near x = 1. `cell_of_bucket` names the
-/// cell. A number that is none counts as 0, so that no index leaves the arrays.
+/// last cell that begins in the bucket or before it. A number that is none counts as 0, so that no index leaves the arrays.
 template <class Real>
 struct TablePieces {
   const Real* cells = nullptr;  ///< eight numbers a cell: its origin x₀, then c₀ … c₆ of D = Σ cᵢ (x − x₀)ⁱ
@@ -37,6 +37,7 @@ struct TablePieces {
   int dropped_bits = 0;                           ///< of the mantissa
   int first_bucket = 0;                           ///< the leading bits of `offset`
   int buckets = 0;                                ///< in each run
+  bool searches = false;                          ///< whether any bucket holds the beginning of a cell other than at its edge
 
   static constexpr int numbers_per_cell = 8;
 
@@ -76,7 +77,22 @@ struct TablePieces {
     const auto bits = leading_bits(y + Number(offset), dropped_bits);
     using Index = decltype(bits + 0);
     const auto run = select(x > one - x, Index{} + buckets, Index{}) + select(outside, Index{} + 2 * buckets, Index{});
-    return gather(cell_of_bucket, bits - first_bucket + run);
+    const auto last = gather(cell_of_bucket, bits - first_bucket + run);
+    return searches ? search(last, x) : last;
+  }
+
+ private:
+  /// The cell at or before `cell` that begins at or before x.
+  template <class Index, class Number>
+  [[nodiscard]] Index search(Index cell, Number x) const noexcept {
+    using namespace arithmetic;
+    while (true) {
+      const Number begin = gather(cells, numbers_per_cell * cell);
+      // The first cell of a side begins at 0.
+      const auto is_beyond = begin > max(Number(Real(0)), x);
+      if (!any(is_beyond)) return cell;
+      cell = cell - select(is_beyond, Index{} + 1, Index{});
+    }
   }
 };
 

@@ -8,6 +8,7 @@
 #include "limitcurve/table/builder.hpp"
 #include "limitcurve/table/check.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -118,6 +119,7 @@ BasicTable<Real>::BasicTable(TableFacts facts, const TableCells& cells) {
   data->facts = std::move(facts);
   data->buckets = {cells.index_bits, cells.octaves};
   data->cells_inside = cells.inside.size();
+  bool searches = false;
   for (const std::vector<TableCell>* side : {&cells.inside, &cells.outside}) {
     const std::size_t first = data->cells.size();
     for (const TableCell& cell : *side) {
@@ -126,16 +128,19 @@ BasicTable<Real>::BasicTable(TableFacts facts, const TableCells& cells) {
       std::transform(cell.coefficients.begin(), cell.coefficients.end(), stored.numbers.begin() + 1,
                      [](double c) { return static_cast<Real>(c); });
     }
-    // The cell of a bucket is the last one that begins at or before it; near the rim, where buckets are counted backwards, before it.
-    const auto number = [&](auto after) { return static_cast<std::uint16_t>(first + static_cast<std::size_t>(after - side->begin()) - 1); };
-    for (std::size_t i = 0; i < buckets.per_run(); ++i) {
-      const auto begins_after = [](double x, const TableCell& cell) { return x < cell.x; };
-      data->cell_of_bucket.push_back(number(std::upper_bound(side->begin(), side->end(), buckets.distance(i), begins_after)));
-    }
-    for (std::size_t i = 0; i < buckets.per_run(); ++i) {
+    // The cell of a bucket is the last one that begins before the bucket ends.
+    const auto last_before = [&](double end) {
       const auto begins_before = [](const TableCell& cell, double x) { return cell.x < x; };
-      data->cell_of_bucket.push_back(number(std::lower_bound(side->begin(), side->end(), 1.0 - buckets.distance(i), begins_before)));
-    }
+      const auto after = std::lower_bound(side->begin(), side->end(), end, begins_before);
+      return static_cast<std::uint16_t>(first + static_cast<std::size_t>(after - side->begin()) - 1);
+    };
+    for (std::size_t i = 1; i < buckets.per_run(); ++i) data->cell_of_bucket.push_back(last_before(buckets.distance(i)));
+    // The last bucket of a run holds 1/2, and may begin there.
+    data->cell_of_bucket.push_back(last_before(std::max(0.5, std::nextafter(buckets.distance(buckets.per_run() - 1), 1.0))));
+    for (std::size_t i = 0; i < buckets.per_run(); ++i) data->cell_of_bucket.push_back(last_before(1.0 - buckets.distance(i)));
+    const std::vector<double> edges = buckets.edges();
+    const auto is_inside_a_bucket = [&](const TableCell& cell) { return !std::binary_search(edges.begin(), edges.end(), cell.x); };
+    searches = searches || std::any_of(side->begin(), side->end(), is_inside_a_bucket);
   }
   const auto offset = std::ldexp(Real(1), -cells.octaves);
   const int dropped_bits = std::numeric_limits<Real>::digits - 1 - cells.index_bits;
@@ -144,7 +149,8 @@ BasicTable<Real>::BasicTable(TableFacts facts, const TableCells& cells) {
                  offset,
                  dropped_bits,
                  static_cast<int>(arithmetic::leading_bits(offset, dropped_bits)),
-                 static_cast<int>(buckets.per_run())};
+                 static_cast<int>(buckets.per_run()),
+                 searches};
   data_ = std::move(data);
   const Jet<Real> rim = view_.table.jet(false, Real(1));
   view_.set_scale(view_.table.jet(true, Real(0)).value, view_.table.jet(false, Real(0)).value, rim.leading(), rim.trailing(Real(1)));

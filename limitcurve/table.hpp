@@ -68,8 +68,8 @@ class BasicTable {
     return build_from([&curve](SlipTwist twist) -> UnitWrench { return curve.wrench(twist); }, tolerance, std::move(name));
   }
 
-  /// A table from its cells, as read from a file. Throws std::invalid_argument, which names what is wrong, if a fact is out of range, an
-  /// edge is not one of a bucket, a number is not finite, the pieces do not join or are not convex, an end is not exact, or the table
+  /// A table from its cells, as read from a file. Throws std::invalid_argument, which names what is wrong, if a fact or an
+  /// edge is out of range, a number is not finite, the pieces do not join or are not convex, an end is not exact, or the table
   /// has more than most_bytes.
   BasicTable(TableFacts facts, const TableCells& cells);
 

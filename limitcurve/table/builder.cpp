@@ -17,6 +17,9 @@ namespace {
 /// What the certificate adds to the largest error found, because it lies near a place that was looked at, not at it.
 constexpr double certificate_margin = 0.05;
 
+/// More buckets an octave than this a curve needs only next to a singularity inside a side: there a search costs less than their memory.
+constexpr int most_bits = 6;
+
 /// Lays both sides of a table with an error of at most `target`.
 class Builder {
  public:
@@ -24,8 +27,28 @@ class Builder {
   Builder(const Source& source, double target, int finest_edge, std::size_t cell_bytes)
       : source_(source), target_(target), finest_edge_(finest_edge), cell_bytes_(cell_bytes) {}
 
-  /// Whether it can be done.
-  bool lay() {
+  /// Whether it can be done at all.
+  bool lay() { return lay_in_buckets() || lay_in_cells(); }
+
+  /// Makes the sides meet at the rim, where D = f + m. Whether they stay convex.
+  bool join_at_rim() {
+    const Extended at_rim = sides_[0].back().samples()[5].leading + sides_[1].back().samples()[5].leading;
+    return std::all_of(sides_.begin(), sides_.end(), [&](std::vector<Piece>& side) { return end_at(side, at_rim); });
+  }
+
+  [[nodiscard]] TableCells cells() const {
+    TableCells result{buckets_.index_bits, buckets_.octaves, {}, {}};
+    for (const Piece& piece : sides_[0]) result.inside.push_back(piece.cell());
+    for (const Piece& piece : sides_[1]) result.outside.push_back(piece.cell());
+    return result;
+  }
+  [[nodiscard]] const std::array<std::vector<Piece>, 2>& sides() const noexcept { return sides_; }
+
+ private:
+  enum class Outcome { done, needs_octave, impossible };
+
+  /// Whether it can be done with cells that begin at edges of buckets: found at once.
+  bool lay_in_buckets() {
     int narrowest = 1;
     for (const bool outside : {false, true}) {
       for (const bool rim : {false, true}) narrowest = std::max(narrowest, octaves_to_end(outside, rim));
@@ -49,27 +72,24 @@ class Builder {
     }
   }
 
-  /// Makes the sides meet at the rim, where D = f + m. Whether they stay convex.
-  bool join_at_rim() {
-    const Extended at_rim = sides_[0].back().samples()[5].leading + sides_[1].back().samples()[5].leading;
-    return std::all_of(sides_.begin(), sides_.end(), [&](std::vector<Piece>& side) { return end_at(side, at_rim); });
+  /// Whether it can be done with cells that begin anywhere: where a singularity is neither at an end nor at the rim, or nearer to an end than
+  /// buckets get.
+  bool lay_in_cells() {
+    splits_buckets_ = true;
+    int narrowest = 1;
+    for (const bool outside : {false, true}) {
+      for (const bool rim : {false, true}) narrowest = std::max(narrowest, octaves_to_end(outside, rim));
+    }
+    constexpr int bits = 4;
+    buckets_ = {bits, std::clamp(narrowest - bits, 1, finest_edge_ - bits)};
+    edges_ = buckets_.edges();
+    return lay_side(false) == Outcome::done && lay_side(true) == Outcome::done;
   }
-
-  [[nodiscard]] TableCells cells() const {
-    TableCells result{buckets_.index_bits, buckets_.octaves, {}, {}};
-    for (const Piece& piece : sides_[0]) result.inside.push_back(piece.cell());
-    for (const Piece& piece : sides_[1]) result.outside.push_back(piece.cell());
-    return result;
-  }
-  [[nodiscard]] const std::array<std::vector<Piece>, 2>& sides() const noexcept { return sides_; }
-
- private:
-  enum class Outcome { done, needs_octave, impossible };
 
   /// The piece over [left, right], by its chord if it must.
   [[nodiscard]] Piece piece(bool outside, double left, double right, Extended start) const {
     Piece result(source_, outside, left, right, start, target_);
-    if (left == 0.0 && !fits(result)) {
+    if (!fits(result) && result.may_be_straight()) {
       Piece chord = result;
       chord.straighten();
       if (fits(chord)) return chord;
@@ -114,13 +134,15 @@ class Builder {
     double last_width = 0.25;
     double guess = 0.25;
     while (left < 1.0) {
-      const std::optional<Piece> next = widest(outside, left, guess, start);
+      std::optional<Piece> next = widest(outside, left, guess, start);
+      if (!next && splits_buckets_) next = narrower(outside, left, guess, start);
       if (!next) {
+        if (splits_buckets_) return Outcome::impossible;
         const double offset = std::ldexp(1.0, -buckets_.octaves);
         const bool at_end = std::min(left, 1.0 - left) <= offset;
         if (buckets_.index_bits + buckets_.octaves == finest_edge_) return Outcome::impossible;
         if (at_end) return Outcome::needs_octave;
-        if (buckets_.index_bits == Buckets::most_bits) return Outcome::impossible;
+        if (buckets_.index_bits == most_bits) return Outcome::impossible;
         // The edges so far are edges again.
         ++buckets_.index_bits;
         edges_ = buckets_.edges();
@@ -159,6 +181,32 @@ class Builder {
     }
   }
 
+  /// About the widest piece from `left` that fits within its bucket; nothing if none does.
+  [[nodiscard]] std::optional<Piece> narrower(bool outside, double left, double guess, Extended start) const {
+    const double edge = *std::upper_bound(edges_.begin(), edges_.end(), left);
+    const double least = is_single() ? narrowest_cell<float> : narrowest_cell<double>;
+    std::optional<Piece> best;
+    double good = 0.0;
+    double bad = edge - left;
+    double width = std::min(guess, 0.5 * bad);
+    constexpr int attempts = 100;
+    for (int i = 0; i < attempts && width >= least; ++i) {
+      // What is left of the bucket is to be a cell too.
+      const double right = is_single() ? double{static_cast<float>(left + width)} : left + width;
+      if (!(right - left >= least && edge - right >= least)) return best;
+      const Piece here = piece(outside, left, right, start);
+      const bool fit = fits(here);
+      if (fit) best = here;
+      (fit ? good : bad) = width;
+      const double next = std::min(change(here) * width, 0.9 * bad);
+      constexpr double worthwhile = 1.15;
+      if (best && next < worthwhile * good) return best;
+      width = best ? next : std::min(next, 0.5 * width);
+    }
+    return best;
+  }
+
+  [[nodiscard]] bool is_single() const { return cell_bytes_ == 8 * sizeof(float); }
   [[nodiscard]] bool fits_in_memory() const {
     return (sides_[0].size() + sides_[1].size()) * cell_bytes_ + 4 * buckets_.per_run() * sizeof(std::uint16_t) <= Table::most_bytes;
   }
@@ -170,7 +218,8 @@ class Builder {
     for (Piece& one : side) {
       if (one.stays_convex(rise) && (bent == nullptr || one.width() > bent->width())) bent = &one;
     }
-    if (bent == nullptr) return false;
+    // Where hardly anything is curved, what is missing may be rounding that no piece can bend by.
+    if (bent == nullptr) return std::fabs(rise) <= std::numeric_limits<double>::epsilon() / 2 * value;
     bent->raise_end(rise);
     for (Piece& after : side) {
       if (after.left() > bent->left()) after.raise(rise);
@@ -183,6 +232,7 @@ class Builder {
   int finest_edge_;
   std::size_t cell_bytes_;
   Buckets buckets_;
+  bool splits_buckets_ = false;
   std::vector<double> edges_;
   std::array<std::vector<Piece>, 2> sides_;
 };

@@ -32,8 +32,8 @@ struct Source {
 ///
 /// Each side is laid from x = 0 to the rim. D′ is interpolated within a cell at six Chebyshev–Lobatto nodes, in extended precision; D is
 /// its running integral. So the curve is continuous with its normal by construction, where Hermite data of D would lose their digits in
-/// narrow cells. What the integral misses at the rim is made up for in one cell. A cell is any run of buckets: as many as the tolerance
-/// and convexity allow, which is proved by the Bernstein coefficients of D″.
+/// narrow cells. What the integral misses at the rim is made up for in one cell. A cell is any run of buckets (or, where the curve is singular
+/// inside a side, a part of one): as many as the tolerance and convexity allow, which is proved by the Bernstein coefficients of D″.
 template <class Real>
 [[nodiscard]] std::optional<BasicTable<Real>> build(const Source& source, double tolerance);
 

@@ -62,8 +62,7 @@ struct CheckedCell {
 
 /// Refuses the cells of one side with a message that begins with `name`; returns D and D′ at the rim.
 template <class Real>
-std::array<CheckedCell::Value, 2> check_side(const std::string& name, const std::vector<TableCell>& cells,
-                                             const std::vector<double>& edges) {
+std::array<CheckedCell::Value, 2> check_side(const std::string& name, const std::vector<TableCell>& cells) {
   constexpr Extended epsilon = 4 * Extended(std::numeric_limits<Real>::epsilon());
   const auto refuse = [&](std::size_t i, const std::string& what) {
     return std::invalid_argument("table, " + name + ", cell " + std::to_string(i + 1) + " (x = " + format_number(cells[i].x) +
@@ -77,9 +76,10 @@ std::array<CheckedCell::Value, 2> check_side(const std::string& name, const std:
     for (const double c : cells[i].coefficients) {
       if (!std::isfinite(static_cast<Real>(c))) throw refuse(i, "expected finite numbers, got " + format_number(c));
     }
-    if (!std::binary_search(edges.begin(), edges.end(), cells[i].x) || !(cells[i].x < 1.0))
-      throw refuse(i, "expected it at the edge of a bucket");
+    if (!(cells[i].x >= 0.0 && cells[i].x < 1.0 && double{static_cast<Real>(cells[i].x)} == cells[i].x))
+      throw refuse(i, "expected x in [0, 1) that the table's arithmetic can hold");
     if (i > 0 && !(cells[i].x > cells[i - 1].x)) throw refuse(i, "expected x that increases");
+    if (i > 0 && !(cells[i].x - cells[i - 1].x >= narrowest_cell<Real>)) throw refuse(i, "expected it farther from the one before");
   }
   for (std::size_t i = 0;; ++i) {
     const bool last = i + 1 == cells.size();
@@ -127,9 +127,8 @@ void check(const TableFacts& facts, const TableCells& cells) {
     throw std::invalid_argument("table of " + std::to_string(bytes) + " bytes: expected at most " +
                                 std::to_string(BasicTable<Real>::most_bytes));
   }
-  const std::vector<double> edges = buckets.edges();
-  const auto [support, force] = check_side<Real>("inside", cells.inside, edges);
-  const auto [other_support, moment] = check_side<Real>("outside", cells.outside, edges);
+  const auto [support, force] = check_side<Real>("inside", cells.inside);
+  const auto [other_support, moment] = check_side<Real>("outside", cells.outside);
   const Extended forgiven =
       4 * Extended(std::numeric_limits<Real>::epsilon()) * (support.rounding + other_support.rounding + force.rounding + moment.rounding);
   if (!(std::fabs(support.value - other_support.value) <= forgiven && std::fabs(force.value + moment.value - support.value) <= forgiven)) {

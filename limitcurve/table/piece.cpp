@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace limitcurve::table {
 
@@ -28,7 +29,7 @@ Piece::Piece(const Source& source, bool outside, double left, double right, Exte
   samples_.reserve(2 * node_count + 3);
   for (std::size_t k = 0; k <= 10; k += 2) samples_.push_back(source.at(outside, place(left, right, k)));
   interpolate();
-  if (least_growth() >= 0 || left == 0.0) look_between(source, outside, limit);
+  if (least_growth() >= 0 || may_be_straight()) look_between(source, outside, limit);
 }
 
 void Piece::interpolate() {
@@ -56,7 +57,7 @@ void Piece::look_between(const Source& source, bool outside, double limit) {
   const auto look = [&](double x) {
     if (!(within && x > left_ && x < right_)) return;
     samples_.push_back(source.at(outside, x));
-    within = left_ == 0.0 || error_at(samples_.back()) <= limit;
+    within = may_be_straight() || error_at(samples_.back()) <= limit;
   };
   for (const std::size_t k : {1U, 9U, 5U, 3U, 7U}) look(place(left_, right_, k));
   // A coarse cell's error may peak anywhere, and costs little to be looked at twice as closely.
@@ -77,11 +78,17 @@ void Piece::look_between(const Source& source, bool outside, double limit) {
   }
 }
 
-void Piece::straighten() {
+bool Piece::may_be_straight() const noexcept {
   const Extended end = samples_[node_count - 1].leading;
+  return left_ == 0.0 || std::fabs(end - samples_[0].leading) <= std::numeric_limits<double>::epsilon() / 2 * end;
+}
+
+void Piece::straighten() {
+  const Extended rise = samples_[node_count - 1].leading - samples_[0].leading;
   coefficients_.fill(0);
   coefficients_[0] = samples_[0].leading;
-  coefficients_[1] = end - coefficients_[0];
+  // Rounding may let it fall.
+  coefficients_[1] = std::max<Extended>(rise, 0);
 }
 
 Extended Piece::leading(Extended u) const noexcept {

@@ -13,7 +13,9 @@ class Piece {
   /// Interpolates D′ between `left` and `right`. `start` is D at its left end. Looks for its error until it is above `limit`.
   Piece(const Source& source, bool outside, double left, double right, Extended start, double limit);
 
-  /// D′ by its chord instead: for a curve whose D′ begins as a root of x at x = 0.
+  /// Whether D′ by its chord may do where the interpolation does not: D′ begins as a root of x at x = 0, or rises by its rounding alone.
+  [[nodiscard]] bool may_be_straight() const noexcept;
+  /// D′ by its chord instead.
   void straighten();
 
   [[nodiscard]] double left() const noexcept { return left_; }

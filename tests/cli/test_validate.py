@@ -77,6 +77,19 @@ class Validate(CommandLineTest):
         self.assertAlmostEqual(alike[0]["ellipse"]["max_cor_error"], math.pi / 2 - 1, delta=1e-8)
         self.assertAlmostEqual(self.models("xydas-kao:k=0.1")["ellipse"]["max_cor_error"], 2.8426699, delta=1e-6)
 
+    def test_rows_twice_and_units_of_a_profile_do_not_matter(self):
+        # Issue 9, points 2 and 3.
+        path = self.directory / "profile.csv"
+        expected = None
+        for times, length, force in [(1, 1, 1), (2, 1, 1), (3, 1, 1), (1, 1000, 1), (1, 1, 7), (2, 0.0254, 1e6)]:
+            path.write_text("radius,pressure\n" + "".join(f"{length * i / 16},{force * (1 - (i / 16) ** 2)}\n" * times for i in range(17)))
+            found = self.models(f"samples:{path}")
+            expected = expected or found
+            for model, row in found.items():
+                for column in COLUMNS.split(",")[2:]:
+                    if row[column] != expected[model][column]:
+                        self.assertAlmostEqual(row[column], expected[model][column], delta=1e-8, msg=f"{model} {column} {times} {length} {force}")
+
     def test_json(self):
         self.assertIn('"max_cor_error":"inf"', run("validate", "--law", "hertz", "--format", "json").stdout)
 
@@ -131,10 +144,9 @@ class Choose(CommandLineTest):
 
     def test_where_no_table_can_be_built(self):
         # Issue 9, point 5: no models at all were listed, for power:n=1000 at 0.1.
-        models, best = self.chosen("xydas-kao:k=0.02", 1e-7)
-        self.assertEqual((models["table"]["error"], best), (math.inf, "exact"))
-        self.assertIn("table: table of xydas-kao:k=0.02: a tolerance of", run("choose", "--law", "xydas-kao:k=0.02", "--tolerance", 1e-7,
-                                                                              "--explain").stderr)
+        # Below 1e-14 no table is to be had, and this moment limit is 1e-15 contact radii.
+        models, best = self.chosen("xydas-kao:k=0.01", 0.01)
+        self.assertEqual((set(models), best), ({"diamond", "box", "ellipse", "superellipse", "quartic", "table", "exact"}, "superellipse"))
         self.assertEqual(self.chosen("power:n=1000", 0.1)[1], "ellipse")
 
     def test_what_no_approximation_reaches(self):

@@ -4,6 +4,7 @@
 #include "godobject/batch.hpp"
 #include "tests/godobject/scene.hpp"
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,10 @@ std::vector<Case<Real>> cases() {
                                  {"table, stiff twist", table, parameters(0.6, 0.005, 1000.0, 0.4)},
                                  {"table, soft twist", table, parameters(0.6, 0.005, 1000.0, 0.001)},
                                  {"table, no torsion", table, without_torsion}};
+  // A table whose buckets hold several cells.
+  const std::array<PressureSample, 6> jumps{{{0.0, 1.0}, {0.37, 1.0}, {0.37, 0.4}, {0.71, 0.4}, {0.71, 0.9}, {1.0, 0.3}}};
+  const auto searched = BasicTable<Real>::build(samples(jumps, "jumps"), sizeof(Real) == sizeof(float) ? 1e-6 : 1e-10);
+  result.push_back({"table of jumps", searched, parameters()});
   for (const Projection projection : projections) {
     const std::string name(to_string(projection));
     result.push_back({"table, " + name, table, parameters(), projection});

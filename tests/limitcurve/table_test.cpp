@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <functional>
@@ -286,11 +287,54 @@ TEST(Table, RefusesTolerancesThatMeanNothing) {
   expect_mention(text, "1e-14 <= tolerance <= 0.1");
 }
 
+// Issue 7, "Table, every law of the grammar": 13 of 21 such profiles reached 1e-10, and xydas-kao of k < 0.02 no tolerance.
+TEST(Table, FollowsJumpsInsideTheContact) {
+  for (unsigned seed = 1; seed <= 21; ++seed) {
+    std::mt19937_64 generator(seed);
+    std::uniform_real_distribution<double> uniformly(0.0, 1.0);
+    std::vector<double> places{0.0, 1.0};
+    for (unsigned i = 0; i <= seed % 6; ++i) places.push_back(0.05 + 0.9 * uniformly(generator));
+    std::sort(places.begin(), places.end());
+    std::vector<PressureSample> profile;
+    for (std::size_t i = 0; i + 1 < places.size(); ++i) {
+      for (int k = 0; k <= 3; ++k) profile.push_back({std::lerp(places[i], places[i + 1], k / 3.0), 0.2 + uniformly(generator)});
+    }
+    const Law law = samples(profile, "jumps");
+    const Table table = Table::build(law, 1e-10);
+    EXPECT_LE(table.bytes(), 16384U) << seed;
+    double worst = 0.0;
+    for (int i = 0; i < 400; ++i) {
+      // Half of them next to a jump.
+      const double place = places[1 + static_cast<std::size_t>(i) % (places.size() - 2)];
+      const double s = i % 2 == 0 ? std::tan(1.57 * uniformly(generator))
+                                  : place * (1.0 + (uniformly(generator) - 0.5) * std::pow(10.0, -9.0 * uniformly(generator)));
+      const UnitForces<double> exact = law->forces(s);
+      const UnitWrench found = table.wrench(SlipTwist::about_cor(s));
+      worst = std::max({worst, std::fabs(found.force - exact.force), std::fabs(found.moment - exact.moment)});
+    }
+    EXPECT_LE(worst, table.certified_error() + 1e-13) << seed;
+  }
+}
+
+TEST(Table, FollowsWhatIsNearerToAnEndThanBucketsGet) {
+  for (const double tolerance : {0.1, 1e-6}) {
+    const Law law = xydas_kao(0.01);
+    const Table table = Table::build(law, tolerance);
+    for (const double s : {0.0, 1e-22, 1e-20, 1e-18, 3e-17, 1e-16, 1e-15, 1e-12, 1e-8, 0.1, 1.0, 3.0}) {
+      const UnitWrench exact = law->evaluate(s).wrench;
+      const UnitWrench found = table.wrench(SlipTwist::about_cor(s));
+      EXPECT_NEAR(found.force, exact.force, table.certified_error()) << s;
+      EXPECT_NEAR(found.moment, exact.moment, table.certified_error()) << s;
+    }
+  }
+}
+
 TEST(Table, NamesTheFinestToleranceThatIsPossible) {
-  const Superellipse blunt(1.0, 0.58, 3.0);
-  const auto build = [&](double tolerance) { return Table::build(blunt, tolerance, "superellipse:n=3"); };
+  // Near pure spin its force is the fifth root of x: no cell begins near enough to 0.
+  const Superellipse blunt(1.0, 0.58, 6.0);
+  const auto build = [&](double tolerance) { return Table::build(blunt, tolerance, "superellipse:n=6"); };
   const std::string text = complaint([&] { build(1e-12); });
-  expect_mention(text, "superellipse:n=3");
+  expect_mention(text, "superellipse:n=6");
   expect_mention(text, "1e-12");
   const std::string finest = "finest that is possible is ";
   expect_mention(text, finest);
@@ -398,11 +442,14 @@ TEST_F(DamagedTable, IsRefusedForItsEdges) {
   damaged = cells_;
   std::swap(damaged.inside[1], damaged.inside[2]);
   expect_mention(complaint_of(damaged), "increases");
-  for (const double x : {0.3, std::nan(""), 1.0, 2.0, -0.5}) {
+  for (const double x : {std::nan(""), 1.0, 2.0, -0.5}) {
     damaged = cells_;
     damaged.inside.back().x = x;
-    expect_mention(complaint_of(damaged), "edge of a bucket");
+    expect_mention(complaint_of(damaged), "expected x in [0, 1)");
   }
+  damaged = cells_;
+  damaged.inside.back().x = std::nextafter(damaged.inside[damaged.inside.size() - 2].x, 1.0);
+  EXPECT_NE(complaint_of(damaged), "none");
   damaged = cells_;
   damaged.inside.erase(damaged.inside.begin() + 1);
   EXPECT_NE(complaint_of(damaged), "none");
