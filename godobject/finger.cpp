@@ -16,10 +16,7 @@ Deflection deflection(const Vector3d& proxy, const Contact& contact) noexcept {
   const Vector3d apart = proxy - contact.point;
   const double rise = contact.normal.dot(apart);
   const Vector3d tangential = apart - contact.normal * rise;
-  if (rise == 0.0) return {tangential, contact.depth};
-  const double square = tangential.squaredNorm();
-  const double least = std::sqrt(std::max(contact.depth * contact.depth - square, 0.0));
-  return {tangential, std::clamp(contact.depth + rise, least, contact.depth + std::sqrt(square))};
+  return {tangential, contact.depth + rise};
 }
 
 Deflection FingerState::deflection() const noexcept {
