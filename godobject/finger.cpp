@@ -16,10 +16,23 @@ Deflection deflection(const Vector3d& proxy, const Contact& contact) noexcept {
   const Vector3d apart = proxy - contact.point;
   const double rise = contact.normal.dot(apart);
   const Vector3d tangential = apart - contact.normal * rise;
-  if (rise == 0.0) return {tangential, contact.depth};
+  return {tangential, contact.depth + rise};
+}
+
+bool bring_round(Vector3d& proxy, Deflection& now, const Contact& contact) noexcept {
+  if (!(now.normal < 0.0)) return false;
+  now.normal = std::min(-now.normal, contact.depth);
+  proxy = contact.point + now.tangential + contact.normal * (now.normal - contact.depth);
+  return true;
+}
+
+double rise_after_slip(const Deflection& before, const Vector3d& tangential, double depth) noexcept {
+  const double rise = before.normal - depth;
+  const double square_before = before.tangential.squaredNorm();
   const double square = tangential.squaredNorm();
-  const double least = std::sqrt(std::max(contact.depth * contact.depth - square, 0.0));
-  return {tangential, std::clamp(contact.depth + rise, least, contact.depth + std::sqrt(square))};
+  if (rise == 0.0 || !(square < square_before)) return rise;
+  const double longest = std::sqrt(before.normal * before.normal + (square_before - square));
+  return std::min(rise * (square / square_before), longest - depth);
 }
 
 Deflection FingerState::deflection() const noexcept {

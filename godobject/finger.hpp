@@ -72,11 +72,16 @@ struct FingerOutput {
 /// How far the spring between proxy and finger is deflected, x_p − x_h.
 struct Deflection {
   Eigen::Vector3d tangential;  ///< along the surface [m]: r is its length
-  double normal;               ///< [m], ≥ 0: the depth, and on a curved surface by how much that rises or falls towards the proxy
+  double normal;               ///< [m]: the depth, and on a curved surface by how much that rises or falls towards the proxy
 };
-/// Of a proxy while the finger touches there. Where the surface falls away, x_g is still its point nearest to the finger; where it rises, it
-/// is by 45° at most: a proxy beyond that, on a surface that jumps, counts as there.
+/// Of a proxy while the finger touches there.
 [[nodiscard]] Deflection deflection(const Eigen::Vector3d& proxy, const Contact& contact) noexcept;
+/// Springs do not pull a finger in: a proxy that it has left behind itself, round a curved surface, is brought to its other side, not farther away.
+/// Whether it was.
+[[nodiscard]] bool bring_round(Eigen::Vector3d& proxy, Deflection& now, const Contact& contact) noexcept;
+/// How high a proxy stands over the tangent plane at x_g [m] when a slip leaves of `before` that part along the surface: the surface rises or falls
+/// with the square of the distance from x_g, and the proxy does not come farther from the finger than it was.
+[[nodiscard]] double rise_after_slip(const Deflection& before, const Eigen::Vector3d& tangential, double depth) noexcept;
 
 /// All that a finger remembers from one step to the next. Plain numbers: copy it, save it, restore it.
 struct FingerState {

@@ -5,6 +5,7 @@
 #include "limitcurve/curve_view.hpp"
 #include "limitcurve/law.hpp"
 
+#include <concepts>
 #include <cstddef>
 #include <memory>
 #include <string_view>
@@ -33,8 +34,14 @@ class BasicFingerCurve {
   BasicFingerCurve(const Ellipse& ellipse);         // NOLINT
   BasicFingerCurve(const Polygon<3>& box);          // NOLINT
   BasicFingerCurve(const BasicTable<Real>& table);  // NOLINT
+  /// A pressure law is no limit curve yet: does not compile, and says what to write.
+  template <std::same_as<Law> Other>
+  BasicFingerCurve(const Other&) {  // NOLINT
+    static_assert(!std::same_as<Other, Law>, "a finger takes a limit curve, not a pressure law: write Table::build(law, 1e-6)");
+  }
 
-  [[nodiscard]] const CurveView<Real>& view() const noexcept { return view_; }
+  [[nodiscard]] const CurveView<Real>& view() const& noexcept { return view_; }
+  void view() const&& = delete;  // it would point into a curve that is gone
   [[nodiscard]] bool is_box() const noexcept { return view_.is_box; }
   [[nodiscard]] double force_max() const noexcept { return static_cast<double>(view_.force_max); }
   /// m₀: moment intercept over force intercept.

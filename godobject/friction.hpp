@@ -52,6 +52,10 @@ struct FrictionResult {
   Number cor;                           ///< distance of the slip's centre of rotation [m], ∞ for pure sliding; NaN where it sticks
 };
 
+#ifdef __FAST_MATH__
+inline namespace fast_math {  // arithmetic.hpp
+#endif
+
 /// The trial in units of a limit. Kept so far from overflow that all squares are finite; a limit of almost nothing is divided by as if it
 /// were `least`, no trial is told from a larger one beyond `largest`, and no ratio of stiffnesses from a greater one beyond `steepest`.
 template <class Real, class Number>
@@ -144,5 +148,9 @@ template <class Real, class Number>
   memory.parameter = select(result.slips, projected.parameter, zero);
   return result;
 }
+
+#ifdef __FAST_MATH__
+}  // namespace fast_math
+#endif
 
 }  // namespace limitcurve::godobject

@@ -41,11 +41,14 @@ class Grasp {
   /// Steps a–c with the body held in a state: where fingers touch down, and where a scene starts.
   void place(const BodyState& state, std::span<const DevicePose> devices) noexcept;
 
-  [[nodiscard]] const BodyParameters& parameters() const noexcept { return parameters_; }
-  [[nodiscard]] const BodyState& body() const noexcept { return state_; }
+  [[nodiscard]] const BodyParameters& parameters() const& noexcept { return parameters_; }
+  void parameters() const&& = delete;
+  [[nodiscard]] const BodyState& body() const& noexcept { return state_; }
+  void body() const&& = delete;
   [[nodiscard]] std::size_t finger_count() const noexcept { return fingers_.size(); }
   /// A finger; its proxy, force and so on are in the body's frame.
-  [[nodiscard]] const SoftFinger& finger(std::size_t index) const noexcept { return fingers_[index]; }
+  [[nodiscard]] const SoftFinger& finger(std::size_t index) const& noexcept { return fingers_[index]; }
+  void finger(std::size_t index) const&& = delete;
 
   /// What finger `index` exerts on its user, in the world: normal load and friction together [N].
   [[nodiscard]] Eigen::Vector3d force_on_user(std::size_t index) const noexcept;

@@ -114,8 +114,9 @@ void PatchFinger::advance(const Contact& contact, const Spin& spin, double devic
   state.goal_angle = unwrap(state, device_twist) + spin.angle;
   const Vector3d axis = transported(vector(state_.axis), n);
   state_.axis = numbers(axis);
-  const Vector3d last = vector(state.proxy);
-  const Deflection now = deflection(last, contact);
+  Vector3d last = vector(state.proxy);
+  Deflection now = deflection(last, contact);
+  const bool is_left_behind = bring_round(last, now, contact);
   const Vector3d trial = now.tangential - tangential_rest;
   const double twist_trial = (state.angle - state.goal_angle) - twist_rest;
 
@@ -136,16 +137,14 @@ void PatchFinger::advance(const Contact& contact, const Spin& spin, double devic
   PatchProjection friction = project(was_sliding ? mu_dynamic : parameters_.mu);
   if (friction.slips && !was_sliding && mu_dynamic < parameters_.mu) friction = project(mu_dynamic);
 
-  // The proxy follows, on a surface that rises or falls with the square of the distance from x_g. What did not slide is not touched, and a
-  // slip that its rounding swallows is none.
+  // The proxy follows. What did not slide is not touched, and a slip that its rounding swallows is none.
   const Vector3d kept = friction.slips ? Vector3d((axes.x * friction.wrench.fx + axes.y * friction.wrench.fy) / stiffness) : trial;
   const double twist_kept = friction.slips ? friction.wrench.moment / twist_stiffness : twist_trial;
   const Vector3d deflected = tangential_rest + kept;
-  double rise = now.normal - contact.depth;
-  if (friction.slips && rise != 0.0) rise *= std::min(deflected.squaredNorm() / now.tangential.squaredNorm(), 1.0);
+  const double rise = friction.slips ? rise_after_slip(now, deflected, contact.depth) : now.normal - contact.depth;
   const Vector3d proxy = friction.slips ? Vector3d(contact.point + deflected + n * rise) : last;
   const double angle = friction.slips ? state.goal_angle + twist_rest + twist_kept : state.angle;
-  const bool slips = friction.slips && (proxy != last || angle != state.angle);
+  const bool slips = is_left_behind || (friction.slips && (proxy != last || angle != state.angle));
   if (slips) {
     state.proxy = numbers(proxy);
     state.angle = angle;
@@ -158,7 +157,7 @@ void PatchFinger::advance(const Contact& contact, const Spin& spin, double devic
   // c. Force and moment on the user.
   const auto& [sx, sy, turn] = friction.slip;
   state.state = slips ? ContactState::slip : ContactState::stick;
-  state.load = stiffness * (contact.depth + (slips ? rise : now.normal - contact.depth) - normal_rest);
+  state.load = stiffness * (contact.depth + rise - normal_rest);
   if (damper > 0.0) state.load = std::max(state.load, 0.0);  // dampers do not pull
   state.force = numbers(Vector3d(kept * stiffness));
   state.moment = twist_kept * twist_stiffness;

@@ -48,6 +48,10 @@ struct Projected {
   Number parameter;  ///< of the curve, where the next search may begin; 0 for none
 };
 
+#ifdef __FAST_MATH__
+inline namespace fast_math {  // arithmetic.hpp
+#endif
+
 /// Eq. (23): r′/r = ρ′/ρ. The proxy moves along the trial deflection, whatever the curve's normal. `last` is the curve parameter of the last
 /// slip, or 0.
 template <class Real, class Number>
@@ -126,6 +130,10 @@ template <class Real, class Number>
           point.spin,
           point.parameter};
 }
+
+#ifdef __FAST_MATH__
+}  // namespace fast_math
+#endif
 
 /// Fig. 5 where the radius depends on the load: the load λP whose p-curve runs through the trial has its centre of rotation at c; the result is
 /// the point of the p-curve of P with that c. Root in ln λ of ln gauge(f̂/λ, m̂ a(P)/(λ a(λP))), bracketed; 3 or 4 steps as a rule. For a

@@ -72,8 +72,10 @@ class Replay {
   void step(double time, std::span<const DevicePose> fingers, const BodyPose& body = {}) noexcept;
 
   /// What the fingers do now, one each.
-  [[nodiscard]] std::span<const SceneContact> contacts() const noexcept { return contacts_; }
-  [[nodiscard]] const BodyState& body() const noexcept { return grasp_.body(); }
+  [[nodiscard]] std::span<const SceneContact> contacts() const& noexcept { return contacts_; }
+  void contacts() const&& = delete;
+  [[nodiscard]] const BodyState& body() const& noexcept { return grasp_.body(); }
+  void body() const&& = delete;
   /// Steps of a free body whose equations were not solved to rounding: `Grasp::unsolved`.
   [[nodiscard]] std::size_t unsolved() const noexcept { return grasp_.unsolved(); }
   /// How far the fingers' curve is from the one that was asked for: the table's certified error, 0 in closed form.

@@ -67,8 +67,9 @@ void SoftFinger::advance(FingerState& state, const Contact& contact, const Spin&
   state.contact = contact.memory;
   state.spin = spin;
   state.goal_angle = unwrap(state, device_twist) + spin.angle;
-  const Vector3d last = vector(state.proxy);
-  const Deflection now = deflection(last, contact);
+  Vector3d last = vector(state.proxy);
+  Deflection now = deflection(last, contact);
+  const bool is_left_behind = bring_round(last, now, contact);
   const Vector3d trial = now.tangential - tangential_rest;
   const double twist_trial = (state.angle - state.goal_angle) - twist_rest;
 
@@ -82,19 +83,21 @@ void SoftFinger::advance(FingerState& state, const Contact& contact, const Spin&
   const Vector3d kept = trial * friction.force_ratio;
   const double twist_kept = twist_trial * friction.moment_ratio;
 
-  // The proxy follows, on a surface that rises or falls with the square of the distance from x_g. What did not slide is not touched, not
-  // even by rounding; and a slip that its rounding swallows is none.
+  // The proxy follows. What did not slide is not touched, not even by rounding; and a slip that its rounding swallows is none.
   Deflection after = now;
   Vector3d proxy = last;
+  double along_slope = 1.0;
   if (friction.force_ratio < 1.0) {
     after.tangential = tangential_rest + kept;
-    double rise = now.normal - contact.depth;
-    if (rise != 0.0) rise *= std::min(after.tangential.squaredNorm() / now.tangential.squaredNorm(), 1.0);
+    const double rise = rise_after_slip(now, after.tangential, contact.depth);
     after.normal = contact.depth + rise;
+    const double square = after.tangential.squaredNorm();
+    // Of the force it is the part along the surface at the proxy that works there.
+    if (rise != 0.0 && square > 0.0) along_slope = std::max(1.0 + 2.0 * after.normal * rise / square, 0.0);
     proxy = contact.point + after.tangential + n * rise;
   }
   const double angle = friction.moment_ratio < 1.0 ? state.goal_angle + twist_rest + twist_kept : state.angle;
-  const bool slips = friction.slips && (proxy != last || angle != state.angle);
+  const bool slips = is_left_behind || (friction.slips && (proxy != last || angle != state.angle));
   if (slips) state.proxy = numbers(proxy);
   if (slips || !limits.has_torsion) state.angle = angle;
   state.friction.slides = state.friction.slides && (slips || was_sliding);
@@ -106,7 +109,7 @@ void SoftFinger::advance(FingerState& state, const Contact& contact, const Spin&
   state.force = numbers(kept * springs.stiffness);
   state.moment = twist_kept * springs.twist_stiffness;
   state.cor = slips ? friction.cor : std::numeric_limits<double>::quiet_NaN();
-  state.slip_work = slips ? wrench.force * friction.force_ratio * (r * (1.0 - friction.force_ratio)) +
+  state.slip_work = slips ? along_slope * wrench.force * friction.force_ratio * (r * (1.0 - friction.force_ratio)) +
                                 wrench.moment * friction.moment_ratio * (rho * (1.0 - friction.moment_ratio))
                           : 0.0;
 }

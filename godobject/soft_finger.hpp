@@ -39,15 +39,19 @@ class SoftFinger {
   [[nodiscard]] FingerOutput preview(const Contact& contact, double device_twist, double time_step = 0.0) const noexcept;
 
   [[nodiscard]] FingerOutput output() const noexcept { return state_.output(); }
-  [[nodiscard]] const FingerState& state() const noexcept { return state_; }
+  [[nodiscard]] const FingerState& state() const& noexcept { return state_; }
   void restore(const FingerState& state) noexcept { state_ = state; }
   void reset() noexcept { state_ = {}; }
   /// The next search begins as a finger's first does.
   void forget_warm_start() noexcept { state_.friction.parameter = state_.friction.rate = 0.0; }
 
-  [[nodiscard]] const FingerCurve& curve() const noexcept { return curve_; }
+  [[nodiscard]] const FingerCurve& curve() const& noexcept { return curve_; }
   [[nodiscard]] Projection projection() const noexcept { return projection_; }
-  [[nodiscard]] const FingerParameters& parameters() const noexcept { return parameters_; }
+  [[nodiscard]] const FingerParameters& parameters() const& noexcept { return parameters_; }
+  // Of a finger that is gone at the end of the line there is nothing to refer to.
+  void state() const&& = delete;
+  void curve() const&& = delete;
+  void parameters() const&& = delete;
 
   /// How far the finger is from slipping, as a fraction: 1 without friction, 0 on the limit; 0 while it slips, 1 while free.
   [[nodiscard]] double margin() const noexcept;

@@ -15,18 +15,21 @@ double positive(std::string_view name, double value) {
   return value;
 }
 
+/// A length [m] whose square is lost below the numbers, and with it the direction.
+constexpr double nothing = 1e-150;
+
 /// The ball's surface about `centre`; where the finger is at the centre, `side` is the normal.
 Contact on_ball(const Eigen::Vector3d& centre, double radius, const Eigen::Vector3d& finger, const Eigen::Vector3d& side) noexcept {
   const Eigen::Vector3d away = finger - centre;
   const double distance = away.norm();
-  const Eigen::Vector3d normal = distance > 0.0 ? Eigen::Vector3d(away / distance) : side;
+  const Eigen::Vector3d normal = distance > nothing ? Eigen::Vector3d(away / distance) : side;
   return {centre + normal * radius, normal, radius - distance, {distance < radius ? 0 : -1, numbers(centre + normal), true}};
 }
 
 /// The unit vector along `way`; along `otherwise` where it has no length.
 Eigen::Vector3d direction(const Eigen::Vector3d& way, const Eigen::Vector3d& otherwise) noexcept {
   const double length = way.norm();
-  return length > 0.0 ? Eigen::Vector3d(way / length) : otherwise;
+  return length > nothing ? Eigen::Vector3d(way / length) : otherwise;
 }
 
 /// A vector without its part along the axis of a capsule or cylinder.
@@ -118,7 +121,7 @@ Contact CylinderSurface::contact(const Eigen::Vector3d& finger, const ContactMem
   if (face < 0 && beyond_side < 0.0 && beyond_end < 0.0) face = beyond_side > beyond_end ? 0 : finger.z() >= 0.0 ? 1 : 2;
   ContactMemory next{face, numbers(finger), true};
   if (face == 0) {
-    if (distance == 0.0) next.finger = numbers(radial + Eigen::Vector3d(0.0, 0.0, finger.z()));
+    if (!(distance > nothing)) next.finger = numbers(radial + Eigen::Vector3d(0.0, 0.0, finger.z()));
     return {radial * radius_ + Eigen::Vector3d(0.0, 0.0, finger.z()), radial, -beyond_side, next};
   }
   if (face > 0) {
@@ -199,7 +202,7 @@ Contact BoxSurface::contact(const Eigen::Vector3d& finger, const ContactMemory& 
   const Eigen::Vector3d nearest = finger.cwiseMax(-half_edges_).cwiseMin(half_edges_);
   const Eigen::Vector3d way = finger - nearest;
   const double gap = way.norm();
-  if (gap > 0.0) return {nearest, way / gap, -gap, next};
+  if (gap > nothing) return {nearest, way / gap, -gap, next};
   // Exactly on the surface.
   const int on = nearest_face(finger);
   Contact contact{nearest, Eigen::Vector3d::Zero(), 0.0, next};

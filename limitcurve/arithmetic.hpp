@@ -7,6 +7,9 @@
 #include <cstdint>
 #include <type_traits>
 
+// Files that are compiled with -ffast-math have copies of their own of what is built on this, in a namespace `fast_math`: the linker keeps one
+// copy of a template for all files, and theirs would do for the library's, too, without NaN, infinity and the order of sums.
+
 /// The arithmetic of one number under the names that packs of numbers use too. Look-ups and friction are templates that are written with
 /// these names once, and serve a single finger (`double`) as well as a batch (packs, godobject/kernel).
 namespace limitcurve::arithmetic {

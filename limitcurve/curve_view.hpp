@@ -186,6 +186,10 @@ struct CurveSide {
   }
 };
 
+#ifdef __FAST_MATH__
+inline namespace fast_math {  // arithmetic.hpp
+#endif
+
 /// Where the ray from the origin through a wrench, not both components 0, meets the curve; and the wrench's gauge, 1 on the curve and less
 /// inside. Root of T·leading − L·trailing, L and T the curve's components at x. Not for the box.
 template <class Real, class Number>
@@ -226,5 +230,9 @@ template <class Real, class Number>
   static_cast<void>(point_on_ray(curve, force, moment, last, result));
   return result;
 }
+
+#ifdef __FAST_MATH__
+}  // namespace fast_math
+#endif
 
 }  // namespace limitcurve

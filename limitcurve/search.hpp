@@ -24,6 +24,10 @@ inline constexpr int max_search_steps = 64;
 template <class Real>
 inline constexpr Real search_tolerance = 4 * std::numeric_limits<Real>::epsilon();
 
+#ifdef __FAST_MATH__
+inline namespace fast_math {  // arithmetic.hpp
+#endif
+
 /// Finds where `residual(x)` falls through zero, x ∈ [0, 1], from ≥ 0 at 0 to ≤ 0 at 1: Halley's method from a first guess within a bracket
 /// that every step narrows. Returns x; the last call of `residual` was with just this x. A search that has not converged after
 /// `max_search_steps` returns its last place, which is in the bracket. NaN gives a place in [0, 1] too, never a NaN.
@@ -47,5 +51,9 @@ template <class Real, class Number, class Function>
     x = select(searching, next, x);
   }
 }
+
+#ifdef __FAST_MATH__
+}  // namespace fast_math
+#endif
 
 }  // namespace limitcurve

@@ -35,7 +35,8 @@ UnitWrench by_search(const Box& box, const Trial& trial) {
 }
 
 UnitWrench by_us(const Box& box, const Trial& trial) {
-  const auto projected = godobject::clamp_to_box(FingerCurve(box).view(), trial);
+  const FingerCurve curve(box);
+  const auto projected = godobject::clamp_to_box(curve.view(), trial);
   return {trial.force * projected.force_ratio, trial.moment * projected.moment_ratio};
 }
 

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: MIT
+// What the host's settings may not change (issue 8, point 6): -ffast-math in a user's file, another rounding, subnormal numbers flushed to 0.
+#include "tests/godobject/host_settings_user.hpp"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cfenv>
+#include <functional>
+#if defined(__SSE2__)
+#include <xmmintrin.h>
+#endif
+
+namespace limitcurve::godobject::test {
+namespace {
+
+constexpr double time_step = 1e-3;
+
+/// What a host may set, while it lives.
+class Setting {
+ public:
+  virtual ~Setting() = default;
+};
+
+class Rounding final : public Setting {
+ public:
+  explicit Rounding(int how) { EXPECT_EQ(std::fesetround(how), 0); }
+  ~Rounding() override { std::fesetround(FE_TONEAREST); }
+};
+
+#if defined(__SSE2__)
+class NoSubnormals final : public Setting {
+ public:
+  NoSubnormals() : before_(_mm_getcsr()) { _mm_setcsr(before_ | 0x8040); }  // FTZ and DAZ
+  ~NoSubnormals() override { _mm_setcsr(before_); }
+
+ private:
+  unsigned before_;
+};
+#endif
+
+struct NamedSetting {
+  std::string name;
+  std::function<std::unique_ptr<Setting>()> set;
+};
+
+std::vector<NamedSetting> settings() {
+  const auto rounding = [](std::string name, int how) {
+    return NamedSetting{std::move(name), [how] { return std::make_unique<Rounding>(how); }};
+  };
+  return {
+    rounding("downward", FE_DOWNWARD), rounding("upward", FE_UPWARD), rounding("toward zero", FE_TOWARDZERO),
+#if defined(__SSE2__)
+    {
+      "no subnormals", [] { return std::make_unique<NoSubnormals>(); }
+    }
+#endif
+  };
+}
+
+std::vector<DevicePose> path_on(const AnySurface& surface, Random& random) {
+  const RandomDevice device(surface, random);
+  std::vector<DevicePose> path;
+  for (int i = 0; i < 100; ++i) path.push_back(device.at(i * time_step));
+  // Subnormal places, depths and twists too.
+  for (const std::size_t i : {41U, 42U, 43U}) path[i].twist += 1e-310 * static_cast<double>(i);
+  path[60].position *= 1e-300;
+  path[61].position = {1e-310, -3e-310, 2e-310};
+  return path;
+}
+
+void expect_same_bits(const FingerState& one, const FingerState& other) {
+  const auto bits = [](double number) { return std::bit_cast<std::uint64_t>(number); };
+  const auto same = [&](const Numbers& a, const Numbers& b) {
+    for (std::size_t i = 0; i < 3; ++i) ASSERT_EQ(bits(a[i]), bits(b[i]));
+  };
+  ASSERT_EQ(to_string(one.state), to_string(other.state));
+  ASSERT_EQ(one.in_contact, other.in_contact);
+  same(one.proxy, other.proxy);
+  same(one.force, other.force);
+  same(one.goal, other.goal);
+  same(one.normal, other.normal);
+  same(one.spin.normal, other.spin.normal);
+  same(one.contact.finger, other.contact.finger);
+  ASSERT_EQ(one.contact.face, other.contact.face);
+  ASSERT_EQ(one.refused, other.refused);
+  ASSERT_EQ(one.friction.slides, other.friction.slides);
+  for (const auto member : {&FingerState::angle, &FingerState::depth, &FingerState::load, &FingerState::moment, &FingerState::cor,
+                            &FingerState::slip_work, &FingerState::limit_load, &FingerState::goal_angle, &FingerState::turns}) {
+    ASSERT_EQ(bits(one.*member), bits(other.*member));
+  }
+}
+
+// The step lives in the library: a user's file gets the same to the last bit, whatever its own arithmetic, and samples that are no numbers are
+// refused.
+TEST(HostSettings, FastMathInAUsersFileChangesNothing) {
+  int refused = 0;
+  for_each_choice(31, [&](const Choice& choice, Random& random) {
+    const FingerCurve curve = make_finger_curve(choice.curve.kind, hertz(), 1e-8).curve;
+    const std::vector<DevicePose> path = path_on(choice.surface.surface, random);
+    const SoftFinger finger(curve, choice.parameters.finger, choice.curve.projection);
+    const UsersRun own = use(finger, choice.surface.surface, path, time_step);
+    const UsersRun fast = use_with_fast_math(finger, choice.surface.surface, path, time_step);
+    for (std::size_t i = 0; i < path.size(); ++i) {
+      SCOPED_TRACE("sample " + std::to_string(i));
+      expect_same_bits(own.states[i], fast.states[i]);
+      if (testing::Test::HasFatalFailure()) return;
+      ASSERT_EQ(own.margins[i], fast.margins[i]);
+      ASSERT_EQ(own.outputs[i].force, fast.outputs[i].force);
+      ASSERT_EQ(own.outputs[i].load, fast.outputs[i].load);
+      refused += fast.outputs[i].state == ContactState::invalid;
+    }
+    // Its own use of friction is its own affair, but right where its arithmetic is.
+    const auto [force, moment] = rub_with_fast_math(curve, choice.curve.projection, 3.0, 0.01);
+    FrictionMemory<double> memory;
+    const FrictionLimits<double> limits{{1.0, 0.005}, {1.0, 0.005}, 25000.0};
+    const FrictionResult<double> result = apply_friction(curve.view(), choice.curve.projection, limits, {3.0, 0.01}, memory);
+    ASSERT_NEAR(force, result.force_ratio, 1e-9);
+    ASSERT_NEAR(moment, result.moment_ratio, 1e-9);
+  });
+  EXPECT_GT(refused, 500);
+}
+
+// Other files' copies of a template are not those of the file with -ffast-math, whichever the linker meets first.
+TEST(HostSettings, FastMathInAUsersFileIsNotShared) {
+  EXPECT_NE(rub_of_fast_math(), (static_cast<Rub>(&apply_friction<double, double>)));
+  EXPECT_NE(on_ray_of_fast_math(), (static_cast<OnRay>(&point_on_ray<double, double>)));
+}
+
+// A rounding in each of 100 steps is nothing against 1e-9 of some newtons.
+TEST(HostSettings, AFingerFeelsTheSameUnderAnyRounding) {
+  for_each_choice(32, [&](const Choice& choice, Random& random) {
+    const FingerCurve curve = make_finger_curve(choice.curve.kind, hertz(), 1e-8).curve;
+    const std::vector<DevicePose> path = path_on(choice.surface.surface, random);
+    const SoftFinger finger(curve, choice.parameters.finger, choice.curve.projection);
+    const UsersRun nearest = use(finger, choice.surface.surface, path, time_step);
+    for (const NamedSetting& setting : settings()) {
+      UsersRun other;
+      {
+        const auto set = setting.set();
+        other = use(finger, choice.surface.surface, path, time_step);
+      }
+      for (std::size_t i = 0; i < path.size(); ++i) {
+        SCOPED_TRACE(setting.name + ", sample " + std::to_string(i));
+        const FingerOutput& a = nearest.outputs[i];
+        const FingerOutput& b = other.outputs[i];
+        ASSERT_EQ(a.state == ContactState::invalid, b.state == ContactState::invalid);
+        ASSERT_LE((a.proxy - b.proxy).norm(), 1e-9);
+        ASSERT_NEAR(a.angle, b.angle, 1e-9);
+        ASSERT_NEAR(a.load, b.load, 1e-9);
+        ASSERT_LE((a.force - b.force).norm(), 1e-9);
+        ASSERT_NEAR(a.moment, b.moment, 1e-9);
+        ASSERT_GE(b.slip_work, 0.0);
+      }
+    }
+  });
+}
+
+TEST(HostSettings, ATableLooksUpTheSameUnderAnyRounding) {
+  const Table table = Table::build(hertz(), 1e-10);
+  Random random(33);
+  std::vector<SlipTwist> twists{{0.0, 1.0}, {1.0, 0.0}, {1.0, 1.0}, {1e-310, 1.0}, {1.0, 1e-310}, {5e-324, 5e-324}};
+  for (int i = 0; i < 20000; ++i) twists.push_back({random.logarithmic(1e-12, 1e12), 1.0});
+  for (int i = 1; i <= 64; ++i) {  // about the ends of cells
+    const double x = i / 64.0;
+    for (const double beside : {std::nextafter(x, 0.0), x, std::nextafter(x, 2.0)}) {
+      twists.push_back({beside, 1.0});
+      twists.push_back({1.0, beside});
+    }
+  }
+  std::vector<UnitWrench> nearest;
+  for (const SlipTwist& twist : twists) nearest.push_back(table.wrench(twist));
+  for (const NamedSetting& setting : settings()) {
+    std::vector<UnitWrench> other;
+    {
+      const auto set = setting.set();
+      for (const SlipTwist& twist : twists) other.push_back(table.wrench(twist));
+    }
+    for (std::size_t i = 0; i < twists.size(); ++i) {
+      // A twist of nothing but subnormal numbers is none where those are flushed to 0.
+      if (std::fmax(twists[i].slide, twists[i].spin) < 1e-300 && setting.name == "no subnormals") continue;
+      ASSERT_NEAR(nearest[i].force, other[i].force, 1e-9) << setting.name << ' ' << twists[i].slide << ' ' << twists[i].spin;
+      ASSERT_NEAR(nearest[i].moment, other[i].moment, 1e-9) << setting.name << ' ' << twists[i].slide << ' ' << twists[i].spin;
+    }
+  }
+}
+
+/// A batch of contacts that slide and twist; forces of all steps.
+std::vector<double> batch_forces(const FingerCurve& curve, const FingerParameters& with, Projection projection) {
+  constexpr std::size_t count = 67;  // packs, and some more
+  const Batch batch(curve, with, projection);
+  ContactArrays arrays(count);
+  const ContactBatch contacts = arrays.batch();
+  std::vector<double> result;
+  for (int step = 0; step < 40; ++step) {
+    for (std::size_t i = 0; i < count; ++i) {
+      const double phase = static_cast<double>(i) + 0.1 * step;
+      arrays.x()[i] = 0.003 * std::sin(phase);
+      arrays.y()[i] = 0.002 * std::cos(2.0 * phase);
+      arrays.angle()[i] = 0.5 * std::sin(0.7 * phase);
+      arrays.depth()[i] = i % 13 == 12 ? 1e-310 : 0.0015 + 0.002 * std::sin(3.0 * phase);
+    }
+    batch.step(contacts);
+    for (std::size_t i = 0; i < count; ++i) {
+      result.insert(result.end(),
+                    {contacts.force_x[i], contacts.force_y[i], contacts.moment[i], contacts.proxy_x[i], contacts.proxy_angle[i]});
+    }
+  }
+  return result;
+}
+
+TEST(HostSettings, ABatchFeelsTheSameUnderAnyRounding) {
+  for (const CurveChoice& choice : all_curves()) {
+    const FingerCurve curve = make_finger_curve(choice.kind, hertz(), 1e-8).curve;
+    for (const NamedParameters& with : all_parameters()) {
+      const std::vector<double> nearest = batch_forces(curve, with.finger, choice.projection);
+      for (const NamedSetting& setting : settings()) {
+        std::vector<double> other;
+        {
+          const auto set = setting.set();
+          other = batch_forces(curve, with.finger, choice.projection);
+        }
+        for (std::size_t i = 0; i < nearest.size(); ++i) {
+          ASSERT_NEAR(nearest[i], other[i], 1e-9) << choice.name() << ", " << with.name << ", " << setting.name << ' ' << i;
+        }
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace limitcurve::godobject::test
