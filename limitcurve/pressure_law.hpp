@@ -87,6 +87,9 @@ class PressureLaw {
   /// (between samples). For tables whose tolerance the errors of `forces` come near.
   [[nodiscard]] virtual evaluators::Quadrature<Extended> unrounded(Extended s) const noexcept;
 
+  /// The pressure projected on a line through the contact's centre, at the place t ≥ 0 [contact radii]: see evaluators::projection.
+  [[nodiscard]] virtual evaluators::Quadrature<double> projection(double t) const noexcept;
+
   /// Whether the law can be evaluated by `method`.
   [[nodiscard]] virtual bool allows(Method method) const noexcept;
 

@@ -219,6 +219,17 @@ TEST(PatchEllipse, OfEqualAxesIsTheDisc) {
   }
 }
 
+TEST(PatchEllipse, OfAMixtureIsTheMixture) {
+  // The parts end at different radii, one with a pressure that is singular there.
+  const Patch mixed = Patch::ellipse(parse_law("mix:1*power:n=-0.9+3*gaussian:sigma=2"), 0.004, 0.002);
+  const std::vector<std::pair<double, Patch>> parts{{1.0, Patch::ellipse(power(-0.9), 0.004, 0.002)},
+                                                    {3.0, Patch::ellipse(gaussian(2.0), 0.004, 0.002)}};
+  const Patch sum = Patch::sum(parts);
+  for (const PatchTwist& twist : twists(0.004, 50, -2.0, 2.0)) {
+    EXPECT_LE(test::difference(mixed.evaluate(twist), sum.evaluate(twist), sum.moment_ratio()), 1e-10);
+  }
+}
+
 TEST(PatchEllipse, LargestMomentIsThatOfTheDiscOfEqualPerimeter) {
   for (const std::string_view name : law_examples()) {
     const Law law = parse_law(name);
