@@ -244,7 +244,7 @@ TEST(PatchEllipse, LargestMomentIsThatOfTheDiscOfEqualPerimeter) {
 TEST(PatchEllipse, BeyondAnAspectOfTwentyKeepsItsError) {
   for (const char* name : {"hertz", "uniform", "cone"}) {
     const Law law = parse_law(name);
-    for (const double aspect : {50.0, 1000.0}) {
+    for (const double aspect : {50.0, 1000.0, 9999.0}) {
       const Patch patch = Patch::ellipse(law, 1.0, aspect);
       for (const PatchPoint cor : {PatchPoint{0, 0}, {0.3, 0.2 * aspect}, {1.2, 0.1}, {0.1, 1.1 * aspect}}) {
         const PatchFriction exact = test::ellipse_by_rays(*law, 1.0, aspect, about(cor));
@@ -334,6 +334,8 @@ TEST(PatchInput, BadOnesAreNamed) {
   EXPECT_TRUE(has(complaint([] { return Patch::rectangle(0.0, 1.0); }), "x = 0 m"));
   EXPECT_TRUE(has(complaint([] { return Patch::rectangle(1.0, nan); }), "y = nan m"));
   EXPECT_TRUE(has(complaint([] { return Patch::ellipse(hertz(), 1.0, -1.0); }), "b = -1 m"));
+  EXPECT_TRUE(has(complaint([] { return Patch::ellipse(hertz(), 1.0, 1e-5); }), "aspect"));
+  EXPECT_TRUE(has(complaint([] { return Patch::ellipse(hertz(), 1.0, 1e-3).orthotropic(1.0, 100.0); }), "aspect"));
   EXPECT_TRUE(has(complaint([] { return Patch::image(std::vector<double>{1, 2, 3, nan}, 2, 1.0); }), "row 2, column 2: pressure = nan"));
   EXPECT_TRUE(has(complaint([] { return Patch::image(std::vector<double>{1, -2, 3, 1}, 2, 1.0); }), "row 1, column 2: pressure = -2"));
   EXPECT_TRUE(has(complaint([] { return Patch::image(std::vector<double>{0, 0}, 2, 1.0); }), "all 2 pixels have pressure 0"));
