@@ -37,6 +37,7 @@ class Report final : public Subcommand {
     write_replay_files(directory, data);
     write_steady_twist_file(directory);
     write_fit_files(directory, data);
+    write_patch_files(directory, data);
     write_pivot_files(directory);
     write_translate_file(directory);
     write_work_precision_files(directory, data);

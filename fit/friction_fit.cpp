@@ -50,15 +50,11 @@ Line regress(std::span<const double> x, std::span<const double> y) {
 
 }  // namespace
 
-std::vector<Estimate> fit_friction(const Patch& patch, std::span<const Push> pushes, double load, const std::string& unit) {
-  if (pushes.size() < 3) throw std::invalid_argument(std::to_string(pushes.size()) + " pushes, expected at least 3");
+std::vector<PushFriction> push_friction(const Patch& patch, std::span<const Push> pushes, double load) {
   const double m0 = patch.moment_ratio();
   const PatchPoint centre = patch.centre();
-  std::vector<double> share;
-  std::vector<double> exact;
-  std::vector<double> ellipsoid;
-  for (std::size_t i = 0; i < pushes.size(); ++i) {
-    const auto& [wrench, twist] = pushes[i];
+  std::vector<PushFriction> found;
+  for (const auto& [wrench, twist] : pushes) {
     const double vx = twist.vx - twist.omega * centre.y;
     const double vy = twist.vy + twist.omega * centre.x;
     const double power = (wrench.fx * twist.vx + wrench.fy * twist.vy + wrench.moment * twist.omega) / load;
@@ -66,11 +62,22 @@ std::vector<Estimate> fit_friction(const Patch& patch, std::span<const Push> pus
     const double spin = m0 * twist.omega;
     const double ellipsoid_power = std::hypot(patch.factors().x * vx, patch.factors().y * vy, spin);
     if (!(exact_power > 0.0 && ellipsoid_power > 0.0)) {
-      throw std::invalid_argument("push " + std::to_string(i + 1) + ": no displacement, expected one that slides");
+      throw std::invalid_argument("push " + std::to_string(found.size() + 1) + ": no displacement, expected one that slides");
     }
-    share.push_back(std::fabs(spin) / std::hypot(vx, vy, spin));
-    exact.push_back(power / exact_power);
-    ellipsoid.push_back(power / ellipsoid_power);
+    found.push_back({std::fabs(spin) / std::hypot(vx, vy, spin), power / exact_power, power / ellipsoid_power});
+  }
+  return found;
+}
+
+std::vector<Estimate> fit_friction(const Patch& patch, std::span<const Push> pushes, double load, const std::string& unit) {
+  if (pushes.size() < 3) throw std::invalid_argument(std::to_string(pushes.size()) + " pushes, expected at least 3");
+  std::vector<double> share;
+  std::vector<double> exact;
+  std::vector<double> ellipsoid;
+  for (const PushFriction& push : push_friction(patch, pushes, load)) {
+    share.push_back(push.share);
+    exact.push_back(push.exact);
+    ellipsoid.push_back(push.ellipsoid);
   }
   const Line of_exact = regress(share, exact);
   const Line of_ellipsoid = regress(share, ellipsoid);

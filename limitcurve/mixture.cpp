@@ -74,6 +74,21 @@ class MixtureLaw final : public PressureLawOf<MixtureLaw> {
     return sum;
   }
 
+  evaluators::Quadrature<double> projection(double t) const noexcept override {
+    evaluators::Quadrature<double> sum{};
+    for (const Part& part : parts_) {
+      const auto share = static_cast<double>(part.share);
+      // Beyond a part's own rim all of it is on one side.
+      const bool beyond = t >= static_cast<double>(part.law->breaks().back());
+      const auto one = beyond ? evaluators::Quadrature<double>{{1.0, 0.0, 0.0}, {}} : part.law->projection(t);
+      sum.forces.force += share * one.forces.force;
+      sum.forces.moment += share * one.forces.moment;
+      sum.error.force += share * one.error.force;
+      sum.error.moment += share * one.error.moment;
+    }
+    return sum;
+  }
+
   evaluators::Quadrature<Extended> unrounded(Extended s) const noexcept override {
     evaluators::Quadrature<Extended> sum{};
     for (const Part& part : parts_) {

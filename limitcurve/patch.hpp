@@ -70,7 +70,7 @@ class Patch {
   static Patch polygon(std::span<const PatchPoint> vertices);
   /// Uniform pressure on a rectangle of full sides x and y about the origin.
   static Patch rectangle(double x, double y);
-  /// A pressure law stretched on to the ellipse with semi-axes a (along x) and b (along y) about the origin.
+  /// A pressure law stretched on to the ellipse with semi-axes a (along x) and b (along y) about the origin, up to 1e4 : 1.
   /// Hertz and flat punch 20 ns with the COR inside; 1 to 2 µs outside; other laws 3 to 10 µs, samples with many breaks more.
   static Patch ellipse(const Law& law, double a, double b);
   /// A pressure image: rows of equal length, the first at the largest y; a pixel is a square of side `pixel` under constant pressure >= 0.

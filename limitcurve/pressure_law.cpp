@@ -45,6 +45,10 @@ evaluators::Quadrature<Extended> PressureLaw::unrounded(Extended s) const noexce
   return evaluators::ring(*this, s);
 }
 
+evaluators::Quadrature<double> PressureLaw::projection(double t) const noexcept {
+  return evaluators::projection(*this, t);
+}
+
 bool PressureLaw::allows(Method method) const noexcept {
   if (method == Method::closed) return closed(1).has_value();
   if (method == Method::punch) return punch_density({0.5L, 0.5L}).has_value();

@@ -89,6 +89,9 @@ class PressureLaw {
   /// that is given by a formula.
   [[nodiscard]] virtual double profile_error() const noexcept { return 0.0; }
 
+  /// The pressure projected on a line through the contact's centre, at the place t ≥ 0 [contact radii]: see evaluators::projection.
+  [[nodiscard]] virtual evaluators::Quadrature<double> projection(double t) const noexcept;
+
   /// Whether the law can be evaluated by `method`.
   [[nodiscard]] virtual bool allows(Method method) const noexcept;
 

@@ -54,6 +54,12 @@ fit_band.csv        force,moment,inner_force,inner_moment,outer_force,outer_mome
                       the curve fitted to data/fit/slips.csv, per newton of load, and its 95 % band
 fit_residuals.csv   load,force,moment,sigma_force,sigma_moment,residual
                       its samples, and their distances from the curve in standard deviations
+patch_pushes.csv    data,share,exact,ellipsoid
+                      the measured pushes of data/measured: share of rotation, power over that of the patch and of the ellipsoid
+patch_fits.csv      data,parameter,value,std_error,unit
+                      as `fit friction` of those
+patch_errors.csv    shape,aspect,law,model,parameter,max_error,rms_error,max_over_estimate,max_under_estimate,max_cor_error
+                      as `validate --patch` for elliptic Hertz contacts and rectangles
 engine_drag.csv     engine,version,model,c,force,moment,exact_force,exact_moment
                       data/engines/drag.csv: a finger dragged in the engines themselves about centres of rotation c [a]; force and
                       moment over their limits, and those of the law
@@ -74,11 +80,13 @@ sys.path.insert(0, str(Path(__file__).resolve().parent))
 
 import curve_figures  # noqa: E402
 import finger_figures  # noqa: E402
+import patch_figures  # noqa: E402
 from chart_style import Table, save, short, write_whole  # noqa: E402
 from work_precision_figures import work_precision  # noqa: E402
 
 FILES = ("laws", "curves", "p_curves", "c_curves", "validate", "ellipse_error", "tables", "materials", "table_error", "replay",
-         "replay_runs", "replay_limits", "steady_twist", "pivot", "pivot_map", "fits", "fit_band", "fit_residuals", "engine_drag",
+         "replay_runs", "replay_limits", "steady_twist", "pivot", "pivot_map", "fits", "fit_band", "fit_residuals", "patch_pushes",
+         "patch_fits", "patch_errors", "engine_drag",
          "translate", "work_precision_wrench", "work_precision_step", "work_precision_scaling")
 
 FIGURES = {
@@ -94,6 +102,7 @@ FIGURES = {
     "pivot": finger_figures.pivot,
     "pivot_map": finger_figures.pivot_map,
     "fits": curve_figures.fits,
+    "patches": patch_figures.patches,
     "engines": curve_figures.engines,
     "work_precision": work_precision,
 }
@@ -183,6 +192,12 @@ def fits_table(data):
                          unit_of(row)) for row in data["fits"]])
 
 
+def patch_fits_table(data):
+    return facts_table(("data", "parameter", "value", "standard error", "unit"),
+                       [(row["data"], row["parameter"].replace("_", " "), f"{row['value']:.4g}", f"{row['std_error']:.2g}", unit_of(row))
+                        for row in data["patch_fits"]])
+
+
 def sections(data):
     """The page's story: heading, figure, what to see in it; each number is read from the files."""
     ellipses = data["validate"].where(model="ellipse")
@@ -194,6 +209,10 @@ def sections(data):
     engine, sandpaper = data["translate"][0], data["materials"].where(material="sandpaper")[0]
     turned = {case: max(rows.column("angle", 180 / math.pi)) for case, rows in data["pivot"].where(grip="release").groups("case").items()}
     certified = max(data["table_error"].column("tolerance"))
+    drifts = [" and ".join(f"{row['value']:.3f} ± {row['std_error']:.3f}" for row in data["patch_fits"].where(parameter=name))
+              for name in ("drift", "drift_ellipsoid")]
+    square, long = ([row for row in data["patch_errors"].where(shape="rectangle", aspect=aspect) if row["model"].startswith("disc:")][0]
+                    for aspect in (1, 5))
     worst_between = max(max(abs(row["force_error"]), abs(row["moment_error"])) for row in data["table_error"])
     return [
         ("One curve for each pressure law", [
@@ -252,6 +271,15 @@ def sections(data):
              "loss: friction, moment coefficient and the growth of the contact with the load, each with its standard error; the 95 % "
              "band is hardly wider than the line (lens). Grey on the right: where 95 % of the residuals of a right model lie."),
         ], fits_table(data)),
+        ("Contacts that are not round", [
+            ("patches", "Left: measurements that nobody here made. A plate on three known points was pushed over hardboard and plywood; what "
+             "each push needs of power, over the power H of the three points (blue) and of the ellipsoid √(v² + m₀²ω²) (orange), must be "
+             f"one friction coefficient, however much of the motion is rotation. Nothing is fitted. Its drift over the share of rotation is {drifts[0]} for the points and "
+             f"{drifts[1]} for the ellipsoid. That shows how force and moment couple; it does not show the pressure "
+             "under a soft pad, nor pure spin, and the directions of the wrenches scatter too much to tell the models apart. Right: when a round "
+             f"model will do. The best disc of all laws and radii is off by {percent(square['max_error'], 1)} for a square and "
+             f"{percent(long['max_error'], 0)} for a rectangle 5 : 1."),
+        ], patch_fits_table(data)),
         ("Speed against accuracy", [
             ("work_precision", "One dot for every way to a friction wrench: its largest error over every centre of rotation, as a share of what "
              "the contact bears, against its cost on one machine; filled ours, hollow others’. Bands: the cheapest at each error. Last, a "

@@ -14,6 +14,16 @@ struct Push {
   PatchTwist displacement;
 };
 
+/// What one push tells.
+struct PushFriction {
+  double share;      ///< of rotation in its motion, 0 to 1
+  double exact;      ///< power over P H, μ where the patch explains the push
+  double ellipsoid;  ///< power over that of the ellipsoid
+};
+
+/// For each push. Throws as `fit_friction`, but for their number.
+std::vector<PushFriction> push_friction(const Patch& patch, std::span<const Push> pushes, double load);
+
 /// μ from power: W·T/(P H(T)) of every push, which must not depend on how much of the motion is rotation. The estimates are
 ///   mu        its mean; standard error from its scatter,
 ///   drift     least-squares slope of μ over the share of rotation |ω|m₀/√(v² + ω²m₀²), v of the centre of pressure, divided by the mean,

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "limitcurve/number.hpp"
 #include "limitcurve/patch/projection.hpp"
 #include "limitcurve/patch/shape.hpp"
 
@@ -31,6 +32,12 @@ PanelRule make_rule() {
     rule.weight.push_back(Rule::weights()[i] * 1.5 * (1.0 - x) * (1.0 + x));
   }
   return rule;
+}
+
+void check_aspect(double a, double b) {
+  constexpr double most = 1e4;
+  const double aspect = std::max(a, b) / std::min(a, b);
+  if (!(aspect <= most)) throw out_of_range("aspect a/b or b/a", aspect, "1", "up to 1e4, friction factors included");
 }
 
 /// With D(c) = ¼ ∮ h G(c·u/h) dθ over unit vectors u(θ), h² = a²cos²θ + b²sin²θ the ellipse's half width along u:
@@ -240,6 +247,7 @@ struct Ellipse final : Shape {
     return there;
   }
   [[nodiscard]] std::shared_ptr<Shape> stretched(double sx, double sy) const override {
+    check_aspect(sx * a, sy * b);
     auto there = std::make_shared<Ellipse>(projection, sx * a, sy * b);
     there->centre = {sx * centre.x, sy * centre.y};
     return there;
@@ -258,6 +266,7 @@ struct Ellipse final : Shape {
 }  // namespace
 
 std::shared_ptr<Shape> make_ellipse(const Law& law, double a, double b) {
+  check_aspect(a, b);
   return std::make_shared<Ellipse>(std::make_shared<Projection>(law), a, b);
 }
 

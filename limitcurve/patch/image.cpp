@@ -40,8 +40,34 @@ RectangleMeans rectangle_means(double hx, double hy, PatchPoint c) noexcept {
   return {distance, direction, distance + c.x * direction.x + c.y * direction.y};
 }
 
-/// Squares of constant pressure. Those next to the COR are summed as such, and all others as points with the square's second moment across the
-/// direction of sliding, w√(|u|² + ω²h²/12): what is left is of fourth order in (side/distance).
+/// Σ w √(|u|² + ω²V), V = (h_x²u_x² + h_y²u_y²)/(12|u|²) the second moment of a rectangle of sides h_x, h_y across the direction of sliding; and its
+/// gradient. Those that have the COR in them, near their middle, are left out: they are no points.
+PatchFriction sum_rectangles(const double* xs, const double* ys, const double* weights, std::size_t count, const PatchTwist& twist,
+                             double hx, double hy) noexcept {
+  const double a = twist.omega * twist.omega * hx * hx / 12.0;
+  const double b = twist.omega * twist.omega * hy * hy / 12.0;
+  const double inside = 0.25 * twist.omega * twist.omega * std::min(hx, hy) * std::min(hx, hy);
+  PatchFriction sum;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double ux = twist.vx - twist.omega * ys[i];
+    const double uy = twist.vy + twist.omega * xs[i];
+    const double square = ux * ux + uy * uy;
+    if (square <= inside) continue;
+    const double second = (a * ux * ux + b * uy * uy) / square;
+    const double length = std::sqrt(square + second);
+    const double share = weights[i] / length;
+    const double fx = share * ux * (1.0 + (a - second) / square);
+    const double fy = share * uy * (1.0 + (b - second) / square);
+    sum.power += weights[i] * length;
+    sum.wrench.fx += fx;
+    sum.wrench.fy += fy;
+    sum.wrench.moment += xs[i] * fy - ys[i] * fx + (twist.omega != 0.0 ? share * second / twist.omega : 0.0);
+  }
+  return sum;
+}
+
+/// Squares of constant pressure, rectangles if stretched. Those next to the COR are summed as such, and all others as points with the square's second
+/// moment across the direction of sliding, w√(|u|² + ω²h²/12): what is left is of fourth order in (side/distance).
 struct Image final : Shape {
   std::vector<double> loads;  ///< of all pixels, rows from the largest y, scaled to sum 1
   std::size_t columns;
@@ -78,16 +104,28 @@ struct Image final : Shape {
     measure_moment_ratio();
   }
 
+  /// The pixels as points with a second moment.
+  [[nodiscard]] PatchFriction sum_points(const double* x, const double* y, const double* weight, std::size_t count,
+                                         const PatchTwist& twist) const noexcept {
+    if (side_x != side_y) return sum_rectangles(x, y, weight, count, twist, side_x, side_y);
+    return sum_soft_points(x, y, weight, count, twist, softness() * twist.omega * twist.omega);
+  }
+
   /// ε² of a pixel: the square's second moment about its middle; of a stretched one the mean of both directions.
   [[nodiscard]] double softness() const noexcept { return (side_x * side_x + side_y * side_y) / 24.0; }
 
-  /// Calls `visit(index, place)` for each pixel under pressure of the 3 × 3 round the COR.
+  static constexpr double most_near = 12.0;
+
+  /// Calls `visit(load, place)` for each pixel under pressure of the 3 × 3 round the COR; of stretched ones for as many more as the longer side takes.
   template <class Visit>
   void visit_near(PatchPoint cor, const Visit& visit) const noexcept {
     const double column = std::floor((cor.x - corner.x) / side_x);
     const double row = std::floor((corner.y - cor.y) / side_y);
-    for (double r = std::max(0.0, row - 1.0); r <= std::min(static_cast<double>(rows) - 1.0, row + 1.0); ++r) {
-      for (double c = std::max(0.0, column - 1.0); c <= std::min(static_cast<double>(columns) - 1.0, column + 1.0); ++c) {
+    const double longer = std::max(side_x, side_y);
+    const double wide = std::min(std::ceil(longer / side_x), most_near);
+    const double high = std::min(std::ceil(longer / side_y), most_near);
+    for (double r = std::max(0.0, row - high); r <= std::min(static_cast<double>(rows) - 1.0, row + high); ++r) {
+      for (double c = std::max(0.0, column - wide); c <= std::min(static_cast<double>(columns) - 1.0, column + wide); ++c) {
         const std::size_t i = static_cast<std::size_t>(r) * columns + static_cast<std::size_t>(c);
         if (loads[i] > 0.0) visit(loads[i], PatchPoint{corner.x + (c + 0.5) * side_x, corner.y - (r + 0.5) * side_y});
       }
@@ -96,11 +134,10 @@ struct Image final : Shape {
 
   [[nodiscard]] PatchFriction evaluate(const PatchTwist& twist) const noexcept override {
     if (only_slides(twist, radius)) return sliding(twist);
-    const double soft = softness() * twist.omega * twist.omega;
-    PatchFriction friction = sum_soft_points(xs.data(), ys.data(), weights.data(), xs.size(), twist, soft);
+    PatchFriction friction = sum_points(xs.data(), ys.data(), weights.data(), xs.size(), twist);
     const PatchPoint cor{-twist.vy / twist.omega, twist.vx / twist.omega};
     visit_near(cor, [&](double load, PatchPoint place) {
-      const PatchFriction point = sum_soft_points(&place.x, &place.y, &load, 1, twist, soft);
+      const PatchFriction point = sum_points(&place.x, &place.y, &load, 1, twist);
       const RectangleMeans means = rectangle_means(side_x, side_y, {cor.x - place.x, cor.y - place.y});
       PatchFriction square = from_distance(twist.omega, means.distance, means.direction, means.moment);
       square.wrench.moment += place.x * square.wrench.fy - place.y * square.wrench.fx;
@@ -112,17 +149,16 @@ struct Image final : Shape {
     return friction;
   }
 
-  /// Sums what a pixel's fourth moments, and of a stretched one the difference of its second ones, can do to its force, and that on a lever.
+  /// Sums what a pixel's fourth moments can do to its force, and that on a lever.
   [[nodiscard]] double error(const PatchTwist& twist) const noexcept override {
     const double rounding = (8.0 + static_cast<double>(xs.size()) / 8.0) * epsilon * (1.0 + radius / moment_ratio);
     const PatchPoint cor{-twist.vy / twist.omega, twist.vx / twist.omega};
     const double square = std::max(side_x, side_y) * std::max(side_x, side_y);
-    const double unequal = std::fabs(side_x * side_x - side_y * side_y) / 12.0;
     double bound = 0.0;
     const auto of_pixel = [&](double load, double x, double y) {
       const double away = (x - cor.x) * (x - cor.x) + (y - cor.y) * (y - cor.y);
       const double ratio = square / away;
-      const double force = std::min(fourth_order * ratio * ratio + unequal / away, 1.0);
+      const double force = std::min(fourth_order * ratio * ratio, 1.0);
       return load * force * (1.0 + (std::hypot(x, y) + std::sqrt(away)) / moment_ratio);
     };
     for (std::size_t i = 0; i < xs.size(); ++i) bound += of_pixel(weights[i], xs[i], ys[i]);
@@ -130,7 +166,7 @@ struct Image final : Shape {
     visit_near(cor, [&](double load, PatchPoint place) { bound -= of_pixel(load, place.x, place.y); });
     return rounding + std::max(0.0, bound);
   }
-  /// (distance/side)⁴ times the largest error of a square's force, from 1.5 sides on.
+  /// (distance/longer side)⁴ times the largest error of a pixel's force, from 1.5 sides on.
   static constexpr double fourth_order = 0.02;
 
   [[nodiscard]] std::shared_ptr<Shape> moved(double x, double y) const override {

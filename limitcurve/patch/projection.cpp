@@ -57,8 +57,10 @@ void Projection::tabulate(double tolerance) {
 }
 
 void Projection::add_cells(double begin, double end, double tolerance, double before) {
-  const auto exact = [this](double t) -> Value {
-    const auto forces = evaluators::projection(*law_, t).forces;
+  double rounding = 0.0;
+  const auto exact = [&](double t) -> Value {
+    const auto [forces, error] = law_->projection(t);
+    rounding = std::max({rounding, error.force, error.moment});
     return {forces.force, forces.moment};
   };
   Cell cell{begin, 0.5 * (end - begin), {}, {}};
@@ -86,7 +88,7 @@ void Projection::add_cells(double begin, double end, double tolerance, double be
   // Halving does not help where the integrals themselves are rounded.
   constexpr double narrowest = 1e-11;
   constexpr double small = 1e-9;
-  const bool rounded = off < small && off > 0.7 * before;
+  const bool rounded = (off < small && off > 0.7 * before) || off < 2.0 * rounding;
   if (off <= tolerance || rounded || cell.half < narrowest * outer_) {
     cells_.push_back(cell);
     return;

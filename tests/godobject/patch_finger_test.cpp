@@ -80,7 +80,9 @@ TEST(PatchProjector, ClosestPointIsOnTheSurfaceAndTheSlipItsNormal) {
         const double available = 3.0 * patch.power(found.slip);
         EXPECT_GT(power, 0.0);
         const double slipped = std::hypot(found.slip.vx, found.slip.vy, m0 * found.slip.omega);
-        EXPECT_NEAR(power, available, 1e-9 * available + 1e-11 * slipped) << name << ' ' << ratio;
+        // Of a slip near none the rounding of the trial is what is left.
+        const double rounding = 4.0 * std::numeric_limits<double>::epsilon() * std::hypot(trial.fx, trial.fy, trial.moment / m0) / 500.0;
+        EXPECT_NEAR(power, available, 1e-9 * available + 1e-11 * slipped + 3.0 * rounding) << name << ' ' << ratio;
       }
     }
   }

@@ -47,7 +47,7 @@ std::vector<Kind> kinds() {
           {"sum", Patch::sum(feet), 1e-13},
           {"orthotropic polygon", Patch::polygon(concave).orthotropic(0.5, 1.5), 1e-13},
           {"orthotropic ellipse", ellipse.orthotropic(1.2, 0.8), 1e-13},
-          {"orthotropic image", Patch::image(bump_image(), 12, 0.001).orthotropic(1.3, 0.9), 2e-2},
+          {"orthotropic image", Patch::image(bump_image(), 12, 0.001).orthotropic(1.3, 0.9), 2e-3},
           {"orthotropic sum", Patch::sum(feet).orthotropic(2.0, 0.5), 1e-13}};
 }
 

@@ -219,6 +219,17 @@ TEST(PatchEllipse, OfEqualAxesIsTheDisc) {
   }
 }
 
+TEST(PatchEllipse, OfAMixtureIsTheMixture) {
+  // The parts end at different radii, one with a pressure that is singular there.
+  const Patch mixed = Patch::ellipse(parse_law("mix:1*power:n=-0.9+3*gaussian:sigma=2"), 0.004, 0.002);
+  const std::vector<std::pair<double, Patch>> parts{{1.0, Patch::ellipse(power(-0.9), 0.004, 0.002)},
+                                                    {3.0, Patch::ellipse(gaussian(2.0), 0.004, 0.002)}};
+  const Patch sum = Patch::sum(parts);
+  for (const PatchTwist& twist : twists(0.004, 50, -2.0, 2.0)) {
+    EXPECT_LE(test::difference(mixed.evaluate(twist), sum.evaluate(twist), sum.moment_ratio()), 1e-10);
+  }
+}
+
 TEST(PatchEllipse, LargestMomentIsThatOfTheDiscOfEqualPerimeter) {
   for (const std::string_view name : law_examples()) {
     const Law law = parse_law(name);
@@ -233,7 +244,7 @@ TEST(PatchEllipse, LargestMomentIsThatOfTheDiscOfEqualPerimeter) {
 TEST(PatchEllipse, BeyondAnAspectOfTwentyKeepsItsError) {
   for (const char* name : {"hertz", "uniform", "cone"}) {
     const Law law = parse_law(name);
-    for (const double aspect : {50.0, 1000.0}) {
+    for (const double aspect : {50.0, 1000.0, 9999.0}) {
       const Patch patch = Patch::ellipse(law, 1.0, aspect);
       for (const PatchPoint cor : {PatchPoint{0, 0}, {0.3, 0.2 * aspect}, {1.2, 0.1}, {0.1, 1.1 * aspect}}) {
         const PatchFriction exact = test::ellipse_by_rays(*law, 1.0, aspect, about(cor));
@@ -270,6 +281,20 @@ TEST(PatchImage, IsTheSumOfItsSquaresToItsStatedError) {
   expect(row, 8, -2.0, 0.1);
   expect(lone, 3, -1.0, 0.1);
   expect(few, 4, -1.0, 0.1);
+}
+
+TEST(PatchImage, UnderOrthotropicFrictionIsTheRectangle) {
+  // Pixels become rectangles: even ten times as long as wide.
+  const std::vector<double> even(64 * 64, 1.0);
+  for (const auto& [mx, my] : {std::pair{1.5, 1.0}, {1.0, 3.0}, {0.2, 2.0}}) {
+    const Patch image = Patch::image(even, 64, 0.5 / 64).orthotropic(mx, my);
+    const Patch whole = Patch::rectangle(0.5, 0.5).orthotropic(mx, my);
+    for (const PatchTwist& twist : twists(0.5, 200, -2.0, 1.0)) {
+      const double error = test::difference(image.evaluate(twist), whole.evaluate(twist), whole.moment_ratio());
+      EXPECT_LE(error, image.about_origin(twist).error) << mx << ' ' << my;
+      EXPECT_LE(error, 1e-4) << mx << ' ' << my;
+    }
+  }
 }
 
 TEST(PatchImage, FirstRowHasTheLargestY) {
@@ -323,6 +348,8 @@ TEST(PatchInput, BadOnesAreNamed) {
   EXPECT_TRUE(has(complaint([] { return Patch::rectangle(0.0, 1.0); }), "x = 0 m"));
   EXPECT_TRUE(has(complaint([] { return Patch::rectangle(1.0, nan); }), "y = nan m"));
   EXPECT_TRUE(has(complaint([] { return Patch::ellipse(hertz(), 1.0, -1.0); }), "b = -1 m"));
+  EXPECT_TRUE(has(complaint([] { return Patch::ellipse(hertz(), 1.0, 1e-5); }), "aspect"));
+  EXPECT_TRUE(has(complaint([] { return Patch::ellipse(hertz(), 1.0, 1e-3).orthotropic(1.0, 100.0); }), "aspect"));
   EXPECT_TRUE(has(complaint([] { return Patch::image(std::vector<double>{1, 2, 3, nan}, 2, 1.0); }), "row 2, column 2: pressure = nan"));
   EXPECT_TRUE(has(complaint([] { return Patch::image(std::vector<double>{1, -2, 3, 1}, 2, 1.0); }), "row 1, column 2: pressure = -2"));
   EXPECT_TRUE(has(complaint([] { return Patch::image(std::vector<double>{0, 0}, 2, 1.0); }), "all 2 pixels have pressure 0"));
