@@ -35,6 +35,11 @@ double rise_after_slip(const Deflection& before, const Vector3d& tangential, dou
   return std::min(rise * (square / square_before), longest - depth);
 }
 
+double share_along_slope(const Deflection& after, double rise) noexcept {
+  const double square = after.tangential.squaredNorm();
+  return rise != 0.0 && square > 0.0 ? std::max(1.0 + 2.0 * after.normal * rise / square, 0.0) : 1.0;
+}
+
 Deflection FingerState::deflection() const noexcept {
   return godobject::deflection(vector(proxy), {vector(goal), vector(normal), depth});
 }

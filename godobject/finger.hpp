@@ -83,6 +83,10 @@ struct Deflection {
 /// with the square of the distance from x_g, and the proxy does not come farther from the finger than it was.
 [[nodiscard]] double rise_after_slip(const Deflection& before, const Eigen::Vector3d& tangential, double depth) noexcept;
 
+/// Of a force along the tangent plane at x_g the share that works where a proxy slides, `rise` over that plane on a curved surface: the spring's part
+/// along the slope there, against that along the plane.
+[[nodiscard]] double share_along_slope(const Deflection& after, double rise) noexcept;
+
 /// All that a finger remembers from one step to the next. Plain numbers: copy it, save it, restore it.
 struct FingerState {
   ContactState state = ContactState::free;

@@ -163,7 +163,8 @@ void PatchFinger::advance(const Contact& contact, const Spin& spin, double devic
   state.moment = twist_kept * twist_stiffness;
   state.cor = slips ? std::hypot(sx, sy) / std::fabs(turn) : std::numeric_limits<double>::quiet_NaN();
   if (slips && sx == 0.0 && sy == 0.0) state.cor = 0.0;
-  const double work = friction.wrench.fx * sx + friction.wrench.fy * sy + friction.wrench.moment * turn;
+  const double along_slope = share_along_slope({deflected, contact.depth + rise}, rise);
+  const double work = along_slope * (friction.wrench.fx * sx + friction.wrench.fy * sy) + friction.wrench.moment * turn;
   state.slip_work = slips ? std::max(work, 0.0) : 0.0;
 }
 

@@ -91,9 +91,7 @@ void SoftFinger::advance(FingerState& state, const Contact& contact, const Spin&
     after.tangential = tangential_rest + kept;
     const double rise = rise_after_slip(now, after.tangential, contact.depth);
     after.normal = contact.depth + rise;
-    const double square = after.tangential.squaredNorm();
-    // Of the force it is the part along the surface at the proxy that works there.
-    if (rise != 0.0 && square > 0.0) along_slope = std::max(1.0 + 2.0 * after.normal * rise / square, 0.0);
+    along_slope = share_along_slope(after, rise);
     proxy = contact.point + after.tangential + n * rise;
   }
   const double angle = friction.moment_ratio < 1.0 ? state.goal_angle + twist_rest + twist_kept : state.angle;
