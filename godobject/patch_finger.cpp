@@ -161,8 +161,9 @@ void PatchFinger::advance(const Contact& contact, const Spin& spin, double devic
   if (damper > 0.0) state.load = std::max(state.load, 0.0);  // dampers do not pull
   state.force = numbers(Vector3d(kept * stiffness));
   state.moment = twist_kept * twist_stiffness;
-  state.cor = slips ? std::hypot(sx, sy) / std::fabs(turn) : std::numeric_limits<double>::quiet_NaN();
-  if (slips && sx == 0.0 && sy == 0.0) state.cor = 0.0;
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  const double slide = std::hypot(sx, sy);
+  state.cor = !slips ? std::numeric_limits<double>::quiet_NaN() : turn != 0.0 ? slide / std::fabs(turn) : slide > 0.0 ? inf : 0.0;
   const double along_slope = share_along_slope({deflected, contact.depth + rise}, rise);
   const double work = along_slope * (friction.wrench.fx * sx + friction.wrench.fy * sy) + friction.wrench.moment * turn;
   state.slip_work = slips ? std::max(work, 0.0) : 0.0;

@@ -13,6 +13,12 @@ inline constexpr double evaluate_by_quadrature = 1e-14;
 inline constexpr double forces_closed = 1e-14;
 inline constexpr double forces_by_quadrature = 1e-13;
 
+/// `Patch`: the largest of the power's relative error, |ΔF| and |ΔM|/m₀, for unit load. Points and polygons to an aspect of 10; ellipses under
+/// hertz, flat-punch, uniform, parabolic, cone, power:n ≥ −0.3; ellipses under other laws, but for what the law does not know of its own pressure.
+inline constexpr double patch_points = 1e-13;
+inline constexpr double patch_ellipse = 1e-12;
+inline constexpr double patch_ellipse_other = 1e-10;
+
 /// `BoundaryError`: absolute error of its extremes, which are relative errors themselves.
 inline constexpr double boundary_error = 1e-9;
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "limitcurve/accuracy.hpp"
 #include "limitcurve/number.hpp"
 #include "limitcurve/patch/projection.hpp"
 #include "limitcurve/patch/shape.hpp"
@@ -238,7 +239,7 @@ struct Ellipse final : Shape {
   }
 
   [[nodiscard]] double error(const PatchTwist&) const noexcept override {
-    return projection->error() + (projection->is_smooth() ? 1e-12 : 1e-10);
+    return projection->error() + (projection->is_smooth() ? accuracy::patch_ellipse : accuracy::patch_ellipse_other);
   }
 
   [[nodiscard]] std::shared_ptr<Shape> moved(double x, double y) const override {

@@ -152,17 +152,17 @@ struct Image final : Shape {
   /// Sums what a pixel's fourth moments can do to its force, and that on a lever.
   [[nodiscard]] double error(const PatchTwist& twist) const noexcept override {
     const double rounding = (8.0 + static_cast<double>(xs.size()) / 8.0) * epsilon * (1.0 + radius / moment_ratio);
+    if (only_slides(twist, radius)) return rounding;
     const PatchPoint cor{-twist.vy / twist.omega, twist.vx / twist.omega};
     const double square = std::max(side_x, side_y) * std::max(side_x, side_y);
     double bound = 0.0;
     const auto of_pixel = [&](double load, double x, double y) {
       const double away = (x - cor.x) * (x - cor.x) + (y - cor.y) * (y - cor.y);
-      const double ratio = square / away;
+      const double ratio = square / std::max(away, 1e-30 * square);
       const double force = std::min(fourth_order * ratio * ratio, 1.0);
       return load * force * (1.0 + (std::hypot(x, y) + std::sqrt(away)) / moment_ratio);
     };
     for (std::size_t i = 0; i < xs.size(); ++i) bound += of_pixel(weights[i], xs[i], ys[i]);
-    if (!std::isfinite(cor.x) || !std::isfinite(cor.y)) return rounding;
     visit_near(cor, [&](double load, PatchPoint place) { bound -= of_pixel(load, place.x, place.y); });
     return rounding + std::max(0.0, bound);
   }

@@ -164,8 +164,9 @@ struct Polygon final : Shape {
   }
 
   [[nodiscard]] double error(const PatchTwist& twist) const noexcept override {
-    const double distance = std::hypot(twist.vx, twist.vy) / std::fabs(twist.omega);
-    const double reach = distance <= far * radius ? radius + distance : 2.0 * radius;
+    const double speed = std::hypot(twist.vx, twist.vy);
+    const double spin = std::fabs(twist.omega);
+    const double reach = speed <= far * radius * spin ? radius + speed / spin : 2.0 * radius;
     return epsilon * (16.0 + perimeter * reach * reach / (whole_area * moment_ratio));
   }
 

@@ -47,7 +47,9 @@ class Comparison {
     for (std::size_t i = 0; i < distances; ++i) {
       for (std::size_t j = 0; j < directions; ++j) {
         grid_.push_back(cor_at(i, j));
-        power_.push_back(patch_.power(twist_at(grid_.back())));
+        const PatchFriction friction = patch_.evaluate(twist_at(grid_.back()));
+        power_.push_back(friction.power);
+        wrench_.push_back(friction.wrench);
       }
     }
   }
@@ -164,17 +166,20 @@ class Comparison {
       error.max_cor_ratio = std::max(error.max_cor_ratio, ratio);
       error.min_cor_ratio = std::min(error.min_cor_ratio, ratio);
     };
-    const auto ratio_at = [&](const Cor& cor) {
-      const PatchWrench wrench = patch_.wrench(twist_at(cor));
+    const auto ratio = [&](const Cor& cor, const PatchWrench& wrench) {
       return model.cor_distance(wrench) / (m0_ * std::pow(10.0, cor.exponent));
     };
-    for (const Cor& cor : grid_) take(ratio_at(cor));
+    for (std::size_t i = 0; i < grid_.size(); ++i) take(ratio(grid_[i], wrench_[i]));
     // Towards the ends: a limit, or none.
     constexpr double runaway = 0.1;
     for (std::size_t j = 0; j < directions; ++j) {
       for (const double end : {-1.0, 1.0}) {
-        const double before = ratio_at({cor_at(0, j).direction, 5.0 * end});
-        const double at = ratio_at({cor_at(0, j).direction, 6.0 * end});
+        const auto ratio_at = [&](double exponent) {
+          const Cor cor{cor_at(0, j).direction, exponent};
+          return ratio(cor, patch_.wrench(twist_at(cor)));
+        };
+        const double before = ratio_at(5.0 * end);
+        const double at = ratio_at(6.0 * end);
         take(!(at <= before * (1.0 + runaway)) ? inf : before > at * (1.0 + runaway) ? 0.0 : at);
       }
     }
@@ -185,6 +190,7 @@ class Comparison {
   double m0_;
   std::vector<Cor> grid_;      ///< distance by distance
   std::vector<double> power_;  ///< of the patch there
+  std::vector<PatchWrench> wrench_;
 };
 
 /// A boundary's COR for a wrench.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "limitcurve/validate.hpp"
 #include "limitcurve/patch.hpp"
+#include "limitcurve/validate.hpp"
 
 #include <string>
 #include <vector>

@@ -111,10 +111,10 @@ TEST_P(EveryPatch, WrenchIsTheDifferenceOfPowers) {
   if (bound > 1e-3) return;  // its power has steps of its own error
   for (const PatchTwist& twist : random_twists(patch, 50)) {
     const double step = 1e-6 * size(patch, twist);
-    const auto slope = [&](double x, double y, double w) {
+    const auto slope = [&, &of = patch](double x, double y, double w) {
       const PatchTwist ahead{twist.vx + x * step, twist.vy + y * step, twist.omega + w * step};
       const PatchTwist behind{twist.vx - x * step, twist.vy - y * step, twist.omega - w * step};
-      return (patch.power(ahead) - patch.power(behind)) / (2.0 * step);
+      return (of.power(ahead) - of.power(behind)) / (2.0 * step);
     };
     const PatchWrench wrench = patch.wrench(twist);
     EXPECT_NEAR(wrench.fx, slope(1, 0, 0), 1e-5) << name;

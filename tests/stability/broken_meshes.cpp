@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Entry f, its part on meshes that bound nothing, or hardly.
-#include "godobject/mesh/mesh.hpp"
 #include "geometry.hpp"
+#include "godobject/mesh/mesh.hpp"
 
 #include "limitcurve/number.hpp"
 #include "random.hpp"

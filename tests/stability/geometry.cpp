@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Entry f, its part on shapes.
-#include "godobject/mesh/mesh.hpp"
 #include "geometry.hpp"
+#include "godobject/mesh/mesh.hpp"
 
 #include "godobject/mesh/mesh_surface.hpp"
 #include "godobject/soft_finger.hpp"
