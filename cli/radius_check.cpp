@@ -11,7 +11,7 @@ namespace limitcurve::cli {
 
 void warn_of_radii(const RadiusLaw& radius_law, std::span<const double> loads) {
   constexpr double largest_radius = 0.1;
-  double largest = 0.0;
+  double radius = 0.0;
   double at_load = 0.0;
   double least = std::numeric_limits<double>::infinity();
   double most = 0.0;
@@ -19,13 +19,13 @@ void warn_of_radii(const RadiusLaw& radius_law, std::span<const double> loads) {
     if (!(load > 0.0)) continue;
     least = std::min(least, load);
     most = std::max(most, load);
-    if (radius_law.radius(load) > largest) {
-      largest = radius_law.radius(load);
+    if (radius_law.radius(load) > radius) {
+      radius = radius_law.radius(load);
       at_load = load;
     }
   }
-  if (largest > largest_radius) {
-    std::cerr << "limitcurve: warning: the radius law gives a contact radius of " << format_number(largest) << " m at a load of "
+  if (radius > largest_radius) {
+    std::cerr << "limitcurve: warning: the radius law gives a contact radius of " << format_number(radius) << " m at a load of "
               << format_number(at_load) << " N: in metres?\n";
   }
   const auto [first, last] = radius_law.sampled_loads();

@@ -201,7 +201,7 @@ class Translate(CommandLineTest):
         def errors(sigma, radius, load):
             return [(row["max_error"], row["cor_error"], row["loads_error"], row["value"] / (radius * sigma if row["unit"] == "m" else 1))
                     for row in rows("translate", "--law", f"gaussian:sigma={sigma}", "--radius-law", f"power:c={radius},gamma=0.25", "--mu", "0.8",
-                                    "--load", load)]
+                                    "--load", load, remark="in metres?" if radius > 1 else "")]
         reference = errors(1, 0.005, 1)
         for sigma, radius in ((1e-6, 0.005), (1e-3, 5), (1e3, 0.005), (1e6, 1e-9)):
             for row, expected in zip(errors(sigma, radius, 1), reference, strict=True):

@@ -39,7 +39,8 @@ class Scenes(CommandLineTest):
             force = (row["fx"], row["fy"], row["fz"])
             normal = (row["nx"], row["ny"], row["nz"])
             self.assertLessEqual(abs(sum(f * n for f, n in zip(force, normal))), 1e-12)
-            self.assertLessEqual(math.hypot(*force), 0.6 * row["load"] * (1 + 1e-12))
+            # k d limits friction; the load is less by what the ball falls away towards the proxy.
+            self.assertLessEqual(math.hypot(*force), 0.6 * 1000 * max(row["depth"], 0) * (1 + 1e-12))
             if row["state"] == "slip":
                 # The finger's axis stays upright on the ball: it hardly twists.
                 self.assertLess(abs(row["moment"]), 1e-6)
