@@ -163,7 +163,10 @@ void PatchFinger::advance(const Contact& contact, const Spin& spin, double devic
   state.moment = twist_kept * twist_stiffness;
   constexpr double inf = std::numeric_limits<double>::infinity();
   const double slide = std::hypot(sx, sy);
-  state.cor = !slips ? std::numeric_limits<double>::quiet_NaN() : turn != 0.0 ? slide / std::fabs(turn) : slide > 0.0 ? inf : 0.0;
+  state.cor = !slips                          ? std::numeric_limits<double>::quiet_NaN()
+              : turn != 0.0                   ? slide / std::fabs(turn)
+              : slide > 0.0 || is_left_behind ? inf
+                                              : 0.0;
   const double along_slope = share_along_slope({deflected, contact.depth + rise}, rise);
   const double work = along_slope * (friction.wrench.fx * sx + friction.wrench.fy * sy) + friction.wrench.moment * turn;
   state.slip_work = slips ? std::max(work, 0.0) : 0.0;

@@ -106,7 +106,9 @@ void SoftFinger::advance(FingerState& state, const Contact& contact, const Spin&
   if (damper > 0.0) state.load = std::max(state.load, 0.0);  // dampers do not pull
   state.force = numbers(kept * springs.stiffness);
   state.moment = twist_kept * springs.twist_stiffness;
-  state.cor = slips ? friction.cor : std::numeric_limits<double>::quiet_NaN();
+  // A proxy that is brought round slides, and does not turn.
+  state.cor = friction.slips && slips ? friction.cor : std::numeric_limits<double>::infinity();
+  if (!slips) state.cor = std::numeric_limits<double>::quiet_NaN();
   state.slip_work = slips ? along_slope * wrench.force * friction.force_ratio * (r * (1.0 - friction.force_ratio)) +
                                 wrench.moment * friction.moment_ratio * (rho * (1.0 - friction.moment_ratio))
                           : 0.0;

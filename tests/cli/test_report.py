@@ -14,7 +14,7 @@ FILES = {
     "c_curves": "law,radius_law,mu,c,load,force,moment",
     "validate": "law,model,parameter,max_error,rms_error,max_over_estimate,max_under_estimate,max_cor_error",
     "ellipse_error": "law,angle,over_estimate,cor_ratio",
-    "tables": "law,tolerance,certified_error,nodes,bytes,profile_error",
+    "tables": "law,tolerance,certified_error,nodes,bytes",
     "materials": "material,mu,mu_r,radius,file,law,tolerance,certified_error,nodes,bytes,profile_error",
     "table_error": "law,tolerance,spin_fraction,force_error,moment_error",
     "replay": "trace,boundary,projection,time,state,px,py,angle,depth,load,fx,fy,moment,cor",

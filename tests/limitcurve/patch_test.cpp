@@ -24,20 +24,20 @@ constexpr double pi = std::numbers::pi;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double inf = std::numeric_limits<double>::infinity();
 
-using Polygon = std::vector<PatchPoint>;
+using Outline = std::vector<PatchPoint>;
 
 PatchTwist about(PatchPoint cor, double omega = 1.0) {
   return {omega * cor.y, -omega * cor.x, omega};
 }
 
-Polygon rectangle(double x, double y) {
+Outline rectangle(double x, double y) {
   return {{-x / 2, -y / 2}, {x / 2, -y / 2}, {x / 2, y / 2}, {-x / 2, y / 2}};
 }
 
-const Polygon ell{{0, 0}, {4, 0}, {4, 1}, {1, 1}, {1, 3}, {0, 3}};
+const Outline ell{{0, 0}, {4, 0}, {4, 1}, {1, 1}, {1, 3}, {0, 3}};
 
-Polygon star(std::size_t points, double inner) {
-  Polygon vertices;
+Outline star(std::size_t points, double inner) {
+  Outline vertices;
   for (std::size_t i = 0; i < 2 * points; ++i) {
     const double angle = pi * static_cast<double>(i) / static_cast<double>(points);
     const double r = i % 2 == 0 ? 1.0 : inner;
@@ -64,7 +64,7 @@ double stated(const Patch& patch, const PatchTwist& twist) {
   return patch.about_origin({twist.vx + twist.omega * c.y, twist.vy - twist.omega * c.x, twist.omega}).error;
 }
 
-void expect_polygon(const Polygon& vertices, const std::vector<PatchTwist>& cases) {
+void expect_polygon(const Outline& vertices, const std::vector<PatchTwist>& cases) {
   const Patch patch = Patch::polygon(vertices);
   for (const PatchTwist& twist : cases) {
     const PatchFriction exact = test::polygon_by_triangles(vertices, twist, patch.centre());
@@ -152,7 +152,7 @@ TEST(PatchPoints, ASinglePointHasForceAndNoMoment) {
 }
 
 TEST(PatchPolygon, IsTheIntegralOverTriangles) {
-  for (const Polygon& vertices :
+  for (const Outline& vertices :
        {rectangle(2, 2), rectangle(20, 2), rectangle(0.002, 0.02), ell, star(5, 0.3), star(12, 0.9), star(3, 0.5)}) {
     double radius = 0.0;
     for (const PatchPoint& vertex : vertices) radius = std::max(radius, std::hypot(vertex.x, vertex.y));
@@ -161,7 +161,7 @@ TEST(PatchPolygon, IsTheIntegralOverTriangles) {
 }
 
 TEST(PatchPolygon, WithTheCorOnVerticesEdgesAndTheirLines) {
-  for (const Polygon& vertices : {rectangle(2, 2), rectangle(20, 2), ell, star(5, 0.3)}) {
+  for (const Outline& vertices : {rectangle(2, 2), rectangle(20, 2), ell, star(5, 0.3)}) {
     const PatchPoint c = Patch::polygon(vertices).centre();
     std::vector<PatchTwist> cases;
     for (std::size_t i = 0; i < vertices.size(); ++i) {
@@ -181,7 +181,7 @@ TEST(PatchPolygon, SquareHasItsKnownSpin) {
 }
 
 TEST(PatchPolygon, OfTenThousandVerticesIsTheDisc) {
-  Polygon vertices;
+  Outline vertices;
   constexpr int count = 10000;
   for (int i = 0; i < count; ++i) vertices.push_back({std::cos(2 * pi * i / count), std::sin(2 * pi * i / count)});
   const Patch patch = Patch::polygon(vertices);
@@ -338,14 +338,14 @@ TEST(PatchInput, BadOnesAreNamed) {
   EXPECT_TRUE(has(complaint([] { return Patch::points(std::vector<PatchLoad>{{0, 0, -1}}); }), "point 1: load = -1"));
   EXPECT_TRUE(has(complaint([] { return Patch::points(std::vector<PatchLoad>{{0, 0, 0}, {1, 0, 0}}); }), "all 2 points have load 0"));
   EXPECT_TRUE(has(complaint([] { return Patch::points({}); }), "no points"));
-  EXPECT_TRUE(has(complaint([] { return Patch::polygon(Polygon{{0, 0}, {1, 0}}); }), "2 vertices"));
-  EXPECT_TRUE(has(complaint([] { return Patch::polygon(Polygon{{0, 0}, {1, inf}, {1, 0}}); }), "vertex 2: y = inf"));
-  EXPECT_TRUE(has(complaint([] { return Patch::polygon(Polygon{{0, 0}, {1, 0}, {1, 0}, {0, 1}}); }), "vertex 3: equal to vertex 2"));
-  EXPECT_TRUE(has(complaint([] { return Patch::polygon(Polygon{{0, 0}, {1, 1}, {2, 2}}); }), "enclose no area"));
-  const std::string bow_tie = complaint([] { return Patch::polygon(Polygon{{0, 0}, {1, 1}, {1, 0}, {0, 1}}); });
+  EXPECT_TRUE(has(complaint([] { return Patch::polygon(Outline{{0, 0}, {1, 0}}); }), "2 vertices"));
+  EXPECT_TRUE(has(complaint([] { return Patch::polygon(Outline{{0, 0}, {1, inf}, {1, 0}}); }), "vertex 2: y = inf"));
+  EXPECT_TRUE(has(complaint([] { return Patch::polygon(Outline{{0, 0}, {1, 0}, {1, 0}, {0, 1}}); }), "vertex 3: equal to vertex 2"));
+  EXPECT_TRUE(has(complaint([] { return Patch::polygon(Outline{{0, 0}, {1, 1}, {2, 2}}); }), "enclose no area"));
+  const std::string bow_tie = complaint([] { return Patch::polygon(Outline{{0, 0}, {1, 1}, {1, 0}, {0, 1}}); });
   EXPECT_TRUE(has(bow_tie, "the edge from vertex 1 to 2 meets the edge from vertex 3 to 4")) << bow_tie;
   // A hole that a slit joins to the outside, and one vertex on another edge.
-  EXPECT_TRUE(has(complaint([] { return Patch::polygon(Polygon{{0, 0}, {4, 0}, {4, 4}, {2, 0}, {0, 4}}); }), "meets"));
+  EXPECT_TRUE(has(complaint([] { return Patch::polygon(Outline{{0, 0}, {4, 0}, {4, 4}, {2, 0}, {0, 4}}); }), "meets"));
   EXPECT_TRUE(has(complaint([] { return Patch::rectangle(0.0, 1.0); }), "x = 0 m"));
   EXPECT_TRUE(has(complaint([] { return Patch::rectangle(1.0, nan); }), "y = nan m"));
   EXPECT_TRUE(has(complaint([] { return Patch::ellipse(hertz(), 1.0, -1.0); }), "b = -1 m"));
@@ -358,7 +358,7 @@ TEST(PatchInput, BadOnesAreNamed) {
 }
 
 TEST(PatchInput, VerticesInEitherSenseAndAClosingOneAreTheSame) {
-  Polygon other(ell.rbegin(), ell.rend());
+  Outline other(ell.rbegin(), ell.rend());
   other.push_back(other.front());
   const Patch one = Patch::polygon(ell);
   const Patch two = Patch::polygon(other);
