@@ -27,7 +27,7 @@ std::vector<Sample> slips(bool with_sigma, double gamma) {
   Random random(77);
   std::vector<Sample> samples = synthetic::clean(synthetic::curve_of(uniform()), truth, 61, random);
   synthetic::disturb(samples, 0.01, truth.mu, truth.mu * truth.radius * uniform()->moment_ratio(), with_sigma, random);
-  for (const std::size_t row : {5, 28, 50}) {
+  for (const std::size_t row : {5U, 28U, 50U}) {
     samples[row].force *= 0.4;
     samples[row].moment *= 0.5;
   }

@@ -73,7 +73,7 @@ TEST(Robustness, OneGrossErrorLeavesEstimatesWithinThreeStandardErrors) {
   for (const bool with_sigma : {false, true}) {
     for (const Loss& loss : {Loss::huber(), Loss::cauchy()}) {
       Within sum;
-      for (const std::size_t rows : {20, 40, 100}) {
+      for (const std::size_t rows : {20U, 40U, 100U}) {
         const Within within = one_gross_outlier({rows, with_sigma, loss}, law, sets);
         sum = {sum.mu + within.mu, sum.ratio + within.ratio, sum.radius + within.radius};
       }
