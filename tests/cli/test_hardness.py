@@ -232,7 +232,7 @@ class Bulk(unittest.TestCase):
         status, complaint, count, much = self.stream(fit, header, line, BULK)
         count *= 3
         self.assertEqual((status, complaint), (0, ""))
-        self.assertLess(much - little, 4 + count * 1000 / MEGABYTE * (4 if SANITIZED else 1))
+        self.assertLess(much - little, 4 + count * 1000 / MEGABYTE * (12 if SANITIZED else 1))  # freed memory is kept back there
         print(f"fit of {BULK} MB, {count} rows: {much:.0f} MB", file=sys.stderr)
 
     def test_what_is_no_csv_is_refused_at_its_beginning(self):

@@ -80,8 +80,8 @@ TEST(EnergySearch, NoLoopWinsEnergy) {
   });
   // The search finds loops that lose nothing.
   EXPECT_GT(best, -1e-12);
-  EXPECT_GT(slips, 10000);
-  EXPECT_GT(sticks, 10000);
+  EXPECT_GT(slips, repetitions(10000));
+  EXPECT_GT(sticks, repetitions(10000));
 }
 
 // A slip loses energy, and what is said to be dissipated is not more than that; on every surface, also where a finger leaps across it. What is
@@ -120,7 +120,7 @@ TEST(EnergySearch, EverySlipLosesWhatItSays) {
     };
     climb(random_path(reach, random), reach, repetitions(300), random, gain);
   });
-  EXPECT_GT(slips, 10000);
+  EXPECT_GT(slips, repetitions(10000));
 }
 
 /// Steps over a sphere of 10 mm so slowly that a step is a small part of what slides; returns what a user put in, less what is stored, by what is
