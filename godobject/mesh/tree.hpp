@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "godobject/mesh/triangle_list.hpp"
+
 #include <Eigen/Core>
 
 #include <algorithm>
@@ -11,8 +13,6 @@
 #include <vector>
 
 namespace limitcurve::godobject {
-
-using Face = std::array<int, 3>;  ///< three vertices by number, anticlockwise seen from outside
 
 /// Boxes around boxes around triangles, halved at the median: at most 2 nodes a triangle, log2 of their number deep. The queries
 /// allocate nothing and visit each node at most once.

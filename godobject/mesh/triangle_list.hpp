@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "godobject/mesh/tree.hpp"
-
 #include <Eigen/Core>
 
+#include <array>
 #include <cstddef>
 #include <initializer_list>
 #include <string>
@@ -19,6 +18,8 @@ inline std::string joined(std::initializer_list<std::string_view> parts) {
   for (const std::string_view part : parts) result += part;
   return result;
 }
+
+using Face = std::array<int, 3>;  ///< three vertices by number, anticlockwise seen from outside
 
 /// Triangles as a file or a program has them, not yet known to bound a solid.
 struct TriangleList {
