@@ -58,6 +58,13 @@ Real radius_at(const RadiusLaw& law, Real load) noexcept {
 template double radius_at(const RadiusLaw&, double) noexcept;
 template float radius_at(const RadiusLaw&, float) noexcept;
 
+double rest_share(double sliding_share, double rest_margin) noexcept {
+  // What is left of a trial within a limit of almost nothing is rounding: a contact that slides against no limit slides on.
+  constexpr double rounding = 1e-12;
+  if (!(sliding_share < 1.0)) return 1.0;
+  return sliding_share > rounding ? sliding_share / (sliding_share + rest_margin * (1.0 - sliding_share)) : 0.0;
+}
+
 ContactLimits::ContactLimits(const FingerParameters& parameters, double moment_ratio) {
   check_finger(parameters);
   positive("moment_ratio", moment_ratio, "1");
@@ -100,10 +107,7 @@ ContactLimits::ContactLimits(const FingerParameters& parameters, double moment_r
   // The larger of the two gaps, of force and of moment, asks for the larger retreat.
   const double force_share = share(sliding_.force, at_rest_.force);
   const double moment_share = has_torsion_ ? share(sliding_.force * sliding_.radius, at_rest_.force * at_rest_.radius) : 1.0;
-  const double least = std::min(force_share, moment_share);
-  // What is left of a trial within a limit of almost nothing is rounding: a contact that slides against no limit slides on.
-  constexpr double rounding = 1e-12;
-  if (least < 1.0) rest_share_ = least > rounding ? least / (least + parameters.rest_margin * (1.0 - least)) : 0.0;
+  rest_share_ = rest_share(std::min(force_share, moment_share), parameters.rest_margin);
 }
 
 double ContactLimits::margin(const FingerCurve& curve, const FingerParameters& parameters, const FingerState& state) const noexcept {

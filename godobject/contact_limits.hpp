@@ -22,6 +22,10 @@ void check_projection(const BasicFingerCurve<Real>& curve, Projection projection
     throw std::invalid_argument("projection: a box goes with closest-point only, which clamps force and moment each on its own");
 }
 
+/// Within which share of the sliding limit a contact that slides comes to rest (FingerParameters::rest_margin), where sliding keeps
+/// `sliding_share` ∈ [0, 1] of the limit at rest: 1 where both are one.
+[[nodiscard]] double rest_share(double sliding_share, double rest_margin) noexcept;
+
 /// The friction limits of a finger over its load: force in units of μP, moment in units of μPa. With a moment coefficient the radius is the
 /// one that gives it, a = μ_r P^γ/(μ m₀). Immutable.
 class ContactLimits {

@@ -3,7 +3,6 @@
 
 #include "godobject/contact.hpp"
 #include "godobject/friction.hpp"
-#include "godobject/surface.hpp"
 #include "limitcurve/contact_radius.hpp"
 
 #include <Eigen/Core>
@@ -41,6 +40,9 @@ struct FingerParameters {
   double fault_decay = 0.99;
 };
 
+/// Dampers do not act, and a free body does not move, in time steps shorter than this [s].
+inline constexpr double shortest_time_step = 1e-9;
+
 /// What a finger does.
 enum class ContactState : std::uint8_t {
   free,     ///< not touching: depth ≤ 0
@@ -69,24 +71,6 @@ struct FingerOutput {
   double slip_work = 0.0;                                 ///< dissipated in this step [J], ≥ 0
 };
 
-/// How far the spring between proxy and finger is deflected, x_p − x_h.
-struct Deflection {
-  Eigen::Vector3d tangential;  ///< along the surface [m]: r is its length
-  double normal;               ///< [m]: the depth, and on a curved surface by how much that rises or falls towards the proxy
-};
-/// Of a proxy while the finger touches there.
-[[nodiscard]] Deflection deflection(const Eigen::Vector3d& proxy, const Contact& contact) noexcept;
-/// Springs do not pull a finger in: a proxy that it has left behind itself, round a curved surface, is brought to its other side, not farther away.
-/// Whether it was.
-[[nodiscard]] bool bring_round(Eigen::Vector3d& proxy, Deflection& now, const Contact& contact) noexcept;
-/// How high a proxy stands over the tangent plane at x_g [m] when a slip leaves of `before` that part along the surface: the surface rises or falls
-/// with the square of the distance from x_g, and the proxy does not come farther from the finger than it was.
-[[nodiscard]] double rise_after_slip(const Deflection& before, const Eigen::Vector3d& tangential, double depth) noexcept;
-
-/// Of a force along the tangent plane at x_g the share that works where a proxy slides, `rise` over that plane on a curved surface: the spring's part
-/// along the slope there, against that along the plane.
-[[nodiscard]] double share_along_slope(const Deflection& after, double rise) noexcept;
-
 /// All that a finger remembers from one step to the next. Plain numbers: copy it, save it, restore it.
 struct FingerState {
   ContactState state = ContactState::free;
@@ -112,52 +96,11 @@ struct FingerState {
   ContactMemory contact{};        ///< of the surface
   FrictionMemory<double> friction{};
 
-  /// Of the spring after the last good sample.
-  [[nodiscard]] Deflection deflection() const noexcept;
   /// Where the finger itself was in the last good sample [m].
   [[nodiscard]] Eigen::Vector3d position() const noexcept;
   /// Where the slip's centre of rotation is, in the surface's frame [m]; infinite for pure sliding, NaN unless it slips.
   [[nodiscard]] Eigen::Vector3d centre_of_rotation() const noexcept;
   [[nodiscard]] FingerOutput output() const noexcept;
 };
-
-/// The springs between proxy and finger, in a timed step with the dampers in them: implicitly a damper b is a spring b/Δt more, which rests where
-/// the deflection was.
-struct Springs {
-  double stiffness;               ///< [N/m]
-  double twist_stiffness;         ///< [N m/rad]
-  double rest_share = 0.0;        ///< of the last deflection, where the springs rest
-  double twist_rest_share = 0.0;  ///< likewise
-
-  /// Of a finger; with its dampers in a step of this time [s], without where that is 0.
-  explicit Springs(const FingerParameters& finger, double time_step = 0.0) noexcept;
-  /// What they store [J]: ½ k_l |x_p − x_h|² + ½ k_r (α_p − α_g)², 0 while free.
-  [[nodiscard]] double energy(const FingerState& state) const noexcept;
-};
-
-/// The device's twist without its jumps by whole turns: exactly the device's as long as it does not jump.
-[[nodiscard]] double unwrap(FingerState& state, double device_twist) noexcept;
-
-/// What a surface answers to a device's pose in its frame, and the spin of the device's orientation since the last good sample. A pose that is not
-/// finite, or not of unit length, gives a contact that is not plausible: surfaces answer finite places only.
-[[nodiscard]] Contact sense(const AnySurface& surface, const DevicePose& device, const FingerState& state, Spin& spin) noexcept;
-
-/// A contact farther than this from the origin [m], or turned farther [rad], is taken for a fault of the device.
-inline constexpr double farthest = 1e6;
-
-/// Whether a sample may be believed: finite, a normal of unit length, no time step < 0, and not farther than `max_displacement` from where the
-/// finger last was. One that is refused for that once is believed where it stays.
-[[nodiscard]] bool is_plausible(FingerState& state, const FingerParameters& parameters, const Contact& contact, double device_twist,
-                                double time_step) noexcept;
-
-/// What a finger does with a sample that is not: `invalid`; the last good output is held, and from the second such sample on it fades.
-void fade(FingerState& state, double fault_decay) noexcept;
-
-/// No contact: nothing but the last place and the spin are remembered.
-void release(FingerState& state, const Contact& contact, const Spin& spin, double device_twist) noexcept;
-
-/// The first sample in contact: no friction yet, and the springs not yet loaded. (The paper's α_0 is the twist here; angles are kept
-/// absolute, and α_p − α_g is the same.)
-void touch_down(FingerState& state, const Contact& contact, const Spin& spin, double device_twist) noexcept;
 
 }  // namespace limitcurve::godobject

@@ -2,6 +2,7 @@
 #include "godobject/patch_finger.hpp"
 
 #include "godobject/contact_limits.hpp"
+#include "godobject/finger_step.hpp"
 #include "godobject/patch_projection.hpp"
 #include "limitcurve/number.hpp"
 
@@ -64,7 +65,7 @@ PatchFinger::PatchFinger(const Patch& patch, const FingerParameters& parameters,
   // The springs, dampers and coefficients are checked as any finger's.
   static_cast<void>(ContactLimits(parameters, 1.0));
   const double share = parameters.mu > 0.0 ? parameters.mu_dynamic.value_or(parameters.mu) / parameters.mu : 1.0;
-  if (share < 1.0) rest_share_ = share / (share + parameters.rest_margin * (1.0 - share));
+  rest_share_ = rest_share(share, parameters.rest_margin);
   projector_ = std::make_shared<PatchProjector>(drivable(patch, point_radius));
 }
 
@@ -96,40 +97,22 @@ void PatchFinger::advance(const Contact& contact, const Spin& spin, double devic
   }
   if (!state.in_contact) touch_down(state, contact, spin, device_twist);
 
-  // a. The trial deflection, as SoftFinger's: of the spring between proxy and finger, less where dampers let it rest.
-  const Vector3d& n = contact.normal;
-  const Springs springs(parameters_, has_velocity ? time_step : 0.0);
-  const Deflection before = state.deflection();
-  const Vector3d rest = (before.tangential + vector(state.normal) * before.normal) * springs.rest_share;
-  const double normal_rest = n.dot(rest);
-  const Vector3d tangential_rest = rest - n * normal_rest;
-  const double twist_rest = (state.angle - state.goal_angle) * springs.twist_rest_share;
-  const double damper = springs.stiffness - parameters_.stiffness;
-  state.limit_load = std::max(parameters_.stiffness * contact.depth + damper * (contact.depth - state.depth), 0.0);
-  state.depth = contact.depth;
-  state.goal = numbers(contact.point);
-  state.normal = numbers(n);
-  state.contact = contact.memory;
-  state.spin = spin;
-  state.goal_angle = unwrap(state, device_twist) + spin.angle;
-  const Vector3d axis = transported(vector(state_.axis), n);
+  // a. The trial deflection, and the patch's axes on the present normal.
+  const TrialDeflection trial = take_sample(state, parameters_, contact, spin, device_twist, has_velocity ? time_step : 0.0);
+  const Vector3d axis = transported(vector(state_.axis), contact.normal);
   state_.axis = numbers(axis);
-  Vector3d last = vector(state.proxy);
-  Deflection now = deflection(last, contact);
-  const bool is_left_behind = bring_round(last, now, contact);
-  const Vector3d trial = now.tangential - tangential_rest;
-  const double twist_trial = (state.angle - state.goal_angle) - twist_rest;
+  const Axes axes(axis, contact.normal, state.angle);
 
   // b. What part of it the limit surface lets the springs keep, in the patch's axes.
-  const Axes axes(axis, n, state.angle);
   const double mu_dynamic = parameters_.mu_dynamic.value_or(parameters_.mu);
-  const double stiffness = springs.stiffness;
-  const double twist_stiffness = springs.twist_stiffness;
-  const PatchWrench wrench{stiffness * axes.x.dot(trial), stiffness * axes.y.dot(trial), twist_stiffness * twist_trial};
+  const double stiffness = trial.springs.stiffness;
+  const double twist_stiffness = trial.springs.twist_stiffness;
+  const PatchWrench wrench{stiffness * axes.x.dot(trial.tangential), stiffness * axes.y.dot(trial.tangential),
+                           twist_stiffness * trial.twist};
   const auto project = [&](double mu) -> PatchProjection {
     const double limit = mu * state.limit_load;
     if (limit > 0.0) return projector_->project(wrench, limit, stiffness, std::sqrt(twist_stiffness / stiffness), state_.slip);
-    const PatchTwist all{wrench.fx / stiffness, wrench.fy / stiffness, twist_trial};
+    const PatchTwist all{wrench.fx / stiffness, wrench.fy / stiffness, trial.twist};
     return {true, {}, all};
   };
   // A contact at rest holds within the static limit; one that slides comes to rest within a share of the dynamic one.
@@ -138,15 +121,14 @@ void PatchFinger::advance(const Contact& contact, const Spin& spin, double devic
   if (friction.slips && !was_sliding && mu_dynamic < parameters_.mu) friction = project(mu_dynamic);
 
   // The proxy follows. What did not slide is not touched, and a slip that its rounding swallows is none.
-  const Vector3d kept = friction.slips ? Vector3d((axes.x * friction.wrench.fx + axes.y * friction.wrench.fy) / stiffness) : trial;
-  const double twist_kept = friction.slips ? friction.wrench.moment / twist_stiffness : twist_trial;
-  const Vector3d deflected = tangential_rest + kept;
-  const double rise = friction.slips ? rise_after_slip(now, deflected, contact.depth) : now.normal - contact.depth;
-  const Vector3d proxy = friction.slips ? Vector3d(contact.point + deflected + n * rise) : last;
-  const double angle = friction.slips ? state.goal_angle + twist_rest + twist_kept : state.angle;
-  const bool slips = is_left_behind || (friction.slips && (proxy != last || angle != state.angle));
+  const Vector3d kept =
+      friction.slips ? Vector3d((axes.x * friction.wrench.fx + axes.y * friction.wrench.fy) / stiffness) : trial.tangential;
+  const double twist_kept = friction.slips ? friction.wrench.moment / twist_stiffness : trial.twist;
+  const Landing landing = friction.slips ? follow(trial, contact, kept) : Landing{trial.proxy, trial.spring.normal};
+  const double angle = friction.slips ? state.goal_angle + trial.twist_rest + twist_kept : state.angle;
+  const bool slips = trial.is_brought_round || (friction.slips && (landing.proxy != trial.proxy || angle != state.angle));
   if (slips) {
-    state.proxy = numbers(proxy);
+    state.proxy = numbers(landing.proxy);
     state.angle = angle;
   }
   const double dynamic_limit = mu_dynamic * state.limit_load;
@@ -157,18 +139,16 @@ void PatchFinger::advance(const Contact& contact, const Spin& spin, double devic
   // c. Force and moment on the user.
   const auto& [sx, sy, turn] = friction.slip;
   state.state = slips ? ContactState::slip : ContactState::stick;
-  state.load = stiffness * (contact.depth + rise - normal_rest);
-  if (damper > 0.0) state.load = std::max(state.load, 0.0);  // dampers do not pull
+  state.load = trial.load(slips ? landing.normal : trial.spring.normal);
   state.force = numbers(Vector3d(kept * stiffness));
   state.moment = twist_kept * twist_stiffness;
   constexpr double inf = std::numeric_limits<double>::infinity();
   const double slide = std::hypot(sx, sy);
-  state.cor = !slips                          ? std::numeric_limits<double>::quiet_NaN()
-              : turn != 0.0                   ? slide / std::fabs(turn)
-              : slide > 0.0 || is_left_behind ? inf
-                                              : 0.0;
-  const double along_slope = share_along_slope({deflected, contact.depth + rise}, rise);
-  const double work = along_slope * (friction.wrench.fx * sx + friction.wrench.fy * sy) + friction.wrench.moment * turn;
+  state.cor = !slips                                  ? std::numeric_limits<double>::quiet_NaN()
+              : turn != 0.0                           ? slide / std::fabs(turn)
+              : slide > 0.0 || trial.is_brought_round ? inf
+                                                      : 0.0;
+  const double work = landing.along_slope * (friction.wrench.fx * sx + friction.wrench.fy * sy) + friction.wrench.moment * turn;
   state.slip_work = slips ? std::max(work, 0.0) : 0.0;
 }
 

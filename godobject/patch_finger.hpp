@@ -2,6 +2,7 @@
 #pragma once
 
 #include "godobject/finger.hpp"
+#include "godobject/surface.hpp"
 #include "limitcurve/patch.hpp"
 
 #include <memory>
@@ -35,9 +36,6 @@ struct PatchFingerState {
 /// evaluation of the patch; a slip costs 5 to 20 (Patch has the cost of one).
 class PatchFinger {
  public:
-  /// Dampers do not act in steps shorter than this [s].
-  static constexpr double shortest_time_step = 1e-9;
-
   /// `point_radius` ε [m], > 0: default 1e-3 m₀, which is also the least. Throws std::invalid_argument naming parameter, value, unit and range; a
   /// moment coefficient is refused, for the patch has its own moments.
   PatchFinger(const Patch& patch, const FingerParameters& parameters, double point_radius = 0.0);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "godobject/patch_replay.hpp"
 
+#include "godobject/scene_contact.hpp"
+
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -8,10 +10,6 @@
 namespace limitcurve::godobject {
 
 namespace {
-
-bool is_pose(const BodyPose& pose) noexcept {
-  return pose.position.squaredNorm() <= 1e12 && std::fabs(pose.orientation.squaredNorm() - 1.0) <= 1e-6;
-}
 
 const ReplayOptions& checked(const ReplayOptions& options) {
   if (options.motion == BodyMotion::free) throw std::invalid_argument("body: got one that is free, expected fixed or trace with a patch");
@@ -51,30 +49,8 @@ void PatchReplay::step(double time, std::span<const DevicePose> fingers, const B
       if (usable) device = {body_.to_body(fingers[i].position), body_.orientation.conjugate() * fingers[i].orientation, fingers[i].twist};
       fingers_[i].update(surface_, device, time_step);
     }
-    describe(i);
+    describe(contacts_[i], fingers_[i], fingers_[i].state().finger, body_);
   }
-}
-
-void PatchReplay::describe(std::size_t index) noexcept {
-  const PatchFinger& finger = fingers_[index];
-  const FingerOutput output = finger.output();
-  SceneContact& contact = contacts_[index];
-  contact.state = output.state;
-  contact.dissipated += output.slip_work;
-  contact.load = output.load;
-  contact.force = body_.orientation * output.force;
-  contact.moment = output.moment;
-  if (finger.state().finger.seen) contact.normal = body_.orientation * vector(finger.state().finger.normal);
-  contact.cor = output.cor;
-  contact.centre_of_rotation = finger.centre_of_rotation();
-  if (contact.centre_of_rotation.allFinite()) contact.centre_of_rotation = body_.to_world(contact.centre_of_rotation);
-  // The wrench that is held turns with the body; where it acts is the last good place.
-  if (output.state == ContactState::invalid) return;
-  contact.proxy = body_.to_world(output.proxy);
-  contact.angle = output.angle;
-  contact.depth = output.depth;
-  contact.margin = finger.margin();
-  contact.load_to_hold = finger.load_to_hold();
 }
 
 }  // namespace limitcurve::godobject

@@ -16,8 +16,6 @@ class PatchReplay {
   [[nodiscard]] std::span<const SceneContact> contacts() const noexcept { return contacts_; }
 
  private:
-  void describe(std::size_t index) noexcept;
-
   AnySurface surface_;
   BodyState body_;
   std::vector<PatchFinger> fingers_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "godobject/replay.hpp"
 
+#include "godobject/scene_contact.hpp"
 #include "limitcurve/approximations.hpp"
 #include "limitcurve/pressure_law.hpp"
 
@@ -17,10 +18,6 @@ DevicePose nowhere() noexcept {
   DevicePose result;
   result.position.setConstant(std::numeric_limits<double>::quiet_NaN());
   return result;
-}
-
-bool is_pose(const BodyPose& pose) noexcept {
-  return pose.position.squaredNorm() <= 1e12 && std::fabs(pose.orientation.squaredNorm() - 1.0) <= 1e-6;
 }
 
 /// The curve of the options, all of which are checked before a table is built for nothing.
@@ -60,11 +57,11 @@ void Replay::step(double time, std::span<const DevicePose> fingers, const BodyPo
     last_time_ = time;
     move(fingers, body, time_step);
   }
-  for (std::size_t i = 0; i < contacts_.size(); ++i) describe(i);
+  for (std::size_t i = 0; i < contacts_.size(); ++i) describe(contacts_[i], grasp_.finger(i), grasp_.finger(i).state(), grasp_.body());
 }
 
 void Replay::move(std::span<const DevicePose> fingers, const BodyPose& body, double time_step) noexcept {
-  if (motion_ == BodyMotion::free && time_step >= SoftFinger::shortest_time_step && time_step <= longest_step) {
+  if (motion_ == BodyMotion::free && time_step >= shortest_time_step && time_step <= longest_step) {
     grasp_.step(fingers, time_step);
     return;
   }
@@ -74,29 +71,6 @@ void Replay::move(std::span<const DevicePose> fingers, const BodyPose& body, dou
     state.orientation = body.orientation;
   }
   grasp_.carry(state, fingers, time_step);
-}
-
-void Replay::describe(std::size_t index) noexcept {
-  const SoftFinger& finger = grasp_.finger(index);
-  const FingerOutput output = finger.output();
-  const BodyState& body = grasp_.body();
-  SceneContact& contact = contacts_[index];
-  contact.state = output.state;
-  contact.dissipated += output.slip_work;
-  contact.load = output.load;
-  contact.force = body.orientation * output.force;
-  contact.moment = output.moment;
-  if (finger.state().seen) contact.normal = body.orientation * vector(finger.state().normal);
-  contact.cor = output.cor;
-  contact.centre_of_rotation = finger.state().centre_of_rotation();
-  if (contact.centre_of_rotation.allFinite()) contact.centre_of_rotation = body.to_world(contact.centre_of_rotation);
-  // The wrench that is held turns with the body, and its normal too; where it acts is the last good place.
-  if (output.state == ContactState::invalid) return;
-  contact.proxy = body.to_world(output.proxy);
-  contact.angle = output.angle;
-  contact.depth = output.depth;
-  contact.margin = finger.margin();
-  contact.load_to_hold = finger.load_to_hold();
 }
 
 }  // namespace limitcurve::godobject

@@ -84,7 +84,6 @@ class Replay {
  private:
   Replay(const ReplayOptions& options, const KindOfCurve& curve);
   void move(std::span<const DevicePose> fingers, const BodyPose& body, double time_step) noexcept;
-  void describe(std::size_t index) noexcept;
 
   Grasp grasp_;
   std::vector<SceneContact> contacts_;

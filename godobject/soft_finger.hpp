@@ -2,6 +2,7 @@
 #pragma once
 
 #include "godobject/contact_limits.hpp"
+#include "godobject/surface.hpp"
 
 namespace limitcurve::godobject {
 
@@ -15,9 +16,6 @@ namespace limitcurve::godobject {
 /// Distinct fingers on distinct threads need no lock. No step allocates, throws or takes a lock.
 class SoftFinger {
  public:
-  /// Dampers do not act in steps shorter than this [s].
-  static constexpr double shortest_time_step = 1e-9;
-
   /// Throws std::invalid_argument naming parameter, value, unit and range. A box goes with the closest point only.
   SoftFinger(FingerCurve curve, const FingerParameters& parameters, Projection projection = Projection::closest_point);
 
@@ -60,7 +58,7 @@ class SoftFinger {
   /// Where the slip's centre of rotation is, in the surface's frame [m]; infinite for pure sliding, NaN unless it slips.
   [[nodiscard]] Eigen::Vector3d centre_of_rotation() const noexcept { return state_.centre_of_rotation(); }
   /// The energy in the springs [J]: ½ k_l |x_p − x_h|² + ½ k_r (α_p − α_g)², 0 while free. Slip only takes from it.
-  [[nodiscard]] double spring_energy() const noexcept { return Springs(parameters_).energy(state_); }
+  [[nodiscard]] double spring_energy() const noexcept;
 
  private:
   void advance(FingerState& state, const Contact& contact, const Spin& spin, double device_twist, double time_step) const noexcept;

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "godobject/replay.hpp"
+
+#include <cmath>
+
+/// What the replays of round contacts and of patches share.
+namespace limitcurve::godobject {
+
+/// Whether a row's pose of the body can be one: within 1e6 m, of unit length.
+[[nodiscard]] inline bool is_pose(const BodyPose& pose) noexcept {
+  return pose.position.squaredNorm() <= 1e12 && std::fabs(pose.orientation.squaredNorm() - 1.0) <= 1e-6;
+}
+
+/// Brings what a finger (SoftFinger or PatchFinger, whose state is `state`) does on a body into the world. Of an invalid sample the wrench that is
+/// held turns with the body, and its normal too; where it acts is the last good place.
+template <class Finger>
+void describe(SceneContact& contact, const Finger& finger, const FingerState& state, const BodyState& body) noexcept {
+  contact.state = state.state;
+  contact.dissipated += state.slip_work;
+  contact.load = state.load;
+  contact.force = body.orientation * vector(state.force);
+  contact.moment = state.moment;
+  if (state.seen) contact.normal = body.orientation * vector(state.normal);
+  contact.cor = state.cor;
+  contact.centre_of_rotation = finger.centre_of_rotation();
+  if (contact.centre_of_rotation.allFinite()) contact.centre_of_rotation = body.to_world(contact.centre_of_rotation);
+  if (state.state == ContactState::invalid) return;
+  contact.proxy = body.to_world(vector(state.proxy));
+  contact.angle = state.angle;
+  contact.depth = state.depth;
+  contact.margin = finger.margin();
+  contact.load_to_hold = finger.load_to_hold();
+}
+
+}  // namespace limitcurve::godobject
