@@ -37,7 +37,7 @@ void write_steady_twist_file(const std::filesystem::path& output);
 /// fit_residuals.csv: load,force,moment,sigma_force,sigma_moment,residual, in standard deviations.
 void write_fit_files(const std::filesystem::path& output, const std::filesystem::path& data);
 /// patch_pushes.csv: data,share,exact,ellipsoid, a push of data/measured a row: share of rotation, and power over P H and over the ellipsoid's;
-/// patch_fits.csv: data and the columns of `fit friction`; patch_errors.csv: shape,aspect and the columns of `validate --patch`.
+/// patch_fits.csv: data,parameter,value,std_error,unit, by `fit friction`; patch_errors.csv: shape,aspect and the columns of `validate --patch`.
 void write_patch_files(const std::filesystem::path& output, const std::filesystem::path& data);
 /// pivot.csv: case,grip and the columns of `pivot`, grip being `release` or `operator`. pivot_map.csv:
 /// case,offset,rate,angle: by how much the block has turned [rad] when it has slid 5 mm past the fingers or left them, over the

@@ -7,22 +7,26 @@ namespace limitcurve::cli {
 
 namespace {
 
-/// What each measured push tells, and what all of them do.
+/// Friction from each measured push, and from all of them. No row names a path: the report is the same wherever the data lie.
 void write_pushes(const std::filesystem::path& output, const std::filesystem::path& data) {
   AtomicFile file(output / "patch_pushes.csv");
   Rows rows({file.output()}, {"data", "share", "exact", "ellipsoid"});
-  GatheredRows fits(output / "patch_fits.csv");
+  AtomicFile fits_file(output / "patch_fits.csv");
+  Rows fits({fits_file.output()}, {"data", "parameter", "value", "std_error", "unit"});
   for (const std::string name : {"tripod_hardboard_a", "tripod_plywood_a"}) {
     const std::string pushes = (data / "measured" / (name + ".csv")).string();
     const std::string patch = "points:" + (data / "measured" / (name + "_points.csv")).string();
     for (const fit::PushFriction& push : fit::push_friction(read_patch(patch), read_pushes(pushes), 1.0)) {
       rows.row(name, push.share, push.exact, push.ellipsoid);
     }
-    fits.add({"fit", "friction", "--patch", patch, "--data", pushes}, {{"data", name}});
+    for (const fit::Estimate& estimate : fit_friction(patch, pushes, std::nullopt)) {
+      fits.row(name, estimate.name, estimate.value, estimate.std_error, estimate.unit);
+    }
   }
   rows.finish();
   file.commit();
   fits.finish();
+  fits_file.commit();
 }
 
 void write_errors(const std::filesystem::path& output) {
