@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "limitcurve/elliptic.hpp"
 #include "limitcurve/pressure_law.hpp"
+#include "limitcurve/quadrature/elliptic.hpp"
 
 #include <boost/math/quadrature/gauss.hpp>
 

@@ -3,9 +3,9 @@
 #include "bench/worst.hpp"
 
 #include "limitcurve/approximations.hpp"
-#include "limitcurve/closed_form.hpp"
 #include "limitcurve/exact_curve.hpp"
 #include "limitcurve/laws.hpp"
+#include "limitcurve/quadrature/closed_form.hpp"
 #include "limitcurve/table.hpp"
 
 #include <benchmark/benchmark.h>
@@ -150,23 +150,23 @@ void register_pairs() {
   }
 }
 
-template <class Boundary>
-void lookup(benchmark::State& state, const Boundary& boundary) {
+template <class Curve>
+void lookup(benchmark::State& state, const Curve& curve) {
   over(state, spin_fractions(0.0, 1.0), [&](double u) {
-    const UnitWrench wrench = boundary.wrench(SlipTwist::of_spin_fraction(u));
+    const UnitWrench wrench = curve.wrench(SlipTwist::of_spin_fraction(u));
     return wrench.force + wrench.moment;
   });
 }
 
-template <class Boundary>
-void gauge(benchmark::State& state, const Boundary& boundary) {
-  over(state, spin_fractions(0.0, 1.0), [&](double u) { return boundary.gauge({1.0 - u, u}); });
+template <class Curve>
+void gauge(benchmark::State& state, const Curve& curve) {
+  over(state, spin_fractions(0.0, 1.0), [&](double u) { return curve.gauge({1.0 - u, u}); });
 }
 
-template <class Boundary>
-void register_model(const std::string& name, const Boundary& boundary) {
-  benchmark::RegisterBenchmark(name.c_str(), [boundary](benchmark::State& state) { lookup(state, boundary); });
-  benchmark::RegisterBenchmark((name + "-gauge").c_str(), [boundary](benchmark::State& state) { gauge(state, boundary); });
+template <class Curve>
+void register_model(const std::string& name, const Curve& curve) {
+  benchmark::RegisterBenchmark(name.c_str(), [curve](benchmark::State& state) { lookup(state, curve); });
+  benchmark::RegisterBenchmark((name + "-gauge").c_str(), [curve](benchmark::State& state) { gauge(state, curve); });
 }
 
 void register_all() {

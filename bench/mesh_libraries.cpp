@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The place of a ball of 8192 triangles nearest a point a millimetre beneath or above it, by the libraries that Debian 12 has and by
-// ours: nanoseconds and calls of the allocator a query. Built and run by scripts/compare_mesh_libraries with what is installed.
+// ours: nanoseconds and calls of the allocator a query. Built and run by scripts/maintain/compare_mesh_libraries with what is installed.
 #include "godobject/mesh/mesh.hpp"
 #include "godobject/mesh/mesh_surface.hpp"
 #include "godobject/mesh/triangle.hpp"

@@ -206,8 +206,8 @@ class EqualHermite {
   template <class Exact>
   EqualHermite(const Exact& exact, std::size_t entries) : scale_(static_cast<double>(entries)) {
     for (std::size_t i = 0; i < entries; ++i) {
-      const BoundaryPoint left = exact.point(SlipTwist::of_spin_fraction(static_cast<double>(i) / scale_));
-      const BoundaryPoint right = exact.point(SlipTwist::of_spin_fraction(static_cast<double>(i + 1) / scale_));
+      const SlopedPoint left = exact.point(SlipTwist::of_spin_fraction(static_cast<double>(i) / scale_));
+      const SlopedPoint right = exact.point(SlipTwist::of_spin_fraction(static_cast<double>(i + 1) / scale_));
       cells_.push_back({cubic(left.wrench.force, right.wrench.force, left.slope.force / scale_, right.slope.force / scale_),
                         cubic(left.wrench.moment, right.wrench.moment, left.slope.moment / scale_, right.slope.moment / scale_)});
     }

@@ -20,7 +20,7 @@
 
 #include <time.h>
 
-/// What `scripts/work_precision` measures: ways to a friction wrench, each with its error and its cost.
+/// What `scripts/maintain/work_precision` measures: ways to a friction wrench, each with its error and its cost.
 namespace limitcurve::bench {
 
 /// Something with a cost that Google Benchmark times.

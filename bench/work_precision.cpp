@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Error against cost of every way to a friction wrench, ours and others'. scripts/work_precision runs it and draws the chart;
+// Error against cost of every way to a friction wrench, ours and others'. scripts/maintain/work_precision runs it and draws the chart;
 // by hand it is a Google Benchmark like the others.
 #include "bench/fixed_gauss.hpp"
 #include "bench/peers.hpp"
@@ -7,11 +7,11 @@
 #include "bench/work_precision_step.hpp"
 
 #include "limitcurve/approximations.hpp"
-#include "limitcurve/closed_form.hpp"
-#include "limitcurve/evaluators.hpp"
 #include "limitcurve/exact_curve.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/number.hpp"
+#include "limitcurve/quadrature/closed_form.hpp"
+#include "limitcurve/quadrature/evaluators.hpp"
 #include "limitcurve/table.hpp"
 #include "limitcurve/validate.hpp"
 
@@ -27,9 +27,9 @@ namespace {
 // Beyond this place of the COR no method of others' is asked, for s = ∞ is none that they take: the wrench has ceased to change.
 constexpr double farthest = 1e17;
 
-template <class Boundary>
-void add_boundary(const WrenchStudy& study, const char* family, const std::string& parameter, const Boundary& boundary) {
-  study.add("ours", family, parameter, [boundary](SlipTwist twist) { return boundary.wrench(twist); });
+template <class Curve>
+void add_curve(const WrenchStudy& study, const char* family, const std::string& parameter, const Curve& curve) {
+  study.add("ours", family, parameter, [curve](SlipTwist twist) { return curve.wrench(twist); });
 }
 
 template <class Rule>
@@ -80,16 +80,16 @@ void add_gauss(const WrenchStudy& study) {
    ...);
 }
 
-void add_boundaries(const WrenchStudy& study) {
+void add_curves(const WrenchStudy& study) {
   const ExactCurve exact(study.law());
   for (const int digits : {2, 4, 6, 8, 10, 12, 14}) {
-    add_boundary(study, "table", "1e-" + std::to_string(digits), Table::build(study.law(), std::pow(10.0, -digits)));
+    add_curve(study, "table", "1e-" + std::to_string(digits), Table::build(study.law(), std::pow(10.0, -digits)));
   }
-  add_boundary(study, "diamond", "", diamond(1.0, exact.moment_ratio()));
-  add_boundary(study, "box", "", box(1.0, exact.moment_ratio()));
-  add_boundary(study, "ellipse", "", Ellipse::through_intercepts(exact.moment_ratio()));
-  add_boundary(study, "superellipse", "", minimax_superellipse(exact));
-  add_boundary(study, "quartic", "", minimax_quartic(exact));
+  add_curve(study, "diamond", "", diamond(1.0, exact.moment_ratio()));
+  add_curve(study, "box", "", box(1.0, exact.moment_ratio()));
+  add_curve(study, "ellipse", "", Ellipse::through_intercepts(exact.moment_ratio()));
+  add_curve(study, "superellipse", "", minimax_superellipse(exact));
+  add_curve(study, "quartic", "", minimax_quartic(exact));
 }
 
 void add_peers(const WrenchStudy& study) {
@@ -136,7 +136,7 @@ int main(int argc, char** argv) {
     add_closed_forms(study, name);
     add_evaluators(study);
     add_gauss<7, 10, 15, 20, 30>(study);
-    add_boundaries(study);
+    add_curves(study);
     add_peers(study);
   }
   for (const Way& way : ways()) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cli/command_line.hpp"
 
-#include "cli/subcommands.hpp"
+#include "cli/commands/subcommands.hpp"
 
 #include "limitcurve/version.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "cli/rows.hpp"
+#include "cli/io/rows.hpp"
 
 #include <string>
 #include <vector>

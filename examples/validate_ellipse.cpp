@@ -19,8 +19,8 @@ int main() {
   bool right = true;
   for (const auto& [law, expected] : laws) {
     const limitcurve::ExactCurve exact(law);
-    const auto ellipse = limitcurve::boundary_error(limitcurve::Ellipse::through_intercepts(exact.moment_ratio()), exact);
-    const auto superellipse = limitcurve::boundary_error(limitcurve::minimax_superellipse(exact), exact);
+    const auto ellipse = limitcurve::curve_error(limitcurve::Ellipse::through_intercepts(exact.moment_ratio()), exact);
+    const auto superellipse = limitcurve::curve_error(limitcurve::minimax_superellipse(exact), exact);
     std::printf("%-10s ellipse too strong by %.2f %%, its COR %.2f to %.2f times the true one; superellipse off by %.2f %%\n",
                 law->name().c_str(), 100.0 * ellipse.max_over_estimate, ellipse.min_cor_ratio, ellipse.max_cor_ratio,
                 100.0 * superellipse.max_error);

@@ -107,9 +107,9 @@ std::string note_of(const Law& law, Criterion criterion) {
 }
 
 /// A shape through the intercepts with one parameter `name`, by least squares or minimax.
-template <class Boundary, class MakeBoundary, class Minimax>
-CurveFit<Boundary> fit_shape(const Law& law, Criterion criterion, const internal::ResidualModel& model, const internal::Parameter& shape,
-                             MakeBoundary make, Minimax minimax) {
+template <class Curve, class MakeCurve, class Minimax>
+CurveFit<Curve> fit_shape(const Law& law, Criterion criterion, const internal::ResidualModel& model, const internal::Parameter& shape,
+                          MakeCurve make, Minimax minimax) {
   const ExactCurve exact(law);
   double value = 0.0;
   std::vector<double> covariance{0.0};
@@ -127,12 +127,12 @@ CurveFit<Boundary> fit_shape(const Law& law, Criterion criterion, const internal
     throw std::invalid_argument(std::string("criterion '") + to_string(criterion) +
                                 "' is not one this shape has: expected least-squares or minimax");
   }
-  const Boundary boundary = make(exact.moment_ratio(), value);
+  const Curve curve = make(exact.moment_ratio(), value);
   const std::array<internal::Quantity, 3> quantities{
       {{"force_max", 1.0, "1"}, {"moment_max", exact.moment_ratio(), "1"}, {shape.name, value, "1"}}};
   internal::set_estimates(report, quantities, std::array{0.0, 0.0, 1.0}, covariance);
   report.note = note_of(law, criterion);
-  return {boundary, boundary_error(boundary, exact), std::move(report)};
+  return {curve, curve_error(curve, exact), std::move(report)};
 }
 
 }  // namespace
@@ -176,7 +176,7 @@ CurveFit<Ellipse> fit_ellipse(const Law& law, Criterion criterion, std::size_t p
     case Criterion::minimax: {
       // The error through the intercepts is 0 at both ends and e₀ > 0 at its one maximum between. Shrunk by 1 − E it is −E, +E, −E,
       // equal in size and alternating three times for two parameters, hence the best, if (1−E)(1+e₀) = 1 + E.
-      const double largest = boundary_error(ellipse, exact).max_over_estimate;
+      const double largest = curve_error(ellipse, exact).max_over_estimate;
       const double shrink = 1.0 - largest / (2.0 + largest);
       ellipse = Ellipse(shrink, shrink * moment_ratio);
       message = "minimax: extremes of the error of equal size";
@@ -198,7 +198,7 @@ CurveFit<Ellipse> fit_ellipse(const Law& law, Criterion criterion, std::size_t p
   // From the normalised plane back to unit wrenches: B = m₀·B′.
   internal::set_estimates(report, quantities, std::array{1.0, 0.0, 0.0, moment_ratio}, covariance);
   report.note = note_of(law, criterion);
-  return {ellipse, boundary_error(ellipse, exact), std::move(report)};
+  return {ellipse, curve_error(ellipse, exact), std::move(report)};
 }
 
 CurveFit<Superellipse> fit_superellipse(const Law& law, Criterion criterion, std::size_t points) {

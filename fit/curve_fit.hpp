@@ -14,7 +14,7 @@ namespace limitcurve::fit {
 /// radius over the curve's along the same ray of the normalised plane (x = f, y = m/m₀), minus one.
 enum class Criterion {
   intercepts,     ///< through (1, 0) and (0, m₀), as the paper draws it: too strong everywhere between
-  least_squares,  ///< least rms error over the rays, `BoundaryError::rms_error`, by Ceres
+  least_squares,  ///< least rms error over the rays, `CurveError::rms_error`, by Ceres
   minimax,        ///< least largest error, of either sign
   inner,          ///< largest area that never promises a hold that slips
   outer,          ///< smallest area that never calls slipping what holds
@@ -26,10 +26,10 @@ const char* to_string(Criterion criterion) noexcept;
 /// An approximation of the exact unit limit curve of a law, with its errors against that curve over all rays.
 /// The report's rms is over the points that a least-squares fit looks at; its standard errors measure how badly the shape
 /// fits (the curve carries no noise) and are 0 for the other criteria.
-template <class Boundary>
+template <class Curve>
 struct CurveFit {
-  Boundary boundary;  ///< in unit wrenches
-  BoundaryError error;
+  Curve curve;  ///< in unit wrenches
+  CurveError error;
   FitReport report;
 };
 

@@ -13,7 +13,7 @@ namespace limitcurve::fit {
 
 namespace {
 
-/// Largest distance of two boundaries' wrenches at the same twist, in the normalised plane of the exact one: over twists evenly in the
+/// Largest distance of two curves' wrenches at the same twist, in the normalised plane of the exact one: over twists evenly in the
 /// normalised slip angle, and beside those where box and diamond jump from corner to corner. A smooth maximum is found to 1e-6.
 template <class Model>
 double wrench_error(const Model& model, const ExactCurve& exact) {
@@ -38,7 +38,7 @@ double wrench_error(const Model& model, const ExactCurve& exact) {
 /// moment limit per newton stays what it is, while the contact's grows with a(P).
 template <class MakeModel>
 void measure(EngineContact& contact, const ExactCurve& exact, const RadiusLaw& radius_law, double load, LoadRange loads, MakeModel make) {
-  contact.error = boundary_error(make(exact.moment_ratio()), exact);
+  contact.error = curve_error(make(exact.moment_ratio()), exact);
   contact.max_wrench_error = wrench_error(make(exact.moment_ratio()), exact);
   contact.max_error_over_loads = contact.error.max_error;
   // What counts is how far the radius gets from the one translated for; a measured law need not be monotone.
@@ -53,7 +53,7 @@ void measure(EngineContact& contact, const ExactCurve& exact, const RadiusLaw& r
   }
   for (const double ratio : {least, greatest}) {
     if (ratio == 1.0) continue;
-    const double worst = boundary_error(make(exact.moment_ratio() * ratio), exact).max_error;
+    const double worst = curve_error(make(exact.moment_ratio() * ratio), exact).max_error;
     contact.max_error_over_loads = std::max(contact.max_error_over_loads, worst);
   }
 }

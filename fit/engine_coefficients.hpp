@@ -26,7 +26,7 @@ struct EngineContact {
   /// Shape of the limit curve that the engine then really has: ellipse, diamond (friction pyramid) or box (uncoupled).
   std::string model;
   std::vector<EngineCoefficient> coefficients;
-  BoundaryError error;  ///< of that shape against the exact curve, at the load asked for
+  CurveError error;  ///< of that shape against the exact curve, at the load asked for
   /// Largest distance in the normalised plane between the wrenches of engine and exact curve for the same slip twist (imposed COR).
   double max_wrench_error = 0.0;
   /// Largest of error.max_error over the range of loads: engines take constant coefficients, which cannot follow a(P).

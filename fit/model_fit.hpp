@@ -16,7 +16,7 @@ namespace limitcurve::fit {
 struct ModelFit {
   std::string model;  ///< the model that was fitted, or that won
   FitReport report;
-  std::optional<BoundaryError> error;  ///< against the exact curve, for fits to one
+  std::optional<CurveError> error;  ///< against the exact curve, for fits to one
 };
 
 /// `ellipse`, `superellipse` or `quartic` to the exact curve of a law, in unit wrenches.

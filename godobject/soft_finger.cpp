@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "godobject/soft_finger.hpp"
 
-#include "godobject/finger_step.hpp"
+#include "godobject/kernel/finger_step.hpp"
 
 #include <cmath>
 #include <utility>

@@ -19,8 +19,8 @@ inline constexpr double patch_points = 1e-13;
 inline constexpr double patch_ellipse = 1e-12;
 inline constexpr double patch_ellipse_other = 1e-10;
 
-/// `BoundaryError`: absolute error of its extremes, which are relative errors themselves.
-inline constexpr double boundary_error = 1e-9;
+/// `CurveError`: absolute error of its extremes, which are relative errors themselves.
+inline constexpr double curve_error = 1e-9;
 
 /// Between the wrench at which a finger begins to slip and its limit curve, relative.
 inline constexpr double slip_onset = 1e-12;

@@ -34,7 +34,7 @@ Ellipse::Ellipse(double force_max, double moment_max) : force_max_(force_max), m
   check_intercepts(force_max, moment_max);
 }
 
-BoundaryPoint Ellipse::point(SlipTwist twist) const noexcept {
+SlopedPoint Ellipse::point(SlipTwist twist) const noexcept {
   const double total = twist.slide + twist.spin;
   const double x = force_max_ * (twist.slide / total);
   const double y = moment_max_ * (twist.spin / total);
@@ -66,7 +66,7 @@ UnitWrench Superellipse::wrench(SlipTwist twist) const noexcept {
   return between_intercepts(force_max_, moment_max_, p >= q, larger, ratio);
 }
 
-BoundaryPoint Superellipse::point(SlipTwist twist) const noexcept {
+SlopedPoint Superellipse::point(SlipTwist twist) const noexcept {
   const double total = twist.slide + twist.spin;
   const double slide = std::max(twist.slide / total, end_distance);
   const double spin = std::max(twist.spin / total, end_distance);
@@ -105,7 +105,7 @@ UnitWrench Quartic::wrench(SlipTwist twist) const noexcept {
   return between_intercepts(force_max_, moment_max_, p >= q, larger, ratio);
 }
 
-BoundaryPoint Quartic::point(SlipTwist twist) const noexcept {
+SlopedPoint Quartic::point(SlipTwist twist) const noexcept {
   const double total = twist.slide + twist.spin;
   const double p = force_max_ * (twist.slide / total);
   const double q = moment_max_ * (twist.spin / total);

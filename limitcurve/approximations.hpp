@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "limitcurve/limit_boundary.hpp"
+#include "limitcurve/limit_curve.hpp"
 #include "limitcurve/number.hpp"
 
 #include <array>
@@ -13,12 +13,12 @@
 /// Limit curves of few parameters: ellipse, superellipse, quartic, box and diamond. `validate.hpp` says how wrong each is.
 namespace limitcurve {
 
-/// Refuses intercepts of a limit boundary, in unit wrenches, that are not > 0 and finite: throws std::invalid_argument
+/// Refuses intercepts of a limit curve, in unit wrenches, that are not > 0 and finite: throws std::invalid_argument
 /// naming the one and its value.
 void check_intercepts(double force_max, double moment_max);
 
 /// The ellipse (f/A)² + (m/B)² = 1 (paper, eq. 19): the usual stand-in for the limit curve, and too strong by 6 to 8 %
-/// in the middle when it runs through the intercepts (A = 1, B = m₀). A limit boundary; no trigonometry.
+/// in the middle when it runs through the intercepts (A = 1, B = m₀). A limit curve; no trigonometry.
 class Ellipse {
  public:
   /// Semi-axes in unit wrenches, both > 0 and finite; throws std::invalid_argument otherwise.
@@ -39,7 +39,7 @@ class Ellipse {
     return {force_max_ * x / length, moment_max_ * y / length};
   }
 
-  [[nodiscard]] BoundaryPoint point(SlipTwist twist) const noexcept;
+  [[nodiscard]] SlopedPoint point(SlipTwist twist) const noexcept;
 
   [[nodiscard]] RadialPoint along(UnitWrench direction) const noexcept;
 
@@ -54,13 +54,13 @@ class Ellipse {
   double moment_max_;
 };
 
-static_assert(LimitBoundary<Ellipse>);
+static_assert(LimitCurve<Ellipse>);
 
 /// The superellipse (f/A)ⁿ + (m/B)ⁿ = 1, n > 1: 2 is the ellipse, n → 1 the diamond, n → ∞ the box. One exponent fitted
 /// to a law (minimax_superellipse in validate.hpp) is off by some 0.9 %, where the ellipse is off by 6 to 8 %.
 /// Its COR, though, is wrong without bound towards both ends unless n = 2: there the normal turns like xⁿ⁻¹, not like x.
 ///
-/// A limit boundary; no trigonometry, two powers a call. Relative error of both components ≤ 4 ε(1 + 1/(n−1)) for every
+/// A limit curve; no trigonometry, two powers a call. Relative error of both components ≤ 4 ε(1 + 1/(n−1)) for every
 /// twist, the ends included: a flatter side turns a small change of the twist into a large step along it.
 class Superellipse {
  public:
@@ -80,7 +80,7 @@ class Superellipse {
   [[nodiscard]] UnitWrench wrench(SlipTwist twist) const noexcept;
 
   /// For n > 2 the slope is infinite at the ends; it is given as that of u = 1e-80 (large, finite).
-  [[nodiscard]] BoundaryPoint point(SlipTwist twist) const noexcept;
+  [[nodiscard]] SlopedPoint point(SlipTwist twist) const noexcept;
 
   [[nodiscard]] RadialPoint along(UnitWrench direction) const noexcept;
 
@@ -99,13 +99,13 @@ class Superellipse {
   double inverse_;  // 1/(n−1)
 };
 
-static_assert(LimitBoundary<Superellipse>);
+static_assert(LimitCurve<Superellipse>);
 
 /// The quartic x⁴ + y⁴ + κx²y² = 1 with x = f/A, y = m/B and 0 ≤ κ ≤ 6, where it is convex: 2 is the ellipse, 6 is nearly
 /// a diamond (flat on the diagonal), 0 nearly a box (flat at the ends). Fitted to a law (minimax_quartic in
 /// validate.hpp) it is off by some 0.65 %, and unlike the superellipse it turns as it should at both ends.
 ///
-/// A limit boundary; no trigonometry, no iteration: two square roots and a cube root at most. Relative error of both
+/// A limit curve; no trigonometry, no iteration: two square roots and a cube root at most. Relative error of both
 /// components ≤ 16 ε for κ away from 0 and 6; where a side is flat (κ = 6 at the diagonal) the place on it is as
 /// uncertain as the twist makes it, the distance along the normal is not.
 class Quartic {
@@ -126,7 +126,7 @@ class Quartic {
   [[nodiscard]] UnitWrench wrench(SlipTwist twist) const noexcept;
 
   /// Where a side is flat (κ = 0 at the ends, κ = 6 at the diagonal) the slope is infinite; given large but finite.
-  [[nodiscard]] BoundaryPoint point(SlipTwist twist) const noexcept;
+  [[nodiscard]] SlopedPoint point(SlipTwist twist) const noexcept;
 
   [[nodiscard]] RadialPoint along(UnitWrench direction) const noexcept;
 
@@ -151,12 +151,12 @@ class Quartic {
   double kappa_;
 };
 
-static_assert(LimitBoundary<Quartic>);
+static_assert(LimitCurve<Quartic>);
 
-/// A convex polygonal boundary: vertices from (A, 0) to (0, B), joined by straight faces. `box` and `diamond` make the two
+/// A convex polygonal curve: vertices from (A, 0) to (0, B), joined by straight faces. `box` and `diamond` make the two
 /// that engines use: uncoupled limits, and the friction pyramid.
 ///
-/// A limit boundary with corners, where one wrench has many normals, and faces, where one normal has many wrenches.
+/// A limit curve with corners, where one wrench has many normals, and faces, where one normal has many wrenches.
 /// `wrench` gives the vertex that supports the twist (at a face's normal either of its vertices); at pure sliding
 /// always (A, 0) and at pure spin (0, B). A projection that must be exact on faces takes `vertices`. No rounding but
 /// that of `along` and `gauge` (≤ 4 ε).
@@ -210,7 +210,7 @@ class Polygon {
   }
 
   /// The slope is 0: between the jumps at face normals the wrench rests at a vertex.
-  [[nodiscard]] BoundaryPoint point(SlipTwist twist) const noexcept { return {wrench(twist), {0.0, 0.0}}; }
+  [[nodiscard]] SlopedPoint point(SlipTwist twist) const noexcept { return {wrench(twist), {0.0, 0.0}}; }
 
   [[nodiscard]] RadialPoint along(UnitWrench direction) const noexcept {
     const std::size_t face = face_along(direction);
@@ -258,7 +258,7 @@ inline Diamond diamond(double force_max, double moment_max) {
   return Diamond({UnitWrench{force_max, 0.0}, UnitWrench{0.0, moment_max}});
 }
 
-static_assert(LimitBoundary<Box>);
-static_assert(LimitBoundary<Diamond>);
+static_assert(LimitCurve<Box>);
+static_assert(LimitCurve<Diamond>);
 
 }  // namespace limitcurve

@@ -3,8 +3,8 @@
 
 #include "limitcurve/approximations.hpp"
 #include "limitcurve/exact_curve.hpp"
+#include "limitcurve/internal/shipped_costs.hpp"
 #include "limitcurve/number.hpp"
-#include "limitcurve/shipped_costs.hpp"
 #include "limitcurve/table.hpp"
 
 #include <algorithm>
@@ -27,7 +27,7 @@ Candidate sufficient_table(const Law& law, const ExactCurve& exact, double toler
   const double cost = shipped_costs::of("table").wrench;
   try {
     const Table table = Table::build(law, bound);
-    return {"table", bound, boundary_error(table, exact).max_error, cost};
+    return {"table", bound, curve_error(table, exact).max_error, cost};
   } catch (const std::runtime_error& error) {
     return {"table", bound, std::numeric_limits<double>::infinity(), cost, false, error.what()};
   }
@@ -70,7 +70,7 @@ std::vector<Candidate> choose(const Law& law, double tolerance) {
   if (!(tolerance >= 1e-10 && tolerance <= 1.0)) throw out_of_range("tolerance", tolerance, "1", "1e-10 <= tolerance <= 1");
   const ExactCurve exact(law);
   const double m0 = exact.moment_ratio();
-  const auto error_of = [&](const auto& boundary) { return boundary_error(boundary, exact).max_error; };
+  const auto error_of = [&](const auto& curve) { return curve_error(curve, exact).max_error; };
   const auto cost_of = [](const char* model) { return shipped_costs::of(model).wrench; };
   const Superellipse superellipse = minimax_superellipse(exact);
   const Quartic quartic = minimax_quartic(exact);

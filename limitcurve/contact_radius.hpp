@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "limitcurve/limit_boundary.hpp"
+#include "limitcurve/limit_curve.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -103,9 +103,9 @@ void check_limits(double mu, double load, double radius);
 std::vector<SlipTwist> slip_twists(std::size_t points);
 
 /// Where a contact of radius a(P) slips when it turns about `cor` [m] ∈ [0, ∞] under `load` [N] ≥ 0, μ ≥ 0:
-/// F = μP f(c/a), M = μPa m(c/a). Relative error: the boundary's and 8 ε.
-template <LimitBoundary Boundary>
-LoadPoint load_point(const Boundary& boundary, const RadiusLaw& radius_law, double mu, double load, double cor) {
+/// F = μP f(c/a), M = μPa m(c/a). Relative error: the curve's and 8 ε.
+template <LimitCurve Curve>
+LoadPoint load_point(const Curve& curve, const RadiusLaw& radius_law, double mu, double load, double cor) {
   detail::check_friction(mu);
   detail::check_load(load);
   detail::check_cor(cor);
@@ -114,35 +114,34 @@ LoadPoint load_point(const Boundary& boundary, const RadiusLaw& radius_law, doub
   // Without a contact there is nothing to slip against, and c/a may be 0/0.
   if (!(radius > 0.0)) return {load, cor, 0.0, 0.0};
   detail::check_limits(mu, load, radius);
-  const UnitWrench unit = boundary.wrench(SlipTwist::about_cor(cor / radius));
+  const UnitWrench unit = curve.wrench(SlipTwist::about_cor(cor / radius));
   return {load, cor, capacity * unit.force, capacity * radius * unit.moment};
 }
 
 /// p-curve: the limit curve at one load, at `slip_twists(points)`.
-template <LimitBoundary Boundary>
-std::vector<LoadPoint> p_curve(const Boundary& boundary, const RadiusLaw& radius_law, double mu, double load, std::size_t points) {
+template <LimitCurve Curve>
+std::vector<LoadPoint> p_curve(const Curve& curve, const RadiusLaw& radius_law, double mu, double load, std::size_t points) {
   detail::check_friction(mu);
   detail::check_load(load);
   const double radius = radius_law.radius(load);
   detail::check_limits(mu, load, radius);
-  std::vector<LoadPoint> curve;
+  std::vector<LoadPoint> result;
   for (const SlipTwist twist : slip_twists(points)) {
-    const UnitWrench unit = boundary.wrench(twist);
+    const UnitWrench unit = curve.wrench(twist);
     // At load 0 the radius may be 0, and 0·∞ is no place.
     const double cor = twist.spin > 0.0 ? radius * twist.cor() : twist.cor();
-    curve.push_back({load, cor, mu * load * unit.force, mu * load * radius * unit.moment});
+    result.push_back({load, cor, mu * load * unit.force, mu * load * radius * unit.moment});
   }
-  return curve;
+  return result;
 }
 
 /// c-curve: the wrench that slips about one COR [m], over the `loads` [N]. A straight line from the origin if a does
 /// not depend on P, else bent.
-template <LimitBoundary Boundary>
-std::vector<LoadPoint> c_curve(const Boundary& boundary, const RadiusLaw& radius_law, double mu, double cor,
-                               std::span<const double> loads) {
-  std::vector<LoadPoint> curve;
-  for (const double load : loads) curve.push_back(load_point(boundary, radius_law, mu, load, cor));
-  return curve;
+template <LimitCurve Curve>
+std::vector<LoadPoint> c_curve(const Curve& curve, const RadiusLaw& radius_law, double mu, double cor, std::span<const double> loads) {
+  std::vector<LoadPoint> result;
+  for (const double load : loads) result.push_back(load_point(curve, radius_law, mu, load, cor));
+  return result;
 }
 
 /// Γ(P) = m₀ μ P a(P) [N·m]: the moment that a pure twist needs. `moment_ratio` is m₀ ≥ 0.
@@ -154,9 +153,9 @@ double moment_capacity(double moment_ratio, const RadiusLaw& radius_law, double 
 /// Root of ln gauge(F/μP, M/μPa(P)) = 0, which falls with ln P at the slope −(1 + γω): γ the radius law's exponent, ω the
 /// twist's share of the dissipation, told by the normal ahead. Newton in ln P, inside the bracket of the loads that hold
 /// F or M alone (below) and their sum (above, by convexity). 3 to 6 calls of `along`, at most 60; for a constant radius
-/// one call of `gauge`. A sampled radius law gives its exponent at the load at hand. Relative error ≤ 1e-12, the boundary's own apart.
-template <class Boundary>
-double load_to_hold(const Boundary& boundary, const RadiusLaw& radius_law, double mu, double force, double moment) {
+/// one call of `gauge`. A sampled radius law gives its exponent at the load at hand. Relative error ≤ 1e-12, the curve's own apart.
+template <class Curve>
+double load_to_hold(const Curve& curve, const RadiusLaw& radius_law, double mu, double force, double moment) {
   constexpr int search_limit = 60;
   constexpr double tolerance = 1e-14;
   detail::check_friction(mu);
@@ -166,25 +165,25 @@ double load_to_hold(const Boundary& boundary, const RadiusLaw& radius_law, doubl
   const double scaled_force = force / mu;
   const double scaled_moment = moment / mu;
   if (!radius_law.is_sampled() && radius_law.exponent() == 0.0)
-    return boundary.gauge({scaled_force, scaled_moment / radius_law.coefficient()});
-  const double force_alone = scaled_force / boundary.wrench({1.0, 0.0}).force;
-  const double moment_alone = radius_law.load_of_product(scaled_moment / boundary.wrench({0.0, 1.0}).moment);
+    return curve.gauge({scaled_force, scaled_moment / radius_law.coefficient()});
+  const double force_alone = scaled_force / curve.wrench({1.0, 0.0}).force;
+  const double moment_alone = radius_law.load_of_product(scaled_moment / curve.wrench({0.0, 1.0}).moment);
   double low = std::max(force_alone, moment_alone);
   double high = force_alone + moment_alone;
   if (force == 0.0 || moment == 0.0 || std::isinf(high)) return high;
   // A sampled radius may fall with the load, where the sum of the two loads need not hold; a load that bears twice the
   // force and twice the moment, each alone, does.
   if (radius_law.is_sampled())
-    high = std::max(high, radius_law.load_of_product(scaled_moment / boundary.wrench({0.0, 1.0}).moment * 2.0) + 2.0 * force_alone);
+    high = std::max(high, radius_law.load_of_product(scaled_moment / curve.wrench({0.0, 1.0}).moment * 2.0) + 2.0 * force_alone);
   double load = low;
   for (int i = 0; i < search_limit; ++i) {
     const UnitWrench wrench{scaled_force / load, scaled_moment / (load * radius_law.radius(load))};
     const double gamma = radius_law.exponent(load);
-    const auto [on_boundary, normal] = boundary.along(wrench);
-    const double gauge = gauge_from(wrench, on_boundary);
+    const auto [on_curve, normal] = curve.along(wrench);
+    const double gauge = gauge_from(wrench, on_curve);
     (gauge > 1.0 ? low : high) = load;
-    const double slide_power = normal.slide * on_boundary.force;
-    const double spin_power = normal.spin * on_boundary.moment;
+    const double slide_power = normal.slide * on_curve.force;
+    const double spin_power = normal.spin * on_curve.moment;
     const double share = spin_power / (slide_power + spin_power);
     double next = load * std::pow(gauge, 1.0 / (1.0 + gamma * share));
     if (!(next >= low && next <= high)) next = 0.5 * (low + high);
@@ -196,10 +195,10 @@ double load_to_hold(const Boundary& boundary, const RadiusLaw& radius_law, doubl
 }
 
 /// Grip to spare [N]: `load` less the load at which (F, M) begins to slip. Negative where it slips.
-template <class Boundary>
-double grip_margin(const Boundary& boundary, const RadiusLaw& radius_law, double mu, double load, double force, double moment) {
+template <class Curve>
+double grip_margin(const Curve& curve, const RadiusLaw& radius_law, double mu, double load, double force, double moment) {
   detail::check_load(load);
-  return load - load_to_hold(boundary, radius_law, mu, force, moment);
+  return load - load_to_hold(curve, radius_law, mu, force, moment);
 }
 
 }  // namespace limitcurve

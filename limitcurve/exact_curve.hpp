@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "limitcurve/limit_boundary.hpp"
+#include "limitcurve/limit_curve.hpp"
 #include "limitcurve/pressure_law.hpp"
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 namespace limitcurve {
 
-/// The unit limit curve of a pressure law, exact: a limit boundary. Relative error of the wrench: that of the law's `forces`,
+/// The unit limit curve of a pressure law, exact: a limit curve. Relative error of the wrench: that of the law's `forces`,
 /// ≤ 1e-14 to 1e-13, and 9e-16 inwards, so that a wrench that is brought back onto the curve is not as often outside.
 /// Cost: that of the law's `forces`: nanoseconds where it is closed, microseconds by quadrature. A loop uses a table.
 class ExactCurve {
@@ -22,7 +22,7 @@ class ExactCurve {
 
   [[nodiscard]] UnitWrench wrench(SlipTwist twist) const noexcept { return inwards(law_->forces(twist.cor())); }
 
-  [[nodiscard]] BoundaryPoint point(SlipTwist twist) const noexcept {
+  [[nodiscard]] SlopedPoint point(SlipTwist twist) const noexcept {
     // du = −u² ds. Towards pure sliding df/ds vanishes like u³; the floor keeps u⁻² finite and the limit right.
     const double u = std::max(twist.spin_fraction(), 1e-80);
     const double s = std::min(twist.cor(), 1e80);
@@ -52,6 +52,6 @@ class ExactCurve {
   double moment_ratio_;
 };
 
-static_assert(LimitBoundary<ExactCurve>);
+static_assert(LimitCurve<ExactCurve>);
 
 }  // namespace limitcurve

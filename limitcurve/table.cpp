@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "limitcurve/table.hpp"
 
-#include "limitcurve/evaluators.hpp"
 #include "limitcurve/number.hpp"
 #include "limitcurve/pressure_law.hpp"
+#include "limitcurve/quadrature/evaluators.hpp"
 #include "limitcurve/table/buckets.hpp"
 #include "limitcurve/table/builder.hpp"
 #include "limitcurve/table/check.hpp"

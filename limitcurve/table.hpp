@@ -3,7 +3,7 @@
 
 #include "limitcurve/curve_view.hpp"
 #include "limitcurve/law.hpp"
-#include "limitcurve/limit_boundary.hpp"
+#include "limitcurve/limit_curve.hpp"
 
 #include <algorithm>
 #include <array>
@@ -39,7 +39,7 @@ struct TableCells {
   std::vector<TableCell> outside;  ///< x = a/c, in order, from 0
 };
 
-/// A limit curve as a table of its support function: a limit boundary in 1 to 64 KiB, with a certified error.
+/// A limit curve as a table of its support function: a limit curve in 1 to 64 KiB, with a certified error.
 ///
 /// Inside the rim D(x) = H(x, 1), x = c/a, outside D(x) = H(1, x), x = a/c, each in pieces of degree 6 that join with their first
 /// derivatives and are convex (proved for every piece). Hence a wrench (D′, D − xD′) has its slip twist as the normal of the table's
@@ -100,7 +100,7 @@ class BasicTable {
     return wrench_of(outside, jet.leading(), jet.trailing(x));
   }
 
-  [[nodiscard]] BoundaryPoint point(SlipTwist twist) const noexcept {
+  [[nodiscard]] SlopedPoint point(SlipTwist twist) const noexcept {
     const auto [outside, x] = place(twist);
     const Jet<Real> jet = view_.table.jet(outside, x);
     // u = 1/(1+s) = q/(1+q): ds/du = −(1+s)², dq/du = (1+q)².
@@ -155,6 +155,6 @@ using FloatTable = BasicTable<float>;
 extern template class BasicTable<double>;
 extern template class BasicTable<float>;
 
-static_assert(LimitBoundary<Table>);
+static_assert(LimitCurve<Table>);
 
 }  // namespace limitcurve

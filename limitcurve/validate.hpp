@@ -2,7 +2,7 @@
 #pragma once
 
 #include "limitcurve/approximations.hpp"
-#include "limitcurve/limit_boundary.hpp"
+#include "limitcurve/limit_curve.hpp"
 #include "limitcurve/pressure_law.hpp"
 
 #include <cmath>
@@ -17,16 +17,16 @@
 /// some 0.1 s by quadrature), fits included.
 namespace limitcurve {
 
-/// Errors over all rays of the normalised plane x = f/f_max, y = m/m_max of the exact boundary, from axis to axis.
+/// Errors over all rays of the normalised plane x = f/f_max, y = m/m_max of the exact curve, from axis to axis.
 /// Radial errors are relative to the exact radius on the same ray, as fractions, ≥ 0. The extremes are refined between
 /// the 1025 rays that are compared: right to 1e-9; the mean to 1e-6.
-struct BoundaryError {
+struct CurveError {
   double max_error = 0.0;           ///< the larger of the two below
   double rms_error = 0.0;           ///< root of the mean square over the rays' angle
   double max_over_estimate = 0.0;   ///< model radius/exact radius − 1 at its largest: holds where the finger slips
   double max_under_estimate = 0.0;  ///< 1 − model radius/exact radius at its largest: slips where the finger holds
   double max_cor_error = 0.0;       ///< |c/c_exact − 1| at its largest; inf where c is 0 or inf alone, or the ratio has no bound
-  double min_cor_ratio = 1.0;       ///< c/c_exact at its smallest, both CORs normal to their boundary on the same ray
+  double min_cor_ratio = 1.0;       ///< c/c_exact at its smallest, both CORs normal to their curve on the same ray
   double max_cor_ratio = 1.0;       ///< … and at its largest
 };
 
@@ -43,27 +43,27 @@ using CompareRay = std::function<RayComparison(SlipTwist)>;
 using WrenchOfTwist = std::function<UnitWrench(SlipTwist)>;
 using GaugeOfParameter = std::function<double(UnitWrench wrench, double parameter)>;
 
-/// (f_max, m_max) of a boundary.
-template <LimitBoundary Boundary>
-UnitWrench intercepts_of(const Boundary& boundary) {
-  return {boundary.wrench({1.0, 0.0}).force, boundary.wrench({0.0, 1.0}).moment};
+/// (f_max, m_max) of a curve.
+template <LimitCurve Curve>
+UnitWrench intercepts_of(const Curve& curve) {
+  return {curve.wrench({1.0, 0.0}).force, curve.wrench({0.0, 1.0}).moment};
 }
 
-template <LimitBoundary Boundary>
-WrenchOfTwist wrench_of(const Boundary& boundary) {
-  return [&boundary](SlipTwist twist) { return boundary.wrench(twist); };
+template <LimitCurve Curve>
+WrenchOfTwist wrench_of(const Curve& curve) {
+  return [&curve](SlipTwist twist) { return curve.wrench(twist); };
 }
 
-/// How a boundary turns at its ends: the COR on a ray is about (f/m)/spin near pure spin, and slide/(m/f) near pure sliding.
+/// How a curve turns at its ends: the COR on a ray is about (f/m)/spin near pure spin, and slide/(m/f) near pure sliding.
 struct EndTurns {
   double spin;   ///< d(f/m)/ds at s = 0
   double slide;  ///< s·m/f at s = ∞
 };
 
-template <LimitBoundary Boundary>
-EndTurns end_turns(const Boundary& boundary) {
-  const BoundaryPoint spin = boundary.point({0.0, 1.0});
-  const BoundaryPoint slide = boundary.point({1.0, 0.0});
+template <LimitCurve Curve>
+EndTurns end_turns(const Curve& curve) {
+  const SlopedPoint spin = curve.point({0.0, 1.0});
+  const SlopedPoint slide = curve.point({1.0, 0.0});
   return {std::fabs(spin.slope.force) / spin.wrench.moment, std::fabs(slide.slope.moment) / slide.wrench.force};
 }
 
@@ -85,7 +85,7 @@ EndTurns end_turns(const Polygon<count>& polygon) {
 }
 
 /// `near_spin` and `near_slide` are the limits of the ratio of the CORs.
-BoundaryError boundary_error(const CompareRay& compare, UnitWrench intercepts, double near_spin, double near_slide);
+CurveError curve_error(const CompareRay& compare, UnitWrench intercepts, double near_spin, double near_slide);
 /// The parameter in [low, high] at which over- and under-estimate are equal, of a model whose gauge is monotone in it.
 double equal_ripple(const WrenchOfTwist& exact, UnitWrench intercepts, const GaugeOfParameter& gauge, double low, double high);
 Ellipse inner_ellipse(const WrenchOfTwist& exact, UnitWrench intercepts);
@@ -94,9 +94,9 @@ Ellipse outer_ellipse(const WrenchOfTwist& exact, UnitWrench intercepts);
 }  // namespace detail
 
 /// Error of `model` against `exact`, which must be strictly convex (the exact curve, a table, an ellipse; not a polygon).
-/// At the ends the ratio of the CORs is its limit, by the slopes of both boundaries there.
-template <LimitBoundary Model, LimitBoundary Exact>
-BoundaryError boundary_error(const Model& model, const Exact& exact) {
+/// At the ends the ratio of the CORs is its limit, by the slopes of both curves there.
+template <LimitCurve Model, LimitCurve Exact>
+CurveError curve_error(const Model& model, const Exact& exact) {
   const UnitWrench intercepts = detail::intercepts_of(exact);
   const auto compare = [&](SlipTwist twist) -> detail::RayComparison {
     const UnitWrench wrench = exact.wrench(twist);
@@ -106,12 +106,12 @@ BoundaryError boundary_error(const Model& model, const Exact& exact) {
   };
   const auto [exact_spin, exact_slide] = detail::end_turns(exact);
   const auto [model_spin, model_slide] = detail::end_turns(model);
-  return detail::boundary_error(compare, intercepts, exact_spin / model_spin, model_slide / exact_slide);
+  return detail::curve_error(compare, intercepts, exact_spin / model_spin, model_slide / exact_slide);
 }
 
 /// The superellipse through the exact intercepts whose largest radial error is least: there its largest over- and
 /// under-estimate are equal. Exponent right to 1e-9, within [1.01, 100].
-template <LimitBoundary Exact>
+template <LimitCurve Exact>
 Superellipse minimax_superellipse(const Exact& exact) {
   const UnitWrench end = detail::intercepts_of(exact);
   const auto gauge = [&](UnitWrench wrench, double exponent) { return Superellipse(end.force, end.moment, exponent).gauge(wrench); };
@@ -119,29 +119,29 @@ Superellipse minimax_superellipse(const Exact& exact) {
 }
 
 /// The quartic through the exact intercepts whose largest radial error is least; κ right to 1e-9.
-template <LimitBoundary Exact>
+template <LimitCurve Exact>
 Quartic minimax_quartic(const Exact& exact) {
   const UnitWrench end = detail::intercepts_of(exact);
   const auto gauge = [&](UnitWrench wrench, double kappa) { return Quartic(end.force, end.moment, kappa).gauge(wrench); };
   return {end.force, end.moment, detail::equal_ripple(detail::wrench_of(exact), end, gauge, 0.0, 6.0)};
 }
 
-/// Of all ellipses (both semi-axes free) inside the exact boundary the one of largest area: it never promises a hold
+/// Of all ellipses (both semi-axes free) inside the exact curve the one of largest area: it never promises a hold
 /// that slips. Semi-axes right to 1e-7, inside to 1e-12.
-template <LimitBoundary Exact>
+template <LimitCurve Exact>
 Ellipse inner_ellipse(const Exact& exact) {
   return detail::inner_ellipse(detail::wrench_of(exact), detail::intercepts_of(exact));
 }
 
-/// Of all ellipses (both semi-axes free) that contain the exact boundary the one of smallest area: it never calls
+/// Of all ellipses (both semi-axes free) that contain the exact curve the one of smallest area: it never calls
 /// slipping what holds. Unless the pressure is sharply peaked (xydas-kao:k=0.2) that is the ellipse through the
 /// intercepts. Semi-axes right to 1e-7, outside to 1e-12.
-template <LimitBoundary Exact>
+template <LimitCurve Exact>
 Ellipse outer_ellipse(const Exact& exact) {
   return detail::outer_ellipse(detail::wrench_of(exact), detail::intercepts_of(exact));
 }
 
-/// A limit boundary that might do, and what it is worth.
+/// A limit curve that might do, and what it is worth.
 struct Candidate {
   std::string model;  ///< diamond, box, ellipse, superellipse, quartic, table, exact
   double parameter;   ///< as `limitcurve validate` prints it; of the table its tolerance; nan of the exact curve
@@ -152,7 +152,7 @@ struct Candidate {
   std::string reason = {};  ///< in words: what it is too wrong by, "chosen", or what it costs more than the chosen one
 };
 
-/// The cheapest boundary for `law` whose error is at most `tolerance`, among those it beat: dearer ones that would also
+/// The cheapest curve for `law` whose error is at most `tolerance`, among those it beat: dearer ones that would also
 /// do, cheaper ones that would not. Sorted by cost; one is chosen, since the exact curve always does.
 ///
 /// Costs are shipped figures (shipped_costs.hpp), measured on one machine: read them as ratios. The same input gives the same choice everywhere.

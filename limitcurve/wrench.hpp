@@ -44,14 +44,14 @@ struct SlipTwist {
   [[nodiscard]] constexpr double place() const noexcept { return slide <= spin ? slide / spin : 2.0 - spin / slide; }
 };
 
-/// A point of a limit boundary with its derivative along the spin fraction u. On an exact curve the
+/// A point of a limit curve with its derivative along the spin fraction u. On an exact curve the
 /// two slopes obey dm/du = −s·df/du (dm/df = −s, theory of the support function); an interpolant has its own.
-struct BoundaryPoint {
+struct SlopedPoint {
   UnitWrench wrench;
   UnitWrench slope;  ///< (df/du, dm/du): df/du ≤ 0 ≤ dm/du
 };
 
-/// Where a ray from the origin meets a limit boundary, and the slip twist that is the normal there.
+/// Where a ray from the origin meets a limit curve, and the slip twist that is the normal there.
 struct RadialPoint {
   UnitWrench wrench;
   SlipTwist normal;

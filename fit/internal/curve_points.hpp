@@ -19,7 +19,7 @@ struct CurvePoint {
   double x;
   double y;
   /// Root of the share of the rays (their polar angle, by the trapezoidal rule) that the point stands for, 1 on average: the sum of the
-  /// squares of residuals times this is what `BoundaryError::rms_error` reports.
+  /// squares of residuals times this is what `CurveError::rms_error` reports.
   double weight;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "limitcurve/patch/projection.hpp"
 
-#include "limitcurve/evaluators.hpp"
+#include "limitcurve/quadrature/evaluators.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,9 +3,9 @@
 
 #include "limitcurve/approximations.hpp"
 #include "limitcurve/exact_curve.hpp"
+#include "limitcurve/internal/shipped_costs.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/number.hpp"
-#include "limitcurve/shipped_costs.hpp"
 #include "limitcurve/table.hpp"
 
 #include <boost/math/tools/toms748_solve.hpp>
@@ -55,7 +55,7 @@ class Comparison {
   }
 
   /// H_model/H − 1 and 1 − H_model/H at their largest, and the mean square over the grid.
-  [[nodiscard]] BoundaryError power_error(const Model& model) const {
+  [[nodiscard]] CurveError power_error(const Model& model) const {
     std::size_t most = 0;
     std::size_t least = 0;
     std::vector<double> ratio(grid_.size());
@@ -77,7 +77,7 @@ class Comparison {
       largest = std::max(largest, end);
       smallest = std::min(smallest, end);
     }
-    BoundaryError error;
+    CurveError error;
     error.max_over_estimate = std::max(0.0, largest - 1.0);
     error.max_under_estimate = std::max(0.0, 1.0 - smallest);
     error.max_error = std::max(error.max_over_estimate, error.max_under_estimate);
@@ -85,8 +85,8 @@ class Comparison {
     return error;
   }
 
-  [[nodiscard]] BoundaryError error(const Model& model) const {
-    BoundaryError error = power_error(model);
+  [[nodiscard]] CurveError error(const Model& model) const {
+    CurveError error = power_error(model);
     add_cor_error(model, error);
     return error;
   }
@@ -159,7 +159,7 @@ class Comparison {
     return value;
   }
 
-  void add_cor_error(const Model& model, BoundaryError& error) const {
+  void add_cor_error(const Model& model, CurveError& error) const {
     error.max_cor_ratio = 0.0;
     error.min_cor_ratio = inf;
     const auto take = [&](double ratio) {
@@ -193,11 +193,11 @@ class Comparison {
   std::vector<PatchWrench> wrench_;
 };
 
-/// A boundary's COR for a wrench.
-template <class Boundary>
-double cor_distance(const Boundary& boundary, double a, const PatchWrench& wrench) {
+/// A curve's COR for a wrench.
+template <class Curve>
+double cor_distance(const Curve& curve, double a, const PatchWrench& wrench) {
   const UnitWrench unit{std::hypot(wrench.fx, wrench.fy), std::fabs(wrench.moment) / a};
-  return a * boundary.along(unit).normal.cor();
+  return a * curve.along(unit).normal.cor();
 }
 
 Model disc(const Law& law, double a) {
@@ -238,7 +238,7 @@ RoundModel best_disc(const Comparison& comparison) {
   }
   // Between the places of the grid both errors are larger: balanced anew.
   const auto imbalance = [&](double a) {
-    const BoundaryError error = comparison.power_error(disc(best, a));
+    const CurveError error = comparison.power_error(disc(best, a));
     return error.max_over_estimate - error.max_under_estimate;
   };
   constexpr double near = 0.01;

@@ -13,8 +13,8 @@ namespace limitcurve {
 /// A round model about the centre of pressure: a disc of a law and a radius, or the ellipsoid √(v² + m₀²ω²).
 struct RoundModel {
   std::string name;
-  double parameter;     ///< radius of a disc [m]; m₀ of the ellipsoid [m]
-  BoundaryError error;  ///< of H_model/H over twists; see `round_models`
+  double parameter;  ///< radius of a disc [m]; m₀ of the ellipsoid [m]
+  CurveError error;  ///< of H_model/H over twists; see `round_models`
 };
 
 /// The round models of a patch and their errors against it:
@@ -29,7 +29,7 @@ struct RoundModel {
 /// Throws std::invalid_argument for a patch without moment, all of whose load is on one point.
 std::vector<RoundModel> round_models(const Patch& patch);
 
-/// A disc, the ellipsoid or the patch itself, as `limitcurve::choose` gives boundaries; sorted by cost. The disc is chosen where its error is at
+/// A disc, the ellipsoid or the patch itself, as `limitcurve::choose` gives curves; sorted by cost. The disc is chosen where its error is at
 /// most `tolerance`, else the cheapest that is good enough; the patch always is. Throws like `round_models`, and for a tolerance out of [1e-10, 1].
 std::vector<Candidate> choose(const Patch& patch, double tolerance);
 

@@ -21,8 +21,8 @@ def run(*arguments, **options):
 def share(directory, script):
     """The environment in which the report is drawn by a script in its place."""
     folder = directory / "share"
-    (folder / "scripts").mkdir(parents=True, exist_ok=True)
-    (folder / "scripts" / "report.py").write_text(script)
+    (folder / "scripts" / "figures").mkdir(parents=True, exist_ok=True)
+    (folder / "scripts" / "figures" / "report.py").write_text(script)
     (folder / "data").unlink(missing_ok=True)
     (folder / "data").symlink_to(DATA)
     return {**os.environ, "LIMITCURVE_SHARE": str(folder)}

@@ -56,7 +56,7 @@ class Report(CommandLineTest):
 
     def test_without_its_script(self):
         environment = {**os.environ, "LIMITCURVE_SHARE": str(self.directory)}
-        self.assert_fails(1, ["scripts/report.py", "LIMITCURVE_SHARE"], "report", "-o", self.directory / "out", env=environment)
+        self.assert_fails(1, ["scripts/figures/report.py", "LIMITCURVE_SHARE"], "report", "-o", self.directory / "out", env=environment)
 
     def test_where_nothing_can_be_written(self):
         self.assert_fails(2, "--output", "report")

@@ -45,24 +45,22 @@ struct Draw {
 
 Draw draw(Kind kind, Random& random) {
   Draw result{{kind}, {}, {std::exp(random.uniform(-2.0, 1.0)), std::exp(random.uniform(-7.0, -4.5))}, 0.6, 0.0};
-  const auto boundary = [&](auto shape) {
-    return [shape](double t) { return shape.wrench(SlipTwist::about_cor(t * shape.moment_ratio())); };
-  };
+  const auto curve = [&](auto shape) { return [shape](double t) { return shape.wrench(SlipTwist::about_cor(t * shape.moment_ratio())); }; };
   const auto law = [&](const Law& exact) {
     result.moment_ratio = exact->moment_ratio();
     return synthetic::curve_of(exact);
   };
   switch (kind) {
     case Kind::ellipse:
-      result.curve = boundary(Ellipse::through_intercepts(result.moment_ratio));
+      result.curve = curve(Ellipse::through_intercepts(result.moment_ratio));
       break;
     case Kind::superellipse:
       result.shape = random.uniform(1.4, 2.5);
-      result.curve = boundary(Superellipse::through_intercepts(result.moment_ratio, result.shape));
+      result.curve = curve(Superellipse::through_intercepts(result.moment_ratio, result.shape));
       break;
     case Kind::quartic:
       result.shape = random.uniform(1.0, 5.0);
-      result.curve = boundary(Quartic::through_intercepts(result.moment_ratio, result.shape));
+      result.curve = curve(Quartic::through_intercepts(result.moment_ratio, result.shape));
       break;
     case Kind::law:
       result.model = ContactModel::of(hertz());

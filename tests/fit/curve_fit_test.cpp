@@ -98,8 +98,8 @@ TEST(CurveFit, EllipseLeastSquaresIsTheMinimumThatBruteForceFinds) {
     const CurveFit<Ellipse> fit = fit_ellipse(law, Criterion::least_squares, 91);
     EXPECT_TRUE(fit.report.converged) << fit.report.message;
     const auto best = brute_force([&](const auto& axes) { return mean_square(points, ellipse_gauge, axes); }, {1.0, 1.0}, 1e-9);
-    EXPECT_NEAR(fit.boundary.force_max(), best[0], 1e-7) << law->name();
-    EXPECT_NEAR(fit.boundary.moment_max() / law->moment_ratio(), best[1], 1e-7) << law->name();
+    EXPECT_NEAR(fit.curve.force_max(), best[0], 1e-7) << law->name();
+    EXPECT_NEAR(fit.curve.moment_max() / law->moment_ratio(), best[1], 1e-7) << law->name();
     EXPECT_NEAR(fit.report.rms, std::sqrt(mean_square(points, ellipse_gauge, best)), 1e-12) << law->name();
     EXPECT_GT(fit.report.at("force_max").std_error, 0.0);
   }
@@ -111,7 +111,7 @@ TEST(CurveFit, EllipseMinimaxIsTheMinimumThatBruteForceFinds) {
     const CurveFit<Ellipse> fit = fit_ellipse(law, Criterion::minimax);
     const auto best = brute_force([&](const auto& axes) { return largest_error(points, ellipse_gauge, axes); }, {0.97, 0.96}, 1e-8);
     EXPECT_NEAR(fit.error.max_error, largest_error(points, ellipse_gauge, best), 1e-6) << law->name();
-    EXPECT_NEAR(fit.boundary.force_max(), best[0], 1e-5) << law->name();
+    EXPECT_NEAR(fit.curve.force_max(), best[0], 1e-5) << law->name();
     EXPECT_NEAR(fit.error.max_over_estimate, fit.error.max_under_estimate, 1e-9) << law->name();
   }
 }
@@ -134,9 +134,9 @@ TEST(CurveFit, ShapesOfOneParameterLeastSquaresIsTheMinimumThatBruteForceFinds) 
   for (const Law& law : {flat_punch(), uniform(), hertz(), parabolic(), cone()}) {
     const std::vector<Point> points = exact_points(law, 91);
     const auto super = brute_force([&](const auto& n) { return mean_square(points, superellipse_gauge, n); }, {2.0}, 1e-9);
-    EXPECT_NEAR(fit_superellipse(law, Criterion::least_squares, 91).boundary.exponent(), super[0], 1e-6) << law->name();
+    EXPECT_NEAR(fit_superellipse(law, Criterion::least_squares, 91).curve.exponent(), super[0], 1e-6) << law->name();
     const auto quartic = brute_force([&](const auto& kappa) { return mean_square(points, quartic_gauge, kappa); }, {2.0}, 1e-9);
-    EXPECT_NEAR(fit_quartic(law, Criterion::least_squares, 91).boundary.kappa(), quartic[0], 1e-6) << law->name();
+    EXPECT_NEAR(fit_quartic(law, Criterion::least_squares, 91).curve.kappa(), quartic[0], 1e-6) << law->name();
   }
 }
 
@@ -154,14 +154,14 @@ TEST(CurveFit, NoNeighbourHasALesserReportedError) {
     EXPECT_NEAR(ellipse.report.rms, ellipse.error.rms_error, 1e-5) << text;
     constexpr double rounding = 1e-7;
     for (const double step : {-0.01, -0.002, 0.002, 0.01}) {
-      const double force = ellipse.boundary.force_max();
-      const double moment = ellipse.boundary.moment_max();
-      EXPECT_GT(boundary_error(Ellipse(force + step, moment), exact).rms_error, ellipse.error.rms_error - rounding) << text;
-      EXPECT_GT(boundary_error(Ellipse(force, moment + step * m0), exact).rms_error, ellipse.error.rms_error - rounding) << text;
-      const double n = superellipse.boundary.exponent() + step;
-      EXPECT_GT(boundary_error(Superellipse::through_intercepts(m0, n), exact).rms_error, superellipse.error.rms_error - rounding) << text;
-      const double kappa = quartic.boundary.kappa() + 5.0 * step;
-      EXPECT_GT(boundary_error(Quartic::through_intercepts(m0, kappa), exact).rms_error, quartic.error.rms_error - rounding) << text;
+      const double force = ellipse.curve.force_max();
+      const double moment = ellipse.curve.moment_max();
+      EXPECT_GT(curve_error(Ellipse(force + step, moment), exact).rms_error, ellipse.error.rms_error - rounding) << text;
+      EXPECT_GT(curve_error(Ellipse(force, moment + step * m0), exact).rms_error, ellipse.error.rms_error - rounding) << text;
+      const double n = superellipse.curve.exponent() + step;
+      EXPECT_GT(curve_error(Superellipse::through_intercepts(m0, n), exact).rms_error, superellipse.error.rms_error - rounding) << text;
+      const double kappa = quartic.curve.kappa() + 5.0 * step;
+      EXPECT_GT(curve_error(Quartic::through_intercepts(m0, kappa), exact).rms_error, quartic.error.rms_error - rounding) << text;
     }
   }
 }
@@ -176,8 +176,8 @@ TEST(CurveFit, UnitOfLengthDoesNotMatter) {
   const auto fits = [](const char* text) {
     const Law law = parse_law(text);
     const auto ellipse = fit_ellipse(law);
-    return std::vector<double>{ellipse.boundary.force_max(), ellipse.boundary.moment_max() / law->moment_ratio(),
-                               fit_superellipse(law).boundary.exponent(), fit_quartic(law).boundary.kappa()};
+    return std::vector<double>{ellipse.curve.force_max(), ellipse.curve.moment_max() / law->moment_ratio(),
+                               fit_superellipse(law).curve.exponent(), fit_quartic(law).curve.kappa()};
   };
   const std::vector<double> metre = fits("gaussian:sigma=1");
   for (const char* text : {"gaussian:sigma=1e-6", "gaussian:sigma=0.001", "gaussian:sigma=1000", "gaussian:sigma=1e6"}) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "cli/key_values.hpp"
-#include "cli/number_list.hpp"
+#include "cli/io/key_values.hpp"
+#include "cli/io/number_list.hpp"
 #include "limitcurve/number.hpp"
 #include "tests/fuzz/fuzz.hpp"
 

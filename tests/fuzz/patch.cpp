@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cli/patch_argument.hpp"
+#include "cli/io/patch_argument.hpp"
 #include "tests/fuzz/fuzz.hpp"
 
 #include <cmath>

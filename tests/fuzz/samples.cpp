@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cli/law_argument.hpp"
+#include "cli/io/law_argument.hpp"
 #include "tests/fuzz/honest_law.hpp"
 
 using namespace limitcurve;

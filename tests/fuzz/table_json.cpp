@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cli/table_reader.hpp"
+#include "cli/io/table_reader.hpp"
 #include "tests/fuzz/accepted_table.hpp"
 
 using namespace limitcurve;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cli/csv_reader.hpp"
+#include "cli/io/csv_reader.hpp"
 #include "godobject/replay.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/number.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cli/trace_reader.hpp"
+#include "cli/io/trace_reader.hpp"
 #include "tests/fuzz/fuzz.hpp"
 
 #include <cmath>

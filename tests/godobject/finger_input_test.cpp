@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What a finger makes of any input: the ends of each range, numbers that are none, leaps, steps at random, bits at random.
-#include "godobject/finger_step.hpp"
+#include "godobject/kernel/finger_step.hpp"
 #include "tests/godobject/scene.hpp"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "godobject/patch_finger.hpp"
 
-#include "godobject/patch_projection.hpp"
+#include "godobject/patch/patch_projection.hpp"
 #include "godobject/soft_finger.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/table.hpp"

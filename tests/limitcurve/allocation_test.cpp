@@ -60,23 +60,23 @@ TEST(Allocation, IsNoticedByTheGuard) {
   EXPECT_GE(allocations_in([] { std::vector<double> values(100, 1.0); }), 1);
 }
 
-template <LimitBoundary Boundary>
-void expect_no_allocation(const char* what, const Boundary& boundary) {
-  static_assert(noexcept(boundary.wrench(SlipTwist{}))&& noexcept(boundary.point(SlipTwist{})));
-  static_assert(noexcept(boundary.along(UnitWrench{}))&& noexcept(boundary.gauge(UnitWrench{})));
+template <LimitCurve Curve>
+void expect_no_allocation(const char* what, const Curve& curve) {
+  static_assert(noexcept(curve.wrench(SlipTwist{}))&& noexcept(curve.point(SlipTwist{})));
+  static_assert(noexcept(curve.along(UnitWrench{}))&& noexcept(curve.gauge(UnitWrench{})));
   double sum = 0.0;
   const long count = allocations_in([&] {
     for (const double s : {0.0, 1e-200, 0.3, 1.0, 1.2, 5.0, 1e200}) {
       const SlipTwist twist = SlipTwist::about_cor(s);
-      const UnitWrench wrench = boundary.wrench(twist);
-      sum += boundary.point(twist).slope.moment + boundary.along(wrench).normal.spin + boundary.gauge(wrench);
+      const UnitWrench wrench = curve.wrench(twist);
+      sum += curve.point(twist).slope.moment + curve.along(wrench).normal.spin + curve.gauge(wrench);
     }
   });
   EXPECT_EQ(count, 0) << what;
   EXPECT_GT(sum, 0.0);
 }
 
-TEST(Allocation, NoBoundaryAllocates) {
+TEST(Allocation, NoCurveAllocates) {
   expect_no_allocation("ellipse", Ellipse(1.0, 0.6));
   expect_no_allocation("superellipse", Superellipse(1.0, 0.6, 1.7));
   expect_no_allocation("quartic", Quartic(1.0, 0.6, 3.2));

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The evaluators of eq. (17) against values that mpmath made, law by law.
 #include "limitcurve/accuracy.hpp"
-#include "limitcurve/closed_form.hpp"
 #include "limitcurve/exact_curve.hpp"
 #include "limitcurve/laws.hpp"
+#include "limitcurve/quadrature/closed_form.hpp"
 #include "reference.hpp"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What every pressure law must satisfy, one test a requirement, instantiated for every kind of law.
-#include "limitcurve/evaluators.hpp"
 #include "limitcurve/exact_curve.hpp"
 #include "limitcurve/laws.hpp"
+#include "limitcurve/quadrature/evaluators.hpp"
 #include "reference.hpp"
 
 #include <gtest/gtest.h>

@@ -134,8 +134,8 @@ TEST(MomentCapacity, GrowsAsTheLoadTimesTheRadius) {
   EXPECT_NEAR(moment_capacity(0.6, radius_law, 0.5, 32.0) / moment_capacity(0.6, radius_law, 0.5, 2.0), std::pow(16.0, 1.25), 1e-12);
 }
 
-template <class Boundary>
-void expect_round_trip(const Boundary& boundary, const char* what) {
+template <class Curve>
+void expect_round_trip(const Curve& curve, const char* what) {
   std::mt19937_64 random(77);
   std::uniform_real_distribution<double> decade(-6.0, 6.0);
   std::uniform_real_distribution<double> angle(0.01, 1.56);
@@ -143,8 +143,8 @@ void expect_round_trip(const Boundary& boundary, const char* what) {
     const RadiusLaw radius_law = RadiusLaw::parse(text);
     for (int i = 0; i < 100; ++i) {
       const double load = std::pow(10.0, decade(random));
-      const LoadPoint point = load_point(boundary, radius_law, mu, load, std::tan(angle(random)) * radius_law.radius(load));
-      EXPECT_NEAR(load_to_hold(boundary, radius_law, mu, point.force, point.moment) / load, 1.0, 1e-12)
+      const LoadPoint point = load_point(curve, radius_law, mu, load, std::tan(angle(random)) * radius_law.radius(load));
+      EXPECT_NEAR(load_to_hold(curve, radius_law, mu, point.force, point.moment) / load, 1.0, 1e-12)
           << what << ' ' << text << ' ' << load << ' ' << point.cor;
     }
   }
@@ -218,7 +218,7 @@ TEST(LoadToHold, SurvivesExtremes) {
 }
 
 TEST(LoadCurves, RefuseBadInput) {
-  const Ellipse boundary(1.0, 0.6);
+  const Ellipse curve(1.0, 0.6);
   const RadiusLaw radius_law = RadiusLaw::constant(0.005);
   const auto complaint_of = [](auto&& call) -> std::string {
     try {
@@ -229,21 +229,21 @@ TEST(LoadCurves, RefuseBadInput) {
     return "accepted";
   };
   for (const double bad : {-1.0, std::nan(""), inf}) {
-    EXPECT_NE(complaint_of([&] { p_curve(boundary, radius_law, bad, 1.0, 3); }).find("mu = "), std::string::npos) << bad;
-    EXPECT_NE(complaint_of([&] { p_curve(boundary, radius_law, mu, bad, 3); }).find("load = "), std::string::npos) << bad;
-    EXPECT_NE(complaint_of([&] { load_point(boundary, radius_law, mu, bad, 1.0); }).find("load = "), std::string::npos) << bad;
-    EXPECT_NE(complaint_of([&] { load_to_hold(boundary, radius_law, mu, bad, 0.0); }).find("force = "), std::string::npos) << bad;
-    EXPECT_NE(complaint_of([&] { load_to_hold(boundary, radius_law, mu, 0.0, bad); }).find("moment = "), std::string::npos) << bad;
+    EXPECT_NE(complaint_of([&] { p_curve(curve, radius_law, bad, 1.0, 3); }).find("mu = "), std::string::npos) << bad;
+    EXPECT_NE(complaint_of([&] { p_curve(curve, radius_law, mu, bad, 3); }).find("load = "), std::string::npos) << bad;
+    EXPECT_NE(complaint_of([&] { load_point(curve, radius_law, mu, bad, 1.0); }).find("load = "), std::string::npos) << bad;
+    EXPECT_NE(complaint_of([&] { load_to_hold(curve, radius_law, mu, bad, 0.0); }).find("force = "), std::string::npos) << bad;
+    EXPECT_NE(complaint_of([&] { load_to_hold(curve, radius_law, mu, 0.0, bad); }).find("moment = "), std::string::npos) << bad;
     EXPECT_NE(complaint_of([&] { moment_capacity(bad, radius_law, mu, 1.0); }).find("moment_ratio = "), std::string::npos) << bad;
   }
-  EXPECT_NE(complaint_of([&] { load_point(boundary, radius_law, mu, 1.0, -1.0); }).find("cor = -1 m"), std::string::npos);
+  EXPECT_NE(complaint_of([&] { load_point(curve, radius_law, mu, 1.0, -1.0); }).find("cor = -1 m"), std::string::npos);
   // Each finite, their product not: a pure twist's force would be 0·∞.
   const RadiusLaw large = RadiusLaw::constant(10.0);
-  EXPECT_NE(complaint_of([&] { p_curve(boundary, radius_law, 2.0, 1e308, 3); }).find("load = 1e+308 N"), std::string::npos);
-  EXPECT_NE(complaint_of([&] { p_curve(boundary, large, 1.0, 1e308, 3); }).find("radius = 10 m"), std::string::npos);
-  EXPECT_NE(complaint_of([&] { load_point(boundary, large, 1.0, 1e308, inf); }).find("product"), std::string::npos);
+  EXPECT_NE(complaint_of([&] { p_curve(curve, radius_law, 2.0, 1e308, 3); }).find("load = 1e+308 N"), std::string::npos);
+  EXPECT_NE(complaint_of([&] { p_curve(curve, large, 1.0, 1e308, 3); }).find("radius = 10 m"), std::string::npos);
+  EXPECT_NE(complaint_of([&] { load_point(curve, large, 1.0, 1e308, inf); }).find("product"), std::string::npos);
   EXPECT_NE(complaint_of([&] { moment_capacity(0.6, large, 1.0, 1e308); }).find("product"), std::string::npos);
-  EXPECT_NE(complaint_of([&] { c_curve(boundary, radius_law, mu, std::nan(""), loads); }).find("cor = nan m"), std::string::npos);
+  EXPECT_NE(complaint_of([&] { c_curve(curve, radius_law, mu, std::nan(""), loads); }).find("cor = nan m"), std::string::npos);
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Pressures with kinks and jumps of which nobody told.
-#include "limitcurve/smooth_pieces.hpp"
+#include "limitcurve/laws/smooth_pieces.hpp"
 #include "limitcurve/accuracy.hpp"
 #include "limitcurve/laws.hpp"
 

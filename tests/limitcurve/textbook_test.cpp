@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Where the closed forms as printed lose their digits, and ours do not. The table in limitcurve/README.md is this test's.
-#include "limitcurve/closed_form.hpp"
+#include "limitcurve/quadrature/closed_form.hpp"
 #include "reference.hpp"
 
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 // A replay on a mesh that is turned, carried a kilometre away, delayed, or has a row that is refused feels the same (issue 8).
 #include "godobject/mesh/mesh_surface.hpp"
 
-#include "tests/godobject/metamorphic.hpp"
+#include "tests/godobject/metamorphic/metamorphic.hpp"
 #include "tests/mesh/shapes.hpp"
 
 #include <gtest/gtest.h>

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 // stability_atlas DIR: measures every entry of the atlas and writes, into DIR, summary.csv (a line a finding) and a CSV a
-// figure (panel,series,x,value). scripts/stability draws and documents them.
+// figure (panel,series,x,value). scripts/maintain/stability draws and documents them.
 #include "atlas.hpp"
-#include "fits.hpp"
-#include "geometry.hpp"
 #include "limitcurve/number.hpp"
-#include "projection.hpp"
-#include "quadrature.hpp"
-#include "reality.hpp"
-#include "stepping.hpp"
-#include "tables.hpp"
-#include "turns.hpp"
+#include "motion/geometry.hpp"
+#include "motion/projection.hpp"
+#include "motion/reality.hpp"
+#include "motion/stepping.hpp"
+#include "numerics/fits.hpp"
+#include "numerics/quadrature.hpp"
+#include "numerics/tables.hpp"
+#include "numerics/turns.hpp"
 
 #include <cstdio>
 #include <exception>

@@ -17,7 +17,7 @@ struct Row {
   double value;
 };
 
-/// A figure's rows: NAME.csv, drawn as docs/stability/NAME.svg by scripts/stability_figures.py.
+/// A figure's rows: NAME.csv, drawn as docs/stability/NAME.svg by scripts/figures/stability_figures.py.
 struct Figure {
   std::string name;
   std::vector<Row> rows;

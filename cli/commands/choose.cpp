@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+#include "limitcurve/validate.hpp"
+
+#include "cli/commands/radius_check.hpp"
+#include "cli/commands/subcommands.hpp"
+#include "cli/io/number_list.hpp"
+#include "cli/io/patch_argument.hpp"
+
+#include "godobject/choose_step.hpp"
+#include "limitcurve/internal/shipped_costs.hpp"
+#include "limitcurve/patch/round_models.hpp"
+
+#include <array>
+#include <iostream>
+#include <limits>
+#include <stdexcept>
+
+namespace limitcurve::cli {
+
+namespace {
+
+class Choose final : public Subcommand {
+ public:
+  [[nodiscard]] Manual manual() const override {
+    return {"choose", "The cheapest limit curve that is good enough, with those it beat",
+            "Columns: model and parameter as in validate (table: its tolerance; exact: nan); error, the largest radial error in the\n"
+            "normalised plane; nanoseconds of a wrench by its slip twist, on one machine: read them as ratios; chosen, true for\n"
+            "the cheapest whose error is at most the tolerance. --explain says why, on standard error.\n"
+            "With --patch in place of --law, a contact that is not round (see 'limitcurve patch'): the disc of least largest error\n"
+            "where it will do, parameter its radius, driven as a law is; else the ellipsoid sqrt(v^2 + m0^2 w^2), parameter m0, or the\n"
+            "patch itself. Errors are of power, over all sliding twists.\n"
+            "With --scene the whole step of the god-object is chosen: model is 'no torsion' or BOUNDARY/PROJECTION, with the radius\n"
+            "of the mean load unless it ends in '/a(P)'; error is the largest change of what is felt, as a share of what the\n"
+            "contact bears, that slides and twists at the scene's rates have shown; nanoseconds are those of a step that\n"
+            "slips. Which of torsion, coupling, load-dependent radius, exact curve and closest point matter is said on standard error.",
+            "limitcurve choose --law hertz --tolerance 0.01 --scene --mu 0.6 --loads 0.5,2 --stiffness 1000 --twist-stiffness 0.036"};
+  }
+
+  void declare(Options& options) override {
+    options.law(law_, Presence::optional);
+    options.text("--patch", patch_, "PATCH", "In place of --law: a pressure patch that need not be round");
+    options.number("--tolerance", tolerance_, positive, "Largest error, relative (0.01 is 1 %), from 1e-10 to 1; with --scene from 1e-6",
+                   Presence::required);
+    options.flag("--explain", explain_, "Say what the chosen one beat, and why, on standard error");
+    options.flag("--scene", scene_wanted_, "Choose the step of a scene: limit curve, projection, and whether torsion matters at all");
+    options.number("--mu", scene_.mu, positive, "Scene: coefficient of friction");
+    options.radius_law(radius_law_, Presence::optional);
+    options.number("--moment-coefficient", scene_.moment_coefficient, positive,
+                   "Scene: mu_r [m]: moment limit mu_r P whatever the radius law");
+    options.numbers("--loads", loads_, positive, "Scene: least and largest load [N] (default 0.5,2)", Presence::optional);
+    options.number("--stiffness", scene_.stiffness, positive, "Scene: k_l [N/m]");
+    options.number("--twist-stiffness", scene_.twist_stiffness, positive, "Scene: k_r [N m/rad]");
+    options.number("--sample-time", scene_.sample_time, positive, "Scene: [s]");
+    options.number("--slide-speed", scene_.slide_speed, non_negative, "Scene: largest sliding speed [m/s]");
+    options.number("--twist-rate", scene_.twist_rate, non_negative, "Scene: largest rate of the twist [rad/s]");
+    options.number("--slide", slide_, non_negative, "Scene: largest way from where the finger touched down [m] (default: any)");
+    options.number("--twist", twist_, non_negative, "Scene: largest twist from where the finger touched down [rad] (default: any)");
+  }
+
+  void run(const Results& results) override {
+    if (patch_.empty() == (law_ == nullptr)) throw std::invalid_argument("expected one of --law and --patch");
+    if (!patch_.empty() && scene_wanted_) throw std::invalid_argument("--scene: goes with --law, got --patch");
+    scene_wanted_ ? choose_for_scene(results) : choose_curve(results);
+  }
+
+ private:
+  void choose_curve(const Results& results) const {
+    write(results, patch_.empty() ? choose(law_, tolerance_) : choose(read_patch(patch_), tolerance_));
+    if (explain_) std::cerr << "costs measured: " << shipped_costs::measured << '\n';
+  }
+
+  void write(const Results& results, const std::vector<Candidate>& candidates) const {
+    Rows rows(results, {"model", "parameter", "error", "nanoseconds", "chosen"});
+    for (const Candidate& candidate : candidates) {
+      rows.row(candidate.model, candidate.parameter, candidate.error, candidate.nanoseconds, candidate.chosen);
+      if (explain_) std::cerr << candidate.model << ": " << candidate.reason << '\n';
+    }
+    rows.finish();
+  }
+
+  void choose_for_scene(const Results& results) {
+    scene_.law = law_;
+    if (radius_law_) scene_.radius_law = *radius_law_;
+    if (slide_) scene_.slide = *slide_;
+    if (twist_) scene_.twist = *twist_;
+    if (!loads_.empty()) {
+      if (loads_.size() > 2)
+        throw std::invalid_argument("--loads: got " + std::to_string(loads_.size()) + " loads, expected the least and the largest");
+      scene_.least_load = loads_.front();
+      scene_.most_load = loads_.back();
+    }
+    if (radius_law_) warn_of_radii(scene_.radius_law, std::array{scene_.least_load, scene_.most_load});
+    const godobject::StepChoice choice = godobject::choose_step(scene_, tolerance_);
+    write(results, choice.candidates);
+    std::cerr << choice.verdict << '\n';
+  }
+
+  Law law_;
+  std::string patch_;
+  double tolerance_ = 0.0;
+  bool explain_ = false;
+  bool scene_wanted_ = false;
+  godobject::Scene scene_;
+  std::optional<RadiusLaw> radius_law_;
+  std::vector<double> loads_;
+  std::optional<double> slide_;
+  std::optional<double> twist_;
+};
+
+}  // namespace
+
+std::unique_ptr<Subcommand> make_choose() {
+  return std::make_unique<Choose>();
+}
+
+}  // namespace limitcurve::cli

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#include "cli/commands/subcommands.hpp"
+
+#include "limitcurve/contact_radius.hpp"
+
+namespace limitcurve::cli {
+
+namespace {
+
+class Curve final : public Subcommand {
+ public:
+  [[nodiscard]] Manual manual() const override {
+    return {"curve", "The unit limit curve, evenly in slip angle",
+            "Columns: c in contact radii, from 0 (pure twist) to inf (pure slide); force in units of mu P and moment in\n"
+            "units of mu P a; x = F/F_max and y = M/M_max, the paper's normalised plane.",
+            "limitcurve curve --law uniform --points 181"};
+  }
+
+  void declare(Options& options) override {
+    options.law(law_);
+    options.count("--points", points_, 2, 10'000'000, "Number of points");
+  }
+
+  void run(const Results& results) override {
+    Rows rows(results, {"c", "force", "moment", "x", "y"});
+    const double moment_ratio = law_->moment_ratio();
+    for (const SlipTwist twist : slip_twists(points_)) {
+      const UnitWrench wrench = law_->evaluate(twist.cor()).wrench;
+      rows.row(twist.cor(), wrench.force, wrench.moment, wrench.force, wrench.moment / moment_ratio);
+    }
+    rows.finish();
+  }
+
+ private:
+  Law law_;
+  std::size_t points_ = 91;
+};
+
+}  // namespace
+
+std::unique_ptr<Subcommand> make_curve() {
+  return std::make_unique<Curve>();
+}
+
+}  // namespace limitcurve::cli

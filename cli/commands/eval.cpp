@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#include "cli/commands/subcommands.hpp"
+
+#include "limitcurve/number.hpp"
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace limitcurve::cli {
+
+namespace {
+
+constexpr std::array methods{Method::automatic, Method::closed, Method::ring, Method::punch, Method::direct};
+
+std::vector<std::string> method_names() {
+  std::vector<std::string> names;
+  for (const Method method : methods) names.emplace_back(to_string(method));
+  return names;
+}
+
+class Eval final : public Subcommand {
+ public:
+  [[nodiscard]] Manual manual() const override {
+    return {"eval", "Friction force and moment at given distances of the centre of rotation (eq. 17)",
+            "Columns: c [m], force [N], moment [N m], and bounds on their absolute errors.\n"
+            "With radius, load and mu left out, c is in contact radii and the wrench in units of (mu P, mu P a).",
+            "limitcurve eval --law hertz --c 0.25,0.5,1,inf"};
+  }
+
+  void declare(Options& options) override {
+    options.law(law_);
+    options.numbers("--c", distances_, distance, "Distances of the centre of rotation from the contact centre [m], such as 0,0.5,inf");
+    options.number("--radius", radius_, positive, "Contact radius a [m]");
+    options.number("--load", load_, non_negative, "Normal load P [N]");
+    options.number("--mu", friction_, non_negative, "Friction coefficient mu [1]");
+    options.choice("--method", method_, method_names(), "How eq. (17) is evaluated");
+  }
+
+  void run(const Results& results) override {
+    const Method method = methods.at(method_);
+    if (!law_->allows(method)) throw std::invalid_argument(unsupported(method));
+    const double force_unit = friction_ * load_;
+    const double moment_unit = force_unit * radius_;
+    if (!std::isfinite(force_unit) || !std::isfinite(moment_unit)) {
+      throw std::invalid_argument("--mu, --load, --radius: their product is too large, expected a finite number");
+    }
+    Rows rows(results, {"c", "force", "moment", "force_error", "moment_error"});
+    // Half an ulp for each of the roundings of the scaling, and what that of s = c/a does to the curve.
+    constexpr double rounding = 0.5 * std::numeric_limits<double>::epsilon();
+    for (const double c : distances_) {
+      const double s = c / radius_;
+      const WrenchEstimate unit = law_->evaluate(s, method);
+      const double force_shift = std::isinf(s) ? 0.0 : std::abs(s * unit.force_slope) * rounding;
+      const double moment_shift = std::isinf(s) ? 0.0 : s * force_shift;
+      const double force = force_unit * unit.wrench.force;
+      const double moment = moment_unit * unit.wrench.moment;
+      rows.row(c, force, moment, force_unit * (unit.error.force + force_shift) + 2.0 * rounding * force,
+               moment_unit * (unit.error.moment + moment_shift) + 3.0 * rounding * moment);
+    }
+    rows.finish();
+  }
+
+ private:
+  [[nodiscard]] std::string unsupported(Method method) const {
+    std::string has;
+    for (const Method candidate : methods) {
+      if (law_->allows(candidate)) has += (has.empty() ? "" : ", ") + std::string(to_string(candidate));
+    }
+    return "--method: law '" + law_->name() + "' cannot be evaluated by '" + std::string(to_string(method)) + "', it has " + has;
+  }
+
+  Law law_;
+  std::vector<double> distances_;
+  double radius_ = 1.0;
+  double load_ = 1.0;
+  double friction_ = 1.0;
+  std::size_t method_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<Subcommand> make_eval() {
+  return std::make_unique<Eval>();
+}
+
+}  // namespace limitcurve::cli

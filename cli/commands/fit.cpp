@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: MIT
+#include "fit/model_fit.hpp"
+
+#include "cli/commands/fit_friction.hpp"
+#include "cli/commands/subcommands.hpp"
+#include "cli/io/slip_samples.hpp"
+
+#include "limitcurve/number.hpp"
+
+#include <cmath>
+#include <cstdio>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+
+namespace limitcurve::cli {
+
+namespace {
+
+const std::vector<std::string> models{"ellipse", "superellipse", "quartic", "ratio", "law", "load", "friction"};
+constexpr std::size_t last_of_a_curve = 2;
+const std::vector<std::string> criteria{"intercepts", "least-squares", "minimax", "inner", "outer"};
+const std::vector<std::string> losses{"squared", "huber", "cauchy"};
+const std::vector<std::string> load_models{"linear", "hertz", "power", "best"};
+
+class Fit final : public Subcommand {
+ public:
+  [[nodiscard]] Manual manual() const override {
+    return {"fit", "Fits a friction model to measured slips, or an approximation to the exact curve",
+            "With --data, a CSV of slips: load,force,moment[,sigma_force,sigma_moment] [N, N, N m]. With --law and no data,\n"
+            "ellipse, superellipse and quartic are laid over the exact unit curve instead.\n"
+            "ratio gives mu, mu_r and the contact radius they imply under --law (hertz if left out); law gives those of the\n"
+            "pressure law that explains the data best, or of --law; load fits a(P) or mu_r(P) = c P^gamma to a CSV of\n"
+            "load,radius[,sigma_radius] or load,moment[,sigma_moment]. Standard error has what to beware of, and last what to\n"
+            "type into replay and FingerParameters.\n"
+            "friction gives the coefficient of a contact that is not round (--patch, as in 'limitcurve patch') from pushes that\n"
+            "slid, force_x,force_y,moment,dx,dy,dtheta about the patch's origin [N, N m, m, rad]: mu, the mean of power over H;\n"
+            "drift, the slope of that over the share of rotation |w| m0/sqrt(v^2 + w^2 m0^2) divided by the mean, 0 where the\n"
+            "patch explains the pushes; and both with the ellipsoid sqrt(v^2 + m0^2 w^2) in place of H.\n"
+            "Columns: parameter, value, std_error, unit, note (the model fitted and what was assumed).",
+            "limitcurve fit ellipse --law hertz"};
+  }
+
+  void declare(Options& options) override {
+    options.choice("MODEL", model_, models, "What to fit", Presence::required);
+    options.text("--data", data_, "FILE", "CSV of measurements, or - for standard input");
+    options.law(law_, Presence::optional);
+    options.text("--patch", patch_, "PATCH", "For friction: the pressure patch");
+    options.number("--load", load_, positive, "For friction: normal load P [N]; without it mu is mu P [N]");
+    options.choice("--criterion", criterion_, criteria, "Of an approximation to the exact curve: what is least");
+    options.choice("--loss", loss_, losses, "How hard outliers of the data pull");
+    options.choice("--load-model", load_model_, load_models,
+                   "For load: how the radius grows, c P^gamma with gamma 0, 1/3, free; or the best");
+    options.number("--gamma", settings_.gamma, non_negative, "Exponent of the contact radius a = c P^gamma");
+    options.flag("--fit-gamma", settings_.fit_gamma, "Find gamma from the data too");
+    options.flag("--quiet", quiet_, "Say nothing on standard error but errors");
+    options.number("--largest-radius", settings_.largest_radius, positive, "Warn of a contact radius beyond this [m]");
+  }
+
+  void run(const Results& results) override {
+    if (models[model_] == "friction") return write(results, friction(), patch_);
+    if (!patch_.empty()) throw std::invalid_argument("--patch: for fit friction alone, got fit " + models[model_]);
+    if (load_) throw std::invalid_argument("--load: for fit friction alone, got fit " + models[model_]);
+    const fit::ModelFit found = data_.empty() ? curve_fit() : data_fit();
+    if (found.model != models[model_]) say("note", "the model is " + found.model);
+    describe(found);
+    for (const std::string& warning : found.report.warnings) say("warning", warning);
+    warn_of_units(found.report);
+    if (!found.report.converged) throw std::runtime_error("the fit did not converge: " + found.report.message);
+    write(results, found.report.estimates, found.report.note);
+    if (!data_.empty()) say_what_to_type(found);
+  }
+
+ private:
+  static void write(const Results& results, const std::vector<fit::Estimate>& estimates, const std::string& note) {
+    Rows rows(results, {"parameter", "value", "std_error", "unit", "note"});
+    for (const fit::Estimate& estimate : estimates) rows.row(estimate.name, estimate.value, estimate.std_error, estimate.unit, note);
+    rows.finish();
+  }
+
+  [[nodiscard]] std::vector<fit::Estimate> friction() const {
+    if (patch_.empty()) throw std::invalid_argument("--patch is required to fit 'friction'");
+    if (data_.empty()) throw std::invalid_argument("--data is required to fit 'friction'");
+    return fit_friction(patch_, data_, load_);
+  }
+
+  /// What a reader must know before using the numbers.
+  void say(const char* kind, const std::string& text) const {
+    if (!quiet_) std::fprintf(stderr, "limitcurve: %s: %s\n", kind, text.c_str());
+  }
+
+  /// No finger has such a radius, or such a one at 1 N, but millimetres do.
+  void warn_of_units(const fit::FitReport& report) const {
+    constexpr double largest_radius = 0.1;
+    for (const fit::Estimate& estimate : report.estimates) {
+      if ((estimate.name != "radius" && estimate.name != "c") || !(estimate.value > largest_radius)) continue;
+      say("warning", estimate.name + " = " + format_number(estimate.value) + " " + estimate.unit + ": in metres?");
+    }
+  }
+
+  /// How good the fit is.
+  void describe(const fit::ModelFit& found) const {
+    const fit::FitReport& report = found.report;
+    std::string text = std::to_string(report.residuals) + " residuals, " + std::to_string(report.free_parameters) +
+                       " free parameters, rms " + format_number(report.rms) + "; ";
+    if (found.error) {
+      text += "too strong by up to " + format_number(found.error->max_over_estimate) + ", too weak by up to " +
+              format_number(found.error->max_under_estimate) + ", its centre of rotation off by up to " +
+              format_number(found.error->max_cor_error) + "; ";
+    }
+    say("note", text + report.message);
+  }
+
+  /// The finger that was fitted, in the words of replay and of FingerParameters.
+  void say_what_to_type(const fit::ModelFit& found) const {
+    const std::vector<fit::Estimate>& estimates = found.report.estimates;
+    const auto value = [&](const std::string& name, double otherwise) {
+      for (const fit::Estimate& estimate : estimates) {
+        if (estimate.name == name) return estimate.value;
+      }
+      return otherwise;
+    };
+    const double gamma = value("gamma", settings_.gamma);
+    const std::string growth = format_number(gamma);
+    // Beyond these no finger takes it.
+    if (!(gamma >= -0.5 && gamma <= 1.0)) return;
+    if (estimates.front().name == "c") {
+      const std::string c = format_number(estimates.front().value);
+      if (gamma >= 0.0) {
+        say("note", "to type into replay: --radius-law power:c=" + c + ",gamma=" + growth +
+                        "; into FingerParameters: .radius_law = RadiusLaw::power(" + c + ", " + growth + ")");
+      }
+      return;
+    }
+    std::string options;
+    std::string fields;
+    const auto add = [&](const char* option, const char* field, const std::string& text) {
+      options += std::string(" --") + option + " " + text;
+      fields += (fields.empty() ? "." : ", .") + std::string(field) + " = " + text;
+    };
+    const std::string law = law_of(found);
+    if (!law.empty()) options = " --law " + law;
+    if (found.model == "ellipse") options = " --boundary ellipse";
+    const bool of_load = estimates.front().name == "mu_r";
+    if (!of_load) add("mu", "mu", format_number(estimates[0].value));
+    add("moment-coefficient", "moment_coefficient", format_number(estimates[of_load ? 0 : 1].value));
+    if (gamma != 0.0) add("moment-exponent", "moment_exponent", growth);
+    say("note", "to type into replay:" + options + "; into FingerParameters: " + fields);
+  }
+
+  /// The law in the words of --law; "" where the curve is none of a law, or its shape unknown.
+  [[nodiscard]] static std::string law_of(const fit::ModelFit& found) {
+    for (const fit::Estimate& estimate : found.report.estimates) {
+      if (estimate.name == "n" || estimate.name == "k") {
+        return std::isfinite(estimate.value) ? found.model + ":" + estimate.name + "=" + format_number(estimate.value) : "";
+      }
+    }
+    return found.report.estimates.front().name == "mu" ? found.model : "";
+  }
+
+  [[nodiscard]] fit::ModelFit curve_fit() const {
+    if (model_ > last_of_a_curve) throw std::invalid_argument("--data is required to fit '" + models[model_] + "'");
+    if (law_ == nullptr) throw std::invalid_argument("--data or --law is required, to fit to measurements or to the exact curve");
+    return fit::fit_model(models[model_], law_, static_cast<fit::Criterion>(criterion_));
+  }
+
+  [[nodiscard]] fit::ModelFit data_fit() {
+    settings_.loss = loss_ == 0 ? fit::Loss::squared() : loss_ == 1 ? fit::Loss::huber() : fit::Loss::cauchy();
+    if (models[model_] == "law" && law_ == nullptr) return law_fit(read_slip_samples(data_));
+    if (models[model_] != "load") return fit::fit_model(models[model_], read_slip_samples(data_), law_, settings_);
+    return load_fit(read_load_samples(data_));
+  }
+
+  [[nodiscard]] fit::ModelFit law_fit(const std::vector<fit::Sample>& samples) const {
+    fit::LawSelection selection = fit::select_law(samples, settings_);
+    for (std::size_t i = 0; i < selection.candidates.size(); ++i) {
+      say("note", selection.candidates[i].model + ": AICc " + format_number(selection.aic_difference[i]) + " above the best");
+    }
+    fit::ContactFit& best = selection.candidates.front();
+    return {best.model, std::move(best.report), std::nullopt};
+  }
+
+  [[nodiscard]] fit::ModelFit load_fit(const fit::LoadSamples& samples) const {
+    const std::string& wanted = load_models[load_model_];
+    if (wanted == "linear" || wanted == "hertz") {
+      const auto model = wanted == "linear" ? fit::LoadModel::linear : fit::LoadModel::hertz;
+      return {"load", fit::fit_load(samples, model, settings_.loss).report, std::nullopt};
+    }
+    const fit::LoadSelection selection = fit::select_load(samples, settings_.loss);
+    for (std::size_t i = 0; i < selection.candidates.size(); ++i) {
+      say("note", std::string(fit::to_string(selection.candidates[i].model)) + ": AICc " + format_number(selection.aic_difference[i]) +
+                      " above the best");
+    }
+    if (wanted == "best") return {"load", selection.candidates.front().report, std::nullopt};
+    return {"load", fit::fit_load(samples, fit::LoadModel::power, settings_.loss).report, std::nullopt};
+  }
+
+  std::size_t model_ = 0;
+  std::string data_;
+  std::string patch_;
+  std::optional<double> load_;
+  Law law_;
+  std::size_t criterion_ = 1;
+  std::size_t loss_ = 0;
+  std::size_t load_model_ = 2;
+  bool quiet_ = false;
+  fit::ContactFitOptions settings_;
+};
+
+}  // namespace
+
+std::unique_ptr<Subcommand> make_fit() {
+  return std::make_unique<Fit>();
+}
+
+}  // namespace limitcurve::cli

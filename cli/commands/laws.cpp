@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#include "cli/commands/subcommands.hpp"
+
+#include "limitcurve/laws.hpp"
+
+#include <algorithm>
+
+namespace limitcurve::cli {
+
+namespace {
+
+class Laws final : public Subcommand {
+ public:
+  [[nodiscard]] Manual manual() const override {
+    return {"laws", "Lists the pressure laws",
+            "Columns: law, an example of its grammar; moment_ratio, m0 = mu_r/(mu a); method, the one 'auto' stands for;\n"
+            "error, a bound on that of moment_ratio.\n"
+            "samples:FILE.csv, a measured profile with the columns radius,pressure, is a law too; it has no row without its file.",
+            "limitcurve laws"};
+  }
+
+  void declare(Options&) override {}
+
+  void run(const Results& results) override {
+    Rows rows(results, {"law", "moment_ratio", "method", "error"});
+    for (const std::string_view name : law_examples()) {
+      const Law law = parse_law(name);
+      const WrenchEstimate pure_twist = law->evaluate(0.0);
+      rows.row(name, pure_twist.wrench.moment, to_string(law->allows(Method::closed) ? Method::closed : Method::ring),
+               pure_twist.error.moment);
+    }
+    rows.finish();
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<Subcommand> make_laws() {
+  return std::make_unique<Laws>();
+}
+
+}  // namespace limitcurve::cli

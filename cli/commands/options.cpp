@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#include "cli/commands/options.hpp"
+
+#include "cli/io/law_argument.hpp"
+#include "cli/io/number_list.hpp"
+
+#include "limitcurve/number.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace limitcurve::cli {
+
+void Options::text(const std::string& name, std::string& value, const std::string& kind, const std::string& help, Presence presence) {
+  this->value(
+      name, kind,
+      [&value](const std::string& text) {
+        if (text.empty()) throw std::invalid_argument("empty");
+        value = text;
+      },
+      help, presence);
+}
+
+void Options::number(const std::string& name, double& value, Range range, const std::string& help, Presence presence) {
+  const std::string standard = std::isnan(value) || presence == Presence::required ? "" : " (default " + format_number(value) + ")";
+  this->value(
+      name, "NUMBER", [&value, range](const std::string& text) { value = read_number(text, range); }, help + standard, presence);
+}
+
+void Options::number(const std::string& name, std::optional<double>& value, Range range, const std::string& help) {
+  this->value(
+      name, "NUMBER", [&value, range](const std::string& text) { value = read_number(text, range); }, help, Presence::optional);
+}
+
+void Options::numbers(const std::string& name, std::vector<double>& values, Range range, const std::string& help, Presence presence) {
+  value(
+      name, "LIST", [&values, range](const std::string& text) { values = read_number_list(text, range); }, help, presence);
+}
+
+void Options::count(const std::string& name, std::size_t& value, std::size_t least, std::size_t most, const std::string& help) {
+  this->value(
+      name, "N",
+      [&value, least, most](const std::string& text) {
+        const auto number = parse_number(text);
+        if (!number || !(*number >= static_cast<double>(least) && *number <= static_cast<double>(most)) || *number != std::floor(*number)) {
+          throw std::invalid_argument("got '" + text + "', expected a whole number from " + std::to_string(least) + " to " +
+                                      std::to_string(most));
+        }
+        value = static_cast<std::size_t>(*number);
+      },
+      help + " (default " + std::to_string(value) + ")", Presence::optional);
+}
+
+void Options::choice(const std::string& name, std::size_t& value, std::vector<std::string> choices, const std::string& help,
+                     Presence presence) {
+  std::string kind;
+  for (const std::string& choice : choices) kind += (kind.empty() ? "" : "|") + choice;
+  const std::string standard = presence == Presence::required ? "" : " (default " + choices.at(value) + ")";
+  this->value(
+      name, kind,
+      [&value, choices = std::move(choices), kind](const std::string& text) {
+        const auto found = std::find(choices.begin(), choices.end(), text);
+        if (found == choices.end()) throw std::invalid_argument("got '" + text + "', expected " + kind);
+        value = static_cast<std::size_t>(found - choices.begin());
+      },
+      help + standard, presence);
+}
+
+void Options::law(Law& value, Presence presence) {
+  this->value(
+      "--law", "LAW", [&value](const std::string& text) { value = read_law(text); },
+      "Pressure law: hertz, uniform, power:n=2.3, samples:FILE.csv, …; 'limitcurve laws' lists them", presence);
+}
+
+void Options::radius_law(std::optional<RadiusLaw>& value, Presence presence) {
+  this->value(
+      "--radius-law", "RADIUS-LAW", [&value](const std::string& text) { value = read_radius_law(text); },
+      "Contact radius a(P) [m]: constant:a=0.005, hertz:R=0.008,E=2e5, power:c=0.00207,gamma=0.259, samples:FILE.csv", presence);
+}
+
+}  // namespace limitcurve::cli

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#include "cli/commands/radius_check.hpp"
+
+#include "limitcurve/number.hpp"
+
+#include <algorithm>
+#include <iostream>
+#include <limits>
+
+namespace limitcurve::cli {
+
+void warn_of_radii(const RadiusLaw& radius_law, std::span<const double> loads) {
+  constexpr double largest_radius = 0.1;
+  double radius = 0.0;
+  double at_load = 0.0;
+  double least = std::numeric_limits<double>::infinity();
+  double most = 0.0;
+  for (const double load : loads) {
+    if (!(load > 0.0)) continue;
+    least = std::min(least, load);
+    most = std::max(most, load);
+    if (radius_law.radius(load) > radius) {
+      radius = radius_law.radius(load);
+      at_load = load;
+    }
+  }
+  if (radius > largest_radius) {
+    std::cerr << "limitcurve: warning: the radius law gives a contact radius of " << format_number(radius) << " m at a load of "
+              << format_number(at_load) << " N: in metres?\n";
+  }
+  const auto [first, last] = radius_law.sampled_loads();
+  if (least < first || most > last) {
+    std::cerr << "limitcurve: warning: the radius law is extrapolated: its samples have loads from " << format_number(first) << " to "
+              << format_number(last) << " N, it is used from " << format_number(least) << " to " << format_number(most) << " N\n";
+  }
+}
+
+}  // namespace limitcurve::cli

@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: MIT
+#include "cli/commands/radius_check.hpp"
+#include "cli/commands/subcommands.hpp"
+#include "cli/io/body_argument.hpp"
+#include "cli/io/key_values.hpp"
+#include "cli/io/patch_argument.hpp"
+#include "cli/io/surface_argument.hpp"
+#include "cli/io/trace_reader.hpp"
+
+#include "godobject/passivity.hpp"
+#include "godobject/replay.hpp"
+#include "godobject/scene/patch_replay.hpp"
+#include "limitcurve/number.hpp"
+
+#include <algorithm>
+#include <array>
+#include <iostream>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+
+namespace limitcurve::cli {
+
+namespace {
+
+using godobject::BodyMotion;
+using godobject::CurveKind;
+using godobject::Projection;
+
+constexpr std::array curve_kinds{CurveKind::exact,        CurveKind::table,   CurveKind::ellipse,
+                                 CurveKind::superellipse, CurveKind::quartic, CurveKind::box};
+constexpr std::array projections{Projection::radial, Projection::c_curve, Projection::closest_point};
+
+template <class Kinds>
+std::vector<std::string> names(const Kinds& kinds) {
+  std::vector<std::string> result;
+  for (const auto kind : kinds) result.emplace_back(godobject::to_string(kind));
+  return result;
+}
+
+/// What a row tells of one finger beside the columns of the plane.
+struct Columns {
+  bool in_space = false;  ///< pz,fz and the normal
+  bool details = false;
+};
+
+void add_columns(std::vector<std::string>& names, const std::string& suffix, const Columns& columns) {
+  const auto add = [&](std::initializer_list<const char*> more) {
+    for (const char* name : more) names.push_back(name + suffix);
+  };
+  add({"state", "px", "py", "angle", "depth", "load", "fx", "fy", "moment", "cor"});
+  if (columns.in_space) add({"pz", "fz", "nx", "ny", "nz"});
+  if (columns.details) add({"margin", "hold_load", "corx", "cory", "corz", "dissipated"});
+}
+
+template <class Cell>
+void write_contact(const Cell& cell, const godobject::SceneContact& contact, const Columns& columns) {
+  cell(godobject::to_string(contact.state));
+  const auto numbers = [&](std::initializer_list<double> values) {
+    for (const double value : values) cell(value);
+  };
+  numbers({contact.proxy.x(), contact.proxy.y(), contact.angle, contact.depth, contact.load, contact.force.x(), contact.force.y(),
+           contact.moment, contact.cor});
+  if (columns.in_space) numbers({contact.proxy.z(), contact.force.z(), contact.normal.x(), contact.normal.y(), contact.normal.z()});
+  if (columns.details) {
+    const Eigen::Vector3d& centre = contact.centre_of_rotation;
+    numbers({contact.margin, contact.load_to_hold, centre.x(), centre.y(), centre.z(), contact.dissipated});
+  }
+}
+
+class Replay final : public Subcommand {
+ public:
+  [[nodiscard]] Manual manual() const override {
+    return {"replay", "Runs the god-object over a recorded motion of a finger on a surface",
+            "The trace has columns time,x,y,z,twist [s, m, m, m, rad], or qw,qx,qy,qz (a unit quaternion, finger to world) in\n"
+            "place of twist, which counts where both are there; all may wrap around. The surface is the plane z = 0, outward normal +z, "
+            "penetration -z, or another\n"
+            "about the origin.\n"
+            "Columns: time; state free|stick|slip|invalid (a sample earlier than the one before it, or that leaps); px,py [m] and angle\n"
+            "[rad] of the proxy; depth [m]; load [N]; fx,fy [N] and moment [N m], the friction that the user feels;\n"
+            "cor [m], the distance of the slip's centre of rotation (nan unless it slips).\n"
+            "With another surface, a body that moves, or several fingers: also pz, fz and the surface's outward normal nx,ny,nz\n"
+            "there, in the world; angle is relative to the body. The user feels load along the normal, too, and moment about it.\n"
+            "Body 'trace' is moved by the columns bx,by,bz [m] and bqw,bqx,bqy,bqz (body to world); 'planar' and 'free' are pushed\n"
+            "by the fingers and begin at the origin: their pose after each sample is in columns of those names.\n"
+            "Finger N reads x2,y2,z2,twist2 (qw2,...) and so on, and writes state2,px2,py2,...\n"
+            "--details: margin to slip (1 none of the limit is used, 0 slips); hold_load [N], the least load that would bear\n"
+            "this friction; corx,cory,corz [m], where the slip's centre of rotation is; dissipated [J] by slip so far.\n"
+            "With --patch in place of --law and --radius-law the contact is not round (see 'limitcurve patch'): the patch is fixed to\n"
+            "the finger, turns with angle, and its centre of pressure is the contact point; cor is then a distance from there.",
+            "limitcurve replay --trace data/traces/slide_twist_load.csv --law hertz --radius-law constant:a=0.006 --mu 0.6\n"
+            "    --stiffness 1000 --twist-stiffness 0.036 --boundary table --projection closest-point"};
+  }
+
+  void declare(Options& options) override {
+    options.text("--trace", trace_, "FILE", "CSV with columns time,x,y,z,twist, or - for standard input", Presence::required);
+    options.law(replay_.law, Presence::optional);
+    options.text("--patch", patch_, "PATCH",
+                 "In place of --law and --radius-law: a pressure patch that need not be round, by the closest point");
+    options.number("--point-radius", point_radius_, positive,
+                   "Radius of a patch's points [m] (default 1e-3 of m0, the moment of a spin over mu P; not less)");
+    options.radius_law(radius_law_, Presence::optional);
+    options.number("--mu", replay_.finger.mu, non_negative, "Friction coefficient mu [1]", Presence::required);
+    options.number("--stiffness", replay_.finger.stiffness, positive, "Contact stiffness k_l [N/m]; the load is P = k_l d",
+                   Presence::required);
+    options.number("--twist-stiffness", replay_.finger.twist_stiffness, positive, "Torsional stiffness k_r [N m/rad]", Presence::required);
+    options.number("--mu-dynamic", replay_.finger.mu_dynamic, non_negative, "Friction coefficient while slipping (mu if left out)");
+    options.number("--moment-coefficient", replay_.finger.moment_coefficient, non_negative,
+                   "mu_r [m/N^gamma]: the largest moment is mu_r P^(1+gamma), whatever the radius law");
+    options.number("--moment-exponent", replay_.finger.moment_exponent, finite, "gamma of --moment-coefficient, -0.5 to 1");
+    options.number("--moment-coefficient-dynamic", replay_.finger.moment_coefficient_dynamic, non_negative,
+                   "mu_r while slipping [m] (mu_r times mu-dynamic/mu if left out)");
+    options.choice("--boundary", curve_, names(curve_kinds), "Limit curve");
+    options.choice("--projection", projection_, names(projections), "How the proxy is brought back on to it");
+    options.number("--tolerance", replay_.tolerance, positive, "Error of the table, in unit wrenches");
+    options.value(
+        "--surface", "SURFACE",
+        [this](const std::string& text) {
+          surface_ = read_surface(text);
+          on_plane_ = text == "plane";
+        },
+        "What is touched [m]: plane, sphere:radius=0.05, capsule:radius=0.01,length=0.1, cylinder:radius=0.02,length=0.1, "
+        "box:x=0.12,y=0.04,z=0.04, mesh:FILE.obj (default plane)",
+        Presence::optional);
+    options.text("--body", body_text_, "BODY",
+                 "Who moves it: fixed, trace, planar:mass=0.1[,inertia=1e-4] (in x-y, frictionless), "
+                 "free:mass=0.1[,inertia=1e-4][,gravity=9.81] (default fixed)");
+    options.count("--fingers", fingers_, 1, godobject::Replay::most_fingers, "Fingers in the trace");
+    options.number("--damping", replay_.finger.damping, non_negative, "b_l of each finger [N s/m]");
+    options.number("--twist-damping", replay_.finger.twist_damping, non_negative, "b_r of each finger [N m s/rad]");
+    options.number("--rest-margin", replay_.finger.rest_margin, non_negative,
+                   "a finger that slides comes to rest within the dynamic limit/(1 + this*(mu/mu_d - 1)) [1]; 0: within the dynamic limit");
+    options.number("--jump-limit", replay_.finger.max_displacement, positive_or_inf,
+                   "A finger that leaps farther than this between two rows [m] is a fault of the device: refused once, as invalid");
+    options.number("--hold-share", replay_.finger.fault_decay, share,
+                   "Of load, force and moment [1] that an invalid row keeps of an invalid row before: 0.99 lets go softly, 1 holds them");
+    options.value(
+        "--check-gains", "LIST", [this](const std::string& text) { read_device(text); },
+        "b=NUMBER[,b_r=NUMBER][,T=0.001]: refuse gains that are not passive on a device of that damping [N s/m, N m s/rad] at a "
+        "sample time [s]",
+        Presence::optional);
+    options.flag("--details", details_, "Columns for a controller: margin,hold_load,corx,cory,corz,dissipated");
+  }
+
+  void run(const Results& results) override {
+    check_patch();
+    if (radius_law_) {
+      replay_.finger.radius_law = *radius_law_;
+    } else if (!replay_.finger.moment_coefficient && patch_.empty()) {
+      throw std::invalid_argument("--radius-law is required, unless --moment-coefficient is given");
+    }
+    replay_.curve = curve_kinds.at(curve_);
+    replay_.projection = projections.at(projection_);
+    check_gains();
+    const BodyArgument body = body_argument();
+    const bool in_space = !on_plane_ || body.motion != BodyMotion::fixed || fingers_ > 1;
+    replay_.surface = surface_.surface;
+    replay_.fingers = fingers_;
+    replay_.motion = body.motion;
+    replay_.body = body.parameters;
+    if (!patch_.empty()) return run_patch(results, {in_space, details_});
+    run_replay(results, {in_space, details_});
+  }
+
+ private:
+  void check_patch() const {
+    if (patch_.empty() == (replay_.law == nullptr)) throw std::invalid_argument("expected one of --law and --patch");
+    if (patch_.empty()) {
+      if (point_radius_) throw std::invalid_argument("--point-radius: goes with --patch");
+      return;
+    }
+    const auto refuse = [](const char* option, bool given) {
+      if (given) throw std::invalid_argument(std::string(option) + ": not with --patch, which has a size and moments of its own");
+    };
+    refuse("--radius-law", radius_law_.has_value());
+    refuse("--moment-coefficient", replay_.finger.moment_coefficient.has_value());
+    refuse("--moment-coefficient-dynamic", replay_.finger.moment_coefficient_dynamic.has_value());
+    if (projections.at(projection_) != Projection::closest_point)
+      throw std::invalid_argument("--projection: a patch goes with closest-point only");
+    if (curve_kinds.at(curve_) != CurveKind::table && curve_kinds.at(curve_) != CurveKind::exact) {
+      throw std::invalid_argument("--boundary: a patch is its own limit surface, expected none");
+    }
+  }
+
+  [[nodiscard]] BodyArgument body_argument() const {
+    try {
+      return read_body(body_text_, surface_);
+    } catch (const std::invalid_argument& error) {
+      throw std::invalid_argument(std::string("--body: ") + error.what());
+    }
+  }
+
+  void read_device(const std::string& text) {
+    godobject::DeviceDamping device{0.0, std::numeric_limits<double>::infinity()};
+    read_key_values(text, {number_key("b", device.sliding, non_negative), number_key("b_r", device.twist, non_negative, false),
+                           number_key("T", sample_time_, positive, false)});
+    device_ = device;
+  }
+
+  void check_gains() const {
+    if (!device_) return;
+    godobject::require_passive(replay_.finger, sample_time_, *device_);
+  }
+
+  void run_patch(const Results& results, const Columns& columns) const {
+    TraceReader trace(trace_, fingers_, replay_.motion == BodyMotion::prescribed);
+    godobject::PatchReplay replay(read_patch(patch_), replay_, point_radius_.value_or(0.0));
+    std::vector<std::string> names{"time"};
+    for (std::size_t i = 0; i < fingers_; ++i) add_columns(names, i == 0 ? "" : std::to_string(i + 1), columns);
+    Rows rows(results, names);
+    while (trace.next()) {
+      replay.step(trace.time(), trace.fingers(), trace.body());
+      rows.row_by([&](const auto& cell) {
+        cell(trace.time());
+        for (const godobject::SceneContact& contact : replay.contacts()) write_contact(cell, contact, columns);
+      });
+    }
+    rows.finish();
+  }
+
+  void run_replay(const Results& results, const Columns& columns) const {
+    TraceReader trace(trace_, fingers_, replay_.motion == BodyMotion::prescribed);
+    godobject::Replay replay(replay_);
+    if (replay_.curve == CurveKind::exact) {
+      std::cerr << "limitcurve: exact: a table with an error of at most " << format_number(replay.curve_error()) << " in unit wrenches\n";
+    }
+    const bool is_free = replay_.motion == BodyMotion::free;
+    std::vector<std::string> names{"time"};
+    for (std::size_t i = 0; i < fingers_; ++i) add_columns(names, i == 0 ? "" : std::to_string(i + 1), columns);
+    if (is_free) names.insert(names.end(), {"bx", "by", "bz", "bqw", "bqx", "bqy", "bqz"});
+    Rows rows(results, names);
+    double last = std::numeric_limits<double>::infinity();
+    std::array loads{std::numeric_limits<double>::infinity(), 0.0};
+    while (trace.next()) {
+      if (is_free && trace.time() - last > godobject::Replay::longest_step) {
+        throw trace.complaint("a gap of " + format_number(trace.time() - last) + " s, expected at most " +
+                              format_number(godobject::Replay::longest_step) + " s where the body is free");
+      }
+      last = trace.time();
+      const std::size_t unsolved = replay.unsolved();
+      replay.step(trace.time(), trace.fingers(), trace.body());
+      if (replay.unsolved() > unsolved) {
+        std::cerr << "limitcurve: time " << format_number(trace.time())
+                  << " s: the body's step was not solved to rounding; a smaller step may help\n";
+      }
+      rows.row_by([&](const auto& cell) {
+        cell(trace.time());
+        for (const godobject::SceneContact& contact : replay.contacts()) {
+          write_contact(cell, contact, columns);
+          if (contact.load > 0.0) loads = {std::min(loads[0], contact.load), std::max(loads[1], contact.load)};
+        }
+        if (!is_free) return;
+        for (const double place : replay.body().position) cell(place);
+        const Eigen::Quaterniond& turn = replay.body().orientation;
+        for (const double part : {turn.w(), turn.x(), turn.y(), turn.z()}) cell(part);
+      });
+    }
+    rows.finish();
+    if (!radius_law_) return;
+    // One that nothing touched under is seen at 1 N.
+    if (loads[1] == 0.0) loads = {1.0, 1.0};
+    warn_of_radii(*radius_law_, loads);
+  }
+
+  std::string trace_;
+  std::string patch_;
+  std::optional<double> point_radius_;
+  std::optional<RadiusLaw> radius_law_;
+  std::size_t curve_ = 1;
+  std::size_t projection_ = 2;
+  SurfaceArgument surface_ = read_surface("plane");
+  bool on_plane_ = true;
+  std::string body_text_ = "fixed";
+  std::size_t fingers_ = 1;
+  bool details_ = false;
+  std::optional<godobject::DeviceDamping> device_;
+  double sample_time_ = 1e-3;
+  godobject::ReplayOptions replay_;
+};
+
+}  // namespace
+
+std::unique_ptr<Subcommand> make_replay() {
+  return std::make_unique<Replay>();
+}
+
+}  // namespace limitcurve::cli

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#include "limitcurve/table.hpp"
+
+#include "cli/commands/subcommands.hpp"
+#include "cli/io/output_file.hpp"
+
+#include "limitcurve/table_file.hpp"
+
+#include <filesystem>
+#include <stdexcept>
+
+namespace limitcurve::cli {
+
+namespace {
+
+using Writer = std::string (*)(const limitcurve::Table&);
+
+Writer writer_for(const std::string& file) {
+  const std::string extension = std::filesystem::path(file).extension().string();
+  if (extension == ".csv") return [](const limitcurve::Table& table) { return to_csv(table); };
+  if (extension == ".json") return [](const limitcurve::Table& table) { return to_json(table); };
+  if (extension == ".hpp" || extension == ".h") return [](const limitcurve::Table& table) { return to_header(table); };
+  throw std::invalid_argument("--output: got '" + file + "', expected a name that ends in .csv, .json, .h or .hpp");
+}
+
+class Table final : public Subcommand {
+ public:
+  [[nodiscard]] Manual manual() const override {
+    return {"table", "Writes a lookup table of the limit curve, to a stated error",
+            "The file's form follows its name: .csv, .json, or .h and .hpp (C99 and constexpr C++17, without dependencies).\n"
+            "Columns: law; tolerance; certified_error, an upper bound of the absolute error of force and moment in unit\n"
+            "wrenches; nodes, the number of the table's polynomials; bytes that a lookup may touch; profile_error, what the samples\n"
+            "of a measured pressure leave open, to be added to certified_error (0 for a law that is given by a formula).",
+            "limitcurve table --law hertz --tolerance 1e-6 -o hertz.csv"};
+  }
+
+  void declare(Options& options) override {
+    options.law(law_);
+    options.number("--tolerance", tolerance_, positive, "Largest error of force and moment, in unit wrenches", Presence::required);
+    options.text("-o,--output", file_, "FILE", "File to write", Presence::required);
+  }
+
+  void run(const Results& results) override {
+    const Writer text_of = writer_for(file_);
+    const auto table = limitcurve::Table::build(law_, tolerance_);
+    AtomicFile file(file_);
+    file.output().write(text_of(table));
+    file.commit();
+    Rows rows(results, {"law", "tolerance", "certified_error", "nodes", "bytes", "profile_error"});
+    rows.row(table.law_name(), table.tolerance(), table.certified_error(), table.cell_count(), table.bytes(), table.profile_error());
+    rows.finish();
+  }
+
+ private:
+  Law law_;
+  double tolerance_ = 0.0;
+  std::string file_;
+};
+
+}  // namespace
+
+std::unique_ptr<Subcommand> make_table() {
+  return std::make_unique<Table>();
+}
+
+}  // namespace limitcurve::cli

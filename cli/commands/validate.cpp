@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#include "cli/commands/subcommands.hpp"
+#include "cli/io/law_argument.hpp"
+#include "cli/io/patch_argument.hpp"
+
+#include "fit/curve_fit.hpp"
+#include "limitcurve/approximations.hpp"
+#include "limitcurve/exact_curve.hpp"
+#include "limitcurve/laws.hpp"
+#include "limitcurve/patch/round_models.hpp"
+#include "limitcurve/validate.hpp"
+
+#include <array>
+#include <limits>
+#include <stdexcept>
+#include <string_view>
+#include <utility>
+
+namespace limitcurve::cli {
+
+namespace {
+
+constexpr std::array<std::pair<std::string_view, fit::Criterion>, 4> ellipses{{{"ellipse", fit::Criterion::intercepts},
+                                                                               {"ellipse-least-squares", fit::Criterion::least_squares},
+                                                                               {"ellipse-inner", fit::Criterion::inner},
+                                                                               {"ellipse-outer", fit::Criterion::outer}}};
+
+class Validate final : public Subcommand {
+ public:
+  [[nodiscard]] Manual manual() const override {
+    return {"validate", "How wrong ellipse, superellipse, quartic and box are against the exact curve",
+            "Errors are relative radii in the paper's normalised plane (0.07 is 7 %): over-estimates hold where the finger\n"
+            "slips. max_cor_error is the largest |c_model/c_exact - 1|, inf where it has no bound.\n"
+            "Models and their parameter: ellipse (through the intercepts), ellipse-least-squares, ellipse-inner (largest\n"
+            "inside) and ellipse-outer (smallest outside): the force semi-axis in units of mu P; superellipse\n"
+            "x^n + y^n = 1 and quartic x^4 + y^4 + kappa x^2 y^2 = 1, with the least largest error: n, kappa; box\n"
+            "(uncoupled limits): inf, and diamond (x + y = 1): 1, both as exponents of a superellipse.\n"
+            "With --patch, a contact that is not round (see 'limitcurve patch'), law names the patch, and errors are of the model's\n"
+            "power over the patch's, over all sliding twists: rms_error over centres of rotation in 128 directions at 121 distances,\n"
+            "evenly and logarithmically from 1e-3 to 1e3 m0 (m0: moment of a pure spin over mu P). Models: disc:LAW of the law and\n"
+            "radius with the least largest error; disc-equal-area:LAW; disc-sqrt-ab:LAW with sqrt(ab) of the semi-axes of the\n"
+            "ellipse of equal second moments; parameter: the radius [m]; ellipsoid sqrt(v^2 + m0^2 w^2): m0 [m].",
+            "limitcurve validate --law hertz --law uniform"};
+  }
+
+  void declare(Options& options) override {
+    options.repeated(
+        "--law", "LAW", [this](const std::string& text) { laws_.push_back(read_law(text)); },
+        "Pressure law, samples:FILE.csv among them; may be repeated (default: all that 'limitcurve laws' lists)", Presence::optional);
+    options.repeated(
+        "--patch", "PATCH", [this](const std::string& text) { patches_.push_back(text); },
+        "In place of laws, a pressure patch; may be repeated", Presence::optional);
+  }
+
+  void run(const Results& results) override {
+    if (!patches_.empty()) return validate_patches(results);
+    if (laws_.empty()) {
+      for (const std::string_view name : law_examples()) laws_.push_back(parse_law(name));
+    }
+    Rows rows(results, columns());
+    for (const Law& law : laws_) {
+      const auto row = [&](std::string_view model, double parameter, const CurveError& error) {
+        write(rows, law->name(), model, parameter, error);
+      };
+      for (const auto& [model, criterion] : ellipses) {
+        const auto ellipse = fit::fit_ellipse(law, criterion);
+        row(model, ellipse.curve.force_max(), ellipse.error);
+      }
+      const auto superellipse = fit::fit_superellipse(law, fit::Criterion::minimax);
+      row("superellipse", superellipse.curve.exponent(), superellipse.error);
+      const auto quartic = fit::fit_quartic(law, fit::Criterion::minimax);
+      row("quartic", quartic.curve.kappa(), quartic.error);
+      const ExactCurve exact(law);
+      row("box", std::numeric_limits<double>::infinity(), curve_error(box(1.0, exact.moment_ratio()), exact));
+      row("diamond", 1.0, curve_error(diamond(1.0, exact.moment_ratio()), exact));
+    }
+    rows.finish();
+  }
+
+ private:
+  static std::vector<std::string> columns() {
+    return {"law", "model", "parameter", "max_error", "rms_error", "max_over_estimate", "max_under_estimate", "max_cor_error"};
+  }
+
+  static void write(Rows& rows, const std::string& law, std::string_view model, double parameter, const CurveError& error) {
+    rows.row(law, model, parameter, error.max_error, error.rms_error, error.max_over_estimate, error.max_under_estimate,
+             error.max_cor_error);
+  }
+
+  void validate_patches(const Results& results) const {
+    if (!laws_.empty()) throw std::invalid_argument("--patch: got --law too, expected one of them");
+    std::vector<std::pair<std::string, std::vector<RoundModel>>> found;
+    for (const std::string& text : patches_) found.emplace_back(text, round_models(read_patch(text)));
+    Rows rows(results, columns());
+    for (const auto& [text, models] : found) {
+      for (const RoundModel& model : models) write(rows, text, model.name, model.parameter, model.error);
+    }
+    rows.finish();
+  }
+
+  std::vector<Law> laws_;
+  std::vector<std::string> patches_;
+};
+
+}  // namespace
+
+std::unique_ptr<Subcommand> make_validate() {
+  return std::make_unique<Validate>();
+}
+
+}  // namespace limitcurve::cli

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#include "cli/io/body_argument.hpp"
+
+#include "cli/io/key_values.hpp"
+#include "cli/io/surface_argument.hpp"
+
+#include <limits>
+#include <stdexcept>
+#include <string_view>
+
+namespace limitcurve::cli {
+
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+godobject::BodyParameters solid(const SurfaceArgument& surface, double mass, double inertia) {
+  godobject::BodyParameters result;
+  if (inertia == inertia) {
+    result.mass = mass;
+    result.inertia.setConstant(inertia);
+  } else if (surface.even_body) {
+    result = surface.even_body(mass);
+  } else {
+    throw std::invalid_argument("no 'inertia', which this surface does not tell, expected mass=NUMBER,inertia=NUMBER");
+  }
+  result.validate();
+  return result;
+}
+
+}  // namespace
+
+BodyArgument read_body(const std::string& text, const SurfaceArgument& surface) {
+  if (text == "fixed") return {};
+  if (text == "trace") return {godobject::BodyMotion::prescribed};
+  const std::size_t colon = text.find(':');
+  const std::string_view kind = std::string_view(text).substr(0, colon);
+  const std::string_view rest = colon == std::string::npos ? std::string_view{} : std::string_view(text).substr(colon + 1);
+  double mass = none;
+  double inertia = none;
+  if (kind == "planar") {
+    read_key_values(rest, {number_key("mass", mass, positive), number_key("inertia", inertia, positive, false)});
+    BodyArgument result{godobject::BodyMotion::free, solid(surface, mass, inertia)};
+    result.parameters.gravity.setZero();
+    result.parameters.free = {true, true, false, false, false, true};
+    return result;
+  }
+  if (kind == "free") {
+    double gravity = 9.81;
+    read_key_values(rest, {number_key("mass", mass, positive), number_key("inertia", inertia, positive, false),
+                           number_key("gravity", gravity, non_negative, false)});
+    BodyArgument result{godobject::BodyMotion::free, solid(surface, mass, inertia)};
+    result.parameters.gravity = {0.0, 0.0, -gravity};
+    return result;
+  }
+  throw std::invalid_argument("got '" + text + "', expected fixed, trace, planar:mass=0.1 or free:mass=0.1");
+}
+
+}  // namespace limitcurve::cli

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "cli/io/range.hpp"
+
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace limitcurve::cli {
+
+/// Reads a CSV file of named columns row by row, in constant memory however long the file.
+///
+/// Columns are found by their names in the header line, in any order; others are ignored. Lines that begin with `#` and
+/// blank lines are skipped, line ends may be LF or CRLF, fields may be quoted. "-" reads standard input. What is wrong
+/// with a file is told as `FILE:LINE:COLUMN: …` (COLUMN counts bytes from 1) by std::invalid_argument; only a failing
+/// disk is a std::runtime_error.
+class CsvReader {
+ public:
+  /// Opens `file` and reads its header, which must have all of `columns`.
+  CsvReader(const std::string& file, std::vector<std::string> columns, std::vector<std::string> optional_columns = {});
+  /// Opens a file without header, rows of numbers: its columns are 0, 1, … and as many as its first row has fields.
+  explicit CsvReader(const std::string& file);
+  ~CsvReader();
+  CsvReader(const CsvReader&) = delete;
+  CsvReader& operator=(const CsvReader&) = delete;
+
+  /// Moves to the next row; false after the last. A row with fewer or more fields than the header, such as a line torn
+  /// off in the middle, is an error, and so is a file without any row.
+  bool next();
+
+  /// How many fields the header has, or without one the first row.
+  [[nodiscard]] std::size_t field_count() const { return header_fields_; }
+  /// Whether the file has the i-th column; columns are counted in the order of the constructor, optional ones last.
+  [[nodiscard]] bool has(std::size_t column) const { return places_[column] != missing; }
+  /// The field of the current row in the i-th column.
+  [[nodiscard]] std::string_view text(std::size_t column) const { return fields_[places_[column]].text; }
+  /// The same as a number within `range`.
+  [[nodiscard]] double number(std::size_t column, const Range& range) const;
+
+  /// The complaint that the header lacks `column`; before the first row is read.
+  [[nodiscard]] std::invalid_argument no_column(const std::string& column) const;
+  /// The complaint about the field of the current row in the i-th column.
+  [[nodiscard]] std::invalid_argument complaint(std::size_t column, const std::string& what) const;
+
+ private:
+  struct Field {
+    std::string text;
+    std::size_t offset = 0;  ///< of its first byte in the line
+  };
+
+  static constexpr std::size_t missing = static_cast<std::size_t>(-1);
+  static constexpr std::size_t chunk_size = 1 << 16;
+  /// Lines longer than this are no CSV; it keeps memory bounded.
+  static constexpr std::size_t longest_line = 1 << 20;
+
+  bool next_line();
+  bool next_meaningful_line();
+  void split();
+  void find_columns();
+  [[nodiscard]] std::invalid_argument complaint_at(std::size_t offset, const std::string& what) const;
+
+  std::string name_;
+  std::vector<std::string> columns_;
+  std::size_t required_;
+  int descriptor_;
+  std::string chunk_;
+  std::size_t position_ = 0;
+  std::string line_;
+  std::size_t line_number_ = 0;
+  std::vector<Field> fields_;
+  std::size_t field_count_ = 0;
+  std::vector<std::size_t> places_;
+  std::size_t header_fields_ = 0;
+  bool any_row_ = false;
+  bool has_header_ = true;
+};
+
+}  // namespace limitcurve::cli

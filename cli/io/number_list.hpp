@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "cli/io/range.hpp"
+
+#include <string_view>
+#include <vector>
+
+namespace limitcurve::cli {
+
+/// The number that `text` denotes, within `range`; else throws std::invalid_argument "got '…', expected …".
+double read_number(std::string_view text, const Range& range);
+
+/// The numbers of a list such as `0.25,0.5,1`, in its order; blanks around an item are allowed. An empty, malformed or
+/// out-of-range item throws std::invalid_argument that names its position, counted from 1.
+std::vector<double> read_number_list(std::string_view text, const Range& range);
+
+}  // namespace limitcurve::cli

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#include "cli/io/rows.hpp"
+
+#include "limitcurve/number.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <stdexcept>
+
+namespace limitcurve::cli {
+
+namespace {
+
+std::string quoted_for_csv(std::string_view text) {
+  if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
+  std::string quoted = "\"";
+  for (const char character : text) {
+    if (character == '"') quoted += '"';
+    quoted += character;
+  }
+  return quoted + '"';
+}
+
+std::string quoted_for_json(std::string_view text) {
+  // A file name need not be valid UTF-8; JSON must.
+  return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+}  // namespace
+
+Rows::Rows(Results results, const std::vector<std::string>& columns) : results_(std::move(results)) {
+  for (const std::string& name : columns) {
+    columns_.push_back(results_.format == Format::csv ? quoted_for_csv(name) : quoted_for_json(name));
+  }
+  if (results_.format == Format::json) {
+    results_.output.write("[");
+    return;
+  }
+  std::string header;
+  for (const auto& [name, cell] : results_.leading) {
+    header += quoted_for_csv(name) + ',';
+    leading_ += quoted_for_csv(cell) + ',';
+  }
+  for (const std::string& name : columns_) header += name + ',';
+  header.back() = '\n';
+  if (results_.header) results_.output.write(header);
+}
+
+void Rows::begin_row() {
+  column_ = 0;
+  if (results_.format == Format::csv) {
+    results_.output.write(leading_);
+  } else {
+    results_.output.write(first_row_ ? "\n{" : ",\n{");
+  }
+  first_row_ = false;
+}
+
+void Rows::end_row() {
+  if (column_ != columns_.size()) throw std::logic_error("a row of other length than its header");
+  results_.output.write(results_.format == Format::csv ? "\n" : "}");
+}
+
+void Rows::begin_cell() {
+  if (column_ > 0) results_.output.write(",");
+  if (results_.format == Format::json) {
+    results_.output.write(columns_.at(column_));
+    results_.output.write(":");
+  }
+  ++column_;
+}
+
+void Rows::cell(double number) {
+  begin_cell();
+  const std::string text = format_number(number);
+  results_.output.write(results_.format == Format::json && !std::isfinite(number) ? '"' + text + '"' : text);
+}
+
+void Rows::literal(std::string_view text) {
+  begin_cell();
+  results_.output.write(text);
+}
+
+void Rows::cell(std::string_view text) {
+  begin_cell();
+  results_.output.write(results_.format == Format::csv ? quoted_for_csv(text) : quoted_for_json(text));
+}
+
+void Rows::finish() {
+  if (results_.format == Format::json) results_.output.write(first_row_ ? "]\n" : "\n]\n");
+  results_.output.flush();
+}
+
+}  // namespace limitcurve::cli

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "cli/io/output_file.hpp"
+
+#include <concepts>
+#include <initializer_list>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace limitcurve::cli {
+
+enum class Format { csv, json };
+
+/// Where a subcommand's results go, and in which form. `report` gathers those of several runs in one CSV file: each row
+/// then begins with what distinguishes its run, and only the first run writes the header.
+struct Results {
+  OutputFile& output;
+  Format format = Format::csv;
+  std::vector<std::pair<std::string, std::string>> leading = {};  ///< column, its cell in every row; CSV only
+  bool header = true;                                             ///< CSV only
+};
+
+/// Writes rows of named columns, one by one as they come.
+///
+/// CSV: one header line; numbers in shortest round-trip form, `inf` and `nan` in lower case; a text with a comma, a
+/// quote or a line break is quoted as in RFC 4180.
+/// JSON: an array of objects, one a line, keyed by the column names; what JSON has no number for is a string:
+/// "inf", "-inf", "nan".
+class Rows {
+ public:
+  Rows(Results results, std::initializer_list<std::string_view> columns)
+      : Rows(std::move(results), std::vector<std::string>(columns.begin(), columns.end())) {}
+  /// Columns that are known at run time.
+  Rows(Results results, const std::vector<std::string>& columns);
+
+  /// One row; as many cells as columns, numbers or texts.
+  template <class... Cells>
+  void row(const Cells&... cells) {
+    begin_row();
+    (cell(cells), ...);
+    end_row();
+  }
+
+  /// The same for columns that are known at run time: `write` is called with a function that takes one cell.
+  template <class Write>
+  void row_by(Write&& write) {
+    begin_row();
+    write([this](const auto& one) { this->cell(one); });
+    end_row();
+  }
+
+  /// Ends the output and hands it to the operating system. Must be called: without it the rows may be incomplete.
+  void finish();
+
+ private:
+  void begin_row();
+  void end_row();
+  void begin_cell();
+  void cell(double number);
+  void cell(std::string_view text);
+  void cell(const std::string& text) { cell(std::string_view(text)); }
+  void cell(const char* text) { cell(std::string_view(text)); }
+  template <std::unsigned_integral Integer>
+  void cell(Integer number) {
+    literal(std::to_string(number));
+  }
+  void cell(bool truth) { literal(truth ? "true" : "false"); }
+  /// A cell that is the same in both forms.
+  void literal(std::string_view text);
+
+  Results results_;
+  std::vector<std::string> columns_;
+  std::string leading_;
+  std::size_t column_ = 0;
+  bool first_row_ = true;
+};
+
+}  // namespace limitcurve::cli

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#include "cli/io/slip_samples.hpp"
+
+#include "cli/io/csv_reader.hpp"
+
+#include <stdexcept>
+
+namespace limitcurve::cli {
+
+std::vector<fit::Sample> read_slip_samples(const std::string& file) {
+  CsvReader reader(file, {"load", "force", "moment"}, {"sigma_force", "sigma_moment"});
+  if (reader.has(3) != reader.has(4)) {
+    throw std::invalid_argument(file + ": got one of the columns sigma_force and sigma_moment, expected both or none");
+  }
+  std::vector<fit::Sample> samples;
+  while (reader.next()) {
+    fit::Sample sample{reader.number(0, positive), reader.number(1, finite), reader.number(2, finite)};
+    if (reader.has(3)) {
+      sample.sigma_force = reader.number(3, positive);
+      sample.sigma_moment = reader.number(4, positive);
+    }
+    samples.push_back(sample);
+  }
+  return samples;
+}
+
+fit::LoadSamples read_load_samples(const std::string& file) {
+  CsvReader reader(file, {"load"}, {"radius", "moment", "sigma_radius", "sigma_moment"});
+  if (reader.has(1) == reader.has(2)) throw std::invalid_argument(file + ": expected one of the columns radius and moment beside load");
+  const std::size_t value = reader.has(1) ? 1 : 2;
+  const std::size_t sigma = value + 2;
+  fit::LoadSamples samples{value == 1 ? fit::LoadSamples::Quantity::radius : fit::LoadSamples::Quantity::moment, {}};
+  while (reader.next()) {
+    samples.samples.push_back(
+        {reader.number(0, positive), reader.number(value, positive), reader.has(sigma) ? reader.number(sigma, positive) : 0.0});
+  }
+  return samples;
+}
+
+}  // namespace limitcurve::cli

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#include "cli/io/surface_argument.hpp"
+
+#include "cli/io/key_values.hpp"
+#include "cli/io/number_list.hpp"
+
+#include "godobject/surface.hpp"
+#ifdef LIMITCURVE_HAS_MESH
+#include "godobject/mesh/mesh_file.hpp"
+#endif
+
+#include <stdexcept>
+#include <string_view>
+
+namespace limitcurve::cli {
+
+namespace {
+
+using godobject::AnySurface;
+using godobject::BodyParameters;
+
+#ifdef LIMITCURVE_HAS_MESH
+SurfaceArgument read_mesh(const std::string& text) {
+  constexpr std::string_view key = ",scale=";
+  const std::size_t comma = text.rfind(key);
+  const std::string file = text.substr(0, comma);
+  if (file.empty()) throw std::invalid_argument("no file, expected mesh:FILE.obj or mesh:FILE.stl");
+  const double scale = comma == std::string::npos ? 1.0 : read_number(std::string_view(text).substr(comma + key.size()), positive);
+  return {AnySurface(godobject::read_mesh(file, scale)), {}};
+}
+#else
+SurfaceArgument read_mesh(const std::string& file) {
+  throw std::invalid_argument("'mesh:" + file + "': this program was built without meshes, expected another surface");
+}
+#endif
+
+SurfaceArgument read_sphere(std::string_view text) {
+  double radius = 0.0;
+  read_key_values(text, {number_key("radius", radius, positive)});
+  return {AnySurface(godobject::SphereSurface(radius)), [=](double mass) { return BodyParameters::ball(mass, radius); }};
+}
+
+SurfaceArgument read_capsule(std::string_view text) {
+  double radius = 0.0;
+  double length = 0.0;
+  read_key_values(text, {number_key("radius", radius, positive), number_key("length", length, non_negative)});
+  return {AnySurface(godobject::CapsuleSurface(radius, 0.5 * length)),
+          [=](double mass) { return BodyParameters::capsule(mass, radius, length); }};
+}
+
+SurfaceArgument read_cylinder(std::string_view text) {
+  double radius = 0.0;
+  double length = 0.0;
+  read_key_values(text, {number_key("radius", radius, positive), number_key("length", length, positive)});
+  return {AnySurface(godobject::CylinderSurface(radius, 0.5 * length)),
+          [=](double mass) { return BodyParameters::cylinder(mass, radius, length); }};
+}
+
+SurfaceArgument read_box(std::string_view text) {
+  Eigen::Vector3d edges = Eigen::Vector3d::Zero();
+  read_key_values(text, {number_key("x", edges.x(), positive), number_key("y", edges.y(), positive), number_key("z", edges.z(), positive)});
+  return {AnySurface(godobject::BoxSurface(0.5 * edges)), [=](double mass) { return BodyParameters::block(mass, edges); }};
+}
+
+}  // namespace
+
+SurfaceArgument read_surface(const std::string& text) {
+  if (text == "plane") return {AnySurface(godobject::PlaneSurface{}), {}};
+  const std::size_t colon = text.find(':');
+  const std::string_view kind = std::string_view(text).substr(0, colon);
+  const std::string_view rest = colon == std::string::npos ? std::string_view{} : std::string_view(text).substr(colon + 1);
+  if (kind == "sphere") return read_sphere(rest);
+  if (kind == "capsule") return read_capsule(rest);
+  if (kind == "cylinder") return read_cylinder(rest);
+  if (kind == "box") return read_box(rest);
+  if (kind == "mesh") return read_mesh(std::string(rest));
+  throw std::invalid_argument("got '" + text +
+                              "', expected plane, sphere:radius=0.05, capsule:radius=0.01,length=0.1, cylinder:radius=0.02,length=0.1, "
+                              "box:x=0.12,y=0.04,z=0.04 or mesh:FILE.obj");
+}
+
+}  // namespace limitcurve::cli

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#include "cli/io/table_reader.hpp"
+
+#include "cli/io/output_file.hpp"
+
+#include "limitcurve/table_file.hpp"
+
+#include <cerrno>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+#include <string_view>
+
+namespace limitcurve::cli {
+
+namespace {
+
+/// A table has at most a hundredth of this, one of format 1 a third; what is longer is something else, and not read into memory.
+constexpr std::size_t longest_file = 32U << 20U;
+
+std::string read_whole(const std::string& file) {
+  if (std::filesystem::is_directory(file)) throw std::invalid_argument("cannot read '" + file + "': a directory, expected a table");
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) throw std::invalid_argument(system_complaint("read", file));
+  std::string text;
+  std::string chunk(1U << 16U, '\0');
+  while (stream.read(chunk.data(), static_cast<std::streamsize>(chunk.size())), stream.gcount() > 0) {
+    text.append(chunk, 0, static_cast<std::size_t>(stream.gcount()));
+    if (text.size() > longest_file) throw std::invalid_argument(file + ":1:1: not a table: longer than any that 'limitcurve table' writes");
+  }
+  if (stream.bad()) throw std::runtime_error(system_complaint("read", file));
+  return text;
+}
+
+}  // namespace
+
+limitcurve::Table read_table(const std::string& file) {
+  const std::string extension = std::filesystem::path(file).extension().string();
+  if (extension != ".csv" && extension != ".json") {
+    throw std::invalid_argument("got '" + file + "', expected a name that ends in .csv or .json");
+  }
+  const std::string whole = read_whole(file);
+  // Spreadsheets and editors put a byte-order mark before the text.
+  const std::string_view text = std::string_view(whole).substr(whole.starts_with("\xEF\xBB\xBF") ? 3 : 0);
+  return extension == ".csv" ? read_table_csv(text, file) : read_table_json(text, file);
+}
+
+}  // namespace limitcurve::cli

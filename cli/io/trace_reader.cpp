@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include "cli/io/trace_reader.hpp"
+
+#include "limitcurve/number.hpp"
+
+#include <cmath>
+
+namespace limitcurve::cli {
+
+namespace {
+
+constexpr std::size_t time_column = 0;
+constexpr std::size_t optional_per_finger = 5;  // twist, qw, qx, qy, qz
+
+std::string suffix(std::size_t finger) {
+  return finger == 0 ? "" : std::to_string(finger + 1);
+}
+
+std::vector<std::string> required_columns(std::size_t fingers, bool body_moves) {
+  std::vector<std::string> names{"time"};
+  for (std::size_t i = 0; i < fingers; ++i) {
+    for (const char* name : {"x", "y", "z"}) names.push_back(name + suffix(i));
+  }
+  if (body_moves) names.insert(names.end(), {"bx", "by", "bz"});
+  return names;
+}
+
+std::vector<std::string> optional_columns(std::size_t fingers, bool body_moves) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < fingers; ++i) {
+    for (const char* name : {"twist", "qw", "qx", "qy", "qz"}) names.push_back(name + suffix(i));
+  }
+  if (body_moves) names.insert(names.end(), {"bqw", "bqx", "bqy", "bqz"});
+  return names;
+}
+
+std::size_t column_of_finger(std::size_t finger) {
+  return 1 + 3 * finger;
+}
+
+}  // namespace
+
+TraceReader::TraceReader(const std::string& file, std::size_t fingers, bool body_moves)
+    : body_column_(column_of_finger(fingers)),
+      first_optional_(body_column_ + (body_moves ? 3 : 0)),
+      body_moves_(body_moves),
+      reader_(file, required_columns(fingers, body_moves), optional_columns(fingers, body_moves)),
+      fingers_(fingers) {
+  for (std::size_t i = 0; i < fingers; ++i) {
+    const std::size_t twist = first_optional_ + optional_per_finger * i;
+    if (reader_.has(twist) || has_all(twist + 1, 4)) continue;
+    const std::string number = suffix(i);
+    throw reader_.no_column("'twist" + number + "', nor qw" + number + ",qx" + number + ",qy" + number + ",qz" + number);
+  }
+  if (!body_moves) return;
+  const std::size_t turn = first_optional_ + optional_per_finger * fingers;
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (reader_.has(turn + i) && !has_all(turn, 4)) throw reader_.no_column("one of bqw,bqx,bqy,bqz");
+  }
+}
+
+bool TraceReader::next() {
+  if (!reader_.next()) return false;
+  time_ = reader_.number(time_column, finite);
+  for (std::size_t i = 0; i < fingers_.size(); ++i) {
+    const std::size_t twist = first_optional_ + optional_per_finger * i;
+    fingers_[i].position = position(column_of_finger(i));
+    if (reader_.has(twist)) {
+      fingers_[i].twist = reader_.number(twist, finite);
+    } else {
+      fingers_[i].orientation = orientation(twist + 1);
+    }
+  }
+  if (!body_moves_) return true;
+  const std::size_t turn = first_optional_ + optional_per_finger * fingers_.size();
+  body_.position = position(body_column_);
+  if (reader_.has(turn)) body_.orientation = orientation(turn);
+  return true;
+}
+
+std::invalid_argument TraceReader::complaint(const std::string& what) const {
+  return reader_.complaint(time_column, what);
+}
+
+bool TraceReader::has_all(std::size_t column, std::size_t count) const {
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!reader_.has(column + i)) return false;
+  }
+  return true;
+}
+
+Eigen::Vector3d TraceReader::position(std::size_t column) const {
+  return {reader_.number(column, finite), reader_.number(column + 1, finite), reader_.number(column + 2, finite)};
+}
+
+Eigen::Quaterniond TraceReader::orientation(std::size_t column) const {
+  const Eigen::Quaterniond result(reader_.number(column, finite), reader_.number(column + 1, finite), reader_.number(column + 2, finite),
+                                  reader_.number(column + 3, finite));
+  // Devices round; what is off by more is no rotation.
+  if (const double length = result.norm(); !(std::abs(length - 1.0) <= 1e-3)) {
+    throw reader_.complaint(column, "the quaternion has length " + format_number(length) + ", expected 1");
+  }
+  return result.normalized();
+}
+
+}  // namespace limitcurve::cli

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#include "cli/report/share.hpp"
+
+#include <cstdlib>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+#include <vector>
+
+namespace limitcurve::cli {
+
+std::filesystem::path find_share() {
+  std::vector<std::filesystem::path> candidates;
+  if (const char* const given = std::getenv("LIMITCURVE_SHARE"); given != nullptr && *given != '\0') {
+    candidates.emplace_back(given);
+  } else {
+    std::error_code unknown;
+    const auto executable = std::filesystem::read_symlink("/proc/self/exe", unknown);
+    if (!unknown) candidates.push_back(executable.parent_path().parent_path() / "share" / "limitcurve");
+    candidates.emplace_back(LIMITCURVE_SOURCE_DIRECTORY);
+  }
+  std::string tried;
+  for (const auto& candidate : candidates) {
+    std::error_code absent;
+    if (std::filesystem::exists(candidate / "scripts" / "figures" / "report.py", absent)) return candidate;
+    tried += ' ' + (candidate / "scripts" / "figures" / "report.py").string();
+  }
+  throw std::runtime_error("the report's script was not found, tried" + tried + "; LIMITCURVE_SHARE may name the folder above scripts/");
+}
+
+}  // namespace limitcurve::cli

@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: MIT
+#include "godobject/patch/patch_projection.hpp"
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+namespace limitcurve::godobject {
+
+namespace {
+
+using Eigen::Matrix2d;
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+constexpr double step_of_differences = 1e-6;
+constexpr int most_newton_steps = 60;
+constexpr int most_halvings = 30;
+
+/// Ĥ and its gradient in units of μP: velocities, and κω with κ = √(k_r/k).
+struct Scaled {
+  const Patch& patch;
+  double kappa;
+  int evaluations = 0;
+
+  struct Value {
+    double power;
+    Vector3d wrench;
+  };
+  Value operator()(const Vector3d& q) noexcept {
+    ++evaluations;
+    const PatchFriction friction = patch.evaluate({q.x(), q.y(), q.z() / kappa});
+    return {friction.power, {friction.wrench.fx, friction.wrench.fy, friction.wrench.moment / kappa}};
+  }
+};
+
+/// Two unit vectors at right angles to a third and to each other.
+struct Tangents {
+  Vector3d first;
+  Vector3d second;
+
+  explicit Tangents(const Vector3d& normal) noexcept {
+    const Vector3d aside = std::fabs(normal.x()) < 0.6 ? Vector3d::UnitX() : Vector3d::UnitY();
+    first = (aside - normal * normal.dot(aside)).normalized();
+    second = normal.cross(first);
+  }
+  /// Those of another normal, that continue these.
+  void carry(const Vector3d& normal) noexcept {
+    first = (first - normal * normal.dot(first)).normalized();
+    second = normal.cross(first);
+  }
+  [[nodiscard]] Vector2d of(const Vector3d& vector) const noexcept { return {first.dot(vector), second.dot(vector)}; }
+  [[nodiscard]] Vector3d at(const Vector2d& pair) const noexcept { return first * pair.x() + second * pair.y(); }
+};
+
+/// ∇²Ĥ between the tangents, by differences of the wrench at |q| = 1; symmetric, and at least positive.
+Matrix2d hessian(Scaled& friction, const Vector3d& q, const Vector3d& wrench, const Tangents& tangents) noexcept {
+  Matrix2d result;
+  const Vector3d along_first = friction(q + step_of_differences * tangents.first).wrench - wrench;
+  const Vector3d along_second = friction(q + step_of_differences * tangents.second).wrench - wrench;
+  result.col(0) = tangents.of(along_first) / step_of_differences;
+  result.col(1) = tangents.of(along_second) / step_of_differences;
+  const double mixed = 0.5 * (result(0, 1) + result(1, 0));
+  result(0, 1) = result(1, 0) = mixed;
+  return result;
+}
+
+/// Solves (A + shift) x = b with A as convex as rounding lets it be.
+Vector2d solve(Matrix2d a, double shift, const Vector2d& b) noexcept {
+  const double trace = std::max(a(0, 0), 0.0) + std::max(a(1, 1), 0.0) + shift;
+  a(0, 0) += shift;
+  a(1, 1) += shift;
+  const double least = 1e-9 * trace;
+  const double half_gap = std::hypot(0.5 * (a(0, 0) - a(1, 1)), a(0, 1));
+  const double smallest = 0.5 * (a(0, 0) + a(1, 1)) - half_gap;
+  if (smallest < least) {
+    a(0, 0) += least - smallest;
+    a(1, 1) += least - smallest;
+  }
+  const double determinant = a(0, 0) * a(1, 1) - a(0, 1) * a(0, 1);
+  return {(a(1, 1) * b.x() - a(0, 1) * b.y()) / determinant, (a(0, 0) * b.y() - a(0, 1) * b.x()) / determinant};
+}
+
+/// Steps of more than this, on the unit sphere, are no better than guesses.
+Vector2d capped(const Vector2d& step) noexcept {
+  constexpr double longest = 1.0;
+  const double length = step.norm();
+  return length > longest ? Vector2d(step * (longest / length)) : step;
+}
+
+/// Makes Ĥ(q)/(ŵ·q) least, from q with ŵ·q > 0; returns the ratio, whose inverse is the gauge. Stops where it falls below `enough`.
+double least_ratio(Scaled& friction, const Vector3d& w, Vector3d& q, double enough) noexcept {
+  const double size = w.norm();
+  const Vector3d direction = w / size;
+  const Tangents tangents(direction);
+  q /= direction.dot(q);
+  Scaled::Value value = friction(q);
+  for (int i = 0; i < most_newton_steps && value.power / size >= enough; ++i) {
+    const Vector2d slope = tangents.of(value.wrench);
+    if (slope.norm() <= 1e-12 * value.wrench.norm()) break;
+    // Differences on the plane, in steps of q's own size.
+    const double far = q.norm();
+    Matrix2d a;
+    a.col(0) = tangents.of(friction(q + step_of_differences * far * tangents.first).wrench - value.wrench) / (step_of_differences * far);
+    a.col(1) = tangents.of(friction(q + step_of_differences * far * tangents.second).wrench - value.wrench) / (step_of_differences * far);
+    a(0, 1) = a(1, 0) = 0.5 * (a(0, 1) + a(1, 0));
+    Vector2d step = solve(a, 0.0, -slope);
+    if (step.norm() > 2.0 * far) step *= 2.0 * far / step.norm();
+    bool better = false;
+    for (int halving = 0; halving < most_halvings && friction.evaluations < PatchProjector::most_evaluations; ++halving, step *= 0.5) {
+      const Vector3d next = q + tangents.at(step);
+      const Scaled::Value there = friction(next);
+      // Close to the least the fall is lost in rounding: then the slope must fall.
+      const double fall = value.power - there.power;
+      better = fall >= -1e-4 * slope.dot(step) && fall > 1e-14 * value.power;
+      better = better || (std::fabs(fall) <= 1e-11 * value.power && tangents.of(there.wrench).norm() < 0.7 * slope.norm());
+      if (!better) continue;
+      q = next;
+      value = there;
+      break;
+    }
+    if (!better) break;
+  }
+  return value.power / size;
+}
+
+}  // namespace
+
+PatchProjector::PatchProjector(Patch patch) : patch_(std::move(patch)), inner_(1.0) {
+  const auto [mx, my] = patch_.factors();
+  const double m0 = patch_.moment_ratio();
+  constexpr int directions = 48;
+  constexpr int distances = 61;
+  for (int i = 0; i < distances; ++i) {
+    const double exponent = 6.0 * i / (distances - 1) - 3.0;
+    const double slide = std::pow(10.0, std::min(exponent, 0.0));
+    const double spin = std::pow(10.0, std::min(-exponent, 0.0)) / m0;
+    for (int j = 0; j < directions; ++j) {
+      const double angle = 2.0 * std::numbers::pi * j / directions;
+      const PatchTwist twist{slide * std::cos(angle), slide * std::sin(angle), spin};
+      inner_ = std::min(inner_, patch_.power(twist) / std::hypot(mx * twist.vx, my * twist.vy, m0 * twist.omega));
+    }
+  }
+  // Between the places that were looked at it may be a little less.
+  inner_ *= 0.97;
+}
+
+double PatchProjector::gauge(const PatchWrench& unit_wrench) const noexcept {
+  const double m0 = patch_.moment_ratio();
+  const auto [mx, my] = patch_.factors();
+  // In units in which the ellipsoid is a sphere.
+  const Vector3d w{unit_wrench.fx, unit_wrench.fy, unit_wrench.moment / m0};
+  if (!(w.norm() > 0.0)) return 0.0;
+  Scaled friction{patch_, m0};
+  Vector3d q{w.x() / (mx * mx), w.y() / (my * my), w.z()};
+  return 1.0 / least_ratio(friction, w, q, 0.0);
+}
+
+PatchProjection PatchProjector::project(const PatchWrench& trial, double limit, double stiffness, double compliance_radius,
+                                        const PatchTwist& warm) const noexcept {
+  const double m0 = patch_.moment_ratio();
+  const auto [mx, my] = patch_.factors();
+  PatchProjection result;
+  result.wrench = trial;
+  const double inside = std::hypot(trial.fx / mx, trial.fy / my, trial.moment / m0);
+  if (inside <= inner_ * limit) return result;
+  // No trial is told from one farther out, nor a limit from a smaller one.
+  const double safe_limit = std::max(limit, 1e-12 * inside);
+  const double kappa = compliance_radius;
+  const Vector3d w = Vector3d(trial.fx, trial.fy, trial.moment / kappa) / safe_limit;
+  const double size = w.norm();
+
+  Scaled friction{patch_, kappa};
+  struct Place {
+    Vector3d q;
+    Scaled::Value value;
+    double rho;
+  };
+  const auto at = [&](const Vector3d& direction) -> Place {
+    const Vector3d q = direction.normalized();
+    const Scaled::Value value = friction(q);
+    return {q, value, w.dot(q) - value.power};
+  };
+  // The ellipsoid's normal for a trial close to the limit, the trial itself for one far away, or where the last slip was.
+  Place here = at({w.x() / (mx * mx), w.y() / (my * my), w.z() * kappa * kappa / (m0 * m0)});
+  const auto try_too = [&](const Vector3d& direction) {
+    if (!(direction.norm() > 0.0)) return;
+    const Place other = at(direction);
+    if (other.rho > here.rho) here = other;
+  };
+  try_too(w);
+  try_too({warm.vx, warm.vy, kappa * warm.omega});
+
+  const double onset = 1e-12 * (1.0 + size);
+  if (!(here.rho > onset)) {
+    Vector3d q = here.q;
+    if (!(w.dot(q) > 0.0)) q = w;
+    const double ratio = least_ratio(friction, w, q, 1.0 - 1e-9);
+    here = at(q);
+    result.evaluations = friction.evaluations;
+    if (!(ratio < 1.0) || !(here.rho > onset)) return result;
+  }
+
+  const double enough = 1e-12 * (1.0 + std::min(size, here.value.wrench.norm()));
+  result.converged = false;
+  // Close to the end the last Hessian is good enough: two evaluations less.
+  Tangents tangents(here.q);
+  Matrix2d curvature;
+  double last_slope = 0.0;
+  for (int i = 0; i < most_newton_steps && friction.evaluations < most_evaluations; ++i) {
+    tangents.carry(here.q);
+    const Vector2d slope = tangents.of(w - here.value.wrench);
+    // Far out the trial's own rounding is in the slope.
+    if (slope.norm() <= enough + 4.0 * std::numeric_limits<double>::epsilon() * size) {
+      result.converged = true;
+      break;
+    }
+    constexpr double quick = 0.03;
+    if (!(slope.norm() < quick * last_slope)) curvature = hessian(friction, here.q, here.value.wrench, tangents);
+    last_slope = slope.norm();
+    Vector2d step = capped(solve(curvature, here.rho, slope));
+    bool better = false;
+    for (int halving = 0; halving < most_halvings && friction.evaluations < most_evaluations; ++halving, step *= 0.5) {
+      const Place next = at(here.q + tangents.at(step));
+      const double rise = next.rho - here.rho;
+      better = rise >= 1e-4 * slope.dot(step) && rise > 0.0;
+      // Close to the largest the rise is lost in rounding: then the slope must fall.
+      if (!better && std::fabs(rise) <= 1e-11 * (1.0 + size)) {
+        better = Tangents(next.q).of(w - next.value.wrench).norm() < 0.7 * slope.norm();
+      }
+      if (!better) continue;
+      here = next;
+      break;
+    }
+    if (!better) {
+      // Nothing is better than this but by rounding.
+      result.converged = slope.norm() <= 1e-9 * (1.0 + size);
+      break;
+    }
+  }
+  result.slips = true;
+  result.evaluations = friction.evaluations;
+  const Vector3d wrench = here.value.wrench * limit;
+  result.wrench = {wrench.x(), wrench.y(), wrench.z() * kappa};
+  const double twist_stiffness = stiffness * kappa * kappa;
+  result.slip = {(trial.fx - result.wrench.fx) / stiffness, (trial.fy - result.wrench.fy) / stiffness,
+                 (trial.moment - result.wrench.moment) / twist_stiffness};
+  return result;
+}
+
+}  // namespace limitcurve::godobject

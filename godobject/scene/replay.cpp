@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#include "godobject/replay.hpp"
+
+#include "godobject/scene/scene_contact.hpp"
+#include "limitcurve/approximations.hpp"
+#include "limitcurve/pressure_law.hpp"
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace limitcurve::godobject {
+
+namespace {
+
+/// A pose that every finger refuses.
+DevicePose nowhere() noexcept {
+  DevicePose result;
+  result.position.setConstant(std::numeric_limits<double>::quiet_NaN());
+  return result;
+}
+
+/// The curve of the options, all of which are checked before a table is built for nothing.
+KindOfCurve checked_curve(const ReplayOptions& options) {
+  if (!options.law) throw std::invalid_argument("law: none given, expected a pressure law");
+  if (!(options.fingers >= 1 && options.fingers <= Replay::most_fingers)) {
+    throw std::invalid_argument("fingers = " + std::to_string(options.fingers) + ": expected 1 to " + std::to_string(Replay::most_fingers));
+  }
+  const double moment_ratio = options.law->moment_ratio();
+  static_cast<void>(ContactLimits(options.finger, moment_ratio));
+  if (options.curve == CurveKind::box) {
+    static_cast<void>(SoftFinger(box(1.0, moment_ratio), options.finger, options.projection));
+  }
+  options.body.validate();
+  return make_finger_curve(options.curve, options.law, options.tolerance);
+}
+
+}  // namespace
+
+Replay::Replay(const ReplayOptions& options) : Replay(options, checked_curve(options)) {}
+
+Replay::Replay(const ReplayOptions& options, const KindOfCurve& curve)
+    : grasp_(options.body, BodyState{}, options.surface,
+             std::vector<SoftFinger>(options.fingers, SoftFinger(curve.curve, options.finger, options.projection))),
+      contacts_(options.fingers),
+      refused_(options.fingers, nowhere()),
+      motion_(options.motion),
+      curve_error_(curve.error) {}
+
+void Replay::step(double time, std::span<const DevicePose> fingers, const BodyPose& body) noexcept {
+  const bool in_time = time >= last_time_ && time <= std::numeric_limits<double>::max();
+  const bool begins = last_time_ == -std::numeric_limits<double>::infinity();
+  if (!in_time || (motion_ == BodyMotion::prescribed && !is_pose(body))) {
+    grasp_.carry(grasp_.body(), refused_, 0.0);
+  } else {
+    const double time_step = begins ? 0.0 : time - last_time_;
+    last_time_ = time;
+    move(fingers, body, time_step);
+  }
+  for (std::size_t i = 0; i < contacts_.size(); ++i) describe(contacts_[i], grasp_.finger(i), grasp_.finger(i).state(), grasp_.body());
+}
+
+void Replay::move(std::span<const DevicePose> fingers, const BodyPose& body, double time_step) noexcept {
+  if (motion_ == BodyMotion::free && time_step >= shortest_time_step && time_step <= longest_step) {
+    grasp_.step(fingers, time_step);
+    return;
+  }
+  BodyState state = grasp_.body();
+  if (motion_ == BodyMotion::prescribed) {
+    state.position = body.position;
+    state.orientation = body.orientation;
+  }
+  grasp_.carry(state, fingers, time_step);
+}
+
+}  // namespace limitcurve::godobject

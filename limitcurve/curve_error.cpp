@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: MIT
+#include "limitcurve/validate.hpp"
+
+#include <boost/math/tools/minima.hpp>
+#include <boost/math/tools/toms748_solve.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+namespace limitcurve::detail {
+
+namespace {
+
+constexpr std::size_t intervals = 1024;
+/// Half of what is promised of the root mean square.
+constexpr double rms_tolerance = 5e-7;
+/// Nearer to an axis than this the ratio of the CORs has lost the digits that are promised, where a model finds its normal by a search in the
+/// spin fraction.
+constexpr double innermost_part = 1e-6;
+constexpr double inf = std::numeric_limits<double>::infinity();
+
+/// The slip twist whose normal stands at ψ in the normalised plane, from pure spin (0) to pure sliding (1): evenly in
+/// this the rays are nearly even in angle, and every ray is exact without a search.
+SlipTwist twist_at(double part, UnitWrench intercepts) {
+  if (part <= 0.0) return {0.0, 1.0};
+  if (part >= 1.0) return {1.0, 0.0};
+  const double angle = 0.5 * std::numbers::pi * part;
+  return {std::sin(angle) / intercepts.force, std::cos(angle) / intercepts.moment};
+}
+
+double part_of(std::size_t i) {
+  return static_cast<double>(i) / static_cast<double>(intervals);
+}
+
+/// The largest value of `function` over [0, 1], given it on the grid: the largest there, refined between its neighbours.
+/// Its place is right to 1e-10: of a kink the value is right to that, of a smooth maximum to rounding.
+template <class Function>
+double refined_maximum(const std::vector<double>& on_grid, const Function& function) {
+  const auto best = std::max_element(on_grid.begin(), on_grid.end());
+  if (std::isinf(*best)) return *best;
+  // In units of the grid from the best point on: the search's tolerance is one of its variable.
+  const auto centre = static_cast<double>(best - on_grid.begin());
+  constexpr double count = static_cast<double>(intervals);
+  constexpr int bits = 24;
+  std::uintmax_t steps = 80;
+  const auto refined = boost::math::tools::brent_find_minima([&](double offset) { return -function((centre + offset) / count); },
+                                                             centre == 0.0 ? 0.0 : -1.0, centre == count ? 0.0 : 1.0, bits, steps);
+  return std::max(*best, -refined.second);
+}
+
+/// A ray, where it is compared.
+struct Comparison {
+  double part;
+  double angle;
+  double square;  ///< of the radial error
+};
+
+/// ∫ square d(angle) from `left` to `right` by the trapezoid rule and Richardson's extrapolation; halved where the two differ by more than
+/// `allowed`. `middle` is the comparison midway.
+template <class Function>
+double integral(const Function& at, const Comparison& left, const Comparison& middle, const Comparison& right, double allowed, int depth) {
+  const auto trapezoid = [](const Comparison& one, const Comparison& other) {
+    return 0.5 * (one.square + other.square) * std::fabs(other.angle - one.angle);
+  };
+  const double coarse = trapezoid(left, right);
+  const double fine = trapezoid(left, middle) + trapezoid(middle, right);
+  const double correction = (fine - coarse) / 3.0;
+  if (std::fabs(correction) <= allowed || depth == 0) return fine + correction;
+  const auto half = [&](const Comparison& begin, const Comparison& end) {
+    return integral(at, begin, at(0.5 * (begin.part + end.part)), end, 0.5 * allowed, depth - 1);
+  };
+  return half(left, middle) + half(middle, right);
+}
+
+}  // namespace
+
+CurveError curve_error(const CompareRay& compare, UnitWrench intercepts, double near_spin, double near_slide) {
+  const auto ray_at = [&](double part) { return compare(twist_at(part, intercepts)); };
+  const auto comparison = [](double part, const RayComparison& ray) {
+    const double radial = ray.radius_ratio - 1.0;
+    return Comparison{part, ray.angle, radial * radial};
+  };
+  std::vector<double> radius(intervals + 1);
+  std::vector<double> inverse_radius(intervals + 1);
+  // At the axes themselves both CORs are 0, or both infinite.
+  std::vector<double> cor(intervals + 1, 0.0);
+  std::vector<double> inverse_cor(intervals + 1, 0.0);
+  std::vector<Comparison> compared(intervals + 1);
+  double roughly = 0.0;
+  for (std::size_t i = 0; i <= intervals; ++i) {
+    const RayComparison ray = ray_at(part_of(i));
+    radius[i] = ray.radius_ratio;
+    inverse_radius[i] = 1.0 / ray.radius_ratio;
+    if (i > 0 && i < intervals) {
+      cor[i] = ray.cor_ratio;
+      inverse_cor[i] = 1.0 / ray.cor_ratio;
+    }
+    compared[i] = comparison(part_of(i), ray);
+    if (i > 0) roughly += compared[i].square * std::fabs(compared[i].angle - compared[i - 1].angle);
+  }
+  CurveError error;
+  error.max_over_estimate = std::max(0.0, refined_maximum(radius, [&](double part) { return ray_at(part).radius_ratio; }) - 1.0);
+  const double least = 1.0 / refined_maximum(inverse_radius, [&](double part) { return 1.0 / ray_at(part).radius_ratio; });
+  error.max_under_estimate = std::max(0.0, 1.0 - least);
+  error.max_error = std::max(error.max_over_estimate, error.max_under_estimate);
+
+  const double span = std::fabs(compared.back().angle - compared.front().angle);
+  // An error of the sum is one of the root over twice the root.
+  const double allowed = rms_tolerance * std::max(std::sqrt(roughly / span), rms_tolerance) * span / intervals;
+  constexpr int most_halvings = 24;
+  double squares = 0.0;
+  for (std::size_t i = 0; i + 2 <= intervals; i += 2) {
+    squares += integral([&](double part) { return comparison(part, ray_at(part)); }, compared[i], compared[i + 1], compared[i + 2], allowed,
+                        most_halvings);
+  }
+  error.rms_error = std::sqrt(std::max(squares, 0.0) / span);
+
+  // Between the outermost rays and the limits the ratio may still turn: a pressure may have a small peak at its centre.
+  error.max_cor_ratio = std::max(near_spin, near_slide);
+  error.min_cor_ratio = std::min(near_spin, near_slide);
+  for (double part = 0.5 * part_of(1); part > innermost_part; part *= 0.5) {
+    for (const double ratio : {ray_at(part).cor_ratio, ray_at(1.0 - part).cor_ratio}) {
+      error.max_cor_ratio = std::max(error.max_cor_ratio, ratio);
+      error.min_cor_ratio = std::min(error.min_cor_ratio, ratio);
+    }
+  }
+  const auto cor_ratio = [&](double part) { return ray_at(std::clamp(part, part_of(1), part_of(intervals - 1))).cor_ratio; };
+  error.max_cor_ratio = std::max(error.max_cor_ratio, refined_maximum(cor, cor_ratio));
+  error.min_cor_ratio =
+      std::min(error.min_cor_ratio, 1.0 / refined_maximum(inverse_cor, [&](double part) { return 1.0 / cor_ratio(part); }));
+  error.max_cor_error = std::max(std::fabs(error.max_cor_ratio - 1.0), std::fabs(error.min_cor_ratio - 1.0));
+  return error;
+}
+
+double equal_ripple(const WrenchOfTwist& exact, UnitWrench intercepts, const GaugeOfParameter& gauge, double low, double high) {
+  std::vector<UnitWrench> wrenches(intervals + 1);
+  for (std::size_t i = 0; i <= intervals; ++i) wrenches[i] = exact(twist_at(part_of(i), intercepts));
+  // Over-estimate less under-estimate: monotone in the parameter, because the gauge is.
+  const auto imbalance = [&](double parameter) {
+    std::vector<double> inside(intervals + 1);
+    std::vector<double> outside(intervals + 1);
+    for (std::size_t i = 0; i <= intervals; ++i) {
+      outside[i] = gauge(wrenches[i], parameter);
+      inside[i] = 1.0 / outside[i];
+    }
+    const auto gauge_at = [&](double part) { return gauge(exact(twist_at(part, intercepts)), parameter); };
+    const double over = refined_maximum(inside, [&](double part) { return 1.0 / gauge_at(part); }) - 1.0;
+    const double under = 1.0 - 1.0 / refined_maximum(outside, gauge_at);
+    return over - under;
+  };
+  const double at_low = imbalance(low);
+  const double at_high = imbalance(high);
+  if (at_low == 0.0 || at_high == 0.0 || std::signbit(at_low) == std::signbit(at_high)) {
+    return std::fabs(at_low) <= std::fabs(at_high) ? low : high;
+  }
+  constexpr int bits = 40;
+  std::uintmax_t steps = 100;
+  const auto [left, right] =
+      boost::math::tools::toms748_solve(imbalance, low, high, at_low, at_high, boost::math::tools::eps_tolerance<double>(bits), steps);
+  return 0.5 * (left + right);
+}
+
+namespace {
+
+/// A condition on an ellipse's squared semi-axes, or on their inverses: α·first + β·second ≤ bound.
+struct Condition {
+  double first;
+  double second;
+  double bound;
+};
+
+/// The α, β > 0 of largest product that meet `condition(part)` for every part ∈ [0, 1]. With β(α) the largest that α
+/// leaves, ln α + ln β(α) is concave.
+template <class ConditionAt>
+std::pair<double, double> largest_product(const ConditionAt& condition_at) {
+  // The outermost conditions but for the ends themselves, where a coefficient vanishes and leaves 0/0.
+  constexpr double innermost = 1e-6;
+  std::vector<Condition> conditions(intervals + 1);
+  for (std::size_t i = 0; i <= intervals; ++i) conditions[i] = condition_at(part_of(i));
+  double largest = inf;
+  for (const Condition& condition : conditions) {
+    if (condition.first > 0.0) largest = std::min(largest, condition.bound / condition.first);
+  }
+  const auto second_of = [&](double first) {
+    const auto inverse = [&](const Condition& condition) {
+      return condition.second > 0.0 ? condition.second / std::max(condition.bound - first * condition.first, 0.0) : 0.0;
+    };
+    std::vector<double> on_grid(intervals + 1);
+    std::transform(conditions.begin(), conditions.end(), on_grid.begin(), inverse);
+    // 1/0 is a β of 0, as it should be; 0/0 is excluded above.
+    return 1.0 / refined_maximum(on_grid, [&](double part) { return inverse(condition_at(std::clamp(part, innermost, 1.0 - innermost))); });
+  };
+  const auto loss = [&](double first) { return -first * second_of(first); };
+  constexpr int bits = 40;
+  std::uintmax_t steps = 100;
+  const auto [first, value] = boost::math::tools::brent_find_minima(loss, 0.0, largest, bits, steps);
+  // The largest α itself is often the answer, and a search inside the interval never quite gets there.
+  const double best = loss(largest) <= value ? largest : first;
+  return {best, second_of(best)};
+}
+
+/// By how much the condition is broken, as a length: > 1 if it is.
+double excess(const Condition& condition, const std::pair<double, double>& squares) {
+  return std::sqrt((squares.first * condition.first + squares.second * condition.second) / condition.bound);
+}
+
+/// The ellipse's largest excess, 1 if only rounding is in excess.
+template <class ConditionAt>
+double largest_excess(const ConditionAt& condition_at, const std::pair<double, double>& squares) {
+  std::vector<double> on_grid(intervals + 1);
+  for (std::size_t i = 0; i <= intervals; ++i) on_grid[i] = excess(condition_at(part_of(i)), squares);
+  const double largest = refined_maximum(on_grid, [&](double part) { return excess(condition_at(part), squares); });
+  return largest > 1.0 + 4.0 * std::numeric_limits<double>::epsilon() ? largest : 1.0;
+}
+
+}  // namespace
+
+Ellipse inner_ellipse(const WrenchOfTwist& exact, UnitWrench intercepts) {
+  // Inside is: no support function above the exact one, α p² + β q² ≤ (px + qy)² for every normal (p, q).
+  const auto condition_at = [&](double part) -> Condition {
+    const SlipTwist twist = twist_at(part, intercepts);
+    const UnitWrench wrench = exact(twist);
+    const double p = twist.slide * intercepts.force;
+    const double q = twist.spin * intercepts.moment;
+    const double support = twist.slide * wrench.force + twist.spin * wrench.moment;
+    return {p * p, q * q, support * support};
+  };
+  const auto squares = largest_product(condition_at);
+  const double scale = 1.0 / largest_excess(condition_at, squares);
+  return {intercepts.force * std::sqrt(squares.first) * scale, intercepts.moment * std::sqrt(squares.second) * scale};
+}
+
+Ellipse outer_ellipse(const WrenchOfTwist& exact, UnitWrench intercepts) {
+  // Outside is: α x² + β y² ≤ 1 at every exact point, α and β the inverse squares of the semi-axes.
+  const auto condition_at = [&](double part) -> Condition {
+    const UnitWrench wrench = exact(twist_at(part, intercepts));
+    const double x = wrench.force / intercepts.force;
+    const double y = wrench.moment / intercepts.moment;
+    return {x * x, y * y, 1.0};
+  };
+  const auto squares = largest_product(condition_at);
+  const double scale = largest_excess(condition_at, squares);
+  return {intercepts.force / std::sqrt(squares.first) * scale, intercepts.moment / std::sqrt(squares.second) * scale};
+}
+
+}  // namespace limitcurve::detail

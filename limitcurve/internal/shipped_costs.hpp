@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <string_view>
+
+/// What models cost on one machine, mean nanoseconds: read them as ratios. Written by scripts/maintain/work_precision; do not edit.
+namespace limitcurve::shipped_costs {
+
+inline constexpr std::string_view measured = "2026-11-23, a virtual machine, x86_64, Intel(R) Xeon(R) Processor, 2 cores, GCC 12.2.0";
+
+inline constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+/// A wrench by its slip twist, and a step of the god-object that slips, by each projection; `none` where no finger takes it.
+struct Cost {
+  std::string_view model;
+  double wrench;
+  double radial;
+  double closest_point;
+};
+
+inline constexpr std::array<Cost, 8> models{{
+    {"diamond", 4.0, none, none},
+    {"box", 4.6, none, 61.5},
+    {"ellipse", 4.8, 56.5, 96.2},
+    {"table", 9.9, 123.7, 116.4},
+    {"quartic", 61.9, 112.0, 109.2},
+    {"superellipse", 83.3, 110.2, 114.1},
+    {"exact", 47.4, none, none},
+    {"exact by quadrature", 14740.0, none, none},
+}};
+
+/// Of a model that is in the table.
+constexpr const Cost& of(std::string_view model) {
+  std::size_t i = 0;
+  while (models.at(i).model != model) ++i;  // does not compile, or throws, for a model that is not there
+  return models.at(i);
+}
+
+}  // namespace limitcurve::shipped_costs

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+#include "limitcurve/laws.hpp"
+#include "limitcurve/laws/smooth_pieces.hpp"
+#include "limitcurve/number.hpp"
+#include "limitcurve/quadrature/evaluators.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace limitcurve {
+
+namespace {
+
+/// A pressure that the user's program computes, in double.
+class CallableLaw final : public PressureLawOf<CallableLaw> {
+ public:
+  CallableLaw(std::string name, std::function<double(double)> pressure, std::span<const double> breaks, double narrowest_feature)
+      : name_(std::move(name)), pressure_(std::move(pressure)), outer_(breaks.back()) {
+    std::vector<Extended> told;
+    for (const double place : breaks) told.push_back(place / outer_);
+    SmoothPieces pieces = smooth_pieces(
+        [&](Extended radius) {
+          return 2 * radius * this->pressure(RadialPosition<Extended>{radius, 1 - radius});
+        },
+        told, narrowest_feature);
+    const Extended load = pieces.integral;
+    if (!(load > 0) || !(load <= std::numeric_limits<Extended>::max())) {
+      throw std::invalid_argument("law '" + name_ + "': the pressure's integral is " + format_number(static_cast<double>(load)) +
+                                  ", expected > 0 and finite");
+    }
+    scale_ = 1 / load;
+    breaks_ = std::move(pieces.breaks);
+    // The integral that is scaled to 1 may be off by as much.
+    unresolved_ = 2.0 * static_cast<double>(pieces.error) + load_at_jumps();
+    most_moment_ = evaluators::ring(*this, Extended(0)).forces.moment;
+  }
+
+  std::string name() const override { return name_; }
+  const std::vector<Extended>& breaks() const noexcept override { return breaks_; }
+
+  template <class Real>
+  Real pressure(RadialPosition<Real> at) const noexcept {
+    return static_cast<Real>(scale_) * static_cast<Real>(pressure_(outer_ * static_cast<double>(at.radius)));
+  }
+
+  UnitForces<double> forces(double s) const noexcept override { return possible(PressureLaw::forces(s)); }
+  WrenchEstimate evaluate(double s, Method method) const noexcept override {
+    WrenchEstimate estimate = PressureLaw::evaluate(s, method);
+    const auto [force, moment, slope] = possible(UnitForces<double>{estimate.wrench.force, estimate.wrench.moment, 0.0});
+    estimate.wrench = {force, moment};
+    estimate.error.force += rounding * force + unresolved_;
+    estimate.error.moment += rounding * moment + unresolved_;
+    return estimate;
+  }
+  evaluators::Quadrature<Extended> unrounded(Extended s) const noexcept override {
+    evaluators::Quadrature<Extended> estimate = PressureLaw::unrounded(s);
+    estimate.forces = possible(estimate.forces);
+    estimate.error.force += rounding * estimate.forces.force + unresolved_;
+    estimate.error.moment += rounding * estimate.forces.moment + unresolved_;
+    return estimate;
+  }
+
+ private:
+  /// What lies where a double cannot say on which side of a jump it is.
+  [[nodiscard]] double load_at_jumps() const {
+    const auto at = [&](Extended radius) { return this->pressure(RadialPosition<Extended>{radius, 1 - radius}); };
+    constexpr Extended beside = 1e-12L;
+    Extended sum = 0;
+    Extended last = 0;
+    for (const Extended place : breaks_) {
+      // One that was found lies between two breaks, or very near one.
+      if (place - last > beside && place < 1) sum += 2 * place * place * std::fabs(at(place + beside) - at(place - beside));
+      last = place;
+    }
+    return static_cast<double>(sum) * std::numeric_limits<double>::epsilon();
+  }
+
+  /// The pressure itself is right to a few units of the last place of a double.
+  static constexpr double rounding = 4.0 * std::numeric_limits<double>::epsilon();
+
+  /// No pressure gives more than pure sliding and pure spin, but the quadrature of a rough one may.
+  template <class Real>
+  [[nodiscard]] UnitForces<Real> possible(UnitForces<Real> forces) const noexcept {
+    // In this order a NaN stays one.
+    forces.force = std::min<Real>(forces.force, 1);
+    forces.moment = std::min(forces.moment, static_cast<Real>(most_moment_));
+    return forces;
+  }
+
+  std::string name_;
+  std::function<double(double)> pressure_;
+  double outer_;
+  Extended scale_ = 1;
+  double unresolved_ = 0.0;   ///< of the load where the pressure is rough, and so of both components: their kernels are at most 1
+  Extended most_moment_ = 0;  ///< m₀
+  std::vector<Extended> breaks_;
+};
+
+}  // namespace
+
+Law from_pressure(std::string name, std::function<double(double)> pressure, std::span<const double> breaks, double narrowest_feature) {
+  if (!pressure) throw std::invalid_argument("law '" + name + "': no pressure function");
+  if (breaks.size() < 2 || breaks.front() != 0.0) {
+    throw std::invalid_argument("law '" + name + "': expected at least two breaks, the first 0");
+  }
+  for (std::size_t i = 1; i < breaks.size(); ++i) {
+    if (!(breaks[i] > breaks[i - 1]) || !(breaks[i] <= std::numeric_limits<double>::max())) {
+      throw out_of_range("break " + std::to_string(i + 1), breaks[i], "1", "greater than the one before, and finite");
+    }
+  }
+  if (!(narrowest_feature >= 1e-6 && narrowest_feature <= 1.0)) {
+    throw out_of_range("narrowest_feature", narrowest_feature, "1", "1e-6 <= narrowest_feature <= 1");
+  }
+  return std::make_shared<CallableLaw>(std::move(name), std::move(pressure), breaks, narrowest_feature);
+}
+
+}  // namespace limitcurve

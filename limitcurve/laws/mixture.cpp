@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+#include "limitcurve/laws.hpp"
+#include "limitcurve/number.hpp"
+#include "limitcurve/quadrature/evaluators.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace limitcurve {
+
+namespace {
+
+/// Σ wᵢ pᵢ: each part is evaluated by its own best evaluator and the wrenches are mixed, not the pressures.
+class MixtureLaw final : public PressureLawOf<MixtureLaw> {
+ public:
+  struct Part {
+    double weight;   // as given
+    Extended share;  // weight over the sum of weights
+    Law law;
+  };
+
+  explicit MixtureLaw(std::vector<Part> parts) : parts_(std::move(parts)) {
+    for (const Part& part : parts_) {
+      const auto& breaks = part.law->breaks();
+      breaks_.insert(breaks_.end(), breaks.begin(), breaks.end());
+    }
+    std::sort(breaks_.begin(), breaks_.end());
+    breaks_.erase(std::unique(breaks_.begin(), breaks_.end()), breaks_.end());
+  }
+
+  std::string name() const override {
+    std::string text = "mix:";
+    for (const Part& part : parts_) {
+      if (text.back() != ':') text += '+';
+      text += format_number(part.weight) + "*" + part.law->name();
+    }
+    return text;
+  }
+
+  const std::vector<Extended>& breaks() const noexcept override { return breaks_; }
+
+  template <class Real>
+  Real pressure(RadialPosition<Real> at) const noexcept {
+    Real sum = 0;
+    for (const Part& part : parts_) {
+      const Real rim = at.rim - static_cast<Real>(breaks_.back() - part.law->breaks().back());
+      if (rim <= 0) continue;
+      sum += static_cast<Real>(part.share) * part.law->density(RadialPosition<Real>{at.radius, rim}) *
+             std::pow(rim, static_cast<Real>(part.law->rim_exponent()));
+    }
+    return sum;
+  }
+
+  bool allows(Method method) const noexcept override {
+    return std::all_of(parts_.begin(), parts_.end(), [&](const Part& part) { return part.law->allows(method); });
+  }
+
+  WrenchEstimate evaluate(double s, Method method) const noexcept override {
+    WrenchEstimate sum;
+    for (const Part& part : parts_) {
+      const auto share = static_cast<double>(part.share);
+      const WrenchEstimate one = part.law->evaluate(s, method);
+      sum.wrench.force += share * one.wrench.force;
+      sum.wrench.moment += share * one.wrench.moment;
+      sum.error.force += share * one.error.force;
+      sum.error.moment += share * one.error.moment;
+      sum.force_slope += share * one.force_slope;
+    }
+    // The shares, their products and the sum round once each.
+    const double rounding = 0.5 * std::numeric_limits<double>::epsilon() * (1.0 + static_cast<double>(parts_.size()));
+    sum.error.force += rounding * sum.wrench.force;
+    sum.error.moment += rounding * sum.wrench.moment;
+    return sum;
+  }
+
+  evaluators::Quadrature<double> projection(double t) const noexcept override {
+    evaluators::Quadrature<double> sum{};
+    for (const Part& part : parts_) {
+      const auto share = static_cast<double>(part.share);
+      // Beyond a part's own rim all of it is on one side.
+      const bool beyond = t >= static_cast<double>(part.law->breaks().back());
+      const auto one = beyond ? evaluators::Quadrature<double>{{1.0, 0.0, 0.0}, {}} : part.law->projection(t);
+      sum.forces.force += share * one.forces.force;
+      sum.forces.moment += share * one.forces.moment;
+      sum.error.force += share * one.error.force;
+      sum.error.moment += share * one.error.moment;
+    }
+    return sum;
+  }
+
+  evaluators::Quadrature<Extended> unrounded(Extended s) const noexcept override {
+    evaluators::Quadrature<Extended> sum{};
+    for (const Part& part : parts_) {
+      const auto [forces, error] = part.law->unrounded(s);
+      sum.forces.force += part.share * forces.force;
+      sum.forces.moment += part.share * forces.moment;
+      sum.forces.force_slope += part.share * forces.force_slope;
+      sum.error.force += part.share * error.force;
+      sum.error.moment += part.share * error.moment;
+    }
+    return sum;
+  }
+
+  double profile_error() const noexcept override {
+    double sum = 0.0;
+    for (const Part& part : parts_) sum += static_cast<double>(part.share) * part.law->profile_error();
+    return sum;
+  }
+
+  UnitForces<double> forces(double s) const noexcept override {
+    UnitForces<double> sum{0.0, 0.0, 0.0};
+    for (const Part& part : parts_) {
+      const auto share = static_cast<double>(part.share);
+      const UnitForces<double> one = part.law->forces(s);
+      sum.force += share * one.force;
+      sum.moment += share * one.moment;
+      sum.force_slope += share * one.force_slope;
+    }
+    return sum;
+  }
+
+ private:
+  std::vector<Part> parts_;
+  std::vector<Extended> breaks_;
+};
+
+}  // namespace
+
+Law mixture(std::span<const std::pair<double, Law>> parts) {
+  if (parts.empty()) throw std::invalid_argument("mixture has no parts: expected at least one");
+  Extended total = 0;
+  for (const auto& [weight, law] : parts) {
+    if (!(weight > 0.0 && weight <= 1e12)) throw out_of_range("weight of " + law->name(), weight, "1", "0 < weight <= 1e12");
+    total += weight;
+  }
+  std::vector<MixtureLaw::Part> scaled;
+  for (const auto& [weight, law] : parts) scaled.push_back({weight, weight / total, law});
+  return std::make_shared<MixtureLaw>(std::move(scaled));
+}
+
+}  // namespace limitcurve

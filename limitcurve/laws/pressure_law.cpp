@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#include "limitcurve/pressure_law.hpp"
+
+#include "limitcurve/quadrature/double_exponential.hpp"
+#include "limitcurve/quadrature/evaluators.hpp"
+
+#include <array>
+
+namespace limitcurve {
+
+std::string_view to_string(Method method) {
+  constexpr std::array<std::string_view, 5> names{"auto", "closed", "ring", "punch", "direct"};
+  return names[static_cast<std::size_t>(method)];
+}
+
+namespace {
+
+const std::vector<Extended>& unit_disc() {
+  static const std::vector<Extended> ends{0, 1};
+  return ends;
+}
+
+}  // namespace
+
+PressureLaw::PressureLaw() {
+  // What is built on first use is built here, not in a loop.
+  DoubleExponential<double>::rule();
+  DoubleExponential<Extended>::rule();
+  unit_disc();
+}
+
+const std::vector<Extended>& PressureLaw::breaks() const noexcept {
+  return unit_disc();
+}
+
+UnitForces<double> PressureLaw::forces(double s) const noexcept {
+  if (const auto exact = closed(s)) {
+    return {static_cast<double>(exact->force), static_cast<double>(exact->moment), static_cast<double>(exact->force_slope)};
+  }
+  return evaluators::ring(*this, s).forces;
+}
+
+evaluators::Quadrature<Extended> PressureLaw::unrounded(Extended s) const noexcept {
+  if (const auto forces = closed(s)) return {*forces, {0, 0, 0}};
+  return evaluators::ring(*this, s);
+}
+
+evaluators::Quadrature<double> PressureLaw::projection(double t) const noexcept {
+  return evaluators::projection(*this, t);
+}
+
+bool PressureLaw::allows(Method method) const noexcept {
+  if (method == Method::closed) return closed(1).has_value();
+  if (method == Method::punch) return punch_density({0.5L, 0.5L}).has_value();
+  return true;
+}
+
+WrenchEstimate PressureLaw::evaluate(double s, Method method) const noexcept {
+  if (method == Method::punch) return evaluators::rounded(evaluators::punch(*this, Extended(s)));
+  if (method == Method::direct) return evaluators::rounded(evaluators::direct(*this, Extended(s)));
+  if (method != Method::ring) return evaluators::rounded(PressureLaw::unrounded(s));
+  return evaluators::rounded(evaluators::ring(*this, Extended(s)));
+}
+
+}  // namespace limitcurve

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: MIT
+#include "limitcurve/laws.hpp"
+#include "limitcurve/number.hpp"
+#include "limitcurve/quadrature/evaluators.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+
+namespace limitcurve {
+
+namespace {
+
+/// p = value + t(slope + t(square + t·cube)) on [left, left + width], t the distance from the left end.
+struct Piece {
+  Extended left;
+  Extended width;
+  Extended value;
+  Extended slope;
+  Extended square;
+  Extended cube;
+};
+
+/// Monotone cubic through samples of increasing radius: slopes by the weighted harmonic mean of the neighbouring chords,
+/// zero where they change sign (Fritsch and Butland 1984); one-sided at the ends, limited alike.
+class MonotoneCubic {
+ public:
+  explicit MonotoneCubic(std::span<const PressureSample> run) : run_(run) {}
+
+  void append_to(std::vector<Piece>& pieces) const {
+    for (std::size_t i = 0; i + 1 < run_.size(); ++i) {
+      const Extended width = Extended(run_[i + 1].radius) - run_[i].radius;
+      const Extended chord = this->chord(i);
+      const Extended left = slope(i);
+      const Extended right = slope(i + 1);
+      pieces.push_back({run_[i].radius, width, run_[i].pressure, left, (3 * chord - 2 * left - right) / width,
+                        (left + right - 2 * chord) / (width * width)});
+    }
+  }
+
+ private:
+  [[nodiscard]] Extended chord(std::size_t i) const {
+    return (Extended(run_[i + 1].pressure) - run_[i].pressure) / (Extended(run_[i + 1].radius) - run_[i].radius);
+  }
+
+  [[nodiscard]] Extended slope(std::size_t i) const {
+    const std::size_t last = run_.size() - 1;
+    if (last == 1) return chord(0);
+    if (i == 0) return end_slope(chord(0), chord(1), run_[1].radius - run_[0].radius, run_[2].radius - run_[1].radius);
+    if (i == last) {
+      return end_slope(chord(last - 1), chord(last - 2), run_[last].radius - run_[last - 1].radius,
+                       run_[last - 1].radius - run_[last - 2].radius);
+    }
+    const Extended before = chord(i - 1);
+    const Extended after = chord(i);
+    if (!(before * after > 0)) return 0;
+    const Extended width_before = Extended(run_[i].radius) - run_[i - 1].radius;
+    const Extended width_after = Extended(run_[i + 1].radius) - run_[i].radius;
+    const Extended weight_before = 2 * width_after + width_before;
+    const Extended weight_after = width_after + 2 * width_before;
+    return (weight_before + weight_after) / (weight_before / before + weight_after / after);
+  }
+
+  /// Parabola through three points, kept from overshooting: no other sign than the chord, at most thrice its size.
+  static Extended end_slope(Extended chord, Extended next, Extended width, Extended next_width) {
+    const Extended slope = ((2 * width + next_width) * chord - width * next) / (width + next_width);
+    if (!(slope * chord > 0)) return 0;
+    return std::fabs(slope) > 3 * std::fabs(chord) ? 3 * chord : slope;
+  }
+
+  std::span<const PressureSample> run_;
+};
+
+/// A measured profile by its cubics; without the estimate of what lies between the samples.
+class ProfileLaw final : public PressureLawOf<ProfileLaw> {
+ public:
+  ProfileLaw(std::span<const PressureSample> profile, std::string_view source) : source_(source) {
+    std::vector<PressureSample> scaled;
+    const double outer = profile.back().radius;
+    for (const PressureSample& sample : profile) scaled.push_back({sample.radius / outer, std::max(sample.pressure, 0.0)});
+    if (scaled.front().radius > 0.0) scaled.insert(scaled.begin(), {0.0, scaled.front().pressure});
+    // Jumps part the profile into runs.
+    for (std::size_t begin = 0; begin < scaled.size();) {
+      std::size_t end = begin + 1;
+      while (end < scaled.size() && scaled[end].radius > scaled[end - 1].radius) ++end;
+      MonotoneCubic(std::span(scaled).subspan(begin, end - begin)).append_to(pieces_);
+      begin = end;
+    }
+    for (const Piece& piece : pieces_) breaks_.push_back(piece.left);
+    breaks_.push_back(1);
+    normalise();
+  }
+
+  std::string name() const override { return "samples:" + source_; }
+  const std::vector<Extended>& breaks() const noexcept override { return breaks_; }
+  bool has_polynomial_pieces() const noexcept override { return true; }
+
+  template <class Real>
+  Real pressure(RadialPosition<Real> at) const noexcept {
+    const auto after = std::upper_bound(pieces_.begin() + 1, pieces_.end(), at.radius,
+                                        [](Real radius, const Piece& piece) { return radius < static_cast<Real>(piece.left); });
+    const Piece& piece = *(after - 1);
+    const Real t = std::clamp<Real>(at.radius - static_cast<Real>(piece.left), 0, static_cast<Real>(piece.width));
+    const Real value = static_cast<Real>(piece.value) +
+                       t * (static_cast<Real>(piece.slope) + t * (static_cast<Real>(piece.square) + t * static_cast<Real>(piece.cube)));
+    // A cubic that ends at zero may round below it.
+    return std::max<Real>(value, 0);
+  }
+
+ private:
+  void normalise() {
+    // ∫ 2ρ p dρ of a cubic, piece by piece: exact.
+    Extended load = 0;
+    for (const Piece& p : pieces_) {
+      const Extended w = p.width;
+      const Extended zeroth = w * (p.value + w * (p.slope / 2 + w * (p.square / 3 + w * p.cube / 4)));
+      const Extended first = w * w * (p.value / 2 + w * (p.slope / 3 + w * (p.square / 4 + w * p.cube / 5)));
+      load += 2 * (p.left * zeroth + first);
+    }
+    if (!(load > 0)) throw std::invalid_argument("profile '" + source_ + "' has no pressure: expected one > 0 away from the centre");
+    for (Piece& p : pieces_) {
+      for (Extended* coefficient : {&p.value, &p.slope, &p.square, &p.cube}) *coefficient /= load;
+    }
+  }
+
+  std::string source_;
+  std::vector<Piece> pieces_;
+  std::vector<Extended> breaks_;
+};
+
+/// Where in `rows` the samples stand; a row that says the same again is none, and no jump.
+std::vector<std::size_t> places_of_samples(std::span<const PressureSample> rows) {
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (i == 0 || rows[i].radius != rows[i - 1].radius || rows[i].pressure != rows[i - 1].pressure) places.push_back(i);
+  }
+  return places;
+}
+
+/// The profile with a bound of its distance, in force and moment, to the law g' that every other sample gives. With
+/// δ = |g − g'|, and because the kernels of force and moment are at most min(1, s/ρ) and ρ·min(1, ρ/s):
+///   |Δf| ≤ min(∫ 2ρδ dρ, s ∫ 2δ dρ),  |Δm| ≤ min(∫ 2ρ²δ dρ, s⁻¹ ∫ 2ρ³δ dρ).
+/// Differences of the wrenches themselves would not do: they change sign somewhere.
+class SamplesLaw final : public PressureLawOf<SamplesLaw> {
+ public:
+  SamplesLaw(std::span<const PressureSample> profile, std::string_view source) : fine_(profile, source) {
+    const ProfileLaw coarse(every_other(profile), source);
+    const auto& breaks = fine_.breaks();
+    for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
+      // Plain midpoints: a sum of absolute values needs no order, and an estimate no digits.
+      constexpr int parts = 16;
+      const double width = static_cast<double>(breaks[i + 1] - breaks[i]) / parts;
+      for (int k = 0; k < parts; ++k) {
+        const double rho = static_cast<double>(breaks[i]) + (k + 0.5) * width;
+        const RadialPosition<double> at{rho, 1.0 - rho};
+        double share = 2.0 * width * std::fabs(fine_.pressure(at) - coarse.pressure(at));
+        for (double& moment : distance_) {
+          moment += share;
+          share *= rho;
+        }
+      }
+    }
+  }
+
+  std::string name() const override { return fine_.name(); }
+  const std::vector<Extended>& breaks() const noexcept override { return fine_.breaks(); }
+  bool has_polynomial_pieces() const noexcept override { return true; }
+
+  template <class Real>
+  Real pressure(RadialPosition<Real> at) const noexcept {
+    return fine_.pressure(at);
+  }
+
+  WrenchEstimate evaluate(double s, Method method) const noexcept override {
+    WrenchEstimate estimate = fine_.evaluate(s, method);
+    estimate.error.force += std::min(distance_[1], s * distance_[0]);
+    estimate.error.moment += std::min(distance_[2], distance_[3] / s);
+    return estimate;
+  }
+  evaluators::Quadrature<Extended> unrounded(Extended s) const noexcept override { return fine_.unrounded(s); }
+  double profile_error() const noexcept override { return std::max(distance_[1], distance_[2]); }
+
+ private:
+  /// Keeps the ends of every run between jumps, which are the profile's and not the interpolation's, and every other
+  /// sample counted from the run's outer end; the innermost gap of a run of even length is three wide, never one. A run of two has none to
+  /// leave out: it becomes as high as its higher end, which is as far from its chord as anything that falls or rises from one end to the other.
+  static std::vector<PressureSample> every_other(std::span<const PressureSample> profile) {
+    std::vector<PressureSample> kept;
+    for (std::size_t begin = 0; begin < profile.size();) {
+      std::size_t last = begin;
+      while (last + 1 < profile.size() && profile[last + 1].radius > profile[last].radius) ++last;
+      const double higher = std::max(profile[begin].pressure, profile[last].pressure);
+      if (last == begin + 1) kept.insert(kept.end(), {{profile[begin].radius, higher}, {profile[last].radius, higher}});
+      for (std::size_t i = begin; i <= last && last != begin + 1; ++i) {
+        const bool inner = i == begin + 1 && last > begin + 1;
+        if (i == begin || ((last - i) % 2 == 0 && !inner)) kept.push_back(profile[i]);
+      }
+      begin = last + 1;
+    }
+    return kept;
+  }
+
+  ProfileLaw fine_;
+  std::array<double, 4> distance_{};  // ∫ 2ρᵏδ dρ, k = 0 … 3
+};
+
+}  // namespace
+
+Law samples(std::span<const PressureSample> rows, std::string_view source) {
+  const std::vector<std::size_t> places = places_of_samples(rows);
+  std::vector<PressureSample> profile;
+  for (const std::size_t place : places) profile.push_back(rows[place]);
+  const auto refuse = [&](std::size_t i, const std::string& what) {
+    return std::invalid_argument("profile '" + std::string(source) + "', sample " + std::to_string(places[i] + 1) + " (radius " +
+                                 format_number(profile[i].radius) + ", pressure " + format_number(profile[i].pressure) + "): " + what);
+  };
+  if (profile.size() < 4) {
+    throw std::invalid_argument("profile '" + std::string(source) + "' has " + std::to_string(profile.size()) +
+                                " samples: expected at least 4");
+  }
+  for (std::size_t i = 0; i < profile.size(); ++i) {
+    if (!std::isfinite(profile[i].radius) || !std::isfinite(profile[i].pressure)) throw refuse(i, "expected finite numbers");
+    if (profile[i].radius < 0.0) throw refuse(i, "expected a radius >= 0");
+    if (i > 0 && profile[i].radius < profile[i - 1].radius) throw refuse(i, "expected radii that do not decrease");
+    if (i > 1 && profile[i].radius == profile[i - 2].radius) throw refuse(i, "expected at most two pressures at one radius");
+  }
+  // Nearer together, the cubics' coefficients leave the doubles.
+  const double least_gap = 1e-9 * profile.back().radius;
+  for (std::size_t i = 0; i < profile.size(); ++i) {
+    const double gap = profile[i].radius - (i > 0 ? profile[i - 1].radius : 0.0);
+    if (gap > 0.0 && gap < least_gap)
+      throw refuse(i, "expected it farther than 1e-9 of the last radius from the one before, or at the same");
+  }
+  if (!(profile.back().radius > profile.front().radius)) throw refuse(profile.size() - 1, "expected a last radius > the first");
+  if (profile[profile.size() - 2].radius == profile.back().radius)
+    throw refuse(profile.size() - 1, "a jump at the last radius: leave it out");
+  return std::make_shared<SamplesLaw>(profile, source);
+}
+
+}  // namespace limitcurve

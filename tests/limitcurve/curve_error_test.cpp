@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: MIT
+// How wrong the models are. Each figure has two witnesses: a closed form or the literature, and brute force here.
+#include "limitcurve/accuracy.hpp"
+#include "limitcurve/approximations.hpp"
+#include "limitcurve/exact_curve.hpp"
+#include "limitcurve/laws.hpp"
+#include "limitcurve/validate.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <random>
+#include <string>
+
+namespace limitcurve::test {
+
+namespace {
+
+constexpr double inf = std::numeric_limits<double>::infinity();
+
+/// Extremes of model radius/exact radius, and its mean square, by plain counting over 40000 CORs.
+struct Counted {
+  double over = 0.0;
+  double under = 0.0;
+  double rms = 0.0;
+};
+
+template <class Model>
+Counted count_errors(const Model& model, const PressureLaw& law) {
+  constexpr int steps = 40000;
+  const double m0 = law.moment_ratio();
+  Counted counted;
+  double squares = 0.0;
+  double last_angle = 0.5 * std::numbers::pi;
+  double last_error = 0.0;
+  for (int i = 0; i < steps; ++i) {
+    const double s = std::tan(0.5 * std::numbers::pi * (i + 0.5) / steps);
+    const UnitForces<double> forces = law.forces(s);
+    const double error = 1.0 / model.gauge({forces.force, forces.moment}) - 1.0;
+    counted.over = std::max(counted.over, error);
+    counted.under = std::max(counted.under, -error);
+    const double angle = std::atan2(forces.moment / m0, forces.force);
+    squares += 0.5 * (error * error + last_error * last_error) * (last_angle - angle);
+    last_angle = angle;
+    last_error = error;
+  }
+  counted.rms = std::sqrt(squares / (0.5 * std::numbers::pi));
+  return counted;
+}
+
+TEST(CurveError, OfTheEllipseIsAsPublished) {
+  for (const auto& [name, over] : {std::pair{"flat-punch", 8.26}, {"uniform", 7.04}, {"hertz", 6.38}, {"parabolic", 5.97}}) {
+    const ExactCurve exact(parse_law(name));
+    const CurveError error = curve_error(Ellipse::through_intercepts(exact.moment_ratio()), exact);
+    EXPECT_NEAR(100.0 * error.max_over_estimate, over, 0.005) << name;
+    EXPECT_LE(error.max_under_estimate, 1e-15) << name;
+    EXPECT_EQ(error.max_error, error.max_over_estimate) << name;
+  }
+}
+
+/// Towards the ends the COR of the ellipse is off by f′(0) m₀ and by 2m₀²/⟨ρ²⟩: for (1−ρ²)ⁿ (n + 3/2)m₀², 2(n + 2)m₀².
+TEST(CurveError, OfTheEllipseInTheCentreOfRotation) {
+  for (const double n : {-0.5, 0.0, 0.5, 1.0, 3.0}) {
+    const ExactCurve exact(power(n));
+    const double m0 = exact.moment_ratio();
+    const CurveError error = curve_error(Ellipse::through_intercepts(m0), exact);
+    EXPECT_NEAR(error.min_cor_ratio, (n + 1.5) * m0 * m0, 1e-8) << n;
+    EXPECT_NEAR(error.max_cor_ratio, 2.0 * (n + 2.0) * m0 * m0, 1e-8) << n;
+    EXPECT_NEAR(error.max_cor_error, 2.0 * (n + 2.0) * m0 * m0 - 1.0, 1e-8) << n;
+  }
+}
+
+/// ∫ ρʲ (1 − ρᵏ)^{1/k} dρ.
+double xydas_kao_moment(double k, double j) {
+  return std::beta((j + 1.0) / k, 1.0 / k + 1.0) / k;
+}
+
+// Issue 9, point 3: inf for k = 0.1 (truth 2.843), and for the Gaussian what its unit of length made of it (truth 0.5708).
+TEST(CurveError, InTheCentreOfRotationDoesNotDependOnUnitsOfLength) {
+  for (const double sigma : {1e-6, 1e-3, 1.0, 1e3, 1e6}) {
+    const ExactCurve exact(gaussian(sigma));
+    const double m0 = exact.moment_ratio();
+    const CurveError error = curve_error(Ellipse::through_intercepts(m0), exact);
+    EXPECT_NEAR(error.max_cor_error, 0.5 * std::numbers::pi - 1.0, 1e-9) << sigma;
+    EXPECT_NEAR(error.min_cor_ratio, 0.25 * std::numbers::pi, 1e-9) << sigma;
+    EXPECT_NEAR(curve_error(minimax_quartic(exact), exact).max_cor_error, 0.1404893970656, 1e-9) << sigma;
+    EXPECT_EQ(curve_error(minimax_superellipse(exact), exact).max_cor_ratio, inf) << sigma;
+  }
+  for (const double k : {0.1, 0.09, 0.07, 0.05, 0.03, 0.01}) {
+    const ExactCurve exact(xydas_kao(k));
+    const double load = 2.0 * xydas_kao_moment(k, 1.0);
+    const double m0 = 2.0 * xydas_kao_moment(k, 2.0) / load;
+    const CurveError error = curve_error(Ellipse::through_intercepts(exact.moment_ratio()), exact);
+    const double near_spin = m0 * xydas_kao_moment(k, 0.0) / load;
+    EXPECT_NEAR(error.max_cor_ratio / near_spin, 1.0, 1e-9) << k;
+  }
+}
+
+// The same: where the normals turn at once, rays even in them lie far from each other, and the mean was off by 6e-3.
+TEST(CurveError, MeanIsRightToWhatItStates) {
+  for (const double k : {0.01, 0.1, 1.0}) {
+    const ExactCurve exact(xydas_kao(k));
+    const double m0 = exact.moment_ratio();
+    const Ellipse model = Ellipse::through_intercepts(m0);
+    double squares = 0.0;
+    double last_angle = 0.5 * std::numbers::pi;
+    double last = 0.0;
+    for (int i = 0; i <= 20000; ++i) {
+      const UnitWrench wrench = exact.wrench(SlipTwist::about_cor(m0 * std::pow(10.0, -30.0 + 50.0 * i / 20000.0)));
+      const double angle = std::atan2(wrench.moment / m0, wrench.force);
+      const double error = 1.0 / model.gauge(wrench) - 1.0;
+      squares += 0.5 * (error * error + last * last) * (last_angle - angle);
+      last_angle = angle;
+      last = error;
+    }
+    EXPECT_NEAR(curve_error(model, exact).rms_error, std::sqrt(squares / (0.5 * std::numbers::pi)), 1e-6) << k;
+  }
+}
+
+TEST(CurveError, IsWhatCountingFinds) {
+  for (const char* name : {"hertz", "uniform", "flat-punch", "cone"}) {
+    const Law law = parse_law(name);
+    const ExactCurve exact(law);
+    const double m0 = exact.moment_ratio();
+    const auto check = [&](const char* what, const auto& model) {
+      const CurveError error = curve_error(model, exact);
+      const Counted counted = count_errors(model, *law);
+      EXPECT_NEAR(error.max_over_estimate, counted.over, 1e-7) << name << ' ' << what;
+      EXPECT_NEAR(error.max_under_estimate, counted.under, 1e-7) << name << ' ' << what;
+      EXPECT_NEAR(error.rms_error, counted.rms, 1e-5 * counted.rms + 1e-12) << name << ' ' << what;
+      // Refined: never less than what counting finds.
+      EXPECT_GE(error.max_over_estimate, counted.over - 1e-12) << name << ' ' << what;
+    };
+    check("ellipse", Ellipse::through_intercepts(m0));
+    check("superellipse", Superellipse::through_intercepts(m0, 1.6));
+    check("quartic", Quartic::through_intercepts(m0, 3.5));
+  }
+}
+
+TEST(CurveError, OfACurveAgainstItselfIsNothing) {
+  const ExactCurve exact(hertz());
+  const CurveError error = curve_error(exact, exact);
+  EXPECT_LE(error.max_error, 1e-14);
+  EXPECT_LE(error.rms_error, 1e-14);
+  EXPECT_LE(error.max_cor_error, 1e-9);
+}
+
+/// A box meets the diagonal at √2, the exact curve there at a little less than 1: some 1.5 times too strong.
+TEST(CurveError, OfTheBox) {
+  const ExactCurve exact(hertz());
+  const double m0 = exact.moment_ratio();
+  const UnitWrench diagonal = exact.along({1.0, m0}).wrench;
+  const CurveError error = curve_error(box(1.0, m0), exact);
+  EXPECT_NEAR(error.max_over_estimate, 1.0 / diagonal.force - 1.0, 1e-8);
+  EXPECT_NEAR(error.max_over_estimate, 0.5027, 5e-5);
+  EXPECT_EQ(error.max_cor_error, inf);
+  EXPECT_EQ(error.min_cor_ratio, 0.0);
+  EXPECT_EQ(error.max_cor_ratio, inf);
+}
+
+TEST(CurveError, OfTheDiamondIsAllOnTheWeakSide) {
+  const ExactCurve exact(uniform());
+  const CurveError error = curve_error(diamond(1.0, exact.moment_ratio()), exact);
+  EXPECT_LE(error.max_over_estimate, 1e-15);
+  EXPECT_GT(error.max_under_estimate, 0.2);
+  EXPECT_EQ(error.max_cor_error, inf);
+}
+
+/// A model scaled by 1.1 is 10 % too strong on every ray; one scaled by 0.9 is 10 % too weak.
+TEST(CurveError, OfAScaledCurveIsTheScale) {
+  const Ellipse exact(1.0, 0.6);
+  const CurveError strong = curve_error(Ellipse(1.1, 0.66), exact);
+  EXPECT_NEAR(strong.max_over_estimate, 0.1, 1e-14);
+  EXPECT_NEAR(strong.rms_error, 0.1, 1e-14);
+  EXPECT_EQ(strong.max_under_estimate, 0.0);
+  EXPECT_NEAR(strong.max_cor_error, 0.0, 1e-14);
+  const CurveError weak = curve_error(Ellipse(0.9, 0.54), exact);
+  EXPECT_NEAR(weak.max_under_estimate, 0.1, 1e-14);
+  EXPECT_EQ(weak.max_over_estimate, 0.0);
+  EXPECT_NEAR(weak.max_error, 0.1, 1e-14);
+}
+
+/// Superellipse against ellipse is known on the diagonal: 2^{1/2 − 1/n}; and its COR runs away at both ends.
+TEST(CurveError, OfASuperellipseAgainstAnEllipse) {
+  const CurveError error = curve_error(Superellipse(1.0, 0.6, 2.5), Ellipse(1.0, 0.6));
+  EXPECT_NEAR(error.max_over_estimate, std::pow(2.0, 0.5 - 1.0 / 2.5) - 1.0, accuracy::curve_error);
+  EXPECT_EQ(error.max_cor_error, inf);
+  EXPECT_EQ(error.max_cor_ratio, inf);
+  EXPECT_EQ(error.min_cor_ratio, 0.0);
+}
+
+TEST(Minimax, ExponentsAndKappasAreAsPublished) {
+  const ExactCurve exact_hertz(hertz());
+  const ExactCurve exact_uniform(uniform());
+  EXPECT_NEAR(minimax_superellipse(exact_hertz).exponent(), 1.725, 5e-4);
+  EXPECT_NEAR(minimax_superellipse(exact_uniform).exponent(), 1.702, 5e-4);
+  EXPECT_NEAR(minimax_quartic(exact_hertz).kappa(), 3.142, 5e-4);
+  EXPECT_NEAR(minimax_quartic(exact_uniform).kappa(), 3.261, 5e-4);
+}
+
+/// No neighbour is better, and the error touches its bound on both sides.
+TEST(Minimax, NoNeighbourIsBetter) {
+  for (const char* name : {"hertz", "uniform", "flat-punch", "cone", "gaussian:sigma=0.4"}) {
+    const Law law = parse_law(name);
+    const ExactCurve exact(law);
+    const double m0 = exact.moment_ratio();
+    const auto largest = [&](const auto& model) {
+      const Counted counted = count_errors(model, *law);
+      return std::max(counted.over, counted.under);
+    };
+    const double n = minimax_superellipse(exact).exponent();
+    const double best = largest(Superellipse::through_intercepts(m0, n));
+    EXPECT_GT(largest(Superellipse::through_intercepts(m0, n + 1e-4)), best) << name;
+    EXPECT_GT(largest(Superellipse::through_intercepts(m0, n - 1e-4)), best) << name;
+    const double kappa = minimax_quartic(exact).kappa();
+    const double least = largest(Quartic::through_intercepts(m0, kappa));
+    EXPECT_GT(largest(Quartic::through_intercepts(m0, kappa + 1e-4)), least) << name;
+    EXPECT_GT(largest(Quartic::through_intercepts(m0, kappa - 1e-4)), least) << name;
+    for (const CurveError& error : {curve_error(minimax_superellipse(exact), exact), curve_error(minimax_quartic(exact), exact)}) {
+      EXPECT_NEAR(error.max_over_estimate, error.max_under_estimate, 1e-9) << name;
+      EXPECT_LT(error.max_error, 0.0105) << name;
+    }
+  }
+}
+
+TEST(Minimax, FindsTheParameterOfItsOwnKind) {
+  EXPECT_NEAR(minimax_superellipse(Superellipse(1.3, 0.4, 1.6)).exponent(), 1.6, 1e-9);
+  EXPECT_NEAR(minimax_superellipse(Superellipse(1.3, 0.4, 2.7)).exponent(), 2.7, 1e-9);
+  EXPECT_NEAR(minimax_quartic(Quartic(1.3, 0.4, 4.5)).kappa(), 4.5, 1e-8);
+  EXPECT_NEAR(minimax_quartic(Ellipse(1.3, 0.4)).kappa(), 2.0, 1e-8);
+  // Out of reach: the nearest end.
+  EXPECT_EQ(minimax_quartic(Superellipse(1.0, 1.0, 30.0)).kappa(), 0.0);
+}
+
+/// Inside, and no other ellipse inside is larger: any of larger area sticks out somewhere.
+TEST(InnerEllipse, IsInsideAndLargest) {
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> shape(-0.3, 0.3);
+  for (const char* name : {"hertz", "uniform", "flat-punch", "gaussian:sigma=0.4"}) {
+    const Law law = parse_law(name);
+    const ExactCurve exact(law);
+    const Ellipse inner = inner_ellipse(exact);
+    EXPECT_LE(count_errors(inner, *law).over, 1e-12) << name;
+    const double area = inner.force_max() * inner.moment_max();
+    for (int i = 0; i < 40; ++i) {
+      const double stretch = std::exp(shape(random));
+      const double grow = std::sqrt(1.0 + 1e-6);
+      const Ellipse larger(inner.force_max() * stretch * grow, inner.moment_max() / stretch * grow);
+      EXPECT_GT(count_errors(larger, *law).over, 1e-8) << name << ' ' << stretch;
+    }
+    EXPECT_LT(area, exact.moment_ratio()) << name;
+  }
+}
+
+/// Hertz by hand: the largest ellipse touches where s f = m, 7s⁴/8 − 3s² + 1 = 0, and has the semi-axes √2 f, √2 m there.
+TEST(InnerEllipse, OfHertzByHand) {
+  const double s = std::sqrt((3.0 - std::sqrt(5.5)) / 1.75);
+  const UnitWrench touch = hertz()->evaluate(s).wrench;
+  const Ellipse inner = inner_ellipse(ExactCurve(hertz()));
+  EXPECT_NEAR(s * touch.force / touch.moment, 1.0, 1e-14);
+  EXPECT_NEAR(inner.force_max(), std::numbers::sqrt2 * touch.force, 1e-7);
+  EXPECT_NEAR(inner.moment_max(), std::numbers::sqrt2 * touch.moment, 1e-7);
+}
+
+TEST(OuterEllipse, IsTheOneThroughTheInterceptsForSmoothLaws) {
+  for (const char* name : {"hertz", "uniform", "flat-punch", "parabolic", "cone", "gaussian:sigma=0.4"}) {
+    const ExactCurve exact(parse_law(name));
+    const Ellipse outer = outer_ellipse(exact);
+    EXPECT_NEAR(outer.force_max(), 1.0, 1e-7) << name;
+    EXPECT_NEAR(outer.moment_max() / exact.moment_ratio(), 1.0, 1e-7) << name;
+    EXPECT_LE(curve_error(outer, exact).max_under_estimate, 1e-12) << name;
+  }
+}
+
+/// Not every exact curve lies inside the ellipse: under a sharp enough peak the curve bulges out of it.
+TEST(OuterEllipse, MustGrowForASharplyPeakedPressure) {
+  const Law law = xydas_kao(0.2);
+  const ExactCurve exact(law);
+  const double m0 = exact.moment_ratio();
+  double bulge = 0.0;
+  for (double s = 0.01; s < 1.0; s *= 1.1) {
+    const WrenchEstimate direct = law->evaluate(s, Method::ring);
+    bulge = std::max(bulge, std::hypot(direct.wrench.force, direct.wrench.moment / m0) - 1.0);
+  }
+  EXPECT_GT(bulge, 0.01);
+  const Ellipse outer = outer_ellipse(exact);
+  EXPECT_GT(outer.moment_max(), m0 * 1.01);
+  EXPECT_LE(curve_error(outer, exact).max_under_estimate, 1e-12);
+}
+
+TEST(InnerAndOuterEllipse, OfAnEllipseIsItself) {
+  const Ellipse exact(1.3, 0.4);
+  for (const Ellipse& found : {inner_ellipse(exact), outer_ellipse(exact)}) {
+    EXPECT_NEAR(found.force_max(), 1.3, 1e-7);
+    EXPECT_NEAR(found.moment_max(), 0.4, 1e-7);
+  }
+  // A superellipse that bulges out of the ellipse: inside is the ellipse through the intercepts, outside touches at 45°.
+  const Superellipse bulging(1.0, 0.5, 3.0);
+  EXPECT_NEAR(inner_ellipse(bulging).force_max(), 1.0, 1e-7);
+  EXPECT_NEAR(inner_ellipse(bulging).moment_max(), 0.5, 1e-7);
+  EXPECT_NEAR(outer_ellipse(bulging).force_max(), std::pow(2.0, 0.5 - 1.0 / 3.0), 1e-7);
+  EXPECT_NEAR(outer_ellipse(bulging).moment_max(), 0.5 * std::pow(2.0, 0.5 - 1.0 / 3.0), 1e-7);
+}
+
+}  // namespace
+
+}  // namespace limitcurve::test

@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: MIT
+// Entry d: how a step finds the wrench that friction allows, where the rule itself is wrong.
+#include "../numerics/sampling.hpp"
+#include "bristles.hpp"
+#include "godobject/soft_finger.hpp"
+#include "limitcurve/approximations.hpp"
+#include "limitcurve/exact_curve.hpp"
+#include "limitcurve/laws.hpp"
+#include "limitcurve/table.hpp"
+#include "projection.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace limitcurve::stability {
+
+namespace {
+
+using namespace godobject;
+
+/// Force and moment in units of their largest, for a steady twist about s, when one is limited first and the other gets what
+/// the ellipse leaves. Both springs stretch evenly, a tenth of the limit a step.
+std::pair<double, double> one_after_the_other(double s, bool force_first, double moment_ratio) {
+  const SlipTwist twist = SlipTwist::about_cor(s);
+  double force = 0.0;
+  double moment = 0.0;
+  for (int i = 0; i < 2000; ++i) {
+    force += 0.1 * twist.slide / (twist.slide + twist.spin);
+    moment += 0.1 * twist.spin / (twist.slide + twist.spin) / moment_ratio;
+    double& first = force_first ? force : moment;
+    double& second = force_first ? moment : force;
+    first = std::min(first, 1.0);
+    second = std::min(second, std::sqrt(1.0 - first * first));
+  }
+  return {force, moment};
+}
+
+constexpr double static_limit = 0.6;  // μ_s P [N]
+constexpr double dynamic_limit = 0.5;
+constexpr double contact_stiffness = 1000.0;
+constexpr double tick = 1e-3;
+
+/// The rule that asks for the static limit in every step, and when it is passed lets the proxy slip to the dynamic one.
+class AskedEveryStep {
+ public:
+  AskedEveryStep(double stiffness, double damping) : stiffness_(stiffness), damping_(damping) {}
+
+  /// Friction on the finger at x, moving at a speed.
+  double update(double x, double speed) {
+    double force = stiffness_ * (proxy_ - x);
+    if (std::fabs(force - damping_ * speed) > static_limit) {
+      force = std::copysign(dynamic_limit, force);
+      proxy_ = x + force / stiffness_;
+      return force;
+    }
+    return force - damping_ * speed;
+  }
+
+ private:
+  double stiffness_;
+  double damping_;
+  double proxy_ = 0.0;
+};
+
+SoftFinger two_limits(double stiffness, double damping) {
+  FingerParameters with;
+  with.mu = static_limit;
+  with.mu_dynamic = dynamic_limit;
+  with.stiffness = stiffness;
+  with.damping = damping;
+  return {Ellipse::through_intercepts(hertz()->moment_ratio()), with};
+}
+
+/// Under a load of 1 N.
+Contact pressed(double x, double stiffness) {
+  return {{x, 0.0, 0.0}, Eigen::Vector3d::UnitZ(), 1.0 / stiffness};
+}
+
+/// Forces of a drag at a steady speed, a second of them.
+std::vector<double> dragged(double speed, bool ours) {
+  AskedEveryStep rule(contact_stiffness, 0.0);
+  auto finger = two_limits(contact_stiffness, 0.0);
+  std::vector<double> forces;
+  for (int i = 0; i < 1000; ++i) {
+    const double x = speed * tick * i;
+    forces.push_back(ours ? -finger.update(pressed(x, contact_stiffness), 0.0).force.x() : -rule.update(x, speed));
+  }
+  return forces;
+}
+
+/// Mean time between the largest forces; 0 if there are no two.
+double period(const std::vector<double>& forces, double step, double level) {
+  int first = -1;
+  int last = -1;
+  int count = 0;
+  for (std::size_t i = 1; i < forces.size(); ++i) {
+    if (forces[i - 1] < level || forces[i] >= level) continue;
+    if (first < 0) first = static_cast<int>(i);
+    last = static_cast<int>(i);
+    ++count;
+  }
+  return count > 1 ? step * (last - first) / (count - 1) : 0.0;
+}
+
+double swing(const std::vector<double>& forces) {
+  const auto [least, most] = std::minmax_element(forces.begin() + static_cast<std::ptrdiff_t>(forces.size() / 2), forces.end());
+  return *most - *least;
+}
+
+/// A mass that a soft spring draws over the ground at a steady speed: friction makes it stick and slip.
+struct Drawn {
+  double mass = 0.05;
+  double spring = 50.0;
+  double contact_stiffness = 2e4;
+  double contact_damping = 10.0;
+  double step = 1e-5;
+
+  /// For a rigid contact: stuck while the spring gains 2ΔF, sliding on for the rest of a swing.
+  [[nodiscard]] double exact_period(double speed) const {
+    const double omega = std::sqrt(spring / mass);
+    const double drop = static_limit - dynamic_limit;
+    return 2.0 * drop / (spring * speed) + 2.0 * (std::numbers::pi - std::atan(drop * omega / (spring * speed))) / omega;
+  }
+
+  /// By simulation, from the drops of the spring's force through its middle.
+  [[nodiscard]] double simulated(double speed, bool ours) const {
+    AskedEveryStep rule(contact_stiffness, contact_damping);
+    auto finger = two_limits(contact_stiffness, contact_damping);
+    double x = 0.0;
+    double v = 0.0;
+    std::vector<double> forces;
+    for (int i = 0; i < 200'000; ++i) {
+      const double pull = spring * (speed * step * i - x);
+      const double friction = ours ? finger.update(pressed(x, contact_stiffness), 0.0, step).force.x() : rule.update(x, v);
+      v += step * (pull + friction) / mass;
+      x += step * v;
+      forces.push_back(pull);
+    }
+    return period(forces, step, dynamic_limit);
+  }
+};
+
+}  // namespace
+
+Hazard order_of_limits() {
+  Hazard found;
+  Figure figure{"projection_order", {}};
+  const std::string test = "Projection.OrderOfLimits";
+  const Law law = hertz();
+  const double m0 = law->moment_ratio();
+  const Table table = Table::build(law, 1e-8);
+  const ExactCurve curve(law);
+  std::array<double, 3> worst{};
+  for (const double s : in_ratios(0.01, 100.0, 61)) {
+    const UnitWrench exact = curve.wrench(SlipTwist::about_cor(s));
+    const UnitWrench ours = table.wrench(SlipTwist::about_cor(s));
+    const std::array wrenches{one_after_the_other(s, true, m0), one_after_the_other(s, false, m0), std::pair(ours.force, ours.moment / m0)};
+    constexpr std::array series{"force limited first", "moment limited first", "limitcurve"};
+    for (std::size_t i = 0; i < series.size(); ++i) {
+      figure.rows.push_back({"force", series[i], s, wrenches[i].first});
+      figure.rows.push_back({"moment", series[i], s, wrenches[i].second});
+      if (s < 0.1 || s > 10.0) continue;
+      worst[i] = std::max(worst[i], std::hypot(wrenches[i].first - exact.force, wrenches[i].second - exact.moment / m0));
+    }
+  }
+  const std::string quantity = "error of the wrench of a steady twist, 0.1 ≤ c/a ≤ 10";
+  found.findings.push_back({"order of the limits", "force first, moment by what is left", quantity, worst[0], worst[2], test});
+  found.findings.push_back({"order of the limits", "moment first, force by what is left", quantity, worst[1], worst[2], test});
+  found.figures.push_back(std::move(figure));
+  return found;
+}
+
+Hazard chatter() {
+  Hazard found;
+  Figure figure{"projection_chatter", {}};
+  const std::string test = "Projection.Chatter";
+  constexpr double speed = 0.005;
+  const std::vector<double> asked = dragged(speed, false);
+  const std::vector<double> ours = dragged(speed, true);
+  for (std::size_t i = 80; i < 280; ++i) {
+    const double time = 1e3 * tick * static_cast<double>(i - 80);
+    figure.rows.push_back({"force", "static limit in every step", time, asked[i]});
+    figure.rows.push_back({"force", "limitcurve", time, ours[i]});
+  }
+  const double drop = static_limit - dynamic_limit;
+  found.findings.push_back({"μ_s > μ_d, a steady drag", "static limit asked in every step", "swing of the force, in (μ_s − μ_d)P",
+                            swing(asked) / drop, swing(ours) / drop, test});
+  found.findings.push_back({"μ_s > μ_d, a steady drag", "static limit asked in every step", "chatter of 1/s, at 5 mm/s (steady force: 0)",
+                            1.0 / period(asked, tick, 0.99 * static_limit),
+                            swing(ours) > 0.0 ? 1.0 / period(ours, tick, dynamic_limit) : 0.0, test});
+  const Drawn drawn;
+  double asked_error = 0.0;
+  double our_error = 0.0;
+  for (const double v : in_ratios(0.02, 0.2, 13)) {
+    const double exact = drawn.exact_period(v);
+    const double of_asked = drawn.simulated(v, false);
+    const double of_ours = drawn.simulated(v, true);
+    figure.rows.push_back({"period", "exact", 1e3 * v, 1e3 * exact});
+    figure.rows.push_back({"period", "static limit in every step", 1e3 * v, 1e3 * of_asked});
+    figure.rows.push_back({"period", "limitcurve", 1e3 * v, 1e3 * of_ours});
+    asked_error = std::max(asked_error, std::fabs(of_asked / exact - 1.0));
+    our_error = std::max(our_error, std::fabs(of_ours / exact - 1.0));
+  }
+  found.findings.push_back({"μ_s > μ_d, stick–slip of a mass", "static limit asked in every step",
+                            "relative error of the period, 20 to 200 mm/s", asked_error, our_error, test});
+  found.figures.push_back(std::move(figure));
+  return found;
+}
+
+Hazard collapsing_load() {
+  Hazard found;
+  const std::string test = "Projection.CollapsingLoad";
+  constexpr double mu = 0.5;
+  FingerParameters with;
+  with.mu = mu;
+  with.stiffness = contact_stiffness;
+  SoftFinger finger(Table::build(hertz(), 1e-8), with);
+  Bristles bristles(contact_stiffness, 0.0);
+  const auto contact = [](double x, double load) { return Contact{{x, 0.0, 0.0}, Eigen::Vector3d::UnitZ(), load / contact_stiffness}; };
+  // Pressed with 5 N, drawn to the limit, and let go to 5 mN within one step, at rest.
+  finger.update(contact(0.0, 5.0), 0.0);
+  double bristle_force = 0.0;
+  for (int i = 0; i <= 1000; ++i) {
+    finger.update(contact(1e-5 * i, 5.0), 0.0);
+    bristle_force = bristles.update(1e-5 * i, mu * 5.0);
+  }
+  // Drawn from the tenth sample before it to the tenth after it.
+  Figure figure{"projection_collapse", {}};
+  const auto draw = [&](double sample, double load, double of_bristles, double ours) {
+    figure.rows.push_back({"force", "limit", sample, mu * load});
+    figure.rows.push_back({"force", "bristles", sample, of_bristles});
+    figure.rows.push_back({"force", "limitcurve", sample, ours});
+  };
+  for (int i = -10; i < 0; ++i) draw(i, 5.0, bristle_force, finger.output().force.norm());
+  const FingerOutput let_go = finger.update(contact(0.01, 0.005), 0.0);
+  bristle_force = bristles.update(0.01, mu * 0.005);
+  const double at_once = bristle_force;
+  draw(0.0, 0.005, bristle_force, let_go.force.norm());
+  for (int i = 1; i <= 10; ++i) {
+    bristle_force = bristles.update(0.01, mu * 0.005);
+    draw(i, 0.005, bristle_force, finger.update(contact(0.01, 0.005), 0.0).force.norm());
+  }
+  found.findings.push_back({"load collapsing in one step", "bristles (Dahl, LuGre)",
+                            "friction force at rest / limit, load to a thousandth in one step", at_once / (mu * 0.005),
+                            let_go.force.norm() / (mu * let_go.load), test});
+  found.figures.push_back(std::move(figure));
+  return found;
+}
+
+}  // namespace limitcurve::stability

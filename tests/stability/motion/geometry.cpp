@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+// Entry f, its part on shapes.
+#include "geometry.hpp"
+#include "godobject/mesh/mesh.hpp"
+
+#include "../numerics/sampling.hpp"
+#include "../random.hpp"
+#include "godobject/mesh/mesh_surface.hpp"
+#include "godobject/soft_finger.hpp"
+#include "godobject/surface.hpp"
+#include "limitcurve/approximations.hpp"
+#include "limitcurve/laws.hpp"
+#include "solids.hpp"
+#include "tests/touch.hpp"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace limitcurve::stability {
+
+namespace {
+
+using namespace godobject;
+using Eigen::Vector3d;
+
+constexpr double stiffness = 1000.0;
+
+/// The surface point nearest a finger in a box, as one computes it: by the face that is nearest now.
+Contact nearest_face(const Vector3d& half, const Vector3d& finger) {
+  int axis = 0;
+  const double depth = -(finger.cwiseAbs() - half).maxCoeff(&axis);
+  Contact contact{finger, Vector3d::Zero(), depth};
+  contact.normal[axis] = finger[axis] >= 0.0 ? 1.0 : -1.0;
+  contact.point[axis] = contact.normal[axis] * half[axis];
+  return contact;
+}
+
+}  // namespace
+
+Hazard thin_plate() {
+  Hazard found;
+  Figure figure{"geometry_plate", {}};
+  const std::string test = "Geometry.ThinPlate";
+  const Vector3d half{0.03, 0.02, 0.0005};
+  const BoxSurface box(half);
+  const MeshSurface mesh(Mesh(box_triangles(half)));
+  ContactMemory on_box;
+  ContactMemory on_mesh;
+  const auto push = [](const Contact& contact) { return stiffness * std::max(contact.depth, 0.0) * contact.normal.z(); };
+  std::array<double, 3> short_by{};
+  for (int i = -20; i <= 300; ++i) {
+    const double depth = 1e-5 * i;
+    const Vector3d finger(0.003, 0.001, half.z() - depth);
+    const std::array forces{push(nearest_face(half, finger)), push(touch(box, finger, on_box)), push(touch(mesh, finger, on_mesh))};
+    constexpr std::array series{"nearest surface point", "limitcurve, box", "limitcurve"};
+    for (std::size_t j = 0; j < forces.size(); ++j) {
+      short_by[j] = std::max(short_by[j], std::max(stiffness * depth, 0.0) - forces[j]);
+      if (i % 2 == 0 && j != 1) figure.rows.push_back({"force", series[j], 1e3 * depth, forces[j]});
+    }
+  }
+  const std::string quantity = "what the force towards the finger's side lacks of k_l d [N], pressed 3 mm into 1 mm, 1000 N/m";
+  found.findings.push_back({"thin plate", "nearest surface point (ours: box)", quantity, short_by[0], short_by[1], test});
+  found.findings.push_back({"thin plate", "nearest surface point (ours: mesh)", quantity, short_by[0], short_by[2], test});
+  found.figures.push_back(std::move(figure));
+  return found;
+}
+
+Hazard side_at_a_vertex() {
+  Hazard found;
+  Figure figure{"geometry_vertex", {}};
+  const std::string test = "Geometry.SideAtAVertex";
+  // Pyramids on a square, blunt to sharp; points about the tip.
+  Random random(8);
+  double most = 0.0;
+  double ours = 0.0;
+  for (const double angle : evenly(10.0, 150.0, 15)) {
+    const double height = 0.02;
+    const double side = height * std::tan(0.5 * angle * std::numbers::pi / 180.0);
+    TriangleList pyramid;
+    // Its tip leans, as tips do.
+    pyramid.vertices = {{side, side, 0.0}, {-side, side, 0.0}, {-side, -side, 0.0}, {side, -side, 0.0}, {1.8 * side, 0.2 * side, height}};
+    pyramid.faces = {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}, {0, 2, 1}, {0, 3, 2}};
+    const std::vector<Triangle> triangles = triangles_of(pyramid);
+    const MeshSurface surface{Mesh(pyramid)};
+    int wrong = 0;
+    int our_wrong = 0;
+    constexpr int points = 1500;
+    for (int i = 0; i < points; ++i) {
+      const Vector3d point =
+          pyramid.vertices[4] + Vector3d(random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0)) * 0.002;
+      const bool inside = winding(triangles, point) > 0.5;
+      wrong += beneath_nearest_face(triangles, point) != inside;
+      our_wrong += is_inside(surface, point) != inside;
+    }
+    figure.rows.push_back({"share", "side of the nearest face", angle, static_cast<double>(wrong) / points});
+    figure.rows.push_back({"share", "limitcurve", angle, static_cast<double>(our_wrong) / points});
+    most = std::max(most, static_cast<double>(wrong) / points);
+    ours = std::max(ours, static_cast<double>(our_wrong) / points);
+  }
+  found.findings.push_back({"nearest place a vertex or an edge", "side of the nearest face",
+                            "share of points about a tip taken for the other side, worst of 15 pyramids", most, ours, test});
+  found.figures.push_back(std::move(figure));
+  return found;
+}
+
+Hazard normals_that_jump() {
+  const std::string test = "Geometry.NormalsThatJump";
+  constexpr double mu = 0.8;
+  FingerParameters with;
+  with.mu = mu;
+  with.stiffness = stiffness;
+  SoftFinger finger(Ellipse::through_intercepts(hertz()->moment_ratio()), with);
+  // Round a rod of eight edges, just beneath its surface.
+  Vector3d proxy(0.0, 0.0, 0.0);
+  bool touched = false;
+  double customary = 0.0;
+  double ours = 0.0;
+  double work = 0.0;
+  Figure figure{"geometry_normals", {}};
+  for (int i = 0; i < 4000; ++i) {
+    const double angle = 0.002 * i;
+    const double of_face = 0.25 * std::numbers::pi * std::round(angle / (0.25 * std::numbers::pi));
+    const Vector3d normal(std::cos(of_face), std::sin(of_face), 0.0);
+    const double inner = 0.02;
+    const Vector3d place = 0.019 * Vector3d(std::cos(angle), std::sin(angle), 0.0);
+    const double depth = inner - normal.dot(place);
+    const Contact contact{place + normal * depth, normal, depth};
+    // As one writes it: a spring from the finger's place on the surface to the proxy, cut to the limit.
+    if (!touched) proxy = contact.point;
+    touched = true;
+    Vector3d pull = proxy - contact.point;
+    const double most = mu * depth;
+    if (pull.norm() > most) pull *= most / pull.norm();
+    proxy = contact.point + pull;
+    customary = std::max(customary, std::fabs(pull.dot(normal)) / most);
+    const FingerOutput output = finger.update(contact, 0.0);
+    const double degrees = angle * 180.0 / std::numbers::pi;
+    if (degrees >= 10.0 && degrees <= 80.0) {
+      figure.rows.push_back({"normal", "spring to the proxy", degrees, pull.dot(normal) / most});
+      figure.rows.push_back({"normal", "limitcurve", degrees, output.force.dot(normal) / (mu * output.load)});
+    }
+    ours = std::max(ours, std::fabs(output.force.dot(normal)) / (mu * output.load));
+    work = std::min(work, output.slip_work);
+  }
+  Hazard found;
+  found.findings.push_back({"normals that jump", "spring to the proxy, cut to μP", "friction along the normal / μP, edges of 45°",
+                            customary, std::max(ours, -work), test});
+  found.figures.push_back(std::move(figure));
+  return found;
+}
+
+}  // namespace limitcurve::stability

@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: MIT
+// Entry d: how a step finds the wrench that friction allows, where the search for it fails.
+#include "projection.hpp"
+
+#include "../numerics/sampling.hpp"
+#include "../random.hpp"
+#include "godobject/soft_finger.hpp"
+#include "limitcurve/approximations.hpp"
+#include "limitcurve/exact_curve.hpp"
+#include "limitcurve/laws.hpp"
+#include "limitcurve/table.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+namespace limitcurve::stability {
+
+namespace {
+
+using namespace godobject;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double stiffness = 1000.0;
+constexpr double radius = 0.005;
+
+/// A wrench in SI units.
+struct Felt {
+  double force;
+  double moment;
+};
+
+/// A step that somebody will make: offset, twist, depth, and the two coefficients of friction; what must be felt then.
+struct Degenerate {
+  const char* name;
+  double r, rho, depth, mu, moment_coefficient;
+  Felt right;
+};
+
+/// Eqs. (21)–(23) of Frisoli et al. (2006) as they are printed.
+Felt as_printed(const Degenerate& step, double twist_stiffness) {
+  const double x = step.r / (step.mu * step.depth);
+  const double y = twist_stiffness * step.rho / (step.moment_coefficient * stiffness * step.depth);
+  const double epsilon = x * x + y * y;
+  double r = step.r;
+  double rho = step.rho;
+  if (epsilon > 1.0) {
+    const double new_r = r / std::sqrt(epsilon);
+    const double new_rho = rho / std::sqrt(epsilon);
+    r = new_r / step.r * step.r;
+    rho = new_rho / step.rho * step.rho;
+  }
+  return {stiffness * r, twist_stiffness * rho};
+}
+
+Felt by_finger(const Degenerate& step, double twist_stiffness) {
+  FingerParameters with;
+  with.mu = step.mu;
+  with.moment_coefficient = step.moment_coefficient;
+  with.stiffness = stiffness;
+  with.twist_stiffness = twist_stiffness;
+  SoftFinger finger(Ellipse::through_intercepts(hertz()->moment_ratio()), with, Projection::radial);
+  finger.update({Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ(), 0.01}, 0.0);
+  const FingerOutput output = finger.update({{step.r, 0.0, 0.0}, Eigen::Vector3d::UnitZ(), step.depth}, step.rho);
+  return {output.force.norm(), std::fabs(output.moment)};
+}
+
+/// Of a component of what is felt: 0 right to 1e-12 of what the spring could do at most, 1 wrong, 2 no number.
+double verdict(double felt, double right, double most) {
+  if (!std::isfinite(felt)) return 2.0;
+  return std::fabs(felt - right) <= 1e-12 * most ? 0.0 : 1.0;
+}
+
+/// Wrench that a finger driven with a steady twist about a COR at c = a settles at, for κ = k_r/(k_l(m₀a)²).
+UnitWrench settled(const FingerCurve& curve, Projection projection, double kappa) {
+  const double moment_ratio = hertz()->moment_ratio();
+  const double twist_stiffness = kappa * stiffness * moment_ratio * moment_ratio * radius * radius;
+  constexpr double force_unit = 0.5;  // μP [N]
+  constexpr FrictionLimit<double> limit{force_unit, radius};
+  const FrictionLimits<double> limits{limit, limit, stiffness / twist_stiffness};
+  // The longer of the two lengths in which springs forget, a quarter of it a step.
+  const double step = 0.25 * std::max(force_unit / stiffness, force_unit * moment_ratio * radius * radius / twist_stiffness);
+  FrictionMemory<double> memory;
+  double r = 0.0;
+  double rho = 0.0;
+  for (int i = 0; i < 400; ++i) {
+    r += step;
+    rho += step / radius;
+    const auto kept = apply_friction(curve.view(), projection, limits, {stiffness * r, twist_stiffness * rho}, memory);
+    r *= kept.force_ratio;
+    rho *= kept.moment_ratio;
+  }
+  return {stiffness * r / force_unit, twist_stiffness * rho / (force_unit * radius)};
+}
+
+double normalised_distance(UnitWrench one, UnitWrench other, double moment_ratio) {
+  return std::hypot(one.force - other.force, (one.moment - other.moment) / moment_ratio);
+}
+
+/// The closest point's condition in s = c/a: (x − f(s)) − sχ(y − m(s)) = 0.
+struct Condition {
+  const PressureLaw& law;
+  UnitTrial<double> trial;
+
+  [[nodiscard]] std::pair<double, double> value_and_slope(double s) const {
+    const UnitForces<double> at = law.forces(s);
+    const double chi = trial.compliance_ratio;
+    const double over_moment = chi * (trial.moment - at.moment);
+    return {trial.force - at.force - s * over_moment, -at.force_slope - over_moment - s * s * chi * at.force_slope};
+  }
+
+  /// The one root, by halving the spin fraction's interval until it is a number.
+  [[nodiscard]] double root() const {
+    double low = 0.0;
+    double high = 1.0;
+    for (int i = 0; i < 1100; ++i) {
+      const double u = low > 0.0 || high > 1e-300 ? 0.5 * (low + high) : 0.0;
+      if (u == low || u == high) break;
+      // In u the function rises from −χy to x; in s it falls. Its sign is that of u(x − f) − (1−u)χ(y − m).
+      const UnitForces<double> at = law.forces((1.0 - u) / u);
+      const double value = u * (trial.force - at.force) - (1.0 - u) * trial.compliance_ratio * (trial.moment - at.moment);
+      (value > 0.0 ? high : low) = u;
+    }
+    return high;
+  }
+};
+
+/// Newton's method as it is commonly written: until a step is small, no bracket, 64 steps at most. NaN if it finds nothing.
+double by_newton(const Condition& condition, double s) {
+  for (int i = 0; i < 64; ++i) {
+    const auto [value, slope] = condition.value_and_slope(s);
+    const double step = value / slope;
+    s -= step;
+    if (!(s >= 0.0 && s < infinity)) break;
+    if (std::fabs(step) <= 1e-10 * s) return s;
+  }
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+struct Failures {
+  double newton;
+  double newton_ahead;
+  double ours;
+};
+
+/// Shares of random trials for which the closest point is not found, with stiffness ratio κ and trials `over` times the limit.
+Failures failures(const Law& law, const FingerCurve& table, double kappa, double least_over, double most_over) {
+  const ExactCurve curve(law);
+  const double m0 = law->moment_ratio();
+  Random random(5);
+  constexpr int rounds = 300;
+  Failures count{0.0, 0.0, 0.0};
+  for (int i = 0; i < rounds; ++i) {
+    const double angle = 0.5 * std::numbers::pi * random.uniform(0.001, 0.999);
+    const UnitWrench direction{std::cos(angle), m0 * std::sin(angle)};
+    const double scale = (1.0 + random.logarithmic(least_over, most_over)) / curve.gauge(direction);
+    const UnitTrial<double> trial{direction.force * scale, direction.moment * scale, 1.0 / (kappa * m0 * m0), 1.0};
+    const Condition condition{*law, trial};
+    const UnitWrench truth = curve.wrench(SlipTwist::of_spin_fraction(condition.root()));
+    const auto fails = [&](UnitWrench wrench) { return !(normalised_distance(wrench, truth, m0) <= 1e-8); };
+    const auto at = [&](double s) {
+      const UnitForces<double> forces = law->forces(std::isfinite(s) ? s : 0.0);
+      return UnitWrench{std::isfinite(s) ? forces.force : infinity, forces.moment};
+    };
+    const double last = random.logarithmic(0.1, 10.0);
+    count.newton += fails(at(by_newton(condition, last)));
+    count.newton_ahead += fails(at(by_newton(condition, trial.force / (trial.compliance_ratio * trial.moment))));
+    const auto found = project_on_to_closest_point(table.view(), trial, last < 1.0 ? last : 2.0 - 1.0 / last);
+    count.ours += fails({trial.force * found.force_ratio, trial.moment * found.moment_ratio});
+  }
+  return {count.newton / rounds, count.newton_ahead / rounds, count.ours / rounds};
+}
+
+}  // namespace
+
+Hazard degenerate_steps() {
+  const std::string test = "Projection.DegenerateSteps";
+  const double k_r = 0.04;
+  const double mu = 0.5;
+  const double mu_r = 0.002;
+  const double depth = 0.001;
+  const double load = stiffness * depth;
+  const std::array steps{
+      Degenerate{"a twist, no sliding", 0.0, 0.5, depth, mu, mu_r, {0.0, mu_r * load}},
+      Degenerate{"sliding, no twist", 0.01, 0.0, depth, mu, mu_r, {mu * load, 0.0}},
+      Degenerate{"touch-down, d = 0", 0.0, 0.0, 0.0, mu, mu_r, {0.0, 0.0}},
+      Degenerate{"d = 1e-200 m", 0.01, 0.5, 1e-200, mu, mu_r, {0.0, 0.0}},
+      Degenerate{"µ = 0, a twist", 0.0, 0.5, depth, 0.0, 0.0, {0.0, 0.0}},
+      Degenerate{"Γ = 0, sliding and a twist", 0.01, 0.5, depth, mu, 0.0, {mu * load, 0.0}},
+      Degenerate{"Γ = 0, sliding", 0.01, 0.0, depth, mu, 0.0, {mu * load, 0.0}},
+      Degenerate{"Γ = 0, at rest", 0.0, 0.0, depth, mu, 0.0, {0.0, 0.0}},
+      Degenerate{"at rest", 0.0, 0.0, depth, mu, mu_r, {0.0, 0.0}},
+      Degenerate{"held", 1e-4, 0.01, depth, mu, mu_r, {stiffness * 1e-4, k_r * 0.01}},
+  };
+  Figure figure{"projection_quotients", {}};
+  double printed = 0.0;
+  double ours = 0.0;
+  for (const Degenerate& step : steps) {
+    const auto wrong = [&](const char* series, Felt felt) {
+      const double force = verdict(felt.force, step.right.force, stiffness * step.r);
+      const double moment = verdict(felt.moment, step.right.moment, k_r * step.rho);
+      figure.rows.push_back({step.name, series, 0.0, force});
+      figure.rows.push_back({step.name, series, 1.0, moment});
+      return force > 0.0 || moment > 0.0;
+    };
+    printed += wrong("as printed", as_printed(step, k_r));
+    ours += wrong("limitcurve", by_finger(step, k_r));
+  }
+  Hazard found;
+  found.findings.push_back({"r = 0, ρ = 0, d → 0, μ = 0, Γ = 0", "eqs. (21)–(23) as printed", "steps of ten with no number or a wrong one",
+                            printed, ours, test});
+  found.figures.push_back(std::move(figure));
+  return found;
+}
+
+Hazard stiffness_ratios() {
+  Hazard found;
+  Figure figure{"projection_stiffness", {}};
+  const std::string test = "Projection.StiffnessRatios";
+  const Law law = hertz();
+  const double m0 = law->moment_ratio();
+  const UnitWrench truth = ExactCurve(law).wrench(SlipTwist::about_cor(1.0));
+  const Ellipse ellipse = Ellipse::through_intercepts(m0);
+  const Table table = Table::build(law, 1e-8);
+  const auto errors = [&](double kappa) {
+    return std::array{normalised_distance(settled(ellipse, Projection::radial, kappa), truth, m0),
+                      normalised_distance(settled(table, Projection::radial, kappa), truth, m0),
+                      normalised_distance(settled(box(1.0, m0), Projection::closest_point, kappa), truth, m0),
+                      normalised_distance(settled(table, Projection::closest_point, kappa), truth, m0)};
+  };
+  constexpr std::array series{"ellipse, shrunk along the ray", "exact curve, shrunk along the ray", "force and moment clamped each",
+                              "limitcurve"};
+  double ours = 0.0;
+  for (const double kappa : in_ratios(1e-6, 1e6, 49)) {
+    const auto at = errors(kappa);
+    for (std::size_t i = 0; i < series.size(); ++i) figure.rows.push_back({"error", series[i], kappa, at[i]});
+    ours = std::max(ours, at.back());
+  }
+  for (const double kappa : {1e-6, 1.0, 10.0, 1e6}) {
+    const std::string power = kappa == 1.0 ? "1" : kappa == 10.0 ? "10" : kappa < 1.0 ? "1e-6" : "1e6";
+    found.findings.push_back({"stiffness ratios", "ellipse, shrunk along the ray (eq. 23)",
+                              "error of the wrench of a steady twist, c = a, k_r/k_l = " + power + "·(m₀a)² (ours: any)", errors(kappa)[0],
+                              ours, test});
+  }
+  found.findings.push_back({"stiffness ratios", "force and moment clamped each (§3.1)", "the same, any ratio", errors(1.0)[2], ours, test});
+  found.figures.push_back(std::move(figure));
+  return found;
+}
+
+Hazard newton_without_bracket() {
+  Hazard found;
+  Figure figure{"projection_newton", {}};
+  const std::string test = "Projection.NewtonWithoutBracket";
+  const Law law = hertz();
+  const FingerCurve table(Table::build(law, 1e-10));
+  const auto add = [&](const char* panel, double x, const Failures& at) {
+    figure.rows.push_back({panel, "Newton from the last COR", x, at.newton});
+    figure.rows.push_back({panel, "Newton from the trial's direction", x, at.newton_ahead});
+    figure.rows.push_back({panel, "limitcurve", x, at.ours});
+  };
+  double ours = 0.0;
+  for (const double kappa : in_ratios(1e-6, 1e6, 37)) {
+    const Failures at = failures(law, table, kappa, 1e-4, 10.0);
+    ours = std::max(ours, at.ours);
+    add("stiffness", kappa, at);
+  }
+  for (const double over : in_ratios(1e-4, 1e8, 37)) {
+    const Failures at = failures(law, table, 1.0, over, over * 1.0001);
+    ours = std::max(ours, at.ours);
+    add("load", over, at);
+  }
+  const Failures even = failures(law, table, 1.0, 1e-4, 10.0);
+  const Failures stiff = failures(law, table, 1e6, 1e-4, 10.0);
+  const std::string share = "share of slips with no closest point found, ";
+  found.findings.push_back(
+      {"Newton without a bracket", "from the last COR", share + "trials up to 11 times the limit", even.newton, ours, test});
+  found.findings.push_back(
+      {"Newton without a bracket", "from the trial's direction", share + "k_r/k_l = 1e6·(m₀a)²", stiff.newton_ahead, ours, test});
+  found.figures.push_back(std::move(figure));
+  return found;
+}
+
+}  // namespace limitcurve::stability

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "../atlas.hpp"
+
+/// Entry d: how a step finds the wrench that friction allows.
+namespace limitcurve::stability {
+
+/// Quotients of the paper's step that are 0/0: no offset, no twist, no depth, no friction, no torsional friction.
+Hazard degenerate_steps();
+/// Springs of twist and sliding that are unlike by up to a million, under a steady twist.
+Hazard stiffness_ratios();
+/// Newton's method for the closest point without a bracket, over stiffness ratios and distances of the trial.
+Hazard newton_without_bracket();
+/// A box, given to a search for smooth curves.
+Hazard corners();
+/// Limits of force and moment applied one after the other.
+Hazard order_of_limits();
+/// Static friction above dynamic friction: chatter that is none of the contact's, and stick–slip that is.
+Hazard chatter();
+/// A load that collapses in one step while the finger rests.
+Hazard collapsing_load();
+
+}  // namespace limitcurve::stability

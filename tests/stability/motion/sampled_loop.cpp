@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: MIT
+// Entry e, its part on the device: forces that are sampled, late, and taken from the steps of an encoder.
+#include "../numerics/sampling.hpp"
+#include "godobject/passivity.hpp"
+#include "godobject/soft_finger.hpp"
+#include "limitcurve/approximations.hpp"
+#include "limitcurve/laws.hpp"
+#include "stepping.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace limitcurve::stability {
+
+namespace {
+
+using namespace godobject;
+
+constexpr double tick = 1e-3;
+
+SoftFinger finger(double stiffness, double damping, double mu) {
+  FingerParameters with;
+  with.mu = mu;
+  with.stiffness = stiffness;
+  with.damping = damping;
+  return {Ellipse::through_intercepts(hertz()->moment_ratio()), with};
+}
+
+Contact pressed(double x, double depth) {
+  return {{x, 0.0, 0.0}, Eigen::Vector3d::UnitZ(), depth};
+}
+
+/// A device of 0.1 kg and some damping on a sticking contact, pushed once; the contact's force is held for a sample and comes
+/// some samples late. Its motion between samples is exact.
+struct Device {
+  double mass = 0.1;
+  double damping;
+  int delay;
+
+  /// The largest swing in the last tenth of a second, of that in the first.
+  [[nodiscard]] double growth(double stiffness) const {
+    SoftFinger contact = finger(stiffness, 0.0, 1e6);
+    contact.update(pressed(0.0, 1e-3), 0.0);
+    std::array<double, 4> line{};
+    double x = 0.0;
+    double v = 1e-3;
+    const double decay = std::exp(-damping * tick / mass);
+    double first = 0.0;
+    double last = 0.0;
+    constexpr int steps = 1000;
+    constexpr int part = 100;
+    for (int i = 0; i < steps; ++i) {
+      std::rotate(line.begin(), line.end() - 1, line.end());
+      line[0] = contact.update(pressed(x, 1e-3), 0.0).force.x();
+      const double force = line[static_cast<std::size_t>(delay)];
+      // v decays towards force/damping.
+      const double final = force / damping;
+      x += final * tick + (v - final) * mass / damping * (1.0 - decay);
+      v = final + (v - final) * decay;
+      if (i < part) first = std::max(first, std::fabs(x));
+      if (i >= steps - part) last = std::max(last, std::fabs(x));
+    }
+    return last / first;
+  }
+};
+
+/// The damping from which on swings do not grow.
+double damping_that_settles(double stiffness, int delay) {
+  double low = 1e-3 * stiffness * tick;
+  double high = 10.0 * stiffness * tick;
+  while (high - low > 1e-4 * high) {
+    const double middle = 0.5 * (low + high);
+    (Device{.damping = middle, .delay = delay}.growth(stiffness) > 1.0 ? low : high) = middle;
+  }
+  return high;
+}
+
+/// A hand that takes the device to and fro with every sample, in straight lines: what the contact gives it in a second [J], and what a
+/// unit of the device's damping takes [J s m⁻¹ N⁻¹].
+struct ToAndFro {
+  double given = 0.0;
+  double taken_per_damping = 0.0;
+};
+
+ToAndFro to_and_fro(double stiffness, double damping, double sample_time) {
+  constexpr double reach = 1e-5;
+  SoftFinger contact = finger(stiffness, damping, 1e6);
+  contact.update(pressed(0.0, 1e-3), 0.0);
+  ToAndFro sum;
+  double x = 0.0;
+  for (int i = 0; i < 1000; ++i) {
+    const double next = i % 2 == 0 ? reach : -reach;
+    const double force = contact.update(pressed(x, 1e-3), 0.0, sample_time).force.x();
+    // The start is forgotten first.
+    if (i >= 500) {
+      sum.given += force * (next - x);
+      sum.taken_per_damping += (next - x) * (next - x) / sample_time;
+    }
+    x = next;
+  }
+  return sum;
+}
+
+double in_steps(double x, double step) {
+  return step * std::round(x / step);
+}
+
+}  // namespace
+
+Hazard delayed_forces() {
+  Hazard found;
+  Figure figure{"time_delay", {}};
+  const std::string test = "Time.DelayedForces";
+  constexpr double stiffness = 1000.0;
+  for (const int delay : {0, 1, 2}) {
+    const std::string late = delay == 0 ? "no delay" : delay == 1 ? "one sample late" : "two samples late";
+    for (const double k : in_ratios(50.0, 5000.0, 21)) {
+      figure.rows.push_back({"needed", late, k, damping_that_settles(k, delay)});
+      figure.rows.push_back({"needed", late + ", formula", k, device_damping_needed(k, 0.0, tick, delay)});
+    }
+    if (delay == 0) continue;
+    const double customary = 1.05 * device_damping_needed(stiffness, 0.0, tick);
+    const double ours = 1.05 * device_damping_needed(stiffness, 0.0, tick, delay);
+    found.findings.push_back({"force " + late, "device damped by 1.05 kT/2", "growth of a swing in a second, 1000 N/m, 0.1 kg",
+                              Device{.damping = customary, .delay = delay}.growth(stiffness),
+                              Device{.damping = ours, .delay = delay}.growth(stiffness), test});
+  }
+  found.figures.push_back(std::move(figure));
+  return found;
+}
+
+Hazard sampled_contact() {
+  Hazard found;
+  Figure figure{"time_passivity", {}};
+  const std::string test = "Time.SampledContact";
+  double off = 0.0;
+  double most_given = 0.0;
+  double our_given = 0.0;
+  for (const double sample_time : {1e-4, 1e-3, 1e-2}) {
+    const std::string series = sample_time == 1e-4 ? "10 kHz" : sample_time == 1e-3 ? "1 kHz" : "100 Hz";
+    for (const double stiffness : in_ratios(10.0, 1e4, 7)) {
+      for (const double damping : {0.0, 0.1, 1.0, 10.0}) {
+        const ToAndFro sum = to_and_fro(stiffness, damping, sample_time);
+        const double needed = device_damping_needed(stiffness, damping, sample_time);
+        const double measured = sum.given / sum.taken_per_damping;
+        figure.rows.push_back({"needed", series, needed, measured});
+        off = std::max(off, std::fabs(measured / needed - 1.0));
+        const double unit = sum.taken_per_damping * needed;
+        most_given = std::max(most_given, (sum.given - sum.taken_per_damping * damping) / unit);
+        our_given = std::max(our_given, (sum.given - sum.taken_per_damping * 1.001 * needed) / unit);
+      }
+    }
+  }
+  found.findings.push_back({"sampled contact, any hand", "device damped by b, as if not sampled",
+                            "energy drawn to and fro, in what the needed damping would take (≤ 0: none)", most_given, our_given, test});
+  found.findings.push_back({"sampled contact, any hand", "damping of b taken for enough",
+                            "error of the damping that suffices, k 10 to 1e4 N/m, b 0 to 10 N s/m, 100 Hz to 10 kHz", 1.0, off, test});
+  found.figures.push_back(std::move(figure));
+  return found;
+}
+
+Hazard encoder_steps() {
+  Hazard found;
+  Figure figure{"time_encoder", {}};
+  const std::string test = "Time.EncoderSteps";
+  constexpr double mu = 0.5;
+  constexpr double stiffness = 1000.0;
+  constexpr double damping = 5.0;
+  constexpr double resolution = 1e-5;
+  const auto largest_share = [&](double rate) {
+    const double sample_time = 1.0 / rate;
+    SoftFinger contact = finger(stiffness, damping, mu);
+    contact.update(pressed(0.0, 1e-3), 0.0);
+    double proxy = 0.0;
+    double last = 0.0;
+    std::pair<double, double> share{0.0, 0.0};
+    for (int i = 0; i < static_cast<int>(rate); ++i) {
+      const double x = in_steps(5e-3 * i * sample_time, resolution);
+      // As one writes it: the spring within the friction limit, the damper added.
+      double spring = stiffness * (proxy - x);
+      if (std::fabs(spring) > mu) {
+        spring = std::copysign(mu, spring);
+        proxy = x + spring / stiffness;
+      }
+      share.first = std::max(share.first, std::fabs(spring - damping * (x - last) / sample_time) / mu);
+      last = x;
+      const FingerOutput output = contact.update(pressed(x, 1e-3), 0.0, sample_time);
+      share.second = std::max(share.second, output.force.norm() / (mu * output.load));
+    }
+    return share;
+  };
+  for (const double rate : in_ratios(100.0, 1e4, 25)) {
+    const auto [customary, ours] = largest_share(std::round(rate));
+    figure.rows.push_back({"force", "damper beside the limit", rate, customary});
+    figure.rows.push_back({"force", "limitcurve", rate, ours});
+  }
+  const auto [customary, ours] = largest_share(1e4);
+  found.findings.push_back({"encoder steps of 10 µm, speeds from them", "damper beside the friction limit",
+                            "largest friction force / limit, 5 N s/m, 5 mm/s, 10 kHz", customary, ours, test});
+  // A finger that rests at half the limit while the encoder jitters by a step: whoever adds up increments creeps.
+  double stretch = 0.5 * mu / stiffness;
+  const double at_first = stretch;
+  SoftFinger contact = finger(stiffness, 0.0, mu);
+  contact.update(pressed(0.0, 1e-3), 0.0);
+  const double proxy = contact.update(pressed(at_first, 1e-3), 0.0).proxy.x();
+  double creep = 0.0;
+  for (int i = 0; i < 10000; ++i) {
+    const double jump = i % 2 == 0 ? resolution : -resolution;
+    stretch += jump - std::fabs(jump) * stiffness * stretch / mu;
+    creep = std::max(creep, std::fabs(contact.update(pressed(at_first + (i % 2 == 0 ? resolution : 0.0), 1e-3), 0.0).proxy.x() - proxy));
+  }
+  found.findings.push_back({"encoder steps of 10 µm, at rest", "bristles (Dahl, LuGre)",
+                            "creep under half the limit, of its stretch, 1e4 steps", (at_first - stretch) / at_first, creep / at_first,
+                            test});
+  found.figures.push_back(std::move(figure));
+  return found;
+}
+
+}  // namespace limitcurve::stability

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: MIT
+// Entry c: curves of few parameters laid through the exact one, and through measurements.
+#include "fits.hpp"
+
+#include "../../fit/synthetic.hpp"
+#include "fit/fit.hpp"
+#include "gaussian_sum.hpp"
+#include "limitcurve/exact_curve.hpp"
+#include "limitcurve/laws.hpp"
+#include "limitcurve/number.hpp"
+#include "limitcurve/table.hpp"
+#include "limitcurve/validate.hpp"
+#include "sampling.hpp"
+#include "truth.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+namespace limitcurve::stability {
+
+namespace {
+
+/// The value below which `share` of the numbers lie.
+double quantile(std::vector<double> numbers, double share) {
+  std::sort(numbers.begin(), numbers.end());
+  return numbers[static_cast<std::size_t>(share * static_cast<double>(numbers.size() - 1))];
+}
+
+}  // namespace
+
+Hazard cor_near_the_axes() {
+  Hazard found;
+  Figure figure{"fits_cor", {}};
+  const std::string test = "Fits.CorNearTheAxes";
+  struct Model {
+    std::string name;
+    std::function<SlipTwist(UnitWrench)> normal;
+    double worst = 0.0;
+  };
+  const ExactCurve curve(flat_punch());
+  const auto model = [](std::string name, auto approximation) {
+    return Model{std::move(name), [approximation](UnitWrench wrench) { return approximation.along(wrench).normal; }};
+  };
+  std::vector<Model> models{model("ellipse", Ellipse::through_intercepts(curve.moment_ratio())),
+                            model("superellipse", minimax_superellipse(curve)), model("quartic", minimax_quartic(curve)),
+                            model("limitcurve", Table::build(flat_punch(), 1e-8))};
+  for (const double s : in_ratios(1e-3, 1e3, 121)) {
+    const ExactWrench exact = exact_flat_punch(s);
+    const UnitWrench wrench{static_cast<double>(exact.force), static_cast<double>(exact.moment)};
+    for (Model& each : models) {
+      const double ratio = each.normal(wrench).cor() / s;
+      figure.rows.push_back({"cor", each.name, s, ratio});
+      // A factor, either way.
+      each.worst = std::max(each.worst, std::max(ratio, 1.0 / ratio) - 1.0);
+    }
+  }
+  for (std::size_t i = 0; i + 1 < models.size(); ++i) {
+    found.findings.push_back({"COR implied by a fitted curve", models[i].name,
+                              "factor to the true COR less 1, 1e-3 ≤ s ≤ 1e3 (flat punch; ours: table of 1e-8)", models[i].worst,
+                              models.back().worst, test});
+  }
+  found.figures.push_back(std::move(figure));
+  return found;
+}
+
+Hazard dying_tails() {
+  Hazard found;
+  Figure figure{"fits_tails", {}};
+  const std::string test = "Fits.DyingTails";
+  constexpr double last = 5.0;
+  const customary::GaussianSum moment([](double s) { return static_cast<double>(exact_hertz(s).moment); }, last);
+  const customary::GaussianSum lack_of_force([](double s) { return 1.0 - static_cast<double>(exact_hertz(s).force); }, last);
+  const Table table = Table::build(hertz(), 1e-4);
+  struct Errors {
+    double moment;
+    double cor;
+  };
+  const auto of_sums = [&](double s) -> Errors {
+    // The normal of the curve that the two sums draw: s = −dm/df.
+    const double force_slope = lack_of_force.slope(s);
+    const double error = relative_error(moment.value(s), exact_hertz(s).moment);
+    if (force_slope == 0.0) return {error, std::numeric_limits<double>::infinity()};
+    return {error, std::fabs(moment.slope(s) / force_slope / s - 1.0)};
+  };
+  const auto of_table = [&](double s) -> Errors {
+    const ExactWrench exact = exact_hertz(s);
+    const RadialPoint met = table.along({static_cast<double>(exact.force), static_cast<double>(exact.moment)});
+    return {relative_error(table.wrench(SlipTwist::about_cor(s)).moment, exact.moment), std::fabs(met.normal.cor() / s - 1.0)};
+  };
+  for (const double s : in_ratios(0.05, 100.0, 120)) {
+    const Errors sums = of_sums(s);
+    const Errors ours = of_table(s);
+    figure.rows.push_back({"moment", "three Gaussians", s, sums.moment});
+    figure.rows.push_back({"moment", "limitcurve", s, ours.moment});
+    figure.rows.push_back({"cor", "three Gaussians", s, sums.cor});
+    figure.rows.push_back({"cor", "limitcurve", s, ours.cor});
+  }
+  const std::string method = "three Gaussians each for f and m, least squares on s ≤ 5";
+  double within = 0.0;
+  double ours_within = 0.0;
+  for (const double s : evenly(0.0, last, 201)) {
+    const double truth = static_cast<double>(exact_hertz(s).moment);
+    within = std::max(within, std::fabs(moment.value(s) - truth));
+    ours_within = std::max(ours_within, std::fabs(table.wrench(SlipTwist::about_cor(s)).moment - truth));
+  }
+  const double far = 20.0;
+  found.findings.push_back(
+      {"tails that die", method, "error of m where it was fitted (Hertz; ours: table of 1e-4)", within, ours_within, test});
+  found.findings.push_back({"tails that die", method, "relative error of m at s = 20", of_sums(far).moment, of_table(far).moment, test});
+  found.findings.push_back(
+      {"tails that die", method, "relative error of the COR implied at s = 20", of_sums(far).cor, of_table(far).cor, test});
+  found.figures.push_back(std::move(figure));
+  return found;
+}
+
+Hazard shape_and_radius() {
+  Hazard found;
+  Figure figure{"fits_shape", {}};
+  const std::string test = "Fits.ShapeAndRadius";
+  using fit::synthetic::Random;
+  constexpr double mu = 0.8;
+  constexpr double radius = 0.005;
+  constexpr double noise = 0.01;
+  constexpr std::size_t samples_a_set = 100;
+  constexpr int sets = 120;
+  const auto measured = [&](const Law& law, Random& random) {
+    auto samples = fit::synthetic::clean(fit::synthetic::curve_of(law), {mu, radius}, samples_a_set, random);
+    fit::synthetic::disturb(samples, noise, mu, mu * law->moment_ratio() * radius, true, random);
+    return samples;
+  };
+  const auto off_by = [](double value, double truth) { return std::fabs(value / truth - 1.0); };
+
+  // Shape and radius both free, Hertz in truth: what moves, and what stays.
+  Random random(20061);
+  const Law truth = hertz();
+  std::vector<double> radius_error;
+  std::vector<double> ratio_error;
+  for (int i = 0; i < sets; ++i) {
+    const auto fitted = fit::fit_contact(measured(truth, random), {fit::ContactModel::Kind::power}).report;
+    radius_error.push_back(off_by(fitted.at("radius").value, radius));
+    ratio_error.push_back(off_by(fitted.at("mu_r").value, mu * truth->moment_ratio() * radius));
+    const double n = fitted.at("n").value;
+    if (std::isfinite(n)) figure.rows.push_back({"cloud", "a fit", n, 1e3 * fitted.at("radius").value});
+  }
+  for (const double n : evenly(-0.7, 6.0, 40)) {
+    figure.rows.push_back({"cloud", "same moment", n, 1e3 * radius * truth->moment_ratio() / power(n)->moment_ratio()});
+  }
+
+  // A law taken for granted: Hertz assumed, uniform in truth.
+  const Law pad = uniform();
+  std::vector<double> assumed_in_errors;
+  std::vector<double> free_in_errors;
+  for (int i = 0; i < sets; ++i) {
+    const auto samples = measured(pad, random);
+    const auto in_errors = [&](const fit::Estimate& estimate) { return std::fabs(estimate.value - radius) / estimate.std_error; };
+    const double assumed = in_errors(fit::fit_contact(samples, fit::ContactModel::of(truth)).report.at("radius"));
+    const fit::Estimate free = fit::fit_contact(samples, {fit::ContactModel::Kind::power}).report.at("radius");
+    assumed_in_errors.push_back(assumed);
+    // A radius that the noise hides is reported as nan ± inf: it claims nothing.
+    free_in_errors.push_back(std::isfinite(free.value) && std::isfinite(free.std_error) ? in_errors(free) : 0.0);
+    figure.rows.push_back({"errors", "Hertz assumed", static_cast<double>(i), assumed_in_errors.back()});
+    figure.rows.push_back({"errors", "limitcurve", static_cast<double>(i), free_in_errors.back()});
+  }
+  const std::string data = ", 95th percentile of 120 data sets (100 slips each, 1 % noise)";
+  found.findings.push_back({"shape and radius not to be told apart", "radius a reported, from a fit of n and a (ours: μ_r)",
+                            "relative error of the length reported" + data, quantile(radius_error, 0.95), quantile(ratio_error, 0.95),
+                            test});
+  found.findings.push_back({"shape and radius not to be told apart", "Hertz assumed where the pressure is uniform (ours: n free)",
+                            "error of the radius in standard errors stated" + data, quantile(assumed_in_errors, 0.95),
+                            quantile(free_in_errors, 0.95), test});
+  found.figures.push_back(std::move(figure));
+  return found;
+}
+
+}  // namespace limitcurve::stability

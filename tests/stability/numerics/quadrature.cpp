@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: MIT
+// Entry a: eq. (17) as one integral over the radius, where it breaks.
+#include "quadrature.hpp"
+
+#include "customary_quadrature.hpp"
+#include "limitcurve/laws.hpp"
+#include "limitcurve/quadrature/elliptic.hpp"
+#include "limitcurve/quadrature/evaluators.hpp"
+#include "sampling.hpp"
+#include "tests/repetitions.hpp"
+#include "truth.hpp"
+
+#include <boost/math/special_functions/ellint_rf.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace limitcurve::stability {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+double hertz_density(double rho) {
+  return 1.5 * std::sqrt(std::max(1.0 - rho * rho, 0.0));
+}
+
+double our_force(const PressureLaw& law, double s) {
+  return evaluators::ring(law, s).forces.force;
+}
+
+void raise(double& worst, double value) {
+  worst = std::max(worst, value);
+}
+
+/// The error as drawn: of each stretch of CORs the largest, so that lucky places do not hide the others.
+class Envelope {
+ public:
+  Envelope(Figure& figure, std::string panel) : figure_(figure), panel_(std::move(panel)) {}
+
+  void add(const std::string& series, double x, double error) {
+    for (Peak& peak : peaks_) {
+      if (peak.series == series) {
+        raise(peak.error, error);
+        peak.x = x;
+        return;
+      }
+    }
+    peaks_.push_back({series, x, error});
+  }
+
+  void close() {
+    for (const Peak& peak : peaks_) figure_.rows.push_back({panel_, peak.series, peak.x, peak.error});
+    peaks_.clear();
+  }
+
+ private:
+  struct Peak {
+    std::string series;
+    double x;
+    double error;
+  };
+  Figure& figure_;
+  std::string panel_;
+  std::vector<Peak> peaks_;
+};
+
+/// The value of a function that may throw.
+template <class Call>
+double or_nothing(const Call& call) {
+  try {
+    return call();
+  } catch (const std::exception&) {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+}
+
+}  // namespace
+
+Hazard centre_under_the_finger() {
+  Hazard found;
+  const Law law = hertz();
+  const std::string test = "Quadrature.CentreUnderTheFinger";
+  Figure figure{"quadrature_rim", {}};
+  double tanh_sinh_worst = 0.0;
+  double gauss_worst = 0.0;
+  double ours_worst = 0.0;
+  double unstated = 0.0;
+  double ours_unstated = 0.0;
+  const auto measure = [&](Envelope& envelope, double s, double x) {
+    const Exact truth = exact_hertz(s).force;
+    const customary::Function integrand = customary::force_integrand(hertz_density, s);
+    const customary::Answer answer = customary::tanh_sinh(integrand);
+    const double tanh_sinh = relative_error(answer.value, truth);
+    const double gauss = relative_error(customary::gauss(integrand), truth);
+    const double ours = relative_error(our_force(*law, s), truth);
+    envelope.add("tanh-sinh, not split", x, tanh_sinh);
+    envelope.add("Gauss, 30 points, not split", x, gauss);
+    envelope.add("limitcurve", x, ours);
+    raise(tanh_sinh_worst, tanh_sinh);
+    raise(gauss_worst, gauss);
+    raise(ours_worst, ours);
+    // Below an error of rounding nothing can be owned up to.
+    const double error = static_cast<double>(abs(Exact(answer.value - truth)));
+    if (error > 1e-14) raise(unstated, error / std::max(answer.stated_error, 1e-300));
+    const WrenchEstimate estimate = law->evaluate(s, Method::ring);
+    raise(ours_unstated, static_cast<double>(abs(Exact(estimate.wrench.force - truth))) / estimate.error.force);
+  };
+  constexpr int stretches = 80;
+  constexpr int places = repetitions(10);
+  Envelope across(figure, "across");
+  for (int i = 0; i < stretches; ++i) {
+    // An odd part of a stretch: at "round" CORs the rule's points happen to fall well.
+    for (int k = 0; k < places; ++k) measure(across, 2.0 * (i + (k + 0.3717) / places) / stretches, 2.0 * (i + 0.5) / stretches);
+    across.close();
+  }
+  Envelope near(figure, "near");
+  for (const double distance : in_ratios(1e-15, 0.9, 60)) {
+    measure(near, 1.0 - distance, distance);
+    near.close();
+  }
+  const std::string quantity = "relative error of f where 1e-9 was asked (Hertz)";
+  found.findings.push_back({"COR under the finger", "tanh-sinh over the whole radius", quantity, tanh_sinh_worst, ours_worst, test});
+  found.findings.push_back(
+      {"COR under the finger", "the same, its error estimate read", "error / error stated", unstated, ours_unstated, test});
+  found.findings.push_back({"COR under the finger", "Gauss, 30 points over the whole radius", quantity, gauss_worst, ours_worst, test});
+  found.figures.push_back(std::move(figure));
+  return found;
+}
+
+Hazard adaptive_subdivision() {
+  Hazard found;
+  long evaluations = 0;
+  long worst = 0;
+  long our_evaluations = 0;
+  long ours_worst = 0;
+  const std::array<double, 2> breaks{0.0, 1.0};
+  std::vector<std::pair<double, Exact>> cors;
+  for (const double s : evenly(0.0137, 0.9937, repetitions(50, 5))) cors.emplace_back(s, exact_power(1.0, s).force);
+  const Law counting = from_pressure(
+      "counting",
+      [&our_evaluations](double rho) {
+        ++our_evaluations;
+        return 1.0 - rho * rho;
+      },
+      breaks);
+  const customary::Function density = [&evaluations](double rho) {
+    ++evaluations;
+    return 2.0 * (1.0 - rho * rho);
+  };
+  for (const auto& [s, truth] : cors) {
+    evaluations = our_evaluations = 0;
+    customary::adaptive_gauss_kronrod(customary::force_integrand(density, s));
+    our_force(*counting, s);
+    worst = std::max(worst, evaluations);
+    ours_worst = std::max(ours_worst, our_evaluations);
+  }
+  found.findings.push_back({"COR under the finger", "adaptive Gauss–Kronrod, 15 points",
+                            "evaluations of the pressure for f to 1e-9 (ours: 1e-13)", static_cast<double>(worst),
+                            static_cast<double>(ours_worst), "Quadrature.AdaptiveSubdivisionPays"});
+  // Error against evaluations, means over the same CORs.
+  Figure figure{"quadrature_adaptive", {}};
+  const auto add = [&](const char* series, const long& count, const std::function<double(double)>& force) {
+    double evaluations_mean = 0.0;
+    double error = 0.0;
+    for (const auto& [s, truth] : cors) {
+      evaluations = our_evaluations = 0;
+      raise(error, relative_error(force(s), truth));
+      evaluations_mean += static_cast<double>(count) / static_cast<double>(cors.size());
+    }
+    figure.rows.push_back({"error", series, evaluations_mean, error});
+  };
+  for (const double accuracy : in_ratios(1e-2, 1e-14, 13)) {
+    add("adaptive Gauss–Kronrod, 15 points", evaluations,
+        [&](double s) { return customary::adaptive_gauss_kronrod(customary::force_integrand(density, s), accuracy); });
+  }
+  add("limitcurve", our_evaluations, [&](double s) { return our_force(*counting, s); });
+  found.figures.push_back(std::move(figure));
+  return found;
+}
+
+// The customary rules know of the split at s, and keep off the one place where the pressure is infinite.
+Hazard singular_rim() {
+  Hazard found;
+  const std::string test = "Quadrature.SingularRim";
+  Figure figure{"quadrature_singular", {}};
+  const auto errors = [](double n, double s) {
+    const Exact truth = exact_power(n, s).force;
+    const customary::Function density = [n](double rho) { return rho < 1.0 ? (n + 1.0) * std::pow(1.0 - rho * rho, n) : 0.0; };
+    const customary::Function integrand = customary::force_integrand(density, s);
+    return std::array{relative_error(customary::tanh_sinh(integrand, customary::split_at(s)).value, truth),
+                      relative_error(customary::gauss(integrand, customary::split_at(s)), truth),
+                      relative_error(our_force(*power(n), s), truth)};
+  };
+  constexpr std::array series{"tanh-sinh, split at s", "Gauss, 30 points, split at s", "limitcurve"};
+  for (const double above : in_ratios(1e-3, 1.0, 31)) {
+    const auto at_place = errors(above - 1.0, 0.5);
+    for (std::size_t i = 0; i < series.size(); ++i) figure.rows.push_back({"exponent", series[i], above, at_place[i]});
+  }
+  for (const double s : evenly(0.02, 2.98, 75)) {
+    const auto at_place = errors(-0.9, s);
+    for (std::size_t i = 0; i < series.size(); ++i) figure.rows.push_back({"cor", series[i], s, at_place[i]});
+  }
+  for (const auto& [n, name] : {std::pair{-0.5, "flat punch"}, std::pair{-0.9, "n = −0.9"}, std::pair{-0.99, "n = −0.99"}}) {
+    std::array<double, 3> worst{};
+    for (const double s : {0.1, 0.5, 0.9, 1.1, 2.0}) {
+      const auto at_place = errors(n, s);
+      for (std::size_t i = 0; i < worst.size(); ++i) raise(worst[i], at_place[i]);
+    }
+    const std::string quantity = std::string("relative error of f (") + name + ")";
+    found.findings.push_back({"pressure infinite at the rim", "tanh-sinh, split at s", quantity, worst[0], worst[2], test});
+    if (n == -0.5)
+      found.findings.push_back({"pressure infinite at the rim", "Gauss, 30 points, split at s", quantity, worst[1], worst[2], test});
+  }
+  found.figures.push_back(std::move(figure));
+  return found;
+}
+
+// A sum of paraboloids of radii b has a kink at each b, and a wrench that is known.
+Hazard kinks_of_a_profile() {
+  Hazard found;
+  static constexpr std::array<double, 5> radii{0.31, 0.47, 0.62, 0.83, 1.0};
+  const auto pressure = [](double rho) {
+    double sum = 0.0;
+    for (const double b : radii) sum += 2.0 / (b * b) * std::max(1.0 - rho * rho / (b * b), 0.0) / radii.size();
+    return sum;
+  };
+  const auto truth = [](double s) {
+    Exact force = 0;
+    for (const double b : radii) force += exact_power(1.0, s / b).force / radii.size();
+    return force;
+  };
+  std::vector<double> breaks{0.0};
+  breaks.insert(breaks.end(), radii.begin(), radii.end());
+  const Law told = from_pressure("kinks", pressure, breaks);
+  const Law untold = from_pressure("kinks", pressure, std::array<double, 2>{0.0, 1.0});
+  Figure figure{"quadrature_kinks", {}};
+  std::array<double, 4> worst{};
+  double unstated = 0.0;
+  double ours_unstated = 0.0;
+  for (const double s : evenly(0.0131, 1.9931, repetitions(100, 20))) {
+    const Exact exact = truth(s);
+    const customary::Function integrand = customary::force_integrand(pressure, s);
+    const customary::Answer answer = customary::tanh_sinh(integrand, customary::split_at(s));
+    const std::array<std::pair<const char*, double>, 4> errors{
+        {{"tanh-sinh, split at s", relative_error(answer.value, exact)},
+         {"Gauss, 30 points, split at s", relative_error(customary::gauss(integrand, customary::split_at(s)), exact)},
+         {"limitcurve, not told of the kinks", relative_error(our_force(*untold, s), exact)},
+         {"limitcurve", relative_error(our_force(*told, s), exact)}}};
+    for (std::size_t i = 0; i < errors.size(); ++i) {
+      figure.rows.push_back({"force", errors[i].first, s, errors[i].second});
+      raise(worst[i], errors[i].second);
+    }
+    raise(unstated, static_cast<double>(abs(Exact(answer.value - exact))) / std::max(answer.stated_error, 1e-300));
+    for (const Law& law : {told, untold}) {
+      const WrenchEstimate estimate = law->evaluate(s, Method::ring);
+      raise(ours_unstated, static_cast<double>(abs(Exact(estimate.wrench.force - exact))) / estimate.error.force);
+    }
+  }
+  const std::string quantity = "relative error of f (a profile of five pieces; ours not told of them)";
+  const std::string test = "Quadrature.KinksOfAMeasuredProfile";
+  const double ours = std::max(worst[2], worst[3]);
+  found.findings.push_back({"kinks of a measured profile", "tanh-sinh, split at s", quantity, worst[0], ours, test});
+  found.findings.push_back(
+      {"kinks of a measured profile", "the same, its error estimate read", "error / error stated", unstated, ours_unstated, test});
+  found.findings.push_back({"kinks of a measured profile", "Gauss, 30 points, split at s", quantity, worst[1], ours, test});
+  found.figures.push_back(std::move(figure));
+  return found;
+}
+
+// Eq. (17) as printed has the modulus
+// k = 2√(ρs)/(ρ+s), with complement δ², δ = |ρ−s|/(ρ+s). A quadrature graded to ρ = s goes down to δ = 1e-300.
+Hazard vanishing_complement() {
+  Hazard found;
+  Figure figure{"quadrature_complement", {}};
+  const std::string test = "Quadrature.VanishingComplement";
+  std::array<double, 3> breaks_down{};
+  constexpr std::array series{"modulus rounded", "complement squared", "limitcurve"};
+  for (const double delta : in_ratios(1e-300, 0.5, 120)) {
+    const Exact truth = exact_first_kind(Exact(delta) * delta);
+    // q = min/max of ρ and s, and its complement 1 − q² as ours has it from the exact distance: K(k) = (1+q) K(q).
+    const double q = (1.0 - delta) / (1.0 + delta);
+    const double complement = 4.0 * delta / ((1.0 + delta) * (1.0 + delta));
+    const std::array values{or_nothing([&] { return boost::math::ellint_1(std::sqrt((1.0 - delta) * (1.0 + delta))); }),
+                            or_nothing([&] { return boost::math::ellint_rf(0.0, delta * delta, 1.0); }),
+                            (1.0 + q) * elliptic_pair(q, complement).first_kind()};
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const double error = std::isfinite(values[i]) ? relative_error(values[i], truth) : infinity;
+      figure.rows.push_back({"first kind", series[i], delta, error});
+      if (error > 1e-12) raise(breaks_down[i], delta);
+    }
+  }
+  const std::string quantity = "least relative distance of ρ and s at which K is right to 1e-12";
+  found.findings.push_back({"complement of the modulus vanishes", "K of the modulus k", quantity, breaks_down[0], breaks_down[2], test});
+  found.findings.push_back(
+      {"complement of the modulus vanishes", "R_F of the squared distance", quantity, breaks_down[1], breaks_down[2], test});
+  found.figures.push_back(std::move(figure));
+  return found;
+}
+
+}  // namespace limitcurve::stability

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "../atlas.hpp"
+
+/// Entry f, its part on angles: a device tells its twist on a circle, a spring must not.
+namespace limitcurve::stability {
+
+/// The device's angle jumps from π to −π.
+Hazard half_a_turn();
+/// A finger that is turned ten thousand times.
+Hazard ten_thousand_turns();
+
+}  // namespace limitcurve::stability
