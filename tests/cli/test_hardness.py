@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """What the world does to a run: killed at any moment, a disk that fills, a folder that refuses, a pipe that closes, a gigabyte of input.
 
-LIMITCURVE_KILLS runs are killed (4; CI asks for 100), and LIMITCURVE_BULK megabytes streamed (64; CI asks for 1024).
+LIMITCURVE_KILLS runs are killed (4; nightly asks for 100), and LIMITCURVE_BULK megabytes streamed (64; nightly asks for 1024).
 """
 
 import math
