@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-/// The soft-finger god-object: everything of this module. The mathematics, symbols and caveats are in godobject/README.md.
 #include "godobject/batch.hpp"            // IWYU pragma: export
 #include "godobject/choose_step.hpp"      // IWYU pragma: export
 #include "godobject/contact.hpp"          // IWYU pragma: export
@@ -17,3 +16,33 @@
 #include "limitcurve/approximations.hpp"  // IWYU pragma: export
 #include "limitcurve/laws.hpp"            // IWYU pragma: export
 #include "limitcurve/table.hpp"           // IWYU pragma: export
+
+/// The soft-finger god-object: the page to start from.
+///
+/// ```cpp
+/// #include "godobject/godobject.hpp"
+/// using namespace limitcurve;
+/// godobject::SoftFinger finger(Table::build(hertz(), 1e-6), {.mu = 0.6, .stiffness = 1000, .twist_stiffness = 0.04, .damping = 1});
+/// const godobject::AnySurface plate{godobject::PlaneSurface()};
+/// for (int step = 0; step < 1000; ++step) {  // every millisecond
+///   const godobject::DevicePose device{{1e-5 * step, 0, -1e-3}, Eigen::Quaterniond::Identity()};  // [m]
+///   const godobject::FingerOutput output = finger.update(plate, device, 1e-3);                     // [s]
+///   const Eigen::Vector3d force = output.normal * output.load + output.force;                     // [N]; output.moment [N m]
+///   if (output.state == godobject::ContactState::invalid || !(force.norm() < 2)) return 1;
+/// }
+/// ```
+///
+/// Units: metres, newtons, seconds, radians. Constructors throw std::invalid_argument with a message that names the parameter, its value, unit and
+/// range. In the loop nothing throws, allocates or locks: a bad sample gives ContactState::invalid, and the last output fades. Distinct fingers on
+/// distinct threads need no lock. README.md has the mathematics and the corrections to the paper.
+///
+/// A finger is made of
+///  - a limit curve, FingerCurve: a Table of any law, an Ellipse, or a box (the paper's uncoupled step);
+///  - FingerParameters (finger.hpp): friction, contact radius a(P), springs, dampers;
+///  - a Projection: closest_point settles at eq. (17)'s wrench; radial and c_curve are the paper's (§5).
+/// `update` takes an AnySurface (plane, sphere, capsule, cylinder, box, mesh, or your own: surface.hpp), or a Contact that other code has found.
+///
+/// Beside it: Batch and FloatBatch step thousands of contacts in one call (batch.hpp); apply_friction is the friction step alone, for simulators that
+/// have springs of their own (friction.hpp); PatchFinger has a contact that is not round; Grasp holds a RigidBody with several fingers; Replay runs
+/// recorded motions and run_pivot the paper's experiment; choose_step() says how much of this a scene needs.
+namespace limitcurve::godobject {}

@@ -141,7 +141,7 @@ def picture(figure, form, metadata):
 
 
 def slim(svg):
-    """The same picture in fewer bytes: hundredths of a point, short names of glyphs, no comments, no indentation."""
+    """The same picture in fewer bytes: hundredths of a point (tenths within a path), short names, one style for markers in a row, no comments."""
 
     def shorter(match):
         text = match[0]
@@ -151,7 +151,42 @@ def slim(svg):
         svg = re.sub(rf'(id="|href="#){glyph}"', rf'\g<1>g{i}"', svg)
     svg = re.sub(r"<!--.*?-->\s*|<metadata>.*?</metadata>\s*", "", svg, flags=re.S)
     svg = re.sub(r"scale\([^)]*\)|\d+\.\d{3,}", shorter, svg)
-    return re.sub(r"\s*\n\s*", "\n", svg)
+    used = dict.fromkeys(re.findall(r'href="#([mp][0-9a-f]{6,})"|url\(#([mp][0-9a-f]{6,})\)', svg))
+    for i, name in enumerate(first or second for first, second in used):
+        svg = svg.replace(name, f"{name[0]}{i}")
+    svg = ungrouped(re.sub(r"\s*\n\s*", "\n", svg))
+    svg = re.sub(r' d="([^"]*)"', lambda match: f' d="{path(match[1])}"', svg)
+    return re.sub(r'(?:<use [^>]*? style="([^"]*)"/>\n)(?:<use [^>]*? style="\1"/>\n)+', one_style, svg)
+
+
+def ungrouped(svg):
+    """Without the groups that have a name and nothing else."""
+    lines, meant = [], []
+    for line in svg.split("\n"):
+        if re.fullmatch(r"<g[^>]*/>", line):
+            continue
+        if line.startswith("<g"):
+            meant.append(not re.fullmatch(r'<g( id="[^"]*")?>', line))
+        if not line.startswith(("<g", "</g>")) or meant[-1]:
+            lines.append(line)
+        if line == "</g>":
+            meant.pop()
+    return "\n".join(lines)
+
+
+def path(data):
+    """Path data without the letters that repeat, in tenths of a point."""
+    last, parts = "", []
+    for part in re.findall(r"[A-Za-z][^A-Za-z]*", data):
+        letter, numbers = part[0], " ".join(f"{float(number):.1f}".removesuffix(".0") for number in part[1:].split())
+        parts.append((" " if letter == last else letter) + numbers)
+        last = "L" if letter == "M" else letter
+    return "".join(parts)
+
+
+def one_style(match):
+    """Markers in a row that look alike, in a group that has their style."""
+    return f'<g style="{match[1]}">\n' + match[0].replace(f' style="{match[1]}"', "") + "</g>\n"
 
 
 def save(figure, folder, name):

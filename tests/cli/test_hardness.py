@@ -75,7 +75,7 @@ class KilledReport(Killed):
 
 class KilledDrawing(Killed):
     def test_while_it_draws(self):
-        scripts = DATA.parent / "scripts"
+        scripts = DATA.parent / "scripts" / "figures"
         drawing = f"""
 import sys
 sys.path.insert(0, {str(scripts)!r})
