@@ -303,7 +303,7 @@ def steady_twist(data):
     for key, part in rows.groups("boundary", "projection").items():
         label, look = TWIST_LOOKS[key]
         left.plot(part.column("stiffness_ratio"), part.column("error", 100), label=label, **look)
-    left.set(title="Error of the steady wrench [%]", xscale="log", xlabel="stiffness ratio  κ = $k_r/(k_l m_0^2 a^2)$", ylim=(-3, None))
+    left.set(title=f"Error of the steady wrench [%], {rows[0]['law']}, c = {rows[0]['cor']:g} a", xscale="log", xlabel="stiffness ratio  κ = $k_r/(k_l m_0^2 a^2)$", ylim=(-3, None))
     left.set_xlim(min(rows.column("stiffness_ratio")), max(rows.column("stiffness_ratio")))
     ratios = (0.1, 0.2, 0.5, 1, 2, 5, 10)
     left.set_xticks(ratios, [f"{ratio:g}" for ratio in ratios])
