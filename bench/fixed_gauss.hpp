@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <vector>
 
 namespace limitcurve::bench {
@@ -32,6 +33,8 @@ class FixedGauss {
     }
     exponent_ = static_cast<double>(law.rim_exponent());
   }
+
+  [[nodiscard]] std::size_t bytes() const { return nodes_.size() * sizeof(Node); }
 
   UnitWrench operator()(double s) const {
     UnitWrench sum;

@@ -49,6 +49,8 @@ class Grid {
     for (Cell& cell : cells_) cell.load /= load;
   }
 
+  [[nodiscard]] std::size_t bytes() const { return cells_.size() * sizeof(Cell); }
+
   UnitWrench operator()(double s) const {
     UnitWrench sum;
     for (const auto& [x, y, load] : cells_) {
@@ -212,6 +214,8 @@ class EqualHermite {
                         cubic(left.wrench.moment, right.wrench.moment, left.slope.moment / scale_, right.slope.moment / scale_)});
     }
   }
+
+  [[nodiscard]] std::size_t bytes() const { return cells_.size() * sizeof(Cell); }
 
   UnitWrench operator()(SlipTwist twist) const {
     const double place = twist.spin_fraction() * scale_;

@@ -123,9 +123,9 @@ class WrenchStudy {
   [[nodiscard]] const Law& law() const { return law_; }
   [[nodiscard]] double moment_ratio() const { return moment_ratio_; }
 
-  /// `kind` is "ours" or "others"; `family` and `parameter` are what the chart calls the method.
+  /// `kind` is "ours" or "others"; `family` and `parameter` are what the chart calls the method; `bytes` what it stores.
   template <class Call>
-  void add(std::string_view kind, std::string_view family, std::string_view parameter, Call call) const {
+  void add(std::string_view kind, std::string_view family, std::string_view parameter, std::size_t bytes, Call call) const {
     const std::string name = "wrench/" + law_name_ + '/' + std::string(kind) + '/' + std::string(family) + '/' + std::string(parameter);
     const auto at = [call](double u) {
       const UnitWrench wrench = call(SlipTwist::of_spin_fraction(u));
@@ -133,7 +133,7 @@ class WrenchStudy {
     };
     const double rough = std::max(cost_over(spread(8), at, 1e3).median, 0.5);
     const auto facts = std::make_shared<Facts>();
-    const auto time = [this, call, at, rough, facts](benchmark::State& state) {
+    const auto time = [this, call, at, rough, bytes, facts](benchmark::State& state) {
       const std::vector<double> inputs = spread(static_cast<std::size_t>(std::clamp(1e6 / rough, 4.0, 1024.0)));
       for (auto _ : state) {
         double sum = 0.0;
@@ -147,6 +147,7 @@ class WrenchStudy {
       state.counters["mean_error"] = facts->mean_error;
       state.counters["median_ns"] = facts->cost.median;
       state.counters["worst_ns"] = facts->cost.worst;
+      state.counters["bytes"] = static_cast<double>(bytes);
     };
     ways().push_back({name, time, rough});
   }

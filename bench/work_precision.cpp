@@ -19,6 +19,7 @@
 
 #include <deque>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace limitcurve::bench {
@@ -29,18 +30,22 @@ constexpr double farthest = 1e17;
 
 template <class Curve>
 void add_curve(const WrenchStudy& study, const char* family, const std::string& parameter, const Curve& curve) {
-  study.add("ours", family, parameter, [curve](SlipTwist twist) { return curve.wrench(twist); });
+  std::size_t bytes = 0;
+  if constexpr (std::is_same_v<Curve, Table>) bytes = curve.bytes();
+  study.add("ours", family, parameter, bytes, [curve](SlipTwist twist) { return curve.wrench(twist); });
 }
 
 template <class Rule>
 void add_of_cor(const WrenchStudy& study, const char* kind, const char* family, const std::string& parameter, Rule rule) {
-  study.add(kind, family, parameter, [rule](SlipTwist twist) { return rule(std::min(twist.cor(), farthest)); });
+  std::size_t bytes = 0;
+  if constexpr (requires { rule.bytes(); }) bytes = rule.bytes();
+  study.add(kind, family, parameter, bytes, [rule](SlipTwist twist) { return rule(std::min(twist.cor(), farthest)); });
 }
 
 /// The law's own closed form, inlined as in a loop that knows its law.
 template <class Real, UnitForces<Real> (*form)(Real) noexcept>
 void add_closed(const WrenchStudy& study, const char* parameter) {
-  study.add("ours", "closed", parameter, [](SlipTwist twist) {
+  study.add("ours", "closed", parameter, 0, [](SlipTwist twist) {
     const UnitForces<Real> forces = form(static_cast<Real>(twist.cor()));
     return UnitWrench{static_cast<double>(forces.force), static_cast<double>(forces.moment)};
   });
@@ -61,13 +66,13 @@ void add_closed_forms(const WrenchStudy& study, const std::string& law) {
 
 void add_evaluators(const WrenchStudy& study) {
   const Law law = study.law();
-  study.add("ours", "ring", "double", [law](SlipTwist twist) {
+  study.add("ours", "ring", "double", 0, [law](SlipTwist twist) {
     const UnitForces<double> forces = evaluators::ring(*law, twist.cor()).forces;
     return UnitWrench{forces.force, forces.moment};
   });
   const auto add_method = [&](const char* family, limitcurve::Method method) {
     if (law->allows(method))
-      study.add("ours", family, "80 bit", [law, method](SlipTwist twist) { return law->evaluate(twist.cor(), method).wrench; });
+      study.add("ours", family, "80 bit", 0, [law, method](SlipTwist twist) { return law->evaluate(twist.cor(), method).wrench; });
   };
   add_method("ring", limitcurve::Method::ring);
   add_method("punch", limitcurve::Method::punch);
@@ -94,18 +99,21 @@ void add_curves(const WrenchStudy& study) {
 
 void add_peers(const WrenchStudy& study) {
   const PressureLaw& law = *study.law();
-  study.add("others", "Hermite", "64", EqualHermite(ExactCurve(study.law()), 64));
-  for (const int cells : {20, 50, 200, 1000}) {
+  for (const std::size_t entries : {16, 64, 256, 1024, 4096, 16384}) {
+    const EqualHermite table(ExactCurve(study.law()), entries);
+    study.add("others", "Hermite", std::to_string(entries), table.bytes(), table);
+  }
+  for (const int cells : {20, 50, 100, 200, 500, 1000}) {
     add_of_cor(study, "others", "grid", std::to_string(cells), Grid(law, cells));
   }
-  for (const double tolerance : {1e-2, 1e-4, 1e-8}) {
+  for (const double tolerance : {1e-1, 1e-2, 1e-4, 1e-6, 1e-8, 1e-12}) {
     add_of_cor(study, "others", "Boost split", format_number(tolerance), BoostSplit(law, tolerance));
   }
-  for (const double tolerance : {1e-3, 1e-6, 1e-9}) {
+  for (const double tolerance : {1e-1, 1e-3, 1e-6, 1e-9, 1e-12}) {
     add_of_cor(study, "others", "Boost nested", format_number(tolerance), BoostNested(law, tolerance));
   }
 #ifdef LIMITCURVE_BENCH_GSL
-  for (const double tolerance : {1e-3, 1e-8}) {
+  for (const double tolerance : {1e-1, 1e-3, 1e-5, 1e-8, 1e-11}) {
     add_of_cor(study, "others", "GSL nested", format_number(tolerance), GslNested(law, tolerance));
   }
 #endif
@@ -144,7 +152,7 @@ int main(int argc, char** argv) {
     if (way.nanoseconds > 1e5) {
       benchmark->Iterations(1);
     } else {
-      benchmark->MinTime(0.01)->Repetitions(5);
+      benchmark->MinTime(0.01)->Repetitions(15);
     }
   }
   register_steps();

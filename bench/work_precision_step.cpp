@@ -187,7 +187,7 @@ void step_batch(benchmark::State& state, const BasicFingerCurve<Real>& curve, Pr
 void register_steps() {
   const Law law = hertz();
   const auto of_sizes = [](benchmark::internal::Benchmark* batches) {
-    batches->MinTime(0.01)->Repetitions(3);
+    batches->MinTime(0.01)->Repetitions(9);
     for (const int size : {1, 4, 64, 1024, 65536}) batches->Arg(size);
   };
   const auto to_ten_million = [](benchmark::internal::Benchmark* batches) {
@@ -209,7 +209,7 @@ void register_steps() {
       benchmark::RegisterBenchmark(("many/" + name + start).c_str(),
                                    [=](benchmark::State& state) { step_many(state, curve, projection, cold); })
           ->MinTime(0.01)
-          ->Repetitions(3);
+          ->Repetitions(9);
     }
     of_sizes(add_batch("batch/" + name, curve, projection));
   };

@@ -17,7 +17,7 @@ namespace limitcurve {
 /// naming the one and its value.
 void check_intercepts(double force_max, double moment_max);
 
-/// The ellipse (f/A)² + (m/B)² = 1 (paper, eq. 19): the usual stand-in for the limit curve, and too strong by 6 to 8 %
+/// The ellipse (f/A)² + (m/B)² = 1 (paper, eq. 19): the usual stand-in for the limit curve, and too strong by 4 to 8 %
 /// in the middle when it runs through the intercepts (A = 1, B = m₀). A limit curve; no trigonometry.
 class Ellipse {
  public:
@@ -57,7 +57,7 @@ class Ellipse {
 static_assert(LimitCurve<Ellipse>);
 
 /// The superellipse (f/A)ⁿ + (m/B)ⁿ = 1, n > 1: 2 is the ellipse, n → 1 the diamond, n → ∞ the box. One exponent fitted
-/// to a law (minimax_superellipse in validate.hpp) is off by some 0.9 %, where the ellipse is off by 6 to 8 %.
+/// to a law (minimax_superellipse in validate.hpp) is off by some 0.9 %, where the ellipse is off by 4 to 8 %.
 /// Its COR, though, is wrong without bound towards both ends unless n = 2: there the normal turns like xⁿ⁻¹, not like x.
 ///
 /// A limit curve; no trigonometry, two powers a call. Relative error of both components ≤ 4 ε(1 + 1/(n−1)) for every

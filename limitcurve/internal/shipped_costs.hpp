@@ -22,14 +22,14 @@ struct Cost {
 };
 
 inline constexpr std::array<Cost, 8> models{{
-    {"diamond", 4.0, none, none},
-    {"box", 4.6, none, 61.5},
+    {"diamond", 3.0, none, none},
+    {"box", 2.8, none, 61.5},
     {"ellipse", 4.8, 56.5, 96.2},
-    {"table", 9.9, 123.7, 116.4},
-    {"quartic", 61.9, 112.0, 109.2},
-    {"superellipse", 83.3, 110.2, 114.1},
-    {"exact", 47.4, none, none},
-    {"exact by quadrature", 14740.0, none, none},
+    {"table", 9.5, 123.7, 116.4},
+    {"quartic", 60.5, 112.0, 109.2},
+    {"superellipse", 76.1, 110.2, 114.1},
+    {"exact", 44.5, none, none},
+    {"exact by quadrature", 14600.0, none, none},
 }};
 
 /// Of a model that is in the table.

@@ -30,8 +30,19 @@ LAW_COLOURS = {
     "mix": "#3c3c8c",
     "samples": "#000000",
 }
-# Where two colours still come close, the line does not.
-LAW_DASHES = {"xydas-kao": (4, 1.2), "power": (6, 1.5, 1.5, 1.5), "gaussian": (1.5, 1.2), "mix": (3, 1, 1, 1)}
+# And its dashes: no two laws are told apart by colour alone. Hertz is solid.
+LAW_DASHES = {
+    "uniform": (7, 1.5),
+    "parabolic": (4, 1.5, 1, 1.5),
+    "flat-punch": (2.2, 1.2),
+    "cone": (7, 1.5, 1, 1.5, 1, 1.5),
+    "xydas-kao": (4, 1.2),
+    "power": (10, 1.5, 3, 1.5),
+    "gaussian": (1.2, 1.2),
+    "mix": (3, 1, 1, 1),
+}
+# For lines that are no laws', in the order of their colours.
+DASHES = ((), (5, 1.5), (1.5, 1.2), (5, 1.5, 1.2, 1.5), (8, 2, 3, 2))
 ELLIPSE = {"color": INK, "linewidth": 1.2, "dashes": (5, 3)}
 
 plt.rcParams.update({

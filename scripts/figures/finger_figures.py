@@ -197,6 +197,9 @@ def pivot(data):
             times = held.column("time")
             column[2].plot(times, held.column("angle", 180 / math.pi), label=GRIPS[grip], **look)
             column[3].plot(times, held.column("grip_slip", 1e3), **look)
+        angle, time = angle_at_loss(released)
+        for axes, value in ((column[2], angle), (column[3], 1e3 * LOST)):
+            axes.plot(time, value, "o", color=BLUE, markersize=5, label=f"lost: has slid {1e3 * LOST:g} mm" if axes is column[2] else None)
         column[3].set_xlabel("time  [s]")
     for row, label in zip(panels, ("y  [mm]", "ρ  [rad]", "angle  [°]", "slip at the grip  [mm]")):
         row[0].set_ylabel(label)
@@ -205,7 +208,7 @@ def pivot(data):
     for colour, label in ((FAINT, "finger sticks"), (BLUE, "finger slips"), ("#c4c4c4", "p-curves")):
         panels[1][0].plot([], [], color=colour, linewidth=1.8, label=label)
     panels[1][0].legend(loc="upper right", fontsize=7.5)
-    legend_below(figure, panels[2][0], 2)
+    legend_below(figure, panels[2][0], 3)
     return figure
 
 
@@ -235,6 +238,20 @@ def draw_pivot_plane(axes, case, rows, material, hertz):
 
 
 GRIPS = {"release": "grip released at a steady rate", "operator": "operator who regrips at 30°"}
+
+
+LOST = 0.005  # m: a block that has slid so far past the grip, or has left it, is lost; cli/report/report_pivot.cpp's, too
+
+
+def angle_at_loss(rows):
+    """By how much the block has turned [°] when it is lost, and when that is [s]; linear between rows. Of a block that stays: at the end."""
+    for before, row in zip(rows, rows[1:]):
+        if row["state"] == "free":
+            return math.degrees(before["angle"]), before["time"]
+        if row["grip_slip"] >= LOST:
+            share = (LOST - before["grip_slip"]) / (row["grip_slip"] - before["grip_slip"])
+            return tuple(scale * (before[name] + share * (row[name] - before[name])) for name, scale in (("angle", 180 / math.pi), ("time", 1)))
+    return math.degrees(rows[-1]["angle"]), rows[-1]["time"]
 
 
 def held_rows(rows):
@@ -303,7 +320,7 @@ def steady_twist(data):
     for key, part in rows.groups("boundary", "projection").items():
         label, look = TWIST_LOOKS[key]
         left.plot(part.column("stiffness_ratio"), part.column("error", 100), label=label, **look)
-    left.set(title="Error of the steady wrench [%]", xscale="log", xlabel="stiffness ratio  κ = $k_r/(k_l m_0^2 a^2)$", ylim=(-3, None))
+    left.set(title=f"Error of the steady wrench [%], {rows[0]['law']}, c = {rows[0]['cor']:g} a", xscale="log", xlabel="stiffness ratio  κ = $k_r/(k_l m_0^2 a^2)$", ylim=(-3, None))
     left.set_xlim(min(rows.column("stiffness_ratio")), max(rows.column("stiffness_ratio")))
     ratios = (0.1, 0.2, 0.5, 1, 2, 5, 10)
     left.set_xticks(ratios, [f"{ratio:g}" for ratio in ratios])

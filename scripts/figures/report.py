@@ -207,7 +207,8 @@ def sections(data):
     ratios = [row["cor_ratio"] for row in data["ellipse_error"] if row["cor_ratio"] == row["cor_ratio"]]
     run, twist = data["replay_runs"][-1], data["steady_twist"][0]
     engine, sandpaper = data["translate"][0], data["materials"].where(material="sandpaper")[0]
-    turned = {case: max(rows.column("angle", 180 / math.pi)) for case, rows in data["pivot"].where(grip="release").groups("case").items()}
+    turned = {case: finger_figures.angle_at_loss(rows)[0] for case, rows in data["pivot"].where(grip="release").groups("case").items()}
+    lost = f"{1e3 * finger_figures.LOST:g} mm"
     certified = max(data["table_error"].column("tolerance"))
     drifts = [" and ".join(f"{row['value']:.3f} ± {row['std_error']:.3f}" for row in data["patch_fits"].where(parameter=name))
               for name in ("drift", "drift_ellipsoid")]
@@ -257,12 +258,12 @@ def sections(data):
         ], ""),
         ("A block between two fingers", [
             ("pivot", "The paper’s experiment (its Figs. 7 to 11): a block, its centre of mass (blue path) beside the grip (dot), "
-             f"on sandpaper. Where force and moment share one limit the block turns in the grip before it slides out: by "
-             f"{turned['coupled']:.0f}° and {turned['exact']:.0f}° as the grip eases by itself, and an operator can stop it at 30°. With "
-             "limits of their own, the moment holds to the end and the block falls without turning. Outlines: the released grip, darker "
+             f"on sandpaper. Where force and moment share one limit the block turns in the grip before it is lost: by "
+             f"{turned['coupled']:.1f}° and {turned['exact']:.1f}° when it has slid {lost} past a grip that eases by itself (dots), and an operator can stop "
+             f"it at 30°. With limits of their own, the moment holds to the end and it has turned by {abs(turned['uncoupled']):.1f}°. Outlines: the released grip, darker "
              "is later. Second row: what one finger bears, as its springs’ give, from the dot on; the p-curves shrink on to it as the grip "
              "eases, and then the wrench has to follow them."),
-            ("pivot_map", "How far the block has turned, in degrees, when it has slid 5 mm past the grip and is lost, over the offset of its centre of mass and the rate at "
+            ("pivot_map", f"How far the block has turned, in degrees, when it has slid {lost} past the grip and is lost, over the offset of its centre of mass and the rate at "
              "which the grip eases. The paper has two points of this map. With limits of their own the block turns only where the "
              f"offset exceeds μ<sub>r</sub>/μ = {1e3 * sandpaper['mu_r'] / sandpaper['mu']:.2f} mm (triangles)."),
         ], ""),

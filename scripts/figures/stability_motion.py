@@ -153,13 +153,14 @@ def time_release(rows):
 
 def time_delay(rows):
     figure, (axes,) = frame(1)
-    colours = {"no delay": BLUE, "one sample late": ORANGE, "two samples late": VERMILION}
+    looks = {"no delay": (BLUE, "o"), "one sample late": (ORANGE, "^"), "two samples late": (VERMILION, "s")}
     for series, points in rows.groups("series").items():
         if series.endswith(", formula"):
             axes.plot(points.column("x"), points.column("value"), color=INK, linewidth=0.8, dashes=(4, 3),
                       label="$k(\\frac{1}{2} + d)T$" if "no delay" in series else None)
         else:
-            axes.plot(points.column("x"), points.column("value"), ".", color=colours[series], label=series)
+            colour, marker = looks[series]
+            axes.plot(points.column("x"), points.column("value"), marker, markersize=4, color=colour, label=series)
     axes.set(title="Damping with which a device of 0.1 kg settles on a contact, 1 kHz", xlabel="stiffness  [N/m]", ylabel="[N s/m]", xscale="log", yscale="log",
              xlim=(45, 5500))
     axes.minorticks_off()
@@ -169,8 +170,9 @@ def time_delay(rows):
 
 def time_passivity(rows):
     figure, (axes,) = frame(1)
-    for (series, points), colour in zip(rows.groups("series").items(), (VERMILION, ORANGE, BLUE)):
-        axes.plot(points.column("x"), points.column("value"), "o", markersize=3.5, color=colour, label=series, linestyle="none")
+    # Hollow and each smaller than the one before, so that dots in one place are all seen.
+    for (series, points), colour, marker, size in zip(rows.groups("series").items(), (VERMILION, ORANGE, BLUE), "soD", (9, 5.5, 2.5)):
+        axes.plot(points.column("x"), points.column("value"), marker, markersize=size, color=colour, label=series, linestyle="none", markerfacecolor="none")
     ends = [min(rows.column("x")), max(rows.column("x"))]
     axes.plot(ends, ends, color=INK, linewidth=0.8, label="$kT/2 + |b|$", zorder=1)
     axes.set(title="Damping that a device needs: measured, against the formula", xlabel="$kT/2 + |b|$  [N s/m]", ylabel="measured [N s/m]", xscale="log", yscale="log")

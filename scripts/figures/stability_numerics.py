@@ -3,7 +3,7 @@
 
 import math
 
-from chart_style import BLUE, FAINT, GREEN, GRID, INK, ORANGE, PURPLE, VERMILION, law_style, legend_below, plt
+from chart_style import BLUE, DASHES, FAINT, GREEN, GRID, INK, ORANGE, PURPLE, VERMILION, law_style, legend_below, plt
 
 OURS = "limitcurve"
 COLOURS = (VERMILION, ORANGE, GREEN, PURPLE, FAINT)
@@ -13,9 +13,9 @@ COR = "centre of rotation  s = c/a"
 
 
 def styles(names):
-    """Ours blue and above the others; a law in its own colour; else the colours in order."""
+    """Ours blue and above the others; a law in its own colour and dashes; else colours and dashes in order."""
     others = [name for name in names if name != OURS and name not in LAWS]
-    style = {name: {"color": COLOURS[i % len(COLOURS)], "linewidth": 1.2} for i, name in enumerate(others)}
+    style = {name: {"color": COLOURS[i % len(COLOURS)], "dashes": DASHES[i % len(DASHES)], "linewidth": 1.2} for i, name in enumerate(others)}
     style |= {name: {**law_style(name), "linewidth": 1.2} for name in names if name in LAWS}
     return style | {OURS: {"color": BLUE if "hertz" not in names else INK, "linewidth": 1.5, "zorder": 3}}
 
@@ -51,7 +51,7 @@ def quadrature_adaptive(rows):
     figure, (axes,) = frame(1)
     for (series, points), style in zip(rows.groups("series").items(), ({"color": VERMILION, "marker": "."}, {"color": BLUE, "marker": "o", "linestyle": "none"})):
         axes.plot(points.column("x"), points.column("value"), label=series, **style)
-    error_axes(axes, title="Largest relative error of the force, 50 CORs under the finger", xlabel="evaluations of the pressure, mean", xscale="log",
+    error_axes(axes, title="Largest relative error of the force, 50 CORs under the finger", xlabel="evaluations of the pressure, at most", xscale="log",
                xlim=(50, 1e6))
     legend_below(figure, axes, 2)
     return figure
@@ -135,7 +135,7 @@ def tables_equilibria(rows):
     power.set(title="Power of one twist along the curve", xlabel="place on the curve (spin fraction)",
               ylabel="less the largest  [1e-4 µPaω]")
     for series, points in rows.where(panel="rests").groups("series").items():
-        rests.plot(points.column("x"), points.column("value"), marker="o", markersize=3, label=series, **style[series])
+        rests.plot(points.column("x"), points.column("value"), marker="o" if series == OURS else "s", markersize=3, label=series, **style[series])
     rests.set(title="Wrenches at which one steady twist can rest", xlabel="nodes (limitcurve: cells)", xscale="log", yscale="log", ylim=(0.8, 60))
     for axis, ticks in ((rests.yaxis, (1, 2, 5, 10, 20, 50)), (rests.xaxis, (2, 5, 10, 20, 50, 100, 200, 500))):
         axis.set_ticks(ticks, [f"{tick:g}" for tick in ticks])

@@ -68,9 +68,10 @@ def main():
     figure, axes = plt.subplots(figsize=(6.4, 3.4), layout="constrained")
     for law, (n, textbook) in LAWS.items():
         truth = [power_truth(n, s) for s in CORS]
-        colour = law_style(law)["color"]
+        style = law_style(law)
+        colour = style["color"]
         printed = [relative_error(textbook(s), m) for s, m in zip(CORS, truth)]
-        axes.loglog(CORS, printed, color=colour, linewidth=1.2)
+        axes.loglog(CORS, printed, linewidth=1.2, **style)
         axes.loglog(CORS, [relative_error(value, m) for value, m in zip(ours(limitcurve, law), truth)], color=colour, linewidth=1, alpha=0.9)
         last = next(i for i, error in enumerate(printed) if CORS[i] > 1 and error > (1e-6 if law == "hertz" else 1e-9))
         axes.annotate(f"{law}, as printed", (CORS[last], printed[last]), textcoords="offset points",

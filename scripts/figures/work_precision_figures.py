@@ -4,30 +4,33 @@
 import math
 
 import matplotlib.pyplot as plt
-from chart_style import BLUE, FAINT, GREEN, INK, ORANGE, PURPLE, SKY, VERMILION
+from chart_style import BLUE, FAINT, GREEN, INK, PURPLE, SKY, VERMILION
 
 # Errors below the rounding of a double are drawn there.
 ROUNDING = 1e-16
-# Family: colour, marker, and whether its dots are named by their parameter alone (the legend then tells the family).
+# Family: colour, marker, dashes, and whether its dots are named by their parameter alone (the legend then tells the family). What is not
+# ours has one colour; marker and dashes tell it apart.
 FAMILIES = {
-    "box": (INK, "s", False),
-    "diamond": (INK, "D", False),
-    "ellipse": (INK, "o", False),
-    "superellipse": (INK, "^", False),
-    "quartic": (INK, "P", False),
-    "table": (BLUE, "o", True),
-    "closed": (GREEN, "*", False),
-    "Gauss": (SKY, "o", True),
-    "ring": (PURPLE, "D", True),
-    "punch": (PURPLE, "v", True),
-    "direct": (PURPLE, "X", True),
-    "Hermite": (ORANGE, "s", True),
-    "grid": (VERMILION, "s", True),
-    "Boost split": (VERMILION, "^", True),
-    "Boost nested": (VERMILION, "v", True),
-    "GSL nested": (VERMILION, "D", True),
-    "scipy dblquad": (VERMILION, "o", True),
+    "box": (INK, "s", "-", False),
+    "diamond": (INK, "D", "-", False),
+    "ellipse": (INK, "o", "-", False),
+    "superellipse": (INK, "^", "-", False),
+    "quartic": (INK, "P", "-", False),
+    "table": (BLUE, "o", "-", True),
+    "closed": (GREEN, "*", "-", False),
+    "Gauss": (SKY, "^", "-", True),
+    "ring": (PURPLE, "D", "-", True),
+    "punch": (PURPLE, "v", "-", True),
+    "direct": (PURPLE, "X", "-", True),
+    "Hermite": (VERMILION, "o", "-", True),
+    "grid": (VERMILION, "s", (0, (4, 2)), True),
+    "Boost split": (VERMILION, "^", (0, (1, 1)), True),
+    "Boost nested": (VERMILION, "v", (0, (6, 1.5, 1, 1.5)), True),
+    "GSL nested": (VERMILION, "D", (0, (2.5, 1)), True),
+    "scipy dblquad": (VERMILION, "P", (0, (1, 3)), True),
 }
+# Of these, which lie close, the first and the last dot are named.
+ENDS_NAMED = ("grid", "Boost split", "Boost nested", "GSL nested", "scipy dblquad")
 LEGEND = {
     "table": "look-up table, its tolerance",
     "Gauss": "one Gauss rule, its order",
@@ -42,7 +45,10 @@ LEGEND = {
     "scipy dblquad": "scipy dblquad, tolerance",
 }
 RADIAL_SHOWN = ("ellipse", "float ellipse", "table 1e-8")
-PROJECTIONS = {"radial": (VERMILION, "^"), "closest-point": (BLUE, "o")}
+# Projection: colour, marker of a finger, marker of a contact in a batch.
+PROJECTIONS = {"radial": (PURPLE, "^", "+"), "closest-point": (BLUE, "o", "x")}
+# Least and most to the advantage of even cells: bytes are drawn for these.
+BYTES_OF = ("flat-punch", "power:n=2.3")
 
 
 def parameter(row):
@@ -149,15 +155,33 @@ def law_panel(figure, axes, rows, law):
                          (cheapest_first(rows.where(kind="others")), {"color": VERMILION, "linewidth": 5, "alpha": 0.16})):
         axes.plot(*steps(front, right), solid_capstyle="butt", zorder=0, **style)
     for family, of_family in rows.groups("family").items():
-        colour, marker, by_parameter = FAMILIES[family]
-        points = [(max(row["max_error"], ROUNDING), row["mean_ns"]) for row in of_family]
-        hollow = {"markerfacecolor": "white"} if of_family[0]["kind"] != "ours" else {}
-        axes.plot(*zip(*points), marker=marker, markersize=7 if marker == "*" else 4.2, color=colour, linewidth=0.6,
-                  linestyle="-" if by_parameter else "none", zorder=3, label=LEGEND.get(family, family), **hollow)
-        if by_parameter:
-            labels.line(*zip(*points))
-        for point, row in zip(points, of_family):
-            labels.dot(*point, parameter(row) if by_parameter else name(row), colour)
+        draw_family(axes, labels, family, of_family, "mean_ns")
+    labels.place()
+
+
+def draw_family(axes, labels, family, rows, cost):
+    colour, marker, dashes, by_parameter = FAMILIES[family]
+    points = [(max(row["max_error"], ROUNDING), row[cost]) for row in rows]
+    hollow = {"markerfacecolor": "white"} if rows[0]["kind"] != "ours" else {}
+    axes.plot(*zip(*points), marker=marker, markersize=7 if marker == "*" else 4.2, color=colour, linewidth=0.6,
+              linestyle=dashes if by_parameter else "none", zorder=3, label=LEGEND.get(family, family), **hollow)
+    if by_parameter:
+        labels.line(*zip(*points))
+    for i, (point, row) in enumerate(zip(points, rows)):
+        named = family not in ENDS_NAMED or i in (0, len(rows) - 1)
+        labels.dot(*point, (parameter(row) if by_parameter else name(row)) if named else "", colour)
+
+
+def bytes_panel(figure, axes, rows, law):
+    """What is stored for a wrench by look-up, over the same errors."""
+    axes.set(title=f"{law}: what is stored", xscale="log", yscale="log", xlim=(10, ROUNDING / 4), ylim=(50, 1e8))
+    axes.set_xticks([10.0 ** -k for k in range(0, 17, 2)])
+    axes.minorticks_off()
+    labels = Labels(figure, axes, 7)
+    for family in ("table", "Hermite", "grid"):
+        draw_family(axes, labels, family, rows.where(family=family), "bytes")
+    axes.axhline(32768, color=FAINT, linewidth=0.8, dashes=(2, 2))
+    axes.annotate("32 KiB", (5, 32768), (0, 2), textcoords="offset points", color=FAINT, fontsize=7)
     labels.place()
 
 
@@ -167,52 +191,54 @@ def step_panel(figure, axes, rows):
     axes.set_xticks([10.0 ** -k for k in range(0, 17, 2)])
     axes.minorticks_off()
     labels = Labels(figure, axes, 7)
-    for projection, (colour, marker) in PROJECTIONS.items():
+    for projection, (colour, marker, in_batch) in PROJECTIONS.items():
         for row in rows.where(projection=projection):
             # Under the radial projection every boundary is as wrong as the curve itself.
             if projection == "radial" and row["boundary"] not in RADIAL_SHOWN:
                 continue
             error = max(row["max_error"], ROUNDING)
+            axes.plot([error], [row["batch_1024_ns"]], in_batch, color=colour, markersize=5, zorder=3)
             if row["warm_ns"] == "":  # stepped in batches only
-                axes.plot([error], [row["batch_1024_ns"]], marker, color=colour, markersize=4.2, markerfacecolor="white", zorder=3)
                 labels.dot(error, row["batch_1024_ns"], row["boundary"], colour)
                 continue
             axes.plot([error, error], [row["batch_1024_ns"], row["cold_ns"]], color=colour, linewidth=0.6, zorder=2)
             axes.plot([error], [row["warm_ns"]], marker, color=colour, markersize=4.6, zorder=3)
             axes.plot([error], [row["cold_ns"]], "_", color=colour, markersize=6, zorder=3)
-            axes.plot([error], [row["batch_1024_ns"]], marker, color=colour, markersize=4.2, markerfacecolor="white", zorder=3)
             labels.line([error, error], [row["batch_1024_ns"], row["cold_ns"]])
             labels.dot(error, row["cold_ns"], "", colour)
             labels.dot(error, row["batch_1024_ns"], "", colour)
             labels.dot(error, row["warm_ns"], row["boundary"], colour)
     labels.place()
-    handles = [axes.plot([], [], marker, color=colour, label=f"{projection}, warm")[0] for projection, (colour, marker) in PROJECTIONS.items()]
-    handles += [axes.plot([], [], "o", color=BLUE, markerfacecolor="white", label="a contact in a batch of 1024")[0],
-                axes.plot([], [], "_", color=BLUE, label="cold")[0]]
-    axes.legend(handles=handles, loc="lower right", fontsize=7, handlelength=1.2)
+    for projection, (colour, marker, in_batch) in PROJECTIONS.items():
+        axes.plot([], [], marker, color=colour, label=f"{projection}, warm")
+        axes.plot([], [], in_batch, color=colour, label=f"{projection}, a contact in a batch of 1024")
+    axes.plot([], [], "_", color=INK, label="cold")
+    axes.legend(loc="lower right", fontsize=7, handlelength=1.2)
 
 
 def work_precision(data):
-    """One panel a law, and one for the step."""
+    """One panel a law, two for bytes, and one for the step."""
     wrench, step = data["work_precision_wrench"], data["work_precision_step"]
     laws = list(wrench.groups("law"))
-    figure, panels = plt.subplots(3, 2, figsize=(10, 13.4))
-    figure.subplots_adjust(left=0.07, right=0.99, top=0.975, bottom=0.127, hspace=0.17, wspace=0.13)
+    figure, panels = plt.subplots(4, 2, figsize=(10, 17.6))
+    figure.subplots_adjust(left=0.07, right=0.99, top=0.982, bottom=0.1, hspace=0.17, wspace=0.13)
     figure.canvas.draw()
     for axes, law in zip(panels.flat, laws):
         law_panel(figure, axes, wrench.where(law=law), law)
-    step_panel(figure, panels.flat[len(laws)], step)
-    for axes in panels[:, 0]:
         axes.set_ylabel("a wrench costs, mean  [ns]")
-    panels[-1, 1].set_ylabel("a step costs, mean  [ns]", labelpad=1)
+    step_panel(figure, panels.flat[5], step)
+    panels.flat[5].set_ylabel("a step costs, mean  [ns]")
+    for axes, law in zip(panels[3], BYTES_OF):
+        bytes_panel(figure, axes, wrench.where(law=law), law)
+        axes.set_ylabel("bytes")
     for axes in panels[-1]:
         axes.set_xlabel("largest error, of what the contact bears")
     handles = {}
     for axes in panels.flat[:len(laws)]:
         handles.update({label: handle for handle, label in zip(*axes.get_legend_handles_labels()) if label in LEGEND.values()})
     order = [label for label in LEGEND.values() if label in handles]
-    figure.legend([handles[label] for label in order], order, loc="lower center", ncols=4, bbox_to_anchor=(0.5, 0.03), handlelength=2)
+    figure.legend([handles[label] for label in order], order, loc="lower center", ncols=4, bbox_to_anchor=(0.5, 0.025), handlelength=3.5)
     machine = step[0]["machine"]
-    figure.text(0.5, 0.004, "Filled: this library. Hollow: others. Bands: the cheapest at each error, of ours (blue) and of the others (orange).\n"
+    figure.text(0.5, 0.004, "Filled: this library. Hollow: others. Bands: the cheapest at each error, of ours (blue) and of the others (red).\n"
                 f"Measured on {machine}.", ha="center", fontsize=8.5, color=FAINT)
     return figure

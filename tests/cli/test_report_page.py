@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: MIT
 """report: one page with its figures."""
 
+import csv
+import math
+import re
 import subprocess
 import unittest
 
@@ -19,6 +22,20 @@ class ReportPage(CommandLineTest):
         # Self-contained: it loads nothing.
         self.assertNotRegex(page, r"<(script|link|img)[^>]+(src|href)=")
         self.assertTrue((self.directory / "out" / "limit_curves.svg").exists())
+        self.assert_one_meaning_of_lost(page)
+
+    def assert_one_meaning_of_lost(self, page):
+        """Issue 9, point 11: the angles that the page tells are those at which the block is lost, as the map's are."""
+        turned = {}
+        with open(self.directory / "out" / "pivot.csv", newline="", encoding="utf-8") as file:
+            for row in csv.DictReader(file):
+                if row["grip"] == "release" and float(row["grip_slip"]) >= 0.005:
+                    turned.setdefault(row["case"], math.degrees(float(row["angle"])))
+        said = re.search(r"by ([\d.]+)° and ([\d.]+)° when it has slid 5 mm past", page)
+        # A row is 10 ms after the one before it.
+        self.assertAlmostEqual(float(said[1]), turned["coupled"], delta=0.5)
+        self.assertAlmostEqual(float(said[2]), turned["exact"], delta=0.5)
+        self.assertIn("when it has slid 5 mm past the grip and is lost, over the offset", page)
 
 
 if __name__ == "__main__":

@@ -12,11 +12,8 @@ constexpr double radius = 0.005;
 constexpr double stiffness = 1000.0;
 constexpr double depth = 0.002;
 constexpr double load = stiffness * depth;
-/// The start is forgotten to 1e-7 after this many lengths max(μP/k_l, aΓ/k_r) of slip (README, "How long it takes").
-constexpr double transient = 24.0;
-
 /// Unit wrench that a finger settles at when it is moved at a constant twist about a centre at s = c/a for long: ninety
-/// times the give of the softer spring, the length that the transient decays with (README, "How long it takes").
+/// times the give of the softer spring, which the length of the transient is counted in (README, "How long it takes").
 UnitWrench settled(const FingerCurve& curve, Projection projection, double s, double kappa) {
   const double m0 = curve.moment_ratio();
   const double twist_stiffness = kappa * stiffness * (m0 * radius) * (m0 * radius);
@@ -101,6 +98,8 @@ TEST(SteadyTwist, RadialIsWrongByAsMuchAsTheStiffnessesDiffer) {
   EXPECT_NEAR(error(curve, 0.1), 0.34, 0.005);
   EXPECT_NEAR(error(ellipse, 1.0), 0.134, 0.0005);
   EXPECT_NEAR(error(ellipse, 2.0), 0.45, 0.005);
+  // At its best.
+  EXPECT_NEAR(error(ellipse, 0.72), 0.040, 0.0005);
 }
 
 TEST(SteadyTwist, ClosestPointObeysALoadDependentRadius) {
@@ -117,40 +116,50 @@ TEST(SteadyTwist, ClosestPointObeysALoadDependentRadius) {
   EXPECT_NEAR(finger.output().cor, c, 1e-6 * c);
 }
 
-// Stiffness ratios and centres of rotation over six decades each, every half decade, with a radius that grows with the load, at
-// light and heavy loads: eq. (17) at once, and the transient no longer than the README says.
-TEST(SteadyTwist, ForgetsTheStartInTheLengthDocumented) {
-  const ExactCurve curve(hertz());
-  const Table table = Table::build(hertz(), 1e-8);
-  const double m0 = curve.moment_ratio();
-  double longest = 0.0;
-  for (int i = -6; i <= 6; ++i) {
-    for (int j = -6; j <= 6; ++j) {
-      FingerParameters soft = parameters();
-      soft.radius_law = RadiusLaw::power(0.00207, 0.259);
-      const double pressed = (i + j) % 2 == 0 ? 0.002 : 0.0002;
-      const double a = soft.radius_law.radius(stiffness * pressed);
-      soft.twist_stiffness = std::pow(10.0, 0.5 * i) * stiffness * (m0 * a) * (m0 * a);
-      SoftFinger finger(table, soft);
-      const double limit = mu * stiffness * pressed;
-      const double length = std::max(limit / stiffness, a * limit * m0 * a / soft.twist_stiffness);
-      const double s = std::pow(10.0, 0.5 * j);
-      const double u = SlipTwist::about_cor(s).spin_fraction();
-      const UnitWrench expected = curve.wrench(SlipTwist::about_cor(s));
-      const double step = std::min(0.05 * length, 2.0 * a / u);
-      double settled_after = 0.0;
-      for (int n = 0; n * step <= 2.0 * transient * length; ++n) {
-        finger.update(on_plane(n * step * (1.0 - u), 0.0, pressed), n * step * u / a);
-        const UnitWrench felt = unit_wrench(finger.state(), mu, a);
-        if (std::hypot(felt.force - expected.force, felt.moment - expected.moment) > accuracy::steady_wrench) settled_after = n * step;
-      }
-      EXPECT_LT(settled_after, transient * length) << "kappa 10^" << 0.5 * i << " s 10^" << 0.5 * j;
-      longest = std::max(longest, settled_after / length);
-    }
+/// Slip, in lengths max(μP/k_l, aΓ/k_r), after which a finger that starts from rest stays within accuracy::steady_wrench of eq. (17), under a
+/// twist about s = c/a at the stiffness ratio κ, with a radius that grows with the load. Twice `longest` is looked at.
+double settled_after(const Law& law, const Table& table, double kappa, double s, double pressed, double longest) {
+  const double m0 = law->moment_ratio();
+  FingerParameters soft = parameters();
+  soft.radius_law = RadiusLaw::power(0.00207, 0.259);
+  const double a = soft.radius_law.radius(stiffness * pressed);
+  soft.twist_stiffness = kappa * stiffness * (m0 * a) * (m0 * a);
+  SoftFinger finger(table, soft);
+  const double limit = mu * stiffness * pressed;
+  const double length = std::max(limit / stiffness, a * limit * m0 * a / soft.twist_stiffness);
+  const double u = SlipTwist::about_cor(s).spin_fraction();
+  const UnitWrench expected = law->evaluate(s).wrench;
+  const double step = std::min(0.05 * length, 2.0 * a / u);
+  double last = 0.0;
+  for (int n = 0; n * step <= 2.0 * longest * length; ++n) {
+    finger.update(on_plane(n * step * (1.0 - u), 0.0, pressed), n * step * u / a);
+    const UnitWrench felt = unit_wrench(finger.state(), mu, a);
+    if (std::hypot(felt.force - expected.force, felt.moment - expected.moment) > accuracy::steady_wrench) last = n * step;
   }
-  // And the bound is no idle one.
-  EXPECT_GT(longest, 0.5 * transient);
-  RecordProperty("longest", std::to_string(longest));
+  return last / length;
+}
+
+// Stiffness ratios and centres of rotation over six decades each, every half decade, and where the transient is longest, at light and
+// heavy loads: eq. (17) at once, and the transient no longer than the README says ("How long it takes").
+TEST(SteadyTwist, ForgetsTheStartInTheLengthDocumented) {
+  const auto forgets = [](const Law& law, double longest, double kappa, double s) {
+    const Table table = Table::build(law, 1e-8);
+    for (int i = -6; i <= 6; ++i) {
+      for (int j = -6; j <= 6; ++j) {
+        const double pressed = (i + j) % 2 == 0 ? 0.002 : 0.0002;
+        EXPECT_LT(settled_after(law, table, std::pow(10.0, 0.5 * i), std::pow(10.0, 0.5 * j), pressed, longest), longest)
+            << law->name() << ": kappa 10^" << 0.5 * i << " s 10^" << 0.5 * j;
+      }
+    }
+    const double found = settled_after(law, table, kappa, s, 0.002, longest);
+    EXPECT_LT(found, longest) << law->name();
+    // And the bound is no idle one.
+    EXPECT_GT(found, 0.8 * longest) << law->name();
+  };
+  forgets(hertz(), 40.0, 1.7, 0.74);
+  forgets(flat_punch(), 60.0, 1.3, 0.99);
+  // Where 24 lengths were said to be enough.
+  EXPECT_GT(settled_after(hertz(), Table::build(hertz(), 1e-8), 1.88, 0.78, 0.002, 40.0), 24.0);
 }
 
 // The path of a finger that slides and turns through a bend: with half the time step it is at least twice as near to

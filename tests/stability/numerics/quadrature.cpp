@@ -161,17 +161,17 @@ Hazard adaptive_subdivision() {
   found.findings.push_back({"COR under the finger", "adaptive Gauss–Kronrod, 15 points",
                             "evaluations of the pressure for f to 1e-9 (ours: 1e-13)", static_cast<double>(worst),
                             static_cast<double>(ours_worst), "Quadrature.AdaptiveSubdivisionPays"});
-  // Error against evaluations, means over the same CORs.
+  // Error against evaluations, each the largest over the same CORs.
   Figure figure{"quadrature_adaptive", {}};
   const auto add = [&](const char* series, const long& count, const std::function<double(double)>& force) {
-    double evaluations_mean = 0.0;
+    long most = 0;
     double error = 0.0;
     for (const auto& [s, truth] : cors) {
       evaluations = our_evaluations = 0;
       raise(error, relative_error(force(s), truth));
-      evaluations_mean += static_cast<double>(count) / static_cast<double>(cors.size());
+      most = std::max(most, count);
     }
-    figure.rows.push_back({"error", series, evaluations_mean, error});
+    figure.rows.push_back({"error", series, static_cast<double>(most), error});
   };
   for (const double accuracy : in_ratios(1e-2, 1e-14, 13)) {
     add("adaptive Gauss–Kronrod, 15 points", evaluations,
