@@ -27,7 +27,8 @@ struct BasicContactBatch {
   std::span<Real> proxy_y;
   std::span<Real> proxy_angle;      ///< α_p [rad]
   std::span<ContactState> state;    ///< in and out; `free` to begin with
-  std::span<ContactState> sliding;  ///< memory: `slip` while the sliding limit acts (FrictionMemory); `free` to begin with
+  std::span<ContactState> sliding;  ///< memory: `slip` while the sliding limit acts (FrictionMemory::slides); `free` to begin with
+  std::span<ContactState> turning;  ///< likewise of the moment on a box (FrictionMemory::turns); else not touched
   std::span<Real> parameter;        ///< memory of the search (FrictionMemory); 0 to begin with
   std::span<Real> rate;             ///< likewise
   std::span<Real> force_x;          ///< friction on the user [N]
@@ -40,8 +41,8 @@ struct BasicContactBatch {
   /// `length` contacts from the one of index `from` on; both within the size.
   [[nodiscard]] BasicContactBatch part(std::size_t from, std::size_t length) const noexcept {
     const auto cut = [&](auto array) { return array.subspan(from, length); };
-    return {cut(x),     cut(y),       cut(angle),     cut(depth), cut(proxy_x), cut(proxy_y), cut(proxy_angle),
-            cut(state), cut(sliding), cut(parameter), cut(rate),  cut(force_x), cut(force_y), cut(moment)};
+    return {cut(x),       cut(y),       cut(angle),     cut(depth), cut(proxy_x), cut(proxy_y), cut(proxy_angle), cut(state),
+            cut(sliding), cut(turning), cut(parameter), cut(rate),  cut(force_x), cut(force_y), cut(moment)};
   }
 
   [[nodiscard]] std::size_t size() const noexcept { return x.size(); }
@@ -56,7 +57,7 @@ class BasicContactArrays {
  public:
   /// Throws std::bad_alloc or std::length_error.
   explicit BasicContactArrays(std::size_t count)
-      : count_(count), stride_((count + page - 1) / page * page + shift), state_(count), sliding_(count) {
+      : count_(count), stride_((count + page - 1) / page * page + shift), state_(count), sliding_(count), turning_(count) {
     numbers_.resize(stride_ * arrays);
   }
 
@@ -70,8 +71,8 @@ class BasicContactArrays {
 
   /// For `BasicBatch::step`, as long as these arrays live.
   [[nodiscard]] BasicContactBatch<Real> batch() noexcept {
-    return {array(0), array(1), array(2), array(3), array(4), array(5),  array(6),
-            state_,   sliding_, array(7), array(8), array(9), array(10), array(11)};
+    return {array(0), array(1), array(2), array(3), array(4), array(5),  array(6), state_,
+            sliding_, turning_, array(7), array(8), array(9), array(10), array(11)};
   }
 
  private:
@@ -87,6 +88,7 @@ class BasicContactArrays {
   std::vector<Real> numbers_;
   std::vector<ContactState> state_;
   std::vector<ContactState> sliding_;
+  std::vector<ContactState> turning_;
 };
 
 using ContactArrays = BasicContactArrays<double>;

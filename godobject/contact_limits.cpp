@@ -82,7 +82,10 @@ ContactLimits::ContactLimits(const FingerParameters& parameters, double moment_r
       if (mu_r_dynamic > mu_r) {
         throw out_of_range("moment_coefficient_dynamic", mu_r_dynamic, "m", "0 <= moment_coefficient_dynamic <= moment_coefficient");
       }
-      sliding_.radius = equivalent_radius(mu_r_dynamic, mu_dynamic, moment_ratio);
+      // A moment does not need a force: without sliding friction its limit stays, beside a force of almost none.
+      constexpr double almost_none = 1e-25;
+      if (mu_r_dynamic > 0.0) sliding_.force = std::max(mu_dynamic, almost_none);
+      sliding_.radius = equivalent_radius(mu_r_dynamic, sliding_.force, moment_ratio);
     }
     has_torsion_ = mu_r > 0.0;
     const double exponent = parameters.moment_exponent;
@@ -104,10 +107,9 @@ ContactLimits::ContactLimits(const FingerParameters& parameters, double moment_r
     has_torsion_ = mu > 0.0;
   }
   sliding_share_ = sliding_.radius / at_rest_.radius;
-  // The larger of the two gaps, of force and of moment, asks for the larger retreat.
-  const double force_share = share(sliding_.force, at_rest_.force);
   const double moment_share = has_torsion_ ? share(sliding_.force * sliding_.radius, at_rest_.force * at_rest_.radius) : 1.0;
-  rest_share_ = rest_share(std::min(force_share, moment_share), parameters.rest_margin);
+  force_rest_share_ = rest_share(share(sliding_.force, at_rest_.force), parameters.rest_margin);
+  moment_rest_share_ = rest_share(moment_share, parameters.rest_margin);
 }
 
 double ContactLimits::margin(const FingerCurve& curve, const FingerParameters& parameters, const FingerState& state) const noexcept {
@@ -116,8 +118,15 @@ double ContactLimits::margin(const FingerCurve& curve, const FingerParameters& p
   const FrictionTrial<double> wrench{vector(state.force).norm(), std::fabs(state.moment)};
   if (wrench.force == 0.0 && wrench.moment == 0.0) return 1.0;
   const FrictionLimits<double> limits = at<double>(state.limit_load, parameters.stiffness / parameters.twist_stiffness);
-  const UnitTrial<double> trial =
-      unit_trial(curve.view(), state.friction.slides ? limits.sliding : limits.at_rest, wrench, limits.stiffness_ratio);
+  const auto acting = [&](bool slides) { return slides ? limits.sliding : limits.at_rest; };
+  if (curve.is_box() && limits.has_torsion) {
+    // Each part to the limit that acts on it.
+    const FrictionLimit<double> of_moment = acting(state.friction.turns);
+    const double moment_limit = of_moment.force * of_moment.radius * static_cast<double>(curve.view().moment_max);
+    const double force_share = wrench.force > 0.0 ? wrench.force / (acting(state.friction.slides).force * curve.force_max()) : 0.0;
+    return std::clamp(1.0 - std::max(force_share, wrench.moment > 0.0 ? wrench.moment / moment_limit : 0.0), 0.0, 1.0);
+  }
+  const UnitTrial<double> trial = unit_trial(curve.view(), acting(state.friction.slides), wrench, limits.stiffness_ratio);
   return std::clamp(1.0 - share_of_limit(curve.view(), limits.has_torsion, trial, 0.0), 0.0, 1.0);
 }
 

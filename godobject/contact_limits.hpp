@@ -43,7 +43,8 @@ class ContactLimits {
     return {{number(at_rest_.force) * load, varies ? radius : number(at_rest_.radius)},
             {number(sliding_.force) * load, varies ? number(sliding_share_) * radius : number(sliding_.radius)},
             stiffness_ratio,
-            number(rest_share_),
+            number(force_rest_share_),
+            number(moment_rest_share_),
             has_torsion_,
             varies ? &*radius_law_ : nullptr,
             load};
@@ -59,7 +60,8 @@ class ContactLimits {
   FrictionLimit<double> sliding_;
   std::optional<RadiusLaw> radius_law_;  // where the radius depends on the load
   double sliding_share_;                 // of that radius, while it slips
-  double rest_share_ = 1.0;              // of the sliding limit, within which a contact comes to rest
+  double force_rest_share_;              // of the sliding limit, within which a contact comes to rest
+  double moment_rest_share_;             // likewise
   bool has_torsion_;
 };
 

@@ -20,7 +20,8 @@ struct FrictionLimits {
   FrictionLimit<Number> at_rest;          ///< with μ_s: what a contact at rest bears
   FrictionLimit<Number> sliding;          ///< with μ_d: what a contact that slips bears, not larger
   Number stiffness_ratio;                 ///< k_l/k_r [1/m²] of the springs
-  Number rest_share = Number(1);          ///< a contact that slides comes to rest within this share of the sliding limit, ≤ 1
+  Number force_rest_share = Number(1);    ///< a contact that slides comes to rest within the smaller of these shares of the sliding
+  Number moment_rest_share = Number(1);   ///< limit, ≤ 1; on the box each part within its own
   bool has_torsion = true;                ///< false: Γ = 0, the moment is 0 and the force is limited by itself
   const RadiusLaw* radius_law = nullptr;  ///< a(P), for the c-curve projection where a depends on P
   Number load = Number(0);                ///< P [N], for the same
@@ -38,7 +39,8 @@ struct FrictionTrial {
 /// What friction remembers of a contact from one step to the next. To begin with a contact is at rest.
 template <class Number>
 struct FrictionMemory {
-  decltype(Number{} < Number{}) slides{};  ///< it has slipped, and not come to rest since: the sliding limit acts
+  decltype(Number{} < Number{}) slides{};  ///< it has slipped, and not come to rest since: the sliding limit acts. On the box: of the force
+  decltype(Number{} < Number{}) turns{};   ///< on the box: the same of the moment
   Number parameter = Number(0);            ///< of the curve at the last slip, where a search begins; 0: none
   Number rate = Number(0);                 ///< how far that moved in the last step
 };
@@ -86,17 +88,59 @@ template <class Real, class Number>
     const Number limit = Number(curve.force_max);
     return {trial.force > limit * trial.slip_from, limit / trial.force, zero, Number(Real(1)), zero, zero};
   }
-  if (curve.is_box) return clamp_to_box(curve, trial);
   if (projection == Projection::closest_point) return project_on_to_closest_point(curve, trial, last);
   if (projection == Projection::c_curve && limits.radius_law != nullptr)
     return project_along_c_curve(curve, trial, last, *limits.radius_law, limits.load);
   return project_radially(curve, trial, last);
 }
 
+/// One of the two tests of the paper's §3.1: of the force (eqs. 8, 10, 11) or of the moment (eqs. 9, 10, 12). Which part of its trial the spring
+/// keeps: less than 1 where it slips. `slides` is the test's own memory.
+template <class Real, class Number, class Mask>
+[[nodiscard]] Number apply_scalar_friction(Number at_rest, Number sliding, Number rest_share, Number trial, Number rounding,
+                                           Mask& slides) noexcept {
+  using namespace arithmetic;
+  const Number one = Number(Real(1));
+  const Number limit = select(slides, sliding, at_rest);
+  const auto slips = trial > limit * Number(slip_onset<Real>) + min(rounding, limit);
+  const auto lingers = slides && rest_share < one && !(trial < rest_share * sliding);
+  slides = slips || lingers;
+  return select(slips, sliding / trial, one);
+}
+
+/// The paper's §3.1, the box: force and moment each on its own, "they do not influence each other in any way". The closest point of the box,
+/// whatever the metric.
+template <class Real, class Number>
+[[nodiscard]] FrictionResult<Number> apply_uncoupled_friction(const CurveView<Real>& box, const FrictionLimits<Number>& limits,
+                                                              const FrictionTrial<Number>& trial, FrictionMemory<Number>& memory) noexcept {
+  using namespace arithmetic;
+  const Number zero = Number(Real(0));
+  const Number one = Number(Real(1));
+  const FrictionLimit<Number>& at_rest = limits.at_rest;
+  const FrictionLimit<Number>& sliding = limits.sliding;
+  FrictionResult<Number> result;
+  result.force_ratio = apply_scalar_friction<Real>(at_rest.force * Number(box.force_max), sliding.force * Number(box.force_max),
+                                                   limits.force_rest_share, trial.force, trial.force_rounding, memory.slides);
+  result.slips = result.force_ratio < one;
+  Number turned = zero;
+  result.moment_ratio = zero;
+  if (limits.has_torsion) {
+    result.moment_ratio = apply_scalar_friction<Real>(at_rest.force * at_rest.radius * Number(box.moment_max),
+                                                      sliding.force * sliding.radius * Number(box.moment_max), limits.moment_rest_share,
+                                                      trial.moment, trial.moment_rounding, memory.turns);
+    result.slips = result.slips || result.moment_ratio < one;
+    turned = trial.moment * (one - result.moment_ratio);
+  }
+  // The slip over the turn: in the springs' units of force and moment they are k_l/k_r times as far apart.
+  const Number slid = trial.force * (one - result.force_ratio);
+  result.cor = select(result.slips, slid / (turned * limits.stiffness_ratio), Number(std::numeric_limits<Real>::quiet_NaN()));
+  return result;
+}
+
 /// Step b of the paper (eqs. 8–12, 19–23): what part of the trial deflection the limit curve lets the springs keep.
 ///
 /// The rule of sticking: a contact at rest holds while its trial lies within the limit at rest. Once it slips the sliding limit acts, until it
-/// comes to rest: in the first step whose trial lies within `rest_share` of that. Slip work force·(r − r′) + moment·(ρ − ρ′) is never negative. No
+/// comes to rest: in the first step whose trial lies within its rest share of that. Slip work force·(r − r′) + moment·(ρ − ρ′) is never negative. No
 /// allocation, no exception, no NaN from finite input; some 10 ns, at most max_search_steps evaluations of the curve. `Number` is `double`, or
 /// a pack of double or float (`Real`) for as many contacts.
 template <class Real, class Number>
@@ -104,6 +148,7 @@ template <class Real, class Number>
                                                     const FrictionLimits<Number>& limits, const FrictionTrial<Number>& trial,
                                                     FrictionMemory<Number>& memory) noexcept {
   using namespace arithmetic;
+  if (curve.is_box) return apply_uncoupled_friction(curve, limits, trial, memory);
   const Number zero = Number(Real(0));
   const Number one = Number(Real(1));
   const auto was_sliding = memory.slides;
@@ -141,9 +186,9 @@ template <class Real, class Number>
   const Number radius = max(limit.radius, Number(std::numeric_limits<Real>::min()));
   result.cor = select(result.slips, radius * (projected.slide / projected.spin), nan);
   memory.slides = result.slips;
-  const auto lingers = was_sliding && !result.slips && limits.rest_share < one;
-  if (any(lingers))
-    memory.slides = memory.slides || (lingers && !(share_of_limit(curve, limits.has_torsion, unit, last) < limits.rest_share));
+  const Number rest_share = min(limits.force_rest_share, limits.moment_rest_share);
+  const auto lingers = was_sliding && !result.slips && rest_share < one;
+  if (any(lingers)) memory.slides = memory.slides || (lingers && !(share_of_limit(curve, limits.has_torsion, unit, last) < rest_share));
   memory.rate = select(result.slips, select(had_parameter, projected.parameter - memory.parameter, zero), zero);
   memory.parameter = select(result.slips, projected.parameter, zero);
   return result;

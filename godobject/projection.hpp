@@ -66,21 +66,6 @@ template <class Real, class Number>
   return {gauge_of_trial > trial.slip_from, ratio, ratio, trial.force, trial.compliance_ratio * trial.moment, last};
 }
 
-/// The paper's §3.1: force and moment are clamped each on its own. It is the closest point of the box, whatever the metric.
-template <class Real, class Number>
-[[nodiscard]] Projected<Number> clamp_to_box(const CurveView<Real>& curve, const UnitTrial<Number>& trial) noexcept {
-  using namespace arithmetic;
-  const Number zero = Number(Real(0));
-  const Number force = min(trial.force, Number(curve.force_max));
-  const Number moment = min(trial.moment, Number(curve.moment_max));
-  return {gauge(curve, trial.force, trial.moment, zero) > trial.slip_from,
-          force / trial.force,
-          moment / trial.moment,
-          trial.force - force,
-          trial.compliance_ratio * (trial.moment - moment),
-          zero};
-}
-
 /// The point of the curve that is closest to the trial in the metric of the springs' compliance, f² + χm²: the slip
 /// (f̂ − f, χ(m̂ − m)) is normal to the curve there. With L and T the curve's leading and trailing components at x, o_L and o_T the trial's
 /// excess over them in that metric, it is the root of o_L − x·o_T. For a trial that is outside there is just one.

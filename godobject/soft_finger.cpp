@@ -58,7 +58,7 @@ void SoftFinger::advance(FingerState& state, const Contact& contact, const Spin&
   const double rho = std::fabs(trial.twist);
   const FrictionTrial<double> wrench{springs.stiffness * r, springs.twist_stiffness * rho};
   const FrictionLimits<double> limits = limits_.at<double>(state.limit_load, springs.stiffness / springs.twist_stiffness);
-  const bool was_sliding = state.friction.slides;
+  const FrictionMemory<double> last = state.friction;
   const FrictionResult<double> friction = apply_friction(curve_.view(), projection_, limits, wrench, state.friction);
   const Vector3d kept = trial.tangential * friction.force_ratio;
   const double twist_kept = trial.twist * friction.moment_ratio;
@@ -66,10 +66,13 @@ void SoftFinger::advance(FingerState& state, const Contact& contact, const Spin&
   // The proxy follows. What did not slide is not touched, not even by rounding; and a slip that its rounding swallows is none.
   const Landing landing = friction.force_ratio < 1.0 ? follow(trial, contact, kept) : Landing{trial.proxy, trial.spring.normal};
   const double angle = friction.moment_ratio < 1.0 ? state.goal_angle + trial.twist_rest + twist_kept : state.angle;
-  const bool slips = trial.is_brought_round || (friction.slips && (landing.proxy != trial.proxy || angle != state.angle));
+  const bool slid = trial.is_brought_round || landing.proxy != trial.proxy;
+  const bool turned = angle != state.angle;
+  const bool slips = trial.is_brought_round || (friction.slips && (slid || turned));
   if (slips) state.proxy = numbers(landing.proxy);
   if (slips || !limits.has_torsion) state.angle = angle;
-  state.friction.slides = state.friction.slides && (slips || was_sliding);
+  state.friction.slides = state.friction.slides && (last.slides || (curve_.is_box() ? slid : slips));
+  state.friction.turns = state.friction.turns && (last.turns || turned);
 
   // c. Force and moment on the user.
   state.state = slips ? ContactState::slip : ContactState::stick;

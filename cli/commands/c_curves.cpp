@@ -26,11 +26,12 @@ class CCurves final : public Subcommand {
   }
 
   void run(const Results& results) override {
+    const RadiusLaw radius_law = radius_law_->of(friction_, law_);
+    warn_of_radii(radius_law, loads_);
     Rows rows(results, {"c", "load", "force", "moment"});
-    warn_of_radii(*radius_law_, loads_);
     const ExactCurve exact(law_);
     for (const double c : distances_) {
-      for (const LoadPoint& point : c_curve(exact, *radius_law_, friction_, c, loads_)) {
+      for (const LoadPoint& point : c_curve(exact, radius_law, friction_, c, loads_)) {
         rows.row(point.cor, point.load, point.force, point.moment);
       }
     }
@@ -39,7 +40,7 @@ class CCurves final : public Subcommand {
 
  private:
   Law law_;
-  std::optional<RadiusLaw> radius_law_;
+  std::optional<RadiusLawArgument> radius_law_;
   double friction_ = 0.0;
   std::vector<double> distances_;
   std::vector<double> loads_;

@@ -80,7 +80,7 @@ class Choose final : public Subcommand {
 
   void choose_for_scene(const Results& results) {
     scene_.law = law_;
-    if (radius_law_) scene_.radius_law = *radius_law_;
+    if (radius_law_) scene_.radius_law = radius_law_->of(scene_.mu, law_);
     if (slide_) scene_.slide = *slide_;
     if (twist_) scene_.twist = *twist_;
     if (!loads_.empty()) {
@@ -101,7 +101,7 @@ class Choose final : public Subcommand {
   bool explain_ = false;
   bool scene_wanted_ = false;
   godobject::Scene scene_;
-  std::optional<RadiusLaw> radius_law_;
+  std::optional<RadiusLawArgument> radius_law_;
   std::vector<double> loads_;
   std::optional<double> slide_;
   std::optional<double> twist_;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "cli/commands/options.hpp"
 
-#include "cli/io/law_argument.hpp"
 #include "cli/io/number_list.hpp"
 
 #include "limitcurve/number.hpp"
@@ -73,10 +72,13 @@ void Options::law(Law& value, Presence presence) {
       "Pressure law: hertz, uniform, power:n=2.3, samples:FILE.csv, …; 'limitcurve laws' lists them", presence);
 }
 
-void Options::radius_law(std::optional<RadiusLaw>& value, Presence presence) {
+void Options::radius_law(std::optional<RadiusLawArgument>& value, Presence presence) {
   this->value(
       "--radius-law", "RADIUS-LAW", [&value](const std::string& text) { value = read_radius_law(text); },
-      "Contact radius a(P) [m]: constant:a=0.005, hertz:R=0.008,E=2e5, power:c=0.00207,gamma=0.259, samples:FILE.csv", presence);
+      "Contact radius a(P) [m]: constant:a=0.005, hertz:R=0.008,E=2e5, power:c=0.00207,gamma=0.259, samples:FILE.csv (columns "
+      "load,radius), or "
+      "moments:FILE.csv (load,moment: the largest moment at a load [N m])",
+      presence);
 }
 
 }  // namespace limitcurve::cli

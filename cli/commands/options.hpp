@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "cli/io/law_argument.hpp"
 #include "cli/io/range.hpp"
 
-#include "limitcurve/contact_radius.hpp"
 #include "limitcurve/pressure_law.hpp"
 
 #include <cstddef>
@@ -49,7 +49,7 @@ class Options {
               Presence presence = Presence::optional);
 
   void law(Law& value, Presence presence = Presence::required);
-  void radius_law(std::optional<RadiusLaw>& value, Presence presence = Presence::required);
+  void radius_law(std::optional<RadiusLawArgument>& value, Presence presence = Presence::required);
 
  private:
   CLI::App& app_;

@@ -26,11 +26,12 @@ class PCurves final : public Subcommand {
   }
 
   void run(const Results& results) override {
+    const RadiusLaw radius_law = radius_law_->of(friction_, law_);
+    warn_of_radii(radius_law, loads_);
     Rows rows(results, {"load", "c", "force", "moment"});
-    warn_of_radii(*radius_law_, loads_);
     const ExactCurve exact(law_);
     for (const double load : loads_) {
-      for (const LoadPoint& point : p_curve(exact, *radius_law_, friction_, load, points_)) {
+      for (const LoadPoint& point : p_curve(exact, radius_law, friction_, load, points_)) {
         rows.row(point.load, point.cor, point.force, point.moment);
       }
     }
@@ -39,7 +40,7 @@ class PCurves final : public Subcommand {
 
  private:
   Law law_;
-  std::optional<RadiusLaw> radius_law_;
+  std::optional<RadiusLawArgument> radius_law_;
   double friction_ = 0.0;
   std::vector<double> loads_;
   std::size_t points_ = 91;

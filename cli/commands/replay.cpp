@@ -73,9 +73,8 @@ class Replay final : public Subcommand {
   [[nodiscard]] Manual manual() const override {
     return {"replay", "Runs the god-object over a recorded motion of a finger on a surface",
             "The trace has columns time,x,y,z,twist [s, m, m, m, rad], or qw,qx,qy,qz (a unit quaternion, finger to world) in\n"
-            "place of twist, which counts where both are there; all may wrap around. The surface is the plane z = 0, outward normal +z, "
-            "penetration -z, or another\n"
-            "about the origin.\n"
+            "place of twist, which counts where both are there; all may wrap around. With neither the finger does not\n"
+            "twist. The surface is the plane z = 0, outward normal +z, penetration -z, or another about the origin.\n"
             "Columns: time; state free|stick|slip|invalid (a sample earlier than the one before it, or that leaps); px,py [m] and angle\n"
             "[rad] of the proxy; depth [m]; load [N]; fx,fy [N] and moment [N m], the friction that the user feels;\n"
             "cor [m], the distance of the slip's centre of rotation (nan unless it slips).\n"
@@ -145,7 +144,7 @@ class Replay final : public Subcommand {
   void run(const Results& results) override {
     check_patch();
     if (radius_law_) {
-      replay_.finger.radius_law = *radius_law_;
+      replay_.finger.radius_law = radius_law_->of(replay_.finger.mu, replay_.law);
     } else if (!replay_.finger.moment_coefficient && patch_.empty()) {
       throw std::invalid_argument("--radius-law is required, unless --moment-coefficient is given");
     }
@@ -202,8 +201,15 @@ class Replay final : public Subcommand {
     godobject::require_passive(replay_.finger, sample_time_, *device_);
   }
 
+  static void tell_of_twists(const TraceReader& trace) {
+    for (const std::string& column : trace.missing_twists()) {
+      std::cerr << "limitcurve: note: the trace has no column '" << column << "': this finger is taken not to twist\n";
+    }
+  }
+
   void run_patch(const Results& results, const Columns& columns) const {
     TraceReader trace(trace_, fingers_, replay_.motion == BodyMotion::prescribed);
+    tell_of_twists(trace);
     godobject::PatchReplay replay(read_patch(patch_), replay_, point_radius_.value_or(0.0));
     std::vector<std::string> names{"time"};
     for (std::size_t i = 0; i < fingers_; ++i) add_columns(names, i == 0 ? "" : std::to_string(i + 1), columns);
@@ -220,6 +226,7 @@ class Replay final : public Subcommand {
 
   void run_replay(const Results& results, const Columns& columns) const {
     TraceReader trace(trace_, fingers_, replay_.motion == BodyMotion::prescribed);
+    tell_of_twists(trace);
     godobject::Replay replay(replay_);
     if (replay_.curve == CurveKind::exact) {
       std::cerr << "limitcurve: exact: a table with an error of at most " << format_number(replay.curve_error()) << " in unit wrenches\n";
@@ -259,13 +266,13 @@ class Replay final : public Subcommand {
     if (!radius_law_) return;
     // One that nothing touched under is seen at 1 N.
     if (loads[1] == 0.0) loads = {1.0, 1.0};
-    warn_of_radii(*radius_law_, loads);
+    warn_of_radii(replay_.finger.radius_law, loads);
   }
 
   std::string trace_;
   std::string patch_;
   std::optional<double> point_radius_;
-  std::optional<RadiusLaw> radius_law_;
+  std::optional<RadiusLawArgument> radius_law_;
   std::size_t curve_ = 1;
   std::size_t projection_ = 2;
   SurfaceArgument surface_ = read_surface("plane");

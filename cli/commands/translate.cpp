@@ -40,10 +40,11 @@ class Translate final : public Subcommand {
     }
     std::vector<double> judged = loads_.empty() ? std::vector{load_ / 4.0, 4.0 * load_} : loads_;
     judged.push_back(load_);
-    warn_of_radii(*radius_law_, judged);
+    const RadiusLaw radius_law = radius_law_->of(friction_, law_);
+    warn_of_radii(radius_law, judged);
     const std::vector<fit::EngineContact> contacts =
-        loads_.empty() ? fit::translate(law_, *radius_law_, friction_, load_)
-                       : fit::translate(law_, *radius_law_, friction_, load_, fit::LoadRange{loads_[0], loads_[1]});
+        loads_.empty() ? fit::translate(law_, radius_law, friction_, load_)
+                       : fit::translate(law_, radius_law, friction_, load_, fit::LoadRange{loads_[0], loads_[1]});
     Rows rows(results, {"engine", "parameter", "value", "unit", "model", "max_error", "cor_error", "loads_error", "note"});
     for (const fit::EngineContact& contact : contacts) {
       for (const fit::EngineCoefficient& coefficient : contact.coefficients) {
@@ -66,7 +67,7 @@ class Translate final : public Subcommand {
   }
 
   Law law_;
-  std::optional<RadiusLaw> radius_law_;
+  std::optional<RadiusLawArgument> radius_law_;
   double friction_ = 0.0;
   double load_ = 0.0;
   std::vector<double> loads_;

@@ -14,43 +14,53 @@ namespace limitcurve::cli {
 
 namespace {
 
-constexpr std::string_view measured = "samples:";
+/// The file that KIND:FILE names; nothing if the text is not of that kind.
+std::optional<std::string> measured_file(const std::string& text, const std::string& kind) {
+  if (text == kind || text == kind + ":") throw std::invalid_argument("'" + text + "': no file, expected " + kind + ":FILE.csv");
+  if (!text.starts_with(kind + ":")) return std::nullopt;
+  return text.substr(kind.size() + 1);
+}
 
-/// The file that `samples:FILE` names; nothing if the text is not of that kind.
-std::optional<std::string> measured_file(const std::string& text) {
-  if (text == measured || text == measured.substr(0, measured.size() - 1)) {
-    throw std::invalid_argument("'" + text + "': no file, expected samples:FILE.csv");
+/// The samples of a file with the columns load and `value`.
+std::vector<LoadSample> read_load_samples(const std::string& file, const char* value) {
+  std::vector<LoadSample> samples;
+  CsvReader reader(file, {"load", value});
+  while (reader.next()) samples.push_back({reader.number(0, positive), reader.number(1, positive)});
+  return samples;
+}
+
+/// What `make` makes of a file's samples; the file is named in what it throws.
+template <class Make>
+auto made_of(const std::string& file, const Make& make) {
+  try {
+    return make();
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(file + ": " + error.what());
   }
-  if (text.substr(0, measured.size()) != measured) return std::nullopt;
-  return text.substr(measured.size());
 }
 
 }  // namespace
 
 Law read_law(const std::string& text) {
-  const auto file = measured_file(text);
+  const auto file = measured_file(text, "samples");
   if (!file) return parse_law(text);
   std::vector<PressureSample> profile;
   CsvReader reader(*file, {"radius", "pressure"});
   while (reader.next()) profile.push_back({reader.number(0, non_negative), reader.number(1, finite)});
-  try {
-    return samples(profile, *file);
-  } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument(*file + ": " + error.what());
-  }
+  return made_of(*file, [&] { return samples(profile, *file); });
 }
 
-RadiusLaw read_radius_law(const std::string& text) {
-  const auto file = measured_file(text);
+RadiusLaw RadiusLawArgument::of(double mu, const Law& law) const {
+  if (law_) return *law_;
+  return made_of(file_ + ": as radii, a = moment/(m0 mu load)", [&] { return RadiusLaw::of_moments(moments_, mu, law->moment_ratio()); });
+}
+
+RadiusLawArgument read_radius_law(const std::string& text) {
+  if (const auto file = measured_file(text, "moments")) return {*file, read_load_samples(*file, "moment")};
+  const auto file = measured_file(text, "samples");
   if (!file) return RadiusLaw::parse(text);
-  std::vector<LoadSample> radii;
-  CsvReader reader(*file, {"load", "radius"});
-  while (reader.next()) radii.push_back({reader.number(0, positive), reader.number(1, positive)});
-  try {
-    return RadiusLaw::sampled(radii);
-  } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument(*file + ": " + error.what());
-  }
+  const std::vector<LoadSample> radii = read_load_samples(*file, "radius");
+  return made_of(*file, [&] { return RadiusLaw::sampled(radii); });
 }
 
 }  // namespace limitcurve::cli

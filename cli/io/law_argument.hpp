@@ -4,7 +4,10 @@
 #include "limitcurve/contact_radius.hpp"
 #include "limitcurve/pressure_law.hpp"
 
+#include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace limitcurve::cli {
 
@@ -12,8 +15,23 @@ namespace limitcurve::cli {
 /// radius,pressure. Throws std::invalid_argument that names the place in the text or in the file.
 Law read_law(const std::string& text);
 
-/// The radius law that a command line names: the library's grammar, and `samples:FILE.csv`, measured radii with the columns
-/// load,radius [N, m]. Throws like `read_law`.
-RadiusLaw read_radius_law(const std::string& text);
+/// A radius law on a command line. Measured limits of the moment are one as soon as friction and pressure law are known: Γ(P) = m₀ μ P a(P).
+class RadiusLawArgument {
+ public:
+  RadiusLawArgument(RadiusLaw law) : law_(std::move(law)) {}  // NOLINT: meant to convert
+  RadiusLawArgument(std::string file, std::vector<LoadSample> moments) : file_(std::move(file)), moments_(std::move(moments)) {}
+
+  /// Throws std::invalid_argument that names the file where its moments are not those of a radius law.
+  [[nodiscard]] RadiusLaw of(double mu, const Law& law) const;
+
+ private:
+  std::optional<RadiusLaw> law_;
+  std::string file_;
+  std::vector<LoadSample> moments_;
+};
+
+/// The radius law that a command line names: the library's grammar, `samples:FILE.csv`, measured radii with the columns load,radius [N, m],
+/// and `moments:FILE.csv`, measured limits of the moment with the columns load,moment [N, N m]. Throws like `read_law`.
+RadiusLawArgument read_radius_law(const std::string& text);
 
 }  // namespace limitcurve::cli

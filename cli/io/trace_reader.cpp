@@ -50,7 +50,10 @@ TraceReader::TraceReader(const std::string& file, std::size_t fingers, bool body
     const std::size_t twist = first_optional_ + optional_per_finger * i;
     if (reader_.has(twist) || has_all(twist + 1, 4)) continue;
     const std::string number = suffix(i);
-    throw reader_.no_column("'twist" + number + "', nor qw" + number + ",qx" + number + ",qy" + number + ",qz" + number);
+    if (reader_.has(twist + 1) || reader_.has(twist + 2) || reader_.has(twist + 3) || reader_.has(twist + 4)) {
+      throw reader_.no_column("'twist" + number + "', nor all of qw" + number + ",qx" + number + ",qy" + number + ",qz" + number);
+    }
+    missing_twists_.push_back("twist" + number);
   }
   if (!body_moves) return;
   const std::size_t turn = first_optional_ + optional_per_finger * fingers;
@@ -67,7 +70,7 @@ bool TraceReader::next() {
     fingers_[i].position = position(column_of_finger(i));
     if (reader_.has(twist)) {
       fingers_[i].twist = reader_.number(twist, finite);
-    } else {
+    } else if (reader_.has(twist + 1)) {
       fingers_[i].orientation = orientation(twist + 1);
     }
   }

@@ -55,7 +55,9 @@ void step_contacts(const Shared<Real>& shared, const BasicContactBatch<Real>& co
   const FrictionTrial<Number> trial{stiffness * r, twist_stiffness * rho, stiffness * rounding * (abs(proxy_x) + abs(proxy_y)),
                                     limits.has_torsion ? twist_stiffness * rounding * abs(proxy_angle) : zero};
   const auto was_sliding = stays && has_state(contacts.sliding.data() + i, ContactState::slip, zero);
-  FrictionMemory<Number> memory{was_sliding, read(contacts.parameter), read(contacts.rate)};
+  auto was_turning = was_sliding;
+  if (shared.curve.is_box) was_turning = stays && has_state(contacts.turning.data() + i, ContactState::slip, zero);
+  FrictionMemory<Number> memory{was_sliding, was_turning, read(contacts.parameter), read(contacts.rate)};
   const FrictionResult<Number> friction = apply_friction(shared.curve, shared.projection, limits, trial, memory);
   const Number kept_x = trial_x * friction.force_ratio;
   const Number kept_y = trial_y * friction.force_ratio;
@@ -67,7 +69,9 @@ void step_contacts(const Shared<Real>& shared, const BasicContactBatch<Real>& co
   const Number new_x = select(slides, x + kept_x, proxy_x);
   const Number new_y = select(slides, y + kept_y, proxy_y);
   const Number new_angle = select(turns, angle + kept_twist, proxy_angle);
-  const auto slips = friction.slips && (new_x != proxy_x || new_y != proxy_y || new_angle != proxy_angle);
+  const auto slid = new_x != proxy_x || new_y != proxy_y;
+  const auto turned = new_angle != proxy_angle;
+  const auto slips = friction.slips && (slid || turned);
 
   // c. Force and moment on the user. Of a fault nothing is touched.
   const auto write = [&](auto array, Number value) { store_where(is_plausible, array.data() + i, value); };
@@ -80,7 +84,12 @@ void step_contacts(const Shared<Real>& shared, const BasicContactBatch<Real>& co
   write(contacts.force_y, kept_y * stiffness);
   write(contacts.moment, kept_twist * twist_stiffness);
   set_states(contacts.state.data() + i, is_plausible, touches, slips, zero);
-  set_states(contacts.sliding.data() + i, is_plausible, touches, memory.slides && (slips || was_sliding), zero);
+  if (shared.curve.is_box) {
+    set_states(contacts.sliding.data() + i, is_plausible, touches, memory.slides && (slid || was_sliding), zero);
+    set_states(contacts.turning.data() + i, is_plausible, touches, memory.turns && (turned || was_turning), zero);
+  } else {
+    set_states(contacts.sliding.data() + i, is_plausible, touches, memory.slides && (slips || was_sliding), zero);
+  }
 }
 
 }  // namespace limitcurve::godobject::kernel

@@ -89,6 +89,41 @@ class Replays(CommandLineTest):
         part = self.file("bad.csv", "time,x,y,z,qw,qx,qy\n0,0,0,-0.001,1,0,0\n")
         self.assert_fails(2, ["bad.csv:1:1", "'twist'", "qw,qx,qy,qz"], "replay", "--trace", part, *FINGER)
 
+    def test_a_trace_without_twist_does_not_twist(self):
+        # Issue 10, point 10.
+        still = "time,x,y,z\n" + "".join(f"{i / 1000},{1e-5 * i!r},{2e-6 * i!r},-0.001\n" for i in range(200))
+        told = still.replace("z\n", "z,twist\n").replace("-0.001\n", "-0.001,0\n")
+        plain = run("replay", "--trace", self.file("told.csv", told), *FINGER)
+        for options in [], ["--boundary", "box"], ["--boundary", "ellipse", "--projection", "radial"]:
+            expected = run("replay", "--trace", self.directory / "told.csv", *FINGER, *options)
+            done = run("replay", "--trace", self.file("still.csv", still), *FINGER, *options)
+            self.assertEqual((done.returncode, done.stdout), (0, expected.stdout), options)
+            self.assertEqual(done.stderr.count("limitcurve: note: the trace has no column 'twist'"), 1, done.stderr)
+            self.assertNotIn("no column", expected.stderr)
+        self.assertEqual(run("replay", "--trace", "-", *FINGER, input=still).stdout, plain.stdout)
+        patch = ["--patch", "rectangle:x=0.01,y=0.005", "--mu", "0.6", "--stiffness", "1000", "--twist-stiffness", "0.036"]
+        done = run("replay", "--trace", self.directory / "still.csv", *patch)
+        self.assertEqual(done.stdout, run("replay", "--trace", self.directory / "told.csv", *patch).stdout)
+        self.assertIn("no column 'twist'", done.stderr)
+
+    def test_the_box_holds_a_twist_while_the_force_slips(self):
+        # Issue 10, point 1: the moment fell from 1.909 to 1.060 mN m with the force.
+        limit = 0.6 * 0.006 * M0
+        twist = 0.9 * limit / 0.036
+        text = "time,x,y,z,twist\n0,0,0,-0.001,0\n" + "".join(f"{(i + 1) / 1000},{2e-5 * i!r},0,-0.001,{twist!r}\n" for i in range(100))
+        found = self.replay(text, "--boundary", "box", "--mu-dynamic", "0.3")
+        self.assertEqual(found[-1]["state"], "slip")
+        self.assertAlmostEqual(found[-1]["fx"], -0.3, delta=1e-12)
+        self.assertAlmostEqual(max(abs(row["fx"]) for row in found), 0.6, delta=1e-12)
+        self.assertEqual({round(row["moment"], 15) for row in found[1:]}, {round(-0.9 * limit, 15)})
+        self.assertAlmostEqual(-found[-1]["moment"], 1.909e-3, delta=1e-6)
+        # The other way round: a twist that slips leaves the force.
+        text = "time,x,y,z,twist\n0,0,0,-0.001,0\n" + "".join(f"{(i + 1) / 1000},5e-4,0,-0.001,{2e-3 * i!r}\n" for i in range(100))
+        found = self.replay(text, "--boundary", "box", "--mu-dynamic", "0.3", "--details")
+        self.assertEqual({round(row["fx"], 12) for row in found[1:]}, {-0.5})
+        self.assertEqual((found[-1]["state"], found[-1]["cor"]), ("slip", 0))
+        self.assertAlmostEqual(found[-1]["moment"], -0.5 * limit, delta=1e-12)
+
     def test_a_time_that_goes_back_is_an_invalid_row(self):
         found = self.replay(TRACE + "0.001,0.007,0,-0.001,0\n0.005,0.0051,0,-0.001,0\n")
         self.assertEqual(found[4]["state"], "invalid")

@@ -45,7 +45,7 @@ class Files(CommandLineTest):
             ("time,x,y,z,twist\n", "bad.csv:2:1:", "no rows"),
             ("time,x,y,twist\n0,0,0,0\n", "bad.csv:1:1:", "'z'"),
             ("0,0,0,0,0\n", "bad.csv:1:1:", "'time'"),
-            ("time,x,y,z\n0,0,0,0\n", "bad.csv:1:1:", "'twist'"),
+            ("time,x,y,z,qw\n0,0,0,0,1\n", "bad.csv:1:1:", "'twist'"),
             ("time,x,y,z,twist,x\n0,0,0,0,0,0\n", "bad.csv:1:18:", "'x' twice"),
             (TRACE + "0.004,0.01,0,-0.0", "bad.csv:6:18:", "4 fields"),
             (TRACE + "0.004", "bad.csv:6:6:", "1 field,"),

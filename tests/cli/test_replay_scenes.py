@@ -106,7 +106,9 @@ class Scenes(CommandLineTest):
         for fingers in ["0", "17", "1.5", "x"]:
             self.assert_fails(2, ["--fingers", "from 1 to 16"], "replay", "--trace", path, *FINGER, "--fingers", fingers)
         two = self.file("two.csv", "time,x,y,z,twist,x2,y2,z2\n0,0,0,0,0,0,0,0\n")
-        self.assert_fails(2, ["two.csv:1:1:", "'twist2'"], "replay", "--trace", two, *FINGER, "--fingers", "2")
+        self.assertIn("no column 'twist2'", run("replay", "--trace", two, *FINGER, "--fingers", "2").stderr)
+        half = self.file("half.csv", "time,x,y,z,twist,x2,y2,z2,qy2\n0,0,0,0,0,0,0,0,0\n")
+        self.assert_fails(2, ["half.csv:1:1:", "'twist2'", "qw2,qx2,qy2,qz2"], "replay", "--trace", half, *FINGER, "--fingers", "2")
         body = self.file("body.csv", "time,x,y,z,twist,bx,by,bz,bqw\n0,0,0,0,0,0,0,0,1\n")
         self.assert_fails(2, ["body.csv:1:1:", "bqw,bqx,bqy,bqz"], "replay", "--trace", body, *FINGER, "--body", "trace")
         body = self.file("body.csv", "time,x,y,z,twist,bx,by,bz,bqw,bqx,bqy,bqz\n0,0,0,0,0,0,0,0,1,0,0,1\n")

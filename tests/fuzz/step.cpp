@@ -19,13 +19,17 @@ bool same(const FingerOutput& one, const FingerOutput& other) {
          fuzz::same(one.cor, other.cor) && fuzz::same(one.slip_work, other.slip_work);
 }
 
-/// What the user feels, in the limit that may act: the static one unless it slips.
+/// What the user feels, in the limit that may act: the static one unless it slips; on the box unless that part of it slips.
 void require_within_limit(const SoftFinger& finger) {
   const FingerOutput output = finger.output();
   const FrictionLimits<double> limits =
       ContactLimits(finger.parameters(), finger.curve().moment_ratio()).at<double>(finger.state().limit_load, 1.0);
-  const FrictionLimit<double>& limit = output.state == ContactState::slip ? limits.sliding : limits.at_rest;
-  const double moment_unit = limit.force * limit.radius;
+  const bool slips = output.state == ContactState::slip;
+  const bool is_box = finger.curve().is_box();
+  const FrictionMemory<double>& memory = finger.state().friction;
+  const FrictionLimit<double>& limit = slips && (!is_box || memory.slides) ? limits.sliding : limits.at_rest;
+  const FrictionLimit<double>& of_moment = slips && (!is_box || memory.turns) ? limits.sliding : limits.at_rest;
+  const double moment_unit = of_moment.force * of_moment.radius;
   // So little friction is none: no trial is told from one 1e60 times its limit, and no trial here is above 1e21.
   constexpr double least = 1e-38;
   const double force = output.force.norm();

@@ -49,7 +49,11 @@ void expect_same_bits(const BasicContactBatch<Real>& a, const BasicContactBatch<
           << where << ": array " << k << ", contact " << i << ": " << left << " and " << right;
     }
   }
-  for (std::size_t i = 0; i < a.size(); ++i) ASSERT_EQ(a.state[i], b.state[i]) << where << ": contact " << i;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    ASSERT_EQ(a.state[i], b.state[i]) << where << ": contact " << i;
+    ASSERT_EQ(a.sliding[i], b.sliding[i]) << where << ": contact " << i;
+    ASSERT_EQ(a.turning[i], b.turning[i]) << where << ": contact " << i;
+  }
 }
 
 /// Moves contacts at random: as a rule by little, some far; some free, a few faults of the device.

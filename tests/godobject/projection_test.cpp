@@ -31,6 +31,13 @@ End projected(const FingerCurve& curve, Projection projection, const Outside& ou
   FrictionLimits<double> limits{};
   limits.radius_law = outside.radius_law;
   limits.load = outside.load;
+  if (curve.is_box()) {
+    limits = {{1.0, 1.0}, {1.0, 1.0}, outside.trial.compliance_ratio};
+    FrictionMemory<double> memory;
+    const auto kept = apply_friction(curve.view(), projection, limits, {outside.trial.force, outside.trial.moment}, memory);
+    EXPECT_TRUE(kept.slips) << outside.trial.force << ' ' << outside.trial.moment;
+    return {{outside.trial.force * kept.force_ratio, outside.trial.moment * kept.moment_ratio}, SlipTwist::about_cor(kept.cor), 0.0};
+  }
   const Projected<double> result = project(curve.view(), projection, limits, outside.trial, outside.last);
   EXPECT_TRUE(result.outside) << outside.trial.force << ' ' << outside.trial.moment;
   const auto kept = [](double ratio, double trial) { return trial > 0.0 ? ratio * trial : 0.0; };

@@ -63,17 +63,23 @@ inline StepCheck check_step(const godobject::SoftFinger& finger, const godobject
                             std::fabs(output.moment) * (std::fabs(output.angle) + std::fabs(last.angle) + std::fabs(sample.twist));
     if (!(work >= -4.0 * std::numeric_limits<double>::epsilon() * rounding - 1e-300)) fails("a slip that gains energy");
   }
-  const godobject::FrictionLimit<double>& limit = output.state == ContactState::slip ? limits.sliding : limits.at_rest;
+  // On the box the force and the moment have a slip state each.
+  const bool slips = output.state == ContactState::slip;
+  const godobject::FrictionMemory<double>& memory = finger.state().friction;
+  const bool is_box = finger.curve().is_box();
+  const godobject::FrictionLimit<double>& limit = slips && (!is_box || memory.slides) ? limits.sliding : limits.at_rest;
+  const godobject::FrictionLimit<double>& of_moment = slips && (!is_box || memory.turns) ? limits.sliding : limits.at_rest;
+  const double moment_unit = of_moment.force * of_moment.radius;
   // So little friction is none: no trial is told from one 1e60 times its limit, and no trial here is above 1e21.
   constexpr double least = 1e-38;
   const double force = output.force.norm();
   const double moment = std::fabs(output.moment);
-  if (limits.has_torsion ? limit.force > least && limit.force * limit.radius > least : limit.force > least) {
+  if (limits.has_torsion ? limit.force > least && moment_unit > least : limit.force > least) {
     result.counted = true;
-    result.excess = (limits.has_torsion ? finger.curve().gauge({force / limit.force, moment / (limit.force * limit.radius)})
+    result.excess = (limits.has_torsion ? finger.curve().gauge({force / limit.force, moment / moment_unit})
                                         : force / (limit.force * finger.curve().force_max())) -
                     1.0;
-  } else if (!(force <= 2.0 * (least + limit.force) && moment <= 2.0 * (least + limit.force * limit.radius))) {
+  } else if (!(force <= 2.0 * (least + limit.force) && moment <= 2.0 * (least + moment_unit))) {
     fails("a wrench without friction");
   }
   if (!limits.has_torsion && output.moment != 0.0) fails("a moment without torsional friction");

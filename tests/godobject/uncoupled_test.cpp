@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: MIT
+// The box is the paper's §3.1 (issue 10, point 1): a friction test of the force and one of the moment, each with its own slip state, "they do
+// not influence each other in any way".
+#include "tests/godobject/scene.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace limitcurve::godobject::test {
+namespace {
+
+FingerCurve hertz_box() {
+  return box(1.0, hertz()->moment_ratio());
+}
+
+/// Eqs. (8) to (12) for a single number: a proxy on a line (or a circle), a spring, a limit at rest and one while it slides. It comes to rest
+/// when its trial has retreated within `sliding`/(1 + margin·(at_rest/sliding − 1)).
+struct Scalar {
+  double stiffness;
+  double margin;
+  bool slides = false;
+  bool slipped = false;
+  double proxy = 0.0;
+
+  /// What the spring exerts on the finger at `goal`.
+  double step(double goal, double at_rest, double sliding) {
+    const double trial = stiffness * (proxy - goal);
+    slipped = std::fabs(trial) > (slides ? sliding : at_rest) * (1.0 + 1e-12);
+    if (slipped) proxy = goal + std::copysign(sliding / stiffness, trial);
+    const double rest = sliding / (1.0 + margin * (at_rest / sliding - 1.0));
+    slides = slipped || (slides && sliding < at_rest && !(std::fabs(trial) < rest));
+    return stiffness * (proxy - goal);
+  }
+};
+
+TEST(Uncoupled, AHeldTwistKeepsItsMomentWhileTheForceSlips) {
+  FingerParameters with = parameters(0.6, 0.006, 1000.0, 0.036);
+  with.mu_dynamic = 0.3;
+  SoftFinger finger(hertz_box(), with);
+  const double limit = 3.0 * M_PI / 16.0 * 0.6 * 0.006;  // Γ_s at 1 N
+  const double twist = 0.9 * limit / 0.036;
+  finger.update(on_plane(0.0, 0.0, 0.001), 0.0);
+  const double held = finger.update(on_plane(0.0, 0.0, 0.001), twist).moment;
+  EXPECT_NEAR(held, -0.9 * limit, 1e-15);
+  double largest = 0.0;
+  bool slipped = false;
+  for (int i = 0; i < 100; ++i) {
+    const FingerOutput output = finger.update(on_plane(2e-5 * i, 0.0, 0.001), twist);
+    ASSERT_EQ(output.moment, held) << i;
+    largest = std::max(largest, output.force.norm());
+    if (output.state == ContactState::stick) continue;
+    slipped = true;
+    ASSERT_EQ(output.state, ContactState::slip);
+    EXPECT_NEAR(output.force.norm(), 0.3, 1e-12) << i;
+    EXPECT_EQ(output.cor, std::numeric_limits<double>::infinity());
+  }
+  EXPECT_TRUE(slipped);
+  EXPECT_NEAR(largest, 0.6, 1e-12);
+  // The twist has not slipped, so that it slips at the limit at rest.
+  EXPECT_EQ(finger.update(on_plane(2e-5 * 99, 0.0, 0.001), 0.999 * limit / 0.036).state, ContactState::stick);
+  const FingerOutput turned = finger.update(on_plane(2e-5 * 99, 0.0, 0.001), 1.001 * limit / 0.036);
+  EXPECT_EQ(turned.state, ContactState::slip);
+  EXPECT_EQ(turned.cor, 0.0);
+  EXPECT_NEAR(turned.moment, -0.5 * limit, 1e-15);
+}
+
+/// Random fingers on a random walk: the whole motion, its slide alone and its twist alone.
+TEST(Uncoupled, EitherPartIsWhatItIsWithoutTheOther) {
+  Random random(3);
+  int slides = 0;
+  int turns = 0;
+  int only_one = 0;
+  for (int scene = 0; scene < 200; ++scene) {
+    FingerParameters with = parameters(random.uniform(0.1, 1.0), random.logarithmic(1e-4, 1e-2), 1000.0, random.logarithmic(1e-3, 1.0));
+    if (scene % 2 == 0) with.mu_dynamic = with.mu * random.uniform(0.05, 1.0);
+    if (scene % 3 == 0) with.radius_law = RadiusLaw::power(0.004, 0.3);
+    if (scene % 4 == 0) {
+      with.moment_coefficient = random.logarithmic(1e-5, 1e-2);
+      if (scene % 8 == 0) with.moment_coefficient_dynamic = *with.moment_coefficient * random.uniform(0.05, 1.0);
+    }
+    if (scene % 5 == 0) {
+      with.damping = 2.0;
+      with.twist_damping = 1e-4;
+    }
+    with.rest_margin = random.uniform(0.0, 1.0);
+    // The slide must not feel what belongs to the twist, nor the other way round.
+    FingerParameters other_twist = with;
+    other_twist.twist_stiffness *= 3.0;
+    other_twist.moment_coefficient = 0.01;
+    other_twist.moment_coefficient_dynamic = 0.001;
+    FingerParameters other_slide = with;
+    const double moment_share = with.moment_coefficient_dynamic ? *with.moment_coefficient_dynamic / *with.moment_coefficient
+                                : with.mu_dynamic               ? *with.mu_dynamic / with.mu
+                                                                : 1.0;
+    if (with.moment_coefficient) {
+      other_slide.moment_coefficient_dynamic = *with.moment_coefficient * moment_share;
+      other_slide.mu_dynamic = with.mu * random.uniform(0.0, 1.0);
+    }
+    SoftFinger both(hertz_box(), with);
+    SoftFinger slide(hertz_box(), other_twist);
+    SoftFinger twist(hertz_box(), other_slide);
+    double x = 0.0;
+    double y = 0.0;
+    double angle = 0.0;
+    const double stride = random.logarithmic(1e-5, 1e-3);
+    const double turn = stride * random.logarithmic(10.0, 1000.0);
+    for (int i = 0; i < 400; ++i) {
+      x += random.uniform(-1.0, 1.0) * stride;
+      y += random.uniform(-1.0, 1.0) * stride;
+      angle += random.uniform(-1.0, 1.0) * turn;
+      const double depth = random.uniform(1e-4, 2e-3);
+      const FingerOutput felt = both.update(on_plane(x, y, depth), angle, 1e-3);
+      const FingerOutput slid = slide.update(on_plane(x, y, depth), 0.0, 1e-3);
+      const FingerOutput turned = twist.update(on_plane(0.0, 0.0, depth), angle, 1e-3);
+      ASSERT_TRUE(same_bits(felt.force, slid.force) && same_bits(felt.proxy, slid.proxy)) << scene << ' ' << i;
+      if (with.moment_coefficient) {
+        // Its μ_d differs: the same limit, but for its rounding.
+        ASSERT_NEAR(felt.moment, turned.moment, 1e-12 * std::fabs(felt.moment)) << scene << ' ' << i;
+      } else {
+        ASSERT_EQ(felt.moment, turned.moment) << scene << ' ' << i;
+        ASSERT_EQ(felt.angle, turned.angle) << scene << ' ' << i;
+      }
+      const bool slips = slid.state == ContactState::slip;
+      const bool spins = turned.state == ContactState::slip;
+      ASSERT_EQ(felt.state == ContactState::slip, slips || spins) << scene << ' ' << i;
+      if (slips && !spins) {
+        ASSERT_EQ(felt.cor, std::numeric_limits<double>::infinity());
+      }
+      if (spins && !slips) {
+        ASSERT_EQ(felt.cor, 0.0);
+      }
+      slides += slips;
+      turns += spins;
+      only_one += slips != spins;
+    }
+  }
+  EXPECT_GT(slides, 10000);
+  EXPECT_GT(turns, 10000);
+  EXPECT_GT(only_one, 10000);
+}
+
+TEST(Uncoupled, IsTwoScalarTests) {
+  Random random(8);
+  for (int scene = 0; scene < 60; ++scene) {
+    FingerParameters with = parameters(random.uniform(0.2, 1.0), 0.005, 1000.0, random.logarithmic(1e-3, 1.0));
+    with.mu_dynamic = with.mu * random.uniform(0.1, 1.0);
+    with.moment_coefficient = random.logarithmic(1e-4, 1e-2);
+    with.moment_coefficient_dynamic = *with.moment_coefficient * random.uniform(0.1, 1.0);
+    with.rest_margin = random.uniform(0.0, 1.0);
+    SoftFinger finger(hertz_box(), with);
+    Scalar force{1000.0, with.rest_margin};
+    Scalar moment{with.twist_stiffness, with.rest_margin};
+    double x = 0.0;
+    double angle = 0.0;
+    finger.update(on_plane(x, 0.0, 0.001), angle);
+    const double stride = random.logarithmic(1e-5, 1e-3);
+    const double turn = random.logarithmic(0.01, 2.0) * *with.moment_coefficient / with.twist_stiffness;
+    for (int i = 0; i < 1000; ++i) {
+      x += random.uniform(-1.0, 1.0) * stride;
+      angle += random.uniform(-1.0, 1.0) * turn;
+      const double depth = random.uniform(5e-4, 2e-3);
+      const double load = 1000.0 * depth;
+      const FingerOutput output = finger.update(on_plane(x, 0.0, depth), angle);
+      const double expected_force = force.step(x, with.mu * load, *with.mu_dynamic * load);
+      const double expected_moment = moment.step(angle, *with.moment_coefficient * load, *with.moment_coefficient_dynamic * load);
+      ASSERT_NEAR(output.force.x(), expected_force, 1e-11 * load) << scene << ' ' << i;
+      ASSERT_NEAR(output.moment, expected_moment, 1e-11 * *with.moment_coefficient * load) << scene << ' ' << i;
+      ASSERT_EQ(output.state, force.slipped || moment.slipped ? ContactState::slip : ContactState::stick) << scene << ' ' << i;
+      // How far from the next slip: nearer of the two, each to the limit that acts on it.
+      const double share =
+          std::max(std::fabs(expected_force) / ((force.slides ? *with.mu_dynamic : with.mu) * load),
+                   std::fabs(expected_moment) / ((moment.slides ? *with.moment_coefficient_dynamic : *with.moment_coefficient) * load));
+      if (output.state == ContactState::stick) {
+        ASSERT_NEAR(finger.margin(), std::max(1.0 - share, 0.0), 1e-9) << scene << ' ' << i;
+      }
+    }
+  }
+}
+
+/// A force without friction while it slides leaves the moment its own.
+TEST(Uncoupled, AMomentOutlivesAForceWithoutFriction) {
+  FingerParameters with = parameters(0.6, 0.006, 1000.0, 0.036);
+  with.mu_dynamic = 0.0;
+  with.moment_coefficient = 0.002;
+  with.moment_coefficient_dynamic = 0.001;
+  SoftFinger finger(hertz_box(), with);
+  finger.update(on_plane(0.0, 0.0, 0.001), 0.0);
+  const FingerOutput output = finger.update(on_plane(0.01, 0.0, 0.001), 1.0);
+  EXPECT_EQ(output.state, ContactState::slip);
+  EXPECT_NEAR(output.force.norm(), 0.0, 1e-15);
+  EXPECT_NEAR(output.moment, -0.001, 1e-15);
+  // Without torsion a twist does not slip.
+  with.moment_coefficient = 0.0;
+  with.moment_coefficient_dynamic.reset();
+  SoftFinger smooth(hertz_box(), with);
+  smooth.update(on_plane(0.0, 0.0, 0.001), 0.0);
+  const FingerOutput turned = smooth.update(on_plane(0.0, 0.0, 0.001), 1.0);
+  EXPECT_EQ(turned.state, ContactState::stick);
+  EXPECT_EQ(turned.moment, 0.0);
+}
+
+/// Batches remember both slip states: contact by contact what a finger does.
+template <class Real>
+void expect_batch_of_fingers(double tolerance) {
+  constexpr std::size_t count = 67;
+  FingerParameters with = parameters(0.6, 0.005, 1000.0, 0.04);
+  with.mu_dynamic = 0.3;
+  const BasicBatch<Real> batch(box(1.0, hertz()->moment_ratio()), with);
+  std::vector<SoftFinger> fingers(count, SoftFinger(hertz_box(), with));
+  BasicContactArrays<Real> arrays(count);
+  Random random(11);
+  int only_one = 0;
+  for (int step = 0; step < 300; ++step) {
+    for (std::size_t i = 0; i < count; ++i) {
+      // Even contacts slide and hold their twist near its limit at rest, odd ones turn and hold their place.
+      const bool slides = i % 2 == 0;
+      arrays.x()[i] = static_cast<Real>(slides ? 1e-5 * step : 5e-4 * std::min(step / 10.0, 1.0));
+      arrays.angle()[i] = static_cast<Real>(slides ? 0.04 * std::min(step / 10.0, 1.0) : 1e-3 * step);
+      arrays.depth()[i] = static_cast<Real>(0.001);
+    }
+    const BasicContactBatch<Real> contacts = arrays.batch();
+    batch.step(contacts);
+    for (std::size_t i = 0; i < count; ++i) {
+      const FingerOutput output =
+          fingers[i].update(on_plane(double{contacts.x[i]}, 0.0, double{contacts.depth[i]}), double{contacts.angle[i]});
+      ASSERT_EQ(contacts.state[i], output.state) << step << ' ' << i;
+      ASSERT_NEAR(double{contacts.force_x[i]}, output.force.x(), tolerance) << step << ' ' << i;
+      ASSERT_NEAR(double{contacts.moment[i]}, output.moment, 0.005 * tolerance) << step << ' ' << i;
+      ASSERT_EQ(contacts.sliding[i] == ContactState::slip, fingers[i].state().friction.slides) << step << ' ' << i;
+      ASSERT_EQ(contacts.turning[i] == ContactState::slip, fingers[i].state().friction.turns) << step << ' ' << i;
+      only_one += (contacts.sliding[i] == ContactState::slip) != (contacts.turning[i] == ContactState::slip);
+    }
+  }
+  EXPECT_GT(only_one, 1000);
+}
+
+TEST(Uncoupled, BatchesRememberBothSlips) {
+  expect_batch_of_fingers<double>(1e-12);
+}
+TEST(Uncoupled, FloatBatchesRememberBothSlips) {
+  expect_batch_of_fingers<float>(1e-5);
+}
+
+}  // namespace
+}  // namespace limitcurve::godobject::test
