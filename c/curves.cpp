@@ -151,6 +151,9 @@ limitcurve_status limitcurve_table_gauge(const limitcurve_table* table, const do
     if (!(forces[i] >= 0.0 && std::isfinite(forces[i]))) return refuse("forces", i, forces[i], expected);
     if (!(moments[i] >= 0.0 && std::isfinite(moments[i]))) return refuse("moments", i, moments[i], expected);
   }
-  for (std::size_t i = 0; i < count; ++i) gauges[i] = table->curve.gauge({forces[i], moments[i]});
+  const auto write = [&](const auto& curve) {
+    for (std::size_t i = 0; i < count; ++i) gauges[i] = curve.gauge({forces[i], moments[i]});
+  };
+  table->table ? write(*table->table) : write(table->curve);
   return LIMITCURVE_OK;
 }

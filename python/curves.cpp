@@ -116,7 +116,7 @@ void add_laws(nb::module_& module) {
                     "(1.0, 0.0)\n"
                     ">>> f, m = law.evaluate([0, 0.5, 1])\n"
                     ">>> [round(float(x), 6) for x in f]\n"
-                    "[0.0, 0.552233, 0.848826]\n")
+                    "[0.0, 0.552233, 0.883573]\n")
       .def(
           "__init__",
           [](PyLaw* self, const std::string& text) {
