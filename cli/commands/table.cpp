@@ -3,25 +3,11 @@
 
 #include "cli/commands/subcommands.hpp"
 #include "cli/io/output_file.hpp"
-
-#include "limitcurve/table_file.hpp"
-
-#include <filesystem>
-#include <stdexcept>
+#include "cli/io/table_writer.hpp"
 
 namespace limitcurve::cli {
 
 namespace {
-
-using Writer = std::string (*)(const limitcurve::Table&);
-
-Writer writer_for(const std::string& file) {
-  const std::string extension = std::filesystem::path(file).extension().string();
-  if (extension == ".csv") return [](const limitcurve::Table& table) { return to_csv(table); };
-  if (extension == ".json") return [](const limitcurve::Table& table) { return to_json(table); };
-  if (extension == ".hpp" || extension == ".h") return [](const limitcurve::Table& table) { return to_header(table); };
-  throw std::invalid_argument("--output: got '" + file + "', expected a name that ends in .csv, .json, .h or .hpp");
-}
 
 class Table final : public Subcommand {
  public:
@@ -41,7 +27,7 @@ class Table final : public Subcommand {
   }
 
   void run(const Results& results) override {
-    const Writer text_of = writer_for(file_);
+    const TableWriter text_of = table_writer(file_, "--output");
     const auto table = limitcurve::Table::build(law_, tolerance_);
     AtomicFile file(file_);
     file.output().write(text_of(table));

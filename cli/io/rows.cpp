@@ -30,6 +30,12 @@ std::string quoted_for_json(std::string_view text) {
 }  // namespace
 
 Rows::Rows(Results results, const std::vector<std::string>& columns) : results_(std::move(results)) {
+  if (results_.columns != nullptr) {
+    columns_ = columns;
+    results_.columns->clear();
+    for (const std::string& name : columns) results_.columns->push_back({name});
+    return;
+  }
   for (const std::string& name : columns) {
     columns_.push_back(results_.format == Format::csv ? quoted_for_csv(name) : quoted_for_json(name));
   }
@@ -49,6 +55,7 @@ Rows::Rows(Results results, const std::vector<std::string>& columns) : results_(
 
 void Rows::begin_row() {
   column_ = 0;
+  if (results_.columns != nullptr) return;
   if (results_.format == Format::csv) {
     results_.output.write(leading_);
   } else {
@@ -59,6 +66,7 @@ void Rows::begin_row() {
 
 void Rows::end_row() {
   if (column_ != columns_.size()) throw std::logic_error("a row of other length than its header");
+  if (results_.columns != nullptr) return;
   results_.output.write(results_.format == Format::csv ? "\n" : "}");
 }
 
@@ -71,7 +79,14 @@ void Rows::begin_cell() {
   ++column_;
 }
 
+void Rows::gather(Column::Kind kind, double number) {
+  Column& column = results_.columns->at(column_++);
+  column.kind = kind;
+  column.numbers.push_back(number);
+}
+
 void Rows::cell(double number) {
+  if (results_.columns != nullptr) return gather(Column::Kind::number, number);
   begin_cell();
   const std::string text = format_number(number);
   results_.output.write(results_.format == Format::json && !std::isfinite(number) ? '"' + text + '"' : text);
@@ -83,11 +98,16 @@ void Rows::literal(std::string_view text) {
 }
 
 void Rows::cell(std::string_view text) {
+  if (results_.columns != nullptr) {
+    results_.columns->at(column_++).texts.emplace_back(text);
+    return;
+  }
   begin_cell();
   results_.output.write(results_.format == Format::csv ? quoted_for_csv(text) : quoted_for_json(text));
 }
 
 void Rows::finish() {
+  if (results_.columns != nullptr) return;
   if (results_.format == Format::json) results_.output.write(first_row_ ? "]\n" : "\n]\n");
   results_.output.flush();
 }

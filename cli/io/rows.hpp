@@ -4,6 +4,7 @@
 #include "cli/io/output_file.hpp"
 
 #include <concepts>
+#include <cstdint>
 #include <initializer_list>
 #include <string>
 #include <string_view>
@@ -14,6 +15,16 @@ namespace limitcurve::cli {
 
 enum class Format { csv, json };
 
+/// A column of results as numbers or texts, for a program that has no use for text of them.
+struct Column {
+  enum class Kind { number, integer, truth, text };
+
+  std::string name;
+  Kind kind = Kind::text;            ///< of its last cell
+  std::vector<double> numbers = {};  ///< of kind number, integer or truth
+  std::vector<std::string> texts = {};
+};
+
 /// Where a subcommand's results go, and in which form. `report` gathers those of several runs in one CSV file: each row
 /// then begins with what distinguishes its run, and only the first run writes the header.
 struct Results {
@@ -21,6 +32,7 @@ struct Results {
   Format format = Format::csv;
   std::vector<std::pair<std::string, std::string>> leading = {};  ///< column, its cell in every row; CSV only
   bool header = true;                                             ///< CSV only
+  std::vector<Column>* columns = nullptr;                         ///< where rows are gathered in place of `output`, if anywhere
 };
 
 /// Writes rows of named columns, one by one as they come.
@@ -65,9 +77,14 @@ class Rows {
   void cell(const char* text) { cell(std::string_view(text)); }
   template <std::unsigned_integral Integer>
   void cell(Integer number) {
+    if (results_.columns != nullptr) return gather(Column::Kind::integer, static_cast<double>(number));
     literal(std::to_string(number));
   }
-  void cell(bool truth) { literal(truth ? "true" : "false"); }
+  void cell(bool truth) {
+    if (results_.columns != nullptr) return gather(Column::Kind::truth, truth ? 1.0 : 0.0);
+    literal(truth ? "true" : "false");
+  }
+  void gather(Column::Kind kind, double number);
   /// A cell that is the same in both forms.
   void literal(std::string_view text);
 

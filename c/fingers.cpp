@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+#include "c/handles.hpp"
+
+#include "godobject/friction.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace limitcurve;
+using namespace limitcurve::c;
+using namespace limitcurve::godobject;
+
+namespace limitcurve::c {
+
+FingerParameters parameters_of(const limitcurve_finger_parameters& given) {
+  const auto absent = [](double value) { return std::isnan(value) ? std::optional<double>() : value; };
+  if (given.radius_law == nullptr) throw std::invalid_argument("radius_law: got NULL");
+  FingerParameters parameters;
+  parameters.mu = given.mu;
+  parameters.mu_dynamic = absent(given.mu_dynamic);
+  parameters.radius_law = RadiusLaw::parse(given.radius_law);
+  parameters.moment_coefficient = absent(given.moment_coefficient);
+  parameters.moment_exponent = given.moment_exponent;
+  parameters.moment_coefficient_dynamic = absent(given.moment_coefficient_dynamic);
+  parameters.stiffness = given.stiffness;
+  parameters.twist_stiffness = given.twist_stiffness;
+  parameters.damping = given.damping;
+  parameters.twist_damping = given.twist_damping;
+  parameters.rest_margin = given.rest_margin;
+  parameters.max_displacement = given.max_displacement;
+  parameters.fault_decay = given.fault_decay;
+  return parameters;
+}
+
+Projection projection_of(limitcurve_projection projection) {
+  switch (projection) {
+    case LIMITCURVE_RADIAL:
+      return Projection::radial;
+    case LIMITCURVE_C_CURVE:
+      return Projection::c_curve;
+    case LIMITCURVE_CLOSEST_POINT:
+      return Projection::closest_point;
+  }
+  throw std::invalid_argument("projection: got " + std::to_string(static_cast<int>(projection)) + ", expected 0, 1 or 2");
+}
+
+}  // namespace limitcurve::c
+
+namespace {
+
+void copy(const Eigen::Vector3d& from, double (&to)[3]) noexcept {
+  std::copy_n(from.data(), 3, to);
+}
+
+bool is_limit(double force, double radius) noexcept {
+  return force >= 0.0 && std::isfinite(force) && radius > 0.0 && std::isfinite(radius);
+}
+
+/// What friction is to act on, checked; a static text of what is wrong otherwise.
+const char* fault_of(const limitcurve_limits& limits, double force, double moment, const limitcurve_memory& memory) noexcept {
+  if (!is_limit(limits.force, limits.radius) || !is_limit(limits.sliding_force, limits.sliding_radius))
+    return "expected finite forces >= 0 and radii > 0";
+  if (limits.sliding_force > limits.force || limits.sliding_radius > limits.radius)
+    return "sliding_force and sliding_radius: expected not more than at rest";
+  if (!(limits.stiffness_ratio > 0.0 && std::isfinite(limits.stiffness_ratio))) return "stiffness_ratio: expected a finite number > 0";
+  if (!(limits.rest_share >= 0.0 && limits.rest_share <= 1.0)) return "rest_share: expected a number from 0 to 1";
+  if (!(force >= 0.0 && std::isfinite(force) && moment >= 0.0 && std::isfinite(moment)))
+    return "force and moment: expected finite numbers >= 0";
+  if (!(memory.parameter >= 0.0 && memory.parameter <= 2.0 && std::fabs(memory.rate) <= 2.0))
+    return "memory: expected all 0, or what the last step left";
+  return nullptr;
+}
+
+}  // namespace
+
+limitcurve_status limitcurve_apply_friction(const limitcurve_table* table, limitcurve_projection projection,
+                                            const limitcurve_limits* limits, double force, double moment, limitcurve_memory* memory,
+                                            limitcurve_friction* friction) {
+  if (is_no_handle("table", table) || is_missing("limits", limits) || is_missing("memory", memory) || is_missing("friction", friction))
+    return LIMITCURVE_INVALID;
+  if (projection < LIMITCURVE_RADIAL || projection > LIMITCURVE_CLOSEST_POINT) return refuse("projection", "expected 0, 1 or 2");
+  if (table->curve.is_box() && projection != LIMITCURVE_CLOSEST_POINT) return refuse("projection", "a box goes with closest-point only");
+  if (const char* const fault = fault_of(*limits, force, moment, *memory)) return refuse("friction", fault);
+  const FrictionLimits<double> acting{
+      {limits->force, limits->radius}, {limits->sliding_force, limits->sliding_radius}, limits->stiffness_ratio, limits->rest_share};
+  FrictionMemory<double> remembered{memory->slides != 0, memory->parameter, memory->rate};
+  const auto result =
+      apply_friction(table->curve.view(), static_cast<Projection>(projection), acting, FrictionTrial<double>{force, moment}, remembered);
+  *memory = {remembered.parameter, remembered.rate, remembered.slides ? 1 : 0};
+  *friction = {result.force_ratio, result.moment_ratio, result.cor, result.slips ? 1 : 0};
+  return LIMITCURVE_OK;
+}
+
+limitcurve_finger_parameters limitcurve_finger_defaults(void) {
+  const FingerParameters standard;
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  return {standard.mu,
+          nan,
+          "constant:a=0.005",
+          nan,
+          0.0,
+          nan,
+          standard.stiffness,
+          standard.twist_stiffness,
+          standard.damping,
+          standard.twist_damping,
+          standard.rest_margin,
+          standard.max_displacement,
+          standard.fault_decay};
+}
+
+limitcurve_status limitcurve_finger_new(const limitcurve_table* table, const limitcurve_finger_parameters* parameters,
+                                        limitcurve_projection projection, limitcurve_finger** finger) {
+  if (is_no_handle("table", table) || is_missing("parameters", parameters)) return LIMITCURVE_INVALID;
+  return make_handle(finger,
+                     [&] { return limitcurve_finger{SoftFinger(table->curve, parameters_of(*parameters), projection_of(projection))}; });
+}
+
+limitcurve_status limitcurve_finger_new_patch(const limitcurve_patch* patch, const limitcurve_finger_parameters* parameters,
+                                              double point_radius, limitcurve_finger** finger) {
+  if (is_no_handle("patch", patch) || is_missing("parameters", parameters)) return LIMITCURVE_INVALID;
+  return make_handle(finger, [&] { return limitcurve_finger{PatchFinger(patch->patch, parameters_of(*parameters), point_radius)}; });
+}
+
+void limitcurve_finger_free(limitcurve_finger* finger) {
+  free_handle(finger);
+}
+
+limitcurve_status limitcurve_finger_update(limitcurve_finger* finger, const limitcurve_contact* contact, double time_step,
+                                           limitcurve_finger_output* output) {
+  if (is_no_handle("finger", finger) || is_missing("contact", contact) || is_missing("output", output)) return LIMITCURVE_INVALID;
+  const Contact touched{Eigen::Vector3d(contact->point), Eigen::Vector3d(contact->normal), contact->depth};
+  const FingerOutput step = std::visit([&](auto& one) { return one.update(touched, contact->twist, time_step); }, finger->finger);
+  copy(step.proxy, output->proxy);
+  output->angle = step.angle;
+  output->depth = step.depth;
+  copy(step.normal, output->normal);
+  output->load = step.load;
+  copy(step.force, output->force);
+  output->moment = step.moment;
+  output->cor = step.cor;
+  output->slip_work = step.slip_work;
+  output->state = static_cast<limitcurve_state>(step.state);
+  return LIMITCURVE_OK;
+}
+
+limitcurve_status limitcurve_finger_reset(limitcurve_finger* finger) {
+  if (is_no_handle("finger", finger)) return LIMITCURVE_INVALID;
+  std::visit([](auto& one) { one.reset(); }, finger->finger);
+  return LIMITCURVE_OK;
+}
+
+limitcurve_status limitcurve_finger_margin(const limitcurve_finger* finger, double* margin, double* load_to_hold) {
+  if (is_no_handle("finger", finger)) return LIMITCURVE_INVALID;
+  std::visit(
+      [&](const auto& one) {
+        if (margin != nullptr) *margin = one.margin();
+        if (load_to_hold != nullptr) *load_to_hold = one.load_to_hold();
+      },
+      finger->finger);
+  return LIMITCURVE_OK;
+}

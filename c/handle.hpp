@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "c/limitcurve.h"
+
+#include <exception>
+#include <new>
+#include <stdexcept>
+#include <utility>
+
+/// What every function of the C interface does with errors and handles.
+namespace limitcurve::c {
+
+/// Keeps the message for limitcurve_error(), cut to the thread's fixed buffer. No allocation.
+limitcurve_status complain(limitcurve_status status, const char* message) noexcept;
+/// "NAME: WHAT", "NAME[INDEX]: got VALUE, expected EXPECTED". No allocation.
+limitcurve_status refuse(const char* name, const char* what) noexcept;
+limitcurve_status refuse(const char* name, std::size_t index, double value, const char* expected) noexcept;
+
+/// Runs `work`; what it throws becomes a status and a message.
+template <class Work>
+limitcurve_status guarded(const Work& work) noexcept {
+  try {
+    work();
+    return LIMITCURVE_OK;
+  } catch (const std::invalid_argument& error) {
+    return complain(LIMITCURVE_INVALID, error.what());
+  } catch (const std::bad_alloc&) {
+    return complain(LIMITCURVE_FAILED, "no memory");
+  } catch (const std::exception& error) {
+    return complain(LIMITCURVE_FAILED, error.what());
+  } catch (...) {
+    return complain(LIMITCURVE_FAILED, "unknown failure");
+  }
+}
+
+#ifdef NDEBUG
+inline void remember(const void*) noexcept {}
+inline void forget(const void*) noexcept {}
+inline bool is_alive(const void*) noexcept {
+  return true;
+}
+#else
+/// The handles that live. Without NDEBUG only, for it takes a lock.
+void remember(const void* handle) noexcept;
+void forget(const void* handle) noexcept;
+bool is_alive(const void* handle) noexcept;
+#endif
+
+/// What is wrong with a pointer that the caller gave for `name`: kept for limitcurve_error(), and true.
+inline bool is_missing(const char* name, const void* pointer) noexcept {
+  if (pointer != nullptr) return false;
+  refuse(name, "got NULL");
+  return true;
+}
+inline bool is_no_handle(const char* name, const void* handle) noexcept {
+  if (is_missing(name, handle)) return true;
+  if (is_alive(handle)) return false;
+  refuse(name, "the handle was freed");
+  return true;
+}
+
+/// Makes a handle and hands it over. `make` returns the handle's contents.
+template <class Handle, class Make>
+limitcurve_status make_handle(Handle** handle, const Make& make) noexcept {
+  if (is_missing("result", handle)) return LIMITCURVE_INVALID;
+  return guarded([&] {
+    auto* const made = new Handle(make());
+    remember(made);
+    *handle = made;
+  });
+}
+
+template <class Handle>
+void free_handle(Handle* handle) noexcept {
+  if (handle == nullptr || !is_alive(handle)) return;
+  forget(handle);
+  delete handle;
+}
+
+}  // namespace limitcurve::c

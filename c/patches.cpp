@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#include "c/handles.hpp"
+
+#include <limits>
+#include <vector>
+
+using namespace limitcurve;
+using namespace limitcurve::c;
+
+limitcurve_status limitcurve_patch_points(const double* x, const double* y, const double* loads, size_t count, limitcurve_patch** patch) {
+  if (count > 0 && (is_missing("x", x) || is_missing("y", y) || is_missing("loads", loads))) return LIMITCURVE_INVALID;
+  return make_handle(patch, [&] {
+    std::vector<PatchLoad> points;
+    for (std::size_t i = 0; i < count; ++i) points.push_back({x[i], y[i], loads[i]});
+    return limitcurve_patch{Patch::points(points)};
+  });
+}
+
+limitcurve_status limitcurve_patch_polygon(const double* x, const double* y, size_t count, limitcurve_patch** patch) {
+  if (count > 0 && (is_missing("x", x) || is_missing("y", y))) return LIMITCURVE_INVALID;
+  return make_handle(patch, [&] {
+    std::vector<PatchPoint> vertices;
+    for (std::size_t i = 0; i < count; ++i) vertices.push_back({x[i], y[i]});
+    return limitcurve_patch{Patch::polygon(vertices)};
+  });
+}
+
+limitcurve_status limitcurve_patch_rectangle(double x, double y, limitcurve_patch** patch) {
+  return make_handle(patch, [&] { return limitcurve_patch{Patch::rectangle(x, y)}; });
+}
+
+limitcurve_status limitcurve_patch_ellipse(const limitcurve_law* law, double a, double b, limitcurve_patch** patch) {
+  if (is_no_handle("law", law)) return LIMITCURVE_INVALID;
+  return make_handle(patch, [&] { return limitcurve_patch{Patch::ellipse(law->law, a, b)}; });
+}
+
+limitcurve_status limitcurve_patch_image(const double* pressures, size_t rows, size_t columns, double pixel, limitcurve_patch** patch) {
+  if (rows > 0 && columns > std::numeric_limits<std::size_t>::max() / sizeof(double) / rows)
+    return refuse("rows", "more pixels than there is memory");
+  if (rows * columns > 0 && is_missing("pressures", pressures)) return LIMITCURVE_INVALID;
+  return make_handle(patch, [&] { return limitcurve_patch{Patch::image(std::span(pressures, rows * columns), columns, pixel)}; });
+}
+
+limitcurve_status limitcurve_patch_orthotropic(const limitcurve_patch* patch, double mx, double my, limitcurve_patch** result) {
+  if (is_no_handle("patch", patch)) return LIMITCURVE_INVALID;
+  return make_handle(result, [&] { return limitcurve_patch{patch->patch.orthotropic(mx, my)}; });
+}
+
+void limitcurve_patch_free(limitcurve_patch* patch) {
+  free_handle(patch);
+}
+
+limitcurve_status limitcurve_patch_wrench(const limitcurve_patch* patch, const double* twists, size_t count, double* wrenches,
+                                          double* powers, double* errors) {
+  if (is_no_handle("patch", patch)) return LIMITCURVE_INVALID;
+  if (count > 0 && (is_missing("twists", twists) || is_missing("wrenches", wrenches))) return LIMITCURVE_INVALID;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double* const twist = twists + 3 * i;
+    const PatchFriction friction = patch->patch.about_origin({twist[0], twist[1], twist[2]});
+    double* const wrench = wrenches + 3 * i;
+    wrench[0] = friction.wrench.fx;
+    wrench[1] = friction.wrench.fy;
+    wrench[2] = friction.wrench.moment;
+    if (powers != nullptr) powers[i] = friction.power;
+    if (errors != nullptr) errors[i] = friction.error;
+  }
+  return LIMITCURVE_OK;
+}

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#include "cli/io/table_writer.hpp"
+
+#include "limitcurve/table_file.hpp"
+
+#include <filesystem>
+#include <stdexcept>
+
+namespace limitcurve::cli {
+
+TableWriter table_writer(const std::string& file, const std::string& option) {
+  const std::string extension = std::filesystem::path(file).extension().string();
+  if (extension == ".csv") return [](const limitcurve::Table& table) { return to_csv(table); };
+  if (extension == ".json") return [](const limitcurve::Table& table) { return to_json(table); };
+  if (extension == ".hpp" || extension == ".h") return [](const limitcurve::Table& table) { return to_header(table); };
+  throw std::invalid_argument(option + ": got '" + file + "', expected a name that ends in .csv, .json, .h or .hpp");
+}
+
+}  // namespace limitcurve::cli

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: MIT
+#include "python/core.hpp"
+
+#include "godobject/batch.hpp"
+#include "limitcurve/number.hpp"
+
+#include <nanobind/stl/variant.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <stdexcept>
+#include <variant>
+
+namespace limitcurve::python {
+
+using namespace godobject;
+
+namespace {
+
+/// A batch with its arrays, which one thread at a time steps.
+template <class Real>
+class Contacts {
+ public:
+  Contacts(nb::handle curve, std::size_t count, const FingerParameters& parameters, Projection projection)
+      : batch_(curve_of<Real>(curve), parameters, projection), arrays_(count) {}
+
+  void update(nb::handle x, nb::handle y, nb::handle depth, nb::handle twist) {
+    const Numbers<Real> at_x = input(x, "x");
+    const Numbers<Real> at_y = input(y, "y");
+    const Numbers<Real> depths = input(depth, "depth");
+    const Numbers<Real> angles = input(twist, "twist");
+    const nb::gil_scoped_release release;
+    const std::lock_guard lock(mutex_);
+    BasicContactBatch<Real> contacts = arrays_.batch();
+    const auto all = [this](const Numbers<Real>& numbers) { return std::span(numbers.data, arrays_.size()); };
+    contacts.x = all(at_x);
+    contacts.y = all(at_y);
+    contacts.angle = all(angles);
+    contacts.depth = all(depths);
+    batch_.step(contacts);
+  }
+
+  void reset() {
+    const std::lock_guard lock(mutex_);
+    // In place: the caller may hold views.
+    const BasicContactBatch<Real> all = arrays_.batch();
+    for (const auto array : {all.proxy_x, all.proxy_y, all.proxy_angle, all.parameter, all.rate, all.force_x, all.force_y, all.moment})
+      std::ranges::fill(array, Real(0));
+    for (const auto array : {all.state, all.sliding}) std::ranges::fill(array, ContactState::free);
+  }
+
+  [[nodiscard]] std::size_t size() const { return arrays_.size(); }
+  [[nodiscard]] BasicContactBatch<Real> view() { return arrays_.batch(); }
+
+ private:
+  /// One number a contact. A single one counts for all.
+  [[nodiscard]] Numbers<Real> input(nb::handle values, const char* name) {
+    Numbers<Real> numbers = numbers_of<Real>(values, name);
+    const std::size_t count = arrays_.size();
+    if (nb::cast<int>(numbers.array.attr("ndim")) == 0) {
+      const nb::object whole = nb::module_::import_("numpy").attr("full")(count, numbers.array);
+      return numbers_of<Real>(whole, name);
+    }
+    if (nb::cast<int>(numbers.array.attr("ndim")) != 1 || numbers.size != count) {
+      throw std::invalid_argument(std::string(name) + ": got the shape " + text_of(numbers.array.attr("shape")) + ", expected (" +
+                                  std::to_string(count) + ",)");
+    }
+    // The batch's own results as its input would change under its hands.
+    const BasicContactBatch<Real> own = arrays_.batch();
+    const std::less<> before;
+    if (count > 0 && !before(numbers.data, own.x.data()) && before(numbers.data, own.moment.data() + count))
+      numbers = numbers_of<Real>(numbers.array.attr("copy")(), name);
+    return numbers;
+  }
+
+  BasicBatch<Real> batch_;
+  BasicContactArrays<Real> arrays_;
+  std::mutex mutex_;
+};
+
+struct PyBatch {
+  std::variant<std::unique_ptr<Contacts<double>>, std::unique_ptr<Contacts<float>>> contacts;
+};
+
+bool is_single_precision(nb::handle dtype) {
+  const nb::object type = nb::module_::import_("numpy").attr("dtype")(dtype);
+  const std::string name = text_of(type);
+  if (name == "float64" || name == "float32") return name == "float32";
+  throw std::invalid_argument("dtype: got " + name + ", expected float64 or float32");
+}
+
+/// A read-only view of one of the batch's arrays, which keeps the batch alive.
+template <class Select>
+nb::object view_of(nb::handle self, const Select& select) {
+  return std::visit(
+      [&](const auto& contacts) -> nb::object {
+        const auto array = select(contacts->view());
+        using Element = typename decltype(array)::element_type;
+        if constexpr (std::is_same_v<Element, ContactState>) {
+          return nb::cast(
+              nb::ndarray<nb::numpy, const std::uint8_t>(reinterpret_cast<const std::uint8_t*>(array.data()), {array.size()}, self));
+        } else {
+          return nb::cast(nb::ndarray<nb::numpy, const Element>(array.data(), {array.size()}, self));
+        }
+      },
+      nb::cast<PyBatch&>(self).contacts);
+}
+
+}  // namespace
+
+void add_batches(nb::module_& module) {
+  nb::class_<PyBatch> batch(
+      module, "Batch",
+      "Many contacts that share a limit curve and parameters, each in its own tangent plane, in arrays.\n\n"
+      "Step b alone: friction by the curve, springs, radius law, static and dynamic friction. Dampers, faults and unwrapping\n"
+      "of angles are a SoftFinger's.\n\n"
+      ">>> import limitcurve as lc, numpy as np\n"
+      ">>> batch = lc.Batch(lc.Table('hertz', 1e-8), 3, mu=0.6)\n"
+      ">>> batch.update(0.0, 0.0, 0.002, 0.0)\n"
+      ">>> batch.update(np.array([0, 1e-3, 1e-2]), np.zeros(3), np.full(3, 0.002), np.zeros(3))\n"
+      ">>> [str(lc.ContactState(s)) for s in batch.state]\n"
+      "['stick', 'stick', 'slip']\n"
+      ">>> [round(float(f), 6) for f in batch.fx]\n"
+      "[0.0, -1.0, -1.2]\n");
+  batch.def(
+      "__init__",
+      [](PyBatch* self, nb::handle curve, std::size_t n, nb::handle dtype, nb::kwargs given) {
+        const bool single = is_single_precision(dtype);
+        const Projection projection = take_projection(given);
+        const FingerParameters parameters = parameters_of(given);
+        if (parameters.damping != 0.0 || parameters.twist_damping != 0.0)
+          throw std::invalid_argument("damping, twist_damping: expected 0, a batch has no dampers");
+        PyBatch made;
+        if (single) {
+          made.contacts = std::make_unique<Contacts<float>>(curve, n, parameters, projection);
+        } else {
+          made.contacts = std::make_unique<Contacts<double>>(curve, n, parameters, projection);
+        }
+        new (self) PyBatch(std::move(made));
+      },
+      nb::arg("curve"), nb::arg("n"), nb::kw_only(), nb::arg("dtype") = "float64", nb::arg("kwargs"),
+      nb::sig(
+          "def __init__(self, curve: Table | Curve, n: int, *, dtype: numpy.typing.DTypeLike = 'float64', projection: str = "
+          "'closest-point', mu: float = 0.5, mu_dynamic: float | None = None, radius_law: str = 'constant:a=0.005', moment_coefficient: "
+          "float | None = None, moment_exponent: float = 0.0, moment_coefficient_dynamic: float | None = None, stiffness: float = 1000.0, "
+          "twist_stiffness: float = 0.04, damping: float = 0.0, twist_damping: float = 0.0, rest_margin: float = 0.4, max_displacement: "
+          "float = 0.5, fault_decay: float = 0.99) -> None"),
+      "n contacts, free, at the origin; parameters as SoftFinger. dtype float32 takes half the memory and time, and resolves 6e-8 of a\n"
+      "coordinate: its table has the tolerance of the one given, but at least 5e-7.");
+  batch.def(
+      "update",
+      [](PyBatch& self, nb::handle x, nb::handle y, nb::handle depth, nb::handle twist, double dt) {
+        if (!(dt >= 0.0 && std::isfinite(dt))) throw out_of_range("dt", dt, "s", "[0, inf)");
+        std::visit([&](const auto& contacts) { contacts->update(x, y, depth, twist); }, self.contacts);
+      },
+      nb::arg("x"), nb::arg("y"), nb::arg("depth"), nb::arg("twist"), nb::arg("dt") = 0.0,
+      nb::sig("def update(self, x: numpy.typing.ArrayLike, y: numpy.typing.ArrayLike, depth: numpy.typing.ArrayLike, twist: "
+              "numpy.typing.ArrayLike, dt: float = 0.0) -> None"),
+      "Steps all contacts, in place: finger positions x, y [m] in the tangent plane, depths [m] (<= 0: free), twists [rad], unwrapped.\n"
+      "Arrays of length n, or one number for all. Contiguous arrays of the batch's dtype are read where they are, others are copied.\n"
+      "dt [s] is for calls that are a SoftFinger's: a batch has no dampers. What is NaN or beyond 1e6 holds its last output (`invalid`).\n"
+      "Releases the GIL; calls from several threads wait for each other.");
+  batch.def(
+      "reset", [](PyBatch& self) { std::visit([](const auto& contacts) { contacts->reset(); }, self.contacts); },
+      "All contacts free, at the origin.");
+  batch.def("__len__",
+            [](const PyBatch& self) { return std::visit([](const auto& contacts) { return contacts->size(); }, self.contacts); });
+  const auto add_view = [&](const char* name, const char* doc, const auto& select) {
+    batch.def_prop_ro(
+        name, [select](nb::handle self) { return view_of(self, select); },
+        nb::sig(("def " + std::string(name) + "(self) -> numpy.typing.NDArray[typing.Any]").c_str()), doc);
+  };
+  add_view("fx", "friction on the user along x [N]: a read-only view, as all that follow", [](const auto& all) { return all.force_x; });
+  add_view("fy", "friction on the user along y [N]", [](const auto& all) { return all.force_y; });
+  add_view("moment", "friction moment on the user [N m]", [](const auto& all) { return all.moment; });
+  add_view("state", "ContactState, as uint8", [](const auto& all) { return all.state; });
+  add_view("proxy_x", "where the proxies are [m]", [](const auto& all) { return all.proxy_x; });
+  add_view("proxy_y", "where the proxies are [m]", [](const auto& all) { return all.proxy_y; });
+  add_view("proxy_angle", "how the proxies are turned [rad]", [](const auto& all) { return all.proxy_angle; });
+}
+
+}  // namespace limitcurve::python

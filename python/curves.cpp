@@ -1,0 +1,312 @@
+// SPDX-License-Identifier: MIT
+#include "python/core.hpp"
+
+#include "cli/io/law_argument.hpp"
+#include "cli/io/output_file.hpp"
+#include "cli/io/table_reader.hpp"
+#include "cli/io/table_writer.hpp"
+#include "godobject/godobject.hpp"
+#include "limitcurve/contact_radius.hpp"
+#include "limitcurve/laws.hpp"
+#include "limitcurve/number.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace limitcurve::python {
+
+namespace {
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+
+/// Throws where a number is negative, and where it is infinite and must not be; NaN passes.
+void require_non_negative(const Numbers<double>& numbers, const char* name, bool may_be_infinite) {
+  const double largest = may_be_infinite ? std::numeric_limits<double>::infinity() : std::numeric_limits<double>::max();
+  const double* const end = numbers.data + numbers.size;
+  const double* const bad = std::find_if(numbers.data, end, [&](double number) { return number < 0.0 || number > largest; });
+  if (bad == end) return;
+  const std::string place = numbers.size == 1 ? "" : "[" + std::to_string(bad - numbers.data) + "]";
+  throw std::invalid_argument(name + place + ": got " + format_number(*bad) + ", expected " +
+                              (may_be_infinite ? "a number >= 0, or inf" : "a finite number >= 0"));
+}
+
+/// Unit wrenches at COR distances: `wrench_at(s)` gives force and moment.
+template <class WrenchAt>
+nb::object evaluate(nb::handle c, const WrenchAt& wrench_at) {
+  const Numbers<double> cors = numbers_of<double>(c, "c");
+  require_non_negative(cors, "c", true);
+  const Results forces = results_like(cors.array);
+  const Results moments = results_like(cors.array);
+  {
+    const nb::gil_scoped_release release;
+    for (std::size_t i = 0; i < cors.size; ++i) {
+      const double s = cors.data[i];
+      const UnitWrench wrench = std::isnan(s) ? UnitWrench{not_a_number, not_a_number} : wrench_at(s);
+      forces.data[i] = wrench.force;
+      moments.data[i] = wrench.moment;
+    }
+  }
+  const bool single = is_single(c);
+  return nb::make_tuple(handed_over(forces, single), handed_over(moments, single));
+}
+
+nb::object evaluate_with_errors(const PyLaw& law, nb::handle c) {
+  const Numbers<double> cors = numbers_of<double>(c, "c");
+  require_non_negative(cors, "c", true);
+  const std::array<Results, 4> results{results_like(cors.array), results_like(cors.array), results_like(cors.array),
+                                       results_like(cors.array)};
+  {
+    const nb::gil_scoped_release release;
+    for (std::size_t i = 0; i < cors.size; ++i) {
+      const double s = cors.data[i];
+      const WrenchEstimate estimate =
+          std::isnan(s) ? WrenchEstimate{{not_a_number, not_a_number}, {not_a_number, not_a_number}, 0.0} : law.law->evaluate(s);
+      results[0].data[i] = estimate.wrench.force;
+      results[1].data[i] = estimate.wrench.moment;
+      results[2].data[i] = estimate.error.force;
+      results[3].data[i] = estimate.error.moment;
+    }
+  }
+  const bool single = is_single(c);
+  return nb::make_tuple(handed_over(results[0], single), handed_over(results[1], single), handed_over(results[2], single),
+                        handed_over(results[3], single));
+}
+
+/// One number for each pair of force and moment.
+template <class Of>
+nb::object of_wrenches(nb::handle force, nb::handle moment, const Of& of) {
+  const std::vector<Numbers<double>> numbers = broadcast({force, moment}, {"force", "moment"});
+  require_non_negative(numbers[0], "force", false);
+  require_non_negative(numbers[1], "moment", false);
+  const Results results = results_like(numbers[0].array);
+  {
+    const nb::gil_scoped_release release;
+    for (std::size_t i = 0; i < numbers[0].size; ++i) {
+      const double f = numbers[0].data[i];
+      const double m = numbers[1].data[i];
+      results.data[i] = std::isnan(f) || std::isnan(m) ? not_a_number : of(f, m);
+    }
+  }
+  return handed_over(results, is_single(force) && is_single(moment));
+}
+
+template <class Curve>
+nb::object loads_to_hold(const Curve& curve, nb::handle force, nb::handle moment, double mu, const std::string& radius_law) {
+  const RadiusLaw radius = cli::read_radius_law(radius_law);
+  return of_wrenches(force, moment, [&](double f, double m) { return load_to_hold(curve, radius, mu, f, m); });
+}
+
+constexpr const char* evaluate_signature = "def evaluate(self, c: numpy.typing.ArrayLike) -> tuple[typing.Any, typing.Any]";
+constexpr const char* gauge_signature = "def gauge(self, force: numpy.typing.ArrayLike, moment: numpy.typing.ArrayLike) -> typing.Any";
+constexpr const char* hold_signature =
+    "def load_to_hold(self, force: numpy.typing.ArrayLike, moment: numpy.typing.ArrayLike, *, mu: float, radius_law: str) -> typing.Any";
+constexpr const char* hold_doc =
+    "The least load [N] under which a contact bears friction forces [N] and moments [N m] >= 0, broadcast against each other.\n\n"
+    "inf where none does. The contact radius a(P) follows `radius_law`, as on the command line.";
+
+void add_laws(nb::module_& module) {
+  nb::class_<PyLaw>(module, "Law",
+                    "A pressure law under a soft finger, by the command line's words: 'hertz', 'power:n=2.3', 'samples:FILE.csv',\n"
+                    "'mix:0.7*hertz+0.3*uniform'.\n\n"
+                    ">>> import limitcurve as lc\n"
+                    ">>> law = lc.Law('hertz')\n"
+                    ">>> law.evaluate(float('inf'))\n"
+                    "(1.0, 0.0)\n"
+                    ">>> f, m = law.evaluate([0, 0.5, 1])\n"
+                    ">>> [round(float(x), 6) for x in f]\n"
+                    "[0.0, 0.552233, 0.883573]\n")
+      .def(
+          "__init__",
+          [](PyLaw* self, const std::string& text) {
+            const Law law = cli::read_law(text);
+            new (self) PyLaw{law, text};
+          },
+          nb::arg("text"), "ValueError names what is wrong with the text, or with the file, and what is expected.")
+      .def_static(
+          "samples",
+          [](nb::handle radius, nb::handle pressure, const std::string& source) {
+            const Numbers<double> radii = numbers_of<double>(radius, "radius");
+            const Numbers<double> pressures = numbers_of<double>(pressure, "pressure");
+            if (radii.size != pressures.size) {
+              throw std::invalid_argument("pressure: got " + std::to_string(pressures.size) + " numbers, expected as many as radii, " +
+                                          std::to_string(radii.size));
+            }
+            std::vector<PressureSample> rows;
+            for (std::size_t i = 0; i < radii.size; ++i) rows.push_back({radii.data[i], pressures.data[i]});
+            Law law = samples(rows, source);
+            std::string text = law->name();
+            return PyLaw{std::move(law), std::move(text), nb::make_tuple(radii.array.attr("copy")(), pressures.array.attr("copy")())};
+          },
+          nb::arg("radius"), nb::arg("pressure"), nb::arg("source") = "arrays",
+          nb::sig("def samples(radius: numpy.typing.ArrayLike, pressure: numpy.typing.ArrayLike, source: str = 'arrays') -> Law"),
+          "A measured profile: pressures [any unit] at increasing radii [any unit], the last of which is the edge of the contact.")
+      .def(
+          "evaluate",
+          [](const PyLaw& self, nb::handle c, bool error) {
+            return error ? evaluate_with_errors(self, c) : evaluate(c, [&](double s) { return self.law->evaluate(s).wrench; });
+          },
+          nb::arg("c"), nb::kw_only(), nb::arg("error") = false,
+          nb::sig("def evaluate(self, c: numpy.typing.ArrayLike, *, error: bool = False) -> tuple[typing.Any, ...]"),
+          "Unit wrenches F/(mu P) and M/(mu P a) of a contact that slips about centres of rotation at c contact radii, in [0, inf].\n\n"
+          "c has any shape, and so have the results; float32 gives float32; NaN gives NaN. With `error` also bounds of both absolute\n"
+          "errors: (f, m, f_error, m_error). Relative error <= 1e-15 in closed form, <= 1e-14 by quadrature. Releases the GIL.")
+      .def_prop_ro(
+          "name", [](const PyLaw& self) { return self.law->name(); }, "The law in words.")
+      .def_prop_ro(
+          "moment_ratio", [](const PyLaw& self) { return self.law->moment_ratio(); }, "m0, the unit moment of a pure twist.")
+      .def_prop_ro(
+          "profile_error", [](const PyLaw& self) { return self.law->profile_error(); },
+          "What samples of the pressure leave open in f and m; 0 for a formula.")
+      .def_prop_ro(
+          "_samples", [](const PyLaw& self) { return self.samples; }, nb::sig("def _samples(self) -> typing.Any"))
+      .def("__repr__", [](const PyLaw& self) { return "Law('" + self.text + "')"; });
+}
+
+void add_tables(nb::module_& module) {
+  nb::class_<PyTable>(module, "Table",
+                      "A limit curve as a lookup table, 1 to 64 KiB, with a certified error. It drives fingers and batches.\n\n"
+                      ">>> import limitcurve as lc\n"
+                      ">>> table = lc.Table('hertz', tolerance=1e-8)\n"
+                      ">>> table.certified_error <= 1e-8, table.nbytes < 1536\n"
+                      "(True, True)\n")
+      .def(
+          "__init__",
+          [](PyTable* self, nb::handle law, double tolerance) {
+            Law of = law_of(law);
+            const auto built = [&] {
+              const nb::gil_scoped_release release;
+              return Table::build(of, tolerance);
+            }();
+            new (self) PyTable{built, std::move(of)};
+          },
+          nb::arg("law"), nb::arg("tolerance") = 1e-6, nb::sig("def __init__(self, law: str | Law, tolerance: float = 1e-06) -> None"),
+          "The table of a law: |error| <= tolerance * max(1, m0) in f and m, tolerance in [1e-14, 0.1]. Milliseconds for a law in closed\n"
+          "form, up to seconds by quadrature. RuntimeError if the law cannot be had that finely. Releases the GIL.")
+      .def_static(
+          "load", [](nb::handle path) { return PyTable{cli::read_table(path_of(path))}; }, nb::arg("path"),
+          nb::sig("def load(path: str | os.PathLike[str]) -> Table"),
+          "Reads a .csv or .json file that `save` or `limitcurve table` wrote. ValueError names file, line and column of what is wrong.")
+      .def(
+          "save",
+          [](const PyTable& self, nb::handle path) {
+            const std::string file = path_of(path);
+            const cli::TableWriter text_of = cli::table_writer(file, "path");
+            cli::AtomicFile output(file);
+            output.output().write(text_of(self.table));
+            output.commit();
+          },
+          nb::arg("path"), nb::sig("def save(self, path: str | os.PathLike[str]) -> None"),
+          "Writes the table whole or not at all: .csv, .json, .h (C99) or .hpp (constexpr C++17) by its name.")
+      .def(
+          "evaluate",
+          [](const PyTable& self, nb::handle c) {
+            return evaluate(c, [&](double s) { return self.table.wrench(SlipTwist::about_cor(s)); });
+          },
+          nb::arg("c"), nb::sig(evaluate_signature),
+          "Unit wrenches at COR distances of c contact radii, within certified_error. As Law.evaluate.")
+      .def(
+          "gauge",
+          [](const PyTable& self, nb::handle force, nb::handle moment) {
+            return of_wrenches(force, moment, [&](double f, double m) { return self.table.gauge({f, m}); });
+          },
+          nb::arg("force"), nb::arg("moment"), nb::sig(gauge_signature),
+          "How far unit wrenches are from the origin, as a share of the curve on the same ray: < 1 holds, > 1 slips. Broadcasts.")
+      .def(
+          "load_to_hold",
+          [](const PyTable& self, nb::handle force, nb::handle moment, double mu, const std::string& radius_law) {
+            return loads_to_hold(self.table, force, moment, mu, radius_law);
+          },
+          nb::arg("force"), nb::arg("moment"), nb::kw_only(), nb::arg("mu"), nb::arg("radius_law"), nb::sig(hold_signature), hold_doc)
+      .def_prop_ro(
+          "certified_error", [](const PyTable& self) { return self.table.certified_error(); },
+          "Bound of the absolute error of f and m against the law.")
+      .def_prop_ro(
+          "profile_error", [](const PyTable& self) { return self.table.profile_error(); },
+          "What samples of the pressure leave open, beside it; 0 for a formula.")
+      .def_prop_ro(
+          "tolerance", [](const PyTable& self) { return self.table.tolerance(); }, "What it was built to.")
+      .def_prop_ro(
+          "law_name", [](const PyTable& self) { return self.table.law_name(); }, "The law in words.")
+      .def_prop_ro(
+          "moment_ratio", [](const PyTable& self) { return self.table.moment_ratio(); }, "m0, the unit moment of a pure twist.")
+      .def_prop_ro(
+          "nbytes", [](const PyTable& self) { return self.table.bytes(); }, "Bytes that a look-up may touch.")
+      .def("__repr__", [](const PyTable& self) {
+        return "<Table of " + self.table.law_name() + ", error <= " + format_number(self.table.certified_error()) + ">";
+      });
+}
+
+void add_closed_curves(nb::module_& module) {
+  nb::class_<PyCurve>(module, "Curve", "An ellipse or a box, which drives a finger in a table's place: see `ellipse` and `box`.")
+      .def(
+          "evaluate",
+          [](const PyCurve& self, nb::handle c) {
+            return evaluate(c, [&](double s) { return self.curve.wrench(SlipTwist::about_cor(s)); });
+          },
+          nb::arg("c"), nb::sig(evaluate_signature), "Unit wrenches at COR distances of c contact radii. As Law.evaluate.")
+      .def(
+          "gauge",
+          [](const PyCurve& self, nb::handle force, nb::handle moment) {
+            return of_wrenches(force, moment, [&](double f, double m) { return self.curve.gauge({f, m}); });
+          },
+          nb::arg("force"), nb::arg("moment"), nb::sig(gauge_signature), "As Table.gauge.")
+      .def(
+          "load_to_hold",
+          [](const PyCurve& self, nb::handle force, nb::handle moment, double mu, const std::string& radius_law) {
+            return loads_to_hold(self.curve, force, moment, mu, radius_law);
+          },
+          nb::arg("force"), nb::arg("moment"), nb::kw_only(), nb::arg("mu"), nb::arg("radius_law"), nb::sig(hold_signature), hold_doc)
+      .def_prop_ro(
+          "moment_ratio", [](const PyCurve& self) { return self.curve.moment_ratio(); }, "m0, the unit moment of a pure twist.")
+      .def("__repr__", [](const PyCurve& self) { return "<" + self.name + ">"; });
+  module.def(
+      "ellipse",
+      [](double force_max, double moment_max) {
+        const Ellipse ellipse(force_max, moment_max);
+        return PyCurve{ellipse, ellipse, "ellipse"};
+      },
+      nb::arg("force_max"), nb::arg("moment_max"),
+      "The ellipse with these semi-axes in unit wrenches, the usual stand-in: ellipse(1, law.moment_ratio).");
+  module.def(
+      "box",
+      [](double force_max, double moment_max) {
+        const Box limits = box(force_max, moment_max);
+        return PyCurve{limits, limits, "box"};
+      },
+      nb::arg("force_max"), nb::arg("moment_max"), "Force and moment limited each on its own; goes with projection='closest-point'.");
+}
+
+}  // namespace
+
+Law law_of(nb::handle law) {
+  if (nb::isinstance<PyLaw>(law)) return nb::cast<const PyLaw&>(law).law;
+  if (nb::isinstance<nb::str>(law)) return cli::read_law(nb::cast<std::string>(law));
+  throw std::invalid_argument("law: expected a text, such as 'hertz', or a Law");
+}
+
+template <>
+godobject::BasicFingerCurve<double> curve_of(nb::handle curve) {
+  if (nb::isinstance<PyTable>(curve)) return nb::cast<const PyTable&>(curve).table;
+  if (nb::isinstance<PyCurve>(curve)) return nb::cast<const PyCurve&>(curve).curve;
+  throw std::invalid_argument("curve: expected a Table, or what ellipse() or box() made");
+}
+
+template <>
+godobject::BasicFingerCurve<float> curve_of(nb::handle curve) {
+  if (nb::isinstance<PyCurve>(curve)) return nb::cast<const PyCurve&>(curve).single;
+  if (!nb::isinstance<PyTable>(curve)) throw std::invalid_argument("curve: expected a Table, or what ellipse() or box() made");
+  const auto& [table, law] = nb::cast<const PyTable&>(curve);
+  // One that was read from a file says which law it is of.
+  const Law of = law != nullptr ? law : cli::read_law(table.law_name());
+  return FloatTable::build(of, std::max(table.tolerance(), FloatTable::finest_tolerance));
+}
+
+void add_curves(nb::module_& module) {
+  add_laws(module);
+  add_tables(module);
+  add_closed_curves(module);
+}
+
+}  // namespace limitcurve::python

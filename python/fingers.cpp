@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: MIT
+#include "python/core.hpp"
+
+#include "cli/io/law_argument.hpp"
+#include "godobject/patch_finger.hpp"
+#include "godobject/soft_finger.hpp"
+#include "limitcurve/number.hpp"
+
+#include <nanobind/eigen/dense.h>
+#include <nanobind/stl/optional.h>
+
+#include <cmath>
+#include <functional>
+#include <map>
+#include <stdexcept>
+#include <string_view>
+
+namespace limitcurve::python {
+
+using namespace godobject;
+
+namespace {
+
+double number_of(nb::handle value, const std::string& name) {
+  const double number = PyFloat_AsDouble(value.ptr());
+  if (number != -1.0 || PyErr_Occurred() == nullptr) return number;
+  PyErr_Clear();
+  throw std::invalid_argument(name + ": expected a number");
+}
+
+/// What a parameter's name writes to.
+const std::map<std::string, std::function<void(FingerParameters&, double)>, std::less<>>& number_parameters() {
+  static const std::map<std::string, std::function<void(FingerParameters&, double)>, std::less<>> fields{
+      {"mu", [](FingerParameters& all, double value) { all.mu = value; }},
+      {"mu_dynamic", [](FingerParameters& all, double value) { all.mu_dynamic = value; }},
+      {"moment_coefficient", [](FingerParameters& all, double value) { all.moment_coefficient = value; }},
+      {"moment_exponent", [](FingerParameters& all, double value) { all.moment_exponent = value; }},
+      {"moment_coefficient_dynamic", [](FingerParameters& all, double value) { all.moment_coefficient_dynamic = value; }},
+      {"stiffness", [](FingerParameters& all, double value) { all.stiffness = value; }},
+      {"twist_stiffness", [](FingerParameters& all, double value) { all.twist_stiffness = value; }},
+      {"damping", [](FingerParameters& all, double value) { all.damping = value; }},
+      {"twist_damping", [](FingerParameters& all, double value) { all.twist_damping = value; }},
+      {"rest_margin", [](FingerParameters& all, double value) { all.rest_margin = value; }},
+      {"max_displacement", [](FingerParameters& all, double value) { all.max_displacement = value; }},
+      {"fault_decay", [](FingerParameters& all, double value) { all.fault_decay = value; }}};
+  return fields;
+}
+
+#define LIMITCURVE_PARAMETERS                                                                                                              \
+  "mu: float = 0.5, mu_dynamic: float | None = None, radius_law: str = 'constant:a=0.005', moment_coefficient: float | None = None, "      \
+  "moment_exponent: float = 0.0, moment_coefficient_dynamic: float | None = None, stiffness: float = 1000.0, twist_stiffness: float = "    \
+  "0.04, damping: float = 0.0, twist_damping: float = 0.0, rest_margin: float = 0.4, max_displacement: float = 0.5, fault_decay: float = " \
+  "0.99"
+
+constexpr const char* update_signature =
+    "def update(self, point: collections.abc.Sequence[float] | numpy.typing.NDArray[typing.Any], normal: collections.abc.Sequence[float] | "
+    "numpy.typing.NDArray[typing.Any], depth: float, twist: float, dt: float = 0.0) -> FingerOutput";
+constexpr const char* update_doc =
+    "One step: where the finger touches (point [m] of the surface, its outward unit normal, depth [m] beneath it, <= 0 outside), the\n"
+    "device's twist [rad] about the normal, and the time dt [s] since the last step, over which dampers act.\n\n"
+    "Input that is not usable (not finite, a normal that is not of unit length, a leap, dt < 0) is no error, but the state `invalid`:\n"
+    "the last good output is held, and fades.";
+
+template <class Finger>
+FingerOutput update(Finger& finger, nb::handle point, nb::handle normal, double depth, double twist, double dt) {
+  return finger.update({three_numbers(point, "point"), three_numbers(normal, "normal"), depth, {}}, twist, dt);
+}
+
+void add_output(nb::module_& module) {
+  nb::enum_<ContactState>(module, "ContactState", nb::is_arithmetic(), "What a finger does. str() is the command line's word.")
+      .value("free", ContactState::free, "not touching")
+      .value("stick", ContactState::stick, "touching, the proxy rests")
+      .value("slip", ContactState::slip, "touching, the proxy slid in this step")
+      .value("invalid", ContactState::invalid, "the input was not usable: the last good output is held, and fades");
+  nb::class_<FingerOutput>(module, "FingerOutput", "What a step gives: the user feels normal * load + force, and moment about the normal.")
+      .def_ro("state", &FingerOutput::state, "ContactState")
+      .def_ro("proxy", &FingerOutput::proxy, "where the proxy is [m]")
+      .def_ro("angle", &FingerOutput::angle, "of the proxy [rad]")
+      .def_ro("depth", &FingerOutput::depth, "[m]")
+      .def_ro("normal", &FingerOutput::normal, "outward")
+      .def_ro("load", &FingerOutput::load, "normal force on the user [N]")
+      .def_ro("force", &FingerOutput::force, "friction on the user [N], tangential")
+      .def_ro("moment", &FingerOutput::moment, "friction on the user about the normal [N m]")
+      .def_ro("cor", &FingerOutput::cor, "distance of the slip's centre of rotation [m]; NaN unless it slips")
+      .def_ro("slip_work", &FingerOutput::slip_work, "dissipated in this step [J], >= 0")
+      .def("__repr__", [](const FingerOutput& self) {
+        return "<" + std::string(to_string(self.state)) + ", load " + format_number(self.load) + " N, friction " +
+               format_number(self.force.norm()) + " N and " + format_number(self.moment) + " N m>";
+      });
+}
+
+template <class Finger>
+void add_common(nb::class_<Finger>& type) {
+  type.def("update", &update<Finger>, nb::arg("point"), nb::arg("normal"), nb::arg("depth"), nb::arg("twist"), nb::arg("dt") = 0.0,
+           nb::sig(update_signature), update_doc)
+      .def("reset", &Finger::reset, "Back to a finger that has touched nothing.")
+      .def_prop_ro("output", &Finger::output, "What the last step gave.")
+      .def("margin", &Finger::margin, "How far it is from slipping, from 1 (no friction) to 0 (slips).")
+      .def("load_to_hold", &Finger::load_to_hold, "The least load [N] that would hold its present friction.")
+      .def("centre_of_rotation", &Finger::centre_of_rotation, "Of the slip [m]; inf for pure sliding, NaN unless it slips.")
+      .def(
+          "copy", [](const Finger& self) { return self; }, "Another finger in the same state.");
+}
+
+void add_finger_types(nb::module_& module) {
+  nb::class_<SoftFinger> soft(module, "SoftFinger",
+                              "A soft-finger god-object: springs, dampers, and friction that the limit curve bounds.\n\n"
+                              ">>> import limitcurve as lc\n"
+                              ">>> finger = lc.SoftFinger(lc.Table('hertz'), mu=0.6, radius_law='constant:a=0.006', stiffness=1000)\n"
+                              ">>> out = finger.update((0, 0, 0), (0, 0, 1), 0.002, 0.0, 1e-3)\n"
+                              ">>> str(out.state), out.load\n"
+                              "('stick', 2.0)\n");
+  soft.def(
+      "__init__",
+      [](SoftFinger* self, nb::handle curve, nb::kwargs given) {
+        const Projection projection = take_projection(given);
+        new (self) SoftFinger(curve_of<double>(curve), parameters_of(given), projection);
+      },
+      nb::arg("curve"), nb::arg("kwargs"),
+      nb::sig("def __init__(self, curve: Table | Curve, *, projection: str = 'closest-point', " LIMITCURVE_PARAMETERS ") -> None"),
+      "A finger on a limit curve, by the names of the C++ FingerParameters, in SI units. Projections: 'closest-point', 'radial',\n"
+      "'c-curve'. ValueError names what is out of range.");
+  add_common(soft);
+  soft.def("spring_energy", &SoftFinger::spring_energy, "In the springs [J].");
+
+  nb::class_<PatchFinger> patch(module, "PatchFinger",
+                                "A god-object whose contact is a patch that need not be round.\n\n"
+                                ">>> import limitcurve as lc\n"
+                                ">>> finger = lc.PatchFinger(lc.Patch('rectangle:x=0.02,y=0.01'), mu=0.6)\n"
+                                ">>> str(finger.update((0, 0, 0), (0, 0, 1), 0.002, 0.0).state)\n"
+                                "'stick'\n");
+  patch.def(
+      "__init__",
+      [](PatchFinger* self, const Patch& of, double point_radius, const nb::kwargs& given) {
+        new (self) PatchFinger(of, parameters_of(given), point_radius);
+      },
+      nb::arg("patch"), nb::kw_only(), nb::arg("point_radius") = 0.0, nb::arg("kwargs"),
+      nb::sig("def __init__(self, patch: Patch, *, point_radius: float = 0.0, " LIMITCURVE_PARAMETERS ") -> None"),
+      "As SoftFinger, by the closest point; the radius law is not used. `point_radius` [m] is that of a patch's points, 0 for the least.");
+  add_common(patch);
+}
+
+struct PyMemory {
+  FrictionMemory<double> memory;
+};
+
+void add_friction(nb::module_& module) {
+  nb::class_<PyMemory>(module, "FrictionMemory", "What friction remembers of a contact from one step to the next.")
+      .def(nb::init<>())
+      .def_prop_ro(
+          "slides", [](const PyMemory& self) { return self.memory.slides; }, "whether the sliding limit acts");
+  nb::class_<FrictionResult<double>>(module, "FrictionResult", "What friction does to a trial wrench.")
+      .def_ro("slips", &FrictionResult<double>::slips, "in this step")
+      .def_ro("force_ratio", &FrictionResult<double>::force_ratio, "what the limit leaves of the trial's force, in [0, 1]")
+      .def_ro("moment_ratio", &FrictionResult<double>::moment_ratio, "likewise")
+      .def_ro("cor", &FrictionResult<double>::cor, "of the slip [m], inf for pure sliding; NaN where it sticks");
+  module.def(
+      "apply_friction",
+      [](nb::handle curve, double force, double moment, double limit, double radius, double stiffness_ratio,
+         std::optional<double> sliding_limit, std::optional<double> sliding_radius, PyMemory* memory, const std::string& projection) {
+        const auto require = [](bool holds, const char* name, double value, const char* expected) {
+          if (!holds) throw out_of_range(name, value, "1", expected);
+        };
+        const auto finite = [](double value) { return std::isfinite(value) && value >= 0.0; };
+        require(finite(force), "force", force, "[0, inf)");
+        require(finite(moment), "moment", moment, "[0, inf)");
+        require(finite(limit), "limit", limit, "[0, inf)");
+        require(finite(radius) && radius > 0.0, "radius", radius, "(0, inf)");
+        require(finite(stiffness_ratio) && stiffness_ratio > 0.0, "stiffness_ratio", stiffness_ratio, "(0, inf)");
+        const double sliding_force = sliding_limit.value_or(limit);
+        const double radius_of_slip = sliding_radius.value_or(radius);
+        require(finite(sliding_force) && sliding_force <= limit, "sliding_limit", sliding_force, "[0, limit]");
+        require(radius_of_slip > 0.0 && radius_of_slip <= radius, "sliding_radius", radius_of_slip, "(0, radius]");
+        const Projection way = parse_projection(projection);
+        const FingerCurve on = curve_of<double>(curve);
+        check_projection(on, way);
+        PyMemory forgotten;
+        const FrictionLimits<double> limits{{limit, radius}, {sliding_force, radius_of_slip}, stiffness_ratio};
+        return apply_friction(on.view(), way, limits, FrictionTrial<double>{force, moment},
+                              memory != nullptr ? memory->memory : forgotten.memory);
+      },
+      nb::arg("curve"), nb::arg("force"), nb::arg("moment"), nb::kw_only(), nb::arg("limit"), nb::arg("radius"), nb::arg("stiffness_ratio"),
+      nb::arg("sliding_limit") = nb::none(), nb::arg("sliding_radius") = nb::none(), nb::arg("memory") = nb::none(),
+      nb::arg("projection") = "closest-point",
+      nb::sig(
+          "def apply_friction(curve: Table | Curve, force: float, moment: float, *, limit: float, radius: float, stiffness_ratio: float, "
+          "sliding_limit: float | None = None, sliding_radius: float | None = None, memory: FrictionMemory | None = None, projection: str "
+          "= 'closest-point') -> FrictionResult"),
+      "What part of a trial force [N] and moment [N m] a contact's limit leaves: for simulators that have springs of their own.\n\n"
+      "limit is mu P [N], radius a [m], stiffness_ratio k_l/k_r of the springs [1/m^2]; `sliding_` limits act while it slips, which\n"
+      "`memory` remembers. The projection 'c-curve' is radial here.\n\n"
+      ">>> import limitcurve as lc\n"
+      ">>> table = lc.Table('hertz')\n"
+      ">>> result = lc.apply_friction(table, 2.4, 0.0, limit=1.2, radius=0.006, stiffness_ratio=25000)\n"
+      ">>> result.slips, round(result.force_ratio, 12)\n"
+      "(True, 0.5)\n");
+}
+
+}  // namespace
+
+FingerParameters parameters_of(const nb::kwargs& given) {
+  FingerParameters parameters;
+  for (const auto& [key, value] : given) {
+    const auto name = nb::cast<std::string>(key);
+    if (name == "radius_law") {
+      if (!nb::isinstance<nb::str>(value)) throw std::invalid_argument("radius_law: expected a text, such as 'constant:a=0.005'");
+      parameters.radius_law = cli::read_radius_law(nb::cast<std::string>(value));
+      continue;
+    }
+    const auto found = number_parameters().find(name);
+    if (found == number_parameters().end()) {
+      std::string expected = "projection, radius_law";
+      for (const auto& [known, write] : number_parameters()) expected += ", " + known;
+      throw nb::type_error(("unknown parameter '" + name + "', expected one of " + expected).c_str());
+    }
+    // What may be absent may be None.
+    const bool may_be_absent = name == "mu_dynamic" || name.starts_with("moment_coefficient");
+    if (!(may_be_absent && value.is_none())) found->second(parameters, number_of(value, name));
+  }
+  return parameters;
+}
+
+Projection take_projection(nb::kwargs& given) {
+  if (!given.contains("projection")) return Projection::closest_point;
+  const nb::object value = given["projection"];
+  PyDict_DelItemString(given.ptr(), "projection");
+  if (!nb::isinstance<nb::str>(value)) throw std::invalid_argument("projection: expected closest-point, radial or c-curve");
+  return parse_projection(nb::cast<std::string>(value));
+}
+
+void add_fingers(nb::module_& module) {
+  add_output(module);
+  add_finger_types(module);
+  add_friction(module);
+}
+
+}  // namespace limitcurve::python

@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: MIT
+"""The friction of a soft finger, exactly: limit curves, tables of them, and a god-object that obeys them.
+
+>>> import limitcurve as lc
+>>> f, m = lc.Law("hertz").evaluate([0, 1, float("inf")])  # F/(mu P), M/(mu P a) at COR distances of c radii
+>>> table = lc.Table("hertz", tolerance=1e-8)
+>>> finger = lc.SoftFinger(table, mu=0.6, radius_law="constant:a=0.006", stiffness=1000, twist_stiffness=0.036)
+
+Functions that return tables (`validate`, `choose`, `fit`, `translate`, `replay`, `run`) give a dict of arrays with the command
+line's columns. Wrong input is a ValueError with the command line's words, a job that failed a RuntimeError. SI units throughout.
+`limitcurve.plot` draws, with matplotlib.
+"""
+
+from ._core import (
+    Batch,
+    ContactState,
+    Curve,
+    FingerOutput,
+    FrictionMemory,
+    FrictionResult,
+    Law,
+    Patch,
+    PatchFinger,
+    SoftFinger,
+    Table,
+    __version__,
+    apply_friction,
+    box,
+    ellipse,
+)
+from ._tables import choose, fit, replay, run, translate, validate
+
+ContactState.__str__ = lambda self: self.name  # type: ignore[method-assign]  # the command line's word, not a number
+
+__all__ = [
+    "Batch",
+    "ContactState",
+    "Curve",
+    "FingerOutput",
+    "FrictionMemory",
+    "FrictionResult",
+    "Law",
+    "Patch",
+    "PatchFinger",
+    "SoftFinger",
+    "Table",
+    "__version__",
+    "apply_friction",
+    "box",
+    "choose",
+    "ellipse",
+    "fit",
+    "replay",
+    "run",
+    "translate",
+    "validate",
+]

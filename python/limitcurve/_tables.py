@@ -1,0 +1,304 @@
+# SPDX-License-Identifier: MIT
+"""The functions that return tables: the command line's own code, with arrays in place of files.
+
+Its errors, columns and defaults are the command line's, because it is the command line that runs. What has no file is
+handed over as one that lies in memory; the rows come back as arrays, without becoming text.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any, TypeAlias
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ._core import Law
+
+if TYPE_CHECKING:
+    from ._commands import MemoryFile
+
+Columns: TypeAlias = dict[str, NDArray[Any]]
+"""A table: its columns by name, arrays of one length."""
+
+Data: TypeAlias = "str | os.PathLike[str] | Mapping[str, ArrayLike] | Any"
+"""A file, or columns by name: a dict of arrays, a pandas DataFrame, a structured array."""
+
+
+def _columns_of(name: str, data: Any) -> list[tuple[str, NDArray[np.float64]]]:
+    names = data.dtype.names if isinstance(data, np.ndarray) else list(data.keys()) if hasattr(data, "keys") else None
+    if names is None:
+        raise ValueError(f"{name}: got {type(data).__name__}, expected a file's name, or columns by name")
+    columns = []
+    for column in names:
+        try:
+            numbers = np.asarray(data[column], dtype=np.float64)
+        except (TypeError, ValueError) as error:
+            raise ValueError(f"{name}[{column!r}]: expected numbers, {error}") from None
+        if numbers.ndim != 1:
+            raise ValueError(f"{name}[{column!r}]: got the shape {numbers.shape}, expected one dimension")
+        columns.append((str(column), np.ascontiguousarray(numbers)))
+    return columns
+
+
+class _Call:
+    """A command line that is being put together, with the files in memory that it reads."""
+
+    def __init__(self, *words: str) -> None:
+        self.words = list(words)
+        self.files: list[MemoryFile] = []
+
+    def data(self, name: str, value: Data) -> str:
+        """The name of the file that holds `value`."""
+        if isinstance(value, (str, os.PathLike)):
+            return os.fsdecode(value)
+        return self._memory(name, _columns_of(name, value))
+
+    def law(self, value: str | Law) -> str:
+        if not isinstance(value, Law):
+            return str(value)
+        if value._samples is None:
+            return value.name
+        radius, pressure = value._samples
+        return "samples:" + self._memory(value.name.removeprefix("samples:"), [("radius", radius), ("pressure", pressure)])
+
+    def _memory(self, name: str, columns: list[tuple[str, NDArray[np.float64]]]) -> str:
+        from . import _commands
+
+        self.files.append(_commands.MemoryFile(name, columns))
+        return self.files[-1].path
+
+    def option(self, name: str, value: Any) -> None:
+        """`name` as Python spells it; None and False are left out."""
+        if value is None or value is False:
+            return
+        word = "--" + name.replace("_", "-")
+        if value is True:
+            self.words.append(word)
+        elif name == "law":
+            for law in [value] if isinstance(value, (str, Law)) else value:
+                self.words += [word, self.law(law)]
+        elif name == "patch" and not isinstance(value, str):
+            for patch in value:
+                self.words += [word, str(patch)]
+        elif name in ("data", "trace", "twists"):
+            self.words += [word, self.data(name, value)]
+        elif isinstance(value, (str, os.PathLike)):
+            self.words += [word, os.fsdecode(value)]
+        elif np.ndim(value) > 0:
+            self.words += [word, ",".join(_number(one) for one in np.ravel(np.asarray(value)))]
+        else:
+            self.words += [word, _number(value)]
+
+    def run(self) -> Columns:
+        from . import _commands
+
+        return _commands.run(self.words, self.files)
+
+
+def _number(value: Any) -> str:
+    return repr(value.item() if isinstance(value, np.generic) else value)
+
+
+def run(subcommand: str, *arguments: str, **options: Any) -> Columns:
+    """Any subcommand of the command line, and its table: `limitcurve SUBCOMMAND --help` has options, columns and units.
+
+    Options by keyword, `-` as `_`; flags are True; lists are sequences; files may be columns (a dict of arrays).
+
+    >>> import limitcurve as lc
+    >>> table = lc.run("eval", law="hertz", c=[0.25, 0.5, 1])
+    >>> list(table)
+    ['c', 'force', 'moment', 'force_error', 'moment_error']
+    """
+    call = _Call(subcommand, *arguments)
+    for name, value in options.items():
+        call.option(name, value)
+    return call.run()
+
+
+def validate(law: str | Law | Sequence[str | Law] | None = None, *, patch: str | Sequence[str] | None = None) -> Columns:
+    """How wrong ellipse, superellipse, quartic and box are against the exact curve of a law, of several, or of all; or of patches.
+
+    Columns: law, model, parameter, max_error, rms_error, max_over_estimate, max_under_estimate, max_cor_error; errors as fractions.
+
+    >>> import limitcurve as lc
+    >>> table = lc.validate("hertz")
+    >>> round(float(table["max_error"][table["model"] == "ellipse"][0]), 4)
+    0.0638
+    """
+    return run("validate", law=law, patch=[patch] if isinstance(patch, str) else patch)
+
+
+def choose(
+    law: str | Law | None = None,
+    tolerance: float = 0.01,
+    *,
+    patch: str | None = None,
+    scene: bool = False,
+    mu: float | None = None,
+    radius_law: str | None = None,
+    moment_coefficient: float | None = None,
+    loads: ArrayLike | None = None,
+    stiffness: float | None = None,
+    twist_stiffness: float | None = None,
+    sample_time: float | None = None,
+    slide_speed: float | None = None,
+    twist_rate: float | None = None,
+    slide: float | None = None,
+    twist: float | None = None,
+) -> Columns:
+    """The cheapest limit curve whose error is at most `tolerance`, with those it beat; with `scene` the whole step of a scene.
+
+    Columns: model, parameter, error, nanoseconds (read them as ratios), chosen.
+
+    >>> import limitcurve as lc
+    >>> table = lc.choose("hertz", tolerance=0.01)
+    >>> int(table["chosen"].sum())
+    1
+    """
+    return run(
+        "choose",
+        law=law,
+        patch=patch,
+        tolerance=tolerance,
+        scene=scene,
+        mu=mu,
+        radius_law=radius_law,
+        moment_coefficient=moment_coefficient,
+        loads=loads,
+        stiffness=stiffness,
+        twist_stiffness=twist_stiffness,
+        sample_time=sample_time,
+        slide_speed=slide_speed,
+        twist_rate=twist_rate,
+        slide=slide,
+        twist=twist,
+    )
+
+
+def fit(
+    model: str,
+    data: Data | None = None,
+    *,
+    law: str | Law | None = None,
+    patch: str | None = None,
+    load: float | None = None,
+    criterion: str | None = None,
+    loss: str | None = None,
+    load_model: str | None = None,
+    gamma: float | None = None,
+    fit_gamma: bool = False,
+    largest_radius: float | None = None,
+    quiet: bool = False,
+) -> Columns:
+    """Fits a friction model to measurements, or an approximation to the exact curve of a law (no `data`).
+
+    Models: ellipse, superellipse, quartic, ratio, law (data: load, force, moment[, sigma_force, sigma_moment]); load (data: load and
+    radius or moment); friction (with `patch`). Columns: parameter, value, std_error, unit, note. What to beware of is said on
+    standard error, unless `quiet`.
+
+    >>> import limitcurve as lc
+    >>> table = lc.fit("ellipse", law="hertz", quiet=True)
+    >>> [str(name) for name in table["parameter"]]
+    ['force_max', 'moment_max']
+    """
+    return run(
+        "fit",
+        model,
+        data=data,
+        law=law,
+        patch=patch,
+        load=load,
+        criterion=criterion,
+        loss=loss,
+        load_model=load_model,
+        gamma=gamma,
+        fit_gamma=fit_gamma,
+        largest_radius=largest_radius,
+        quiet=quiet,
+    )
+
+
+def translate(law: str | Law, radius_law: str, mu: float, load: float, *, loads: ArrayLike | None = None, explain: bool = False) -> Columns:
+    """The coefficients to type into physics engines, with the error each keeps.
+
+    Columns: engine, parameter, value, unit, model, max_error, cor_error, loads_error, note.
+
+    >>> import limitcurve as lc
+    >>> table = lc.translate("hertz", "constant:a=0.006", mu=0.6, load=2)
+    >>> "mujoco" in table["engine"]
+    True
+    """
+    return run("translate", law=law, radius_law=radius_law, mu=mu, load=load, loads=loads, explain=explain)
+
+
+def replay(
+    trace: Data,
+    law: str | Law | None = None,
+    *,
+    patch: str | None = None,
+    point_radius: float | None = None,
+    radius_law: str | None = None,
+    mu: float,
+    stiffness: float,
+    twist_stiffness: float,
+    mu_dynamic: float | None = None,
+    moment_coefficient: float | None = None,
+    moment_exponent: float | None = None,
+    moment_coefficient_dynamic: float | None = None,
+    boundary: str | None = None,
+    projection: str | None = None,
+    tolerance: float | None = None,
+    surface: str | None = None,
+    body: str | None = None,
+    fingers: int | None = None,
+    damping: float | None = None,
+    twist_damping: float | None = None,
+    rest_margin: float | None = None,
+    jump_limit: float | None = None,
+    hold_share: float | None = None,
+    details: bool = False,
+) -> Columns:
+    """Runs the god-object over a recorded motion: columns time, x, y, z, twist [s, m, rad] (`limitcurve replay --help` has more).
+
+    Columns: time, state, px, py, angle, depth, load, fx, fy, moment, cor, and those that the options add.
+
+    >>> import limitcurve as lc, numpy as np
+    >>> t = np.linspace(0, 1, 101)
+    >>> trace = {"time": t, "x": 0.02 * t, "y": 0 * t, "z": 0 * t - 0.002, "twist": 0 * t}
+    >>> table = lc.replay(trace, "hertz", radius_law="constant:a=0.006", mu=0.6, stiffness=1000, twist_stiffness=0.036)
+    >>> str(table["state"][-1]), round(float(table["fx"][-1]), 9)
+    ('slip', -1.2)
+    """
+    if isinstance(trace, np.ndarray) and trace.dtype.names is None:
+        if trace.ndim != 2 or trace.shape[1] != 5:
+            raise ValueError(f"trace: got the shape {trace.shape}, expected (n, 5): time, x, y, z, twist")
+        trace = dict(zip(("time", "x", "y", "z", "twist"), trace.T))
+    return run(
+        "replay",
+        trace=trace,
+        law=law,
+        patch=patch,
+        point_radius=point_radius,
+        radius_law=radius_law,
+        mu=mu,
+        stiffness=stiffness,
+        twist_stiffness=twist_stiffness,
+        mu_dynamic=mu_dynamic,
+        moment_coefficient=moment_coefficient,
+        moment_exponent=moment_exponent,
+        moment_coefficient_dynamic=moment_coefficient_dynamic,
+        boundary=boundary,
+        projection=projection,
+        tolerance=tolerance,
+        surface=surface,
+        body=body,
+        fingers=fingers,
+        damping=damping,
+        twist_damping=twist_damping,
+        rest_margin=rest_margin,
+        jump_limit=jump_limit,
+        hold_share=hold_share,
+        details=details,
+    )

@@ -1,0 +1,171 @@
+# SPDX-License-Identifier: MIT
+"""Charts, by matplotlib: each is one call, draws on the axes given or on new ones, and returns them.
+
+>>> import limitcurve as lc
+>>> import limitcurve.plot
+>>> axes = lc.plot.limit_curve("hertz")
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ._core import Law
+from ._tables import Columns, Data, _columns_of, run, validate
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+
+def _axes(ax: Axes | None) -> Axes:
+    if ax is not None:
+        return ax
+    try:
+        import matplotlib.pyplot as plt
+    except ImportError as error:
+        raise ImportError("limitcurve.plot needs matplotlib: pip install 'limitcurve[plot]'") from error
+    return plt.subplots(layout="constrained")[1]
+
+
+def _model(model: str, parameter: float, m0: float, points: int = 257) -> tuple[Any, Any]:
+    """Points (f, m) of a model that `validate` names, with its parameter."""
+    angle = np.linspace(0, np.pi / 2, points)
+    x, y = np.cos(angle), np.sin(angle)
+    if model.startswith("ellipse"):
+        return parameter * x, parameter * m0 * y
+    if model == "quartic":  # x^4 + y^4 + kappa x^2 y^2 = 1
+        radius = (x**4 + y**4 + parameter * x**2 * y**2) ** -0.25
+        return radius * x, radius * m0 * y
+    if model == "box":
+        return np.array([1.0, 1.0, 0.0]), np.array([0.0, m0, m0])
+    radius = (x**parameter + y**parameter) ** (-1 / parameter)  # superellipse, diamond
+    return radius * x, radius * m0 * y
+
+
+def limit_curve(
+    law: str | Law | Sequence[str | Law],
+    *,
+    fits: Sequence[str] = ("ellipse",),
+    points: Data | None = None,
+    mu: float | None = None,
+    radius: float | None = None,
+    ax: Axes | None = None,
+) -> Axes:
+    """Limit curves of one law or several, in units of mu P and mu P a, with the models of `validate` named in `fits` (of the first law).
+
+    points: measured slips (columns load, force, moment [N, N, N m]); they need mu and the contact radius [m].
+    """
+    ax = _axes(ax)
+    laws = [law] if isinstance(law, (str, Law)) else list(law)
+    laws = [one if isinstance(one, Law) else Law(one) for one in laws]
+    s = np.concatenate([np.linspace(0, 1, 129), 1 / np.linspace(1, 0, 128, endpoint=False)[1:], [np.inf]])
+    for one in laws:
+        ax.plot(*one.evaluate(s), label=one.name)
+    if fits:
+        first = laws[0]
+        errors = validate(first)
+        unequal_ellipses = {"ellipse-least-squares", "ellipse-inner", "ellipse-outer"}
+        for name in fits:
+            rows = np.flatnonzero(errors["model"] == name)
+            if rows.size == 0:
+                raise ValueError(f"fits: got {name!r}, expected one of {', '.join(errors['model'])}")
+            parameter = float(errors["parameter"][rows[0]])
+            m0 = first.moment_ratio
+            if name in unequal_ellipses:  # its other semi-axis is a row of fit
+                criterion = name.removeprefix("ellipse-")
+                values = run("fit", "ellipse", law=first, criterion=criterion, quiet=True)["value"]
+                parameter, m0 = float(values[0]), float(values[1]) / float(values[0])
+            worst = 100 * float(errors["max_error"][rows[0]])
+            ax.plot(*_model(name, parameter, m0), "--", linewidth=1, color="0.3", label=f"{name}, off by up to {worst:.2g} %")
+    if points is not None:
+        if mu is None or radius is None:
+            raise ValueError("points: expected mu and radius too, which make them unit wrenches")
+        data = dict(_columns_of("points", points)) if not isinstance(points, (str, bytes)) else _read(str(points))
+        limit = mu * data["load"]
+        ax.plot(np.abs(data["force"]) / limit, np.abs(data["moment"]) / (limit * radius), ".", color="0.5", markersize=4, label="measured")
+    ax.set(xlabel=r"force $F/(\mu P)$ [1]", ylabel=r"moment $M/(\mu P a)$ [1]", xlim=(0, None), ylim=(0, None))
+    ax.legend(frameon=False)
+    return ax
+
+
+def _read(file: str) -> dict[str, Any]:
+    with open(file, encoding="utf-8") as lines:
+        table = np.genfromtxt([line for line in lines if line.strip() and not line.startswith("#")], delimiter=",", names=True, comments=None)
+    return {name: np.atleast_1d(table[name]) for name in table.dtype.names or ()}
+
+
+def p_curves(law: str | Law, radius_law: str, mu: float, loads: ArrayLike, *, points: int = 129, ax: Axes | None = None) -> Axes:
+    """Limit curves in newtons at several loads [N]: they grow by mu P in force and by mu P a(P) in moment."""
+    ax = _axes(ax)
+    table = run("p-curves", law=law, radius_law=radius_law, mu=mu, loads=np.atleast_1d(loads), points=points)
+    for load in np.unique(table["load"]):
+        rows = table["load"] == load
+        ax.plot(table["force"][rows], 1e3 * table["moment"][rows], label=f"P = {load:g} N")
+    ax.set(xlabel="force $F$ [N]", ylabel="moment $M$ [N mm]", xlim=(0, None), ylim=(0, None))
+    ax.legend(frameon=False)
+    return ax
+
+
+def c_curves(law: str | Law, radius_law: str, mu: float, cors: ArrayLike, loads: ArrayLike, *, ax: Axes | None = None) -> Axes:
+    """The wrenches that slip about one centre of rotation each, `cors` [m], over the `loads` [N]; bent where a depends on P."""
+    ax = _axes(ax)
+    table = run("c-curves", law=law, radius_law=radius_law, mu=mu, cors=np.atleast_1d(cors), loads=np.atleast_1d(loads))
+    for cor in np.unique(table["c"]):
+        rows = table["c"] == cor
+        ax.plot(table["force"][rows], 1e3 * table["moment"][rows], label="pure sliding" if np.isinf(cor) else f"c = {1e3 * cor:g} mm")
+    ax.set(xlabel="force $F$ [N]", ylabel="moment $M$ [N mm]", xlim=(0, None), ylim=(0, None))
+    ax.legend(frameon=False)
+    return ax
+
+
+def approximation_errors(law: str | Law | Sequence[str | Law] | None = None, *, ax: Axes | None = None) -> Axes:
+    """The largest over- and under-estimate of every model of `validate`, in percent, a group of bars for each law."""
+    ax = _axes(ax)
+    table = validate(law)
+    laws = list(dict.fromkeys(table["law"]))
+    models = list(dict.fromkeys(table["model"]))
+    width = 0.8 / len(laws)
+    for i, name in enumerate(laws):
+        rows = table["law"] == name
+        places = np.array([models.index(model) for model in table["model"][rows]]) + width * (i - (len(laws) - 1) / 2)
+        over = ax.bar(places, 100 * table["max_over_estimate"][rows], width, label=str(name))
+        ax.bar(places, -100 * table["max_under_estimate"][rows], width, color=over.patches[0].get_facecolor())
+    ax.axhline(0, color="0.3", linewidth=0.8)
+    ax.set_xticks(range(len(models)), models, rotation=30, ha="right")
+    ax.set_ylabel("too weak (below 0) and too strong [%]")
+    ax.legend(frameon=False)
+    return ax
+
+
+def replay(
+    table: Columns, trace: Data, *, law: str | Law | None = None, mu: float | None = None, radius_law: str | None = None,
+    stiffness: float | None = None, twist_stiffness: float | None = None, ax: Axes | None = None,
+) -> Axes:
+    """A replay on the plane in the [r, rho] plane of the paper: how far the proxy trails behind the finger, and by what angle.
+
+    `table` is what `limitcurve.replay` returned, `trace` what it was given (columns x, y, twist). With law, mu, radius_law, stiffness and
+    twist_stiffness also the limit at the least and the largest load that slips.
+    """
+    ax = _axes(ax)
+    data = _read(str(trace)) if isinstance(trace, (str, bytes)) or hasattr(trace, "__fspath__") else dict(_columns_of("trace", trace))
+    r = 1e3 * np.hypot(data["x"] - table["px"], data["y"] - table["py"])
+    rho = np.degrees(np.abs(data["twist"] - table["angle"]))
+    touching = (table["state"] == "stick") | (table["state"] == "slip")
+    ax.plot(np.where(touching, r, np.nan), np.where(touching, rho, np.nan), color="0.6", linewidth=0.8)
+    for state, colour in (("stick", "C0"), ("slip", "C1")):
+        rows = table["state"] == state
+        ax.plot(r[rows], rho[rows], ".", markersize=3, color=colour, label=state)
+    slips = table["load"][(table["state"] == "slip") & (table["load"] > 0)]
+    if law is not None and mu is not None and radius_law is not None and stiffness and twist_stiffness and slips.size:
+        curves = run("p-curves", law=law, radius_law=radius_law, mu=mu, loads=np.unique([slips.min(), slips.max()]), points=129)
+        for load in np.unique(curves["load"]):
+            rows = curves["load"] == load
+            ax.plot(1e3 * curves["force"][rows] / stiffness, np.degrees(curves["moment"][rows] / twist_stiffness), "--", linewidth=1,
+                    label=f"limit at P = {load:.3g} N")
+    ax.set(xlabel="deflection $r$ [mm]", ylabel=r"twist deflection $\rho$ [°]", xlim=(0, None), ylim=(0, None))
+    ax.legend(frameon=False)
+    return ax

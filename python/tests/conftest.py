@@ -1,0 +1,53 @@
+# SPDX-License-Identifier: MIT
+"""What the tests share. They test the installed package; scripts/maintain/python sets the environment."""
+
+import csv
+import io
+import os
+import pathlib
+import subprocess
+
+import matplotlib
+import numpy as np
+import pytest
+
+matplotlib.use("Agg")
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+
+
+@pytest.fixture(scope="session")
+def data():
+    return ROOT / "data"
+
+
+@pytest.fixture(scope="session")
+def command_line():
+    """The executable of the same tree: `command_line("eval", "--law", …)` gives its rows as lists of texts by column."""
+    executable = os.environ.get("LIMITCURVE", ROOT / "build/ci/cli/limitcurve")
+    if not pathlib.Path(executable).exists():
+        pytest.skip(f"no {executable}")
+
+    def run(*arguments):
+        done = subprocess.run([executable, *map(str, arguments)], capture_output=True, text=True, check=False)
+        if done.returncode != 0:
+            raise RuntimeError(done.stderr)
+        rows = list(csv.reader(io.StringIO(done.stdout)))
+        return {name: [row[i] for row in rows[1:]] for i, name in enumerate(rows[0])}
+
+    return run
+
+
+def same(table, texts):
+    """Whether arrays are the command line's texts: numbers to the last bit."""
+    assert list(table) == list(texts)
+    for name, column in texts.items():
+        array = table[name]
+        assert len(array) == len(column), name
+        if array.dtype.kind == "U":
+            assert array.tolist() == column, name
+        elif array.dtype.kind == "b":
+            assert array.tolist() == [text == "true" for text in column], name
+        else:
+            expected = np.array([float(text) for text in column])
+            assert np.array_equal(array.astype(float), expected, equal_nan=True), name

@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: MIT
+"""What the package is: its docstrings run, its import is quick, its stubs are there, and it installs the command."""
+
+import doctest
+import importlib.resources
+import inspect
+import statistics
+import subprocess
+import sys
+
+import limitcurve as lc
+import limitcurve.plot
+import pytest
+
+MODULES = [lc, lc.plot, sys.modules["limitcurve._tables"]]
+
+
+def documented():
+    """Everything public with a docstring: name and text."""
+    for module in MODULES:
+        yield module.__name__, inspect.getdoc(module)
+        names = getattr(module, "__all__", None) or [name for name in vars(module) if not name.startswith("_")]
+        for name in names:
+            thing = getattr(module, name)
+            if module is lc or getattr(thing, "__module__", "") == module.__name__:
+                yield f"{module.__name__}.{name}", inspect.getdoc(thing)
+                for member in vars(thing) if inspect.isclass(thing) else ():
+                    yield f"{module.__name__}.{name}.{member}", inspect.getdoc(getattr(thing, member))
+
+
+@pytest.mark.parametrize(("name", "text"), [(name, text) for name, text in documented() if text and ">>>" in text], ids=lambda value: value[:40])
+def test_examples_in_docstrings_run(name, text):
+    example = doctest.DocTestParser().get_doctest(text, {}, name, None, 0)
+    result = doctest.DocTestRunner(optionflags=doctest.NORMALIZE_WHITESPACE).run(example)
+    assert result.attempted > 0 and result.failed == 0
+
+
+def test_every_public_name_says_what_it_is():
+    for name in lc.__all__:
+        if name != "__version__":
+            assert inspect.getdoc(getattr(lc, name)), name
+
+
+def test_stubs_are_installed():
+    files = {entry.name for entry in importlib.resources.files("limitcurve").iterdir()}
+    assert {"py.typed", "_core.pyi", "_commands.pyi"} <= files
+
+
+def test_import_costs_at_most_100_ms_beyond_numpy():
+    code = "import time, numpy; t = time.perf_counter(); import limitcurve; print(time.perf_counter() - t)"
+    seconds = [float(subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout) for _ in range(5)]
+    assert statistics.median(seconds) < 0.1
+
+
+def test_the_command_is_installed():
+    done = subprocess.run([sys.executable, "-m", "limitcurve", "laws"], capture_output=True, text=True, check=True)
+    assert done.stdout.startswith("law,moment_ratio,method,error\nhertz,0.58904862254808")
+    done = subprocess.run([sys.executable, "-m", "limitcurve", "eval", "--law", "hertzz", "--c", "1"], capture_output=True, text=True, check=False)
+    assert done.returncode == 2 and done.stderr.startswith("limitcurve: error: --law: law 'hertzz'")

@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: MIT
+"""Each chart is one call that returns its axes, and draws what it says."""
+
+import limitcurve as lc
+import limitcurve.plot
+import matplotlib.pyplot as plt
+import numpy as np
+import pandas as pd
+import pytest
+
+
+@pytest.fixture(autouse=True)
+def closed():
+    yield
+    plt.close("all")
+
+
+def test_limit_curve_with_points_and_fits():
+    slips = {"load": [1.0, 2.0], "force": [0.3, -0.6], "moment": [1e-3, 2e-3]}
+    ax = lc.plot.limit_curve("hertz", fits=("ellipse", "ellipse-inner", "superellipse", "quartic", "box", "diamond"), points=slips, mu=0.6, radius=0.006)
+    labels = [line.get_label() for line in ax.lines]
+    assert labels[0] == "hertz" and labels[-1] == "measured" and labels[1] == "ellipse, off by up to 6.4 %"
+    f, m = ax.lines[0].get_data()
+    assert (f[0], m[-1]) == (0, 0) and f[-1] == 1 and np.array_equal(lc.Law("hertz").evaluate(np.linspace(0, 1, 129))[0], f[:129])
+    x, y = ax.lines[1].get_data()
+    assert np.allclose(x**2 + (y / m[0]) ** 2, 1)
+    inner = ax.lines[2].get_data()  # an ellipse inside: no point of it is beyond the curve
+    assert lc.Table("hertz", 1e-8).gauge(*inner).max() <= 1 + 1e-6
+    assert np.allclose(ax.lines[-1].get_data()[0], 0.5)
+    with pytest.raises(ValueError, match="fits: got 'elipse'"):
+        lc.plot.limit_curve("hertz", fits=["elipse"])
+
+
+def test_curves_draw_on_the_axes_given():
+    _, (left, right) = plt.subplots(1, 2)
+    assert lc.plot.p_curves("hertz", "hertz:R=0.008,E=2e5", 0.6, [0.5, 1, 2], ax=left) is left and len(left.lines) == 3
+    assert lc.plot.c_curves("hertz", "hertz:R=0.008,E=2e5", 0.6, [0.001, np.inf], np.linspace(0.1, 2, 20), ax=right) is right
+    assert [line.get_label() for line in right.lines] == ["c = 1 mm", "pure sliding"]
+    assert left.lines[2].get_data()[0].max() == pytest.approx(1.2)
+
+
+def test_errors_of_approximations():
+    ax = lc.plot.approximation_errors(["hertz", "uniform"])
+    assert len(ax.patches) == 2 * 2 * 8
+    assert max(bar.get_height() for bar in ax.patches[:8]) == pytest.approx(100 * lc.validate("hertz")["max_over_estimate"].max())
+
+
+def test_a_replay_stays_within_its_limit(data):
+    scene = dict(radius_law="constant:a=0.006", mu=0.6, stiffness=1000, twist_stiffness=0.036)
+    trace = pd.read_csv(data / "traces/slide_twist_load.csv", comment="#")
+    table = lc.replay(trace, "hertz", **scene)
+    ax = lc.plot.replay(table, trace, law="hertz", **scene)
+    assert [line.get_label() for line in ax.lines][1:3] == ["stick", "slip"]
+    same = lc.plot.replay(table, data / "traces/slide_twist_load.csv")
+    assert np.allclose(same.lines[2].get_data()[0], ax.lines[2].get_data()[0])
+    r, rho = (np.asarray(values) for values in ax.lines[2].get_data())
+    load = table["load"][table["state"] == "slip"]
+    gauge = lc.Table("hertz", 1e-8).gauge(r * 1e-3 * 1000 / (0.6 * load), np.radians(rho) * 0.036 / (0.6 * load * 0.006))
+    assert np.allclose(gauge, 1, atol=1e-5)  # what slips is on the limit curve of its load

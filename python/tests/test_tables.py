@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: MIT
+"""The functions that return tables give the command line's numbers, to the last bit, and its words."""
+
+import numpy as np
+import limitcurve as lc
+import pandas as pd
+import pytest
+
+from conftest import same
+
+SCENE = dict(radius_law="constant:a=0.006", mu=0.6, stiffness=1000, twist_stiffness=0.036)
+SCENE_WORDS = ["--radius-law", "constant:a=0.006", "--mu", "0.6", "--stiffness", "1000", "--twist-stiffness", "0.036"]
+
+
+def columns(file):
+    """The file as a user would read it, its numbers to the last bit."""
+    table = pd.read_csv(file, comment="#", dtype=str)
+    return table.map(float)
+
+
+def test_validate(command_line):
+    same(lc.validate(["hertz", "cone"]), command_line("validate", "--law", "hertz", "--law", "cone"))
+    same(lc.validate(patch="rectangle:x=0.02,y=0.01"), command_line("validate", "--patch", "rectangle:x=0.02,y=0.01"))
+
+
+def test_choose(command_line):
+    same(lc.choose("hertz", tolerance=0.01), command_line("choose", "--law", "hertz", "--tolerance", 0.01))
+    same(
+        lc.choose("hertz", 0.01, scene=True, mu=0.6, loads=[0.5, 2], stiffness=1000, twist_stiffness=0.036),
+        command_line("choose", "--law", "hertz", "--tolerance", "0.01", "--scene", "--mu", "0.6", "--loads", "0.5,2", "--stiffness", "1000",
+                     "--twist-stiffness", "0.036"),
+    )
+
+
+def test_fit_of_a_curve_and_of_data(command_line, data):
+    same(lc.fit("superellipse", law="cone"), command_line("fit", "superellipse", "--law", "cone"))
+    slips = columns(data / "fit/slips.csv")
+    words = command_line("fit", "ratio", "--data", data / "fit/slips.csv")
+    for given in (data / "fit/slips.csv", str(data / "fit/slips.csv"), slips, {name: slips[name].to_numpy() for name in slips}, slips.to_records(index=False)):
+        same(lc.fit("ratio", given, quiet=True), words)
+
+
+def test_translate(command_line):
+    same(
+        lc.translate("hertz", "hertz:R=0.008,E=2e5", mu=0.6, load=2),
+        command_line("translate", "--law", "hertz", "--radius-law", "hertz:R=0.008,E=2e5", "--mu", 0.6, "--load", 2),
+    )
+
+
+def test_replay(command_line, data):
+    file = data / "traces/slide_twist_load.csv"
+    words = command_line("replay", "--trace", file, "--law", "hertz", *SCENE_WORDS)
+    trace = columns(file)
+    same(lc.replay(file, "hertz", **SCENE), words)
+    same(lc.replay(trace, "hertz", **SCENE), words)
+    same(lc.replay(trace[["time", "x", "y", "z", "twist"]].to_numpy(), "hertz", **SCENE), words)
+    assert {"stick", "slip"} <= set(lc.replay(trace, "hertz", **SCENE)["state"])
+
+
+def test_run_takes_every_subcommand(command_line):
+    same(lc.run("laws"), command_line("laws"))
+    same(lc.run("eval", law="hertz", c=[0.25, 0.5, np.inf]), command_line("eval", "--law", "hertz", "--c", "0.25,0.5,inf"))
+    same(
+        lc.run("p-curves", law="hertz", radius_law="constant:a=0.005", mu=0.5, loads=(1, 2.5), points=5),
+        command_line("p-curves", "--law", "hertz", "--radius-law", "constant:a=0.005", "--mu", 0.5, "--loads", "1,2.5", "--points", 5),
+    )
+    same(lc.run("patch", patch="rectangle:x=0.02,y=0.01", twists={"vx": [0.1, 0], "vy": [0, 0], "omega": [0, 1.0]}),
+         lc.run("patch", patch="rectangle:x=0.02,y=0.01", twists={"vx": [0.1, 0], "vy": [0, 0], "omega": [0, 1.0]}))
+
+
+def test_a_law_from_arrays_goes_where_a_law_goes():
+    radius = np.linspace(0, 1, 40)
+    law = lc.Law.samples(radius, 1 - radius**2, "pad")
+    assert set(lc.validate(law)["law"]) == {"samples:pad"}
+    assert lc.validate(law)["max_error"][0] == pytest.approx(lc.validate("parabolic")["max_error"][0], abs=1e-3)
+
+
+def test_errors_have_the_command_line_words_and_the_caller_places():
+    trace = {"time": [0.0, 1, 2], "x": [0.0, np.nan, 0], "y": np.zeros(3), "z": np.zeros(3), "twist": np.zeros(3)}
+    with pytest.raises(ValueError, match=r"^trace\['x'\]\[1\]: .*got 'nan', expected a finite number$"):
+        lc.replay(trace, "hertz", **SCENE)
+    with pytest.raises(ValueError, match="^--law: law 'hertzz': expected one of"):
+        lc.validate("hertzz")
+    with pytest.raises(ValueError, match="no column 'twist'"):
+        lc.replay({name: trace[name] for name in ("time", "x", "y", "z")}, "hertz", **SCENE)
+    with pytest.raises(ValueError, match=r"^data\['force'\]: got 1 numbers, expected 2 as in 'load'$"):
+        lc.fit("law", {"load": [1, 2], "force": [1], "moment": [0, 1]})
+    with pytest.raises(ValueError, match="expected columns|columns by name"):
+        lc.fit("law", 3)
+    with pytest.raises(ValueError, match="unknown subcommand"):
+        lc.run("nonsense")
+
+
+def test_many_rows_are_streamed():
+    n = 200_000
+    t = np.arange(n) * 1e-3
+    table = lc.replay({"time": t, "x": 1e-3 * np.sin(t), "y": 0 * t, "z": 0 * t - 1e-3, "twist": 0.1 * t}, "hertz", **SCENE)
+    assert len(table["time"]) == n and np.array_equal(table["time"], t)

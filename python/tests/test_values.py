@@ -1,0 +1,161 @@
+# SPDX-License-Identifier: MIT
+"""Laws, tables, fingers, batches and patches: shapes, kinds of numbers, and values against what is known without the library."""
+
+import math
+
+import limitcurve as lc
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from hypothesis.extra import numpy as hnp
+
+TABLE = lc.Table("hertz", tolerance=1e-8)
+CORS = st.floats(min_value=0, allow_nan=False) | st.just(math.inf)
+
+
+@given(hnp.arrays(np.float64, hnp.array_shapes(max_dims=4, max_side=5), elements=CORS))
+def test_results_have_the_shape_of_c(c):
+    for curve in (lc.Law("uniform"), TABLE):
+        f, m = curve.evaluate(c)
+        assert f.shape == m.shape == c.shape and f.dtype == m.dtype == np.float64
+        assert ((f >= 0) & (f <= 1) & (m >= 0)).all()
+        each = [curve.evaluate(one) for one in c.ravel()]
+        assert np.array_equal(f.ravel(), [one[0] for one in each]) and np.array_equal(m.ravel(), [one[1] for one in each])
+
+
+def test_single_precision_in_single_precision_out():
+    f, m = lc.Law("hertz").evaluate(np.linspace(0, 2, 5, dtype=np.float32))
+    assert f.dtype == m.dtype == np.float32
+    assert isinstance(lc.Law("hertz").evaluate(np.float32(1))[0], np.float32)
+    assert isinstance(lc.Law("hertz").evaluate(1)[0], float)
+
+
+def test_strided_reversed_and_read_only_arrays_are_read():
+    c = np.linspace(0, 3, 31)
+    f = lc.Law("hertz").evaluate(c)[0]
+    assert np.array_equal(lc.Law("hertz").evaluate(c[::-2])[0], f[::-2])
+    frozen = np.broadcast_to(np.float64(0.5), (3, 4))
+    assert (TABLE.evaluate(frozen)[0] == TABLE.evaluate(0.5)[0]).all()
+    assert np.array_equal(TABLE.evaluate(np.asfortranarray(c[:30].reshape(5, 6)))[0], TABLE.evaluate(c[:30].reshape(5, 6))[0])
+
+
+def test_not_a_number_gives_not_a_number():
+    for curve in (lc.Law("hertz"), lc.Law("power:n=2.3"), TABLE, lc.ellipse(1, 0.6), lc.box(1, 0.6)):
+        f, m = curve.evaluate([math.nan, 1])
+        assert math.isnan(f[0]) and math.isnan(m[0]) and f[1] > 0
+    assert math.isnan(TABLE.gauge(math.nan, 0.1))
+
+
+def test_errors_bound_the_error():
+    # uniform pressure, c at the rim: f = 2/pi * ∫… has the closed value 8/(3 pi) (E(1) and K terms cancel).
+    f, _, f_error, _ = lc.Law("uniform").evaluate(1.0, error=True)
+    assert abs(f - 8 / (3 * math.pi)) <= f_error + 2e-16
+
+
+@given(st.floats(0, 1e3), st.floats(0, 1e3))
+def test_gauge_is_one_on_the_curve_and_scales(c, factor):
+    f, m = TABLE.evaluate(c)
+    assert TABLE.gauge(f, m) == pytest.approx(1, abs=1e-12)
+    assert TABLE.gauge(factor * f, factor * m) == pytest.approx(factor, rel=1e-12, abs=1e-300)
+
+
+def test_gauge_and_load_to_hold_broadcast():
+    force, moment = np.linspace(0, 2, 5), np.linspace(0, 5e-3, 4)[:, None]
+    loads = TABLE.load_to_hold(force, moment, mu=0.6, radius_law="power:c=0.002,gamma=0.3")
+    assert loads.shape == (4, 5) and loads[0, 0] == 0
+    assert np.allclose(loads[0], force / 0.6, rtol=1e-12)  # pure sliding: P = F/mu
+    assert (np.diff(loads, axis=0) >= 0).all() and (np.diff(loads, axis=1) >= 0).all()
+    radius = 0.002 * loads**0.3
+    with np.errstate(invalid="ignore"):
+        gauge = TABLE.gauge(np.nan_to_num(force / (0.6 * loads)), np.nan_to_num(moment / (0.6 * loads * radius)))
+    assert np.allclose(gauge.ravel()[1:], 1, atol=1e-9)
+
+
+def test_a_table_survives_its_files(tmp_path):
+    c = np.geomspace(1e-3, 1e3, 100)
+    for name in ("t.csv", "t.json"):
+        TABLE.save(tmp_path / name)
+        again = lc.Table.load(tmp_path / name)
+        assert np.array_equal(again.evaluate(c), TABLE.evaluate(c)) and again.certified_error == TABLE.certified_error
+        lc.Batch(again, 3, dtype=np.float32)  # single precision is built from the law that it names
+    TABLE.save(tmp_path / "t.h")
+    assert "hertz" in (tmp_path / "t.h").read_text()
+
+
+def test_a_profile_from_arrays_is_the_profile_in_a_file(tmp_path):
+    radius = np.linspace(0, 5, 30)
+    pressure = 25 - radius**2
+    file = tmp_path / "profile.csv"
+    file.write_text("radius,pressure\n" + "".join(f"{r!r},{p!r}\n" for r, p in zip(radius.tolist(), pressure.tolist())))
+    mine = lc.Law.samples(radius, pressure)
+    assert mine.profile_error > 0
+    assert np.array_equal(mine.evaluate([0, 0.3, 2]), lc.Law(f"samples:{file}").evaluate([0, 0.3, 2]))
+    assert mine.evaluate(0.3)[0] == pytest.approx(lc.Law("parabolic").evaluate(0.3)[0], abs=1e-3)
+
+
+def test_a_finger_that_is_pulled_feels_mu_p():
+    finger = lc.SoftFinger(TABLE, mu=0.6, radius_law="constant:a=0.006", stiffness=1000, twist_stiffness=0.036, projection="closest-point")
+    for i in range(200):
+        out = finger.update([1e-4 * i, 0, 0], np.array([0.0, 0, 1]), 0.002, 0.0, 1e-3)
+    assert out.state == lc.ContactState.slip and str(out.state) == "slip"
+    assert out.load == 2.0 and np.allclose(out.force, [-1.2, 0, 0], atol=1e-12) and out.moment == 0 and out.cor == math.inf
+    assert finger.margin() == 0 and finger.load_to_hold() == pytest.approx(2)
+    other = finger.copy()
+    finger.reset()
+    assert finger.output.state == lc.ContactState.free and other.output.state == lc.ContactState.slip
+
+
+def test_a_faulty_sample_is_a_state_and_not_an_error():
+    finger = lc.SoftFinger(TABLE, mu=0.6)
+    finger.update((0, 0, 0), (0, 0, 1), 0.001, 0)
+    for bad in [((math.nan, 0, 0), (0, 0, 1), 0.001, 0), ((0, 0, 0), (0, 0, 2), 0.001, 0), ((0, 0, 0), (0, 0, 1), math.inf, 0), ((9, 0, 0), (0, 0, 1), 0.001, 0)]:
+        assert str(finger.update(*bad).state) == "invalid"
+    assert str(finger.update((0, 0, 0), (0, 0, 1), 0.001, 0, -1.0).state) == "invalid"
+
+
+def test_a_batch_steps_in_place_and_shows_its_arrays():
+    batch = lc.Batch(TABLE, 4, mu=0.6, radius_law="constant:a=0.006")
+    views = batch.fx, batch.moment, batch.state
+    batch.update(0, 0, 0.002, 0)
+    batch.update(np.array([0, 1e-3, 1e-2, 0]), 0, np.array([0.002, 0.002, 0.002, -1]), np.zeros(4), 1e-3)
+    assert [str(lc.ContactState(one)) for one in views[2]] == ["stick", "stick", "slip", "free"]
+    assert views[0] is not batch.fx and np.shares_memory(views[0], batch.fx) and not views[0].flags.writeable
+    assert np.allclose(views[0], [0, -1, -1.2, 0], atol=1e-12) and len(batch) == 4
+    batch.update(batch.fx, 0, 0.002, 0)  # its own result as its input
+    batch.reset()
+    assert (views[2] == 0).all() and (views[0] == 0).all()
+    del batch
+    assert (views[0] == 0).all()  # a view keeps its batch
+
+
+def test_a_patch_of_a_disc_is_a_law():
+    patch = lc.Patch("ellipse:law=hertz,a=0.004,b=0.004")
+    law = lc.Law("hertz")
+    cors = np.array([0.0, 0.002, 0.004, 0.02])
+    twists = np.stack([np.zeros(4), -cors, np.ones(4)], axis=1)  # omega = 1 about (c, 0)
+    wrench, power, error = patch.wrench(twists.reshape(2, 2, 3), 0.5, 3, error=True)
+    f, m = law.evaluate(cors / 0.004)
+    assert wrench.shape == (2, 2, 3) and power.shape == error.shape == (2, 2)
+    assert np.allclose(-wrench[..., 1].ravel(), 1.5 * f, atol=1e-11) and np.allclose(wrench[..., 2].ravel(), 1.5 * 0.004 * m, atol=1e-13)
+    assert np.allclose(power, (wrench * twists.reshape(2, 2, 3)).sum(axis=-1), rtol=1e-9)
+
+
+def test_patches_from_arrays_are_those_from_files(tmp_path):
+    x, y, load = [0, 0.01, 0.0], [0, 0, 0.01], [1, 2, 1.5]
+    (tmp_path / "p.csv").write_text("x,y,load\n" + "".join(f"{a},{b},{c}\n" for a, b, c in zip(x, y, load)))
+    twists = np.random.default_rng(1).normal(size=(50, 3))
+    assert np.array_equal(lc.Patch.points(x, y, load).wrench(twists), lc.Patch(f"points:{tmp_path / 'p.csv'}").wrench(twists))
+    rectangle = lc.Patch.polygon([-0.01, 0.01, 0.01, -0.01], [-0.005, -0.005, 0.005, 0.005])
+    assert np.allclose(rectangle.wrench(twists), lc.Patch("rectangle:x=0.02,y=0.01").wrench(twists), atol=1e-13)
+    assert lc.Patch.image(np.ones((4, 8)), 0.0025).radius == pytest.approx(math.hypot(0.01, 0.005), rel=0.2)
+    finger = lc.PatchFinger(rectangle, mu=0.6)
+    assert str(finger.update((0, 0, 0), (0, 0, 1), 0.001, 0).state) == "stick"
+
+
+def test_friction_is_what_a_finger_does():
+    memory = lc.FrictionMemory()
+    result = lc.apply_friction(TABLE, 2.4, 0.0, limit=1.2, radius=0.006, stiffness_ratio=25000, memory=memory)
+    assert result.slips and result.force_ratio == pytest.approx(0.5, rel=1e-12) and memory.slides
+    result = lc.apply_friction(TABLE, 0.1, 1e-4, limit=1.2, radius=0.006, stiffness_ratio=25000, memory=memory)
+    assert not result.slips and result.force_ratio == result.moment_ratio == 1 and math.isnan(result.cor)

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: MIT
+// Ten thousand calls that a careless or hostile program makes: each is an error with a line that says why, or a right answer.
+#include "c/limitcurve.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <random>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+
+class HostileCalls : public testing::Test {
+ protected:
+  void SetUp() override {
+    ASSERT_EQ(limitcurve_law_parse("hertz", &law), LIMITCURVE_OK);
+    ASSERT_EQ(limitcurve_table_build(law, 1e-4, &table), LIMITCURVE_OK);
+    ASSERT_EQ(limitcurve_patch_rectangle(0.02, 0.01, &patch), LIMITCURVE_OK);
+  }
+  void TearDown() override {
+    limitcurve_patch_free(patch);
+    limitcurve_table_free(table);
+    limitcurve_law_free(law);
+  }
+
+  double number() {
+    static constexpr std::array odd{0.0,   -0.0,   1.0,      -1.0,      0.5,  2.0,   1e-3,  1e-300, 5e-324,
+                                    1e308, -1e308, infinity, -infinity, 1e60, 1e-60, 0.006, 1000.0, not_a_number};
+    return odd[random() % odd.size()];
+  }
+  template <class Thing>
+  Thing* or_null(Thing* thing) {
+    return random() % 8 == 0 ? nullptr : thing;
+  }
+  /// A status is one of three, and a failure has a line of its own.
+  void expect_told(limitcurve_status status) {
+    ++calls;
+    ASSERT_TRUE(status == LIMITCURVE_OK || status == LIMITCURVE_FAILED || status == LIMITCURVE_INVALID);
+    if (status == LIMITCURVE_OK) return;
+    ++refused;
+    ASSERT_NE(std::string(limitcurve_error()), "");
+    ASSERT_EQ(std::strchr(limitcurve_error(), '\n'), nullptr) << limitcurve_error();
+  }
+
+  std::mt19937_64 random{13};
+  std::size_t calls = 0;
+  std::size_t refused = 0;
+  limitcurve_law* law = nullptr;
+  limitcurve_table* table = nullptr;
+  limitcurve_patch* patch = nullptr;
+};
+
+TEST_F(HostileCalls, OddNumbersAndNullAreErrorsOrRightAnswers) {
+  const std::array texts{"hertz",
+                         "",
+                         "power:n=2",
+                         "power:n=",
+                         "mix:",
+                         "mix:1*hertz",
+                         "samples:x.csv",
+                         "power:n=1e999",
+                         "constant:a=0.005",
+                         "power:c=0.002,gamma=2",
+                         "\xff\xfe",
+                         "gaussian:sigma=0"};
+  while (calls < 10000) {
+    const auto text = [&] { return or_null(texts[random() % texts.size()]); };
+    std::array<double, 4> numbers{number(), number(), number(), number()};
+    std::array<double, 12> out{};
+    switch (random() % 12) {
+      case 0: {
+        limitcurve_law* made = nullptr;
+        expect_told(limitcurve_law_parse(text(), or_null(&made)));
+        limitcurve_law_free(made);
+        break;
+      }
+      case 1:
+        expect_told(limitcurve_law_evaluate(or_null(law), or_null(numbers.data()), random() % 5, or_null(out.data()),
+                                            or_null(out.data() + 4), or_null(out.data() + 8), nullptr));
+        break;
+      case 2: {
+        const limitcurve_status status =
+            limitcurve_table_evaluate(or_null(table), or_null(numbers.data()), 4, or_null(out.data()), or_null(out.data() + 4));
+        expect_told(status);
+        for (int i = 0; i < 4 && status == LIMITCURVE_OK; ++i) {
+          const auto cell = static_cast<std::size_t>(i);
+          EXPECT_EQ(std::isnan(out[cell]), std::isnan(numbers[cell]));
+          if (!std::isnan(out[cell])) {
+            EXPECT_TRUE(out[cell] >= 0 && out[cell] <= 1 && out[cell + 4] >= 0 && out[cell + 4] < 0.6);
+          }
+        }
+        break;
+      }
+      case 3:
+        expect_told(limitcurve_table_gauge(or_null(table), numbers.data(), numbers.data() + 2, 2, or_null(out.data())));
+        break;
+      case 4: {
+        limitcurve_table* made = nullptr;
+        expect_told(random() % 2 == 0 ? limitcurve_table_ellipse(number(), number(), &made)
+                                      : limitcurve_table_box(number(), number(), &made));
+        limitcurve_table_free(made);
+        break;
+      }
+      case 5: {
+        const limitcurve_limits limits{number(), number(), number(), number(), number(), number()};
+        limitcurve_memory memory{number(), number(), static_cast<int>(random() % 3)};
+        limitcurve_friction friction{};
+        const limitcurve_status status = limitcurve_apply_friction(or_null(table), static_cast<limitcurve_projection>(random() % 4),
+                                                                   &limits, number(), number(), or_null(&memory), or_null(&friction));
+        expect_told(status);
+        if (status == LIMITCURVE_OK) {
+          EXPECT_TRUE(friction.force_ratio >= 0 && friction.force_ratio <= 1 && friction.moment_ratio >= 0 && friction.moment_ratio <= 1);
+        }
+        break;
+      }
+      case 6: {
+        limitcurve_finger_parameters parameters = limitcurve_finger_defaults();
+        if (random() % 2 == 0) parameters.mu = number();
+        if (random() % 2 == 0) parameters.stiffness = number();
+        if (random() % 4 == 0) parameters.moment_coefficient = number();
+        if (random() % 4 == 0) parameters.radius_law = text();
+        limitcurve_finger* finger = nullptr;
+        const auto projection = static_cast<limitcurve_projection>(random() % 4);
+        expect_told(random() % 2 == 0 ? limitcurve_finger_new(or_null(table), or_null(&parameters), projection, &finger)
+                                      : limitcurve_finger_new_patch(or_null(patch), &parameters, number(), &finger));
+        for (int i = 0; finger != nullptr && i < 10; ++i) {
+          const limitcurve_contact contact{{number(), number(), 0}, {0, 0, random() % 4 == 0 ? number() : 1}, number(), number()};
+          limitcurve_finger_output output{};
+          const limitcurve_status status = limitcurve_finger_update(finger, or_null(&contact), number(), or_null(&output));
+          expect_told(status);
+          if (status != LIMITCURVE_OK) continue;
+          EXPECT_TRUE(std::isfinite(output.load) && std::isfinite(output.force[0]) && std::isfinite(output.moment) &&
+                      output.slip_work >= 0);
+        }
+        limitcurve_finger_free(finger);
+        break;
+      }
+      case 7: {
+        limitcurve_batch* batch = nullptr;
+        const limitcurve_finger_parameters parameters = limitcurve_finger_defaults();
+        expect_told(limitcurve_batch_new(or_null(table), &parameters, LIMITCURVE_CLOSEST_POINT, &batch));
+        std::array<std::array<double, 4>, 11> arrays{};
+        for (std::array<double, 4>& array : arrays) array = {number(), number(), number(), number()};
+        std::array<std::uint8_t, 4> state{static_cast<std::uint8_t>(random()), 1, 2, 3};
+        std::array<std::uint8_t, 4> sliding{static_cast<std::uint8_t>(random()), 1, 2, 3};
+        const limitcurve_contacts contacts{arrays[0].data(),  arrays[1].data(), arrays[2].data(), or_null(arrays[3].data()),
+                                           arrays[4].data(),  arrays[5].data(), arrays[6].data(), state.data(),
+                                           sliding.data(),    arrays[7].data(), arrays[8].data(), arrays[9].data(),
+                                           arrays[10].data(), arrays[10].data()};
+        expect_told(limitcurve_batch_step(batch, or_null(&contacts), 4));
+        limitcurve_batch_free(batch);
+        break;
+      }
+      case 8: {
+        limitcurve_patch* made = nullptr;
+        expect_told(random() % 2 == 0
+                        ? limitcurve_patch_points(numbers.data(), numbers.data(), or_null(numbers.data()), random() % 5, &made)
+                        : limitcurve_patch_polygon(numbers.data(), or_null(numbers.data()), random() % 5, &made));
+        limitcurve_patch_free(made);
+        break;
+      }
+      case 9: {
+        limitcurve_patch* made = nullptr;
+        expect_told(random() % 2 == 0 ? limitcurve_patch_image(or_null(numbers.data()), 2, 2, number(), &made)
+                                      : limitcurve_patch_image(numbers.data(), std::size_t(-1), std::size_t(-1), 1, &made));
+        limitcurve_patch_free(made);
+        break;
+      }
+      case 10:
+        expect_told(limitcurve_patch_wrench(or_null(patch), or_null(numbers.data()), 1, or_null(out.data()), nullptr, out.data() + 4));
+        break;
+      default: {
+        limitcurve_table* made = nullptr;
+        std::string csv = limitcurve_table_csv(table);
+        csv[random() % csv.size()] = static_cast<char>(random());
+        expect_told(limitcurve_table_read_csv(or_null(csv.data()), csv.size() - random() % 3, "memory", &made));
+        limitcurve_table_free(made);
+      }
+    }
+  }
+  EXPECT_GT(refused, 2000U);
+  EXPECT_LT(refused, 9000U);
+}
+
+TEST_F(HostileCalls, ThreadsHaveErrorsOfTheirOwn) {
+  std::vector<std::thread> threads;
+  for (int i = 0; i < 2; ++i) {
+    threads.emplace_back([this, i] {
+      const std::string wrong = "nonsense" + std::to_string(i);
+      for (int round = 0; round < 1000; ++round) {
+        limitcurve_law* made = nullptr;
+        ASSERT_EQ(limitcurve_law_parse(wrong.c_str(), &made), LIMITCURVE_INVALID);
+        ASSERT_NE(std::string(limitcurve_error()).find(wrong), std::string::npos);
+        const double cor = 0.5;
+        double force = 0;
+        double moment = 0;
+        ASSERT_EQ(limitcurve_table_evaluate(table, &cor, 1, &force, &moment), LIMITCURVE_OK);  // a table is shared
+      }
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+}
+
+TEST_F(HostileCalls, AFreedHandleIsRefusedInADebugBuild) {
+#ifdef NDEBUG
+  GTEST_SKIP() << "a release build does not keep account of handles";
+#else
+  limitcurve_law* freed = nullptr;
+  ASSERT_EQ(limitcurve_law_parse("uniform", &freed), LIMITCURVE_OK);
+  limitcurve_law_free(freed);
+  double ratio = 0;
+  EXPECT_EQ(limitcurve_law_moment_ratio(freed, &ratio), LIMITCURVE_INVALID);
+  EXPECT_STREQ(limitcurve_error(), "law: the handle was freed");
+  EXPECT_EQ(limitcurve_law_name(freed), nullptr);
+  limitcurve_law_free(freed);  // twice
+#endif
+}
+
+TEST(Errors, NameTheArgumentItsValueAndWhatIsExpected) {
+  limitcurve_law* law = nullptr;
+  ASSERT_EQ(limitcurve_law_parse("hertz", &law), LIMITCURVE_OK);
+  const std::array<double, 3> cors{0.0, 1.0, -0.25};
+  std::array<double, 3> forces{7, 7, 7};
+  std::array<double, 3> moments{};
+  EXPECT_EQ(limitcurve_law_evaluate(law, cors.data(), 3, forces.data(), moments.data(), nullptr, nullptr), LIMITCURVE_INVALID);
+  EXPECT_STREQ(limitcurve_error(), "cors[2]: got -0.25, expected a number >= 0, or inf");
+  EXPECT_EQ(forces[0], 7);  // nothing was written
+  EXPECT_EQ(limitcurve_law_evaluate(nullptr, cors.data(), 3, forces.data(), moments.data(), nullptr, nullptr), LIMITCURVE_INVALID);
+  EXPECT_STREQ(limitcurve_error(), "law: got NULL");
+  limitcurve_law_free(law);
+}
+
+}  // namespace

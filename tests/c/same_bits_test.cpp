@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: MIT
+// The C interface gives the bits of the C++ library, on 10^5 random inputs each.
+#include "c/limitcurve.h"
+
+#include "godobject/batch.hpp"
+#include "godobject/soft_finger.hpp"
+#include "limitcurve/laws.hpp"
+#include "limitcurve/table.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <random>
+#include <vector>
+
+namespace limitcurve {
+namespace {
+
+using namespace godobject;
+
+constexpr std::size_t count = 100000;
+
+std::uint64_t bits(double number) {
+  return std::bit_cast<std::uint64_t>(number);
+}
+
+/// COR distances over all magnitudes, the ends and the rim among them.
+std::vector<double> random_cors() {
+  std::mt19937_64 random(20260727);
+  std::uniform_real_distribution<double> exponent(-20, 20);
+  std::vector<double> cors{0.0, 1.0, std::numeric_limits<double>::infinity(), std::nextafter(1.0, 0.0), std::nextafter(1.0, 2.0)};
+  while (cors.size() < count) cors.push_back(std::pow(10.0, exponent(random) / (cors.size() % 2 == 0 ? 1 : 20)));
+  return cors;
+}
+
+TEST(SameBits, EvaluateOfALaw) {
+  for (const char* text : {"hertz", "uniform"}) {
+    limitcurve_law* law = nullptr;
+    ASSERT_EQ(limitcurve_law_parse(text, &law), LIMITCURVE_OK);
+    const Law same = parse_law(text);
+    const std::vector<double> cors = random_cors();
+    std::vector<double> forces(count), moments(count), force_errors(count), moment_errors(count);
+    ASSERT_EQ(limitcurve_law_evaluate(law, cors.data(), count, forces.data(), moments.data(), force_errors.data(), moment_errors.data()),
+              LIMITCURVE_OK);
+    for (std::size_t i = 0; i < count; ++i) {
+      const WrenchEstimate expected = same->evaluate(cors[i]);
+      ASSERT_EQ(bits(forces[i]), bits(expected.wrench.force)) << text << " at " << cors[i];
+      ASSERT_EQ(bits(moments[i]), bits(expected.wrench.moment)) << text << " at " << cors[i];
+      ASSERT_EQ(bits(force_errors[i]), bits(expected.error.force)) << text << " at " << cors[i];
+      ASSERT_EQ(bits(moment_errors[i]), bits(expected.error.moment)) << text << " at " << cors[i];
+    }
+    limitcurve_law_free(law);
+  }
+}
+
+TEST(SameBits, EvaluateOfATable) {
+  limitcurve_law* law = nullptr;
+  limitcurve_table* table = nullptr;
+  ASSERT_EQ(limitcurve_law_parse("hertz", &law), LIMITCURVE_OK);
+  ASSERT_EQ(limitcurve_table_build(law, 1e-8, &table), LIMITCURVE_OK);
+  const Table same = Table::build(hertz(), 1e-8);
+  const std::vector<double> cors = random_cors();
+  std::vector<double> forces(count), moments(count);
+  ASSERT_EQ(limitcurve_table_evaluate(table, cors.data(), count, forces.data(), moments.data()), LIMITCURVE_OK);
+  for (std::size_t i = 0; i < count; ++i) {
+    const UnitWrench expected = same.wrench(SlipTwist::about_cor(cors[i]));
+    ASSERT_EQ(bits(forces[i]), bits(expected.force)) << cors[i];
+    ASSERT_EQ(bits(moments[i]), bits(expected.moment)) << cors[i];
+  }
+  limitcurve_table_free(table);
+  limitcurve_law_free(law);
+}
+
+TEST(SameBits, UpdateOfAFinger) {
+  limitcurve_law* law = nullptr;
+  limitcurve_table* table = nullptr;
+  limitcurve_finger* finger = nullptr;
+  ASSERT_EQ(limitcurve_law_parse("hertz", &law), LIMITCURVE_OK);
+  ASSERT_EQ(limitcurve_table_build(law, 1e-6, &table), LIMITCURVE_OK);
+  limitcurve_finger_parameters parameters = limitcurve_finger_defaults();
+  parameters.mu = 0.6;
+  parameters.mu_dynamic = 0.5;
+  parameters.radius_law = "power:c=0.00207,gamma=0.259";
+  parameters.damping = 1;
+  parameters.twist_damping = 1e-5;
+  ASSERT_EQ(limitcurve_finger_new(table, &parameters, LIMITCURVE_CLOSEST_POINT, &finger), LIMITCURVE_OK);
+  FingerParameters same;
+  same.mu = 0.6;
+  same.mu_dynamic = 0.5;
+  same.radius_law = RadiusLaw::power(0.00207, 0.259);
+  same.damping = 1;
+  same.twist_damping = 1e-5;
+  SoftFinger expected_finger(Table::build(hertz(), 1e-6), same);
+  std::mt19937_64 random(3);
+  std::normal_distribution<double> normal;
+  limitcurve_contact contact{{0, 0, 0}, {0, 0, 1}, 0.001, 0};
+  std::array<std::size_t, 4> seen{};
+  for (std::size_t i = 0; i < count; ++i) {
+    contact.point[0] += 2e-4 * normal(random);
+    contact.point[1] += 2e-4 * normal(random);
+    contact.depth = 1e-3 * (1 + normal(random));
+    contact.twist += 0.05 * normal(random);
+    const double twist = i % 1000 == 999 ? std::numeric_limits<double>::quiet_NaN() : contact.twist;  // a device's fault now and then
+    limitcurve_contact given = contact;
+    given.twist = twist;
+    limitcurve_finger_output output;
+    ASSERT_EQ(limitcurve_finger_update(finger, &given, 1e-3, &output), LIMITCURVE_OK);
+    const FingerOutput expected =
+        expected_finger.update({Eigen::Vector3d(contact.point), Eigen::Vector3d(contact.normal), contact.depth, {}}, twist, 1e-3);
+    ASSERT_EQ(static_cast<int>(output.state), static_cast<int>(expected.state));
+    ++seen[static_cast<std::size_t>(output.state)];
+    for (int axis = 0; axis < 3; ++axis) {
+      ASSERT_EQ(bits(output.proxy[axis]), bits(expected.proxy[axis]));
+      ASSERT_EQ(bits(output.force[axis]), bits(expected.force[axis]));
+      ASSERT_EQ(bits(output.normal[axis]), bits(expected.normal[axis]));
+    }
+    ASSERT_EQ(bits(output.angle), bits(expected.angle));
+    ASSERT_EQ(bits(output.depth), bits(expected.depth));
+    ASSERT_EQ(bits(output.load), bits(expected.load));
+    ASSERT_EQ(bits(output.moment), bits(expected.moment));
+    ASSERT_EQ(bits(output.cor), bits(expected.cor));
+    ASSERT_EQ(bits(output.slip_work), bits(expected.slip_work));
+    double margin = 0;
+    double hold = 0;
+    ASSERT_EQ(limitcurve_finger_margin(finger, &margin, &hold), LIMITCURVE_OK);
+    ASSERT_EQ(bits(margin), bits(expected_finger.margin()));
+    if (i % 16 == 0) {
+      ASSERT_EQ(bits(hold), bits(expected_finger.load_to_hold()));
+    }
+  }
+  for (const std::size_t times : seen) EXPECT_GE(times, 100U);  // every state is among them
+  limitcurve_finger_free(finger);
+  limitcurve_table_free(table);
+  limitcurve_law_free(law);
+}
+
+/// The arrays of a batch by both interfaces, stepped ten times over `count` contacts.
+template <class Real, class Contacts, class Step>
+void compare_batches(const BasicBatch<Real>& same, const Step& step) {
+  BasicContactArrays<Real> mine(count);
+  BasicContactArrays<Real> other(count);
+  std::mt19937_64 random(4);
+  std::normal_distribution<double> normal;
+  std::size_t slips = 0;
+  for (int round = 0; round < 10; ++round) {
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::array<double, 4> moved{1e-3 * normal(random), 1e-3 * normal(random), 0.1 * normal(random), 1e-3 * (1 + normal(random))};
+      for (BasicContactArrays<Real>* const arrays : {&mine, &other}) {
+        arrays->x()[i] = static_cast<Real>(moved[0]);
+        arrays->y()[i] = static_cast<Real>(moved[1]);
+        arrays->angle()[i] = static_cast<Real>(moved[2]);
+        arrays->depth()[i] = static_cast<Real>(moved[3]);
+      }
+    }
+    const BasicContactBatch<Real> of = mine.batch();
+    const Contacts contacts{of.x.data(),
+                            of.y.data(),
+                            of.angle.data(),
+                            of.depth.data(),
+                            of.proxy_x.data(),
+                            of.proxy_y.data(),
+                            of.proxy_angle.data(),
+                            reinterpret_cast<std::uint8_t*>(of.state.data()),
+                            reinterpret_cast<std::uint8_t*>(of.sliding.data()),
+                            of.parameter.data(),
+                            of.rate.data(),
+                            of.force_x.data(),
+                            of.force_y.data(),
+                            of.moment.data()};
+    ASSERT_EQ(step(&contacts), LIMITCURVE_OK);
+    const BasicContactBatch<Real> expected = other.batch();
+    same.step(expected);
+    const auto equal = [](auto one, auto two) { return std::memcmp(one.data(), two.data(), one.size_bytes()) == 0; };
+    ASSERT_TRUE(equal(of.proxy_x, expected.proxy_x) && equal(of.proxy_y, expected.proxy_y) && equal(of.proxy_angle, expected.proxy_angle));
+    ASSERT_TRUE(equal(of.force_x, expected.force_x) && equal(of.force_y, expected.force_y) && equal(of.moment, expected.moment));
+    ASSERT_TRUE(equal(of.state, expected.state) && equal(of.sliding, expected.sliding));
+    for (const ContactState state : of.state) slips += state == ContactState::slip ? 1 : 0;
+  }
+  EXPECT_GT(slips, count);
+}
+
+TEST(SameBits, StepsOfABatch) {
+  limitcurve_law* law = nullptr;
+  limitcurve_table* table = nullptr;
+  limitcurve_batch* batch = nullptr;
+  limitcurve_batch* float_batch = nullptr;
+  const limitcurve_finger_parameters parameters = limitcurve_finger_defaults();
+  ASSERT_EQ(limitcurve_law_parse("hertz", &law), LIMITCURVE_OK);
+  ASSERT_EQ(limitcurve_table_build(law, 1e-8, &table), LIMITCURVE_OK);
+  ASSERT_EQ(limitcurve_batch_new(table, &parameters, LIMITCURVE_CLOSEST_POINT, &batch), LIMITCURVE_OK);
+  ASSERT_EQ(limitcurve_batch_new_float(law, 1e-6, &parameters, LIMITCURVE_CLOSEST_POINT, &float_batch), LIMITCURVE_OK);
+  compare_batches<double, limitcurve_contacts>(Batch(Table::build(hertz(), 1e-8), {}),
+                                               [&](const auto* contacts) { return limitcurve_batch_step(batch, contacts, count); });
+  compare_batches<float, limitcurve_contacts_float>(FloatBatch(FloatTable::build(hertz(), 1e-6), {}), [&](const auto* contacts) {
+    return limitcurve_batch_step_float(float_batch, contacts, count);
+  });
+  limitcurve_batch_free(float_batch);
+  limitcurve_batch_free(batch);
+  limitcurve_table_free(table);
+  limitcurve_law_free(law);
+}
+
+}  // namespace
+}  // namespace limitcurve
