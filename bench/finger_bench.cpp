@@ -11,20 +11,17 @@
 // so that an interrupt is not taken for a step. Empty where all stretches are alike. result: the mean of what the steps return, to see
 // that two commits do the same work.
 #include "bench/adaptor.hpp"
+#include "motion.hpp"
+#include "workload.hpp"
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
-#include <ctime>
 #include <functional>
 #include <iostream>
-#include <limits>
 #include <memory>
-#include <numbers>
-#include <random>
 #include <regex>
 #include <string>
 #include <utility>
@@ -33,140 +30,9 @@
 namespace limitcurve::bench {
 namespace {
 
-using Clock = std::chrono::steady_clock;
 using Eigen::Vector3d;
 
-constexpr double pi = std::numbers::pi;
-constexpr double time_step = 1e-3;      // [s]
-constexpr double shortest_round = 1e7;  // [ns]
-
-// ---- timing
-
-/// What all passes through a workload gave.
-struct Times {
-  double result = 0.0;          // sum of what the steps returned
-  std::size_t steps = 0;        // in all
-  std::vector<double> fastest;  // a step's time in each stretch [ns]
-};
-
-using Pass = std::function<void(Times&)>;
-
-/// A pass of `stretches` calls of `stretch(index)`, each of which takes `steps` steps and returns the sum of their results.
-template <class Stretch>
-Pass timed(std::size_t stretches, std::size_t steps, Stretch stretch) {
-  return [stretches, steps, stretch = std::move(stretch)](Times& times) mutable {
-    times.fastest.resize(stretches, std::numeric_limits<double>::infinity());
-    auto last = Clock::now();
-    for (std::size_t i = 0; i < stretches; ++i) {
-      times.result += stretch(i);
-      const auto now = Clock::now();
-      const double taken = std::chrono::duration<double, std::nano>(now - last).count();
-      last = now;
-      times.fastest[i] = std::min(times.fastest[i], taken / static_cast<double>(steps));
-    }
-    times.steps += stretches * steps;
-  };
-}
-
-struct Round {
-  double mean, worst, result;
-};
-
-class Workload {
- public:
-  Workload(std::string name, std::function<Pass()> make) : name_(std::move(name)), make_(std::move(make)) {}
-  [[nodiscard]] const std::string& name() const { return name_; }
-
-  /// Makes what is needed, moves it until it has settled, and finds how many passes are a round.
-  void start() {
-    pass_ = make_();
-    times_ = {};
-    pass_(times_);
-    passes_ = 1;
-    while (take_round() < shortest_round && passes_ < 1000000) passes_ *= 2;
-  }
-  [[nodiscard]] Round round() {
-    times_.result = 0.0;
-    times_.steps = 0;
-    const double taken = take_round();
-    const bool alike = times_.fastest.size() == 1;
-    const auto steps = static_cast<double>(times_.steps);
-    return {taken / steps, alike ? std::nan("") : *std::ranges::max_element(times_.fastest), times_.result / steps};
-  }
-  void stop() { pass_ = nullptr; }
-
- private:
-  /// The processor's time for it [ns].
-  double take_round() {
-    const std::clock_t begin = std::clock();
-    for (std::size_t i = 0; i < passes_; ++i) pass_(times_);
-    return static_cast<double>(std::clock() - begin) * (1e9 / CLOCKS_PER_SEC);
-  }
-
-  std::string name_;
-  std::function<Pass()> make_;
-  Pass pass_;
-  Times times_;
-  std::size_t passes_ = 1;
-};
-
-// ---- motions of one finger, each a loop without an end
-
-constexpr std::size_t samples = 4096;
-constexpr std::size_t stretch_steps = 128;
-
-enum class Motion { held, slow, wild };
-constexpr std::array<std::pair<Motion, const char*>, 3> motions{{{Motion::held, "held"}, {Motion::slow, "slow"}, {Motion::wild, "wild"}}};
-
-/// A number between −1 and 1.
-class Random {
- public:
-  double operator()() { return share_(engine_); }
-  Vector3d vector() {
-    const double x = (*this)(), y = (*this)(), z = (*this)();
-    return {x, y, z};
-  }
-
- private:
-  std::mt19937 engine_{1};
-  std::uniform_real_distribution<double> share_{-1.0, 1.0};
-};
-
-/// How the finger moves along a surface: by how much in two directions [m], how deep [m], and its twist [rad].
-struct Sample {
-  double x, y, depth, twist;
-};
-
-/// Held: trembles within the limit. Slow: slips in every step of 0.1 mm, the centre of rotation wanders once over its range and back, the
-/// load changes a little. Wild: jumps of centimetres and radians in all directions, under any load.
-/// At 2 mm the finger bears 2 N, of which friction takes 1.2 N: the springs are then drawn by 1.2 mm.
-std::vector<Sample> move(Motion motion) {
-  Random random;
-  std::vector<Sample> result;
-  // The spin is half of the motion in the mean: so the device turns six times, and begins again where it began.
-  constexpr double spin_step = 6.0 * 2.0 * pi / (0.5 * samples);
-  double x = 0.0, y = 0.0, twist = 0.0;
-  for (std::size_t i = 0; i < samples; ++i) {
-    switch (motion) {
-      case Motion::held:
-        result.push_back({5e-5 * random(), 5e-5 * random(), 0.002 + 1e-4 * random(), 0.002 * random()});
-        break;
-      case Motion::slow: {
-        const double phase = 2.0 * pi * static_cast<double>(i) / samples;
-        const double u = 0.5 - 0.45 * std::cos(phase);
-        x += 1e-4 * (1.0 - u) * std::cos(2.0 * phase);
-        y += 1e-4 * (1.0 - u) * std::sin(2.0 * phase);
-        twist += spin_step * u;
-        result.push_back({x, y, 0.002 + 2e-4 * std::sin(7.0 * phase), std::remainder(twist, 2.0 * pi)});
-        break;
-      }
-      case Motion::wild:
-        result.push_back({0.01 * random(), 0.01 * random(), 0.002 + 0.001 * random(), 1.5 * random()});
-        break;
-    }
-  }
-  return result;
-}
+constexpr double time_step = 1e-3;  // [s]
 
 // ---- fingers
 

@@ -11,8 +11,7 @@
 #include <type_traits>
 
 /// Packs of numbers, a vector register each, under the names of single numbers (limitcurve/arithmetic.hpp, single.hpp): what is written once
-/// for a Number works on as many contacts as a pack has lanes, and gives the same bits. The one header with extensions of GCC and Clang; the
-/// library is complete without it (LIMITCURVE_PACKS).
+/// for a Number works on as many contacts as a pack has lanes, and gives the same bits. The one header with extensions of GCC and Clang.
 ///
 /// The instruction set is part of every type's name. Sources that are compiled for different processors then share no function that the
 /// linker could take from the wrong one; for the same reason lanes that are stepped one by one call functions of other sources only.

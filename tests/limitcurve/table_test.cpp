@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "limitcurve/table.hpp"
+#include "complaint.hpp"
 #include "limitcurve/approximations.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/pressure_law.hpp"
@@ -18,6 +19,9 @@
 
 namespace limitcurve {
 namespace {
+
+using test::complaint;
+using test::expect_mention;
 
 /// Slip twists without regard to a table's cells: uniform, crowding to both ends, and crowding to the rim.
 SlipTwist probe(std::mt19937_64& random, int i) {
@@ -262,21 +266,6 @@ TEST(FloatTable, CertifiedErrorHoldsInItsOwnArithmetic) {
   }
 }
 
-/// What `make` complains about.
-template <class Make>
-std::string complaint(const Make& make) {
-  try {
-    make();
-  } catch (const std::exception& error) {
-    return error.what();
-  }
-  return "none";
-}
-
-void expect_mention(const std::string& text, const std::string& what) {
-  EXPECT_NE(text.find(what), std::string::npos) << text;
-}
-
 TEST(Table, RefusesTolerancesThatMeanNothing) {
   for (const double tolerance : {0.0, -1e-6, 9e-15, 0.2, std::nan(""), HUGE_VAL}) {
     EXPECT_THROW(Table::build(hertz(), tolerance), std::invalid_argument) << tolerance;
@@ -387,99 +376,6 @@ TEST(Table, OutlivesWhatItWasCopiedFrom) {
   }
   EXPECT_EQ(table.law_name(), "uniform");
   EXPECT_NEAR(table.wrench({0.0, 1.0}).moment, 2.0 / 3.0, 1e-15);
-}
-
-/// A file may hold anything.
-class DamagedTable : public testing::Test {
- protected:
-  [[nodiscard]] std::string complaint_of(const TableCells& cells) const {
-    return complaint([&] { Table(facts_, cells); });
-  }
-  const Table table_ = Table::build(uniform(), 1e-8);
-  TableFacts facts_{"uniform", 1e-8, 1e-8};
-  TableCells cells_ = table_.cells();
-};
-
-TEST_F(DamagedTable, WhatIsWholeIsTaken) {
-  EXPECT_EQ(complaint_of(cells_), "none");
-}
-
-TEST_F(DamagedTable, IsRefusedForItsFacts) {
-  for (const double error : {-1.0, 1.1e-8, std::nan("")}) {
-    facts_.certified_error = error;
-    expect_mention(complaint_of(cells_), "certified_error");
-  }
-  facts_ = {"uniform", std::nan(""), 1e-8};
-  expect_mention(complaint_of(cells_), "tolerance");
-  facts_ = {"uni\nform", 1e-8, 1e-8};
-  expect_mention(complaint_of(cells_), "control character");
-}
-
-TEST_F(DamagedTable, IsRefusedForItsIndex) {
-  for (const int bits : {-1, 0, 2, 12, 1000000}) {
-    TableCells damaged = cells_;
-    damaged.index_bits = bits;
-    expect_mention(complaint_of(damaged), "index_bits");
-  }
-  for (const int octaves : {-7, 0, 50, 1000000000}) {
-    TableCells damaged = cells_;
-    damaged.octaves = octaves;
-    expect_mention(complaint_of(damaged), "octaves");
-  }
-  TableCells damaged = cells_;
-  damaged.index_bits = 11;
-  damaged.octaves = 41;
-  expect_mention(complaint_of(damaged), "bytes");
-}
-
-TEST_F(DamagedTable, IsRefusedForItsEdges) {
-  TableCells damaged = cells_;
-  damaged.inside.erase(damaged.inside.begin());
-  expect_mention(complaint_of(damaged), "inside, cell 1");
-  damaged = cells_;
-  damaged.outside.clear();
-  expect_mention(complaint_of(damaged), "outside: no cells");
-  damaged = cells_;
-  std::swap(damaged.inside[1], damaged.inside[2]);
-  expect_mention(complaint_of(damaged), "increases");
-  for (const double x : {std::nan(""), 1.0, 2.0, -0.5}) {
-    damaged = cells_;
-    damaged.inside.back().x = x;
-    expect_mention(complaint_of(damaged), "expected x in [0, 1)");
-  }
-  damaged = cells_;
-  damaged.inside.back().x = std::nextafter(damaged.inside[damaged.inside.size() - 2].x, 1.0);
-  EXPECT_NE(complaint_of(damaged), "none");
-  damaged = cells_;
-  damaged.inside.erase(damaged.inside.begin() + 1);
-  EXPECT_NE(complaint_of(damaged), "none");
-}
-
-TEST_F(DamagedTable, IsRefusedForEveryCoefficientThatIsWrong) {
-  for (std::vector<TableCell> TableCells::*side : {&TableCells::inside, &TableCells::outside}) {
-    for (std::size_t i = 0; i < (cells_.*side).size(); ++i) {
-      for (std::size_t k = 0; k < 7; ++k) {
-        for (const double factor : {-1.0, 1e300, HUGE_VAL, std::nan(""), 1.001}) {
-          TableCells damaged = cells_;
-          double& c = (damaged.*side)[i].coefficients[k];
-          c = c * factor + (factor == 1e300 ? factor : factor == 1.001 ? 1e-3 : 0.0);
-          if (c == (cells_.*side)[i].coefficients[k]) continue;
-          EXPECT_NE(complaint_of(damaged), "none") << i << ' ' << k << ' ' << factor;
-        }
-      }
-    }
-  }
-}
-
-TEST_F(DamagedTable, IsRefusedForAMomentThatNoPressureHas) {
-  // Scaled so that it is whole otherwise.
-  for (TableCell& cell : cells_.inside) {
-    for (double& c : cell.coefficients) c *= 0x1p200;
-  }
-  for (TableCell& cell : cells_.outside) {
-    for (double& c : cell.coefficients) c *= 0x1p200;
-  }
-  expect_mention(complaint_of(cells_), "largest force or moment");
 }
 
 }  // namespace

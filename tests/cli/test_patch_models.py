@@ -1,0 +1,206 @@
+# SPDX-License-Identifier: MIT
+"""Contacts that are not round: `fit friction`, `validate`, `choose` and `replay` with --patch."""
+
+import math
+import unittest
+
+from command_line import DATA, header, rows, run
+from patch_case import PatchCase, by_points
+
+
+class FitFriction(PatchCase):
+    def fit(self, patch, data, *options):
+        return {row["parameter"]: row for row in rows("fit", "friction", "--patch", patch, "--data", data, *options)}
+
+    def test_measured_pushes_are_explained_by_the_points_and_not_by_the_ellipsoid(self):
+        figures = {"hardboard": ((4.467, 0.045), (-0.034, 0.046), (-0.361, 0.064)), "plywood": ((5.326, 0.060), (-0.030, 0.036), (-0.288, 0.038))}
+        for name, (mu, drift, drift_ellipsoid) in figures.items():
+            found = self.fit(f"points:{DATA}/measured/tripod_{name}_a_points.csv", DATA / "measured" / f"tripod_{name}_a.csv")
+            for parameter, (value, error) in (("mu", mu), ("drift", drift), ("drift_ellipsoid", drift_ellipsoid)):
+                self.assertAlmostEqual(found[parameter]["value"], value, delta=6e-4)
+                self.assertAlmostEqual(found[parameter]["std_error"], error, delta=6e-4)
+            self.assertEqual(found["mu"]["unit"], "N")
+
+    def pushes(self, moved, mu=0.4, load=10.0):
+        """Pushes of a two-point patch away from its origin, whose wrench is exact."""
+        points = [(0.1, 0.2, 1.0), (0.4, 0.3, 3.0)]
+        lines = ["dx,dy,dtheta,force_x,force_y,moment"]
+        for twist in moved:
+            fx, fy, moment, _ = by_points(points, twist)
+            lines.append(",".join(repr(value) for value in (*twist, *(mu * load * one for one in (fx, fy, moment)))))
+        patch = self.file("two.csv", "x,y,load\n" + "".join(f"{x},{y},{w}\n" for x, y, w in points))
+        return f"points:{patch}", self.file("pushes.csv", "\n".join(lines) + "\n")
+
+    def test_exact_pushes_give_their_coefficient_without_drift(self):
+        moved = [(0.01, 0.0, 0.1), (0.0, 0.01, -0.05), (0.001, 0.002, 0.3), (0.02, -0.01, 0.0), (0.0, 0.0, 0.2)]
+        found = self.fit(*self.pushes(moved), "--load", 10)
+        self.assertAlmostEqual(found["mu"]["value"], 0.4, delta=1e-14)
+        self.assertAlmostEqual(found["drift"]["value"], 0.0, delta=1e-13)
+        self.assertEqual(found["mu"]["unit"], 1.0)
+        self.assertLess(found["drift_ellipsoid"]["value"], -0.01)
+
+    def test_pushes_that_all_turn_alike_have_no_drift_to_tell(self):
+        found = self.fit(*self.pushes([(0.01, 0.0, 0.0), (0.0, 0.01, 0.0), (-0.02, 0.01, 0.0)]))
+        self.assertAlmostEqual(found["mu"]["value"], 4.0, delta=1e-14)
+        self.assertTrue(math.isnan(found["drift"]["value"]))
+
+    def test_bad_data_are_named(self):
+        patch, data = self.pushes([(0.01, 0.0, 0.1), (0.0, 0.0, 0.0), (0.0, 0.01, 0.2)])
+        few = self.file("few.csv", self.pushes([(0.01, 0.0, 0.1), (0.0, 0.01, 0.0)])[1].read_text())
+        still = self.file("still.csv", self.pushes([(0.01, 0.0, 0.1), (0.0, 0.0, 0.0)])[1].read_text())
+        torn = self.file("torn.csv", "force_x,force_y,moment,dx,dy,dtheta\n1,2,3,4,5\n")
+        for arguments, part in ((("--patch", patch, "--data", still), "still.csv:3"),
+                                (("--patch", patch, "--data", few), "expected at least 3"),
+                                (("--patch", patch, "--data", torn), "torn.csv:2"), (("--patch", patch), "--data"), (("--data", data), "--patch"),
+                                (("--patch", patch, "--data", patch[7:]), "no column 'force_x'")):
+            done = run("fit", "friction", *arguments)
+            self.assertEqual(done.returncode, 2)
+            self.assertIn(part, done.stderr)
+        self.assertIn("--patch", run("fit", "ellipse", "--law", "hertz", "--patch", patch).stderr)
+
+
+class HowWrongIsRound(PatchCase):
+    COLUMNS = "law,model,parameter,max_error,rms_error,max_over_estimate,max_under_estimate,max_cor_error"
+
+    def models(self, patch):
+        found = {row["model"].split(":")[0]: row for row in rows("validate", "--patch", patch)}
+        for row in found.values():
+            self.assertEqual(row["law"], patch)
+            self.assertEqual(row["max_error"], max(row["max_over_estimate"], row["max_under_estimate"]))
+            self.assertLessEqual(row["rms_error"], row["max_error"] * (1 + 1e-9) + 1e-12)
+        return found
+
+    def test_columns(self):
+        self.assertEqual(header("validate", "--patch", "rectangle:x=1,y=1"), self.COLUMNS)
+        self.assertEqual(header("choose", "--patch", "rectangle:x=1,y=1", "--tolerance", 0.1), "model,parameter,error,nanoseconds,chosen")
+
+    def test_the_ellipsoid_on_elliptic_hertz_contacts(self):
+        for aspect, over in ((1, 0.0638), (2, 0.1009), (5, 0.1217)):
+            found = self.models(f"ellipse:law=hertz,a={0.004 * aspect},b=0.004")
+            self.assertAlmostEqual(found["ellipsoid"]["max_over_estimate"], over, delta=6e-5)
+
+    def test_a_disc_is_the_disc(self):
+        for law in ("hertz", "uniform", "cone"):
+            found = self.models(f"ellipse:law={law},a=0.004,b=0.004")
+            self.assertEqual(found["disc"]["model"], f"disc:{law}")
+            self.assertAlmostEqual(found["disc"]["parameter"] / 0.004, 1.0, delta=1e-9)
+            self.assertLess(found["disc"]["max_error"], 1e-9)
+            self.assertLess(found["disc"]["max_cor_error"], 1e-6)
+            for model in ("disc-equal-area", "disc-sqrt-ab"):
+                self.assertAlmostEqual(found[model]["parameter"] / 0.004, 1.0, delta=1e-9)
+                self.assertLess(found[model]["max_error"], 1e-9)
+            # The ellipsoid is then the ellipse through the intercepts; its over-estimate of power is that of the radius.
+            (ellipse,) = (row for row in rows("validate", "--law", law) if row["model"] == "ellipse")
+            self.assertAlmostEqual(found["ellipsoid"]["max_over_estimate"], ellipse["max_over_estimate"], delta=1e-6)
+            self.assertAlmostEqual(found["ellipsoid"]["max_cor_error"], ellipse["max_cor_error"], delta=1e-4)
+
+    def test_the_best_disc_is_better_than_the_others_and_balanced(self):
+        for patch in ("rectangle:x=0.02,y=0.01", "ellipse:law=hertz,a=0.02,b=0.004", "rectangle:x=1,y=1"):
+            found = self.models(patch)
+            self.assertLess(found["disc"]["max_error"], found["disc-equal-area"]["max_error"])
+            self.assertLess(found["disc"]["max_error"], found["disc-sqrt-ab"]["max_error"])
+            self.assertAlmostEqual(found["disc"]["max_over_estimate"] / found["disc"]["max_under_estimate"], 1.0, delta=1e-3)
+
+    def test_radii(self):
+        found = self.models("rectangle:x=0.02,y=0.01")
+        self.assertAlmostEqual(found["disc-equal-area"]["parameter"], math.sqrt(2e-4 / math.pi), delta=1e-15)
+        # The ellipse of a rectangle's second moments has the semi-axes side/sqrt(3).
+        self.assertAlmostEqual(found["disc-sqrt-ab"]["parameter"], math.sqrt(2e-4 / 3), delta=1e-12)
+        found = self.models("ellipse:law=power:n=2.3,a=0.02,b=0.005,mx=2,my=0.5")
+        self.assertAlmostEqual(found["disc-sqrt-ab"]["parameter"], 0.01, delta=1e-9)
+
+    def test_a_lopsided_patch_has_no_bound_of_its_cor(self):
+        patch = self.file("points.csv", "x,y,load\n-0.04,-0.04,1\n0.04,-0.02,2\n-0.04,0.08,1\n")
+        found = self.models(f"points:{patch}")
+        self.assertNotIn("disc-equal-area", found)
+        self.assertEqual(found["ellipsoid"]["max_cor_error"], math.inf)
+
+    def test_orthotropic_friction_is_the_ellipsoids_own(self):
+        # A disc under diag(1, 2) is an ellipse 2 : 1 to the ellipsoid.
+        found = self.models("ellipse:law=hertz,a=0.004,b=0.004,my=2")
+        self.assertAlmostEqual(found["ellipsoid"]["max_over_estimate"], 0.1009, delta=6e-5)
+        self.assertGreater(found["disc"]["max_error"], 0.3)
+
+    def test_choose_takes_the_disc_where_it_will_do(self):
+        def chosen(patch, tolerance):
+            (row,) = (row for row in rows("choose", "--patch", patch, "--tolerance", tolerance) if row["chosen"] == "true")
+            return row["model"].split(":")[0]
+
+        self.assertEqual(chosen("ellipse:law=uniform,a=0.004,b=0.004", 1e-6), "disc")
+        self.assertEqual(chosen("rectangle:x=1,y=1", 0.01), "disc")
+        self.assertEqual(chosen("rectangle:x=0.02,y=0.01", 0.1), "disc")
+        self.assertEqual(chosen("rectangle:x=0.02,y=0.01", 0.01), "patch")
+        self.assertEqual(chosen("rectangle:x=0.02,y=0.01,mx=2", 0.1), "ellipsoid")
+
+    def test_bad_usage(self):
+        one = self.file("one.csv", "x,y,load\n1,2,3\n")
+        for arguments, part in ((("validate", "--patch", f"points:{one}"), "on one point"),
+                                (("validate", "--patch", "rectangle:x=1,y=1", "--law", "hertz"), "--law"),
+                                (("choose", "--patch", "rectangle:x=1,y=1", "--law", "hertz", "--tolerance", 0.1), "--law and --patch"),
+                                (("choose", "--tolerance", 0.1), "--law"), (("choose", "--patch", "rectangle:x=1,y=1"), "--tolerance"),
+                                (("choose", "--patch", "rectangle:x=1,y=1", "--tolerance", 0.1, "--scene"), "--scene"),
+                                (("choose", "--patch", "rectangle:x=1,y=1", "--tolerance", 7), "tolerance")):
+            done = run(*arguments)
+            self.assertEqual(done.returncode, 2, arguments)
+            self.assertIn(part, done.stderr)
+
+
+class ReplayPatch(PatchCase):
+    SPRINGS = ("--mu", 0.6, "--mu-dynamic", 0.5, "--stiffness", 1000, "--twist-stiffness", 0.036, "--details")
+    TRACE = ("replay", "--trace", DATA / "traces" / "slide_twist_load.csv")
+
+    def test_a_disc_is_the_finger_of_its_law(self):
+        law = rows(*self.TRACE, "--law", "hertz", "--radius-law", "constant:a=0.006", "--tolerance", "1e-12", *self.SPRINGS)
+        patch = rows(*self.TRACE, "--patch", "ellipse:law=hertz,a=0.006,b=0.006", *self.SPRINGS)
+        self.assertEqual(len(law), len(patch))
+        for one, other in zip(law, patch):
+            self.assertEqual(one["state"], other["state"])
+            for name in ("px", "py", "angle", "depth", "load", "fx", "fy"):
+                self.assertAlmostEqual(one[name], other[name], delta=1e-9)
+            self.assertAlmostEqual(one["moment"] / 0.006, other["moment"] / 0.006, delta=1e-8)
+            self.assertAlmostEqual(one["dissipated"], other["dissipated"], delta=1e-11)
+            self.assertAlmostEqual(one["margin"], other["margin"], delta=1e-6)
+            for name in ("corx", "cory"):
+                self.assertTrue(one[name] == other[name] or math.isnan(one[name]) or abs(one[name] - other[name]) < 1e-5 * one["cor"])
+
+    def test_columns_are_those_of_replay(self):
+        springs = self.SPRINGS[:-1]
+        as_law = header(*self.TRACE, "--law", "hertz", "--radius-law", "constant:a=0.006", *springs)
+        self.assertEqual(header(*self.TRACE, "--patch", "rectangle:x=0.02,y=0.01", *springs), as_law)
+
+    def test_dissipates_and_slips_on_its_limit(self):
+        points = self.file("points.csv", "x,y,load\n-0.004,-0.004,1\n0.004,-0.002,2\n-0.004,0.008,1\n")
+        image = self.file("image.csv", "1,2,3\n4,0,1\n2,2,2\n")
+        for patch in (f"points:{points}", f"image:{image},pixel=0.002", "rectangle:x=0.02,y=0.01,mx=0.5", "ellipse:law=cone,a=0.01,b=0.002"):
+            last = 0.0
+            states = set()
+            for row in rows(*self.TRACE, "--patch", patch, *self.SPRINGS):
+                states.add(row["state"])
+                self.assertGreaterEqual(row["dissipated"], last)
+                last = row["dissipated"]
+                self.assertTrue(math.isfinite(row["fx"]) and math.isfinite(row["moment"]))
+                self.assertLessEqual(math.hypot(row["fx"], row["fy"]), 0.6 * row["load"] * (1 + 1e-9))
+                if row["state"] == "slip":
+                    self.assertAlmostEqual(row["hold_load"] / row["load"], 0.5 / 0.6, delta=1e-6)
+            self.assertEqual(states, {"free", "stick", "slip"} & states | {"stick", "slip"})
+
+    def test_on_a_body_that_the_trace_moves(self):
+        turning = DATA / "scenes" / "turntable.csv"
+        found = rows("replay", "--trace", turning, "--body", "trace", "--patch", "rectangle:x=0.02,y=0.01", *self.SPRINGS)
+        self.assertIn("slip", {row["state"] for row in found})
+
+    def test_bad_usage(self):
+        rectangle = ("--patch", "rectangle:x=0.02,y=0.01")
+        for more, part in (((), "--law and --patch"), ((*rectangle, "--law", "hertz"), "--law and --patch"),
+                           ((*rectangle, "--radius-law", "constant:a=1"), "--radius-law"), ((*rectangle, "--moment-coefficient", 1), "--moment-coefficient"),
+                           ((*rectangle, "--projection", "radial"), "--projection"), ((*rectangle, "--boundary", "box"), "--boundary"),
+                           ((*rectangle, "--surface", "box:x=1,y=1,z=1", "--body", "free:mass=1"), "fixed or trace"),
+                           ((*rectangle, "--point-radius", 1e-9), "point_radius"),
+                           (("--law", "hertz", "--radius-law", "constant:a=1", "--point-radius", 1), "--point-radius")):
+            done = run(*self.TRACE, *self.SPRINGS, *more)
+            self.assertEqual(done.returncode, 2, more)
+            self.assertIn(part, done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <exception>
+#include <string>
+
+namespace limitcurve::test {
+
+/// What `make` complains about.
+template <class Make>
+std::string complaint(const Make& make) {
+  try {
+    make();
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+  return "none";
+}
+
+inline void expect_mention(const std::string& text, const std::string& what) {
+  EXPECT_NE(text.find(what), std::string::npos) << text;
+}
+
+}  // namespace limitcurve::test
