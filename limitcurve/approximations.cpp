@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
+#include <string>
 
 namespace limitcurve {
 
@@ -160,6 +162,30 @@ double Quartic::ratio_of(double t) const noexcept {
   const double v = third_p / u;
   const double z = 2.0 * half_q / (u * u + third_p + v * v);
   return std::clamp(centre + z, 0.0, 1.0);
+}
+
+void check_vertices(std::span<const UnitWrench> vertices) {
+  // Outward normal of the face from vertex i to i + 1.
+  const auto face_normal = [vertices](std::size_t i) {
+    return SlipTwist{vertices[i + 1].moment - vertices[i].moment, vertices[i].force - vertices[i + 1].force};
+  };
+  const auto [force_max, no_moment] = vertices.front();
+  const auto [no_force, moment_max] = vertices.back();
+  check_intercepts(force_max, moment_max);
+  if (no_moment != 0.0) throw out_of_range("moment of the first vertex", no_moment, "1", "0");
+  if (no_force != 0.0) throw out_of_range("force of the last vertex", no_force, "1", "0");
+  for (std::size_t i = 0; i + 1 < vertices.size(); ++i) {
+    const SlipTwist here = face_normal(i);
+    if (!(here.slide >= 0.0 && here.spin >= 0.0 && here.slide + here.spin > 0.0)) {
+      throw std::invalid_argument("vertex " + std::to_string(i + 1) + ": expected force not above and moment not below those of vertex " +
+                                  std::to_string(i));
+    }
+    if (i == 0) continue;
+    const SlipTwist before = face_normal(i - 1);
+    if (!(before.slide * here.spin > before.spin * here.slide)) {
+      throw std::invalid_argument("vertex " + std::to_string(i) + " is not a convex corner");
+    }
+  }
 }
 
 }  // namespace limitcurve

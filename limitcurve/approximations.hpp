@@ -7,8 +7,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <stdexcept>
-#include <string>
+#include <span>
 
 /// Limit curves of few parameters: ellipse, superellipse, quartic, box and diamond. `validate.hpp` says how wrong each is.
 namespace limitcurve {
@@ -153,6 +152,9 @@ class Quartic {
 
 static_assert(LimitCurve<Quartic>);
 
+/// Refuses vertices of a `Polygon` that do not make one: throws std::invalid_argument.
+void check_vertices(std::span<const UnitWrench> vertices);
+
 /// A convex polygonal curve: vertices from (A, 0) to (0, B), joined by straight faces. `box` and `diamond` make the two
 /// that engines use: uncoupled limits, and the friction pyramid.
 ///
@@ -168,23 +170,7 @@ class Polygon {
   /// Throws std::invalid_argument unless the vertices are finite, begin on the force axis, end on the moment axis and
   /// turn left all the way, with force not rising and moment not falling.
   explicit Polygon(const std::array<UnitWrench, count>& vertices) : vertices_(vertices) {
-    const auto [force_max, no_moment] = vertices_.front();
-    const auto [no_force, moment_max] = vertices_.back();
-    check_intercepts(force_max, moment_max);
-    if (no_moment != 0.0) throw out_of_range("moment of the first vertex", no_moment, "1", "0");
-    if (no_force != 0.0) throw out_of_range("force of the last vertex", no_force, "1", "0");
-    for (std::size_t i = 0; i + 1 < count; ++i) {
-      const SlipTwist here = face_normal(i);
-      if (!(here.slide >= 0.0 && here.spin >= 0.0 && here.slide + here.spin > 0.0)) {
-        throw std::invalid_argument("vertex " + std::to_string(i + 1) + ": expected force not above and moment not below those of vertex " +
-                                    std::to_string(i));
-      }
-      if (i == 0) continue;
-      const SlipTwist before = face_normal(i - 1);
-      if (!(before.slide * here.spin > before.spin * here.slide)) {
-        throw std::invalid_argument("vertex " + std::to_string(i) + " is not a convex corner");
-      }
-    }
+    check_vertices(vertices_);
   }
 
   /// From (A, 0) to (0, B), counter-clockwise.

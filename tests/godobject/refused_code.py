@@ -20,10 +20,11 @@ def errors(compiler, folders, *options):
 
 
 def main(compiler, *folders):
-    status, text = errors(compiler, folders)
-    if status != 0:
-        print(f"what is right does not compile:\n{text}")
-        return 1
+    for options in ([], ["-fno-exceptions"]):
+        status, text = errors(compiler, folders, *options)
+        if status != 0:
+            print(f"what is right does not compile {' '.join(options)}:\n{text}")
+            return 1
     _, text = errors(compiler, folders, "-DWRONG", "-ferror-limit=0" if "clang" in compiler else "-fmax-errors=0")
     # An error in a header belongs to the line of the source that asked for it: GCC names it before, Clang after.
     lines, said = text.splitlines(), {}
