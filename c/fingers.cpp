@@ -83,10 +83,10 @@ limitcurve_status limitcurve_apply_friction(const limitcurve_table* table, limit
   if (const char* const fault = fault_of(*limits, force, moment, *memory)) return refuse("friction", fault);
   const FrictionLimits<double> acting{
       {limits->force, limits->radius}, {limits->sliding_force, limits->sliding_radius}, limits->stiffness_ratio, limits->rest_share};
-  FrictionMemory<double> remembered{memory->slides != 0, memory->parameter, memory->rate};
+  FrictionMemory<double> remembered{memory->slides != 0, memory->turns != 0, memory->parameter, memory->rate};
   const auto result =
       apply_friction(table->curve.view(), static_cast<Projection>(projection), acting, FrictionTrial<double>{force, moment}, remembered);
-  *memory = {remembered.parameter, remembered.rate, remembered.slides ? 1 : 0};
+  *memory = {remembered.parameter, remembered.rate, remembered.slides ? 1 : 0, remembered.turns ? 1 : 0};
   *friction = {result.force_ratio, result.moment_ratio, result.cor, result.slips ? 1 : 0};
   return LIMITCURVE_OK;
 }

@@ -135,7 +135,8 @@ typedef struct limitcurve_limits {
 typedef struct limitcurve_memory {
   double parameter;
   double rate;
-  int slides;
+  int slides; /* the sliding limit acts; on a box: of the force */
+  int turns;  /* on a box: of the moment */
 } limitcurve_memory;
 
 typedef struct limitcurve_friction {
@@ -155,11 +156,11 @@ LIMITCURVE_API limitcurve_status limitcurve_apply_friction(const limitcurve_tabl
 
 /* What a finger is made of. Begin with limitcurve_finger_defaults. */
 typedef struct limitcurve_finger_parameters {
-  double mu;                         /* coefficient of static friction >= 0 */
-  double mu_dynamic;                 /* while slipping, in [0, mu]; NaN: mu */
-  const char* radius_law;            /* a(P): "constant:a=0.005", "hertz:R=0.008,E=2e5", "power:c=0.00207,gamma=0.259"; read by the call only */
-  double moment_coefficient;         /* mu_r [m/N^gamma] >= 0: the moment limit is mu_r P^(1+gamma) whatever the radius law; NaN: none */
-  double moment_exponent;            /* gamma, in [-0.5, 1] */
+  double mu;                 /* coefficient of static friction >= 0 */
+  double mu_dynamic;         /* while slipping, in [0, mu]; NaN: mu */
+  const char* radius_law;    /* a(P): "constant:a=0.005", "hertz:R=0.008,E=2e5", "power:c=0.00207,gamma=0.259"; read by the call only */
+  double moment_coefficient; /* mu_r [m/N^gamma] >= 0: the moment limit is mu_r P^(1+gamma) whatever the radius law; NaN: none */
+  double moment_exponent;    /* gamma, in [-0.5, 1] */
   double moment_coefficient_dynamic; /* while slipping; NaN: mu_r mu_d/mu */
   double stiffness;                  /* k_l [N/m] > 0, normal and tangential */
   double twist_stiffness;            /* k_r [N m/rad] > 0 */
@@ -238,6 +239,7 @@ typedef struct limitcurve_contacts {
   double* proxy_angle;
   uint8_t* state;    /* in and out: a limitcurve_state */
   uint8_t* sliding;  /* memory */
+  uint8_t* turning;  /* memory, of the moment on a box */
   double* parameter; /* memory */
   double* rate;      /* memory */
   double* force_x;   /* out: friction on the user [N] */
@@ -256,6 +258,7 @@ typedef struct limitcurve_contacts_float {
   float* proxy_angle;
   uint8_t* state;
   uint8_t* sliding;
+  uint8_t* turning;
   float* parameter;
   float* rate;
   float* force_x;
@@ -297,14 +300,15 @@ LIMITCURVE_API limitcurve_status limitcurve_patch_ellipse(const limitcurve_law* 
 LIMITCURVE_API limitcurve_status limitcurve_patch_image(const double* pressures, size_t rows, size_t columns, double pixel,
                                                         limitcurve_patch** patch);
 /* The same patch under friction of mx along x and my along y, as multiples of its own, > 0. */
-LIMITCURVE_API limitcurve_status limitcurve_patch_orthotropic(const limitcurve_patch* patch, double mx, double my, limitcurve_patch** result);
+LIMITCURVE_API limitcurve_status limitcurve_patch_orthotropic(const limitcurve_patch* patch, double mx, double my,
+                                                              limitcurve_patch** result);
 
 LIMITCURVE_API void limitcurve_patch_free(limitcurve_patch* patch);
 
 /* Of `count` twists (vx, vy, omega) [m/s, rad/s] about the origin, three numbers each, the wrenches (fx, fy, moment) that keep the patch sliding,
  * under friction 1 and load 1; their powers [m/s] and the bounds of their errors may be NULL. [real time] */
-LIMITCURVE_API limitcurve_status limitcurve_patch_wrench(const limitcurve_patch* patch, const double* twists, size_t count, double* wrenches,
-                                                         double* powers, double* errors);
+LIMITCURVE_API limitcurve_status limitcurve_patch_wrench(const limitcurve_patch* patch, const double* twists, size_t count,
+                                                         double* wrenches, double* powers, double* errors);
 
 /* ---- Fits ---- */
 

@@ -50,7 +50,7 @@ class Contacts {
     const BasicContactBatch<Real> all = arrays_.batch();
     for (const auto array : {all.proxy_x, all.proxy_y, all.proxy_angle, all.parameter, all.rate, all.force_x, all.force_y, all.moment})
       std::ranges::fill(array, Real(0));
-    for (const auto array : {all.state, all.sliding}) std::ranges::fill(array, ContactState::free);
+    for (const auto array : {all.state, all.sliding, all.turning}) std::ranges::fill(array, ContactState::free);
   }
 
   [[nodiscard]] std::size_t size() const { return arrays_.size(); }

@@ -150,11 +150,11 @@ TEST_F(HostileCalls, OddNumbersAndNullAreErrorsOrRightAnswers) {
         std::array<std::array<double, 4>, 11> arrays{};
         for (std::array<double, 4>& array : arrays) array = {number(), number(), number(), number()};
         std::array<std::uint8_t, 4> state{static_cast<std::uint8_t>(random()), 1, 2, 3};
-        std::array<std::uint8_t, 4> sliding{static_cast<std::uint8_t>(random()), 1, 2, 3};
-        const limitcurve_contacts contacts{arrays[0].data(),  arrays[1].data(), arrays[2].data(), or_null(arrays[3].data()),
-                                           arrays[4].data(),  arrays[5].data(), arrays[6].data(), state.data(),
-                                           sliding.data(),    arrays[7].data(), arrays[8].data(), arrays[9].data(),
-                                           arrays[10].data(), arrays[10].data()};
+        std::array<std::uint8_t, 4> sliding{static_cast<std::uint8_t>(random()), 1, 2, 3}, turning = sliding;
+        const limitcurve_contacts contacts{arrays[0].data(), arrays[1].data(),  arrays[2].data(), or_null(arrays[3].data()),
+                                           arrays[4].data(), arrays[5].data(),  arrays[6].data(), state.data(),
+                                           sliding.data(),   turning.data(),    arrays[7].data(), arrays[8].data(),
+                                           arrays[9].data(), arrays[10].data(), arrays[10].data()};
         expect_told(limitcurve_batch_step(batch, or_null(&contacts), 4));
         limitcurve_batch_free(batch);
         break;

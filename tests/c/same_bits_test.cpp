@@ -167,6 +167,7 @@ void compare_batches(const BasicBatch<Real>& same, const Step& step) {
                             of.proxy_angle.data(),
                             reinterpret_cast<std::uint8_t*>(of.state.data()),
                             reinterpret_cast<std::uint8_t*>(of.sliding.data()),
+                            reinterpret_cast<std::uint8_t*>(of.turning.data()),
                             of.parameter.data(),
                             of.rate.data(),
                             of.force_x.data(),
@@ -178,7 +179,7 @@ void compare_batches(const BasicBatch<Real>& same, const Step& step) {
     const auto equal = [](auto one, auto two) { return std::memcmp(one.data(), two.data(), one.size_bytes()) == 0; };
     ASSERT_TRUE(equal(of.proxy_x, expected.proxy_x) && equal(of.proxy_y, expected.proxy_y) && equal(of.proxy_angle, expected.proxy_angle));
     ASSERT_TRUE(equal(of.force_x, expected.force_x) && equal(of.force_y, expected.force_y) && equal(of.moment, expected.moment));
-    ASSERT_TRUE(equal(of.state, expected.state) && equal(of.sliding, expected.sliding));
+    ASSERT_TRUE(equal(of.state, expected.state) && equal(of.sliding, expected.sliding) && equal(of.turning, expected.turning));
     for (const ContactState state : of.state) slips += state == ContactState::slip ? 1 : 0;
   }
   EXPECT_GT(slips, count);

@@ -114,9 +114,9 @@ static void batches(void) {
   double x[2] = {0, 0.01}, y[2] = {0, 0}, angle[2] = {0, 0}, depth[2] = {0.001, 0.001};
   double proxy_x[2] = {0}, proxy_y[2] = {0}, proxy_angle[2] = {0}, parameter[2] = {0}, rate[2] = {0};
   double force_x[2], force_y[2], moment[2];
-  uint8_t state[2] = {LIMITCURVE_STICK, LIMITCURVE_STICK}, sliding[2] = {0};
-  const limitcurve_contacts contacts = {x,     y,       angle,     depth, proxy_x, proxy_y, proxy_angle,
-                                        state, sliding, parameter, rate,  force_x, force_y, moment};
+  uint8_t state[2] = {LIMITCURVE_STICK, LIMITCURVE_STICK}, sliding[2] = {0}, turning[2] = {0};
+  const limitcurve_contacts contacts = {x,       y,       angle,     depth, proxy_x, proxy_y, proxy_angle, state,
+                                        sliding, turning, parameter, rate,  force_x, force_y, moment};
   CHECK(limitcurve_batch_step(batch, &contacts, 2) == LIMITCURVE_OK);
   CHECK(state[0] == LIMITCURVE_STICK && state[1] == LIMITCURVE_SLIP && fabs(force_x[1] + 0.5) < 1e-12);
   CHECK(limitcurve_batch_step_float(batch, NULL, 1) == LIMITCURVE_INVALID);
