@@ -193,7 +193,7 @@ def section(data):
     return ("A block between two fingers", [
         ("pivot", "The paper’s experiment (its Figs. 7 to 11), its cases A and B and the exact curve: a block, its centre of mass (blue path) beside the "
          "grip (dot), on sandpaper; the grip is released slowly. Where force and moment share one limit the block turns before it is lost: by "
-         f"{turned['coupled']:.1f}° and {turned['exact']:.1f}° when it has slid {lost} (dots), and farther until it leaves the fingers. With limits of their own the moment "
+         f"{turned['coupled']:.1f}° and {turned['exact']:.1f}° when it has slid {lost} past a grip that eases by itself (dots), and farther until it leaves the fingers. With limits of their own the moment "
          f"holds to the end, and the block has turned by {abs(turned['uncoupled']):.1f}°. From top to bottom: "
          "poses, darker is later (Figs. 7, 10); centre of mass and angle over time (Figs. 8, 11); the [r, ρ] plane of one finger (Fig. 9): the trial of a step "
          "(diamond) lies outside the p-curve of its load and is moved on to it. "

@@ -130,7 +130,7 @@ class Pivot(CommandLineTest):
         for case in ["coupled", "exact"]:
             self.assertEqual(rows("pivot", "--case", case, "--operator", "target=80deg")[-1]["state"], "stick")
 
-    # Issue 10, point 5: before the block is lost it turns by so much. The scan's stiffnesses are so many times k_l (mu_r/mu_l)^2.
+    # Issue 10, point 5: before the block leaves the fingers it turns by so much. The scan's stiffnesses are so many times k_l (mu_r/mu_l)^2.
     def test_the_twist_stiffness_decides_what_the_radial_projection_does(self):
         usual = 1000 * (0.01011 / 1.67) ** 2
         for case, expected in [("coupled", [86, 50, 13, 1.5]), ("exact", [46, 53, 54, 54])]:
