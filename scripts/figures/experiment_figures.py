@@ -189,6 +189,8 @@ def section(data):
             for case, rows in data["pivot_stiffness"].groups("case").items()}
     soft, softest, stiff = 1, min(scan["coupled"]), max(scan["coupled"])
     mean, error, chi_squared, p_value = one_ratio(data)
+    level, above = offset, 7
+    farthest = max(data["pivot_map"].where(case="uncoupled", offset=1e-3 * above).column("angle", 180 / math.pi))
     turn = {friction: turn_of(rows[-1], "bq") for friction, rows in data["pinch"].groups("friction").items()}
     return ("A block between two fingers", [
         ("pivot", "The paper’s experiment (its Figs. 7 to 11), its cases A and B and the exact curve: a block, its centre of mass (blue path) beside the "
@@ -207,7 +209,7 @@ def section(data):
          f"{min(scan['exact'].values()):.0f}° to {max(scan['exact'].values()):.0f}°. Only at a ratio near {soft} do both agree."),
         ("pivot_map", f"How far the block has turned, in degrees, when it has slid {lost} past the grip and is lost, over the offset of its centre of mass and the rate at "
          "which the grip eases. The paper has two points of this map, and does not say where: offset and rate are ours. With limits of their own the block turns only where "
-         f"the offset exceeds μ<sub>r</sub>/μ<sub>l</sub> = {1e3 * sandpaper['mu_r'] / sandpaper['mu']:.2f} mm (triangles), so the offset decides what case B shows."),
+         f"the offset exceeds μ<sub>r</sub>/μ<sub>l</sub> = {1e3 * sandpaper['mu_r'] / sandpaper['mu']:.2f} mm (triangles): at {level:g} mm it slides out level, at {above:g} mm it turns by up to {farthest:.0f}°. So the offset decides what case B shows."),
         ("table_1", "Left: Table 1 says that μ<sub>r</sub>/μ<sub>l</sub> hardly depends on the material. By its means and standard deviations one ratio of "
          f"{1e3 * mean:.2f} ± {1e3 * error:.2f} mm explains all three (χ² = {chi_squared:.2f} with 2 degrees of freedom, p = {p_value:.2f}). Right: the block between fingers "
          "of each material, its grip released from 1.3 times what holds it: with one ratio the three move alike."),
