@@ -77,7 +77,6 @@ work_precision_*.csv  what scripts/maintain/work_precision measured (data/README
 
 import argparse
 import html
-import math
 import sys
 from pathlib import Path
 
