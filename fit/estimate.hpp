@@ -10,7 +10,8 @@ namespace limitcurve::fit {
 
 /// One fitted (or derived) quantity.
 struct Estimate {
-  std::string name;  ///< one of: force_max moment_max exponent kappa mu mu_r ratio radius n k c gamma
+  /// One of: force_max moment_max exponent kappa mu mu_r ratio radius n k c gamma chi_squared degrees_of_freedom p_value.
+  std::string name;
   double value = 0.0;
   /// Standard error, in the unit of the value; 0 for what the data were not asked for (held fixed).
   double std_error = 0.0;

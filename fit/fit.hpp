@@ -9,3 +9,4 @@
 #include "fit/load_fit.hpp"
 #include "fit/measurements.hpp"
 #include "fit/model_fit.hpp"
+#include "fit/ratio_fit.hpp"

@@ -62,6 +62,11 @@ ModelFit fit_model(std::string_view model, std::span<const Sample> samples, cons
   throw unknown(model, "ellipse, superellipse, quartic, ratio or law for samples of load, force and moment");
 }
 
+ModelFit fit_model(std::string_view model, std::span<const RatioSample> samples, const Law& law) {
+  if (model != "ratio") throw unknown(model, "ratio for published ratios");
+  return {"ratio", fit_ratio(samples, *(law ? law : hertz())), std::nullopt};
+}
+
 ModelFit fit_model(std::string_view model, const LoadSamples& samples, const Loss& loss) {
   if (model != "load") throw unknown(model, "load for samples of radius or moment over the load");
   LoadSelection selection = select_load(samples, loss);

@@ -4,6 +4,7 @@
 #include "fit/contact_fit.hpp"
 #include "fit/curve_fit.hpp"
 #include "fit/load_fit.hpp"
+#include "fit/ratio_fit.hpp"
 
 #include <optional>
 #include <span>
@@ -28,6 +29,9 @@ ModelFit fit_model(std::string_view model, const Law& law, Criterion criterion =
 /// same for the law given, or else finds the law that explains the samples best.
 ModelFit fit_model(std::string_view model, std::span<const Sample> samples, const Law& law = nullptr,
                    const ContactFitOptions& options = {});
+
+/// `ratio` to published ratios of several materials, under the law (Hertz if none is given).
+ModelFit fit_model(std::string_view model, std::span<const RatioSample> samples, const Law& law = nullptr);
 
 /// `load` to radii or moments over the load: the best of linear, hertz and power.
 ModelFit fit_model(std::string_view model, const LoadSamples& samples, const Loss& loss = {});

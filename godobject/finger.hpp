@@ -83,6 +83,8 @@ struct FingerState {
   double moment = 0.0;
   double cor = std::numeric_limits<double>::quiet_NaN();
   double slip_work = 0.0;
+  double trial_force = 0.0;       ///< what springs and dampers would have borne in the last step, had the proxy stayed [N] …
+  double trial_moment = 0.0;      ///< … [N m] (eq. 7): force and moment where it stayed
   double limit_load = 0.0;        ///< P that the friction limit grows with [N]: k_l d and what dampers add
   Numbers goal{};                 ///< x_g of the last good sample [m]
   double goal_angle = 0.0;        ///< α_g of the last good sample [rad], unwrapped

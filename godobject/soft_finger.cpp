@@ -80,6 +80,8 @@ void SoftFinger::advance(FingerState& state, const Contact& contact, const Spin&
   state.force = numbers(kept * springs.stiffness);
   state.moment = twist_kept * springs.twist_stiffness;
   // A proxy that is brought round slides, and does not turn.
+  state.trial_force = wrench.force;
+  state.trial_moment = wrench.moment;
   state.cor = friction.slips && slips ? friction.cor : std::numeric_limits<double>::infinity();
   if (!slips) state.cor = std::numeric_limits<double>::quiet_NaN();
   state.slip_work = slips ? landing.along_slope * wrench.force * friction.force_ratio * (r * (1.0 - friction.force_ratio)) +

@@ -29,7 +29,9 @@ class Fit final : public Subcommand {
     return {"fit", "Fits a friction model to measured slips, or an approximation to the exact curve",
             "With --data, a CSV of slips: load,force,moment[,sigma_force,sigma_moment] [N, N, N m]. With --law and no data,\n"
             "ellipse, superellipse and quartic are laid over the exact unit curve instead.\n"
-            "ratio gives mu, mu_r and the contact radius they imply under --law (hertz if left out); law gives those of the\n"
+            "ratio gives mu, mu_r and the contact radius they imply under --law (hertz if left out), or, from a CSV of published\n"
+            "ratio,ratio_sd [m] of several materials, their weighted mean and whether one ratio explains them (chi_squared,\n"
+            "degrees_of_freedom, p_value: the chance of more scatter); law gives those of the\n"
             "pressure law that explains the data best, or of --law; load fits a(P) or mu_r(P) = c P^gamma to a CSV of\n"
             "load,radius[,sigma_radius] or load,moment[,sigma_moment]. Standard error has what to beware of, and last what to\n"
             "type into replay and FingerParameters.\n"
@@ -120,6 +122,7 @@ class Fit final : public Subcommand {
       }
       return otherwise;
     };
+    if (estimates.front().name == "ratio") return;  // without mu there is no finger
     const double gamma = value("gamma", settings_.gamma);
     const std::string growth = format_number(gamma);
     // Beyond these no finger takes it.
@@ -166,9 +169,17 @@ class Fit final : public Subcommand {
 
   [[nodiscard]] fit::ModelFit data_fit() {
     settings_.loss = loss_ == 0 ? fit::Loss::squared() : loss_ == 1 ? fit::Loss::huber() : fit::Loss::cauchy();
+    if (models[model_] == "ratio") return ratio_fit();
     if (models[model_] == "law" && law_ == nullptr) return law_fit(read_slip_samples(data_));
     if (models[model_] != "load") return fit::fit_model(models[model_], read_slip_samples(data_), law_, settings_);
     return load_fit(read_load_samples(data_));
+  }
+
+  [[nodiscard]] fit::ModelFit ratio_fit() const {
+    const auto data = read_ratio_data(data_);
+    if (const auto* slips = std::get_if<std::vector<fit::Sample>>(&data)) return fit::fit_model("ratio", *slips, law_, settings_);
+    if (loss_ != 0) throw std::invalid_argument("--loss: published ratios are averaged, expected squared, got " + losses[loss_]);
+    return fit::fit_model("ratio", std::get<std::vector<fit::RatioSample>>(data), law_);
   }
 
   [[nodiscard]] fit::ModelFit law_fit(const std::vector<fit::Sample>& samples) const {

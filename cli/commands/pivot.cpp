@@ -1,23 +1,31 @@
 // SPDX-License-Identifier: MIT
 #include "godobject/pivot.hpp"
 
+#include "cli/commands/radius_check.hpp"
 #include "cli/commands/subcommands.hpp"
 #include "cli/io/csv_reader.hpp"
 #include "cli/io/key_values.hpp"
+#include "cli/io/law_argument.hpp"
 #include "cli/io/materials.hpp"
+#include "cli/io/number_list.hpp"
 
+#include "limitcurve/laws.hpp"
+#include "limitcurve/number.hpp"
+
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <iostream>
 #include <stdexcept>
 
 namespace limitcurve::cli {
 
 namespace {
 
+using godobject::CurveKind;
 using godobject::GripOperator;
 using godobject::GripSample;
 using godobject::PivotCase;
-
-constexpr std::array cases{PivotCase::coupled, PivotCase::uncoupled, PivotCase::exact};
 
 std::vector<GripSample> read_grip(const std::string& file) {
   CsvReader reader(file, {"time", "load"});
@@ -42,9 +50,16 @@ std::vector<GripSample> read_release(const std::string& text) {
 
 GripOperator read_operator(const std::string& text) {
   GripOperator hand;
-  read_key_values(text, {angle_key("target", hand.target, positive), number_key("load", hand.start_load, positive, false),
-                         number_key("rate", hand.rate, positive, false), number_key("regrip-rate", hand.regrip_rate, positive, false),
-                         number_key("speed", hand.speed, positive, false)});
+  const auto positive_key = [](std::string_view key, std::optional<double>& value) {
+    return KeyValue{key, [&value](std::string_view number) { value = read_number(number, positive); }, false};
+  };
+  const auto take_on_slide = [&](std::string_view word) {
+    if (word != "regrip" && word != "keep") throw std::invalid_argument("got '" + std::string(word) + "', expected regrip|keep");
+    hand.regrips_on_slide = word == "regrip";
+  };
+  read_key_values(text, {angle_key("target", hand.target, positive), positive_key("load", hand.start_load), positive_key("rate", hand.rate),
+                         positive_key("regrip-rate", hand.regrip_rate), number_key("speed", hand.speed, positive, false),
+                         KeyValue{"on-slide", take_on_slide, false, "regrip|keep"}});
   return hand;
 }
 
@@ -53,20 +68,36 @@ class Pivot final : public Subcommand {
   [[nodiscard]] Manual manual() const override {
     return {"pivot", "The paper's experiment: a block turns between two fingers whose grip eases",
             "The block starts level, its centre of mass `offset` left of the grip point; x points right, y up.\n"
-            "Cases: coupled (ellipse, radial), uncoupled (box, closest point), exact (table, closest point).\n"
+            "From the paper are mu_l and mu_r of the materials, its case A (coupled) and B (uncoupled), and the level start. Size,\n"
+            "mass and offset of the block, k_l, k_r, dampers and time step are ours: it gives none. Two of them decide: k_r what the\n"
+            "radial projection makes of A, offset against mu_r/mu_l whether the block turns in B.\n"
+            "Cases: coupled (ellipse, radial), uncoupled (box, closest point), exact (table, closest point). --boundary and\n"
+            "--projection take the place of the case's; without --case they are table and closest-point.\n"
             "Grip: --grip FILE (CSV time,load [s, N], linear in between), --release from=1,to=0,over=4 [N, N, s], or\n"
-            "--operator target=30deg[,load=N,rate=N/s,regrip-rate=N/s,speed=rad/s], who lets go until the block turns, keeps\n"
-            "it turning, and regrips at the target. Left out: a slow release.\n"
+            "--operator target=30deg[,load=N,rate=N/s,regrip-rate=N/s,speed=rad/s,on-slide=regrip|keep], who lets go until the block\n"
+            "turns, keeps it turning, and regrips, for good, at the target, or (unless on-slide=keep) where the block has slid by\n"
+            "more than 2 mm and 20 mm a radian of its turn. Left out: in 10 s from P0 to P0/2, P0 being 0.5 N, or 1.3 times what an\n"
+            "ellipse needs to hold the block if that is more. Operator: load=2*P0, rate=P0 a second, regrip-rate ten times that.\n"
             "Columns: time [s]; x,y [m] of the centre of mass from the grip point; angle [rad]; grip_slip [m], how far the\n"
             "block has slid past the fingers; load of each finger [N]; friction_force [N] and friction_moment [N m] of both;\n"
-            "state stick|slip|free; cor [m] of the slip (nan unless it slips).",
+            "state stick|slip|free; cor [m] of the slip (nan unless it slips); r,rho: k_l r [N] and k_r rho [N m] of one finger, dampers\n"
+            "included, after step b; trial_r,trial_rho: the same of the trial before it. Magnitudes.",
             "limitcurve pivot --case coupled --material sandpaper --operator target=30deg"};
   }
 
   void declare(Options& options) override {
-    std::vector<std::string> names;
-    for (const PivotCase kind : cases) names.emplace_back(godobject::to_string(kind));
-    options.choice("--case", case_, names, "How friction is modelled", Presence::required);
+    options.value(
+        "--case", "coupled|uncoupled|exact", [this](const std::string& text) { case_ = godobject::parse_pivot_case(text); },
+        "How friction is modelled; may be left out where the next three say it", Presence::optional);
+    options.value(
+        "--boundary", "exact|table|ellipse|superellipse|quartic|box",
+        [this](const std::string& text) { settings_.curve = godobject::parse_curve_kind(text); }, "Limit curve in place of the case's",
+        Presence::optional);
+    options.value(
+        "--projection", "radial|c-curve|closest-point",
+        [this](const std::string& text) { settings_.projection = godobject::parse_projection(text); },
+        "How the proxy is brought back on to the curve, in place of the case's", Presence::optional);
+    options.radius_law(radius_law_, Presence::optional);
     options.text("--material", material_, "NAME", "Coefficients from Table 1 (data/materials.csv): rayon, suede, sandpaper");
     options.number("--mu", mu_, non_negative, "Friction coefficient mu_l [1] (default: the material's, else sandpaper's)");
     options.number("--moment-coefficient", moment_coefficient_, non_negative, "mu_r [m] (default: the material's, else sandpaper's)");
@@ -86,43 +117,71 @@ class Pivot final : public Subcommand {
     options.number("--offset", settings_.offset, non_negative, "Of the centre of mass from the grip point, along the block [m]");
     options.number("--gravity", settings_.gravity, non_negative, "Gravity [m/s^2]");
     options.number("--stiffness", settings_.stiffness, positive, "k_l of each finger [N/m]");
-    options.number("--twist-stiffness", settings_.twist_stiffness, positive, "k_r of each finger [N m/rad] (default k_l (mu_r/mu_l)^2)");
+    options.number("--twist-stiffness", settings_.twist_stiffness, positive,
+                   "k_r of each finger [N m/rad] (default k_l (mu_r/mu_l)^2: ours, and what --projection radial is best at)");
     options.number("--damping", settings_.damping, non_negative, "b_l of each finger [N s/m]");
     options.number("--twist-damping", settings_.twist_damping, non_negative, "b_r of each finger [N m s/rad] (default b_l k_r/k_l)");
     options.number("--time-step", settings_.time_step, positive, "Time step [s]");
     options.number("--duration", settings_.duration, non_negative, "Duration [s]");
     options.count("--every", every_, 1, 1'000'000'000, "Rows to write: each Nth time step's, from the first on");
     options.law(settings_.law, Presence::optional);
-    options.number("--tolerance", settings_.tolerance, positive, "Of the exact case's table, in unit wrenches");
+    options.number("--tolerance", settings_.tolerance, positive, "Of the table, where the limit curve is one, in unit wrenches");
   }
 
   void run(const Results& results) override {
-    settings_.kind = cases.at(case_);
+    if (!case_ && !settings_.curve && !settings_.projection && !radius_law_) {
+      throw std::invalid_argument("--case is required, unless --boundary, --projection or --radius-law is given");
+    }
+    settings_.kind = case_.value_or(PivotCase::exact);
     if (!material_.empty()) {
       const Material material = find_material(material_);
       settings_.mu = material.mu;
       settings_.moment_coefficient = material.mu_r;
     }
     settings_.mu = mu_.value_or(settings_.mu);
-    settings_.moment_coefficient = moment_coefficient_.value_or(settings_.moment_coefficient);
+    if (radius_law_) {
+      if (settings_.law == nullptr) settings_.law = hertz();
+      settings_.radius_law = radius_law_->of(settings_.mu, settings_.law);
+      settings_.moment_coefficient.reset();
+    }
+    if (moment_coefficient_) settings_.moment_coefficient = moment_coefficient_;
     if (!grip_file_.empty() + !release_.empty() + settings_.grip_operator.has_value() > 1) {
       throw std::invalid_argument("got several of --grip, --release and --operator, expected one");
     }
     settings_.grip = grip_file_.empty() ? release_ : read_grip(grip_file_);
     godobject::Pivot pivot(settings_);
-    Rows rows(results, {"time", "x", "y", "angle", "grip_slip", "load", "friction_force", "friction_moment", "state", "cor"});
+    describe(pivot);
+    Rows rows(results, {"time", "x", "y", "angle", "grip_slip", "load", "friction_force", "friction_moment", "state", "cor", "r", "rho",
+                        "trial_r", "trial_rho"});
     std::size_t step = 0;
+    std::array loads{pivot.row().load, pivot.row().load};
     do {
       if (step++ % every_ != 0) continue;
       const godobject::PivotRow& row = pivot.row();
       rows.row(row.time, row.x, row.y, row.angle, row.grip_slip, row.load, row.friction_force, row.friction_moment,
-               godobject::to_string(row.state), row.cor);
+               godobject::to_string(row.state), row.cor, row.spring_force, row.spring_moment, row.trial_force, row.trial_moment);
+      if (row.load > 0.0) loads = {std::min(loads[0], row.load), std::max(loads[1], row.load)};
     } while (pivot.step());
     rows.finish();
+    if (radius_law_ && !moment_coefficient_) warn_of_radii(settings_.radius_law, loads);
   }
 
  private:
-  std::size_t case_ = 0;
+  /// What a reader must know before using the rows.
+  void describe(const godobject::Pivot& pivot) const {
+    if (settings_.curve == CurveKind::exact) {
+      std::cerr << "limitcurve: exact: a table with an error of at most " << format_number(pivot.curve_error()) << " in unit wrenches\n";
+    }
+    const double load = pivot.row().load;
+    const double needed = pivot.holding_load();
+    if (load < needed) {
+      std::cerr << "limitcurve: warning: the grip begins at " << format_number(load) << " N a finger and does not hold the block: "
+                << (std::isfinite(needed) ? "that needs " + format_number(needed) + " N" : "no load does") << "\n";
+    }
+  }
+
+  std::optional<PivotCase> case_;
+  std::optional<RadiusLawArgument> radius_law_;
   std::string material_;
   std::optional<double> mu_;
   std::optional<double> moment_coefficient_;

@@ -38,7 +38,7 @@ class Report final : public Subcommand {
     write_steady_twist_file(directory);
     write_fit_files(directory, data);
     write_patch_files(directory, data);
-    write_pivot_files(directory);
+    write_pivot_files(directory, data);
     write_translate_file(directory);
     write_work_precision_files(directory, data);
     draw_report(share / "scripts" / "figures" / "report.py", directory);

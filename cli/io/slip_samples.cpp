@@ -7,8 +7,10 @@
 
 namespace limitcurve::cli {
 
-std::vector<fit::Sample> read_slip_samples(const std::string& file) {
-  CsvReader reader(file, {"load", "force", "moment"}, {"sigma_force", "sigma_moment"});
+namespace {
+
+/// Of a file whose first columns are load,force,moment,sigma_force,sigma_moment.
+std::vector<fit::Sample> slips(CsvReader& reader, const std::string& file) {
   if (reader.has(3) != reader.has(4)) {
     throw std::invalid_argument(file + ": got one of the columns sigma_force and sigma_moment, expected both or none");
   }
@@ -22,6 +24,30 @@ std::vector<fit::Sample> read_slip_samples(const std::string& file) {
     samples.push_back(sample);
   }
   return samples;
+}
+
+}  // namespace
+
+std::vector<fit::Sample> read_slip_samples(const std::string& file) {
+  CsvReader reader(file, {"load", "force", "moment"}, {"sigma_force", "sigma_moment"});
+  return slips(reader, file);
+}
+
+std::variant<std::vector<fit::Sample>, std::vector<fit::RatioSample>> read_ratio_data(const std::string& file) {
+  const std::vector<std::string> columns{"load", "force", "moment", "sigma_force", "sigma_moment", "ratio", "ratio_sd"};
+  constexpr std::size_t ratio = 5;
+  CsvReader reader(file, {}, columns);
+  const auto require = [&](std::size_t column) {
+    if (!reader.has(column)) throw reader.no_column(columns[column]);
+  };
+  if (reader.has(0) || !reader.has(ratio)) {
+    for (const std::size_t column : {0, 1, 2}) require(column);
+    return slips(reader, file);
+  }
+  require(ratio + 1);
+  std::vector<fit::RatioSample> ratios;
+  while (reader.next()) ratios.push_back({reader.number(ratio, positive), reader.number(ratio + 1, positive)});
+  return ratios;
 }
 
 fit::LoadSamples read_load_samples(const std::string& file) {

@@ -18,6 +18,7 @@ void write_parameters(const std::filesystem::path& output, const std::filesystem
     fits.add(call, {{"data", name}, {"model", model}});
   };
   for (const std::string material : {"rayon", "suede", "sandpaper"}) add(material, "ratio", {});
+  fits.add({"fit", "ratio", "--quiet", "--data", (data / "materials.csv").string()}, {{"data", "materials"}, {"model", "ratio"}});
   add("slips", "law", {"--law", "hertz", "--loss", "cauchy", "--fit-gamma"});
   add("radii", "load", {});
   fits.finish();

@@ -142,6 +142,8 @@ void PatchFinger::advance(const Contact& contact, const Spin& spin, double devic
   state.load = trial.load(slips ? landing.normal : trial.spring.normal);
   state.force = numbers(Vector3d(kept * stiffness));
   state.moment = twist_kept * twist_stiffness;
+  state.trial_force = stiffness * trial.tangential.norm();
+  state.trial_moment = std::fabs(wrench.moment);
   constexpr double inf = std::numeric_limits<double>::infinity();
   const double slide = std::hypot(sx, sy);
   state.cor = !slips                                  ? std::numeric_limits<double>::quiet_NaN()

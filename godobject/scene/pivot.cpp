@@ -45,9 +45,9 @@ void validate(const PivotOptions& options) {
   if (options.grip_operator) {
     if (!options.grip.empty()) throw std::invalid_argument("grip: both a grip and an operator are given, expected one of them");
     within("target", options.grip_operator->target, "rad", false);
-    within("start_load", options.grip_operator->start_load, "N", false);
-    within("rate", options.grip_operator->rate, "N/s", false);
-    within("regrip_rate", options.grip_operator->regrip_rate, "N/s", false);
+    within("start_load", options.grip_operator->start_load.value_or(1.0), "N", false);
+    within("rate", options.grip_operator->rate.value_or(1.0), "N/s", false);
+    within("regrip_rate", options.grip_operator->regrip_rate.value_or(1.0), "N/s", false);
     within("speed", options.grip_operator->speed, "rad/s", false);
   }
   double last = -std::numeric_limits<double>::infinity();
@@ -58,21 +58,56 @@ void validate(const PivotOptions& options) {
   }
 }
 
-FingerParameters finger_parameters(const PivotOptions& options) {
+CurveKind curve_kind(const PivotOptions& options) noexcept {
+  return options.curve.value_or(options.kind == PivotCase::uncoupled ? CurveKind::box
+                                : options.kind == PivotCase::exact   ? CurveKind::table
+                                                                     : CurveKind::ellipse);
+}
+
+Projection projection_of(const PivotOptions& options) noexcept {
+  return options.projection.value_or(options.kind == PivotCase::coupled ? Projection::radial : Projection::closest_point);
+}
+
+KindOfCurve make_curve(const PivotOptions& options, CurveKind kind) {
+  return make_finger_curve(kind, options.law ? options.law : hertz(), options.tolerance);
+}
+
+/// Without springs.
+FingerParameters friction_parameters(const PivotOptions& options) {
   FingerParameters result;
   result.mu = options.mu;
+  result.radius_law = options.radius_law;
   result.moment_coefficient = options.moment_coefficient;
   result.mu_dynamic = options.mu_dynamic;
   result.moment_coefficient_dynamic = options.moment_coefficient_dynamic;
+  return result;
+}
+
+/// The least load of each finger under which the curve holds the block level.
+double load_to_hold(const PivotOptions& options, const FingerCurve& curve) {
+  if (!(options.mu > 0.0)) return std::numeric_limits<double>::infinity();
+  const double share = 0.5 * options.mass * options.gravity;
+  return ContactLimits(friction_parameters(options), curve.moment_ratio()).load_to_hold(curve, share, share * options.offset);
+}
+
+/// μ_r/μ_l [m]: the given one, or m₀ a at the load that holds the block.
+double moment_arm(const PivotOptions& options, const FingerCurve& curve) {
+  if (options.moment_coefficient) return options.mu > 0.0 ? *options.moment_coefficient / options.mu : 0.0;
+  const double load = load_to_hold(options, curve);
+  return std::isfinite(load) ? curve.moment_ratio() * options.radius_law.radius(load) : 0.0;
+}
+
+FingerParameters finger_parameters(const PivotOptions& options, const FingerCurve& curve) {
+  FingerParameters result = friction_parameters(options);
   result.stiffness = options.stiffness;
   if (options.twist_stiffness) {
     result.twist_stiffness = *options.twist_stiffness;
   } else {
-    if (!(options.mu > 0.0 && options.moment_coefficient > 0.0)) {
-      throw std::invalid_argument("twist_stiffness: none given, expected one where mu or moment_coefficient is 0");
+    const double arm = moment_arm(options, curve);
+    if (!(arm > 0.0)) {
+      throw std::invalid_argument("twist_stiffness: none given, expected one where mu, the moment coefficient or the load to hold is 0");
     }
-    const double ratio = options.moment_coefficient / options.mu;
-    result.twist_stiffness = options.stiffness * ratio * ratio;
+    result.twist_stiffness = options.stiffness * arm * arm;
   }
   result.damping = options.damping;
   result.twist_damping = options.twist_damping.value_or(options.damping * result.twist_stiffness / result.stiffness);
@@ -92,40 +127,40 @@ void require_hold(const PivotOptions& options, const FingerParameters& finger) {
   }
 }
 
-/// The limit curve of the case.
-FingerCurve curve_of(const PivotOptions& options) {
-  const Law law = options.law ? options.law : hertz();
-  const CurveKind kind = options.kind == PivotCase::uncoupled ? CurveKind::box
-                         : options.kind == PivotCase::exact   ? CurveKind::table
-                                                              : CurveKind::ellipse;
-  return make_finger_curve(kind, law, options.tolerance).curve;
-}
-
-Projection projection_of(const PivotOptions& options) noexcept {
-  return options.kind == PivotCase::coupled ? Projection::radial : Projection::closest_point;
-}
-
 /// Who sets the load of the fingers.
 class GripHand {
  public:
   explicit GripHand(const PivotOptions& options) : grip_(options.grip), operator_(options.grip_operator) {
-    if (grip_.empty()) grip_ = {{0.0, 0.5}, {10.0, 0.25}};
-    if (operator_) load_ = operator_->start_load;
+    const double usual = default_load(options);
+    if (grip_.empty()) grip_ = {{0.0, usual}, {10.0, 0.5 * usual}};
+    if (!operator_) return;
+    load_ = start_load_ = operator_->start_load.value_or(2.0 * usual);
+    rate_ = operator_->rate.value_or(usual);
+    regrip_rate_ = operator_->regrip_rate.value_or(10.0 * usual);
   }
 
-  /// The load at a time, one time step after the last, with the block turned so far and turning so fast.
-  double load(double time, double time_step, double angle, double speed) noexcept {
+  /// The load one time step after a row.
+  double next(const PivotRow& row, double time, double time_step, double speed) noexcept {
     if (!operator_) return scheduled(time);
-    if (angle >= operator_->target) regrips_ = true;
+    if (row.angle >= operator_->target || slides_out(row)) regrips_ = true;
     if (regrips_) {
-      load_ = std::min(load_ + operator_->regrip_rate * time_step, operator_->start_load);
+      load_ = std::min(load_ + regrip_rate_ * time_step, start_load_);
     } else {
-      load_ = std::clamp(load_ + (speed > operator_->speed ? 1.0 : -1.0) * operator_->rate * time_step, 0.0, operator_->start_load);
+      load_ = std::clamp(load_ + (speed > operator_->speed ? 1.0 : -1.0) * rate_ * time_step, 0.0, start_load_);
     }
     return load_;
   }
 
+  /// The load at the beginning.
+  [[nodiscard]] double first() const noexcept { return operator_ ? load_ : scheduled(0.0); }
+
  private:
+  /// Does the operator see the block slide more than it turns?
+  [[nodiscard]] bool slides_out(const PivotRow& row) const noexcept {
+    return operator_->regrips_on_slide &&
+           row.grip_slip > std::max(GripOperator::slide_limit, GripOperator::slide_per_turn * std::fabs(row.angle));
+  }
+
   [[nodiscard]] double scheduled(double time) const noexcept {
     if (time <= grip_.front().time) return grip_.front().load;
     for (std::size_t i = 1; i < grip_.size(); ++i) {
@@ -138,6 +173,9 @@ class GripHand {
 
   std::vector<GripSample> grip_;
   std::optional<GripOperator> operator_;
+  double start_load_ = 0.0;
+  double rate_ = 0.0;
+  double regrip_rate_ = 0.0;
   double load_ = 0.0;
   bool regrips_ = false;
 };
@@ -150,7 +188,12 @@ double angle_of(const BodyState& state) noexcept {
 
 class Pivot::Scene {
  public:
-  explicit Scene(const PivotOptions& options) : options_(options), hand_(options), grasp_(make_grasp(options)) {
+  Scene(const PivotOptions& options, const KindOfCurve& curve, const FingerParameters& parameters)
+      : options_(options),
+        curve_error_(curve.error),
+        holding_load_(load_to_hold(options, curve.curve)),
+        hand_(options),
+        grasp_(make_grasp(options, curve.curve, parameters)) {
     const double weight = options_.mass * options_.gravity;
     const FingerParameters& finger = grasp_.finger(0).parameters();
     // The fingers took hold where their springs, once the block hangs on them level, just bear it.
@@ -162,7 +205,7 @@ class Pivot::Scene {
     BodyState level;
     level.position = {-options_.offset, 0.0, 0.0};
     grasp_.place(start, devices());
-    const double load = hand_.load(0.0, 0.0, 0.0, 0.0);
+    const double load = hand_.first();
     depth_ = load / finger.stiffness;
     grasp_.place(start, devices());
     grip_ = grasp_.finger(0).output().proxy;
@@ -171,13 +214,15 @@ class Pivot::Scene {
   }
 
   [[nodiscard]] const PivotRow& row() const noexcept { return row_; }
+  [[nodiscard]] double holding_load() const noexcept { return holding_load_; }
+  [[nodiscard]] double curve_error() const noexcept { return curve_error_; }
 
   bool step() noexcept {
     if (row_.time >= options_.duration - 0.5 * options_.time_step || row_.y < -options_.length) return false;
     // A multiple, not a sum: times stay round.
     ++count_;
     const double time = static_cast<double>(count_) * options_.time_step;
-    const double load = hand_.load(time, options_.time_step, row_.angle, grasp_.body().angular_velocity.z());
+    const double load = hand_.next(row_, time, options_.time_step, grasp_.body().angular_velocity.z());
     // As deep beneath the faces as spring and damper together give that load.
     const FingerParameters& finger = grasp_.finger(0).parameters();
     const double rate = finger.damping / options_.time_step;
@@ -188,9 +233,9 @@ class Pivot::Scene {
   }
 
  private:
-  static Grasp make_grasp(const PivotOptions& options) {
+  static Grasp make_grasp(const PivotOptions& options, const FingerCurve& curve, const FingerParameters& parameters) {
     const Eigen::Vector3d edges{options.length, options.height, thickness};
-    const SoftFinger finger(curve_of(options), finger_parameters(options), projection_of(options));
+    const SoftFinger finger(curve, parameters, projection_of(options));
     return Grasp(BodyParameters::planar_block(options.mass, edges, options.gravity), BodyState{}, AnySurface(BoxSurface(0.5 * edges)),
                  {finger, finger});
   }
@@ -220,9 +265,15 @@ class Pivot::Scene {
     row_.friction_moment = std::fabs(moment);
     row_.state = output.state;
     row_.cor = output.cor;
+    row_.spring_force = output.force.norm();
+    row_.spring_moment = std::fabs(output.moment);
+    row_.trial_force = grasp_.finger(0).state().trial_force;
+    row_.trial_moment = grasp_.finger(0).state().trial_moment;
   }
 
   PivotOptions options_;
+  double curve_error_;
+  double holding_load_;
   GripHand hand_;
   PivotRow row_;
   Grasp grasp_;
@@ -247,10 +298,12 @@ PivotCase parse_pivot_case(std::string_view text) {
 
 Pivot::Pivot(const PivotOptions& options) {
   validate(options);
-  const FingerParameters finger = finger_parameters(options);
+  static_cast<void>(ContactLimits(friction_parameters(options), 1.0));
+  const KindOfCurve curve = make_curve(options, curve_kind(options));
+  const FingerParameters finger = finger_parameters(options, curve.curve);
   static_cast<void>(ContactLimits(finger, 1.0));
   require_hold(options, finger);
-  scene_ = std::make_unique<Scene>(options);
+  scene_ = std::make_unique<Scene>(options, curve, finger);
 }
 
 Pivot::~Pivot() = default;
@@ -259,6 +312,14 @@ Pivot& Pivot::operator=(Pivot&&) noexcept = default;
 
 const PivotRow& Pivot::row() const noexcept {
   return scene_->row();
+}
+
+double Pivot::holding_load() const noexcept {
+  return scene_->holding_load();
+}
+
+double Pivot::curve_error() const noexcept {
+  return scene_->curve_error();
 }
 
 bool Pivot::step() noexcept {
@@ -274,11 +335,16 @@ std::vector<PivotRow> run_pivot(const PivotOptions& options) {
 
 double holding_load(const PivotOptions& options) {
   validate(options);
-  const FingerParameters finger = finger_parameters(options);
-  if (!(finger.mu > 0.0)) return std::numeric_limits<double>::infinity();
-  const FingerCurve curve = curve_of(options);
-  const double share = 0.5 * options.mass * options.gravity;
-  return ContactLimits(finger, curve.moment_ratio()).load_to_hold(curve, share, share * options.offset);
+  return load_to_hold(options, make_curve(options, curve_kind(options)).curve);
+}
+
+double default_load(const PivotOptions& options) {
+  validate(options);
+  constexpr double usual = 0.5;
+  const double load = 1.3 * load_to_hold(options, make_curve(options, CurveKind::ellipse).curve);
+  if (!(load > usual && load <= 1e8)) return usual;
+  const double tens = std::pow(10.0, 1.0 - std::floor(std::log10(load)));
+  return std::ceil(load * tens) / tens;
 }
 
 }  // namespace limitcurve::godobject

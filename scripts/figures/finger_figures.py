@@ -178,68 +178,6 @@ BLOCK_LENGTH, BLOCK_HEIGHT = 0.12, 0.04  # m, `limitcurve pivot`'s default
 CASES = {"coupled": "Coupled: ellipse, radial (A)", "exact": "Exact curve, closest point", "uncoupled": "Uncoupled: box (B)"}
 
 
-PIVOT_STIFFNESS = 1000.0  # N/m of each finger, `limitcurve pivot`'s default; the twist's is k_l (mu_r/mu)^2
-PIVOT_LOADS = (0.2, 0.3, 0.4, 0.5)  # N of each finger: the p-curves that are drawn
-
-
-def pivot(data):
-    """Paper, Figs. 7 to 11: a block between two fingers whose grip eases, as seen, in the [r, rho] plane, and over time."""
-    figure, panels = plt.subplots(4, len(CASES), figsize=(9.6, 9.6), layout="constrained", sharex="row", sharey="row",
-                                  height_ratios=(1.5, 1.4, 1, 1))
-    sandpaper = data["materials"].where(material="sandpaper")[0]
-    for column, (case, title) in zip(zip(*panels), CASES.items()):
-        released = data["pivot"].where(case=case, grip="release")
-        draw_block(column[0], released)
-        column[0].set(title=title, aspect="equal", xlim=(-80, 80), ylim=(-95, 55), xlabel="x  [mm]")
-        draw_pivot_plane(column[1], case, held_rows(released), sandpaper, data["curves"].where(law="hertz"))
-        for grip, look in (("release", {"color": BLUE}), ("operator", {"color": VERMILION, "dashes": (5, 2)})):
-            held = held_rows(data["pivot"].where(case=case, grip=grip))
-            times = held.column("time")
-            column[2].plot(times, held.column("angle", 180 / math.pi), label=GRIPS[grip], **look)
-            column[3].plot(times, held.column("grip_slip", 1e3), **look)
-        angle, time = angle_at_loss(released)
-        for axes, value in ((column[2], angle), (column[3], 1e3 * LOST)):
-            axes.plot(time, value, "o", color=BLUE, markersize=5, label=f"lost: has slid {1e3 * LOST:g} mm" if axes is column[2] else None)
-        column[3].set_xlabel("time  [s]")
-    for row, label in zip(panels, ("y  [mm]", "ρ  [rad]", "angle  [°]", "slip at the grip  [mm]")):
-        row[0].set_ylabel(label)
-    panels[3][0].set_ylim(0, 25)
-    figure.align_ylabels()
-    for colour, label in ((FAINT, "finger sticks"), (BLUE, "finger slips"), ("#c4c4c4", "p-curves")):
-        panels[1][0].plot([], [], color=colour, linewidth=1.8, label=label)
-    panels[1][0].legend(loc="upper right", fontsize=7.5)
-    legend_below(figure, panels[2][0], 3)
-    return figure
-
-
-def draw_pivot_plane(axes, case, rows, material, hertz):
-    """One finger's share of the wrench as the springs' give, and the p-curves that shrink on to it as the grip eases."""
-    ratio = material["mu_r"] / material["mu"]
-    twist_stiffness = PIVOT_STIFFNESS * ratio * ratio
-    unit = {
-        "coupled": [(math.cos(angle / 100), math.sin(angle / 100)) for angle in range(158)],
-        "exact": list(zip(hertz.column("x"), hertz.column("y"))),
-        "uncoupled": [(1, 0), (1, 1), (0, 1)],
-    }[case]
-    for load in PIVOT_LOADS:
-        reach, turn = 1e3 * material["mu"] * load / PIVOT_STIFFNESS, material["mu_r"] * load / twist_stiffness
-        axes.plot([reach * x for x, _ in unit], [turn * y for _, y in unit], color="#c4c4c4", linewidth=0.9)
-        axes.annotate(f"{load:g} N", (0, turn), (3, 2), textcoords="offset points", color=FAINT, fontsize=7)
-    path = [(1e3 * row["friction_force"] / 2 / PIVOT_STIFFNESS, row["friction_moment"] / 2 / twist_stiffness, row["state"]) for row in rows]
-    begin = 0
-    for i in range(1, len(path) + 1):
-        if i == len(path) or path[i][2] != path[begin][2]:
-            part = path[max(begin - 1, 0):i]
-            slips_here = path[begin][2] == "slip"
-            axes.plot([r for r, _, _ in part], [rho for _, rho, _ in part], color=BLUE if slips_here else FAINT, linewidth=1.6)
-            begin = i
-    axes.plot(*path[0][:2], "o", color=INK, markersize=4.5)
-    axes.set(xlabel="r  [mm]", xlim=(-0.02, 0.95), ylim=(-0.004, 0.16))
-
-
-GRIPS = {"release": "grip released at a steady rate", "operator": "operator who regrips at 30°"}
-
-
 LOST = 0.005  # m: a block that has slid so far past the grip, or has left it, is lost; cli/report/report_pivot.cpp's, too
 
 

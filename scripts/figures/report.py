@@ -18,6 +18,7 @@ c_curves.csv        law,radius_law,mu,c,load,force,moment
                       as `c-curves`, same laws and loads' range (finely, from 0), 5 CORs or so incl. 0 and inf
 validate.csv        law,model,parameter,max_error,rms_error,max_over_estimate,max_under_estimate,max_cor_error
                       as `validate` for every law
+validate_peaked.csv the same for a law heaped at the centre, which the ellipse under-estimates
 ellipse_error.csv   law,angle,over_estimate,cor_ratio
                       for every law over the direction `angle` = atan2(y, x) [rad] in [0, pi/2] of the wrench in the
                       normalised plane: over_estimate = radius of the ellipse through the intercepts over that of the
@@ -43,11 +44,16 @@ steady_twist.csv    law,boundary,projection,cor,stiffness_ratio,force,moment,exa
                       the wrench at which a finger driven at a constant twist with COR c = cor*a settles (unit wrenches),
                       against kappa = k_r/k_l/(m0 a)^2 from 0.1 to 10, finely in log; for table/closest-point,
                       table/radial, ellipse/closest-point, ellipse/radial; error = norm of the difference of (f, m/m0)
-pivot.csv           case,grip,time,x,y,angle,grip_slip,load,friction_force,friction_moment,state,cor
+pivot.csv           case,grip,time,x,y,angle,grip_slip,load,friction_force,friction_moment,state,cor,r,rho,trial_r,trial_rho
                       as `pivot`, every tenth step, for sandpaper and the block's default size; grip is release or operator
                       (target=30deg)
 pivot_map.csv       case,offset,rate,angle
                       angle at which the block leaves a grip that eases at a steady rate [N/s], for a grid of offsets and rates
+pivot_materials.csv material,case and the columns of `pivot`: each material's block, its grip left open
+pivot_stiffness.csv case,ratio,angle
+                      by how much the block turns before it leaves the fingers, over k_r/(k_l (mu_r/mu)^2)
+table_1.csv         data/materials.csv, as it was shipped
+pinch.csv           friction and the columns of `replay`: two fingers (soft, point) on pinch_trace.csv, data/scenes/pinch.csv
 fits.csv            data,model,parameter,value,std_error,unit,note
                       as `fit` on the measurements in data/fit
 fit_band.csv        force,moment,inner_force,inner_moment,outer_force,outer_moment
@@ -71,7 +77,6 @@ work_precision_*.csv  what scripts/maintain/work_precision measured (data/README
 
 import argparse
 import html
-import math
 import sys
 from pathlib import Path
 
@@ -79,17 +84,20 @@ sys.dont_write_bytecode = True
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
 import curve_figures  # noqa: E402
+import experiment_figures  # noqa: E402
 import finger_figures  # noqa: E402
 import patch_figures  # noqa: E402
+import pictures  # noqa: E402
 from chart_style import Table, save, short, write_whole  # noqa: E402
 from work_precision_figures import work_precision  # noqa: E402
 
 FILES = ("laws", "curves", "p_curves", "c_curves", "validate", "ellipse_error", "tables", "materials", "table_error", "replay",
-         "replay_runs", "replay_limits", "steady_twist", "pivot", "pivot_map", "fits", "fit_band", "fit_residuals", "patch_pushes",
+         "replay_runs", "replay_limits", "steady_twist", "pivot", "pivot_map", "pivot_materials", "pivot_stiffness", "table_1", "pinch", "pinch_trace", "validate_peaked", "fits", "fit_band", "fit_residuals", "patch_pushes",
          "patch_fits", "patch_errors", "engine_drag",
          "translate", "work_precision_wrench", "work_precision_step", "work_precision_scaling")
 
 FIGURES = {
+    "what_is_computed": pictures.what_is_computed,
     "limit_curves": curve_figures.limit_curves,
     "load_curves": curve_figures.load_curves,
     "ellipse_error": curve_figures.ellipse_error,
@@ -99,8 +107,12 @@ FIGURES = {
     "repositioning": finger_figures.repositioning,
     "felt": finger_figures.felt,
     "steady_twist": finger_figures.steady_twist,
-    "pivot": finger_figures.pivot,
+    "pivot": experiment_figures.pivot,
+    "pivot_operator": experiment_figures.pivot_operator,
+    "pivot_stiffness": experiment_figures.pivot_stiffness,
     "pivot_map": finger_figures.pivot_map,
+    "table_1": experiment_figures.table_1,
+    "pinch": experiment_figures.pinch,
     "fits": curve_figures.fits,
     "patches": patch_figures.patches,
     "engines": curve_figures.engines,
@@ -110,6 +122,15 @@ FIGURES = {
 
 def percent(fraction, digits=2):
     return f"{100 * fraction:.{digits}f} %"
+
+
+def under_estimates(data):
+    """Whether an ellipse ever under-estimates, in a sentence."""
+    known = max(data["validate"].where(model="ellipse"), key=lambda row: row["max_under_estimate"])
+    peaked = data["validate_peaked"].where(model="ellipse")[0]
+    first = "It under-estimates none of these laws" if known["max_under_estimate"] < 1e-6 else (
+        f"It under-estimates {known['law']} by {percent(known['max_under_estimate'])}")
+    return f"{first}; a pressure heaped at the centre ({peaked['law']}) by up to {percent(peaked['max_under_estimate'], 1)}."
 
 
 def numbers_to_remember(data):
@@ -126,7 +147,7 @@ def numbers_to_remember(data):
     return [
         (percent(worst["max_over_estimate"]),
          f"by which the ellipse over-estimates what a contact bears, at worst ({worst['law']}; {percent(best['max_over_estimate'])} for "
-         f"{best['law']}). It never under-estimates."),
+         f"{best['law']}). {under_estimates(data)}"),
         (percent(max(radial.column("error")), 0),
          f"error of the steady wrench when a finger driven at a constant twist is projected radially, for stiffness ratios κ from "
          f"{min(ratios):.2g} to {max(ratios):.2g} ({percent(at_one, 1)} at κ = 1). On the closest point it is "
@@ -206,9 +227,7 @@ def sections(data):
                                               for name in ("quartic", "superellipse", "box", "ellipse-least-squares"))
     ratios = [row["cor_ratio"] for row in data["ellipse_error"] if row["cor_ratio"] == row["cor_ratio"]]
     run, twist = data["replay_runs"][-1], data["steady_twist"][0]
-    engine, sandpaper = data["translate"][0], data["materials"].where(material="sandpaper")[0]
-    turned = {case: finger_figures.angle_at_loss(rows)[0] for case, rows in data["pivot"].where(grip="release").groups("case").items()}
-    lost = f"{1e3 * finger_figures.LOST:g} mm"
+    engine = data["translate"][0]
     certified = max(data["table_error"].column("tolerance"))
     drifts = [" and ".join(f"{row['value']:.3f} ± {row['std_error']:.3f}" for row in data["patch_fits"].where(parameter=name))
               for name in ("drift", "drift_ellipsoid")]
@@ -216,6 +235,7 @@ def sections(data):
                     for aspect in (1, 5))
     worst_between = max(max(abs(row["force_error"]), abs(row["moment_error"])) for row in data["table_error"])
     return [
+        pictures.section(),
         ("One curve for each pressure law", [
             ("limit_curves", "The limit curves by eq. (17) of Frisoli et al. (2006), each divided by its own limits (left, the paper’s "
              "Fig. 3) and in units of μP and μPa (right). Every law lies <em>inside</em> the dashed ellipse: a contact holds less than the "
@@ -256,17 +276,7 @@ def sections(data):
              "until the wrench is steady. Physics says the wrench of eq. (17) at that centre of rotation. The closest point gives it at every stiffness; the radial projection gives a wrench set by the "
              "ratio of the springs, whatever the curve. On the ellipse the closest point is off by the ellipse’s own error."),
         ], ""),
-        ("A block between two fingers", [
-            ("pivot", "The paper’s experiment (its Figs. 7 to 11): a block, its centre of mass (blue path) beside the grip (dot), "
-             f"on sandpaper. Where force and moment share one limit the block turns in the grip before it is lost: by "
-             f"{turned['coupled']:.1f}° and {turned['exact']:.1f}° when it has slid {lost} past a grip that eases by itself (dots), and an operator can stop "
-             f"it at 30°. With limits of their own, the moment holds to the end and it has turned by {abs(turned['uncoupled']):.1f}°. Outlines: the released grip, darker "
-             "is later. Second row: what one finger bears, as its springs’ give, from the dot on; the p-curves shrink on to it as the grip "
-             "eases, and then the wrench has to follow them."),
-            ("pivot_map", f"How far the block has turned, in degrees, when it has slid {lost} past the grip and is lost, over the offset of its centre of mass and the rate at "
-             "which the grip eases. The paper has two points of this map. With limits of their own the block turns only where the "
-             f"offset exceeds μ<sub>r</sub>/μ = {1e3 * sandpaper['mu_r'] / sandpaper['mu']:.2f} mm (triangles)."),
-        ], ""),
+        experiment_figures.section(data),
         ("From measurements to parameters", [
             ("fits", "A synthetic sensor log with a few gross outliers (data/fit/slips.csv) and the limit curve fitted to it by a robust "
              "loss: friction, moment coefficient and the growth of the contact with the load, each with its standard error; the 95 % "

@@ -5,7 +5,7 @@ import math
 import random
 import unittest
 
-from command_line import CommandLineTest, header, numbers, rows, run
+from command_line import DATA, CommandLineTest, header, numbers, rows, run
 
 
 class Fit(CommandLineTest):
@@ -25,6 +25,44 @@ class Fit(CommandLineTest):
         lines = [line.split(",") for line in done.stdout.splitlines()]
         self.assertEqual(lines[0], ["parameter", "value", "std_error", "unit", "note"])
         return {name: float(value) for name, value, *_ in lines[1:]}, done.stderr
+
+    # Issue 10, point 11: Table 1's claim that mu_r/mu_l does not depend on the material, by its published means and deviations.
+    def test_one_ratio_for_all_materials(self):
+        table = [(7.39, 0.91), (6.37, 0.88), (6.20, 1.54)]
+        weights = [1 / sd**2 for _, sd in table]
+        mean = sum(weight * ratio for weight, (ratio, _) in zip(weights, table)) / sum(weights)
+        chi_squared = sum(((ratio - mean) / sd) ** 2 for ratio, sd in table)
+        self.assertEqual((round(mean, 2), round(chi_squared, 2)), (6.77, 0.81))
+        found = {row["parameter"]: row for row in rows("fit", "ratio", "--quiet", "--data", DATA / "materials.csv")}
+        self.assertEqual(list(found), ["ratio", "radius", "chi_squared", "degrees_of_freedom", "p_value"])
+        self.assert_close(found["ratio"]["value"], 1e-3 * mean, 1e-14)
+        self.assert_close(found["ratio"]["std_error"], 1e-3 / math.sqrt(sum(weights)), 1e-14)
+        self.assert_close(found["radius"]["value"], 1e-3 * mean * 16 / (3 * math.pi), 1e-14)
+        self.assert_close(found["chi_squared"]["value"], chi_squared, 1e-12)
+        self.assertEqual(found["degrees_of_freedom"]["value"], 2)
+        # Of two degrees of freedom chi squared is exponential.
+        self.assert_close(found["p_value"]["value"], math.exp(-chi_squared / 2), 1e-12)
+        # Under another law another radius; through a pipe; two that no one ratio explains.
+        text = (DATA / "materials.csv").read_text()
+        call = ["fit", "ratio", "--quiet", "--law", "uniform", "--data"]
+        other = rows(*call, DATA / "materials.csv")
+        self.assert_close(other[1]["value"], 1.5e-3 * mean, 1e-14)
+        self.assertEqual(run(*call, "-", input=text).stdout, run(*call, DATA / "materials.csv").stdout)
+        done = run("fit", "ratio", "--data", self.file("two.csv", "ratio_sd,ratio\n0.001,0.006\n0.001,0.012\n"))
+        self.assertEqual(done.returncode, 0)
+        self.assertRegex(done.stderr, r"warning: the ratios differ by more than their standard deviations explain")
+        value = {line.split(",")[0]: float(line.split(",")[1]) for line in done.stdout.splitlines()[1:]}
+        self.assert_close(value["p_value"], math.erfc(math.sqrt(value["chi_squared"] / 2)), 1e-12)
+
+    def test_ratios_that_say_nothing(self):
+        for text, told in [("ratio,ratio_sd\n0.006,0.001\n", "two"), ("ratio\n0.006\n0.007\n", "ratio_sd"), ("mu\n1\n", "load"),
+                           ("ratio,ratio_sd\n0.006,0\n0.006,1\n", "ratios.csv:2:7"), ("ratio,ratio_sd\n-1,1\n", "ratios.csv:2:1"),
+                           ("ratio,ratio_sd\n1,nan\n", "ratios.csv:2:3")]:
+            self.assert_fails(2, told, "fit", "ratio", "--quiet", "--data", self.file("ratios.csv", text))
+        self.assert_fails(2, "--loss", "fit", "ratio", "--loss", "cauchy", "--data", DATA / "materials.csv")
+        # Slips that have a column of that name are slips.
+        slips = "load,force,moment,ratio\n1,0.5,0,1\n1,0,0.003,1\n1,0.4,0.0015,1\n1,0.3,0.0022,1\n"
+        self.assertEqual(rows("fit", "ratio", "--quiet", "--data", self.file("slips.csv", slips))[0]["parameter"], "mu")
 
     def test_columns(self):
         self.assertEqual(header("fit", "ellipse", "--law", "hertz"), "parameter,value,std_error,unit,note")

@@ -12,7 +12,7 @@ CASES = ["coupled", "uncoupled", "exact"]
 class Pivot(CommandLineTest):
     def test_columns(self):
         self.assertEqual(header("pivot", "--case", "coupled", "--duration", "0"),
-                         "time,x,y,angle,grip_slip,load,friction_force,friction_moment,state,cor")
+                         "time,x,y,angle,grip_slip,load,friction_force,friction_moment,state,cor,r,rho,trial_r,trial_rho")
 
     def test_a_firm_grip_holds(self):
         for case in CASES:
@@ -60,9 +60,146 @@ class Pivot(CommandLineTest):
         self.assertEqual([row["load"] for row in rows(*call, "target=0.5235987755982988rad")], [row["load"] for row in expected])
         self.assertEqual([row["load"] for row in rows(*call, "target=30deg")], [row["load"] for row in expected])
 
+    # Issue 10, point 7: the wrench of one finger after step b, and the trial before it.
+    def test_the_wrench_of_one_finger_and_its_trial(self):
+        for case in CASES:
+            found = rows("pivot", "--case", case, "--release", "from=0.45,to=0.2,over=2", "--duration", "2")
+            mu, mu_r = 1.67, 0.01011
+            self.assertTrue({row["state"] for row in found} >= {"stick", "slip"})
+            for row in found:
+                self.assertAlmostEqual(2 * row["r"], row["friction_force"], delta=1e-9)
+                self.assertAlmostEqual(2 * row["rho"], row["friction_moment"], delta=1e-11)
+                if row["state"] == "stick":
+                    self.assertAlmostEqual(row["trial_r"], row["r"], delta=1e-12)
+                    self.assertAlmostEqual(row["trial_rho"], row["rho"], delta=1e-12)
+                if row["state"] == "slip":
+                    # Outside the p-curve of the load, and brought back on to it; with the springs' damper the load is not quite k_l d.
+                    self.assertGreaterEqual(row["trial_r"], row["r"])
+                    self.assertGreaterEqual(row["trial_rho"], row["rho"])
+                    self.assertGreater(row["trial_r"] + 100 * row["trial_rho"], row["r"] + 100 * row["rho"])
+                if row["state"] == "slip" and case == "coupled":
+                    on_curve = math.hypot(row["r"] / (mu * row["load"]), row["rho"] / (mu_r * row["load"]))
+                    self.assertAlmostEqual(on_curve, 1, delta=1e-9)
+                    # Radially.
+                    self.assertAlmostEqual(row["trial_rho"] * row["r"], row["trial_r"] * row["rho"], delta=1e-12)
+                if row["state"] == "free":
+                    self.assertEqual([row[name] for name in ("r", "rho", "trial_r", "trial_rho")], [0, 0, 0, 0])
+
+    # Issue 10, point 8: the default grip holds the block of every material.
+    def test_every_material_holds_the_block_at_first(self):
+        starts = {"sandpaper": 0.5, "rayon": 1.9, "suede": 1.4}
+        for material, start in starts.items():
+            for case in CASES:
+                found = rows("pivot", "--case", case, "--material", material)
+                self.assertEqual((found[0]["load"], found[0]["state"]), (start, "stick"))
+                self.assertEqual({row["state"] for row in found[:1000]}, {"stick"}, (material, case))
+                self.assertAlmostEqual(found[2000]["load"], 0.9 * start, delta=1e-12)
+                found = rows("pivot", "--case", case, "--material", material, "--operator", "target=30deg", "--duration", "0.5")
+                self.assertEqual((found[0]["load"], found[-1]["state"]), (2 * start, "stick"))
+        found = rows("pivot", "--case", "exact", "--mass", "3", "--duration", "1")
+        self.assertEqual({row["state"] for row in found}, {"stick"})
+
+    # By hand: eq. (19) with half the weight for each finger, F/mu and 5 mm F/mu_r.
+    def test_a_grip_that_cannot_hold_is_warned_of(self):
+        for material, mu, mu_r in [("rayon", 0.42, 3.05), ("suede", 0.61, 3.84)]:
+            needed = math.hypot(0.4905 / mu, 0.4905 * 5 / mu_r)
+            call = ["pivot", "--case", "coupled", "--material", material, "--duration", "0.1"]
+            for grip in [["--release", "from=0.9,to=0,over=1"], ["--operator", "target=30deg,load=0.9"],
+                         ["--grip", self.file("grip.csv", "time,load\n0,0.9\n1,2\n")]]:
+                done = run(*call, *grip)
+                self.assertEqual(done.returncode, 0)
+                self.assertRegex(done.stderr, r"\Alimitcurve: warning: the grip begins at 0.9 N a finger and does not hold the block: that needs \S+ N\n\Z")
+                self.assert_close(float(done.stderr.split()[-2]), needed, 1e-12)
+            self.assertEqual(run(*call, "--release", f"from={needed * (1 + 1e-9)},to=0,over=10").stderr, "")
+        done = run("pivot", "--case", "exact", "--mu", "0", "--moment-coefficient", "0", "--twist-stiffness", "0.03", "--duration", "0.1")
+        self.assertIn("no load does", done.stderr)
+
+    # Issue 10, point 9.
+    def test_the_operator_regrips_out_of_a_slide(self):
+        for material in ["sandpaper", "rayon", "suede"]:
+            call = ["pivot", "--material", material, "--operator"]
+            let, kept = (rows(*call, "target=30deg" + more, "--case", "uncoupled")[-1] for more in (",on-slide=keep", ""))
+            self.assertEqual((let["state"], kept["state"]), ("free", "stick"), material)
+            self.assertLess(kept["grip_slip"], 0.005)
+            self.assertLess(abs(kept["angle"]), math.radians(1))
+            # Runs to 30 degrees stay as they are, every bit.
+            for case in ["coupled", "exact"]:
+                texts = {run(*call, "target=30deg" + more, "--case", case).stdout for more in ("", ",on-slide=keep", ",on-slide=regrip")}
+                self.assertEqual(len(texts), 1, (material, case))
+        # Where it cannot turn any farther the block is kept too.
+        for case in ["coupled", "exact"]:
+            self.assertEqual(rows("pivot", "--case", case, "--operator", "target=80deg")[-1]["state"], "stick")
+
+    # Issue 10, point 5: before the block leaves the fingers it turns by so much. The scan's stiffnesses are so many times k_l (mu_r/mu_l)^2.
+    def test_the_twist_stiffness_decides_what_the_radial_projection_does(self):
+        usual = 1000 * (0.01011 / 1.67) ** 2
+        for case, expected in [("coupled", [86, 50, 13, 1.5]), ("exact", [46, 53, 54, 54])]:
+            for times, angle in zip([0.1, 1, 10, 100], expected):
+                found = rows("pivot", "--case", case, "--twist-stiffness", times * usual)
+                held = [row["angle"] for row in found if row["state"] != "free"]
+                self.assertAlmostEqual(math.degrees(max(held)), angle, delta=0.5 if angle > 2 else 0.05, msg=f"{case} {times}")
+
+    # Issue 10, point 6: whether the block turns in case B is decided by the offset, which is ours: mu_r/mu_l is 6.05 mm.
+    def test_the_offset_decides_case_b(self):
+        for offset, least, most in [("0.005", 0, 1), ("0.006", 0, 1), ("0.007", 30, 45)]:
+            found = rows("pivot", "--case", "uncoupled", "--offset", offset, "--release", "from=1,to=0,over=10")
+            angle = next(abs(math.degrees(row["angle"])) for row in found if row["grip_slip"] >= 0.005)
+            self.assertTrue(least <= angle <= most, (offset, angle))
+
+    # Issue 10, point 10.
+    def test_curve_projection_and_radius_law_of_ones_own(self):
+        named = {"coupled": ("ellipse", "radial"), "uncoupled": ("box", "closest-point"), "exact": ("table", "closest-point")}
+        release = ["--release", "from=0.45,to=0.3,over=2", "--duration", "2"]
+        text = {case: run("pivot", "--case", case, *release).stdout for case in CASES}
+        for case, (curve, projection) in named.items():
+            own = ["--boundary", curve, "--projection", projection]
+            self.assertEqual(run("pivot", *own, *release).stdout, text[case])
+            for other in CASES:
+                self.assertEqual(run("pivot", "--case", other, *own, *release).stdout, text[case])
+        # What is left out is the case's, and without a case the exact one's.
+        self.assertEqual(run("pivot", "--projection", "closest-point", *release).stdout, text["exact"])
+        self.assertEqual(run("pivot", "--boundary", "table", *release).stdout, text["exact"])
+        self.assertEqual(run("pivot", "--case", "coupled", "--projection", "radial", *release).stdout, text["coupled"])
+        self.assertNotEqual(run("pivot", "--case", "coupled", "--projection", "closest-point", *release).stdout, text["coupled"])
+        done = run("pivot", "--boundary", "exact", *release)
+        self.assertRegex(done.stderr, r"\Alimitcurve: exact: a table with an error of at most \S+ in unit wrenches\n\Z")
+        self.assertNotEqual(done.stdout, text["exact"])
+        self.assert_fails(2, ["box", "closest-point"], "pivot", "--boundary", "box", "--projection", "radial")
+        self.assert_fails(2, ["--boundary", "exact|table|ellipse"], "pivot", "--boundary", "circle")
+        self.assert_fails(2, ["--projection", "radial|c-curve"], "pivot", "--projection", "nearest")
+
+    def test_a_radius_law_gives_the_moments_limit(self):
+        # m0 a = mu_r/mu: the same finger in other words, stiffnesses too.
+        radius = 0.01011 / 1.67 / (3 * math.pi / 16)
+        release = ["--release", "from=0.45,to=0.3,over=2", "--duration", "2"]
+        for case in CASES:
+            first, second = (rows("pivot", "--case", case, *more, *release)
+                             for more in ([], ["--radius-law", f"constant:a={radius!r}"]))
+            for name in ("angle", "grip_slip", "r", "rho", "trial_rho"):
+                self.assertAlmostEqual(first[-1][name], second[-1][name], delta=1e-8, msg=name)
+        # With a coefficient beside it the law of the radius does not count, as in replay.
+        call = ["pivot", "--case", "exact", *release]
+        self.assertEqual(run(*call, "--radius-law", "constant:a=0.02", "--moment-coefficient", "0.01011").stdout, run(*call).stdout)
+        # Measured moments, Gamma = mu_r P, are the same finger too.
+        moments = self.file("moments.csv", "load,moment\n" + "".join(f"{load},{0.01011 * load!r}\n" for load in (0.1, 0.5, 2)))
+        for case in CASES:
+            first, second = (rows("pivot", "--case", case, *more, *release) for more in ([], ["--radius-law", f"moments:{moments}"]))
+            for name in ("angle", "grip_slip", "r", "rho", "trial_rho"):
+                self.assertAlmostEqual(first[-1][name], second[-1][name], delta=1e-8, msg=name)
+        # One that grows: the moment that slips first is m0 mu P a(P).
+        law = ["--radius-law", "power:c=0.012,gamma=0.333", "--case", "coupled"]
+        found = next(row for row in rows("pivot", *law, "--release", "from=0.6,to=0.3,over=4") if row["state"] == "slip")
+        limit = 3 * math.pi / 16 * 1.67 * found["load"] * 0.012 * found["load"] ** 0.333
+        self.assertAlmostEqual(math.hypot(found["r"] / (1.67 * found["load"]), found["rho"] / limit), 1, delta=1e-9)
+        # Its k_r is k_l (m0 a)^2 at the load that holds, where the twist's spring gives under that moment.
+        self.assert_fails(2, "twist_stiffness", "pivot", *law, "--gravity", "0")
+        self.assert_fails(2, "moment_coefficient_dynamic", "pivot", *law, "--moment-coefficient-dynamic", "0.01")
+
     def test_bad_input(self):
         call = ["pivot", "--case", "coupled"]
         self.assert_fails(2, "--case", "pivot")
+        for words in ["on-slide=", "on-slide=no", "on-slide=keep,on-slide=keep"]:
+            self.assert_fails(2, ["--operator", "on-slide"], *call, "--operator", "target=30deg," + words)
         self.assert_fails(2, ["--case", "A", "coupled|uncoupled|exact"], "pivot", "--case", "A")
         self.assert_fails(2, ["--material", "butter", "rayon, suede, sandpaper"], *call, "--material", "butter")
         for release in ["", "from=1", "from=1,to=0", "from=1,to=0,over=0", "from=-1,to=0,over=1", "from=1,to=0,over=nan", "from=1,to=0,over=1,",

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "godobject/pivot.hpp"
 
+#include "limitcurve/laws.hpp"
 #include "tests/godobject/scene.hpp"
 #include "tests/repetitions.hpp"
 
@@ -131,6 +132,29 @@ TEST(Pivot, ConvergesWithTheTimeStep) {
       EXPECT_LT(std::fabs(ends[i].grip_slip - ends[i - 1].grip_slip), 0.7 * std::fabs(ends[i - 1].grip_slip - ends[i - 2].grip_slip));
     }
   }
+}
+
+// Issue 10, point 8: 0.5 N as ever, or what holds: 1.3 times eq. (19)'s load, 1.3 · hypot(0.4905/0.42, 0.4905·5/3.05) = 1.843.
+TEST(Pivot, AGripThatIsLeftOpenHoldsTheBlockAtFirst) {
+  PivotOptions options;
+  EXPECT_EQ(default_load(options), 0.5);
+  options.mass = 0.01;
+  EXPECT_EQ(default_load(options), 0.5);
+  options.mass = 0.1;
+  options.mu = 0.42;
+  options.moment_coefficient = 0.00305;
+  EXPECT_EQ(default_load(options), 1.9);
+  options.mass = 100.0;
+  EXPECT_EQ(default_load(options), 1900.0);
+  for (const Law& law : {flat_punch(), power(-0.9), uniform()}) {
+    options.kind = PivotCase::exact;
+    options.law = law;
+    EXPECT_LT(holding_load(options), default_load(options)) << law->name();
+  }
+  // Where no load holds the block, there is none to find.
+  options.moment_coefficient = 0.0;
+  EXPECT_EQ(default_load(options), 0.5);
+  EXPECT_EQ(holding_load(options), std::numeric_limits<double>::infinity());
 }
 
 TEST(Pivot, NamesWhatIsWrongWithItsOptions) {
