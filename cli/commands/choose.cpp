@@ -2,6 +2,7 @@
 #include "limitcurve/validate.hpp"
 
 #include "cli/commands/radius_check.hpp"
+#include "cli/commands/stiffness_check.hpp"
 #include "cli/commands/subcommands.hpp"
 #include "cli/io/number_list.hpp"
 #include "cli/io/patch_argument.hpp"
@@ -32,7 +33,8 @@ class Choose final : public Subcommand {
             "With --scene the whole step of the god-object is chosen: model is 'no torsion' or BOUNDARY/PROJECTION, with the radius\n"
             "of the mean load unless it ends in '/a(P)'; error is the largest change of what is felt, as a share of what the\n"
             "contact bears, that slides and twists at the scene's rates have shown; nanoseconds are those of a step that\n"
-            "slips. Which of torsion, coupling, load-dependent radius, exact curve and closest point matter is said on standard error.",
+            "slips. Which of torsion, coupling, load-dependent radius, exact curve and closest point matter is said on standard error,\n"
+            "and where k_r/k_l is more than ten times away from (mu_r/mu_l)^2, for which the radial projection is made.",
             "limitcurve choose --law hertz --tolerance 0.01 --scene --mu 0.6 --loads 0.5,2 --stiffness 1000 --twist-stiffness 0.036"};
   }
 
@@ -93,6 +95,13 @@ class Choose final : public Subcommand {
     const godobject::StepChoice choice = godobject::choose_step(scene_, tolerance_);
     write(results, choice.candidates);
     std::cerr << choice.verdict << '\n';
+    godobject::FingerParameters finger;
+    finger.mu = scene_.mu;
+    finger.radius_law = scene_.radius_law;
+    finger.moment_coefficient = scene_.moment_coefficient;
+    finger.stiffness = scene_.stiffness;
+    finger.twist_stiffness = scene_.twist_stiffness;
+    note_stiffnesses("the rows of the radial projection", finger, law_->moment_ratio(), std::array{scene_.least_load, scene_.most_load});
   }
 
   Law law_;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "cli/commands/radius_check.hpp"
+#include "cli/commands/stiffness_check.hpp"
 #include "cli/commands/subcommands.hpp"
 #include "cli/io/body_argument.hpp"
 #include "cli/io/key_values.hpp"
@@ -17,6 +18,7 @@
 #include <iostream>
 #include <limits>
 #include <optional>
+#include <span>
 #include <stdexcept>
 
 namespace limitcurve::cli {
@@ -110,7 +112,9 @@ class Replay final : public Subcommand {
     options.number("--moment-coefficient-dynamic", replay_.finger.moment_coefficient_dynamic, non_negative,
                    "mu_r while slipping [m] (mu_r times mu-dynamic/mu if left out)");
     options.choice("--boundary", curve_, names(curve_kinds), "Limit curve");
-    options.choice("--projection", projection_, names(projections), "How the proxy is brought back on to it");
+    options.choice("--projection", projection_, names(projections),
+                   "How the proxy is brought back on to it. Radial and c-curve are made for k_r/k_l = (mu_r/mu_l)^2; a note says where "
+                   "that is far off");
     options.number("--tolerance", replay_.tolerance, positive, "Error of the table, in unit wrenches");
     options.value(
         "--surface", "SURFACE",
@@ -263,10 +267,13 @@ class Replay final : public Subcommand {
       });
     }
     rows.finish();
-    if (!radius_law_) return;
-    // One that nothing touched under is seen at 1 N.
+    // What nothing touched under is seen at 1 N.
     if (loads[1] == 0.0) loads = {1.0, 1.0};
-    warn_of_radii(replay_.finger.radius_law, loads);
+    if (replay_.projection != Projection::closest_point) {
+      note_stiffnesses("--projection " + std::string(to_string(replay_.projection)), replay_.finger, replay_.law->moment_ratio(),
+                       std::span(&loads[1], 1));
+    }
+    if (radius_law_) warn_of_radii(replay_.finger.radius_law, loads);
   }
 
   std::string trace_;

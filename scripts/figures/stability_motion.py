@@ -45,6 +45,28 @@ def projection_stiffness(rows):
     return figure
 
 
+def steady_twist(rows, xlabel, **more):
+    """Force and moment that a steady twist ends with, eq. (17) as a broad line beneath."""
+    figure, (force, moment) = frame(2, sharey=True)
+    style = styles(list(rows.groups("series"))) | {"eq. (17)": {"color": GRID, "linewidth": 5, "zorder": 1}}
+    for axes, panel in ((force, "force"), (moment, "moment")):
+        draw(axes, rows.where(panel=panel), style)
+        axes.set(xlabel=xlabel, xscale="log", ylim=(-0.03, 1.06), **more)
+        axes.minorticks_off()
+    force.set(title="Force of a steady twist / its largest")
+    moment.set(title="Moment / its largest")
+    legend_below(figure, force, 4)
+    return figure
+
+
+def projection_small(rows):
+    return steady_twist(rows, "size of the contact, as its  $\\mu_r$  [mm]   (c = 5 mm, $k_r$ = 0.036 N m/rad)", xlim=(1e-3, 100))
+
+
+def projection_growth(rows):
+    return steady_twist(rows, "centre of rotation  c  [mm]   (a = 6 mm at 1 N)", xlim=(0.2, 100))
+
+
 def projection_newton(rows):
     figure, (stiffness, load) = panels(rows, ["stiffness", "load"], sharey=True)
     stiffness.set(title="Slips with no closest point found", xlabel=RATIO, xscale="log", xlim=(1e-6, 1e6), ylim=(-0.02, 1), ylabel="share")
@@ -282,7 +304,7 @@ def reality_frozen(rows):
 
 
 FIGURES = {figure.__name__: figure for figure in (
-    projection_quotients, projection_stiffness, projection_newton, projection_corners, projection_order, projection_chatter, projection_collapse,
+    projection_quotients, projection_stiffness, projection_small, projection_growth, projection_newton, projection_corners, projection_order, projection_chatter, projection_collapse,
     time_map, time_block, time_release, time_delay, time_passivity, time_encoder,
     geometry_plate, geometry_vertex, geometry_broken, geometry_slivers, geometry_normals,
     reality_rates, reality_clock, reality_samples, reality_plate, reality_frozen)}

@@ -124,6 +124,46 @@ class Replays(CommandLineTest):
         self.assertEqual((found[-1]["state"], found[-1]["cor"]), ("slip", 0))
         self.assertAlmostEqual(found[-1]["moment"], -0.5 * limit, delta=1e-12)
 
+    def settled(self, mu_r, *options):
+        """Force after 100 mm and 20 rad about a centre of rotation at 5 mm, under 1 N, and what standard error says."""
+        text = "time,x,y,z,twist\n" + "".join(f"{i / 1000},{1e-4 * i!r},0,-0.001,{0.02 * i!r}\n" for i in range(1000))
+        done = run("replay", "--trace", self.file("trace.csv", text), "--law", "hertz", "--moment-coefficient", mu_r, "--mu", "0.6", "--stiffness", "1000",
+                   "--twist-stiffness", "0.036", *options)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return -float(done.stdout.splitlines()[-1].split(",")[7]), done.stderr
+
+    def test_a_small_contact_is_frictionless_under_eq_23_and_a_note_says_so(self):
+        # Issue 10, point 2: mu P = 0.6 N.
+        for mu_r, expected, is_far in [("0.01", 0.551, False), ("0.001", 0.135, True), ("0.0001", 0.0139, True), ("0.000001", 0.00014, True),
+                                       ("0", 0.6, False)]:
+            force, told = self.settled(mu_r, "--boundary", "ellipse", "--projection", "radial")
+            self.assert_close(force, expected, 0.01, mu_r)
+            self.assertEqual(told.count("limitcurve: note: --projection radial: k_r/k_l is"), is_far, told)
+            self.assertEqual("hardly any friction force" in told, is_far, told)
+            self.assertEqual("--projection c-curve: k_r/k_l is" in self.settled(mu_r, "--projection", "c-curve")[1], is_far, mu_r)
+            self.assertEqual(self.settled(mu_r)[1], "")
+        self.assert_close(self.settled("0.0001", "--boundary", "ellipse")[0], 0.5997, 1e-4)
+        # A contact too large for its twist stiffness: the moment is what is lost.
+        self.assertIn("hardly any friction moment", self.settled("0.02", "--projection", "radial", "--boundary", "table")[1])
+
+    def test_the_note_is_about_the_largest_load(self):
+        # a^2 grows by 100^(2/3) = 22 from 0.02 to 2 N: right at 2 N, wrong at 0.02 N.
+        radial = ["--projection", "radial", "--boundary", "ellipse", "--radius-law", "power:c=0.005,gamma=0.3333333333333333"]
+        common = ["--law", "hertz", "--mu", "0.6", "--stiffness", "1000"]
+        text = "time,x,y,z,twist\n" + "".join(f"{i / 1000},0,0,{-2e-5 * (i + 1)},{0.02 * i}\n" for i in range(100))
+        right = 1000 * (M0 * 0.005 * 2 ** (1 / 3)) ** 2
+        path = self.file("trace.csv", text)
+        for share, notes in [(1, 0), (9.9, 0), (10.1, 1), (1 / 9.9, 0), (1 / 10.1, 1)]:
+            done = run("replay", "--trace", path, *common, *radial, "--twist-stiffness", share * right)
+            self.assertEqual(done.stderr.count("times (mu_r/mu_l)^2 at 2 N"), notes, done.stderr)
+            # choose knows both loads.
+            chosen = run("choose", *common, "--radius-law", "constant:a=0.005", "--tolerance", "0.1", "--scene", "--twist-stiffness",
+                         share * 1000 * (M0 * 0.005) ** 2)
+            self.assertEqual(chosen.stderr.count("note: the rows of the radial projection: k_r/k_l is"), notes, chosen.stderr)
+        chosen = run("choose", *common, "--radius-law", "power:c=0.005,gamma=0.3333333333333333", "--loads", "0.02,2", "--tolerance", "0.1", "--scene",
+                     "--twist-stiffness", right)
+        self.assertIn("at 0.02 N", chosen.stderr)
+
     def test_a_time_that_goes_back_is_an_invalid_row(self):
         found = self.replay(TRACE + "0.001,0.007,0,-0.001,0\n0.005,0.0051,0,-0.001,0\n")
         self.assertEqual(found[4]["state"], "invalid")

@@ -2,7 +2,7 @@
 // Entry d: how a step finds the wrench that friction allows, where the curve has corners.
 #include "../random.hpp"
 #include "godobject/finger_curve.hpp"
-#include "godobject/projection.hpp"
+#include "godobject/friction.hpp"
 #include "limitcurve/approximations.hpp"
 #include "limitcurve/laws.hpp"
 #include "projection.hpp"
@@ -36,8 +36,10 @@ UnitWrench by_search(const Box& box, const Trial& trial) {
 
 UnitWrench by_us(const Box& box, const Trial& trial) {
   const FingerCurve curve(box);
-  const auto projected = godobject::clamp_to_box(curve.view(), trial);
-  return {trial.force * projected.force_ratio, trial.moment * projected.moment_ratio};
+  godobject::FrictionMemory<double> memory;
+  const auto kept = godobject::apply_friction(curve.view(), godobject::Projection::closest_point,
+                                              {{1.0, 1.0}, {1.0, 1.0}, trial.compliance_ratio}, {trial.force, trial.moment}, memory);
+  return {trial.force * kept.force_ratio, trial.moment * kept.moment_ratio};
 }
 
 /// The closest point of the box, by cutting an interval of each face to two thirds until it is rounding; in long double, for what

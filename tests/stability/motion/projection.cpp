@@ -25,7 +25,6 @@ using namespace godobject;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double stiffness = 1000.0;
-constexpr double radius = 0.005;
 
 /// A wrench in SI units.
 struct Felt {
@@ -72,32 +71,6 @@ Felt by_finger(const Degenerate& step, double twist_stiffness) {
 double verdict(double felt, double right, double most) {
   if (!std::isfinite(felt)) return 2.0;
   return std::fabs(felt - right) <= 1e-12 * most ? 0.0 : 1.0;
-}
-
-/// Wrench that a finger driven with a steady twist about a COR at c = a settles at, for κ = k_r/(k_l(m₀a)²).
-UnitWrench settled(const FingerCurve& curve, Projection projection, double kappa) {
-  const double moment_ratio = hertz()->moment_ratio();
-  const double twist_stiffness = kappa * stiffness * moment_ratio * moment_ratio * radius * radius;
-  constexpr double force_unit = 0.5;  // μP [N]
-  constexpr FrictionLimit<double> limit{force_unit, radius};
-  const FrictionLimits<double> limits{limit, limit, stiffness / twist_stiffness};
-  // The longer of the two lengths in which springs forget, a quarter of it a step.
-  const double step = 0.25 * std::max(force_unit / stiffness, force_unit * moment_ratio * radius * radius / twist_stiffness);
-  FrictionMemory<double> memory;
-  double r = 0.0;
-  double rho = 0.0;
-  for (int i = 0; i < 400; ++i) {
-    r += step;
-    rho += step / radius;
-    const auto kept = apply_friction(curve.view(), projection, limits, {stiffness * r, twist_stiffness * rho}, memory);
-    r *= kept.force_ratio;
-    rho *= kept.moment_ratio;
-  }
-  return {stiffness * r / force_unit, twist_stiffness * rho / (force_unit * radius)};
-}
-
-double normalised_distance(UnitWrench one, UnitWrench other, double moment_ratio) {
-  return std::hypot(one.force - other.force, (one.moment - other.moment) / moment_ratio);
 }
 
 /// The closest point's condition in s = c/a: (x − f(s)) − sχ(y − m(s)) = 0.
@@ -212,40 +185,6 @@ Hazard degenerate_steps() {
   Hazard found;
   found.findings.push_back({"r = 0, ρ = 0, μ = 0, Γ = 0", "eqs. (21)–(23) as printed", "steps of ten with no number or a wrong one",
                             printed, ours, test});
-  found.figures.push_back(std::move(figure));
-  return found;
-}
-
-Hazard stiffness_ratios() {
-  Hazard found;
-  Figure figure{"projection_stiffness", {}};
-  const std::string test = "Projection.StiffnessRatios";
-  const Law law = hertz();
-  const double m0 = law->moment_ratio();
-  const UnitWrench truth = ExactCurve(law).wrench(SlipTwist::about_cor(1.0));
-  const Ellipse ellipse = Ellipse::through_intercepts(m0);
-  const Table table = Table::build(law, 1e-8);
-  const auto errors = [&](double kappa) {
-    return std::array{normalised_distance(settled(ellipse, Projection::radial, kappa), truth, m0),
-                      normalised_distance(settled(table, Projection::radial, kappa), truth, m0),
-                      normalised_distance(settled(box(1.0, m0), Projection::closest_point, kappa), truth, m0),
-                      normalised_distance(settled(table, Projection::closest_point, kappa), truth, m0)};
-  };
-  constexpr std::array series{"ellipse, shrunk along the ray", "exact curve, shrunk along the ray", "force and moment clamped each",
-                              "limitcurve"};
-  double ours = 0.0;
-  for (const double kappa : in_ratios(1e-6, 1e6, 49)) {
-    const auto at = errors(kappa);
-    for (std::size_t i = 0; i < series.size(); ++i) figure.rows.push_back({"error", series[i], kappa, at[i]});
-    ours = std::max(ours, at.back());
-  }
-  for (const double kappa : {1e-6, 1.0, 10.0, 1e6}) {
-    const std::string power = kappa == 1.0 ? "1" : kappa == 10.0 ? "10" : kappa < 1.0 ? "1e-6" : "1e6";
-    found.findings.push_back({"stiffness ratios", "ellipse, shrunk along the ray (eq. 23)",
-                              "error of the wrench of a steady twist, c = a, k_r/k_l = " + power + "·(m₀a)² (ours: any)", errors(kappa)[0],
-                              ours, test});
-  }
-  found.findings.push_back({"stiffness ratios", "force and moment clamped each (§3.1)", "the same, any ratio", errors(1.0)[2], ours, test});
   found.figures.push_back(std::move(figure));
   return found;
 }

@@ -2,6 +2,9 @@
 #pragma once
 
 #include "../atlas.hpp"
+#include "limitcurve/wrench.hpp"
+
+#include <cmath>
 
 /// Entry d: how a step finds the wrench that friction allows.
 namespace limitcurve::stability {
@@ -10,6 +13,10 @@ namespace limitcurve::stability {
 Hazard degenerate_steps();
 /// Springs of twist and sliding that are unlike by up to a million, under a steady twist.
 Hazard stiffness_ratios();
+/// A contact so small that it hardly bears a moment, with the springs of a larger one, under a steady twist.
+Hazard small_contacts();
+/// A contact radius that grows with the load, under a steady twist: what the c-curve through the trial leads to.
+Hazard growing_radius();
 /// Newton's method for the closest point without a bracket, over stiffness ratios and distances of the trial.
 Hazard newton_without_bracket();
 /// A box, given to a search for smooth curves.
@@ -20,5 +27,10 @@ Hazard order_of_limits();
 Hazard chatter();
 /// A load that collapses in one step while the finger rests.
 Hazard collapsing_load();
+
+/// Between two unit wrenches, in the normalised plane.
+inline double normalised_distance(UnitWrench one, UnitWrench other, double moment_ratio) {
+  return std::hypot(one.force - other.force, (one.moment - other.moment) / moment_ratio);
+}
 
 }  // namespace limitcurve::stability

@@ -5,6 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
+
 namespace limitcurve::stability {
 
 namespace {
@@ -24,6 +27,32 @@ TEST(Projection, StiffnessRatios) {
   for (const std::size_t i : {0U, 2U, 3U}) EXPECT_GE(findings[i].breaks, 0.3) << findings[i].quantity;
   EXPECT_GE(findings[4].breaks, 0.5);
   for (const Finding& finding : findings) EXPECT_LE(finding.stands, 1e-7);
+}
+
+// Issue 10, point 2: 0.135, 0.0139 and 0.00014 N of 0.6 N.
+TEST(Projection, SmallContacts) {
+  const auto findings = held_here(small_contacts());
+  ASSERT_EQ(findings.size(), 3U);
+  constexpr std::array forces{0.135, 0.0139, 0.00014};
+  for (std::size_t i = 0; i < forces.size(); ++i) EXPECT_NEAR(0.6 * findings[i].breaks, forces[i], 0.01 * forces[i]);
+  // Eq. (17): a Hertz contact of a = μ_r/(μ m₀) under c = 5 mm.
+  constexpr std::array moments{1e-3, 1e-4, 1e-6};
+  for (std::size_t i = 0; i < moments.size(); ++i) {
+    const double inverse = moments[i] / (0.6 * 3.0 * M_PI / 16.0) / 0.005;
+    // f = 1 − ⟨ρ²⟩/(4s²) − …, ⟨ρ²⟩ = 2/5, far away.
+    EXPECT_NEAR(findings[i].stands, 1.0 - 0.1 * inverse * inverse, 0.05 * std::pow(inverse, 4.0) + 1e-7);
+  }
+}
+
+// Issue 10, point 3: 0.255 and 0.416 N, where eq. (17) has 0.487 N.
+TEST(Projection, GrowingRadius) {
+  const auto findings = held_here(growing_radius());
+  ASSERT_EQ(findings.size(), 2U);
+  EXPECT_NEAR(findings[0].breaks, 0.255, 0.0005);
+  EXPECT_NEAR(findings[1].breaks, 0.416, 0.0005);
+  // (3π/8)s(1 − s²/4), s = 5/6.
+  const double s = 5.0 / 6.0;
+  for (const Finding& finding : findings) EXPECT_NEAR(finding.stands, 0.6 * 3.0 * M_PI / 8.0 * s * (1.0 - 0.25 * s * s), 1e-7);
 }
 
 TEST(Projection, NewtonWithoutBracket) {

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#include "cli/commands/stiffness_check.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <iostream>
+#include <sstream>
+
+namespace limitcurve::cli {
+
+namespace {
+
+/// μ_r/μ_l = Γ/(μP) [m].
+double moment_arm(const godobject::FingerParameters& finger, double moment_ratio, double load) {
+  if (finger.moment_coefficient) return *finger.moment_coefficient * std::pow(load, finger.moment_exponent) / finger.mu;
+  return moment_ratio * finger.radius_law.radius(load);
+}
+
+}  // namespace
+
+void note_stiffnesses(std::string_view subject, const godobject::FingerParameters& finger, double moment_ratio,
+                      std::span<const double> loads) {
+  constexpr double far = 10.0;
+  double farthest = far;
+  double worst_load = 0.0;
+  double worst_arm = 0.0;
+  const double ratio = finger.twist_stiffness / finger.stiffness;
+  for (const double load : loads) {
+    const double arm = moment_arm(finger, moment_ratio, load);
+    // Without torsion the force is limited by itself, whatever the projection.
+    if (!(load > 0.0 && finger.mu > 0.0 && arm > 0.0)) continue;
+    const double times = ratio / (arm * arm);
+    if (std::max(times, 1.0 / times) <= farthest) continue;
+    farthest = std::max(times, 1.0 / times);
+    worst_load = load;
+    worst_arm = arm;
+  }
+  if (worst_load == 0.0) return;
+  const double times = ratio / (worst_arm * worst_arm);
+  std::ostringstream text;
+  text << std::setprecision(2) << "k_r/k_l is " << times << " times (mu_r/mu_l)^2 at " << worst_load << " N, where mu_r/mu_l is "
+       << worst_arm << " m: a finger that slides and twists on feels hardly any friction " << (times > 1.0 ? "force" : "moment")
+       << "; closest-point is right, or k_r = " << worst_arm * worst_arm * finger.stiffness << " N m/rad";
+  std::cerr << "limitcurve: note: " << subject << ": " << text.str() << '\n';
+}
+
+}  // namespace limitcurve::cli
