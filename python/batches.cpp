@@ -131,7 +131,7 @@ void add_batches(nb::module_& module) {
       [](PyBatch* self, nb::handle curve, std::size_t n, nb::handle dtype, nb::kwargs given) {
         const bool single = is_single_precision(dtype);
         const Projection projection = take_projection(given);
-        const FingerParameters parameters = parameters_of(given);
+        const FingerParameters parameters = parameters_of(given, curve_of<double>(curve).moment_ratio());
         if (parameters.damping != 0.0 || parameters.twist_damping != 0.0)
           throw std::invalid_argument("damping, twist_damping: expected 0, a batch has no dampers");
         PyBatch made;

@@ -103,7 +103,7 @@ std::string path_of(nb::handle path) {
 NB_MODULE(_core, module) {
   using namespace limitcurve::python;
   module.doc() = "Laws, tables, fingers, batches and patches: the C++ library. Use it as `limitcurve`.";
-  module.attr("__version__") = nb::str(limitcurve::version.data(), limitcurve::version.size());
+  module.attr("version") = nb::str(limitcurve::version.data(), limitcurve::version.size());
   add_curves(module);
   add_fingers(module);
   add_batches(module);

@@ -47,8 +47,8 @@ Law law_of(nb::handle law);
 template <class Real>
 godobject::BasicFingerCurve<Real> curve_of(nb::handle curve);
 
-/// Parameters by the names of the C++ ones. Throws TypeError for an unknown name; ValueError for what is no number or radius law.
-godobject::FingerParameters parameters_of(const nb::kwargs& given);
+/// Parameters by the names of the C++ ones; `moment_ratio` is the curve's m₀, for a radius law from measured moments. Throws TypeError for an unknown name; ValueError for what is no number or radius law.
+godobject::FingerParameters parameters_of(const nb::kwargs& given, double moment_ratio);
 /// The projection among the keywords, which it takes out; by default the closest point.
 godobject::Projection take_projection(nb::kwargs& given);
 

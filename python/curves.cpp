@@ -94,7 +94,7 @@ nb::object of_wrenches(nb::handle force, nb::handle moment, const Of& of) {
 
 template <class Curve>
 nb::object loads_to_hold(const Curve& curve, nb::handle force, nb::handle moment, double mu, const std::string& radius_law) {
-  const RadiusLaw radius = cli::read_radius_law(radius_law);
+  const RadiusLaw radius = cli::read_radius_law(radius_law).of(mu, curve.moment_ratio());
   return of_wrenches(force, moment, [&](double f, double m) { return load_to_hold(curve, radius, mu, f, m); });
 }
 
@@ -160,7 +160,8 @@ void add_laws(nb::module_& module) {
           "profile_error", [](const PyLaw& self) { return self.law->profile_error(); },
           "What samples of the pressure leave open in f and m; 0 for a formula.")
       .def_prop_ro(
-          "_samples", [](const PyLaw& self) { return self.samples; }, nb::sig("def _samples(self) -> typing.Any"))
+          "arrays", [](const PyLaw& self) { return self.samples; }, nb::sig("def arrays(self) -> typing.Any"),
+          "(radius, pressure) of a law from arrays; None of any other.")
       .def("__repr__", [](const PyLaw& self) { return "Law('" + self.text + "')"; });
 }
 

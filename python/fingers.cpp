@@ -114,7 +114,9 @@ void add_finger_types(nb::module_& module) {
       "__init__",
       [](SoftFinger* self, nb::handle curve, nb::kwargs given) {
         const Projection projection = take_projection(given);
-        new (self) SoftFinger(curve_of<double>(curve), parameters_of(given), projection);
+        FingerCurve on = curve_of<double>(curve);
+        const FingerParameters parameters = parameters_of(given, on.moment_ratio());
+        new (self) SoftFinger(std::move(on), parameters, projection);
       },
       nb::arg("curve"), nb::arg("kwargs"),
       nb::sig("def __init__(self, curve: Table | Curve, *, projection: str = 'closest-point', " LIMITCURVE_PARAMETERS ") -> None"),
@@ -132,7 +134,7 @@ void add_finger_types(nb::module_& module) {
   patch.def(
       "__init__",
       [](PatchFinger* self, const Patch& of, double point_radius, const nb::kwargs& given) {
-        new (self) PatchFinger(of, parameters_of(given), point_radius);
+        new (self) PatchFinger(of, parameters_of(given, of.moment_ratio()), point_radius);
       },
       nb::arg("patch"), nb::kw_only(), nb::arg("point_radius") = 0.0, nb::arg("kwargs"),
       nb::sig("def __init__(self, patch: Patch, *, point_radius: float = 0.0, " LIMITCURVE_PARAMETERS ") -> None"),
@@ -198,13 +200,14 @@ void add_friction(nb::module_& module) {
 
 }  // namespace
 
-FingerParameters parameters_of(const nb::kwargs& given) {
+FingerParameters parameters_of(const nb::kwargs& given, double moment_ratio) {
   FingerParameters parameters;
+  std::optional<cli::RadiusLawArgument> radius_law;
   for (const auto& [key, value] : given) {
     const auto name = nb::cast<std::string>(key);
     if (name == "radius_law") {
       if (!nb::isinstance<nb::str>(value)) throw std::invalid_argument("radius_law: expected a text, such as 'constant:a=0.005'");
-      parameters.radius_law = cli::read_radius_law(nb::cast<std::string>(value));
+      radius_law = cli::read_radius_law(nb::cast<std::string>(value));
       continue;
     }
     const auto found = number_parameters().find(name);
@@ -217,6 +220,7 @@ FingerParameters parameters_of(const nb::kwargs& given) {
     const bool may_be_absent = name == "mu_dynamic" || name.starts_with("moment_coefficient");
     if (!(may_be_absent && value.is_none())) found->second(parameters, number_of(value, name));
   }
+  if (radius_law) parameters.radius_law = radius_law->of(parameters.mu, moment_ratio);
   return parameters;
 }
 

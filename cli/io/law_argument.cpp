@@ -51,8 +51,12 @@ Law read_law(const std::string& text) {
 }
 
 RadiusLaw RadiusLawArgument::of(double mu, const Law& law) const {
+  return law_ ? *law_ : of(mu, law->moment_ratio());
+}
+
+RadiusLaw RadiusLawArgument::of(double mu, double moment_ratio) const {
   if (law_) return *law_;
-  return made_of(file_ + ": as radii, a = moment/(m0 mu load)", [&] { return RadiusLaw::of_moments(moments_, mu, law->moment_ratio()); });
+  return made_of(file_ + ": as radii, a = moment/(m0 mu load)", [&] { return RadiusLaw::of_moments(moments_, mu, moment_ratio); });
 }
 
 RadiusLawArgument read_radius_law(const std::string& text) {

@@ -23,6 +23,8 @@ class RadiusLawArgument {
 
   /// Throws std::invalid_argument that names the file where its moments are not those of a radius law.
   [[nodiscard]] RadiusLaw of(double mu, const Law& law) const;
+  /// The same by the law's m₀.
+  [[nodiscard]] RadiusLaw of(double mu, double moment_ratio) const;
 
  private:
   std::optional<RadiusLaw> law_;

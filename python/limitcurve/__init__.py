@@ -23,14 +23,19 @@ from ._core import (
     PatchFinger,
     SoftFinger,
     Table,
-    __version__,
     apply_friction,
     box,
     ellipse,
+    version as __version__,
 )
 from ._tables import choose, fit, replay, run, translate, validate
 
-ContactState.__str__ = lambda self: self.name  # type: ignore[method-assign]  # the command line's word, not a number
+
+def _word(state: ContactState) -> str:
+    return state.name
+
+
+setattr(ContactState, "__str__", _word)  # the command line's word, not a number
 
 __all__ = [
     "Batch",

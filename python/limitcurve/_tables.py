@@ -58,9 +58,9 @@ class _Call:
     def law(self, value: str | Law) -> str:
         if not isinstance(value, Law):
             return str(value)
-        if value._samples is None:
+        if value.arrays is None:
             return value.name
-        radius, pressure = value._samples
+        radius, pressure = value.arrays
         return "samples:" + self._memory(value.name.removeprefix("samples:"), [("radius", radius), ("pressure", pressure)])
 
     def _memory(self, name: str, columns: list[tuple[str, NDArray[np.float64]]]) -> str:

@@ -8,6 +8,8 @@
 
 from __future__ import annotations
 
+import csv
+import itertools
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -60,14 +62,15 @@ def limit_curve(
     points: measured slips (columns load, force, moment [N, N, N m]); they need mu and the contact radius [m].
     """
     ax = _axes(ax)
-    laws = [law] if isinstance(law, (str, Law)) else list(law)
-    laws = [one if isinstance(one, Law) else Law(one) for one in laws]
+    given = [law] if isinstance(law, (str, Law)) else list(law)
+    laws = [one if isinstance(one, Law) else Law(one) for one in given]
     s = np.concatenate([np.linspace(0, 1, 129), 1 / np.linspace(1, 0, 128, endpoint=False)[1:], [np.inf]])
     for one in laws:
         ax.plot(*one.evaluate(s), label=one.name)
     if fits:
         first = laws[0]
         errors = validate(first)
+        dashes = itertools.cycle(["--", ":", "-."])
         unequal_ellipses = {"ellipse-least-squares", "ellipse-inner", "ellipse-outer"}
         for name in fits:
             rows = np.flatnonzero(errors["model"] == name)
@@ -80,7 +83,7 @@ def limit_curve(
                 values = run("fit", "ellipse", law=first, criterion=criterion, quiet=True)["value"]
                 parameter, m0 = float(values[0]), float(values[1]) / float(values[0])
             worst = 100 * float(errors["max_error"][rows[0]])
-            ax.plot(*_model(name, parameter, m0), "--", linewidth=1, color="0.3", label=f"{name}, off by up to {worst:.2g} %")
+            ax.plot(*_model(name, parameter, m0), linestyle=next(dashes), linewidth=1, color="0.3", label=f"{name}, off by up to {worst:.2g} %")
     if points is not None:
         if mu is None or radius is None:
             raise ValueError("points: expected mu and radius too, which make them unit wrenches")
@@ -93,9 +96,9 @@ def limit_curve(
 
 
 def _read(file: str) -> dict[str, Any]:
-    with open(file, encoding="utf-8") as lines:
-        table = np.genfromtxt([line for line in lines if line.strip() and not line.startswith("#")], delimiter=",", names=True, comments=None)
-    return {name: np.atleast_1d(table[name]) for name in table.dtype.names or ()}
+    with open(file, encoding="utf-8", newline="") as lines:
+        rows = list(csv.reader(line for line in lines if line.strip() and not line.startswith("#")))
+    return {name: np.array([float(row[i]) for row in rows[1:]]) for i, name in enumerate(rows[0])}
 
 
 def p_curves(law: str | Law, radius_law: str, mu: float, loads: ArrayLike, *, points: int = 129, ax: Axes | None = None) -> Axes:

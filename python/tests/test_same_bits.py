@@ -115,12 +115,12 @@ def test_batch(library):
         else:
             batch = handle(library.limitcurve_batch_new_float, law, ctypes.c_double(5e-7), ctypes.byref(parameters), 2)
             mine = lc.Batch(lc.Table("hertz", 1e-8), N, dtype=dtype)
-        memory = [np.zeros(N, np.uint8 if kind == "u" else dtype) for kind in "ddduudd"]
+        memory = [np.zeros(N, np.uint8 if kind == "u" else dtype) for kind in "ddduuudd"]
         results = [np.zeros(N, dtype) for _ in range(3)]
         random = np.random.default_rng(7)
         for _ in range(10):
             inputs = [(scale * (random.normal(size=N) + offset)).astype(dtype) for scale, offset in ((1e-3, 0), (1e-3, 0), (0.1, 0), (1e-3, 1))]
-            arrays = (ctypes.c_void_p * 14)(*[array.ctypes.data for array in inputs + memory + results])
+            arrays = (ctypes.c_void_p * 15)(*[array.ctypes.data for array in inputs + memory + results])
             assert getattr(library, f"limitcurve_batch_step{name}")(batch, arrays, ctypes.c_size_t(N)) == 0
             x, y, angle, depth = inputs
             mine.update(x, y, depth, angle)

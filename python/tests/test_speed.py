@@ -75,7 +75,7 @@ def test_a_batch_costs_what_the_loop_costs(library, dtype):  # noqa: F811
     inputs = [[(scale * (random.normal(size=N) + offset)).astype(dtype) for scale, offset in ((1e-3, 0), (1e-3, 0), (0.1, 0), (1e-3, 1))] for _ in range(2)]
     # Arrays whole pages apart share lines of the cache: each begins 320 bytes farther, as ContactArrays has it.
     own = []
-    for i, kind in enumerate("ddduudd" + "ddd"):
+    for i, kind in enumerate("ddduuudd" + "ddd"):
         item = np.dtype(np.uint8 if kind == "u" else dtype)
         shift = 320 * i // item.itemsize
         own.append(np.zeros(N + shift, item)[shift:])
@@ -88,7 +88,7 @@ def test_a_batch_costs_what_the_loop_costs(library, dtype):  # noqa: F811
 
     def loop():
         turn["other"] += 1
-        arrays = (ctypes.c_void_p * 14)(*[array.ctypes.data for array in inputs[turn["other"] % 2] + own])
+        arrays = (ctypes.c_void_p * 15)(*[array.ctypes.data for array in inputs[turn["other"] % 2] + own])
         step(batch, arrays, ctypes.c_size_t(N))
 
     assert ratio(python, loop, 1.1) <= 1.1
