@@ -102,10 +102,9 @@ Kind parse(const Names<Kind, count>& names, std::string_view noun, std::string_v
   throw std::invalid_argument(std::string(noun) + " '" + std::string(text) + "': expected " + expected);
 }
 
-/// The finest table that can be had: `build` makes one of a tolerance, or throws.
+/// The finest table that can be had from a tolerance on: `build` makes one of a tolerance, or throws.
 template <class Build>
-Table finest(const Build& build) {
-  double tolerance = Table::finest_tolerance;
+Table finest(double tolerance, const Build& build) {
   for (;; tolerance *= 10.0) {
     try {
       return build(tolerance);
@@ -116,12 +115,12 @@ Table finest(const Build& build) {
 }
 
 KindOfCurve of_table(const Table& table) {
-  return {table, table.certified_error()};
+  return {table, table.certified_error() + table.profile_error()};
 }
 
 template <class Curve>
 KindOfCurve finest_of(const Curve& curve, std::string_view name) {
-  return of_table(finest([&](double tolerance) { return Table::build(curve, tolerance, std::string(name)); }));
+  return of_table(finest(Table::finest_tolerance, [&](double tolerance) { return Table::build(curve, tolerance, std::string(name)); }));
 }
 
 }  // namespace
@@ -139,10 +138,14 @@ Projection parse_projection(std::string_view text) {
   return parse(projections, "projection", text);
 }
 
+Table finest_table(const Law& law, double tolerance) {
+  return finest(tolerance, [&](double coarser) { return Table::build(law, coarser); });
+}
+
 KindOfCurve make_finger_curve(CurveKind kind, const Law& law, double tolerance) {
   switch (kind) {
     case CurveKind::exact:
-      return of_table(finest([&](double finer) { return Table::build(law, finer); }));
+      return of_table(finest_table(law, Table::finest_tolerance));
     case CurveKind::table:
       return of_table(Table::build(law, tolerance));
     case CurveKind::superellipse:

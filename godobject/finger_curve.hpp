@@ -83,7 +83,8 @@ std::string_view to_string(Projection projection) noexcept;
 CurveKind parse_curve_kind(std::string_view text);
 Projection parse_projection(std::string_view text);
 
-/// A finger's curve, and how far it is from the curve that its kind names: 0 in closed form, else the table's certified error.
+/// A finger's curve, and how far it is from the curve that its kind names: 0 in closed form, else the table's certified error and what samples of
+/// the pressure leave open.
 struct KindOfCurve {
   FingerCurve curve;
   double error;
@@ -92,5 +93,9 @@ struct KindOfCurve {
 /// The curve of that kind for a law; `tolerance` counts for `table` only. Allocates, and throws what the builder of the table throws. Cost: that
 /// of a table; `exact` takes milliseconds where the law has a closed form, seconds by quadrature.
 KindOfCurve make_finger_curve(CurveKind kind, const Law& law, double tolerance);
+
+/// The table of a law to a tolerance or, where the law allows none so fine, to the first of ten, a hundred, … times it that it allows. Throws
+/// what the builder throws where it allows none at all.
+BasicTable<double> finest_table(const Law& law, double tolerance);
 
 }  // namespace limitcurve::godobject

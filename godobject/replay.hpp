@@ -78,7 +78,8 @@ class Replay {
   void body() const&& = delete;
   /// Steps of a free body whose equations were not solved to rounding: `Grasp::unsolved`.
   [[nodiscard]] std::size_t unsolved() const noexcept { return grasp_.unsolved(); }
-  /// How far the fingers' curve is from the one that was asked for: the table's certified error, 0 in closed form.
+  /// How far the fingers' curve is from the one that was asked for: the table's certified error and what samples of the pressure leave open,
+  /// 0 in closed form.
   [[nodiscard]] double curve_error() const noexcept { return curve_error_; }
 
  private:

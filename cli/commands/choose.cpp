@@ -9,6 +9,7 @@
 
 #include "godobject/choose_step.hpp"
 #include "limitcurve/internal/shipped_costs.hpp"
+#include "limitcurve/number.hpp"
 #include "limitcurve/patch/round_models.hpp"
 
 #include <array>
@@ -31,10 +32,12 @@ class Choose final : public Subcommand {
             "where it will do, parameter its radius, driven as a law is; else the ellipsoid sqrt(v^2 + m0^2 w^2), parameter m0, or the\n"
             "patch itself. Errors are of power, over all sliding twists.\n"
             "With --scene the whole step of the god-object is chosen: model is 'no torsion' or BOUNDARY/PROJECTION, with the radius\n"
-            "of the mean load unless it ends in '/a(P)'; error is the largest change of what is felt, as a share of what the\n"
-            "contact bears, that slides and twists at the scene's rates have shown; nanoseconds are those of a step that\n"
-            "slips. Which of torsion, coupling, load-dependent radius, exact curve and closest point matter is said on standard error,\n"
-            "and where k_r/k_l is more than ten times away from (mu_r/mu_l)^2, for which the radial projection is made.",
+            "of the mean load unless it ends in '/a(P)'; error is the change of what is felt, as a share of what the contact\n"
+            "bears: twice the largest that a thousand slides and twists showed, one after the other and at once, with reversals and\n"
+            "turns, within the scene's rates, ways and loads; nanoseconds are those of a step that slips. Which of torsion,\n"
+            "coupling, load-dependent radius, exact curve and closest point matter is said on standard error,\n"
+            "with the options of replay for the chosen one, and where k_r/k_l is more than ten times away from (mu_r/mu_l)^2, for\n"
+            "which the radial projection is made.",
             "limitcurve choose --law hertz --tolerance 0.01 --scene --mu 0.6 --loads 0.5,2 --stiffness 1000 --twist-stiffness 0.036"};
   }
 
@@ -95,6 +98,7 @@ class Choose final : public Subcommand {
     const godobject::StepChoice choice = godobject::choose_step(scene_, tolerance_);
     write(results, choice.candidates);
     std::cerr << choice.verdict << '\n';
+    say_how_to_replay(choice);
     godobject::FingerParameters finger;
     finger.mu = scene_.mu;
     finger.radius_law = scene_.radius_law;
@@ -102,6 +106,19 @@ class Choose final : public Subcommand {
     finger.stiffness = scene_.stiffness;
     finger.twist_stiffness = scene_.twist_stiffness;
     note_stiffnesses("the rows of the radial projection", finger, law_->moment_ratio(), std::array{scene_.least_load, scene_.most_load});
+  }
+
+  /// Beside the scene's own options.
+  void say_how_to_replay(const godobject::StepChoice& choice) const {
+    const godobject::ReplayOptions& step = choice.chosen;
+    std::cerr << "replay it with --boundary " << to_string(step.curve) << " --projection " << to_string(step.projection);
+    if (step.curve == godobject::CurveKind::table) std::cerr << " --tolerance " << format_number(step.tolerance);
+    if (step.finger.moment_coefficient == 0.0) std::cerr << " --moment-coefficient 0";
+    const double radius = step.finger.radius_law.radius(scene_.most_load);
+    if (!scene_.moment_coefficient && radius != scene_.radius_law.radius(scene_.most_load)) {
+      std::cerr << " --radius-law constant:a=" << format_number(radius);
+    }
+    std::cerr << '\n';
   }
 
   Law law_;

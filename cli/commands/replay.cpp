@@ -12,6 +12,7 @@
 #include "godobject/replay.hpp"
 #include "godobject/scene/patch_replay.hpp"
 #include "limitcurve/number.hpp"
+#include "limitcurve/pressure_law.hpp"
 
 #include <algorithm>
 #include <array>
@@ -233,7 +234,11 @@ class Replay final : public Subcommand {
     tell_of_twists(trace);
     godobject::Replay replay(replay_);
     if (replay_.curve == CurveKind::exact) {
-      std::cerr << "limitcurve: exact: a table with an error of at most " << format_number(replay.curve_error()) << " in unit wrenches\n";
+      std::cerr << "limitcurve: exact: a table with an error of at most " << format_number(replay.curve_error()) << " in unit wrenches";
+      if (const double profile = replay_.law->profile_error(); profile > 0.0) {
+        std::cerr << ", of which " << format_number(profile) << " because the pressure is known at samples only";
+      }
+      std::cerr << '\n';
     }
     const bool is_free = replay_.motion == BodyMotion::free;
     std::vector<std::string> names{"time"};

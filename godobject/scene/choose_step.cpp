@@ -2,6 +2,7 @@
 #include "godobject/choose_step.hpp"
 
 #include "godobject/finger_curve.hpp"
+#include "godobject/scene/scene_walk.hpp"
 #include "godobject/soft_finger.hpp"
 #include "limitcurve/approximations.hpp"
 #include "limitcurve/exact_curve.hpp"
@@ -13,8 +14,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
+#include <map>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 namespace limitcurve::godobject {
 
@@ -49,95 +52,49 @@ void check(const Scene& scene, double tolerance) {
   }
 }
 
-/// Where the finger is at a time of one motion.
-struct Pose {
-  double x;
-  double twist;
-  double depth;
-};
-
-/// Forth and back between 0 and `most`, at unit speed.
-double triangle(double way, double most) {
-  if (most == 0.0) return 0.0;
-  const double phase = way / most - 2.0 * std::floor(0.5 * way / most);
-  return most * (phase <= 1.0 ? phase : 2.0 - phase);
-}
-
 /// What is felt, in units of what the contact bears at that moment.
-struct Felt {
-  double force;
-  double moment;
-};
+using Felt = Eigen::Vector3d;
 using Record = std::vector<Felt>;
 
-/// The motions of a scene, and the scales by which what is felt is judged.
-class Motions {
+/// Drives fingers through a scene's walk.
+class Drive {
  public:
-  Motions(const Scene& scene, double moment_ratio) : scene_(scene), moment_ratio_(moment_ratio) {
-    // Long enough for the springs to be wound up and the start forgotten, twice over for the way back; and for the load to swing.
-    const double load = scene.most_load;
-    const double force_reach = scene.mu * load / scene.stiffness;
-    const double moment_reach = moment_of(load) / scene.twist_stiffness;
-    constexpr double lengths = 8.0;
-    double duration = 0.0;
-    const double quarter = 0.25;
-    if (scene.slide_speed > 0.0) duration = std::max(duration, lengths * force_reach / (quarter * scene.slide_speed));
-    if (scene.twist_rate > 0.0) duration = std::max(duration, lengths * moment_reach / (quarter * scene.twist_rate));
-    constexpr double most_samples = 4000.0;
-    duration_ = std::max(2.0 * duration, 100.0 * scene.sample_time);
-    step_ = std::max(scene.sample_time, duration_ / most_samples);
-    for (const double slide : {0.0, 0.25, 1.0}) {
-      for (const double twist : {0.0, 0.25, 1.0}) {
-        if (slide * scene.slide_speed > 0.0 || twist * scene.twist_rate > 0.0) motions_.push_back({slide, twist});
-      }
-    }
-  }
+  Drive(const Scene& scene, double moment_ratio) : scene_(scene), moment_ratio_(moment_ratio), walk_(walk(scene, moment_ratio)) {}
 
-  /// Γ at a load [N m].
-  [[nodiscard]] double moment_of(double load) const {
-    return scene_.moment_coefficient ? *scene_.moment_coefficient * load
-                                     : moment_ratio_ * scene_.mu * load * scene_.radius_law.radius(load);
-  }
-
-  /// Drives a finger; the record is at whole sample times, however many steps there are between.
-  [[nodiscard]] Record drive(const FingerCurve& curve, Projection projection, const FingerParameters& parameters, int substeps = 1) const {
+  /// What is felt at the walk's samples, however many steps there are between. The load changes with the first of them.
+  [[nodiscard]] Record operator()(const FingerCurve& curve, Projection projection, const FingerParameters& parameters,
+                                  int substeps = 1) const {
     Record record;
-    const double mean = 0.5 * (scene_.least_load + scene_.most_load);
-    const double swing = 0.5 * (scene_.most_load - scene_.least_load);
-    const int samples = static_cast<int>(duration_ / step_);
-    for (const auto& [slide, twist] : motions_) {
-      SoftFinger finger(curve, parameters, projection);
-      for (int i = 0; i <= samples * substeps; ++i) {
-        const double time = step_ * i / substeps;
-        const double load = mean + swing * std::sin(2.0 * std::numbers::pi * 3.0 * time / duration_);
-        const auto forth_and_back = [&](double speed, double most) {
-          return triangle(speed * time, std::min(most, 0.5 * speed * duration_));
-        };
-        const Pose pose{forth_and_back(slide * scene_.slide_speed, scene_.slide), forth_and_back(twist * scene_.twist_rate, scene_.twist),
-                        load / scene_.stiffness};
-        const FingerOutput output = finger.update({{pose.x, 0.0, 0.0}, {0.0, 0.0, 1.0}, pose.depth}, pose.twist);
-        if (i % substeps == 0) record.push_back({output.force.x() / (scene_.mu * load), output.moment / moment_of(load)});
+    record.reserve(walk_.samples.size());
+    SoftFinger finger(curve, parameters, projection);
+    WalkSample from = walk_.samples.front();
+    for (const WalkSample& to : walk_.samples) {
+      FingerOutput output;
+      for (int i = 1; i <= substeps; ++i) {
+        const double share = static_cast<double>(i) / substeps;
+        const Eigen::Vector3d point(std::lerp(from.x, to.x, share), std::lerp(from.y, to.y, share), 0.0);
+        output = finger.update({point, Eigen::Vector3d::UnitZ(), to.load / scene_.stiffness}, std::lerp(from.twist, to.twist, share));
       }
+      const double force = scene_.mu * to.load;
+      record.emplace_back(output.force.x() / force, output.force.y() / force,
+                          output.moment / largest_moment(scene_, moment_ratio_, to.load));
+      from = to;
     }
     return record;
   }
+  /// The scene's sample time over that of the walk.
+  [[nodiscard]] double finest_step() const { return walk_.finest_step; }
 
  private:
-  struct Shares {
-    double slide;
-    double twist;
-  };
   const Scene& scene_;
   double moment_ratio_;
-  double duration_ = 0.0;
-  double step_ = 0.0;
-  std::vector<Shares> motions_;
+  SceneWalk walk_;
 };
 
 double largest_difference(const Record& one, const Record& other) {
   double result = 0.0;
   for (std::size_t i = 0; i < one.size(); ++i) {
-    result = std::max(result, std::hypot(one[i].force - other[i].force, one[i].moment - other[i].moment));
+    result = std::max(result, (one[i] - other[i]).norm());
   }
   return result;
 }
@@ -172,12 +129,15 @@ StepChoice choose_step(const Scene& scene, double tolerance) {
   check(scene, tolerance);
   const ExactCurve exact(scene.law);
   const double m0 = exact.moment_ratio();
-  const Motions motions(scene, m0);
+  const Drive drive(scene, m0);
   const FingerParameters true_finger = parameters_of(scene);
-  const FingerCurve fine = Table::build(scene.law, std::max(1e-4 * tolerance, 1e-9));
-  const Record truth = motions.drive(fine, Projection::closest_point, true_finger);
+  const Table reference = finest_table(scene.law, std::max(1e-4 * tolerance, 1e-9));
+  const FingerCurve fine = reference;
+  const Record truth = drive(fine, Projection::closest_point, true_finger);
+  // A table's error ε of f and m is at most ε(1 + 1/m₀) of what the contact bears. It counts in full: the walk may have missed its place.
+  const double per_table_error = 1.0 + 1.0 / m0;
   const auto error_of = [&](const FingerCurve& curve, Projection projection, const FingerParameters& finger) {
-    return largest_difference(motions.drive(curve, projection, finger), truth);
+    return error_margin * largest_difference(drive(curve, projection, finger), truth);
   };
   FingerParameters slippery = true_finger;
   slippery.moment_coefficient = 0.0;
@@ -191,39 +151,48 @@ StepChoice choose_step(const Scene& scene, double tolerance) {
   result.effects.load_radius = error_of(fine, Projection::closest_point, mean_finger);
   result.effects.curve = error_of(ellipse, Projection::closest_point, true_finger);
   result.effects.projection = error_of(fine, Projection::radial, true_finger);
-  result.effects.sampling = largest_difference(motions.drive(fine, Projection::closest_point, true_finger, 2), truth);
+  // The error of a step is in proportion to its length.
+  result.effects.sampling = drive.finest_step() * largest_difference(drive(fine, Projection::closest_point, true_finger, 2), truth);
 
   // What a power of the load costs in a step, [ns].
   constexpr double load_radius_cost = 20.0;
   const bool radius_varies =
       !scene.moment_coefficient && scene.radius_law.radius(scene.least_load) != scene.radius_law.radius(scene.most_load);
+  const Table table =
+      finest_table(scene.law, std::clamp(0.1 * tolerance / per_table_error, Table::finest_tolerance, Table::coarsest_tolerance));
   auto& candidates = result.candidates;
-  const auto add = [&](const std::string& model, double parameter, const FingerCurve& curve, Projection projection, double cost) {
-    candidates.push_back({model, parameter, error_of(curve, projection, mean_finger), cost});
-    if (radius_varies)
-      candidates.push_back({model + "/a(P)", parameter, error_of(curve, projection, true_finger), cost + load_radius_cost});
+  std::map<std::string, ReplayOptions> steps;
+  const auto add = [&](const std::string& model, double parameter, CurveKind kind, const FingerCurve& curve, Projection projection,
+                       const FingerParameters& finger, double cost) {
+    const double of_tables = reference.certified_error() + (kind == CurveKind::table ? table.certified_error() : 0.0);
+    candidates.push_back({model, parameter, error_of(curve, projection, finger) + per_table_error * of_tables, cost});
+    steps[model] = {.law = scene.law, .curve = kind, .projection = projection, .tolerance = table.tolerance(), .finger = finger};
   };
-  const auto add_both = [&](const char* model, double parameter, const FingerCurve& curve) {
-    const shipped_costs::Cost& cost = shipped_costs::of(model);
-    add(std::string(model) + "/radial", parameter, curve, Projection::radial, cost.radial);
-    add(std::string(model) + "/closest-point", parameter, curve, Projection::closest_point, cost.closest_point);
+  const auto add_radii = [&](CurveKind kind, double parameter, const FingerCurve& curve, Projection projection, double cost) {
+    const std::string model = std::string(to_string(kind)) + "/" + std::string(to_string(projection));
+    add(model, parameter, kind, curve, projection, mean_finger, cost);
+    if (radius_varies) add(model + "/a(P)", parameter, kind, curve, projection, true_finger, cost + load_radius_cost);
   };
-  const double none = std::numeric_limits<double>::quiet_NaN();
+  const auto add_both = [&](CurveKind kind, double parameter, const FingerCurve& curve) {
+    const shipped_costs::Cost& cost = shipped_costs::of(to_string(kind));
+    add_radii(kind, parameter, curve, Projection::radial, cost.radial);
+    add_radii(kind, parameter, curve, Projection::closest_point, cost.closest_point);
+  };
   // A clamp of the force alone is less than any of the others.
-  candidates.push_back({"no torsion", none, result.effects.torsion, 0.5 * shipped_costs::of("ellipse").radial});
-  add("box/closest-point", std::numeric_limits<double>::infinity(), box(1.0, m0), Projection::closest_point,
-      shipped_costs::of("box").closest_point);
-  add_both("ellipse", 1.0, ellipse);
-  const Quartic quartic = minimax_quartic(exact);
-  add_both("quartic", quartic.kappa(), make_finger_curve(CurveKind::quartic, scene.law, tolerance).curve);
-  const Superellipse superellipse = minimax_superellipse(exact);
-  add_both("superellipse", superellipse.exponent(), make_finger_curve(CurveKind::superellipse, scene.law, tolerance).curve);
-  const double table_tolerance = std::clamp(0.1 * tolerance, Table::finest_tolerance, Table::coarsest_tolerance);
-  add_both("table", table_tolerance, Table::build(scene.law, table_tolerance));
+  add("no torsion", std::numeric_limits<double>::quiet_NaN(), CurveKind::ellipse, ellipse, Projection::radial, slippery,
+      0.5 * shipped_costs::of("ellipse").radial);
+  add_radii(CurveKind::box, std::numeric_limits<double>::infinity(), box(1.0, m0), Projection::closest_point,
+            shipped_costs::of("box").closest_point);
+  add_both(CurveKind::ellipse, 1.0, ellipse);
+  add_both(CurveKind::quartic, minimax_quartic(exact).kappa(), make_finger_curve(CurveKind::quartic, scene.law, tolerance).curve);
+  add_both(CurveKind::superellipse, minimax_superellipse(exact).exponent(),
+           make_finger_curve(CurveKind::superellipse, scene.law, tolerance).curve);
+  add_both(CurveKind::table, table.tolerance(), table);
 
   choose_cheapest(candidates, tolerance);
   const auto best = std::find_if(candidates.begin(), candidates.end(), [](const Candidate& candidate) { return candidate.chosen; });
   result.verdict = verdict_of(result.effects, *best, tolerance);
+  result.chosen = steps.at(best->model);
   return result;
 }
 

@@ -37,6 +37,22 @@ class Replays(CommandLineTest):
                         self.assertLessEqual(math.hypot(row["fx"], row["fy"]), 0.6 * row["load"] * (1 + 1e-12))
                         self.assertLessEqual(abs(row["moment"]), 0.6 * 0.006 * M0 * row["load"] * (1 + 1e-9))
 
+    def test_the_exact_curve_of_a_measured_profile_has_the_error_of_its_samples(self):
+        # Issue 9, point 6: it said the error of the table alone, a hundredth of the profile's own or less.
+        profile = self.file("profile.csv", "radius,pressure\n" + "".join(f"{i / 20},{math.sqrt(1 - (i / 20) ** 2)}\n" for i in range(21)))
+        law = f"samples:{profile}"
+        estimates = rows("eval", "--law", law, "--c", numbers([0, 0.2, 0.5, 0.8, 0.95, 1, 1.05, 1.3, 2, 5]))
+        largest = max(max(row["force_error"], row["moment_error"]) for row in estimates)
+        call = ["replay", "--trace", self.file("trace.csv", TRACE), *FINGER, "--boundary", "exact"]
+        call[call.index("--law") + 1] = law
+        said = run(*call).stderr
+        total, profile_error = (float(said.split(before)[1].split()[0]) for before in ("at most ", "of which "))
+        self.assertAlmostEqual(profile_error, largest, delta=0.02 * largest)
+        self.assertGreaterEqual(total, profile_error)
+        self.assertLess(total, profile_error + 1e-2 * largest)
+        call[call.index("--law") + 1] = "hertz"
+        self.assertNotIn("of which", run(*call).stderr)
+
     def test_the_paper_s_uncoupled_algorithm_clamps_each_on_its_own(self):
         last = rows("replay", "--trace", DATA / "traces" / "constant_twist.csv", *FINGER, "--boundary", "box", "--projection",
                     "closest-point")[-1]
