@@ -81,8 +81,11 @@ limitcurve_status limitcurve_apply_friction(const limitcurve_table* table, limit
   if (projection < LIMITCURVE_RADIAL || projection > LIMITCURVE_CLOSEST_POINT) return refuse("projection", "expected 0, 1 or 2");
   if (table->curve.is_box() && projection != LIMITCURVE_CLOSEST_POINT) return refuse("projection", "a box goes with closest-point only");
   if (const char* const fault = fault_of(*limits, force, moment, *memory)) return refuse("friction", fault);
-  const FrictionLimits<double> acting{
-      {limits->force, limits->radius}, {limits->sliding_force, limits->sliding_radius}, limits->stiffness_ratio, limits->rest_share};
+  const FrictionLimits<double> acting{{limits->force, limits->radius},
+                                      {limits->sliding_force, limits->sliding_radius},
+                                      limits->stiffness_ratio,
+                                      limits->rest_share,
+                                      limits->rest_share};
   FrictionMemory<double> remembered{memory->slides != 0, memory->turns != 0, memory->parameter, memory->rate};
   const auto result =
       apply_friction(table->curve.view(), static_cast<Projection>(projection), acting, FrictionTrial<double>{force, moment}, remembered);

@@ -81,8 +81,8 @@ def test_errors_have_the_command_line_words_and_the_caller_places():
         lc.replay(trace, "hertz", **SCENE)
     with pytest.raises(ValueError, match="^--law: law 'hertzz': expected one of"):
         lc.validate("hertzz")
-    with pytest.raises(ValueError, match="no column 'twist'"):
-        lc.replay({name: trace[name] for name in ("time", "x", "y", "z")}, "hertz", **SCENE)
+    with pytest.raises(ValueError, match="^trace: no column 'y'"):
+        lc.replay({name: trace[name] for name in ("time", "x", "z", "twist")}, "hertz", **SCENE)
     with pytest.raises(ValueError, match=r"^data\['force'\]: got 1 numbers, expected 2 as in 'load'$"):
         lc.fit("law", {"load": [1, 2], "force": [1], "moment": [0, 1]})
     with pytest.raises(ValueError, match="expected columns|columns by name"):
