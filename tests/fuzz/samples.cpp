@@ -20,7 +20,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
 
   std::optional<RadiusLaw> radius_law;
-  const auto radius_refused = fuzz::complaint_of([&] { radius_law = cli::read_radius_law(argument); });
+  const auto radius_refused = fuzz::complaint_of([&] { radius_law = cli::read_radius_law(argument).of(0.6, 0.59); });
   if (radius_refused) {
     fuzz::require(names_file(*radius_refused), "a complaint that does not name the file");
   } else {
