@@ -38,7 +38,9 @@ TEST(Choose, TakesTheCheapestThatIsGoodEnough) {
 }
 
 TEST(Choose, FollowsTheTolerance) {
-  EXPECT_EQ(chosen(choose(hertz(), 0.6)).model, "diamond");  // costs what the box does, and is half as wrong
+  // Diamond and box cost the same but for what a measurement scatters.
+  const std::string cheapest = chosen(choose(hertz(), 0.6)).model;
+  EXPECT_TRUE(cheapest == "diamond" || cheapest == "box") << cheapest;
   EXPECT_EQ(chosen(choose(hertz(), 0.07)).model, "ellipse");
   EXPECT_EQ(chosen(choose(uniform(), 0.07)).model, "table");  // whose ellipse is off by 7.04 %
   EXPECT_EQ(chosen(choose(hertz(), 1e-6)).model, "table");

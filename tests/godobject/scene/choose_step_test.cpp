@@ -158,8 +158,8 @@ TEST(ChooseStep, RandomMotionsBearItOut) {
   constexpr unsigned seeds = repetitions(3);
   for (unsigned seed = 1; seed <= seeds; ++seed) {
     const auto expect = [&](const char* what, double found, double error) {
-      EXPECT_LT(error, 1.3 * found + 1e-6) << what;
-      EXPECT_GT(error, 0.1 * found) << what;
+      EXPECT_LT(error, found + 1e-6) << what;
+      EXPECT_GT(error, 0.1 * found / error_margin) << what;
     };
     expect("coupling", choice.effects.coupling, witnessed(soft, seed, CurveKind::box, Projection::closest_point, soft.radius_law));
     expect("curve", choice.effects.curve, witnessed(soft, seed, CurveKind::ellipse, Projection::closest_point, soft.radius_law));
@@ -178,6 +178,8 @@ TEST(ChooseStep, SamplingThatIsTooSlowIsSaid) {
   EXPECT_NE(choice.verdict.find("sample faster"), std::string::npos) << choice.verdict;
   Scene fast = scene();
   fast.sample_time = std::min(fast.sample_time, 0.01);
+  // Where a load falls between two samples, what it falls by counts: a load that stays.
+  fast.least_load = fast.most_load;
   EXPECT_EQ(choose_step(fast, tests_are_short ? 0.2 : 0.05).verdict.find("sample faster"), std::string::npos);
 }
 
