@@ -169,9 +169,7 @@ class Polygon {
  public:
   /// Throws std::invalid_argument unless the vertices are finite, begin on the force axis, end on the moment axis and
   /// turn left all the way, with force not rising and moment not falling.
-  explicit Polygon(const std::array<UnitWrench, count>& vertices) : vertices_(vertices) {
-    check_vertices(vertices_);
-  }
+  explicit Polygon(const std::array<UnitWrench, count>& vertices) : vertices_(vertices) { check_vertices(vertices_); }
 
   /// From (A, 0) to (0, B), counter-clockwise.
   [[nodiscard]] const std::array<UnitWrench, count>& vertices() const noexcept { return vertices_; }

@@ -183,8 +183,8 @@ Hazard degenerate_steps() {
     ours += wrong("limitcurve", by_finger(step, k_r));
   }
   Hazard found;
-  found.findings.push_back({"r = 0, ρ = 0, μ = 0, Γ = 0", "eqs. (21)–(23) as printed", "steps of ten with no number or a wrong one",
-                            printed, ours, test});
+  found.findings.push_back(
+      {"r = 0, ρ = 0, μ = 0, Γ = 0", "eqs. (21)–(23) as printed", "steps of ten with no number or a wrong one", printed, ours, test});
   found.figures.push_back(std::move(figure));
   return found;
 }
