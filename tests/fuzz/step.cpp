@@ -19,7 +19,8 @@ bool same(const FingerOutput& one, const FingerOutput& other) {
          fuzz::same(one.cor, other.cor) && fuzz::same(one.slip_work, other.slip_work);
 }
 
-/// What the user feels, in the limit that may act: the static one unless it slips; on the box unless that part of it slips.
+/// What the user feels, in the limit that may act: the static one unless it slips, on the box that part of it. A proxy that is only brought round
+/// with the normal moves, but friction did not let it slip: static.
 void require_within_limit(const SoftFinger& finger) {
   const FingerOutput output = finger.output();
   const FrictionLimits<double> limits =
@@ -27,8 +28,8 @@ void require_within_limit(const SoftFinger& finger) {
   const bool slips = output.state == ContactState::slip;
   const bool is_box = finger.curve().is_box();
   const FrictionMemory<double>& memory = finger.state().friction;
-  const FrictionLimit<double>& limit = slips && (!is_box || memory.slides) ? limits.sliding : limits.at_rest;
-  const FrictionLimit<double>& of_moment = slips && (!is_box || memory.turns) ? limits.sliding : limits.at_rest;
+  const FrictionLimit<double>& limit = slips && memory.slides ? limits.sliding : limits.at_rest;
+  const FrictionLimit<double>& of_moment = slips && (is_box ? memory.turns : memory.slides) ? limits.sliding : limits.at_rest;
   const double moment_unit = of_moment.force * of_moment.radius;
   // So little friction is none: no trial is told from one 1e60 times its limit, and no trial here is above 1e21.
   constexpr double least = 1e-38;

@@ -67,8 +67,8 @@ inline StepCheck check_step(const godobject::SoftFinger& finger, const godobject
   const bool slips = output.state == ContactState::slip;
   const godobject::FrictionMemory<double>& memory = finger.state().friction;
   const bool is_box = finger.curve().is_box();
-  const godobject::FrictionLimit<double>& limit = slips && (!is_box || memory.slides) ? limits.sliding : limits.at_rest;
-  const godobject::FrictionLimit<double>& of_moment = slips && (!is_box || memory.turns) ? limits.sliding : limits.at_rest;
+  const godobject::FrictionLimit<double>& limit = slips && memory.slides ? limits.sliding : limits.at_rest;
+  const godobject::FrictionLimit<double>& of_moment = slips && (is_box ? memory.turns : memory.slides) ? limits.sliding : limits.at_rest;
   const double moment_unit = of_moment.force * of_moment.radius;
   // So little friction is none: no trial is told from one 1e60 times its limit, and no trial here is above 1e21.
   constexpr double least = 1e-38;
