@@ -51,7 +51,7 @@ def draw_friction_cone(axes):
         axes.plot(x, y, "D" if text == "proxy, trial" else "o", color=colour, markersize=5)
         axes.annotate(text, (x, y), offset, textcoords="offset points", color=colour, fontsize=8.5)
     arrow(axes, (1.28, 0), (reach + 0.07, 0), VERMILION)
-    axes.annotate("$d = P/k_l$", (0, -0.45), (2, 0), textcoords="offset points", fontsize=8)
+    axes.annotate("$d = P/k_l$", (0, -0.3), (-3, 0), textcoords="offset points", fontsize=8, ha="right")
     axes.annotate("μd", (reach / 2, 0), (0, -13), textcoords="offset points", ha="center", color=BLUE, fontsize=8.5)
     axes.set_title("Friction cone: the proxy stays\nwithin μd of $x_g$")
     axes.set(xlim=(-1.5, 1.9), ylim=(-1.8, 1.3))

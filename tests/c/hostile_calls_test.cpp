@@ -209,10 +209,8 @@ TEST_F(HostileCalls, ThreadsHaveErrorsOfTheirOwn) {
   for (std::thread& thread : threads) thread.join();
 }
 
+#ifndef NDEBUG  // a release build does not keep account of handles
 TEST_F(HostileCalls, AFreedHandleIsRefusedInADebugBuild) {
-#ifdef NDEBUG
-  GTEST_SKIP() << "a release build does not keep account of handles";
-#else
   limitcurve_law* freed = nullptr;
   ASSERT_EQ(limitcurve_law_parse("uniform", &freed), LIMITCURVE_OK);
   limitcurve_law_free(freed);
@@ -221,8 +219,8 @@ TEST_F(HostileCalls, AFreedHandleIsRefusedInADebugBuild) {
   EXPECT_STREQ(limitcurve_error(), "law: the handle was freed");
   EXPECT_EQ(limitcurve_law_name(freed), nullptr);
   limitcurve_law_free(freed);  // twice
-#endif
 }
+#endif
 
 TEST(Errors, NameTheArgumentItsValueAndWhatIsExpected) {
   limitcurve_law* law = nullptr;

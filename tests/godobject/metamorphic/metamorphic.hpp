@@ -49,18 +49,24 @@ inline std::vector<Felt> replay(const Scene& scene, const std::vector<Row>& with
   return result;
 }
 
+/// A replay of the choice with two fingers.
+inline ReplayOptions options_of(const Choice& choice) {
+  ReplayOptions options;
+  options.law = hertz();
+  options.curve = choice.curve.kind;
+  options.projection = choice.curve.projection;
+  options.surface = choice.surface.surface;
+  options.finger = choice.parameters.finger;
+  options.fingers = 2;
+  return options;
+}
+
 /// Calls `body(scene, felt, random)` for every choice, with two fingers that move at random on a body at rest.
 inline void for_each_scene(std::uint64_t seed, const std::function<void(const Scene&, const std::vector<Felt>&, Random&)>& body) {
   int slips = 0;
   int sticks = 0;
   for_each_choice(seed, [&](const Choice& choice, Random& random) {
-    ReplayOptions options;
-    options.law = hertz();
-    options.curve = choice.curve.kind;
-    options.projection = choice.curve.projection;
-    options.surface = choice.surface.surface;
-    options.finger = choice.parameters.finger;
-    options.fingers = 2;
+    ReplayOptions options = options_of(choice);
     options.motion = BodyMotion::prescribed;
     Scene scene{options.finger, Replay(options), {}, choice.surface.name == "plane"};
     const std::array devices{RandomDevice(options.surface, random), RandomDevice(options.surface, random)};

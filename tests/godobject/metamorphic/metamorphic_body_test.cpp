@@ -125,13 +125,7 @@ TEST(Metamorphic, TwoEqualFingersOnAFreeBodyAreOneTwiceAsStiff) {
 TEST(Metamorphic, AFreeBodyLaterOrWithARefusedRowDoesTheSame) {
   for_each_choice(43, [](const Choice& choice, Random& random) {
     if (choice.surface.name == "plane") return;
-    ReplayOptions options;
-    options.law = hertz();
-    options.curve = choice.curve.kind;
-    options.projection = choice.curve.projection;
-    options.surface = choice.surface.surface;
-    options.finger = choice.parameters.finger;
-    options.fingers = 2;
+    ReplayOptions options = options_of(choice);
     options.motion = BodyMotion::free;
     options.body = BodyParameters::block(0.1, {0.04, 0.03, 0.05});
     const Replay start(options);
