@@ -28,8 +28,11 @@ double symmetric_gauge(double force_max, double moment_max, UnitWrench wrench, U
 }  // namespace
 
 void check_intercepts(double force_max, double moment_max) {
-  if (!(force_max > 0.0) || std::isinf(force_max)) throw out_of_range("force_max", force_max, "1", "> 0 and finite");
-  if (!(moment_max > 0.0) || std::isinf(moment_max)) throw out_of_range("moment_max", moment_max, "1", "> 0 and finite");
+  // Their squares must be numbers, neither 0 nor infinite.
+  constexpr double least = 1e-100;
+  constexpr double largest = 1e100;
+  if (!(force_max >= least && force_max <= largest)) throw out_of_range("force_max", force_max, "1", "1e-100 to 1e100");
+  if (!(moment_max >= least && moment_max <= largest)) throw out_of_range("moment_max", moment_max, "1", "1e-100 to 1e100");
 }
 
 Ellipse::Ellipse(double force_max, double moment_max) : force_max_(force_max), moment_max_(moment_max) {

@@ -12,7 +12,7 @@
 /// Limit curves of few parameters: ellipse, superellipse, quartic, box and diamond. `validate.hpp` says how wrong each is.
 namespace limitcurve {
 
-/// Refuses intercepts of a limit curve, in unit wrenches, that are not > 0 and finite: throws std::invalid_argument
+/// Refuses intercepts of a limit curve, in unit wrenches, that are not within 1e-100 … 1e100: throws std::invalid_argument
 /// naming the one and its value.
 void check_intercepts(double force_max, double moment_max);
 
@@ -20,7 +20,7 @@ void check_intercepts(double force_max, double moment_max);
 /// in the middle when it runs through the intercepts (A = 1, B = m₀). A limit curve; no trigonometry.
 class Ellipse {
  public:
-  /// Semi-axes in unit wrenches, both > 0 and finite; throws std::invalid_argument otherwise.
+  /// Semi-axes in unit wrenches, 1e-100 … 1e100; throws std::invalid_argument otherwise.
   Ellipse(double force_max, double moment_max);
 
   /// The paper's ellipse: through (1, 0) and (0, m₀).
@@ -63,7 +63,7 @@ static_assert(LimitCurve<Ellipse>);
 /// twist, the ends included: a flatter side turns a small change of the twist into a large step along it.
 class Superellipse {
  public:
-  /// Intercepts in unit wrenches, > 0 and finite, and the exponent, > 1 and finite; throws std::invalid_argument otherwise.
+  /// Intercepts in unit wrenches, 1e-100 … 1e100, and the exponent, > 1 and finite; throws std::invalid_argument otherwise.
   Superellipse(double force_max, double moment_max, double exponent);
 
   /// Through (1, 0) and (0, m₀).
@@ -109,7 +109,7 @@ static_assert(LimitCurve<Superellipse>);
 /// uncertain as the twist makes it, the distance along the normal is not.
 class Quartic {
  public:
-  /// Intercepts in unit wrenches, > 0 and finite, and κ ∈ [0, 6]; throws std::invalid_argument otherwise.
+  /// Intercepts in unit wrenches, 1e-100 … 1e100, and κ ∈ [0, 6]; throws std::invalid_argument otherwise.
   Quartic(double force_max, double moment_max, double kappa);
 
   /// Through (1, 0) and (0, m₀).
@@ -231,13 +231,13 @@ class Polygon {
 using Box = Polygon<3>;
 using Diamond = Polygon<2>;
 
-/// Uncoupled limits f ≤ A, m ≤ B: 1.4 to 1.5 times too strong in the corner. A, B > 0 and finite, else
+/// Uncoupled limits f ≤ A, m ≤ B: 1.4 to 1.5 times too strong in the corner. A, B within 1e-100 … 1e100, else
 /// std::invalid_argument.
 inline Box box(double force_max, double moment_max) {
   return Box({UnitWrench{force_max, 0.0}, UnitWrench{force_max, moment_max}, UnitWrench{0.0, moment_max}});
 }
 
-/// The friction pyramid f/A + m/B ≤ 1: too weak everywhere but at its ends. A, B > 0 and finite, else std::invalid_argument.
+/// The friction pyramid f/A + m/B ≤ 1: too weak everywhere but at its ends. A, B within 1e-100 … 1e100, else std::invalid_argument.
 inline Diamond diamond(double force_max, double moment_max) {
   return Diamond({UnitWrench{force_max, 0.0}, UnitWrench{0.0, moment_max}});
 }
