@@ -176,12 +176,12 @@ TableCells BasicTable<Real>::cells() const {
 template <class Real>
 RadialPoint BasicTable<Real>::along(UnitWrench direction) const noexcept {
   const double size = std::max(direction.force, direction.moment);
+  const UnitWrench scaled{direction.force / size, direction.moment / size};
   Real gauge{};
-  const CurvePoint<Real> point =
-      point_on_ray(view_, static_cast<Real>(direction.force / size), static_cast<Real>(direction.moment / size), Real(0), gauge);
-  // By the gauge, which is exact to the square of what the search leaves.
-  const double length = size * static_cast<double>(gauge);
-  return {{direction.force / length, direction.moment / length}, {static_cast<double>(point.slide), static_cast<double>(point.spin)}};
+  const CurvePoint<Real> point = point_on_ray(view_, static_cast<Real>(scaled.force), static_cast<Real>(scaled.moment), Real(0), gauge);
+  // By the gauge, which is exact to the square of what the search leaves. Of the scaled wrench, whose gauge does not overflow.
+  const auto length = static_cast<double>(gauge);
+  return {{scaled.force / length, scaled.moment / length}, {static_cast<double>(point.slide), static_cast<double>(point.spin)}};
 }
 
 template class BasicTable<double>;

@@ -353,6 +353,17 @@ TEST(Table, RefusesCurvesWithCorners) {
   expect_mention(complaint([] { Table::build(Corner{}, 1e-3, "corner"); }), "nor is any other");
 }
 
+// The gauge of these is beyond the largest number; the point of the curve on their ray is not.
+TEST(Table, FindsTheCurveOnTheRayOfTheLargestWrenches) {
+  const Table table = Table::build(hertz(), 1e-6);
+  const double largest = std::numeric_limits<double>::max();
+  for (const UnitWrench wrench : {UnitWrench{largest, largest}, UnitWrench{1e-300, largest}, UnitWrench{largest, 0.0}}) {
+    const UnitWrench found = table.along(wrench).wrench;
+    EXPECT_NEAR(table.gauge(found), 1.0, 1e-14) << wrench.force;
+    EXPECT_NEAR(found.force * (wrench.moment / largest), found.moment * (wrench.force / largest), 1e-15) << wrench.force;
+  }
+}
+
 TEST(Table, SurvivesTwistsThatAreNone) {
   const Table table = Table::build(power(-0.9), 1e-6);
   const FloatTable single = FloatTable::build(power(-0.9), 1e-6);
