@@ -27,7 +27,9 @@ template <class Evaluate>
 PatchFriction scaled(PatchTwist twist, double reach, const Evaluate& evaluate) noexcept {
   const double size = size_of(twist, reach);
   constexpr double much = 1e60;
-  if (size > 1.0 / much && size < much && std::isfinite(twist.omega) && std::fabs(twist.omega) < much) return evaluate(twist);
+  const bool is_usual =
+      size > 1.0 / much && size < much && std::fabs(twist.omega) < much && std::isfinite(twist.vx + twist.vy + twist.omega);
+  if (is_usual) return evaluate(twist);
   if (std::isnan(twist.vx) || std::isnan(twist.vy) || std::isnan(twist.omega) || std::isinf(size)) {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     return {nan, {nan, nan, nan}, nan};
