@@ -63,7 +63,9 @@ const char* fault_of(const limitcurve_limits& limits, double force, double momen
   if (limits.sliding_force > limits.force || limits.sliding_radius > limits.radius)
     return "sliding_force and sliding_radius: expected not more than at rest";
   if (!(limits.stiffness_ratio > 0.0 && std::isfinite(limits.stiffness_ratio))) return "stiffness_ratio: expected a finite number > 0";
-  if (!(limits.rest_share >= 0.0 && limits.rest_share <= 1.0)) return "rest_share: expected a number from 0 to 1";
+  const auto is_share = [](double share) { return share >= 0.0 && share <= 1.0; };
+  if (!is_share(limits.force_rest_share) || !is_share(limits.moment_rest_share))
+    return "force_rest_share and moment_rest_share: expected numbers from 0 to 1";
   if (!(force >= 0.0 && std::isfinite(force) && moment >= 0.0 && std::isfinite(moment)))
     return "force and moment: expected finite numbers >= 0";
   if (!(memory.parameter >= 0.0 && memory.parameter <= 2.0 && std::fabs(memory.rate) <= 2.0))
@@ -84,8 +86,8 @@ limitcurve_status limitcurve_apply_friction(const limitcurve_table* table, limit
   const FrictionLimits<double> acting{{limits->force, limits->radius},
                                       {limits->sliding_force, limits->sliding_radius},
                                       limits->stiffness_ratio,
-                                      limits->rest_share,
-                                      limits->rest_share};
+                                      limits->force_rest_share,
+                                      limits->moment_rest_share};
   FrictionMemory<double> remembered{memory->slides != 0, memory->turns != 0, memory->parameter, memory->rate};
   const auto result =
       apply_friction(table->curve.view(), static_cast<Projection>(projection), acting, FrictionTrial<double>{force, moment}, remembered);

@@ -123,12 +123,13 @@ typedef enum limitcurve_projection {
 
 /* What friction acts on, at the present load. */
 typedef struct limitcurve_limits {
-  double force;           /* at rest: mu P [N] >= 0 ... */
-  double radius;          /* ... and a [m] > 0: the unit curve grows by force, and by force * radius */
-  double sliding_force;   /* while it slips: not larger than at rest */
-  double sliding_radius;  /* likewise */
-  double stiffness_ratio; /* k_l/k_r of the springs [1/m^2] > 0 */
-  double rest_share;      /* a contact that slides comes to rest within this share of the sliding limit, in [0, 1]: 1 at once */
+  double force;            /* at rest: mu P [N] >= 0 ... */
+  double radius;           /* ... and a [m] > 0: the unit curve grows by force, and by force * radius */
+  double sliding_force;    /* while it slips: not larger than at rest */
+  double sliding_radius;   /* likewise */
+  double stiffness_ratio;  /* k_l/k_r of the springs [1/m^2] > 0 */
+  double force_rest_share; /* a contact that slides comes to rest within the smaller of these shares of the sliding limit, in [0, 1]: ... */
+  double moment_rest_share; /* ... 1 at once; on a box each part within its own */
 } limitcurve_limits;
 
 /* What friction remembers of a contact; all 0 to begin with. */

@@ -150,7 +150,9 @@ void add_friction(nb::module_& module) {
   nb::class_<PyMemory>(module, "FrictionMemory", "What friction remembers of a contact from one step to the next.")
       .def(nb::init<>())
       .def_prop_ro(
-          "slides", [](const PyMemory& self) { return self.memory.slides; }, "whether the sliding limit acts");
+          "slides", [](const PyMemory& self) { return self.memory.slides; }, "whether the sliding limit acts; on a box, of the force")
+      .def_prop_ro(
+          "turns", [](const PyMemory& self) { return self.memory.turns; }, "on a box, whether that of the moment acts");
   nb::class_<FrictionResult<double>>(module, "FrictionResult", "What friction does to a trial wrench.")
       .def_ro("slips", &FrictionResult<double>::slips, "in this step")
       .def_ro("force_ratio", &FrictionResult<double>::force_ratio, "what the limit leaves of the trial's force, in [0, 1]")
@@ -159,7 +161,8 @@ void add_friction(nb::module_& module) {
   module.def(
       "apply_friction",
       [](nb::handle curve, double force, double moment, double limit, double radius, double stiffness_ratio,
-         std::optional<double> sliding_limit, std::optional<double> sliding_radius, PyMemory* memory, const std::string& projection) {
+         std::optional<double> sliding_limit, std::optional<double> sliding_radius, double force_rest_share, double moment_rest_share,
+         PyMemory* memory, const std::string& projection) {
         const auto require = [](bool holds, const char* name, double value, const char* expected) {
           if (!holds) throw out_of_range(name, value, "1", expected);
         };
@@ -173,24 +176,28 @@ void add_friction(nb::module_& module) {
         const double radius_of_slip = sliding_radius.value_or(radius);
         require(finite(sliding_force) && sliding_force <= limit, "sliding_limit", sliding_force, "[0, limit]");
         require(radius_of_slip > 0.0 && radius_of_slip <= radius, "sliding_radius", radius_of_slip, "(0, radius]");
+        require(force_rest_share >= 0.0 && force_rest_share <= 1.0, "force_rest_share", force_rest_share, "[0, 1]");
+        require(moment_rest_share >= 0.0 && moment_rest_share <= 1.0, "moment_rest_share", moment_rest_share, "[0, 1]");
         const Projection way = parse_projection(projection);
         const FingerCurve on = curve_of<double>(curve);
         check_projection(on, way);
         PyMemory forgotten;
-        const FrictionLimits<double> limits{{limit, radius}, {sliding_force, radius_of_slip}, stiffness_ratio};
+        const FrictionLimits<double> limits{
+            {limit, radius}, {sliding_force, radius_of_slip}, stiffness_ratio, force_rest_share, moment_rest_share};
         return apply_friction(on.view(), way, limits, FrictionTrial<double>{force, moment},
                               memory != nullptr ? memory->memory : forgotten.memory);
       },
       nb::arg("curve"), nb::arg("force"), nb::arg("moment"), nb::kw_only(), nb::arg("limit"), nb::arg("radius"), nb::arg("stiffness_ratio"),
-      nb::arg("sliding_limit") = nb::none(), nb::arg("sliding_radius") = nb::none(), nb::arg("memory") = nb::none(),
-      nb::arg("projection") = "closest-point",
+      nb::arg("sliding_limit") = nb::none(), nb::arg("sliding_radius") = nb::none(), nb::arg("force_rest_share") = 1.0,
+      nb::arg("moment_rest_share") = 1.0, nb::arg("memory") = nb::none(), nb::arg("projection") = "closest-point",
       nb::sig(
           "def apply_friction(curve: Table | Curve, force: float, moment: float, *, limit: float, radius: float, stiffness_ratio: float, "
-          "sliding_limit: float | None = None, sliding_radius: float | None = None, memory: FrictionMemory | None = None, projection: str "
-          "= 'closest-point') -> FrictionResult"),
+          "sliding_limit: float | None = None, sliding_radius: float | None = None, force_rest_share: float = 1.0, moment_rest_share: "
+          "float = 1.0, memory: FrictionMemory | None = None, projection: str = 'closest-point') -> FrictionResult"),
       "What part of a trial force [N] and moment [N m] a contact's limit leaves: for simulators that have springs of their own.\n\n"
       "limit is mu P [N], radius a [m], stiffness_ratio k_l/k_r of the springs [1/m^2]; `sliding_` limits act while it slips, which\n"
-      "`memory` remembers. The projection 'c-curve' is radial here.\n\n"
+      "`memory` remembers; a contact that slides comes to rest within the smaller of the rest shares of the sliding limit, on a box\n"
+      "each part within its own. The projection 'c-curve' is radial here.\n\n"
       ">>> import limitcurve as lc\n"
       ">>> table = lc.Table('hertz')\n"
       ">>> result = lc.apply_friction(table, 2.4, 0.0, limit=1.2, radius=0.006, stiffness_ratio=25000)\n"

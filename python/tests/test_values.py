@@ -159,3 +159,19 @@ def test_friction_is_what_a_finger_does():
     assert result.slips and result.force_ratio == pytest.approx(0.5, rel=1e-12) and memory.slides
     result = lc.apply_friction(TABLE, 0.1, 1e-4, limit=1.2, radius=0.006, stiffness_ratio=25000, memory=memory)
     assert not result.slips and result.force_ratio == result.moment_ratio == 1 and math.isnan(result.cor)
+
+
+def test_on_a_box_force_and_moment_come_to_rest_apart():
+    memory = lc.FrictionMemory()
+
+    def states(force, moment):
+        lc.apply_friction(lc.box(1, 0.6), force, moment, limit=1.0, radius=0.01, stiffness_ratio=25000, sliding_limit=0.8,
+                          force_rest_share=0.9, moment_rest_share=0.5, memory=memory)
+        return memory.slides, memory.turns
+
+    assert states(1.2, 0.007) == (True, True)  # beyond 1 N, and beyond 1 N * 10 mm * 0.6
+    assert states(0.75, 0.003) == (True, True)  # 0.94 of the force that slides, 0.63 of the moment
+    assert states(0.7, 0.003) == (False, True)
+    assert states(0.1, 0.002) == (False, False)
+    with pytest.raises(ValueError, match="moment_rest_share"):
+        lc.apply_friction(lc.box(1, 0.6), 1, 0, limit=1, radius=0.01, stiffness_ratio=25000, moment_rest_share=-0.1)

@@ -110,7 +110,7 @@ TEST_F(HostileCalls, OddNumbersAndNullAreErrorsOrRightAnswers) {
         break;
       }
       case 5: {
-        const limitcurve_limits limits{number(), number(), number(), number(), number(), number()};
+        const limitcurve_limits limits{number(), number(), number(), number(), number(), number(), number()};
         limitcurve_memory memory{number(), number(), static_cast<int>(random() % 3), static_cast<int>(random() % 3)};
         limitcurve_friction friction{};
         const limitcurve_status status = limitcurve_apply_friction(or_null(table), static_cast<limitcurve_projection>(random() % 4),

@@ -4,11 +4,13 @@
 
 #include "godobject/batch.hpp"
 #include "godobject/soft_finger.hpp"
+#include "limitcurve/approximations.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/table.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -56,6 +58,41 @@ TEST(SameBits, EvaluateOfALaw) {
     }
     limitcurve_law_free(law);
   }
+}
+
+/// A box has two slip states and two shares of rest, which C passes on each for itself (issue 13, point 1).
+TEST(SameBits, FrictionOfABoxWhoseTestsComeToRestApart) {
+  limitcurve_table* box = nullptr;
+  ASSERT_EQ(limitcurve_table_box(1, 0.6, &box), LIMITCURVE_OK);
+  const FingerCurve same = limitcurve::box(1, 0.6);
+  const limitcurve_limits limits{1.2, 0.006, 0.9, 0.005, 25000, 0.9, 0.5};
+  const FrictionLimits<double> same_limits{{1.2, 0.006}, {0.9, 0.005}, 25000, 0.9, 0.5};
+  limitcurve_memory memory{};
+  FrictionMemory<double> same_memory;
+  std::mt19937_64 random(13);
+  std::uniform_real_distribution<double> share(0, 1.5);
+  std::array<int, 4> seen{};
+  for (std::size_t i = 0; i < count; ++i) {
+    const double force = 1.2 * share(random);
+    const double moment = 1.2 * 0.006 * 0.6 * share(random);
+    limitcurve_friction friction;
+    ASSERT_EQ(limitcurve_apply_friction(box, LIMITCURVE_CLOSEST_POINT, &limits, force, moment, &memory, &friction), LIMITCURVE_OK);
+    const auto expected =
+        apply_friction(same.view(), Projection::closest_point, same_limits, FrictionTrial<double>{force, moment}, same_memory);
+    ASSERT_EQ(bits(friction.force_ratio), bits(expected.force_ratio));
+    ASSERT_EQ(bits(friction.moment_ratio), bits(expected.moment_ratio));
+    ASSERT_EQ(memory.slides != 0, same_memory.slides);
+    ASSERT_EQ(memory.turns != 0, same_memory.turns);
+    ++seen[static_cast<std::size_t>(2 * memory.slides + memory.turns)];
+    // By hand: what turned turns on until the moment is below half of what it bears turning, 0.9 N * 5 mm * 0.6.
+    if (memory.turns == 0) {
+      ASSERT_TRUE(moment <= 1.2 * 0.006 * 0.6);
+    } else if (moment < 0.5 * 0.9 * 0.005 * 0.6) {
+      ADD_FAILURE() << "still turns at " << moment;
+    }
+  }
+  EXPECT_GT(*std::min_element(seen.begin(), seen.end()), 1000);
+  limitcurve_table_free(box);
 }
 
 TEST(SameBits, EvaluateOfATable) {

@@ -23,4 +23,4 @@ function(expect_complaint component complaint)
 endfunction()
 
 expect_complaint(fit "the component 'fit' was not built into this installation")
-expect_complaint(gadobject "there is no component 'gadobject': expected limitcurve, godobject, mesh or fit")
+expect_complaint(gadobject "there is no component 'gadobject': expected limitcurve, godobject, mesh, fit or c")

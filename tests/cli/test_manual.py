@@ -1,0 +1,124 @@
+# SPDX-License-Identifier: MIT
+"""The man page and the completions know every subcommand and every option of --help (issue 13, point 6)."""
+
+import re
+import shutil
+import subprocess
+import sys
+import unittest
+from pathlib import Path
+
+from command_line import EXECUTABLE, CommandLineTest, run
+
+MANUAL = Path(__file__).resolve().parents[2] / "cli" / "manual.py"
+
+
+def subcommands():
+    listed = run("--help").stdout.split("Subcommands:\n")[1].split("\n\n")[0]
+    return [line.split()[0] for line in listed.splitlines() if re.match(r"  \w", line)]
+
+
+def options(*subcommand):
+    """Every word with a dash that begins a line of --help, and those after its commas."""
+    return [name for line in re.findall(r"(?m)^  (-\S+)", run(*subcommand, "--help").stdout) for name in line.split(",")]
+
+
+def models():
+    return re.search(r"MODEL (\S+)", run("fit", "--help").stdout)[1].split("|")
+
+
+class Made(CommandLineTest):
+    def setUp(self):
+        super().setUp()
+        subprocess.run([sys.executable, "-B", MANUAL, EXECUTABLE, self.directory], check=True)
+
+
+class ManPage(Made):
+    def setUp(self):
+        super().setUp()
+        if not shutil.which("groff"):
+            self.skipTest("without groff")
+        for width in 80, 200:  # neither has anything to complain of; a wide page is what the tests read
+            done = subprocess.run(["groff", "-man", "-ww", "-Kutf8", "-Tutf8", "-P-cbou", f"-rLL={width}n", self.directory / "limitcurve.1"],
+                                  capture_output=True, encoding="utf-8", check=True)
+            self.assertEqual(done.stderr, "")
+        self.page = done.stdout
+
+    def test_every_subcommand_has_its_options(self):
+        sections = {}
+        for line in self.page.split("\nSUBCOMMANDS\n")[1].splitlines():
+            if match := re.fullmatch(r"   (\S+)", line):
+                name = match[1]
+                sections[name] = []
+            elif line.strip():
+                sections[name].append(line.strip())
+        self.assertEqual(list(sections), subcommands())
+        for name, lines in sections.items():
+            stand = [word.rstrip(",") for line in lines if line.startswith("-") for word in line.split() if word.startswith("-")]
+            self.assertTrue(set(options(name)) <= set(stand), f"{name}: {set(options(name)) - set(stand)}")
+
+    def test_every_word_of_help_stands_in_it(self):
+        """Text, notes and examples: only how lines are broken differs."""
+        def words(text):
+            return set(re.findall(r"\w[\w.]*\w", text)) - {"Usage", "OPTIONS", "Options", "Positionals", "REQUIRED"}
+
+        for name in subcommands():
+            self.assertEqual(words(run(name, "--help").stdout) - words(self.page), set(), name)
+
+
+class Bash(Made):
+    def setUp(self):
+        super().setUp()
+        if not shutil.which("bash"):
+            self.skipTest("without bash")
+
+    def offered(self, *words):
+        """What bash offers for the last word."""
+        script = '. ./limitcurve.bash; COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); _limitcurve 2>&1; printf "%s\\n" "${COMPREPLY[@]}"'
+        done = subprocess.run(["bash", "-uc", script, "bash", "limitcurve", *words], cwd=self.directory, capture_output=True, text=True, check=True)
+        self.assertEqual(done.stderr, "")
+        return done.stdout.split()
+
+    def test_every_subcommand_and_option(self):
+        self.assertEqual(set(self.offered("")), set(subcommands()) | set(options()))
+        for name in subcommands():
+            self.assertEqual(set(self.offered(name, "-")), set(options(name)), name)
+
+    def test_what_an_option_takes(self):
+        self.assertEqual(self.offered("replay", "--boundary", ""), "exact table ellipse superellipse quartic box".split())
+        self.assertEqual(self.offered("replay", "--details", "--pro"), ["--projection"])
+        self.assertEqual(self.offered("fit", "su"), ["superellipse"])
+        self.assertEqual(set(self.offered("fit", "")), set(models()) | set(options("fit")))
+        self.assertEqual(self.offered("eval", "--law", "he"), ["hertz"])
+        self.assertEqual(self.offered("eval", "--law", "pow"), ["power:"])
+        self.assertEqual(self.offered("eval", "--c", ""), [])  # numbers; bash itself offers files
+        self.assertEqual(self.offered("nonsense", ""), [])
+
+    def test_every_law_is_offered(self):
+        laws = [row.split(",")[0].strip('"').split(":")[0] for row in run("laws").stdout.splitlines()[1:]]
+        self.assertLessEqual(set(laws), {law.rstrip(":") for law in self.offered("curve", "--law", "")})
+
+
+class Zsh(Made):
+    """What _arguments and _describe are called with, by a zsh that has the shell's completion system replaced by functions that print."""
+
+    def setUp(self):
+        super().setUp()
+        if not shutil.which("zsh"):
+            self.skipTest("without zsh")
+
+    def called(self, *words):
+        script = '_arguments() { print -rl -- "$@" }; _describe() { print -rl -- "${(@P)2}" }; words=("$@"); CURRENT=$#; . ./_limitcurve'
+        done = subprocess.run(["zsh", "-fc", script, "zsh", "limitcurve", *words], cwd=self.directory, capture_output=True, encoding="utf-8", check=True)
+        self.assertEqual(done.stderr, "")
+        return done.stdout
+
+    def test_every_subcommand_and_option(self):
+        self.assertEqual(re.findall(r"(?m)^([a-z-]+):", self.called("")), subcommands())
+        for name in subcommands():
+            self.assertEqual(set(re.findall(r"(?m)^\*(-[^\[]+)\[", self.called(name, ""))), set(options(name)), name)
+        self.assertIn(":(csv json)", self.called("laws", ""))
+
+
+if __name__ == "__main__":
+    unittest.main()
