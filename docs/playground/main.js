@@ -7,8 +7,7 @@ const kinds = { plate: Plate, block: Block };
 const sheet = new Sheet(at("scene"));
 const plane = new Plane(at("plane"));
 const keys = new Set();
-const loads = { plate: Plate.load.start, block: Block.load.start };
-const frames = { count: 0, busy: 0, worst: 0 };
+const frames = { count: 0, busy: 0 };
 let scene = scenes.plate;
 let clock = 0;
 
@@ -30,26 +29,26 @@ function configure() {
 }
 
 function readMotion() {
-  settings.load = Number(at("load").value);
-  loads[settings.scene] = settings.load;
   settings.drive = at("drive").checked;
   settings.about = Number(at("about").value);
   settings.operator = at("operator").checked;
-  at("load-value").textContent = `${settings.load.toFixed(settings.scene === "plate" ? 2 : 3)} N`;
   at("about-value").textContent = settings.about > 2.99 ? "none: slides only" : `at ${settings.about.toFixed(2)} a`;
 }
 
+/** The slider shows it to the nearest of its steps; keys and time change it by less. */
 function setLoad(load) {
-  at("load").value = load;
-  readMotion();
+  settings.load = Math.max(0, Math.min(kinds[settings.scene].load.max, load));
+  at("load").value = settings.load;
+  at("load-value").textContent = `${settings.load.toFixed(settings.scene === "plate" ? 2 : 3)} N`;
 }
 Block.prototype.change = (by) => {
-  at("operator").checked = false;
-  setLoad(Number(at("load").value) + by);
+  at("operator").checked = settings.operator = false;
+  setLoad(settings.load + by);
 };
 
 function restart() {
   at("drive").checked = at("operator").checked = false;
+  readMotion();
   setLoad(kinds[settings.scene].load.start);
   scene.wanted = undefined;
   configure();
@@ -155,7 +154,8 @@ at("scene").addEventListener("blur", () => keys.clear());
 
 for (const id of ["law", "curve", "projection", "radius", "coupled"]) at(id).addEventListener("change", configure);
 at("ratio").addEventListener("input", configure);
-for (const id of ["load", "about", "drive", "operator"]) at(id).addEventListener("input", () => { releasing = false; readMotion(); });
+at("load").addEventListener("input", () => { releasing = false; setLoad(Number(at("load").value)); });
+for (const id of ["about", "drive", "operator"]) at(id).addEventListener("input", () => { releasing = false; readMotion(); });
 at("operator").addEventListener("input", () => { scene.wanted = undefined; scene.regrips = false; });
 at("restart").addEventListener("click", () => { releasing = false; restart(); });
 for (const radio of document.querySelectorAll('input[name="scene"]')) radio.addEventListener("change", () => show(radio.value));

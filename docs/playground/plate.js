@@ -146,7 +146,7 @@ class Plate {
     if (f.state === "slip" && Number.isFinite(f.cor)) {
       sheet.centre(px, py, slip.centre[0] * this.scale, -slip.centre[1] * this.scale, f.cor);
     }
-    drawLegend(sheet, [["finger (hand)", palette.finger], ["proxy, in contact", palette.proxy], ["F, M on the finger", palette.finger]]);
+    drawLegend(sheet, [["finger, with F and M on it", palette.finger], ["proxy: the skin in contact", palette.proxy]]);
   }
 
   drawFinger(sheet, x, y, touches) {
