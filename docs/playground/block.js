@@ -54,10 +54,9 @@ class Block {
     const held = (keys.has("arrowup") || keys.has("+") ? 1 : 0) - (keys.has("arrowdown") || keys.has("-") ? 1 : 0);
     if (held) this.change(held * 0.15 * count * 1e-3);
     for (let i = 0; i < count && !this.fell; ++i) {
-      if (settings.operator) this.operate();
-      const wanted = settings.operator ? this.wanted : settings.load;
+      if (settings.operator) this.operate(settings);
       const most = BLOCK.hasty * 1e-3;
-      this.grip += Math.max(-most, Math.min(most, wanted - this.grip));
+      this.grip += Math.max(-most, Math.min(most, settings.load - this.grip));
       this.pose = this.engine.stepBlock(this.grip, 1e-3);
       this.finger = this.pose.finger;
       if (this.finger.state !== "free") this.slid = Math.hypot(this.finger.px - this.start[0], this.finger.py - this.start[1]);
@@ -67,11 +66,10 @@ class Block {
   }
 
   /** As `limitcurve pivot --operator target=30deg`: eases until the block turns, keeps it turning, regrips at the target or where it slides out. */
-  operate() {
-    this.wanted ??= this.grip;
+  operate(settings) {
     if (this.pose.angle >= Math.PI / 6 || (this.slid > 0.002 && this.slid > 0.02 * this.pose.angle)) this.regrips = true;
     const rate = this.regrips ? 5 : this.pose.spin > 0.3 ? 0.5 : -0.5;
-    this.wanted = Math.max(0, Math.min(1, this.wanted + rate * 1e-3));
+    settings.load = Math.max(0, Math.min(Block.load.max, settings.load + rate * 1e-3));
   }
 
   draw(sheet, settings) {
@@ -128,7 +126,7 @@ class Block {
     sheet.arrow(mx, my, 0, 0.028 * this.scale, palette.text, 2.5, 11);
     sheet.dot(mx, my, 4, { fill: palette.text });
     sheet.text("weight", mx - 8, my + 0.028 * this.scale, palette.text, { size: 12, align: "right" });
-    drawLegend(sheet, [["F, M of a finger", palette.finger], ["finger pads, front and behind", palette.proxy]]);
+    drawLegend(sheet, [["F, M of a finger on the block", palette.finger], ["finger pads, front and behind", palette.proxy]]);
     if (this.fell) {
       sheet.text("The block fell. Start again, or press R.", width / 2, height / 2, palette.slip, { align: "center", size: 16, weight: 600 });
     }

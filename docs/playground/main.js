@@ -50,7 +50,6 @@ function restart() {
   at("drive").checked = at("operator").checked = false;
   readMotion();
   setLoad(kinds[settings.scene].load.start);
-  scene.wanted = undefined;
   configure();
   scene.restart(settings.load);
   plane.steps = [];
@@ -66,6 +65,7 @@ function show(name) {
   at("how").innerHTML = kind.how;
   at("scene").setAttribute("aria-label", kind.name);
   at("load-name").textContent = kind.load.name;
+  at("grip-name").textContent = name === "plate" ? "Load P" : "Grip P";
   Object.assign(at("load"), { min: kind.load.min, max: kind.load.max, step: kind.load.step });
   restart();
 }
@@ -156,7 +156,7 @@ for (const id of ["law", "curve", "projection", "radius", "coupled"]) at(id).add
 at("ratio").addEventListener("input", configure);
 at("load").addEventListener("input", () => { releasing = false; setLoad(Number(at("load").value)); });
 for (const id of ["about", "drive", "operator"]) at(id).addEventListener("input", () => { releasing = false; readMotion(); });
-at("operator").addEventListener("input", () => { scene.wanted = undefined; scene.regrips = false; });
+at("operator").addEventListener("input", () => { scene.regrips = false; });
 at("restart").addEventListener("click", () => { releasing = false; restart(); });
 for (const radio of document.querySelectorAll('input[name="scene"]')) radio.addEventListener("change", () => show(radio.value));
 for (const button of document.querySelectorAll("[data-try]")) button.addEventListener("click", () => suggest(button.dataset.try));
@@ -192,6 +192,7 @@ function advance(seconds) {
     if (scene.slid > 0.004 || scene.pose.angle > 0.6) releasing = false;
   }
   if (count > 0) scene.advance(count, settings, keys, (finger) => plane.add(finger, (clock += 1e-3)));
+  if (settings.operator) setLoad(settings.load);
 }
 
 let before;

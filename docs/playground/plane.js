@@ -69,6 +69,7 @@ class Plane {
       pen.fillStyle = palette.truth;
       pen.fill();
     }
+    if (load === 0) this.steps = [];
     for (const step of this.steps) {
       const age = (time - step.time) / 0.25;
       if (age > 1 || age < 0) continue;
