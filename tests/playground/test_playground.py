@@ -1,0 +1,383 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: MIT
+"""The playground in headless Chromium: its numbers against `limitcurve replay` and `limitcurve pivot`, every way to move it, every switch,
+its speed, and that anybody can read it. `scripts/setup pages` installs what this needs.
+
+    scripts/maintain/playground && tests/playground/test_playground.py [--page FILE] [--cli EXECUTABLE] [unittest arguments]
+"""
+
+import argparse
+import csv
+import io
+import math
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+from pathlib import Path
+
+from selenium import webdriver
+from selenium.webdriver.chrome.service import Service
+from selenium.webdriver.common.action_chains import ActionChains
+from selenium.webdriver.common.by import By
+from selenium.webdriver.common.keys import Keys
+from selenium.webdriver.common.actions.wheel_input import ScrollOrigin
+from selenium.webdriver.support.ui import Select
+
+ROOT = Path(__file__).resolve().parents[2]
+PAGE = ROOT / "build" / "site" / "playground" / "index.html"
+CLI = str(ROOT / "build" / "ci" / "cli" / "limitcurve")
+
+# The contrast of every element with text of its own, of its colour on the nearest opaque background (WCAG 2).
+CONTRASTS = """
+const parse = (c) => c.match(/[\\d.]+/g).map(Number);
+const light = ([r, g, b]) => [r, g, b].map((v) => (v /= 255) <= 0.03928 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4)
+  .reduce((sum, v, i) => sum + v * [0.2126, 0.7152, 0.0722][i], 0);
+const ratio = (a, b) => { const [x, y] = [light(a), light(b)].sort((p, q) => q - p); return (x + 0.05) / (y + 0.05); };
+const behind = (e) => { for (; e; e = e.parentElement) { const c = parse(getComputedStyle(e).backgroundColor); if (c.length < 4 || c[3] > 0) return c; }
+  return [255, 255, 255]; };
+const result = [];
+for (const e of document.querySelectorAll("body *")) {
+  const own = [...e.childNodes].some((n) => n.nodeType === 3 && n.textContent.trim());
+  if (!own && e.tagName !== "SELECT" || !e.checkVisibility() || ["SCRIPT", "STYLE", "OPTION"].includes(e.tagName)) continue;
+  result.push([e.tagName + "#" + e.id + " " + e.textContent.trim().slice(0, 30), ratio(parse(getComputedStyle(e).color), behind(e))]);
+}
+// What the canvases write with, on what they are cleared to.
+const style = getComputedStyle(document.documentElement);
+const hex = (name) => style.getPropertyValue("--" + name).trim().match(/[0-9a-f]{2}/g).map((v) => parseInt(v, 16));
+for (const name of ["text", "muted", "slip"]) result.push(["canvas " + name, ratio(hex(name), hex("card"))]);
+return result;
+"""
+
+
+def run(*arguments, text=None):
+    result = subprocess.run([CLI, *arguments], input=text, capture_output=True, text=True, check=True)
+    return list(csv.DictReader(io.StringIO(result.stdout)))
+
+
+def trace():
+    """Presses, slides, turns, reverses, spins past half a turn (the twist wraps), changes its load, lifts and touches down again."""
+    rows = []
+    for i in range(2000):
+        t = i * 1e-3
+        depth = 0.003 + 0.0015 * math.sin(3.1 * t) if not 1400 <= i < 1430 else -0.001
+        twist = 2.5 * math.sin(1.7 * t) + 1.1 * t
+        rows.append({"time": t, "x": 0.012 * math.sin(2.3 * t), "y": 0.007 * math.cos(1.9 * t) - 0.002 * t, "z": -depth,
+                     "twist": math.remainder(twist, 2 * math.pi)})
+    return rows
+
+
+class Playground(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        options = webdriver.ChromeOptions()
+        for argument in ["--headless=new", "--no-sandbox", "--disable-gpu", "--hide-scrollbars"]:
+            options.add_argument(argument)
+        options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
+        cls.browser = webdriver.Chrome(service=Service("/usr/bin/chromedriver"), options=options)
+        cls.browser.set_script_timeout(60)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.browser.quit()
+
+    def setUp(self):
+        self.open()
+
+    def tearDown(self):
+        errors = [line for line in self.browser.get_log("browser") if line["level"] in ("SEVERE", "WARNING")]
+        self.assertEqual(errors, [], "the console has errors")
+
+    def open(self, width=1200, height=1000, dark=False, touch=False):
+        command = self.browser.execute_cdp_cmd
+        command("Emulation.setDeviceMetricsOverride", {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": touch})
+        command("Emulation.setTouchEmulationEnabled", {"enabled": touch})
+        scheme = {"name": "prefers-color-scheme", "value": "dark" if dark else "light"}
+        command("Emulation.setEmulatedMedia", {"features": [scheme]})
+        self.browser.get(PAGE.as_uri())
+        self.wait(lambda: self.browser.execute_script("return window.limitcurve !== undefined && limitcurve.frames.count > 3"))
+
+    def wait(self, condition, seconds=8.0, message="it did not come to be"):
+        end = time.monotonic() + seconds
+        while not (result := condition()):
+            self.assertLess(time.monotonic(), end, message)
+            time.sleep(0.02)
+        return result
+
+    def element(self, name):
+        return self.browser.find_element(By.ID, name)
+
+    def number(self, name):
+        return float(self.element(name).text)
+
+    def suggest(self, name):
+        self.browser.execute_script(f"document.querySelector('[data-try={name}]').click()")
+
+    def show_block(self):
+        self.browser.execute_script("document.querySelector('input[value=block]').click()")
+
+    def call(self, function, first, options):
+        script = f"const done = arguments[arguments.length - 1]; limitcurve.{function}(arguments[0], arguments[1]).then(done, (e) => done(String(e)))"
+        result = self.browser.execute_async_script(script, first, options)
+        self.assertIsInstance(result, list, result)
+        return result
+
+    # Numbers.
+
+    def test_replays_as_the_command_line_does(self):
+        rows = trace()
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "trace.csv"
+            path.write_text("time,x,y,z,twist\n" + "".join(",".join(map(repr, row.values())) + "\n" for row in rows))
+            cases = [(law, curve, projection, exponent) for law in ("hertz", "uniform", "flat-punch", "gaussian:sigma=0.4")
+                     for curve, projection, exponent in (("exact", "closest-point", 0), ("exact", "radial", 0), ("ellipse", "radial", 0),
+                                                         ("ellipse", "closest-point", 0.3333), ("exact", "c-curve", 0.3333),
+                                                         ("ellipse", "c-curve", 0.3333), ("box", "closest-point", 0))]
+            cases += [(law, "exact", "closest-point", 0) for law in ("parabolic", "cone", "xydas-kao:k=3")]
+            for law, curve, projection, exponent in cases:
+                for twist_stiffness in (0.004, 0.04):
+                    with self.subTest(law=law, curve=curve, projection=projection, exponent=exponent, twist_stiffness=twist_stiffness):
+                        self.compare(rows, path, law, curve, projection, exponent, twist_stiffness)
+
+    def compare(self, rows, path, law, curve, projection, exponent, twist_stiffness):
+        boundary = ["--boundary", "table", "--tolerance", "1e-9"] if curve == "exact" else ["--boundary", curve]
+        expected = run("replay", "--trace", str(path), "--law", law, "--radius-law", f"power:c=0.006,gamma={exponent}", "--mu", "0.6",
+                       "--stiffness", "300", "--twist-stiffness", str(twist_stiffness), "--projection", projection, *boundary)
+        got = self.call("replay", rows, {"law": law, "curve": curve, "projection": projection, "mu": 0.6, "radius": 0.006,
+                                         "exponent": exponent, "stiffness": 300, "twistStiffness": twist_stiffness})
+        self.assertEqual(len(got), len(expected))
+        self.assertGreater(sum(row["state"] == "slip" for row in expected), 500)
+        for want, have in zip(expected, got):
+            self.assertEqual(have["state"], want["state"], want["time"])
+            for column in ("px", "py", "angle", "depth", "load", "fx", "fy", "moment"):
+                self.assertLessEqual(abs(have[column] - float(want[column])), 1e-9, f"{column} at {want['time']}")
+
+    def test_the_block_moves_as_the_command_line_says(self):
+        for case, curve, projection in (("coupled", "ellipse", "radial"), ("exact", "exact", "closest-point"),
+                                        ("uncoupled", "box", "closest-point")):
+            with self.subTest(case=case):
+                extra = ["--tolerance", "1e-9"] if case == "exact" else []
+                expected = run("pivot", "--case", case, "--release", "from=0.5,to=0.2,over=3", "--duration", "3", *extra)
+                moment_ratio = 3 * math.pi / 16
+                stiffness = 1000 * (0.01011 / 1.67) ** 2
+                got = self.call("pivot", [float(row["load"]) for row in expected],
+                                {"law": "hertz", "curve": curve, "projection": projection, "mu": 1.67,
+                                 "radius": 0.01011 / (1.67 * moment_ratio), "stiffness": 1000, "twistStiffness": stiffness, "damping": 5,
+                                 "twistDamping": 5 * stiffness / 1000})
+                self.assertGreater(max(abs(float(row["angle"])) + abs(float(row["y"])) for row in expected), 0.05)
+                for want, have in zip(expected[1:], got):
+                    if float(want["y"]) < -0.01:
+                        break
+                    for column, bound in (("x", 1e-6), ("y", 1e-6), ("angle", 1e-5)):
+                        self.assertLessEqual(abs(have[column] - float(want[column])), bound, f"{column} at {want['time']}")
+
+    def test_a_row_that_is_no_number_is_named(self):
+        script = ("const done = arguments[arguments.length - 1]; limitcurve.replay([{time: 0, x: NaN, y: 0, z: 0, twist: 0}])"
+                  ".then(() => done('none'), (e) => done(e.message))")
+        self.assertIn("row 0: x = NaN", self.browser.execute_async_script(script))
+
+    def test_says_what_it_shows(self):
+        for name, low, high in (("radial", 11, 15), ("stiff", 90, 97), ("closest", 0, 0.5)):
+            with self.subTest(name):
+                self.suggest(name)
+                time.sleep(1.5)
+                self.assertGreaterEqual(self.number("error"), low)
+                self.assertLessEqual(self.number("error"), high)
+        self.suggest("slide")
+        time.sleep(1.5)
+        self.assertAlmostEqual(self.number("force"), 0.6, delta=2e-3)
+        self.suggest("spin")
+        time.sleep(1.5)
+        self.assertAlmostEqual(self.number("force"), 0.3, delta=0.02)
+        self.suggest("box")
+        time.sleep(1.5)
+        self.assertAlmostEqual(self.number("force"), 0.6, delta=2e-3)
+        self.assertAlmostEqual(abs(self.number("moment")), 0.6 * 0.006 * 3 * math.pi / 16, delta=1e-5)
+
+    # Ways to move it.
+
+    def test_mouse_drags(self):
+        ActionChains(self.browser).move_to_element(self.element("scene")).click_and_hold().move_by_offset(120, -40).perform()
+        self.wait(lambda: self.number("force") > 0.55, message="no friction while dragged")
+        ActionChains(self.browser).release().perform()
+
+    def test_wheel_turns(self):
+        origin = ScrollOrigin.from_element(self.element("scene"))
+        for _ in range(6):
+            ActionChains(self.browser).scroll_from_origin(origin, 0, 100).perform()
+        self.wait(lambda: abs(self.number("moment")) > 0.0015, message="no moment while turned")
+        self.assertLess(self.number("force"), 0.05)
+
+    def test_two_fingers_turn_and_one_drags(self):
+        self.open(390, 844, touch=True)
+        self.browser.execute_script("document.getElementById('scene').scrollIntoView({block: 'center'})")
+        box = self.browser.execute_script("const b = document.getElementById('scene').getBoundingClientRect(); return [b.x, b.y, b.width, b.height]")
+        x, y = box[0] + box[2] / 2, box[1] + box[3] / 2
+
+        def touch(kind, *points):
+            self.browser.execute_cdp_cmd("Input.dispatchTouchEvent", {
+                "type": kind, "touchPoints": [{"x": px, "y": py, "id": i} for i, (px, py) in enumerate(points)]})
+        touch("touchStart", (x, y))
+        for i in range(10):
+            touch("touchMove", (x + 6 * i, y))
+        self.wait(lambda: self.number("force") > 0.5, message="no friction while dragged")
+        touch("touchEnd")
+        self.browser.execute_script("document.getElementById('restart').click()")
+        touch("touchStart", (x - 60, y), (x + 60, y))
+        for i in range(1, 16):
+            angle = 0.1 * i
+            touch("touchMove", (x - 60 * math.cos(angle), y - 60 * math.sin(angle)), (x + 60 * math.cos(angle), y + 60 * math.sin(angle)))
+        # Clockwise on the screen, and friction against it.
+        self.wait(lambda: self.number("moment") > 0.0015, message="no moment while turned")
+        self.assertLess(self.number("force"), 0.1)
+        touch("touchEnd")
+
+    def hold(self, key, condition, message):
+        ActionChains(self.browser).key_down(key).perform()
+        try:
+            self.wait(condition, message=message)
+        finally:
+            ActionChains(self.browser).key_up(key).perform()
+
+    def test_keys_alone(self):
+        for _ in range(20):
+            ActionChains(self.browser).send_keys(Keys.TAB).perform()
+            if self.browser.switch_to.active_element.get_attribute("id") == "scene":
+                break
+        self.assertEqual(self.browser.switch_to.active_element.get_attribute("id"), "scene")
+        self.hold(Keys.ARROW_RIGHT, lambda: self.number("force") > 0.59, "no friction")
+        self.hold("q", lambda: self.number("moment") < -0.001, "no moment")
+        self.hold("e", lambda: self.number("moment") > 0.001, "no moment")
+        self.hold("+", lambda: self.number("grip") > 1.5, "no load")
+        self.hold("-", lambda: self.number("grip") < 0.9, "no less load")
+        ActionChains(self.browser).send_keys(" ").perform()
+        self.wait(lambda: self.element("state").text == "free")
+        self.assertEqual((self.number("force"), self.number("grip")), (0, 0))
+        ActionChains(self.browser).send_keys(" ").perform()
+        self.wait(lambda: self.element("state").text == "stick")
+        # Every control can be reached.
+        reached = set()
+        for _ in range(40):
+            ActionChains(self.browser).send_keys(Keys.TAB).perform()
+            reached.add(self.browser.switch_to.active_element.get_attribute("id"))
+        self.assertLessEqual({"load", "coupled", "law", "curve", "projection", "ratio", "radius", "drive", "about", "restart"}, reached)
+
+    def test_the_block_turns_by_loosening_the_grip(self):
+        self.show_block()
+        self.wait(lambda: self.element("state").text == "stick")
+        self.suggest("loosen")
+        self.wait(lambda: self.number("turned") > 5, 20, "it does not turn")
+        # Tightened, it holds.
+        self.element("scene").click()
+        self.hold(Keys.ARROW_UP, lambda: self.number("grip") > 0.8, "no more grip")
+        self.wait(lambda: self.element("state").text == "stick", message="it does not hold")
+        self.suggest("operate")
+        self.wait(lambda: self.number("turned") > 28 and self.element("state").text == "stick", 20, "the operator does not turn it")
+        self.assertLess(self.number("turned"), 40)
+
+    def test_the_uncoupled_block_slides_out_level(self):
+        self.show_block()
+        self.suggest("drop")
+        self.wait(lambda: self.number("slid") > 4, 20, "it does not slide")
+        self.assertLess(abs(self.number("turned")), 4)
+
+    # Switches.
+
+    def test_every_switch_acts(self):
+        script = "const o = limitcurve.options(); return [o.law, o.curve, o.projection, o.twistStiffness, o.exponent]"
+        read = lambda: self.browser.execute_script(script)
+        first = read()
+        self.assertEqual(first[:3], ["hertz", "exact", "closest-point"])
+        for name, position in (("law", 0), ("curve", 1), ("projection", 2)):
+            select = Select(self.element(name))
+            for option in select.options:
+                value = option.get_attribute("value")
+                select.select_by_value(value)
+                self.assertEqual(read()[position], value)
+            select.select_by_index(0)
+        Select(self.element("radius")).select_by_index(1)
+        self.assertAlmostEqual(read()[4], 1 / 3)
+        self.element("ratio").send_keys(*[Keys.ARROW_RIGHT] * 20)
+        self.assertAlmostEqual(read()[3] / first[3], 10, delta=1e-9)
+        self.element("coupled").click()
+        self.assertEqual(read()[1:3], ["box", "closest-point"])
+        self.assertFalse(self.element("curve").is_enabled() or self.element("projection").is_enabled())
+        self.element("drive").click()
+        self.wait(lambda: self.number("force") > 0.55)
+        self.element("load").send_keys(Keys.END)
+        self.wait(lambda: abs(self.number("grip") - 3) < 1e-9)
+        self.element("about").send_keys(Keys.HOME)
+        self.wait(lambda: "0.00 a" in self.element("about-value").text)
+
+    # What a page must be.
+
+    def test_is_small_and_asks_nobody(self):
+        self.assertLessEqual(PAGE.stat().st_size, 400_000)
+        self.browser.get_log("performance")
+        self.open()
+        self.suggest("radial")
+        time.sleep(0.5)
+        log = " ".join(line["message"] for line in self.browser.get_log("performance"))
+        self.assertIn(PAGE.as_uri(), log)
+        for scheme in ('"url":"http:', '"url":"https:', '"url":"ws'):
+            self.assertNotIn(scheme, log)
+        self.assertEqual(self.browser.execute_script("return performance.getEntriesByType('resource').filter((e) => !e.name.startsWith('data:')).length"), 0)
+
+    def test_paints_within_a_second(self):
+        times = []
+        for _ in range(3):
+            self.open()
+            times.append(self.wait(lambda: self.browser.execute_script(
+                "return performance.getEntriesByType('paint').find((e) => e.name === 'first-contentful-paint')?.startTime")))
+        print(f"first paint: {min(times):.0f} ms", file=sys.stderr)
+        self.assertLessEqual(min(times), 1000)
+
+    def test_sixty_frames_a_second(self):
+        for scene, name in (("plate", "radial"), ("block", "operate")):
+            with self.subTest(scene):
+                if scene == "block":
+                    self.show_block()
+                self.suggest(name)
+                best = 0.0
+                # The best of some seconds: the machine may be busy.
+                for _ in range(8):
+                    rate, busy = self.browser.execute_async_script(
+                        "const done = arguments[arguments.length - 1], first = limitcurve.frames.count, began = performance.now();"
+                        "setTimeout(() => done([(limitcurve.frames.count - first) / (performance.now() - began) * 1e3, limitcurve.frames.busy]), 1000)")
+                    best = max(best, rate)
+                    if best > 58:
+                        break
+                print(f"{scene}: {best:.1f} frames a second, {busy:.1f} ms of work in the last", file=sys.stderr)
+                self.assertGreater(best, 58)
+
+    def test_contrast(self):
+        for dark in (False, True):
+            self.open(dark=dark)
+            for scene in ("plate", "block"):
+                if scene == "block":
+                    self.show_block()
+                self.suggest("loosen" if scene == "block" else "radial")
+                found = self.browser.execute_script(CONTRASTS)
+                self.assertGreater(len(found), 30)
+                for what, contrast in found:
+                    with self.subTest(what, dark=dark):
+                        self.assertGreaterEqual(contrast, 4.5)
+
+    def test_every_control_has_a_name_and_the_phone_needs_no_sideways_scrolling(self):
+        for element in self.browser.find_elements(By.CSS_SELECTOR, "button, input, select, canvas"):
+            self.assertTrue(self.browser.execute_script(
+                "const e = arguments[0]; return e.ariaLabel || e.textContent.trim() && e.tagName === 'BUTTON' || "
+                "[...(e.labels ?? [])].some((l) => l.textContent.trim())", element), element.get_attribute("outerHTML")[:120])
+        for width in (320, 390):
+            self.open(width, 844, touch=True)
+            self.assertLessEqual(self.browser.execute_script("return document.documentElement.scrollWidth"), width)
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser(add_help=False)
+    parser.add_argument("--page", type=Path, default=PAGE)
+    parser.add_argument("--cli", default=CLI)
+    known, others = parser.parse_known_args()
+    PAGE, CLI = known.page.resolve(), known.cli
+    unittest.main(argv=[sys.argv[0], *others])
