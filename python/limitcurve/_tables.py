@@ -82,7 +82,7 @@ class _Call:
         elif name == "patch" and not isinstance(value, str):
             for patch in value:
                 self.words += [word, str(patch)]
-        elif name in ("data", "trace", "twists"):
+        elif name in ("data", "trace", "twists") or isinstance(value, Mapping):
             self.words += [word, self.data(name, value)]
         elif isinstance(value, (str, os.PathLike)):
             self.words += [word, os.fsdecode(value)]

@@ -96,3 +96,13 @@ def test_many_rows_are_streamed():
     t = np.arange(n) * 1e-3
     table = lc.replay({"time": t, "x": 1e-3 * np.sin(t), "y": 0 * t, "z": 0 * t - 1e-3, "twist": 0.1 * t}, "hertz", **SCENE)
     assert len(table["time"]) == n and np.array_equal(table["time"], t)
+
+
+def test_files_of_any_option_may_be_columns(tmp_path):
+    """Issue 13, point 5: `run` says that files may be columns; only data, trace and twists could."""
+    grip = tmp_path / "grip.csv"
+    grip.write_text("time,load\n0,0.5\n0.1,0.4\n")
+    from_file = lc.run("pivot", case="exact", material="sandpaper", grip=grip, duration=0.1)
+    from_columns = lc.run("pivot", case="exact", material="sandpaper", grip={"time": [0, 0.1], "load": [0.5, 0.4]}, duration=0.1)
+    for name, column in from_file.items():
+        np.testing.assert_array_equal(column, from_columns[name])
