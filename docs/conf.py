@@ -1,0 +1,36 @@
+# SPDX-License-Identifier: MIT
+"""The site (scripts/maintain/site). Its sources are the repository's Markdown files where they stand, so that every fact has one place; the pages in
+docs/ come to lie at the top of the site. Formulas become MathML when the site is built: a page loads nothing but its own files."""
+
+import re
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[1]
+sys.path.insert(0, str(ROOT / "docs" / "site"))
+
+from repository import FILES  # noqa: E402  (it lies beside this file)
+
+project = "limitcurve"
+version = release = re.search(r'version = "(.*)"', (ROOT / "limitcurve" / "version.hpp").read_text(encoding="utf-8"))[1]
+root_doc = "index"
+include_patterns = sorted(name for name in FILES if name.endswith(".md"))
+sys.path += map(str, ROOT.glob(f"build/venv/lib/python{sys.version_info.major}.{sys.version_info.minor}/site-packages"))
+extensions = ["myst_parser", "breathe", "sphinx.ext.autodoc", "sphinx_copybutton", "docstrings", "engines", "headers", "repository", "formulas"]
+myst_enable_extensions = ["dollarmath"]
+myst_heading_anchors = 4
+breathe_projects = {"limitcurve": str(ROOT / "build" / "doxygen" / "xml")}
+breathe_default_project = "limitcurve"
+breathe_domain_by_extension = {"h": "c", "hpp": "cpp"}
+default_role = "code"
+autodoc_member_order = "bysource"
+
+html_theme = "furo"
+html_title = "limitcurve"
+html_static_path = ["site/site.css"]
+html_css_files = ["site.css"]
+html_copy_source = False
+html_show_sphinx = False
+html_show_copyright = False
+html_show_search_summary = False  # it would fetch every page that was found
+html_math_renderer = "mathml"
