@@ -123,13 +123,13 @@ typedef enum limitcurve_projection {
 
 /* What friction acts on, at the present load. */
 typedef struct limitcurve_limits {
-  double force;            /* at rest: mu P [N] >= 0 ... */
-  double radius;           /* ... and a [m] > 0: the unit curve grows by force, and by force * radius */
-  double sliding_force;    /* while it slips: not larger than at rest */
-  double sliding_radius;   /* likewise */
-  double stiffness_ratio;  /* k_l/k_r of the springs [1/m^2] > 0 */
-  double force_rest_share; /* a contact that slides comes to rest within the smaller of these shares of the sliding limit, in [0, 1]: ... */
-  double moment_rest_share; /* ... 1 at once; on a box each part within its own */
+  double force;             /* at rest: mu P [N] >= 0 ... */
+  double radius;            /* ... and a [m] > 0: the unit curve grows by force, and by force * radius */
+  double sliding_force;     /* while it slips: not larger than at rest */
+  double sliding_radius;    /* likewise */
+  double stiffness_ratio;   /* k_l/k_r of the springs [1/m^2] > 0 */
+  double force_rest_share;  /* in [0, 1]: a contact that slides comes to rest where its trial is within this share of the sliding limit, ... */
+  double moment_rest_share; /* ... or this one, if it is smaller; on a box force and moment each within its own. 1: at once */
 } limitcurve_limits;
 
 /* What friction remembers of a contact; all 0 to begin with. */
