@@ -27,8 +27,6 @@ autodoc_member_order = "bysource"
 
 html_theme = "furo"
 html_title = "limitcurve"
-html_static_path = ["site/site.css"]
-html_css_files = ["site.css"]
 html_copy_source = False
 html_show_sphinx = False
 html_show_copyright = False
