@@ -11,7 +11,7 @@ from docutils.parsers.rst.directives import flag
 from docutils.statemachine import StringList
 
 ROOT = Path(__file__).resolve().parents[2]
-WORDS = {".hpp": re.compile(r"((?:^///.*\n)+)^namespace ", re.MULTILINE), ".h": re.compile(r"^/\* (?!SPDX)(.*?)\*/", re.MULTILINE | re.DOTALL)}
+WORDS = re.compile(r"((?:^///.*\n)+)^namespace ", re.MULTILINE)
 
 
 class Header(DoxygenFileDirective):
@@ -19,11 +19,10 @@ class Header(DoxygenFileDirective):
 
     def run(self):
         self.options["content-only"] = None
-        path = ROOT / self.arguments[0]
-        words = WORDS[path.suffix].search(path.read_text(encoding="utf-8"))
+        words = WORDS.search((ROOT / self.arguments[0]).read_text(encoding="utf-8"))
         about = nodes.container()
         if words:
-            text = re.sub(r"^(///| \*) ?", "", words[1], flags=re.MULTILINE)
+            text = re.sub(r"^/// ?", "", words[1], flags=re.MULTILINE)
             self.state.nested_parse(StringList(text.splitlines(), self.arguments[0]), 0, about)
         return [about, *super().run()]
 
