@@ -24,7 +24,10 @@ def rows(name):
 
 
 def percent(fraction):
-    return f"{100 * float(fraction):.2g} %" if fraction else "–"
+    if not fraction:
+        return "–"
+    value = 100 * float(fraction)
+    return f"{value:.0f} %" if value >= 10 else f"{value:.2g} %"
 
 
 class Table(SphinxDirective):
