@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Newton on a processor: its solvers XPBD, MuJoCo (mujoco-warp) with both cones."""
+"""Newton's solver XPBD, on a processor. (Its solver MuJoCo is MuJoCo; dragged as a free light body, as here, it does not keep the motion imposed.)"""
 
 import newton
 import numpy as np
@@ -12,36 +12,24 @@ STEPS = 300
 
 
 def measure():
-    # Newton mixes as MuJoCo does, or takes the mean: both shapes get MuJoCo's coefficients.
+    # The mean of both shapes counts: both get MuJoCo's coefficients.
     given = drag.translated("mujoco")
-    version = newton.__version__
     xpbd = Finger(given, lambda model: newton.solvers.SolverXPBD(model, iterations=20))
-    yield from drag.measure("newton", f"{version} XPBD", "ball", "box", xpbd.drag)
-    # condim is 3 unless its attribute says otherwise: then mu_torsional is not used.
-    for cone, model in (("elliptic", "ellipse"), ("pyramidal", "diamond")):
-        ratio = given["option.impratio"] if cone == "elliptic" else 1
-        solver = Finger(given, lambda model: newton.solvers.SolverMuJoCo(model, cone=cone, impratio=ratio, iterations=100), {"mujoco:condim": 4}, 30.0)
-        yield from drag.measure("newton", f"{version} MuJoCo", "ball", model, solver.drag)
+    yield from drag.measure("newton-xpbd", newton.__version__, "ball", "box", xpbd.drag)
 
 
 class Finger:
-    """`faster`: than other engines' fingers, for MuJoCo's contacts are soft, and a light body's slow slip meets viscous friction."""
-
-    def __init__(self, given, make, attributes=None, faster=1.0):
-        self.faster = faster
+    def __init__(self, given, make):
         builder = newton.ModelBuilder(gravity=(0, 0, -drag.GRAVITY))
-        if attributes:
-            newton.solvers.SolverMuJoCo.register_custom_attributes(builder)
         shape = newton.ModelBuilder.ShapeConfig(density=0.0, mu=given["geom.friction[0]"], mu_torsional=given["geom.friction[1]"], mu_rolling=0.0)
-        builder.add_shape_plane(width=0.0, length=0.0, cfg=shape, custom_attributes=attributes)
+        builder.add_ground_plane(cfg=shape)
         inertia = wp.mat33(*(drag.INERTIA * np.eye(3)).ravel())
         body = builder.add_body(xform=wp.transform((0, 0, drag.BALL_RADIUS), wp.quat_identity()), mass=drag.MASS, inertia=inertia, lock_inertia=True)
-        builder.add_shape_sphere(body, radius=drag.BALL_RADIUS, cfg=shape, custom_attributes=attributes)
+        builder.add_shape_sphere(body, radius=drag.BALL_RADIUS, cfg=shape)
         self.model = builder.finalize(device="cpu")
         self.solver = make(self.model)
 
     def drag(self, slide, spin):
-        slide, spin = self.faster * slide, self.faster * spin
         now, then, control = self.model.state(), self.model.state(), self.model.control()
         mean = np.zeros(3)
         for i in range(STEPS):
