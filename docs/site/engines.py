@@ -52,7 +52,7 @@ class Engines(Table):
             typed = "<br>".join(f"`{name.strip()}` [{unit.strip()}]" if unit.strip() not in ("", "1") else f"`{name.strip()}`"
                                 for name, unit in zip(parameters, units))
             how = "measured" if row["how"] == "measured" else f"[read]({row['link']})"
-            body.append([f"{row['engine']}<br>{row['version']}", typed, row["model"], percent(row["max_error"]), percent(row["cor_error"]), row["ignores"], how])
+            body.append([f"{row['engine']}<br>{row['version']}", typed, row["model"] + (f" ({row['law']})" if row["law"] not in ("", "hertz") else ""), percent(row["max_error"]), percent(row["cor_error"]), row["ignores"], how])
         return self.render(["engine, version", "what to type", "its model", "radial error", "same COR", "what it ignores", "how known"], body)
 
 

@@ -1,0 +1,50 @@
+# SPDX-License-Identifier: MIT
+"""Newton's solver XPBD, on a processor. (Its solver MuJoCo is MuJoCo; dragged as a free light body, as here, it does not keep the motion imposed.)"""
+
+import newton
+import numpy as np
+import warp as wp
+
+import drag
+
+wp.config.quiet = True
+STEPS = 300
+
+
+def measure():
+    # The mean of both shapes counts: both get MuJoCo's coefficients.
+    given = drag.translated("mujoco")
+    xpbd = Finger(given, lambda model: newton.solvers.SolverXPBD(model, iterations=20))
+    yield from drag.measure("newton-xpbd", newton.__version__, "ball", "box", xpbd.drag)
+
+
+class Finger:
+    def __init__(self, given, make):
+        builder = newton.ModelBuilder(gravity=(0, 0, -drag.GRAVITY))
+        shape = newton.ModelBuilder.ShapeConfig(density=0.0, mu=given["geom.friction[0]"], mu_torsional=given["geom.friction[1]"], mu_rolling=0.0)
+        builder.add_ground_plane(cfg=shape)
+        inertia = wp.mat33(*(drag.INERTIA * np.eye(3)).ravel())
+        body = builder.add_body(xform=wp.transform((0, 0, drag.BALL_RADIUS), wp.quat_identity()), mass=drag.MASS, inertia=inertia, lock_inertia=True)
+        builder.add_shape_sphere(body, radius=drag.BALL_RADIUS, cfg=shape)
+        self.model = builder.finalize(device="cpu")
+        self.solver = make(self.model)
+
+    def drag(self, slide, spin):
+        now, then, control = self.model.state(), self.model.state(), self.model.control()
+        mean = np.zeros(3)
+        for i in range(STEPS):
+            place, motion = now.body_q.numpy(), now.body_qd.numpy()
+            place[0] = (0, 0, place[0, 2], 0, 0, 0, 1)
+            before = motion[0, 2]
+            motion[0] = (slide, 0, before, 0, 0, spin)
+            now.body_q.assign(place)
+            now.body_qd.assign(motion)
+            newton.eval_ik(self.model, now, now.joint_q, now.joint_qd)
+            now.clear_forces()
+            self.solver.step(now, then, control, self.model.collide(now), drag.DT)
+            after = then.body_qd.numpy()[0]
+            if i >= 3 * STEPS // 4:
+                mean += (drag.MASS * (slide - after[0]) / drag.DT, drag.INERTIA * (spin - after[5]) / drag.DT,
+                         drag.MASS * ((after[2] - before) / drag.DT + drag.GRAVITY))
+            now, then = then, now
+        return tuple(mean)
