@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Newton's solver XPBD, on a processor. (Its solver MuJoCo is MuJoCo; dragged as a free light body, as here, it does not keep the motion imposed.)"""
+"""Newton's solver XPBD, on a processor. (Its solver MuJoCo is MuJoCo, which in_mujoco.py drags.)"""
 
 import newton
 import numpy as np
