@@ -36,8 +36,17 @@ struct Entry {
 
 std::vector<Entry> make_entries() {
   std::vector<Entry> entries;
-  for (const auto make : {make_laws, make_eval, make_curve, make_p_curves, make_c_curves, make_table, make_lookup, make_validate,
-                          make_choose, make_fit, make_translate, make_replay, make_pivot, make_patch, make_report})
+  for (const auto make :
+       {make_laws, make_eval, make_curve, make_p_curves, make_c_curves, make_table, make_lookup, make_validate, make_choose,
+#ifdef LIMITCURVE_HAS_FIT
+        make_fit, make_translate,
+#endif
+        make_replay, make_pivot, make_patch
+#ifdef LIMITCURVE_HAS_FIT
+        ,
+        make_report
+#endif
+       })
     entries.push_back({make()});
   return entries;
 }
@@ -63,6 +72,12 @@ void check_subcommand(const std::string& name, const std::vector<Entry>& entries
     if (entry.app->get_name() == name) return;
     expected += ' ' + entry.app->get_name();
   }
+#ifndef LIMITCURVE_HAS_FIT
+  if (name == "fit" || name == "translate" || name == "report") {
+    throw std::invalid_argument("subcommand '" + name +
+                                "' is not in this executable, which was built without fits (they need Ceres), expected one of" + expected);
+  }
+#endif
   throw std::invalid_argument((name.empty() ? "no subcommand" : "unknown subcommand '" + name + "'") + ", expected one of" + expected);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cli/command_line.hpp"
+#include "cli/io/descriptor.hpp"
 
-#include <csignal>
 #include <cstdio>
 #include <stdexcept>
 #include <string>
@@ -19,8 +19,7 @@ void complain(std::string_view message) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  // A closed pipe is then an error of write(), told like any other.
-  std::signal(SIGPIPE, SIG_IGN);
+  limitcurve::cli::descriptor::prepare_standard_streams();
   try {
     auto output = limitcurve::cli::OutputFile::standard_output();
     limitcurve::cli::run_command_line({argv + 1, argv + argc}, {output});

@@ -3,27 +3,22 @@
 #include "cli/io/law_argument.hpp"
 #include "cli/io/patch_argument.hpp"
 
-#include "fit/curve_fit.hpp"
 #include "limitcurve/approximations.hpp"
 #include "limitcurve/exact_curve.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/patch/round_models.hpp"
 #include "limitcurve/validate.hpp"
+#ifdef LIMITCURVE_HAS_FIT
+#include "fit/curve_fit.hpp"
+#endif
 
-#include <array>
 #include <limits>
 #include <stdexcept>
 #include <string_view>
-#include <utility>
 
 namespace limitcurve::cli {
 
 namespace {
-
-constexpr std::array<std::pair<std::string_view, fit::Criterion>, 4> ellipses{{{"ellipse", fit::Criterion::intercepts},
-                                                                               {"ellipse-least-squares", fit::Criterion::least_squares},
-                                                                               {"ellipse-inner", fit::Criterion::inner},
-                                                                               {"ellipse-outer", fit::Criterion::outer}}};
 
 class Validate final : public Subcommand {
  public:
@@ -62,15 +57,18 @@ class Validate final : public Subcommand {
       const auto row = [&](std::string_view model, double parameter, const CurveError& error) {
         write(rows, law->name(), model, parameter, error);
       };
-      for (const auto& [model, criterion] : ellipses) {
-        const auto ellipse = fit::fit_ellipse(law, criterion);
-        row(model, ellipse.curve.force_max(), ellipse.error);
-      }
-      const auto superellipse = fit::fit_superellipse(law, fit::Criterion::minimax);
-      row("superellipse", superellipse.curve.exponent(), superellipse.error);
-      const auto quartic = fit::fit_quartic(law, fit::Criterion::minimax);
-      row("quartic", quartic.curve.kappa(), quartic.error);
       const ExactCurve exact(law);
+      const auto ellipse = [&](std::string_view model, const Ellipse& curve) { row(model, curve.force_max(), curve_error(curve, exact)); };
+      ellipse("ellipse", Ellipse::through_intercepts(exact.moment_ratio()));
+#ifdef LIMITCURVE_HAS_FIT
+      ellipse("ellipse-least-squares", fit::fit_ellipse(law, fit::Criterion::least_squares).curve);
+#endif
+      ellipse("ellipse-inner", inner_ellipse(exact));
+      ellipse("ellipse-outer", outer_ellipse(exact));
+      const auto superellipse = Superellipse::through_intercepts(exact.moment_ratio(), minimax_superellipse(exact).exponent());
+      row("superellipse", superellipse.exponent(), curve_error(superellipse, exact));
+      const auto quartic = Quartic::through_intercepts(exact.moment_ratio(), minimax_quartic(exact).kappa());
+      row("quartic", quartic.kappa(), curve_error(quartic, exact));
       row("box", std::numeric_limits<double>::infinity(), curve_error(box(1.0, exact.moment_ratio()), exact));
       row("diamond", 1.0, curve_error(diamond(1.0, exact.moment_ratio()), exact));
     }

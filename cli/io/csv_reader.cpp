@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "cli/io/csv_reader.hpp"
 
+#include "cli/io/descriptor.hpp"
 #include "cli/io/number_list.hpp"
 #include "cli/io/output_file.hpp"
 
 #include <cerrno>
+#include <cstddef>
 #include <filesystem>
-
-#include <fcntl.h>
-#include <unistd.h>
+#include <system_error>
 
 namespace limitcurve::cli {
 
@@ -21,14 +21,13 @@ std::string joined(const std::vector<std::string>& names, std::size_t count) {
 }
 
 int open_to_read(const std::string& file) {
-  if (file == "-") return STDIN_FILENO;
-  const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
-  if (descriptor < 0) throw std::invalid_argument(system_complaint("read", file));
-  if (std::filesystem::is_directory(file)) {
-    ::close(descriptor);
+  if (file == "-") return descriptor::standard_input;
+  std::error_code unknown;
+  if (std::filesystem::is_directory(file, unknown))
     throw std::invalid_argument("cannot read '" + file + "': a directory, expected a CSV file");
-  }
-  return descriptor;
+  const int opened = descriptor::open_to_read(file);
+  if (opened < 0) throw std::invalid_argument(system_complaint("read", file));
+  return opened;
 }
 
 /// Enough of a text to recognise it by, printable whatever it was.
@@ -57,7 +56,7 @@ CsvReader::CsvReader(const std::string& file, std::vector<std::string> columns, 
     }
     find_columns();
   } catch (...) {
-    if (descriptor_ != STDIN_FILENO) ::close(descriptor_);
+    if (descriptor_ != descriptor::standard_input) descriptor::close(descriptor_);
     throw;
   }
 }
@@ -66,7 +65,7 @@ CsvReader::CsvReader(const std::string& file)
     : name_(file == "-" ? "standard input" : file), required_(0), descriptor_(open_to_read(file)), has_header_(false) {}
 
 CsvReader::~CsvReader() {
-  if (descriptor_ != STDIN_FILENO) ::close(descriptor_);
+  if (descriptor_ != descriptor::standard_input) descriptor::close(descriptor_);
 }
 
 bool CsvReader::next_line() {
@@ -83,9 +82,9 @@ bool CsvReader::next_line() {
       break;
     }
     chunk_.resize(chunk_size);
-    ssize_t count = 0;
+    std::ptrdiff_t count = 0;
     do {
-      count = ::read(descriptor_, chunk_.data(), chunk_.size());
+      count = descriptor::read(descriptor_, chunk_.data(), chunk_.size());
     } while (count < 0 && errno == EINTR);
     if (count < 0) throw std::runtime_error(system_complaint("read", name_));
     chunk_.resize(static_cast<std::size_t>(count));

@@ -7,16 +7,37 @@
 #include <system_error>
 #include <vector>
 
+#ifdef _WIN32
+#include <array>
+
+#define WIN32_LEAN_AND_MEAN
+#include <windows.h>
+#endif
+
 namespace limitcurve::cli {
+
+namespace {
+
+/// Where this executable lies; empty if that cannot be known.
+std::filesystem::path own_path() {
+#ifdef _WIN32
+  std::array<wchar_t, 4096> path{};
+  return std::wstring(path.data(), ::GetModuleFileNameW(nullptr, path.data(), static_cast<DWORD>(path.size())));
+#else
+  std::error_code unknown;
+  return std::filesystem::read_symlink("/proc/self/exe", unknown);
+#endif
+}
+
+}  // namespace
 
 std::filesystem::path find_share() {
   std::vector<std::filesystem::path> candidates;
   if (const char* const given = std::getenv("LIMITCURVE_SHARE"); given != nullptr && *given != '\0') {
     candidates.emplace_back(given);
   } else {
-    std::error_code unknown;
-    const auto executable = std::filesystem::read_symlink("/proc/self/exe", unknown);
-    if (!unknown) candidates.push_back(executable.parent_path().parent_path() / "share" / "limitcurve");
+    const std::filesystem::path executable = own_path();
+    if (!executable.empty()) candidates.push_back(executable.parent_path().parent_path() / "share" / "limitcurve");
     candidates.emplace_back(LIMITCURVE_SOURCE_DIRECTORY);
   }
   std::string tried;

@@ -11,11 +11,16 @@ bool is_supported(InstructionSet set) noexcept {
     case InstructionSet::single:
     case InstructionSet::sse2:
       return true;
+#ifdef LIMITCURVE_WIDE_PACKS
     case InstructionSet::avx2:
       return __builtin_cpu_supports("avx2");
     case InstructionSet::avx512:
       return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw") &&
              __builtin_cpu_supports("avx512vl");
+#else
+    default:
+      return false;
+#endif
   }
 #endif
   return set == InstructionSet::single;
@@ -33,8 +38,10 @@ void step_with([[maybe_unused]] InstructionSet set, const Shared<Real>& shared, 
   const std::size_t count = contacts.size();
   std::size_t i = 0;
 #ifdef LIMITCURVE_PACKS
+#ifdef LIMITCURVE_WIDE_PACKS
   if (set == InstructionSet::avx512) i = step_packs<Avx512>(shared, contacts, count);
   if (set == InstructionSet::avx2) i = step_packs<Avx2>(shared, contacts, count);
+#endif
   if (set == InstructionSet::sse2) i = step_packs<Sse2>(shared, contacts, count);
 #endif
   for (; i < count; ++i) step_contacts<Real, Real>(shared, contacts, i);

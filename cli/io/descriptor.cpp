@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+#include "cli/io/descriptor.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <csignal>
+
+#include <fcntl.h>
+
+#ifdef _WIN32
+#include <climits>
+
+#include <io.h>
+#include <process.h>
+#include <sys/stat.h>
+#else
+#include <unistd.h>
+#endif
+
+namespace limitcurve::cli::descriptor {
+
+#ifdef _WIN32
+
+int open_to_read(const std::string& file) noexcept {
+  return ::_open(file.c_str(), _O_RDONLY | _O_BINARY | _O_NOINHERIT);
+}
+
+int create(const std::filesystem::path& path) noexcept {
+  return ::_wopen(path.c_str(), _O_WRONLY | _O_CREAT | _O_EXCL | _O_BINARY | _O_NOINHERIT, _S_IREAD | _S_IWRITE);
+}
+
+int create_nameless(const std::filesystem::path&) noexcept {
+  errno = ENOSYS;
+  return -1;
+}
+
+int give_name(int, const std::filesystem::path&) noexcept {
+  errno = ENOSYS;
+  return -1;
+}
+
+std::ptrdiff_t read(int file, char* to, std::size_t size) noexcept {
+  return ::_read(file, to, static_cast<unsigned>(std::min<std::size_t>(size, INT_MAX)));
+}
+
+std::ptrdiff_t write(int file, const char* from, std::size_t size) noexcept {
+  return ::_write(file, from, static_cast<unsigned>(std::min<std::size_t>(size, INT_MAX)));
+}
+
+int synchronise(int file) noexcept {
+  return ::_commit(file);
+}
+
+void close(int file) noexcept {
+  ::_close(file);
+}
+
+void prepare_standard_streams() noexcept {
+  ::_setmode(standard_input, _O_BINARY);
+  ::_setmode(standard_output, _O_BINARY);
+}
+
+int process_id() noexcept {
+  return ::_getpid();
+}
+
+#else
+
+int open_to_read(const std::string& file) noexcept {
+  return ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
+}
+
+int create(const std::filesystem::path& path) noexcept {
+  return ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+}
+
+namespace {
+
+/// The place in /proc by which a file without a name can be given one.
+std::string place_of(int file) {
+  return "/proc/self/fd/" + std::to_string(file);
+}
+
+}  // namespace
+
+int create_nameless(const std::filesystem::path& path) noexcept {
+  if (::access("/proc/self/fd", F_OK) != 0) return -1;
+  const std::filesystem::path directory = path.parent_path();
+  return ::open(directory.empty() ? "." : directory.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
+}
+
+int give_name(int file, const std::filesystem::path& path) noexcept {
+  return ::linkat(AT_FDCWD, place_of(file).c_str(), AT_FDCWD, path.c_str(), AT_SYMLINK_FOLLOW);
+}
+
+std::ptrdiff_t read(int file, char* to, std::size_t size) noexcept {
+  return ::read(file, to, size);
+}
+
+std::ptrdiff_t write(int file, const char* from, std::size_t size) noexcept {
+  return ::write(file, from, size);
+}
+
+int synchronise(int file) noexcept {
+  return ::fsync(file);
+}
+
+void close(int file) noexcept {
+  ::close(file);
+}
+
+void prepare_standard_streams() noexcept {
+  std::signal(SIGPIPE, SIG_IGN);
+}
+
+int process_id() noexcept {
+  return ::getpid();
+}
+
+#endif
+
+}  // namespace limitcurve::cli::descriptor
