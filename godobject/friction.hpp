@@ -68,14 +68,14 @@ template <class Real, class Number>
   constexpr Real least = wide ? Real(1e-125) : Real(1e-18);
   constexpr Real largest = wide ? Real(1e60) : Real(1e8);
   constexpr Real steepest = wide ? Real(1e40) : Real(1e9);
-  const Number per_force = Number(Real(1)) / max(Number(least), limit.force);
-  const Number per_moment = Number(Real(1)) / max(Number(least), limit.force * limit.radius);
+  const Number per_force = Number(Real(1)) / larger(Number(least), limit.force);
+  const Number per_moment = Number(Real(1)) / larger(Number(least), limit.force * limit.radius);
   const Number rounding = trial.force_rounding * per_force * Number(curve.inverse_force_max) +
                           trial.moment_rounding * per_moment * Number(curve.inverse_moment_max);
   // Not more than the limit itself: with no friction at all a contact slips.
-  return {min(trial.force * per_force, Number(largest)), min(trial.moment * per_moment, Number(largest)),
-          min(max(limit.radius * limit.radius * stiffness_ratio, Number(Real(1) / steepest)), Number(steepest)),
-          Number(slip_onset<Real>) + min(rounding, Number(Real(1)))};
+  return {smaller(trial.force * per_force, Number(largest)), smaller(trial.moment * per_moment, Number(largest)),
+          smaller(larger(limit.radius * limit.radius * stiffness_ratio, Number(Real(1) / steepest)), Number(steepest)),
+          Number(slip_onset<Real>) + smaller(rounding, Number(Real(1)))};
 }
 
 /// Brings the trial on to the limit by the chosen projection.
@@ -102,7 +102,7 @@ template <class Real, class Number, class Mask>
   using namespace arithmetic;
   const Number one = Number(Real(1));
   const Number limit = select(slides, sliding, at_rest);
-  const auto slips = trial > limit * Number(slip_onset<Real>) + min(rounding, limit);
+  const auto slips = trial > limit * Number(slip_onset<Real>) + smaller(rounding, limit);
   const auto lingers = slides && rest_share < one && !(trial < rest_share * sliding);
   slides = slips || lingers;
   return select(slips, sliding / trial, one);
@@ -155,7 +155,7 @@ template <class Real, class Number>
   const auto had_parameter = memory.parameter > zero;
   // The centre of rotation seldom jumps: it is looked for where the last slips point to.
   const Number ahead = memory.parameter + memory.rate;
-  const Number reach = Number(Real(0.1)) * min(memory.parameter, Number(Real(2)) - memory.parameter);
+  const Number reach = Number(Real(0.1)) * smaller(memory.parameter, Number(Real(2)) - memory.parameter);
   const Number last = select(abs(memory.rate) <= reach, ahead, memory.parameter);
 
   FrictionLimit<Number> limit{select(was_sliding, limits.sliding.force, limits.at_rest.force),
@@ -177,16 +177,16 @@ template <class Real, class Number>
   result.slips = projected.outside;
   // Rounding may leave a small component above the trial's; the springs cannot.
   const auto kept = [&](Number ratio, Number trial_wrench) {
-    return select(result.slips && trial_wrench > zero, max(zero, min(one, ratio)), one);
+    return select(result.slips && trial_wrench > zero, larger(zero, smaller(one, ratio)), one);
   };
   result.force_ratio = kept(projected.force_ratio, trial.force);
   result.moment_ratio = limits.has_torsion ? kept(projected.moment_ratio, trial.moment) : zero;
   const Number nan = Number(std::numeric_limits<Real>::quiet_NaN());
   // Pure sliding is that at any radius, also at a(0) = 0.
-  const Number radius = max(limit.radius, Number(std::numeric_limits<Real>::min()));
+  const Number radius = larger(limit.radius, Number((std::numeric_limits<Real>::min)()));
   result.cor = select(result.slips, radius * (projected.slide / projected.spin), nan);
   memory.slides = result.slips;
-  const Number rest_share = min(limits.force_rest_share, limits.moment_rest_share);
+  const Number rest_share = smaller(limits.force_rest_share, limits.moment_rest_share);
   const auto lingers = was_sliding && !result.slips && rest_share < one;
   if (any(lingers)) memory.slides = memory.slides || (lingers && !(share_of_limit(curve, limits.has_torsion, unit, last) < rest_share));
   memory.rate = select(result.slips, select(had_parameter, projected.parameter - memory.parameter, zero), zero);

@@ -86,7 +86,7 @@ template <class Real, class Number>
     const Number y_trial = trial.moment * Number(curve.inverse_moment_max);
     const Number eta = inverse_chi * inverse_ratio * inverse_ratio;
     const Number square = x_trial * x_trial + y_trial * y_trial;
-    const Number n = square * max(sqrt(square) - one, zero);
+    const Number n = square * larger(sqrt(square) - one, zero);
     const Number d = x_trial * x_trial + eta * (y_trial * y_trial);
     return std::array{x_trial * (d + eta * n) * ratio, y_trial * (d + n)};
   };
@@ -101,7 +101,7 @@ template <class Real, class Number>
         const Number over_trailing = kappa * (side.trailing - jet.trailing(at));
         const Number stiff = one + kappa * at * at;
         // A trial below a point of the curve in both components is inside: nothing to search for.
-        const Number value = select(max(over_leading, over_trailing) > zero, over_leading - at * over_trailing, zero);
+        const Number value = select(larger(over_leading, over_trailing) > zero, over_leading - at * over_trailing, zero);
         return {value, -jet.second * stiff - over_trailing, -jet.third * stiff - Number(Real(3)) * kappa * at * jet.second,
                 Number(4 * std::numeric_limits<Real>::epsilon()) * (side.leading + at * kappa * side.trailing)};
       },

@@ -30,14 +30,14 @@ template <std::integral Index>
   return condition;
 }
 
-/// The smaller; `a` where `b` is not a number.
+/// The smaller (not `min`, which is a macro of Windows); `a` where `b` is not a number.
 template <std::floating_point Real>
-[[nodiscard]] constexpr Real min(Real a, Real b) noexcept {
+[[nodiscard]] constexpr Real smaller(Real a, Real b) noexcept {
   return b < a ? b : a;
 }
 /// The larger; `a` where `b` is not a number.
 template <std::floating_point Real>
-[[nodiscard]] constexpr Real max(Real a, Real b) noexcept {
+[[nodiscard]] constexpr Real larger(Real a, Real b) noexcept {
   return a < b ? b : a;
 }
 template <std::floating_point Real>

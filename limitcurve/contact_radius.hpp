@@ -168,13 +168,13 @@ double load_to_hold(const Curve& curve, const RadiusLaw& radius_law, double mu, 
     return curve.gauge({scaled_force, scaled_moment / radius_law.coefficient()});
   const double force_alone = scaled_force / curve.wrench({1.0, 0.0}).force;
   const double moment_alone = radius_law.load_of_product(scaled_moment / curve.wrench({0.0, 1.0}).moment);
-  double low = std::max(force_alone, moment_alone);
+  double low = (std::max)(force_alone, moment_alone);
   double high = force_alone + moment_alone;
   if (force == 0.0 || moment == 0.0 || std::isinf(high)) return high;
   // A sampled radius may fall with the load, where the sum of the two loads need not hold; a load that bears twice the
   // force and twice the moment, each alone, does.
   if (radius_law.is_sampled())
-    high = std::max(high, radius_law.load_of_product(scaled_moment / curve.wrench({0.0, 1.0}).moment * 2.0) + 2.0 * force_alone);
+    high = (std::max)(high, radius_law.load_of_product(scaled_moment / curve.wrench({0.0, 1.0}).moment * 2.0) + 2.0 * force_alone);
   double load = low;
   for (int i = 0; i < search_limit; ++i) {
     const UnitWrench wrench{scaled_force / load, scaled_moment / (load * radius_law.radius(load))};

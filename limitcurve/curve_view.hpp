@@ -73,7 +73,7 @@ struct TablePieces {
   [[nodiscard]] auto cell(Mask outside, Number x) const noexcept {
     using namespace arithmetic;
     const Number one = Number(Real(1));
-    const Number y = max(Number(Real(0)), min(x, one - x));
+    const Number y = larger(Number(Real(0)), smaller(x, one - x));
     const auto bits = leading_bits(y + Number(offset), dropped_bits);
     using Index = decltype(bits + 0);
     const auto run = select(x > one - x, Index{} + buckets, Index{}) + select(outside, Index{} + 2 * buckets, Index{});
@@ -89,7 +89,7 @@ struct TablePieces {
     while (true) {
       const Number begin = gather(cells, numbers_per_cell * cell);
       // The first cell of a side begins at 0.
-      const auto is_beyond = begin > max(Number(Real(0)), x);
+      const auto is_beyond = begin > larger(Number(Real(0)), x);
       if (!any(is_beyond)) return cell;
       cell = cell - select(is_beyond, Index{} + 1, Index{});
     }
@@ -175,7 +175,7 @@ struct CurveSide {
       x = select(is_known, x, select(outside, spin, slide) / select(outside, slide, spin));
     }
     // A wrench on an axis has its root at the end, which no step reaches exactly.
-    return select(leading > zero, max(zero, min(Number(Real(1)), x)), zero);
+    return select(leading > zero, larger(zero, smaller(Number(Real(1)), x)), zero);
   }
 
   [[nodiscard]] CurvePoint<Number> point(const Jet<Number>& jet, Number x) const noexcept {
@@ -224,7 +224,7 @@ template <class Real, class Number>
   using namespace arithmetic;
   const Number x = force * Number(curve.inverse_force_max);
   const Number y = moment * Number(curve.inverse_moment_max);
-  if (curve.is_box) return max(x, y);
+  if (curve.is_box) return larger(x, y);
   if (!curve.has_table()) return sqrt(x * x + y * y);
   Number result;
   static_cast<void>(point_on_ray(curve, force, moment, last, result));

@@ -24,8 +24,8 @@ class ExactCurve {
 
   [[nodiscard]] SlopedPoint point(SlipTwist twist) const noexcept {
     // du = −u² ds. Towards pure sliding df/ds vanishes like u³; the floor keeps u⁻² finite and the limit right.
-    const double u = std::max(twist.spin_fraction(), 1e-80);
-    const double s = std::min(twist.cor(), 1e80);
+    const double u = (std::max)(twist.spin_fraction(), 1e-80);
+    const double s = (std::min)(twist.cor(), 1e80);
     const UnitForces<double> forces = law_->forces(s);
     const double slope = forces.force_slope / (u * u);
     return {inwards(forces), {-slope, s * slope}};

@@ -40,7 +40,7 @@ template <class Real, class Number, class Function>
   for (int step = 1;; ++step) {
     const Residual<Number> at = residual(x);
     // A small slope makes a long step, not a small residual: convergence is judged by both.
-    const auto searching = abs(at.value) > max(at.rounding, Number(search_tolerance<Real>) * x * abs(at.slope));
+    const auto searching = abs(at.value) > larger(at.rounding, Number(search_tolerance<Real>) * x * abs(at.slope));
     if (!any(searching) || step == max_search_steps) return x;
     low = select(at.value > Number(Real(0)), x, low);
     high = select(at.value > Number(Real(0)), high, x);

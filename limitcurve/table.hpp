@@ -136,7 +136,7 @@ class BasicTable {
   static BasicTable build_from(const std::function<UnitWrench(SlipTwist)>& curve, double tolerance, std::string name);
 
   static Place place(SlipTwist twist) noexcept {
-    return {twist.slide > twist.spin, static_cast<Real>(std::min(twist.slide, twist.spin) / std::max(twist.slide, twist.spin))};
+    return {twist.slide > twist.spin, static_cast<Real>((std::min)(twist.slide, twist.spin) / (std::max)(twist.slide, twist.spin))};
   }
   /// Inside the rim the force leads, outside the moment. By index: which side a twist lies on no predictor knows.
   static UnitWrench wrench_of(bool outside, double leading, double trailing) noexcept {

@@ -135,7 +135,7 @@ template <class Real, class Isa>
 
 // The processor's min and max give their second argument where the first is not a number.
 template <class Real, class Isa>
-[[nodiscard]] Pack<Real, Isa> min(Pack<Real, Isa> a, Pack<Real, Isa> b) noexcept {
+[[nodiscard]] Pack<Real, Isa> smaller(Pack<Real, Isa> a, Pack<Real, Isa> b) noexcept {
   if constexpr (Isa::bytes == 64 && sizeof(Real) == 8) {
     return Pack<Real, Isa>(_mm512_maskz_min_pd(0xFF, b.lanes, a.lanes));
   } else if constexpr (Isa::bytes == 64) {
@@ -151,7 +151,7 @@ template <class Real, class Isa>
   }
 }
 template <class Real, class Isa>
-[[nodiscard]] Pack<Real, Isa> max(Pack<Real, Isa> a, Pack<Real, Isa> b) noexcept {
+[[nodiscard]] Pack<Real, Isa> larger(Pack<Real, Isa> a, Pack<Real, Isa> b) noexcept {
   if constexpr (Isa::bytes == 64 && sizeof(Real) == 8) {
     return Pack<Real, Isa>(_mm512_maskz_max_pd(0xFF, b.lanes, a.lanes));
   } else if constexpr (Isa::bytes == 64) {
