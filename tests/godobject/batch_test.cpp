@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <vector>
 
 namespace limitcurve::godobject::test {
@@ -95,7 +96,7 @@ TYPED_TEST(BatchOf, SlipBeginsOnTheCurve) {
       const double load = with.with.stiffness * double{arrays.depth()[0]};
       const double unit = share * with.with.mu * load;
       for (std::size_t i = 0; i < count; ++i) {
-        const double angle = 0.5 * M_PI * (static_cast<double>(i) + 0.5) / count;
+        const double angle = 0.5 * std::numbers::pi * (static_cast<double>(i) + 0.5) / count;
         const UnitWrench limit = with.curve.along({std::cos(angle), with.curve.moment_ratio() * std::sin(angle)}).wrench;
         arrays.y()[i] = static_cast<Real>(limit.force * unit / with.with.stiffness);
         arrays.angle()[i] = static_cast<Real>(limit.moment * unit * with.with.radius_law.radius(load) / with.with.twist_stiffness);

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
 #include <vector>
 
 namespace limitcurve::godobject::test {
@@ -50,7 +51,7 @@ End projected(const FingerCurve& curve, Projection projection, const Outside& ou
 std::vector<UnitWrench> sample(const FingerCurve& curve, int count) {
   std::vector<UnitWrench> points;
   for (int i = 0; i <= count; ++i) {
-    const double angle = 0.5 * M_PI * i / count;
+    const double angle = 0.5 * std::numbers::pi * i / count;
     points.push_back(curve.along({std::cos(angle), curve.moment_ratio() * std::sin(angle)}).wrench);
     points.push_back(curve.wrench(SlipTwist::of_spin_fraction(double(i) / count)));
   }
@@ -64,7 +65,7 @@ void for_random_trials(const FingerCurve& curve, int count, Body&& body) {
   Random random(20240607);
   const double moment_ratio = curve.moment_ratio();
   for (int i = 0; i < count; ++i) {
-    const double angle = i % 10 == 0 ? 0.0 : i % 10 == 1 ? 0.5 * M_PI : random.uniform(0.0, 0.5 * M_PI);
+    const double angle = i % 10 == 0 ? 0.0 : i % 10 == 1 ? 0.5 * std::numbers::pi : random.uniform(0.0, 0.5 * std::numbers::pi);
     const double length = i % 3 == 0 ? 1.0 + random.logarithmic(1e-9, 1.0) : random.logarithmic(1.0, 1e6);
     Outside outside;
     outside.trial.force = i % 10 == 1 ? 0.0 : length * std::cos(angle);

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <numbers>
 #include <vector>
 
 namespace limitcurve::godobject::test {
@@ -43,7 +44,7 @@ TEST(Uncoupled, AHeldTwistKeepsItsMomentWhileTheForceSlips) {
   FingerParameters with = parameters(0.6, 0.006, 1000.0, 0.036);
   with.mu_dynamic = 0.3;
   SoftFinger finger(hertz_box(), with);
-  const double limit = 3.0 * M_PI / 16.0 * 0.6 * 0.006;  // Γ_s at 1 N
+  const double limit = 3.0 * std::numbers::pi / 16.0 * 0.6 * 0.006;  // Γ_s at 1 N
   const double twist = 0.9 * limit / 0.036;
   finger.update(on_plane(0.0, 0.0, 0.001), 0.0);
   const double held = finger.update(on_plane(0.0, 0.0, 0.001), twist).moment;

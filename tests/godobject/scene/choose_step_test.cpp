@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <random>
 #include <stdexcept>
 #include <vector>
@@ -50,7 +51,7 @@ std::vector<DevicePose> wander(const Scene& scene, unsigned seed) {
     at.position += velocity * scene.sample_time;
     if (std::fabs(at.twist + spin * scene.sample_time) > 0.5 * scene.twist) spin = -spin;
     at.twist += spin * scene.sample_time;
-    const double swing = 0.5 - 0.5 * std::cos(2.0 * M_PI * i / 1500.0);
+    const double swing = 0.5 - 0.5 * std::cos(2.0 * std::numbers::pi * i / 1500.0);
     at.position.z() = -(scene.least_load + (scene.most_load - scene.least_load) * swing) / scene.stiffness;
     motion.push_back(at);
   }

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 
 namespace limitcurve::stability {
 
@@ -38,7 +39,7 @@ TEST(Projection, SmallContacts) {
   // Eq. (17): a Hertz contact of a = μ_r/(μ m₀) under c = 5 mm.
   constexpr std::array moments{1e-3, 1e-4, 1e-6};
   for (std::size_t i = 0; i < moments.size(); ++i) {
-    const double inverse = moments[i] / (0.6 * 3.0 * M_PI / 16.0) / 0.005;
+    const double inverse = moments[i] / (0.6 * 3.0 * std::numbers::pi / 16.0) / 0.005;
     // f = 1 − ⟨ρ²⟩/(4s²) − …, ⟨ρ²⟩ = 2/5, far away.
     EXPECT_NEAR(findings[i].stands, 1.0 - 0.1 * inverse * inverse, 0.05 * std::pow(inverse, 4.0) + 1e-7);
   }
@@ -52,7 +53,7 @@ TEST(Projection, GrowingRadius) {
   EXPECT_NEAR(findings[1].breaks, 0.416, 0.0005);
   // (3π/8)s(1 − s²/4), s = 5/6.
   const double s = 5.0 / 6.0;
-  for (const Finding& finding : findings) EXPECT_NEAR(finding.stands, 0.6 * 3.0 * M_PI / 8.0 * s * (1.0 - 0.25 * s * s), 1e-7);
+  for (const Finding& finding : findings) EXPECT_NEAR(finding.stands, 0.6 * 3.0 * std::numbers::pi / 8.0 * s * (1.0 - 0.25 * s * s), 1e-7);
 }
 
 TEST(Projection, NewtonWithoutBracket) {
