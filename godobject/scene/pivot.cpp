@@ -343,8 +343,12 @@ double default_load(const PivotOptions& options) {
   constexpr double usual = 0.5;
   const double load = 1.3 * load_to_hold(options, make_curve(options, CurveKind::ellipse).curve);
   if (!(load > usual && load <= 1e8)) return usual;
-  const double tens = std::pow(10.0, 1.0 - std::floor(std::log10(load)));
-  return std::ceil(load * tens) / tens;
+  // Two figures, by powers of ten that are whole numbers: not every library's pow() gives these exactly.
+  double parts = 1.0;
+  while (load * parts < 10.0) parts *= 10.0;
+  double unit = 1.0;
+  while (load >= 100.0 * unit) unit *= 10.0;
+  return std::ceil(load * parts / unit) / parts * unit;
 }
 
 }  // namespace limitcurve::godobject

@@ -106,10 +106,10 @@ TEST(LawGrammar, SurvivesTornStrings) {
   std::vector<std::string> seeds;
   for (const std::string_view example : law_examples()) seeds.emplace_back(example);
   for (int i = 0; i < 3000; ++i) {
-    std::string text = seeds[random() % seeds.size()];
+    std::string text = seeds[static_cast<std::size_t>(random() % seeds.size())];
     for (auto edits = 1 + random() % 3; edits > 0; --edits) {
-      const std::size_t at = text.empty() ? 0 : random() % text.size();
-      const char letter = alphabet[random() % alphabet.size()];
+      const std::size_t at = text.empty() ? 0 : static_cast<std::size_t>(random() % text.size());
+      const char letter = alphabet[static_cast<std::size_t>(random() % alphabet.size())];
       if (random() % 3 == 0) {
         text.insert(at, 1, letter);
       } else if (random() % 2 == 0) {
