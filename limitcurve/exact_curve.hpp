@@ -20,7 +20,7 @@ class ExactCurve {
   [[nodiscard]] const PressureLaw& law() const noexcept { return *law_; }
   [[nodiscard]] double moment_ratio() const noexcept { return moment_ratio_; }
 
-  [[nodiscard]] UnitWrench wrench(SlipTwist twist) const noexcept { return inwards(law_->forces(twist.cor())); }
+  [[nodiscard]] UnitWrench wrench(SlipTwist twist) const noexcept { return inwards(law_->forces(twist.cor(), Slope::unwanted)); }
 
   [[nodiscard]] SlopedPoint point(SlipTwist twist) const noexcept {
     // du = −u² ds. Towards pure sliding df/ds vanishes like u³; the floor keeps u⁻² finite and the limit right.

@@ -28,6 +28,9 @@ enum class Method {
 /// The method's name on the command line ("auto", "closed", "ring", "punch", "direct").
 std::string_view to_string(Method method);
 
+/// Whether df/ds is wanted beside the wrench. By quadrature it costs half as much again; where it is not wanted and is not at hand it is NaN.
+enum class Slope { wanted, unwanted };
+
 /// A place under the finger: ρ = r/a, and its distance from the rim, which keeps its digits where ρ → outer radius.
 template <class Real>
 struct RadialPosition {
@@ -64,7 +67,7 @@ class PressureLaw {
   [[nodiscard]] virtual bool has_polynomial_pieces() const noexcept { return false; }
 
   /// The closed form at s, if the law has one.
-  [[nodiscard]] virtual std::optional<UnitForces<Extended>> closed(Extended) const noexcept { return std::nullopt; }
+  [[nodiscard]] virtual std::optional<UnitForces<Extended>> closed(Extended, Slope = Slope::wanted) const noexcept { return std::nullopt; }
 
   /// q(t): load share of the flat punches of radius t that superpose to the law (∫ q dt = 1), divided by
   /// (1−t)^punch_exponent(); if the law has such a superposition.
@@ -75,7 +78,7 @@ class PressureLaw {
   /// where that keeps the promise. Relative error ≤ 1e-14 for an elementary or elliptic closed form and the Gaussian, ≤ 1e-13 for all
   /// others (in df/ds 1e-13, 1e-12; a pressure steeper than rim^(−½) gives df/ds a cusp at s = 1, where one rounding
   /// of s moves it by 1 % and more). NaN for a NaN. Never throws, allocates or locks. A loop reads a table instead.
-  [[nodiscard]] virtual UnitForces<double> forces(double s) const noexcept;
+  [[nodiscard]] virtual UnitForces<double> forces(double s, Slope slope = Slope::wanted) const noexcept;
 
   /// Unit wrench at s with its error, computed in extended precision. `method` must be one that `allows` grants.
   /// Relative error ≤ 1e-15 for a closed form, ≤ 1e-14 for the others, and in every case ≤ the error returned.
@@ -83,7 +86,7 @@ class PressureLaw {
 
   /// The same by Method::automatic, before it is rounded to double; its error leaves out what a law does not know of its own pressure
   /// (between samples). For tables whose tolerance the errors of `forces` come near.
-  [[nodiscard]] virtual evaluators::Quadrature<Extended> unrounded(Extended s) const noexcept;
+  [[nodiscard]] virtual evaluators::Quadrature<Extended> unrounded(Extended s, Slope slope) const noexcept;
 
   /// By how much f and m may be off at any s because the pressure itself is known at samples only; part of what `evaluate` states. 0 for a law
   /// that is given by a formula.

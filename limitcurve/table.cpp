@@ -22,12 +22,12 @@ namespace {
 /// A law as its `forces` give it, in microseconds where they are by quadrature.
 table::Source quick_source(const Law& law) {
   const double moment_ratio = law->moment_ratio();
-  const UnitForces<Extended> unknown = law->unrounded(1).error;
+  const UnitForces<Extended> unknown = law->unrounded(1, Slope::unwanted).error;
   const double error = 1e-13 * std::max(1.0, moment_ratio) + static_cast<double>(std::max(unknown.force, unknown.moment));
   return {law->name(),
           [=](bool outside, double x) -> table::Sample {
             if (x == 0.0) return {x, 0, outside ? 1 : moment_ratio, 0.0};
-            const UnitForces<double> forces = law->forces(outside ? 1.0 / x : x);
+            const UnitForces<double> forces = law->forces(outside ? 1.0 / x : x, Slope::unwanted);
             if (outside) return {x, forces.moment, forces.force, error};
             return {x, forces.force, forces.moment, error};
           },
@@ -40,7 +40,7 @@ table::Source fine_source(const Law& law) {
   return {law->name(),
           [=](bool outside, double x) -> table::Sample {
             if (x == 0.0) return {x, 0, outside ? 1 : moment_ratio, 0.0};
-            const auto [forces, bound] = law->unrounded(outside ? 1 / Extended(x) : Extended(x));
+            const auto [forces, bound] = law->unrounded(outside ? 1 / Extended(x) : Extended(x), Slope::unwanted);
             const auto error = static_cast<double>(std::max(bound.force, bound.moment));
             if (outside) return {x, forces.moment, forces.force, error};
             return {x, forces.force, forces.moment, error};

@@ -19,7 +19,14 @@ class CallableLaw final : public PressureLawOf<CallableLaw> {
   CallableLaw(std::string name, std::function<double(double)> pressure, std::span<const double> breaks, double narrowest_feature)
       : name_(std::move(name)), pressure_(std::move(pressure)), outer_(breaks.back()) {
     std::vector<Extended> told;
-    for (const double place : breaks) told.push_back(place / outer_);
+    for (const double place : breaks) {
+      // The rule stops short of the ends, and would see a pressure without bound there as a finite one.
+      if (const double there = pressure_(place); !std::isfinite(there)) {
+        throw std::invalid_argument("law '" + name_ + "': the pressure at radius " + format_number(place) + " is " + format_number(there) +
+                                    ", expected >= 0 and finite");
+      }
+      told.push_back(place / outer_);
+    }
     SmoothPieces pieces = smooth_pieces(
         [&](Extended radius) {
           return 2 * radius * this->pressure(RadialPosition<Extended>{radius, 1 - radius});
@@ -34,7 +41,7 @@ class CallableLaw final : public PressureLawOf<CallableLaw> {
     breaks_ = std::move(pieces.breaks);
     // The integral that is scaled to 1 may be off by as much.
     unresolved_ = 2.0 * static_cast<double>(pieces.error) + load_at_jumps();
-    most_moment_ = evaluators::ring(*this, Extended(0)).forces.moment;
+    most_moment_ = evaluators::ring(*this, Extended(0), Slope::unwanted).forces.moment;
   }
 
   std::string name() const override { return name_; }
@@ -45,7 +52,7 @@ class CallableLaw final : public PressureLawOf<CallableLaw> {
     return static_cast<Real>(scale_) * static_cast<Real>(pressure_(outer_ * static_cast<double>(at.radius)));
   }
 
-  UnitForces<double> forces(double s) const noexcept override { return possible(PressureLaw::forces(s)); }
+  UnitForces<double> forces(double s, Slope slope) const noexcept override { return possible(PressureLaw::forces(s, slope)); }
   WrenchEstimate evaluate(double s, Method method) const noexcept override {
     WrenchEstimate estimate = PressureLaw::evaluate(s, method);
     const auto [force, moment, slope] = possible(UnitForces<double>{estimate.wrench.force, estimate.wrench.moment, 0.0});
@@ -54,8 +61,8 @@ class CallableLaw final : public PressureLawOf<CallableLaw> {
     estimate.error.moment += rounding * moment + unresolved_;
     return estimate;
   }
-  evaluators::Quadrature<Extended> unrounded(Extended s) const noexcept override {
-    evaluators::Quadrature<Extended> estimate = PressureLaw::unrounded(s);
+  evaluators::Quadrature<Extended> unrounded(Extended s, Slope slope) const noexcept override {
+    evaluators::Quadrature<Extended> estimate = PressureLaw::unrounded(s, slope);
     estimate.forces = possible(estimate.forces);
     estimate.error.force += rounding * estimate.forces.force + unresolved_;
     estimate.error.moment += rounding * estimate.forces.moment + unresolved_;

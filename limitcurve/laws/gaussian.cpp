@@ -58,7 +58,7 @@ class GaussianLaw final : public PressureLawOf<GaussianLaw> {
     return 1 / std::sqrt(half_pi) * ratio * ratio * std::exp(-ratio * ratio / 2) / sigma_;
   }
 
-  std::optional<UnitForces<Extended>> closed(Extended s) const noexcept override {
+  std::optional<UnitForces<Extended>> closed(Extended s, Slope /*slope*/) const noexcept override {
     const Extended x = s / (2 * sigma_);
     const Extended root = std::sqrt(half_pi);
     // e^z overflows long before the expansion fails. What is no number goes there too: Boost's functions are for numbers.

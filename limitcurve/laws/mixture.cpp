@@ -89,10 +89,10 @@ class MixtureLaw final : public PressureLawOf<MixtureLaw> {
     return sum;
   }
 
-  evaluators::Quadrature<Extended> unrounded(Extended s) const noexcept override {
+  evaluators::Quadrature<Extended> unrounded(Extended s, Slope slope) const noexcept override {
     evaluators::Quadrature<Extended> sum{};
     for (const Part& part : parts_) {
-      const auto [forces, error] = part.law->unrounded(s);
+      const auto [forces, error] = part.law->unrounded(s, slope);
       sum.forces.force += part.share * forces.force;
       sum.forces.moment += part.share * forces.moment;
       sum.forces.force_slope += part.share * forces.force_slope;
@@ -108,11 +108,11 @@ class MixtureLaw final : public PressureLawOf<MixtureLaw> {
     return sum;
   }
 
-  UnitForces<double> forces(double s) const noexcept override {
+  UnitForces<double> forces(double s, Slope slope) const noexcept override {
     UnitForces<double> sum{0.0, 0.0, 0.0};
     for (const Part& part : parts_) {
       const auto share = static_cast<double>(part.share);
-      const UnitForces<double> one = part.law->forces(s);
+      const UnitForces<double> one = part.law->forces(s, slope);
       sum.force += share * one.force;
       sum.moment += share * one.moment;
       sum.force_slope += share * one.force_slope;

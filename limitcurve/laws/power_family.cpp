@@ -2,7 +2,7 @@
 #include "limitcurve/laws.hpp"
 #include "limitcurve/number.hpp"
 #include "limitcurve/quadrature/closed_form.hpp"
-#include "limitcurve/quadrature/double_exponential.hpp"
+#include "limitcurve/quadrature/tanh_sinh.hpp"
 
 #include <boost/math/special_functions/gamma.hpp>
 
@@ -28,6 +28,7 @@ class PowerFamilyLaw : public PressureLawOf<PowerFamilyLaw> {
     // tgamma_delta_ratio(x, δ) = Γ(x)/Γ(x+δ)
     using boost::math::tgamma_delta_ratio;
     moment_ratio_ = std::sqrt(pi) / 2 * tgamma_delta_ratio(n_ + 2, Extended(0.5));
+    slope_at_rim_ = std::sqrt(pi) / 4 * tgamma_delta_ratio(n_ + 1, Extended(1.5));
     chord_scale_ = 2 / (std::sqrt(pi) * tgamma_delta_ratio(n_ + Extended(1.5), Extended(0.5)));
     if (n_ > -0.5L) punch_scale_ = 4 / (std::sqrt(pi) * tgamma_delta_ratio(n_ + Extended(0.5), Extended(1.5)));
   }
@@ -51,8 +52,10 @@ class PowerFamilyLaw : public PressureLawOf<PowerFamilyLaw> {
   }
   Extended punch_exponent() const noexcept override { return std::fmin(n_ - Extended(0.5), 0); }
 
-  std::optional<UnitForces<Extended>> closed(Extended s) const noexcept override { return s <= 1 ? inside(s) : outside(s); }
-  UnitForces<double> forces(double s) const noexcept override { return s <= 1 ? inside(s) : outside(s); }
+  std::optional<UnitForces<Extended>> closed(Extended s, Slope slope) const noexcept override {
+    return s <= 1 ? inside(s, slope) : outside(s, slope);
+  }
+  UnitForces<double> forces(double s, Slope slope) const noexcept override { return s <= 1 ? inside(s, slope) : outside(s, slope); }
 
  private:
   template <class Real>
@@ -66,11 +69,11 @@ class PowerFamilyLaw : public PressureLawOf<PowerFamilyLaw> {
   }
 
   template <class Real>
-  UnitForces<Real> inside(Real s) const noexcept {
+  UnitForces<Real> inside(Real s, Slope slope) const noexcept {
     const Real eta = (1 - s) * (1 + s);
     const Real exponent = static_cast<Real>(n_ + 0.5L);
-    // At s = 1 the integrand is cos^{2n+1}θ times what follows, singular at θ = π/2 for n < −½: hence ψ = π/2 − θ.
-    const auto integral = DoubleExponential<Real>::rule().template integrate<3>(
+    // Near s = 1 and for n < −½ the integrand is steepest at θ = π/2: hence ψ = π/2 − θ.
+    auto integral = integrate<3>(
         [&](Real psi, Real theta) -> Triple<Real> {
           const Real cosine = std::sin(psi);
           const Real sine = std::sin(theta);
@@ -78,18 +81,20 @@ class PowerFamilyLaw : public PressureLawOf<PowerFamilyLaw> {
           const Real weight = power_below_one(w, s * s * sine * sine, exponent);
           return {cosine * cosine * weight, w * weight, sine * sine * weight};
         },
-        static_cast<Real>(pi / 2));
+        static_cast<Real>(pi / 2), slope == Slope::wanted ? 3 : 2);
+    // A power of −1 < 2n + 1 < 0: its end is nearer than the rule looks.
+    if (s == 1) integral.value[2] = static_cast<Real>(slope_at_rim_);
     const auto scale = static_cast<Real>(4 / pi * (n_ + 1.5L) * moment_ratio_);
     return {scale * s * integral.value[0], static_cast<Real>(2 / pi * moment_ratio_) * integral.value[1], scale * integral.value[2]};
   }
 
   template <class Real>
-  UnitForces<Real> outside(Real s) const noexcept {
+  UnitForces<Real> outside(Real s, Slope slope) const noexcept {
     // At s = ∞ the complement below would be ∞/∞.
     if (std::isinf(s)) return {1, 0, 0};
     const Real q = 1 / s;
     const Real eta = (s - 1) / s * ((s + 1) / s);
-    const auto integral = DoubleExponential<Real>::rule().template integrate<3>(
+    const auto integral = integrate<3>(
         [&](Real psi, Real theta) -> Triple<Real> {
           const Real cosine = std::sin(psi);
           const Real sine = std::sin(theta);
@@ -97,7 +102,7 @@ class PowerFamilyLaw : public PressureLawOf<PowerFamilyLaw> {
           const Real weight = power_below_one(cosine * cosine, sine * sine, static_cast<Real>(n_ + 1));
           return {weight * root, weight * cosine * cosine / root, weight * sine * sine / root};
         },
-        static_cast<Real>(pi / 2));
+        static_cast<Real>(pi / 2), slope == Slope::wanted ? 3 : 2);
     const auto scale = static_cast<Real>(chord_scale_);
     return {scale * integral.value[0], scale * q / static_cast<Real>(2 * n_ + 3) * integral.value[1],
             scale * q * q * q * integral.value[2]};
@@ -105,6 +110,7 @@ class PowerFamilyLaw : public PressureLawOf<PowerFamilyLaw> {
 
   Extended n_;
   Extended moment_ratio_;  // m₀ = Γ(3/2)Γ(n+2)/Γ(n+5/2)
+  Extended slope_at_rim_;  // ∫ sin²θ cos^{2n+1}θ dθ
   Extended chord_scale_;   // A
   Extended punch_scale_ = 0;
 };
@@ -115,8 +121,8 @@ class NamedPowerLaw final : public PowerFamilyLaw {
  public:
   NamedPowerLaw(std::string name, double n) : PowerFamilyLaw(n), name_(std::move(name)) {}
   std::string name() const override { return name_; }
-  std::optional<UnitForces<Extended>> closed(Extended s) const noexcept override { return exact(s); }
-  UnitForces<double> forces(double s) const noexcept override { return fast(s); }
+  std::optional<UnitForces<Extended>> closed(Extended s, Slope /*slope*/) const noexcept override { return exact(s); }
+  UnitForces<double> forces(double s, Slope /*slope*/) const noexcept override { return fast(s); }
 
  private:
   std::string name_;

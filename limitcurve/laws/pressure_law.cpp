@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "limitcurve/pressure_law.hpp"
 
-#include "limitcurve/quadrature/double_exponential.hpp"
 #include "limitcurve/quadrature/evaluators.hpp"
+#include "limitcurve/quadrature/tanh_sinh.hpp"
 
 #include <array>
 
@@ -24,8 +24,8 @@ const std::vector<Extended>& unit_disc() {
 
 PressureLaw::PressureLaw() {
   // What is built on first use is built here, not in a loop.
-  DoubleExponential<double>::rule();
-  DoubleExponential<Extended>::rule();
+  static_cast<void>(tanh_sinh_rule<double>());
+  static_cast<void>(tanh_sinh_rule<Extended>());
   unit_disc();
 }
 
@@ -33,16 +33,16 @@ const std::vector<Extended>& PressureLaw::breaks() const noexcept {
   return unit_disc();
 }
 
-UnitForces<double> PressureLaw::forces(double s) const noexcept {
-  if (const auto exact = closed(s)) {
+UnitForces<double> PressureLaw::forces(double s, Slope slope) const noexcept {
+  if (const auto exact = closed(s, slope)) {
     return {static_cast<double>(exact->force), static_cast<double>(exact->moment), static_cast<double>(exact->force_slope)};
   }
-  return evaluators::ring(*this, s).forces;
+  return evaluators::ring(*this, s, slope).forces;
 }
 
-evaluators::Quadrature<Extended> PressureLaw::unrounded(Extended s) const noexcept {
-  if (const auto forces = closed(s)) return {*forces, {0, 0, 0}};
-  return evaluators::ring(*this, s);
+evaluators::Quadrature<Extended> PressureLaw::unrounded(Extended s, Slope slope) const noexcept {
+  if (const auto forces = closed(s, slope)) return {*forces, {0, 0, 0}};
+  return evaluators::ring(*this, s, slope);
 }
 
 evaluators::Quadrature<double> PressureLaw::projection(double t) const noexcept {
@@ -50,7 +50,7 @@ evaluators::Quadrature<double> PressureLaw::projection(double t) const noexcept 
 }
 
 bool PressureLaw::allows(Method method) const noexcept {
-  if (method == Method::closed) return closed(1).has_value();
+  if (method == Method::closed) return closed(1, Slope::unwanted).has_value();
   if (method == Method::punch) return punch_density({0.5L, 0.5L}).has_value();
   return true;
 }
@@ -58,8 +58,8 @@ bool PressureLaw::allows(Method method) const noexcept {
 WrenchEstimate PressureLaw::evaluate(double s, Method method) const noexcept {
   if (method == Method::punch) return evaluators::rounded(evaluators::punch(*this, Extended(s)));
   if (method == Method::direct) return evaluators::rounded(evaluators::direct(*this, Extended(s)));
-  if (method != Method::ring) return evaluators::rounded(PressureLaw::unrounded(s));
-  return evaluators::rounded(evaluators::ring(*this, Extended(s)));
+  if (method != Method::ring) return evaluators::rounded(PressureLaw::unrounded(s, Slope::wanted));
+  return evaluators::rounded(evaluators::ring(*this, Extended(s), Slope::wanted));
 }
 
 }  // namespace limitcurve

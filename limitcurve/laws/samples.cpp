@@ -178,7 +178,7 @@ class SamplesLaw final : public PressureLawOf<SamplesLaw> {
     estimate.error.moment += std::min(distance_[2], distance_[3] / s);
     return estimate;
   }
-  evaluators::Quadrature<Extended> unrounded(Extended s) const noexcept override { return fine_.unrounded(s); }
+  evaluators::Quadrature<Extended> unrounded(Extended s, Slope slope) const noexcept override { return fine_.unrounded(s, slope); }
   double profile_error() const noexcept override { return std::max(distance_[1], distance_[2]); }
 
  private:

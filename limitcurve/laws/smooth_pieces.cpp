@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "limitcurve/laws/smooth_pieces.hpp"
-#include "limitcurve/quadrature/double_exponential.hpp"
+
+#include "limitcurve/quadrature/tanh_sinh.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -40,7 +41,7 @@ class Cutter {
       const Extended value = function_(place);
       return Values{value, value * place};
     };
-    const auto [value, truncation] = DoubleExponential<Extended>::rule().integrate<2>(integrand, right - left);
+    const auto [value, truncation] = integrate<2>(integrand, right - left);
     return {left, right, value, truncation};
   }
 

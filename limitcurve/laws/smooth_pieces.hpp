@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "limitcurve/quadrature/double_exponential.hpp"
+#include "limitcurve/law.hpp"
 
 #include <functional>
 #include <vector>

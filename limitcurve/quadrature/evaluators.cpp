@@ -2,8 +2,8 @@
 #include "limitcurve/quadrature/evaluators.hpp"
 
 #include "limitcurve/quadrature/closed_form.hpp"
-#include "limitcurve/quadrature/double_exponential.hpp"
 #include "limitcurve/quadrature/elliptic.hpp"
+#include "limitcurve/quadrature/tanh_sinh.hpp"
 
 #include <boost/math/quadrature/gauss.hpp>
 
@@ -44,9 +44,8 @@ Triple<Real> gauss(Integrand&& integrand, Real length) noexcept {
 /// Sums ∫ kernel(position) dρ over the pieces between the breaks, split at s. `rim_exponent` e < 0 says that the
 /// kernel lacks a factor rim^e on the last piece: the substitution rim ∝ y^{1/(1+e)} absorbs it exactly.
 template <class Real, class Kernel>
-Quadrature<Real> integrate_pieces(const std::vector<Extended>& breaks, Real rim_exponent, bool polynomial, Real s,
+Quadrature<Real> integrate_pieces(const std::vector<Extended>& breaks, Real rim_exponent, bool polynomial, Real s, std::size_t wanted,
                                   Kernel&& kernel) noexcept {
-  const auto& rule = DoubleExponential<Real>::rule();
   const auto outer = static_cast<Real>(breaks.back());
   Triple<Real> value{};
   Triple<Real> error{};
@@ -56,7 +55,7 @@ Quadrature<Real> integrate_pieces(const std::vector<Extended>& breaks, Real rim_
       const Real from_cor = s <= left ? (left - s) + from_left : (s - right) + from_right;
       return SplitPosition<Real>{{radius, (outer - right) + from_right}, from_cor};
     };
-    typename DoubleExponential<Real>::template Result<3> piece;
+    Integrals<3, Real> piece;
     const Real distance = std::max(left - s, s - right);
     const auto evaluate = [&](Real x, Real y) { return kernel(at(x, y)); };
     if (polynomial && distance >= 3 * (right - left)) {
@@ -66,9 +65,10 @@ Quadrature<Real> integrate_pieces(const std::vector<Extended>& breaks, Real rim_
       // 3 half-widths: 5.8^(−2n), here 1e-30.
       piece.value = gauss<20>(evaluate, right - left);
     } else if (rim_exponent == 0) {
-      piece = rule.template integrate<3>(evaluate, right - left);
+      piece = integrate<3>(evaluate, right - left, wanted);
     } else if (right < outer) {
-      piece = rule.template integrate<3>(
+      // The rim may be a rounding away from the piece's end.
+      piece = integrate<3>(
           [&](Real x, Real y) {
             const SplitPosition<Real> position = at(x, y);
             const Real weight = std::pow(position.at.rim, rim_exponent);
@@ -76,13 +76,13 @@ Quadrature<Real> integrate_pieces(const std::vector<Extended>& breaks, Real rim_
             for (Real& r : result) r *= weight;
             return result;
           },
-          right - left);
+          right - left, wanted);
     } else {
       // rim = ℓ·y^p with p = 1/(1+e), hence rim^e d(rim) = ℓ^{1+e} p dy: the singular factor is gone.
       const Real length = right - left;
       const Real power = 1 / (1 + rim_exponent);
       const Real scale = std::pow(length, 1 + rim_exponent) * power;
-      piece = rule.template integrate<3>(
+      piece = integrate<3>(
           [&](Real x, Real y) {
             const Real from_right = length * std::pow(y, power);
             const Real from_left = length * -std::expm1(power * (x < y ? std::log1p(-x) : std::log(y)));
@@ -90,7 +90,7 @@ Quadrature<Real> integrate_pieces(const std::vector<Extended>& breaks, Real rim_
             for (Real& r : result) r *= scale;
             return result;
           },
-          1);
+          Real(1), wanted);
     }
     for (std::size_t i = 0; i < value.size(); ++i) {
       value[i] += piece.value[i];
@@ -111,11 +111,11 @@ Quadrature<Real> integrate_pieces(const std::vector<Extended>& breaks, Real rim_
 }
 
 template <class Real>
-Quadrature<Real> ring_in(const PressureLaw& law, Real s) noexcept {
+Quadrature<Real> ring_in(const PressureLaw& law, Real s, Slope slope) noexcept {
   // At s = ∞ the kernels are their limits; the general form would be ∞/∞.
   if (std::isinf(s)) return {{1, 0, 0}, {0, 0, 0}};
   return integrate_pieces(law.breaks(), static_cast<Real>(law.rim_exponent()), law.has_polynomial_pieces(), s,
-                          [&](const SplitPosition<Real>& position) -> Triple<Real> {
+                          slope == Slope::wanted ? 3 : 2, [&](const SplitPosition<Real>& position) -> Triple<Real> {
                             const auto [rho, rim] = position.at;
                             const Real weight = static_cast<Real>(4 / pi) * rho * law.density(position.at);
                             const Real larger = std::max(rho, s);
@@ -130,31 +130,32 @@ Quadrature<Real> ring_in(const PressureLaw& law, Real s) noexcept {
 
 }  // namespace
 
-Quadrature<Extended> ring(const PressureLaw& law, Extended s) noexcept {
-  return ring_in(law, s);
+Quadrature<Extended> ring(const PressureLaw& law, Extended s, Slope slope) noexcept {
+  return ring_in(law, s, slope);
 }
-Quadrature<double> ring(const PressureLaw& law, double s) noexcept {
-  return ring_in(law, s);
+Quadrature<double> ring(const PressureLaw& law, double s, Slope slope) noexcept {
+  return ring_in(law, s, slope);
 }
 
 Quadrature<Extended> punch(const PressureLaw& law, Extended s) noexcept {
-  return integrate_pieces(law.breaks(), law.punch_exponent(), false, s, [&](const SplitPosition<Extended>& position) -> Triple<Extended> {
-    const Extended t = position.at.radius;
-    const Extended weight = law.punch_density(position.at).value_or(0);
-    const UnitForces<Extended> flat = closed_form::flat_punch(s / t);
-    return {weight * flat.force, weight * t * flat.moment, weight * flat.force_slope / t};
-  });
+  return integrate_pieces(law.breaks(), law.punch_exponent(), false, s, 3,
+                          [&](const SplitPosition<Extended>& position) -> Triple<Extended> {
+                            const Extended t = position.at.radius;
+                            const Extended weight = law.punch_density(position.at).value_or(0);
+                            const UnitForces<Extended> flat = closed_form::flat_punch(s / t);
+                            return {weight * flat.force, weight * t * flat.moment, weight * flat.force_slope / t};
+                          });
 }
 
 Quadrature<Extended> direct(const PressureLaw& law, Extended s) noexcept {
   if (std::isinf(s)) return {{1, 0, 0}, {0, 0, 0}};
   Triple<Extended> inner_error{};
   Quadrature<Extended> estimate =
-      integrate_pieces(law.breaks(), law.rim_exponent(), false, s, [&](const SplitPosition<Extended>& position) -> Triple<Extended> {
+      integrate_pieces(law.breaks(), law.rim_exponent(), false, s, 3, [&](const SplitPosition<Extended>& position) -> Triple<Extended> {
         const auto [rho, rim] = position.at;
         const Extended weight = 2 / pi * rho * law.density(position.at);
         const Extended gap = rho < s ? position.from_cor : -position.from_cor;  // s − ρ
-        const auto angular = DoubleExponential<Extended>::rule().integrate<3>(
+        const auto angular = integrate<3>(
             [&, rho = rho](Extended from_cor_side, Extended) -> Triple<Extended> {
               // 1 − cos θ = 2 sin²(θ/2): exact where the COR is near.
               const Extended half = std::sin(from_cor_side / 2);
@@ -182,7 +183,7 @@ Quadrature<Extended> direct(const PressureLaw& law, Extended s) noexcept {
 
 Quadrature<double> projection(const PressureLaw& law, double t) noexcept {
   // A ring of radius ρ gives G′ = (2/π) asin(t/ρ) and N = (2/π)√(ρ² − t²) where t < ρ, else 1 and 0.
-  return integrate_pieces(law.breaks(), static_cast<double>(law.rim_exponent()), law.has_polynomial_pieces(), t,
+  return integrate_pieces(law.breaks(), static_cast<double>(law.rim_exponent()), law.has_polynomial_pieces(), t, 2,
                           [&](const SplitPosition<double>& position) -> Triple<double> {
                             const double rho = position.at.radius;
                             const double weight = 2.0 * rho * law.density(position.at);

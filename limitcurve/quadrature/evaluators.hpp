@@ -16,8 +16,8 @@ struct Quadrature {
 
 /// Theory: the angular integral in closed form (complete elliptic integrals), the radial one by quadrature split at
 /// ρ = s and at the law's breaks.
-Quadrature<Extended> ring(const PressureLaw& law, Extended s) noexcept;
-Quadrature<double> ring(const PressureLaw& law, double s) noexcept;
+Quadrature<Extended> ring(const PressureLaw& law, Extended s, Slope slope = Slope::wanted) noexcept;
+Quadrature<double> ring(const PressureLaw& law, double s, Slope slope = Slope::wanted) noexcept;
 
 /// The law as a superposition of flat punches of radius t, split at t = s. The law must have a punch density.
 Quadrature<Extended> punch(const PressureLaw& law, Extended s) noexcept;

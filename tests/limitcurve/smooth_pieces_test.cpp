@@ -250,5 +250,15 @@ TEST(SmoothPieces, RefuseAFeatureThatIsNoShare) {
   EXPECT_THROW(from_pressure("flat", flat, whole, std::nan("")), std::invalid_argument);
 }
 
+// Its load is finite, but part of it lies nearer to the centre than any rule looks.
+TEST(SmoothPieces, RefuseAPressureWithoutBound) {
+  EXPECT_THROW(from_pressure(
+                   "peak", [](double r) { return std::pow(r, -1.9); }, whole),
+               std::invalid_argument);
+  EXPECT_THROW(from_pressure(
+                   "rim", [](double r) { return 1.0 / std::sqrt(1.0 - r * r); }, whole),
+               std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace limitcurve
