@@ -53,7 +53,8 @@ Law samples(std::span<const PressureSample> rows, std::string_view source);
 /// at least `narrowest_feature` wide, as a share of breaks.back(), in [1e-6, 1]: 0.01 % as it stands. A pressure too rough to be resolved has a
 /// larger stated error in `evaluate`. What `breaks` names is found quicker, and for certain. Costs 25 to 150 / narrowest_feature evaluations of
 /// `pressure`, and 1e5 for each kink or jump. `pressure` is called from const member functions: it must be safe to share between threads.
-/// `name` is what `name()` returns; the grammar does not know it.
+/// `name` is what `name()` returns; the grammar does not know it. Throws std::invalid_argument for no `pressure`, `breaks` that do not increase
+/// from 0, a pressure that is not finite at one of them or carries no load, and a `narrowest_feature` out of its range.
 Law from_pressure(std::string name, std::function<double(double)> pressure, std::span<const double> breaks,
                   double narrowest_feature = 1e-4);
 
