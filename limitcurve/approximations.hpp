@@ -9,15 +9,15 @@
 #include <cstddef>
 #include <span>
 
-/// Limit curves of few parameters: ellipse, superellipse, quartic, box and diamond. `validate.hpp` says how wrong each is.
+/// Limit curves with few parameters: ellipse, superellipse, quartic, box and diamond. `validate.hpp` computes their errors.
 namespace limitcurve {
 
-/// Refuses intercepts of a limit curve, in unit wrenches, that are not within 1e-100 … 1e100: throws std::invalid_argument
-/// naming the one and its value.
+/// Throws std::invalid_argument, with the name and value, unless both intercepts of a limit curve [unit wrenches] are within 1e-100 …
+/// 1e100.
 void check_intercepts(double force_max, double moment_max);
 
-/// The ellipse (f/A)² + (m/B)² = 1 (paper, eq. 19): the usual stand-in for the limit curve, and too strong by 4 to 8 %
-/// in the middle when it runs through the intercepts (A = 1, B = m₀). A limit curve; no trigonometry.
+/// The ellipse (f/A)² + (m/B)² = 1 (paper, eq. 19): the usual approximation of the limit curve. Through the intercepts (A = 1, B = m₀) it
+/// is too strong by 4 to 8 % in the middle. Models LimitCurve; one square root a call, no trigonometry.
 class Ellipse {
  public:
   /// Semi-axes in unit wrenches, 1e-100 … 1e100; throws std::invalid_argument otherwise.
@@ -55,12 +55,12 @@ class Ellipse {
 
 static_assert(LimitCurve<Ellipse>);
 
-/// The superellipse (f/A)ⁿ + (m/B)ⁿ = 1, n > 1: 2 is the ellipse, n → 1 the diamond, n → ∞ the box. One exponent fitted
-/// to a law (minimax_superellipse in validate.hpp) is off by some 0.9 %, where the ellipse is off by 4 to 8 %.
-/// Its COR, though, is wrong without bound towards both ends unless n = 2: there the normal turns like xⁿ⁻¹, not like x.
+/// The superellipse (f/A)ⁿ + (m/B)ⁿ = 1, n > 1: n = 2 is the ellipse, n → 1 the diamond, n → ∞ the box. With an exponent fitted to a law
+/// (minimax_superellipse in validate.hpp) its error is about 0.9 %, against 4 to 8 % of the ellipse.
+/// The error of its COR has no bound towards both ends, unless n = 2: there the normal turns like xⁿ⁻¹, not like x.
 ///
-/// A limit curve; no trigonometry, two powers a call. Relative error of both components ≤ 4 ε(1 + 1/(n−1)) for every
-/// twist, the ends included: a flatter side turns a small change of the twist into a large step along it.
+/// Models LimitCurve; two powers a call, no trigonometry. Relative rounding error of both components ≤ 4 ε(1 + 1/(n−1)) for every twist,
+/// the ends included. It grows as n → 1, because on a flat side a small change of the twist moves the point far.
 class Superellipse {
  public:
   /// Intercepts in unit wrenches, 1e-100 … 1e100, and the exponent, > 1 and finite; throws std::invalid_argument otherwise.
@@ -78,7 +78,7 @@ class Superellipse {
   /// smaller of x, y is (smaller of p, q / larger)^{1/(n−1)} times the larger, which is (1 + ratioⁿ)^{−1/n}.
   [[nodiscard]] UnitWrench wrench(SlipTwist twist) const noexcept;
 
-  /// For n > 2 the slope is infinite at the ends; it is given as that of u = 1e-80 (large, finite).
+  /// For n > 2 the slope is infinite at the ends; the result there is the slope at u = 1e-80, large but finite.
   [[nodiscard]] SlopedPoint point(SlipTwist twist) const noexcept;
 
   [[nodiscard]] RadialPoint along(UnitWrench direction) const noexcept;
@@ -100,13 +100,13 @@ class Superellipse {
 
 static_assert(LimitCurve<Superellipse>);
 
-/// The quartic x⁴ + y⁴ + κx²y² = 1 with x = f/A, y = m/B and 0 ≤ κ ≤ 6, where it is convex: 2 is the ellipse, 6 is nearly
-/// a diamond (flat on the diagonal), 0 nearly a box (flat at the ends). Fitted to a law (minimax_quartic in
-/// validate.hpp) it is off by some 0.65 %, and unlike the superellipse it turns as it should at both ends.
+/// The quartic x⁴ + y⁴ + κx²y² = 1 with x = f/A, y = m/B. It is convex for 0 ≤ κ ≤ 6: κ = 2 is the ellipse, κ = 6 is nearly a diamond (flat
+/// on the diagonal), κ = 0 nearly a box (flat at the ends). Fitted to a law (minimax_quartic in validate.hpp) its error is about 0.65 %,
+/// and its COR has a bounded error at both ends, unlike the superellipse's.
 ///
-/// A limit curve; no trigonometry, no iteration: two square roots and a cube root at most. Relative error of both
-/// components ≤ 16 ε for κ away from 0 and 6; where a side is flat (κ = 6 at the diagonal) the place on it is as
-/// uncertain as the twist makes it, the distance along the normal is not.
+/// Models LimitCurve; at most three square roots and a cube root a call, no trigonometry, no iteration. Relative rounding error of both
+/// components ≤ 16 ε for κ away from 0 and 6. On a flat side (κ = 6 at the diagonal) the position along the side is sensitive to the twist;
+/// the distance along the normal is not.
 class Quartic {
  public:
   /// Intercepts in unit wrenches, 1e-100 … 1e100, and κ ∈ [0, 6]; throws std::invalid_argument otherwise.
@@ -124,7 +124,7 @@ class Quartic {
   /// t = r(2r² + κ)/(2 + κr²), and the larger is (1 + κr² + r⁴)^{−1/4}.
   [[nodiscard]] UnitWrench wrench(SlipTwist twist) const noexcept;
 
-  /// Where a side is flat (κ = 0 at the ends, κ = 6 at the diagonal) the slope is infinite; given large but finite.
+  /// On a flat side (κ = 0 at the ends, κ = 6 at the diagonal) the slope is infinite; the result there is large but finite.
   [[nodiscard]] SlopedPoint point(SlipTwist twist) const noexcept;
 
   [[nodiscard]] RadialPoint along(UnitWrench direction) const noexcept;
@@ -132,7 +132,7 @@ class Quartic {
   [[nodiscard]] double gauge(UnitWrench wrench) const noexcept;
 
  private:
-  /// Least dt/dr that is divided by: what remains of it one rounding away from a flat place.
+  /// Lower bound of dt/dr, a divisor: its size one rounding away from a flat point.
   static constexpr double flattest = 1e-32;
 
   /// (1 + κr² + r⁴)^{1/4}: length of (1, r).
@@ -152,23 +152,22 @@ class Quartic {
 
 static_assert(LimitCurve<Quartic>);
 
-/// Refuses vertices of a `Polygon` that do not make one: throws std::invalid_argument.
+/// Throws std::invalid_argument, with the vertex, unless the vertices make a `Polygon`.
 void check_vertices(std::span<const UnitWrench> vertices);
 
-/// A convex polygonal curve: vertices from (A, 0) to (0, B), joined by straight faces. `box` and `diamond` make the two
-/// that engines use: uncoupled limits, and the friction pyramid.
+/// A convex polygon as limit curve: vertices from (A, 0) to (0, B), joined by straight faces. `box` and `diamond` make the two that physics
+/// engines use: uncoupled limits, and the friction pyramid.
 ///
-/// A limit curve with corners, where one wrench has many normals, and faces, where one normal has many wrenches.
-/// `wrench` gives the vertex that supports the twist (at a face's normal either of its vertices); at pure sliding
-/// always (A, 0) and at pure spin (0, B). A projection that must be exact on faces takes `vertices`. No rounding but
-/// that of `along` and `gauge` (≤ 4 ε).
+/// Models LimitCurve. At a corner one wrench has many normals, on a face one normal has many wrenches. `wrench` returns the vertex that
+/// supports the twist (for the normal of a face either of its vertices); for pure sliding (A, 0), for pure spin (0, B). `vertices` gives
+/// the exact faces. Rounding: `along` and `gauge` ≤ 4 ε, `wrench` none. Cost: nanoseconds, linear in the number of vertices.
 template <std::size_t count>
 class Polygon {
   static_assert(count >= 2);
 
  public:
-  /// Throws std::invalid_argument unless the vertices are finite, begin on the force axis, end on the moment axis and
-  /// turn left all the way, with force not rising and moment not falling.
+  /// Throws std::invalid_argument unless the vertices are finite, begin on the force axis, end on the moment axis, turn left at every
+  /// corner, and force never rises and moment never falls from one to the next.
   explicit Polygon(const std::array<UnitWrench, count>& vertices) : vertices_(vertices) { check_vertices(vertices_); }
 
   /// From (A, 0) to (0, B), counter-clockwise.
@@ -182,8 +181,8 @@ class Polygon {
     if (twist.slide == 0.0) return vertices_.back();
     std::size_t i = 0;
     if (twist.spin == 0.0) return vertices_[i];
-    // Up the chain while the next vertex is further along the normal. By c = slide/spin, not by products, which
-    // underflow: the box's corner supports every twist with a spin, however small.
+    // Go on while the next vertex is farther along the normal. Compare by c = slide/spin, because products underflow: the box's corner
+    // supports every twist with a spin, however small.
     const double cor = twist.cor();
     while (i + 1 < count) {
       const auto [rise, retreat] = face_normal(i);
@@ -193,7 +192,7 @@ class Polygon {
     return vertices_[i];
   }
 
-  /// The slope is 0: between the jumps at face normals the wrench rests at a vertex.
+  /// The slope is 0: the wrench stays at a vertex, and jumps at the normal of a face.
   [[nodiscard]] SlopedPoint point(SlipTwist twist) const noexcept { return {wrench(twist), {0.0, 0.0}}; }
 
   [[nodiscard]] RadialPoint along(UnitWrench direction) const noexcept {
@@ -210,13 +209,13 @@ class Polygon {
     return {vertices_[i + 1].moment - vertices_[i].moment, vertices_[i].force - vertices_[i + 1].force};
   }
 
-  /// `wrench` in units of the point of face i (extended to a line) on the same ray.
+  /// Length of `wrench` divided by that of the point on the same ray and on the line of face i.
   [[nodiscard]] double length_on(std::size_t i, UnitWrench wrench) const noexcept {
     const auto [slide, spin] = face_normal(i);
     return (slide * wrench.force + spin * wrench.moment) / (slide * vertices_[i].force + spin * vertices_[i].moment);
   }
 
-  /// The face that the ray crosses: of all faces' lines the first it meets.
+  /// The face that the ray crosses: the ray meets its line before the lines of all other faces.
   [[nodiscard]] std::size_t face_along(UnitWrench direction) const noexcept {
     std::size_t best = 0;
     for (std::size_t i = 1; i + 1 < count; ++i) {
@@ -231,13 +230,14 @@ class Polygon {
 using Box = Polygon<3>;
 using Diamond = Polygon<2>;
 
-/// Uncoupled limits f ≤ A, m ≤ B: 1.4 to 1.5 times too strong in the corner. A, B within 1e-100 … 1e100, else
+/// Uncoupled limits f ≤ A, m ≤ B. In the corner they are 1.4 to 1.5 times too strong. A, B within 1e-100 … 1e100, else
 /// std::invalid_argument.
 inline Box box(double force_max, double moment_max) {
   return Box({UnitWrench{force_max, 0.0}, UnitWrench{force_max, moment_max}, UnitWrench{0.0, moment_max}});
 }
 
-/// The friction pyramid f/A + m/B ≤ 1: too weak everywhere but at its ends. A, B within 1e-100 … 1e100, else std::invalid_argument.
+/// The friction pyramid f/A + m/B ≤ 1. It is too weak everywhere except at its ends. A, B within 1e-100 … 1e100, else
+/// std::invalid_argument.
 inline Diamond diamond(double force_max, double moment_max) {
   return Diamond({UnitWrench{force_max, 0.0}, UnitWrench{0.0, moment_max}});
 }

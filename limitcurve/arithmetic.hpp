@@ -7,35 +7,35 @@
 #include <cstdint>
 #include <type_traits>
 
-// Files that are compiled with -ffast-math have copies of their own of what is built on this, in a namespace `fast_math`: the linker keeps one
-// copy of a template for all files, and theirs would do for the library's, too, without NaN, infinity and the order of sums.
+// The linker keeps one copy of a template for all files. A copy from a user's file with -ffast-math, which ignores NaN and infinity, could
+// replace the library's. So templates built on this file are in a namespace `fast_math` in such files.
 
-/// The arithmetic of one number under the names that packs of numbers use too. Look-ups and friction are templates that are written with
-/// these names once, and serve a single finger (`double`) as well as a batch (packs, godobject/kernel).
+/// Arithmetic of a single number, under the names that packs of numbers use. Table look-up and friction are templates written with these
+/// names; they serve a single finger (`double`) and a batch (packs, godobject/kernel).
 namespace limitcurve::arithmetic {
 
-/// `yes` where the condition holds, else `no`.
+/// `yes` if the condition holds, else `no`.
 template <class Value>
 [[nodiscard]] constexpr Value select(bool condition, Value yes, Value no) noexcept {
   return condition ? yes : no;
 }
-/// Indices by arithmetic: compilers make a branch of the above, and on which side of the rim a twist lies no predictor knows.
+/// For indices: computed without a branch, because a branch on the side of the rim would often be mispredicted.
 template <std::integral Index>
 [[nodiscard]] constexpr Index select(bool condition, Index yes, Index no) noexcept {
   return no + (yes - no) * static_cast<Index>(condition);
 }
 
-/// Whether the condition holds in any lane. One number is one lane.
+/// Whether the condition holds in any lane of a pack. A single number is one lane.
 [[nodiscard]] constexpr bool any(bool condition) noexcept {
   return condition;
 }
 
-/// The smaller (not `min`, which is a macro of Windows); `a` where `b` is not a number.
+/// The smaller of two numbers; `a` if `b` is NaN. (`min` is a macro on Windows.)
 template <std::floating_point Real>
 [[nodiscard]] constexpr Real smaller(Real a, Real b) noexcept {
   return b < a ? b : a;
 }
-/// The larger; `a` where `b` is not a number.
+/// The larger of two numbers; `a` if `b` is NaN.
 template <std::floating_point Real>
 [[nodiscard]] constexpr Real larger(Real a, Real b) noexcept {
   return a < b ? b : a;
@@ -49,7 +49,7 @@ template <std::floating_point Real>
   return std::sqrt(a);
 }
 
-/// Sign, exponent and leading mantissa bits of a number as an integer: its bits without the last `dropped` ones.
+/// Sign, exponent and leading mantissa bits of a number, as an integer: its bits without the last `dropped` ones.
 [[nodiscard]] constexpr std::int64_t leading_bits(double a, int dropped) noexcept {
   return std::bit_cast<std::int64_t>(a) >> dropped;
 }
@@ -57,7 +57,7 @@ template <std::floating_point Real>
   return std::bit_cast<std::int32_t>(a) >> dropped;
 }
 
-/// The entry of an array; an entry of small integers comes as an index.
+/// array[i]. An entry of an array of small integers is converted to the type of the index.
 template <std::floating_point Real, std::integral Index>
 [[nodiscard]] constexpr Real gather(const Real* array, Index i) noexcept {
   return array[i];

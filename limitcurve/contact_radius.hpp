@@ -14,8 +14,9 @@
 #include <utility>
 #include <vector>
 
-/// The contact radius over the normal load P, and the limit surface that follows from it: the unit curve grows by μP in force and by μPa(P)
-/// in moment. All in SI units. Curves and radius laws are made offline: they throw std::invalid_argument for bad input.
+/// The contact radius as a function of the normal load P, and the limit curve in newtons that follows from it: the unit curve times μP in
+/// force and μPa(P) in moment. SI units. Functions that make curves and radius laws throw std::invalid_argument for bad input; call them
+/// offline.
 namespace limitcurve {
 
 /// A measured contact radius, or a measured limit of the friction moment, at a load.
@@ -24,10 +25,10 @@ struct LoadSample {
   double value;  ///< a [m] or Γ [N·m] > 0
 };
 
-/// How the contact radius grows with the load: a(P) = c·P^γ, which holds all published laws:
-/// constant (γ = 0), Hertz a = (3PR/4E*)^{1/3} (γ = 1/3), soft finger c·P^γ (Xydas and Kao 1999, 0 ≤ γ ≤ 1/3);
-/// or a table, a power law from sample to sample. Since Γ(P) = m₀ μ P a(P), a law of the moment limit is one of the
-/// radius: see `of_moments`, and `linear_moment` for Γ = μ_r P. Immutable.
+/// A radius law: the contact radius a(P) at normal load P. Either a power law a = c·P^γ, which covers the published laws: constant (γ = 0),
+/// Hertz a = (3PR/4E*)^{1/3} (γ = 1/3), soft finger c·P^γ (Xydas and Kao 1999, 0 ≤ γ ≤ 1/3); or measured samples with a power law from each
+/// sample to the next. Because Γ(P) = m₀ μ P a(P), a measured moment limit gives a radius law, too: `of_moments`, and `linear_moment` for
+/// Γ = μ_r P. Immutable; copies share the samples.
 class RadiusLaw {
  public:
   /// a = radius [m] > 0 at every load.
@@ -36,15 +37,15 @@ class RadiusLaw {
   static RadiusLaw hertz(double sphere_radius, double modulus);
   /// a = c P^γ, c [m/N^γ] > 0, γ ∈ [0, 1].
   static RadiusLaw power(double coefficient, double exponent);
-  /// Straight lines between the samples (and beyond the outermost ones) in log–log. At least two, loads increasing;
-  /// the exponent of every stretch in (−1, 1], so that larger loads bear more moment.
+  /// Interpolates samples of the radius linearly in log–log; the first and last lines go on beyond the samples. At least two samples, loads
+  /// increasing, the exponent between two samples in (−1, 1], so that the moment limit grows with the load.
   static RadiusLaw sampled(std::span<const LoadSample> radii);
-  /// The radius at which Γ(P) = m₀ μ P a(P) is the sampled moment limit [N·m]; as `sampled`.
+  /// Interpolates samples of the moment limit Γ [N·m] the same way: a = Γ/(m₀ μ P).
   static RadiusLaw of_moments(std::span<const LoadSample> moments, double mu, double moment_ratio);
   /// The constant radius at which Γ(P) = μ_r P (paper, eq. 2): a = μ_r/(μ m₀), μ_r [m] > 0.
   static RadiusLaw linear_moment(double moment_coefficient, double mu, double moment_ratio);
   /// `constant:a=0.005`, `hertz:R=0.008,E=2e5`, `power:c=0.00207,gamma=0.259`.
-  /// This and the factories throw `std::invalid_argument` naming parameter, value, unit and range.
+  /// Like all factories here it throws `std::invalid_argument`, with the parameter, its value, unit and range.
   static RadiusLaw parse(std::string_view text);
 
   /// a(P) [m] at load P [N] ≥ 0; relative error ≤ 4 ε.
@@ -52,18 +53,18 @@ class RadiusLaw {
     if (is_sampled()) return sampled_radius(load);
     return exponent_ == 0.0 ? coefficient_ : coefficient_ * std::pow(load, exponent_);
   }
-  /// a(λP)/a(P). But for a sampled law it does not depend on P.
+  /// a(λP)/a(P) for a load ratio λ > 0. `load` is P; it matters for a sampled law only.
   [[nodiscard]] double growth(double load_ratio, double load = 1.0) const noexcept {
     if (!is_sampled()) return exponent_ == 0.0 ? 1.0 : std::pow(load_ratio, exponent_);
     return radius(load_ratio * load) / radius(load);
   }
-  /// The load [N] at which P·a(P) is `product` [N·m] ≥ 0.
+  /// The load P [N] for which P·a(P) = `product` [N·m] ≥ 0.
   [[nodiscard]] double load_of_product(double product) const noexcept;
-  /// c [m/N^γ] and γ at a load: of a sampled law, those of the stretch that holds it.
+  /// c [m/N^γ] and γ at a load; for a sampled law those between the two samples around the load.
   [[nodiscard]] double coefficient(double load = 1.0) const noexcept;
   [[nodiscard]] double exponent(double load = 1.0) const noexcept;
   [[nodiscard]] bool is_sampled() const noexcept { return stretches_ != nullptr; }
-  /// The least and the largest load [N] that a sample stands at; beyond them a sampled law is extrapolated. Of any other law 0 and infinity.
+  /// The smallest and the largest load [N] of the samples, beyond which a sampled law extrapolates; 0 and infinity for any other law.
   [[nodiscard]] std::pair<double, double> sampled_loads() const noexcept { return sampled_loads_; }
 
  private:
@@ -77,10 +78,10 @@ class RadiusLaw {
   double coefficient_;
   double exponent_;
   std::pair<double, double> sampled_loads_{0.0, std::numeric_limits<double>::infinity()};
-  std::shared_ptr<const std::vector<Stretch>> stretches_;  // of a sampled law; shared, because laws are copied about
+  std::shared_ptr<const std::vector<Stretch>> stretches_;  // of a sampled law; shared by its copies
 };
 
-/// A wrench at which a contact under load P slips about a COR at distance c.
+/// The wrench of a contact under load P that slips about a COR at distance c.
 struct LoadPoint {
   double load = 0.0;    ///< P [N]
   double cor = 0.0;     ///< c [m] ∈ [0, ∞]
@@ -89,21 +90,21 @@ struct LoadPoint {
 };
 
 namespace detail {
-/// Each throws std::invalid_argument naming the parameter, value, unit and range.
+/// Each throws std::invalid_argument, with the parameter, its value, unit and range.
 void check_friction(double mu);
 void check_load(double load);
 void check_cor(double cor);
 void check_wrench(double force, double moment);
-/// That the contact's limits μP and μPa are finite.
+/// Throws unless the limits μP and μPa are finite.
 void check_limits(double mu, double load, double radius);
 }  // namespace detail
 
-/// Twists from pure spin (c = 0) to pure sliding (c = ∞), both ends included, evenly in the slip angle atan2(|v|, a|ω|):
-/// the curve's normal turns by equal steps, so that polylines through the points have no corner. `points` ≥ 2.
+/// Slip twists from pure spin (c = 0) to pure sliding (c = ∞), both ends included, evenly spaced in the slip angle atan2(|v|, a|ω|). The
+/// curve's normal then turns by equal steps, so that a polyline through the points looks smooth. `points` ≥ 2, else std::invalid_argument.
 std::vector<SlipTwist> slip_twists(std::size_t points);
 
-/// Where a contact of radius a(P) slips when it turns about `cor` [m] ∈ [0, ∞] under `load` [N] ≥ 0, μ ≥ 0:
-/// F = μP f(c/a), M = μPa m(c/a). Relative error: the curve's and 8 ε.
+/// The wrench of a contact that slips about a COR at distance `cor` [m] ∈ [0, ∞] under `load` [N] ≥ 0, μ ≥ 0: F = μP f(c/a), M = μPa m(c/a)
+/// with a = a(P). Relative error: the curve's plus 8 ε. Throws std::invalid_argument for an argument out of range.
 template <LimitCurve Curve>
 LoadPoint load_point(const Curve& curve, const RadiusLaw& radius_law, double mu, double load, double cor) {
   detail::check_friction(mu);
@@ -118,7 +119,8 @@ LoadPoint load_point(const Curve& curve, const RadiusLaw& radius_law, double mu,
   return {load, cor, capacity * unit.force, capacity * radius * unit.moment};
 }
 
-/// p-curve: the limit curve at one load, at `slip_twists(points)`.
+/// p-curve: points of the limit curve at one load [N] ≥ 0, from pure spin to pure sliding, at `slip_twists(points)`. Throws like
+/// `load_point`.
 template <LimitCurve Curve>
 std::vector<LoadPoint> p_curve(const Curve& curve, const RadiusLaw& radius_law, double mu, double load, std::size_t points) {
   detail::check_friction(mu);
@@ -128,15 +130,15 @@ std::vector<LoadPoint> p_curve(const Curve& curve, const RadiusLaw& radius_law, 
   std::vector<LoadPoint> result;
   for (const SlipTwist twist : slip_twists(points)) {
     const UnitWrench unit = curve.wrench(twist);
-    // At load 0 the radius may be 0, and 0·∞ is no place.
+    // At load 0 the radius may be 0, and 0·∞ is NaN.
     const double cor = twist.spin > 0.0 ? radius * twist.cor() : twist.cor();
     result.push_back({load, cor, mu * load * unit.force, mu * load * radius * unit.moment});
   }
   return result;
 }
 
-/// c-curve: the wrench that slips about one COR [m], over the `loads` [N]. A straight line from the origin if a does
-/// not depend on P, else bent.
+/// c-curve: the wrenches that slip about one COR [m], at the given `loads` [N]. A straight line from the origin if a does not depend on P,
+/// else curved (the paper's Figs. 4 and 5 draw straight lines). Throws like `load_point`.
 template <LimitCurve Curve>
 std::vector<LoadPoint> c_curve(const Curve& curve, const RadiusLaw& radius_law, double mu, double cor, std::span<const double> loads) {
   std::vector<LoadPoint> result;
@@ -144,16 +146,17 @@ std::vector<LoadPoint> c_curve(const Curve& curve, const RadiusLaw& radius_law, 
   return result;
 }
 
-/// Γ(P) = m₀ μ P a(P) [N·m]: the moment that a pure twist needs. `moment_ratio` is m₀ ≥ 0.
+/// Γ(P) = m₀ μ P a(P) [N·m]: the largest friction moment, that of a pure twist. `moment_ratio` is m₀ ≥ 0, `load` P [N] ≥ 0. Throws
+/// std::invalid_argument for an argument out of range.
 double moment_capacity(double moment_ratio, const RadiusLaw& radius_law, double mu, double load);
 
-/// The load [N] at which (F, M) begins to slip: the grip that holds it. F, M ≥ 0; 0 for F = M = 0, ∞ for any other wrench
-/// without friction (μ = 0) or beyond every finite load.
+/// The smallest load [N] under which the contact bears force F [N] ≥ 0 and moment M [N·m] ≥ 0 without slip. 0 for F = M = 0; ∞ without
+/// friction (μ = 0) and where no finite load holds. Relative error ≤ 1e-12 plus the curve's.
 ///
-/// Root of ln gauge(F/μP, M/μPa(P)) = 0, which falls with ln P at the slope −(1 + γω): γ the radius law's exponent, ω the
-/// twist's share of the dissipation, told by the normal ahead. Newton in ln P, inside the bracket of the loads that hold
-/// F or M alone (below) and their sum (above, by convexity). 3 to 6 calls of `along`, at most 60; for a constant radius
-/// one call of `gauge`. A sampled radius law gives its exponent at the load at hand. Relative error ≤ 1e-12, the curve's own apart.
+/// It is the root of ln gauge(F/μP, M/μPa(P)) = 0 in ln P. The slope is −(1 + γω): γ is the exponent of the radius law, ω the fraction of
+/// the dissipated power that rotation takes, from the curve's normal. Newton's method inside a bracket: below, the larger of the loads that
+/// hold F alone and M alone; above, by convexity, their sum. Cost: one call of `gauge` for a constant radius, else 3 to 6 calls of `along`,
+/// at most 60.
 template <class Curve>
 double load_to_hold(const Curve& curve, const RadiusLaw& radius_law, double mu, double force, double moment) {
   constexpr int search_limit = 60;
@@ -171,8 +174,8 @@ double load_to_hold(const Curve& curve, const RadiusLaw& radius_law, double mu, 
   double low = (std::max)(force_alone, moment_alone);
   double high = force_alone + moment_alone;
   if (force == 0.0 || moment == 0.0 || std::isinf(high)) return high;
-  // A sampled radius may fall with the load, where the sum of the two loads need not hold; a load that bears twice the
-  // force and twice the moment, each alone, does.
+  // A sampled radius may fall with the load; then the sum of the two loads need not hold. A load that bears twice the force alone and twice
+  // the moment alone does.
   if (radius_law.is_sampled())
     high = (std::max)(high, radius_law.load_of_product(scaled_moment / curve.wrench({0.0, 1.0}).moment * 2.0) + 2.0 * force_alone);
   double load = low;
@@ -194,7 +197,7 @@ double load_to_hold(const Curve& curve, const RadiusLaw& radius_law, double mu, 
   return load;
 }
 
-/// Grip to spare [N]: `load` less the load at which (F, M) begins to slip. Negative where it slips.
+/// Grip margin [N]: `load` minus `load_to_hold`. Negative if the contact slips. Throws like `load_to_hold`.
 template <class Curve>
 double grip_margin(const Curve& curve, const RadiusLaw& radius_law, double mu, double load, double force, double moment) {
   detail::check_load(load);

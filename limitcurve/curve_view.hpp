@@ -9,26 +9,27 @@
 
 namespace limitcurve {
 
-/// The support function of a limit curve along one side, D(x), with its derivatives. Inside the rim x = s = c/a and D(x) = H(x, 1);
-/// outside x = 1/s and D(x) = H(1, x). x ∈ [0, 1] on both. The leading component of the wrench is the force inside, the moment outside.
+/// The support function D(x) of a limit curve along one side, with its derivatives. Inside the rim x = s = c/a and D(x) = H(x, 1); outside
+/// x = 1/s and D(x) = H(1, x). x ∈ [0, 1] on both sides. The leading component of the wrench is the force inside, the moment outside.
 template <class Real>
 struct Jet {
   Real value;   ///< D
   Real first;   ///< D′, the leading component
-  Real second;  ///< D″ ≥ 0, how fast the leading component grows
+  Real second;  ///< D″ ≥ 0, the derivative of the leading component
   Real third;   ///< D‴
 
   [[nodiscard]] Real leading() const noexcept { return first; }
   [[nodiscard]] Real trailing(Real x) const noexcept { return value - x * first; }
 };
 
-/// A table as a loop reads it: the support function D(x) of both sides (Jet) as polynomials of degree 6, one a cell. Plain data that the
-/// table owns; copies are cheap.
+/// The cells of a table as a control loop reads them: the support function D(x) of both sides (Jet), a polynomial of degree 6 in each cell.
+/// Plain pointers to data that the table owns; copies are cheap.
 ///
-/// A cell is found without a search, but where a bucket holds several: next to a place where the curve is singular and that is no end. The distance y = min(x, 1 − x) from the nearer end of [0, 1], raised by `offset` = 2^−d, has an
-/// exponent and leading mantissa bits: these number a bucket, the same number of buckets in every octave towards either end, where limit
-/// curves may be singular. There are four runs of buckets: inside and outside the rim, near x = 0 and near x = 1. `cell_of_bucket` names the
-/// last cell that begins in the bucket or before it. A number that is none counts as 0, so that no index leaves the arrays.
+/// How a cell is found: y = min(x, 1 − x) is the distance from the nearer end of [0, 1]. The exponent and the leading mantissa bits of y +
+/// `offset`, offset = 2^−d, are the number of a bucket. So every octave towards either end, where limit curves may be singular, has the
+/// same number of buckets. There are four runs of buckets: inside and outside the rim, near x = 0 and near x = 1. `cell_of_bucket` is the
+/// index of the last cell that begins in the bucket or before it. A search is needed only if several cells begin in one bucket: next to a
+/// singularity that is not at an end. NaN counts as 0, so that no index leaves the arrays.
 template <class Real>
 struct TablePieces {
   const Real* cells = nullptr;  ///< eight numbers a cell: its origin x₀, then c₀ … c₆ of D = Σ cᵢ (x − x₀)ⁱ
@@ -37,7 +38,7 @@ struct TablePieces {
   int dropped_bits = 0;                           ///< of the mantissa
   int first_bucket = 0;                           ///< the leading bits of `offset`
   int buckets = 0;                                ///< in each run
-  bool searches = false;                          ///< whether any bucket holds the beginning of a cell other than at its edge
+  bool searches = false;                          ///< whether any cell begins inside a bucket, not at its edge
 
   static constexpr int numbers_per_cell = 8;
 
@@ -48,7 +49,7 @@ struct TablePieces {
     const auto at = numbers_per_cell * cell(outside, x);
     const Number t = x - gather(cells, at);
     const auto coefficient = [&](int i) { return gather(cells + 1 + i, at); };
-    // Horner's scheme for D and its Taylor coefficients at once; each begins one step after the one before.
+    // Horner's scheme for D and its Taylor coefficients together; each starts one step after the one before.
     Number value = coefficient(6);
     Number first = value;
     value = value * t + coefficient(5);
@@ -68,7 +69,7 @@ struct TablePieces {
     return {value, first, Number(Real(2)) * half_second, Number(Real(6)) * sixth_third};
   }
 
-  /// The number of the cell that holds x.
+  /// The index of the cell that contains x.
   template <class Number, class Mask>
   [[nodiscard]] auto cell(Mask outside, Number x) const noexcept {
     using namespace arithmetic;
@@ -96,16 +97,16 @@ struct TablePieces {
   }
 };
 
-/// A limit curve as a loop reads it: plain data, in units of μP and μPa. `Real` is that of the arithmetic; a `Number` below is Real or a pack
-/// of it.
+/// A limit curve as a control loop reads it: plain data, in unit wrenches. Valid as long as its table. `Real` is the arithmetic type;
+/// `Number` below is Real or a pack of Reals.
 template <class Real>
 struct CurveView {
-  bool is_box = false;  ///< uncoupled limits; else an ellipse, unless there is a table
+  bool is_box = false;  ///< uncoupled limits; if false, a table or, without one, an ellipse
   Real force_max = 1;   ///< f at pure sliding
   Real moment_max = 1;  ///< m at pure spin: the moment ratio m₀ where force_max is 1
   Real inverse_force_max = 1;
   Real inverse_moment_max = 1;
-  Real rim_force = 0;  ///< the wrench whose centre of rotation lies on the rim, s = 1
+  Real rim_force = 0;  ///< the wrench at s = 1, the centre of rotation on the rim
   Real rim_moment = 0;
   TablePieces<Real> table = {};
 
@@ -121,7 +122,7 @@ struct CurveView {
 
   [[nodiscard]] bool has_table() const noexcept { return table.cells != nullptr; }
 
-  /// The support function along the side inside or outside the rim, at x ∈ [0, 1]. Not for the box, whose corner has many normals.
+  /// The support function inside or outside the rim at x ∈ [0, 1]. Not for the box, whose corner has many normals.
   template <class Number, class Mask>
   [[nodiscard]] Jet<Number> jet(Mask outside, Number x) const noexcept {
     using namespace arithmetic;
@@ -138,23 +139,23 @@ struct CurveView {
   }
 };
 
-/// A point of a limit curve with its outward normal, which is the direction of the slip there.
+/// A point of a limit curve with its outward normal, which is the direction of slip.
 template <class Number>
 struct CurvePoint {
   Number force;
   Number moment;
   Number slide;  ///< |v| : a|ω| = slide : spin, both ≥ 0
   Number spin;
-  Number parameter;  ///< t ∈ [0, 2]: s up to the rim, 2 − 1/s beyond. Where a next search may begin
+  Number parameter;  ///< curve parameter t ∈ [0, 2]: s up to the rim, 2 − 1/s beyond. A warm start for the next search
 };
 
-/// One side of the curve as a search sees it: what leads inside the rim is the force, outside the moment.
+/// A trial wrench in components of one side of the curve: the leading one is the force inside the rim, the moment outside.
 template <class Real, class Number>
 struct CurveSide {
   using Mask = decltype(Number{} < Number{});
   Mask outside;
-  Number leading;   ///< of the wrench that is sought for
-  Number trailing;  ///< of the same
+  Number leading;   ///< of the trial wrench
+  Number trailing;  ///< of the trial wrench
 
   CurveSide(Mask beyond_rim, Number force, Number moment) noexcept : outside(beyond_rim) {
     using namespace arithmetic;
@@ -162,7 +163,7 @@ struct CurveSide {
     trailing = select(outside, force, moment);
   }
 
-  /// x, where a search begins: at the curve parameter `last`; where that is 0, none is known, and a twist serves, slide : spin =
+  /// The x at which a search starts: that of the curve parameter `last`; if `last` is 0 (none known), that of the twist slide : spin =
   /// guess_twist().
   template <class Function>
   [[nodiscard]] Number begin(Number last, Function&& guess_twist) const noexcept {
@@ -174,7 +175,7 @@ struct CurveSide {
       const auto [slide, spin] = guess_twist();
       x = select(is_known, x, select(outside, spin, slide) / select(outside, slide, spin));
     }
-    // A wrench on an axis has its root at the end, which no step reaches exactly.
+    // A wrench on an axis has its root exactly at the end, which the iteration would only approach.
     return select(leading > zero, larger(zero, smaller(Number(Real(1)), x)), zero);
   }
 
@@ -190,8 +191,9 @@ struct CurveSide {
 inline namespace fast_math {  // arithmetic.hpp
 #endif
 
-/// Where the ray from the origin through a wrench, not both components 0, meets the curve; and the wrench's gauge, 1 on the curve and less
-/// inside. Root of T·leading − L·trailing, L and T the curve's components at x. Not for the box.
+/// The point where the ray from the origin through a wrench ≠ 0 meets the curve, and in `gauge` the wrench's gauge: 1 on the curve, less
+/// inside. Root of T·leading − L·trailing, L and T the curve's components at x. `last` is the curve parameter of a warm start, or 0. Not
+/// for the box.
 template <class Real, class Number>
 [[nodiscard]] CurvePoint<Number> point_on_ray(const CurveView<Real>& curve, Number force, Number moment, Number last,
                                               Number& gauge) noexcept {
@@ -213,12 +215,12 @@ template <class Real, class Number>
                 Number(4 * std::numeric_limits<Real>::epsilon()) * (up + down)};
       },
       side.begin(last, guess_twist));
-  // By the tangent at x, whose error is the square of that of x.
+  // Gauge by the tangent at x: its error is the square of that of x.
   gauge = (side.trailing + x * side.leading) / jet.value;
   return side.point(jet, x);
 }
 
-/// The gauge of a wrench: 0 at the origin, 1 on the curve, more outside. `last` as above.
+/// The gauge of a wrench: 0 at the origin, 1 on the curve, more outside. `last` as in point_on_ray.
 template <class Real, class Number>
 [[nodiscard]] Number gauge(const CurveView<Real>& curve, Number force, Number moment, Number last) noexcept {
   using namespace arithmetic;

@@ -10,9 +10,9 @@
 
 namespace limitcurve {
 
-/// The unit limit curve of a pressure law, exact: a limit curve. Relative error of the wrench: that of the law's `forces`,
-/// ≤ 1e-14 to 1e-13, and 9e-16 inwards, so that a wrench that is brought back onto the curve is not as often outside.
-/// Cost: that of the law's `forces`: nanoseconds where it is closed, microseconds by quadrature. A loop uses a table.
+/// The exact unit limit curve of a pressure law (eq. 17); models LimitCurve. Relative error of the wrench: that of the law's `forces`, ≤
+/// 1e-14 to 1e-13. Wrenches are scaled by 1 − 9e-16, so that rounding seldom puts a wrench of the curve outside the curve.
+/// Cost: that of `forces`, nanoseconds for a closed form, microseconds by quadrature. In a control loop use a table.
 class ExactCurve {
  public:
   explicit ExactCurve(Law law) : law_(std::move(law)), moment_ratio_(law_->moment_ratio()) {}
@@ -23,7 +23,7 @@ class ExactCurve {
   [[nodiscard]] UnitWrench wrench(SlipTwist twist) const noexcept { return inwards(law_->forces(twist.cor(), Slope::unwanted)); }
 
   [[nodiscard]] SlopedPoint point(SlipTwist twist) const noexcept {
-    // du = −u² ds. Towards pure sliding df/ds vanishes like u³; the floor keeps u⁻² finite and the limit right.
+    // du = −u² ds. Towards pure sliding df/ds vanishes like u³; the lower bound on u keeps u⁻² finite and the limit correct.
     const double u = (std::max)(twist.spin_fraction(), 1e-80);
     const double s = (std::min)(twist.cor(), 1e80);
     const UnitForces<double> forces = law_->forces(s);
@@ -32,7 +32,7 @@ class ExactCurve {
   }
 
   [[nodiscard]] RadialPoint along(UnitWrench direction) const noexcept {
-    // The ellipse's normal is within a factor two of the curve's.
+    // First guess: the ellipse's normal, which is within a factor of two of the curve's.
     const double spin = direction.moment / moment_ratio_;
     return search_along(*this, direction, spin / (direction.force * moment_ratio_ + spin));
   }
@@ -43,7 +43,7 @@ class ExactCurve {
 
  private:
   static UnitWrench inwards(const UnitForces<double>& forces) noexcept {
-    // The closed forms are mostly off by less than four units (accuracy::forces_closed is what is promised).
+    // Most errors of the closed forms are below four units in the last place; the documented bound is accuracy::forces_closed.
     constexpr double share = 1.0 - 4.0 * std::numeric_limits<double>::epsilon();
     return {share * forces.force, share * forces.moment};
   }

@@ -5,12 +5,12 @@
 
 namespace limitcurve {
 
-/// The arithmetic of references: 64 bits of mantissa on x86.
+/// Floating-point type of reference values: 64 bits of mantissa on x86, double where the platform has nothing wider.
 using Extended = long double;
 
 class PressureLaw;
 
-/// Laws are handed around by this: shared, immutable. laws.hpp makes them, pressure_law.hpp says what they can do.
+/// A pressure law: a shared pointer to an immutable object. laws.hpp has the factories, pressure_law.hpp the member functions.
 using Law = std::shared_ptr<const PressureLaw>;
 
 }  // namespace limitcurve

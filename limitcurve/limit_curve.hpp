@@ -8,17 +8,16 @@
 
 namespace limitcurve {
 
-/// A convex curve in the quadrant f, m ≥ 0, from (f_max, 0) to (0, m_max), known by the wrench that each slip
-/// twist causes. The exact curve, the table, the ellipse and its kin and the uncoupled box all are one;
-/// projections, gauges and the god-object are written once against this.
+/// A limit curve: a convex curve in the quadrant f, m ≥ 0, from (f_max, 0) to (0, m_max), in unit wrenches. Models: ExactCurve, Table,
+/// Ellipse, Superellipse, Quartic, Polygon (box, diamond). Errors, gauges and load curves are templates over this concept.
 ///
-/// Requirements, each tested by name for every curve (tests/limitcurve/curve_suite.cpp):
-///  - `wrench(t)`: the curve point that has t as an outward normal (any one of them where a face is flat);
-///  - `point(t)`:  the same with its derivative in the spin fraction;
-///  - `along(w)`:  the curve point on the ray through w ≠ 0, and the normal there (any one at a corner);
-///  - `gauge(w)`:  the factor γ ≥ 0 with w/γ on the curve: < 1 holds, > 1 slips, 0 for w = 0;
-///  - `moment_ratio()`: moment intercept over force intercept, m₀ = μ_r/(μ a).
-/// None of them throws, allocates, locks, or loops without bound.
+/// Requirements; tests/limitcurve/curve_suite.cpp has a test for each, and runs it for every curve:
+///  - `wrench(t)`: the curve point whose outward normal is the slip twist t; on a flat face any point of the face;
+///  - `point(t)`:  the same point, with its derivative in the spin fraction u;
+///  - `along(w)`:  the curve point on the ray from the origin through w ≠ 0, and the normal there; at a corner any one of its normals;
+///  - `gauge(w)`:  the factor γ ≥ 0 for which w/γ is on the curve; γ < 1: the contact holds, γ > 1: it slips, γ = 0 for w = 0;
+///  - `moment_ratio()`: moment intercept divided by force intercept, m₀ = μ_r/(μ a).
+/// They do not throw, allocate or lock, and every loop in them is bounded.
 // clang-format off
 template <class Curve>
 concept LimitCurve = requires(const Curve& curve, SlipTwist twist, UnitWrench wrench) {
@@ -30,15 +29,15 @@ concept LimitCurve = requires(const Curve& curve, SlipTwist twist, UnitWrench wr
 };
 // clang-format on
 
-/// How far `wrench` is from the origin in units of the curve point on the same ray. Both components are
-/// non-negative and collinear, so their sum serves as the length, without a square root.
+/// The gauge of `wrench`: its length divided by that of `on_curve`, the curve point on the same ray. Components are ≥ 0 and collinear, so
+/// the sum of the components replaces the length, and no square root is needed.
 constexpr double gauge_from(UnitWrench wrench, UnitWrench on_curve) noexcept {
   return (wrench.force + wrench.moment) / (on_curve.force + on_curve.moment);
 }
 
-/// Finds where the ray through `direction` meets a strictly convex curve, by Newton's method in the spin
-/// fraction u, kept inside a bracket: f(u)·M − m(u)·F falls from M·f_max ≥ 0 at u = 0 to −F·m_max ≤ 0 at u = 1.
-/// At most `search_limit` evaluations of `point` (4 to 7 as a rule).
+/// The point where the ray through `direction` meets a strictly convex curve, and its normal. Newton's method in the spin fraction u,
+/// starting at `u` ∈ [0, 1], inside a bracket: f(u)·M − m(u)·F falls from M·f_max ≥ 0 at u = 0 to −F·m_max ≤ 0 at u = 1.
+/// Cost: usually 4 to 7 evaluations of `point`, at most 61.
 template <class Curve>
 RadialPoint search_along(const Curve& curve, UnitWrench direction, double u) noexcept {
   constexpr int search_limit = 60;
@@ -50,7 +49,7 @@ RadialPoint search_along(const Curve& curve, UnitWrench direction, double u) noe
     (cross > 0.0 ? low : high) = u;
     const double slope = here.slope.force * direction.moment - here.slope.moment * direction.force;
     double next = u - cross / slope;
-    // A flat or singular place gives a step out of the bracket, or NaN: both fall to bisection.
+    // On a flat face or at a singularity the Newton step leaves the bracket or is NaN: bisect instead.
     if (!(next > low && next < high)) next = cross == 0.0 ? u : 0.5 * (low + high);
     const double step = next - u;
     u = next;

@@ -16,14 +16,14 @@ std::string format_number(double value) {
 }
 
 std::optional<double> parse_number(std::string_view text) {
-  // from_chars knows no leading plus, which spreadsheets write.
+  // from_chars rejects a leading plus, but spreadsheets write it.
   if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
   double value = 0.0;
   const char* const end = text.data() + text.size();
   const auto [stop, error] = std::from_chars(text.data(), end, value);
   if (stop != end || text.empty()) return std::nullopt;
   if (error == std::errc::result_out_of_range) {
-    // Too small or too large for a double: the nearest double, not a refusal. (strtod would mind the locale.)
+    // Too small or too large for a double: return the nearest double. (strtod would depend on the locale.)
     long double wide = 0.0L;
     if (std::from_chars(text.data(), end, wide).ec == std::errc{}) return static_cast<double>(wide);
     const bool tiny = text.find("e-") != std::string_view::npos || text.find("E-") != std::string_view::npos;

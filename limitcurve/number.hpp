@@ -8,13 +8,14 @@
 
 namespace limitcurve {
 
-/// The shortest decimal that reads back as exactly `value`; "inf", "-inf", "nan" for what is not finite.
+/// The shortest decimal that reads back as exactly `value`; "inf", "-inf" or "nan" for a number that is not finite.
 std::string format_number(double value);
 
-/// The double that `text`, all of it, denotes ("inf" and "nan" included); nothing if it is not a number.
+/// The number written in `text` ("inf" and "nan" included); nothing if the whole text is not a number. A number beyond the range of double
+/// gives 0 or ±inf. Independent of the locale.
 std::optional<double> parse_number(std::string_view text);
 
-/// The complaint about a parameter: its name, value, unit ("1" if none) and permitted range.
+/// The exception for a parameter out of range, "NAME = VALUE UNIT is out of range: expected RANGE"; unit "1" is left out.
 std::invalid_argument out_of_range(std::string_view name, double value, std::string_view unit, std::string_view range);
 
 }  // namespace limitcurve

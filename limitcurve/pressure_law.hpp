@@ -16,9 +16,9 @@ template <class Real>
 struct Quadrature;
 }
 
-/// Ways to evaluate eq. (17). README, "Evaluators", has each one's domain and cost.
+/// The method that evaluates eq. (17). README, "Evaluators", has the domain, error and cost of each.
 enum class Method {
-  automatic,  ///< closed where the law has one, else ring
+  automatic,  ///< closed if the law has a closed form, else ring
   closed,     ///< the law's closed form
   ring,       ///< elliptic kernels, one integral over the radius
   punch,      ///< superposition of rigid flat punches, one integral over their radius
@@ -28,81 +28,83 @@ enum class Method {
 /// The method's name on the command line ("auto", "closed", "ring", "punch", "direct").
 std::string_view to_string(Method method);
 
-/// Whether df/ds is wanted beside the wrench. By quadrature it costs half as much again; where it is not wanted and is not at hand it is NaN.
+/// Whether a function computes df/ds, too. By quadrature the slope adds half to the cost. `unwanted`: df/ds may be NaN.
 enum class Slope { wanted, unwanted };
 
-/// A place under the finger: ρ = r/a, and its distance from the rim, which keeps its digits where ρ → outer radius.
+/// A radius under the finger: ρ = r/a, and its distance from the rim. `rim` keeps its digits near the rim, where 1 − ρ cancels.
 template <class Real>
 struct RadialPosition {
   Real radius;
   Real rim;
 };
 
-/// The shape of an axisymmetric pressure under a soft finger: g(ρ) = πa² p(ρa)/P, normalised so that ∫ 2ρ g dρ = 1.
+/// A pressure law: the shape of an axisymmetric pressure under a soft finger, g(ρ) = πa² p(ρa)/P, normalised to ∫ 2ρ g dρ = 1.
 /// Laws are immutable and may be shared between threads.
 ///
-/// A new law derives from this, in a file of its own, and gets a factory in laws.hpp and a line in law_grammar.cpp.
-/// What it must satisfy is listed and tested by name in tests/limitcurve/law_suite.cpp.
+/// To add a law: derive from PressureLawOf in a new file, write a factory in laws.hpp and a line in law_grammar.cpp.
+/// tests/limitcurve/law_suite.cpp has one test for each requirement.
 class PressureLaw {
  public:
   PressureLaw();
   virtual ~PressureLaw() = default;
 
-  /// The law in the grammar of laws.hpp; `parse_law(name())` makes an equal law.
+  /// The law's name in the grammar of laws.hpp. For a law of the grammar `parse_law(name())` gives an equal law.
   [[nodiscard]] virtual std::string name() const = 0;
 
-  /// g(ρ) divided by rim^rim_exponent(). Relative error ≤ 1e-17, or the law's own documented one.
+  /// g(ρ) divided by rim^rim_exponent(). Relative error ≤ 1e-17, unless the law documents another.
   [[nodiscard]] virtual Extended density(RadialPosition<Extended> position) const noexcept = 0;
-  /// The same in double arithmetic, for `forces`: relative error ≤ 1e-15.
+  /// The same in double, for `forces`: relative error ≤ 1e-15.
   [[nodiscard]] virtual double density(RadialPosition<double> position) const noexcept = 0;
 
-  /// −1 < e ≤ 0 where the pressure at the rim grows like rim^e; 0 where it stays finite.
+  /// The exponent e ∈ (−1, 0] of the pressure at the rim, which grows like rim^e; 0 for a pressure that stays finite.
   [[nodiscard]] virtual Extended rim_exponent() const noexcept { return 0; }
 
-  /// Increasing radii between which g is analytic, from where the pressure begins (0) to where it ends (1 unless the
-  /// law has no rim).
+  /// Increasing radii between which g is analytic, from 0 to the end of the pressure: 1, or more for a law without a rim.
   [[nodiscard]] virtual const std::vector<Extended>& breaks() const noexcept;
 
-  /// Whether g is a polynomial between its breaks: a piece away from the COR is then integrated by a Gauss rule.
+  /// Whether g is a polynomial between its breaks. Then pieces away from the COR are integrated by a Gauss rule, which is cheaper.
   [[nodiscard]] virtual bool has_polynomial_pieces() const noexcept { return false; }
 
-  /// The closed form at s, if the law has one.
+  /// The closed form of the unit wrench at s, if the law has one.
   [[nodiscard]] virtual std::optional<UnitForces<Extended>> closed(Extended, Slope = Slope::wanted) const noexcept { return std::nullopt; }
 
-  /// q(t): load share of the flat punches of radius t that superpose to the law (∫ q dt = 1), divided by
-  /// (1−t)^punch_exponent(); if the law has such a superposition.
+  /// q(t), if the law is a superposition of rigid flat punches of radii t: the fraction of the load on the punch of radius t (∫ q dt = 1),
+  /// divided by (1−t)^punch_exponent().
   [[nodiscard]] virtual std::optional<Extended> punch_density(RadialPosition<Extended>) const noexcept { return std::nullopt; }
   [[nodiscard]] virtual Extended punch_exponent() const noexcept { return 0; }
 
-  /// Unit wrench at s = c/a ∈ [0, ∞] without an error estimate: the closed form where the law has one, else `ring`, in double arithmetic
-  /// where that keeps the promise. Relative error ≤ 1e-14 for an elementary or elliptic closed form and the Gaussian, ≤ 1e-13 for all
-  /// others (in df/ds 1e-13, 1e-12; a pressure steeper than rim^(−½) gives df/ds a cusp at s = 1, where one rounding
-  /// of s moves it by 1 % and more). NaN for a NaN. Never throws, allocates or locks. A loop reads a table instead.
+  /// Unit wrench at s = c/a ∈ [0, ∞], without an error estimate: the closed form if the law has one, else ring; in double where double is
+  /// accurate enough. NaN for NaN.
+  /// Relative error ≤ 1e-14 (df/ds: 1e-13) for elementary and elliptic closed forms and the Gaussian, ≤ 1e-13 (df/ds: 1e-12) for all other
+  /// laws. If the pressure is steeper than rim^(−½), df/ds has a cusp at s = 1: there one rounding of s changes it by 1 % or more.
+  /// Cost: nanoseconds for a closed form, up to 0.1 ms by quadrature; no exception, no allocation, no lock. In a control loop use a table.
   [[nodiscard]] virtual UnitForces<double> forces(double s, Slope slope = Slope::wanted) const noexcept;
 
-  /// Unit wrench at s with its error, computed in extended precision. `method` must be one that `allows` grants.
-  /// Relative error ≤ 1e-15 for a closed form, ≤ 1e-14 for the others, and in every case ≤ the error returned.
+  /// Unit wrench at s ∈ [0, ∞] and a bound of its absolute error, computed in extended precision. `allows(method)` must be true.
+  /// The true error is at most the error returned. That is ≤ 1e-15 relative for a closed form and ≤ 1e-14 for ring and punch; for direct it
+  /// is absolute. A law from samples adds its interpolation error. Cost: 1 µs to 0.5 ms, direct 10 to 100 ms.
   [[nodiscard]] virtual WrenchEstimate evaluate(double s, Method method = Method::automatic) const noexcept;
 
-  /// The same by Method::automatic, before it is rounded to double; its error leaves out what a law does not know of its own pressure
-  /// (between samples). For tables whose tolerance the errors of `forces` come near.
+  /// The result of `evaluate` before rounding to double, by Method::automatic. Its error leaves out the interpolation error of samples
+  /// (profile_error). Tables of a fine tolerance are built from it, because the error of `forces` is too large for them.
   [[nodiscard]] virtual evaluators::Quadrature<Extended> unrounded(Extended s, Slope slope) const noexcept;
 
-  /// By how much f and m may be off at any s because the pressure itself is known at samples only; part of what `evaluate` states. 0 for a law
-  /// that is given by a formula.
+  /// Bound of the absolute error of f and m, at every s, that comes from a pressure known at samples only. `evaluate` includes it.
+  /// 0 for a law given by a formula.
   [[nodiscard]] virtual double profile_error() const noexcept { return 0.0; }
 
-  /// The pressure projected on a line through the contact's centre, at the place t ≥ 0 [contact radii]: see evaluators::projection.
+  /// The pressure projected on a line through the contact centre, at the distance t ≥ 0 [contact radii] from it: see
+  /// evaluators::projection.
   [[nodiscard]] virtual evaluators::Quadrature<double> projection(double t) const noexcept;
 
-  /// Whether the law can be evaluated by `method`.
+  /// Whether `evaluate` can use `method` for this law.
   [[nodiscard]] virtual bool allows(Method method) const noexcept;
 
-  /// m₀ = m(0) = ⟨ρ⟩: the moment of a pure twist in units of μPa. Closed where known; relative error ≤ 1e-15.
+  /// Moment ratio m₀ = m(0) = ⟨ρ⟩: the moment of a pure twist in units of μPa. Relative error: that of `evaluate`.
   [[nodiscard]] double moment_ratio() const noexcept { return evaluate(0.0).wrench.moment; }
 };
 
-/// Writes both densities of a law from one template, `pressure<Real>(RadialPosition<Real>)`.
+/// Base of laws: implements both densities by the derived law's template `pressure<Real>(RadialPosition<Real>)`.
 template <class Derived>
 class PressureLawOf : public PressureLaw {
  public:
