@@ -10,31 +10,31 @@
 #include <utility>
 #include <vector>
 
-/// Contacts that are not round: the friction of a pressure patch of any shape, in its three numbers F_x, F_y, M.
-/// README, "Patches", has the mathematics.
+/// Contacts that are not round: the friction wrench (F_x, F_y, M) of a pressure patch of any shape. README, "Patches", has the mathematics.
 namespace limitcurve {
 
-/// A place on the patch [m].
+/// A point of the patch [m].
 struct PatchPoint {
   double x = 0.0;
   double y = 0.0;
 };
 
-/// A point contact: its place [m] and its load, in any unit.
+/// A point contact: its position [m] and its load [any unit].
 struct PatchLoad {
   double x = 0.0;
   double y = 0.0;
   double load = 0.0;
 };
 
-/// How the patch slides over the ground: the velocity [m/s] of the point to which moments refer, and the rate of turn [rad/s].
+/// The twist of the patch over the ground: velocity [m/s] of the reference point of moments, and angular velocity [rad/s].
 struct PatchTwist {
   double vx = 0.0;
   double vy = 0.0;
   double omega = 0.0;
 };
 
-/// The wrench that keeps the patch sliding: a force, and a moment [m] about the point of the twist, both in units of μP.
+/// The wrench that must be applied to keep the patch sliding, in units of μP: force [1], and moment [m] about the reference point of the
+/// twist.
 struct PatchWrench {
   double fx = 0.0;
   double fy = 0.0;
@@ -45,52 +45,55 @@ struct PatchWrench {
 struct PatchFriction {
   double power = 0.0;
   PatchWrench wrench;
-  double error = 0.0;  ///< bound of the largest of: the power's relative error, |ΔF|, |ΔM|/m₀. Only `about_origin` fills it in.
+  double error = 0.0;  ///< bound of the largest of: the power's relative error, |ΔF|, |ΔM|/m₀; set by `about_origin` only
 };
 
 namespace patch {
 struct Shape;
 }
 
-/// A pressure patch of load 1 under friction of coefficient 1 (or `orthotropic`): a function H of the twist, convex and of degree one, whose
-/// gradient is the wrench. Twists and moments refer to the centre of pressure. Immutable; a copy shares its data; threads may share it.
+/// A pressure patch, for load 1 and friction coefficient 1 (or `orthotropic`): the power H of a twist, a convex function of degree one, and
+/// its gradient, the wrench. Twists and moments refer to the centre of pressure. Immutable: copies share the data, and so may threads.
 ///
-/// A zero twist has wrench 0, which is one of the many that hold; a point exactly under the centre of rotation (COR) bears no force; NaN gives NaN.
-/// The factories throw std::invalid_argument that names the vertex, the point or the pixel (counted from 1), its value and what is expected.
-/// Lengths are in metres, and between 1e-100 and 1e100.
+/// A zero twist gives wrench 0, one of the many wrenches that hold. A point exactly under the centre of rotation (COR) bears no force. NaN
+/// gives NaN. The factories throw std::invalid_argument, with the vertex, point or pixel (counted from 1), its value and what is expected.
+/// Lengths are in metres, between 1e-100 and 1e100.
 ///
-/// Errors, measured as `PatchFriction::error`: points and polygons 1e-13 (polygons of area A, perimeter L and radius R lose as L R²/(A m₀) grows);
-/// ellipses of an aspect up to 20 1e-12 for smooth laws, else 1e-10 and the law's own error; images see `image`.
+/// Errors, as `PatchFriction::error` defines them: points and polygons 1e-13 (for polygons of area A, perimeter L and radius R the error
+/// grows with L R²/(A m₀)); ellipses of an aspect up to 20: 1e-12 for smooth laws, else 1e-10 plus the law's own error; images: see
+/// `image`.
 class Patch {
  public:
-  /// Points with loads >= 0, not all 0. 15 ns for three.
+  /// Point contacts with loads ≥ 0, not all 0. A wrench of three points costs 15 ns.
   static Patch points(std::span<const PatchLoad> loads);
-  /// Uniform pressure on a simple polygon, convex or not, its vertices in either sense; the first may be repeated as the last.
-  /// Per edge 15 ns with the COR within three radii, 30 ns beyond.
+  /// Uniform pressure on a simple polygon, convex or not; vertices in either sense, and the first may be repeated at the end.
+  /// Cost for each edge: 15 ns with the COR within three radii, 30 ns beyond.
   static Patch polygon(std::span<const PatchPoint> vertices);
   /// Uniform pressure on a rectangle of full sides x and y about the origin.
   static Patch rectangle(double x, double y);
-  /// A pressure law stretched on to the ellipse with semi-axes a (along x) and b (along y) about the origin, up to 1e4 : 1.
-  /// Hertz and flat punch 20 ns with the COR inside; 1 to 2 µs outside; other laws 3 to 10 µs, samples with many breaks more.
+  /// A pressure law stretched to the ellipse with semi-axes a (along x) and b (along y) about the origin, aspect up to 1e4.
+  /// Cost: Hertz and flat punch 20 ns with the COR inside, 1 to 2 µs outside; other laws 3 to 10 µs, samples with many breaks more.
   static Patch ellipse(const Law& law, double a, double b);
-  /// A pressure image: rows of equal length, the first at the largest y; a pixel is a square of side `pixel` under constant pressure >= 0.
-  /// The origin is the centre of pressure. Pixels next to the COR are exact squares, others points with a radius of gyration: the error is
-  /// that of fourth moments, 1e-5 for a dense image of 64 × 64, 1e-2 for a lone pixel. 1 ns a pixel with AVX2, 3 ns without.
+  /// A pressure image: rows of equal length, the first at the largest y. A pixel is a square of side `pixel` under constant pressure ≥ 0.
+  /// The origin is the centre of pressure. Pixels next to the COR are integrated as squares; other pixels are points with the square's
+  /// radius of gyration. The error comes from fourth moments: 1e-5 for a dense image of 64 × 64, 1e-2 for a single pixel. Cost: 1 ns a
+  /// pixel with AVX2, 3 ns without.
   static Patch image(std::span<const double> pressures, std::size_t columns, double pixel);
   /// Σ wᵢ patchᵢ with positive weights, scaled to sum 1: H is linear in the pressure.
   static Patch sum(std::span<const std::pair<double, Patch>> parts);
 
-  /// The same patch elsewhere: all its points moved by (x, y).
+  /// The patch with all its points moved by (x, y) [m].
   [[nodiscard]] Patch moved(double x, double y) const;
-  /// Friction mx along x and my along y, as multiples of that of this patch; positive, with associated flow: H = ⟨|diag(mx, my) u|⟩.
+  /// The patch with orthotropic friction: coefficients mx along x and my along y, in [1e-6, 1e6], as multiples of this patch's. Associated
+  /// flow: H = ⟨|diag(mx, my) u|⟩.
   [[nodiscard]] Patch orthotropic(double mx, double my) const;
-  /// A patch that can be driven: twice differentiable for ω ≠ 0. Points get the radius ε > 0 [m], |u| becomes √(|u|² + ε²ω²); the pixels of an
-  /// image all become such points; other kinds are smooth as they are.
+  /// The patch with H twice differentiable for ω ≠ 0, as PatchFinger needs it. Points get a radius ε > 0 [m]: |u| becomes √(|u|² + ε²ω²).
+  /// All pixels of an image become such points. Other kinds are smooth already.
   [[nodiscard]] Patch smoothed(double radius) const;
 
   /// H and its gradient at a twist of the centre of pressure.
   [[nodiscard]] PatchFriction evaluate(const PatchTwist& twist) const noexcept;
-  /// The same at a twist of the origin of the coordinates, with moments about it; and the error, whose |ΔM| is that about the origin too.
+  /// H, its gradient and the error bound, for a twist and moments that refer to the origin of the coordinates.
   [[nodiscard]] PatchFriction about_origin(const PatchTwist& twist) const noexcept;
 
   [[nodiscard]] double power(const PatchTwist& twist) const noexcept { return evaluate(twist).power; }
@@ -98,28 +101,28 @@ class Patch {
 
   /// Centre of pressure [m].
   [[nodiscard]] PatchPoint centre() const noexcept;
-  /// m₀ = H(0, 0, 1): the moment of a pure spin about the centre of pressure, the largest there is [m].
+  /// m₀ = H(0, 0, 1) [m]: the moment of a pure spin about the centre of pressure. It is the largest moment.
   [[nodiscard]] double moment_ratio() const noexcept { return moment_ratio_; }
-  /// Largest distance of a point from the centre of pressure, for a law without rim that of its last break [m].
+  /// Largest distance of a point of the patch from the centre of pressure [m]; for a law without rim, of its last break.
   [[nodiscard]] double radius() const noexcept { return radius_; }
   /// The friction factors along x and y, 1 unless `orthotropic`.
   [[nodiscard]] PatchPoint factors() const noexcept { return {mx_, my_}; }
 
-  /// Cost of a wrench with the COR near, as measured on one machine [ns]: read it as a ratio.
+  /// Cost of a wrench with the COR near the patch [ns], measured on one machine. Compare it with other costs; do not rely on it.
   [[nodiscard]] double nanoseconds() const noexcept;
 
-  /// What a round model of the patch takes from it. Zero where it has none: points have no area.
+  /// Measures from which round models of the patch are made. Zero if the patch has none: points have no area.
   struct RoundMeasures {
     double area = 0.0;       ///< under pressure [m²]
-    double geometric = 0.0;  ///< √(ab), a and b the semi-axes of the ellipse of equal law and second moments [m]
-    Law law;                 ///< under which the disc has that radius: the ellipse's own, else uniform
+    double geometric = 0.0;  ///< √(ab) [m], a and b the semi-axes of the ellipse of the same law and second moments
+    Law law;                 ///< the law of that ellipse: the patch's own if it is an ellipse, else uniform
   };
   [[nodiscard]] RoundMeasures round_measures() const;
 
  private:
   Patch(std::shared_ptr<const patch::Shape> shape, double mx, double my);
 
-  std::shared_ptr<const patch::Shape> shape_;  ///< of isotropic friction: that of the patch, x times my and y times mx
+  std::shared_ptr<const patch::Shape> shape_;  ///< under isotropic friction: the patch with x times my and y times mx
   double mx_ = 1.0;
   double my_ = 1.0;
   double moment_ratio_ = 0.0;

@@ -12,22 +12,22 @@
 #include <string>
 #include <vector>
 
-/// How wrong a limit curve is against another that is taken as exact, the curves of few parameters that are least wrong, and the cheapest that
-/// will do. Offline work: it allocates, and costs 1150 to 1500 evaluations of the exact curve a call (0.1 to 0.6 ms for a closed-form law,
-/// some 0.1 s by quadrature), fits included.
+/// Errors of a limit curve against an exact one, the approximations with the smallest error, and the cheapest curve that is accurate
+/// enough. Offline: every function allocates, and evaluates the exact curve 1150 to 1500 times (0.1 to 0.6 ms for a closed form, about 0.1
+/// s by quadrature), fits included.
 namespace limitcurve {
 
-/// Errors over all rays of the normalised plane x = f/f_max, y = m/m_max of the exact curve, from axis to axis.
-/// Radial errors are relative to the exact radius on the same ray, as fractions, ≥ 0. The extremes are refined between
-/// the 1025 rays that are compared: right to 1e-9; the mean to 1e-6.
+/// Errors over all rays of the normalised plane x = f/f_max, y = m/m_max of the exact curve, from axis to axis. Radial errors are fractions
+/// of the exact radius on the same ray, ≥ 0. 1025 rays are compared. Largest and smallest values are refined between rays, to 1e-9; the
+/// mean is right to 1e-6.
 struct CurveError {
   double max_error = 0.0;           ///< the larger of the two below
   double rms_error = 0.0;           ///< root of the mean square over the rays' angle
-  double max_over_estimate = 0.0;   ///< model radius/exact radius − 1 at its largest: holds where the finger slips
-  double max_under_estimate = 0.0;  ///< 1 − model radius/exact radius at its largest: slips where the finger holds
-  double max_cor_error = 0.0;       ///< |c/c_exact − 1| at its largest; inf where c is 0 or inf alone, or the ratio has no bound
-  double min_cor_ratio = 1.0;       ///< c/c_exact at its smallest, both CORs normal to their curve on the same ray
-  double max_cor_ratio = 1.0;       ///< … and at its largest
+  double max_over_estimate = 0.0;   ///< largest model radius/exact radius − 1: the model holds, but the finger slips
+  double max_under_estimate = 0.0;  ///< largest 1 − model radius/exact radius: the model slips, but the finger holds
+  double max_cor_error = 0.0;       ///< largest |c/c_exact − 1|; inf if only one of the CORs is 0 or inf, or the ratio has no bound
+  double min_cor_ratio = 1.0;       ///< smallest c/c_exact, both CORs from the curves' normals on the same ray
+  double max_cor_ratio = 1.0;       ///< largest c/c_exact
 };
 
 namespace detail {
@@ -54,7 +54,8 @@ WrenchOfTwist wrench_of(const Curve& curve) {
   return [&curve](SlipTwist twist) { return curve.wrench(twist); };
 }
 
-/// How a curve turns at its ends: the COR on a ray is about (f/m)/spin near pure spin, and slide/(m/f) near pure sliding.
+/// Rate at which a curve's normal turns at its ends: on a ray the COR is about (f/m)/spin near pure spin, and slide/(m/f) near pure
+/// sliding.
 struct EndTurns {
   double spin;   ///< d(f/m)/ds at s = 0
   double slide;  ///< s·m/f at s = ∞
@@ -67,7 +68,7 @@ EndTurns end_turns(const Curve& curve) {
   return {std::fabs(spin.slope.force) / spin.wrench.moment, std::fabs(slide.slope.moment) / slide.wrench.force};
 }
 
-// What no slope says: these turn like a power at their ends, or not at all.
+// The normals of these curves turn like a power at the ends, or not at all, which no slope shows.
 inline EndTurns end_turns(const Superellipse& superellipse) {
   if (superellipse.exponent() == 2.0) return end_turns(Ellipse(superellipse.force_max(), superellipse.moment_max()));
   const double turn = superellipse.exponent() > 2.0 ? std::numeric_limits<double>::infinity() : 0.0;
@@ -84,17 +85,17 @@ EndTurns end_turns(const Polygon<count>& polygon) {
   return {turn(vertices[count - 2].moment, vertices[count - 1].moment), turn(vertices[0].force, vertices[1].force)};
 }
 
-/// `near_spin` and `near_slide` are the limits of the ratio of the CORs.
+/// `near_spin` and `near_slide` are the limits of the ratio of the CORs at the ends.
 CurveError curve_error(const CompareRay& compare, UnitWrench intercepts, double near_spin, double near_slide);
-/// The parameter in [low, high] at which over- and under-estimate are equal, of a model whose gauge is monotone in it.
+/// The parameter in [low, high] at which over- and under-estimate are equal. The model's gauge must be monotone in the parameter.
 double equal_ripple(const WrenchOfTwist& exact, UnitWrench intercepts, const GaugeOfParameter& gauge, double low, double high);
 Ellipse inner_ellipse(const WrenchOfTwist& exact, UnitWrench intercepts);
 Ellipse outer_ellipse(const WrenchOfTwist& exact, UnitWrench intercepts);
 
 }  // namespace detail
 
-/// Error of `model` against `exact`, which must be strictly convex (the exact curve, a table, an ellipse; not a polygon).
-/// At the ends the ratio of the CORs is its limit, by the slopes of both curves there.
+/// Errors of `model` against `exact`, a strictly convex curve (the exact curve, a table, an ellipse; not a polygon). At the ends the ratio
+/// of the CORs is its limit, from the slopes of both curves.
 template <LimitCurve Model, LimitCurve Exact>
 CurveError curve_error(const Model& model, const Exact& exact) {
   const UnitWrench intercepts = detail::intercepts_of(exact);
@@ -109,8 +110,8 @@ CurveError curve_error(const Model& model, const Exact& exact) {
   return detail::curve_error(compare, intercepts, exact_spin / model_spin, model_slide / exact_slide);
 }
 
-/// The superellipse through the exact intercepts whose largest radial error is least: there its largest over- and
-/// under-estimate are equal. Exponent right to 1e-9, within [1.01, 100].
+/// The superellipse through the exact intercepts with the smallest largest radial error. Its largest over- and under-estimate are equal
+/// (equal ripple). Exponent in [1.01, 100], right to 1e-9.
 template <LimitCurve Exact>
 Superellipse minimax_superellipse(const Exact& exact) {
   const UnitWrench end = detail::intercepts_of(exact);
@@ -118,7 +119,7 @@ Superellipse minimax_superellipse(const Exact& exact) {
   return {end.force, end.moment, detail::equal_ripple(detail::wrench_of(exact), end, gauge, 1.01, 100.0)};
 }
 
-/// The quartic through the exact intercepts whose largest radial error is least; κ right to 1e-9.
+/// The quartic through the exact intercepts with the smallest largest radial error; κ in [0, 6], right to 1e-9.
 template <LimitCurve Exact>
 Quartic minimax_quartic(const Exact& exact) {
   const UnitWrench end = detail::intercepts_of(exact);
@@ -126,45 +127,44 @@ Quartic minimax_quartic(const Exact& exact) {
   return {end.force, end.moment, detail::equal_ripple(detail::wrench_of(exact), end, gauge, 0.0, 6.0)};
 }
 
-/// Of all ellipses (both semi-axes free) inside the exact curve the one of largest area: it never promises a hold
-/// that slips. Semi-axes right to 1e-7, inside to 1e-12.
+/// The ellipse of largest area inside the exact curve; both semi-axes are free. It holds only where the exact curve holds. Semi-axes right
+/// to 1e-7; it is inside to 1e-12.
 template <LimitCurve Exact>
 Ellipse inner_ellipse(const Exact& exact) {
   return detail::inner_ellipse(detail::wrench_of(exact), detail::intercepts_of(exact));
 }
 
-/// Of all ellipses (both semi-axes free) that contain the exact curve the one of smallest area: it never calls
-/// slipping what holds. Unless the pressure is sharply peaked (xydas-kao:k=0.2) that is the ellipse through the
-/// intercepts. Semi-axes right to 1e-7, outside to 1e-12.
+/// The ellipse of smallest area that contains the exact curve; both semi-axes are free. It slips only where the exact curve slips. Unless
+/// the pressure is sharply peaked (xydas-kao:k=0.2) it is the ellipse through the intercepts. Semi-axes right to 1e-7; it is outside to
+/// 1e-12.
 template <LimitCurve Exact>
 Ellipse outer_ellipse(const Exact& exact) {
   return detail::outer_ellipse(detail::wrench_of(exact), detail::intercepts_of(exact));
 }
 
-/// A limit curve that might do, and what it is worth.
+/// A limit curve that may replace the exact one: its error and its cost.
 struct Candidate {
-  std::string model;  ///< diamond, box, ellipse, superellipse, quartic, table, exact
-  double parameter;   ///< as `limitcurve validate` prints it; of the table its tolerance; nan of the exact curve
-  double
-      error;  ///< largest radial error relative to the exact curve, either way; inf of a table that cannot be built to what the tolerance needs
-  double nanoseconds;  ///< of a wrench by its slip twist
+  std::string model;   ///< diamond, box, ellipse, superellipse, quartic, table, exact
+  double parameter;    ///< as `limitcurve validate` prints it; the tolerance of a table; nan for the exact curve
+  double error;        ///< largest radial error relative to the exact curve, over or under; inf for a table that cannot be built
+  double nanoseconds;  ///< cost of a wrench from its slip twist
   bool chosen = false;
-  std::string reason = {};  ///< in words: what it is too wrong by, "chosen", or what it costs more than the chosen one
+  std::string reason = {};  ///< for people: its error if that is too large, "chosen", or its cost compared with the chosen one's
 };
 
-/// The cheapest curve for `law` whose error is at most `tolerance`, among those it beat: dearer ones that would also
-/// do, cheaper ones that would not. Sorted by cost; one is chosen, since the exact curve always does.
+/// All candidates for `law`, sorted by cost. `chosen` marks the cheapest one whose error is at most `tolerance`; there always is one,
+/// because the exact curve has error 0.
 ///
-/// Costs are shipped figures (shipped_costs.hpp), measured on one machine: read them as ratios. The same input gives the same choice everywhere.
-/// Throws std::invalid_argument for a tolerance out of [1e-10, 1]. Cost: a millisecond for a closed form, a second
-/// by quadrature. For what a whole scene needs, projection included: godobject/choose_step.hpp.
+/// Costs are constants (internal/shipped_costs.hpp), measured on one machine: compare them, do not rely on them. So the same input gives
+/// the same choice on every machine. Throws std::invalid_argument for a tolerance outside [1e-10, 1]. Cost: a millisecond for a closed
+/// form, a second by quadrature. godobject/choose_step.hpp chooses for a whole scene, projection included.
 std::vector<Candidate> choose(const Law& law, double tolerance);
 
-/// Sorts candidates by cost, and chooses the cheapest whose error is at most `tolerance`, or, where none is, that of the least error; gives each
-/// its reason.
+/// Sorts candidates by cost, marks the cheapest whose error is at most `tolerance` (if there is none, the one with the smallest error), and
+/// sets each reason.
 void choose_cheapest(std::vector<Candidate>& candidates, double tolerance);
 
-/// A fraction as people read it: "6.4 %", "0.9 %", and below 0.01 % as "1e-6".
+/// A fraction as text: "6.4 %", "0.9 %"; below 0.01 % "1.0e-06".
 std::string in_percent(double fraction);
 
 }  // namespace limitcurve
