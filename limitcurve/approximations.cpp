@@ -10,13 +10,13 @@ namespace limitcurve {
 
 namespace {
 
-/// The wrench whose coordinates x = f/A and y = m/B are `larger` and `ratio` times as much; x is the larger one if `force_leads`.
+/// The wrench whose coordinates x = f/A and y = m/B are `larger` and `ratio`·`larger`; x is the larger one if `force_leads`.
 UnitWrench between_intercepts(double force_max, double moment_max, bool force_leads, double larger, double ratio) noexcept {
   return force_leads ? UnitWrench{force_max * larger, moment_max * (ratio * larger)}
                      : UnitWrench{force_max * (ratio * larger), moment_max * larger};
 }
 
-/// Gauge of a wrench for a curve that is symmetric in x = f/A and y = m/B: `unit_length(r)` is that of (1, r), r ∈ [0, 1].
+/// Gauge of a wrench for a curve that is symmetric in x = f/A and y = m/B. `unit_length(r)` is the gauge of (x, y) = (1, r), r ∈ [0, 1].
 template <class UnitLength>
 double symmetric_gauge(double force_max, double moment_max, UnitWrench wrench, UnitLength&& unit_length) noexcept {
   const double x = wrench.force / force_max;
@@ -28,7 +28,7 @@ double symmetric_gauge(double force_max, double moment_max, UnitWrench wrench, U
 }  // namespace
 
 void check_intercepts(double force_max, double moment_max) {
-  // Their squares must be numbers, neither 0 nor infinite.
+  // The squares of the intercepts must not underflow or overflow.
   constexpr double least = 1e-100;
   constexpr double largest = 1e100;
   if (!(force_max >= least && force_max <= largest)) throw out_of_range("force_max", force_max, "1", "1e-100 to 1e100");
@@ -45,7 +45,7 @@ SlopedPoint Ellipse::point(SlipTwist twist) const noexcept {
   const double y = moment_max_ * (twist.spin / total);
   const double square = x * x + y * y;
   const double length = std::sqrt(square);
-  // d/du of (x, y)/√(x²+y²) with dx/du = −A, dy/du = B is (A B/len³)(−y, x)·…: the turning rate of the unit vector.
+  // dx/du = −A and dy/du = B, so the unit vector (x, y)/√(x²+y²) turns at the rate (x B + y A)/(x²+y²).
   const double turn = (x * moment_max_ + y * force_max_) / (square * length);
   return {{force_max_ * x / length, moment_max_ * y / length}, {-force_max_ * y * turn, moment_max_ * x * turn}};
 }

@@ -18,9 +18,9 @@ namespace limitcurve {
 
 namespace {
 
-/// A table as coarse as the tolerance of the radius allows.
+/// The coarsest table whose radial error is within `tolerance`.
 Candidate sufficient_table(const Law& law, const ExactCurve& exact, double tolerance) {
-  // An error ε of f and m is at most ε(1 + 1/m₀)/0.9 of a radius, and a table's is its tolerance times max(1, m₀).
+  // An error ε of f and m is a radial error of at most ε(1 + 1/m₀)/0.9; the error of a table is at most its tolerance times max(1, m₀).
   const double m0 = exact.moment_ratio();
   const double bound =
       std::clamp(0.9 * tolerance / ((1.0 + 1.0 / m0) * std::max(1.0, m0)), Table::finest_tolerance, Table::coarsest_tolerance);

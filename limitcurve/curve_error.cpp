@@ -18,15 +18,14 @@ namespace limitcurve::detail {
 namespace {
 
 constexpr std::size_t intervals = 1024;
-/// Half of what is promised of the root mean square.
+/// Half of the documented error of the root mean square.
 constexpr double rms_tolerance = 5e-7;
-/// Nearer to an axis than this the ratio of the CORs has lost the digits that are promised, where a model finds its normal by a search in the
-/// spin fraction.
+/// Closer to an axis than this the ratio of the CORs is not accurate enough if the model finds its normal by a search in the spin fraction.
 constexpr double innermost_part = 1e-6;
 constexpr double inf = std::numeric_limits<double>::infinity();
 
-/// The slip twist whose normal stands at ψ in the normalised plane, from pure spin (0) to pure sliding (1): evenly in
-/// this the rays are nearly even in angle, and every ray is exact without a search.
+/// The slip twist whose normal has the angle ½π·`part` in the normalised plane: 0 is pure spin, 1 pure sliding. Even steps of `part` give
+/// rays at nearly even angles, and each exact point follows without a search.
 SlipTwist twist_at(double part, UnitWrench intercepts) {
   if (part <= 0.0) return {0.0, 1.0};
   if (part >= 1.0) return {1.0, 0.0};
@@ -38,13 +37,13 @@ double part_of(std::size_t i) {
   return static_cast<double>(i) / static_cast<double>(intervals);
 }
 
-/// The largest value of `function` over [0, 1], given it on the grid: the largest there, refined between its neighbours.
-/// Its place is right to 1e-10: of a kink the value is right to that, of a smooth maximum to rounding.
+/// The largest value of `function` over [0, 1], from its values on the grid: the largest one, refined between its neighbours. The position
+/// is right to 1e-10; so the value at a kink is right to about that, and at a smooth maximum to rounding.
 template <class Function>
 double refined_maximum(const std::vector<double>& on_grid, const Function& function) {
   const auto best = std::max_element(on_grid.begin(), on_grid.end());
   if (std::isinf(*best)) return *best;
-  // In units of the grid from the best point on: the search's tolerance is one of its variable.
+  // The variable is the offset from the best point in grid steps, because the tolerance of the search is relative to its variable.
   const auto centre = static_cast<double>(best - on_grid.begin());
   constexpr double count = static_cast<double>(intervals);
   constexpr int bits = 24;
@@ -54,15 +53,15 @@ double refined_maximum(const std::vector<double>& on_grid, const Function& funct
   return std::max(*best, -refined.second);
 }
 
-/// A ray, where it is compared.
+/// The comparison of both curves on one ray.
 struct Comparison {
   double part;
   double angle;
   double square;  ///< of the radial error
 };
 
-/// ∫ square d(angle) from `left` to `right` by the trapezoid rule and Richardson's extrapolation; halved where the two differ by more than
-/// `allowed`. `middle` is the comparison midway.
+/// ∫ square d(angle) from `left` to `right` by the trapezoid rule and Richardson's extrapolation; the interval is halved if the two differ
+/// by more than `allowed`. `middle` is the comparison midway.
 template <class Function>
 double integral(const Function& at, const Comparison& left, const Comparison& middle, const Comparison& right, double allowed, int depth) {
   const auto trapezoid = [](const Comparison& one, const Comparison& other) {
@@ -88,7 +87,7 @@ CurveError curve_error(const CompareRay& compare, UnitWrench intercepts, double 
   };
   std::vector<double> radius(intervals + 1);
   std::vector<double> inverse_radius(intervals + 1);
-  // At the axes themselves both CORs are 0, or both infinite.
+  // On an axis both CORs are 0, or both infinite: their ratio is left out.
   std::vector<double> cor(intervals + 1, 0.0);
   std::vector<double> inverse_cor(intervals + 1, 0.0);
   std::vector<Comparison> compared(intervals + 1);
@@ -111,7 +110,7 @@ CurveError curve_error(const CompareRay& compare, UnitWrench intercepts, double 
   error.max_error = std::max(error.max_over_estimate, error.max_under_estimate);
 
   const double span = std::fabs(compared.back().angle - compared.front().angle);
-  // An error of the sum is one of the root over twice the root.
+  // The error of a root is the error of its square divided by twice the root.
   const double allowed = rms_tolerance * std::max(std::sqrt(roughly / span), rms_tolerance) * span / intervals;
   constexpr int most_halvings = 24;
   double squares = 0.0;
@@ -121,7 +120,7 @@ CurveError curve_error(const CompareRay& compare, UnitWrench intercepts, double 
   }
   error.rms_error = std::sqrt(std::max(squares, 0.0) / span);
 
-  // Between the outermost rays and the limits the ratio may still turn: a pressure may have a small peak at its centre.
+  // Between the outermost rays and the axes the ratio may still have an extremum: a pressure may have a small peak at its centre.
   error.max_cor_ratio = std::max(near_spin, near_slide);
   error.min_cor_ratio = std::min(near_spin, near_slide);
   for (double part = 0.5 * part_of(1); part > innermost_part; part *= 0.5) {
@@ -141,7 +140,7 @@ CurveError curve_error(const CompareRay& compare, UnitWrench intercepts, double 
 double equal_ripple(const WrenchOfTwist& exact, UnitWrench intercepts, const GaugeOfParameter& gauge, double low, double high) {
   std::vector<UnitWrench> wrenches(intervals + 1);
   for (std::size_t i = 0; i <= intervals; ++i) wrenches[i] = exact(twist_at(part_of(i), intercepts));
-  // Over-estimate less under-estimate: monotone in the parameter, because the gauge is.
+  // Over-estimate minus under-estimate is monotone in the parameter, because the gauge is.
   const auto imbalance = [&](double parameter) {
     std::vector<double> inside(intervals + 1);
     std::vector<double> outside(intervals + 1);
@@ -175,11 +174,11 @@ struct Condition {
   double bound;
 };
 
-/// The α, β > 0 of largest product that meet `condition(part)` for every part ∈ [0, 1]. With β(α) the largest that α
-/// leaves, ln α + ln β(α) is concave.
+/// The α, β > 0 with the largest product that satisfy `condition_at(part)` for every part ∈ [0, 1]. With β(α) the largest β for a given α,
+/// ln α + ln β(α) is concave.
 template <class ConditionAt>
 std::pair<double, double> largest_product(const ConditionAt& condition_at) {
-  // The outermost conditions but for the ends themselves, where a coefficient vanishes and leaves 0/0.
+  // At the ends a coefficient is 0 and the quotient below is 0/0: keep this distance.
   constexpr double innermost = 1e-6;
   std::vector<Condition> conditions(intervals + 1);
   for (std::size_t i = 0; i <= intervals; ++i) conditions[i] = condition_at(part_of(i));
@@ -193,24 +192,24 @@ std::pair<double, double> largest_product(const ConditionAt& condition_at) {
     };
     std::vector<double> on_grid(intervals + 1);
     std::transform(conditions.begin(), conditions.end(), on_grid.begin(), inverse);
-    // 1/0 is a β of 0, as it should be; 0/0 is excluded above.
+    // An infinite inverse gives β = 0, the correct limit; 0/0 is excluded by `innermost`.
     return 1.0 / refined_maximum(on_grid, [&](double part) { return inverse(condition_at(std::clamp(part, innermost, 1.0 - innermost))); });
   };
   const auto loss = [&](double first) { return -first * second_of(first); };
   constexpr int bits = 40;
   std::uintmax_t steps = 100;
   const auto [first, value] = boost::math::tools::brent_find_minima(loss, 0.0, largest, bits, steps);
-  // The largest α itself is often the answer, and a search inside the interval never quite gets there.
+  // The largest α is often the answer, but a search inside the interval only approaches it.
   const double best = loss(largest) <= value ? largest : first;
   return {best, second_of(best)};
 }
 
-/// By how much the condition is broken, as a length: > 1 if it is.
+/// Ratio of lengths by which the condition is violated: > 1 if it is.
 double excess(const Condition& condition, const std::pair<double, double>& squares) {
   return std::sqrt((squares.first * condition.first + squares.second * condition.second) / condition.bound);
 }
 
-/// The ellipse's largest excess, 1 if only rounding is in excess.
+/// The largest excess of the ellipse; 1 if it is only rounding.
 template <class ConditionAt>
 double largest_excess(const ConditionAt& condition_at, const std::pair<double, double>& squares) {
   std::vector<double> on_grid(intervals + 1);
@@ -222,7 +221,7 @@ double largest_excess(const ConditionAt& condition_at, const std::pair<double, d
 }  // namespace
 
 Ellipse inner_ellipse(const WrenchOfTwist& exact, UnitWrench intercepts) {
-  // Inside is: no support function above the exact one, α p² + β q² ≤ (px + qy)² for every normal (p, q).
+  // An ellipse is inside if its support function is nowhere above the exact one: α p² + β q² ≤ (px + qy)² for every normal (p, q).
   const auto condition_at = [&](double part) -> Condition {
     const SlipTwist twist = twist_at(part, intercepts);
     const UnitWrench wrench = exact(twist);
@@ -237,7 +236,7 @@ Ellipse inner_ellipse(const WrenchOfTwist& exact, UnitWrench intercepts) {
 }
 
 Ellipse outer_ellipse(const WrenchOfTwist& exact, UnitWrench intercepts) {
-  // Outside is: α x² + β y² ≤ 1 at every exact point, α and β the inverse squares of the semi-axes.
+  // An ellipse is outside if α x² + β y² ≤ 1 at every exact point, α and β the inverse squares of the semi-axes.
   const auto condition_at = [&](double part) -> Condition {
     const UnitWrench wrench = exact(twist_at(part, intercepts));
     const double x = wrench.force / intercepts.force;

@@ -38,7 +38,7 @@ void check_wrench(double force, double moment) {
 }
 
 void check_limits(double mu, double load, double radius) {
-  // Beyond the doubles a share of nothing would be no number.
+  // An infinite limit times a component of 0 would be NaN.
   if (std::isfinite(mu * load) && std::isfinite(mu * load * radius)) return;
   throw std::invalid_argument("mu = " + format_number(mu) + ", load = " + format_number(load) + " N, radius = " + format_number(radius) +
                               " m: their product is out of range: expected a finite number");

@@ -50,7 +50,7 @@ std::array<double, count> parameters(std::string_view whole, std::string_view te
 
 }  // namespace
 
-/// a = coefficient·P^exponent from this load on.
+/// a = coefficient·P^exponent, for loads from `from_load` on.
 struct RadiusLaw::Stretch {
   double from_load;
   double coefficient;
@@ -87,7 +87,7 @@ RadiusLaw RadiusLaw::sampled(std::span<const LoadSample> radii) {
       throw out_of_range("exponent before sample " + std::to_string(i + 1), exponent, "1", "-1 < gamma <= 1");
     stretches->push_back({before.load, before.value * std::pow(before.load, -exponent), exponent});
   }
-  // The first stretch serves every smaller load.
+  // The first stretch also holds for every smaller load.
   stretches->front().from_load = 0.0;
   RadiusLaw law(stretches->front().coefficient, stretches->front().exponent);
   law.stretches_ = std::move(stretches);

@@ -19,7 +19,7 @@ namespace limitcurve {
 
 namespace {
 
-/// A law as its `forces` give it, in microseconds where they are by quadrature.
+/// A law by its `forces`, in double: fast.
 table::Source quick_source(const Law& law) {
   const double moment_ratio = law->moment_ratio();
   const UnitForces<Extended> unknown = law->unrounded(1, Slope::unwanted).error;
@@ -48,7 +48,7 @@ table::Source fine_source(const Law& law) {
           {}};
 }
 
-/// With what the law knows of its own pressure: the places where it is not smooth, between its centre and its rim, and its error.
+/// Adds the radii at which the law's pressure is not smooth, between centre and rim, and its profile error.
 table::Source with_profile(table::Source source, const PressureLaw& law) {
   source.profile_error = law.profile_error();
   for (const Extended s : law.breaks()) {
@@ -57,7 +57,7 @@ table::Source with_profile(table::Source source, const PressureLaw& law) {
   return source;
 }
 
-/// `attempt` at the tolerance; if it gives nothing, an error that names the finest tolerance that it gives something at.
+/// The result of `attempt(tolerance)`. If it returns nothing, throws an error with the finest tolerance at which it returns a table.
 template <class Real, class Attempt>
 BasicTable<Real> built(const std::string& name, double tolerance, const Attempt& attempt) {
   using Result = BasicTable<Real>;
@@ -82,7 +82,7 @@ BasicTable<Real> built(const std::string& name, double tolerance, const Attempt&
 
 template <class Real>
 BasicTable<Real> BasicTable<Real>::build(const Law& law, double tolerance) {
-  // What the errors of `forces` are small enough for.
+  // Down to this tolerance the error of `forces` is small enough.
   constexpr double quick_tolerance = 1e-11;
   return built<Real>(law->name(), tolerance, [&](double wanted) -> std::optional<BasicTable> {
     if (wanted >= quick_tolerance) {
@@ -128,14 +128,14 @@ BasicTable<Real>::BasicTable(TableFacts facts, const TableCells& cells) {
       std::transform(cell.coefficients.begin(), cell.coefficients.end(), stored.numbers.begin() + 1,
                      [](double c) { return static_cast<Real>(c); });
     }
-    // The cell of a bucket is the last one that begins before the bucket ends.
+    // The cell of a bucket is the last cell that begins before the end of the bucket.
     const auto last_before = [&](double end) {
       const auto begins_before = [](const TableCell& cell, double x) { return cell.x < x; };
       const auto after = std::lower_bound(side->begin(), side->end(), end, begins_before);
       return static_cast<std::uint16_t>(first + static_cast<std::size_t>(after - side->begin()) - 1);
     };
     for (std::size_t i = 1; i < buckets.per_run(); ++i) data->cell_of_bucket.push_back(last_before(buckets.distance(i)));
-    // The last bucket of a run holds 1/2, and may begin there.
+    // The last bucket of a run contains 1/2, and may begin there.
     data->cell_of_bucket.push_back(last_before(std::max(0.5, std::nextafter(buckets.distance(buckets.per_run() - 1), 1.0))));
     for (std::size_t i = 0; i < buckets.per_run(); ++i) data->cell_of_bucket.push_back(last_before(1.0 - buckets.distance(i)));
     const std::vector<double> edges = buckets.edges();
@@ -179,7 +179,7 @@ RadialPoint BasicTable<Real>::along(UnitWrench direction) const noexcept {
   const UnitWrench scaled{direction.force / size, direction.moment / size};
   Real gauge{};
   const CurvePoint<Real> point = point_on_ray(view_, static_cast<Real>(scaled.force), static_cast<Real>(scaled.moment), Real(0), gauge);
-  // By the gauge, which is exact to the square of what the search leaves. Of the scaled wrench, whose gauge does not overflow.
+  // Scale by the gauge: its error is the square of the search's. The gauge is that of the scaled wrench, so that it does not overflow.
   const auto length = static_cast<double>(gauge);
   return {{scaled.force / length, scaled.moment / length}, {static_cast<double>(point.slide), static_cast<double>(point.spin)}};
 }

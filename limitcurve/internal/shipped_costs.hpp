@@ -32,7 +32,7 @@ inline constexpr std::array<Cost, 8> models{{
     {"exact by quadrature", 55840.0, none, none},
 }};
 
-/// Of a model that is in the table.
+/// The costs of a model of the table.
 constexpr const Cost& of(std::string_view model) {
   std::size_t i = 0;
   while (models.at(i).model != model) ++i;  // does not compile, or throws, for a model that is not there

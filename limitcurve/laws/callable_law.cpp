@@ -13,25 +13,25 @@ namespace limitcurve {
 
 namespace {
 
-/// A pressure that the user's program computes, in double.
+/// A pressure given by a function in double.
 class CallableLaw final : public PressureLawOf<CallableLaw> {
  public:
   CallableLaw(std::string name, std::function<double(double)> pressure, std::span<const double> breaks, double narrowest_feature)
       : name_(std::move(name)), pressure_(std::move(pressure)), outer_(breaks.back()) {
-    std::vector<Extended> told;
+    std::vector<Extended> given;
     for (const double place : breaks) {
-      // The rule stops short of the ends, and would see a pressure without bound there as a finite one.
+      // The quadrature does not evaluate the ends of a piece, so it would not notice a pressure that is infinite there.
       if (const double there = pressure_(place); !std::isfinite(there)) {
         throw std::invalid_argument("law '" + name_ + "': the pressure at radius " + format_number(place) + " is " + format_number(there) +
                                     ", expected >= 0 and finite");
       }
-      told.push_back(place / outer_);
+      given.push_back(place / outer_);
     }
     SmoothPieces pieces = smooth_pieces(
         [&](Extended radius) {
           return 2 * radius * this->pressure(RadialPosition<Extended>{radius, 1 - radius});
         },
-        told, narrowest_feature);
+        given, narrowest_feature);
     const Extended load = pieces.integral;
     if (!(load > 0) || !(load <= std::numeric_limits<Extended>::max())) {
       throw std::invalid_argument("law '" + name_ + "': the pressure's integral is " + format_number(static_cast<double>(load)) +
@@ -39,7 +39,7 @@ class CallableLaw final : public PressureLawOf<CallableLaw> {
     }
     scale_ = 1 / load;
     breaks_ = std::move(pieces.breaks);
-    // The integral that is scaled to 1 may be off by as much.
+    // Twice, because the integral that scales the pressure has the same error.
     unresolved_ = 2.0 * static_cast<double>(pieces.error) + load_at_jumps();
     most_moment_ = evaluators::ring(*this, Extended(0), Slope::unwanted).forces.moment;
   }
@@ -70,27 +70,27 @@ class CallableLaw final : public PressureLawOf<CallableLaw> {
   }
 
  private:
-  /// What lies where a double cannot say on which side of a jump it is.
+  /// The load within a rounding of a jump, where a double cannot resolve the side.
   [[nodiscard]] double load_at_jumps() const {
     const auto at = [&](Extended radius) { return this->pressure(RadialPosition<Extended>{radius, 1 - radius}); };
     constexpr Extended beside = 1e-12L;
     Extended sum = 0;
     Extended last = 0;
     for (const Extended place : breaks_) {
-      // One that was found lies between two breaks, or very near one.
+      // A jump that the search found lies between two breaks, or very near one.
       if (place - last > beside && place < 1) sum += 2 * place * place * std::fabs(at(place + beside) - at(place - beside));
       last = place;
     }
     return static_cast<double>(sum) * std::numeric_limits<double>::epsilon();
   }
 
-  /// The pressure itself is right to a few units of the last place of a double.
+  /// The function is assumed right to a few units in the last place of a double.
   static constexpr double rounding = 4.0 * std::numeric_limits<double>::epsilon();
 
-  /// No pressure gives more than pure sliding and pure spin, but the quadrature of a rough one may.
+  /// Limits a wrench to those of pure sliding and pure spin, which quadrature of a rough pressure may exceed.
   template <class Real>
   [[nodiscard]] UnitForces<Real> possible(UnitForces<Real> forces) const noexcept {
-    // In this order a NaN stays one.
+    // In this order of arguments NaN stays NaN.
     forces.force = std::min<Real>(forces.force, 1);
     forces.moment = std::min(forces.moment, static_cast<Real>(most_moment_));
     return forces;
@@ -100,7 +100,7 @@ class CallableLaw final : public PressureLawOf<CallableLaw> {
   std::function<double(double)> pressure_;
   double outer_;
   Extended scale_ = 1;
-  double unresolved_ = 0.0;   ///< of the load where the pressure is rough, and so of both components: their kernels are at most 1
+  double unresolved_ = 0.0;   ///< error of the load from rough pressure; the kernels are at most 1, so it bounds both components' errors
   Extended most_moment_ = 0;  ///< m₀
   std::vector<Extended> breaks_;
 };

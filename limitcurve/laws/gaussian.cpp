@@ -44,7 +44,7 @@ class GaussianLaw final : public PressureLawOf<GaussianLaw> {
 
   std::string name() const override { return "gaussian:sigma=" + format_number(static_cast<double>(sigma_)); }
 
-  /// Ends at 13σ, beyond which there is less than 1e-36 of the load.
+  /// The last break is 13σ: beyond it there is less than 1e-36 of the load.
   const std::vector<Extended>& breaks() const noexcept override { return breaks_; }
 
   template <class Real>
@@ -61,7 +61,7 @@ class GaussianLaw final : public PressureLawOf<GaussianLaw> {
   std::optional<UnitForces<Extended>> closed(Extended s, Slope /*slope*/) const noexcept override {
     const Extended x = s / (2 * sigma_);
     const Extended root = std::sqrt(half_pi);
-    // e^z overflows long before the expansion fails. What is no number goes there too: Boost's functions are for numbers.
+    // For large z use the expansion: e^z overflows. NaN takes this branch, too, because Boost's functions do not accept it.
     if (!(x * x <= 40)) {
       const Extended inverse = 1 / x;
       const ScaledBessel bessel = asymptotic(inverse * inverse);

@@ -14,7 +14,7 @@ std::invalid_argument complaint(std::string_view text, const std::string& what) 
   return std::invalid_argument("law '" + std::string(text) + "': " + what);
 }
 
-/// The value of `key=value`, where that is all there is.
+/// The value in `key=value`, which must be all of `parameters`.
 double parameter(std::string_view text, std::string_view parameters, std::string_view key) {
   const std::string expected = "expected " + std::string(key) + "=NUMBER after the colon";
   if (parameters.substr(0, key.size()) != key || parameters.size() <= key.size() || parameters[key.size()] != '=') {
@@ -30,7 +30,7 @@ Law parse_mixture(std::string_view text, std::string_view parts) {
   std::vector<std::pair<double, Law>> mixed;
   std::size_t begin = 0;
   while (begin <= parts.size()) {
-    // A plus that follows an exponent's e belongs to the number: 1e+3*hertz.
+    // A plus after the e of an exponent belongs to the number: 1e+3*hertz.
     std::size_t end = parts.find('+', begin);
     const auto in_exponent = [&] {
       const bool after_e = end > begin + 1 && (parts[end - 1] == 'e' || parts[end - 1] == 'E');
@@ -91,7 +91,7 @@ Law parse_law(std::string_view text) {
   try {
     return parse_unchecked(text);
   } catch (const std::invalid_argument& error) {
-    // Parameters out of range are told by the factories, which do not know the string.
+    // Factories report parameters out of range, but do not know the string: add it.
     if (std::string_view(error.what()).substr(0, 5) == "law '") throw;
     throw complaint(text, error.what());
   }

@@ -11,7 +11,7 @@ namespace limitcurve {
 
 namespace {
 
-/// Σ wᵢ pᵢ: each part is evaluated by its own best evaluator and the wrenches are mixed, not the pressures.
+/// Σ wᵢ pᵢ. Each part is evaluated by its own best method, then the wrenches are added.
 class MixtureLaw final : public PressureLawOf<MixtureLaw> {
  public:
   struct Part {
@@ -78,7 +78,7 @@ class MixtureLaw final : public PressureLawOf<MixtureLaw> {
     evaluators::Quadrature<double> sum{};
     for (const Part& part : parts_) {
       const auto share = static_cast<double>(part.share);
-      // Beyond a part's own rim all of it is on one side.
+      // Beyond the rim of a part its whole pressure is on one side.
       const bool beyond = t >= static_cast<double>(part.law->breaks().back());
       const auto one = beyond ? evaluators::Quadrature<double>{{1.0, 0.0, 0.0}, {}} : part.law->projection(t);
       sum.forces.force += share * one.forces.force;

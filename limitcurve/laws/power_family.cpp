@@ -16,12 +16,12 @@ namespace {
 
 constexpr Extended pi = closed_form::pi;
 
-/// (n+1)(1−ρ²)ⁿ for any n > −1. The closed form is theory's ₂F₁ written as its Euler integral (DLMF 15.6.1) with
-/// t = sin²θ, w = 1 − z sin²θ; geometrically, the mean over chords through the COR:
+/// (n+1)(1−ρ²)ⁿ for any n > −1. The closed form is ₂F₁ as its Euler integral (DLMF 15.6.1) with t = sin²θ, w = 1 − z sin²θ; geometrically,
+/// the mean over chords through the COR:
 ///   s ≤ 1, z = s²:    f = (4/π)(n+3/2)m₀ s ∫ cos²θ w^{n+½} dθ,  m = (2/π)m₀ ∫ w^{n+3/2} dθ,
 ///   s ≥ 1, z = s⁻²:   f = A ∫ cos^{2n+2}θ w^½ dθ,  A = 2Γ(n+2)/(√π Γ(n+3/2)),
 ///                     m = A'/(2(n+2)s) ∫ cos^{2n+4}θ w^{−½} dθ,  A' = A(n+2)/(n+3/2),
-/// over [0, π/2]. Every term is positive, which the hypergeometric series is not for large n.
+/// over [0, π/2]. Every term is positive; the terms of the hypergeometric series are not for large n.
 class PowerFamilyLaw : public PressureLawOf<PowerFamilyLaw> {
  public:
   explicit PowerFamilyLaw(double n) : n_(n) {
@@ -44,7 +44,7 @@ class PowerFamilyLaw : public PressureLawOf<PowerFamilyLaw> {
   Extended rim_exponent() const noexcept override { return n_ < 0 ? n_ : 0; }
 
   std::optional<Extended> punch_density(RadialPosition<Extended> at) const noexcept override {
-    // Below n = −½ the superposition would need punches that pull.
+    // For n ≤ −½ the superposition would need punches of negative load.
     if (n_ <= -0.5L) return std::nullopt;
     const Extended exponent = n_ - Extended(0.5);
     const Extended sum = 1 + at.radius;
@@ -61,7 +61,7 @@ class PowerFamilyLaw : public PressureLawOf<PowerFamilyLaw> {
   template <class Real>
   using Triple = std::array<Real, 3>;
 
-  /// w^exponent for w = 1 − below. A high power multiplies the rounding of w, which `below` is free of.
+  /// w^exponent for w = 1 − below. A high power multiplies the rounding error of w, so it is computed from `below`, which has none.
   template <class Real>
   static Real power_below_one(Real w, Real below, Real exponent) noexcept {
     constexpr Real high = 16;
@@ -72,7 +72,7 @@ class PowerFamilyLaw : public PressureLawOf<PowerFamilyLaw> {
   UnitForces<Real> inside(Real s, Slope slope) const noexcept {
     const Real eta = (1 - s) * (1 + s);
     const Real exponent = static_cast<Real>(n_ + 0.5L);
-    // Near s = 1 and for n < −½ the integrand is steepest at θ = π/2: hence ψ = π/2 − θ.
+    // Near s = 1 and for n < −½ the integrand is steepest at θ = π/2: integrate over ψ = π/2 − θ.
     auto integral = integrate<3>(
         [&](Real psi, Real theta) -> Triple<Real> {
           const Real cosine = std::sin(psi);
@@ -82,7 +82,7 @@ class PowerFamilyLaw : public PressureLawOf<PowerFamilyLaw> {
           return {cosine * cosine * weight, w * weight, sine * sine * weight};
         },
         static_cast<Real>(pi / 2), slope == Slope::wanted ? 3 : 2);
-    // A power of −1 < 2n + 1 < 0: its end is nearer than the rule looks.
+    // An integrand with a power −1 < 2n + 1 < 0 at the end, too steep for the quadrature: use its closed form.
     if (s == 1) integral.value[2] = static_cast<Real>(slope_at_rim_);
     const auto scale = static_cast<Real>(4 / pi * (n_ + 1.5L) * moment_ratio_);
     return {scale * s * integral.value[0], static_cast<Real>(2 / pi * moment_ratio_) * integral.value[1], scale * integral.value[2]};
@@ -133,7 +133,7 @@ Law make_named(std::string name, double n) {
   return std::make_shared<NamedPowerLaw<exact, fast>>(std::move(name), n);
 }
 
-/// The member n under `name`, with its elementary or elliptic form where there is one.
+/// The member n with the name `name`, and with its elementary or elliptic closed form if there is one.
 Law member(std::string name, double n) {
   if (n == -0.5) return make_named<closed_form::flat_punch<Extended>, closed_form::flat_punch<double>>(std::move(name), n);
   if (n == 0.0) return make_named<closed_form::uniform<Extended>, closed_form::uniform<double>>(std::move(name), n);

@@ -23,7 +23,7 @@ const std::vector<Extended>& unit_disc() {
 }  // namespace
 
 PressureLaw::PressureLaw() {
-  // What is built on first use is built here, not in a loop.
+  // Build static data now, so that no control loop builds it on first use.
   static_cast<void>(tanh_sinh_rule<double>());
   static_cast<void>(tanh_sinh_rule<Extended>());
   unit_disc();

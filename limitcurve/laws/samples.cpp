@@ -62,7 +62,8 @@ class MonotoneCubic {
     return (weight_before + weight_after) / (weight_before / before + weight_after / after);
   }
 
-  /// Parabola through three points, kept from overshooting: no other sign than the chord, at most thrice its size.
+  /// Slope of the parabola through three points, limited so that the cubic does not overshoot: the sign of the chord, at most three times
+  /// its size.
   static Extended end_slope(Extended chord, Extended next, Extended width, Extended next_width) {
     const Extended slope = ((2 * width + next_width) * chord - width * next) / (width + next_width);
     if (!(slope * chord > 0)) return 0;
@@ -72,7 +73,7 @@ class MonotoneCubic {
   std::span<const PressureSample> run_;
 };
 
-/// A measured profile by its cubics; without the estimate of what lies between the samples.
+/// A measured profile as cubics, without the estimate of the interpolation error.
 class ProfileLaw final : public PressureLawOf<ProfileLaw> {
  public:
   ProfileLaw(std::span<const PressureSample> profile, std::string_view source) : source_(source) {
@@ -80,7 +81,7 @@ class ProfileLaw final : public PressureLawOf<ProfileLaw> {
     const double outer = profile.back().radius;
     for (const PressureSample& sample : profile) scaled.push_back({sample.radius / outer, std::max(sample.pressure, 0.0)});
     if (scaled.front().radius > 0.0) scaled.insert(scaled.begin(), {0.0, scaled.front().pressure});
-    // Jumps part the profile into runs.
+    // Jumps divide the profile into runs.
     for (std::size_t begin = 0; begin < scaled.size();) {
       std::size_t end = begin + 1;
       while (end < scaled.size() && scaled[end].radius > scaled[end - 1].radius) ++end;
@@ -104,7 +105,7 @@ class ProfileLaw final : public PressureLawOf<ProfileLaw> {
     const Real t = std::clamp<Real>(at.radius - static_cast<Real>(piece.left), 0, static_cast<Real>(piece.width));
     const Real value = static_cast<Real>(piece.value) +
                        t * (static_cast<Real>(piece.slope) + t * (static_cast<Real>(piece.square) + t * static_cast<Real>(piece.cube)));
-    // A cubic that ends at zero may round below it.
+    // A cubic that ends at 0 may be negative by rounding.
     return std::max<Real>(value, 0);
   }
 
@@ -138,17 +139,17 @@ std::vector<std::size_t> places_of_samples(std::span<const PressureSample> rows)
   return places;
 }
 
-/// The profile with a bound of its distance, in force and moment, to the law g' that every other sample gives. With
-/// δ = |g − g'|, and because the kernels of force and moment are at most min(1, s/ρ) and ρ·min(1, ρ/s):
+/// The profile with an interpolation error: a bound of the change of the wrench if every other sample is left out. With g' the law of every
+/// other sample and δ = |g − g'|, and because the kernels of force and moment are at most min(1, s/ρ) and ρ·min(1, ρ/s):
 ///   |Δf| ≤ min(∫ 2ρδ dρ, s ∫ 2δ dρ),  |Δm| ≤ min(∫ 2ρ²δ dρ, s⁻¹ ∫ 2ρ³δ dρ).
-/// Differences of the wrenches themselves would not do: they change sign somewhere.
+/// The difference of both wrenches would be no estimate: it changes sign, and is 0 at some s.
 class SamplesLaw final : public PressureLawOf<SamplesLaw> {
  public:
   SamplesLaw(std::span<const PressureSample> profile, std::string_view source) : fine_(profile, source) {
     const ProfileLaw coarse(every_other(profile), source);
     const auto& breaks = fine_.breaks();
     for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
-      // Plain midpoints: a sum of absolute values needs no order, and an estimate no digits.
+      // The midpoint rule suffices: the integrand is an absolute value with kinks, and an estimate needs few digits.
       constexpr int parts = 16;
       const double width = static_cast<double>(breaks[i + 1] - breaks[i]) / parts;
       for (int k = 0; k < parts; ++k) {
@@ -182,9 +183,9 @@ class SamplesLaw final : public PressureLawOf<SamplesLaw> {
   double profile_error() const noexcept override { return std::max(distance_[1], distance_[2]); }
 
  private:
-  /// Keeps the ends of every run between jumps, which are the profile's and not the interpolation's, and every other
-  /// sample counted from the run's outer end; the innermost gap of a run of even length is three wide, never one. A run of two has none to
-  /// leave out: it becomes as high as its higher end, which is as far from its chord as anything that falls or rises from one end to the other.
+  /// Every other sample. The ends of each run between jumps stay; samples are counted from the run's outer end; in a run of even length the
+  /// innermost gap is three samples wide, not one. A run of two samples has none to leave out: it becomes constant at its higher end, which
+  /// is as far from its chord as any monotone profile between the two.
   static std::vector<PressureSample> every_other(std::span<const PressureSample> profile) {
     std::vector<PressureSample> kept;
     for (std::size_t begin = 0; begin < profile.size();) {
@@ -225,7 +226,7 @@ Law samples(std::span<const PressureSample> rows, std::string_view source) {
     if (i > 0 && profile[i].radius < profile[i - 1].radius) throw refuse(i, "expected radii that do not decrease");
     if (i > 1 && profile[i].radius == profile[i - 2].radius) throw refuse(i, "expected at most two pressures at one radius");
   }
-  // Nearer together, the cubics' coefficients leave the doubles.
+  // For a smaller gap the coefficients of the cubic may overflow.
   const double least_gap = 1e-9 * profile.back().radius;
   for (std::size_t i = 0; i < profile.size(); ++i) {
     const double gap = profile[i].radius - (i > 0 ? profile[i - 1].radius : 0.0);

@@ -12,22 +12,23 @@ namespace limitcurve {
 
 namespace {
 
-/// Integral and first moment: what is symmetric about a kink in one is not in the other.
+/// Integral and first moment. An error that cancels in one by symmetry about a kink does not cancel in the other.
 using Values = std::array<Extended, 2>;
 
-/// How well the parts of a piece must agree with it, in shares of the whole: the finest of these that can be had.
+/// Required agreement of a piece with its halves, as a fraction of the whole integral; the first that can be reached is used.
 constexpr std::array<Extended, 4> agreements{1e-16L, 1e-13L, 1e-10L, 1e-7L};
-/// A double cannot tell places nearer than this to each other.
+/// Narrowest piece: a double does not resolve smaller distances.
 constexpr Extended narrowest = 4e-16L;
 constexpr std::size_t most_places = 64;
-/// The points of a piece's halves are at most a twentieth of the piece apart: none of so many features in a piece lies between them.
+/// Features of the smallest width in one cell. The quadrature points of a cell's halves are at most a twentieth of the cell apart, so that
+/// none of these features lies between them.
 constexpr Extended features_per_cell = 20;
 
 struct Piece {
   Extended left;
   Extended right;
   Values values;
-  Values truncation{};  ///< of the values, as the quadrature states it
+  Values truncation{};  ///< error of the values, from the quadrature
   Extended error = 0;
 };
 
@@ -45,7 +46,7 @@ class Cutter {
     return {left, right, value, truncation};
   }
 
-  /// By how much a piece's integrals differ from those of two that make it up, and may be off by themselves, as shares of the whole.
+  /// Difference of a piece's integrals from those of its two parts, plus its own truncation error, as a fraction of the whole.
   [[nodiscard]] Extended difference(const Piece& whole, const Piece& left, const Piece& right) const {
     Extended worst = 0;
     for (std::size_t i = 0; i < whole.values.size(); ++i) {
@@ -54,8 +55,8 @@ class Cutter {
     return worst;
   }
 
-  /// The parts of `cells` that agree with their halves, in order. Nothing, if more than `most_places` do not at some depth: each
-  /// place that is not smooth spoils one part, noise spoils all.
+  /// `cells`, halved until each part agrees with its halves, in order. Empty if at some depth more than `most_places` parts do not agree: a
+  /// point that is not smooth spoils one part, noise spoils all.
   [[nodiscard]] std::vector<Piece> parts(const std::vector<Piece>& cells) const {
     std::vector<Piece> good;
     std::vector<Piece> waiting = cells;
@@ -78,7 +79,8 @@ class Cutter {
     return good;
   }
 
-  /// `parts`, neighbours joined where that changes nothing: in pairs, then pairs of pairs, so that rounding does not add up.
+  /// `parts` with neighbours joined where that does not change the integral: in pairs, then pairs of pairs, so that rounding does not add
+  /// up.
   [[nodiscard]] std::vector<Piece> joined(std::vector<Piece> parts) const {
     while (true) {
       std::vector<Piece> next;
@@ -99,29 +101,29 @@ class Cutter {
 
   [[nodiscard]] SmoothPieces cut(const std::vector<Extended>& breaks, Extended narrowest_feature) {
     outer_ = breaks.back();
-    std::vector<std::vector<Piece>> told;
+    std::vector<std::vector<Piece>> given;
     for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
-      told.push_back(cells(breaks[i], breaks[i + 1], features_per_cell * narrowest_feature * outer_));
-      for (const Piece& cell : told.back()) {
+      given.push_back(cells(breaks[i], breaks[i + 1], features_per_cell * narrowest_feature * outer_));
+      for (const Piece& cell : given.back()) {
         for (std::size_t k = 0; k < total_.size(); ++k) total_[k] += cell.values[k];
       }
     }
-    // Nothing to cut, or nothing that is a number.
+    // No load, or not a number: the caller reports it.
     if (!(total_[0] > 0 && total_[0] <= std::numeric_limits<Extended>::max())) return {breaks, total_[0]};
     for (const Extended agreement : agreements) {
       agreement_ = agreement;
       std::vector<Piece> found;
-      const bool done = std::all_of(told.begin(), told.end(), [&](const std::vector<Piece>& cells) {
+      const bool done = std::all_of(given.begin(), given.end(), [&](const std::vector<Piece>& cells) {
         const std::vector<Piece> good = joined(parts(cells));
         found.insert(found.end(), good.begin(), good.end());
         return !good.empty();
       });
-      // A place is pinned between two breaks.
+      // Each point that is not smooth adds two breaks.
       if (done && found.size() < breaks.size() + 2 * most_places) return sum(found);
     }
     std::vector<Piece> rough;
-    for (const std::vector<Piece>& cells : told) {
-      const std::vector<Piece> some = unresolved(cells, std::max<std::size_t>(2 * most_places / told.size(), 1));
+    for (const std::vector<Piece>& cells : given) {
+      const std::vector<Piece> some = unresolved(cells, std::max<std::size_t>(2 * most_places / given.size(), 1));
       rough.insert(rough.end(), some.begin(), some.end());
     }
     return sum(rough);
@@ -145,8 +147,8 @@ class Cutter {
     return {piece(whole.left, middle), piece(middle, whole.right)};
   }
 
-  /// What stays as it is in at most `most` pieces: each with the difference to its cells, and of these to their halves, all of one sign. They
-  /// are no bound, but errors of rough places do not all have the same sign.
+  /// Rough cells as at most `most` pieces. The error of a piece is the sum of its difference from its cells and of theirs from their
+  /// halves, all taken as positive. It is an estimate, not a bound; but the true errors of rough cells have different signs.
   [[nodiscard]] std::vector<Piece> unresolved(const std::vector<Piece>& cells, std::size_t most) const {
     const std::size_t group = (cells.size() + most - 1) / most;
     std::vector<Piece> result;

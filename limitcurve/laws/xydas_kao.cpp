@@ -14,11 +14,11 @@ namespace {
 class XydasKaoLaw final : public PressureLawOf<XydasKaoLaw> {
  public:
   explicit XydasKaoLaw(double k) : k_(k) {
-    // By logarithms: Γ(3/k) overflows for small k.
+    // By logarithms, because Γ(3/k) overflows for small k.
     const Extended inverse = 1 / k_;
     using boost::math::lgamma;
     scale_ = Extended(1.5) * k_ * std::exp(lgamma(3 * inverse) - lgamma(inverse) - lgamma(2 * inverse));
-    // Between 1 − 1/k and the rim a large k squeezes all of the fall: a piece of its own.
+    // For large k the pressure falls only between about 1 − 1/k and the rim: give that range a piece of its own.
     breaks_ = k_ > 8 ? std::vector<Extended>{0, std::exp(-4 * inverse), 1} : std::vector<Extended>{0, 1};
   }
 
@@ -27,7 +27,7 @@ class XydasKaoLaw final : public PressureLawOf<XydasKaoLaw> {
 
   template <class Real>
   Real pressure(RadialPosition<Real> at) const noexcept {
-    // 1 − ρᵏ from the distance that is exact on this side.
+    // Compute 1 − ρᵏ from the distance that is exact here: from the rim, or from the centre.
     const Real log_radius = at.rim < at.radius ? std::log1p(-at.rim) : std::log(at.radius);
     return static_cast<Real>(scale_) * std::pow(-std::expm1(static_cast<Real>(k_) * log_radius), static_cast<Real>(1 / k_));
   }
