@@ -16,7 +16,8 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// A rule on [−1, 1], by its positive half: Gauss–Legendre under x → (3x − x³)/2, which makes square roots at both ends analytic.
+/// Quadrature on [−1, 1], its positive half: Gauss–Legendre after the substitution x → (3x − x³)/2, which makes square roots at both ends
+/// analytic.
 constexpr std::size_t most_nodes = 20;
 struct PanelRule {
   std::vector<double> place;
@@ -43,9 +44,10 @@ void check_aspect(double a, double b) {
 
 /// With D(c) = ¼ ∮ h G(c·u/h) dθ over unit vectors u(θ), h² = a²cos²θ + b²sin²θ the ellipse's half width along u:
 ///   ∇D = ½ ∫ u G′ dθ,  M = ½ ∫ h N dθ  over half a turn, N = G − tG′, t = c·u/h.
-/// In the angle ψ of (a cos θ, b sin θ)/h, t = τ cos(ψ − ψ_c), with (c_x/a, c_y/b) = τ (cos ψ_c, sin ψ_c). So the half turn from ψ_c on has t from τ
-/// down to −τ, and |t| > 1 only within acos(1/τ) of its ends, where G′ = ±1, N = 0 and the integral is closed. The rest is cut at the axes and where
-/// the law has kinks, and integrated in the angle χ half way between θ and ψ, tan θ = √(a/b) tan χ, which spreads the places where u and h turn fast.
+/// In the angle ψ of (a cos θ, b sin θ)/h, t = τ cos(ψ − ψ_c), with (c_x/a, c_y/b) = τ (cos ψ_c, sin ψ_c). So the half turn from ψ_c on has
+/// t from τ down to −τ, and |t| > 1 only within acos(1/τ) of its ends, where G′ = ±1, N = 0 and the integral has a closed form. The rest is
+/// divided at the axes and at the law's kinks. The variable is the angle χ between θ and ψ, tan θ = √(a/b) tan χ, in which neither u nor h
+/// turns fast.
 struct Ellipse final : Shape {
   std::shared_ptr<const Projection> projection;
   double a;
@@ -53,7 +55,7 @@ struct Ellipse final : Shape {
   double root_a;
   double root_b;
   PanelRule rule;
-  std::vector<double> cuts;  ///< in χ ∈ [0, π): the axes, and for slim ellipses what is between
+  std::vector<double> cuts;  ///< in χ ∈ [0, π): the axes, and for slim ellipses angles in between
   /// D = k + kx cx² + ky cy² + q4 cx⁴ + q22 cx²cy² + q04 cy⁴ with the COR inside, where G is a polynomial.
   struct Inside {
     double k = 0.0, kx = 0.0, ky = 0.0, q40 = 0.0, q22 = 0.0, q04 = 0.0;
@@ -70,7 +72,7 @@ struct Ellipse final : Shape {
     cut();
     if (projection->is_polynomial()) expand();
     measure_moment_ratio();
-    // Enough for 1e-12 where G is a polynomial, and half the time.
+    // 24 nodes are enough for 1e-12 where G is a polynomial, at half the cost.
     if (projection->is_polynomial() && aspect() <= 3.0) rule = make_rule<24>();
   }
 
@@ -78,7 +80,7 @@ struct Ellipse final : Shape {
 
   void cut() {
     cuts = {0.0, 0.5 * pi};
-    // u turns within √(b/a) of one axis and h within that of the other: beyond an aspect of 20 each quarter is cut in between.
+    // u turns within √(b/a) of one axis, h within √(b/a) of the other: beyond an aspect of 20 divide each quarter in between.
     const double narrow = std::min(root_a, root_b) / std::max(root_a, root_b);
     for (double width = 2.0 * narrow; width < 0.5; width *= 4.0) {
       if (aspect() <= 20.0) break;
@@ -90,7 +92,7 @@ struct Ellipse final : Shape {
     std::sort(cuts.begin(), cuts.end());
   }
 
-  /// sin z and cos z for |z| ≤ π/4, no more than which half of a panel is, by their series: what is left out is below 1e-17.
+  /// sin z and cos z by their series, for |z| ≤ π/4 (half a panel is not wider). Truncation error below 1e-17.
   static void turn(double z, double& sine, double& cosine) noexcept {
     const double x = z * z;
     sine =
@@ -111,7 +113,7 @@ struct Ellipse final : Shape {
     const double cm = std::cos(middle);
     const double sm = std::sin(middle);
     const double wide = std::max(a, b);
-    // In loops over arrays, which compilers vectorise; the nodes left of the middle first, then those right of it.
+    // Arrays hold the nodes left of the middle first, then those right of it.
     std::array<double, 2 * most_nodes> c;
     std::array<double, 2 * most_nodes> n;
     std::array<double, 2 * most_nodes> s;
@@ -164,7 +166,7 @@ struct Ellipse final : Shape {
     return from_distance(omega, inside.k + quadratic + quartic, {-gradient.x, -gradient.y}, inside.k - quadratic - 3.0 * quartic);
   }
 
-  /// χ of an angle ψ: both pass the axes together.
+  /// χ of an angle ψ; both are equal on the axes.
   [[nodiscard]] double chi(double psi) const noexcept {
     const double angle = std::atan2(root_a * std::sin(psi), root_b * std::cos(psi));
     return angle + 2.0 * pi * std::round((psi - angle) / (2.0 * pi));
@@ -196,7 +198,7 @@ struct Ellipse final : Shape {
       gx = 0.5 * (end.x - begin.x);
       gy = 0.5 * (end.y - begin.y);
     }
-    // Whatever the number of kinks, without memory of one's own: from cut to cut.
+    // From one cut to the next, without a list of cuts, because a step must not allocate.
     double from = psi + rim;
     const double to = psi + (pi - rim);
     double chi_from = chi(from);

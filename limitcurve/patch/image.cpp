@@ -14,7 +14,7 @@ namespace limitcurve::patch {
 
 namespace {
 
-/// What a uniform rectangle of sides hx, hy about 0 has with its COR at c: ⟨|y|⟩, ⟨ŷ⟩ and ⟨x·ŷ⟩ (polygon.cpp has the formulae).
+/// ⟨|y|⟩, ⟨ŷ⟩ and ⟨x·ŷ⟩ of a uniform rectangle of sides hx, hy about 0 with its COR at c (formulae: polygon.cpp).
 struct RectangleMeans {
   double distance = 0.0;
   PatchPoint direction;
@@ -40,8 +40,8 @@ RectangleMeans rectangle_means(double hx, double hy, PatchPoint c) noexcept {
   return {distance, direction, distance + c.x * direction.x + c.y * direction.y};
 }
 
-/// Σ w √(|u|² + ω²V), V = (h_x²u_x² + h_y²u_y²)/(12|u|²) the second moment of a rectangle of sides h_x, h_y across the direction of sliding; and its
-/// gradient. Those that have the COR in them, near their middle, are left out: they are no points.
+/// Σ w √(|u|² + ω²V) and its gradient. V = (h_x²u_x² + h_y²u_y²)/(12|u|²) is the second moment of a rectangle of sides h_x, h_y across the
+/// direction of sliding. Leaves out a rectangle with the COR near its middle, for which the formula does not hold.
 PatchFriction sum_rectangles(const double* xs, const double* ys, const double* weights, std::size_t count, const PatchTwist& twist,
                              double hx, double hy) noexcept {
   const double a = twist.omega * twist.omega * hx * hx / 12.0;
@@ -66,22 +66,22 @@ PatchFriction sum_rectangles(const double* xs, const double* ys, const double* w
   return sum;
 }
 
-/// Squares of constant pressure, rectangles if stretched. Those next to the COR are summed as such, and all others as points with the square's second
-/// moment across the direction of sliding, w√(|u|² + ω²h²/12): what is left is of fourth order in (side/distance).
+/// Pixels: squares of constant pressure, rectangles if stretched. Next to the COR they are integrated exactly. All others are points with
+/// the square's second moment across the direction of sliding, w√(|u|² + ω²h²/12), whose error is of fourth order in side/distance.
 struct Image final : Shape {
   std::vector<double> loads;  ///< of all pixels, rows from the largest y, scaled to sum 1
   std::size_t columns;
   std::size_t rows;
   double side_x;
   double side_y;
-  std::vector<double> xs;  ///< pixels under pressure, from the centre of pressure
+  std::vector<double> xs;  ///< middles of the pixels under pressure, from the centre of pressure
   std::vector<double> ys;
   std::vector<double> weights;
   PatchPoint corner;  ///< of the image: least x, largest y, from the centre of pressure
   SecondMoments moments;
 
-  Image(std::vector<double> told, std::size_t width, double hx, double hy)
-      : loads(std::move(told)), columns(width), rows(loads.size() / width), side_x(hx), side_y(hy) {
+  Image(std::vector<double> pixel_loads, std::size_t width, double hx, double hy)
+      : loads(std::move(pixel_loads)), columns(width), rows(loads.size() / width), side_x(hx), side_y(hy) {
     Extended mean_column = 0;
     Extended mean_row = 0;
     for (std::size_t i = 0; i < loads.size(); ++i) {
@@ -111,12 +111,13 @@ struct Image final : Shape {
     return sum_soft_points(x, y, weight, count, twist, softness() * twist.omega * twist.omega);
   }
 
-  /// ε² of a pixel: the square's second moment about its middle; of a stretched one the mean of both directions.
+  /// ε² of a pixel: the square's second moment about its middle; for a stretched pixel the mean of both directions.
   [[nodiscard]] double softness() const noexcept { return (side_x * side_x + side_y * side_y) / 24.0; }
 
   static constexpr double most_near = 12.0;
 
-  /// Calls `visit(load, place)` for each pixel under pressure of the 3 × 3 round the COR; of stretched ones for as many more as the longer side takes.
+  /// Calls `visit(load, middle)` for each pixel under pressure in the 3 × 3 around the COR; if pixels are stretched, within the longer side
+  /// of it.
   template <class Visit>
   void visit_near(PatchPoint cor, const Visit& visit) const noexcept {
     const double column = std::floor((cor.x - corner.x) / side_x);
@@ -149,7 +150,7 @@ struct Image final : Shape {
     return friction;
   }
 
-  /// Sums what a pixel's fourth moments can do to its force, and that on a lever.
+  /// Sums the error of each pixel's force, from fourth moments, and of its moment, with the lever.
   [[nodiscard]] double error(const PatchTwist& twist) const noexcept override {
     const double rounding = (8.0 + static_cast<double>(xs.size()) / 8.0) * epsilon * (1.0 + radius / moment_ratio);
     if (only_slides(twist, radius)) return rounding;
@@ -166,7 +167,7 @@ struct Image final : Shape {
     visit_near(cor, [&](double load, PatchPoint place) { bound -= of_pixel(load, place.x, place.y); });
     return rounding + std::max(0.0, bound);
   }
-  /// (distance/longer side)⁴ times the largest error of a pixel's force, from 1.5 sides on.
+  /// The largest error of a pixel's force times (distance/longer side)⁴, for distances of 1.5 sides or more.
   static constexpr double fourth_order = 0.02;
 
   [[nodiscard]] std::shared_ptr<Shape> moved(double x, double y) const override {

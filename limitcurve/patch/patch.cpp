@@ -17,12 +17,12 @@ double checked_length(const char* name, double length) {
   return length;
 }
 
-/// How large the twist is, as the fastest of its parts.
+/// Size of a twist [m/s]: its largest component, the rotation as speed at `reach`.
 double size_of(const PatchTwist& twist, double reach) {
   return std::max({std::fabs(twist.vx), std::fabs(twist.vy), std::fabs(twist.omega) * reach});
 }
 
-/// Evaluates with the twist scaled to where no square overflows or vanishes; by powers of two, which round nothing.
+/// Evaluates at a scaled twist, so that no square overflows or underflows. The scale is a power of two, so that nothing is rounded.
 template <class Evaluate>
 PatchFriction scaled(PatchTwist twist, double reach, const Evaluate& evaluate) noexcept {
   const double size = size_of(twist, reach);
@@ -36,7 +36,7 @@ PatchFriction scaled(PatchTwist twist, double reach, const Evaluate& evaluate) n
   }
   if (size == 0.0) return {};
   const int exponent = std::ilogb(size);
-  // Only of a single point, which no rate of turn moves, can the rate be beyond this.
+  // A larger rate is possible only for a single point, which does not move by it.
   constexpr double most = 1e200;
   PatchFriction friction = evaluate(
       {std::ldexp(twist.vx, -exponent), std::ldexp(twist.vy, -exponent), std::clamp(std::ldexp(twist.omega, -exponent), -most, most)});
@@ -53,7 +53,7 @@ PatchFriction Shape::about_origin(const PatchTwist& twist) const noexcept {
   const PatchTwist here{velocity.x, velocity.y, twist.omega};
   if (velocity.x == 0.0 && velocity.y == 0.0 && twist.omega == 0.0) return {};
   PatchFriction friction = evaluate(here);
-  // Moving the twist rounds the velocity by ε of its terms, and the lever of the force multiplies the force's error.
+  // Moving the reference point rounds the velocity by ε of its terms; the lever multiplies the error of the force.
   const double lever = std::hypot(centre.x, centre.y);
   const double own = error(here);
   friction.error = (own + (lever > 0.0 ? 2.0 * epsilon : 0.0)) * (1.0 + lever / moment_ratio);
@@ -122,8 +122,8 @@ Patch Patch::smoothed(double radius) const {
   return smooth ? Patch(std::move(smooth), mx_, my_) : *this;
 }
 
-// Orthotropic friction: diag(mx, my)(v + ω ẑ × x) is the velocity of the point (my x, mx y) under the twist (mx v_x, my v_y, ω), so H is that of the
-// stretched patch, and its gradient follows by the chain rule.
+// Orthotropic friction: diag(mx, my)(v + ω ẑ × x) is the velocity of the point (my x, mx y) under the twist (mx v_x, my v_y, ω). So H is
+// that of the stretched patch at that twist, and its gradient follows by the chain rule.
 PatchFriction Patch::evaluate(const PatchTwist& twist) const noexcept {
   PatchFriction friction = scaled({mx_ * twist.vx, my_ * twist.vy, twist.omega}, shape_->radius,
                                   [this](const PatchTwist& one) { return shape_->evaluate(one); });
@@ -151,7 +151,7 @@ PatchPoint Patch::centre() const noexcept {
 }
 
 Patch::RoundMeasures Patch::round_measures() const {
-  // Of the patch itself, not of the stretched one.
+  // shape_ is stretched: divide its moments and its area by the stretch.
   const patch::SecondMoments moments = shape_->second_moments();
   const double stretch = mx_ * my_;
   const double determinant = std::max(0.0, moments.xx * moments.yy - moments.xy * moments.xy) / (stretch * stretch);

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-// The loops are compiled for wider registers too, and chosen when the library is loaded. The lanes are added up in one order: the bits are the same.
+// The loops exist for AVX2, too, and the loader chooses. Lanes are added in the same order, so that both give the same bits.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && defined(__linux__)
 #define LIMITCURVE_WIDE __attribute__((target_clones("default", "avx2")))
 #else
@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t lanes = 8;
 
-/// The sums that the lanes gather, one after the other.
+/// The sum of each lane.
 struct LaneSums {
   double power[lanes] = {};
   double fx[lanes] = {};
@@ -67,7 +67,7 @@ PatchFriction sum_soft_points(const double* x, const double* y, const double* we
     sums.moment[k] += share * (x[i] * uy - y[i] * ux);
     sums.inverse[k] += share;
   }
-  // d√(|u|² + ε²ω²)/dω has the points' own share ε²ω/√… beside the lever's.
+  // d√(|u|² + ε²ω²)/dω has the term ε²ω/√… of the points' own radius beside that of the lever.
   const double own = twist.omega != 0.0 ? softness / twist.omega * total(sums.inverse) : 0.0;
   return {total(sums.power), {total(sums.fx), total(sums.fy), total(sums.moment) + own}, 0.0};
 }

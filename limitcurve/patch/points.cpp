@@ -50,30 +50,30 @@ std::vector<PatchLoad> shift(std::vector<PatchLoad> loads, double x, double y) {
   return loads;
 }
 
-/// Bound of rounding in a sum of n loads' shares: of the sums, and of moments in units of m₀.
+/// Bound of the rounding error of a sum over `count` points: of power and force, and of the moment in units of m₀.
 double rounding(std::size_t count, double radius, double moment_ratio) {
   const double terms = 4.0 + static_cast<double>(count) / 8.0;
   return terms * epsilon * (1.0 + (moment_ratio > 0.0 ? radius / moment_ratio : 0.0));
 }
 
-/// H = Σ w |v + ω ẑ × x|. The points are kept as told, so that a COR on one of them is met exactly.
+/// H = Σ w |v + ω ẑ × x|. The points keep the user's coordinates, so that a COR on a point is recognised exactly.
 struct Points final : Shape {
   std::vector<PatchLoad> loads;
 
-  explicit Points(std::vector<PatchLoad> told) : loads(std::move(told)) {
+  explicit Points(std::vector<PatchLoad> points) : loads(std::move(points)) {
     centre = normalise(loads);
     for (const PatchLoad& point : loads) radius = std::max(radius, std::hypot(point.x - centre.x, point.y - centre.y));
     measure_moment_ratio();
   }
 
-  /// The sum at a twist of `reference`; adds the loads of the points whose slip is lost in the rounding of the twist to `lost`.
+  /// The sum at a twist about `reference`. Adds to `lost` the loads of points whose slip is below the rounding of the twist.
   [[nodiscard]] PatchFriction sum(const PatchTwist& twist, PatchPoint reference, double& lost) const noexcept {
     PatchFriction friction;
     for (const PatchLoad& point : loads) {
       const double x = point.x - reference.x;
       const double y = point.y - reference.y;
       auto [ux, uy] = velocity_at(twist, x, y);
-      // The COR is on the point as far as the digits of the twist tell: it bears no force.
+      // Within the rounding of the twist the COR is on the point, which then bears no force.
       if (std::fabs(ux) <= 2.0 * epsilon * std::fabs(twist.vx) && std::fabs(uy) <= 2.0 * epsilon * std::fabs(twist.vy)) {
         if (ux != 0.0 || uy != 0.0) lost += point.load;
         continue;
@@ -125,7 +125,7 @@ struct SoftPoints final : Shape {
   std::vector<double> weights;
   double softness;  ///< ε²
 
-  SoftPoints(std::vector<PatchLoad> told, double point_radius) : loads(std::move(told)), softness(point_radius * point_radius) {
+  SoftPoints(std::vector<PatchLoad> points, double point_radius) : loads(std::move(points)), softness(point_radius * point_radius) {
     centre = normalise(loads);
     for (const PatchLoad& point : loads) {
       xs.push_back(point.x - centre.x);

@@ -15,11 +15,11 @@ namespace limitcurve::patch {
 
 namespace {
 
-/// Beyond so many radii the edge integrals lose digits, and Gauss rules on the edges have all.
+/// With the COR beyond this many radii the closed edge integrals lose digits; Gauss quadrature on the edges does not.
 constexpr double far = 3.0;
 
-/// Gauss–Legendre's rule of 10 points on [−1, 1]. With the COR three radii away the nearest singularity lies 2.8 half-edges from the middle:
-/// 5.5^(−20) = 2e-15 of what is small itself.
+/// Gauss–Legendre's rule of 10 points on [−1, 1]. With the COR three radii away the nearest singularity lies 2.8 half-edges from the
+/// middle: relative error 5.5^(−20) = 2e-15 of an integral that is small itself.
 struct EdgeRule {
   std::array<double, 10> place;
   std::array<double, 10> weight;
@@ -36,24 +36,24 @@ struct EdgeRule {
 
 /// Uniform pressure on a simple polygon: by the divergence theorem, with y = x − c, outward normals n, d = n·y and p = n·x on an edge,
 ///   A⟨ŷ⟩ = Σ n J,  A⟨|y|⟩ = Σ d J/3,  A⟨x·ŷ⟩ = Σ J (p/3 + ⅔ n·c),  J = ∫ |y| ds.
-/// |y| may be replaced by q = |y| + ĉ·y, which differs by a linear function whose part is known: −ĉ in ⟨ŷ⟩, |c| in ⟨|y|⟩, none in ⟨x·ŷ⟩. Far away
-/// q = (ĉ⊥·x)²/(|y| − ĉ·y) is small and positive.
+/// Far away |y| is replaced by q = |y| + ĉ·y = (ĉ⊥·x)²/(|y| − ĉ·y), which is small and positive. The linear function that is left has known
+/// means: −ĉ in ⟨ŷ⟩, |c| in ⟨|y|⟩, none in ⟨x·ŷ⟩.
 struct Polygon final : Shape {
   struct Edge {
     double x, y;    ///< first vertex, from the centre of pressure
     double tx, ty;  ///< unit vector along it, counter-clockwise: the outward normal is (ty, −tx)
     double length;
     double p;    ///< distance of its line from the centre of pressure, along the normal
-    double mid;  ///< twice the place of its middle along the line, from the foot of the centre of pressure
+    double mid;  ///< twice the coordinate of its middle along the line, from the point nearest the centre of pressure
   };
-  std::vector<PatchPoint> vertices;  ///< counter-clockwise, as told
+  std::vector<PatchPoint> vertices;  ///< counter-clockwise, in the user's coordinates
   std::vector<Edge> edges;
   SecondMoments moments;
   double whole_area = 0.0;
   double perimeter = 0.0;
   EdgeRule rule;
 
-  explicit Polygon(std::vector<PatchPoint> told) : vertices(std::move(told)) {
+  explicit Polygon(std::vector<PatchPoint> corners) : vertices(std::move(corners)) {
     measure();
     const std::size_t count = vertices.size();
     for (std::size_t i = 0; i < count; ++i) {
@@ -97,7 +97,7 @@ struct Polygon final : Shape {
       axy += cross * (2 * x1 * y1 + x1 * y2 + x2 * y1 + 2 * x2 * y2) / 24;
       reach = std::max({reach, std::fabs(to.x - base.x), std::fabs(to.y - base.y)});
     }
-    // Below this the area is what rounding of the vertices left.
+    // A smaller area is rounding of the vertices.
     constexpr Extended least = 1e-12L;
     if (!(std::fabs(area) > least * reach * reach)) {
       throw std::invalid_argument("the polygon has area " + format_number(static_cast<double>(std::fabs(area))) +

@@ -42,7 +42,7 @@ Projection::Projection(Law law) : law_(std::move(law)), outer_(static_cast<doubl
   for (const Extended place : law_->breaks()) kinks_.push_back(static_cast<double>(place));
   kinks_.pop_back();
   if (kinks_.empty() || kinks_.front() > 0.0) kinks_.insert(kinks_.begin(), 0.0);
-  // What the law does not know of its own pressure (samples): the largest share of it that a round contact's wrench shows.
+  // The law's own error (samples): take the largest that the wrench of a round contact has.
   for (const double s : {0.0, 0.25, 0.5, 1.0, 2.0}) {
     const WrenchEstimate estimate = law_->evaluate(s);
     error_ = std::max({error_, estimate.error.force, estimate.error.moment / law_->moment_ratio()});
@@ -77,7 +77,7 @@ void Projection::add_cells(double begin, double end, double tolerance, double be
       cell.rest[k] += weight * values[j].rest;
     }
   }
-  // Nearest to the ends, where singularities are, a polynomial is worst.
+  // A polynomial is worst next to the ends, where singularities are: check there.
   double off = 0.0;
   for (const double x : {-0.999, -0.4, 0.6, 0.999}) {
     const double t = begin + cell.half * (1.0 + x);
@@ -85,7 +85,7 @@ void Projection::add_cells(double begin, double end, double tolerance, double be
     const Value value = at(cell, t);
     off = std::max({off, std::fabs(value.slope - true_value.slope), std::fabs(value.rest - true_value.rest)});
   }
-  // Halving does not help where the integrals themselves are rounded.
+  // Halving does not help below the rounding error of the integrals.
   constexpr double narrowest = 1e-11;
   constexpr double small = 1e-9;
   const bool rounded = (off < small && off > 0.7 * before) || off < 2.0 * rounding;

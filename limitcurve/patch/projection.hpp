@@ -9,8 +9,9 @@
 
 namespace limitcurve::patch {
 
-/// A law's pressure projected on a line through the contact's centre, t the place on it in contact radii: with G(t) = ⟨|t − place|⟩ the slope G′,
-/// which is odd, and N = G − tG′ = ∫ of 2x(projected density) from |t| to the rim, even and 0 beyond.
+/// A law's pressure projected on a line through the contact centre. t is the coordinate on the line in contact radii, and G(t) = ⟨|t − x|⟩
+/// the mean distance of the projected pressure from t. Gives the slope G′, which is odd, and N = G − tG′, the integral of 2x times the
+/// projected density from |t| to the rim, which is even and 0 beyond the rim. Interpolated by Chebyshev series.
 class Projection {
  public:
   explicit Projection(Law law);
@@ -19,15 +20,15 @@ class Projection {
     double slope;
     double rest;  ///< N
   };
-  /// |t| is taken as `outer` where it is beyond. Error: `error`.
+  /// G′ and N at t, any number; beyond `outer` they are ±1 and 0. Absolute error: `error()`.
   [[nodiscard]] Value operator()(double t) const noexcept;
 
-  /// Where the pressure ends: 1 but for laws without a rim.
+  /// Where the pressure ends: 1, or more for a law without a rim.
   [[nodiscard]] double outer() const noexcept { return outer_; }
-  /// Places 0 ≤ t < outer where a derivative of the slope may jump; none for the polynomials of Hertz and the flat punch.
+  /// Coordinates 0 ≤ t < outer where a derivative of the slope may jump; none for the polynomials of Hertz and the flat punch.
   [[nodiscard]] const std::vector<double>& kinks() const noexcept { return kinks_; }
   [[nodiscard]] double error() const noexcept { return error_; }
-  /// Whether the law is one of those for which an ellipse's integrals are right to 1e-12.
+  /// Whether an ellipse's integrals under this law are right to 1e-12 (accuracy::patch_ellipse).
   [[nodiscard]] bool is_smooth() const noexcept { return is_smooth_; }
   /// For Hertz and the flat punch: G = g[0] + g[1] t² + g[2] t⁴ in |t| ≤ 1.
   [[nodiscard]] bool is_polynomial() const noexcept { return is_polynomial_; }
@@ -45,7 +46,7 @@ class Projection {
   };
 
   void tabulate(double tolerance);
-  /// `before` is what the cell that is halved was off by.
+  /// Adds cells until each is right to `tolerance`. `before` is the error of the cell that is being halved.
   void add_cells(double begin, double end, double tolerance, double before);
   [[nodiscard]] static Value at(const Cell& cell, double t) noexcept;
 

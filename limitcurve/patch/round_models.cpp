@@ -33,7 +33,7 @@ struct Cor {
   double exponent;
 };
 
-/// A model by its power, and the distance of the COR that it gives to a wrench.
+/// A model: its power, and the distance of its COR for a wrench.
 struct Model {
   std::function<double(const PatchTwist&)> power;
   std::function<double(const PatchWrench&)> cor_distance;
@@ -91,7 +91,8 @@ class Comparison {
     return error;
   }
 
-  /// The disc of this law whose largest error on the grid is least, and that error; the larger its radius the larger its power.
+  /// The radius of the disc of this law with the smallest largest error on the grid, and that error. Power grows with the radius:
+  /// bisection.
   [[nodiscard]] std::pair<double, double> best_radius(const PressureLaw& law) const {
     const auto over_and_under = [&](double a) {
       double over = a * law.moment_ratio() / m0_;  // pure spin
@@ -138,7 +139,7 @@ class Comparison {
     return {slide * std::sin(cor.direction), -slide * std::cos(cor.direction), spin / m0_};
   }
 
-  /// From a good place of the grid to the best near it, by steps to the sides that are halved.
+  /// The largest value near a grid point: steps to the sides, halved when none is better.
   template <class Function>
   [[nodiscard]] static double climb(Cor at, double value, const Function& function) {
     Cor step{2.0 * std::numbers::pi / static_cast<double>(directions), 2.0 * decades / static_cast<double>(distances - 1)};
@@ -170,7 +171,7 @@ class Comparison {
       return model.cor_distance(wrench) / (m0_ * std::pow(10.0, cor.exponent));
     };
     for (std::size_t i = 0; i < grid_.size(); ++i) take(ratio(grid_[i], wrench_[i]));
-    // Towards the ends: a limit, or none.
+    // Towards both ends the ratio has a limit, or grows without bound.
     constexpr double runaway = 0.1;
     for (std::size_t j = 0; j < directions; ++j) {
       for (const double end : {-1.0, 1.0}) {
@@ -236,7 +237,7 @@ RoundModel best_disc(const Comparison& comparison) {
     radius = a;
     least = error;
   }
-  // Between the places of the grid both errors are larger: balanced anew.
+  // Between grid points both errors may be larger: balance them again.
   const auto imbalance = [&](double a) {
     const CurveError error = comparison.power_error(disc(best, a));
     return error.max_over_estimate - error.max_under_estimate;
@@ -274,7 +275,7 @@ std::vector<Candidate> choose(const Patch& patch, double tolerance) {
   const Candidate as_ellipsoid{"ellipsoid", patch.moment_ratio(), ellipsoid_error, shipped_costs::of("ellipse").wrench};
   const Candidate itself{"patch", std::numeric_limits<double>::quiet_NaN(), 0.0, patch.nanoseconds()};
   std::vector<Candidate> candidates{as_disc, itself};
-  // Where a disc will do the ellipsoid, which is wrong even for a disc, is not weighed.
+  // If the disc is accurate enough, leave out the ellipsoid, which is inaccurate even for a disc.
   if (as_disc.error > tolerance) candidates.push_back(as_ellipsoid);
   choose_cheapest(candidates, tolerance);
   if (as_disc.error <= tolerance) {

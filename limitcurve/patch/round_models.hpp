@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-/// How wrong it is to take a patch for round. Offline work: 2e4 evaluations of the patch.
+/// Errors of round models of a patch. Offline: 2e4 evaluations of the patch.
 namespace limitcurve {
 
 /// A round model about the centre of pressure: a disc of a law and a radius, or the ellipsoid √(v² + m₀²ω²).
@@ -18,19 +18,20 @@ struct RoundModel {
 };
 
 /// The round models of a patch and their errors against it:
-///   disc:LAW              the law of `law_examples()` and the radius of least largest error,
+///   disc:LAW              the law of `law_examples()` and the radius with the smallest largest error,
 ///   disc-equal-area:LAW   of the patch's area; the law is the ellipse's own, else uniform; left out where the patch has no area,
 ///   disc-sqrt-ab:LAW      of radius √(ab), a and b the semi-axes of the ellipse of the same second moments; left out for points on a line,
 ///   ellipsoid             √(v² + m₀²ω²), m₀ = H(0, 0, 1); v is (mx v_x, my v_y) under orthotropic friction.
-/// `max_over_estimate` and `max_under_estimate` are the largest of H_model/H − 1 and 1 − H_model/H over all twists, right to 1e-6. `rms_error` is
-/// the root mean square of H_model/H − 1 over CORs in 128 directions, evenly, at 121 distances from 1e-3 m₀ to 1e3 m₀, evenly in their logarithm.
-/// `max_cor_error` is over the same CORs, and farther ones: the largest |c_model/c − 1| of COR distances where both wrenches have one ratio of
-/// moment to force along one force; inf where it has no bound.
+/// `max_over_estimate` and `max_under_estimate` are the largest of H_model/H − 1 and 1 − H_model/H over all twists, right to 1e-6.
+/// `rms_error` is the root mean square of H_model/H − 1 over CORs in 128 directions, evenly, at 121 distances from 1e-3 m₀ to 1e3 m₀,
+/// evenly in their logarithm. `max_cor_error` is over the same CORs, and farther ones: the largest |c_model/c − 1| of COR distances where
+/// both wrenches have one ratio of moment to force along one force; inf where it has no bound.
 /// Throws std::invalid_argument for a patch without moment, all of whose load is on one point.
 std::vector<RoundModel> round_models(const Patch& patch);
 
-/// A disc, the ellipsoid or the patch itself, as `limitcurve::choose` gives curves; sorted by cost. The disc is chosen where its error is at
-/// most `tolerance`, else the cheapest that is good enough; the patch always is. Throws like `round_models`, and for a tolerance out of [1e-10, 1].
+/// The disc, the ellipsoid and the patch itself as candidates, sorted by cost. `chosen` marks the disc if its error is at most `tolerance`,
+/// else the cheapest candidate that is accurate enough; the patch always is. Throws like `round_models`, and for a tolerance outside
+/// [1e-10, 1].
 std::vector<Candidate> choose(const Patch& patch, double tolerance);
 
 }  // namespace limitcurve

@@ -11,7 +11,7 @@
 namespace limitcurve::patch {
 
 inline constexpr double epsilon = std::numeric_limits<double>::epsilon();
-/// The lengths that a patch may have [m].
+/// The range of lengths of a patch [m].
 inline constexpr double least_length = 1e-100;
 inline constexpr double most_length = 1e100;
 
@@ -22,29 +22,29 @@ struct SecondMoments {
   double xy = 0.0;
 };
 
-/// One kind of patch, under isotropic friction of coefficient 1 and load 1. Twists are scaled by the caller, so that no square overflows; they
-/// are finite and not zero.
+/// A kind of patch, under isotropic friction of coefficient 1 and load 1. The caller passes finite twists, not zero, scaled so that no
+/// square overflows.
 struct Shape {
   virtual ~Shape() = default;
 
-  /// H and its gradient at a twist of the centre of pressure, and moments about it; `error` is left alone.
+  /// H and its gradient; twist and moment refer to the centre of pressure. Does not set `error`.
   [[nodiscard]] virtual PatchFriction evaluate(const PatchTwist& twist) const noexcept = 0;
   /// Bound of the error of `evaluate`.
   [[nodiscard]] virtual double error(const PatchTwist& twist) const noexcept = 0;
-  /// Both at a twist of the origin.
+  /// H, its gradient and the error; twist and moment refer to the origin.
   [[nodiscard]] virtual PatchFriction about_origin(const PatchTwist& twist) const noexcept;
 
   [[nodiscard]] virtual std::shared_ptr<Shape> moved(double x, double y) const = 0;
-  /// All coordinates times (sx, sy), the loads kept.
+  /// The shape with coordinates times (sx, sy) and the same loads.
   [[nodiscard]] virtual std::shared_ptr<Shape> stretched(double sx, double sy) const = 0;
-  /// See Patch::smoothed; nothing where the shape is smooth as it is.
+  /// See Patch::smoothed; null if the shape is smooth already.
   [[nodiscard]] virtual std::shared_ptr<Shape> smoothed(double) const { return nullptr; }
 
-  /// Of `evaluate`, as measured on one machine.
+  /// Cost of `evaluate` [ns], measured on one machine.
   [[nodiscard]] virtual double nanoseconds() const noexcept = 0;
   [[nodiscard]] virtual double area() const { return 0.0; }
   [[nodiscard]] virtual SecondMoments second_moments() const = 0;
-  /// The law of an ellipse; none for others.
+  /// The law of an ellipse; null for other shapes.
   [[nodiscard]] virtual Law law() const { return nullptr; }
 
   PatchPoint centre;          ///< of pressure
@@ -52,11 +52,11 @@ struct Shape {
   double moment_ratio = 0.0;  ///< H(0, 0, 1)
 
  protected:
-  /// At the end of construction, with `centre` and `radius` known.
+  /// Constructors call this last, after setting `centre` and `radius`.
   void measure_moment_ratio() { moment_ratio = evaluate({0.0, 0.0, 1.0}).power; }
 };
 
-/// The velocity of the point (x, y), seen from where the twist is told; each component is rounded once.
+/// The velocity of the point at (x, y) from the reference point of the twist; each component is rounded once.
 [[nodiscard]] inline PatchPoint velocity_at(const PatchTwist& twist, double x, double y) noexcept {
   return {std::fma(-twist.omega, y, twist.vx), std::fma(twist.omega, x, twist.vy)};
 }
@@ -70,8 +70,8 @@ struct Shape {
   return {speed, {twist.vx / speed, twist.vy / speed, 0.0}, 0.0};
 }
 
-/// From what a patch whose COR is at c has in D = ⟨|x − c|⟩, the mean direction g = ⟨(x − c)/|x − c|⟩ = −∇D and M = ⟨x·(x − c)/|x − c|⟩ = D + c·g:
-/// for ω > 0 the velocity of x is ω ẑ × (x − c).
+/// Friction of a patch with its COR at c, from the mean distance D = ⟨|x − c|⟩, the mean direction g = ⟨(x − c)/|x − c|⟩ = −∇D and the
+/// moment M = ⟨x·(x − c)/|x − c|⟩ = D + c·g. For ω > 0 the velocity of x is ω ẑ × (x − c).
 [[nodiscard]] inline PatchFriction from_distance(double omega, double mean_distance, PatchPoint direction, double moment) noexcept {
   const double sense = std::copysign(1.0, omega);
   return {std::fabs(omega) * mean_distance, {-sense * direction.y, sense * direction.x, sense * moment}, 0.0};
@@ -86,7 +86,8 @@ std::shared_ptr<Shape> make_sum(std::vector<std::pair<double, std::shared_ptr<co
 /// Points with a radius: |u| becomes √(|u|² + ε²ω²).
 std::shared_ptr<Shape> make_soft_points(std::vector<PatchLoad> loads, double radius);
 
-/// Throws unless the vertices bound a simple polygon: names two edges that meet, or the vertex of an edge that turns back on itself.
+/// Throws std::invalid_argument unless the vertices bound a simple polygon; names two edges that meet, or the vertex where an edge turns
+/// back.
 void check_simple(std::span<const PatchPoint> vertices);
 
 }  // namespace limitcurve::patch

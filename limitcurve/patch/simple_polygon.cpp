@@ -12,7 +12,7 @@ namespace limitcurve::patch {
 
 namespace {
 
-/// Which way the path a, b, c turns: 1 left, −1 right, 0 straight or within the rounding of a double's product in extended precision.
+/// The turn of the path a, b, c: 1 left, −1 right, 0 straight or not distinguishable from straight in extended precision.
 int turn(const PatchPoint& a, const PatchPoint& b, const PatchPoint& c) {
   const Extended left = (Extended(b.x) - a.x) * (Extended(c.y) - a.y);
   const Extended right = (Extended(b.y) - a.y) * (Extended(c.x) - a.x);
@@ -59,7 +59,7 @@ void check_simple(std::span<const PatchPoint> vertices) {
                                   ": its two edges lie on each other and enclose no area, expected a simple polygon");
     }
   }
-  // Edges by their left ends; those whose right end is passed leave. Only edges that share a piece of the x axis are compared.
+  // Sweep along x, edges in order of their left ends: compare an edge only with those whose range of x overlaps its own.
   const auto left = [&](std::size_t i) { return std::min(vertex(i).x, vertex(i + 1).x); };
   const auto right = [&](std::size_t i) { return std::max(vertex(i).x, vertex(i + 1).x); };
   std::vector<std::size_t> order(count);

@@ -7,7 +7,7 @@ namespace limitcurve::patch {
 
 namespace {
 
-/// Patches that share one load: their powers add, and so do their wrenches about one point.
+/// A weighted sum of patches: powers add, and so do wrenches about the same point.
 struct Sum final : Shape {
   struct Part {
     double weight;
@@ -15,7 +15,7 @@ struct Sum final : Shape {
   };
   std::vector<Part> parts;
 
-  explicit Sum(std::vector<Part> told) : parts(std::move(told)) {
+  explicit Sum(std::vector<Part> summands) : parts(std::move(summands)) {
     double heaviest = 0.0;
     for (const Part& part : parts) heaviest = std::max(heaviest, part.weight);
     double total = 0.0;
@@ -36,7 +36,7 @@ struct Sum final : Shape {
     return {part.shape->centre.x - centre.x, part.shape->centre.y - centre.y};
   }
 
-  /// Adds `friction` of a part, whose moment counts about its own centre, at `lever` from the point that counts.
+  /// Adds the friction of a part. Its moment is about its own centre, which is at `lever` from the reference point of the sum.
   static void add(PatchFriction& sum, double weight, const PatchFriction& friction, PatchPoint lever) noexcept {
     sum.power += weight * friction.power;
     sum.wrench.fx += weight * friction.wrench.fx;
@@ -44,7 +44,7 @@ struct Sum final : Shape {
     sum.wrench.moment += weight * (friction.wrench.moment + lever.x * friction.wrench.fy - lever.y * friction.wrench.fx);
   }
 
-  /// The part's twist, about its own centre.
+  /// The twist of a part about its own centre.
   [[nodiscard]] static PatchTwist twist_at(const PatchTwist& twist, PatchPoint lever) noexcept {
     const PatchPoint velocity = velocity_at(twist, lever.x, lever.y);
     return {velocity.x, velocity.y, twist.omega};
@@ -60,8 +60,8 @@ struct Sum final : Shape {
     }
     return sum;
   }
-  /// A part's error, in its own m₀ and about its own centre, seen from the sum's.
-  [[nodiscard]] double seen(const Part& part, double own, double lever) const noexcept {
+  /// Converts a part's error, in units of its own m₀ and about its own centre, to the sum's.
+  [[nodiscard]] double converted(const Part& part, double own, double lever) const noexcept {
     return part.weight * own * (1.0 + (part.shape->moment_ratio + lever) / moment_ratio);
   }
   [[nodiscard]] double error(const PatchTwist& twist) const noexcept override {
@@ -69,7 +69,7 @@ struct Sum final : Shape {
     for (const Part& part : parts) {
       const PatchPoint lever = from_centre(part);
       const PatchTwist there = twist_at(twist, lever);
-      if (!is_zero(there)) bound += seen(part, part.shape->error(there) + 2.0 * epsilon, std::hypot(lever.x, lever.y));
+      if (!is_zero(there)) bound += converted(part, part.shape->error(there) + 2.0 * epsilon, std::hypot(lever.x, lever.y));
     }
     return bound;
   }
@@ -79,7 +79,7 @@ struct Sum final : Shape {
     for (const Part& part : parts) {
       const PatchFriction own = part.shape->about_origin(twist);
       add(sum, part.weight, own, {0.0, 0.0});
-      sum.error += seen(part, own.error, std::hypot(part.shape->centre.x, part.shape->centre.y));
+      sum.error += converted(part, own.error, std::hypot(part.shape->centre.x, part.shape->centre.y));
     }
     return sum;
   }
@@ -128,9 +128,9 @@ struct Sum final : Shape {
 }  // namespace
 
 std::shared_ptr<Shape> make_sum(std::vector<std::pair<double, std::shared_ptr<const Shape>>> parts) {
-  std::vector<Sum::Part> told;
-  for (auto& [weight, shape] : parts) told.push_back({weight, std::move(shape)});
-  return std::make_shared<Sum>(std::move(told));
+  std::vector<Sum::Part> summands;
+  for (auto& [weight, shape] : parts) summands.push_back({weight, std::move(shape)});
+  return std::make_shared<Sum>(std::move(summands));
 }
 
 }  // namespace limitcurve::patch

@@ -7,19 +7,18 @@
 #include <cmath>
 #include <concepts>
 
-/// Unit wrenches in closed form, one function a pressure law: f, m and df/ds at s = c/a, for s ∈ [0, ∞].
+/// Closed forms of the unit wrench, one function for each pressure law: f, m and df/ds at s = c/a ∈ [0, ∞].
 ///
-/// Every form is written so that only positive terms meet (or nearly so), which the textbook forms are not:
-/// those lose all digits of m as s → ∞. Three branches, each with its reason:
+/// Almost all sums have positive terms only. In the textbook forms terms cancel, and all digits of m are lost as s → ∞. Three branches:
 ///   s ≤ 1        the COR is under the finger: polynomial, or elliptic integrals of modulus s;
 ///   1 < s² ≤ 2   the closed form for a COR outside, in τ = s² − 1 = (s−1)(s+1), which is exact near the rim;
-///   s² > 2       the series in pressure moments (moment_series.hpp): converges fast and keeps m to relative precision.
+///   s² > 2       the series in pressure moments (moment_series.hpp), which converges fast and keeps the relative precision of m.
 /// Relative error of f and m: ≤ 8 ε of Real, the cone's m ≤ 16 ε. df/ds: ≤ 64 ε. Cost: README, "Evaluators".
 namespace limitcurve::closed_form {
 
 inline constexpr long double pi = 3.141592653589793238462643383279502884L;
 
-/// Beyond this square of s the closed forms outside the rim start to cancel, and the series is short.
+/// The series is used for s² above this: there terms of the closed forms begin to cancel, and the series is short.
 inline constexpr double series_from = 2.0;
 
 /// Hertz (n = ½): p = (3/2)(1−ρ²)^½ P/(πa²), the elastic sphere.

@@ -19,7 +19,7 @@ constexpr Extended pi = closed_form::pi;
 template <class Real>
 using Triple = std::array<Real, 3>;  // force, moment, force slope
 
-/// A place in a piece of the radius, with its distance from the COR's ring ρ = s.
+/// A radius in a piece, and its distance from the COR's ring ρ = s.
 template <class Real>
 struct SplitPosition {
   RadialPosition<Real> at;
@@ -41,8 +41,8 @@ Triple<Real> gauss(Integrand&& integrand, Real length) noexcept {
   return sum;
 }
 
-/// Sums ∫ kernel(position) dρ over the pieces between the breaks, split at s. `rim_exponent` e < 0 says that the
-/// kernel lacks a factor rim^e on the last piece: the substitution rim ∝ y^{1/(1+e)} absorbs it exactly.
+/// Sums ∫ kernel(position) dρ over the pieces between the breaks, split at s. The integrand is the kernel times rim^e with e =
+/// `rim_exponent` ≤ 0: on the last piece the substitution rim ∝ y^{1/(1+e)} absorbs that factor exactly.
 template <class Real, class Kernel>
 Quadrature<Real> integrate_pieces(const std::vector<Extended>& breaks, Real rim_exponent, bool polynomial, Real s, std::size_t wanted,
                                   Kernel&& kernel) noexcept {
@@ -59,7 +59,7 @@ Quadrature<Real> integrate_pieces(const std::vector<Extended>& breaks, Real rim_
     const Real distance = std::max(left - s, s - right);
     const auto evaluate = [&](Real x, Real y) { return kernel(at(x, y)); };
     if (polynomial && distance >= 3 * (right - left)) {
-      // The kernel's singularity lies 7 half-widths from the middle: order n errs by 13.9^(−2n), here 1e-23.
+      // The kernel's singularity is at least 7 half-widths from the middle: the error of order n is 13.9^(−2n), here 1e-23.
       piece.value = gauss<10>(evaluate, right - left);
     } else if (polynomial && distance >= right - left) {
       // 3 half-widths: 5.8^(−2n), here 1e-30.
@@ -67,7 +67,7 @@ Quadrature<Real> integrate_pieces(const std::vector<Extended>& breaks, Real rim_
     } else if (rim_exponent == 0) {
       piece = integrate<3>(evaluate, right - left, wanted);
     } else if (right < outer) {
-      // The rim may be a rounding away from the piece's end.
+      // Not the last piece, but the rim may be one rounding from its end.
       piece = integrate<3>(
           [&](Real x, Real y) {
             const SplitPosition<Real> position = at(x, y);
@@ -112,7 +112,7 @@ Quadrature<Real> integrate_pieces(const std::vector<Extended>& breaks, Real rim_
 
 template <class Real>
 Quadrature<Real> ring_in(const PressureLaw& law, Real s, Slope slope) noexcept {
-  // At s = ∞ the kernels are their limits; the general form would be ∞/∞.
+  // At s = ∞ the kernel below is ∞/∞: use its limit.
   if (std::isinf(s)) return {{1, 0, 0}, {0, 0, 0}};
   return integrate_pieces(law.breaks(), static_cast<Real>(law.rim_exponent()), law.has_polynomial_pieces(), s,
                           slope == Slope::wanted ? 3 : 2, [&](const SplitPosition<Real>& position) -> Triple<Real> {
@@ -174,7 +174,7 @@ Quadrature<Extended> direct(const PressureLaw& law, Extended s) noexcept {
         }
         return result;
       });
-  // The angular errors enter with ∫ 2ρ g dρ = 1; the signs of the integrand cost absolute, not relative, precision.
+  // The angular errors have the weight ∫ 2ρ g dρ = 1. The integrand changes sign, so the rounding error is absolute, not relative.
   constexpr Extended rounding = 16 * std::numeric_limits<Extended>::epsilon();
   estimate.error.force += inner_error[0] / pi + rounding;
   estimate.error.moment += inner_error[1] / pi + rounding;
@@ -195,7 +195,7 @@ Quadrature<double> projection(const PressureLaw& law, double t) noexcept {
 }
 
 WrenchEstimate rounded(const Quadrature<Extended>& estimate) noexcept {
-  // Half a unit in the last place of the double, and what the extended sums may have lost.
+  // Half a unit in the last place of the double, plus the rounding of the extended sums.
   constexpr Extended relative = std::numeric_limits<double>::epsilon() / 2 + 64 * std::numeric_limits<Extended>::epsilon();
   const auto bound = [](Extended value, Extended truncation) {
     return static_cast<double>((relative * std::fabs(value) + truncation) * (1 + 1e-15L)) + std::numeric_limits<double>::denorm_min();

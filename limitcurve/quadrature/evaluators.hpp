@@ -3,19 +3,18 @@
 
 #include "limitcurve/pressure_law.hpp"
 
-/// The evaluators of eq. (17) that serve every law. All integrands but those of `direct` are positive, so that
-/// rounding stays at the level of one term; s ∈ [0, ∞].
+/// The evaluators of eq. (17) for every law, s ∈ [0, ∞]. All integrands except those of `direct` are positive, so that rounding stays at
+/// the level of one term. README, "The mathematics", has the kernels.
 namespace limitcurve::evaluators {
 
-/// A value with the truncation error of its quadrature; rounding is not in it.
+/// A value and the truncation error of its quadrature, without rounding.
 template <class Real>
 struct Quadrature {
   UnitForces<Real> forces;
   UnitForces<Real> error;
 };
 
-/// Theory: the angular integral in closed form (complete elliptic integrals), the radial one by quadrature split at
-/// ρ = s and at the law's breaks.
+/// The angular integral in closed form (complete elliptic integrals), the radial one by quadrature, split at ρ = s and at the law's breaks.
 Quadrature<Extended> ring(const PressureLaw& law, Extended s, Slope slope = Slope::wanted) noexcept;
 Quadrature<double> ring(const PressureLaw& law, double s, Slope slope = Slope::wanted) noexcept;
 
@@ -25,8 +24,8 @@ Quadrature<Extended> punch(const PressureLaw& law, Extended s) noexcept;
 /// Eq. (17) as printed, over radius and angle, split at r = c. Its force integrand changes sign: the error is absolute.
 Quadrature<Extended> direct(const PressureLaw& law, Extended s) noexcept;
 
-/// The law's pressure projected on a line through the contact's centre: force is G′ and moment N = G − tG′ of G(t) = ⟨|t − place|⟩, at a place
-/// t ≥ 0 on the line. For contacts that are not round.
+/// The law's pressure projected on a line through the contact centre, at the coordinate t ≥ 0 on the line: with G(t) = ⟨|t − x|⟩, `force`
+/// is G′ and `moment` is N = G − tG′. For contacts that are not round.
 Quadrature<double> projection(const PressureLaw& law, double t) noexcept;
 
 /// Rounds to double and adds the rounding to the error.

@@ -19,12 +19,12 @@ struct ConeMoments {
   static constexpr long double next_ratio(int k) { return (k + 1.0L) * (k + 1.0L) / ((k + 2.0L) * (1.5L + k)); }
 };
 
-/// Coefficients of the unit wrench outside the rim in z = s⁻², from the power series of the elliptic kernels
-/// (DLMF 19.5.1, 19.5.2) term by term under the pressure integral:
+/// Coefficients of the series of the unit wrench outside the rim in z = s⁻²: the power series of the elliptic kernels (DLMF 19.5.1,
+/// 19.5.2), integrated term by term:
 ///   f = Σ e_k ⟨ρ^{2k}⟩ z^k,  e_k = (−½)_k(½)_k/k!²;   m = s⁻¹ Σ b_k ⟨ρ^{2k+2}⟩ z^k,  b_k = ½(½)_k²/((2)_k k!).
 template <class Real, class Moments>
 struct OutsideSeries {
-  /// Enough for z ≤ ½ down to the last bit of 64-bit mantissas: the terms fall faster than z^k/k².
+  /// Enough for z ≤ ½ and a mantissa of 64 bits: the terms fall faster than z^k/k².
   static constexpr std::size_t terms = sizeof(Real) > sizeof(double) ? 56 : 44;
   std::array<Real, terms> force{};
   std::array<Real, terms> moment{};

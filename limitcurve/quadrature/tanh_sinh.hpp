@@ -13,30 +13,31 @@
 
 namespace limitcurve {
 
-/// Boost.Math's tanh–sinh rule. Built on first use, which every law's construction sees to; afterwards nothing here allocates, throws or locks:
-/// eight rows of abscissas, step 2^−7 in the last, are what Boost has ready. An integrand that is no number gives NaN or ∞.
+/// Boost.Math's tanh–sinh rule. It is built on first use, and the constructor of every law uses it first; later calls do not allocate,
+/// throw or lock, because its eight rows of abscissas (step 2^−7 in the last) are then ready. An integrand that is NaN gives NaN or ∞.
 template <class Real>
 [[nodiscard]] auto& tanh_sinh_rule() {
   using namespace boost::math::policies;
   using Rule = boost::math::quadrature::tanh_sinh<Real, policy<evaluation_error<ignore_error>, domain_error<ignore_error>>>;
-  // How near to an end the rule looks, of half the interval. The most peaked law (xydas-kao:k=0.01) has its scale at 2^−100 of the radius.
+  // Smallest distance from an end, as a fraction of half the interval. The most peaked law (xydas-kao:k=0.01) has its scale at 2^−100 of
+  // the radius.
   static Rule rule(/*rows=*/8, Real(1e-60L));
   return rule;
 }
 
-/// Values with the truncation error of each; rounding is the caller's to add.
+/// Integrals and the truncation error of each. The caller adds rounding.
 template <std::size_t count, class Real>
 struct Integrals {
   std::array<Real, count> value{};
   std::array<Real, count> error{};
 };
 
-/// ∫₀^length of the integrands [0, wanted), of `integrand(from_left, from_right)`, which returns the array of all `count`; the others are NaN.
-/// Both distances keep their digits. Singularities inside the interval are not welcome: split there.
+/// ∫₀^length of the first `wanted` components of `integrand(from_left, from_right)`, an array of `count` numbers; the other results are
+/// NaN. The distances from both ends keep their digits. Split the interval at singularities inside it.
 ///
-/// Rows are added until two agree to 2e-17 of the integral, in double to 1e-14; the error is their difference, far above that of the last row.
-/// What lies within 1e-60 of the half interval from an end is left out: integrands that grow towards it no faster than (distance)^−½ are welcome.
-/// At most 1200 evaluations for each integral.
+/// Rows are added until two agree to 2e-17 of the integral, in double to 1e-14. The error is the difference of the last two rows, which is
+/// much larger than the error of the last. The rule leaves out 1e-60 of the half interval at each end: an integrand may grow there like
+/// (distance)^−½, not faster. At most 1200 evaluations for each integral.
 template <std::size_t count, class Real, class Integrand>
 [[nodiscard]] Integrals<count, Real> integrate(const Integrand& integrand, Real length, std::size_t wanted = count) noexcept {
   constexpr bool extended = sizeof(Real) > sizeof(double);

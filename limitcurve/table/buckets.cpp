@@ -7,7 +7,7 @@
 namespace limitcurve::table {
 
 std::size_t Buckets::per_run() const noexcept {
-  // The last one holds ½ + 2^−d = 2^−d · 2^(d−1) · (1 + 2^(1−d)).
+  // The last bucket contains ½ + 2^−d = 2^−d · 2^(d−1) · (1 + 2^(1−d)).
   const std::size_t parts = std::size_t{1} << index_bits;
   const int octaves_below = octaves - 1;
   return static_cast<std::size_t>(octaves_below) * parts + (octaves_below > index_bits ? 0 : parts >> octaves_below) + 1;

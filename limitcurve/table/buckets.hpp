@@ -6,11 +6,11 @@
 
 namespace limitcurve::table {
 
-/// No cell is narrower: its polynomial's coefficients stay finite.
+/// The smallest width of a cell: coefficients of its polynomial stay finite.
 template <class Real>
 inline constexpr double narrowest_cell = sizeof(Real) == sizeof(float) ? 0x1p-23 : 1e-30;
 
-/// p and d of a table's buckets (TablePieces): 2^p an octave, counted in min(x, 1 − x) + 2^−d.
+/// Numbers p and d of a table's buckets (TablePieces): 2^p buckets in each octave of min(x, 1 − x) + 2^−d.
 struct Buckets {
   int index_bits = 3;
   int octaves = 1;
@@ -18,11 +18,11 @@ struct Buckets {
   static constexpr int least_bits = 3;
   static constexpr int most_bits = 11;
 
-  /// In each of the four runs.
+  /// Number of buckets in each of the four runs.
   [[nodiscard]] std::size_t per_run() const noexcept;
-  /// Where bucket i of a run begins, as the distance from its end of [0, 1]; exact.
+  /// Distance of the beginning of bucket i from the run's end of [0, 1]; exact.
   [[nodiscard]] double distance(std::size_t i) const noexcept;
-  /// The places on a side where one bucket ends and the next begins, in order from 0 to 1; exact.
+  /// The edges of the buckets of one side, in order from 0 to 1; exact.
   [[nodiscard]] std::vector<double> edges() const;
 };
 

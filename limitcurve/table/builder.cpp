@@ -14,23 +14,24 @@ namespace limitcurve::table {
 
 namespace {
 
-/// What the certificate adds to the largest error found, because it lies near a place that was looked at, not at it.
+/// Margin of the certified error above the largest error found, because the true maximum is near a sample, not at it.
 constexpr double certificate_margin = 0.05;
 
-/// More buckets an octave than this a curve needs only next to a singularity inside a side: there a search costs less than their memory.
+/// Largest number of index bits. More buckets would help only next to a singularity inside a side; there a search costs less than their
+/// memory.
 constexpr int most_bits = 6;
 
-/// Lays both sides of a table with an error of at most `target`.
+/// Builds both sides of a table with an error of at most `target`.
 class Builder {
  public:
-  /// `finest_edge` is the most that p + d may be, so that buckets' edges are exact.
+  /// `finest_edge` is the largest p + d for which the edges of buckets are exact.
   Builder(const Source& source, double target, int finest_edge, std::size_t cell_bytes)
       : source_(source), target_(target), finest_edge_(finest_edge), cell_bytes_(cell_bytes) {}
 
-  /// Whether it can be done at all.
+  /// Builds both sides; false if that is not possible.
   bool lay() { return lay_in_buckets() || lay_in_cells(); }
 
-  /// Makes the sides meet at the rim, where D = f + m. Whether they stay convex.
+  /// Makes both sides meet at the rim, where D = f + m; false if a side would not stay convex.
   bool join_at_rim() {
     const Extended at_rim = sides_[0].back().samples()[5].leading + sides_[1].back().samples()[5].leading;
     return std::all_of(sides_.begin(), sides_.end(), [&](std::vector<Piece>& side) { return end_at(side, at_rim); });
@@ -47,7 +48,7 @@ class Builder {
  private:
   enum class Outcome { done, needs_octave, impossible };
 
-  /// Whether it can be done with cells that begin at edges of buckets: found at once.
+  /// Builds both sides from cells that begin at edges of buckets, which a look-up finds without a search; false if that is not possible.
   bool lay_in_buckets() {
     int narrowest = 1;
     for (const bool outside : {false, true}) {
@@ -64,7 +65,7 @@ class Builder {
       if (outcome == Outcome::needs_octave) {
         ++more;
       } else if (buckets_.index_bits > bits) {
-        // It grew on the way. Begun with, it takes fewer octaves.
+        // The number of bits grew. Starting with it needs fewer octaves.
         bits = buckets_.index_bits;
       } else {
         return false;
@@ -72,8 +73,8 @@ class Builder {
     }
   }
 
-  /// Whether it can be done with cells that begin anywhere: where a singularity is neither at an end nor at the rim, or nearer to an end than
-  /// buckets get.
+  /// Builds both sides from cells that begin anywhere, for singularities inside a side or nearer to an end than the smallest bucket; false
+  /// if that is not possible.
   bool lay_in_cells() {
     splits_buckets_ = true;
     int narrowest = 1;
@@ -86,7 +87,7 @@ class Builder {
     return lay_side(false) == Outcome::done && lay_side(true) == Outcome::done;
   }
 
-  /// The piece over [left, right], by its chord if it must.
+  /// The piece over [left, right]; with D′ as a chord if only that fits.
   [[nodiscard]] Piece piece(bool outside, double left, double right, Extended start) const {
     Piece result(source_, outside, left, right, start, target_);
     if (!fits(result) && result.may_be_straight()) {
@@ -98,14 +99,15 @@ class Builder {
   }
   [[nodiscard]] bool fits(const Piece& piece) const { return piece.least_growth() >= 0 && piece.error() <= target_; }
 
-  /// By what factor the piece's width should change. Six nodes: the error goes with the sixth power of the width.
+  /// Factor by which the width should change. With six nodes the error grows like the sixth power of the width.
   [[nodiscard]] double change(const Piece& piece) const {
     if (!(piece.least_growth() >= 0)) return 0.5;
     const double error = std::max(static_cast<double>(piece.error()), 1e-6 * target_);
     return std::clamp(0.93 * std::pow(target_ / error, 1.0 / 6.0), 0.25, 4.0);
   }
 
-  /// k such that a piece of width 2^−k fits at an end of a side; the power with which its error falls is learnt on the way.
+  /// k such that a piece of width 2^−k fits at an end of a side. The power with which its error falls is estimated from one try to the
+  /// next.
   [[nodiscard]] int octaves_to_end(bool outside, bool rim) const {
     double power = 6.0;
     double last_error = 0.0;
@@ -143,12 +145,12 @@ class Builder {
         if (buckets_.index_bits + buckets_.octaves == finest_edge_) return Outcome::impossible;
         if (at_end) return Outcome::needs_octave;
         if (buckets_.index_bits == most_bits) return Outcome::impossible;
-        // The edges so far are edges again.
+        // All edges used so far are also edges of the finer buckets.
         ++buckets_.index_bits;
         edges_ = buckets_.edges();
         continue;
       }
-      // Towards a place where the curve is singular, widths shrink by the same factor from piece to piece.
+      // Towards a singularity widths shrink by the same factor from piece to piece: extrapolate it.
       const auto width = static_cast<double>(next->width());
       guess = width * std::clamp(width / last_width, 0.5, 2.0);
       last_width = width;
@@ -160,7 +162,7 @@ class Builder {
     return Outcome::done;
   }
 
-  /// About the widest piece from `left` that fits; nothing if one bucket is too wide.
+  /// Nearly the widest piece from `left` that fits; nothing if even one bucket is too wide.
   [[nodiscard]] std::optional<Piece> widest(bool outside, double left, double guess, Extended start) const {
     const auto at_most = [&](double x) {
       return static_cast<std::size_t>(std::upper_bound(edges_.begin(), edges_.end(), x) - edges_.begin()) - 1;
@@ -181,7 +183,7 @@ class Builder {
     }
   }
 
-  /// About the widest piece from `left` that fits within its bucket; nothing if none does.
+  /// Nearly the widest piece from `left` that fits within its bucket; nothing if none does.
   [[nodiscard]] std::optional<Piece> narrower(bool outside, double left, double guess, Extended start) const {
     const double edge = *std::upper_bound(edges_.begin(), edges_.end(), left);
     const double least = is_single() ? narrowest_cell<float> : narrowest_cell<double>;
@@ -191,7 +193,7 @@ class Builder {
     double width = std::min(guess, 0.5 * bad);
     constexpr int attempts = 100;
     for (int i = 0; i < attempts && width >= least; ++i) {
-      // What is left of the bucket is to be a cell too.
+      // The rest of the bucket must be wide enough for a cell, too.
       const double right = is_single() ? double{static_cast<float>(left + width)} : left + width;
       if (!(right - left >= least && edge - right >= least)) return best;
       const Piece here = piece(outside, left, right, start);
@@ -211,14 +213,14 @@ class Builder {
     return (sides_[0].size() + sides_[1].size()) * cell_bytes_ + 4 * buckets_.per_run() * sizeof(std::uint16_t) <= Table::most_bytes;
   }
 
-  /// Makes D end at `value`: what is missing is made up for in the widest piece that stays convex, and lifts those after it.
+  /// Makes D end at `value`: bends the widest piece that stays convex, and raises those after it. False if there is none.
   static bool end_at(std::vector<Piece>& side, Extended value) {
     const Extended rise = value - side.back().end();
     Piece* bent = nullptr;
     for (Piece& one : side) {
       if (one.stays_convex(rise) && (bent == nullptr || one.width() > bent->width())) bent = &one;
     }
-    // Where hardly anything is curved, what is missing may be rounding that no piece can bend by.
+    // On a nearly straight side no piece may stay convex; that is accepted if the difference is only rounding.
     if (bent == nullptr) return std::fabs(rise) <= std::numeric_limits<double>::epsilon() / 2 * value;
     bent->raise_end(rise);
     for (Piece& after : side) {
@@ -237,7 +239,8 @@ class Builder {
   std::array<std::vector<Piece>, 2> sides_;
 };
 
-/// The largest error of the finished table, in its own arithmetic, wherever the exact curve was looked at; and of the exact curve.
+/// Error bound of the finished table in its own arithmetic: the largest error at all samples of the exact curve, plus the error of the
+/// exact curve.
 template <class Real>
 double certify(const BasicTable<Real>& table, const std::array<std::vector<Piece>, 2>& sides) {
   double worst = 0.0;

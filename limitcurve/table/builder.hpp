@@ -11,7 +11,7 @@
 
 namespace limitcurve::table {
 
-/// A point of an exact curve at x, in components of its side: the leading one is the force inside, the moment outside.
+/// A point of an exact curve at x, in components of its side: the leading one is the force inside the rim, the moment outside.
 struct Sample {
   double x;
   Extended leading;
@@ -19,21 +19,21 @@ struct Sample {
   double error;  ///< of either, absolute
 };
 
-/// A curve that a table is built of.
+/// The curve from which a table is built.
 struct Source {
   std::string name;
   std::function<Sample(bool outside, double x)> at;
-  std::vector<double> breaks;  ///< s where it is not smooth, if known; the rim and the ends need no mention
-  double profile_error = 0.0;  ///< as the table is to state it
+  std::vector<double> breaks;  ///< s where the curve is not smooth, if known; without the rim and the ends
+  double profile_error = 0.0;  ///< the table's profile_error
 };
 
-/// The table of a curve with |error| ≤ tolerance·max(force_max, m_max), certified in the arithmetic of the table; nothing if it is
-/// not to be had within BasicTable::most_bytes.
+/// The table of a curve with |error| ≤ tolerance·max(force_max, m_max), certified in the arithmetic of the table; nothing if that is not
+/// possible within BasicTable::most_bytes.
 ///
-/// Each side is laid from x = 0 to the rim. D′ is interpolated within a cell at six Chebyshev–Lobatto nodes, in extended precision; D is
-/// its running integral. So the curve is continuous with its normal by construction, where Hermite data of D would lose their digits in
-/// narrow cells. What the integral misses at the rim is made up for in one cell. A cell is any run of buckets (or, where the curve is singular
-/// inside a side, a part of one): as many as the tolerance and convexity allow, which is proved by the Bernstein coefficients of D″.
+/// Each side is built from x = 0 to the rim. In a cell D′ interpolates the curve at six Chebyshev–Lobatto nodes, in extended precision; D
+/// is its running integral. So the curve and its normal are continuous by construction. (Hermite interpolation of D would lose digits in
+/// narrow cells.) The error of the integral at the rim is corrected in one cell. A cell covers as many buckets as tolerance and convexity
+/// allow; where the curve is singular inside a side it may be part of a bucket. The Bernstein coefficients of D″ prove convexity.
 template <class Real>
 [[nodiscard]] std::optional<BasicTable<Real>> build(const Source& source, double tolerance);
 

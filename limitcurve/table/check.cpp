@@ -16,13 +16,13 @@ namespace limitcurve::table {
 
 namespace {
 
-/// A piece of a table on its side, as the constructor checks it. Sums are in extended precision; what the rounding of the coefficients may
-/// have changed is forgiven, and no more.
+/// One cell of a table, for the checks of the constructor. Sums are in extended precision. The checks allow for the rounding of the
+/// coefficients, and for nothing else.
 struct CheckedCell {
   const TableCell& cell;
   Extended width;
 
-  /// D and D′ at the right end, each with what rounding may have changed.
+  /// A value at the right end, and the scale of its rounding error.
   struct Value {
     Extended value;
     Extended rounding;
@@ -60,7 +60,7 @@ struct CheckedCell {
   }
 };
 
-/// Refuses the cells of one side with a message that begins with `name`; returns D and D′ at the rim.
+/// Throws std::invalid_argument, with `name` and the cell, unless the cells make a side; returns D and D′ at the rim.
 template <class Real>
 std::array<CheckedCell::Value, 2> check_side(const std::string& name, const std::vector<TableCell>& cells) {
   constexpr Extended epsilon = 4 * Extended(std::numeric_limits<Real>::epsilon());
@@ -96,7 +96,7 @@ std::array<CheckedCell::Value, 2> check_side(const std::string& name, const std:
 }
 
 void check_facts(const TableFacts& facts, double scale) {
-  // It is a line of every text of the table.
+  // The name is one line of a table file.
   for (const char c : facts.law_name) {
     if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
       throw std::invalid_argument("the name of the table's law has a control character");
@@ -136,7 +136,7 @@ void check(const TableFacts& facts, const TableCells& cells) {
   }
   const double force_max = cells.outside.front().coefficients[0];
   const double moment_max = cells.inside.front().coefficients[0];
-  // No pressure and no friction has such ones, and their squares are to be finite.
+  // No pressure law has larger or smaller ones, and their squares must be finite.
   constexpr double largest = sizeof(Real) == sizeof(float) ? 1e15 : 1e30;
   for (const double most : {force_max, moment_max}) {
     if (!(most >= 1.0 / largest && most <= largest)) {

@@ -5,8 +5,8 @@
 
 namespace limitcurve::table {
 
-/// Refuses what is no table of BasicTable<Real>: throws std::invalid_argument that names the fact or the cell, its value and what is
-/// expected. What passes is a convex curve, continuous with its normal, whose every index is within its arrays.
+/// Throws std::invalid_argument, with the fact or the cell, its value and what is expected, unless facts and cells make a BasicTable<Real>:
+/// a convex curve that is continuous with its normal, and an index within its arrays.
 template <class Real>
 void check(const TableFacts& facts, const TableCells& cells);
 

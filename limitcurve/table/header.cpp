@@ -39,10 +39,10 @@ std::string to_header(const Table& table) {
     }
     return text + "}";
   };
-  // What stands between @ differs from table to table.
+  // Words between @ are replaced below.
   std::string text = R"(// Friction limit curve of the pressure law @LAW@, written by limitcurve @VERSION@.
-// |error| of force and moment <= certified_error, compared with the exact curve; and profile_error, what samples of the pressure leave
-// open (0 for a law given by a formula). Checksum @CHECKSUM@
+// |error| of force and moment <= certified_error, compared with the exact curve. Add profile_error if the pressure is known at samples
+// only (0 for a law given by a formula). Checksum @CHECKSUM@
 // C99 and C++17; needs no other header.
 #ifndef @GUARD@
 #define @GUARD@
@@ -55,7 +55,7 @@ std::string to_header(const Table& table) {
 #define LIMITCURVE_TABLE_FUNCTION static inline
 #endif
 
-/// force = F/(mu P), moment = M/(mu P a): friction force and moment over what the contact could bear.
+/// force = F/(mu P), moment = M/(mu P a): friction force and moment without units.
 typedef struct @NAME@_unit_wrench {
   double force;
   double moment;
@@ -67,8 +67,8 @@ LIMITCURVE_TABLE_DATA double @NAME@_profile_error = @PROFILE@;
 /// Moment of a pure twist, mu_r / (mu a).
 LIMITCURVE_TABLE_DATA double @NAME@_moment_ratio = @RATIO@;
 
-/// The support function D(x) in pieces: where each begins, then the coefficients of D in powers of the distance from there.
-/// Inside the rim x = c/a, force = D', moment = D - x D'. Outside x = a/c, moment = D', force = D - x D'.
+/// The support function D(x) in pieces. A row is the x at which a piece begins, then the coefficients of D in powers of the distance from
+/// it. Inside the rim x = c/a, force = D', moment = D - x D'. Outside x = a/c, moment = D', force = D - x D'.
 LIMITCURVE_TABLE_DATA double @NAME@_inside[@INSIDE_COUNT@][8] = @INSIDE@;
 LIMITCURVE_TABLE_DATA double @NAME@_outside[@OUTSIDE_COUNT@][8] = @OUTSIDE@;
 
@@ -96,8 +96,8 @@ LIMITCURVE_TABLE_FUNCTION void @NAME@_evaluate(const double (*pieces)[8], int co
   *trailing = value - x * slope;
 }
 
-/// The unit wrench of a contact that slides with speed `slide` while its rim turns with speed `spin` (a times the
-/// angular speed); both >= 0 and not both zero, and only their ratio matters. slide/spin = c/a.
+/// The unit wrench of a contact that slides with speed `slide` and turns with rim speed `spin` (a times the angular speed).
+/// Both >= 0 and not both zero; only their ratio matters, slide/spin = c/a.
 LIMITCURVE_TABLE_FUNCTION @NAME@_unit_wrench @NAME@_wrench(double slide, double spin) {
   @NAME@_unit_wrench found = {0.0, 0.0};
   if (slide <= spin) {

@@ -11,7 +11,7 @@ namespace limitcurve::table {
 
 namespace {
 
-/// cos(kπ/10): the Chebyshev–Lobatto nodes for even k, the places midway between them for odd k.
+/// cos(kπ/10): the Chebyshev–Lobatto nodes for even k, points midway between them for odd k.
 constexpr std::array<double, 11> cosines{1.0, 0.9510565162951535,  0.8090169943749475,  0.5877852522924731,  0.3090169943749474,
                                          0.0, -0.3090169943749474, -0.5877852522924731, -0.8090169943749475, -0.9510565162951535,
                                          -1.0};
@@ -60,10 +60,10 @@ void Piece::look_between(const Source& source, bool outside, double limit) {
     within = may_be_straight() || error_at(samples_.back()) <= limit;
   };
   for (const std::size_t k : {1U, 9U, 5U, 3U, 7U}) look(place(left_, right_, k));
-  // A coarse cell's error may peak anywhere, and costs little to be looked at twice as closely.
+  // The error of a coarse cell may peak anywhere, and few cells are coarse: take twice as many samples.
   constexpr double coarse = 1e-5;
   for (std::size_t k = 0; limit > coarse && k < 10; ++k) look((place(left_, right_, k) + place(left_, right_, k + 1)) / 2);
-  // Where the curve is singular, the largest error is nearer to there.
+  // The curve may be singular at an end of the side; then the largest error is nearer to it.
   for (const double share : {0.01, 0.004, 0.0015}) {
     if (left_ == 0.0) look(share * right_);
     if (right_ == 1.0) look(1.0 - share * (1.0 - left_));
@@ -87,7 +87,7 @@ void Piece::straighten() {
   const Extended rise = samples_[node_count - 1].leading - samples_[0].leading;
   coefficients_.fill(0);
   coefficients_[0] = samples_[0].leading;
-  // Rounding may let it fall.
+  // By rounding the rise may be negative.
   coefficients_[1] = std::max<Extended>(rise, 0);
 }
 

@@ -7,15 +7,16 @@
 
 namespace limitcurve::table {
 
-/// A cell while it is built: D′ = Σ lᵢ uⁱ and its integral D over [left, right], u = (x − left)/(right − left), in extended precision.
+/// A cell under construction: D′ = Σ lᵢ uⁱ and its integral D over [left, right], u = (x − left)/(right − left), in extended precision.
 class Piece {
  public:
-  /// Interpolates D′ between `left` and `right`. `start` is D at its left end. Looks for its error until it is above `limit`.
+  /// Interpolates D′ between `left` and `right`; `start` is D at the left end. Then samples its error, until one is above `limit`.
   Piece(const Source& source, bool outside, double left, double right, Extended start, double limit);
 
-  /// Whether D′ by its chord may do where the interpolation does not: D′ begins as a root of x at x = 0, or rises by its rounding alone.
+  /// Whether a chord may replace the interpolation of D′: next to x = 0, where D′ may begin like a root of x, and where D′ rises by
+  /// rounding only.
   [[nodiscard]] bool may_be_straight() const noexcept;
-  /// D′ by its chord instead.
+  /// Replaces D′ by its chord.
   void straighten();
 
   [[nodiscard]] double left() const noexcept { return left_; }
@@ -23,16 +24,16 @@ class Piece {
   [[nodiscard]] Extended width() const noexcept { return Extended(right_) - left_; }
   /// D at its right end.
   [[nodiscard]] Extended end() const noexcept { return support(1); }
-  /// The least Bernstein coefficient of dD′/du: the piece is convex if it is ≥ 0.
+  /// The smallest Bernstein coefficient of dD′/du. If it is ≥ 0, the piece is convex.
   [[nodiscard]] Extended least_growth() const noexcept;
-  /// The largest error of both components at the places between the nodes that were looked at.
+  /// The largest error of both components at the samples between the nodes.
   [[nodiscard]] Extended error() const noexcept;
   /// The exact curve at the nodes and between them.
   [[nodiscard]] const std::vector<Sample>& samples() const noexcept { return samples_; }
 
-  /// Raises D at the right end by so much and leaves D′ at both ends as it is.
+  /// Raises D at the right end by `rise`; D′ at both ends stays.
   void raise_end(Extended rise) noexcept;
-  /// Whether it is convex after that.
+  /// Whether the piece would be convex after raise_end(rise).
   [[nodiscard]] bool stays_convex(Extended rise) const noexcept;
   /// Raises D everywhere.
   void raise(Extended rise) noexcept { start_ += rise; }

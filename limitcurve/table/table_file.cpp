@@ -48,7 +48,7 @@ std::vector<Row> rows_of(const Table& table, const std::vector<TableCell>& cells
   return rows;
 }
 
-/// The largest distance between the wrenches of the table and of the chords between rows, which are in order of x.
+/// The largest error of linear interpolation between rows (in order of x), against the table.
 double error_of_chords(const Table& table, const std::vector<Row>& rows, bool outside) {
   constexpr int parts = 32;
   double worst = 0.0;
@@ -62,10 +62,10 @@ double error_of_chords(const Table& table, const std::vector<Row>& rows, bool ou
   return worst;
 }
 
-/// At least `value`, in two digits.
+/// `value` rounded up to two digits.
 double rounded_up(double value) {
   std::array<char, 16> text{};
-  // Rounding to two digits takes away at most one part in twenty-one.
+  // Rounding to two digits reduces a number by at most 1/21, so 1.05 times it is not reduced below `value`.
   const auto end = std::to_chars(text.data(), text.data() + text.size(), value * 1.05, std::chars_format::scientific, 1).ptr;
   return parse_number({text.data(), end}).value();
 }
@@ -80,7 +80,7 @@ TableContents contents_of(const Table& table) {
                          .profile_error = table.profile_error(),
                          .inside = rows_of(table, cells.inside, false),
                          .outside = rows_of(table, cells.outside, true)};
-  // The largest of 31 places in every cell is within 1 % of the largest of all.
+  // The largest error at 31 points of a cell is within 1 % of the true maximum.
   const double chords = 1.01 * std::max(error_of_chords(table, contents.inside, false), error_of_chords(table, contents.outside, true));
   contents.linear_error = rounded_up(chords + table.certified_error());
   std::reverse(contents.outside.begin(), contents.outside.end());
@@ -103,7 +103,7 @@ std::string csv_rows(const TableContents& contents) {
 constexpr std::array<std::string_view, 9> fact_names{"law",          "tolerance",     "certified_error", "index_bits", "octaves",
                                                      "linear_error", "profile_error", "version",         "checksum"};
 
-/// The facts that are part of the contents: those before the version.
+/// The facts that belong to the contents: those before the version.
 std::array<std::string, 7> facts_of(const TableContents& contents) {
   return {contents.law,
           format_number(contents.tolerance),
@@ -117,7 +117,7 @@ std::array<std::string, 7> facts_of(const TableContents& contents) {
 std::string checksum(const TableContents& contents) {
   std::string text;
   const auto facts = facts_of(contents);
-  // Older files have no profile_error: one of 0 counts as not there.
+  // Older files have no profile_error. Leave out a value of 0, so that their checksums stay valid.
   const std::size_t count = facts.size() - (contents.profile_error == 0.0 ? 1 : 0);
   for (std::size_t i = 0; i < count; ++i) text += facts[i] + "\n";
   std::uint64_t hash = 0xcbf29ce484222325U;
@@ -130,7 +130,7 @@ std::string checksum(const TableContents& contents) {
   return sum;
 }
 
-/// A text and where in it reading stands, for complaints that name the place.
+/// Reads a text line by line, and throws with the position.
 class Reader {
  public:
   Reader(std::string_view text, std::string_view source) : rest_(text), source_(source) {}
@@ -188,7 +188,7 @@ Row read_row(const Reader& reader, std::string_view line) {
   return values;
 }
 
-/// What follows `name` in a comment line; nothing if the line is another.
+/// The value in a comment line `# name: value`; nothing if the line is another.
 std::optional<std::string_view> fact(std::string_view line, std::string_view name) {
   const std::string prefix = "# " + std::string(name) + ": ";
   if (!line.starts_with(prefix)) return std::nullopt;
@@ -301,7 +301,7 @@ std::invalid_argument format_1_complaint(std::string_view source, std::string_vi
 std::string to_json(const Table& table) {
   const TableContents contents = contents_of(table);
   const auto quoted = [](std::string_view text) {
-    // A law name holds no character that JSON escapes, but for the file name of samples.
+    // Only the file name of samples can have a character that JSON escapes.
     std::string escaped(1, '"');
     for (const char c : text) {
       if (c == '"' || c == '\\') escaped += '\\';
