@@ -10,35 +10,34 @@
 
 namespace limitcurve::godobject {
 
-/// Many contacts at once, as a structure of arrays of one length, each contact in its own tangent plane: where the finger
-/// is, and how deep (in), where the proxy is (in and out), and what the user feels (out). The arrays must not overlap.
+/// Many contacts as a structure of arrays, each contact in its own tangent plane: position and depth of the finger (in), the proxy (in and
+/// out), and the friction wrench on the user (out). All arrays have the same length, and must not overlap.
 ///
-/// Of floats it takes half the memory, but they resolve 6e-8 of a coordinate: at 1 m from the origin 60 nm, against slips of
-/// micrometres and springs deflected by a millimetre. So give positions relative to a place near the contact (the object's origin, the
-/// touch-down), and angles within a few turns. What a position cannot resolve does not move a proxy: within that a contact
-/// counts as held.
+/// A float takes half the memory of a double, but resolves 6e-8 of a coordinate: 60 nm at 1 m from the origin, while slips are micrometres.
+/// So give positions relative to a point near the contact (the object's origin, the touch-down), and angles within a few turns. A slip
+/// below the resolution does not move the proxy, and counts as held.
 template <class Real>
 struct BasicContactBatch {
-  std::span<const Real> x;  ///< x_g [m], up to farthest
+  std::span<const Real> x;  ///< x_g [m], |x| ≤ farthest
   std::span<const Real> y;
   std::span<const Real> angle;  ///< α_g [rad], unwrapped
-  std::span<const Real> depth;  ///< d [m]; ≤ 0 (or NaN): free, the proxy goes with the finger
+  std::span<const Real> depth;  ///< d [m]; ≤ 0 or NaN: free, the proxy follows the finger
   std::span<Real> proxy_x;      ///< x_p [m]
   std::span<Real> proxy_y;
   std::span<Real> proxy_angle;      ///< α_p [rad]
-  std::span<ContactState> state;    ///< in and out; `free` to begin with
-  std::span<ContactState> sliding;  ///< memory: `slip` while the sliding limit acts (FrictionMemory::slides); `free` to begin with
-  std::span<ContactState> turning;  ///< likewise of the moment on a box (FrictionMemory::turns); else not touched
-  std::span<Real> parameter;        ///< memory of the search (FrictionMemory); 0 to begin with
-  std::span<Real> rate;             ///< likewise
+  std::span<ContactState> state;    ///< in and out; initially `free`
+  std::span<ContactState> sliding;  ///< memory: `slip` while the sliding limit acts (FrictionMemory::slides); initially `free`
+  std::span<ContactState> turning;  ///< on a box the same for the moment (FrictionMemory::turns); otherwise not used
+  std::span<Real> parameter;        ///< warm start of the search (FrictionMemory); initially 0
+  std::span<Real> rate;             ///< its rate; initially 0
   std::span<Real> force_x;          ///< friction on the user [N]
   std::span<Real> force_y;
   std::span<Real> moment;  ///< [N m]
 
-  /// A contact beyond this [m, rad], or NaN, is a fault of the device: nothing of it is touched, its last output is held.
+  /// A contact beyond this [m, rad], or NaN, is a fault of the device: none of its arrays changes, so that its last output is held.
   static constexpr Real farthest = Real(1e6);
 
-  /// `length` contacts from the one of index `from` on; both within the size.
+  /// The contacts with indices from `from` to from + length − 1, which must exist.
   [[nodiscard]] BasicContactBatch part(std::size_t from, std::size_t length) const noexcept {
     const auto cut = [&](auto array) { return array.subspan(from, length); };
     return {cut(x),       cut(y),       cut(angle),     cut(depth), cut(proxy_x), cut(proxy_y), cut(proxy_angle), cut(state),
@@ -51,7 +50,7 @@ struct BasicContactBatch {
 using ContactBatch = BasicContactBatch<double>;
 using FloatContactBatch = BasicContactBatch<float>;
 
-/// The arrays of a batch, allocated: contacts at the origin, free.
+/// Allocates the arrays of a batch. Initially all contacts are free and at the origin.
 template <class Real>
 class BasicContactArrays {
  public:
@@ -63,13 +62,13 @@ class BasicContactArrays {
 
   [[nodiscard]] std::size_t size() const noexcept { return count_; }
 
-  /// What a step is to be given, to write to: units as in BasicContactBatch.
+  /// The input of a step: write to it. Units as in BasicContactBatch.
   [[nodiscard]] std::span<Real> x() noexcept { return array(0); }
   [[nodiscard]] std::span<Real> y() noexcept { return array(1); }
   [[nodiscard]] std::span<Real> angle() noexcept { return array(2); }
   [[nodiscard]] std::span<Real> depth() noexcept { return array(3); }
 
-  /// For `BasicBatch::step`, as long as these arrays live.
+  /// The view for `BasicBatch::step`. Valid as long as this object.
   [[nodiscard]] BasicContactBatch<Real> batch() noexcept {
     return {array(0), array(1), array(2), array(3), array(4), array(5),  array(6), state_,
             sliding_, turning_, array(7), array(8), array(9), array(10), array(11)};
@@ -77,7 +76,7 @@ class BasicContactArrays {
 
  private:
   static constexpr std::size_t arrays = 12;
-  // Arrays whole pages apart would share lines of the cache: each begins a little farther.
+  // Arrays at a distance of whole pages would compete for the same cache lines: shift each a little.
   static constexpr std::size_t page = 4096 / sizeof(Real);
   static constexpr std::size_t shift = 320 / sizeof(Real);
 
@@ -94,22 +93,22 @@ class BasicContactArrays {
 using ContactArrays = BasicContactArrays<double>;
 using FloatContactArrays = BasicContactArrays<float>;
 
-/// Step b for many contacts that share a limit curve and parameters: every curve and projection, μ_d < μ_s, a(P), Γ = 0, in double or
-/// float. Dampers, faults, faded forces and unwrapped angles are a SoftFinger's.
+/// The friction step (step b) of many contacts that share a limit curve and parameters: every curve and projection, μ_d < μ_s, a(P), Γ = 0,
+/// in double or float. Unlike SoftFinger it has no dampers, no fading output and no unwrapping of angles.
 ///
 ///     const Batch batch(Table::build(hertz(), 1e-8), {.mu = 0.6});
 ///     ContactArrays arrays(10000);
 ///     batch.step(arrays.batch());  // every millisecond, after x, y, angle and depth are written
 ///
-/// The results are those of one contact at a time, whatever the processor's vectors (README, "Batches"). Immutable; one may serve any
-/// number of threads, each with a part of the arrays. Allocates at construction only.
+/// Results have the same bits on every instruction set (README, "Many contacts"). Immutable: any number of threads may share one, each with
+/// its part of the arrays. Allocates at construction only. Cost: bench/ and the README of the repository.
 template <class Real>
 class BasicBatch {
  public:
-  /// Throws std::invalid_argument naming parameter, value, unit and range. A box goes with the closest point only.
+  /// Throws std::invalid_argument with parameter, value, unit and range. A box requires the closest point.
   BasicBatch(BasicFingerCurve<Real> curve, const FingerParameters& parameters, Projection projection = Projection::closest_point);
 
-  /// Steps all contacts; the arrays must be of one length.
+  /// Steps all contacts. The arrays must have the same length. Does not throw, allocate or lock.
   void step(const BasicContactBatch<Real>& contacts) const noexcept;
 
  private:

@@ -13,7 +13,7 @@
 
 namespace limitcurve::godobject {
 
-/// What is known of a scene before it runs: its contact, and how the finger will move at most.
+/// A scene before it runs: its contact, and bounds of the finger's motion.
 struct Scene {
   Law law = {};                                            ///< pressure law; must be set
   double mu = 0.5;                                         ///< μ > 0
@@ -26,43 +26,44 @@ struct Scene {
   double sample_time = 1e-3;                               ///< T [s], 1e-6 … 1
   double slide_speed = 0.05;                               ///< largest sliding speed [m/s] ≥ 0
   double twist_rate = 1.0;                                 ///< largest rate of the twist [rad/s] ≥ 0; one of the two > 0
-  double slide = std::numeric_limits<double>::infinity();  ///< largest way from where the finger touched down [m] ≥ 0
-  double twist = std::numeric_limits<double>::infinity();  ///< largest twist from there [rad] ≥ 0
+  double slide = std::numeric_limits<double>::infinity();  ///< largest distance from the touch-down [m] ≥ 0
+  double twist = std::numeric_limits<double>::infinity();  ///< largest twist since the touch-down [rad] ≥ 0
 };
 
-/// A stated error is the largest that the scene's walk found, times this: other motions within the scene may change more. In 300 random scenes
-/// (seeds 1101 to 1400) the worst of 20 random motions each was up to 1.8 times what the walk found, in 95 of 100 scenes up to 1.35 times.
-/// Calibrated by tests/godobject/scene/choice_study.cpp, on other seeds than the test's.
+/// A stated error is this factor times the largest error in the scene's test motion, because another motion may have a larger error. In 300
+/// random scenes (seeds 1101 to 1400) the worst of 20 random motions had up to 1.8 times the error of the test motion, in 95 of 100 scenes
+/// up to 1.35 times. Calibrated by tests/godobject/scene/choice_study.cpp, with other seeds than the test.
 inline constexpr double error_margin = 2.0;
 
-/// What each simplification by itself changes, as the candidates' error: the rest is exact.
+/// The error of each simplification alone, everything else exact; in the unit of the candidates' error.
 struct Effects {
-  double torsion;      ///< without friction against twist
-  double coupling;     ///< force and moment limited each on its own (box, closest point)
+  double torsion;      ///< no friction against twist
+  double coupling;     ///< separate limits of force and moment (box, closest point)
   double load_radius;  ///< the radius of the mean load at every load
-  double curve;        ///< the ellipse through the intercepts for the exact curve
-  double projection;   ///< radial for the closest point, on the exact curve
-  double sampling;     ///< not a simplification: what half the sample time would change. No model is better than that
+  double curve;        ///< the ellipse through the intercepts instead of the exact curve
+  double projection;   ///< the radial projection instead of the closest point, on the exact curve
+  double sampling;     ///< not a simplification: the change if the sample time is halved. No model is more accurate than that
 };
 
+/// The result of choose_step.
 struct StepChoice {
   Effects effects;
-  /// By cost; one is chosen. `model` is "no torsion", or curve/projection, with "/a(P)" where the radius follows the load, else it is that of
-  /// the mean load. `error` is the largest change of (F/μP, M/Γ), as a distance: 0.01 is 1 % of what the contact bears. `nanoseconds` are
-  /// those of a step that slips.
+  /// Sorted by cost; one is chosen. `model` is "no torsion" or CURVE/PROJECTION; "/a(P)" at its end means that the radius follows the load,
+  /// otherwise it is that of the mean load. `error` is the largest change of (F/μP, M/Γ), as a distance: 0.01 is 1 % of the contact's
+  /// limits. `nanoseconds`: cost of a step that slips.
   std::vector<Candidate> candidates;
-  /// "no torsion is needed", "uncoupled will do" or "coupling is needed", with the numbers that say why.
+  /// "no torsion is needed", "uncoupled will do" or "coupling is needed", with the numbers behind it.
   std::string verdict;
-  /// The one that is chosen, as `Replay` runs it, on a plane.
+  /// The options of `Replay` that run the chosen model, on a plane.
   ReplayOptions chosen;
 };
 
-/// The cheapest step that feels like the exact one to within `tolerance`, 1e-6 … 1, in this scene.
+/// Finds the cheapest step whose wrench is within `tolerance` ∈ [1e-6, 1] of the exact step's in this scene.
 ///
-/// Every candidate is driven through the same motion as the exact curve under the closest point: a walk of a thousand legs that slide and
-/// twist one after the other and at once, reverse and turn aside, within the scene's rates, ways and loads. So `error` is what one long motion
-/// found, times `error_margin`, and the tables' own error, not a bound over all motions. Throws std::invalid_argument naming parameter, value, unit and range. Cost: half a
-/// second as a rule, and the tables of the law.
+/// Every candidate follows the same test motion as the exact curve with the closest point: a thousand legs that slide, twist, or do both,
+/// reverse and turn aside, within the scene's rates, distances and loads. So `error` is the largest error in one long motion, times
+/// `error_margin`, plus the error of the tables; it is not a bound over all motions. Throws std::invalid_argument with parameter, value,
+/// unit and range. Cost: usually half a second, plus the tables of the law.
 StepChoice choose_step(const Scene& scene, double tolerance);
 
 }  // namespace limitcurve::godobject

@@ -17,32 +17,32 @@ using Numbers = std::array<double, 3>;
   return {vector.x(), vector.y(), vector.z()};
 }
 
-/// Where a device holds its finger. To begin with at the origin, not turned.
+/// The pose of a device's finger, in the frame of the surface.
 struct DevicePose {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();               ///< x_h [m]
-  Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  ///< of unit length; what it spins about the contact normal is twist
-  double twist = 0.0;  ///< turned beside that about the contact normal [rad]: of a device that gives an angle only
+  Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  ///< of unit length; its spin about the contact normal is twist
+  double twist = 0.0;  ///< added twist about the contact normal [rad], for a device that measures an angle only
 };
 
-/// What a surface remembers of a finger between steps: which face it is on, so that a finger pressed deep into a thin
-/// plate does not come out at the other side. Plain data, one for each finger; a SoftFinger keeps that of its last good sample.
+/// The state of a contact query between steps: the face that the finger is on, so that a finger pressed deep into a thin plate does not
+/// come out at the other side. Plain data, one for each finger; a SoftFinger keeps that of its last good sample.
 struct ContactMemory {
   int face = -1;       ///< the face touched in the last step; < 0: none
-  Numbers finger{};    ///< where the finger was then [m]
-  bool known = false;  ///< there was a last step
+  Numbers finger{};    ///< the finger's position in the last step [m]
+  bool known = false;  ///< whether there was a last step
 };
 
-/// Where a finger touches a surface: the result of step a (paper, eq. 7).
+/// The contact of a finger with a surface: the result of step a (paper, eq. 7).
 struct Contact {
   Eigen::Vector3d point = Eigen::Vector3d::Zero();    ///< x_g, the surface point nearest the finger [m]
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< outward unit normal there
-  double depth = 0.0;                                 ///< d [m], how far the finger is beneath the surface; ≤ 0 outside
-  ContactMemory memory = {};                          ///< what the surface needs to know in the next step
+  double depth = 0.0;                                 ///< d [m], depth of the finger beneath the surface; ≤ 0 outside
+  ContactMemory memory = {};                          ///< to be passed to the next contact query
 };
 
-/// The spin of a device about the normal of the surface that it moves over: ∫ω·n dt, the normal being the present one. This is the path
-/// integral whose power is M·dα/dt for a moment M about the normal: moving without turning gives none, on any surface, and the angle that a
-/// device has to begin with does not matter. A `SoftFinger` has one in it; give a batch its angle. Plain data.
+/// The spin of a device about the surface normal along its path: ∫ω·n dt, n the present normal. For a moment M about the normal the power
+/// is M·dα/dt. Moving without turning gives no spin, on any surface; the device's initial orientation does not matter. A `SoftFinger` has
+/// its own Spin; a batch takes the angle. Plain data.
 struct Spin {
   double angle = 0.0;   ///< [rad] since the first sample, unwrapped
   Numbers normal{};     ///< of the last sample
@@ -50,9 +50,9 @@ struct Spin {
   double scalar = 1.0;  ///< … and its scalar part
   bool started = false;
 
-  /// After the next sample: the device's orientation and the outward normal, both of unit length and in the surface's frame. Between two samples
-  /// the device turns about one axis by less than π, and the normal counts as the mean of both: the error of a path falls with the square of
-  /// the time step, and is 0 where the normal stays or turns evenly about the axis.
+  /// The spin after the next sample: the device's orientation and the outward normal, both of unit length and in the surface's frame.
+  /// Assumes that the device turns about one axis by less than π between samples, and takes the mean of both normals. The error along a
+  /// path is of second order in the time step, and 0 if the normal stays or turns evenly about that axis.
   [[nodiscard]] Spin moved(const Eigen::Quaterniond& orientation, const Eigen::Vector3d& present_normal) const noexcept;
 };
 

@@ -13,7 +13,7 @@ namespace limitcurve::godobject {
 
 namespace {
 
-/// So far from any finger that only a wrong unit leads there, and so near 1 that no product of the step overflows.
+/// The range is so wide that only a wrong unit leaves it, and so narrow that no product in a step overflows.
 double positive(std::string_view name, double value, std::string_view unit) {
   if (!(value >= 1e-15 && value <= 1e15)) throw out_of_range(name, value, unit, "> 0, from 1e-15 to 1e15");
   return value;
@@ -35,15 +35,15 @@ void check_finger(const FingerParameters& parameters) {
     throw out_of_range("fault_decay", parameters.fault_decay, "1", "0 <= fault_decay <= 1");
 }
 
-/// The radius at which μ m₀ a is the moment coefficient. Where that is 0, one so small that the moment is none for any purpose: limits are
-/// continuous in their parameters.
+/// The radius for which μ m₀ a is the moment coefficient. For a coefficient of 0 a radius so small that the moment is negligible: limits
+/// are continuous in the parameters.
 double equivalent_radius(double moment_coefficient, double mu, double moment_ratio) {
   constexpr double almost_none = 1e-20;
   constexpr double finite = 1e200;
   return mu > 0.0 ? std::clamp(moment_coefficient / (mu * moment_ratio), almost_none, finite) : almost_none;
 }
 
-/// What sliding keeps of a limit at rest; 1 where that is 0.
+/// The sliding limit divided by the limit at rest; 1 if that is 0.
 double share(double sliding, double at_rest) {
   return at_rest > 0.0 ? sliding / at_rest : 1.0;
 }
@@ -59,7 +59,7 @@ template double radius_at(const RadiusLaw&, double) noexcept;
 template float radius_at(const RadiusLaw&, float) noexcept;
 
 double rest_share(double sliding_share, double rest_margin) noexcept {
-  // What is left of a trial within a limit of almost nothing is rounding: a contact that slides against no limit slides on.
+  // A trial within a limit of almost 0 is rounding: a contact without a sliding limit never comes to rest.
   constexpr double rounding = 1e-12;
   if (!(sliding_share < 1.0)) return 1.0;
   return sliding_share > rounding ? sliding_share / (sliding_share + rest_margin * (1.0 - sliding_share)) : 0.0;
@@ -75,14 +75,14 @@ ContactLimits::ContactLimits(const FingerParameters& parameters, double moment_r
     const double mu_r = non_negative("moment_coefficient", *parameters.moment_coefficient, "m");
     if (mu == 0.0 && mu_r > 0.0) throw out_of_range("moment_coefficient", mu_r, "m", "0 where mu is 0");
     at_rest_ = {mu, equivalent_radius(mu_r, mu, moment_ratio)};
-    // As a rule both coefficients of friction fall alike, and the radius is one.
+    // By default both coefficients fall by the same factor, so that the radius stays.
     sliding_ = {mu_dynamic, at_rest_.radius};
     if (parameters.moment_coefficient_dynamic) {
       const double mu_r_dynamic = non_negative("moment_coefficient_dynamic", *parameters.moment_coefficient_dynamic, "m");
       if (mu_r_dynamic > mu_r) {
         throw out_of_range("moment_coefficient_dynamic", mu_r_dynamic, "m", "0 <= moment_coefficient_dynamic <= moment_coefficient");
       }
-      // A moment does not need a force: without sliding friction its limit stays, beside a force of almost none.
+      // The moment may keep a limit without a sliding force: give the force a limit of almost 0.
       constexpr double almost_none = 1e-25;
       if (mu_r_dynamic > 0.0) sliding_.force = std::max(mu_dynamic, almost_none);
       sliding_.radius = equivalent_radius(mu_r_dynamic, sliding_.force, moment_ratio);
@@ -91,7 +91,7 @@ ContactLimits::ContactLimits(const FingerParameters& parameters, double moment_r
     const double exponent = parameters.moment_exponent;
     if (!(exponent >= -0.5 && exponent <= 1.0)) throw out_of_range("moment_exponent", exponent, "1", "-0.5 <= moment_exponent <= 1");
     if (exponent != 0.0) {
-      // Between two loads a sampled law is a power law, and so it is beyond.
+      // A sampled law is a power law between and beyond its two samples.
       radius_law_ = RadiusLaw::sampled(std::array<LoadSample, 2>{{{1.0, at_rest_.radius}, {2.0, at_rest_.radius * std::exp2(exponent)}}});
     }
   } else {
@@ -120,7 +120,7 @@ double ContactLimits::margin(const FingerCurve& curve, const FingerParameters& p
   const FrictionLimits<double> limits = at<double>(state.limit_load, parameters.stiffness / parameters.twist_stiffness);
   const auto acting = [&](bool slides) { return slides ? limits.sliding : limits.at_rest; };
   if (curve.is_box() && limits.has_torsion) {
-    // Each part to the limit that acts on it.
+    // Compare force and moment with the limits that act on each.
     const FrictionLimit<double> of_moment = acting(state.friction.turns);
     const double moment_limit = of_moment.force * of_moment.radius * static_cast<double>(curve.view().moment_max);
     const double force_share = wrench.force > 0.0 ? wrench.force / (acting(state.friction.slides).force * curve.force_max()) : 0.0;

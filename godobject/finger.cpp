@@ -18,7 +18,7 @@ FingerOutput FingerState::output() const noexcept {
 }
 
 Vector3d FingerState::centre_of_rotation() const noexcept {
-  // It is the proxy that slides along −force, and turns against the moment: v = ω n × (x_p − C). The finger is ahead by what the springs give.
+  // The proxy slides along −force and turns against the moment: v = ω n × (x_p − C). So C follows from the proxy, not from the finger.
   const Vector3d friction_force = vector(force);
   const double size = friction_force.norm();
   if (!(cor > 0.0) || size == 0.0) return vector(proxy) + Vector3d::Constant(0.0 * cor);

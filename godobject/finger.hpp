@@ -15,40 +15,40 @@
 
 namespace limitcurve::godobject {
 
-/// What a soft finger is made of, besides the shape of its limit curve. Every length in metres, every angle in radians.
+/// The parameters of a soft finger, except its limit curve. SI units; angles in radians.
 struct FingerParameters {
   double mu = 0.5;                                        ///< coefficient of static friction μ, ≥ 0
-  std::optional<double> mu_dynamic = {};                  ///< while slipping, 0 ≤ μ_d ≤ μ; absent: μ
+  std::optional<double> mu_dynamic = {};                  ///< coefficient during slip, 0 ≤ μ_d ≤ μ; absent: μ
   RadiusLaw radius_law = RadiusLaw::constant(0.005);      ///< contact radius a(P)
-  std::optional<double> moment_coefficient = {};          ///< μ_r [m/N^γ] ≥ 0: Γ = μ_r P^(1+γ) whatever the radius law (eq. 2)
+  std::optional<double> moment_coefficient = {};          ///< μ_r [m/N^γ] ≥ 0: Γ = μ_r P^(1+γ), replaces the radius law (eq. 2)
   double moment_exponent = 0.0;                           ///< γ ∈ [−0.5, 1] of the moment coefficients
-  std::optional<double> moment_coefficient_dynamic = {};  ///< μ_r while slipping [m/N^γ]; absent: μ_r μ_d/μ
+  std::optional<double> moment_coefficient_dynamic = {};  ///< μ_r during slip [m/N^γ]; absent: μ_r μ_d/μ
   double stiffness = 1000.0;                              ///< k_l [N/m] > 0, normal and tangential
   double twist_stiffness = 0.04;                          ///< k_r [N m/rad] > 0
-  double damping = 0.0;                                   ///< b_l [N s/m] ≥ 0, normal and tangential; acts in timed updates
+  double damping = 0.0;                                   ///< b_l [N s/m] ≥ 0, normal and tangential; acts if `update` has a time step
   double twist_damping = 0.0;                             ///< b_r [N m s/rad] ≥ 0
-  /// Between static and dynamic friction [1] ≥ 0: a finger that slides comes to rest when its trial has retreated within the dynamic limit
-  /// divided by 1 + rest_margin·(μ/μ_d − 1). A sample that repeats the last one, or is off by the device's noise or resolution, so does not
-  /// bring a sliding finger back to static friction. The default asks for a retreat of 0.4 of the gap between the limits; a mass that
-  /// sticks and slips on springs not stiffer than the contact retreats by 0.5 or more. 0: at rest as soon as the trial is within the limit.
+  /// Hysteresis between static and dynamic friction [1] ≥ 0: a sliding finger comes to rest when its trial is within the dynamic limit
+  /// divided by 1 + rest_margin·(μ/μ_d − 1). So a repeated sample, noise or the device's resolution do not bring it back to static
+  /// friction. With the default the trial must fall by about 0.4 of the gap between the limits; a mass that sticks and slips on springs not
+  /// stiffer than the contact makes it fall by 0.5 or more. 0: at rest as soon as the trial is within the dynamic limit.
   double rest_margin = 0.4;
-  /// A finger that moves farther than this between two samples [m] > 0 is a fault of the device: refused once, as `invalid`. The
-  /// default is 500 m/s at 1 kHz; ∞ believes everything.
+  /// Maximum displacement between two samples [m] > 0. A larger one is a fault of the device: the sample is `invalid`. If the next sample
+  /// is near it, it is accepted. The default is 500 m/s at 1 kHz; ∞ accepts every sample.
   double max_displacement = 0.5;
-  /// What is kept of load, force and moment from one invalid sample to the next, ∈ [0, 1]; the first holds all. The default lets go of half
-  /// in 70 samples; 1 holds for ever.
+  /// Fault decay ∈ [0, 1]: load, force and moment are multiplied by it at each invalid sample after the first. The default halves them in
+  /// 70 samples; 1 holds them for ever.
   double fault_decay = 0.99;
 };
 
-/// Dampers do not act, and a free body does not move, in time steps shorter than this [s].
+/// In shorter time steps [s] dampers do not act, and a free body does not move.
 inline constexpr double shortest_time_step = 1e-9;
 
-/// What a finger does.
+/// The state of a contact.
 enum class ContactState : std::uint8_t {
   free,     ///< not touching: depth ≤ 0
   stick,    ///< touching, the proxy rests on the surface
-  slip,     ///< touching, the proxy slid in this step
-  invalid,  ///< the input was not usable: the last good output is held, and fades
+  slip,     ///< touching, the proxy slid or turned in this step
+  invalid,  ///< bad input: the last good output is held, then fades
 };
 
 /// "free", "stick", "slip", "invalid".
@@ -57,25 +57,25 @@ constexpr std::string_view to_string(ContactState state) noexcept {
   return names[static_cast<std::size_t>(state)];
 }
 
-/// What a step gives.
+/// The result of a step.
 struct FingerOutput {
   ContactState state = ContactState::free;
-  Eigen::Vector3d proxy = Eigen::Vector3d::Zero();        ///< x_p [m]; while free, the finger itself
-  double angle = 0.0;                                     ///< α_p [rad] in the frame of the device's twist; while free, the twist
+  Eigen::Vector3d proxy = Eigen::Vector3d::Zero();        ///< x_p [m]; while free, the finger's position
+  double angle = 0.0;                                     ///< α_p [rad], measured like the device's twist; while free, the twist
   double depth = 0.0;                                     ///< d [m]
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();      ///< outward, at the contact; the whole force on the user is normal·load + force
   double load = 0.0;                                      ///< normal force on the user [N], 0 while free; on a plane at rest k_l d
   Eigen::Vector3d force = Eigen::Vector3d::Zero();        ///< friction on the user [N], tangential
   double moment = 0.0;                                    ///< friction on the user about the normal [N m]
-  double cor = std::numeric_limits<double>::quiet_NaN();  ///< of the slip, from the contact centre [m]; NaN unless it slips
-  double slip_work = 0.0;                                 ///< dissipated in this step [J], ≥ 0
+  double cor = std::numeric_limits<double>::quiet_NaN();  ///< distance of the slip's COR from the contact centre [m]; NaN without slip
+  double slip_work = 0.0;                                 ///< energy that slip dissipates in this step [J], ≥ 0
 };
 
-/// All that a finger remembers from one step to the next. Plain numbers: copy it, save it, restore it.
+/// The whole state of a finger between steps. Plain numbers: copy it, save it, restore it.
 struct FingerState {
   ContactState state = ContactState::free;
-  bool in_contact = false;  ///< also while samples are invalid
-  Numbers proxy{};          ///< as FingerOutput has them
+  bool in_contact = false;  ///< unchanged by invalid samples
+  Numbers proxy{};          ///< to slip_work: as in FingerOutput
   double angle = 0.0;
   double depth = 0.0;
   double load = 0.0;
@@ -83,24 +83,24 @@ struct FingerState {
   double moment = 0.0;
   double cor = std::numeric_limits<double>::quiet_NaN();
   double slip_work = 0.0;
-  double trial_force = 0.0;       ///< what springs and dampers would have borne in the last step, had the proxy stayed [N] …
-  double trial_moment = 0.0;      ///< … [N m] (eq. 7): force and moment where it stayed
-  double limit_load = 0.0;        ///< P that the friction limit grows with [N]: k_l d and what dampers add
+  double trial_force = 0.0;       ///< trial wrench of the last step (eq. 7): force of springs and dampers if the proxy stayed [N]
+  double trial_moment = 0.0;      ///< and their moment [N m]
+  double limit_load = 0.0;        ///< P of the friction limit [N]: k_l d plus the damper's force
   Numbers goal{};                 ///< x_g of the last good sample [m]
   double goal_angle = 0.0;        ///< α_g of the last good sample [rad], unwrapped
   Numbers normal{0.0, 0.0, 1.0};  ///< outward normal there
   double device_twist = 0.0;      ///< the device's twist as it was given [rad]
-  double turns = 0.0;             ///< what unwrapping adds to the device's twist [rad], a multiple of 2π
+  double turns = 0.0;             ///< added to the device's twist by unwrapping [rad], a multiple of 2π
   bool seen = false;              ///< there was a good sample
-  bool refused = false;           ///< the last sample was too far from the one before it …
-  Numbers refused_at{};           ///< … namely here [m]
-  Spin spin{};                    ///< of a device that gives its orientation
-  ContactMemory contact{};        ///< of the surface
+  bool refused = false;           ///< the last sample was refused because of its displacement
+  Numbers refused_at{};           ///< its position [m]
+  Spin spin{};                    ///< of the device's orientation
+  ContactMemory contact{};        ///< state of the contact query
   FrictionMemory<double> friction{};
 
-  /// Where the finger itself was in the last good sample [m].
+  /// The finger's position in the last good sample [m].
   [[nodiscard]] Eigen::Vector3d position() const noexcept;
-  /// Where the slip's centre of rotation is, in the surface's frame [m]; infinite for pure sliding, NaN unless it slips.
+  /// The slip's centre of rotation, in the surface's frame [m]; infinite for pure sliding, NaN without slip.
   [[nodiscard]] Eigen::Vector3d centre_of_rotation() const noexcept;
   [[nodiscard]] FingerOutput output() const noexcept;
 };

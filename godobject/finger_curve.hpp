@@ -25,33 +25,33 @@ struct RadialPoint;
 
 namespace limitcurve::godobject {
 
-/// The limit curve of a finger or a batch: an ellipse, a box (uncoupled limits) or a table of any other curve. Immutable; copies share the
-/// table's cells and are cheap, so it may be made from a temporary.
+/// The limit curve of a finger or a batch: an ellipse, a box (uncoupled limits), or a table of any other curve. Immutable. Copies share the
+/// table's cells, so that copies are cheap and a temporary table is safe. Does not throw.
 template <class Real>
 class BasicFingerCurve {
  public:
-  // Meant to convert: a finger takes the curve itself.
+  // Implicit conversions, so that a finger's constructor takes the curve itself.
   BasicFingerCurve(const Ellipse& ellipse);         // NOLINT
   BasicFingerCurve(const Polygon<3>& box);          // NOLINT
   BasicFingerCurve(const BasicTable<Real>& table);  // NOLINT
-  /// A pressure law is no limit curve yet: does not compile, and says what to write.
+  /// A pressure law is not a limit curve: a compile-time error says what to write.
   template <std::same_as<Law> Other>
   BasicFingerCurve(const Other&) {  // NOLINT
     static_assert(!std::same_as<Other, Law>, "a finger takes a limit curve, not a pressure law: write Table::build(law, 1e-6)");
   }
 
   [[nodiscard]] const CurveView<Real>& view() const& noexcept { return view_; }
-  void view() const&& = delete;  // it would point into a curve that is gone
+  void view() const&& = delete;  // would dangle
   [[nodiscard]] bool is_box() const noexcept { return view_.is_box; }
   [[nodiscard]] double force_max() const noexcept { return static_cast<double>(view_.force_max); }
   /// m₀: moment intercept over force intercept.
   [[nodiscard]] double moment_ratio() const noexcept { return static_cast<double>(view_.moment_max) / force_max(); }
 
-  /// The wrench that a slip twist causes.
+  /// The wrench of a slip twist.
   [[nodiscard]] UnitWrench wrench(SlipTwist twist) const noexcept;
-  /// Where the ray through a wrench ≠ 0 meets the curve, and the normal there.
+  /// The point where the ray through a wrench ≠ 0 meets the curve, and the normal there.
   [[nodiscard]] RadialPoint along(UnitWrench direction) const noexcept;
-  /// 0 at the origin, 1 on the curve, more outside.
+  /// The gauge of a wrench: 0 at the origin, 1 on the curve, more outside.
   [[nodiscard]] double gauge(UnitWrench wrench) const noexcept;
 
  private:
@@ -64,13 +64,13 @@ extern template class BasicFingerCurve<float>;
 
 using FingerCurve = BasicFingerCurve<double>;
 
-/// The limit curves of a law that can be chosen by name.
+/// Kinds of limit curve of a law, by name.
 enum class CurveKind {
-  exact,         ///< the finest table that the law allows
+  exact,         ///< the finest table of the law
   table,         ///< a table of a given tolerance
-  ellipse,       ///< through the exact intercepts
-  superellipse,  ///< likewise, its exponent fitted; as a table
-  quartic,       ///< likewise, its parameter fitted; as a table
+  ellipse,       ///< the ellipse through the exact intercepts
+  superellipse,  ///< the minimax superellipse through the exact intercepts, as a table
+  quartic,       ///< the minimax quartic through the exact intercepts, as a table
   box            ///< uncoupled limits; for the closest point only
 };
 
@@ -79,23 +79,23 @@ std::string_view to_string(CurveKind kind) noexcept;
 /// "radial", "c-curve", "closest-point".
 std::string_view to_string(Projection projection) noexcept;
 
-/// The inverse of `to_string`; throws `std::invalid_argument` that names what was expected.
+/// The inverse of `to_string`; throws `std::invalid_argument` with the names that were expected.
 CurveKind parse_curve_kind(std::string_view text);
 Projection parse_projection(std::string_view text);
 
-/// A finger's curve, and how far it is from the curve that its kind names: 0 in closed form, else the table's certified error and what samples of
-/// the pressure leave open.
+/// A finger's curve, and its error against the curve of that kind [unit wrenches]: 0 for a closed form, else certified_error +
+/// profile_error of the table.
 struct KindOfCurve {
   FingerCurve curve;
   double error;
 };
 
-/// The curve of that kind for a law; `tolerance` counts for `table` only. Allocates, and throws what the builder of the table throws. Cost: that
-/// of a table; `exact` takes milliseconds where the law has a closed form, seconds by quadrature.
+/// The limit curve of a kind for a law; only `table` uses `tolerance`. Allocates; throws like Table::build. Cost: one table. `exact` takes
+/// milliseconds if the law has a closed form, seconds by quadrature.
 KindOfCurve make_finger_curve(CurveKind kind, const Law& law, double tolerance);
 
-/// The table of a law to a tolerance or, where the law allows none so fine, to the first of ten, a hundred, … times it that it allows. Throws
-/// what the builder throws where it allows none at all.
+/// The table of a law at a tolerance. If the law does not allow it, tries 10, 100, … times the tolerance. Throws like Table::build if no
+/// tolerance is possible.
 BasicTable<double> finest_table(const Law& law, double tolerance);
 
 }  // namespace limitcurve::godobject

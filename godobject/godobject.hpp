@@ -17,7 +17,7 @@
 #include "limitcurve/laws.hpp"            // IWYU pragma: export
 #include "limitcurve/table.hpp"           // IWYU pragma: export
 
-/// The soft-finger god-object: the page to start from.
+/// The soft-finger god-object. Start here: this file includes the whole module except `mesh`.
 ///
 /// ```cpp
 /// #include "godobject/godobject.hpp"
@@ -32,17 +32,18 @@
 /// }
 /// ```
 ///
-/// Units: metres, newtons, seconds, radians. Constructors throw std::invalid_argument with a message that names the parameter, its value, unit and
-/// range. In the loop nothing throws, allocates or locks: a bad sample gives ContactState::invalid, and the last output fades. Distinct fingers on
+/// Units: metres, newtons, seconds, radians. Constructors throw std::invalid_argument with the parameter, its value, unit and range. The
+/// control loop does not throw, allocate or lock: a bad sample gives ContactState::invalid, and the last output fades. Distinct fingers on
 /// distinct threads need no lock. README.md has the mathematics and the corrections to the paper.
 ///
-/// A finger is made of
+/// A finger has
 ///  - a limit curve, FingerCurve: a Table of any law, an Ellipse, or a box (the paper's uncoupled step);
 ///  - FingerParameters (finger.hpp): friction, contact radius a(P), springs, dampers;
-///  - a Projection: closest_point settles at eq. (17)'s wrench; radial and c_curve are the paper's (§5).
-/// `update` takes an AnySurface (plane, sphere, capsule, cylinder, box, mesh, or your own: surface.hpp), or a Contact that other code has found.
+///  - a Projection: closest_point converges to eq. (17)'s wrench; radial and c_curve are the paper's (§5).
+/// `update` takes an AnySurface (plane, sphere, capsule, cylinder, box, mesh, or your own: surface.hpp), or a Contact that other code has
+/// found.
 ///
-/// Beside it: Batch and FloatBatch step thousands of contacts in one call (batch.hpp); apply_friction is the friction step alone, for simulators that
-/// have springs of their own (friction.hpp); PatchFinger has a contact that is not round; Grasp holds a RigidBody with several fingers; Replay runs
-/// recorded motions and run_pivot the paper's experiment; choose_step() says how much of this a scene needs.
+/// More: Batch and FloatBatch step thousands of contacts in one call (batch.hpp). apply_friction is the friction step alone, for simulators
+/// with their own springs (friction.hpp). PatchFinger has a contact that is not round. Grasp holds a rigid body with several fingers.
+/// Replay runs recorded motions, Pivot the paper's experiment. choose_step() finds the cheapest model that a scene needs.
 namespace limitcurve::godobject {}
