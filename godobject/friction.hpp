@@ -7,59 +7,59 @@
 
 namespace limitcurve::godobject {
 
-/// The limit of friction at one load: the unit limit curve grows to μP in force and μPa in moment.
+/// The friction limit at one load: the unit limit curve times μP in force and μPa in moment.
 template <class Number>
 struct FrictionLimit {
   Number force;   ///< μP [N] ≥ 0
   Number radius;  ///< a [m] > 0
 };
 
-/// What friction acts on: the limits at the present load, and the springs between proxy and finger.
+/// The limits of a contact at its present load, and the ratio of its springs.
 template <class Number>
 struct FrictionLimits {
-  FrictionLimit<Number> at_rest;          ///< with μ_s: what a contact at rest bears
-  FrictionLimit<Number> sliding;          ///< with μ_d: what a contact that slips bears, not larger
+  FrictionLimit<Number> at_rest;          ///< static limit, with μ_s
+  FrictionLimit<Number> sliding;          ///< sliding limit, with μ_d; not larger
   Number stiffness_ratio;                 ///< k_l/k_r [1/m²] of the springs
-  Number force_rest_share = Number(1);    ///< a contact that slides comes to rest within the smaller of these shares of the sliding
-  Number moment_rest_share = Number(1);   ///< limit, ≤ 1; on the box each part within its own
-  bool has_torsion = true;                ///< false: Γ = 0, the moment is 0 and the force is limited by itself
-  const RadiusLaw* radius_law = nullptr;  ///< a(P), for the c-curve projection where a depends on P
-  Number load = Number(0);                ///< P [N], for the same
+  Number force_rest_share = Number(1);    ///< a sliding contact comes to rest within the smaller of these two fractions of the
+  Number moment_rest_share = Number(1);   ///< sliding limit, ≤ 1; on the box force and moment each within its own
+  bool has_torsion = true;                ///< false: Γ = 0, the moment is 0 and only the force is limited
+  const RadiusLaw* radius_law = nullptr;  ///< a(P) if a depends on P, for the c-curve projection
+  Number load = Number(0);                ///< P [N], for the c-curve projection
 };
 
-/// The trial wrench: what the springs would exert if the proxy stayed where it is (eq. 7).
+/// The trial wrench: force and moment of the springs if the proxy stayed (eq. 7).
 template <class Number>
 struct FrictionTrial {
   Number force;                        ///< k_l r [N] ≥ 0
   Number moment;                       ///< k_r ρ [N m] ≥ 0
-  Number force_rounding = Number(0);   ///< what of it may be rounding of the positions [N]
-  Number moment_rounding = Number(0);  ///< likewise [N m]
+  Number force_rounding = Number(0);   ///< bound of the rounding error of `force`, from the positions [N]
+  Number moment_rounding = Number(0);  ///< bound of the rounding error of `moment` [N m]
 };
 
-/// What friction remembers of a contact from one step to the next. To begin with a contact is at rest.
+/// The state of friction between steps. Initially a contact is at rest.
 template <class Number>
 struct FrictionMemory {
-  decltype(Number{} < Number{}) slides{};  ///< it has slipped, and not come to rest since: the sliding limit acts. On the box: of the force
-  decltype(Number{} < Number{}) turns{};   ///< on the box: the same of the moment
-  Number parameter = Number(0);            ///< of the curve at the last slip, where a search begins; 0: none
-  Number rate = Number(0);                 ///< how far that moved in the last step
+  decltype(Number{} < Number{}) slides{};  ///< the sliding limit acts: it slipped and has not come to rest. On the box: for the force
+  decltype(Number{} < Number{}) turns{};   ///< on the box: the same for the moment
+  Number parameter = Number(0);            ///< curve parameter of the last slip, the warm start of the search; 0: none
+  Number rate = Number(0);                 ///< its change in the last step
 };
 
-/// What friction does to the trial deflection.
+/// The result of the friction step: the fraction of the trial deflection that remains.
 template <class Number>
 struct FrictionResult {
   decltype(Number{} < Number{}) slips;  ///< in this step
-  Number force_ratio;                   ///< r′/r = F/(k_l r) ≤ 1: what the springs keep; 1 where it sticks
-  Number moment_ratio;                  ///< ρ′/ρ
-  Number cor;                           ///< distance of the slip's centre of rotation [m], ∞ for pure sliding; NaN where it sticks
+  Number force_ratio;                   ///< r′/r = F/(k_l r) ≤ 1; 1 if it sticks
+  Number moment_ratio;                  ///< ρ′/ρ = M/(k_r ρ) ≤ 1; 1 if it sticks
+  Number cor;                           ///< distance of the slip's centre of rotation [m], ∞ for pure sliding; NaN if it sticks
 };
 
 #ifdef __FAST_MATH__
 inline namespace fast_math {  // arithmetic.hpp
 #endif
 
-/// The trial in units of a limit. Kept so far from overflow that all squares are finite; a limit of almost nothing is divided by as if it
-/// were `least`, no trial is told from a larger one beyond `largest`, and no ratio of stiffnesses from a greater one beyond `steepest`.
+/// The trial wrench in units of a limit. Three bounds keep all squares finite: a smaller limit counts as `least`, a larger trial as
+/// `largest`, and the ratio of stiffnesses is clamped to [1/steepest, steepest].
 template <class Real, class Number>
 [[nodiscard]] UnitTrial<Number> unit_trial(const CurveView<Real>& curve, const FrictionLimit<Number>& limit,
                                            const FrictionTrial<Number>& trial, Number stiffness_ratio) noexcept {
@@ -72,18 +72,18 @@ template <class Real, class Number>
   const Number per_moment = Number(Real(1)) / larger(Number(least), limit.force * limit.radius);
   const Number rounding = trial.force_rounding * per_force * Number(curve.inverse_force_max) +
                           trial.moment_rounding * per_moment * Number(curve.inverse_moment_max);
-  // Not more than the limit itself: with no friction at all a contact slips.
+  // Rounding counts as the limit at most: a contact without friction must slip.
   return {smaller(trial.force * per_force, Number(largest)), smaller(trial.moment * per_moment, Number(largest)),
           smaller(larger(limit.radius * limit.radius * stiffness_ratio, Number(Real(1) / steepest)), Number(steepest)),
           Number(slip_onset<Real>) + smaller(rounding, Number(Real(1)))};
 }
 
-/// Brings the trial on to the limit by the chosen projection.
+/// Projects the trial on to the limit curve.
 template <class Real, class Number>
 [[nodiscard]] Projected<Number> project(const CurveView<Real>& curve, Projection projection, const FrictionLimits<Number>& limits,
                                         const UnitTrial<Number>& trial, Number last) noexcept {
   if (!limits.has_torsion) {
-    // The force is limited by itself, and the proxy turns with the finger.
+    // Only the force is limited; the proxy turns with the finger.
     const Number zero = Number(Real(0));
     const Number limit = Number(curve.force_max);
     return {trial.force > limit * trial.slip_from, limit / trial.force, zero, Number(Real(1)), zero, zero};
@@ -94,8 +94,8 @@ template <class Real, class Number>
   return project_radially(curve, trial, last);
 }
 
-/// One of the two tests of the paper's §3.1: of the force (eqs. 8, 10, 11) or of the moment (eqs. 9, 10, 12). Which part of its trial the spring
-/// keeps: less than 1 where it slips. `slides` is the test's own memory.
+/// One of the two scalar tests of the paper's §3.1: of the force (eqs. 8, 10, 11) or of the moment (eqs. 9, 10, 12). Returns the fraction
+/// of the trial that the spring keeps, less than 1 if it slips. `slides` is the state of this test.
 template <class Real, class Number, class Mask>
 [[nodiscard]] Number apply_scalar_friction(Number at_rest, Number sliding, Number rest_share, Number trial, Number rounding,
                                            Mask& slides) noexcept {
@@ -108,8 +108,8 @@ template <class Real, class Number, class Mask>
   return select(slips, sliding / trial, one);
 }
 
-/// The paper's §3.1, the box: force and moment each on its own, "they do not influence each other in any way". The closest point of the box,
-/// whatever the metric.
+/// The box (paper, §3.1): separate limits of force and moment, "they do not influence each other in any way". This is the closest point of
+/// the box in every metric of the springs.
 template <class Real, class Number>
 [[nodiscard]] FrictionResult<Number> apply_uncoupled_friction(const CurveView<Real>& box, const FrictionLimits<Number>& limits,
                                                               const FrictionTrial<Number>& trial, FrictionMemory<Number>& memory) noexcept {
@@ -131,18 +131,20 @@ template <class Real, class Number>
     result.slips = result.slips || result.moment_ratio < one;
     turned = trial.moment * (one - result.moment_ratio);
   }
-  // The slip over the turn: in the springs' units of force and moment they are k_l/k_r times as far apart.
+  // COR distance = slip/turn, from the changes of force and moment.
   const Number slid = trial.force * (one - result.force_ratio);
   result.cor = select(result.slips, slid / (turned * limits.stiffness_ratio), Number(std::numeric_limits<Real>::quiet_NaN()));
   return result;
 }
 
-/// Step b of the paper (eqs. 8–12, 19–23): what part of the trial deflection the limit curve lets the springs keep.
+/// Applies friction (step b of the paper, eqs. 8–12, 19–23): the fraction of the trial deflection that the limit curve allows. Updates
+/// `memory`.
 ///
-/// The rule of sticking: a contact at rest holds while its trial lies within the limit at rest. Once it slips the sliding limit acts, until it
-/// comes to rest: in the first step whose trial lies within its rest share of that. Slip work force·(r − r′) + moment·(ρ − ρ′) is never negative. No
-/// allocation, no exception, no NaN from finite input; some 10 ns, at most max_search_steps evaluations of the curve. `Number` is `double`, or
-/// a pack of double or float (`Real`) for as many contacts.
+/// Stick and slip: a contact at rest holds while its trial is within the limit at rest. After slip begins, the sliding limit acts, until a
+/// trial is within the rest share of the sliding limit; in that step the contact comes to rest. Slip work force·(r − r′) + moment·(ρ − ρ′)
+/// is never negative. No allocation, no exception, no NaN from finite input. Cost: about 10 ns if it sticks, 100 ns if it slips; at most
+/// max_search_steps evaluations of the curve for each search. `Number` is `double`, or a pack of double or float (`Real`) for as many
+/// contacts.
 template <class Real, class Number>
 [[nodiscard]] FrictionResult<Number> apply_friction(const CurveView<Real>& curve, Projection projection,
                                                     const FrictionLimits<Number>& limits, const FrictionTrial<Number>& trial,
@@ -153,7 +155,7 @@ template <class Real, class Number>
   const Number one = Number(Real(1));
   const auto was_sliding = memory.slides;
   const auto had_parameter = memory.parameter > zero;
-  // The centre of rotation seldom jumps: it is looked for where the last slips point to.
+  // The centre of rotation seldom jumps: extrapolate the curve parameter for a warm start.
   const Number ahead = memory.parameter + memory.rate;
   const Number reach = Number(Real(0.1)) * smaller(memory.parameter, Number(Real(2)) - memory.parameter);
   const Number last = select(abs(memory.rate) <= reach, ahead, memory.parameter);
@@ -161,13 +163,13 @@ template <class Real, class Number>
   FrictionLimit<Number> limit{select(was_sliding, limits.sliding.force, limits.at_rest.force),
                               select(was_sliding, limits.sliding.radius, limits.at_rest.radius)};
   UnitTrial<Number> unit = unit_trial(curve, limit, trial, limits.stiffness_ratio);
-  // The chord between the intercepts lies within every limit curve.
+  // Every limit curve is convex, so a trial within the chord between the intercepts sticks.
   const auto beyond_chord = unit.force * Number(curve.inverse_force_max) + unit.moment * Number(curve.inverse_moment_max) > one;
   Projected<Number> projected{};
   if (any(beyond_chord)) projected = project(curve, projection, limits, unit, last);
   const auto begins = !was_sliding && projected.outside;
   if (any(begins && (limits.sliding.force < limits.at_rest.force || limits.sliding.radius != limits.at_rest.radius))) {
-    // From rest into slip: now the sliding limit acts.
+    // Slip begins: project on to the sliding limit.
     limit = {select(begins, limits.sliding.force, limit.force), select(begins, limits.sliding.radius, limit.radius)};
     unit = unit_trial(curve, limit, trial, limits.stiffness_ratio);
     projected = project(curve, projection, limits, unit, last);
@@ -175,14 +177,14 @@ template <class Real, class Number>
 
   FrictionResult<Number> result;
   result.slips = projected.outside;
-  // Rounding may leave a small component above the trial's; the springs cannot.
+  // By rounding a component may exceed the trial's: clamp the ratio.
   const auto kept = [&](Number ratio, Number trial_wrench) {
     return select(result.slips && trial_wrench > zero, larger(zero, smaller(one, ratio)), one);
   };
   result.force_ratio = kept(projected.force_ratio, trial.force);
   result.moment_ratio = limits.has_torsion ? kept(projected.moment_ratio, trial.moment) : zero;
   const Number nan = Number(std::numeric_limits<Real>::quiet_NaN());
-  // Pure sliding is that at any radius, also at a(0) = 0.
+  // a(0) may be 0: keep the COR of pure sliding infinite.
   const Number radius = larger(limit.radius, Number((std::numeric_limits<Real>::min)()));
   result.cor = select(result.slips, radius * (projected.slide / projected.spin), nan);
   memory.slides = result.slips;

@@ -11,34 +11,34 @@
 
 namespace limitcurve::godobject {
 
-/// One body and the fingers on it: steps a–e of the paper. The proxies are kept in the body's frame, so that step e,
-/// carrying them with the body, is exact and keeps the sign of the rotation (eq. 13 takes its absolute value). The springs of the fingers and
-/// the body's inertia are integrated together by implicit Euler steps: stable at every stiffness, damping what the time step cannot resolve.
+/// One rigid body and the fingers on it: steps a–e of the paper. Proxies are in the body's frame, so that step e, which carries them with
+/// the body, is exact and keeps the sign of the rotation (eq. 13 takes its absolute value). Springs and inertia are integrated together by
+/// implicit Euler steps: stable at every stiffness; modes that the time step cannot resolve are damped.
 ///
-/// Bodies meet fingers only, not each other: a scene of several bodies has a Grasp for each, and a finger that may touch
-/// several is in each of them. Allocates at construction only.
+/// Bodies touch fingers, not each other. For a scene of several bodies make a Grasp for each; a finger that may touch several bodies is in
+/// each Grasp. Allocates at construction only.
 class Grasp {
  public:
-  /// Newton steps of the integrator at most, from each of two starts; 2 to 4 as a rule, each seven evaluations of all fingers.
+  /// Largest number of Newton steps from each of two starts; usually 2 to 4 are needed. Each costs seven evaluations of all fingers.
   static constexpr int iteration_limit = 20;
-  /// Halvings of a Newton step at most; 0 as a rule.
+  /// Largest number of halvings of a Newton step; usually 0.
   static constexpr int halving_limit = 24;
-  /// Equations count as solved when what is left of them is this share of the velocities, and those that the loads give in a step.
+  /// Equations are solved when the residual is at most this fraction of the velocities, including those that the loads give in a step.
   static constexpr double solved_share = 1e-9;
 
-  /// Throws std::invalid_argument naming parameter, value, unit and range.
+  /// Throws std::invalid_argument with parameter, value, unit and range.
   Grasp(const BodyParameters& parameters, const BodyState& state, AnySurface surface, std::vector<SoftFinger> fingers);
 
-  /// One time step [s] > 0 with a device for each finger; a missing one counts as far away. `force` and `moment` about the
-  /// centre of mass, world axes, act on the body beside gravity and fingers. Poses that are not finite make their finger
-  /// `invalid`; it then acts with its last force.
+  /// One time step [s] > 0, with a device pose for each finger; a missing pose counts as far away. `force` [N] and `moment` [N m] about the
+  /// centre of mass, in world axes, are added to gravity and the fingers' forces. A pose that is not finite makes its finger `invalid`; the
+  /// finger then acts with its last force. Does not throw, allocate or lock.
   void step(std::span<const DevicePose> devices, double time_step, const Eigen::Vector3d& force = Eigen::Vector3d::Zero(),
             const Eigen::Vector3d& moment = Eigen::Vector3d::Zero()) noexcept;
 
-  /// Steps a–c and e with the body moved by somebody else, to a state, in a time [s] ≥ 0 (0: no dampers).
+  /// Moves the body to a given state in a time [s] ≥ 0 (0: no dampers), and does steps a–c and e.
   void carry(const BodyState& state, std::span<const DevicePose> devices, double time_step) noexcept;
 
-  /// Steps a–c with the body held in a state: where fingers touch down, and where a scene starts.
+  /// Puts the body into a state at once and does steps a–c there: the start of a scene, where fingers touch down.
   void place(const BodyState& state, std::span<const DevicePose> devices) noexcept;
 
   [[nodiscard]] const BodyParameters& parameters() const& noexcept { return parameters_; }
@@ -46,20 +46,20 @@ class Grasp {
   [[nodiscard]] const BodyState& body() const& noexcept { return state_; }
   void body() const&& = delete;
   [[nodiscard]] std::size_t finger_count() const noexcept { return fingers_.size(); }
-  /// A finger; its proxy, force and so on are in the body's frame.
+  /// A finger. Its output is in the body's frame.
   [[nodiscard]] const SoftFinger& finger(std::size_t index) const& noexcept { return fingers_[index]; }
   void finger(std::size_t index) const&& = delete;
 
-  /// What finger `index` exerts on its user, in the world: normal load and friction together [N].
+  /// Force of finger `index` on its user, normal load plus friction, in the world [N].
   [[nodiscard]] Eigen::Vector3d force_on_user(std::size_t index) const noexcept;
   /// The friction moment on the user about the contact normal, in the world [N m].
   [[nodiscard]] Eigen::Vector3d moment_on_user(std::size_t index) const noexcept;
 
-  /// Kinetic, gravity's and the springs' energy [J].
+  /// Kinetic energy, potential energy of gravity and energy of the springs, summed [J].
   [[nodiscard]] double energy() const noexcept;
-  /// What the slip of all fingers has dissipated since the beginning [J].
+  /// Energy that the slip of all fingers has dissipated since the beginning [J].
   [[nodiscard]] double dissipated() const noexcept { return dissipated_; }
-  /// Steps whose equations were not solved to rounding within the limit.
+  /// Number of steps whose equations were not solved within iteration_limit.
   [[nodiscard]] std::size_t unsolved() const noexcept { return unsolved_; }
 
  private:
@@ -71,8 +71,7 @@ class Grasp {
     Eigen::Vector3d moment = Eigen::Vector3d::Zero();
   };
 
-  /// Velocities at the end of the step, what is wrong with them, and its size in a common unit: the speed of a point a radius of
-  /// gyration away.
+  /// Velocities at the end of the step, their residual, and its size as the speed of a point at the radius of gyration.
   struct Attempt {
     Vector6 velocities;
     Vector6 error;

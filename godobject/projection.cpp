@@ -12,7 +12,7 @@ Projected<Real> project_along_c_curve(const CurveView<Real>& curve, const UnitTr
   const double gauge_at_load = static_cast<double>(gauge(curve, trial.force, trial.moment, last));
   if (!(gauge_at_load > static_cast<double>(trial.slip_from))) return {};
   const auto at = static_cast<double>(load);
-  // ln gauge falls by 1 to 2 a unit of ln λ, which brackets the root from below; there is one root, since P·a(P) grows with P.
+  // ln gauge falls by 1 to 2 for each unit of ln λ, which gives a lower bound of the root. There is one root, because P·a(P) grows with P.
   double low = 0.5 * std::log(gauge_at_load);
   double high = std::numeric_limits<double>::infinity();
   double log_load = std::log(gauge_at_load) / (1.0 + radius_law.exponent(at));
@@ -27,7 +27,7 @@ Projected<Real> project_along_c_curve(const CurveView<Real>& curve, const UnitTr
     last = foot.parameter;
     const double excess = std::log(static_cast<double>(factor));
     (excess > 0.0 ? low : high) = log_load;
-    // The share of the twist in the dissipation says how fast the gauge falls with a growing radius.
+    // The slope of ln gauge depends on the fraction of the power that rotation takes.
     const auto slide_power = static_cast<double>(foot.slide * foot.force);
     const auto spin_power = static_cast<double>(foot.spin * foot.moment);
     const double newton = excess * (slide_power + spin_power) / (slide_power + (1.0 + radius_law.exponent(ratio * at)) * spin_power);
@@ -36,7 +36,7 @@ Projected<Real> project_along_c_curve(const CurveView<Real>& curve, const UnitTr
     if (!(next > low && next < high)) next = high < std::numeric_limits<double>::infinity() ? 0.5 * (low + high) : low + 1.0;
     log_load = next;
   }
-  // c = s·a(λP) is kept, and a(P) is smaller by the growth. At either end of the curve c/a is the same, 0 or ∞.
+  // c = s·a(λP) stays; a(P) is smaller by the factor `growth`. At the ends of the curve c/a is 0 or ∞ for both.
   CurvePoint<Real> result = foot;
   if (foot.slide > Real(0) && foot.spin > Real(0)) {
     const auto s = static_cast<Real>(static_cast<double>(foot.slide / foot.spin) * growth);

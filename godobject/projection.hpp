@@ -8,52 +8,52 @@
 
 namespace limitcurve::godobject {
 
-/// How a trial wrench that is outside the limit curve comes back on to it.
+/// How a trial wrench outside the limit curve is projected on to it.
 enum class Projection {
-  radial,        ///< eq. (23): force and moment shrink by one factor
-  c_curve,       ///< Fig. 5: the load is brought back with the centre of rotation kept; radial where a does not depend on P
+  radial,        ///< eq. (23): force and moment are multiplied by the same factor
+  c_curve,       ///< Fig. 5: along the curve of constant centre of rotation to the present load; radial if a does not depend on P
   closest_point  ///< maximum dissipation: the slip is normal to the limit curve; on the box the paper's §3.1
 };
 
-/// A contact slips where its trial exceeds the limit curve by this factor. Nearer to 1 lies the rounding of a proxy that was put on the
-/// curve in the step before.
+/// A contact slips if its trial exceeds the limit curve by this factor. A smaller excess may be rounding of the proxy that the last step
+/// put on the curve.
 template <class Real>
 inline constexpr Real slip_onset = Real(1) + Real(1e-12);
 template <>
 inline constexpr float slip_onset<float> = 1.0F + 0x1p-18F;
 
-/// The wrench that the springs would exert if the proxy stayed where it is (eqs. 7, 21): f̂ = k_l r/(μP), m̂ = k_r ρ/(μPa), both ≥ 0.
+/// The trial wrench in units of the limit (eqs. 7, 21): f̂ = k_l r/(μP), m̂ = k_r ρ/(μPa), both ≥ 0.
 template <class Number>
 struct UnitTrial {
   Number force;
   Number moment;
   Number compliance_ratio;  ///< χ = a² k_l/k_r > 0: a change of m costs χ times the energy of the same change of f
-  Number slip_from;         ///< it slips where the trial exceeds the limit curve by this factor, slip_onset or more
+  Number slip_from;         ///< the contact slips if the trial exceeds the limit curve by this factor; ≥ slip_onset
 };
 
-/// How large a trial is against the limit in whose units it is: 0 for none, 1 on the limit. Without torsion the force is limited by itself.
+/// The trial divided by its limit: 0 for no trial, 1 on the limit. Without torsion only the force is limited.
 template <class Real, class Number>
 [[nodiscard]] Number share_of_limit(const CurveView<Real>& curve, bool has_torsion, const UnitTrial<Number>& trial, Number last) noexcept {
   return has_torsion ? gauge(curve, trial.force, trial.moment, last) : trial.force * Number(curve.inverse_force_max);
 }
 
-/// A trial brought on to the limit curve.
+/// A trial projected on to the limit curve.
 template <class Number>
 struct Projected {
-  decltype(Number{} < Number{}) outside;  ///< the trial exceeds the curve by more than the factor slip_from. Where not, the rest is void
-  Number force_ratio;                     ///< f/f̂, what is left of the trial's force; any number where f̂ = 0
+  decltype(Number{} < Number{}) outside;  ///< the trial exceeds the curve by more than the factor slip_from; if not, ignore the rest
+  Number force_ratio;                     ///< f/f̂; any number if f̂ = 0
   Number moment_ratio;                    ///< m/m̂
   Number slide;                           ///< the slip's direction |v| : a|ω|, both ≥ 0
   Number spin;
-  Number parameter;  ///< of the curve, where the next search may begin; 0 for none
+  Number parameter;  ///< curve parameter, a warm start for the next search; 0 for none
 };
 
 #ifdef __FAST_MATH__
 inline namespace fast_math {  // arithmetic.hpp
 #endif
 
-/// Eq. (23): r′/r = ρ′/ρ. The proxy moves along the trial deflection, whatever the curve's normal. `last` is the curve parameter of the last
-/// slip, or 0.
+/// Radial projection (eq. 23): r′/r = ρ′/ρ. The proxy moves along the trial deflection, not along the curve's normal. `last` is the curve
+/// parameter of the last slip, or 0.
 template <class Real, class Number>
 [[nodiscard]] Projected<Number> project_radially(const CurveView<Real>& curve, const UnitTrial<Number>& trial, Number last) noexcept {
   Number gauge_of_trial;
@@ -66,9 +66,9 @@ template <class Real, class Number>
   return {gauge_of_trial > trial.slip_from, ratio, ratio, trial.force, trial.compliance_ratio * trial.moment, last};
 }
 
-/// The point of the curve that is closest to the trial in the metric of the springs' compliance, f² + χm²: the slip
-/// (f̂ − f, χ(m̂ − m)) is normal to the curve there. With L and T the curve's leading and trailing components at x, o_L and o_T the trial's
-/// excess over them in that metric, it is the root of o_L − x·o_T. For a trial that is outside there is just one.
+/// Closest point: the point of the curve nearest to the trial in the metric of the springs' compliance, f² + χm². The slip (f̂ − f, χ(m̂ −
+/// m)) is normal to the curve there. The residual is o_L − x·o_T: L and T are the curve's leading and trailing components at x, and o_L and
+/// o_T the trial's excess over them in that metric. It has one root for a trial outside the curve.
 template <class Real, class Number>
 [[nodiscard]] Projected<Number> project_on_to_closest_point(const CurveView<Real>& curve, const UnitTrial<Number>& trial,
                                                             Number last) noexcept {
@@ -100,13 +100,13 @@ template <class Real, class Number>
         const Number over_leading = side.leading - jet.leading();
         const Number over_trailing = kappa * (side.trailing - jet.trailing(at));
         const Number stiff = one + kappa * at * at;
-        // A trial below a point of the curve in both components is inside: nothing to search for.
+        // A trial below a point of the curve in both components is inside: stop the search.
         const Number value = select(larger(over_leading, over_trailing) > zero, over_leading - at * over_trailing, zero);
         return {value, -jet.second * stiff - over_trailing, -jet.third * stiff - Number(Real(3)) * kappa * at * jet.second,
                 Number(4 * std::numeric_limits<Real>::epsilon()) * (side.leading + at * kappa * side.trailing)};
       },
       side.begin(last, guess_twist));
-  // Beyond the tangent at its closest point a trial is outside; and if it is outside at all, it is beyond that one.
+  // The trial is outside the convex curve if and only if it is beyond the tangent at its closest point.
   const CurvePoint<Number> point = side.point(jet, x);
   return {side.trailing + x * side.leading > jet.value * trial.slip_from,
           point.force / trial.force,
@@ -120,9 +120,10 @@ template <class Real, class Number>
 }  // namespace fast_math
 #endif
 
-/// Fig. 5 where the radius depends on the load: the load λP whose p-curve runs through the trial has its centre of rotation at c; the result is
-/// the point of the p-curve of P with that c. Root in ln λ of ln gauge(f̂/λ, m̂ a(P)/(λ a(λP))), bracketed; 3 or 4 steps as a rule. For a
-/// pressure heaped at the rim f(s) can grow faster than s, and the same c would add force: then the same c/a, which never does.
+/// c-curve projection (Fig. 5) for a radius that depends on the load. The p-curve through the trial belongs to a load λP and has its COR at
+/// c; the result is the point of the p-curve of P with the same c. Root in ln λ of ln gauge(f̂/λ, m̂ a(P)/(λ a(λP))), bracketed; usually 3
+/// or 4 steps. If the pressure is concentrated at the rim, f(s) can grow faster than s, and the same c would increase the force: then c/a
+/// is kept instead, which never does.
 template <class Real>
 [[nodiscard]] Projected<Real> project_along_c_curve(const CurveView<Real>& curve, const UnitTrial<Real>& trial, Real last,
                                                     const RadiusLaw& radius_law, Real load) noexcept;

@@ -66,19 +66,19 @@ void Grasp::account() noexcept {
   for (const SoftFinger& finger : fingers_) dissipated_ += finger.state().slip_work;
 }
 
-/// Where a device is in the body's frame.
+/// A device pose in the body's frame.
 DevicePose Grasp::in_body(const BodyState& state, const DevicePose& device) noexcept {
   return {state.to_body(device.position), state.orientation.conjugate() * device.orientation, device.twist};
 }
 
-/// The fingers' load on the body in this state, if it were the next: the opposite of what their users feel, on the lines through the fingers, so
-/// that both ends agree on the moment. Remembers nothing.
+/// The fingers' load on the body if `state` were its next state: the opposite of the users' forces, on the lines through finger and proxy,
+/// so that both ends have the same moment. Does not change the fingers.
 Grasp::Load Grasp::preview(const BodyState& state, std::span<const DevicePose> devices, double time_step) const noexcept {
   Load load;
   for (std::size_t i = 0; i < fingers_.size() && i < devices.size(); ++i) {
     const DevicePose device = in_body(state, devices[i]);
     const FingerOutput output = fingers_[i].preview(surface_, device, time_step);
-    // A refused sample acts where the last good one was.
+    // After a refused sample the force acts at the last good position.
     const Eigen::Vector3d finger = output.state != ContactState::invalid ? device.position : fingers_[i].state().position();
     const Eigen::Vector3d force = state.orientation * Eigen::Vector3d(-output.force - output.normal * output.load);
     load.force += force;
@@ -87,7 +87,7 @@ Grasp::Load Grasp::preview(const BodyState& state, std::span<const DevicePose> d
   return load;
 }
 
-/// The same, remembered: steps a–c of all fingers.
+/// Steps a–c of all fingers; changes them.
 void Grasp::commit(std::span<const DevicePose> devices, double time_step) noexcept {
   for (std::size_t i = 0; i < fingers_.size(); ++i) {
     if (i < devices.size()) {
@@ -98,8 +98,8 @@ void Grasp::commit(std::span<const DevicePose> devices, double time_step) noexce
   }
 }
 
-/// What is wrong with the velocities ξ at the end of the step: the change of momentum less the impulse that the loads
-/// at the end of the step give, each in units of velocity.
+/// The residual of the velocities ξ at the end of the step: the change of momentum minus the impulse of the loads at the end of the step,
+/// in units of velocity.
 Grasp::Vector6 Grasp::residual(const Vector6& velocities, std::span<const DevicePose> devices, double time_step, const Load& external,
                                const Eigen::Vector3d& momentum) const noexcept {
   const BodyState next = moved(state_, velocities.head<3>(), velocities.tail<3>(), time_step);
@@ -116,15 +116,15 @@ Grasp::Vector6 Grasp::residual(const Vector6& velocities, std::span<const Device
   return result;
 }
 
-/// Newton's method, its Jacobian by differences, halving steps that do not reduce the residual (where a finger begins to
-/// slip the load has a kink).
+/// Newton's method with a Jacobian by differences. A step that does not reduce the residual is halved: the load has a kink where a finger
+/// begins to slip.
 template <class Try>
 Grasp::Attempt Grasp::improve(Attempt now, double unit, double gyration, double time_step, const Try& attempt) const noexcept {
   for (int i = 0; i < iteration_limit && now.size > 1e-15 * unit; ++i) {
     Eigen::Matrix<double, 6, 6> jacobian = Eigen::Matrix<double, 6, 6>::Identity();
     for (int column = 0; column < 6; ++column) {
       if (!parameters_.free[static_cast<std::size_t>(column)]) continue;
-      // Large against rounding of the proxies' places, small against the give of the springs.
+      // Large compared with the rounding of positions, small compared with the deflection of the springs.
       const double change = (column < 3 ? 1.0 : 1.0 / gyration) * 1e-9 / time_step;
       Vector6 beside = now.velocities;
       beside[column] += change;
@@ -138,14 +138,14 @@ Grasp::Attempt Grasp::improve(Attempt now, double unit, double gyration, double 
       share *= 0.5;
       next = attempt(now.velocities - share * step);
     }
-    // No better: what is left is rounding, or a kink that the next time step will pass.
+    // No improvement: the residual is rounding, or there is a kink, which the next time step will pass.
     if (!(next.size < now.size)) break;
     now = next;
   }
   return now;
 }
 
-/// Implicit Euler: from the present velocities or from rest, whichever is nearer to solving it; if that does not lead to the end,
+/// Implicit Euler step. Starts from the present velocities or from rest, whichever has the smaller residual; if that does not converge,
 /// from the other.
 BodyState Grasp::solve(std::span<const DevicePose> devices, double time_step, const Load& external) noexcept {
   const Eigen::Vector3d momentum = angular_momentum(parameters_, state_);

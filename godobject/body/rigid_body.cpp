@@ -45,7 +45,7 @@ BodyParameters BodyParameters::capsule(double mass, double radius, double length
   require_positive("mass", mass, "kg");
   require_positive("radius", radius, "m");
   if (!(length >= 0.0 && length <= std::numeric_limits<double>::max())) throw out_of_range("length", length, "m", ">= 0 and finite");
-  // A cylinder and two half balls, by their volumes over πr²; a half ball's centre of mass is 3r/8 from its face.
+  // A cylinder and two half balls: volumes divided by πr². The centre of mass of a half ball is 3r/8 from its face.
   const double balls = mass * (4.0 / 3.0 * radius) / (4.0 / 3.0 * radius + length);
   const double shaft = mass - balls;
   const double square = radius * radius;

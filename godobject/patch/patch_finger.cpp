@@ -40,7 +40,7 @@ struct Axes {
   }
 };
 
-/// Those in which the last friction was found: before its slip turned the patch.
+/// The axes in the last friction step, before its slip turned the patch.
 Axes last_axes(const PatchFingerState& state) noexcept {
   return {vector(state.axis), vector(state.finger.normal), state.finger.angle + state.slip.omega};
 }
@@ -62,7 +62,7 @@ PatchFinger::PatchFinger(const Patch& patch, const FingerParameters& parameters,
   if (parameters.moment_coefficient) {
     throw out_of_range("moment_coefficient", *parameters.moment_coefficient, "m", "absent with a patch, which has its own moments");
   }
-  // The springs, dampers and coefficients are checked as any finger's.
+  // ContactLimits checks springs, dampers and coefficients.
   static_cast<void>(ContactLimits(parameters, 1.0));
   const double share = parameters.mu > 0.0 ? parameters.mu_dynamic.value_or(parameters.mu) / parameters.mu : 1.0;
   rest_share_ = rest_share(share, parameters.rest_margin);
@@ -87,7 +87,7 @@ FingerOutput PatchFinger::update(const Contact& contact, double device_twist, do
 
 void PatchFinger::advance(const Contact& contact, const Spin& spin, double device_twist, double time_step) noexcept {
   FingerState& state = state_.finger;
-  // A velocity is known only from one good sample to the next.
+  // A velocity needs two good samples in succession.
   const bool has_velocity = state.seen && state.state != ContactState::invalid && time_step >= shortest_time_step;
   if (!is_plausible(state, parameters_, contact, device_twist, time_step)) return fade(state, parameters_.fault_decay);
   if (!(contact.depth > 0.0)) {
@@ -103,7 +103,7 @@ void PatchFinger::advance(const Contact& contact, const Spin& spin, double devic
   state_.axis = numbers(axis);
   const Axes axes(axis, contact.normal, state.angle);
 
-  // b. What part of it the limit surface lets the springs keep, in the patch's axes.
+  // b. Friction: the part of it that the limit surface allows, in the patch's axes.
   const double mu_dynamic = parameters_.mu_dynamic.value_or(parameters_.mu);
   const double stiffness = trial.springs.stiffness;
   const double twist_stiffness = trial.springs.twist_stiffness;
@@ -120,7 +120,7 @@ void PatchFinger::advance(const Contact& contact, const Spin& spin, double devic
   PatchProjection friction = project(was_sliding ? mu_dynamic : parameters_.mu);
   if (friction.slips && !was_sliding && mu_dynamic < parameters_.mu) friction = project(mu_dynamic);
 
-  // The proxy follows. What did not slide is not touched, and a slip that its rounding swallows is none.
+  // The proxy follows. A component without slip keeps its bits; a slip below the rounding of the position counts as stick.
   const Vector3d kept =
       friction.slips ? Vector3d((axes.x * friction.wrench.fx + axes.y * friction.wrench.fy) / stiffness) : trial.tangential;
   const double twist_kept = friction.slips ? friction.wrench.moment / twist_stiffness : trial.twist;
@@ -158,7 +158,7 @@ double PatchFinger::margin() const noexcept {
   const FingerState& state = state_.finger;
   if (!state.in_contact) return 1.0;
   if (state.state == ContactState::slip) return 0.0;
-  const double needed = load_to_hold();  // at rest; while it slides the dynamic limit acts
+  const double needed = load_to_hold();  // for the limit at rest; during sliding the dynamic limit acts
   const double share = state.friction.slides ? parameters_.mu_dynamic.value_or(parameters_.mu) / parameters_.mu : 1.0;
   return needed == 0.0 ? 1.0 : std::clamp(1.0 - needed / (share * state.limit_load), 0.0, 1.0);
 }
@@ -175,7 +175,7 @@ double PatchFinger::load_to_hold() const noexcept {
 Vector3d PatchFinger::centre_of_rotation() const noexcept {
   const FingerState& state = state_.finger;
   if (!(state.cor >= 0.0) || std::isinf(state.cor)) return Vector3d::Constant(state.cor);
-  // The proxy slides by −slip and turns by −its turn: both have the COR where n × v/ω is, seen from the proxy.
+  // The proxy moves by −slip: its COR is at n × v/ω from the proxy, the same as for the slip.
   const Vector3d normal = vector(state.normal);
   const Axes axes = last_axes(state_);
   return vector(state.proxy) + normal.cross(axes.x * state_.slip.vx + axes.y * state_.slip.vy) / state_.slip.omega;

@@ -22,7 +22,7 @@ constexpr double step_of_differences = 1e-6;
 constexpr int most_newton_steps = 60;
 constexpr int most_halvings = 30;
 
-/// Ĥ and its gradient in units of μP: velocities, and κω with κ = √(k_r/k).
+/// Ĥ and its gradient in units of μP, as functions of the velocity and κω, κ = √(k_r/k).
 struct Scaled {
   const Patch& patch;
   double kappa;
@@ -39,7 +39,7 @@ struct Scaled {
   }
 };
 
-/// Two unit vectors at right angles to a third and to each other.
+/// Two unit vectors, orthogonal to a third and to each other.
 struct Tangents {
   Vector3d first;
   Vector3d second;
@@ -49,7 +49,7 @@ struct Tangents {
     first = (aside - normal * normal.dot(aside)).normalized();
     second = normal.cross(first);
   }
-  /// Those of another normal, that continue these.
+  /// The tangents at another normal that continue these.
   void carry(const Vector3d& normal) noexcept {
     first = (first - normal * normal.dot(first)).normalized();
     second = normal.cross(first);
@@ -58,7 +58,7 @@ struct Tangents {
   [[nodiscard]] Vector3d at(const Vector2d& pair) const noexcept { return first * pair.x() + second * pair.y(); }
 };
 
-/// ∇²Ĥ between the tangents, by differences of the wrench at |q| = 1; symmetric, and at least positive.
+/// ∇²Ĥ in the basis of the tangents, by differences of the wrench at |q| = 1; made symmetric and positive.
 Matrix2d hessian(Scaled& friction, const Vector3d& q, const Vector3d& wrench, const Tangents& tangents) noexcept {
   Matrix2d result;
   const Vector3d along_first = friction(q + step_of_differences * tangents.first).wrench - wrench;
@@ -70,7 +70,7 @@ Matrix2d hessian(Scaled& friction, const Vector3d& q, const Vector3d& wrench, co
   return result;
 }
 
-/// Solves (A + shift) x = b with A as convex as rounding lets it be.
+/// Solves (A + shift) x = b. Raises the eigenvalues if the smallest is not positive, which can only be rounding.
 Vector2d solve(Matrix2d a, double shift, const Vector2d& b) noexcept {
   const double trace = std::max(a(0, 0), 0.0) + std::max(a(1, 1), 0.0) + shift;
   a(0, 0) += shift;
@@ -86,14 +86,14 @@ Vector2d solve(Matrix2d a, double shift, const Vector2d& b) noexcept {
   return {(a(1, 1) * b.x() - a(0, 1) * b.y()) / determinant, (a(0, 0) * b.y() - a(0, 1) * b.x()) / determinant};
 }
 
-/// Steps of more than this, on the unit sphere, are no better than guesses.
+/// Largest Newton step on the unit sphere; longer ones are not reliable.
 Vector2d capped(const Vector2d& step) noexcept {
   constexpr double longest = 1.0;
   const double length = step.norm();
   return length > longest ? Vector2d(step * (longest / length)) : step;
 }
 
-/// Makes Ĥ(q)/(ŵ·q) least, from q with ŵ·q > 0; returns the ratio, whose inverse is the gauge. Stops where it falls below `enough`.
+/// Minimises Ĥ(q)/(ŵ·q), from a q with ŵ·q > 0. Returns the ratio, the inverse of the gauge. Stops when it is below `enough`.
 double least_ratio(Scaled& friction, const Vector3d& w, Vector3d& q, double enough) noexcept {
   const double size = w.norm();
   const Vector3d direction = w / size;
@@ -103,7 +103,7 @@ double least_ratio(Scaled& friction, const Vector3d& w, Vector3d& q, double enou
   for (int i = 0; i < most_newton_steps && value.power / size >= enough; ++i) {
     const Vector2d slope = tangents.of(value.wrench);
     if (slope.norm() <= 1e-12 * value.wrench.norm()) break;
-    // Differences on the plane, in steps of q's own size.
+    // Differences in the plane; the step is relative to the size of q.
     const double far = q.norm();
     Matrix2d a;
     a.col(0) = tangents.of(friction(q + step_of_differences * far * tangents.first).wrench - value.wrench) / (step_of_differences * far);
@@ -115,7 +115,7 @@ double least_ratio(Scaled& friction, const Vector3d& w, Vector3d& q, double enou
     for (int halving = 0; halving < most_halvings && friction.evaluations < PatchProjector::most_evaluations; ++halving, step *= 0.5) {
       const Vector3d next = q + tangents.at(step);
       const Scaled::Value there = friction(next);
-      // Close to the least the fall is lost in rounding: then the slope must fall.
+      // Near the minimum the decrease is below rounding: then require a smaller slope.
       const double fall = value.power - there.power;
       better = fall >= -1e-4 * slope.dot(step) && fall > 1e-14 * value.power;
       better = better || (std::fabs(fall) <= 1e-11 * value.power && tangents.of(there.wrench).norm() < 0.7 * slope.norm());
@@ -146,14 +146,14 @@ PatchProjector::PatchProjector(Patch patch) : patch_(std::move(patch)), inner_(1
       inner_ = std::min(inner_, patch_.power(twist) / std::hypot(mx * twist.vx, my * twist.vy, m0 * twist.omega));
     }
   }
-  // Between the places that were looked at it may be a little less.
+  // Between samples the minimum may be a little lower.
   inner_ *= 0.97;
 }
 
 double PatchProjector::gauge(const PatchWrench& unit_wrench) const noexcept {
   const double m0 = patch_.moment_ratio();
   const auto [mx, my] = patch_.factors();
-  // In units in which the ellipsoid is a sphere.
+  // Use units in which the ellipsoid is a sphere.
   const Vector3d w{unit_wrench.fx, unit_wrench.fy, unit_wrench.moment / m0};
   if (!(w.norm() > 0.0)) return 0.0;
   Scaled friction{patch_, m0};
@@ -169,7 +169,7 @@ PatchProjection PatchProjector::project(const PatchWrench& trial, double limit, 
   result.wrench = trial;
   const double inside = std::hypot(trial.fx / mx, trial.fy / my, trial.moment / m0);
   if (inside <= inner_ * limit) return result;
-  // No trial is told from one farther out, nor a limit from a smaller one.
+  // A very small limit counts as 1e-12 of the trial, so that nothing overflows.
   const double safe_limit = std::max(limit, 1e-12 * inside);
   const double kappa = compliance_radius;
   const Vector3d w = Vector3d(trial.fx, trial.fy, trial.moment / kappa) / safe_limit;
@@ -186,7 +186,7 @@ PatchProjection PatchProjector::project(const PatchWrench& trial, double limit, 
     const Scaled::Value value = friction(q);
     return {q, value, w.dot(q) - value.power};
   };
-  // The ellipsoid's normal for a trial close to the limit, the trial itself for one far away, or where the last slip was.
+  // First guess: the best of the ellipsoid's normal (good for a trial near the limit), the trial itself (for one far away) and the last slip.
   Place here = at({w.x() / (mx * mx), w.y() / (my * my), w.z() * kappa * kappa / (m0 * m0)});
   const auto try_too = [&](const Vector3d& direction) {
     if (!(direction.norm() > 0.0)) return;
@@ -208,14 +208,14 @@ PatchProjection PatchProjector::project(const PatchWrench& trial, double limit, 
 
   const double enough = 1e-12 * (1.0 + std::min(size, here.value.wrench.norm()));
   result.converged = false;
-  // Close to the end the last Hessian is good enough: two evaluations less.
+  // Near convergence reuse the last Hessian, which saves two evaluations.
   Tangents tangents(here.q);
   Matrix2d curvature;
   double last_slope = 0.0;
   for (int i = 0; i < most_newton_steps && friction.evaluations < most_evaluations; ++i) {
     tangents.carry(here.q);
     const Vector2d slope = tangents.of(w - here.value.wrench);
-    // Far out the trial's own rounding is in the slope.
+    // For a trial far outside, the slope contains the trial's rounding.
     if (slope.norm() <= enough + 4.0 * std::numeric_limits<double>::epsilon() * size) {
       result.converged = true;
       break;
@@ -229,7 +229,7 @@ PatchProjection PatchProjector::project(const PatchWrench& trial, double limit, 
       const Place next = at(here.q + tangents.at(step));
       const double rise = next.rho - here.rho;
       better = rise >= 1e-4 * slope.dot(step) && rise > 0.0;
-      // Close to the largest the rise is lost in rounding: then the slope must fall.
+      // Near the maximum the increase is below rounding: then require a smaller slope.
       if (!better && std::fabs(rise) <= 1e-11 * (1.0 + size)) {
         better = Tangents(next.q).of(w - next.value.wrench).norm() < 0.7 * slope.norm();
       }
@@ -238,7 +238,7 @@ PatchProjection PatchProjector::project(const PatchWrench& trial, double limit, 
       break;
     }
     if (!better) {
-      // Nothing is better than this but by rounding.
+      // No better point, except by rounding.
       result.converged = slope.norm() <= 1e-9 * (1.0 + size);
       break;
     }

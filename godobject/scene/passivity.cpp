@@ -32,7 +32,7 @@ void require(std::string_view channel, std::string_view units, double stiffness,
 
 DeviceDamping device_damping_needed(const FingerParameters& finger, double sample_time) {
   if (!(sample_time > 0.0 && sample_time <= largest)) throw out_of_range("sample_time", sample_time, "s", "> 0 and finite");
-  // The limits check the parameters; any curve's moment ratio will do.
+  // The constructor checks the parameters; the moment ratio does not matter.
   static_cast<void>(ContactLimits(finger, 1.0));
   return {device_damping_needed(finger.stiffness, finger.damping, sample_time),
           device_damping_needed(finger.twist_stiffness, finger.twist_damping, sample_time)};
