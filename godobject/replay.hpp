@@ -12,38 +12,38 @@
 
 namespace limitcurve::godobject {
 
-/// Where a body is that somebody else moves.
+/// The pose of a body with a prescribed motion.
 struct BodyPose {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();               ///< of the centre of mass [m]
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  ///< body to world, of unit length
 };
 
-/// Who moves the body whose surface the fingers touch.
+/// The motion of the body that the fingers touch.
 enum class BodyMotion {
-  fixed,       ///< nobody: its frame is the world's
-  prescribed,  ///< the trace: each sample says where it is
-  free,        ///< the fingers and gravity: it begins at rest, its frame the world's
+  fixed,       ///< it does not move; its frame is the world's
+  prescribed,  ///< each sample has its pose
+  free,        ///< fingers and gravity move it; it begins at rest, in the world's frame
 };
 
-/// What a finger of the scene does and feels; places and vectors in the world.
+/// The state of one finger of a scene; points and vectors in the world.
 struct SceneContact {
   ContactState state = ContactState::free;                ///< invalid: all that follows is held from the last good step
-  Eigen::Vector3d proxy = Eigen::Vector3d::Zero();        ///< x_p [m]; while free, the finger itself
-  double angle = 0.0;                                     ///< α_p [rad], of the finger's twist relative to the body
+  Eigen::Vector3d proxy = Eigen::Vector3d::Zero();        ///< x_p [m]; while free, the finger's position
+  double angle = 0.0;                                     ///< α_p [rad], relative to the body
   double depth = 0.0;                                     ///< d [m]
-  double load = 0.0;                                      ///< P [N]; what the user feels of it is P times the normal
+  double load = 0.0;                                      ///< P [N]; the force on the user is P times the normal, plus friction
   Eigen::Vector3d force = Eigen::Vector3d::Zero();        ///< friction on the user [N], tangential
   double moment = 0.0;                                    ///< friction moment on the user about the normal [N m]
-  double cor = std::numeric_limits<double>::quiet_NaN();  ///< of the slip, from the contact centre [m]; NaN unless it slips
+  double cor = std::numeric_limits<double>::quiet_NaN();  ///< distance of the slip's COR from the contact centre [m]; NaN without slip
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();       ///< outward, of the surface at the contact; 0 before the first contact query
-  double margin = 1.0;                                    ///< to slip, as a fraction: `SoftFinger::margin`
-  double load_to_hold = 0.0;                              ///< the grip needed [N]: `SoftFinger::load_to_hold`
+  double margin = 1.0;                                    ///< margin to slip, as a fraction: `SoftFinger::margin`
+  double load_to_hold = 0.0;                              ///< smallest load that holds the friction [N]: `SoftFinger::load_to_hold`
   Eigen::Vector3d centre_of_rotation =
-      Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());  ///< of the slip [m]; inf for pure sliding, NaN unless it slips
-  double dissipated = 0.0;                                                  ///< by this finger's slip since the beginning [J], never falls
+      Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());  ///< of the slip [m]; inf for pure sliding, NaN without slip
+  double dissipated = 0.0;                                                  ///< energy of this finger's slip since the beginning [J]
 };
 
-/// Everything that a replay needs to know. `Replay` validates it.
+/// The options of a replay. `Replay` checks them.
 struct ReplayOptions {
   Law law = {};                        ///< pressure law; must be set
   CurveKind curve = CurveKind::table;  ///< of the law
@@ -53,33 +53,33 @@ struct ReplayOptions {
   AnySurface surface = AnySurface(PlaneSurface{});  ///< of the body, in its frame
   std::size_t fingers = 1;                          ///< 1 to `Replay::most_fingers`
   BodyMotion motion = BodyMotion::fixed;
-  BodyParameters body = {};  ///< where it is free
+  BodyParameters body = {};  ///< of a free body
 };
 
-/// The god-object over a recorded motion of one finger or several on a surface of any kind, which may rest, be moved or be free.
+/// Steps the god-object through a recorded motion of one or several fingers, on a surface that is fixed, prescribed or free.
 class Replay {
  public:
   static constexpr std::size_t most_fingers = 16;
-  /// A free body is not moved over a gap in the trace longer than this [s].
+  /// A free body does not move over a longer gap between samples [s].
   static constexpr double longest_step = 1.0;
 
-  /// Throws `std::invalid_argument` that names the parameter, its value, unit and range.
+  /// Throws `std::invalid_argument` with the parameter, its value, unit and range. Builds the table of the curve.
   explicit Replay(const ReplayOptions& options);
 
-  /// The next sample: time [s], a pose for each finger (a missing one counts as far away), and where the body is, which counts
-  /// where its motion is prescribed. A time that is not finite or earlier than the last, or a pose of the body that is no pose,
-  /// makes all fingers `invalid` and moves nothing; so does a pose of a finger that is not finite, for that finger.
+  /// Steps to the next sample: time [s], a pose for each finger (a missing one counts as far away), and the pose of the body, used if its
+  /// motion is prescribed. If the time is not finite or earlier than the last, or the body's pose is not valid, all fingers are `invalid`
+  /// and nothing moves. If a finger's pose is not finite, that finger is `invalid`.
   void step(double time, std::span<const DevicePose> fingers, const BodyPose& body = {}) noexcept;
 
-  /// What the fingers do now, one each.
+  /// The present state of each finger.
   [[nodiscard]] std::span<const SceneContact> contacts() const& noexcept { return contacts_; }
   void contacts() const&& = delete;
   [[nodiscard]] const BodyState& body() const& noexcept { return grasp_.body(); }
   void body() const&& = delete;
-  /// Steps of a free body whose equations were not solved to rounding: `Grasp::unsolved`.
+  /// Number of steps of a free body whose equations were not solved: `Grasp::unsolved`.
   [[nodiscard]] std::size_t unsolved() const noexcept { return grasp_.unsolved(); }
-  /// How far the fingers' curve is from the one that was asked for: the table's certified error and what samples of the pressure leave open,
-  /// 0 in closed form.
+  /// Error of the fingers' curve against the one of its kind [unit wrenches]: certified_error + profile_error of its table, 0 for a closed
+  /// form.
   [[nodiscard]] double curve_error() const noexcept { return curve_error_; }
 
  private:

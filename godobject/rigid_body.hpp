@@ -8,30 +8,30 @@
 
 namespace limitcurve::godobject {
 
-/// What a body is made of.
+/// Mass, inertia, gravity and free motions of a rigid body.
 struct BodyParameters {
   double mass = 0.1;                                          ///< [kg] > 0
   Eigen::Vector3d inertia = Eigen::Vector3d::Constant(1e-4);  ///< principal moments about the centre of mass [kg m²], each > 0
   Eigen::Vector3d gravity = {0.0, 0.0, -9.81};                ///< [m/s²]
-  /// Which velocities are free, in world axes: three of the centre of mass, three of rotation. The planar body of the
-  /// x-y plane is {1, 1, 0, 0, 0, 1}.
+  /// The velocities that are free, in world axes: three of the centre of mass, three of rotation. A body in the x-y plane has {1, 1, 0, 0,
+  /// 0, 1}.
   std::array<bool, 6> free = {true, true, true, true, true, true};
 
-  /// A block of even density with these edges [m] > 0. Throws std::invalid_argument naming what is out of range.
+  /// A block of even density with these edges [m] > 0. Throws std::invalid_argument with the parameter out of range.
   static BodyParameters block(double mass, const Eigen::Vector3d& edges);
-  /// Of even density too: a ball [m] > 0; a cylinder and a capsule (both along z) of a length [m] > 0 and ≥ 0, that of the capsule
-  /// between the centres of its ends. Throw like `block`.
+  /// A ball, a cylinder and a capsule of even density; radius [m] > 0. Cylinder and capsule lie along z; the length [m] of the cylinder is
+  /// > 0, that of the capsule, between the centres of its ends, ≥ 0. Throw like `block`.
   static BodyParameters ball(double mass, double radius);
   static BodyParameters cylinder(double mass, double radius, double length);
   static BodyParameters capsule(double mass, double radius, double length);
-  /// A block moving in the x-y plane only, with gravity along −y.
+  /// A block that moves in the x-y plane only, with gravity [m/s²] along −y.
   static BodyParameters planar_block(double mass, const Eigen::Vector3d& edges, double gravity);
 
-  /// Throws std::invalid_argument naming the parameter, its value, unit and range.
+  /// Throws std::invalid_argument with the parameter, its value, unit and range, if one is out of range.
   void validate() const;
 };
 
-/// Where a body is and how it moves. The body's frame has its origin in the centre of mass and its axes along the principal ones.
+/// Pose and velocity of a body. The body's frame has its origin at the centre of mass and its axes along the principal axes of inertia.
 struct BodyState {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();               ///< of the centre of mass [m]
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  ///< body to world, of unit length
@@ -44,9 +44,8 @@ struct BodyState {
   [[nodiscard]] Eigen::Vector3d to_world(const Eigen::Vector3d& point) const noexcept { return position + orientation * point; }
 };
 
-/// The orientation after turning with the angular velocity ω (world axes) for a time: exp(ω t/2) q, normalised.
-/// The half angle's sine and cosine are the Cayley map's, (1 − τ²)/(1 + τ²) with τ = |ω|t/4: exact in direction, third order
-/// in the angle, without trigonometry, and of unit length by construction (to rounding, which is normalised away).
+/// The orientation after a rotation with the angular velocity ω [rad/s] (world axes) for a time [s]: exp(ω t/2) q, of unit length. Sine and
+/// cosine of the half angle are those of the Cayley map, (1 − τ²)/(1 + τ²) with τ = |ω|t/4: the axis is exact, the angle of third order.
 Eigen::Quaterniond turned(const Eigen::Quaterniond& orientation, const Eigen::Vector3d& angular_velocity, double time) noexcept;
 
 /// Kinetic energy [J].

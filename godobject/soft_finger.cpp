@@ -43,17 +43,17 @@ FingerOutput SoftFinger::preview(const Contact& contact, double device_twist, do
 
 void SoftFinger::advance(FingerState& state, const Contact& contact, const Spin& spin, double device_twist,
                          double time_step) const noexcept {
-  // A velocity is known only from one good sample to the next.
+  // A velocity needs two good samples in succession.
   const bool has_velocity = state.seen && state.state != ContactState::invalid && time_step >= shortest_time_step;
   if (!is_plausible(state, parameters_, contact, device_twist, time_step)) return fade(state, parameters_.fault_decay);
   if (!(contact.depth > 0.0)) return release(state, contact, spin, device_twist);
   if (!state.in_contact) touch_down(state, contact, spin, device_twist);
 
-  // a. The trial deflection: the springs, and with them the dampers, while the proxy stays where it is (eq. 7).
+  // a. The trial deflection of springs and dampers if the proxy stays (eq. 7).
   const TrialDeflection trial = take_sample(state, parameters_, contact, spin, device_twist, has_velocity ? time_step : 0.0);
   const Springs& springs = trial.springs;
 
-  // b. What part of it the limit curve lets the springs keep (eqs. 21–23).
+  // b. Friction: the part of the trial deflection that the limit curve allows (eqs. 21–23).
   const double r = trial.tangential.norm();
   const double rho = std::fabs(trial.twist);
   const FrictionTrial<double> wrench{springs.stiffness * r, springs.twist_stiffness * rho};
@@ -63,7 +63,7 @@ void SoftFinger::advance(FingerState& state, const Contact& contact, const Spin&
   const Vector3d kept = trial.tangential * friction.force_ratio;
   const double twist_kept = trial.twist * friction.moment_ratio;
 
-  // The proxy follows. What did not slide is not touched, not even by rounding; and a slip that its rounding swallows is none.
+  // The proxy follows. A component without slip keeps its bits; a slip below the rounding of the position counts as stick.
   const Landing landing = friction.force_ratio < 1.0 ? follow(trial, contact, kept) : Landing{trial.proxy, trial.spring.normal};
   const double angle = friction.moment_ratio < 1.0 ? state.goal_angle + trial.twist_rest + twist_kept : state.angle;
   const bool slid = trial.is_brought_round || landing.proxy != trial.proxy;
@@ -79,7 +79,7 @@ void SoftFinger::advance(FingerState& state, const Contact& contact, const Spin&
   state.load = trial.load(slips ? landing.normal : trial.spring.normal);
   state.force = numbers(kept * springs.stiffness);
   state.moment = twist_kept * springs.twist_stiffness;
-  // A proxy that is brought round slides, and does not turn.
+  // A proxy moved to the finger's near side slides without a turn: its COR is at infinity.
   state.trial_force = wrench.force;
   state.trial_moment = wrench.moment;
   state.cor = friction.slips && slips ? friction.cor : std::numeric_limits<double>::infinity();

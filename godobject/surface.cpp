@@ -15,10 +15,10 @@ double positive(std::string_view name, double value) {
   return value;
 }
 
-/// A length [m] whose square is lost below the numbers, and with it the direction.
+/// For a shorter vector [m] the square underflows, and the direction is lost.
 constexpr double nothing = 1e-150;
 
-/// The ball's surface about `centre`; where the finger is at the centre, `side` is the normal.
+/// The contact with a sphere about `centre`; if the finger is at the centre, `side` is the normal.
 Contact on_ball(const Eigen::Vector3d& centre, double radius, const Eigen::Vector3d& finger, const Eigen::Vector3d& side) noexcept {
   const Eigen::Vector3d away = finger - centre;
   const double distance = away.norm();
@@ -26,13 +26,13 @@ Contact on_ball(const Eigen::Vector3d& centre, double radius, const Eigen::Vecto
   return {centre + normal * radius, normal, radius - distance, {distance < radius ? 0 : -1, numbers(centre + normal), true}};
 }
 
-/// The unit vector along `way`; along `otherwise` where it has no length.
+/// The unit vector along `way`, or along `otherwise` if it has no length.
 Eigen::Vector3d direction(const Eigen::Vector3d& way, const Eigen::Vector3d& otherwise) noexcept {
   const double length = way.norm();
   return length > nothing ? Eigen::Vector3d(way / length) : otherwise;
 }
 
-/// A vector without its part along the axis of a capsule or cylinder.
+/// The part of a vector across the axis of a capsule or cylinder.
 Eigen::Vector3d radial_part(const Eigen::Vector3d& way) noexcept {
   return {way.x(), way.y(), 0.0};
 }
@@ -42,7 +42,7 @@ Eigen::Vector3d radial_part(const Eigen::Vector3d& way) noexcept {
 SphereSurface::SphereSurface(double radius) : radius_(positive("radius", radius)) {}
 
 Contact SphereSurface::contact(const Eigen::Vector3d& finger, const ContactMemory& memory) const noexcept {
-  // A finger at the centre keeps the side that it came from.
+  // At the centre the finger keeps its side.
   return on_ball(Eigen::Vector3d::Zero(), radius_, finger, direction(vector(memory.finger), Eigen::Vector3d::UnitZ()));
 }
 
@@ -54,7 +54,7 @@ Contact CapsuleSurface::contact(const Eigen::Vector3d& finger, const ContactMemo
   const auto nearest_on_axis = [this](double z) { return Eigen::Vector3d(0.0, 0.0, std::clamp(z, -half_length_, half_length_)); };
   const Eigen::Vector3d last = vector(memory.finger);
   const bool is_end = std::fabs(finger.z()) >= half_length_;
-  // A finger on the axis keeps the side that it came from; between the ends no side is along the axis.
+  // On the axis the finger keeps its side; between the ends that is across the axis.
   const Eigen::Vector3d side = is_end ? direction(last - nearest_on_axis(last.z()), {0.0, 0.0, std::copysign(1.0, finger.z())})
                                       : direction(radial_part(last), Eigen::Vector3d::UnitX());
   return on_ball(nearest_on_axis(finger.z()), radius_, finger, side);
@@ -63,10 +63,10 @@ Contact CapsuleSurface::contact(const Eigen::Vector3d& finger, const ContactMemo
 CylinderSurface::CylinderSurface(double radius, double half_length)
     : radius_(positive("radius", radius)), half_length_(positive("half_length", half_length)) {}
 
-/// The face by which the way between two places enters the cylinder: 0 the side, 1 the upper end, 2 the lower; −1 if it does not.
+/// The face through which the segment enters the cylinder: 0 the side, 1 the upper end, 2 the lower; −1 if it does not enter.
 int CylinderSurface::entered(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const noexcept {
   int face = -1;
-  double enter = 0.0;  // as fractions of the way
+  double enter = 0.0;  // as fractions of the segment
   double leave = 1.0;
   for (const int end : {1, 2}) {
     const double side = end == 1 ? 1.0 : -1.0;
@@ -102,11 +102,11 @@ Contact CylinderSurface::contact(const Eigen::Vector3d& finger, const ContactMem
   const double distance = radial_part(finger).norm();
   const double beyond_side = distance - radius_;
   const double beyond_end = std::fabs(finger.z()) - half_length_;
-  // A finger on the axis keeps the side that it came from.
+  // On the axis the finger keeps its side.
   const Eigen::Vector3d radial = direction(radial_part(finger), direction(radial_part(last), Eigen::Vector3d::UnitX()));
   const Eigen::Vector3d axial = {0.0, 0.0, finger.z() >= 0.0 ? 1.0 : -1.0};
 
-  // On the face of the last step as long as the finger is beneath it.
+  // The finger stays on the face of the last step as long as it is beneath it.
   const auto is_beneath = [&](int face) {
     if (face == 0) return beyond_side < 0.0 && beyond_end <= 0.0;
     return (face == 2 ? -finger.z() : finger.z()) < half_length_ && beyond_side <= 0.0;
@@ -115,7 +115,7 @@ Contact CylinderSurface::contact(const Eigen::Vector3d& finger, const ContactMem
   if (face >= 0 && !is_beneath(face)) face = -1;
   if (memory.face < 0 && memory.known) {
     face = entered(last, finger);
-    // Through it and out again at another face: the finger has passed the rim.
+    // It left through another face: the finger has passed the rim.
     if (face >= 0 && !is_beneath(face)) face = -1;
   }
   if (face < 0 && beyond_side < 0.0 && beyond_end < 0.0) face = beyond_side > beyond_end ? 0 : finger.z() >= 0.0 ? 1 : 2;
@@ -128,7 +128,7 @@ Contact CylinderSurface::contact(const Eigen::Vector3d& finger, const ContactMem
     const double side = face == 1 ? 1.0 : -1.0;
     return {{finger.x(), finger.y(), side * half_length_}, {0.0, 0.0, side}, half_length_ - side * finger.z(), next};
   }
-  // Outside: the nearest point, with the way to it for a normal.
+  // Outside: the nearest point, with the normal from it to the finger.
   const Eigen::Vector3d nearest = radial * std::min(distance, radius_) + axial * std::min(std::fabs(finger.z()), half_length_);
   const Eigen::Vector3d way = finger - nearest;
   return {nearest, direction(way, beyond_side >= beyond_end ? radial : axial), -way.norm(), next};
@@ -146,7 +146,7 @@ bool BoxSurface::beside(const Eigen::Vector3d& finger, int axis) const noexcept 
   return false;
 }
 
-/// The face by which the way between two places enters the box; −1 if it does not touch it.
+/// The face through which the segment enters the box; −1 if it does not touch it.
 int BoxSurface::crossed(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const noexcept {
   int face = -1;
   double enter = 0.0;
@@ -176,7 +176,7 @@ int BoxSurface::nearest_face(const Eigen::Vector3d& finger) const noexcept {
 }
 
 Contact BoxSurface::contact(const Eigen::Vector3d& finger, const ContactMemory& memory) const noexcept {
-  // Face 2·axis looks along +axis, 2·axis + 1 along −axis.
+  // The normal of face 2·axis is +axis, of face 2·axis + 1 it is −axis.
   const auto depth_under = [&](int face) {
     const double side = face % 2 == 0 ? 1.0 : -1.0;
     return half_edges_[face / 2] - side * finger[face / 2];
@@ -186,7 +186,7 @@ Contact BoxSurface::contact(const Eigen::Vector3d& finger, const ContactMemory& 
   const bool inside = (finger.cwiseAbs() - half_edges_).maxCoeff() < 0.0;
   if (face < 0 && memory.face < 0 && memory.known) {
     face = crossed(vector(memory.finger), finger);
-    // Through the box and out again at a side: the finger has passed a corner.
+    // It left through another side: the finger has passed a corner.
     if (face >= 0 && beside(finger, face / 2)) face = -1;
   }
   if (face < 0 && inside) face = nearest_face(finger);

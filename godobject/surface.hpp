@@ -10,9 +10,9 @@
 
 namespace limitcurve::godobject {
 
-/// The surface of a solid in its body's frame. `contact` finds the surface point nearest the finger, with the outward normal
-/// and the depth (≤ 0 outside), and what it needs to remember of the finger until the next step. It changes nothing: the memory is the
-/// finger's, which keeps that of samples that it accepts. The finger is finite. Bounded, without allocation or exceptions.
+/// The surface of a solid, in its body's frame. `contact` returns the surface point nearest the finger, the outward normal, the depth (≤ 0
+/// outside), and the memory for the next query. `finger` is finite. The function has no state: the finger keeps the memory, of samples that
+/// it accepts. Bounded time, no allocation, no exception.
 // clang-format off
 template <class Shape>
 concept Surface = requires(const Shape& shape, const Eigen::Vector3d& finger, const ContactMemory& memory) {
@@ -20,8 +20,8 @@ concept Surface = requires(const Shape& shape, const Eigen::Vector3d& finger, co
 };
 // clang-format on
 
-/// Any surface, chosen at run time: for programs that read from a file or a command line what the finger touches. Costs
-/// one indirect call a contact. Immutable; copies share the surface. Allocates at construction only.
+/// Any surface, chosen at run time, for example by a file or a command line. Costs one indirect call for each contact. Immutable; copies
+/// share the surface. Allocates at construction only.
 class AnySurface {
  public:
   // clang-format off
@@ -65,7 +65,7 @@ class PlaneSurface {
   }
 };
 
-/// A sphere about the origin. A finger that reaches its centre keeps the side it came from.
+/// A sphere about the origin. At its centre a finger keeps the normal of the last step.
 class SphereSurface {
  public:
   explicit SphereSurface(double radius);  ///< [m] > 0; throws std::invalid_argument
@@ -76,7 +76,8 @@ class SphereSurface {
   double radius_;
 };
 
-/// All points within a radius of the segment from (0, 0, −h) to (0, 0, h). A finger that reaches the segment keeps the side it came from.
+/// A capsule: all points within a radius of the segment from (0, 0, −h) to (0, 0, h). On the segment a finger keeps the normal of the last
+/// step.
 class CapsuleSurface {
  public:
   CapsuleSurface(double radius, double half_length);  ///< [m] > 0, ≥ 0; throws std::invalid_argument
@@ -87,8 +88,8 @@ class CapsuleSurface {
   double half_length_;
 };
 
-/// The cylinder x² + y² ≤ R², |z| ≤ h, with flat ends. A finger inside stays on the face (side or end) that it came in by:
-/// a thin disc is not passed through, not even in one step. On the axis it keeps the side that it came from.
+/// The cylinder x² + y² ≤ R², |z| ≤ h, with flat ends. A finger inside stays on the face (side or end) through which it entered, so that it
+/// cannot pass through a thin disc, not even in one step. On the axis it keeps the normal of the last step.
 class CylinderSurface {
  public:
   CylinderSurface(double radius, double half_length);  ///< [m] > 0; throws std::invalid_argument
@@ -101,8 +102,8 @@ class CylinderSurface {
   double half_length_;
 };
 
-/// The box |x| ≤ h_x, |y| ≤ h_y, |z| ≤ h_z. A finger stays on the face that it came in by, however deep it is pressed, until
-/// it leaves over an edge: a thin plate is not passed through, not even in one step, and opposite faces do not change places.
+/// The box |x| ≤ h_x, |y| ≤ h_y, |z| ≤ h_z. A finger stays on the face through which it entered, at any depth, until it leaves over an
+/// edge. So it cannot pass through a thin plate, not even in one step.
 class BoxSurface {
  public:
   explicit BoxSurface(const Eigen::Vector3d& half_edges);  ///< [m], each > 0; throws std::invalid_argument
