@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "godobject/mesh/closed_triangles.hpp"
 
-#include "godobject/mesh/tangle.hpp"
+#include "godobject/mesh/self_intersection.hpp"
 #include "limitcurve/number.hpp"
 
 #include <Eigen/Geometry>
@@ -41,9 +41,9 @@ class Closing {
     check_fans();
     check_folds();
     result_.tree = Tree(result_.vertices, result_.faces);
-    if (const auto tangle = find_tangle(result_)) {
-      fail(tangle->first, {"meets face ", std::to_string(origin_[index(tangle->second)]),
-                           " where they share neither edge nor vertex, expected a surface that does not cross or touch itself"});
+    if (const auto pair = find_self_intersection(result_)) {
+      fail(pair->first, {"meets face ", std::to_string(origin_[index(pair->second)]),
+                         " where they share neither edge nor vertex, expected a surface that does not cross or touch itself"});
     }
     turn_outward();
     return std::move(result_);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "godobject/mesh/mesh_file.hpp"
 
-#include "godobject/mesh/words.hpp"
+#include "godobject/mesh/tokenizer.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -52,32 +52,32 @@ TriangleList read_binary(std::string_view bytes, std::string_view name, double s
 }
 
 /// Goes to the next line that is not blank, whose first word is given back.
-std::string_view next_statement(Words& words) {
-  while (words.next_line()) {
-    const std::string_view word = words.next();
+std::string_view next_statement(Tokenizer& tokens) {
+  while (tokens.next_line()) {
+    const std::string_view word = tokens.next();
     if (!word.empty()) return word;
   }
   return {};
 }
 
-void require(Words& words, std::string_view word, std::string_view wanted) {
-  if (word != wanted) words.expected(wanted);
+void require(Tokenizer& tokens, std::string_view word, std::string_view wanted) {
+  if (word != wanted) tokens.expected(wanted);
 }
 
-void require_end(Words& words) {
-  if (!words.next().empty()) words.expected("the line to end");
+void require_end(Tokenizer& tokens) {
+  if (!tokens.next().empty()) tokens.expected("the line to end");
 }
 
 TriangleList read_ascii(std::string_view text, std::string_view name, double scale) {
   TriangleList list;
   list.name = name;
-  Words words(text, name);
+  Tokenizer tokens(text, name);
   bool in_solid = false;
   while (true) {
-    const std::string_view word = next_statement(words);
+    const std::string_view word = next_statement(tokens);
     if (!in_solid) {
       if (word.empty() && !list.faces.empty()) return list;
-      if (word != "solid") words.expected("solid");
+      if (word != "solid") tokens.expected("solid");
       in_solid = true;
       continue;
     }
@@ -85,27 +85,27 @@ TriangleList read_ascii(std::string_view text, std::string_view name, double sca
       in_solid = false;
       continue;
     }
-    if (word != "facet") words.expected("facet or endsolid");
-    const int line = words.line();
-    require(words, words.next(), "normal");
+    if (word != "facet") tokens.expected("facet or endsolid");
+    const int line = tokens.line();
+    require(tokens, tokens.next(), "normal");
     for (int i = 0; i < 3; ++i) {
       // Some programs write a normal of nan for a face without area.
-      if (!parse_number(words.next())) words.expected("a number");
+      if (!parse_number(tokens.next())) tokens.expected("a number");
     }
-    require_end(words);
-    require(words, next_statement(words), "outer");
-    require(words, words.next(), "loop");
-    require_end(words);
+    require_end(tokens);
+    require(tokens, next_statement(tokens), "outer");
+    require(tokens, tokens.next(), "loop");
+    require_end(tokens);
     const int first = static_cast<int>(list.vertices.size());
-    if (first > 1'000'000'000) words.fail("too many faces");
+    if (first > 1'000'000'000) tokens.fail("too many faces");
     for (int corner = 0; corner < 3; ++corner) {
-      require(words, next_statement(words), "vertex");
-      list.vertices.push_back(words.place(scale));
-      require_end(words);
+      require(tokens, next_statement(tokens), "vertex");
+      list.vertices.push_back(tokens.place(scale));
+      require_end(tokens);
     }
     for (const std::string_view end : {"endloop", "endfacet"}) {
-      require(words, next_statement(words), end);
-      require_end(words);
+      require(tokens, next_statement(tokens), end);
+      require_end(tokens);
     }
     list.faces.push_back({first, first + 1, first + 2});
     list.lines.push_back(line);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "godobject/mesh/tangle.hpp"
+#include "godobject/mesh/self_intersection.hpp"
 
 #include <Eigen/Geometry>
 
@@ -117,7 +117,7 @@ bool folded(const ClosedTriangles& triangles, const Meeting& meeting, const Face
 
 }  // namespace
 
-std::optional<std::pair<int, int>> find_tangle(const ClosedTriangles& triangles) {
+std::optional<std::pair<int, int>> find_self_intersection(const ClosedTriangles& triangles) {
   const Meeting meeting(triangles.grid);
   const int count = static_cast<int>(triangles.faces.size());
   std::optional<std::pair<int, int>> found;

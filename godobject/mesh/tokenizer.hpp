@@ -16,9 +16,9 @@
 namespace limitcurve::godobject {
 
 /// The words of a text, line by line, and where they stand, for complaints that name the place.
-class Words {
+class Tokenizer {
  public:
-  Words(std::string_view text, std::string_view name) : rest_(text), name_(name) {}
+  Tokenizer(std::string_view text, std::string_view name) : rest_(text), name_(name) {}
 
   /// Goes to the next line; false at the end of the text.
   bool next_line() {

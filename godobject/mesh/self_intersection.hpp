@@ -10,6 +10,6 @@ namespace limitcurve::godobject {
 
 /// Two faces that meet where they share neither edge nor vertex, or fold on to each other; nothing if there are none.
 /// Exact on the grid. The time is that of finding faces with overlapping boxes.
-std::optional<std::pair<int, int>> find_tangle(const ClosedTriangles& triangles);
+std::optional<std::pair<int, int>> find_self_intersection(const ClosedTriangles& triangles);
 
 }  // namespace limitcurve::godobject
