@@ -102,7 +102,7 @@ Kind parse(const Names<Kind, count>& names, std::string_view noun, std::string_v
   throw std::invalid_argument(std::string(noun) + " '" + std::string(text) + "': expected " + expected);
 }
 
-/// The finest table that can be had from a tolerance on: `build` makes one of a tolerance, or throws.
+/// The table at a tolerance, or at the first of 10, 100, … times it at which `build` does not throw.
 template <class Build>
 Table finest(double tolerance, const Build& build) {
   for (;; tolerance *= 10.0) {

@@ -12,7 +12,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-/// The device's twist without its jumps by whole turns: exactly the device's as long as it does not jump.
+/// The device's twist, unwrapped; equal to the device's bit for bit as long as it does not wrap.
 double unwrap(FingerState& state, double device_twist) noexcept {
   constexpr double turn = 2.0 * std::numbers::pi;
   const double jump = device_twist - state.device_twist;
@@ -21,7 +21,7 @@ double unwrap(FingerState& state, double device_twist) noexcept {
   return device_twist + state.turns;
 }
 
-/// Of a proxy while the finger touches there.
+/// The deflection of a spring from a contact's finger to a proxy.
 Deflection deflection(const Vector3d& proxy, const Contact& contact) noexcept {
   const Vector3d apart = proxy - contact.point;
   const double rise = contact.normal.dot(apart);
@@ -44,7 +44,7 @@ bool is_plausible(FingerState& state, const FingerParameters& parameters, const 
   const double square = contact.point.squaredNorm() + contact.depth * contact.depth + device_twist * device_twist;
   const bool is_unit = std::fabs(contact.normal.squaredNorm() - 1.0) <= 1e-6;
   if (!(square <= farthest * farthest) || !is_unit || !(time_step >= 0.0)) return false;
-  // Plausible is a finger that is near where it last was good, or near where it was refused last, and the first of all.
+  // Plausible: the first sample, a sample near the last good one, or one near the last refused one.
   const Vector3d position = contact.point - contact.normal * contact.depth;
   const double limit = parameters.max_displacement * parameters.max_displacement;
   if (!state.seen || (position - state.position()).squaredNorm() <= limit) {
@@ -59,7 +59,7 @@ bool is_plausible(FingerState& state, const FingerParameters& parameters, const 
 }
 
 void fade(FingerState& state, double fault_decay) noexcept {
-  // A single sample that is lost is nothing that a finger should feel.
+  // Hold the output for a single lost sample.
   const double kept = state.state == ContactState::invalid ? fault_decay : 1.0;
   state.state = ContactState::invalid;
   state.slip_work = 0.0;
@@ -140,7 +140,7 @@ TrialDeflection take_sample(FingerState& state, const FingerParameters& paramete
   Deflection now = deflection(proxy, contact);
   const bool is_behind = now.normal < 0.0;
   if (is_behind) {
-    // Springs do not pull a finger in: the proxy comes to the finger's other side, not farther away.
+    // Springs do not pull a finger in: move the proxy to the finger's near side, not farther away than it was.
     now.normal = std::min(-now.normal, contact.depth);
     proxy = contact.point + now.tangential + n * (now.normal - contact.depth);
   }

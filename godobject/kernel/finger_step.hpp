@@ -4,83 +4,83 @@
 #include "godobject/finger.hpp"
 #include "godobject/surface.hpp"
 
-/// What the steps of a round contact (SoftFinger) and of a patch (PatchFinger) share: which samples count, the springs with their dampers, and
-/// how the proxy follows a slip. Friction between the two is theirs.
+/// The parts of a step that SoftFinger and PatchFinger share: the check of samples, springs and dampers, and the motion of the proxy in a
+/// slip. Each has its own friction.
 namespace limitcurve::godobject {
 
-/// A contact farther than this from the origin [m], or turned farther [rad], is taken for a fault of the device.
+/// A contact farther than this from the origin [m], or with a larger twist [rad], is a fault of the device.
 inline constexpr double farthest = 1e6;
 
-/// The contact of a device with a surface, and in `spin` the spin of its orientation since the last good sample. A pose that is not finite, or not
-/// of unit length, gives a contact that is not plausible: surfaces answer finite places only.
+/// The contact of a device with a surface, and in `spin` the spin of its orientation since the last good sample. A pose that is not finite,
+/// or an orientation not of unit length, gives a contact that is not plausible; the surface is not called, because it requires a finite
+/// position.
 [[nodiscard]] Contact sense(const AnySurface& surface, const DevicePose& device, const FingerState& state, Spin& spin) noexcept;
 
-/// Whether a sample may be believed: finite, a normal of unit length, no time step < 0, and not farther than `max_displacement` from where the
-/// finger last was. One that is refused for that once is believed where it stays.
+/// Whether a sample is plausible: finite, a normal of unit length, a time step ≥ 0, and within `max_displacement` of the last good
+/// position. After a sample was refused for its displacement, samples near it are plausible.
 [[nodiscard]] bool is_plausible(FingerState& state, const FingerParameters& parameters, const Contact& contact, double device_twist,
                                 double time_step) noexcept;
 
-/// What a finger does with a sample that is not: `invalid`; the last good output is held, and from the second such sample on it fades.
+/// The step of an invalid sample: the last good output is held, and fades from the second invalid sample on.
 void fade(FingerState& state, double fault_decay) noexcept;
 
-/// No contact: nothing but the last place and the spin are remembered.
+/// The step without contact: keeps only position and spin.
 void release(FingerState& state, const Contact& contact, const Spin& spin, double device_twist) noexcept;
 
-/// The first sample in contact: no friction yet, and the springs not yet loaded. (The paper's α_0 is the twist here; angles are kept
-/// absolute, and α_p − α_g is the same.)
+/// The first sample in contact: the springs are not loaded. (The paper's α_0 is the twist here. Angles are absolute; α_p − α_g is the
+/// same.)
 void touch_down(FingerState& state, const Contact& contact, const Spin& spin, double device_twist) noexcept;
 
-/// The springs between proxy and finger, with the dampers of a timed step in them: implicitly a damper b is a spring b/Δt more, which rests where
-/// the deflection was.
+/// The springs between proxy and finger, dampers included. In an implicit step a damper b is an additional spring b/Δt whose rest is the
+/// last deflection.
 struct Springs {
   double stiffness;               ///< [N/m]
   double twist_stiffness;         ///< [N m/rad]
-  double rest_share = 0.0;        ///< of the last deflection, where the springs rest
-  double twist_rest_share = 0.0;  ///< likewise
+  double rest_share = 0.0;        ///< rest of the springs divided by the last deflection
+  double twist_rest_share = 0.0;  ///< the same for the twist
 
-  /// `time_step` [s]: 0 where no damper acts.
+  /// `time_step` [s]; 0: no damper acts.
   Springs(const FingerParameters& finger, double time_step) noexcept;
 };
 
-/// How far the spring between proxy and finger is deflected, x_p − x_h.
+/// The deflection x_p − x_h of the spring between proxy and finger.
 struct Deflection {
-  Eigen::Vector3d tangential;  ///< along the surface [m]: r is its length
-  double normal;               ///< along the normal [m]: the depth, and by how much a curved surface rises or falls towards the proxy
+  Eigen::Vector3d tangential;  ///< along the surface [m]; r is its length
+  double normal;               ///< along the normal [m]: the depth, plus the rise of a curved surface from x_g to the proxy
 };
 
-/// Of the spring after the last good sample.
+/// The deflection after the last good sample.
 [[nodiscard]] Deflection deflection(const FingerState& state) noexcept;
 
-/// Step a: the springs while the proxy stays where it is (eq. 7).
+/// Step a: springs and dampers if the proxy stays (eq. 7).
 struct TrialDeflection {
   Springs springs;
-  Deflection spring;                ///< of the proxy as it is
+  Deflection spring;                ///< deflection of the spring, before friction
   Eigen::Vector3d proxy;            ///< x_p [m]
-  bool is_brought_round;            ///< the finger had left the proxy behind itself, round a curved surface: it slides to the near side
-  Eigen::Vector3d tangential_rest;  ///< where dampers let the springs rest: along the surface [m],
+  bool is_brought_round;            ///< the proxy was on the far side of a curved surface, and is moved to the finger's near side
+  Eigen::Vector3d tangential_rest;  ///< rest of the springs because of dampers: along the surface [m],
   double normal_rest;               ///< along the normal [m],
   double twist_rest;                ///< and in twist [rad]
-  Eigen::Vector3d tangential;       ///< the trial: the deflection along the surface less its rest [m]
-  double twist;                     ///< and that of the twist, α_p − α_g less its rest [rad]
+  Eigen::Vector3d tangential;       ///< trial deflection along the surface, minus its rest [m]
+  double twist;                     ///< trial deflection in twist, α_p − α_g minus its rest [rad]
 
-  /// The normal force on the user [N] where the spring is so long along the normal [m]. Dampers do not pull.
+  /// The normal force on the user [N] for a deflection along the normal [m]. A damper does not pull.
   [[nodiscard]] double load(double normal) const noexcept;
 };
 
-/// Takes the sample, which is plausible and touches, into the state, and finds the trial deflection. `time_step` [s] is 0 where no damper acts.
+/// Step a: stores a plausible sample in contact in the state, and returns the trial deflection. `time_step` [s]; 0: no damper acts.
 [[nodiscard]] TrialDeflection take_sample(FingerState& state, const FingerParameters& parameters, const Contact& contact, const Spin& spin,
                                           double device_twist, double time_step) noexcept;
 
-/// Where a proxy comes to lie when it slips.
+/// The proxy after a slip.
 struct Landing {
-  Eigen::Vector3d proxy;  ///< x_p [m]
-  double normal;          ///< of the spring then, along the normal [m]
-  double along_slope =
-      1.0;  ///< of the work of a force along the tangent plane at x_g, the share that is done along the surface at the proxy
+  Eigen::Vector3d proxy;     ///< x_p [m]
+  double normal;             ///< deflection of the spring along the normal then [m]
+  double along_slope = 1.0;  ///< work along the surface at the proxy divided by work along the tangent plane at x_g
 };
 
-/// Of a proxy of whose trial deflection friction leaves `kept` [m]. The surface is taken for one that rises or falls with the square of the
-/// distance from x_g; the proxy does not come farther from the finger than it was, so that no slip adds energy.
+/// The proxy after a slip that leaves `kept` [m] of the trial deflection. Models the surface as a paraboloid about x_g. The proxy does not
+/// move away from the finger, so that a slip never adds energy.
 [[nodiscard]] Landing follow(const TrialDeflection& trial, const Contact& contact, const Eigen::Vector3d& kept) noexcept;
 
 }  // namespace limitcurve::godobject

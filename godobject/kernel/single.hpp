@@ -5,8 +5,8 @@
 
 #include <concepts>
 
-/// How a single number is read from and written to the arrays of a batch. Packs have the same names (pack.hpp); a last argument that is not
-/// used says of how many lanes.
+/// Reading and writing the arrays of a batch, for a single number. pack.hpp has the same functions for packs; the last argument, which is
+/// not used, has the type of the number or pack.
 namespace limitcurve::godobject::kernel {
 
 template <std::floating_point Number>

@@ -7,17 +7,17 @@
 
 namespace limitcurve::godobject::kernel {
 
-/// What steps the contacts of a batch: single numbers, or packs, by the instruction set that they need.
+/// The arithmetic that steps the contacts of a batch: single numbers, or packs of an instruction set.
 enum class InstructionSet { single, sse2, avx2, avx512 };
 
-/// Whether this processor and this build have it.
+/// Whether this processor and this build support a set.
 [[nodiscard]] bool is_supported(InstructionSet set) noexcept;
 
-/// The widest of those.
+/// The widest supported set.
 [[nodiscard]] InstructionSet widest_set() noexcept;
 
-/// Steps all contacts: as many as fill packs by a set that is supported, the others by single numbers. The bits are the same whatever the
-/// set.
+/// Steps all contacts: those that fill packs with the set, which must be supported, the others with single numbers. All sets give the same
+/// bits.
 template <class Real>
 void step_with(InstructionSet set, const Shared<Real>& shared, const BasicContactBatch<Real>& contacts) noexcept;
 
@@ -25,7 +25,7 @@ struct Sse2;
 struct Avx2;
 struct Avx512;
 
-/// Steps the first contacts, as many as fill packs; returns their number. One source file for each instruction set.
+/// Steps the first contacts, as many as fill packs, and returns their number. Each instruction set has its own source file.
 template <class Isa, class Real>
 std::size_t step_packs(const Shared<Real>& shared, const BasicContactBatch<Real>& contacts, std::size_t count) noexcept;
 

@@ -9,7 +9,7 @@
 
 namespace limitcurve::godobject::kernel {
 
-/// What the contacts of a batch share.
+/// Data that all contacts of a batch share.
 template <class Real>
 struct Shared {
   const CurveView<Real>& curve;
@@ -35,7 +35,7 @@ void step_contacts(const Shared<Real>& shared, const BasicContactBatch<Real>& co
   const auto was_in_contact = !has_state(contacts.state.data() + i, ContactState::free, zero);
   const auto stays = touches && was_in_contact;
 
-  // a. The trial deflection; none where the finger has just touched down.
+  // a. The trial deflection; 0 at touch-down.
   const Number proxy_x = select(stays, read(contacts.proxy_x), x);
   const Number proxy_y = select(stays, read(contacts.proxy_y), y);
   const Number proxy_angle = select(stays, read(contacts.proxy_angle), angle);
@@ -43,7 +43,7 @@ void step_contacts(const Shared<Real>& shared, const BasicContactBatch<Real>& co
   const Number trial_y = proxy_y - y;
   const Number twist = proxy_angle - angle;
 
-  // b. What part of it the limit curve lets the springs keep.
+  // b. Friction: the part of the trial deflection that the limit curve allows.
   const Number stiffness = Number(shared.stiffness);
   const Number twist_stiffness = Number(shared.twist_stiffness);
   const Number normal_load = stiffness * select(touches, depth, zero);
@@ -51,7 +51,7 @@ void step_contacts(const Shared<Real>& shared, const BasicContactBatch<Real>& co
   const Number r = sqrt(trial_x * trial_x + trial_y * trial_y);
   const Number rho = abs(twist);
   const Number rounding = Number(std::numeric_limits<Real>::epsilon() / 2);
-  // Without torsion the angle limits nothing, and so does its rounding.
+  // Without torsion the angle has no friction, so its rounding does not count.
   const FrictionTrial<Number> trial{stiffness * r, twist_stiffness * rho, stiffness * rounding * (abs(proxy_x) + abs(proxy_y)),
                                     limits.has_torsion ? twist_stiffness * rounding * abs(proxy_angle) : zero};
   const auto was_sliding = stays && has_state(contacts.sliding.data() + i, ContactState::slip, zero);
@@ -63,7 +63,7 @@ void step_contacts(const Shared<Real>& shared, const BasicContactBatch<Real>& co
   const Number kept_y = trial_y * friction.force_ratio;
   const Number kept_twist = twist * friction.moment_ratio;
 
-  // The proxy follows. What did not slide is not touched, and a slip that its rounding swallows is none.
+  // The proxy follows. A component without slip keeps its bits; a slip below the rounding of the position counts as stick.
   const auto slides = friction.force_ratio < Number(Real(1));
   const auto turns = friction.moment_ratio < Number(Real(1));
   const Number new_x = select(slides, x + kept_x, proxy_x);
@@ -73,7 +73,7 @@ void step_contacts(const Shared<Real>& shared, const BasicContactBatch<Real>& co
   const auto turned = new_angle != proxy_angle;
   const auto slips = friction.slips && (slid || turned);
 
-  // c. Force and moment on the user. Of a fault nothing is touched.
+  // c. Force and moment on the user. A fault changes nothing.
   const auto write = [&](auto array, Number value) { store_where(is_plausible, array.data() + i, value); };
   write(contacts.proxy_x, new_x);
   write(contacts.proxy_y, new_y);

@@ -64,7 +64,7 @@ class Closing {
     return joined({"(", format_number(v.x()), ", ", format_number(v.y()), ", ", format_number(v.z()), ")"});
   }
 
-  /// Vertices on to the grid; those at the same place become one. Only those that faces use.
+  /// Snaps the vertices that faces use to the grid, and merges vertices at the same grid point.
   void weld() {
     double largest = 0.0;
     for (std::size_t i = 0; i < given_.faces.size(); ++i) {
@@ -92,7 +92,7 @@ class Closing {
     for (const Face& face : given_.faces) {
       for (const int corner : face) used[index(corner)] = 1;
     }
-    // By first use, so that vertices keep their order.
+    // In order of first use, so that vertices keep their order.
     std::map<Vector3d, int, decltype(before)> known(before);
     std::vector<int> number(given_.vertices.size(), -1);
     for (std::size_t i = 0; i < given_.vertices.size(); ++i) {
@@ -165,7 +165,7 @@ class Closing {
     }
   }
 
-  /// Whether two faces run along their shared edge, `side` of the one, in the same sense, which they should not.
+  /// Whether two faces run along their shared edge (`side` of `one`) in the same sense, which is a fault.
   [[nodiscard]] bool same_sense(int one, int side, int other) const {
     const int from = result_.faces[index(one)][index(side)];
     const int to = result_.faces[index(one)][index((side + 1) % 3)];
@@ -184,7 +184,7 @@ class Closing {
     turned_[index(face)] ^= 1;
   }
 
-  /// Makes each shell's faces agree with its first; turns the fewer of them.
+  /// Gives all faces of a shell the same orientation as its first face.
   void orient() {
     const std::size_t count = result_.faces.size();
     shell_.assign(count, -1);
@@ -211,7 +211,7 @@ class Closing {
     }
   }
 
-  /// The faces at a vertex must be one fan: going round by neighbours meets them all.
+  /// Checks that the faces at a vertex are one fan: a walk around the vertex by neighbours must meet them all.
   void check_fans() {
     std::vector<int> faces_at(result_.vertices.size(), 0);
     std::vector<std::pair<int, int>> first(result_.vertices.size(), {-1, 0});
@@ -227,7 +227,7 @@ class Closing {
       if (face < 0) continue;
       int met = 0;
       do {
-        // The edge that leads to the vertex; in the face beyond, the vertex is where that edge starts.
+        // Cross the edge that ends at the vertex. In the face beyond, this edge starts at the vertex.
         face = result_.neighbours[index(face)][index((corner + 2) % 3)];
         const Face& corners = result_.faces[index(face)];
         corner = static_cast<int>(std::find(corners.begin(), corners.end(), static_cast<int>(vertex)) - corners.begin());
@@ -240,7 +240,7 @@ class Closing {
     }
   }
 
-  /// Where two faces lie back to back, or face to face, the surface has no outward direction at their edge.
+  /// Refuses two faces that lie back to back or face to face: the surface has no outward direction at their edge.
   void check_folds() const {
     const auto normal = [&](int face) -> Vector3d {
       const auto& [a, b, c] = result_.faces[index(face)];
@@ -257,13 +257,13 @@ class Closing {
     }
   }
 
-  /// A shell inside an even number of others bounds a solid from outside, one inside an odd number a hollow.
+  /// Turns shells outward. A shell inside an even number of other shells is the outside of a solid, one inside an odd number is a hollow.
   void turn_outward() {
     std::vector<Volume> volume(index(shells_));
     std::vector<int> member(index(shells_), -1);
     for (std::size_t i = 0; i < result_.faces.size(); ++i) {
       const auto& [a, b, c] = result_.faces[i];
-      // About a vertex of the shell.
+      // The volume is computed about a vertex of the shell.
       int& known = member[index(shell_[i])];
       if (known < 0) known = a;
       const Vector3d& origin = result_.vertices[index(known)];
@@ -281,7 +281,7 @@ class Closing {
     result_.repairs.turned = std::accumulate(turned_.begin(), turned_.end(), 0);
   }
 
-  /// How many faces of other shells a ray from a vertex of this shell passes; its parity is that of the shells around it.
+  /// The number of faces of other shells that a ray from a vertex of this shell passes. Its parity is that of the number of shells around.
   [[nodiscard]] int surrounding(int shell, int vertex) const {
     const Vector3d& from = result_.vertices[index(vertex)];
     Vector3d to = from;
@@ -300,9 +300,9 @@ class Closing {
 
   const TriangleList& given_;
   ClosedTriangles result_;
-  std::vector<std::size_t> origin_;        // where in the list given each face is
-  std::vector<std::size_t> given_vertex_;  // and each vertex, the first of those welded
-  std::vector<int> shell_;                 // which connected part each face belongs to
+  std::vector<std::size_t> origin_;        // index of each face in the input
+  std::vector<std::size_t> given_vertex_;  // index of each vertex in the input; of merged ones the first
+  std::vector<int> shell_;                 // index of the connected part of each face
   std::vector<char> turned_;
   int shells_ = 0;
 };

@@ -9,15 +9,15 @@
 
 namespace limitcurve::godobject {
 
-/// What was mended in a list of triangles: only where there is one way to do it.
+/// Repairs of a list of triangles. Only faults with a unique repair are repaired.
 struct MeshRepairs {
-  int welded = 0;   ///< vertices at the same place of the grid as another, taken for one (an STL has no shared vertices)
-  int dropped = 0;  ///< faces with two corners at the same place, left out: the faces beside them meet there
-  int turned = 0;   ///< faces that looked inward, turned outward
+  int welded = 0;   ///< vertices at the same grid point as another, merged with it (an STL has no shared vertices)
+  int dropped = 0;  ///< faces with two corners at the same grid point, left out
+  int turned = 0;   ///< faces with an inward normal, turned outward
 };
 
-/// Triangles that bound a solid: every edge joins two faces that run along it in opposite senses, the faces around a vertex are
-/// one fan, no two faces meet but in a shared edge or vertex, and every face looks outward.
+/// Triangles that bound a solid: every edge joins two faces that run along it in opposite senses, the faces around a vertex are one fan,
+/// two faces meet only in a shared edge or vertex, and all normals are outward.
 struct ClosedTriangles {
   Grid grid;
   std::vector<Eigen::Vector3d> vertices;  ///< on the grid
@@ -27,15 +27,16 @@ struct ClosedTriangles {
   MeshRepairs repairs;
 };
 
-/// A face thinner than this, its height over its longest edge, is refused: its normal and nearest places would be rounding.
+/// The smallest height of a face divided by its longest edge. In a thinner face the normal and nearest points would be rounding.
 inline constexpr double thinnest_face = 1e-6;
 
-/// Faces that meet at less than this [rad], as on a knife or in a slit, are refused: which way is outward at their edge would be rounding.
-/// The thinnest plate along the grid's axes has more.
+/// The smallest angle between two faces at an edge [rad], on a blade or in a slit. For a smaller one the outward direction at the edge
+/// would be rounding. The thinnest plate along the grid's axes has a larger angle.
 inline constexpr double sharpest_edge = 1e-13;
 
-/// Throws std::invalid_argument that names the face, where it is, what is wrong and what is expected, for triangles that are
-/// open, not a manifold, one-sided, tangled (faces cross, touch or fold on to each other), too thin or sharp, or not finite.
+/// Checks and repairs triangles. Throws std::invalid_argument, with the face, its position, the fault and what is expected, for triangles
+/// that are open, not a manifold, one-sided, self-intersecting (faces cross, touch or fold on to each other), too thin or sharp, or not
+/// finite.
 ClosedTriangles close(const TriangleList& triangles);
 
 }  // namespace limitcurve::godobject

@@ -51,7 +51,7 @@ int Grid::sign(const Eigen::Vector3d& u, const Eigen::Vector3d& v, const Eigen::
   const Eigen::Vector3d b = w.cwiseAbs();
   const double size = std::fabs(u.x()) * (a.y() * b.z() + a.z() * b.y()) + std::fabs(u.y()) * (a.z() * b.x() + a.x() * b.z()) +
                       std::fabs(u.z()) * (a.x() * b.y() + a.y() * b.x());
-  // Seven roundings at most, of 1.1e-16 each: beyond that the sign is right.
+  // At most seven roundings of 1.1e-16 each: a larger value has the right sign.
   if (std::fabs(rounded) > 1e-15 * size) return rounded > 0.0 ? 1 : -1;
   const Wide exact = determinant(in_steps(u, per_step_), in_steps(v, per_step_), in_steps(w, per_step_));
   return exact > 0 ? 1 : exact < 0 ? -1 : 0;
@@ -67,14 +67,14 @@ Eigen::Vector3d Grid::cross(const Eigen::Vector3d& u, const Eigen::Vector3d& v) 
 
 void Volume::add(const Grid& grid, const Eigen::Vector3d& u, const Eigen::Vector3d& v, const Eigen::Vector3d& w) noexcept {
   const double per_step = 1.0 / grid.step();
-  // Each is below 2^123, so that a sum of many may need more than 128 bits.
+  // Each term is below 2^123, so that a sum of many may need more than 128 bits.
   const Wide sum = determinant(in_steps(u, per_step), in_steps(v, per_step), in_steps(w, per_step)) + low_;
   low_ = static_cast<std::uint64_t>(sum);
   high_ += static_cast<std::int64_t>(sum >> 64);
 }
 
 double Volume::value(const Grid& grid) const noexcept {
-  // The whole is that of a solid within the reach: below 2^120.
+  // The sum is the volume of a solid within the reach: below 2^120.
   const Wide sum = (static_cast<Wide>(high_) << 64) + low_;
   return static_cast<double>(sum) / 6.0 * grid.step() * grid.step() * grid.step();
 }
@@ -101,7 +101,7 @@ int crossing(const Grid& grid, const Eigen::Vector3d& from, const Eigen::Vector3
     const int result = grid.sign(way, start - from, end - from);
     return result != 0 ? result : first_sign(grid.cross(way, end - start));
   };
-  // Inward the segment passes every edge on its left, which the determinant counts as negative.
+  // A segment inward has every edge on its left, where the determinant is negative.
   const int passes = -before;
   if (left(a, b) != passes || left(b, c) != passes || left(c, a) != passes) return 0;
   return before;

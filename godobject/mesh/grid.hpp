@@ -7,12 +7,12 @@
 
 namespace limitcurve::godobject {
 
-/// The grid of places on which a mesh stands: 2^38 steps, a power of two each, from the origin to its farthest coordinate or
-/// beyond (0.5 pm for a mesh of 10 cm). Between places of the grid the signs of determinants are exact, so a finger cannot slip
-/// through the rounding at an edge or a vertex.
+/// The grid of a mesh's coordinates. The step is a power of two, and 2^38 steps reach from the origin at least to the farthest coordinate
+/// (0.5 pm for a mesh of 10 cm). For points of the grid the signs of determinants are exact, so that no finger passes through the surface
+/// by rounding at an edge or a vertex.
 class Grid {
  public:
-  /// Places up to this many times the mesh's reach are on the grid.
+  /// Points up to this many times the mesh's reach are on the grid.
   static constexpr double room = 2.0;
 
   Grid() = default;
@@ -21,12 +21,12 @@ class Grid {
 
   [[nodiscard]] double step() const noexcept { return step_; }    ///< [m]
   [[nodiscard]] double reach() const noexcept { return reach_; }  ///< [m] ≥ the largest coordinate, less than twice it
-  /// The nearest place of the grid. Within `room`.
+  /// The nearest point of the grid, for a point within `room`.
   [[nodiscard]] Eigen::Vector3d snap(const Eigen::Vector3d& place) const noexcept;
 
-  /// The sign of u · (v × w), −1, 0 or 1, exact for differences of places of the grid (each < 2^40 steps).
+  /// The sign of u · (v × w): −1, 0 or 1. Exact for differences of grid points (each < 2^40 steps).
   [[nodiscard]] int sign(const Eigen::Vector3d& u, const Eigen::Vector3d& v, const Eigen::Vector3d& w) const noexcept;
-  /// u × v, exact but for one rounding of each component at the end.
+  /// u × v, each component rounded once.
   [[nodiscard]] Eigen::Vector3d cross(const Eigen::Vector3d& u, const Eigen::Vector3d& v) const noexcept;
 
  private:
@@ -35,13 +35,13 @@ class Grid {
   double reach_ = 1.0;
 };
 
-/// The volume of a closed surface as the sum of its triangles' determinants, exact but for one rounding when it is asked for: a sum in
-/// doubles may have the wrong sign where a solid is thinner than their rounding.
+/// The volume of a closed surface as an exact sum of its triangles' determinants, rounded once in `value`. A sum in double may have the
+/// wrong sign if the solid is thinner than its rounding.
 class Volume {
  public:
-  /// The tetrahedron of three edges from one place to the corners of a triangle, differences of places of the grid.
+  /// Adds the tetrahedron with the edges u, v, w from a common point to the corners of a triangle; differences of grid points.
   void add(const Grid& grid, const Eigen::Vector3d& u, const Eigen::Vector3d& v, const Eigen::Vector3d& w) noexcept;
-  /// [m³]
+  /// The sum [m³].
   [[nodiscard]] double value(const Grid& grid) const noexcept;
 
  private:
@@ -49,13 +49,13 @@ class Volume {
   std::uint64_t low_ = 0;  // and the rest
 };
 
-/// The sign of the first component that is not 0: on which side of a plane through a place, or of a line, a place on it falls when
-/// it is moved by (ε, ε², ε³), ε → 0. So no place is ever on a plane, and no line meets an edge: what is counted has no ties.
+/// The sign of the first component that is not 0. It breaks ties: a point on a plane, or a line through an edge, counts as moved by (ε, ε²,
+/// ε³), ε → 0 ("simulation of simplicity", Edelsbrunner, Mücke 1990).
 int first_sign(const Eigen::Vector3d& value) noexcept;
 
-/// How the segment passes the triangle a, b, c (anticlockwise seen from outside): 1 inward, −1 outward, 0 not at all. All are places
-/// of the grid, the segment's ends moved by (ε, ε², ε³). Exact, and so consistent: over a closed surface the sum along a path depends
-/// on its ends alone.
+/// The crossing of a segment and the triangle a, b, c (counter-clockwise seen from outside): 1 inward, −1 outward, 0 none. All are grid
+/// points; the segment's ends count as moved by (ε, ε², ε³). Exact, and so consistent: over a closed surface the sum along a path depends
+/// on its ends only.
 int crossing(const Grid& grid, const Eigen::Vector3d& from, const Eigen::Vector3d& to, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
              const Eigen::Vector3d& c) noexcept;
 

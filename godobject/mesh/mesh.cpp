@@ -95,13 +95,13 @@ MeshPlace Mesh::settle(int face, const Vector3d& point) const noexcept {
       --left;
       const int from = corners(here.face)[index((here.part - part::edge + 1) % 3)];
       const Face& there_corners = corners(beyond);
-      // Seen from beyond, the shared edge starts where it ends from here.
+      // In the face beyond, the shared edge runs in the opposite sense.
       const int side = static_cast<int>(std::find(there_corners.begin(), there_corners.end(), from) - there_corners.begin());
-      // Nearest on the shared edge from both sides: nothing about it is nearer.
+      // Both faces have their nearest point on the shared edge: a local minimum.
       if (part::on_edge(there.part, side)) break;
       next = there;
     } else {
-      // Around the vertex, once; the nearest place that is not the vertex itself.
+      // Once around the vertex: the nearest point that is not the vertex itself.
       const int centre = corners(here.face)[index(here.part)];
       double best = std::numeric_limits<double>::infinity();
       int around = here.face;
@@ -121,7 +121,7 @@ MeshPlace Mesh::settle(int face, const Vector3d& point) const noexcept {
       } while (true);
       if (next.face == here.face) break;
     }
-    // What is nearer by geometry may be farther by rounding; by more it cannot be.
+    // By rounding the next point may be farther by 1e-12; stop if it is more.
     const double square = (point - next.point).squaredNorm();
     if (!(square <= least * (1.0 + 1e-12))) break;
     least = std::min(least, square);
@@ -171,12 +171,12 @@ std::optional<Mesh::Entry> Mesh::entry(const Vector3d& from, const Vector3d& to,
 
 bool Mesh::holds(const Vector3d& point) const noexcept {
   const Tree& tree = solid_.tree;
-  // On the grid first, as in `entry`: just off the boxes a place may be rounded on to a face, and then the tie says whether it is inside.
+  // Snap to the grid first, as `entry` does: a point just outside the boxes may be rounded on to a face, and then the tie-break decides.
   const Vector3d start = solid_.grid.snap(point);
   if (((start - tree.high()).array() > 0.0).any() || ((tree.low() - start).array() > 0.0).any()) return false;
   Vector3d end = start;
   end.x() = std::copysign(Grid::room * solid_.grid.reach(), start.x() - 0.5 * (tree.low().x() + tree.high().x()));
-  int left = 0;  // how often the way out leaves the solid, less how often it enters
+  int left = 0;  // exits minus entries of a ray from the point
   tree.along(start, end, solid_.grid.step(), [&](int face) {
     left -= passes(start, end, face);
     return 1.0;

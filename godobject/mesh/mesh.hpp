@@ -11,21 +11,21 @@
 
 namespace limitcurve::godobject {
 
-/// A place on a mesh: on a face, and on which part of it (triangle.hpp).
+/// A point of a mesh: its face, and the part of the face that it is on (triangle.hpp).
 struct MeshPlace {
   int face = 0;
   int part = 0;
   Eigen::Vector3d point = Eigen::Vector3d::Zero();  ///< [m]
 };
 
-/// The surface of a solid as triangles, checked when it is made and never changed: many fingers and threads may share one. Questions
-/// are noexcept, allocate nothing and take no lock.
+/// The surface of a solid as triangles, checked by the constructor. Immutable: many fingers and threads may share one. Queries are
+/// noexcept, and do not allocate or lock.
 class Mesh {
  public:
-  /// How many faces `settle` looks at, to which the faces around one vertex may come.
+  /// The largest number of faces that `settle` visits, not counting the faces around one vertex.
   static constexpr int walk_limit = 256;
 
-  /// Throws std::invalid_argument; see `close`, which also says what is mended.
+  /// Checks and repairs the triangles with `close`; throws std::invalid_argument.
   explicit Mesh(const TriangleList& triangles);
 
   [[nodiscard]] std::span<const Eigen::Vector3d> vertices() const noexcept { return solid_.vertices; }
@@ -36,30 +36,30 @@ class Mesh {
   /// The outward unit normal of a face.
   [[nodiscard]] const Eigen::Vector3d& normal(int face) const noexcept { return normals_[static_cast<std::size_t>(face)]; }
 
-  /// The outward direction at a place, of unit length: the face's normal, at an edge the mean of two, at a vertex the mean
-  /// weighted by the faces' angles. Where the place is the nearest to a point, its sign says on which side that is.
+  /// The outward unit normal at a point of the mesh: the face's normal, at an edge the mean of both, at a vertex the mean weighted by the
+  /// faces' angles. For the surface point nearest to any point, its sign tells the side of that point.
   /// Source: J. A. Bærentzen, H. Aanæs, IEEE Trans. Vis. Comput. Graph. 11:243–253, 2005.
   [[nodiscard]] Eigen::Vector3d outward(const MeshPlace& place) const noexcept;
-  /// Whether the place is inside a face, or on an edge where two faces lie in one plane.
+  /// Whether a point of the mesh is inside a face, or on an edge between two faces in one plane.
   [[nodiscard]] bool flat(const MeshPlace& place) const noexcept;
-  /// The height of a point over a face's plane [m].
+  /// The height of a point above a face's plane [m], negative below.
   [[nodiscard]] double height(int face, const Eigen::Vector3d& point) const noexcept;
 
-  /// Where a place that starts on a face and slides towards the point comes to rest: from face to face, never away from the
-  /// point, never through the surface, to a place that has none nearer about it. It may rest early, after `walk_limit` faces.
+  /// Slides from a face along the surface to a local minimum of the distance to the point, from face to face, never away from the point and
+  /// never through the surface. Stops after `walk_limit` faces, even before the minimum.
   [[nodiscard]] MeshPlace settle(int face, const Eigen::Vector3d& point) const noexcept;
 
-  /// The place nearest the point; `guess` is a face near it. Opens `node_limit` boxes of the tree at most (all of them, 2 a face,
-  /// if 0) and gives the nearest found by then.
+  /// The point of the mesh nearest to `point`; `guess` is a face near it. Opens at most `node_limit` boxes of the tree (0: no limit, there
+  /// are at most two for each face), and returns the nearest point found.
   [[nodiscard]] MeshPlace nearest(const Eigen::Vector3d& point, int guess, int node_limit = 0) const noexcept;
 
-  /// A face by which a segment enters the solid, and where along it that is.
+  /// The face through which a segment enters the solid, and the position along the segment, 0 to 1.
   struct Entry {
     int face;
     double along;
   };
-  /// The first entry from outside beyond `after`, along the segment. Exact on the grid: from a point outside to one inside there is one
-  /// always. Opens at most 2 boxes a face, as a rule some dozens.
+  /// The first entry along the segment beyond `after`. Exact on the grid: a segment from outside to inside always has one. Opens at most 2
+  /// boxes for each face, usually some dozens.
   [[nodiscard]] std::optional<Entry> entry(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double after = -1.0) const noexcept;
   /// Whether the point is inside. Exact on the grid.
   [[nodiscard]] bool holds(const Eigen::Vector3d& point) const noexcept;

@@ -15,12 +15,12 @@ using Eigen::Vector3d;
 
 namespace {
 
-/// The memory of a finger that does not touch has the face nearest it as −2 − face.
+/// Code of the nearest face in the memory of a finger outside.
 int remembered(int face) noexcept {
   return -2 - face;
 }
 
-/// Of a finger whose god-object rests there.
+/// The contact of a finger whose god-object rests at `place`.
 Contact touched(const Mesh& mesh, const MeshPlace& place, const Vector3d& finger) noexcept {
   const ContactMemory memory{place.face, numbers(place.point), true};
   if (mesh.flat(place)) {
@@ -28,7 +28,8 @@ Contact touched(const Mesh& mesh, const MeshPlace& place, const Vector3d& finger
     const double depth = -mesh.height(place.face, finger);
     return {finger + normal * depth, normal, depth, memory};
   }
-  // In a crease or a pit: from the finger to the god-object, which turns steadily from the one face's normal to the other's.
+  // In a crease or a pit the normal is the direction from the finger to the god-object, which turns continuously from one face's normal to
+  // the other's.
   const Vector3d way = place.point - finger;
   const double depth = way.norm();
   const Vector3d outward = mesh.outward(place);
@@ -39,13 +40,13 @@ Contact touched(const Mesh& mesh, const MeshPlace& place, const Vector3d& finger
   return {place.point, outward, way.dot(outward), memory};
 }
 
-/// Of a finger that does not touch; `guess` is a face near it.
+/// The contact of a finger outside; `guess` is a face near it.
 Contact free_contact(const Mesh& mesh, const Vector3d& finger, int guess) noexcept {
   const MeshPlace place = mesh.nearest(finger, guess, MeshSurface::near_limit);
   const ContactMemory memory{remembered(place.face), numbers(finger), true};
   const Vector3d away = finger - place.point;
   const double gap = away.norm();
-  // On the surface, within the grid, there is no direction but the surface's own.
+  // On the surface, within the grid, use the surface's normal.
   if (gap > 1e-9 * mesh.grid().reach()) return {place.point, away / gap, -gap, memory};
   return {place.point, mesh.outward(place), -gap, memory};
 }
@@ -61,14 +62,14 @@ MeshSurface::MeshSurface(std::shared_ptr<const Mesh> mesh) : mesh_(std::move(mes
 }
 
 Contact MeshSurface::contact(const Vector3d& finger, const ContactMemory& memory) const noexcept {
-  // False for NaN too.
+  // NaN also fails this comparison.
   if (!(finger.cwiseAbs().array() <= farthest).all())
     return {Vector3d::Zero(), Vector3d::UnitZ(), std::numeric_limits<double>::quiet_NaN(), memory};
   const int faces = static_cast<int>(mesh_->faces().size());
   int face = memory.face;
   const Vector3d from = vector(memory.finger);
   if (!memory.known || face >= faces) {
-    // Nothing is known of it: a finger inside came in by what is nearest.
+    // Without memory: a finger inside counts as having entered through the nearest face.
     if (!mesh_->holds(finger)) return free_contact(*mesh_, finger, 0);
     face = mesh_->nearest(finger, 0).face;
   }
@@ -83,11 +84,11 @@ Contact MeshSurface::contact(const Vector3d& finger, const ContactMemory& memory
   for (int round = 0; round < rounds; ++round) {
     const double depth = mesh_->flat(place) ? -mesh_->height(place.face, finger) : mesh_->outward(place).dot(place.point - finger);
     if (depth > 0.0) return touched(*mesh_, place, finger);
-    // The finger pulls the god-object off the surface: it flies to the finger, or to what is in its way.
+    // The finger is outside the face: the god-object flies to the finger, or to the first face in between.
     const auto entry = mesh_->entry(place.point, finger, after);
     if (!entry) {
       if (!mesh_->holds(finger)) return free_contact(*mesh_, finger, place.face);
-      // Inside, but not beneath the face: it was a long way, and g is still on it; or it lacks less than the grid, and g stays.
+      // Inside, but not beneath the face: either `settle` stopped early, then go on; or the difference is below the grid, then stay.
       const MeshPlace farther = mesh_->settle(place.face, finger);
       if (farther.point == place.point) break;
       place = farther;
@@ -95,7 +96,7 @@ Contact MeshSurface::contact(const Vector3d& finger, const ContactMemory& memory
       continue;
     }
     const MeshPlace next = mesh_->settle(entry->face, finger);
-    // Where the god-object's place is rounded into the surface it leaves, it seems to enter it on the way: look farther.
+    // By rounding the god-object may seem to enter the face that it leaves: look for the next entry.
     const bool stays = (next.point - place.point).squaredNorm() <= 1e-18 * mesh_->grid().reach() * mesh_->grid().reach();
     after = stays ? entry->along : -1.0;
     place = next;

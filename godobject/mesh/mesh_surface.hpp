@@ -11,24 +11,24 @@ namespace limitcurve::godobject {
 
 class Mesh;
 
-/// A mesh to touch. The finger's memory holds its god-object: while it touches, the place on the surface where it rests, which slides from
-/// face to face towards the finger; else the finger itself. So the god-object decides on which side the finger is, not the
-/// finger: pressed through a thin plate it stays on the side it came from (README, "Meshes").
+/// A triangle mesh as a Surface. The contact memory has the finger's god-object: in contact the point of the surface where it rests, which
+/// slides from face to face towards the finger; otherwise the finger's position. The god-object, not the finger, determines the side: a
+/// finger pressed through a thin plate stays on the side from which it came (mesh/README.md).
 ///
-/// Copies share the mesh. `contact` allocates nothing and takes no lock; it looks at up to `Mesh::walk_limit` faces and the faces around
-/// one vertex for each of `rounds` flights and landings at most (one as a rule), and while the finger is not in the solid opens up
-/// to `near_limit` boxes, and in each flight up to 2 boxes a face, as a rule some dozens.
+/// Copies share the mesh. `contact` does not allocate or lock. It makes at most `rounds` flights and landings, usually one. Each visits up
+/// to `Mesh::walk_limit` faces, and the faces around one vertex, and opens up to 2 boxes for each face, usually some dozens. For a finger
+/// outside it opens up to `near_limit` boxes.
 class MeshSurface {
  public:
-  /// A finger farther than this from the origin [m], or not finite, is refused: the depth is NaN, which a SoftFinger takes for
-  /// `invalid`, and the memory is the one given.
+  /// For a finger with a larger or not finite coordinate [m] the depth is NaN, which makes a SoftFinger `invalid`, and the memory does not
+  /// change.
   static constexpr double farthest = 1e6;
-  /// Flights from the surface that end on it again, within one step.
+  /// Largest number of flights from the surface that end on it again, in one step.
   static constexpr int rounds = 16;
-  /// Boxes opened for the distance of a finger that does not touch; then the nearest place found by then counts.
+  /// Largest number of boxes opened for the distance of a finger outside; then the nearest point found so far is used.
   static constexpr int near_limit = 1024;
 
-  /// Of the solid that the triangles bound; throws std::invalid_argument where they bound none, naming the face.
+  /// The surface of the solid that the triangles bound. Throws std::invalid_argument, with the face, if they bound none.
   explicit MeshSurface(const TriangleList& triangles);
   explicit MeshSurface(Mesh mesh);
   explicit MeshSurface(std::shared_ptr<const Mesh> mesh);  ///< throws std::invalid_argument if there is none

@@ -13,7 +13,7 @@ namespace limitcurve::godobject {
 
 namespace {
 
-/// What a text may hold that is no part of its triangles.
+/// Statements that do not belong to the triangles.
 constexpr std::array<std::string_view, 14> passed_over{"vn", "vt", "vp",     "o",      "g",   "s",     "l",
                                                        "p",  "mg", "usemtl", "mtllib", "lod", "bevel", "usemap"};
 

@@ -13,7 +13,7 @@ namespace {
 using Eigen::Vector3d;
 using Corners = std::array<Vector3d, 3>;
 
-/// Exact questions about closed segments and triangles between places of the grid; touching counts as meeting.
+/// Exact intersection tests of closed segments and triangles with corners on the grid; touching counts as meeting.
 class Meeting {
  public:
   explicit Meeting(const Grid& grid) : grid_(grid) {}
@@ -25,7 +25,7 @@ class Meeting {
     const int at_q = side(q, t);
     if (at_p == 0 && at_q == 0) return in_one_plane(p, q, t);
     if (at_p == at_q) return false;
-    // The segment reaches the plane; its line passes all edges on one side.
+    // The segment reaches the plane. It meets the triangle if its line has all edges on the same side.
     const Vector3d way = q - p;
     bool left = false;
     bool right = false;
@@ -38,7 +38,7 @@ class Meeting {
   }
 
  private:
-  /// Which way the corner a, b, c of a plane turns, seen along the axis.
+  /// The turn of the corner a, b, c, seen along the axis: 1, −1, or 0 for a straight line.
   [[nodiscard]] int turn(const Vector3d& a, const Vector3d& b, const Vector3d& c, int axis) const {
     const double component = grid_.cross(b - a, c - a)[axis];
     return component > 0.0 ? 1 : component < 0.0 ? -1 : 0;
@@ -50,7 +50,7 @@ class Meeting {
     const int p_side = turn(a, b, p, axis);
     const int q_side = turn(a, b, q, axis);
     if (a_side == 0 && b_side == 0) {
-      // On one line: their boxes meet or they do not.
+      // Both on one line: they meet if their boxes do.
       return ((p.cwiseMin(q) - a.cwiseMax(b)).array() <= 0.0).all() && ((a.cwiseMin(b) - p.cwiseMax(q)).array() <= 0.0).all();
     }
     return a_side * b_side <= 0 && p_side * q_side <= 0;
@@ -68,7 +68,7 @@ class Meeting {
       left = left || turns > 0;
       right = right || turns < 0;
     }
-    return !(left && right);  // all of the segment inside
+    return !(left && right);  // the whole segment is inside
   }
 
   const Grid& grid_;
@@ -80,14 +80,14 @@ Corners corners(const ClosedTriangles& triangles, const Face& face) {
   return result;
 }
 
-/// The edges of `one` that may meet the triangle `other` beyond the vertices they share.
+/// Whether an edge of `one` meets the triangle `other`, except at vertices that both share.
 bool edges_meet(const ClosedTriangles& triangles, const Meeting& meeting, const Face& one, const Face& other) {
   const Corners t = corners(triangles, one);
   const Corners u = corners(triangles, other);
   const auto shared = [&](int vertex) { return std::find(other.begin(), other.end(), vertex) != other.end(); };
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t next = (i + 1) % 3;
-    // An edge from a shared vertex meets the other there; whether it does elsewhere shows at the edge opposite.
+    // An edge from a shared vertex meets `other` there. If both meet elsewhere, the opposite edge meets it, too.
     if (!shared(one[i]) && !shared(one[next]) && meeting.segment_and_triangle(t[i], t[next], u)) return true;
   }
   return false;
@@ -100,11 +100,11 @@ bool folded(const ClosedTriangles& triangles, const Meeting& meeting, const Face
     const bool shared = std::find(one.begin(), one.end(), other[i]) != one.end();
     if (!shared && meeting.side(u[i], t) != 0) return false;
   }
-  // In one plane: the corners that are not shared lie on the same side of the edge if the triangles overlap, which is when
-  // the faces, one with its shared edge reversed, look to opposite sides.
+  // Both are in one plane. They overlap if their other corners are on the same side of the shared edge: then the normals are opposite if
+  // both run along the edge in opposite senses.
   const Vector3d normal = triangles.grid.cross(t[1] - t[0], t[2] - t[0]);
   const Vector3d other_normal = triangles.grid.cross(u[1] - u[0], u[2] - u[0]);
-  // The sense in which each runs along the shared edge decides, since faces may not be turned consistently yet.
+  // Faces may not be oriented consistently yet: compare their senses along the shared edge.
   int senses = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) {

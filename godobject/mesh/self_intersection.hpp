@@ -8,8 +8,8 @@
 
 namespace limitcurve::godobject {
 
-/// Two faces that meet where they share neither edge nor vertex, or fold on to each other; nothing if there are none.
-/// Exact on the grid. The time is that of finding faces with overlapping boxes.
+/// Two faces that meet where they share neither edge nor vertex, or fold on to each other; nothing if there are none. Exact on the grid.
+/// Cost: finding all faces with overlapping boxes.
 std::optional<std::pair<int, int>> find_self_intersection(const ClosedTriangles& triangles);
 
 }  // namespace limitcurve::godobject

@@ -12,7 +12,7 @@ namespace limitcurve::godobject {
 
 namespace {
 
-// A header that says nothing, the count of faces; then for each a normal and three corners as floats and two bytes.
+// Binary format: a header, the number of faces; then for each face a normal and three corners as floats, and two bytes.
 constexpr std::size_t header_size = 80;
 constexpr std::size_t count_size = 4;
 constexpr std::size_t face_size = 50;
@@ -51,7 +51,7 @@ TriangleList read_binary(std::string_view bytes, std::string_view name, double s
   return list;
 }
 
-/// Goes to the next line that is not blank, whose first word is given back.
+/// Goes to the next line that is not blank, and returns its first word.
 std::string_view next_statement(Tokenizer& tokens) {
   while (tokens.next_line()) {
     const std::string_view word = tokens.next();

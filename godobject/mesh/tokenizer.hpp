@@ -15,7 +15,7 @@
 
 namespace limitcurve::godobject {
 
-/// The words of a text, line by line, and where they stand, for complaints that name the place.
+/// Reads a text word by word and line by line, and throws with line and column.
 class Tokenizer {
  public:
   Tokenizer(std::string_view text, std::string_view name) : rest_(text), name_(name) {}
@@ -49,12 +49,12 @@ class Tokenizer {
   [[nodiscard]] int line() const { return line_; }
   [[nodiscard]] std::string_view name() const { return name_; }
 
-  /// About the word last read.
+  /// Throws std::invalid_argument "name:line:column: what", at the last word.
   [[noreturn]] void fail(std::string_view what) const {
     const auto column = word_.data() == nullptr ? 1 : word_.data() - begin_ + 1;
     throw std::invalid_argument(joined({name_, ":", std::to_string(line_), ":", std::to_string(column), ": ", what}));
   }
-  /// The word last read, in quotes and not longer than a line of a terminal, and what should stand there.
+  /// Throws like `fail`, with the last word (quoted and shortened) and what was expected.
   [[noreturn]] void expected(std::string_view what) const {
     std::string found(word_.substr(0, 40));
     for (char& character : found) {
@@ -64,7 +64,7 @@ class Tokenizer {
                        : joined({"'", found, word_.size() > 40 ? "...', expected " : "', expected ", what}));
   }
 
-  /// Three coordinates, as numbers of the unit `scale` [m].
+  /// The next three words as coordinates in the unit `scale` [m].
   Eigen::Vector3d place(double scale) {
     Eigen::Vector3d result;
     for (double& coordinate : result) coordinate = number() * scale;

@@ -41,7 +41,7 @@ void Tree::split(int node, std::span<const Eigen::Vector3d> vertices, std::span<
   (centre_high - centre_low).maxCoeff(&axis);
   const int half = count / 2;
   const auto begin = order_.begin() + first;
-  // By number where the middles are the same, so that the tree is the same everywhere.
+  // Equal middles are sorted by index, so that the tree is the same on every machine.
   std::nth_element(begin, begin + half, begin + count, [&](int one, int other) {
     const double difference = middle(one)[axis] - middle(other)[axis];
     return difference != 0.0 ? difference < 0.0 : one < other;

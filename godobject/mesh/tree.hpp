@@ -14,8 +14,8 @@
 
 namespace limitcurve::godobject {
 
-/// Boxes around boxes around triangles, halved at the median: at most 2 nodes a triangle, log2 of their number deep. The queries
-/// allocate nothing and visit each node at most once.
+/// A bounding-box tree of triangles, divided at the median: at most 2 nodes for each triangle, depth log2 of their number. Queries do not
+/// allocate, except those of `overlapping`, and visit each node at most once.
 class Tree {
  public:
   Tree() = default;
@@ -25,23 +25,23 @@ class Tree {
   [[nodiscard]] const Eigen::Vector3d& low() const noexcept { return nodes_[0].low; }
   [[nodiscard]] const Eigen::Vector3d& high() const noexcept { return nodes_[0].high; }
 
-  /// `visit(face)` for every face whose boxes, grown by `margin` on all sides, the segment meets; it returns how far along the
-  /// segment (1: all of it) is still of interest.
+  /// Calls `visit(face)` for every face whose box, grown by `margin` on all sides, meets the segment. `visit` returns the part of the
+  /// segment that is still to be searched (1: all of it).
   template <class Visit>
   void along(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double margin, Visit&& visit) const noexcept;
 
-  /// `visit(face)` for every face whose box meets the box.
+  /// Calls `visit(face)` for every face whose box meets the box.
   template <class Visit>
   void overlapping(const Eigen::Vector3d& low, const Eigen::Vector3d& high, Visit&& visit) const;
 
-  /// `visit(face)`, nearest boxes first, for faces whose boxes are nearer to the point than the square root of the bound
-  /// that it returns; stops when `node_limit` nodes have been opened.
+  /// Calls `visit(face)`, nearest boxes first, for faces whose boxes have a squared distance from the point below `bound`. `visit` returns
+  /// the new bound. Stops after `node_limit` nodes.
   template <class Visit>
   void near(const Eigen::Vector3d& point, double bound, int node_limit, Visit&& visit) const noexcept;
 
  private:
   static constexpr int leaf_size = 4;
-  static constexpr std::size_t stack_size = 64;  // deeper than halving 2^31 triangles goes
+  static constexpr std::size_t stack_size = 64;  // more than the depth for 2^31 triangles
 
   struct Node {
     Eigen::Vector3d low = Eigen::Vector3d::Zero();
@@ -71,8 +71,8 @@ void Tree::along(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double 
   const Eigen::Vector3d size = half.cwiseAbs();
   const Eigen::Vector3d per_way = way / square;
   double end = 1.0;
-  // Separating axes: the box's three, and its edges crossed with the segment. Without a division, which rounding could
-  // spoil; the margin covers the rounding that is left.
+  // Separating axes: the box's three, and its edges crossed with the segment. No division, whose rounding has no bound; the margin covers
+  // the other rounding.
   const auto meets = [&](const Node& node) {
     const Eigen::Vector3d extent = 0.5 * (node.high - node.low) + Eigen::Vector3d::Constant(margin);
     const Eigen::Vector3d apart = middle - 0.5 * (node.high + node.low);

@@ -16,14 +16,14 @@ constexpr bool on_edge(int which, int side) noexcept {
 }
 }  // namespace part
 
-/// The place of a triangle nearest a point, and what part of it that is.
+/// The point of a triangle nearest to a given point, and the part of the triangle that it is on.
 struct NearestOnTriangle {
   Eigen::Vector3d point;
   int part;
 };
 
-/// Source: C. Ericson, Real-Time Collision Detection, 2005, §5.1.5. The point is a mixture of corners with shares ≥ 0 whatever
-/// is rounded. Some 10 ns.
+/// The point of the triangle a, b, c nearest to `point` (C. Ericson, Real-Time Collision Detection, 2005, §5.1.5). The result has
+/// barycentric coordinates ≥ 0 in spite of rounding. About 10 ns.
 inline NearestOnTriangle nearest_on_triangle(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
                                              const Eigen::Vector3d& point) noexcept {
   const Eigen::Vector3d ab = b - a;

@@ -52,16 +52,17 @@ void check(const Scene& scene, double tolerance) {
   }
 }
 
-/// What is felt, in units of what the contact bears at that moment.
-using Felt = Eigen::Vector3d;
-using Record = std::vector<Felt>;
+/// Friction on the user in units of its present limits: (F_x/μP, F_y/μP, M/Γ).
+using UnitFriction = Eigen::Vector3d;
+using Record = std::vector<UnitFriction>;
 
-/// Drives fingers through a scene's walk.
+/// Steps fingers through a scene's test motion.
 class Drive {
  public:
   Drive(const Scene& scene, double moment_ratio) : scene_(scene), moment_ratio_(moment_ratio), walk_(walk(scene, moment_ratio)) {}
 
-  /// What is felt at the walk's samples, however many steps there are between. The load changes with the first of them.
+  /// The friction at the samples of the test motion, with `substeps` steps from one to the next. The load changes in the first of these
+  /// steps.
   [[nodiscard]] Record operator()(const FingerCurve& curve, Projection projection, const FingerParameters& parameters,
                                   int substeps = 1) const {
     Record record;
@@ -82,7 +83,7 @@ class Drive {
     }
     return record;
   }
-  /// The scene's sample time over that of the walk.
+  /// The scene's sample time divided by that of the test motion.
   [[nodiscard]] double finest_step() const { return walk_.finest_step; }
 
  private:
@@ -134,7 +135,7 @@ StepChoice choose_step(const Scene& scene, double tolerance) {
   const Table reference = finest_table(scene.law, std::max(1e-4 * tolerance, 1e-9));
   const FingerCurve fine = reference;
   const Record truth = drive(fine, Projection::closest_point, true_finger);
-  // A table's error ε of f and m is at most ε(1 + 1/m₀) of what the contact bears. It counts in full: the walk may have missed its place.
+  // An error ε of f and m is an error of at most ε(1 + 1/m₀) of the limits. Count it in full: the test motion may have missed its maximum.
   const double per_table_error = 1.0 + 1.0 / m0;
   const auto error_of = [&](const FingerCurve& curve, Projection projection, const FingerParameters& finger) {
     return error_margin * largest_difference(drive(curve, projection, finger), truth);
@@ -151,10 +152,10 @@ StepChoice choose_step(const Scene& scene, double tolerance) {
   result.effects.load_radius = error_of(fine, Projection::closest_point, mean_finger);
   result.effects.curve = error_of(ellipse, Projection::closest_point, true_finger);
   result.effects.projection = error_of(fine, Projection::radial, true_finger);
-  // The error of a step is in proportion to its length.
+  // The error of a step is proportional to its length.
   result.effects.sampling = drive.finest_step() * largest_difference(drive(fine, Projection::closest_point, true_finger, 2), truth);
 
-  // What a power of the load costs in a step, [ns].
+  // Cost of a power of the load in a step [ns].
   constexpr double load_radius_cost = 20.0;
   const bool radius_varies =
       !scene.moment_coefficient && scene.radius_law.radius(scene.least_load) != scene.radius_law.radius(scene.most_load);
@@ -178,7 +179,7 @@ StepChoice choose_step(const Scene& scene, double tolerance) {
     add_radii(kind, parameter, curve, Projection::radial, cost.radial);
     add_radii(kind, parameter, curve, Projection::closest_point, cost.closest_point);
   };
-  // A clamp of the force alone is less than any of the others.
+  // A clamp of the force alone is cheaper than the other candidates.
   add("no torsion", std::numeric_limits<double>::quiet_NaN(), CurveKind::ellipse, ellipse, Projection::radial, slippery,
       0.5 * shipped_costs::of("ellipse").radial);
   add_radii(CurveKind::box, std::numeric_limits<double>::infinity(), box(1.0, m0), Projection::closest_point,

@@ -44,7 +44,7 @@ void PatchReplay::step(double time, std::span<const DevicePose> fingers, const B
     if (usable && i >= fingers.size()) {
       fingers_[i].reset();
     } else {
-      // A row that is refused is so by every finger.
+      // Every finger refuses an invalid row.
       DevicePose device{Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN())};
       if (usable) device = {body_.to_body(fingers[i].position), body_.orientation.conjugate() * fingers[i].orientation, fingers[i].twist};
       fingers_[i].update(surface_, device, time_step);

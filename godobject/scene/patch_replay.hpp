@@ -6,10 +6,10 @@
 
 namespace limitcurve::godobject {
 
-/// `Replay` with the contact of a patch, on a body that rests or is moved by the trace: nothing that the fingers do moves it.
+/// `Replay` with PatchFingers, on a body that is fixed or has a prescribed motion; not on a free body.
 class PatchReplay {
  public:
-  /// Of the options law, curve, projection and tolerance are not used. Throws std::invalid_argument for a body that is free, and as Replay does.
+  /// Does not use the options law, curve, projection and tolerance. Throws std::invalid_argument for a free body, and like Replay.
   PatchReplay(const Patch& patch, const ReplayOptions& options, double point_radius);
 
   void step(double time, std::span<const DevicePose> fingers, const BodyPose& body = {}) noexcept;

@@ -22,7 +22,7 @@ namespace {
 constexpr std::array<std::pair<PivotCase, std::string_view>, 3> cases{
     {{PivotCase::coupled, "coupled"}, {PivotCase::uncoupled, "uncoupled"}, {PivotCase::exact, "exact"}}};
 
-/// Between the two fingers; it acts on nothing but the depth that a finger may reach.
+/// Thickness of the block between the fingers [m]. It only bounds their depth.
 constexpr double thickness = 0.04;
 
 double within(std::string_view name, double value, std::string_view unit, bool zero_allowed) {
@@ -72,7 +72,7 @@ KindOfCurve make_curve(const PivotOptions& options, CurveKind kind) {
   return make_finger_curve(kind, options.law ? options.law : hertz(), options.tolerance);
 }
 
-/// Without springs.
+/// The finger's parameters without its springs.
 FingerParameters friction_parameters(const PivotOptions& options) {
   FingerParameters result;
   result.mu = options.mu;
@@ -83,7 +83,7 @@ FingerParameters friction_parameters(const PivotOptions& options) {
   return result;
 }
 
-/// The least load of each finger under which the curve holds the block level.
+/// The smallest load of each finger with which the curve holds the level block.
 double load_to_hold(const PivotOptions& options, const FingerCurve& curve) {
   if (!(options.mu > 0.0)) return std::numeric_limits<double>::infinity();
   const double share = 0.5 * options.mass * options.gravity;
@@ -114,7 +114,8 @@ FingerParameters finger_parameters(const PivotOptions& options, const FingerCurv
   return result;
 }
 
-/// The block must hang in the grip at the start: the springs may give by less than takes it out of the grip, or half around.
+/// Throws unless the block stays in the grip at the start: its weight must deflect the springs by less than half its height, and less than
+/// half a turn.
 void require_hold(const PivotOptions& options, const FingerParameters& finger) {
   const double share = 0.5 * options.mass * options.gravity;
   if (const double least = 2.0 * share / options.height; !(finger.stiffness > least)) {
@@ -127,10 +128,10 @@ void require_hold(const PivotOptions& options, const FingerParameters& finger) {
   }
 }
 
-/// Who sets the load of the fingers.
-class GripHand {
+/// The load of the fingers over time: the schedule, or the operator.
+class GripLoad {
  public:
-  explicit GripHand(const PivotOptions& options) : grip_(options.grip), operator_(options.grip_operator) {
+  explicit GripLoad(const PivotOptions& options) : grip_(options.grip), operator_(options.grip_operator) {
     const double usual = default_load(options);
     if (grip_.empty()) grip_ = {{0.0, usual}, {10.0, 0.5 * usual}};
     if (!operator_) return;
@@ -155,7 +156,7 @@ class GripHand {
   [[nodiscard]] double first() const noexcept { return operator_ ? load_ : scheduled(0.0); }
 
  private:
-  /// Does the operator see the block slide more than it turns?
+  /// Whether the block slides out more than it turns.
   [[nodiscard]] bool slides_out(const PivotRow& row) const noexcept {
     return operator_->regrips_on_slide &&
            row.grip_slip > std::max(GripOperator::slide_limit, GripOperator::slide_per_turn * std::fabs(row.angle));
@@ -192,11 +193,11 @@ class Pivot::Scene {
       : options_(options),
         curve_error_(curve.error),
         holding_load_(load_to_hold(options, curve.curve)),
-        hand_(options),
+        grip_load_(options),
         grasp_(make_grasp(options, curve.curve, parameters)) {
     const double weight = options_.mass * options_.gravity;
     const FingerParameters& finger = grasp_.finger(0).parameters();
-    // The fingers took hold where their springs, once the block hangs on them level, just bear it.
+    // Touch down with the block raised and turned so that, when it is level, the springs just bear its weight.
     const double sag = 0.5 * weight / finger.stiffness;
     const double give = 0.5 * weight * options_.offset / finger.twist_stiffness;
     BodyState start;
@@ -205,7 +206,7 @@ class Pivot::Scene {
     BodyState level;
     level.position = {-options_.offset, 0.0, 0.0};
     grasp_.place(start, devices());
-    const double load = hand_.first();
+    const double load = grip_load_.first();
     depth_ = load / finger.stiffness;
     grasp_.place(start, devices());
     grip_ = grasp_.finger(0).output().proxy;
@@ -219,11 +220,11 @@ class Pivot::Scene {
 
   bool step() noexcept {
     if (row_.time >= options_.duration - 0.5 * options_.time_step || row_.y < -options_.length) return false;
-    // A multiple, not a sum: times stay round.
+    // A multiple of the time step, not a sum: times stay round.
     ++count_;
     const double time = static_cast<double>(count_) * options_.time_step;
-    const double load = hand_.next(row_, time, options_.time_step, grasp_.body().angular_velocity.z());
-    // As deep beneath the faces as spring and damper together give that load.
+    const double load = grip_load_.next(row_, time, options_.time_step, grasp_.body().angular_velocity.z());
+    // The depth at which spring and damper together give that load.
     const FingerParameters& finger = grasp_.finger(0).parameters();
     const double rate = finger.damping / options_.time_step;
     depth_ = load > 0.0 ? (load + rate * depth_) / (finger.stiffness + rate) : 0.0;
@@ -274,11 +275,11 @@ class Pivot::Scene {
   PivotOptions options_;
   double curve_error_;
   double holding_load_;
-  GripHand hand_;
+  GripLoad grip_load_;
   PivotRow row_;
   Grasp grasp_;
-  Eigen::Vector3d grip_ = Eigen::Vector3d::Zero();  // where the first finger took hold, in the block's frame
-  double depth_ = 0.0;                              // of the fingers beneath their faces [m]
+  Eigen::Vector3d grip_ = Eigen::Vector3d::Zero();  // where the first finger touched down, in the block's frame
+  double depth_ = 0.0;                              // depth of the fingers [m]
   long count_ = 0;
 };
 
@@ -343,7 +344,7 @@ double default_load(const PivotOptions& options) {
   constexpr double usual = 0.5;
   const double load = 1.3 * load_to_hold(options, make_curve(options, CurveKind::ellipse).curve);
   if (!(load > usual && load <= 1e8)) return usual;
-  // Two figures, by powers of ten that are whole numbers: not every library's pow() gives these exactly.
+  // Round up to two digits. Powers of ten by multiplication, because not every library's pow() is exact.
   double parts = 1.0;
   while (load * parts < 10.0) parts *= 10.0;
   double unit = 1.0;

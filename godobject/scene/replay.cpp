@@ -13,14 +13,14 @@ namespace limitcurve::godobject {
 
 namespace {
 
-/// A pose that every finger refuses.
+/// An invalid pose: every finger refuses it.
 DevicePose nowhere() noexcept {
   DevicePose result;
   result.position.setConstant(std::numeric_limits<double>::quiet_NaN());
   return result;
 }
 
-/// The curve of the options, all of which are checked before a table is built for nothing.
+/// The curve of the options. Checks all options first, because a table is expensive.
 KindOfCurve checked_curve(const ReplayOptions& options) {
   if (!options.law) throw std::invalid_argument("law: none given, expected a pressure law");
   if (!(options.fingers >= 1 && options.fingers <= Replay::most_fingers)) {

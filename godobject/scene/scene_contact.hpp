@@ -5,16 +5,16 @@
 
 #include <cmath>
 
-/// What the replays of round contacts and of patches share.
+/// Functions that Replay and PatchReplay share.
 namespace limitcurve::godobject {
 
-/// Whether a row's pose of the body can be one: within 1e6 m, of unit length.
+/// Whether a body's pose is valid: within 1e6 m, orientation of unit length.
 [[nodiscard]] inline bool is_pose(const BodyPose& pose) noexcept {
   return pose.position.squaredNorm() <= 1e12 && std::fabs(pose.orientation.squaredNorm() - 1.0) <= 1e-6;
 }
 
-/// Brings what a finger (SoftFinger or PatchFinger, whose state is `state`) does on a body into the world. Of an invalid sample the wrench that is
-/// held turns with the body, and its normal too; where it acts is the last good place.
+/// Transforms the output of a finger (SoftFinger or PatchFinger, with the state `state`) from the body's frame to the world. After an
+/// invalid sample the held wrench and its normal turn with the body; the position is the last good one.
 template <class Finger>
 void describe(SceneContact& contact, const Finger& finger, const FingerState& state, const BodyState& body) noexcept {
   contact.state = state.state;

@@ -13,29 +13,29 @@ namespace limitcurve::godobject {
 namespace {
 
 constexpr int legs = 1000;
-// Steps by the shorter of the two ways in which the springs are wound up, and in a leg. Twice as many find the same errors.
+// Steps in the shorter of the two distances that load the springs to the limit, and in a leg. Twice as many give the same errors.
 constexpr double resolution = 32.0;
 constexpr double most_steps = 512.0;
-// A finger takes a step of more than half a turn for one of the other sense [rad].
+// A finger would take a step of more than half a turn for one in the other direction [rad].
 constexpr double largest_twist_step = 3.0;
 
 /// Random numbers that are the same with every standard library.
-class Dice {
+class RandomNumbers {
  public:
   int one_of(int count) { return static_cast<int>(engine_() % static_cast<unsigned>(count)); }
   double between(double low, double high) { return low + (high - low) * 0x1p-32 * static_cast<double>(engine_()); }
-  /// Evenly in the logarithm.
+  /// Evenly distributed in the logarithm.
   double of_any_size(double low, double high) { return low * std::pow(high / low, between(0.0, 1.0)); }
 
  private:
   std::mt19937 engine_;
 };
 
-/// What the springs of a contact are wound up by at a load.
+/// The distances that load the springs of a contact to the limit.
 struct Reach {
   double radius;   ///< of the contact [m]
-  double shorter;  ///< of sliding by μP/k_l and of the rim's way in a twist by Γ/k_r [m]
-  double longer;   ///< of the two
+  double shorter;  ///< the shorter of a slide by μP/k_l and of the rim's path in a twist by Γ/k_r [m]
+  double longer;   ///< the longer of both [m]
 };
 
 Reach reach(const Scene& scene, double moment_ratio, double load) {
@@ -45,22 +45,22 @@ Reach reach(const Scene& scene, double moment_ratio, double load) {
   return {radius, shorter, longer};
 }
 
-/// How the load changes in a leg.
+/// The change of the load in a leg.
 struct LoadChange {
   double load;     ///< at the end [N]
-  bool at_once;    ///< with the leg's first step
-  bool by_itself;  ///< nothing else moves
+  bool at_once;    ///< in the first step of the leg
+  bool by_itself;  ///< without a slide or a twist
 };
 
-LoadChange change_load(Dice& dice, const Scene& scene, double load) {
-  const int kind = dice.one_of(8);
+LoadChange change_load(RandomNumbers& random, const Scene& scene, double load) {
+  const int kind = random.one_of(8);
   if (kind < 3) return {load, false, false};
-  const int place = dice.one_of(5);
-  const double to = place < 2 ? scene.least_load : place < 4 ? scene.most_load : dice.between(scene.least_load, scene.most_load);
+  const int place = random.one_of(5);
+  const double to = place < 2 ? scene.least_load : place < 4 ? scene.most_load : random.between(scene.least_load, scene.most_load);
   return {to, kind >= 6, kind == 5};
 }
 
-/// How far a slide in a direction may go without leaving the circle of the scene's slide [m].
+/// The length of a slide in a direction up to the circle of the scene's largest slide [m].
 double room(const Scene& scene, const WalkSample& at, double cosine, double sine) {
   if (std::isinf(scene.slide)) return scene.slide;
   const double along = at.x * cosine + at.y * sine;
@@ -78,35 +78,35 @@ SceneWalk walk(const Scene& scene, double moment_ratio) {
   using std::numbers::pi;
   const bool slides = scene.slide_speed > 0.0 && scene.slide > 0.0;
   const bool twists = scene.twist_rate > 0.0 && scene.twist > 0.0;
-  Dice dice;
+  RandomNumbers random;
   SceneWalk result;
   WalkSample at{0.0, 0.0, 0.0, scene.most_load};
   result.samples.push_back(at);
   double direction = 0.0;
   for (int leg = 0; leg < legs; ++leg) {
-    const LoadChange change = change_load(dice, scene, at.load);
+    const LoadChange change = change_load(random, scene, at.load);
     const auto [radius, shorter, longer] = reach(scene, moment_ratio, change.at_once ? change.load : std::max(at.load, change.load));
 
-    // How far, and what part of that by sliding.
-    const double length = dice.one_of(2) == 0 ? 5.0 * longer : dice.of_any_size(0.1 * shorter, 3.0 * longer);
-    const std::array parts{0.0, 0.5 * pi, dice.between(0.0, 0.5 * pi)};
-    const double part = parts.at(static_cast<std::size_t>(dice.one_of(3)));
+    // Length, and its parts in slide and twist.
+    const double length = random.one_of(2) == 0 ? 5.0 * longer : random.of_any_size(0.1 * shorter, 3.0 * longer);
+    const std::array parts{0.0, 0.5 * pi, random.between(0.0, 0.5 * pi)};
+    const double part = parts.at(static_cast<std::size_t>(random.one_of(3)));
     double slide = slides && !change.by_itself ? length * (twists ? std::cos(part) : 1.0) : 0.0;
     double twist = twists && !change.by_itself ? length / radius * (slides ? std::sin(part) : 1.0) : 0.0;
 
-    // Where to, within the scene's ways.
-    const std::array turns{0.0, std::copysign(0.5 * pi, dice.between(-1.0, 1.0)), pi, dice.between(0.0, 2.0 * pi)};
-    direction += turns.at(static_cast<std::size_t>(dice.one_of(4)));
+    // Direction, within the scene's largest slide and twist.
+    const std::array turns{0.0, std::copysign(0.5 * pi, random.between(-1.0, 1.0)), pi, random.between(0.0, 2.0 * pi)};
+    direction += turns.at(static_cast<std::size_t>(random.one_of(4)));
     if (room(scene, at, std::cos(direction), std::sin(direction)) < 0.1 * scene.slide) direction += pi;
     const double cosine = std::cos(direction);
     const double sine = std::sin(direction);
     slide = std::min(slide, room(scene, at, cosine, sine));
-    const double sense = std::fabs(at.twist) > 0.9 * scene.twist ? -at.twist : dice.between(-1.0, 1.0);
+    const double sense = std::fabs(at.twist) > 0.9 * scene.twist ? -at.twist : random.between(-1.0, 1.0);
     twist = std::copysign(std::min(twist, most_steps * largest_twist_step), sense);
     twist = std::clamp(at.twist + twist, -scene.twist, scene.twist) - at.twist;
 
-    // In how many steps: those of the scene's sample time, or fewer.
-    const double pace = dice.of_any_size(0.25, 1.0);
+    // Number of steps: that of the scene's sample time, or fewer.
+    const double pace = random.of_any_size(0.25, 1.0);
     double time = 0.0;
     if (slide > 0.0) time = std::max(time, slide / (pace * scene.slide_speed));
     if (twist != 0.0) time = std::max(time, std::fabs(twist) / (pace * scene.twist_rate));
