@@ -149,10 +149,10 @@ Hazard broken_meshes() {
     draw_slice(figure, mesh, !taken);
   }
   Hazard found;
-  found.findings.push_back({"open, turned, tangled, doubled, needle, no number", "side of the nearest face",
-                            "meshes of six that are taken and tell a wrong side", customary, ours, test});
-  found.findings.push_back({"open, turned, tangled, doubled, needle, no number", "any triangles are taken",
-                            "meshes of six refused, with the face and what is wrong", 0.0, refused, test});
+  found.findings.push_back({"open, flipped, intersecting, doubled, degenerate, NaN", "side of the nearest face",
+                            "of six meshes, those accepted that give a wrong side", customary, ours, test});
+  found.findings.push_back({"open, flipped, intersecting, doubled, degenerate, NaN", "any triangles accepted",
+                            "of six meshes, those refused with face and reason", 0.0, refused, test});
   found.figures.push_back(std::move(figure));
   return found;
 }
@@ -183,8 +183,8 @@ Hazard slivers() {
     if (taken) figure.rows.push_back({"error", "limitcurve", share, std::max(felt, 1e-9)});
   }
   found.findings.push_back({"slivers, in single precision", "normal of the face",
-                            "error of the normal [rad], height 1e-10 to 0.1 of the length (ours: of those that are not refused)", worst,
-                            ours_worst, test});
+                            "error of the normal [rad], height 1e-10 to 0.1 of the length (ours: accepted faces)", worst, ours_worst,
+                            test});
   found.figures.push_back(std::move(figure));
   return found;
 }

@@ -130,7 +130,7 @@ Hazard corners() {
   const Box of_hertz = box(1.0, hertz()->moment_ratio());
   const auto [search, ours] = corner_errors(of_hertz);
   const std::string hazard = "corners and faces";
-  const std::string method = "search for the normal's wrench, box";
+  const std::string method = "search for the wrench with the given normal, box";
   return {{{hazard, method, "distance from the closest point, in the normalised plane", search.distance, ours.distance, test},
            {hazard, method, "least slip work, in (μP)²/k_l (must be ≥ 0)", search.work, ours.work, test}},
           {ways(of_hertz)}};

@@ -167,8 +167,8 @@ Hazard order_of_limits() {
     }
   }
   const std::string quantity = "error of the wrench of a steady twist, 0.1 ≤ c/a ≤ 10";
-  found.findings.push_back({"order of the limits", "force first, moment by what is left", quantity, worst[0], worst[2], test});
-  found.findings.push_back({"order of the limits", "moment first, force by what is left", quantity, worst[1], worst[2], test});
+  found.findings.push_back({"order of the limits", "force first, moment within the rest", quantity, worst[0], worst[2], test});
+  found.findings.push_back({"order of the limits", "moment first, force within the rest", quantity, worst[1], worst[2], test});
   found.figures.push_back(std::move(figure));
   return found;
 }
@@ -186,9 +186,9 @@ Hazard chatter() {
     figure.rows.push_back({"force", "limitcurve", time, ours[i]});
   }
   const double drop = static_limit - dynamic_limit;
-  found.findings.push_back({"μ_s > μ_d, a steady drag", "static limit asked in every step", "swing of the force, in (μ_s − μ_d)P",
+  found.findings.push_back({"μ_s > μ_d, a steady drag", "static limit in every step", "swing of the force, in (μ_s − μ_d)P",
                             swing(asked) / drop, swing(ours) / drop, test});
-  found.findings.push_back({"μ_s > μ_d, a steady drag", "static limit asked in every step", "chatter of 1/s, at 5 mm/s (steady force: 0)",
+  found.findings.push_back({"μ_s > μ_d, a steady drag", "static limit in every step", "chatter of 1/s, at 5 mm/s (steady force: 0)",
                             1.0 / period(asked, tick, 0.99 * static_limit),
                             swing(ours) > 0.0 ? 1.0 / period(ours, tick, dynamic_limit) : 0.0, test});
   const Drawn drawn;
@@ -204,8 +204,8 @@ Hazard chatter() {
     asked_error = std::max(asked_error, std::fabs(of_asked / exact - 1.0));
     our_error = std::max(our_error, std::fabs(of_ours / exact - 1.0));
   }
-  found.findings.push_back({"μ_s > μ_d, stick–slip of a mass", "static limit asked in every step",
-                            "relative error of the period, 20 to 200 mm/s", asked_error, our_error, test});
+  found.findings.push_back({"μ_s > μ_d, stick–slip of a mass", "static limit in every step", "relative error of the period, 20 to 200 mm/s",
+                            asked_error, our_error, test});
   found.figures.push_back(std::move(figure));
   return found;
 }
@@ -243,7 +243,7 @@ Hazard collapsing_load() {
     bristle_force = bristles.update(0.01, mu * 0.005);
     draw(i, 0.005, bristle_force, finger.update(contact(0.01, 0.005), 0.0).force.norm());
   }
-  found.findings.push_back({"load collapsing in one step", "bristles (Dahl, LuGre)",
+  found.findings.push_back({"load drops in one step", "bristles (Dahl, LuGre)",
                             "friction force at rest / limit, load to a thousandth in one step", at_once / (mu * 0.005),
                             let_go.force.norm() / (mu * let_go.load), test});
   found.figures.push_back(std::move(figure));

@@ -184,7 +184,7 @@ Hazard degenerate_steps() {
   }
   Hazard found;
   found.findings.push_back(
-      {"r = 0, ρ = 0, μ = 0, Γ = 0", "eqs. (21)–(23) as printed", "steps of ten with no number or a wrong one", printed, ours, test});
+      {"r = 0, ρ = 0, μ = 0, Γ = 0", "eqs. (21)–(23) as printed", "of ten steps, those with NaN or a wrong result", printed, ours, test});
   found.figures.push_back(std::move(figure));
   return found;
 }

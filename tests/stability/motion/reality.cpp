@@ -174,7 +174,7 @@ Hazard clocks() {
       last = time;
     }
     found.findings.push_back(
-        {"a clock with jitter of 30 %", "the nominal time step", "error of the damper's force, of b v", customary, ours, test});
+        {"a clock with jitter of 30 %", "the nominal time step", "error of the damper's force / (b v)", customary, ours, test});
   }
   // One stamp that repeats the last, or lies before it.
   for (const auto& [stamp, what] : {std::pair(0.0, "stands still"), std::pair(-1e-5, "runs backwards by 10 µs")}) {
@@ -185,7 +185,7 @@ Hazard clocks() {
     const double customary = customary_load(now, before, damping, stamp);
     const double ours = finger.update(at(0.0, 0.0, now), 0.0, stamp).load;
     const double right = stiffness * now;
-    found.findings.push_back({std::string("a clock that ") + what, "damper over the time step as told", "load of that sample / k_l d",
+    found.findings.push_back({std::string("a clock that ") + what, "damper with the reported time step", "load of that sample / k_l d",
                               customary / right, ours / right, test});
   }
   found.figures.push_back(std::move(figure));
@@ -217,19 +217,19 @@ Hazard bad_samples() {
     customary += !std::isfinite(bristles.update(path(i), limit));
     ours += !finger.update(at(path(i)), 0.0).force.allFinite();
   }
-  found.findings.push_back({"one sample that is no number", "bristles; any state that is added to",
-                            "samples of the next 1000 without a force", customary, ours, test});
+  found.findings.push_back(
+      {"one sample that is NaN", "bristles; any accumulated state", "samples of the next 1000 without a force", customary, ours, test});
   draw_samples(figure, with);
   // A sample 10 cm deep.
   const double leap = finger.update(at(path(1101), 0.0, 0.1), 0.0).load;
-  found.findings.push_back({"one sample that leaps by 10 cm", "load k_l d of what is told",
+  found.findings.push_back({"one sample that jumps by 10 cm", "load k_l d of the raw sample",
                             "load of that sample / before (ours: max_displacement 1 cm)", stiffness * 0.1 / before, leap / before, test});
   // No samples any more.
   finger.update(at(path(1102)), 0.0);
   const double last = finger.update(at(path(1103)), 0.0).load;
   for (int i = 0; i < 1000; ++i) finger.update(at(nothing), 0.0);
-  found.findings.push_back({"samples that no longer come", "the last force held",
-                            "load after a second at 1 kHz / before (ours: fault_decay 0.99)", 1.0, finger.output().load / last, test});
+  found.findings.push_back({"samples that stop", "the last force held", "load after a second at 1 kHz / before (ours: fault_decay 0.99)",
+                            1.0, finger.output().load / last, test});
   found.figures.push_back(std::move(figure));
   return found;
 }
@@ -252,11 +252,11 @@ Hazard plate_between_samples() {
     const double customary = beneath > 0.0 ? std::copysign(beneath, now.z()) / depth_right : 0.0;
     const Contact contact = touch(box, now, memory);
     const double ours = std::max(contact.depth, 0.0) * contact.normal.z() / depth_right;
-    figure.rows.push_back({"load", "inside or not, sample by sample", static_cast<double>(lost), customary});
+    figure.rows.push_back({"load", "inside test at each sample", static_cast<double>(lost), customary});
     figure.rows.push_back({"load", "limitcurve", static_cast<double>(lost), ours});
     if (lost != 10) continue;
-    found.findings.push_back({"lost samples, and a plate between", "inside or not, sample by sample",
-                              "load / k_l d under the side it came from, ten samples lost", customary, ours, test});
+    found.findings.push_back({"lost samples at a thin plate", "inside test at each sample",
+                              "load / k_l d on the entry side, ten samples lost", customary, ours, test});
   }
   found.figures.push_back(std::move(figure));
   return found;
@@ -294,7 +294,7 @@ Hazard frozen_device() {
     ours = std::max(ours, output.force.norm() / limit);
     if (i <= 30) draw(i, force, output.force.norm());
   }
-  found.findings.push_back({"a device that freezes, and goes on 2 cm away", "bristles (Dahl, LuGre), explicit",
+  found.findings.push_back({"a device that freezes and continues 2 cm away", "bristles (Dahl, LuGre), explicit",
                             "largest friction / limit after it", customary, ours + creep, test});
   found.figures.push_back(std::move(figure));
   return found;

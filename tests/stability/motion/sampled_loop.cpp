@@ -124,7 +124,7 @@ Hazard delayed_forces() {
     if (delay == 0) continue;
     const double customary = 1.05 * device_damping_needed(stiffness, 0.0, tick);
     const double ours = 1.05 * device_damping_needed(stiffness, 0.0, tick, delay);
-    found.findings.push_back({"force " + late, "device damped by 1.05 kT/2", "growth of a swing in a second, 1000 N/m, 0.1 kg",
+    found.findings.push_back({"force " + late, "device damped by 1.05 kT/2", "growth of an oscillation in one second, 1000 N/m, 0.1 kg",
                               Device{.damping = customary, .delay = delay}.growth(stiffness),
                               Device{.damping = ours, .delay = delay}.growth(stiffness), test});
   }
@@ -154,10 +154,11 @@ Hazard sampled_contact() {
       }
     }
   }
-  found.findings.push_back({"sampled contact, any hand", "device damped by b, as if not sampled",
-                            "energy drawn to and fro, in what the needed damping would take (≤ 0: none)", most_given, our_given, test});
-  found.findings.push_back({"sampled contact, any hand", "damping of b taken for enough",
-                            "error of the damping that suffices, k 10 to 1e4 N/m, b 0 to 10 N s/m, 100 Hz to 10 kHz", 1.0, off, test});
+  found.findings.push_back({"sampled contact, any hand", "device damped by b, sampling ignored",
+                            "energy drawn by an oscillation / dissipation of the required damping (≤ 0: none)", most_given, our_given,
+                            test});
+  found.findings.push_back({"sampled contact, any hand", "b taken as sufficient damping",
+                            "error of the sufficient damping, k 10 to 1e4 N/m, b 0 to 10 N s/m, 100 Hz to 10 kHz", 1.0, off, test});
   found.figures.push_back(std::move(figure));
   return found;
 }
@@ -198,7 +199,7 @@ Hazard encoder_steps() {
     figure.rows.push_back({"force", "limitcurve", rate, ours});
   }
   const auto [customary, ours] = largest_share(1e4);
-  found.findings.push_back({"encoder steps of 10 µm, speeds from them", "damper beside the friction limit",
+  found.findings.push_back({"encoder steps of 10 µm, velocities from differences", "damper beside the friction limit",
                             "largest friction force / limit, 5 N s/m, 5 mm/s, 10 kHz", customary, ours, test});
   // A finger that rests at half the limit while the encoder jitters by a step: whoever adds up increments creeps.
   double stretch = 0.5 * mu / stiffness;
@@ -212,9 +213,8 @@ Hazard encoder_steps() {
     stretch += jump - std::fabs(jump) * stiffness * stretch / mu;
     creep = std::max(creep, std::fabs(contact.update(pressed(at_first + (i % 2 == 0 ? resolution : 0.0), 1e-3), 0.0).proxy.x() - proxy));
   }
-  found.findings.push_back({"encoder steps of 10 µm, at rest", "bristles (Dahl, LuGre)",
-                            "creep under half the limit, of its stretch, 1e4 steps", (at_first - stretch) / at_first, creep / at_first,
-                            test});
+  found.findings.push_back({"encoder steps of 10 µm, at rest", "bristles (Dahl, LuGre)", "creep at half the limit / deflection, 1e4 steps",
+                            (at_first - stretch) / at_first, creep / at_first, test});
   found.figures.push_back(std::move(figure));
   return found;
 }

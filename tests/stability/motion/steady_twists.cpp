@@ -96,7 +96,7 @@ Hazard stiffness_ratios() {
                       normalised_distance(settled(box(1.0, m0), Projection::closest_point, kappa), truth, m0),
                       normalised_distance(settled(table, Projection::closest_point, kappa), truth, m0)};
   };
-  constexpr std::array series{"ellipse, shrunk along the ray", "exact curve, shrunk along the ray", "force and moment clamped each",
+  constexpr std::array series{"ellipse, shrunk along the ray", "exact curve, radial projection", "force and moment clamped separately",
                               "limitcurve"};
   double ours = 0.0;
   for (const double kappa : in_ratios(1e-6, 1e6, 49)) {
@@ -106,11 +106,12 @@ Hazard stiffness_ratios() {
   }
   for (const double kappa : {1e-6, 1.0, 10.0, 1e6}) {
     const std::string power = kappa == 1.0 ? "1" : kappa == 10.0 ? "10" : kappa < 1.0 ? "1e-6" : "1e6";
-    found.findings.push_back({"stiffness ratios", "ellipse, shrunk along the ray (eq. 23)",
+    found.findings.push_back({"stiffness ratios", "ellipse, radial projection (eq. 23)",
                               "error of the wrench of a steady twist, c = a, k_r/k_l = " + power + "·(m₀a)² (ours: any)", errors(kappa)[0],
                               ours, test});
   }
-  found.findings.push_back({"stiffness ratios", "force and moment clamped each (§3.1)", "the same, any ratio", errors(1.0)[2], ours, test});
+  found.findings.push_back(
+      {"stiffness ratios", "force and moment clamped separately (§3.1)", "the same, any ratio", errors(1.0)[2], ours, test});
   found.figures.push_back(std::move(figure));
   return found;
 }
@@ -133,7 +134,7 @@ Hazard small_contacts() {
   }
   for (const auto& [mu_r, name] : {std::pair{1e-3, "1"}, {1e-4, "0.1"}, {1e-6, "0.001"}}) {
     const SteadyTwist twist = of_moment(mu_r);
-    found.findings.push_back({"a small contact, the springs of a larger one", "ellipse, shrunk along the ray (eq. 23)",
+    found.findings.push_back({"a small contact, the springs of a larger one", "ellipse, radial projection (eq. 23)",
                               std::string("friction force of a steady twist in μP, c = 5 mm, μ_r = ") + name + " mm, k_r = 0.036 N m/rad",
                               settled(twist, ellipse, Projection::radial).force, settled(twist, table, Projection::closest_point).force,
                               "Projection.SmallContacts"});
@@ -158,8 +159,8 @@ Hazard growing_radius() {
   }
   const SteadyTwist twist = at(0.005);
   const double ours = SteadyTwist::mu * settled(twist, Projection::closest_point).force;
-  for (const auto& [projection, method] : {std::pair{Projection::radial, "exact curve, shrunk along the ray"},
-                                           {Projection::c_curve, "exact curve, shrunk along the c-curve (Fig. 5)"}}) {
+  for (const auto& [projection, method] : {std::pair{Projection::radial, "exact curve, radial projection"},
+                                           {Projection::c_curve, "exact curve, projection along the c-curve (Fig. 5)"}}) {
     found.findings.push_back({"a radius that grows with the load", method,
                               "friction force of a steady twist [N], c = 5 mm, a = 6 mm at 1 N, a ∝ P^⅓, μP = 0.6 N, 10 µm a step",
                               SteadyTwist::mu * settled(twist, projection).force, ours, "Projection.GrowingRadius"});

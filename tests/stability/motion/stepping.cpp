@@ -195,7 +195,7 @@ Hazard block_of_ten_grams() {
   for (const auto& [integrator, stiffness] : {std::pair(0U, 2000.0), std::pair(1U, 2e5)}) {
     found.findings.push_back(
         {"10 g between two fingers, 1 kHz", std::string(names[integrator]) + ", undamped",
-         "distance from the grip after 5 s, in what the springs give (1000: it is lost), " + format_number(stiffness / 1000.0) + " kN/m",
+         "distance from the grip after 5 s, in static spring deflections (1000: lost), " + format_number(stiffness / 1000.0) + " kN/m",
          held(integrators[integrator], stiffness, 5.0).fallen / (0.01 * 9.81 / (2.0 * stiffness)),
          held(Integrator::implicit_euler, stiffness, 5.0).fallen / (0.01 * 9.81 / (2.0 * stiffness)), test});
   }
@@ -233,8 +233,8 @@ Hazard released_grip() {
     }
     gain[i] = most / before - 1.0;
   }
-  found.findings.push_back({"grip released in one step", "explicit Euler, undamped", "energy gained in 0.2 s after it, of what there was",
-                            gain[0], gain[2], test});
+  found.findings.push_back(
+      {"grip released in one step", "explicit Euler, undamped", "energy gained in the next 0.2 s / energy before", gain[0], gain[2], test});
   found.figures.push_back(std::move(figure));
   return found;
 }

@@ -59,7 +59,7 @@ Hazard cor_near_the_axes() {
   }
   for (std::size_t i = 0; i + 1 < models.size(); ++i) {
     found.findings.push_back({"COR implied by a fitted curve", models[i].name,
-                              "factor to the true COR less 1, 1e-3 ≤ s ≤ 1e3 (flat punch; ours: table of 1e-8)", models[i].worst,
+                              "factor to the true COR minus 1, 1e-3 ≤ s ≤ 1e3 (flat punch; ours: table of 1e-8)", models[i].worst,
                               models.back().worst, test});
   }
   found.figures.push_back(std::move(figure));
@@ -108,10 +108,10 @@ Hazard dying_tails() {
   }
   const double far = 20.0;
   found.findings.push_back(
-      {"tails that die", method, "error of m where it was fitted (Hertz; ours: table of 1e-4)", within, ours_within, test});
-  found.findings.push_back({"tails that die", method, "relative error of m at s = 20", of_sums(far).moment, of_table(far).moment, test});
+      {"vanishing tails", method, "error of m in the fitted range (Hertz; ours: table of 1e-4)", within, ours_within, test});
+  found.findings.push_back({"vanishing tails", method, "relative error of m at s = 20", of_sums(far).moment, of_table(far).moment, test});
   found.findings.push_back(
-      {"tails that die", method, "relative error of the COR implied at s = 20", of_sums(far).cor, of_table(far).cor, test});
+      {"vanishing tails", method, "relative error of the COR implied at s = 20", of_sums(far).cor, of_table(far).cor, test});
   found.figures.push_back(std::move(figure));
   return found;
 }
@@ -165,10 +165,10 @@ Hazard shape_and_radius() {
     figure.rows.push_back({"errors", "limitcurve", static_cast<double>(i), free_in_errors.back()});
   }
   const std::string data = ", 95th percentile of 120 data sets (100 slips each, 1 % noise)";
-  found.findings.push_back({"shape and radius not to be told apart", "radius a reported, from a fit of n and a (ours: μ_r)",
+  found.findings.push_back({"shape and radius not identifiable", "radius a reported, from a fit of n and a (ours: μ_r)",
                             "relative error of the length reported" + data, quantile(radius_error, 0.95), quantile(ratio_error, 0.95),
                             test});
-  found.findings.push_back({"shape and radius not to be told apart", "Hertz assumed where the pressure is uniform (ours: n free)",
+  found.findings.push_back({"shape and radius not identifiable", "Hertz assumed for a uniform pressure (ours: n free)",
                             "error of the radius in standard errors stated" + data, quantile(assumed_in_errors, 0.95),
                             quantile(free_in_errors, 0.95), test});
   found.figures.push_back(std::move(figure));

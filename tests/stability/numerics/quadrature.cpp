@@ -122,10 +122,9 @@ Hazard centre_under_the_finger() {
     measure(near, 1.0 - distance, distance);
     near.close();
   }
-  const std::string quantity = "relative error of f where 1e-9 was asked (Hertz)";
+  const std::string quantity = "relative error of f at a requested 1e-9 (Hertz)";
   found.findings.push_back({"COR under the finger", "tanh-sinh over the whole radius", quantity, tanh_sinh_worst, ours_worst, test});
-  found.findings.push_back(
-      {"COR under the finger", "the same, its error estimate read", "error / error stated", unstated, ours_unstated, test});
+  found.findings.push_back({"COR under the finger", "the same, its error estimate", "error / error stated", unstated, ours_unstated, test});
   found.findings.push_back({"COR under the finger", "Gauss, 30 points over the whole radius", quantity, gauss_worst, ours_worst, test});
   found.figures.push_back(std::move(figure));
   return found;
@@ -260,12 +259,12 @@ Hazard kinks_of_a_profile() {
       raise(ours_unstated, static_cast<double>(abs(Exact(estimate.wrench.force - exact))) / estimate.error.force);
     }
   }
-  const std::string quantity = "relative error of f (a profile of five pieces; ours not told of them)";
+  const std::string quantity = "relative error of f (a profile of five pieces; ours without the breaks)";
   const std::string test = "Quadrature.KinksOfAMeasuredProfile";
   const double ours = std::max(worst[2], worst[3]);
   found.findings.push_back({"kinks of a measured profile", "tanh-sinh, split at s", quantity, worst[0], ours, test});
   found.findings.push_back(
-      {"kinks of a measured profile", "the same, its error estimate read", "error / error stated", unstated, ours_unstated, test});
+      {"kinks of a measured profile", "the same, its error estimate", "error / error stated", unstated, ours_unstated, test});
   found.findings.push_back({"kinks of a measured profile", "Gauss, 30 points, split at s", quantity, worst[1], ours, test});
   found.figures.push_back(std::move(figure));
   return found;

@@ -29,7 +29,7 @@ class EvenTable {
     for (const double s : evenly(0.0, last, nodes)) nodes_.push_back(law.forces(s));
   }
 
-  /// Beyond the last node the last cubic goes on.
+  /// Beyond the last node the last cubic extrapolated.
   [[nodiscard]] UnitWrench wrench(double s) const {
     const double place = std::min(std::floor(s / step_), static_cast<double>(nodes_.size() - 2));
     const auto i = static_cast<std::size_t>(place);
@@ -228,7 +228,7 @@ Hazard beyond_the_last_node() {
     return std::array{relative_error(even.wrench(std::min(s, last)).moment, truth), relative_error(even.wrench(s).moment, truth),
                       relative_error(spline(s), truth), relative_error(table.wrench(SlipTwist::about_cor(s)).moment, truth)};
   };
-  constexpr std::array series{"last value held", "last cubic goes on", "Boost's cubic spline", "limitcurve"};
+  constexpr std::array series{"last value held", "last cubic extrapolated", "Boost's cubic spline", "limitcurve"};
   double ours = 0.0;
   for (const double s : in_ratios(1.0, 1e6, 110)) {
     const auto found_here = errors(s);
@@ -240,7 +240,7 @@ Hazard beyond_the_last_node() {
     found.findings.push_back({"COR beyond the last node", std::string(series[i]) + ", 64 nodes to s = 5",
                               "relative error of m at s = 1e4 (ours: table of 1e-8, s ≤ 1e6)", far[i], ours, test});
   }
-  found.findings.push_back({"COR beyond the last node", "last value held", "moment of a pure slide, of the largest (must be 0)",
+  found.findings.push_back({"COR beyond the last node", "last value held", "moment of a pure slide / largest moment (must be 0)",
                             even.wrench(last).moment / moments.front(), table.wrench({1.0, 0.0}).moment / table.moment_ratio(), test});
   found.figures.push_back(std::move(figure));
   return found;
@@ -270,10 +270,10 @@ Hazard false_equilibria() {
     our_worst.distance = std::max(our_worst.distance, here.distance);
   }
   const std::string method = "cubic splines of f and m through values of four decimals";
-  found.findings.push_back({"interpolant not convex", method, "wrenches at which one steady twist can rest",
-                            static_cast<double>(worst.most), static_cast<double>(our_worst.most), test});
+  found.findings.push_back({"interpolant not convex", method, "equilibrium wrenches of one steady twist", static_cast<double>(worst.most),
+                            static_cast<double>(our_worst.most), test});
   found.findings.push_back(
-      {"interpolant not convex", method, "distance of two of them in (f, m)", worst.distance, our_worst.distance, test});
+      {"interpolant not convex", method, "distance between two of them in (f, m)", worst.distance, our_worst.distance, test});
   found.figures.push_back(std::move(figure));
   return found;
 }

@@ -99,9 +99,8 @@ Hazard half_a_turn() {
       figure.rows.push_back({panel, "difference wrapped", static_cast<double>(angle), by_wrapping});
       figure.rows.push_back({panel, "limitcurve", static_cast<double>(angle), ours});
     }
-    const std::string quantity =
-        std::string("error of the moment, of its limit (slips after ") + (largest_lag < 1.0 ? "0.1" : "4") + " rad)";
-    found.findings.push_back({"twist passes ±π", "spring to the angle as told", quantity, worst_told, worst_ours, test});
+    const std::string quantity = std::string("error of the moment / limit (slips after ") + (largest_lag < 1.0 ? "0.1" : "4") + " rad)";
+    found.findings.push_back({"twist passes ±π", "spring to the raw angle", quantity, worst_told, worst_ours, test});
     // To wrap the difference is right as long as the finger slips before half a turn.
     if (largest_lag < std::numbers::pi) continue;
     found.findings.push_back({"twist passes ±π", "difference wrapped into ±π", quantity, worst_wrapping, worst_ours, test});
