@@ -12,7 +12,7 @@ namespace {
 class CCurves final : public Subcommand {
  public:
   [[nodiscard]] Manual manual() const override {
-    return {"c-curves", "Force and moment over the load at fixed centres of rotation (paper, Fig. 4)",
+    return {"c-curves", "Force and moment against load at fixed centres of rotation (paper, Fig. 4)",
             "Columns: c [m], load P [N], force [N], moment [N m].",
             "limitcurve c-curves --law hertz --radius-law power:c=0.00207,gamma=0.259 --mu 0.8 --cors 0,0.002,inf --loads 0.5,1,2"};
   }

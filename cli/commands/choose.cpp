@@ -24,42 +24,42 @@ namespace {
 class Choose final : public Subcommand {
  public:
   [[nodiscard]] Manual manual() const override {
-    return {"choose", "The cheapest limit curve that is good enough, with those it beat",
+    return {"choose", "Finds the cheapest limit curve that is good enough, and lists the others",
             "Columns: model and parameter as in validate (table: its tolerance; exact: nan); error, the largest radial error in the\n"
-            "normalised plane; nanoseconds of a wrench by its slip twist, on one machine: read them as ratios; chosen, true for\n"
-            "the cheapest whose error is at most the tolerance. --explain says why, on standard error.\n"
-            "With --patch in place of --law, a contact that is not round (see 'limitcurve patch'): the disc of least largest error\n"
-            "where it will do, parameter its radius, driven as a law is; else the ellipsoid sqrt(v^2 + m0^2 w^2), parameter m0, or the\n"
-            "patch itself. Errors are of power, over all sliding twists.\n"
-            "With --scene the whole step of the god-object is chosen: model is 'no torsion' or BOUNDARY/PROJECTION, with the radius\n"
-            "of the mean load unless it ends in '/a(P)'; error is the change of what is felt, as a share of what the contact\n"
-            "bears: twice the largest that a thousand slides and twists showed, one after the other and at once, with reversals and\n"
-            "turns, within the scene's rates, ways and loads; nanoseconds are those of a step that slips. Which of torsion,\n"
-            "coupling, load-dependent radius, exact curve and closest point matter is said on standard error,\n"
-            "with the options of replay for the chosen one, and where k_r/k_l is more than ten times away from (mu_r/mu_l)^2, for\n"
-            "which the radial projection is made.",
+            "normalised plane; nanoseconds, the time to compute one wrench from its slip twist on one machine (compare ratios only);\n"
+            "chosen, true for the cheapest model whose error is at most the tolerance. --explain gives the reasons on standard error.\n"
+            "With --patch in place of --law the contact is not round (see 'limitcurve patch'). Candidates are the disc with the least\n"
+            "largest error (parameter: its radius; it drives a finger as a law does), the ellipsoid sqrt(v^2 + m0^2 w^2) (parameter: m0)\n"
+            "and the patch itself. error is the largest relative error of power over all sliding twists.\n"
+            "With --scene the command chooses the whole step of the god-object: model is 'no torsion' or BOUNDARY/PROJECTION, with the\n"
+            "contact radius of the mean load, or with the load-dependent radius if the name ends in '/a(P)'. error is the change of the\n"
+            "rendered wrench as a fraction of the friction limits: twice the largest change in a thousand slides and twists (in turn and\n"
+            "together, with reversals and turns, within the rates, distances and loads of the scene). nanoseconds is the time of a step\n"
+            "that slips. Standard error says whether the scene needs torsion, coupling, a load-dependent radius, the exact curve and\n"
+            "the closest point, and gives the replay options of the choice. A note appears where k_r/k_l differs more than tenfold from\n"
+            "(mu_r/mu_l)^2, the ratio that the radial projection assumes.",
             "limitcurve choose --law hertz --tolerance 0.01 --scene --mu 0.6 --loads 0.5,2 --stiffness 1000 --twist-stiffness 0.036"};
   }
 
   void declare(Options& options) override {
     options.law(law_, Presence::optional);
-    options.text("--patch", patch_, "PATCH", "In place of --law: a pressure patch that need not be round");
+    options.text("--patch", patch_, "PATCH", "In place of --law: a pressure patch of any shape");
     options.number("--tolerance", tolerance_, positive, "Largest error, relative (0.01 is 1 %), from 1e-10 to 1; with --scene from 1e-6",
                    Presence::required);
-    options.flag("--explain", explain_, "Say what the chosen one beat, and why, on standard error");
-    options.flag("--scene", scene_wanted_, "Choose the step of a scene: limit curve, projection, and whether torsion matters at all");
+    options.flag("--explain", explain_, "Give the reason for each candidate on standard error");
+    options.flag("--scene", scene_wanted_, "Choose the step of a scene: limit curve, projection, and whether torsion matters");
     options.number("--mu", scene_.mu, positive, "Scene: coefficient of friction");
     options.radius_law(radius_law_, Presence::optional);
     options.number("--moment-coefficient", scene_.moment_coefficient, positive,
-                   "Scene: mu_r [m]: moment limit mu_r P whatever the radius law");
+                   "Scene: mu_r [m]; the moment limit is mu_r P, in place of the radius law's");
     options.numbers("--loads", loads_, positive, "Scene: least and largest load [N] (default 0.5,2)", Presence::optional);
     options.number("--stiffness", scene_.stiffness, positive, "Scene: k_l [N/m]");
     options.number("--twist-stiffness", scene_.twist_stiffness, positive, "Scene: k_r [N m/rad]");
-    options.number("--sample-time", scene_.sample_time, positive, "Scene: [s]");
+    options.number("--sample-time", scene_.sample_time, positive, "Scene: sample time [s]");
     options.number("--slide-speed", scene_.slide_speed, non_negative, "Scene: largest sliding speed [m/s]");
     options.number("--twist-rate", scene_.twist_rate, non_negative, "Scene: largest rate of the twist [rad/s]");
-    options.number("--slide", slide_, non_negative, "Scene: largest way from where the finger touched down [m] (default: any)");
-    options.number("--twist", twist_, non_negative, "Scene: largest twist from where the finger touched down [rad] (default: any)");
+    options.number("--slide", slide_, non_negative, "Scene: largest distance from the point of first contact [m] (default: no limit)");
+    options.number("--twist", twist_, non_negative, "Scene: largest twist since first contact [rad] (default: no limit)");
   }
 
   void run(const Results& results) override {
@@ -108,7 +108,7 @@ class Choose final : public Subcommand {
     note_stiffnesses("the rows of the radial projection", finger, law_->moment_ratio(), std::array{scene_.least_load, scene_.most_load});
   }
 
-  /// Beside the scene's own options.
+  /// The options of replay that the scene's own options do not set.
   void say_how_to_replay(const godobject::StepChoice& choice) const {
     const godobject::ReplayOptions& step = choice.chosen;
     std::cerr << "replay it with --boundary " << to_string(step.curve) << " --projection " << to_string(step.projection);

@@ -10,7 +10,7 @@ namespace {
 class Curve final : public Subcommand {
  public:
   [[nodiscard]] Manual manual() const override {
-    return {"curve", "The unit limit curve, evenly in slip angle",
+    return {"curve", "The unit limit curve at evenly spaced slip angles",
             "Columns: c in contact radii, from 0 (pure twist) to inf (pure slide); force in units of mu P and moment in\n"
             "units of mu P a; x = F/F_max and y = M/M_max, the paper's normalised plane.",
             "limitcurve curve --law uniform --points 181"};

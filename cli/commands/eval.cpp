@@ -25,7 +25,7 @@ class Eval final : public Subcommand {
   [[nodiscard]] Manual manual() const override {
     return {"eval", "Friction force and moment at given distances of the centre of rotation (eq. 17)",
             "Columns: c [m], force [N], moment [N m], and bounds on their absolute errors.\n"
-            "With radius, load and mu left out, c is in contact radii and the wrench in units of (mu P, mu P a).",
+            "Without radius, load and mu, c is in contact radii and the wrench in units of (mu P, mu P a).",
             "limitcurve eval --law hertz --c 0.25,0.5,1,inf"};
   }
 
@@ -35,7 +35,7 @@ class Eval final : public Subcommand {
     options.number("--radius", radius_, positive, "Contact radius a [m]");
     options.number("--load", load_, non_negative, "Normal load P [N]");
     options.number("--mu", friction_, non_negative, "Friction coefficient mu [1]");
-    options.choice("--method", method_, method_names(), "How eq. (17) is evaluated");
+    options.choice("--method", method_, method_names(), "Method that evaluates eq. (17)");
   }
 
   void run(const Results& results) override {
@@ -47,7 +47,7 @@ class Eval final : public Subcommand {
       throw std::invalid_argument("--mu, --load, --radius: their product is too large, expected a finite number");
     }
     Rows rows(results, {"c", "force", "moment", "force_error", "moment_error"});
-    // Half an ulp for each of the roundings of the scaling, and what that of s = c/a does to the curve.
+    // Half an ulp for each rounding of the scaling, and the change of the curve due to the rounding of s = c/a.
     constexpr double rounding = 0.5 * std::numeric_limits<double>::epsilon();
     for (const double c : distances_) {
       const double s = c / radius_;

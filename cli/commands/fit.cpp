@@ -27,19 +27,19 @@ class Fit final : public Subcommand {
  public:
   [[nodiscard]] Manual manual() const override {
     return {"fit", "Fits a friction model to measured slips, or an approximation to the exact curve",
-            "With --data, a CSV of slips: load,force,moment[,sigma_force,sigma_moment] [N, N, N m]. With --law and no data,\n"
-            "ellipse, superellipse and quartic are laid over the exact unit curve instead.\n"
-            "ratio gives mu, mu_r and the contact radius they imply under --law (hertz if left out), or, from a CSV of published\n"
-            "ratio,ratio_sd [m] of several materials, their weighted mean and whether one ratio explains them (chi_squared,\n"
-            "degrees_of_freedom, p_value: the chance of more scatter); law gives those of the\n"
-            "pressure law that explains the data best, or of --law; load fits a(P) or mu_r(P) = c P^gamma to a CSV of\n"
-            "load,radius[,sigma_radius] or load,moment[,sigma_moment]. Standard error has what to beware of, and last what to\n"
-            "type into replay and FingerParameters.\n"
-            "friction gives the coefficient of a contact that is not round (--patch, as in 'limitcurve patch') from pushes that\n"
-            "slid, force_x,force_y,moment,dx,dy,dtheta about the patch's origin [N, N m, m, rad]: mu, the mean of power over H;\n"
-            "drift, the slope of that over the share of rotation |w| m0/sqrt(v^2 + w^2 m0^2) divided by the mean, 0 where the\n"
-            "patch explains the pushes; and both with the ellipsoid sqrt(v^2 + m0^2 w^2) in place of H.\n"
-            "Columns: parameter, value, std_error, unit, note (the model fitted and what was assumed).",
+            "With --data, a CSV of slips: load,force,moment[,sigma_force,sigma_moment] [N, N, N m]. With --law and no data, ellipse,\n"
+            "superellipse and quartic are fitted to the exact unit curve.\n"
+            "ratio: mu, mu_r and the contact radius that they imply under --law (default hertz); or, from a CSV of published\n"
+            "ratio,ratio_sd [m] of several materials, their weighted mean and a test that one ratio explains them (chi_squared,\n"
+            "degrees_of_freedom, p_value: the probability of more scatter).\n"
+            "law: the same for the pressure law that explains the data best, or for --law.\n"
+            "load: a(P) or mu_r(P) = c P^gamma, from a CSV of load,radius[,sigma_radius] or load,moment[,sigma_moment].\n"
+            "friction: the coefficient of a contact that is not round (--patch, as in 'limitcurve patch'), from pushes that slid:\n"
+            "force_x,force_y,moment,dx,dy,dtheta about the origin of the patch [N, N m, m, rad]. mu is the mean of power over H; drift is\n"
+            "the slope of power over H against the share of rotation |w| m0/sqrt(v^2 + w^2 m0^2), divided by the mean: 0 if the patch\n"
+            "explains the pushes. mu_ellipsoid and drift_ellipsoid use the ellipsoid sqrt(v^2 + m0^2 w^2) in place of H.\n"
+            "Columns: parameter, value, std_error, unit, note (the fitted model and its assumptions).\n"
+            "Standard error has warnings, and in its last line the options of replay and the fields of FingerParameters to use.",
             "limitcurve fit ellipse --law hertz"};
   }
 
@@ -49,20 +49,20 @@ class Fit final : public Subcommand {
     options.law(law_, Presence::optional);
     options.text("--patch", patch_, "PATCH", "For friction: the pressure patch");
     options.number("--load", load_, positive, "For friction: normal load P [N]; without it mu is mu P [N]");
-    options.choice("--criterion", criterion_, criteria, "Of an approximation to the exact curve: what is least");
-    options.choice("--loss", loss_, losses, "How hard outliers of the data pull");
+    options.choice("--criterion", criterion_, criteria, "What an approximation of the exact curve minimises");
+    options.choice("--loss", loss_, losses, "Loss function: the weight of outliers");
     options.choice("--load-model", load_model_, load_models,
-                   "For load: how the radius grows, c P^gamma with gamma 0, 1/3, free; or the best");
+                   "For load: growth of the radius, c P^gamma with gamma 0, 1/3 or free; or the best of them");
     options.number("--gamma", settings_.gamma, non_negative, "Exponent of the contact radius a = c P^gamma");
-    options.flag("--fit-gamma", settings_.fit_gamma, "Find gamma from the data too");
-    options.flag("--quiet", quiet_, "Say nothing on standard error but errors");
-    options.number("--largest-radius", settings_.largest_radius, positive, "Warn of a contact radius beyond this [m]");
+    options.flag("--fit-gamma", settings_.fit_gamma, "Fit gamma to the data, too");
+    options.flag("--quiet", quiet_, "Write nothing but errors to standard error");
+    options.number("--largest-radius", settings_.largest_radius, positive, "Warn of a contact radius above this [m]");
   }
 
   void run(const Results& results) override {
     if (models[model_] == "friction") return write(results, friction(), patch_);
-    if (!patch_.empty()) throw std::invalid_argument("--patch: for fit friction alone, got fit " + models[model_]);
-    if (load_) throw std::invalid_argument("--load: for fit friction alone, got fit " + models[model_]);
+    if (!patch_.empty()) throw std::invalid_argument("--patch: only for fit friction, got fit " + models[model_]);
+    if (load_) throw std::invalid_argument("--load: only for fit friction, got fit " + models[model_]);
     const fit::ModelFit found = data_.empty() ? curve_fit() : data_fit();
     if (found.model != models[model_]) say("note", "the model is " + found.model);
     describe(found);
@@ -86,21 +86,21 @@ class Fit final : public Subcommand {
     return fit_friction(patch_, data_, load_);
   }
 
-  /// What a reader must know before using the numbers.
+  /// A note or warning that the user must know before using the numbers.
   void say(const char* kind, const std::string& text) const {
     if (!quiet_) std::fprintf(stderr, "limitcurve: %s: %s\n", kind, text.c_str());
   }
 
-  /// No finger has such a radius, or such a one at 1 N, but millimetres do.
+  /// A radius above 0.1 m (c is the radius at 1 N) suggests data in millimetres.
   void warn_of_units(const fit::FitReport& report) const {
     constexpr double largest_radius = 0.1;
     for (const fit::Estimate& estimate : report.estimates) {
       if ((estimate.name != "radius" && estimate.name != "c") || !(estimate.value > largest_radius)) continue;
-      say("warning", estimate.name + " = " + format_number(estimate.value) + " " + estimate.unit + ": in metres?");
+      say("warning", estimate.name + " = " + format_number(estimate.value) + " " + estimate.unit + ": are the data in metres?");
     }
   }
 
-  /// How good the fit is.
+  /// Quality of the fit.
   void describe(const fit::ModelFit& found) const {
     const fit::FitReport& report = found.report;
     std::string text = std::to_string(report.residuals) + " residuals, " + std::to_string(report.free_parameters) +
@@ -113,7 +113,7 @@ class Fit final : public Subcommand {
     say("note", text + report.message);
   }
 
-  /// The finger that was fitted, in the words of replay and of FingerParameters.
+  /// The fitted finger as options of replay and as fields of FingerParameters.
   void say_what_to_type(const fit::ModelFit& found) const {
     const std::vector<fit::Estimate>& estimates = found.report.estimates;
     const auto value = [&](const std::string& name, double otherwise) {
@@ -125,7 +125,7 @@ class Fit final : public Subcommand {
     if (estimates.front().name == "ratio") return;  // without mu there is no finger
     const double gamma = value("gamma", settings_.gamma);
     const std::string growth = format_number(gamma);
-    // Beyond these no finger takes it.
+    // FingerParameters accepts no other exponent.
     if (!(gamma >= -0.5 && gamma <= 1.0)) return;
     if (estimates.front().name == "c") {
       const std::string c = format_number(estimates.front().value);
@@ -151,7 +151,7 @@ class Fit final : public Subcommand {
     say("note", "to type into replay:" + options + "; into FingerParameters: " + fields);
   }
 
-  /// The law in the words of --law; "" where the curve is none of a law, or its shape unknown.
+  /// The law as a value of --law; "" if the curve belongs to no law or its shape is unknown.
   [[nodiscard]] static std::string law_of(const fit::ModelFit& found) {
     for (const fit::Estimate& estimate : found.report.estimates) {
       if (estimate.name == "n" || estimate.name == "k") {

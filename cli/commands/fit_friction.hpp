@@ -9,10 +9,10 @@
 
 namespace limitcurve::cli {
 
-/// The pushes of a CSV file, force_x,force_y,moment,dx,dy,dtheta.
+/// Reads pushes from a CSV file with columns force_x,force_y,moment,dx,dy,dtheta.
 std::vector<fit::Push> read_pushes(const std::string& file);
 
-/// The friction of a patch from a CSV of pushes, force_x,force_y,moment,dx,dy,dtheta. `load` [N]; without it mu is mu P.
+/// Fits the friction of a patch to the pushes of a CSV file (see `read_pushes`). `load` in [N]; without it mu is mu P.
 std::vector<fit::Estimate> fit_friction(const std::string& patch, const std::string& data, const std::optional<double>& load);
 
 }  // namespace limitcurve::cli

@@ -13,9 +13,9 @@ class Laws final : public Subcommand {
  public:
   [[nodiscard]] Manual manual() const override {
     return {"laws", "Lists the pressure laws",
-            "Columns: law, an example of its grammar; moment_ratio, m0 = mu_r/(mu a); method, the one 'auto' stands for;\n"
-            "error, a bound on that of moment_ratio.\n"
-            "samples:FILE.csv, a measured profile with the columns radius,pressure, is a law too; it has no row without its file.",
+            "Columns: law, an example of its grammar; moment_ratio, m0 = mu_r/(mu a); method, the one that 'auto' selects; error, a bound\n"
+            "of the error of moment_ratio.\n"
+            "samples:FILE.csv is also a law: a measured profile with the columns radius,pressure. It has no row here.",
             "limitcurve laws"};
   }
 

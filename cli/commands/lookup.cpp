@@ -10,8 +10,8 @@ class Lookup final : public Subcommand {
  public:
   [[nodiscard]] Manual manual() const override {
     return {"lookup", "Evaluates a table that 'limitcurve table' wrote",
-            "Columns: c in contact radii; force in units of mu P and moment in units of mu P a. A torn, edited or foreign file\n"
-            "is refused.",
+            "Columns: c in contact radii; force in units of mu P; moment in units of mu P a. A table that is truncated, edited or in\n"
+            "another format is refused.",
             "limitcurve lookup --table hertz.csv --c 0,0.5,1,inf"};
   }
 

@@ -21,30 +21,30 @@ namespace limitcurve::cli {
 
 enum class Presence { optional, required };
 
-/// Declares the options of a subcommand: each with the variable that takes its value. The parser's own header is slow to
-/// compile and stays behind this one. A value that does not fit throws std::invalid_argument naming the option.
+/// Declares the options of a subcommand, each with the variable that receives its value. This class hides the parser's header, which is slow
+/// to compile. A value out of range throws std::invalid_argument that names the option.
 class Options {
  public:
   explicit Options(CLI::App& app) : app_(app) {}
 
-  /// An option whose text `take` turns into a value, throwing std::invalid_argument if it cannot. `name` is "--law",
-  /// "-o,--output", or without dashes a positional argument; `kind` is what help calls the value.
+  /// An option whose text goes to `take`, which throws std::invalid_argument if it is no value. `name` is "--law", "-o,--output", or, without
+  /// dashes, a positional argument; `kind` names the value in the help text.
   void value(const std::string& name, const std::string& kind, std::function<void(const std::string&)> take, const std::string& help,
              Presence presence);
-  /// The same for an option that may be given several times: `take` is called for each.
+  /// The same for an option that may be given several times: calls `take` for each.
   void repeated(const std::string& name, const std::string& kind, std::function<void(const std::string&)> take, const std::string& help,
                 Presence presence);
   void flag(const std::string& name, bool& value, const std::string& help);
 
   void text(const std::string& name, std::string& value, const std::string& kind, const std::string& help,
             Presence presence = Presence::optional);
-  /// Help shows the value that stands in `value` as the default, if it is not NaN.
+  /// Help shows the present `value` as the default, unless it is NaN.
   void number(const std::string& name, double& value, Range range, const std::string& help, Presence presence = Presence::optional);
   void number(const std::string& name, std::optional<double>& value, Range range, const std::string& help);
   void numbers(const std::string& name, std::vector<double>& values, Range range, const std::string& help,
                Presence presence = Presence::required);
   void count(const std::string& name, std::size_t& value, std::size_t least, std::size_t most, const std::string& help);
-  /// One of `choices`; `value` gets its index and shows the default.
+  /// One of `choices`; `value` receives its index and holds the default.
   void choice(const std::string& name, std::size_t& value, std::vector<std::string> choices, const std::string& help,
               Presence presence = Presence::optional);
 

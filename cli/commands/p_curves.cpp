@@ -13,7 +13,7 @@ class PCurves final : public Subcommand {
  public:
   [[nodiscard]] Manual manual() const override {
     return {"p-curves", "Limit curves at fixed loads (paper, Fig. 4)",
-            "Columns: load P [N], c [m], force [N], moment [N m]; each load's points evenly in slip angle atan(c/a(P)).",
+            "Columns: load P [N], c [m], force [N], moment [N m]; the points of each load are evenly spaced in slip angle atan(c/a(P)).",
             "limitcurve p-curves --law hertz --radius-law hertz:R=0.008,E=2e5 --mu 0.8 --loads 0.5,1,2"};
   }
 
@@ -22,7 +22,7 @@ class PCurves final : public Subcommand {
     options.radius_law(radius_law_);
     options.number("--mu", friction_, non_negative, "Friction coefficient mu [1]", Presence::required);
     options.numbers("--loads", loads_, non_negative, "Normal loads P [N]");
-    options.count("--points", points_, 2, 10'000'000, "Number of points a curve");
+    options.count("--points", points_, 2, 10'000'000, "Number of points of each curve");
   }
 
   void run(const Results& results) override {

@@ -13,17 +13,17 @@ class PatchCommand final : public Subcommand {
   [[nodiscard]] Manual manual() const override {
     return {"patch", "Friction of a contact that is not round: the wrench of each sliding twist",
             "Patches: points:FILE.csv (columns x,y,load), polygon:FILE.csv (x,y), rectangle:x=0.02,y=0.01 (full sides),\n"
-            "ellipse:law=hertz,a=0.004,b=0.002 (semi-axes), image:FILE.csv,pixel=0.0005 (rows of pressures, the first at the\n"
-            "largest y; the origin is the centre of pressure), each with ,mx=...,my=... where friction along x and y is a\n"
-            "multiple of mu. Lengths in metres; loads and pressures in any unit.\n"
-            "Twists: a CSV with the columns vx,vy,omega [m/s, rad/s]: velocity of the patch over the ground, at the origin.\n"
-            "Columns: the twist; fx, fy, moment: the wrench about the origin that keeps the patch sliding; power = mu P H;\n"
-            "error, a bound of the power's relative error, |dF|/(mu P) and |dM|/(mu P m0), the largest of them.",
+            "ellipse:law=hertz,a=0.004,b=0.002 (semi-axes), image:FILE.csv,pixel=0.0005 (rows of pressures, the first row at the\n"
+            "largest y; the origin is the centre of pressure). Append ,mx=...,my=... if friction along x and y differs: they multiply\n"
+            "mu. Lengths are in metres; loads and pressures may have any unit.\n"
+            "Twists: a CSV with the columns vx,vy,omega [m/s, rad/s], the velocity of the patch over the ground at the origin.\n"
+            "Columns: the twist; fx, fy, moment: the wrench about the origin that keeps the patch sliding; power = mu P H; error, a\n"
+            "bound of the largest of the relative error of power, |dF|/(mu P) and |dM|/(mu P m0).",
             "limitcurve patch --patch rectangle:x=0.02,y=0.01 --twists data/patches/twists.csv --mu 0.5 --load 4"};
   }
 
   void declare(Options& options) override {
-    options.text("--patch", patch_, "PATCH", "The pressure patch", Presence::required);
+    options.text("--patch", patch_, "PATCH", "Pressure patch (see below)", Presence::required);
     options.text("--twists", twists_, "FILE", "CSV of twists, or - for standard input", Presence::required);
     options.number("--mu", mu_, positive, "Coefficient of friction");
     options.number("--load", load_, positive, "Normal load P [N]");

@@ -66,44 +66,45 @@ GripOperator read_operator(const std::string& text) {
 class Pivot final : public Subcommand {
  public:
   [[nodiscard]] Manual manual() const override {
-    return {"pivot", "The paper's experiment: a block turns between two fingers whose grip eases",
+    return {"pivot", "Runs the paper's experiment: a block turns between two fingers that ease their grip",
             "The block starts level, its centre of mass `offset` left of the grip point; x points right, y up.\n"
-            "From the paper are mu_l and mu_r of the materials, its case A (coupled) and B (uncoupled), and the level start. Size,\n"
-            "mass and offset of the block, k_l, k_r, dampers and time step are ours: it gives none. Two of them decide: k_r what the\n"
-            "radial projection makes of A, offset against mu_r/mu_l whether the block turns in B.\n"
+            "The paper gives mu_l and mu_r of the materials, case A (coupled), case B (uncoupled) and the level start. It does not give\n"
+            "size, mass and offset of the block, k_l, k_r, dampers and time step; the defaults are ours. Two of them decide the result:\n"
+            "k_r in case A, through the radial projection; offset against mu_r/mu_l in case B, whether the block turns at all.\n"
             "Cases: coupled (ellipse, radial), uncoupled (box, closest point), exact (table, closest point). --boundary and\n"
-            "--projection take the place of the case's; without --case they are table and closest-point.\n"
-            "Grip: --grip FILE (CSV time,load [s, N], linear in between), --release from=1,to=0,over=4 [N, N, s], or\n"
-            "--operator target=30deg[,load=N,rate=N/s,regrip-rate=N/s,speed=rad/s,on-slide=regrip|keep], who lets go until the block\n"
-            "turns, keeps it turning, and regrips, for good, at the target, or (unless on-slide=keep) where the block has slid by\n"
-            "more than 2 mm and 20 mm a radian of its turn. Left out: in 10 s from P0 to P0/2, P0 being 0.5 N, or 1.3 times what an\n"
-            "ellipse needs to hold the block if that is more. Operator: load=2*P0, rate=P0 a second, regrip-rate ten times that.\n"
-            "Columns: time [s]; x,y [m] of the centre of mass from the grip point; angle [rad]; grip_slip [m], how far the\n"
-            "block has slid past the fingers; load of each finger [N]; friction_force [N] and friction_moment [N m] of both;\n"
-            "state stick|slip|free; cor [m] of the slip (nan unless it slips); r,rho: k_l r [N] and k_r rho [N m] of one finger, dampers\n"
-            "included, after step b; trial_r,trial_rho: the same of the trial before it. Magnitudes.",
+            "--projection replace those of the case; without --case they are table and closest-point.\n"
+            "Grip: --grip FILE (CSV time,load [s, N], linear in between), or --release from=1,to=0,over=4 [N, N, s], or\n"
+            "--operator target=30deg[,load=N,rate=N/s,regrip-rate=N/s,speed=rad/s,on-slide=regrip|keep]. The operator eases the grip\n"
+            "until the block turns, keeps it turning, and grips again for good at the target angle, or (unless on-slide=keep) once the\n"
+            "block has slid more than 2 mm and more than 20 mm per radian of its turn. Defaults: load=2*P0, rate=P0 per second,\n"
+            "regrip-rate ten times that. Without any of the three: from P0 to P0/2 in 10 s, where P0 is 0.5 N, or 1.3 times the load\n"
+            "that an ellipse needs to hold the block if that is more.\n"
+            "Columns: time [s]; x,y [m] of the centre of mass from the grip point; angle [rad]; grip_slip [m], the distance that the\n"
+            "block has slid past the fingers; load of each finger [N]; friction_force [N] and friction_moment [N m] of both fingers;\n"
+            "state stick|slip|free; cor [m] of the slip (nan unless it slips); r,rho: k_l r [N] and k_r rho [N m] of one finger after\n"
+            "step b, dampers included; trial_r,trial_rho: the same before step b. All four are magnitudes.",
             "limitcurve pivot --case coupled --material sandpaper --operator target=30deg"};
   }
 
   void declare(Options& options) override {
     options.value(
         "--case", "coupled|uncoupled|exact", [this](const std::string& text) { case_ = godobject::parse_pivot_case(text); },
-        "How friction is modelled; may be left out where the next three say it", Presence::optional);
+        "Friction model; optional if one of the next three options is given", Presence::optional);
     options.value(
         "--boundary", "exact|table|ellipse|superellipse|quartic|box",
-        [this](const std::string& text) { settings_.curve = godobject::parse_curve_kind(text); }, "Limit curve in place of the case's",
+        [this](const std::string& text) { settings_.curve = godobject::parse_curve_kind(text); }, "Limit curve, in place of the case's",
         Presence::optional);
     options.value(
         "--projection", "radial|c-curve|closest-point",
         [this](const std::string& text) { settings_.projection = godobject::parse_projection(text); },
-        "How the proxy is brought back on to the curve, in place of the case's", Presence::optional);
+        "Projection onto the limit curve, in place of the case's", Presence::optional);
     options.radius_law(radius_law_, Presence::optional);
     options.text("--material", material_, "NAME", "Coefficients from Table 1 (data/materials.csv): rayon, suede, sandpaper");
     options.number("--mu", mu_, non_negative, "Friction coefficient mu_l [1] (default: the material's, else sandpaper's)");
     options.number("--moment-coefficient", moment_coefficient_, non_negative, "mu_r [m] (default: the material's, else sandpaper's)");
-    options.number("--mu-dynamic", settings_.mu_dynamic, non_negative, "mu_l while slipping [1] (mu_l if left out)");
+    options.number("--mu-dynamic", settings_.mu_dynamic, non_negative, "mu_l while slipping [1] (default mu_l)");
     options.number("--moment-coefficient-dynamic", settings_.moment_coefficient_dynamic, non_negative,
-                   "mu_r while slipping [m] (mu_r times mu-dynamic/mu if left out)");
+                   "mu_r while slipping [m] (default mu_r times mu-dynamic/mu)");
     options.text("--grip", grip_file_, "FILE", "CSV with columns time,load");
     options.value(
         "--release", "LIST", [this](const std::string& text) { release_ = read_release(text); }, "from=N,to=N,over=SECONDS",
@@ -114,18 +115,18 @@ class Pivot final : public Subcommand {
     options.number("--length", settings_.length, positive, "Length of the block [m]");
     options.number("--height", settings_.height, positive, "Height of the block [m]");
     options.number("--mass", settings_.mass, positive, "Mass of the block [kg]");
-    options.number("--offset", settings_.offset, non_negative, "Of the centre of mass from the grip point, along the block [m]");
+    options.number("--offset", settings_.offset, non_negative, "Distance of the centre of mass from the grip point, along the block [m]");
     options.number("--gravity", settings_.gravity, non_negative, "Gravity [m/s^2]");
     options.number("--stiffness", settings_.stiffness, positive, "k_l of each finger [N/m]");
     options.number("--twist-stiffness", settings_.twist_stiffness, positive,
-                   "k_r of each finger [N m/rad] (default k_l (mu_r/mu_l)^2: ours, and what --projection radial is best at)");
+                   "k_r of each finger [N m/rad] (default k_l (mu_r/mu_l)^2, where --projection radial is best)");
     options.number("--damping", settings_.damping, non_negative, "b_l of each finger [N s/m]");
     options.number("--twist-damping", settings_.twist_damping, non_negative, "b_r of each finger [N m s/rad] (default b_l k_r/k_l)");
     options.number("--time-step", settings_.time_step, positive, "Time step [s]");
     options.number("--duration", settings_.duration, non_negative, "Duration [s]");
-    options.count("--every", every_, 1, 1'000'000'000, "Rows to write: each Nth time step's, from the first on");
+    options.count("--every", every_, 1, 1'000'000'000, "Write one row every N time steps, beginning with the first");
     options.law(settings_.law, Presence::optional);
-    options.number("--tolerance", settings_.tolerance, positive, "Of the table, where the limit curve is one, in unit wrenches");
+    options.number("--tolerance", settings_.tolerance, positive, "Error of the table, if the limit curve is one, in unit wrenches");
   }
 
   void run(const Results& results) override {
@@ -167,7 +168,7 @@ class Pivot final : public Subcommand {
   }
 
  private:
-  /// What a reader must know before using the rows.
+  /// Notes and warnings that the user must know before using the rows.
   void describe(const godobject::Pivot& pivot) const {
     if (settings_.curve == CurveKind::exact) {
       std::cerr << "limitcurve: exact: a table with an error of at most " << format_number(pivot.curve_error()) << " in unit wrenches\n";

@@ -26,7 +26,7 @@ void warn_of_radii(const RadiusLaw& radius_law, std::span<const double> loads) {
   }
   if (radius > largest_radius) {
     std::cerr << "limitcurve: warning: the radius law gives a contact radius of " << format_number(radius) << " m at a load of "
-              << format_number(at_load) << " N: in metres?\n";
+              << format_number(at_load) << " N: is the law in metres?\n";
   }
   const auto [first, last] = radius_law.sampled_loads();
   if (least < first || most > last) {

@@ -7,8 +7,8 @@
 
 namespace limitcurve::cli {
 
-/// Warns on standard error of a radius law that gives more than 0.1 m at one of the `loads` [N], which hardly any finger has and many a law in
-/// millimetres, and of samples that they go beyond. Loads of 0 are passed over. One line each.
+/// Warns on standard error, in one line each, of a radius law that gives more than 0.1 m at one of the `loads` [N] (probably the law is in
+/// millimetres), and of loads outside the range of its samples. Ignores loads of 0.
 void warn_of_radii(const RadiusLaw& radius_law, std::span<const double> loads);
 
 }  // namespace limitcurve::cli

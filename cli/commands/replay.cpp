@@ -41,7 +41,7 @@ std::vector<std::string> names(const Kinds& kinds) {
   return result;
 }
 
-/// What a row tells of one finger beside the columns of the plane.
+/// Optional groups of columns of one finger.
 struct Columns {
   bool in_space = false;  ///< pz,fz and the normal
   bool details = false;
@@ -75,21 +75,21 @@ class Replay final : public Subcommand {
  public:
   [[nodiscard]] Manual manual() const override {
     return {"replay", "Runs the god-object over a recorded motion of a finger on a surface",
-            "The trace has columns time,x,y,z,twist [s, m, m, m, rad], or qw,qx,qy,qz (a unit quaternion, finger to world) in\n"
-            "place of twist, which counts where both are there; all may wrap around. With neither the finger does not\n"
-            "twist. The surface is the plane z = 0, outward normal +z, penetration -z, or another about the origin.\n"
-            "Columns: time; state free|stick|slip|invalid (a sample earlier than the one before it, or that leaps); px,py [m] and angle\n"
-            "[rad] of the proxy; depth [m]; load [N]; fx,fy [N] and moment [N m], the friction that the user feels;\n"
-            "cor [m], the distance of the slip's centre of rotation (nan unless it slips).\n"
-            "With another surface, a body that moves, or several fingers: also pz, fz and the surface's outward normal nx,ny,nz\n"
-            "there, in the world; angle is relative to the body. The user feels load along the normal, too, and moment about it.\n"
-            "Body 'trace' is moved by the columns bx,by,bz [m] and bqw,bqx,bqy,bqz (body to world); 'planar' and 'free' are pushed\n"
-            "by the fingers and begin at the origin: their pose after each sample is in columns of those names.\n"
+            "The trace has columns time,x,y,z,twist [s, m, m, m, rad]. qw,qx,qy,qz (a unit quaternion, finger to world) may stand in\n"
+            "place of twist; if both are there, twist counts. All may wrap around. Without both the finger does not twist.\n"
+            "The surface is the plane z = 0 (outward normal +z, penetration -z), or another one at the origin.\n"
+            "Columns: time; state free|stick|slip|invalid (a sample earlier than the one before, or one that jumps); px,py [m] and angle\n"
+            "[rad] of the proxy; depth [m]; load [N]; fx,fy [N] and moment [N m], the rendered friction; cor [m], the distance of the\n"
+            "slip's centre of rotation (nan unless it slips).\n"
+            "With another surface, a body that moves, or several fingers, columns pz, fz and nx,ny,nz (the surface's outward normal) are\n"
+            "added, in world coordinates; angle is relative to the body. The user feels load along the normal, and moment about it.\n"
+            "--body trace: columns bx,by,bz [m] and bqw,bqx,bqy,bqz (body to world) of the trace move the body. planar and free: the\n"
+            "fingers push the body, which starts at the origin; its pose after each sample is in columns of those names.\n"
             "Finger N reads x2,y2,z2,twist2 (qw2,...) and so on, and writes state2,px2,py2,...\n"
-            "--details: margin to slip (1 none of the limit is used, 0 slips); hold_load [N], the least load that would bear\n"
-            "this friction; corx,cory,corz [m], where the slip's centre of rotation is; dissipated [J] by slip so far.\n"
-            "With --patch in place of --law and --radius-law the contact is not round (see 'limitcurve patch'): the patch is fixed to\n"
-            "the finger, turns with angle, and its centre of pressure is the contact point; cor is then a distance from there.",
+            "--details adds margin to slip (1: no friction used, 0: slips); hold_load [N], the least load that would hold the present\n"
+            "friction; corx,cory,corz [m], the slip's centre of rotation; dissipated [J], by slip so far.\n"
+            "With --patch in place of --law and --radius-law the contact is not round (see 'limitcurve patch'). The patch is fixed to the\n"
+            "finger and turns with angle; its centre of pressure is the contact point, and cor is the distance from there.",
             "limitcurve replay --trace data/traces/slide_twist_load.csv --law hertz --radius-law constant:a=0.006 --mu 0.6\n"
             "    --stiffness 1000 --twist-stiffness 0.036 --boundary table --projection closest-point"};
   }
@@ -98,24 +98,24 @@ class Replay final : public Subcommand {
     options.text("--trace", trace_, "FILE", "CSV with columns time,x,y,z,twist, or - for standard input", Presence::required);
     options.law(replay_.law, Presence::optional);
     options.text("--patch", patch_, "PATCH",
-                 "In place of --law and --radius-law: a pressure patch that need not be round, by the closest point");
+                 "In place of --law and --radius-law: a pressure patch of any shape (closest-point projection)");
     options.number("--point-radius", point_radius_, positive,
-                   "Radius of a patch's points [m] (default 1e-3 of m0, the moment of a spin over mu P; not less)");
+                   "Radius given to the points of a patch [m] (default and minimum 1e-3 m0, m0: moment of a pure spin over mu P)");
     options.radius_law(radius_law_, Presence::optional);
     options.number("--mu", replay_.finger.mu, non_negative, "Friction coefficient mu [1]", Presence::required);
     options.number("--stiffness", replay_.finger.stiffness, positive, "Contact stiffness k_l [N/m]; the load is P = k_l d",
                    Presence::required);
     options.number("--twist-stiffness", replay_.finger.twist_stiffness, positive, "Torsional stiffness k_r [N m/rad]", Presence::required);
-    options.number("--mu-dynamic", replay_.finger.mu_dynamic, non_negative, "Friction coefficient while slipping (mu if left out)");
+    options.number("--mu-dynamic", replay_.finger.mu_dynamic, non_negative, "Friction coefficient while slipping (default mu)");
     options.number("--moment-coefficient", replay_.finger.moment_coefficient, non_negative,
-                   "mu_r [m/N^gamma]: the largest moment is mu_r P^(1+gamma), whatever the radius law");
-    options.number("--moment-exponent", replay_.finger.moment_exponent, finite, "gamma of --moment-coefficient, -0.5 to 1");
+                   "mu_r [m/N^gamma]: the moment limit is mu_r P^(1+gamma), in place of the radius law's");
+    options.number("--moment-exponent", replay_.finger.moment_exponent, finite, "gamma of --moment-coefficient, from -0.5 to 1");
     options.number("--moment-coefficient-dynamic", replay_.finger.moment_coefficient_dynamic, non_negative,
-                   "mu_r while slipping [m] (mu_r times mu-dynamic/mu if left out)");
+                   "mu_r while slipping [m] (default mu_r times mu-dynamic/mu)");
     options.choice("--boundary", curve_, names(curve_kinds), "Limit curve");
     options.choice("--projection", projection_, names(projections),
-                   "How the proxy is brought back on to it. Radial and c-curve are made for k_r/k_l = (mu_r/mu_l)^2; a note says where "
-                   "that is far off");
+                   "Projection onto the limit curve. radial and c-curve assume k_r/k_l = (mu_r/mu_l)^2; a note appears if that is far "
+                   "from true");
     options.number("--tolerance", replay_.tolerance, positive, "Error of the table, in unit wrenches");
     options.value(
         "--surface", "SURFACE",
@@ -123,27 +123,28 @@ class Replay final : public Subcommand {
           surface_ = read_surface(text);
           on_plane_ = text == "plane";
         },
-        "What is touched [m]: plane, sphere:radius=0.05, capsule:radius=0.01,length=0.1, cylinder:radius=0.02,length=0.1, "
+        "Surface that the finger touches [m]: plane, sphere:radius=0.05, capsule:radius=0.01,length=0.1, cylinder:radius=0.02,length=0.1, "
         "box:x=0.12,y=0.04,z=0.04, mesh:FILE.obj (default plane)",
         Presence::optional);
     options.text("--body", body_text_, "BODY",
-                 "Who moves it: fixed, trace, planar:mass=0.1[,inertia=1e-4] (in x-y, frictionless), "
+                 "Motion of the touched body: fixed, trace, planar:mass=0.1[,inertia=1e-4] (in x-y, frictionless), "
                  "free:mass=0.1[,inertia=1e-4][,gravity=9.81] (default fixed)");
-    options.count("--fingers", fingers_, 1, godobject::Replay::most_fingers, "Fingers in the trace");
+    options.count("--fingers", fingers_, 1, godobject::Replay::most_fingers, "Number of fingers in the trace");
     options.number("--damping", replay_.finger.damping, non_negative, "b_l of each finger [N s/m]");
     options.number("--twist-damping", replay_.finger.twist_damping, non_negative, "b_r of each finger [N m s/rad]");
-    options.number("--rest-margin", replay_.finger.rest_margin, non_negative,
-                   "a finger that slides comes to rest within the dynamic limit/(1 + this*(mu/mu_d - 1)) [1]; 0: within the dynamic limit");
+    options.number(
+        "--rest-margin", replay_.finger.rest_margin, non_negative,
+        "A sliding finger comes to rest within the dynamic limit divided by 1 + this*(mu/mu_d - 1) [1]; 0: within the dynamic limit");
     options.number("--jump-limit", replay_.finger.max_displacement, positive_or_inf,
-                   "A finger that leaps farther than this between two rows [m] is a fault of the device: refused once, as invalid");
+                   "A larger jump between two rows [m] is a fault of the device: one row is invalid");
     options.number("--hold-share", replay_.finger.fault_decay, share,
-                   "Of load, force and moment [1] that an invalid row keeps of an invalid row before: 0.99 lets go softly, 1 holds them");
+                   "Fraction of load, force and moment [1] that an invalid row keeps from an invalid row before it: 0.99 fades, 1 holds");
     options.value(
         "--check-gains", "LIST", [this](const std::string& text) { read_device(text); },
-        "b=NUMBER[,b_r=NUMBER][,T=0.001]: refuse gains that are not passive on a device of that damping [N s/m, N m s/rad] at a "
+        "b=NUMBER[,b_r=NUMBER][,T=0.001]: refuse gains that are not passive on a device with this damping [N s/m, N m s/rad] and "
         "sample time [s]",
         Presence::optional);
-    options.flag("--details", details_, "Columns for a controller: margin,hold_load,corx,cory,corz,dissipated");
+    options.flag("--details", details_, "Add columns for a controller: margin,hold_load,corx,cory,corz,dissipated");
   }
 
   void run(const Results& results) override {
@@ -174,15 +175,14 @@ class Replay final : public Subcommand {
       return;
     }
     const auto refuse = [](const char* option, bool given) {
-      if (given) throw std::invalid_argument(std::string(option) + ": not with --patch, which has a size and moments of its own");
+      if (given) throw std::invalid_argument(std::string(option) + ": not with --patch, which has its own size and moments");
     };
     refuse("--radius-law", radius_law_.has_value());
     refuse("--moment-coefficient", replay_.finger.moment_coefficient.has_value());
     refuse("--moment-coefficient-dynamic", replay_.finger.moment_coefficient_dynamic.has_value());
-    if (projections.at(projection_) != Projection::closest_point)
-      throw std::invalid_argument("--projection: a patch goes with closest-point only");
+    if (projections.at(projection_) != Projection::closest_point) throw std::invalid_argument("--projection: a patch needs closest-point");
     if (curve_kinds.at(curve_) != CurveKind::table && curve_kinds.at(curve_) != CurveKind::exact) {
-      throw std::invalid_argument("--boundary: a patch is its own limit surface, expected none");
+      throw std::invalid_argument("--boundary: not with --patch, which is its own limit surface");
     }
   }
 
@@ -206,15 +206,15 @@ class Replay final : public Subcommand {
     godobject::require_passive(replay_.finger, sample_time_, *device_);
   }
 
-  static void tell_of_twists(const TraceReader& trace) {
+  static void note_missing_twists(const TraceReader& trace) {
     for (const std::string& column : trace.missing_twists()) {
-      std::cerr << "limitcurve: note: the trace has no column '" << column << "': this finger is taken not to twist\n";
+      std::cerr << "limitcurve: note: the trace has no column '" << column << "': this finger does not twist\n";
     }
   }
 
   void run_patch(const Results& results, const Columns& columns) const {
     TraceReader trace(trace_, fingers_, replay_.motion == BodyMotion::prescribed);
-    tell_of_twists(trace);
+    note_missing_twists(trace);
     godobject::PatchReplay replay(read_patch(patch_), replay_, point_radius_.value_or(0.0));
     std::vector<std::string> names{"time"};
     for (std::size_t i = 0; i < fingers_; ++i) add_columns(names, i == 0 ? "" : std::to_string(i + 1), columns);
@@ -231,12 +231,12 @@ class Replay final : public Subcommand {
 
   void run_replay(const Results& results, const Columns& columns) const {
     TraceReader trace(trace_, fingers_, replay_.motion == BodyMotion::prescribed);
-    tell_of_twists(trace);
+    note_missing_twists(trace);
     godobject::Replay replay(replay_);
     if (replay_.curve == CurveKind::exact) {
       std::cerr << "limitcurve: exact: a table with an error of at most " << format_number(replay.curve_error()) << " in unit wrenches";
       if (const double profile = replay_.law->profile_error(); profile > 0.0) {
-        std::cerr << ", of which " << format_number(profile) << " because the pressure is known at samples only";
+        std::cerr << ", of which " << format_number(profile) << " because the pressure is known only at samples";
       }
       std::cerr << '\n';
     }
@@ -250,14 +250,14 @@ class Replay final : public Subcommand {
     while (trace.next()) {
       if (is_free && trace.time() - last > godobject::Replay::longest_step) {
         throw trace.complaint("a gap of " + format_number(trace.time() - last) + " s, expected at most " +
-                              format_number(godobject::Replay::longest_step) + " s where the body is free");
+                              format_number(godobject::Replay::longest_step) + " s for a free body");
       }
       last = trace.time();
       const std::size_t unsolved = replay.unsolved();
       replay.step(trace.time(), trace.fingers(), trace.body());
       if (replay.unsolved() > unsolved) {
         std::cerr << "limitcurve: time " << format_number(trace.time())
-                  << " s: the body's step was not solved to rounding; a smaller step may help\n";
+                  << " s: the step of the body was not solved to rounding; a smaller time step may help\n";
       }
       rows.row_by([&](const auto& cell) {
         cell(trace.time());
@@ -272,7 +272,7 @@ class Replay final : public Subcommand {
       });
     }
     rows.finish();
-    // What nothing touched under is seen at 1 N.
+    // Without any contact, check at 1 N.
     if (loads[1] == 0.0) loads = {1.0, 1.0};
     if (replay_.projection != Projection::closest_point) {
       note_stiffnesses("--projection " + std::string(to_string(replay_.projection)), replay_.finger, replay_.law->moment_ratio(),

@@ -14,14 +14,14 @@ namespace {
 class Report final : public Subcommand {
  public:
   [[nodiscard]] Manual manual() const override {
-    return {"report", "Everything above for the laws and materials in data/, as one page with charts",
-            "Writes index.html, self-contained, and beside it the figures (SVG, PNG) and the CSV files they are drawn from.\n"
-            "Drawing needs python3 with matplotlib. LIMITCURVE_SHARE may name the folder that holds scripts/ and data/.",
+    return {"report", "Writes a page with charts of all this for the laws and materials in data/",
+            "Writes index.html, a self-contained page, the figures (SVG, PNG), and the CSV files of the figures.\n"
+            "Drawing needs python3 with matplotlib. The environment variable LIMITCURVE_SHARE may name the folder with scripts/ and data/.",
             "limitcurve report -o out"};
   }
 
   void declare(Options& options) override {
-    options.text("-o,--output", directory_, "DIR", "Folder to write into; made if it does not exist", Presence::required);
+    options.text("-o,--output", directory_, "DIR", "Output folder; created if it does not exist", Presence::required);
   }
 
   void run(const Results&) override {

@@ -28,7 +28,7 @@ void note_stiffnesses(std::string_view subject, const godobject::FingerParameter
   const double ratio = finger.twist_stiffness / finger.stiffness;
   for (const double load : loads) {
     const double arm = moment_arm(finger, moment_ratio, load);
-    // Without torsion the force is limited by itself, whatever the projection.
+    // Without torsion every projection limits the force alone.
     if (!(load > 0.0 && finger.mu > 0.0 && arm > 0.0)) continue;
     const double times = ratio / (arm * arm);
     if (std::max(times, 1.0 / times) <= farthest) continue;
@@ -40,8 +40,8 @@ void note_stiffnesses(std::string_view subject, const godobject::FingerParameter
   const double times = ratio / (worst_arm * worst_arm);
   std::ostringstream text;
   text << std::setprecision(2) << "k_r/k_l is " << times << " times (mu_r/mu_l)^2 at " << worst_load << " N, where mu_r/mu_l is "
-       << worst_arm << " m: a finger that slides and twists on feels hardly any friction " << (times > 1.0 ? "force" : "moment")
-       << "; closest-point is right, or k_r = " << worst_arm * worst_arm * finger.stiffness << " N m/rad";
+       << worst_arm << " m: a finger that slides and twists renders hardly any friction " << (times > 1.0 ? "force" : "moment")
+       << "; use closest-point, or k_r = " << worst_arm * worst_arm * finger.stiffness << " N m/rad";
   std::cerr << "limitcurve: note: " << subject << ": " << text.str() << '\n';
 }
 

@@ -6,7 +6,7 @@
 
 namespace limitcurve::cli {
 
-/// What help tells of a subcommand. `notes` says what its columns mean; `example` is a command line that runs.
+/// The help text of a subcommand. `notes` explains its columns; `example` is a command line that runs.
 struct Manual {
   std::string name;
   std::string purpose;

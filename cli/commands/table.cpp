@@ -12,11 +12,11 @@ namespace {
 class Table final : public Subcommand {
  public:
   [[nodiscard]] Manual manual() const override {
-    return {"table", "Writes a lookup table of the limit curve, to a stated error",
-            "The file's form follows its name: .csv, .json, or .h and .hpp (C99 and constexpr C++17, without dependencies).\n"
-            "Columns: law; tolerance; certified_error, an upper bound of the absolute error of force and moment in unit\n"
-            "wrenches; nodes, the number of the table's polynomials; bytes that a lookup may touch; profile_error, what the samples\n"
-            "of a measured pressure leave open, to be added to certified_error (0 for a law that is given by a formula).",
+    return {"table", "Writes a lookup table of the limit curve with a certified error",
+            "The name of the file selects its format: .csv, .json, .h (C99) or .hpp (constexpr C++17, no dependencies).\n"
+            "Columns: law; tolerance; certified_error, an upper bound of the absolute error of force and moment in unit wrenches;\n"
+            "nodes, the number of polynomials in the table; bytes that a look-up may touch; profile_error, the error because a\n"
+            "measured pressure is known at samples only, to be added to certified_error (0 for a law given by a formula).",
             "limitcurve table --law hertz --tolerance 1e-6 -o hertz.csv"};
   }
 

@@ -15,12 +15,12 @@ class Translate final : public Subcommand {
  public:
   [[nodiscard]] Manual manual() const override {
     return {"translate", "The coefficients to type into physics engines, with the error each keeps",
-            "They give the exact limits of force and moment at the load; in between, the engine has the shape it has.\n"
-            "Columns: engine; parameter, as the engine spells it; value; unit; model, the shape (ellipse, diamond, box);\n"
-            "max_error, its largest radial error against the exact curve (0.07 is 7 %); cor_error, the largest error of the wrench\n"
-            "at the same centre of rotation, as a fraction of the limits; loads_error, the largest radial error over the --loads, which\n"
-            "constant coefficients cannot follow; note, the value's name in the engine.\n"
-            "--explain says on standard error how each follows and where the engine documents it.",
+            "The coefficients give the exact limits of force and moment at --load; between the limits each engine has its own shape.\n"
+            "Columns: engine; parameter, in the engine's spelling; value; unit; model, the shape (ellipse, diamond, box); max_error, its\n"
+            "largest radial error against the exact curve (0.07 is 7 %); cor_error, the largest error of the wrench at the same centre of\n"
+            "rotation, as a fraction of the limits; loads_error, the largest radial error over the --loads, because the coefficients\n"
+            "are constant; note, the engine's name for the value.\n"
+            "--explain writes the formula of each coefficient and the engine's documentation to standard error.",
             "limitcurve translate --law hertz --radius-law power:c=0.00207,gamma=0.259 --mu 0.8 --load 2"};
   }
 
@@ -28,10 +28,10 @@ class Translate final : public Subcommand {
     options.law(law_);
     options.radius_law(radius_law_);
     options.number("--mu", friction_, positive, "Friction coefficient mu [1]", Presence::required);
-    options.number("--load", load_, positive, "Normal load P [N] at which the limits are to be right", Presence::required);
+    options.number("--load", load_, positive, "Normal load P [N] at which the limits are exact", Presence::required);
     options.numbers("--loads", loads_, positive,
-                    "LOW,HIGH: loads [N] over which errors are judged (default: a quarter to four times --load)", Presence::optional);
-    options.flag("--explain", explain_, "Tell on standard error how the coefficients follow");
+                    "LOW,HIGH: range of loads [N] for loads_error (default: a quarter of --load to four times --load)", Presence::optional);
+    options.flag("--explain", explain_, "Write the formulas of the coefficients to standard error");
   }
 
   void run(const Results& results) override {

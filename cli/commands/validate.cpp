@@ -23,28 +23,28 @@ namespace {
 class Validate final : public Subcommand {
  public:
   [[nodiscard]] Manual manual() const override {
-    return {"validate", "How wrong ellipse, superellipse, quartic and box are against the exact curve",
-            "Errors are relative radii in the paper's normalised plane (0.07 is 7 %): over-estimates hold where the finger\n"
-            "slips. max_cor_error is the largest |c_model/c_exact - 1|, inf where it has no bound.\n"
-            "Models and their parameter: ellipse (through the intercepts), ellipse-least-squares, ellipse-inner (largest\n"
-            "inside) and ellipse-outer (smallest outside): the force semi-axis in units of mu P; superellipse\n"
-            "x^n + y^n = 1 and quartic x^4 + y^4 + kappa x^2 y^2 = 1, with the least largest error: n, kappa; box\n"
-            "(uncoupled limits): inf, and diamond (x + y = 1): 1, both as exponents of a superellipse.\n"
-            "With --patch, a contact that is not round (see 'limitcurve patch'), law names the patch, and errors are of the model's\n"
-            "power over the patch's, over all sliding twists: rms_error over centres of rotation in 128 directions at 121 distances,\n"
-            "evenly and logarithmically from 1e-3 to 1e3 m0 (m0: moment of a pure spin over mu P). Models: disc:LAW of the law and\n"
-            "radius with the least largest error; disc-equal-area:LAW; disc-sqrt-ab:LAW with sqrt(ab) of the semi-axes of the\n"
-            "ellipse of equal second moments; parameter: the radius [m]; ellipsoid sqrt(v^2 + m0^2 w^2): m0 [m].",
+    return {"validate", "Errors of ellipse, superellipse, quartic and box against the exact curve",
+            "Errors are relative radii in the paper's normalised plane (0.07 is 7 %). An over-estimate holds where the real finger slips.\n"
+            "max_cor_error is the largest |c_model/c_exact - 1|, inf if it is unbounded.\n"
+            "Models and their parameter: ellipse (through the intercepts), ellipse-least-squares, ellipse-inner (largest inside the\n"
+            "curve) and ellipse-outer (smallest outside): the force semi-axis in units of mu P; superellipse x^n + y^n = 1: n, and\n"
+            "quartic x^4 + y^4 + kappa x^2 y^2 = 1: kappa, both with the least largest error; box (uncoupled limits): inf, and diamond\n"
+            "(x + y = 1): 1, the exponents of these as superellipses.\n"
+            "With --patch the contact is not round (see 'limitcurve patch') and law names the patch. Errors compare the model's power\n"
+            "with the patch's, over all sliding twists; rms_error is over centres of rotation in 128 directions at 121\n"
+            "distances, evenly and logarithmically from 1e-3 to 1e3 m0 (m0: moment of a pure spin over mu P). Models and their parameter:\n"
+            "disc:LAW, the law and radius with the least largest error, disc-equal-area:LAW, and disc-sqrt-ab:LAW, with sqrt(ab) of the\n"
+            "semi-axes of the ellipse of equal second moments: the radius [m]; ellipsoid sqrt(v^2 + m0^2 w^2): m0 [m].",
             "limitcurve validate --law hertz --law uniform"};
   }
 
   void declare(Options& options) override {
     options.repeated(
         "--law", "LAW", [this](const std::string& text) { laws_.push_back(read_law(text)); },
-        "Pressure law, samples:FILE.csv among them; may be repeated (default: all that 'limitcurve laws' lists)", Presence::optional);
+        "Pressure law, also samples:FILE.csv; may be repeated (default: all laws of 'limitcurve laws')", Presence::optional);
     options.repeated(
         "--patch", "PATCH", [this](const std::string& text) { patches_.push_back(text); },
-        "In place of laws, a pressure patch; may be repeated", Presence::optional);
+        "In place of --law: a pressure patch; may be repeated", Presence::optional);
   }
 
   void run(const Results& results) override {

@@ -22,7 +22,7 @@ godobject::BodyParameters solid(const SurfaceArgument& surface, double mass, dou
   } else if (surface.even_body) {
     result = surface.even_body(mass);
   } else {
-    throw std::invalid_argument("no 'inertia', which this surface does not tell, expected mass=NUMBER,inertia=NUMBER");
+    throw std::invalid_argument("no 'inertia', and this surface encloses no known volume, expected mass=NUMBER,inertia=NUMBER");
   }
   result.validate();
   return result;

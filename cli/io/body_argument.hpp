@@ -10,15 +10,15 @@ namespace limitcurve::cli {
 
 struct SurfaceArgument;
 
-/// Who moves what a finger touches, and what it is made of where it is free.
+/// The motion of the touched body, and the parameters of a free one.
 struct BodyArgument {
   godobject::BodyMotion motion = godobject::BodyMotion::fixed;
   godobject::BodyParameters parameters = {};
 };
 
-/// The body that a command line names: `fixed`; `trace`, moved as the trace says; `planar:mass=0.1`, sliding and turning in the
-/// x-y plane without friction of its own; `free:mass=0.1`, with gravity (9.81 along −z, or `gravity=…`). Moments of inertia
-/// are those of the evenly filled surface, or `inertia=…` [kg m²] about every axis. Throws std::invalid_argument.
+/// Reads a body from a command line: `fixed`; `trace`, moved by the trace; `planar:mass=0.1`, which slides and turns in the x-y plane without
+/// friction of its own; `free:mass=0.1`, with gravity (9.81 along −z, or `gravity=…`). Moments of inertia are those of a homogeneous body
+/// with this surface, or `inertia=…` [kg m²] about every axis. Throws std::invalid_argument.
 BodyArgument read_body(const std::string& text, const SurfaceArgument& surface);
 
 }  // namespace limitcurve::cli

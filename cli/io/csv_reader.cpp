@@ -30,7 +30,7 @@ int open_to_read(const std::string& file) {
   return opened;
 }
 
-/// Enough of a text to recognise it by, printable whatever it was.
+/// The beginning of a text, made printable, for an error message.
 std::string excerpt(std::string_view text) {
   constexpr std::size_t most = 60;
   std::string shown(text.substr(0, most));
@@ -96,7 +96,7 @@ bool CsvReader::next_line() {
   }
   ++line_number_;
   if (!line_.empty() && line_.back() == '\r') line_.pop_back();
-  // A byte order mark, as some spreadsheets write.
+  // Some spreadsheets write a byte order mark.
   if (line_number_ == 1 && line_.compare(0, 3, "\xef\xbb\xbf") == 0) line_.erase(0, 3);
   return true;
 }
@@ -124,7 +124,7 @@ void CsvReader::split() {
     if (i < line_.size() && line_[i] == '"') {
       for (++i; i < line_.size(); ++i) {
         if (line_[i] == '"') {
-          // Twice: a quote inside the text. Once: the end of it.
+          // A doubled quote is a quote inside the text; a single one ends it.
           if (i + 1 >= line_.size() || line_[i + 1] != '"') break;
           ++i;
         }

@@ -11,38 +11,37 @@
 
 namespace limitcurve::cli {
 
-/// Reads a CSV file of named columns row by row, in constant memory however long the file.
+/// Reads a CSV file of named columns row by row, in constant memory.
 ///
-/// Columns are found by their names in the header line, in any order; others are ignored. Lines that begin with `#` and
-/// blank lines are skipped, line ends may be LF or CRLF, fields may be quoted. "-" reads standard input. What is wrong
-/// with a file is told as `FILE:LINE:COLUMN: …` (COLUMN counts bytes from 1) by std::invalid_argument; only a failing
-/// disk is a std::runtime_error.
+/// The reader finds columns by their names in the header line, in any order, and ignores others. It skips blank lines and lines that begin
+/// with `#`. Line ends may be LF or CRLF; fields may be quoted. "-" is standard input. A bad file throws std::invalid_argument with
+/// `FILE:LINE:COLUMN: …` (COLUMN counts bytes from 1); a disk that fails throws std::runtime_error.
 class CsvReader {
  public:
   /// Opens `file` and reads its header, which must have all of `columns`.
   CsvReader(const std::string& file, std::vector<std::string> columns, std::vector<std::string> optional_columns = {});
-  /// Opens a file without header, rows of numbers: its columns are 0, 1, … and as many as its first row has fields.
+  /// Opens a file of numbers without header. Its columns are 0, 1, …, one for each field of the first row.
   explicit CsvReader(const std::string& file);
   ~CsvReader();
   CsvReader(const CsvReader&) = delete;
   CsvReader& operator=(const CsvReader&) = delete;
 
-  /// Moves to the next row; false after the last. A row with fewer or more fields than the header, such as a line torn
-  /// off in the middle, is an error, and so is a file without any row.
+  /// Moves to the next row; false after the last. A row with fewer or more fields than the header (such as a truncated line) is an error, and so
+  /// is a file without rows.
   bool next();
 
-  /// How many fields the header has, or without one the first row.
+  /// Number of fields in the header, or in the first row if there is no header.
   [[nodiscard]] std::size_t field_count() const { return header_fields_; }
-  /// Whether the file has the i-th column; columns are counted in the order of the constructor, optional ones last.
+  /// Whether the file has the i-th column, in the order of the constructor's lists, optional columns last.
   [[nodiscard]] bool has(std::size_t column) const { return places_[column] != missing; }
   /// The field of the current row in the i-th column.
   [[nodiscard]] std::string_view text(std::size_t column) const { return fields_[places_[column]].text; }
   /// The same as a number within `range`.
   [[nodiscard]] double number(std::size_t column, const Range& range) const;
 
-  /// The complaint that the header lacks `column`; before the first row is read.
+  /// The error that the header lacks `column`; only before the first row is read.
   [[nodiscard]] std::invalid_argument no_column(const std::string& column) const;
-  /// The complaint about the field of the current row in the i-th column.
+  /// An error at the field of the current row in the i-th column.
   [[nodiscard]] std::invalid_argument complaint(std::size_t column, const std::string& what) const;
 
  private:
@@ -53,7 +52,7 @@ class CsvReader {
 
   static constexpr std::size_t missing = static_cast<std::size_t>(-1);
   static constexpr std::size_t chunk_size = 1 << 16;
-  /// Lines longer than this are no CSV; it keeps memory bounded.
+  /// A longer line is an error; this bounds the memory.
   static constexpr std::size_t longest_line = 1 << 20;
 
   bool next_line();

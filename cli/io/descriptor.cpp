@@ -76,7 +76,7 @@ int create(const std::filesystem::path& path) noexcept {
 
 namespace {
 
-/// The place in /proc by which a file without a name can be given one.
+/// The path in /proc through which a nameless file gets its name.
 std::string place_of(int file) {
   return "/proc/self/fd/" + std::to_string(file);
 }

@@ -5,26 +5,27 @@
 #include <filesystem>
 #include <string>
 
-/// Files by descriptors: the calls in which operating systems differ. Each gives a negative number where it fails, and errno says why.
+/// File descriptors: the calls that differ between operating systems. On failure each returns a negative number and sets errno.
 namespace limitcurve::cli::descriptor {
 
 inline constexpr int standard_input = 0;
 inline constexpr int standard_output = 1;
 
 int open_to_read(const std::string& file) noexcept;
-/// A new file; fails if there is one.
+/// Creates a new file; fails if it exists.
 int create(const std::filesystem::path& path) noexcept;
-/// A new file without a name in the directory of `path`: nothing of it is left, whatever ends the process. Linux, and not every file system.
+/// Creates a file without a name in the directory of `path`. It disappears if the process ends before `give_name`. Linux only, and not on every
+/// file system.
 int create_nameless(const std::filesystem::path& path) noexcept;
 /// Gives a file without a name its name.
 int give_name(int file, const std::filesystem::path& path) noexcept;
-/// At most `size` bytes; 0 at the end.
+/// Reads at most `size` bytes; 0 at the end of the file.
 std::ptrdiff_t read(int file, char* to, std::size_t size) noexcept;
 std::ptrdiff_t write(int file, const char* from, std::size_t size) noexcept;
-/// Waits until all of the file is on the disk.
+/// Waits until the whole file is on the disk.
 int synchronise(int file) noexcept;
 void close(int file) noexcept;
-/// Input and output are the bytes that they are, and a closed pipe is an error of `write`: called once, at first.
+/// Sets binary mode for the standard streams, and makes a closed pipe an error of `write`. Call it once, at the start.
 void prepare_standard_streams() noexcept;
 int process_id() noexcept;
 

@@ -19,7 +19,7 @@ KeyValue angle_key(std::string_view key, double& value, const Range& range, bool
     const bool has_unit = unit == "deg" || unit == "rad";
     const double number = read_number(has_unit ? text.substr(0, text.size() - 3) : text, range);
     const double angle = unit == "deg" ? number * std::numbers::pi / 180.0 : number;
-    // So many degrees that the product is none, or out of the range in radians.
+    // The conversion to radians may overflow or leave the range.
     if (!range.contains(angle)) throw std::invalid_argument("got '" + std::string(text) + "', expected " + std::string(range.text));
     value = angle;
   };

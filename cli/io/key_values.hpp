@@ -10,12 +10,12 @@
 
 namespace limitcurve::cli {
 
-/// A key of a list such as `from=2,to=0,over=1.5`, and what takes its value's text.
+/// A key of a list such as `from=2,to=0,over=1.5`, and the function that reads its value.
 struct KeyValue {
   std::string_view key;
   std::function<void(std::string_view)> take;
   bool required = true;
-  std::string_view kind = "NUMBER";  ///< what a complaint calls the value
+  std::string_view kind = "NUMBER";  ///< name of the value in error messages
 };
 
 /// A key whose value is a number within `range`.
@@ -23,7 +23,7 @@ KeyValue number_key(std::string_view key, double& value, const Range& range, boo
 /// A key whose value is an angle: `30deg`, `0.5rad`, or a bare number of radians.
 KeyValue angle_key(std::string_view key, double& value, const Range& range, bool required = true);
 
-/// Reads the list into its keys, in any order. Throws std::invalid_argument that names the item and what was expected.
+/// Reads a list; keys may be in any order. Throws std::invalid_argument with the wrong item and the expected ones.
 void read_key_values(std::string_view text, const std::vector<KeyValue>& keys);
 
 }  // namespace limitcurve::cli

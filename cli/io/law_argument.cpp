@@ -14,14 +14,14 @@ namespace limitcurve::cli {
 
 namespace {
 
-/// The file that KIND:FILE names; nothing if the text is not of that kind.
+/// FILE of a text KIND:FILE; nothing if the text is of another kind.
 std::optional<std::string> measured_file(const std::string& text, const std::string& kind) {
   if (text == kind || text == kind + ":") throw std::invalid_argument("'" + text + "': no file, expected " + kind + ":FILE.csv");
   if (!text.starts_with(kind + ":")) return std::nullopt;
   return text.substr(kind.size() + 1);
 }
 
-/// The samples of a file with the columns load and `value`.
+/// Reads samples from a file with the columns load and `value`.
 std::vector<LoadSample> read_load_samples(const std::string& file, const char* value) {
   std::vector<LoadSample> samples;
   CsvReader reader(file, {"load", value});
@@ -29,7 +29,7 @@ std::vector<LoadSample> read_load_samples(const std::string& file, const char* v
   return samples;
 }
 
-/// What `make` makes of a file's samples; the file is named in what it throws.
+/// Calls `make` and adds the file's name to its errors.
 template <class Make>
 auto made_of(const std::string& file, const Make& make) {
   try {

@@ -11,19 +11,19 @@
 
 namespace limitcurve::cli {
 
-/// The law that a command line names: the library's grammar, and `samples:FILE.csv`, a measured profile with the columns
-/// radius,pressure. Throws std::invalid_argument that names the place in the text or in the file.
+/// Reads a law from a command line: the library's grammar, or `samples:FILE.csv`, a measured profile with the columns radius,pressure. Throws
+/// std::invalid_argument with the place of the error in the text or in the file.
 Law read_law(const std::string& text);
 
-/// A radius law on a command line. Measured limits of the moment are one as soon as friction and pressure law are known: Γ(P) = m₀ μ P a(P).
+/// A radius law on a command line. Measured moment limits become a radius law once friction and pressure law are known: Γ(P) = m₀ μ P a(P).
 class RadiusLawArgument {
  public:
   RadiusLawArgument(RadiusLaw law) : law_(std::move(law)) {}  // NOLINT: meant to convert
   RadiusLawArgument(std::string file, std::vector<LoadSample> moments) : file_(std::move(file)), moments_(std::move(moments)) {}
 
-  /// Throws std::invalid_argument that names the file where its moments are not those of a radius law.
+  /// Throws std::invalid_argument with the file's name if its moments give no radius law.
   [[nodiscard]] RadiusLaw of(double mu, const Law& law) const;
-  /// The same by the law's m₀.
+  /// The same from the law's m₀.
   [[nodiscard]] RadiusLaw of(double mu, double moment_ratio) const;
 
  private:
@@ -32,8 +32,8 @@ class RadiusLawArgument {
   std::vector<LoadSample> moments_;
 };
 
-/// The radius law that a command line names: the library's grammar, `samples:FILE.csv`, measured radii with the columns load,radius [N, m],
-/// and `moments:FILE.csv`, measured limits of the moment with the columns load,moment [N, N m]. Throws like `read_law`.
+/// Reads a radius law from a command line: the library's grammar; `samples:FILE.csv`, measured radii with the columns load,radius [N, m]; or
+/// `moments:FILE.csv`, measured moment limits with the columns load,moment [N, N m]. Throws like `read_law`.
 RadiusLawArgument read_radius_law(const std::string& text);
 
 }  // namespace limitcurve::cli

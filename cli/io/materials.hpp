@@ -14,10 +14,10 @@ struct Material {
   double mu_r;  ///< largest moment over load [m]
 };
 
-/// The materials of the paper's Table 1, from materials.csv in the folder `data`.
+/// Reads the materials of the paper's Table 1 from materials.csv in the folder `data`.
 std::vector<Material> read_materials(const std::filesystem::path& data);
 
-/// The material of that name in the data that come with the program; throws std::invalid_argument that lists those there are.
+/// Finds a material by its name in the shipped data; throws std::invalid_argument with the list of names.
 Material find_material(const std::string& name);
 
 }  // namespace limitcurve::cli

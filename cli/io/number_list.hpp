@@ -8,11 +8,11 @@
 
 namespace limitcurve::cli {
 
-/// The number that `text` denotes, within `range`; else throws std::invalid_argument "got '…', expected …".
+/// Reads a number within `range`; otherwise throws std::invalid_argument "got '…', expected …".
 double read_number(std::string_view text, const Range& range);
 
-/// The numbers of a list such as `0.25,0.5,1`, in its order; blanks around an item are allowed. An empty, malformed or
-/// out-of-range item throws std::invalid_argument that names its position, counted from 1.
+/// Reads the numbers of a list such as `0.25,0.5,1`; blanks around an item are allowed. An empty, malformed or out-of-range item throws
+/// std::invalid_argument with its position, counted from 1.
 std::vector<double> read_number_list(std::string_view text, const Range& range);
 
 }  // namespace limitcurve::cli

@@ -38,7 +38,7 @@ void OutputFile::flush() {
 namespace {
 
 std::filesystem::path temporary_name(const std::filesystem::path& path) {
-  // The process id keeps two runs that write the same file apart; the dot keeps it out of sight and of globs.
+  // The process id separates two runs that write the same file; the dot hides the file from listings and globs.
   std::string name(1, '.');
   name.append(path.filename().string()).append(".").append(std::to_string(descriptor::process_id())).append(".tmp");
   return path.parent_path() / name;
@@ -56,7 +56,7 @@ int open_named(const std::filesystem::path& temporary, const std::filesystem::pa
   return file;
 }
 
-/// A nameless file if that is possible, else one under the temporary name; `named` tells which.
+/// Opens a nameless file if possible, otherwise one with the temporary name; sets `named` accordingly.
 int open_temporary(const std::filesystem::path& path, const std::filesystem::path& temporary, bool& named) {
   const int nameless_file = descriptor::create_nameless(path);
   named = nameless_file < 0;
@@ -78,7 +78,7 @@ AtomicFile::~AtomicFile() {
 
 void AtomicFile::commit() {
   output_.flush();
-  // Data before name: after a power cut the name must not stand for an empty file.
+  // Flush the data before the rename: after a power cut the name must not belong to an empty file.
   if (descriptor::synchronise(descriptor_) != 0) throw std::runtime_error(system_complaint("write", path_.string()));
   if (!named_) {
     // A link cannot replace a file, a rename can.

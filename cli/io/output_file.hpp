@@ -7,8 +7,8 @@
 
 namespace limitcurve::cli {
 
-/// A buffered output whose every failure is noticed: a closed pipe or a full disk throws std::runtime_error that names
-/// the output. What was not flushed when it is destroyed is dropped: after an error, nothing more should be said.
+/// A buffered output that reports every failure: a closed pipe or a full disk throws std::runtime_error with the output's name. The destructor
+/// drops text that was not flushed, so that nothing follows an error.
 class OutputFile {
  public:
   /// Standard output; not closed by this object.
@@ -17,7 +17,7 @@ class OutputFile {
   OutputFile(int descriptor, std::string name) : descriptor_(descriptor), name_(std::move(name)) { buffer_.reserve(capacity); }
 
   void write(std::string_view text);
-  /// Hands everything written so far to the operating system.
+  /// Passes everything written so far to the operating system.
   void flush();
 
   [[nodiscard]] const std::string& name() const { return name_; }
@@ -30,9 +30,9 @@ class OutputFile {
   std::string buffer_;
 };
 
-/// A file that appears under its name whole or not at all: written without a name (where the file system cannot, under a
-/// hidden one) in the same directory, then named by `commit`. Destroyed without commit, it leaves nothing behind. Failures
-/// throw std::runtime_error that names file and cause.
+/// A file that appears under its name complete or not at all. It is written without a name in the same directory (under a hidden name if the file
+/// system needs one); `commit` gives it its name. Without `commit` the destructor removes it. Failures throw std::runtime_error with file and
+/// cause.
 class AtomicFile {
  public:
   explicit AtomicFile(std::filesystem::path path);
@@ -42,7 +42,7 @@ class AtomicFile {
 
   OutputFile& output() { return output_; }
 
-  /// Writes through to the disk, then renames over `path`.
+  /// Flushes to the disk, then renames to `path`.
   void commit();
 
  private:
@@ -53,7 +53,7 @@ class AtomicFile {
   OutputFile output_;
 };
 
-/// The message "cannot WHAT 'NAME': why the operating system refused", from errno.
+/// The message "cannot WHAT 'NAME': CAUSE", the cause from errno.
 std::string system_complaint(std::string_view what, std::string_view name);
 
 }  // namespace limitcurve::cli

@@ -30,9 +30,9 @@ std::vector<KeyValue> with_factors(std::vector<KeyValue> keys, Factors& factors)
   return keys;
 }
 
-/// The file name that comes first, and the key=value items after it.
+/// Splits a text into a file name and the key=value items after it.
 std::string split_file(std::string_view text, std::string_view& items) {
-  // From the end, so that a name may have commas.
+  // Starts at the end because the name may contain commas.
   std::size_t end = text.size();
   for (;;) {
     const std::size_t comma = text.substr(0, end).rfind(',');
@@ -50,7 +50,7 @@ void read_items(std::string_view items, const std::vector<KeyValue>& keys) {
   if (!items.empty() || required) read_key_values(items, keys);
 }
 
-/// What the library says of data, with the file that they came from.
+/// Adds the file's name to an error of the library.
 template <class Make>
 Patch from_file(const std::string& file, const Make& make) {
   try {

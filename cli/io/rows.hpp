@@ -15,7 +15,7 @@ namespace limitcurve::cli {
 
 enum class Format { csv, json };
 
-/// A column of results as numbers or texts, for a program that has no use for text of them.
+/// A column of results as values instead of CSV text.
 struct Column {
   enum class Kind { number, integer, truth, text };
 
@@ -25,27 +25,26 @@ struct Column {
   std::vector<std::string> texts = {};
 };
 
-/// Where a subcommand's results go, and in which form. `report` gathers those of several runs in one CSV file: each row
-/// then begins with what distinguishes its run, and only the first run writes the header.
+/// Destination and format of a subcommand's results. `report` collects several runs in one CSV file: then each row begins with the columns that
+/// identify its run, and only the first run writes the header.
 struct Results {
   OutputFile& output;
   Format format = Format::csv;
   std::vector<std::pair<std::string, std::string>> leading = {};  ///< column, its cell in every row; CSV only
   bool header = true;                                             ///< CSV only
-  std::vector<Column>* columns = nullptr;                         ///< where rows are gathered in place of `output`, if anywhere
+  std::vector<Column>* columns = nullptr;                         ///< collects the rows in place of `output`, unless null
 };
 
-/// Writes rows of named columns, one by one as they come.
+/// Writes rows of named columns one by one.
 ///
 /// CSV: one header line; numbers in shortest round-trip form, `inf` and `nan` in lower case; a text with a comma, a
 /// quote or a line break is quoted as in RFC 4180.
-/// JSON: an array of objects, one a line, keyed by the column names; what JSON has no number for is a string:
-/// "inf", "-inf", "nan".
+/// JSON: an array of objects, one a line, keyed by the column names; values without a JSON number are the strings "inf", "-inf", "nan".
 class Rows {
  public:
   Rows(Results results, std::initializer_list<std::string_view> columns)
       : Rows(std::move(results), std::vector<std::string>(columns.begin(), columns.end())) {}
-  /// Columns that are known at run time.
+  /// For columns known only at run time.
   Rows(Results results, const std::vector<std::string>& columns);
 
   /// One row; as many cells as columns, numbers or texts.
@@ -56,7 +55,7 @@ class Rows {
     end_row();
   }
 
-  /// The same for columns that are known at run time: `write` is called with a function that takes one cell.
+  /// The same for columns known only at run time: calls `write` with a function that takes one cell.
   template <class Write>
   void row_by(Write&& write) {
     begin_row();
@@ -64,7 +63,7 @@ class Rows {
     end_row();
   }
 
-  /// Ends the output and hands it to the operating system. Must be called: without it the rows may be incomplete.
+  /// Ends the output and passes it to the operating system. Without this call the output may be incomplete.
   void finish();
 
  private:
@@ -85,7 +84,7 @@ class Rows {
     literal(truth ? "true" : "false");
   }
   void gather(Column::Kind kind, double number);
-  /// A cell that is the same in both forms.
+  /// A cell with the same text in CSV and JSON.
   void literal(std::string_view text);
 
   Results results_;

@@ -10,13 +10,13 @@
 
 namespace limitcurve::cli {
 
-/// The slips in a CSV of load,force,moment[,sigma_force,sigma_moment]. Throws std::invalid_argument that names the place.
+/// Reads slips from a CSV of load,force,moment[,sigma_force,sigma_moment]. Throws std::invalid_argument with the place of the error.
 std::vector<fit::Sample> read_slip_samples(const std::string& file);
 
-/// What `fit ratio` takes: slips as above, or, in a CSV without load, the published ratio,ratio_sd of a material a row; throws likewise.
+/// Reads the data of `fit ratio`: slips as above, or, from a CSV without load, one published ratio,ratio_sd of a material a row. Throws likewise.
 std::variant<std::vector<fit::Sample>, std::vector<fit::RatioSample>> read_ratio_data(const std::string& file);
 
-/// The radii or moments in a CSV of load,radius[,sigma_radius] or load,moment[,sigma_moment]; throws likewise.
+/// Reads radii or moments from a CSV of load,radius[,sigma_radius] or load,moment[,sigma_moment]; throws likewise.
 fit::LoadSamples read_load_samples(const std::string& file);
 
 }  // namespace limitcurve::cli

@@ -9,17 +9,17 @@
 
 namespace limitcurve::cli {
 
-/// What a finger touches.
+/// A surface that a finger touches.
 struct SurfaceArgument {
   godobject::AnySurface surface;
-  /// The evenly filled body with this surface and a mass [kg]; empty where the surface encloses none that is known.
+  /// The homogeneous body with this surface and a mass [kg]; empty if the surface encloses no known volume.
   std::function<godobject::BodyParameters(double mass)> even_body;
 };
 
-/// The surface that a command line names: `plane`, `sphere:radius=0.05`, `capsule:radius=0.01,length=0.1`,
+/// Reads a surface from a command line: `plane`, `sphere:radius=0.05`, `capsule:radius=0.01,length=0.1`,
 /// `cylinder:radius=0.02,length=0.1`, `box:x=0.12,y=0.04,z=0.04` (lengths of its edges), and `mesh:FILE.obj` or
-/// `mesh:FILE.stl[,scale=0.001]` (the file's unit) where the program was built with meshes. Lengths in metres. Throws
-/// std::invalid_argument that names the item and what was expected.
+/// `mesh:FILE.stl[,scale=0.001]` (the file's unit) if the program was built with meshes. Lengths in metres. Throws
+/// std::invalid_argument with the wrong item and the expected ones.
 SurfaceArgument read_surface(const std::string& text);
 
 }  // namespace limitcurve::cli

@@ -30,7 +30,7 @@ std::string quoted(std::string_view name) {
   throw std::invalid_argument(source + ": " + what);
 }
 
-/// What a JSON parser stumbles over, as line and column like everywhere else.
+/// Reports a JSON syntax error with line and column, like other errors.
 [[noreturn]] void fail_at(const std::string& source, std::string_view text, std::size_t byte) {
   const std::string_view before = text.substr(0, std::min(byte == 0 ? 0 : byte - 1, text.size()));
   const std::size_t line_start = before.rfind('\n') == std::string_view::npos ? 0 : before.rfind('\n') + 1;
@@ -47,7 +47,7 @@ const json& member(const json& whole, const char* name, bool (json::*is_kind)() 
   return *found;
 }
 
-/// What stands in place of a row: its beginning, unless it holds arrays itself, which may lie in each other as deep as the file is long.
+/// The beginning of a wrong row, for an error message. A nested value is only named: its depth is limited by the file alone.
 std::string shown(const json& row) {
   const auto is_flat = [](const json& item) { return item.is_primitive(); };
   if (!std::all_of(row.begin(), row.end(), is_flat)) return std::string("a nested ") + row.type_name();

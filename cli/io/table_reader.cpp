@@ -15,7 +15,7 @@ namespace limitcurve::cli {
 
 namespace {
 
-/// A table has at most a hundredth of this, one of format 1 a third; what is longer is something else, and not read into memory.
+/// A table has at most a hundredth of this length, one of format 1 a third. A longer file is no table and is not read into memory.
 constexpr std::size_t longest_file = 32U << 20U;
 
 std::string read_whole(const std::string& file) {
@@ -40,7 +40,7 @@ limitcurve::Table read_table(const std::string& file) {
     throw std::invalid_argument("got '" + file + "', expected a name that ends in .csv or .json");
   }
   const std::string whole = read_whole(file);
-  // Spreadsheets and editors put a byte-order mark before the text.
+  // Some spreadsheets and editors write a byte order mark.
   const std::string_view text = std::string_view(whole).substr(whole.starts_with("\xEF\xBB\xBF") ? 3 : 0);
   return extension == ".csv" ? read_table_csv(text, file) : read_table_json(text, file);
 }

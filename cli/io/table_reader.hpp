@@ -8,11 +8,11 @@
 
 namespace limitcurve::cli {
 
-/// The table in a file that `limitcurve table` wrote, .csv or .json by its name. Throws std::invalid_argument that names
-/// file, place and what is wrong if it is torn, edited or no such file.
+/// Reads a table that `limitcurve table` wrote, as .csv or .json by the file's name. Throws std::invalid_argument with file, place and cause if
+/// the file is truncated, edited or no table.
 limitcurve::Table read_table(const std::string& file);
 
-/// The table in the JSON `text`; `source` names it in complaints.
+/// Reads a table from JSON `text`; error messages call it `source`.
 limitcurve::Table read_table_json(std::string_view text, const std::string& source);
 
 }  // namespace limitcurve::cli

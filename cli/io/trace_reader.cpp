@@ -99,7 +99,7 @@ Eigen::Vector3d TraceReader::position(std::size_t column) const {
 Eigen::Quaterniond TraceReader::orientation(std::size_t column) const {
   const Eigen::Quaterniond result(reader_.number(column, finite), reader_.number(column + 1, finite), reader_.number(column + 2, finite),
                                   reader_.number(column + 3, finite));
-  // Devices round; what is off by more is no rotation.
+  // Devices round; a larger difference means that this is no rotation.
   if (const double length = result.norm(); !(std::abs(length - 1.0) <= 1e-3)) {
     throw reader_.complaint(column, "the quaternion has length " + format_number(length) + ", expected 1");
   }

@@ -11,24 +11,24 @@
 
 namespace limitcurve::cli {
 
-/// Reads a recorded motion of fingers, and of the body they touch where that is recorded too.
+/// Reads a recorded motion of fingers, and of the touched body if that is recorded, too.
 ///
 /// Columns: time [s]; x,y,z [m] of the first finger, x2,y2,z2 of the second and so on; twist [rad] about the contact normal, or
-/// qw,qx,qy,qz (a unit quaternion, finger to world) in its place, with the finger's number behind: a finger that has neither does not twist;
-/// bx,by,bz [m] of the body, and bqw,bqx,bqy,bqz (body to world), which may be left out where it does not turn.
+/// qw,qx,qy,qz (a unit quaternion, finger to world), both followed by the finger's number (a finger without either does not twist);
+/// bx,by,bz [m] of the body, and bqw,bqx,bqy,bqz (body to world), optional if it does not turn.
 class TraceReader {
  public:
   TraceReader(const std::string& file, std::size_t fingers, bool body_moves);
 
-  /// Moves to the next sample; false after the last. Throws std::invalid_argument with the place of what is wrong.
+  /// Moves to the next sample; false after the last. Throws std::invalid_argument with the place of an error.
   bool next();
 
   [[nodiscard]] double time() const { return time_; }
   [[nodiscard]] const std::vector<godobject::DevicePose>& fingers() const { return fingers_; }
   [[nodiscard]] const godobject::BodyPose& body() const { return body_; }
-  /// The columns of twist that the trace lacks, of fingers that have no orientation either: "twist", "twist2", …
+  /// Names "twist", "twist2", … of the fingers for which the trace has neither twist nor orientation.
   [[nodiscard]] const std::vector<std::string>& missing_twists() const { return missing_twists_; }
-  /// The complaint about the time of this sample.
+  /// An error at the time of this sample.
   [[nodiscard]] std::invalid_argument complaint(const std::string& what) const;
 
  private:
