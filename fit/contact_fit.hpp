@@ -11,8 +11,8 @@
 
 namespace limitcurve::fit {
 
-/// Which limit curve to lay through samples of slip. Beside the shape, every model has the two limits of the contact:
-/// μ (largest force over load) and μ_r (largest moment over load).
+/// The limit curve to fit to samples of slip. Beside its shape, every model has the two limits of the contact: μ (largest force divided by
+/// load) and μ_r (largest moment divided by load).
 struct ContactModel {
   enum class Kind {
     ellipse,       ///< (F/μP)² + (M/μ_rP)² = 1
@@ -32,20 +32,20 @@ struct ContactModel {
 
 struct ContactFitOptions {
   Loss loss;
-  /// The contact radius grows as P^gamma: 0 (the paper's M = μ_r P) unless known, or fitted with `fit_gamma`.
+  /// The contact radius is proportional to P^gamma; 0 is the paper's M = μ_r P. `fit_gamma` fits it.
   double gamma = 0.0;
   bool fit_gamma = false;
-  /// Largest radius [m] that the finger can have; a larger one is warned of. A human fingertip's pad is some 16 mm wide.
+  /// Warn of a larger contact radius [m]. The pad of a human fingertip is about 16 mm wide.
   double largest_radius = 0.008;
 };
 
-/// A model through samples. Estimates, in this order:
+/// A model fitted to samples. Estimates, in this order:
 ///   exact curves: mu [1], mu_r [m], ratio = mu_r/mu [m], radius [m], then n or k if free;
 ///   approximations: force_max [1] (= F/P), moment_max [m] (= M/P), then exponent or kappa.
-/// With gamma ≠ 0 or fitted, moments are those at a load of 1 N, in m/N^γ, the radius is called c, and gamma follows if free.
+/// With gamma ≠ 0 or fitted, moments are those at a load of 1 N, in m/N^γ, the radius has the name c, and gamma follows if free.
 struct ContactFit {
-  /// A point of the fitted limit curve per newton of load, and those of the 95 % band on either side along the normal
-  /// (in the normalised plane): what a chart of the fit shows. With a growing radius, at a load of 1 N.
+  /// For charts: a point of the fitted limit curve per newton of load, and the edges of the 95 % band along its normal (in the normalised plane).
+  /// With a load-dependent radius, at a load of 1 N.
   struct BandPoint {
     double force;   ///< F/P [1]
     double moment;  ///< M/P [m]
@@ -57,33 +57,33 @@ struct ContactFit {
 
   std::string model;
   FitReport report;
-  /// Distance of each sample from the curve in standard deviations (as told, or as found from the scatter), outside positive.
+  /// Distance of each sample from the curve in standard deviations (as given, or estimated from the scatter); positive outside.
   std::vector<double> residuals;
   std::vector<BandPoint> band;  ///< from pure slide to pure twist
-  /// Samples (0 the first) that a robust fit finds farther off than the others' scatter explains (a normal error is in one of 200 data
-  /// sets). Warned of, too.
+  /// Samples (from 0) whose distance in a robust fit is larger than the scatter of the others explains (a normal error reaches it in one of 200
+  /// data sets). A warning names them, too.
   std::vector<std::size_t> outliers;
 };
 
-/// Fits by orthogonal distance: errors of force and moment both count, each in units of its own sigma. Without sigmas both
-/// errors are taken as proportional to the load, equal in the normalised plane, and their size is found from the scatter;
-/// then `report.rms` is relative to the limit (0.02 is 2 %), with sigmas it is in standard deviations.
-/// No starting values are needed. Cost: some 1 ms for 100 samples, once a process 20 to 70 ms for each family with a free shape.
+/// Fits by orthogonal distance: errors of force and moment both count, each in units of its own sigma. Without sigmas the fit assumes errors
+/// that are proportional to the load and equal in the normalised plane, and estimates their size from the scatter; then `report.rms` is
+/// relative to the limit (0.02 is 2 %). With sigmas it is in standard deviations. No starting values are needed.
+/// Cost: about 1 ms for 100 samples, and once a process 20 to 70 ms for each family with a free shape.
 /// Throws std::invalid_argument that names the sample for bad samples, or the parameters that the samples cannot determine
-/// (too few; all on an axis; no twist at all). Warns of gross outliers whatever the loss, and where a free γ is as far from the one
-/// assumed as chance leads in one of 2000 sets: that takes one more fit.
+/// (too few; all on an axis; no twist at all). One more fit finds gross outliers, whatever the loss, and a γ that differs from the assumed γ by more
+/// than chance gives in one of 2000 data sets; the report warns of both.
 ContactFit fit_contact(std::span<const Sample> samples, const ContactModel& model, const ContactFitOptions& options = {});
 
-/// All pressure laws against each other, best first by AICc.
+/// The fits of all pressure laws, best first by AICc.
 struct LawSelection {
   std::vector<ContactFit> candidates;
-  /// AICc less the best one's, in the order of the candidates: below 2 there is nothing to choose, above 10 the matter is decided.
+  /// AICc minus that of the best, in the order of the candidates: below 2 is not significant, above 10 is decisive.
   std::vector<double> aic_difference;
 };
 
-/// Fits flat-punch, uniform, hertz, parabolic, cone, gaussian:sigma=1 (its radius is σ) and the two families. The best one's report warns
-/// of every candidate that the data cannot tell from it, and its standard errors include the choice: the candidates' values count with
-/// Akaike's weights, exp(−AICc/2).
+/// Fits flat-punch, uniform, hertz, parabolic, cone, gaussian:sigma=1 (its radius is σ) and the two families. The report of the best
+/// warns of every candidate that the data cannot distinguish from it. Its standard errors include the choice of law, with Akaike's weights
+/// exp(−AICc/2) of the candidates' values.
 LawSelection select_law(std::span<const Sample> samples, const ContactFitOptions& options = {});
 
 /// The contact radius that a moment-to-force ratio μ_r/μ implies under a law, a = ratio/m₀ [m].

@@ -10,38 +10,38 @@
 
 namespace limitcurve::fit {
 
-/// A number to type into a physics engine.
+/// A coefficient of a physics engine.
 struct EngineCoefficient {
-  std::string parameter;  ///< as the engine spells it
+  std::string parameter;  ///< in the engine's spelling
   double value;
   std::string unit;     ///< SI, "1" if none
-  std::string formula;  ///< how it follows from μ, a, m₀
-  std::string word{};   ///< the value's name in the engine, where it has one
+  std::string formula;  ///< its formula from μ, a, m₀
+  std::string word{};   ///< the value's name in the engine, if it has one
 };
 
-/// What a physics engine makes of a soft finger when given the best coefficients it has. Errors are fractions of the
-/// exact limit curve's radius in the normalised plane, unless said otherwise.
+/// A soft finger in a physics engine with its best coefficients. Errors are fractions of the exact limit curve's radius in the normalised plane,
+/// unless said otherwise.
 struct EngineContact {
   std::string engine;  ///< mujoco, chrono, gazebo, physx, bullet, ode
-  /// Shape of the limit curve that the engine then really has: ellipse, diamond (friction pyramid) or box (uncoupled).
+  /// Shape of the resulting limit curve: ellipse, diamond (friction pyramid) or box (uncoupled).
   std::string model;
   std::vector<EngineCoefficient> coefficients;
-  CurveError error;  ///< of that shape against the exact curve, at the load asked for
+  CurveError error;  ///< of that shape against the exact curve, at the given load
   /// Largest distance in the normalised plane between the wrenches of engine and exact curve for the same slip twist (imposed COR).
   double max_wrench_error = 0.0;
-  /// Largest of error.max_error over the range of loads: engines take constant coefficients, which cannot follow a(P).
+  /// Largest error.max_error over the range of loads: constant coefficients cannot follow a(P).
   double max_error_over_loads = 0.0;
-  std::string documentation;  ///< where that project says what the coefficient means
-  std::string caveat;         ///< what its documentation does not say plainly
+  std::string documentation;  ///< where the project documents the coefficient
+  std::string caveat;         ///< details that the documentation leaves out
 };
 
-/// Loads over which a translation is judged.
+/// Range of loads for `max_error_over_loads`.
 struct LoadRange {
   double low;   ///< [N], > 0
   double high;  ///< [N], ≥ low
 };
 
-/// The coefficients for MuJoCo (elliptic and pyramidal cone), Chrono, Gazebo/SDFormat, PhysX, Bullet and ODE that give a contact of
+/// The coefficients for MuJoCo (elliptic and pyramidal cone), Chrono, Gazebo/SDFormat, PhysX, Bullet and ODE that give a contact with
 /// friction coefficient `mu` > 0 [1] its exact limits μP and Γ = m₀ μ P a(P) at `load` > 0 [N]. Throws std::invalid_argument for values out of range.
 std::vector<EngineContact> translate(const Law& law, const RadiusLaw& radius_law, double mu, double load, LoadRange loads);
 /// The same over the loads from a quarter of `load` to four times `load`.

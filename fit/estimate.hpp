@@ -13,35 +13,34 @@ struct Estimate {
   /// One of: force_max moment_max exponent kappa mu mu_r ratio radius n k c gamma chi_squared degrees_of_freedom p_value.
   std::string name;
   double value = 0.0;
-  /// Standard error, in the unit of the value; 0 for what the data were not asked for (held fixed).
+  /// Standard error, in the unit of the value; 0 for a fixed parameter.
   double std_error = 0.0;
   std::string unit;  ///< SI, "1" if none
 };
 
-/// What every fit says of itself. The standard errors come from the curvature of the cost at the solution: they are
-/// worth what the linear approximation is worth, which the coverage tests of this module measure.
+/// The report of a fit. The standard errors come from the curvature of the cost at the solution, a linear approximation; the coverage tests of
+/// this module measure how good it is.
 struct FitReport {
   std::vector<Estimate> estimates;
   /// Correlations of the estimates, row by row, estimates.size() squared; 0 where a standard error is 0.
   std::vector<double> correlation;
   /// Root mean square of the residuals, in the unit the fit documents.
   double rms = 0.0;
-  /// Number of residuals, and of parameters that were free.
+  /// Number of residuals, and of free parameters.
   std::size_t residuals = 0;
   std::size_t free_parameters = 0;
-  /// Akaike's information criterion with the correction for few samples (AICc), up to a constant that the data alone
-  /// set: only differences between fits of the same data mean anything.
+  /// Akaike's information criterion with the correction for few samples (AICc), up to a constant of the data: compare only fits of the same data.
   double aic = 0.0;
   bool converged = false;
   int iterations = 0;
-  /// What Ceres said of convergence.
+  /// Ceres' message about convergence.
   std::string message;
-  /// The model and what was taken for granted, in a few words.
+  /// The model and its assumptions, in a few words.
   std::string note;
-  /// What a reader must know before using the numbers: one sentence each.
+  /// Warnings that a user must know before using the numbers, one sentence each.
   std::vector<std::string> warnings;
 
-  /// The estimate called `name`; throws std::out_of_range if there is none.
+  /// The estimate with this name; throws std::out_of_range if there is none.
   [[nodiscard]] const Estimate& at(std::string_view name) const;
   /// Correlation of two estimates by name; throws std::out_of_range if there is none.
   [[nodiscard]] double correlation_of(std::string_view first, std::string_view second) const;

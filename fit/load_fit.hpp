@@ -9,7 +9,7 @@
 
 namespace limitcurve::fit {
 
-/// How a contact grows with the load: a(P) = c P^γ, and with it the moment of a pure twist, Γ(P) = μ_r P^{1+γ}.
+/// Growth of a contact with the load: a(P) = c P^γ, and so the moment of a pure twist is Γ(P) = μ_r P^{1+γ}.
 enum class LoadModel {
   linear,  ///< γ = 0: constant radius, the paper's Γ = μ_r P
   hertz,   ///< γ = 1/3: elastic sphere
@@ -19,19 +19,19 @@ enum class LoadModel {
 /// linear, hertz, power.
 const char* to_string(LoadModel model) noexcept;
 
-/// Estimates c [m/N^γ] (from radii) or mu_r [m/N^γ] (from moments), then gamma [1]; γ's standard error is 0 where it is fixed.
+/// Estimates c [m/N^γ] (from radii) or mu_r [m/N^γ] (from moments), then gamma [1]; the standard error of a fixed γ is 0.
 struct LoadFit {
   LoadModel model;
   FitReport report;
 };
 
-/// Least squares of the values in units of their sigmas; without sigmas, of their logarithms, so that errors are
-/// relative, of one size found from the scatter, which `report.rms` then is. Starting values come from the data. Cost: below 1 ms.
-/// Throws std::invalid_argument that names the sample for bad ones, or the parameters that cannot be told (γ from one load).
+/// Least squares of the values in units of their sigmas. Without sigmas, least squares of their logarithms: errors are relative, and `report.rms`
+/// is their size, from the scatter. Starting values come from the data. Cost: below 1 ms.
+/// Throws std::invalid_argument that names a bad sample, or the parameters that the data do not determine (γ from one load).
 LoadFit fit_load(const LoadSamples& samples, LoadModel model, const Loss& loss = {});
 
-/// The three models against each other, best first by AICc; `aic_difference` in the same order. The best one's report warns
-/// of every model that the data cannot tell from it (difference below 2).
+/// The fits of the three models, best first by AICc; `aic_difference` in the same order. The report of the best warns of every model that the data
+/// cannot distinguish from it (difference below 2).
 struct LoadSelection {
   std::vector<LoadFit> candidates;
   std::vector<double> aic_difference;

@@ -5,13 +5,13 @@
 
 namespace limitcurve::fit {
 
-/// What a force–torque sensor saw at a moment of slip: a point of the limit curve at that load, with noise.
+/// A measurement of a force–torque sensor at the onset of slip: a point of the limit curve at that load, with noise.
 /// A row of a file with the columns `load,force,moment[,sigma_force,sigma_moment]`.
 struct Sample {
   double load = 0.0;    ///< P [N], > 0
   double force = 0.0;   ///< F [N]: tangential friction force; its sign does not matter
   double moment = 0.0;  ///< M [N·m]: friction moment about the contact normal; its sign does not matter
-  /// Standard deviations [N], [N·m], > 0; or both 0 in all samples where they are not known.
+  /// Standard deviations [N], [N·m], > 0; or both 0 in all samples if unknown.
   double sigma_force = 0.0;
   double sigma_moment = 0.0;
 };
@@ -21,7 +21,7 @@ struct Sample {
 struct LoadSample {
   double load = 0.0;   ///< P [N], > 0
   double value = 0.0;  ///< radius [m] or moment [N·m], > 0
-  double sigma = 0.0;  ///< standard deviation of the value, > 0; or 0 in all samples where it is not known
+  double sigma = 0.0;  ///< standard deviation of the value, > 0; or 0 in all samples if unknown
 };
 
 struct LoadSamples {
@@ -30,13 +30,13 @@ struct LoadSamples {
   std::vector<LoadSample> samples;
 };
 
-/// How hard a large residual pulls. `scale` is the residual, in standard deviations, from which on a sample counts as
-/// doubtful: ρ(r²) is r² below about scale². The defaults lose 5 % of efficiency on clean Gaussian data.
+/// Loss function: the influence of a large residual. `scale` is the residual, in standard deviations, above which a sample is doubtful: ρ(r²) is r²
+/// below about scale². The defaults lose 5 % of efficiency on clean Gaussian data.
 struct Loss {
   enum class Kind {
-    squared,  ///< r²: best for Gaussian errors, ruined by one gross outlier
-    huber,    ///< r² up to scale, then linear: bounded pull
-    cauchy,   ///< scale² log(1 + r²/scale²): the pull of gross outliers goes to zero
+    squared,  ///< r²: best for Gaussian errors, spoiled by one gross outlier
+    huber,    ///< r² up to scale, then linear: bounded influence
+    cauchy,   ///< scale² log(1 + r²/scale²): the influence of gross outliers goes to zero
   };
   Kind kind = Kind::squared;
   double scale = 1.0;

@@ -10,30 +10,30 @@
 #include <span>
 #include <string_view>
 
-/// The fits by name, for those who take the name from a user.
+/// Fits selected by name, for programs that get the name from a user.
 namespace limitcurve::fit {
 
-/// What a fit of any kind reports: `report.estimates` are the rows parameter, value, std_error, unit.
+/// The result of a fit of any kind: `report.estimates` are the rows parameter, value, std_error, unit.
 struct ModelFit {
-  std::string model;  ///< the model that was fitted, or that won
+  std::string model;  ///< the fitted model, or the best one
   FitReport report;
-  std::optional<CurveError> error;  ///< against the exact curve, for fits to one
+  std::optional<CurveError> error;  ///< against the exact curve, for fits to a law
 };
 
-/// `ellipse`, `superellipse` or `quartic` to the exact curve of a law, in unit wrenches.
-/// These throw std::invalid_argument that lists what was expected for an unknown model.
+/// Fits `ellipse`, `superellipse` or `quartic` to the exact curve of a law, in unit wrenches.
+/// All four throw std::invalid_argument that lists the models for an unknown name.
 ModelFit fit_model(std::string_view model, const Law& law, Criterion criterion = Criterion::least_squares);
 
-/// `ellipse`, `superellipse`, `quartic`, `ratio` or `law` to samples. `ratio` reports mu, mu_r, ratio, radius under the law
-/// (Hertz if none is given), its report warning of the radius that each other common law implies; `law` does the
-/// same for the law given, or else finds the law that explains the samples best.
+/// Fits `ellipse`, `superellipse`, `quartic`, `ratio` or `law` to samples. `ratio` reports mu, mu_r, ratio, radius under the law (default Hertz), with
+/// a warning that lists the radius under each other common law; `law` does the same for the given law, or finds the law that explains the samples
+/// best.
 ModelFit fit_model(std::string_view model, std::span<const Sample> samples, const Law& law = nullptr,
                    const ContactFitOptions& options = {});
 
-/// `ratio` to published ratios of several materials, under the law (Hertz if none is given).
+/// Fits `ratio` to published ratios of several materials, under the law (default Hertz).
 ModelFit fit_model(std::string_view model, std::span<const RatioSample> samples, const Law& law = nullptr);
 
-/// `load` to radii or moments over the load: the best of linear, hertz and power.
+/// Fits `load` to radii or moments at several loads: the best of linear, hertz and power.
 ModelFit fit_model(std::string_view model, const LoadSamples& samples, const Loss& loss = {});
 
 }  // namespace limitcurve::fit
