@@ -52,7 +52,7 @@ void warn(FitReport& report, const UnitCurve& curve, const ContactModel& model, 
   }
 }
 
-/// What the residuals, in standard deviations as told or found, say against the fit.
+/// Warnings from the residuals, in standard deviations as given or estimated.
 void warn_of_scatter(FitReport& report, const Solution& solution, const Loss& loss, bool with_sigma) {
   const auto count = static_cast<double>(solution.residuals.size());
   if (!with_sigma || report.residuals <= report.free_parameters) return;
@@ -112,17 +112,17 @@ ContactFit internal::fit_prepared(const ContactPreparation& preparation, const C
     throw std::invalid_argument("not identifiable from " + std::to_string(count) + (count == 1 ? " sample: " : " samples: ") + names);
   }
   const bool robust = options.loss.kind != Loss::Kind::squared;
-  // To 3 % of a standard error of 100 samples: more is wasted on a first pass.
+  // To 3 % of a standard error for 100 samples: enough for a first pass.
   constexpr double first_tolerance = 1e-5;
   ContactResiduals residuals(preparation.samples, *curve, layout);
   const Loss loss = robust ? internal::approach(residuals, parameters, options.loss) : options.loss;
   Solution solution = internal::minimise(residuals, parameters, loss, first_tolerance);
-  // Again from there, with the drift that the scatter found causes (sigmas may overstate it).
+  // Second pass, with the drift from the estimated scatter (the sigmas may overstate it).
   const double scatter = robust ? std::pow(1.4826 * median_size(solution.residuals), 2) : internal::residual_variance(solution);
   residuals.expect_drift(solution.values, preparation.with_sigma ? std::min(scatter, 1.0) : scatter);
   for (std::size_t j = 0; j < free; ++j) parameters[j].start = solution.values[j];
   const int iterations = solution.iterations;
-  // Along a bound the minimiser creeps: a shape that lies on one is held there, unless the samples then pull it inside.
+  // The minimiser is slow along a bound: fix a shape that lies on one, unless the samples then move it inside.
   bool held = layout.shape && !robust && is_at_bound(*curve, solution.values[2]);
   if (held) {
     std::vector<Parameter> fewer = parameters;
@@ -160,7 +160,7 @@ ContactFit internal::fit_prepared(const ContactPreparation& preparation, const C
     at_bound = is_at_bound(*curve, solution.values[2]);
     hidden = std::sqrt(covariance[2 * free + 2]) > 0.5 * range;
   }
-  // From the logarithms at the reference load to the quantities themselves, at 1 N where the radius depends on the load.
+  // From the logarithms at the reference load to the quantities, at 1 N if the radius depends on the load.
   const double shape = layout.shape ? solution.values[2] : 0.0;
   curve->bend(shape);
   const double gamma = layout.gamma ? solution.values[layout.gamma_place()] : options.gamma;
@@ -198,7 +198,7 @@ ContactFit internal::fit_prepared(const ContactPreparation& preparation, const C
   if (!at_bound && !hidden) {
     internal::FittedContact fitted{residuals, solution, parameters, loss, variance};
     if (logarithmic) fit.report.estimates[4].std_error = internal::mean_shape_error(fitted, covariance, *curve);
-    // As for the drift: only as much noise bends the estimates as there is.
+    // As for the drift: use the estimated noise.
     if (preparation.with_sigma && !robust) fitted.variance = std::min(scatter, 1.0);
     internal::Stray stray = internal::stray_of(fitted);
     if (layout.shape) {
@@ -212,7 +212,7 @@ ContactFit internal::fit_prepared(const ContactPreparation& preparation, const C
   warn_of_scatter(fit.report, solution, options.loss, preparation.with_sigma);
 
   if (at_bound || hidden) {
-    // An honest blank is better than a number: neither the shape nor what depends on it is known.
+    // Report nothing rather than a wrong number: the data determine neither the shape nor the quantities that depend on it.
     constexpr double infinity = std::numeric_limits<double>::infinity();
     for (Estimate& estimate : fit.report.estimates) {
       if (estimate.name != curve->shape_name() && estimate.name != "radius" && estimate.name != "c") continue;

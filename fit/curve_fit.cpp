@@ -91,7 +91,7 @@ std::vector<double> residuals_at(const internal::ResidualModel& model, std::span
   return residuals;
 }
 
-/// The report of parameters that were not found by iteration.
+/// The report of parameters in closed form.
 FitReport direct_report(const internal::ResidualModel& model, std::span<const double> parameters, const char* message) {
   FitReport report;
   const std::vector<double> residuals = residuals_at(model, parameters);
@@ -174,8 +174,8 @@ CurveFit<Ellipse> fit_ellipse(const Law& law, Criterion criterion, std::size_t p
       break;
     }
     case Criterion::minimax: {
-      // The error through the intercepts is 0 at both ends and e₀ > 0 at its one maximum between. Shrunk by 1 − E it is −E, +E, −E,
-      // equal in size and alternating three times for two parameters, hence the best, if (1−E)(1+e₀) = 1 + E.
+      // The error of the intercept ellipse is 0 at both ends and e₀ > 0 at its one maximum between. Scaled by 1 − E it is −E, +E, −E: equal in size
+      // and alternating three times for two parameters, hence minimax, if (1−E)(1+e₀) = 1 + E.
       const double largest = curve_error(ellipse, exact).max_over_estimate;
       const double shrink = 1.0 - largest / (2.0 + largest);
       ellipse = Ellipse(shrink, shrink * moment_ratio);

@@ -13,8 +13,8 @@ namespace limitcurve::fit {
 
 namespace {
 
-/// Largest distance of two curves' wrenches at the same twist, in the normalised plane of the exact one: over twists evenly in the
-/// normalised slip angle, and beside those where box and diamond jump from corner to corner. A smooth maximum is found to 1e-6.
+/// Largest distance between the wrenches of two curves at the same twist, in the normalised plane of the exact one: over twists evenly spaced in the
+/// normalised slip angle, and beside the twists where box and diamond jump between corners. A smooth maximum is found to 1e-6.
 template <class Model>
 double wrench_error(const Model& model, const ExactCurve& exact) {
   constexpr int steps = 4000;
@@ -34,14 +34,14 @@ double wrench_error(const Model& model, const ExactCurve& exact) {
   return largest;
 }
 
-/// Measures the shape that `make(moment_max)` gives, in unit wrenches at the load of the translation; at another load the engine's
-/// moment limit per newton stays what it is, while the contact's grows with a(P).
+/// Measures the shape of `make(moment_max)`, in unit wrenches at the load of the translation. At another load the engine's moment limit per newton
+/// is constant, while the contact's grows with a(P).
 template <class MakeModel>
 void measure(EngineContact& contact, const ExactCurve& exact, const RadiusLaw& radius_law, double load, LoadRange loads, MakeModel make) {
   contact.error = curve_error(make(exact.moment_ratio()), exact);
   contact.max_wrench_error = wrench_error(make(exact.moment_ratio()), exact);
   contact.max_error_over_loads = contact.error.max_error;
-  // What counts is how far the radius gets from the one translated for; a measured law need not be monotone.
+  // The error depends on the largest change of the radius; a measured law need not be monotone.
   double least = 1.0;
   double greatest = 1.0;
   constexpr int steps = 1024;

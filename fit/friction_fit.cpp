@@ -16,7 +16,7 @@ struct Line {
   double drift_error = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// Least squares of y = a + b x: mean of y and b/mean, with the standard errors that the scatter shows.
+/// Least squares of y = a + b x: mean of y and b/mean, with standard errors from the scatter.
 Line regress(std::span<const double> x, std::span<const double> y) {
   const auto count = static_cast<double>(x.size());
   double mean_x = 0.0;

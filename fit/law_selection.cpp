@@ -19,9 +19,9 @@ using internal::ContactPreparation;
 
 namespace {
 
-/// The standard error of a law that was chosen includes the choice: with Akaike's weights w ∝ exp(−AICc/2) (Buckland, Burnham & Augustin 1997,
-/// Biometrics 53:603–618), of each quantity that all candidates have, se² = Σ w (se_i² + (value_i − value)²) about the best one's value.
-/// A candidate that leaves a quantity blank has no say in it.
+/// The standard errors of a chosen law include the choice: with Akaike's weights w ∝ exp(−AICc/2) (Buckland, Burnham & Augustin 1997,
+/// Biometrics 53:603–618), for each quantity of all candidates, se² = Σ w (se_i² + (value_i − value)²) about the value of the best.
+/// A candidate without a value for a quantity is left out.
 void include_choice(FitReport& report, const std::vector<ContactFit>& candidates) {
   for (Estimate& estimate : report.estimates) {
     double sum = 0.0;
@@ -56,7 +56,7 @@ LawSelection select_by(std::span<const Sample> samples, const ContactFitOptions&
     for (const ContactModel& model : models) fits.push_back(internal::fit_prepared(preparation, model, options));
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument(std::string(error.what()) +
-                                "; to tell laws apart takes slips that slide and twist at once, and more of them than parameters");
+                                "; to distinguish laws, use slips that slide and twist at once, more of them than parameters");
   }
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return fits[a].report.aic < fits[b].report.aic; });
@@ -78,10 +78,10 @@ LawSelection select_by(std::span<const Sample> samples, const ContactFitOptions&
       ties += (ties.empty() ? "" : ", ") + candidate.model;
     }
   }
-  if (!rivals.empty()) best.report.warnings.push_back("the data cannot tell " + best.model + " from " + rivals);
+  if (!rivals.empty()) best.report.warnings.push_back("the data cannot distinguish " + best.model + " from " + rivals);
   if (!ties.empty()) {
     best.report.warnings.push_back(best.model + " explains the samples to the last digit, and so does " + ties +
-                                   ", with more parameters: the one with fewer is given");
+                                   ", with more parameters: the result is the law with fewer");
   }
   return selection;
 }

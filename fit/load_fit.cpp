@@ -107,7 +107,7 @@ Preparation prepare(const LoadSamples& samples, const Loss& loss) {
   }
   for (Row& row : data.rows) row.log_load -= data.log_reference;
   if (!data.with_sigma && loss.kind != Loss::Kind::squared) {
-    // A robust loss must know what a usual error is, the same for all models: from the most flexible one.
+    // A robust loss needs the typical error, the same for all models: take it from the most flexible one.
     const std::vector<internal::Parameter> parameters = free_parameters(data, LoadModel::power);
     const LoadResiduals residuals(data.rows, data.offset, true, 0.0, 1.0);
     data.noise = std::max(1.4826 * internal::median_size(internal::minimise(residuals, parameters, Loss::cauchy(0.05)).residuals), 1e-9);
@@ -126,7 +126,7 @@ LoadFit fit_prepared(const Preparation& data, LoadModel model, const Loss& loss)
                                 parameters[0].name + (fit_gamma ? ", gamma" : ""));
   }
   const LoadResiduals residuals(data.rows, data.offset, fit_gamma, fixed_gamma(model), data.noise);
-  // Cheap, and linear in the logarithms: as good as a regression line.
+  // Linear in the logarithms: a regression line is a good start.
   const internal::Solution solution = internal::minimise(residuals, parameters, loss, 1e-18);
   const double variance = data.with_sigma ? 1.0 : internal::residual_variance(solution);
   const std::vector<double> covariance = internal::covariance(solution, parameters, loss, variance);
@@ -146,7 +146,7 @@ LoadFit fit_prepared(const Preparation& data, LoadModel model, const Loss& loss)
     internal::set_estimates(fit.report, quantities, std::array{coefficient, -coefficient * data.log_reference, 0.0, 1.0}, covariance);
     const Estimate& estimate = fit.report.at("gamma");
     if (estimate.value < -2.0 * estimate.std_error || estimate.value > 1.0 / 3.0 + 2.0 * estimate.std_error) {
-      fit.report.warnings.push_back("gamma = " + format_number(estimate.value) + " lies outside 0 to 1/3, where contacts of solids are");
+      fit.report.warnings.push_back("gamma = " + format_number(estimate.value) + " is outside 0 to 1/3, the range of solid contacts");
     }
   } else {
     internal::set_estimates(fit.report, quantities, std::array{coefficient, 0.0}, covariance);
@@ -155,7 +155,7 @@ LoadFit fit_prepared(const Preparation& data, LoadModel model, const Loss& loss)
   return fit;
 }
 
-/// By a fit of the power law with Cauchy's loss: warns of gross outliers, and of a growth that was assumed and is not the data's.
+/// Fits the power law with Cauchy's loss, and warns of gross outliers and of an assumed growth that the data contradict.
 void check_assumptions(LoadFit& fit, const LoadSamples& samples, const Loss& loss) {
   try {
     const Preparation data = prepare(samples, Loss::cauchy());
@@ -168,7 +168,7 @@ void check_assumptions(LoadFit& fit, const LoadSamples& samples, const Loss& los
     internal::warn_of_growth(fit.report, fixed_gamma(fit.model), {"gamma", solution.values[1], std::sqrt(spread[3]), "1"},
                              static_cast<double>(data.rows.size()) - 2.0, internal::root_mean_square(solution.residuals) * data.noise);
   } catch (const std::invalid_argument&) {
-    // Too few rows for a power law, or one load: nothing can be said.
+    // Too few rows for a power law, or only one load: no warning possible.
   }
 }
 
@@ -206,8 +206,9 @@ LoadSelection select_load(const LoadSamples& samples, const Loss& loss) {
     const double difference = candidate.report.aic - best.report.aic;
     selection.aic_difference.push_back(difference);
     if (&candidate != &best && difference < 2.0) {
-      best.report.warnings.push_back(std::string("the data cannot tell ") + to_string(best.model) + " from " + to_string(candidate.model) +
-                                     " (AICc difference " + format_number(std::round(difference * 100.0) / 100.0) + ")");
+      best.report.warnings.push_back(std::string("the data cannot distinguish ") + to_string(best.model) + " from " +
+                                     to_string(candidate.model) + " (AICc difference " +
+                                     format_number(std::round(difference * 100.0) / 100.0) + ")");
     }
   }
   return selection;

@@ -17,7 +17,7 @@ std::invalid_argument unknown(std::string_view model, const char* expected) {
   return std::invalid_argument("model '" + std::string(model) + "': expected " + expected);
 }
 
-/// The radius that the ratio implies under each common law, in one sentence.
+/// A sentence with the radius that the ratio implies under each common law.
 std::string radii(const Estimate& ratio) {
   std::string text = "the ratio implies a contact radius of";
   const char* separator = " ";

@@ -34,10 +34,10 @@ std::vector<double> second_order_bias(const ResidualModel& model, const Solution
   std::vector<double> errors(free);
   for (std::size_t j = 0; j < free; ++j) {
     errors[j] = std::sqrt(std::max(covariance[j * free + j], 0.0));
-    // Without noise there is no bias, nor a step to difference with.
+    // Without noise there is no bias, and no step for the differences.
     if (!(errors[j] > 1e-10) || !std::isfinite(errors[j])) return std::vector<double>(free, 0.0);
   }
-  // tr(H V) of each residual, gathered parameter by parameter, so that a model is bent to each step once.
+  // tr(H V) of each residual, summed parameter by parameter, so that the model is evaluated once for each step.
   std::vector<double> traces(count, 0.0);
   std::vector<double> values = solution.values;
   std::vector<double> above(free);

@@ -27,7 +27,7 @@ class ChebyshevCurve {
   using Series = std::array<PlanePoint, terms>;
 
   ChebyshevCurve() = default;
-  /// The curve of one law; its derivative with respect to the shape is 0. Cost: 80 evaluations of the law, 160 where it fades before its rim.
+  /// The curve of one law; its derivative with respect to the shape is 0. Cost: 80 evaluations of the law, 160 if its pressure vanishes before the rim.
   explicit ChebyshevCurve(const PressureLaw& law);
 
   [[nodiscard]] double moment_ratio() const noexcept { return moment_ratio_; }
@@ -47,14 +47,14 @@ class ChebyshevCurve {
 
   std::array<Series, 2> value_{};
   std::array<Series, 2> slope_{};
-  std::array<std::size_t, 2> used_{terms, terms};  // terms that count, on each side
-  double split_ = 1.0;                             // s where the series meet, as a rule the rim
+  std::array<std::size_t, 2> used_{terms, terms};  // significant terms on each side
+  double split_ = 1.0;                             // s where the series meet, usually the rim
   double moment_ratio_ = 0.0;
   double moment_ratio_slope_ = 0.0;
 };
 
-/// A family of pressure laws with one shape parameter, as a Chebyshev tensor in the shape's coordinate and the place on
-/// the curve. Built at first use (20 to 70 ms, by the laws' own evaluators); immutable afterwards, shared by all threads.
+/// A family of pressure laws with one shape parameter, as a Chebyshev tensor in the shape's coordinate and the position on
+/// the curve. Built at first use (20 to 70 ms, with the laws' own evaluators); then immutable and shared by all threads.
 class ShapeFamily {
  public:
   /// p ∝ (1−ρ²)ⁿ, n ∈ [−0.75, 6]; coordinate log(n + 3/2). Error of the curve ≤ 1e-11.
@@ -64,12 +64,12 @@ class ShapeFamily {
 
   [[nodiscard]] double low() const noexcept { return low_; }    ///< least coordinate
   [[nodiscard]] double high() const noexcept { return high_; }  ///< largest coordinate
-  /// The law's own parameter at a coordinate, and its derivative; and the way back.
+  /// The law's own parameter at a coordinate, its derivative, and the inverse.
   [[nodiscard]] double parameter(double coordinate) const noexcept;
   [[nodiscard]] double parameter_slope(double coordinate) const noexcept;
   [[nodiscard]] double coordinate(double parameter) const noexcept;
 
-  /// The curve of one member, with its derivative. Cost: some 10 µs.
+  /// The curve of one member, with its derivative. Cost: about 10 µs.
   [[nodiscard]] ChebyshevCurve member(double coordinate) const noexcept;
 
  private:

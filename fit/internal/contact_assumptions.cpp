@@ -19,7 +19,7 @@ void check_assumptions(ContactFit& fit, std::span<const Sample> samples, const C
   Estimate gamma;
   double rms = 0.0;
   double spare = 0.0;
-  // With gamma free, where the loads tell it. What cannot be answered says nothing against the fit asked for.
+  // Gamma is free if the loads determine it. If this fit fails, the requested fit stands.
   for (const bool fit_gamma : {true, options.fit_gamma}) {
     robust.fit_gamma = fit_gamma;
     try {

@@ -10,17 +10,17 @@
 #include <string>
 #include <utility>
 
-/// What a fit to samples takes for granted, and whether the samples speak against it.
+/// The assumptions of a fit to samples, and tests of them.
 namespace limitcurve::fit::internal {
 
-/// The fit of one model; several to the same preparation can be compared.
+/// The fit of one model; fits to the same preparation can be compared.
 ContactFit fit_prepared(const ContactPreparation& preparation, const ContactModel& model, const ContactFitOptions& options);
 
-/// Tries what was assumed, that no row is a gross error and that the radius grows as P^gamma, by a fit with Cauchy's loss and
-/// gamma free. Adds outliers and warnings to the fit.
+/// Tests two assumptions, that no row is a gross error and that the radius is proportional to P^gamma, with a fit with Cauchy's loss and free
+/// gamma. Adds outliers and warnings to the fit.
 void check_assumptions(ContactFit& fit, std::span<const Sample> samples, const ContactModel& model, const ContactFitOptions& options);
 
-/// What a reader must know of any estimate: the model, and what was taken for granted.
+/// The note beside each estimate: the model and its assumptions.
 std::string note_of(const std::string& model, const ContactFitOptions& options, bool with_sigma);
 
 inline ContactFit& best_of(ContactFit& fit) noexcept {
@@ -30,8 +30,8 @@ inline ContactFit& best_of(LawSelection& selection) noexcept {
   return selection.candidates.front();
 }
 
-/// `fit(options)`, a ContactFit or LawSelection; where gross outliers leave the squared loss without an answer (a curve stretched
-/// to them is nearer to the rest than it should be), Cauchy's loss gives it, and a warning says so.
+/// Calls `fit(options)`, which returns a ContactFit or LawSelection. If gross outliers leave the squared loss without a solution, calls it with
+/// Cauchy's loss and adds a warning.
 template <class Fit>
 auto fit_or_outlive_outliers(const ContactFitOptions& options, const Fit& fit) {
   try {
@@ -44,7 +44,7 @@ auto fit_or_outlive_outliers(const ContactFitOptions& options, const Fit& fit) {
     try {
       found = fit(robust);
     } catch (const std::invalid_argument&) {
-      // Nor has it an answer: the first refusal counts.
+      // Cauchy's loss has no solution either: report the first error.
     }
     if (!found || best_of(*found).outliers.empty()) throw;
     best_of(*found).report.warnings.push_back(std::string("by the squared loss ") + refusal.what() +

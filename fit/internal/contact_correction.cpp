@@ -11,7 +11,7 @@ namespace limitcurve::fit::internal {
 
 namespace {
 
-/// Where the shape is in the parameters.
+/// Index of the shape among the parameters.
 constexpr std::size_t shape_place = 2;
 
 double variance_of_shape(std::span<const double> covariance, std::size_t free) noexcept {
@@ -68,7 +68,7 @@ double mean_shape_error(const FittedContact& fit, std::span<const double> covari
   double sum = 4.0 * curve.parameter_slope(fit.solution.values[shape_place]) * error;
   if (error == 0.0) return 0.0;
   for (const double sign : {-1.0, 1.0}) {
-    // The other parameters follow along the line that they trade off on.
+    // The other parameters follow the line of their correlation.
     std::vector<double> values = fit.solution.values;
     for (std::size_t j = 0; j < free; ++j) values[j] += sign * two_sided_95 * covariance[j * free + shape_place] / error;
     values[shape_place] = std::clamp(values[shape_place], curve.low(), curve.high());

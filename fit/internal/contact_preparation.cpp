@@ -16,7 +16,7 @@ namespace limitcurve::fit::internal {
 
 namespace {
 
-/// Whether the samples carry sigmas; throws at the first sample that is not fit to be fitted.
+/// Whether the samples have sigmas; throws at the first bad sample.
 bool check(std::span<const Sample> samples) {
   if (samples.empty()) throw std::invalid_argument("samples: expected at least one, got none");
   const bool with_sigma = samples.front().sigma_force > 0.0 || samples.front().sigma_moment > 0.0;
@@ -43,7 +43,7 @@ bool check(std::span<const Sample> samples) {
   return with_sigma;
 }
 
-/// With sigmas, a column that is all noise shows as such: its mean square is 1 to within five standard deviations of that mean.
+/// Whether a column with sigmas is all noise: its mean square is 1 to within five standard deviations of that mean.
 void check_signal(std::span<const Sample> samples) {
   double force = 0.0;
   double moment = 0.0;
@@ -59,11 +59,10 @@ void check_signal(std::span<const Sample> samples) {
     throw std::invalid_argument("not identifiable from these samples: mu_r (every moment is within its noise of 0: no twist at all)");
 }
 
-/// Starting values that gross errors in up to about half of the samples do not move, as a minimiser of a robust loss needs them: of the
-/// ellipses α f² + β m² = 1 through two samples each, f = F/P and m = M/P at the reference load, the one that the samples are nearest to
-/// in the sense of Σ e²/(e² + 0.1²), e = (q − 1)/(q + 1), q = αf² + βm²: near the ellipse e is the relative distance, and far off a sample counts
-/// alike inside and outside. One sample of a pair is of the half nearer to sliding, one of the half nearer to twisting, 12 places of each:
-/// at most 144 pairs.
+/// Starting values for a robust loss, which gross errors in up to about half of the samples do not move: of the ellipses α f² + β m² = 1 through
+/// two samples each, with f = F/P and m = M/P at the reference load, the one with the least Σ e²/(e² + 0.1²), e = (q − 1)/(q + 1),
+/// q = αf² + βm². Near the ellipse e is the relative distance; a distant sample has the same weight inside and outside. One sample of a pair is
+/// from the half nearer to sliding, one from the half nearer to twisting, 12 of each: at most 144 pairs.
 Limits starting_limits(std::span<const Sample> samples, double gamma, double reference_load) {
   struct Place {
     double angle;
@@ -77,10 +76,10 @@ Limits starting_limits(std::span<const Sample> samples, double gamma, double ref
     const double force = std::fabs(sample.force) / sample.load;
     const double moment = std::fabs(sample.moment) / sample.load * std::pow(sample.load / reference_load, -gamma);
     places.push_back({std::atan2(moment, force), force, moment});
-    // Samples too alike for a pair: the largest seen will do for a start.
+    // The samples are too similar for a pair: start from the largest values.
     best = {std::max(best.force, force), std::max(best.moment, moment)};
   }
-  // Whatever the order of the rows, the pairs are the same.
+  // The pairs do not depend on the order of the rows.
   std::sort(places.begin(), places.end());
   constexpr std::size_t most = 12;
   const std::size_t middle = (places.size() + 1) / 2;
@@ -157,7 +156,7 @@ bool is_exact(const ContactModel& model) {
 
 std::vector<Parameter> free_parameters(const UnitCurve& curve, const ContactLayout& layout, const ContactModel& model, Limits start) {
   const bool exact = is_exact(model);
-  // The logarithms' bounds are a factor of 1000 to either side of the start.
+  // The bounds are a factor of 1000 on either side of the start.
   constexpr double reach = 7.0;
   const double force = std::log(start.force);
   const double moment = std::log(start.moment);
@@ -173,7 +172,7 @@ Loss approach(const ContactResiduals& residuals, std::vector<Parameter>& paramet
   for (const Parameter& parameter : parameters) values.push_back(parameter.start);
   std::vector<double> distances(residuals.count());
   for (std::size_t i = 0; i < distances.size(); ++i) residuals.evaluate(i, values, distances[i], nullptr);
-  // What chance makes of a scatter of 1.
+  // Random range of a scatter of 1.
   constexpr double usual = 1.5;
   constexpr int most_passes = 20;
   double scatter = 1.4826 * median_size(distances);
@@ -197,8 +196,8 @@ ContactPreparation prepare(std::span<const Sample> samples, const ContactFitOpti
   for (const Sample& sample : samples) log_load += std::log(sample.load);
   preparation.reference_load = std::exp(log_load / static_cast<double>(samples.size()));
   preparation.start = starting_limits(samples, options.gamma, preparation.reference_load);
-  // Without sigmas the unit of error is the limit itself, which an ellipse tells well enough; a robust loss also needs to
-  // know what a usual error is, to which a quartic's misfit adds little: 1.4826 median |residual| estimates σ and does not see outliers.
+  // Without sigmas the unit of error is the limit itself, for which an ellipse is good enough. A robust loss also needs the typical error, to
+  // which the misfit of a quartic adds little: 1.4826 median |residual| estimates σ, insensitive to outliers.
   const bool robust = options.loss.kind != Loss::Kind::squared;
   const ContactModel shape{robust ? ContactModel::Kind::quartic : ContactModel::Kind::ellipse};
   const std::unique_ptr<UnitCurve> curve = make_curve(shape);

@@ -11,7 +11,7 @@ ContactResiduals::ContactResiduals(std::span<const WeightedSample> samples, Unit
     : samples_(samples), curve_(curve), layout_(layout), last_(samples.size(), -1.0), drift_(samples.size(), 0.0) {}
 
 /// The t where (sample − q)·q′ changes sign, from ≥ 0 at the slide's end to ≤ 0 at the twist's: secant steps within a bracket.
-/// The distance is stationary there, so that an error of 1e-9 in t is one of 1e-18 in it.
+/// The distance is stationary there, so an error of 1e-9 in t changes it by 1e-18.
 double ContactResiduals::closest(PlanePoint sample, PlanePoint scale, double start) const noexcept {
   const auto slope_at = [&](double t) {
     const UnitCurve::Place place = curve_.at(t);

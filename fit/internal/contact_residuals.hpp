@@ -10,16 +10,16 @@
 
 namespace limitcurve::fit::internal {
 
-/// Samples in units of their errors, as the residuals want them.
+/// Samples in units of their errors, as input of the residuals.
 struct WeightedSample {
   double force;        ///< |F|/σ_F
-  double moment;       ///< |M|/σ_M: the curve is symmetric, so that signs do not matter to the distance
+  double moment;       ///< |M|/σ_M; the curve is symmetric, so signs do not matter
   double load_force;   ///< P/σ_F
   double load_moment;  ///< P/σ_M
   double log_load;     ///< ln(P/P₀), P₀ the reference load
 };
 
-/// Which entries the parameter vector has; log μ and log μ_r come first.
+/// Layout of the parameter vector; log μ and log μ_r come first.
 struct ContactLayout {
   bool shape = false;
   bool gamma = false;
@@ -30,8 +30,8 @@ struct ContactLayout {
 
 /// Signed distance of each sample from the curve q(t) = (μ P x(t)/σ_F, μ_r P (P/P₀)^γ y(t)/σ_M), positive outside:
 ///   d = (sample − q(t*))·N, where N is the outward unit normal at the closest point t*.
-/// As t* minimises the distance, its own change does not count: ∂d/∂θ = −N·∂q/∂θ at fixed t*.
-/// Errors of variance σ² along a curve of curvature κ carry samples outwards by κσ²/2 on average; `expect_drift` takes that off.
+/// Because t* minimises the distance, its derivative vanishes: ∂d/∂θ = −N·∂q/∂θ at fixed t*.
+/// Errors of variance σ² along a curve of curvature κ move samples outwards by κσ²/2 on average; `expect_drift` subtracts that.
 class ContactResiduals final : public ResidualModel {
  public:
   ContactResiduals(std::span<const WeightedSample> samples, UnitCurve& curve, ContactLayout layout);

@@ -8,28 +8,28 @@
 
 namespace limitcurve::fit {
 
-/// A push of a patch that slid: the wrench that was applied [N, N m] and the displacement, both of the origin [m, rad].
+/// A push of a patch that slid: the applied wrench [N, N m] and the displacement [m, rad], both at the origin.
 struct Push {
   PatchWrench wrench;
   PatchTwist displacement;
 };
 
-/// What one push tells.
+/// The result of one push.
 struct PushFriction {
-  double share;      ///< of rotation in its motion, 0 to 1
-  double exact;      ///< power over P H, μ where the patch explains the push
-  double ellipsoid;  ///< power over that of the ellipsoid
+  double share;      ///< share of rotation in its motion, 0 to 1
+  double exact;      ///< power divided by P H; equals μ if the patch explains the push
+  double ellipsoid;  ///< power divided by that of the ellipsoid
 };
 
-/// For each push. Throws as `fit_friction`, but for their number.
+/// The results of all pushes. Throws like `fit_friction`, but accepts any number of pushes.
 std::vector<PushFriction> push_friction(const Patch& patch, std::span<const Push> pushes, double load);
 
-/// μ from power: W·T/(P H(T)) of every push, which must not depend on how much of the motion is rotation. The estimates are
+/// μ from power: W·T/(P H(T)) of every push, which must not depend on the share of rotation. The estimates are
 ///   mu        its mean; standard error from its scatter,
-///   drift     least-squares slope of μ over the share of rotation |ω|m₀/√(v² + ω²m₀²), v of the centre of pressure, divided by the mean,
-/// and mu_ellipsoid, drift_ellipsoid: the same with the ellipsoid √(v² + m₀²ω²) in place of H, v taken as (mx v_x, my v_y) if friction is
-/// orthotropic. `load` P [N]; with load 1, where it is not known, mu is μP [N]. Where all shares are equal drift is nan.
-/// Throws std::invalid_argument for fewer than 3 pushes, or one that does not move (it names it, counted from 1).
+///   drift     least-squares slope of μ against the share of rotation |ω|m₀/√(v² + ω²m₀²), v of the centre of pressure, divided by the mean,
+/// and mu_ellipsoid, drift_ellipsoid: the same with the ellipsoid √(v² + m₀²ω²) in place of H, with v = (mx v_x, my v_y) if friction is
+/// orthotropic. `load` P [N]; if it is unknown pass 1, and mu is μP [N]. drift is nan if all shares are equal.
+/// Throws std::invalid_argument for fewer than 3 pushes, or for a push that does not move (the message has its number, from 1).
 std::vector<Estimate> fit_friction(const Patch& patch, std::span<const Push> pushes, double load, const std::string& unit);
 
 }  // namespace limitcurve::fit

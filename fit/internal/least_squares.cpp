@@ -70,14 +70,14 @@ Influence influence(const Loss& loss, double residual) {
   return {residual, 1.0};
 }
 
-/// Ceres speaks through glog, which prints to standard error unless told otherwise; a library must not.
+/// Ceres logs through glog, which prints to standard error by default; a library must not do that.
 ceres::Solver::Options quiet_options(double tolerance) {
   ceres::Solver::Options options;
   options.logging_type = ceres::SILENT;
   options.minimizer_progress_to_stdout = false;
   options.linear_solver_type = ceres::DENSE_QR;
   options.max_num_iterations = 200;
-  // The defaults (1e-6, 1e-10, 1e-8) are not made for noise-free data, which are to be met to the last digits.
+  // The defaults (1e-6, 1e-10, 1e-8) are too coarse for noise-free data.
   options.function_tolerance = tolerance;
   options.gradient_tolerance = 1e-18;
   options.parameter_tolerance = 1e-14;
@@ -143,13 +143,13 @@ std::vector<double> covariance(const Solution& solution, std::span<const Paramet
   const auto count = static_cast<Eigen::Index>(solution.residuals.size());
   const Eigen::Map<const RowMatrix> jacobian(solution.jacobian.data(), count, free);
 
-  // Identifiability is judged with columns of unit length, so that units do not matter.
+  // The test of identifiability uses columns of unit length, so that units do not matter.
   Eigen::VectorXd length = jacobian.colwise().norm();
   constexpr double rank_threshold = 1e-9;
   const double longest = length.maxCoeff();
   std::string names;
   for (Eigen::Index j = 0; j < free; ++j) {
-    // No residual moves with it, but for rounding (parameters are logarithms or of order one).
+    // No residual depends on it, except by rounding (parameters are logarithms or of order one).
     if (!(length[j] > rank_threshold * longest)) names += (names.empty() ? "" : ", ") + parameters[static_cast<std::size_t>(j)].name;
   }
   if (!names.empty()) throw std::invalid_argument("not identifiable from these samples: " + names);
@@ -159,7 +159,7 @@ std::vector<double> covariance(const Solution& solution, std::span<const Paramet
   const bool too_few = count < free;
   if (too_few || !(svd.singularValues()[free - 1] > rank_threshold * largest)) {
     for (Eigen::Index j = 0; j < free; ++j) {
-      // The direction that costs nothing: its large components are what cannot be told.
+      // The direction without effect on the cost: its large components are the undetermined parameters.
       if (too_few || std::abs(svd.matrixV()(j, free - 1)) > 0.1)
         names += (names.empty() ? "" : ", ") + parameters[static_cast<std::size_t>(j)].name;
     }

@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
-/// The one door to Ceres: no other file of the module knows it.
+/// The interface to Ceres; no other file of the module includes it.
 namespace limitcurve::fit::internal {
 
-/// A model with one residual a sample and its analytic gradient. Called from one thread, many times with the same
-/// parameters in a row, so that a model may keep what depends on the parameters alone.
+/// A model with one residual a sample and its analytic gradient. Called from one thread, many times in a row with the same
+/// parameters, so that a model may cache values that depend only on them.
 class ResidualModel {
  public:
   virtual ~ResidualModel() = default;
@@ -21,7 +21,7 @@ class ResidualModel {
   virtual bool evaluate(std::size_t i, std::span<const double> parameters, double& residual, double* gradient) const = 0;
 };
 
-/// A free parameter: where to begin and the bounds that keep it physical. With low = high it stays there.
+/// A free parameter: its start and its physical bounds. With low = high it is fixed.
 struct Parameter {
   std::string name;
   double start;
@@ -41,8 +41,8 @@ struct Solution {
   std::string message;
 };
 
-/// Relative change of the cost at which an iteration is the last. The parameters are then within about its root, times that of
-/// the number of samples, of their standard errors; without noise they are met to rounding in any case.
+/// Relative change of the cost that ends the iteration. The error of the parameters is then about its root, times the root of the number of
+/// samples, in standard errors; without noise they are exact to rounding in any case.
 inline constexpr double fine_tolerance = 1e-14;
 inline constexpr double coarse_tolerance = 1e-7;
 
@@ -50,13 +50,13 @@ inline constexpr double coarse_tolerance = 1e-7;
 Solution minimise(const ResidualModel& model, std::span<const Parameter> parameters, const Loss& loss = {},
                   double tolerance = fine_tolerance);
 
-/// ½ Σ loss(residual²) by another loss than was minimised.
+/// ½ Σ loss(residual²) with a loss that may differ from the minimised one.
 double cost_of(const Solution& solution, const Loss& loss);
 
 /// Covariance of the parameters, row by row: (JᵀJ)⁻¹ for plain least squares, the sandwich
 /// (Σψ′ggᵀ)⁻¹ (Σψ²ggᵀ) (Σψ′ggᵀ)⁻¹ for a robust loss. `variance` is that of one residual (1 if residuals are already in
-/// units of their standard deviation). Throws std::invalid_argument naming the parameters that the samples leave
-/// undetermined: a column of the Jacobian, or a singular value of it with columns of unit length, below 1e-9 of the largest.
+/// units of their standard deviation). Throws std::invalid_argument with the names of the parameters that the samples do not
+/// determine: a column of the Jacobian, or a singular value of it with columns of unit length, below 1e-9 of the largest.
 std::vector<double> covariance(const Solution& solution, std::span<const Parameter> parameters, const Loss& loss, double variance);
 
 }  // namespace limitcurve::fit::internal

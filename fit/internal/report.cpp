@@ -65,7 +65,7 @@ double akaike(double cost, std::size_t residuals, std::size_t free_parameters, b
   const double p = static_cast<double>(free_parameters) + (known_variance ? 0.0 : 1.0);
   const double chi_square = std::max(2.0 * cost, n * perfect * perfect);
   const double misfit = known_variance ? chi_square : n * std::log(chi_square / n);
-  // The correction has no meaning for as few samples as parameters; plain AIC then.
+  // The correction is undefined if there are as few samples as parameters; use plain AIC.
   const double few = n - p - 1.0 > 0.0 ? 2.0 * p * (p + 1.0) / (n - p - 1.0) : 0.0;
   return misfit + 2.0 * p + few;
 }

@@ -22,7 +22,7 @@ double root_mean_square(std::span<const double> residuals) noexcept;
 /// Median of the absolute values; values must not be empty.
 double median_size(std::vector<double> values);
 
-/// Variance of one residual as its scatter shows it: Σr²/(N − p), 0 if N = p.
+/// Variance of one residual from the scatter: Σr²/(N − p), 0 if N = p.
 double residual_variance(const Solution& solution) noexcept;
 
 /// Copies counts, convergence, message and rms of the solution into the report.
@@ -33,11 +33,11 @@ void describe(FitReport& report, const Solution& solution);
 void set_estimates(FitReport& report, std::span<const Quantity> quantities, std::span<const double> jacobian,
                    std::span<const double> covariance);
 
-/// Residuals, in units of the limits or of standard deviations, that are nothing but rounding: the curves are exact to 1e-11.
+/// Residuals below this, in units of the limits or of standard deviations, are rounding: the curves are exact to 1e-11.
 inline constexpr double perfect = 1e-10;
 
 /// AICc of a fit whose residuals r have known unit variance (`known_variance`), χ² + 2p + …, or a common unknown one, N log(χ²/N) + 2(p+1) + ….
-/// `cost` is ½ Σ loss(r²). Residuals below `perfect` count as that: fits that are perfect differ by their parameters alone.
+/// `cost` is ½ Σ loss(r²). Residuals below `perfect` count as `perfect`: perfect fits then differ only in their number of parameters.
 double akaike(double cost, std::size_t residuals, std::size_t free_parameters, bool known_variance) noexcept;
 
 }  // namespace limitcurve::fit::internal

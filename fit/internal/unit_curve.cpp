@@ -38,7 +38,7 @@ class PolarCurve : public UnitCurve {
  private:
   static constexpr double quarter_turn = 1.5707963267948966;
   static PlanePoint ray_at(double t) noexcept {
-    // cos(π/2) is not quite 0, and powers of a negative are not numbers.
+    // cos(π/2) may be slightly negative, and its powers would be NaN.
     return {std::fmax(std::cos(quarter_turn * t), 0.0), std::sin(quarter_turn * t)};
   }
 };

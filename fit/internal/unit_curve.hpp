@@ -8,8 +8,8 @@
 
 namespace limitcurve::fit::internal {
 
-/// A family of convex curves from (1, 0) to (0, 1) in the normalised plane, run through by t ∈ [0, 1] from pure slide to
-/// pure twist, with at most one shape parameter. What the sample fits know of a limit curve.
+/// A family of convex curves from (1, 0) to (0, 1) in the normalised plane, parametrised by t ∈ [0, 1] from pure slide to
+/// pure twist, with at most one shape parameter. The sample fits use a limit curve only through this interface.
 class UnitCurve {
  public:
   struct Place {
@@ -19,17 +19,17 @@ class UnitCurve {
 
   virtual ~UnitCurve() = default;
 
-  /// The shape parameter's name, "" if there is none, and in a coordinate that suits a minimiser: bounds, start, the way back.
+  /// The shape parameter's name ("" if there is none), and, in a coordinate for the minimiser, its bounds, its start and the inverse.
   [[nodiscard]] virtual std::string shape_name() const { return {}; }
   [[nodiscard]] virtual double low() const noexcept { return 0.0; }
   [[nodiscard]] virtual double high() const noexcept { return 0.0; }
   [[nodiscard]] virtual double start() const noexcept { return 0.0; }
   [[nodiscard]] virtual double parameter(double coordinate) const noexcept { return coordinate; }
   [[nodiscard]] virtual double parameter_slope(double) const noexcept { return 1.0; }
-  /// Whether the coordinate is a logarithm of the parameter, up to a shift (else it is the parameter itself).
+  /// Whether the coordinate is a logarithm of the parameter, up to a shift (otherwise it is the parameter itself).
   [[nodiscard]] virtual bool is_logarithmic() const noexcept { return false; }
 
-  /// Bends the curve to a shape coordinate. What follows is of that shape.
+  /// Sets the shape coordinate for the calls that follow.
   virtual void bend(double) noexcept {}
   [[nodiscard]] virtual Place at(double t) const noexcept = 0;
   /// d(point)/d(shape coordinate) at fixed t.
@@ -37,7 +37,7 @@ class UnitCurve {
   /// t of the curve's point near the ray through (x, y).
   [[nodiscard]] virtual double guess(PlanePoint ray) const noexcept = 0;
 
-  /// m₀ and dm₀/d(shape coordinate) where the curve is that of a law, else 0: then nothing is known of a radius.
+  /// m₀ and dm₀/d(shape coordinate) if the curve belongs to a law; otherwise 0, and no radius is known.
   [[nodiscard]] virtual double moment_ratio() const noexcept { return 0.0; }
   [[nodiscard]] virtual double moment_ratio_slope() const noexcept { return 0.0; }
 };

@@ -33,7 +33,7 @@ std::string brief(double value) {
 std::vector<std::size_t> outliers_of(const Solution& robust, bool with_sigma, double noise) {
   const auto count = static_cast<double>(robust.residuals.size());
   const double spare = count - static_cast<double>(robust.values.size());
-  // With fewer to spare most rows lie on the curve, and the others look gross.
+  // With fewer spare rows most rows lie on the curve, and the others would look gross.
   if (spare < 3.0) return {};
   double scatter = 1.4826 * (1.0 + 5.0 / spare) * median_size(robust.residuals);
   if (with_sigma) scatter = std::max(scatter, 1.0);
@@ -56,11 +56,11 @@ void warn_of_outliers(FitReport& report, const std::vector<std::size_t>& outlier
 
 void warn_of_growth(FitReport& report, double assumed, const Estimate& gamma, double spare, double rms) {
   const double difference = std::fabs(gamma.value - assumed);
-  // The last digits of exact data are no growth.
+  // Ignore the last digits of exact data.
   if (!(spare > 0.0) || difference < 1e-6) return;
   const double rare = boost::math::quantile(boost::math::students_t(spare), 1.0 - 0.5 / 2000.0);
   if (!(difference > rare * gamma.std_error)) return;
-  // Gross outliers may hide what is gained.
+  // Gross outliers may hide the gain.
   const std::string gain = rms < report.rms ? ": rms " + brief(rms) + " instead of " + brief(report.rms) : "";
   report.warnings.push_back("gamma = " + format_number(assumed) + " was assumed, but " + brief(gamma.value) + " +- " +
                             brief(gamma.std_error) + " explains the samples better" + gain + "; fit gamma too");
