@@ -9,7 +9,7 @@ using namespace limitcurve::godobject;
 
 namespace {
 
-// The caller's bytes are the library's states.
+// The caller's bytes have the values of the library's states.
 static_assert(std::is_same_v<std::underlying_type_t<ContactState>, std::uint8_t>);
 
 template <class Real, class Contacts>

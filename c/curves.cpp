@@ -17,7 +17,7 @@ namespace {
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
-/// True if an array of COR distances, or an array to write to, is not what it should be.
+/// True if an array of COR distances, or an output array, is bad.
 bool refuse_arrays(const double* cors, std::size_t count, const double* forces, const double* moments) noexcept {
   if (count == 0) return false;
   if (is_missing("cors", cors) || is_missing("forces", forces) || is_missing("moments", moments)) return true;

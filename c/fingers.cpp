@@ -56,7 +56,7 @@ bool is_limit(double force, double radius) noexcept {
   return force >= 0.0 && std::isfinite(force) && radius > 0.0 && std::isfinite(radius);
 }
 
-/// What friction is to act on, checked; a static text of what is wrong otherwise.
+/// Checks the friction limits; a static text names the error.
 const char* fault_of(const limitcurve_limits& limits, double force, double moment, const limitcurve_memory& memory) noexcept {
   if (!is_limit(limits.force, limits.radius) || !is_limit(limits.sliding_force, limits.sliding_radius))
     return "expected finite forces >= 0 and radii > 0";

@@ -44,7 +44,7 @@ namespace {
 
 std::mutex mutex;
 std::unordered_set<const void*>& living() {
-  static auto* const handles = new std::unordered_set<const void*>;  // for as long as anybody may free a handle
+  static auto* const handles = new std::unordered_set<const void*>;  // never destroyed: handles may be freed at exit
   return *handles;
 }
 

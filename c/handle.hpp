@@ -8,16 +8,16 @@
 #include <stdexcept>
 #include <utility>
 
-/// What every function of the C interface does with errors and handles.
+/// Errors and handles, for every function of the C interface.
 namespace limitcurve::c {
 
-/// Keeps the message for limitcurve_error(), cut to the thread's fixed buffer. No allocation.
+/// Stores the message for limitcurve_error(), truncated to the thread's fixed buffer. No allocation.
 limitcurve_status complain(limitcurve_status status, const char* message) noexcept;
 /// "NAME: WHAT", "NAME[INDEX]: got VALUE, expected EXPECTED". No allocation.
 limitcurve_status refuse(const char* name, const char* what) noexcept;
 limitcurve_status refuse(const char* name, std::size_t index, double value, const char* expected) noexcept;
 
-/// Runs `work`; what it throws becomes a status and a message.
+/// Runs `work`; turns exceptions into a status and a message.
 template <class Work>
 limitcurve_status guarded(const Work& work) noexcept {
   try {
@@ -41,13 +41,13 @@ inline bool is_alive(const void*) noexcept {
   return true;
 }
 #else
-/// The handles that live. Without NDEBUG only, for it takes a lock.
+/// The set of live handles; only without NDEBUG, because it takes a lock.
 void remember(const void* handle) noexcept;
 void forget(const void* handle) noexcept;
 bool is_alive(const void* handle) noexcept;
 #endif
 
-/// What is wrong with a pointer that the caller gave for `name`: kept for limitcurve_error(), and true.
+/// Returns true, and stores a message for limitcurve_error(), if the caller's pointer for `name` is bad.
 inline bool is_missing(const char* name, const void* pointer) noexcept {
   if (pointer != nullptr) return false;
   refuse(name, "got NULL");
@@ -60,7 +60,7 @@ inline bool is_no_handle(const char* name, const void* handle) noexcept {
   return true;
 }
 
-/// Makes a handle and hands it over. `make` returns the handle's contents.
+/// Creates a handle for the caller. `make` returns the handle's contents.
 template <class Handle, class Make>
 limitcurve_status make_handle(Handle** handle, const Make& make) noexcept {
   if (is_missing("result", handle)) return LIMITCURVE_INVALID;

@@ -15,7 +15,7 @@
 #include <string>
 #include <variant>
 
-/// What the handles of the C interface hold.
+/// Contents of the handles of the C interface.
 struct limitcurve_law {
   limitcurve::Law law;
   std::string name;
@@ -23,7 +23,7 @@ struct limitcurve_law {
 
 struct limitcurve_table {
   limitcurve::godobject::FingerCurve curve;
-  std::optional<limitcurve::Table> table = {};  ///< of an ellipse or a box nothing
+  std::optional<limitcurve::Table> table = {};  ///< empty for an ellipse or a box
   std::string csv = {};
 };
 
@@ -41,7 +41,7 @@ struct limitcurve_patch {
 
 namespace limitcurve::c {
 
-/// The parameters in the library's own type; throws what they are refused for.
+/// Converts the parameters to the library's type; throws if they are refused.
 godobject::FingerParameters parameters_of(const limitcurve_finger_parameters& given);
 godobject::Projection projection_of(limitcurve_projection projection);
 

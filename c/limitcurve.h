@@ -2,26 +2,26 @@
 #ifndef LIMITCURVE_H
 #define LIMITCURVE_H
 
-/* limitcurve for C and for every language that calls C: friction limit curves of soft fingers, and a god-object that obeys them.
+/* limitcurve for C and for every language that calls C: friction limit curves of soft fingers, and a soft-finger god-object.
  * C99. Link with liblimitcurve-c. README.md beside this header has an example, and the declarations for C#.
  *
  * Units are SI: m, rad, N, N m, s. A unit wrench is a force in units of mu P and a moment in units of mu P a (friction coefficient mu,
  * load P, contact radius a), both magnitudes >= 0. A centre of rotation (COR) is given by its distance from the contact's centre.
  *
- * Errors. A function that can fail returns a limitcurve_status: those of the command line's exit codes. If it is not LIMITCURVE_OK, nothing
- * was written through the caller's pointers, and limitcurve_error() has a line that names the argument, its value and what is expected. No
- * exception crosses this interface. NULL where a handle, a text or an array is expected is LIMITCURVE_INVALID; arrays of length 0 may be NULL.
+ * Errors. A function that can fail returns a limitcurve_status, with the values of the command line's exit codes. If it is not LIMITCURVE_OK,
+ * nothing was written through the caller's pointers, and limitcurve_error() has a line with the argument, its value and the expected values. No
+ * exception crosses this interface. NULL in place of a handle, a text or an array is LIMITCURVE_INVALID; arrays of length 0 may be NULL.
  *
- * Ownership. A handle that a function makes belongs to the caller, who frees it once, by the function of its kind (NULL is ignored). Texts and
- * arrays that the caller passes are read during the call only. Texts that a function returns belong to their handle. A handle needs none of
- * those that it was made from: these may be freed before it. A library built without NDEBUG refuses handles that were freed.
+ * Ownership. The caller owns the handles that functions create, and frees each once with the function of its kind (NULL is ignored). The
+ * library reads the caller's texts and arrays only during the call. Texts that a function returns belong to their handle. A handle stays valid
+ * if the handles that it was made from are freed. A library built without NDEBUG refuses freed handles.
  *
- * Threads. Laws, tables, batches, patches and fits do not change: any number of threads may use one at a time. A finger is for one thread at
- * a time; distinct fingers need no lock. Errors are per thread.
+ * Threads. Laws, tables, batches, patches and fits are immutable: any number of threads may share them. Use a finger from one thread at a
+ * time; distinct fingers need no lock. Errors are per thread.
  *
- * Real time. Functions marked [real time] take bounded time, and neither allocate nor lock nor throw. All others are for before or after
- * the loop. An error's text lies in thread-local storage, which the first error of a thread may allocate where the library was
- * loaded by dlopen: call limitcurve_error() once in each thread before its loop. */
+ * Real time. Functions marked [real time] take bounded time, and do not allocate, lock or throw. Call all others before or after the loop.
+ * The text of an error is in thread-local storage. If the library was loaded by dlopen, the first error of a thread may allocate it: call
+ * limitcurve_error() once in each thread before its loop. */
 
 #include <stddef.h>
 #include <stdint.h>
@@ -44,7 +44,7 @@ typedef enum limitcurve_status {
   LIMITCURVE_INVALID = 2 /* an argument is wrong */
 } limitcurve_status;
 
-/* What went wrong in the last call of this thread that failed, in one line; "" before the first. Valid until this thread's next failure. */
+/* One line about the last call of this thread that failed; "" before the first. Valid until this thread's next failure. */
 LIMITCURVE_API const char* limitcurve_error(void);
 
 /* "MAJOR.MINOR.PATCH". */
@@ -54,16 +54,18 @@ LIMITCURVE_API const char* limitcurve_version(void);
 
 typedef struct limitcurve_law limitcurve_law;
 
-/* A law in the command line's words: "hertz", "uniform", "power:n=2.3", "mix:0.7*hertz+0.3*uniform"; measured ones by limitcurve_law_samples. */
+/* A law in the command line's grammar: "hertz", "uniform", "power:n=2.3", "mix:0.7*hertz+0.3*uniform"; for a measured one use
+ * limitcurve_law_samples. */
 LIMITCURVE_API limitcurve_status limitcurve_law_parse(const char* text, limitcurve_law** law);
 
-/* A measured profile: pressures (any unit) at `count` >= 4 increasing radii (any unit), the last of which is the contact's edge. `source` names it. */
+/* A measured profile: pressures (any unit) at `count` >= 4 increasing radii (any unit); the last radius is the contact's edge. `source` is its
+ * name. */
 LIMITCURVE_API limitcurve_status limitcurve_law_samples(const double* radii, const double* pressures, size_t count, const char* source,
                                                         limitcurve_law** law);
 
 LIMITCURVE_API void limitcurve_law_free(limitcurve_law* law);
 
-/* The law in words; NULL for NULL. */
+/* The law's name; NULL for NULL. */
 LIMITCURVE_API const char* limitcurve_law_name(const limitcurve_law* law);
 
 /* m0: the unit moment of a pure twist. */
@@ -76,23 +78,23 @@ LIMITCURVE_API limitcurve_status limitcurve_law_evaluate(const limitcurve_law* l
 
 /* ---- Limit curves that drive a finger ---- */
 
-/* A limit curve that a loop can read: the table of a law, or an ellipse or a box in its place. */
+/* A limit curve for a loop: the table of a law, or an ellipse or a box in its place. */
 typedef struct limitcurve_table limitcurve_table;
 
-/* The table of `law` whose force and moment are off by at most tolerance * max(1, m0), tolerance in [1e-14, 0.1]. Milliseconds in closed form, up
- * to seconds by quadrature. */
+/* The table of `law` with an error of force and moment of at most tolerance * max(1, m0), tolerance in [1e-14, 0.1]. Milliseconds in closed
+ * form, up to seconds by quadrature. */
 LIMITCURVE_API limitcurve_status limitcurve_table_build(const limitcurve_law* law, double tolerance, limitcurve_table** table);
 
 /* The ellipse with these semi-axes, in unit wrenches: (1, m0) is the usual one. */
 LIMITCURVE_API limitcurve_status limitcurve_table_ellipse(double force_max, double moment_max, limitcurve_table** table);
 
-/* Force and moment limited each on its own; with LIMITCURVE_CLOSEST_POINT only. */
+/* Separate limits of force and moment; only with LIMITCURVE_CLOSEST_POINT. */
 LIMITCURVE_API limitcurve_status limitcurve_table_box(double force_max, double moment_max, limitcurve_table** table);
 
-/* Reads what `limitcurve table -o FILE.csv` or limitcurve_table_csv wrote. `source` names the text in complaints. */
+/* Reads a table from `limitcurve table -o FILE.csv` or limitcurve_table_csv. Error messages call the text `source`. */
 LIMITCURVE_API limitcurve_status limitcurve_table_read_csv(const char* text, size_t length, const char* source, limitcurve_table** table);
 
-/* The table as CSV. NULL for an ellipse or a box, or if there is no memory for it. */
+/* The table as CSV. NULL for an ellipse or a box, or without memory. */
 LIMITCURVE_API const char* limitcurve_table_csv(const limitcurve_table* table);
 
 LIMITCURVE_API void limitcurve_table_free(limitcurve_table* table);
@@ -107,91 +109,91 @@ LIMITCURVE_API limitcurve_status limitcurve_table_bytes(const limitcurve_table* 
 LIMITCURVE_API limitcurve_status limitcurve_table_evaluate(const limitcurve_table* table, const double* cors, size_t count, double* forces,
                                                            double* moments);
 
-/* How far unit wrenches are from the origin, as a share of the curve on the same ray: < 1 holds, > 1 slips. Forces and moments are finite and
- * >= 0. [real time] */
+/* Distance of unit wrenches from the origin divided by that of the curve on the same ray: < 1 holds, > 1 slips. Forces and moments are finite
+ * and >= 0. [real time] */
 LIMITCURVE_API limitcurve_status limitcurve_table_gauge(const limitcurve_table* table, const double* forces, const double* moments,
                                                         size_t count, double* gauges);
 
 /* ---- Friction ---- */
 
-/* How a wrench beyond the limit curve is brought back on to it. */
+/* How a wrench outside the limit curve moves back onto it. */
 typedef enum limitcurve_projection {
   LIMITCURVE_RADIAL = 0,
   LIMITCURVE_C_CURVE = 1,
-  LIMITCURVE_CLOSEST_POINT = 2 /* maximum dissipation: settles at the wrench of the slip. The one to take */
+  LIMITCURVE_CLOSEST_POINT = 2 /* maximum dissipation: settles at the wrench of the slip. Recommended */
 } limitcurve_projection;
 
-/* What friction acts on, at the present load. */
+/* Friction limits at the present load. */
 typedef struct limitcurve_limits {
   double force;             /* at rest: mu P [N] >= 0 ... */
   double radius;            /* ... and a [m] > 0: the unit curve grows by force, and by force * radius */
   double sliding_force;     /* while it slips: not larger than at rest */
   double sliding_radius;    /* likewise */
   double stiffness_ratio;   /* k_l/k_r of the springs [1/m^2] > 0 */
-  double force_rest_share;  /* in [0, 1]: a contact that slides comes to rest where its trial is within this share of the sliding limit, ... */
-  double moment_rest_share; /* ... or this one, if it is smaller; on a box force and moment each within its own. 1: at once */
+  double force_rest_share;  /* in [0, 1]: a sliding contact comes to rest when its trial is within this share of the sliding limit, ... */
+  double moment_rest_share; /* ... or this one, if it is smaller; on a box force and moment each have their own. 1: at once */
 } limitcurve_limits;
 
-/* What friction remembers of a contact; all 0 to begin with. */
+/* State of a contact's friction between steps; all 0 at first. */
 typedef struct limitcurve_memory {
   double parameter;
   double rate;
-  int slides; /* the sliding limit acts; on a box: of the force */
-  int turns;  /* on a box: of the moment */
+  int slides; /* the sliding limit acts; on a box: that of the force */
+  int turns;  /* on a box: that of the moment acts */
 } limitcurve_memory;
 
 typedef struct limitcurve_friction {
-  double force_ratio;  /* what the limit leaves of the trial's force, in [0, 1] */
+  double force_ratio;  /* fraction of the trial's force within the limit, in [0, 1] */
   double moment_ratio; /* likewise */
-  double cor;          /* of the slip [m], inf for pure sliding; NaN where it sticks */
+  double cor;          /* of the slip [m], inf for pure sliding; NaN if it sticks */
   int slips;           /* in this step */
 } limitcurve_friction;
 
-/* What a simulator needs that has springs of its own: what part of a trial force [N] and moment [N m], both finite and >= 0, the limit
- * leaves. LIMITCURVE_C_CURVE is radial here, where no radius law is given. [real time] */
+/* For simulators with springs of their own: the fraction of a trial force [N] and moment [N m], both finite and >= 0, within the friction
+ * limit. LIMITCURVE_C_CURVE is radial here, because there is no radius law. [real time] */
 LIMITCURVE_API limitcurve_status limitcurve_apply_friction(const limitcurve_table* table, limitcurve_projection projection,
                                                            const limitcurve_limits* limits, double force, double moment,
                                                            limitcurve_memory* memory, limitcurve_friction* friction);
 
 /* ---- Fingers ---- */
 
-/* What a finger is made of. Begin with limitcurve_finger_defaults. */
+/* Parameters of a finger. Start from limitcurve_finger_defaults. */
 typedef struct limitcurve_finger_parameters {
   double mu;                 /* coefficient of static friction >= 0 */
   double mu_dynamic;         /* while slipping, in [0, mu]; NaN: mu */
   const char* radius_law;    /* a(P): "constant:a=0.005", "hertz:R=0.008,E=2e5", "power:c=0.00207,gamma=0.259"; read by the call only */
-  double moment_coefficient; /* mu_r [m/N^gamma] >= 0: the moment limit is mu_r P^(1+gamma) whatever the radius law; NaN: none */
+  double moment_coefficient; /* mu_r [m/N^gamma] >= 0: the moment limit is mu_r P^(1+gamma), in place of the radius law's; NaN: none */
   double moment_exponent;    /* gamma, in [-0.5, 1] */
   double moment_coefficient_dynamic; /* while slipping; NaN: mu_r mu_d/mu */
   double stiffness;                  /* k_l [N/m] > 0, normal and tangential */
   double twist_stiffness;            /* k_r [N m/rad] > 0 */
   double damping;                    /* b_l [N s/m] >= 0 */
   double twist_damping;              /* b_r [N m s/rad] >= 0 */
-  double rest_margin;                /* how far within the dynamic limit a sliding finger comes to rest, >= 0 */
-  double max_displacement;           /* between two samples [m]; more is refused once, as invalid */
-  double fault_decay;                /* of load, force and moment from one invalid sample to the next, in [0, 1] */
+  double rest_margin;                /* margin below the dynamic limit at which a sliding finger comes to rest, >= 0 */
+  double max_displacement;           /* between two samples [m]; a larger jump is invalid once */
+  double fault_decay;                /* factor of load, force and moment from one invalid sample to the next, in [0, 1] */
 } limitcurve_finger_parameters;
 
 LIMITCURVE_API limitcurve_finger_parameters limitcurve_finger_defaults(void);
 
 typedef enum limitcurve_state {
-  LIMITCURVE_FREE = 0,  /* not touching */
-  LIMITCURVE_STICK = 1, /* touching, the proxy rests */
-  LIMITCURVE_SLIP = 2,  /* touching, the proxy slid in this step */
-  LIMITCURVE_FAULT = 3  /* the input was not usable: the last good output is held, and fades */
+  LIMITCURVE_FREE = 0,  /* no contact */
+  LIMITCURVE_STICK = 1, /* in contact, the proxy rests */
+  LIMITCURVE_SLIP = 2,  /* in contact, the proxy slid in this step */
+  LIMITCURVE_FAULT = 3  /* bad input: the last good output is held, and fades */
 } limitcurve_state;
 
-/* Where a finger touches a surface. */
+/* A contact of a finger with a surface. */
 typedef struct limitcurve_contact {
-  double point[3];  /* of the surface, nearest the finger [m] */
+  double point[3];  /* point of the surface nearest to the finger [m] */
   double normal[3]; /* outward, of unit length */
-  double depth;     /* of the finger beneath the surface [m]; <= 0 outside */
+  double depth;     /* of the finger below the surface [m]; <= 0 outside */
   double twist;     /* of the device about the normal [rad]; may wrap around */
 } limitcurve_contact;
 
-/* What a step gives. The user feels normal * load + force, and moment about the normal. */
+/* Result of a step. The rendered force is normal * load + force, the rendered moment is about the normal. */
 typedef struct limitcurve_finger_output {
-  double proxy[3]; /* where the proxy is [m] */
+  double proxy[3]; /* position of the proxy [m] */
   double angle;    /* of the proxy [rad] */
   double depth;    /* [m] */
   double normal[3];
@@ -209,27 +211,27 @@ typedef struct limitcurve_patch limitcurve_patch;
 LIMITCURVE_API limitcurve_status limitcurve_finger_new(const limitcurve_table* table, const limitcurve_finger_parameters* parameters,
                                                        limitcurve_projection projection, limitcurve_finger** finger);
 
-/* A finger whose contact is not round; its radius law is not used. `point_radius` [m] is that of a patch's points; 0 for the least. */
+/* A finger with a contact that is not round; the radius law is not used. `point_radius` [m] is given to the points of a patch; 0 is the least. */
 LIMITCURVE_API limitcurve_status limitcurve_finger_new_patch(const limitcurve_patch* patch, const limitcurve_finger_parameters* parameters,
                                                              double point_radius, limitcurve_finger** finger);
 
 LIMITCURVE_API void limitcurve_finger_free(limitcurve_finger* finger);
 
-/* One step. `time_step` [s] since the last one: dampers act over it; 0 without. What is not finite, a normal that is not of unit length, a leap
- * or a time step < 0 is no error but the state LIMITCURVE_FAULT. [real time] */
+/* One step. `time_step` [s] since the last step is for the dampers; 0 without. A value that is not finite, a normal that is not of unit length,
+ * a jump or a time step < 0 is no error; it gives the state LIMITCURVE_FAULT. [real time] */
 LIMITCURVE_API limitcurve_status limitcurve_finger_update(limitcurve_finger* finger, const limitcurve_contact* contact, double time_step,
                                                           limitcurve_finger_output* output);
 
-/* Back to a finger that has touched nothing. [real time] */
+/* Back to the state before any contact. [real time] */
 LIMITCURVE_API limitcurve_status limitcurve_finger_reset(limitcurve_finger* finger);
 
-/* How far the finger is from slipping, from 1 (no friction) to 0 (slips), and the least load [N] that would hold its friction. Either may be
+/* Distance to slip, from 1 (no friction) to 0 (slips), and the least load [N] that would hold the present friction. Either may be
  * NULL. [real time] */
 LIMITCURVE_API limitcurve_status limitcurve_finger_margin(const limitcurve_finger* finger, double* margin, double* load_to_hold);
 
 /* ---- Many contacts at once ---- */
 
-/* Contacts in arrays of one length that do not overlap, each contact in its own tangent plane. The caller's; all 0 to begin with. */
+/* Contacts in arrays of one length that do not overlap, each contact in its own tangent plane. The caller owns the arrays; all 0 at first. */
 typedef struct limitcurve_contacts {
   const double* x; /* the finger [m], up to 1e6 */
   const double* y;
@@ -269,7 +271,7 @@ typedef struct limitcurve_contacts_float {
 
 typedef struct limitcurve_batch limitcurve_batch;
 
-/* A step for contacts that share curve and parameters, of which it uses friction, radius law and stiffnesses. For double. */
+/* A step for contacts that share curve and parameters; it uses friction, radius law and stiffnesses. For double. */
 LIMITCURVE_API limitcurve_status limitcurve_batch_new(const limitcurve_table* table, const limitcurve_finger_parameters* parameters,
                                                       limitcurve_projection projection, limitcurve_batch** batch);
 
@@ -280,7 +282,7 @@ LIMITCURVE_API limitcurve_status limitcurve_batch_new_float(const limitcurve_law
 
 LIMITCURVE_API void limitcurve_batch_free(limitcurve_batch* batch);
 
-/* Steps `count` contacts. Threads may share a batch, each with other parts of the arrays. A batch made for the other precision is refused.
+/* Steps `count` contacts. Threads may share a batch, each with its own part of the arrays. A batch made for the other precision is refused.
  * [real time] */
 LIMITCURVE_API limitcurve_status limitcurve_batch_step(const limitcurve_batch* batch, const limitcurve_contacts* contacts, size_t count);
 LIMITCURVE_API limitcurve_status limitcurve_batch_step_float(const limitcurve_batch* batch, const limitcurve_contacts_float* contacts,
@@ -288,26 +290,26 @@ LIMITCURVE_API limitcurve_status limitcurve_batch_step_float(const limitcurve_ba
 
 /* ---- Contacts that are not round ---- */
 
-/* `count` points [m] under loads >= 0 of any unit. */
+/* `count` points [m] with loads >= 0 of any unit. */
 LIMITCURVE_API limitcurve_status limitcurve_patch_points(const double* x, const double* y, const double* loads, size_t count,
                                                          limitcurve_patch** patch);
 /* Uniform pressure on a simple polygon of `count` vertices [m]. */
 LIMITCURVE_API limitcurve_status limitcurve_patch_polygon(const double* x, const double* y, size_t count, limitcurve_patch** patch);
-/* Uniform pressure on a rectangle of full sides x and y [m]. */
+/* Uniform pressure on a rectangle with full sides x and y [m]. */
 LIMITCURVE_API limitcurve_status limitcurve_patch_rectangle(double x, double y, limitcurve_patch** patch);
-/* A law on the ellipse of semi-axes a (along x) and b [m]. */
+/* A law on the ellipse with semi-axes a (along x) and b [m]. */
 LIMITCURVE_API limitcurve_status limitcurve_patch_ellipse(const limitcurve_law* law, double a, double b, limitcurve_patch** patch);
 /* A pressure image: `rows` rows of `columns` pressures >= 0, the first row at the largest y; pixels are squares of side `pixel` [m]. */
 LIMITCURVE_API limitcurve_status limitcurve_patch_image(const double* pressures, size_t rows, size_t columns, double pixel,
                                                         limitcurve_patch** patch);
-/* The same patch under friction of mx along x and my along y, as multiples of its own, > 0. */
+/* The same patch with orthotropic friction: its own times mx along x and times my along y, both > 0. */
 LIMITCURVE_API limitcurve_status limitcurve_patch_orthotropic(const limitcurve_patch* patch, double mx, double my,
                                                               limitcurve_patch** result);
 
 LIMITCURVE_API void limitcurve_patch_free(limitcurve_patch* patch);
 
-/* Of `count` twists (vx, vy, omega) [m/s, rad/s] about the origin, three numbers each, the wrenches (fx, fy, moment) that keep the patch sliding,
- * under friction 1 and load 1; their powers [m/s] and the bounds of their errors may be NULL. [real time] */
+/* The wrenches (fx, fy, moment) that keep the patch sliding with `count` twists (vx, vy, omega) [m/s, rad/s] about the origin, three numbers each,
+ * for mu = 1 and load 1. Their powers [m/s] and the bounds of their errors may be NULL. [real time] */
 LIMITCURVE_API limitcurve_status limitcurve_patch_wrench(const limitcurve_patch* patch, const double* twists, size_t count,
                                                          double* wrenches, double* powers, double* errors);
 
@@ -316,25 +318,25 @@ LIMITCURVE_API limitcurve_status limitcurve_patch_wrench(const limitcurve_patch*
 /* A library built without Ceres refuses them with LIMITCURVE_FAILED. */
 typedef struct limitcurve_fit limitcurve_fit;
 
-/* A friction model through `count` measured slips: loads [N], forces [N], moments [N m], and their standard deviations (both arrays, or both
- * NULL). Models: "ellipse", "superellipse", "quartic", "ratio", "law". `law` may be NULL: then "ratio" takes hertz, and "law" finds it. The
- * contact radius grows as P^gamma. */
+/* Fits a friction model to `count` measured slips: loads [N], forces [N], moments [N m], and their standard deviations (both arrays, or both
+ * NULL). Models: "ellipse", "superellipse", "quartic", "ratio", "law". `law` may be NULL: then "ratio" uses hertz, and "law" finds the best.
+ * The contact radius is proportional to P^gamma. */
 LIMITCURVE_API limitcurve_status limitcurve_fit_slips(const char* model, const double* loads, const double* forces, const double* moments,
                                                       const double* sigma_forces, const double* sigma_moments, size_t count,
                                                       const limitcurve_law* law, double gamma, limitcurve_fit** fit);
 
-/* The growth of `count` contact radii [m] with the load [N], by the best of a constant, P^(1/3) and a free power. `sigmas` may be NULL. */
+/* Fits the growth of `count` contact radii [m] with the load [N]: the best of a constant, P^(1/3) and a free power. `sigmas` may be NULL. */
 LIMITCURVE_API limitcurve_status limitcurve_fit_radii(const double* loads, const double* radii, const double* sigmas, size_t count,
                                                       limitcurve_fit** fit);
 
 LIMITCURVE_API void limitcurve_fit_free(limitcurve_fit* fit);
 
-/* The model that was fitted, or that won; the note on what was assumed; and the warnings, NULL from as many as there are on. NULL for NULL. */
+/* The fitted or best model; the note with its assumptions; and the warnings, NULL after the last. NULL for NULL. */
 LIMITCURVE_API const char* limitcurve_fit_model(const limitcurve_fit* fit);
 LIMITCURVE_API const char* limitcurve_fit_note(const limitcurve_fit* fit);
 LIMITCURVE_API const char* limitcurve_fit_warning(const limitcurve_fit* fit, size_t index);
 
-/* The number of estimates, 0 for NULL, and each of them: name, value, standard error (0 where it was held fixed) and unit. Outputs may be NULL. */
+/* The number of estimates, 0 for NULL, and each of them: name, value, standard error (0 if fixed) and unit. Outputs may be NULL. */
 LIMITCURVE_API size_t limitcurve_fit_count(const limitcurve_fit* fit);
 LIMITCURVE_API limitcurve_status limitcurve_fit_estimate(const limitcurve_fit* fit, size_t index, const char** name, double* value,
                                                          double* std_error, const char** unit);

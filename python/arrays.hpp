@@ -3,7 +3,7 @@
 
 #include <nanobind/nanobind.h>
 #include <nanobind/ndarray.h>
-#include <nanobind/stl/string.h>  // wherever it is not seen, a cast to a text compiles, and fails when it runs
+#include <nanobind/stl/string.h>  // without it a cast to a text compiles, but fails at run time
 
 #include <Eigen/Core>
 
@@ -12,12 +12,12 @@
 #include <initializer_list>
 #include <vector>
 
-/// How the Python package takes and gives numbers: anything that NumPy takes for real numbers, of any shape.
+/// Conversion of numbers from and to Python: anything that NumPy accepts as real numbers, of any shape.
 namespace limitcurve::python {
 
 namespace nb = nanobind;
 
-/// Numbers of the caller, contiguous; copied only where they are not.
+/// The caller's numbers, contiguous; copied only if they are not contiguous.
 template <class Real>
 struct Numbers {
   nb::object array;  ///< keeps the data alive
@@ -25,33 +25,33 @@ struct Numbers {
   std::size_t size;
 };
 
-/// Whether a caller's numbers are of single precision: results are, then, too.
+/// Whether the caller's numbers have single precision; results then have it, too.
 bool is_single(nb::handle values);
 
-/// The caller's values as an array of Real. Throws ValueError for what are no real numbers; `name` says whose.
+/// The caller's values as an array of Real. ValueError with `name` if they are no real numbers.
 template <class Real>
 Numbers<Real> numbers_of(nb::handle values, const char* name);
 
 /// The same for several, broadcast against each other.
 std::vector<Numbers<double>> broadcast(std::initializer_list<nb::handle> values, std::initializer_list<const char*> names);
 
-/// A new array of doubles of the shape of another (with `columns` > 0 in place of the last length), and its numbers.
+/// A new array of doubles with the shape of another, and its numbers.
 struct Results {
   nb::object array;
   double* data;
 };
 Results results_like(const nb::object& array);
 
-/// What the caller gets: a float of a scalar, an array in the caller's precision else.
+/// The result for the caller: a float for a scalar, otherwise an array in the caller's precision.
 nb::object handed_over(const Results& results, bool single);
 
-/// Three numbers from a sequence or an array. Throws ValueError naming what they are.
+/// Three numbers from a sequence or an array. ValueError with `name` if they are not.
 Eigen::Vector3d three_numbers(nb::handle values, const char* name);
 
 /// str(object).
 std::string text_of(const nb::object& object);
 
-/// A path in the caller's words: str or os.PathLike.
+/// A path from a str or os.PathLike.
 std::string path_of(nb::handle path);
 
 }  // namespace limitcurve::python

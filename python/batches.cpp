@@ -21,7 +21,7 @@ using namespace godobject;
 
 namespace {
 
-/// A batch with its arrays, which one thread at a time steps.
+/// A batch with its arrays; one thread at a time steps it.
 template <class Real>
 class Contacts {
  public:
@@ -57,7 +57,7 @@ class Contacts {
   [[nodiscard]] BasicContactBatch<Real> view() { return arrays_.batch(); }
 
  private:
-  /// One number a contact. A single one counts for all.
+  /// One number for each contact, or a single one for all.
   [[nodiscard]] Numbers<Real> input(nb::handle values, const char* name) {
     Numbers<Real> numbers = numbers_of<Real>(values, name);
     const std::size_t count = arrays_.size();
@@ -69,7 +69,7 @@ class Contacts {
       throw std::invalid_argument(std::string(name) + ": got the shape " + text_of(numbers.array.attr("shape")) + ", expected (" +
                                   std::to_string(count) + ",)");
     }
-    // The batch's own results as its input would change under its hands.
+    // An input that overlaps the batch's results would change during the step.
     const BasicContactBatch<Real> own = arrays_.batch();
     const std::less<> before;
     if (count > 0 && !before(numbers.data, own.x.data()) && before(numbers.data, own.moment.data() + count))
@@ -115,9 +115,9 @@ nb::object view_of(nb::handle self, const Select& select) {
 void add_batches(nb::module_& module) {
   nb::class_<PyBatch> batch(
       module, "Batch",
-      "Many contacts that share a limit curve and parameters, each in its own tangent plane, in arrays.\n\n"
-      "Step b alone: friction by the curve, springs, radius law, static and dynamic friction. Dampers, faults and unwrapping\n"
-      "of angles are a SoftFinger's.\n\n"
+      "Many contacts in arrays. They share a limit curve and parameters; each is in its own tangent plane.\n\n"
+      "A batch does step b only: friction by the curve, springs, radius law, static and dynamic friction. Dampers, faults and\n"
+      "unwrapping of angles need a SoftFinger.\n\n"
       ">>> import limitcurve as lc, numpy as np\n"
       ">>> batch = lc.Batch(lc.Table('hertz', 1e-8), 3, mu=0.6)\n"
       ">>> batch.update(0.0, 0.0, 0.002, 0.0)\n"
@@ -149,8 +149,8 @@ void add_batches(nb::module_& module) {
           "float | None = None, moment_exponent: float = 0.0, moment_coefficient_dynamic: float | None = None, stiffness: float = 1000.0, "
           "twist_stiffness: float = 0.04, damping: float = 0.0, twist_damping: float = 0.0, rest_margin: float = 0.4, max_displacement: "
           "float = 0.5, fault_decay: float = 0.99) -> None"),
-      "n contacts, free, at the origin; parameters as SoftFinger. dtype float32 takes half the memory and time, and resolves 6e-8 of a\n"
-      "coordinate: its table has the tolerance of the one given, but at least 5e-7.");
+      "n free contacts at the origin; parameters as for SoftFinger. dtype float32 needs half the memory and time and resolves 6e-8 of a\n"
+      "coordinate; its table has the tolerance of the given one, but at least 5e-7.");
   batch.def(
       "update",
       [](PyBatch& self, nb::handle x, nb::handle y, nb::handle depth, nb::handle twist, double dt) {
@@ -161,8 +161,8 @@ void add_batches(nb::module_& module) {
       nb::sig("def update(self, x: numpy.typing.ArrayLike, y: numpy.typing.ArrayLike, depth: numpy.typing.ArrayLike, twist: "
               "numpy.typing.ArrayLike, dt: float = 0.0) -> None"),
       "Steps all contacts, in place: finger positions x, y [m] in the tangent plane, depths [m] (<= 0: free), twists [rad], unwrapped.\n"
-      "Arrays of length n, or one number for all. Contiguous arrays of the batch's dtype are read where they are, others are copied.\n"
-      "dt [s] is for calls that are a SoftFinger's: a batch has no dampers. What is NaN or beyond 1e6 holds its last output (`invalid`).\n"
+      "Arrays of length n, or one number for all. Contiguous arrays of the batch's dtype are not copied; others are.\n"
+      "dt [s] has no effect, for a batch has no dampers. A contact with NaN or a value beyond 1e6 holds its last output (`invalid`).\n"
       "Releases the GIL; calls from several threads wait for each other.");
   batch.def(
       "reset", [](PyBatch& self) { std::visit([](const auto& contacts) { contacts->reset(); }, self.contacts); },

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The command line in the interpreter's process: rows come back as arrays, errors as exceptions with its words.
+// The command line in the interpreter's process: rows come back as arrays, errors as exceptions with the same message.
 #include "cli/command_line.hpp"
 
 #include "python/arrays.hpp"
@@ -27,10 +27,10 @@ namespace {
 
 using cli::Column;
 
-/// Columns of a caller as the command line reads them: a CSV file that has no name in any directory.
+/// A caller's columns as a CSV file for the command line, without a name in any directory.
 class MemoryFile {
  public:
-  /// `name` is what the caller calls it; columns of one length. Without header the columns are those of a matrix.
+  /// `name` is the caller's name for it; columns of one length. Without header they are the columns of a matrix.
   MemoryFile(std::string name, const std::vector<std::pair<std::string, nb::object>>& columns, bool header)
       : name_(std::move(name)), descriptor_(::memfd_create("limitcurve", MFD_CLOEXEC)) {
     if (descriptor_ < 0) throw std::runtime_error("no memory for " + name_);
@@ -101,7 +101,7 @@ class MemoryFile {
     output.flush();
   }
 
-  /// Of a line and byte of the text, both from 1, the column and the row, from 0.
+  /// Column and row, from 0, of a line and byte of the text, from 1.
   [[nodiscard]] std::string place_of(std::size_t line, std::size_t byte) const {
     if (line <= header_lines_) return name_;
     std::string text(1U << 16U, '\0');
@@ -181,7 +181,7 @@ nb::dict run(const std::vector<std::string>& arguments, const std::vector<const 
   return result;
 }
 
-/// What main() does.
+/// Does the same as main().
 int run_as_program(const std::vector<std::string>& arguments) {
   const nb::gil_scoped_release release;
   std::signal(SIGPIPE, SIG_IGN);

@@ -15,7 +15,7 @@ nb::object numpy(const char* name) {
   return nb::module_::import_("numpy").attr(name);
 }
 
-/// An array as NumPy makes one; what it cannot is a ValueError.
+/// An array made by NumPy; ValueError if it cannot.
 nb::object as_array(nb::handle values, const char* name) {
   nb::object array;
   try {
@@ -67,7 +67,7 @@ Results results_like(const nb::object& array) {
 
 nb::object handed_over(const Results& results, bool single) {
   if (nb::cast<int>(results.array.attr("ndim")) == 0 && !single) return nb::float_(results.data[0]);
-  // Of an array without dimensions the scalar in it.
+  // An array without dimensions becomes a scalar.
   return single ? nb::object(results.array.attr("astype")("float32")[nb::make_tuple()]) : results.array;
 }
 

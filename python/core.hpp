@@ -13,7 +13,7 @@
 #include <optional>
 #include <string>
 
-/// What the sources of the module share: the objects behind the Python classes, and what each adds to the module.
+/// Shared by the sources of the module: the objects behind the Python classes, and a function a source that adds its classes.
 namespace limitcurve::python {
 
 void add_curves(nb::module_& module);
@@ -21,20 +21,20 @@ void add_fingers(nb::module_& module);
 void add_batches(nb::module_& module);
 void add_patches(nb::module_& module);
 
-/// A law, and where it came from: its text, or the arrays of a measured profile.
+/// A law with its origin: its text, or the arrays of a measured profile.
 struct PyLaw {
   Law law;
   std::string text;
-  nb::object samples = nb::none();  ///< (radii, pressures) where it was made from arrays
+  nb::object samples = nb::none();  ///< (radii, pressures) if it was made from arrays
 };
 
-/// A table, and its law if it was built from one: single precision has a table of its own.
+/// A table, and its law if it was built from one: single precision needs a table of its own.
 struct PyTable {
   Table table;
   Law law = {};
 };
 
-/// An ellipse or a box in a table's place.
+/// An ellipse or a box in place of a table.
 struct PyCurve {
   godobject::FingerCurve curve;
   godobject::BasicFingerCurve<float> single;
@@ -43,13 +43,14 @@ struct PyCurve {
 
 /// A law from a str or a Law.
 Law law_of(nb::handle law);
-/// The limit curve of a Table, or of what `ellipse` or `box` made.
+/// The limit curve of a Table or of a Curve from `ellipse` or `box`.
 template <class Real>
 godobject::BasicFingerCurve<Real> curve_of(nb::handle curve);
 
-/// Parameters by the names of the C++ ones; `moment_ratio` is the curve's m₀, for a radius law from measured moments. Throws TypeError for an unknown name; ValueError for what is no number or radius law.
+/// Parameters by their C++ names; `moment_ratio` is the curve's m₀, for a radius law from measured moments. TypeError for an unknown name,
+/// ValueError for a bad number or radius law.
 godobject::FingerParameters parameters_of(const nb::kwargs& given, double moment_ratio);
-/// The projection among the keywords, which it takes out; by default the closest point.
+/// Removes the projection from the keywords and returns it; default closest point.
 godobject::Projection take_projection(nb::kwargs& given);
 
 }  // namespace limitcurve::python

@@ -21,7 +21,7 @@ namespace {
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
-/// Throws where a number is negative, and where it is infinite and must not be; NaN passes.
+/// Throws for a negative number, and for infinity if not allowed; NaN passes.
 void require_non_negative(const Numbers<double>& numbers, const char* name, bool may_be_infinite) {
   const double largest = may_be_infinite ? std::numeric_limits<double>::infinity() : std::numeric_limits<double>::max();
   const double* const end = numbers.data + numbers.size;
@@ -103,12 +103,12 @@ constexpr const char* gauge_signature = "def gauge(self, force: numpy.typing.Arr
 constexpr const char* hold_signature =
     "def load_to_hold(self, force: numpy.typing.ArrayLike, moment: numpy.typing.ArrayLike, *, mu: float, radius_law: str) -> typing.Any";
 constexpr const char* hold_doc =
-    "The least load [N] under which a contact bears friction forces [N] and moments [N m] >= 0, broadcast against each other.\n\n"
-    "inf where none does. The contact radius a(P) follows `radius_law`, as on the command line.";
+    "The least load [N] that holds friction forces [N] and moments [N m] >= 0, broadcast against each other.\n\n"
+    "inf if no load does. `radius_law` gives the contact radius a(P), as on the command line.";
 
 void add_laws(nb::module_& module) {
   nb::class_<PyLaw>(module, "Law",
-                    "A pressure law under a soft finger, by the command line's words: 'hertz', 'power:n=2.3', 'samples:FILE.csv',\n"
+                    "A pressure law under a soft finger, in the command line's grammar: 'hertz', 'power:n=2.3', 'samples:FILE.csv',\n"
                     "'mix:0.7*hertz+0.3*uniform'.\n\n"
                     ">>> import limitcurve as lc\n"
                     ">>> law = lc.Law('hertz')\n"
@@ -123,7 +123,7 @@ void add_laws(nb::module_& module) {
             const Law law = cli::read_law(text);
             new (self) PyLaw{law, text};
           },
-          nb::arg("text"), "ValueError names what is wrong with the text, or with the file, and what is expected.")
+          nb::arg("text"), "ValueError names the error in the text or in the file, and the expected input.")
       .def_static(
           "samples",
           [](nb::handle radius, nb::handle pressure, const std::string& source) {
@@ -141,7 +141,7 @@ void add_laws(nb::module_& module) {
           },
           nb::arg("radius"), nb::arg("pressure"), nb::arg("source") = "arrays",
           nb::sig("def samples(radius: numpy.typing.ArrayLike, pressure: numpy.typing.ArrayLike, source: str = 'arrays') -> Law"),
-          "A measured profile: pressures [any unit] at increasing radii [any unit], the last of which is the edge of the contact.")
+          "A measured profile: pressures [any unit] at increasing radii [any unit]; the last radius is the edge of the contact.")
       .def(
           "evaluate",
           [](const PyLaw& self, nb::handle c, bool error) {
@@ -149,8 +149,8 @@ void add_laws(nb::module_& module) {
           },
           nb::arg("c"), nb::kw_only(), nb::arg("error") = false,
           nb::sig("def evaluate(self, c: numpy.typing.ArrayLike, *, error: bool = False) -> tuple[typing.Any, ...]"),
-          "Unit wrenches F/(mu P) and M/(mu P a) of a contact that slips about centres of rotation at c contact radii, in [0, inf].\n\n"
-          "c has any shape, and so have the results; float32 gives float32; NaN gives NaN. With `error` also bounds of both absolute\n"
+          "Unit wrenches F/(mu P) and M/(mu P a) of a slip about centres of rotation at c contact radii, in [0, inf].\n\n"
+          "The results have the shape of c; float32 gives float32; NaN gives NaN. With `error` also bounds of both absolute\n"
           "errors: (f, m, f_error, m_error). Relative error <= 1e-15 in closed form, <= 1e-14 by quadrature. Releases the GIL.")
       .def_prop_ro(
           "name", [](const PyLaw& self) { return self.law->name(); }, "The law in words.")
@@ -158,10 +158,10 @@ void add_laws(nb::module_& module) {
           "moment_ratio", [](const PyLaw& self) { return self.law->moment_ratio(); }, "m0, the unit moment of a pure twist.")
       .def_prop_ro(
           "profile_error", [](const PyLaw& self) { return self.law->profile_error(); },
-          "What samples of the pressure leave open in f and m; 0 for a formula.")
+          "Error of f and m because the pressure is known only at samples; 0 for a formula.")
       .def_prop_ro(
           "arrays", [](const PyLaw& self) { return self.samples; }, nb::sig("def arrays(self) -> typing.Any"),
-          "(radius, pressure) of a law from arrays; None of any other.")
+          "(radius, pressure) of a law made from arrays; None for other laws.")
       .def("__repr__", [](const PyLaw& self) { return "Law('" + self.text + "')"; });
 }
 
@@ -184,11 +184,11 @@ void add_tables(nb::module_& module) {
           },
           nb::arg("law"), nb::arg("tolerance") = 1e-6, nb::sig("def __init__(self, law: str | Law, tolerance: float = 1e-06) -> None"),
           "The table of a law: |error| <= tolerance * max(1, m0) in f and m, tolerance in [1e-14, 0.1]. Milliseconds for a law in closed\n"
-          "form, up to seconds by quadrature. RuntimeError if the law cannot be had that finely. Releases the GIL.")
+          "form, up to seconds by quadrature. RuntimeError if the law does not allow that tolerance. Releases the GIL.")
       .def_static(
           "load", [](nb::handle path) { return PyTable{cli::read_table(path_of(path))}; }, nb::arg("path"),
           nb::sig("def load(path: str | os.PathLike[str]) -> Table"),
-          "Reads a .csv or .json file that `save` or `limitcurve table` wrote. ValueError names file, line and column of what is wrong.")
+          "Reads a .csv or .json file that `save` or `limitcurve table` wrote. ValueError names file, line and column of the error.")
       .def(
           "save",
           [](const PyTable& self, nb::handle path) {
@@ -199,7 +199,7 @@ void add_tables(nb::module_& module) {
             output.commit();
           },
           nb::arg("path"), nb::sig("def save(self, path: str | os.PathLike[str]) -> None"),
-          "Writes the table whole or not at all: .csv, .json, .h (C99) or .hpp (constexpr C++17) by its name.")
+          "Writes the whole table or nothing; the extension selects .csv, .json, .h (C99) or .hpp (constexpr C++17).")
       .def(
           "evaluate",
           [](const PyTable& self, nb::handle c) {
@@ -213,7 +213,7 @@ void add_tables(nb::module_& module) {
             return of_wrenches(force, moment, [&](double f, double m) { return self.table.gauge({f, m}); });
           },
           nb::arg("force"), nb::arg("moment"), nb::sig(gauge_signature),
-          "How far unit wrenches are from the origin, as a share of the curve on the same ray: < 1 holds, > 1 slips. Broadcasts.")
+          "Distance of unit wrenches from the origin divided by that of the curve on the same ray: < 1 holds, > 1 slips. Broadcasts.")
       .def(
           "load_to_hold",
           [](const PyTable& self, nb::handle force, nb::handle moment, double mu, const std::string& radius_law) {
@@ -225,9 +225,9 @@ void add_tables(nb::module_& module) {
           "Bound of the absolute error of f and m against the law.")
       .def_prop_ro(
           "profile_error", [](const PyTable& self) { return self.table.profile_error(); },
-          "What samples of the pressure leave open, beside it; 0 for a formula.")
+          "Additional error because the pressure is known only at samples; 0 for a formula.")
       .def_prop_ro(
-          "tolerance", [](const PyTable& self) { return self.table.tolerance(); }, "What it was built to.")
+          "tolerance", [](const PyTable& self) { return self.table.tolerance(); }, "Requested tolerance.")
       .def_prop_ro(
           "law_name", [](const PyTable& self) { return self.table.law_name(); }, "The law in words.")
       .def_prop_ro(
@@ -240,7 +240,7 @@ void add_tables(nb::module_& module) {
 }
 
 void add_closed_curves(nb::module_& module) {
-  nb::class_<PyCurve>(module, "Curve", "An ellipse or a box, which drives a finger in a table's place: see `ellipse` and `box`.")
+  nb::class_<PyCurve>(module, "Curve", "An ellipse or a box; it can drive a finger in place of a table: see `ellipse` and `box`.")
       .def(
           "evaluate",
           [](const PyCurve& self, nb::handle c) {
@@ -269,14 +269,14 @@ void add_closed_curves(nb::module_& module) {
         return PyCurve{ellipse, ellipse, "ellipse"};
       },
       nb::arg("force_max"), nb::arg("moment_max"),
-      "The ellipse with these semi-axes in unit wrenches, the usual stand-in: ellipse(1, law.moment_ratio).");
+      "The ellipse with these semi-axes in unit wrenches; the usual one is ellipse(1, law.moment_ratio).");
   module.def(
       "box",
       [](double force_max, double moment_max) {
         const Box limits = box(force_max, moment_max);
         return PyCurve{limits, limits, "box"};
       },
-      nb::arg("force_max"), nb::arg("moment_max"), "Force and moment limited each on its own; goes with projection='closest-point'.");
+      nb::arg("force_max"), nb::arg("moment_max"), "Separate limits of force and moment; only with projection='closest-point'.");
 }
 
 }  // namespace
@@ -299,7 +299,7 @@ godobject::BasicFingerCurve<float> curve_of(nb::handle curve) {
   if (nb::isinstance<PyCurve>(curve)) return nb::cast<const PyCurve&>(curve).single;
   if (!nb::isinstance<PyTable>(curve)) throw std::invalid_argument("curve: expected a Table, or what ellipse() or box() made");
   const auto& [table, law] = nb::cast<const PyTable&>(curve);
-  // One that was read from a file says which law it is of.
+  // A table from a file has the law's name.
   const Law of = law != nullptr ? law : cli::read_law(table.law_name());
   return FloatTable::build(of, std::max(table.tolerance(), FloatTable::finest_tolerance));
 }

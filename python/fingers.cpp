@@ -28,7 +28,7 @@ double number_of(nb::handle value, const std::string& name) {
   throw std::invalid_argument(name + ": expected a number");
 }
 
-/// What a parameter's name writes to.
+/// The field that each parameter's name sets.
 const std::map<std::string, std::function<void(FingerParameters&, double)>, std::less<>>& number_parameters() {
   static const std::map<std::string, std::function<void(FingerParameters&, double)>, std::less<>> fields{
       {"mu", [](FingerParameters& all, double value) { all.mu = value; }},
@@ -56,9 +56,9 @@ constexpr const char* update_signature =
     "def update(self, point: collections.abc.Sequence[float] | numpy.typing.NDArray[typing.Any], normal: collections.abc.Sequence[float] | "
     "numpy.typing.NDArray[typing.Any], depth: float, twist: float, dt: float = 0.0) -> FingerOutput";
 constexpr const char* update_doc =
-    "One step: where the finger touches (point [m] of the surface, its outward unit normal, depth [m] beneath it, <= 0 outside), the\n"
-    "device's twist [rad] about the normal, and the time dt [s] since the last step, over which dampers act.\n\n"
-    "Input that is not usable (not finite, a normal that is not of unit length, a leap, dt < 0) is no error, but the state `invalid`:\n"
+    "One step. Input: the contact (surface point [m], outward unit normal, depth [m] below the surface, <= 0 outside), the\n"
+    "device's twist [rad] about the normal, and the time dt [s] since the last step, for the dampers.\n\n"
+    "Bad input (not finite, a normal that is not of unit length, a jump, dt < 0) raises nothing; it gives the state `invalid`:\n"
     "the last good output is held, and fades.";
 
 template <class Finger>
@@ -67,12 +67,13 @@ FingerOutput update(Finger& finger, nb::handle point, nb::handle normal, double 
 }
 
 void add_output(nb::module_& module) {
-  nb::enum_<ContactState>(module, "ContactState", nb::is_arithmetic(), "What a finger does. str() is the command line's word.")
+  nb::enum_<ContactState>(module, "ContactState", nb::is_arithmetic(), "State of a contact. str() is the command line's name.")
       .value("free", ContactState::free, "not touching")
       .value("stick", ContactState::stick, "touching, the proxy rests")
       .value("slip", ContactState::slip, "touching, the proxy slid in this step")
       .value("invalid", ContactState::invalid, "the input was not usable: the last good output is held, and fades");
-  nb::class_<FingerOutput>(module, "FingerOutput", "What a step gives: the user feels normal * load + force, and moment about the normal.")
+  nb::class_<FingerOutput>(module, "FingerOutput",
+                           "Result of a step. The rendered force is normal * load + force, the rendered moment is about the normal.")
       .def_ro("state", &FingerOutput::state, "ContactState")
       .def_ro("proxy", &FingerOutput::proxy, "where the proxy is [m]")
       .def_ro("angle", &FingerOutput::angle, "of the proxy [rad]")
@@ -93,18 +94,19 @@ template <class Finger>
 void add_common(nb::class_<Finger>& type) {
   type.def("update", &update<Finger>, nb::arg("point"), nb::arg("normal"), nb::arg("depth"), nb::arg("twist"), nb::arg("dt") = 0.0,
            nb::sig(update_signature), update_doc)
-      .def("reset", &Finger::reset, "Back to a finger that has touched nothing.")
-      .def_prop_ro("output", &Finger::output, "What the last step gave.")
-      .def("margin", &Finger::margin, "How far it is from slipping, from 1 (no friction) to 0 (slips).")
-      .def("load_to_hold", &Finger::load_to_hold, "The least load [N] that would hold its present friction.")
-      .def("centre_of_rotation", &Finger::centre_of_rotation, "Of the slip [m]; inf for pure sliding, NaN unless it slips.")
+      .def("reset", &Finger::reset, "Back to the state before any contact.")
+      .def_prop_ro("output", &Finger::output, "Result of the last step.")
+      .def("margin", &Finger::margin, "Distance to slip, from 1 (no friction) to 0 (slips).")
+      .def("load_to_hold", &Finger::load_to_hold, "The least load [N] that would hold the present friction.")
+      .def("centre_of_rotation", &Finger::centre_of_rotation,
+           "Centre of rotation of the slip [m]; inf for pure sliding, NaN unless it slips.")
       .def(
           "copy", [](const Finger& self) { return self; }, "Another finger in the same state.");
 }
 
 void add_finger_types(nb::module_& module) {
   nb::class_<SoftFinger> soft(module, "SoftFinger",
-                              "A soft-finger god-object: springs, dampers, and friction that the limit curve bounds.\n\n"
+                              "A soft-finger god-object: springs, dampers, and friction within the limit curve.\n\n"
                               ">>> import limitcurve as lc\n"
                               ">>> finger = lc.SoftFinger(lc.Table('hertz'), mu=0.6, radius_law='constant:a=0.006', stiffness=1000)\n"
                               ">>> out = finger.update((0, 0, 0), (0, 0, 1), 0.002, 0.0, 1e-3)\n"
@@ -120,13 +122,13 @@ void add_finger_types(nb::module_& module) {
       },
       nb::arg("curve"), nb::arg("kwargs"),
       nb::sig("def __init__(self, curve: Table | Curve, *, projection: str = 'closest-point', " LIMITCURVE_PARAMETERS ") -> None"),
-      "A finger on a limit curve, by the names of the C++ FingerParameters, in SI units. Projections: 'closest-point', 'radial',\n"
-      "'c-curve'. ValueError names what is out of range.");
+      "A finger with a limit curve; parameter names of the C++ FingerParameters, SI units. Projections: 'closest-point', 'radial',\n"
+      "'c-curve'. ValueError names a parameter out of range.");
   add_common(soft);
-  soft.def("spring_energy", &SoftFinger::spring_energy, "In the springs [J].");
+  soft.def("spring_energy", &SoftFinger::spring_energy, "Energy of the springs [J].");
 
   nb::class_<PatchFinger> patch(module, "PatchFinger",
-                                "A god-object whose contact is a patch that need not be round.\n\n"
+                                "A god-object whose contact is a patch of any shape.\n\n"
                                 ">>> import limitcurve as lc\n"
                                 ">>> finger = lc.PatchFinger(lc.Patch('rectangle:x=0.02,y=0.01'), mu=0.6)\n"
                                 ">>> str(finger.update((0, 0, 0), (0, 0, 1), 0.002, 0.0).state)\n"
@@ -138,7 +140,7 @@ void add_finger_types(nb::module_& module) {
       },
       nb::arg("patch"), nb::kw_only(), nb::arg("point_radius") = 0.0, nb::arg("kwargs"),
       nb::sig("def __init__(self, patch: Patch, *, point_radius: float = 0.0, " LIMITCURVE_PARAMETERS ") -> None"),
-      "As SoftFinger, by the closest point; the radius law is not used. `point_radius` [m] is that of a patch's points, 0 for the least.");
+      "As SoftFinger with the closest point; without a radius law. `point_radius` [m] is given to the points of a patch; 0 is the least.");
   add_common(patch);
 }
 
@@ -147,13 +149,13 @@ struct PyMemory {
 };
 
 void add_friction(nb::module_& module) {
-  nb::class_<PyMemory>(module, "FrictionMemory", "What friction remembers of a contact from one step to the next.")
+  nb::class_<PyMemory>(module, "FrictionMemory", "State of a contact's friction between two steps.")
       .def(nb::init<>())
       .def_prop_ro(
-          "slides", [](const PyMemory& self) { return self.memory.slides; }, "whether the sliding limit acts; on a box, of the force")
+          "slides", [](const PyMemory& self) { return self.memory.slides; }, "whether the sliding limit acts; on a box, that of the force")
       .def_prop_ro(
           "turns", [](const PyMemory& self) { return self.memory.turns; }, "on a box, whether that of the moment acts");
-  nb::class_<FrictionResult<double>>(module, "FrictionResult", "What friction does to a trial wrench.")
+  nb::class_<FrictionResult<double>>(module, "FrictionResult", "Effect of friction on a trial wrench.")
       .def_ro("slips", &FrictionResult<double>::slips, "in this step")
       .def_ro("force_ratio", &FrictionResult<double>::force_ratio, "what the limit leaves of the trial's force, in [0, 1]")
       .def_ro("moment_ratio", &FrictionResult<double>::moment_ratio, "likewise")
@@ -194,10 +196,10 @@ void add_friction(nb::module_& module) {
           "def apply_friction(curve: Table | Curve, force: float, moment: float, *, limit: float, radius: float, stiffness_ratio: float, "
           "sliding_limit: float | None = None, sliding_radius: float | None = None, force_rest_share: float = 1.0, moment_rest_share: "
           "float = 1.0, memory: FrictionMemory | None = None, projection: str = 'closest-point') -> FrictionResult"),
-      "What part of a trial force [N] and moment [N m] a contact's limit leaves: for simulators that have springs of their own.\n\n"
-      "limit is mu P [N], radius a [m], stiffness_ratio k_l/k_r of the springs [1/m^2]; `sliding_` limits act while it slips, which\n"
-      "`memory` remembers; a contact that slides comes to rest within the smaller of the rest shares of the sliding limit, on a box\n"
-      "each part within its own. The projection 'c-curve' is radial here.\n\n"
+      "The fraction of a trial force [N] and moment [N m] within the friction limit: for simulators with springs of their own.\n\n"
+      "limit is mu P [N], radius is a [m], stiffness_ratio is k_l/k_r of the springs [1/m^2]. The `sliding_` limits act while the\n"
+      "contact slips; `memory` stores that. A sliding contact comes to rest within the sliding limit times the smaller of the two rest\n"
+      "shares; on a box force and moment each have their own. The projection 'c-curve' is radial here.\n\n"
       ">>> import limitcurve as lc\n"
       ">>> table = lc.Table('hertz')\n"
       ">>> result = lc.apply_friction(table, 2.4, 0.0, limit=1.2, radius=0.006, stiffness_ratio=25000)\n"
@@ -223,7 +225,7 @@ FingerParameters parameters_of(const nb::kwargs& given, double moment_ratio) {
       for (const auto& [known, write] : number_parameters()) expected += ", " + known;
       throw nb::type_error(("unknown parameter '" + name + "', expected one of " + expected).c_str());
     }
-    // What may be absent may be None.
+    // Optional parameters may be None.
     const bool may_be_absent = name == "mu_dynamic" || name.starts_with("moment_coefficient");
     if (!(may_be_absent && value.is_none())) found->second(parameters, number_of(value, name));
   }

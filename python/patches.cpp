@@ -62,7 +62,7 @@ nb::object wrench(const Patch& patch, nb::handle twists, double mu, double load,
 void add_patches(nb::module_& module) {
   nb::class_<Patch>(
       module, "Patch",
-      "A contact that need not be round, by the command line's words ('points:FILE.csv', 'polygon:FILE.csv',\n"
+      "A contact of any shape, in the command line's grammar ('points:FILE.csv', 'polygon:FILE.csv',\n"
       "'rectangle:x=0.02,y=0.01', 'ellipse:law=hertz,a=0.004,b=0.002', 'image:FILE.csv,pixel=0.0005', each with ',mx=…,my=…'), or\n"
       "from arrays. Lengths in metres.\n\n"
       ">>> import limitcurve as lc\n"
@@ -71,7 +71,7 @@ void add_patches(nb::module_& module) {
       "[1.0, 0.0, 0.0]\n")
       .def(
           "__init__", [](Patch* self, const std::string& text) { new (self) Patch(cli::read_patch(text)); }, nb::arg("text"),
-          "ValueError names what is wrong with the text, or with the file, and what is expected.")
+          "ValueError names the error in the text or in the file, and the expected input.")
       .def_static(
           "points",
           [](nb::handle x, nb::handle y, nb::handle load) {
@@ -82,7 +82,7 @@ void add_patches(nb::module_& module) {
           },
           nb::arg("x"), nb::arg("y"), nb::arg("load"),
           nb::sig("def points(x: numpy.typing.ArrayLike, y: numpy.typing.ArrayLike, load: numpy.typing.ArrayLike) -> Patch"),
-          "Points [m] under loads >= 0 of any unit.")
+          "Points [m] with loads >= 0 of any unit.")
       .def_static(
           "polygon",
           [](nb::handle x, nb::handle y) {
@@ -104,18 +104,19 @@ void add_patches(nb::module_& module) {
             return Patch::image(std::span(all.data, all.size), nb::cast<std::size_t>(shape[1]), pixel);
           },
           nb::arg("pressures"), nb::arg("pixel"), nb::sig("def image(pressures: numpy.typing.ArrayLike, pixel: float) -> Patch"),
-          "A pressure image, its first row at the largest y; pixels are squares of side `pixel` [m]; the origin is the centre of pressure.")
+          "A pressure image; the first row is at the largest y; pixels are squares of side `pixel` [m]; the origin is the centre of "
+          "pressure.")
       .def("orthotropic", &Patch::orthotropic, nb::arg("mx"), nb::arg("my"),
-           "The same under friction of mx along x and my along y, as multiples.")
-      .def("moved", &Patch::moved, nb::arg("x"), nb::arg("y"), "The same elsewhere: all its points moved by (x, y) [m].")
+           "The same patch with orthotropic friction: mu times mx along x and times my along y.")
+      .def("moved", &Patch::moved, nb::arg("x"), nb::arg("y"), "The same patch, moved by (x, y) [m].")
       .def(
           "wrench", &wrench, nb::arg("twists"), nb::arg("mu") = 1.0, nb::arg("load") = 1.0, nb::kw_only(), nb::arg("error") = false,
           nb::sig(
               "def wrench(self, twists: numpy.typing.ArrayLike, mu: float = 1.0, load: float = 1.0, *, error: bool = False) -> typing.Any"),
           "The wrenches (fx, fy, moment) [N, N m] about the origin that keep the patch sliding with twists (vx, vy, omega) [m/s, "
           "rad/s].\n\n"
-          "Shape (…, 3) in and out. With `error` also the powers [W], and a bound of the power's relative error, |dF|/(mu P) and\n"
-          "|dM|/(mu P m0), the largest of them. Releases the GIL.")
+          "Shape (…, 3) in and out. With `error` also the powers [W], and a bound of the largest of the power's relative error,\n"
+          "|dF|/(mu P) and |dM|/(mu P m0). Releases the GIL.")
       .def_prop_ro("moment_ratio", &Patch::moment_ratio, "m0: the moment of a pure spin over mu P [m].")
       .def_prop_ro("radius", &Patch::radius, "Largest distance of a point from the centre of pressure [m].")
       .def_prop_ro(

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The friction of a soft finger, exactly: limit curves, tables of them, and a god-object that obeys them.
+"""The friction of a soft finger, exactly: limit curves, tables of them, and a soft-finger god-object.
 
 >>> import limitcurve as lc
 >>> f, m = lc.Law("hertz").evaluate([0, 1, float("inf")])  # F/(mu P), M/(mu P a) at COR distances of c radii
@@ -7,8 +7,8 @@
 >>> finger = lc.SoftFinger(table, mu=0.6, radius_law="constant:a=0.006", stiffness=1000, twist_stiffness=0.036)
 
 Functions that return tables (`validate`, `choose`, `fit`, `translate`, `replay`, `run`) give a dict of arrays with the command
-line's columns. Wrong input is a ValueError with the command line's words, a job that failed a RuntimeError. SI units throughout.
-`limitcurve.plot` draws, with matplotlib.
+line's columns. Wrong input raises a ValueError with the command line's message, a failed job a RuntimeError. SI units throughout.
+`limitcurve.plot` draws with matplotlib.
 """
 
 from ._core import (

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """The functions that return tables: the command line's own code, with arrays in place of files.
 
-Its errors, columns and defaults are the command line's, because it is the command line that runs. What has no file is
-handed over as one that lies in memory; the rows come back as arrays, without becoming text.
+Errors, columns and defaults are the command line's, because its own code runs. Arrays in place of files are passed as files in memory;
+rows come back as arrays, without conversion to text.
 """
 
 from __future__ import annotations
@@ -43,14 +43,14 @@ def _columns_of(name: str, data: Any) -> list[tuple[str, NDArray[np.float64]]]:
 
 
 class _Call:
-    """A command line that is being put together, with the files in memory that it reads."""
+    """A command line under construction, with the files in memory that it reads."""
 
     def __init__(self, *words: str) -> None:
         self.words = list(words)
         self.files: list[MemoryFile] = []
 
     def data(self, name: str, value: Data) -> str:
-        """The name of the file that holds `value`."""
+        """The name of a file with the contents of `value`."""
         if isinstance(value, (str, os.PathLike)):
             return os.fsdecode(value)
         return self._memory(name, _columns_of(name, value))
@@ -70,7 +70,7 @@ class _Call:
         return self.files[-1].path
 
     def option(self, name: str, value: Any) -> None:
-        """`name` as Python spells it; None and False are left out."""
+        """Adds an option, `name` in Python's spelling; leaves out None and False."""
         if value is None or value is False:
             return
         word = "--" + name.replace("_", "-")
@@ -102,9 +102,9 @@ def _number(value: Any) -> str:
 
 
 def run(subcommand: str, *arguments: str, **options: Any) -> Columns:
-    """Any subcommand of the command line, and its table: `limitcurve SUBCOMMAND --help` has options, columns and units.
+    """Runs any subcommand of the command line and returns its table; `limitcurve SUBCOMMAND --help` lists options, columns and units.
 
-    Options by keyword, `-` as `_`; flags are True; lists are sequences; files may be columns (a dict of arrays).
+    Options are keywords with `_` in place of `-`; flags are True; lists are sequences; files may be columns (a dict of arrays).
 
     >>> import limitcurve as lc
     >>> table = lc.run("eval", law="hertz", c=[0.25, 0.5, 1])
@@ -118,7 +118,7 @@ def run(subcommand: str, *arguments: str, **options: Any) -> Columns:
 
 
 def validate(law: str | Law | Sequence[str | Law] | None = None, *, patch: str | Sequence[str] | None = None) -> Columns:
-    """How wrong ellipse, superellipse, quartic and box are against the exact curve of a law, of several, or of all; or of patches.
+    """Errors of ellipse, superellipse, quartic and box against the exact curve of one law, several or all laws; or of round models of patches.
 
     Columns: law, model, parameter, max_error, rms_error, max_over_estimate, max_under_estimate, max_cor_error; errors as fractions.
 
@@ -148,9 +148,9 @@ def choose(
     slide: float | None = None,
     twist: float | None = None,
 ) -> Columns:
-    """The cheapest limit curve whose error is at most `tolerance`, with those it beat; with `scene` the whole step of a scene.
+    """The cheapest limit curve whose error is at most `tolerance`, and the others; with `scene` the whole step of a scene.
 
-    Columns: model, parameter, error, nanoseconds (read them as ratios), chosen.
+    Columns: model, parameter, error, nanoseconds (compare ratios only), chosen.
 
     >>> import limitcurve as lc
     >>> table = lc.choose("hertz", tolerance=0.01)
@@ -195,7 +195,7 @@ def fit(
     """Fits a friction model to measurements, or an approximation to the exact curve of a law (no `data`).
 
     Models: ellipse, superellipse, quartic, ratio, law (data: load, force, moment[, sigma_force, sigma_moment]); load (data: load and
-    radius or moment); friction (with `patch`). Columns: parameter, value, std_error, unit, note. What to beware of is said on
+    radius or moment); friction (with `patch`). Columns: parameter, value, std_error, unit, note. Warnings go to
     standard error, unless `quiet`.
 
     >>> import limitcurve as lc
@@ -221,7 +221,7 @@ def fit(
 
 
 def translate(law: str | Law, radius_law: str, mu: float, load: float, *, loads: ArrayLike | None = None, explain: bool = False) -> Columns:
-    """The coefficients to type into physics engines, with the error each keeps.
+    """The coefficients for physics engines, with the error that remains in each.
 
     Columns: engine, parameter, value, unit, model, max_error, cor_error, loads_error, note.
 
@@ -260,9 +260,9 @@ def replay(
     hold_share: float | None = None,
     details: bool = False,
 ) -> Columns:
-    """Runs the god-object over a recorded motion: columns time, x, y, z, twist [s, m, rad] (`limitcurve replay --help` has more).
+    """Runs the god-object over a recorded motion: columns time, x, y, z, twist [s, m, rad] (`limitcurve replay --help` lists more).
 
-    Columns: time, state, px, py, angle, depth, load, fx, fy, moment, cor, and those that the options add.
+    Columns: time, state, px, py, angle, depth, load, fx, fy, moment, cor, and the columns of the options.
 
     >>> import limitcurve as lc, numpy as np
     >>> t = np.linspace(0, 1, 101)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Charts, by matplotlib: each is one call, draws on the axes given or on new ones, and returns them.
+"""Charts with matplotlib. Each function draws on the given axes or on new ones, and returns them.
 
 >>> import limitcurve as lc
 >>> import limitcurve.plot
@@ -34,7 +34,7 @@ def _axes(ax: Axes | None) -> Axes:
 
 
 def _model(model: str, parameter: float, m0: float, points: int = 257) -> tuple[Any, Any]:
-    """Points (f, m) of a model that `validate` names, with its parameter."""
+    """Points (f, m) of a model of `validate` with its parameter."""
     angle = np.linspace(0, np.pi / 2, points)
     x, y = np.cos(angle), np.sin(angle)
     if model.startswith("ellipse"):
@@ -57,7 +57,7 @@ def limit_curve(
     radius: float | None = None,
     ax: Axes | None = None,
 ) -> Axes:
-    """Limit curves of one law or several, in units of mu P and mu P a, with the models of `validate` named in `fits` (of the first law).
+    """Limit curves of one or several laws, in units of mu P and mu P a, with models of `validate` for the first law, listed in `fits`.
 
     points: measured slips (columns load, force, moment [N, N, N m]); they need mu and the contact radius [m].
     """
@@ -102,7 +102,7 @@ def _read(file: str) -> dict[str, Any]:
 
 
 def p_curves(law: str | Law, radius_law: str, mu: float, loads: ArrayLike, *, points: int = 129, ax: Axes | None = None) -> Axes:
-    """Limit curves in newtons at several loads [N]: they grow by mu P in force and by mu P a(P) in moment."""
+    """Limit curves in N and N m at several loads [N]: force is proportional to mu P, moment to mu P a(P)."""
     ax = _axes(ax)
     table = run("p-curves", law=law, radius_law=radius_law, mu=mu, loads=np.atleast_1d(loads), points=points)
     for load in np.unique(table["load"]):
@@ -114,7 +114,7 @@ def p_curves(law: str | Law, radius_law: str, mu: float, loads: ArrayLike, *, po
 
 
 def c_curves(law: str | Law, radius_law: str, mu: float, cors: ArrayLike, loads: ArrayLike, *, ax: Axes | None = None) -> Axes:
-    """The wrenches that slip about one centre of rotation each, `cors` [m], over the `loads` [N]; bent where a depends on P."""
+    """The wrenches of slips about fixed centres of rotation `cors` [m], over the `loads` [N]; curved if a depends on P."""
     ax = _axes(ax)
     table = run("c-curves", law=law, radius_law=radius_law, mu=mu, cors=np.atleast_1d(cors), loads=np.atleast_1d(loads))
     for cor in np.unique(table["c"]):
@@ -126,7 +126,7 @@ def c_curves(law: str | Law, radius_law: str, mu: float, cors: ArrayLike, loads:
 
 
 def approximation_errors(law: str | Law | Sequence[str | Law] | None = None, *, ax: Axes | None = None) -> Axes:
-    """The largest over- and under-estimate of every model of `validate`, in percent, a group of bars for each law."""
+    """The largest over- and under-estimate of every model of `validate`, in percent, with a group of bars for each law."""
     ax = _axes(ax)
     table = validate(law)
     laws = list(dict.fromkeys(table["law"]))
@@ -148,9 +148,9 @@ def replay(
     table: Columns, trace: Data, *, law: str | Law | None = None, mu: float | None = None, radius_law: str | None = None,
     stiffness: float | None = None, twist_stiffness: float | None = None, ax: Axes | None = None,
 ) -> Axes:
-    """A replay on the plane in the [r, rho] plane of the paper: how far the proxy trails behind the finger, and by what angle.
+    """A replay on the plane z = 0, drawn in the [r, rho] plane of the paper: distance and angle between finger and proxy.
 
-    `table` is what `limitcurve.replay` returned, `trace` what it was given (columns x, y, twist). With law, mu, radius_law, stiffness and
+    `table` is the result of `limitcurve.replay`, `trace` its input (columns x, y, twist). With law, mu, radius_law, stiffness and
     twist_stiffness also the limit at the least and the largest load that slips.
     """
     ax = _axes(ax)
