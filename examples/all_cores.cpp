@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Many contacts on all cores: each thread steps its own part of the arrays with one call of the batch. Prints contacts a second
-// for 1, 2, 4 … threads, and checks that the threads leave the bits of a single one.
+// for 1, 2, 4 … threads, and checks that the bits equal those of a single thread.
 //     example_all_cores [CONTACTS [STEPS]]      ten million contacts: example_all_cores 1e7, 1 GB
 #include "godobject/godobject.hpp"
 #include "limitcurve/laws.hpp"
@@ -20,7 +20,7 @@ namespace lc = limitcurve;
 namespace god = limitcurve::godobject;
 using Clock = std::chrono::steady_clock;
 
-/// Moves the fingers of some contacts to where they are at a step: sliding and twisting, each a little differently, pressed by 0.1 to
+/// Moves the fingers of some contacts to their positions at a step: they slide and twist, each a little differently, at a depth of 0.1 to
 /// 0.2 mm.
 void move(god::ContactArrays& contacts, std::size_t begin, std::size_t end, int step) {
   const auto x = contacts.x();
@@ -34,7 +34,7 @@ void move(god::ContactArrays& contacts, std::size_t begin, std::size_t end, int 
   }
 }
 
-/// Seconds for all steps, moving the fingers included, by a number of threads.
+/// Seconds for all steps, with the motion of the fingers, on a number of threads.
 double run(const god::Batch& friction, god::ContactArrays& contacts, int steps, unsigned threads) {
   const std::size_t count = contacts.size();
   std::barrier ready(static_cast<std::ptrdiff_t>(threads) + 1);
@@ -48,7 +48,7 @@ double run(const god::Batch& friction, god::ContactArrays& contacts, int steps, 
       team.emplace_back([&, begin, end] {
         const god::ContactBatch batch = contacts.batch().part(begin, end - begin);
         ready.arrive_and_wait();
-        // The friction is shared and constant; nobody waits for anybody.
+        // The threads share the constant friction parameters; none waits.
         for (int step = 0; step < steps; ++step) {
           move(contacts, begin, end, step);
           friction.step(batch);
@@ -101,7 +101,7 @@ int main(int argc, char** argv) {
     right = right && std::ranges::equal(felt.force_x, forces) && std::ranges::equal(felt.moment, moments);
     std::printf("%3u threads: %7.2f million contacts a second, %.2f times one thread\n", threads, 1e-6 * rate, rate / alone);
   }
-  // All slip by now, and none bears more than its limit.
+  // All contacts slip by now, and none exceeds its limit.
   const double limit = 0.6 * 1000.0 * 2e-4 * (1.0 + 1e-9);
   right = right && std::all_of(forces.begin(), forces.end(), [&](double force) { return std::fabs(force) <= limit; });
   const bool slipped = std::any_of(moments.begin(), moments.end(), [](double moment) { return moment != 0.0; });

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* A finger that slides and twists at once, driven from C: it settles at the wrench of its slip, which the law gives exactly. */
+/* A finger in C that slides and twists at once: it settles at the wrench of its slip, and the law gives the exact value. */
 #include "limitcurve.h"
 
 #include <math.h>
@@ -11,7 +11,7 @@ static int fail(void) {
 }
 
 int main(void) {
-  /* Before the loop: a table of a pressure law, and a finger. Everything that can fail is here. */
+  /* Before the loop: a table of a pressure law, and a finger. Only these calls can fail. */
   limitcurve_law* law = NULL;
   limitcurve_table* table = NULL;
   limitcurve_finger* finger = NULL;
@@ -31,7 +31,7 @@ int main(void) {
     if (limitcurve_finger_update(finger, &contact, 1e-3, &felt) != LIMITCURVE_OK) return fail();
   }
 
-  /* The centre of rotation lies 3 mm from the contact: half its radius. */
+  /* The centre of rotation is 3 mm from the contact's centre: half its radius. */
   const double cor = 0.03 / 10 / 0.006;
   double force, moment;
   if (limitcurve_law_evaluate(law, &cor, 1, &force, &moment, NULL, NULL) != LIMITCURVE_OK) return fail();

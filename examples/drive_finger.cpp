@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Job 3, drive: a finger pressed on a plane slides and twists about a centre of rotation at c = a in a 1 kHz loop. The
-// wrench it feels settles at the one that eq. (17) gives for this centre.
+// wrench settles at the wrench of eq. (17) for this centre.
 #include "godobject/godobject.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/table.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which number do I type into MuJoCo, and what does it keep? For a silicone fingertip: mu = 0.8, a = 4 mm at 2 N, growing as P^(1/3).
+// Which number do I type into MuJoCo, and which error remains? For a silicone fingertip: mu = 0.8, a = 4 mm at 2 N, growing as P^(1/3).
 #include "fit/engine_coefficients.hpp"
 #include "limitcurve/laws.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From slips seen by a force-torque sensor to the parameters of a finger, with standard errors.
+// From slips measured by a force-torque sensor to the parameters of a finger, with standard errors.
 #include "fit/contact_fit.hpp"
 #include "limitcurve/laws.hpp"
 

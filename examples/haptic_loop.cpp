@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-// How the finger is hooked into a haptic loop that exists: the device's position and orientation go in, force and torque come
-// out. The device is a stand-in with the habits of real interfaces (OpenHaptics: a callback at 1 kHz that reads a transform
-// in millimetres, column by column, and writes force [N] and torque [N mm]; CHAI3D's cGenericHapticDevice is the same with
-// getPosition, getRotation and setForceAndTorque, in metres); nothing of either is needed to build this.
+// A finger in an existing haptic loop: position and orientation of the device in, force and torque out. The device is simulated with the
+// interface of real ones (OpenHaptics: a callback at 1 kHz that reads a column-major transform in millimetres and writes force [N] and torque
+// [N mm]; CHAI3D's cGenericHapticDevice has getPosition, getRotation and setForceAndTorque, in metres). Neither is needed to build this.
 #include "godobject/godobject.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/table.hpp"
@@ -15,8 +14,8 @@
 namespace lc = limitcurve;
 namespace god = limitcurve::godobject;
 
-/// Stands in for a device: a handle of 60 g in a user's hand, which is a spring and a damper towards where the user wants to
-/// be. y is up, as in most device frames. The scheduler calls back once a millisecond.
+/// A simulated device: a handle of 60 g in a user's hand, which is a spring and a damper towards the position that the user
+/// wants. y is up, as in most device frames. The scheduler calls back once a millisecond.
 class StandInDevice {
  public:
   using Callback = void (*)(StandInDevice& device, void* user_data);
@@ -28,9 +27,9 @@ class StandInDevice {
   }
   void set_force(const double (&newton)[3]) noexcept { force_ = {newton[0], newton[1], newton[2]}; }
   void set_torque(const double (&newton_millimetre)[3]) noexcept { torque_ = 1e-3 * newton_millimetre[1]; }
-  [[nodiscard]] double greatest_force() const noexcept { return 8.0; }  ///< that its motors bear [N]
+  [[nodiscard]] double greatest_force() const noexcept { return 8.0; }  ///< limit of its motors [N]
 
-  /// The user wants to be at a place [m] and turned by an angle about y [rad].
+  /// Sets the position [m] and the rotation about y [rad] that the user wants.
   void want(const Eigen::Vector3d& place, double angle) noexcept {
     wanted_ = place;
     wanted_angle_ = angle;
@@ -57,7 +56,7 @@ class StandInDevice {
   double angle_ = 0.0, spin_ = 0.0, torque_ = 0.0, wanted_angle_ = 0.0;
 };
 
-/// All that is needed to hook the finger in: make it before the loop, call `step` once in each of its rounds.
+/// The finger for a haptic loop: construct it before the loop, call `step` once in each cycle.
 class TouchOfPlane {
  public:
   explicit TouchOfPlane(double greatest_force)
@@ -70,7 +69,7 @@ class TouchOfPlane {
     const god::FingerOutput output = finger_.update(ground_, {y_up_ * position, y_up_ * orientation}, 1e-3);
     force = y_up_.conjugate() * (output.load * output.normal + output.force);
     torque = y_up_.conjugate() * (output.moment * output.normal);
-    // What the motors cannot give is scaled, not cut: its direction stays.
+    // A force beyond the motors' limit is scaled, so its direction stays.
     const double share = std::min(1.0, greatest_force_ / std::max(force.norm(), 1e-300));
     force *= share;
     torque *= share;
@@ -86,8 +85,8 @@ class TouchOfPlane {
     result.twist_stiffness = 0.01;
     result.damping = 1.0;  // > kT/2 = 0.5 N s/m
     result.twist_damping = 1e-5;
-    result.max_displacement = 0.02;  // a device that leaps 20 mm in a millisecond is broken
-    result.fault_decay = 0.95;       // and its last force fades in some 50 ms
+    result.max_displacement = 0.02;  // a jump of 20 mm in a millisecond is a fault
+    result.fault_decay = 0.95;       // then the last force fades in about 50 ms
     return result;
   }
 
@@ -97,7 +96,7 @@ class TouchOfPlane {
   double greatest_force_;
 };
 
-/// The callback: units and frames are turned here, and nowhere else.
+/// The callback: the only place that converts units and frames.
 void servo(StandInDevice& device, void* user_data) {
   auto& touch = *static_cast<TouchOfPlane*>(user_data);
   double columns[16];
@@ -136,6 +135,6 @@ int main() {
     device.run(0.01, servo, &touch);
   }
   report("dragged and turned on", god::ContactState::slip);
-  right = right && touch.output().force.norm() < 0.6 * touch.output().load;  // less than a finger that only slides would feel
+  right = right && touch.output().force.norm() < 0.6 * touch.output().load;  // less than with pure sliding
   return right ? 0 : 1;
 }

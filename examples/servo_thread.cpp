@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Drives a finger at 1 kHz from a thread of its own, as a haptic device wants it, while the main thread looks on at 60 Hz, as a
-// picture does. The state goes over without a lock: neither thread ever waits for the other. In the end it prints how late the
-// thread woke and how long its steps took.
+// Drives a finger at 1 kHz in its own thread, as a haptic device needs it, while the main thread draws at 60 Hz. The state passes between the
+// threads without a lock: neither waits for the other. At the end it prints the delay of the wake-ups and the time of the steps.
 //     example_servo_thread [SECONDS]
 #include "godobject/godobject.hpp"
 #include "limitcurve/laws.hpp"
@@ -21,8 +20,8 @@ namespace lc = limitcurve;
 namespace god = limitcurve::godobject;
 using Clock = std::chrono::steady_clock;
 
-/// The latest value from one writing thread to one reading thread. Three places: one is being written, one being read, and
-/// one waits in the middle; both sides exchange theirs for the middle one in a single atomic step, so neither ever waits.
+/// Passes the latest value from one writing thread to one reading thread. It has three slots: the writer's, the reader's and one between.
+/// Each side exchanges its slot with the one between in a single atomic step, so neither waits.
 template <class Value>
 class Latest {
  public:
@@ -30,7 +29,7 @@ class Latest {
     values_[back_] = value;
     back_ = middle_.exchange(back_ | fresh, std::memory_order_acq_rel) & ~fresh;
   }
-  /// Takes the latest value; false where there is none since the last time.
+  /// Takes the latest value; false if there is no new one.
   bool read(Value& value) noexcept {
     if ((middle_.load(std::memory_order_relaxed) & fresh) == 0U) return false;
     front_ = middle_.exchange(front_, std::memory_order_acq_rel) & ~fresh;
@@ -46,7 +45,7 @@ class Latest {
   unsigned front_ = 2U;  // the reader's
 };
 
-/// What the picture needs: a plain value, copied as a whole.
+/// The state to draw: a plain value.
 struct Snapshot {
   long step = 0;
   god::FingerState state;
@@ -57,7 +56,7 @@ struct Timing {
   std::vector<double> taken;  // by the step [us]
 };
 
-// A finger that slides and twists about a centre of rotation at c = 5 mm on a plane, pressed by 2 N.
+// A finger that slides and twists about a centre of rotation at c = 5 mm on a plane, with a load of 2 N.
 constexpr double depth = 0.002;
 constexpr double cor = 0.005;
 
@@ -77,7 +76,7 @@ int main(int argc, char** argv) {
   parameters.radius_law = lc::RadiusLaw::constant(0.005);
   parameters.stiffness = 1000.0;
   parameters.twist_stiffness = 0.04;
-  // Tables and fingers are made before the loop: only making them allocates.
+  // Construct tables and fingers before the loop: only construction allocates.
   god::SoftFinger finger(lc::Table::build(lc::hertz(), 1e-6), parameters);
 
   Latest<Snapshot> latest;
@@ -86,11 +85,11 @@ int main(int argc, char** argv) {
   timing.taken.reserve(static_cast<std::size_t>(steps));
   std::atomic<bool> done = false;
 
-  // The thread owns the finger. (A real loop asks for a real-time priority here: pthread_setschedparam, SCHED_FIFO.)
+  // The thread owns the finger. (A real loop sets a real-time priority here: pthread_setschedparam, SCHED_FIFO.)
   std::jthread servo([&](std::stop_token stop) {
     Clock::time_point due = Clock::now();
     for (long step = 0; step < steps && !stop.stop_requested(); ++step) {
-      // The next due time counts from the last due time, not from when the thread woke: it does not drift.
+      // The next due time counts from the last due time, not from the wake-up, so it does not drift.
       due += period;
       std::this_thread::sleep_until(due);
       const Clock::time_point begin = Clock::now();
@@ -104,7 +103,7 @@ int main(int argc, char** argv) {
     done = true;
   });
 
-  // The picture: at its own pace, it sees whole states only, and never an older one.
+  // Drawing, at its own rate: it gets complete states only, and never an older one.
   Snapshot seen;
   long pictures = 0;
   bool right = true;
@@ -112,7 +111,7 @@ int main(int argc, char** argv) {
     const long before = seen.step;
     if (!latest.read(seen)) return;
     ++pictures;
-    // The force and the proxy it was made from belong together.
+    // Force and proxy belong to the same step.
     const god::FingerState& state = seen.state;
     for (std::size_t i = 0; i < 3; ++i) {
       right = right && std::abs(parameters.stiffness * (state.proxy[i] - state.goal[i]) - state.force[i]) < 1e-9;

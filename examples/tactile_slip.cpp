@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// From a tactile image to the slip margin: how much of a grip's friction a held object uses, and what grip would do. The disc that is usual in
-// place of the image promises more than there is.
+// From a tactile image to the slip margin: the fraction of a grip's friction that a held object uses, and the required grip. The usual disc in
+// place of the image over-estimates the friction.
 #include "limitcurve/patch.hpp"
 
 #include <algorithm>
@@ -12,8 +12,8 @@
 
 namespace {
 
-/// The share of friction that a wrench about the centre of pressure uses: the largest W·T/(μP H(T)) over all twists, by a search over directions
-/// that narrows. (A control loop asks godobject/patch_finger.hpp: `margin`, `load_to_hold`.)
+/// The fraction of friction that a wrench about the centre of pressure uses: the largest W·T/(μP H(T)) over all twists, by a search over directions
+/// with shrinking steps. (A control loop uses `margin` and `load_to_hold` of godobject/patch_finger.hpp.)
 double used(const limitcurve::Patch& patch, const limitcurve::PatchWrench& wrench, double friction) {
   const double arm = patch.moment_ratio();
   double azimuth = std::atan2(wrench.fy, wrench.fx);
@@ -40,7 +40,7 @@ double used(const limitcurve::Patch& patch, const limitcurve::PatchWrench& wrenc
 }  // namespace
 
 int main() {
-  // A tactile pad of 12 × 8 taxels, 1 mm each, on an edge that it meets at an angle: a long, narrow contact.
+  // A tactile pad of 12 × 8 taxels of 1 mm on an oblique edge: a long, narrow contact.
   constexpr int columns = 12;
   constexpr int rows = 8;
   std::vector<double> pressures;
@@ -67,7 +67,7 @@ int main() {
   std::printf("slip margin %.1f %% (disc: %.1f %%); the least grip that holds is %.2f N (disc: %.2f N)\n", 100.0 * (1.0 - share),
               100.0 * (1.0 - share_of_disc), load * share, load * share_of_disc);
 
-  // The grip scales friction; and the margin is what the force and the moment need together, not one by one.
+  // Friction is proportional to the grip; the margin includes force and moment together.
   const double again = used(contact, weight, mu * load * share);
   const double force_alone = 3.0 / (mu * load);
   const double moment_alone = 0.006 / (mu * load * contact.moment_ratio());

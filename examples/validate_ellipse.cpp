@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Job 2, validate: how wrong the usual ellipse is for each pressure law, and what one more parameter buys.
+// Job 2, validate: the error of the usual ellipse for each pressure law, and the gain from one more parameter.
 #include "limitcurve/approximations.hpp"
 #include "limitcurve/exact_curve.hpp"
 #include "limitcurve/laws.hpp"

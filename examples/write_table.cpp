@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Job 1, generate: a lookup table of a pressure law to a stated error, written, read back, and checked between its nodes.
+// Job 1, generate: writes a lookup table of a pressure law with a stated error, reads it back, and checks it between its nodes.
 //     example_write_table [LAW [TOLERANCE]]
 #include "limitcurve/exact_curve.hpp"
 #include "limitcurve/laws.hpp"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Slip margin of a grasp over a trajectory: a 200 g tool held off its centre of mass, swung to and fro."""
+"""Slip margin of a grasp over a trajectory: a 200 g tool, held beside its centre of mass, swings up and down."""
 
 import limitcurve as lc
 import matplotlib.pyplot as plt
@@ -15,7 +15,7 @@ force = mass * np.abs(gravity + acceleration) / 2  # on each finger
 moment = force * offset
 
 needed = table.load_to_hold(force, moment, mu=mu, radius_law=radius_law)
-without_moment = force / mu  # what a rule without torsion would ask for
+without_moment = force / mu  # the grip by a rule without torsion
 print(f"grip needed: {needed.max():.2f} N at most; without the moment one would think {without_moment.max():.2f} N")
 assert (needed >= without_moment).all()
 assert needed.max() < grip

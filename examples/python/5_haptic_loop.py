@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""A haptic loop: a finger is pressed on a plane, slides and turns, and is lifted; what its user feels, at 1 kHz."""
+"""A haptic loop at 1 kHz: a finger presses on a plane, slides, turns and lifts; plots the force on the user."""
 
 import limitcurve as lc
 import matplotlib.pyplot as plt
@@ -15,7 +15,7 @@ normal = (0.0, 0.0, 1.0)
 felt = []
 for step in range(2000):
     time = step * dt
-    # The device: here a motion that is written down; in a real loop its encoders.
+    # The device: here a scripted motion, in a real loop the encoders.
     depth = 0.003 * np.sin(np.pi * time / 2) - 0.0005
     place = (0.01 * np.sin(2 * np.pi * time), 0.0, 0.0)
     twist = 0.8 * np.sin(3 * np.pi * time)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""A million contacts a step, and what the same costs in plain NumPy, with the ellipse and the radial projection."""
+"""A million contacts a step, compared with plain NumPy for the ellipse and the radial projection."""
 
 import time
 from typing import Any
@@ -15,7 +15,7 @@ MU, RADIUS, STIFFNESS, TWIST_STIFFNESS, M0 = 0.6, 0.005, 1000.0, 0.04, lc.Law("h
 
 
 class NumpyBatch:
-    """Step b of the paper by its equations: springs, and the trial shrunk on to the ellipse."""
+    """Step b of the paper by its equations: springs, and the trial projected radially onto the ellipse."""
 
     def __init__(self, n: int) -> None:
         self.proxy = np.zeros((3, n))
@@ -49,7 +49,7 @@ batches: dict[str, NumpyBatch | lc.Batch] = {
 cost, forces = {}, {}
 for name, contacts in batches.items():
     kind = np.float32 if "float32" in name else np.float64
-    contacts.update(np.zeros(N), np.zeros(N), np.full(N, 0.001), np.zeros(N))  # all touch down at the origin
+    contacts.update(np.zeros(N), np.zeros(N), np.full(N, 0.001), np.zeros(N))  # all make contact at the origin
     seconds = []
     for step in steps:
         x, y, depth, twist = (array.astype(kind) for array in step)

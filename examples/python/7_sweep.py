@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The pivot experiment swept over a cluster: how far the block turns, over its offset and the grip. Needs dask.distributed.
+"""A parameter sweep of the pivot experiment on a cluster: rotation of the block over offset and grip. Needs dask.distributed.
 
 python 7_sweep.py                     two workers on this machine, one of which is killed on the way
 python 7_sweep.py tcp://HOST:8786     the same on your scheduler's workers
@@ -14,11 +14,11 @@ import numpy as np
 from distributed import Client, LocalCluster
 
 OFFSETS = np.linspace(0.002, 0.02, 8)  # of the centre of mass [m]
-OPENINGS = np.geomspace(1, 8, 8)  # time over which the grip eases from 5 N to nothing [s]
+OPENINGS = np.geomspace(1, 8, 8)  # time in which the grip falls from 5 N to 0 [s]
 
 
 def turned(offset: float, over: float) -> float:
-    """By how much the block has turned at the end [rad]."""
+    """Rotation of the block at the end [rad]."""
     table = lc.run("pivot", case="exact", material="sandpaper", offset=offset, release=f"from=5,to=0,over={over}")
     return float(table["angle"][-1])
 
@@ -35,7 +35,7 @@ def main() -> None:
             client.wait_for_workers(1)
             began = time.perf_counter()
             futures = client.map(turned, *zip(*jobs))
-            if local:  # what is lost with a worker is done again by another
+            if local:  # another worker repeats the lost tasks
                 while sum(future.done() for future in futures) < len(jobs) // 8:
                     time.sleep(0.01)
                 next(iter(cluster.workers.values())).process.process.kill()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The paper's experiment inside MuJoCo: a block between two soft fingers whose grip eases, so that the block turns.
+"""The paper's experiment inside MuJoCo: a block between two soft fingers turns when they ease their grip.
 
 MuJoCo has the block, gravity and the fingers' normal forces (contacts of condim 1: no friction of its own). Friction is limitcurve's:
 once a step the two `SoftFinger`s get the contact's place, turn and normal force, and what they give is applied to the block.
@@ -18,14 +18,14 @@ import mujoco  # type: ignore[import-untyped]
 import numpy as np
 
 # The scene of `limitcurve pivot --material sandpaper`: its table of coefficients, its block, its springs.
-MU, MU_R = 1.67, 0.01011  # [1], [m]: the moment's limit is MU_R times the load
+MU, MU_R = 1.67, 0.01011  # [1], [m]: the moment limit is MU_R times the load
 LEVER = MU_R / MU
 MASS, SIZE, OFFSET, WEIGHT = 0.1, (0.12, 0.04, 0.04), 0.005, 0.1 * 9.81
 STIFFNESS, DAMPING = 1000.0, 5.0  # [N/m], [N s/m]
 DT, DURATION = 1e-3, 8.0
 GRIP_TIME, GRIP_LOAD = [0.0, 1.0, 8.0], [0.5, 0.5, 0.3]  # [s], [N]
 HALF = SIZE[2] / 2
-SAG, GIVE = WEIGHT / 2 / STIFFNESS, WEIGHT / 2 * OFFSET / (STIFFNESS * LEVER**2)  # springs of two fingers that just bear the block
+SAG, GIVE = WEIGHT / 2 / STIFFNESS, WEIGHT / 2 * OFFSET / (STIFFNESS * LEVER**2)  # spring deflections of two fingers that carry the block
 
 
 def scene(friction: str, options: str = "") -> str:
@@ -40,7 +40,7 @@ def scene(friction: str, options: str = "") -> str:
 
 
 class Fingers:
-    """Step b for both contacts. All is seen from the block, whose faces do not move there: then proxies are carried with it."""
+    """Step b for both contacts, in the block's frame: there its faces do not move, so proxies move with the block."""
 
     def __init__(self, table: lc.Table, projection: str) -> None:
         twist_stiffness = STIFFNESS * LEVER**2
@@ -50,7 +50,7 @@ class Fingers:
             for _ in range(2)
         ]
         self.twists, self.normals, self.depth, self.dissipated = [0.0, 0.0], [1.0, -1.0], GRIP_LOAD[0] / STIFFNESS, 0.0
-        # They took hold where their springs, once the block hangs on them level, just bear it.
+        # The fingers start where their springs carry the level block.
         for finger, normal in zip(self.fingers, self.normals):
             for place, turn in (((OFFSET, -SAG), GIVE), ((OFFSET, -SAG), GIVE), ((OFFSET, 0.0), 0.0)):
                 finger.update((*place, normal * HALF), (0, 0, normal), self.depth, normal * turn, 0.0)
@@ -59,11 +59,11 @@ class Fingers:
         block, turn = data.xpos[1], data.xmat[1].reshape(3, 3)
         wrench = np.zeros(6)
         for i, (finger, normal) in enumerate(zip(self.fingers, self.normals)):
-            # The turn about the normal is a path integral of the angular velocity, which MuJoCo gives in the block's axes.
+            # The rotation about the normal is a path integral of the angular velocity, in the block's axes in MuJoCo.
             self.twists[i] -= normal * data.qvel[5] * DT
             place = turn.T @ (data.xpos[2 + i] - block)
             place[2] = normal * HALF
-            # As deep as spring and damper together give MuJoCo's normal force.
+            # The depth at which spring and damper together give MuJoCo's normal force.
             rate = DAMPING / DT
             depth = (loads[i] + rate * finger.output.depth) / (STIFFNESS + rate) if loads[i] > 0 else 0.0
             out = finger.update(place, (0, 0, normal), depth, self.twists[i], DT)
@@ -80,7 +80,7 @@ class Fingers:
 def simulate(model_text: str, fingers: Fingers | None) -> dict[str, Any]:
     model = mujoco.MjModel.from_xml_string(model_text)
     data = mujoco.MjData(model)
-    # The fingers close before there is gravity: MuJoCo's contacts need some steps to bear their load.
+    # The fingers close before gravity acts: MuJoCo's contacts need some steps to carry their load.
     gravity = model.opt.gravity.copy()
     model.opt.gravity[:] = 0
     data.qfrc_applied[6:] = GRIP_LOAD[0]
@@ -98,7 +98,7 @@ def simulate(model_text: str, fingers: Fingers | None) -> dict[str, Any]:
         off_plane = abs(data.qpos[2]) + HALF * np.hypot(data.xmat[1][2], data.xmat[1][5])
         rows.append((data.time, angle, *data.xpos[1][:2], off_plane, energy, sum(loads) / 2))
         mujoco.mj_step2(model, data)
-        # Normal forces are known now, and bound the friction of the next step.
+        # The normal forces are known now and limit the friction of the next step.
         loads = [0.0, 0.0]
         for i in range(data.ncon):
             mujoco.mj_contactForce(model, data, i, force)
@@ -134,7 +134,7 @@ def main() -> None:
     for name, run in runs.items():
         angle = np.degrees(run["angle"])
         turning = np.abs(angle - angle[held]) > 1
-        # How far the place of the block where the fingers took hold has come from them.
+        # Distance between the fingers and the point of the block that they gripped first.
         c, s = np.cos(run["angle"][-1]), np.sin(run["angle"][-1])
         slid = float(np.hypot(run["x"][-1] + OFFSET * c, run["y"][-1] + OFFSET * s))
         line = f"{name:25} {run['time'][turning.argmax()]:10.2f} {angle[-1]:13.1f} {1e3 * slid:10.1f} {angle[held] / GRIP_TIME[1]:19.4f}"
@@ -146,7 +146,7 @@ def main() -> None:
         if not fell:
             axes.plot(run["time"][::20], angle[::20], "--" if "limitcurve" in name else "-", label=name)
 
-    # With the wrench of step b, MuJoCo does what `pivot` does: to 0.15 degrees at 1 ms, half of that at half the step.
+    # With the wrench of step b, MuJoCo agrees with `pivot` to 0.15 degrees at 1 ms, and to half of that at half the step.
     ours, planar = runs["MuJoCo + limitcurve"], runs["pivot exact"]
     apart = np.degrees(np.abs(ours["angle"] - planar["angle"][: len(ours["angle"])])).max()
     print(f"MuJoCo + limitcurve is never further than {apart:.3f} degrees from pivot")
