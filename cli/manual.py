@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""The man page and the shell completions of the command line, from what its --help says: the build makes them anew with the executable.
+"""The man page and the shell completions of the command line, from its --help; every build of the executable makes them.
 
 python3 cli/manual.py EXECUTABLE FOLDER     writes limitcurve.1, limitcurve.bash and _limitcurve (zsh) there
 """
@@ -14,7 +14,7 @@ from pathlib import Path
 
 @dataclass
 class Option:
-    """An option, or without dashes a positional argument: ["-o", "--output"], "FILE", whether it must be given, and what it is."""
+    """An option, or without dashes a positional argument: ["-o", "--output"], "FILE", whether it is required, and its text."""
 
     names: list[str]
     kind: str
@@ -28,7 +28,7 @@ class Option:
 
 @dataclass
 class Page:
-    """What --help says, of the whole or of a subcommand."""
+    """The --help of the command or of a subcommand."""
 
     purpose: str
     options: list[Option] = field(default_factory=list)
@@ -91,7 +91,7 @@ class Manual:
 
 
 def roff(text):
-    """Text that groff prints as it stands."""
+    """Text escaped for groff."""
     text = text.replace("\\", "\\e").replace("-", "\\-")
     text = re.sub(r"([|,/])(?=\S)", r"\1\\:", text)  # where a long word may be broken
     return re.sub(r"(?m)^([.'])", r"\\&\1", text)
@@ -122,12 +122,12 @@ def man(manual):
 
 
 def words_after(manual, option):
-    """What a shell offers after an option: its choices, or the laws; nothing where it may offer files."""
+    """Completions after an option: its choices, or the laws; nothing if the shell should offer files."""
     return manual.laws if option.kind == "LAW" else option.choices
 
 
 def bash(manual):
-    """The completion for bash. Where it offers nothing, bash offers files."""
+    """The completion for bash. If it offers nothing, bash offers files."""
     after, others, first = [], set(), []
     for name, page in manual.pages.items():
         offered = [word for option in page.options for word in option.names] + [word for each in page.positionals for word in each.choices]

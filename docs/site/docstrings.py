@@ -6,7 +6,7 @@ import re
 
 
 def escape(app, what, name, thing, options, lines):
-    """What reStructuredText would read as its own."""
+    """Escapes the markup of reStructuredText."""
     lines[:] = [line if line.lstrip().startswith(">>>") else re.sub(r"([|*])", r"\\\1", line) for line in lines]
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The tables of the page "Which number do I type?", from data/engines. `{engines}`: what to type. `{drags}`: what was measured.
+"""The tables of the page "Which number do I type?", from data/engines. `{engines}`: the coefficients. `{drags}`: the measurements.
 
 engines.csv (scripts/maintain/measure_engines) has the engines that were measured; read.csv those that were read. Of an engine that was measured the rows that were read are left out.
 """
@@ -32,7 +32,7 @@ def percent(fraction):
 
 class Table(SphinxDirective):
     def render(self, head, body):
-        """As a Markdown table, so that code and links in cells are read as on any page."""
+        """A Markdown table, so that code and links in cells work."""
         lines = ["| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
         lines += ["| " + " | ".join(cell.replace("|", "\\|") for cell in row) + " |" for row in body]
         node = nodes.container()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Formulas as MathML, made when the site is built: no script, no font to load."""
+"""Converts formulas to MathML when the site is built: no script, no font to load."""
 
 from docutils import nodes
 from docutils.utils.math.latex2mathml import tex2mathml
@@ -9,7 +9,7 @@ logger = logging.getLogger(__name__)
 
 
 def formula(translator, node, inline):
-    """Formulas that docutils cannot read are an error, with their place."""
+    """A formula that docutils cannot read is an error with its place."""
     try:
         translator.body.append(tex2mathml(node.astext(), inline=inline))
     except SyntaxError as error:

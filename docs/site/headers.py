@@ -28,7 +28,7 @@ class Header(DoxygenFileDirective):
 
 
 def declarations_of_a_namespace(renderer, node):
-    """Doxygen joins the words above a namespace from all headers, and Breathe puts a box around it in each: here are neither."""
+    """Removes the namespace descriptions: Doxygen joins those of all headers, and Breathe repeats them in each."""
     file_data = renderer.compound_parser.parse(node.refid)
     file_data.compounddef.briefdescription = file_data.compounddef.detaileddescription = None
     return renderer.render(file_data, renderer.context.create_child_context(file_data))

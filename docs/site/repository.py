@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Pages of the site are the repository's Markdown files: what they are called, and where their links lead."""
+"""The site's pages are the repository's Markdown files: this module gives their names and adapts their links."""
 
 import posixpath
 import re
@@ -27,7 +27,7 @@ class PagesAtTheTop(Project):
 
 
 def page_of(path):
-    """The name of the page that a file or folder of the repository is, or None."""
+    """The page name of a file or folder of the repository, or None."""
     for name in (path, posixpath.join(path, "README.md")):
         if name in FILES and name.endswith(".md"):
             return name.removeprefix("docs/").removesuffix(".md")
@@ -35,7 +35,7 @@ def page_of(path):
 
 
 def resolve_links(app, docname, source):
-    """Links are those of the repository. Here a page, or a folder that has one, is linked as a page; any other folder loses its link."""
+    """Adapts links: a link to a file or folder with a page becomes a link to the page; a link to another folder is removed."""
     folder = posixpath.dirname(posixpath.relpath(app.project.doc2path(docname), ROOT))
 
     def resolved(match):

@@ -10,7 +10,7 @@ QUARTER = [math.pi / 2 * i / 72 for i in range(73)]
 
 
 def limit_curves(data):
-    """Paper, Fig. 3, corrected: every law, with the ellipse that all of them stay inside."""
+    """Paper, Fig. 3, corrected: every law lies inside the ellipse."""
     figure, (left, right) = plt.subplots(1, 2, figsize=(9.6, 4.7), layout="constrained")
     lens = left.inset_axes([0.06, 0.06, 0.52, 0.52])
     for law, rows in data["curves"].groups("law").items():
@@ -68,7 +68,7 @@ def title_of_radius_law(text):
 
 
 def ellipse_error(data):
-    """How much too strong the ellipse is, and how wrong the centre of rotation it implies."""
+    """Over-estimate of the ellipse, and the error of its centre of rotation."""
     figure, (left, right) = plt.subplots(1, 2, figsize=(9.6, 3.9), layout="constrained")
     groups = data["ellipse_error"].groups("law")
     for law in sorted(groups, key=lambda name: -max(groups[name].column("over_estimate"))):
@@ -117,7 +117,7 @@ def models(data):
 
 
 def tables(data):
-    """What a look-up table costs in bytes at each tolerance, and that its error stays within it between the nodes."""
+    """Bytes of a look-up table at each tolerance, and its error between the nodes."""
     figure, (left, right) = plt.subplots(1, 2, figsize=(9.6, 3.9), layout="constrained", width_ratios=(1, 1.15))
     for law, rows in data["tables"].groups("law").items():
         left.plot(rows.column("tolerance"), rows.column("bytes"), marker="o", markersize=3, label=law, **law_style(law))
@@ -150,7 +150,7 @@ ERROR_BARS_EVERY = 12
 
 
 def fits(data):
-    """A limit curve fitted to measured slips, per newton of load, with its 95 % band; and what the fit leaves over."""
+    """A limit curve fitted to measured slips, per newton of load, with its 95 % band; and the residuals."""
     figure, (left, right) = plt.subplots(1, 2, figsize=(9.6, 4.1), layout="constrained")
     samples, band = data["fit_residuals"], data["fit_band"]
     gamma = data["fits"].where(data="slips", parameter="gamma")[0]["value"]
@@ -201,7 +201,7 @@ ENGINE_STYLES = {  # marker, colour, filled
 
 
 def engines(data):
-    """What engines make of one finger, dragged in each of them: the wrenches, the shapes they lie on, and the exact curve."""
+    """One finger dragged in each physics engine: the wrenches, the model curves, and the exact curve."""
     figure, (left, right) = plt.subplots(1, 2, figsize=(9.6, 4.4), layout="constrained")
     drag = data["engine_drag"]
     exact = drag.where(engine=drag[0]["engine"], model=drag[0]["model"])

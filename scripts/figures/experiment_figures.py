@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The report's figures of the paper's experiment (its section 6) and of what it takes from elsewhere: Table 1, form closure. One function
+"""The report's figures of the paper's experiment (section 6), of Table 1 and of form closure. One function
 each: takes the CSVs (see report.py for their columns), returns a figure."""
 
 import math
@@ -7,7 +7,7 @@ import math
 from chart_style import BLUE, FAINT, GREEN, INK, ORANGE, VERMILION, legend_below, plt
 from finger_figures import BLOCK_HEIGHT, BLOCK_LENGTH, CASES, LOST, angle_at_loss, draw_block, held_rows
 
-# What of the [r, rho] plane is shown [N, mN m]: the operator's grip begins and ends at twice the load.
+# The part of the [r, rho] plane in the figure [N, mN m]: the operator's grip begins and ends at twice the load.
 PLANES = {"release": (0.9, 5.4), "operator": (1.75, 10.6)}
 
 
@@ -22,7 +22,7 @@ def pivot_operator(data):
 
 
 def experiment(data, grip):
-    """For each case: poses of the block; x, y of its centre of mass and its angle over time; the repositioning in the [r, rho] plane."""
+    """For each case: poses of the block; x, y of its centre of mass and its angle against time; the repositioning in the [r, rho] plane."""
     figure, panels = plt.subplots(4, len(CASES), figsize=(9.6, 10.6), layout="constrained", sharex="row", sharey="row",
                                   height_ratios=(1.5, 1, 1, 1.5))
     sandpaper = data["materials"].where(material="sandpaper")[0]
@@ -66,7 +66,7 @@ SHOWN_STEPS = 9
 
 
 def draw_plane(axes, held, unit, material, limits):
-    """Fig. 9: trials (diamonds), the points that they are moved to, the p-curves of both, and of the grip that holds at last."""
+    """Fig. 9: trials (diamonds), their projections, the p-curves of both, and the p-curve of the final grip."""
     def p_curve(load, **look):
         axes.plot([material["mu"] * load * x for x, _ in unit], [1e3 * material["mu_r"] * load * y for _, y in unit], **look)
 
@@ -77,7 +77,7 @@ def draw_plane(axes, held, unit, material, limits):
     for row in chosen:
         p_curve(row["load"], color="#c4c4c4", linewidth=0.8)
     if held[-1]["state"] == "stick" and held[-1]["load"] > last["load"]:
-        # Tightened until its p-curve lies outside what the block asks for.
+        # The grip grows until its p-curve lies outside the block's wrench.
         p_curve(held[-1]["load"], color=GREEN, linewidth=1.6, dashes=(6, 2))
     axes.plot(held.column("r"), held.column("rho", 1e3), color=FAINT, linewidth=0.9)
     for row in chosen:
@@ -101,7 +101,7 @@ def legend_plane(figure, axes, regrips):
 
 
 def pivot_stiffness(data):
-    """By how much the block turns before it leaves the fingers, over the twist's stiffness, which the paper does not give."""
+    """Rotation of the block before it leaves the fingers, against the twist stiffness, which the paper does not give."""
     figure, axes = plt.subplots(figsize=(6.4, 3.4), layout="constrained")
     looks = {"coupled": {"color": VERMILION, "dashes": (5, 2)}, "exact": {"color": BLUE}}
     for case, rows in data["pivot_stiffness"].groups("case").items():
@@ -157,7 +157,7 @@ def turn_of(row, prefix):
 
 
 def pinch(data):
-    """Form closure by two fingers: a block that they carry and turn, with and without a friction moment."""
+    """Form closure by two fingers that carry and turn a block, with and without a friction moment."""
     figure, (left, right) = plt.subplots(1, 2, figsize=(9.6, 3.2), layout="constrained", width_ratios=(1.25, 1))
     trace = data["pinch_trace"]
     right.plot(trace.column("time"), [turn_of(row, "q") for row in trace], color=INK, dashes=(4, 2), label="the fingers")
@@ -179,7 +179,7 @@ def pinch(data):
 
 
 def section(data):
-    """The report's part on the experiment: heading, figures with what to see in them, what follows."""
+    """The report's section on the experiment: heading, figures with captions, conclusions."""
     sandpaper = data["table_1"].where(material="sandpaper")[0]
     turned = {case: angle_at_loss(rows)[0] for case, rows in data["pivot"].where(grip="release").groups("case").items()}
     lost = f"{1e3 * LOST:g} mm"

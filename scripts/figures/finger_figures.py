@@ -74,7 +74,7 @@ LENS_STEPS, LENS_STRIDE = 6, 5
 
 
 def repositioning(data):
-    """Paper, Fig. 5: single steps of a slip whose load falls, magnified; every fifth one, so that they can be told apart."""
+    """Paper, Fig. 5: single steps of a slip while the load falls, magnified; every fifth step, so that they are separate."""
     trace = list(data["replay"].groups("trace"))[-1]
     run = data["replay_runs"].where(trace=trace)[0]
     boundaries = list(data["replay"].groups("boundary"))
@@ -132,7 +132,7 @@ def radius_exponent(text):
 
 
 def felt(data):
-    """What the user feels over time on each trace: force and moment, for ellipse and exact curve."""
+    """Rendered force and moment against time on each trace, for ellipse and exact curve."""
     traces = list(data["replay"].groups("trace"))
     figure, panels = plt.subplots(3, len(traces), figsize=(9.6, 5.2), layout="constrained", sharex="col", sharey="row",
                                   height_ratios=(0.6, 1, 1))

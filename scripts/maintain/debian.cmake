@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-# How CPack makes Debian packages of a build with the prefix /usr, which `scripts/maintain/package` gives as BUILD: the C interface,
-# what programs are compiled with, and the command.
+# Debian packages by CPack from a build with the prefix /usr, which `scripts/maintain/package` passes as BUILD: the C interface,
+# the development files, and the command.
 if(CPACK_TEMPORARY_INSTALL_DIRECTORY)
-  # The second time, when a package's files lie ready: what Debian asks of each beside them.
+  # Second call, with the package's files in place: the additional files that Debian requires.
   file(GLOB packages ${CPACK_TEMPORARY_INSTALL_DIRECTORY}/*)
   foreach(package IN LISTS packages)
     get_filename_component(name ${package} NAME)
