@@ -8,13 +8,14 @@
  * Units are SI: m, rad, N, N m, s. A unit wrench is a force in units of mu P and a moment in units of mu P a (friction coefficient mu,
  * load P, contact radius a), both magnitudes >= 0. A centre of rotation (COR) is given by its distance from the contact's centre.
  *
- * Errors. A function that can fail returns a limitcurve_status, with the values of the command line's exit codes. If it is not LIMITCURVE_OK,
- * nothing was written through the caller's pointers, and limitcurve_error() has a line with the argument, its value and the expected values. No
- * exception crosses this interface. NULL in place of a handle, a text or an array is LIMITCURVE_INVALID; arrays of length 0 may be NULL.
+ * Errors. A function that can fail returns a limitcurve_status, with the values of the command line's exit codes. If it is not
+ * LIMITCURVE_OK, nothing was written through the caller's pointers, and limitcurve_error() has a line with the argument, its value and
+ * the expected values. No exception crosses this interface. NULL in place of a handle, a text or an array is LIMITCURVE_INVALID; arrays
+ * of length 0 may be NULL.
  *
  * Ownership. The caller owns the handles that functions create, and frees each once with the function of its kind (NULL is ignored). The
- * library reads the caller's texts and arrays only during the call. Texts that a function returns belong to their handle. A handle stays valid
- * if the handles that it was made from are freed. A library built without NDEBUG refuses freed handles.
+ * library reads the caller's texts and arrays only during the call. Texts that a function returns belong to their handle. A handle stays
+ * valid if the handles that it was made from are freed. A library built without NDEBUG refuses freed handles.
  *
  * Threads. Laws, tables, batches, patches and fits are immutable: any number of threads may share them. Use a finger from one thread at a
  * time; distinct fingers need no lock. Errors are per thread.
@@ -58,8 +59,8 @@ typedef struct limitcurve_law limitcurve_law;
  * limitcurve_law_samples. */
 LIMITCURVE_API limitcurve_status limitcurve_law_parse(const char* text, limitcurve_law** law);
 
-/* A measured profile: pressures (any unit) at `count` >= 4 increasing radii (any unit); the last radius is the contact's edge. `source` is its
- * name. */
+/* A measured profile: pressures (any unit) at `count` >= 4 increasing radii (any unit); the last radius is the contact's edge. `source`
+ * is its name. */
 LIMITCURVE_API limitcurve_status limitcurve_law_samples(const double* radii, const double* pressures, size_t count, const char* source,
                                                         limitcurve_law** law);
 
@@ -71,8 +72,8 @@ LIMITCURVE_API const char* limitcurve_law_name(const limitcurve_law* law);
 /* m0: the unit moment of a pure twist. */
 LIMITCURVE_API limitcurve_status limitcurve_law_moment_ratio(const limitcurve_law* law, double* moment_ratio);
 
-/* Unit wrenches at `count` COR distances in contact radii, each in [0, inf] (NaN gives NaN): forces and moments, and bounds of their absolute
- * errors, which may be NULL. Relative error <= 1e-15 in closed form, <= 1e-14 by quadrature. The outputs may be `cors` itself. */
+/* Unit wrenches at `count` COR distances in contact radii, each in [0, inf] (NaN gives NaN): forces and moments, and bounds of their
+ * absolute errors, which may be NULL. Relative error <= 1e-15 in closed form, <= 1e-14 by quadrature. The outputs may be `cors` itself. */
 LIMITCURVE_API limitcurve_status limitcurve_law_evaluate(const limitcurve_law* law, const double* cors, size_t count, double* forces,
                                                          double* moments, double* force_errors, double* moment_errors);
 
@@ -109,8 +110,8 @@ LIMITCURVE_API limitcurve_status limitcurve_table_bytes(const limitcurve_table* 
 LIMITCURVE_API limitcurve_status limitcurve_table_evaluate(const limitcurve_table* table, const double* cors, size_t count, double* forces,
                                                            double* moments);
 
-/* Distance of unit wrenches from the origin divided by that of the curve on the same ray: < 1 holds, > 1 slips. Forces and moments are finite
- * and >= 0. [real time] */
+/* Distance of unit wrenches from the origin divided by that of the curve on the same ray: < 1 holds, > 1 slips. Forces and moments are
+ * finite and >= 0. [real time] */
 LIMITCURVE_API limitcurve_status limitcurve_table_gauge(const limitcurve_table* table, const double* forces, const double* moments,
                                                         size_t count, double* gauges);
 
@@ -211,14 +212,15 @@ typedef struct limitcurve_patch limitcurve_patch;
 LIMITCURVE_API limitcurve_status limitcurve_finger_new(const limitcurve_table* table, const limitcurve_finger_parameters* parameters,
                                                        limitcurve_projection projection, limitcurve_finger** finger);
 
-/* A finger with a contact that is not round; the radius law is not used. `point_radius` [m] is given to the points of a patch; 0 is the least. */
+/* A finger with a contact that is not round; the radius law is not used. `point_radius` [m] is given to the points of a patch; 0 is the
+ * least. */
 LIMITCURVE_API limitcurve_status limitcurve_finger_new_patch(const limitcurve_patch* patch, const limitcurve_finger_parameters* parameters,
                                                              double point_radius, limitcurve_finger** finger);
 
 LIMITCURVE_API void limitcurve_finger_free(limitcurve_finger* finger);
 
-/* One step. `time_step` [s] since the last step is for the dampers; 0 without. A value that is not finite, a normal that is not of unit length,
- * a jump or a time step < 0 is no error; it gives the state LIMITCURVE_FAULT. [real time] */
+/* One step. `time_step` [s] since the last step is for the dampers; 0 without. A value that is not finite, a normal that is not of unit
+ * length, a jump or a time step < 0 is no error; it gives the state LIMITCURVE_FAULT. [real time] */
 LIMITCURVE_API limitcurve_status limitcurve_finger_update(limitcurve_finger* finger, const limitcurve_contact* contact, double time_step,
                                                           limitcurve_finger_output* output);
 
@@ -231,7 +233,8 @@ LIMITCURVE_API limitcurve_status limitcurve_finger_margin(const limitcurve_finge
 
 /* ---- Many contacts at once ---- */
 
-/* Contacts in arrays of one length that do not overlap, each contact in its own tangent plane. The caller owns the arrays; all 0 at first. */
+/* Contacts in arrays of one length that do not overlap, each contact in its own tangent plane. The caller owns the arrays; all 0 at
+ * first. */
 typedef struct limitcurve_contacts {
   const double* x; /* the finger [m], up to 1e6 */
   const double* y;
@@ -308,8 +311,8 @@ LIMITCURVE_API limitcurve_status limitcurve_patch_orthotropic(const limitcurve_p
 
 LIMITCURVE_API void limitcurve_patch_free(limitcurve_patch* patch);
 
-/* The wrenches (fx, fy, moment) that keep the patch sliding with `count` twists (vx, vy, omega) [m/s, rad/s] about the origin, three numbers each,
- * for mu = 1 and load 1. Their powers [m/s] and the bounds of their errors may be NULL. [real time] */
+/* The wrenches (fx, fy, moment) that keep the patch sliding with `count` twists (vx, vy, omega) [m/s, rad/s] about the origin, three
+ * numbers each, for mu = 1 and load 1. Their powers [m/s] and the bounds of their errors may be NULL. [real time] */
 LIMITCURVE_API limitcurve_status limitcurve_patch_wrench(const limitcurve_patch* patch, const double* twists, size_t count,
                                                          double* wrenches, double* powers, double* errors);
 
@@ -318,14 +321,15 @@ LIMITCURVE_API limitcurve_status limitcurve_patch_wrench(const limitcurve_patch*
 /* A library built without Ceres refuses them with LIMITCURVE_FAILED. */
 typedef struct limitcurve_fit limitcurve_fit;
 
-/* Fits a friction model to `count` measured slips: loads [N], forces [N], moments [N m], and their standard deviations (both arrays, or both
- * NULL). Models: "ellipse", "superellipse", "quartic", "ratio", "law". `law` may be NULL: then "ratio" uses hertz, and "law" finds the best.
- * The contact radius is proportional to P^gamma. */
+/* Fits a friction model to `count` measured slips: loads [N], forces [N], moments [N m], and their standard deviations (both arrays, or
+ * both NULL). Models: "ellipse", "superellipse", "quartic", "ratio", "law". `law` may be NULL: then "ratio" uses hertz, and "law" finds
+ * the best. The contact radius is proportional to P^gamma. */
 LIMITCURVE_API limitcurve_status limitcurve_fit_slips(const char* model, const double* loads, const double* forces, const double* moments,
                                                       const double* sigma_forces, const double* sigma_moments, size_t count,
                                                       const limitcurve_law* law, double gamma, limitcurve_fit** fit);
 
-/* Fits the growth of `count` contact radii [m] with the load [N]: the best of a constant, P^(1/3) and a free power. `sigmas` may be NULL. */
+/* Fits the growth of `count` contact radii [m] with the load [N]: the best of a constant, P^(1/3) and a free power. `sigmas` may be
+ * NULL. */
 LIMITCURVE_API limitcurve_status limitcurve_fit_radii(const double* loads, const double* radii, const double* sigmas, size_t count,
                                                       limitcurve_fit** fit);
 

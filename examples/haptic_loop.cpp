@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A finger in an existing haptic loop: position and orientation of the device in, force and torque out. The device is simulated with the
-// interface of real ones (OpenHaptics: a callback at 1 kHz that reads a column-major transform in millimetres and writes force [N] and torque
-// [N mm]; CHAI3D's cGenericHapticDevice has getPosition, getRotation and setForceAndTorque, in metres). Neither is needed to build this.
+// interface of real ones (OpenHaptics: a callback at 1 kHz that reads a column-major transform in millimetres and writes force [N] and
+// torque [N mm]; CHAI3D's cGenericHapticDevice has getPosition, getRotation and setForceAndTorque, in metres). Neither is needed to
+// build this.
 #include "godobject/godobject.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/table.hpp"

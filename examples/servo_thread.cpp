@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Drives a finger at 1 kHz in its own thread, as a haptic device needs it, while the main thread draws at 60 Hz. The state passes between the
-// threads without a lock: neither waits for the other. At the end it prints the delay of the wake-ups and the time of the steps.
+// Drives a finger at 1 kHz in its own thread, as a haptic device needs it, while the main thread draws at 60 Hz. The state passes between
+// the threads without a lock: neither waits for the other. At the end it prints the delay of the wake-ups and the time of the steps.
 //     example_servo_thread [SECONDS]
 #include "godobject/godobject.hpp"
 #include "limitcurve/laws.hpp"

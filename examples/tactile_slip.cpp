@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// From a tactile image to the slip margin: the fraction of a grip's friction that a held object uses, and the required grip. The usual disc in
-// place of the image over-estimates the friction.
+// From a tactile image to the slip margin: the fraction of a grip's friction that a held object uses, and the required grip. The usual
+// disc in place of the image over-estimates the friction.
 #include "limitcurve/patch.hpp"
 
 #include <algorithm>
@@ -12,8 +12,8 @@
 
 namespace {
 
-/// The fraction of friction that a wrench about the centre of pressure uses: the largest W·T/(μP H(T)) over all twists, by a search over directions
-/// with shrinking steps. (A control loop uses `margin` and `load_to_hold` of godobject/patch_finger.hpp.)
+/// The fraction of friction that a wrench about the centre of pressure uses: the largest W·T/(μP H(T)) over all twists, by a search over
+/// directions with shrinking steps. (A control loop uses `margin` and `load_to_hold` of godobject/patch_finger.hpp.)
 double used(const limitcurve::Patch& patch, const limitcurve::PatchWrench& wrench, double friction) {
   const double arm = patch.moment_ratio();
   double azimuth = std::atan2(wrench.fy, wrench.fx);

@@ -44,7 +44,8 @@ struct ContactFitOptions {
 ///   approximations: force_max [1] (= F/P), moment_max [m] (= M/P), then exponent or kappa.
 /// With gamma ≠ 0 or fitted, moments are those at a load of 1 N, in m/N^γ, the radius has the name c, and gamma follows if free.
 struct ContactFit {
-  /// For charts: a point of the fitted limit curve per newton of load, and the edges of the 95 % band along its normal (in the normalised plane).
+  /// For charts: a point of the fitted limit curve per newton of load, and the edges of the 95 % band along its normal (in the normalised
+  /// plane).
   /// With a load-dependent radius, at a load of 1 N.
   struct BandPoint {
     double force;   ///< F/P [1]
@@ -60,18 +61,18 @@ struct ContactFit {
   /// Distance of each sample from the curve in standard deviations (as given, or estimated from the scatter); positive outside.
   std::vector<double> residuals;
   std::vector<BandPoint> band;  ///< from pure slide to pure twist
-  /// Samples (from 0) whose distance in a robust fit is larger than the scatter of the others explains (a normal error reaches it in one of 200
-  /// data sets). A warning names them, too.
+  /// Samples (from 0) whose distance in a robust fit is larger than the scatter of the others explains (a normal error reaches it in one
+  /// of 200 data sets). A warning names them, too.
   std::vector<std::size_t> outliers;
 };
 
-/// Fits by orthogonal distance: errors of force and moment both count, each in units of its own sigma. Without sigmas the fit assumes errors
-/// that are proportional to the load and equal in the normalised plane, and estimates their size from the scatter; then `report.rms` is
-/// relative to the limit (0.02 is 2 %). With sigmas it is in standard deviations. No starting values are needed.
-/// Cost: about 1 ms for 100 samples, and once a process 20 to 70 ms for each family with a free shape.
-/// Throws std::invalid_argument that names the sample for bad samples, or the parameters that the samples cannot determine
-/// (too few; all on an axis; no twist at all). One more fit finds gross outliers, whatever the loss, and a γ that differs from the assumed γ by more
-/// than chance gives in one of 2000 data sets; the report warns of both.
+/// Fits by orthogonal distance: errors of force and moment both count, each in units of its own sigma. Without sigmas the fit assumes
+/// errors that are proportional to the load and equal in the normalised plane, and estimates their size from the scatter; then `report.rms`
+/// is relative to the limit (0.02 is 2 %). With sigmas it is in standard deviations. No starting values are needed. Cost: about 1 ms for
+/// 100 samples, and once a process 20 to 70 ms for each family with a free shape. Throws std::invalid_argument that names the sample for
+/// bad samples, or the parameters that the samples cannot determine (too few; all on an axis; no twist at all). One more fit finds gross
+/// outliers, whatever the loss, and a γ that differs from the assumed γ by more than chance gives in one of 2000 data sets; the report
+/// warns of both.
 ContactFit fit_contact(std::span<const Sample> samples, const ContactModel& model, const ContactFitOptions& options = {});
 
 /// The fits of all pressure laws, best first by AICc.

@@ -174,8 +174,8 @@ CurveFit<Ellipse> fit_ellipse(const Law& law, Criterion criterion, std::size_t p
       break;
     }
     case Criterion::minimax: {
-      // The error of the intercept ellipse is 0 at both ends and e₀ > 0 at its one maximum between. Scaled by 1 − E it is −E, +E, −E: equal in size
-      // and alternating three times for two parameters, hence minimax, if (1−E)(1+e₀) = 1 + E.
+      // The error of the intercept ellipse is 0 at both ends and e₀ > 0 at its one maximum between. Scaled by 1 − E it is −E, +E, −E:
+      // equal in size and alternating three times for two parameters, hence minimax, if (1−E)(1+e₀) = 1 + E.
       const double largest = curve_error(ellipse, exact).max_over_estimate;
       const double shrink = 1.0 - largest / (2.0 + largest);
       ellipse = Ellipse(shrink, shrink * moment_ratio);

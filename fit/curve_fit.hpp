@@ -24,8 +24,8 @@ enum class Criterion {
 const char* to_string(Criterion criterion) noexcept;
 
 /// An approximation of the exact unit limit curve of a law, with its errors against that curve over all rays.
-/// The report's rms is over the points of the least-squares fit. Its standard errors measure the misfit of the shape (the curve has no noise) and
-/// are 0 for the other criteria.
+/// The report's rms is over the points of the least-squares fit. Its standard errors measure the misfit of the shape (the curve has no
+/// noise) and are 0 for the other criteria.
 template <class Curve>
 struct CurveFit {
   Curve curve;  ///< in unit wrenches
@@ -33,8 +33,8 @@ struct CurveFit {
   FitReport report;
 };
 
-/// Number of points of a least-squares fit, evenly spaced in the normalised slip angle atan(c/(m₀a)) from pure twist to pure slide; the weight of
-/// a point is its share of rays.
+/// Number of points of a least-squares fit, evenly spaced in the normalised slip angle atan(c/(m₀a)) from pure twist to pure slide; the
+/// weight of a point is its share of rays.
 inline constexpr std::size_t default_curve_points = 361;
 
 /// Ellipse of two semi-axes; estimates force_max [1], moment_max [1] in unit wrenches.

@@ -13,8 +13,9 @@ namespace limitcurve::fit {
 
 namespace {
 
-/// Largest distance between the wrenches of two curves at the same twist, in the normalised plane of the exact one: over twists evenly spaced in the
-/// normalised slip angle, and beside the twists where box and diamond jump between corners. A smooth maximum is found to 1e-6.
+/// Largest distance between the wrenches of two curves at the same twist, in the normalised plane of the exact one: over twists evenly
+/// spaced in the normalised slip angle, and beside the twists where box and diamond jump between corners. A smooth maximum is found to
+/// 1e-6.
 template <class Model>
 double wrench_error(const Model& model, const ExactCurve& exact) {
   constexpr int steps = 4000;
@@ -34,8 +35,8 @@ double wrench_error(const Model& model, const ExactCurve& exact) {
   return largest;
 }
 
-/// Measures the shape of `make(moment_max)`, in unit wrenches at the load of the translation. At another load the engine's moment limit per newton
-/// is constant, while the contact's grows with a(P).
+/// Measures the shape of `make(moment_max)`, in unit wrenches at the load of the translation. At another load the engine's moment limit
+/// per newton is constant, while the contact's grows with a(P).
 template <class MakeModel>
 void measure(EngineContact& contact, const ExactCurve& exact, const RadiusLaw& radius_law, double load, LoadRange loads, MakeModel make) {
   contact.error = curve_error(make(exact.moment_ratio()), exact);

@@ -19,8 +19,8 @@ struct EngineCoefficient {
   std::string word{};   ///< the value's name in the engine, if it has one
 };
 
-/// A soft finger in a physics engine with its best coefficients. Errors are fractions of the exact limit curve's radius in the normalised plane,
-/// unless said otherwise.
+/// A soft finger in a physics engine with its best coefficients. Errors are fractions of the exact limit curve's radius in the normalised
+/// plane, unless said otherwise.
 struct EngineContact {
   std::string engine;  ///< mujoco, chrono, gazebo, physx, bullet, ode
   /// Shape of the resulting limit curve: ellipse, diamond (friction pyramid) or box (uncoupled).

@@ -25,13 +25,13 @@ struct LoadFit {
   FitReport report;
 };
 
-/// Least squares of the values in units of their sigmas. Without sigmas, least squares of their logarithms: errors are relative, and `report.rms`
-/// is their size, from the scatter. Starting values come from the data. Cost: below 1 ms.
-/// Throws std::invalid_argument that names a bad sample, or the parameters that the data do not determine (γ from one load).
+/// Least squares of the values in units of their sigmas. Without sigmas, least squares of their logarithms: errors are relative, and
+/// `report.rms` is their size, from the scatter. Starting values come from the data. Cost: below 1 ms. Throws std::invalid_argument that
+/// names a bad sample, or the parameters that the data do not determine (γ from one load).
 LoadFit fit_load(const LoadSamples& samples, LoadModel model, const Loss& loss = {});
 
-/// The fits of the three models, best first by AICc; `aic_difference` in the same order. The report of the best warns of every model that the data
-/// cannot distinguish from it (difference below 2).
+/// The fits of the three models, best first by AICc; `aic_difference` in the same order. The report of the best warns of every model that
+/// the data cannot distinguish from it (difference below 2).
 struct LoadSelection {
   std::vector<LoadFit> candidates;
   std::vector<double> aic_difference;

@@ -14,10 +14,10 @@ struct RatioSample {
   double sigma = 0.0;  ///< its standard deviation [m] > 0
 };
 
-/// One ratio for all materials: the mean weighted by 1/σ², with its standard error, and the contact radius that it implies under the law. A test
-/// of the assumption of one ratio: χ² = Σ((ratio_i − ratio)/σ_i)², its degrees of freedom n − 1, and p_value, the probability of a larger χ² if
-/// the ratios differ only by their scatter. Warns if p_value is below 0.05. Throws std::invalid_argument for fewer than two samples, and for a bad
-/// sample, which it names. Cost: below 1 ms.
+/// One ratio for all materials: the mean weighted by 1/σ², with its standard error, and the contact radius that it implies under the law.
+/// A test of the assumption of one ratio: χ² = Σ((ratio_i − ratio)/σ_i)², its degrees of freedom n − 1, and p_value, the probability of a
+/// larger χ² if the ratios differ only by their scatter. Warns if p_value is below 0.05. Throws std::invalid_argument for fewer than two
+/// samples, and for a bad sample, which it names. Cost: below 1 ms.
 FitReport fit_ratio(std::span<const RatioSample> samples, const PressureLaw& law);
 
 }  // namespace limitcurve::fit

@@ -12,8 +12,8 @@ namespace limitcurve::godobject::test {
 
 enum class Integrator {
   implicit_euler,    ///< Grasp's own
-  symplectic_euler,  ///< place by the new velocity: loses the grip at kΔt²/m > 4, undamped
-  explicit_euler,    ///< place by the old velocity, velocity by the old forces: gains energy at every stiffness
+  symplectic_euler,  ///< position from the new velocity: loses the grip at kΔt²/m > 4, undamped
+  explicit_euler,    ///< position from the old velocity, velocity from the old forces: gains energy at every stiffness
 };
 
 /// A body's velocities after a step [s] under a force [N] and a moment about the centre of mass [N m], world axes. Locked axes keep theirs: of the

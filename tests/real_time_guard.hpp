@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <cstdlib>
 
-// GCC tells by macros, Clang by features.
+// GCC has macros for this, Clang features.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 #define LIMITCURVE_SANITIZED 1
 #elif defined(__has_feature)

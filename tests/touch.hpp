@@ -5,7 +5,7 @@
 
 namespace limitcurve::godobject {
 
-/// A surface's contact with the next place of a finger whose memory a test keeps.
+/// A surface's contact with the next position of a finger; the test keeps the memory.
 template <Surface Shape>
 [[nodiscard]] Contact touch(const Shape& surface, const Eigen::Vector3d& finger, ContactMemory& memory) {
   const Contact contact = surface.contact(finger, memory);

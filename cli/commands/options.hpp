@@ -21,14 +21,14 @@ namespace limitcurve::cli {
 
 enum class Presence { optional, required };
 
-/// Declares the options of a subcommand, each with the variable that receives its value. This class hides the parser's header, which is slow
-/// to compile. A value out of range throws std::invalid_argument that names the option.
+/// Declares the options of a subcommand, each with the variable that receives its value. This class hides the parser's header, which is
+/// slow to compile. A value out of range throws std::invalid_argument that names the option.
 class Options {
  public:
   explicit Options(CLI::App& app) : app_(app) {}
 
-  /// An option whose text goes to `take`, which throws std::invalid_argument if it is no value. `name` is "--law", "-o,--output", or, without
-  /// dashes, a positional argument; `kind` names the value in the help text.
+  /// An option whose text goes to `take`, which throws std::invalid_argument if it is no value. `name` is "--law", "-o,--output", or,
+  /// without dashes, a positional argument; `kind` names the value in the help text.
   void value(const std::string& name, const std::string& kind, std::function<void(const std::string&)> take, const std::string& help,
              Presence presence);
   /// The same for an option that may be given several times: calls `take` for each.

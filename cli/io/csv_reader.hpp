@@ -26,8 +26,8 @@ class CsvReader {
   CsvReader(const CsvReader&) = delete;
   CsvReader& operator=(const CsvReader&) = delete;
 
-  /// Moves to the next row; false after the last. A row with fewer or more fields than the header (such as a truncated line) is an error, and so
-  /// is a file without rows.
+  /// Moves to the next row; false after the last. A row with fewer or more fields than the header (such as a truncated line) is an error,
+  /// and so is a file without rows.
   bool next();
 
   /// Number of fields in the header, or in the first row if there is no header.

@@ -14,8 +14,8 @@ inline constexpr int standard_output = 1;
 int open_to_read(const std::string& file) noexcept;
 /// Creates a new file; fails if it exists.
 int create(const std::filesystem::path& path) noexcept;
-/// Creates a file without a name in the directory of `path`. It disappears if the process ends before `give_name`. Linux only, and not on every
-/// file system.
+/// Creates a file without a name in the directory of `path`. It disappears if the process ends before `give_name`. Linux only, and not on
+/// every file system.
 int create_nameless(const std::filesystem::path& path) noexcept;
 /// Gives a file without a name its name.
 int give_name(int file, const std::filesystem::path& path) noexcept;

@@ -11,8 +11,8 @@
 
 namespace limitcurve::cli {
 
-/// Reads a law from a command line: the library's grammar, or `samples:FILE.csv`, a measured profile with the columns radius,pressure. Throws
-/// std::invalid_argument with the place of the error in the text or in the file.
+/// Reads a law from a command line: the library's grammar, or `samples:FILE.csv`, a measured profile with the columns radius,pressure.
+/// Throws std::invalid_argument with the place of the error in the text or in the file.
 Law read_law(const std::string& text);
 
 /// A radius law on a command line. Measured moment limits become a radius law once friction and pressure law are known: Γ(P) = m₀ μ P a(P).
@@ -32,8 +32,8 @@ class RadiusLawArgument {
   std::vector<LoadSample> moments_;
 };
 
-/// Reads a radius law from a command line: the library's grammar; `samples:FILE.csv`, measured radii with the columns load,radius [N, m]; or
-/// `moments:FILE.csv`, measured moment limits with the columns load,moment [N, N m]. Throws like `read_law`.
+/// Reads a radius law from a command line: the library's grammar; `samples:FILE.csv`, measured radii with the columns load,radius [N, m];
+/// or `moments:FILE.csv`, measured moment limits with the columns load,moment [N, N m]. Throws like `read_law`.
 RadiusLawArgument read_radius_law(const std::string& text);
 
 }  // namespace limitcurve::cli

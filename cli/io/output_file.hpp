@@ -7,8 +7,8 @@
 
 namespace limitcurve::cli {
 
-/// A buffered output that reports every failure: a closed pipe or a full disk throws std::runtime_error with the output's name. The destructor
-/// drops text that was not flushed, so that nothing follows an error.
+/// A buffered output that reports every failure: a closed pipe or a full disk throws std::runtime_error with the output's name. The
+/// destructor drops text that was not flushed, so that nothing follows an error.
 class OutputFile {
  public:
   /// Standard output; not closed by this object.
@@ -30,9 +30,9 @@ class OutputFile {
   std::string buffer_;
 };
 
-/// A file that appears under its name complete or not at all. It is written without a name in the same directory (under a hidden name if the file
-/// system needs one); `commit` gives it its name. Without `commit` the destructor removes it. Failures throw std::runtime_error with file and
-/// cause.
+/// A file that appears under its name complete or not at all. It is written without a name in the same directory (under a hidden name if
+/// the file system needs one); `commit` gives it its name. Without `commit` the destructor removes it. Failures throw std::runtime_error
+/// with file and cause.
 class AtomicFile {
  public:
   explicit AtomicFile(std::filesystem::path path);

@@ -25,8 +25,8 @@ struct Column {
   std::vector<std::string> texts = {};
 };
 
-/// Destination and format of a subcommand's results. `report` collects several runs in one CSV file: then each row begins with the columns that
-/// identify its run, and only the first run writes the header.
+/// Destination and format of a subcommand's results. `report` collects several runs in one CSV file: then each row begins with the
+/// columns that identify its run, and only the first run writes the header.
 struct Results {
   OutputFile& output;
   Format format = Format::csv;

@@ -9,8 +9,8 @@
 
 namespace limitcurve::fit::internal {
 
-/// The bias of least squares due to the curvature of residuals r(θ), to second order in the noise
-/// (Box 1971, "Bias in nonlinear estimation", J. R. Stat. Soc. B 33:171-201, eq. 2.6; Cook, Tsai & Wei 1986, Biometrika 73:615-623):
+/// The bias of least squares due to the curvature of residuals r(θ), to second order in the noise (Box 1971, "Bias in nonlinear
+/// estimation", J. R. Stat. Soc. B 33:171-201, eq. 2.6; Cook, Tsai & Wei 1986, Biometrika 73:615-623):
 ///   bias(θ) = −½ (Σ w g gᵀ)⁻¹ Σ w g tr(H V),
 /// with g and H the gradient and Hessian of a residual, V the covariance of θ, w = 1. For a robust loss w = ψ(r)/r: if errors are
 /// symmetric, the same expansion holds for its estimating equation. H is the central difference of the analytic gradients, with

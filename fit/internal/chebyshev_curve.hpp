@@ -27,7 +27,8 @@ class ChebyshevCurve {
   using Series = std::array<PlanePoint, terms>;
 
   ChebyshevCurve() = default;
-  /// The curve of one law; its derivative with respect to the shape is 0. Cost: 80 evaluations of the law, 160 if its pressure vanishes before the rim.
+  /// The curve of one law; its derivative with respect to the shape is 0. Cost: 80 evaluations of the law, 160 if its pressure vanishes
+  /// before the rim.
   explicit ChebyshevCurve(const PressureLaw& law);
 
   [[nodiscard]] double moment_ratio() const noexcept { return moment_ratio_; }

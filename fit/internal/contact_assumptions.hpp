@@ -16,8 +16,8 @@ namespace limitcurve::fit::internal {
 /// The fit of one model; fits to the same preparation can be compared.
 ContactFit fit_prepared(const ContactPreparation& preparation, const ContactModel& model, const ContactFitOptions& options);
 
-/// Tests two assumptions, that no row is a gross error and that the radius is proportional to P^gamma, with a fit with Cauchy's loss and free
-/// gamma. Adds outliers and warnings to the fit.
+/// Tests two assumptions, that no row is a gross error and that the radius is proportional to P^gamma, with a fit with Cauchy's loss and
+/// free gamma. Adds outliers and warnings to the fit.
 void check_assumptions(ContactFit& fit, std::span<const Sample> samples, const ContactModel& model, const ContactFitOptions& options);
 
 /// The note beside each estimate: the model and its assumptions.
@@ -30,8 +30,8 @@ inline ContactFit& best_of(LawSelection& selection) noexcept {
   return selection.candidates.front();
 }
 
-/// Calls `fit(options)`, which returns a ContactFit or LawSelection. If gross outliers leave the squared loss without a solution, calls it with
-/// Cauchy's loss and adds a warning.
+/// Calls `fit(options)`, which returns a ContactFit or LawSelection. If gross outliers leave the squared loss without a solution, calls
+/// it with Cauchy's loss and adds a warning.
 template <class Fit>
 auto fit_or_outlive_outliers(const ContactFitOptions& options, const Fit& fit) {
   try {

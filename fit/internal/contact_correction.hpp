@@ -44,8 +44,8 @@ Stray expected_stray(const FittedContact& fit, const Stray& at_solution, bool lo
 
 /// Subtracts from each estimate the bias due to curvature; b is the bias of the parameters θ:
 ///   bias(φ) = ∇φ·b + ½ tr(∇²φ V) = S (∇λ·b + ½ ∇λᵀV∇λ + ½ tr(∇²λ V)),
-/// as a factor exp(−bias/S), so that positive values stay positive. V is the covariance of the first `bent` parameters: without gamma, the last
-/// one, the correction is that at the reference load and does not depend on the unit of load.
+/// as a factor exp(−bias/S), so that positive values stay positive. V is the covariance of the first `bent` parameters: without gamma,
+/// the last one, the correction is that at the reference load and does not depend on the unit of load.
 void unbias(FitReport& report, const Reported& reported, const Stray& stray, std::size_t bent);
 
 /// The standard error of the shape (an exponential of its coordinate), averaged over its own 95 % interval by Simpson's rule. If it

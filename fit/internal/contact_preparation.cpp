@@ -59,10 +59,10 @@ void check_signal(std::span<const Sample> samples) {
     throw std::invalid_argument("not identifiable from these samples: mu_r (every moment is within its noise of 0: no twist at all)");
 }
 
-/// Starting values for a robust loss, which gross errors in up to about half of the samples do not move: of the ellipses α f² + β m² = 1 through
-/// two samples each, with f = F/P and m = M/P at the reference load, the one with the least Σ e²/(e² + 0.1²), e = (q − 1)/(q + 1),
-/// q = αf² + βm². Near the ellipse e is the relative distance; a distant sample has the same weight inside and outside. One sample of a pair is
-/// from the half nearer to sliding, one from the half nearer to twisting, 12 of each: at most 144 pairs.
+/// Starting values for a robust loss, which gross errors in up to about half of the samples do not move: of the ellipses α f² + β m² = 1
+/// through two samples each, with f = F/P and m = M/P at the reference load, the one with the least Σ e²/(e² + 0.1²), e = (q − 1)/(q + 1),
+/// q = αf² + βm². Near the ellipse e is the relative distance; a distant sample has the same weight inside and outside. One sample of a
+/// pair is from the half nearer to sliding, one from the half nearer to twisting, 12 of each: at most 144 pairs.
 Limits starting_limits(std::span<const Sample> samples, double gamma, double reference_load) {
   struct Place {
     double angle;
@@ -196,8 +196,8 @@ ContactPreparation prepare(std::span<const Sample> samples, const ContactFitOpti
   for (const Sample& sample : samples) log_load += std::log(sample.load);
   preparation.reference_load = std::exp(log_load / static_cast<double>(samples.size()));
   preparation.start = starting_limits(samples, options.gamma, preparation.reference_load);
-  // Without sigmas the unit of error is the limit itself, for which an ellipse is good enough. A robust loss also needs the typical error, to
-  // which the misfit of a quartic adds little: 1.4826 median |residual| estimates σ, insensitive to outliers.
+  // Without sigmas the unit of error is the limit itself, for which an ellipse is good enough. A robust loss also needs the typical
+  // error, to which the misfit of a quartic adds little: 1.4826 median |residual| estimates σ, insensitive to outliers.
   const bool robust = options.loss.kind != Loss::Kind::squared;
   const ContactModel shape{robust ? ContactModel::Kind::quartic : ContactModel::Kind::ellipse};
   const std::unique_ptr<UnitCurve> curve = make_curve(shape);

@@ -26,10 +26,10 @@ std::vector<PushFriction> push_friction(const Patch& patch, std::span<const Push
 
 /// μ from power: W·T/(P H(T)) of every push, which must not depend on the share of rotation. The estimates are
 ///   mu        its mean; standard error from its scatter,
-///   drift     least-squares slope of μ against the share of rotation |ω|m₀/√(v² + ω²m₀²), v of the centre of pressure, divided by the mean,
-/// and mu_ellipsoid, drift_ellipsoid: the same with the ellipsoid √(v² + m₀²ω²) in place of H, with v = (mx v_x, my v_y) if friction is
-/// orthotropic. `load` P [N]; if it is unknown pass 1, and mu is μP [N]. drift is nan if all shares are equal.
-/// Throws std::invalid_argument for fewer than 3 pushes, or for a push that does not move (the message has its number, from 1).
+///   drift     least-squares slope of μ against the share of rotation |ω|m₀/√(v² + ω²m₀²), v of the centre of pressure, divided by the
+/// mean, and mu_ellipsoid, drift_ellipsoid: the same with the ellipsoid √(v² + m₀²ω²) in place of H, with v = (mx v_x, my v_y) if friction
+/// is orthotropic. `load` P [N]; if it is unknown pass 1, and mu is μP [N]. drift is nan if all shares are equal. Throws
+/// std::invalid_argument for fewer than 3 pushes, or for a push that does not move (the message has its number, from 1).
 std::vector<Estimate> fit_friction(const Patch& patch, std::span<const Push> pushes, double load, const std::string& unit);
 
 }  // namespace limitcurve::fit

@@ -15,16 +15,16 @@ namespace limitcurve::fit::internal {
 /// A number with three digits, for messages.
 std::string brief(double value);
 
-/// Rows whose distance from the curve of a robust fit is larger than the scatter of the others explains: a normal error reaches it in one of 200
-/// data sets. `noise` is the unit of the residuals, in limits. The scatter comes from the median, with Rousseeuw's correction for few
-/// samples. Without sigmas nothing below a thousandth of the limits is gross.
+/// Rows whose distance from the curve of a robust fit is larger than the scatter of the others explains: a normal error reaches it in one
+/// of 200 data sets. `noise` is the unit of the residuals, in limits. The scatter comes from the median, with Rousseeuw's correction for
+/// few samples. Without sigmas nothing below a thousandth of the limits is gross.
 std::vector<std::size_t> outliers_of(const Solution& robust, bool with_sigma, double noise);
 
 /// Adds a warning with the outliers (0 is the first row), if any, of a fit with `loss`.
 void warn_of_outliers(FitReport& report, const std::vector<std::size_t>& outliers, const Loss& loss);
 
-/// Adds a warning if `gamma`, fitted with `spare` more rows than parameters and this rms, differs from the assumed gamma by more than chance gives
-/// in one of 2000 data sets (Student's distribution).
+/// Adds a warning if `gamma`, fitted with `spare` more rows than parameters and this rms, differs from the assumed gamma by more than
+/// chance gives in one of 2000 data sets (Student's distribution).
 void warn_of_growth(FitReport& report, double assumed, const Estimate& gamma, double spare, double rms);
 
 }  // namespace limitcurve::fit::internal

@@ -118,7 +118,7 @@ def run(subcommand: str, *arguments: str, **options: Any) -> Columns:
 
 
 def validate(law: str | Law | Sequence[str | Law] | None = None, *, patch: str | Sequence[str] | None = None) -> Columns:
-    """Errors of ellipse, superellipse, quartic and box against the exact curve of one law, several or all laws; or of round models of patches.
+    """Errors of ellipse, superellipse, quartic and box against the exact curve of one, several or all laws; or of round models of patches.
 
     Columns: law, model, parameter, max_error, rms_error, max_over_estimate, max_under_estimate, max_cor_error; errors as fractions.
 

@@ -40,7 +40,7 @@ class HostileCalls : public testing::Test {
   Thing* or_null(Thing* thing) {
     return random() % 8 == 0 ? nullptr : thing;
   }
-  /// A status is one of three, and a failure has a line of its own.
+  /// A status has one of three values, and a failure has its own message.
   void expect_told(limitcurve_status status) {
     ++calls;
     ASSERT_TRUE(status == LIMITCURVE_OK || status == LIMITCURVE_FAILED || status == LIMITCURVE_INVALID);

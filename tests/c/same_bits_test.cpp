@@ -84,7 +84,7 @@ TEST(SameBits, FrictionOfABoxWhoseTestsComeToRestApart) {
     ASSERT_EQ(memory.slides != 0, same_memory.slides);
     ASSERT_EQ(memory.turns != 0, same_memory.turns);
     ++seen[static_cast<std::size_t>(2 * memory.slides + memory.turns)];
-    // By hand: what turned turns on until the moment is below half of what it bears turning, 0.9 N * 5 mm * 0.6.
+    // By hand: a contact that turned keeps turning until the moment is below half of the sliding limit, 0.9 N * 5 mm * 0.6.
     if (memory.turns == 0) {
       ASSERT_TRUE(moment <= 1.2 * 0.006 * 0.6);
     } else if (moment < 0.5 * 0.9 * 0.005 * 0.6) {

@@ -325,8 +325,8 @@ TEST(ContactFit, SaysWhichLawsTheDataCannotTell) {
   EXPECT_EQ(unclear.aic_difference[0], 0.0);
   EXPECT_LT(unclear.aic_difference[1], 2.0);
   const auto& warnings = unclear.candidates[0].report.warnings;
-  EXPECT_TRUE(
-      std::any_of(warnings.begin(), warnings.end(), [](const std::string& w) { return w.find("cannot distinguish") != std::string::npos; }));
+  EXPECT_TRUE(std::any_of(warnings.begin(), warnings.end(),
+                          [](const std::string& w) { return w.find("cannot distinguish") != std::string::npos; }));
 
   // With errors of 0.05 % flat punch and Hertz are worlds apart.
   std::vector<Sample> sharp = synthetic::clean(synthetic::curve_of(flat_punch()), truth, 200, random);

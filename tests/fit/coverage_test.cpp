@@ -12,14 +12,14 @@
 namespace limitcurve::fit {
 namespace {
 
-/// A short version of `fit_coverage_study 1000`, whose figures the module's README gives.
+/// A short version of `fit_coverage_study 1000`; the module's README has its figures.
 void expect_honest(const ContactModel& model, double noise, bool tell) {
   constexpr int seeds = repetitions(300, 50);
-  // Those of a short build tell less.
+  // A short build has fewer draws.
   const double wider = std::sqrt(300.0 / seeds);
   int blanks = 0;
   for (const auto& [name, honesty] : synthetic::study(model, hertz(), 0.5, noise, tell, seeds, blanks)) {
-    // 300 draws tell the mean to 0.06 standard errors and a share of 95 % to 1.3 %: three of each.
+    // 300 draws determine the mean to 0.06 standard errors and a share of 95 % to 1.3 %: three times these.
     EXPECT_LT(std::fabs(honesty.bias), 0.1 + 3 * 0.06 * wider) << name;
     EXPECT_NEAR(honesty.coverage, 0.95, 3 * 0.0126 * wider) << name;
   }

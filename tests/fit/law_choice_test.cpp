@@ -69,7 +69,7 @@ TEST(LawChoice, StatedRadiusHoldsTheTruthWhicheverLawMadeTheData) {
     EXPECT_NE(report.note.find("best of 8 laws"), std::string::npos) << report.note;
   }
   std::printf("%d of %d radii within two standard errors, %d false alarms\n", held, sets, alarms);
-  // 20 sets tell the share to 5 %.
+  // 20 sets determine the share to 5 %.
   const double slack = sets < all_sets ? 0.05 : 0.0;
   EXPECT_GE(held, (0.90 - slack) * sets);
   EXPECT_LE(held, (0.99 + slack) * sets);

@@ -147,7 +147,7 @@ TEST(LoadFit, ChoosesTheModelThatMadeTheData) {
   EXPECT_GE(share(0.0, LoadModel::linear), 74);
   EXPECT_GE(share(1.0 / 3.0, LoadModel::hertz), 74);
   EXPECT_EQ(share(0.2, LoadModel::power), 100);
-  // Half way between the two, so noisy and over so few loads that nobody could tell.
+  // Half way between the two, with too much noise and too few loads to distinguish them.
   int warned = 0;
   for (int seed = 0; seed < 100; ++seed) {
     Random random(static_cast<std::uint64_t>(900 + seed));

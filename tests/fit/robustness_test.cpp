@@ -131,7 +131,7 @@ TEST(Robustness, DefaultScalesCostFivePercentOfEfficiency) {
     return synthetic::study(ContactModel::of(hertz()), hertz(), 0.5, 0.01, true, sets, blanks, loss).at("mu").scatter;
   };
   const double squared = scatter(Loss::squared());
-  // Estimates by two losses agree but for a fifth of their error: 100 sets tell the share to 4 %, 1000 to 1.3 %.
+  // Estimates by two losses agree to a fifth of their error: 100 sets determine the share to 4 %, 1000 to 1.3 %.
   const double told = 3.0 * 0.4 / std::sqrt(sets);
   for (const Loss& loss : {Loss::huber(), Loss::cauchy()}) {
     EXPECT_NEAR(std::pow(squared / scatter(loss), 2), 0.95, told) << to_string(loss.kind);

@@ -53,7 +53,7 @@ inline std::vector<Sample> clean(const Curve& curve, const Truth& truth, std::si
   return samples;
 }
 
-/// Adds Gaussian errors of `relative` times the limits μP and μ_rP, and says so in the sigmas if asked.
+/// Adds Gaussian errors of `relative` times the limits μP and μ_rP, and optionally sets the sigmas.
 inline void disturb(std::vector<Sample>& samples, double relative, double mu, double mu_r, bool tell, Random& random) {
   for (Sample& sample : samples) {
     const double sigma_force = relative * mu * sample.load;

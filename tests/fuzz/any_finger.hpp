@@ -14,7 +14,7 @@
 /// Fingers of any parameters, on the curves and projections that the targets of the step go through.
 namespace limitcurve::fuzz {
 
-/// A double of the input's own bits, or one that a finger might have: |value| ≤ `usual`.
+/// A double from the input's bits, or a plausible value for a finger: |value| ≤ `usual`.
 inline double any_double(Bytes& bytes, bool raw, double usual) {
   if (raw) return bytes.take<double>();
   return usual * static_cast<double>(bytes.take<std::int16_t>()) / 32768.0;
@@ -34,7 +34,7 @@ inline godobject::FingerParameters any_parameters(Bytes& bytes) {
     result.damping = std::fabs(any_double(bytes, raw(5), 5.0));
     result.twist_damping = std::fabs(any_double(bytes, raw(4), 1e-3));
   }
-  // Believed wherever it is: what leaps is what is hard.
+  // Accept every jump: jumps are the hard cases.
   result.max_displacement = std::numeric_limits<double>::infinity();
   if (raw(7)) {
     result.max_displacement = std::fabs(any_double(bytes, raw(0), 0.1));

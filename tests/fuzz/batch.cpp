@@ -62,7 +62,7 @@ void run(fuzz::Bytes bytes) {
 
 }  // namespace
 
-/// A batch of contacts in both precisions, fed with any bits. That it does what fingers do on usual input is a test's to say.
+/// A batch of contacts in both precisions with arbitrary bits. Tests compare it with fingers on ordinary input.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   run<double>({data, size});
   run<float>({data, size});

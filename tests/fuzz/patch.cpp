@@ -35,7 +35,7 @@ void require_honest(const Patch& patch) {
 
 }  // namespace
 
-/// A patch: the first line is the argument, in which @ stands for a file that holds the rest. A complaint, or an honest patch.
+/// A patch: the first line is the argument; @ stands for a file with the rest. The result is an error or a valid patch.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static fuzz::MemoryFile file;
   const std::string_view text = fuzz::as_text(data, size);

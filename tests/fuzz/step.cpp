@@ -31,7 +31,7 @@ void require_within_limit(const SoftFinger& finger) {
   const FrictionLimit<double>& limit = slips && memory.slides ? limits.sliding : limits.at_rest;
   const FrictionLimit<double>& of_moment = slips && (is_box ? memory.turns : memory.slides) ? limits.sliding : limits.at_rest;
   const double moment_unit = of_moment.force * of_moment.radius;
-  // So little friction is none: no trial is told from one 1e60 times its limit, and no trial here is above 1e21.
+  // Such a small limit counts as no friction: a trial above 1e60 times its limit is treated as that, and no trial here is above 1e21.
   constexpr double least = 1e-38;
   const double force = output.force.norm();
   const double moment = std::fabs(output.moment);

@@ -29,8 +29,8 @@ std::vector<Row> read(const std::string& file) {
 
 }  // namespace
 
-/// A trace: rows of finite numbers, or a complaint that names the place; what was read comes back when it is written
-/// again; and the god-object replays it in finite numbers.
+/// A trace: rows of finite numbers, or an error with its place; the rows survive a round trip when written again; and the god-object
+/// replays it in finite numbers.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static fuzz::MemoryFile file;
   file.replace(fuzz::as_text(data, size));

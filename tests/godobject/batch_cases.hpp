@@ -19,7 +19,7 @@ struct Case {
   Projection projection = Projection::closest_point;
 };
 
-/// Every curve and projection, and whatever a parameter changes in the step.
+/// Every curve and projection, and every parameter that changes the step.
 template <class Real>
 std::vector<Case<Real>> cases() {
   const double m0 = hertz()->moment_ratio();
@@ -34,7 +34,7 @@ std::vector<Case<Real>> cases() {
                                  {"table, stiff twist", table, parameters(0.6, 0.005, 1000.0, 0.4)},
                                  {"table, soft twist", table, parameters(0.6, 0.005, 1000.0, 0.001)},
                                  {"table, no torsion", table, without_torsion}};
-  // A table whose buckets hold several cells.
+  // A table with several cells in a bucket.
   const std::array<PressureSample, 6> jumps{{{0.0, 1.0}, {0.37, 1.0}, {0.37, 0.4}, {0.71, 0.4}, {0.71, 0.9}, {1.0, 0.3}}};
   const auto searched = BasicTable<Real>::build(samples(jumps, "jumps"), sizeof(Real) == sizeof(float) ? 1e-6 : 1e-10);
   result.push_back({"table of jumps", searched, parameters()});

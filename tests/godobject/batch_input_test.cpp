@@ -51,7 +51,7 @@ TYPED_TEST(BatchInput, WhatIsNotUsableTouchesNothingAndItsNeighboursNeither) {
   }
 }
 
-// All that a number can be in every place, for hundreds of steps.
+// Every kind of number in every field, for hundreds of steps.
 TYPED_TEST(BatchInput, NoNaNComesOutWhateverComesIn) {
   using Real = TypeParam;
   using Limits = std::numeric_limits<Real>;
@@ -95,7 +95,7 @@ TYPED_TEST(BatchInput, NoNaNComesOutWhateverComesIn) {
   }
 }
 
-// Fingers whose numbers a float's squares cannot hold are stepped all the same.
+// Fingers with numbers whose squares overflow a float work, too.
 TYPED_TEST(BatchInput, StepsFingersOfAnyScale) {
   using Real = TypeParam;
   const BasicFingerCurve<Real> table = BasicTable<Real>::build(hertz(), 1e-6);

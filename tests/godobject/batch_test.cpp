@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Batches of both precisions: they do what single fingers do, and keep the same promises.
+// Batches of both precisions agree with single fingers and keep the same promises.
 #include "tests/godobject/batch_cases.hpp"
 #include "tests/repetitions.hpp"
 
@@ -14,7 +14,7 @@
 namespace limitcurve::godobject::test {
 namespace {
 
-/// What is promised of a wrench, relative to the limit: the onset of slip, and rounding of the gauge that it is checked with.
+/// Tolerance of a wrench relative to the limit: the onset of slip, and rounding of the gauge in the check.
 template <class Real>
 constexpr double most_gauge = double{slip_onset<Real>} + 8.0 * std::numeric_limits<Real>::epsilon();
 
@@ -81,7 +81,7 @@ class BatchOf : public testing::Test {};
 using Reals = testing::Types<double, float>;
 TYPED_TEST_SUITE(BatchOf, Reals);
 
-// It sticks as near to the curve as the precision tells, and slips where the onset says, in all directions.
+// It sticks up to the curve, within the precision, and slips from the onset on, in all directions.
 TYPED_TEST(BatchOf, SlipBeginsOnTheCurve) {
   using Real = TypeParam;
   constexpr double onset = double{slip_onset<Real>} - 1.0;
@@ -184,7 +184,7 @@ TYPED_TEST(BatchOf, AHeldContactKeepsEveryBit) {
   }
 }
 
-// Driven at a constant twist it settles at eq. (17)'s wrench: the closest point does, whatever the stiffnesses.
+// Under a constant twist it settles at the wrench of eq. (17) with the closest point, for any stiffnesses.
 TYPED_TEST(BatchOf, SettlesAtEquation17) {
   using Real = TypeParam;
   constexpr bool is_double = sizeof(Real) == sizeof(double);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a finger on a curved surface must not do, and the first edition did: twist without turning, and win energy on the way round. Work and
-// spin are counted here by quantities of their own: forces along the finger's way, and angles from closed forms.
+// Faults of the first edition on curved surfaces: twist without rotation, and energy gain on a closed path. The test computes work and
+// spin independently: from forces along the finger's path, and from angles in closed form.
 #include "godobject/godobject.hpp"
 #include "tests/godobject/scene.hpp"
 
@@ -30,7 +30,7 @@ Quaterniond about(const Vector3d& axis, double angle) {
   return Quaterniond(AngleAxisd(angle, axis));
 }
 
-/// What a finger's user is given along a way, by the trapezoidal rule in force and in moment about the normal.
+/// Work on the user along a path, by the trapezoidal rule in force and in moment about the normal.
 struct Work {
   double sum = 0.0;  // [J]
   bool all_stick = true;
@@ -55,7 +55,8 @@ struct Work {
   bool known_ = false;
 };
 
-// Point 1: a finger that moves from the pole of a ball to its equator and does not turn feels no moment, however its device is turned.
+// Point 1: a finger that moves from the pole of a ball to its equator without rotation renders no moment, for any orientation of the
+// device.
 TEST(CurvedSurface, TranslationGivesNoMoment) {
   const AnySurface ball(SphereSurface(0.05));
   for (const double yaw : {0.0, 0.5, 1.0, 3.0, -2.0}) {
@@ -155,7 +156,7 @@ TEST(CurvedSurface, ALoopOfAStuckFingerWinsNothing) {
       for (int i = 1; i <= steps; ++i) go(0.0, 0.001 + 0.0015 * i / steps);
     }
     EXPECT_TRUE(work.all_stick) << shape.name;
-    // The force is linear in the finger's place, so that the trapezoidal rule is exact.
+    // The force is linear in the finger's position, so the trapezoidal rule is exact.
     EXPECT_LT(std::fabs(work.sum), 1e-15) << shape.name;
   }
 }
@@ -175,7 +176,7 @@ TEST(CurvedSurface, DampedFrictionIsTangent) {
   }
 }
 
-// Point 7: a ball of 0.1 kg between fingers on its surface loses energy, whatever slips. The first edition won 8e-5 of it in a step.
+// Point 7: a ball of 0.1 kg between fingers on its surface loses energy in every slip. In the first edition it gained 8e-5 of it in a step.
 TEST(CurvedSurface, ABallBetweenFingersNeverWinsEnergy) {
   Random random(8);
   for (int scene = 0; scene < 40; ++scene) {

@@ -22,7 +22,8 @@ SoftFinger finger_of(const FingerParameters& with) {
   return {Ellipse::through_intercepts(hertz()->moment_ratio()), with};
 }
 
-// Point 2: at 5 mm/s, whatever the device's resolution, rate and noise, friction is the dynamic one. The first edition gave a saw-tooth of mean 0.449.
+// Point 2: at 5 mm/s friction is dynamic for any resolution, rate and noise of the device. The first edition gave a saw-tooth with the
+// mean 0.449.
 TEST(Device, ASampleThatRepeatsOrIsNoisyDoesNotBringASlidingFingerToRest) {
   struct Kind {
     const char* name;
@@ -35,7 +36,7 @@ TEST(Device, ASampleThatRepeatsOrIsNoisyDoesNotBringASlidingFingerToRest) {
       {"half the rate", [](int i, auto&) { return Vector3d(5e-6 * (i / 2 * 2), 0.0, -0.0015); }, 1e-6},
       // Where noise takes the finger back by 3 um of 450, the force falls by as much.
       {"3 um of noise", [&](int i, auto& random) { return Vector3d(5e-6 * i + 3e-6 * normal(random), 0.0, -0.0015); }, 0.001},
-      // A depth that is 50 um more bears 3.3 % more than the trial.
+      // At 50 um more depth the limit is 3.3 % above the trial.
       {"50 um of noise in depth", [&](int i, auto& random) { return Vector3d(5e-6 * i, 0.0, -0.0015 + 5e-5 * normal(random)); }, 0.01}};
   for (const Kind& kind : kinds) {
     std::mt19937 random(1);
@@ -64,7 +65,7 @@ std::vector<double> slips_of_a_mass(double mu, double mu_dynamic, double rest_ma
   with.rest_margin = rest_margin;
   SoftFinger finger = finger_of(with);
   const double depth = 2.0 / with.stiffness;
-  // The finger's place relative to the mass, which is what touches it: symplectic Euler, far below the contact's period.
+  // The finger's position relative to the touched mass: symplectic Euler, with a step far below the contact's period.
   double place = 0.0, velocity = 0.0;
   bool slipped = false;
   double last_slip = -1.0;
@@ -82,7 +83,7 @@ std::vector<double> slips_of_a_mass(double mu, double mu_dynamic, double rest_ma
   return begins;
 }
 
-// Point 2: a mass on a spring k that is drawn at v sticks until k x = μ P, slips with μ_d P for half a period of its own, and sticks again:
+// Point 2: a mass pulled at v by a spring k sticks until k x = μ P, slips with μ_d P for half of its natural period, and sticks again:
 // the period is 2 (μ − μ_d) P/(k v) + π √(m/k), and 2/ω atan2 … for the drive's way during the slip. (Popp, Stelter 1990; v small against it.)
 TEST(Device, StickSlipOfAMassKeepsItsPeriod) {
   for (const auto& [mu, mu_dynamic] : {std::pair{0.6, 0.4}, {0.6, 0.3}, {0.6, 0.55}}) {

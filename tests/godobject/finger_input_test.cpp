@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a finger makes of any input: the ends of each range, numbers that are none, leaps, steps at random, bits at random.
+// A finger with any input: the ends of each range, NaN, jumps, random steps, random bits.
 #include "godobject/kernel/finger_step.hpp"
 #include "tests/godobject/scene.hpp"
 
@@ -62,7 +62,7 @@ TEST(SoftFinger, WithoutTorsionalFrictionTheForceIsLimitedByItself) {
   EXPECT_DOUBLE_EQ(finger.output().force.x(), -1.2);
 }
 
-// Less than any arithmetic tells from nothing: a limit below 1e-125 N counts as that much.
+// A limit below 1e-125 N is below all rounding and counts as 1e-125 N.
 TEST(SoftFinger, FeelsNextToNothingWhereFrictionVanishes) {
   FingerParameters with = parameters();
   // What such a trial deflects this spring by is more than some limits.
@@ -107,7 +107,7 @@ TEST(SoftFinger, HoldsTheLastGoodOutputOnBadInput) {
   EXPECT_EQ(output.force, good.force);
 }
 
-// One bad sample is nothing to be felt; a device that no longer tells where it is must not hold on for ever.
+// One bad sample does not change the force; a device that stops sending positions must not keep its force for ever.
 TEST(SoftFinger, HoldsOnceThenLetsGoSoftly) {
   FingerParameters with = parameters();
   with.fault_decay = 0.5;
@@ -160,7 +160,7 @@ TEST(SoftFinger, BelievesAFingerThatIsBackFromAJump) {
   finger.update(on_plane(0.0, 0.0, 0.002), 0.0);
   finger.update(on_plane(0.0004, 0.0, 0.002), 0.0);
   const FingerOutput good = finger.output();
-  // A metre away, up, and deep: whatever is told in one sample, nothing is felt of it, in this one or the next.
+  // A metre away, up, and deep: one such sample does not change the output, in this step or the next.
   for (const Contact& leap : {on_plane(1.0, 0.0, 0.002), on_plane(0.0, 0.0, -1.0), on_plane(0.0, 0.0, 1.0)}) {
     EXPECT_EQ(finger.update(leap, 0.0).state, ContactState::invalid);
     EXPECT_EQ(finger.output().force, good.force);
@@ -227,7 +227,7 @@ TEST(SoftFinger, RandomStepsStayWithinTheCurveAndDissipate) {
   });
 }
 
-// Any bits at all as input: never a NaN, an inf, or a wrench that the load does not bear.
+// Arbitrary bits as input never give NaN, inf, or a wrench beyond the friction limit.
 TEST(SoftFinger, RandomBitsDoNoHarm) {
   for_each_curve_and_projection(uniform(), [&](const FingerCurve& curve, Projection projection, const std::string& name) {
     Random random(2);
@@ -251,7 +251,7 @@ TEST(SoftFinger, RandomBitsDoNoHarm) {
       ASSERT_TRUE(output.proxy.allFinite() && output.force.allFinite()) << name << ' ' << i;
       ASSERT_TRUE(std::isfinite(output.angle) && std::isfinite(output.moment) && std::isfinite(output.load));
       ASSERT_GE(output.slip_work, 0.0);
-      // No trial is told from one 1e60 times its limit: where the load is next to nothing, so is the force.
+      // A trial above 1e60 times its limit is treated as that: with almost no load the force is almost zero.
       ASSERT_LE(output.force.norm(), with.mu * output.load * (1.0 + 2e-12) + 1e-50) << name;
     }
   });

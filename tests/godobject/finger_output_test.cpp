@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a finger tells besides force and moment: margin, load that holds, place of the COR; and its state as a value.
+// Outputs of a finger beside force and moment: margin, load to hold, position of the COR; and its state as a value.
 #include "tests/godobject/scene.hpp"
 
 #include <gtest/gtest.h>
@@ -50,7 +50,7 @@ TEST(SoftFinger, TellsTheLoadThatHolds) {
   }
 }
 
-// A finger that is turned about a fixed place: that place is the centre of rotation of its slip.
+// A finger turns about a fixed point: that point is the centre of rotation of its slip.
 TEST(SoftFinger, TellsWhereTheCentreOfRotationIs) {
   for (const double sense : {1.0, -1.0}) {
     auto finger = exact_hertz_finger();

@@ -91,7 +91,7 @@ TEST(SoftFinger, HeldOnTheLimitNeverCreeps) {
 }
 
 // In 360 directions of force and moment, sense included: it sticks 1e-12 inside the curve and slips 2e-12 outside,
-// whatever the projection, with a constant radius and one that grows with the load; and both components pull back to the proxy.
+// for any projection, with a constant and a load-dependent radius; and both components pull back to the proxy.
 TEST(SoftFinger, SlipBeginsOnTheCurve) {
   constexpr double inside = 1.0 - 1e-12;
   constexpr double outside = 1.0 + 2e-12;
@@ -210,7 +210,7 @@ TEST(SoftFinger, DynamicLimitActsWhileItSlips) {
   finger.update(on_plane(0.00123, 0.0, depth), 0.0);
   EXPECT_EQ(finger.output().state, ContactState::slip);
   EXPECT_DOUBLE_EQ(finger.output().force.x(), -0.8);
-  // Within 0.8 N/(1 + 0.4 · (0.6/0.4 − 1)) it rests, and then bears the static limit.
+  // Within 0.8 N/(1 + 0.4 · (0.6/0.4 − 1)) it rests, and then holds up to the static limit.
   finger.update(on_plane(0.00123 - 0.000134, 0.0, depth), 0.0);
   EXPECT_NEAR(finger.output().force.x(), -0.666, 1e-12);
   EXPECT_EQ(finger.output().state, ContactState::stick);

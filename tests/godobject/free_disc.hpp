@@ -10,7 +10,7 @@ namespace limitcurve::godobject::test {
 
 /// A disc that slides and spins on a horizontal plane under its own weight, slowed by nothing but dry friction that obeys a
 /// limit curve: the test that physics has an answer to. With the uniform law and the exact curve sliding and spinning
-/// end together, and just before v/(Rω) → 0.653 whatever they began with (Farkas et al. 2003).
+/// end together, and just before the end v/(Rω) → 0.653 for any start (Farkas et al. 2003).
 ///
 /// Implicit Euler of m dv/dt = −μmg f, I dω/dt = −μmg R m(f): the same friction as a finger's, with the momentum in place
 /// of the springs. The velocities that friction could take away in the step are the trial; what it does take lies on the

@@ -20,7 +20,7 @@ double last_ratio(FreeDisc sliding, double time_step) {
 }
 
 // Farkas, Bartels, Unger, Wolf, Phys. Rev. Lett. 90:248302 (2003); Weidman, Malhotra, Phys. Rev. Lett. 95:264303 (2005):
-// just before it stops a uniform disc has v/(Rω) = 0.653001789205598, whatever it began with.
+// just before it stops a uniform disc has v/(Rω) = 0.653001789205598, for any start.
 TEST(FreeDisc, StopsSlidingAndSpinningTogether) {
   const FingerCurve curve = exact_curve(uniform());
   EXPECT_NEAR(last_ratio(disc(curve, 1.0, 10.0), 1e-6), 0.653, 0.0005);
@@ -38,8 +38,7 @@ TEST(FreeDisc, EndsBothInOneStep) {
   }
 }
 
-// With limits that do not know of each other one motion ends long before the other; the ellipse has no ratio of its own
-// but spins on in the end.
+// With uncoupled limits one motion ends long before the other; the ellipse has no fixed ratio but spins on in the end.
 TEST(FreeDisc, DoesSoWithNeitherBoxNorEllipse) {
   const double m0 = uniform()->moment_ratio();
   EXPECT_EQ(last_ratio(disc(box(1.0, m0), 1.0, 5.0), 1e-6), std::numeric_limits<double>::infinity());

@@ -62,7 +62,7 @@ std::vector<DevicePose> path_on(const AnySurface& surface, Random& random) {
   const RandomDevice device(surface, random);
   std::vector<DevicePose> path;
   for (int i = 0; i < 100; ++i) path.push_back(device.at(i * time_step));
-  // Subnormal places, depths and twists too.
+  // Also subnormal positions, depths and twists.
   for (const std::size_t i : {41U, 42U, 43U}) path[i].twist += 1e-310 * static_cast<double>(i);
   path[60].position *= 1e-300;
   path[61].position = {1e-310, -3e-310, 2e-310};

@@ -54,7 +54,7 @@ FingerParameters usual() {
 }  // namespace
 
 TEST(PatchProjector, ClosestPointIsOnTheSurfaceAndTheSlipItsNormal) {
-  // 1e6 trials where all are asked for.
+  // 1e6 trials in the whole study.
   const int trials = std::getenv("LIMITCURVE_WHOLE") != nullptr ? 28571 : repetitions(1000, 50);
   for (const auto& [name, patch] : patches()) {
     const PatchProjector projector(patch);

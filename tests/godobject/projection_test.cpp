@@ -181,7 +181,7 @@ TEST(CCurve, IsRadialWhenTheRadiusIsConstant) {
   });
 }
 
-// Paper, Fig. 5: the load whose p-curve runs through the trial, found here by bisection, has the same centre of rotation.
+// Paper, Fig. 5: the load whose p-curve passes through the trial (here by bisection) has the same centre of rotation.
 TEST(CCurve, KeepsTheCentreOfRotation) {
   for (const Law& law : laws) {
     const ExactCurve curve(law);

@@ -25,7 +25,7 @@ int rest(double minutes) {
   with.twist_damping = 1e-3;
   const SoftFinger finger(Table::build(hertz(), 1e-8), with);
   Grasp grasp(body, BodyState{}, AnySurface(BoxSurface(0.5 * edges)), {finger, finger});
-  // 5 mm beside the centre of mass, so that force and moment bear the weight.
+  // 5 mm beside the centre of mass, so that force and moment carry the weight.
   const std::array devices{DevicePose{{0.005, 0.0, 0.018}}, DevicePose{{0.005, 0.0, -0.018}}};
   grasp.place(BodyState{}, devices);
   const std::array proxies{grasp.finger(0).output().proxy, grasp.finger(1).output().proxy};

@@ -76,7 +76,7 @@ TEST(SteadyTwist, RadialSettlesAtTheStiffnessRatio) {
   for (const double kappa : {0.1, 1.0, 10.0}) {
     const FingerCurve curve = exact_curve(hertz());
     const double m0 = curve.moment_ratio();
-    // F/M = (k_l/k_r) c, whatever the curve: f/m = s/(κ m₀²).
+    // F/M = (k_l/k_r) c for any curve: f/m = s/(κ m₀²).
     const UnitWrench found = settled(curve, Projection::radial, 1.0, kappa);
     EXPECT_NEAR(found.force / found.moment * kappa * m0 * m0, 1.0, 1e-9);
   }

@@ -90,7 +90,7 @@ TEST(Uncoupled, EitherPartIsWhatItIsWithoutTheOther) {
       with.twist_damping = 1e-4;
     }
     with.rest_margin = random.uniform(0.0, 1.0);
-    // The slide must not feel what belongs to the twist, nor the other way round.
+    // The twist must not affect the slide, nor the slide the twist.
     FingerParameters other_twist = with;
     other_twist.twist_stiffness *= 3.0;
     other_twist.moment_coefficient = 0.01;
@@ -219,7 +219,7 @@ void expect_batch_of_fingers(double tolerance) {
   int only_one = 0;
   for (int step = 0; step < 300; ++step) {
     for (std::size_t i = 0; i < count; ++i) {
-      // Even contacts slide and hold their twist near its limit at rest, odd ones turn and hold their place.
+      // Even contacts slide and hold their twist near its limit at rest, odd ones turn and hold their position.
       const bool slides = i % 2 == 0;
       arrays.x()[i] = static_cast<Real>(slides ? 1e-5 * step : 5e-4 * std::min(step / 10.0, 1.0));
       arrays.angle()[i] = static_cast<Real>(slides ? 0.04 * std::min(step / 10.0, 1.0) : 1e-3 * step);

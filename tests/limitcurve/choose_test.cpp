@@ -42,7 +42,7 @@ TEST(Choose, FollowsTheTolerance) {
   const std::string cheapest = chosen(choose(hertz(), 0.6)).model;
   EXPECT_TRUE(cheapest == "diamond" || cheapest == "box") << cheapest;
   EXPECT_EQ(chosen(choose(hertz(), 0.07)).model, "ellipse");
-  EXPECT_EQ(chosen(choose(uniform(), 0.07)).model, "table");  // whose ellipse is off by 7.04 %
+  EXPECT_EQ(chosen(choose(uniform(), 0.07)).model, "table");  // its ellipse has an error of 7.04 %
   EXPECT_EQ(chosen(choose(hertz(), 1e-6)).model, "table");
 }
 

@@ -23,7 +23,7 @@ namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-/// A curve of any type, with what may be asked of it.
+/// A curve of any type, with the requirements on it.
 struct Tested {
   std::string name;
   std::function<UnitWrench(SlipTwist)> wrench;
@@ -37,7 +37,7 @@ struct Tested {
   double normal_error = 1e-12;
   /// Has faces and corners: the same wrench for many twists.
   bool polygonal = false;
-  /// A flat place, where the slope is infinite and a twist says little about where on it the point is.
+  /// A flat part, where the slope is infinite and a twist hardly determines the point.
   bool has_flat_place = false;
   /// An exponent p of f ∝ s^p as s → 0: 1 if the curve bends at its ends like an ellipse.
   double end_exponent = 1.0;
@@ -198,7 +198,7 @@ TEST_P(CurveSuite, NormalAlongARayIsTheTwist) {
     const double u = twist.spin_fraction();
     const SlopedPoint point = curve().point(twist);
     const double turning = std::hypot(point.slope.force, point.slope.moment);
-    // Where the curve hardly moves with the twist (a near corner), the wrench does not tell the twist.
+    // Near a corner the curve hardly changes with the twist, so the wrench does not determine the twist.
     if (turning < 1e-3) continue;
     EXPECT_NEAR(curve().along(point.wrench).normal.spin_fraction(), u, 1e-15 + 8 * epsilon / turning) << twist.cor();
   }

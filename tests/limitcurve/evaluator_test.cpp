@@ -119,7 +119,7 @@ TEST(Anchors, HertzMomentsAreSimpleFractions) {
   EXPECT_DOUBLE_EQ(law->evaluate(1.0).wrench.force, 0.88357293382212931);  // 9π/32
 }
 
-/// The closed forms are templates: what closed_form.hpp promises in ε holds for each Real.
+/// The closed forms are templates: the bounds of closed_form.hpp in ε hold for each Real.
 template <class Real>
 void expect_promised_precision(const char* law, UnitForces<Real> (*form)(Real) noexcept, UnitForces<Extended> (*exact)(Extended) noexcept) {
   constexpr Extended epsilon = std::numeric_limits<Real>::epsilon();
@@ -173,7 +173,7 @@ TEST(ForcesForLoops, KeepTheirBoundForLargeExponents) {
   }
 }
 
-/// What is no place gives no number, and reads nothing that is not there.
+/// A NaN position gives NaN, and reads nothing out of range.
 template <class Real>
 void expect_no_number_from_none() {
   namespace form = closed_form;
@@ -189,7 +189,7 @@ TEST(ClosedForms, GiveNoNumberForNone) {
   expect_no_number_from_none<double>();
 }
 
-/// Nor does a law whose form is not among those templates.
+/// Neither does a law whose form is not among those templates.
 TEST(ForcesForLoops, GiveNoNumberForNone) {
   for (const std::string_view name : law_examples()) {
     const UnitForces<double> forces = parse_law(name)->forces(std::numeric_limits<double>::quiet_NaN());
@@ -197,7 +197,7 @@ TEST(ForcesForLoops, GiveNoNumberForNone) {
   }
 }
 
-/// The series' end: pure sliding and the farthest that a number can tell.
+/// The end of the series: pure sliding and the largest finite distance.
 TEST(ClosedForms, EndWherePureSlidingIs) {
   namespace form = closed_form;
   for (auto* const law :

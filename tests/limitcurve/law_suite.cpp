@@ -145,7 +145,7 @@ TEST_P(LawSuite, SlopesAreThoseOfTheCurve) {
     const double s = in_scale * scale();
     const Extended place = s;
     const Extended h = 1e-3L * place;
-    // Not across the places where the pressure is not analytic.
+    // Not across points where the pressure is not analytic.
     const auto near = [&](Extended break_point) { return break_point > 0 && std::fabs(place - break_point) < 50 * h; };
     if (std::any_of(law_->breaks().begin(), law_->breaks().end(), near)) continue;
     const auto [f2, m2, d2] = extended(place + 2 * h);

@@ -158,7 +158,7 @@ TEST(LoadToHold, IsTheLoadOfThePCurveThroughTheWrench) {
   expect_round_trip(diamond(1.0, 0.6), "diamond");
 }
 
-/// Against plain bisection on the gauge, for wrenches that no curve was asked for.
+/// Against plain bisection on the gauge, for arbitrary wrenches.
 void expect_bisection(const RadiusLaw& radius_law) {
   const ExactCurve curve(uniform());
   std::mt19937_64 random(78);
@@ -203,7 +203,7 @@ TEST(LoadToHold, OfOneComponentIsElementary) {
   EXPECT_EQ(grip_margin(curve, radius_law, 0.5, 2.0, 0.0, 0.0), 2.0);
 }
 
-/// Never not a number, whatever the sizes.
+/// Never NaN, for any sizes.
 TEST(LoadToHold, SurvivesExtremes) {
   const ExactCurve curve(hertz());
   for (const char* text : radius_laws) {

@@ -29,7 +29,7 @@ struct Means {
   }
 };
 
-/// Tanh–sinh of fixed step on [0, 1]: `integrand(from_left, from_right)`. Right to 1e-15 where singularities stand at the ends.
+/// Tanh–sinh with fixed step on [0, 1]: `integrand(from_left, from_right)`. Exact to 1e-15 for singularities at the ends.
 template <class Integrand>
 Means integrate(const Integrand& integrand) {
   struct Node {

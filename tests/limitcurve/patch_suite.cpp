@@ -133,7 +133,7 @@ TEST_P(EveryPatch, TwistsOfTheOriginGiveTheSameForces) {
   for (const PatchTwist& twist : random_twists(patch, 50)) {
     const PatchFriction here = patch.evaluate(twist);
     const PatchFriction there = far.about_origin({twist.vx + twist.omega * c.y, twist.vy - twist.omega * c.x, twist.omega});
-    // The twist of a point 3 m away has lost digits of its own.
+    // The twist of a point 3 m away has itself lost digits.
     const double lost = 1e-13 + 4e-15 * std::fabs(twist.omega) / here.power * (1.0 + 3.6 / patch.moment_ratio());
     EXPECT_NEAR(there.power / here.power, 1.0, lost) << name;
     if (bound < 1e-3) {

@@ -91,7 +91,7 @@ void expect_ellipse(const char* law_name, double bound) {
                                  {aspect * 0.28 * 0.9, 0.96 * 0.9}}) {
       cases.push_back(about(cor));
     }
-    // 0.1 s each: a seventh of them, another one for every law, unless all are asked for.
+    // 0.1 s each: a seventh of them, a different one for every law, except in the whole study.
     static std::size_t turn = 0;
     const std::size_t stride = std::getenv("LIMITCURVE_WHOLE") != nullptr ? 1 : 7;
     for (std::size_t i = turn++ % stride; i < cases.size(); i += stride) {
@@ -131,7 +131,7 @@ TEST(PatchPoints, AreTheExactSum) {
 TEST(PatchPoints, OneUnderTheCorBearsNoForce) {
   const std::vector<PatchLoad> loads{{0.1, 0.2, 1}, {0.4, 0.2, 1}, {0.1, 0.7, 2}};
   const Patch patch = Patch::points(loads);
-  // The digits of 3 * 0.1 and 3 * 0.2 are rounded: the COR is on the point as far as they tell.
+  // 3 * 0.1 and 3 * 0.2 are rounded: the COR is on the point within that rounding.
   for (const double omega : {1.0, -1.0, 3.0, 1e-3, 7e5}) {
     const PatchFriction friction = patch.about_origin({omega * 0.2, -omega * 0.1, omega});
     const double sense = omega > 0 ? 1.0 : -1.0;

@@ -106,7 +106,7 @@ TEST(Samples, RowsThatSayTheSameTwiceAreNoJump) {
 
 // The same: a run of two samples stated no error at all.
 TEST(Samples, ARunOfTwoSamplesHasAnErrorToo) {
-  // Each place is measured twice, not quite equally: only jumps, and two samples between them.
+  // Each radius is measured twice with slightly different values: only jumps, and two samples between them.
   std::vector<PressureSample> rows;
   for (int i = 0; i <= 10; ++i) {
     const double pressure = std::sqrt(std::max(0.0, 1.0 - 0.01 * i * i));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pressures with kinks and jumps of which nobody told.
+// Pressures with unstated kinks and jumps.
 #include "limitcurve/laws/smooth_pieces.hpp"
 #include "limitcurve/accuracy.hpp"
 #include "limitcurve/laws.hpp"
@@ -105,13 +105,13 @@ TEST(SmoothPieces, AreNoMoreThanToldWhereTheFunctionIsSmooth) {
     // No more than from_pressure states of the rounding of a pressure in double.
     EXPECT_LE(pieces.error, 4.0 * std::numeric_limits<double>::epsilon()) << name;
   }
-  // Those that are told stay.
+  // Stated breaks stay.
   const std::vector<Extended> kinked{0, 0.25L, 1};
   EXPECT_EQ(smooth_pieces([](Extended rho) { return std::fabs(rho - 0.25L); }, kinked).breaks, kinked);
   EXPECT_EQ(smooth_pieces([](Extended) { return Extended(0); }, told).breaks, told);
 }
 
-// What cannot be cut owns up to it: three hundred jumps, and a pressure that flickers from place to place.
+// Pressures that cannot be split state their error: three hundred jumps, and a pressure that is noise.
 TEST(SmoothPieces, StateTheErrorOfWhatIsTooRough) {
   Stairs stairs;
   for (int i = 1; i <= 300; ++i) stairs.radii.push_back(i / 300.0);
@@ -146,7 +146,7 @@ class Cut {
     add(outer, pressure);
     if (inner > 0.0) add(inner, -pressure);
   }
-  /// A ring that bears so much more than what is there.
+  /// A ring with so much more load than its surroundings.
   void add_ring(double inner, double outer, double load) { add_between(inner, outer, load / ((outer - inner) * (outer + inner))); }
   /// A groove that takes away so much of the least pressure that is there.
   void add_groove(double inner, double outer, double share) {

@@ -59,7 +59,7 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
-/// Column `i` of a row of the CSV, counted from x; the side stands before.
+/// Column `i` of a row of the CSV, counted from x; the side is before it.
 double column(const std::string& row, std::size_t i) {
   std::istringstream stream(row);
   std::string field;
@@ -107,7 +107,7 @@ TEST_P(TableFileSuite, PlotsAsItStands) {
   }
 }
 
-// As a program does that knows nothing of polynomials.
+// Like a program without polynomials.
 TEST_P(TableFileSuite, StatesTheErrorOfLinesBetweenRows) {
   for (const double tolerance : {1e-2, 1e-6}) {
     const Law law = parse_law(GetParam());

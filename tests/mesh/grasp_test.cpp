@@ -29,7 +29,7 @@ Grasp hold(const Shape& shape, const BodyParameters& body, const std::array<Devi
 const std::array<DevicePose, 2> pinch{DevicePose{{0.005, 0.0, 0.018}}, DevicePose{{0.005, 0.0, -0.018}}};
 
 // Ten minutes of a block at rest between two fingers: 600,000 steps, and so a test of seconds (in a short build six seconds at rest).
-// The fingers stand where two triangles of a face meet as well, since the diagonals of block.obj run through the middle.
+// The fingers touch where two triangles of a face meet, because the diagonals of block.obj run through the middle.
 TEST(MeshGrasp, RestsForTenMinutesWithoutCreeping) {
   for (const double beside : {0.005, 0.0}) {
     auto devices = pinch;
@@ -51,7 +51,7 @@ TEST(MeshGrasp, RestsForTenMinutesWithoutCreeping) {
     EXPECT_LT(grasp.body().orientation.angularDistance(settled.orientation), 1e-12);
     EXPECT_EQ(grasp.finger(0).output().state, ContactState::stick);
     EXPECT_EQ(grasp.unsolved(), 0U);
-    // Held above its centre of mass it hangs where the springs give way to its weight.
+    // Held above its centre of mass it hangs at the static deflection of the springs.
     if (beside == 0.0) {
       EXPECT_NEAR(settled.position.y(), -0.1 * 9.81 / 2000.0, 1e-9);
     }
@@ -77,7 +77,7 @@ TEST(MeshGrasp, ABlockOfTrianglesMovesLikeTheBlock) {
   }
 }
 
-// A finger drags its proxy round a ball of triangles: friction opposes it all the way and is continuous to what the facets turn.
+// A finger drags its proxy around a ball of triangles: friction opposes it everywhere and is continuous up to the angle of the facets.
 TEST(MeshGrasp, AFingerSlidesAroundABall) {
   const MeshSurface ball(Mesh(ball_triangles(0.05, 5)));
   SoftFinger finger = hertz_finger();

@@ -155,7 +155,7 @@ TEST(Mesh, RefusesFacesTooThinToHaveASide) {
   EXPECT_EQ(complaint(list), "none");
 }
 
-// Tetrahedra thinner than the rounding of their volume: which way is outward is exact. Beneath 1e-13 rad at an edge there is no telling.
+// Tetrahedra thinner than the rounding of their volume: the outward side is exact. Below 1e-13 rad at an edge it is undefined.
 TEST(Mesh, ABladeIsNotInsideOut) {
   const double step = std::ldexp(1.0, -38);
   TriangleList blade;
@@ -229,7 +229,8 @@ TEST(Mesh, KnowsHollows) {
   }
 }
 
-// Inside or outside, and where a segment enters, against the solid angle and each face: places on vertices and edges, or in line with them, too.
+// Inside or outside, and the entry of a segment, against the solid angle and each face; also points on vertices and edges, or in line
+// with them.
 TEST(Mesh, InsideIsExact) {
   const Mesh mesh(read_triangles(data_mesh("star.obj")));
   Random random(5);
@@ -237,7 +238,7 @@ TEST(Mesh, InsideIsExact) {
   constexpr int points = repetitions(20000, 2000);
   for (int i = 0; i < points; ++i) {
     Vector3d point{random.uniform(-0.06, 0.06), random.uniform(-0.06, 0.06), random.uniform(-0.06, 0.06)};
-    // In line with a vertex along the axis on which the way out is counted.
+    // In line with a vertex along the axis of the inside test.
     const Vector3d& vertex = mesh.vertices()[static_cast<std::size_t>(random.bits() % mesh.vertices().size())];
     if (i % 4 == 1) point = {point.x(), vertex.y(), vertex.z()};
     if (i % 4 == 2) point = {point.x(), 0.0, 0.0};
@@ -250,7 +251,7 @@ TEST(Mesh, InsideIsExact) {
 }
 
 // Less than half a step off a box's side a place is rounded on to it, and how ties are broken decides: the lower sides are inside, the
-// upper ones are not. What is outside by that has a way in.
+// upper ones are not. A point outside by this rule has an entry.
 TEST(Mesh, JustOffItsSidesInsideIsExactToo) {
   const Mesh mesh(box_triangles({0.06, 0.03, 0.02}));
   const double step = mesh.grid().step();
@@ -314,7 +315,7 @@ TEST(Mesh, TheNearestPlaceIsThatOfASearch) {
   }
 }
 
-// Slivers of 1.2e-6: a long plate cut lengthwise into strips, with places nearest on them.
+// Slivers of 1.2e-6: a long plate cut lengthwise into strips, with closest points on them.
 TEST(Mesh, SliversHaveNearestPlacesToo) {
   TriangleList list = box_triangles({0.05, 6e-8, 0.01});
   const Mesh mesh(list);

@@ -72,7 +72,7 @@ TEST(MeshRealTime, StepsMakeNoSystemCall) {
 }
 #endif
 
-// Four threads, a finger each, one mesh: each feels what it would feel alone, bit for bit.
+// Four threads, a finger each, one mesh: each gets the same bits as alone.
 TEST(MeshRealTime, ManyFingersShareAMesh) {
   const MeshSurface star = read_mesh(data_mesh("star.obj"));
   const std::vector<Vector3d> path = moves(star.mesh(), 20000);

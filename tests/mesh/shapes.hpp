@@ -56,7 +56,7 @@ inline TriangleList ball_triangles(double radius, int times) {
   return list;
 }
 
-/// The distance of a point from a triangle by minimising over its inside and its edges, each by a formula of its own; shares no
+/// The distance of a point from a triangle by minimising over its inside and its edges, each with its own formula; shares no
 /// code with the library.
 inline double distance_to_triangle(const Eigen::Vector3d& p, const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
   double least = std::numeric_limits<double>::infinity();

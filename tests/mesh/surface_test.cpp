@@ -195,7 +195,7 @@ TEST(MeshSurface, RestsExactlyAtAVertex) {
   EXPECT_GT((touch(surface, vertex + Vector3d(0.004, 0.0, -0.002), memory).point - vertex).norm(), 1e-3);
 }
 
-// A leap over more faces than one walk looks at: the god-object is on its way, still on the surface, and arrives with the next steps.
+// A jump over more faces than one walk visits: the god-object is still on its way, on the surface, and arrives in the next steps.
 TEST(MeshSurface, AFarLeapTakesSeveralSteps) {
   const MeshSurface ball(Mesh(ball_triangles(0.05, 6)));
   ContactMemory memory;
@@ -250,7 +250,7 @@ TEST(MeshSurface, AThinPlateIsNotPassedThrough) {
     ContactMemory memory;
     ASSERT_LT(touch(plate, {0.005, 0.0, 0.01}, memory).depth, 0.0);
     for (double z = slowly ? 0.0005 : -0.0025; z >= -0.0025; z -= 1e-5) static_cast<void>(touch(plate, {0.005, 0.0, z}, memory));
-    // 3 mm through: beneath the top still, wherever it goes beneath the plate, by steps or by leaps.
+    // 3 mm through: still below the top, wherever it goes below the plate, by steps or by jumps.
     Random random(3);
     for (int i = 0; i < 5000; ++i) {
       const Vector3d finger(random.uniform(-0.0299, 0.0299), random.uniform(-0.0199, 0.0199), -0.0025);
@@ -266,7 +266,7 @@ TEST(MeshSurface, AThinPlateIsNotPassedThrough) {
   }
 }
 
-// Two plates, one over the other: a finger that leaps off the lower one, through the upper one and beyond, is held beneath the upper.
+// Two plates, one above the other: a finger that jumps off the lower one, through the upper one and beyond, is held below the upper.
 TEST(MeshSurface, AFlightEndsAtWhatIsInItsWay) {
   TriangleList list = box_triangles({0.03, 0.02, 0.0005});
   for (int i = 0; i < 8; ++i) list.vertices.push_back(list.vertices[static_cast<std::size_t>(i)] + Vector3d(0.0, 0.0, 0.01));
@@ -289,9 +289,9 @@ TEST(MeshSurface, AFlightEndsAtWhatIsInItsWay) {
   }
 }
 
-// A star of spikes, slivers and creases, and a finger that moves at random, by micrometres and by leaps, often exactly to a vertex or
-// along an edge. Whatever it does: free means outside, by the solid angle; nothing in the way of a free move; touching means a
-// god-object on the surface with no place about it that is nearer the finger.
+// A star of spikes, slivers and creases, and a finger that moves at random, by micrometres and by jumps, often exactly to a vertex or
+// along an edge. In all cases: free means outside, by the solid angle; nothing blocks a free move; contact means a
+// god-object on the surface with no point near it that is closer to the finger.
 TEST(MeshSurface, AMillionRandomMovesNeverFallThrough) {
   const MeshSurface surface = read_mesh(data_mesh("star.obj"));
   const Mesh& mesh = surface.mesh();

@@ -15,7 +15,7 @@
 #include <string>
 #include <string_view>
 
-/// All that the recorder knows of the library: a finger and a batch by the command line's words, with plain input and output.
+/// The recorder's interface to the library: a finger and a batch from command-line words, with plain input and output.
 namespace recorded {
 
 inline constexpr double nan = std::numeric_limits<double>::quiet_NaN();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Prints what the library gives where the command line has no subcommand for it: batches, and a finger's preview, restore, leaps, faults
+// Prints results of library functions without a subcommand: batches, and a finger's preview, restore, jumps, faults
 // and turns. scripts/maintain/record compares that with what is recorded. Motions are made here, by formula.
 //   recorder SCENARIO PARAMETERS CURVE PROJECTION [mu-times=F] [twist-stiffness-times=F]
 #include "tests/recorded/library.hpp"
@@ -211,7 +211,7 @@ void run_faults(const Setting& setting) {
   });
 }
 
-/// Turns by more than a turn and back, as a device tells it that wraps its angle.
+/// Rotation by more than a turn and back, from a device that wraps its angle.
 void run_turns(const Setting& setting) {
   run_changed(setting, {300}, [](int step, Sample& sample) {
     const double turned = 0.05 * (step < 200 ? step : 400 - step);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Held fingers do not creep: whatever trembles within the limit, or is held where it slipped last, keeps its proxy to the last bit.
+// Held fingers do not creep: a finger that trembles within the limit, or stays where it slipped last, keeps its proxy to the last bit.
 //     creep [STEPS]
 // A finger and a batch of each precision, STEPS (ten million) each. Exits with 1 if a proxy moves.
 #include "godobject/batch.hpp"

@@ -29,7 +29,7 @@ inline godobject::FingerParameters any_finger(RandomBits& random, bool plain) {
     result.damping = random.scale(-10, 4);
     result.twist_damping = random.scale(-24, -6);
   }
-  // Mostly believed: what leaps is what is hard.
+  // Most jumps are accepted: jumps are the hard cases.
   result.max_displacement = random.one_in(4) ? random.scale(-12, 0) : std::numeric_limits<double>::infinity();
   if (random.one_in(4)) result.fault_decay = random.unit();
   return result;

@@ -20,8 +20,8 @@
 //
 //     soak [--steps N] [--seed S] [--episode E] [--samples FILE] [--tables DIR | --write-tables DIR]
 //
-// An episode is drawn from the seed and its number alone, so that one that fails can be run by itself (--episode). Prints how many
-// steps there were, and how far above its limit a wrench came. --samples writes what the user feels now and then, to compare builds
+// An episode depends only on the seed and its number, so that a failing one can be run alone (--episode). Prints how many
+// steps there were, and by how much a wrench exceeded its limit. --samples writes some outputs, to compare builds
 // (scripts/maintain/agree); these read the same tables, which one of them writes.
 
 namespace limitcurve::soak {

@@ -13,7 +13,7 @@ namespace limitcurve::soak {
 /// What must hold after every step, and how near the wrench came to the limit.
 struct StepCheck {
   std::string fault;     ///< what does not hold; empty if all does
-  double excess = 0.0;   ///< gauge of the wrench that the user feels − 1
+  double excess = 0.0;   ///< gauge of the rendered wrench − 1
   bool counted = false;  ///< whether the gauge was taken
 };
 
@@ -55,7 +55,8 @@ inline StepCheck check_step(const godobject::SoftFinger& finger, const godobject
   if (output.state == ContactState::stick && rested && (output.proxy != last_proxy || (limits.has_torsion && output.angle != last.angle)))
     fails("a proxy that sticks moves");
   if (output.state == ContactState::slip && rested && sample.contact.normal == Vector3d(last.normal.data()) && !dampers) {
-    // The wrench on the finger times the way of the proxy along the surface, taken anew; but for the rounding of where the proxy is.
+    // The wrench on the finger times the displacement of the proxy along the surface, computed here; up to the rounding of the proxy's
+    // position.
     const Vector3d way = last_proxy - output.proxy;
     const Vector3d along = way - sample.contact.normal * sample.contact.normal.dot(way);
     const double work = output.force.dot(along) + output.moment * (last.angle - output.angle);
@@ -70,7 +71,7 @@ inline StepCheck check_step(const godobject::SoftFinger& finger, const godobject
   const godobject::FrictionLimit<double>& limit = slips && memory.slides ? limits.sliding : limits.at_rest;
   const godobject::FrictionLimit<double>& of_moment = slips && (is_box ? memory.turns : memory.slides) ? limits.sliding : limits.at_rest;
   const double moment_unit = of_moment.force * of_moment.radius;
-  // So little friction is none: no trial is told from one 1e60 times its limit, and no trial here is above 1e21.
+  // Such a small limit counts as no friction: a trial above 1e60 times its limit is treated as that, and no trial here is above 1e21.
   constexpr double least = 1e-38;
   const double force = output.force.norm();
   const double moment = std::fabs(output.moment);

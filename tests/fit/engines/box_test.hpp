@@ -10,7 +10,7 @@
 
 namespace limitcurve::fit::engines {
 
-/// That an engine, given the translated coefficients, bears the load to `load_tolerance` [N] and has the box with the exact
+/// Checks that an engine with the translated coefficients carries the load to `load_tolerance` [N] and has the box with the exact
 /// limits for its friction, to `tolerance` of either limit. `drag(contact, twist)` gives what it answered.
 template <class Drag>
 void expect_box(const std::string& engine, Drag&& drag, double load_tolerance, double tolerance) {

@@ -23,8 +23,8 @@ struct Won {
 };
 
 /// Counts the work that a finger without dampers does on its user, who leads the device slowly from sample to sample: the springs' force and
-/// moment, integrated along the way while the proxy rests; then the proxy may slip. Work is counted by force times way from what the
-/// finger renders, k_l, k_r and the places of proxy and finger; not by the library's energies.
+/// moment, integrated along the path while the proxy rests; then the proxy may slip. Work is force times displacement from the
+/// rendered wrench, k_l, k_r and the positions of proxy and finger; the library's energies are not used.
 class SlowUser {
  public:
   explicit SlowUser(SoftFinger finger) : finger_(std::move(finger)) {}
@@ -125,7 +125,7 @@ class SampledUser {
   double turning_normal_ = 0.0;
 };
 
-/// How a device may move: about a place on a surface, that deep at most [m], and so far to the sides [m], turning by so much [rad].
+/// Range of a device's motion about a point of a surface: largest depth [m], sideways displacement [m] and rotation [rad].
 struct Reach {
   Eigen::Vector3d place;
   Eigen::Vector3d normal;
@@ -135,7 +135,7 @@ struct Reach {
   double twist;
 };
 
-/// A place within reach; `outside` is above the surface.
+/// A position within reach; `outside` is above the surface.
 inline DevicePose random_pose(const Reach& reach, Random& random, bool outside = false) {
   const Eigen::Vector3d tangent = reach.normal.unitOrthogonal();
   const double depth = outside ? -0.001 : random.uniform(0.0, reach.depth);

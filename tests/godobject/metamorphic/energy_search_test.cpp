@@ -203,7 +203,7 @@ TEST(EnergySearch, AHundredthLessIsNot) {
   }
 }
 
-// Four fingers that stick hold a ball whose rotation is locked (issue 8, point 10): it comes to rest, and no step adds energy.
+// Four sticking fingers hold a ball with locked rotation (issue 8, point 10): it comes to rest, and no step adds energy.
 TEST(EnergySearch, AHeldBallDoesNotFlutter) {
   Random random(25);
   for (int round = 0; round < 20; ++round) {
@@ -220,7 +220,7 @@ TEST(EnergySearch, AHeldBallDoesNotFlutter) {
     BodyState start;
     start.velocity = 0.001 * random_direction(random);
     grasp.place(start, devices);
-    // What each step may add is rounding: places of 10 mm under some newtons.
+    // A step may add only rounding: positions of 10 mm with a few newtons.
     double before = grasp.energy();
     for (int i = 0; i < repetitions(1000, 100); ++i) {
       grasp.step(devices, time_step);

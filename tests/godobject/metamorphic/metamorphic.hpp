@@ -10,7 +10,8 @@
 #include <functional>
 #include <limits>
 
-/// A replay of two fingers in random scenes, and when it feels the same: on every surface, with every curve, projection and set of parameters.
+/// Replays of two fingers in random scenes that must give the same output: on every surface, with every curve, projection and set of
+/// parameters.
 namespace limitcurve::godobject::test {
 
 using Eigen::Quaterniond;
@@ -18,8 +19,8 @@ using Eigen::Vector3d;
 
 inline constexpr int rows = 150;
 inline constexpr double time_step = 1.0 / 1024.0;  // so that times are exact
-inline constexpr double rim = 0.005;               // a contact radius [m], to count turns as ways
-inline constexpr double least_curvature = 1e-3;    // [m]: no finger comes nearer to where a surface's normal leaps
+inline constexpr double rim = 0.005;               // a contact radius [m], to convert rotations to displacements
+inline constexpr double least_curvature = 1e-3;    // [m]: no finger comes nearer to a jump of a surface's normal
 inline constexpr double ulp = std::numeric_limits<double>::epsilon();
 
 struct Row {
@@ -87,7 +88,7 @@ inline void for_each_scene(std::uint64_t seed, const std::function<void(const Sc
   EXPECT_GT(sticks, 2000);
 }
 
-/// How to compare: places by `place`, vectors by `vector`, and moments, angles and the like with the sign `sense`.
+/// The map of a comparison: `place` for positions, `vector` for vectors, the sign `sense` for moments and angles.
 struct Map {
   std::function<Vector3d(const Vector3d&)> place = [](const Vector3d& at) { return at; };
   std::function<Vector3d(const Vector3d&)> vector = [](const Vector3d& way) { return way; };
@@ -112,7 +113,7 @@ inline void expect_alike(const Scene& scene, const SceneContact& one, double sli
   ASSERT_LE((map.vector(one.force) - other.force).norm(), within.force);
   ASSERT_NEAR(map.sense * one.moment, other.moment, within.moment);
   ASSERT_LE((map.vector(one.normal) - other.normal).norm(), within.length / least_curvature);
-  // In every row force times way, and force is at most μP.
+  // Force times displacement in every row, and the force is at most μP.
   ASSERT_NEAR(one.dissipated, other.dissipated, rows * (10.0 * within.length + 0.1 * within.angle + 0.01 * within.force));
   if (one.state == ContactState::slip && slip > 10.0 * least) {
     const auto direction = [](double cor) { return std::atan2(rim, cor); };
@@ -133,7 +134,7 @@ inline double slip_in(const std::vector<Felt>& felt, std::size_t row, std::size_
   return (now.proxy - before.proxy).norm() + rim * std::fabs(now.angle - before.angle);
 }
 
-/// The scene as it was felt at rest, each row mapped by its own map, against another.
+/// Compares the output at rest, with each row's own map, with another.
 inline void expect_alike_by_rows(const Scene& scene, const std::vector<Felt>& one, const std::vector<Felt>& other,
                                  const std::function<Map(std::size_t)>& map, const Tolerance& within) {
   ASSERT_EQ(one.size(), other.size());

@@ -99,7 +99,7 @@ TEST(Metamorphic, AFreeBodyTurnedAndAKilometreAwayDoesTheSame) {
   EXPECT_GT(compared, 5000);
 }
 
-// Two fingers at one place are one whose springs and dampers are twice as stiff, under twice the load; where the radius does not depend on it.
+// Two fingers at one point equal one finger with twice the stiffness, damping and load, if the radius does not depend on the load.
 TEST(Metamorphic, TwoEqualFingersOnAFreeBodyAreOneTwiceAsStiff) {
   int compared = 0;
   for_each_body(42, [&](const BodyScene& scene, Random&) {

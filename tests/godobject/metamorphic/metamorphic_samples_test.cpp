@@ -16,7 +16,7 @@ std::vector<Felt> without(const std::vector<Felt>& felt, const std::vector<bool>
 }
 
 // A sample that is repeated, at once or later, changes nothing, whether the finger sticks or slips; but for dampers, which feel that the
-// finger has stopped. What is inserted is not compared: a finger that repeats its place does not slip.
+// finger has stopped. The inserted rows are not compared: a finger that repeats its position does not slip.
 TEST(Metamorphic, ARepeatedSampleChangesNothing) {
   for_each_scene(8, [](const Scene& scene, const std::vector<Felt>& felt, Random& random) {
     if (scene.finger.damping > 0.0) return;

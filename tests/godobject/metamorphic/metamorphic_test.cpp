@@ -106,7 +106,7 @@ TEST(Metamorphic, ABodyMovedWithItsFingersFeelsLikeOneAtRest) {
   });
 }
 
-// Two fingers at one place feel alike, and as one that is there alone.
+// Two fingers at one point have the same output as a single finger there.
 TEST(Metamorphic, TwoEqualFingersFeelAlike) {
   for_each_scene(7, [](const Scene& scene, const std::vector<Felt>& felt, Random&) {
     std::vector<Row> equal = scene.rows;

@@ -140,7 +140,7 @@ class Wave {
   double phase_;
 };
 
-/// A device that presses some 1 mm into a surface about a random place, slides a few mm to and fro, turns and twists, rests at times and
+/// A device that presses about 1 mm into a surface near a random point, slides a few mm to and fro, turns and twists, rests at times and
 /// lifts off at times.
 class RandomDevice {
  public:

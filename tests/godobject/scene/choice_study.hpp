@@ -72,8 +72,9 @@ struct StudySample {
   double load;
 };
 
-/// A random motion within the scene's rates, ways and loads, sample by sample. Of four kinds: sliding and twisting one after the other; velocities
-/// drawn anew again and again; the same with reversals; waves. The load stays, swings, leaps or rises and falls evenly.
+/// A random motion within the scene's rates, displacements and loads, sample by sample. There are four kinds: sliding and twisting in
+/// turn; random velocities that change again and again; the same with reversals; waves. The load is constant, oscillates, jumps, or rises
+/// and falls linearly.
 inline std::vector<StudySample> random_motion(const Scene& scene, Random& random) {
   using std::numbers::pi;
   const auto one_of = [&](int count) { return static_cast<int>(random.uniform(0.0, count)); };
@@ -149,7 +150,7 @@ inline std::vector<StudySample> random_motion(const Scene& scene, Random& random
   return motion;
 }
 
-/// What a finger feels in a motion, in units of what the contact bears.
+/// The rendered wrench in a motion, in units of the friction limits.
 inline std::vector<Eigen::Vector3d> felt(const Scene& scene, SoftFinger finger, const std::vector<StudySample>& motion) {
   std::vector<Eigen::Vector3d> result;
   const double m0 = scene.law->moment_ratio();
@@ -162,7 +163,7 @@ inline std::vector<Eigen::Vector3d> felt(const Scene& scene, SoftFinger finger, 
   return result;
 }
 
-/// The finger that the name of a candidate stands for, as the manual of `choose` says it.
+/// The finger of a candidate's name, as in the manual of `choose`.
 inline SoftFinger named_finger(const Scene& scene, const Candidate& candidate) {
   FingerParameters finger;
   finger.mu = scene.mu;

@@ -79,7 +79,7 @@ std::vector<SceneContact> replayed(const Scene& scene, const std::vector<DeviceP
   return contacts;
 }
 
-/// The largest change of what is felt over a random trace, in units of what the contact bears: the witness, which shares
+/// The largest change of the output over a random trace, in units of the friction limits: an independent check, which shares
 /// with `choose_step` no motion.
 double witnessed(const Scene& scene, unsigned seed, CurveKind curve, Projection projection, const RadiusLaw& radius_law,
                  std::optional<double> moment_coefficient = {}) {
@@ -144,7 +144,7 @@ TEST(ChooseStep, SlidingAndTwistingAtOnceNeedsCoupling) {
   const StepChoice choice = choose_step(scene(), 0.01);
   EXPECT_EQ(choice.verdict.find("coupling is needed"), 0U) << choice.verdict;
   EXPECT_EQ(chosen(choice).model, "table/closest-point");
-  // Of a box, in whose corner both are full at once.
+  // For a box, with both at their limits in its corner.
   EXPECT_GT(choice.effects.coupling, 0.4);
 }
 

@@ -215,7 +215,7 @@ TEST(Grasp, NeverGainsEnergy) {
 }
 
 // The same in space, where a body that tilts under its fingers changes depth and friction together: the force acts along the
-// line through the finger, else the depth times the friction force would be a moment out of nothing.
+// line through the finger; otherwise depth times friction force would give a false moment.
 TEST(Grasp, NeverGainsEnergyInSpace) {
   Random random(6);
   for (int round = 0; round < repetitions(40, 4); ++round) {

@@ -21,7 +21,7 @@ FingerParameters gains(double stiffness, double damping, double twist_stiffness,
   return result;
 }
 
-/// A device with damping of its own, moved by its user from place to place in straight lines (which is what damps least between
+/// A device with its own damping; the user moves it from point to point in straight lines (which damps least between
 /// two samples), while the finger's wrench is held for a sample. Counts what the user puts in.
 class SampledWall {
  public:
@@ -33,7 +33,7 @@ class SampledWall {
     const double slide = x - x_;
     const double press = depth - depth_;
     const double turn = twist - twist_;
-    // What is felt pulls back: the user works against it, and against the device's damper at the speed of the straight line.
+    // The rendered force pulls back: the user works against it, and against the device's damper at the speed of the straight line.
     energy_ += load * press - output.force.x() * slide - output.moment * turn;
     energy_ += (device_.sliding * (slide * slide + press * press) + device_.twist * turn * turn) / sample_time;
     x_ = x;
@@ -53,7 +53,7 @@ class SampledWall {
 
 const FingerParameters choices[] = {gains(1000.0, 0.0, 0.04, 0.0), gains(1000.0, 0.4, 0.04, 1e-5), gains(50.0, 2.0, 0.001, 1e-4)};
 
-// Whatever the user does, pressing, sliding, twisting, lifting off: nobody gets energy out of it.
+// No motion of the user (pressing, sliding, twisting, lifting off) extracts energy.
 TEST(Passivity, EnoughDampingNeverGivesEnergy) {
   Random random(31);
   for (const FingerParameters& with : choices) {
@@ -127,7 +127,7 @@ TEST(Passivity, ExplicitCouplingEndsWhereSaid) {
       const double damping = damping_share * mass / sample_time;
       const double stiffness = (4.0 * share * mass / (2.0 * sample_time) - 2.0 * damping) / sample_time;
       EXPECT_NEAR(explicit_coupling(stiffness, damping, mass, sample_time, 2), share, 1e-12);
-      // Sliding at its limit with a harmless twist, and the other way round.
+      // Sliding at its limit with a small twist, and the reverse.
       EXPECT_EQ(grows(stiffness, damping, mass, 1e-3, 1e-5, 1e-3), share > 1.0) << damping_share << ' ' << share;
       EXPECT_EQ(grows(10.0, 0.1, mass, stiffness * 1e-4, damping * 1e-4, mass * 1e-4), share > 1.0) << damping_share << ' ' << share;
     }

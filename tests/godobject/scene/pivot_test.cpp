@@ -173,7 +173,7 @@ TEST(Pivot, NamesWhatIsWrongWithItsOptions) {
   EXPECT_NE(message([](PivotOptions& o) { o.offset = 0.06; }).find("offset"), std::string::npos);
   EXPECT_NE(message([](PivotOptions& o) { o.time_step = 0.0; }).find("time_step"), std::string::npos);
   EXPECT_NE(message([](PivotOptions& o) { o.stiffness = std::numeric_limits<double>::quiet_NaN(); }).find("stiffness"), std::string::npos);
-  // Springs so soft that the block would hang beneath the grip, or the wrong way round.
+  // Springs so soft that the block would hang below the grip, or upside down.
   EXPECT_NE(message([](PivotOptions& o) { o.stiffness = 24.0; }).find("stiffness = 24 N/m"), std::string::npos);
   EXPECT_EQ(message([](PivotOptions& o) { o.stiffness = 25.0; }), "accepted");
   EXPECT_NE(message([](PivotOptions& o) { o.twist_stiffness = 7.8e-4; }).find("twist_stiffness"), std::string::npos);

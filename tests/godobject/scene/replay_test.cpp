@@ -76,7 +76,7 @@ TEST(Replay, OnThePlaneAtRestIsTheFinger) {
   }
 }
 
-// Only the motion of the finger in the body's frame counts: a scene that is carried about as a whole feels the same.
+// Only the motion of the finger in the body's frame counts: a moved scene gives the same output.
 TEST(Replay, FeelsTheRelativeMotionAlone) {
   ReplayOptions with = options();
   Replay still(with);
@@ -100,11 +100,11 @@ TEST(Replay, FeelsTheRelativeMotionAlone) {
   EXPECT_NEAR(still.contacts().front().dissipated, carried.contacts().front().dissipated, 1e-12);
 }
 
-// A plate that turns under a finger at rest: its slip turns about the plate's axis, and eq. (17) says what is felt.
+// A plate turns under a finger at rest: the slip turns about the plate's axis, and eq. (17) gives the wrench.
 TEST(Replay, ATurntableRubsAsEquation17Says) {
   ReplayOptions with = options();
   with.motion = BodyMotion::prescribed;
-  // So stiff that the springs give a thousandth of the way to the axis, 4 mm.
+  // So stiff that the springs deflect by a thousandth of the distance to the axis, 4 mm.
   with.finger.stiffness = 3e5;
   with.finger.twist_stiffness = 12.0;
   Replay replay(with);
@@ -228,7 +228,7 @@ TEST(Replay, HoldsOnSamplesThatAreNotUsable) {
   }
 }
 
-// A plate is entered by a face. A sample that leaps to another one is refused, and the finger must find its own face again thereafter.
+// A finger enters a plate through a face. A sample that jumps to another face is refused; then the finger must find its own face again.
 TEST(Replay, ARefusedSampleLeavesNoTrace) {
   ReplayOptions with = options();
   with.surface = AnySurface(BoxSurface(Vector3d(0.06, 0.02, 0.02)));

@@ -2,7 +2,7 @@
 // Random scenes without end: one to four fingers on a body of any shape that rests, is moved or is free, every curve and
 // projection, radius laws, dampers, static and dynamic friction. In every step of every finger
 //   · what slip dissipates is ≥ 0,
-//   · all that it tells is finite,
+//   · all outputs are finite,
 //   · the wrench is within the limit of the load,
 //   · a finger that sticks has not moved its proxy by a single bit;
 // and a free body between fingers at rest without gravity does not gain energy (README, "Bodies", has the bound).
@@ -152,7 +152,7 @@ class SoakScene {
   }
 
   void wander(DevicePose& device, double stride) {
-    // Now and then it leaps: to another side, off, or deep into the body; and back where it has gone too far.
+    // Now and then it jumps: to another side, off, or deep into the body; and back if it is too far.
     if (random_.bits() % 100 == 0 || (device.position - hand_.body().position).norm() > 1.2 * size_) {
       device.position = hand_.body().to_world(vector(random_, 0.9 * size_));
     } else {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A finger on the ellipse that fits the Hertz curve best, dragged until it slips: it feels the fitted force limit.
+// A finger on the ellipse that fits the Hertz curve best, dragged until it slips, renders the fitted force limit.
 #include "fit/fit.hpp"
 #include "godobject/godobject.hpp"
 #include "limitcurve/limitcurve.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A finger pressed 3 mm through a plate of 1 mm: it feels the side it came from.
+// A finger pressed 3 mm through a plate of 1 mm is pushed back to the side it came from.
 #include "godobject/godobject.hpp"
 #include "godobject/mesh/mesh_file.hpp"
 #include "limitcurve/limitcurve.hpp"
