@@ -15,7 +15,7 @@
 namespace limitcurve::godobject {
 
 /// A bounding-box tree of triangles, divided at the median: at most 2 nodes for each triangle, depth log2 of their number. Queries do not
-/// allocate, except those of `overlapping`, and visit each node at most once.
+/// allocate, and visit each node at most once.
 class Tree {
  public:
   Tree() = default;
