@@ -186,7 +186,7 @@ void check_vertices(std::span<const UnitWrench> vertices) {
     if (i == 0) continue;
     const SlipTwist before = face_normal(i - 1);
     if (!(before.slide * here.spin > before.spin * here.slide)) {
-      throw std::invalid_argument("vertex " + std::to_string(i) + " is not a convex corner");
+      throw std::invalid_argument("vertex " + std::to_string(i) + " is not a convex corner: expected a left turn at every vertex");
     }
   }
 }

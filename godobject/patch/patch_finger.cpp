@@ -48,7 +48,7 @@ Axes last_axes(const PatchFingerState& state) noexcept {
 Patch drivable(const Patch& patch, double point_radius) {
   const double least = 1e-3 * patch.moment_ratio();
   if (point_radius == 0.0 && least == 0.0) {
-    throw std::invalid_argument("point_radius: all load of the patch is on one point, which resists no turn; expected a radius > 0");
+    throw std::invalid_argument("point_radius = 0 m: all load of the patch is on one point, which has no friction moment; expected > 0");
   }
   if (point_radius != 0.0 && !(point_radius >= least && point_radius <= 1e15)) {
     throw out_of_range("point_radius", point_radius, "m", ">= 1e-3 of the patch's m0, " + format_number(least));

@@ -12,7 +12,8 @@ namespace limitcurve::godobject {
 namespace {
 
 const ReplayOptions& checked(const ReplayOptions& options) {
-  if (options.motion == BodyMotion::free) throw std::invalid_argument("body: got one that is free, expected fixed or trace with a patch");
+  if (options.motion == BodyMotion::free)
+    throw std::invalid_argument("body: free, expected fixed or trace (a patch needs a body that fingers do not move)");
   if (!(options.fingers >= 1 && options.fingers <= Replay::most_fingers)) {
     throw std::invalid_argument("fingers = " + std::to_string(options.fingers) + ": expected 1 to " + std::to_string(Replay::most_fingers));
   }

@@ -105,7 +105,8 @@ FingerParameters finger_parameters(const PivotOptions& options, const FingerCurv
   } else {
     const double arm = moment_arm(options, curve);
     if (!(arm > 0.0)) {
-      throw std::invalid_argument("twist_stiffness: none given, expected one where mu, the moment coefficient or the load to hold is 0");
+      throw std::invalid_argument(
+          "twist_stiffness: absent, expected a value if mu, the moment coefficient or the load that holds the block is 0");
     }
     result.twist_stiffness = options.stiffness * arm * arm;
   }
@@ -120,11 +121,11 @@ void require_hold(const PivotOptions& options, const FingerParameters& finger) {
   const double share = 0.5 * options.mass * options.gravity;
   if (const double least = 2.0 * share / options.height; !(finger.stiffness > least)) {
     throw out_of_range("stiffness", finger.stiffness, "N/m",
-                       "> " + format_number(least) + ", that the block's weight sinks it by less than half its height");
+                       "> " + format_number(least) + ", so that the block's weight lowers it by less than half its height");
   }
   if (const double least = share * options.offset / std::numbers::pi; !(finger.twist_stiffness > least)) {
     throw out_of_range("twist_stiffness", finger.twist_stiffness, "N m/rad",
-                       "> " + format_number(least) + ", that the block's weight turns it by less than half a turn");
+                       "> " + format_number(least) + ", so that the block's weight turns it by less than half a turn");
   }
 }
 

@@ -231,11 +231,11 @@ Law samples(std::span<const PressureSample> rows, std::string_view source) {
   for (std::size_t i = 0; i < profile.size(); ++i) {
     const double gap = profile[i].radius - (i > 0 ? profile[i - 1].radius : 0.0);
     if (gap > 0.0 && gap < least_gap)
-      throw refuse(i, "expected it farther than 1e-9 of the last radius from the one before, or at the same");
+      throw refuse(i, "expected a radius equal to the one before, or larger by at least 1e-9 of the last radius");
   }
   if (!(profile.back().radius > profile.front().radius)) throw refuse(profile.size() - 1, "expected a last radius > the first");
   if (profile[profile.size() - 2].radius == profile.back().radius)
-    throw refuse(profile.size() - 1, "a jump at the last radius: leave it out");
+    throw refuse(profile.size() - 1, "a jump at the last radius, expected one pressure there");
   return std::make_shared<SamplesLaw>(profile, source);
 }
 

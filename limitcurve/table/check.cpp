@@ -77,9 +77,10 @@ std::array<CheckedCell::Value, 2> check_side(const std::string& name, const std:
       if (!std::isfinite(static_cast<Real>(c))) throw refuse(i, "expected finite numbers, got " + format_number(c));
     }
     if (!(cells[i].x >= 0.0 && cells[i].x < 1.0 && double{static_cast<Real>(cells[i].x)} == cells[i].x))
-      throw refuse(i, "expected x in [0, 1) that the table's arithmetic can hold");
-    if (i > 0 && !(cells[i].x > cells[i - 1].x)) throw refuse(i, "expected x that increases");
-    if (i > 0 && !(cells[i].x - cells[i - 1].x >= narrowest_cell<Real>)) throw refuse(i, "expected it farther from the one before");
+      throw refuse(i, "expected x in [0, 1), and exact in the table's arithmetic");
+    if (i > 0 && !(cells[i].x > cells[i - 1].x)) throw refuse(i, "expected x larger than that of the cell before");
+    if (i > 0 && !(cells[i].x - cells[i - 1].x >= narrowest_cell<Real>))
+      throw refuse(i, "expected x larger than that of the cell before by at least " + format_number(double{narrowest_cell<Real>}));
   }
   for (std::size_t i = 0;; ++i) {
     const bool last = i + 1 == cells.size();
@@ -89,9 +90,8 @@ std::array<CheckedCell::Value, 2> check_side(const std::string& name, const std:
     const auto joins = [&](CheckedCell::Value end, double begin) {
       return std::fabs(end.value - begin) <= epsilon * (end.rounding + std::fabs(begin));
     };
-    if (!joins(here.support(), cells[i + 1].coefficients[0])) throw refuse(i + 1, "expected it to join the cell before");
-    if (!joins(here.leading(), cells[i + 1].coefficients[1]))
-      throw refuse(i + 1, "expected it to join the cell before with its derivative");
+    if (!joins(here.support(), cells[i + 1].coefficients[0])) throw refuse(i + 1, "expected c0 equal to D at the end of the cell before");
+    if (!joins(here.leading(), cells[i + 1].coefficients[1])) throw refuse(i + 1, "expected c1 equal to D' at the end of the cell before");
   }
 }
 
@@ -132,7 +132,7 @@ void check(const TableFacts& facts, const TableCells& cells) {
   const Extended forgiven =
       4 * Extended(std::numeric_limits<Real>::epsilon()) * (support.rounding + other_support.rounding + force.rounding + moment.rounding);
   if (!(std::fabs(support.value - other_support.value) <= forgiven && std::fabs(force.value + moment.value - support.value) <= forgiven)) {
-    throw std::invalid_argument("the sides of the table do not meet at the rim");
+    throw std::invalid_argument("the two sides of the table differ at the rim (x = 1): expected the same D, force and moment");
   }
   const double force_max = cells.outside.front().coefficients[0];
   const double moment_max = cells.inside.front().coefficients[0];

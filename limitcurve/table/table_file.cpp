@@ -141,7 +141,7 @@ class Reader {
   std::string_view line() {
     ++line_;
     const std::size_t end = rest_.find('\n');
-    if (end == std::string_view::npos) fail(rest_.size() + 1, "the line is torn off: expected an end of line");
+    if (end == std::string_view::npos) fail(rest_.size() + 1, "the text ends within a line: expected an end of line");
     std::string_view text = rest_.substr(0, end);
     rest_.remove_prefix(end + 1);
     if (!text.empty() && text.back() == '\r') text.remove_suffix(1);
@@ -268,7 +268,7 @@ Table read_table_csv(std::string_view text, std::string_view source) {
     const std::string_view side = line.substr(0, line.find(','));
     if (side != "inside" && side != "outside") reader.fail(1, "expected inside or outside, got '" + std::string(side) + "'");
     const bool inside = side == "inside";
-    if (inside && !contents.outside.empty()) reader.fail(1, "a row inside the rim after those outside");
+    if (inside && !contents.outside.empty()) reader.fail(1, "a row inside the rim after rows outside: expected all rows inside first");
     (inside ? contents.inside : contents.outside).push_back(read_row(reader, line));
   }
   return table_of(contents, sum, source);
