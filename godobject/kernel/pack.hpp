@@ -10,8 +10,8 @@
 #include <cstdint>
 #include <type_traits>
 
-/// Packs of numbers, a vector register each, under the names of single numbers (limitcurve/arithmetic.hpp, single.hpp): what is written once
-/// for a Number works on as many contacts as a pack has lanes, and gives the same bits. The one header with extensions of GCC and Clang.
+/// Packs of numbers, one vector register each, under the names of single numbers (limitcurve/arithmetic.hpp, single.hpp). A template on
+/// Number then steps as many contacts as a pack has lanes, with the same bits. The only header with extensions of GCC and Clang.
 ///
 /// The instruction set is part of every type's name. Sources that are compiled for different processors then share no function that the
 /// linker could take from the wrong one; for the same reason lanes that are stepped one by one call functions of other sources only.
@@ -27,7 +27,7 @@ struct Avx512 {
   static constexpr int bytes = 64;
 };
 
-/// The registers of an instruction set that hold numbers of one type.
+/// The registers of an instruction set for numbers of one type.
 template <class Real, class Isa>
 struct Registers {
   static constexpr std::size_t lanes = Isa::bytes / sizeof(Real);
@@ -37,7 +37,7 @@ struct Registers {
   using Integer = std::conditional_t<sizeof(Real) == 8, std::int64_t, std::int32_t>;
 };
 
-/// What comparisons of packs give: all bits of a lane, or none. With AVX-512 one bit a lane.
+/// The result of comparing packs: all bits of a lane, or none. With AVX-512 one bit for each lane.
 template <class Real, class Isa>
 struct Mask {
   using Narrow = std::conditional_t<sizeof(Real) == 8, std::uint8_t, std::uint16_t>;
@@ -49,7 +49,7 @@ struct Mask {
   friend Mask operator!(Mask a) noexcept { return {(Bits)~a.bits}; }
 };
 
-/// Integers, one a lane.
+/// Integers, one for each lane.
 template <class Real, class Isa>
 struct Index {
   using Integers = typename Registers<Real, Isa>::Integers;
@@ -99,7 +99,7 @@ struct Pack {
   }
 };
 
-// By intrinsics, because compilers take `?:` of vectors apart where a processor cannot compare integers as wide.
+// By intrinsics, because compilers split `?:` of vectors if the processor cannot compare integers of that width.
 template <class Real, class Isa>
 [[nodiscard]] Pack<Real, Isa> select(Mask<Real, Isa> condition, Pack<Real, Isa> yes, Pack<Real, Isa> no) noexcept {
   using Numbers = typename Registers<Real, Isa>::Numbers;
@@ -133,7 +133,7 @@ template <class Real, class Isa>
   }
 }
 
-// The processor's min and max give their second argument where the first is not a number.
+// The processor's min and max return their second argument if the first is NaN.
 template <class Real, class Isa>
 [[nodiscard]] Pack<Real, Isa> smaller(Pack<Real, Isa> a, Pack<Real, Isa> b) noexcept {
   if constexpr (Isa::bytes == 64 && sizeof(Real) == 8) {
@@ -223,7 +223,7 @@ template <class Real, class Isa>
     return result;
   }
 }
-/// From an array of an even length that begins where a word of 32 bits may: there is no gathering of less than such words.
+/// The array must have an even length and the alignment of a 32-bit word, because the processor gathers no smaller words.
 template <class Real, class Isa>
 [[nodiscard]] Index<Real, Isa> gather(const std::uint16_t* array, Index<Real, Isa> at) noexcept {
   using Integers = typename Index<Real, Isa>::Integers;
@@ -260,7 +260,7 @@ void store_where(Mask<Real, Isa> condition, Real* to, Pack<Real, Isa> value) noe
   } else if constexpr (Isa::bytes == 64) {
     _mm512_mask_storeu_ps(to, condition.bits, value.lanes);
   } else {
-    // As a rule all lanes are written, and none need be read.
+    // In the common case all lanes are written, and none need be read.
     if (any(!condition)) value = select(condition, value, load(to, value));
     *reinterpret_cast<typename Registers<Real, Isa>::Unaligned*>(to) = value.lanes;
   }
@@ -305,7 +305,7 @@ template <class Real, class Isa>
   }
 }
 
-/// As many states as there are lanes, a byte each.
+/// One state for each lane, a byte each.
 template <class Real, class Isa>
 [[nodiscard]] __m128i load_states(const ContactState* states) noexcept {
   constexpr std::size_t count = Pack<Real, Isa>::size;
@@ -334,7 +334,7 @@ void set_states(ContactState* states, Mask<Real, Isa> is_plausible, Mask<Real, I
   __builtin_memcpy(states, &bytes, Pack<Real, Isa>::size);
 }
 
-// Powers and logarithms go lane by lane, through arrays, so that packs need not lie in memory where none of them is taken.
+// Powers and logarithms are computed lane by lane in arrays, so that packs stay in registers where there are none.
 
 template <class Real, class Isa>
 using Lanes = std::array<Real, Pack<Real, Isa>::size>;
@@ -384,7 +384,7 @@ template <class Real, class Isa>
           pack_of<Isa>(next)};
 }
 
-/// All that a step calls becomes one loop: in registers, not from call to call through memory.
+/// All functions of a step are inlined into one loop, so that numbers stay in registers.
 template <class Isa, class Real>
 [[gnu::flatten]] std::size_t step_packs(const Shared<Real>& shared, const BasicContactBatch<Real>& contacts, std::size_t count) noexcept {
   using Number = Pack<Real, Isa>;

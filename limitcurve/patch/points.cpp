@@ -79,7 +79,7 @@ struct Points final : Shape {
         continue;
       }
       const double speed = std::sqrt(ux * ux + uy * uy);
-      // Of a speed whose square vanishes the direction counts all the same.
+      // The square of a small speed underflows, but its direction still counts.
       const double safe = speed > 1e-150 ? speed : std::hypot(ux, uy);
       ux *= point.load / safe;
       uy *= point.load / safe;

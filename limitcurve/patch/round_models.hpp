@@ -25,7 +25,7 @@ struct RoundModel {
 /// `max_over_estimate` and `max_under_estimate` are the largest of H_model/H − 1 and 1 − H_model/H over all twists, right to 1e-6.
 /// `rms_error` is the root mean square of H_model/H − 1 over CORs in 128 directions, evenly, at 121 distances from 1e-3 m₀ to 1e3 m₀,
 /// evenly in their logarithm. `max_cor_error` is over the same CORs, and farther ones: the largest |c_model/c − 1| of COR distances where
-/// both wrenches have one ratio of moment to force along one force; inf where it has no bound.
+/// both wrenches have the same direction of force and the same ratio of moment to force; inf if it has no bound.
 /// Throws std::invalid_argument for a patch without moment, all of whose load is on one point.
 std::vector<RoundModel> round_models(const Patch& patch);
 

@@ -48,7 +48,7 @@ template <std::size_t count, class Real, class Integrand>
   result.error.fill(nan);
   const Real half = length / 2;
   for (std::size_t i = 0; i < wanted; ++i) {
-    // Boost gives the place and its distance from the nearer end, that from the left one as a negative number.
+    // Boost's second argument is the distance from the nearer end, negative for the left end.
     const auto component = [&](Real, Real from_end) -> Real {
       const Real near = half * std::fabs(from_end);
       return from_end < 0 ? integrand(near, length - near)[i] : integrand(length - near, near)[i];
