@@ -186,7 +186,8 @@ PatchProjection PatchProjector::project(const PatchWrench& trial, double limit, 
     const Scaled::Value value = friction(q);
     return {q, value, w.dot(q) - value.power};
   };
-  // First guess: the best of the ellipsoid's normal (good for a trial near the limit), the trial itself (for one far away) and the last slip.
+  // First guess: the best of the ellipsoid's normal (good for a trial near the limit), the trial itself (for one far away) and the last
+  // slip.
   Place here = at({w.x() / (mx * mx), w.y() / (my * my), w.z() * kappa * kappa / (m0 * m0)});
   const auto try_too = [&](const Vector3d& direction) {
     if (!(direction.norm() > 0.0)) return;
