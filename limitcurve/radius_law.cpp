@@ -62,7 +62,7 @@ RadiusLaw RadiusLaw::constant(double radius) {
 }
 
 RadiusLaw RadiusLaw::hertz(double sphere_radius, double modulus) {
-  // Two good numbers may have a quotient that is none.
+  // The quotient of two valid numbers may overflow or underflow.
   const double ratio = positive("R/E", positive("R", sphere_radius, "m") / positive("E", modulus, "Pa"), "m/Pa");
   return {std::cbrt(0.75 * ratio), 1.0 / 3.0};
 }

@@ -130,7 +130,7 @@ class ProfileLaw final : public PressureLawOf<ProfileLaw> {
   std::vector<Extended> breaks_;
 };
 
-/// Where in `rows` the samples stand; a row that says the same again is none, and no jump.
+/// Indices in `rows` of the samples, without rows that repeat the one before.
 std::vector<std::size_t> places_of_samples(std::span<const PressureSample> rows) {
   std::vector<std::size_t> places;
   for (std::size_t i = 0; i < rows.size(); ++i) {
