@@ -14,8 +14,8 @@
 #include <type_traits>
 #include <vector>
 
-/// All that the workloads (bench/finger_bench.cpp) need of the library's interface. scripts/maintain/compare_speed compiles the workloads
-/// against two commits, each with its own copy of this file.
+/// The part of the library's interface that the workloads (bench/finger_bench.cpp) use. scripts/maintain/compare_speed compiles the
+/// workloads against two commits, each with its own copy of this file.
 namespace limitcurve::bench {
 
 using godobject::BodyState;
@@ -25,10 +25,10 @@ using godobject::DevicePose;
 using godobject::MeshSurface;
 using godobject::read_mesh;
 
-/// The limit curve, of a Hertz contact, and the projection; the table is of 1e-8 (of a batch of floats: as fine as floats allow).
+/// The limit curve of a Hertz contact, and the projection; the table has a tolerance of 1e-8 (in a batch of floats: the finest possible).
 enum class Model { ellipse_radial, table_radial, table_closest_point };
 
-/// What a finger has beside springs and friction.
+/// Properties of a finger beside springs and friction.
 struct Skin {
   bool damped = false;
   bool radius_grows = false;  ///< a(P), a silicone finger's; else constant
@@ -68,13 +68,13 @@ double update(Finger& finger, const Contact& contact, double twist, double time_
   return finger.update(contact, twist, time_step).moment;
 }
 
-/// The next search for the closest point begins from nothing, as a finger's first does.
+/// The next search for the closest point has no warm start, like a finger's first.
 template <class Finger>
 void forget_closest_point(Finger& finger) {
   finger.forget_warm_start();
 }
 
-/// What a batch is given.
+/// Input of a batch.
 template <class Real>
 struct BatchInput {
   std::span<const Real> x, y, angle, depth;

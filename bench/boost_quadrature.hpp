@@ -13,7 +13,7 @@
 
 namespace limitcurve::bench {
 
-/// The best that Boost.Math offers for eq. (17), as a peer: the angle by complete elliptic integrals (Carlson's, in double, not
+/// The best method of Boost.Math for eq. (17), for comparison: the angle by complete elliptic integrals (Carlson's, in double, not
 /// promoted), the radius by its tanh–sinh rule to its default tolerance, split at the COR, the distances from COR and
 /// rim exact. The rule is built once. Relative error some 1e-15.
 class BoostQuadrature {
@@ -44,7 +44,7 @@ class BoostQuadrature {
   template <class Integrand>
   [[nodiscard]] double integrate(double s, const Integrand& integrand) {
     const double split = std::min(s, 1.0);
-    // Boost tells the distance from the nearer end, negative at the left one.
+    // Boost passes the distance from the nearer end, negative at the left end.
     const double inner = rule_.integrate(
         [&](double x, double end) {
           const double rho = end > 0.0 ? x : -end;

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: MIT
-// What people run: fingers on a plane and on a mesh, a grasp, batches, look-ups, tables being built. Alone it prints mean and worst of
-// every workload on this machine; scripts/maintain/compare_speed compiles it against two commits and runs both in turns.
+// The workloads of users: fingers on a plane and on a mesh, a grasp, batches, look-ups, construction of tables. Alone it prints mean and
+// worst of every workload on this machine; scripts/maintain/compare_speed compiles it against two commits and runs both in turn.
 //
-//     finger_bench [REGEX]   the workloads whose name it matches (left out: all), as CSV
+//     finger_bench [REGEX]   the workloads with matching names (default all), as CSV
 //     finger_bench --list    their names
-//     finger_bench --turn NAME   for each line of input one round of the workload; for each a line `mean_ns,worst_ns,result`
+//     finger_bench --turn NAME   one round of the workload for each line of input; prints a line `mean_ns,worst_ns,result` for each
 //
-// mean_ns: of a step (batches: of a contact), in the processor's time of this process, so that others do not count. worst_ns: a motion
-// is timed in stretches of 128 steps (grasp: 32); the mean step of the stretch that takes longest, each by the fastest of all its passes,
-// so that an interrupt is not taken for a step. Empty where all stretches are alike. result: the mean of what the steps return, to see
-// that two commits do the same work.
+// mean_ns: processor time of this process for a step (batches: a contact). worst_ns: a motion is timed in stretches of 128 steps (grasp:
+// 32); this is the mean step of the slowest stretch, where each stretch counts with its fastest pass, so that interrupts do not count.
+// Empty if all stretches are alike. result: the mean of the steps' return values, to check that two commits do the same work.
 #include "bench/adaptor.hpp"
 #include "motion.hpp"
 #include "workload.hpp"
@@ -53,7 +52,7 @@ struct OnPlane {
   std::vector<Input> inputs;
 };
 
-/// The finger's place is given, the contact is sought on a ball of 320 triangles.
+/// The finger's position is given; the contact is found on a ball of 320 triangles.
 struct OnMesh {
   static constexpr double radius = 0.05;  // [m]
   struct Input {
@@ -65,7 +64,7 @@ struct OnMesh {
   explicit OnMesh(Motion motion) : surface(read_mesh(LIMITCURVE_MESHES "/ball.obj")) {
     Random random;
     for (const Sample& s : move(motion)) {
-      // The coordinates are arcs about the ball's pole; a wild finger comes down anywhere.
+      // The coordinates are arcs about the ball's pole; a wild finger touches anywhere.
       const Vector3d towards = motion == Motion::wild ? random.vector() : Vector3d(s.x / radius, s.y / radius, 1.0);
       inputs.push_back({(radius - s.depth) * towards.normalized(), s.twist});
     }
@@ -81,7 +80,7 @@ struct OnMesh {
   std::vector<Input> inputs;
 };
 
-/// The step that is timed.
+/// The timed step.
 template <bool cold, class Finger, class Place>
 double take_step(Finger& finger, const Place& place, typename Place::Memory& memory, std::size_t i) {
   if constexpr (cold) forget_closest_point(finger);
@@ -100,7 +99,7 @@ Pass one_finger(Skin skin, Motion motion) {
                });
 }
 
-/// In turn, each elsewhere in the motion: one's step need not wait for its last one, as in a scene of many.
+/// Fingers in turn, each at another point of the motion: a step need not wait for the finger's last one, as in a scene with many fingers.
 template <Model model, bool cold, class Place>
 Pass sixteen_fingers(Skin skin, Motion motion) {
   constexpr std::size_t count = 16;
@@ -140,7 +139,7 @@ Pass grasp(Skin skin, bool slips) {
   std::vector<std::array<DevicePose, 2>> inputs;
   for (std::size_t i = 0; i < steps * stretches; ++i) inputs.push_back(devices(i));
   return timed(stretches, steps, [body = make_grasp<model>(skin, 2, !slips), inputs](std::size_t stretch) mutable {
-    // Sliding fingers leave the block to drift: it is put back before they lose it.
+    // With sliding fingers the block drifts: it is put back before they lose it.
     if (stretch == 0) body.place(BodyState{}, inputs[0]);
     double sum = 0.0;
     for (std::size_t i = 0; i < steps; ++i) {
@@ -151,7 +150,7 @@ Pass grasp(Skin skin, bool slips) {
   });
 }
 
-// ---- batches: slip: every contact goes to and fro, each with a centre of rotation of its own; held, wild: as one finger
+// ---- batches: slip: every contact moves to and fro, each with its own centre of rotation; held, wild: as one finger
 
 template <class Real>
 struct Inputs {
@@ -199,14 +198,14 @@ Pass batch(Skin skin, std::size_t count, Motion motion) {
     for (std::size_t i = 0; i < turns; ++i) {
       for (const Inputs<Real>& input : *inputs) stepped->step(input.spans());
     }
-    // Of one contact, as if of all: to read all would cost as much as to step them.
+    // The result of one contact stands for all: reading all would cost as much as stepping them.
     return std::fabs(static_cast<double>(stepped->moment()[count / 2])) * static_cast<double>(steps);
   });
 }
 
 // ---- tables
 
-/// Twists in no order, spread evenly from pure spin to pure slide, so that no predictor learns them.
+/// Twists in random order, evenly spaced from pure spin to pure slide, so that no branch predictor learns them.
 Pass wrenches(const std::string& law, double tolerance) {
   constexpr std::size_t count = 1024;
   std::vector<std::array<double, 2>> twists;
@@ -288,7 +287,7 @@ std::vector<Workload> workloads() {
   return result;
 }
 
-/// As scripts read it.
+/// In the format of the scripts.
 void print(const Round& round) {
   if (std::isnan(round.worst)) {
     std::printf("%.6g,,%.12g\n", round.mean, round.result);
@@ -298,7 +297,7 @@ void print(const Round& round) {
   std::fflush(stdout);
 }
 
-/// The round in the middle of some.
+/// The median round.
 Round median_round(Workload& workload) {
   std::vector<Round> rounds;
   for (int i = 0; i < 5; ++i) rounds.push_back(workload.round());

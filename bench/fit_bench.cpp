@@ -25,7 +25,7 @@ using namespace limitcurve::fit;
 
 constexpr int draws = 20;
 
-/// Least processor time of a fit over all rounds, by draw: what the machine does beside it is not the fit's.
+/// Least processor time of a fit over all rounds, for each draw, so that other work on the machine does not count.
 struct Slowest {
   std::string name;
   double milliseconds = 0.0;

@@ -14,7 +14,7 @@
 namespace limitcurve::bench {
 
 /// Eq. (17) by `ring` kernels and one Gauss–Legendre rule on either side of ρ = s, in θ of ρ = left + (right − left) sin²θ,
-/// which takes the edge off the logarithm at ρ = s and off the rim's square root.
+/// which smooths the logarithm at ρ = s and the rim's square root.
 class FixedGauss {
  public:
   template <class Rule>

@@ -17,11 +17,11 @@
 #include <string>
 #include <vector>
 
-/// What a friction wrench costs: closed forms, quadrature, tables, ellipse. Compare within one run; machines differ.
+/// Time of a friction wrench: closed forms, quadrature, tables, ellipse. Compare within one run; machines differ.
 namespace limitcurve::bench {
 namespace {
 
-/// CORs without order, so that no branch predictor learns them: evenly spread in the spin fraction over `from` … `to`.
+/// CORs in random order, so that no branch predictor learns them: evenly spaced in the spin fraction over `from` … `to`.
 std::vector<double> spin_fractions(double from, double to) {
   constexpr std::size_t count = 1024;
   std::vector<double> result;
@@ -87,7 +87,7 @@ double largest_error(const PressureLaw& law, const Inputs& inputs, Call&& call) 
   return error;
 }
 
-/// The pair (f, m) by `ours`, with its error, and how many times longer Boost's quadrature takes at the same CORs.
+/// The pair (f, m) by `ours`, with its error, and the time of Boost's quadrature at the same CORs, divided by ours.
 template <class Ours, class Pressure>
 void pair(benchmark::State& state, const Law& law, const std::string& region, const Ours& ours, const Pressure& pressure) {
   static BoostQuadrature boost;

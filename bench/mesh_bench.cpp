@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A step of a finger on a ball of triangles, contact and friction together: `worst` is the slowest of 4096 steps, each by the fastest
-// of nine runs, so that an interrupt is not taken for the step (the clock's own 20 ns included).
+// A step of a finger on a ball of triangles, contact and friction together: `worst` is the slowest of 4096 steps, each with the fastest
+// of nine runs, so that interrupts do not count (includes 20 ns of the clock).
 #include "godobject/mesh/mesh.hpp"
 #include "tests/mesh/shapes.hpp"
 #include "tests/touch.hpp"
@@ -19,7 +19,7 @@ using Eigen::Vector3d;
 constexpr double radius = 0.05;
 constexpr std::size_t count = 4096;
 
-/// Along the surface 2 mm beneath it, 0.2 mm a step: 0.2 m/s at 1 kHz.
+/// Along the surface at a depth of 2 mm, 0.2 mm a step: 0.2 m/s at 1 kHz.
 std::vector<Vector3d> sliding() {
   test::Random random(1);
   std::vector<Vector3d> result;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The place of a ball of 8192 triangles nearest a point a millimetre beneath or above it, by the libraries that Debian 12 has and by
-// ours: nanoseconds and calls of the allocator a query. Built and run by scripts/maintain/compare_mesh_libraries with what is installed.
+// The closest point on a ball of 8192 triangles for a point one millimetre below or above it, with the libraries of Debian 12 and with
+// ours: nanoseconds and allocator calls a query. scripts/maintain/compare_mesh_libraries builds and runs it with the installed libraries.
 #include "godobject/mesh/mesh.hpp"
 #include "godobject/mesh/mesh_surface.hpp"
 #include "godobject/mesh/triangle.hpp"
@@ -70,7 +70,7 @@ namespace {
 constexpr double radius = 0.05;
 constexpr std::size_t count = 2000;
 
-/// Best of many runs, and allocations of one run; the query gives the distance, which is checked.
+/// Best of many runs, and allocations of one run; the distance of the query is checked.
 template <class Query>
 void row(const char* name, const char* what, const std::vector<Vector3d>& points, double tolerance, Query&& query) {
   static_cast<void>(query(points[0]));
@@ -127,7 +127,7 @@ int main() {
   const MeshSurface surface{Mesh(list)};
   const Mesh& mesh = surface.mesh();
   const Ball ball{{mesh.vertices().begin(), mesh.vertices().end()}, {mesh.faces().begin(), mesh.faces().end()}};
-  // A finger's way: steps of some 0.3 mm, in and out.
+  // A finger's path: steps of about 0.3 mm, in and out.
   limitcurve::godobject::test::Random random(1);
   std::vector<Vector3d> points;
   Vector3d direction = Vector3d::UnitX();
@@ -195,7 +195,7 @@ int main() {
       values.push_back({{Point(low.x(), low.y(), low.z()), Point(high.x(), high.y(), high.z())}, i});
     }
     const bg::index::rtree<Value, bg::index::rstar<8>> tree(values);
-    // The boxes nearest; of which the nearest triangle need not be one.
+    // The nearest boxes; the nearest triangle may be in another one.
     row("Boost.Geometry rtree", "query(nearest, 8 boxes)", points, 1e-4, [&](const Vector3d& p) {
       double least = 1e300;
       for (auto i = tree.qbegin(bg::index::nearest(Point(p.x(), p.y(), p.z()), 8)); i != tree.qend(); ++i) {

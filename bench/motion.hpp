@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-/// The motions of finger_bench, of one finger each, loops without an end.
+/// The motions of finger_bench: endless loops of one finger.
 namespace limitcurve::bench {
 
 inline constexpr double pi = std::numbers::pi;
@@ -37,14 +37,14 @@ class Random {
   std::uniform_real_distribution<double> share_{-1.0, 1.0};
 };
 
-/// How the finger moves along a surface: by how much in two directions [m], how deep [m], and its twist [rad].
+/// Motion of the finger along a surface: displacement in two directions [m], depth [m] and twist [rad].
 struct Sample {
   double x, y, depth, twist;
 };
 
 /// Held: trembles within the limit. Slow: slips in every step of 0.1 mm, the centre of rotation wanders once over its range and back, the
 /// load changes a little. Wild: jumps of centimetres and radians in all directions, under any load.
-/// At 2 mm the finger bears 2 N, of which friction takes 1.2 N: the springs are then drawn by 1.2 mm.
+/// At 2 mm the load is 2 N and the friction limit 1.2 N, a deflection of 1.2 mm.
 inline std::vector<Sample> move(Motion motion) {
   Random random;
   std::vector<Sample> result;

@@ -10,13 +10,13 @@
 #include <string>
 #include <vector>
 
-/// What a wrench of a contact costs that is not round, beside that of a disc by its table in the same run: compare within one run.
+/// Time of a wrench of a contact that is not round, and of a disc by its table, in the same run: compare within one run.
 namespace limitcurve::bench {
 namespace {
 
 constexpr std::size_t count = 1024;
 
-/// CORs in no order, in all directions, from `near` to `far` radii, evenly in the logarithm.
+/// CORs in random order, in all directions, from `near` to `far` radii, evenly in the logarithm.
 std::vector<PatchTwist> twists(double radius, double near, double far) {
   std::vector<PatchTwist> made;
   double u = 0.5;

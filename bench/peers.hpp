@@ -19,11 +19,11 @@
 #include <memory>
 #include <vector>
 
-/// How a friction wrench is had without this library, each done as well as its tools allow: s ∈ [0, ∞), pressures on
+/// Methods to compute a friction wrench without this library, each as good as its tools allow: s ∈ [0, ∞), pressures on
 /// 0 ≤ ρ ≤ 1.
 namespace limitcurve::bench {
 
-/// g(ρ) whole, with what is singular at the rim.
+/// The whole g(ρ), with its singularity at the rim.
 inline double pressure_at(const PressureLaw& law, double radius, double rim) {
   const double exponent = static_cast<double>(law.rim_exponent());
   const double regular = law.density(RadialPosition<double>{radius, rim});
@@ -201,8 +201,8 @@ class GslNested {
 };
 #endif
 
-/// Hermite cubics over equal cells of the spin fraction with the exact curve's slopes, both components from one cell: the table that
-/// anybody would write first. Without a bound of its error, which equal cells leave large at the rim.
+/// Hermite cubics over equal cells of the spin fraction with the exact curve's slopes, both components from one cell: the most obvious
+/// table. It has no error bound, and equal cells give a large error at the rim.
 class EqualHermite {
  public:
   template <class Exact>

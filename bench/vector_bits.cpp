@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Hides instruction sets from a program, whatever code it is linked with: `target_clones` and `__builtin_cpu_supports` both read what
-// libgcc's __cpu_indicator_init has found out, before anything else runs. The linker's --wrap puts this function in its place. The numbers
+// Hides instruction sets from a program and its libraries: `target_clones` and `__builtin_cpu_supports` both read the result of
+// libgcc's __cpu_indicator_init, which runs first. The linker's --wrap puts this function in its place. The numbers
 // of the bits are part of libgcc's interface (gcc/common/config/i386/i386-cpuinfo.h: new ones are added at the end).
 extern "C" {
 
@@ -24,7 +24,7 @@ int __wrap___cpu_indicator_init() {
   return result;
 }
 
-/// For programs without clones, in which nothing calls it so early.
+/// For programs without clones, where nothing calls it so early.
 __attribute__((constructor(101))) void hide_instruction_sets() {
   __wrap___cpu_indicator_init();
 }

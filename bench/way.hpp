@@ -20,7 +20,7 @@
 
 #include <time.h>
 
-/// What `scripts/maintain/work_precision` measures: ways to a friction wrench, each with its error and its cost.
+/// The methods that `scripts/maintain/work_precision` measures, each with its error and its time.
 namespace limitcurve::bench {
 
 /// Something with a cost that Google Benchmark times.
@@ -36,12 +36,12 @@ inline std::vector<Way>& ways() {
   return all;
 }
 
-/// Distance of two wrenches in the normalised plane of the paper: 0.01 is 1 % of what the contact bears.
+/// Distance of two wrenches in the normalised plane of the paper: 0.01 is 1 % of the friction limits.
 inline double distance(UnitWrench one, UnitWrench other, double moment_ratio) {
   return std::hypot(one.force - other.force, (one.moment - other.moment) / moment_ratio);
 }
 
-/// Numbers in [0, 1] that are spread evenly however many are taken, and without an order that a branch predictor could learn.
+/// A low-discrepancy sequence in [0, 1], in an order that a branch predictor cannot learn.
 inline std::vector<double> spread(std::size_t count) {
   std::vector<double> result;
   double u = 0.5;
@@ -53,8 +53,8 @@ inline std::vector<double> spread(std::size_t count) {
   return result;
 }
 
-/// Time that this thread has had [ns]. Two clocks: one that is read in some 20 ns, and the thread's own, which other work
-/// on the machine does not disturb and which takes a system call.
+/// Time of this thread [ns]. There are two clocks: one that takes about 20 ns to read, and the thread's own, which needs a system call
+/// and is independent of other work on the machine.
 inline double thread_nanoseconds() {
   timespec time{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
@@ -64,8 +64,8 @@ inline double wall_nanoseconds() {
   return static_cast<double>(std::chrono::steady_clock::now().time_since_epoch() / std::chrono::nanoseconds(1));
 }
 
-/// Median and worst of the cost of a call over its inputs [ns]; of several calls in a row with each input the fastest,
-/// so that an interrupt is not taken for the call. The clock's own time is taken off.
+/// Median and worst time of a call over its inputs [ns]. Each input counts with the fastest of several calls, so that interrupts do not
+/// count. The clock's own time is subtracted.
 struct CostOverInputs {
   double median = 0.0;
   double worst = 0.0;
@@ -104,12 +104,12 @@ CostOverInputs cost_over(const std::vector<double>& inputs, Call&& call, double 
   return {costs[costs.size() / 2], costs.back()};
 }
 
-/// A pressure law with its reference: wrenches by `evaluate` in 80-bit arithmetic, which the tests hold to 50-digit values.
+/// A pressure law with its reference: wrenches by `evaluate` in 80-bit arithmetic; tests compare them with 50-digit values.
 /// Methods are added as calls from a slip twist to a unit wrench.
 class WrenchStudy {
  public:
   WrenchStudy(std::string_view law_name, Law law) : law_name_(law_name), law_(std::move(law)) {
-    // The places where methods fail come first, so that the slow ones meet them too.
+    // The difficult inputs come first, so that slow methods get them, too.
     for (const double s : {1.0, 0.0, 0.5, 2.0, 0.999, 1.001, 1e3, 1e-3, 1.0 + 1e-6, 1.0 - 1e-6, 0.9, 1.1, 1e6, 1e-6}) {
       places_.push_back(SlipTwist::about_cor(s));
     }
@@ -123,7 +123,7 @@ class WrenchStudy {
   [[nodiscard]] const Law& law() const { return law_; }
   [[nodiscard]] double moment_ratio() const { return moment_ratio_; }
 
-  /// `kind` is "ours" or "others"; `family` and `parameter` are what the chart calls the method; `bytes` what it stores.
+  /// `kind` is "ours" or "others"; `family` and `parameter` are the chart's names of the method; `bytes` is its memory.
   template <class Call>
   void add(std::string_view kind, std::string_view family, std::string_view parameter, std::size_t bytes, Call call) const {
     const std::string name = "wrench/" + law_name_ + '/' + std::string(kind) + '/' + std::string(family) + '/' + std::string(parameter);

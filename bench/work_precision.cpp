@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Error against cost of every way to a friction wrench, ours and others'. scripts/maintain/work_precision runs it and draws the chart;
-// by hand it is a Google Benchmark like the others.
+// Error against time of every method to compute a friction wrench, ours and others'. scripts/maintain/work_precision runs it and draws the
+// chart; by hand it is a Google Benchmark like the others.
 #include "bench/fixed_gauss.hpp"
 #include "bench/peers.hpp"
 #include "bench/way.hpp"
@@ -25,7 +25,7 @@
 namespace limitcurve::bench {
 namespace {
 
-// Beyond this place of the COR no method of others' is asked, for s = ∞ is none that they take: the wrench has ceased to change.
+// The other methods are not called beyond this COR, because they do not accept s = ∞; the wrench no longer changes there.
 constexpr double farthest = 1e17;
 
 template <class Curve>
@@ -42,7 +42,7 @@ void add_of_cor(const WrenchStudy& study, const char* kind, const char* family, 
   study.add(kind, family, parameter, bytes, [rule](SlipTwist twist) { return rule(std::min(twist.cor(), farthest)); });
 }
 
-/// The law's own closed form, inlined as in a loop that knows its law.
+/// The law's own closed form, inlined as in a loop with a fixed law.
 template <class Real, UnitForces<Real> (*form)(Real) noexcept>
 void add_closed(const WrenchStudy& study, const char* parameter) {
   study.add("ours", "closed", parameter, 0, [](SlipTwist twist) {
@@ -119,7 +119,7 @@ void add_peers(const WrenchStudy& study) {
 #endif
 }
 
-/// By tolerance^(−1/4), which is the argument.
+/// Against tolerance^(−1/4), the argument.
 void build_table(benchmark::State& state, const Law& law) {
   const double tolerance = std::pow(static_cast<double>(state.range(0)), -4.0);
   std::size_t cells = 0;

@@ -27,7 +27,7 @@ using namespace limitcurve::godobject;
 constexpr double radius = 0.005;
 constexpr double depth = 0.002;
 
-/// At 2 mm depth the finger bears 2 N, of which friction takes 1.2 N: 1.2 mm of sliding.
+/// At 2 mm depth the load is 2 N and the friction limit 1.2 N: 1.2 mm of deflection.
 FingerParameters parameters(double stiffness_ratio, double moment_ratio) {
   FingerParameters result;
   result.mu = 0.6;
@@ -42,8 +42,8 @@ struct SteadyError {
   double mean = 0.0;
 };
 
-/// Error of the steady wrench over stiffness ratios k_r/k_l/(m₀a)² and CORs a decade to either side of 1. The fingers stay and the
-/// proxies are moved, by what a float resolves.
+/// Error of the steady wrench over stiffness ratios k_r/k_l/(m₀a)² and CORs a decade on either side of 1. The fingers stay and the
+/// proxies move, by steps that a float resolves.
 template <class Real>
 SteadyError steady_error(const Law& law, const BasicFingerCurve<Real>& curve, Projection projection) {
   constexpr int steps = 1000;           // forgets the start to rounding
@@ -77,14 +77,14 @@ SteadyError steady_error(const Law& law, const BasicFingerCurve<Real>& curve, Pr
   return result;
 }
 
-/// What one step is given.
+/// Input of one step.
 struct Sample {
   Contact contact;
   double twist;
 };
 
-/// Slides and twists so that the centre of rotation wanders slowly over the whole range: every step slips. Contacts ready to be used:
-/// making them is not in the time of a step.
+/// Slides and twists so that the centre of rotation moves slowly over the whole range: every step slips. The contacts are prepared
+/// before the timing.
 std::vector<Sample> slow_motion(std::size_t count) {
   std::vector<Sample> samples;
   double x = 0.0;
@@ -99,7 +99,7 @@ std::vector<Sample> slow_motion(std::size_t count) {
 }
 const std::vector<Sample> motion = slow_motion(4096);
 
-/// A finger that takes the motion's steps one by one; `cold` forgets where the last slip was, but not that it slipped.
+/// A finger that runs the motion step by step; `cold` forgets the position of the last slip (no warm start), but not that it slipped.
 class Stepper {
  public:
   Stepper(const FingerCurve& curve, Projection projection, bool cold)
@@ -140,7 +140,7 @@ void step_one(benchmark::State& state, const FingerCurve& curve, Projection proj
   state.counters["worst_ns"] = cost.worst;
 }
 
-/// Sixteen fingers in turn, as in a scene of many: no step waits for the last of the same finger.
+/// Sixteen fingers in turn, as in a scene with many fingers: no step waits for the last one of the same finger.
 void step_many(benchmark::State& state, const FingerCurve& curve, Projection projection, bool cold) {
   std::vector<Stepper> many(16, Stepper(curve, projection, cold));
   for (auto _ : state) {
@@ -149,8 +149,9 @@ void step_many(benchmark::State& state, const FingerCurve& curve, Projection pro
   state.counters["seconds"] = seconds_of(many.size());
 }
 
-/// Contacts whose fingers go to and fro, farther than the springs can be drawn, so that all of them slip in every step; and nothing but the
-/// step is in the time, for to and fro is an exchange of arrays.
+/// Contacts whose fingers move to and fro by more than the largest deflection, so that all of them slip in every step. Only the step is
+/// timed:
+/// moving to and fro is an exchange of arrays.
 template <class Real>
 void step_batch(benchmark::State& state, const BasicFingerCurve<Real>& curve, Projection projection, const SteadyError& error) {
   const auto count = static_cast<std::size_t>(state.range(0));
@@ -171,7 +172,7 @@ void step_batch(benchmark::State& state, const BasicFingerCurve<Real>& curve, Pr
     std::swap(contacts.angle, other_angle);
     batch.step(contacts);
   };
-  // Touches down, and slips the first times, which takes longer: of the largest batches there is time for few steps.
+  // The first contact and the first slips take longer; the largest batches have time for few steps.
   for (int i = 0; i < 12; ++i) turn_round_and_step();
   for (auto _ : state) {
     turn_round_and_step();

@@ -12,14 +12,14 @@
 #include <utility>
 #include <vector>
 
-/// How finger_bench takes time: a workload is passed through again and again, and each of its stretches by the fastest pass.
+/// The timing of finger_bench: it repeats a workload, and each stretch counts with its fastest pass.
 namespace limitcurve::bench {
 
 using Clock = std::chrono::steady_clock;
 
 inline constexpr double shortest_round = 1e7;  // [ns]
 
-/// What all passes through a workload gave.
+/// Results of all passes through a workload.
 struct Times {
   double result = 0.0;          // sum of what the steps returned
   std::size_t steps = 0;        // in all
@@ -54,7 +54,7 @@ class Workload {
   Workload(std::string name, std::function<Pass()> make) : name_(std::move(name)), make_(std::move(make)) {}
   [[nodiscard]] const std::string& name() const { return name_; }
 
-  /// Makes what is needed, moves it until it has settled, and finds how many passes are a round.
+  /// Prepares the workload, runs it until it is steady, and finds the number of passes in a round.
   void start() {
     pass_ = make_();
     times_ = {};

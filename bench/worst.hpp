@@ -8,8 +8,8 @@
 
 namespace limitcurve::bench {
 
-/// The largest time of a single call that was seen over the inputs [ns]: each input is called a few times and counts
-/// with its fastest, so that an interrupt is not taken for the call. Includes one reading of the clock (some 20 ns).
+/// The largest time of a single call over the inputs [ns]: each input counts with the fastest of a few calls, so that interrupts do not
+/// count. Includes one reading of the clock (about 20 ns).
 template <class Inputs, class Call>
 double worst_nanoseconds(const Inputs& inputs, Call&& call) {
   using Clock = std::chrono::steady_clock;

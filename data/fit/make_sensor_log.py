@@ -1,15 +1,15 @@
 #!/usr/bin/python3
-"""A synthetic force-torque sensor log of a soft finger, with known truth, and what a fit takes from it.
+"""A synthetic force-torque sensor log of a soft finger, with known truth, and the input of fits from it.
 
     make_sensor_log.py            write the CSV files beside this script
-    make_sensor_log.py --check    compare them with the files instead; exit 1 when one differs
+    make_sensor_log.py --check    compare them with the files instead; exit 1 if one differs
 
-A silicone finger is pressed on a plate at 40 loads in turn. Each trial lasts a second: it is dragged and twisted about a
-centre of rotation of its own, sticks while force and moment build up, then slips on the exact Hertz limit curve. The
-sensor has Gaussian noise and a step; an encoder on the plate gives slide and twist. A slip is what the encoder calls moving,
-which near the onset is wrong now and then, as in life: those samples lie inside the limit curve.
+A silicone finger presses on a plate at 40 loads in turn. Each trial lasts one second: the finger is dragged and twisted about its own
+centre of rotation, sticks while force and moment grow, then slips on the exact Hertz limit curve. The
+sensor has Gaussian noise and a resolution; an encoder on the plate gives slide and twist. A sample is a slip if the encoder moves,
+which is sometimes wrong near the onset, as in reality: those samples lie inside the limit curve.
 
-Standard library only; the seed is below. Numbers are rounded to the sensor's step, so that every machine writes the same bytes.
+Standard library only; the seed is below. Numbers are rounded to the sensor's resolution, so that every machine writes the same bytes.
 """
 
 import argparse
@@ -109,7 +109,7 @@ def files():
                    f"{rounded(slide, SLIDE_STEP)},{rounded(twist, TWIST_STEP)}\n")
     out["sensor_log.csv"] = "".join(log)
 
-    # The load's error moves both limits; a fit takes loads as exact, so it goes into the sigmas, at a rough guess of the limits.
+    # The error of the load moves both limits. A fit assumes exact loads, so the sigmas include this error, from rough limits.
     sigma_force = math.hypot(FORCE_NOISE, 0.7 * LOAD_NOISE)
     table = [head, "load,force,moment,sigma_force,sigma_moment\n"]
     for _, load, force, moment, _, _ in slips(rows):

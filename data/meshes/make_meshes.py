@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Makes the meshes beside it, in metres, each a few kB: OBJ, ascii and binary STL. `--check` writes nothing and exits with 1 when a
-file is not what this script makes.
+"""Makes the meshes beside it, in metres, each a few kB: OBJ, ascii and binary STL. `--check` writes nothing and exits with 1 if a
+file differs from this script's output.
 
     block.obj      a block of 12 x 4 x 4 cm, as six rectangles
     plate.stl      a plate of 60 x 40 x 1 mm, ascii

@@ -4,7 +4,7 @@
 from double_exponential import QUADRATURE_DIGITS, double_exponential_rule, graded_edges
 from mpmath import mp, mpf
 
-# Quadrature nodes a unit of the transformed variable: what agreement to 1e-30 takes, found by refining.
+# Quadrature nodes a unit of the transformed variable, enough for agreement to 1e-30, found by refinement.
 CHORD_STEPS = 24
 PROJECTION_STEPS = 24
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Integration over an interval whose ends may be singular, and the precisions that the reference is made at."""
+"""Integration over an interval with singular ends, and the working precisions of the reference."""
 
 from functools import lru_cache
 

@@ -10,13 +10,13 @@
 
 For a contact of radius a that turns about a centre of rotation (COR) at the distance c, the unit wrench at
 s = c/a is f = F/(mu P), m = M/(mu P a). The third quantity is the slope df/ds; dm/ds is -s df/ds. Every s, and
-every parameter of a law, is the exact value of the double that its decimal is read as. So are the weights of
-a mixture, which are then divided by their sum: a law carries unit load.
+every parameter of a law, is the exact value of the double nearest to its decimal. So are the weights of
+a mixture, which are then divided by their sum: a law has unit load.
 
-Two derivations, which share nothing but the definition of the pressure:
+Two derivations that share only the definition of the pressure:
 
  1. Formulas: hypergeometric ones for p ~ (1 - r^2)^n, confluent ones for the Gaussian, elementary ones for the
-    cone, each at a precision raised by whatever it loses.
+    cone, each at a precision increased by the digits that it loses.
  2. Chords, that is, polar coordinates centred on the COR. Along a chord at the distance h from the contact
     centre the pressure enters by two numbers only,
         A(h) = int p dx,   A2(h) = int p x^2 dx,
@@ -26,8 +26,8 @@ Two derivations, which share nothing but the definition of the pressure:
         df/ds = 2/s^2 int_0^H A h^2 / sqrt(s^2 - h^2) dh.
     A and A2 are integrated numerically from the pressure wherever they are not elementary.
 
-The file holds the formulas, which the chords confirm. The law of Xydas and Kao has no formula: there the file
-holds the chords, and rings of pressure with complete elliptic integrals confirm them.
+The file has the values of the formulas, which the chords confirm. The law of Xydas and Kao has no formula: there
+the file has those of the chords, and rings of pressure with complete elliptic integrals confirm them.
 """
 
 import argparse

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The pressure laws of the reference, for a contact of radius one that carries unit load.
+"""The pressure laws of the reference, for a contact of radius one with unit load.
 
 Each has the formulas (unit_wrench, for 0 <= s < inf), or None, and the projection (A, A2) with the power by which A
 vanishes at the rim.
@@ -111,7 +111,7 @@ class XydasKao:
     def __init__(self, k):
         self.k = mpf(k)
         self.projection_exponent = 0.5
-        # The pressure falls within about 1/k of the rim: a scale that the quadrature must be told.
+        # The pressure falls within about 1/k of the rim: a scale that the quadrature needs.
         self.rim_scale = 1 / self.k if self.k > 2 else None
         with mp.workdps(FORMULA_DIGITS):
             k = self.k

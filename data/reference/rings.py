@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""Rings of pressure: the witness of the chords where a law has no formulas."""
+"""Rings of pressure: they confirm the chords if a law has no formulas."""
 
 from double_exponential import QUADRATURE_DIGITS, double_exponential_rule, graded_edges
 from mpmath import mp, mpf
 
-# Quadrature nodes a unit of the transformed variable: what agreement to 1e-30 takes, found by refining.
+# Quadrature nodes a unit of the transformed variable, enough for agreement to 1e-30, found by refinement.
 RING_STEPS = 32
 
 

@@ -3,11 +3,11 @@
 ../scenes, on other surfaces and on bodies that move.
 
     make_traces.py            write them
-    make_traces.py --check    compare them with the files instead; exit 1 when one differs
+    make_traces.py --check    compare them with the files instead; exit 1 if one differs
 
-The motions are made for a contact of stiffness 1000 N/m, twist stiffness 0.036 N m/rad and friction near 0.6:
-each presses, sticks, then slips. Only additions, multiplications and divisions are used, so that every
-machine writes the same bytes; and square roots, which are as exact.
+The motions suit a contact with stiffness 1000 N/m, twist stiffness 0.036 N m/rad and friction near 0.6:
+each presses, sticks, then slips. The script uses only additions, multiplications, divisions and square roots, which are
+exact to the last bit, so that every machine writes the same bytes.
 """
 
 import argparse

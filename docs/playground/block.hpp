@@ -7,9 +7,9 @@
 
 namespace limitcurve::playground {
 
-/// The paper's experiment (§6), as `limitcurve pivot` has it: a block in the vertical plane between two opposite fingers that stay at the origin while
-/// their load changes. Both fingers do the same, so one is computed. x points right and y up; at the start the block lies level
-/// and its centre of mass at (−offset, 0).
+/// The paper's experiment (§6), as in `limitcurve pivot`: a block in the vertical plane between two opposite fingers that stay at the
+/// origin while their load changes. Both fingers do the same, so one is computed. x points right and y up; at the start the block lies
+/// level and its centre of mass at (−offset, 0).
 struct Block {
   double length = 0.12;   ///< along x at the start [m]
   double height = 0.04;   ///< [m]
@@ -23,9 +23,9 @@ struct Block {
   double velocity_x = 0.0;
   double velocity_y = 0.0;
   double spin = 0.0;   ///< [rad/s]
-  Finger finger = {};  ///< its places, force and so on in the block's frame
+  Finger finger = {};  ///< its positions and forces, in the block's frame
 
-  /// Level and at rest, held by fingers of that load [N], whose springs just bear the weight.
+  /// Level and at rest, held by fingers of that load [N] whose springs carry the weight.
   void take(const CurveView<double>& curve, const FingerSettings& settings, double load) noexcept {
     velocity_x = velocity_y = spin = 0.0;
     finger = {};
@@ -38,8 +38,8 @@ struct Block {
     finger.update(curve, settings, seen_from(*this, depth), 0.0);
   }
 
-  /// One time step [s] under a load of each finger [N]: implicit Euler, the springs' and dampers' stiffness while nothing slips as the slope of
-  /// the residual. A slip is softer than that, so that each step of the search brings the velocities nearer.
+  /// One time step [s] under a load of each finger [N]: implicit Euler, with the stiffness of springs and dampers without slip as the
+  /// slope of the residual. A slip is softer than that, so each step of the search reduces the error of the velocities.
   void step(const CurveView<double>& curve, const FingerSettings& settings, double load, double time_step) noexcept {
     const double rate = settings.damping / time_step;
     const double depth = load > 0.0 ? (load + rate * finger.depth) / (settings.stiffness + rate) : 0.0;
@@ -91,7 +91,7 @@ struct Block {
     return result;
   }
 
-  /// The fingers in the frame of a block; beside its faces they hold nothing.
+  /// The fingers in the frame of a block; outside its faces they hold nothing.
   [[nodiscard]] static Sample seen_from(const Block& block, double depth) noexcept {
     const double c = std::cos(block.angle);
     const double s = std::sin(block.angle);
@@ -101,14 +101,14 @@ struct Block {
     return {finger_x, finger_y, -block.angle, on_face ? depth : 0.0};
   }
 
-  /// Of both fingers on the block, in the world [N].
+  /// Force of both fingers on the block, in the world [N].
   [[nodiscard]] std::array<double, 2> force() const noexcept {
     const double c = std::cos(angle);
     const double s = std::sin(angle);
     return {-2.0 * (c * finger.force_x - s * finger.force_y), -2.0 * (s * finger.force_x + c * finger.force_y)};
   }
 
-  /// About the centre of mass [N m].
+  /// Moment about the centre of mass [N m].
   [[nodiscard]] double moment(const std::array<double, 2>& force) const noexcept {
     return -x * force[1] + y * force[0] - 2.0 * finger.moment;
   }

@@ -1,4 +1,4 @@
-// The second scene: the paper's block (§6) between two fingers that stay where they are. What is in the user's hand is the grip.
+// The second scene: the paper's block (§6) between two fixed fingers. The user controls the grip.
 
 const BLOCK = { mu: 1.67, momentCoefficient: 0.01011, stiffness: 1000, damping: 5, length: 0.12, height: 0.04, offset: 0.005, hasty: 4 };
 
@@ -29,7 +29,7 @@ class Block {
     return options;
   }
 
-  /** Held level; to be called after `configure`. */
+  /** Holds the block level; call it after `configure`. */
   restart(load) {
     this.grip = Math.max(load, 0.3);
     this.engine.takeBlock(this.grip);
@@ -65,7 +65,7 @@ class Block {
     }
   }
 
-  /** As `limitcurve pivot --operator target=30deg`: eases until the block turns, keeps it turning, regrips at the target or where it slides out. */
+  /** As `limitcurve pivot --operator target=30deg`: eases the grip until the block turns, keeps it turning, grips again at the target or if it slides out. */
   operate(settings) {
     if (this.pose.angle >= Math.PI / 6 || (this.slid > 0.002 && this.slid > 0.02 * this.pose.angle)) this.regrips = true;
     const rate = this.regrips ? 5 : this.pose.spin > 0.3 ? 0.5 : -0.5;

@@ -1,4 +1,4 @@
-// The library's step in WebAssembly memory of its own: one finger and one block. WASM and TABLES are what the build script embeds.
+// The library's step in its own WebAssembly memory: one finger and one block. The build script embeds WASM and TABLES.
 
 const STATES = ["free", "stick", "slip"];
 const PROJECTIONS = ["radial", "c-curve", "closest-point"];
@@ -63,7 +63,7 @@ class Engine {
     return { x, y, angle, vx, vy, spin, finger: this.finger() };
   }
 
-  /** What the last step gave: metres, newtons, radians. */
+  /** Result of the last step: metres, newtons, radians. */
   finger() {
     const o = this.out;
     return {
@@ -74,8 +74,8 @@ class Engine {
 }
 
 /**
- * A recorded motion, as `limitcurve replay` runs it on the plane z = 0: rows {time, x, y, z, twist} in s, m and rad; rows with
- * the columns that the command prints come back.
+ * Runs a recorded motion like `limitcurve replay` on the plane z = 0: rows {time, x, y, z, twist} in s, m and rad; returns rows with
+ * the columns of the command.
  */
 async function replay(rows, options) {
   const engine = await Engine.make();
@@ -94,7 +94,7 @@ async function replay(rows, options) {
   });
 }
 
-/** The block of §6 under a load of each finger for every millisecond: rows {time, x, y, angle, force, moment, state} of both fingers together. */
+/** The block of §6 with one load of each finger for every millisecond: rows {time, x, y, angle, force, moment, state} of both fingers together. */
 async function pivot(loads, options) {
   const engine = await Engine.make();
   engine.configure(options);

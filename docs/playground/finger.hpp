@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
-/// A soft finger on a plane in plain numbers: the samples, springs and dampers of `SoftFinger` around the library's own step b. It is what
-/// the page compiles to WebAssembly, without Eigen and exceptions; tests/playground compares it with `limitcurve replay`.
+/// A soft finger on a plane in plain numbers: the samples, springs and dampers of `SoftFinger` around the library's own step b. The page
+/// compiles it to WebAssembly, without Eigen and exceptions; tests/playground compares it with `limitcurve replay`.
 namespace limitcurve::playground {
 
 using godobject::FrictionLimits;
@@ -15,7 +15,7 @@ using godobject::FrictionMemory;
 using godobject::FrictionResult;
 using godobject::FrictionTrial;
 
-/// What a finger is made of. Static and dynamic friction are one; springs and dampers as in FingerParameters.
+/// Parameters of a finger. Static and dynamic friction are equal; springs and dampers as in FingerParameters.
 struct FingerSettings {
   double mu = 0.6;
   RadiusLaw radius_law;  ///< a(P)
@@ -26,18 +26,18 @@ struct FingerSettings {
   godobject::Projection projection = godobject::Projection::closest_point;
 };
 
-/// Where the finger is.
+/// Position of the finger.
 struct Sample {
   double x;      ///< x_g [m]
   double y;      ///< [m]
-  double twist;  ///< α_g [rad]; its jumps by whole turns are none
+  double twist;  ///< α_g [rad]; jumps by whole turns are ignored
   double depth;  ///< d [m]; ≤ 0: free
 };
 
-/// As ContactState numbers them.
+/// With the values of ContactState.
 enum class State { free, stick, slip };
 
-/// A finger and all that it remembers. Trivially copyable, so that a body's integrator can try a step.
+/// A finger with its state. Trivially copyable, so that a body's integrator can try a step.
 struct Finger {
   State state = State::free;
   double proxy_x = 0.0;  ///< x_p [m]; while free, the finger itself
@@ -49,15 +49,15 @@ struct Finger {
   double force_y = 0.0;
   double moment = 0.0;                                    ///< [N m]
   double cor = std::numeric_limits<double>::quiet_NaN();  ///< of the slip, from the contact centre [m]
-  double trial_force = 0.0;                               ///< what the springs would have borne had the proxy stayed [N] …
+  double trial_force = 0.0;                               ///< spring force before slip [N] …
   double trial_moment = 0.0;                              ///< … [N m] (eq. 7)
   double limit_force = 0.0;                               ///< μP [N] of the limit that acted
   double radius = 0.0;                                    ///< a(P) [m] of the same
   double x = 0.0;                                         ///< of the last sample [m]
   double y = 0.0;
   double goal_angle = 0.0;    ///< α_g, unwrapped [rad]
-  double device_twist = 0.0;  ///< as it was given
-  double turns = 0.0;         ///< what unwrapping adds
+  double device_twist = 0.0;  ///< as reported
+  double turns = 0.0;         ///< added by unwrapping
   bool seen = false;          ///< there was a sample
   FrictionMemory<double> memory = {};
 
@@ -68,7 +68,7 @@ struct Finger {
     if (!(sample.depth > 0.0)) return release(sample);
     if (state == State::free) touch_down(sample);
 
-    // a. The trial deflection: a damper b is, implicitly, a spring b/Δt more that rests at the last deflection (eq. 7).
+    // a. The trial deflection: an implicit damper b is an additional spring b/Δt that rests at the last deflection (eq. 7).
     const double damper = timed ? settings.damping / time_step : 0.0;
     const double twist_damper = timed ? settings.twist_damping / time_step : 0.0;
     const double stiffness = settings.stiffness + damper;
@@ -87,7 +87,7 @@ struct Finger {
     const double trial_y = proxy_y - y - rest_y;
     const double twist = (angle - goal_angle) - twist_rest;
 
-    // b. What part of it the limit curve lets the springs keep (eqs. 21–23).
+    // b. The fraction of it within the limit curve (eqs. 21–23).
     trial_force = stiffness * std::sqrt(trial_x * trial_x + trial_y * trial_y);
     trial_moment = twist_stiffness * std::fabs(twist);
     radius = settings.radius_law.radius(load);
@@ -101,7 +101,7 @@ struct Finger {
     const double kept_y = trial_y * friction.force_ratio;
     const double kept_twist = twist * friction.moment_ratio;
 
-    // The proxy follows; what did not slide is not touched, not even by rounding.
+    // The proxy follows; a component that did not slide is unchanged, to the last bit.
     const double old_x = proxy_x;
     const double old_y = proxy_y;
     const double old_angle = angle;

@@ -13,7 +13,7 @@ let clock = 0;
 
 for (const law of Object.keys(TABLES)) at("law").add(new Option(law, law));
 
-/** Reads the switches; what the fingers are made of changes, their motion goes on. */
+/** Reads the switches: the fingers' parameters change, their motion continues. */
 function configure() {
   const coupled = at("coupled").checked;
   for (const id of ["curve", "projection"]) at(id).disabled = !coupled;
@@ -35,7 +35,7 @@ function readMotion() {
   at("about-value").textContent = settings.about > 2.99 ? "none: slides only" : `at ${settings.about.toFixed(2)} a`;
 }
 
-/** The slider shows it to the nearest of its steps; keys and time change it by less. */
+/** The slider shows the nearest of its steps; keys and time change the value by less. */
 function setLoad(load) {
   settings.load = Math.max(0, Math.min(kinds[settings.scene].load.max, load));
   at("load").value = settings.load;
@@ -70,7 +70,7 @@ function show(name) {
   restart();
 }
 
-/** What the suggestions set: switches by id, then the motion. */
+/** The suggestions: switches by id, then the motion. */
 const tries = {
   slide: { drive: true, about: 3 },
   spin: { drive: true, about: 0.45 },
@@ -181,14 +181,14 @@ function report() {
   }
 }
 
-/** Steps of a millisecond for the time that has gone by, at most those of a twentieth of a second. */
+/** Steps of a millisecond for the elapsed time, at most a twentieth of a second. */
 function advance(seconds) {
   const count = Math.min(50, Math.round(seconds * 1e3));
   const pressed = (keys.has("+") ? 1 : 0) - (keys.has("-") ? 1 : 0);
   if (settings.scene === "plate" && pressed) setLoad(settings.load + pressed * seconds);
   if (releasing) {
     setLoad(settings.load - 0.1 * seconds);
-    // Once it turns or slides, the rest is the user's.
+    // Once the block turns or slides, the user takes over.
     if (scene.slid > 0.004 || scene.pose.angle > 0.6) releasing = false;
   }
   if (count > 0) scene.advance(count, settings, keys, (finger) => plane.add(finger, (clock += 1e-3)));

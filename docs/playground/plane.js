@@ -1,4 +1,4 @@
-// The [r, ρ] plane (Figs. 5 and 9): what the springs bear, k_l r and k_r ρ, the limit curve, and how each trial comes back on to it.
+// The [r, ρ] plane (Figs. 5 and 9): spring force k_l r and moment k_r ρ, the limit curve, and the projection of each trial onto it.
 
 class Plane {
   constructor(canvas) {
@@ -7,7 +7,7 @@ class Plane {
     this.loadOfAxes = 1;
   }
 
-  /** The curves of an engine in units of μP and μPa; to be called when its settings change. */
+  /** The curves of an engine in units of μP and μPa; call it when the settings change. */
   take(engine, isBox) {
     const along = (ofLaw) => {
       const points = [];

@@ -95,7 +95,7 @@ class Plate {
     this.move(this.way * step, 0, about > 2.99 ? 0 : this.way * turn * seconds);
   }
 
-  /** What eq. (17) gives for the motion of the last frame, and how far the wrench is from it. */
+  /** The wrench of eq. (17) for the motion of the last frame, and the distance of the wrench from it. */
   compare(slid, turned) {
     this.truth = undefined;
     const f = this.finger;
@@ -178,7 +178,7 @@ function slipOf(f) {
   return { way, sense, centre: [-way[1] * sense * c, way[0] * sense * c], pure: !Number.isFinite(f.cor) || sense === 0 };
 }
 
-/** How the skin slips, place by place (eq. 15). */
+/** Slip velocity of the points of the skin (eq. 15). */
 function drawSlipField(sheet, px, py, a, slip, scale) {
   const pitch = Math.max(a / 3, 14);
   for (let i = -4; i <= 4; ++i) {
@@ -196,7 +196,7 @@ function drawSlipField(sheet, px, py, a, slip, scale) {
   }
 }
 
-/** An arc as long as the moment is large: 1 of its limit is 120°; counter-clockwise is positive. */
+/** An arc proportional to the moment: the limit is 120°; counter-clockwise is positive. */
 function drawMoment(sheet, x, y, radius, share) {
   if (!(Math.abs(share) > 0.02)) return;
   const { pen } = sheet;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the page calls: a finger on a plate and a block between two fingers, for WebAssembly. One scene of each, in static storage; numbers
-// only. scripts/maintain/playground compiles it.
+// The functions that the page calls: a finger on a plate and a block between two fingers, for WebAssembly. One scene of each, in static
+// storage; numbers only. scripts/maintain/playground compiles it.
 
 #include "docs/playground/block.hpp"
 #include "limitcurve/curve_view.hpp"
@@ -8,12 +8,12 @@
 #include <array>
 #include <cstdint>
 
-/// A function of that name for the page.
+/// Exports a function of that name to the page.
 #define PLAYGROUND_EXPORT(name) extern "C" [[clang::export_name(#name)]]
 
 namespace limitcurve {
 
-// Of the radius law the page needs power laws only, without the checks and messages of its own source.
+// The page needs only power laws as radius laws, without the checks and messages of the library's source.
 RadiusLaw RadiusLaw::power(double coefficient, double exponent) {
   return {coefficient, exponent};
 }
@@ -32,7 +32,7 @@ namespace {
 
 constexpr int most_cells = 128;
 std::array<double, TablePieces<double>::numbers_per_cell * most_cells> cells;
-// One bucket a run, of which the last cell is known: the table's own search finds the others.
+// One bucket for each side, with its last cell; the table's own search finds the others.
 std::array<std::uint16_t, 4> last_cells;
 
 CurveView<double> exact_curve;  // of the law
@@ -42,7 +42,7 @@ Finger finger;
 Block block;
 std::array<double, 32> numbers;
 
-/// With which wrench a slip acts (slide, spin ≥ 0, not both 0); on the box's corner both limits.
+/// The wrench of a slip (slide, spin ≥ 0, not both 0); on the box's corner both limits.
 void write_wrench(const CurveView<double>& of, double slide, double spin) noexcept {
   if (of.is_box) {
     numbers[0] = slide > 0.0 ? of.force_max : 0.0;
@@ -78,17 +78,17 @@ void write_finger(const Finger& of) noexcept {
 
 }  // namespace
 
-/// Where the rows of a table go: origin and c₀ … c₆ of each cell, those inside the rim first.
+/// Input for the rows of a table: origin and c₀ … c₆ of each cell, those inside the rim first.
 PLAYGROUND_EXPORT(cell_numbers) double* cell_numbers() {
   return cells.data();
 }
 
-/// What the functions below write.
+/// Output of the functions below.
 PLAYGROUND_EXPORT(results) double* results() {
   return numbers.data();
 }
 
-/// After the rows are written: the curve of the law, and with it the one that is used.
+/// Call it after writing the rows: sets the curve of the law and the curve in use.
 PLAYGROUND_EXPORT(use_table) void use_table(int inside, int outside) {
   last_cells = {static_cast<std::uint16_t>(inside - 1), static_cast<std::uint16_t>(inside - 1),
                 static_cast<std::uint16_t>(inside + outside - 1), static_cast<std::uint16_t>(inside + outside - 1)};
@@ -99,7 +99,7 @@ PLAYGROUND_EXPORT(use_table) void use_table(int inside, int outside) {
   curve = exact_curve;
 }
 
-/// In place of the table the ellipse through its intercepts.
+/// Uses the ellipse through the intercepts in place of the table.
 PLAYGROUND_EXPORT(use_ellipse) void use_ellipse() {
   const double force = exact_curve.force_max;
   const double moment = exact_curve.moment_max;
@@ -108,7 +108,7 @@ PLAYGROUND_EXPORT(use_ellipse) void use_ellipse() {
   curve.set_scale(force, moment, force * force / diagonal, moment * moment / diagonal);
 }
 
-/// In place of the table the box: force and moment limited each on its own (§3.1).
+/// Uses the box in place of the table: separate limits of force and moment (§3.1).
 PLAYGROUND_EXPORT(use_box) void use_box() {
   const double force = exact_curve.force_max;
   const double moment = exact_curve.moment_max;
@@ -117,12 +117,12 @@ PLAYGROUND_EXPORT(use_box) void use_box() {
   curve.set_scale(force, moment, force, moment);
 }
 
-/// Unit wrench of a slip |v| : a|ω|; of the law if `exact`, else of the curve in use.
+/// Unit wrench of a slip |v| : a|ω|; of the law if `exact`, otherwise of the curve in use.
 PLAYGROUND_EXPORT(unit_wrench) void unit_wrench(int exact, double slide, double spin) {
   write_wrench(exact != 0 ? exact_curve : curve, slide, spin);
 }
 
-/// a(P) = coefficient·P^exponent; projections as `Projection` numbers them.
+/// a(P) = coefficient·P^exponent; projections with the values of `Projection`.
 PLAYGROUND_EXPORT(set_finger)
 void set_finger(double mu, double coefficient, double exponent, double stiffness, double twist_stiffness, double damping,
                 double twist_damping, int projection) {
@@ -135,7 +135,7 @@ void set_finger(double mu, double coefficient, double exponent, double stiffness
               static_cast<godobject::Projection>(projection)};
 }
 
-/// A finger that has touched nothing yet.
+/// A finger before any contact.
 PLAYGROUND_EXPORT(new_finger) void new_finger() {
   finger = {};
 }

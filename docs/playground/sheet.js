@@ -82,7 +82,7 @@ class Sheet {
     }
   }
 
-  /** Where a slip turns about. */
+  /** The centre of rotation of a slip. */
   cross(x, y, colour) {
     this.line([[x - 7, y - 7], [x + 7, y + 7]], colour, 3);
     this.line([[x - 7, y + 7], [x + 7, y - 7]], colour, 3);
@@ -102,7 +102,7 @@ class Sheet {
     pen.fillText(words, x, y);
   }
 
-  /** The centre of rotation, `x`, `y` from the contact's centre; where it is out of sight, the way there. */
+  /** The centre of rotation, `x`, `y` from the contact's centre; if it is out of sight, the direction to it. */
   centre(cx, cy, x, y, c) {
     const length = Math.hypot(x, y);
     const reach = [

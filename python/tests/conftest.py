@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What the tests share. They test the installed package; scripts/maintain/python sets the environment."""
+"""Shared by the tests. They test the installed package; scripts/maintain/python sets the environment."""
 
 import csv
 import io
@@ -39,7 +39,7 @@ def command_line():
 
 
 def same(table, texts):
-    """Whether arrays are the command line's texts: numbers to the last bit."""
+    """Whether arrays equal the command line's output, to the last bit."""
     assert list(table) == list(texts)
     for name, column in texts.items():
         array = table[name]

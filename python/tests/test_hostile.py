@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Ten thousand calls that a careless or hostile program makes: an error or a right answer, never a crash."""
+"""Ten thousand calls of a careless or hostile program: an error or a correct result, never a crash."""
 
 import math
 import threading

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What the package is: its docstrings run, its import is quick, its stubs are there, and it installs the command."""
+"""The package: its docstrings run, its import is fast, its stubs exist, and it installs the command."""
 
 import doctest
 import importlib.resources

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Each chart is one call that returns its axes, and draws what it says."""
+"""Each chart is one call that returns its axes, with the documented contents."""
 
 import limitcurve as lc
 import limitcurve.plot

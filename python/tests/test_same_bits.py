@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Python gives the bits of the C interface, and so of C++ (tests/c/same_bits_test.cpp), on 10^5 random inputs each."""
+"""Python gives the same bits as the C interface, and so as C++ (tests/c/same_bits_test.cpp), on 10^5 random inputs each."""
 
 import ctypes
 import os

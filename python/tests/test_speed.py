@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What Python adds: ratios in one run, of arrays of 10^6 to the library's own loop, and of a single step to a step in C.
+"""The overhead of Python: ratios in one run, of arrays of 10^6 to the library's own loop, and of a single step to a step in C.
 
 The least of several runs each, because others use the machine too; repeated where a neighbour got in the way.
 """

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The functions that return tables give the command line's numbers, to the last bit, and its words."""
+"""The functions that return tables give the command line's numbers, to the last bit, and its messages."""
 
 import numpy as np
 import limitcurve as lc

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Laws, tables, fingers, batches and patches: shapes, kinds of numbers, and values against what is known without the library."""
+"""Laws, tables, fingers, batches and patches: shapes, types of numbers, and values against independent results."""
 
 import math
 

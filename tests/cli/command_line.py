@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Calls the limitcurve executable, and reads what it prints."""
+"""Calls the limitcurve executable and reads its output."""
 
 import csv
 import io
@@ -19,7 +19,7 @@ def run(*arguments, **options):
 
 
 def share(directory, script):
-    """The environment in which the report is drawn by a script in its place."""
+    """The environment in which a script replaces the drawing of the report."""
     folder = directory / "share"
     (folder / "scripts" / "figures").mkdir(parents=True, exist_ok=True)
     (folder / "scripts" / "figures" / "report.py").write_text(script)
@@ -29,7 +29,7 @@ def share(directory, script):
 
 
 def rows(*arguments, remark=""):
-    """The rows of a call that succeeds, as dictionaries whose numbers are numbers. It says nothing on standard error but the remark."""
+    """The rows of a successful call, as dictionaries with converted numbers. Standard error may only have the remark."""
     done = run(*arguments)
     if done.returncode != 0 or (remark not in done.stderr if remark else done.stderr):
         raise AssertionError(f"{arguments}: exit {done.returncode}, {done.stderr}")
@@ -48,12 +48,12 @@ def number_or_text(text):
 
 
 def numbers(values):
-    """A list as --c and its like take it, each number exactly."""
+    """A list for --c and similar options, with exact numbers."""
     return ",".join(repr(float(value)) for value in values)
 
 
 class CommandLineTest(unittest.TestCase):
-    """Tests in a directory of their own, where nothing may be left behind unnoticed."""
+    """Tests in a directory of their own; a file left behind is an error."""
 
     def setUp(self):
         directory = tempfile.TemporaryDirectory()
@@ -66,7 +66,7 @@ class CommandLineTest(unittest.TestCase):
         return path
 
     def assert_fails(self, status, told, *arguments, **options):
-        """Exit `status`, and one line on standard error that has all of `told` (a text or several)."""
+        """Expects exit `status`, and one line on standard error with all texts of `told`."""
         done = run(*arguments, **options)
         context = f"{arguments}: {done.stderr!r}"
         self.assertEqual(done.returncode, status, context)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What the tests of patches share: files of twists, and the wrench of points by their sum."""
+"""Shared by the tests of patches: files of twists, and the wrench of points as a sum."""
 
 import math
 import tempfile

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The finger that the tests of replay move, the shortest trace that has it free, stick and slip, and what replay prints of it."""
+"""The finger of the replay tests, the shortest trace in which it is free, sticks and slips, and the output of replay for it."""
 
 import math
 

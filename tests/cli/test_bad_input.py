@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Wrong usage, bad input, and outputs that refuse: the exit status, and one line that names the place."""
+"""Wrong usage, bad input, and outputs that fail: the exit status, and one line that names the place."""
 
 import subprocess
 import unittest

@@ -39,7 +39,7 @@ class Eval(CommandLineTest):
         self.assert_close(rows("eval", "--law", "hertz", "--c", "1")[0]["force"], 9 * math.pi / 32, 4e-16)
 
     def reference(self):
-        """Pairs of what eval says and what data/reference/limit_curve.csv has, by law."""
+        """Pairs of values from eval and from data/reference/limit_curve.csv, by law."""
         with open(DATA / "reference" / "limit_curve.csv", newline="", encoding="utf-8") as file:
             by_law = {}
             for row in csv.DictReader(line for line in file if not line.startswith("#")):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What a reader may copy, from README.md and from --help, runs as it stands."""
+"""The examples of README.md and of --help run as they stand."""
 
 import os
 import re

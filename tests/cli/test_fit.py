@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""fit and translate: parameters come back from the curves they made; bad and silent data are refused."""
+"""fit and translate: fits find the parameters of synthetic data; bad and insufficient data are refused."""
 
 import math
 import random
@@ -10,7 +10,7 @@ from command_line import DATA, CommandLineTest, header, numbers, rows, run
 
 class Fit(CommandLineTest):
     def slips(self, law, mu=0.7, radius=0.005, noise=0.0):
-        """Points of the exact curves at three loads, as a sensor with this relative noise would see them."""
+        """Points of the exact curves at three loads, from a sensor with this relative noise."""
         generator = random.Random(1997)
         points = rows("p-curves", "--law", law, "--radius-law", f"constant:a={radius}", "--mu", mu, "--loads", "1,2,5", "--points", "15")
         lines = ["load,force,moment"]
@@ -104,7 +104,7 @@ class Fit(CommandLineTest):
         self.assertIn("mu_r", self.fitted("load", "--data", moments)[0])
 
     def test_growth_that_was_not_fitted_is_warned_of(self):
-        """Issue 9, point 8: 80 clean slips of a = 4.35 mm P^0.257 were fitted with gamma = 0, and no word."""
+        """Issue 9, point 8: 80 clean slips of a = 4.35 mm P^0.257 were fitted with gamma = 0, without a warning."""
         data = self.growing("hertz")
         _, said = self.fitted("law", "--data", data)
         self.assertIn("gamma = 0 was assumed, but 0.25", said)
@@ -218,7 +218,7 @@ class Translate(CommandLineTest):
         self.assertEqual({row["note"] for row in rows(*self.CONTACT) if row["parameter"] != "option.cone"}, {""})
 
     def test_errors_at_the_same_centre_of_rotation_and_over_the_loads(self):
-        """By a sum of its own over the exact curve: an ellipse's wrench at c has the direction (s, m0²) of its normal."""
+        """By an independent sum over the exact curve: an ellipse's wrench at c has the direction (s, m0²) of its normal."""
         m0 = 2 / 3
         worst = 0
         cors = [m0 * math.tan(math.pi / 2 * (i + 0.5) / 500) for i in range(500)]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What the world does to a run: killed at any moment, a disk that fills, a folder that refuses, a pipe that closes, a gigabyte of input.
+"""Hostile conditions: a kill at any moment, a full disk, a folder without permission, a closed pipe, a gigabyte of input.
 
 LIMITCURVE_KILLS runs are killed (4; nightly asks for 100), and LIMITCURVE_BULK megabytes streamed (64; nightly asks for 1024).
 """
@@ -35,7 +35,7 @@ STUB = "import sys; print('drawn')"
 
 class Killed(CommandLineTest):
     def kill_often(self, kills, call, folder, **options):
-        """Runs the call so often and kills it, drawing and all, at random moments; what has a name must be what a whole run writes."""
+        """Runs the call and kills it, with its drawing process, at random moments; every named file must equal that of a complete run."""
         folder.mkdir(exist_ok=True)
         duration = math.inf
         # The quickest of some: the first may fill caches, and any may have waited for others; with its time most would end unkilled.

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The man page and the completions know every subcommand and every option of --help (issue 13, point 6)."""
+"""The man page and the completions have every subcommand and every option of --help (issue 13, point 6)."""
 
 import re
 import shutil
@@ -58,7 +58,7 @@ class ManPage(Made):
             self.assertTrue(set(options(name)) <= set(stand), f"{name}: {set(options(name)) - set(stand)}")
 
     def test_every_word_of_help_stands_in_it(self):
-        """Text, notes and examples: only how lines are broken differs."""
+        """Text, notes and examples: only the line breaks differ."""
         def words(text):
             return set(re.findall(r"\w[\w.]*\w", text)) - {"Usage", "OPTIONS", "Options", "Positionals", "REQUIRED"}
 
@@ -73,7 +73,7 @@ class Bash(Made):
             self.skipTest("without bash")
 
     def offered(self, *words):
-        """What bash offers for the last word."""
+        """The completions of bash for the last word."""
         script = '. ./limitcurve.bash; COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); _limitcurve 2>&1; printf "%s\\n" "${COMPREPLY[@]}"'
         done = subprocess.run(["bash", "-uc", script, "bash", "limitcurve", *words], cwd=self.directory, capture_output=True, text=True, check=True)
         self.assertEqual(done.stderr, "")
@@ -100,7 +100,7 @@ class Bash(Made):
 
 
 class Zsh(Made):
-    """What _arguments and _describe are called with, by a zsh that has the shell's completion system replaced by functions that print."""
+    """The arguments of _arguments and _describe, from a zsh with functions that print in place of its completion system."""
 
     def setUp(self):
         super().setUp()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The corrections to the paper (godobject/README.md): what its equations give as they are printed, written out here, beside what the command
+"""The corrections to the paper (godobject/README.md): results of its equations as printed, written out here, compared with those of the command
 gives. And its page, docs/paper.md: nothing in it points to what is not there."""
 
 import math
@@ -25,7 +25,7 @@ def trace(name):
 
 
 def printed_equation_8(samples, mu_static, mu_dynamic):
-    """Eqs. (7) to (11) as they are printed, the static limit asked in every step: F/P of every sample in contact."""
+    """Eqs. (7) to (11) as printed, with the static limit in every step: F/P of every sample in contact."""
     stiffness, proxy, ratios = 1000.0, None, []
     for sample in samples:
         depth = -sample["z"]

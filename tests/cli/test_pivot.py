@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""pivot: the paper's experiment by its options; what is wrong with them is told."""
+"""pivot: the paper's experiment with its options, and errors for bad options."""
 
 import math
 import unittest

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Radius laws that are hardly in metres, or used beyond their samples, are warned of: on standard error, once, exit status 0."""
+"""Radius laws with radii above 0.1 m, or used outside their samples, give one warning on standard error, exit status 0."""
 
 import math
 import unittest
@@ -9,7 +9,7 @@ from command_line import CommandLineTest, rows, run
 
 class RadiusLaws(CommandLineTest):
     def uses(self, radius_law, loads):
-        """Every use of a radius law, and what it says on standard error."""
+        """Every use of a radius law, and its standard error."""
         low, high = loads
         trace = self.directory / "trace.csv"
         # 1000 N/m: a millimetre is a newton.

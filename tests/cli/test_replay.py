@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""replay: what the finger feels along a trace, and that it settles where physics says."""
+"""replay: the wrench along a trace, and that it settles at the right value."""
 
 import math
 import unittest
@@ -141,7 +141,7 @@ class Replays(CommandLineTest):
         self.assertAlmostEqual(found[-1]["moment"], -0.5 * limit, delta=1e-12)
 
     def settled(self, mu_r, *options):
-        """Force after 100 mm and 20 rad about a centre of rotation at 5 mm, under 1 N, and what standard error says."""
+        """Force after 100 mm and 20 rad about a centre of rotation at 5 mm, at 1 N, and standard error."""
         text = "time,x,y,z,twist\n" + "".join(f"{i / 1000},{1e-4 * i!r},0,-0.001,{0.02 * i!r}\n" for i in range(1000))
         done = run("replay", "--trace", self.file("trace.csv", text), "--law", "hertz", "--moment-coefficient", mu_r, "--mu", "0.6", "--stiffness", "1000",
                    "--twist-stiffness", "0.036", *options)
@@ -218,7 +218,7 @@ class Replays(CommandLineTest):
 
 
 class SteadyTwist(CommandLineTest):
-    """A finger that moves at a constant twist with COR c for long ends at eq. (17)'s wrench, if projected rightly."""
+    """A finger with a constant twist about the COR c settles at the wrench of eq. (17), with the right projection."""
 
     def settled(self, cor, ratio, *options, radius=0.005, load=2.0, mu=0.5):
         """Unit wrench at the end of a trace that turns about `cor` [m]; ratio = k_r/k_l/(m0 a)^2."""

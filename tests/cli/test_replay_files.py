@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""replay: reads any order of columns, refuses a spoilt trace or option by place, streams."""
+"""replay: accepts any order of columns, refuses a bad trace or option with its place, streams."""
 
 import os
 import subprocess

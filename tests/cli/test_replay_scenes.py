@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""replay beyond the plane: other surfaces, bodies that are moved or pushed, several fingers."""
+"""replay with other surfaces, moved or pushed bodies, and several fingers."""
 
 import math
 import unittest

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""report: the data that its figures are drawn from, and what is said when they cannot be."""
+"""report: the data of its figures, and its errors."""
 
 import csv
 import os

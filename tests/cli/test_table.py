@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""table and lookup: within the tolerance, read back to the last bit, refused when torn, edited or foreign; no half file left."""
+"""table and lookup: within the tolerance, read back to the last bit, refused if truncated, edited or foreign; no incomplete file is left."""
 
 import csv
 import json
@@ -270,7 +270,7 @@ class BadTables(CommandLineTest):
 
 
 class Seeds(CommandLineTest):
-    """What the fuzzers begin with (tests/fuzz/seeds) leads them beyond the header."""
+    """The seeds of the fuzzers (tests/fuzz/seeds) are valid beyond the header."""
 
     def complaint(self, name, text):
         path = self.directory / name

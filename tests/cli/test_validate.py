@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""validate and choose: the figures by which the ellipse and its kin are wrong, and what is good enough."""
+"""validate and choose: the errors of the models, and the cheapest one that is good enough."""
 
 import math
 import unittest

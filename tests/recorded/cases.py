@@ -55,7 +55,7 @@ def words(options):
 
 
 def all_cases():
-    """Of every case its name, its arguments, and how many of its rows are recorded, evenly."""
+    """Name, arguments and number of recorded rows (evenly spaced) of every case."""
     for curve, projection in PAIRS:
         pair = {"--boundary": curve, "--projection": projection}
         replay = lambda trace, options: ["replay", "--trace", f"data/{trace}.csv", *words({**FINGER, **options, **pair})]
