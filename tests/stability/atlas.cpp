@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// stability_atlas DIR: measures every entry of the atlas and writes, into DIR, summary.csv (a line a finding) and a CSV a
-// figure (panel,series,x,value). scripts/maintain/stability draws and documents them.
+// stability_atlas DIR: measures every entry of the atlas and writes summary.csv (a line for each finding) and a CSV for each figure
+// (panel,series,x,value) into DIR. scripts/maintain/stability draws and documents them.
 #include "atlas.hpp"
 #include "limitcurve/number.hpp"
 #include "motion/geometry.hpp"
@@ -38,7 +38,7 @@ const std::vector<Entry> entries = {
     {"reality", {rates_and_jitter, clocks, bad_samples, plate_between_samples, frozen_device}},
 };
 
-/// Text may hold commas.
+/// Quotes a text, which may have commas.
 std::string quoted(const std::string& text) {
   std::string result = "\"";
   for (const char letter : text) result += letter == '"' ? std::string("\"\"") : std::string(1, letter);

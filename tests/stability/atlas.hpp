@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-/// The atlas of failure: where methods break, the customary ones and ours. Each entry of docs/stability.md has a file that
-/// measures (ENTRY.cpp, a function a hazard), tests that hold the code to what was measured (ENTRY_test.cpp) and its figures.
-/// The customary methods stand in the measuring files, short and as they are commonly written; truth comes from truth.hpp.
+/// The atlas of failures: where methods break, the usual ones and ours. Each entry of docs/stability.md has a file with its
+/// measurements (ENTRY.cpp, a function for each hazard), tests of the code against them (ENTRY_test.cpp) and its figures.
+/// The measuring files contain the usual methods in their common form; truth.hpp has the true values.
 namespace limitcurve::stability {
 
 /// A point of a figure: series `series` in panel `panel`.
@@ -23,24 +23,24 @@ struct Figure {
   std::vector<Row> rows;
 };
 
-/// A line of the table that heads docs/stability.md: what a hazard does to a customary method and to ours, the same quantity
+/// A line of the table at the top of docs/stability.md: the effect of a hazard on a usual method and on ours, the same quantity
 /// measured in the same way.
 struct Finding {
   std::string hazard;
-  std::string method;    ///< the customary one
-  std::string quantity;  ///< what is measured, with its unit
-  double breaks;         ///< its value for the customary method; inf, nan: it returned just that, or threw
+  std::string method;    ///< the usual one
+  std::string quantity;  ///< the measured quantity, with its unit
+  double breaks;         ///< its value for the usual method; inf, nan: it returned this, or threw
   double stands;         ///< its value for ours
   std::string test;      ///< SUITE.NAME, in tests/stability
 };
 
-/// What was measured of one hazard.
+/// The measurements of one hazard.
 struct Hazard {
   std::vector<Finding> findings;
   std::vector<Figure> figures;
 };
 
-/// An entry of the document, under the heading `name`. A hazard takes some seconds to measure, at most.
+/// An entry of the document, under the heading `name`. Measuring a hazard takes at most some seconds.
 struct Entry {
   std::string name;
   std::vector<Hazard (*)()> hazards;
