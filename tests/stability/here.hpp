@@ -7,7 +7,7 @@
 
 namespace limitcurve::stability {
 
-/// The findings of a hazard, each of which must name the test that asks: the document says which test answers for a line.
+/// The findings of a hazard; each must name the present test, because the document lists the test of each line.
 inline std::vector<Finding> held_here(const Hazard& hazard) {
   const ::testing::TestInfo* here = ::testing::UnitTest::GetInstance()->current_test_info();
   const std::string name = std::string(here->test_suite_name()) + '.' + here->name();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Entry f, its part on meshes that bound nothing, or hardly.
+// Entry "geometry": defective meshes.
 #include "geometry.hpp"
 #include "godobject/mesh/mesh.hpp"
 
@@ -26,7 +26,7 @@ namespace {
 using namespace godobject;
 using Eigen::Vector3d;
 
-/// Six lists of triangles that are not the surface of the solid they were meant to be, and that solid.
+/// Six defective lists of triangles, and the intended solid.
 struct Broken {
   const char* name;
   TriangleList list;
@@ -41,7 +41,7 @@ std::vector<Broken> broken() {
   open.faces.pop_back();
   TriangleList turned = box;
   std::swap(turned.faces[3][0], turned.faces[3][1]);
-  // One more box through its end: a tangle.
+  // Another box through its end: a self-intersection.
   const Vector3d beside{0.05, 0.0, 0.0};
   TriangleList tangled = box;
   const TriangleList other = box_triangles(half * 0.8, beside);
@@ -49,10 +49,10 @@ std::vector<Broken> broken() {
   tangled.vertices.insert(tangled.vertices.end(), other.vertices.begin(), other.vertices.end());
   std::vector<Triangle> both = whole;
   for (const Triangle& triangle : triangles_of(other)) both.push_back(triangle);
-  // A face seen from behind as well: two faces at the same place.
+  // A second face with the reverse orientation at the same place.
   TriangleList twice = box;
   twice.faces.push_back({box.faces[0][0], box.faces[0][2], box.faces[0][1]});
-  // A needle: a vertex on an edge, which parts the edge's face from a face of no area.
+  // A degenerate face: a vertex on an edge splits off a face without area.
   TriangleList needle = box;
   const Face face = needle.faces[0];
   needle.vertices.push_back(0.5 *
@@ -66,7 +66,7 @@ std::vector<Broken> broken() {
           {"a face doubled", twice, whole}, {"a face without area", needle, whole}, {"a corner that is no number", lost, whole}};
 }
 
-/// Whether `inside` tells the side of every one of 3000 points about a solid.
+/// Whether `inside` is right for all of 3000 points near a solid.
 template <class Inside>
 bool tells_every_side(const std::vector<Triangle>& solid, const Inside& inside) {
   Random random(7);
@@ -77,7 +77,7 @@ bool tells_every_side(const std::vector<Triangle>& solid, const Inside& inside) 
   return true;
 }
 
-/// Draws the slice y = 1.5 cm: 0 outside, 1 inside, 2 where the nearest face tells the wrong side; and whether ours refuses.
+/// Draws the slice y = 1.5 cm: 0 outside, 1 inside, 2 where the nearest face gives the wrong side; and whether ours refuses.
 void draw_slice(Figure& figure, const Broken& mesh, bool refused) {
   const std::vector<Triangle> triangles = triangles_of(mesh.list);
   for (const double z : evenly(-0.0299, 0.0301, 21)) {
@@ -92,13 +92,13 @@ void draw_slice(Figure& figure, const Broken& mesh, bool refused) {
 }
 
 /// A box of 12 × 4 × 4 cm, askew, whose top has a vertex near an edge: a sliver of this height over its length. In single precision, as
-/// STL has it. Faces 0 and 1 are the sliver and what is left of its triangle.
+/// STL has it. Faces 0 and 1 are the sliver and the rest of its triangle.
 TriangleList with_sliver(double share, const Eigen::Quaterniond& turn) {
   TriangleList list = box_triangles({0.06, 0.02, 0.02});
   const Face face = list.faces[0];
   const auto corner = [&](int i) { return list.vertices[static_cast<std::size_t>(face[static_cast<std::size_t>(i)])]; };
   const Vector3d edge = corner(2) - corner(0);
-  // Beside the diagonal, which the face beyond keeps; towards the face's third corner.
+  // Beside the diagonal, which belongs to the face beyond; towards the face's third corner.
   const Vector3d across = (corner(1) - corner(0) - edge * (corner(1) - corner(0)).dot(edge) / edge.squaredNorm()).normalized();
   list.vertices.push_back(corner(0) + 0.4 * edge + across * (share * edge.norm()));
   list.faces[0] = {face[0], 8, face[2]};
@@ -107,7 +107,7 @@ TriangleList with_sliver(double share, const Eigen::Quaterniond& turn) {
   return list;
 }
 
-/// Angle between the normal that one computes of a sliver and the side's, and ours felt there; nothing where ours refuses.
+/// Angle between the computed normal of a sliver and that of the side, and the same for ours; nothing if ours refuses.
 std::pair<double, std::optional<double>> sliver_errors(double share, const Eigen::Quaterniond& turn) {
   const TriangleList list = with_sliver(share, turn);
   const Vector3d truth = turn * Vector3d(-1.0, 0.0, 0.0);

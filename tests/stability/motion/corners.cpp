@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Entry d: how a step finds the wrench that friction allows, where the curve has corners.
+// Entry "projection": curves with corners.
 #include "../random.hpp"
 #include "godobject/finger_curve.hpp"
 #include "godobject/friction.hpp"
@@ -20,7 +20,7 @@ namespace {
 using godobject::FingerCurve;
 using Trial = godobject::UnitTrial<double>;
 
-/// A search for smooth curves: for the twist along which the springs must slip to the wrench of that twist.
+/// A search for smooth curves: finds the twist along which the springs slip to the wrench of that twist.
 UnitWrench by_search(const Box& box, const Trial& trial) {
   UnitWrench wrench{};
   double low = 0.0;
@@ -42,8 +42,8 @@ UnitWrench by_us(const Box& box, const Trial& trial) {
   return {trial.force * kept.force_ratio, trial.moment * kept.moment_ratio};
 }
 
-/// The closest point of the box, by cutting an interval of each face to two thirds until it is rounding; in long double, for what
-/// is left is its root.
+/// The closest point of the box, by shrinking an interval of each face to two thirds until it is rounding; in long double, because the
+/// error is its square root.
 UnitWrench by_thirds(const Box& box, const Trial& trial) {
   UnitWrench best{};
   long double least = HUGE_VALL;
@@ -79,7 +79,7 @@ struct CornerErrors {
   double work = 0.0;      // the least slip work, in units of the limits
 };
 
-/// Of the search, and of ours.
+/// Results of the search and of ours.
 std::array<CornerErrors, 2> corner_errors(const Box& box) {
   std::array<CornerErrors, 2> worst;
   const double m0 = box.moment_ratio();
@@ -92,7 +92,7 @@ std::array<CornerErrors, 2> corner_errors(const Box& box) {
     const UnitWrench truth = by_thirds(box, trial);
     const std::array found{by_search(box, trial), by_us(box, trial)};
     for (std::size_t j = 0; j < found.size(); ++j) {
-      // Nearer than 1e-8 the search by thirds cannot tell.
+      // The search by thirds is exact to 1e-8.
       const double distance = std::hypot(found[j].force - truth.force, (found[j].moment - truth.moment) / m0);
       if (distance > 1e-8) worst[j].distance = std::max(worst[j].distance, distance);
       worst[j].work = std::min(
@@ -102,7 +102,7 @@ std::array<CornerErrors, 2> corner_errors(const Box& box) {
   return worst;
 }
 
-/// Ways from trials to the wrenches found for them, in the normalised plane; equal springs there.
+/// Lines from trials to the wrenches found for them, in the normalised plane, with equal springs there.
 Figure ways(const Box& box) {
   Figure figure{"projection_corners", {}};
   const double m0 = box.moment_ratio();

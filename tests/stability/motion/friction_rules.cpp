@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Entry d: how a step finds the wrench that friction allows, where the rule itself is wrong.
+// Entry "projection": wrong rules.
 #include "../numerics/sampling.hpp"
 #include "bristles.hpp"
 #include "godobject/soft_finger.hpp"
@@ -21,8 +21,8 @@ namespace {
 
 using namespace godobject;
 
-/// Force and moment in units of their largest, for a steady twist about s, when one is limited first and the other gets what
-/// the ellipse leaves. Both springs stretch evenly, a tenth of the limit a step.
+/// Force and moment in units of their limits, for a steady twist about s, if one is limited first and the other within the rest
+/// of the ellipse. Both springs stretch at a constant rate, a tenth of the limit a step.
 std::pair<double, double> one_after_the_other(double s, bool force_first, double moment_ratio) {
   const SlipTwist twist = SlipTwist::about_cor(s);
   double force = 0.0;
@@ -43,7 +43,7 @@ constexpr double dynamic_limit = 0.5;
 constexpr double contact_stiffness = 1000.0;
 constexpr double tick = 1e-3;
 
-/// The rule that asks for the static limit in every step, and when it is passed lets the proxy slip to the dynamic one.
+/// The rule that tests the static limit in every step, and lets the proxy slip to the dynamic limit if it is exceeded.
 class AskedEveryStep {
  public:
   AskedEveryStep(double stiffness, double damping) : stiffness_(stiffness), damping_(damping) {}
@@ -79,7 +79,7 @@ Contact pressed(double x, double stiffness) {
   return {{x, 0.0, 0.0}, Eigen::Vector3d::UnitZ(), 1.0 / stiffness};
 }
 
-/// Forces of a drag at a steady speed, a second of them.
+/// Forces during one second of a drag at a steady speed.
 std::vector<double> dragged(double speed, bool ours) {
   AskedEveryStep rule(contact_stiffness, 0.0);
   auto finger = two_limits(contact_stiffness, 0.0);
@@ -110,7 +110,7 @@ double swing(const std::vector<double>& forces) {
   return *most - *least;
 }
 
-/// A mass that a soft spring draws over the ground at a steady speed: friction makes it stick and slip.
+/// A mass that a soft spring pulls over the ground at a steady speed: friction makes it stick and slip.
 struct Drawn {
   double mass = 0.05;
   double spring = 50.0;
@@ -118,7 +118,7 @@ struct Drawn {
   double contact_damping = 10.0;
   double step = 1e-5;
 
-  /// For a rigid contact: stuck while the spring gains 2ΔF, sliding on for the rest of a swing.
+  /// For a rigid contact: it sticks while the spring gains 2ΔF, then slides for the rest of an oscillation.
   [[nodiscard]] double exact_period(double speed) const {
     const double omega = std::sqrt(spring / mass);
     const double drop = static_limit - dynamic_limit;
@@ -220,7 +220,7 @@ Hazard collapsing_load() {
   SoftFinger finger(Table::build(hertz(), 1e-8), with);
   Bristles bristles(contact_stiffness, 0.0);
   const auto contact = [](double x, double load) { return Contact{{x, 0.0, 0.0}, Eigen::Vector3d::UnitZ(), load / contact_stiffness}; };
-  // Pressed with 5 N, drawn to the limit, and let go to 5 mN within one step, at rest.
+  // A load of 5 N, a deflection up to the limit, then a drop to 5 mN in one step, at rest.
   finger.update(contact(0.0, 5.0), 0.0);
   double bristle_force = 0.0;
   for (int i = 0; i <= 1000; ++i) {

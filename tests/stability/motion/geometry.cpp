@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Entry f, its part on shapes.
+// Entry "geometry": shapes.
 #include "geometry.hpp"
 #include "godobject/mesh/mesh.hpp"
 
@@ -30,7 +30,7 @@ using Eigen::Vector3d;
 
 constexpr double stiffness = 1000.0;
 
-/// The surface point nearest a finger in a box, as one computes it: by the face that is nearest now.
+/// The usual surface point nearest to a finger in a box: on the face that is nearest now.
 Contact nearest_face(const Vector3d& half, const Vector3d& finger) {
   int axis = 0;
   const double depth = -(finger.cwiseAbs() - half).maxCoeff(&axis);
@@ -115,7 +115,7 @@ Hazard normals_that_jump() {
   with.mu = mu;
   with.stiffness = stiffness;
   SoftFinger finger(Ellipse::through_intercepts(hertz()->moment_ratio()), with);
-  // Round a rod of eight edges, just beneath its surface.
+  // Around a rod with eight edges, just below its surface.
   Vector3d proxy(0.0, 0.0, 0.0);
   bool touched = false;
   double customary = 0.0;
@@ -130,7 +130,7 @@ Hazard normals_that_jump() {
     const Vector3d place = 0.019 * Vector3d(std::cos(angle), std::sin(angle), 0.0);
     const double depth = inner - normal.dot(place);
     const Contact contact{place + normal * depth, normal, depth};
-    // As one writes it: a spring from the finger's place on the surface to the proxy, cut to the limit.
+    // The usual method: a spring from the finger's point on the surface to the proxy, clamped to the limit.
     if (!touched) proxy = contact.point;
     touched = true;
     Vector3d pull = proxy - contact.point;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Entry d: how a step finds the wrench that friction allows, where the search for it fails.
+// Entry "projection": searches that fail.
 #include "projection.hpp"
 
 #include "../numerics/sampling.hpp"
@@ -32,7 +32,7 @@ struct Felt {
   double moment;
 };
 
-/// A step that somebody will make: offset, twist, depth, and the two coefficients of friction; what must be felt then.
+/// An ordinary step: offset, twist, depth, the two coefficients of friction, and the expected wrench.
 struct Degenerate {
   const char* name;
   double r, rho, depth, mu, moment_coefficient;
@@ -67,7 +67,7 @@ Felt by_finger(const Degenerate& step, double twist_stiffness) {
   return {output.force.norm(), std::fabs(output.moment)};
 }
 
-/// Of a component of what is felt: 0 right to 1e-12 of what the spring could do at most, 1 wrong, 2 no number.
+/// Rating of a component of the wrench: 0 right to 1e-12 of the largest spring force, 1 wrong, 2 NaN.
 double verdict(double felt, double right, double most) {
   if (!std::isfinite(felt)) return 2.0;
   return std::fabs(felt - right) <= 1e-12 * most ? 0.0 : 1.0;
@@ -101,7 +101,7 @@ struct Condition {
   }
 };
 
-/// Newton's method as it is commonly written: until a step is small, no bracket, 64 steps at most. NaN if it finds nothing.
+/// Newton's method in its common form: until a step is small, without bracket, at most 64 steps. NaN if it fails.
 double by_newton(const Condition& condition, double s) {
   for (int i = 0; i < 64; ++i) {
     const auto [value, slope] = condition.value_and_slope(s);
@@ -119,7 +119,7 @@ struct Failures {
   double ours;
 };
 
-/// Shares of random trials for which the closest point is not found, with stiffness ratio κ and trials `over` times the limit.
+/// Fractions of random trials without a closest point, for stiffness ratio κ and trials `over` times the limit.
 Failures failures(const Law& law, const FingerCurve& table, double kappa, double least_over, double most_over) {
   const ExactCurve curve(law);
   const double m0 = law->moment_ratio();

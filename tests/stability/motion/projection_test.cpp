@@ -23,7 +23,7 @@ TEST(Projection, DegenerateSteps) {
 TEST(Projection, StiffnessRatios) {
   const auto findings = held_here(stiffness_ratios());
   ASSERT_EQ(findings.size(), 5U);
-  // 13.4 % where the paper's method is at its best, and no wrench of friction's a decade away.
+  // 13.4 % where the paper's method is best, and a wrong wrench a decade away.
   EXPECT_NEAR(findings[1].breaks, 0.134, 0.001);
   for (const std::size_t i : {0U, 2U, 3U}) EXPECT_GE(findings[i].breaks, 0.3) << findings[i].quantity;
   EXPECT_GE(findings[4].breaks, 0.5);

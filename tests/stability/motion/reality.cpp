@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Entry g: what a device really delivers.
+// Entry "reality": real devices.
 #include "reality.hpp"
 
 #include "../numerics/sampling.hpp"
@@ -54,7 +54,7 @@ std::vector<double> sampled(double rate, double duration, double jitter) {
   return times;
 }
 
-/// A hand that scrubs to and fro, 2 cm at 2 Hz, up to 0.25 m/s.
+/// A hand that moves to and fro, 2 cm at 2 Hz, up to 0.25 m/s.
 double scrubbed(double time) {
   return 0.02 * std::sin(4.0 * std::numbers::pi * time);
 }
@@ -70,19 +70,19 @@ std::vector<Vector3d> stirring(double rate, double jitter) {
   std::vector<Vector3d> forces;
   double next = 0.1;
   for (const double time : sampled(rate, 0.9, jitter)) {
-    // Besides its own samples every rate has those at which it is compared.
+    // In addition to its own samples every rate has the samples of the comparison.
     for (; next <= time && forces.size() < 40; next += 0.02) forces.push_back(finger.update(stirred(next), 0.0).force);
     finger.update(stirred(time), 0.0);
   }
   return forces;
 }
 
-/// The load as one writes it, a spring and a damper over the step that the clock tells.
+/// The usual load: a spring and a damper with the reported time step.
 double customary_load(double beneath, double last, double damping, double time_step) {
   return stiffness * beneath + damping * (beneath - last) / time_step;
 }
 
-/// Loads over a second at 1 kHz: one sample of them leaps by 5 mm, one is no number, and from the middle on there are none.
+/// Loads over a second at 1 kHz: one sample jumps by 5 mm, one is NaN, and from the middle on there are none.
 void draw_samples(Figure& figure, FingerParameters with) {
   with.max_displacement = 1e-3;
   SoftFinger finger = made_of(with);
@@ -151,7 +151,7 @@ Hazard clocks() {
   constexpr double tick = 1e-3;
   FingerParameters with = parameters();
   with.damping = damping;
-  // Pressed on at a steady speed: the damper's share of the load is b v.
+  // A depth that grows at a steady speed: the damper's part of the load is b v.
   const auto load = [&](double time) { return stiffness * speed * time + damping * speed; };
   {
     SoftFinger finger = made_of(with);
@@ -176,7 +176,7 @@ Hazard clocks() {
     found.findings.push_back(
         {"a clock with jitter of 30 %", "the nominal time step", "error of the damper's force / (b v)", customary, ours, test});
   }
-  // One stamp that repeats the last, or lies before it.
+  // A time stamp that repeats the last one, or is before it.
   for (const auto& [stamp, what] : {std::pair(0.0, "stands still"), std::pair(-1e-5, "runs backwards by 10 µs")}) {
     SoftFinger finger = made_of(with);
     for (int i = 1; i <= 20; ++i) finger.update(at(0.0, 0.0, speed * tick * i), 0.0, tick);
@@ -207,7 +207,7 @@ Hazard bad_samples() {
     bristles.update(path(i), limit);
   }
   const double before = finger.output().load;
-  // A sample without a number.
+  // A NaN sample.
   double customary = 0.0;
   double ours = 0.0;
   constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
@@ -240,14 +240,14 @@ Hazard plate_between_samples() {
   const BoxSurface box(half);
   Figure figure{"reality_plate", {}};
   Hazard found;
-  // A fall at 0.4 m/s, sampled at 1 kHz, of which samples are lost; the first that comes again.
+  // A fall at 0.4 m/s, sampled at 1 kHz, with lost samples; the first sample after them.
   constexpr double way = 0.4e-3;
   for (int lost = 0; lost <= 20; ++lost) {
     ContactMemory memory;
     static_cast<void>(touch(box, {0.003, 0.001, half.z() + 0.5 * way}, memory));
     const Vector3d now(0.003, 0.001, half.z() + 0.5 * way - way * (lost + 1));
     const double depth_right = half.z() - now.z();
-    // As one writes it: inside or not, and out by the nearest face.
+    // The usual method: inside or not, and out through the nearest face.
     const double beneath = std::max(half.z() - std::fabs(now.z()), 0.0);
     const double customary = beneath > 0.0 ? std::copysign(beneath, now.z()) / depth_right : 0.0;
     const Contact contact = touch(box, now, memory);
@@ -270,7 +270,7 @@ Hazard frozen_device() {
   double creep = 0.0;
   double customary = 0.0;
   double ours = 0.0;
-  // Drawn to half the limit, frozen for ten seconds, and on from 2 cm away.
+  // A deflection at half the limit, frozen for ten seconds, then 2 cm away.
   for (int i = 0; i <= 10; ++i) {
     finger.update(at(0.25e-4 * i), 0.0);
     bristles.update(0.25e-4 * i, limit);

@@ -3,18 +3,18 @@
 
 #include "../atlas.hpp"
 
-/// Entry g: what a device really delivers.
+/// Entry "reality": real devices.
 namespace limitcurve::stability {
 
 /// Rates from 100 Hz to 10 kHz, with jitter.
 Hazard rates_and_jitter();
-/// Dampers, and a clock that the program does not read, that stands still or runs backwards.
+/// Dampers, with a clock that is not read, stands still or runs backwards.
 Hazard clocks();
-/// Samples that are no numbers, that leap, or that do not come.
+/// Samples that are NaN, jump, or are missing.
 Hazard bad_samples();
-/// A plate that lies between two samples.
+/// A plate between two samples.
 Hazard plate_between_samples();
-/// A device that freezes, and goes on from somewhere else.
+/// A device that freezes and continues elsewhere.
 Hazard frozen_device();
 
 }  // namespace limitcurve::stability

@@ -17,7 +17,7 @@ TEST(Reality, RatesAndJitter) {
     EXPECT_GE(finding.breaks, 2.0) << finding.quantity;
     EXPECT_LE(finding.stands, 1.0 + 1e-12);
   }
-  // What a lower rate costs is in proportion to the step, no more.
+  // The error at a lower rate is at most proportional to the step.
   for (const Row& row : hazard.figures.at(0).rows) {
     if (row.panel == "error") {
       EXPECT_LE(row.value, 40.0 / row.x) << row.x << " Hz";
@@ -30,11 +30,11 @@ TEST(Reality, Clocks) {
   ASSERT_EQ(findings.size(), 3U);
   EXPECT_GE(findings[0].breaks, 0.3);
   EXPECT_LE(findings[0].stands, 1e-9);
-  // Infinite, and pulling.
+  // Infinite, and attracting.
   EXPECT_FALSE(std::isfinite(findings[1].breaks));
   EXPECT_LE(findings[2].breaks, -1.0);
   EXPECT_NEAR(findings[1].stands, 1.0, 1e-12);
-  // Refused, the last load held: 20 ms of pressing on, and the dampers' share of it.
+  // Refused, with the last load held: 20 ms of growing depth, and the dampers' part of it.
   EXPECT_NEAR(findings[2].stands, (20.0 + 5.0) / 21.0, 1e-12);
 }
 

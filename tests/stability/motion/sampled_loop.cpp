@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Entry e, its part on the device: forces that are sampled, late, and taken from the steps of an encoder.
+// Entry "time": forces that are sampled, late, and from the steps of an encoder.
 #include "../numerics/sampling.hpp"
 #include "godobject/passivity.hpp"
 #include "godobject/soft_finger.hpp"
@@ -40,7 +40,7 @@ struct Device {
   double damping;
   int delay;
 
-  /// The largest swing in the last tenth of a second, of that in the first.
+  /// The largest amplitude in the last tenth of a second, divided by that in the first.
   [[nodiscard]] double growth(double stiffness) const {
     SoftFinger contact = finger(stiffness, 0.0, 1e6);
     contact.update(pressed(0.0, 1e-3), 0.0);
@@ -67,7 +67,7 @@ struct Device {
   }
 };
 
-/// The damping from which on swings do not grow.
+/// The least damping at which oscillations do not grow.
 double damping_that_settles(double stiffness, int delay) {
   double low = 1e-3 * stiffness * tick;
   double high = 10.0 * stiffness * tick;
@@ -78,8 +78,8 @@ double damping_that_settles(double stiffness, int delay) {
   return high;
 }
 
-/// A hand that takes the device to and fro with every sample, in straight lines: what the contact gives it in a second [J], and what a
-/// unit of the device's damping takes [J s m⁻¹ N⁻¹].
+/// A hand moves the device to and fro with every sample, in straight lines: energy from the contact in a second [J], and the dissipation
+/// of a unit of the device's damping [J s m⁻¹ N⁻¹].
 struct ToAndFro {
   double given = 0.0;
   double taken_per_damping = 0.0;
@@ -94,7 +94,7 @@ ToAndFro to_and_fro(double stiffness, double damping, double sample_time) {
   for (int i = 0; i < 1000; ++i) {
     const double next = i % 2 == 0 ? reach : -reach;
     const double force = contact.update(pressed(x, 1e-3), 0.0, sample_time).force.x();
-    // The start is forgotten first.
+    // First let the transient of the start decay.
     if (i >= 500) {
       sum.given += force * (next - x);
       sum.taken_per_damping += (next - x) * (next - x) / sample_time;
@@ -180,7 +180,7 @@ Hazard encoder_steps() {
     std::pair<double, double> share{0.0, 0.0};
     for (int i = 0; i < static_cast<int>(rate); ++i) {
       const double x = in_steps(5e-3 * i * sample_time, resolution);
-      // As one writes it: the spring within the friction limit, the damper added.
+      // The usual method: the spring within the friction limit, plus the damper.
       double spring = stiffness * (proxy - x);
       if (std::fabs(spring) > mu) {
         spring = std::copysign(mu, spring);
@@ -201,7 +201,7 @@ Hazard encoder_steps() {
   const auto [customary, ours] = largest_share(1e4);
   found.findings.push_back({"encoder steps of 10 µm, velocities from differences", "damper beside the friction limit",
                             "largest friction force / limit, 5 N s/m, 5 mm/s, 10 kHz", customary, ours, test});
-  // A finger that rests at half the limit while the encoder jitters by a step: whoever adds up increments creeps.
+  // A finger rests at half the limit while the encoder jitters by a step: methods that sum increments creep.
   double stretch = 0.5 * mu / stiffness;
   const double at_first = stretch;
   SoftFinger contact = finger(stiffness, 0.0, mu);

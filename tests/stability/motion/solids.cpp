@@ -17,7 +17,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-/// The place of a triangle nearest a point: over it, or on one of its edges.
+/// The point of a triangle nearest to a point: inside it, or on one of its edges.
 Vector3d nearest_on(const Triangle& triangle, const Vector3d& point) {
   const auto& [a, b, c] = triangle;
   const Vector3d normal = (b - a).cross(c - a);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Entry d: where a finger settles that slides and twists on about one centre of rotation.
+// Entry "projection": the steady wrench of a finger that keeps sliding and twisting about one centre of rotation.
 #include "projection.hpp"
 
 #include "../numerics/sampling.hpp"
@@ -23,14 +23,14 @@ using namespace godobject;
 constexpr double stiffness = 1000.0;
 constexpr double radius = 0.005;
 
-/// Wrench that a finger driven with a steady twist about a COR at c = a settles at, for κ = k_r/(k_l(m₀a)²).
+/// Steady wrench of a finger under a steady twist about a COR at c = a, for κ = k_r/(k_l(m₀a)²).
 UnitWrench settled(const FingerCurve& curve, Projection projection, double kappa) {
   const double moment_ratio = hertz()->moment_ratio();
   const double twist_stiffness = kappa * stiffness * moment_ratio * moment_ratio * radius * radius;
   constexpr double force_unit = 0.5;  // μP [N]
   constexpr FrictionLimit<double> limit{force_unit, radius};
   const FrictionLimits<double> limits{limit, limit, stiffness / twist_stiffness};
-  // The longer of the two lengths in which springs forget, a quarter of it a step.
+  // A step is a quarter of the longer of the two decay lengths of the springs.
   const double step = 0.25 * std::max(force_unit / stiffness, force_unit * moment_ratio * radius * radius / twist_stiffness);
   FrictionMemory<double> memory;
   double r = 0.0;
@@ -148,7 +148,7 @@ Hazard growing_radius() {
   Figure figure{"projection_growth", {}};
   const FingerCurve table = Table::build(hertz(), 1e-8);
   const auto at = [](double cor) { return SteadyTwist{RadiusLaw::power(0.006, 1.0 / 3.0), 0.036, cor}; };
-  // 10 mm/s at 1 kHz: where the c-curve leads depends on the step.
+  // 10 mm/s at 1 kHz: the result of the c-curve depends on the step.
   const auto settled = [&](const SteadyTwist& twist, Projection projection) { return twist.settled(table, projection, 1e-5, 4000); };
   for (const double cor : in_ratios(2e-4, 0.1, 31)) {
     const SteadyTwist twist = at(cor);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Entry e, its part on bodies: finger springs on a light one.
+// Entry "time": finger springs on a light body.
 #include "stepping.hpp"
 
 #include "../numerics/sampling.hpp"
@@ -37,7 +37,7 @@ std::array<DevicePose, 2> pinch(double thickness, double depth) {
   return {DevicePose{{0.0, 0.0, 0.5 * thickness - depth}}, DevicePose{{0.0, 0.0, depth - 0.5 * thickness}}};
 }
 
-/// A body on two sticking fingers, moved a little and let go. κ = kΔt²/m and ζ = b/(2√(km)) of both fingers together, or of
+/// A body on two sticking fingers, displaced a little and released. κ = kΔt²/m and ζ = b/(2√(km)) of both fingers together, or of
 /// their twist.
 bool gains_energy(Integrator integrator, double kappa, double zeta, bool twisting) {
   const Eigen::Vector3d edges = Eigen::Vector3d::Constant(0.04);
@@ -64,7 +64,7 @@ bool gains_energy(Integrator integrator, double kappa, double zeta, bool twistin
     start.position.x() = little;
   }
   scene.place(start, devices);
-  // Long enough for a gain of κ/2 a step to show.
+  // Long enough to show a gain of κ/2 a step.
   const int steps = 800 + static_cast<int>(1.0 / kappa);
   const int swing = 60 + static_cast<int>(7.0 / std::sqrt(kappa));
   double first = 0.0;
@@ -76,7 +76,7 @@ bool gains_energy(Integrator integrator, double kappa, double zeta, bool twistin
     if (i >= steps / 2 && i < steps / 2 + swing) first = std::max(first, away);
     if (i >= steps - swing) last = std::max(last, away);
   }
-  // What decays to rounding has not grown.
+  // A decay to rounding is no growth.
   return last > 1.1 * std::max(first, 1e-3 * little);
 }
 
@@ -96,7 +96,7 @@ double largest(Integrator integrator, double zeta, bool twisting) {
   return std::exp(low);
 }
 
-/// How a block of 10 g is held under its weight.
+/// A block of 10 g held against its weight.
 struct Held {
   double fallen;  ///< [m]
   std::vector<double> heights;
@@ -118,7 +118,7 @@ Held held(Integrator integrator, double stiffness, double duration) {
     step_by(integrator, scene, devices, tick);
     result.heights.push_back(scene.body().position.y());
   }
-  // Lost is lost, however far it is by now.
+  // Limit the distance of a lost block.
   result.fallen = std::min(std::fabs(result.heights.back()), 1000.0 * 0.01 * 9.81 / (2.0 * stiffness));
   return result;
 }
@@ -217,7 +217,7 @@ Hazard released_grip() {
     with.mu = 0.6;
     with.stiffness = 2000.0;
     Grasp scene = gripped(body, edges, with);
-    // Held by 10 N, drawn sideways near to slipping, and let go to 0.2 N within one step.
+    // Held by 10 N, displaced sideways almost to slip, then released to 0.2 N in one step.
     scene.place(BodyState{}, pinch(0.02, 5e-3));
     BodyState drawn;
     drawn.position = {2.9e-3, 0.0, 0.0};

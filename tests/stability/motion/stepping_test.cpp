@@ -32,7 +32,7 @@ TEST(Time, StiffnessAndDamping) {
     EXPECT_GE(finding.breaks, 0.5) << finding.method;
     EXPECT_EQ(finding.stands, 0.0);
   }
-  // The cells of the map are on the side of the analytic limits that they should be on, but for those next to them.
+  // The cells of the map are on the right side of the analytic limits, except for cells next to them.
   int wrong = 0;
   for (const Row& row : hazard.figures.at(0).rows) {
     if (row.series.find_first_not_of("0123456789.e-") != std::string::npos) continue;

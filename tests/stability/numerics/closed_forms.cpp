@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Entry a, second half: the closed forms of the textbooks in double arithmetic, as printed, where they cancel.
+// Entry "quadrature": the closed forms of the textbooks in double arithmetic, as printed, where they cancel.
 #include "quadrature.hpp"
 
 #include "limitcurve/laws.hpp"

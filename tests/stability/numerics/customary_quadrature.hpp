@@ -14,19 +14,19 @@
 #include <numbers>
 #include <vector>
 
-/// Eq. (17) as a good engineer integrates it with Boost: the angle by complete elliptic integrals of their modulus, the
-/// radius by a library's rule, with the accuracy asked for. All it lacks is knowledge of where the integrand is singular.
+/// The usual good integration of eq. (17) with Boost: the angle by complete elliptic integrals of their modulus, the
+/// radius by a library's rule with a requested accuracy. It does not use the positions of the integrand's singularities.
 namespace limitcurve::stability::customary {
 
 using Function = std::function<double(double)>;
 
-/// The accuracy asked of every rule that can be asked.
+/// The requested accuracy, for rules that accept one.
 inline constexpr double asked = 1e-9;
 
 /// The integrand of the unit force, (4/π) ρ g(ρ) φ(ρ, s), theory as in limitcurve/README.md.
 inline Function force_integrand(Function density, double s) {
   return [density = std::move(density), s](double rho) {
-    // Boost throws at modulus 1, so one keeps off it.
+    // Boost throws at modulus 1, so stay below it.
     const double q = std::min(std::min(rho, s) / std::max(rho, s), 1.0 - std::numeric_limits<double>::epsilon());
     if (q == 0.0) return 0.0;
     const double e = boost::math::ellint_2(q);
@@ -35,7 +35,7 @@ inline Function force_integrand(Function density, double s) {
   };
 }
 
-/// What a rule answers, and the error it states if one asks for it.
+/// The result of a rule, and its optional error estimate.
 struct Answer {
   double value;
   double stated_error;
@@ -48,7 +48,7 @@ inline Answer tanh_sinh(const Function& integrand, double from = 0.0, double to 
   return answer;
 }
 
-/// Piece by piece between the places one knows of.
+/// Piece by piece between known points.
 inline Answer tanh_sinh(const Function& integrand, const std::vector<double>& places) {
   Answer sum{};
   for (std::size_t i = 0; i + 1 < places.size(); ++i) {

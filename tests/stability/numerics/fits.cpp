@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Entry c: curves of few parameters laid through the exact one, and through measurements.
+// Entry "fits": curves with few parameters, fitted to the exact one and to measurements.
 #include "fits.hpp"
 
 #include "../../fit/synthetic.hpp"
@@ -23,7 +23,7 @@ namespace limitcurve::stability {
 
 namespace {
 
-/// The value below which `share` of the numbers lie.
+/// The quantile `share` of the numbers.
 double quantile(std::vector<double> numbers, double share) {
   std::sort(numbers.begin(), numbers.end());
   return numbers[static_cast<std::size_t>(share * static_cast<double>(numbers.size() - 1))];
@@ -53,7 +53,7 @@ Hazard cor_near_the_axes() {
     for (Model& each : models) {
       const double ratio = each.normal(wrench).cor() / s;
       figure.rows.push_back({"cor", each.name, s, ratio});
-      // A factor, either way.
+      // A factor in either direction.
       each.worst = std::max(each.worst, std::max(ratio, 1.0 / ratio) - 1.0);
     }
   }
@@ -79,7 +79,7 @@ Hazard dying_tails() {
     double cor;
   };
   const auto of_sums = [&](double s) -> Errors {
-    // The normal of the curve that the two sums draw: s = −dm/df.
+    // The normal of the curve of the two sums: s = −dm/df.
     const double force_slope = lack_of_force.slope(s);
     const double error = relative_error(moment.value(s), exact_hertz(s).moment);
     if (force_slope == 0.0) return {error, std::numeric_limits<double>::infinity()};
@@ -133,7 +133,7 @@ Hazard shape_and_radius() {
   };
   const auto off_by = [](double value, double truth) { return std::fabs(value / truth - 1.0); };
 
-  // Shape and radius both free, Hertz in truth: what moves, and what stays.
+  // Shape and radius both free, the truth is Hertz: what changes, and what does not.
   Random random(20061);
   const Law truth = hertz();
   std::vector<double> radius_error;
@@ -149,7 +149,7 @@ Hazard shape_and_radius() {
     figure.rows.push_back({"cloud", "same moment", n, 1e3 * radius * truth->moment_ratio() / power(n)->moment_ratio()});
   }
 
-  // A law taken for granted: Hertz assumed, uniform in truth.
+  // An assumed law: Hertz assumed, the truth is uniform.
   const Law pad = uniform();
   std::vector<double> assumed_in_errors;
   std::vector<double> free_in_errors;
@@ -159,7 +159,7 @@ Hazard shape_and_radius() {
     const double assumed = in_errors(fit::fit_contact(samples, fit::ContactModel::of(truth)).report.at("radius"));
     const fit::Estimate free = fit::fit_contact(samples, {fit::ContactModel::Kind::power}).report.at("radius");
     assumed_in_errors.push_back(assumed);
-    // A radius that the noise hides is reported as nan ± inf: it claims nothing.
+    // A radius hidden by noise is reported as nan ± inf, which claims nothing.
     free_in_errors.push_back(std::isfinite(free.value) && std::isfinite(free.std_error) ? in_errors(free) : 0.0);
     figure.rows.push_back({"errors", "Hertz assumed", static_cast<double>(i), assumed_in_errors.back()});
     figure.rows.push_back({"errors", "limitcurve", static_cast<double>(i), free_in_errors.back()});

@@ -3,14 +3,14 @@
 
 #include "../atlas.hpp"
 
-/// Entry c: curves of few parameters laid through the exact one, and through measurements.
+/// Entry "fits": curves with few parameters, fitted to the exact one and to measurements.
 namespace limitcurve::stability {
 
 /// The centre of rotation that an approximation implies, towards the axes.
 Hazard cor_near_the_axes();
-/// Sums of Gaussians, whose tails die while the moment falls as 1/s.
+/// Sums of Gaussians, whose tails vanish while the moment falls like 1/s.
 Hazard dying_tails();
-/// The shape of the pressure and the radius of the contact, which measured slips hardly tell apart.
+/// The shape of the pressure and the radius of the contact, which measured slips hardly distinguish.
 Hazard shape_and_radius();
 
 }  // namespace limitcurve::stability

@@ -21,7 +21,7 @@ TEST(Fits, CorNearTheAxes) {
 TEST(Fits, DyingTails) {
   const auto findings = held_here(dying_tails());
   ASSERT_EQ(findings.size(), 3U);
-  // Where it was fitted it is as good as such fits are.
+  // In the fitted range it is as good as such fits usually are.
   EXPECT_LE(findings[0].breaks, 0.02);
   EXPECT_GE(findings[1].breaks, 0.9);
   EXPECT_GE(findings[2].breaks, 0.5);
@@ -34,7 +34,7 @@ TEST(Fits, ShapeAndRadius) {
   EXPECT_GE(findings[0].breaks, 0.05);
   EXPECT_LE(findings[0].stands, 0.01);
   EXPECT_GE(findings[1].breaks, 20.0);
-  // Honest intervals: 1.96 for a normal estimate, more only as far as 120 sets scatter.
+  // Correct intervals: 1.96 for a normal estimate, more only within the scatter of 120 sets.
   EXPECT_LE(findings[1].stands, 3.0);
 }
 

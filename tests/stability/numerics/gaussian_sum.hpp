@@ -11,7 +11,7 @@
 
 namespace limitcurve::stability::customary {
 
-/// Σ aᵢ exp(−(s/bᵢ)²), three terms, least squares at even places on [0, last]: amplitudes by a linear solve, widths by a
+/// Σ aᵢ exp(−(s/bᵢ)²), three terms, least squares at evenly spaced points on [0, last]: amplitudes by a linear solve, widths by a
 /// pattern search around it from (½, 1, 2)·last/5.
 class GaussianSum {
  public:
@@ -49,7 +49,7 @@ class GaussianSum {
   }
 
  private:
-  /// Finds the amplitudes of these widths; returns what is left over.
+  /// Finds the amplitudes for these widths; returns the residual.
   double solve(const Eigen::Array3d& widths) {
     Eigen::Matrix<double, places, terms> basis;
     for (int k = 0; k < terms; ++k) basis.col(k) = (-(s_ / widths(k)).square()).exp();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Entry a: eq. (17) as one integral over the radius, where it breaks.
+// Entry "quadrature": eq. (17) as one integral over the radius, where it breaks.
 #include "quadrature.hpp"
 
 #include "customary_quadrature.hpp"
@@ -36,7 +36,7 @@ void raise(double& worst, double value) {
   worst = std::max(worst, value);
 }
 
-/// The error as drawn: of each stretch of CORs the largest, so that lucky places do not hide the others.
+/// The error for the figure: the largest in each interval of CORs, so that accidentally good points do not hide the others.
 class Envelope {
  public:
   Envelope(Figure& figure, std::string panel) : figure_(figure), panel_(std::move(panel)) {}
@@ -103,7 +103,7 @@ Hazard centre_under_the_finger() {
     raise(tanh_sinh_worst, tanh_sinh);
     raise(gauss_worst, gauss);
     raise(ours_worst, ours);
-    // Below an error of rounding nothing can be owned up to.
+    // An error estimate below rounding is meaningless.
     const double error = static_cast<double>(abs(Exact(answer.value - truth)));
     if (error > 1e-14) raise(unstated, error / std::max(answer.stated_error, 1e-300));
     const WrenchEstimate estimate = law->evaluate(s, Method::ring);
@@ -113,7 +113,7 @@ Hazard centre_under_the_finger() {
   constexpr int places = repetitions(10);
   Envelope across(figure, "across");
   for (int i = 0; i < stretches; ++i) {
-    // An odd part of a stretch: at "round" CORs the rule's points happen to fall well.
+    // An odd fraction of an interval: at "round" CORs the rule's points are accidentally good.
     for (int k = 0; k < places; ++k) measure(across, 2.0 * (i + (k + 0.3717) / places) / stretches, 2.0 * (i + 0.5) / stretches);
     across.close();
   }
@@ -181,7 +181,7 @@ Hazard adaptive_subdivision() {
   return found;
 }
 
-// The customary rules know of the split at s, and keep off the one place where the pressure is infinite.
+// The usual rules split at s, and avoid the one point where the pressure is infinite.
 Hazard singular_rim() {
   Hazard found;
   const std::string test = "Quadrature.SingularRim";
@@ -218,7 +218,7 @@ Hazard singular_rim() {
   return found;
 }
 
-// A sum of paraboloids of radii b has a kink at each b, and a wrench that is known.
+// A sum of paraboloids with radii b has a kink at each b, and a known wrench.
 Hazard kinks_of_a_profile() {
   Hazard found;
   static constexpr std::array<double, 5> radii{0.31, 0.47, 0.62, 0.83, 1.0};

@@ -10,18 +10,18 @@ namespace limitcurve::stability {
 
 namespace {
 
-/// A relative error that is worth the name of a failure beside the 1e-9 that was asked for.
+/// A relative error that counts as a failure, compared with the requested 1e-9.
 constexpr double wrong = 1e-8;
-/// What the library promises of quadrature in loops (accuracy::forces_by_quadrature).
+/// The library's bound for quadrature in loops (accuracy::forces_by_quadrature).
 constexpr double promised = 1e-13;
 
 TEST(Quadrature, CentreUnderTheFinger) {
   const auto findings = held_here(centre_under_the_finger());
   ASSERT_EQ(findings.size(), 3U);
-  // At the worst of all CORs; at those of a short build it is beyond the 1e-9 that was asked for.
+  // At the worst of all CORs; at the CORs of a short build it is above the requested 1e-9.
   EXPECT_GE(findings[0].breaks, tests_are_short ? 1e-9 : 1e-6);
   EXPECT_LE(findings[0].stands, promised);
-  // Ours never states less than its error.
+  // Our stated error is never below the true one.
   EXPECT_GE(findings[1].breaks, 3.0);
   EXPECT_LE(findings[1].stands, 1.0);
   EXPECT_GE(findings[2].breaks, 1e-4);
@@ -41,7 +41,7 @@ TEST(Quadrature, SingularRim) {
     EXPECT_GE(finding.breaks, wrong) << finding.method << ' ' << finding.quantity;
     EXPECT_LE(finding.stands, promised) << finding.quantity;
   }
-  // Towards the ring half the load lies where 1 − ρ rounds to nothing.
+  // Towards the ring half the load lies where 1 − ρ rounds to 0.
   EXPECT_GE(findings.back().breaks, 0.3);
 }
 

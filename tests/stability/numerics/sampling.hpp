@@ -7,7 +7,7 @@
 
 namespace limitcurve::stability {
 
-/// `count` ≥ 2 numbers from `from` to `to`, evenly.
+/// `count` ≥ 2 evenly spaced numbers from `from` to `to`.
 inline std::vector<double> evenly(double from, double to, int count) {
   std::vector<double> numbers;
   for (int i = 0; i < count; ++i) numbers.push_back(from + (to - from) * i / (count - 1));

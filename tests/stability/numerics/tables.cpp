@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Entry b: limit curves as lookup tables.
+// Entry "tables": limit curves as lookup tables.
 #include "tables.hpp"
 
 #include "limitcurve/laws.hpp"
@@ -22,7 +22,7 @@ namespace {
 
 using Spline = boost::math::interpolators::cardinal_cubic_b_spline<double>;
 
-/// A table as one writes it: `nodes` places at even distances on [0, last], values and exact slopes, a cubic between.
+/// The usual table: `nodes` evenly spaced points on [0, last], values and exact slopes, a cubic between.
 class EvenTable {
  public:
   EvenTable(const PressureLaw& law, double last, int nodes) : step_(last / (nodes - 1)) {
@@ -51,7 +51,7 @@ class EvenTable {
   std::vector<UnitForces<double>> nodes_;
 };
 
-/// Places that find what an interpolant of the inside and the near outside does: evenly, and crowding to the rim.
+/// Test points for an interpolant inside and just outside the rim: evenly spaced, and dense at the rim.
 std::vector<std::pair<double, ExactWrench>> flat_punch_around_the_rim(double last) {
   std::vector<std::pair<double, ExactWrench>> places;
   for (const double s : evenly(0.0013, last, 1200)) places.emplace_back(s, exact_flat_punch(s));
@@ -68,12 +68,12 @@ double absolute_error(UnitWrench wrench, const ExactWrench& exact) {
       {static_cast<double>(abs(Exact(wrench.force - exact.force))), static_cast<double>(abs(Exact(wrench.moment - exact.moment))), 1e-17});
 }
 
-/// A value as a file of four decimals holds it.
+/// A value rounded to four decimals, as in a file.
 double printed(double value) {
   return std::round(value * 1e4) / 1e4;
 }
 
-/// A closed stretch of curve from pure slide to pure spin, by points that lie near together.
+/// A curve from pure slide to pure spin, as closely spaced points.
 using Polyline = std::vector<UnitWrench>;
 constexpr int polyline_points = 8001;
 
@@ -104,8 +104,8 @@ double power(UnitWrench wrench, double u) {
   return (1.0 - u) * wrench.force + u * wrench.moment;
 }
 
-/// Where a finger that is driven with the twist u for long comes to rest, if each step moves its wrench to the closest
-/// point of the curve: a local maximum of the dissipated power. Climbs from the place `from`.
+/// The equilibrium of a finger under the steady twist u, if each step moves its wrench to the closest
+/// point of the curve: a local maximum of the dissipated power. Climbs from the point `from`.
 std::size_t rest(const Polyline& curve, double u, std::size_t from) {
   std::size_t at = from;
   while (true) {
@@ -120,7 +120,7 @@ std::size_t rest(const Polyline& curve, double u, std::size_t from) {
 }
 
 struct Rests {
-  int most = 0;           ///< resting places of one twist
+  int most = 0;           ///< number of equilibria of one twist
   double distance = 0.0;  ///< between the wrenches of the outermost two
   double twist = 0.5;     ///< spin fraction of the twist with the most
 };
@@ -143,7 +143,7 @@ Rests rests(const Polyline& curve) {
   return worst;
 }
 
-/// The power of a twist along either curve around its true resting place, in units of 1e-4 μPaω, from the largest.
+/// The power of a twist along either curve around its true equilibrium, in units of 1e-4 μPaω, relative to the largest.
 void draw_power(Figure& figure, const Polyline& curve, const Polyline& ours, double twist) {
   const std::size_t middle = rest(ours, twist, 0);
   const double most = power(ours[middle], twist);
@@ -183,11 +183,11 @@ Hazard even_spacing() {
     figure.rows.push_back({"numbers", "limitcurve", 8.0 * static_cast<double>(table.cell_count()), error});
   }
   const Table table = Table::build(law, 1e-8);
-  // As many numbers: a node is f, m and a slope, a cell of ours an origin and seven coefficients.
+  // The same count of numbers: a node is f, m and a slope; a cell of ours is an origin and seven coefficients.
   const auto nodes = static_cast<int>(8 * table.cell_count() / 3);
   const EvenTable even(*law, last, nodes);
   double ours = 0.0;
-  // Stretches of CORs, of each the worst.
+  // The worst of each interval of CORs.
   constexpr int stretches = 90;
   std::array<double, stretches> even_worst{};
   std::array<double, stretches> ours_worst{};

@@ -3,14 +3,14 @@
 
 #include "../atlas.hpp"
 
-/// Entry b: limit curves as lookup tables.
+/// Entry "tables": limit curves as lookup tables.
 namespace limitcurve::stability {
 
-/// Nodes at even distances, across the rim, where the derivatives of a limit curve are singular.
+/// Evenly spaced nodes across the rim, where the derivatives of a limit curve are singular.
 Hazard even_spacing();
 /// Centres of rotation beyond the last node.
 Hazard beyond_the_last_node();
-/// An interpolant that is not convex: a driven finger has more than one wrench to rest at.
+/// An interpolant that is not convex: a driven finger has more than one equilibrium.
 Hazard false_equilibria();
 
 }  // namespace limitcurve::stability

@@ -14,7 +14,7 @@ TEST(Tables, EvenSpacing) {
   ASSERT_EQ(findings.size(), 2U);
   EXPECT_GE(findings[0].breaks, 1e-4);
   EXPECT_LE(findings[0].stands, 1e-8);
-  // Not even thirty times the nodes bring it near.
+  // Even thirty times the nodes are not enough.
   EXPECT_GE(findings[1].breaks, 1e-6);
 }
 
@@ -23,7 +23,7 @@ TEST(Tables, BeyondTheLastNode) {
   ASSERT_EQ(findings.size(), 4U);
   for (std::size_t i = 0; i < 3; ++i) {
     EXPECT_GE(findings[i].breaks, 10.0) << findings[i].method;
-    // A table states absolute errors; that its ends are exact keeps the relative ones small.
+    // A table states absolute errors; its exact ends keep the relative errors small.
     EXPECT_LE(findings[i].stands, 1e-5) << findings[i].method;
   }
   EXPECT_GE(findings[3].breaks, 0.01);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Entry f, its part on angles.
+// Entry "geometry": angles.
 #include "turns.hpp"
 
 #include "godobject/godobject.hpp"
@@ -17,7 +17,7 @@ namespace {
 
 constexpr long double turn = 2.0L * std::numbers::pi_v<long double>;
 
-/// What a device tells of the angle `angle`: rounded once.
+/// The angle that a device reports for `angle`: rounded once.
 double told(long double angle) {
   return static_cast<double>(std::remainder(angle, turn));
 }
@@ -45,7 +45,7 @@ struct Twisting {
   static godobject::Contact contact() { return {{0.0, 0.0, 0.0}, {0.0, 0.0, 1.0}, depth}; }
 };
 
-/// Torsional friction as one writes it: a spring from the proxy's angle to the device's, clamped.
+/// The usual torsional friction: a spring from the proxy's angle to the device's, clamped.
 class CustomaryTwist {
  public:
   CustomaryTwist(double twist_stiffness, bool wraps) : twist_stiffness_(twist_stiffness), wraps_(wraps) {}
@@ -86,7 +86,7 @@ Hazard half_a_turn() {
     for (int i = 1; i <= steps; ++i) {
       const long double angle = 12.0L * i / steps;
       const double device = told(angle);
-      // What friction must feel like: against the turning, growing to the limit and staying there.
+      // Right friction: against the rotation, growing to the limit and staying there.
       const double truth = -std::min(static_cast<double>(angle) / largest_lag, 1.0);
       const double by_told = as_told.update(device) / Twisting::limit;
       const double by_wrapping = wrapping.update(device) / Twisting::limit;
@@ -101,7 +101,7 @@ Hazard half_a_turn() {
     }
     const std::string quantity = std::string("error of the moment / limit (slips after ") + (largest_lag < 1.0 ? "0.1" : "4") + " rad)";
     found.findings.push_back({"twist passes ±π", "spring to the raw angle", quantity, worst_told, worst_ours, test});
-    // To wrap the difference is right as long as the finger slips before half a turn.
+    // Wrapping the difference is right if the finger slips before half a turn.
     if (largest_lag < std::numbers::pi) continue;
     found.findings.push_back({"twist passes ±π", "difference wrapped into ±π", quantity, worst_wrapping, worst_ours, test});
   }

@@ -3,7 +3,7 @@
 
 #include "../atlas.hpp"
 
-/// Entry f, its part on angles: a device tells its twist on a circle, a spring must not.
+/// Entry "geometry": angles. A device reports its twist on a circle; a spring must not use it so.
 namespace limitcurve::stability {
 
 /// The device's angle jumps from π to −π.

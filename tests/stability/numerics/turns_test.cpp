@@ -13,7 +13,7 @@ TEST(Turns, HalfATurn) {
   const auto findings = held_here(half_a_turn());
   ASSERT_EQ(findings.size(), 3U);
   for (const Finding& finding : findings) {
-    // More than the limit: it pushes the user on instead of holding back.
+    // More than the limit: it pushes the user forward instead of resisting.
     EXPECT_GE(finding.breaks, 1.0) << finding.method;
     EXPECT_LE(finding.stands, 1e-12) << finding.quantity;
   }
