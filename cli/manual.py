@@ -106,7 +106,7 @@ def man_options(options):
 
 def man(manual):
     """The man page, section 1."""
-    lines = [f'.TH LIMITCURVE 1 "" "limitcurve {manual.version}" "User Commands"', ".nh", ".SH NAME"]
+    lines = [f'.TH LIMITCURVE 1 "" "limitcurve {manual.version}" "User Commands"', ".nh", ".ad l", ".SH NAME"]
     lines += [r"limitcurve \- " + roff(manual.whole.purpose[0].lower() + manual.whole.purpose[1:].rstrip("."))]
     lines += [".SH SYNOPSIS", r"\fBlimitcurve\fR \fISUBCOMMAND\fR [\fIoptions\fR]", ".SH DESCRIPTION"]
     lines += [f".PP\n{roff(paragraph)}" for paragraph in manual.whole.notes]
