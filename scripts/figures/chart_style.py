@@ -41,6 +41,8 @@ LAW_DASHES = {
     "gaussian": (1.2, 1.2),
     "mix": (3, 1, 1, 1),
 }
+# Verdana's letters are as wide as DejaVu's, which matplotlib measures; most others are narrower.
+FONTS = "DejaVu Sans, Verdana, sans-serif"
 # For lines that are no laws', in the order of their colours.
 DASHES = ((), (5, 1.5), (1.5, 1.2), (5, 1.5, 1.2, 1.5), (8, 2, 3, 2))
 ELLIPSE = {"color": INK, "linewidth": 1.2, "dashes": (5, 3)}
@@ -72,7 +74,7 @@ plt.rcParams.update({
     "mathtext.fontset": "dejavusans",
     "figure.dpi": 100,
     "savefig.dpi": 160,
-    "svg.fonttype": "path",  # looks the same whatever fonts the reader has
+    "svg.fonttype": "none",  # text stays text: half the bytes, and a reader can search it; FONTS says what replaces a missing font
     "svg.hashsalt": "limitcurve",
 })
 
@@ -152,20 +154,26 @@ def picture(figure, form, metadata):
 
 
 def slim(svg):
-    """The same picture in fewer bytes: hundredths of a point (tenths within a path), short names, one style for markers in a row, no comments."""
+    """The same picture in fewer bytes: hundredths of a point (tenths within a path), short names, one font, one style for markers in a row."""
 
     def shorter(match):
         text = match[0]
         return text if text.startswith("scale") else f"{float(text):.2f}".rstrip("0").rstrip(".")
 
-    for i, glyph in enumerate(dict.fromkeys(re.findall(r'id="(DejaVu[^"]+)"', svg))):
-        svg = re.sub(rf'(id="|href="#){glyph}"', rf'\g<1>g{i}"', svg)
+    def font(match):
+        slant, weight, size = match.groups()
+        return f"font-size: {size}" + (f"; font-weight: {weight}" if weight else "") + ("; font-style: oblique" if slant else "")
+
     svg = re.sub(r"<!--.*?-->\s*|<metadata>.*?</metadata>\s*", "", svg, flags=re.S)
-    svg = re.sub(r"scale\([^)]*\)|\d+\.\d{3,}", shorter, svg)
+    # In tags only: the text of a label stays as it is.
+    svg = re.sub(r"<[^>]*>", lambda tag: re.sub(r"scale\([^)]*\)|\d+\.\d{3,}", shorter, tag[0]), svg)
+    svg = re.sub(r"font: (oblique |italic )?(?:(\d+) )?([\d.]+px) 'DejaVu Sans'", font, svg).replace("<svg ", f'<svg font-family="{FONTS}" ', 1)
+    svg = re.sub(r' transform="rotate\(-?0 [^)]*\)"', "", svg)
     used = dict.fromkeys(re.findall(r'href="#([mp][0-9a-f]{6,})"|url\(#([mp][0-9a-f]{6,})\)', svg))
     for i, name in enumerate(first or second for first, second in used):
         svg = svg.replace(name, f"{name[0]}{i}")
     svg = ungrouped(re.sub(r"\s*\n\s*", "\n", svg))
+    svg = re.sub(r"<g ([^>]*)>\n<text>\n(.*?)\n</text>\n</g>", r"<text \1>\2</text>", svg, flags=re.S)
     svg = re.sub(r' d="([^"]*)"', lambda match: f' d="{path(match[1])}"', svg)
     return re.sub(r'(?:<use [^>]*? style="([^"]*)"/>\n)(?:<use [^>]*? style="\1"/>\n)+', one_style, svg)
 
