@@ -173,7 +173,7 @@ def slim(svg):
     for i, name in enumerate(first or second for first, second in used):
         svg = svg.replace(name, f"{name[0]}{i}")
     svg = ungrouped(re.sub(r"\s*\n\s*", "\n", svg))
-    svg = re.sub(r"<g ([^>]*)>\n<text>\n(.*?)\n</text>\n</g>", r"<text \1>\2</text>", svg, flags=re.S)
+    svg = re.sub(r"<g ([^>]*)>\n<text>\n((?:<tspan.*\n)+)</text>\n</g>", r"<text \1>\2</text>", svg)
     svg = re.sub(r' d="([^"]*)"', lambda match: f' d="{path(match[1])}"', svg)
     return re.sub(r'(?:<use [^>]*? style="([^"]*)"/>\n)(?:<use [^>]*? style="\1"/>\n)+', one_style, svg)
 

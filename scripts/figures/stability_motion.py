@@ -152,7 +152,7 @@ def time_map(rows):
         axes.set_yticks([0, 1, 2])
         axes.minorticks_off()
         axes.grid(False)
-    panels_[0].set_ylabel("damping  $\\zeta = b/2\\sqrt{km}$")
+    panels_[0].set_ylabel("damping  $ζ = b/(2√(km))$")
     panels_[0].annotate("held", (0.05, 0.9), ha="center", color=INK)
     panels_[0].annotate("gains energy", (10, 1), ha="center", color=INK)
     legend_below(figure, panels_[1], 4)
@@ -179,7 +179,7 @@ def time_delay(rows):
     for series, points in rows.groups("series").items():
         if series.endswith(", formula"):
             axes.plot(points.column("x"), points.column("value"), color=INK, linewidth=0.8, dashes=(4, 3),
-                      label="$k(\\frac{1}{2} + d)T$" if "no delay" in series else None)
+                      label="$k(½ + d)T$" if "no delay" in series else None)
         else:
             colour, marker = looks[series]
             axes.plot(points.column("x"), points.column("value"), marker, markersize=4, color=colour, label=series)
