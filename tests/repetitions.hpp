@@ -5,6 +5,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace limitcurve {
 
@@ -17,6 +18,17 @@ inline constexpr bool tests_are_short = false;
 /// How often this build does what is done `full` times: as often, or a hundredth of it, but no less than `least`.
 constexpr int repetitions(int full, int least = 1) {
   return tests_are_short ? std::max(full / 100, least) : full;
+}
+
+/// Whether a study runs over all its cases, as in scripts/maintain/nightly: LIMITCURVE_WHOLE=1 in the environment.
+inline bool studies_are_whole() {
+  const char* const text = std::getenv("LIMITCURVE_WHOLE");
+  return text != nullptr && text[0] == '1';
+}
+
+/// How many of its `whole` seeded cases a study takes: all, or a tenth, but no less than `least`.
+inline int study_cases(int whole, int least = 10) {
+  return repetitions(studies_are_whole() ? whole : std::max(whole / 10, least), least);
 }
 
 }  // namespace limitcurve

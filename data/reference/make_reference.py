@@ -3,6 +3,7 @@
 """Reference values of the unit limit curve: limit_curve.csv beside this script.
 
     make_reference.py                   write limit_curve.csv (about 12 minutes)
+    make_reference.py LAW ...           write the rows of these laws only
     make_reference.py --check           compute it again, compare it byte by byte with the file, and let a
                                         second derivation confirm every value (about 14 minutes)
     make_reference.py --check LAW ...   the same for some laws only: two seconds each for those with formulas, about a
@@ -93,27 +94,33 @@ def rows(name, witness):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("--check", action="store_true", help="compare with the file instead of writing it")
-    parser.add_argument("laws", nargs="*", metavar="LAW", help="with --check: only these laws")
+    parser.add_argument("laws", nargs="*", metavar="LAW", help="only these laws")
     arguments = parser.parse_args()
     unknown = [name for name in arguments.laws if name not in LAWS]
-    if unknown or (arguments.laws and not arguments.check):
-        parser.error(f"unknown law {unknown[0]}" if unknown else "laws can be chosen with --check only")
+    if unknown:
+        parser.error(f"unknown law {unknown[0]}")
 
     # Agreement is judged at a precision that does not limit it.
     mp.dps = FORMULA_DIGITS
-    text, failed = HEADER, False
-    committed = OUTPUT.read_text() if arguments.check else ""
+    fresh, failed = {}, False
+    committed = OUTPUT.read_text() if arguments.check or arguments.laws else ""
     for name in arguments.laws or LAWS:
         start = time.monotonic()
         lines, worst = rows(name, witness=arguments.check)
-        text += "".join(lines)
+        fresh[name] = "".join(lines)
         note = ""
         if arguments.check:
-            failed |= worst > AGREEMENT or "".join(lines) not in committed
+            failed |= worst > AGREEMENT or fresh[name] not in committed
             note = f", derivations agree to {mp.nstr(worst, 2)}"
-            if "".join(lines) not in committed:
+            if fresh[name] not in committed:
                 note += ", DIFFERS from the file"
         print(f"{name}: {time.monotonic() - start:.0f} s{note}", file=sys.stderr)
+    if arguments.laws:  # the others stay as they are
+        for line in committed.removeprefix(HEADER).splitlines(keepends=True):
+            law = line.split(",")[0]
+            if law not in arguments.laws:
+                fresh[law] = fresh.get(law, "") + line
+    text = HEADER + "".join(fresh[name] for name in LAWS if name in fresh)
     if not arguments.check:
         OUTPUT.write_text(text)
     elif not arguments.laws:

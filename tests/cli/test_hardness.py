@@ -34,12 +34,12 @@ STUB = "import sys; print('drawn')"
 
 
 class Killed(CommandLineTest):
-    def kill_often(self, kills, call, folder, **options):
+    def kill_often(self, kills, call, folder, timed=3, **options):
         """Runs the call and kills it, with its drawing process, at random moments; every named file must equal that of a complete run."""
         folder.mkdir(exist_ok=True)
         duration = math.inf
         # The quickest of some: the first may fill caches, and any may have waited for others; with its time most would end unkilled.
-        for _ in range(3):
+        for _ in range(timed):
             begin = time.monotonic()
             subprocess.run(call, stdout=subprocess.DEVNULL, check=True, **options)
             duration = min(duration, time.monotonic() - begin)
@@ -70,7 +70,7 @@ class KilledReport(Killed):
     @makes_reports
     def test_while_it_writes_the_data_of_a_report(self):
         folder = self.directory / "out"
-        self.kill_often(KILLS, [EXECUTABLE, "report", "-o", str(folder)], folder, env=share(self.directory, STUB))
+        self.kill_often(KILLS, [EXECUTABLE, "report", "-o", str(folder)], folder, timed=1, env=share(self.directory, STUB))
 
 
 class KilledDrawing(Killed):

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "tests/fit/coverage.hpp"
-#include "tests/fit/study.hpp"
 #include "tests/repetitions.hpp"
 
 #include "limitcurve/laws.hpp"
@@ -42,7 +41,7 @@ TEST(Coverage, PressureLawWithErrorsOfAThirdOfAPercent) {
 /// of the study of 1000 seeds, held by a tenth of it to what that tells.
 void expect_promise(const ContactModel& model, const Law& law, double shape, double noise) {
   constexpr int whole = 1000;
-  const int seeds = synthetic::data_sets(whole);
+  const int seeds = study_cases(whole);
   const double bias_unknown = seeds < whole ? 3.0 / std::sqrt(seeds) : 0.0;
   const double coverage_unknown = seeds < whole ? 3.0 * 0.218 / std::sqrt(seeds) : 0.0;
   int blanks = 0;

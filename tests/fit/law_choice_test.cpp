@@ -3,8 +3,8 @@
 #include "fit/contact_fit.hpp"
 
 #include "limitcurve/laws.hpp"
-#include "tests/fit/study.hpp"
 #include "tests/fit/synthetic.hpp"
+#include "tests/repetitions.hpp"
 
 #include <gtest/gtest.h>
 
@@ -57,7 +57,7 @@ bool warns(const FitReport& report, const std::string& text) {
 }
 
 TEST(LawChoice, StatedRadiusHoldsTheTruthWhicheverLawMadeTheData) {
-  const int sets = synthetic::data_sets(all_sets);
+  const int sets = study_cases(all_sets);
   int held = 0;
   int alarms = 0;
   for (int seed = 0; seed < sets; ++seed) {
@@ -77,7 +77,7 @@ TEST(LawChoice, StatedRadiusHoldsTheTruthWhicheverLawMadeTheData) {
 }
 
 TEST(LawChoice, OneInTenGrossErrorsIsAlwaysWarnedOf) {
-  const int sets = synthetic::data_sets(all_sets);
+  const int sets = study_cases(all_sets);
   for (int seed = 0; seed < sets; ++seed) {
     DataSet set = data_set(seed, 0.0);
     Random random(static_cast<std::uint64_t>(seed));
@@ -95,7 +95,7 @@ TEST(LawChoice, OneInTenGrossErrorsIsAlwaysWarnedOf) {
 }
 
 TEST(LawChoice, RadiusThatGrowsWithTheLoadIsAlwaysWarnedOf) {
-  const int sets = synthetic::data_sets(all_sets);
+  const int sets = study_cases(all_sets);
   int alarms = 0;
   for (int seed = 0; seed < sets; ++seed) {
     const double gamma = (seed % 2 == 0 ? 1.0 : -1.0) * (0.05 + 0.04 * (seed % 8));

@@ -4,8 +4,8 @@
 
 #include "limitcurve/laws.hpp"
 #include "tests/fit/coverage.hpp"
-#include "tests/fit/study.hpp"
 #include "tests/fit/synthetic.hpp"
+#include "tests/repetitions.hpp"
 
 #include <gtest/gtest.h>
 
@@ -69,7 +69,7 @@ Within one_gross_outlier(const Setting& setting, const ContactModel& model, int 
 /// Issue 9, point 9: with the columns sigma_ a robust loss found minima far off in every second set.
 TEST(Robustness, OneGrossErrorLeavesEstimatesWithinThreeStandardErrors) {
   const ContactModel law = ContactModel::of(hertz());
-  const int sets = synthetic::data_sets(400);
+  const int sets = study_cases(400);
   for (const bool with_sigma : {false, true}) {
     for (const Loss& loss : {Loss::huber(), Loss::cauchy()}) {
       Within sum;
@@ -125,7 +125,7 @@ TEST(Robustness, CauchyOutlivesAThirdOfTheRowsInEveryModel) {
 
 /// What loss.hpp says of the default scales: 5 % of efficiency lost on clean data.
 TEST(Robustness, DefaultScalesCostFivePercentOfEfficiency) {
-  const int sets = synthetic::data_sets(1000);
+  const int sets = study_cases(1000);
   int blanks = 0;
   const auto scatter = [&](const Loss& loss) {
     return synthetic::study(ContactModel::of(hertz()), hertz(), 0.5, 0.01, true, sets, blanks, loss).at("mu").scatter;

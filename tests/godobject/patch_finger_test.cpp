@@ -11,7 +11,6 @@
 #include <Eigen/Geometry>
 
 #include <cmath>
-#include <cstdlib>
 #include <limits>
 #include <random>
 #include <string>
@@ -55,7 +54,7 @@ FingerParameters usual() {
 
 TEST(PatchProjector, ClosestPointIsOnTheSurfaceAndTheSlipItsNormal) {
   // 1e6 trials in the whole study.
-  const int trials = std::getenv("LIMITCURVE_WHOLE") != nullptr ? 28571 : repetitions(1000, 50);
+  const int trials = studies_are_whole() ? 28571 : repetitions(1000, 50);
   for (const auto& [name, patch] : patches()) {
     const PatchProjector projector(patch);
     const double m0 = patch.moment_ratio();

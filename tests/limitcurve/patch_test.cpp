@@ -4,12 +4,12 @@
 #include "limitcurve/accuracy.hpp"
 #include "limitcurve/laws.hpp"
 #include "patch_reference.hpp"
+#include "tests/repetitions.hpp"
 
 #include <gtest/gtest.h>
 #include <boost/math/special_functions/ellint_2.hpp>
 
 #include <cmath>
-#include <cstdlib>
 #include <limits>
 #include <numbers>
 #include <random>
@@ -93,7 +93,7 @@ void expect_ellipse(const char* law_name, double bound) {
     }
     // 0.1 s each: a seventh of them, a different one for every law, except in the whole study.
     static std::size_t turn = 0;
-    const std::size_t stride = std::getenv("LIMITCURVE_WHOLE") != nullptr ? 1 : 7;
+    const std::size_t stride = studies_are_whole() ? 1 : 7;
     for (std::size_t i = turn++ % stride; i < cases.size(); i += stride) {
       const PatchTwist& twist = cases[i];
       const PatchFriction exact = test::ellipse_by_rays(*law, aspect, 1.0, twist);

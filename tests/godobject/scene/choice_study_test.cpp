@@ -2,26 +2,19 @@
 #include "tests/godobject/scene/choice_study.hpp"
 
 #include "godobject/replay.hpp"
+#include "tests/repetitions.hpp"
 
 #include <gtest/gtest.h>
-
-#include <cstdlib>
 
 namespace limitcurve::godobject::test {
 namespace {
 
-/// A tenth of the scenes, or all where the environment says LIMITCURVE_WHOLE=1 (scripts/maintain/nightly does).
-int study_scenes() {
-  constexpr int whole = 200;
-  const char* const text = std::getenv("LIMITCURVE_WHOLE");
-  return text != nullptr && text[0] == '1' ? whole : whole / 10;
-}
-
 // Issue 9, point 7.
 TEST(ChoiceStudy, TheStatedErrorHoldsInRandomMotionsAndIsNotTooLarge) {
+  const int scenes = study_cases(200);
   int cheaper_would_do = 0;
   int cheaper_is_chosen = 0;
-  for (int seed = 1; seed <= study_scenes(); ++seed) {
+  for (int seed = 1; seed <= scenes; ++seed) {
     const StudyResult result = study_scene(static_cast<std::uint64_t>(seed), 20);
     EXPECT_LE(result.worst_of_all, 1.0) << "scene " << seed << ", " << result.worst_model;
     EXPECT_LE(result.worst_of_chosen, 1.0) << "scene " << seed << ", " << result.chosen;
@@ -29,7 +22,7 @@ TEST(ChoiceStudy, TheStatedErrorHoldsInRandomMotionsAndIsNotTooLarge) {
     ++cheaper_would_do;
     if (result.cheaper_is_chosen) ++cheaper_is_chosen;
   }
-  EXPECT_GT(cheaper_would_do, study_scenes() / 5);
+  EXPECT_GT(cheaper_would_do, scenes / 5);
   EXPECT_GE(cheaper_is_chosen, 0.7 * cheaper_would_do);
 }
 
