@@ -17,7 +17,7 @@ namespace limitcurve {
 ///  - `along(w)`:  the curve point on the ray from the origin through w ≠ 0, and the normal there; at a corner any one of its normals;
 ///  - `gauge(w)`:  the factor γ ≥ 0 for which w/γ is on the curve; γ < 1: the contact holds, γ > 1: it slips, γ = 0 for w = 0;
 ///  - `moment_ratio()`: moment intercept divided by force intercept, m₀ = μ_r/(μ a).
-/// They do not throw, allocate or lock, and every loop in them is bounded.
+/// They do not throw, allocate or lock; every loop is bounded. Results stay right for twists and wrenches times 1e-120 … 1e120.
 // clang-format off
 template <class Curve>
 concept LimitCurve = requires(const Curve& curve, SlipTwist twist, UnitWrench wrench) {

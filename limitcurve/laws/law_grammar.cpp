@@ -75,15 +75,9 @@ Law parse_unchecked(std::string_view text) {
 }  // namespace
 
 std::span<const std::string_view> law_examples() {
-  static constexpr std::array<std::string_view, 9> examples{"hertz",
-                                                            "uniform",
-                                                            "parabolic",
-                                                            "flat-punch",
-                                                            "cone",
-                                                            "power:n=2.3",
-                                                            "xydas-kao:k=3",
-                                                            "gaussian:sigma=0.4",
-                                                            "mix:0.7*hertz+0.3*uniform"};
+  static constexpr std::array examples =
+      std::to_array<std::string_view>({"hertz", "uniform", "parabolic", "flat-punch", "cone", "power:n=2.3", "xydas-kao:k=3",
+                                       "gaussian:sigma=0.4", "mix:0.7*hertz+0.3*uniform"});
   return examples;
 }
 
