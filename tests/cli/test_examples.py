@@ -18,6 +18,10 @@ def subcommands():
     return [line.split()[0] for line in listed.splitlines() if re.match(r"  \w", line)]
 
 
+def readme_examples():
+    return re.findall(r"^(limitcurve [a-z-]+(?: .+)?)$", README.read_text(encoding="utf-8"), re.M)
+
+
 class Examples(CommandLineTest):
     def setUp(self):
         super().setUp()
@@ -40,16 +44,15 @@ class Examples(CommandLineTest):
             self.succeed(example)
 
     def test_readme(self):
-        examples = re.findall(r"^    (limitcurve .+)$", README.read_text(encoding="utf-8"), re.M)
+        examples = readme_examples()
         for line in examples:
             self.succeed(line)
         self.assertEqual({shlex.split(line)[1] for line in examples}, set(subcommands()), "one example a subcommand")
 
     def test_the_columns_of_the_contract(self):
         for name, columns in re.findall(r"^\| `([a-z-]+)` \|[^|]+\| `([a-z_,]+)` \|$", README.read_text(encoding="utf-8"), re.M):
-            example = next(line for line in re.findall(r"^    limitcurve (.+)$", README.read_text(encoding="utf-8"), re.M)
-                           if line.split()[0] == name and "json" not in line)
-            arguments = [word.replace("data/", f"{DATA}/") for word in shlex.split(example)]
+            example = next(line for line in readme_examples() if line.split()[1] == name and "json" not in line)
+            arguments = [word.replace("data/", f"{DATA}/") for word in shlex.split(example)[1:]]
             if name == "table":
                 arguments[-1] = str(self.directory / "hertz.csv")
             if name == "lookup":
