@@ -16,7 +16,7 @@ version = release = re.search(r'version = "(.*)"', (ROOT / "limitcurve" / "versi
 root_doc = "index"
 include_patterns = sorted(name for name in FILES if name.endswith(".md"))
 sys.path += map(str, ROOT.glob(f"build/venv/lib/python{sys.version_info.major}.{sys.version_info.minor}/site-packages"))
-extensions = ["myst_parser", "breathe", "sphinx.ext.autodoc", "sphinx_copybutton", "docstrings", "engines", "headers", "repository", "formulas"]
+extensions = ["myst_parser", "breathe", "sphinx.ext.autodoc", "sphinx_copybutton", "docstrings", "engines", "headers", "repository", "formulas", "theme"]
 myst_enable_extensions = ["dollarmath"]
 myst_heading_anchors = 4
 breathe_projects = {"limitcurve": str(ROOT / "build" / "doxygen" / "xml")}
@@ -26,6 +26,12 @@ default_role = "code"
 autodoc_member_order = "bysource"
 
 html_theme = "furo"
+# Styles of Debian's Pygments whose every colour has a contrast of 4.5; code stands on a ground of its own.
+pygments_style = "xcode"
+pygments_dark_style = "github-dark"
+html_theme_options = {"light_css_variables": {"color-code-background": "#f6f8fa"}}
+html_static_path = ["site/static"]
+html_css_files = ["site.css"]
 html_title = "limitcurve"
 html_copy_source = False
 html_show_sphinx = False

@@ -7,7 +7,7 @@
 #include <limits>
 
 /// A soft finger on a plane in plain numbers: the samples, springs and dampers of `SoftFinger` around the library's own step b. The page
-/// compiles it to WebAssembly, without Eigen and exceptions; tests/playground compares it with `limitcurve replay`.
+/// compiles it to WebAssembly, without Eigen and exceptions; tests/site compares it with `limitcurve replay`.
 namespace limitcurve::playground {
 
 using godobject::FrictionLimits;

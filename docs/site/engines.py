@@ -13,6 +13,7 @@ from sphinx.util.docutils import SphinxDirective
 
 ROOT = Path(__file__).resolve().parents[2]
 FOLDER = ROOT / "data" / "engines"
+NAMES = {"bullet": "Bullet", "dart": "DART", "drake": "Drake", "mujoco": "MuJoCo", "newton-xpbd": "Newton (XPBD)", "ode": "ODE", "physx": "PhysX"}
 
 
 def rows(name):
@@ -27,7 +28,7 @@ def percent(fraction):
     if not fraction:
         return "–"
     value = 100 * float(fraction)
-    return f"{value:.0f} %" if value >= 10 else f"{value:.2g} %"
+    return (f"{value:.0f}" if value >= 10 else f"{value:.2g}") + "\N{NO-BREAK SPACE}%"
 
 
 class Table(SphinxDirective):
@@ -46,14 +47,19 @@ class Engines(Table):
         names = {row["engine"].split()[0].lower() for row in measured}
         read = [row for row in rows("read.csv") if row["engine"].split()[0].lower() not in names]
         body = []
+        before = None
         for row in sorted(measured + read, key=lambda row: row["engine"].lower()):
             parameters = row["parameter"].split(";")
             units = row["unit"].split(";") + [""] * len(parameters)
             typed = "<br>".join(f"`{name.strip()}` [{unit.strip()}]" if unit.strip() not in ("", "1") else f"`{name.strip()}`"
                                 for name, unit in zip(parameters, units))
             how = "measured" if row["how"] == "measured" else f"[read]({row['link']})"
-            body.append([f"{row['engine']}<br>{row['version']}", typed, row["model"] + (f" ({row['law']})" if row["law"] not in ("", "hertz") else ""), percent(row["max_error"]), percent(row["cor_error"]), row["ignores"], how])
-        return self.render(["engine, version", "what to type", "its model", "radial error", "same COR", "what it ignores", "how known"], body)
+            model = row["model"] + (f" ({row['law']})" if row["law"] not in ("", "hertz") else "")
+            ignores = "the same" if before == (row["engine"], row["ignores"]) else row["ignores"]
+            before = (row["engine"], row["ignores"])
+            body.append([f"**{NAMES.get(row['engine'], row['engine'])}**<br>{row['version']}, {how}", typed, model, percent(row["max_error"]),
+                         percent(row["cor_error"]), ignores])
+        return self.render(["engine", "what to type", "its model", "radial error", "same COR", "what it ignores"], body)
 
 
 class Drags(Table):
@@ -63,7 +69,7 @@ class Drags(Table):
             key = (row["engine"], row["version"], row["model"], row.get("law") or "hertz", row.get("contact") or "ball")
             off = max(abs(float(row["force"]) - float(row["exact_force"])), abs(float(row["moment"]) - float(row["exact_moment"])))
             groups.setdefault(key, []).append(off)
-        body = [[*key, str(len(offs)), percent(max(offs)), percent(sum(offs) / len(offs))] for key, offs in sorted(groups.items())]
+        body = [[NAMES.get(key[0], key[0]), *key[1:], str(len(offs)), percent(max(offs)), percent(sum(offs) / len(offs))] for key, offs in sorted(groups.items())]
         return self.render(["engine", "version", "model", "law", "contact", "CORs", "largest", "mean"], body)
 
 

@@ -1,9 +1,9 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
 """The playground in headless Chromium: its numbers against `limitcurve replay` and `limitcurve pivot`, every way to move it, every switch,
-its speed, and that anybody can read it. `scripts/setup pages` installs what this needs.
+its speed, and that anybody can read it. `scripts/setup pages` installs the browser.
 
-    scripts/maintain/playground && tests/playground/test_playground.py [--page FILE] [--cli EXECUTABLE] [unittest arguments]
+    scripts/maintain/playground && tests/site/test_playground.py [--page FILE] [--cli EXECUTABLE] [unittest arguments]
 """
 
 import argparse
@@ -17,37 +17,23 @@ import time
 import unittest
 from pathlib import Path
 
-from selenium import webdriver
-from selenium.webdriver.chrome.service import Service
 from selenium.webdriver.common.action_chains import ActionChains
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
 from selenium.webdriver.common.actions.wheel_input import ScrollOrigin
 from selenium.webdriver.support.ui import Select
 
+import browser
+
 ROOT = Path(__file__).resolve().parents[2]
 PAGE = ROOT / "build" / "site" / "playground" / "index.html"
 CLI = str(ROOT / "build" / "ci" / "cli" / "limitcurve")
 
-# The contrast of every element with text of its own, of its colour on the nearest opaque background (WCAG 2).
-CONTRASTS = """
-const parse = (c) => c.match(/[\\d.]+/g).map(Number);
-const light = ([r, g, b]) => [r, g, b].map((v) => (v /= 255) <= 0.03928 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4)
-  .reduce((sum, v, i) => sum + v * [0.2126, 0.7152, 0.0722][i], 0);
-const ratio = (a, b) => { const [x, y] = [light(a), light(b)].sort((p, q) => q - p); return (x + 0.05) / (y + 0.05); };
-const behind = (e) => { for (; e; e = e.parentElement) { const c = parse(getComputedStyle(e).backgroundColor); if (c.length < 4 || c[3] > 0) return c; }
-  return [255, 255, 255]; };
-const result = [];
-for (const e of document.querySelectorAll("body *")) {
-  const own = [...e.childNodes].some((n) => n.nodeType === 3 && n.textContent.trim());
-  if (!own && e.tagName !== "SELECT" || !e.checkVisibility() || ["SCRIPT", "STYLE", "OPTION"].includes(e.tagName)) continue;
-  result.push([e.tagName + "#" + e.id + " " + e.textContent.trim().slice(0, 30), ratio(parse(getComputedStyle(e).color), behind(e))]);
-}
-// What the canvases write with, on what they are cleared to.
+# What the canvases write with, on what they are cleared to.
+CANVAS_CONTRASTS = browser.RATIO + """
 const style = getComputedStyle(document.documentElement);
 const hex = (name) => style.getPropertyValue("--" + name).trim().match(/[0-9a-f]{2}/g).map((v) => parseInt(v, 16));
-for (const name of ["text", "muted", "slip"]) result.push(["canvas " + name, ratio(hex(name), hex("card"))]);
-return result;
+return ["text", "muted", "slip"].map((name) => ["canvas " + name, ratio(hex(name), hex("card"))]);
 """
 
 
@@ -71,12 +57,7 @@ def trace():
 class Playground(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        options = webdriver.ChromeOptions()
-        for argument in ["--headless=new", "--no-sandbox", "--disable-gpu", "--hide-scrollbars"]:
-            options.add_argument(argument)
-        options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
-        cls.browser = webdriver.Chrome(service=Service("/usr/bin/chromedriver"), options=options)
-        cls.browser.set_script_timeout(60)
+        cls.browser = browser.start()
 
     @classmethod
     def tearDownClass(cls):
@@ -86,24 +67,14 @@ class Playground(unittest.TestCase):
         self.open()
 
     def tearDown(self):
-        errors = [line for line in self.browser.get_log("browser") if line["level"] in ("SEVERE", "WARNING")]
-        self.assertEqual(errors, [], "the console has errors")
+        self.assertEqual(browser.complaints(self.browser), [], "the console has errors")
 
     def open(self, width=1200, height=1000, dark=False, touch=False):
-        command = self.browser.execute_cdp_cmd
-        command("Emulation.setDeviceMetricsOverride", {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": touch})
-        command("Emulation.setTouchEmulationEnabled", {"enabled": touch})
-        scheme = {"name": "prefers-color-scheme", "value": "dark" if dark else "light"}
-        command("Emulation.setEmulatedMedia", {"features": [scheme]})
-        self.browser.get(PAGE.as_uri())
+        browser.show(self.browser, PAGE.as_uri(), width, height, dark, touch)
         self.wait(lambda: self.browser.execute_script("return window.limitcurve !== undefined && limitcurve.frames.count > 3"))
 
     def wait(self, condition, seconds=8.0, message="it did not come to be"):
-        end = time.monotonic() + seconds
-        while not (result := condition()):
-            self.assertLess(time.monotonic(), end, message)
-            time.sleep(0.02)
-        return result
+        return browser.wait(self, condition, seconds, message)
 
     def element(self, name):
         return self.browser.find_element(By.ID, name)
@@ -328,8 +299,7 @@ class Playground(unittest.TestCase):
         times = []
         for _ in range(3):
             self.open()
-            times.append(self.wait(lambda: self.browser.execute_script(
-                "return performance.getEntriesByType('paint').find((e) => e.name === 'first-contentful-paint')?.startTime")))
+            times.append(browser.first_paint(self, self.browser))
         print(f"first paint: {min(times):.0f} ms", file=sys.stderr)
         self.assertLessEqual(min(times), 1000)
 
@@ -358,17 +328,14 @@ class Playground(unittest.TestCase):
                 if scene == "block":
                     self.show_block()
                 self.suggest("loosen" if scene == "block" else "radial")
-                found = self.browser.execute_script(CONTRASTS)
+                found = self.browser.execute_script(browser.CONTRASTS) + self.browser.execute_script(CANVAS_CONTRASTS)
                 self.assertGreater(len(found), 30)
                 for what, contrast in found:
                     with self.subTest(what, dark=dark):
                         self.assertGreaterEqual(contrast, 4.5)
 
     def test_every_control_has_a_name_and_the_phone_needs_no_sideways_scrolling(self):
-        for element in self.browser.find_elements(By.CSS_SELECTOR, "button, input, select, canvas"):
-            self.assertTrue(self.browser.execute_script(
-                "const e = arguments[0]; return e.ariaLabel || e.textContent.trim() && e.tagName === 'BUTTON' || "
-                "[...(e.labels ?? [])].some((l) => l.textContent.trim())", element), element.get_attribute("outerHTML")[:120])
+        self.assertEqual(browser.nameless_controls(self.browser), [])
         for width in (320, 390):
             self.open(width, 844, touch=True)
             self.assertLessEqual(self.browser.execute_script("return document.documentElement.scrollWidth"), width)
