@@ -36,7 +36,7 @@ class Table(SphinxDirective):
         """A Markdown table, so that code and links in cells work."""
         lines = ["| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
         lines += ["| " + " | ".join(cell.replace("|", "\\|") for cell in row) + " |" for row in body]
-        node = nodes.container()
+        node = nodes.container(classes=[type(self).__name__.lower()])
         self.state.nested_parse(StringList(lines, self.arguments[0] if self.arguments else ""), 0, node)
         return [node]
 
