@@ -3,11 +3,13 @@
 
 #include "cli/commands/subcommands.hpp"
 
+#include "limitcurve/internal/did_you_mean.hpp"
 #include "limitcurve/version.hpp"
 
 // The only place that includes it: it takes seconds to compile.
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
@@ -32,6 +34,7 @@ struct Entry {
   std::unique_ptr<Subcommand> subcommand;
   CLI::App* app = nullptr;
   Format format = Format::csv;
+  bool quiet = false;
 };
 
 std::vector<Entry> make_entries() {
@@ -64,13 +67,16 @@ void declare(CLI::App& whole, Entry& entry) {
         entry.format = text == "json" ? Format::json : Format::csv;
       },
       "Form of the results (default csv)", Presence::optional);
+  options.flag("--quiet", entry.quiet, "Write nothing but errors to standard error");
 }
 
 void check_subcommand(const std::string& name, const std::vector<Entry>& entries) {
   std::string expected;
+  std::vector<std::string_view> known{"--help", "--version"};
   for (const Entry& entry : entries) {
     if (entry.app->get_name() == name) return;
     expected += ' ' + entry.app->get_name();
+    known.push_back(entry.app->get_name());
   }
 #ifndef LIMITCURVE_HAS_FIT
   if (name == "fit" || name == "translate" || name == "report") {
@@ -78,7 +84,26 @@ void check_subcommand(const std::string& name, const std::vector<Entry>& entries
                                 "' is not in this executable, which was built without fits (they need Ceres), expected one of" + expected);
   }
 #endif
-  throw std::invalid_argument((name.empty() ? "no subcommand" : "unknown subcommand '" + name + "'") + ", expected one of" + expected);
+  throw std::invalid_argument((name.empty() ? "no subcommand" : "unknown subcommand '" + name + "'") + ", expected one of" + expected +
+                              did_you_mean(name, known));
+}
+
+/// Of the first of the arguments that looks like an option and is none of the subcommand's.
+std::string option_meant(const std::vector<std::string>& arguments, const std::vector<Entry>& entries) {
+  std::vector<std::string> names;
+  for (const Entry& entry : entries) {
+    if (entry.app->get_name() != arguments[0]) continue;
+    for (const CLI::Option* const option : entry.app->get_options()) {
+      for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    }
+  }
+  for (const std::string& argument : arguments) {
+    const std::string word = argument.substr(0, argument.find('='));
+    if (!word.starts_with("--") || std::ranges::find(names, word) != names.end()) continue;
+    const std::string meant = did_you_mean(word, {names.begin(), names.end()});
+    return meant.empty() ? "" : "; '" + word + "' is none of its options" + meant;
+  }
+  return "";
 }
 
 }  // namespace
@@ -120,11 +145,16 @@ void run_command_line(const std::vector<std::string>& arguments, Results results
     results.output.write(std::string(version.what()) + "\n");
     return results.output.flush();
   } catch (const CLI::ParseError& error) {
-    throw std::invalid_argument(std::string(error.what()) + " (expected usage: limitcurve " + name + " --help)");
+    throw std::invalid_argument(std::string(error.what()) + " (expected usage: limitcurve " + name + " --help)" +
+                                option_meant(arguments, entries));
   }
   for (const Entry& entry : entries) {
     if (!entry.app->parsed()) continue;
     results.format = entry.format;
+    Messages own(Messages::Kind::notes);
+    if (results.messages == nullptr) results.messages = &own;
+    if (entry.quiet) results.messages->silence();
+    results.messages->start(entry.app->get_name());
     entry.subcommand->run(results);
   }
 }

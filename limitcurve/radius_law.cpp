@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "limitcurve/contact_radius.hpp"
 
+#include "limitcurve/internal/did_you_mean.hpp"
 #include "limitcurve/number.hpp"
 
 #include <algorithm>
@@ -143,7 +144,8 @@ RadiusLaw RadiusLaw::parse(std::string_view text) {
   if (colon == std::string_view::npos || (kind != "constant" && kind != "hertz" && kind != "power")) {
     throw std::invalid_argument("radius law '" + std::string(text) +
                                 "': expected constant:a=0.005, hertz:R=0.008,E=2e5, power:c=0.00207,gamma=0.259; on the command line "
-                                "also samples:FILE.csv (load,radius), moments:FILE.csv (load,moment)");
+                                "also samples:FILE.csv (load,radius), moments:FILE.csv (load,moment)" +
+                                did_you_mean(kind, {"constant", "hertz", "power", "samples", "moments"}, text.substr(kind.size())));
   }
   const std::string_view rest = text.substr(colon + 1);
   try {

@@ -9,10 +9,7 @@
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/vector.h>
 
-#include <algorithm>
 #include <charconv>
-#include <csignal>
-#include <cstdio>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -184,23 +181,7 @@ nb::dict run(const std::vector<std::string>& arguments, const std::vector<const 
 /// Does the same as main().
 int run_as_program(const std::vector<std::string>& arguments) {
   const nb::gil_scoped_release release;
-  std::signal(SIGPIPE, SIG_IGN);
-  const auto complain = [](std::string message) {
-    std::ranges::replace_if(
-        message, [](char character) { return static_cast<unsigned char>(character) < 0x20 || character == 0x7f; }, '?');
-    std::fprintf(stderr, "limitcurve: error: %s\n", message.c_str());
-  };
-  try {
-    auto output = cli::OutputFile::standard_output();
-    cli::run_command_line(arguments, {output});
-    return 0;
-  } catch (const std::invalid_argument& error) {
-    complain(error.what());
-    return 2;
-  } catch (const std::exception& error) {
-    complain(error.what());
-    return 1;
-  }
+  return cli::run_program(arguments);
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ class CCurves final : public Subcommand {
 
   void run(const Results& results) override {
     const RadiusLaw radius_law = radius_law_->of(friction_, law_);
-    warn_of_radii(radius_law, loads_);
+    warn_of_radii(*results.messages, radius_law, loads_);
     Rows rows(results, {"c", "load", "force", "moment"});
     const ExactCurve exact(law_);
     for (const double c : distances_) {

@@ -13,7 +13,6 @@
 #include "limitcurve/patch/round_models.hpp"
 
 #include <array>
-#include <iostream>
 #include <limits>
 #include <stdexcept>
 
@@ -71,14 +70,14 @@ class Choose final : public Subcommand {
  private:
   void choose_curve(const Results& results) const {
     write(results, patch_.empty() ? choose(law_, tolerance_) : choose(read_patch(patch_), tolerance_));
-    if (explain_) std::cerr << "costs measured: " << shipped_costs::measured << '\n';
+    if (explain_) results.messages->say("costs measured: " + std::string(shipped_costs::measured));
   }
 
   void write(const Results& results, const std::vector<Candidate>& candidates) const {
     Rows rows(results, {"model", "parameter", "error", "nanoseconds", "chosen"});
     for (const Candidate& candidate : candidates) {
       rows.row(candidate.model, candidate.parameter, candidate.error, candidate.nanoseconds, candidate.chosen);
-      if (explain_) std::cerr << candidate.model << ": " << candidate.reason << '\n';
+      if (explain_) results.messages->say(candidate.model + ": " + candidate.reason);
     }
     rows.finish();
   }
@@ -94,31 +93,33 @@ class Choose final : public Subcommand {
       scene_.least_load = loads_.front();
       scene_.most_load = loads_.back();
     }
-    if (radius_law_) warn_of_radii(scene_.radius_law, std::array{scene_.least_load, scene_.most_load});
+    if (radius_law_) warn_of_radii(*results.messages, scene_.radius_law, std::array{scene_.least_load, scene_.most_load});
     const godobject::StepChoice choice = godobject::choose_step(scene_, tolerance_);
     write(results, choice.candidates);
-    std::cerr << choice.verdict << '\n';
-    say_how_to_replay(choice);
+    results.messages->say(choice.verdict);
+    results.messages->say(how_to_replay(choice));
     godobject::FingerParameters finger;
     finger.mu = scene_.mu;
     finger.radius_law = scene_.radius_law;
     finger.moment_coefficient = scene_.moment_coefficient;
     finger.stiffness = scene_.stiffness;
     finger.twist_stiffness = scene_.twist_stiffness;
-    note_stiffnesses("the rows of the radial projection", finger, law_->moment_ratio(), std::array{scene_.least_load, scene_.most_load});
+    note_stiffnesses(*results.messages, "the rows of the radial projection", finger, law_->moment_ratio(),
+                     std::array{scene_.least_load, scene_.most_load});
   }
 
   /// The options of replay that the scene's own options do not set.
-  void say_how_to_replay(const godobject::StepChoice& choice) const {
+  [[nodiscard]] std::string how_to_replay(const godobject::StepChoice& choice) const {
     const godobject::ReplayOptions& step = choice.chosen;
-    std::cerr << "replay it with --boundary " << to_string(step.curve) << " --projection " << to_string(step.projection);
-    if (step.curve == godobject::CurveKind::table) std::cerr << " --tolerance " << format_number(step.tolerance);
-    if (step.finger.moment_coefficient == 0.0) std::cerr << " --moment-coefficient 0";
+    std::string text =
+        "replay it with --boundary " + std::string(to_string(step.curve)) + " --projection " + std::string(to_string(step.projection));
+    if (step.curve == godobject::CurveKind::table) text += " --tolerance " + format_number(step.tolerance);
+    if (step.finger.moment_coefficient == 0.0) text += " --moment-coefficient 0";
     const double radius = step.finger.radius_law.radius(scene_.most_load);
     if (!scene_.moment_coefficient && radius != scene_.radius_law.radius(scene_.most_load)) {
-      std::cerr << " --radius-law constant:a=" << format_number(radius);
+      text += " --radius-law constant:a=" + format_number(radius);
     }
-    std::cerr << '\n';
+    return text;
   }
 
   Law law_;

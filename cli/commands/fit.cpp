@@ -8,7 +8,6 @@
 #include "limitcurve/number.hpp"
 
 #include <cmath>
-#include <cstdio>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -55,11 +54,11 @@ class Fit final : public Subcommand {
                    "For load: growth of the radius, c P^gamma with gamma 0, 1/3 or free; or the best of them");
     options.number("--gamma", settings_.gamma, non_negative, "Exponent of the contact radius a = c P^gamma");
     options.flag("--fit-gamma", settings_.fit_gamma, "Fit gamma to the data, too");
-    options.flag("--quiet", quiet_, "Write nothing but errors to standard error");
     options.number("--largest-radius", settings_.largest_radius, positive, "Warn of a contact radius above this [m]");
   }
 
   void run(const Results& results) override {
+    messages_ = results.messages;
     if (models[model_] == "friction") return write(results, friction(), patch_);
     if (!patch_.empty()) throw std::invalid_argument("--patch: only for fit friction, got fit " + models[model_]);
     if (load_) throw std::invalid_argument("--load: only for fit friction, got fit " + models[model_]);
@@ -87,9 +86,7 @@ class Fit final : public Subcommand {
   }
 
   /// A note or warning that the user must know before using the numbers.
-  void say(const char* kind, const std::string& text) const {
-    if (!quiet_) std::fprintf(stderr, "limitcurve: %s: %s\n", kind, text.c_str());
-  }
+  void say(const char* kind, const std::string& text) const { messages_->say("limitcurve: " + std::string(kind) + ": " + text); }
 
   /// A radius above 0.1 m (c is the radius at 1 N) suggests data in millimetres.
   void warn_of_units(const fit::FitReport& report) const {
@@ -214,7 +211,7 @@ class Fit final : public Subcommand {
   std::size_t criterion_ = 1;
   std::size_t loss_ = 0;
   std::size_t load_model_ = 2;
-  bool quiet_ = false;
+  Messages* messages_ = nullptr;
   fit::ContactFitOptions settings_;
 };
 

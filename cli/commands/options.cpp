@@ -3,6 +3,7 @@
 
 #include "cli/io/number_list.hpp"
 
+#include "limitcurve/internal/did_you_mean.hpp"
 #include "limitcurve/number.hpp"
 
 #include <algorithm>
@@ -60,7 +61,9 @@ void Options::choice(const std::string& name, std::size_t& value, std::vector<st
       name, kind,
       [&value, choices = std::move(choices), kind](const std::string& text) {
         const auto found = std::find(choices.begin(), choices.end(), text);
-        if (found == choices.end()) throw std::invalid_argument("got '" + text + "', expected " + kind);
+        if (found == choices.end()) {
+          throw std::invalid_argument("got '" + text + "', expected " + kind + did_you_mean(text, {choices.begin(), choices.end()}));
+        }
         value = static_cast<std::size_t>(found - choices.begin());
       },
       help + standard, presence);

@@ -15,7 +15,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iostream>
 #include <stdexcept>
 
 namespace limitcurve::cli {
@@ -151,7 +150,7 @@ class Pivot final : public Subcommand {
     }
     settings_.grip = grip_file_.empty() ? release_ : read_grip(grip_file_);
     godobject::Pivot pivot(settings_);
-    describe(pivot);
+    describe(*results.messages, pivot);
     Rows rows(results, {"time", "x", "y", "angle", "grip_slip", "load", "friction_force", "friction_moment", "state", "cor", "r", "rho",
                         "trial_r", "trial_rho"});
     std::size_t step = 0;
@@ -164,20 +163,20 @@ class Pivot final : public Subcommand {
       if (row.load > 0.0) loads = {std::min(loads[0], row.load), std::max(loads[1], row.load)};
     } while (pivot.step());
     rows.finish();
-    if (radius_law_ && !moment_coefficient_) warn_of_radii(settings_.radius_law, loads);
+    if (radius_law_ && !moment_coefficient_) warn_of_radii(*results.messages, settings_.radius_law, loads);
   }
 
  private:
   /// Notes and warnings that the user must know before using the rows.
-  void describe(const godobject::Pivot& pivot) const {
+  void describe(Messages& messages, const godobject::Pivot& pivot) const {
     if (settings_.curve == CurveKind::exact) {
-      std::cerr << "limitcurve: exact: a table with an error of at most " << format_number(pivot.curve_error()) << " in unit wrenches\n";
+      messages.say("limitcurve: exact: a table with an error of at most " + format_number(pivot.curve_error()) + " in unit wrenches");
     }
     const double load = pivot.row().load;
     const double needed = pivot.holding_load();
     if (load < needed) {
-      std::cerr << "limitcurve: warning: the grip begins at " << format_number(load) << " N a finger and does not hold the block: "
-                << (std::isfinite(needed) ? "that needs " + format_number(needed) + " N" : "no load does") << "\n";
+      messages.say("limitcurve: warning: the grip begins at " + format_number(load) + " N a finger and does not hold the block: " +
+                   (std::isfinite(needed) ? "that needs " + format_number(needed) + " N" : "no load does"));
     }
   }
 

@@ -4,12 +4,11 @@
 #include "limitcurve/number.hpp"
 
 #include <algorithm>
-#include <iostream>
 #include <limits>
 
 namespace limitcurve::cli {
 
-void warn_of_radii(const RadiusLaw& radius_law, std::span<const double> loads) {
+void warn_of_radii(Messages& messages, const RadiusLaw& radius_law, std::span<const double> loads) {
   constexpr double largest_radius = 0.1;
   double radius = 0.0;
   double at_load = 0.0;
@@ -25,13 +24,13 @@ void warn_of_radii(const RadiusLaw& radius_law, std::span<const double> loads) {
     }
   }
   if (radius > largest_radius) {
-    std::cerr << "limitcurve: warning: the radius law gives a contact radius of " << format_number(radius) << " m at a load of "
-              << format_number(at_load) << " N: is the law in metres?\n";
+    messages.say("limitcurve: warning: the radius law gives a contact radius of " + format_number(radius) + " m at a load of " +
+                 format_number(at_load) + " N: is the law in metres?");
   }
   const auto [first, last] = radius_law.sampled_loads();
   if (least < first || most > last) {
-    std::cerr << "limitcurve: warning: the radius law is extrapolated: its samples have loads from " << format_number(first) << " to "
-              << format_number(last) << " N, it is used from " << format_number(least) << " to " << format_number(most) << " N\n";
+    messages.say("limitcurve: warning: the radius law is extrapolated: its samples have loads from " + format_number(first) + " to " +
+                 format_number(last) + " N, it is used from " + format_number(least) + " to " + format_number(most) + " N");
   }
 }
 

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "cli/io/messages.hpp"
+
 #include "limitcurve/contact_radius.hpp"
 
 #include <span>
 
 namespace limitcurve::cli {
 
-/// Warns on standard error, in one line each, of a radius law that gives more than 0.1 m at one of the `loads` [N] (probably the law is in
+/// Warns, in one line each, of a radius law that gives more than 0.1 m at one of the `loads` [N] (probably the law is in
 /// millimetres), and of loads outside the range of its samples. Ignores loads of 0.
-void warn_of_radii(const RadiusLaw& radius_law, std::span<const double> loads);
+void warn_of_radii(Messages& messages, const RadiusLaw& radius_law, std::span<const double> loads);
 
 }  // namespace limitcurve::cli

@@ -16,7 +16,6 @@
 
 #include <algorithm>
 #include <array>
-#include <iostream>
 #include <limits>
 #include <optional>
 #include <span>
@@ -206,20 +205,21 @@ class Replay final : public Subcommand {
     godobject::require_passive(replay_.finger, sample_time_, *device_);
   }
 
-  static void note_missing_twists(const TraceReader& trace) {
+  static void note_missing_twists(Messages& messages, const TraceReader& trace) {
     for (const std::string& column : trace.missing_twists()) {
-      std::cerr << "limitcurve: note: the trace has no column '" << column << "': this finger does not twist\n";
+      messages.say("limitcurve: note: the trace has no column '" + column + "': this finger does not twist");
     }
   }
 
   void run_patch(const Results& results, const Columns& columns) const {
     TraceReader trace(trace_, fingers_, replay_.motion == BodyMotion::prescribed);
-    note_missing_twists(trace);
+    note_missing_twists(*results.messages, trace);
     godobject::PatchReplay replay(read_patch(patch_), replay_, point_radius_.value_or(0.0));
     std::vector<std::string> names{"time"};
     for (std::size_t i = 0; i < fingers_; ++i) add_columns(names, i == 0 ? "" : std::to_string(i + 1), columns);
     Rows rows(results, names);
     while (trace.next()) {
+      if (trace.share()) results.messages->progress(*trace.share());
       replay.step(trace.time(), trace.fingers(), trace.body());
       rows.row_by([&](const auto& cell) {
         cell(trace.time());
@@ -231,14 +231,14 @@ class Replay final : public Subcommand {
 
   void run_replay(const Results& results, const Columns& columns) const {
     TraceReader trace(trace_, fingers_, replay_.motion == BodyMotion::prescribed);
-    note_missing_twists(trace);
+    note_missing_twists(*results.messages, trace);
     godobject::Replay replay(replay_);
     if (replay_.curve == CurveKind::exact) {
-      std::cerr << "limitcurve: exact: a table with an error of at most " << format_number(replay.curve_error()) << " in unit wrenches";
+      std::string text = "limitcurve: exact: a table with an error of at most " + format_number(replay.curve_error()) + " in unit wrenches";
       if (const double profile = replay_.law->profile_error(); profile > 0.0) {
-        std::cerr << ", of which " << format_number(profile) << " because the pressure is known only at samples";
+        text += ", of which " + format_number(profile) + " because the pressure is known only at samples";
       }
-      std::cerr << '\n';
+      results.messages->say(text);
     }
     const bool is_free = replay_.motion == BodyMotion::free;
     std::vector<std::string> names{"time"};
@@ -248,6 +248,7 @@ class Replay final : public Subcommand {
     double last = std::numeric_limits<double>::infinity();
     std::array loads{std::numeric_limits<double>::infinity(), 0.0};
     while (trace.next()) {
+      if (trace.share()) results.messages->progress(*trace.share());
       if (is_free && trace.time() - last > godobject::Replay::longest_step) {
         throw trace.complaint("a gap of " + format_number(trace.time() - last) + " s, expected at most " +
                               format_number(godobject::Replay::longest_step) + " s for a free body");
@@ -256,8 +257,8 @@ class Replay final : public Subcommand {
       const std::size_t unsolved = replay.unsolved();
       replay.step(trace.time(), trace.fingers(), trace.body());
       if (replay.unsolved() > unsolved) {
-        std::cerr << "limitcurve: time " << format_number(trace.time())
-                  << " s: the step of the body was not solved to rounding; a smaller time step may help\n";
+        results.messages->say("limitcurve: time " + format_number(trace.time()) +
+                              " s: the step of the body was not solved to rounding; a smaller time step may help");
       }
       rows.row_by([&](const auto& cell) {
         cell(trace.time());
@@ -275,10 +276,10 @@ class Replay final : public Subcommand {
     // Without any contact, check at 1 N.
     if (loads[1] == 0.0) loads = {1.0, 1.0};
     if (replay_.projection != Projection::closest_point) {
-      note_stiffnesses("--projection " + std::string(to_string(replay_.projection)), replay_.finger, replay_.law->moment_ratio(),
-                       std::span(&loads[1], 1));
+      note_stiffnesses(*results.messages, "--projection " + std::string(to_string(replay_.projection)), replay_.finger,
+                       replay_.law->moment_ratio(), std::span(&loads[1], 1));
     }
-    if (radius_law_) warn_of_radii(replay_.finger.radius_law, loads);
+    if (radius_law_) warn_of_radii(*results.messages, replay_.finger.radius_law, loads);
   }
 
   std::string trace_;

@@ -4,8 +4,11 @@
 #include "cli/report/report_files.hpp"
 #include "cli/report/share.hpp"
 
+#include <functional>
 #include <stdexcept>
 #include <system_error>
+#include <utility>
+#include <vector>
 
 namespace limitcurve::cli {
 
@@ -24,24 +27,27 @@ class Report final : public Subcommand {
     options.text("-o,--output", directory_, "DIR", "Output folder; created if it does not exist", Presence::required);
   }
 
-  void run(const Results&) override {
-    const std::filesystem::path share = find_share();
-    const std::filesystem::path data = share / "data";
+  void run(const Results& results) override {
+    const std::filesystem::path share_directory = find_share();
+    const std::filesystem::path data = share_directory / "data";
     const std::filesystem::path directory = directory_;
     std::error_code refused;
     std::filesystem::create_directories(directory, refused);
     if (refused) throw std::runtime_error("cannot make the folder '" + directory_ + "': " + refused.message());
-    write_curve_files(directory);
-    write_error_files(directory);
-    write_table_files(directory, data);
-    write_replay_files(directory, data);
-    write_steady_twist_file(directory);
-    write_fit_files(directory, data);
-    write_patch_files(directory, data);
-    write_pivot_files(directory, data);
-    write_translate_file(directory);
-    write_work_precision_files(directory, data);
-    draw_report(share / "scripts" / "figures" / "report.py", directory);
+    // What each takes of the time, as measured; drawing takes the rest.
+    const std::vector<std::pair<double, std::function<void()>>> parts{
+        {0.01, [&] { write_curve_files(directory); }},       {0.08, [&] { write_error_files(directory); }},
+        {0.01, [&] { write_table_files(directory, data); }}, {0.0, [&] { write_replay_files(directory, data); }},
+        {0.0, [&] { write_steady_twist_file(directory); }},  {0.0, [&] { write_fit_files(directory, data); }},
+        {0.24, [&] { write_patch_files(directory, data); }}, {0.09, [&] { write_pivot_files(directory, data); }},
+        {0.0, [&] { write_translate_file(directory); }},     {0.0, [&] { write_work_precision_files(directory, data); }}};
+    double done = 0.0;
+    for (const auto& [share, write] : parts) {
+      write();
+      results.messages->progress(done += share);
+    }
+    results.output.write(draw_report(share_directory / "scripts" / "figures" / "report.py", directory, *results.messages, done));
+    results.output.flush();
   }
 
  private:

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
-#include <iostream>
 #include <sstream>
 
 namespace limitcurve::cli {
@@ -19,7 +18,7 @@ double moment_arm(const godobject::FingerParameters& finger, double moment_ratio
 
 }  // namespace
 
-void note_stiffnesses(std::string_view subject, const godobject::FingerParameters& finger, double moment_ratio,
+void note_stiffnesses(Messages& messages, const std::string& subject, const godobject::FingerParameters& finger, double moment_ratio,
                       std::span<const double> loads) {
   constexpr double far = 10.0;
   double farthest = far;
@@ -42,7 +41,7 @@ void note_stiffnesses(std::string_view subject, const godobject::FingerParameter
   text << std::setprecision(2) << "k_r/k_l is " << times << " times (mu_r/mu_l)^2 at " << worst_load << " N, where mu_r/mu_l is "
        << worst_arm << " m: a finger that slides and twists renders hardly any friction " << (times > 1.0 ? "force" : "moment")
        << "; use closest-point, or k_r = " << worst_arm * worst_arm * finger.stiffness << " N m/rad";
-  std::cerr << "limitcurve: note: " << subject << ": " << text.str() << '\n';
+  messages.say("limitcurve: note: " + subject + ": " + text.str());
 }
 
 }  // namespace limitcurve::cli

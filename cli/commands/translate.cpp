@@ -4,7 +4,6 @@
 
 #include "fit/engine_coefficients.hpp"
 
-#include <cstdio>
 #include <stdexcept>
 
 namespace limitcurve::cli {
@@ -41,7 +40,7 @@ class Translate final : public Subcommand {
     std::vector<double> judged = loads_.empty() ? std::vector{load_ / 4.0, 4.0 * load_} : loads_;
     judged.push_back(load_);
     const RadiusLaw radius_law = radius_law_->of(friction_, law_);
-    warn_of_radii(radius_law, judged);
+    warn_of_radii(*results.messages, radius_law, judged);
     const std::vector<fit::EngineContact> contacts =
         loads_.empty() ? fit::translate(law_, radius_law, friction_, load_)
                        : fit::translate(law_, radius_law, friction_, load_, fit::LoadRange{loads_[0], loads_[1]});
@@ -51,19 +50,19 @@ class Translate final : public Subcommand {
         rows.row(contact.engine, coefficient.parameter, coefficient.value, coefficient.unit, contact.model, contact.error.max_error,
                  contact.max_wrench_error, contact.max_error_over_loads, coefficient.word);
       }
-      if (explain_) explain(contact);
+      if (explain_) explain(*results.messages, contact);
     }
     rows.finish();
   }
 
  private:
-  static void explain(const fit::EngineContact& contact) {
+  static void explain(Messages& messages, const fit::EngineContact& contact) {
     std::string text;
     for (const fit::EngineCoefficient& coefficient : contact.coefficients) {
       text += coefficient.parameter + " = " + coefficient.formula + "; ";
     }
     text += contact.caveat + " (" + contact.documentation + ")";
-    std::fprintf(stderr, "limitcurve: note: %s, %s: %s\n", contact.engine.c_str(), contact.model.c_str(), text.c_str());
+    messages.say("limitcurve: note: " + contact.engine + ", " + contact.model + ": " + text);
   }
 
   Law law_;

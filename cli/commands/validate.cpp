@@ -53,7 +53,9 @@ class Validate final : public Subcommand {
       for (const std::string_view name : law_examples()) laws_.push_back(parse_law(name));
     }
     Rows rows(results, columns());
+    std::size_t done = 0;
     for (const Law& law : laws_) {
+      results.messages->progress(static_cast<double>(done++) / static_cast<double>(laws_.size()));
       const auto row = [&](std::string_view model, double parameter, const CurveError& error) {
         write(rows, law->name(), model, parameter, error);
       };
@@ -88,7 +90,10 @@ class Validate final : public Subcommand {
   void validate_patches(const Results& results) const {
     if (!laws_.empty()) throw std::invalid_argument("--patch: got --law too, expected one of them");
     std::vector<std::pair<std::string, std::vector<RoundModel>>> found;
-    for (const std::string& text : patches_) found.emplace_back(text, round_models(read_patch(text)));
+    for (const std::string& text : patches_) {
+      results.messages->progress(static_cast<double>(found.size()) / static_cast<double>(patches_.size()));
+      found.emplace_back(text, round_models(read_patch(text)));
+    }
     Rows rows(results, columns());
     for (const auto& [text, models] : found) {
       for (const RoundModel& model : models) write(rows, text, model.name, model.parameter, model.error);

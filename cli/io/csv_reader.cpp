@@ -30,6 +30,12 @@ int open_to_read(const std::string& file) {
   return opened;
 }
 
+/// In bytes; 0 if unknown, as for standard input or a pipe.
+std::uintmax_t size_of(const std::string& file) {
+  std::error_code unknown;
+  return file != "-" && std::filesystem::is_regular_file(file, unknown) ? std::filesystem::file_size(file, unknown) : 0;
+}
+
 /// The beginning of a text, made printable, for an error message.
 std::string excerpt(std::string_view text) {
   constexpr std::size_t most = 60;
@@ -47,6 +53,7 @@ CsvReader::CsvReader(const std::string& file, std::vector<std::string> columns, 
       columns_(std::move(columns)),
       required_(columns_.size()),
       descriptor_(open_to_read(file)),
+      size_(size_of(file)),
       places_(columns_.size() + optional_columns.size(), missing) {
   for (std::string& column : optional_columns) columns_.push_back(std::move(column));
   try {
@@ -88,6 +95,7 @@ bool CsvReader::next_line() {
     } while (count < 0 && errno == EINTR);
     if (count < 0) throw std::runtime_error(system_complaint("read", name_));
     chunk_.resize(static_cast<std::size_t>(count));
+    read_ += static_cast<std::uintmax_t>(count);
     position_ = 0;
     if (count == 0) {
       if (line_.empty()) return false;
@@ -99,6 +107,11 @@ bool CsvReader::next_line() {
   // Some spreadsheets write a byte order mark.
   if (line_number_ == 1 && line_.compare(0, 3, "\xef\xbb\xbf") == 0) line_.erase(0, 3);
   return true;
+}
+
+std::optional<double> CsvReader::share() const {
+  if (size_ == 0) return std::nullopt;
+  return static_cast<double>(read_) / static_cast<double>(size_);
 }
 
 bool CsvReader::next_meaningful_line() {

@@ -4,6 +4,8 @@
 #include "cli/io/range.hpp"
 
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -39,6 +41,9 @@ class CsvReader {
   /// The same as a number within `range`.
   [[nodiscard]] double number(std::size_t column, const Range& range) const;
 
+  /// The fraction of the file that has been read, 0 to 1, if its size is known.
+  [[nodiscard]] std::optional<double> share() const;
+
   /// The error that the header lacks `column`; only before the first row is read.
   [[nodiscard]] std::invalid_argument no_column(const std::string& column) const;
   /// An error at the field of the current row in the i-th column.
@@ -65,6 +70,8 @@ class CsvReader {
   std::vector<std::string> columns_;
   std::size_t required_;
   int descriptor_;
+  std::uintmax_t size_ = 0;  ///< of the file in bytes, 0 if not known
+  std::uintmax_t read_ = 0;
   std::string chunk_;
   std::size_t position_ = 0;
   std::string line_;

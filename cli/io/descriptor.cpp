@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cerrno>
 #include <csignal>
+#include <cstdlib>
+#include <string_view>
 
 #include <fcntl.h>
 
@@ -13,6 +15,9 @@
 #include <io.h>
 #include <process.h>
 #include <sys/stat.h>
+
+#define WIN32_LEAN_AND_MEAN
+#include <windows.h>
 #else
 #include <unistd.h>
 #endif
@@ -63,6 +68,17 @@ void prepare_standard_streams() noexcept {
 int process_id() noexcept {
   return ::_getpid();
 }
+
+namespace {
+
+/// A console that understands colours; it is asked to.
+bool is_terminal(int file) noexcept {
+  const auto console = reinterpret_cast<HANDLE>(::_get_osfhandle(file));
+  DWORD mode = 0;
+  return ::GetConsoleMode(console, &mode) != 0 && ::SetConsoleMode(console, mode | ENABLE_VIRTUAL_TERMINAL_PROCESSING) != 0;
+}
+
+}  // namespace
 
 #else
 
@@ -117,6 +133,24 @@ int process_id() noexcept {
   return ::getpid();
 }
 
+namespace {
+
+bool is_terminal(int file) noexcept {
+  return ::isatty(file) == 1;
+}
+
+}  // namespace
+
 #endif
+
+bool draws(int file) noexcept {
+  const char* const kind = std::getenv("TERM");
+  return is_terminal(file) && (kind == nullptr || std::string_view(kind) != "dumb");
+}
+
+bool takes_colours(int file) noexcept {
+  const char* const unwanted = std::getenv("NO_COLOR");
+  return draws(file) && (unwanted == nullptr || *unwanted == '\0');
+}
 
 }  // namespace limitcurve::cli::descriptor

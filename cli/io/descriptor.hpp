@@ -10,6 +10,7 @@ namespace limitcurve::cli::descriptor {
 
 inline constexpr int standard_input = 0;
 inline constexpr int standard_output = 1;
+inline constexpr int standard_error = 2;
 
 int open_to_read(const std::string& file) noexcept;
 /// Creates a new file; fails if it exists.
@@ -28,5 +29,9 @@ void close(int file) noexcept;
 /// Sets binary mode for the standard streams, and makes a closed pipe an error of `write`. Call it once, at the start.
 void prepare_standard_streams() noexcept;
 int process_id() noexcept;
+/// Whether it is a terminal on which a line can be written over.
+bool draws(int file) noexcept;
+/// Whether it is such a terminal and the user does not mind colours (https://no-color.org).
+bool takes_colours(int file) noexcept;
 
 }  // namespace limitcurve::cli::descriptor

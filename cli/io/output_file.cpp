@@ -21,6 +21,7 @@ void OutputFile::write(std::string_view text) {
 }
 
 void OutputFile::flush() {
+  if (before_writing_ && !buffer_.empty()) before_writing_();
   std::string_view rest = buffer_;
   while (!rest.empty()) {
     const std::ptrdiff_t written = descriptor::write(descriptor_, rest.data(), rest.size());

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace limitcurve::cli {
 
@@ -16,6 +18,8 @@ class OutputFile {
 
   OutputFile(int descriptor, std::string name) : descriptor_(descriptor), name_(std::move(name)) { buffer_.reserve(capacity); }
 
+  /// What is to be done before anything is handed to the operating system.
+  void before_writing(std::function<void()> action) { before_writing_ = std::move(action); }
   void write(std::string_view text);
   /// Passes everything written so far to the operating system.
   void flush();
@@ -28,6 +32,7 @@ class OutputFile {
   int descriptor_;
   std::string name_;
   std::string buffer_;
+  std::function<void()> before_writing_;
 };
 
 /// A file that appears under its name complete or not at all. It is written without a name in the same directory (under a hidden name if

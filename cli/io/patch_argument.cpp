@@ -5,6 +5,7 @@
 #include "cli/io/key_values.hpp"
 #include "cli/io/law_argument.hpp"
 
+#include "limitcurve/internal/did_you_mean.hpp"
 #include "limitcurve/pressure_law.hpp"
 
 #include <stdexcept>
@@ -110,7 +111,9 @@ Patch read_plain(std::string_view kind, std::string_view rest, Factors& factors)
     read_items(rest, with_factors({law_key, number_key("a", a, positive), number_key("b", b, positive)}, factors));
     return Patch::ellipse(law, a, b);
   }
-  throw std::invalid_argument(std::string(expected_kinds));
+  const std::string after = rest.empty() ? std::string{} : ':' + std::string(rest);
+  throw std::invalid_argument(std::string(expected_kinds) +
+                              did_you_mean(kind, {"points", "polygon", "rectangle", "ellipse", "image"}, after));
 }
 
 }  // namespace
@@ -119,9 +122,8 @@ Patch read_patch(const std::string& text) {
   const std::size_t colon = text.find(':');
   const std::string_view all = text;
   try {
-    if (colon == std::string::npos) throw std::invalid_argument(std::string(expected_kinds));
     Factors factors;
-    const Patch patch = read_plain(all.substr(0, colon), all.substr(colon + 1), factors);
+    const Patch patch = read_plain(all.substr(0, colon), colon == std::string::npos ? std::string_view{} : all.substr(colon + 1), factors);
     return patch.orthotropic(factors.x, factors.y);
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument("patch '" + text + "': " + error.what());

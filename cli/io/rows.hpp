@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "cli/io/messages.hpp"
 #include "cli/io/output_file.hpp"
 
 #include <concepts>
@@ -33,6 +34,7 @@ struct Results {
   std::vector<std::pair<std::string, std::string>> leading = {};  ///< column, its cell in every row; CSV only
   bool header = true;                                             ///< CSV only
   std::vector<Column>* columns = nullptr;                         ///< collects the rows in place of `output`, unless null
+  Messages* messages = nullptr;                                   ///< never null in `Subcommand::run`
 };
 
 /// Writes rows of named columns one by one.

@@ -6,6 +6,7 @@
 #include "godobject/replay.hpp"
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,8 @@ class TraceReader {
   [[nodiscard]] const godobject::BodyPose& body() const { return body_; }
   /// Names "twist", "twist2", … of the fingers for which the trace has neither twist nor orientation.
   [[nodiscard]] const std::vector<std::string>& missing_twists() const { return missing_twists_; }
+  /// The fraction of the file that has been read, 0 to 1, if its size is known.
+  [[nodiscard]] std::optional<double> share() const { return reader_.share(); }
   /// An error at the time of this sample.
   [[nodiscard]] std::invalid_argument complaint(const std::string& what) const;
 

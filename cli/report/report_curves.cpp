@@ -11,7 +11,7 @@
 namespace limitcurve::cli {
 
 void GatheredRows::add(const std::vector<std::string>& arguments, std::vector<std::pair<std::string, std::string>> leading) {
-  run_command_line(arguments, {file_.output(), Format::csv, std::move(leading), first_});
+  run_command_line(arguments, {.output = file_.output(), .leading = std::move(leading), .header = first_, .messages = &silent_});
   first_ = false;
 }
 

@@ -22,6 +22,7 @@ class GatheredRows {
 
  private:
   AtomicFile file_;
+  Messages silent_{Messages::Kind::none};  ///< what there is to say of them stands on the page
   bool first_ = true;
 };
 

@@ -13,12 +13,12 @@ namespace {
 void write_parameters(const std::filesystem::path& output, const std::filesystem::path& data) {
   GatheredRows fits(output / "fits.csv");
   const auto add = [&](const std::string& name, const std::string& model, const std::vector<std::string>& options) {
-    std::vector<std::string> call{"fit", model, "--quiet", "--data", (data / "fit" / (name + ".csv")).string()};
+    std::vector<std::string> call{"fit", model, "--data", (data / "fit" / (name + ".csv")).string()};
     call.insert(call.end(), options.begin(), options.end());
     fits.add(call, {{"data", name}, {"model", model}});
   };
   for (const std::string material : {"rayon", "suede", "sandpaper"}) add(material, "ratio", {});
-  fits.add({"fit", "ratio", "--quiet", "--data", (data / "materials.csv").string()}, {{"data", "materials"}, {"model", "ratio"}});
+  fits.add({"fit", "ratio", "--data", (data / "materials.csv").string()}, {{"data", "materials"}, {"model", "ratio"}});
   add("slips", "law", {"--law", "hertz", "--loss", "cauchy", "--fit-gamma"});
   add("radii", "load", {});
   fits.finish();

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include "limitcurve/internal/did_you_mean.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/number.hpp"
 
 #include <array>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace limitcurve {
 
@@ -68,8 +70,13 @@ Law parse_unchecked(std::string_view text) {
   if (kind == "gaussian") return gaussian(parameter(text, parameters, "sigma"));
   if (kind == "mix") return parse_mixture(text, parameters);
   std::string expected = "expected one of";
-  for (const std::string_view example : law_examples()) expected += ' ' + std::string(example);
-  throw complaint(text, expected + "; on the command line also samples:FILE.csv (radius,pressure)");
+  std::vector<std::string_view> kinds{"samples"};
+  for (const std::string_view example : law_examples()) {
+    expected += ' ' + std::string(example);
+    kinds.push_back(example.substr(0, example.find(':')));
+  }
+  expected += "; on the command line also samples:FILE.csv (radius,pressure)";
+  throw complaint(text, expected + did_you_mean(kind, kinds, text.substr(kind.size())));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 import csv
 import io
 import os
+import re
 import subprocess
 import tempfile
 import unittest
@@ -13,9 +14,15 @@ EXECUTABLE = os.environ["LIMITCURVE"]
 DATA = Path(os.environ["LIMITCURVE_DATA"])
 
 
+# What is said of a job that takes long: how long that is depends on the machine.
+PROGRESS = re.compile(r"(?m)^limitcurve: [a-z-]+: (\d+ %, )?\d+ s\n")
+
+
 def run(*arguments, **options):
-    """The finished process, with its texts."""
-    return subprocess.run([EXECUTABLE, *map(str, arguments)], capture_output=True, text=True, timeout=600, check=False, **options)
+    """The finished process, with its texts, but for lines of progress."""
+    done = subprocess.run([EXECUTABLE, *map(str, arguments)], capture_output=True, text=True, timeout=600, check=False, **options)
+    done.stderr = PROGRESS.sub("", done.stderr)
+    return done
 
 
 def share(directory, script):

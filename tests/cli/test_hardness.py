@@ -18,7 +18,7 @@ import time
 import unittest
 from pathlib import Path
 
-from command_line import DATA, EXECUTABLE, CommandLineTest, run, share
+from command_line import DATA, EXECUTABLE, PROGRESS, CommandLineTest, run, share
 
 KILLS = int(os.environ.get("LIMITCURVE_KILLS", "4"))
 BULK = int(os.environ.get("LIMITCURVE_BULK", "64"))
@@ -29,7 +29,7 @@ SANITIZED = bool(os.environ.get("LIMITCURVE_SANITIZED"))
 makes_reports = unittest.skipIf(SANITIZED, "makes several reports, which take up to a minute each under a sanitizer")
 TABLE = ["table", "--law", "uniform", "--tolerance", "1e-14", "-o"]
 REPLAY = ["replay", "--law", "hertz", "--radius-law", "constant:a=0.006", "--mu", "0.6", "--stiffness", "1000", "--twist-stiffness", "0.036",
-          "--boundary", "ellipse", "--projection", "radial", "--trace", "-"]
+          "--boundary", "ellipse", "--projection", "radial", "--quiet", "--trace", "-"]
 STUB = "import sys; print('drawn')"
 
 
@@ -95,7 +95,7 @@ class Refused(CommandLineTest):
     def assert_refused(self, call, told, **options):
         done = subprocess.run(call, capture_output=True, text=True, check=False, **options)
         self.assertEqual(done.returncode, 1, done.stderr)
-        self.assertRegex(done.stderr, r"\Alimitcurve: error: [^\n]+\n\Z")
+        self.assertRegex(PROGRESS.sub("", done.stderr), r"\Alimitcurve: error: [^\n]+\n\Z")
         for text in told:
             self.assertIn(text, done.stderr)
 

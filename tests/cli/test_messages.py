@@ -1,0 +1,174 @@
+# SPDX-License-Identifier: MIT
+"""What is said on standard error: progress (a bar on a terminal, lines elsewhere, nothing when quiet), colours, and what was meant (issue 14, point 5)."""
+
+import os
+import pty
+import re
+import subprocess
+import sys
+import time
+import unittest
+
+from command_line import EXECUTABLE, CommandLineTest, PROGRESS, run
+
+EVAL = ["eval", "--law", "hertz", "--c", "1"]
+FINGER = ["--law", "hertz", "--radius-law", "constant:a=0.005", "--mu", "0.6", "--stiffness", "1000", "--twist-stiffness", "0.036"]
+
+
+def on_terminal(*arguments, results=True, environment=(), feed=None):
+    """Exit status, what a terminal got from standard error (and standard output, with `results`), and what standard output got otherwise.
+    `feed` writes standard input."""
+    ours, theirs = pty.openpty()
+    variables = {**{name: value for name, value in os.environ.items() if name != "NO_COLOR"}, "TERM": "xterm", **dict(environment)}
+    process = subprocess.Popen([EXECUTABLE, *map(str, arguments)], stdin=subprocess.PIPE if feed else subprocess.DEVNULL,
+                               stdout=theirs if results else subprocess.PIPE, stderr=theirs, env=variables)
+    os.close(theirs)
+    if feed:
+        feed(process.stdin)
+        process.stdin.close()
+    seen = b""
+    while True:
+        try:
+            chunk = os.read(ours, 65536)
+        except OSError:  # the other end is closed
+            break
+        if not chunk:
+            break
+        seen += chunk
+    os.close(ours)
+    printed = b"" if results else process.stdout.read()
+    if not results:
+        process.stdout.close()
+    return process.wait(), seen.decode().replace("\r\n", "\n"), printed.decode()
+
+
+def shown(text):
+    """The lines that stand on a terminal in the end: what follows a return writes over what was there."""
+    lines = []
+    for line in text.split("\n"):
+        cells = []
+        for part in line.split("\r"):
+            cells[: len(part)] = part
+        lines.append("".join(cells).rstrip())
+    return lines
+
+
+def slowly(*texts):
+    """Writes standard input with a second and a half before each text but the first."""
+    def feed(file):
+        for i, text in enumerate(texts):
+            if i:
+                time.sleep(1.5)
+            file.write(text.encode())
+            file.flush()
+    return feed
+
+
+ROWS = "time,x,y,z,twist\n0,0,0,-0.001,0\n", "0.001,0,0,-0.001,0\n"
+
+
+@unittest.skipIf(sys.platform == "win32", "no pseudo-terminals")
+class Bar(CommandLineTest):
+    def test_a_bar_that_is_gone_at_the_end(self):
+        replay = ["replay", "--trace", "-", *FINGER]
+        status, seen, printed = on_terminal(*replay, results=False, feed=slowly(*ROWS))
+        self.assertEqual((status, printed.count("\n")), (0, 3))
+        self.assertRegex(seen, r"\rlimitcurve: replay: \[ *#+ *\] 1 s")
+        self.assertEqual(shown(seen), [""])
+        # Where the results come to the same terminal, they stand alone too.
+        status, seen, _ = on_terminal(*replay, feed=slowly(*ROWS))
+        self.assertRegex(seen, r"\rlimitcurve: replay: \[ *#+ *\] 1 s")
+        self.assertEqual(shown(seen), [*printed.split("\n")])
+
+    def test_the_share_that_is_done(self):
+        laws = [f"--law=power:n={0.3 + 0.01 * i:.2f}" for i in range(10)]
+        status, seen, printed = on_terminal("validate", *laws, results=False)
+        self.assertEqual((status, printed), (0, run("validate", *laws).stdout))
+        percents = [int(text) for text in re.findall(r"\rlimitcurve: validate: \[#* *\] (\d+) %, \d+ s", seen)]
+        self.assertEqual(percents, sorted(percents))
+        self.assertGreater(len(set(percents)), 1)
+        self.assertEqual(shown(seen), [""])
+
+    def test_one_line_of_error_stands(self):
+        for last in "0.001,0,0,-0.001\n", "0.001,0,0,x,0\n":
+            status, seen, _ = on_terminal("replay", "--trace", "-", *FINGER, results=False, feed=slowly(ROWS[0], last), environment={"NO_COLOR": "1"})
+            self.assertEqual(status, 2)
+            self.assertIn("replay: [", seen)
+            self.assertRegex("\n".join(shown(seen)), r"\Alimitcurve: error: standard input:3:[^\n]+\n\Z")
+
+    def test_no_bar(self):
+        for arguments, environment in [(["--quiet"], {}), ([], {"TERM": "dumb"})]:
+            status, seen, _ = on_terminal("replay", "--trace", "-", *FINGER, *arguments, results=False, feed=slowly(*ROWS), environment=environment)
+            self.assertEqual((status, seen), (0, ""))
+
+
+@unittest.skipIf(sys.platform == "win32", "no pseudo-terminals")
+class Colours(CommandLineTest):
+    def test_an_error_in_red_on_a_terminal_alone(self):
+        red, plain = "limitcurve: \x1b[31merror:\x1b[0m ", "limitcurve: error: "
+        for environment, begin in [({}, red), ({"NO_COLOR": ""}, red), ({"NO_COLOR": "1"}, plain), ({"TERM": "dumb"}, plain)]:
+            status, seen, _ = on_terminal("evil", environment=environment)
+            self.assertEqual(status, 2)
+            self.assertRegex(seen, rf"\A{re.escape(begin)}unknown subcommand 'evil'[^\n\x1b]+\n\Z")
+        self.assertNotIn("\x1b", run("evil").stderr)
+        self.assertNotIn("\x1b", on_terminal(*EVAL)[1])
+
+
+class Lines(CommandLineTest):
+    def of(self, *arguments, seconds, last=ROWS[1]):
+        with subprocess.Popen([EXECUTABLE, "replay", "--trace", "-", *FINGER, *arguments], stdin=subprocess.PIPE, stdout=subprocess.DEVNULL,
+                              stderr=subprocess.PIPE, text=True) as process:
+            process.stdin.write(ROWS[0])
+            process.stdin.flush()
+            time.sleep(seconds)
+            process.stdin.write(last)
+            process.stdin.close()
+            return process.stderr.read(), process.wait()
+
+    def test_a_line_now_and_then(self):
+        said, status = self.of(seconds=5.5)
+        self.assertEqual(status, 0)
+        self.assertRegex(said, r"\A(limitcurve: replay: \d+ s\n)+\Z")
+        self.assertEqual(PROGRESS.sub("", said), "")
+        self.assertEqual(self.of("--quiet", seconds=5.5), ("", 0))
+        said, status = self.of("--quiet", seconds=0, last="0.001,0,0,x,0\n")
+        self.assertEqual(status, 2)
+        self.assertRegex(said, r"\Alimitcurve: error: [^\n]+\n\Z")
+
+    def test_quiet_keeps_notes_back(self):
+        for call in [["fit", "ellipse", "--law", "hertz"],
+                     ["choose", "--law", "hertz", "--tolerance", "0.01", "--explain"],
+                     ["p-curves", "--law", "hertz", "--radius-law", "constant:a=5", "--mu", "1", "--loads", "1"]]:
+            loud, quiet = run(*call), run(*call, "--quiet")
+            if "built without fits" in loud.stderr:
+                continue
+            self.assertNotEqual(loud.stderr, "")
+            self.assertEqual((quiet.stdout, quiet.stderr, quiet.returncode), (loud.stdout, "", 0))
+
+
+class Meant(CommandLineTest):
+    def test_what_was_meant(self):
+        curves = ["p-curves", "--law", "hertz", "--mu", "1", "--loads", "1", "--radius-law"]
+        for meant, *call in [
+            ("validate", "valdiate"), ("p-curves", "pcurves"), ("--version", "--versoin"),
+            ("hertz", "eval", "--law", "herz", "--c", "1"), ("uniform", "eval", "--law", "unifrom", "--c", "1"),
+            ("power:n=2", "eval", "--law", "pwoer:n=2", "--c", "1"), ("hertz", "eval", "--law", "mix:0.5*herz+0.5*hertz", "--c", "1"),
+            ("samples:f.csv", "eval", "--law", "sample:f.csv", "--c", "1"), ("flat-punch", "eval", "--law", "flatpunch", "--c", "1"),
+            ("constant:a=1", *curves, "const:a=1"), ("moments:f.csv", *curves, "moment:f.csv"),
+            ("rectangle:x=1,y=1", "validate", "--patch", "rectangel:x=1,y=1"), ("points", "validate", "--patch", "point"),
+            ("--law", "eval", "--lwa", "hertz", "--c", "1"), ("--tolerance", "table", "--law", "hertz", "--tol", "1e-6", "-o", "x.csv"),
+            ("--points", "curve", "--law", "hertz", "--pionts=5"), ("radial", "replay", "--trace", "x.csv", *FINGER, "--projection", "radail"),
+        ]:
+            with self.subTest(call=call):
+                self.assert_fails(2, f"; did you mean '{meant}'?", *call)
+                self.assert_fails(2, "expected", *call)
+
+    def test_nothing_is_near(self):
+        for call in [["wobble"], ["eval", "--law", "x" * 100000, "--c", "1"], ["eval", "--law", "", "--c", "1"], [*EVAL, "--sea", "1"], [*EVAL, "extra"],
+                     ["eval", "--law", "hertz:n=1", "--c", "1"], ["validate", "--patch", "disc:a=1"]]:
+            self.assert_fails(2, "expected", *call)
+            self.assertNotIn("did you mean", run(*call).stderr, call)
+
+
+if __name__ == "__main__":
+    unittest.main()
