@@ -88,7 +88,9 @@ import experiment_figures  # noqa: E402
 import finger_figures  # noqa: E402
 import patch_figures  # noqa: E402
 import pictures  # noqa: E402
+import touch_charts  # noqa: E402
 from chart_style import Table, save, short, write_whole  # noqa: E402
+from report_page import Used, page  # noqa: E402
 from work_precision_figures import work_precision  # noqa: E402
 
 FILES = ("laws", "curves", "p_curves", "c_curves", "validate", "ellipse_error", "tables", "materials", "table_error", "replay",
@@ -237,8 +239,8 @@ def sections(data):
     return [
         pictures.section(),
         ("One curve for each pressure law", [
-            ("limit_curves", "The limit curves by eq. (17) of Frisoli et al. (2006), each divided by its own limits (left, the paper’s "
-             "Fig. 3) and in units of μP and μPa (right). Every law lies <em>inside</em> the dashed ellipse: a contact holds less than the "
+            ("limit_curves", "The limit curves by eq. (17) of Frisoli et al. (2006), in units of μP and μPa, and each divided by its own limits (the paper’s "
+             "Fig. 3). There every law lies <em>inside</em> the dashed ellipse: a contact holds less than the "
              "unit circle says. The laws differ little in shape and much in the moment they bear."),
         ], laws_table(data)),
         ("Loads and centres of rotation", [
@@ -310,67 +312,6 @@ def sections(data):
     ]
 
 
-STYLE = """
-:root { color-scheme: light; }
-body { margin: 0; color: #222; background: #fff; font: 17px/1.55 Charter, "Bitstream Charter", Georgia, "DejaVu Serif", serif; }
-main { max-width: 62rem; margin: 0 auto; padding: 2.5rem 1.5rem 4rem; }
-p, figcaption, h1, h2 { max-width: 44rem; }
-h1 { font-size: 2rem; line-height: 1.2; margin: 0 0 .6rem; }
-h2 { font-size: 1.3rem; margin: 3.2rem 0 .6rem; }
-.numbers { display: grid; grid-template-columns: repeat(auto-fit, minmax(15rem, 1fr)); gap: 1.6rem;
-  margin: 2rem 0 0; padding: 0; list-style: none; }
-.numbers li { border-top: 3px solid #0072B2; padding-top: .5rem; font-size: .92rem; line-height: 1.45; }
-.numbers b { display: block; font: 600 1.7rem/1.3 "DejaVu Sans", Helvetica, Arial, sans-serif; }
-figure { margin: 1.2rem 0 2rem; }
-figure svg { width: 100%; height: auto; display: block; }
-figcaption { font-size: .93rem; color: #444; margin-top: .5rem; }
-.wide { overflow-x: auto; }
-table { border-collapse: collapse; font: 14px/1.4 "DejaVu Sans", Helvetica, Arial, sans-serif; font-variant-numeric: tabular-nums;
-  margin: .8rem 0; }
-th, td { text-align: left; padding: .3rem 1.1rem .3rem 0; border-bottom: 1px solid #e4e4e4; white-space: nowrap; }
-th { font-weight: 600; border-bottom-color: #8a8a8a; }
-.number { text-align: right; }
-footer { margin-top: 3.5rem; border-top: 1px solid #e4e4e4; padding-top: 1rem; font-size: .9rem; color: #444; }
-a { color: #00598c; }
-@media print { h2, figure { break-inside: avoid; } }
-"""
-
-
-def page(data, pictures):
-    numbers = "".join(f"<li><b>{html.escape(value)}</b>{html.escape(text)}</li>" for value, text in numbers_to_remember(data))
-    parts = []
-    for title, figures, after in sections(data):
-        parts.append(f"<section><h2>{title}</h2>")
-        for name, caption in figures:
-            plain = html.escape(title, quote=True)
-            picture = pictures[name].replace("<svg ", f'<svg role="img" aria-label="{plain}" ', 1)
-            parts.append(f'<figure id="{name}">{picture}<figcaption>{caption}</figcaption></figure>')
-        parts.append(f'<div class="wide">{after}</div></section>' if after else "</section>")
-    files = ", ".join(f'<a href="{name}.csv">{name}.csv</a>' for name in FILES)
-    return f"""<!doctype html>
-<html lang="en">
-<head>
-<meta charset="utf-8">
-<meta name="viewport" content="width=device-width, initial-scale=1">
-<title>Limit curves of a soft finger</title>
-<style>{STYLE}</style>
-</head>
-<body>
-<main>
-<h1>Limit curves of a soft finger</h1>
-<p>A finger pad that slides and twists at once cannot bear full friction force and full friction moment together. The limit curve says
-which pairs it can bear. This page computes it exactly for several pressure laws, says what the usual ellipse gets wrong, and drives a
-soft-finger god-object with both. All figures and numbers are drawn from the CSV files beside this page.</p>
-<ul class="numbers">{numbers}</ul>
-{"".join(parts)}
-<footer>Data: {files}. Each figure stands beside this page as SVG and PNG. Source: A. Frisoli, F. Barbagli, E. Ruffaldi,
-K. Salisbury, M. Bergamasco, <em>A limit-curve based soft finger god-object algorithm</em>, Haptics Symposium 2006.</footer>
-</main>
-</body>
-</html>
-"""
-
-
 def main():
     parser = argparse.ArgumentParser(description="Draws the report from the CSVs that `limitcurve report` writes.")
     parser.add_argument("--data", required=True, type=Path, help="folder of the CSV files")
@@ -379,8 +320,14 @@ def main():
     try:
         data = {name: Table.read(arguments.data / f"{name}.csv") for name in FILES}
         arguments.output.mkdir(parents=True, exist_ok=True)
-        pictures = {name: save(draw(data), arguments.output, name) for name, draw in FIGURES.items()}
-        text = page(data, pictures)
+        pictures = {}
+        for number, (name, draw) in enumerate(FIGURES.items(), 1):
+            used = Used(data)
+            pictures[name] = save(draw(used), arguments.output, name), used.names
+            print(f"figure {number} of {len(FIGURES)}", flush=True)  # `limitcurve report` makes progress of it
+        touch = {"limit_curves": touch_charts.limit_curves(data),
+                 "load_curves": touch_charts.load_curves(data)}
+        text = page(data, numbers_to_remember(data), sections(data), pictures, touch, FILES)
         write_whole(arguments.output / "index.html", text.encode("utf-8"))
     except (OSError, ValueError, KeyError) as error:
         sys.exit(f"report.py: error: {type(error).__name__}: {error}")

@@ -2,9 +2,11 @@
 """Headless Chromium for the tests of pages, and what they ask of every page."""
 
 import time
+import unittest
 
 from selenium import webdriver
 from selenium.webdriver.chrome.service import Service
+from selenium.webdriver.common.by import By
 
 # The contrast of two colours, each red, green and blue up to 255 (WCAG 2).
 RATIO = """
@@ -80,3 +82,38 @@ def nameless_controls(browser):
     nodes = browser.execute_cdp_cmd("Accessibility.getFullAXTree", {})["nodes"]
     return [(node["role"]["value"], node.get("backendDOMNodeId")) for node in nodes
             if not node.get("ignored") and node.get("role", {}).get("value") in CONTROLS and not node.get("name", {}).get("value", "").strip()]
+
+
+class PageTest(unittest.TestCase):
+    """Each test begins with a page that has loaded, and ends with a console that has nothing to say."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.browser = start()
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.browser.quit()
+
+    def setUp(self):
+        self.open()
+
+    def tearDown(self):
+        self.assertEqual(complaints(self.browser), [], "the console has errors")
+
+    def wait(self, condition, seconds=8.0, message="it did not come to be"):
+        return wait(self, condition, seconds, message)
+
+    def element(self, name):
+        return self.browser.find_element(By.ID, name)
+
+    def assert_asks_nobody(self, page):
+        """Since the log was last read, and since the page was opened."""
+        log = " ".join(line["message"] for line in self.browser.get_log("performance"))
+        self.assertIn(page.as_uri(), log)
+        for scheme in ('"url":"http:', '"url":"https:', '"url":"ws'):
+            self.assertNotIn(scheme, log)
+        self.assertEqual(self.browser.execute_script("return performance.getEntriesByType('resource').filter((e) => !e.name.startsWith('data:')).length"), 0)
+
+    def assert_fits(self, width):
+        self.assertLessEqual(self.browser.execute_script("return document.documentElement.scrollWidth"), width)

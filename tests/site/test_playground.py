@@ -18,7 +18,6 @@ import unittest
 from pathlib import Path
 
 from selenium.webdriver.common.action_chains import ActionChains
-from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
 from selenium.webdriver.common.actions.wheel_input import ScrollOrigin
 from selenium.webdriver.support.ui import Select
@@ -54,30 +53,10 @@ def trace():
     return rows
 
 
-class Playground(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        cls.browser = browser.start()
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.browser.quit()
-
-    def setUp(self):
-        self.open()
-
-    def tearDown(self):
-        self.assertEqual(browser.complaints(self.browser), [], "the console has errors")
-
+class Playground(browser.PageTest):
     def open(self, width=1200, height=1000, dark=False, touch=False):
         browser.show(self.browser, PAGE.as_uri(), width, height, dark, touch)
         self.wait(lambda: self.browser.execute_script("return window.limitcurve !== undefined && limitcurve.frames.count > 3"))
-
-    def wait(self, condition, seconds=8.0, message="it did not come to be"):
-        return browser.wait(self, condition, seconds, message)
-
-    def element(self, name):
-        return self.browser.find_element(By.ID, name)
 
     def number(self, name):
         return float(self.element(name).text)
@@ -289,11 +268,7 @@ class Playground(unittest.TestCase):
         self.open()
         self.suggest("radial")
         time.sleep(0.5)
-        log = " ".join(line["message"] for line in self.browser.get_log("performance"))
-        self.assertIn(PAGE.as_uri(), log)
-        for scheme in ('"url":"http:', '"url":"https:', '"url":"ws'):
-            self.assertNotIn(scheme, log)
-        self.assertEqual(self.browser.execute_script("return performance.getEntriesByType('resource').filter((e) => !e.name.startsWith('data:')).length"), 0)
+        self.assert_asks_nobody(PAGE)
 
     def test_paints_within_a_second(self):
         times = []
@@ -338,7 +313,7 @@ class Playground(unittest.TestCase):
         self.assertEqual(browser.nameless_controls(self.browser), [])
         for width in (320, 390):
             self.open(width, 844, touch=True)
-            self.assertLessEqual(self.browser.execute_script("return document.documentElement.scrollWidth"), width)
+            self.assert_fits(width)
 
 
 if __name__ == "__main__":

@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: MIT
+"""The report's page: one file that loads nothing."""
+
+import html
+import re
+from pathlib import Path
+
+import touch_charts
+
+
+class Used(dict):
+    """The tables, which remembers the names of those that were asked for."""
+
+    def __init__(self, data):
+        super().__init__(data)
+        self.names = {}
+
+    def __getitem__(self, name):
+        self.names[name] = None
+        return super().__getitem__(name)
+
+
+def links(name, tables):
+    """What a figure is drawn from, and its files."""
+    data = ", ".join(f'<a href="{table}.csv">{table}.csv</a>' for table in tables)
+    return (f'<p class="files">{f"Data: {data}. " if data else ""}Figure: <a href="{name}.svg">{name}.svg</a>, '
+            f'<a href="{name}.png">{name}.png</a>.</p>')
+
+
+def anchor(title):
+    return re.sub(r"\W+", "-", title.lower()).strip("-")
+
+
+def page(data, numbers, sections, pictures, touch, files):
+    """`numbers` is (value, text); `sections` is (title, [(figure, caption)], HTML after them); `pictures` has an SVG and the names of its tables,
+    `touch` the HTML of a chart that takes a figure's place on a screen."""
+    head = "".join(f"<li><b>{html.escape(value)}</b>{html.escape(text)}</li>" for value, text in numbers)
+    contents = "".join(f'<li><a href="#{anchor(title)}">{title}</a></li>' for title, _, _ in sections)
+    parts = []
+    for title, figures, after in sections:
+        plain = html.escape(title, quote=True)
+        parts.append(f'<section><h2 id="{anchor(title)}">{title}</h2>')
+        for name, caption in figures:
+            svg, tables = pictures[name]
+            picture = svg.replace("<svg ", f'<svg role="img" aria-label="{plain}" ', 1)
+            parts.append(f'<figure id="{name}">{touch.get(name, "")}<div class="still">{picture}</div><figcaption>{caption}{links(name, tables)}'
+                         "</figcaption></figure>")
+        parts.append(f'<div class="wide" role="region" aria-label="{plain}: table" tabindex="0">{after}</div></section>' if after else "</section>")
+    listed = ", ".join(f'<a href="{name}.csv">{name}.csv</a>' for name in files)
+    style = Path(__file__).with_name("page.css").read_text(encoding="utf-8")
+    return f"""<!doctype html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<meta name="color-scheme" content="light dark">
+<link rel="icon" href="data:,">
+<title>Limit curves of a soft finger</title>
+<style>
+{style}</style>
+</head>
+<body>
+<main>
+<h1>Limit curves of a soft finger</h1>
+<p>A finger pad that slides and twists at once cannot bear full friction force and full friction moment together. The limit curve says
+which pairs it can bear. This page computes it exactly for several pressure laws, says what the usual ellipse gets wrong, and drives a
+soft-finger god-object with both. All figures and numbers are drawn from the CSV files beside this page.</p>
+<ul class="numbers">{head}</ul>
+<nav aria-labelledby="contents"><h2 id="contents">Contents</h2><ol>{contents}</ol></nav>
+{"".join(parts)}
+<footer>Data: {listed}. Source: A. Frisoli, F. Barbagli, E. Ruffaldi,
+K. Salisbury, M. Bergamasco, <em>A limit-curve based soft finger god-object algorithm</em>, Haptics Symposium 2006.</footer>
+</main>
+{touch_charts.script(data)}
+</body>
+</html>
+"""
