@@ -78,7 +78,7 @@ std::array<CheckedCell::Value, 2> check_side(const std::string& name, const std:
     }
     if (!(cells[i].x >= 0.0 && cells[i].x < 1.0 && double{static_cast<Real>(cells[i].x)} == cells[i].x))
       throw refuse(i, "expected x in [0, 1), and exact in the table's arithmetic");
-    if (i > 0 && !(cells[i].x > cells[i - 1].x)) throw refuse(i, "expected x larger than that of the cell before");
+    if (i > 0 && !(cells[i].x > cells[i - 1].x)) throw refuse(i, "expected x that increases from cell to cell");
     if (i > 0 && !(cells[i].x - cells[i - 1].x >= narrowest_cell<Real>))
       throw refuse(i, "expected x larger than that of the cell before by at least " + format_number(double{narrowest_cell<Real>}));
   }
