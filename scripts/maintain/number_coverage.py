@@ -8,7 +8,8 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent.parent
 # A number that says something: with a unit, an exponent or a decimal point.
-NUMBER = re.compile(r"(?<![\w.,^/])(?:\d+(?:\.\d+)?\s?(?:%|°)|\d+(?:\.\d+)? (?:ns|µs|ms|s|N|mm|µm|m|Hz|kHz|KiB|B|bytes)\b|\d+\.\d+(?:e[-−]?\d+)?|\d+e[-−]?\d+)(?![\w.]\d)")
+NUMBER = re.compile(r"(?<![\w.,^/])(?:\d+(?:\.\d+)?\s?(?:%|°)|\d+(?:\.\d+)? (?:ns|µs|ms|s|N|mm|µm|m|Hz|kHz|KiB|B|bytes)\b|"
+                    r"\d+\.\d+(?:e[-−]?\d+)?|\d+e[-−]?\d+)(?![\w.]\d)")
 # What says nothing about the program: code and examples, formulas, links, what another script writes and compares (work_precision, stability), numbers of
 # sections, licences, versions of three numbers, papers of arXiv.
 NO_CLAIM = (r"```.*?```", r"<!-- (\w+): written.*?<!-- end of \1 -->", r"^    .*?$", r"^#+ [\d.]+ ", r"\$\$.*?\$\$", r"\$[^$\n]*\$", r"`[^`]*`", r"\]\([^)]*\)",

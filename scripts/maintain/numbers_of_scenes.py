@@ -62,8 +62,8 @@ def beside_mujoco(executable):
 def patches(executable):
     """How wrong the ellipsoid and the best disc are on an elliptic Hertz contact."""
     found = [rows(executable, "validate", "--patch", f"ellipse:law=hertz,a=0.005,b={b}") for b in ("0.005", "0.0025", "0.001")]
-    ellipsoids, discs = ([f"{100 * float(next(row['max_error'] for row in run if row['model'].startswith(model))):.1f}".replace("0.0", "0") for run in found]
-                         for model in ("ellipsoid", "disc:"))
+    ellipsoids, discs = ([f"{100 * float(next(row['max_error'] for row in run if row['model'].startswith(model))):.1f}".replace("0.0", "0")
+                          for run in found] for model in ("ellipsoid", "disc:"))
     return [("limitcurve/README.md", f"{ellipsoids[0]}, {ellipsoids[1]} and {ellipsoids[2]} % too strong at a/b = 1, 2 and 5"),
             ("limitcurve/README.md", f"best disc is {discs[0]}, {discs[1]} and {discs[2]} %")]
 
@@ -99,9 +99,11 @@ def engines(executable):
         dragged = [row for row in csv.DictReader(line for line in file if not line.startswith("#")) if row["model"] == "diamond"]
     off = max(math.hypot(float(row["force"]) - float(row["exact_force"]), float(row["moment"]) - float(row["exact_moment"])) for row in dragged)
     return [*(("fit/README.md", f"| {model} | {radial} | {same} |") for model, (radial, same) in found.items()),
-            ("fit/README.md", f"that is the error of {found['box'][1]}"), ("fit/README.md", f"The {found['diamond'][1]} of the diamond"),
+            ("fit/README.md", f"that is the error of {found['box'][1]}"),
+            ("fit/README.md", f"The {found['diamond'][1]} of the diamond"),
             ("fit/README.md", f"stays within {percents(off, 0)}")]
 
 
 def sentences(executable):
-    return [*loads_of_materials(executable), *operator(executable), *beside_mujoco(executable), *patches(executable), *one_ratio(executable), *engines(executable)]
+    makers = (loads_of_materials, operator, beside_mujoco, patches, one_ratio, engines)
+    return [sentence for make in makers for sentence in make(executable)]
