@@ -35,6 +35,9 @@ class RadiusLaws(CommandLineTest):
             for name, warnings in self.uses(law, (1, 2)):
                 self.assertEqual(len(warnings), 1, name)
                 self.assertIn("in metres?", warnings[0], name)
+        for law, expected in [("constant:a=5", 1), ("constant:a=0.005", 0)]:
+            done = run("pivot", "--case", "exact", "--radius-law", law, "--duration", "0.1")
+            self.assertEqual((done.returncode, done.stderr.count("in metres?")), (0, expected), done.stderr)
 
     def test_metres(self):
         for law in ["constant:a=0.005", "constant:a=0.1", "hertz:R=0.008,E=2e5", self.samples("1,0.004\n2,0.005\n")]:
