@@ -69,7 +69,8 @@ class Drags(Table):
             key = (row["engine"], row["version"], row["model"], row.get("law") or "hertz", row.get("contact") or "ball")
             off = max(abs(float(row["force"]) - float(row["exact_force"])), abs(float(row["moment"]) - float(row["exact_moment"])))
             groups.setdefault(key, []).append(off)
-        body = [[NAMES.get(key[0], key[0]), *key[1:], str(len(offs)), percent(max(offs)), percent(sum(offs) / len(offs))] for key, offs in sorted(groups.items())]
+        body = [[NAMES.get(key[0], key[0]), *key[1:], str(len(offs)), percent(max(offs)), percent(sum(offs) / len(offs))]
+                for key, offs in sorted(groups.items())]
         return self.render(["engine", "version", "model", "law", "contact", "CORs", "largest", "mean"], body)
 
 
