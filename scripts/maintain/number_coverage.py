@@ -59,6 +59,8 @@ def check_listed():
     for row in listed():
         if row["words"] not in plain(row["file"]):
             wrong.append(f"{row['file']}: a claim is listed that does not stand there: {row['words']}")
+        if not row["how"]:
+            wrong.append(f"docs/claims.csv: '{row['words']}': nothing says how it is held")
         if row["kind"] == "test":
             suite, name = row["held_by"].split(".")
             body = re.search(rf"TEST(?:_P|_F)?\({suite}, {name}\) \{{.*?^\}}", tests, re.M | re.S)
