@@ -5,11 +5,11 @@
 
 namespace limitcurve::godobject {
 
-Spin Spin::moved(const Eigen::Quaterniond& orientation, const Eigen::Vector3d& present_normal) const noexcept {
+Spin Spin::moved(const Orientation& orientation, const Eigen::Vector3d& present_normal) const noexcept {
   Spin next{angle, numbers(present_normal), numbers(orientation.vec()), orientation.w(), true};
   if (!started) return next;
-  const Eigen::Quaterniond last(scalar, axis[0], axis[1], axis[2]);
-  Eigen::Quaterniond turn = orientation * last.conjugate();
+  const Orientation last(scalar, axis[0], axis[1], axis[2]);
+  Orientation turn = orientation * last.conjugate();
   if (turn.w() < 0.0) turn.coeffs() = -turn.coeffs();
   // The turn as a vector ω Δt: its angle is 2 atan2(|v|, w).
   const double sine = turn.vec().norm();

@@ -17,10 +17,14 @@ using Numbers = std::array<double, 3>;
   return {vector.x(), vector.y(), vector.z()};
 }
 
+/// A rotation: a quaternion of unit length. It converts from and to `Eigen::Quaterniond`, whose alignment depends on the processor that a file
+/// is compiled for (-march=native): poses must have the same layout in your code and in the library.
+using Orientation = Eigen::Quaternion<double, Eigen::DontAlign>;
+
 /// The pose of a device's finger, in the frame of the surface.
 struct DevicePose {
-  Eigen::Vector3d position = Eigen::Vector3d::Zero();               ///< x_h [m]
-  Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  ///< of unit length; its spin about the contact normal is twist
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< x_h [m]
+  Orientation orientation = Orientation::Identity();   ///< of unit length; its spin about the contact normal is twist
   double twist = 0.0;  ///< added twist about the contact normal [rad], for a device that measures an angle only
 };
 
@@ -53,7 +57,7 @@ struct Spin {
   /// The spin after the next sample: the device's orientation and the outward normal, both of unit length and in the surface's frame.
   /// Assumes that the device turns about one axis by less than π between samples, and takes the mean of both normals. The error along a
   /// path is of second order in the time step, and 0 if the normal stays or turns evenly about that axis.
-  [[nodiscard]] Spin moved(const Eigen::Quaterniond& orientation, const Eigen::Vector3d& present_normal) const noexcept;
+  [[nodiscard]] Spin moved(const Orientation& orientation, const Eigen::Vector3d& present_normal) const noexcept;
 };
 
 }  // namespace limitcurve::godobject

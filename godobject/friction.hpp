@@ -54,8 +54,8 @@ struct FrictionResult {
   Number cor;                           ///< distance of the slip's centre of rotation [m], ∞ for pure sliding; NaN if it sticks
 };
 
-#ifdef __FAST_MATH__
-inline namespace fast_math {  // arithmetic.hpp
+#ifdef LIMITCURVE_COPIES
+inline namespace LIMITCURVE_COPIES {  // arithmetic.hpp
 #endif
 
 /// The trial wrench in units of a limit. Three bounds keep all squares finite: a smaller limit counts as `least`, a larger trial as
@@ -196,8 +196,8 @@ template <class Real, class Number>
   return result;
 }
 
-#ifdef __FAST_MATH__
-}  // namespace fast_math
+#ifdef LIMITCURVE_COPIES
+}  // namespace LIMITCURVE_COPIES
 #endif
 
 }  // namespace limitcurve::godobject

@@ -48,8 +48,8 @@ struct Projected {
   Number parameter;  ///< curve parameter, a warm start for the next search; 0 for none
 };
 
-#ifdef __FAST_MATH__
-inline namespace fast_math {  // arithmetic.hpp
+#ifdef LIMITCURVE_COPIES
+inline namespace LIMITCURVE_COPIES {  // arithmetic.hpp
 #endif
 
 /// Radial projection (eq. 23): r′/r = ρ′/ρ. The proxy moves along the trial deflection, not along the curve's normal. `last` is the curve
@@ -116,8 +116,8 @@ template <class Real, class Number>
           point.parameter};
 }
 
-#ifdef __FAST_MATH__
-}  // namespace fast_math
+#ifdef LIMITCURVE_COPIES
+}  // namespace LIMITCURVE_COPIES
 #endif
 
 /// c-curve projection (Fig. 5) for a radius that depends on the load. The p-curve through the trial belongs to a load λP and has its COR at

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "godobject/contact.hpp"
+
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
@@ -33,10 +35,10 @@ struct BodyParameters {
 
 /// Pose and velocity of a body. The body's frame has its origin at the centre of mass and its axes along the principal axes of inertia.
 struct BodyState {
-  Eigen::Vector3d position = Eigen::Vector3d::Zero();               ///< of the centre of mass [m]
-  Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  ///< body to world, of unit length
-  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();               ///< [m/s]
-  Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();       ///< [rad/s], world axes
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();          ///< of the centre of mass [m]
+  Orientation orientation = Orientation::Identity();           ///< body to world, of unit length
+  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();          ///< [m/s]
+  Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();  ///< [rad/s], world axes
 
   [[nodiscard]] Eigen::Vector3d to_body(const Eigen::Vector3d& point) const noexcept {
     return orientation.conjugate() * (point - position);
@@ -46,7 +48,7 @@ struct BodyState {
 
 /// The orientation after a rotation with the angular velocity ω [rad/s] (world axes) for a time [s]: exp(ω t/2) q, of unit length. Sine and
 /// cosine of the half angle are those of the Cayley map, (1 − τ²)/(1 + τ²) with τ = |ω|t/4: the axis is exact, the angle of third order.
-Eigen::Quaterniond turned(const Eigen::Quaterniond& orientation, const Eigen::Vector3d& angular_velocity, double time) noexcept;
+Orientation turned(const Orientation& orientation, const Eigen::Vector3d& angular_velocity, double time) noexcept;
 
 /// Kinetic energy [J].
 double kinetic_energy(const BodyParameters& body, const BodyState& state) noexcept;

@@ -7,8 +7,14 @@
 #include <cstdint>
 #include <type_traits>
 
-// The linker keeps one copy of a template for all files. A copy from a user's file with -ffast-math, which ignores NaN and infinity, could
-// replace the library's. So templates built on this file are in a namespace `fast_math` in such files.
+// The linker keeps one copy of a template for all files. A copy from a user's file could replace the library's, with other roundings
+// (-march=native) or without NaN and infinity (-ffast-math). So the library's copies of templates built on this file are in a namespace of
+// their own, and so are those of a file with -ffast-math.
+#if defined(LIMITCURVE_LIBRARY)
+#define LIMITCURVE_COPIES library
+#elif defined(__FAST_MATH__)
+#define LIMITCURVE_COPIES fast_math
+#endif
 
 /// Arithmetic of a single number, under the names that packs of numbers use. Table look-up and friction are templates written with these
 /// names; they serve a single finger (`double`) and a batch (packs, godobject/kernel).

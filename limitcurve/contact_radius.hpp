@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "limitcurve/arithmetic.hpp"
 #include "limitcurve/limit_curve.hpp"
 
 #include <algorithm>
@@ -150,6 +151,10 @@ std::vector<LoadPoint> c_curve(const Curve& curve, const RadiusLaw& radius_law, 
 /// std::invalid_argument for an argument out of range.
 double moment_capacity(double moment_ratio, const RadiusLaw& radius_law, double mu, double load);
 
+#ifdef LIMITCURVE_COPIES
+inline namespace LIMITCURVE_COPIES {  // arithmetic.hpp
+#endif
+
 /// The smallest load [N] under which the contact bears force F [N] ≥ 0 and moment M [N·m] ≥ 0 without slip. 0 for F = M = 0; ∞ without
 /// friction (μ = 0) and where no finite load holds. Relative error ≤ 1e-12 plus the curve's.
 ///
@@ -196,6 +201,10 @@ double load_to_hold(const Curve& curve, const RadiusLaw& radius_law, double mu, 
   }
   return load;
 }
+
+#ifdef LIMITCURVE_COPIES
+}  // namespace LIMITCURVE_COPIES
+#endif
 
 /// Grip margin [N]: `load` minus `load_to_hold`. Negative if the contact slips. Throws like `load_to_hold`.
 template <class Curve>

@@ -187,8 +187,8 @@ struct CurveSide {
   }
 };
 
-#ifdef __FAST_MATH__
-inline namespace fast_math {  // arithmetic.hpp
+#ifdef LIMITCURVE_COPIES
+inline namespace LIMITCURVE_COPIES {  // arithmetic.hpp
 #endif
 
 /// The point where the ray from the origin through a wrench ≠ 0 meets the curve, and in `gauge` the wrench's gauge: 1 on the curve, less
@@ -233,8 +233,8 @@ template <class Real, class Number>
   return result;
 }
 
-#ifdef __FAST_MATH__
-}  // namespace fast_math
+#ifdef LIMITCURVE_COPIES
+}  // namespace LIMITCURVE_COPIES
 #endif
 
 }  // namespace limitcurve

@@ -5,6 +5,15 @@
 #include <charconv>
 #include <cmath>
 #include <system_error>
+#include <version>
+
+#ifdef _LIBCPP_VERSION
+#include <locale.h>
+#include <cstdlib>
+#ifdef __APPLE__
+#include <xlocale.h>
+#endif
+#endif
 
 namespace limitcurve {
 
@@ -15,6 +24,7 @@ std::string format_number(double value) {
   return error == std::errc{} ? std::string(buffer.data(), end) : std::string("nan");
 }
 
+#ifndef _LIBCPP_VERSION
 std::optional<double> parse_number(std::string_view text) {
   // from_chars rejects a leading plus, but spreadsheets write it.
   if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
@@ -33,6 +43,18 @@ std::optional<double> parse_number(std::string_view text) {
   }
   return value;
 }
+#else
+// Clang's libc++ has no from_chars of numbers, or none of long double.
+std::optional<double> parse_number(std::string_view text) {
+  // strtod also takes blanks before a number, and hexadecimal digits.
+  if (text.empty() || text.find_first_of("xX \t\n\v\f\r") != std::string_view::npos) return std::nullopt;
+  static const locale_t c_locale = newlocale(LC_ALL_MASK, "C", nullptr);
+  const std::string copy(text);
+  char* stop = nullptr;
+  const double value = strtod_l(copy.c_str(), &stop, c_locale);
+  return stop == copy.c_str() + copy.size() ? std::optional(value) : std::nullopt;
+}
+#endif
 
 std::invalid_argument out_of_range(std::string_view name, double value, std::string_view unit, std::string_view range) {
   std::string message(name);

@@ -23,8 +23,8 @@ inline constexpr int max_search_steps = 64;
 template <class Real>
 inline constexpr Real search_tolerance = 4 * std::numeric_limits<Real>::epsilon();
 
-#ifdef __FAST_MATH__
-inline namespace fast_math {  // arithmetic.hpp
+#ifdef LIMITCURVE_COPIES
+inline namespace LIMITCURVE_COPIES {  // arithmetic.hpp
 #endif
 
 /// The root of `residual` in [0, 1], where residual(0) ≥ 0 and residual(1) ≤ 0: Halley's method from the first guess `x`, inside a bracket
@@ -51,8 +51,8 @@ template <class Real, class Number, class Function>
   }
 }
 
-#ifdef __FAST_MATH__
-}  // namespace fast_math
+#ifdef LIMITCURVE_COPIES
+}  // namespace LIMITCURVE_COPIES
 #endif
 
 }  // namespace limitcurve

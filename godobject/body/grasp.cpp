@@ -13,6 +13,9 @@ namespace limitcurve::godobject {
 
 namespace {
 
+// Not aligned, so that no user's LU of a 6×6 matrix, compiled for another processor (-march=native), stands in for ours.
+using Matrix6 = Eigen::Matrix<double, 6, 6, Eigen::DontAlign>;
+
 BodyState moved(const BodyState& from, const Eigen::Vector3d& velocity, const Eigen::Vector3d& angular_velocity,
                 double time_step) noexcept {
   return {from.position + velocity * time_step, turned(from.orientation, angular_velocity, time_step), velocity, angular_velocity};
@@ -121,7 +124,7 @@ Grasp::Vector6 Grasp::residual(const Vector6& velocities, std::span<const Device
 template <class Try>
 Grasp::Attempt Grasp::improve(Attempt now, double unit, double gyration, double time_step, const Try& attempt) const noexcept {
   for (int i = 0; i < iteration_limit && now.size > 1e-15 * unit; ++i) {
-    Eigen::Matrix<double, 6, 6> jacobian = Eigen::Matrix<double, 6, 6>::Identity();
+    Matrix6 jacobian = Matrix6::Identity();
     for (int column = 0; column < 6; ++column) {
       if (!parameters_.free[static_cast<std::size_t>(column)]) continue;
       // Large compared with the rounding of positions, small compared with the deflection of the springs.
@@ -130,7 +133,7 @@ Grasp::Attempt Grasp::improve(Attempt now, double unit, double gyration, double 
       beside[column] += change;
       jacobian.col(column) = (attempt(beside).error - now.error) / change;
     }
-    const Vector6 step = jacobian.partialPivLu().solve(now.error);
+    const Vector6 step = Eigen::PartialPivLU<Matrix6>(jacobian).solve(now.error);
     if (!step.allFinite()) break;
     double share = 1.0;
     Attempt next = attempt(now.velocities - step);

@@ -72,13 +72,13 @@ void BodyParameters::validate() const {
   }
 }
 
-Eigen::Quaterniond turned(const Eigen::Quaterniond& orientation, const Eigen::Vector3d& angular_velocity, double time) noexcept {
+Orientation turned(const Orientation& orientation, const Eigen::Vector3d& angular_velocity, double time) noexcept {
   // tan of a quarter of the angle, to third order: τ(1 + τ²/3).
   const Eigen::Vector3d quarter = angular_velocity * (0.25 * time);
   const Eigen::Vector3d tangent = quarter * (1.0 + quarter.squaredNorm() / 3.0);
   const double square = tangent.squaredNorm();
   const double scale = 1.0 / (1.0 + square);
-  Eigen::Quaterniond change;
+  Orientation change;
   change.w() = (1.0 - square) * scale;
   change.vec() = tangent * (2.0 * scale);
   return (change * orientation).normalized();
