@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "fit/estimate.hpp"
-#include "fit/measurements.hpp"
-#include "limitcurve/pressure_law.hpp"
+#include "../limitcurve/pressure_law.hpp"
+#include "estimate.hpp"
+#include "measurements.hpp"
 
 #include <span>
 #include <string>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "fit/estimate.hpp"
-#include "limitcurve/approximations.hpp"
-#include "limitcurve/pressure_law.hpp"
-#include "limitcurve/validate.hpp"
+#include "../limitcurve/approximations.hpp"
+#include "../limitcurve/pressure_law.hpp"
+#include "../limitcurve/validate.hpp"
+#include "estimate.hpp"
 
 #include <cstddef>
 

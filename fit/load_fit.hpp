@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "fit/estimate.hpp"
-#include "fit/measurements.hpp"
+#include "estimate.hpp"
+#include "measurements.hpp"
 
 #include <string>
 #include <vector>

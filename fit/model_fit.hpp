@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "fit/contact_fit.hpp"
-#include "fit/curve_fit.hpp"
-#include "fit/load_fit.hpp"
-#include "fit/ratio_fit.hpp"
+#include "contact_fit.hpp"
+#include "curve_fit.hpp"
+#include "load_fit.hpp"
+#include "ratio_fit.hpp"
 
 #include <optional>
 #include <span>

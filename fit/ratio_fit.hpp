@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "fit/estimate.hpp"
-#include "limitcurve/pressure_law.hpp"
+#include "../limitcurve/pressure_law.hpp"
+#include "estimate.hpp"
 
 #include <span>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "godobject/contact_limits.hpp"
-#include "godobject/finger.hpp"
+#include "contact_limits.hpp"
+#include "finger.hpp"
 
 #include <cstddef>
 #include <span>

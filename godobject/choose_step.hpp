@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "godobject/replay.hpp"
-#include "limitcurve/contact_radius.hpp"
-#include "limitcurve/pressure_law.hpp"
-#include "limitcurve/validate.hpp"
+#include "../limitcurve/contact_radius.hpp"
+#include "../limitcurve/pressure_law.hpp"
+#include "../limitcurve/validate.hpp"
+#include "replay.hpp"
 
 #include <limits>
 #include <optional>

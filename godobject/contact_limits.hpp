@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "godobject/finger.hpp"
-#include "godobject/finger_curve.hpp"
+#include "finger.hpp"
+#include "finger_curve.hpp"
 
 #include <concepts>
 #include <optional>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "godobject/contact.hpp"
-#include "godobject/friction.hpp"
-#include "limitcurve/contact_radius.hpp"
+#include "../limitcurve/contact_radius.hpp"
+#include "contact.hpp"
+#include "friction.hpp"
 
 #include <Eigen/Core>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "godobject/projection.hpp"
-#include "limitcurve/curve_view.hpp"
-#include "limitcurve/law.hpp"
+#include "../limitcurve/curve_view.hpp"
+#include "../limitcurve/law.hpp"
+#include "projection.hpp"
 
 #include <concepts>
 #include <cstddef>

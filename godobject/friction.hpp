@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "godobject/projection.hpp"
+#include "projection.hpp"
 
 #include <limits>
 

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "godobject/batch.hpp"            // IWYU pragma: export
-#include "godobject/choose_step.hpp"      // IWYU pragma: export
-#include "godobject/contact.hpp"          // IWYU pragma: export
-#include "godobject/finger_curve.hpp"     // IWYU pragma: export
-#include "godobject/grasp.hpp"            // IWYU pragma: export
-#include "godobject/passivity.hpp"        // IWYU pragma: export
-#include "godobject/patch_finger.hpp"     // IWYU pragma: export
-#include "godobject/pivot.hpp"            // IWYU pragma: export
-#include "godobject/replay.hpp"           // IWYU pragma: export
-#include "godobject/rigid_body.hpp"       // IWYU pragma: export
-#include "godobject/soft_finger.hpp"      // IWYU pragma: export
-#include "godobject/surface.hpp"          // IWYU pragma: export
-#include "limitcurve/approximations.hpp"  // IWYU pragma: export
-#include "limitcurve/laws.hpp"            // IWYU pragma: export
-#include "limitcurve/table.hpp"           // IWYU pragma: export
+#include "../limitcurve/approximations.hpp"  // IWYU pragma: export
+#include "../limitcurve/laws.hpp"            // IWYU pragma: export
+#include "../limitcurve/table.hpp"           // IWYU pragma: export
+#include "batch.hpp"                         // IWYU pragma: export
+#include "choose_step.hpp"                   // IWYU pragma: export
+#include "contact.hpp"                       // IWYU pragma: export
+#include "finger_curve.hpp"                  // IWYU pragma: export
+#include "grasp.hpp"                         // IWYU pragma: export
+#include "passivity.hpp"                     // IWYU pragma: export
+#include "patch_finger.hpp"                  // IWYU pragma: export
+#include "pivot.hpp"                         // IWYU pragma: export
+#include "replay.hpp"                        // IWYU pragma: export
+#include "rigid_body.hpp"                    // IWYU pragma: export
+#include "soft_finger.hpp"                   // IWYU pragma: export
+#include "surface.hpp"                       // IWYU pragma: export
 
 /// The soft-finger god-object. Start here: this file includes the whole module except `mesh`.
 ///

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "godobject/finger.hpp"
-#include "godobject/surface.hpp"
-#include "limitcurve/patch.hpp"
+#include "../limitcurve/patch.hpp"
+#include "finger.hpp"
+#include "surface.hpp"
 
 #include <memory>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "limitcurve/contact_radius.hpp"
-#include "limitcurve/curve_view.hpp"
+#include "../limitcurve/contact_radius.hpp"
+#include "../limitcurve/curve_view.hpp"
 
 #include <array>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "godobject/finger_curve.hpp"
-#include "godobject/grasp.hpp"
-#include "godobject/surface.hpp"
+#include "finger_curve.hpp"
+#include "grasp.hpp"
+#include "surface.hpp"
 
 #include <cstddef>
 #include <limits>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "godobject/contact_limits.hpp"
-#include "godobject/surface.hpp"
+#include "contact_limits.hpp"
+#include "surface.hpp"
 
 namespace limitcurve::godobject {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "limitcurve/limit_curve.hpp"
-#include "limitcurve/number.hpp"
+#include "limit_curve.hpp"
+#include "number.hpp"
 
 #include <array>
 #include <cmath>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "limitcurve/arithmetic.hpp"
-#include "limitcurve/limit_curve.hpp"
+#include "arithmetic.hpp"
+#include "limit_curve.hpp"
 
 #include <algorithm>
 #include <cmath>

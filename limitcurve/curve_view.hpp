@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "limitcurve/arithmetic.hpp"
-#include "limitcurve/search.hpp"
+#include "arithmetic.hpp"
+#include "search.hpp"
 
 #include <array>
 #include <cstdint>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "limitcurve/limit_curve.hpp"
-#include "limitcurve/pressure_law.hpp"
+#include "limit_curve.hpp"
+#include "pressure_law.hpp"
 
 #include <algorithm>
 #include <limits>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "limitcurve/pressure_law.hpp"
+#include "pressure_law.hpp"
 
 #include <functional>
 #include <span>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "limitcurve/wrench.hpp"
+#include "wrench.hpp"
 
 #include <algorithm>
 #include <concepts>

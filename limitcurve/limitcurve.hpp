@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "limitcurve/accuracy.hpp"
-#include "limitcurve/approximations.hpp"
-#include "limitcurve/contact_radius.hpp"
-#include "limitcurve/exact_curve.hpp"
-#include "limitcurve/laws.hpp"
-#include "limitcurve/limit_curve.hpp"
-#include "limitcurve/number.hpp"
-#include "limitcurve/patch.hpp"
-#include "limitcurve/pressure_law.hpp"
-#include "limitcurve/table.hpp"
-#include "limitcurve/table_file.hpp"
-#include "limitcurve/validate.hpp"
-#include "limitcurve/version.hpp"
-#include "limitcurve/wrench.hpp"
+#include "accuracy.hpp"
+#include "approximations.hpp"
+#include "contact_radius.hpp"
+#include "exact_curve.hpp"
+#include "laws.hpp"
+#include "limit_curve.hpp"
+#include "number.hpp"
+#include "patch.hpp"
+#include "pressure_law.hpp"
+#include "table.hpp"
+#include "table_file.hpp"
+#include "validate.hpp"
+#include "version.hpp"
+#include "wrench.hpp"
 
 /// The friction limit curve of a soft finger, for any axisymmetric pressure. Start here: this file includes the whole module.
 ///

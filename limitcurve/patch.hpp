@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "limitcurve/law.hpp"
+#include "law.hpp"
 
 #include <cstddef>
 #include <memory>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "limitcurve/law.hpp"
-#include "limitcurve/wrench.hpp"
+#include "law.hpp"
+#include "wrench.hpp"
 
 #include <optional>
 #include <string>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "limitcurve/arithmetic.hpp"
+#include "arithmetic.hpp"
 
 #include <limits>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "limitcurve/curve_view.hpp"
-#include "limitcurve/law.hpp"
-#include "limitcurve/limit_curve.hpp"
+#include "curve_view.hpp"
+#include "law.hpp"
+#include "limit_curve.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "limitcurve/table.hpp"
+#include "table.hpp"
 
 #include <array>
 #include <stdexcept>

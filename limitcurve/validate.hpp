@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "limitcurve/approximations.hpp"
-#include "limitcurve/limit_curve.hpp"
-#include "limitcurve/pressure_law.hpp"
+#include "approximations.hpp"
+#include "limit_curve.hpp"
+#include "pressure_law.hpp"
 
 #include <cmath>
 #include <cstddef>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "godobject/mesh/mesh_surface.hpp"
-#include "godobject/mesh/triangle_list.hpp"
+#include "mesh_surface.hpp"
+#include "triangle_list.hpp"
 
 #include <string>
 #include <string_view>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "godobject/mesh/triangle_list.hpp"
-#include "godobject/surface.hpp"
+#include "../surface.hpp"
+#include "triangle_list.hpp"
 
 #include <memory>
 #include <string>
