@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "limitcurve/table.hpp"
 
+#include "limitcurve/accuracy.hpp"
 #include "limitcurve/number.hpp"
 #include "limitcurve/pressure_law.hpp"
 #include "limitcurve/quadrature/evaluators.hpp"
@@ -34,14 +35,15 @@ table::Source quick_source(const Law& law) {
           {}};
 }
 
-/// A law in extended precision.
+/// A law in extended precision, whose rounding counts only where it is that of a double.
 table::Source fine_source(const Law& law) {
   const double moment_ratio = law->moment_ratio();
+  const double rounding = accuracy::has_extended ? 0.0 : 64 * std::numeric_limits<double>::epsilon() * std::max(1.0, moment_ratio);
   return {law->name(),
           [=](bool outside, double x) -> table::Sample {
             if (x == 0.0) return {x, 0, outside ? 1 : moment_ratio, 0.0};
             const auto [forces, bound] = law->unrounded(outside ? 1 / Extended(x) : Extended(x), Slope::unwanted);
-            const auto error = static_cast<double>(std::max(bound.force, bound.moment));
+            const double error = rounding + static_cast<double>(std::max(bound.force, bound.moment));
             if (outside) return {x, forces.moment, forces.force, error};
             return {x, forces.force, forces.moment, error};
           },

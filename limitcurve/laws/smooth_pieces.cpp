@@ -16,7 +16,7 @@ namespace {
 using Values = std::array<Extended, 2>;
 
 /// Required agreement of a piece with its halves, as a fraction of the whole integral; the first that can be reached is used.
-constexpr std::array<Extended, 4> agreements{1e-16L, 1e-13L, 1e-10L, 1e-7L};
+constexpr std::array<Extended, 4> agreements{std::max(1e-16L, 8 * std::numeric_limits<Extended>::epsilon()), 1e-13L, 1e-10L, 1e-7L};
 /// Narrowest piece: a double does not resolve smaller distances.
 constexpr Extended narrowest = 4e-16L;
 constexpr std::size_t most_places = 64;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What every pressure law must satisfy, one test a requirement, instantiated for every kind of law.
+#include "limitcurve/accuracy.hpp"
 #include "limitcurve/exact_curve.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/quadrature/evaluators.hpp"
@@ -22,6 +23,8 @@ namespace limitcurve::test {
 namespace {
 
 constexpr double inf = std::numeric_limits<double>::infinity();
+/// By what `evaluate` and the suite's own integrals may differ where long double is double.
+constexpr double lost = accuracy::has_extended ? 0.0 : accuracy::evaluate_by_quadrature;
 
 /// The law of a string, or one that no string names: a ring-shaped pressure as a function, with a kink.
 Law law_of(const std::string& text) {
@@ -34,6 +37,9 @@ Law law_of(const std::string& text) {
 class LawSuite : public testing::TestWithParam<std::string> {
  protected:
   const Law law_ = law_of(GetParam());
+
+  /// In double the integral below begins too far from a rim where the pressure is nearly too steep to be integrated.
+  bool has_witness() const { return accuracy::has_extended || law_->rim_exponent() > -0.9L; }
 
   /// ∫ g(ρ)·weight(ρ) dρ by Boost's quadrature from the pressure alone: a witness for what the evaluators return.
   template <class Weight>
@@ -82,20 +88,23 @@ TEST_P(LawSuite, BreaksIncreaseFromTheCentre) {
 }
 
 TEST_P(LawSuite, CarriesUnitLoad) {
-  EXPECT_NEAR(static_cast<double>(integrate_pressure([](long double rho) { return 2.0L * rho; }) - 1.0L), 0.0, 1e-15);
+  if (!has_witness()) GTEST_SKIP();
+  EXPECT_NEAR(static_cast<double>(integrate_pressure([](long double rho) { return 2.0L * rho; }) - 1.0L), 0.0, 1e-15 + lost);
 }
 
 TEST_P(LawSuite, PureTwistNeedsTheMeanRadius) {
+  if (!has_witness()) GTEST_SKIP();
   const auto mean_radius = static_cast<double>(integrate_pressure([](long double rho) { return 2.0L * rho * rho; }));
-  EXPECT_NEAR(law_->moment_ratio() / mean_radius, 1.0, 1e-15);
+  EXPECT_NEAR(law_->moment_ratio() / mean_radius, 1.0, 1e-15 + lost);
   EXPECT_EQ(law_->evaluate(0.0).wrench.force, 0.0);
 }
 
 /// s → 0: f ≈ (V₀/2)s with V₀ = 2π(a/P)∫ p dr, that is V₀/2 = ∫ g dρ.
 TEST_P(LawSuite, ForceStartsAsThePressureOnADiameter) {
+  if (!has_witness()) GTEST_SKIP();
   const auto slope = static_cast<double>(integrate_pressure([](long double) { return 1.0L; }));
-  EXPECT_NEAR(law_->evaluate(0.0).force_slope / slope, 1.0, 1e-14);
-  EXPECT_NEAR(law_->evaluate(1e-200).wrench.force / (1e-200 * slope), 1.0, 1e-14);
+  EXPECT_NEAR(law_->evaluate(0.0).force_slope / slope, 1.0, 1e-14 + lost);
+  EXPECT_NEAR(law_->evaluate(1e-200).wrench.force / (1e-200 * slope), 1.0, 1e-14 + lost);
 }
 
 TEST_P(LawSuite, PureSlidingNeedsTheWholeForce) {
@@ -107,13 +116,14 @@ TEST_P(LawSuite, PureSlidingNeedsTheWholeForce) {
 
 /// s → ∞: m ≈ ⟨ρ²⟩/(2s), df/ds ≈ ⟨ρ²⟩/(2s³): in relative terms, where textbook forms have no digit left.
 TEST_P(LawSuite, MomentFarFromTheContactIsThatOfTheMeanSquareRadius) {
+  if (!has_witness()) GTEST_SKIP();
   const auto mean_square = static_cast<double>(integrate_pressure([](long double rho) { return 2.0L * rho * rho * rho; }));
   for (const double far : {1e8, 1e100}) {
     const double s = far * scale();
     const WrenchEstimate estimate = law_->evaluate(s);
-    EXPECT_NEAR(estimate.wrench.moment * s / (0.5 * mean_square), 1.0, 2e-15) << s;
-    EXPECT_NEAR(estimate.force_slope * s * s * s / (0.5 * mean_square), 1.0, 2e-15) << s;
-    EXPECT_NEAR(estimate.wrench.force, 1.0, 1.2e-16) << s;
+    EXPECT_NEAR(estimate.wrench.moment * s / (0.5 * mean_square), 1.0, 2e-15 + lost) << s;
+    EXPECT_NEAR(estimate.force_slope * s * s * s / (0.5 * mean_square), 1.0, 2e-15 + lost) << s;
+    EXPECT_NEAR(estimate.wrench.force, 1.0, 1.2e-16 + lost) << s;
   }
 }
 
@@ -199,11 +209,12 @@ TEST_P(LawSuite, NothingIsNotANumber) {
     for (const Method method : {Method::automatic, Method::ring, Method::punch}) {
       if (!law_->allows(method)) continue;
       const WrenchEstimate estimate = law_->evaluate(s, method);
-      EXPECT_TRUE(estimate.wrench.force >= 0.0 && estimate.wrench.force <= 1.0 + 2.3e-16) << to_string(method) << ' ' << s;
-      EXPECT_TRUE(estimate.wrench.moment >= 0.0 && estimate.wrench.moment <= law_->moment_ratio() * (1.0 + 2.3e-16))
+      EXPECT_TRUE(estimate.wrench.force >= 0.0 && estimate.wrench.force <= 1.0 + 2.3e-16 + lost) << to_string(method) << ' ' << s;
+      EXPECT_TRUE(estimate.wrench.moment >= 0.0 && estimate.wrench.moment <= law_->moment_ratio() * (1.0 + 2.3e-16 + lost))
           << to_string(method) << ' ' << s;
       EXPECT_TRUE(estimate.error.force >= 0.0 && estimate.error.force < 1e-12) << to_string(method) << ' ' << s;
       EXPECT_TRUE(estimate.error.moment >= 0.0 && estimate.error.moment < 1e-12) << to_string(method) << ' ' << s;
+      if (!accuracy::has_extended && s > 0.0 && s < std::numeric_limits<double>::min()) continue;  // as pressure_law.hpp says
       EXPECT_TRUE(estimate.force_slope >= 0.0 && estimate.force_slope < inf) << to_string(method) << ' ' << s;
     }
   }

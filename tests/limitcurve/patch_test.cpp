@@ -64,13 +64,16 @@ double stated(const Patch& patch, const PatchTwist& twist) {
   return patch.about_origin({twist.vx + twist.omega * c.y, twist.vy - twist.omega * c.x, twist.omega}).error;
 }
 
+/// What the witness of polygons loses where long double is double.
+constexpr double witness_error = accuracy::has_extended ? 0.0 : 1e-13;
+
 void expect_polygon(const Outline& vertices, const std::vector<PatchTwist>& cases) {
   const Patch patch = Patch::polygon(vertices);
   for (const PatchTwist& twist : cases) {
     const PatchFriction exact = test::polygon_by_triangles(vertices, twist, patch.centre());
     const double error = test::difference(patch.evaluate(twist), exact, patch.moment_ratio());
-    EXPECT_LE(error, accuracy::patch_points) << twist.vx << ' ' << twist.vy << ' ' << twist.omega;
-    EXPECT_LE(error, stated(patch, twist)) << twist.vx << ' ' << twist.vy << ' ' << twist.omega;
+    EXPECT_LE(error, accuracy::patch_points + witness_error) << twist.vx << ' ' << twist.vy << ' ' << twist.omega;
+    EXPECT_LE(error, stated(patch, twist) + witness_error) << twist.vx << ' ' << twist.vy << ' ' << twist.omega;
   }
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "limitcurve/accuracy.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/table.hpp"
 
@@ -64,9 +65,10 @@ TEST(Samples, ARingWithSharpEdgesIsExact) {
   for (const double s : cors) {
     const WrenchEstimate estimate = law->evaluate(s);
     const UnitWrench exact = annulus(0.5, s);
-    EXPECT_NEAR(estimate.wrench.force, exact.force, 1e-15 + 1e-15 * exact.force) << s;
-    EXPECT_NEAR(estimate.wrench.moment, exact.moment, 1e-15 + 1e-15 * exact.moment) << s;
-    EXPECT_LE(estimate.error.force, 1e-15);
+    constexpr double bound = accuracy::has_extended ? 1e-15 : accuracy::evaluate_by_quadrature;
+    EXPECT_NEAR(estimate.wrench.force, exact.force, bound + bound * exact.force) << s;
+    EXPECT_NEAR(estimate.wrench.moment, exact.moment, bound + bound * exact.moment) << s;
+    EXPECT_LE(estimate.error.force, bound);
   }
 }
 

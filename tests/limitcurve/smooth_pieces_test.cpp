@@ -63,6 +63,9 @@ struct Stairs {
   }
 };
 
+/// What rounding costs where long double is double.
+constexpr double lost = accuracy::has_extended ? 0.0 : 2 * accuracy::evaluate_by_quadrature;
+
 template <class Pressure>
 void expect_found(const char* name, const Pressure& pressure, double most) {
   const Law law = from_pressure(name, pressure, whole);
@@ -72,8 +75,8 @@ void expect_found(const char* name, const Pressure& pressure, double most) {
     // Beside its own error that of the closed forms, summed.
     EXPECT_NEAR(estimate.wrench.force, truth.force, estimate.error.force + 1e-15 * truth.force) << name << ", s = " << s;
     EXPECT_NEAR(estimate.wrench.moment, truth.moment, estimate.error.moment + 1e-15 * truth.moment) << name << ", s = " << s;
-    EXPECT_LE(estimate.error.force, most) << name;
-    EXPECT_LE(estimate.error.moment, most) << name;
+    EXPECT_LE(estimate.error.force, most + lost) << name;
+    EXPECT_LE(estimate.error.moment, most + lost) << name;
     const UnitForces<double> quick = law->forces(s);
     EXPECT_NEAR(quick.force, truth.force, accuracy::forces_by_quadrature * truth.force) << name << ", s = " << s;
     EXPECT_NEAR(quick.moment, truth.moment, accuracy::forces_by_quadrature * truth.moment) << name << ", s = " << s;
@@ -102,7 +105,7 @@ TEST(SmoothPieces, AreNoMoreThanToldWhereTheFunctionIsSmooth) {
     const SmoothPieces pieces = smooth_pieces(function, told);
     EXPECT_EQ(pieces.breaks, told) << name;
     // No more than from_pressure states of the rounding of a pressure in double.
-    EXPECT_LE(pieces.error, 4.0 * std::numeric_limits<double>::epsilon()) << name;
+    EXPECT_LE(pieces.error, 4.0 * std::numeric_limits<double>::epsilon() + lost) << name;
   }
   // Stated breaks stay.
   const std::vector<Extended> kinked{0, 0.25L, 1};
