@@ -81,8 +81,9 @@ class PressureLaw {
   [[nodiscard]] virtual UnitForces<double> forces(double s, Slope slope = Slope::wanted) const noexcept;
 
   /// Unit wrench at s ∈ [0, ∞] and a bound of its absolute error, computed in extended precision. `allows(method)` must be true.
-  /// The true error is at most the error returned. That is ≤ 1e-15 relative for a closed form and ≤ 1e-14 for ring and punch; for direct it
-  /// is absolute. Where long double is double it is more (accuracy.hpp). A law from samples adds its interpolation error. Cost: 1 µs to 0.5 ms, direct 10 to 100 ms.
+  /// The true error is at most the error returned. That is ≤ 1e-15 relative for a closed form and ≤ 1e-14 for ring and punch (larger if long
+  /// double is double: accuracy.hpp); for direct it is absolute. A law from samples adds its interpolation error. Cost: 1 µs to 0.5 ms, direct
+  /// 10 to 100 ms.
   [[nodiscard]] virtual WrenchEstimate evaluate(double s, Method method = Method::automatic) const noexcept;
 
   /// The result of `evaluate` before rounding to double, by Method::automatic. Its error leaves out the interpolation error of samples

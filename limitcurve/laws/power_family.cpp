@@ -30,7 +30,7 @@ class PowerFamilyLaw : public PressureLawOf<PowerFamilyLaw> {
     moment_ratio_ = std::sqrt(pi) / 2 * tgamma_delta_ratio(n_ + 2, Extended(0.5));
     slope_at_rim_ = std::sqrt(pi) / 4 * tgamma_delta_ratio(n_ + 1, Extended(1.5));
     chord_scale_ = 2 / (std::sqrt(pi) * tgamma_delta_ratio(n_ + Extended(1.5), Extended(0.5)));
-    // By the exponent as it is rounded: near −1 it would not be that of the scale.
+    // Uses n − ½ as rounded: near −1 its rounding would change the scale.
     if (n_ > -0.5L) punch_scale_ = 4 / (std::sqrt(pi) * tgamma_delta_ratio((n_ - Extended(0.5)) + 1, Extended(1.5)));
   }
 

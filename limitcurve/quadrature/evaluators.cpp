@@ -117,7 +117,7 @@ Quadrature<Real> ring_in(const PressureLaw& law, Real s, Slope slope) noexcept {
   return integrate_pieces(law.breaks(), static_cast<Real>(law.rim_exponent()), law.has_polynomial_pieces(), s,
                           slope == Slope::wanted ? 3 : 2, [&](const SplitPosition<Real>& position) -> Triple<Real> {
                             const auto [rho, rim] = position.at;
-                            // Too near to weigh anything; a density without bound would overflow.
+                            // The contribution is negligible there, and an unbounded density would overflow.
                             if (rho < std::numeric_limits<Real>::min()) return {0, 0, 0};
                             const Real weight = static_cast<Real>(4 / pi) * rho * law.density(position.at);
                             const Real larger = std::max(rho, s);
