@@ -31,6 +31,12 @@ std::vector<KeyValue> with_factors(std::vector<KeyValue> keys, Factors& factors)
   return keys;
 }
 
+/// Throws for a patch of an unknown kind, or without a colon; `after` follows the word that was meant.
+[[noreturn]] void refuse_kind(std::string_view kind, std::string_view after) {
+  throw std::invalid_argument(std::string(expected_kinds) +
+                              did_you_mean(kind, {"points", "polygon", "rectangle", "ellipse", "image"}, after));
+}
+
 /// Splits a text into a file name and the key=value items after it.
 std::string split_file(std::string_view text, std::string_view& items) {
   // Starts at the end because the name may contain commas.
@@ -111,9 +117,7 @@ Patch read_plain(std::string_view kind, std::string_view rest, Factors& factors)
     read_items(rest, with_factors({law_key, number_key("a", a, positive), number_key("b", b, positive)}, factors));
     return Patch::ellipse(law, a, b);
   }
-  const std::string after = rest.empty() ? std::string{} : ':' + std::string(rest);
-  throw std::invalid_argument(std::string(expected_kinds) +
-                              did_you_mean(kind, {"points", "polygon", "rectangle", "ellipse", "image"}, after));
+  refuse_kind(kind, ':' + std::string(rest));
 }
 
 }  // namespace
@@ -122,8 +126,9 @@ Patch read_patch(const std::string& text) {
   const std::size_t colon = text.find(':');
   const std::string_view all = text;
   try {
+    if (colon == std::string::npos) refuse_kind(all, {});
     Factors factors;
-    const Patch patch = read_plain(all.substr(0, colon), colon == std::string::npos ? std::string_view{} : all.substr(colon + 1), factors);
+    const Patch patch = read_plain(all.substr(0, colon), all.substr(colon + 1), factors);
     return patch.orthotropic(factors.x, factors.y);
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument("patch '" + text + "': " + error.what());

@@ -9,7 +9,7 @@
 
 namespace limitcurve {
 
-/// How many letters must be changed, added, left out or exchanged with their neighbour to get from one word to the other.
+/// Number of letters to change, add, remove or exchange with a neighbour that turns one word into the other.
 inline std::size_t edit_distance(std::string_view from, std::string_view to) {
   const std::size_t columns = to.size() + 1;
   std::vector<std::size_t> distance((from.size() + 1) * columns);
@@ -26,8 +26,8 @@ inline std::size_t edit_distance(std::string_view from, std::string_view to) {
   return distance.back();
 }
 
-/// "; did you mean 'WORD'?", the end of a complaint: WORD is the known one that is nearest to the unknown one, with `rest` behind it.
-/// "" where none is near: at most one letter in three is wrong, or the unknown word is the beginning of a known one.
+/// The end of an error message, "; did you mean 'WORD'?": WORD is the known word nearest to the unknown one, followed by `rest`.
+/// Empty if none is near: at most one letter in three may differ, or the unknown word is the beginning of a known one.
 inline std::string did_you_mean(std::string_view unknown, const std::vector<std::string_view>& known, std::string_view rest = {}) {
   constexpr std::size_t shortest_beginning = 3;
   constexpr std::size_t longest = 40;  // no known word is longer; the distance costs the product of lengths
