@@ -4,6 +4,7 @@
 #include "c/limitcurve.h"
 
 #include <exception>
+#include <memory>
 #include <new>
 #include <stdexcept>
 #include <utility>
@@ -65,9 +66,9 @@ template <class Handle, class Make>
 limitcurve_status make_handle(Handle** handle, const Make& make) noexcept {
   if (is_missing("result", handle)) return LIMITCURVE_INVALID;
   return guarded([&] {
-    auto* const made = new Handle(make());
-    remember(made);
-    *handle = made;
+    auto made = std::make_unique<Handle>(make());
+    remember(made.get());
+    *handle = made.release();
   });
 }
 

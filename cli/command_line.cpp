@@ -88,7 +88,7 @@ void check_subcommand(const std::string& name, const std::vector<Entry>& entries
                               did_you_mean(name, known));
 }
 
-/// Of the first of the arguments that looks like an option and is none of the subcommand's.
+/// What to say of the first argument that looks like an option and is none of the subcommand's; empty if nothing helps.
 std::string option_meant(const std::vector<std::string>& arguments, const std::vector<Entry>& entries) {
   std::vector<std::string> names;
   for (const Entry& entry : entries) {
@@ -97,13 +97,13 @@ std::string option_meant(const std::vector<std::string>& arguments, const std::v
       for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
     }
   }
-  for (const std::string& argument : arguments) {
-    const std::string word = argument.substr(0, argument.find('='));
-    if (!word.starts_with("--") || std::ranges::find(names, word) != names.end()) continue;
-    const std::string meant = did_you_mean(word, {names.begin(), names.end()});
-    return meant.empty() ? "" : "; '" + word + "' is none of its options" + meant;
-  }
-  return "";
+  const auto word = [](const std::string& argument) { return argument.substr(0, argument.find('=')); };
+  const auto unknown = std::ranges::find_if(arguments, [&](const std::string& argument) {
+    return argument.starts_with("--") && std::ranges::find(names, word(argument)) == names.end();
+  });
+  if (unknown == arguments.end()) return "";
+  const std::string meant = did_you_mean(word(*unknown), {names.begin(), names.end()});
+  return meant.empty() ? "" : "; '" + word(*unknown) + "' is none of its options" + meant;
 }
 
 }  // namespace

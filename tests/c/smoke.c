@@ -95,7 +95,7 @@ static void fingers(void) {
   limitcurve_finger_free(finger);
 
   limitcurve_limits limits = {1.2, 0.006, 1.2, 0.006, 1000 / 0.04, 1, 1};
-  limitcurve_memory memory = {0, 0, 0};
+  limitcurve_memory memory = {0, 0, 0, 0};
   limitcurve_friction friction;
   CHECK(limitcurve_apply_friction(table, LIMITCURVE_CLOSEST_POINT, &limits, 2.4, 0, &memory, &friction) == LIMITCURVE_OK);
   CHECK(friction.slips && fabs(friction.force_ratio - 0.5) < 1e-12 && memory.slides);
