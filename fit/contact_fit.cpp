@@ -24,7 +24,6 @@ namespace {
 using internal::brief;
 using internal::ContactLayout;
 using internal::ContactPreparation;
-using internal::ContactResiduals;
 using internal::is_exact;
 using internal::median_size;
 using internal::Parameter;
