@@ -73,7 +73,8 @@ LIMITCURVE_API const char* limitcurve_law_name(const limitcurve_law* law);
 LIMITCURVE_API limitcurve_status limitcurve_law_moment_ratio(const limitcurve_law* law, double* moment_ratio);
 
 /* Unit wrenches at `count` COR distances in contact radii, each in [0, inf] (NaN gives NaN): forces and moments, and bounds of their
- * absolute errors, which may be NULL. Relative error <= 1e-15 in closed form, <= 1e-14 by quadrature. The outputs may be `cors` itself. */
+ * absolute errors, which may be NULL. Relative error <= 1e-15 in closed form, <= 1e-14 by quadrature (<= 2e-14 where long double is double).
+ * The outputs may be `cors` itself. */
 LIMITCURVE_API limitcurve_status limitcurve_law_evaluate(const limitcurve_law* law, const double* cors, size_t count, double* forces,
                                                          double* moments, double* force_errors, double* moment_errors);
 
