@@ -85,16 +85,16 @@ struct Image final : Shape {
     Extended mean_column = 0;
     Extended mean_row = 0;
     for (std::size_t i = 0; i < loads.size(); ++i) {
+      const std::size_t row = i / columns;
       mean_column += Extended(loads[i]) * static_cast<Extended>(i % columns);
-      mean_row += Extended(loads[i]) * static_cast<Extended>(i / columns);
+      mean_row += Extended(loads[i]) * static_cast<Extended>(row);
     }
     corner = {static_cast<double>(-(mean_column + 0.5L) * side_x), static_cast<double>((mean_row + 0.5L) * side_y)};
     for (std::size_t i = 0; i < loads.size(); ++i) {
       if (loads[i] == 0.0) continue;
-      const auto column = static_cast<Extended>(i % columns);
-      const auto row = static_cast<Extended>(i / columns);
-      xs.push_back(static_cast<double>((column - mean_column) * side_x));
-      ys.push_back(static_cast<double>((mean_row - row) * side_y));
+      const std::size_t row = i / columns;
+      xs.push_back(static_cast<double>((static_cast<Extended>(i % columns) - mean_column) * side_x));
+      ys.push_back(static_cast<double>((mean_row - static_cast<Extended>(row)) * side_y));
       weights.push_back(loads[i]);
       moments.xx += loads[i] * (xs.back() * xs.back() + side_x * side_x / 12.0);
       moments.yy += loads[i] * (ys.back() * ys.back() + side_y * side_y / 12.0);
