@@ -88,8 +88,8 @@ struct Sum final : Shape {
   [[nodiscard]] std::shared_ptr<Shape> changed(const Change& change) const {
     std::vector<Part> there;
     for (const Part& part : parts) {
-      std::shared_ptr<const Shape> shape = change(*part.shape);
-      there.push_back({part.weight, shape ? std::move(shape) : part.shape});
+      const std::shared_ptr<const Shape> shape = change(*part.shape);
+      there.push_back({part.weight, shape ? shape : part.shape});
     }
     return std::make_shared<Sum>(std::move(there));
   }
@@ -127,9 +127,9 @@ struct Sum final : Shape {
 
 }  // namespace
 
-std::shared_ptr<Shape> make_sum(std::vector<std::pair<double, std::shared_ptr<const Shape>>> parts) {
+std::shared_ptr<Shape> make_sum(const std::vector<std::pair<double, std::shared_ptr<const Shape>>>& parts) {
   std::vector<Sum::Part> summands;
-  for (auto& [weight, shape] : parts) summands.push_back({weight, std::move(shape)});
+  for (const auto& [weight, shape] : parts) summands.push_back({weight, shape});
   return std::make_shared<Sum>(std::move(summands));
 }
 
