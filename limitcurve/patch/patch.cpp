@@ -99,7 +99,7 @@ Patch Patch::sum(std::span<const std::pair<double, Patch>> parts) {
     if (part.mx_ != mx || part.my_ != my) throw std::invalid_argument("a sum of patches of different friction factors, expected the same");
     shapes.emplace_back(weight, part.shape_);
   }
-  return {patch::make_sum(std::move(shapes)), mx, my};
+  return {patch::make_sum(shapes), mx, my};
 }
 
 Patch Patch::moved(double x, double y) const {
