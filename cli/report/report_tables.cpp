@@ -33,7 +33,7 @@ void write_sizes(const std::filesystem::path& output) {
 }
 
 /// A table for each material, under the radius that its coefficients imply by each law: mu_r = m0 mu a.
-void write_materials(const std::filesystem::path& output, const std::filesystem::path& data) {
+void write_material_tables(const std::filesystem::path& output, const std::filesystem::path& data) {
   GatheredRows rows(output / "materials.csv");
   for (const Material& material : read_materials(data)) {
     for (const std::string law : {"hertz", "uniform"}) {
@@ -54,7 +54,7 @@ void write_materials(const std::filesystem::path& output, const std::filesystem:
 
 void write_table_files(const std::filesystem::path& output, const std::filesystem::path& data) {
   write_sizes(output);
-  write_materials(output, data);
+  write_material_tables(output, data);
 }
 
 void write_work_precision_files(const std::filesystem::path& output, const std::filesystem::path& data) {
