@@ -41,7 +41,7 @@ std::variant<std::vector<fit::Sample>, std::vector<fit::RatioSample>> read_ratio
     if (!reader.has(column)) throw reader.no_column(columns[column]);
   };
   if (reader.has(0) || !reader.has(ratio)) {
-    for (const std::size_t column : {0, 1, 2}) require(column);
+    for (const std::size_t column : {0U, 1U, 2U}) require(column);
     return slips(reader, file);
   }
   require(ratio + 1);
