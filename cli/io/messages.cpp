@@ -24,10 +24,10 @@ void Messages::start(const std::string& job) {
   thread_ = std::thread([this] { watch(); });
 }
 
-void Messages::progress(double share) noexcept {
+void Messages::progress(double fraction) noexcept {
   if (!thread_.joinable()) return;
   const std::lock_guard lock(mutex_);
-  share_ = std::clamp(share, 0.0, 1.0);
+  share_ = std::clamp(fraction, 0.0, 1.0);
 }
 
 void Messages::stop() {

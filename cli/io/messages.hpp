@@ -29,7 +29,7 @@ class Messages {
   /// The work named `job` begins.
   void start(const std::string& job);
   /// A share from 0 to 1 of it is done. Cheap.
-  void progress(double share) noexcept;
+  void progress(double fraction) noexcept;
   /// Nothing more is said of progress, and the bar is cleared: before results appear on the same terminal.
   void stop();
 
