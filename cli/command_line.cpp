@@ -98,8 +98,8 @@ std::string option_meant(const std::vector<std::string>& arguments, const std::v
     }
   }
   const auto word = [](const std::string& argument) { return argument.substr(0, argument.find('=')); };
-  const auto unknown = std::ranges::find_if(arguments, [&](const std::string& argument) {
-    return argument.starts_with("--") && std::ranges::find(names, word(argument)) == names.end();
+  const auto unknown = std::find_if(arguments.begin(), arguments.end(), [&](const std::string& argument) {
+    return argument.starts_with("--") && std::find(names.begin(), names.end(), word(argument)) == names.end();
   });
   if (unknown == arguments.end()) return "";
   const std::string meant = did_you_mean(word(*unknown), {names.begin(), names.end()});

@@ -256,7 +256,7 @@ TEST(SmoothPieces, RefuseAPressureWithoutBound) {
                    "peak", [](double r) { return std::pow(r, -1.9); }, whole),
                std::invalid_argument);
   EXPECT_THROW(from_pressure(
-                   "rim", [](double r) { return 1.0 / std::sqrt(1.0 - r * r); }, whole),
+                   "rim", [](double r) { return std::pow(1.0 - r * r, -0.5); }, whole),
                std::invalid_argument);
 }
 
