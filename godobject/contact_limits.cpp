@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <stdexcept>
 #include <string_view>
 
 namespace limitcurve::godobject {
@@ -49,6 +50,14 @@ double share(double sliding, double at_rest) {
 }
 
 }  // namespace
+
+template <class Real>
+void check_projection(const BasicFingerCurve<Real>& curve, Projection projection) {
+  if (curve.is_box() && projection != Projection::closest_point)
+    throw std::invalid_argument("projection: a box goes with closest-point only, which clamps force and moment each on its own");
+}
+template void check_projection(const BasicFingerCurve<double>& curve, Projection projection);
+template void check_projection(const BasicFingerCurve<float>& curve, Projection projection);
 
 template <std::floating_point Real>
 Real radius_at(const RadiusLaw& law, Real load) noexcept {

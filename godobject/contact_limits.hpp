@@ -6,7 +6,6 @@
 
 #include <concepts>
 #include <optional>
-#include <stdexcept>
 
 namespace limitcurve::godobject {
 
@@ -17,10 +16,7 @@ template <std::floating_point Real>
 /// Throws std::invalid_argument for a box with a projection other than the closest point. On a box the closest point clamps force and
 /// moment separately.
 template <class Real>
-void check_projection(const BasicFingerCurve<Real>& curve, Projection projection) {
-  if (curve.is_box() && projection != Projection::closest_point)
-    throw std::invalid_argument("projection: a box goes with closest-point only, which clamps force and moment each on its own");
-}
+void check_projection(const BasicFingerCurve<Real>& curve, Projection projection);
 
 /// The fraction of the sliding limit within which a sliding contact comes to rest (FingerParameters::rest_margin). `sliding_share` ∈ [0, 1]
 /// is the sliding limit divided by the limit at rest; the result is 1 if that is 1.
