@@ -115,5 +115,13 @@ class PageTest(unittest.TestCase):
             self.assertNotIn(scheme, log)
         self.assertEqual(self.browser.execute_script("return performance.getEntriesByType('resource').filter((e) => !e.name.startsWith('data:')).length"), 0)
 
-    def assert_fits(self, width):
-        self.assertLessEqual(self.browser.execute_script("return document.documentElement.scrollWidth"), width)
+    def assert_contrast(self, found, **page):
+        for what, contrast in found:
+            with self.subTest(what, **page):
+                self.assertGreaterEqual(contrast, 4.5)
+
+    def assert_controls_have_names_and_a_phone_is_wide_enough(self):
+        self.assertEqual(nameless_controls(self.browser), [])
+        for width in (320, 390):
+            self.open(width, 844, touch=True)
+            self.assertLessEqual(self.browser.execute_script("return document.documentElement.scrollWidth"), width)

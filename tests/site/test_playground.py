@@ -305,15 +305,10 @@ class Playground(browser.PageTest):
                 self.suggest("loosen" if scene == "block" else "radial")
                 found = self.browser.execute_script(browser.CONTRASTS) + self.browser.execute_script(CANVAS_CONTRASTS)
                 self.assertGreater(len(found), 30)
-                for what, contrast in found:
-                    with self.subTest(what, dark=dark):
-                        self.assertGreaterEqual(contrast, 4.5)
+                self.assert_contrast(found, dark=dark)
 
     def test_every_control_has_a_name_and_the_phone_needs_no_sideways_scrolling(self):
-        self.assertEqual(browser.nameless_controls(self.browser), [])
-        for width in (320, 390):
-            self.open(width, 844, touch=True)
-            self.assert_fits(width)
+        self.assert_controls_have_names_and_a_phone_is_wide_enough()
 
 
 if __name__ == "__main__":
