@@ -84,7 +84,7 @@ TYPED_TEST(BatchInput, NoNaNComesOutWhateverComesIn) {
       for (const std::span<Real> array : {arrays.x(), arrays.y(), arrays.angle(), arrays.depth()}) {
         for (Real& value : array) {
           const std::uint64_t bits = random.bits();
-          value = bits % 3 == 0   ? odd[(bits >> 8U) % odd.size()]
+          value = bits % 3 == 0   ? odd[static_cast<std::size_t>((bits >> 8U) % odd.size())]
                   : bits % 3 == 1 ? static_cast<Real>(random.logarithmic(1e-30, 1e6))
                                   : static_cast<Real>(random.uniform(-0.005, 0.005));
         }
