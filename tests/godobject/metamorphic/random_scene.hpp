@@ -102,7 +102,7 @@ void for_each_choice(std::uint64_t seed, Body&& body) {
   const auto parameter_sets = all_parameters();
   for (std::uint64_t round = 0; round < rounds; ++round) {
     Random random(seed + 1000 * round);
-    std::size_t next = static_cast<std::size_t>(seed) + round;
+    std::size_t next = static_cast<std::size_t>(seed + round);
     for (const CurveChoice& curve : all_curves()) {
       for (const NamedSurface& surface : surfaces) {
         const Choice choice{surface, curve, parameter_sets[next++ % parameter_sets.size()]};
