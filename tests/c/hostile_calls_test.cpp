@@ -50,7 +50,7 @@ class HostileCalls : public testing::Test {
     ASSERT_EQ(std::strchr(limitcurve_error(), '\n'), nullptr) << limitcurve_error();
   }
 
-  std::mt19937_64 random{13};
+  std::mt19937 random{13};
   std::size_t calls = 0;
   std::size_t refused = 0;
   limitcurve_law* law = nullptr;
