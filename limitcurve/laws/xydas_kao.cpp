@@ -2,7 +2,8 @@
 #include "limitcurve/laws.hpp"
 #include "limitcurve/number.hpp"
 
-#include <boost/math/special_functions/gamma.hpp>
+#include <boost/math/special_functions/beta.hpp>
+#include <boost/multiprecision/cpp_dec_float.hpp>
 
 #include <cmath>
 
@@ -10,16 +11,15 @@ namespace limitcurve {
 
 namespace {
 
-/// C_k(1−ρᵏ)^{1/k}, C_k = (3k/2)Γ(3/k)/[Γ(1/k)Γ(2/k)] (Xydas and Kao 1999, as normalised by ∫ 2ρ g dρ = 1).
+/// C_k(1−ρᵏ)^{1/k}, C_k = (3k/2)/B(1/k, 2/k) (Xydas and Kao 1999, as normalised by ∫ 2ρ g dρ = 1).
 class XydasKaoLaw final : public PressureLawOf<XydasKaoLaw> {
  public:
   explicit XydasKaoLaw(double k) : k_(k) {
-    // By logarithms, because Γ(3/k) overflows for small k.
-    const Extended inverse = 1 / k_;
-    using boost::math::lgamma;
-    scale_ = Extended(1.5) * k_ * std::exp(lgamma(3 * inverse) - lgamma(inverse) - lgamma(2 * inverse));
+    // In more digits, for B loses two of them for small k.
+    const boost::multiprecision::number<boost::multiprecision::cpp_dec_float<30>> digits30 = k;
+    scale_ = static_cast<Extended>(1.5 * digits30 / boost::math::beta(1 / digits30, 2 / digits30));
     // For large k the pressure falls only between about 1 − 1/k and the rim: give that range a piece of its own.
-    breaks_ = k_ > 8 ? std::vector<Extended>{0, std::exp(-4 * inverse), 1} : std::vector<Extended>{0, 1};
+    breaks_ = k_ > 8 ? std::vector<Extended>{0, std::exp(-4 / k_), 1} : std::vector<Extended>{0, 1};
   }
 
   std::string name() const override { return "xydas-kao:k=" + format_number(static_cast<double>(k_)); }

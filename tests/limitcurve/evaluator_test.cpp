@@ -55,6 +55,14 @@ TEST_P(Reference, EvaluateIsRightInRelativeTerms) {
   });
 }
 
+/// Far from the contact the force is the whole load.
+TEST(XydasKao, SmallKCarriesUnitLoadToItsStatedError) {
+  for (double k = 0.01; k < 0.1; k *= 1.02) {
+    const WrenchEstimate far = xydas_kao(k)->evaluate(1e10);
+    EXPECT_LE(std::fabs(far.wrench.force - 1.0), far.error.force) << k;
+  }
+}
+
 TEST_P(Reference, ForcesForLoopsAreRightInRelativeTerms) {
   each_row([&](const ReferenceRow& row) {
     const UnitForces<double> forces = law_->forces(row.s);
