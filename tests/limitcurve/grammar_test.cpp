@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Law strings: what is accepted, and what a refusal says.
+#include "complaint.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/number.hpp"
 
@@ -125,6 +126,12 @@ TEST(LawGrammar, SurvivesTornStrings) {
       EXPECT_EQ(std::string(error.what()).find("law '"), 0U) << error.what();
     }
   }
+}
+
+TEST(Grammar, AWordThatIsNearIsSuggestedAndNoOther) {
+  expect_mention(complaint([] { parse_law("hetz"); }), "did you mean 'hertz'?");
+  expect_mention(complaint([] { parse_law("unif"); }), "did you mean 'uniform'?");
+  EXPECT_EQ(complaint([] { parse_law("abcdefg"); }).find("did you mean"), std::string::npos);
 }
 
 }  // namespace

@@ -2,7 +2,11 @@
 #include "limitcurve/patch.hpp"
 
 #include "limitcurve/accuracy.hpp"
+#include "limitcurve/approximations.hpp"
+#include "limitcurve/exact_curve.hpp"
 #include "limitcurve/laws.hpp"
+#include "limitcurve/patch/round_models.hpp"
+#include "limitcurve/validate.hpp"
 #include "patch_reference.hpp"
 #include "tests/repetitions.hpp"
 
@@ -369,6 +373,21 @@ TEST(PatchInput, VerticesInEitherSenseAndAClosingOneAreTheSame) {
   const Patch two = Patch::polygon(other);
   for (const PatchTwist& twist : twists(4.0, 20))
     EXPECT_LE(test::difference(one.evaluate(twist), two.evaluate(twist), one.moment_ratio()), 1e-14);
+}
+
+// The ellipsoid of a disc is the ellipse through the intercepts of its law.
+TEST(RoundModels, OfADiscErrAsTheCurvesOfItsLaw) {
+  const Law law = hertz();
+  const CurveError expected = curve_error(Ellipse::through_intercepts(law->moment_ratio()), ExactCurve(law));
+  for (const RoundModel& model : round_models(Patch::ellipse(law, 0.004, 0.004))) {
+    if (model.name == "disc:hertz") {
+      EXPECT_NEAR(model.error.max_cor_ratio, 1.0, 1e-6);
+      EXPECT_NEAR(model.error.min_cor_ratio, 1.0, 1e-6);
+    }
+    if (model.name != "ellipsoid") continue;
+    EXPECT_NEAR(model.error.max_cor_ratio, expected.max_cor_ratio, 1e-3);
+    EXPECT_NEAR(model.error.min_cor_ratio, expected.min_cor_ratio, 1e-3);
+  }
 }
 
 }  // namespace limitcurve
