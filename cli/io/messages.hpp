@@ -28,7 +28,7 @@ class Messages {
 
   /// The work named `job` begins.
   void start(const std::string& job);
-  /// A share from 0 to 1 of it is done. Cheap.
+  /// This fraction of it, 0 to 1, is done. Cheap.
   void progress(double fraction) noexcept;
   /// Nothing more is said of progress, and the bar is cleared: before results appear on the same terminal.
   void stop();

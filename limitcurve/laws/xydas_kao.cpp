@@ -16,8 +16,8 @@ class XydasKaoLaw final : public PressureLawOf<XydasKaoLaw> {
  public:
   explicit XydasKaoLaw(double k) : k_(k) {
     // In more digits, for B loses two of them for small k.
-    const boost::multiprecision::number<boost::multiprecision::cpp_dec_float<30>> digits30 = k;
-    scale_ = static_cast<Extended>(1.5 * digits30 / boost::math::beta(1 / digits30, 2 / digits30));
+    const boost::multiprecision::number<boost::multiprecision::cpp_dec_float<30>> wide_k = k;
+    scale_ = static_cast<Extended>(1.5 * wide_k / boost::math::beta(1 / wide_k, 2 / wide_k));
     // For large k the pressure falls only between about 1 − 1/k and the rim: give that range a piece of its own.
     breaks_ = k_ > 8 ? std::vector<Extended>{0, std::exp(-4 / k_), 1} : std::vector<Extended>{0, 1};
   }

@@ -55,7 +55,7 @@ TEST_P(Reference, EvaluateIsRightInRelativeTerms) {
   });
 }
 
-/// Far from the contact the force is the whole load.
+// Far from the contact the force is the whole load.
 TEST(XydasKao, SmallKCarriesUnitLoadToItsStatedError) {
   for (double k = 0.01; k < 0.1; k *= 1.02) {
     const WrenchEstimate far = xydas_kao(k)->evaluate(1e10);

@@ -128,7 +128,7 @@ TEST(LawGrammar, SurvivesTornStrings) {
   }
 }
 
-TEST(Grammar, AWordThatIsNearIsSuggestedAndNoOther) {
+TEST(LawGrammar, AWordThatIsNearIsSuggestedAndNoOther) {
   expect_mention(complaint([] { parse_law("hetz"); }), "did you mean 'hertz'?");
   expect_mention(complaint([] { parse_law("unif"); }), "did you mean 'uniform'?");
   EXPECT_EQ(complaint([] { parse_law("abcdefg"); }).find("did you mean"), std::string::npos);
