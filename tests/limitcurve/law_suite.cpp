@@ -88,12 +88,12 @@ TEST_P(LawSuite, BreaksIncreaseFromTheCentre) {
 }
 
 TEST_P(LawSuite, CarriesUnitLoad) {
-  if (!has_witness()) GTEST_SKIP();
+  if (!has_witness()) GTEST_SKIP() << "the witness has too few digits where long double is double";
   EXPECT_NEAR(static_cast<double>(integrate_pressure([](long double rho) { return 2.0L * rho; }) - 1.0L), 0.0, 1e-15 + lost);
 }
 
 TEST_P(LawSuite, PureTwistNeedsTheMeanRadius) {
-  if (!has_witness()) GTEST_SKIP();
+  if (!has_witness()) GTEST_SKIP() << "the witness has too few digits where long double is double";
   const auto mean_radius = static_cast<double>(integrate_pressure([](long double rho) { return 2.0L * rho * rho; }));
   EXPECT_NEAR(law_->moment_ratio() / mean_radius, 1.0, 1e-15 + lost);
   EXPECT_EQ(law_->evaluate(0.0).wrench.force, 0.0);
@@ -101,7 +101,7 @@ TEST_P(LawSuite, PureTwistNeedsTheMeanRadius) {
 
 /// s → 0: f ≈ (V₀/2)s with V₀ = 2π(a/P)∫ p dr, that is V₀/2 = ∫ g dρ.
 TEST_P(LawSuite, ForceStartsAsThePressureOnADiameter) {
-  if (!has_witness()) GTEST_SKIP();
+  if (!has_witness()) GTEST_SKIP() << "the witness has too few digits where long double is double";
   const auto slope = static_cast<double>(integrate_pressure([](long double) { return 1.0L; }));
   EXPECT_NEAR(law_->evaluate(0.0).force_slope / slope, 1.0, 1e-14 + lost);
   EXPECT_NEAR(law_->evaluate(1e-200).wrench.force / (1e-200 * slope), 1.0, 1e-14 + lost);
@@ -116,7 +116,7 @@ TEST_P(LawSuite, PureSlidingNeedsTheWholeForce) {
 
 /// s → ∞: m ≈ ⟨ρ²⟩/(2s), df/ds ≈ ⟨ρ²⟩/(2s³): in relative terms, where textbook forms have no digit left.
 TEST_P(LawSuite, MomentFarFromTheContactIsThatOfTheMeanSquareRadius) {
-  if (!has_witness()) GTEST_SKIP();
+  if (!has_witness()) GTEST_SKIP() << "the witness has too few digits where long double is double";
   const auto mean_square = static_cast<double>(integrate_pressure([](long double rho) { return 2.0L * rho * rho * rho; }));
   for (const double far : {1e8, 1e100}) {
     const double s = far * scale();
