@@ -66,8 +66,8 @@ template <class Real, class Number>
   return {gauge_of_trial > trial.slip_from, ratio, ratio, trial.force, trial.compliance_ratio * trial.moment, last};
 }
 
-/// Closest point: the point of the curve nearest to the trial in the metric of the springs' compliance, f² + χm². The slip (f̂ − f, χ(m̂ −
-/// m)) is normal to the curve there. The residual is o_L − x·o_T: L and T are the curve's leading and trailing components at x, and o_L and
+/// Closest point: the point of the curve nearest to the trial in the metric of the springs' compliance, f² + χm². There the slip
+/// (f̂ − f, χ(m̂ − m)) is normal to the curve. The residual is o_L − x·o_T: L and T are the curve's leading and trailing components at x, and o_L and
 /// o_T the trial's excess over them in that metric. It has one root for a trial outside the curve.
 template <class Real, class Number>
 [[nodiscard]] Projected<Number> project_on_to_closest_point(const CurveView<Real>& curve, const UnitTrial<Number>& trial,

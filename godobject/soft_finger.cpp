@@ -79,10 +79,10 @@ void SoftFinger::advance(FingerState& state, const Contact& contact, const Spin&
   state.load = trial.load(slips ? landing.normal : trial.spring.normal);
   state.force = numbers(kept * springs.stiffness);
   state.moment = twist_kept * springs.twist_stiffness;
-  // A proxy moved to the finger's near side slides without a turn: its COR is at infinity.
   state.trial_force = wrench.force;
   state.trial_moment = wrench.moment;
-  state.cor = friction.slips && slips ? friction.cor : std::numeric_limits<double>::infinity();
+  // A proxy moved to the finger's near side slides without a turn: its COR is at infinity.
+  state.cor = friction.slips ? friction.cor : std::numeric_limits<double>::infinity();
   if (!slips) state.cor = std::numeric_limits<double>::quiet_NaN();
   state.slip_work = slips ? landing.along_slope * wrench.force * friction.force_ratio * (r * (1.0 - friction.force_ratio)) +
                                 wrench.moment * friction.moment_ratio * (rho * (1.0 - friction.moment_ratio))
