@@ -15,6 +15,7 @@ project = "limitcurve"
 version = release = re.search(r'version = "(.*)"', (ROOT / "limitcurve" / "version.hpp").read_text(encoding="utf-8"))[1]
 root_doc = "index"
 include_patterns = sorted(name for name in FILES if name.endswith(".md"))
+exclude_patterns = ["build", "out"]  # Sphinx follows links, and in build/ports the z: of wine is the whole machine
 sys.path += map(str, ROOT.glob(f"build/venv/lib/python{sys.version_info.major}.{sys.version_info.minor}/site-packages"))
 extensions = ["myst_parser", "breathe", "sphinx.ext.autodoc", "sphinx_copybutton", "docstrings", "engines", "headers", "repository", "formulas", "theme"]
 myst_enable_extensions = ["dollarmath"]
