@@ -165,7 +165,9 @@ Landing follow(const TrialDeflection& trial, const Contact& contact, const Vecto
     rise = std::min(rise * (square / before), longest - contact.depth);
   }
   const double normal = contact.depth + rise;
-  const double along_slope = rise != 0.0 && square > 0.0 ? std::max(1.0 + 2.0 * normal * rise / square, 0.0) : 1.0;
+  // A deflection whose square is near underflow is none: the slope would be infinite.
+  constexpr double none = 1e-200;
+  const double along_slope = rise != 0.0 && square > none ? std::max(1.0 + 2.0 * normal * rise / square, 0.0) : 1.0;
   return {contact.point + tangential + contact.normal * rise, normal, along_slope};
 }
 
