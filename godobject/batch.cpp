@@ -11,7 +11,7 @@ namespace limitcurve::godobject {
 template <class Real>
 BasicBatch<Real>::BasicBatch(BasicFingerCurve<Real> curve, const FingerParameters& parameters, Projection projection)
     : curve_(std::move(curve)),
-      limits_(parameters, curve_.moment_ratio()),
+      limits_(parameters, curve_.moment_max()),
       projection_(projection),
       stiffness_(static_cast<Real>(parameters.stiffness)),
       twist_stiffness_(static_cast<Real>(parameters.twist_stiffness)) {

@@ -36,12 +36,12 @@ void check_finger(const FingerParameters& parameters) {
     throw out_of_range("fault_decay", parameters.fault_decay, "1", "0 <= fault_decay <= 1");
 }
 
-/// The radius for which μ m₀ a is the moment coefficient. For a coefficient of 0 a radius so small that the moment is negligible: limits
+/// The radius for which μ a m_max is the moment coefficient. For a coefficient of 0 a radius so small that the moment is negligible: limits
 /// are continuous in the parameters.
-double equivalent_radius(double moment_coefficient, double mu, double moment_ratio) {
+double equivalent_radius(double moment_coefficient, double mu, double moment_max) {
   constexpr double almost_none = 1e-20;
   constexpr double finite = 1e200;
-  return mu > 0.0 ? std::clamp(moment_coefficient / (mu * moment_ratio), almost_none, finite) : almost_none;
+  return mu > 0.0 ? std::clamp(moment_coefficient / (mu * moment_max), almost_none, finite) : almost_none;
 }
 
 /// The sliding limit divided by the limit at rest; 1 if that is 0.
@@ -74,16 +74,16 @@ double rest_share(double sliding_share, double rest_margin) noexcept {
   return sliding_share > rounding ? sliding_share / (sliding_share + rest_margin * (1.0 - sliding_share)) : 0.0;
 }
 
-ContactLimits::ContactLimits(const FingerParameters& parameters, double moment_ratio) {
+ContactLimits::ContactLimits(const FingerParameters& parameters, double moment_max) {
   check_finger(parameters);
-  positive("moment_ratio", moment_ratio, "1");
+  positive("moment_max", moment_max, "1");
   const double mu = non_negative("mu", parameters.mu, "1");
   const double mu_dynamic = non_negative("mu_dynamic", parameters.mu_dynamic.value_or(mu), "1");
   if (mu_dynamic > mu) throw out_of_range("mu_dynamic", mu_dynamic, "1", "0 <= mu_dynamic <= mu");
   if (parameters.moment_coefficient) {
     const double mu_r = non_negative("moment_coefficient", *parameters.moment_coefficient, "m");
     if (mu == 0.0 && mu_r > 0.0) throw out_of_range("moment_coefficient", mu_r, "m", "0 where mu is 0");
-    at_rest_ = {mu, equivalent_radius(mu_r, mu, moment_ratio)};
+    at_rest_ = {mu, equivalent_radius(mu_r, mu, moment_max)};
     // By default both coefficients fall by the same factor, so that the radius stays.
     sliding_ = {mu_dynamic, at_rest_.radius};
     if (parameters.moment_coefficient_dynamic) {
@@ -94,7 +94,7 @@ ContactLimits::ContactLimits(const FingerParameters& parameters, double moment_r
       // The moment may keep a limit without a sliding force: give the force a limit of almost 0.
       constexpr double almost_none = 1e-25;
       if (mu_r_dynamic > 0.0) sliding_.force = std::max(mu_dynamic, almost_none);
-      sliding_.radius = equivalent_radius(mu_r_dynamic, sliding_.force, moment_ratio);
+      sliding_.radius = equivalent_radius(mu_r_dynamic, sliding_.force, moment_max);
     }
     has_torsion_ = mu_r > 0.0;
     const double exponent = parameters.moment_exponent;

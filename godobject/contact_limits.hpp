@@ -23,12 +23,12 @@ void check_projection(const BasicFingerCurve<Real>& curve, Projection projection
 [[nodiscard]] double rest_share(double sliding_share, double rest_margin) noexcept;
 
 /// The friction limits of a finger as a function of its load: μP and a(P). With a moment coefficient the radius follows from it,
-/// a = μ_r P^γ/(μ m₀). Immutable.
+/// a = μ_r P^γ/(μ m_max). Immutable.
 class ContactLimits {
  public:
-  /// `moment_ratio` is the limit curve's m₀. Checks all parameters, springs, dampers and fault parameters too; throws std::invalid_argument
+  /// `moment_max` is the limit curve's moment of a pure twist, M/(μPa). Checks all parameters, springs, dampers and fault parameters too; throws std::invalid_argument
   /// with parameter, value, unit and range.
-  ContactLimits(const FingerParameters& parameters, double moment_ratio);
+  ContactLimits(const FingerParameters& parameters, double moment_max);
 
   /// The limits at a load P [N] ≥ 0, for springs of the ratio k_l/k_r [1/m²].
   template <class Real, class Number>

@@ -44,8 +44,9 @@ class BasicFingerCurve {
   void view() const&& = delete;  // would dangle
   [[nodiscard]] bool is_box() const noexcept { return view_.is_box; }
   [[nodiscard]] double force_max() const noexcept { return static_cast<double>(view_.force_max); }
+  [[nodiscard]] double moment_max() const noexcept { return static_cast<double>(view_.moment_max); }
   /// m₀: moment intercept over force intercept.
-  [[nodiscard]] double moment_ratio() const noexcept { return static_cast<double>(view_.moment_max) / force_max(); }
+  [[nodiscard]] double moment_ratio() const noexcept { return moment_max() / force_max(); }
 
   /// The wrench of a slip twist.
   [[nodiscard]] UnitWrench wrench(SlipTwist twist) const noexcept;

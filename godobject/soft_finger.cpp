@@ -11,7 +11,7 @@ namespace limitcurve::godobject {
 using Eigen::Vector3d;
 
 SoftFinger::SoftFinger(FingerCurve curve, const FingerParameters& parameters, Projection projection)
-    : curve_(std::move(curve)), parameters_(parameters), projection_(projection), limits_(parameters, curve_.moment_ratio()) {
+    : curve_(std::move(curve)), parameters_(parameters), projection_(projection), limits_(parameters, curve_.moment_max()) {
   check_projection(curve_, projection);
 }
 

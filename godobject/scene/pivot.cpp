@@ -87,7 +87,7 @@ FingerParameters friction_parameters(const PivotOptions& options) {
 double load_to_hold(const PivotOptions& options, const FingerCurve& curve) {
   if (!(options.mu > 0.0)) return std::numeric_limits<double>::infinity();
   const double share = 0.5 * options.mass * options.gravity;
-  return ContactLimits(friction_parameters(options), curve.moment_ratio()).load_to_hold(curve, share, share * options.offset);
+  return ContactLimits(friction_parameters(options), curve.moment_max()).load_to_hold(curve, share, share * options.offset);
 }
 
 /// μ_r/μ_l [m]: the given one, or m₀ a at the load that holds the block.

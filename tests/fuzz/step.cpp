@@ -24,7 +24,7 @@ bool same(const FingerOutput& one, const FingerOutput& other) {
 void require_within_limit(const SoftFinger& finger) {
   const FingerOutput output = finger.output();
   const FrictionLimits<double> limits =
-      ContactLimits(finger.parameters(), finger.curve().moment_ratio()).at<double>(finger.state().limit_load, 1.0);
+      ContactLimits(finger.parameters(), finger.curve().moment_max()).at<double>(finger.state().limit_load, 1.0);
   const bool slips = output.state == ContactState::slip;
   const bool is_box = finger.curve().is_box();
   const FrictionMemory<double>& memory = finger.state().friction;

@@ -155,6 +155,18 @@ TEST(SoftFinger, MomentCoefficientSetsTheLimitWhateverTheRadiusLaw) {
   }
 }
 
+/// Γ is what the parameter says, in any unit of the curve's force.
+TEST(SoftFinger, MomentCoefficientSetsTheLimitWhateverTheScaleOfTheCurve) {
+  FingerParameters with = parameters();
+  with.moment_coefficient = 0.00384;
+  for (const FingerCurve& curve : {FingerCurve(Ellipse(2.0, 0.6)), FingerCurve(box(0.5, 3.0))}) {
+    SoftFinger finger(curve, with);
+    finger.update(on_plane(0.0, 0.0, 0.002), 0.0);
+    finger.update(on_plane(0.0, 0.0, 0.002), 3.0);
+    EXPECT_NEAR(finger.output().moment, -0.00384 * with.stiffness * 0.002, 1e-15);
+  }
+}
+
 /// Issue 9, point 8: what a fit of a growing contact gives can be typed in.
 TEST(SoftFinger, MomentExponentMakesTheLimitGrowWithTheLoad) {
   for (const double exponent : {-0.5, -0.1, 0.0, 0.257, 1.0}) {

@@ -143,7 +143,7 @@ TYPED_TEST(Packs, GiveTheBitsOfSingleNumbers) {
   for (const Curve<Real>& curve : curves<Real>()) {
     for (const Projection projection : curve.projections) {
       for (const Finger& finger : fingers()) {
-        const ContactLimits limits(finger.parameters, curve.curve.moment_ratio());
+        const ContactLimits limits(finger.parameters, curve.curve.moment_max());
         const kernel::Shared<Real> shared{curve.curve.view(), projection, limits, static_cast<Real>(finger.parameters.stiffness),
                                           static_cast<Real>(finger.parameters.twist_stiffness)};
         Motion motion;

@@ -18,7 +18,7 @@ struct StepCheck {
 };
 
 inline godobject::FrictionLimits<double> limits_of(const godobject::SoftFinger& finger) {
-  return godobject::ContactLimits(finger.parameters(), finger.curve().moment_ratio()).at<double>(finger.state().limit_load, 1.0);
+  return godobject::ContactLimits(finger.parameters(), finger.curve().moment_max()).at<double>(finger.state().limit_load, 1.0);
 }
 
 /// Checks the step that `finger` just made on `sample` from the state `last`.

@@ -245,7 +245,7 @@ class SoakScene {
         if (!same_bits(output.proxy, vector(before.proxy)) || output.angle != before.angle) return "a stuck proxy moved";
       }
       const FrictionLimit<double> limit =
-          ContactLimits(one.parameters(), one.curve().moment_ratio()).at<double>(one.state().limit_load, 1.0).at_rest;
+          ContactLimits(one.parameters(), one.curve().moment_max()).at<double>(one.state().limit_load, 1.0).at_rest;
       if (!(limit.force * limit.radius > 1e-100)) continue;
       const UnitWrench wrench{output.force.norm() / limit.force, std::fabs(output.moment) / (limit.force * limit.radius)};
       const double beyond = one.curve().gauge(wrench) - 1.0;
