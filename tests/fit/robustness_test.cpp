@@ -2,6 +2,7 @@
 // Gross errors in a few rows: the robust losses outlive them.
 #include "fit/contact_fit.hpp"
 
+#include "fit/internal/contact_assumptions.hpp"
 #include "limitcurve/laws.hpp"
 #include "tests/fit/coverage.hpp"
 #include "tests/fit/synthetic.hpp"
@@ -121,6 +122,30 @@ TEST(Robustness, CauchyOutlivesAThirdOfTheRowsInEveryModel) {
       }
     }
   }
+}
+
+/// A refusal by the squared loss is answered by Cauchy's only where there are outliers.
+TEST(Robustness, WithoutOutliersTheFirstRefusalStands) {
+  const auto squared_refuses = [](std::vector<std::size_t> outliers, bool cauchy_refuses) {
+    return [outliers = std::move(outliers), cauchy_refuses](const ContactFitOptions& options) {
+      if (options.loss.kind == Loss::Kind::squared) throw std::invalid_argument("no solution");
+      if (cauchy_refuses) throw std::invalid_argument("none by Cauchy either");
+      ContactFit fit;
+      fit.outliers = outliers;
+      return fit;
+    };
+  };
+  const auto refusal = [](const auto& fit) {
+    try {
+      return internal::fit_or_outlive_outliers({}, fit).report.warnings.at(0);
+    } catch (const std::invalid_argument& error) {
+      return std::string(error.what());
+    }
+  };
+  EXPECT_EQ(refusal(squared_refuses({}, false)), "no solution");
+  EXPECT_EQ(refusal(squared_refuses({3}, true)), "no solution");
+  EXPECT_EQ(refusal(squared_refuses({3}, false)),
+            "by the squared loss no solution; the outliers do that: this is the fit by Cauchy's loss");
 }
 
 /// What loss.hpp says of the default scales: 5 % of efficiency lost on clean data.
