@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The fingers inside MuJoCo (examples/python/8_mujoco_pivot.py), against `pivot`, whose integrator is another (issue 13, point 5)."""
+"""The fingers inside MuJoCo (examples/python/8_mujoco_pivot.py), against `pivot`, whose integrator is another."""
 
 import importlib.util
 

@@ -99,7 +99,7 @@ def test_many_rows_are_streamed():
 
 
 def test_files_of_any_option_may_be_columns(tmp_path):
-    """Issue 13, point 5: `run` says that files may be columns; only data, trace and twists could."""
+    """`run` says that files may be columns; once only data, trace and twists could."""
     grip = tmp_path / "grip.csv"
     grip.write_text("time,load\n0,0.5\n0.1,0.4\n")
     from_file = lc.run("pivot", case="exact", material="sandpaper", grip=grip, duration=0.1)

@@ -60,7 +60,7 @@ TEST(SameBits, EvaluateOfALaw) {
   }
 }
 
-/// A box has two slip states and two shares of rest, which C passes on each for itself (issue 13, point 1).
+/// A box has two slip states and two shares of rest, which C passes on each for itself.
 TEST(SameBits, FrictionOfABoxWhoseTestsComeToRestApart) {
   limitcurve_table* box = nullptr;
   ASSERT_EQ(limitcurve_table_box(1, 0.6, &box), LIMITCURVE_OK);

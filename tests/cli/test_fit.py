@@ -26,7 +26,7 @@ class Fit(CommandLineTest):
         self.assertEqual(lines[0], ["parameter", "value", "std_error", "unit", "note"])
         return {name: float(value) for name, value, *_ in lines[1:]}, done.stderr
 
-    # Issue 10, point 11: Table 1's claim that mu_r/mu_l does not depend on the material, by its published means and deviations.
+    # Table 1's claim that mu_r/mu_l does not depend on the material, by its published means and deviations.
     def test_one_ratio_for_all_materials(self):
         table = [(7.39, 0.91), (6.37, 0.88), (6.20, 1.54)]
         weights = [1 / sd**2 for _, sd in table]
@@ -104,7 +104,7 @@ class Fit(CommandLineTest):
         self.assertIn("mu_r", self.fitted("load", "--data", moments)[0])
 
     def test_growth_that_was_not_fitted_is_warned_of(self):
-        """Issue 9, point 8: 80 clean slips of a = 4.35 mm P^0.257 were fitted with gamma = 0, without a warning."""
+        """Once, 80 clean slips of a = 4.35 mm P^0.257 were fitted with gamma = 0, without a warning."""
         data = self.growing("hertz")
         _, said = self.fitted("law", "--data", data)
         self.assertIn("gamma = 0 was assumed, but 0.25", said)
@@ -129,7 +129,7 @@ class Fit(CommandLineTest):
                 self.assertIn("warning: rows 4, 17, 30 of 45 (the first is 1): gross outliers", said)
 
     def test_one_force_ten_times_too_large(self):
-        """Issue 9, point 9: with sigmas force_max came out as 8.67 for 0.8."""
+        """Once, with sigmas, force_max came out as 8.67 for 0.8."""
         lines = ["load,force,moment,sigma_force,sigma_moment"]
         for i, row in enumerate(rows("p-curves", "--law", "hertz", "--radius-law", "constant:a=0.005", "--mu", "0.8", "--loads", "2", "--points", "20")):
             force = row["force"] * (10 if i == 3 else 1)
@@ -212,7 +212,7 @@ class Translate(CommandLineTest):
         self.assertAlmostEqual(errors["box"], 0.512, delta=1e-3)
 
     def test_the_cone_is_a_row(self):
-        """Issue 9, point 10: elliptic or pyramidal decides everything."""
+        """The cone option is on the models it holds for, and on no other row."""
         cones = {(row["model"], row["value"], row["unit"], row["note"]) for row in rows(*self.CONTACT) if row["parameter"] == "option.cone"}
         self.assertEqual(cones, {("ellipse", 1, 1, "elliptic"), ("diamond", 0, 1, "pyramidal")})
         self.assertEqual({row["note"] for row in rows(*self.CONTACT) if row["parameter"] != "option.cone"}, {""})
@@ -235,7 +235,7 @@ class Translate(CommandLineTest):
             self.assertGreaterEqual(row["loads_error"], row["max_error"])
 
     def test_units_of_length_do_not_matter(self):
-        """Issue 9, point 3: of a Gaussian of sigma = 1e-3 the error at a centre of rotation was sampled at its ends only."""
+        """Once, of a Gaussian of sigma = 1e-3, the error at a centre of rotation was sampled at its ends only."""
         def errors(sigma, radius, load):
             return [(row["max_error"], row["cor_error"], row["loads_error"], row["value"] / (radius * sigma if row["unit"] == "m" else 1))
                     for row in rows("translate", "--law", f"gaussian:sigma={sigma}", "--radius-law", f"power:c={radius},gamma=0.25", "--mu", "0.8",

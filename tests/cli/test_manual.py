@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The man page and the completions have every subcommand and every option of --help (issue 13, point 6)."""
+"""The man page and the completions have every subcommand and every option of --help."""
 
 import re
 import shutil

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What is said on standard error: progress (a bar on a terminal, lines elsewhere, nothing when quiet), colours, and what was meant (issue 14, point 5)."""
+"""What is said on standard error: progress (a bar on a terminal, lines elsewhere, nothing when quiet), colours, and what was meant."""
 
 import os
 import pty

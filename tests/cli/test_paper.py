@@ -163,7 +163,6 @@ class Corrections(CommandLineTest):
         peaked = next(row for row in rows("validate", "--law", "xydas-kao:k=0.2") if row["model"] == "ellipse")
         self.assertAlmostEqual(100 * peaked["max_under_estimate"], 1.6, delta=0.05)
 
-    # Issue 10, point 14.
     def test_form_closure_by_two_soft_fingers(self):
         call = ["replay", "--trace", DATA / "scenes" / "pinch.csv", *FINGER_OPTIONS, "--fingers", "2", "--surface",
                 "box:x=0.12,y=0.04,z=0.04", "--body", "free:mass=0.1", "--damping", "2"]

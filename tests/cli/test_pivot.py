@@ -60,7 +60,7 @@ class Pivot(CommandLineTest):
         self.assertEqual([row["load"] for row in rows(*call, "target=0.5235987755982988rad")], [row["load"] for row in expected])
         self.assertEqual([row["load"] for row in rows(*call, "target=30deg")], [row["load"] for row in expected])
 
-    # Issue 10, point 7: the wrench of one finger after step b, and the trial before it.
+    # The wrench of one finger after step b, and the trial before it.
     def test_the_wrench_of_one_finger_and_its_trial(self):
         for case in CASES:
             found = rows("pivot", "--case", case, "--release", "from=0.45,to=0.2,over=2", "--duration", "2")
@@ -85,7 +85,7 @@ class Pivot(CommandLineTest):
                 if row["state"] == "free":
                     self.assertEqual([row[name] for name in ("r", "rho", "trial_r", "trial_rho")], [0, 0, 0, 0])
 
-    # Issue 10, point 8: the default grip holds the block of every material.
+    # The default grip holds the block of every material.
     def test_every_material_holds_the_block_at_first(self):
         starts = {"sandpaper": 0.5, "rayon": 1.9, "suede": 1.4}
         for material, start in starts.items():
@@ -114,7 +114,6 @@ class Pivot(CommandLineTest):
         done = run("pivot", "--case", "exact", "--mu", "0", "--moment-coefficient", "0", "--twist-stiffness", "0.03", "--duration", "0.1")
         self.assertIn("no load does", done.stderr)
 
-    # Issue 10, point 9.
     def test_the_operator_regrips_out_of_a_slide(self):
         for material in ["sandpaper", "rayon", "suede"]:
             call = ["pivot", "--material", material, "--operator"]
@@ -130,7 +129,7 @@ class Pivot(CommandLineTest):
         for case in ["coupled", "exact"]:
             self.assertEqual(rows("pivot", "--case", case, "--operator", "target=80deg")[-1]["state"], "stick")
 
-    # Issue 10, point 5: before the block leaves the fingers it turns by so much. The scan's stiffnesses are so many times k_l (mu_r/mu_l)^2.
+    # Before the block leaves the fingers it turns by so much. The scan's stiffnesses are so many times k_l (mu_r/mu_l)^2.
     def test_the_twist_stiffness_decides_what_the_radial_projection_does(self):
         usual = 1000 * (0.01011 / 1.67) ** 2
         for case, expected in [("coupled", [86, 50, 13, 1.5]), ("exact", [46, 53, 54, 54])]:
@@ -139,14 +138,13 @@ class Pivot(CommandLineTest):
                 held = [row["angle"] for row in found if row["state"] != "free"]
                 self.assertAlmostEqual(math.degrees(max(held)), angle, delta=0.5 if angle > 2 else 0.05, msg=f"{case} {times}")
 
-    # Issue 10, point 6: whether the block turns in case B is decided by the offset, which is ours: mu_r/mu_l is 6.05 mm.
+    # Whether the block turns in case B is decided by the offset, which is ours: mu_r/mu_l is 6.05 mm.
     def test_the_offset_decides_case_b(self):
         for offset, least, most in [("0.005", 0, 1), ("0.006", 0, 1), ("0.007", 30, 45)]:
             found = rows("pivot", "--case", "uncoupled", "--offset", offset, "--release", "from=1,to=0,over=10")
             angle = next(abs(math.degrees(row["angle"])) for row in found if row["grip_slip"] >= 0.005)
             self.assertTrue(least <= angle <= most, (offset, angle))
 
-    # Issue 10, point 10.
     def test_curve_projection_and_radius_law_of_ones_own(self):
         named = {"coupled": ("ellipse", "radial"), "uncoupled": ("box", "closest-point"), "exact": ("table", "closest-point")}
         release = ["--release", "from=0.45,to=0.3,over=2", "--duration", "2"]

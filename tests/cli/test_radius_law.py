@@ -30,7 +30,6 @@ class RadiusLaws(CommandLineTest):
         return f"samples:{path}"
 
     def test_millimetres(self):
-        # Issue 9, point 12.
         for law in ["constant:a=5", "hertz:R=8000,E=0.2", "power:c=2.07,gamma=0.259", self.samples("0.5,4\n4,6\n")]:
             for name, warnings in self.uses(law, (1, 2)):
                 self.assertEqual(len(warnings), 1, name)
@@ -45,7 +44,6 @@ class RadiusLaws(CommandLineTest):
                 self.assertEqual(warnings, [], name)
 
     def test_beyond_the_samples(self):
-        # Issue 9, point 5.
         law = self.samples("1,0.004\n2,0.005\n4,0.006\n")
         for loads in [(0.5, 3), (1.5, 4.5), (0.1, 9)]:
             for name, warnings in self.uses(law, loads):
@@ -58,7 +56,7 @@ class RadiusLaws(CommandLineTest):
         return f"moments:{path}"
 
     def test_moments_are_a_radius_law_wherever_one_is_taken(self):
-        # Issue 10, point 10: Γ(P) = m0 mu P a(P), m0 = 3 pi/16 of Hertz.
+        # Γ(P) = m0 mu P a(P), m0 = 3 pi/16 of Hertz.
         radius = lambda load: 0.0045 * load ** 0.3
         loads = [0.5, 1.3, 4]
         moments = self.moments("".join(f"{load},{3 * math.pi / 16 * 0.5 * load * radius(load)!r}\n" for load in loads))

@@ -38,7 +38,7 @@ class Replays(CommandLineTest):
                         self.assertLessEqual(abs(row["moment"]), 0.6 * 0.006 * M0 * row["load"] * (1 + 1e-9))
 
     def test_the_exact_curve_of_a_measured_profile_has_the_error_of_its_samples(self):
-        # Issue 9, point 6: it said the error of the table alone, a hundredth of the profile's own or less.
+        # Once it said the error of the table alone, a hundredth of the profile's own or less.
         profile = self.file("profile.csv", "radius,pressure\n" + "".join(f"{i / 20},{math.sqrt(1 - (i / 20) ** 2)}\n" for i in range(21)))
         law = f"samples:{profile}"
         estimates = rows("eval", "--law", law, "--c", numbers([0, 0.2, 0.5, 0.8, 0.95, 1, 1.05, 1.3, 2, 5]))
@@ -106,7 +106,6 @@ class Replays(CommandLineTest):
         self.assert_fails(2, ["bad.csv:1:1", "'twist'", "qw,qx,qy,qz"], "replay", "--trace", part, *FINGER)
 
     def test_a_trace_without_twist_does_not_twist(self):
-        # Issue 10, point 10.
         still = "time,x,y,z\n" + "".join(f"{i / 1000},{1e-5 * i!r},{2e-6 * i!r},-0.001\n" for i in range(200))
         told = still.replace("z\n", "z,twist\n").replace("-0.001\n", "-0.001,0\n")
         plain = run("replay", "--trace", self.file("told.csv", told), *FINGER)
@@ -123,7 +122,7 @@ class Replays(CommandLineTest):
         self.assertIn("no column 'twist'", done.stderr)
 
     def test_the_box_holds_a_twist_while_the_force_slips(self):
-        # Issue 10, point 1: the moment fell from 1.909 to 1.060 mN m with the force.
+        # Once the moment fell from 1.909 to 1.060 mN m with the force.
         limit = 0.6 * 0.006 * M0
         twist = 0.9 * limit / 0.036
         text = "time,x,y,z,twist\n0,0,0,-0.001,0\n" + "".join(f"{(i + 1) / 1000},{2e-5 * i!r},0,-0.001,{twist!r}\n" for i in range(100))
@@ -149,7 +148,7 @@ class Replays(CommandLineTest):
         return -float(done.stdout.splitlines()[-1].split(",")[7]), done.stderr
 
     def test_a_small_contact_is_frictionless_under_eq_23_and_a_note_says_so(self):
-        # Issue 10, point 2: mu P = 0.6 N.
+        # mu P = 0.6 N.
         for mu_r, expected, is_far in [("0.01", 0.551, False), ("0.001", 0.135, True), ("0.0001", 0.0139, True), ("0.000001", 0.00014, True),
                                        ("0", 0.6, False)]:
             force, told = self.settled(mu_r, "--boundary", "ellipse", "--projection", "radial")

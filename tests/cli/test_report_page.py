@@ -30,7 +30,7 @@ class ReportPage(CommandLineTest):
         self.assert_one_meaning_of_lost(page)
 
     def assert_one_meaning_of_lost(self, page):
-        """Issue 9, point 11: the angles on the page are those at which the block is lost, as in the map."""
+        """The angles on the page are those at which the block is lost, as in the map."""
         turned = {}
         with open(self.directory / "out" / "pivot.csv", newline="", encoding="utf-8") as file:
             for row in csv.DictReader(file):

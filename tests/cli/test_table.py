@@ -29,7 +29,7 @@ class Tables(CommandLineTest):
         self.assertEqual(header("lookup", "--table", path, "--c", "1"), "c,force,moment")
 
     def test_a_measured_profile_states_its_own_error(self):
-        # Issue 9, point 6: only the error of interpolating the curve was told, a hundredth of the profile's own.
+        # Once only the error of interpolating the curve was told, a hundredth of the profile's own.
         profile = self.directory / "profile.csv"
         profile.write_text("radius,pressure\n" + "".join(f"{i / 20},{math.sqrt(1 - (i / 20) ** 2)}\n" for i in range(21)))
         places = numbers([0, 0.2, 0.5, 0.8, 0.95, 1, 1.05, 1.3, 2, 5, 1e9])
@@ -59,7 +59,6 @@ class Tables(CommandLineTest):
             self.assertEqual(rows("lookup", "--table", path, "--c", "0,0.5,2"), found)
 
     def test_a_byte_order_mark_is_no_part_of_a_table(self):
-        # Issue 9, point 5.
         for form in FORMS:
             path, _ = self.build("hertz", 1e-4, form)
             found = rows("lookup", "--table", path, "--c", "0,0.5,2")
@@ -87,7 +86,6 @@ class Tables(CommandLineTest):
                 self.assertGreater(worst, 0)
 
     def test_the_header_compiles_as_c_and_gives_the_tables_wrenches(self):
-        # Issue 9, point 12.
         path, _ = self.build("hertz", 1e-8, "h")
         name = "limitcurve_table_hertz"
         program = self.directory / "main.c"
@@ -103,7 +101,7 @@ class Tables(CommandLineTest):
             self.assertAlmostEqual(moment, row["moment"], delta=1e-14)
 
     def test_any_tolerance(self):
-        # Issue 9, point 5: power:n=20 had no table of 0.05.
+        # Once power:n=20 had no table of 0.05.
         generator = random.Random(9)
         for law in ["power:n=20", "power:n=1000", "power:n=-0.99", "gaussian:sigma=1e-6", "gaussian:sigma=1000", "hertz", "uniform"]:
             for tolerance in [0.1, 0.05, *(10 ** generator.uniform(-8, -1) for _ in range(5))]:

@@ -65,7 +65,7 @@ class Validate(CommandLineTest):
             self.assertLessEqual(models["ellipse-outer"]["max_under_estimate"], 1e-12)
 
     def test_units_of_length_do_not_matter(self):
-        # Issue 9, point 3: max_cor_error was inf, or that of a place far from the ends.
+        # Once max_cor_error was inf, or that of a place far from the ends.
         alike = [self.models(f"gaussian:sigma={sigma}") for sigma in ["1e-6", "0.001", "1", "1000", "1e6"]]
         for model in ["ellipse", "ellipse-inner", "ellipse-outer", "superellipse", "quartic", "box", "diamond"]:
             for column in ["max_error", "rms_error", "max_over_estimate", "max_under_estimate", "max_cor_error"]:
@@ -78,7 +78,6 @@ class Validate(CommandLineTest):
         self.assertAlmostEqual(self.models("xydas-kao:k=0.1")["ellipse"]["max_cor_error"], 2.8426699, delta=1e-6)
 
     def test_rows_twice_and_units_of_a_profile_do_not_matter(self):
-        # Issue 9, points 2 and 3.
         path = self.directory / "profile.csv"
         expected = others = None
         for times, length, force in [(1, 1, 1), (2, 1, 1), (3, 1, 1), (1, 1000, 1), (1, 1, 7), (2, 0.0254, 1e6)]:
@@ -144,7 +143,7 @@ class Choose(CommandLineTest):
         self.assert_fails(2, ["least load"], *scene, "--loads", "2,1")
 
     def test_a_scene_with_a_twist_after_a_slide(self):
-        # Issue 9, point 7: ellipse/radial was recommended with an error of 0.051; a twist after a slide showed 0.286.
+        # Once ellipse/radial was recommended with an error of 0.051; a twist after a slide showed 0.286.
         found = run("choose", "--scene", "--law", "xydas-kao:k=3", "--tolerance", "0.0858", "--mu", "1.126", "--radius-law", "constant:a=0.007428",
                     "--loads", "2,2", "--stiffness", "510.184", "--twist-stiffness", "0.00468116", "--slide-speed", "0.008314",
                     "--twist-rate", "0.1404")
@@ -181,7 +180,7 @@ class Choose(CommandLineTest):
             self.assertEqual(one, tables[0])
 
     def test_where_no_table_can_be_built(self):
-        # Issue 9, point 5: no models at all were listed, for power:n=1000 at 0.1.
+        # Once no models at all were listed, for power:n=1000 at 0.1.
         # Below 1e-14 no table is to be had, and this moment limit is 1e-15 contact radii.
         models, best = self.chosen("xydas-kao:k=0.01", 0.01)
         self.assertEqual((set(models), best), ({"diamond", "box", "ellipse", "superellipse", "quartic", "table", "exact"}, "superellipse"))

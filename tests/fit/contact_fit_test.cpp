@@ -114,7 +114,7 @@ TEST(ContactFit, RecoversAHundredTruthsOfEveryModelToEightDigits) {
   }
 }
 
-/// Issue 9, point 9: "comes back to 1e-8" held for the laws in the middle of the families only (power:n=1000: 5e-6).
+/// Once, "comes back to 1e-8" held for the laws in the middle of the families only (power:n=1000: 5e-6).
 TEST(ContactFit, RecoversTheRadiusUnderEveryFormulaToEightDigits) {
   for (const char* text : {"flat-punch", "uniform", "parabolic", "cone", "power:n=-0.95", "power:n=6", "power:n=20", "power:n=1000",
                            "xydas-kao:k=0.2", "xydas-kao:k=50", "gaussian:sigma=0.001", "gaussian:sigma=5", "mix:0.7*hertz+0.3*uniform"}) {

@@ -140,7 +140,7 @@ TEST(CurveFit, ShapesOfOneParameterLeastSquaresIsTheMinimumThatBruteForceFinds) 
   }
 }
 
-/// Issue 9, point 4: the fit minimises the reported error, whatever the law and its unit of length.
+/// The fit minimises the reported error, whatever the law and its unit of length.
 TEST(CurveFit, NoNeighbourHasALesserReportedError) {
   for (const char* text : {"hertz", "flat-punch", "cone", "power:n=-0.95", "power:n=20", "power:n=1000", "xydas-kao:k=0.2",
                            "xydas-kao:k=20", "gaussian:sigma=1", "gaussian:sigma=1e-3", "mix:0.9*power:n=500+0.1*flat-punch"}) {

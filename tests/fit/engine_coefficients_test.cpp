@@ -83,7 +83,6 @@ TEST(EngineCoefficients, ErrorsAreThoseOfTheShapes) {
   }
 }
 
-// Issue 9, point 3.
 TEST(EngineCoefficients, ErrorAtTheSameCorDoesNotDependOnUnitsOfLength) {
   const double expected = translate(gaussian(1.0), RadiusLaw::constant(0.005), 0.8, 3.0).front().max_wrench_error;
   EXPECT_GT(expected, 0.05);

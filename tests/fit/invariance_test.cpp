@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Units of length and force, the order of the rows, and rows given twice change no fit (issue 9, "Must show").
+// Units of length and force, the order of the rows, and rows given twice change no fit.
 #include "fit/contact_fit.hpp"
 #include "fit/load_fit.hpp"
 

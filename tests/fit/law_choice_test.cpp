@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What `fit law` says of 200 data sets of 120 slips with 2 % noise, the pressure law not known to it (issue 9, point 8).
+// What `fit law` says of 200 data sets of 120 slips with 2 % noise, the pressure law not known to it.
 #include "fit/contact_fit.hpp"
 
 #include "limitcurve/laws.hpp"
@@ -106,7 +106,7 @@ TEST(LawChoice, RadiusThatGrowsWithTheLoadIsAlwaysWarnedOf) {
   EXPECT_LE(alarms, 0.04 * sets);
 }
 
-/// The issue's case: 80 clean slips of a = 4.35 mm P^0.257.
+/// The issue's case: Once, 80 clean slips of a = 4.35 mm P^0.257.
 TEST(LawChoice, CleanSlipsOfAGrowingRadiusAreWarnedOf) {
   Random random(1);
   const std::vector<Sample> samples = synthetic::clean(synthetic::curve_of(hertz()), {0.8, 0.00435, 0.257}, 80, random);

@@ -158,7 +158,6 @@ TEST(LoadFit, ChoosesTheModelThatMadeTheData) {
   EXPECT_GE(warned, 20);
 }
 
-/// Issue 9, point 8, of radii and moments.
 TEST(LoadFit, WarnsOfGrossOutliersByRowAndOfAGrowthThatWasAssumed) {
   const auto said = [](const FitReport& report, const std::string& text) {
     for (const std::string& warning : report.warnings) {

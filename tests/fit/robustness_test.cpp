@@ -67,7 +67,7 @@ Within one_gross_outlier(const Setting& setting, const ContactModel& model, int 
   return within;
 }
 
-/// Issue 9, point 9: with the columns sigma_ a robust loss found minima far off in every second set.
+/// Once, with the columns sigma_, a robust loss found minima far off in every second set.
 TEST(Robustness, OneGrossErrorLeavesEstimatesWithinThreeStandardErrors) {
   const ContactModel law = ContactModel::of(hertz());
   const int sets = study_cases(400);

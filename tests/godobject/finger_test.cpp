@@ -155,6 +155,11 @@ TEST(SoftFinger, MomentCoefficientSetsTheLimitWhateverTheRadiusLaw) {
   }
 }
 
+TEST(FingerCurve, MomentRatioIsMomentInterceptOverForceIntercept) {
+  EXPECT_NEAR(FingerCurve(Ellipse(2.0, 0.6)).moment_ratio(), 0.3, 1e-15);
+  EXPECT_NEAR(FingerCurve(box(0.5, 3.0)).moment_ratio(), 6.0, 1e-15);
+}
+
 /// Γ is what the parameter says, in any unit of the curve's force.
 TEST(SoftFinger, MomentCoefficientSetsTheLimitWhateverTheScaleOfTheCurve) {
   FingerParameters with = parameters();
@@ -167,7 +172,7 @@ TEST(SoftFinger, MomentCoefficientSetsTheLimitWhateverTheScaleOfTheCurve) {
   }
 }
 
-/// Issue 9, point 8: what a fit of a growing contact gives can be typed in.
+/// What a fit of a growing contact gives can be typed in.
 TEST(SoftFinger, MomentExponentMakesTheLimitGrowWithTheLoad) {
   for (const double exponent : {-0.5, -0.1, 0.0, 0.257, 1.0}) {
     for (const double mu_dynamic : {0.6, 0.4}) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the host's settings may not change (issue 8, point 6): -ffast-math in a user's file, another rounding, subnormal numbers flushed to 0.
+// What the host's settings may not change: -ffast-math in a user's file, another rounding, subnormal numbers flushed to 0.
 #include "tests/godobject/host_settings_user.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""That the compiler refuses what would compile and be wrong, in words that help (issue 8, point 6).
+"""That the compiler refuses what would compile and be wrong, in words that help.
 
     refused_code.py COMPILER INCLUDE_FOLDERS...    checks refused_code.cpp beside it
 Exit status: 0 every marked line is refused with its words and the rest compiles, 1 not."""

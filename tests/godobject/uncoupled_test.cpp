@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The box is the paper's §3.1 (issue 10, point 1): a friction test of the force and one of the moment, each with its own slip state, "they do
+// The box is the paper's §3.1: a friction test of the force and one of the moment, each with its own slip state, "they do
 // not influence each other in any way".
 #include "tests/godobject/scene.hpp"
 

@@ -91,7 +91,7 @@ TEST(Samples, NoiseEntersTheStatedError) {
   }
 }
 
-// Issue 9, point 2: every row twice gave m₀ = 0.58031 ± 2.6e-16 where once gives 0.58392 ± 0.031 (truth 0.58905).
+// Once every row twice gave m₀ = 0.58031 ± 2.6e-16 where once gives 0.58392 ± 0.031 (truth 0.58905).
 TEST(Samples, RowsThatSayTheSameTwiceAreNoJump) {
   std::vector<PressureSample> once;
   for (int i = 0; i <= 10; ++i) once.push_back({0.1 * i, std::sqrt(std::max(0.0, 1.0 - 0.01 * i * i))});
@@ -186,7 +186,7 @@ TEST(FromPressure, IsTheLawItComputes) {
                std::invalid_argument);
 }
 
-// Issue 7, "Table, every law of the grammar": 13 of 21 such profiles reached 1e-10.
+// Once 13 of 21 such profiles reached 1e-10.
 TEST(Table, FollowsJumpsInsideTheContact) {
   for (unsigned seed = 1; seed <= static_cast<unsigned>(study_cases(21, 4)); ++seed) {
     std::mt19937_64 generator(seed);

@@ -209,7 +209,7 @@ void expect_honest(const std::string& name, const Cut& pressure) {
   }
 }
 
-// Issue 9, point 1: f(1.05) was 1.243 ± 0.010, m₀ 0.6667 ± 7e-16.
+// Once f(1.05) was 1.243 ± 0.010, m₀ 0.6667 ± 7e-16.
 TEST(SmoothPieces, FindARingOfAHundredthOfTheRadius) {
   Cut ring(false);
   ring.add_between(0.05625, 0.06625, 1.0 / 3.0 / (0.06625 * 0.06625 - 0.05625 * 0.05625));
@@ -219,7 +219,7 @@ TEST(SmoothPieces, FindARingOfAHundredthOfTheRadius) {
   EXPECT_LE(law->evaluate(1.05).error.force, 1e-13);
 }
 
-// Issue 9, point 1: of 400 profiles 83 were wrong beyond the stated error. Features from 10 % to 0.1 % of the radius; by the hundred, too.
+// Once, of 400 profiles, 83 were wrong beyond the stated error. Features from 10 % to 0.1 % of the radius; by the hundred, too.
 TEST(SmoothPieces, StateTheErrorOfRingsGroovesAndSteps) {
   for (int i = 0; i < study_cases(400); ++i) {
     std::mt19937_64 generator(static_cast<std::uint64_t>(i));

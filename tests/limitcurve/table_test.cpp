@@ -287,7 +287,7 @@ TEST(Table, RefusesTolerancesThatMeanNothing) {
   expect_mention(text, "1e-14 <= tolerance <= 0.1");
 }
 
-// Issue 7, "Table, every law of the grammar": xydas-kao of k < 0.02 reached no tolerance.
+// Once xydas-kao of k < 0.02 reached no tolerance.
 TEST(Table, FollowsWhatIsNearerToAnEndThanBucketsGet) {
   for (const double tolerance : studies_are_whole() ? std::vector{0.1, 1e-6} : std::vector{0.1}) {
     const Law law = xydas_kao(0.01);

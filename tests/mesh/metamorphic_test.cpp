@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A replay on a mesh gives the same output if the mesh is turned or moved by a kilometre, with a delay, or with a refused row (issue 8).
+// A replay on a mesh gives the same output if the mesh is turned or moved by a kilometre, with a delay, or with a refused row.
 #include "godobject/mesh/mesh_surface.hpp"
 
 #include "tests/godobject/metamorphic/metamorphic.hpp"

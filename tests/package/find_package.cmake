@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # What find_package(limitcurve) takes and what it refuses, and with which words: the copy at PREFIX, less its fit, is asked for version ranges,
-# for fit, for a component whose dependency is missing, and for one that nobody knows (issue 9, point 13; issue 15, point 2).
+# for fit, for a component whose dependency is missing, and for one that nobody knows.
 file(REMOVE_RECURSE ${SCRATCH})
 file(COPY ${PREFIX}/ DESTINATION ${SCRATCH}/prefix)
 file(GLOB_RECURSE fit ${SCRATCH}/prefix/limitcurve-fit*.cmake)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Every option of the build, and what is decided by what is found, has its row in docs/interfaces.md (issue 15, point 3).
+# Every option of the build, and what is decided by what is found, has its row in docs/interfaces.md.
 file(READ ${SOURCE}/docs/interfaces.md page)
 foreach(list ${SOURCE}/CMakeLists.txt ${SOURCE}/tests/CMakeLists.txt)
   file(STRINGS ${list} lines REGEX "^ *(option|limitcurve_part)\\(LIMITCURVE_")

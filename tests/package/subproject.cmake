@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # limitcurve (MODULES of it) within another project, by add_subdirectory and by FetchContent: its libraries alone are there, the project's build type and its
-# messages are its own, and nothing of ours is installed (issue 15, point 3).
+# messages are its own, and nothing of ours is installed.
 file(REMOVE_RECURSE ${SCRATCH})
 
 function(configure name how)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// No path of a device wins energy from a finger (issue 8, points 1, 7 and 10): random paths on every surface, climbing towards the one that wins
+// No path of a device wins energy from a finger: random paths on every surface, climbing towards the one that wins
 // most. Slowly led, a finger gives back what it stored at most; sampled and held, what `device_damping_needed` names is enough.
 #include "tests/godobject/metamorphic/energy_search.hpp"
 
@@ -203,7 +203,7 @@ TEST(EnergySearch, AHundredthLessIsNot) {
   }
 }
 
-// Four sticking fingers hold a ball with locked rotation (issue 8, point 10): it comes to rest, and no step adds energy.
+// Four sticking fingers hold a ball with locked rotation: it comes to rest, and no step adds energy.
 TEST(EnergySearch, AHeldBallDoesNotFlutter) {
   Random random(25);
   for (int round = 0; round < 20; ++round) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a free body between fingers must do alike (issue 8): turned, carried a kilometre away, delayed, held by two equal fingers for one
+// What a free body between fingers must do alike: turned, carried a kilometre away, delayed, held by two equal fingers for one
 // that is twice as stiff, and with a row that is refused.
 #include "tests/godobject/metamorphic/metamorphic.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Parameters that move by 1e-12 of themselves, or from 0 to almost 0, move what a finger feels by no more than that (issue 8, point 8): on
+// Parameters that move by 1e-12 of themselves, or from 0 to almost 0, move what a finger feels by no more than that: on
 // every surface, with every curve, projection and set of parameters.
 #include "tests/godobject/metamorphic/metamorphic.hpp"
 

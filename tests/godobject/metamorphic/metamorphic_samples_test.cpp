@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a replay must feel alike (issue 8): a scene that is sampled otherwise, by repeated samples, halved steps and a row that is refused, on
+// What a replay must feel alike: a scene that is sampled otherwise, by repeated samples, halved steps and a row that is refused, on
 // every surface, with every curve, projection and set of parameters.
 #include "tests/godobject/metamorphic/metamorphic.hpp"
 

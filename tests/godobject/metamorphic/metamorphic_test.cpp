@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a replay must feel alike (issue 8): a scene that is turned, carried a kilometre away, mirrored, delayed, or moved as a whole, on every
+// What a replay must feel alike: a scene that is turned, carried a kilometre away, mirrored, delayed, or moved as a whole, on every
 // surface, with every curve, projection and set of parameters.
 #include "tests/godobject/metamorphic/metamorphic.hpp"
 

@@ -9,7 +9,6 @@
 namespace limitcurve::godobject::test {
 namespace {
 
-// Issue 9, point 7.
 TEST(ChoiceStudy, TheStatedErrorHoldsInRandomMotionsAndIsNotTooLarge) {
   const int scenes = study_cases(200);
   int cheaper_would_do = 0;
@@ -26,7 +25,7 @@ TEST(ChoiceStudy, TheStatedErrorHoldsInRandomMotionsAndIsNotTooLarge) {
   EXPECT_GE(cheaper_is_chosen, 0.7 * cheaper_would_do);
 }
 
-// Issue 9, point 7: ellipse/radial was recommended with an error of 0.051, and a slide followed by a twist showed 0.286.
+// Once ellipse/radial was recommended with an error of 0.051, and a slide followed by a twist showed 0.286.
 TEST(ChoiceStudy, ATwistAfterASlideIsAmongTheMotions) {
   Scene scene;
   scene.law = parse_law("xydas-kao:k=3");

@@ -116,7 +116,7 @@ TEST(Grasp, CarriesTheProxyWithTheBodyAcrossTheSurface) {
   EXPECT_LT((grasp.force_on_user(0) - (Vector3d(0.0, 0.0, 2.0) + 1000.0 * (material - Vector3d(0.01, 0.0, 0.02)))).norm(), 1e-12);
 }
 
-// Issue 8, point 13: a body that may turn about z alone, its principal axes turned. What locks the others bears the moments about them, so that
+// A body that may turn about z alone, its principal axes turned. What locks the others bears the moments about them, so that
 // I_zz ω_z = M_z t: 1e-4 N m for 0.1 s. The whole inertia, inverted and cut, gave 0.312 for the explicit steps, and NaN without a moment.
 TEST(Grasp, LockedAxesLeaveTheFreeBlockOfTheInertia) {
   BodyParameters body;

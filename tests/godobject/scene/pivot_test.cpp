@@ -134,7 +134,7 @@ TEST(Pivot, ConvergesWithTheTimeStep) {
   }
 }
 
-// Issue 10, point 8: 0.5 N as ever, or what holds: 1.3 times eq. (19)'s load, 1.3 · hypot(0.4905/0.42, 0.4905·5/3.05) = 1.843.
+// 0.5 N as ever, or what holds: 1.3 times eq. (19)'s load, 1.3 · hypot(0.4905/0.42, 0.4905·5/3.05) = 1.843.
 TEST(Pivot, AGripThatIsLeftOpenHoldsTheBlockAtFirst) {
   PivotOptions options;
   EXPECT_EQ(default_load(options), 0.5);

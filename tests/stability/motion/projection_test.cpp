@@ -30,7 +30,7 @@ TEST(Projection, StiffnessRatios) {
   for (const Finding& finding : findings) EXPECT_LE(finding.stands, 1e-7);
 }
 
-// Issue 10, point 2: 0.135, 0.0139 and 0.00014 N of 0.6 N.
+// Forces of the paper's method: 0.135, 0.0139 and 0.00014 N of 0.6 N.
 TEST(Projection, SmallContacts) {
   const auto findings = held_here(small_contacts());
   ASSERT_EQ(findings.size(), 3U);
@@ -45,7 +45,7 @@ TEST(Projection, SmallContacts) {
   }
 }
 
-// Issue 10, point 3: 0.255 and 0.416 N, where eq. (17) has 0.487 N.
+// Forces of the paper's method: 0.255 and 0.416 N, where eq. (17) has 0.487 N.
 TEST(Projection, GrowingRadius) {
   const auto findings = held_here(growing_radius());
   ASSERT_EQ(findings.size(), 2U);
