@@ -78,7 +78,7 @@ double xydas_kao_moment(double k, double j) {
   return std::beta((j + 1.0) / k, 1.0 / k + 1.0) / k;
 }
 
-// Once inf for k = 0.1 (truth 2.843), and for the Gaussian what its unit of length made of it (truth 0.5708).
+// Once the error was inf for k = 0.1 (truth 2.843), and for the Gaussian it depended on the unit of length (truth 0.5708).
 TEST(CurveError, InTheCentreOfRotationDoesNotDependOnUnitsOfLength) {
   for (const double sigma : {1e-6, 1e-3, 1.0, 1e3, 1e6}) {
     const ExactCurve exact(gaussian(sigma));

@@ -186,7 +186,7 @@ TEST(FromPressure, IsTheLawItComputes) {
                std::invalid_argument);
 }
 
-// Once 13 of 21 such profiles reached 1e-10.
+// Once only 13 of 21 such profiles reached 1e-10.
 TEST(Table, FollowsJumpsInsideTheContact) {
   for (unsigned seed = 1; seed <= static_cast<unsigned>(study_cases(21, 4)); ++seed) {
     std::mt19937_64 generator(seed);
