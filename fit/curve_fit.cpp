@@ -17,7 +17,8 @@ namespace {
 
 using internal::CurvePoint;
 
-/// Each residual is a radial error times the point's weight. With the ellipse's gauge γ = √((x/A)² + (y/B)²) of a curve point (x, y), the radial error is e = 1/γ − 1 and
+/// Each residual is a radial error times the point's weight. With the ellipse's gauge γ = √((x/A)² + (y/B)²) of a curve point (x, y), the
+/// radial error is e = 1/γ − 1 and
 ///   ∂e/∂A = x²/(A³γ³),  ∂e/∂B = y²/(B³γ³).
 class EllipseResiduals final : public internal::ResidualModel {
  public:

@@ -42,7 +42,8 @@ struct LoadRange {
 };
 
 /// The coefficients for MuJoCo (elliptic and pyramidal cone), Chrono, Gazebo/SDFormat, PhysX, Bullet and ODE that give a contact with
-/// friction coefficient `mu` > 0 [1] its exact limits μP and Γ = m₀ μ P a(P) at `load` > 0 [N]. Throws std::invalid_argument for values out of range.
+/// friction coefficient `mu` > 0 [1] its exact limits μP and Γ = m₀ μ P a(P) at `load` > 0 [N]. Throws std::invalid_argument for values
+/// out of range.
 std::vector<EngineContact> translate(const Law& law, const RadiusLaw& radius_law, double mu, double load, LoadRange loads);
 /// The same over the loads from a quarter of `load` to four times `load`.
 std::vector<EngineContact> translate(const Law& law, const RadiusLaw& radius_law, double mu, double load);

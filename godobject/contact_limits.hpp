@@ -26,8 +26,8 @@ void check_projection(const BasicFingerCurve<Real>& curve, Projection projection
 /// a = μ_r P^γ/(μ m_max). Immutable.
 class ContactLimits {
  public:
-  /// `moment_max` is the limit curve's moment of a pure twist, M/(μPa). Checks all parameters, springs, dampers and fault parameters too; throws std::invalid_argument
-  /// with parameter, value, unit and range.
+  /// `moment_max` [1] is the limit curve's moment of a pure twist, M/(μPa). The constructor checks all parameters, springs, dampers and fault
+  /// parameters too; it throws std::invalid_argument with parameter, value, unit and range.
   ContactLimits(const FingerParameters& parameters, double moment_max);
 
   /// The limits at a load P [N] ≥ 0, for springs of the ratio k_l/k_r [1/m²].
@@ -35,8 +35,8 @@ class ContactLimits {
   [[nodiscard]] FrictionLimits<Number> at(Number load, Number stiffness_ratio) const noexcept {
     const auto number = [](double value) { return Number(static_cast<Real>(value)); };
     const bool varies = radius_law_.has_value();
-    const Number radius = varies ? radius_at(*radius_law_, load) : number(0.0);
-    return {{number(at_rest_.force) * load, varies ? radius : number(at_rest_.radius)},
+    const Number radius = varies ? radius_at(*radius_law_, load) : number(at_rest_.radius);
+    return {{number(at_rest_.force) * load, radius},
             {number(sliding_.force) * load, varies ? number(sliding_share_) * radius : number(sliding_.radius)},
             stiffness_ratio,
             number(force_rest_share_),

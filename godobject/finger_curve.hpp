@@ -43,6 +43,7 @@ class BasicFingerCurve {
   [[nodiscard]] const CurveView<Real>& view() const& noexcept { return view_; }
   void view() const&& = delete;  // would dangle
   [[nodiscard]] bool is_box() const noexcept { return view_.is_box; }
+  /// Intercepts [1] of the curve: the force of a pure slide, F/(μP), and the moment of a pure twist, M/(μPa).
   [[nodiscard]] double force_max() const noexcept { return static_cast<double>(view_.force_max); }
   [[nodiscard]] double moment_max() const noexcept { return static_cast<double>(view_.moment_max); }
   /// m₀: moment intercept over force intercept.
