@@ -111,7 +111,7 @@ def pivot_stiffness(data):
     axes.set_xticks(ticks, [f"{tick:g}" for tick in ticks])
     axes.axvline(1, color=FAINT, linewidth=0.8, dashes=(3, 3))
     axes.annotate("this project’s default", (1, 92), (4, -3), textcoords="offset points", color=FAINT, fontsize=8)
-    axes.legend(loc="lower left")
+    axes.legend(loc="upper right")
     return figure
 
 
