@@ -124,7 +124,7 @@ limitcurve_status limitcurve_finger_new(const limitcurve_table* table, const lim
 limitcurve_status limitcurve_finger_new_patch(const limitcurve_patch* patch, const limitcurve_finger_parameters* parameters,
                                               double point_radius, limitcurve_finger** finger) {
   if (is_no_handle("patch", patch) || is_missing("parameters", parameters)) return LIMITCURVE_INVALID;
-  return make_handle(finger, [&] { return limitcurve_finger{PatchFinger(patch->patch, parameters_of(*parameters), point_radius)}; });
+  return make_handle(finger, [&] { return limitcurve_finger{SoftFinger(patch->patch, parameters_of(*parameters), point_radius)}; });
 }
 
 void limitcurve_finger_free(limitcurve_finger* finger) {
@@ -135,7 +135,7 @@ limitcurve_status limitcurve_finger_update(limitcurve_finger* finger, const limi
                                            limitcurve_finger_output* output) {
   if (is_no_handle("finger", finger) || is_missing("contact", contact) || is_missing("output", output)) return LIMITCURVE_INVALID;
   const Contact touched{Eigen::Vector3d(contact->point), Eigen::Vector3d(contact->normal), contact->depth};
-  const FingerOutput step = std::visit([&](auto& one) { return one.update(touched, contact->twist, time_step); }, finger->finger);
+  const FingerOutput step = finger->finger.update(touched, contact->twist, time_step);
   copy(step.proxy, output->proxy);
   output->angle = step.angle;
   output->depth = step.depth;
@@ -146,22 +146,19 @@ limitcurve_status limitcurve_finger_update(limitcurve_finger* finger, const limi
   output->cor = step.cor;
   output->slip_work = step.slip_work;
   output->state = static_cast<limitcurve_state>(step.state);
+  output->converged = step.converged ? 1 : 0;
   return LIMITCURVE_OK;
 }
 
 limitcurve_status limitcurve_finger_reset(limitcurve_finger* finger) {
   if (is_no_handle("finger", finger)) return LIMITCURVE_INVALID;
-  std::visit([](auto& one) { one.reset(); }, finger->finger);
+  finger->finger.reset();
   return LIMITCURVE_OK;
 }
 
 limitcurve_status limitcurve_finger_margin(const limitcurve_finger* finger, double* margin, double* load_to_hold) {
   if (is_no_handle("finger", finger)) return LIMITCURVE_INVALID;
-  std::visit(
-      [&](const auto& one) {
-        if (margin != nullptr) *margin = one.margin();
-        if (load_to_hold != nullptr) *load_to_hold = one.load_to_hold();
-      },
-      finger->finger);
+  if (margin != nullptr) *margin = finger->finger.margin();
+  if (load_to_hold != nullptr) *load_to_hold = finger->finger.load_to_hold();
   return LIMITCURVE_OK;
 }

@@ -4,7 +4,6 @@
 #include "c/handle.hpp"
 
 #include "godobject/batch.hpp"
-#include "godobject/patch_finger.hpp"
 #include "godobject/soft_finger.hpp"
 #include "limitcurve/patch.hpp"
 #include "limitcurve/pressure_law.hpp"
@@ -28,7 +27,7 @@ struct limitcurve_table {
 };
 
 struct limitcurve_finger {
-  std::variant<limitcurve::godobject::SoftFinger, limitcurve::godobject::PatchFinger> finger;
+  limitcurve::godobject::SoftFinger finger;
 };
 
 struct limitcurve_batch {

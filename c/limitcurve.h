@@ -205,6 +205,7 @@ typedef struct limitcurve_finger_output {
   double cor;       /* of the slip [m]; NaN unless it slips */
   double slip_work; /* dissipated in this step [J], >= 0 */
   limitcurve_state state;
+  int converged; /* 0: the search for a patch's closest point did not converge */
 } limitcurve_finger_output;
 
 typedef struct limitcurve_finger limitcurve_finger;
@@ -244,7 +245,7 @@ typedef struct limitcurve_contacts {
   double* proxy_x;     /* in and out */
   double* proxy_y;
   double* proxy_angle;
-  uint8_t* state;    /* in and out: a limitcurve_state */
+  uint8_t* state;    /* in and out: a limitcurve_state; after a fault no other array of the contact changes */
   uint8_t* sliding;  /* memory */
   uint8_t* turning;  /* memory, of the moment on a box */
   double* parameter; /* memory */

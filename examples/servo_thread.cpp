@@ -113,9 +113,7 @@ int main(int argc, char** argv) {
     ++pictures;
     // Force and proxy belong to the same step.
     const god::FingerState& state = seen.state;
-    for (std::size_t i = 0; i < 3; ++i) {
-      right = right && std::abs(parameters.stiffness * (state.proxy[i] - state.goal[i]) - state.force[i]) < 1e-9;
-    }
+    right = right && (parameters.stiffness * (state.output.proxy - state.sample.goal) - state.output.force).norm() < 1e-9;
     right = right && seen.step >= before;
   };
   while (!done) {

@@ -13,7 +13,7 @@
 namespace {
 
 /// The fraction of friction that a wrench about the centre of pressure uses: the largest W·T/(μP H(T)) over all twists, by a search over
-/// directions with shrinking steps. (A control loop uses `margin` and `load_to_hold` of godobject/patch_finger.hpp.)
+/// directions with shrinking steps. (A control loop uses `margin` and `load_to_hold` of godobject/soft_finger.hpp.)
 double used(const limitcurve::Patch& patch, const limitcurve::PatchWrench& wrench, double friction) {
   const double arm = patch.moment_ratio();
   double azimuth = std::atan2(wrench.fy, wrench.fx);

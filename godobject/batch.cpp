@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "godobject/batch.hpp"
 
-#include "godobject/kernel/step.hpp"
+#include "godobject/batch/step.hpp"
 
 #include <stdexcept>
 #include <utility>

@@ -13,29 +13,29 @@ namespace limitcurve::godobject {
 /// Many contacts as a structure of arrays, each contact in its own tangent plane: position and depth of the finger (in), the proxy (in and
 /// out), and the friction wrench on the user (out). All arrays have the same length, and must not overlap.
 ///
+/// A sample that is not plausible (`farthest`), a NaN among them, is a fault of the device: the contact's state is `invalid`, and none of its
+/// other arrays changes, so that its last output is held.
+///
 /// A float takes half the memory of a double, but resolves 6e-8 of a coordinate: 60 nm at 1 m from the origin, while slips are micrometres.
 /// So give positions relative to a point near the contact (the object's origin, the touch-down), and angles within a few turns. A slip
 /// below the resolution does not move the proxy, and counts as held.
 template <class Real>
 struct BasicContactBatch {
-  std::span<const Real> x;  ///< x_g [m], |x| ≤ farthest
+  std::span<const Real> x;  ///< x_g [m]
   std::span<const Real> y;
   std::span<const Real> angle;  ///< α_g [rad], unwrapped
-  std::span<const Real> depth;  ///< d [m]; ≤ 0 or NaN: free, the proxy follows the finger
+  std::span<const Real> depth;  ///< d [m]; ≤ 0: free, the proxy follows the finger
   std::span<Real> proxy_x;      ///< x_p [m]
   std::span<Real> proxy_y;
   std::span<Real> proxy_angle;      ///< α_p [rad]
-  std::span<ContactState> state;    ///< in and out; initially `free`
-  std::span<ContactState> sliding;  ///< memory: `slip` while the sliding limit acts (FrictionMemory::slides); initially `free`
+  std::span<ContactState> state;    ///< in and out; initially `free`, `invalid` after a fault
+  std::span<ContactState> sliding;  ///< memory: `slip` while the sliding limit acts (FrictionMemory::slides), else `stick`; initially `free`
   std::span<ContactState> turning;  ///< on a box the same for the moment (FrictionMemory::turns); otherwise not used
   std::span<Real> parameter;        ///< warm start of the search (FrictionMemory); initially 0
   std::span<Real> rate;             ///< its rate; initially 0
   std::span<Real> force_x;          ///< friction on the user [N]
   std::span<Real> force_y;
   std::span<Real> moment;  ///< [N m]
-
-  /// A contact beyond this [m, rad], or NaN, is a fault of the device: none of its arrays changes, so that its last output is held.
-  static constexpr Real farthest = Real(1e6);
 
   /// The contacts with indices from `from` to from + length − 1, which must exist.
   [[nodiscard]] BasicContactBatch part(std::size_t from, std::size_t length) const noexcept {

@@ -123,8 +123,8 @@ ContactLimits::ContactLimits(const FingerParameters& parameters, double moment_m
 
 double ContactLimits::margin(const FingerCurve& curve, const FingerParameters& parameters, const FingerState& state) const noexcept {
   if (!state.in_contact) return 1.0;
-  if (state.state == ContactState::slip) return 0.0;
-  const FrictionTrial<double> wrench{vector(state.force).norm(), std::fabs(state.moment)};
+  if (state.output.state == ContactState::slip) return 0.0;
+  const FrictionTrial<double> wrench{state.output.force.norm(), std::fabs(state.output.moment)};
   if (wrench.force == 0.0 && wrench.moment == 0.0) return 1.0;
   const FrictionLimits<double> limits = at<double>(state.limit_load, parameters.stiffness / parameters.twist_stiffness);
   const auto acting = [&](bool slides) { return slides ? limits.sliding : limits.at_rest; };

@@ -30,12 +30,15 @@ class ContactLimits {
   /// parameters too; it throws std::invalid_argument with parameter, value, unit and range.
   ContactLimits(const FingerParameters& parameters, double moment_max);
 
-  /// The limits at a load P [N] ≥ 0, for springs of the ratio k_l/k_r [1/m²].
+  /// The limits at a load P [N] ≥ 0, for springs of the ratio k_l/k_r [1/m²]. Numbers for every radius law, at P = 0 too: a(P) counts as
+  /// 1e100 m at most, and P as 1e-100 N at least where the c-curve divides by it (in float 1e30 and 1e-30).
   template <class Real, class Number>
   [[nodiscard]] FrictionLimits<Number> at(Number load, Number stiffness_ratio) const noexcept {
+    using namespace arithmetic;
     const auto number = [](double value) { return Number(static_cast<Real>(value)); };
+    constexpr double almost_none = sizeof(Real) == sizeof(double) ? 1e-100 : 1e-30;
     const bool varies = radius_law_.has_value();
-    const Number radius = varies ? radius_at(*radius_law_, load) : number(at_rest_.radius);
+    const Number radius = varies ? smaller(radius_at(*radius_law_, load), number(1.0 / almost_none)) : number(at_rest_.radius);
     return {{number(at_rest_.force) * load, radius},
             {number(sliding_.force) * load, varies ? number(sliding_share_) * radius : number(sliding_.radius)},
             stiffness_ratio,
@@ -43,8 +46,12 @@ class ContactLimits {
             number(moment_rest_share_),
             has_torsion_,
             varies ? &*radius_law_ : nullptr,
-            load};
+            larger(load, number(almost_none))};
   }
+  /// μ of a contact at rest, and while it slides.
+  [[nodiscard]] double mu(bool slides) const noexcept { return slides ? sliding_.force : at_rest_.force; }
+  /// The fraction of the sliding force limit within which a sliding contact comes to rest.
+  [[nodiscard]] double force_rest_share() const noexcept { return force_rest_share_; }
   /// Margin to slip of a finger, as a fraction of the acting limit: 1 without friction, 0 on the limit and during slip.
   [[nodiscard]] double margin(const FingerCurve& curve, const FingerParameters& parameters, const FingerState& state) const noexcept;
   /// The smallest load [N] under which a contact at rest bears a friction force [N] and moment [N m], both ≥ 0 and finite; ∞ if none does.

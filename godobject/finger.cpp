@@ -9,20 +9,14 @@ namespace limitcurve::godobject {
 
 using Eigen::Vector3d;
 
-Vector3d FingerState::position() const noexcept {
-  return vector(goal) - vector(normal) * depth;
-}
-
-FingerOutput FingerState::output() const noexcept {
-  return {state, vector(proxy), angle, depth, vector(normal), load, vector(force), moment, cor, slip_work};
-}
-
 Vector3d FingerState::centre_of_rotation() const noexcept {
-  // The proxy slides along −force and turns against the moment: v = ω n × (x_p − C). So C follows from the proxy, not from the finger.
-  const Vector3d friction_force = vector(force);
-  const double size = friction_force.norm();
-  if (!(cor > 0.0) || size == 0.0) return vector(proxy) + Vector3d::Constant(0.0 * cor);
-  return vector(proxy) - friction_force.cross(vector(normal)) * (std::copysign(cor, moment) / size);
+  // The proxy moves by v = ω n × (x_p − C), against friction: C follows from the proxy, not from the finger.
+  const bool is_round = patch.slip == Vector3d::Zero();
+  const Vector3d slide = is_round ? output.force : Vector3d(patch.axis * patch.slip.x() + output.normal.cross(patch.axis) * patch.slip.y());
+  const double turn = is_round ? output.moment : patch.slip.z();
+  const double size = slide.norm();
+  if (!(output.cor > 0.0) || size == 0.0) return output.proxy + Vector3d::Constant(0.0 * output.cor);
+  return output.proxy + output.normal.cross(slide) * (std::copysign(output.cor, turn) / size);
 }
 
 }  // namespace limitcurve::godobject

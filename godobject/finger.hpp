@@ -69,40 +69,56 @@ struct FingerOutput {
   double moment = 0.0;                                    ///< friction on the user about the normal [N m]
   double cor = std::numeric_limits<double>::quiet_NaN();  ///< distance of the slip's COR from the contact centre [m]; NaN without slip
   double slip_work = 0.0;                                 ///< energy that slip dissipates in this step [J], ≥ 0
+  /// False: the search for a patch's closest point did not converge. The wrench is on the limit surface, but not the closest point.
+  bool converged = true;
+};
+
+/// A sample is plausible if the sum of squares of its coordinates and depth [m] and its twist [rad] is at most farthest². NaN is not.
+inline constexpr double farthest = 1e6;
+
+/// The last good sample of the device: where the finger is against the surface.
+struct FingerSample {
+  Eigen::Vector3d goal = Eigen::Vector3d::Zero();     ///< x_g [m]
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< outward normal there
+  double depth = 0.0;                                 ///< d [m]
+  double angle = 0.0;                                 ///< α_g [rad], unwrapped
+  double twist = 0.0;                                 ///< the device's twist as it was given [rad]
+  double unwrapped_by = 0.0;                          ///< added to it by unwrapping [rad], a multiple of 2π
+  Spin spin{};                                        ///< of the device's orientation
+  ContactMemory contact{};                            ///< state of the contact query
+
+  /// The finger's position x_h [m].
+  [[nodiscard]] Eigen::Vector3d position() const noexcept { return goal - normal * depth; }
+};
+
+/// What is known of good and refused samples.
+struct FingerFaults {
+  bool seen = false;                                     ///< there was a good sample
+  bool refused = false;                                  ///< the last sample was refused because of its displacement
+  Eigen::Vector3d refused_at = Eigen::Vector3d::Zero();  ///< its position [m]
+};
+
+/// What the friction of a patch keeps between steps. Zero for a limit curve.
+struct PatchMemory {
+  Eigen::Vector3d zero_axis = Eigen::Vector3d::Zero();  ///< unit tangent: the patch's x axis at α_p = 0
+  Eigen::Vector3d axis = Eigen::Vector3d::Zero();       ///< its x axis in the last step, before slip turned it
+  Eigen::Vector3d slip = Eigen::Vector3d::Zero();       ///< the last slip (v_x, v_y, ω) in those axes [m, rad]; zero without slip
 };
 
 /// The whole state of a finger between steps. Plain numbers: copy it, save it, restore it.
 struct FingerState {
-  ContactState state = ContactState::free;
-  bool in_contact = false;  ///< unchanged by invalid samples
-  Numbers proxy{};          ///< to slip_work: as in FingerOutput
-  double angle = 0.0;
-  double depth = 0.0;
-  double load = 0.0;
-  Numbers force{};
-  double moment = 0.0;
-  double cor = std::numeric_limits<double>::quiet_NaN();
-  double slip_work = 0.0;
-  double trial_force = 0.0;       ///< trial wrench of the last step (eq. 7): force of springs and dampers if the proxy stayed [N]
-  double trial_moment = 0.0;      ///< and their moment [N m]
-  double limit_load = 0.0;        ///< P of the friction limit [N]: k_l d plus the damper's force
-  Numbers goal{};                 ///< x_g of the last good sample [m]
-  double goal_angle = 0.0;        ///< α_g of the last good sample [rad], unwrapped
-  Numbers normal{0.0, 0.0, 1.0};  ///< outward normal there
-  double device_twist = 0.0;      ///< the device's twist as it was given [rad]
-  double turns = 0.0;             ///< added to the device's twist by unwrapping [rad], a multiple of 2π
-  bool seen = false;              ///< there was a good sample
-  bool refused = false;           ///< the last sample was refused because of its displacement
-  Numbers refused_at{};           ///< its position [m]
-  Spin spin{};                    ///< of the device's orientation
-  ContactMemory contact{};        ///< state of the contact query
+  FingerOutput output{};  ///< of the last step; its proxy is the finger's memory
+  FingerSample sample{};
+  FingerFaults faults{};
   FrictionMemory<double> friction{};
+  PatchMemory patch{};
+  bool in_contact = false;    ///< unchanged by invalid samples
+  double limit_load = 0.0;    ///< P of the friction limit [N]: k_l d plus the damper's force
+  double trial_force = 0.0;   ///< trial wrench of the last step (eq. 7): force of springs and dampers if the proxy stayed [N]
+  double trial_moment = 0.0;  ///< and their moment [N m]
 
-  /// The finger's position in the last good sample [m].
-  [[nodiscard]] Eigen::Vector3d position() const noexcept;
   /// The slip's centre of rotation, in the surface's frame [m]; infinite for pure sliding, NaN without slip.
   [[nodiscard]] Eigen::Vector3d centre_of_rotation() const noexcept;
-  [[nodiscard]] FingerOutput output() const noexcept;
 };
 
 }  // namespace limitcurve::godobject

@@ -3,6 +3,7 @@
 
 #include "projection.hpp"
 
+#include <cassert>
 #include <limits>
 
 namespace limitcurve::godobject {
@@ -58,22 +59,25 @@ struct FrictionResult {
 inline namespace LIMITCURVE_COPIES {  // arithmetic.hpp
 #endif
 
-/// The trial wrench in units of a limit. Three bounds keep all squares finite: a smaller limit counts as `least`, a larger trial as
-/// `largest`, and the ratio of stiffnesses is clamped to [1/steepest, steepest].
+/// Bounds that keep all squares finite: a smaller limit counts as least_limit, a larger trial in units of the limit as largest_trial.
+template <class Real>
+inline constexpr Real least_limit = sizeof(Real) == sizeof(double) ? Real(1e-125) : Real(1e-18);
+template <class Real>
+inline constexpr Real largest_trial = sizeof(Real) == sizeof(double) ? Real(1e60) : Real(1e8);
+
+/// The trial wrench in units of a limit. The ratio of stiffnesses is clamped to [1/steepest, steepest].
 template <class Real, class Number>
 [[nodiscard]] UnitTrial<Number> unit_trial(const CurveView<Real>& curve, const FrictionLimit<Number>& limit,
                                            const FrictionTrial<Number>& trial, Number stiffness_ratio) noexcept {
   using namespace arithmetic;
-  constexpr bool wide = std::numeric_limits<Real>::max_exponent > 256;
-  constexpr Real least = wide ? Real(1e-125) : Real(1e-18);
-  constexpr Real largest = wide ? Real(1e60) : Real(1e8);
-  constexpr Real steepest = wide ? Real(1e40) : Real(1e9);
-  const Number per_force = Number(Real(1)) / larger(Number(least), limit.force);
-  const Number per_moment = Number(Real(1)) / larger(Number(least), limit.force * limit.radius);
+  constexpr Real steepest = sizeof(Real) == sizeof(double) ? Real(1e40) : Real(1e9);
+  const Number largest = Number(largest_trial<Real>);
+  const Number per_force = Number(Real(1)) / larger(Number(least_limit<Real>), limit.force);
+  const Number per_moment = Number(Real(1)) / larger(Number(least_limit<Real>), limit.force * limit.radius);
   const Number rounding = trial.force_rounding * per_force * Number(curve.inverse_force_max) +
                           trial.moment_rounding * per_moment * Number(curve.inverse_moment_max);
   // Rounding counts as the limit at most: a contact without friction must slip.
-  return {smaller(trial.force * per_force, Number(largest)), smaller(trial.moment * per_moment, Number(largest)),
+  return {smaller(trial.force * per_force, largest), smaller(trial.moment * per_moment, largest),
           smaller(larger(limit.radius * limit.radius * stiffness_ratio, Number(Real(1) / steepest)), Number(steepest)),
           Number(slip_onset<Real>) + smaller(rounding, Number(Real(1)))};
 }
@@ -86,12 +90,45 @@ template <class Real, class Number>
     // Only the force is limited; the proxy turns with the finger.
     const Number zero = Number(Real(0));
     const Number limit = Number(curve.force_max);
-    return {trial.force > limit * trial.slip_from, limit / trial.force, zero, Number(Real(1)), zero, zero};
+    return {!(trial.force <= limit * trial.slip_from), limit / trial.force, zero, Number(Real(1)), zero, zero};
   }
   if (projection == Projection::closest_point) return project_on_to_closest_point(curve, trial, last);
   if (projection == Projection::c_curve && limits.radius_law != nullptr)
     return project_along_c_curve(curve, trial, last, *limits.radius_law, limits.load);
   return project_radially(curve, trial, last);
+}
+
+/// Hysteresis: whether the sliding limit acts in the next step. After a slip it does, until a trial without slip is within `rest_share` of
+/// it; then the contact is at rest. `share` gives the trial divided by the sliding limit; it is called only if it decides.
+template <class Mask, class Number, class Share>
+[[nodiscard]] Mask keeps_sliding(Mask was_sliding, Mask slips, Number rest_share, Share&& share) noexcept {
+  using namespace arithmetic;
+  const auto may_rest = was_sliding && !slips && rest_share < Number(1);
+  if (!any(may_rest)) return slips;
+  return slips || (may_rest && !(share() < rest_share));
+}
+
+/// The memory after a step in which the proxy slipped: it slid or turned. A slip below the rounding of its position moves nothing and does
+/// not begin sliding.
+template <class Number, class Mask>
+[[nodiscard]] FrictionMemory<Number> settled(const FrictionMemory<Number>& before, FrictionMemory<Number> after, bool is_box, Mask slips,
+                                             Mask slid, Mask turned) noexcept {
+  using namespace arithmetic;
+  const Number none = Number(0);
+  after.slides = after.slides && (before.slides || (is_box ? slid : slips));
+  after.turns = after.turns && (before.turns || turned);
+  after.parameter = select(slips, after.parameter, none);
+  after.rate = select(slips, after.rate, none);
+  return after;
+}
+
+/// The fraction of a trial that slip leaves: within [0, 1], 1 without slip. By rounding it may exceed 1; a NaN, which finite input does not
+/// give, keeps nothing.
+template <class Number, class Mask>
+[[nodiscard]] Number kept_fraction(Mask slips, Number fraction) noexcept {
+  using namespace arithmetic;
+  assert(!any(slips && fraction != fraction));
+  return select(slips, larger(Number(0), smaller(fraction, Number(1))), Number(1));
 }
 
 /// One of the two scalar tests of the paper's §3.1: of the force (eqs. 8, 10, 11) or of the moment (eqs. 9, 10, 12). Returns the fraction
@@ -100,12 +137,10 @@ template <class Real, class Number, class Mask>
 [[nodiscard]] Number apply_scalar_friction(Number at_rest, Number sliding, Number rest_share, Number trial, Number rounding,
                                            Mask& slides) noexcept {
   using namespace arithmetic;
-  const Number one = Number(Real(1));
   const Number limit = select(slides, sliding, at_rest);
-  const auto slips = trial > limit * Number(slip_onset<Real>) + smaller(rounding, limit);
-  const auto lingers = slides && rest_share < one && !(trial < rest_share * sliding);
-  slides = slips || lingers;
-  return select(slips, sliding / trial, one);
+  const auto slips = !(trial <= limit * Number(slip_onset<Real>) + smaller(rounding, limit));
+  slides = keeps_sliding(slides, slips, rest_share, [&] { return trial / sliding; });
+  return kept_fraction(slips, sliding / trial);
 }
 
 /// The box (paper, §3.1): separate limits of force and moment, "they do not influence each other in any way". This is the closest point of
@@ -142,7 +177,8 @@ template <class Real, class Number>
 ///
 /// Stick and slip: a contact at rest holds while its trial is within the limit at rest. After slip begins, the sliding limit acts, until a
 /// trial is within the rest share of the sliding limit; in that step the contact comes to rest. Slip work force·(r − r′) + moment·(ρ − ρ′)
-/// is never negative. No allocation, no exception, no NaN from finite input. Cost: about 10 ns if it sticks, 100 ns if it slips; at most
+/// is never negative. No allocation, no exception, no NaN from finite input; a NaN
+/// keeps no friction. Cost: about 10 ns if it sticks, 100 ns if it slips; at most
 /// max_search_steps evaluations of the curve for each search. `Number` is `double`, or a pack of double or float (`Real`) for as many
 /// contacts.
 template <class Real, class Number>
@@ -164,10 +200,10 @@ template <class Real, class Number>
                               select(was_sliding, limits.sliding.radius, limits.at_rest.radius)};
   UnitTrial<Number> unit = unit_trial(curve, limit, trial, limits.stiffness_ratio);
   // Every limit curve is convex, so a trial within the chord between the intercepts sticks.
-  const auto beyond_chord = unit.force * Number(curve.inverse_force_max) + unit.moment * Number(curve.inverse_moment_max) > one;
+  const auto beyond_chord = !(unit.force * Number(curve.inverse_force_max) + unit.moment * Number(curve.inverse_moment_max) <= one);
   Projected<Number> projected{};
   if (any(beyond_chord)) projected = project(curve, projection, limits, unit, last);
-  const auto begins = !was_sliding && projected.outside;
+  const auto begins = !was_sliding && beyond_chord && projected.outside;
   if (any(begins && (limits.sliding.force < limits.at_rest.force || limits.sliding.radius != limits.at_rest.radius))) {
     // Slip begins: project on to the sliding limit.
     limit = {select(begins, limits.sliding.force, limit.force), select(begins, limits.sliding.radius, limit.radius)};
@@ -176,21 +212,21 @@ template <class Real, class Number>
   }
 
   FrictionResult<Number> result;
-  result.slips = projected.outside;
-  // By rounding a component may exceed the trial's: clamp the ratio.
-  const auto kept = [&](Number ratio, Number trial_wrench) {
-    return select(result.slips && trial_wrench > zero, larger(zero, smaller(one, ratio)), one);
-  };
-  result.force_ratio = kept(projected.force_ratio, trial.force);
-  result.moment_ratio = limits.has_torsion ? kept(projected.moment_ratio, trial.moment) : zero;
-  const Number nan = Number(std::numeric_limits<Real>::quiet_NaN());
+  result.slips = beyond_chord && projected.outside;
+  result.force_ratio = kept_fraction(result.slips && !(trial.force <= zero), projected.force_ratio);
+  result.moment_ratio = limits.has_torsion ? kept_fraction(result.slips && !(trial.moment <= zero), projected.moment_ratio) : zero;
   // a(0) may be 0: keep the COR of pure sliding infinite.
   const Number radius = larger(limit.radius, Number((std::numeric_limits<Real>::min)()));
-  result.cor = select(result.slips, radius * (projected.slide / projected.spin), nan);
-  memory.slides = result.slips;
-  const Number rest_share = smaller(limits.force_rest_share, limits.moment_rest_share);
-  const auto lingers = was_sliding && !result.slips && rest_share < one;
-  if (any(lingers)) memory.slides = memory.slides || (lingers && !(share_of_limit(curve, limits.has_torsion, unit, last) < rest_share));
+  Number cor = radius * (projected.slide / projected.spin);
+  if (limits.has_torsion) {
+    // Without a load the springs relax, whatever the projection: the slip is the whole trial deflection.
+    const Number largest = Number(largest_trial<Real>);
+    const auto relaxes = !(limit.force > Number(least_limit<Real>) && unit.force < largest && unit.moment < largest);
+    cor = select(relaxes, trial.force / (trial.moment * limits.stiffness_ratio), cor);
+  }
+  result.cor = select(result.slips, cor, Number(std::numeric_limits<Real>::quiet_NaN()));
+  memory.slides = keeps_sliding(was_sliding, result.slips, smaller(limits.force_rest_share, limits.moment_rest_share),
+                                [&] { return share_of_limit(curve, limits.has_torsion, unit, last); });
   memory.rate = select(result.slips, select(had_parameter, projected.parameter - memory.parameter, zero), zero);
   memory.parameter = select(result.slips, projected.parameter, zero);
   return result;

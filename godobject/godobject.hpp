@@ -10,7 +10,6 @@
 #include "finger_curve.hpp"                  // IWYU pragma: export
 #include "grasp.hpp"                         // IWYU pragma: export
 #include "passivity.hpp"                     // IWYU pragma: export
-#include "patch_finger.hpp"                  // IWYU pragma: export
 #include "pivot.hpp"                         // IWYU pragma: export
 #include "replay.hpp"                        // IWYU pragma: export
 #include "rigid_body.hpp"                    // IWYU pragma: export

@@ -10,7 +10,7 @@ template <class Real>
 Projected<Real> project_along_c_curve(const CurveView<Real>& curve, const UnitTrial<Real>& trial, Real last, const RadiusLaw& radius_law,
                                       Real load) noexcept {
   const double gauge_at_load = static_cast<double>(gauge(curve, trial.force, trial.moment, last));
-  if (!(gauge_at_load > static_cast<double>(trial.slip_from))) return {};
+  if (gauge_at_load <= static_cast<double>(trial.slip_from)) return {};
   const auto at = static_cast<double>(load);
   // ln gauge falls by 1 to 2 for each unit of ln λ, which gives a lower bound of the root. There is one root, because P·a(P) grows with P.
   double low = 0.5 * std::log(gauge_at_load);

@@ -63,7 +63,7 @@ template <class Real, class Number>
     gauge_of_trial = gauge(curve, trial.force, trial.moment, last);
   }
   const Number ratio = Number(Real(1)) / gauge_of_trial;
-  return {gauge_of_trial > trial.slip_from, ratio, ratio, trial.force, trial.compliance_ratio * trial.moment, last};
+  return {!(gauge_of_trial <= trial.slip_from), ratio, ratio, trial.force, trial.compliance_ratio * trial.moment, last};
 }
 
 /// Closest point: the point of the curve nearest to the trial in the metric of the springs' compliance, f² + χm². There the slip
@@ -108,7 +108,7 @@ template <class Real, class Number>
       side.begin(last, guess_twist));
   // The trial is outside the convex curve if and only if it is beyond the tangent at its closest point.
   const CurvePoint<Number> point = side.point(jet, x);
-  return {side.trailing + x * side.leading > jet.value * trial.slip_from,
+  return {!(side.trailing + x * side.leading <= jet.value * trial.slip_from),
           point.force / trial.force,
           point.moment / trial.moment,
           point.slide,

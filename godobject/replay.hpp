@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "../limitcurve/patch.hpp"
 #include "finger_curve.hpp"
 #include "grasp.hpp"
 #include "surface.hpp"
 
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -45,10 +47,12 @@ struct SceneContact {
 
 /// The options of a replay. `Replay` checks them.
 struct ReplayOptions {
-  Law law = {};                        ///< pressure law; must be set
+  Law law = {};                        ///< pressure law; this or a patch must be set
   CurveKind curve = CurveKind::table;  ///< of the law
   Projection projection = Projection::closest_point;
   double tolerance = 1e-6;                          ///< of the table, in unit wrenches; used by `CurveKind::table` only
+  std::optional<Patch> patch = {};                  ///< in place of law, curve, projection and tolerance: the contact is not round
+  double point_radius = 0.0;                        ///< of a patch: as in SoftFinger
   FingerParameters finger = {};                     ///< of every finger
   AnySurface surface = AnySurface(PlaneSurface{});  ///< of the body, in its frame
   std::size_t fingers = 1;                          ///< 1 to `Replay::most_fingers`
@@ -83,14 +87,13 @@ class Replay {
   [[nodiscard]] double curve_error() const noexcept { return curve_error_; }
 
  private:
-  Replay(const ReplayOptions& options, const KindOfCurve& curve);
   void move(std::span<const DevicePose> fingers, const BodyPose& body, double time_step) noexcept;
 
+  double curve_error_ = 0.0;
   Grasp grasp_;
   std::vector<SceneContact> contacts_;
   std::vector<DevicePose> refused_;
   BodyMotion motion_;
-  double curve_error_;
   double last_time_ = -std::numeric_limits<double>::infinity();
 };
 

@@ -1,108 +1,187 @@
 // SPDX-License-Identifier: MIT
 #include "godobject/soft_finger.hpp"
 
-#include "godobject/kernel/finger_step.hpp"
+#include "godobject/finger/patch_friction.hpp"
+#include "godobject/finger/sample.hpp"
+#include "godobject/finger/springs.hpp"
+#include "godobject/patch/patch_projection.hpp"
+#include "limitcurve/number.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace limitcurve::godobject {
 
 using Eigen::Vector3d;
 
+namespace {
+
+constexpr double inf = std::numeric_limits<double>::infinity();
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// The step of an invalid sample: the last good output is held, and fades from the second invalid sample on.
+void fade(FingerState& state, double fault_decay) noexcept {
+  FingerOutput& output = state.output;
+  const double kept = output.state == ContactState::invalid ? fault_decay : 1.0;
+  output.state = ContactState::invalid;
+  output.slip_work = 0.0;
+  output.cor = nan;
+  output.load *= kept;
+  output.force *= kept;
+  output.moment *= kept;
+  state.limit_load *= kept;
+}
+
+/// The step without contact: the proxy follows the finger.
+void release(FingerState& state, const FingerSample& sample) noexcept {
+  state = {};
+  state.sample = sample;
+  state.faults.seen = true;
+  state.output.proxy = sample.position();
+  state.output.angle = sample.angle;
+  state.output.depth = sample.depth;
+  state.output.normal = sample.normal;
+}
+
+/// The first sample in contact: the springs are not loaded. (The paper's α_0 is the twist here. Angles are absolute; α_p − α_g is the
+/// same.)
+void touch_down(FingerState& state, const FingerSample& sample) noexcept {
+  state.in_contact = true;
+  state.sample = sample;
+  state.sample.depth = 0.0;
+  state.output.proxy = sample.goal;
+  state.output.angle = sample.angle;
+  state.friction = {};
+}
+
+/// Step b of a round contact.
+KeptDeflection apply_friction(const FingerCurve& curve, Projection projection, const ContactLimits& contact_limits,
+                              const TrialDeflection& trial, FrictionMemory<double>& memory) noexcept {
+  const Springs& springs = trial.springs;
+  const FrictionTrial<double> wrench{springs.stiffness * trial.tangential.norm(), springs.twist_stiffness * std::fabs(trial.twist)};
+  const FrictionLimits<double> limits = contact_limits.at<double>(trial.limit_load, springs.stiffness / springs.twist_stiffness);
+  const FrictionResult<double> friction = apply_friction(curve.view(), projection, limits, wrench, memory);
+  return {trial.tangential * friction.force_ratio,
+          trial.twist * friction.moment_ratio,
+          friction.force_ratio < 1.0,
+          friction.moment_ratio < 1.0,
+          friction.slips,
+          friction.cor,
+          wrench.force,
+          wrench.moment};
+}
+
+}  // namespace
+
 SoftFinger::SoftFinger(FingerCurve curve, const FingerParameters& parameters, Projection projection)
-    : curve_(std::move(curve)), parameters_(parameters), projection_(projection), limits_(parameters, curve_.moment_max()) {
-  check_projection(curve_, projection);
+    : curve_(std::move(curve)), parameters_(parameters), projection_(projection), limits_(parameters, curve_->moment_max()) {
+  check_projection(*curve_, projection);
+}
+
+SoftFinger::SoftFinger(const Patch& patch, const FingerParameters& parameters, double point_radius)
+    : parameters_(parameters), limits_(parameters, 1.0) {
+  if (parameters.moment_coefficient) {
+    throw out_of_range("moment_coefficient", *parameters.moment_coefficient, "m", "absent with a patch, which has its own moments");
+  }
+  patch_ = make_projector(patch, point_radius);
+}
+
+const Patch* SoftFinger::patch() const& noexcept {
+  return patch_ ? &patch_->patch() : nullptr;
 }
 
 FingerOutput SoftFinger::update(const AnySurface& surface, const DevicePose& device, double time_step) noexcept {
-  Spin spin;
-  const Contact contact = sense(surface, device, state_, spin);
-  advance(state_, contact, spin, device.twist, time_step);
-  return state_.output();
+  advance(state_, sense(surface, device, time_step, state_.sample));
+  return state_.output;
 }
 
 FingerOutput SoftFinger::update(const Contact& contact, double device_twist, double time_step) noexcept {
-  advance(state_, contact, state_.spin, device_twist, time_step);
-  return state_.output();
+  advance(state_, {contact, device_twist, time_step, state_.sample.spin});
+  return state_.output;
 }
 
 FingerOutput SoftFinger::preview(const AnySurface& surface, const DevicePose& device, double time_step) const noexcept {
   FingerState state = state_;
-  Spin spin;
-  const Contact contact = sense(surface, device, state, spin);
-  advance(state, contact, spin, device.twist, time_step);
-  return state.output();
+  advance(state, sense(surface, device, time_step, state_.sample));
+  return state.output;
 }
 
 FingerOutput SoftFinger::preview(const Contact& contact, double device_twist, double time_step) const noexcept {
   FingerState state = state_;
-  advance(state, contact, state.spin, device_twist, time_step);
-  return state.output();
+  advance(state, {contact, device_twist, time_step, state_.sample.spin});
+  return state.output;
 }
 
-void SoftFinger::advance(FingerState& state, const Contact& contact, const Spin& spin, double device_twist,
-                         double time_step) const noexcept {
+void SoftFinger::advance(FingerState& state, const Sensed& sensed) const noexcept {
   // A velocity needs two good samples in succession.
-  const bool has_velocity = state.seen && state.state != ContactState::invalid && time_step >= shortest_time_step;
-  if (!is_plausible(state, parameters_, contact, device_twist, time_step)) return fade(state, parameters_.fault_decay);
-  if (!(contact.depth > 0.0)) return release(state, contact, spin, device_twist);
-  if (!state.in_contact) touch_down(state, contact, spin, device_twist);
+  const bool has_velocity = state.faults.seen && state.output.state != ContactState::invalid && sensed.time_step >= shortest_time_step;
+  if (!accept(state.faults, sensed, state.sample, parameters_.max_displacement)) return fade(state, parameters_.fault_decay);
+  const FingerSample sample = take_sample(state.sample, sensed, state.in_contact);
+  if (!(sample.depth > 0.0)) return release(state, sample);
+  if (!state.in_contact) touch_down(state, sample);
+  FingerOutput& output = state.output;
 
   // a. The trial deflection of springs and dampers if the proxy stays (eq. 7).
-  const TrialDeflection trial = take_sample(state, parameters_, contact, spin, device_twist, has_velocity ? time_step : 0.0);
-  const Springs& springs = trial.springs;
+  const TrialDeflection trial(parameters_, output.proxy, output.angle, state.sample, sample, has_velocity ? sensed.time_step : 0.0);
 
-  // b. Friction: the part of the trial deflection that the limit curve allows (eqs. 21–23).
-  const double r = trial.tangential.norm();
-  const double rho = std::fabs(trial.twist);
-  const FrictionTrial<double> wrench{springs.stiffness * r, springs.twist_stiffness * rho};
-  const FrictionLimits<double> limits = limits_.at<double>(state.limit_load, springs.stiffness / springs.twist_stiffness);
-  const FrictionMemory<double> last = state.friction;
-  const FrictionResult<double> friction = apply_friction(curve_.view(), projection_, limits, wrench, state.friction);
-  const Vector3d kept = trial.tangential * friction.force_ratio;
-  const double twist_kept = trial.twist * friction.moment_ratio;
+  // b. Friction: the part of the trial deflection that the limit curve, or a patch's limit surface, allows (eqs. 21–23).
+  FrictionMemory<double> friction = state.friction;
+  const KeptDeflection kept = patch_ ? apply_friction(*patch_, limits_, trial, sample, output.angle, friction, state.patch)
+                                     : apply_friction(*curve_, projection_, limits_, trial, friction);
 
   // The proxy follows. A component without slip keeps its bits; a slip below the rounding of the position counts as stick.
-  const Landing landing = friction.force_ratio < 1.0 ? follow(trial, contact, kept) : Landing{trial.proxy, trial.spring.normal};
-  const double angle = friction.moment_ratio < 1.0 ? state.goal_angle + trial.twist_rest + twist_kept : state.angle;
-  const bool slid = trial.is_brought_round || landing.proxy != trial.proxy;
-  const bool turned = angle != state.angle;
-  const bool slips = trial.is_brought_round || (friction.slips && (slid || turned));
-  if (slips) state.proxy = numbers(landing.proxy);
-  if (slips || !limits.has_torsion) state.angle = angle;
-  state.friction.slides = state.friction.slides && (last.slides || (curve_.is_box() ? slid : slips));
-  state.friction.turns = state.friction.turns && (last.turns || turned);
+  const MovedProxy moved = kept.slides ? follow(trial, sample, kept.tangential) : MovedProxy{trial.proxy, trial.spring.normal};
+  const double angle = kept.turns ? sample.angle + trial.relaxed_twist + kept.twist : output.angle;
+  const bool slid = trial.is_brought_round || moved.proxy != trial.proxy;
+  const bool turned = angle != output.angle;
+  const bool slips = trial.is_brought_round || (kept.slips && (slid || turned));
 
   // c. Force and moment on the user.
-  state.state = slips ? ContactState::slip : ContactState::stick;
-  state.load = trial.load(slips ? landing.normal : trial.spring.normal);
-  state.force = numbers(kept * springs.stiffness);
-  state.moment = twist_kept * springs.twist_stiffness;
-  state.trial_force = wrench.force;
-  state.trial_moment = wrench.moment;
+  state.sample = sample;
+  state.friction = settled(state.friction, friction, curve_ && curve_->is_box(), slips, slid, turned);
+  if (!slips) state.patch.slip = Vector3d::Zero();
+  state.limit_load = trial.limit_load;
+  state.trial_force = kept.trial_force;
+  state.trial_moment = kept.trial_moment;
+  output.state = slips ? ContactState::slip : ContactState::stick;
+  if (slips) output.proxy = moved.proxy;
+  if (slips || (kept.turns && !kept.slips)) output.angle = angle;  // without torsion the proxy turns with the finger
+  output.depth = sample.depth;
+  output.normal = sample.normal;
+  output.load = trial.load(slips ? moved.normal : trial.spring.normal);
+  output.force = kept.tangential * trial.springs.stiffness;
+  output.moment = kept.twist * trial.springs.twist_stiffness;
   // A proxy moved to the finger's near side slides without a turn: its COR is at infinity.
-  state.cor = friction.slips ? friction.cor : std::numeric_limits<double>::infinity();
-  if (!slips) state.cor = std::numeric_limits<double>::quiet_NaN();
-  state.slip_work = slips ? landing.along_slope * wrench.force * friction.force_ratio * (r * (1.0 - friction.force_ratio)) +
-                                wrench.moment * friction.moment_ratio * (rho * (1.0 - friction.moment_ratio))
-                          : 0.0;
+  output.cor = !slips ? nan : kept.slips ? kept.cor : inf;
+  const double work = moved.along_slope * output.force.dot(trial.tangential - kept.tangential) + output.moment * (trial.twist - kept.twist);
+  // By rounding the work of a patch may be below 0; without convergence its sign is said as it is.
+  output.slip_work = !slips ? 0.0 : kept.converged ? std::max(work, 0.0) : work;
+  output.converged = kept.converged;
 }
 
 double SoftFinger::spring_energy() const noexcept {
   if (!state_.in_contact) return 0.0;
-  const Deflection spring = deflection(state_);
-  const double twist = state_.angle - state_.goal_angle;
+  const Deflection spring(state_.output.proxy, state_.sample);
+  const double twist = state_.output.angle - state_.sample.angle;
   return 0.5 * parameters_.stiffness * (spring.normal * spring.normal + spring.tangential.squaredNorm()) +
          0.5 * parameters_.twist_stiffness * twist * twist;
 }
 
 double SoftFinger::margin() const noexcept {
-  return limits_.margin(curve_, parameters_, state_);
+  if (!patch_) return limits_.margin(*curve_, parameters_, state_);
+  if (!state_.in_contact) return 1.0;
+  if (state_.output.state == ContactState::slip) return 0.0;
+  const double needed = patch_gauge(*patch_, state_);
+  return needed == 0.0 ? 1.0 : std::clamp(1.0 - needed / (limits_.mu(state_.friction.slides) * state_.limit_load), 0.0, 1.0);
 }
 
 double SoftFinger::load_to_hold() const noexcept {
-  return limits_.load_to_hold(curve_, vector(state_.force).norm(), std::fabs(state_.moment));
+  const FingerOutput& output = state_.output;
+  if (!patch_) return limits_.load_to_hold(*curve_, output.force.norm(), std::fabs(output.moment));
+  const double needed = patch_gauge(*patch_, state_);
+  return needed == 0.0 ? 0.0 : needed / limits_.mu(false);
 }
 
 }  // namespace limitcurve::godobject

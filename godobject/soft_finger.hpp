@@ -4,10 +4,20 @@
 #include "contact_limits.hpp"
 #include "surface.hpp"
 
+#include <memory>
+#include <optional>
+
+namespace limitcurve {
+class Patch;
+}
+
 namespace limitcurve::godobject {
 
+class PatchProjector;
+struct Sensed;
+
 /// A soft-finger god-object on one surface: steps a–c of the paper, corrected (README, "Corrections to the paper").
-/// The limit curve bounds force and moment together; the projection decides how a slipping proxy moves.
+/// The limit curve, or the limit surface of a patch, bounds force and moment together; the projection decides how a slipping proxy moves.
 ///
 ///     SoftFinger finger(Table::build(hertz(), 1e-6), {.mu = 0.6, .damping = 2.0});
 ///     const FingerOutput output = finger.update(surface, device_pose, 1e-3);  // every millisecond
@@ -18,6 +28,19 @@ class SoftFinger {
  public:
   /// Throws std::invalid_argument with parameter, value, unit and range. A box requires the closest point.
   SoftFinger(FingerCurve curve, const FingerParameters& parameters, Projection projection = Projection::closest_point);
+  /// A finger whose contact is a patch, for contacts that are not round: the limit surface replaces the limit curve, the projection is the
+  /// closest point in F_x, F_y and M, and the radius law is not used. For a disc the step equals that of its limit curve to 1e-9.
+  ///
+  /// The patch is fixed to the finger: its x axis is the tangent part of the device's x axis, q·x̂, turned about the normal by the proxy's
+  /// twist against the finger, α_p − α_g, and by `DevicePose::twist`. So that axis must not be normal to the surface: within 1e-6 of it the
+  /// last axis is transported, as it is for `update(contact, twist)`, which begins a contact with the world's x axis, turned from z to the
+  /// normal. The contact point is the centre of pressure: springs act there, and moments refer to it.
+  ///
+  /// Points get a radius ε: |u| becomes √(|u|² + ε²ω²), which changes the limit by less than ε/m₀ of it. Without it a point under the
+  /// centre of rotation bears any force up to its limit, and the search has no derivative there. `point_radius` is ε [m], at least 1e-3 m₀;
+  /// 0 means that. A step within the hull of pure slides and pure spins does not evaluate the patch; a slip costs 5 to 20 evaluations
+  /// (Patch states the cost of one). Throws as above, also for a moment coefficient, because the patch determines the moments.
+  SoftFinger(const Patch& patch, const FingerParameters& parameters, double point_radius = 0.0);
 
   /// One step. `device` is the device's pose in the frame of the surface. Its twist about the contact normal is the spin of its orientation
   /// (`Spin`) plus `DevicePose::twist`.
@@ -35,19 +58,24 @@ class SoftFinger {
   [[nodiscard]] FingerOutput preview(const AnySurface& surface, const DevicePose& device, double time_step = 0.0) const noexcept;
   [[nodiscard]] FingerOutput preview(const Contact& contact, double device_twist, double time_step = 0.0) const noexcept;
 
-  [[nodiscard]] FingerOutput output() const noexcept { return state_.output(); }
+  [[nodiscard]] const FingerOutput& output() const& noexcept { return state_.output; }
+  [[nodiscard]] FingerOutput output() && noexcept { return state_.output; }
   [[nodiscard]] const FingerState& state() const& noexcept { return state_; }
   void restore(const FingerState& state) noexcept { state_ = state; }
   void reset() noexcept { state_ = {}; }
   /// Makes the next search start without a warm start, as in the first slip.
   void forget_warm_start() noexcept { state_.friction.parameter = state_.friction.rate = 0.0; }
 
-  [[nodiscard]] const FingerCurve& curve() const& noexcept { return curve_; }
+  /// The limit curve; null for a patch.
+  [[nodiscard]] const FingerCurve* curve() const& noexcept { return curve_ ? &*curve_ : nullptr; }
+  /// The patch with its points smoothed by ε; null for a limit curve.
+  [[nodiscard]] const Patch* patch() const& noexcept;
   [[nodiscard]] Projection projection() const noexcept { return projection_; }
   [[nodiscard]] const FingerParameters& parameters() const& noexcept { return parameters_; }
   // References into a temporary finger would dangle.
   void state() const&& = delete;
   void curve() const&& = delete;
+  void patch() const&& = delete;
   void parameters() const&& = delete;
 
   /// Margin to slip, as a fraction of the limit: 1 without friction or while free, 0 on the limit and during slip.
@@ -60,11 +88,13 @@ class SoftFinger {
   [[nodiscard]] double spring_energy() const noexcept;
 
  private:
-  void advance(FingerState& state, const Contact& contact, const Spin& spin, double device_twist, double time_step) const noexcept;
+  void advance(FingerState& state, const Sensed& sensed) const noexcept;
 
-  FingerCurve curve_;
+  // The contact: one of both.
+  std::optional<FingerCurve> curve_;
+  std::shared_ptr<const PatchProjector> patch_;
   FingerParameters parameters_;
-  Projection projection_;
+  Projection projection_ = Projection::closest_point;
   ContactLimits limits_;
   FingerState state_;
 };

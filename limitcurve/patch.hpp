@@ -87,7 +87,7 @@ class Patch {
   /// The patch with orthotropic friction: coefficients mx along x and my along y, in [1e-6, 1e6], as multiples of this patch's. Associated
   /// flow: H = ⟨|diag(mx, my) u|⟩.
   [[nodiscard]] Patch orthotropic(double mx, double my) const;
-  /// The patch with H twice differentiable for ω ≠ 0, as PatchFinger needs it. Points get a radius ε > 0 [m]: |u| becomes √(|u|² + ε²ω²).
+  /// The patch with H twice differentiable for ω ≠ 0, as a finger needs it. Points get a radius ε > 0 [m]: |u| becomes √(|u|² + ε²ω²).
   /// All pixels of an image become such points. Other kinds are smooth already.
   [[nodiscard]] Patch smoothed(double radius) const;
 

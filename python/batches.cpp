@@ -116,8 +116,9 @@ void add_batches(nb::module_& module) {
   nb::class_<PyBatch> batch(
       module, "Batch",
       "Many contacts in arrays. They share a limit curve and parameters; each is in its own tangent plane.\n\n"
-      "A batch does step b only: friction by the curve, springs, radius law, static and dynamic friction. Dampers, faults and\n"
-      "unwrapping of angles need a SoftFinger.\n\n"
+      "A batch does step b only: friction by the curve, springs, radius law, static and dynamic friction. Dampers, fading and\n"
+      "unwrapping of angles need a SoftFinger. A sample that is not usable (NaN, farther than 1e6 m) makes its contact `invalid`; the\n"
+      "last output of that contact stays.\n\n"
       ">>> import limitcurve as lc, numpy as np\n"
       ">>> batch = lc.Batch(lc.Table('hertz', 1e-8), 3, mu=0.6)\n"
       ">>> batch.update(0.0, 0.0, 0.002, 0.0)\n"
@@ -178,6 +179,9 @@ void add_batches(nb::module_& module) {
   add_view("fy", "friction on the user along y [N]", [](const auto& all) { return all.force_y; });
   add_view("moment", "friction moment on the user [N m]", [](const auto& all) { return all.moment; });
   add_view("state", "ContactState, as uint8", [](const auto& all) { return all.state; });
+  batch.def_prop_ro(
+      "invalid", [](nb::handle self) { return nb::object(self.attr("state").attr("__eq__")(static_cast<int>(ContactState::invalid))); },
+      nb::sig("def invalid(self) -> numpy.typing.NDArray[numpy.bool_]"), "Whether the last sample of each contact was not usable.");
   add_view("proxy_x", "where the proxies are [m]", [](const auto& all) { return all.proxy_x; });
   add_view("proxy_y", "where the proxies are [m]", [](const auto& all) { return all.proxy_y; });
   add_view("proxy_angle", "how the proxies are turned [rad]", [](const auto& all) { return all.proxy_angle; });

@@ -2,7 +2,6 @@
 #include "python/core.hpp"
 
 #include "cli/io/law_argument.hpp"
-#include "godobject/patch_finger.hpp"
 #include "godobject/soft_finger.hpp"
 #include "limitcurve/number.hpp"
 
@@ -61,8 +60,7 @@ constexpr const char* update_doc =
     "Bad input (not finite, a normal that is not of unit length, a jump, dt < 0) raises nothing; it gives the state `invalid`:\n"
     "the last good output is held, and fades.";
 
-template <class Finger>
-FingerOutput update(Finger& finger, nb::handle point, nb::handle normal, double depth, double twist, double dt) {
+FingerOutput update(SoftFinger& finger, nb::handle point, nb::handle normal, double depth, double twist, double dt) {
   return finger.update({three_numbers(point, "point"), three_numbers(normal, "normal"), depth, {}}, twist, dt);
 }
 
@@ -84,64 +82,58 @@ void add_output(nb::module_& module) {
       .def_ro("moment", &FingerOutput::moment, "friction on the user about the normal [N m]")
       .def_ro("cor", &FingerOutput::cor, "distance of the slip's centre of rotation [m]; NaN unless it slips")
       .def_ro("slip_work", &FingerOutput::slip_work, "dissipated in this step [J], >= 0")
+      .def_ro("converged", &FingerOutput::converged, "False: the search for a patch's closest point did not converge")
       .def("__repr__", [](const FingerOutput& self) {
         return "<" + std::string(to_string(self.state)) + ", load " + format_number(self.load) + " N, friction " +
                format_number(self.force.norm()) + " N and " + format_number(self.moment) + " N m>";
       });
 }
 
-template <class Finger>
-void add_common(nb::class_<Finger>& type) {
-  type.def("update", &update<Finger>, nb::arg("point"), nb::arg("normal"), nb::arg("depth"), nb::arg("twist"), nb::arg("dt") = 0.0,
-           nb::sig(update_signature), update_doc)
-      .def("reset", &Finger::reset, "Back to the state before any contact.")
-      .def_prop_ro("output", &Finger::output, "Result of the last step.")
-      .def("margin", &Finger::margin, "Distance to slip, from 1 (no friction) to 0 (slips).")
-      .def("load_to_hold", &Finger::load_to_hold, "The least load [N] that would hold the present friction.")
-      .def("centre_of_rotation", &Finger::centre_of_rotation,
-           "Centre of rotation of the slip [m]; inf for pure sliding, NaN unless it slips.")
-      .def(
-          "copy", [](const Finger& self) { return self; }, "Another finger in the same state.");
-}
-
 void add_finger_types(nb::module_& module) {
-  nb::class_<SoftFinger> soft(module, "SoftFinger",
-                              "A soft-finger god-object: springs, dampers, and friction within the limit curve.\n\n"
-                              ">>> import limitcurve as lc\n"
-                              ">>> finger = lc.SoftFinger(lc.Table('hertz'), mu=0.6, radius_law='constant:a=0.006', stiffness=1000)\n"
-                              ">>> out = finger.update((0, 0, 0), (0, 0, 1), 0.002, 0.0, 1e-3)\n"
-                              ">>> str(out.state), out.load\n"
-                              "('stick', 2.0)\n");
-  soft.def(
-      "__init__",
-      [](SoftFinger* self, nb::handle curve, nb::kwargs given) {
-        const Projection projection = take_projection(given);
-        FingerCurve on = curve_of<double>(curve);
-        const FingerParameters parameters = parameters_of(given, on.moment_ratio());
-        new (self) SoftFinger(std::move(on), parameters, projection);
-      },
-      nb::arg("curve"), nb::arg("kwargs"),
-      nb::sig("def __init__(self, curve: Table | Curve, *, projection: str = 'closest-point', " LIMITCURVE_PARAMETERS ") -> None"),
-      "A finger with a limit curve; parameter names of the C++ FingerParameters, SI units. Projections: 'closest-point', 'radial',\n"
-      "'c-curve'. ValueError names a parameter out of range.");
-  add_common(soft);
-  soft.def("spring_energy", &SoftFinger::spring_energy, "Energy of the springs [J].");
-
-  nb::class_<PatchFinger> patch(module, "PatchFinger",
-                                "A god-object whose contact is a patch of any shape.\n\n"
-                                ">>> import limitcurve as lc\n"
-                                ">>> finger = lc.PatchFinger(lc.Patch('rectangle:x=0.02,y=0.01'), mu=0.6)\n"
-                                ">>> str(finger.update((0, 0, 0), (0, 0, 1), 0.002, 0.0).state)\n"
-                                "'stick'\n");
-  patch.def(
-      "__init__",
-      [](PatchFinger* self, const Patch& of, double point_radius, const nb::kwargs& given) {
-        new (self) PatchFinger(of, parameters_of(given, of.moment_ratio()), point_radius);
-      },
-      nb::arg("patch"), nb::kw_only(), nb::arg("point_radius") = 0.0, nb::arg("kwargs"),
-      nb::sig("def __init__(self, patch: Patch, *, point_radius: float = 0.0, " LIMITCURVE_PARAMETERS ") -> None"),
-      "As SoftFinger with the closest point; without a radius law. `point_radius` [m] is given to the points of a patch; 0 is the least.");
-  add_common(patch);
+  nb::class_<SoftFinger>(
+      module, "SoftFinger",
+      "A soft-finger god-object: springs, dampers, and friction within a limit curve or the limit surface of a patch.\n\n"
+      ">>> import limitcurve as lc\n"
+      ">>> finger = lc.SoftFinger(lc.Table('hertz'), mu=0.6, radius_law='constant:a=0.006', stiffness=1000)\n"
+      ">>> out = finger.update((0, 0, 0), (0, 0, 1), 0.002, 0.0, 1e-3)\n"
+      ">>> str(out.state), out.load\n"
+      "('stick', 2.0)\n"
+      ">>> finger = lc.SoftFinger(lc.Patch('rectangle:x=0.02,y=0.01'), mu=0.6)\n"
+      ">>> str(finger.update((0, 0, 0), (0, 0, 1), 0.002, 0.0).state)\n"
+      "'stick'\n")
+      .def(
+          "__init__",
+          [](SoftFinger* self, const Patch& patch, double point_radius, const nb::kwargs& given) {
+            new (self) SoftFinger(patch, parameters_of(given, patch.moment_ratio()), point_radius);
+          },
+          nb::arg("patch"), nb::kw_only(), nb::arg("point_radius") = 0.0, nb::arg("kwargs"),
+          nb::sig("def __init__(self, patch: Patch, *, point_radius: float = 0.0, " LIMITCURVE_PARAMETERS ") -> None"),
+          "A finger whose contact is a patch, with the closest point and without a radius law. `point_radius` [m] is given to the points\n"
+          "of a patch; 0 is the least.")
+      .def(
+          "__init__",
+          [](SoftFinger* self, nb::handle curve, nb::kwargs given) {
+            const Projection projection = take_projection(given);
+            FingerCurve on = curve_of<double>(curve);
+            const FingerParameters parameters = parameters_of(given, on.moment_ratio());
+            new (self) SoftFinger(std::move(on), parameters, projection);
+          },
+          nb::arg("curve"), nb::arg("kwargs"),
+          nb::sig("def __init__(self, curve: Table | Curve, *, projection: str = 'closest-point', " LIMITCURVE_PARAMETERS ") -> None"),
+          "A finger with a limit curve; parameter names of the C++ FingerParameters, SI units. Projections: 'closest-point', 'radial',\n"
+          "'c-curve'. ValueError names a parameter out of range.")
+      .def("update", &update, nb::arg("point"), nb::arg("normal"), nb::arg("depth"), nb::arg("twist"), nb::arg("dt") = 0.0,
+           nb::sig(update_signature), update_doc)
+      .def("reset", &SoftFinger::reset, "Back to the state before any contact.")
+      .def_prop_ro(
+          "output", [](const SoftFinger& self) { return self.output(); }, "Result of the last step.")
+      .def("margin", &SoftFinger::margin, "Distance to slip, from 1 (no friction) to 0 (slips).")
+      .def("load_to_hold", &SoftFinger::load_to_hold, "The least load [N] that would hold the present friction.")
+      .def("centre_of_rotation", &SoftFinger::centre_of_rotation,
+           "Centre of rotation of the slip [m]; inf for pure sliding, NaN unless it slips.")
+      .def("spring_energy", &SoftFinger::spring_energy, "Energy of the springs [J].")
+      .def(
+          "copy", [](const SoftFinger& self) { return self; }, "Another finger in the same state.");
 }
 
 struct PyMemory {

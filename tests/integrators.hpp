@@ -44,7 +44,7 @@ inline void step_by(Integrator integrator, Grasp& grasp, std::span<const DeviceP
     // On the line through the finger, as Grasp has it.
     const Eigen::Vector3d on_body = -grasp.force_on_user(i);
     force += on_body;
-    moment += (old.orientation * grasp.finger(i).state().position()).cross(on_body) - grasp.moment_on_user(i);
+    moment += (old.orientation * grasp.finger(i).state().sample.position()).cross(on_body) - grasp.moment_on_user(i);
   }
   BodyState next = old;
   accelerate(grasp.parameters(), next, force, moment, time_step);

@@ -10,7 +10,6 @@
 
 #include "godobject/passivity.hpp"
 #include "godobject/replay.hpp"
-#include "godobject/scene/patch_replay.hpp"
 #include "limitcurve/number.hpp"
 #include "limitcurve/pressure_law.hpp"
 
@@ -162,7 +161,8 @@ class Replay final : public Subcommand {
     replay_.fingers = fingers_;
     replay_.motion = body.motion;
     replay_.body = body.parameters;
-    if (!patch_.empty()) return run_patch(results, {in_space, details_});
+    if (!patch_.empty()) replay_.patch = read_patch(patch_);
+    replay_.point_radius = point_radius_.value_or(0.0);
     run_replay(results, {in_space, details_});
   }
 
@@ -211,29 +211,11 @@ class Replay final : public Subcommand {
     }
   }
 
-  void run_patch(const Results& results, const Columns& columns) const {
-    TraceReader trace(trace_, fingers_, replay_.motion == BodyMotion::prescribed);
-    note_missing_twists(*results.messages, trace);
-    godobject::PatchReplay replay(read_patch(patch_), replay_, point_radius_.value_or(0.0));
-    std::vector<std::string> names{"time"};
-    for (std::size_t i = 0; i < fingers_; ++i) add_columns(names, i == 0 ? "" : std::to_string(i + 1), columns);
-    Rows rows(results, names);
-    while (trace.next()) {
-      if (trace.share()) results.messages->progress(*trace.share());
-      replay.step(trace.time(), trace.fingers(), trace.body());
-      rows.row_by([&](const auto& cell) {
-        cell(trace.time());
-        for (const godobject::SceneContact& contact : replay.contacts()) write_contact(cell, contact, columns);
-      });
-    }
-    rows.finish();
-  }
-
   void run_replay(const Results& results, const Columns& columns) const {
     TraceReader trace(trace_, fingers_, replay_.motion == BodyMotion::prescribed);
     note_missing_twists(*results.messages, trace);
     godobject::Replay replay(replay_);
-    if (replay_.curve == CurveKind::exact) {
+    if (replay_.curve == CurveKind::exact && !replay_.patch) {
       std::string text = "limitcurve: exact: a table with an error of at most " + format_number(replay.curve_error()) + " in unit wrenches";
       if (const double profile = replay_.law->profile_error(); profile > 0.0) {
         text += ", of which " + format_number(profile) + " because the pressure is known only at samples";

@@ -50,12 +50,12 @@ void Grasp::place(const BodyState& state, std::span<const DevicePose> devices) n
 }
 
 Eigen::Vector3d Grasp::force_on_user(std::size_t index) const noexcept {
-  const FingerOutput output = fingers_[index].output();
+  const FingerOutput& output = fingers_[index].output();
   return state_.orientation * Eigen::Vector3d(output.force + output.normal * output.load);
 }
 
 Eigen::Vector3d Grasp::moment_on_user(std::size_t index) const noexcept {
-  const FingerOutput output = fingers_[index].output();
+  const FingerOutput& output = fingers_[index].output();
   return state_.orientation * Eigen::Vector3d(output.normal * output.moment);
 }
 
@@ -66,7 +66,7 @@ double Grasp::energy() const noexcept {
 }
 
 void Grasp::account() noexcept {
-  for (const SoftFinger& finger : fingers_) dissipated_ += finger.state().slip_work;
+  for (const SoftFinger& finger : fingers_) dissipated_ += finger.output().slip_work;
 }
 
 /// A device pose in the body's frame.
@@ -82,7 +82,7 @@ Grasp::Load Grasp::preview(const BodyState& state, std::span<const DevicePose> d
     const DevicePose device = in_body(state, devices[i]);
     const FingerOutput output = fingers_[i].preview(surface_, device, time_step);
     // After a refused sample the force acts at the last good position.
-    const Eigen::Vector3d finger = output.state != ContactState::invalid ? device.position : fingers_[i].state().position();
+    const Eigen::Vector3d finger = output.state != ContactState::invalid ? device.position : fingers_[i].state().sample.position();
     const Eigen::Vector3d force = state.orientation * Eigen::Vector3d(-output.force - output.normal * output.load);
     load.force += force;
     load.moment += (state.orientation * finger).cross(force) - state.orientation * Eigen::Vector3d(output.normal * output.moment);
@@ -165,7 +165,7 @@ BodyState Grasp::solve(std::span<const DevicePose> devices, double time_step, co
     if (parameters_.free[static_cast<std::size_t>(i)]) still[i] = 0.0;
   }
   double force = external.force.norm();
-  for (const SoftFinger& finger : fingers_) force += finger.state().load;
+  for (const SoftFinger& finger : fingers_) force += finger.output().load;
   const double unit = size(present) + force * time_step / parameters_.mass;
 
   Attempt first = attempt(present);

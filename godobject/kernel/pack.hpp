@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "godobject/kernel/step.hpp"
+#include "limitcurve/arithmetic.hpp"
 
 #include <immintrin.h>
 
@@ -11,12 +11,13 @@
 #include <type_traits>
 
 /// Packs of numbers, one vector register each, under the names of single numbers (limitcurve/arithmetic.hpp, single.hpp). A template on
-/// Number then steps as many contacts as a pack has lanes, with the same bits. The only header with extensions of GCC and Clang.
+/// Number then computes as many results as a pack has lanes, with the same bits. The only header with extensions of GCC and Clang.
 ///
-/// The instruction set is part of every type's name. Sources that are compiled for different processors then share no function that the
-/// linker could take from the wrong one; for the same reason lanes that are stepped one by one call functions of other sources only.
+/// The instruction set is part of every type's name: sources that are compiled for different processors share no function that the linker
+/// could take from the wrong one.
 namespace limitcurve::godobject::kernel {
 
+/// Instruction sets.
 struct Sse2 {
   static constexpr int bytes = 16;
 };
@@ -305,9 +306,9 @@ template <class Real, class Isa>
   }
 }
 
-/// One state for each lane, a byte each.
-template <class Real, class Isa>
-[[nodiscard]] __m128i load_states(const ContactState* states) noexcept {
+/// States of lanes: an enumeration of one byte, one for each lane.
+template <class Real, class Isa, class State>
+[[nodiscard]] __m128i load_states(const State* states) noexcept {
   constexpr std::size_t count = Pack<Real, Isa>::size;
   if constexpr (count == 16) {
     return _mm_loadu_si128(reinterpret_cast<const __m128i*>(states));
@@ -317,25 +318,25 @@ template <class Real, class Isa>
     return _mm_cvtsi64_si128(word);
   }
 }
-template <class Real, class Isa>
-[[nodiscard]] Mask<Real, Isa> has_state(const ContactState* states, ContactState wanted, Pack<Real, Isa>) noexcept {
+template <class Real, class Isa, class State>
+[[nodiscard]] Mask<Real, Isa> has_state(const State* states, State wanted, Pack<Real, Isa>) noexcept {
   return widen<Real, Isa>(_mm_cmpeq_epi8(load_states<Real, Isa>(states), _mm_set1_epi8(static_cast<char>(wanted))));
 }
-template <class Real, class Isa>
-void set_states(ContactState* states, Mask<Real, Isa> is_plausible, Mask<Real, Isa> touches, Mask<Real, Isa> slips,
-                Pack<Real, Isa>) noexcept {
+/// Where `where` holds: states = !first ? values[0] : !second ? values[1] : values[2].
+template <class Real, class Isa, class State>
+void set_states_where(Mask<Real, Isa> where, State* states, Mask<Real, Isa> first, Mask<Real, Isa> second,
+                      const std::array<State, 3>& values, Pack<Real, Isa>) noexcept {
   const auto choose = [](Mask<Real, Isa> mask, __m128i yes, __m128i no) {
     const __m128i bits = narrow(mask);
     return _mm_or_si128(_mm_and_si128(bits, yes), _mm_andnot_si128(bits, no));
   };
-  const auto state = [](ContactState value) { return _mm_set1_epi8(static_cast<char>(value)); };
-  __m128i bytes = choose(touches, choose(slips, state(ContactState::slip), state(ContactState::stick)), state(ContactState::free));
-  if (any(!is_plausible)) bytes = choose(is_plausible, bytes, load_states<Real, Isa>(states));
+  const auto all = [&](std::size_t i) { return _mm_set1_epi8(static_cast<char>(values[i])); };
+  __m128i bytes = choose(first, choose(second, all(2), all(1)), all(0));
+  if (any(!where)) bytes = choose(where, bytes, load_states<Real, Isa>(states));
   __builtin_memcpy(states, &bytes, Pack<Real, Isa>::size);
 }
 
-// Powers and logarithms are computed lane by lane in arrays, so that packs stay in registers where there are none.
-
+/// The lanes of a pack as an array, for functions that have no form for packs.
 template <class Real, class Isa>
 using Lanes = std::array<Real, Pack<Real, Isa>::size>;
 
@@ -350,51 +351,6 @@ template <class Isa, class Real, std::size_t size>
   Pack<Real, Isa> result;
   __builtin_memcpy(&result.lanes, &lanes, sizeof result.lanes);
   return result;
-}
-
-template <class Real, class Isa>
-[[nodiscard]] Pack<Real, Isa> radius_at(const RadiusLaw& law, Pack<Real, Isa> load) noexcept {
-  Lanes<Real, Isa> lanes = lanes_of(load);
-  for (Real& lane : lanes) lane = godobject::radius_at(law, lane);
-  return pack_of<Isa>(lanes);
-}
-
-template <class Real, class Isa>
-[[nodiscard]] Projected<Pack<Real, Isa>> project_along_c_curve(const CurveView<Real>& curve, const UnitTrial<Pack<Real, Isa>>& trial,
-                                                               Pack<Real, Isa> last, const RadiusLaw& radius_law,
-                                                               Pack<Real, Isa> load) noexcept {
-  const auto force = lanes_of(trial.force), moment = lanes_of(trial.moment), compliance_ratio = lanes_of(trial.compliance_ratio),
-             slip_from = lanes_of(trial.slip_from), parameter = lanes_of(last), loads = lanes_of(load);
-  Lanes<Real, Isa> outside, force_ratio, moment_ratio, slide, spin, next;
-  for (std::size_t i = 0; i < outside.size(); ++i) {
-    const Projected<Real> lane = godobject::project_along_c_curve(curve, {force[i], moment[i], compliance_ratio[i], slip_from[i]},
-                                                                  parameter[i], radius_law, loads[i]);
-    outside[i] = lane.outside ? Real(1) : Real(0);
-    force_ratio[i] = lane.force_ratio;
-    moment_ratio[i] = lane.moment_ratio;
-    slide[i] = lane.slide;
-    spin[i] = lane.spin;
-    next[i] = lane.parameter;
-  }
-  return {pack_of<Isa>(outside) > Pack<Real, Isa>(Real(0)),
-          pack_of<Isa>(force_ratio),
-          pack_of<Isa>(moment_ratio),
-          pack_of<Isa>(slide),
-          pack_of<Isa>(spin),
-          pack_of<Isa>(next)};
-}
-
-/// All functions of a step are inlined into one loop, so that numbers stay in registers.
-template <class Isa, class Real>
-[[gnu::flatten]] std::size_t step_packs(const Shared<Real>& shared, const BasicContactBatch<Real>& contacts, std::size_t count) noexcept {
-  using Number = Pack<Real, Isa>;
-  // Copies, so that they need not be read again after each number that is written.
-  const BasicContactBatch<Real> arrays = contacts;
-  const CurveView<Real> curve = shared.curve;
-  const Shared<Real> same{curve, shared.projection, shared.limits, shared.stiffness, shared.twist_stiffness};
-  std::size_t i = 0;
-  for (; i + Number::size <= count; i += Number::size) step_contacts<Real, Number>(same, arrays, i);
-  return i;
 }
 
 }  // namespace limitcurve::godobject::kernel

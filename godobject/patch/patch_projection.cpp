@@ -5,9 +5,9 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <utility>
 
 namespace limitcurve::godobject {
@@ -18,7 +18,7 @@ using Eigen::Matrix2d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double step_of_differences = 1e-6;
+constexpr double step_of_differences = 1e-8;
 constexpr int most_newton_steps = 60;
 constexpr int most_halvings = 30;
 
@@ -112,7 +112,7 @@ double least_ratio(Scaled& friction, const Vector3d& w, Vector3d& q, double enou
     Vector2d step = solve(a, 0.0, -slope);
     if (step.norm() > 2.0 * far) step *= 2.0 * far / step.norm();
     bool better = false;
-    for (int halving = 0; halving < most_halvings && friction.evaluations < PatchProjector::most_evaluations; ++halving, step *= 0.5) {
+    for (int halving = 0; halving < most_halvings && friction.evaluations < PatchProjector::most_evaluations / 2; ++halving, step *= 0.5) {
       const Vector3d next = q + tangents.at(step);
       const Scaled::Value there = friction(next);
       // Near the minimum the decrease is below rounding: then require a smaller slope.
@@ -129,26 +129,66 @@ double least_ratio(Scaled& friction, const Vector3d& w, Vector3d& q, double enou
   return value.power / size;
 }
 
-}  // namespace
-
-PatchProjector::PatchProjector(Patch patch) : patch_(std::move(patch)), inner_(1.0) {
-  const auto [mx, my] = patch_.factors();
-  const double m0 = patch_.moment_ratio();
-  constexpr int directions = 48;
-  constexpr int distances = 61;
-  for (int i = 0; i < distances; ++i) {
-    const double exponent = 6.0 * i / (distances - 1) - 3.0;
-    const double slide = std::pow(10.0, std::min(exponent, 0.0));
-    const double spin = std::pow(10.0, std::min(-exponent, 0.0)) / m0;
-    for (int j = 0; j < directions; ++j) {
-      const double angle = 2.0 * std::numbers::pi * j / directions;
-      const PatchTwist twist{slide * std::cos(angle), slide * std::sin(angle), spin};
-      inner_ = std::min(inner_, patch_.power(twist) / std::hypot(mx * twist.vx, my * twist.vy, m0 * twist.omega));
+/// The point closest to `w` of the hull of up to four points, if `w` is outside it. Keeps the points that bear it, at most three.
+Vector3d closest_of_hull(std::array<Vector3d, 4>& points, int& count, const Vector3d& w) noexcept {
+  double least = std::numeric_limits<double>::infinity();
+  Vector3d closest = points[0];
+  int bearing = 1;
+  for (int subset = 1; subset < (1 << count); ++subset) {
+    std::array<Vector3d, 4> of = points;
+    int size = 0;
+    for (int i = 0; i < count; ++i) {
+      if ((subset >> i & 1) != 0) of[static_cast<std::size_t>(size++)] = points[static_cast<std::size_t>(i)];
+    }
+    if (size > 3) continue;
+    // The projection of w on to the point, the line or the plane through them, and whether it lies between them.
+    const Vector3d apart = w - of[0];
+    const Vector3d e = size > 1 ? Vector3d(of[1] - of[0]) : Vector3d(Vector3d::Zero());
+    const Vector3d g = size > 2 ? Vector3d(of[2] - of[0]) : Vector3d(Vector3d::Zero());
+    const Vector3d normal = e.cross(g);
+    const double s = size == 2 ? apart.dot(e) / e.squaredNorm() : size == 3 ? apart.cross(g).dot(normal) / normal.squaredNorm() : 0.0;
+    const double t = size == 3 ? e.cross(apart).dot(normal) / normal.squaredNorm() : 0.0;
+    if (!(s >= 0.0 && t >= 0.0 && s + t <= 1.0)) continue;
+    const Vector3d at = of[0] + s * e + t * g;
+    if (const double far = (w - at).norm(); far < least) {
+      least = far;
+      closest = at;
+      bearing = subset;
     }
   }
-  // Between samples the minimum may be a little lower.
-  inner_ *= 0.97;
+  int kept = 0;
+  for (int i = 0; i < count; ++i) {
+    if ((bearing >> i & 1) != 0) points[static_cast<std::size_t>(kept++)] = points[static_cast<std::size_t>(i)];
+  }
+  count = kept;
+  return closest;
 }
+
+/// The point of the limit surface closest to a `w` outside it, by hulls of points of the surface (Gilbert, Johnson and Keerthi): without
+/// derivatives, so that kinks and flat faces do not matter. The surface's support in a direction is the wrench of that twist. Returns the
+/// distance that may be missing.
+double approach_by_hulls(Scaled& friction, const Vector3d& w, const Vector3d& start, Vector3d& nearest) noexcept {
+  constexpr int most_hulls = 100;
+  std::array<Vector3d, 4> points{friction(start).wrench};
+  int count = 1;
+  double missing = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < most_hulls && count < 4; ++i) {
+    nearest = closest_of_hull(points, count, w);
+    const Vector3d apart = w - nearest;
+    const double distance = apart.norm();
+    if (!(distance > 1e-14 * w.norm())) return 0.0;
+    const Vector3d support = friction(apart / distance).wrench;
+    missing = (apart / distance).dot(support - nearest);
+    if (missing <= 1e-13 * (1.0 + w.norm())) break;
+    points[static_cast<std::size_t>(count++)] = support;
+    if (count == 4) nearest = closest_of_hull(points, count, w);
+  }
+  return missing;
+}
+
+}  // namespace
+
+PatchProjector::PatchProjector(Patch patch) : patch_(std::move(patch)), spin_(patch_.wrench({0.0, 0.0, 1.0})) {}
 
 double PatchProjector::gauge(const PatchWrench& unit_wrench) const noexcept {
   const double m0 = patch_.moment_ratio();
@@ -167,8 +207,10 @@ PatchProjection PatchProjector::project(const PatchWrench& trial, double limit, 
   const auto [mx, my] = patch_.factors();
   PatchProjection result;
   result.wrench = trial;
+  // Every limit surface is convex: a trial in the hull of pure slides (an ellipse) and the two pure spins sticks.
+  const double spins = trial.moment / spin_.moment;
+  if (std::hypot((trial.fx - spins * spin_.fx) / mx, (trial.fy - spins * spin_.fy) / my) + std::fabs(spins) <= limit) return result;
   const double inside = std::hypot(trial.fx / mx, trial.fy / my, trial.moment / m0);
-  if (inside <= inner_ * limit) return result;
   // A very small limit counts as 1e-12 of the trial, so that nothing overflows.
   const double safe_limit = std::max(limit, 1e-12 * inside);
   const double kappa = compliance_radius;
@@ -207,13 +249,14 @@ PatchProjection PatchProjector::project(const PatchWrench& trial, double limit, 
     if (!(ratio < 1.0) || !(here.rho > onset)) return result;
   }
 
+  constexpr int most_of_newton = most_evaluations - 110;  // what is left is for hulls
   const double enough = 1e-12 * (1.0 + std::min(size, here.value.wrench.norm()));
   result.converged = false;
   // Near convergence reuse the last Hessian, which saves two evaluations.
   Tangents tangents(here.q);
   Matrix2d curvature;
   double last_slope = 0.0;
-  for (int i = 0; i < most_newton_steps && friction.evaluations < most_evaluations; ++i) {
+  for (int i = 0; i < most_newton_steps && friction.evaluations < most_of_newton; ++i) {
     tangents.carry(here.q);
     const Vector2d slope = tangents.of(w - here.value.wrench);
     // For a trial far outside, the slope contains the trial's rounding.
@@ -226,7 +269,7 @@ PatchProjection PatchProjector::project(const PatchWrench& trial, double limit, 
     last_slope = slope.norm();
     Vector2d step = capped(solve(curvature, here.rho, slope));
     bool better = false;
-    for (int halving = 0; halving < most_halvings && friction.evaluations < most_evaluations; ++halving, step *= 0.5) {
+    for (int halving = 0; halving < most_halvings && friction.evaluations < most_of_newton; ++halving, step *= 0.5) {
       const Place next = at(here.q + tangents.at(step));
       const double rise = next.rho - here.rho;
       better = rise >= 1e-4 * slope.dot(step) && rise > 0.0;
@@ -244,9 +287,11 @@ PatchProjection PatchProjector::project(const PatchWrench& trial, double limit, 
       break;
     }
   }
+  Vector3d unit = here.value.wrench;
+  if (!result.converged) result.converged = approach_by_hulls(friction, w, here.q, unit) <= 1e-9 * (1.0 + size);
   result.slips = true;
   result.evaluations = friction.evaluations;
-  const Vector3d wrench = here.value.wrench * limit;
+  const Vector3d wrench = unit * limit;
   result.wrench = {wrench.x(), wrench.y(), wrench.z() * kappa};
   const double twist_stiffness = stiffness * kappa * kappa;
   result.slip = {(trial.fx - result.wrench.fx) / stiffness, (trial.fy - result.wrench.fy) / stiffness,

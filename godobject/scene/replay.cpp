@@ -20,32 +20,31 @@ DevicePose nowhere() noexcept {
   return result;
 }
 
-/// The curve of the options. Checks all options first, because a table is expensive.
-KindOfCurve checked_curve(const ReplayOptions& options) {
-  if (!options.law) throw std::invalid_argument("law: none given, expected a pressure law");
+/// The finger of the options, and the error of its curve. Checks all options first, because a table is expensive.
+SoftFinger make_finger(const ReplayOptions& options, double& curve_error) {
+  if (!options.law && !options.patch) throw std::invalid_argument("law: none given, expected a pressure law");
   if (!(options.fingers >= 1 && options.fingers <= Replay::most_fingers)) {
     throw std::invalid_argument("fingers = " + std::to_string(options.fingers) + ": expected 1 to " + std::to_string(Replay::most_fingers));
   }
+  options.body.validate();
+  if (options.patch) return {*options.patch, options.finger, options.point_radius};
   const double moment_ratio = options.law->moment_ratio();
   static_cast<void>(ContactLimits(options.finger, moment_ratio));
   if (options.curve == CurveKind::box) {
     static_cast<void>(SoftFinger(box(1.0, moment_ratio), options.finger, options.projection));
   }
-  options.body.validate();
-  return make_finger_curve(options.curve, options.law, options.tolerance);
+  const KindOfCurve curve = make_finger_curve(options.curve, options.law, options.tolerance);
+  curve_error = curve.error;
+  return {curve.curve, options.finger, options.projection};
 }
 
 }  // namespace
 
-Replay::Replay(const ReplayOptions& options) : Replay(options, checked_curve(options)) {}
-
-Replay::Replay(const ReplayOptions& options, const KindOfCurve& curve)
-    : grasp_(options.body, BodyState{}, options.surface,
-             std::vector<SoftFinger>(options.fingers, SoftFinger(curve.curve, options.finger, options.projection))),
+Replay::Replay(const ReplayOptions& options)
+    : grasp_(options.body, BodyState{}, options.surface, std::vector<SoftFinger>(options.fingers, make_finger(options, curve_error_))),
       contacts_(options.fingers),
       refused_(options.fingers, nowhere()),
-      motion_(options.motion),
-      curve_error_(curve.error) {}
+      motion_(options.motion) {}
 
 void Replay::step(double time, std::span<const DevicePose> fingers, const BodyPose& body) noexcept {
   const bool in_time = time >= last_time_ && time <= std::numeric_limits<double>::max();
@@ -57,7 +56,7 @@ void Replay::step(double time, std::span<const DevicePose> fingers, const BodyPo
     last_time_ = time;
     move(fingers, body, time_step);
   }
-  for (std::size_t i = 0; i < contacts_.size(); ++i) describe(contacts_[i], grasp_.finger(i), grasp_.finger(i).state(), grasp_.body());
+  for (std::size_t i = 0; i < contacts_.size(); ++i) describe(contacts_[i], grasp_.finger(i), grasp_.body());
 }
 
 void Replay::move(std::span<const DevicePose> fingers, const BodyPose& body, double time_step) noexcept {

@@ -5,7 +5,6 @@
 
 #include <cmath>
 
-/// Functions that Replay and PatchReplay share.
 namespace limitcurve::godobject {
 
 /// Whether a body's pose is valid: within 1e6 m, orientation of unit length.
@@ -13,23 +12,23 @@ namespace limitcurve::godobject {
   return pose.position.squaredNorm() <= 1e12 && std::fabs(pose.orientation.squaredNorm() - 1.0) <= 1e-6;
 }
 
-/// Transforms the output of a finger (SoftFinger or PatchFinger, with the state `state`) from the body's frame to the world. After an
-/// invalid sample the held wrench and its normal turn with the body; the position is the last good one.
-template <class Finger>
-void describe(SceneContact& contact, const Finger& finger, const FingerState& state, const BodyState& body) noexcept {
-  contact.state = state.state;
-  contact.dissipated += state.slip_work;
-  contact.load = state.load;
-  contact.force = body.orientation * vector(state.force);
-  contact.moment = state.moment;
-  if (state.seen) contact.normal = body.orientation * vector(state.normal);
-  contact.cor = state.cor;
+/// Transforms the output of a finger from the body's frame to the world. After an invalid sample the held wrench and its normal turn with
+/// the body; the position is the last good one.
+inline void describe(SceneContact& contact, const SoftFinger& finger, const BodyState& body) noexcept {
+  const FingerOutput& output = finger.output();
+  contact.state = output.state;
+  contact.dissipated += output.slip_work;
+  contact.load = output.load;
+  contact.force = body.orientation * output.force;
+  contact.moment = output.moment;
+  if (finger.state().faults.seen) contact.normal = body.orientation * output.normal;
+  contact.cor = output.cor;
   contact.centre_of_rotation = finger.centre_of_rotation();
   if (contact.centre_of_rotation.allFinite()) contact.centre_of_rotation = body.to_world(contact.centre_of_rotation);
-  if (state.state == ContactState::invalid) return;
-  contact.proxy = body.to_world(vector(state.proxy));
-  contact.angle = state.angle;
-  contact.depth = state.depth;
+  if (output.state == ContactState::invalid) return;
+  contact.proxy = body.to_world(output.proxy);
+  contact.angle = output.angle;
+  contact.depth = output.depth;
   contact.margin = finger.margin();
   contact.load_to_hold = finger.load_to_hold();
 }

@@ -149,7 +149,7 @@ def test_patches_from_arrays_are_those_from_files(tmp_path):
     rectangle = lc.Patch.polygon([-0.01, 0.01, 0.01, -0.01], [-0.005, -0.005, 0.005, 0.005])
     assert np.allclose(rectangle.wrench(twists), lc.Patch("rectangle:x=0.02,y=0.01").wrench(twists), atol=1e-13)
     assert lc.Patch.image(np.ones((4, 8)), 0.0025).radius == pytest.approx(math.hypot(0.01, 0.005), rel=0.2)
-    finger = lc.PatchFinger(rectangle, mu=0.6)
+    finger = lc.SoftFinger(rectangle, mu=0.6)
     assert str(finger.update((0, 0, 0), (0, 0, 1), 0.001, 0).state) == "stick"
 
 

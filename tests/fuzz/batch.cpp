@@ -47,8 +47,8 @@ void run(fuzz::Bytes bytes) {
                                now.parameter[i], now.rate[i]}) {
         fuzz::require(std::isfinite(value), "a number of a batch is not finite");
       }
-      if (now.state[i] == ContactState::free || before.state[i] == ContactState::free) continue;
-      if (now.state[i] == ContactState::stick) {
+      if (now.state[i] == ContactState::free || before.sliding[i] == ContactState::free) continue;
+      if (now.state[i] == ContactState::stick || now.state[i] == ContactState::invalid) {
         fuzz::require(now.proxy_x[i] == before.proxy_x[i] && now.proxy_y[i] == before.proxy_y[i], "a proxy that sticks slides");
         fuzz::require(!has_torsion || now.proxy_angle[i] == before.proxy_angle[i], "a proxy that sticks turns");
       } else {

@@ -24,9 +24,9 @@ bool same(const FingerOutput& one, const FingerOutput& other) {
 void require_within_limit(const SoftFinger& finger) {
   const FingerOutput output = finger.output();
   const FrictionLimits<double> limits =
-      ContactLimits(finger.parameters(), finger.curve().moment_max()).at<double>(finger.state().limit_load, 1.0);
+      ContactLimits(finger.parameters(), finger.curve()->moment_max()).at<double>(finger.state().limit_load, 1.0);
   const bool slips = output.state == ContactState::slip;
-  const bool is_box = finger.curve().is_box();
+  const bool is_box = finger.curve()->is_box();
   const FrictionMemory<double>& memory = finger.state().friction;
   const FrictionLimit<double>& limit = slips && memory.slides ? limits.sliding : limits.at_rest;
   const FrictionLimit<double>& of_moment = slips && (is_box ? memory.turns : memory.slides) ? limits.sliding : limits.at_rest;
@@ -38,11 +38,11 @@ void require_within_limit(const SoftFinger& finger) {
   constexpr double allowed = 1.0 + 1.01e-12;
   if (!limits.has_torsion) {
     fuzz::require(moment == 0.0, "a moment without torsional friction");
-    fuzz::require(force <= std::max(least, limit.force * finger.curve().force_max() * allowed), "a force above its limit");
+    fuzz::require(force <= std::max(least, limit.force * finger.curve()->force_max() * allowed), "a force above its limit");
   } else if (!(limit.force > least && moment_unit > least)) {
     fuzz::require(force <= least + 2.0 * limit.force && moment <= least + 2.0 * moment_unit, "a wrench without friction");
   } else {
-    fuzz::require(finger.curve().gauge({force / limit.force, moment / moment_unit}) <= allowed, "a wrench outside the limit");
+    fuzz::require(finger.curve()->gauge({force / limit.force, moment / moment_unit}) <= allowed, "a wrench outside the limit");
   }
 }
 

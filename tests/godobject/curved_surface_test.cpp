@@ -78,7 +78,7 @@ TEST(CurvedSurface, RollingRoundAGreatCircleGivesNoTwist) {
     const double a = 2.0 * pi * i * 1e-3;
     const Quaterniond orientation = about(Vector3d::UnitY(), a) * about(Vector3d::UnitX(), 0.1);
     finger.update(ball, {Vector3d(std::sin(a), 0.0, std::cos(a)) * 0.0485, orientation});
-    ASSERT_NEAR(finger.state().goal_angle, 0.0, 1e-12) << i;
+    ASSERT_NEAR(finger.state().sample.angle, 0.0, 1e-12) << i;
   }
 }
 
@@ -96,8 +96,8 @@ TEST(CurvedSurface, ACircleOfLatitudeTwistsByItsHolonomy) {
       turning.update(ball, {place, about(Vector3d::UnitZ(), longitude) * about(Vector3d::UnitY(), theta)});
       still.update(ball, {place, about(Vector3d(1.0, 2.0, 3.0).normalized(), 1.0)});
     }
-    EXPECT_NEAR(turning.state().goal_angle, 2.0 * pi * std::cos(theta), 1e-11) << theta;
-    EXPECT_EQ(still.state().goal_angle, 0.0) << theta;
+    EXPECT_NEAR(turning.state().sample.angle, 2.0 * pi * std::cos(theta), 1e-11) << theta;
+    EXPECT_EQ(still.state().sample.angle, 0.0) << theta;
   }
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A finger with any input: the ends of each range, NaN, jumps, random steps, random bits.
-#include "godobject/kernel/finger_step.hpp"
+#include "godobject/finger/sample.hpp"
 #include "tests/godobject/scene.hpp"
 
 #include <gtest/gtest.h>

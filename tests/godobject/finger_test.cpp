@@ -253,7 +253,7 @@ TEST(SoftFinger, LeavesAnglesBitForBitAloneWithoutAJump) {
   auto finger = hertz_finger();
   for (int i = 0; i < 1000; ++i) {
     finger.update(on_plane(0.0, 0.0, 0.002), 100.0 + 0.1 * i);
-    ASSERT_EQ(finger.state().goal_angle, 100.0 + 0.1 * i);
+    ASSERT_EQ(finger.state().sample.angle, 100.0 + 0.1 * i);
   }
 }
 

@@ -71,24 +71,27 @@ std::vector<DevicePose> path_on(const AnySurface& surface, Random& random) {
 
 void expect_same_bits(const FingerState& one, const FingerState& other) {
   const auto bits = [](double number) { return std::bit_cast<std::uint64_t>(number); };
-  const auto same = [&](const Numbers& a, const Numbers& b) {
-    for (std::size_t i = 0; i < 3; ++i) ASSERT_EQ(bits(a[i]), bits(b[i]));
+  const auto same = [&](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+    for (Eigen::Index i = 0; i < 3; ++i) ASSERT_EQ(bits(a[i]), bits(b[i]));
   };
-  ASSERT_EQ(to_string(one.state), to_string(other.state));
+  ASSERT_EQ(to_string(one.output.state), to_string(other.output.state));
   ASSERT_EQ(one.in_contact, other.in_contact);
-  same(one.proxy, other.proxy);
-  same(one.force, other.force);
-  same(one.goal, other.goal);
-  same(one.normal, other.normal);
-  same(one.spin.normal, other.spin.normal);
-  same(one.contact.finger, other.contact.finger);
-  ASSERT_EQ(one.contact.face, other.contact.face);
-  ASSERT_EQ(one.refused, other.refused);
+  same(one.output.proxy, other.output.proxy);
+  same(one.output.force, other.output.force);
+  same(one.sample.goal, other.sample.goal);
+  same(one.sample.normal, other.sample.normal);
+  same(vector(one.sample.spin.normal), vector(other.sample.spin.normal));
+  same(vector(one.sample.contact.finger), vector(other.sample.contact.finger));
+  ASSERT_EQ(one.sample.contact.face, other.sample.contact.face);
+  ASSERT_EQ(one.faults.refused, other.faults.refused);
   ASSERT_EQ(one.friction.slides, other.friction.slides);
-  for (const auto member : {&FingerState::angle, &FingerState::depth, &FingerState::load, &FingerState::moment, &FingerState::cor,
-                            &FingerState::slip_work, &FingerState::limit_load, &FingerState::goal_angle, &FingerState::turns}) {
-    ASSERT_EQ(bits(one.*member), bits(other.*member));
+  for (const auto member : {&FingerOutput::angle, &FingerOutput::depth, &FingerOutput::load, &FingerOutput::moment, &FingerOutput::cor,
+                            &FingerOutput::slip_work}) {
+    ASSERT_EQ(bits(one.output.*member), bits(other.output.*member));
   }
+  ASSERT_EQ(bits(one.limit_load), bits(other.limit_load));
+  ASSERT_EQ(bits(one.sample.angle), bits(other.sample.angle));
+  ASSERT_EQ(bits(one.sample.unwrapped_by), bits(other.sample.unwrapped_by));
 }
 
 // The step lives in the library: a user's file gets the same to the last bit, whatever its own arithmetic, and samples that are no numbers are

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What packs step is what single numbers step, bit for bit; and a batch is what fingers are.
 #include "godobject/batch.hpp"
-#include "godobject/kernel/step.hpp"
+#include "godobject/batch/step.hpp"
 #include "godobject/soft_finger.hpp"
 #include "limitcurve/approximations.hpp"
 #include "limitcurve/laws.hpp"

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "godobject/patch_finger.hpp"
-
 #include "godobject/patch/patch_projection.hpp"
 #include "godobject/soft_finger.hpp"
 #include "limitcurve/laws.hpp"
+#include "limitcurve/patch.hpp"
 #include "limitcurve/table.hpp"
 #include "tests/repetitions.hpp"
 
@@ -87,6 +86,81 @@ TEST(PatchProjector, ClosestPointIsOnTheSurfaceAndTheSlipItsNormal) {
   }
 }
 
+/// Two to seven points, of which one may be a thousand times heavier.
+Patch random_points(std::mt19937& bits) {
+  std::uniform_real_distribution<double> unit(-1.0, 1.0);
+  std::vector<PatchLoad> loads(2 + bits() % 6);
+  for (PatchLoad& load : loads) load = {0.01 * unit(bits), 0.01 * unit(bits), std::pow(10.0, 1.5 * unit(bits))};
+  const Patch patch = Patch::points(loads).orthotropic(bits() % 2 == 0 ? 1.0 : std::pow(10.0, 0.5 * unit(bits)), 1.0);
+  return patch.smoothed(1e-3 * patch.moment_ratio());
+}
+
+/// max over twists of W·T/H(T), by a scan and a search by shrinking steps: the gauge of a wrench, from below.
+double brute_force_gauge(const Patch& patch, const PatchWrench& wrench, const std::vector<PatchTwist>& extra) {
+  const double m0 = patch.moment_ratio();
+  double best = 0.0;
+  PatchTwist at;
+  const auto look = [&](const PatchTwist& twist) {
+    const double ratio = (wrench.fx * twist.vx + wrench.fy * twist.vy + wrench.moment * twist.omega) / patch.power(twist);
+    if (ratio > best) {
+      best = ratio;
+      at = twist;
+      return true;
+    }
+    return false;
+  };
+  for (int i = 0; i < 40; ++i) {
+    for (int j = 0; j < 40; ++j) {
+      const double tilt = 3.14159265 * (i + 0.5) / 40.0;
+      const double turn = 2.0 * 3.14159265 * j / 40.0;
+      look({std::sin(tilt) * std::cos(turn), std::sin(tilt) * std::sin(turn), std::cos(tilt) / m0});
+    }
+  }
+  for (const PatchTwist& twist : extra) look(twist);
+  std::mt19937 bits(5);
+  std::normal_distribution<double> normal;
+  for (double step = 0.1; step > 1e-12; step *= 0.7) {
+    const double size = std::hypot(at.vx, at.vy, at.omega * m0);
+    for (int i = 0; i < 30; ++i) {
+      const double length = step * size;
+      look({at.vx + length * normal(bits), at.vy + length * normal(bits), at.omega + length / m0 * normal(bits)});
+    }
+  }
+  return best;
+}
+
+TEST(PatchProjector, PointsStickWithinTheirLimitAndAlwaysConverge) {
+  std::mt19937 bits(17);
+  std::normal_distribution<double> normal;
+  std::uniform_real_distribution<double> unit(-1.5, 1.5);
+  const int sets = study_cases(600);
+  int sticks = 0;
+  for (int set = 0; set < sets; ++set) {
+    const Patch patch = random_points(bits);
+    const PatchProjector projector(patch);
+    const double m0 = patch.moment_ratio();
+    for (int i = 0; i < 60; ++i) {
+      const double size = std::pow(10.0, 0.3 * normal(bits));
+      PatchWrench trial{normal(bits), normal(bits), normal(bits)};
+      const double length = std::hypot(trial.fx, trial.fy, trial.moment);
+      trial = {size * trial.fx / length, size * trial.fy / length, size * m0 * trial.moment / length};
+      const double ratio = std::pow(10.0, unit(bits));
+      const PatchProjection found = projector.project(trial, 1.0, 1000.0, m0 * ratio, {});
+      ASSERT_TRUE(found.converged) << set << ' ' << i;
+      ASSERT_LE(found.evaluations, PatchProjector::most_evaluations);
+      if (found.slips) {
+        const double power = found.wrench.fx * found.slip.vx + found.wrench.fy * found.slip.vy + found.wrench.moment * found.slip.omega;
+        const double slipped = std::hypot(found.slip.vx, found.slip.vy, m0 * found.slip.omega);
+        ASSERT_NEAR(power, patch.power(found.slip), 1e-8 * slipped + 1e-15) << set << ' ' << i;
+      } else if (i % 6 == 0) {
+        ++sticks;
+        ASSERT_LE(brute_force_gauge(patch, trial, {}), 1.0 + 1e-9) << set << ' ' << i;
+      }
+    }
+  }
+  EXPECT_GT(sticks, sets);
+}
+
 TEST(PatchFinger, OfADiscIsSoftFinger) {
   for (const char* name : {"hertz", "uniform"}) {
     const Law law = parse_law(name);
@@ -95,7 +169,7 @@ TEST(PatchFinger, OfADiscIsSoftFinger) {
       parameters.damping = damped ? 2.0 : 0.0;
       parameters.twist_damping = damped ? 1e-4 : 0.0;
       parameters.mu_dynamic = 0.5;
-      PatchFinger patch(Patch::ellipse(law, 0.006, 0.006), parameters);
+      SoftFinger patch(Patch::ellipse(law, 0.006, 0.006), parameters);
       SoftFinger disc(Table::build(law, 1e-12), parameters);
       double x = 0.0;
       double y = 0.0;
@@ -136,7 +210,7 @@ TEST(PatchFinger, SteadyTwistGivesThePatchsWrench) {
       // So stiff that the deflection, which turns with the patch, adds little to the proxy's velocity.
       parameters.stiffness = 1e6;
       parameters.twist_stiffness = 1e6 * m0 * m0 * ratio;
-      PatchFinger finger(patch, parameters);
+      SoftFinger finger(patch, parameters);
       // The device turns about a point that is fixed to it: in the patch's axes the twist is constant.
       const PatchTwist twist{0.3 * m0, -0.5 * m0, 1.0};
       double x = 0.0;
@@ -151,7 +225,7 @@ TEST(PatchFinger, SteadyTwistGivesThePatchsWrench) {
         angle += step * twist.omega;
         output = finger.update(on_plane(x, y, 1e-6), std::remainder(angle, 6.283185307179586));
       }
-      const PatchWrench wrench = finger.patch().wrench(twist);
+      const PatchWrench wrench = finger.patch()->wrench(twist);
       // The user feels the opposite of what drives the patch; its axes turn with α_p.
       const double c = std::cos(output.angle);
       const double s = std::sin(output.angle);
@@ -164,7 +238,7 @@ TEST(PatchFinger, SteadyTwistGivesThePatchsWrench) {
 
 TEST(PatchFinger, DissipatesAndHoldsStill) {
   for (const auto& [name, patch] : patches()) {
-    PatchFinger finger(patch, usual());
+    SoftFinger finger(patch, usual());
     std::mt19937 bits(2);
     std::normal_distribution<double> normal;
     double x = 0.0;
@@ -196,7 +270,7 @@ TEST(PatchFinger, FrictionAlongAndAcrossTurnsWithTheFinger) {
   parameters.mu = 0.3;
   for (const double turned : {0.0, 1.5707963267948966, 0.5}) {
     for (const bool upside_down : {false, true}) {
-      PatchFinger finger(Patch::rectangle(0.02, 0.02).orthotropic(2.0, 1.0), parameters);
+      SoftFinger finger(Patch::rectangle(0.02, 0.02).orthotropic(2.0, 1.0), parameters);
       const Eigen::Vector3d normal = upside_down ? Eigen::Vector3d(0, 1, 0) : Eigen::Vector3d(0, 0, 1);
       const Eigen::Vector3d x = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), normal) * Eigen::Vector3d::UnitX();
       const Eigen::Vector3d along = x * std::cos(turned) + normal.cross(x) * std::sin(turned);
@@ -213,8 +287,8 @@ TEST(PatchFinger, FrictionAlongAndAcrossTurnsWithTheFinger) {
 }
 
 TEST(PatchFinger, TheOriginOfThePatchPlaysNoPart) {
-  PatchFinger here(Patch::rectangle(0.02, 0.01), usual());
-  PatchFinger there(Patch::rectangle(0.02, 0.01).moved(0.5, -0.25), usual());
+  SoftFinger here(Patch::rectangle(0.02, 0.01), usual());
+  SoftFinger there(Patch::rectangle(0.02, 0.01).moved(0.5, -0.25), usual());
   for (int i = 0; i < 100; ++i) {
     const FingerOutput one = here.update(on_plane(1e-4 * i, 5e-5 * i, 1e-3), 0.01 * i);
     const FingerOutput two = there.update(on_plane(1e-4 * i, 5e-5 * i, 1e-3), 0.01 * i);
@@ -224,7 +298,7 @@ TEST(PatchFinger, TheOriginOfThePatchPlaysNoPart) {
 }
 
 TEST(PatchFinger, BadSamplesAreInvalidAndLoseNothing) {
-  PatchFinger finger(tripod(), usual());
+  SoftFinger finger(tripod(), usual());
   finger.update(on_plane(0, 0, 1e-3), 0.0);
   const FingerOutput good = finger.update(on_plane(1e-3, 0, 1e-3), 0.1);
   for (const Contact& contact : {on_plane(nan, 0, 1e-3), on_plane(0, 0, nan), on_plane(5, 0, 1e-3), Contact{{0, 0, 0}, {0, 0, 2}, 1e-3}}) {
@@ -242,7 +316,7 @@ TEST(PatchFinger, BadSamplesAreInvalidAndLoseNothing) {
 TEST(PatchFinger, WithoutFrictionFollowsTheFinger) {
   FingerParameters parameters = usual();
   parameters.mu = 0.0;
-  PatchFinger finger(Patch::rectangle(0.02, 0.01), parameters);
+  SoftFinger finger(Patch::rectangle(0.02, 0.01), parameters);
   for (int i = 0; i < 10; ++i) {
     const FingerOutput output = finger.update(on_plane(1e-3 * i, 0, 1e-3), 0.1 * i);
     EXPECT_EQ(output.force.norm(), 0.0);
@@ -254,7 +328,7 @@ TEST(PatchFinger, WithoutFrictionFollowsTheFinger) {
 TEST(PatchFinger, BadParametersAreNamed) {
   const auto complaint = [](const Patch& patch, const FingerParameters& parameters, double radius = 0.0) -> std::string {
     try {
-      PatchFinger finger(patch, parameters, radius);
+      SoftFinger finger(patch, parameters, radius);
     } catch (const std::invalid_argument& error) {
       return error.what();
     }

@@ -86,7 +86,7 @@ inline SoftFinger exact_hertz_finger(const FingerParameters& with = parameters()
 /// A friction wrench in units of μP and μPa.
 inline UnitWrench unit_wrench(const FingerState& state, double mu, double radius) {
   const double unit = mu * state.limit_load;
-  return {vector(state.force).norm() / unit, std::fabs(state.moment) / (unit * radius)};
+  return {state.output.force.norm() / unit, std::fabs(state.output.moment) / (unit * radius)};
 }
 
 }  // namespace limitcurve::godobject::test

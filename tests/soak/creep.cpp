@@ -51,7 +51,7 @@ std::uint64_t moved_of_fingers(std::uint64_t steps) {
     held.update(at(0.104, 0.2, 0.002), 3.5);
     for (const auto& [finger, before] : {std::pair(&trembling, &rest), std::pair(&held, &slid)}) {
       const FingerState& state = finger->state();
-      moved += state.state != ContactState::stick || state.proxy != before->proxy || state.angle != before->angle;
+      moved += state.output.state != ContactState::stick || state.output.proxy != before->output.proxy || state.output.angle != before->output.angle;
     }
   }
   return moved;

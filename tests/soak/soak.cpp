@@ -97,7 +97,7 @@ class Soak {
       finger.update(sample.contact, sample.twist, sample.time_step);
       StepCheck check = check_step(finger, before, sample);
       if (samples_.is_open() && i % steps_per_sample == 0) write_sample(finger, sample, episode, i);
-      const godobject::ContactState state = finger.state().state;
+      const godobject::ContactState state = finger.output().state;
       ++totals_.states[static_cast<std::size_t>(state)];
       if (check.counted) {
         const bool slips = state == godobject::ContactState::slip;

@@ -18,7 +18,7 @@ struct StepCheck {
 };
 
 inline godobject::FrictionLimits<double> limits_of(const godobject::SoftFinger& finger) {
-  return godobject::ContactLimits(finger.parameters(), finger.curve().moment_max()).at<double>(finger.state().limit_load, 1.0);
+  return godobject::ContactLimits(finger.parameters(), finger.curve()->moment_max()).at<double>(finger.state().limit_load, 1.0);
 }
 
 /// Checks the step that `finger` just made on `sample` from the state `last`.
@@ -26,7 +26,7 @@ inline StepCheck check_step(const godobject::SoftFinger& finger, const godobject
   using Eigen::Vector3d;
   using godobject::ContactState;
   const godobject::FingerOutput output = finger.output();
-  const Vector3d last_proxy(last.proxy.data());
+  const Vector3d last_proxy = last.output.proxy;
   StepCheck result;
   const auto fails = [&](const char* what) {
     if (result.fault.empty()) result.fault = what;
@@ -39,8 +39,8 @@ inline StepCheck check_step(const godobject::SoftFinger& finger, const godobject
   const bool usable = squares <= 1e12 && std::fabs(sample.contact.normal.squaredNorm() - 1.0) <= 1e-6;
   if (!usable && output.state != ContactState::invalid) fails("unusable input is used");
   if (output.state == ContactState::invalid) {
-    if (output.proxy != last_proxy || output.angle != last.angle) fails("invalid input moves the proxy");
-    if (!(output.force.norm() <= Vector3d(last.force.data()).norm() && std::fabs(output.moment) <= std::fabs(last.moment)))
+    if (output.proxy != last_proxy || output.angle != last.output.angle) fails("invalid input moves the proxy");
+    if (!(output.force.norm() <= last.output.force.norm() && std::fabs(output.moment) <= std::fabs(last.output.moment)))
       fails("invalid input adds friction");
     return result;
   }
@@ -51,23 +51,23 @@ inline StepCheck check_step(const godobject::SoftFinger& finger, const godobject
   }
   const godobject::FrictionLimits<double> limits = limits_of(finger);
   const bool dampers = finger.parameters().damping > 0.0 || finger.parameters().twist_damping > 0.0;
-  const bool rested = last.state == ContactState::stick || last.state == ContactState::slip;
-  if (output.state == ContactState::stick && rested && (output.proxy != last_proxy || (limits.has_torsion && output.angle != last.angle)))
+  const bool rested = last.output.state == ContactState::stick || last.output.state == ContactState::slip;
+  if (output.state == ContactState::stick && rested && (output.proxy != last_proxy || (limits.has_torsion && output.angle != last.output.angle)))
     fails("a proxy that sticks moves");
-  if (output.state == ContactState::slip && rested && sample.contact.normal == Vector3d(last.normal.data()) && !dampers) {
+  if (output.state == ContactState::slip && rested && sample.contact.normal == last.sample.normal && !dampers) {
     // The wrench on the finger times the displacement of the proxy along the surface, computed here; up to the rounding of the proxy's
     // position.
     const Vector3d way = last_proxy - output.proxy;
     const Vector3d along = way - sample.contact.normal * sample.contact.normal.dot(way);
-    const double work = output.force.dot(along) + output.moment * (last.angle - output.angle);
+    const double work = output.force.dot(along) + output.moment * (last.output.angle - output.angle);
     const double rounding = output.force.norm() * (output.proxy.norm() + last_proxy.norm()) +
-                            std::fabs(output.moment) * (std::fabs(output.angle) + std::fabs(last.angle) + std::fabs(sample.twist));
+                            std::fabs(output.moment) * (std::fabs(output.angle) + std::fabs(last.output.angle) + std::fabs(sample.twist));
     if (!(work >= -4.0 * std::numeric_limits<double>::epsilon() * rounding - 1e-300)) fails("a slip that gains energy");
   }
   // On the box the force and the moment have a slip state each.
   const bool slips = output.state == ContactState::slip;
   const godobject::FrictionMemory<double>& memory = finger.state().friction;
-  const bool is_box = finger.curve().is_box();
+  const bool is_box = finger.curve()->is_box();
   const godobject::FrictionLimit<double>& limit = slips && memory.slides ? limits.sliding : limits.at_rest;
   const godobject::FrictionLimit<double>& of_moment = slips && (is_box ? memory.turns : memory.slides) ? limits.sliding : limits.at_rest;
   const double moment_unit = of_moment.force * of_moment.radius;
@@ -77,8 +77,8 @@ inline StepCheck check_step(const godobject::SoftFinger& finger, const godobject
   const double moment = std::fabs(output.moment);
   if (limits.has_torsion ? limit.force > least && moment_unit > least : limit.force > least) {
     result.counted = true;
-    result.excess = (limits.has_torsion ? finger.curve().gauge({force / limit.force, moment / moment_unit})
-                                        : force / (limit.force * finger.curve().force_max())) -
+    result.excess = (limits.has_torsion ? finger.curve()->gauge({force / limit.force, moment / moment_unit})
+                                        : force / (limit.force * finger.curve()->force_max())) -
                     1.0;
   } else if (!(force <= 2.0 * (least + limit.force) && moment <= 2.0 * (least + moment_unit))) {
     fails("a wrench without friction");

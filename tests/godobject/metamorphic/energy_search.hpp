@@ -41,7 +41,7 @@ class SlowUser {
       const Eigen::Vector3d way = to.position - last_;
       const Eigen::Vector3d felt = from.normal * from.load + from.force;
       const Eigen::Vector3d at_end = with.stiffness * (from.proxy - to.position);
-      const double turn = finger_.state().goal_angle - before.goal_angle;
+      const double turn = finger_.state().sample.angle - before.sample.angle;
       const double moment_at_end = from.moment - with.twist_stiffness * turn;
       won_.work += 0.5 * (felt + at_end).dot(way) + 0.5 * (from.moment + moment_at_end) * turn;
       round(felt.norm() + at_end.norm(), (std::fabs(from.moment) + std::fabs(moment_at_end)), finger_.state());
@@ -70,7 +70,7 @@ class SlowUser {
   /// Places are right to ε of their size, which is some 0.1 m, angles to ε of theirs; forces and moments act over that.
   void round(double force, double moment, const FingerState& state) {
     constexpr double ulp = std::numeric_limits<double>::epsilon();
-    won_.rounding += 16.0 * ulp * (force * (0.1 + last_.norm()) + moment * (1.0 + std::fabs(state.goal_angle)));
+    won_.rounding += 16.0 * ulp * (force * (0.1 + last_.norm()) + moment * (1.0 + std::fabs(state.sample.angle)));
   }
 
   SoftFinger finger_;

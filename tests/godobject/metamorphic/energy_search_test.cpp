@@ -64,7 +64,7 @@ TEST(EnergySearch, NoLoopWinsEnergy) {
         for (const DevicePose& pose : path) {
           user.move(surface, pose);
           EXPECT_LE(user.won().beyond_rounding(), 0.0);
-          const ContactState state = user.finger().state().state;
+          const ContactState state = user.finger().output().state;
           slips += state == ContactState::slip;
           sticks += state == ContactState::stick;
           if (state == ContactState::free) lost = -1.0;
@@ -227,7 +227,7 @@ TEST(EnergySearch, AHeldBallDoesNotFlutter) {
       ASSERT_LE(grasp.energy(), before + 1e-15) << round << ' ' << i;
       before = grasp.energy();
     }
-    for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(to_string(grasp.finger(i).state().state), "stick");
+    for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(to_string(grasp.finger(i).output().state), "stick");
     EXPECT_LT(grasp.body().velocity.norm(), tests_are_short ? 0.02 : 0.002);
   }
 }

@@ -33,7 +33,7 @@ TEST(RigidBody, TwistIsUnwrappedOverManyTurns) {
     Quaterniond orientation(Eigen::AngleAxisd(angle, Vector3d::UnitZ()));
     if (i % 3 == 1) orientation.coeffs() *= -1.0;  // the same orientation
     finger.update(plane, {{0.0, 0.0, -0.002}, orientation});
-    ASSERT_NEAR(finger.state().goal_angle, angle, 1e-9);
+    ASSERT_NEAR(finger.state().sample.angle, angle, 1e-9);
   }
 }
 

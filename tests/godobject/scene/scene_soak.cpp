@@ -218,10 +218,10 @@ class SoakScene {
 
   /// Whether a finger is refused with reason: a body that is flung away from a device leaves it behind by more than it may be displaced.
   static bool leapt(const FingerState& before, const SoftFinger& finger) {
-    const Vector3d seen = vector(finger.state().refused_at);
-    const Vector3d good = vector(before.goal) - before.depth * vector(before.normal);
+    const Vector3d seen = finger.state().faults.refused_at;
+    const Vector3d good = before.sample.position();
     const double limit = finger.parameters().max_displacement;
-    return (seen - good).norm() > limit && !(before.refused && (seen - vector(before.refused_at)).norm() <= limit);
+    return (seen - good).norm() > limit && !(before.faults.refused && (seen - before.faults.refused_at).norm() <= limit);
   }
 
   std::string wrong() {
@@ -242,13 +242,13 @@ class SoakScene {
         return "not finite";
       if (output.state == ContactState::free) continue;
       if (output.state == ContactState::stick && before.in_contact) {
-        if (!same_bits(output.proxy, vector(before.proxy)) || output.angle != before.angle) return "a stuck proxy moved";
+        if (!same_bits(output.proxy, before.output.proxy) || output.angle != before.output.angle) return "a stuck proxy moved";
       }
       const FrictionLimit<double> limit =
-          ContactLimits(one.parameters(), one.curve().moment_max()).at<double>(one.state().limit_load, 1.0).at_rest;
+          ContactLimits(one.parameters(), one.curve()->moment_max()).at<double>(one.state().limit_load, 1.0).at_rest;
       if (!(limit.force * limit.radius > 1e-100)) continue;
       const UnitWrench wrench{output.force.norm() / limit.force, std::fabs(output.moment) / (limit.force * limit.radius)};
-      const double beyond = one.curve().gauge(wrench) - 1.0;
+      const double beyond = one.curve()->gauge(wrench) - 1.0;
       tally_.most_beyond = std::max(tally_.most_beyond, beyond);
       if (!(beyond <= 1.1e-12)) return "beyond the limit";
       if (!(one.margin() >= 0.0 && one.margin() <= 1.0)) return "margin " + std::to_string(one.margin());

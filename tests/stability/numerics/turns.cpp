@@ -131,7 +131,7 @@ Hazard ten_thousand_turns() {
     summed += step;
     last = device;
     finger.update(Twisting::contact(), device);
-    const double here = error(finger.state().goal_angle, angle);
+    const double here = error(finger.state().sample.angle, angle);
     ours = std::max(ours, here);
     const double count = static_cast<double>(i) / steps_a_turn;
     if (count < drawn) continue;

@@ -1,37 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "godobject/kernel/step.hpp"
-
-#include <initializer_list>
+#include "godobject/batch/step.hpp"
 
 namespace limitcurve::godobject::kernel {
-
-bool is_supported(InstructionSet set) noexcept {
-#ifdef LIMITCURVE_PACKS
-  switch (set) {
-    case InstructionSet::single:
-    case InstructionSet::sse2:
-      return true;
-#ifdef LIMITCURVE_WIDE_PACKS
-    case InstructionSet::avx2:
-      return __builtin_cpu_supports("avx2");
-    case InstructionSet::avx512:
-      return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw") &&
-             __builtin_cpu_supports("avx512vl");
-#else
-    default:
-      return false;
-#endif
-  }
-#endif
-  return set == InstructionSet::single;
-}
-
-InstructionSet widest_set() noexcept {
-  for (const InstructionSet set : {InstructionSet::avx512, InstructionSet::avx2, InstructionSet::sse2}) {
-    if (is_supported(set)) return set;
-  }
-  return InstructionSet::single;
-}
 
 template <class Real>
 void step_with([[maybe_unused]] InstructionSet set, const Shared<Real>& shared, const BasicContactBatch<Real>& contacts) noexcept {

@@ -5,6 +5,7 @@
 #include "godobject/contact_limits.hpp"
 #include "godobject/kernel/single.hpp"
 
+#include <array>
 #include <cstddef>
 
 namespace limitcurve::godobject::kernel {
@@ -25,14 +26,18 @@ void step_contacts(const Shared<Real>& shared, const BasicContactBatch<Real>& co
   using namespace arithmetic;
   const Number zero = Number(Real(0));
   const auto read = [i, zero](auto array) { return load(array.data() + i, zero); };
+  const auto is_at = [i, zero](auto states, ContactState wanted) { return has_state(states.data() + i, wanted, zero); };
   const Number x = read(contacts.x);
   const Number y = read(contacts.y);
   const Number angle = read(contacts.angle);
   const Number depth = read(contacts.depth);
-  const Number farthest = Number(BasicContactBatch<Real>::farthest);
-  const auto is_plausible = abs(x) <= farthest && abs(y) <= farthest && abs(angle) <= farthest && !(depth > farthest);
+  const auto is_plausible = x * x + y * y + depth * depth + angle * angle <= Number(Real(farthest * farthest));
   const auto touches = is_plausible && depth > zero;
-  const auto was_in_contact = !has_state(contacts.state.data() + i, ContactState::free, zero);
+  auto was_in_contact = !is_at(contacts.state, ContactState::free);
+  // After a fault the memory knows.
+  if (const auto was_fault = is_at(contacts.state, ContactState::invalid); any(was_fault)) {
+    was_in_contact = was_in_contact && !(was_fault && is_at(contacts.sliding, ContactState::free));
+  }
   const auto stays = touches && was_in_contact;
 
   // a. The trial deflection; 0 at touch-down.
@@ -54,10 +59,11 @@ void step_contacts(const Shared<Real>& shared, const BasicContactBatch<Real>& co
   // Without torsion the angle has no friction, so its rounding does not count.
   const FrictionTrial<Number> trial{stiffness * r, twist_stiffness * rho, stiffness * rounding * (abs(proxy_x) + abs(proxy_y)),
                                     limits.has_torsion ? twist_stiffness * rounding * abs(proxy_angle) : zero};
-  const auto was_sliding = stays && has_state(contacts.sliding.data() + i, ContactState::slip, zero);
+  const auto was_sliding = stays && is_at(contacts.sliding, ContactState::slip);
   auto was_turning = was_sliding;
-  if (shared.curve.is_box) was_turning = stays && has_state(contacts.turning.data() + i, ContactState::slip, zero);
-  FrictionMemory<Number> memory{was_sliding, was_turning, read(contacts.parameter), read(contacts.rate)};
+  if (shared.curve.is_box) was_turning = stays && is_at(contacts.turning, ContactState::slip);
+  const FrictionMemory<Number> before{was_sliding, was_turning, read(contacts.parameter), read(contacts.rate)};
+  FrictionMemory<Number> memory = before;
   const FrictionResult<Number> friction = apply_friction(shared.curve, shared.projection, limits, trial, memory);
   const Number kept_x = trial_x * friction.force_ratio;
   const Number kept_y = trial_y * friction.force_ratio;
@@ -72,23 +78,26 @@ void step_contacts(const Shared<Real>& shared, const BasicContactBatch<Real>& co
   const auto slid = new_x != proxy_x || new_y != proxy_y;
   const auto turned = new_angle != proxy_angle;
   const auto slips = friction.slips && (slid || turned);
+  memory = settled(before, memory, shared.curve.is_box, slips, slid, turned);
 
-  // c. Force and moment on the user. A fault changes nothing.
+  // c. Force and moment on the user. A fault changes nothing but the state.
   const auto write = [&](auto array, Number value) { store_where(is_plausible, array.data() + i, value); };
   write(contacts.proxy_x, new_x);
   write(contacts.proxy_y, new_y);
   write(contacts.proxy_angle, new_angle);
-  write(contacts.parameter, select(slips, memory.parameter, zero));
-  write(contacts.rate, select(slips, memory.rate, zero));
+  write(contacts.parameter, memory.parameter);
+  write(contacts.rate, memory.rate);
   write(contacts.force_x, kept_x * stiffness);
   write(contacts.force_y, kept_y * stiffness);
   write(contacts.moment, kept_twist * twist_stiffness);
-  set_states(contacts.state.data() + i, is_plausible, touches, slips, zero);
-  if (shared.curve.is_box) {
-    set_states(contacts.sliding.data() + i, is_plausible, touches, memory.slides && (slid || was_sliding), zero);
-    set_states(contacts.turning.data() + i, is_plausible, touches, memory.turns && (turned || was_turning), zero);
-  } else {
-    set_states(contacts.sliding.data() + i, is_plausible, touches, memory.slides && (slips || was_sliding), zero);
+  using States = std::array<ContactState, 3>;
+  constexpr States states{ContactState::free, ContactState::stick, ContactState::slip};
+  set_states_where(is_plausible, contacts.state.data() + i, touches, slips, states, zero);
+  set_states_where(is_plausible, contacts.sliding.data() + i, touches, memory.slides, states, zero);
+  if (shared.curve.is_box) set_states_where(is_plausible, contacts.turning.data() + i, touches, memory.turns, states, zero);
+  if (any(!is_plausible)) {
+    constexpr States invalid{ContactState::invalid, ContactState::invalid, ContactState::invalid};
+    set_states_where(!is_plausible, contacts.state.data() + i, touches, slips, invalid, zero);
   }
 }
 

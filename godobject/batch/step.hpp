@@ -1,20 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "godobject/kernel/step_contacts.hpp"
+#include "godobject/batch/step_contacts.hpp"
+#include "godobject/kernel/instruction_set.hpp"
 
 #include <cstddef>
 
 namespace limitcurve::godobject::kernel {
-
-/// The arithmetic that steps the contacts of a batch: single numbers, or packs of an instruction set.
-enum class InstructionSet { single, sse2, avx2, avx512 };
-
-/// Whether this processor and this build support a set.
-[[nodiscard]] bool is_supported(InstructionSet set) noexcept;
-
-/// The widest supported set.
-[[nodiscard]] InstructionSet widest_set() noexcept;
 
 /// Steps all contacts: those that fill packs with the set, which must be supported, the others with single numbers. All sets give the same
 /// bits.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "godobject/kernel/pack.hpp"
+#include "godobject/batch/step_packs.hpp"
 
 namespace limitcurve::godobject::kernel {
 

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "godobject/batch/step.hpp"
+#include "godobject/kernel/pack.hpp"
+
+#include <cstddef>
+
+/// The step of a batch by packs. Powers, logarithms and the c-curve are computed lane by lane, by functions of other sources: this one may be
+/// compiled for a processor that not every user has.
+namespace limitcurve::godobject::kernel {
+
+template <class Real, class Isa>
+[[nodiscard]] Pack<Real, Isa> radius_at(const RadiusLaw& law, Pack<Real, Isa> load) noexcept {
+  Lanes<Real, Isa> lanes = lanes_of(load);
+  for (Real& lane : lanes) lane = godobject::radius_at(law, lane);
+  return pack_of<Isa>(lanes);
+}
+
+template <class Real, class Isa>
+[[nodiscard]] Projected<Pack<Real, Isa>> project_along_c_curve(const CurveView<Real>& curve, const UnitTrial<Pack<Real, Isa>>& trial,
+                                                               Pack<Real, Isa> last, const RadiusLaw& radius_law,
+                                                               Pack<Real, Isa> load) noexcept {
+  const auto force = lanes_of(trial.force), moment = lanes_of(trial.moment), compliance_ratio = lanes_of(trial.compliance_ratio),
+             slip_from = lanes_of(trial.slip_from), parameter = lanes_of(last), loads = lanes_of(load);
+  Lanes<Real, Isa> outside, force_ratio, moment_ratio, slide, spin, next;
+  for (std::size_t i = 0; i < outside.size(); ++i) {
+    const Projected<Real> lane = godobject::project_along_c_curve(curve, {force[i], moment[i], compliance_ratio[i], slip_from[i]},
+                                                                  parameter[i], radius_law, loads[i]);
+    outside[i] = lane.outside ? Real(1) : Real(0);
+    force_ratio[i] = lane.force_ratio;
+    moment_ratio[i] = lane.moment_ratio;
+    slide[i] = lane.slide;
+    spin[i] = lane.spin;
+    next[i] = lane.parameter;
+  }
+  return {pack_of<Isa>(outside) > Pack<Real, Isa>(Real(0)),
+          pack_of<Isa>(force_ratio),
+          pack_of<Isa>(moment_ratio),
+          pack_of<Isa>(slide),
+          pack_of<Isa>(spin),
+          pack_of<Isa>(next)};
+}
+
+/// All functions of a step are inlined into one loop, so that numbers stay in registers.
+template <class Isa, class Real>
+[[gnu::flatten]] std::size_t step_packs(const Shared<Real>& shared, const BasicContactBatch<Real>& contacts, std::size_t count) noexcept {
+  using Number = Pack<Real, Isa>;
+  // Copies, so that they need not be read again after each number that is written.
+  const BasicContactBatch<Real> arrays = contacts;
+  const CurveView<Real> curve = shared.curve;
+  const Shared<Real> same{curve, shared.projection, shared.limits, shared.stiffness, shared.twist_stiffness};
+  std::size_t i = 0;
+  for (; i + Number::size <= count; i += Number::size) step_contacts<Real, Number>(same, arrays, i);
+  return i;
+}
+
+}  // namespace limitcurve::godobject::kernel

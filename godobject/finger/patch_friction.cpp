@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#include "godobject/finger/patch_friction.hpp"
+
+#include "godobject/patch/patch_projection.hpp"
+#include "limitcurve/number.hpp"
+
+#include <Eigen/Geometry>
+
+#include <cmath>
+#include <stdexcept>
+
+namespace limitcurve::godobject {
+
+namespace {
+
+using Eigen::Vector3d;
+
+/// A tangent vector, turned about the normal.
+Vector3d turned(const Vector3d& tangent, const Vector3d& normal, double angle) noexcept {
+  return tangent * std::cos(angle) + normal.cross(tangent) * std::sin(angle);
+}
+
+/// The patch's x axis at α_p = 0, so that at α_p it is the tangent part of the finger's x axis, turned by α_p − α_g and the device's twist.
+/// It follows from the present orientation, not from the path: transport along a closed path would turn the patch. A device without an
+/// orientation, or whose x axis is normal to the surface, transports the last axis; a new contact begins with the world's x axis, turned
+/// from z to the normal.
+Vector3d zero_axis(const FingerSample& sample, const Vector3d& last) noexcept {
+  const Vector3d& n = sample.normal;
+  const auto tangent_part = [&](const Vector3d& axis) { return Vector3d(axis - n * n.dot(axis)); };
+  if (sample.spin.started) {
+    const Orientation q(sample.spin.scalar, sample.spin.axis[0], sample.spin.axis[1], sample.spin.axis[2]);
+    const Vector3d tangent = tangent_part(q * Vector3d::UnitX());
+    if (const double length = tangent.norm(); length > 1e-6) return turned(tangent / length, n, -sample.spin.angle);
+  }
+  const Vector3d tangent = tangent_part(last);
+  if (const double length = tangent.norm(); length > 0.1) return tangent / length;
+  const double c = 1.0 + n.z();
+  if (!(c > 1e-12)) return Vector3d::UnitX();
+  return {1.0 - n.x() * n.x() / c, -n.x() * n.y() / c, -n.x()};
+}
+
+/// A force in the patch's axes, and a moment.
+PatchWrench in_axes(const Vector3d& x, const Vector3d& normal, const Vector3d& force, double moment) noexcept {
+  return {x.dot(force), normal.cross(x).dot(force), moment};
+}
+
+}  // namespace
+
+std::shared_ptr<const PatchProjector> make_projector(const Patch& patch, double point_radius) {
+  const double least = 1e-3 * patch.moment_ratio();
+  if (point_radius == 0.0 && least == 0.0) {
+    throw std::invalid_argument("point_radius = 0 m: all load of the patch is on one point, which has no friction moment; expected > 0");
+  }
+  if (point_radius != 0.0 && !(point_radius >= least && point_radius <= 1e15)) {
+    throw out_of_range("point_radius", point_radius, "m", ">= 1e-3 of the patch's m0, " + format_number(least));
+  }
+  return std::make_shared<const PatchProjector>(patch.smoothed(point_radius == 0.0 ? least : point_radius));
+}
+
+KeptDeflection apply_friction(const PatchProjector& patch, const ContactLimits& limits, const TrialDeflection& trial,
+                              const FingerSample& sample, double angle, FrictionMemory<double>& friction, PatchMemory& memory) noexcept {
+  const PatchTwist last{memory.slip.x(), memory.slip.y(), memory.slip.z()};
+  memory.zero_axis = zero_axis(sample, memory.zero_axis);
+  memory.axis = turned(memory.zero_axis, sample.normal, angle);
+  memory.slip = Vector3d::Zero();
+  const auto [stiffness, twist_stiffness] = std::pair(trial.springs.stiffness, trial.springs.twist_stiffness);
+  const PatchWrench wrench = in_axes(memory.axis, sample.normal, trial.tangential * stiffness, trial.twist * twist_stiffness);
+
+  const auto project = [&](bool slides) -> PatchProjection {
+    const double limit = limits.mu(slides) * trial.limit_load;
+    if (limit > 0.0) return patch.project(wrench, limit, stiffness, std::sqrt(twist_stiffness / stiffness), last);
+    return {true, {}, {wrench.fx / stiffness, wrench.fy / stiffness, trial.twist}};
+  };
+  const bool was_sliding = friction.slides;
+  PatchProjection found = project(was_sliding);
+  if (found.slips && !was_sliding && limits.mu(true) < limits.mu(false)) found = project(true);
+  friction.slides = keeps_sliding(was_sliding, found.slips, limits.force_rest_share(),
+                                  [&] { return patch.gauge(wrench) / (limits.mu(true) * trial.limit_load); });
+
+  KeptDeflection kept{
+      trial.tangential,         trial.twist,    found.slips, found.slips, found.slips, 0.0, stiffness * trial.tangential.norm(),
+      std::fabs(wrench.moment), found.converged};
+  if (!found.slips) return kept;
+  memory.slip = {found.slip.vx, found.slip.vy, found.slip.omega};
+  kept.tangential = (memory.axis * found.wrench.fx + sample.normal.cross(memory.axis) * found.wrench.fy) / stiffness;
+  kept.twist = found.wrench.moment / twist_stiffness;
+  const double slide = std::hypot(found.slip.vx, found.slip.vy);
+  const double turn = std::fabs(found.slip.omega);
+  kept.cor = slide > 0.0 || turn > 0.0 ? slide / turn : 0.0;
+  return kept;
+}
+
+double patch_gauge(const PatchProjector& patch, const FingerState& state) noexcept {
+  const FingerOutput& output = state.output;
+  const PatchWrench wrench = in_axes(state.patch.axis, output.normal, output.force, output.moment);
+  return patch.gauge(wrench);
+}
+
+}  // namespace limitcurve::godobject

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "godobject/finger.hpp"
+#include "godobject/surface.hpp"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+/// From the device to a sample: the contact query, the check for faults, and the unwrapping of the twist.
+namespace limitcurve::godobject {
+
+/// What the device gives in a step.
+struct Sensed {
+  Contact contact;
+  double twist;      ///< α_s [rad] about the normal, as it was given
+  double time_step;  ///< [s]
+  Spin spin;         ///< of the device's orientation
+};
+
+/// A pose that is not finite, or an orientation not of unit length, gives a contact that is not plausible; the surface is not called,
+/// because it requires a finite position.
+[[nodiscard]] inline Sensed sense(const AnySurface& surface, const DevicePose& device, double time_step,
+                                  const FingerSample& last) noexcept {
+  if (!device.position.allFinite() || !(std::fabs(device.orientation.squaredNorm() - 1.0) <= 1e-6)) {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    return {{Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ(), nan}, device.twist, time_step, {}};
+  }
+  const Contact contact = surface.contact(device.position, last.contact);
+  return {contact, device.twist, time_step, last.spin.moved(device.orientation, contact.normal)};
+}
+
+/// Whether what was sensed is plausible: finite, a normal of unit length, a time step ≥ 0, and within `max_displacement` of the last good
+/// position, or of the last refused one.
+[[nodiscard]] inline bool accept(FingerFaults& faults, const Sensed& sensed, const FingerSample& last, double max_displacement) noexcept {
+  const Contact& contact = sensed.contact;
+  const double square = contact.point.squaredNorm() + contact.depth * contact.depth + sensed.twist * sensed.twist;
+  const bool is_unit = std::fabs(contact.normal.squaredNorm() - 1.0) <= 1e-6;
+  if (!(square <= farthest * farthest) || !is_unit || !(sensed.time_step >= 0.0)) return false;
+  const Eigen::Vector3d position = contact.point - contact.normal * contact.depth;
+  const double limit = max_displacement * max_displacement;
+  if (!faults.seen || (position - last.position()).squaredNorm() <= limit) {
+    faults.refused = false;
+    faults.seen = true;
+    return true;
+  }
+  const bool stays = faults.refused && (position - faults.refused_at).squaredNorm() <= limit;
+  faults.refused = !stays;
+  faults.refused_at = position;
+  return stays;
+}
+
+/// The next good sample. While touching, the twist is unwrapped; it is the device's bit for bit as long as it does not wrap.
+[[nodiscard]] inline FingerSample take_sample(const FingerSample& last, const Sensed& sensed, bool was_in_contact) noexcept {
+  constexpr double turn = 2.0 * std::numbers::pi;
+  const Contact& contact = sensed.contact;
+  double unwrapped_by = 0.0;
+  if (was_in_contact) {
+    unwrapped_by = last.unwrapped_by;
+    const double jump = sensed.twist - last.twist;
+    if (std::fabs(jump) > std::numbers::pi) unwrapped_by -= turn * std::round(jump / turn);
+  }
+  return {contact.point, contact.normal, contact.depth, sensed.twist + unwrapped_by + sensed.spin.angle,
+          sensed.twist,  unwrapped_by,   sensed.spin,   contact.memory};
+}
+
+}  // namespace limitcurve::godobject

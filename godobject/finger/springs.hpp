@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "godobject/finger.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+/// Springs and dampers between proxy and finger, and the motion of the proxy in a slip.
+namespace limitcurve::godobject {
+
+/// In an implicit step a damper b is an additional spring b/Δt that is relaxed at the last deflection.
+struct Springs {
+  double stiffness;                     ///< [N/m]
+  double twist_stiffness;               ///< [N m/rad]
+  double relaxed_fraction = 0.0;        ///< the deflection at which the springs are relaxed, divided by the last one
+  double twist_relaxed_fraction = 0.0;  ///< the same for the twist
+
+  /// `time_step` [s]; 0: no damper acts.
+  Springs(const FingerParameters& finger, double time_step) noexcept
+      : stiffness(finger.stiffness), twist_stiffness(finger.twist_stiffness) {
+    if (!(time_step > 0.0) || (finger.damping == 0.0 && finger.twist_damping == 0.0)) return;
+    const double damper = finger.damping / time_step;
+    const double twist_damper = finger.twist_damping / time_step;
+    stiffness += damper;
+    twist_stiffness += twist_damper;
+    relaxed_fraction = damper / stiffness;
+    twist_relaxed_fraction = twist_damper / twist_stiffness;
+  }
+};
+
+/// The deflection x_p − x_h of the spring between proxy and finger.
+struct Deflection {
+  Eigen::Vector3d tangential;  ///< along the surface [m]; r is its length
+  double normal;               ///< along the normal [m]: the depth, plus the rise of a curved surface from x_g to the proxy
+
+  Deflection(const Eigen::Vector3d& proxy, const FingerSample& sample) noexcept {
+    const Eigen::Vector3d apart = proxy - sample.goal;
+    const double rise = sample.normal.dot(apart);
+    tangential = apart - sample.normal * rise;
+    normal = sample.depth + rise;
+  }
+};
+
+/// Step a: springs and dampers if the proxy stays (eq. 7).
+struct TrialDeflection {
+  Springs springs;
+  Deflection spring;                   ///< deflection of the spring, before friction
+  Eigen::Vector3d proxy;               ///< x_p [m]
+  bool is_brought_round = false;       ///< the proxy was on the far side of a curved surface, and is moved to the finger's near side
+  Eigen::Vector3d relaxed_tangential;  ///< deflection at which springs and dampers are relaxed: along the surface [m],
+  double relaxed_normal;               ///< along the normal [m],
+  double relaxed_twist;                ///< and in twist [rad]
+  Eigen::Vector3d tangential;          ///< trial deflection along the surface from the relaxed one [m]
+  double twist;                        ///< trial deflection in twist from the relaxed one [rad]
+  double limit_load;                   ///< P of the friction limit [N]
+
+  /// For a proxy x_p, α_p: from the last sample to the present one. `time_step` [s]; 0: no damper acts.
+  TrialDeflection(const FingerParameters& parameters, const Eigen::Vector3d& before, double angle, const FingerSample& last,
+                  const FingerSample& sample, double time_step) noexcept
+      : springs(parameters, time_step), spring(before, sample), proxy(before) {
+    const Eigen::Vector3d& n = sample.normal;
+    Eigen::Vector3d relaxed = Eigen::Vector3d::Zero();
+    if (springs.relaxed_fraction > 0.0) {
+      const Deflection was(before, last);
+      relaxed = (was.tangential + last.normal * was.normal) * springs.relaxed_fraction;
+    }
+    relaxed_normal = n.dot(relaxed);
+    relaxed_tangential = relaxed - n * relaxed_normal;
+    relaxed_twist = (angle - last.angle) * springs.twist_relaxed_fraction;
+    const double damper = springs.stiffness - parameters.stiffness;
+    limit_load = std::max(parameters.stiffness * sample.depth + damper * (sample.depth - last.depth), 0.0);
+    if (spring.normal < 0.0) {
+      // Springs do not pull a finger in: move the proxy to the finger's near side, not farther away than it was.
+      is_brought_round = true;
+      spring.normal = std::min(-spring.normal, sample.depth);
+      proxy = sample.goal + spring.tangential + n * (spring.normal - sample.depth);
+    }
+    tangential = spring.tangential - relaxed_tangential;
+    twist = (angle - sample.angle) - relaxed_twist;
+  }
+
+  /// The normal force on the user [N] for a deflection along the normal [m]. A damper does not pull.
+  [[nodiscard]] double load(double normal) const noexcept {
+    const double force = springs.stiffness * (normal - relaxed_normal);
+    return springs.relaxed_fraction > 0.0 ? std::max(force, 0.0) : force;
+  }
+};
+
+/// What friction keeps of the trial deflection (step b).
+struct KeptDeflection {
+  Eigen::Vector3d tangential;  ///< [m]
+  double twist;                ///< [rad]
+  bool slides;                 ///< `tangential` is less than the trial's
+  bool turns;                  ///< `twist` is less than the trial's
+  bool slips;                  ///< the trial was beyond the limit
+  double cor;                  ///< distance of the slip's COR [m]; not defined without slip
+  double trial_force;          ///< the trial wrench (eq. 7): force [N] …
+  double trial_moment;         ///< … and moment [N m]
+  bool converged = true;       ///< false: not the closest point of a patch
+};
+
+/// The proxy after a slip.
+struct MovedProxy {
+  Eigen::Vector3d proxy;     ///< x_p [m]
+  double normal;             ///< deflection of the spring along the normal then [m]
+  double along_slope = 1.0;  ///< work along the surface at the proxy divided by work along the tangent plane at x_g
+};
+
+/// The proxy after a slip that leaves `kept` [m] of the trial deflection. Models the surface as a paraboloid about x_g. The proxy does not
+/// move away from the finger, so that a slip never adds energy.
+[[nodiscard]] inline MovedProxy follow(const TrialDeflection& trial, const FingerSample& sample, const Eigen::Vector3d& kept) noexcept {
+  const Eigen::Vector3d tangential = trial.relaxed_tangential + kept;
+  const double before = trial.spring.tangential.squaredNorm();
+  const double square = tangential.squaredNorm();
+  double rise = trial.spring.normal - sample.depth;
+  if (rise != 0.0 && square < before) {
+    const double longest = std::sqrt(trial.spring.normal * trial.spring.normal + (before - square));
+    rise = std::min(rise * (square / before), longest - sample.depth);
+  }
+  const double normal = sample.depth + rise;
+  // A deflection whose square is near underflow is none: the slope would be infinite.
+  constexpr double none = 1e-200;
+  const double along_slope = rise != 0.0 && square > none ? std::max(1.0 + 2.0 * normal * rise / square, 0.0) : 1.0;
+  return {sample.goal + tangential + sample.normal * rise, normal, along_slope};
+}
+
+}  // namespace limitcurve::godobject
