@@ -2,6 +2,7 @@
 #pragma once
 
 #include "godobject/batch.hpp"
+#include "godobject/body/grasp.hpp"
 #include "godobject/godobject.hpp"
 #include "godobject/mesh/mesh_file.hpp"
 #include "limitcurve/approximations.hpp"

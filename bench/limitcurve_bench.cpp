@@ -4,6 +4,7 @@
 
 #include "limitcurve/approximations.hpp"
 #include "limitcurve/exact_curve.hpp"
+#include "limitcurve/internal/number.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/quadrature/closed_form.hpp"
 #include "limitcurve/table.hpp"

@@ -8,8 +8,8 @@
 
 #include "limitcurve/approximations.hpp"
 #include "limitcurve/exact_curve.hpp"
+#include "limitcurve/internal/number.hpp"
 #include "limitcurve/laws.hpp"
-#include "limitcurve/number.hpp"
 #include "limitcurve/quadrature/closed_form.hpp"
 #include "limitcurve/quadrature/evaluators.hpp"
 #include "limitcurve/table.hpp"

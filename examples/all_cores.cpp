@@ -4,7 +4,6 @@
 //     example_all_cores [CONTACTS [STEPS]]      ten million contacts: example_all_cores 1e7, 1 GB
 #include "godobject/godobject.hpp"
 #include "limitcurve/laws.hpp"
-#include "limitcurve/number.hpp"
 #include "limitcurve/table.hpp"
 
 #include <algorithm>
@@ -13,6 +12,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
+#include <cstdlib>
 #include <thread>
 #include <vector>
 
@@ -62,8 +62,8 @@ double run(const god::Batch& friction, god::ContactArrays& contacts, int steps, 
 }
 
 int main(int argc, char** argv) {
-  const double wanted = argc > 1 ? lc::parse_number(argv[1]).value_or(0.0) : 2e4;
-  const double steps_wanted = argc > 2 ? lc::parse_number(argv[2]).value_or(0.0) : 30.0;
+  const double wanted = argc > 1 ? std::strtod(argv[1], nullptr) : 2e4;
+  const double steps_wanted = argc > 2 ? std::strtod(argv[2], nullptr) : 30.0;
   if (!(wanted >= 1.0 && wanted <= 1e9 && steps_wanted >= 1.0 && steps_wanted <= 1e6)) {
     std::fprintf(stderr, "example_all_cores: error: expected CONTACTS from 1 to 1e9 and STEPS from 1 to 1e6\n");
     return 2;

@@ -4,7 +4,6 @@
 //     example_servo_thread [SECONDS]
 #include "godobject/godobject.hpp"
 #include "limitcurve/laws.hpp"
-#include "limitcurve/number.hpp"
 #include "limitcurve/table.hpp"
 
 #include <algorithm>
@@ -13,6 +12,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <thread>
 #include <vector>
 
@@ -67,7 +67,7 @@ void print(const char* what, std::vector<double> times) {
 }
 
 int main(int argc, char** argv) {
-  const double seconds = argc > 1 ? lc::parse_number(argv[1]).value_or(1.0) : 1.0;
+  const double seconds = argc > 1 ? std::strtod(argv[1], nullptr) : 1.0;
   constexpr std::chrono::milliseconds period{1};
   const long steps = std::lround(1000.0 * std::clamp(seconds, 0.2, 3600.0));
 

@@ -3,13 +3,13 @@
 //     example_write_table [LAW [TOLERANCE]]
 #include "limitcurve/exact_curve.hpp"
 #include "limitcurve/laws.hpp"
-#include "limitcurve/number.hpp"
 #include "limitcurve/table.hpp"
 #include "limitcurve/table_file.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <fstream>
 #include <iterator>
@@ -17,7 +17,7 @@
 
 int main(int argc, char** argv) try {
   const limitcurve::Law law = limitcurve::parse_law(argc > 1 ? argv[1] : "hertz");
-  const double tolerance = argc > 2 ? limitcurve::parse_number(argv[2]).value_or(0.0) : 1e-8;
+  const double tolerance = argc > 2 ? std::strtod(argv[2], nullptr) : 1e-8;
 
   const limitcurve::Table table = limitcurve::Table::build(law, tolerance);
   const char* const path = "limit_curve_table.csv";

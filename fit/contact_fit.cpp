@@ -6,8 +6,8 @@
 #include "fit/internal/contact_preparation.hpp"
 #include "fit/internal/report.hpp"
 #include "fit/internal/warnings.hpp"
+#include "limitcurve/internal/number.hpp"
 #include "limitcurve/laws.hpp"
-#include "limitcurve/number.hpp"
 
 #include <algorithm>
 #include <array>

@@ -4,7 +4,7 @@
 #include "fit/internal/least_squares.hpp"
 #include "fit/internal/report.hpp"
 #include "fit/internal/warnings.hpp"
-#include "limitcurve/number.hpp"
+#include "limitcurve/internal/number.hpp"
 
 #include <algorithm>
 #include <array>

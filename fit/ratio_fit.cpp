@@ -2,7 +2,7 @@
 #include "fit/ratio_fit.hpp"
 
 #include "fit/contact_fit.hpp"
-#include "limitcurve/number.hpp"
+#include "limitcurve/internal/number.hpp"
 
 #include <boost/math/distributions/chi_squared.hpp>
 

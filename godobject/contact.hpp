@@ -17,6 +17,10 @@ using Numbers = std::array<double, 3>;
   return {vector.x(), vector.y(), vector.z()};
 }
 
+/// What is farther from the origin [m] is a fault of the device. A finger's sample is plausible if the sum of squares of its coordinates and
+/// depth [m] and its twist [rad] is at most farthest²; NaN is not.
+inline constexpr double farthest = 1e6;
+
 /// A rotation: a quaternion of unit length. It converts from and to `Eigen::Quaterniond`, whose alignment depends on the processor that a file
 /// is compiled for (-march=native): poses must have the same layout in your code and in the library.
 using Orientation = Eigen::Quaternion<double, Eigen::DontAlign>;

@@ -2,7 +2,7 @@
 #include "godobject/contact_limits.hpp"
 
 #include "limitcurve/contact_radius.hpp"
-#include "limitcurve/number.hpp"
+#include "limitcurve/internal/number.hpp"
 
 #include <algorithm>
 #include <array>

@@ -73,9 +73,6 @@ struct FingerOutput {
   bool converged = true;
 };
 
-/// A sample is plausible if the sum of squares of its coordinates and depth [m] and its twist [rad] is at most farthest². NaN is not.
-inline constexpr double farthest = 1e6;
-
 /// The last good sample of the device: where the finger is against the surface.
 struct FingerSample {
   Eigen::Vector3d goal = Eigen::Vector3d::Zero();     ///< x_g [m]

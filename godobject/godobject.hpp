@@ -5,18 +5,13 @@
 #include "../limitcurve/laws.hpp"            // IWYU pragma: export
 #include "../limitcurve/table.hpp"           // IWYU pragma: export
 #include "batch.hpp"                         // IWYU pragma: export
-#include "choose_step.hpp"                   // IWYU pragma: export
 #include "contact.hpp"                       // IWYU pragma: export
 #include "finger_curve.hpp"                  // IWYU pragma: export
-#include "grasp.hpp"                         // IWYU pragma: export
-#include "passivity.hpp"                     // IWYU pragma: export
-#include "pivot.hpp"                         // IWYU pragma: export
-#include "replay.hpp"                        // IWYU pragma: export
-#include "rigid_body.hpp"                    // IWYU pragma: export
 #include "soft_finger.hpp"                   // IWYU pragma: export
 #include "surface.hpp"                       // IWYU pragma: export
 
-/// The soft-finger god-object. Start here: this file includes the whole module except `mesh`.
+/// The soft-finger god-object. Start here: this file includes what a control loop needs. Bodies (body/), scenes (scene/) and meshes (mesh/)
+/// have headers of their own.
 ///
 /// ```cpp
 /// #include "godobject/godobject.hpp"
@@ -42,7 +37,8 @@
 /// `update` takes an AnySurface (plane, sphere, capsule, cylinder, box, mesh, or your own: surface.hpp), or a Contact that other code has
 /// found.
 ///
-/// More: Batch and FloatBatch step thousands of contacts in one call (batch.hpp). apply_friction is the friction step alone, for simulators
-/// with their own springs (friction.hpp). PatchFinger has a contact that is not round. Grasp holds a rigid body with several fingers.
-/// Replay runs recorded motions, Pivot the paper's experiment. choose_step() finds the cheapest model that a scene needs.
+/// A SoftFinger takes a Patch, too: a contact that is not round. Batch and FloatBatch step thousands of contacts in one call (batch.hpp).
+/// apply_friction is the friction step alone, for simulators with their own springs (friction.hpp). body/grasp.hpp holds a rigid body with
+/// several fingers. scene/replay.hpp runs recorded motions, scene/pivot.hpp the paper's experiment; scene/choose_step.hpp finds the cheapest
+/// model that a scene needs.
 namespace limitcurve::godobject {}

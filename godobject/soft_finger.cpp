@@ -5,7 +5,7 @@
 #include "godobject/finger/sample.hpp"
 #include "godobject/finger/springs.hpp"
 #include "godobject/patch/patch_projection.hpp"
-#include "limitcurve/number.hpp"
+#include "limitcurve/internal/number.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "godobject/surface.hpp"
 
-#include "limitcurve/number.hpp"
+#include "limitcurve/internal/number.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -28,9 +28,6 @@ inline constexpr double patch_ellipse_other = 1e-10;
 /// `CurveError`: absolute error of its largest and smallest values.
 inline constexpr double curve_error = 1e-9;
 
-/// `SoftFinger`: relative distance between the limit curve and the wrench at which slip begins.
-inline constexpr double slip_onset = 1e-12;
-
 /// `SoftFinger` with Projection::closest_point and a table of tolerance 1e-8, under a constant twist: distance of the steady wrench from
 /// eq. (17)'s, in the plane of unit wrenches.
 inline constexpr double steady_wrench = 1e-7;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "limitcurve/approximations.hpp"
 
+#include "limitcurve/internal/number.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "limit_curve.hpp"
-#include "number.hpp"
 
 #include <array>
 #include <cmath>

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "limitcurve/validate.hpp"
+#include "limitcurve/choose.hpp"
 
 #include "limitcurve/approximations.hpp"
 #include "limitcurve/exact_curve.hpp"
+#include "limitcurve/internal/number.hpp"
 #include "limitcurve/internal/shipped_costs.hpp"
-#include "limitcurve/number.hpp"
 #include "limitcurve/table.hpp"
+#include "limitcurve/validate.hpp"
 
 #include <algorithm>
 #include <array>

@@ -3,11 +3,11 @@
 
 #include "accuracy.hpp"
 #include "approximations.hpp"
+#include "choose.hpp"
 #include "contact_radius.hpp"
 #include "exact_curve.hpp"
 #include "laws.hpp"
 #include "limit_curve.hpp"
-#include "number.hpp"
 #include "patch.hpp"
 #include "pressure_law.hpp"
 #include "table.hpp"
@@ -56,7 +56,7 @@ Law parse_law(std::string_view text);
 // curve_error(model, exact)                      the error of an approximation: validate.hpp
 
 /// Compares the limit curves that can stand for `law`: all candidates, sorted by cost. `chosen` marks the cheapest one whose radial error,
-/// relative to the exact curve on the same ray, is at most `tolerance` ∈ [1e-10, 1]. Details: validate.hpp.
+/// relative to the exact curve on the same ray, is at most `tolerance` ∈ [1e-10, 1]. Details: choose.hpp.
 std::vector<Candidate> choose(const Law& law, double tolerance);
 
 // 3. In newtons.

@@ -2,7 +2,7 @@
 #include "limitcurve/contact_radius.hpp"
 
 #include "limitcurve/internal/did_you_mean.hpp"
-#include "limitcurve/number.hpp"
+#include "limitcurve/internal/number.hpp"
 
 #include <algorithm>
 #include <array>

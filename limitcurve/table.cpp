@@ -2,7 +2,7 @@
 #include "limitcurve/table.hpp"
 
 #include "limitcurve/accuracy.hpp"
-#include "limitcurve/number.hpp"
+#include "limitcurve/internal/number.hpp"
 #include "limitcurve/pressure_law.hpp"
 #include "limitcurve/quadrature/evaluators.hpp"
 #include "limitcurve/table/buckets.hpp"

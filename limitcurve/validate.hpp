@@ -3,18 +3,14 @@
 
 #include "approximations.hpp"
 #include "limit_curve.hpp"
-#include "pressure_law.hpp"
 
 #include <cmath>
 #include <cstddef>
 #include <functional>
 #include <limits>
-#include <string>
-#include <vector>
 
-/// Errors of a limit curve against an exact one, the approximations with the smallest error, and the cheapest curve that is accurate
-/// enough. Offline: every function allocates, and evaluates the exact curve 1150 to 1500 times (0.1 to 0.6 ms for a closed form, about 0.1
-/// s by quadrature), fits included.
+/// Errors of a limit curve against an exact one, and the approximations with the smallest error. Offline: every function allocates, and
+/// evaluates the exact curve 1150 to 1500 times (0.1 to 0.6 ms for a closed form, about 0.1 s by quadrature), fits included.
 namespace limitcurve {
 
 /// Errors over all rays of the normalised plane x = f/f_max, y = m/m_max of the exact curve, from axis to axis. Radial errors are fractions
@@ -141,30 +137,5 @@ template <LimitCurve Exact>
 Ellipse outer_ellipse(const Exact& exact) {
   return detail::outer_ellipse(detail::wrench_of(exact), detail::intercepts_of(exact));
 }
-
-/// A limit curve that may replace the exact one: its error and its cost.
-struct Candidate {
-  std::string model;   ///< diamond, box, ellipse, superellipse, quartic, table, exact
-  double parameter;    ///< as `limitcurve validate` prints it; the tolerance of a table; nan for the exact curve
-  double error;        ///< largest radial error relative to the exact curve, over or under; inf for a table that cannot be built
-  double nanoseconds;  ///< cost of a wrench from its slip twist
-  bool chosen = false;
-  std::string reason = {};  ///< for people: its error if that is too large, "chosen", or its cost compared with the chosen one's
-};
-
-/// All candidates for `law`, sorted by cost. `chosen` marks the cheapest one whose error is at most `tolerance`; there always is one,
-/// because the exact curve has error 0.
-///
-/// Costs are constants (internal/shipped_costs.hpp), measured on one machine: compare them, do not rely on them. So the same input gives
-/// the same choice on every machine. Throws std::invalid_argument for a tolerance outside [1e-10, 1]. Cost: a millisecond for a closed
-/// form, a second by quadrature. godobject/choose_step.hpp chooses for a whole scene, projection included.
-std::vector<Candidate> choose(const Law& law, double tolerance);
-
-/// Sorts candidates by cost, marks the cheapest whose error is at most `tolerance` (if there is none, the one with the smallest error), and
-/// sets each reason.
-void choose_cheapest(std::vector<Candidate>& candidates, double tolerance);
-
-/// A fraction as text: "6.4 %", "0.9 %"; below 0.01 % "1.0e-06".
-std::string in_percent(double fraction);
 
 }  // namespace limitcurve

@@ -2,7 +2,7 @@
 #include "python/core.hpp"
 
 #include "godobject/batch.hpp"
-#include "limitcurve/number.hpp"
+#include "limitcurve/internal/number.hpp"
 
 #include <nanobind/stl/variant.h>
 

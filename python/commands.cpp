@@ -4,7 +4,7 @@
 
 #include "python/arrays.hpp"
 
-#include "limitcurve/number.hpp"
+#include "limitcurve/internal/number.hpp"
 
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/vector.h>

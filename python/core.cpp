@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "python/core.hpp"
 
-#include "limitcurve/number.hpp"
+#include "limitcurve/internal/number.hpp"
 #include "limitcurve/version.hpp"
 
 #include <cmath>

@@ -7,8 +7,8 @@
 #include "cli/io/table_writer.hpp"
 #include "godobject/godobject.hpp"
 #include "limitcurve/contact_radius.hpp"
+#include "limitcurve/internal/number.hpp"
 #include "limitcurve/laws.hpp"
-#include "limitcurve/number.hpp"
 
 #include <algorithm>
 #include <cmath>

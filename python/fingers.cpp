@@ -3,7 +3,7 @@
 
 #include "cli/io/law_argument.hpp"
 #include "godobject/soft_finger.hpp"
-#include "limitcurve/number.hpp"
+#include "limitcurve/internal/number.hpp"
 
 #include <nanobind/eigen/dense.h>
 #include <nanobind/stl/optional.h>

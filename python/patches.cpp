@@ -2,7 +2,7 @@
 #include "python/core.hpp"
 
 #include "cli/io/patch_argument.hpp"
-#include "limitcurve/number.hpp"
+#include "limitcurve/internal/number.hpp"
 
 #include <cmath>
 #include <stdexcept>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "godobject/grasp.hpp"
+#include "godobject/body/grasp.hpp"
 
 #include <Eigen/LU>
 

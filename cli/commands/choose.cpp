@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "limitcurve/validate.hpp"
 
 #include "cli/commands/radius_check.hpp"
 #include "cli/commands/stiffness_check.hpp"
@@ -7,9 +6,9 @@
 #include "cli/io/number_list.hpp"
 #include "cli/io/patch_argument.hpp"
 
-#include "godobject/choose_step.hpp"
+#include "godobject/scene/choose_step.hpp"
+#include "limitcurve/internal/number.hpp"
 #include "limitcurve/internal/shipped_costs.hpp"
-#include "limitcurve/number.hpp"
 #include "limitcurve/patch/round_models.hpp"
 
 #include <array>

@@ -5,7 +5,7 @@
 #include "cli/commands/subcommands.hpp"
 #include "cli/io/slip_samples.hpp"
 
-#include "limitcurve/number.hpp"
+#include "limitcurve/internal/number.hpp"
 
 #include <cmath>
 #include <optional>

@@ -4,7 +4,7 @@
 #include "cli/io/number_list.hpp"
 
 #include "limitcurve/internal/did_you_mean.hpp"
-#include "limitcurve/number.hpp"
+#include "limitcurve/internal/number.hpp"
 
 #include <algorithm>
 #include <cmath>

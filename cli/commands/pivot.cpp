@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "godobject/pivot.hpp"
+#include "godobject/scene/pivot.hpp"
 
 #include "cli/commands/radius_check.hpp"
 #include "cli/commands/subcommands.hpp"
@@ -9,8 +9,8 @@
 #include "cli/io/materials.hpp"
 #include "cli/io/number_list.hpp"
 
+#include "limitcurve/internal/number.hpp"
 #include "limitcurve/laws.hpp"
-#include "limitcurve/number.hpp"
 
 #include <algorithm>
 #include <array>

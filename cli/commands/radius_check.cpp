@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cli/commands/radius_check.hpp"
 
-#include "limitcurve/number.hpp"
+#include "limitcurve/internal/number.hpp"
 
 #include <algorithm>
 #include <limits>

@@ -8,9 +8,9 @@
 #include "cli/io/surface_argument.hpp"
 #include "cli/io/trace_reader.hpp"
 
-#include "godobject/passivity.hpp"
-#include "godobject/replay.hpp"
-#include "limitcurve/number.hpp"
+#include "godobject/scene/passivity.hpp"
+#include "godobject/scene/replay.hpp"
+#include "limitcurve/internal/number.hpp"
 #include "limitcurve/pressure_law.hpp"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "godobject/replay.hpp"
-#include "godobject/rigid_body.hpp"
+#include "godobject/body/rigid_body.hpp"
+#include "godobject/scene/replay.hpp"
 
 #include <string>
 

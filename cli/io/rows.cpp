@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cli/io/rows.hpp"
 
-#include "limitcurve/number.hpp"
+#include "limitcurve/internal/number.hpp"
 
 #include <nlohmann/json.hpp>
 

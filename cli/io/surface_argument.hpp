@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "godobject/rigid_body.hpp"
+#include "godobject/body/rigid_body.hpp"
 #include "godobject/surface.hpp"
 
 #include <functional>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cli/io/table_reader.hpp"
 
-#include "limitcurve/number.hpp"
+#include "limitcurve/internal/number.hpp"
 #include "limitcurve/table_file.hpp"
 
 #include <nlohmann/json.hpp>

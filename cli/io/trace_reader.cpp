@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cli/io/trace_reader.hpp"
 
-#include "limitcurve/number.hpp"
+#include "limitcurve/internal/number.hpp"
 
 #include <cmath>
 

@@ -3,7 +3,7 @@
 
 #include "cli/io/csv_reader.hpp"
 
-#include "godobject/replay.hpp"
+#include "godobject/scene/replay.hpp"
 
 #include <cstddef>
 #include <optional>

@@ -3,8 +3,8 @@
 #include "cli/report/report_files.hpp"
 
 #include "limitcurve/contact_radius.hpp"
+#include "limitcurve/internal/number.hpp"
 #include "limitcurve/laws.hpp"
-#include "limitcurve/number.hpp"
 
 #include <array>
 

@@ -2,7 +2,7 @@
 #include "cli/io/materials.hpp"
 #include "cli/report/report_files.hpp"
 
-#include "godobject/pivot.hpp"
+#include "godobject/scene/pivot.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "cli/report/report_files.hpp"
 
-#include "godobject/replay.hpp"
+#include "godobject/scene/replay.hpp"
 #include "limitcurve/approximations.hpp"
 #include "limitcurve/contact_radius.hpp"
+#include "limitcurve/internal/number.hpp"
 #include "limitcurve/laws.hpp"
-#include "limitcurve/number.hpp"
 #include "limitcurve/table.hpp"
 
 #include <array>

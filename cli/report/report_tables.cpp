@@ -2,8 +2,8 @@
 #include "cli/io/materials.hpp"
 #include "cli/report/report_files.hpp"
 
+#include "limitcurve/internal/number.hpp"
 #include "limitcurve/laws.hpp"
-#include "limitcurve/number.hpp"
 #include "limitcurve/table.hpp"
 
 #include <array>

@@ -3,7 +3,7 @@
 
 #include "fit/internal/report.hpp"
 #include "fit/internal/warnings.hpp"
-#include "limitcurve/number.hpp"
+#include "limitcurve/internal/number.hpp"
 
 #include <cmath>
 #include <memory>

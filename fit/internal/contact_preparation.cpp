@@ -2,7 +2,7 @@
 #include "fit/internal/contact_preparation.hpp"
 
 #include "fit/internal/report.hpp"
-#include "limitcurve/number.hpp"
+#include "limitcurve/internal/number.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "limitcurve/number.hpp"
+#include "limitcurve/internal/number.hpp"
 #include "limitcurve/pressure_law.hpp"
 
 #include <algorithm>

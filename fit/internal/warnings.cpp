@@ -2,7 +2,7 @@
 #include "fit/internal/warnings.hpp"
 
 #include "fit/internal/report.hpp"
-#include "limitcurve/number.hpp"
+#include "limitcurve/internal/number.hpp"
 
 #include <boost/math/distributions/students_t.hpp>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "godobject/grasp.hpp"
+#include "godobject/body/grasp.hpp"
 
-#include "limitcurve/number.hpp"
+#include "limitcurve/internal/number.hpp"
 
 #include <Eigen/LU>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "godobject/rigid_body.hpp"
+#include "godobject/body/rigid_body.hpp"
 
-#include "limitcurve/number.hpp"
+#include "limitcurve/internal/number.hpp"
 
 #include <cmath>
 #include <limits>

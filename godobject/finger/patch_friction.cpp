@@ -2,7 +2,7 @@
 #include "godobject/finger/patch_friction.hpp"
 
 #include "godobject/patch/patch_projection.hpp"
-#include "limitcurve/number.hpp"
+#include "limitcurve/internal/number.hpp"
 
 #include <Eigen/Geometry>
 

@@ -2,7 +2,7 @@
 #include "godobject/mesh/closed_triangles.hpp"
 
 #include "godobject/mesh/self_intersection.hpp"
-#include "limitcurve/number.hpp"
+#include "limitcurve/internal/number.hpp"
 
 #include <Eigen/Geometry>
 

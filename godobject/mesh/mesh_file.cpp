@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "godobject/mesh/mesh_file.hpp"
 
-#include "limitcurve/number.hpp"
+#include "limitcurve/internal/number.hpp"
 
 #include <array>
 #include <cerrno>

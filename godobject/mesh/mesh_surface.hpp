@@ -15,14 +15,12 @@ class Mesh;
 /// slides from face to face towards the finger; otherwise the finger's position. The god-object, not the finger, determines the side: a
 /// finger pressed through a thin plate stays on the side from which it came (mesh/README.md).
 ///
-/// Copies share the mesh. `contact` does not allocate or lock. It makes at most `rounds` flights and landings, usually one. Each visits up
+/// For a finger with a coordinate beyond `farthest`, or not finite, the depth is NaN, which makes a SoftFinger `invalid`, and the memory does
+/// not change. Copies share the mesh. `contact` does not allocate or lock. It makes at most `rounds` flights and landings, usually one. Each visits up
 /// to `Mesh::walk_limit` faces, and the faces around one vertex, and opens up to 2 boxes for each face, usually some dozens. For a finger
 /// outside it opens up to `near_limit` boxes.
 class MeshSurface {
  public:
-  /// For a finger with a larger or not finite coordinate [m] the depth is NaN, which makes a SoftFinger `invalid`, and the memory does not
-  /// change.
-  static constexpr double farthest = 1e6;
   /// Largest number of flights from the surface that end on it again, in one step.
   static constexpr int rounds = 16;
   /// Largest number of boxes opened for the distance of a finger outside; then the nearest point found so far is used.

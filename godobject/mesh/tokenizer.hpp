@@ -2,7 +2,7 @@
 #pragma once
 
 #include "godobject/mesh/triangle_list.hpp"
-#include "limitcurve/number.hpp"
+#include "limitcurve/internal/number.hpp"
 
 #include <Eigen/Core>
 

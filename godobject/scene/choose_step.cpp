@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "godobject/choose_step.hpp"
+#include "godobject/scene/choose_step.hpp"
 
 #include "godobject/finger_curve.hpp"
 #include "godobject/scene/scene_walk.hpp"
 #include "godobject/soft_finger.hpp"
 #include "limitcurve/approximations.hpp"
 #include "limitcurve/exact_curve.hpp"
+#include "limitcurve/internal/number.hpp"
 #include "limitcurve/internal/shipped_costs.hpp"
-#include "limitcurve/number.hpp"
 #include "limitcurve/table.hpp"
 #include "limitcurve/validate.hpp"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "godobject/passivity.hpp"
+#include "godobject/scene/passivity.hpp"
 
 #include "godobject/contact_limits.hpp"
-#include "limitcurve/number.hpp"
+#include "limitcurve/internal/number.hpp"
 
 #include <limits>
 #include <stdexcept>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "godobject/pivot.hpp"
+#include "godobject/scene/pivot.hpp"
 
+#include "godobject/body/grasp.hpp"
 #include "godobject/finger_curve.hpp"
-#include "godobject/grasp.hpp"
 #include "godobject/surface.hpp"
+#include "limitcurve/internal/number.hpp"
 #include "limitcurve/laws.hpp"
-#include "limitcurve/number.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "godobject/replay.hpp"
+#include "godobject/scene/replay.hpp"
 
 #include "godobject/scene/scene_contact.hpp"
 #include "limitcurve/approximations.hpp"

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "godobject/replay.hpp"
+#include "godobject/scene/replay.hpp"
 
 #include <cmath>
 
 namespace limitcurve::godobject {
 
-/// Whether a body's pose is valid: within 1e6 m, orientation of unit length.
+/// Whether a body's pose is valid: within `farthest`, orientation of unit length.
 [[nodiscard]] inline bool is_pose(const BodyPose& pose) noexcept {
-  return pose.position.squaredNorm() <= 1e12 && std::fabs(pose.orientation.squaredNorm() - 1.0) <= 1e-6;
+  return pose.position.squaredNorm() <= farthest * farthest && std::fabs(pose.orientation.squaredNorm() - 1.0) <= 1e-6;
 }
 
 /// Transforms the output of a finger from the body's frame to the world. After an invalid sample the held wrench and its normal turn with

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "godobject/choose_step.hpp"
+#include "godobject/scene/choose_step.hpp"
 
 #include <vector>
 

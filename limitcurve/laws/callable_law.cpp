@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include "limitcurve/internal/number.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/laws/smooth_pieces.hpp"
-#include "limitcurve/number.hpp"
 #include "limitcurve/quadrature/evaluators.hpp"
 
 #include <algorithm>

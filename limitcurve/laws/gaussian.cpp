@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "limitcurve/internal/number.hpp"
 #include "limitcurve/laws.hpp"
-#include "limitcurve/number.hpp"
 
 #include <boost/math/special_functions/bessel.hpp>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "limitcurve/internal/number.hpp"
 #include "limitcurve/laws.hpp"
-#include "limitcurve/number.hpp"
 #include "limitcurve/quadrature/closed_form.hpp"
 #include "limitcurve/quadrature/tanh_sinh.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "limitcurve/accuracy.hpp"
-#include "limitcurve/number.hpp"
+#include "limitcurve/internal/number.hpp"
 #include "limitcurve/patch/projection.hpp"
 #include "limitcurve/patch/shape.hpp"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "limitcurve/patch.hpp"
 
+#include "limitcurve/internal/number.hpp"
 #include "limitcurve/laws.hpp"
-#include "limitcurve/number.hpp"
 #include "limitcurve/patch/shape.hpp"
 
 #include <algorithm>

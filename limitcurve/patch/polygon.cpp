@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "limitcurve/number.hpp"
+#include "limitcurve/internal/number.hpp"
 #include "limitcurve/patch/polygon_edge.hpp"
 #include "limitcurve/patch/shape.hpp"
 #include "limitcurve/pressure_law.hpp"

@@ -3,9 +3,9 @@
 
 #include "limitcurve/approximations.hpp"
 #include "limitcurve/exact_curve.hpp"
+#include "limitcurve/internal/number.hpp"
 #include "limitcurve/internal/shipped_costs.hpp"
 #include "limitcurve/laws.hpp"
-#include "limitcurve/number.hpp"
 #include "limitcurve/table.hpp"
 
 #include <boost/math/tools/toms748_solve.hpp>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "limitcurve/choose.hpp"
 #include "limitcurve/patch.hpp"
 #include "limitcurve/validate.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "limitcurve/table/check.hpp"
 
-#include "limitcurve/number.hpp"
+#include "limitcurve/internal/number.hpp"
 #include "limitcurve/table/bernstein.hpp"
 #include "limitcurve/table/buckets.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "limitcurve/table_file.hpp"
 
-#include "limitcurve/number.hpp"
+#include "limitcurve/internal/number.hpp"
 #include "limitcurve/version.hpp"
 
 #include <algorithm>

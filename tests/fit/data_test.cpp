@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "fit/model_fit.hpp"
 
+#include "limitcurve/internal/number.hpp"
 #include "limitcurve/laws.hpp"
-#include "limitcurve/number.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cli/io/key_values.hpp"
 #include "cli/io/number_list.hpp"
-#include "limitcurve/number.hpp"
+#include "limitcurve/internal/number.hpp"
 #include "tests/fuzz/fuzz.hpp"
 
 using namespace limitcurve;

@@ -40,7 +40,7 @@ inline void touch(const godobject::TriangleList& list) {
     const bool was_free = memory.face < 0;
     const godobject::ContactMemory before = memory;
     const godobject::Contact contact = godobject::touch(*surface, finger, memory);
-    if (finger.cwiseAbs().maxCoeff() > godobject::MeshSurface::farthest) {
+    if (finger.cwiseAbs().maxCoeff() > godobject::farthest) {
       // Vertices may be as far out as fingers may, so what is beyond them may be out of range.
       require(contact.depth != contact.depth, "a finger out of range that is not refused");
       require(memory.face == before.face && memory.finger == before.finger && memory.known == before.known, "a refusal that is remembered");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "limitcurve/number.hpp"
+#include "limitcurve/internal/number.hpp"
 #include "tests/fuzz/fuzz.hpp"
 
 using namespace limitcurve;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "limitcurve/contact_radius.hpp"
-#include "limitcurve/number.hpp"
+#include "limitcurve/internal/number.hpp"
 #include "tests/fuzz/fuzz.hpp"
 
 using namespace limitcurve;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "cli/io/csv_reader.hpp"
-#include "godobject/replay.hpp"
+#include "godobject/scene/replay.hpp"
+#include "limitcurve/internal/number.hpp"
 #include "limitcurve/laws.hpp"
-#include "limitcurve/number.hpp"
 #include "tests/fuzz/fuzz.hpp"
 
 #include <array>

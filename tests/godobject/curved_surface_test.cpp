@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Faults of the first edition on curved surfaces: twist without rotation, and energy gain on a closed path. The test computes work and
 // spin independently: from forces along the finger's path, and from angles in closed form.
+#include "godobject/body/grasp.hpp"
 #include "godobject/godobject.hpp"
 #include "tests/godobject/scene.hpp"
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What a real device does to a finger: samples that repeat, are quantised, noisy, refused or late.
+#include "godobject/body/grasp.hpp"
 #include "godobject/godobject.hpp"
 #include "tests/godobject/scene.hpp"
 

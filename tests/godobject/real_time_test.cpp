@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "godobject/scene/replay.hpp"
 #include "tests/godobject/scene.hpp"
 #include "tests/real_time_guard.hpp"
 

@@ -5,7 +5,7 @@
 // Simulated minutes, at 1 kHz. Exits with 1 if anything moves.
 #include "tests/godobject/scene.hpp"
 
-#include "godobject/grasp.hpp"
+#include "godobject/body/grasp.hpp"
 
 #include <algorithm>
 #include <cstdio>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "limitcurve/choose.hpp"
 #include "limitcurve/laws.hpp"
-#include "limitcurve/validate.hpp"
 #include "tests/repetitions.hpp"
 
 #include <gtest/gtest.h>

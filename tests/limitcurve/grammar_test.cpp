@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Law strings: what is accepted, and what a refusal says.
 #include "complaint.hpp"
+#include "limitcurve/internal/number.hpp"
 #include "limitcurve/laws.hpp"
-#include "limitcurve/number.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "godobject/body/grasp.hpp"
 #include "godobject/mesh/mesh.hpp"
 #include "godobject/mesh/mesh_surface.hpp"
 #include "tests/mesh/shapes.hpp"

@@ -228,7 +228,7 @@ TEST(MeshSurface, TouchesAsFarAsFingersMayBe) {
     const ContactMemory before = memory;
     const Contact contact = touch(surface, finger, memory);
     ASSERT_NEAR(contact.normal.norm(), 1.0, 1e-14);
-    if (finger.cwiseAbs().maxCoeff() > MeshSurface::farthest) {
+    if (finger.cwiseAbs().maxCoeff() > farthest) {
       ++refused;
       ASSERT_TRUE(std::isnan(contact.depth));
       ASSERT_TRUE(memory.face == before.face && same_bits(vector(memory.finger), vector(before.finger)));

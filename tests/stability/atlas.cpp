@@ -2,7 +2,7 @@
 // stability_atlas DIR: measures every entry of the atlas and writes summary.csv (a line for each finding) and a CSV for each figure
 // (panel,series,x,value) into DIR. scripts/maintain/stability draws and documents them.
 #include "atlas.hpp"
-#include "limitcurve/number.hpp"
+#include "limitcurve/internal/number.hpp"
 #include "motion/geometry.hpp"
 #include "motion/projection.hpp"
 #include "motion/reality.hpp"

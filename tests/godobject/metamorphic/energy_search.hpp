@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "godobject/passivity.hpp"
+#include "godobject/scene/passivity.hpp"
 #include "godobject/soft_finger.hpp"
 
 #include "tests/godobject/metamorphic/random_scene.hpp"

@@ -3,7 +3,7 @@
 // most. Slowly led, a finger gives back what it stored at most; sampled and held, what `device_damping_needed` names is enough.
 #include "tests/godobject/metamorphic/energy_search.hpp"
 
-#include "godobject/grasp.hpp"
+#include "godobject/body/grasp.hpp"
 #include "tests/repetitions.hpp"
 
 #include <gtest/gtest.h>

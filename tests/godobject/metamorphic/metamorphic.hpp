@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "godobject/replay.hpp"
+#include "godobject/scene/replay.hpp"
 
 #include "tests/godobject/metamorphic/random_scene.hpp"
 

@@ -3,7 +3,7 @@
 // that is twice as stiff, and with a row that is refused.
 #include "tests/godobject/metamorphic/metamorphic.hpp"
 
-#include "godobject/grasp.hpp"
+#include "godobject/body/grasp.hpp"
 
 namespace limitcurve::godobject::test {
 namespace {

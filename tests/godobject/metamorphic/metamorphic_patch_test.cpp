@@ -3,7 +3,7 @@
 // surface; and that a disc in a grasp is the round finger.
 #include "tests/godobject/metamorphic/metamorphic.hpp"
 
-#include "godobject/grasp.hpp"
+#include "godobject/body/grasp.hpp"
 #include "limitcurve/patch.hpp"
 
 namespace limitcurve::godobject::test {

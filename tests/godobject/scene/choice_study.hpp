@@ -3,7 +3,7 @@
 
 #include "tests/godobject/scene.hpp"
 
-#include "godobject/choose_step.hpp"
+#include "godobject/scene/choose_step.hpp"
 #include "limitcurve/pressure_law.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tests/godobject/scene/choice_study.hpp"
 
-#include "godobject/replay.hpp"
+#include "godobject/scene/replay.hpp"
 #include "tests/repetitions.hpp"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "godobject/choose_step.hpp"
+#include "godobject/scene/choose_step.hpp"
 
-#include "godobject/replay.hpp"
+#include "godobject/scene/replay.hpp"
 #include "limitcurve/laws.hpp"
 #include "tests/repetitions.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "godobject/grasp.hpp"
+#include "godobject/body/grasp.hpp"
 
 #include "godobject/surface.hpp"
 #include "tests/godobject/scene.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The gains that the formulas call passive or stable, against energy counted in a sampled wall and a body let go.
-#include "godobject/passivity.hpp"
+#include "godobject/scene/passivity.hpp"
 
 #include "tests/godobject/scene.hpp"
 #include "tests/integrators.hpp"

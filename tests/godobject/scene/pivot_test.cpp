@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "godobject/pivot.hpp"
+#include "godobject/scene/pivot.hpp"
 
 #include "limitcurve/laws.hpp"
 #include "tests/godobject/scene.hpp"

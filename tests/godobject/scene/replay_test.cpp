@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The god-object over recorded motions on surfaces that rest, are moved, or are free.
-#include "godobject/replay.hpp"
+#include "godobject/scene/replay.hpp"
 
 #include "tests/godobject/scene.hpp"
 #include "tests/repetitions.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "godobject/rigid_body.hpp"
+#include "godobject/body/rigid_body.hpp"
 
 #include "tests/godobject/scene.hpp"
 #include "tests/repetitions.hpp"

@@ -8,9 +8,9 @@
 // and a free body between fingers at rest without gravity does not gain energy (README, "Bodies", has the bound).
 //     scene_soak [FINGER_STEPS [SEED]]
 // Prints what it saw and exits with 1 after the first scene that is wrong, which it names so that it can be run again.
+#include "godobject/body/grasp.hpp"
+#include "limitcurve/internal/number.hpp"
 #include "tests/godobject/scene.hpp"
-
-#include "godobject/grasp.hpp"
 
 #include <cinttypes>
 #include <cstdio>

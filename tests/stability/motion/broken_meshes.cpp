@@ -5,7 +5,7 @@
 
 #include "../numerics/sampling.hpp"
 #include "../random.hpp"
-#include "limitcurve/number.hpp"
+#include "limitcurve/internal/number.hpp"
 #include "solids.hpp"
 #include "tests/touch.hpp"
 

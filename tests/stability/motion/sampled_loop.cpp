@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Entry "time": forces that are sampled, late, and from the steps of an encoder.
 #include "../numerics/sampling.hpp"
-#include "godobject/passivity.hpp"
+#include "godobject/scene/passivity.hpp"
 #include "godobject/soft_finger.hpp"
 #include "limitcurve/approximations.hpp"
 #include "limitcurve/laws.hpp"

@@ -5,8 +5,8 @@
 #include "../numerics/sampling.hpp"
 #include "godobject/surface.hpp"
 #include "limitcurve/approximations.hpp"
+#include "limitcurve/internal/number.hpp"
 #include "limitcurve/laws.hpp"
-#include "limitcurve/number.hpp"
 #include "tests/integrators.hpp"
 #include "tests/repetitions.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "limitcurve/number.hpp"
+#include "limitcurve/internal/number.hpp"
 
 #include <array>
 #include <charconv>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "finger.hpp"
+#include "../finger.hpp"
 
 namespace limitcurve::godobject {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "contact.hpp"
+#include "../contact.hpp"
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "../limitcurve/patch.hpp"
-#include "finger_curve.hpp"
-#include "grasp.hpp"
-#include "surface.hpp"
+#include "../../limitcurve/patch.hpp"
+#include "../body/grasp.hpp"
+#include "../finger_curve.hpp"
+#include "../surface.hpp"
 
 #include <cstddef>
 #include <limits>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "../limitcurve/pressure_law.hpp"
-#include "finger.hpp"
-#include "finger_curve.hpp"
+#include "../../limitcurve/pressure_law.hpp"
+#include "../finger.hpp"
+#include "../finger_curve.hpp"
 
 #include <memory>
 #include <optional>

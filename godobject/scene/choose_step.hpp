@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "../limitcurve/contact_radius.hpp"
-#include "../limitcurve/pressure_law.hpp"
-#include "../limitcurve/validate.hpp"
+#include "../../limitcurve/choose.hpp"
+#include "../../limitcurve/contact_radius.hpp"
+#include "../../limitcurve/pressure_law.hpp"
 #include "replay.hpp"
 
 #include <limits>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "../soft_finger.hpp"
+#include "../surface.hpp"
 #include "rigid_body.hpp"
-#include "soft_finger.hpp"
-#include "surface.hpp"
 
 #include <cstddef>
 #include <span>
