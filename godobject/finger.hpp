@@ -113,9 +113,6 @@ struct FingerState {
   double limit_load = 0.0;    ///< P of the friction limit [N]: k_l d plus the damper's force
   double trial_force = 0.0;   ///< trial wrench of the last step (eq. 7): force of springs and dampers if the proxy stayed [N]
   double trial_moment = 0.0;  ///< and their moment [N m]
-
-  /// The slip's centre of rotation, in the surface's frame [m]; infinite for pure sliding, NaN without slip.
-  [[nodiscard]] Eigen::Vector3d centre_of_rotation() const noexcept;
 };
 
 }  // namespace limitcurve::godobject

@@ -7,6 +7,8 @@
 #include "godobject/patch/patch_projection.hpp"
 #include "limitcurve/internal/number.hpp"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -159,6 +161,18 @@ void SoftFinger::advance(FingerState& state, const Sensed& sensed) const noexcep
   // By rounding the work of a patch may be below 0; without convergence its sign is said as it is.
   output.slip_work = !slips ? 0.0 : kept.converged ? std::max(work, 0.0) : work;
   output.converged = kept.converged;
+}
+
+Vector3d SoftFinger::centre_of_rotation() const noexcept {
+  const FingerOutput& output = state_.output;
+  const PatchMemory& patch = state_.patch;
+  // The proxy moves by v = ω n × (x_p − C), against friction: C follows from the proxy, not from the finger.
+  const bool is_round = patch.slip == Vector3d::Zero();
+  const Vector3d slide = is_round ? output.force : Vector3d(patch.axis * patch.slip.x() + output.normal.cross(patch.axis) * patch.slip.y());
+  const double turn = is_round ? output.moment : patch.slip.z();
+  const double size = slide.norm();
+  if (!(output.cor > 0.0) || size == 0.0) return output.proxy + Vector3d::Constant(0.0 * output.cor);
+  return output.proxy + output.normal.cross(slide) * (std::copysign(output.cor, turn) / size);
 }
 
 double SoftFinger::spring_energy() const noexcept {

@@ -83,7 +83,7 @@ class SoftFinger {
   /// The smallest load [N] under which the contact bears its present friction without slip: the grip needed to hold.
   [[nodiscard]] double load_to_hold() const noexcept;
   /// The slip's centre of rotation, in the surface's frame [m]; infinite for pure sliding, NaN without slip.
-  [[nodiscard]] Eigen::Vector3d centre_of_rotation() const noexcept { return state_.centre_of_rotation(); }
+  [[nodiscard]] Eigen::Vector3d centre_of_rotation() const noexcept;
   /// Energy in the springs [J]: ½ k_l |x_p − x_h|² + ½ k_r (α_p − α_g)², 0 while free. Slip never increases it.
   [[nodiscard]] double spring_energy() const noexcept;
 
