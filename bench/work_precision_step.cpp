@@ -67,7 +67,7 @@ SteadyError steady_error(const Law& law, const BasicFingerCurve<Real>& curve, Pr
     }
     for (std::size_t k = 0; k < decade.size(); ++k) {
       const double unit = of_finger.mu * of_finger.stiffness * depth;
-      const UnitWrench settled{static_cast<double>(std::fabs(contacts.force_x[k])) / unit,
+      const UnitWrench settled{static_cast<double>(std::fabs(contacts.fx[k])) / unit,
                                static_cast<double>(std::fabs(contacts.moment[k])) / (unit * radius)};
       const double error = distance(settled, law->evaluate(decade[k]).wrench, m0);
       result.max = std::fmax(result.max, error);
@@ -162,14 +162,14 @@ void step_batch(benchmark::State& state, const BasicFingerCurve<Real>& curve, Pr
     arrays.x()[i] = Real(0.004);
     arrays.depth()[i] = static_cast<Real>(depth);
     // Not all alike.
-    arrays.angle()[i] = Real(0.4) + Real(1e-3) * static_cast<Real>(i % 64);
-    back[i] = -arrays.angle()[i];
+    arrays.twist()[i] = Real(0.4) + Real(1e-3) * static_cast<Real>(i % 64);
+    back[i] = -arrays.twist()[i];
   }
   BasicContactBatch<Real> contacts = arrays.batch();
   std::span<const Real> other_angle = back;
   const auto turn_round_and_step = [&] {
     std::swap(contacts.x, contacts.y);
-    std::swap(contacts.angle, other_angle);
+    std::swap(contacts.twist, other_angle);
     batch.step(contacts);
   };
   // The first contact and the first slips take longer; the largest batches have time for few steps.

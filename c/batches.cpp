@@ -20,17 +20,17 @@ limitcurve_status step(const limitcurve_batch* batch, const Contacts* contacts, 
   if (count == 0) return LIMITCURVE_OK;
   if (is_missing("contacts", contacts)) return LIMITCURVE_INVALID;
   const Contacts& of = *contacts;
-  if (is_missing("x", of.x) || is_missing("y", of.y) || is_missing("angle", of.angle) || is_missing("depth", of.depth) ||
+  if (is_missing("x", of.x) || is_missing("y", of.y) || is_missing("angle", of.twist) || is_missing("depth", of.depth) ||
       is_missing("proxy_x", of.proxy_x) || is_missing("proxy_y", of.proxy_y) || is_missing("proxy_angle", of.proxy_angle) ||
-      is_missing("state", of.state) || is_missing("sliding", of.sliding) || is_missing("turning", of.turning) ||
-      is_missing("parameter", of.parameter) || is_missing("rate", of.rate) || is_missing("force_x", of.force_x) ||
-      is_missing("force_y", of.force_y) || is_missing("moment", of.moment))
+      is_missing("state", of.state) || is_missing("sliding", of.force_slides) || is_missing("turning", of.moment_slides) ||
+      is_missing("parameter", of.search_start) || is_missing("rate", of.search_rate) || is_missing("force_x", of.fx) ||
+      is_missing("force_y", of.fy) || is_missing("moment", of.moment))
     return LIMITCURVE_INVALID;
   const auto all = [count](auto* array) { return std::span(array, count); };
   const auto states = [count](std::uint8_t* array) { return std::span(reinterpret_cast<ContactState*>(array), count); };
-  of_real->step({all(of.x), all(of.y), all(of.angle), all(of.depth), all(of.proxy_x), all(of.proxy_y), all(of.proxy_angle),
-                 states(of.state), states(of.sliding), states(of.turning), all(of.parameter), all(of.rate), all(of.force_x),
-                 all(of.force_y), all(of.moment)});
+  of_real->step({all(of.x), all(of.y), all(of.twist), all(of.depth), all(of.proxy_x), all(of.proxy_y), all(of.proxy_angle),
+                 states(of.state), states(of.force_slides), states(of.moment_slides), all(of.search_start), all(of.search_rate), all(of.fx),
+                 all(of.fy), all(of.moment)});
   return LIMITCURVE_OK;
 }
 

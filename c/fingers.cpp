@@ -19,9 +19,9 @@ FingerParameters parameters_of(const limitcurve_finger_parameters& given) {
   parameters.mu = given.mu;
   parameters.mu_dynamic = absent(given.mu_dynamic);
   parameters.radius_law = RadiusLaw::parse(given.radius_law);
-  parameters.moment_coefficient = absent(given.moment_coefficient);
-  parameters.moment_exponent = given.moment_exponent;
-  parameters.moment_coefficient_dynamic = absent(given.moment_coefficient_dynamic);
+  parameters.mu_r = absent(given.mu_r);
+  parameters.gamma = given.gamma;
+  parameters.mu_r_dynamic = absent(given.mu_r_dynamic);
   parameters.stiffness = given.stiffness;
   parameters.twist_stiffness = given.twist_stiffness;
   parameters.damping = given.damping;
@@ -63,12 +63,12 @@ const char* fault_of(const limitcurve_limits& limits, double force, double momen
   if (limits.sliding_force > limits.force || limits.sliding_radius > limits.radius)
     return "sliding_force and sliding_radius: expected not more than at rest";
   if (!(limits.stiffness_ratio > 0.0 && std::isfinite(limits.stiffness_ratio))) return "stiffness_ratio: expected a finite number > 0";
-  const auto is_share = [](double share) { return share >= 0.0 && share <= 1.0; };
-  if (!is_share(limits.force_rest_share) || !is_share(limits.moment_rest_share))
-    return "force_rest_share and moment_rest_share: expected numbers from 0 to 1";
+  const auto is_fraction = [](double fraction) { return fraction >= 0.0 && fraction <= 1.0; };
+  if (!is_fraction(limits.force_stick_fraction) || !is_fraction(limits.moment_stick_fraction))
+    return "force_stick_fraction and moment_stick_fraction: expected numbers from 0 to 1";
   if (!(force >= 0.0 && std::isfinite(force) && moment >= 0.0 && std::isfinite(moment)))
     return "force and moment: expected finite numbers >= 0";
-  if (!(memory.parameter >= 0.0 && memory.parameter <= 2.0 && std::fabs(memory.rate) <= 2.0))
+  if (!(memory.search_start >= 0.0 && memory.search_start <= 2.0 && std::fabs(memory.search_rate) <= 2.0))
     return "memory: expected all 0, or what the last step left";
   return nullptr;
 }
@@ -86,13 +86,13 @@ limitcurve_status limitcurve_apply_friction(const limitcurve_table* table, limit
   const FrictionLimits<double> acting{{limits->force, limits->radius},
                                       {limits->sliding_force, limits->sliding_radius},
                                       limits->stiffness_ratio,
-                                      limits->force_rest_share,
-                                      limits->moment_rest_share};
-  FrictionMemory<double> remembered{memory->slides != 0, memory->turns != 0, memory->parameter, memory->rate};
+                                      limits->force_stick_fraction,
+                                      limits->moment_stick_fraction};
+  FrictionMemory<double> remembered{memory->force_slides != 0, memory->moment_slides != 0, memory->search_start, memory->search_rate};
   const auto result =
       apply_friction(table->curve.view(), static_cast<Projection>(projection), acting, FrictionTrial<double>{force, moment}, remembered);
-  *memory = {remembered.parameter, remembered.rate, remembered.slides ? 1 : 0, remembered.turns ? 1 : 0};
-  *friction = {result.force_ratio, result.moment_ratio, result.cor, result.slips ? 1 : 0};
+  *memory = {remembered.search_start, remembered.search_rate, remembered.force_slides ? 1 : 0, remembered.moment_slides ? 1 : 0};
+  *friction = {result.force_fraction, result.moment_fraction, result.cor, result.slips ? 1 : 0};
   return LIMITCURVE_OK;
 }
 
@@ -153,6 +153,13 @@ limitcurve_status limitcurve_finger_update(limitcurve_finger* finger, const limi
 limitcurve_status limitcurve_finger_reset(limitcurve_finger* finger) {
   if (is_no_handle("finger", finger)) return LIMITCURVE_INVALID;
   finger->finger.reset();
+  return LIMITCURVE_OK;
+}
+
+limitcurve_status limitcurve_finger_centre_of_rotation(const limitcurve_finger* finger, double centre_of_rotation[3]) {
+  if (is_no_handle("finger", finger) || is_missing("centre_of_rotation", centre_of_rotation)) return LIMITCURVE_INVALID;
+  const Eigen::Vector3d centre = finger->finger.centre_of_rotation();
+  std::copy_n(centre.data(), 3, centre_of_rotation);
   return LIMITCURVE_OK;
 }
 

@@ -132,21 +132,21 @@ typedef struct limitcurve_limits {
   double sliding_force;     /* while it slips: not larger than at rest */
   double sliding_radius;    /* likewise */
   double stiffness_ratio;   /* k_l/k_r of the springs [1/m^2] > 0 */
-  double force_rest_share;  /* in [0, 1]: a sliding contact comes to rest when its trial is within this share of the sliding limit, ... */
-  double moment_rest_share; /* ... or this one, if it is smaller; on a box force and moment each have their own. 1: at once */
+  double force_stick_fraction;  /* in [0, 1]: a sliding contact comes to rest when its trial is within this fraction of the sliding limit, ... */
+  double moment_stick_fraction; /* ... or this one, if it is smaller; on a box force and moment each have their own. 1: at once */
 } limitcurve_limits;
 
 /* State of a contact's friction between steps; all 0 at first. */
 typedef struct limitcurve_memory {
-  double parameter;
-  double rate;
-  int slides; /* the sliding limit acts; on a box: that of the force */
-  int turns;  /* on a box: that of the moment acts */
+  double search_start;
+  double search_rate;
+  int force_slides; /* the sliding limit acts; on a box: that of the force */
+  int moment_slides;  /* on a box: that of the moment acts */
 } limitcurve_memory;
 
 typedef struct limitcurve_friction {
-  double force_ratio;  /* fraction of the trial's force within the limit, in [0, 1] */
-  double moment_ratio; /* likewise */
+  double force_fraction;  /* fraction of the trial's force within the limit, in [0, 1] */
+  double moment_fraction; /* likewise */
   double cor;          /* of the slip [m], inf for pure sliding; NaN if it sticks */
   int slips;           /* in this step */
 } limitcurve_friction;
@@ -164,9 +164,9 @@ typedef struct limitcurve_finger_parameters {
   double mu;                 /* coefficient of static friction >= 0 */
   double mu_dynamic;         /* while slipping, in [0, mu]; NaN: mu */
   const char* radius_law;    /* a(P): "constant:a=0.005", "hertz:R=0.008,E=2e5", "power:c=0.00207,gamma=0.259"; read by the call only */
-  double moment_coefficient; /* mu_r [m/N^gamma] >= 0: the moment limit is mu_r P^(1+gamma), in place of the radius law's; NaN: none */
-  double moment_exponent;    /* gamma, in [-0.5, 1] */
-  double moment_coefficient_dynamic; /* while slipping; NaN: mu_r mu_d/mu */
+  double mu_r; /* mu_r [m/N^gamma] >= 0: the moment limit is mu_r P^(1+gamma), in place of the radius law's; NaN: none */
+  double gamma;    /* gamma, in [-0.5, 1] */
+  double mu_r_dynamic; /* while slipping; NaN: mu_r mu_d/mu */
   double stiffness;                  /* k_l [N/m] > 0, normal and tangential */
   double twist_stiffness;            /* k_r [N m/rad] > 0 */
   double damping;                    /* b_l [N s/m] >= 0 */
@@ -182,7 +182,7 @@ typedef enum limitcurve_state {
   LIMITCURVE_FREE = 0,  /* no contact */
   LIMITCURVE_STICK = 1, /* in contact, the proxy rests */
   LIMITCURVE_SLIP = 2,  /* in contact, the proxy slid in this step */
-  LIMITCURVE_FAULT = 3  /* bad input: the last good output is held, and fades */
+  LIMITCURVE_STATE_INVALID = 3  /* bad input: the last good output is held, and fades */
 } limitcurve_state;
 
 /* A contact of a finger with a surface. */
@@ -222,7 +222,7 @@ LIMITCURVE_API limitcurve_status limitcurve_finger_new_patch(const limitcurve_pa
 LIMITCURVE_API void limitcurve_finger_free(limitcurve_finger* finger);
 
 /* One step. `time_step` [s] since the last step is for the dampers; 0 without. A value that is not finite, a normal that is not of unit
- * length, a jump or a time step < 0 is no error; it gives the state LIMITCURVE_FAULT. [real time] */
+ * length, a jump or a time step < 0 is no error; it gives the state LIMITCURVE_STATE_INVALID. [real time] */
 LIMITCURVE_API limitcurve_status limitcurve_finger_update(limitcurve_finger* finger, const limitcurve_contact* contact, double time_step,
                                                           limitcurve_finger_output* output);
 
@@ -233,6 +233,9 @@ LIMITCURVE_API limitcurve_status limitcurve_finger_reset(limitcurve_finger* fing
  * NULL. [real time] */
 LIMITCURVE_API limitcurve_status limitcurve_finger_margin(const limitcurve_finger* finger, double* margin, double* load_to_hold);
 
+/* The slip's centre of rotation, in the surface's frame [m]; infinite for pure sliding, NaN without slip. [real time] */
+LIMITCURVE_API limitcurve_status limitcurve_finger_centre_of_rotation(const limitcurve_finger* finger, double centre_of_rotation[3]);
+
 /* ---- Many contacts at once ---- */
 
 /* Contacts in arrays of one length that do not overlap, each contact in its own tangent plane. The caller owns the arrays; all 0 at
@@ -240,18 +243,18 @@ LIMITCURVE_API limitcurve_status limitcurve_finger_margin(const limitcurve_finge
 typedef struct limitcurve_contacts {
   const double* x; /* the finger [m], up to 1e6 */
   const double* y;
-  const double* angle; /* of the finger [rad], unwrapped */
+  const double* twist; /* of the finger [rad], unwrapped */
   const double* depth; /* [m]; <= 0: free */
   double* proxy_x;     /* in and out */
   double* proxy_y;
   double* proxy_angle;
   uint8_t* state;    /* in and out: a limitcurve_state; after a fault no other array of the contact changes */
-  uint8_t* sliding;  /* memory */
-  uint8_t* turning;  /* memory, of the moment on a box */
-  double* parameter; /* memory */
-  double* rate;      /* memory */
-  double* force_x;   /* out: friction on the user [N] */
-  double* force_y;
+  uint8_t* force_slides;  /* memory */
+  uint8_t* moment_slides;  /* memory, of the moment on a box */
+  double* search_start; /* memory */
+  double* search_rate;      /* memory */
+  double* fx;   /* out: friction on the user [N] */
+  double* fy;
   double* moment; /* out [N m] */
 } limitcurve_contacts;
 
@@ -259,18 +262,18 @@ typedef struct limitcurve_contacts {
 typedef struct limitcurve_contacts_float {
   const float* x;
   const float* y;
-  const float* angle;
+  const float* twist;
   const float* depth;
   float* proxy_x;
   float* proxy_y;
   float* proxy_angle;
   uint8_t* state;
-  uint8_t* sliding;
-  uint8_t* turning;
-  float* parameter;
-  float* rate;
-  float* force_x;
-  float* force_y;
+  uint8_t* force_slides;
+  uint8_t* moment_slides;
+  float* search_start;
+  float* search_rate;
+  float* fx;
+  float* fy;
   float* moment;
 } limitcurve_contacts_float;
 

@@ -24,7 +24,7 @@ using Clock = std::chrono::steady_clock;
 /// 0.2 mm.
 void move(god::ContactArrays& contacts, std::size_t begin, std::size_t end, int step) {
   const auto x = contacts.x();
-  const auto angle = contacts.angle();
+  const auto angle = contacts.twist();
   const auto depth = contacts.depth();
   for (std::size_t i = begin; i < end; ++i) {
     const double own = static_cast<double>(i % 1000) * 1e-3;
@@ -95,10 +95,10 @@ int main(int argc, char** argv) {
     const god::ContactBatch felt = contacts.batch();
     if (forces.empty()) {
       alone = rate;
-      forces.assign(felt.force_x.begin(), felt.force_x.end());
+      forces.assign(felt.fx.begin(), felt.fx.end());
       moments.assign(felt.moment.begin(), felt.moment.end());
     }
-    right = right && std::ranges::equal(felt.force_x, forces) && std::ranges::equal(felt.moment, moments);
+    right = right && std::ranges::equal(felt.fx, forces) && std::ranges::equal(felt.moment, moments);
     std::printf("%3u threads: %7.2f million contacts a second, %.2f times one thread\n", threads, 1e-6 * rate, rate / alone);
   }
   // All contacts slip by now, and none exceeds its limit.

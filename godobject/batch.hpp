@@ -23,25 +23,27 @@ template <class Real>
 struct BasicContactBatch {
   std::span<const Real> x;  ///< x_g [m]
   std::span<const Real> y;
-  std::span<const Real> angle;  ///< α_g [rad], unwrapped
+  std::span<const Real> twist;  ///< α_g [rad], unwrapped
   std::span<const Real> depth;  ///< d [m]; ≤ 0: free, the proxy follows the finger
   std::span<Real> proxy_x;      ///< x_p [m]
   std::span<Real> proxy_y;
-  std::span<Real> proxy_angle;      ///< α_p [rad]
-  std::span<ContactState> state;    ///< in and out; initially `free`, `invalid` after a fault
-  std::span<ContactState> sliding;  ///< memory: `slip` while the sliding limit acts (FrictionMemory::slides), else `stick`; initially `free`
-  std::span<ContactState> turning;  ///< on a box the same for the moment (FrictionMemory::turns); otherwise not used
-  std::span<Real> parameter;        ///< warm start of the search (FrictionMemory); initially 0
-  std::span<Real> rate;             ///< its rate; initially 0
-  std::span<Real> force_x;          ///< friction on the user [N]
-  std::span<Real> force_y;
+  std::span<Real> proxy_angle;    ///< α_p [rad]
+  std::span<ContactState> state;  ///< in and out; initially `free`, `invalid` after a fault
+  std::span<ContactState>
+      force_slides;  ///< memory: `slip` while the sliding limit acts (FrictionMemory::slides), else `stick`; initially `free`
+  std::span<ContactState> moment_slides;  ///< on a box the same for the moment (FrictionMemory::turns); otherwise not used
+  std::span<Real> search_start;           ///< warm start of the search (FrictionMemory); initially 0
+  std::span<Real> search_rate;            ///< its rate; initially 0
+  std::span<Real> fx;                     ///< friction on the user [N]
+  std::span<Real> fy;
   std::span<Real> moment;  ///< [N m]
 
   /// The contacts with indices from `from` to from + length − 1, which must exist.
   [[nodiscard]] BasicContactBatch part(std::size_t from, std::size_t length) const noexcept {
     const auto cut = [&](auto array) { return array.subspan(from, length); };
-    return {cut(x),       cut(y),       cut(angle),     cut(depth), cut(proxy_x), cut(proxy_y), cut(proxy_angle), cut(state),
-            cut(sliding), cut(turning), cut(parameter), cut(rate),  cut(force_x), cut(force_y), cut(moment)};
+    return {cut(x),           cut(y),     cut(twist),        cut(depth),         cut(proxy_x),      cut(proxy_y),
+            cut(proxy_angle), cut(state), cut(force_slides), cut(moment_slides), cut(search_start), cut(search_rate),
+            cut(fx),          cut(fy),    cut(moment)};
   }
 
   [[nodiscard]] std::size_t size() const noexcept { return x.size(); }
@@ -65,7 +67,7 @@ class BasicContactArrays {
   /// The input of a step: write to it. Units as in BasicContactBatch.
   [[nodiscard]] std::span<Real> x() noexcept { return array(0); }
   [[nodiscard]] std::span<Real> y() noexcept { return array(1); }
-  [[nodiscard]] std::span<Real> angle() noexcept { return array(2); }
+  [[nodiscard]] std::span<Real> twist() noexcept { return array(2); }
   [[nodiscard]] std::span<Real> depth() noexcept { return array(3); }
 
   /// The view for `BasicBatch::step`. Valid as long as this object.

@@ -38,15 +38,15 @@ void check_finger(const FingerParameters& parameters) {
 
 /// The radius for which μ a m_max is the moment coefficient. For a coefficient of 0 a radius so small that the moment is negligible: limits
 /// are continuous in the parameters.
-double equivalent_radius(double moment_coefficient, double mu, double moment_max) {
+double equivalent_radius(double mu_r, double mu, double moment_max) {
   constexpr double almost_none = 1e-20;
   constexpr double finite = 1e200;
-  return mu > 0.0 ? std::clamp(moment_coefficient / (mu * moment_max), almost_none, finite) : almost_none;
+  return mu > 0.0 ? std::clamp(mu_r / (mu * moment_max), almost_none, finite) : almost_none;
 }
 
 /// The sliding limit divided by the limit at rest; 1 if that is 0.
-double share(double sliding, double at_rest) {
-  return at_rest > 0.0 ? sliding / at_rest : 1.0;
+double fraction(double sliding, double sticking) {
+  return sticking > 0.0 ? sliding / sticking : 1.0;
 }
 
 }  // namespace
@@ -67,11 +67,11 @@ Real radius_at(const RadiusLaw& law, Real load) noexcept {
 template double radius_at(const RadiusLaw&, double) noexcept;
 template float radius_at(const RadiusLaw&, float) noexcept;
 
-double rest_share(double sliding_share, double rest_margin) noexcept {
+double stick_fraction(double sliding_fraction, double rest_margin) noexcept {
   // A trial within a limit of almost 0 is rounding: a contact without a sliding limit never comes to rest.
   constexpr double rounding = 1e-12;
-  if (!(sliding_share < 1.0)) return 1.0;
-  return sliding_share > rounding ? sliding_share / (sliding_share + rest_margin * (1.0 - sliding_share)) : 0.0;
+  if (!(sliding_fraction < 1.0)) return 1.0;
+  return sliding_fraction > rounding ? sliding_fraction / (sliding_fraction + rest_margin * (1.0 - sliding_fraction)) : 0.0;
 }
 
 ContactLimits::ContactLimits(const FingerParameters& parameters, double moment_max) {
@@ -80,16 +80,16 @@ ContactLimits::ContactLimits(const FingerParameters& parameters, double moment_m
   const double mu = non_negative("mu", parameters.mu, "1");
   const double mu_dynamic = non_negative("mu_dynamic", parameters.mu_dynamic.value_or(mu), "1");
   if (mu_dynamic > mu) throw out_of_range("mu_dynamic", mu_dynamic, "1", "0 <= mu_dynamic <= mu");
-  if (parameters.moment_coefficient) {
-    const double mu_r = non_negative("moment_coefficient", *parameters.moment_coefficient, "m");
-    if (mu == 0.0 && mu_r > 0.0) throw out_of_range("moment_coefficient", mu_r, "m", "0 where mu is 0");
-    at_rest_ = {mu, equivalent_radius(mu_r, mu, moment_max)};
+  if (parameters.mu_r) {
+    const double mu_r = non_negative("mu_r", *parameters.mu_r, "m");
+    if (mu == 0.0 && mu_r > 0.0) throw out_of_range("mu_r", mu_r, "m", "0 where mu is 0");
+    sticking_ = {mu, equivalent_radius(mu_r, mu, moment_max)};
     // By default both coefficients fall by the same factor, so that the radius stays.
-    sliding_ = {mu_dynamic, at_rest_.radius};
-    if (parameters.moment_coefficient_dynamic) {
-      const double mu_r_dynamic = non_negative("moment_coefficient_dynamic", *parameters.moment_coefficient_dynamic, "m");
+    sliding_ = {mu_dynamic, sticking_.radius};
+    if (parameters.mu_r_dynamic) {
+      const double mu_r_dynamic = non_negative("mu_r_dynamic", *parameters.mu_r_dynamic, "m");
       if (mu_r_dynamic > mu_r) {
-        throw out_of_range("moment_coefficient_dynamic", mu_r_dynamic, "m", "0 <= moment_coefficient_dynamic <= moment_coefficient");
+        throw out_of_range("mu_r_dynamic", mu_r_dynamic, "m", "0 <= mu_r_dynamic <= mu_r");
       }
       // The moment may keep a limit without a sliding force: give the force a limit of almost 0.
       constexpr double almost_none = 1e-25;
@@ -97,28 +97,27 @@ ContactLimits::ContactLimits(const FingerParameters& parameters, double moment_m
       sliding_.radius = equivalent_radius(mu_r_dynamic, sliding_.force, moment_max);
     }
     has_torsion_ = mu_r > 0.0;
-    const double exponent = parameters.moment_exponent;
-    if (!(exponent >= -0.5 && exponent <= 1.0)) throw out_of_range("moment_exponent", exponent, "1", "-0.5 <= moment_exponent <= 1");
+    const double exponent = parameters.gamma;
+    if (!(exponent >= -0.5 && exponent <= 1.0)) throw out_of_range("gamma", exponent, "1", "-0.5 <= gamma <= 1");
     if (exponent != 0.0) {
       // A sampled law is a power law between and beyond its two samples.
-      radius_law_ = RadiusLaw::sampled(std::array<LoadSample, 2>{{{1.0, at_rest_.radius}, {2.0, at_rest_.radius * std::exp2(exponent)}}});
+      radius_law_ = RadiusLaw::sampled(std::array<LoadSample, 2>{{{1.0, sticking_.radius}, {2.0, sticking_.radius * std::exp2(exponent)}}});
     }
   } else {
-    if (parameters.moment_exponent != 0.0)
-      throw out_of_range("moment_exponent", parameters.moment_exponent, "1", "0 without moment_coefficient");
-    if (parameters.moment_coefficient_dynamic) {
-      throw out_of_range("moment_coefficient_dynamic", *parameters.moment_coefficient_dynamic, "m", "absent without moment_coefficient");
+    if (parameters.gamma != 0.0) throw out_of_range("gamma", parameters.gamma, "1", "0 without mu_r");
+    if (parameters.mu_r_dynamic) {
+      throw out_of_range("mu_r_dynamic", *parameters.mu_r_dynamic, "m", "absent without mu_r");
     }
     const double radius = positive("radius_law coefficient", parameters.radius_law.coefficient(), "m/N^gamma");
-    at_rest_ = {mu, radius};
+    sticking_ = {mu, radius};
     sliding_ = {mu_dynamic, radius};
     if (parameters.radius_law.is_sampled() || parameters.radius_law.exponent() != 0.0) radius_law_ = parameters.radius_law;
     has_torsion_ = mu > 0.0;
   }
-  sliding_share_ = sliding_.radius / at_rest_.radius;
-  const double moment_share = has_torsion_ ? share(sliding_.force * sliding_.radius, at_rest_.force * at_rest_.radius) : 1.0;
-  force_rest_share_ = rest_share(share(sliding_.force, at_rest_.force), parameters.rest_margin);
-  moment_rest_share_ = rest_share(moment_share, parameters.rest_margin);
+  sliding_fraction_ = sliding_.radius / sticking_.radius;
+  const double moment_fraction = has_torsion_ ? fraction(sliding_.force * sliding_.radius, sticking_.force * sticking_.radius) : 1.0;
+  force_stick_fraction_ = stick_fraction(fraction(sliding_.force, sticking_.force), parameters.rest_margin);
+  moment_stick_fraction_ = stick_fraction(moment_fraction, parameters.rest_margin);
 }
 
 double ContactLimits::margin(const FingerCurve& curve, const FingerParameters& parameters, const FingerState& state) const noexcept {
@@ -127,25 +126,25 @@ double ContactLimits::margin(const FingerCurve& curve, const FingerParameters& p
   const FrictionTrial<double> wrench{state.output.force.norm(), std::fabs(state.output.moment)};
   if (wrench.force == 0.0 && wrench.moment == 0.0) return 1.0;
   const FrictionLimits<double> limits = at<double>(state.limit_load, parameters.stiffness / parameters.twist_stiffness);
-  const auto acting = [&](bool slides) { return slides ? limits.sliding : limits.at_rest; };
+  const auto acting = [&](bool slides) { return slides ? limits.sliding : limits.sticking; };
   if (curve.is_box() && limits.has_torsion) {
     // Compare force and moment with the limits that act on each.
-    const FrictionLimit<double> of_moment = acting(state.friction.turns);
+    const FrictionLimit<double> of_moment = acting(state.friction.moment_slides);
     const double moment_limit = of_moment.force * of_moment.radius * static_cast<double>(curve.view().moment_max);
-    const double force_share = wrench.force > 0.0 ? wrench.force / (acting(state.friction.slides).force * curve.force_max()) : 0.0;
-    return std::clamp(1.0 - std::max(force_share, wrench.moment > 0.0 ? wrench.moment / moment_limit : 0.0), 0.0, 1.0);
+    const double force_fraction = wrench.force > 0.0 ? wrench.force / (acting(state.friction.force_slides).force * curve.force_max()) : 0.0;
+    return std::clamp(1.0 - std::max(force_fraction, wrench.moment > 0.0 ? wrench.moment / moment_limit : 0.0), 0.0, 1.0);
   }
-  const UnitTrial<double> trial = unit_trial(curve.view(), acting(state.friction.slides), wrench, limits.stiffness_ratio);
-  return std::clamp(1.0 - share_of_limit(curve.view(), limits.has_torsion, trial, 0.0), 0.0, 1.0);
+  const UnitTrial<double> trial = unit_trial(curve.view(), acting(state.friction.force_slides), wrench, limits.stiffness_ratio);
+  return std::clamp(1.0 - fraction_of_limit(curve.view(), limits.has_torsion, trial, 0.0), 0.0, 1.0);
 }
 
 double ContactLimits::load_to_hold(const FingerCurve& curve, double force, double moment) const noexcept {
   constexpr double never = std::numeric_limits<double>::infinity();
   const bool turns = moment > 0.0;
-  if ((at_rest_.force == 0.0 && force > 0.0) || (!has_torsion_ && turns)) return never;
-  if (at_rest_.force == 0.0) return 0.0;
-  if (radius_law_) return limitcurve::load_to_hold(curve, *radius_law_, at_rest_.force, force, moment);
-  return curve.gauge({force / at_rest_.force, turns ? moment / (at_rest_.force * at_rest_.radius) : 0.0});
+  if ((sticking_.force == 0.0 && force > 0.0) || (!has_torsion_ && turns)) return never;
+  if (sticking_.force == 0.0) return 0.0;
+  if (radius_law_) return limitcurve::load_to_hold(curve, *radius_law_, sticking_.force, force, moment);
+  return curve.gauge({force / sticking_.force, turns ? moment / (sticking_.force * sticking_.radius) : 0.0});
 }
 
 }  // namespace limitcurve::godobject

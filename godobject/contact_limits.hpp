@@ -18,9 +18,9 @@ template <std::floating_point Real>
 template <class Real>
 void check_projection(const BasicFingerCurve<Real>& curve, Projection projection);
 
-/// The fraction of the sliding limit within which a sliding contact comes to rest (FingerParameters::rest_margin). `sliding_share` ∈ [0, 1]
+/// The fraction of the sliding limit within which a sliding contact comes to rest (FingerParameters::rest_margin). `sliding_fraction` ∈ [0, 1]
 /// is the sliding limit divided by the limit at rest; the result is 1 if that is 1.
-[[nodiscard]] double rest_share(double sliding_share, double rest_margin) noexcept;
+[[nodiscard]] double stick_fraction(double sliding_fraction, double rest_margin) noexcept;
 
 /// The friction limits of a finger as a function of its load: μP and a(P). With a moment coefficient the radius follows from it,
 /// a = μ_r P^γ/(μ m_max). Immutable.
@@ -38,20 +38,20 @@ class ContactLimits {
     const auto number = [](double value) { return Number(static_cast<Real>(value)); };
     constexpr double almost_none = sizeof(Real) == sizeof(double) ? 1e-100 : 1e-30;
     const bool varies = radius_law_.has_value();
-    const Number radius = varies ? smaller(radius_at(*radius_law_, load), number(1.0 / almost_none)) : number(at_rest_.radius);
-    return {{number(at_rest_.force) * load, radius},
-            {number(sliding_.force) * load, varies ? number(sliding_share_) * radius : number(sliding_.radius)},
+    const Number radius = varies ? smaller(radius_at(*radius_law_, load), number(1.0 / almost_none)) : number(sticking_.radius);
+    return {{number(sticking_.force) * load, radius},
+            {number(sliding_.force) * load, varies ? number(sliding_fraction_) * radius : number(sliding_.radius)},
             stiffness_ratio,
-            number(force_rest_share_),
-            number(moment_rest_share_),
+            number(force_stick_fraction_),
+            number(moment_stick_fraction_),
             has_torsion_,
             varies ? &*radius_law_ : nullptr,
             larger(load, number(almost_none))};
   }
   /// μ of a contact at rest, and while it slides.
-  [[nodiscard]] double mu(bool slides) const noexcept { return slides ? sliding_.force : at_rest_.force; }
+  [[nodiscard]] double mu(bool slides) const noexcept { return slides ? sliding_.force : sticking_.force; }
   /// The fraction of the sliding force limit within which a sliding contact comes to rest.
-  [[nodiscard]] double force_rest_share() const noexcept { return force_rest_share_; }
+  [[nodiscard]] double force_stick_fraction() const noexcept { return force_stick_fraction_; }
   /// Margin to slip of a finger, as a fraction of the acting limit: 1 without friction, 0 on the limit and during slip.
   [[nodiscard]] double margin(const FingerCurve& curve, const FingerParameters& parameters, const FingerState& state) const noexcept;
   /// The smallest load [N] under which a contact at rest bears a friction force [N] and moment [N m], both ≥ 0 and finite; ∞ if none does.
@@ -59,12 +59,12 @@ class ContactLimits {
 
  private:
   // At a load of 1 N: μ in newtons, and the radius if it does not depend on the load.
-  FrictionLimit<double> at_rest_;
+  FrictionLimit<double> sticking_;
   FrictionLimit<double> sliding_;
   std::optional<RadiusLaw> radius_law_;  // if the radius depends on the load
-  double sliding_share_;                 // radius during slip divided by the radius at rest
-  double force_rest_share_;              // fraction of the sliding limit within which a contact comes to rest
-  double moment_rest_share_;             // the same for the moment
+  double sliding_fraction_;              // radius during slip divided by the radius at rest
+  double force_stick_fraction_;          // fraction of the sliding limit within which a contact comes to rest
+  double moment_stick_fraction_;         // the same for the moment
   bool has_torsion_;
 };
 

@@ -17,16 +17,16 @@ namespace limitcurve::godobject {
 
 /// The parameters of a soft finger, except its limit curve. SI units; angles in radians.
 struct FingerParameters {
-  double mu = 0.5;                                        ///< coefficient of static friction μ, ≥ 0
-  std::optional<double> mu_dynamic = {};                  ///< coefficient during slip, 0 ≤ μ_d ≤ μ; absent: μ
-  RadiusLaw radius_law = RadiusLaw::constant(0.005);      ///< contact radius a(P)
-  std::optional<double> moment_coefficient = {};          ///< μ_r [m/N^γ] ≥ 0: Γ = μ_r P^(1+γ), replaces the radius law (eq. 2)
-  double moment_exponent = 0.0;                           ///< γ ∈ [−0.5, 1] of the moment coefficients
-  std::optional<double> moment_coefficient_dynamic = {};  ///< μ_r during slip [m/N^γ]; absent: μ_r μ_d/μ
-  double stiffness = 1000.0;                              ///< k_l [N/m] > 0, normal and tangential
-  double twist_stiffness = 0.04;                          ///< k_r [N m/rad] > 0
-  double damping = 0.0;                                   ///< b_l [N s/m] ≥ 0, normal and tangential; acts if `update` has a time step
-  double twist_damping = 0.0;                             ///< b_r [N m s/rad] ≥ 0
+  double mu = 0.5;                                    ///< coefficient of static friction μ, ≥ 0
+  std::optional<double> mu_dynamic = {};              ///< coefficient during slip, 0 ≤ μ_d ≤ μ; absent: μ
+  RadiusLaw radius_law = RadiusLaw::constant(0.005);  ///< contact radius a(P)
+  std::optional<double> mu_r = {};                    ///< μ_r [m/N^γ] ≥ 0: Γ = μ_r P^(1+γ), replaces the radius law (eq. 2)
+  double gamma = 0.0;                                 ///< γ ∈ [−0.5, 1] of the moment coefficients
+  std::optional<double> mu_r_dynamic = {};            ///< μ_r during slip [m/N^γ]; absent: μ_r μ_d/μ
+  double stiffness = 1000.0;                          ///< k_l [N/m] > 0, normal and tangential
+  double twist_stiffness = 0.04;                      ///< k_r [N m/rad] > 0
+  double damping = 0.0;                               ///< b_l [N s/m] ≥ 0, normal and tangential; acts if `update` has a time step
+  double twist_damping = 0.0;                         ///< b_r [N m s/rad] ≥ 0
   /// Hysteresis between static and dynamic friction [1] ≥ 0: a sliding finger comes to rest when its trial is within the dynamic limit
   /// divided by 1 + rest_margin·(μ/μ_d − 1). So a repeated sample, noise or the device's resolution do not bring it back to static
   /// friction. With the default the trial must fall by about 0.4 of the gap between the limits; a mass that sticks and slips on springs not

@@ -93,9 +93,11 @@ std::string_view name_of(const Names<Kind, count>& names, Kind kind) noexcept {
 
 template <class Kind, std::size_t count>
 Kind parse(const Names<Kind, count>& names, std::string_view noun, std::string_view text) {
+  std::string given(text);
+  std::ranges::replace(given, '_', '-');
   std::string expected;
   for (const auto& [kind, name] : names) {
-    if (name == text) return kind;
+    if (name == given) return kind;
     if (!expected.empty()) expected += '|';
     expected += name;
   }
@@ -114,12 +116,12 @@ Table finest(double tolerance, const Build& build) {
   }
 }
 
-KindOfCurve of_table(const Table& table) {
+CurveWithError of_table(const Table& table) {
   return {table, table.certified_error() + table.profile_error()};
 }
 
 template <class Curve>
-KindOfCurve finest_of(const Curve& curve, std::string_view name) {
+CurveWithError finest_of(const Curve& curve, std::string_view name) {
   return of_table(finest(Table::finest_tolerance, [&](double tolerance) { return Table::build(curve, tolerance, std::string(name)); }));
 }
 
@@ -132,7 +134,7 @@ std::string_view to_string(Projection projection) noexcept {
   return name_of(projections, projection);
 }
 CurveKind parse_curve_kind(std::string_view text) {
-  return parse(curves, "boundary", text);
+  return parse(curves, "curve", text);
 }
 Projection parse_projection(std::string_view text) {
   return parse(projections, "projection", text);
@@ -142,7 +144,7 @@ Table finest_table(const Law& law, double tolerance) {
   return finest(tolerance, [&](double coarser) { return Table::build(law, coarser); });
 }
 
-KindOfCurve make_finger_curve(CurveKind kind, const Law& law, double tolerance) {
+CurveWithError make_finger_curve(CurveKind kind, const Law& law, double tolerance) {
   switch (kind) {
     case CurveKind::exact:
       return of_table(finest_table(law, Table::finest_tolerance));

@@ -81,20 +81,20 @@ std::string_view to_string(CurveKind kind) noexcept;
 /// "radial", "c-curve", "closest-point".
 std::string_view to_string(Projection projection) noexcept;
 
-/// The inverse of `to_string`; throws `std::invalid_argument` with the names that were expected.
+/// The inverse of `to_string`, which takes "_" for "-", too; throws `std::invalid_argument` with the names that were expected.
 CurveKind parse_curve_kind(std::string_view text);
 Projection parse_projection(std::string_view text);
 
 /// A finger's curve, and its error against the curve of that kind [unit wrenches]: 0 for a closed form, else certified_error +
 /// profile_error of the table.
-struct KindOfCurve {
+struct CurveWithError {
   FingerCurve curve;
   double error;
 };
 
 /// The limit curve of a kind for a law; only `table` uses `tolerance`. Allocates; throws like Table::build. Cost: one table. `exact` takes
 /// milliseconds if the law has a closed form, seconds by quadrature.
-KindOfCurve make_finger_curve(CurveKind kind, const Law& law, double tolerance);
+CurveWithError make_finger_curve(CurveKind kind, const Law& law, double tolerance);
 
 /// The table of a law at a tolerance. If the law does not allow it, tries 10, 100, … times the tolerance. Throws like Table::build if no
 /// tolerance is possible.

@@ -18,14 +18,14 @@ struct FrictionLimit {
 /// The limits of a contact at its present load, and the ratio of its springs.
 template <class Number>
 struct FrictionLimits {
-  FrictionLimit<Number> at_rest;          ///< static limit, with μ_s
-  FrictionLimit<Number> sliding;          ///< sliding limit, with μ_d; not larger
-  Number stiffness_ratio;                 ///< k_l/k_r [1/m²] of the springs
-  Number force_rest_share = Number(1);    ///< a sliding contact comes to rest within the smaller of these two fractions of the
-  Number moment_rest_share = Number(1);   ///< sliding limit, ≤ 1; on the box force and moment each within its own
-  bool has_torsion = true;                ///< false: Γ = 0, the moment is 0 and only the force is limited
-  const RadiusLaw* radius_law = nullptr;  ///< a(P) if a depends on P, for the c-curve projection
-  Number load = Number(0);                ///< P [N], for the c-curve projection
+  FrictionLimit<Number> sticking;            ///< static limit, with μ_s
+  FrictionLimit<Number> sliding;             ///< sliding limit, with μ_d; not larger
+  Number stiffness_ratio;                    ///< k_l/k_r [1/m²] of the springs
+  Number force_stick_fraction = Number(1);   ///< a sliding contact comes to rest within the smaller of these two fractions of the
+  Number moment_stick_fraction = Number(1);  ///< sliding limit, ≤ 1; on the box force and moment each within its own
+  bool has_torsion = true;                   ///< false: Γ = 0, the moment is 0 and only the force is limited
+  const RadiusLaw* radius_law = nullptr;     ///< a(P) if a depends on P, for the c-curve projection
+  Number load = Number(0);                   ///< P [N], for the c-curve projection
 };
 
 /// The trial wrench: force and moment of the springs if the proxy stayed (eq. 7).
@@ -40,18 +40,18 @@ struct FrictionTrial {
 /// The state of friction between steps. Initially a contact is at rest.
 template <class Number>
 struct FrictionMemory {
-  decltype(Number{} < Number{}) slides{};  ///< the sliding limit acts: it slipped and has not come to rest. On the box: for the force
-  decltype(Number{} < Number{}) turns{};   ///< on the box: the same for the moment
-  Number parameter = Number(0);            ///< curve parameter of the last slip, the warm start of the search; 0: none
-  Number rate = Number(0);                 ///< its change in the last step
+  decltype(Number{} < Number{}) force_slides{};  ///< the sliding limit acts: it slipped and has not come to rest. On the box: for the force
+  decltype(Number{} < Number{}) moment_slides{};  ///< on the box: the same for the moment
+  Number search_start = Number(0);                ///< curve parameter of the last slip, the warm start of the search; 0: none
+  Number search_rate = Number(0);                 ///< its change in the last step
 };
 
 /// The result of the friction step: the fraction of the trial deflection that remains.
 template <class Number>
 struct FrictionResult {
   decltype(Number{} < Number{}) slips;  ///< in this step
-  Number force_ratio;                   ///< r′/r = F/(k_l r) ≤ 1; 1 if it sticks
-  Number moment_ratio;                  ///< ρ′/ρ = M/(k_r ρ) ≤ 1; 1 if it sticks
+  Number force_fraction;                ///< r′/r = F/(k_l r) ≤ 1; 1 if it sticks
+  Number moment_fraction;               ///< ρ′/ρ = M/(k_r ρ) ≤ 1; 1 if it sticks
   Number cor;                           ///< distance of the slip's centre of rotation [m], ∞ for pure sliding; NaN if it sticks
 };
 
@@ -98,14 +98,14 @@ template <class Real, class Number>
   return project_radially(curve, trial, last);
 }
 
-/// Hysteresis: whether the sliding limit acts in the next step. After a slip it does, until a trial without slip is within `rest_share` of
-/// it; then the contact is at rest. `share` gives the trial divided by the sliding limit; it is called only if it decides.
-template <class Mask, class Number, class Share>
-[[nodiscard]] Mask keeps_sliding(Mask was_sliding, Mask slips, Number rest_share, Share&& share) noexcept {
+/// Hysteresis: whether the sliding limit acts in the next step. After a slip it does, until a trial without slip is within `stick_fraction` of
+/// it; then the contact is at rest. `fraction` gives the trial divided by the sliding limit; it is called only if it decides.
+template <class Mask, class Number, class Fraction>
+[[nodiscard]] Mask keeps_sliding(Mask was_sliding, Mask slips, Number stick_fraction, Fraction&& fraction) noexcept {
   using namespace arithmetic;
-  const auto may_rest = was_sliding && !slips && rest_share < Number(1);
+  const auto may_rest = was_sliding && !slips && stick_fraction < Number(1);
   if (!any(may_rest)) return slips;
-  return slips || (may_rest && !(share() < rest_share));
+  return slips || (may_rest && !(fraction() < stick_fraction));
 }
 
 /// The memory after a step in which the proxy slipped: it slid or turned. A slip below the rounding of its position moves nothing and does
@@ -115,10 +115,10 @@ template <class Number, class Mask>
                                              Mask slid, Mask turned) noexcept {
   using namespace arithmetic;
   const Number none = Number(0);
-  after.slides = after.slides && (before.slides || (is_box ? slid : slips));
-  after.turns = after.turns && (before.turns || turned);
-  after.parameter = select(slips, after.parameter, none);
-  after.rate = select(slips, after.rate, none);
+  after.force_slides = after.force_slides && (before.force_slides || (is_box ? slid : slips));
+  after.moment_slides = after.moment_slides && (before.moment_slides || turned);
+  after.search_start = select(slips, after.search_start, none);
+  after.search_rate = select(slips, after.search_rate, none);
   return after;
 }
 
@@ -134,12 +134,12 @@ template <class Number, class Mask>
 /// One of the two scalar tests of the paper's §3.1: of the force (eqs. 8, 10, 11) or of the moment (eqs. 9, 10, 12). Returns the fraction
 /// of the trial that the spring keeps, less than 1 if it slips. `slides` is the state of this test.
 template <class Real, class Number, class Mask>
-[[nodiscard]] Number apply_scalar_friction(Number at_rest, Number sliding, Number rest_share, Number trial, Number rounding,
+[[nodiscard]] Number apply_scalar_friction(Number sticking, Number sliding, Number stick_fraction, Number trial, Number rounding,
                                            Mask& slides) noexcept {
   using namespace arithmetic;
-  const Number limit = select(slides, sliding, at_rest);
+  const Number limit = select(slides, sliding, sticking);
   const auto slips = !(trial <= limit * Number(slip_onset<Real>) + smaller(rounding, limit));
-  slides = keeps_sliding(slides, slips, rest_share, [&] { return trial / sliding; });
+  slides = keeps_sliding(slides, slips, stick_fraction, [&] { return trial / sliding; });
   return kept_fraction(slips, sliding / trial);
 }
 
@@ -151,23 +151,23 @@ template <class Real, class Number>
   using namespace arithmetic;
   const Number zero = Number(Real(0));
   const Number one = Number(Real(1));
-  const FrictionLimit<Number>& at_rest = limits.at_rest;
+  const FrictionLimit<Number>& sticking = limits.sticking;
   const FrictionLimit<Number>& sliding = limits.sliding;
   FrictionResult<Number> result;
-  result.force_ratio = apply_scalar_friction<Real>(at_rest.force * Number(box.force_max), sliding.force * Number(box.force_max),
-                                                   limits.force_rest_share, trial.force, trial.force_rounding, memory.slides);
-  result.slips = result.force_ratio < one;
+  result.force_fraction = apply_scalar_friction<Real>(sticking.force * Number(box.force_max), sliding.force * Number(box.force_max),
+                                                      limits.force_stick_fraction, trial.force, trial.force_rounding, memory.force_slides);
+  result.slips = result.force_fraction < one;
   Number turned = zero;
-  result.moment_ratio = zero;
+  result.moment_fraction = zero;
   if (limits.has_torsion) {
-    result.moment_ratio = apply_scalar_friction<Real>(at_rest.force * at_rest.radius * Number(box.moment_max),
-                                                      sliding.force * sliding.radius * Number(box.moment_max), limits.moment_rest_share,
-                                                      trial.moment, trial.moment_rounding, memory.turns);
-    result.slips = result.slips || result.moment_ratio < one;
-    turned = trial.moment * (one - result.moment_ratio);
+    result.moment_fraction = apply_scalar_friction<Real>(
+        sticking.force * sticking.radius * Number(box.moment_max), sliding.force * sliding.radius * Number(box.moment_max),
+        limits.moment_stick_fraction, trial.moment, trial.moment_rounding, memory.moment_slides);
+    result.slips = result.slips || result.moment_fraction < one;
+    turned = trial.moment * (one - result.moment_fraction);
   }
   // COR distance = slip/turn, from the changes of force and moment.
-  const Number slid = trial.force * (one - result.force_ratio);
+  const Number slid = trial.force * (one - result.force_fraction);
   result.cor = select(result.slips, slid / (turned * limits.stiffness_ratio), Number(std::numeric_limits<Real>::quiet_NaN()));
   return result;
 }
@@ -176,7 +176,7 @@ template <class Real, class Number>
 /// `memory`.
 ///
 /// Stick and slip: a contact at rest holds while its trial is within the limit at rest. After slip begins, the sliding limit acts, until a
-/// trial is within the rest share of the sliding limit; in that step the contact comes to rest. Slip work force·(r − r′) + moment·(ρ − ρ′)
+/// trial is within the stick fraction of the sliding limit; in that step the contact comes to rest. Slip work force·(r − r′) + moment·(ρ − ρ′)
 /// is never negative. No allocation, no exception, no NaN from finite input; a NaN
 /// keeps no friction. Cost: about 10 ns if it sticks, 100 ns if it slips; at most
 /// max_search_steps evaluations of the curve for each search. `Number` is `double`, or a pack of double or float (`Real`) for as many
@@ -189,22 +189,22 @@ template <class Real, class Number>
   if (curve.is_box) return apply_uncoupled_friction(curve, limits, trial, memory);
   const Number zero = Number(Real(0));
   const Number one = Number(Real(1));
-  const auto was_sliding = memory.slides;
-  const auto had_parameter = memory.parameter > zero;
+  const auto was_sliding = memory.force_slides;
+  const auto had_parameter = memory.search_start > zero;
   // The centre of rotation seldom jumps: extrapolate the curve parameter for a warm start.
-  const Number ahead = memory.parameter + memory.rate;
-  const Number reach = Number(Real(0.1)) * smaller(memory.parameter, Number(Real(2)) - memory.parameter);
-  const Number last = select(abs(memory.rate) <= reach, ahead, memory.parameter);
+  const Number ahead = memory.search_start + memory.search_rate;
+  const Number reach = Number(Real(0.1)) * smaller(memory.search_start, Number(Real(2)) - memory.search_start);
+  const Number last = select(abs(memory.search_rate) <= reach, ahead, memory.search_start);
 
-  FrictionLimit<Number> limit{select(was_sliding, limits.sliding.force, limits.at_rest.force),
-                              select(was_sliding, limits.sliding.radius, limits.at_rest.radius)};
+  FrictionLimit<Number> limit{select(was_sliding, limits.sliding.force, limits.sticking.force),
+                              select(was_sliding, limits.sliding.radius, limits.sticking.radius)};
   UnitTrial<Number> unit = unit_trial(curve, limit, trial, limits.stiffness_ratio);
   // Every limit curve is convex, so a trial within the chord between the intercepts sticks.
   const auto beyond_chord = !(unit.force * Number(curve.inverse_force_max) + unit.moment * Number(curve.inverse_moment_max) <= one);
   Projected<Number> projected{};
   if (any(beyond_chord)) projected = project(curve, projection, limits, unit, last);
   const auto begins = !was_sliding && beyond_chord && projected.outside;
-  if (any(begins && (limits.sliding.force < limits.at_rest.force || limits.sliding.radius != limits.at_rest.radius))) {
+  if (any(begins && (limits.sliding.force < limits.sticking.force || limits.sliding.radius != limits.sticking.radius))) {
     // Slip begins: project on to the sliding limit.
     limit = {select(begins, limits.sliding.force, limit.force), select(begins, limits.sliding.radius, limit.radius)};
     unit = unit_trial(curve, limit, trial, limits.stiffness_ratio);
@@ -213,8 +213,8 @@ template <class Real, class Number>
 
   FrictionResult<Number> result;
   result.slips = beyond_chord && projected.outside;
-  result.force_ratio = kept_fraction(result.slips && !(trial.force <= zero), projected.force_ratio);
-  result.moment_ratio = limits.has_torsion ? kept_fraction(result.slips && !(trial.moment <= zero), projected.moment_ratio) : zero;
+  result.force_fraction = kept_fraction(result.slips && !(trial.force <= zero), projected.force_fraction);
+  result.moment_fraction = limits.has_torsion ? kept_fraction(result.slips && !(trial.moment <= zero), projected.moment_fraction) : zero;
   // a(0) may be 0: keep the COR of pure sliding infinite.
   const Number radius = larger(limit.radius, Number((std::numeric_limits<Real>::min)()));
   Number cor = radius * (projected.slide / projected.spin);
@@ -225,10 +225,10 @@ template <class Real, class Number>
     cor = select(relaxes, trial.force / (trial.moment * limits.stiffness_ratio), cor);
   }
   result.cor = select(result.slips, cor, Number(std::numeric_limits<Real>::quiet_NaN()));
-  memory.slides = keeps_sliding(was_sliding, result.slips, smaller(limits.force_rest_share, limits.moment_rest_share),
-                                [&] { return share_of_limit(curve, limits.has_torsion, unit, last); });
-  memory.rate = select(result.slips, select(had_parameter, projected.parameter - memory.parameter, zero), zero);
-  memory.parameter = select(result.slips, projected.parameter, zero);
+  memory.force_slides = keeps_sliding(was_sliding, result.slips, smaller(limits.force_stick_fraction, limits.moment_stick_fraction),
+                                      [&] { return fraction_of_limit(curve, limits.has_torsion, unit, last); });
+  memory.search_rate = select(result.slips, select(had_parameter, projected.parameter - memory.search_start, zero), zero);
+  memory.search_start = select(result.slips, projected.parameter, zero);
   return result;
 }
 

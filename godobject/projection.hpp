@@ -33,7 +33,8 @@ struct UnitTrial {
 
 /// The trial divided by its limit: 0 for no trial, 1 on the limit. Without torsion only the force is limited.
 template <class Real, class Number>
-[[nodiscard]] Number share_of_limit(const CurveView<Real>& curve, bool has_torsion, const UnitTrial<Number>& trial, Number last) noexcept {
+[[nodiscard]] Number fraction_of_limit(const CurveView<Real>& curve, bool has_torsion, const UnitTrial<Number>& trial,
+                                       Number last) noexcept {
   return has_torsion ? gauge(curve, trial.force, trial.moment, last) : trial.force * Number(curve.inverse_force_max);
 }
 
@@ -41,8 +42,8 @@ template <class Real, class Number>
 template <class Number>
 struct Projected {
   decltype(Number{} < Number{}) outside;  ///< the trial exceeds the curve by more than the factor slip_from; if not, ignore the rest
-  Number force_ratio;                     ///< f/f̂; any number if f̂ = 0
-  Number moment_ratio;                    ///< m/m̂
+  Number force_fraction;                  ///< f/f̂; any number if f̂ = 0
+  Number moment_fraction;                 ///< m/m̂
   Number slide;                           ///< the slip's direction |v| : a|ω|, both ≥ 0
   Number spin;
   Number parameter;  ///< curve parameter, a warm start for the next search; 0 for none

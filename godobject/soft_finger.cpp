@@ -65,10 +65,10 @@ KeptDeflection apply_friction(const FingerCurve& curve, Projection projection, c
   const FrictionTrial<double> wrench{springs.stiffness * trial.tangential.norm(), springs.twist_stiffness * std::fabs(trial.twist)};
   const FrictionLimits<double> limits = contact_limits.at<double>(trial.limit_load, springs.stiffness / springs.twist_stiffness);
   const FrictionResult<double> friction = apply_friction(curve.view(), projection, limits, wrench, memory);
-  return {trial.tangential * friction.force_ratio,
-          trial.twist * friction.moment_ratio,
-          friction.force_ratio < 1.0,
-          friction.moment_ratio < 1.0,
+  return {trial.tangential * friction.force_fraction,
+          trial.twist * friction.moment_fraction,
+          friction.force_fraction < 1.0,
+          friction.moment_fraction < 1.0,
           friction.slips,
           friction.cor,
           wrench.force,
@@ -84,8 +84,8 @@ SoftFinger::SoftFinger(FingerCurve curve, const FingerParameters& parameters, Pr
 
 SoftFinger::SoftFinger(const Patch& patch, const FingerParameters& parameters, double point_radius)
     : parameters_(parameters), limits_(parameters, 1.0) {
-  if (parameters.moment_coefficient) {
-    throw out_of_range("moment_coefficient", *parameters.moment_coefficient, "m", "absent with a patch, which has its own moments");
+  if (parameters.mu_r) {
+    throw out_of_range("mu_r", *parameters.mu_r, "m", "absent with a patch, which has its own moments");
   }
   patch_ = make_projector(patch, point_radius);
 }
@@ -99,8 +99,8 @@ FingerOutput SoftFinger::update(const AnySurface& surface, const DevicePose& dev
   return state_.output;
 }
 
-FingerOutput SoftFinger::update(const Contact& contact, double device_twist, double time_step) noexcept {
-  advance(state_, {contact, device_twist, time_step, state_.sample.spin});
+FingerOutput SoftFinger::update(const Contact& contact, double twist, double time_step) noexcept {
+  advance(state_, {contact, twist, time_step, state_.sample.spin});
   return state_.output;
 }
 
@@ -110,9 +110,9 @@ FingerOutput SoftFinger::preview(const AnySurface& surface, const DevicePose& de
   return state.output;
 }
 
-FingerOutput SoftFinger::preview(const Contact& contact, double device_twist, double time_step) const noexcept {
+FingerOutput SoftFinger::preview(const Contact& contact, double twist, double time_step) const noexcept {
   FingerState state = state_;
-  advance(state, {contact, device_twist, time_step, state_.sample.spin});
+  advance(state, {contact, twist, time_step, state_.sample.spin});
   return state.output;
 }
 
@@ -134,11 +134,11 @@ void SoftFinger::advance(FingerState& state, const Sensed& sensed) const noexcep
                                      : apply_friction(*curve_, projection_, limits_, trial, friction);
 
   // The proxy follows. A component without slip keeps its bits; a slip below the rounding of the position counts as stick.
-  const MovedProxy moved = kept.slides ? follow(trial, sample, kept.tangential) : MovedProxy{trial.proxy, trial.spring.normal};
-  const double angle = kept.turns ? sample.angle + trial.relaxed_twist + kept.twist : output.angle;
-  const bool slid = trial.is_brought_round || moved.proxy != trial.proxy;
+  const MovedProxy moved = kept.force_slides ? follow(trial, sample, kept.tangential) : MovedProxy{trial.proxy, trial.spring.normal};
+  const double angle = kept.moment_slides ? sample.angle + trial.relaxed_twist + kept.twist : output.angle;
+  const bool slid = trial.moves_to_near_side || moved.proxy != trial.proxy;
   const bool turned = angle != output.angle;
-  const bool slips = trial.is_brought_round || (kept.slips && (slid || turned));
+  const bool slips = trial.moves_to_near_side || (kept.slips && (slid || turned));
 
   // c. Force and moment on the user.
   state.sample = sample;
@@ -149,7 +149,7 @@ void SoftFinger::advance(FingerState& state, const Sensed& sensed) const noexcep
   state.trial_moment = kept.trial_moment;
   output.state = slips ? ContactState::slip : ContactState::stick;
   if (slips) output.proxy = moved.proxy;
-  if (slips || (kept.turns && !kept.slips)) output.angle = angle;  // without torsion the proxy turns with the finger
+  if (slips || (kept.moment_slides && !kept.slips)) output.angle = angle;  // without torsion the proxy turns with the finger
   output.depth = sample.depth;
   output.normal = sample.normal;
   output.load = trial.load(slips ? moved.normal : trial.spring.normal);
@@ -188,7 +188,7 @@ double SoftFinger::margin() const noexcept {
   if (!state_.in_contact) return 1.0;
   if (state_.output.state == ContactState::slip) return 0.0;
   const double needed = patch_gauge(*patch_, state_);
-  return needed == 0.0 ? 1.0 : std::clamp(1.0 - needed / (limits_.mu(state_.friction.slides) * state_.limit_load), 0.0, 1.0);
+  return needed == 0.0 ? 1.0 : std::clamp(1.0 - needed / (limits_.mu(state_.friction.force_slides) * state_.limit_load), 0.0, 1.0);
 }
 
 double SoftFinger::load_to_hold() const noexcept {

@@ -52,11 +52,11 @@ class SoftFinger {
   FingerOutput update(const AnySurface& surface, const DevicePose& device, double time_step = 0.0) noexcept;
   /// One step with a contact that other code found, and the device's twist α_s [rad] about the normal. The twist may wrap around at any
   /// multiple of 2π: a jump of more than π between steps counts as a turn in the other direction.
-  FingerOutput update(const Contact& contact, double device_twist, double time_step = 0.0) noexcept;
+  FingerOutput update(const Contact& contact, double twist, double time_step = 0.0) noexcept;
 
   /// The result that `update` would have, without a change of the state.
   [[nodiscard]] FingerOutput preview(const AnySurface& surface, const DevicePose& device, double time_step = 0.0) const noexcept;
-  [[nodiscard]] FingerOutput preview(const Contact& contact, double device_twist, double time_step = 0.0) const noexcept;
+  [[nodiscard]] FingerOutput preview(const Contact& contact, double twist, double time_step = 0.0) const noexcept;
 
   [[nodiscard]] const FingerOutput& output() const& noexcept { return state_.output; }
   [[nodiscard]] FingerOutput output() && noexcept { return state_.output; }
@@ -64,7 +64,7 @@ class SoftFinger {
   void restore(const FingerState& state) noexcept { state_ = state; }
   void reset() noexcept { state_ = {}; }
   /// Makes the next search start without a warm start, as in the first slip.
-  void forget_warm_start() noexcept { state_.friction.parameter = state_.friction.rate = 0.0; }
+  void forget_warm_start() noexcept { state_.friction.search_start = state_.friction.search_rate = 0.0; }
 
   /// The limit curve; null for a patch.
   [[nodiscard]] const FingerCurve* curve() const& noexcept { return curve_ ? &*curve_ : nullptr; }

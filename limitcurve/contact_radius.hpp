@@ -44,7 +44,7 @@ class RadiusLaw {
   /// Interpolates samples of the moment limit Γ [N·m] the same way: a = Γ/(m₀ μ P).
   static RadiusLaw of_moments(std::span<const LoadSample> moments, double mu, double moment_ratio);
   /// The constant radius at which Γ(P) = μ_r P (paper, eq. 2): a = μ_r/(μ m₀), μ_r [m] > 0.
-  static RadiusLaw linear_moment(double moment_coefficient, double mu, double moment_ratio);
+  static RadiusLaw linear_moment(double mu_r, double mu, double moment_ratio);
   /// `constant:a=0.005`, `hertz:R=0.008,E=2e5`, `power:c=0.00207,gamma=0.259`.
   /// Like all factories here it throws `std::invalid_argument`, with the parameter, its value, unit and range.
   static RadiusLaw parse(std::string_view text);
@@ -192,8 +192,8 @@ double load_to_hold(const Curve& curve, const RadiusLaw& radius_law, double mu, 
     (gauge > 1.0 ? low : high) = load;
     const double slide_power = normal.slide * on_curve.force;
     const double spin_power = normal.spin * on_curve.moment;
-    const double share = spin_power / (slide_power + spin_power);
-    double next = load * std::pow(gauge, 1.0 / (1.0 + gamma * share));
+    const double fraction = spin_power / (slide_power + spin_power);
+    double next = load * std::pow(gauge, 1.0 / (1.0 + gamma * fraction));
     if (!(next >= low && next <= high)) next = 0.5 * (low + high);
     const double step = std::fabs(next - load);
     load = next;

@@ -44,8 +44,8 @@ class ExactCurve {
  private:
   static UnitWrench inwards(const UnitForces<double>& forces) noexcept {
     // Most errors of the closed forms are below four units in the last place; the documented bound is accuracy::forces_closed.
-    constexpr double share = 1.0 - 4.0 * std::numeric_limits<double>::epsilon();
-    return {share * forces.force, share * forces.moment};
+    constexpr double fraction = 1.0 - 4.0 * std::numeric_limits<double>::epsilon();
+    return {fraction * forces.force, fraction * forces.moment};
   }
 
   Law law_;

@@ -95,8 +95,8 @@ class PressureLaw {
   [[nodiscard]] virtual double profile_error() const noexcept { return 0.0; }
 
   /// The pressure projected on a line through the contact centre, at the distance t ≥ 0 [contact radii] from it: see
-  /// evaluators::projection.
-  [[nodiscard]] virtual evaluators::Quadrature<double> projection(double t) const noexcept;
+  /// evaluators::line_profile.
+  [[nodiscard]] virtual evaluators::Quadrature<double> line_profile(double t) const noexcept;
 
   /// Whether `evaluate` can use `method` for this law.
   [[nodiscard]] virtual bool allows(Method method) const noexcept;

@@ -104,9 +104,8 @@ RadiusLaw RadiusLaw::of_moments(std::span<const LoadSample> moments, double mu, 
   return sampled(radii);
 }
 
-RadiusLaw RadiusLaw::linear_moment(double moment_coefficient, double mu, double moment_ratio) {
-  return constant(positive("moment_coefficient", moment_coefficient, "m") /
-                  (positive("mu", mu, "1") * positive("moment_ratio", moment_ratio, "1")));
+RadiusLaw RadiusLaw::linear_moment(double mu_r, double mu, double moment_ratio) {
+  return constant(positive("mu_r", mu_r, "m") / (positive("mu", mu, "1") * positive("moment_ratio", moment_ratio, "1")));
 }
 
 double RadiusLaw::sampled_radius(double load) const noexcept {

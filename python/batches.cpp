@@ -39,7 +39,7 @@ class Contacts {
     const auto all = [this](const Numbers<Real>& numbers) { return std::span(numbers.data, arrays_.size()); };
     contacts.x = all(at_x);
     contacts.y = all(at_y);
-    contacts.angle = all(angles);
+    contacts.twist = all(angles);
     contacts.depth = all(depths);
     batch_.step(contacts);
   }
@@ -48,9 +48,9 @@ class Contacts {
     const std::lock_guard lock(mutex_);
     // In place: the caller may hold views.
     const BasicContactBatch<Real> all = arrays_.batch();
-    for (const auto array : {all.proxy_x, all.proxy_y, all.proxy_angle, all.parameter, all.rate, all.force_x, all.force_y, all.moment})
+    for (const auto array : {all.proxy_x, all.proxy_y, all.proxy_angle, all.search_start, all.search_rate, all.fx, all.fy, all.moment})
       std::ranges::fill(array, Real(0));
-    for (const auto array : {all.state, all.sliding, all.turning}) std::ranges::fill(array, ContactState::free);
+    for (const auto array : {all.state, all.force_slides, all.moment_slides}) std::ranges::fill(array, ContactState::free);
   }
 
   [[nodiscard]] std::size_t size() const { return arrays_.size(); }
@@ -146,8 +146,8 @@ void add_batches(nb::module_& module) {
       nb::arg("curve"), nb::arg("n"), nb::kw_only(), nb::arg("dtype") = "float64", nb::arg("kwargs"),
       nb::sig(
           "def __init__(self, curve: Table | Curve, n: int, *, dtype: numpy.typing.DTypeLike = 'float64', projection: str = "
-          "'closest-point', mu: float = 0.5, mu_dynamic: float | None = None, radius_law: str = 'constant:a=0.005', moment_coefficient: "
-          "float | None = None, moment_exponent: float = 0.0, moment_coefficient_dynamic: float | None = None, stiffness: float = 1000.0, "
+          "'closest-point', mu: float = 0.5, mu_dynamic: float | None = None, radius_law: str = 'constant:a=0.005', mu_r: "
+          "float | None = None, gamma: float = 0.0, mu_r_dynamic: float | None = None, stiffness: float = 1000.0, "
           "twist_stiffness: float = 0.04, damping: float = 0.0, twist_damping: float = 0.0, rest_margin: float = 0.4, max_displacement: "
           "float = 0.5, fault_decay: float = 0.99) -> None"),
       "n free contacts at the origin; parameters as for SoftFinger. dtype float32 needs half the memory and time and resolves 6e-8 of a\n"
@@ -175,8 +175,8 @@ void add_batches(nb::module_& module) {
         name, [select](nb::handle self) { return view_of(self, select); },
         nb::sig(("def " + std::string(name) + "(self) -> numpy.typing.NDArray[typing.Any]").c_str()), doc);
   };
-  add_view("fx", "friction on the user along x [N]: a read-only view, as all that follow", [](const auto& all) { return all.force_x; });
-  add_view("fy", "friction on the user along y [N]", [](const auto& all) { return all.force_y; });
+  add_view("fx", "friction on the user along x [N]: a read-only view, as all that follow", [](const auto& all) { return all.fx; });
+  add_view("fy", "friction on the user along y [N]", [](const auto& all) { return all.fy; });
   add_view("moment", "friction moment on the user [N m]", [](const auto& all) { return all.moment; });
   add_view("state", "ContactState, as uint8", [](const auto& all) { return all.state; });
   batch.def_prop_ro(

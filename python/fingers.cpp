@@ -32,9 +32,9 @@ const std::map<std::string, std::function<void(FingerParameters&, double)>, std:
   static const std::map<std::string, std::function<void(FingerParameters&, double)>, std::less<>> fields{
       {"mu", [](FingerParameters& all, double value) { all.mu = value; }},
       {"mu_dynamic", [](FingerParameters& all, double value) { all.mu_dynamic = value; }},
-      {"moment_coefficient", [](FingerParameters& all, double value) { all.moment_coefficient = value; }},
-      {"moment_exponent", [](FingerParameters& all, double value) { all.moment_exponent = value; }},
-      {"moment_coefficient_dynamic", [](FingerParameters& all, double value) { all.moment_coefficient_dynamic = value; }},
+      {"mu_r", [](FingerParameters& all, double value) { all.mu_r = value; }},
+      {"gamma", [](FingerParameters& all, double value) { all.gamma = value; }},
+      {"mu_r_dynamic", [](FingerParameters& all, double value) { all.mu_r_dynamic = value; }},
       {"stiffness", [](FingerParameters& all, double value) { all.stiffness = value; }},
       {"twist_stiffness", [](FingerParameters& all, double value) { all.twist_stiffness = value; }},
       {"damping", [](FingerParameters& all, double value) { all.damping = value; }},
@@ -46,8 +46,8 @@ const std::map<std::string, std::function<void(FingerParameters&, double)>, std:
 }
 
 #define LIMITCURVE_PARAMETERS                                                                                                              \
-  "mu: float = 0.5, mu_dynamic: float | None = None, radius_law: str = 'constant:a=0.005', moment_coefficient: float | None = None, "      \
-  "moment_exponent: float = 0.0, moment_coefficient_dynamic: float | None = None, stiffness: float = 1000.0, twist_stiffness: float = "    \
+  "mu: float = 0.5, mu_dynamic: float | None = None, radius_law: str = 'constant:a=0.005', mu_r: float | None = None, "                    \
+  "gamma: float = 0.0, mu_r_dynamic: float | None = None, stiffness: float = 1000.0, twist_stiffness: float = "                            \
   "0.04, damping: float = 0.0, twist_damping: float = 0.0, rest_margin: float = 0.4, max_displacement: float = 0.5, fault_decay: float = " \
   "0.99"
 
@@ -144,19 +144,20 @@ void add_friction(nb::module_& module) {
   nb::class_<PyMemory>(module, "FrictionMemory", "State of a contact's friction between two steps.")
       .def(nb::init<>())
       .def_prop_ro(
-          "slides", [](const PyMemory& self) { return self.memory.slides; }, "whether the sliding limit acts; on a box, that of the force")
+          "force_slides", [](const PyMemory& self) { return self.memory.force_slides; },
+          "whether the sliding limit acts; on a box, that of the force")
       .def_prop_ro(
-          "turns", [](const PyMemory& self) { return self.memory.turns; }, "on a box, whether that of the moment acts");
+          "moment_slides", [](const PyMemory& self) { return self.memory.moment_slides; }, "on a box, whether that of the moment acts");
   nb::class_<FrictionResult<double>>(module, "FrictionResult", "Effect of friction on a trial wrench.")
       .def_ro("slips", &FrictionResult<double>::slips, "in this step")
-      .def_ro("force_ratio", &FrictionResult<double>::force_ratio, "what the limit leaves of the trial's force, in [0, 1]")
-      .def_ro("moment_ratio", &FrictionResult<double>::moment_ratio, "likewise")
+      .def_ro("force_fraction", &FrictionResult<double>::force_fraction, "what the limit leaves of the trial's force, in [0, 1]")
+      .def_ro("moment_fraction", &FrictionResult<double>::moment_fraction, "likewise")
       .def_ro("cor", &FrictionResult<double>::cor, "of the slip [m], inf for pure sliding; NaN where it sticks");
   module.def(
       "apply_friction",
       [](nb::handle curve, double force, double moment, double limit, double radius, double stiffness_ratio,
-         std::optional<double> sliding_limit, std::optional<double> sliding_radius, double force_rest_share, double moment_rest_share,
-         PyMemory* memory, const std::string& projection) {
+         std::optional<double> sliding_limit, std::optional<double> sliding_radius, double force_stick_fraction,
+         double moment_stick_fraction, PyMemory* memory, const std::string& projection) {
         const auto require = [](bool holds, const char* name, double value, const char* expected) {
           if (!holds) throw out_of_range(name, value, "1", expected);
         };
@@ -170,23 +171,24 @@ void add_friction(nb::module_& module) {
         const double radius_of_slip = sliding_radius.value_or(radius);
         require(finite(sliding_force) && sliding_force <= limit, "sliding_limit", sliding_force, "[0, limit]");
         require(radius_of_slip > 0.0 && radius_of_slip <= radius, "sliding_radius", radius_of_slip, "(0, radius]");
-        require(force_rest_share >= 0.0 && force_rest_share <= 1.0, "force_rest_share", force_rest_share, "[0, 1]");
-        require(moment_rest_share >= 0.0 && moment_rest_share <= 1.0, "moment_rest_share", moment_rest_share, "[0, 1]");
+        require(force_stick_fraction >= 0.0 && force_stick_fraction <= 1.0, "force_stick_fraction", force_stick_fraction, "[0, 1]");
+        require(moment_stick_fraction >= 0.0 && moment_stick_fraction <= 1.0, "moment_stick_fraction", moment_stick_fraction, "[0, 1]");
         const Projection way = parse_projection(projection);
         const FingerCurve on = curve_of<double>(curve);
         check_projection(on, way);
         PyMemory forgotten;
         const FrictionLimits<double> limits{
-            {limit, radius}, {sliding_force, radius_of_slip}, stiffness_ratio, force_rest_share, moment_rest_share};
+            {limit, radius}, {sliding_force, radius_of_slip}, stiffness_ratio, force_stick_fraction, moment_stick_fraction};
         return apply_friction(on.view(), way, limits, FrictionTrial<double>{force, moment},
                               memory != nullptr ? memory->memory : forgotten.memory);
       },
       nb::arg("curve"), nb::arg("force"), nb::arg("moment"), nb::kw_only(), nb::arg("limit"), nb::arg("radius"), nb::arg("stiffness_ratio"),
-      nb::arg("sliding_limit") = nb::none(), nb::arg("sliding_radius") = nb::none(), nb::arg("force_rest_share") = 1.0,
-      nb::arg("moment_rest_share") = 1.0, nb::arg("memory") = nb::none(), nb::arg("projection") = "closest-point",
+      nb::arg("sliding_limit") = nb::none(), nb::arg("sliding_radius") = nb::none(), nb::arg("force_stick_fraction") = 1.0,
+      nb::arg("moment_stick_fraction") = 1.0, nb::arg("memory") = nb::none(), nb::arg("projection") = "closest-point",
       nb::sig(
           "def apply_friction(curve: Table | Curve, force: float, moment: float, *, limit: float, radius: float, stiffness_ratio: float, "
-          "sliding_limit: float | None = None, sliding_radius: float | None = None, force_rest_share: float = 1.0, moment_rest_share: "
+          "sliding_limit: float | None = None, sliding_radius: float | None = None, force_stick_fraction: float = 1.0, "
+          "moment_stick_fraction: "
           "float = 1.0, memory: FrictionMemory | None = None, projection: str = 'closest-point') -> FrictionResult"),
       "The fraction of a trial force [N] and moment [N m] within the friction limit: for simulators with springs of their own.\n\n"
       "limit is mu P [N], radius is a [m], stiffness_ratio is k_l/k_r of the springs [1/m^2]. The `sliding_` limits act while the\n"
@@ -195,8 +197,19 @@ void add_friction(nb::module_& module) {
       ">>> import limitcurve as lc\n"
       ">>> table = lc.Table('hertz')\n"
       ">>> result = lc.apply_friction(table, 2.4, 0.0, limit=1.2, radius=0.006, stiffness_ratio=25000)\n"
-      ">>> result.slips, round(result.force_ratio, 12)\n"
+      ">>> result.slips, round(result.force_fraction, 12)\n"
       "(True, 0.5)\n");
+}
+
+/// The name since 0.2 of a keyword of 0.1, with a warning.
+std::string present_name(const std::string& name) {
+  static const std::map<std::string, std::string> renamed{
+      {"moment_coefficient", "mu_r"}, {"moment_coefficient_dynamic", "mu_r_dynamic"}, {"moment_exponent", "gamma"}};
+  const auto found = renamed.find(name);
+  if (found == renamed.end()) return name;
+  const std::string text = name + " is now " + found->second + "; the old name works until 0.3";
+  if (PyErr_WarnEx(PyExc_FutureWarning, text.c_str(), 1) != 0) throw nb::python_error();
+  return found->second;
 }
 
 }  // namespace
@@ -205,7 +218,7 @@ FingerParameters parameters_of(const nb::kwargs& given, double moment_ratio) {
   FingerParameters parameters;
   std::optional<cli::RadiusLawArgument> radius_law;
   for (const auto& [key, value] : given) {
-    const auto name = nb::cast<std::string>(key);
+    const auto name = present_name(nb::cast<std::string>(key));
     if (name == "radius_law") {
       if (!nb::isinstance<nb::str>(value)) throw std::invalid_argument("radius_law: expected a text, such as 'constant:a=0.005'");
       radius_law = cli::read_radius_law(nb::cast<std::string>(value));
@@ -218,7 +231,7 @@ FingerParameters parameters_of(const nb::kwargs& given, double moment_ratio) {
       throw nb::type_error(("unknown parameter '" + name + "', expected one of " + expected).c_str());
     }
     // Optional parameters may be None.
-    const bool may_be_absent = name == "mu_dynamic" || name.starts_with("moment_coefficient");
+    const bool may_be_absent = name == "mu_dynamic" || name.starts_with("mu_r");
     if (!(may_be_absent && value.is_none())) found->second(parameters, number_of(value, name));
   }
   if (radius_law) parameters.radius_law = radius_law->of(parameters.mu, moment_ratio);

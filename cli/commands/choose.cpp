@@ -48,8 +48,7 @@ class Choose final : public Subcommand {
     options.flag("--scene", scene_wanted_, "Choose the step of a scene: limit curve, projection, and whether torsion matters");
     options.number("--mu", scene_.mu, positive, "Scene: coefficient of friction");
     options.radius_law(radius_law_, Presence::optional);
-    options.number("--moment-coefficient", scene_.moment_coefficient, positive,
-                   "Scene: mu_r [m]; the moment limit is mu_r P, in place of the radius law's");
+    options.number("--mu-r", scene_.mu_r, positive, "Scene: mu_r [m]; the moment limit is mu_r P, in place of the radius law's");
     options.numbers("--loads", loads_, positive, "Scene: least and largest load [N] (default 0.5,2)", Presence::optional);
     options.number("--stiffness", scene_.stiffness, positive, "Scene: k_l [N/m]");
     options.number("--twist-stiffness", scene_.twist_stiffness, positive, "Scene: k_r [N m/rad]");
@@ -100,7 +99,7 @@ class Choose final : public Subcommand {
     godobject::FingerParameters finger;
     finger.mu = scene_.mu;
     finger.radius_law = scene_.radius_law;
-    finger.moment_coefficient = scene_.moment_coefficient;
+    finger.mu_r = scene_.mu_r;
     finger.stiffness = scene_.stiffness;
     finger.twist_stiffness = scene_.twist_stiffness;
     note_stiffnesses(*results.messages, "the rows of the radial projection", finger, law_->moment_ratio(),
@@ -111,11 +110,11 @@ class Choose final : public Subcommand {
   [[nodiscard]] std::string how_to_replay(const godobject::StepChoice& choice) const {
     const godobject::ReplayOptions& step = choice.chosen;
     std::string text =
-        "replay it with --boundary " + std::string(to_string(step.curve)) + " --projection " + std::string(to_string(step.projection));
+        "replay it with --curve " + std::string(to_string(step.curve)) + " --projection " + std::string(to_string(step.projection));
     if (step.curve == godobject::CurveKind::table) text += " --tolerance " + format_number(step.tolerance);
-    if (step.finger.moment_coefficient == 0.0) text += " --moment-coefficient 0";
+    if (step.finger.mu_r == 0.0) text += " --mu-r 0";
     const double radius = step.finger.radius_law.radius(scene_.most_load);
-    if (!scene_.moment_coefficient && radius != scene_.radius_law.radius(scene_.most_load)) {
+    if (!scene_.mu_r && radius != scene_.radius_law.radius(scene_.most_load)) {
       text += " --radius-law constant:a=" + format_number(radius);
     }
     return text;

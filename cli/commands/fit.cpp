@@ -140,11 +140,11 @@ class Fit final : public Subcommand {
     };
     const std::string law = law_of(found);
     if (!law.empty()) options = " --law " + law;
-    if (found.model == "ellipse") options = " --boundary ellipse";
+    if (found.model == "ellipse") options = " --curve ellipse";
     const bool of_load = estimates.front().name == "mu_r";
     if (!of_load) add("mu", "mu", format_number(estimates[0].value));
-    add("moment-coefficient", "moment_coefficient", format_number(estimates[of_load ? 0 : 1].value));
-    if (gamma != 0.0) add("moment-exponent", "moment_exponent", growth);
+    add("mu-r", "mu_r", format_number(estimates[of_load ? 0 : 1].value));
+    if (gamma != 0.0) add("gamma", "gamma", growth);
     say("note", "to type into replay:" + options + "; into FingerParameters: " + fields);
   }
 

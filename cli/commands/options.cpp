@@ -60,7 +60,9 @@ void Options::choice(const std::string& name, std::size_t& value, std::vector<st
   this->value(
       name, kind,
       [&value, choices = std::move(choices), kind](const std::string& text) {
-        const auto found = std::find(choices.begin(), choices.end(), text);
+        std::string given = text;
+        std::replace(given.begin(), given.end(), '_', '-');
+        const auto found = std::find(choices.begin(), choices.end(), given);
         if (found == choices.end()) {
           throw std::invalid_argument("got '" + text + "', expected " + kind + did_you_mean(text, {choices.begin(), choices.end()}));
         }

@@ -70,7 +70,7 @@ class Pivot final : public Subcommand {
             "The paper gives mu_l and mu_r of the materials, case A (coupled), case B (uncoupled) and the level start. It does not give\n"
             "size, mass and offset of the block, k_l, k_r, dampers and time step; the defaults are ours. Two of them decide the result:\n"
             "k_r in case A, through the radial projection; offset against mu_r/mu_l in case B, whether the block turns at all.\n"
-            "Cases: coupled (ellipse, radial), uncoupled (box, closest point), exact (table, closest point). --boundary and\n"
+            "Cases: coupled (ellipse, radial), uncoupled (box, closest point), exact (table, closest point). --curve and\n"
             "--projection replace those of the case; without --case they are table and closest-point.\n"
             "Grip: --grip FILE (CSV time,load [s, N], linear in between), or --release from=1,to=0,over=4 [N, N, s], or\n"
             "--operator target=30deg[,load=N,rate=N/s,regrip-rate=N/s,speed=rad/s,on-slide=regrip|keep]. The operator eases the grip\n"
@@ -90,7 +90,7 @@ class Pivot final : public Subcommand {
         "--case", "coupled|uncoupled|exact", [this](const std::string& text) { case_ = godobject::parse_pivot_case(text); },
         "Friction model; optional if one of the next three options is given", Presence::optional);
     options.value(
-        "--boundary", "exact|table|ellipse|superellipse|quartic|box",
+        "--curve", "exact|table|ellipse|superellipse|quartic|box",
         [this](const std::string& text) { settings_.curve = godobject::parse_curve_kind(text); }, "Limit curve, in place of the case's",
         Presence::optional);
     options.value(
@@ -100,10 +100,9 @@ class Pivot final : public Subcommand {
     options.radius_law(radius_law_, Presence::optional);
     options.text("--material", material_, "NAME", "Coefficients from Table 1 (data/materials.csv): rayon, suede, sandpaper");
     options.number("--mu", mu_, non_negative, "Friction coefficient mu_l [1] (default: the material's, else sandpaper's)");
-    options.number("--moment-coefficient", moment_coefficient_, non_negative, "mu_r [m] (default: the material's, else sandpaper's)");
+    options.number("--mu-r", mu_r_, non_negative, "mu_r [m] (default: the material's, else sandpaper's)");
     options.number("--mu-dynamic", settings_.mu_dynamic, non_negative, "mu_l while slipping [1] (default mu_l)");
-    options.number("--moment-coefficient-dynamic", settings_.moment_coefficient_dynamic, non_negative,
-                   "mu_r while slipping [m] (default mu_r times mu-dynamic/mu)");
+    options.number("--mu-r-dynamic", settings_.mu_r_dynamic, non_negative, "mu_r while slipping [m] (default mu_r times mu-dynamic/mu)");
     options.text("--grip", grip_file_, "FILE", "CSV with columns time,load");
     options.value(
         "--release", "LIST", [this](const std::string& text) { release_ = read_release(text); }, "from=N,to=N,over=SECONDS",
@@ -130,21 +129,21 @@ class Pivot final : public Subcommand {
 
   void run(const Results& results) override {
     if (!case_ && !settings_.curve && !settings_.projection && !radius_law_) {
-      throw std::invalid_argument("--case is required, unless --boundary, --projection or --radius-law is given");
+      throw std::invalid_argument("--case is required, unless --curve, --projection or --radius-law is given");
     }
     settings_.kind = case_.value_or(PivotCase::exact);
     if (!material_.empty()) {
       const Material material = find_material(material_);
       settings_.mu = material.mu;
-      settings_.moment_coefficient = material.mu_r;
+      settings_.mu_r = material.mu_r;
     }
     settings_.mu = mu_.value_or(settings_.mu);
     if (radius_law_) {
       if (settings_.law == nullptr) settings_.law = hertz();
       settings_.radius_law = radius_law_->of(settings_.mu, settings_.law);
-      settings_.moment_coefficient.reset();
+      settings_.mu_r.reset();
     }
-    if (moment_coefficient_) settings_.moment_coefficient = moment_coefficient_;
+    if (mu_r_) settings_.mu_r = mu_r_;
     if (!grip_file_.empty() + !release_.empty() + settings_.grip_operator.has_value() > 1) {
       throw std::invalid_argument("got several of --grip, --release and --operator, expected one");
     }
@@ -163,7 +162,7 @@ class Pivot final : public Subcommand {
       if (row.load > 0.0) loads = {std::min(loads[0], row.load), std::max(loads[1], row.load)};
     } while (pivot.step());
     rows.finish();
-    if (radius_law_ && !moment_coefficient_) warn_of_radii(*results.messages, settings_.radius_law, loads);
+    if (radius_law_ && !mu_r_) warn_of_radii(*results.messages, settings_.radius_law, loads);
   }
 
  private:
@@ -184,7 +183,7 @@ class Pivot final : public Subcommand {
   std::optional<RadiusLawArgument> radius_law_;
   std::string material_;
   std::optional<double> mu_;
-  std::optional<double> moment_coefficient_;
+  std::optional<double> mu_r_;
   std::string grip_file_;
   std::vector<GripSample> release_;
   std::size_t every_ = 1;

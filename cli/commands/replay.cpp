@@ -89,7 +89,7 @@ class Replay final : public Subcommand {
             "With --patch in place of --law and --radius-law the contact is not round (see 'limitcurve patch'). The patch is fixed to the\n"
             "finger and turns with angle; its centre of pressure is the contact point, and cor is the distance from there.",
             "limitcurve replay --trace data/traces/slide_twist_load.csv --law hertz --radius-law constant:a=0.006 --mu 0.6\n"
-            "    --stiffness 1000 --twist-stiffness 0.036 --boundary table --projection closest-point"};
+            "    --stiffness 1000 --twist-stiffness 0.036 --curve table --projection closest-point"};
   }
 
   void declare(Options& options) override {
@@ -105,12 +105,12 @@ class Replay final : public Subcommand {
                    Presence::required);
     options.number("--twist-stiffness", replay_.finger.twist_stiffness, positive, "Torsional stiffness k_r [N m/rad]", Presence::required);
     options.number("--mu-dynamic", replay_.finger.mu_dynamic, non_negative, "Friction coefficient while slipping (default mu)");
-    options.number("--moment-coefficient", replay_.finger.moment_coefficient, non_negative,
+    options.number("--mu-r", replay_.finger.mu_r, non_negative,
                    "mu_r [m/N^gamma]: the moment limit is mu_r P^(1+gamma), in place of the radius law's");
-    options.number("--moment-exponent", replay_.finger.moment_exponent, finite, "gamma of --moment-coefficient, from -0.5 to 1");
-    options.number("--moment-coefficient-dynamic", replay_.finger.moment_coefficient_dynamic, non_negative,
+    options.number("--gamma", replay_.finger.gamma, finite, "gamma of --mu-r, from -0.5 to 1");
+    options.number("--mu-r-dynamic", replay_.finger.mu_r_dynamic, non_negative,
                    "mu_r while slipping [m] (default mu_r times mu-dynamic/mu)");
-    options.choice("--boundary", curve_, names(curve_kinds), "Limit curve");
+    options.choice("--curve", curve_, names(curve_kinds), "Limit curve");
     options.choice("--projection", projection_, names(projections),
                    "Projection onto the limit curve. radial and c-curve assume k_r/k_l = (mu_r/mu_l)^2; a note appears if that is far "
                    "from true");
@@ -133,9 +133,9 @@ class Replay final : public Subcommand {
     options.number(
         "--rest-margin", replay_.finger.rest_margin, non_negative,
         "A sliding finger comes to rest within the dynamic limit divided by 1 + this*(mu/mu_d - 1) [1]; 0: within the dynamic limit");
-    options.number("--jump-limit", replay_.finger.max_displacement, positive_or_inf,
+    options.number("--max-displacement", replay_.finger.max_displacement, positive_or_inf,
                    "A larger jump between two rows [m] is a fault of the device: one row is invalid");
-    options.number("--hold-share", replay_.finger.fault_decay, share,
+    options.number("--fault-decay", replay_.finger.fault_decay, share,
                    "Fraction of load, force and moment [1] that an invalid row keeps from an invalid row before it: 0.99 fades, 1 holds");
     options.value(
         "--check-gains", "LIST", [this](const std::string& text) { read_device(text); },
@@ -149,8 +149,8 @@ class Replay final : public Subcommand {
     check_patch();
     if (radius_law_) {
       replay_.finger.radius_law = radius_law_->of(replay_.finger.mu, replay_.law);
-    } else if (!replay_.finger.moment_coefficient && patch_.empty()) {
-      throw std::invalid_argument("--radius-law is required, unless --moment-coefficient is given");
+    } else if (!replay_.finger.mu_r && patch_.empty()) {
+      throw std::invalid_argument("--radius-law is required, unless --mu-r is given");
     }
     replay_.curve = curve_kinds.at(curve_);
     replay_.projection = projections.at(projection_);
@@ -177,11 +177,11 @@ class Replay final : public Subcommand {
       if (given) throw std::invalid_argument(std::string(option) + ": not with --patch, which has its own size and moments");
     };
     refuse("--radius-law", radius_law_.has_value());
-    refuse("--moment-coefficient", replay_.finger.moment_coefficient.has_value());
-    refuse("--moment-coefficient-dynamic", replay_.finger.moment_coefficient_dynamic.has_value());
+    refuse("--mu-r", replay_.finger.mu_r.has_value());
+    refuse("--mu-r-dynamic", replay_.finger.mu_r_dynamic.has_value());
     if (projections.at(projection_) != Projection::closest_point) throw std::invalid_argument("--projection: a patch needs closest-point");
     if (curve_kinds.at(curve_) != CurveKind::table && curve_kinds.at(curve_) != CurveKind::exact) {
-      throw std::invalid_argument("--boundary: not with --patch, which is its own limit surface");
+      throw std::invalid_argument("--curve: not with --patch, which is its own limit surface");
     }
   }
 

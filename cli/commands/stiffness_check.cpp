@@ -12,7 +12,7 @@ namespace {
 
 /// μ_r/μ_l = Γ/(μP) [m].
 double moment_arm(const godobject::FingerParameters& finger, double moment_ratio, double load) {
-  if (finger.moment_coefficient) return *finger.moment_coefficient * std::pow(load, finger.moment_exponent) / finger.mu;
+  if (finger.mu_r) return *finger.mu_r * std::pow(load, finger.gamma) / finger.mu;
   return moment_ratio * finger.radius_law.radius(load);
 }
 

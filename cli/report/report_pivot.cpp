@@ -54,7 +54,7 @@ void write_stiffnesses(const std::filesystem::path& output) {
       const double ratio = std::pow(10.0, 0.25 * i);
       godobject::PivotOptions options;
       options.kind = kind;
-      const double arm = *options.moment_coefficient / options.mu;
+      const double arm = *options.mu_r / options.mu;
       options.twist_stiffness = ratio * options.stiffness * arm * arm;
       godobject::Pivot pivot(options);
       double angle = 0.0;
@@ -93,7 +93,7 @@ void write_pinch(const std::filesystem::path& output, const std::filesystem::pat
                                   "1000",
                                   "--twist-stiffness",
                                   "0.036"};
-    if (friction == "point") call.insert(call.end(), {"--moment-coefficient", "0"});
+    if (friction == "point") call.insert(call.end(), {"--mu-r", "0"});
     pinch.add(call, {{"friction", friction}});
   }
   pinch.finish();

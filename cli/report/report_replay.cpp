@@ -32,7 +32,7 @@ void write_replays(const std::filesystem::path& output, const std::filesystem::p
       replays.add(
           {"replay", "--trace", (data / "traces" / (std::string(trace) + ".csv")).string(), "--law", std::string(law_name), "--radius-law",
            std::string(radius_law), "--mu", format_number(friction), "--stiffness", format_number(stiffness), "--twist-stiffness",
-           format_number(twist_stiffness), "--boundary", std::string(curve), "--projection", std::string(projection)},
+           format_number(twist_stiffness), "--curve", std::string(curve), "--projection", std::string(projection)},
           {{"trace", std::string(trace)}, {"boundary", std::string(curve)}, {"projection", std::string(projection)}});
     }
   }

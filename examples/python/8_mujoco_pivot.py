@@ -45,7 +45,7 @@ class Fingers:
     def __init__(self, table: lc.Table, projection: str) -> None:
         twist_stiffness = STIFFNESS * LEVER**2
         self.fingers = [
-            lc.SoftFinger(table, projection=projection, mu=MU, moment_coefficient=MU_R, stiffness=STIFFNESS, damping=DAMPING,
+            lc.SoftFinger(table, projection=projection, mu=MU, mu_r=MU_R, stiffness=STIFFNESS, damping=DAMPING,
                           twist_stiffness=twist_stiffness, twist_damping=DAMPING * LEVER**2)
             for _ in range(2)
         ]

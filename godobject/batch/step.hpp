@@ -30,24 +30,24 @@ void step_contacts(const Shared<Real>& shared, const BasicContactBatch<Real>& co
   const auto is_at = [i, zero](auto states, ContactState wanted) { return has_state(states.data() + i, wanted, zero); };
   const Number x = read(contacts.x);
   const Number y = read(contacts.y);
-  const Number angle = read(contacts.angle);
+  const Number goal_angle = read(contacts.twist);
   const Number depth = read(contacts.depth);
-  const auto is_plausible = x * x + y * y + depth * depth + angle * angle <= Number(Real(farthest * farthest));
+  const auto is_plausible = x * x + y * y + depth * depth + goal_angle * goal_angle <= Number(Real(farthest * farthest));
   const auto touches = is_plausible && depth > zero;
   auto was_in_contact = !is_at(contacts.state, ContactState::free);
   // After a fault the memory knows.
   if (const auto was_fault = is_at(contacts.state, ContactState::invalid); any(was_fault)) {
-    was_in_contact = was_in_contact && !(was_fault && is_at(contacts.sliding, ContactState::free));
+    was_in_contact = was_in_contact && !(was_fault && is_at(contacts.force_slides, ContactState::free));
   }
   const auto stays = touches && was_in_contact;
 
   // a. The trial deflection; 0 at touch-down.
   const Number proxy_x = select(stays, read(contacts.proxy_x), x);
   const Number proxy_y = select(stays, read(contacts.proxy_y), y);
-  const Number proxy_angle = select(stays, read(contacts.proxy_angle), angle);
+  const Number proxy_angle = select(stays, read(contacts.proxy_angle), goal_angle);
   const Number trial_x = proxy_x - x;
   const Number trial_y = proxy_y - y;
-  const Number twist = proxy_angle - angle;
+  const Number twist = proxy_angle - goal_angle;
 
   // b. Friction: the part of the trial deflection that the limit curve allows.
   const Number stiffness = Number(shared.stiffness);
@@ -60,22 +60,22 @@ void step_contacts(const Shared<Real>& shared, const BasicContactBatch<Real>& co
   // Without torsion the angle has no friction, so its rounding does not count.
   const FrictionTrial<Number> trial{stiffness * r, twist_stiffness * rho, stiffness * rounding * (abs(proxy_x) + abs(proxy_y)),
                                     limits.has_torsion ? twist_stiffness * rounding * abs(proxy_angle) : zero};
-  const auto was_sliding = stays && is_at(contacts.sliding, ContactState::slip);
+  const auto was_sliding = stays && is_at(contacts.force_slides, ContactState::slip);
   auto was_turning = was_sliding;
-  if (shared.curve.is_box) was_turning = stays && is_at(contacts.turning, ContactState::slip);
-  const FrictionMemory<Number> before{was_sliding, was_turning, read(contacts.parameter), read(contacts.rate)};
+  if (shared.curve.is_box) was_turning = stays && is_at(contacts.moment_slides, ContactState::slip);
+  const FrictionMemory<Number> before{was_sliding, was_turning, read(contacts.search_start), read(contacts.search_rate)};
   FrictionMemory<Number> memory = before;
   const FrictionResult<Number> friction = apply_friction(shared.curve, shared.projection, limits, trial, memory);
-  const Number kept_x = trial_x * friction.force_ratio;
-  const Number kept_y = trial_y * friction.force_ratio;
-  const Number kept_twist = twist * friction.moment_ratio;
+  const Number kept_x = trial_x * friction.force_fraction;
+  const Number kept_y = trial_y * friction.force_fraction;
+  const Number kept_twist = twist * friction.moment_fraction;
 
   // The proxy follows. A component without slip keeps its bits; a slip below the rounding of the position counts as stick.
-  const auto slides = friction.force_ratio < Number(Real(1));
-  const auto turns = friction.moment_ratio < Number(Real(1));
-  const Number new_x = select(slides, x + kept_x, proxy_x);
-  const Number new_y = select(slides, y + kept_y, proxy_y);
-  const Number new_angle = select(turns, angle + kept_twist, proxy_angle);
+  const auto force_slides = friction.force_fraction < Number(Real(1));
+  const auto moment_slides = friction.moment_fraction < Number(Real(1));
+  const Number new_x = select(force_slides, x + kept_x, proxy_x);
+  const Number new_y = select(force_slides, y + kept_y, proxy_y);
+  const Number new_angle = select(moment_slides, goal_angle + kept_twist, proxy_angle);
   const auto slid = new_x != proxy_x || new_y != proxy_y;
   const auto turned = new_angle != proxy_angle;
   const auto slips = friction.slips && (slid || turned);
@@ -86,16 +86,16 @@ void step_contacts(const Shared<Real>& shared, const BasicContactBatch<Real>& co
   write(contacts.proxy_x, new_x);
   write(contacts.proxy_y, new_y);
   write(contacts.proxy_angle, new_angle);
-  write(contacts.parameter, memory.parameter);
-  write(contacts.rate, memory.rate);
-  write(contacts.force_x, kept_x * stiffness);
-  write(contacts.force_y, kept_y * stiffness);
+  write(contacts.search_start, memory.search_start);
+  write(contacts.search_rate, memory.search_rate);
+  write(contacts.fx, kept_x * stiffness);
+  write(contacts.fy, kept_y * stiffness);
   write(contacts.moment, kept_twist * twist_stiffness);
   using States = std::array<ContactState, 3>;
   constexpr States states{ContactState::free, ContactState::stick, ContactState::slip};
   set_states_where(is_plausible, contacts.state.data() + i, touches, slips, states, zero);
-  set_states_where(is_plausible, contacts.sliding.data() + i, touches, memory.slides, states, zero);
-  if (shared.curve.is_box) set_states_where(is_plausible, contacts.turning.data() + i, touches, memory.turns, states, zero);
+  set_states_where(is_plausible, contacts.force_slides.data() + i, touches, memory.force_slides, states, zero);
+  if (shared.curve.is_box) set_states_where(is_plausible, contacts.moment_slides.data() + i, touches, memory.moment_slides, states, zero);
   if (any(!is_plausible)) {
     constexpr States invalid{ContactState::invalid, ContactState::invalid, ContactState::invalid};
     set_states_where(!is_plausible, contacts.state.data() + i, touches, slips, invalid, zero);

@@ -135,11 +135,11 @@ Grasp::Attempt Grasp::improve(Attempt now, double unit, double gyration, double 
     }
     const Vector6 step = Eigen::PartialPivLU<Matrix6>(jacobian).solve(now.error);
     if (!step.allFinite()) break;
-    double share = 1.0;
+    double fraction = 1.0;
     Attempt next = attempt(now.velocities - step);
     for (int halving = 0; halving < halving_limit && !(next.size < now.size); ++halving) {
-      share *= 0.5;
-      next = attempt(now.velocities - share * step);
+      fraction *= 0.5;
+      next = attempt(now.velocities - fraction * step);
     }
     // No improvement: the residual is rounding, or there is a kink, which the next time step will pass.
     if (!(next.size < now.size)) break;
@@ -172,10 +172,10 @@ BodyState Grasp::solve(std::span<const DevicePose> devices, double time_step, co
   Attempt second = attempt(still);
   if (second.size < first.size) std::swap(first, second);
   Attempt best = improve(first, unit, gyration, time_step, attempt);
-  if (!(best.size <= solved_share * unit)) {
+  if (!(best.size <= solved_fraction * unit)) {
     const Attempt other = improve(second, unit, gyration, time_step, attempt);
     if (other.size < best.size) best = other;
-    if (!(best.size <= solved_share * unit)) ++unsolved_;
+    if (!(best.size <= solved_fraction * unit)) ++unsolved_;
   }
   return moved(state_, best.velocities.head<3>(), best.velocities.tail<3>(), time_step);
 }

@@ -24,7 +24,7 @@ class Grasp {
   /// Largest number of halvings of a Newton step; usually 0.
   static constexpr int halving_limit = 24;
   /// Equations are solved when the residual is at most this fraction of the velocities, including those that the loads give in a step.
-  static constexpr double solved_share = 1e-9;
+  static constexpr double solved_fraction = 1e-9;
 
   /// Throws std::invalid_argument with parameter, value, unit and range.
   Grasp(const BodyParameters& parameters, const BodyState& state, AnySurface surface, std::vector<SoftFinger> fingers);

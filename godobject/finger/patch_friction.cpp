@@ -71,11 +71,11 @@ KeptDeflection apply_friction(const PatchProjector& patch, const ContactLimits& 
     if (limit > 0.0) return patch.project(wrench, limit, stiffness, std::sqrt(twist_stiffness / stiffness), last);
     return {true, {}, {wrench.fx / stiffness, wrench.fy / stiffness, trial.twist}};
   };
-  const bool was_sliding = friction.slides;
+  const bool was_sliding = friction.force_slides;
   PatchProjection found = project(was_sliding);
   if (found.slips && !was_sliding && limits.mu(true) < limits.mu(false)) found = project(true);
-  friction.slides = keeps_sliding(was_sliding, found.slips, limits.force_rest_share(),
-                                  [&] { return patch.gauge(wrench) / (limits.mu(true) * trial.limit_load); });
+  friction.force_slides = keeps_sliding(was_sliding, found.slips, limits.force_stick_fraction(),
+                                        [&] { return patch.gauge(wrench) / (limits.mu(true) * trial.limit_load); });
 
   KeptDeflection kept{
       trial.tangential,         trial.twist,    found.slips, found.slips, found.slips, 0.0, stiffness * trial.tangential.norm(),

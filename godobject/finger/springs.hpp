@@ -47,7 +47,7 @@ struct TrialDeflection {
   Springs springs;
   Deflection spring;                   ///< deflection of the spring, before friction
   Eigen::Vector3d proxy;               ///< x_p [m]
-  bool is_brought_round = false;       ///< the proxy was on the far side of a curved surface, and is moved to the finger's near side
+  bool moves_to_near_side = false;     ///< the proxy was on the far side of a curved surface, and is moved to the finger's near side
   Eigen::Vector3d relaxed_tangential;  ///< deflection at which springs and dampers are relaxed: along the surface [m],
   double relaxed_normal;               ///< along the normal [m],
   double relaxed_twist;                ///< and in twist [rad]
@@ -72,7 +72,7 @@ struct TrialDeflection {
     limit_load = std::max(parameters.stiffness * sample.depth + damper * (sample.depth - last.depth), 0.0);
     if (spring.normal < 0.0) {
       // Springs do not pull a finger in: move the proxy to the finger's near side, not farther away than it was.
-      is_brought_round = true;
+      moves_to_near_side = true;
       spring.normal = std::min(-spring.normal, sample.depth);
       proxy = sample.goal + spring.tangential + n * (spring.normal - sample.depth);
     }
@@ -91,8 +91,8 @@ struct TrialDeflection {
 struct KeptDeflection {
   Eigen::Vector3d tangential;  ///< [m]
   double twist;                ///< [rad]
-  bool slides;                 ///< `tangential` is less than the trial's
-  bool turns;                  ///< `twist` is less than the trial's
+  bool force_slides;           ///< `tangential` is less than the trial's
+  bool moment_slides;          ///< `twist` is less than the trial's
   bool slips;                  ///< the trial was beyond the limit
   double cor;                  ///< distance of the slip's COR [m]; not defined without slip
   double trial_force;          ///< the trial wrench (eq. 7): force [N] …

@@ -33,7 +33,7 @@ void check(const Scene& scene, double tolerance) {
   if (scene.law == nullptr) throw std::invalid_argument("law is not set: expected a pressure law");
   if (!(tolerance >= 1e-6 && tolerance <= 1.0)) throw out_of_range("tolerance", tolerance, "1", "1e-6 <= tolerance <= 1");
   positive("mu", scene.mu, "1");
-  if (scene.moment_coefficient) positive("moment coefficient", *scene.moment_coefficient, "m");
+  if (scene.mu_r) positive("moment coefficient", *scene.mu_r, "m");
   positive("least load", scene.least_load, "N");
   if (!(scene.most_load >= scene.least_load && scene.most_load < 1e12)) {
     throw out_of_range("most load", scene.most_load, "N", "least load <= most load < 1e12");
@@ -72,9 +72,9 @@ class Drive {
     for (const WalkSample& to : walk_.samples) {
       FingerOutput output;
       for (int i = 1; i <= substeps; ++i) {
-        const double share = static_cast<double>(i) / substeps;
-        const Eigen::Vector3d point(std::lerp(from.x, to.x, share), std::lerp(from.y, to.y, share), 0.0);
-        output = finger.update({point, Eigen::Vector3d::UnitZ(), to.load / scene_.stiffness}, std::lerp(from.twist, to.twist, share));
+        const double fraction = static_cast<double>(i) / substeps;
+        const Eigen::Vector3d point(std::lerp(from.x, to.x, fraction), std::lerp(from.y, to.y, fraction), 0.0);
+        output = finger.update({point, Eigen::Vector3d::UnitZ(), to.load / scene_.stiffness}, std::lerp(from.twist, to.twist, fraction));
       }
       const double force = scene_.mu * to.load;
       record.emplace_back(output.force.x() / force, output.force.y() / force,
@@ -104,7 +104,7 @@ FingerParameters parameters_of(const Scene& scene) {
   FingerParameters result;
   result.mu = scene.mu;
   result.radius_law = scene.radius_law;
-  result.moment_coefficient = scene.moment_coefficient;
+  result.mu_r = scene.mu_r;
   result.stiffness = scene.stiffness;
   result.twist_stiffness = scene.twist_stiffness;
   return result;
@@ -141,7 +141,7 @@ StepChoice choose_step(const Scene& scene, double tolerance) {
     return error_margin * largest_difference(drive(curve, projection, finger), truth);
   };
   FingerParameters slippery = true_finger;
-  slippery.moment_coefficient = 0.0;
+  slippery.mu_r = 0.0;
   FingerParameters mean_finger = true_finger;
   mean_finger.radius_law = RadiusLaw::constant(scene.radius_law.radius(0.5 * (scene.least_load + scene.most_load)));
   const Ellipse ellipse = Ellipse::through_intercepts(m0);
@@ -157,8 +157,7 @@ StepChoice choose_step(const Scene& scene, double tolerance) {
 
   // Cost of a power of the load in a step [ns].
   constexpr double load_radius_cost = 20.0;
-  const bool radius_varies =
-      !scene.moment_coefficient && scene.radius_law.radius(scene.least_load) != scene.radius_law.radius(scene.most_load);
+  const bool radius_varies = !scene.mu_r && scene.radius_law.radius(scene.least_load) != scene.radius_law.radius(scene.most_load);
   const Table table =
       finest_table(scene.law, std::clamp(0.1 * tolerance / per_table_error, Table::finest_tolerance, Table::coarsest_tolerance));
   auto& candidates = result.candidates;

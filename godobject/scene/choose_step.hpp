@@ -18,7 +18,7 @@ struct Scene {
   Law law = {};                                            ///< pressure law; must be set
   double mu = 0.5;                                         ///< μ > 0
   RadiusLaw radius_law = RadiusLaw::constant(0.005);       ///< a(P)
-  std::optional<double> moment_coefficient = {};           ///< μ_r [m] > 0: Γ = μ_r P whatever the radius law
+  std::optional<double> mu_r = {};                         ///< μ_r [m] > 0: Γ = μ_r P whatever the radius law
   double least_load = 0.5;                                 ///< [N] > 0
   double most_load = 2.0;                                  ///< [N] ≥ least_load
   double stiffness = 1000.0;                               ///< k_l [N/m] > 0

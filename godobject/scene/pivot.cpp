@@ -68,7 +68,7 @@ Projection projection_of(const PivotOptions& options) noexcept {
   return options.projection.value_or(options.kind == PivotCase::coupled ? Projection::radial : Projection::closest_point);
 }
 
-KindOfCurve make_curve(const PivotOptions& options, CurveKind kind) {
+CurveWithError make_curve(const PivotOptions& options, CurveKind kind) {
   return make_finger_curve(kind, options.law ? options.law : hertz(), options.tolerance);
 }
 
@@ -77,22 +77,22 @@ FingerParameters friction_parameters(const PivotOptions& options) {
   FingerParameters result;
   result.mu = options.mu;
   result.radius_law = options.radius_law;
-  result.moment_coefficient = options.moment_coefficient;
+  result.mu_r = options.mu_r;
   result.mu_dynamic = options.mu_dynamic;
-  result.moment_coefficient_dynamic = options.moment_coefficient_dynamic;
+  result.mu_r_dynamic = options.mu_r_dynamic;
   return result;
 }
 
 /// The smallest load of each finger with which the curve holds the level block.
 double load_to_hold(const PivotOptions& options, const FingerCurve& curve) {
   if (!(options.mu > 0.0)) return std::numeric_limits<double>::infinity();
-  const double share = 0.5 * options.mass * options.gravity;
-  return ContactLimits(friction_parameters(options), curve.moment_max()).load_to_hold(curve, share, share * options.offset);
+  const double fraction = 0.5 * options.mass * options.gravity;
+  return ContactLimits(friction_parameters(options), curve.moment_max()).load_to_hold(curve, fraction, fraction * options.offset);
 }
 
 /// μ_r/μ_l [m]: the given one, or m₀ a at the load that holds the block.
 double moment_arm(const PivotOptions& options, const FingerCurve& curve) {
-  if (options.moment_coefficient) return options.mu > 0.0 ? *options.moment_coefficient / options.mu : 0.0;
+  if (options.mu_r) return options.mu > 0.0 ? *options.mu_r / options.mu : 0.0;
   const double load = load_to_hold(options, curve);
   return std::isfinite(load) ? curve.moment_ratio() * options.radius_law.radius(load) : 0.0;
 }
@@ -118,12 +118,12 @@ FingerParameters finger_parameters(const PivotOptions& options, const FingerCurv
 /// Throws unless the block stays in the grip at the start: its weight must deflect the springs by less than half its height, and less than
 /// half a turn.
 void require_hold(const PivotOptions& options, const FingerParameters& finger) {
-  const double share = 0.5 * options.mass * options.gravity;
-  if (const double least = 2.0 * share / options.height; !(finger.stiffness > least)) {
+  const double fraction = 0.5 * options.mass * options.gravity;
+  if (const double least = 2.0 * fraction / options.height; !(finger.stiffness > least)) {
     throw out_of_range("stiffness", finger.stiffness, "N/m",
                        "> " + format_number(least) + ", so that the block's weight lowers it by less than half its height");
   }
-  if (const double least = share * options.offset / std::numbers::pi; !(finger.twist_stiffness > least)) {
+  if (const double least = fraction * options.offset / std::numbers::pi; !(finger.twist_stiffness > least)) {
     throw out_of_range("twist_stiffness", finger.twist_stiffness, "N m/rad",
                        "> " + format_number(least) + ", so that the block's weight turns it by less than half a turn");
   }
@@ -167,8 +167,8 @@ class GripLoad {
     if (time <= grip_.front().time) return grip_.front().load;
     for (std::size_t i = 1; i < grip_.size(); ++i) {
       if (time > grip_[i].time) continue;
-      const double share = (time - grip_[i - 1].time) / (grip_[i].time - grip_[i - 1].time);
-      return grip_[i - 1].load + share * (grip_[i].load - grip_[i - 1].load);
+      const double fraction = (time - grip_[i - 1].time) / (grip_[i].time - grip_[i - 1].time);
+      return grip_[i - 1].load + fraction * (grip_[i].load - grip_[i - 1].load);
     }
     return grip_.back().load;
   }
@@ -190,7 +190,7 @@ double angle_of(const BodyState& state) noexcept {
 
 class Pivot::Scene {
  public:
-  Scene(const PivotOptions& options, const KindOfCurve& curve, const FingerParameters& parameters)
+  Scene(const PivotOptions& options, const CurveWithError& curve, const FingerParameters& parameters)
       : options_(options),
         curve_error_(curve.error),
         holding_load_(load_to_hold(options, curve.curve)),
@@ -301,7 +301,7 @@ PivotCase parse_pivot_case(std::string_view text) {
 Pivot::Pivot(const PivotOptions& options) {
   validate(options);
   static_cast<void>(ContactLimits(friction_parameters(options), 1.0));
-  const KindOfCurve curve = make_curve(options, curve_kind(options));
+  const CurveWithError curve = make_curve(options, curve_kind(options));
   const FingerParameters finger = finger_parameters(options, curve.curve);
   static_cast<void>(ContactLimits(finger, 1.0));
   require_hold(options, finger);

@@ -53,13 +53,13 @@ struct GripOperator {
 /// (godobject/README.md).
 struct PivotOptions {
   PivotCase kind = PivotCase::coupled;
-  std::optional<CurveKind> curve = {};                    ///< absent: the case's
-  std::optional<Projection> projection = {};              ///< absent: the case's
-  double mu = 1.67;                                       ///< μ_l ≥ 0: sandpaper (Kinoshita et al. 1997)
-  std::optional<double> moment_coefficient = 0.01011;     ///< μ_r [m] ≥ 0: sandpaper; absent: Γ = m₀ μ P a(P) by `radius_law`
-  RadiusLaw radius_law = RadiusLaw::constant(0.005);      ///< a(P); used without a moment coefficient
-  std::optional<double> mu_dynamic = {};                  ///< μ_d during slip, 0 ≤ μ_d ≤ μ_l; absent: μ_l
-  std::optional<double> moment_coefficient_dynamic = {};  ///< μ_r during slip [m]; absent: μ_r μ_d/μ_l
+  std::optional<CurveKind> curve = {};                ///< absent: the case's
+  std::optional<Projection> projection = {};          ///< absent: the case's
+  double mu = 1.67;                                   ///< μ_l ≥ 0: sandpaper (Kinoshita et al. 1997)
+  std::optional<double> mu_r = 0.01011;               ///< μ_r [m] ≥ 0: sandpaper; absent: Γ = m₀ μ P a(P) by `radius_law`
+  RadiusLaw radius_law = RadiusLaw::constant(0.005);  ///< a(P); used without a moment coefficient
+  std::optional<double> mu_dynamic = {};              ///< μ_d during slip, 0 ≤ μ_d ≤ μ_l; absent: μ_l
+  std::optional<double> mu_r_dynamic = {};            ///< μ_r during slip [m]; absent: μ_r μ_d/μ_l
   double length = 0.12;       ///< of the block, along x at the start [m] > 0; the grip is `offset` right of its middle
   double height = 0.04;       ///< of the block, along y at the start [m] > 0
   double mass = 0.1;          ///< [kg] > 0, of even density

@@ -58,7 +58,7 @@ SoftFinger make_finger(const ReplayOptions& options, double& curve_error) {
   if (options.curve == CurveKind::box) {
     static_cast<void>(SoftFinger(box(1.0, moment_ratio), options.finger, options.projection));
   }
-  const KindOfCurve curve = make_finger_curve(options.curve, options.law, options.tolerance);
+  const CurveWithError curve = make_finger_curve(options.curve, options.law, options.tolerance);
   curve_error = curve.error;
   return {curve.curve, options.finger, options.projection};
 }

@@ -71,7 +71,7 @@ double room(const Scene& scene, const WalkSample& at, double cosine, double sine
 }  // namespace
 
 double largest_moment(const Scene& scene, double moment_ratio, double load) {
-  return scene.moment_coefficient ? *scene.moment_coefficient * load : moment_ratio * scene.mu * load * scene.radius_law.radius(load);
+  return scene.mu_r ? *scene.mu_r * load : moment_ratio * scene.mu * load * scene.radius_law.radius(load);
 }
 
 SceneWalk walk(const Scene& scene, double moment_ratio) {
@@ -118,9 +118,9 @@ SceneWalk walk(const Scene& scene, double moment_ratio) {
 
     const WalkSample from = at;
     for (int i = 1; i <= static_cast<int>(steps); ++i) {
-      const double share = i / steps;
-      at = {from.x + share * slide * cosine, from.y + share * slide * sine, from.twist + share * twist,
-            change.at_once ? change.load : from.load + share * (change.load - from.load)};
+      const double fraction = i / steps;
+      at = {from.x + fraction * slide * cosine, from.y + fraction * slide * sine, from.twist + fraction * twist,
+            change.at_once ? change.load : from.load + fraction * (change.load - from.load)};
       result.samples.push_back(at);
     }
   }

@@ -15,8 +15,8 @@ namespace {
 class MixtureLaw final : public PressureLawOf<MixtureLaw> {
  public:
   struct Part {
-    double weight;   // as given
-    Extended share;  // weight over the sum of weights
+    double weight;      // as given
+    Extended fraction;  // weight over the sum of weights
     Law law;
   };
 
@@ -46,7 +46,7 @@ class MixtureLaw final : public PressureLawOf<MixtureLaw> {
     for (const Part& part : parts_) {
       const Real rim = at.rim - static_cast<Real>(breaks_.back() - part.law->breaks().back());
       if (rim <= 0) continue;
-      sum += static_cast<Real>(part.share) * part.law->density(RadialPosition<Real>{at.radius, rim}) *
+      sum += static_cast<Real>(part.fraction) * part.law->density(RadialPosition<Real>{at.radius, rim}) *
              std::pow(rim, static_cast<Real>(part.law->rim_exponent()));
     }
     return sum;
@@ -59,32 +59,32 @@ class MixtureLaw final : public PressureLawOf<MixtureLaw> {
   WrenchEstimate evaluate(double s, Method method) const noexcept override {
     WrenchEstimate sum;
     for (const Part& part : parts_) {
-      const auto share = static_cast<double>(part.share);
+      const auto fraction = static_cast<double>(part.fraction);
       const WrenchEstimate one = part.law->evaluate(s, method);
-      sum.wrench.force += share * one.wrench.force;
-      sum.wrench.moment += share * one.wrench.moment;
-      sum.error.force += share * one.error.force;
-      sum.error.moment += share * one.error.moment;
-      sum.force_slope += share * one.force_slope;
+      sum.wrench.force += fraction * one.wrench.force;
+      sum.wrench.moment += fraction * one.wrench.moment;
+      sum.error.force += fraction * one.error.force;
+      sum.error.moment += fraction * one.error.moment;
+      sum.force_slope += fraction * one.force_slope;
     }
-    // The shares, their products and the sum round once each.
+    // The fractions, their products and the sum round once each.
     const double rounding = 0.5 * std::numeric_limits<double>::epsilon() * (1.0 + static_cast<double>(parts_.size()));
     sum.error.force += rounding * sum.wrench.force;
     sum.error.moment += rounding * sum.wrench.moment;
     return sum;
   }
 
-  evaluators::Quadrature<double> projection(double t) const noexcept override {
+  evaluators::Quadrature<double> line_profile(double t) const noexcept override {
     evaluators::Quadrature<double> sum{};
     for (const Part& part : parts_) {
-      const auto share = static_cast<double>(part.share);
+      const auto fraction = static_cast<double>(part.fraction);
       // Beyond the rim of a part its whole pressure is on one side.
       const bool beyond = t >= static_cast<double>(part.law->breaks().back());
-      const auto one = beyond ? evaluators::Quadrature<double>{{1.0, 0.0, 0.0}, {}} : part.law->projection(t);
-      sum.forces.force += share * one.forces.force;
-      sum.forces.moment += share * one.forces.moment;
-      sum.error.force += share * one.error.force;
-      sum.error.moment += share * one.error.moment;
+      const auto one = beyond ? evaluators::Quadrature<double>{{1.0, 0.0, 0.0}, {}} : part.law->line_profile(t);
+      sum.forces.force += fraction * one.forces.force;
+      sum.forces.moment += fraction * one.forces.moment;
+      sum.error.force += fraction * one.error.force;
+      sum.error.moment += fraction * one.error.moment;
     }
     return sum;
   }
@@ -93,29 +93,29 @@ class MixtureLaw final : public PressureLawOf<MixtureLaw> {
     evaluators::Quadrature<Extended> sum{};
     for (const Part& part : parts_) {
       const auto [forces, error] = part.law->unrounded(s, slope);
-      sum.forces.force += part.share * forces.force;
-      sum.forces.moment += part.share * forces.moment;
-      sum.forces.force_slope += part.share * forces.force_slope;
-      sum.error.force += part.share * error.force;
-      sum.error.moment += part.share * error.moment;
+      sum.forces.force += part.fraction * forces.force;
+      sum.forces.moment += part.fraction * forces.moment;
+      sum.forces.force_slope += part.fraction * forces.force_slope;
+      sum.error.force += part.fraction * error.force;
+      sum.error.moment += part.fraction * error.moment;
     }
     return sum;
   }
 
   double profile_error() const noexcept override {
     double sum = 0.0;
-    for (const Part& part : parts_) sum += static_cast<double>(part.share) * part.law->profile_error();
+    for (const Part& part : parts_) sum += static_cast<double>(part.fraction) * part.law->profile_error();
     return sum;
   }
 
   UnitForces<double> forces(double s, Slope slope) const noexcept override {
     UnitForces<double> sum{0.0, 0.0, 0.0};
     for (const Part& part : parts_) {
-      const auto share = static_cast<double>(part.share);
+      const auto fraction = static_cast<double>(part.fraction);
       const UnitForces<double> one = part.law->forces(s, slope);
-      sum.force += share * one.force;
-      sum.moment += share * one.moment;
-      sum.force_slope += share * one.force_slope;
+      sum.force += fraction * one.force;
+      sum.moment += fraction * one.moment;
+      sum.force_slope += fraction * one.force_slope;
     }
     return sum;
   }

@@ -45,8 +45,8 @@ evaluators::Quadrature<Extended> PressureLaw::unrounded(Extended s, Slope slope)
   return evaluators::ring(*this, s, slope);
 }
 
-evaluators::Quadrature<double> PressureLaw::projection(double t) const noexcept {
-  return evaluators::projection(*this, t);
+evaluators::Quadrature<double> PressureLaw::line_profile(double t) const noexcept {
+  return evaluators::line_profile(*this, t);
 }
 
 bool PressureLaw::allows(Method method) const noexcept {

@@ -155,10 +155,10 @@ class SamplesLaw final : public PressureLawOf<SamplesLaw> {
       for (int k = 0; k < parts; ++k) {
         const double rho = static_cast<double>(breaks[i]) + (k + 0.5) * width;
         const RadialPosition<double> at{rho, 1.0 - rho};
-        double share = 2.0 * width * std::fabs(fine_.pressure(at) - coarse.pressure(at));
+        double fraction = 2.0 * width * std::fabs(fine_.pressure(at) - coarse.pressure(at));
         for (double& moment : distance_) {
-          moment += share;
-          share *= rho;
+          moment += fraction;
+          fraction *= rho;
         }
       }
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "limitcurve/accuracy.hpp"
 #include "limitcurve/internal/number.hpp"
-#include "limitcurve/patch/projection.hpp"
+#include "limitcurve/patch/line_profile.hpp"
 #include "limitcurve/patch/shape.hpp"
 
 #include <boost/math/quadrature/gauss.hpp>
@@ -45,11 +45,11 @@ void check_aspect(double a, double b) {
 /// With D(c) = ¼ ∮ h G(c·u/h) dθ over unit vectors u(θ), h² = a²cos²θ + b²sin²θ the ellipse's half width along u:
 ///   ∇D = ½ ∫ u G′ dθ,  M = ½ ∫ h N dθ  over half a turn, N = G − tG′, t = c·u/h.
 /// In the angle ψ of (a cos θ, b sin θ)/h, t = τ cos(ψ − ψ_c), with (c_x/a, c_y/b) = τ (cos ψ_c, sin ψ_c). So the half turn from ψ_c on has
-/// t from τ down to −τ, and |t| > 1 only within acos(1/τ) of its ends, where G′ = ±1, N = 0 and the integral has a closed form. The rest is
+/// t from τ down to −τ, and |t| > 1 only within acos(1/τ) of its ends, where G′ = ±1, N = 0 and the integral has a closed form. The remainder is
 /// divided at the axes and at the law's kinks. The variable is the angle χ between θ and ψ, tan θ = √(a/b) tan χ, in which neither u nor h
 /// turns fast.
 struct Ellipse final : Shape {
-  std::shared_ptr<const Projection> projection;
+  std::shared_ptr<const LineProfile> profile;
   double a;
   double b;
   double root_a;
@@ -61,19 +61,19 @@ struct Ellipse final : Shape {
     double k = 0.0, kx = 0.0, ky = 0.0, q40 = 0.0, q22 = 0.0, q04 = 0.0;
   } inside;
 
-  Ellipse(std::shared_ptr<const Projection> of, double along_x, double along_y)
-      : projection(std::move(of)),
+  Ellipse(std::shared_ptr<const LineProfile> of, double along_x, double along_y)
+      : profile(std::move(of)),
         a(along_x),
         b(along_y),
         root_a(std::sqrt(a / std::max(a, b))),
         root_b(std::sqrt(b / std::max(a, b))),
         rule(make_rule<40>()) {
-    radius = std::max(a, b) * projection->outer();
+    radius = std::max(a, b) * profile->outer();
     cut();
-    if (projection->is_polynomial()) expand();
+    if (profile->is_polynomial()) expand();
     measure_moment_ratio();
     // 24 nodes are enough for 1e-12 where G is a polynomial, at half the cost.
-    if (projection->is_polynomial() && aspect() <= 3.0) rule = make_rule<24>();
+    if (profile->is_polynomial() && aspect() <= 3.0) rule = make_rule<24>();
   }
 
   [[nodiscard]] double aspect() const { return std::max(a, b) / std::min(a, b); }
@@ -142,7 +142,7 @@ struct Ellipse final : Shape {
   }
 
   void expand() {
-    const auto& [g0, g2, g4] = projection->polynomial();
+    const auto& [g0, g2, g4] = profile->polynomial();
     for (std::size_t i = 0; i < cuts.size(); ++i) {
       integrate(cuts[i], i + 1 < cuts.size() ? cuts[i + 1] : pi, [&, g0 = g0, g2 = g2, g4 = g4](double w, double ux, double uy, double h) {
         inside.k += 0.5 * w * g0 * h;
@@ -183,9 +183,9 @@ struct Ellipse final : Shape {
   [[nodiscard]] PatchFriction evaluate(const PatchTwist& twist) const noexcept override {
     if (only_slides(twist, radius)) return sliding(twist);
     const PatchPoint c{-twist.vy / twist.omega, twist.vx / twist.omega};
-    const double outer = projection->outer();
+    const double outer = profile->outer();
     const double tau = std::hypot(c.x / a, c.y / b);
-    if (projection->is_polynomial() && tau <= 1.0) return from_polynomial(twist.omega, c);
+    if (profile->is_polynomial() && tau <= 1.0) return from_polynomial(twist.omega, c);
     const double psi = std::atan2(c.y / b, c.x / a);
     double gx = 0.0;
     double gy = 0.0;
@@ -207,7 +207,7 @@ struct Ellipse final : Shape {
       const auto meet = [&](double angle) {
         if (angle > from && angle < next) next = angle;
       };
-      for (const double kink : projection->kinks()) {
+      for (const double kink : profile->kinks()) {
         if (kink >= tau) break;
         const double angle = std::acos(kink / tau);
         meet(psi + angle);
@@ -224,10 +224,10 @@ struct Ellipse final : Shape {
       }
       if (chi_next < chi(next)) next = std::max(psi_of(chi_next), std::nextafter(from, 10.0));
       integrate(chi_from, chi_next, [&](double weight, double ux, double uy, double h) {
-        const auto [slope, rest] = (*projection)((c.x * ux + c.y * uy) / h);
+        const auto [slope, remainder] = (*profile)((c.x * ux + c.y * uy) / h);
         gx += 0.5 * weight * slope * ux;
         gy += 0.5 * weight * slope * uy;
-        moment += 0.5 * weight * h * rest;
+        moment += 0.5 * weight * h * remainder;
       });
       from = next;
       chi_from = chi_next;
@@ -241,7 +241,7 @@ struct Ellipse final : Shape {
   }
 
   [[nodiscard]] double error(const PatchTwist&) const noexcept override {
-    return projection->error() + (projection->is_smooth() ? accuracy::patch_ellipse : accuracy::patch_ellipse_other);
+    return profile->error() + (profile->is_smooth() ? accuracy::patch_ellipse : accuracy::patch_ellipse_other);
   }
 
   [[nodiscard]] std::shared_ptr<Shape> moved(double x, double y) const override {
@@ -251,26 +251,26 @@ struct Ellipse final : Shape {
   }
   [[nodiscard]] std::shared_ptr<Shape> stretched(double sx, double sy) const override {
     check_aspect(sx * a, sy * b);
-    auto there = std::make_shared<Ellipse>(projection, sx * a, sy * b);
+    auto there = std::make_shared<Ellipse>(profile, sx * a, sy * b);
     there->centre = {sx * centre.x, sy * centre.y};
     return there;
   }
   [[nodiscard]] double area() const override { return pi * a * b; }
-  [[nodiscard]] double nanoseconds() const noexcept override { return projection->is_polynomial() ? 30.0 : 5000.0; }
+  [[nodiscard]] double nanoseconds() const noexcept override { return profile->is_polynomial() ? 30.0 : 5000.0; }
   [[nodiscard]] SecondMoments second_moments() const override {
     // m(s) → ⟨ρ²⟩/(2s).
     constexpr double far = 1e6;
     const double mean_square = 2.0 * far * law()->forces(far).moment;
     return {0.5 * a * a * mean_square, 0.5 * b * b * mean_square, 0.0};
   }
-  [[nodiscard]] Law law() const override { return projection->law(); }
+  [[nodiscard]] Law law() const override { return profile->law(); }
 };
 
 }  // namespace
 
 std::shared_ptr<Shape> make_ellipse(const Law& law, double a, double b) {
   check_aspect(a, b);
-  return std::make_shared<Ellipse>(std::make_shared<Projection>(law), a, b);
+  return std::make_shared<Ellipse>(std::make_shared<LineProfile>(law), a, b);
 }
 
 }  // namespace limitcurve::patch

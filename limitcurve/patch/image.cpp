@@ -55,13 +55,13 @@ PatchFriction sum_rectangles(const double* xs, const double* ys, const double* w
     if (square <= inside) continue;
     const double second = (a * ux * ux + b * uy * uy) / square;
     const double length = std::sqrt(square + second);
-    const double share = weights[i] / length;
-    const double fx = share * ux * (1.0 + (a - second) / square);
-    const double fy = share * uy * (1.0 + (b - second) / square);
+    const double fraction = weights[i] / length;
+    const double fx = fraction * ux * (1.0 + (a - second) / square);
+    const double fy = fraction * uy * (1.0 + (b - second) / square);
     sum.power += weights[i] * length;
     sum.wrench.fx += fx;
     sum.wrench.fy += fy;
-    sum.wrench.moment += xs[i] * fy - ys[i] * fx + (twist.omega != 0.0 ? share * second / twist.omega : 0.0);
+    sum.wrench.moment += xs[i] * fy - ys[i] * fx + (twist.omega != 0.0 ? fraction * second / twist.omega : 0.0);
   }
   return sum;
 }

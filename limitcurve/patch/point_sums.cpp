@@ -34,12 +34,12 @@ LIMITCURVE_WIDE void add_blocks(const double* __restrict__ x, const double* __re
       const double ux = vx - omega * y[i];
       const double uy = vy + omega * x[i];
       const double length = std::sqrt(ux * ux + uy * uy + softness);
-      const double share = weight[i] / length;
+      const double fraction = weight[i] / length;
       sums->power[k] += weight[i] * length;
-      sums->fx[k] += share * ux;
-      sums->fy[k] += share * uy;
-      sums->moment[k] += share * (x[i] * uy - y[i] * ux);
-      sums->inverse[k] += share;
+      sums->fx[k] += fraction * ux;
+      sums->fy[k] += fraction * uy;
+      sums->moment[k] += fraction * (x[i] * uy - y[i] * ux);
+      sums->inverse[k] += fraction;
     }
   }
 }
@@ -59,13 +59,13 @@ PatchFriction sum_soft_points(const double* x, const double* y, const double* we
     const double ux = twist.vx - twist.omega * y[i];
     const double uy = twist.vy + twist.omega * x[i];
     const double length = std::sqrt(ux * ux + uy * uy + softness);
-    const double share = weight[i] / length;
+    const double fraction = weight[i] / length;
     const std::size_t k = i % lanes;
     sums.power[k] += weight[i] * length;
-    sums.fx[k] += share * ux;
-    sums.fy[k] += share * uy;
-    sums.moment[k] += share * (x[i] * uy - y[i] * ux);
-    sums.inverse[k] += share;
+    sums.fx[k] += fraction * ux;
+    sums.fy[k] += fraction * uy;
+    sums.moment[k] += fraction * (x[i] * uy - y[i] * ux);
+    sums.inverse[k] += fraction;
   }
   // d√(|u|² + ε²ω²)/dω has the term ε²ω/√… of the points' own radius beside that of the lever.
   const double own = twist.omega != 0.0 ? softness / twist.omega * total(sums.inverse) : 0.0;

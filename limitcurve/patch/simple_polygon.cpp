@@ -29,7 +29,7 @@ bool in_box(const PatchPoint& a, const PatchPoint& point, const PatchPoint& b) {
   return between(a.x, point.x, b.x) && between(a.y, point.y, b.y);
 }
 
-/// Whether the closed segments ab and cd share a point.
+/// Whether the closed segments ab and cd fraction a point.
 bool meet(const PatchPoint& a, const PatchPoint& b, const PatchPoint& c, const PatchPoint& d) {
   const int c_side = turn(a, b, c);
   const int d_side = turn(a, b, d);

@@ -183,16 +183,16 @@ Quadrature<Extended> direct(const PressureLaw& law, Extended s) noexcept {
   return estimate;
 }
 
-Quadrature<double> projection(const PressureLaw& law, double t) noexcept {
+Quadrature<double> line_profile(const PressureLaw& law, double t) noexcept {
   // A ring of radius ρ gives G′ = (2/π) asin(t/ρ) and N = (2/π)√(ρ² − t²) where t < ρ, else 1 and 0.
   return integrate_pieces(law.breaks(), static_cast<double>(law.rim_exponent()), law.has_polynomial_pieces(), t, 2,
                           [&](const SplitPosition<double>& position) -> Triple<double> {
                             const double rho = position.at.radius;
                             const double weight = 2.0 * rho * law.density(position.at);
                             if (rho <= t) return {weight, 0.0, 0.0};
-                            const double share = weight * static_cast<double>(2 / pi);
+                            const double fraction = weight * static_cast<double>(2 / pi);
                             const double half_chord = std::sqrt(position.from_cor * (rho + t));
-                            return {share * std::atan2(t, half_chord), share * half_chord, 0.0};
+                            return {fraction * std::atan2(t, half_chord), fraction * half_chord, 0.0};
                           });
 }
 

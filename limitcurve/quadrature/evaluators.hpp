@@ -26,7 +26,7 @@ Quadrature<Extended> direct(const PressureLaw& law, Extended s) noexcept;
 
 /// The law's pressure projected on a line through the contact centre, at the coordinate t ≥ 0 on the line: with G(t) = ⟨|t − x|⟩, `force`
 /// is G′ and `moment` is N = G − tG′. For contacts that are not round.
-Quadrature<double> projection(const PressureLaw& law, double t) noexcept;
+Quadrature<double> line_profile(const PressureLaw& law, double t) noexcept;
 
 /// Rounds to double and adds the rounding to the error.
 WrenchEstimate rounded(const Quadrature<Extended>& estimate) noexcept;

@@ -64,16 +64,16 @@ void Piece::look_between(const Source& source, bool outside, double limit) {
   constexpr double coarse = 1e-5;
   for (std::size_t k = 0; limit > coarse && k < 10; ++k) look((place(left_, right_, k) + place(left_, right_, k + 1)) / 2);
   // The curve may be singular at an end of the side; then the largest error is nearer to it.
-  for (const double share : {0.01, 0.004, 0.0015}) {
-    if (left_ == 0.0) look(share * right_);
-    if (right_ == 1.0) look(1.0 - share * (1.0 - left_));
+  for (const double fraction : {0.01, 0.004, 0.0015}) {
+    if (left_ == 0.0) look(fraction * right_);
+    if (right_ == 1.0) look(1.0 - fraction * (1.0 - left_));
   }
   for (const double s : source.breaks) {
     const double at = outside ? 1.0 / s : s;
     look(at);
-    for (const double share : {0.01, 0.02, 0.035, 0.05, 0.07, 0.1, 0.14}) {
-      look(at - share * (right_ - left_));
-      look(at + share * (right_ - left_));
+    for (const double fraction : {0.01, 0.02, 0.035, 0.05, 0.07, 0.1, 0.14}) {
+      look(at - fraction * (right_ - left_));
+      look(at + fraction * (right_ - left_));
     }
   }
 }

@@ -7,9 +7,11 @@ rows come back as arrays, without conversion to text.
 
 from __future__ import annotations
 
+import functools
 import os
-from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any, TypeAlias
+import warnings
+from collections.abc import Callable, Mapping, Sequence
+from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar, cast
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -24,6 +26,30 @@ Columns: TypeAlias = dict[str, NDArray[Any]]
 
 Data: TypeAlias = "str | os.PathLike[str] | Mapping[str, ArrayLike] | Any"
 """A file, or columns by name: a dict of arrays, a pandas DataFrame, a structured array."""
+
+
+_Function = TypeVar("_Function", bound=Callable[..., Any])
+
+# Keywords of 0.1 and their names since.
+_RENAMED = {
+    "boundary": "curve",
+    "jump_limit": "max_displacement",
+    "hold_share": "fault_decay",
+    "moment_coefficient": "mu_r",
+    "moment_coefficient_dynamic": "mu_r_dynamic",
+    "moment_exponent": "gamma",
+}
+
+
+def _takes_old_names(function: _Function) -> _Function:
+    @functools.wraps(function)
+    def renaming(*arguments: Any, **given: Any) -> Any:
+        for old in _RENAMED.keys() & given.keys():
+            warnings.warn(f"{old} is now {_RENAMED[old]}; the old name works until 0.3", FutureWarning, stacklevel=2)
+            given[_RENAMED[old]] = given.pop(old)
+        return function(*arguments, **given)
+
+    return cast("_Function", renaming)
 
 
 def _columns_of(name: str, data: Any) -> list[tuple[str, NDArray[np.float64]]]:
@@ -130,6 +156,7 @@ def validate(law: str | Law | Sequence[str | Law] | None = None, *, patch: str |
     return run("validate", law=law, patch=[patch] if isinstance(patch, str) else patch)
 
 
+@_takes_old_names
 def choose(
     law: str | Law | None = None,
     tolerance: float = 0.01,
@@ -138,7 +165,7 @@ def choose(
     scene: bool = False,
     mu: float | None = None,
     radius_law: str | None = None,
-    moment_coefficient: float | None = None,
+    mu_r: float | None = None,
     loads: ArrayLike | None = None,
     stiffness: float | None = None,
     twist_stiffness: float | None = None,
@@ -165,7 +192,7 @@ def choose(
         scene=scene,
         mu=mu,
         radius_law=radius_law,
-        moment_coefficient=moment_coefficient,
+        mu_r=mu_r,
         loads=loads,
         stiffness=stiffness,
         twist_stiffness=twist_stiffness,
@@ -233,6 +260,7 @@ def translate(law: str | Law, radius_law: str, mu: float, load: float, *, loads:
     return run("translate", law=law, radius_law=radius_law, mu=mu, load=load, loads=loads, explain=explain)
 
 
+@_takes_old_names
 def replay(
     trace: Data,
     law: str | Law | None = None,
@@ -244,10 +272,10 @@ def replay(
     stiffness: float,
     twist_stiffness: float,
     mu_dynamic: float | None = None,
-    moment_coefficient: float | None = None,
-    moment_exponent: float | None = None,
-    moment_coefficient_dynamic: float | None = None,
-    boundary: str | None = None,
+    mu_r: float | None = None,
+    gamma: float | None = None,
+    mu_r_dynamic: float | None = None,
+    curve: str | None = None,
     projection: str | None = None,
     tolerance: float | None = None,
     surface: str | None = None,
@@ -256,8 +284,8 @@ def replay(
     damping: float | None = None,
     twist_damping: float | None = None,
     rest_margin: float | None = None,
-    jump_limit: float | None = None,
-    hold_share: float | None = None,
+    max_displacement: float | None = None,
+    fault_decay: float | None = None,
     details: bool = False,
 ) -> Columns:
     """Runs the god-object over a recorded motion: columns time, x, y, z, twist [s, m, rad] (`limitcurve replay --help` lists more).
@@ -286,10 +314,10 @@ def replay(
         stiffness=stiffness,
         twist_stiffness=twist_stiffness,
         mu_dynamic=mu_dynamic,
-        moment_coefficient=moment_coefficient,
-        moment_exponent=moment_exponent,
-        moment_coefficient_dynamic=moment_coefficient_dynamic,
-        boundary=boundary,
+        mu_r=mu_r,
+        gamma=gamma,
+        mu_r_dynamic=mu_r_dynamic,
+        curve=curve,
         projection=projection,
         tolerance=tolerance,
         surface=surface,
@@ -298,7 +326,7 @@ def replay(
         damping=damping,
         twist_damping=twist_damping,
         rest_margin=rest_margin,
-        jump_limit=jump_limit,
-        hold_share=hold_share,
+        max_displacement=max_displacement,
+        fault_decay=fault_decay,
         details=details,
     )

@@ -38,7 +38,7 @@ def cors():
 class Parameters(ctypes.Structure):
     _fields_ = [("mu", ctypes.c_double), ("mu_dynamic", ctypes.c_double), ("radius_law", ctypes.c_char_p)] + [
         (name, ctypes.c_double)
-        for name in ("moment_coefficient", "moment_exponent", "moment_coefficient_dynamic", "stiffness", "twist_stiffness", "damping",
+        for name in ("mu_r", "gamma", "mu_r_dynamic", "stiffness", "twist_stiffness", "damping",
                      "twist_damping", "rest_margin", "max_displacement", "fault_decay")
     ]
 

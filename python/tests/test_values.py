@@ -156,9 +156,9 @@ def test_patches_from_arrays_are_those_from_files(tmp_path):
 def test_friction_is_what_a_finger_does():
     memory = lc.FrictionMemory()
     result = lc.apply_friction(TABLE, 2.4, 0.0, limit=1.2, radius=0.006, stiffness_ratio=25000, memory=memory)
-    assert result.slips and result.force_ratio == pytest.approx(0.5, rel=1e-12) and memory.slides
+    assert result.slips and result.force_fraction == pytest.approx(0.5, rel=1e-12) and memory.force_slides
     result = lc.apply_friction(TABLE, 0.1, 1e-4, limit=1.2, radius=0.006, stiffness_ratio=25000, memory=memory)
-    assert not result.slips and result.force_ratio == result.moment_ratio == 1 and math.isnan(result.cor)
+    assert not result.slips and result.force_fraction == result.moment_fraction == 1 and math.isnan(result.cor)
 
 
 def test_on_a_box_force_and_moment_come_to_rest_apart():
@@ -166,12 +166,12 @@ def test_on_a_box_force_and_moment_come_to_rest_apart():
 
     def states(force, moment):
         lc.apply_friction(lc.box(1, 0.6), force, moment, limit=1.0, radius=0.01, stiffness_ratio=25000, sliding_limit=0.8,
-                          force_rest_share=0.9, moment_rest_share=0.5, memory=memory)
-        return memory.slides, memory.turns
+                          force_stick_fraction=0.9, moment_stick_fraction=0.5, memory=memory)
+        return memory.force_slides, memory.moment_slides
 
     assert states(1.2, 0.007) == (True, True)  # beyond 1 N, and beyond 1 N * 10 mm * 0.6
     assert states(0.75, 0.003) == (True, True)  # 0.94 of the force that slides, 0.63 of the moment
     assert states(0.7, 0.003) == (False, True)
     assert states(0.1, 0.002) == (False, False)
-    with pytest.raises(ValueError, match="moment_rest_share"):
-        lc.apply_friction(lc.box(1, 0.6), 1, 0, limit=1, radius=0.01, stiffness_ratio=25000, moment_rest_share=-0.1)
+    with pytest.raises(ValueError, match="moment_stick_fraction"):
+        lc.apply_friction(lc.box(1, 0.6), 1, 0, limit=1, radius=0.01, stiffness_ratio=25000, moment_stick_fraction=-0.1)

@@ -117,7 +117,8 @@ TEST_F(HostileCalls, OddNumbersAndNullAreErrorsOrRightAnswers) {
                                                                    &limits, number(), number(), or_null(&memory), or_null(&friction));
         expect_told(status);
         if (status == LIMITCURVE_OK) {
-          EXPECT_TRUE(friction.force_ratio >= 0 && friction.force_ratio <= 1 && friction.moment_ratio >= 0 && friction.moment_ratio <= 1);
+          EXPECT_TRUE(friction.force_fraction >= 0 && friction.force_fraction <= 1 && friction.moment_fraction >= 0 &&
+                      friction.moment_fraction <= 1);
         }
         break;
       }
@@ -125,7 +126,7 @@ TEST_F(HostileCalls, OddNumbersAndNullAreErrorsOrRightAnswers) {
         limitcurve_finger_parameters parameters = limitcurve_finger_defaults();
         if (random() % 2 == 0) parameters.mu = number();
         if (random() % 2 == 0) parameters.stiffness = number();
-        if (random() % 4 == 0) parameters.moment_coefficient = number();
+        if (random() % 4 == 0) parameters.mu_r = number();
         if (random() % 4 == 0) parameters.radius_law = text();
         limitcurve_finger* finger = nullptr;
         const auto projection = static_cast<limitcurve_projection>(random() % 4);

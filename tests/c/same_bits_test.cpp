@@ -79,13 +79,13 @@ TEST(SameBits, FrictionOfABoxWhoseTestsComeToRestApart) {
     ASSERT_EQ(limitcurve_apply_friction(box, LIMITCURVE_CLOSEST_POINT, &limits, force, moment, &memory, &friction), LIMITCURVE_OK);
     const auto expected =
         apply_friction(same.view(), Projection::closest_point, same_limits, FrictionTrial<double>{force, moment}, same_memory);
-    ASSERT_EQ(bits(friction.force_ratio), bits(expected.force_ratio));
-    ASSERT_EQ(bits(friction.moment_ratio), bits(expected.moment_ratio));
-    ASSERT_EQ(memory.slides != 0, same_memory.slides);
-    ASSERT_EQ(memory.turns != 0, same_memory.turns);
-    ++seen[static_cast<std::size_t>(2 * memory.slides + memory.turns)];
+    ASSERT_EQ(bits(friction.force_fraction), bits(expected.force_fraction));
+    ASSERT_EQ(bits(friction.moment_fraction), bits(expected.moment_fraction));
+    ASSERT_EQ(memory.force_slides != 0, same_memory.force_slides);
+    ASSERT_EQ(memory.moment_slides != 0, same_memory.moment_slides);
+    ++seen[static_cast<std::size_t>(2 * memory.force_slides + memory.moment_slides)];
     // By hand: a contact that turned keeps turning until the moment is below half of the sliding limit, 0.9 N * 5 mm * 0.6.
-    if (memory.turns == 0) {
+    if (memory.moment_slides == 0) {
       ASSERT_TRUE(moment <= 1.2 * 0.006 * 0.6);
     } else if (moment < 0.5 * 0.9 * 0.005 * 0.6) {
       ADD_FAILURE() << "still turns at " << moment;
@@ -190,33 +190,34 @@ void compare_batches(const BasicBatch<Real>& same, const Step& step) {
       for (BasicContactArrays<Real>* const arrays : {&mine, &other}) {
         arrays->x()[i] = static_cast<Real>(moved[0]);
         arrays->y()[i] = static_cast<Real>(moved[1]);
-        arrays->angle()[i] = static_cast<Real>(moved[2]);
+        arrays->twist()[i] = static_cast<Real>(moved[2]);
         arrays->depth()[i] = static_cast<Real>(moved[3]);
       }
     }
     const BasicContactBatch<Real> of = mine.batch();
     const Contacts contacts{of.x.data(),
                             of.y.data(),
-                            of.angle.data(),
+                            of.twist.data(),
                             of.depth.data(),
                             of.proxy_x.data(),
                             of.proxy_y.data(),
                             of.proxy_angle.data(),
                             reinterpret_cast<std::uint8_t*>(of.state.data()),
-                            reinterpret_cast<std::uint8_t*>(of.sliding.data()),
-                            reinterpret_cast<std::uint8_t*>(of.turning.data()),
-                            of.parameter.data(),
-                            of.rate.data(),
-                            of.force_x.data(),
-                            of.force_y.data(),
+                            reinterpret_cast<std::uint8_t*>(of.force_slides.data()),
+                            reinterpret_cast<std::uint8_t*>(of.moment_slides.data()),
+                            of.search_start.data(),
+                            of.search_rate.data(),
+                            of.fx.data(),
+                            of.fy.data(),
                             of.moment.data()};
     ASSERT_EQ(step(&contacts), LIMITCURVE_OK);
     const BasicContactBatch<Real> expected = other.batch();
     same.step(expected);
     const auto equal = [](auto one, auto two) { return std::memcmp(one.data(), two.data(), one.size_bytes()) == 0; };
     ASSERT_TRUE(equal(of.proxy_x, expected.proxy_x) && equal(of.proxy_y, expected.proxy_y) && equal(of.proxy_angle, expected.proxy_angle));
-    ASSERT_TRUE(equal(of.force_x, expected.force_x) && equal(of.force_y, expected.force_y) && equal(of.moment, expected.moment));
-    ASSERT_TRUE(equal(of.state, expected.state) && equal(of.sliding, expected.sliding) && equal(of.turning, expected.turning));
+    ASSERT_TRUE(equal(of.fx, expected.fx) && equal(of.fy, expected.fy) && equal(of.moment, expected.moment));
+    ASSERT_TRUE(equal(of.state, expected.state) && equal(of.force_slides, expected.force_slides) &&
+                equal(of.moment_slides, expected.moment_slides));
     for (const ContactState state : of.state) slips += state == ContactState::slip ? 1 : 0;
   }
   EXPECT_GT(slips, count);

@@ -71,8 +71,10 @@ static void fingers(void) {
   CHECK(output.state == LIMITCURVE_SLIP && fabs(output.force[0] + 0.6 * 2.0) < 1e-12 && isinf(output.cor));
   double margin = 1, hold = 0;
   CHECK(limitcurve_finger_margin(finger, &margin, &hold) == LIMITCURVE_OK && margin == 0 && fabs(hold - 2.0) < 1e-9);
+  double centre[3];
+  CHECK(limitcurve_finger_centre_of_rotation(finger, centre) == LIMITCURVE_OK && !(fabs(centre[0]) < 1e9 && fabs(centre[1]) < 1e9));
   contact.depth = NAN;
-  CHECK(limitcurve_finger_update(finger, &contact, 1e-3, &output) == LIMITCURVE_OK && output.state == LIMITCURVE_FAULT);
+  CHECK(limitcurve_finger_update(finger, &contact, 1e-3, &output) == LIMITCURVE_OK && output.state == LIMITCURVE_STATE_INVALID);
   CHECK(limitcurve_finger_reset(finger) == LIMITCURVE_OK);
   limitcurve_finger_free(finger);
 
@@ -99,7 +101,7 @@ static void fingers(void) {
   limitcurve_memory memory = {0, 0, 0, 0};
   limitcurve_friction friction;
   CHECK(limitcurve_apply_friction(table, LIMITCURVE_CLOSEST_POINT, &limits, 2.4, 0, &memory, &friction) == LIMITCURVE_OK);
-  CHECK(friction.slips && fabs(friction.force_ratio - 0.5) < 1e-12 && memory.slides);
+  CHECK(friction.slips && fabs(friction.force_fraction - 0.5) < 1e-12 && memory.force_slides);
 
   limitcurve_table_free(table);
   limitcurve_law_free(law);

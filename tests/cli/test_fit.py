@@ -153,7 +153,7 @@ class Fit(CommandLineTest):
         trace = self.file("twist.csv", "time,x,y,z,twist\n0,0,0,-0.004,0\n1,0,0,-0.004,3\n2,0,0,-0.004,6\n")
         for call in (["law", "--fit-gamma"], ["law", "--law", "uniform", "--gamma", "0.257"], ["ellipse", "--fit-gamma"], ["quartic", "--fit-gamma"]):
             said = self.fitted(*call, "--data", data)[1]
-            self.assertRegex(said.splitlines()[-1], r"\.mu = 0\.\d+, \.moment_coefficient = 0\.\d+, \.moment_exponent = 0\.2")
+            self.assertRegex(said.splitlines()[-1], r"\.mu = 0\.\d+, \.mu_r = 0\.\d+, \.gamma = 0\.2")
             typed = said.splitlines()[-1].split("to type into replay: ")[1].split(";")[0].split()
             if "--law" not in typed:
                 typed += ["--law", "uniform"]

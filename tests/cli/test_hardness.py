@@ -29,7 +29,7 @@ SANITIZED = bool(os.environ.get("LIMITCURVE_SANITIZED"))
 makes_reports = unittest.skipIf(SANITIZED, "makes several reports, which take up to a minute each under a sanitizer")
 TABLE = ["table", "--law", "uniform", "--tolerance", "1e-14", "-o"]
 REPLAY = ["replay", "--law", "hertz", "--radius-law", "constant:a=0.006", "--mu", "0.6", "--stiffness", "1000", "--twist-stiffness", "0.036",
-          "--boundary", "ellipse", "--projection", "radial", "--quiet", "--trace", "-"]
+          "--curve", "ellipse", "--projection", "radial", "--quiet", "--trace", "-"]
 STUB = "import sys; print('drawn')"
 
 

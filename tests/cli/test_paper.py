@@ -81,11 +81,11 @@ class Corrections(CommandLineTest):
         printed = printed_equation_8(trace("slide_twist_load.csv"), 0.6, 0.3)
         self.assertAlmostEqual(sum(printed) / len(printed), 0.319, delta=5e-4)
         here = [math.hypot(row["fx"], row["fy"]) / row["load"]
-                for row in self.replay("slide_twist_load.csv", "--boundary", "box", "--mu-dynamic", "0.3") if row["load"] > 0]
+                for row in self.replay("slide_twist_load.csv", "--curve", "box", "--mu-dynamic", "0.3") if row["load"] > 0]
         self.assertLess(sum(here) / len(here), 0.23)
         # Where both coefficients are one the two agree.
         printed = printed_equation_8(trace("slide_twist_load.csv"), 0.6, 0.6)
-        here = [math.hypot(row["fx"], row["fy"]) / row["load"] for row in self.replay("slide_twist_load.csv", "--boundary", "box")]
+        here = [math.hypot(row["fx"], row["fy"]) / row["load"] for row in self.replay("slide_twist_load.csv", "--curve", "box")]
         self.assertAlmostEqual(max(abs(a - b) for a, b in zip(printed, here)), 0, delta=1e-9)
 
     def test_angles_at_touch_down_preload_nothing(self):
@@ -167,7 +167,7 @@ class Corrections(CommandLineTest):
         call = ["replay", "--trace", DATA / "scenes" / "pinch.csv", *FINGER_OPTIONS, "--fingers", "2", "--surface",
                 "box:x=0.12,y=0.04,z=0.04", "--body", "free:mass=0.1", "--damping", "2"]
         soft, point = ([math.degrees(2 * math.atan2(row["bqz"], row["bqw"])) for row in rows(*call, *more)]
-                       for more in ([], ["--moment-coefficient", "0"]))
+                       for more in ([], ["--mu-r", "0"]))
         self.assertAlmostEqual(soft[-1], math.degrees(2 * math.atan(0.2)), delta=0.05)
         self.assertEqual(set(point), {0})
 

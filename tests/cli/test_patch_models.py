@@ -202,8 +202,8 @@ class ReplayPatch(PatchCase):
     def test_bad_usage(self):
         rectangle = ("--patch", "rectangle:x=0.02,y=0.01")
         for more, part in (((), "--law and --patch"), ((*rectangle, "--law", "hertz"), "--law and --patch"),
-                           ((*rectangle, "--radius-law", "constant:a=1"), "--radius-law"), ((*rectangle, "--moment-coefficient", 1), "--moment-coefficient"),
-                           ((*rectangle, "--projection", "radial"), "--projection"), ((*rectangle, "--boundary", "box"), "--boundary"),
+                           ((*rectangle, "--radius-law", "constant:a=1"), "--radius-law"), ((*rectangle, "--mu-r", 1), "--mu-r"),
+                           ((*rectangle, "--projection", "radial"), "--projection"), ((*rectangle, "--curve", "box"), "--curve"),
                            ((*rectangle, "--point-radius", 1e-9), "point_radius"),
                            (("--law", "hertz", "--radius-law", "constant:a=1", "--point-radius", 1), "--point-radius")):
             done = run(*self.TRACE, *self.SPRINGS, *more)

@@ -42,7 +42,7 @@ class Pivot(CommandLineTest):
 
     def test_a_block_that_has_begun_to_slip_is_held_less(self):
         call = ["pivot", "--case", "exact", "--release", "from=0.45,to=0.39,over=2", "--duration", "2"]
-        as_ever, slippery = rows(*call), rows(*call, "--mu-dynamic", "1.5", "--moment-coefficient-dynamic", "0.009")
+        as_ever, slippery = rows(*call), rows(*call, "--mu-dynamic", "1.5", "--mu-r-dynamic", "0.009")
         # The static limit counts until it slips; then it turns farther.
         first = next(i for i, row in enumerate(as_ever) if row["state"] == "slip")
         self.assertEqual([row["angle"] for row in slippery[:first]], [row["angle"] for row in as_ever[:first]])
@@ -111,7 +111,7 @@ class Pivot(CommandLineTest):
                 self.assertRegex(done.stderr, r"\Alimitcurve: warning: the grip begins at 0.9 N a finger and does not hold the block: that needs \S+ N\n\Z")
                 self.assert_close(float(done.stderr.split()[-2]), needed, 1e-12)
             self.assertEqual(run(*call, "--release", f"from={needed * (1 + 1e-9)},to=0,over=10").stderr, "")
-        done = run("pivot", "--case", "exact", "--mu", "0", "--moment-coefficient", "0", "--twist-stiffness", "0.03", "--duration", "0.1")
+        done = run("pivot", "--case", "exact", "--mu", "0", "--mu-r", "0", "--twist-stiffness", "0.03", "--duration", "0.1")
         self.assertIn("no load does", done.stderr)
 
     def test_the_operator_regrips_out_of_a_slide(self):
@@ -150,20 +150,20 @@ class Pivot(CommandLineTest):
         release = ["--release", "from=0.45,to=0.3,over=2", "--duration", "2"]
         text = {case: run("pivot", "--case", case, *release).stdout for case in CASES}
         for case, (curve, projection) in named.items():
-            own = ["--boundary", curve, "--projection", projection]
+            own = ["--curve", curve, "--projection", projection]
             self.assertEqual(run("pivot", *own, *release).stdout, text[case])
             for other in CASES:
                 self.assertEqual(run("pivot", "--case", other, *own, *release).stdout, text[case])
         # What is left out is the case's, and without a case the exact one's.
         self.assertEqual(run("pivot", "--projection", "closest-point", *release).stdout, text["exact"])
-        self.assertEqual(run("pivot", "--boundary", "table", *release).stdout, text["exact"])
+        self.assertEqual(run("pivot", "--curve", "table", *release).stdout, text["exact"])
         self.assertEqual(run("pivot", "--case", "coupled", "--projection", "radial", *release).stdout, text["coupled"])
         self.assertNotEqual(run("pivot", "--case", "coupled", "--projection", "closest-point", *release).stdout, text["coupled"])
-        done = run("pivot", "--boundary", "exact", *release)
+        done = run("pivot", "--curve", "exact", *release)
         self.assertRegex(done.stderr, r"\Alimitcurve: exact: a table with an error of at most \S+ in unit wrenches\n\Z")
         self.assertNotEqual(done.stdout, text["exact"])
-        self.assert_fails(2, ["box", "closest-point"], "pivot", "--boundary", "box", "--projection", "radial")
-        self.assert_fails(2, ["--boundary", "exact|table|ellipse"], "pivot", "--boundary", "circle")
+        self.assert_fails(2, ["box", "closest-point"], "pivot", "--curve", "box", "--projection", "radial")
+        self.assert_fails(2, ["--curve", "exact|table|ellipse"], "pivot", "--curve", "circle")
         self.assert_fails(2, ["--projection", "radial|c-curve"], "pivot", "--projection", "nearest")
 
     def test_a_radius_law_gives_the_moments_limit(self):
@@ -177,7 +177,7 @@ class Pivot(CommandLineTest):
                 self.assertAlmostEqual(first[-1][name], second[-1][name], delta=1e-8, msg=name)
         # With a coefficient beside it the law of the radius does not count, as in replay.
         call = ["pivot", "--case", "exact", *release]
-        self.assertEqual(run(*call, "--radius-law", "constant:a=0.02", "--moment-coefficient", "0.01011").stdout, run(*call).stdout)
+        self.assertEqual(run(*call, "--radius-law", "constant:a=0.02", "--mu-r", "0.01011").stdout, run(*call).stdout)
         # Measured moments, Gamma = mu_r P, are the same finger too.
         moments = self.file("moments.csv", "load,moment\n" + "".join(f"{load},{0.01011 * load!r}\n" for load in (0.1, 0.5, 2)))
         for case in CASES:
@@ -191,7 +191,7 @@ class Pivot(CommandLineTest):
         self.assertAlmostEqual(math.hypot(found["r"] / (1.67 * found["load"]), found["rho"] / limit), 1, delta=1e-9)
         # Its k_r is k_l (m0 a)^2 at the load that holds, where the twist's spring gives under that moment.
         self.assert_fails(2, "twist_stiffness", "pivot", *law, "--gravity", "0")
-        self.assert_fails(2, "moment_coefficient_dynamic", "pivot", *law, "--moment-coefficient-dynamic", "0.01")
+        self.assert_fails(2, "mu_r_dynamic", "pivot", *law, "--mu-r-dynamic", "0.01")
 
     def test_bad_input(self):
         call = ["pivot", "--case", "coupled"]

@@ -30,7 +30,7 @@ class Replays(CommandLineTest):
             for boundary in ["exact", "table", "ellipse", "superellipse", "quartic", "box"]:
                 for projection in ["closest-point"] if boundary == "box" else ["radial", "c-curve", "closest-point"]:
                     remark = "exact: a table with an error of at most" if boundary == "exact" else ""
-                    found = rows("replay", "--trace", trace, *FINGER, "--boundary", boundary, "--projection", projection, remark=remark)
+                    found = rows("replay", "--trace", trace, *FINGER, "--curve", boundary, "--projection", projection, remark=remark)
                     states = {row["state"] for row in found}
                     self.assertEqual(states, {"free", "stick", "slip"}, f"{trace.name} {boundary} {projection}")
                     for row in found:
@@ -43,7 +43,7 @@ class Replays(CommandLineTest):
         law = f"samples:{profile}"
         estimates = rows("eval", "--law", law, "--c", numbers([0, 0.2, 0.5, 0.8, 0.95, 1, 1.05, 1.3, 2, 5]))
         largest = max(max(row["force_error"], row["moment_error"]) for row in estimates)
-        call = ["replay", "--trace", self.file("trace.csv", TRACE), *FINGER, "--boundary", "exact"]
+        call = ["replay", "--trace", self.file("trace.csv", TRACE), *FINGER, "--curve", "exact"]
         call[call.index("--law") + 1] = law
         said = run(*call).stderr
         total, profile_error = (float(said.split(before)[1].split()[0]) for before in ("at most ", "of which "))
@@ -54,7 +54,7 @@ class Replays(CommandLineTest):
         self.assertNotIn("of which", run(*call).stderr)
 
     def test_the_paper_s_uncoupled_algorithm_clamps_each_on_its_own(self):
-        last = rows("replay", "--trace", DATA / "traces" / "constant_twist.csv", *FINGER, "--boundary", "box", "--projection",
+        last = rows("replay", "--trace", DATA / "traces" / "constant_twist.csv", *FINGER, "--curve", "box", "--projection",
                     "closest-point")[-1]
         self.assertAlmostEqual(last["fx"], -1.2, delta=1e-9)
         self.assertAlmostEqual(last["moment"], -1.2 * 0.006 * M0, delta=1e-12)
@@ -62,30 +62,30 @@ class Replays(CommandLineTest):
     def test_a_box_goes_with_the_closest_point_only(self):
         for projection in ["radial", "c-curve"]:
             self.assert_fails(2, ["projection", "a box goes with closest-point only"], "replay", "--trace", DATA / "traces" / "constant_twist.csv",
-                              *FINGER, "--boundary", "box", "--projection", projection)
+                              *FINGER, "--curve", "box", "--projection", projection)
 
     def test_coefficients(self):
         twist = "time,x,y,z,twist\n0,0,0,-0.001,0\n1,0,0,-0.001,3\n2,0,0,-0.001,6\n"
         self.assertAlmostEqual(self.replay(twist)[-1]["moment"], -0.6 * 0.006 * M0, delta=1e-12)
-        self.assertAlmostEqual(self.replay(twist, "--moment-coefficient", "0.004")[-1]["moment"], -0.004, delta=1e-12)
+        self.assertAlmostEqual(self.replay(twist, "--mu-r", "0.004")[-1]["moment"], -0.004, delta=1e-12)
         deeper = twist.replace("-0.001", "-0.003")
         for exponent in (-0.4, 0.257, 1):
-            growing = self.replay(deeper, "--moment-coefficient", "0.004", "--moment-exponent", exponent)
+            growing = self.replay(deeper, "--mu-r", "0.004", "--gamma", exponent)
             self.assert_close(growing[-1]["moment"], -0.004 * 3 ** (1 + exponent), 1e-9)
-        self.assert_fails(2, ["moment_exponent", "without moment_coefficient"], "replay", "--trace", self.directory / "trace.csv", *FINGER,
-                          "--moment-exponent", "0.1")
-        self.assert_fails(2, ["moment_exponent = 2", "<= 1"], "replay", "--trace", self.directory / "trace.csv", *FINGER,
-                          "--moment-coefficient", "0.004", "--moment-exponent", "2")
+        self.assert_fails(2, ["gamma", "without mu_r"], "replay", "--trace", self.directory / "trace.csv", *FINGER,
+                          "--gamma", "0.1")
+        self.assert_fails(2, ["gamma = 2", "<= 1"], "replay", "--trace", self.directory / "trace.csv", *FINGER,
+                          "--mu-r", "0.004", "--gamma", "2")
         self.replay(twist)
         self.assertAlmostEqual(self.replay(TRACE, "--mu-dynamic", "0.3")[-1]["fx"], -0.3, delta=1e-9)
-        slower = self.replay(twist, "--moment-coefficient", "0.004", "--moment-coefficient-dynamic", "0.003")
+        slower = self.replay(twist, "--mu-r", "0.004", "--mu-r-dynamic", "0.003")
         self.assertAlmostEqual(slower[-1]["moment"], -0.003, delta=1e-12)
-        self.assert_fails(2, ["moment_coefficient_dynamic", "absent without moment_coefficient"], "replay", "--trace", self.directory / "trace.csv", *FINGER,
-                          "--moment-coefficient-dynamic", "0.003")
+        self.assert_fails(2, ["mu_r_dynamic", "absent without mu_r"], "replay", "--trace", self.directory / "trace.csv", *FINGER,
+                          "--mu-r-dynamic", "0.003")
         without_radius = [word for word in FINGER if word not in ("--radius-law", "constant:a=0.006")]
         path = self.directory / "trace.csv"
-        self.assertEqual(run("replay", "--trace", path, *without_radius, "--moment-coefficient", "0.004").returncode, 0)
-        self.assert_fails(2, ["--radius-law", "--moment-coefficient"], "replay", "--trace", path, *without_radius)
+        self.assertEqual(run("replay", "--trace", path, *without_radius, "--mu-r", "0.004").returncode, 0)
+        self.assert_fails(2, ["--radius-law", "--mu-r"], "replay", "--trace", path, *without_radius)
 
     def test_an_orientation_in_place_of_the_twist(self):
         samples = [(i / 1000, 1e-5 * i, -0.001, 0.02 * i) for i in range(700)]  # more than two turns
@@ -109,7 +109,7 @@ class Replays(CommandLineTest):
         still = "time,x,y,z\n" + "".join(f"{i / 1000},{1e-5 * i!r},{2e-6 * i!r},-0.001\n" for i in range(200))
         told = still.replace("z\n", "z,twist\n").replace("-0.001\n", "-0.001,0\n")
         plain = run("replay", "--trace", self.file("told.csv", told), *FINGER)
-        for options in [], ["--boundary", "box"], ["--boundary", "ellipse", "--projection", "radial"]:
+        for options in [], ["--curve", "box"], ["--curve", "ellipse", "--projection", "radial"]:
             expected = run("replay", "--trace", self.directory / "told.csv", *FINGER, *options)
             done = run("replay", "--trace", self.file("still.csv", still), *FINGER, *options)
             self.assertEqual((done.returncode, done.stdout), (0, expected.stdout), options)
@@ -126,7 +126,7 @@ class Replays(CommandLineTest):
         limit = 0.6 * 0.006 * M0
         twist = 0.9 * limit / 0.036
         text = "time,x,y,z,twist\n0,0,0,-0.001,0\n" + "".join(f"{(i + 1) / 1000},{2e-5 * i!r},0,-0.001,{twist!r}\n" for i in range(100))
-        found = self.replay(text, "--boundary", "box", "--mu-dynamic", "0.3")
+        found = self.replay(text, "--curve", "box", "--mu-dynamic", "0.3")
         self.assertEqual(found[-1]["state"], "slip")
         self.assertAlmostEqual(found[-1]["fx"], -0.3, delta=1e-12)
         self.assertAlmostEqual(max(abs(row["fx"]) for row in found), 0.6, delta=1e-12)
@@ -134,7 +134,7 @@ class Replays(CommandLineTest):
         self.assertAlmostEqual(-found[-1]["moment"], 1.909e-3, delta=1e-6)
         # The other way round: a twist that slips leaves the force.
         text = "time,x,y,z,twist\n0,0,0,-0.001,0\n" + "".join(f"{(i + 1) / 1000},5e-4,0,-0.001,{2e-3 * i!r}\n" for i in range(100))
-        found = self.replay(text, "--boundary", "box", "--mu-dynamic", "0.3", "--details")
+        found = self.replay(text, "--curve", "box", "--mu-dynamic", "0.3", "--details")
         self.assertEqual({round(row["fx"], 12) for row in found[1:]}, {-0.5})
         self.assertEqual((found[-1]["state"], found[-1]["cor"]), ("slip", 0))
         self.assertAlmostEqual(found[-1]["moment"], -0.5 * limit, delta=1e-12)
@@ -142,7 +142,7 @@ class Replays(CommandLineTest):
     def settled(self, mu_r, *options):
         """Force after 100 mm and 20 rad about a centre of rotation at 5 mm, at 1 N, and standard error."""
         text = "time,x,y,z,twist\n" + "".join(f"{i / 1000},{1e-4 * i!r},0,-0.001,{0.02 * i!r}\n" for i in range(1000))
-        done = run("replay", "--trace", self.file("trace.csv", text), "--law", "hertz", "--moment-coefficient", mu_r, "--mu", "0.6", "--stiffness", "1000",
+        done = run("replay", "--trace", self.file("trace.csv", text), "--law", "hertz", "--mu-r", mu_r, "--mu", "0.6", "--stiffness", "1000",
                    "--twist-stiffness", "0.036", *options)
         self.assertEqual(done.returncode, 0, done.stderr)
         return -float(done.stdout.splitlines()[-1].split(",")[7]), done.stderr
@@ -151,19 +151,19 @@ class Replays(CommandLineTest):
         # mu P = 0.6 N.
         for mu_r, expected, is_far in [("0.01", 0.551, False), ("0.001", 0.135, True), ("0.0001", 0.0139, True), ("0.000001", 0.00014, True),
                                        ("0", 0.6, False)]:
-            force, told = self.settled(mu_r, "--boundary", "ellipse", "--projection", "radial")
+            force, told = self.settled(mu_r, "--curve", "ellipse", "--projection", "radial")
             self.assert_close(force, expected, 0.01, mu_r)
             self.assertEqual(told.count("limitcurve: note: --projection radial: k_r/k_l is"), is_far, told)
             self.assertEqual("hardly any friction force" in told, is_far, told)
             self.assertEqual("--projection c-curve: k_r/k_l is" in self.settled(mu_r, "--projection", "c-curve")[1], is_far, mu_r)
             self.assertEqual(self.settled(mu_r)[1], "")
-        self.assert_close(self.settled("0.0001", "--boundary", "ellipse")[0], 0.5997, 1e-4)
+        self.assert_close(self.settled("0.0001", "--curve", "ellipse")[0], 0.5997, 1e-4)
         # A contact too large for its twist stiffness: the moment is what is lost.
-        self.assertIn("hardly any friction moment", self.settled("0.02", "--projection", "radial", "--boundary", "table")[1])
+        self.assertIn("hardly any friction moment", self.settled("0.02", "--projection", "radial", "--curve", "table")[1])
 
     def test_the_note_is_about_the_largest_load(self):
         # a^2 grows by 100^(2/3) = 22 from 0.02 to 2 N: right at 2 N, wrong at 0.02 N.
-        radial = ["--projection", "radial", "--boundary", "ellipse", "--radius-law", "power:c=0.005,gamma=0.3333333333333333"]
+        radial = ["--projection", "radial", "--curve", "ellipse", "--radius-law", "power:c=0.005,gamma=0.3333333333333333"]
         common = ["--law", "hertz", "--mu", "0.6", "--stiffness", "1000"]
         text = "time,x,y,z,twist\n" + "".join(f"{i / 1000},0,0,{-2e-5 * (i + 1)},{0.02 * i}\n" for i in range(100))
         right = 1000 * (M0 * 0.005 * 2 ** (1 / 3)) ** 2
@@ -193,20 +193,20 @@ class Replays(CommandLineTest):
         # Half a metre is what a finger can do by itself.
         metre = TRACE + "0.004,1.006,0,-0.001,0\n0.005,0.0051,0,-0.001,0\n"
         self.assertEqual([row["state"] for row in self.replay(metre)][3:], ["slip", "invalid", "slip"])
-        self.assertEqual([row["state"] for row in self.replay(metre, "--jump-limit", "inf")][3:], ["slip", "slip", "slip"])
+        self.assertEqual([row["state"] for row in self.replay(metre, "--max-displacement", "inf")][3:], ["slip", "slip", "slip"])
         for options in [[], ["--details"], ["--surface", "box:x=10,y=10,z=2e-12"]]:
-            held = self.replay(back, "--jump-limit", "0.01", *options)
+            held = self.replay(back, "--max-displacement", "0.01", *options)
             self.assertEqual([row["state"] for row in held[3:]], ["slip", "invalid", "slip", "slip"], options)
             for name in ["px", "load", "fx", "moment"]:
                 self.assertEqual(held[4][name], held[3][name])
             self.assertAlmostEqual(held[6]["fx"], -0.6, delta=1e-9)
-        stays = self.replay(away + "0.005,0.3,0,-0.001,0\n", "--jump-limit", "0.01")
+        stays = self.replay(away + "0.005,0.3,0,-0.001,0\n", "--max-displacement", "0.01")
         self.assertEqual([row["state"] for row in stays[4:]], ["invalid", "slip"])
         self.assertAlmostEqual(stays[5]["px"], 0.3 - 0.0006, delta=1e-9)
 
     def test_what_is_felt_fades_over_rows_that_stay_invalid(self):
         late = TRACE + "".join(f"0.001,0.00{i},0,-0.001,0\n" for i in (7, 8, 9)) + "0.005,0.0051,0,-0.001,0\n"
-        for options, share in [([], 0.99), (["--hold-share", "0.25"], 0.25), (["--hold-share", "1"], 1.0), (["--hold-share", "0"], 0.0)]:
+        for options, share in [([], 0.99), (["--fault-decay", "0.25"], 0.25), (["--fault-decay", "1"], 1.0), (["--fault-decay", "0"], 0.0)]:
             rows = self.replay(late, *options)
             self.assertEqual([row["state"] for row in rows[3:]], ["slip", "invalid", "invalid", "invalid", "slip"])
             for i, kept in [(4, 1.0), (5, share), (6, share)]:
@@ -241,23 +241,23 @@ class SteadyTwist(CommandLineTest):
     def test_closest_point_settles_at_the_exact_wrench(self):
         for ratio in [0.1, 0.3, 1, 2, 10]:
             for cor in [0.002, 0.005, 0.02]:
-                found = self.settled(cor, ratio, "--boundary", "table", "--tolerance", "1e-8", "--projection", "closest-point")
+                found = self.settled(cor, ratio, "--curve", "table", "--tolerance", "1e-8", "--projection", "closest-point")
                 self.assertLess(self.error(found, cor), 1e-6, f"ratio {ratio}, c {cor}")
 
     def test_radial_settles_where_the_stiffness_says(self):
         for ratio, expected in [(0.1, 0.34), (1, 0.125), (2, 0.44), (10, 0.94)]:
-            found = self.settled(0.005, ratio, "--boundary", "table", "--tolerance", "1e-8", "--projection", "radial")
+            found = self.settled(0.005, ratio, "--curve", "table", "--tolerance", "1e-8", "--projection", "radial")
             self.assertAlmostEqual(self.error(found, 0.005), expected, delta=0.005)
             # F/M = (k_l/k_r) c, whatever the curve.
             self.assert_close(found[0] / found[1], 1 / (ratio * M0**2), 1e-6)
 
     def test_radial_on_the_ellipse(self):
         for ratio, expected in [(1, 0.134), (2, 0.45)]:
-            found = self.settled(0.005, ratio, "--boundary", "ellipse", "--projection", "radial")
+            found = self.settled(0.005, ratio, "--curve", "ellipse", "--projection", "radial")
             self.assertAlmostEqual(self.error(found, 0.005), expected, delta=0.005)
 
     def test_the_repository_s_own_trace(self):
-        last = rows("replay", "--trace", DATA / "traces" / "constant_twist.csv", *FINGER, "--boundary", "table", "--tolerance", "1e-8",
+        last = rows("replay", "--trace", DATA / "traces" / "constant_twist.csv", *FINGER, "--curve", "table", "--tolerance", "1e-8",
                     "--projection", "closest-point")[-1]
         exact = rows("eval", "--law", "hertz", "--c", "0.005", "--radius", "0.006", "--mu", "0.6", "--load", repr(last["load"]))[0]
         self.assert_close(math.hypot(last["fx"], last["fy"]), exact["force"], 1e-6)

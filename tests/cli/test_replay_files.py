@@ -72,7 +72,7 @@ class Files(CommandLineTest):
 
     def test_options_out_of_range(self):
         path = self.file("trace.csv", TRACE)
-        for option in ["--mu", "--stiffness", "--twist-stiffness", "--mu-dynamic", "--moment-coefficient", "--tolerance"]:
+        for option in ["--mu", "--stiffness", "--twist-stiffness", "--mu-dynamic", "--mu-r", "--tolerance"]:
             call = ["replay", "--trace", path, *FINGER]
             if option in call:
                 del call[call.index(option):call.index(option) + 2]
@@ -82,11 +82,11 @@ class Files(CommandLineTest):
             call = list(FINGER)
             del call[call.index(option):call.index(option) + 2]
             self.assert_fails(2, option, "replay", "--trace", path, *call)
-        for option, values, told in [("--jump-limit", ["0", "-0.01", "nan", "x", ""], "expected a number > 0, or inf"),
-                                     ("--hold-share", ["-0.1", "1.1", "nan", "inf", "x"], "expected a number from 0 to 1")]:
+        for option, values, told in [("--max-displacement", ["0", "-0.01", "nan", "x", ""], "expected a number > 0, or inf"),
+                                     ("--fault-decay", ["-0.1", "1.1", "nan", "inf", "x"], "expected a number from 0 to 1")]:
             for value in values:
                 self.assert_fails(2, [option, told], "replay", "--trace", path, *FINGER, option, value)
-        self.assert_fails(2, ["--boundary", "triangle", "ellipse"], "replay", "--trace", path, *FINGER, "--boundary", "triangle")
+        self.assert_fails(2, ["--curve", "triangle", "ellipse"], "replay", "--trace", path, *FINGER, "--curve", "triangle")
         self.assert_fails(2, ["--projection", "c-curve"], "replay", "--trace", path, *FINGER, "--projection", "oblique")
         self.assert_fails(2, ["mu_dynamic"], "replay", "--trace", path, *FINGER, "--mu-dynamic", "0.7")
         self.assert_fails(2, ["tolerance"], "replay", "--trace", path, *FINGER, "--tolerance", "0")

@@ -26,7 +26,7 @@ inline godobject::FingerParameters any_parameters(Bytes& bytes) {
   godobject::FingerParameters result;
   result.mu = std::fabs(any_double(bytes, raw(0), 2.0));
   if (raw(1)) result.mu_dynamic = result.mu * std::fabs(any_double(bytes, false, 1.0));
-  if (raw(2)) result.moment_coefficient = std::fabs(any_double(bytes, raw(0), 0.01));
+  if (raw(2)) result.mu_r = std::fabs(any_double(bytes, raw(0), 0.01));
   if (raw(3)) result.radius_law = RadiusLaw::power(0.002, std::fabs(any_double(bytes, false, 1.0)));
   result.stiffness = std::fabs(any_double(bytes, raw(4), 3000.0));
   result.twist_stiffness = std::fabs(any_double(bytes, raw(5), 0.1));

@@ -18,11 +18,11 @@ void move_all(fuzz::Bytes& bytes, BasicContactArrays<Real>& arrays) {
   for (std::size_t i = 0; i < arrays.size(); ++i) {
     const auto flags = bytes.take<std::uint8_t>();
     const auto raw = [&](unsigned bit) { return ((flags >> bit) & 1U) != 0; };
-    const double last_angle = double{arrays.angle()[i]};
+    const double last_angle = double{arrays.twist()[i]};
     arrays.x()[i] = static_cast<Real>(fuzz::any_double(bytes, raw(0), 0.02));
     if (raw(1)) arrays.y()[i] = static_cast<Real>(fuzz::any_double(bytes, raw(0), 0.02));
     arrays.depth()[i] = static_cast<Real>(fuzz::any_double(bytes, raw(2), 0.004));
-    arrays.angle()[i] = static_cast<Real>(raw(3) ? fuzz::any_double(bytes, true, 1.0) : last_angle + fuzz::any_double(bytes, raw(4), 3.0));
+    arrays.twist()[i] = static_cast<Real>(raw(3) ? fuzz::any_double(bytes, true, 1.0) : last_angle + fuzz::any_double(bytes, raw(4), 3.0));
   }
 }
 
@@ -34,7 +34,7 @@ void run(fuzz::Bytes bytes) {
   const std::size_t count = 1 + bytes.take<std::uint8_t>() % 11U;
   std::vector<BasicBatch<Real>> batch;
   if (fuzz::complaint_of([&] { batch.emplace_back(chosen.curve, parameters, chosen.projection); })) return;
-  const bool has_torsion = parameters.mu > 0.0 && parameters.moment_coefficient.value_or(1.0) > 0.0;
+  const bool has_torsion = parameters.mu > 0.0 && parameters.mu_r.value_or(1.0) > 0.0;
   BasicContactArrays<Real> arrays(count);
   const BasicContactBatch<Real> now = arrays.batch();
   while (bytes.left() > 0) {
@@ -43,17 +43,17 @@ void run(fuzz::Bytes bytes) {
     const BasicContactBatch<Real> before = before_arrays.batch();
     batch.front().step(now);
     for (std::size_t i = 0; i < count; ++i) {
-      for (const Real value : {now.proxy_x[i], now.proxy_y[i], now.proxy_angle[i], now.force_x[i], now.force_y[i], now.moment[i],
-                               now.parameter[i], now.rate[i]}) {
+      for (const Real value : {now.proxy_x[i], now.proxy_y[i], now.proxy_angle[i], now.fx[i], now.fy[i], now.moment[i], now.search_start[i],
+                               now.search_rate[i]}) {
         fuzz::require(std::isfinite(value), "a number of a batch is not finite");
       }
-      if (now.state[i] == ContactState::free || before.sliding[i] == ContactState::free) continue;
+      if (now.state[i] == ContactState::free || before.force_slides[i] == ContactState::free) continue;
       if (now.state[i] == ContactState::stick || now.state[i] == ContactState::invalid) {
         fuzz::require(now.proxy_x[i] == before.proxy_x[i] && now.proxy_y[i] == before.proxy_y[i], "a proxy that sticks slides");
         fuzz::require(!has_torsion || now.proxy_angle[i] == before.proxy_angle[i], "a proxy that sticks turns");
       } else {
-        fuzz::require(now.force_x[i] * (now.proxy_x[i] - before.proxy_x[i]) <= Real(0), "a slip that gains energy along x");
-        fuzz::require(now.force_y[i] * (now.proxy_y[i] - before.proxy_y[i]) <= Real(0), "a slip that gains energy along y");
+        fuzz::require(now.fx[i] * (now.proxy_x[i] - before.proxy_x[i]) <= Real(0), "a slip that gains energy along x");
+        fuzz::require(now.fy[i] * (now.proxy_y[i] - before.proxy_y[i]) <= Real(0), "a slip that gains energy along y");
         fuzz::require(now.moment[i] * (now.proxy_angle[i] - before.proxy_angle[i]) <= Real(0), "a slip that gains energy in the twist");
       }
     }

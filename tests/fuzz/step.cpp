@@ -28,8 +28,9 @@ void require_within_limit(const SoftFinger& finger) {
   const bool slips = output.state == ContactState::slip;
   const bool is_box = finger.curve()->is_box();
   const FrictionMemory<double>& memory = finger.state().friction;
-  const FrictionLimit<double>& limit = slips && memory.slides ? limits.sliding : limits.at_rest;
-  const FrictionLimit<double>& of_moment = slips && (is_box ? memory.turns : memory.slides) ? limits.sliding : limits.at_rest;
+  const FrictionLimit<double>& limit = slips && memory.force_slides ? limits.sliding : limits.sticking;
+  const FrictionLimit<double>& of_moment =
+      slips && (is_box ? memory.moment_slides : memory.force_slides) ? limits.sliding : limits.sticking;
   const double moment_unit = of_moment.force * of_moment.radius;
   // Such a small limit counts as no friction: a trial above 1e60 times its limit is treated as that, and no trial here is above 1e21.
   constexpr double least = 1e-38;

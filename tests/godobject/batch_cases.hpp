@@ -29,7 +29,7 @@ std::vector<Case<Real>> cases() {
   soft.radius_law = RadiusLaw::power(0.00207, 0.259);
   soft.mu_dynamic = 0.5;
   FingerParameters without_torsion = parameters();
-  without_torsion.moment_coefficient = 0.0;
+  without_torsion.mu_r = 0.0;
   std::vector<Case<Real>> result{{"box", box(1.0, m0), parameters()},
                                  {"table, stiff twist", table, parameters(0.6, 0.005, 1000.0, 0.4)},
                                  {"table, soft twist", table, parameters(0.6, 0.005, 1000.0, 0.001)},
@@ -54,7 +54,7 @@ void move_all(BasicContactArrays<Real>& arrays, Random& random, double longest) 
     const double stride = random.logarithmic(1e-7, longest);
     arrays.x()[i] += static_cast<Real>(random.uniform(-stride, stride));
     arrays.y()[i] += static_cast<Real>(random.uniform(-stride, stride));
-    arrays.angle()[i] += static_cast<Real>(random.uniform(-200.0, 200.0) * stride);
+    arrays.twist()[i] += static_cast<Real>(random.uniform(-200.0, 200.0) * stride);
     arrays.depth()[i] = static_cast<Real>(random.uniform(-0.0002, 0.003));
   }
 }
@@ -65,7 +65,7 @@ std::vector<Real> written(const BasicContactBatch<Real>& batch) {
   std::vector<Real> result;
   for (std::size_t i = 0; i < batch.size(); ++i) {
     for (const auto& array :
-         {batch.proxy_x, batch.proxy_y, batch.proxy_angle, batch.force_x, batch.force_y, batch.moment, batch.parameter, batch.rate}) {
+         {batch.proxy_x, batch.proxy_y, batch.proxy_angle, batch.fx, batch.fy, batch.moment, batch.search_start, batch.search_rate}) {
       result.push_back(array[i]);
     }
     result.push_back(static_cast<Real>(batch.state[i]));

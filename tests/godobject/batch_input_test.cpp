@@ -37,7 +37,7 @@ TYPED_TEST(BatchInput, WhatIsNotUsableTouchesNothingAndItsNeighboursNeither) {
     const std::vector<Real> before = written(arrays.batch());
     move_all(arrays, random, 1e-3);
     BasicContactArrays<Real> sound = arrays;
-    for (std::size_t i = 0; i < 16; ++i) std::array{arrays.x(), arrays.y(), arrays.angle(), arrays.depth()}[i % 4][8 * i] = nonsense[i / 4];
+    for (std::size_t i = 0; i < 16; ++i) std::array{arrays.x(), arrays.y(), arrays.twist(), arrays.depth()}[i % 4][8 * i] = nonsense[i / 4];
     batch.step(arrays.batch());
     batch.step(sound.batch());
     const std::vector<Real> spoilt = written(arrays.batch());
@@ -64,7 +64,7 @@ TYPED_TEST(BatchInput, AFaultHoldsTheGrip) {
     for (int round = 0; round < 20; ++round) {
       move_all(arrays, random, 1e-3);
       for (const auto& [to, from] : {std::pair(undisturbed.x(), arrays.x()), std::pair(undisturbed.y(), arrays.y()),
-                                     std::pair(undisturbed.angle(), arrays.angle()), std::pair(undisturbed.depth(), arrays.depth())}) {
+                                     std::pair(undisturbed.twist(), arrays.twist()), std::pair(undisturbed.depth(), arrays.depth())}) {
         std::ranges::copy(from, to.begin());
       }
       step(arrays);
@@ -107,7 +107,7 @@ TYPED_TEST(BatchInput, NoNaNComesOutWhateverComesIn) {
     BasicContactArrays<Real> arrays(count);
     Random random(31);
     for (int round = 0; round < repetitions(200, 40); ++round) {
-      for (const std::span<Real> array : {arrays.x(), arrays.y(), arrays.angle(), arrays.depth()}) {
+      for (const std::span<Real> array : {arrays.x(), arrays.y(), arrays.twist(), arrays.depth()}) {
         for (Real& value : array) {
           const std::uint64_t bits = random.bits();
           value = bits % 3 == 0   ? odd[static_cast<std::size_t>((bits >> 8U) % odd.size())]
@@ -131,11 +131,11 @@ TYPED_TEST(BatchInput, StepsFingersOfAnyScale) {
     std::ranges::fill(arrays.depth(), Real(0.002));
     batch.step(arrays.batch());
     std::ranges::fill(arrays.x(), Real(0.01));
-    std::ranges::fill(arrays.angle(), Real(1));
+    std::ranges::fill(arrays.twist(), Real(1));
     batch.step(arrays.batch());
     const double unit = 1.2 * scale;
     const BasicContactBatch<Real> result = arrays.batch();
-    const double gauge = table.gauge({std::fabs(double{result.force_x[2]}) / unit, std::fabs(double{result.moment[2]}) / (0.005 * unit)});
+    const double gauge = table.gauge({std::fabs(double{result.fx[2]}) / unit, std::fabs(double{result.moment[2]}) / (0.005 * unit)});
     EXPECT_NEAR(gauge, 1.0, sizeof(Real) == sizeof(double) ? 1e-14 : 1e-6) << scale;
   }
 }
@@ -147,10 +147,10 @@ TYPED_TEST(BatchInput, ArraysLieApartWithinAPage) {
     BasicContactArrays<Real> arrays(count);
     const BasicContactBatch<Real> batch = arrays.batch();
     std::set<std::uintptr_t> lines;
-    for (const Real* begin : {batch.x.data(), batch.y.data(), batch.angle.data(), batch.depth.data(),
+    for (const Real* begin : {batch.x.data(), batch.y.data(), batch.twist.data(), batch.depth.data(),
                               static_cast<const Real*>(batch.proxy_x.data()), static_cast<const Real*>(batch.proxy_y.data()),
-                              static_cast<const Real*>(batch.proxy_angle.data()), static_cast<const Real*>(batch.force_x.data()),
-                              static_cast<const Real*>(batch.force_y.data()), static_cast<const Real*>(batch.moment.data())}) {
+                              static_cast<const Real*>(batch.proxy_angle.data()), static_cast<const Real*>(batch.fx.data()),
+                              static_cast<const Real*>(batch.fy.data()), static_cast<const Real*>(batch.moment.data())}) {
       lines.insert(reinterpret_cast<std::uintptr_t>(begin) % 4096 / 64);
     }
     EXPECT_EQ(batch.size(), count);

@@ -30,11 +30,11 @@ TEST(Batch, DoesWhatSoftFingersDo) {
       move_all(arrays, random, 1e-2);
       batch.step(result);
       for (std::size_t i = 0; i < count; ++i) {
-        const FingerOutput output = fingers[i].update(on_plane(result.x[i], result.y[i], result.depth[i]), result.angle[i]);
+        const FingerOutput output = fingers[i].update(on_plane(result.x[i], result.y[i], result.depth[i]), result.twist[i]);
         ASSERT_EQ(result.state[i], output.state) << with.name << ' ' << round << ' ' << i;
         const double limit = 1e-12 * with.with.mu * output.load;
-        ASSERT_NEAR(result.force_x[i], output.force.x(), limit) << with.name << ' ' << round << ' ' << i;
-        ASSERT_NEAR(result.force_y[i], output.force.y(), limit) << with.name;
+        ASSERT_NEAR(result.fx[i], output.force.x(), limit) << with.name << ' ' << round << ' ' << i;
+        ASSERT_NEAR(result.fy[i], output.force.y(), limit) << with.name;
         ASSERT_NEAR(result.moment[i], output.moment, limit * 0.005) << with.name;
         ASSERT_NEAR(result.proxy_x[i], output.proxy.x(), 1e-15) << with.name;
         ASSERT_NEAR(result.proxy_y[i], output.proxy.y(), 1e-15) << with.name;
@@ -57,7 +57,7 @@ TEST(Batch, InFloatGivesTheWrenchOfTheDoubleStep) {
     move_all(floats, random, 1e-3);
     std::ranges::copy(floats.x(), doubles.x().begin());
     std::ranges::copy(floats.y(), doubles.y().begin());
-    std::ranges::copy(floats.angle(), doubles.angle().begin());
+    std::ranges::copy(floats.twist(), doubles.twist().begin());
     std::ranges::copy(floats.depth(), doubles.depth().begin());
     const FloatContactBatch felt = floats.batch();
     const ContactBatch expected = doubles.batch();
@@ -67,8 +67,8 @@ TEST(Batch, InFloatGivesTheWrenchOfTheDoubleStep) {
       if (!(expected.depth[i] > 1e-4)) continue;
       const double unit = 0.6 * 1000.0 * expected.depth[i];
       const auto differ = [&](float one, double other) { worst = std::max(worst, std::fabs(double{one} - other)); };
-      differ(felt.force_x[i] / static_cast<float>(unit), expected.force_x[i] / unit);
-      differ(felt.force_y[i] / static_cast<float>(unit), expected.force_y[i] / unit);
+      differ(felt.fx[i] / static_cast<float>(unit), expected.fx[i] / unit);
+      differ(felt.fy[i] / static_cast<float>(unit), expected.fy[i] / unit);
       differ(felt.moment[i] / static_cast<float>(unit * 0.005), expected.moment[i] / (unit * 0.005));
     }
   }
@@ -86,7 +86,7 @@ TYPED_TEST(BatchOf, SlipBeginsOnTheCurve) {
   using Real = TypeParam;
   constexpr double onset = double{slip_onset<Real>} - 1.0;
   for (const Case<Real>& with : cases<Real>()) {
-    if (with.with.moment_coefficient) continue;
+    if (with.with.mu_r) continue;
     const BasicBatch<Real> batch(with.curve, with.with, with.projection);
     constexpr std::size_t count = 180;
     for (const double share : {1.0 - onset, 1.0 + 2.0 * onset}) {
@@ -99,7 +99,7 @@ TYPED_TEST(BatchOf, SlipBeginsOnTheCurve) {
         const double angle = 0.5 * std::numbers::pi * (static_cast<double>(i) + 0.5) / count;
         const UnitWrench limit = with.curve.along({std::cos(angle), with.curve.moment_ratio() * std::sin(angle)}).wrench;
         arrays.y()[i] = static_cast<Real>(limit.force * unit / with.with.stiffness);
-        arrays.angle()[i] = static_cast<Real>(limit.moment * unit * with.with.radius_law.radius(load) / with.with.twist_stiffness);
+        arrays.twist()[i] = static_cast<Real>(limit.moment * unit * with.with.radius_law.radius(load) / with.with.twist_stiffness);
       }
       batch.step(arrays.batch());
       const ContactState expected = share < 1.0 ? ContactState::stick : ContactState::slip;
@@ -123,20 +123,20 @@ TYPED_TEST(BatchOf, SlipWorkIsNeverNegativeAndTheWrenchIsWithinTheLimit) {
       const std::vector<Real> before = written(result);
       batch.step(result);
       for (std::size_t i = 0; i < count; ++i) {
-        ASSERT_TRUE(std::isfinite(result.force_x[i]) && std::isfinite(result.force_y[i]) && std::isfinite(result.moment[i])) << with.name;
+        ASSERT_TRUE(std::isfinite(result.fx[i]) && std::isfinite(result.fy[i]) && std::isfinite(result.moment[i])) << with.name;
         if (!(result.depth[i] > Real(0))) continue;
         const Real* const last = &before[i * numbers_per_contact];
         // Each component for itself: the proxy comes nearer, against the force on the user.
         if (last[8] != static_cast<Real>(ContactState::free)) {
-          ASSERT_LE(result.force_x[i] * (result.proxy_x[i] - last[0]), Real(0)) << with.name;
-          ASSERT_LE(result.force_y[i] * (result.proxy_y[i] - last[1]), Real(0)) << with.name;
+          ASSERT_LE(result.fx[i] * (result.proxy_x[i] - last[0]), Real(0)) << with.name;
+          ASSERT_LE(result.fy[i] * (result.proxy_y[i] - last[1]), Real(0)) << with.name;
           ASSERT_LE(result.moment[i] * (result.proxy_angle[i] - last[2]), Real(0)) << with.name;
         }
         const double load = with.with.stiffness * static_cast<double>(result.depth[i]);
         const double unit = with.with.mu * load;
-        const double force = std::hypot(double{result.force_x[i]}, double{result.force_y[i]}) / unit;
+        const double force = std::hypot(double{result.fx[i]}, double{result.fy[i]}) / unit;
         const double moment = std::fabs(double{result.moment[i]}) / (unit * with.with.radius_law.radius(load));
-        const bool has_torsion = with.with.moment_coefficient != 0.0;
+        const bool has_torsion = with.with.mu_r != 0.0;
         outmost = std::max(outmost, has_torsion ? with.curve.gauge({force, moment}) : std::max(force, moment));
         slips += result.state[i] == ContactState::slip;
       }
@@ -161,7 +161,7 @@ TYPED_TEST(BatchOf, AHeldContactKeepsEveryBit) {
       for (std::size_t i = 0; i < count; ++i) {
         arrays.x()[i] = static_cast<Real>(random.uniform(-far, far));
         arrays.y()[i] = static_cast<Real>(random.uniform(-far, far));
-        arrays.angle()[i] = static_cast<Real>(random.uniform(-10.0 * far, 10.0 * far));
+        arrays.twist()[i] = static_cast<Real>(random.uniform(-10.0 * far, 10.0 * far));
         arrays.depth()[i] = static_cast<Real>(random.logarithmic(1e-5, 1e-2));
       }
       batch.step(result);
@@ -169,7 +169,7 @@ TYPED_TEST(BatchOf, AHeldContactKeepsEveryBit) {
         const double reach = random.logarithmic(1e-4, 1e-1);
         arrays.x()[i] += static_cast<Real>(random.uniform(-reach, reach));
         arrays.y()[i] += static_cast<Real>(random.uniform(-reach, reach));
-        arrays.angle()[i] += static_cast<Real>(random.uniform(-100.0, 100.0) * reach);
+        arrays.twist()[i] += static_cast<Real>(random.uniform(-100.0, 100.0) * reach);
       }
       batch.step(result);
       ASSERT_GT(std::ranges::count(result.state, ContactState::slip), 100) << with.name;
@@ -202,13 +202,13 @@ TYPED_TEST(BatchOf, SettlesAtEquation17) {
       for (std::size_t k = 0; k < cors.size(); ++k) {
         const SlipTwist twist = SlipTwist::about_cor(cors[k]);
         arrays.x()[k] = static_cast<Real>(1e-4 * i * twist.slide);
-        arrays.angle()[k] = static_cast<Real>(1e-4 * i * twist.spin / 0.005);
+        arrays.twist()[k] = static_cast<Real>(1e-4 * i * twist.spin / 0.005);
       }
       batch.step(result);
     }
     for (std::size_t k = 0; k < cors.size(); ++k) {
       const UnitForces<double> exact = hertz()->forces(cors[k]);
-      EXPECT_NEAR(double{result.force_x[k]} / 1.2, -exact.force, bound) << cors[k];
+      EXPECT_NEAR(double{result.fx[k]} / 1.2, -exact.force, bound) << cors[k];
       EXPECT_NEAR(double{result.moment[k]} / (1.2 * 0.005), -exact.moment, bound) << cors[k];
     }
   }

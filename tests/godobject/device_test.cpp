@@ -122,8 +122,8 @@ TEST(Device, ADynamicLimitOfZeroIsTheLimitOfSmallOnes) {
   with.mu_dynamic = 1e-12;
   EXPECT_LT(mean_moment(with), 1e-14);
   with = skin();
-  with.moment_coefficient = 0.002;
-  with.moment_coefficient_dynamic = 0.0;
+  with.mu_r = 0.002;
+  with.mu_r_dynamic = 0.0;
   EXPECT_LT(mean_moment(with), 1e-14);
 }
 

@@ -49,7 +49,7 @@ TEST(SoftFinger, TakesLimitsNotQuotients) {
 
 TEST(SoftFinger, WithoutTorsionalFrictionTheForceIsLimitedByItself) {
   FingerParameters with = parameters();
-  with.moment_coefficient = 0.0;
+  with.mu_r = 0.0;
   auto finger = hertz_finger(with);
   finger.update(on_plane(0.0, 0.0, 0.002), 0.0);
   finger.update(on_plane(0.001, 0.0, 0.002), 2.0);
@@ -286,7 +286,7 @@ TEST(FingerParameters, AreValidated) {
   for (const double bad : {-1.0, nan, infinity}) {
     rejects([&](FingerParameters& with) { with.mu = bad; }, "mu");
     rejects([&](FingerParameters& with) { with.mu_dynamic = bad; }, "mu_dynamic");
-    rejects([&](FingerParameters& with) { with.moment_coefficient = bad; }, "moment_coefficient");
+    rejects([&](FingerParameters& with) { with.mu_r = bad; }, "mu_r");
     rejects([&](FingerParameters& with) { with.stiffness = bad; }, "stiffness");
     rejects([&](FingerParameters& with) { with.twist_stiffness = bad; }, "twist_stiffness");
   }

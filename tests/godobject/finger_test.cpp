@@ -126,7 +126,7 @@ TEST(SoftFinger, SlipBeginsOnTheCurve) {
 TEST(SoftFinger, BoxWithClosestPointIsTheUncoupledAlgorithm) {
   // Paper, eq. (11): r′ = μd, ρ′ = Γ/k_r, each on its own.
   FingerParameters with = parameters();
-  with.moment_coefficient = 0.0025;
+  with.mu_r = 0.0025;
   SoftFinger finger(box(1.0, hertz()->moment_ratio()), with);
   const double depth = 0.002;
   finger.update(on_plane(0.0, 0.0, depth), 0.0);
@@ -144,7 +144,7 @@ TEST(SoftFinger, MomentCoefficientSetsTheLimitWhateverTheRadiusLaw) {
   for (const RadiusLaw& law : {RadiusLaw::constant(0.001), RadiusLaw::hertz(0.008, 2e5), RadiusLaw::power(0.00207, 0.259)}) {
     FingerParameters with = parameters();
     with.radius_law = law;
-    with.moment_coefficient = 0.00384;
+    with.mu_r = 0.00384;
     auto finger = exact_hertz_finger(with);
     for (const double depth : {0.0005, 0.004}) {
       finger.reset();
@@ -163,7 +163,7 @@ TEST(FingerCurve, MomentRatioIsMomentInterceptOverForceIntercept) {
 /// Γ is what the parameter says, in any unit of the curve's force.
 TEST(SoftFinger, MomentCoefficientSetsTheLimitWhateverTheScaleOfTheCurve) {
   FingerParameters with = parameters();
-  with.moment_coefficient = 0.00384;
+  with.mu_r = 0.00384;
   for (const FingerCurve& curve : {FingerCurve(Ellipse(2.0, 0.6)), FingerCurve(box(0.5, 3.0))}) {
     SoftFinger finger(curve, with);
     finger.update(on_plane(0.0, 0.0, 0.002), 0.0);
@@ -179,9 +179,9 @@ TEST(SoftFinger, MomentExponentMakesTheLimitGrowWithTheLoad) {
       FingerParameters with = parameters();
       with.mu = 0.6;
       with.mu_dynamic = mu_dynamic;
-      with.moment_coefficient = 0.00384;
-      with.moment_coefficient_dynamic = 0.0028;
-      with.moment_exponent = exponent;
+      with.mu_r = 0.00384;
+      with.mu_r_dynamic = 0.0028;
+      with.gamma = exponent;
       for (const Projection projection : {Projection::radial, Projection::c_curve, Projection::closest_point}) {
         SoftFinger finger(FingerCurve(Ellipse::through_intercepts(hertz()->moment_ratio())), with, projection);
         for (const double depth : {0.0001, 0.0005, 0.004}) {
@@ -198,12 +198,12 @@ TEST(SoftFinger, MomentExponentMakesTheLimitGrowWithTheLoad) {
     }
   }
   FingerParameters with = parameters();
-  with.moment_exponent = 0.1;
+  with.gamma = 0.1;
   EXPECT_THROW(exact_hertz_finger(with), std::invalid_argument);  // of which coefficient?
-  with.moment_coefficient = 0.004;
-  with.moment_exponent = 1.1;
+  with.mu_r = 0.004;
+  with.gamma = 1.1;
   EXPECT_THROW(exact_hertz_finger(with), std::invalid_argument);
-  with.moment_exponent = std::numeric_limits<double>::quiet_NaN();
+  with.gamma = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW(exact_hertz_finger(with), std::invalid_argument);
 }
 

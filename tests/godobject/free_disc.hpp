@@ -37,8 +37,8 @@ class FreeDisc {
     const FrictionLimits<double> limits{unit, unit, 1.0 / parameters_.inertia};
     const FrictionTrial<double> trial{speed_ / change, spin_ / twist_change};
     const FrictionResult<double> friction = apply_friction(curve_.view(), Projection::closest_point, limits, trial, memory_);
-    speed_ *= 1.0 - friction.force_ratio;
-    spin_ *= 1.0 - friction.moment_ratio;
+    speed_ *= 1.0 - friction.force_fraction;
+    spin_ *= 1.0 - friction.moment_fraction;
   }
 
   [[nodiscard]] double speed() const noexcept { return speed_; }  ///< v [m/s]

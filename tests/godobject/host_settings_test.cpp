@@ -84,7 +84,7 @@ void expect_same_bits(const FingerState& one, const FingerState& other) {
   same(vector(one.sample.contact.finger), vector(other.sample.contact.finger));
   ASSERT_EQ(one.sample.contact.face, other.sample.contact.face);
   ASSERT_EQ(one.faults.refused, other.faults.refused);
-  ASSERT_EQ(one.friction.slides, other.friction.slides);
+  ASSERT_EQ(one.friction.force_slides, other.friction.force_slides);
   for (const auto member : {&FingerOutput::angle, &FingerOutput::depth, &FingerOutput::load, &FingerOutput::moment, &FingerOutput::cor,
                             &FingerOutput::slip_work}) {
     ASSERT_EQ(bits(one.output.*member), bits(other.output.*member));
@@ -118,8 +118,8 @@ TEST(HostSettings, FastMathInAUsersFileChangesNothing) {
     FrictionMemory<double> memory;
     const FrictionLimits<double> limits{{1.0, 0.005}, {1.0, 0.005}, 25000.0};
     const FrictionResult<double> result = apply_friction(curve.view(), choice.curve.projection, limits, {3.0, 0.01}, memory);
-    ASSERT_NEAR(force, result.force_ratio, 1e-9);
-    ASSERT_NEAR(moment, result.moment_ratio, 1e-9);
+    ASSERT_NEAR(force, result.force_fraction, 1e-9);
+    ASSERT_NEAR(moment, result.moment_fraction, 1e-9);
   });
   EXPECT_GT(refused, 500);
 }
@@ -200,13 +200,12 @@ std::vector<double> batch_forces(const FingerCurve& curve, const FingerParameter
       const double phase = static_cast<double>(i) + 0.1 * step;
       arrays.x()[i] = 0.003 * std::sin(phase);
       arrays.y()[i] = 0.002 * std::cos(2.0 * phase);
-      arrays.angle()[i] = 0.5 * std::sin(0.7 * phase);
+      arrays.twist()[i] = 0.5 * std::sin(0.7 * phase);
       arrays.depth()[i] = i % 13 == 12 ? 1e-310 : 0.0015 + 0.002 * std::sin(3.0 * phase);
     }
     batch.step(contacts);
     for (std::size_t i = 0; i < count; ++i) {
-      result.insert(result.end(),
-                    {contacts.force_x[i], contacts.force_y[i], contacts.moment[i], contacts.proxy_x[i], contacts.proxy_angle[i]});
+      result.insert(result.end(), {contacts.fx[i], contacts.fy[i], contacts.moment[i], contacts.proxy_x[i], contacts.proxy_angle[i]});
     }
   }
   return result;

@@ -16,7 +16,7 @@ std::array<double, 2> rub_with_fast_math(const FingerCurve& curve, Projection pr
   FrictionMemory<double> memory;
   const FrictionLimits<double> limits{{1.0, 0.005}, {1.0, 0.005}, 25000.0};
   const FrictionResult<double> result = apply_friction(curve.view(), projection, limits, {force, moment}, memory);
-  return {result.force_ratio, result.moment_ratio};
+  return {result.force_fraction, result.moment_fraction};
 }
 
 Rub rub_of_fast_math() {

@@ -35,7 +35,7 @@ std::string name_of(InstructionSet set) {
 /// The arrays of a batch that a step writes.
 template <class Real>
 std::array<std::span<Real>, 8> outputs(const BasicContactBatch<Real>& batch) {
-  return {batch.proxy_x, batch.proxy_y, batch.proxy_angle, batch.parameter, batch.rate, batch.force_x, batch.force_y, batch.moment};
+  return {batch.proxy_x, batch.proxy_y, batch.proxy_angle, batch.search_start, batch.search_rate, batch.fx, batch.fy, batch.moment};
 }
 
 template <class Real>
@@ -51,8 +51,8 @@ void expect_same_bits(const BasicContactBatch<Real>& a, const BasicContactBatch<
   }
   for (std::size_t i = 0; i < a.size(); ++i) {
     ASSERT_EQ(a.state[i], b.state[i]) << where << ": contact " << i;
-    ASSERT_EQ(a.sliding[i], b.sliding[i]) << where << ": contact " << i;
-    ASSERT_EQ(a.turning[i], b.turning[i]) << where << ": contact " << i;
+    ASSERT_EQ(a.force_slides[i], b.force_slides[i]) << where << ": contact " << i;
+    ASSERT_EQ(a.moment_slides[i], b.moment_slides[i]) << where << ": contact " << i;
   }
 }
 
@@ -66,7 +66,7 @@ class Motion {
       const double stride = std::pow(10.0, between(-8.0, -2.0));
       Real& x = arrays.x()[i];
       Real& y = arrays.y()[i];
-      Real& angle = arrays.angle()[i];
+      Real& angle = arrays.twist()[i];
       if (!(std::fabs(x) < Real(1))) x = 0;
       if (!(std::fabs(angle) < Real(10))) angle = 0;
       x += static_cast<Real>(between(-stride, stride));
@@ -104,12 +104,12 @@ std::vector<Finger> fingers() {
   result.back().parameters.radius_law = RadiusLaw::power(0.00207, 0.259);
   result.back().parameters.mu_dynamic = 0.5;
   result.push_back({"two moment coefficients", plain});
-  result.back().parameters.moment_coefficient = 0.002;
-  result.back().parameters.moment_coefficient_dynamic = 0.001;
+  result.back().parameters.mu_r = 0.002;
+  result.back().parameters.mu_r_dynamic = 0.001;
   result.push_back({"moment coefficients that grow with the load", result.back().parameters});
-  result.back().parameters.moment_exponent = 0.259;
+  result.back().parameters.gamma = 0.259;
   result.push_back({"no moment", plain});
-  result.back().parameters.moment_coefficient = 0.0;
+  result.back().parameters.mu_r = 0.0;
   result.push_back({"no friction", plain});
   result.back().parameters.mu = 0.0;
   return result;
@@ -157,7 +157,7 @@ TYPED_TEST(Packs, GiveTheBitsOfSingleNumbers) {
             BasicContactBatch<Real> batch = arrays[k].batch();
             batch.x = arrays[0].x();
             batch.y = arrays[0].y();
-            batch.angle = arrays[0].angle();
+            batch.twist = arrays[0].twist();
             batch.depth = arrays[0].depth();
             kernel::step_with(all_sets[k], shared, batch);
             const std::string where = curve.name + ", projection " + std::to_string(static_cast<int>(projection)) + ", " + finger.name +
@@ -192,7 +192,7 @@ TYPED_TEST(Packs, LeaveAHeldContactWhereItIs) {
           const auto u = static_cast<Real>(i) / Real(count - 1);
           arrays.x()[i] = Real(0.3) + Real(step) * Real(1e-4) * (1 - u);
           arrays.y()[i] = Real(-0.7) + Real(step) * Real(3e-5) * u;
-          arrays.angle()[i] = Real(step) * Real(0.02) * u;
+          arrays.twist()[i] = Real(step) * Real(0.02) * u;
           arrays.depth()[i] = Real(0.002);
         }
         batch.step(arrays.batch());
@@ -248,18 +248,18 @@ TEST(Packs, AreFingersOnAPlane) {
             const double stride = std::pow(10.0, between(-6.0, -2.5));
             arrays.x()[i] += between(-stride, stride);
             arrays.y()[i] += between(-stride, stride);
-            arrays.angle()[i] += 200.0 * between(-stride, stride);
+            arrays.twist()[i] += 200.0 * between(-stride, stride);
             arrays.depth()[i] = between(-0.0003, 0.003);
           }
           const ContactBatch contacts = arrays.batch();
           batch.step(contacts);
           for (std::size_t i = 0; i < count; ++i) {
             const FingerOutput output =
-                beside[i].update({{contacts.x[i], contacts.y[i], 0.0}, Eigen::Vector3d::UnitZ(), contacts.depth[i]}, contacts.angle[i]);
+                beside[i].update({{contacts.x[i], contacts.y[i], 0.0}, Eigen::Vector3d::UnitZ(), contacts.depth[i]}, contacts.twist[i]);
             const std::string where =
                 curve.name + ", " + parameters.name + ", step " + std::to_string(step) + ", contact " + std::to_string(i);
-            ASSERT_NEAR(contacts.force_x[i], output.force.x(), 1e-12) << where;
-            ASSERT_NEAR(contacts.force_y[i], output.force.y(), 1e-12) << where;
+            ASSERT_NEAR(contacts.fx[i], output.force.x(), 1e-12) << where;
+            ASSERT_NEAR(contacts.fy[i], output.force.y(), 1e-12) << where;
             ASSERT_NEAR(contacts.moment[i], output.moment, 1e-12) << where;
             ASSERT_NEAR(contacts.proxy_x[i], output.proxy.x(), 1e-12) << where;
             ASSERT_NEAR(contacts.proxy_angle[i], output.angle, 1e-12) << where;

@@ -335,8 +335,8 @@ TEST(PatchFinger, BadParametersAreNamed) {
     return "";
   };
   FingerParameters parameters = usual();
-  parameters.moment_coefficient = 0.01;
-  EXPECT_NE(complaint(tripod(), parameters).find("moment_coefficient"), std::string::npos);
+  parameters.mu_r = 0.01;
+  EXPECT_NE(complaint(tripod(), parameters).find("mu_r"), std::string::npos);
   parameters = usual();
   parameters.mu = nan;
   EXPECT_NE(complaint(tripod(), parameters).find("mu = nan"), std::string::npos);

@@ -37,12 +37,12 @@ End projected(const FingerCurve& curve, Projection projection, const Outside& ou
     FrictionMemory<double> memory;
     const auto kept = apply_friction(curve.view(), projection, limits, {outside.trial.force, outside.trial.moment}, memory);
     EXPECT_TRUE(kept.slips) << outside.trial.force << ' ' << outside.trial.moment;
-    return {{outside.trial.force * kept.force_ratio, outside.trial.moment * kept.moment_ratio}, SlipTwist::about_cor(kept.cor), 0.0};
+    return {{outside.trial.force * kept.force_fraction, outside.trial.moment * kept.moment_fraction}, SlipTwist::about_cor(kept.cor), 0.0};
   }
   const Projected<double> result = project(curve.view(), projection, limits, outside.trial, outside.last);
   EXPECT_TRUE(result.outside) << outside.trial.force << ' ' << outside.trial.moment;
   const auto kept = [](double ratio, double trial) { return trial > 0.0 ? ratio * trial : 0.0; };
-  return {{kept(result.force_ratio, outside.trial.force), kept(result.moment_ratio, outside.trial.moment)},
+  return {{kept(result.force_fraction, outside.trial.force), kept(result.moment_fraction, outside.trial.moment)},
           {result.slide, result.spin},
           result.parameter};
 }

@@ -58,7 +58,7 @@ void expect_batch_neither_allocates_nor_locks() {
     const int count = allocations_and_locks([&] {
       for (int i = 0; i < 100; ++i) {
         for (std::size_t k = 0; k < contacts; ++k) arrays.x()[k] += Real(1e-5) * static_cast<Real>(k);
-        arrays.angle()[7] = i == 50 ? std::numeric_limits<Real>::quiet_NaN() : Real(0.01);
+        arrays.twist()[7] = i == 50 ? std::numeric_limits<Real>::quiet_NaN() : Real(0.01);
         batch.step(arrays.batch());
       }
     });

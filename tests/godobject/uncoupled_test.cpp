@@ -21,7 +21,7 @@ FingerCurve hertz_box() {
 }
 
 /// Eqs. (8) to (12) for a single number: a proxy on a line (or a circle), a spring, a limit at rest and one while it slides. It comes to rest
-/// when its trial has retreated within `sliding`/(1 + margin·(at_rest/sliding − 1)).
+/// when its trial has retreated within `sliding`/(1 + margin·(sticking/sliding − 1)).
 struct Scalar {
   double stiffness;
   double margin;
@@ -30,12 +30,12 @@ struct Scalar {
   double proxy = 0.0;
 
   /// What the spring exerts on the finger at `goal`.
-  double step(double goal, double at_rest, double sliding) {
+  double step(double goal, double sticking, double sliding) {
     const double trial = stiffness * (proxy - goal);
-    slipped = std::fabs(trial) > (slides ? sliding : at_rest) * (1.0 + 1e-12);
+    slipped = std::fabs(trial) > (slides ? sliding : sticking) * (1.0 + 1e-12);
     if (slipped) proxy = goal + std::copysign(sliding / stiffness, trial);
-    const double rest = sliding / (1.0 + margin * (at_rest / sliding - 1.0));
-    slides = slipped || (slides && sliding < at_rest && !(std::fabs(trial) < rest));
+    const double rest = sliding / (1.0 + margin * (sticking / sliding - 1.0));
+    slides = slipped || (slides && sliding < sticking && !(std::fabs(trial) < rest));
     return stiffness * (proxy - goal);
   }
 };
@@ -82,8 +82,8 @@ TEST(Uncoupled, EitherPartIsWhatItIsWithoutTheOther) {
     if (scene % 2 == 0) with.mu_dynamic = with.mu * random.uniform(0.05, 1.0);
     if (scene % 3 == 0) with.radius_law = RadiusLaw::power(0.004, 0.3);
     if (scene % 4 == 0) {
-      with.moment_coefficient = random.logarithmic(1e-5, 1e-2);
-      if (scene % 8 == 0) with.moment_coefficient_dynamic = *with.moment_coefficient * random.uniform(0.05, 1.0);
+      with.mu_r = random.logarithmic(1e-5, 1e-2);
+      if (scene % 8 == 0) with.mu_r_dynamic = *with.mu_r * random.uniform(0.05, 1.0);
     }
     if (scene % 5 == 0) {
       with.damping = 2.0;
@@ -93,14 +93,12 @@ TEST(Uncoupled, EitherPartIsWhatItIsWithoutTheOther) {
     // The twist must not affect the slide, nor the slide the twist.
     FingerParameters other_twist = with;
     other_twist.twist_stiffness *= 3.0;
-    other_twist.moment_coefficient = 0.01;
-    other_twist.moment_coefficient_dynamic = 0.001;
+    other_twist.mu_r = 0.01;
+    other_twist.mu_r_dynamic = 0.001;
     FingerParameters other_slide = with;
-    const double moment_share = with.moment_coefficient_dynamic ? *with.moment_coefficient_dynamic / *with.moment_coefficient
-                                : with.mu_dynamic               ? *with.mu_dynamic / with.mu
-                                                                : 1.0;
-    if (with.moment_coefficient) {
-      other_slide.moment_coefficient_dynamic = *with.moment_coefficient * moment_share;
+    const double moment_share = with.mu_r_dynamic ? *with.mu_r_dynamic / *with.mu_r : with.mu_dynamic ? *with.mu_dynamic / with.mu : 1.0;
+    if (with.mu_r) {
+      other_slide.mu_r_dynamic = *with.mu_r * moment_share;
       other_slide.mu_dynamic = with.mu * random.uniform(0.0, 1.0);
     }
     SoftFinger both(hertz_box(), with);
@@ -120,9 +118,9 @@ TEST(Uncoupled, EitherPartIsWhatItIsWithoutTheOther) {
       const FingerOutput slid = slide.update(on_plane(x, y, depth), 0.0, 1e-3);
       const FingerOutput turned = twist.update(on_plane(0.0, 0.0, depth), angle, 1e-3);
       ASSERT_TRUE(same_bits(felt.force, slid.force) && same_bits(felt.proxy, slid.proxy)) << scene << ' ' << i;
-      if (with.moment_coefficient) {
+      if (with.mu_r) {
         // Its μ_d differs: the same limit, but for its rounding, which stays in the angle of the proxy when the load falls.
-        const double largest_limit = *with.moment_coefficient * with.stiffness * 2e-3;
+        const double largest_limit = *with.mu_r * with.stiffness * 2e-3;
         ASSERT_NEAR(felt.moment, turned.moment, 1e-12 * largest_limit) << scene << ' ' << i;
       } else {
         ASSERT_EQ(felt.moment, turned.moment) << scene << ' ' << i;
@@ -152,8 +150,8 @@ TEST(Uncoupled, IsTwoScalarTests) {
   for (int scene = 0; scene < 60; ++scene) {
     FingerParameters with = parameters(random.uniform(0.2, 1.0), 0.005, 1000.0, random.logarithmic(1e-3, 1.0));
     with.mu_dynamic = with.mu * random.uniform(0.1, 1.0);
-    with.moment_coefficient = random.logarithmic(1e-4, 1e-2);
-    with.moment_coefficient_dynamic = *with.moment_coefficient * random.uniform(0.1, 1.0);
+    with.mu_r = random.logarithmic(1e-4, 1e-2);
+    with.mu_r_dynamic = *with.mu_r * random.uniform(0.1, 1.0);
     with.rest_margin = random.uniform(0.0, 1.0);
     SoftFinger finger(hertz_box(), with);
     Scalar force{1000.0, with.rest_margin};
@@ -162,7 +160,7 @@ TEST(Uncoupled, IsTwoScalarTests) {
     double angle = 0.0;
     finger.update(on_plane(x, 0.0, 0.001), angle);
     const double stride = random.logarithmic(1e-5, 1e-3);
-    const double turn = random.logarithmic(0.01, 2.0) * *with.moment_coefficient / with.twist_stiffness;
+    const double turn = random.logarithmic(0.01, 2.0) * *with.mu_r / with.twist_stiffness;
     for (int i = 0; i < 1000; ++i) {
       x += random.uniform(-1.0, 1.0) * stride;
       angle += random.uniform(-1.0, 1.0) * turn;
@@ -170,14 +168,13 @@ TEST(Uncoupled, IsTwoScalarTests) {
       const double load = 1000.0 * depth;
       const FingerOutput output = finger.update(on_plane(x, 0.0, depth), angle);
       const double expected_force = force.step(x, with.mu * load, *with.mu_dynamic * load);
-      const double expected_moment = moment.step(angle, *with.moment_coefficient * load, *with.moment_coefficient_dynamic * load);
+      const double expected_moment = moment.step(angle, *with.mu_r * load, *with.mu_r_dynamic * load);
       ASSERT_NEAR(output.force.x(), expected_force, 1e-11 * load) << scene << ' ' << i;
-      ASSERT_NEAR(output.moment, expected_moment, 1e-11 * *with.moment_coefficient * load) << scene << ' ' << i;
+      ASSERT_NEAR(output.moment, expected_moment, 1e-11 * *with.mu_r * load) << scene << ' ' << i;
       ASSERT_EQ(output.state, force.slipped || moment.slipped ? ContactState::slip : ContactState::stick) << scene << ' ' << i;
       // How far from the next slip: nearer of the two, each to the limit that acts on it.
-      const double share =
-          std::max(std::fabs(expected_force) / ((force.slides ? *with.mu_dynamic : with.mu) * load),
-                   std::fabs(expected_moment) / ((moment.slides ? *with.moment_coefficient_dynamic : *with.moment_coefficient) * load));
+      const double share = std::max(std::fabs(expected_force) / ((force.slides ? *with.mu_dynamic : with.mu) * load),
+                                    std::fabs(expected_moment) / ((moment.slides ? *with.mu_r_dynamic : *with.mu_r) * load));
       if (output.state == ContactState::stick) {
         ASSERT_NEAR(finger.margin(), std::max(1.0 - share, 0.0), 1e-9) << scene << ' ' << i;
       }
@@ -189,8 +186,8 @@ TEST(Uncoupled, IsTwoScalarTests) {
 TEST(Uncoupled, AMomentOutlivesAForceWithoutFriction) {
   FingerParameters with = parameters(0.6, 0.006, 1000.0, 0.036);
   with.mu_dynamic = 0.0;
-  with.moment_coefficient = 0.002;
-  with.moment_coefficient_dynamic = 0.001;
+  with.mu_r = 0.002;
+  with.mu_r_dynamic = 0.001;
   SoftFinger finger(hertz_box(), with);
   finger.update(on_plane(0.0, 0.0, 0.001), 0.0);
   const FingerOutput output = finger.update(on_plane(0.01, 0.0, 0.001), 1.0);
@@ -198,8 +195,8 @@ TEST(Uncoupled, AMomentOutlivesAForceWithoutFriction) {
   EXPECT_NEAR(output.force.norm(), 0.0, 1e-15);
   EXPECT_NEAR(output.moment, -0.001, 1e-15);
   // Without torsion a twist does not slip.
-  with.moment_coefficient = 0.0;
-  with.moment_coefficient_dynamic.reset();
+  with.mu_r = 0.0;
+  with.mu_r_dynamic.reset();
   SoftFinger smooth(hertz_box(), with);
   smooth.update(on_plane(0.0, 0.0, 0.001), 0.0);
   const FingerOutput turned = smooth.update(on_plane(0.0, 0.0, 0.001), 1.0);
@@ -223,20 +220,20 @@ void expect_batch_of_fingers(double tolerance) {
       // Even contacts slide and hold their twist near its limit at rest, odd ones turn and hold their position.
       const bool slides = i % 2 == 0;
       arrays.x()[i] = static_cast<Real>(slides ? 1e-5 * step : 5e-4 * std::min(step / 10.0, 1.0));
-      arrays.angle()[i] = static_cast<Real>(slides ? 0.04 * std::min(step / 10.0, 1.0) : 1e-3 * step);
+      arrays.twist()[i] = static_cast<Real>(slides ? 0.04 * std::min(step / 10.0, 1.0) : 1e-3 * step);
       arrays.depth()[i] = static_cast<Real>(0.001);
     }
     const BasicContactBatch<Real> contacts = arrays.batch();
     batch.step(contacts);
     for (std::size_t i = 0; i < count; ++i) {
       const FingerOutput output =
-          fingers[i].update(on_plane(double{contacts.x[i]}, 0.0, double{contacts.depth[i]}), double{contacts.angle[i]});
+          fingers[i].update(on_plane(double{contacts.x[i]}, 0.0, double{contacts.depth[i]}), double{contacts.twist[i]});
       ASSERT_EQ(contacts.state[i], output.state) << step << ' ' << i;
-      ASSERT_NEAR(double{contacts.force_x[i]}, output.force.x(), tolerance) << step << ' ' << i;
+      ASSERT_NEAR(double{contacts.fx[i]}, output.force.x(), tolerance) << step << ' ' << i;
       ASSERT_NEAR(double{contacts.moment[i]}, output.moment, 0.005 * tolerance) << step << ' ' << i;
-      ASSERT_EQ(contacts.sliding[i] == ContactState::slip, fingers[i].state().friction.slides) << step << ' ' << i;
-      ASSERT_EQ(contacts.turning[i] == ContactState::slip, fingers[i].state().friction.turns) << step << ' ' << i;
-      only_one += (contacts.sliding[i] == ContactState::slip) != (contacts.turning[i] == ContactState::slip);
+      ASSERT_EQ(contacts.force_slides[i] == ContactState::slip, fingers[i].state().friction.force_slides) << step << ' ' << i;
+      ASSERT_EQ(contacts.moment_slides[i] == ContactState::slip, fingers[i].state().friction.moment_slides) << step << ' ' << i;
+      only_one += (contacts.force_slides[i] == ContactState::slip) != (contacts.moment_slides[i] == ContactState::slip);
     }
   }
   EXPECT_GT(only_one, 1000);

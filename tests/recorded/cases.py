@@ -15,8 +15,8 @@ PARAMETERS = {
     "damped-power-radius": {"--radius-law": "power:c=0.005,gamma=0.259", "--damping": "2", "--twist-damping": "1e-4"},
     "dynamic": {"--mu-dynamic": "0.45", "--details": None},
     "dynamic-power-radius": {"--mu-dynamic": "0.45", "--radius-law": "power:c=0.005,gamma=0.259"},
-    "moment-coefficient": {"--moment-coefficient": "0.003", "--moment-coefficient-dynamic": "0.002"},
-    "no-moment": {"--moment-coefficient": "0", "--details": None},
+    "moment-coefficient": {"--mu-r": "0.003", "--mu-r-dynamic": "0.002"},
+    "no-moment": {"--mu-r": "0", "--details": None},
     "stiff-twist": {"--twist-stiffness": "0.9"},
     "soft-twist": {"--twist-stiffness": "0.002"},
 }
@@ -57,7 +57,7 @@ def words(options):
 def all_cases():
     """Name, arguments and number of recorded rows (evenly spaced) of every case."""
     for curve, projection in PAIRS:
-        pair = {"--boundary": curve, "--projection": projection}
+        pair = {"--curve": curve, "--projection": projection}
         replay = lambda trace, options: ["replay", "--trace", f"data/{trace}.csv", *words({**FINGER, **options, **pair})]
         for trace in ("press_drag_release", "press_twist_release", "slide_twist_load", "constant_twist"):
             yield f"plane/{trace}/{curve}/{projection}", replay(f"traces/{trace}", {}), 15
@@ -79,7 +79,7 @@ def all_cases():
         for curve, projection in PAIRS:
             if (curve, projection) not in SOME_PAIRS or curve == "box":
                 continue
-            options = {**FINGER, "--law": law, "--boundary": curve, "--projection": projection}
+            options = {**FINGER, "--law": law, "--curve": curve, "--projection": projection}
             yield f"laws/{law}/{curve}/{projection}", ["replay", "--trace", "data/traces/constant_twist.csv", *words(options)], 10
     for name, options in PIVOTS.items():
         for model in ("coupled", "uncoupled", "exact"):

@@ -70,7 +70,7 @@ inline Setting make_setting(std::string_view parameters, std::string_view curve,
   } else if (parameters == "power-radius") {
     finger.radius_law = lib::RadiusLaw::power(0.005, 0.259);
   } else if (parameters == "no-moment") {
-    finger.moment_coefficient = 0.0;
+    finger.mu_r = 0.0;
   } else if (parameters == "small-leaps") {
     finger.max_displacement = 0.01;
   } else if (parameters == "soft-hold") {

@@ -100,7 +100,7 @@ void run_batch(const Setting& setting) {
     for (std::size_t i = 0; i < count; ++i) {
       contacts.x()[i] = static_cast<Real>(motions[i].x.at(step));
       contacts.y()[i] = static_cast<Real>(motions[i].y.at(step));
-      contacts.angle()[i] = static_cast<Real>(motions[i].twist.at(step));
+      contacts.twist()[i] = static_cast<Real>(motions[i].twist.at(step));
       contacts.depth()[i] = static_cast<Real>(motions[i].depth + motions[i].press.at(step));
     }
     const bool is_fault = step >= fault_begins && step < fault_ends;
@@ -113,8 +113,7 @@ void run_batch(const Setting& setting) {
     for (const std::size_t i : {0U, 6U, 77U, 149U}) {
       const auto value = [i](auto array) { return static_cast<double>(array[i]); };
       std::printf("%d,%zu,%s,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g\n", step, i, std::string(go::to_string(felt.state[i])).c_str(),
-                  value(felt.proxy_x), value(felt.proxy_y), value(felt.proxy_angle), value(felt.force_x), value(felt.force_y),
-                  value(felt.moment));
+                  value(felt.proxy_x), value(felt.proxy_y), value(felt.proxy_angle), value(felt.fx), value(felt.fy), value(felt.moment));
     }
   }
 }

@@ -91,7 +91,7 @@ class Playground(browser.PageTest):
                         self.compare(rows, path, law, curve, projection, exponent, twist_stiffness)
 
     def compare(self, rows, path, law, curve, projection, exponent, twist_stiffness):
-        boundary = ["--boundary", "table", "--tolerance", "1e-9"] if curve == "exact" else ["--boundary", curve]
+        boundary = ["--curve", "table", "--tolerance", "1e-9"] if curve == "exact" else ["--curve", curve]
         expected = run("replay", "--trace", str(path), "--law", law, "--radius-law", f"power:c=0.006,gamma={exponent}", "--mu", "0.6",
                        "--stiffness", "300", "--twist-stiffness", str(twist_stiffness), "--projection", projection, *boundary)
         got = self.call("replay", rows, {"law": law, "curve": curve, "projection": projection, "mu": 0.6, "radius": 0.006,

@@ -51,7 +51,8 @@ std::uint64_t moved_of_fingers(std::uint64_t steps) {
     held.update(at(0.104, 0.2, 0.002), 3.5);
     for (const auto& [finger, before] : {std::pair(&trembling, &rest), std::pair(&held, &slid)}) {
       const FingerState& state = finger->state();
-      moved += state.output.state != ContactState::stick || state.output.proxy != before->output.proxy || state.output.angle != before->output.angle;
+      moved += state.output.state != ContactState::stick || state.output.proxy != before->output.proxy ||
+               state.output.angle != before->output.angle;
     }
   }
   return moved;
@@ -66,12 +67,12 @@ std::uint64_t moved_of_batch(std::uint64_t steps) {
   const BasicContactBatch<Real> contacts = arrays.batch();
   std::ranges::fill(arrays.x(), Real(0.1));
   std::ranges::fill(arrays.y(), Real(0.2));
-  std::ranges::fill(arrays.angle(), Real(3));
+  std::ranges::fill(arrays.twist(), Real(3));
   std::ranges::fill(arrays.depth(), Real(0.002));
   batch.step(contacts);
   for (std::size_t i = trembling; i < count; ++i) {
     arrays.x()[i] += Real(0.001) * static_cast<Real>(i);
-    arrays.angle()[i] += Real(0.1) * static_cast<Real>(i);
+    arrays.twist()[i] += Real(0.1) * static_cast<Real>(i);
   }
   batch.step(contacts);
   if (std::ranges::count(contacts.state, ContactState::slip) != static_cast<int>(count - trembling)) return steps;
@@ -85,7 +86,7 @@ std::uint64_t moved_of_batch(std::uint64_t steps) {
       const Trembling now(random);
       arrays.x()[k] = static_cast<Real>(now.x);
       arrays.y()[k] = static_cast<Real>(now.y);
-      arrays.angle()[k] = static_cast<Real>(now.twist);
+      arrays.twist()[k] = static_cast<Real>(now.twist);
       arrays.depth()[k] = static_cast<Real>(now.depth);
     }
     batch.step(contacts);

@@ -18,8 +18,8 @@ inline godobject::FingerParameters any_finger(RandomBits& random, bool plain) {
   if (!plain) {
     result.radius_law = random.one_in(2) ? RadiusLaw::power(0.00207, random.uniform(0.01, 1.0)) : RadiusLaw::hertz(0.008, 2e5);
   } else if (random.one_in(3) && result.mu > 0.0) {
-    result.moment_coefficient = extreme ? random.scale(-49, 48) : random.scale(-12, -5);
-    if (random.one_in(8)) result.moment_coefficient = 0.0;
+    result.mu_r = extreme ? random.scale(-49, 48) : random.scale(-12, -5);
+    if (random.one_in(8)) result.mu_r = 0.0;
   } else {
     result.radius_law = RadiusLaw::constant(extreme ? random.scale(-49, 48) : random.uniform(0.001, 0.02));
   }

@@ -127,7 +127,7 @@ class Soak {
     const godobject::FingerOutput output = finger.output();
     if (output.state != godobject::ContactState::stick && output.state != godobject::ContactState::slip) return;
     const godobject::FingerParameters& parameters = finger.parameters();
-    const godobject::FrictionLimit<double> limit = limits_of(finger).at_rest;
+    const godobject::FrictionLimit<double> limit = limits_of(finger).sticking;
     const double stiffness = parameters.stiffness + parameters.damping / sample.time_step;
     const double twist_stiffness = parameters.twist_stiffness + parameters.twist_damping / sample.time_step;
     const double place = output.proxy.norm() + sample.contact.point.norm();

@@ -52,7 +52,8 @@ inline StepCheck check_step(const godobject::SoftFinger& finger, const godobject
   const godobject::FrictionLimits<double> limits = limits_of(finger);
   const bool dampers = finger.parameters().damping > 0.0 || finger.parameters().twist_damping > 0.0;
   const bool rested = last.output.state == ContactState::stick || last.output.state == ContactState::slip;
-  if (output.state == ContactState::stick && rested && (output.proxy != last_proxy || (limits.has_torsion && output.angle != last.output.angle)))
+  if (output.state == ContactState::stick && rested &&
+      (output.proxy != last_proxy || (limits.has_torsion && output.angle != last.output.angle)))
     fails("a proxy that sticks moves");
   if (output.state == ContactState::slip && rested && sample.contact.normal == last.sample.normal && !dampers) {
     // The wrench on the finger times the displacement of the proxy along the surface, computed here; up to the rounding of the proxy's
@@ -68,8 +69,9 @@ inline StepCheck check_step(const godobject::SoftFinger& finger, const godobject
   const bool slips = output.state == ContactState::slip;
   const godobject::FrictionMemory<double>& memory = finger.state().friction;
   const bool is_box = finger.curve()->is_box();
-  const godobject::FrictionLimit<double>& limit = slips && memory.slides ? limits.sliding : limits.at_rest;
-  const godobject::FrictionLimit<double>& of_moment = slips && (is_box ? memory.turns : memory.slides) ? limits.sliding : limits.at_rest;
+  const godobject::FrictionLimit<double>& limit = slips && memory.force_slides ? limits.sliding : limits.sticking;
+  const godobject::FrictionLimit<double>& of_moment =
+      slips && (is_box ? memory.moment_slides : memory.force_slides) ? limits.sliding : limits.sticking;
   const double moment_unit = of_moment.force * of_moment.radius;
   // Such a small limit counts as no friction: a trial above 1e60 times its limit is treated as that, and no trial here is above 1e21.
   constexpr double least = 1e-38;

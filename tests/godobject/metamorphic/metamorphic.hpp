@@ -120,7 +120,7 @@ inline void expect_alike(const Scene& scene, const SceneContact& one, double sli
     ASSERT_NEAR(direction(one.cor), direction(other.cor), least / slip) << one.cor << ' ' << other.cor;
   }
   const double limit = scene.finger.mu_dynamic.value_or(scene.finger.mu) * one.load;
-  if (limit > 1e-3 && !scene.finger.moment_coefficient) {
+  if (limit > 1e-3 && !scene.finger.mu_r) {
     ASSERT_NEAR(one.margin, other.margin, 10.0 * (within.force + within.moment / 0.001) / limit);
     ASSERT_NEAR(one.load_to_hold, other.load_to_hold, 10.0 * (within.force + within.moment / 0.001) / scene.finger.mu);
   }

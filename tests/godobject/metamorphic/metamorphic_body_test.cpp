@@ -52,7 +52,7 @@ void for_each_body(std::uint64_t seed, Body&& test) {
 }
 
 /// A step counts as solved to 1e-9 of the velocities, some 0.1 m/s: so far are places off in each, in all, and ten times that for what it leads to.
-constexpr double solved = 10.0 * steps * Grasp::solved_share * 0.1 * time_step;
+constexpr double solved = 10.0 * steps * Grasp::solved_fraction * 0.1 * time_step;
 
 void expect_alike(const Grasp& one, const Grasp& other, const BodyPose& by, double length) {
   const BodyState& a = one.body();

@@ -61,7 +61,7 @@ bool give_mu_dynamic(FingerParameters& finger, Projection) {
 /// a = cP^γ: both c and γ, which may be 0, a little more.
 bool move_radius(FingerParameters& finger, Projection) {
   finger.radius_law = RadiusLaw::power(finger.radius_law.coefficient() * (1.0 + little), finger.radius_law.exponent() + little);
-  return !finger.moment_coefficient.has_value();
+  return !finger.mu_r.has_value();
 }
 
 std::vector<Change> changes() {
@@ -76,8 +76,8 @@ std::vector<Change> changes() {
           // What counts is b/Δt beside the stiffness: 1e-12 of it.
           begun("damping", &FingerParameters::damping, little),
           begun("twist_damping", &FingerParameters::twist_damping, 3e-17),
-          coefficient("moment_coefficient", &FingerParameters::moment_coefficient),
-          coefficient("moment_coefficient_dynamic", &FingerParameters::moment_coefficient_dynamic),
+          coefficient("mu_r", &FingerParameters::mu_r),
+          coefficient("mu_r_dynamic", &FingerParameters::mu_r_dynamic),
           {"mu_dynamic", move_mu_dynamic},
           {"mu_dynamic given", give_mu_dynamic},
           {"radius", move_radius}};

@@ -52,14 +52,14 @@ inline std::vector<NamedParameters> all_parameters() {
           with("mu 0", [](FingerParameters& finger) { finger.mu = 0.0; }),
           with("moment coefficient",
                [](FingerParameters& finger) {
-                 finger.moment_coefficient = 0.002;
-                 finger.moment_coefficient_dynamic = 0.001;
+                 finger.mu_r = 0.002;
+                 finger.mu_r_dynamic = 0.001;
                }),
-          with("moment coefficient 0", [](FingerParameters& finger) { finger.moment_coefficient = 0.0; }),
+          with("moment coefficient 0", [](FingerParameters& finger) { finger.mu_r = 0.0; }),
           with("moment coefficient 0 while it slips",
                [](FingerParameters& finger) {
-                 finger.moment_coefficient = 0.002;
-                 finger.moment_coefficient_dynamic = 0.0;
+                 finger.mu_r = 0.002;
+                 finger.mu_r_dynamic = 0.0;
                }),
           with("all at once", [](FingerParameters& finger) {
             finger.damping = 1.0;

@@ -48,10 +48,10 @@ inline StudyScene random_study_scene(Random& random) {
   scene.most_load = one_of(4) == 0 ? scene.least_load : scene.least_load * random.logarithmic(1.05, 8.0);
   const double radius = random.logarithmic(0.002, 0.012);
   scene.radius_law = one_of(2) == 0 ? RadiusLaw::constant(radius) : RadiusLaw::power(radius, random.uniform(0.05, 0.4));
-  if (one_of(8) == 0) scene.moment_coefficient = random.uniform(0.5, 1.5) * scene.mu * radius * m0;
+  if (one_of(8) == 0) scene.mu_r = random.uniform(0.5, 1.5) * scene.mu * radius * m0;
   scene.stiffness = random.logarithmic(200.0, 3000.0);
   const double load = scene.most_load;
-  const double moment = scene.moment_coefficient ? *scene.moment_coefficient * load : m0 * scene.mu * load * scene.radius_law.radius(load);
+  const double moment = scene.mu_r ? *scene.mu_r * load : m0 * scene.mu * load * scene.radius_law.radius(load);
   scene.twist_stiffness = scene.stiffness * std::pow(moment / (scene.mu * load), 2.0) *
                           (one_of(4) == 0 ? random.logarithmic(0.03, 30.0) : random.logarithmic(0.2, 5.0));
   scene.sample_time = random.logarithmic(3e-4, 2e-3);
@@ -157,7 +157,7 @@ inline std::vector<Eigen::Vector3d> felt(const Scene& scene, SoftFinger finger, 
   for (const StudySample& at : motion) {
     const FingerOutput output = finger.update({{at.x, at.y, 0.0}, Eigen::Vector3d::UnitZ(), at.load / scene.stiffness}, at.twist);
     const double force = scene.mu * at.load;
-    const double moment = scene.moment_coefficient ? *scene.moment_coefficient * at.load : m0 * force * scene.radius_law.radius(at.load);
+    const double moment = scene.mu_r ? *scene.mu_r * at.load : m0 * force * scene.radius_law.radius(at.load);
     result.emplace_back(output.force.x() / force, output.force.y() / force, output.moment / moment);
   }
   return result;
@@ -168,12 +168,12 @@ inline SoftFinger named_finger(const Scene& scene, const Candidate& candidate) {
   FingerParameters finger;
   finger.mu = scene.mu;
   finger.radius_law = scene.radius_law;
-  finger.moment_coefficient = scene.moment_coefficient;
+  finger.mu_r = scene.mu_r;
   finger.stiffness = scene.stiffness;
   finger.twist_stiffness = scene.twist_stiffness;
   std::string name = candidate.model;
   if (name == "no torsion") {
-    finger.moment_coefficient = 0.0;
+    finger.mu_r = 0.0;
     name = "ellipse/radial";
   }
   const std::size_t projection = name.find('/') + 1;
@@ -204,7 +204,7 @@ inline StudyResult study_scene(std::uint64_t seed, int motions) {
   constexpr double reference_error = 1e-9;
   FingerParameters full = choice.chosen.finger;
   full.radius_law = scene.radius_law;
-  full.moment_coefficient = scene.moment_coefficient;
+  full.mu_r = scene.mu_r;
   const SoftFinger truth(finest_table(scene.law, reference_error), full);
   std::vector<SoftFinger> fingers;
   for (const Candidate& candidate : choice.candidates) fingers.push_back(named_finger(scene, candidate));

@@ -59,12 +59,12 @@ std::vector<DevicePose> wander(const Scene& scene, unsigned seed) {
 }
 
 std::vector<SceneContact> replayed(const Scene& scene, const std::vector<DevicePose>& motion, CurveKind curve, Projection projection,
-                                   const RadiusLaw& radius_law, std::optional<double> moment_coefficient) {
+                                   const RadiusLaw& radius_law, std::optional<double> mu_r) {
   ReplayOptions options;
   options.law = scene.law;
   options.finger.radius_law = radius_law;
   options.finger.mu = scene.mu;
-  options.finger.moment_coefficient = moment_coefficient;
+  options.finger.mu_r = mu_r;
   options.finger.stiffness = scene.stiffness;
   options.finger.twist_stiffness = scene.twist_stiffness;
   options.curve = curve;
@@ -82,10 +82,10 @@ std::vector<SceneContact> replayed(const Scene& scene, const std::vector<DeviceP
 /// The largest change of the output over a random trace, in units of the friction limits: an independent check, which shares
 /// with `choose_step` no motion.
 double witnessed(const Scene& scene, unsigned seed, CurveKind curve, Projection projection, const RadiusLaw& radius_law,
-                 std::optional<double> moment_coefficient = {}) {
+                 std::optional<double> mu_r = {}) {
   const auto motion = wander(scene, seed);
-  const auto truth = replayed(scene, motion, CurveKind::table, Projection::closest_point, scene.radius_law, scene.moment_coefficient);
-  const auto other = replayed(scene, motion, curve, projection, radius_law, moment_coefficient);
+  const auto truth = replayed(scene, motion, CurveKind::table, Projection::closest_point, scene.radius_law, scene.mu_r);
+  const auto other = replayed(scene, motion, curve, projection, radius_law, mu_r);
   const double m0 = scene.law->moment_ratio();
   double result = 0.0;
   for (std::size_t i = 0; i < truth.size(); ++i) {
@@ -199,7 +199,7 @@ TEST(ChooseStep, RefusesWhatMeansNothing) {
     refuses([=](Scene& s) { s.stiffness = bad; });
     refuses([=](Scene& s) { s.twist_stiffness = bad; });
     refuses([=](Scene& s) { s.sample_time = bad; });
-    refuses([=](Scene& s) { s.moment_coefficient = bad; });
+    refuses([=](Scene& s) { s.mu_r = bad; });
     refuses([](Scene&) {}, bad);
   }
   for (const double bad : {-1.0, nan, HUGE_VAL}) {

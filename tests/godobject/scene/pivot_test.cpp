@@ -142,7 +142,7 @@ TEST(Pivot, AGripThatIsLeftOpenHoldsTheBlockAtFirst) {
   EXPECT_EQ(default_load(options), 0.5);
   options.mass = 0.1;
   options.mu = 0.42;
-  options.moment_coefficient = 0.00305;
+  options.mu_r = 0.00305;
   EXPECT_EQ(default_load(options), 1.9);
   options.mass = 100.0;
   EXPECT_EQ(default_load(options), 1900.0);
@@ -152,7 +152,7 @@ TEST(Pivot, AGripThatIsLeftOpenHoldsTheBlockAtFirst) {
     EXPECT_LT(holding_load(options), default_load(options)) << law->name();
   }
   // Where no load holds the block, there is none to find.
-  options.moment_coefficient = 0.0;
+  options.mu_r = 0.0;
   EXPECT_EQ(default_load(options), 0.5);
   EXPECT_EQ(holding_load(options), std::numeric_limits<double>::infinity());
 }

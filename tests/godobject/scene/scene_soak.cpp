@@ -87,7 +87,7 @@ FingerParameters finger(Random& random) {
   result.mu = random.logarithmic(0.01, 3.0);
   if (random.bits() % 3 == 0) result.mu_dynamic = result.mu * random.uniform(0.1, 1.0);
   result.radius_law = radius(random);
-  if (random.bits() % 4 == 0) result.moment_coefficient = random.logarithmic(1e-4, 0.02);
+  if (random.bits() % 4 == 0) result.mu_r = random.logarithmic(1e-4, 0.02);
   result.stiffness = random.logarithmic(10.0, 1e5);
   result.twist_stiffness = result.stiffness * random.logarithmic(1e-7, 1e-3);
   if (random.bits() % 2 == 0) {
@@ -245,7 +245,7 @@ class SoakScene {
         if (!same_bits(output.proxy, before.output.proxy) || output.angle != before.output.angle) return "a stuck proxy moved";
       }
       const FrictionLimit<double> limit =
-          ContactLimits(one.parameters(), one.curve()->moment_max()).at<double>(one.state().limit_load, 1.0).at_rest;
+          ContactLimits(one.parameters(), one.curve()->moment_max()).at<double>(one.state().limit_load, 1.0).sticking;
       if (!(limit.force * limit.radius > 1e-100)) continue;
       const UnitWrench wrench{output.force.norm() / limit.force, std::fabs(output.moment) / (limit.force * limit.radius)};
       const double beyond = one.curve()->gauge(wrench) - 1.0;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What fingers, a batch, a scene and curves give, on one path. `drive write FILE` writes it; `drive compare FILE`, compiled for the processor
 // (-march=native), compares: what the library gives is the same to the last bit, what this file makes of the library's templates to 1e-12.
-#include "godobject/friction.hpp"
 #include "godobject/body/grasp.hpp"
+#include "godobject/friction.hpp"
 #include "godobject/godobject.hpp"
 #include "godobject/scene/replay.hpp"
 
@@ -52,12 +52,12 @@ void step_batch(const Table& table) {
   for (int step = 0; step < 200; ++step) {
     for (std::size_t i = 0; i < arrays.size(); ++i) {
       arrays.x()[i] = 0x1p-17 * step * static_cast<double>(i + 1);
-      arrays.angle()[i] = tick * step;
+      arrays.twist()[i] = tick * step;
       arrays.depth()[i] = 0x1p-9 + 0x1p-20 * step;
     }
     batch.step(contacts);
   }
-  for (std::size_t i = 0; i < arrays.size(); ++i) keep("batch", {contacts.force_x[i], contacts.force_y[i], contacts.moment[i]});
+  for (std::size_t i = 0; i < arrays.size(); ++i) keep("batch", {contacts.fx[i], contacts.fy[i], contacts.moment[i]});
 }
 
 // Poses in arrays, and in an object that the library writes to.
@@ -92,7 +92,7 @@ void use_curve(const FingerCurve& curve) {
     const FrictionResult<double> rubbed =
         apply_friction(curve.view(), Projection::closest_point, {{1.0, 0.005}, {1.0, 0.005}, 25000.0}, {2.0 - part, 0.01 * part}, memory);
     keep("template",
-         {gauge, on_ray.force, on_ray.moment, rubbed.force_ratio, rubbed.moment_ratio,
+         {gauge, on_ray.force, on_ray.moment, rubbed.force_fraction, rubbed.moment_fraction,
           load_to_hold(curve, RadiusLaw::power(0.00207, 0.259), 0.6, part, 0.001)},
          1e-12);
   }

@@ -35,14 +35,14 @@ struct Felt {
 /// An ordinary step: offset, twist, depth, the two coefficients of friction, and the expected wrench.
 struct Degenerate {
   const char* name;
-  double r, rho, depth, mu, moment_coefficient;
+  double r, rho, depth, mu, mu_r;
   Felt right;
 };
 
 /// Eqs. (21)–(23) of Frisoli et al. (2006) as they are printed.
 Felt as_printed(const Degenerate& step, double twist_stiffness) {
   const double x = step.r / (step.mu * step.depth);
-  const double y = twist_stiffness * step.rho / (step.moment_coefficient * stiffness * step.depth);
+  const double y = twist_stiffness * step.rho / (step.mu_r * stiffness * step.depth);
   const double epsilon = x * x + y * y;
   double r = step.r;
   double rho = step.rho;
@@ -58,7 +58,7 @@ Felt as_printed(const Degenerate& step, double twist_stiffness) {
 Felt by_finger(const Degenerate& step, double twist_stiffness) {
   FingerParameters with;
   with.mu = step.mu;
-  with.moment_coefficient = step.moment_coefficient;
+  with.mu_r = step.mu_r;
   with.stiffness = stiffness;
   with.twist_stiffness = twist_stiffness;
   SoftFinger finger(Ellipse::through_intercepts(hertz()->moment_ratio()), with, Projection::radial);
@@ -142,7 +142,7 @@ Failures failures(const Law& law, const FingerCurve& table, double kappa, double
     count.newton += fails(at(by_newton(condition, last)));
     count.newton_ahead += fails(at(by_newton(condition, trial.force / (trial.compliance_ratio * trial.moment))));
     const auto found = project_on_to_closest_point(table.view(), trial, last < 1.0 ? last : 2.0 - 1.0 / last);
-    count.ours += fails({trial.force * found.force_ratio, trial.moment * found.moment_ratio});
+    count.ours += fails({trial.force * found.force_fraction, trial.moment * found.moment_ratio});
   }
   return {count.newton / rounds, count.newton_ahead / rounds, count.ours / rounds};
 }

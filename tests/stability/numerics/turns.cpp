@@ -34,11 +34,8 @@ struct Twisting {
   static constexpr double depth = 0.001;
 
   [[nodiscard]] godobject::SoftFinger finger() const {
-    const godobject::FingerParameters parameters{.mu = 1.0,
-                                                 .radius_law = RadiusLaw::constant(0.005),
-                                                 .moment_coefficient = limit,
-                                                 .stiffness = 1000.0,
-                                                 .twist_stiffness = twist_stiffness};
+    const godobject::FingerParameters parameters{
+        .mu = 1.0, .radius_law = RadiusLaw::constant(0.005), .mu_r = limit, .stiffness = 1000.0, .twist_stiffness = twist_stiffness};
     return {Ellipse::through_intercepts(0.5), parameters};
   }
 

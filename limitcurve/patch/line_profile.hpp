@@ -12,13 +12,13 @@ namespace limitcurve::patch {
 /// A law's pressure projected on a line through the contact centre. t is the coordinate on the line in contact radii, and G(t) = ⟨|t − x|⟩
 /// the mean distance of the projected pressure from t. Gives the slope G′, which is odd, and N = G − tG′, the integral of 2x times the
 /// projected density from |t| to the rim, which is even and 0 beyond the rim. Interpolated by Chebyshev series.
-class Projection {
+class LineProfile {
  public:
-  explicit Projection(Law law);
+  explicit LineProfile(Law law);
 
   struct Value {
     double slope;
-    double rest;  ///< N
+    double remainder;  ///< N
   };
   /// G′ and N at t, any number; beyond `outer` they are ±1 and 0. Absolute error: `error()`.
   [[nodiscard]] Value operator()(double t) const noexcept;
@@ -42,7 +42,7 @@ class Projection {
     double begin;
     double half;
     std::array<double, order> slope;
-    std::array<double, order> rest;
+    std::array<double, order> remainder;
   };
 
   void tabulate(double tolerance);

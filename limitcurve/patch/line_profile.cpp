@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "limitcurve/patch/projection.hpp"
+#include "limitcurve/patch/line_profile.hpp"
 
 #include "limitcurve/quadrature/evaluators.hpp"
 
@@ -26,7 +26,7 @@ double clenshaw(const auto& series, double x) noexcept {
 
 }  // namespace
 
-Projection::Projection(Law law) : law_(std::move(law)), outer_(static_cast<double>(law_->breaks().back())) {
+LineProfile::LineProfile(Law law) : law_(std::move(law)), outer_(static_cast<double>(law_->breaks().back())) {
   const std::string name = law_->name();
   is_polynomial_ = true;
   if (name == "hertz") {
@@ -51,15 +51,15 @@ Projection::Projection(Law law) : law_(std::move(law)), outer_(static_cast<doubl
   tabulate(std::max(rounding, 0.01 * error_));
 }
 
-void Projection::tabulate(double tolerance) {
+void LineProfile::tabulate(double tolerance) {
   for (std::size_t i = 0; i < kinks_.size(); ++i) add_cells(kinks_[i], i + 1 < kinks_.size() ? kinks_[i + 1] : outer_, tolerance, 1.0);
   error_ += 4.0 * tolerance;
 }
 
-void Projection::add_cells(double begin, double end, double tolerance, double before) {
+void LineProfile::add_cells(double begin, double end, double tolerance, double before) {
   double rounding = 0.0;
   const auto exact = [&](double t) -> Value {
-    const auto [forces, error] = law_->projection(t);
+    const auto [forces, error] = law_->line_profile(t);
     rounding = std::max({rounding, error.force, error.moment});
     return {forces.force, forces.moment};
   };
@@ -74,7 +74,7 @@ void Projection::add_cells(double begin, double end, double tolerance, double be
       const double angle = std::numbers::pi * (static_cast<double>(j) + 0.5) / static_cast<double>(order);
       const double weight = (k == 0 ? 1.0 : 2.0) / static_cast<double>(order) * std::cos(static_cast<double>(k) * angle);
       cell.slope[k] += weight * values[j].slope;
-      cell.rest[k] += weight * values[j].rest;
+      cell.remainder[k] += weight * values[j].remainder;
     }
   }
   // A polynomial is worst next to the ends, where singularities are: check there.
@@ -83,7 +83,7 @@ void Projection::add_cells(double begin, double end, double tolerance, double be
     const double t = begin + cell.half * (1.0 + x);
     const Value true_value = exact(t);
     const Value value = at(cell, t);
-    off = std::max({off, std::fabs(value.slope - true_value.slope), std::fabs(value.rest - true_value.rest)});
+    off = std::max({off, std::fabs(value.slope - true_value.slope), std::fabs(value.remainder - true_value.remainder)});
   }
   // Halving does not help below the rounding error of the integrals.
   constexpr double narrowest = 1e-11;
@@ -98,12 +98,12 @@ void Projection::add_cells(double begin, double end, double tolerance, double be
   add_cells(middle, end, tolerance, off);
 }
 
-Projection::Value Projection::at(const Cell& cell, double t) noexcept {
+LineProfile::Value LineProfile::at(const Cell& cell, double t) noexcept {
   const double x = std::clamp((t - cell.begin) / cell.half - 1.0, -1.0, 1.0);
-  return {clenshaw(cell.slope, x), clenshaw(cell.rest, x)};
+  return {clenshaw(cell.slope, x), clenshaw(cell.remainder, x)};
 }
 
-Projection::Value Projection::operator()(double t) const noexcept {
+LineProfile::Value LineProfile::operator()(double t) const noexcept {
   const double place = std::fabs(t);
   if (is_polynomial_) {
     const double square = std::min(place, 1.0) * std::min(place, 1.0);
@@ -113,7 +113,7 @@ Projection::Value Projection::operator()(double t) const noexcept {
   if (!(place < outer_)) return {std::copysign(1.0, t), 0.0};
   const auto after = std::upper_bound(cells_.begin() + 1, cells_.end(), place, [](double p, const Cell& cell) { return p < cell.begin; });
   const Value value = at(*(after - 1), place);
-  return {std::copysign(value.slope, t), value.rest};
+  return {std::copysign(value.slope, t), value.remainder};
 }
 
 }  // namespace limitcurve::patch

@@ -1,0 +1,97 @@
+# SPDX-License-Identifier: MIT
+"""One name for one thing in C++, C, Python and on the command line: data/names.csv has every name that stands in two of them or more."""
+
+import ast
+import csv
+import re
+import unittest
+from pathlib import Path
+
+from command_line import DATA, run
+
+ROOT = Path(__file__).resolve().parents[2]
+LANGUAGES = ("cpp", "c", "python", "option")
+
+
+def text(*path):
+    return ROOT.joinpath(*path).read_text(encoding="utf-8")
+
+
+def fields(source, structure):
+    """Names of the members of a structure: the last word of each declaration, without comments and initial values."""
+    body = re.search(r"struct " + structure + r"(?: final)? \{(.*?)\n\}", source, re.DOTALL).group(1)
+    body = re.sub(r"/\*.*?\*/|//[^\n]*", "", body, flags=re.DOTALL)
+    declarations = [line for line in re.sub(r"\([^()]*\)|\{[^{}]*\}", "", body).split(";") if line.strip()]
+    return {re.split(r"\s=", line)[0].split()[-1].lstrip("*").split("[")[0] for line in declarations if "return" not in line and "[[nodiscard]]" not in line}
+
+
+def cpp_names():
+    finger, friction, batch, contact = (text("godobject", name + ".hpp") for name in ("finger", "friction", "batch", "contact"))
+    found = set()
+    for source, structures in ((finger, ("FingerParameters", "FingerOutput")), (friction, ("FrictionLimits", "FrictionMemory", "FrictionResult")),
+                               (batch, ("BasicContactBatch",)), (contact, ("Contact",))):
+        for structure in structures:
+            found |= fields(source, structure)
+    soft_finger = text("godobject", "soft_finger.hpp")
+    found |= set(re.findall(r"\b(\w+)\([^)]*\) (?:const&? )?noexcept", soft_finger)) | set(re.findall(r"(?:double|Contact&) (\w+)[,)= ]", soft_finger))
+    return found | fields(text("godobject", "scene", "replay.hpp"), "ReplayOptions")
+
+
+def c_names():
+    header = text("c", "limitcurve.h")
+    found = set()
+    for structure in re.findall(r"typedef struct (limitcurve_\w+) \{", header):
+        found |= fields(header, structure)
+    header = "".join(re.findall(r"limitcurve_(?:finger|batch)_\w+\(.*?\);", header, re.DOTALL))
+    found |= set(re.findall(r"limitcurve_finger_(\w+)\(", header))
+    return found | set(re.findall(r"(?:double|size_t|limitcurve_projection)\*? (\w+)(?:\[3\])?[,)]", header))
+
+
+def python_names():
+    sources = "".join(text("python", name) for name in ("fingers.cpp", "batches.cpp"))
+    found = set(re.findall(r'(?:nb::arg|def_ro|def_prop_ro|add_view|\.def)\(\s*"(\w+)"', sources))
+    found |= set(re.findall(r'\{"(\w+)", \[\]\(FingerParameters', sources)) | {"radius_law", "projection"}
+    for node in ast.parse(text("python", "limitcurve", "_tables.py")).body:
+        if isinstance(node, ast.FunctionDef) and node.name in ("replay", "choose"):
+            found |= {argument.arg for argument in node.args.args + node.args.kwonlyargs}
+    return found
+
+
+def option_names():
+    return {name for subcommand in ("replay", "pivot", "choose") for name in re.findall(r"(--[a-z-]+)", run(subcommand, "--help").stdout)}
+
+
+class Names(unittest.TestCase):
+    def test_one_name_in_four_languages(self):
+        present = dict(zip(LANGUAGES, (cpp_names(), c_names(), python_names(), option_names())))
+        with (DATA / "names.csv").open(encoding="utf-8") as file:
+            listed = list(csv.DictReader(line for line in file if not line.startswith("#")))
+        for row in listed:
+            self.assertGreaterEqual(sum(bool(row[language]) for language in LANGUAGES), 2, row)
+            for language in LANGUAGES:
+                self.assertTrue(not row[language] or row[language] in present[language], f"{language}: {row[language]}")
+        known = {language: {row[language] for row in listed} for language in LANGUAGES}
+        for language in LANGUAGES:
+            for name in present[language]:
+                plain = name.lstrip("-").replace("-", "_")
+                shared = sum(plain in {other.lstrip("-").replace("-", "_") for other in present[place]} for place in LANGUAGES)
+                self.assertTrue(shared < 2 or name in known[language], f"{language}: {name} stands in {shared} languages, not in data/names.csv")
+
+    def test_old_options_are_accepted_and_said(self):
+        finger = ["--law", "hertz", "--radius-law", "constant:a=0.006", "--mu", "0.6", "--stiffness", "1000", "--twist-stiffness", "0.036"]
+        call = ["replay", "--trace", DATA / "traces" / "slide_twist_load.csv", *finger]
+        for old, new, value in (("--boundary", "--curve", "ellipse"), ("--jump-limit", "--max-displacement", "0.1"), ("--hold-share", "--fault-decay", "0.5"),
+                                ("--moment-coefficient", "--mu-r", "0.003"), ("--moment-coefficient-dynamic", "--mu-r-dynamic", "0.002"),
+                                ("--moment-exponent", "--gamma", "0.2")):
+            more = ["--mu-r", "0.003"] if new in ("--mu-r-dynamic", "--gamma") else []
+            for given in ([old, value], [f"{old}={value}"]):
+                done = run(*call, *more, *given)
+                self.assertEqual((done.returncode, done.stderr), (0, f"limitcurve: {old} is now {new}; the old name works until 0.3\n"))
+                self.assertEqual(done.stdout, run(*call, *more, new, value).stdout)
+        self.assertEqual(run(*call, "--boundary", "box", "--quiet").stderr, "")
+        self.assertEqual(run(*call, "--projection", "closest_point").stdout, run(*call, "--projection", "closest-point").stdout)
+        self.assertEqual(run("eval", "--law", "hertz", "--c", "1", "--boundary", "box").returncode, 2)
+
+
+if __name__ == "__main__":
+    unittest.main()
