@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <memory>
 #include <string_view>
+#include <utility>
 
 namespace limitcurve {
 
@@ -34,6 +35,9 @@ class BasicFingerCurve {
   BasicFingerCurve(const Ellipse& ellipse);         // NOLINT
   BasicFingerCurve(const Polygon<3>& box);          // NOLINT
   BasicFingerCurve(const BasicTable<Real>& table);  // NOLINT
+  /// A curve that other code made, for example from cells in memory of its own. The view must stay valid as long as `owner`, of which
+  /// copies of the curve share the ownership; null if the memory outlives all of them.
+  BasicFingerCurve(const CurveView<Real>& view, std::shared_ptr<const void> owner) : view_(view), owner_(std::move(owner)) {}
   /// A pressure law is not a limit curve: a compile-time error says what to write.
   template <std::same_as<Law> Other>
   BasicFingerCurve(const Other&) {  // NOLINT

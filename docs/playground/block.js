@@ -14,7 +14,7 @@ class Block {
 
   options(settings) {
     const { mu, momentCoefficient, stiffness, damping } = BLOCK;
-    this.engine.configure({ law: settings.law, curve: "exact", projection: "closest-point", mu, radius: 0.01, stiffness, twistStiffness: 1 });
+    this.engine.takeLaw(settings.law);
     const twistStiffness = stiffness * (momentCoefficient / mu) ** 2 * settings.ratio;
     return {
       law: settings.law, curve: settings.curve, projection: settings.projection, mu, radius: momentCoefficient / (mu * this.engine.momentRatio),

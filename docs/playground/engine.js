@@ -1,6 +1,7 @@
-// The library's step in its own WebAssembly memory: one finger and one block. The build script embeds WASM and TABLES.
+// The library's finger and block in a WebAssembly memory of their own. The build script embeds WASM and TABLES.
 
-const STATES = ["free", "stick", "slip"];
+const STATES = ["free", "stick", "slip", "invalid"];
+const CURVES = ["exact", "ellipse", "box"];
 const PROJECTIONS = ["radial", "c-curve", "closest-point"];
 
 const bytesOf = (base64) => Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
@@ -15,32 +16,41 @@ class Engine {
   constructor(instance) {
     this.call = instance.exports;
     this.call.__wasm_call_ctors();
-    const numbers = (at, count) => new Float64Array(this.call.memory.buffer, at, count);
-    this.cells = numbers(this.call.cell_numbers(), 8 * 128);
-    this.out = numbers(this.call.results(), 32);
     this.law = undefined;
   }
 
-  /** `curve`: exact (the table of 1e-9), ellipse or box. `radius` [m] at 1 N grows with the load to the power `exponent`. */
-  configure({ law, curve, projection, mu, radius, exponent = 0, stiffness, twistStiffness, damping = 0, twistDamping = 0 }) {
+  // A view at each use: memory that grows leaves a view behind.
+  get out() {
+    return new Float64Array(this.call.memory.buffer, this.call.results(), 21);
+  }
+
+  /** Makes the curves of a law: the table of 1e-9, and ellipse and box through its intercepts. */
+  takeLaw(law) {
     const table = TABLES[law];
     if (!table) throw new RangeError(`law '${law}': expected ${Object.keys(TABLES).join("|")}`);
-    if (!["exact", "ellipse", "box"].includes(curve)) throw new RangeError(`curve '${curve}': expected exact|ellipse|box`);
+    if (law === this.law) return;
+    this.law = law;
+    const cells = new Float64Array(bytesOf(table.cells).buffer);
+    new Float64Array(this.call.memory.buffer, this.call.cell_numbers(), cells.length).set(cells);
+    this.call.use_table(table.inside, table.outside);
+    this.momentRatio = this.wrench(0, 1, true).moment;
+  }
+
+  /** `radius` [m] at 1 N grows with the load to the power `exponent`. */
+  configure({ law, curve, projection, mu, radius, exponent = 0, stiffness, twistStiffness, damping = 0, twistDamping = 0 }) {
+    if (!CURVES.includes(curve)) throw new RangeError(`curve '${curve}': expected ${CURVES.join("|")}`);
     if (!PROJECTIONS.includes(projection)) throw new RangeError(`projection '${projection}': expected ${PROJECTIONS.join("|")}`);
     if (curve === "box" && projection !== "closest-point") throw new RangeError("projection: a box goes with closest-point only");
-    if (law !== this.law) this.cells.set(new Float64Array(bytesOf(table.cells).buffer));
-    this.law = law;
-    this.call.use_table(table.inside, table.outside);
-    if (curve === "ellipse") this.call.use_ellipse();
-    if (curve === "box") this.call.use_box();
-    this.call.set_finger(mu, radius, exponent, stiffness, twistStiffness, damping, twistDamping, PROJECTIONS.indexOf(projection));
-    this.momentRatio = this.wrench(0, 1, true).moment;
+    this.takeLaw(law);
+    this.curve = CURVES.indexOf(curve);
+    this.call.set_finger(this.curve, mu, radius, exponent, stiffness, twistStiffness, damping, twistDamping, PROJECTIONS.indexOf(projection));
   }
 
   /** The unit wrench of a slip |v| : a|ω| on the curve in use, or on that of the law. */
   wrench(slide, spin, ofLaw = false) {
-    this.call.unit_wrench(ofLaw ? 1 : 0, slide, spin);
-    return { force: this.out[0], moment: this.out[1] };
+    this.call.unit_wrench(ofLaw ? 0 : this.curve, slide, spin);
+    const [force, moment] = this.out;
+    return { force, moment };
   }
 
   newFinger() {
@@ -59,8 +69,8 @@ class Engine {
 
   stepBlock(load, timeStep) {
     this.call.step_block(load, timeStep);
-    const [x, y, angle, vx, vy, spin] = this.out.subarray(20, 26);
-    return { x, y, angle, vx, vy, spin, finger: this.finger() };
+    const [x, y, angle, spin] = this.out.subarray(17);
+    return { x, y, angle, spin, finger: this.finger() };
   }
 
   /** Result of the last step: metres, newtons, radians. */

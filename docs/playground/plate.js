@@ -18,7 +18,7 @@ class Plate {
 
   options(settings) {
     const { mu, radius, stiffness } = PLATE;
-    this.engine.configure({ law: settings.law, curve: "exact", projection: "closest-point", mu, radius, stiffness, twistStiffness: 1 });
+    this.engine.takeLaw(settings.law);
     const arm = this.engine.momentRatio * radius;
     const twistStiffness = stiffness * arm * arm * settings.ratio;
     return { law: settings.law, curve: settings.curve, projection: settings.projection, mu, radius, exponent: settings.exponent, stiffness, twistStiffness };

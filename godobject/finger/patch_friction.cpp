@@ -63,7 +63,9 @@ KeptDeflection apply_friction(const PatchProjector& patch, const ContactLimits& 
   memory.zero_axis = zero_axis(sample, memory.zero_axis);
   memory.axis = turned(memory.zero_axis, sample.normal, angle);
   memory.slip = Vector3d::Zero();
-  const auto [stiffness, twist_stiffness] = std::pair(trial.springs.stiffness, trial.springs.twist_stiffness);
+  // No structured binding: Clang 14 does not let a lambda use one.
+  const double stiffness = trial.springs.stiffness;
+  const double twist_stiffness = trial.springs.twist_stiffness;
   const PatchWrench wrench = in_axes(memory.axis, sample.normal, trial.tangential * stiffness, trial.twist * twist_stiffness);
 
   const auto project = [&](bool slides) -> PatchProjection {

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "godobject/scene/pivot.hpp"
 
-#include "godobject/body/grasp.hpp"
 #include "godobject/finger_curve.hpp"
-#include "godobject/surface.hpp"
+#include "godobject/scene/gripped_block.hpp"
 #include "limitcurve/internal/number.hpp"
 #include "limitcurve/laws.hpp"
 
@@ -21,9 +20,6 @@ namespace {
 
 constexpr std::array<std::pair<PivotCase, std::string_view>, 3> cases{
     {{PivotCase::coupled, "coupled"}, {PivotCase::uncoupled, "uncoupled"}, {PivotCase::exact, "exact"}}};
-
-/// Thickness of the block between the fingers [m]. It only bounds their depth.
-constexpr double thickness = 0.04;
 
 double within(std::string_view name, double value, std::string_view unit, bool zero_allowed) {
   const bool good = zero_allowed ? value >= 0.0 && value <= 1e9 : value > 0.0 && value <= 1e9;
@@ -182,10 +178,6 @@ class GripLoad {
   bool regrips_ = false;
 };
 
-double angle_of(const BodyState& state) noexcept {
-  return 2.0 * std::atan2(state.orientation.z(), state.orientation.w());
-}
-
 }  // namespace
 
 class Pivot::Scene {
@@ -195,23 +187,9 @@ class Pivot::Scene {
         curve_error_(curve.error),
         holding_load_(load_to_hold(options, curve.curve)),
         grip_load_(options),
-        grasp_(make_grasp(options, curve.curve, parameters)) {
-    const double weight = options_.mass * options_.gravity;
-    const FingerParameters& finger = grasp_.finger(0).parameters();
-    // Touch down with the block raised and turned so that, when it is level, the springs just bear its weight.
-    const double sag = 0.5 * weight / finger.stiffness;
-    const double give = 0.5 * weight * options_.offset / finger.twist_stiffness;
-    BodyState start;
-    start.orientation = Eigen::AngleAxisd(-give, Eigen::Vector3d::UnitZ());
-    start.position = -(start.orientation * Eigen::Vector3d(options_.offset, -sag, 0.0));
-    BodyState level;
-    level.position = {-options_.offset, 0.0, 0.0};
-    grasp_.place(start, devices());
+        block_(options, SoftFinger(curve.curve, parameters, projection_of(options))) {
     const double load = grip_load_.first();
-    depth_ = load / finger.stiffness;
-    grasp_.place(start, devices());
-    grip_ = grasp_.finger(0).output().proxy;
-    grasp_.place(level, devices());
+    block_.take(load);
     describe(0.0, load);
   }
 
@@ -224,44 +202,28 @@ class Pivot::Scene {
     // A multiple of the time step, not a sum: times stay round.
     ++count_;
     const double time = static_cast<double>(count_) * options_.time_step;
-    const double load = grip_load_.next(row_, time, options_.time_step, grasp_.body().angular_velocity.z());
-    // The depth at which spring and damper together give that load.
-    const FingerParameters& finger = grasp_.finger(0).parameters();
-    const double rate = finger.damping / options_.time_step;
-    depth_ = load > 0.0 ? (load + rate * depth_) / (finger.stiffness + rate) : 0.0;
-    grasp_.step(devices(), options_.time_step);
+    const double load = grip_load_.next(row_, time, options_.time_step, block_.grasp().body().angular_velocity.z());
+    block_.step(load, options_.time_step);
     describe(time, load);
     return true;
   }
 
  private:
-  static Grasp make_grasp(const PivotOptions& options, const FingerCurve& curve, const FingerParameters& parameters) {
-    const Eigen::Vector3d edges{options.length, options.height, thickness};
-    const SoftFinger finger(curve, parameters, projection_of(options));
-    return Grasp(BodyParameters::planar_block(options.mass, edges, options.gravity), BodyState{}, AnySurface(BoxSurface(0.5 * edges)),
-                 {finger, finger});
-  }
-
-  /// Two opposite fingers at the origin.
-  [[nodiscard]] std::array<DevicePose, 2> devices() const noexcept {
-    const double reach = 0.5 * thickness - depth_;
-    return {DevicePose{{0.0, 0.0, reach}}, DevicePose{{0.0, 0.0, -reach}}};
-  }
-
   void describe(double time, double load) noexcept {
-    const BodyState& body = grasp_.body();
-    const FingerOutput output = grasp_.finger(0).output();
+    const Grasp& grasp = block_.grasp();
+    const BodyState& body = grasp.body();
+    const FingerOutput& output = grasp.finger(0).output();
     row_.time = time;
     row_.x = body.position.x();
     row_.y = body.position.y();
-    row_.angle += std::remainder(angle_of(body) - row_.angle, 2.0 * std::numbers::pi);
-    if (output.state != ContactState::free) row_.grip_slip = (output.proxy - grip_).norm();
+    row_.angle = block_.angle();
+    if (output.state != ContactState::free) row_.grip_slip = (output.proxy - block_.grip()).norm();
     row_.load = load;
     Eigen::Vector3d force = Eigen::Vector3d::Zero();
     double moment = 0.0;
-    for (std::size_t i = 0; i < grasp_.finger_count(); ++i) {
-      force += grasp_.finger(i).output().force;
-      moment += grasp_.moment_on_user(i).z();
+    for (std::size_t i = 0; i < grasp.finger_count(); ++i) {
+      force += grasp.finger(i).output().force;
+      moment += grasp.moment_on_user(i).z();
     }
     row_.friction_force = force.norm();
     row_.friction_moment = std::fabs(moment);
@@ -269,8 +231,8 @@ class Pivot::Scene {
     row_.cor = output.cor;
     row_.spring_force = output.force.norm();
     row_.spring_moment = std::fabs(output.moment);
-    row_.trial_force = grasp_.finger(0).state().trial_force;
-    row_.trial_moment = grasp_.finger(0).state().trial_moment;
+    row_.trial_force = grasp.finger(0).state().trial_force;
+    row_.trial_moment = grasp.finger(0).state().trial_moment;
   }
 
   PivotOptions options_;
@@ -278,9 +240,7 @@ class Pivot::Scene {
   double holding_load_;
   GripLoad grip_load_;
   PivotRow row_;
-  Grasp grasp_;
-  Eigen::Vector3d grip_ = Eigen::Vector3d::Zero();  // where the first finger touched down, in the block's frame
-  double depth_ = 0.0;                              // depth of the fingers [m]
+  GrippedBlock block_;
   long count_ = 0;
 };
 

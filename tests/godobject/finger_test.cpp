@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <memory>
 #include <numbers>
+#include <utility>
 
 namespace limitcurve::godobject::test {
 namespace {
@@ -158,6 +160,19 @@ TEST(SoftFinger, MomentCoefficientSetsTheLimitWhateverTheRadiusLaw) {
 TEST(FingerCurve, MomentRatioIsMomentInterceptOverForceIntercept) {
   EXPECT_NEAR(FingerCurve(Ellipse(2.0, 0.6)).moment_ratio(), 0.3, 1e-15);
   EXPECT_NEAR(FingerCurve(box(0.5, 3.0)).moment_ratio(), 6.0, 1e-15);
+}
+
+TEST(FingerCurve, OfAViewKeepsItsOwner) {
+  auto table = std::make_shared<const Table>(Table::build(hertz(), 1e-6));
+  const std::weak_ptr<const Table> watch = table;
+  const UnitWrench wrench = table->wrench({1.0, 2.0});
+  {
+    const CurveView<double> view = table->view();
+    const FingerCurve copy = FingerCurve(view, std::move(table));
+    EXPECT_EQ(copy.wrench({1.0, 2.0}), wrench);
+    EXPECT_FALSE(watch.expired());
+  }
+  EXPECT_TRUE(watch.expired());
 }
 
 /// Γ is what the parameter says, in any unit of the curve's force.

@@ -9,6 +9,7 @@ its speed, and that anybody can read it. `scripts/setup pages` installs the brow
 import argparse
 import csv
 import io
+import itertools
 import math
 import subprocess
 import sys
@@ -80,28 +81,33 @@ class Playground(browser.PageTest):
         with tempfile.TemporaryDirectory() as folder:
             path = Path(folder) / "trace.csv"
             path.write_text("time,x,y,z,twist\n" + "".join(",".join(map(repr, row.values())) + "\n" for row in rows))
-            cases = [(law, curve, projection, exponent) for law in ("hertz", "uniform", "flat-punch", "gaussian:sigma=0.4")
-                     for curve, projection, exponent in (("exact", "closest-point", 0), ("exact", "radial", 0), ("ellipse", "radial", 0),
-                                                         ("ellipse", "closest-point", 0.3333), ("exact", "c-curve", 0.3333),
-                                                         ("ellipse", "c-curve", 0.3333), ("box", "closest-point", 0))]
-            cases += [(law, "exact", "closest-point", 0) for law in ("parabolic", "cone", "xydas-kao:k=3")]
-            for law, curve, projection, exponent in cases:
-                for twist_stiffness in (0.004, 0.04):
-                    with self.subTest(law=law, curve=curve, projection=projection, exponent=exponent, twist_stiffness=twist_stiffness):
-                        self.compare(rows, path, law, curve, projection, exponent, twist_stiffness)
+            for law, (curve, projection), exponent, (twist_stiffness, damping) in itertools.product(
+                    ("hertz", "uniform", "parabolic", "flat-punch", "cone", "xydas-kao:k=3", "gaussian:sigma=0.4"),
+                    (("exact", "closest-point"), ("exact", "radial"), ("exact", "c-curve"), ("ellipse", "closest-point"),
+                     ("ellipse", "radial"), ("ellipse", "c-curve"), ("box", "closest-point")), (0, 1 / 3), ((0.004, 0), (0.04, 2))):
+                with self.subTest(law=law, curve=curve, projection=projection, exponent=exponent, damping=damping):
+                    self.compare(rows, path, law, curve, projection, exponent, twist_stiffness, damping)
 
-    def compare(self, rows, path, law, curve, projection, exponent, twist_stiffness):
-        boundary = ["--curve", "table", "--tolerance", "1e-9"] if curve == "exact" else ["--curve", curve]
+    def compare(self, rows, path, law, curve, projection, exponent, twist_stiffness, damping):
+        twist_damping = 1e-5 * damping
+        of_curve = ["--curve", "table", "--tolerance", "1e-9"] if curve == "exact" else ["--curve", curve]
         expected = run("replay", "--trace", str(path), "--law", law, "--radius-law", f"power:c=0.006,gamma={exponent}", "--mu", "0.6",
-                       "--stiffness", "300", "--twist-stiffness", str(twist_stiffness), "--projection", projection, *boundary)
-        got = self.call("replay", rows, {"law": law, "curve": curve, "projection": projection, "mu": 0.6, "radius": 0.006,
-                                         "exponent": exponent, "stiffness": 300, "twistStiffness": twist_stiffness})
+                       "--stiffness", "300", "--twist-stiffness", str(twist_stiffness), "--damping", str(damping),
+                       "--twist-damping", str(twist_damping), "--projection", projection, *of_curve)
+        got = self.call("replay", rows, {"law": law, "curve": curve, "projection": projection, "mu": 0.6, "radius": 0.006, "exponent": exponent,
+                                         "stiffness": 300, "twistStiffness": twist_stiffness, "damping": damping, "twistDamping": twist_damping})
         self.assertEqual(len(got), len(expected))
         self.assertGreater(sum(row["state"] == "slip" for row in expected), 500)
+        # Every bit, unless the radius is a power of the load: the C library of either side rounds that in its own way.
+        relative, absolute = (1e-12, 1e-14) if exponent else (0, 0)
         for want, have in zip(expected, got):
             self.assertEqual(have["state"], want["state"], want["time"])
-            for column in ("px", "py", "angle", "depth", "load", "fx", "fy", "moment"):
-                self.assertLessEqual(abs(have[column] - float(want[column])), 1e-9, f"{column} at {want['time']}")
+            for column in ("px", "py", "angle", "depth", "load", "fx", "fy", "moment", "cor"):
+                wanted = float(want[column])
+                if have[column] is None:  # the browser's word for what is not finite
+                    self.assertFalse(math.isfinite(wanted), f"{column} at {want['time']}")
+                elif not math.isclose(have[column], wanted, rel_tol=relative, abs_tol=absolute):
+                    self.fail(f"{column} at {want['time']}: {have[column]!r}, the command line has {wanted!r}")
 
     def test_the_block_moves_as_the_command_line_says(self):
         for case, curve, projection in (("coupled", "ellipse", "radial"), ("exact", "exact", "closest-point"),
@@ -116,11 +122,11 @@ class Playground(browser.PageTest):
                                  "radius": 0.01011 / (1.67 * moment_ratio), "stiffness": 1000, "twistStiffness": stiffness, "damping": 5,
                                  "twistDamping": 5 * stiffness / 1000})
                 self.assertGreater(max(abs(float(row["angle"])) + abs(float(row["y"])) for row in expected), 0.05)
+                self.assertEqual(len(got), len(expected) - 1)
                 for want, have in zip(expected[1:], got):
-                    if float(want["y"]) < -0.01:
-                        break
-                    for column, bound in (("x", 1e-6), ("y", 1e-6), ("angle", 1e-5)):
-                        self.assertLessEqual(abs(have[column] - float(want[column])), bound, f"{column} at {want['time']}")
+                    self.assertEqual(have["state"], want["state"], want["time"])
+                    for column, name in (("x", "x"), ("y", "y"), ("angle", "angle"), ("friction_force", "force"), ("friction_moment", "moment")):
+                        self.assertLessEqual(abs(have[name] - float(want[column])), 1e-12, f"{column} at {want['time']}")
 
     def test_a_row_that_is_no_number_is_named(self):
         script = ("const done = arguments[arguments.length - 1]; limitcurve.replay([{time: 0, x: NaN, y: 0, z: 0, twist: 0}])"
@@ -259,6 +265,17 @@ class Playground(browser.PageTest):
         self.wait(lambda: abs(self.number("grip") - 3) < 1e-9)
         self.element("about").send_keys(Keys.HOME)
         self.wait(lambda: "0.00 a" in self.element("about-value").text)
+
+    def test_a_switch_does_not_drop_the_block(self):
+        self.show_block()
+        for law in ("uniform", "hertz"):
+            Select(self.element("law")).select_by_value(law)
+            for curve, projection in (("ellipse", "radial"), ("exact", "closest-point")):
+                Select(self.element("curve")).select_by_value(curve)
+                Select(self.element("projection")).select_by_value(projection)
+                time.sleep(0.1)
+                self.assertEqual((self.element("state").text, self.number("turned"), self.number("slid")), ("stick", 0, 0))
+                self.assertAlmostEqual(self.number("force"), 0.4905, delta=6e-4)  # half the weight of 100 g
 
     # What a page must be.
 

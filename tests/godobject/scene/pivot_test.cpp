@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "godobject/scene/pivot.hpp"
 
+#include "godobject/scene/gripped_block.hpp"
 #include "limitcurve/laws.hpp"
 #include "tests/godobject/scene.hpp"
 #include "tests/repetitions.hpp"
@@ -155,6 +156,23 @@ TEST(Pivot, AGripThatIsLeftOpenHoldsTheBlockAtFirst) {
   options.mu_r = 0.0;
   EXPECT_EQ(default_load(options), 0.5);
   EXPECT_EQ(holding_load(options), std::numeric_limits<double>::infinity());
+}
+
+TEST(GrippedBlock, GoesOnWithOtherFingers) {
+  const FingerParameters with = parameters(1.67, 0.01, 1000.0, 0.037);
+  GrippedBlock block(PivotOptions{}, hertz_finger(with));
+  block.take(0.5);
+  GrippedBlock same = block;
+  const auto turn = [](GrippedBlock& one) {
+    for (int i = 0; i < 400; ++i) one.step(0.3 - 1e-4 * i, 1e-3);
+    return one.angle();
+  };
+  turn(block);
+  turn(same);
+  same.change_fingers(hertz_finger(with));
+  const double angle = turn(block);
+  EXPECT_EQ(turn(same), angle);
+  EXPECT_GT(angle, 0.1);
 }
 
 TEST(Pivot, NamesWhatIsWrongWithItsOptions) {
