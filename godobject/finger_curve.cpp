@@ -94,7 +94,7 @@ std::string_view name_of(const Names<Kind, count>& names, Kind kind) noexcept {
 template <class Kind, std::size_t count>
 Kind parse(const Names<Kind, count>& names, std::string_view noun, std::string_view text) {
   std::string given(text);
-  std::ranges::replace(given, '_', '-');
+  std::replace(given.begin(), given.end(), '_', '-');
   std::string expected;
   for (const auto& [kind, name] : names) {
     if (name == given) return kind;
