@@ -81,8 +81,6 @@ struct FingerSample {
   double angle = 0.0;                                 ///< α_g [rad], unwrapped
   double twist = 0.0;                                 ///< the device's twist as it was given [rad]
   double unwrapped_by = 0.0;                          ///< added to it by unwrapping [rad], a multiple of 2π
-  Spin spin{};                                        ///< of the device's orientation
-  ContactMemory contact{};                            ///< state of the contact query
 
   /// The finger's position x_h [m].
   [[nodiscard]] Eigen::Vector3d position() const noexcept { return goal - normal * depth; }
@@ -106,6 +104,8 @@ struct PatchMemory {
 struct FingerState {
   FingerOutput output{};  ///< of the last step; its proxy is the finger's memory
   FingerSample sample{};
+  Spin spin{};              ///< of the device's orientation in that sample
+  ContactMemory contact{};  ///< state of the contact query in that sample
   FingerFaults faults{};
   FrictionMemory<double> friction{};
   PatchMemory patch{};

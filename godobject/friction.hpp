@@ -201,8 +201,14 @@ template <class Real, class Number>
   UnitTrial<Number> unit = unit_trial(curve, limit, trial, limits.stiffness_ratio);
   // Every limit curve is convex, so a trial within the chord between the intercepts sticks.
   const auto beyond_chord = !(unit.force * Number(curve.inverse_force_max) + unit.moment * Number(curve.inverse_moment_max) <= one);
-  Projected<Number> projected{};
-  if (any(beyond_chord)) projected = project(curve, projection, limits, unit, last);
+  const Number nan = Number(std::numeric_limits<Real>::quiet_NaN());
+  const auto fraction_of_unit = [&] { return fraction_of_limit(curve, limits.has_torsion, unit, last); };
+  const Number stick_fraction = smaller(limits.force_stick_fraction, limits.moment_stick_fraction);
+  if (!any(beyond_chord)) {
+    memory = {keeps_sliding(was_sliding, beyond_chord, stick_fraction, fraction_of_unit), memory.moment_slides, zero, zero};
+    return {beyond_chord, one, limits.has_torsion ? one : zero, nan};
+  }
+  Projected<Number> projected = project(curve, projection, limits, unit, last);
   const auto begins = !was_sliding && beyond_chord && projected.outside;
   if (any(begins && (limits.sliding.force < limits.sticking.force || limits.sliding.radius != limits.sticking.radius))) {
     // Slip begins: project on to the sliding limit.
@@ -224,9 +230,8 @@ template <class Real, class Number>
     const auto relaxes = !(limit.force > Number(least_limit<Real>) && unit.force < largest && unit.moment < largest);
     cor = select(relaxes, trial.force / (trial.moment * limits.stiffness_ratio), cor);
   }
-  result.cor = select(result.slips, cor, Number(std::numeric_limits<Real>::quiet_NaN()));
-  memory.force_slides = keeps_sliding(was_sliding, result.slips, smaller(limits.force_stick_fraction, limits.moment_stick_fraction),
-                                      [&] { return fraction_of_limit(curve, limits.has_torsion, unit, last); });
+  result.cor = select(result.slips, cor, nan);
+  memory.force_slides = keeps_sliding(was_sliding, result.slips, stick_fraction, fraction_of_unit);
   memory.search_rate = select(result.slips, select(had_parameter, projected.parameter - memory.search_start, zero), zero);
   memory.search_start = select(result.slips, projected.parameter, zero);
   return result;

@@ -37,14 +37,17 @@ void fade(FingerState& state, double fault_decay) noexcept {
 }
 
 /// The step without contact: the proxy follows the finger.
-void release(FingerState& state, const FingerSample& sample) noexcept {
-  state = {};
-  state.sample = sample;
-  state.faults.seen = true;
-  state.output.proxy = sample.position();
-  state.output.angle = sample.angle;
-  state.output.depth = sample.depth;
-  state.output.normal = sample.normal;
+void release(FingerState& state, const FingerSample& sample, const Sensed& sensed) noexcept {
+  FingerState free;
+  free.sample = sample;
+  free.spin = sensed.spin;
+  free.contact = sensed.contact.memory;
+  free.faults.seen = true;
+  free.output.proxy = sample.position();
+  free.output.angle = sample.angle;
+  free.output.depth = sample.depth;
+  free.output.normal = sample.normal;
+  state = free;
 }
 
 /// The first sample in contact: the springs are not loaded. (The paper's α_0 is the twist here. Angles are absolute; α_p − α_g is the
@@ -95,24 +98,28 @@ const Patch* SoftFinger::patch() const& noexcept {
 }
 
 FingerOutput SoftFinger::update(const AnySurface& surface, const DevicePose& device, double time_step) noexcept {
-  advance(state_, sense(surface, device, time_step, state_.sample));
+  Spin spin;
+  const Contact contact = sense(surface, device, state_, spin);
+  advance(state_, {contact, device.twist, time_step, spin});
   return state_.output;
 }
 
 FingerOutput SoftFinger::update(const Contact& contact, double twist, double time_step) noexcept {
-  advance(state_, {contact, twist, time_step, state_.sample.spin});
+  advance(state_, {contact, twist, time_step, state_.spin});
   return state_.output;
 }
 
 FingerOutput SoftFinger::preview(const AnySurface& surface, const DevicePose& device, double time_step) const noexcept {
   FingerState state = state_;
-  advance(state, sense(surface, device, time_step, state_.sample));
+  Spin spin;
+  const Contact contact = sense(surface, device, state, spin);
+  advance(state, {contact, device.twist, time_step, spin});
   return state.output;
 }
 
 FingerOutput SoftFinger::preview(const Contact& contact, double twist, double time_step) const noexcept {
   FingerState state = state_;
-  advance(state, {contact, twist, time_step, state_.sample.spin});
+  advance(state, {contact, twist, time_step, state.spin});
   return state.output;
 }
 
@@ -121,7 +128,7 @@ void SoftFinger::advance(FingerState& state, const Sensed& sensed) const noexcep
   const bool has_velocity = state.faults.seen && state.output.state != ContactState::invalid && sensed.time_step >= shortest_time_step;
   if (!accept(state.faults, sensed, state.sample, parameters_.max_displacement)) return fade(state, parameters_.fault_decay);
   const FingerSample sample = take_sample(state.sample, sensed, state.in_contact);
-  if (!(sample.depth > 0.0)) return release(state, sample);
+  if (!(sample.depth > 0.0)) return release(state, sample, sensed);
   if (!state.in_contact) touch_down(state, sample);
   FingerOutput& output = state.output;
 
@@ -130,18 +137,20 @@ void SoftFinger::advance(FingerState& state, const Sensed& sensed) const noexcep
 
   // b. Friction: the part of the trial deflection that the limit curve, or a patch's limit surface, allows (eqs. 21–23).
   FrictionMemory<double> friction = state.friction;
-  const KeptDeflection kept = patch_ ? apply_friction(*patch_, limits_, trial, sample, output.angle, friction, state.patch)
+  const KeptDeflection kept = patch_ ? apply_friction(*patch_, limits_, trial, sample, sensed.spin, output.angle, friction, state.patch)
                                      : apply_friction(*curve_, projection_, limits_, trial, friction);
 
   // The proxy follows. A component without slip keeps its bits; a slip below the rounding of the position counts as stick.
   const MovedProxy moved = kept.force_slides ? follow(trial, sample, kept.tangential) : MovedProxy{trial.proxy, trial.spring.normal};
   const double angle = kept.moment_slides ? sample.angle + trial.relaxed_twist + kept.twist : output.angle;
-  const bool slid = trial.moves_to_near_side || moved.proxy != trial.proxy;
+  const bool slid = trial.moves_to_near_side || (kept.force_slides && moved.proxy != trial.proxy);
   const bool turned = angle != output.angle;
   const bool slips = trial.moves_to_near_side || (kept.slips && (slid || turned));
 
   // c. Force and moment on the user.
   state.sample = sample;
+  state.spin = sensed.spin;
+  state.contact = sensed.contact.memory;
   state.friction = settled(state.friction, friction, curve_ && curve_->is_box(), slips, slid, turned);
   if (!slips) state.patch.slip = Vector3d::Zero();
   state.limit_load = trial.limit_load;

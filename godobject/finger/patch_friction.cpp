@@ -24,13 +24,12 @@ Vector3d turned(const Vector3d& tangent, const Vector3d& normal, double angle) n
 /// It follows from the present orientation, not from the path: transport along a closed path would turn the patch. A device without an
 /// orientation, or whose x axis is normal to the surface, transports the last axis; a new contact begins with the world's x axis, turned
 /// from z to the normal.
-Vector3d zero_axis(const FingerSample& sample, const Vector3d& last) noexcept {
-  const Vector3d& n = sample.normal;
+Vector3d zero_axis(const Vector3d& n, const Spin& spin, const Vector3d& last) noexcept {
   const auto tangent_part = [&](const Vector3d& axis) { return Vector3d(axis - n * n.dot(axis)); };
-  if (sample.spin.started) {
-    const Orientation q(sample.spin.scalar, sample.spin.axis[0], sample.spin.axis[1], sample.spin.axis[2]);
+  if (spin.started) {
+    const Orientation q(spin.scalar, spin.axis[0], spin.axis[1], spin.axis[2]);
     const Vector3d tangent = tangent_part(q * Vector3d::UnitX());
-    if (const double length = tangent.norm(); length > 1e-6) return turned(tangent / length, n, -sample.spin.angle);
+    if (const double length = tangent.norm(); length > 1e-6) return turned(tangent / length, n, -spin.angle);
   }
   const Vector3d tangent = tangent_part(last);
   if (const double length = tangent.norm(); length > 0.1) return tangent / length;
@@ -58,9 +57,10 @@ std::shared_ptr<const PatchProjector> make_projector(const Patch& patch, double 
 }
 
 KeptDeflection apply_friction(const PatchProjector& patch, const ContactLimits& limits, const TrialDeflection& trial,
-                              const FingerSample& sample, double angle, FrictionMemory<double>& friction, PatchMemory& memory) noexcept {
+                              const FingerSample& sample, const Spin& spin, double angle, FrictionMemory<double>& friction,
+                              PatchMemory& memory) noexcept {
   const PatchTwist last{memory.slip.x(), memory.slip.y(), memory.slip.z()};
-  memory.zero_axis = zero_axis(sample, memory.zero_axis);
+  memory.zero_axis = zero_axis(sample.normal, spin, memory.zero_axis);
   memory.axis = turned(memory.zero_axis, sample.normal, angle);
   memory.slip = Vector3d::Zero();
   // No structured binding: Clang 14 does not let a lambda use one.

@@ -13,7 +13,7 @@ class PatchProjector;
 
 /// Step b of a contact that is a patch: the closest point of its limit surface, in the patch's axes. `angle` is the proxy's α_p [rad].
 [[nodiscard]] KeptDeflection apply_friction(const PatchProjector& patch, const ContactLimits& limits, const TrialDeflection& trial,
-                                            const FingerSample& sample, double angle, FrictionMemory<double>& friction,
+                                            const FingerSample& sample, const Spin& spin, double angle, FrictionMemory<double>& friction,
                                             PatchMemory& memory) noexcept;
 
 /// The gauge of the present friction wrench: the load that holds it at μ = 1 [N].

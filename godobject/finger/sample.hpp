@@ -13,22 +13,21 @@ namespace limitcurve::godobject {
 
 /// What the device gives in a step.
 struct Sensed {
-  Contact contact;
+  const Contact& contact;
   double twist;      ///< α_s [rad] about the normal, as it was given
   double time_step;  ///< [s]
-  Spin spin;         ///< of the device's orientation
+  const Spin& spin;  ///< of the device's orientation
 };
 
-/// A pose that is not finite, or an orientation not of unit length, gives a contact that is not plausible; the surface is not called,
-/// because it requires a finite position.
-[[nodiscard]] inline Sensed sense(const AnySurface& surface, const DevicePose& device, double time_step,
-                                  const FingerSample& last) noexcept {
+/// The contact of a device's pose, and its spin. A pose that is not finite, or an orientation not of unit length, gives a contact that is not
+/// plausible; the surface is not called, because it requires a finite position.
+[[nodiscard]] inline Contact sense(const AnySurface& surface, const DevicePose& device, const FingerState& last, Spin& spin) noexcept {
   if (!device.position.allFinite() || !(std::fabs(device.orientation.squaredNorm() - 1.0) <= 1e-6)) {
-    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-    return {{Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ(), nan}, device.twist, time_step, {}};
+    return {Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ(), std::numeric_limits<double>::quiet_NaN()};
   }
   const Contact contact = surface.contact(device.position, last.contact);
-  return {contact, device.twist, time_step, last.spin.moved(device.orientation, contact.normal)};
+  spin = last.spin.moved(device.orientation, contact.normal);
+  return contact;
 }
 
 /// Whether what was sensed is plausible: finite, a normal of unit length, a time step ≥ 0, and within `max_displacement` of the last good
@@ -61,8 +60,7 @@ struct Sensed {
     const double jump = sensed.twist - last.twist;
     if (std::fabs(jump) > std::numbers::pi) unwrapped_by -= turn * std::round(jump / turn);
   }
-  return {contact.point, contact.normal, contact.depth, sensed.twist + unwrapped_by + sensed.spin.angle,
-          sensed.twist,  unwrapped_by,   sensed.spin,   contact.memory};
+  return {contact.point, contact.normal, contact.depth, sensed.twist + unwrapped_by + sensed.spin.angle, sensed.twist, unwrapped_by};
 }
 
 }  // namespace limitcurve::godobject

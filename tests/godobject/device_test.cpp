@@ -143,7 +143,7 @@ TEST(Device, ARefusedSampleLeavesTheSurfacesMemory) {
         ASSERT_EQ(output.state, i == 3 ? ContactState::invalid : ContactState::stick) << i;
         ASSERT_NEAR(output.load, 2.0, 1e-12) << i;
         if (!place.allFinite()) continue;
-        ASSERT_NEAR(own.update(surface.contact(place, own.state().sample.contact), 0.0, 1e-3).load, 2.0, 1e-12) << i;
+        ASSERT_NEAR(own.update(surface.contact(place, own.state().contact), 0.0, 1e-3).load, 2.0, 1e-12) << i;
       }
     }
   }

@@ -80,9 +80,9 @@ void expect_same_bits(const FingerState& one, const FingerState& other) {
   same(one.output.force, other.output.force);
   same(one.sample.goal, other.sample.goal);
   same(one.sample.normal, other.sample.normal);
-  same(vector(one.sample.spin.normal), vector(other.sample.spin.normal));
-  same(vector(one.sample.contact.finger), vector(other.sample.contact.finger));
-  ASSERT_EQ(one.sample.contact.face, other.sample.contact.face);
+  same(vector(one.spin.normal), vector(other.spin.normal));
+  same(vector(one.contact.finger), vector(other.contact.finger));
+  ASSERT_EQ(one.contact.face, other.contact.face);
   ASSERT_EQ(one.faults.refused, other.faults.refused);
   ASSERT_EQ(one.friction.force_slides, other.friction.force_slides);
   for (const auto member : {&FingerOutput::angle, &FingerOutput::depth, &FingerOutput::load, &FingerOutput::moment, &FingerOutput::cor,
