@@ -92,7 +92,7 @@ class Batch {
   void step(const BatchInput<Real>& input) {
     batch_.x = input.x;
     batch_.y = input.y;
-    batch_.twist = input.twist;
+    batch_.twist = input.angle;
     batch_.depth = input.depth;
     stepper_.step(batch_);
   }

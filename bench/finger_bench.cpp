@@ -167,7 +167,7 @@ std::vector<Inputs<Real>> batch_inputs(std::size_t count, Motion motion) {
   const auto set = [](Inputs<Real>& input, std::size_t i, double x, double y, double angle, double depth) {
     input.x[i] = static_cast<Real>(x);
     input.y[i] = static_cast<Real>(y);
-    input.twist[i] = static_cast<Real>(angle);
+    input.angle[i] = static_cast<Real>(angle);
     input.depth[i] = static_cast<Real>(depth);
   };
   for (std::size_t i = 0; i < count; ++i) {
