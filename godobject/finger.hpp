@@ -68,7 +68,7 @@ struct FingerOutput {
   Eigen::Vector3d force = Eigen::Vector3d::Zero();        ///< friction on the user [N], tangential
   double moment = 0.0;                                    ///< friction on the user about the normal [N m]
   double cor = std::numeric_limits<double>::quiet_NaN();  ///< distance of the slip's COR from the contact centre [m]; NaN without slip
-  double slip_work = 0.0;                                 ///< energy that slip dissipates in this step [J], ≥ 0
+  double slip_work = 0.0;                                 ///< energy that slip dissipates in this step [J], ≥ 0 if `converged`
   /// False: the search for a patch's closest point did not converge. The wrench is on the limit surface, but not the closest point.
   bool converged = true;
 };

@@ -24,7 +24,7 @@ constexpr double inf = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// The step of an invalid sample: the last good output is held, and fades from the second invalid sample on.
-void fade(FingerState& state, double fault_decay) noexcept {
+FingerOutput fade(FingerState& state, double fault_decay) noexcept {
   FingerOutput& output = state.output;
   const double kept = output.state == ContactState::invalid ? fault_decay : 1.0;
   output.state = ContactState::invalid;
@@ -34,20 +34,26 @@ void fade(FingerState& state, double fault_decay) noexcept {
   output.force *= kept;
   output.moment *= kept;
   state.limit_load *= kept;
+  return output;
+}
+
+void store(FingerState& state, const FingerSample& sample, const Sensed& sensed) noexcept {
+  state.sample = sample;
+  if (&sensed.spin != &state.spin) state.spin = sensed.spin;
+  state.contact = sensed.contact.memory;
 }
 
 /// The step without contact: the proxy follows the finger.
-void release(FingerState& state, const FingerSample& sample, const Sensed& sensed) noexcept {
+FingerOutput release(FingerState& state, const FingerSample& sample, const Sensed& sensed) noexcept {
   FingerState free;
-  free.sample = sample;
-  free.spin = sensed.spin;
-  free.contact = sensed.contact.memory;
+  store(free, sample, sensed);
   free.faults.seen = true;
   free.output.proxy = sample.position();
   free.output.angle = sample.angle;
   free.output.depth = sample.depth;
   free.output.normal = sample.normal;
   state = free;
+  return free.output;
 }
 
 /// The first sample in contact: the springs are not loaded. (The paper's α_0 is the twist here. Angles are absolute; α_p − α_g is the
@@ -100,65 +106,54 @@ const Patch* SoftFinger::patch() const& noexcept {
 FingerOutput SoftFinger::update(const AnySurface& surface, const DevicePose& device, double time_step) noexcept {
   Spin spin;
   const Contact contact = sense(surface, device, state_, spin);
-  advance(state_, {contact, device.twist, time_step, spin});
-  return state_.output;
+  return advance(state_, {contact, device.twist, time_step, spin});
 }
 
 FingerOutput SoftFinger::update(const Contact& contact, double twist, double time_step) noexcept {
-  advance(state_, {contact, twist, time_step, state_.spin});
-  return state_.output;
+  return advance(state_, {contact, twist, time_step, state_.spin});
 }
 
 FingerOutput SoftFinger::preview(const AnySurface& surface, const DevicePose& device, double time_step) const noexcept {
   FingerState state = state_;
   Spin spin;
   const Contact contact = sense(surface, device, state, spin);
-  advance(state, {contact, device.twist, time_step, spin});
-  return state.output;
+  return advance(state, {contact, device.twist, time_step, spin});
 }
 
 FingerOutput SoftFinger::preview(const Contact& contact, double twist, double time_step) const noexcept {
   FingerState state = state_;
-  advance(state, {contact, twist, time_step, state.spin});
-  return state.output;
+  return advance(state, {contact, twist, time_step, state.spin});
 }
 
-void SoftFinger::advance(FingerState& state, const Sensed& sensed) const noexcept {
+FingerOutput SoftFinger::advance(FingerState& state, const Sensed& sensed) const noexcept {
   // A velocity needs two good samples in succession.
   const bool has_velocity = state.faults.seen && state.output.state != ContactState::invalid && sensed.time_step >= shortest_time_step;
   if (!accept(state.faults, sensed, state.sample, parameters_.max_displacement)) return fade(state, parameters_.fault_decay);
   const FingerSample sample = take_sample(state.sample, sensed, state.in_contact);
   if (!(sample.depth > 0.0)) return release(state, sample, sensed);
   if (!state.in_contact) touch_down(state, sample);
-  FingerOutput& output = state.output;
+  const FingerOutput& last = state.output;
 
   // a. The trial deflection of springs and dampers if the proxy stays (eq. 7).
-  const TrialDeflection trial(parameters_, output.proxy, output.angle, state.sample, sample, has_velocity ? sensed.time_step : 0.0);
+  const TrialDeflection trial(parameters_, last.proxy, last.angle, state.sample, sample, has_velocity ? sensed.time_step : 0.0);
 
   // b. Friction: the part of the trial deflection that the limit curve, or a patch's limit surface, allows (eqs. 21–23).
   FrictionMemory<double> friction = state.friction;
-  const KeptDeflection kept = patch_ ? apply_friction(*patch_, limits_, trial, sample, sensed.spin, output.angle, friction, state.patch)
+  const KeptDeflection kept = patch_ ? apply_friction(*patch_, limits_, trial, sample, sensed.spin, last.angle, friction, state.patch)
                                      : apply_friction(*curve_, projection_, limits_, trial, friction);
 
   // The proxy follows. A component without slip keeps its bits; a slip below the rounding of the position counts as stick.
   const MovedProxy moved = kept.force_slides ? follow(trial, sample, kept.tangential) : MovedProxy{trial.proxy, trial.spring.normal};
-  const double angle = kept.moment_slides ? sample.angle + trial.relaxed_twist + kept.twist : output.angle;
+  const double angle = kept.moment_slides ? sample.angle + trial.relaxed_twist + kept.twist : last.angle;
   const bool slid = trial.moves_to_near_side || (kept.force_slides && moved.proxy != trial.proxy);
-  const bool turned = angle != output.angle;
+  const bool turned = angle != last.angle;
   const bool slips = trial.moves_to_near_side || (kept.slips && (slid || turned));
 
   // c. Force and moment on the user.
-  state.sample = sample;
-  state.spin = sensed.spin;
-  state.contact = sensed.contact.memory;
-  state.friction = settled(state.friction, friction, curve_ && curve_->is_box(), slips, slid, turned);
-  if (!slips) state.patch.slip = Vector3d::Zero();
-  state.limit_load = trial.limit_load;
-  state.trial_force = kept.trial_force;
-  state.trial_moment = kept.trial_moment;
+  FingerOutput output;
   output.state = slips ? ContactState::slip : ContactState::stick;
-  if (slips) output.proxy = moved.proxy;
-  if (slips || (kept.moment_slides && !kept.slips)) output.angle = angle;  // without torsion the proxy turns with the finger
+  output.proxy = slips ? moved.proxy : last.proxy;
+  output.angle = slips || (kept.moment_slides && !kept.slips) ? angle : last.angle;  // without torsion it turns with the finger
   output.depth = sample.depth;
   output.normal = sample.normal;
   output.load = trial.load(slips ? moved.normal : trial.spring.normal);
@@ -167,9 +162,17 @@ void SoftFinger::advance(FingerState& state, const Sensed& sensed) const noexcep
   // A proxy moved to the finger's near side slides without a turn: its COR is at infinity.
   output.cor = !slips ? nan : kept.slips ? kept.cor : inf;
   const double work = moved.along_slope * output.force.dot(trial.tangential - kept.tangential) + output.moment * (trial.twist - kept.twist);
-  // By rounding the work of a patch may be below 0; without convergence its sign is said as it is.
   output.slip_work = !slips ? 0.0 : kept.converged ? std::max(work, 0.0) : work;
   output.converged = kept.converged;
+
+  state.friction = settled(state.friction, friction, curve_ && curve_->is_box(), slips, slid, turned);
+  if (!slips) state.patch.slip = Vector3d::Zero();
+  store(state, sample, sensed);
+  state.limit_load = trial.limit_load;
+  state.trial_force = kept.trial_force;
+  state.trial_moment = kept.trial_moment;
+  state.output = output;
+  return output;
 }
 
 Vector3d SoftFinger::centre_of_rotation() const noexcept {

@@ -88,7 +88,7 @@ class SoftFinger {
   [[nodiscard]] double spring_energy() const noexcept;
 
  private:
-  void advance(FingerState& state, const Sensed& sensed) const noexcept;
+  FingerOutput advance(FingerState& state, const Sensed& sensed) const noexcept;
 
   // The contact: one of both.
   std::optional<FingerCurve> curve_;
