@@ -221,8 +221,6 @@ void register_steps() {
   add("box", box(1.0, law->moment_ratio()), Projection::closest_point);
   const Ellipse ellipse = Ellipse::through_intercepts(law->moment_ratio());
   add_both("ellipse", ellipse);
-  add_both("superellipse", make_finger_curve(CurveKind::superellipse, law, 1e-8).curve);
-  add_both("quartic", make_finger_curve(CurveKind::quartic, law, 1e-8).curve);
   for (const int digits : {2, 4, 6, 8, 10, 14}) {
     add_both("table 1e-" + std::to_string(digits), Table::build(law, std::pow(10.0, -digits)));
   }

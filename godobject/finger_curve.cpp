@@ -2,10 +2,8 @@
 #include "godobject/finger_curve.hpp"
 
 #include "limitcurve/approximations.hpp"
-#include "limitcurve/exact_curve.hpp"
 #include "limitcurve/pressure_law.hpp"
 #include "limitcurve/table.hpp"
-#include "limitcurve/validate.hpp"
 
 #include <algorithm>
 #include <array>
@@ -29,7 +27,9 @@ BasicFingerCurve<Real>::BasicFingerCurve(const Polygon<3>& box) {
 
 template <class Real>
 BasicFingerCurve<Real>::BasicFingerCurve(const BasicTable<Real>& table)
-    : view_(table.view()), owner_(std::make_shared<const BasicTable<Real>>(table)) {}
+    : view_(table.view()),
+      owner_(std::make_shared<const BasicTable<Real>>(table)),
+      error_(table.certified_error() + table.profile_error()) {}
 
 template <class Real>
 UnitWrench BasicFingerCurve<Real>::wrench(SlipTwist twist) const noexcept {
@@ -73,12 +73,8 @@ namespace {
 template <class Kind, std::size_t count>
 using Names = std::array<std::pair<Kind, std::string_view>, count>;
 
-constexpr Names<CurveKind, 6> curves{{{CurveKind::exact, "exact"},
-                                      {CurveKind::table, "table"},
-                                      {CurveKind::ellipse, "ellipse"},
-                                      {CurveKind::superellipse, "superellipse"},
-                                      {CurveKind::quartic, "quartic"},
-                                      {CurveKind::box, "box"}}};
+constexpr Names<CurveKind, 4> curves{
+    {{CurveKind::exact, "exact"}, {CurveKind::table, "table"}, {CurveKind::ellipse, "ellipse"}, {CurveKind::box, "box"}}};
 
 constexpr Names<Projection, 3> projections{
     {{Projection::radial, "radial"}, {Projection::c_curve, "c-curve"}, {Projection::closest_point, "closest-point"}}};
@@ -104,27 +100,6 @@ Kind parse(const Names<Kind, count>& names, std::string_view noun, std::string_v
   throw std::invalid_argument(std::string(noun) + " '" + std::string(text) + "': expected " + expected);
 }
 
-/// The table at a tolerance, or at the first of 10, 100, … times it at which `build` does not throw.
-template <class Build>
-Table finest(double tolerance, const Build& build) {
-  for (;; tolerance *= 10.0) {
-    try {
-      return build(tolerance);
-    } catch (const std::runtime_error&) {
-      if (!(tolerance < Table::coarsest_tolerance)) throw;
-    }
-  }
-}
-
-CurveWithError of_table(const Table& table) {
-  return {table, table.certified_error() + table.profile_error()};
-}
-
-template <class Curve>
-CurveWithError finest_of(const Curve& curve, std::string_view name) {
-  return of_table(finest(Table::finest_tolerance, [&](double tolerance) { return Table::build(curve, tolerance, std::string(name)); }));
-}
-
 }  // namespace
 
 std::string_view to_string(CurveKind kind) noexcept {
@@ -134,6 +109,8 @@ std::string_view to_string(Projection projection) noexcept {
   return name_of(projections, projection);
 }
 CurveKind parse_curve_kind(std::string_view text) {
+  if (text == "superellipse" || text == "quartic")
+    throw std::invalid_argument("curve '" + std::string(text) + "': use --curve table, which is faster and as exact as the law allows");
   return parse(curves, "curve", text);
 }
 Projection parse_projection(std::string_view text) {
@@ -141,25 +118,20 @@ Projection parse_projection(std::string_view text) {
 }
 
 Table finest_table(const Law& law, double tolerance) {
-  return finest(tolerance, [&](double coarser) { return Table::build(law, coarser); });
+  for (;; tolerance *= 10.0) {
+    try {
+      return Table::build(law, tolerance);
+    } catch (const std::runtime_error&) {
+      if (!(tolerance < Table::coarsest_tolerance)) throw;
+    }
+  }
 }
 
-CurveWithError make_finger_curve(CurveKind kind, const Law& law, double tolerance) {
-  switch (kind) {
-    case CurveKind::exact:
-      return of_table(finest_table(law, Table::finest_tolerance));
-    case CurveKind::table:
-      return of_table(Table::build(law, tolerance));
-    case CurveKind::superellipse:
-      return finest_of(minimax_superellipse(ExactCurve(law)), "superellipse");
-    case CurveKind::quartic:
-      return finest_of(minimax_quartic(ExactCurve(law)), "quartic");
-    case CurveKind::box:
-      return {box(1.0, law->moment_ratio()), 0.0};
-    case CurveKind::ellipse:
-      break;
-  }
-  return {Ellipse::through_intercepts(law->moment_ratio()), 0.0};
+FingerCurve make_finger_curve(CurveKind kind, const Law& law, double tolerance) {
+  if (kind == CurveKind::exact) return finest_table(law, Table::finest_tolerance);
+  if (kind == CurveKind::table) return Table::build(law, tolerance);
+  if (kind == CurveKind::box) return box(1.0, law->moment_ratio());
+  return Ellipse::through_intercepts(law->moment_ratio());
 }
 
 }  // namespace limitcurve::godobject

@@ -53,6 +53,9 @@ class BasicFingerCurve {
   /// m₀: moment intercept over force intercept.
   [[nodiscard]] double moment_ratio() const noexcept { return moment_max() / force_max(); }
 
+  /// Error of a table against its law [unit wrenches], certified_error + profile_error; 0 for a closed form.
+  [[nodiscard]] double error() const noexcept { return error_; }
+
   /// The wrench of a slip twist.
   [[nodiscard]] UnitWrench wrench(SlipTwist twist) const noexcept;
   /// The point where the ray through a wrench ≠ 0 meets the curve, and the normal there.
@@ -63,6 +66,7 @@ class BasicFingerCurve {
  private:
   CurveView<Real> view_;
   std::shared_ptr<const void> owner_;  // of the cells that the view points to
+  double error_ = 0.0;
 };
 
 extern template class BasicFingerCurve<double>;
@@ -72,15 +76,13 @@ using FingerCurve = BasicFingerCurve<double>;
 
 /// Kinds of limit curve of a law, by name.
 enum class CurveKind {
-  exact,         ///< the finest table of the law
-  table,         ///< a table of a given tolerance
-  ellipse,       ///< the ellipse through the exact intercepts
-  superellipse,  ///< the minimax superellipse through the exact intercepts, as a table
-  quartic,       ///< the minimax quartic through the exact intercepts, as a table
-  box            ///< uncoupled limits; for the closest point only
+  exact,    ///< the finest table of the law
+  table,    ///< a table of a given tolerance
+  ellipse,  ///< the ellipse through the exact intercepts
+  box       ///< uncoupled limits; for the closest point only
 };
 
-/// "exact", "table", "ellipse", "superellipse", "quartic", "box".
+/// "exact", "table", "ellipse", "box".
 std::string_view to_string(CurveKind kind) noexcept;
 /// "radial", "c-curve", "closest-point".
 std::string_view to_string(Projection projection) noexcept;
@@ -89,16 +91,9 @@ std::string_view to_string(Projection projection) noexcept;
 CurveKind parse_curve_kind(std::string_view text);
 Projection parse_projection(std::string_view text);
 
-/// A finger's curve, and its error against the curve of that kind [unit wrenches]: 0 for a closed form, else certified_error +
-/// profile_error of the table.
-struct CurveWithError {
-  FingerCurve curve;
-  double error;
-};
-
 /// The limit curve of a kind for a law; only `table` uses `tolerance`. Allocates; throws like Table::build. Cost: one table. `exact` takes
 /// milliseconds if the law has a closed form, seconds by quadrature.
-CurveWithError make_finger_curve(CurveKind kind, const Law& law, double tolerance);
+FingerCurve make_finger_curve(CurveKind kind, const Law& law, double tolerance);
 
 /// The table of a law at a tolerance. If the law does not allow it, tries 10, 100, … times the tolerance. Throws like Table::build if no
 /// tolerance is possible.

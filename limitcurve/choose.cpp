@@ -73,15 +73,11 @@ std::vector<Candidate> choose(const Law& law, double tolerance) {
   const double m0 = exact.moment_ratio();
   const auto error_of = [&](const auto& curve) { return curve_error(curve, exact).max_error; };
   const auto cost_of = [](const char* model) { return shipped_costs::of(model).wrench; };
-  const Superellipse superellipse = minimax_superellipse(exact);
-  const Quartic quartic = minimax_quartic(exact);
   std::vector<Candidate> candidates{
       {"diamond", 1.0, error_of(diamond(1.0, m0)), cost_of("diamond")},
       {"box", std::numeric_limits<double>::infinity(), error_of(box(1.0, m0)), cost_of("box")},
       {"ellipse", 1.0, error_of(Ellipse::through_intercepts(m0)), cost_of("ellipse")},
       sufficient_table(law, exact, tolerance),
-      {"quartic", quartic.kappa(), error_of(quartic), cost_of("quartic")},
-      {"superellipse", superellipse.exponent(), error_of(superellipse), cost_of("superellipse")},
       {"exact", std::numeric_limits<double>::quiet_NaN(), 0.0, cost_of(law->allows(Method::closed) ? "exact" : "exact by quadrature")},
   };
   choose_cheapest(candidates, tolerance);

@@ -11,7 +11,7 @@ namespace limitcurve {
 
 /// A limit curve that may replace the exact one: its error and its cost.
 struct Candidate {
-  std::string model;   ///< diamond, box, ellipse, superellipse, quartic, table, exact
+  std::string model;   ///< diamond, box, ellipse, table, exact
   double parameter;    ///< as `limitcurve validate` prints it; the tolerance of a table; nan for the exact curve
   double error;        ///< largest radial error relative to the exact curve, over or under; inf for a table that cannot be built
   double nanoseconds;  ///< cost of a wrench from its slip twist

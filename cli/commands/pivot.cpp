@@ -90,9 +90,8 @@ class Pivot final : public Subcommand {
         "--case", "coupled|uncoupled|exact", [this](const std::string& text) { case_ = godobject::parse_pivot_case(text); },
         "Friction model; optional if one of the next three options is given", Presence::optional);
     options.value(
-        "--curve", "exact|table|ellipse|superellipse|quartic|box",
-        [this](const std::string& text) { settings_.curve = godobject::parse_curve_kind(text); }, "Limit curve, in place of the case's",
-        Presence::optional);
+        "--curve", "exact|table|ellipse|box", [this](const std::string& text) { settings_.curve = godobject::parse_curve_kind(text); },
+        "Limit curve, in place of the case's", Presence::optional);
     options.value(
         "--projection", "radial|c-curve|closest-point",
         [this](const std::string& text) { settings_.projection = godobject::parse_projection(text); },

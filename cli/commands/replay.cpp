@@ -28,8 +28,6 @@ using godobject::BodyMotion;
 using godobject::CurveKind;
 using godobject::Projection;
 
-constexpr std::array curve_kinds{CurveKind::exact,        CurveKind::table,   CurveKind::ellipse,
-                                 CurveKind::superellipse, CurveKind::quartic, CurveKind::box};
 constexpr std::array projections{Projection::radial, Projection::c_curve, Projection::closest_point};
 
 template <class Kinds>
@@ -110,7 +108,9 @@ class Replay final : public Subcommand {
     options.number("--gamma", replay_.finger.gamma, finite, "gamma of --mu-r, from -0.5 to 1");
     options.number("--mu-r-dynamic", replay_.finger.mu_r_dynamic, non_negative,
                    "mu_r while slipping [m] (default mu_r times mu-dynamic/mu)");
-    options.choice("--curve", curve_, names(curve_kinds), "Limit curve");
+    options.value(
+        "--curve", "exact|table|ellipse|box", [this](const std::string& text) { replay_.curve = godobject::parse_curve_kind(text); },
+        "Limit curve (default table)", Presence::optional);
     options.choice("--projection", projection_, names(projections),
                    "Projection onto the limit curve. radial and c-curve assume k_r/k_l = (mu_r/mu_l)^2; a note appears if that is far "
                    "from true");
@@ -152,7 +152,6 @@ class Replay final : public Subcommand {
     } else if (!replay_.finger.mu_r && patch_.empty()) {
       throw std::invalid_argument("--radius-law is required, unless --mu-r is given");
     }
-    replay_.curve = curve_kinds.at(curve_);
     replay_.projection = projections.at(projection_);
     check_gains();
     const BodyArgument body = body_argument();
@@ -180,7 +179,7 @@ class Replay final : public Subcommand {
     refuse("--mu-r", replay_.finger.mu_r.has_value());
     refuse("--mu-r-dynamic", replay_.finger.mu_r_dynamic.has_value());
     if (projections.at(projection_) != Projection::closest_point) throw std::invalid_argument("--projection: a patch needs closest-point");
-    if (curve_kinds.at(curve_) != CurveKind::table && curve_kinds.at(curve_) != CurveKind::exact) {
+    if (replay_.curve != CurveKind::table && replay_.curve != CurveKind::exact) {
       throw std::invalid_argument("--curve: not with --patch, which is its own limit surface");
     }
   }
@@ -268,7 +267,6 @@ class Replay final : public Subcommand {
   std::string patch_;
   std::optional<double> point_radius_;
   std::optional<RadiusLawArgument> radius_law_;
-  std::size_t curve_ = 1;
   std::size_t projection_ = 2;
   SurfaceArgument surface_ = read_surface("plane");
   bool on_plane_ = true;

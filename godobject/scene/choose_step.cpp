@@ -184,9 +184,6 @@ StepChoice choose_step(const Scene& scene, double tolerance) {
   add_radii(CurveKind::box, std::numeric_limits<double>::infinity(), box(1.0, m0), Projection::closest_point,
             shipped_costs::of("box").closest_point);
   add_both(CurveKind::ellipse, 1.0, ellipse);
-  add_both(CurveKind::quartic, minimax_quartic(exact).kappa(), make_finger_curve(CurveKind::quartic, scene.law, tolerance).curve);
-  add_both(CurveKind::superellipse, minimax_superellipse(exact).exponent(),
-           make_finger_curve(CurveKind::superellipse, scene.law, tolerance).curve);
   add_both(CurveKind::table, table.tolerance(), table);
 
   choose_cheapest(candidates, tolerance);

@@ -64,7 +64,7 @@ Projection projection_of(const PivotOptions& options) noexcept {
   return options.projection.value_or(options.kind == PivotCase::coupled ? Projection::radial : Projection::closest_point);
 }
 
-CurveWithError make_curve(const PivotOptions& options, CurveKind kind) {
+FingerCurve make_curve(const PivotOptions& options, CurveKind kind) {
   return make_finger_curve(kind, options.law ? options.law : hertz(), options.tolerance);
 }
 
@@ -182,12 +182,12 @@ class GripLoad {
 
 class Pivot::Scene {
  public:
-  Scene(const PivotOptions& options, const CurveWithError& curve, const FingerParameters& parameters)
+  Scene(const PivotOptions& options, const FingerCurve& curve, const FingerParameters& parameters)
       : options_(options),
-        curve_error_(curve.error),
-        holding_load_(load_to_hold(options, curve.curve)),
+        curve_error_(curve.error()),
+        holding_load_(load_to_hold(options, curve)),
         grip_load_(options),
-        block_(options, SoftFinger(curve.curve, parameters, projection_of(options))) {
+        block_(options, SoftFinger(curve, parameters, projection_of(options))) {
     const double load = grip_load_.first();
     block_.take(load);
     describe(0.0, load);
@@ -261,8 +261,8 @@ PivotCase parse_pivot_case(std::string_view text) {
 Pivot::Pivot(const PivotOptions& options) {
   validate(options);
   static_cast<void>(ContactLimits(friction_parameters(options), 1.0));
-  const CurveWithError curve = make_curve(options, curve_kind(options));
-  const FingerParameters finger = finger_parameters(options, curve.curve);
+  const FingerCurve curve = make_curve(options, curve_kind(options));
+  const FingerParameters finger = finger_parameters(options, curve);
   static_cast<void>(ContactLimits(finger, 1.0));
   require_hold(options, finger);
   scene_ = std::make_unique<Scene>(options, curve, finger);
@@ -297,13 +297,13 @@ std::vector<PivotRow> run_pivot(const PivotOptions& options) {
 
 double holding_load(const PivotOptions& options) {
   validate(options);
-  return load_to_hold(options, make_curve(options, curve_kind(options)).curve);
+  return load_to_hold(options, make_curve(options, curve_kind(options)));
 }
 
 double default_load(const PivotOptions& options) {
   validate(options);
   constexpr double usual = 0.5;
-  const double load = 1.3 * load_to_hold(options, make_curve(options, CurveKind::ellipse).curve);
+  const double load = 1.3 * load_to_hold(options, make_curve(options, CurveKind::ellipse));
   if (!(load > usual && load <= 1e8)) return usual;
   // Round up to two digits. Powers of ten by multiplication, because not every library's pow() is exact.
   double parts = 1.0;

@@ -58,9 +58,9 @@ SoftFinger make_finger(const ReplayOptions& options, double& curve_error) {
   if (options.curve == CurveKind::box) {
     static_cast<void>(SoftFinger(box(1.0, moment_ratio), options.finger, options.projection));
   }
-  const CurveWithError curve = make_finger_curve(options.curve, options.law, options.tolerance);
-  curve_error = curve.error;
-  return {curve.curve, options.finger, options.projection};
+  const FingerCurve curve = make_finger_curve(options.curve, options.law, options.tolerance);
+  curve_error = curve.error();
+  return {curve, options.finger, options.projection};
 }
 
 }  // namespace

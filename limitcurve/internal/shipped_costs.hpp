@@ -21,13 +21,11 @@ struct Cost {
   double closest_point;
 };
 
-inline constexpr std::array<Cost, 8> models{{
+inline constexpr std::array<Cost, 6> models{{
     {"diamond", 2.4, none, none},
     {"box", 2.7, none, 49.5},
     {"ellipse", 4.7, 56.7, 113.2},
     {"table", 9.0, 128.6, 125.1},
-    {"quartic", 60.1, 132.4, 129.9},
-    {"superellipse", 73.5, 126.1, 124.3},
     {"exact", 41.6, none, none},
     {"exact by quadrature", 55840.0, none, none},
 }};

@@ -85,7 +85,7 @@ class Bash(Made):
             self.assertEqual(set(self.offered(name, "-")), set(options(name)), name)
 
     def test_what_an_option_takes(self):
-        self.assertEqual(self.offered("replay", "--curve", ""), "exact table ellipse superellipse quartic box".split())
+        self.assertEqual(self.offered("replay", "--curve", ""), "exact table ellipse box".split())
         self.assertEqual(self.offered("replay", "--details", "--pro"), ["--projection"])
         self.assertEqual(self.offered("fit", "su"), ["superellipse"])
         self.assertEqual(set(self.offered("fit", "")), set(models()) | set(options("fit")))

@@ -99,7 +99,7 @@ void expect_same_bits(const FingerState& one, const FingerState& other) {
 TEST(HostSettings, FastMathInAUsersFileChangesNothing) {
   int refused = 0;
   for_each_choice(31, [&](const Choice& choice, Random& random) {
-    const FingerCurve curve = make_finger_curve(choice.curve.kind, hertz(), 1e-8).curve;
+    const FingerCurve curve = make_finger_curve(choice.curve.kind, hertz(), 1e-8);
     const std::vector<DevicePose> path = path_on(choice.surface.surface, random);
     const SoftFinger finger(curve, choice.parameters.finger, choice.curve.projection);
     const UsersRun own = use(finger, choice.surface.surface, path, time_step);
@@ -133,7 +133,7 @@ TEST(HostSettings, FastMathInAUsersFileIsNotShared) {
 // A rounding in each of 100 steps is nothing against 1e-9 of some newtons.
 TEST(HostSettings, AFingerFeelsTheSameUnderAnyRounding) {
   for_each_choice(32, [&](const Choice& choice, Random& random) {
-    const FingerCurve curve = make_finger_curve(choice.curve.kind, hertz(), 1e-8).curve;
+    const FingerCurve curve = make_finger_curve(choice.curve.kind, hertz(), 1e-8);
     const std::vector<DevicePose> path = path_on(choice.surface.surface, random);
     const SoftFinger finger(curve, choice.parameters.finger, choice.curve.projection);
     const UsersRun nearest = use(finger, choice.surface.surface, path, time_step);
@@ -213,7 +213,7 @@ std::vector<double> batch_forces(const FingerCurve& curve, const FingerParameter
 
 TEST(HostSettings, ABatchFeelsTheSameUnderAnyRounding) {
   for (const CurveChoice& choice : all_curves()) {
-    const FingerCurve curve = make_finger_curve(choice.kind, hertz(), 1e-8).curve;
+    const FingerCurve curve = make_finger_curve(choice.kind, hertz(), 1e-8);
     for (const NamedParameters& with : all_parameters()) {
       const std::vector<double> nearest = batch_forces(curve, with.finger, choice.projection);
       for (const NamedSetting& setting : settings()) {

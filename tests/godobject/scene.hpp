@@ -45,14 +45,13 @@ class Random {
   std::uniform_real_distribution<double> unit_{0.0, 1.0};
 };
 
-constexpr std::array curve_kinds{CurveKind::exact,        CurveKind::table,   CurveKind::ellipse,
-                                 CurveKind::superellipse, CurveKind::quartic, CurveKind::box};
+constexpr std::array curve_kinds{CurveKind::exact, CurveKind::table, CurveKind::ellipse, CurveKind::box};
 constexpr std::array projections{Projection::radial, Projection::c_curve, Projection::closest_point};
 
 /// Every kind of curve of a law, handed to `body(curve, name)`.
 template <class Body>
 void for_each_curve(const Law& law, Body&& body) {
-  for (const CurveKind kind : curve_kinds) body(make_finger_curve(kind, law, 1e-8).curve, std::string(to_string(kind)));
+  for (const CurveKind kind : curve_kinds) body(make_finger_curve(kind, law, 1e-8), std::string(to_string(kind)));
 }
 
 /// Every kind of curve with every projection that it goes with, handed to `body(curve, projection, name)`.
@@ -68,7 +67,7 @@ void for_each_curve_and_projection(const Law& law, Body&& body) {
 
 /// The finest table of a law.
 inline FingerCurve exact_curve(const Law& law) {
-  return make_finger_curve(CurveKind::exact, law, 0.0).curve;
+  return make_finger_curve(CurveKind::exact, law, 0.0);
 }
 
 inline bool same_bits(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The cases that scripts/maintain/record runs (README.md)."""
 
-PAIRS = [(curve, projection) for curve in ("exact", "table", "ellipse", "superellipse", "quartic")
+PAIRS = [(curve, projection) for curve in ("exact", "table", "ellipse")
          for projection in ("radial", "c-curve", "closest-point")] + [("box", "closest-point")]
 LAWS = ["hertz", "uniform", "parabolic", "flat-punch", "cone", "power:n=2.3", "power:n=-0.25", "xydas-kao:k=3", "gaussian:sigma=0.4",
         "mix:0.7*hertz+0.3*uniform"]
@@ -46,8 +46,7 @@ BATCH_PARAMETERS = ["dynamic", "power-radius", "no-moment"]
 FINGER_SCENARIOS = [("preview", "plain"), ("preview", "damped"), ("restore", "plain"), ("restore", "damped"), ("leaps", "small-leaps"),
                     ("faults", "soft-hold"), ("turns", "plain"), ("irregular", "damped")]
 # Of every curve and of every projection at least one.
-SOME_PAIRS = [("table", "closest-point"), ("table", "radial"), ("exact", "c-curve"), ("ellipse", "radial"), ("superellipse", "closest-point"),
-              ("quartic", "c-curve"), ("box", "closest-point")]
+SOME_PAIRS = [("table", "closest-point"), ("table", "radial"), ("exact", "c-curve"), ("ellipse", "radial"), ("box", "closest-point")]
 
 
 def words(options):

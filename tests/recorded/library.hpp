@@ -88,7 +88,7 @@ inline Setting make_setting(std::string_view parameters, std::string_view curve,
 }
 
 inline go::FingerCurve make_curve(const Setting& setting) {
-  return go::make_finger_curve(setting.kind, lib::hertz(), 1e-11).curve;
+  return go::make_finger_curve(setting.kind, lib::hertz(), 1e-11);
 }
 
 /// One finger, fed with samples.
@@ -137,15 +137,7 @@ template <class Real>
 go::BasicFingerCurve<Real> make_batch_curve(const Setting& setting) {
   if (setting.kind == go::CurveKind::ellipse) return lib::Ellipse::through_intercepts(lib::hertz()->moment_ratio());
   if (setting.kind == go::CurveKind::box) return lib::box(1.0, lib::hertz()->moment_ratio());
-  const double finest = lib::BasicTable<Real>::finest_tolerance;
-  switch (setting.kind) {
-    case go::CurveKind::superellipse:
-      return lib::BasicTable<Real>::build(lib::minimax_superellipse(lib::ExactCurve(lib::hertz())), finest, "superellipse");
-    case go::CurveKind::quartic:
-      return lib::BasicTable<Real>::build(lib::minimax_quartic(lib::ExactCurve(lib::hertz())), finest, "quartic");
-    default:
-      return lib::BasicTable<Real>::build(lib::hertz(), finest);
-  }
+  return lib::BasicTable<Real>::build(lib::hertz(), lib::BasicTable<Real>::finest_tolerance);
 }
 
 template <class Real>

@@ -50,7 +50,7 @@ TEST(EnergySearch, NoLoopWinsEnergy) {
   for_each_choice(21, [&](const Choice& choice, Random& random) {
     FingerParameters with = choice.parameters.finger;
     if (!prepare(with, random)) return;
-    const SoftFinger finger(make_finger_curve(choice.curve.kind, hertz(), 1e-8).curve, with, choice.curve.projection);
+    const SoftFinger finger(make_finger_curve(choice.curve.kind, hertz(), 1e-8), with, choice.curve.projection);
     const AnySurface& surface = choice.surface.surface;
     const Reach reach = reach_on(surface, random);
     const DevicePose outside = random_pose(reach, random, true);
@@ -91,7 +91,7 @@ TEST(EnergySearch, EverySlipLosesWhatItSays) {
   for_each_choice(22, [&](const Choice& choice, Random& random) {
     FingerParameters with = choice.parameters.finger;
     if (!prepare(with, random)) return;
-    const SoftFinger finger(make_finger_curve(choice.curve.kind, hertz(), 1e-8).curve, with, choice.curve.projection);
+    const SoftFinger finger(make_finger_curve(choice.curve.kind, hertz(), 1e-8), with, choice.curve.projection);
     const AnySurface& surface = choice.surface.surface;
     Reach reach = reach_on(surface, random);
     if (random.uniform(0.0, 1.0) < 0.3) reach.depth = reach.aside = 0.025;
@@ -155,7 +155,7 @@ TEST(EnergySearch, TheDampingThatIsNamedIsEnough) {
   for_each_choice(23, [&](const Choice& choice, Random& random) {
     FingerParameters with = choice.parameters.finger;
     if (!prepare(with, random)) return;
-    const SoftFinger finger(make_finger_curve(choice.curve.kind, hertz(), 1e-8).curve, with, choice.curve.projection);
+    const SoftFinger finger(make_finger_curve(choice.curve.kind, hertz(), 1e-8), with, choice.curve.projection);
     const AnySurface& surface = choice.surface.surface;
     Reach reach = reach_on(surface, random);
     const bool turns = random.uniform(0.0, 1.0) < 0.5;

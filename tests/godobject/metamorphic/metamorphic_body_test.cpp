@@ -35,12 +35,8 @@ void for_each_body(std::uint64_t seed, Body&& test) {
     if (choice.surface.name == "plane") return;  // a half space is no body
     BodyParameters body = BodyParameters::block(0.1, {0.04, 0.03, 0.05});
     body.gravity = 3.0 * random_direction(random);
-    BodyScene scene{choice.parameters.finger,
-                    make_finger_curve(choice.curve.kind, hertz(), 1e-8).curve,
-                    choice.curve.projection,
-                    choice.surface,
-                    body,
-                    {}};
+    BodyScene scene{
+        choice.parameters.finger, make_finger_curve(choice.curve.kind, hertz(), 1e-8), choice.curve.projection, choice.surface, body, {}};
     std::vector<RandomDevice> devices;
     for (int i = 0; i < 3; ++i) devices.emplace_back(choice.surface.surface, random);
     for (int i = 0; i < steps; ++i) {

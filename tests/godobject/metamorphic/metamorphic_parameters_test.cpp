@@ -104,7 +104,7 @@ TEST(Metamorphic, AParameterMovedALittleMovesTheForceALittle) {
   const std::vector<Change> all = changes();
   std::vector<int> compared(all.size());
   for_each_choice(11, [&](const Choice& choice, Random& random) {
-    const FingerCurve curve = make_finger_curve(choice.curve.kind, hertz(), 1e-8).curve;
+    const FingerCurve curve = make_finger_curve(choice.curve.kind, hertz(), 1e-8);
     const RandomDevice device(choice.surface.surface, random);
     std::vector<DevicePose> path;
     for (int i = 0; i < rows; ++i) path.push_back(device.at(i * time_step));

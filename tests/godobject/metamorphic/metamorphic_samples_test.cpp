@@ -85,7 +85,7 @@ TEST(Metamorphic, AStepInTwoHalvesIsTheSameWhereNothingSlips) {
       whole.step(row.time, row.fingers);
     }
   });
-  EXPECT_GT(halved, 1000);
+  EXPECT_GT(halved, 500);
 }
 
 /// A row that must be refused: a place that is not finite, one farther than a finger moves in a sample, an orientation that is none, a body nowhere,

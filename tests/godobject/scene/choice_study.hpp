@@ -184,7 +184,7 @@ inline SoftFinger named_finger(const Scene& scene, const Candidate& candidate) {
   }
   const CurveKind kind = parse_curve_kind(name.substr(0, projection - 1));
   const double tolerance = kind == CurveKind::table ? candidate.parameter : 1e-3;
-  return {make_finger_curve(kind, scene.law, tolerance).curve, finger, parse_projection(name.substr(projection))};
+  return {make_finger_curve(kind, scene.law, tolerance), finger, parse_projection(name.substr(projection))};
 }
 
 /// What a scene showed.

@@ -50,7 +50,7 @@ TEST(Replay, OnThePlaneAtRestIsTheFinger) {
       const std::string name = std::string(to_string(kind)) + ' ' + std::string(to_string(projection));
       const ReplayOptions with = options(kind, projection);
       Replay replay(with);
-      SoftFinger finger(make_finger_curve(kind, with.law, with.tolerance).curve, with.finger, projection);
+      SoftFinger finger(make_finger_curve(kind, with.law, with.tolerance), with.finger, projection);
       int slips = 0;
       double dissipated = 0.0;
       for (int i = 0; i <= 1000; ++i) {
