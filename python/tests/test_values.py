@@ -153,6 +153,38 @@ def test_patches_from_arrays_are_those_from_files(tmp_path):
     assert str(finger.update((0, 0, 0), (0, 0, 1), 0.001, 0).state) == "stick"
 
 
+def test_a_patch_on_a_finger_is_the_disc_of_its_law():
+    with_ = {"mu": 0.6, "stiffness": 1000, "twist_stiffness": 0.036}
+    disc = lc.SoftFinger(lc.Patch("ellipse:law=hertz,a=0.006,b=0.006"), **with_)
+    round_ = lc.SoftFinger(lc.Table("hertz", 1e-12), radius_law="constant:a=0.006", **with_)
+    for i in range(50):
+        outputs = [finger.update((1e-4 * i, 0, 0), (0, 0, 1), 0.002, 0.02 * i) for finger in (disc, round_)]
+        assert outputs[0].state == outputs[1].state and outputs[0].converged
+        assert np.allclose(outputs[0].force, outputs[1].force, atol=1e-9) and outputs[0].moment == pytest.approx(outputs[1].moment, abs=1e-11)
+    assert disc.centre_of_rotation() == pytest.approx(round_.centre_of_rotation(), abs=1e-6)
+
+
+def test_a_batch_says_which_samples_were_not_usable():
+    batch = lc.Batch(TABLE, 3, mu=0.6)
+    batch.update(0.0, 0.0, 0.002, 0.0)
+    batch.update(np.array([0.01, 0.01, np.nan]), 0.0, np.array([0.002, np.nan, 0.002]), 0.0)
+    assert batch.invalid.tolist() == [False, True, True] and batch.fx.tolist() == [pytest.approx(-1.2), 0.0, 0.0]
+    batch.update(0.01, 0.0, 0.002, 0.0)
+    assert not batch.invalid.any() and np.allclose(batch.fx, -1.2)  # the grip was held
+
+
+def test_old_keywords_are_accepted_with_a_warning():
+    with pytest.warns(FutureWarning, match="moment_coefficient is now mu_r"):
+        old = lc.SoftFinger(TABLE, mu=0.6, moment_coefficient=0.002)
+    new = lc.SoftFinger(TABLE, mu=0.6, mu_r=0.002)
+    for finger in (old, new):
+        finger.update((0, 0, 0), (0, 0, 1), 0.002, 0.0)
+    assert old.update((0, 0, 0), (0, 0, 1), 0.002, 1.0).moment == new.update((0, 0, 0), (0, 0, 1), 0.002, 1.0).moment
+    trace = {"time": [0, 1], "x": [0, 0.01], "y": [0, 0], "z": [-0.002, -0.002], "twist": [0, 0]}
+    with pytest.warns(FutureWarning, match="boundary is now curve"):
+        lc.replay(trace, "hertz", radius_law="constant:a=0.006", mu=0.6, stiffness=1000, twist_stiffness=0.036, boundary="ellipse")
+
+
 def test_friction_is_what_a_finger_does():
     memory = lc.FrictionMemory()
     result = lc.apply_friction(TABLE, 2.4, 0.0, limit=1.2, radius=0.006, stiffness_ratio=25000, memory=memory)
