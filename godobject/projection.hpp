@@ -68,8 +68,9 @@ template <class Real, class Number>
 }
 
 /// Closest point: the point of the curve nearest to the trial in the metric of the springs' compliance, f² + χm². There the slip
-/// (f̂ − f, χ(m̂ − m)) is normal to the curve. The residual is o_L − x·o_T: L and T are the curve's leading and trailing components at x, and o_L and
-/// o_T the trial's excess over them in that metric. It has one root for a trial outside the curve.
+/// (f̂ − f, χ(m̂ − m)) is normal to the curve. x is slide : spin inside the rim and spin : slide beyond it (Jet); the leading component is the
+/// force inside and the moment beyond, the trailing one the other. The residual is o_L − x·o_T, with the trial's excess over leading and trailing
+/// component at x: zero where the excess is parallel to the normal. It has one root for a trial outside the curve.
 template <class Real, class Number>
 [[nodiscard]] Projected<Number> project_on_to_closest_point(const CurveView<Real>& curve, const UnitTrial<Number>& trial,
                                                             Number last) noexcept {

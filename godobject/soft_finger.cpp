@@ -56,8 +56,8 @@ FingerOutput release(FingerState& state, const FingerSample& sample, const Sense
   return free.output;
 }
 
-/// The first sample in contact: the springs are not loaded. (The paper's α_0 is the twist here. Angles are absolute; α_p − α_g is the
-/// same.)
+/// The first sample in contact: the springs are not loaded. Angles are absolute, not relative to α_0 at touch-down as in the paper; only
+/// α_p − α_g matters.
 void touch_down(FingerState& state, const FingerSample& sample) noexcept {
   state.in_contact = true;
   state.sample = sample;
@@ -68,8 +68,8 @@ void touch_down(FingerState& state, const FingerSample& sample) noexcept {
 }
 
 /// Step b of a round contact.
-KeptDeflection apply_friction(const FingerCurve& curve, Projection projection, const ContactLimits& contact_limits,
-                              const TrialDeflection& trial, FrictionMemory<double>& memory) noexcept {
+KeptDeflection friction_of_curve(const FingerCurve& curve, Projection projection, const ContactLimits& contact_limits,
+                                 const TrialDeflection& trial, FrictionMemory<double>& memory) noexcept {
   const Springs& springs = trial.springs;
   const FrictionTrial<double> wrench{springs.stiffness * trial.tangential.norm(), springs.twist_stiffness * std::fabs(trial.twist)};
   const FrictionLimits<double> limits = contact_limits.at<double>(trial.limit_load, springs.stiffness / springs.twist_stiffness);
@@ -139,13 +139,15 @@ FingerOutput SoftFinger::advance(FingerState& state, const Sensed& sensed) const
 
   // b. Friction: the part of the trial deflection that the limit curve, or a patch's limit surface, allows (eqs. 21–23).
   FrictionMemory<double> friction = state.friction;
-  const KeptDeflection kept = patch_ ? apply_friction(*patch_, limits_, trial, sample, sensed.spin, last.angle, friction, state.patch)
-                                     : apply_friction(*curve_, projection_, limits_, trial, friction);
+  PatchMemory patch;
+  const KeptDeflection kept =
+      patch_ ? friction_of_patch(*patch_, limits_, trial, sample.normal, sensed.spin, last.angle, state.patch, friction, patch)
+             : friction_of_curve(*curve_, projection_, limits_, trial, friction);
 
   // The proxy follows. A component without slip keeps its bits; a slip below the rounding of the position counts as stick.
-  const MovedProxy moved = kept.force_slides ? follow(trial, sample, kept.tangential) : MovedProxy{trial.proxy, trial.spring.normal};
-  const double angle = kept.moment_slides ? sample.angle + trial.relaxed_twist + kept.twist : last.angle;
-  const bool slid = trial.moves_to_near_side || (kept.force_slides && moved.proxy != trial.proxy);
+  const MovedProxy moved = kept.force_reduced ? follow(trial, sample, kept.tangential) : MovedProxy{trial.proxy, trial.spring.normal};
+  const double angle = kept.moment_reduced ? sample.angle + trial.relaxed_twist + kept.twist : last.angle;
+  const bool slid = trial.moves_to_near_side || (kept.force_reduced && moved.proxy != trial.proxy);
   const bool turned = angle != last.angle;
   const bool slips = trial.moves_to_near_side || (kept.slips && (slid || turned));
 
@@ -153,7 +155,7 @@ FingerOutput SoftFinger::advance(FingerState& state, const Sensed& sensed) const
   FingerOutput output;
   output.state = slips ? ContactState::slip : ContactState::stick;
   output.proxy = slips ? moved.proxy : last.proxy;
-  output.angle = slips || (kept.moment_slides && !kept.slips) ? angle : last.angle;  // without torsion it turns with the finger
+  output.angle = slips || (kept.moment_reduced && !kept.slips) ? angle : last.angle;  // without torsion it turns with the finger
   output.depth = sample.depth;
   output.normal = sample.normal;
   output.load = trial.load(slips ? moved.normal : trial.spring.normal);
@@ -164,9 +166,8 @@ FingerOutput SoftFinger::advance(FingerState& state, const Sensed& sensed) const
   const double work = moved.along_slope * output.force.dot(trial.tangential - kept.tangential) + output.moment * (trial.twist - kept.twist);
   output.slip_work = !slips ? 0.0 : kept.converged ? std::max(work, 0.0) : work;
   output.converged = kept.converged;
-
   state.friction = settled(state.friction, friction, curve_ && curve_->is_box(), slips, slid, turned);
-  if (!slips) state.patch.slip = Vector3d::Zero();
+  if (patch_) state.patch = {patch.zero_axis, patch.axis, slips ? patch.slip : Vector3d(Vector3d::Zero())};
   store(state, sample, sensed);
   state.limit_load = trial.limit_load;
   state.trial_force = kept.trial_force;

@@ -32,9 +32,10 @@ class SoftFinger {
   /// closest point in F_x, F_y and M, and the radius law is not used. For a disc the step equals that of its limit curve to 1e-9.
   ///
   /// The patch is fixed to the finger: its x axis is the tangent part of the device's x axis, q·x̂, turned about the normal by the proxy's
-  /// twist against the finger, α_p − α_g, and by `DevicePose::twist`. So that axis must not be normal to the surface: within 1e-6 of it the
-  /// last axis is transported, as it is for `update(contact, twist)`, which begins a contact with the world's x axis, turned from z to the
-  /// normal. The contact point is the centre of pressure: springs act there, and moments refer to it.
+  /// twist against the finger, α_p − α_g, and by `DevicePose::twist`. The device's x axis must not be normal to the surface. Where it is
+  /// (tangent part below 1e-6), the patch's last axis is used, projected on to the tangent plane. `update(contact, twist)` has no
+  /// orientation and does the same; a contact then begins with the world's x axis, turned by the shortest rotation from z to the normal.
+  /// The contact point is the centre of pressure: springs act there, and moments refer to it.
   ///
   /// Points get a radius ε: |u| becomes √(|u|² + ε²ω²), which changes the limit by less than ε/m₀ of it. Without it a point under the
   /// centre of rotation bears any force up to its limit, and the search has no derivative there. `point_radius` is ε [m], at least 1e-3 m₀;

@@ -56,21 +56,19 @@ std::shared_ptr<const PatchProjector> make_projector(const Patch& patch, double 
   return std::make_shared<const PatchProjector>(patch.smoothed(point_radius == 0.0 ? least : point_radius));
 }
 
-KeptDeflection apply_friction(const PatchProjector& patch, const ContactLimits& limits, const TrialDeflection& trial,
-                              const FingerSample& sample, const Spin& spin, double angle, FrictionMemory<double>& friction,
-                              PatchMemory& memory) noexcept {
-  const PatchTwist last{memory.slip.x(), memory.slip.y(), memory.slip.z()};
-  memory.zero_axis = zero_axis(sample.normal, spin, memory.zero_axis);
-  memory.axis = turned(memory.zero_axis, sample.normal, angle);
-  memory.slip = Vector3d::Zero();
-  // No structured binding: Clang 14 does not let a lambda use one.
+KeptDeflection friction_of_patch(const PatchProjector& patch, const ContactLimits& limits, const TrialDeflection& trial,
+                                 const Vector3d& normal, const Spin& spin, double angle, const PatchMemory& last,
+                                 FrictionMemory<double>& friction, PatchMemory& next) noexcept {
+  next.zero_axis = zero_axis(normal, spin, last.zero_axis);
+  next.axis = turned(next.zero_axis, normal, angle);
   const double stiffness = trial.springs.stiffness;
   const double twist_stiffness = trial.springs.twist_stiffness;
-  const PatchWrench wrench = in_axes(memory.axis, sample.normal, trial.tangential * stiffness, trial.twist * twist_stiffness);
+  const PatchWrench wrench = in_axes(next.axis, normal, trial.tangential * stiffness, trial.twist * twist_stiffness);
+  const PatchTwist last_slip{last.slip.x(), last.slip.y(), last.slip.z()};
 
   const auto project = [&](bool slides) -> PatchProjection {
     const double limit = limits.mu(slides) * trial.limit_load;
-    if (limit > 0.0) return patch.project(wrench, limit, stiffness, std::sqrt(twist_stiffness / stiffness), last);
+    if (limit > 0.0) return patch.project(wrench, limit, stiffness, std::sqrt(twist_stiffness / stiffness), last_slip);
     return {true, {}, {wrench.fx / stiffness, wrench.fy / stiffness, trial.twist}};
   };
   const bool was_sliding = friction.force_slides;
@@ -83,8 +81,8 @@ KeptDeflection apply_friction(const PatchProjector& patch, const ContactLimits& 
       trial.tangential,         trial.twist,    found.slips, found.slips, found.slips, 0.0, stiffness * trial.tangential.norm(),
       std::fabs(wrench.moment), found.converged};
   if (!found.slips) return kept;
-  memory.slip = {found.slip.vx, found.slip.vy, found.slip.omega};
-  kept.tangential = (memory.axis * found.wrench.fx + sample.normal.cross(memory.axis) * found.wrench.fy) / stiffness;
+  next.slip = {found.slip.vx, found.slip.vy, found.slip.omega};
+  kept.tangential = (next.axis * found.wrench.fx + normal.cross(next.axis) * found.wrench.fy) / stiffness;
   kept.twist = found.wrench.moment / twist_stiffness;
   const double slide = std::hypot(found.slip.vx, found.slip.vy);
   const double turn = std::fabs(found.slip.omega);

@@ -9,7 +9,8 @@
 /// Springs and dampers between proxy and finger, and the motion of the proxy in a slip.
 namespace limitcurve::godobject {
 
-/// In an implicit step a damper b is an additional spring b/Δt that is relaxed at the last deflection.
+/// Springs and dampers of an implicit step as one spring: k d + b (d − d_last)/Δt = k′ (d − d_relaxed) with k′ = k + b/Δt and d_relaxed =
+/// d_last (b/Δt)/k′.
 struct Springs {
   double stiffness;                     ///< [N/m]
   double twist_stiffness;               ///< [N m/rad]
@@ -69,6 +70,7 @@ struct TrialDeflection {
     relaxed_tangential = relaxed - n * relaxed_normal;
     relaxed_twist = (angle - last.angle) * springs.twist_relaxed_fraction;
     const double damper = springs.stiffness - parameters.stiffness;
+    // The depth alone sets the limit, as in the paper: what friction gives must not change it.
     limit_load = std::max(parameters.stiffness * sample.depth + damper * (sample.depth - last.depth), 0.0);
     if (spring.normal < 0.0) {
       // Springs do not pull a finger in: move the proxy to the finger's near side, not farther away than it was.
@@ -91,8 +93,8 @@ struct TrialDeflection {
 struct KeptDeflection {
   Eigen::Vector3d tangential;  ///< [m]
   double twist;                ///< [rad]
-  bool force_slides;           ///< `tangential` is less than the trial's
-  bool moment_slides;          ///< `twist` is less than the trial's
+  bool force_reduced;          ///< `tangential` is less than the trial's
+  bool moment_reduced;         ///< `twist` is less than the trial's
   bool slips;                  ///< the trial was beyond the limit
   double cor;                  ///< distance of the slip's COR [m]; not defined without slip
   double trial_force;          ///< the trial wrench (eq. 7): force [N] …
