@@ -188,6 +188,17 @@ TEST(PatchPolygon, SquareHasItsKnownSpin) {
   EXPECT_NEAR(Patch::rectangle(2.0, 2.0).moment_ratio(), (std::sqrt(2.0) + std::asinh(1.0)) / 3.0, 1e-15);
 }
 
+TEST(PatchPolygon, OfTwentyThousandVerticesKeepsItsStatedError) {
+  Outline vertices;
+  constexpr int count = 20000;
+  for (int i = 0; i < count; ++i) {
+    const double angle = 2 * pi * i / count;
+    const double r = 1.0 + 0.1 * std::sin(7 * angle);
+    vertices.push_back({0.3 + r * std::cos(angle), r * std::sin(angle)});
+  }
+  expect_polygon(vertices, {about({0, 0}), about({0.3, 0.2}), about({-0.9, 0.4}), about({2.0, 2.2}), about({5.0, -2.0})});
+}
+
 TEST(PatchPolygon, OfTenThousandVerticesIsTheDisc) {
   Outline vertices;
   constexpr int count = 10000;
