@@ -395,6 +395,70 @@ TEST(PatchOrthotropic, IsTheSumOfItsPoints) {
   EXPECT_NEAR(patch.centre().x, Patch::points(loads).centre().x, 1e-15);
 }
 
+/// Points under orthotropic friction by brute force, about the origin, in extended precision.
+PatchFriction orthotropic_points(const std::vector<PatchLoad>& loads, long double mx, long double my, const PatchTwist& twist) {
+  long double total = 0;
+  for (const PatchLoad& point : loads) total += point.load;
+  long double sums[4] = {};
+  for (const auto& [x, y, load] : loads) {
+    // The product has more digits than long double, and next to the COR they count.
+    const long double ux = mx * std::fma(static_cast<long double>(-twist.omega), y, twist.vx);
+    const long double uy = my * std::fma(static_cast<long double>(twist.omega), x, twist.vy);
+    const long double speed = std::hypot(ux, uy);
+    const long double share = load / total;
+    sums[0] += share * speed;
+    sums[1] += share * mx * ux / speed;
+    sums[2] += share * my * uy / speed;
+    sums[3] += share * (x * my * uy - y * mx * ux) / speed;
+  }
+  return {static_cast<double>(sums[0]),
+          {static_cast<double>(sums[1]), static_cast<double>(sums[2]), static_cast<double>(sums[3])}, 0.0};
+}
+
+TEST(PatchOrthotropic, PointsNextToTheCorKeepTheirStatedError) {
+  const std::vector<PatchLoad> loads{{0.31, 0.13, 1}, {-0.23, 0.51, 2}, {0.11, -0.47, 1.5}};
+  for (const auto& [mx, my] : {std::pair{0.7, 1.6}, {1.3, 0.9}, {3.3e5, 1.7e-4}}) {
+    const Patch points = Patch::points(loads).orthotropic(mx, my);
+    const std::vector<std::pair<double, Patch>> parts{{1.0, Patch::points(std::vector{loads[0]})},
+                                                      {3.5, Patch::points(std::vector{loads[1], loads[2]})}};
+    const Patch sum = Patch::sum(parts).orthotropic(mx, my);
+    for (const double near : {1e-2, 1e-5, 1e-8, 1e-11, 3e-14, 2e-15}) {
+      for (const PatchLoad& point : loads) {
+        for (const double angle : {0.1, 1.0, 2.5, 4.0}) {
+          const double omega = 0.9;
+          const PatchTwist twist = about({point.x + near * std::cos(angle), point.y + near * std::sin(angle)}, omega);
+          const PatchFriction exact = orthotropic_points(loads, mx, my, twist);
+          for (const Patch* patch : {&points, &sum}) {
+            const PatchFriction friction = patch->about_origin(twist);
+            EXPECT_LE(test::difference(friction, exact, patch->moment_ratio()), friction.error + witness_error)
+                << mx << ' ' << my << ' ' << near << ' ' << angle;
+            EXPECT_LE(friction.error, 1e-13 * std::max(1.0, mx)) << near;
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST(PatchOrthotropic, TwistsOfAnySizeGiveTheSameWrench) {
+  const std::vector<PatchLoad> loads{{0.31, 0.13, 1}, {-0.23, 0.51, 2}, {11.0, -0.47, 1.5}};
+  for (const auto& [mx, my] : {std::pair{1.0, 1.0}, {7.3, 1.6}, {0.03, 0.9}}) {
+    const Patch patch = Patch::points(loads).orthotropic(mx, my);
+    for (const double size : {1e-318, 3e-308, 1e-200, 1e200, 4e307, 0.85e308}) {
+      for (const PatchTwist& twist : {PatchTwist{size, -2.0 * size, 0.0}, {0.3 * size, size, 2.0 * size}, {0.0, 0.0, -size}}) {
+        // The same twist times a power of two: no digit of it changes.
+        const int exponent = -std::ilogb(size);
+        const PatchTwist usual{std::ldexp(twist.vx, exponent), std::ldexp(twist.vy, exponent), std::ldexp(twist.omega, exponent)};
+        const PatchFriction exact = orthotropic_points(loads, mx, my, usual);
+        const PatchFriction friction = patch.about_origin(twist);
+        EXPECT_LE(std::hypot(friction.wrench.fx - exact.wrench.fx, friction.wrench.fy - exact.wrench.fy), friction.error) << size;
+        EXPECT_LE(std::fabs(friction.wrench.moment - exact.wrench.moment), friction.error * patch.moment_ratio()) << size;
+        EXPECT_EQ(friction.power, static_cast<double>(std::ldexp(patch.about_origin(usual).power, -exponent))) << size;
+      }
+    }
+  }
+}
+
 TEST(PatchInput, BadOnesAreNamed) {
   const auto has = [](const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; };
   EXPECT_TRUE(has(complaint([] { return Patch::points(std::vector<PatchLoad>{{0, 0, 1}, {0, nan, 1}}); }), "point 2: y = nan"));
