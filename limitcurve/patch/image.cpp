@@ -206,6 +206,11 @@ struct Image final : Shape {
     return 70.0 * near + 1.5 * static_cast<double>(xs.size());
   }
   [[nodiscard]] SecondMoments second_moments() const override { return moments; }
+  [[nodiscard]] std::vector<PatchPoint> concentrations() const override {
+    std::vector<PatchPoint> middles;
+    for (std::size_t i = 0; i < xs.size(); ++i) middles.push_back({centre.x + xs[i], centre.y + ys[i]});
+    return middles;
+  }
 };
 
 }  // namespace

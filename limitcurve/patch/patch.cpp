@@ -160,7 +160,9 @@ Patch::RoundMeasures Patch::round_measures() const {
   // An ellipse with semi-axes a, b has the second moments a²⟨ρ²⟩/2 and b²⟨ρ²⟩/2; m(s) → ⟨ρ²⟩/(2s) gives ⟨ρ²⟩.
   constexpr double far = 1e6;
   const double mean_square = 2.0 * far * law->forces(far).moment;
-  return {shape_->area() / stretch, std::sqrt(2.0 / mean_square) * std::sqrt(std::sqrt(determinant)), law};
+  std::vector<PatchPoint> concentrations = shape_->concentrations();
+  for (PatchPoint& place : concentrations) place = {place.x / my_, place.y / mx_};
+  return {shape_->area() / stretch, std::sqrt(2.0 / mean_square) * std::sqrt(std::sqrt(determinant)), law, std::move(concentrations)};
 }
 
 }  // namespace limitcurve
