@@ -53,7 +53,7 @@ class BasicFingerCurve {
   /// m₀: moment intercept over force intercept.
   [[nodiscard]] double moment_ratio() const noexcept { return moment_max() / force_max(); }
 
-  /// The wrench of a slip twist.
+  /// The wrench of a slip twist. Signs of the twist do not count; a zero twist gives wrench 0.
   [[nodiscard]] UnitWrench wrench(SlipTwist twist) const noexcept;
   /// The point where the ray through a wrench ≠ 0 meets the curve, and the normal there.
   [[nodiscard]] RadialPoint along(UnitWrench direction) const noexcept;

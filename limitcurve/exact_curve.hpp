@@ -20,7 +20,10 @@ class ExactCurve {
   [[nodiscard]] const PressureLaw& law() const noexcept { return *law_; }
   [[nodiscard]] double moment_ratio() const noexcept { return moment_ratio_; }
 
-  [[nodiscard]] UnitWrench wrench(SlipTwist twist) const noexcept { return inwards(law_->forces(twist.cor(), Slope::unwanted)); }
+  [[nodiscard]] UnitWrench wrench(SlipTwist twist) const noexcept {
+    if (twist.is_zero()) return {};
+    return inwards(law_->forces(twist.magnitudes().cor(), Slope::unwanted));
+  }
 
   [[nodiscard]] SlopedPoint point(SlipTwist twist) const noexcept {
     // du = −u² ds. Towards pure sliding df/ds vanishes like u³; the lower bound on u keeps u⁻² finite and the limit correct.

@@ -191,15 +191,16 @@ void add_tables(nb::module_& module) {
           "Reads a .csv or .json file that `save` or `limitcurve table` wrote. ValueError names file, line and column of the error.")
       .def(
           "save",
-          [](const PyTable& self, nb::handle path) {
+          [](const PyTable& self, nb::handle path, const std::string& name) {
             const std::string file = path_of(path);
-            const cli::TableWriter text_of = cli::table_writer(file, "path");
+            const cli::TableWriter text_of = cli::table_writer(file, "path", name);
             cli::AtomicFile output(file);
             output.output().write(text_of(self.table));
             output.commit();
           },
-          nb::arg("path"), nb::sig("def save(self, path: str | os.PathLike[str]) -> None"),
-          "Writes the whole table or nothing; the extension selects .csv, .json, .h (C99) or .hpp (constexpr C++17).")
+          nb::arg("path"), nb::arg("name") = "", nb::sig("def save(self, path: str | os.PathLike[str], name: str = '') -> None"),
+          "Writes the whole table or nothing; the extension selects .csv, .json, .h (C99) or .hpp (constexpr C++17).\n"
+          "name: of the table in a header, NAME_wrench(slide, spin); if empty, one that no other table has.")
       .def(
           "evaluate",
           [](const PyTable& self, nb::handle c) {
