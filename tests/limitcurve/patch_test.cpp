@@ -241,6 +241,36 @@ TEST(PatchEllipse, OfEqualAxesIsTheDisc) {
   }
 }
 
+TEST(PatchEllipse, OfSharpLawsKeepsItsStatedError) {
+  for (const char* name : {"power:n=100", "power:n=500", "power:n=1000", "xydas-kao:k=0.05", "mix:0.5*hertz+0.5*power:n=1000",
+                           "mix:0.999*uniform+0.001*power:n=1000"}) {
+    const Law law = parse_law(name);
+    const double radius = 0.004;
+    const Patch disc = Patch::ellipse(law, radius, radius);
+    const double m0 = disc.moment_ratio();
+    for (const double s : {0.0, 1e-5, 1e-3, 0.003, 0.01, 0.03, 0.1, 0.3, 0.8, 1.0, 1.01, 2.0, 1e3}) {
+      for (const double angle : {0.0, 0.7, 2.9}) {
+        const PatchFriction friction = disc.about_origin(about({radius * s * std::cos(angle), radius * s * std::sin(angle)}));
+        const WrenchEstimate exact = law->evaluate(s);
+        EXPECT_NEAR(std::hypot(friction.wrench.fx, friction.wrench.fy), exact.wrench.force, friction.error) << name << ' ' << s;
+        EXPECT_NEAR(friction.wrench.moment / m0, exact.wrench.moment / law->moment_ratio(), friction.error) << name << ' ' << s;
+      }
+    }
+    const Patch ellipse = Patch::ellipse(law, 2.0, 1.0);
+    for (const PatchTwist& twist : {about({0.01, 0.02}), about({0.3, 0.1})}) {
+      const PatchFriction exact = test::ellipse_by_rays(*law, 2.0, 1.0, twist);
+      EXPECT_LE(test::difference(ellipse.evaluate(twist), exact, ellipse.moment_ratio()), stated(ellipse, twist)) << name;
+    }
+  }
+}
+
+TEST(PatchEllipse, OfATooSharpLawIsRefusedByName) {
+  for (const char* name : {"xydas-kao:k=0.01", "xydas-kao:k=0.03"}) {
+    const std::string text = complaint([&] { return Patch::ellipse(parse_law(name), 0.004, 0.002); });
+    for (const std::string& part : {std::string(name), std::string("k >= 0.05")}) EXPECT_NE(text.find(part), std::string::npos) << text;
+  }
+}
+
 TEST(PatchEllipse, OfAMixtureIsTheMixture) {
   // The parts end at different radii, one with a pressure that is singular there.
   const Patch mixed = Patch::ellipse(parse_law("mix:1*power:n=-0.9+3*gaussian:sigma=2"), 0.004, 0.002);
