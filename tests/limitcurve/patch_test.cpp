@@ -256,11 +256,13 @@ TEST(PatchEllipse, OfSharpLawsKeepsItsStatedError) {
         EXPECT_NEAR(friction.wrench.moment / m0, exact.wrench.moment / law->moment_ratio(), friction.error) << name << ' ' << s;
       }
     }
-    const Patch ellipse = Patch::ellipse(law, 2.0, 1.0);
-    for (const PatchTwist& twist : {about({0.01, 0.02}), about({0.3, 0.1})}) {
-      const PatchFriction exact = test::ellipse_by_rays(*law, 2.0, 1.0, twist);
-      EXPECT_LE(test::difference(ellipse.evaluate(twist), exact, ellipse.moment_ratio()), stated(ellipse, twist)) << name;
-    }
+  }
+  // The rays resolve this one, too.
+  const Law law = power(100.0);
+  const Patch ellipse = Patch::ellipse(law, 2.0, 1.0);
+  for (const PatchTwist& twist : {about({0.01, 0.02}), about({0.3, 0.1})}) {
+    const PatchFriction exact = test::ellipse_by_rays(*law, 2.0, 1.0, twist);
+    EXPECT_LE(test::difference(ellipse.evaluate(twist), exact, ellipse.moment_ratio()), stated(ellipse, twist));
   }
 }
 
