@@ -108,7 +108,7 @@ ContactFit internal::fit_prepared(const ContactPreparation& preparation, const C
   if (count < free || (!preparation.with_sigma && count == free)) {
     std::string names;
     for (const Parameter& parameter : parameters) names += (names.empty() ? "" : ", ") + parameter.name;
-    throw std::invalid_argument("not identifiable from " + std::to_string(count) + (count == 1 ? " sample: " : " samples: ") + names);
+    throw internal::too_few_samples(count, free, names, "sigma_force and sigma_moment");
   }
   const bool robust = options.loss.kind != Loss::Kind::squared;
   // To 3 % of a standard error for 100 samples: enough for a first pass.

@@ -8,6 +8,8 @@
 
 #include <array>
 #include <cmath>
+#include <initializer_list>
+#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -92,6 +94,14 @@ std::vector<double> residuals_at(const internal::ResidualModel& model, std::span
   return residuals;
 }
 
+/// Sets the estimates. Their standard errors have no meaning: what the residuals show is the difference of two curves, not noise.
+void set_estimates(FitReport& report, std::initializer_list<internal::Quantity> quantities) {
+  for (const internal::Quantity& quantity : quantities) {
+    report.estimates.push_back({quantity.name, quantity.value, std::numeric_limits<double>::quiet_NaN(), quantity.unit});
+  }
+  report.correlation.assign(quantities.size() * quantities.size(), 0.0);
+}
+
 /// The report of parameters in closed form.
 FitReport direct_report(const internal::ResidualModel& model, std::span<const double> parameters, const char* message) {
   FitReport report;
@@ -113,14 +123,12 @@ CurveFit<Curve> fit_shape(const Law& law, Criterion criterion, const internal::R
                           MakeCurve make, Minimax minimax) {
   const ExactCurve exact(law);
   double value = 0.0;
-  std::vector<double> covariance{0.0};
   FitReport report;
   if (criterion == Criterion::least_squares) {
     const std::array<internal::Parameter, 1> parameters{shape};
     const internal::Solution solution = internal::minimise(model, parameters);
     value = solution.values[0];
     internal::describe(report, solution);
-    covariance = internal::covariance(solution, parameters, Loss::squared(), internal::residual_variance(solution));
   } else if (criterion == Criterion::minimax) {
     value = minimax(exact);
     report = direct_report(model, std::array{value}, "minimax: extremes of the error of equal size");
@@ -129,9 +137,7 @@ CurveFit<Curve> fit_shape(const Law& law, Criterion criterion, const internal::R
                                 "' is not one this shape has: expected least-squares or minimax");
   }
   const Curve curve = make(exact.moment_ratio(), value);
-  const std::array<internal::Quantity, 3> quantities{
-      {{"force_max", 1.0, "1"}, {"moment_max", exact.moment_ratio(), "1"}, {shape.name, value, "1"}}};
-  internal::set_estimates(report, quantities, std::array{0.0, 0.0, 1.0}, covariance);
+  set_estimates(report, {{"force_max", 1.0, "1"}, {"moment_max", exact.moment_ratio(), "1"}, {shape.name, value, "1"}});
   report.note = note_of(law, criterion);
   return {curve, curve_error(curve, exact), std::move(report)};
 }
@@ -160,7 +166,6 @@ CurveFit<Ellipse> fit_ellipse(const Law& law, Criterion criterion, std::size_t p
   const ExactCurve exact(law);
   const double moment_ratio = exact.moment_ratio();
   Ellipse ellipse = Ellipse::through_intercepts(moment_ratio);
-  std::vector<double> covariance(4, 0.0);
   FitReport report;
   const char* message = "through the intercepts: nothing to iterate";
   switch (criterion) {
@@ -171,7 +176,6 @@ CurveFit<Ellipse> fit_ellipse(const Law& law, Criterion criterion, std::size_t p
       const internal::Solution solution = internal::minimise(model, parameters);
       ellipse = Ellipse(solution.values[0], solution.values[1] * moment_ratio);
       internal::describe(report, solution);
-      covariance = internal::covariance(solution, parameters, Loss::squared(), internal::residual_variance(solution));
       break;
     }
     case Criterion::minimax: {
@@ -195,9 +199,7 @@ CurveFit<Ellipse> fit_ellipse(const Law& law, Criterion criterion, std::size_t p
   if (criterion != Criterion::least_squares) {
     report = direct_report(model, std::array{ellipse.force_max(), ellipse.moment_max() / moment_ratio}, message);
   }
-  const std::array<internal::Quantity, 2> quantities{{{"force_max", ellipse.force_max(), "1"}, {"moment_max", ellipse.moment_max(), "1"}}};
-  // From the normalised plane back to unit wrenches: B = m₀·B′.
-  internal::set_estimates(report, quantities, std::array{1.0, 0.0, 0.0, moment_ratio}, covariance);
+  set_estimates(report, {{"force_max", ellipse.force_max(), "1"}, {"moment_max", ellipse.moment_max(), "1"}});
   report.note = note_of(law, criterion);
   return {ellipse, curve_error(ellipse, exact), std::move(report)};
 }

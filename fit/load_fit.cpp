@@ -122,8 +122,7 @@ LoadFit fit_prepared(const Preparation& data, LoadModel model, const Loss& loss)
   const std::size_t count = data.rows.size();
   const bool robust = loss.kind != Loss::Kind::squared;
   if (count < free || (count == free && !data.with_sigma)) {
-    throw std::invalid_argument("not identifiable from " + std::to_string(count) + (count == 1 ? " sample: " : " samples: ") +
-                                parameters[0].name + (fit_gamma ? ", gamma" : ""));
+    throw internal::too_few_samples(count, free, parameters[0].name + (fit_gamma ? ", gamma" : ""), "of sigmas");
   }
   const LoadResiduals residuals(data.rows, data.offset, fit_gamma, fixed_gamma(model), data.noise);
   // Linear in the logarithms: a regression line is a good start.

@@ -33,6 +33,8 @@ BasicFingerCurve<Real>::BasicFingerCurve(const BasicTable<Real>& table)
 
 template <class Real>
 UnitWrench BasicFingerCurve<Real>::wrench(SlipTwist twist) const noexcept {
+  if (twist.is_zero()) return {};
+  twist = twist.magnitudes();
   if (is_box()) {
     return {twist.slide > 0.0 ? static_cast<double>(view_.force_max) : 0.0, twist.spin > 0.0 ? static_cast<double>(view_.moment_max) : 0.0};
   }

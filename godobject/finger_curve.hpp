@@ -56,7 +56,7 @@ class BasicFingerCurve {
   /// Error of a table against its law [unit wrenches], certified_error + profile_error; 0 for a closed form.
   [[nodiscard]] double error() const noexcept { return error_; }
 
-  /// The wrench of a slip twist.
+  /// The wrench of a slip twist. Signs of the twist do not count; a zero twist gives wrench 0.
   [[nodiscard]] UnitWrench wrench(SlipTwist twist) const noexcept;
   /// The point where the ray through a wrench ≠ 0 meets the curve, and the normal there.
   [[nodiscard]] RadialPoint along(UnitWrench direction) const noexcept;

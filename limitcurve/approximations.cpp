@@ -66,6 +66,8 @@ Superellipse::Superellipse(double force_max, double moment_max, double exponent)
 }
 
 UnitWrench Superellipse::wrench(SlipTwist twist) const noexcept {
+  if (twist.is_zero()) return {};
+  twist = twist.magnitudes();
   const double p = force_max_ * twist.slide;
   const double q = moment_max_ * twist.spin;
   const double ratio = std::pow(std::min(p, q) / std::max(p, q), inverse_);
@@ -105,6 +107,8 @@ Quartic::Quartic(double force_max, double moment_max, double kappa) : force_max_
 }
 
 UnitWrench Quartic::wrench(SlipTwist twist) const noexcept {
+  if (twist.is_zero()) return {};
+  twist = twist.magnitudes();
   const double p = force_max_ * twist.slide;
   const double q = moment_max_ * twist.spin;
   const double ratio = ratio_of(std::min(p, q) / std::max(p, q));

@@ -31,6 +31,8 @@ class Ellipse {
 
   /// Support point: (A²v, B²w)/√(A²v² + B²w²).
   [[nodiscard]] UnitWrench wrench(SlipTwist twist) const noexcept {
+    if (twist.is_zero()) return {};
+    twist = twist.magnitudes();
     const double x = force_max_ * twist.slide;
     const double y = moment_max_ * twist.spin;
     const double length = std::sqrt(x * x + y * y);
@@ -177,6 +179,8 @@ class Polygon {
   [[nodiscard]] double moment_ratio() const noexcept { return moment_max() / force_max(); }
 
   [[nodiscard]] UnitWrench wrench(SlipTwist twist) const noexcept {
+    if (twist.is_zero()) return {};
+    twist = twist.magnitudes();
     if (twist.slide == 0.0) return vertices_.back();
     std::size_t i = 0;
     if (twist.spin == 0.0) return vertices_[i];

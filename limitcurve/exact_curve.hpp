@@ -11,7 +11,8 @@
 namespace limitcurve {
 
 /// The exact unit limit curve of a pressure law (eq. 17); models LimitCurve. Relative error of the wrench: that of the law's `forces`, ≤
-/// 1e-14 to 1e-13. Wrenches are scaled by 1 − 9e-16, so that rounding seldom puts a wrench of the curve outside the curve.
+/// 1e-14 to 1e-13. Wrenches are scaled by 1 − 9e-16, so that rounding seldom puts a wrench of the curve outside the curve; not
+/// at both ends, which are exact.
 /// Cost: that of `forces`, nanoseconds for a closed form, microseconds by quadrature. In a control loop use a table.
 class ExactCurve {
  public:
@@ -20,7 +21,10 @@ class ExactCurve {
   [[nodiscard]] const PressureLaw& law() const noexcept { return *law_; }
   [[nodiscard]] double moment_ratio() const noexcept { return moment_ratio_; }
 
-  [[nodiscard]] UnitWrench wrench(SlipTwist twist) const noexcept { return inwards(law_->forces(twist.cor(), Slope::unwanted)); }
+  [[nodiscard]] UnitWrench wrench(SlipTwist twist) const noexcept {
+    if (twist.is_zero()) return {};
+    return inwards(law_->forces(twist.magnitudes().cor(), Slope::unwanted));
+  }
 
   [[nodiscard]] SlopedPoint point(SlipTwist twist) const noexcept {
     // du = −u² ds. Towards pure sliding df/ds vanishes like u³; the lower bound on u keeps u⁻² finite and the limit correct.
@@ -28,7 +32,7 @@ class ExactCurve {
     const double s = (std::min)(twist.cor(), 1e80);
     const UnitForces<double> forces = law_->forces(s);
     const double slope = forces.force_slope / (u * u);
-    return {inwards(forces), {-slope, s * slope}};
+    return {twist.spin > 0.0 ? inwards(forces) : UnitWrench{1.0, 0.0}, {-slope, s * slope}};
   }
 
   [[nodiscard]] RadialPoint along(UnitWrench direction) const noexcept {
@@ -43,6 +47,8 @@ class ExactCurve {
 
  private:
   static UnitWrench inwards(const UnitForces<double>& forces) noexcept {
+    // Both ends, pure spin and pure sliding, are exact.
+    if (forces.force == 0.0 || forces.moment == 0.0) return {forces.force, forces.moment};
     // Most errors of the closed forms are below four units in the last place; the documented bound is accuracy::forces_closed.
     constexpr double fraction = 1.0 - 4.0 * std::numeric_limits<double>::epsilon();
     return {fraction * forces.force, fraction * forces.moment};

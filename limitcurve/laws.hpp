@@ -46,8 +46,9 @@ struct PressureSample {
 ///  - From the centre to the first radius: the pressure of the first sample.
 ///  - Two samples at the same radius: a jump. A repeated sample is ignored. A negative pressure is noise and counts as zero.
 ///
-/// The error that `evaluate` returns includes the interpolation error. It is estimated by leaving out every other sample: the change of the
-/// wrench, bounded from above. It exceeds the true error wherever the samples resolve the profile.
+/// The error that `evaluate` returns includes the interpolation error. It is estimated by leaving out samples, of even radii every other
+/// one, so that all gaps double: the change of the wrench, bounded from above. It exceeds the true error wherever the samples resolve the
+/// profile.
 /// Throws std::invalid_argument for fewer than 4 samples, a number that is not finite, a radius that is negative, smaller than the one
 /// before or nearer to it than 1e-9 of the last radius (equal is allowed), and a profile without pressure. `source` names the data in
 /// `name()`.

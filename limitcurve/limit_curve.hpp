@@ -12,8 +12,9 @@ namespace limitcurve {
 /// Ellipse, Superellipse, Quartic, Polygon (box, diamond). Errors, gauges and load curves are templates over this concept.
 ///
 /// Requirements; tests/limitcurve/curve_suite.cpp has a test for each, and runs it for every curve:
-///  - `wrench(t)`: the curve point whose outward normal is the slip twist t; on a flat face any point of the face;
-///  - `point(t)`:  the same point, with its derivative in the spin fraction u;
+///  - `wrench(t)`: the curve point whose outward normal is the slip twist t; on a flat face any point of the face. Signs of t do not count;
+///                 a zero twist gives wrench 0;
+///  - `point(t)`:  the same point, with its derivative in the spin fraction u, for slide, spin ≥ 0, not both zero;
 ///  - `along(w)`:  the curve point on the ray from the origin through w ≠ 0, and the normal there; at a corner any one of its normals;
 ///  - `gauge(w)`:  the factor γ ≥ 0 for which w/γ is on the curve; γ < 1: the contact holds, γ > 1: it slips, γ = 0 for w = 0;
 ///  - `moment_ratio()`: moment intercept divided by force intercept, m₀ = μ_r/(μ a).

@@ -93,8 +93,10 @@ class BasicTable {
   [[nodiscard]] const CurveView<Real>& view() const noexcept { return view_; }
   [[nodiscard]] const TablePieces<Real>& pieces() const noexcept { return view_.table; }
 
-  /// The wrench of a slip twist, to certified_error(). About 10 ns.
+  /// The wrench of a slip twist, to certified_error(). Signs of the twist do not count; a zero twist gives wrench 0. About 10 ns.
   [[nodiscard]] UnitWrench wrench(SlipTwist twist) const noexcept {
+    twist = twist.magnitudes();
+    if (twist.is_zero()) return {};
     const auto [outside, x] = place(twist);
     const Jet<Real> jet = view_.table.jet(outside, x);
     return wrench_of(outside, jet.leading(), jet.trailing(x));

@@ -26,9 +26,11 @@ std::string to_csv(const Table& table);
 /// …, c6].
 std::string to_json(const Table& table);
 
-/// The table as a C99 and C++17 header that includes nothing. In C: `limitcurve_table_<law>_wrench(slide, spin)` returns a struct of force
-/// and moment. In C++ also: namespace `limitcurve_table_<law>` with `constexpr wrench(slide, spin)`. The cell is found by bisection.
-std::string to_header(const Table& table);
+/// The table as a C99 and C++17 header that includes nothing. In C: `NAME_wrench(slide, spin)` returns a struct of force and moment, as
+/// Table::wrench does. In C++ also: namespace NAME with `constexpr wrench(slide, spin)`. All names have internal linkage. The cell is found
+/// by bisection. NAME is `name`; if that is empty, `limitcurve_table_<law>_<first 8 digits of the checksum>`, which no other table has.
+/// Throws std::invalid_argument, with the name, unless it is a C identifier that begins with a letter and has no double underscore.
+std::string to_header(const Table& table, std::string_view name = {});
 
 /// Reads a table that `to_csv` wrote. `source` is its name in messages. Throws std::invalid_argument: `source:line:column: …` for a text
 /// that is truncated, out of order or not a table; `source: …` for a wrong checksum and for cells that make no table. For a table of format

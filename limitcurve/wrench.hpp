@@ -18,8 +18,8 @@ struct UnitWrench {
 /// normal of the limit curve at the wrench that the slip causes (maximum dissipation). Unlike the distance c of the centre of rotation it
 /// is finite at both ends, pure sliding and pure spin.
 struct SlipTwist {
-  double slide = 0.0;  ///< |v| [m/s, or any unit], ≥ 0
-  double spin = 1.0;   ///< a|ω| [same unit], ≥ 0; not both zero
+  double slide = 0.0;  ///< |v| [m/s, or any unit]
+  double spin = 1.0;   ///< a|ω| [same unit]
 
   /// The twist whose centre of rotation (COR) lies at s = c/a from the contact centre, s ∈ [0, ∞].
   static constexpr SlipTwist about_cor(double s) noexcept {
@@ -30,7 +30,12 @@ struct SlipTwist {
   /// The twist of spin fraction u ∈ [0, 1]: 0 is pure sliding, ½ has its COR on the rim, 1 is pure spin.
   static constexpr SlipTwist of_spin_fraction(double u) noexcept { return {1.0 - u, u}; }
 
-  /// s = c/a ∈ [0, ∞]: distance of the COR in contact radii.
+  /// The twist without signs: wrenches are magnitudes, whatever the senses of sliding and turning.
+  [[nodiscard]] constexpr SlipTwist magnitudes() const noexcept { return {slide < 0.0 ? -slide : slide, spin < 0.0 ? -spin : spin}; }
+  /// No slip. The wrench of such a twist is 0, one of the many that hold.
+  [[nodiscard]] constexpr bool is_zero() const noexcept { return slide == 0.0 && spin == 0.0; }
+
+  /// For slide, spin ≥ 0, not both zero. s = c/a ∈ [0, ∞]: distance of the COR in contact radii.
   [[nodiscard]] constexpr double cor() const noexcept { return spin > 0.0 ? slide / spin : std::numeric_limits<double>::infinity(); }
 
   /// Spin fraction u = aω/(|v| + aω) ∈ [0, 1].

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "python/core.hpp"
 
+#include "cli/io/stated_error.hpp"
 #include "cli/io/law_argument.hpp"
 #include "cli/io/output_file.hpp"
 #include "cli/io/table_reader.hpp"
@@ -62,7 +63,8 @@ nb::object evaluate_with_errors(const PyLaw& law, nb::handle c) {
     for (std::size_t i = 0; i < cors.size; ++i) {
       const double s = cors.data[i];
       const WrenchEstimate estimate =
-          std::isnan(s) ? WrenchEstimate{{not_a_number, not_a_number}, {not_a_number, not_a_number}, 0.0} : law.law->evaluate(s);
+          std::isnan(s) ? WrenchEstimate{{not_a_number, not_a_number}, {not_a_number, not_a_number}, 0.0}
+                        : cli::in_units(law.law->evaluate(s), s, 1.0, 1.0);
       results[0].data[i] = estimate.wrench.force;
       results[1].data[i] = estimate.wrench.moment;
       results[2].data[i] = estimate.error.force;
@@ -191,15 +193,16 @@ void add_tables(nb::module_& module) {
           "Reads a .csv or .json file that `save` or `limitcurve table` wrote. ValueError names file, line and column of the error.")
       .def(
           "save",
-          [](const PyTable& self, nb::handle path) {
+          [](const PyTable& self, nb::handle path, const std::string& name) {
             const std::string file = path_of(path);
-            const cli::TableWriter text_of = cli::table_writer(file, "path");
+            const cli::TableWriter text_of = cli::table_writer(file, "path", name);
             cli::AtomicFile output(file);
             output.output().write(text_of(self.table));
             output.commit();
           },
-          nb::arg("path"), nb::sig("def save(self, path: str | os.PathLike[str]) -> None"),
-          "Writes the whole table or nothing; the extension selects .csv, .json, .h (C99) or .hpp (constexpr C++17).")
+          nb::arg("path"), nb::arg("name") = "", nb::sig("def save(self, path: str | os.PathLike[str], name: str = '') -> None"),
+          "Writes the whole table or nothing; the extension selects .csv, .json, .h (C99) or .hpp (constexpr C++17).\n"
+          "name: of the table in a header, NAME_wrench(slide, spin); if empty, one that no other table has.")
       .def(
           "evaluate",
           [](const PyTable& self, nb::handle c) {

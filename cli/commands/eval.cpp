@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "cli/commands/subcommands.hpp"
+#include "cli/io/stated_error.hpp"
 
 #include "limitcurve/internal/number.hpp"
 
@@ -47,17 +48,10 @@ class Eval final : public Subcommand {
       throw std::invalid_argument("--mu, --load, --radius: their product is too large, expected a finite number");
     }
     Rows rows(results, {"c", "force", "moment", "force_error", "moment_error"});
-    // Half an ulp for each rounding of the scaling, and the change of the curve due to the rounding of s = c/a.
-    constexpr double rounding = 0.5 * std::numeric_limits<double>::epsilon();
     for (const double c : distances_) {
       const double s = c / radius_;
-      const WrenchEstimate unit = law_->evaluate(s, method);
-      const double force_shift = std::isinf(s) ? 0.0 : std::abs(s * unit.force_slope) * rounding;
-      const double moment_shift = std::isinf(s) ? 0.0 : s * force_shift;
-      const double force = force_unit * unit.wrench.force;
-      const double moment = moment_unit * unit.wrench.moment;
-      rows.row(c, force, moment, force_unit * (unit.error.force + force_shift) + 2.0 * rounding * force,
-               moment_unit * (unit.error.moment + moment_shift) + 3.0 * rounding * moment);
+      const auto [wrench, error, slope] = in_units(law_->evaluate(s, method), s, force_unit, moment_unit);
+      rows.row(c, wrench.force, wrench.moment, error.force, error.moment);
     }
     rows.finish();
   }

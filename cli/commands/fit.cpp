@@ -37,7 +37,8 @@ class Fit final : public Subcommand {
             "force_x,force_y,moment,dx,dy,dtheta about the origin of the patch [N, N m, m, rad]. mu is the mean of power over H; drift is\n"
             "the slope of power over H against the share of rotation |w| m0/sqrt(v^2 + w^2 m0^2), divided by the mean: 0 if the patch\n"
             "explains the pushes. mu_ellipsoid and drift_ellipsoid use the ellipsoid sqrt(v^2 + m0^2 w^2) in place of H.\n"
-            "Columns: parameter, value, std_error, unit, note (the fitted model and its assumptions).\n"
+            "Columns: parameter, value, std_error (empty without data: a curve has no noise), unit, note (the fitted model and its\n"
+            "assumptions).\n"
             "Standard error has warnings, and in its last line the options of replay and the fields of FingerParameters to use.",
             "limitcurve fit ellipse --law hertz"};
   }
@@ -75,7 +76,10 @@ class Fit final : public Subcommand {
  private:
   static void write(const Results& results, const std::vector<fit::Estimate>& estimates, const std::string& note) {
     Rows rows(results, {"parameter", "value", "std_error", "unit", "note"});
-    for (const fit::Estimate& estimate : estimates) rows.row(estimate.name, estimate.value, estimate.std_error, estimate.unit, note);
+    for (const fit::Estimate& estimate : estimates) {
+      const auto error = std::isnan(estimate.std_error) ? std::nullopt : std::optional(estimate.std_error);
+      rows.row(estimate.name, estimate.value, error, estimate.unit, note);
+    }
     rows.finish();
   }
 

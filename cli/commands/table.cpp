@@ -14,6 +14,7 @@ class Table final : public Subcommand {
   [[nodiscard]] Manual manual() const override {
     return {"table", "Writes a lookup table of the limit curve with a certified error",
             "The name of the file selects its format: .csv, .json, .h (C99) or .hpp (constexpr C++17, no dependencies).\n"
+            "Without --name the names in a header hold the law and the checksum, so that each table has its own.\n"
             "Columns: law; tolerance; certified_error, an upper bound of the absolute error of force and moment in unit wrenches;\n"
             "nodes, the number of polynomials in the table; bytes that a look-up may touch; profile_error, the error because a\n"
             "measured pressure is known at samples only, to be added to certified_error (0 for a law given by a formula).",
@@ -24,10 +25,11 @@ class Table final : public Subcommand {
     options.law(law_);
     options.number("--tolerance", tolerance_, positive, "Largest error of force and moment, in unit wrenches", Presence::required);
     options.text("-o,--output", file_, "FILE", "File to write", Presence::required);
+    options.text("--name", name_, "NAME", "Of the table in a .h or .hpp file: NAME_wrench(slide, spin)");
   }
 
   void run(const Results& results) override {
-    const TableWriter text_of = table_writer(file_, "--output");
+    const TableWriter text_of = table_writer(file_, "--output", name_);
     const auto table = limitcurve::Table::build(law_, tolerance_);
     AtomicFile file(file_);
     file.output().write(text_of(table));
@@ -41,6 +43,7 @@ class Table final : public Subcommand {
   Law law_;
   double tolerance_ = 0.0;
   std::string file_;
+  std::string name_;
 };
 
 }  // namespace

@@ -7,6 +7,8 @@
 #include <concepts>
 #include <cstdint>
 #include <initializer_list>
+#include <limits>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -73,6 +75,11 @@ class Rows {
   void end_row();
   void begin_cell();
   void cell(double number);
+  /// No number: an empty cell, null in JSON, NaN where columns are collected.
+  void cell(const std::optional<double>& number) {
+    if (number || results_.columns != nullptr) return cell(number.value_or(std::numeric_limits<double>::quiet_NaN()));
+    literal(results_.format == Format::json ? "null" : "");
+  }
   void cell(std::string_view text);
   void cell(const std::string& text) { cell(std::string_view(text)); }
   void cell(const char* text) { cell(std::string_view(text)); }

@@ -8,11 +8,16 @@
 
 namespace limitcurve::cli {
 
-TableWriter table_writer(const std::string& file, const std::string& option) {
+TableWriter table_writer(const std::string& file, const std::string& option, const std::string& name) {
   const std::string extension = std::filesystem::path(file).extension().string();
+  if (extension == ".hpp" || extension == ".h") {
+    return [name](const limitcurve::Table& table) { return to_header(table, name); };
+  }
+  if (!name.empty()) {
+    throw std::invalid_argument("name '" + name + "' for the file '" + file + "': expected one that ends in .h or .hpp, only headers have names");
+  }
   if (extension == ".csv") return [](const limitcurve::Table& table) { return to_csv(table); };
   if (extension == ".json") return [](const limitcurve::Table& table) { return to_json(table); };
-  if (extension == ".hpp" || extension == ".h") return [](const limitcurve::Table& table) { return to_header(table); };
   throw std::invalid_argument(option + ": got '" + file + "', expected a name that ends in .csv, .json, .h or .hpp");
 }
 

@@ -3,14 +3,15 @@
 
 #include "limitcurve/table.hpp"
 
+#include <functional>
 #include <string>
 
 namespace limitcurve::cli {
 
-using TableWriter = std::string (*)(const limitcurve::Table&);
+using TableWriter = std::function<std::string(const limitcurve::Table&)>;
 
 /// The writer for the format that the file's extension names: .csv, .json, .h or .hpp. Throws std::invalid_argument that begins with
-/// `option` for any other extension.
-TableWriter table_writer(const std::string& file, const std::string& option);
+/// `option` for any other extension, and for a `name` (of the table in a header; may be empty) with .csv or .json.
+TableWriter table_writer(const std::string& file, const std::string& option, const std::string& name = {});
 
 }  // namespace limitcurve::cli

@@ -6,6 +6,12 @@
 
 namespace limitcurve::fit::internal {
 
+std::invalid_argument too_few_samples(std::size_t count, std::size_t free, const std::string& names, const std::string& sigmas) {
+  const std::string one_more = std::to_string(free + 1) + " samples, or " + std::to_string(free) + " with the columns " + sigmas;
+  return std::invalid_argument("not identifiable from " + std::to_string(count) + (count == 1 ? " sample: " : " samples: ") + names +
+                               ", expected at least " + one_more + ": without sigmas the noise is known from the scatter alone");
+}
+
 double root_mean_square(std::span<const double> residuals) noexcept {
   double sum = 0.0;
   for (const double residual : residuals) sum += residual * residual;

@@ -5,6 +5,7 @@
 #include "fit/internal/least_squares.hpp"
 
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,10 @@ struct Quantity {
   double value;
   std::string unit;
 };
+
+/// The exception for fewer samples than a fit of `free` parameters, `names`, needs: one more than parameters, unless the columns `sigmas`
+/// tell the noise.
+std::invalid_argument too_few_samples(std::size_t count, std::size_t free, const std::string& names, const std::string& sigmas);
 
 double root_mean_square(std::span<const double> residuals) noexcept;
 

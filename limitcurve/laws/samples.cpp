@@ -139,14 +139,14 @@ std::vector<std::size_t> places_of_samples(std::span<const PressureSample> rows)
   return places;
 }
 
-/// The profile with an interpolation error: a bound of the change of the wrench if every other sample is left out. With g' the law of every
-/// other sample and δ = |g − g'|, and because the kernels of force and moment are at most min(1, s/ρ) and ρ·min(1, ρ/s):
+/// The profile with an interpolation error: a bound of the change of the wrench if samples are left out (`coarser`). With g' the law of those
+/// that stay and δ = |g − g'|, and because the kernels of force and moment are at most min(1, s/ρ) and ρ·min(1, ρ/s):
 ///   |Δf| ≤ min(∫ 2ρδ dρ, s ∫ 2δ dρ),  |Δm| ≤ min(∫ 2ρ²δ dρ, s⁻¹ ∫ 2ρ³δ dρ).
 /// The difference of both wrenches would be no estimate: it changes sign, and is 0 at some s.
 class SamplesLaw final : public PressureLawOf<SamplesLaw> {
  public:
   SamplesLaw(std::span<const PressureSample> profile, std::string_view source) : fine_(profile, source) {
-    const ProfileLaw coarse(every_other(profile), source);
+    const ProfileLaw coarse(coarser(profile), source);
     const auto& breaks = fine_.breaks();
     for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
       // The midpoint rule suffices: the integrand is an absolute value with kinks, and an estimate needs few digits.
@@ -183,19 +183,36 @@ class SamplesLaw final : public PressureLawOf<SamplesLaw> {
   double profile_error() const noexcept override { return std::max(distance_[1], distance_[2]); }
 
  private:
-  /// Every other sample. The ends of each run between jumps stay; samples are counted from the run's outer end; in a run of even length the
-  /// innermost gap is three samples wide, not one. A run of two samples has none to leave out: it becomes constant at its higher end, which
-  /// is as far from its chord as any monotone profile between the two.
-  static std::vector<PressureSample> every_other(std::span<const PressureSample> profile) {
+  /// The profile with samples left out, so that each gap is about twice as wide as the widest gap of the profile within it, or wider: of even
+  /// radii every other sample. A narrow gap beside a wide one tells nothing about it. The ends of each run between jumps stay; gaps are merged from
+  /// the run's outer end, and what is left at its inner end joins the last. A run with a gap wider than a third of it has too little to
+  /// compare with: it becomes constant at its highest pressure, which is as far from it as any profile that does not overshoot.
+  static std::vector<PressureSample> coarser(std::span<const PressureSample> profile) {
+    constexpr double about_twice = 1.8;
+    constexpr double rounding = 1e-9;  // of radii that are meant to be even
     std::vector<PressureSample> kept;
     for (std::size_t begin = 0; begin < profile.size();) {
       std::size_t last = begin;
       while (last + 1 < profile.size() && profile[last + 1].radius > profile[last].radius) ++last;
-      const double higher = std::max(profile[begin].pressure, profile[last].pressure);
-      if (last == begin + 1) kept.insert(kept.end(), {{profile[begin].radius, higher}, {profile[last].radius, higher}});
-      for (std::size_t i = begin; i <= last && last != begin + 1; ++i) {
-        const bool inner = i == begin + 1 && last > begin + 1;
-        if (i == begin || ((last - i) % 2 == 0 && !inner)) kept.push_back(profile[i]);
+      std::vector<std::size_t> places{last};
+      double widest = 0.0;
+      double widest_of_run = 0.0;
+      double highest = profile[last].pressure;
+      for (std::size_t i = last; i-- > begin;) {
+        widest = std::max(widest, profile[i + 1].radius - profile[i].radius);
+        widest_of_run = std::max(widest, widest_of_run);
+        highest = std::max(highest, profile[i].pressure);
+        if (profile[places.back()].radius - profile[i].radius < about_twice * widest) continue;
+        places.push_back(i);
+        widest = 0.0;
+      }
+      const PressureSample& inner = profile[begin];
+      const PressureSample& outer = profile[last];
+      if (3.0 * widest_of_run > (1.0 + rounding) * (outer.radius - inner.radius)) {
+        kept.insert(kept.end(), {{inner.radius, highest}, {outer.radius, highest}});
+      } else {
+        places.back() = begin;
+        for (auto place = places.rbegin(); place != places.rend(); ++place) kept.push_back(profile[*place]);
       }
       begin = last + 1;
     }

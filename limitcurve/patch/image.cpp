@@ -41,18 +41,16 @@ RectangleMeans rectangle_means(double hx, double hy, PatchPoint c) noexcept {
 }
 
 /// Σ w √(|u|² + ω²V) and its gradient. V = (h_x²u_x² + h_y²u_y²)/(12|u|²) is the second moment of a rectangle of sides h_x, h_y across the
-/// direction of sliding. Leaves out a rectangle with the COR near its middle, for which the formula does not hold.
+/// direction of sliding. Not for a rectangle near the COR.
 PatchFriction sum_rectangles(const double* xs, const double* ys, const double* weights, std::size_t count, const PatchTwist& twist,
                              double hx, double hy) noexcept {
   const double a = twist.omega * twist.omega * hx * hx / 12.0;
   const double b = twist.omega * twist.omega * hy * hy / 12.0;
-  const double inside = 0.25 * twist.omega * twist.omega * std::min(hx, hy) * std::min(hx, hy);
   PatchFriction sum;
   for (std::size_t i = 0; i < count; ++i) {
     const double ux = twist.vx - twist.omega * ys[i];
     const double uy = twist.vy + twist.omega * xs[i];
     const double square = ux * ux + uy * uy;
-    if (square <= inside) continue;
     const double second = (a * ux * ux + b * uy * uy) / square;
     const double length = std::sqrt(square + second);
     const double fraction = weights[i] / length;
@@ -61,7 +59,7 @@ PatchFriction sum_rectangles(const double* xs, const double* ys, const double* w
     sum.power += weights[i] * length;
     sum.wrench.fx += fx;
     sum.wrench.fy += fy;
-    sum.wrench.moment += xs[i] * fy - ys[i] * fx + (twist.omega != 0.0 ? fraction * second / twist.omega : 0.0);
+    sum.wrench.moment += xs[i] * fy - ys[i] * fx + fraction * second / twist.omega;
   }
   return sum;
 }
@@ -77,6 +75,7 @@ struct Image final : Shape {
   std::vector<double> xs;  ///< middles of the pixels under pressure, from the centre of pressure
   std::vector<double> ys;
   std::vector<double> weights;
+  std::vector<std::size_t> before;  ///< how many of them precede each pixel
   PatchPoint corner;  ///< of the image: least x, largest y, from the centre of pressure
   SecondMoments moments;
 
@@ -91,6 +90,7 @@ struct Image final : Shape {
     }
     corner = {static_cast<double>(-(mean_column + 0.5L) * side_x), static_cast<double>((mean_row + 0.5L) * side_y)};
     for (std::size_t i = 0; i < loads.size(); ++i) {
+      before.push_back(xs.size());
       if (loads[i] == 0.0) continue;
       const std::size_t row = i / columns;
       xs.push_back(static_cast<double>((static_cast<Extended>(i % columns) - mean_column) * side_x));
@@ -101,52 +101,66 @@ struct Image final : Shape {
       moments.xy += loads[i] * xs.back() * ys.back();
       radius = std::max(radius, std::hypot(std::fabs(xs.back()) + 0.5 * side_x, std::fabs(ys.back()) + 0.5 * side_y));
     }
+    before.push_back(xs.size());
     measure_moment_ratio();
-  }
-
-  /// The pixels as points with a second moment.
-  [[nodiscard]] PatchFriction sum_points(const double* x, const double* y, const double* weight, std::size_t count,
-                                         const PatchTwist& twist) const noexcept {
-    if (side_x != side_y) return sum_rectangles(x, y, weight, count, twist, side_x, side_y);
-    return sum_soft_points(x, y, weight, count, twist, softness() * twist.omega * twist.omega);
   }
 
   /// ε² of a pixel: the square's second moment about its middle; for a stretched pixel the mean of both directions.
   [[nodiscard]] double softness() const noexcept { return (side_x * side_x + side_y * side_y) / 24.0; }
 
-  static constexpr double most_near = 12.0;
+  /// The pixels from `first` to before `last` as points with a second moment.
+  [[nodiscard]] PatchFriction sum_points(std::size_t first, std::size_t last, const PatchTwist& twist) const noexcept {
+    const double* x = xs.data() + first;
+    const double* y = ys.data() + first;
+    const double* weight = weights.data() + first;
+    if (side_x != side_y) return sum_rectangles(x, y, weight, last - first, twist, side_x, side_y);
+    return sum_soft_points(x, y, weight, last - first, twist, softness() * twist.omega * twist.omega);
+  }
 
-  /// Calls `visit(load, middle)` for each pixel under pressure in the 3 × 3 around the COR; if pixels are stretched, within the longer side
-  /// of it.
-  template <class Visit>
-  void visit_near(PatchPoint cor, const Visit& visit) const noexcept {
+  /// How many pixels on either side of the COR's count as near: those within the longer side.
+  [[nodiscard]] double near_columns() const noexcept { return std::ceil(std::max(side_x, side_y) / side_x); }
+  [[nodiscard]] double near_rows() const noexcept { return std::ceil(std::max(side_x, side_y) / side_y); }
+
+  /// Splits the pixels under pressure, once for all that is summed: calls `near(i)` for each near the COR, and `far(first, last)` for the
+  /// runs of the others.
+  template <class Near, class Far>
+  void split(PatchPoint cor, const Near& near, const Far& far) const noexcept {
     const double column = std::floor((cor.x - corner.x) / side_x);
     const double row = std::floor((corner.y - cor.y) / side_y);
-    const double longer = std::max(side_x, side_y);
-    const double wide = std::min(std::ceil(longer / side_x), most_near);
-    const double high = std::min(std::ceil(longer / side_y), most_near);
-    for (double r = std::max(0.0, row - high); r <= std::min(static_cast<double>(rows) - 1.0, row + high); ++r) {
-      for (double c = std::max(0.0, column - wide); c <= std::min(static_cast<double>(columns) - 1.0, column + wide); ++c) {
-        const std::size_t i = static_cast<std::size_t>(r) * columns + static_cast<std::size_t>(c);
-        if (loads[i] > 0.0) visit(loads[i], PatchPoint{corner.x + (c + 0.5) * side_x, corner.y - (r + 0.5) * side_y});
-      }
+    const auto within = [](double index, std::size_t count) {
+      return static_cast<std::size_t>(std::clamp(index, 0.0, static_cast<double>(count)));
+    };
+    const std::size_t left = within(column - near_columns(), columns);
+    const std::size_t right = within(column + near_columns() + 1.0, columns);
+    const std::size_t bottom = within(row + near_rows() + 1.0, rows);
+    std::size_t run = 0;
+    for (std::size_t r = within(row - near_rows(), rows); r < bottom; ++r) {
+      const std::size_t first = before[r * columns + left];
+      const std::size_t last = before[r * columns + right];
+      far(run, first);
+      for (std::size_t i = first; i < last; ++i) near(i);
+      run = last;
     }
+    far(run, xs.size());
   }
 
   [[nodiscard]] PatchFriction evaluate(const PatchTwist& twist) const noexcept override {
     if (only_slides(twist, radius)) return sliding(twist);
-    PatchFriction friction = sum_points(xs.data(), ys.data(), weights.data(), xs.size(), twist);
     const PatchPoint cor{-twist.vy / twist.omega, twist.vx / twist.omega};
-    visit_near(cor, [&](double load, PatchPoint place) {
-      const PatchFriction point = sum_points(&place.x, &place.y, &load, 1, twist);
-      const RectangleMeans means = rectangle_means(side_x, side_y, {cor.x - place.x, cor.y - place.y});
-      PatchFriction square = from_distance(twist.omega, means.distance, means.direction, means.moment);
-      square.wrench.moment += place.x * square.wrench.fy - place.y * square.wrench.fx;
-      friction.power += load * square.power - point.power;
-      friction.wrench.fx += load * square.wrench.fx - point.wrench.fx;
-      friction.wrench.fy += load * square.wrench.fy - point.wrench.fy;
-      friction.wrench.moment += load * square.wrench.moment - point.wrench.moment;
-    });
+    PatchFriction friction;
+    const auto add = [&](double load, const PatchFriction& part) {
+      friction.power += load * part.power;
+      friction.wrench.fx += load * part.wrench.fx;
+      friction.wrench.fy += load * part.wrench.fy;
+      friction.wrench.moment += load * part.wrench.moment;
+    };
+    const auto add_near = [&](std::size_t i) {
+      const RectangleMeans means = rectangle_means(side_x, side_y, {cor.x - xs[i], cor.y - ys[i]});
+      PatchFriction pixel = from_distance(twist.omega, means.distance, means.direction, means.moment);
+      pixel.wrench.moment += xs[i] * pixel.wrench.fy - ys[i] * pixel.wrench.fx;
+      add(weights[i], pixel);
+    };
+    split(cor, add_near, [&](std::size_t first, std::size_t last) { add(1.0, sum_points(first, last, twist)); });
     return friction;
   }
 
@@ -157,15 +171,15 @@ struct Image final : Shape {
     const PatchPoint cor{-twist.vy / twist.omega, twist.vx / twist.omega};
     const double square = std::max(side_x, side_y) * std::max(side_x, side_y);
     double bound = 0.0;
-    const auto of_pixel = [&](double load, double x, double y) {
-      const double away = (x - cor.x) * (x - cor.x) + (y - cor.y) * (y - cor.y);
-      const double ratio = square / std::max(away, 1e-30 * square);
-      const double force = std::min(fourth_order * ratio * ratio, 1.0);
-      return load * force * (1.0 + (std::hypot(x, y) + std::sqrt(away)) / moment_ratio);
+    const auto add_far = [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i) {
+        const double away = std::hypot(xs[i] - cor.x, ys[i] - cor.y);
+        const double ratio = square / (away * away);
+        bound += weights[i] * fourth_order * ratio * ratio * (1.0 + (std::hypot(xs[i], ys[i]) + away) / moment_ratio);
+      }
     };
-    for (std::size_t i = 0; i < xs.size(); ++i) bound += of_pixel(weights[i], xs[i], ys[i]);
-    visit_near(cor, [&](double load, PatchPoint place) { bound -= of_pixel(load, place.x, place.y); });
-    return rounding + std::max(0.0, bound);
+    split(cor, [](std::size_t) {}, add_far);
+    return rounding + bound;
   }
   /// The largest error of a pixel's force times (distance/longer side)⁴, for distances of 1.5 sides or more.
   static constexpr double fourth_order = 0.02;
@@ -186,8 +200,17 @@ struct Image final : Shape {
     return make_soft_points(std::move(points), std::sqrt(softness()));
   }
   [[nodiscard]] double area() const override { return static_cast<double>(xs.size()) * side_x * side_y; }
-  [[nodiscard]] double nanoseconds() const noexcept override { return 600.0 + 1.5 * static_cast<double>(xs.size()); }
+  [[nodiscard]] double nanoseconds() const noexcept override {
+    const double near = std::min(2.0 * near_columns() + 1.0, static_cast<double>(columns)) *
+                        std::min(2.0 * near_rows() + 1.0, static_cast<double>(rows));
+    return 70.0 * near + 1.5 * static_cast<double>(xs.size());
+  }
   [[nodiscard]] SecondMoments second_moments() const override { return moments; }
+  [[nodiscard]] std::vector<PatchPoint> concentrations() const override {
+    std::vector<PatchPoint> middles;
+    for (std::size_t i = 0; i < xs.size(); ++i) middles.push_back({centre.x + xs[i], centre.y + ys[i]});
+    return middles;
+  }
 };
 
 }  // namespace

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "limitcurve/patch/line_profile.hpp"
 
+#include "limitcurve/internal/number.hpp"
 #include "limitcurve/quadrature/evaluators.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <stdexcept>
 #include <utility>
 
 namespace limitcurve::patch {
@@ -42,6 +44,18 @@ LineProfile::LineProfile(Law law) : law_(std::move(law)), outer_(static_cast<dou
   for (const Extended place : law_->breaks()) kinks_.push_back(static_cast<double>(place));
   kinks_.pop_back();
   if (kinks_.empty() || kinks_.front() > 0.0) kinks_.insert(kinks_.begin(), 0.0);
+  mean_distance_ = law_->line_profile(0.0).forces.moment;
+  constexpr double sharpest = 1e-4;
+  if (!(mean_distance_ >= sharpest * outer_)) {
+    throw std::invalid_argument("law " + name + ": its mean distance from a diameter is " + format_number(mean_distance_ / outer_) +
+                                " of its radius, too sharp for an ellipse, expected >= 1e-4 (xydas-kao: k >= 0.05)");
+  }
+  // Where the slope is far from proportional to t, a sharp part of the pressure is narrower than t: divide there as if it had kinks.
+  const auto rise = [&](double t) { return law_->line_profile(t).forces.force / t; };
+  for (double place = 0.25 * outer_; place > 1e-12 * outer_; place *= 0.25) {
+    if (rise(0.25 * place) > 1.5 * rise(place)) kinks_.push_back(place);
+  }
+  std::sort(kinks_.begin(), kinks_.end());
   // The law's own error (samples): take the largest that the wrench of a round contact has.
   for (const double s : {0.0, 0.25, 0.5, 1.0, 2.0}) {
     const WrenchEstimate estimate = law_->evaluate(s);
@@ -52,15 +66,16 @@ LineProfile::LineProfile(Law law) : law_(std::move(law)), outer_(static_cast<dou
 }
 
 void LineProfile::tabulate(double tolerance) {
-  for (std::size_t i = 0; i < kinks_.size(); ++i) add_cells(kinks_[i], i + 1 < kinks_.size() ? kinks_[i + 1] : outer_, tolerance, 1.0);
-  error_ += 4.0 * tolerance;
+  double left = 0.0;
+  for (std::size_t i = 0; i < kinks_.size(); ++i) left = std::max(left, add_cells(kinks_[i], i + 1 < kinks_.size() ? kinks_[i + 1] : outer_, tolerance, 1.0));
+  error_ += 4.0 * std::max(tolerance, left);
 }
 
-void LineProfile::add_cells(double begin, double end, double tolerance, double before) {
+double LineProfile::add_cells(double begin, double end, double tolerance, double before) {
   double rounding = 0.0;
   const auto exact = [&](double t) -> Value {
     const auto [forces, error] = law_->line_profile(t);
-    rounding = std::max({rounding, error.force, error.moment});
+    rounding = std::max({rounding, error.force, error.moment / mean_distance_});
     return {forces.force, forces.moment};
   };
   Cell cell{begin, 0.5 * (end - begin), {}, {}};
@@ -83,19 +98,19 @@ void LineProfile::add_cells(double begin, double end, double tolerance, double b
     const double t = begin + cell.half * (1.0 + x);
     const Value true_value = exact(t);
     const Value value = at(cell, t);
-    off = std::max({off, std::fabs(value.slope - true_value.slope), std::fabs(value.remainder - true_value.remainder)});
+    off = std::max({off, std::fabs(value.slope - true_value.slope), std::fabs(value.remainder - true_value.remainder) / mean_distance_});
   }
-  // Halving does not help below the rounding error of the integrals.
-  constexpr double narrowest = 1e-11;
+  // Halving does not help below the rounding error of the integrals, nor where places are no longer resolved.
+  const double narrowest = std::max(1e-11 * begin, 1e-15 * mean_distance_);
   constexpr double small = 1e-9;
   const bool rounded = (off < small && off > 0.7 * before) || off < 2.0 * rounding;
-  if (off <= tolerance || rounded || cell.half < narrowest * outer_) {
+  if (off <= tolerance || rounded || cell.half < narrowest) {
     cells_.push_back(cell);
-    return;
+    return off;
   }
   const double middle = begin + cell.half;
-  add_cells(begin, middle, tolerance, off);
-  add_cells(middle, end, tolerance, off);
+  const double left = add_cells(begin, middle, tolerance, off);
+  return std::max(left, add_cells(middle, end, tolerance, off));
 }
 
 LineProfile::Value LineProfile::at(const Cell& cell, double t) noexcept {
@@ -113,7 +128,7 @@ LineProfile::Value LineProfile::operator()(double t) const noexcept {
   if (!(place < outer_)) return {std::copysign(1.0, t), 0.0};
   const auto after = std::upper_bound(cells_.begin() + 1, cells_.end(), place, [](double p, const Cell& cell) { return p < cell.begin; });
   const Value value = at(*(after - 1), place);
-  return {std::copysign(value.slope, t), value.remainder};
+  return {place > 0.0 ? std::copysign(value.slope, t) : 0.0, value.remainder};
 }
 
 }  // namespace limitcurve::patch

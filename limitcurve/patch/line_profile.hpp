@@ -14,18 +14,19 @@ namespace limitcurve::patch {
 /// projected density from |t| to the rim, which is even and 0 beyond the rim. Interpolated by Chebyshev series.
 class LineProfile {
  public:
+  /// Throws std::invalid_argument, with the law, if its mean distance from a diameter is below 1e-4 of its radius.
   explicit LineProfile(Law law);
 
   struct Value {
     double slope;
     double remainder;  ///< N
   };
-  /// G′ and N at t, any number; beyond `outer` they are ±1 and 0. Absolute error: `error()`.
+  /// G′ and N at t, any number; beyond `outer` they are ±1 and 0. Error of G′ and of N/N(0): `error()`.
   [[nodiscard]] Value operator()(double t) const noexcept;
 
   /// Where the pressure ends: 1, or more for a law without a rim.
   [[nodiscard]] double outer() const noexcept { return outer_; }
-  /// Coordinates 0 ≤ t < outer where a derivative of the slope may jump; none for the polynomials of Hertz and the flat punch.
+  /// Coordinates 0 ≤ t < outer where a derivative of the slope may jump, and some where it changes fast; none for the polynomials of Hertz and the flat punch.
   [[nodiscard]] const std::vector<double>& kinks() const noexcept { return kinks_; }
   [[nodiscard]] double error() const noexcept { return error_; }
   /// Whether an ellipse's integrals under this law are right to 1e-12 (accuracy::patch_ellipse).
@@ -46,12 +47,14 @@ class LineProfile {
   };
 
   void tabulate(double tolerance);
-  /// Adds cells until each is right to `tolerance`. `before` is the error of the cell that is being halved.
-  void add_cells(double begin, double end, double tolerance, double before);
+  /// Adds cells until each is right to `tolerance`, or cannot be made so. `before` is the error of the cell that is being halved. Returns the
+  /// largest error of the cells.
+  double add_cells(double begin, double end, double tolerance, double before);
   [[nodiscard]] static Value at(const Cell& cell, double t) noexcept;
 
   Law law_;
   double outer_ = 1.0;
+  double mean_distance_ = 0.0;  ///< N(0) = G(0): from a diameter
   double error_ = 0.0;
   bool is_smooth_ = true;
   bool is_polynomial_ = false;

@@ -17,25 +17,24 @@ double checked_length(const char* name, double length) {
   return length;
 }
 
-/// Size of a twist [m/s]: its largest component, the rotation as speed at `reach`.
-double size_of(const PatchTwist& twist, double reach) {
-  return std::max({std::fabs(twist.vx), std::fabs(twist.vy), std::fabs(twist.omega) * reach});
-}
-
-/// Evaluates at a scaled twist, so that no square overflows or underflows. The scale is a power of two, so that nothing is rounded.
+/// Evaluates at a scaled twist, so that no square overflows or underflows, with the rotation as speed at `reach`. The scale is a power of
+/// two, so that nothing is rounded.
 template <class Evaluate>
-PatchFriction scaled(PatchTwist twist, double reach, const Evaluate& evaluate) noexcept {
-  const double size = size_of(twist, reach);
+PatchFriction scaled(const PatchTwist& twist, double reach, const Evaluate& evaluate) noexcept {
+  const double size = std::max({std::fabs(twist.vx), std::fabs(twist.vy), std::fabs(twist.omega) * reach});
   constexpr double much = 1e60;
   const bool is_usual =
       size > 1.0 / much && size < much && std::fabs(twist.omega) < much && std::isfinite(twist.vx + twist.vy + twist.omega);
   if (is_usual) return evaluate(twist);
-  if (std::isnan(twist.vx) || std::isnan(twist.vy) || std::isnan(twist.omega) || std::isinf(size)) {
+  if (!std::isfinite(twist.vx) || !std::isfinite(twist.vy) || !std::isfinite(twist.omega)) {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     return {nan, {nan, nan, nan}, nan};
   }
-  if (size == 0.0) return {};
-  const int exponent = std::ilogb(size);
+  // ω·reach itself may overflow or underflow; the sum of the exponents does not.
+  constexpr int none = std::numeric_limits<int>::min() / 2;
+  const auto exponent_of = [](double x) { return x != 0.0 ? std::ilogb(x) : none; };
+  const int exponent = std::max({exponent_of(twist.vx), exponent_of(twist.vy), exponent_of(twist.omega) + exponent_of(reach)});
+  if (exponent <= none) return {};
   // A larger rate is possible only for a single point, which does not move by it.
   constexpr double most = 1e200;
   PatchFriction friction = evaluate(
@@ -48,7 +47,8 @@ PatchFriction scaled(PatchTwist twist, double reach, const Evaluate& evaluate) n
 
 namespace patch {
 
-PatchFriction Shape::about_origin(const PatchTwist& twist) const noexcept {
+PatchFriction Shape::about_origin(const PatchTwist& user, PatchPoint factors) const noexcept {
+  const PatchTwist twist{factors.x * user.vx, factors.y * user.vy, user.omega};
   const PatchPoint velocity = velocity_at(twist, centre.x, centre.y);
   const PatchTwist here{velocity.x, velocity.y, twist.omega};
   if (velocity.x == 0.0 && velocity.y == 0.0 && twist.omega == 0.0) return {};
@@ -58,6 +58,8 @@ PatchFriction Shape::about_origin(const PatchTwist& twist) const noexcept {
   const double own = error(here);
   friction.error = (own + (lever > 0.0 ? 2.0 * epsilon : 0.0)) * (1.0 + lever / moment_ratio);
   friction.wrench.moment += centre.x * friction.wrench.fy - centre.y * friction.wrench.fx;
+  friction.wrench.fx *= factors.x;
+  friction.wrench.fy *= factors.y;
   return friction;
 }
 
@@ -125,8 +127,9 @@ Patch Patch::smoothed(double radius) const {
 // Orthotropic friction: diag(mx, my)(v + ω ẑ × x) is the velocity of the point (my x, mx y) under the twist (mx v_x, my v_y, ω). So H is
 // that of the stretched patch at that twist, and its gradient follows by the chain rule.
 PatchFriction Patch::evaluate(const PatchTwist& twist) const noexcept {
-  PatchFriction friction = scaled({mx_ * twist.vx, my_ * twist.vy, twist.omega}, shape_->radius,
-                                  [this](const PatchTwist& one) { return shape_->evaluate(one); });
+  PatchFriction friction = scaled(twist, shape_->radius, [this](const PatchTwist& one) {
+    return shape_->evaluate({mx_ * one.vx, my_ * one.vy, one.omega});
+  });
   friction.wrench.fx *= mx_;
   friction.wrench.fy *= my_;
   return friction;
@@ -135,9 +138,7 @@ PatchFriction Patch::evaluate(const PatchTwist& twist) const noexcept {
 PatchFriction Patch::about_origin(const PatchTwist& twist) const noexcept {
   const double reach = shape_->radius + std::hypot(shape_->centre.x, shape_->centre.y);
   PatchFriction friction =
-      scaled({mx_ * twist.vx, my_ * twist.vy, twist.omega}, reach, [this](const PatchTwist& one) { return shape_->about_origin(one); });
-  friction.wrench.fx *= mx_;
-  friction.wrench.fy *= my_;
+      scaled(twist, reach, [this](const PatchTwist& one) { return shape_->about_origin(one, {mx_, my_}); });
   if (mx_ != 1.0 || my_ != 1.0) friction.error = (friction.error + 2.0 * patch::epsilon) * std::max({1.0, mx_, my_});
   return friction;
 }
@@ -159,7 +160,9 @@ Patch::RoundMeasures Patch::round_measures() const {
   // An ellipse with semi-axes a, b has the second moments a²⟨ρ²⟩/2 and b²⟨ρ²⟩/2; m(s) → ⟨ρ²⟩/(2s) gives ⟨ρ²⟩.
   constexpr double far = 1e6;
   const double mean_square = 2.0 * far * law->forces(far).moment;
-  return {shape_->area() / stretch, std::sqrt(2.0 / mean_square) * std::sqrt(std::sqrt(determinant)), law};
+  std::vector<PatchPoint> concentrations = shape_->concentrations();
+  for (PatchPoint& place : concentrations) place = {place.x / my_, place.y / mx_};
+  return {shape_->area() / stretch, std::sqrt(2.0 / mean_square) * std::sqrt(std::sqrt(determinant)), law, std::move(concentrations)};
 }
 
 }  // namespace limitcurve

@@ -40,7 +40,7 @@ SecondMoments moments_about(const std::vector<PatchLoad>& loads, PatchPoint cent
   return sum;
 }
 
-std::vector<PatchLoad> stretch(std::vector<PatchLoad> loads, double sx, double sy) {
+std::vector<PatchLoad> stretch_loads(std::vector<PatchLoad> loads, double sx, double sy) {
   for (PatchLoad& point : loads) point = {sx * point.x, sy * point.y, point.load};
   return loads;
 }
@@ -56,18 +56,29 @@ double rounding(std::size_t count, double radius, double moment_ratio) {
   return terms * epsilon * (1.0 + (moment_ratio > 0.0 ? radius / moment_ratio : 0.0));
 }
 
+std::vector<PatchPoint> places_of(const std::vector<PatchLoad>& loads) {
+  std::vector<PatchPoint> places;
+  for (const PatchLoad& point : loads) places.push_back({point.x, point.y});
+  return places;
+}
+
 /// H = Σ w |v + ω ẑ × x|. The points keep the user's coordinates, so that a COR on a point is recognised exactly.
 struct Points final : Shape {
-  std::vector<PatchLoad> loads;
+  std::vector<PatchLoad> loads;  ///< not stretched
+  PatchPoint stretch;            ///< of x and y, by orthotropic friction
 
-  explicit Points(std::vector<PatchLoad> points) : loads(std::move(points)) {
-    centre = normalise(loads);
-    for (const PatchLoad& point : loads) radius = std::max(radius, std::hypot(point.x - centre.x, point.y - centre.y));
+  explicit Points(std::vector<PatchLoad> points, PatchPoint scale = {1.0, 1.0}) : loads(std::move(points)), stretch(scale) {
+    const PatchPoint middle = normalise(loads);
+    centre = {stretch.x * middle.x, stretch.y * middle.y};
+    for (const PatchLoad& point : loads) {
+      radius = std::max(radius, std::hypot(stretch.x * (point.x - middle.x), stretch.y * (point.y - middle.y)));
+    }
     measure_moment_ratio();
   }
 
-  /// The sum at a twist about `reference`. Adds to `lost` the loads of points whose slip is below the rounding of the twist.
-  [[nodiscard]] PatchFriction sum(const PatchTwist& twist, PatchPoint reference, double& lost) const noexcept {
+  /// The sum at the user's twist about `reference`, not stretched either. Adds to `lost` the loads of points whose slip is below the
+  /// rounding of the twist.
+  [[nodiscard]] PatchFriction sum(const PatchTwist& twist, PatchPoint reference, PatchPoint factors, double& lost) const noexcept {
     PatchFriction friction;
     for (const PatchLoad& point : loads) {
       const double x = point.x - reference.x;
@@ -78,6 +89,9 @@ struct Points final : Shape {
         if (ux != 0.0 || uy != 0.0) lost += point.load;
         continue;
       }
+      // Stretched only now: the factors would round the twist, and with it the direction of a small slip.
+      ux *= factors.x;
+      uy *= factors.y;
       const double speed = std::sqrt(ux * ux + uy * uy);
       // The square of a small speed underflows, but its direction still counts.
       const double safe = speed > 1e-150 ? speed : std::hypot(ux, uy);
@@ -86,35 +100,47 @@ struct Points final : Shape {
       friction.power += point.load * safe;
       friction.wrench.fx += ux;
       friction.wrench.fy += uy;
-      friction.wrench.moment += x * uy - y * ux;
+      friction.wrench.moment += stretch.x * x * uy - stretch.y * y * ux;
     }
     return friction;
   }
 
+  [[nodiscard]] PatchFriction evaluate(const PatchTwist& twist, double& lost) const noexcept {
+    const PatchTwist unstretched{twist.vx / stretch.y, twist.vy / stretch.x, twist.omega};
+    return sum(unstretched, {centre.x / stretch.x, centre.y / stretch.y}, {stretch.y, stretch.x}, lost);
+  }
   [[nodiscard]] PatchFriction evaluate(const PatchTwist& twist) const noexcept override {
     double lost = 0.0;
-    return sum(twist, centre, lost);
+    return evaluate(twist, lost);
   }
   [[nodiscard]] double error(const PatchTwist& twist) const noexcept override {
     double lost = 0.0;
-    (void)sum(twist, centre, lost);
+    (void)evaluate(twist, lost);
     return rounding(loads.size(), radius, moment_ratio) + lost * (1.0 + (moment_ratio > 0.0 ? radius / moment_ratio : 0.0));
   }
-  [[nodiscard]] PatchFriction about_origin(const PatchTwist& twist) const noexcept override {
+  [[nodiscard]] PatchFriction about_origin(const PatchTwist& twist, PatchPoint factors) const noexcept override {
     double lost = 0.0;
-    PatchFriction friction = sum(twist, {0.0, 0.0}, lost);
+    PatchFriction friction = sum(twist, {0.0, 0.0}, factors, lost);
+    friction.wrench.fx *= factors.x;
+    friction.wrench.fy *= factors.y;
     const double reach = radius + std::hypot(centre.x, centre.y);
     friction.error = rounding(loads.size(), reach, moment_ratio) + lost * (1.0 + (moment_ratio > 0.0 ? reach / moment_ratio : 0.0));
     return friction;
   }
 
-  [[nodiscard]] std::shared_ptr<Shape> moved(double x, double y) const override { return std::make_shared<Points>(shift(loads, x, y)); }
-  [[nodiscard]] std::shared_ptr<Shape> stretched(double sx, double sy) const override {
-    return std::make_shared<Points>(stretch(loads, sx, sy));
+  [[nodiscard]] std::vector<PatchLoad> stretched_loads() const { return stretch_loads(loads, stretch.x, stretch.y); }
+  [[nodiscard]] std::shared_ptr<Shape> moved(double x, double y) const override {
+    return std::make_shared<Points>(shift(loads, x / stretch.x, y / stretch.y), stretch);
   }
-  [[nodiscard]] std::shared_ptr<Shape> smoothed(double least_radius) const override { return make_soft_points(loads, least_radius); }
+  [[nodiscard]] std::shared_ptr<Shape> stretched(double sx, double sy) const override {
+    return std::make_shared<Points>(loads, PatchPoint{sx * stretch.x, sy * stretch.y});
+  }
+  [[nodiscard]] std::shared_ptr<Shape> smoothed(double least_radius) const override {
+    return make_soft_points(stretched_loads(), least_radius);
+  }
   [[nodiscard]] double nanoseconds() const noexcept override { return 10.0 + 8.0 * static_cast<double>(loads.size()); }
-  [[nodiscard]] SecondMoments second_moments() const override { return moments_about(loads, centre); }
+  [[nodiscard]] SecondMoments second_moments() const override { return moments_about(stretched_loads(), centre); }
+  [[nodiscard]] std::vector<PatchPoint> concentrations() const override { return places_of(stretched_loads()); }
 };
 
 /// H = Σ w √(|u|² + ε²ω²).
@@ -145,10 +171,11 @@ struct SoftPoints final : Shape {
     return std::make_shared<SoftPoints>(shift(loads, x, y), std::sqrt(softness));
   }
   [[nodiscard]] std::shared_ptr<Shape> stretched(double sx, double sy) const override {
-    return std::make_shared<SoftPoints>(stretch(loads, sx, sy), std::sqrt(softness * sx * sy));
+    return std::make_shared<SoftPoints>(stretch_loads(loads, sx, sy), std::sqrt(softness * sx * sy));
   }
   [[nodiscard]] double nanoseconds() const noexcept override { return 20.0 + 1.5 * static_cast<double>(loads.size()); }
   [[nodiscard]] SecondMoments second_moments() const override { return moments_about(loads, centre); }
+  [[nodiscard]] std::vector<PatchPoint> concentrations() const override { return places_of(loads); }
 };
 
 }  // namespace

@@ -116,34 +116,68 @@ struct Polygon final : Shape {
     if (only_slides(twist, radius)) return sliding(twist);
     const PatchPoint cor{-twist.vy / twist.omega, twist.vx / twist.omega};
     const double distance = std::hypot(cor.x, cor.y);
+    if (distance <= far * radius) {
+      const EdgeSums sums = pairwise(0, edges.size(), [&](std::size_t first, std::size_t last) { return near_sums(first, last, cor); });
+      return from_distance(twist.omega, sums.mean / (3.0 * whole_area), {sums.gx / whole_area, sums.gy / whole_area},
+                           sums.moment / whole_area);
+    }
+    const EdgeSums sums =
+        pairwise(0, edges.size(), [&](std::size_t first, std::size_t last) { return far_sums(first, last, cor, distance); });
+    return from_distance(twist.omega, distance + sums.mean / (3.0 * whole_area),
+                         {sums.gx / whole_area - cor.x / distance, sums.gy / whole_area - cor.y / distance}, sums.moment / whole_area);
+  }
+
+  /// The sums over the edges; J of each is `integral`, n·c is `nc`.
+  struct EdgeSums {
     double gx = 0.0;
     double gy = 0.0;
     double mean = 0.0;
     double moment = 0.0;
-    const auto add = [&](const Edge& edge, double nc, double integral) {
+
+    void add(const Edge& edge, double nc, double integral) noexcept {
       gx += edge.ty * integral;
       gy -= edge.tx * integral;
       mean += (edge.p - nc) * integral;
       moment += (edge.p / 3.0 + 2.0 / 3.0 * nc) * integral;
-    };
-    if (distance <= far * radius) {
-      double next = std::hypot(edges.front().x - cor.x, edges.front().y - cor.y);
-      const double first = next;
-      for (std::size_t i = 0; i < edges.size(); ++i) {
-        const Edge& edge = edges[i];
-        const double here = next;
-        const double to_x = i + 1 < edges.size() ? edges[i + 1].x - cor.x : 0.0;
-        const double to_y = i + 1 < edges.size() ? edges[i + 1].y - cor.y : 0.0;
-        next = i + 1 < edges.size() ? std::sqrt(to_x * to_x + to_y * to_y) : first;
-        const double nc = edge.ty * cor.x - edge.tx * cor.y;
-        const double along = edge.mid - 2.0 * (edge.tx * cor.x + edge.ty * cor.y);
-        add(edge, nc, edge_integral(here, next, edge.length, along, edge.p - nc));
-      }
-      return from_distance(twist.omega, mean / (3.0 * whole_area), {gx / whole_area, gy / whole_area}, moment / whole_area);
     }
+  };
+
+  /// `sums(first, last)` of short runs of edges, added in pairs: rounding grows with log n, not with n.
+  template <class Sums>
+  static EdgeSums pairwise(std::size_t first, std::size_t last, const Sums& sums) noexcept {
+    constexpr std::size_t short_run = 16;
+    if (last - first <= short_run) return sums(first, last);
+    const std::size_t middle = first + (last - first) / 2;
+    const EdgeSums one = pairwise(first, middle, sums);
+    const EdgeSums other = pairwise(middle, last, sums);
+    return {one.gx + other.gx, one.gy + other.gy, one.mean + other.mean, one.moment + other.moment};
+  }
+
+  [[nodiscard]] EdgeSums near_sums(std::size_t first, std::size_t last, PatchPoint cor) const noexcept {
+    const auto distance_of = [&](const Edge& edge) {
+      const double x = edge.x - cor.x;
+      const double y = edge.y - cor.y;
+      return std::sqrt(x * x + y * y);
+    };
+    EdgeSums sums;
+    double next = distance_of(edges[first]);
+    for (std::size_t i = first; i < last; ++i) {
+      const Edge& edge = edges[i];
+      const double here = next;
+      next = distance_of(edges[i + 1 < edges.size() ? i + 1 : 0]);
+      const double nc = edge.ty * cor.x - edge.tx * cor.y;
+      const double along = edge.mid - 2.0 * (edge.tx * cor.x + edge.ty * cor.y);
+      sums.add(edge, nc, edge_integral(here, next, edge.length, along, edge.p - nc));
+    }
+    return sums;
+  }
+
+  [[nodiscard]] EdgeSums far_sums(std::size_t first, std::size_t last, PatchPoint cor, double distance) const noexcept {
     const double cx = cor.x / distance;
     const double cy = cor.y / distance;
-    for (const Edge& edge : edges) {
+    EdgeSums sums;
+    for (std::size_t i = first; i < last; ++i) {
+      const Edge& edge = edges[i];
       const double half = 0.5 * edge.length;
       std::array<double, 10> terms;
       for (std::size_t k = 0; k < terms.size(); ++k) {
@@ -157,10 +191,9 @@ struct Polygon final : Shape {
       }
       double integral = 0.0;
       for (const double term : terms) integral += term;
-      add(edge, edge.ty * cor.x - edge.tx * cor.y, integral * edge.length);
+      sums.add(edge, edge.ty * cor.x - edge.tx * cor.y, integral * edge.length);
     }
-    return from_distance(twist.omega, distance + mean / (3.0 * whole_area), {gx / whole_area - cx, gy / whole_area - cy},
-                         moment / whole_area);
+    return sums;
   }
 
   [[nodiscard]] double error(const PatchTwist& twist) const noexcept override {

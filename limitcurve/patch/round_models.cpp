@@ -52,6 +52,13 @@ class Comparison {
         wrench_.push_back(friction.wrench);
       }
     }
+    const PatchPoint centre = patch_.centre();
+    for (const auto& [x, y] : patch_.round_measures().concentrations) {
+      const double distance = std::hypot(x - centre.x, y - centre.y);
+      if (!(distance > 0.0)) continue;  // pure spin
+      concentrations_.push_back({std::atan2(y - centre.y, x - centre.x), std::log10(distance / m0_)});
+      concentrated_power_.push_back(patch_.power(twist_at(concentrations_.back())));
+    }
   }
 
   /// H_model/H − 1 and 1 − H_model/H at their largest, and the mean square over the grid.
@@ -70,6 +77,15 @@ class Comparison {
     }
     const auto ratio_at = [&](const Cor& cor) { return model.power(twist_at(cor)) / patch_.power(twist_at(cor)); };
     double largest = climb(grid_[most], ratio[most], ratio_at);
+    double highest = 0.0;
+    Cor sharpest{};
+    for (std::size_t i = 0; i < concentrations_.size(); ++i) {
+      const double there = model.power(twist_at(concentrations_[i])) / concentrated_power_[i];
+      if (!(there > highest)) continue;
+      highest = there;
+      sharpest = concentrations_[i];
+    }
+    if (highest > 0.0) largest = std::max(largest, climb(sharpest, highest, ratio_at));
     double smallest = -climb(grid_[least], -ratio[least], [&](const Cor& cor) { return -ratio_at(cor); });
     // Pure spin, and pure sliding in all directions.
     for (std::size_t j = 0; j <= directions; ++j) {
@@ -104,6 +120,9 @@ class Comparison {
                                                      power_.begin() + static_cast<std::ptrdiff_t>((i + 1) * directions));
         over = std::max(over, disc / *low);
         under = std::min(under, disc / *high);
+      }
+      for (std::size_t i = 0; i < concentrations_.size(); ++i) {
+        over = std::max(over, disc_power(law, a, twist_at(concentrations_[i])) / concentrated_power_[i]);
       }
       return std::pair{over - 1.0, 1.0 - under};
     };
@@ -192,6 +211,8 @@ class Comparison {
   std::vector<Cor> grid_;      ///< distance by distance
   std::vector<double> power_;  ///< of the patch there
   std::vector<PatchWrench> wrench_;
+  std::vector<Cor> concentrations_;  ///< of the patch: sharp maxima of a model's over-estimate, which the grid misses
+  std::vector<double> concentrated_power_;
 };
 
 /// A curve's COR for a wrench.

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <vector>
 
 namespace limitcurve::patch {
 
@@ -31,8 +32,9 @@ struct Shape {
   [[nodiscard]] virtual PatchFriction evaluate(const PatchTwist& twist) const noexcept = 0;
   /// Bound of the error of `evaluate`.
   [[nodiscard]] virtual double error(const PatchTwist& twist) const noexcept = 0;
-  /// H, its gradient and the error; twist and moment refer to the origin.
-  [[nodiscard]] virtual PatchFriction about_origin(const PatchTwist& twist) const noexcept;
+  /// Under orthotropic friction `factors` = (mx, my): H, its gradient and the error at the user's twist, where this shape is the patch
+  /// with x times my and y times mx. Twist and moment refer to the origin. The caller scales as for `evaluate`.
+  [[nodiscard]] virtual PatchFriction about_origin(const PatchTwist& twist, PatchPoint factors) const noexcept;
 
   [[nodiscard]] virtual std::shared_ptr<Shape> moved(double x, double y) const = 0;
   /// The shape with coordinates times (sx, sy) and the same loads.
@@ -44,6 +46,8 @@ struct Shape {
   [[nodiscard]] virtual double nanoseconds() const noexcept = 0;
   [[nodiscard]] virtual double area() const { return 0.0; }
   [[nodiscard]] virtual SecondMoments second_moments() const = 0;
+  /// Where much load is on little area: points, middles of pixels and of the parts of a sum. H may have a sharp minimum with the COR there.
+  [[nodiscard]] virtual std::vector<PatchPoint> concentrations() const { return {}; }
   /// The law of an ellipse; null for other shapes.
   [[nodiscard]] virtual Law law() const { return nullptr; }
 

@@ -73,11 +73,11 @@ struct Sum final : Shape {
     }
     return bound;
   }
-  [[nodiscard]] PatchFriction about_origin(const PatchTwist& twist) const noexcept override {
+  [[nodiscard]] PatchFriction about_origin(const PatchTwist& twist, PatchPoint factors) const noexcept override {
     PatchFriction sum;
     sum.error = 4.0 * epsilon;
     for (const Part& part : parts) {
-      const PatchFriction own = part.shape->about_origin(twist);
+      const PatchFriction own = part.shape->about_origin(twist, factors);
       add(sum, part.weight, own, {0.0, 0.0});
       sum.error += converted(part, own.error, std::hypot(part.shape->centre.x, part.shape->centre.y));
     }
@@ -111,6 +111,14 @@ struct Sum final : Shape {
     double sum = 0.0;
     for (const Part& part : parts) sum += part.shape->nanoseconds();
     return sum;
+  }
+  [[nodiscard]] std::vector<PatchPoint> concentrations() const override {
+    std::vector<PatchPoint> all;
+    for (const Part& part : parts) {
+      all.push_back(part.shape->centre);
+      for (const PatchPoint& place : part.shape->concentrations()) all.push_back(place);
+    }
+    return all;
   }
   [[nodiscard]] SecondMoments second_moments() const override {
     SecondMoments sum;

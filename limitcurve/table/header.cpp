@@ -3,28 +3,42 @@
 #include "limitcurve/table_file.hpp"
 #include "limitcurve/version.hpp"
 
+#include <algorithm>
 #include <cctype>
+#include <stdexcept>
 #include <vector>
 
 namespace limitcurve {
 
 namespace {
 
-std::string identifier(std::string_view law) {
-  std::string text;
-  for (const char c : law) {
+/// `limitcurve_table_<law>_<first digits of the checksum>`: two tables never share it.
+std::string own_name(const Table& table, std::string_view digits) {
+  std::string text = "limitcurve_table_";
+  for (const char c : table.law_name()) {
     if (std::isalnum(static_cast<unsigned char>(c)) != 0) {
       text += c;
-    } else if (text.empty() || text.back() != '_') {
+    } else if (text.back() != '_') {
       text += '_';
     }
   }
-  return text;
+  if (text.back() != '_') text += '_';
+  return text.append(digits.substr(0, 8));
+}
+
+void check_name(std::string_view name) {
+  const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+  const auto fits = [&](char c) { return is_letter(c) || (c >= '0' && c <= '9') || c == '_'; };
+  if (!name.empty() && is_letter(name.front()) && std::all_of(name.begin(), name.end(), fits) && name.find("__") == std::string_view::npos) {
+    return;
+  }
+  throw std::invalid_argument("name: got '" + std::string(name) +
+                              "', expected a C identifier: a letter, then letters, digits and single underscores");
 }
 
 }  // namespace
 
-std::string to_header(const Table& table) {
+std::string to_header(const Table& table, std::string_view chosen_name) {
   const TableCells pieces = table.cells();
   const auto literal = [](double value) {
     const std::string text = format_number(value);
@@ -43,13 +57,13 @@ std::string to_header(const Table& table) {
   std::string text = R"(// Friction limit curve of the pressure law @LAW@, written by limitcurve @VERSION@.
 // |error| of force and moment <= certified_error, compared with the exact curve. Add profile_error if the pressure is known at samples
 // only (0 for a law given by a formula). Checksum @CHECKSUM@
-// C99 and C++17; needs no other header.
+// C99 and C++17; needs no other header. All names begin with the table's, and are local to the file that includes this one.
 #ifndef @GUARD@
 #define @GUARD@
 
 #ifdef __cplusplus
-#define LIMITCURVE_TABLE_DATA inline constexpr
-#define LIMITCURVE_TABLE_FUNCTION constexpr
+#define LIMITCURVE_TABLE_DATA static constexpr
+#define LIMITCURVE_TABLE_FUNCTION static constexpr
 #else
 #define LIMITCURVE_TABLE_DATA static const
 #define LIMITCURVE_TABLE_FUNCTION static inline
@@ -96,10 +110,13 @@ LIMITCURVE_TABLE_FUNCTION void @NAME@_evaluate(const double (*pieces)[8], int co
   *trailing = value - x * slope;
 }
 
-/// The unit wrench of a contact that slides with speed `slide` and turns with rim speed `spin` (a times the angular speed).
-/// Both >= 0 and not both zero; only their ratio matters, slide/spin = c/a.
+/// The unit wrench of a contact that slides with speed `slide` and turns with rim speed `spin` (a times the angular velocity): magnitudes,
+/// whatever the signs. Only the ratio matters, |slide|/|spin| = c/a; without slip both are 0.
 LIMITCURVE_TABLE_FUNCTION @NAME@_unit_wrench @NAME@_wrench(double slide, double spin) {
   @NAME@_unit_wrench found = {0.0, 0.0};
+  if (slide < 0.0) slide = -slide;
+  if (spin < 0.0) spin = -spin;
+  if (slide == 0.0 && spin == 0.0) return found;
   if (slide <= spin) {
     @NAME@_evaluate(@NAME@_inside, @INSIDE_COUNT@, slide / spin, &found.force, &found.moment);
   } else {
@@ -112,12 +129,12 @@ LIMITCURVE_TABLE_FUNCTION @NAME@_unit_wrench @NAME@_wrench(double slide, double 
 namespace @NAME@ {
 
 using unit_wrench = @NAME@_unit_wrench;
-inline constexpr double tolerance = @NAME@_tolerance;
-inline constexpr double certified_error = @NAME@_certified_error;
-inline constexpr double profile_error = @NAME@_profile_error;
-inline constexpr double moment_ratio = @NAME@_moment_ratio;
+static constexpr double tolerance = @NAME@_tolerance;
+static constexpr double certified_error = @NAME@_certified_error;
+static constexpr double profile_error = @NAME@_profile_error;
+static constexpr double moment_ratio = @NAME@_moment_ratio;
 
-constexpr unit_wrench wrench(double slide, double spin) { return @NAME@_wrench(slide, spin); }
+static constexpr unit_wrench wrench(double slide, double spin) { return @NAME@_wrench(slide, spin); }
 
 }  // namespace @NAME@
 #endif
@@ -131,8 +148,10 @@ constexpr unit_wrench wrench(double slide, double spin) { return @NAME@_wrench(s
     for (std::size_t at = 0; (at = text.find(word, at)) != std::string::npos; at += value.size()) text.replace(at, word.size(), value);
   };
   const std::string sum = checksum(table);
-  const std::string name = "limitcurve_table_" + identifier(table.law_name());
-  put("@GUARD@", name + "_" + sum.substr(6));
+  const std::string_view digits = std::string_view(sum).substr(6);
+  if (!chosen_name.empty()) check_name(chosen_name);
+  const std::string name = chosen_name.empty() ? own_name(table, digits) : std::string(chosen_name);
+  put("@GUARD@", name + "_" + std::string(digits));
   put("@NAME@", name);
   put("@VERSION@", std::string(version));
   put("@CHECKSUM@", sum);

@@ -156,6 +156,17 @@ class Curves(CommandLineTest):
             self.assert_close(row["force"], exact["force"], 1e-14)
             self.assert_close(row["moment"], exact["moment"], 1e-14)
 
+    def test_both_ends_are_exact(self):
+        for law in ["hertz", "uniform", "cone", "gaussian:sigma=0.4", "power:n=2.3", "xydas-kao:k=3", "mix:0.7*hertz+0.3*uniform"]:
+            spin = rows("eval", "--law", law, "--c", "0")[0]["moment"]
+            shared = ["--law", law, "--radius-law", "constant:a=0.0625", "--mu", "1"]
+            slide, pure_spin = rows("c-curves", *shared, "--cors", "inf,0", "--loads", "1")
+            self.assertEqual((slide["force"], slide["moment"]), (1, 0), law)
+            self.assertEqual(pure_spin["force"], 0, law)
+            self.assertAlmostEqual(pure_spin["moment"] / 0.0625 / spin, 1, delta=4.5e-16)
+            ends = rows("p-curves", *shared, "--loads", "1", "--points", "3")
+            self.assertEqual((ends[-1]["force"], ends[-1]["moment"], ends[0]["force"], ends[0]["moment"]), (1, 0, 0, pure_spin["moment"]))
+
     def test_c_curves_are_eval_at_the_loads_radius(self):
         found = rows("c-curves", "--law", "cone", "--radius-law", "power:c=0.00207,gamma=0.259", "--mu", "0.8", "--cors", "0,0.002,inf",
                      "--loads", "0,0.5,2")

@@ -64,6 +64,19 @@ class Fit(CommandLineTest):
         slips = "load,force,moment,ratio\n1,0.5,0,1\n1,0,0.003,1\n1,0.4,0.0015,1\n1,0.3,0.0022,1\n"
         self.assertEqual(rows("fit", "ratio", "--quiet", "--data", self.file("slips.csv", slips))[0]["parameter"], "mu")
 
+    def test_too_few_slips_say_what_is_missing(self):
+        two = self.file("two.csv", "load,force,moment\n1,0.6,0\n1,0,0.003\n")
+        self.assert_fails(2, ["mu, mu_r", "3 samples, or 2 with the columns sigma_force and sigma_moment"], "fit", "ratio", "--data", two)
+        sure = self.file("sure.csv", "load,force,moment,sigma_force,sigma_moment\n1,0.6,0,0.01,1e-5\n1,0,0.003,0.01,1e-5\n")
+        self.assertAlmostEqual(self.fitted("ratio", "--data", sure)[0]["mu_r"], 0.003, delta=1e-9)
+        loads = self.file("loads.csv", "load,radius\n1,0.002\n2,0.0024\n")
+        self.assert_fails(2, ["gamma", "3 samples"], "fit", "load", "--data", loads)
+
+    def test_a_fit_to_a_curve_has_no_standard_errors(self):
+        for model, criterion in [("ellipse", "least-squares"), ("superellipse", "least-squares"), ("quartic", "minimax")]:
+            for line in run("fit", model, "--law", "hertz", "--criterion", criterion, "--quiet").stdout.splitlines()[1:]:
+                self.assertEqual(line.split(",")[2], "", line)
+
     def test_columns(self):
         self.assertEqual(header("fit", "ellipse", "--law", "hertz"), "parameter,value,std_error,unit,note")
 

@@ -28,6 +28,19 @@ class Tables(CommandLineTest):
         self.assertLessEqual(facts["certified_error"], 1e-6)
         self.assertEqual(header("lookup", "--table", path, "--c", "1"), "c,force,moment")
 
+    def test_a_header_has_the_name_that_was_chosen(self):
+        path = self.directory / "finger.h"
+        rows("table", "--law", "hertz", "--tolerance", 1e-4, "--name", "left_thumb", "-o", path)
+        self.assertIn("left_thumb_wrench(double slide, double spin)", path.read_text())
+        names = set()
+        for law, tolerance in [("hertz", 1e-4), ("hertz", 1e-3), ("power:n=0.5", 1e-3), ("power:n=-0.5", 1e-3)]:
+            header_file, _ = self.build(law, tolerance, "h")
+            names.add(re.search(r"(\w+)_wrench\(double", header_file.read_text()).group(1))
+        self.assertEqual(len(names), 4, names)
+        self.assert_fails(2, ["9lives", "C identifier"], "table", "--law", "hertz", "--tolerance", 1e-4, "--name", "9lives", "-o", path)
+        self.assert_fails(2, ["'thumb'", ".h or .hpp"], "table", "--law", "hertz", "--tolerance", 1e-4, "--name", "thumb", "-o",
+                          self.directory / "a.csv")
+
     def test_a_measured_profile_states_its_own_error(self):
         # Once only the error of interpolating the curve was told, a hundredth of the profile's own.
         profile = self.directory / "profile.csv"
@@ -87,7 +100,7 @@ class Tables(CommandLineTest):
 
     def test_the_header_compiles_as_c_and_gives_the_tables_wrenches(self):
         path, _ = self.build("hertz", 1e-8, "h")
-        name = "limitcurve_table_hertz"
+        name = re.search(r"(\w+)_wrench\(double", path.read_text()).group(1)
         program = self.directory / "main.c"
         program.write_text(f'#include "{path.name}"\n#include <stdio.h>\nint main(void) {{\n'
                            f'  for (int i = 0; i <= 40; ++i) {{\n    {name}_unit_wrench w = {name}_wrench(i * 0.1, 1.0);\n'
@@ -144,7 +157,7 @@ class Tables(CommandLineTest):
     def test_the_header_compiles_alone(self):
         path, _ = self.build("hertz", 1e-6, "hpp")
         self.assertEqual(self.build("hertz", 1e-6, "h")[0].read_text(), path.read_text())
-        name = "limitcurve_table_hertz"
+        name = re.search(r"(\w+)_wrench\(double", path.read_text()).group(1)
         source = self.file("use.cpp", f"""#include "table.hpp"
             #include <cstdio>
             static_assert({name}::wrench(1.0, 0.0).force == 1.0, "");

@@ -124,6 +124,18 @@ TEST_P(CurveSuite, EndsOnTheAxes) {
   EXPECT_NEAR(spin.moment / slide.force / curve().moment_ratio, 1.0, 2 * epsilon);
 }
 
+/// Wrenches are magnitudes, whatever the senses of sliding and turning; a twist of zero holds.
+TEST_P(CurveSuite, SignsOfTheTwistDoNotCountAndNoSlipGivesNoWrench) {
+  EXPECT_EQ(curve().wrench({0.0, 0.0}), UnitWrench{});
+  EXPECT_EQ(curve().wrench({-0.0, 0.0}), UnitWrench{});
+  for (const SlipTwist twist : twists_) {
+    const UnitWrench wrench = curve().wrench(twist);
+    EXPECT_EQ(curve().wrench({-twist.slide, twist.spin}), wrench) << twist.cor();
+    EXPECT_EQ(curve().wrench({twist.slide, -twist.spin}), wrench) << twist.cor();
+    EXPECT_EQ(curve().wrench({-twist.slide, -twist.spin}), wrench) << twist.cor();
+  }
+}
+
 /// No curve point is further along the normal than the one that `wrench` gives: maximum dissipation.
 TEST_P(CurveSuite, WrenchSupportsItsTwist) {
   for (const SlipTwist twist : twists_) {

@@ -188,6 +188,17 @@ TEST(PatchPolygon, SquareHasItsKnownSpin) {
   EXPECT_NEAR(Patch::rectangle(2.0, 2.0).moment_ratio(), (std::sqrt(2.0) + std::asinh(1.0)) / 3.0, 1e-15);
 }
 
+TEST(PatchPolygon, OfTwentyThousandVerticesKeepsItsStatedError) {
+  Outline vertices;
+  constexpr int count = 20000;
+  for (int i = 0; i < count; ++i) {
+    const double angle = 2 * pi * i / count;
+    const double r = 1.0 + 0.1 * std::sin(7 * angle);
+    vertices.push_back({0.3 + r * std::cos(angle), r * std::sin(angle)});
+  }
+  expect_polygon(vertices, {about({0, 0}), about({0.3, 0.2}), about({-0.9, 0.4}), about({2.0, 2.2}), about({5.0, -2.0})});
+}
+
 TEST(PatchPolygon, OfTenThousandVerticesIsTheDisc) {
   Outline vertices;
   constexpr int count = 10000;
@@ -227,6 +238,38 @@ TEST(PatchEllipse, OfEqualAxesIsTheDisc) {
       EXPECT_NEAR(std::hypot(friction.wrench.fx, friction.wrench.fy), disc.force, 1e-12) << name << ' ' << s;
       EXPECT_NEAR(friction.wrench.moment, -0.004 * disc.moment, 0.004e-12) << name << ' ' << s;
     }
+  }
+}
+
+TEST(PatchEllipse, OfSharpLawsKeepsItsStatedError) {
+  for (const char* name : {"power:n=100", "power:n=500", "power:n=1000", "xydas-kao:k=0.05", "mix:0.5*hertz+0.5*power:n=1000",
+                           "mix:0.999*uniform+0.001*power:n=1000"}) {
+    const Law law = parse_law(name);
+    const double radius = 0.004;
+    const Patch disc = Patch::ellipse(law, radius, radius);
+    const double m0 = disc.moment_ratio();
+    for (const double s : {0.0, 1e-5, 1e-3, 0.003, 0.01, 0.03, 0.1, 0.3, 0.8, 1.0, 1.01, 2.0, 1e3}) {
+      for (const double angle : {0.0, 0.7, 2.9}) {
+        const PatchFriction friction = disc.about_origin(about({radius * s * std::cos(angle), radius * s * std::sin(angle)}));
+        const WrenchEstimate exact = law->evaluate(s);
+        EXPECT_NEAR(std::hypot(friction.wrench.fx, friction.wrench.fy), exact.wrench.force, friction.error) << name << ' ' << s;
+        EXPECT_NEAR(friction.wrench.moment / m0, exact.wrench.moment / law->moment_ratio(), friction.error) << name << ' ' << s;
+      }
+    }
+  }
+  // The rays resolve this one, too.
+  const Law law = power(100.0);
+  const Patch ellipse = Patch::ellipse(law, 2.0, 1.0);
+  for (const PatchTwist& twist : {about({0.01, 0.02}), about({0.3, 0.1})}) {
+    const PatchFriction exact = test::ellipse_by_rays(*law, 2.0, 1.0, twist);
+    EXPECT_LE(test::difference(ellipse.evaluate(twist), exact, ellipse.moment_ratio()), stated(ellipse, twist));
+  }
+}
+
+TEST(PatchEllipse, OfATooSharpLawIsRefusedByName) {
+  for (const char* name : {"xydas-kao:k=0.01", "xydas-kao:k=0.03"}) {
+    const std::string text = complaint([&] { return Patch::ellipse(parse_law(name), 0.004, 0.002); });
+    for (const std::string& part : {std::string(name), std::string("k >= 0.05")}) EXPECT_NE(text.find(part), std::string::npos) << text;
   }
 }
 
@@ -308,6 +351,48 @@ TEST(PatchImage, UnderOrthotropicFrictionIsTheRectangle) {
   }
 }
 
+/// An even rectangle of full sides (x, y) under orthotropic friction by brute force: an isotropic one of the stretched sides.
+PatchFriction stretched_rectangle(double x, double y, double mx, double my, PatchTwist twist) {
+  twist = {mx * twist.vx, my * twist.vy, twist.omega};
+  PatchFriction friction = test::polygon_by_triangles(rectangle(my * x, mx * y), twist, {0, 0});
+  friction.wrench.fx *= mx;
+  friction.wrench.fy *= my;
+  return friction;
+}
+
+TEST(PatchImage, OfOnesIsTheRectangleWithTheCorOnEdgesCornersAndMiddlesOfPixels) {
+  // The middle of an edge is where a pixel's distance to the COR equals half its side: one place decides what is near.
+  constexpr std::size_t columns = 3;
+  constexpr std::size_t rows = 4;
+  constexpr double pixel = 0.001;
+  for (const auto& [mx, my] : {std::pair{1.0, 1.2}, {1.0, 1.0}, {0.1, 10.0}, {10.0, 0.3}, {0.7, 0.6}, {2e3, 1e-3}}) {
+    const Patch image = Patch::image(std::vector<double>(columns * rows, 1.0), columns, pixel).orthotropic(mx, my);
+    for (std::size_t i = 0; i <= 2 * columns; ++i) {
+      for (std::size_t j = 0; j <= 2 * rows; ++j) {
+        const PatchTwist twist =
+            about({0.5 * pixel * (static_cast<double>(i) - columns), 0.5 * pixel * (static_cast<double>(j) - rows)}, j % 2 ? 1.0 : -3.0);
+        const PatchFriction exact = stretched_rectangle(columns * pixel, rows * pixel, mx, my, twist);
+        const double error = test::difference(image.evaluate(twist), exact, image.moment_ratio());
+        EXPECT_LE(error, image.about_origin(twist).error) << mx << ' ' << my << ": " << i << ' ' << j;
+      }
+    }
+  }
+}
+
+TEST(PatchImage, UnderAnyRatioOfFrictionKeepsItsStatedError) {
+  // Pixels 2e6 times as long as wide: the whole row of pixels is near.
+  constexpr std::size_t columns = 40;
+  for (const auto& [mx, my] : {std::pair{2.0, 1e-6}, {2e3, 1e-3}, {0.01, 1.0}, {1e-3, 2e3}}) {
+    const Patch image = Patch::image(std::vector<double>(columns * 5, 1.0), columns, 0.001).orthotropic(mx, my);
+    for (const PatchTwist& twist : twists(0.02, 40, -3.0, 1.0)) {
+      const PatchFriction exact = stretched_rectangle(columns * 0.001, 0.005, mx, my, twist);
+      const PatchFriction friction = image.about_origin(twist);
+      EXPECT_LE(test::difference(friction, exact, image.moment_ratio()), friction.error) << mx << ' ' << my;
+      EXPECT_LE(std::hypot(friction.wrench.fx / mx, friction.wrench.fy / my), 1.0 + friction.error / std::min(mx, my));
+    }
+  }
+}
+
 TEST(PatchImage, FirstRowHasTheLargestY) {
   // Heavier on top: seen from the centre of pressure the light row is farther away, at negative y.
   const Patch patch = Patch::image(std::vector<double>{3, 3, 1, 1}, 2, 1.0);
@@ -340,6 +425,70 @@ TEST(PatchOrthotropic, IsTheSumOfItsPoints) {
   EXPECT_NEAR(friction.wrench.fy, fy, 1e-15);
   EXPECT_NEAR(friction.wrench.moment, moment, 1e-15);
   EXPECT_NEAR(patch.centre().x, Patch::points(loads).centre().x, 1e-15);
+}
+
+/// Points under orthotropic friction by brute force, about the origin, in extended precision.
+PatchFriction orthotropic_points(const std::vector<PatchLoad>& loads, long double mx, long double my, const PatchTwist& twist) {
+  long double total = 0;
+  for (const PatchLoad& point : loads) total += point.load;
+  long double sums[4] = {};
+  for (const auto& [x, y, load] : loads) {
+    // The product has more digits than long double, and next to the COR they count.
+    const long double ux = mx * std::fma(static_cast<long double>(-twist.omega), y, twist.vx);
+    const long double uy = my * std::fma(static_cast<long double>(twist.omega), x, twist.vy);
+    const long double speed = std::hypot(ux, uy);
+    const long double share = load / total;
+    sums[0] += share * speed;
+    sums[1] += share * mx * ux / speed;
+    sums[2] += share * my * uy / speed;
+    sums[3] += share * (x * my * uy - y * mx * ux) / speed;
+  }
+  return {static_cast<double>(sums[0]),
+          {static_cast<double>(sums[1]), static_cast<double>(sums[2]), static_cast<double>(sums[3])}, 0.0};
+}
+
+TEST(PatchOrthotropic, PointsNextToTheCorKeepTheirStatedError) {
+  const std::vector<PatchLoad> loads{{0.31, 0.13, 1}, {-0.23, 0.51, 2}, {0.11, -0.47, 1.5}};
+  for (const auto& [mx, my] : {std::pair{0.7, 1.6}, {1.3, 0.9}, {3.3e5, 1.7e-4}}) {
+    const Patch points = Patch::points(loads).orthotropic(mx, my);
+    const std::vector<std::pair<double, Patch>> parts{{1.0, Patch::points(std::vector{loads[0]})},
+                                                      {3.5, Patch::points(std::vector{loads[1], loads[2]})}};
+    const Patch sum = Patch::sum(parts).orthotropic(mx, my);
+    for (const double near : {1e-2, 1e-5, 1e-8, 1e-11, 3e-14, 2e-15}) {
+      for (const PatchLoad& point : loads) {
+        for (const double angle : {0.1, 1.0, 2.5, 4.0}) {
+          const double omega = 0.9;
+          const PatchTwist twist = about({point.x + near * std::cos(angle), point.y + near * std::sin(angle)}, omega);
+          const PatchFriction exact = orthotropic_points(loads, mx, my, twist);
+          for (const Patch* patch : {&points, &sum}) {
+            const PatchFriction friction = patch->about_origin(twist);
+            EXPECT_LE(test::difference(friction, exact, patch->moment_ratio()), friction.error + witness_error)
+                << mx << ' ' << my << ' ' << near << ' ' << angle;
+            EXPECT_LE(friction.error, 1e-13 * std::max(1.0, mx)) << near;
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST(PatchOrthotropic, TwistsOfAnySizeGiveTheSameWrench) {
+  const std::vector<PatchLoad> loads{{0.31, 0.13, 1}, {-0.23, 0.51, 2}, {11.0, -0.47, 1.5}};
+  for (const auto& [mx, my] : {std::pair{1.0, 1.0}, {7.3, 1.6}, {0.03, 0.9}}) {
+    const Patch patch = Patch::points(loads).orthotropic(mx, my);
+    for (const double size : {1e-318, 3e-308, 1e-200, 1e200, 4e307, 0.85e308}) {
+      for (const PatchTwist& twist : {PatchTwist{size, -2.0 * size, 0.0}, {0.3 * size, size, 2.0 * size}, {0.0, 0.0, -size}}) {
+        // The same twist times a power of two: no digit of it changes.
+        const int exponent = -std::ilogb(size);
+        const PatchTwist usual{std::ldexp(twist.vx, exponent), std::ldexp(twist.vy, exponent), std::ldexp(twist.omega, exponent)};
+        const PatchFriction exact = orthotropic_points(loads, mx, my, usual);
+        const PatchFriction friction = patch.about_origin(twist);
+        EXPECT_LE(std::hypot(friction.wrench.fx - exact.wrench.fx, friction.wrench.fy - exact.wrench.fy), friction.error) << size;
+        EXPECT_LE(std::fabs(friction.wrench.moment - exact.wrench.moment), friction.error * patch.moment_ratio()) << size;
+        EXPECT_EQ(friction.power, static_cast<double>(std::ldexp(patch.about_origin(usual).power, -exponent))) << size;
+      }
+    }
+  }
 }
 
 TEST(PatchInput, BadOnesAreNamed) {
@@ -390,6 +539,27 @@ TEST(RoundModels, OfADiscErrAsTheCurvesOfItsLaw) {
   EXPECT_NEAR(error_of("disc:hertz").min_cor_ratio, 1.0, 1e-6);
   EXPECT_NEAR(error_of("ellipsoid").max_cor_ratio, expected.max_cor_ratio, 1e-6);
   EXPECT_NEAR(error_of("ellipsoid").min_cor_ratio, expected.min_cor_ratio, 1e-6);
+}
+
+// The over-estimate has a sharp maximum where the COR is on a point that bears much of the load: there H lacks that point's term.
+TEST(RoundModels, OfPointsAreTriedWithTheCorOnEachPoint) {
+  std::mt19937 bits(7);
+  const auto uniform = [&bits] { return std::generate_canonical<double, 53>(bits); };
+  for (int set = 0; set < 4; ++set) {
+    std::vector<PatchLoad> loads(3 + set % 5);
+    for (PatchLoad& point : loads) point = {uniform(), uniform(), 0.1 + uniform()};
+    const auto [mx, my] = set % 2 == 0 ? std::pair{1.0, 1.0} : std::pair{1.7, 0.6};
+    const Patch points = Patch::points(loads).orthotropic(mx, my);
+    const std::vector<std::pair<double, Patch>> parts{{1.0, points}, {0.01, Patch::rectangle(0.1, 0.2).moved(0.5, 0.5).orthotropic(mx, my)}};
+    const Patch patch = set < 3 ? points : Patch::sum(parts);
+    const RoundModel ellipsoid = round_models(patch).back();
+    ASSERT_EQ(ellipsoid.name, "ellipsoid");
+    for (const PatchLoad& point : loads) {
+      const PatchPoint cor{point.x - patch.centre().x, point.y - patch.centre().y};
+      const double there = std::hypot(mx * cor.y, my * cor.x, patch.moment_ratio()) / patch.power(about(cor)) - 1.0;
+      EXPECT_GE(ellipsoid.error.max_over_estimate, there - 1e-9) << set;
+    }
+  }
 }
 
 }  // namespace limitcurve

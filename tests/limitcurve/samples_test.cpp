@@ -52,6 +52,36 @@ TEST(Samples, AParabolaIsFoundFarCloser) {
   expect_within_stated_error(*law, *parabolic(), 5e-5);
 }
 
+TEST(Samples, AtVeryUnevenRadiiKeepTheirStatedError) {
+  // Radii close together at the centre and far apart at the rim: a narrow gap beside a wide one tells nothing about the wide one.
+  std::mt19937_64 random(1);
+  const auto number = [&random] { return std::generate_canonical<double, 53>(random); };
+  for (const char* name : {"hertz", "parabolic", "power:n=2.3", "xydas-kao:k=3", "mix:0.7*hertz+0.3*uniform"}) {
+    const Law truth = parse_law(name);
+    for (int set = 0; set < 60; ++set) {
+      const int spread = set % 3;
+      std::vector<double> radii{0.0, 1.0};
+      for (int i = 5 + static_cast<int>(40.0 * number()); i > 0; --i) {
+        const double r = spread == 2 ? std::pow(10.0, -4.0 * number()) : number();
+        radii.push_back(spread == 1 ? r * number() : r);
+      }
+      std::sort(radii.begin(), radii.end());
+      std::vector<PressureSample> profile;
+      for (const double r : radii) {
+        if (!profile.empty() && r - profile.back().radius < 1e-6) continue;
+        profile.push_back({r, truth->density(RadialPosition<double>{r, 1.0 - r})});
+      }
+      const Law law = samples(profile, "uneven.csv");
+      for (const double s : {0.0, 0.2, 0.5, 0.8, 1.0, 2.0, 10.0}) {
+        const WrenchEstimate estimate = law->evaluate(s);
+        const UnitForces<double> exact = truth->forces(s);
+        EXPECT_NEAR(estimate.wrench.force, exact.force, estimate.error.force + 1e-14) << name << ' ' << set << ' ' << s;
+        EXPECT_NEAR(estimate.wrench.moment, exact.moment, estimate.error.moment + 1e-14) << name << ' ' << set << ' ' << s;
+      }
+    }
+  }
+}
+
 /// p = 1 on b ≤ ρ ≤ 1: the uniform disc less a smaller one, by linearity.
 UnitWrench annulus(double b, double s) {
   const WrenchEstimate whole = uniform()->evaluate(s);

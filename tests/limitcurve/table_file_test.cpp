@@ -2,6 +2,7 @@
 #include "limitcurve/table_file.hpp"
 #include "limitcurve/internal/number.hpp"
 #include "limitcurve/laws.hpp"
+#include "complaint.hpp"
 
 #include <gtest/gtest.h>
 
@@ -245,6 +246,14 @@ TEST(TableFile, RefusesFormat1WithTheCommandThatMakesItAnew) {
             "--law LAW --tolerance TOLERANCE -o torn.csv");
 }
 
+TEST(TableFile, NamesOfHeadersAreCIdentifiers) {
+  const Table table = Table::build(hertz(), 1e-2);
+  EXPECT_TRUE(has(to_header(table, "thumb"), "thumb_wrench(double slide, double spin)"));
+  for (const char* name : {"2nd", "a-b", "_a", "a__b", "a b", "d\xc3\xa9"}) {
+    test::expect_mention(test::complaint([&] { (void)to_header(table, name); }), std::string("'") + name + "'");
+  }
+}
+
 TEST(TableFile, JsonAndHeaderCarryTheSameChecksum) {
   const Table table = Table::build(hertz(), 1e-4);
   EXPECT_TRUE(has(to_json(table), "\"" + checksum(table) + "\""));
@@ -268,6 +277,7 @@ void expect_compiles(const Table& table, const std::string& compiler, const std:
   program << "};\n";
   if (extension == "cpp") {
     program << "static_assert(" << name << "::wrench(1.0, 0.0).force == 1.0, \"\");\n"
+            << "static_assert(" << name << "::wrench(0.0, 0.0).force == 0.0, \"\");\n"
             << "static_assert(" << name << "::wrench(0.0, 2.0).moment == " << name << "::moment_ratio, \"\");\n";
   }
   const std::string function = extension == "cpp" ? name + "::wrench" : name + "_wrench";
@@ -285,6 +295,46 @@ void expect_compiles(const Table& table, const std::string& compiler, const std:
     const UnitWrench expected = table.wrench(twist);
     EXPECT_NEAR(read.force, expected.force, 1e-15);
     EXPECT_NEAR(read.moment, expected.moment, 1e-15);
+  }
+  std::filesystem::remove_all(folder);
+}
+
+// Once two tables of one law, and the laws power:n=0.5 and power:n=-0.5, had one name: a program of two files silently used one of them.
+TEST(TableFile, HeadersOfManyTablesLiveInOneProgram) {
+  const auto folder = std::filesystem::path(testing::TempDir()) / ("limitcurve_headers_" + std::to_string(::getpid()));
+  std::filesystem::create_directories(folder);
+  const std::vector<Table> tables{Table::build(hertz(), 1e-2), Table::build(hertz(), 1e-6), Table::build(power(0.5), 1e-2),
+                                  Table::build(power(-0.5), 1e-2)};
+  std::ofstream all(folder / "all.cpp");
+  all << "#include <stdio.h>\n";
+  std::string mains;
+  for (std::size_t i = 0; i < tables.size(); ++i) {
+    const std::string number = std::to_string(i);
+    std::string header = to_header(tables[i]);
+    std::ofstream(folder / ("table" + number + ".h")) << header;
+    constexpr std::string_view name_begins = "typedef struct ";
+    const std::size_t name_at = header.find(name_begins) + name_begins.size();
+    const std::string name = header.substr(name_at, header.find("_unit_wrench", name_at) - name_at);
+    EXPECT_TRUE(has(name, "limitcurve_table_")) << name;
+    all << "#include \"table" << number << ".h\"\n";
+    // Chosen names may even be equal, in files of their own.
+    std::ofstream(folder / ("same" + number + ".h")) << to_header(tables[i], "finger");
+    std::ofstream(folder / ("same" + number + ".cpp")) << "#include \"same" << number << ".h\"\ndouble same" << number
+                                                        << "() { return finger_wrench(1.0, 1.0).moment + finger::moment_ratio; }\n";
+    all << "double same" << number << "();\n";
+    mains += "  printf(\"%.17g %.17g\\n\", " + name + "_wrench(-1.0, 1.0).moment + " + name + "::moment_ratio, same" + number + "());\n";
+  }
+  all << "int main() {\n" << mains << "}\n";
+  all.close();
+  const std::string directory = "cd '" + folder.string() + "' && ";
+  ASSERT_EQ(std::system((directory + "c++ -std=c++17 -Wall -Wextra -Wpedantic -Werror all.cpp same?.cpp -o use && ./use > found").c_str()), 0);
+  std::ifstream found(folder / "found");
+  for (const Table& table : tables) {
+    double own = 0.0;
+    double same = 0.0;
+    ASSERT_TRUE(found >> own >> same);
+    EXPECT_NEAR(own, table.rim().moment + table.moment_ratio(), 1e-15);
+    EXPECT_NEAR(same, table.rim().moment + table.moment_ratio(), 1e-15);
   }
   std::filesystem::remove_all(folder);
 }
