@@ -46,6 +46,9 @@ struct Contact {
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< outward unit normal there
   double depth = 0.0;                                 ///< d [m], depth of the finger beneath the surface; ≤ 0 outside
   ContactMemory memory = {};                          ///< to be passed to the next contact query
+  /// Whether the finger has left the surface since the last sample and landed on it anew, as from one wall to another: then it touches down,
+  /// and the springs are relaxed as in a first contact. A surface of your own sets it, or does without: only the first contact is one then.
+  bool landed = false;
 };
 
 /// The spin of a device about the surface normal along its path: ∫ω·n dt, n the present normal. For a moment M about the normal the power
