@@ -97,12 +97,7 @@ Contact MeshSurface::contact(const Vector3d& finger, const ContactMemory& memory
     const auto entry = mesh_->entry(place.point, finger, after);
     if (!entry) {
       if (!mesh_->holds(finger)) return free_contact(*mesh_, finger, place.face);
-      // Inside, but not beneath the face: either `settle` stopped early, then go on; or the difference is below the grid, then stay.
-      const MeshPlace farther = mesh_->settle(place.face, finger);
-      if (farther.point == place.point) break;
-      place = farther;
-      after = -1.0;
-      continue;
+      break;  // inside, but not beneath the face: by less than the grid
     }
     const MeshPlace next = mesh_->settle(entry->face, finger);
     // By rounding the god-object may seem to enter the face that it leaves: look for the next entry.
