@@ -53,7 +53,8 @@ TEST(Mesh, RefusesWhatBoundsNoSolid) {
   TriangleList list = cube();
   list.name = "cube.obj";
   list.faces.pop_back();
-  expect_complaint(list, {"cube.obj: face ", "nothing beyond its edge from (", "expected a closed surface"});
+  expect_complaint(list, {"cube.obj: face ", "nothing beyond its edge from (", "expected a closed surface",
+                          "; open are also the edge from (", ", the edge from (", " of face ", "Close Holes"});
   list.lines.assign(list.faces.size(), 17);
   expect_complaint(list, {"cube.obj:17: face "});
 
