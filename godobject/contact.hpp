@@ -18,7 +18,8 @@ using Numbers = std::array<double, 3>;
 }
 
 /// What is farther from the origin [m] is a fault of the device. A finger's sample is plausible if the sum of squares of its coordinates and
-/// depth [m] and its twist [rad] is at most farthest²; NaN is not.
+/// depth [m] and its twist [rad] is at most farthest²; NaN is not. There positions are rounded to 1e-10 m, and those of a mesh to 4 µm (its
+/// grid), so that loads are, too: put the origin near the contact.
 inline constexpr double farthest = 1e6;
 
 /// A rotation: a quaternion of unit length. It converts from and to `Eigen::Quaterniond`, whose alignment depends on the processor that a file
