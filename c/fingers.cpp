@@ -134,7 +134,7 @@ void limitcurve_finger_free(limitcurve_finger* finger) {
 limitcurve_status limitcurve_finger_update(limitcurve_finger* finger, const limitcurve_contact* contact, double time_step,
                                            limitcurve_finger_output* output) {
   if (is_no_handle("finger", finger) || is_missing("contact", contact) || is_missing("output", output)) return LIMITCURVE_INVALID;
-  const Contact touched{Eigen::Vector3d(contact->point), Eigen::Vector3d(contact->normal), contact->depth};
+  const Contact touched{Eigen::Vector3d(contact->point), Eigen::Vector3d(contact->normal), contact->depth, {}, contact->landed != 0};
   const FingerOutput step = finger->finger.update(touched, contact->twist, time_step);
   copy(step.proxy, output->proxy);
   output->angle = step.angle;

@@ -191,6 +191,7 @@ typedef struct limitcurve_contact {
   double normal[3]; /* outward, of unit length */
   double depth;     /* of the finger below the surface [m]; <= 0 outside */
   double twist;     /* of the device about the normal [rad]; may wrap around */
+  int landed;       /* not 0: the finger left the surface since the last step and landed on it anew, as from one wall to another */
 } limitcurve_contact;
 
 /* Result of a step. The rendered force is normal * load + force, the rendered moment is about the normal. */

@@ -172,6 +172,11 @@ void run_command_line(std::vector<std::string> arguments, Results results) {
   } catch (const CLI::CallForVersion& version) {
     results.output.write(std::string(version.what()) + "\n");
     return results.output.flush();
+  } catch (const CLI::ExtrasError&) {
+    std::string unknown;  // as they were typed: the error has them from the last
+    for (const std::string& argument : app.remaining(true)) unknown += ' ' + argument;
+    throw std::invalid_argument("these arguments were not expected:" + unknown + " (expected usage: limitcurve " + name + " --help)" +
+                                option_meant(arguments, entries));
   } catch (const CLI::ParseError& error) {
     throw std::invalid_argument(std::string(error.what()) + " (expected usage: limitcurve " + name + " --help)" +
                                 option_meant(arguments, entries));

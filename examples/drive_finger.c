@@ -27,7 +27,7 @@ int main(void) {
   limitcurve_finger_output felt;
   for (int i = 0; i < 3000; ++i) {
     const double time = 1e-3 * i;
-    const limitcurve_contact contact = {{0.03 * time, 0, 0}, {0, 0, 1}, 0.002, 10 * time};
+    const limitcurve_contact contact = {{0.03 * time, 0, 0}, {0, 0, 1}, 0.002, 10 * time, 0};
     if (limitcurve_finger_update(finger, &contact, 1e-3, &felt) != LIMITCURVE_OK) return fail();
   }
 

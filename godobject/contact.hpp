@@ -18,7 +18,8 @@ using Numbers = std::array<double, 3>;
 }
 
 /// What is farther from the origin [m] is a fault of the device. A finger's sample is plausible if the sum of squares of its coordinates and
-/// depth [m] and its twist [rad] is at most farthest²; NaN is not.
+/// depth [m] and its twist [rad] is at most farthest²; NaN is not. There positions are rounded to 1e-10 m, and those of a mesh to 4 µm (its
+/// grid), so that loads are, too: put the origin near the contact.
 inline constexpr double farthest = 1e6;
 
 /// A rotation: a quaternion of unit length. It converts from and to `Eigen::Quaterniond`, whose alignment depends on the processor that a file
@@ -46,6 +47,9 @@ struct Contact {
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< outward unit normal there
   double depth = 0.0;                                 ///< d [m], depth of the finger beneath the surface; ≤ 0 outside
   ContactMemory memory = {};                          ///< to be passed to the next contact query
+  /// Whether the finger has left the surface since the last sample and landed on it anew, as from one wall to another: then it touches down,
+  /// and the springs are relaxed as in a first contact. A surface of your own sets it, or does without: only the first contact is one then.
+  bool landed = false;
 };
 
 /// The spin of a device about the surface normal along its path: ∫ω·n dt, n the present normal. For a moment M about the normal the power

@@ -56,8 +56,8 @@ FingerOutput release(FingerState& state, const FingerSample& sample, const Sense
   return free.output;
 }
 
-/// The first sample in contact: the springs are not loaded. Angles are absolute, not relative to α_0 at touch-down as in the paper; only
-/// α_p − α_g matters.
+/// The first sample in contact, or on what the finger landed on anew: the springs are not loaded. Angles are absolute, not relative to α_0 at
+/// touch-down as in the paper; only α_p − α_g matters.
 void touch_down(FingerState& state, const FingerSample& sample) noexcept {
   state.in_contact = true;
   state.sample = sample;
@@ -65,6 +65,7 @@ void touch_down(FingerState& state, const FingerSample& sample) noexcept {
   state.output.proxy = sample.goal;
   state.output.angle = sample.angle;
   state.friction = {};
+  state.patch = {};
 }
 
 /// Step b of a round contact.
@@ -129,9 +130,10 @@ FingerOutput SoftFinger::advance(FingerState& state, const Sensed& sensed) const
   // A velocity needs two good samples in succession.
   const bool has_velocity = state.faults.seen && state.output.state != ContactState::invalid && sensed.time_step >= shortest_time_step;
   if (!accept(state.faults, sensed, state.sample, parameters_.max_displacement)) return fade(state, parameters_.fault_decay);
-  const FingerSample sample = take_sample(state.sample, sensed, state.in_contact);
+  const bool stays = state.in_contact && !sensed.contact.landed;
+  const FingerSample sample = take_sample(state.sample, sensed, stays);
   if (!(sample.depth > 0.0)) return release(state, sample, sensed);
-  if (!state.in_contact) touch_down(state, sample);
+  if (!stays) touch_down(state, sample);
   const FingerOutput& last = state.output;
 
   // a. The trial deflection of springs and dampers if the proxy stays (eq. 7).

@@ -65,7 +65,8 @@ class PlaneSurface {
   }
 };
 
-/// A sphere about the origin. At its centre a finger keeps the normal of the last step.
+/// A sphere about the origin. Without memory of where the finger entered: past the centre it is pushed out on the far side, and if it crosses
+/// the sphere in one step it is not touched. At the centre a finger keeps the normal of the last step.
 class SphereSurface {
  public:
   explicit SphereSurface(double radius);  ///< [m] > 0; throws std::invalid_argument
@@ -76,8 +77,8 @@ class SphereSurface {
   double radius_;
 };
 
-/// A capsule: all points within a radius of the segment from (0, 0, −h) to (0, 0, h). On the segment a finger keeps the normal of the last
-/// step.
+/// A capsule: all points within a radius of the segment from (0, 0, −h) to (0, 0, h). Without memory of where the finger entered, as
+/// the sphere. On the segment a finger keeps the normal of the last step.
 class CapsuleSurface {
  public:
   CapsuleSurface(double radius, double half_length);  ///< [m] > 0, ≥ 0; throws std::invalid_argument
@@ -89,7 +90,8 @@ class CapsuleSurface {
 };
 
 /// The cylinder x² + y² ≤ R², |z| ≤ h, with flat ends. A finger inside stays on the face (side or end) through which it entered, so that it
-/// cannot pass through a thin disc, not even in one step. On the axis it keeps the normal of the last step.
+/// cannot pass through a thin disc, not even in one step. Through a thin rod it can: the side is one face, without memory of where on it the
+/// finger entered. On the axis it keeps the normal of the last step.
 class CylinderSurface {
  public:
   CylinderSurface(double radius, double half_length);  ///< [m] > 0; throws std::invalid_argument

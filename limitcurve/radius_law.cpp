@@ -25,7 +25,8 @@ std::array<double, count> parameters(std::string_view whole, std::string_view te
   const auto complain = [&](std::string_view item) {
     std::string expected;
     for (const std::string_view key : keys) expected += (expected.empty() ? "" : ",") + std::string(key) + "=NUMBER";
-    return std::invalid_argument("radius law '" + std::string(whole) + "': expected " + expected + ", got '" + std::string(item) + "'");
+    return std::invalid_argument("radius law '" + std::string(whole) + "': expected " + expected + ", got '" + std::string(item) + "'" +
+                                 did_you_mean(item.substr(0, item.find('=')), {keys.begin(), keys.end()}));
   };
   std::size_t begin = 0;
   while (begin <= text.size()) {

@@ -53,15 +53,16 @@ const std::map<std::string, std::function<void(FingerParameters&, double)>, std:
 
 constexpr const char* update_signature =
     "def update(self, point: collections.abc.Sequence[float] | numpy.typing.NDArray[typing.Any], normal: collections.abc.Sequence[float] | "
-    "numpy.typing.NDArray[typing.Any], depth: float, twist: float, dt: float = 0.0) -> FingerOutput";
+    "numpy.typing.NDArray[typing.Any], depth: float, twist: float, dt: float = 0.0, landed: bool = False) -> FingerOutput";
 constexpr const char* update_doc =
     "One step. Input: the contact (surface point [m], outward unit normal, depth [m] below the surface, <= 0 outside), the\n"
-    "device's twist [rad] about the normal, and the time dt [s] since the last step, for the dampers.\n\n"
+    "device's twist [rad] about the normal, and the time dt [s] since the last step, for the dampers. landed: the finger left the\n"
+    "surface since the last step and landed on it anew, as from one wall to another; then it touches down.\n\n"
     "Bad input (not finite, a normal that is not of unit length, a jump, dt < 0) raises nothing; it gives the state `invalid`:\n"
     "the last good output is held, and fades.";
 
-FingerOutput update(SoftFinger& finger, nb::handle point, nb::handle normal, double depth, double twist, double dt) {
-  return finger.update({three_numbers(point, "point"), three_numbers(normal, "normal"), depth, {}}, twist, dt);
+FingerOutput update(SoftFinger& finger, nb::handle point, nb::handle normal, double depth, double twist, double dt, bool landed) {
+  return finger.update({three_numbers(point, "point"), three_numbers(normal, "normal"), depth, {}, landed}, twist, dt);
 }
 
 void add_output(nb::module_& module) {
@@ -123,7 +124,7 @@ void add_finger_types(nb::module_& module) {
           "A finger with a limit curve; parameter names of the C++ FingerParameters, SI units. Projections: 'closest-point', 'radial',\n"
           "'c-curve'. ValueError names a parameter out of range.")
       .def("update", &update, nb::arg("point"), nb::arg("normal"), nb::arg("depth"), nb::arg("twist"), nb::arg("dt") = 0.0,
-           nb::sig(update_signature), update_doc)
+           nb::arg("landed") = false, nb::sig(update_signature), update_doc)
       .def("reset", &SoftFinger::reset, "Back to the state before any contact.")
       .def_prop_ro(
           "output", [](const SoftFinger& self) { return self.output(); }, "Result of the last step.")

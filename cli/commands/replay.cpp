@@ -213,6 +213,7 @@ class Replay final : public Subcommand {
   void run_replay(const Results& results, const Columns& columns) const {
     TraceReader trace(trace_, fingers_, replay_.motion == BodyMotion::prescribed);
     note_missing_twists(*results.messages, trace);
+    if (!surface_.note.empty()) results.messages->say("limitcurve: note: " + surface_.note);
     godobject::Replay replay(replay_);
     if (replay_.curve == CurveKind::exact && !replay_.patch) {
       std::string text = "limitcurve: exact: a table with an error of at most " + format_number(replay.curve_error()) + " in unit wrenches";

@@ -46,6 +46,24 @@ std::string excerpt(std::string_view text) {
   return text.size() <= most ? shown : shown + "…";
 }
 
+/// What the bytes at the beginning of a file say if they are no text in UTF-8; else empty.
+std::string_view other_than_text(std::string_view line) {
+  if (line.starts_with("\x93NUMPY")) return "a NumPy file, expected CSV: numpy.savetxt writes it";
+  if (line.starts_with("\xff\xfe") || line.starts_with("\xfe\xff")) return "a text in UTF-16, expected UTF-8";
+  if (line.starts_with("PK\x03\x04")) return "a spreadsheet or another zip file, expected CSV: export it";
+  if (line.find('\0') != std::string_view::npos) return "a byte 0, expected a CSV text in UTF-8";
+  return {};
+}
+
+/// The end of an error message if what should be one field is several, with another separator, or has a decimal comma.
+std::string_view other_separator(std::string_view field) {
+  if (field.find(';') != std::string_view::npos) return "; it is separated by semicolons, expected commas, and points in numbers";
+  if (field.find('\t') != std::string_view::npos) return "; it is separated by tabs, expected commas";
+  if (field.find(' ') != std::string_view::npos) return "; it is separated by spaces, expected commas";
+  if (field.find(',') != std::string_view::npos) return "; it has a decimal comma, expected a point";
+  return {};
+}
+
 }  // namespace
 
 CsvReader::CsvReader(const std::string& file, std::vector<std::string> columns, std::vector<std::string> optional_columns)
@@ -59,7 +77,7 @@ CsvReader::CsvReader(const std::string& file, std::vector<std::string> columns, 
   try {
     if (!next_meaningful_line()) {
       line_number_ = 1;
-      throw complaint_at(0, "an empty file, expected a header line with " + joined(columns_, required_));
+      throw complaint_at(0, "an empty file, expected a header line with " + joined(columns_, required_ > 0 ? required_ : columns_.size()));
     }
     find_columns();
   } catch (...) {
@@ -103,6 +121,7 @@ bool CsvReader::next_line() {
     }
   }
   ++line_number_;
+  if (line_number_ == 1 && !other_than_text(line_).empty()) throw complaint_at(0, std::string(other_than_text(line_)));
   if (!line_.empty() && line_.back() == '\r') line_.pop_back();
   // Some spreadsheets write a byte order mark.
   if (line_number_ == 1 && line_.compare(0, 3, "\xef\xbb\xbf") == 0) line_.erase(0, 3);
@@ -184,7 +203,9 @@ bool CsvReader::next() {
   if (field_count_ != header_fields_) {
     throw complaint_at(line_.size(), "a line of " + std::to_string(field_count_) + (field_count_ == 1 ? " field" : " fields") + ", got '" +
                                          excerpt(line_) + "', expected " + std::to_string(header_fields_) +
-                                         (has_header_ ? " as in the header" : " as in the first row"));
+                                         (has_header_ ? " as in the header" : " as in the first row") +
+                                         (field_count_ == 2 * header_fields_ ? "; are there decimal commas in place of points?"
+                                                                             : std::string(other_separator(fields_[0].text))));
   }
   return true;
 }
@@ -193,13 +214,15 @@ double CsvReader::number(std::size_t column, const Range& range) const {
   try {
     return read_number(text(column), range);
   } catch (const std::invalid_argument&) {
-    throw complaint(column, "got '" + excerpt(text(column)) + "', expected " + std::string(range.text));
+    throw complaint(
+        column, "got '" + excerpt(text(column)) + "', expected " + std::string(range.text) + std::string(other_separator(text(column))));
   }
 }
 
 std::invalid_argument CsvReader::no_column(const std::string& column) const {
-  return complaint_at(0,
-                      "no column " + column + ", got '" + excerpt(line_) + "', expected a header line with " + joined(columns_, required_));
+  return complaint_at(0, "no column " + column + ", got '" + excerpt(line_) + "', expected a header line with " +
+                             joined(columns_, required_ > 0 ? required_ : columns_.size()) +
+                             std::string(field_count_ == 1 ? other_separator(fields_[0].text) : ""));
 }
 
 std::invalid_argument CsvReader::complaint(std::size_t column, const std::string& what) const {

@@ -3,6 +3,8 @@
 
 #include "cli/io/number_list.hpp"
 
+#include "limitcurve/internal/did_you_mean.hpp"
+
 #include <algorithm>
 #include <numbers>
 #include <stdexcept>
@@ -28,7 +30,9 @@ KeyValue angle_key(std::string_view key, double& value, const Range& range, bool
 
 void read_key_values(std::string_view text, const std::vector<KeyValue>& keys) {
   std::string expected;
+  std::vector<std::string_view> names;
   for (const KeyValue& key : keys) {
+    names.push_back(key.key);
     const std::string item = std::string(key.key).append("=").append(key.kind);
     expected += expected.empty() ? item : key.required ? "," + item : "[," + item + "]";
   }
@@ -40,7 +44,8 @@ void read_key_values(std::string_view text, const std::vector<KeyValue>& keys) {
     const std::size_t equals = item.find('=');
     const auto found = std::find_if(keys.begin(), keys.end(), [&](const KeyValue& key) { return key.key == item.substr(0, equals); });
     if (equals == std::string_view::npos || found == keys.end()) {
-      throw std::invalid_argument("got '" + std::string(item) + "' in '" + std::string(text) + "', expected " + expected);
+      throw std::invalid_argument("got '" + std::string(item) + "' in '" + std::string(text) + "', expected " + expected +
+                                  did_you_mean(item.substr(0, equals), names));
     }
     const auto index = static_cast<std::size_t>(found - keys.begin());
     if (seen[index]) throw std::invalid_argument("'" + std::string(found->key) + "' twice in '" + std::string(text) + "', expected once");

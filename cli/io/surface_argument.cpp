@@ -6,6 +6,7 @@
 
 #include "godobject/surface.hpp"
 #ifdef LIMITCURVE_HAS_MESH
+#include "godobject/mesh/mesh.hpp"
 #include "godobject/mesh/mesh_file.hpp"
 #endif
 
@@ -26,7 +27,15 @@ SurfaceArgument read_mesh(const std::string& text) {
   const std::string file = text.substr(0, comma);
   if (file.empty()) throw std::invalid_argument("no file, expected mesh:FILE.obj or mesh:FILE.stl");
   const double scale = comma == std::string::npos ? 1.0 : read_number(std::string_view(text).substr(comma + key.size()), positive);
-  return {AnySurface(godobject::read_mesh(file, scale)), {}};
+  const godobject::MeshSurface surface = godobject::read_mesh(file, scale);
+  const int faces = static_cast<int>(surface.mesh().faces().size());
+  const int turned = surface.mesh().repairs().turned;
+  std::string note;
+  if (turned > 0) {
+    note = file + ": " + std::to_string(turned) + " of " + std::to_string(faces) +
+           " faces looked inward and were turned outward; the surface bounds a solid, not a room";
+  }
+  return {AnySurface(surface), {}, note};
 }
 #else
 SurfaceArgument read_mesh(const std::string& file) {

@@ -14,6 +14,7 @@ struct SurfaceArgument {
   godobject::AnySurface surface;
   /// The homogeneous body with this surface and a mass [kg]; empty if the surface encloses no known volume.
   std::function<godobject::BodyParameters(double mass)> even_body;
+  std::string note = {};  ///< what was changed in a file's surface; empty if nothing
 };
 
 /// Reads a surface from a command line: `plane`, `sphere:radius=0.05`, `capsule:radius=0.01,length=0.1`,

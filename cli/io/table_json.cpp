@@ -106,6 +106,10 @@ limitcurve::Table read_table_json(std::string_view text, const std::string& sour
                                .profile_error = whole.contains("profile_error") ? number("profile_error") : 0.0,
                                .inside = side(whole, "inside", source),
                                .outside = side(whole, "outside", source)};
+  const json row_columns = json::array({"x", "force", "moment", "c0", "c1", "c2", "c3", "c4", "c5", "c6"});
+  if (const json& columns = member(whole, "columns", &json::is_array, source, "an array of names"); columns != row_columns) {
+    fail(source, "\"columns\" is " + shown(columns) + ", expected " + row_columns.dump());
+  }
   return table_of(contents, text_of("checksum"), source);
 }
 

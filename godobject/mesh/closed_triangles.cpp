@@ -151,18 +151,33 @@ class Closing {
       return std::array{a.low, a.high, a.face} < std::array{b.low, b.high, b.face};
     });
     result_.neighbours.resize(result_.faces.size());
+    std::vector<Side> open;
     for (std::size_t first = 0; first < sides.size();) {
       std::size_t end = first;
       while (end < sides.size() && sides[end].low == sides[first].low && sides[end].high == sides[first].high) ++end;
       const Side& side = sides[first];
-      const auto edge = [&] { return joined({"edge from ", at(side.low), " to ", at(side.high)}); };
-      if (end - first == 1) fail(side.face, {"has nothing beyond its ", edge(), ", expected a closed surface"});
-      if (end - first > 2) fail(side.face, {"is one of ", std::to_string(end - first), " faces at the ", edge(), ", expected two"});
-      const Side& other = sides[first + 1];
+      if (end - first > 2) fail(side.face, {"is one of ", std::to_string(end - first), " faces at the ", edge(side), ", expected two"});
+      if (end - first == 1) open.push_back(side);
+      const Side& other = sides[end - 1];
       result_.neighbours[index(side.face)][index(side.side)] = other.face;
       result_.neighbours[index(other.face)][index(other.side)] = side.face;
       first = end;
     }
+    if (!open.empty()) refuse_open(open);
+  }
+
+  [[nodiscard]] std::string edge(const Side& side) const { return joined({"edge from ", at(side.low), " to ", at(side.high)}); }
+
+  /// Names some of the open edges, and what closes them.
+  [[noreturn]] void refuse_open(const std::vector<Side>& open) const {
+    std::string others;
+    for (std::size_t i = 1; i < open.size() && i < 4; ++i) {
+      others +=
+          joined({i == 1 ? "; open are also the " : ", the ", edge(open[i]), " of face ", std::to_string(origin_[index(open[i].face)])});
+    }
+    if (open.size() > 4) others += joined({" and ", std::to_string(open.size() - 4), " more"});
+    fail(open[0].face, {"has nothing beyond its ", edge(open[0]), ", expected a closed surface", others,
+                        ". MeshLab (Filters, Close Holes) or Blender (Mesh, Clean Up, Fill Holes) closes them"});
   }
 
   /// Whether two faces run along their shared edge (`side` of `one`) in the same sense, which is a fault.

@@ -87,12 +87,12 @@ MeshPlace Mesh::on(int face, const Vector3d& point) const noexcept {
 MeshPlace Mesh::settle(int face, const Vector3d& point) const noexcept {
   MeshPlace here = on(face, point);
   double least = (point - here.point).squaredNorm();
-  for (int left = walk_limit; left > 0 && here.part != part::inside;) {
+  // Each face has one nearest point, and the next one is nearer: so no face is come to twice, except by rounding.
+  for (std::size_t left = solid_.faces.size(); left > 0 && here.part != part::inside; --left) {
     MeshPlace next = here;
     if (here.part >= part::edge) {
       const int beyond = solid_.neighbours[index(here.face)][index(here.part - part::edge)];
       const MeshPlace there = on(beyond, point);
-      --left;
       const int from = corners(here.face)[index((here.part - part::edge + 1) % 3)];
       const Face& there_corners = corners(beyond);
       // In the face beyond, the shared edge runs in the opposite sense.
@@ -112,7 +112,6 @@ MeshPlace Mesh::settle(int face, const Vector3d& point) const noexcept {
         corner = static_cast<int>(std::find(at.begin(), at.end(), centre) - at.begin());
         if (around == here.face) break;
         const MeshPlace there = on(around, point);
-        --left;
         const double square = (point - there.point).squaredNorm();
         if (there.part != corner && square < best) {
           best = square;

@@ -10,11 +10,11 @@
 namespace limitcurve::godobject {
 
 /// The triangles of a Wavefront OBJ text: its `v` and `f` lines. Faces with more corners are divided into triangles from the first corner,
-/// so they should be convex. Colours, texture, normals, groups, lines and materials are ignored; no other file is opened. `scale` is the
+/// so they must be convex, or at least seen whole from there. Colours, texture, normals, groups, lines and materials are ignored; no other file is opened. `scale` is the
 /// text's unit [m]. Throws std::invalid_argument "name:line:column: …, expected …".
 TriangleList read_obj(std::string_view text, std::string_view name, double scale = 1.0);
 
-/// The triangles of an STL file, ASCII or binary (if the length fits its number of faces). Normals are ignored: the order of the corners
+/// The triangles of an STL file, ASCII, keywords in any case, or binary (if the length fits its number of faces). Normals are ignored: the order of the corners
 /// determines the outside. `scale` is the file's unit [m]. Throws std::invalid_argument, with line and column of an ASCII file, or the face
 /// of a binary one.
 TriangleList read_stl(std::string_view bytes, std::string_view name, double scale = 1.0);

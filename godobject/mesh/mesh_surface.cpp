@@ -20,13 +20,13 @@ int remembered(int face) noexcept {
   return -2 - face;
 }
 
-/// The contact of a finger whose god-object rests at `place`.
-Contact touched(const Mesh& mesh, const MeshPlace& place, const Vector3d& finger) noexcept {
+/// The contact of a finger whose god-object rests at `place`; `landed`: after a flight from the surface.
+Contact touched(const Mesh& mesh, const MeshPlace& place, const Vector3d& finger, bool landed) noexcept {
   const ContactMemory memory{place.face, numbers(place.point), true};
   if (mesh.flat(place)) {
     const Vector3d& normal = mesh.normal(place.face);
     const double depth = -mesh.height(place.face, finger);
-    return {finger + normal * depth, normal, depth, memory};
+    return {finger + normal * depth, normal, depth, memory, landed};
   }
   // In a crease or a pit the normal is the direction from the finger to the god-object, which turns continuously from one face's normal to
   // the other's.
@@ -35,9 +35,9 @@ Contact touched(const Mesh& mesh, const MeshPlace& place, const Vector3d& finger
   const Vector3d outward = mesh.outward(place);
   if (depth > 1e-9 * mesh.grid().reach()) {
     const double side = way.dot(outward) >= 0.0 ? 1.0 : -1.0;
-    return {place.point, way * (side / depth), side * depth, memory};
+    return {place.point, way * (side / depth), side * depth, memory, landed};
   }
-  return {place.point, outward, way.dot(outward), memory};
+  return {place.point, outward, way.dot(outward), memory, landed};
 }
 
 /// The contact of a finger outside; `guess` is a face near it.
@@ -68,10 +68,19 @@ Contact MeshSurface::contact(const Vector3d& finger, const ContactMemory& memory
   const int faces = static_cast<int>(mesh_->faces().size());
   int face = memory.face;
   const Vector3d from = vector(memory.finger);
+  // A flight is a landing, except to a face that the god-object touches already: there it slides on.
+  const double touching = 1e-9 * mesh_->grid().reach();
+  const auto lands = [&](const Mesh::Entry& entry, const Vector3d& start) { return entry.along * (finger - start).norm() > touching; };
+  bool landed = false;
   if (!memory.known || face >= faces) {
     // Without memory: a finger inside counts as having entered through the nearest face.
     if (!mesh_->holds(finger)) return free_contact(*mesh_, finger, 0);
     face = mesh_->nearest(finger, 0).face;
+  } else if (face >= 0 && mesh_->height(face, finger) > 0.0) {
+    // Above the face it is not held there, and flies, even where a slide would lead to the same place: from wall to wall of a corner.
+    const auto entry = mesh_->entry(from, finger);
+    landed = entry && lands(*entry, from);
+    if (landed) face = entry->face;
   }
   const int guess = face >= 0 ? face : face <= remembered(0) && face >= remembered(faces - 1) ? remembered(face) : 0;
   if (face < 0) {
@@ -83,25 +92,21 @@ Contact MeshSurface::contact(const Vector3d& finger, const ContactMemory& memory
   double after = -1.0;
   for (int round = 0; round < rounds; ++round) {
     const double depth = mesh_->flat(place) ? -mesh_->height(place.face, finger) : mesh_->outward(place).dot(place.point - finger);
-    if (depth > 0.0) return touched(*mesh_, place, finger);
+    if (depth > 0.0) return touched(*mesh_, place, finger, landed);
     // The finger is outside the face: the god-object flies to the finger, or to the first face in between.
     const auto entry = mesh_->entry(place.point, finger, after);
     if (!entry) {
       if (!mesh_->holds(finger)) return free_contact(*mesh_, finger, place.face);
-      // Inside, but not beneath the face: either `settle` stopped early, then go on; or the difference is below the grid, then stay.
-      const MeshPlace farther = mesh_->settle(place.face, finger);
-      if (farther.point == place.point) break;
-      place = farther;
-      after = -1.0;
-      continue;
+      break;  // inside, but not beneath the face: by less than the grid
     }
     const MeshPlace next = mesh_->settle(entry->face, finger);
     // By rounding the god-object may seem to enter the face that it leaves: look for the next entry.
-    const bool stays = (next.point - place.point).squaredNorm() <= 1e-18 * mesh_->grid().reach() * mesh_->grid().reach();
+    const bool stays = (next.point - place.point).squaredNorm() <= touching * touching;
     after = stays ? entry->along : -1.0;
+    landed = landed || lands(*entry, place.point);
     place = next;
   }
-  Contact contact = touched(*mesh_, place, finger);
+  Contact contact = touched(*mesh_, place, finger, landed);
   contact.depth = std::min(contact.depth, 0.0);
   return contact;
 }

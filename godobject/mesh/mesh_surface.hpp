@@ -16,9 +16,9 @@ class Mesh;
 /// finger pressed through a thin plate stays on the side from which it came (mesh/README.md).
 ///
 /// For a finger with a coordinate beyond `farthest`, or not finite, the depth is NaN, which makes a SoftFinger `invalid`, and the memory does
-/// not change. Copies share the mesh. `contact` does not allocate or lock. It makes at most `rounds` flights and landings, usually one. Each visits up
-/// to `Mesh::walk_limit` faces, and the faces around one vertex, and opens up to 2 boxes for each face, usually some dozens. For a finger
-/// outside it opens up to `near_limit` boxes.
+/// not change. Copies share the mesh. `contact` does not allocate or lock. It makes at most `rounds` flights and landings, usually one. Each slides
+/// over the faces on its way (`Mesh::settle`), one to five at the pace of a hand, and opens up to 2 boxes for each face, usually some dozens.
+/// For a finger outside it opens up to `near_limit` boxes.
 class MeshSurface {
  public:
   /// Largest number of flights from the surface that end on it again, in one step.

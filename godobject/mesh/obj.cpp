@@ -3,9 +3,12 @@
 
 #include "godobject/mesh/tokenizer.hpp"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 
@@ -35,6 +38,19 @@ int vertex_of(const Tokenizer& tokens, std::string_view word, std::size_t count)
   return static_cast<int>(value > 0 ? value - 1 : last + value);
 }
 
+/// Whether the triangles from `first` on, of one polygon, look the same way. Those of a polygon that is not convex may overlap.
+bool same_side(const TriangleList& list, std::size_t first) {
+  const auto area = [&](const Face& face) -> Eigen::Vector3d {
+    const auto at = [&](std::size_t corner) -> const Eigen::Vector3d& { return list.vertices[static_cast<std::size_t>(face[corner])]; };
+    return (at(1) - at(0)).cross(at(2) - at(0));
+  };
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (std::size_t i = first; i < list.faces.size(); ++i) sum += area(list.faces[i]);
+  // Corners on one line make triangles without area, of either sign by rounding.
+  return std::all_of(list.faces.begin() + static_cast<std::ptrdiff_t>(first), list.faces.end(),
+                     [&](const Face& face) { return area(face).dot(sum) >= -1e-9 * sum.squaredNorm(); });
+}
+
 }  // namespace
 
 TriangleList read_obj(std::string_view text, std::string_view name, double scale) {
@@ -54,6 +70,7 @@ TriangleList read_obj(std::string_view text, std::string_view name, double scale
     } else if (what == "f") {
       Face face{};
       int corners = 0;
+      const std::size_t first = list.faces.size();
       for (std::string_view word = tokens.next(); !word.empty(); word = tokens.next()) {
         const int vertex = vertex_of(tokens, word, list.vertices.size());
         if (corners >= 3) face[1] = face[2];
@@ -64,6 +81,8 @@ TriangleList read_obj(std::string_view text, std::string_view name, double scale
         list.lines.push_back(tokens.line());
       }
       if (corners < 3) tokens.expected("three vertices at least");
+      if (corners > 3 && !same_side(list, first))
+        tokens.fail("a polygon that is not convex, expected triangles or convex polygons: triangulate it");
     } else if (std::find(passed_over.begin(), passed_over.end(), what) == passed_over.end()) {
       tokens.expected("v, f, or what a mesh does without (vn, vt, o, g, s, usemtl, mtllib, …)");
     }

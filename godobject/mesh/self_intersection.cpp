@@ -5,6 +5,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <span>
+#include <vector>
 
 namespace limitcurve::godobject {
 
@@ -115,29 +118,141 @@ bool folded(const ClosedTriangles& triangles, const Meeting& meeting, const Face
   return senses == 1 ? same_way : !same_way;
 }
 
+/// The box of a direction or of several, with room for what lies between them on the unit sphere and for rounding.
+struct DirectionBox {
+  Vector3d low, high;
+
+  explicit DirectionBox(std::span<const Vector3d> directions) : low(directions[0]), high(directions[0]) {
+    double cosine = 1.0;  // the least between two directions
+    for (const Vector3d& one : directions) {
+      low = low.cwiseMin(one);
+      high = high.cwiseMax(one);
+      for (const Vector3d& other : directions) cosine = std::min(cosine, one.dot(other));
+    }
+    // A mean of n unit vectors is at least this long, and its direction farther out by the rest.
+    const auto n = static_cast<double>(directions.size());
+    const double room = 1.0 - std::sqrt(std::max((1.0 + (n - 1.0) * cosine) / n, 0.0)) + 1e-12;
+    low.array() -= room;
+    high.array() += room;
+  }
+};
+
+class Search {
+ public:
+  explicit Search(const ClosedTriangles& triangles)
+      : triangles_(triangles), meeting_(triangles.grid), compared_(triangles.faces.size(), 0) {}
+
+  std::optional<std::pair<int, int>> run() {
+    std::vector<std::vector<int>> around(triangles_.vertices.size());
+    for (int i = 0; i < static_cast<int>(triangles_.faces.size()); ++i) {
+      for (const int vertex : face(i)) around[static_cast<std::size_t>(vertex)].push_back(i);
+    }
+    for (std::size_t i = 0; i < around.size() && !found_; ++i) {
+      if (around[i].size() <= hub) continue;
+      search_hub(static_cast<int>(i), around[i]);
+      for (const int one : around[i]) compared_[static_cast<std::size_t>(one)] = 1;
+    }
+    std::vector<int> others;
+    std::vector<Face> faces;
+    for (int i = 0; i < static_cast<int>(triangles_.faces.size()); ++i) {
+      if (compared_[static_cast<std::size_t>(i)] != 0) continue;
+      others.push_back(i);
+      faces.push_back(face(i));
+    }
+    if (!others.empty()) search_boxes(others, Tree(triangles_.vertices, faces));
+    return found_;
+  }
+
+ private:
+  /// Vertices of more faces are hubs. The boxes of all faces around a hub overlap: they would be compared with each other, in pairs, and with
+  /// many others. Seen from the hub they are short arcs side by side, and faces that meet are in the same direction.
+  static constexpr std::size_t hub = 64;
+
+  [[nodiscard]] const Face& face(int which) const { return triangles_.faces[static_cast<std::size_t>(which)]; }
+  [[nodiscard]] const Vector3d& vertex(int which) const { return triangles_.vertices[static_cast<std::size_t>(which)]; }
+  [[nodiscard]] bool has(int which, int vertex) const {
+    return std::find(face(which).begin(), face(which).end(), vertex) != face(which).end();
+  }
+
+  void compare(int i, int j) {
+    if (found_) return;
+    const Face& one = face(i);
+    const Face& other = face(j);
+    const auto shared = std::count_if(one.begin(), one.end(), [&](int v) { return has(j, v); });
+    const bool meet = shared == 3   ? true
+                      : shared == 2 ? folded(triangles_, meeting_, one, other)
+                                    : edges_meet(triangles_, meeting_, one, other) || edges_meet(triangles_, meeting_, other, one);
+    if (meet) found_ = std::minmax(i, j);
+  }
+
+  /// Compares faces whose boxes overlap; the tree has their indices in `which`.
+  void search_boxes(const std::vector<int>& which, const Tree& tree) {
+    for (int i = 0; i < static_cast<int>(which.size()) && !found_; ++i) {
+      const int one = which[static_cast<std::size_t>(i)];
+      const Corners t = corners(triangles_, face(one));
+      tree.overlapping(t[0].cwiseMin(t[1]).cwiseMin(t[2]), t[0].cwiseMax(t[1]).cwiseMax(t[2]), [&](int j) {
+        if (j > i) compare(one, which[static_cast<std::size_t>(j)]);
+      });
+    }
+  }
+
+  /// Compares the faces around a hub with each other, and with all others.
+  void search_hub(int centre, const std::vector<int>& around) {
+    const auto direction = [&](int to) { return Vector3d((vertex(to) - vertex(centre)).normalized()); };
+    std::vector<Vector3d> ends;  // the low and the high corner of each arc's box
+    std::vector<Face> boxes;
+    Vector3d low = vertex(centre);
+    Vector3d high = low;
+    for (const int one : around) {
+      std::vector<Vector3d> arc;
+      for (const int corner : face(one)) {
+        low = low.cwiseMin(vertex(corner));
+        high = high.cwiseMax(vertex(corner));
+        if (corner != centre) arc.push_back(direction(corner));
+      }
+      const DirectionBox box(arc);
+      const int first = static_cast<int>(ends.size());
+      ends.insert(ends.end(), {box.low, box.high});
+      boxes.push_back({first, first + 1, first + 1});
+    }
+    const Tree arcs(ends, boxes);
+    const auto at = [&](int which) { return around[static_cast<std::size_t>(which)]; };
+    for (std::size_t i = 0; i < around.size() && !found_; ++i) {
+      arcs.overlapping(ends[2 * i], ends[2 * i + 1], [&](int j) {
+        if (at(j) > around[i]) compare(around[i], at(j));
+      });
+    }
+    triangles_.tree.overlapping(low, high, [&](int other) {
+      if (found_ || has(other, centre) || compared_[static_cast<std::size_t>(other)] != 0) return;
+      Corners t = corners(triangles_, face(other));
+      for (Vector3d& corner : t) corner -= vertex(centre);
+      // In its plane the hub may be on the face; else the face is in the cone of the three planes through the hub and its edges.
+      const int side = triangles_.grid.sign(t[0], t[1], t[2]);
+      if (side == 0) compare(other, around[0]);
+      const DirectionBox seen(Corners{t[0].normalized(), t[1].normalized(), t[2].normalized()});
+      const Corners planes{side * t[0].cross(t[1]), side * t[1].cross(t[2]), side * t[2].cross(t[0])};
+      const auto meets = [&](const Vector3d& from, const Vector3d& to) {
+        if (((from - seen.high).array() > 0.0).any() || ((seen.low - to).array() > 0.0).any()) return false;
+        for (std::size_t i = 0; i < 3; ++i) {
+          const double rounding = 1e-14 * t[i].norm() * t[(i + 1) % 3].norm();
+          if (planes[i].dot(from + to) + planes[i].cwiseAbs().dot(to - from) < -rounding) return false;
+        }
+        return true;
+      };
+      arcs.where(meets, [&](int j) { compare(other, at(j)); });
+    });
+  }
+
+  const ClosedTriangles& triangles_;
+  Meeting meeting_;
+  std::vector<char> compared_;  // faces that were compared with all others
+  std::optional<std::pair<int, int>> found_;
+};
+
 }  // namespace
 
 std::optional<std::pair<int, int>> find_self_intersection(const ClosedTriangles& triangles) {
-  const Meeting meeting(triangles.grid);
-  const int count = static_cast<int>(triangles.faces.size());
-  std::optional<std::pair<int, int>> found;
-  for (int i = 0; i < count && !found; ++i) {
-    const Face& one = triangles.faces[static_cast<std::size_t>(i)];
-    const Corners t = corners(triangles, one);
-    const Vector3d low = t[0].cwiseMin(t[1]).cwiseMin(t[2]);
-    const Vector3d high = t[0].cwiseMax(t[1]).cwiseMax(t[2]);
-    triangles.tree.overlapping(low, high, [&](int j) {
-      if (found || j <= i) return;
-      const Face& other = triangles.faces[static_cast<std::size_t>(j)];
-      const auto shared =
-          std::count_if(one.begin(), one.end(), [&](int v) { return std::find(other.begin(), other.end(), v) != other.end(); });
-      const bool meet = shared == 3   ? true
-                        : shared == 2 ? folded(triangles, meeting, one, other)
-                                      : edges_meet(triangles, meeting, one, other) || edges_meet(triangles, meeting, other, one);
-      if (meet) found = std::pair(i, j);
-    });
-  }
-  return found;
+  return Search(triangles).run();
 }
 
 }  // namespace limitcurve::godobject

@@ -51,6 +51,12 @@ TriangleList read_binary(std::string_view bytes, std::string_view name, double s
   return list;
 }
 
+/// Whether a word is this keyword, in upper or lower case.
+bool is(std::string_view word, std::string_view keyword) {
+  const auto same = [](char one, char other) { return (one >= 'A' && one <= 'Z' ? one - 'A' + 'a' : one) == other; };
+  return std::equal(word.begin(), word.end(), keyword.begin(), keyword.end(), same);
+}
+
 /// Goes to the next line that is not blank, and returns its first word.
 std::string_view next_statement(Tokenizer& tokens) {
   while (tokens.next_line()) {
@@ -61,7 +67,7 @@ std::string_view next_statement(Tokenizer& tokens) {
 }
 
 void require(Tokenizer& tokens, std::string_view word, std::string_view wanted) {
-  if (word != wanted) tokens.expected(wanted);
+  if (!is(word, wanted)) tokens.expected(wanted);
 }
 
 void require_end(Tokenizer& tokens) {
@@ -77,15 +83,15 @@ TriangleList read_ascii(std::string_view text, std::string_view name, double sca
     const std::string_view word = next_statement(tokens);
     if (!in_solid) {
       if (word.empty() && !list.faces.empty()) return list;
-      if (word != "solid") tokens.expected("solid");
+      if (!is(word, "solid")) tokens.expected("solid");
       in_solid = true;
       continue;
     }
-    if (word == "endsolid") {
+    if (is(word, "endsolid")) {
       in_solid = false;
       continue;
     }
-    if (word != "facet") tokens.expected("facet or endsolid");
+    if (!is(word, "facet")) tokens.expected("facet or endsolid");
     const int line = tokens.line();
     require(tokens, tokens.next(), "normal");
     for (int i = 0; i < 3; ++i) {
@@ -116,12 +122,17 @@ TriangleList read_ascii(std::string_view text, std::string_view name, double sca
 
 TriangleList read_stl(std::string_view bytes, std::string_view name, double scale) {
   if (binary_size(bytes) == bytes.size()) return read_binary(bytes, name, scale);
-  const std::size_t start = std::min(bytes.find_first_not_of(" \t\r\n"), bytes.size());
-  if (bytes.substr(start, 5) == "solid") return read_ascii(bytes, name, scale);
+  // A binary file may begin with "solid", too; a text has no byte 0.
+  const std::string_view text = Tokenizer::without_mark(bytes);
+  const std::size_t start = std::min(text.find_first_not_of(" \t\r\n"), text.size());
+  const bool is_text = text.find('\0') == std::string_view::npos;
+  if (is_text && is(text.substr(start, 5), "solid")) return read_ascii(bytes, name, scale);
+  if (is_text) throw std::invalid_argument(joined({name, ": neither a text that begins with solid nor a binary file of 84 bytes or more"}));
   const std::size_t expected = binary_size(bytes);
-  throw std::invalid_argument(joined({name, ": ", std::to_string(bytes.size()), " bytes, expected ",
-                                      expected > 0 ? std::to_string(expected) : std::string("84 or more"),
-                                      " of a binary file with its count of faces, or a text that begins with solid"}));
+  throw std::invalid_argument(
+      joined({name, ": ", std::to_string(bytes.size()), " bytes, expected ",
+              expected > 0 ? joined({std::to_string(expected), " of a binary file with its count of faces: it is damaged"})
+                           : std::string("84 or more of a binary file")}));
 }
 
 }  // namespace limitcurve::godobject

@@ -18,7 +18,11 @@ namespace limitcurve::godobject {
 /// Reads a text word by word and line by line, and throws with line and column.
 class Tokenizer {
  public:
-  Tokenizer(std::string_view text, std::string_view name) : rest_(text), name_(name) {}
+  Tokenizer(std::string_view text, std::string_view name) : rest_(without_mark(text)), name_(name) {
+    if (text.find('\0') != std::string_view::npos) throw std::invalid_argument(joined({name, ": a byte 0, expected a text in UTF-8"}));
+  }
+  /// A text without the byte order mark that some programs write.
+  static std::string_view without_mark(std::string_view text) { return text.substr(text.substr(0, 3) == "\xef\xbb\xbf" ? 3 : 0); }
 
   /// Goes to the next line; false at the end of the text.
   bool next_line() {

@@ -32,7 +32,15 @@ class Tree {
 
   /// Calls `visit(face)` for every face whose box meets the box.
   template <class Visit>
-  void overlapping(const Eigen::Vector3d& low, const Eigen::Vector3d& high, Visit&& visit) const;
+  void overlapping(const Eigen::Vector3d& low, const Eigen::Vector3d& high, Visit&& visit) const {
+    where([&](const Eigen::Vector3d& l,
+              const Eigen::Vector3d& h) { return ((l - high).array() <= 0.0).all() && ((low - h).array() <= 0.0).all(); },
+          visit);
+  }
+
+  /// Calls `visit(face)` for the faces in all boxes for which `meets(low, high)` is true, and true for the boxes around them.
+  template <class Meets, class Visit>
+  void where(Meets&& meets, Visit&& visit) const;
 
   /// Calls `visit(face)`, nearest boxes first, for faces whose boxes have a squared distance from the point below `bound`. `visit` returns
   /// the new bound. Stops after `node_limit` nodes.
@@ -100,14 +108,14 @@ void Tree::along(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double 
   }
 }
 
-template <class Visit>
-void Tree::overlapping(const Eigen::Vector3d& low, const Eigen::Vector3d& high, Visit&& visit) const {
+template <class Meets, class Visit>
+void Tree::where(Meets&& meets, Visit&& visit) const {
   std::array<int, stack_size> stack;
   std::size_t height = 0;
   stack[height++] = 0;
   while (height > 0) {
     const Node& node = at(stack[--height]);
-    if (((node.low - high).array() > 0.0).any() || ((low - node.high).array() > 0.0).any()) continue;
+    if (!meets(node.low, node.high)) continue;
     for (int i = 0; i < node.count; ++i) visit(order_[static_cast<std::size_t>(node.first + i)]);
     if (node.count > 0) continue;
     stack[height++] = node.first;

@@ -9,16 +9,17 @@
 
 namespace limitcurve {
 
-/// Number of letters to change, add, remove or exchange with a neighbour that turns one word into the other.
+/// Number of letters to change, add, remove or exchange with a neighbour that turns one word into the other, in upper or lower case.
 inline std::size_t edit_distance(std::string_view from, std::string_view to) {
   const std::size_t columns = to.size() + 1;
   std::vector<std::size_t> distance((from.size() + 1) * columns);
   const auto at = [&](std::size_t i, std::size_t j) -> std::size_t& { return distance[i * columns + j]; };
+  const auto lower = [](char letter) { return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter; };
   for (std::size_t i = 0; i <= from.size(); ++i) at(i, 0) = i;
   for (std::size_t j = 0; j <= to.size(); ++j) at(0, j) = j;
   for (std::size_t i = 1; i <= from.size(); ++i) {
     for (std::size_t j = 1; j <= to.size(); ++j) {
-      const bool same = from[i - 1] == to[j - 1];
+      const bool same = lower(from[i - 1]) == lower(to[j - 1]);
       at(i, j) = std::min({at(i - 1, j) + 1, at(i, j - 1) + 1, at(i - 1, j - 1) + (same ? 0 : 1)});
       if (i > 1 && j > 1 && from[i - 1] == to[j - 2] && from[i - 2] == to[j - 1]) at(i, j) = std::min(at(i, j), at(i - 2, j - 2) + 1);
     }

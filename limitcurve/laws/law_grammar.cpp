@@ -20,7 +20,8 @@ std::invalid_argument complaint(std::string_view text, const std::string& what) 
 double parameter(std::string_view text, std::string_view parameters, std::string_view key) {
   const std::string expected = "expected " + std::string(key) + "=NUMBER after the colon";
   if (parameters.substr(0, key.size()) != key || parameters.size() <= key.size() || parameters[key.size()] != '=') {
-    throw complaint(text, expected + ", got '" + std::string(parameters) + "'");
+    throw complaint(text,
+                    expected + ", got '" + std::string(parameters) + "'" + did_you_mean(parameters.substr(0, parameters.find('=')), {key}));
   }
   const std::string_view number = parameters.substr(key.size() + 1);
   const auto value = parse_number(number);

@@ -29,7 +29,7 @@ int main(void) {
   for (int slips = 0; slips < 2; ++slips) {
     const double began = seconds();
     for (int i = 0; i < steps; ++i) {
-      const limitcurve_contact contact = {{slips * 3e-5 * i, 0, 0}, {0, 0, 1}, 0.002, slips * 1e-2 * i};
+      const limitcurve_contact contact = {{slips * 3e-5 * i, 0, 0}, {0, 0, 1}, 0.002, slips * 1e-2 * i, 0};
       limitcurve_finger_output output;
       limitcurve_finger_update(finger, &contact, 1e-3, &output);
       sum += output.load;

@@ -44,7 +44,8 @@ class Parameters(ctypes.Structure):
 
 
 class Contact(ctypes.Structure):
-    _fields_ = [("point", ctypes.c_double * 3), ("normal", ctypes.c_double * 3), ("depth", ctypes.c_double), ("twist", ctypes.c_double)]
+    _fields_ = [("point", ctypes.c_double * 3), ("normal", ctypes.c_double * 3), ("depth", ctypes.c_double), ("twist", ctypes.c_double),
+                ("landed", ctypes.c_int)]
 
 
 class Output(ctypes.Structure):
@@ -92,9 +93,9 @@ def test_finger(library):
     output = Output()
     states = np.zeros(4, int)
     for i in range(N):
-        contact = Contact((x[i], y[i], 0), (0, 0, 1), depth[i], twist[i])
+        contact = Contact((x[i], y[i], 0), (0, 0, 1), depth[i], twist[i], i % 64 == 63)
         assert library.limitcurve_finger_update(finger, ctypes.byref(contact), ctypes.c_double(1e-3), ctypes.byref(output)) == 0
-        out = mine.update((x[i], y[i], 0), (0, 0, 1), depth[i], twist[i], 1e-3)
+        out = mine.update((x[i], y[i], 0), (0, 0, 1), depth[i], twist[i], 1e-3, landed=i % 64 == 63)
         states[output.state] += 1
         if (int(out.state), out.load, out.moment, out.angle, out.slip_work) != (output.state, output.load, output.moment, output.angle, output.slip_work):
             raise AssertionError(i)

@@ -133,7 +133,8 @@ TEST_F(HostileCalls, OddNumbersAndNullAreErrorsOrRightAnswers) {
         expect_told(random() % 2 == 0 ? limitcurve_finger_new(or_null(table), or_null(&parameters), projection, &finger)
                                       : limitcurve_finger_new_patch(or_null(patch), &parameters, number(), &finger));
         for (int i = 0; finger != nullptr && i < 10; ++i) {
-          const limitcurve_contact contact{{number(), number(), 0}, {0, 0, random() % 4 == 0 ? number() : 1}, number(), number()};
+          const limitcurve_contact contact{
+              {number(), number(), 0}, {0, 0, random() % 4 == 0 ? number() : 1}, number(), number(), static_cast<int>(random())};
           limitcurve_finger_output output{};
           const limitcurve_status status = limitcurve_finger_update(finger, or_null(&contact), number(), or_null(&output));
           expect_told(status);

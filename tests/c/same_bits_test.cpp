@@ -135,7 +135,7 @@ TEST(SameBits, UpdateOfAFinger) {
   SoftFinger expected_finger(Table::build(hertz(), 1e-6), same);
   std::mt19937_64 random(3);
   std::normal_distribution<double> normal;
-  limitcurve_contact contact{{0, 0, 0}, {0, 0, 1}, 0.001, 0};
+  limitcurve_contact contact{{0, 0, 0}, {0, 0, 1}, 0.001, 0, 0};
   std::array<std::size_t, 4> seen{};
   for (std::size_t i = 0; i < count; ++i) {
     contact.point[0] += 2e-4 * normal(random);
@@ -145,10 +145,11 @@ TEST(SameBits, UpdateOfAFinger) {
     const double twist = i % 1000 == 999 ? std::numeric_limits<double>::quiet_NaN() : contact.twist;  // a device's fault now and then
     limitcurve_contact given = contact;
     given.twist = twist;
+    given.landed = i % 64 == 63;
     limitcurve_finger_output output;
     ASSERT_EQ(limitcurve_finger_update(finger, &given, 1e-3, &output), LIMITCURVE_OK);
-    const FingerOutput expected =
-        expected_finger.update({Eigen::Vector3d(contact.point), Eigen::Vector3d(contact.normal), contact.depth, {}}, twist, 1e-3);
+    const FingerOutput expected = expected_finger.update(
+        {Eigen::Vector3d(contact.point), Eigen::Vector3d(contact.normal), contact.depth, {}, i % 64 == 63}, twist, 1e-3);
     ASSERT_EQ(static_cast<int>(output.state), static_cast<int>(expected.state));
     ++seen[static_cast<std::size_t>(output.state)];
     for (int axis = 0; axis < 3; ++axis) {

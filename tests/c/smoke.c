@@ -60,7 +60,7 @@ static void fingers(void) {
   parameters.radius_law = "constant:a=0.006";
   CHECK(limitcurve_law_parse("uniform", &law) == LIMITCURVE_OK && limitcurve_table_build(law, 1e-6, &table) == LIMITCURVE_OK);
   CHECK(limitcurve_finger_new(table, &parameters, LIMITCURVE_CLOSEST_POINT, &finger) == LIMITCURVE_OK);
-  limitcurve_contact contact = {{0, 0, 0}, {0, 0, 1}, 0.002, 0};
+  limitcurve_contact contact = {{0, 0, 0}, {0, 0, 1}, 0.002, 0, 0};
   limitcurve_finger_output output;
   CHECK(limitcurve_finger_update(finger, &contact, 1e-3, &output) == LIMITCURVE_OK && output.state == LIMITCURVE_STICK);
   CHECK(output.load == 2.0);

@@ -37,6 +37,18 @@ class Usage(CommandLineTest):
         self.assert_fails(2, ["--points", "1", "2"], "curve", "--law", "hertz", "--points", "1")
         self.assert_fails(2, ["--points", "2.5"], "curve", "--law", "hertz", "--points", "2.5")
 
+    def test_unknown_options_stand_in_the_order_typed(self):
+        self.assert_fails(2, "not expected: --zeta 1 --alpha 2 rest (", *EVAL, "--zeta", "1", "--alpha", "2", "rest")
+
+    def test_keys_that_were_meant(self):
+        for option, text, meant in (("--law", "gaussian:sgima=2", "sigma"), ("--law", "power:N=2", "n"), ("--radius-law", "power:c=1,gama=.2", "gamma"),
+                                    ("--radius-law", "hertz:r=1,E=1", "R"), ("--radius-law", "constant:A=1", "a")):
+            law = [] if option == "--law" else ["--law", "hertz"]
+            self.assert_fails(2, f"did you mean '{meant}'?", "p-curves", *law, *([] if law else ["--radius-law", "constant:a=1"]),
+                              "--mu", "1", "--loads", "1", option, text)
+        self.assert_fails(2, "did you mean 'x'?", "patch", "--patch", "rectangle:X=1,y=1", "--twists", "none.csv")
+        self.assert_fails(2, "did you mean 'radius'?", "replay", "--trace", "none.csv", "--surface", "sphere:radus=1")
+
     def test_a_line_break_in_an_argument_stays_on_one_line(self):
         self.assert_fails(2, "--law", "eval", "--law", "he\nrtz", "--c", "1")
 
@@ -109,6 +121,63 @@ class Outputs(CommandLineTest):
             complaint = process.stderr.read()
         self.assertEqual(process.returncode, 1)
         self.assertRegex(complaint, r"\Alimitcurve: error: [^\n]*standard output[^\n]*\n\Z")
+
+
+class OtherFiles(CommandLineTest):
+    """What is no CSV text with commas is called what it is, by every command that reads columns."""
+
+    COLUMNS = {"ratio": "load,force,moment", "law": "load,force,moment", "load": "load,radius", "trace": "time,x,y,z,twist",
+               "twists": "vx,vy,omega", "profile": "radius,pressure", "radii": "load,radius", "points": "x,y,load", "image": None}
+
+    def command(self, kind, path):
+        return {"ratio": ["fit", "ratio", "--law", "hertz", "--data", path], "law": ["fit", "law", "--data", path],
+                "load": ["fit", "load", "--data", path],
+                "trace": ["replay", "--trace", path, "--law", "hertz", "--radius-law", "constant:a=0.005", "--mu", "0.5",
+                          "--stiffness", "1", "--twist-stiffness", "1"],
+                "twists": ["patch", "--patch", "rectangle:x=1,y=1", "--twists", path], "profile": ["eval", "--law", f"samples:{path}", "--c", "1"],
+                "radii": ["p-curves", "--law", "hertz", "--radius-law", f"samples:{path}", "--mu", "1", "--loads", "1"],
+                "points": ["validate", "--patch", f"points:{path}"], "image": ["validate", "--patch", f"image:{path},pixel=0.001"]}[kind]
+
+    def test_other_separators(self):
+        for kind, columns in self.COLUMNS.items():
+            for separator, said in ((";", "semicolons"), ("\t", "tabs"), (" ", "spaces")):
+                row = "1,2,3,4,5" if columns is None else columns
+                path = self.file("data.csv", f"{row}\n1,2,3,4,5\n".replace(",", separator))
+                with self.subTest(kind=kind, separator=separator):
+                    self.assert_fails(2, [":1:1: ", f"separated by {said}, expected commas"], *self.command(kind, path))
+
+    def test_decimal_commas(self):
+        for kind, columns in self.COLUMNS.items():
+            if columns is None:
+                continue
+            fields = columns.count(",") + 1
+            for row, said in ((",".join(["1,5"] * fields), "decimal commas"), (",".join(['"1,5"'] * fields), "decimal comma,"),
+                              (";".join(["1,5"] * fields), "expected")):
+                with self.subTest(kind=kind, row=row):
+                    self.assert_fails(2, [":2:", said], *self.command(kind, self.file("data.csv", f"{columns}\n{row}\n")))
+
+    def test_files_that_are_no_text(self):
+        for kind, columns in self.COLUMNS.items():
+            text = f"{columns or '1,2'}\n1,2,3\n"
+            for content, said in ((b"\x93NUMPY\x01\x00v\x00{'descr'", "NumPy"), (text.encode("utf-16"), "UTF-16"), (text.encode("utf-16-be"), "UTF-8"),
+                                  (b"PK\x03\x04\x14\x00", "spreadsheet")):
+                path = self.file("data.csv", "")
+                path.write_bytes(content)
+                with self.subTest(kind=kind, said=said):
+                    self.assert_fails(2, [":1:1: ", said], *self.command(kind, path))
+
+    def test_the_header_that_is_expected_is_said(self):
+        for text in ("", "a,b\n1,2\n"):
+            self.assert_fails(2, "expected a header line with load,force,moment,", *self.command("ratio", self.file("data.csv", text)))
+
+    def test_a_damaged_column_of_a_table(self):
+        table = self.file("table.json", "")
+        run("table", "--law", "hertz", "--tolerance", "1e-3", "-o", table)
+        text = table.read_text()
+        for damaged in (text.replace('"moment"', '"momend"', 1), text.replace('"columns"', '"colums"', 1), text.replace('"c0", ', "", 1)):
+            self.assertNotEqual(damaged, text)
+            table.write_text(damaged)
+            self.assert_fails(2, [f"{table}: ", "columns"], "lookup", "--table", table, "--c", "1")
 
 
 if __name__ == "__main__":

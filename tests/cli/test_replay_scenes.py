@@ -30,6 +30,18 @@ class Scenes(CommandLineTest):
     def replay_of(self, path, *options):
         return rows("replay", "--trace", path, *FINGER, *options)
 
+    def test_turned_faces_are_said(self):
+        corners = "".join(f"v {x} {y} {z}\n" for x in (-1, 1) for y in (-1, 1) for z in (-1, 1))
+        squares = ["1 2 4 3", "5 7 8 6", "1 5 6 2", "3 4 8 7", "1 3 7 5", "2 6 8 4"]
+        outward = "".join(f"f {square}\n" for square in squares)
+        room = "".join(f"f {' '.join(reversed(square.split()))}\n" for square in squares)
+        for faces, turned in ((outward, 0), (room, 12), (outward.replace("1 2 4 3", "3 4 2 1"), 2)):
+            path = self.file("cube.obj", corners + faces)
+            done = run("replay", "--trace", self.file("trace.csv", TRACE), *FINGER, "--surface", f"mesh:{path}")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            note = f"limitcurve: note: {path}: {turned} of 12 faces looked inward and were turned outward; the surface bounds a solid, not a room"
+            self.assertEqual([line for line in done.stderr.splitlines() if "faces" in line], [note] if turned else [])
+
     def test_a_ball(self):
         found = self.scene("around_a_ball.csv", "--surface", "sphere:radius=0.05")
         self.assertEqual(header("replay", "--trace", DATA / "scenes" / "around_a_ball.csv", *FINGER, "--surface", "sphere:radius=0.05"),

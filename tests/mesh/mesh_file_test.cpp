@@ -115,14 +115,44 @@ TEST(MeshFile, NamesThePlaceInAnStl) {
   EXPECT_EQ(stl_complaint("solid x\nendsolid x\n"), "a.stl:2:11: the text ends, expected solid");
 }
 
+// Keywords in other case, and a byte order mark, as some programs write them.
+TEST(MeshFile, ReadsTextsOfOtherPrograms) {
+  std::string upper(tetrahedron);
+  for (char& character : upper) {
+    if (character >= 'a' && character <= 'z' && character != 'n') character = static_cast<char>(character - 'a' + 'A');
+  }
+  std::string title(tetrahedron);
+  title[0] = 'S';
+  const std::string mark = "\xef\xbb\xbf";
+  for (const std::string& text : {upper, title, mark + std::string(tetrahedron)}) {
+    EXPECT_EQ(read_stl(text, "a.stl").faces, read_stl(tetrahedron, "a.stl").faces) << text;
+  }
+  EXPECT_EQ(read_obj(mark + "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "a.obj").faces.size(), 1U);
+  EXPECT_EQ(obj_complaint(std::string("v\0 \0000 \0", 8)), "a.obj: a byte 0, expected a text in UTF-8");
+}
+
+TEST(MeshFile, NamesAConcavePolygon) {
+  const std::string corners = "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 1 0.5 0\nv 0 2 0\nv 1 0 0\n";
+  // From a corner that all of it is seen from it is divided well, from another not.
+  EXPECT_EQ(obj_complaint(corners + "f 4 5 1 2 3\n"), "none");
+  EXPECT_EQ(obj_complaint(corners + "f 1 2 3 4 5\n"),
+            "a.obj:7:12: a polygon that is not convex, expected triangles or convex polygons: triangulate it");
+  // Corners on one line are left to the checks of the mesh.
+  EXPECT_EQ(obj_complaint(corners + "f 1 6 2 3\n"), "none");
+}
+
 TEST(MeshFile, NamesThePlaceInABinaryStl) {
   std::ifstream file(data_mesh("bracket.stl"), std::ios::binary);
   const std::string bytes{std::istreambuf_iterator<char>(file), {}};
   EXPECT_EQ(read_stl(bytes, "a.stl").faces.size(), 20U);
   EXPECT_EQ(stl_complaint(bytes.substr(0, bytes.size() - 1)),
-            "a.stl: 1083 bytes, expected 1084 of a binary file with its count of faces, or a text that begins with solid");
-  EXPECT_EQ(stl_complaint("abc"),
-            "a.stl: 3 bytes, expected 84 or more of a binary file with its count of faces, or a text that begins with solid");
+            "a.stl: 1083 bytes, expected 1084 of a binary file with its count of faces: it is damaged");
+  // Some programs begin the header with "solid".
+  std::string headed = bytes.substr(0, bytes.size() - 1);
+  headed.replace(0, 6, "solid ");
+  EXPECT_EQ(stl_complaint(headed), "a.stl: 1083 bytes, expected 1084 of a binary file with its count of faces: it is damaged");
+  EXPECT_EQ(stl_complaint(bytes.substr(0, 50) + '\0'), "a.stl: 51 bytes, expected 84 or more of a binary file");
+  EXPECT_EQ(stl_complaint("abc"), "a.stl: neither a text that begins with solid nor a binary file of 84 bytes or more");
   std::string bad = bytes;
   for (std::size_t i = 0; i < 4; ++i) bad[84 + 50 * 7 + 12 + 4 + i] = '\xff';
   EXPECT_EQ(stl_complaint(bad), "a.stl: face 7 has a coordinate that is not a finite number");
