@@ -12,6 +12,8 @@ from pathlib import Path
 
 EXECUTABLE = os.environ["LIMITCURVE"]
 DATA = Path(os.environ["LIMITCURVE_DATA"])
+# Where test_report_page.py leaves the report.
+REPORT = Path(os.environ["LIMITCURVE_REPORT"]) if "LIMITCURVE_REPORT" in os.environ else None
 
 
 # What is said of a job that takes long: how long that is depends on the machine.

@@ -221,7 +221,9 @@ TEST(SmoothPieces, FindARingOfAHundredthOfTheRadius) {
 
 // Once, of 400 profiles, 83 were wrong beyond the stated error. Features from 10 % to 0.1 % of the radius; by the hundred, too.
 TEST(SmoothPieces, StateTheErrorOfRingsGroovesAndSteps) {
-  for (int i = 0; i < study_cases(400); ++i) {
+  // Eight of them, of every kind (9 has 40 features, 58 has 200), unless studies are whole.
+  const int stride = studies_are_whole() ? 1 : 49;
+  for (int i = studies_are_whole() ? 0 : 9; i < 400; i += stride) {
     std::mt19937_64 generator(static_cast<std::uint64_t>(i));
     std::uniform_real_distribution<double> uniformly(0.0, 1.0);
     const auto random = [&] { return uniformly(generator); };
