@@ -17,7 +17,7 @@
 namespace limitcurve::godobject::test {
 
 inline std::string data_mesh(const std::string& name) {
-  return std::string(LIMITCURVE_MESHES) + "/" + name;
+  return LIMITCURVE_MESHES "/" + name;
 }
 
 inline TriangleList box_triangles(const Eigen::Vector3d& half) {
