@@ -56,7 +56,7 @@ class Files(CommandLineTest):
             (TRACE + "0.004,0,0,0.1.2,0\n", "bad.csv:6:11:", "'0.1.2'"),
             (TRACE + "0.004,0,0,0x1,0\n", "bad.csv:6:11:", "'0x1'"),
             (TRACE.replace("0.002", '"0.002'), "bad.csv:4:1:", "quote"),
-            ("\0\1\2\3", "bad.csv:1:1:", "'time'"),
+            ("\0\1\2\3", "bad.csv:1:1:", "a byte 0"),
         ]
         for text, place, what in cases:
             self.replayed(text, "bad.csv")
