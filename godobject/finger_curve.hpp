@@ -38,6 +38,9 @@ class BasicFingerCurve {
   /// A curve that other code made, for example from cells in memory of its own. The view must stay valid as long as `owner`, of which
   /// copies of the curve share the ownership; null if the memory outlives all of them.
   BasicFingerCurve(const CurveView<Real>& view, std::shared_ptr<const void> owner) : view_(view), owner_(std::move(owner)) {}
+  // Moving copies, which is cheap: what was moved from stays what it was.
+  BasicFingerCurve(const BasicFingerCurve&) = default;
+  BasicFingerCurve& operator=(const BasicFingerCurve&) = default;
   /// A pressure law is not a limit curve: a compile-time error says what to write.
   template <std::same_as<Law> Other>
   BasicFingerCurve(const Other&) {  // NOLINT

@@ -43,6 +43,10 @@ class SoftFinger {
   /// (Patch states the cost of one). Throws as above, also for a moment coefficient, because the patch determines the moments.
   SoftFinger(const Patch& patch, const FingerParameters& parameters, double point_radius = 0.0);
 
+  // Moving copies, which is cheap: what was moved from stays what it was.
+  SoftFinger(const SoftFinger&) = default;
+  SoftFinger& operator=(const SoftFinger&) = default;
+
   /// One step. `device` is the device's pose in the frame of the surface. Its twist about the contact normal is the spin of its orientation
   /// (`Spin`) plus `DevicePose::twist`.
   /// With a time step [s] > 0 since the last update the dampers act, too: friction bounds the wrench of springs and dampers together, and

@@ -49,6 +49,10 @@ class RadiusLaw {
   /// Like all factories here it throws `std::invalid_argument`, with the parameter, its value, unit and range.
   static RadiusLaw parse(std::string_view text);
 
+  // Moving copies, which is cheap: what was moved from stays what it was.
+  RadiusLaw(const RadiusLaw&) = default;
+  RadiusLaw& operator=(const RadiusLaw&) = default;
+
   /// a(P) [m] at load P [N] ≥ 0; relative error ≤ 4 ε.
   [[nodiscard]] double radius(double load) const noexcept {
     if (is_sampled()) return sampled_radius(load);

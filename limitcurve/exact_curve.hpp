@@ -16,7 +16,8 @@ namespace limitcurve {
 /// Cost: that of `forces`, nanoseconds for a closed form, microseconds by quadrature. In a control loop use a table.
 class ExactCurve {
  public:
-  explicit ExactCurve(Law law) : law_(std::move(law)), moment_ratio_(law_->moment_ratio()) {}
+  /// Throws std::invalid_argument if there is no law.
+  explicit ExactCurve(Law law) : law_(checked(std::move(law))), moment_ratio_(law_->moment_ratio()) {}
 
   [[nodiscard]] const PressureLaw& law() const noexcept { return *law_; }
   [[nodiscard]] double moment_ratio() const noexcept { return moment_ratio_; }

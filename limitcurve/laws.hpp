@@ -64,7 +64,8 @@ Law samples(std::span<const PressureSample> rows, std::string_view source);
 /// If a pressure is too rough to be resolved, `evaluate` states a larger error. `pressure` is called from const member functions, so it
 /// must be safe to call from several threads. Cost: 25 to 150 evaluations of `pressure` divided by narrowest_feature, and 1e5 for each kink
 /// or jump. Throws std::invalid_argument for an empty `pressure`, `breaks` that do not increase from 0, a pressure that is not finite at a
-/// break, a pressure without load, and a `narrowest_feature` out of its range.
+/// break, one that is negative anywhere it is tried, one without load, and a `narrowest_feature` out of its range. Lets exceptions of
+/// `pressure` through; if it throws later, the wrench is NaN.
 Law from_pressure(std::string name, std::function<double(double)> pressure, std::span<const double> breaks,
                   double narrowest_feature = 1e-4);
 

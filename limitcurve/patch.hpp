@@ -83,6 +83,10 @@ class Patch {
   /// Σ wᵢ patchᵢ with positive weights, scaled to sum 1: H is linear in the pressure.
   static Patch sum(std::span<const std::pair<double, Patch>> parts);
 
+  // Moving copies, which is cheap: what was moved from stays what it was.
+  Patch(const Patch&) = default;
+  Patch& operator=(const Patch&) = default;
+
   /// The patch with all its points moved by (x, y) [m].
   [[nodiscard]] Patch moved(double x, double y) const;
   /// The patch with orthotropic friction: coefficients mx along x and my along y, in [1e-6, 1e6], as multiples of this patch's. Associated

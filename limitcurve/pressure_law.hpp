@@ -105,6 +105,9 @@ class PressureLaw {
   [[nodiscard]] double moment_ratio() const noexcept { return evaluate(0.0).wrench.moment; }
 };
 
+/// The law; throws std::invalid_argument if the pointer is null.
+Law checked(Law law);
+
 /// Base of laws: implements both densities by the derived law's template `pressure<Real>(RadialPosition<Real>)`.
 template <class Derived>
 class PressureLawOf : public PressureLaw {

@@ -86,6 +86,7 @@ template <class Real>
 BasicTable<Real> BasicTable<Real>::build(const Law& law, double tolerance) {
   // Down to this tolerance the error of `forces` is small enough.
   constexpr double quick_tolerance = 1e-11;
+  checked(law);
   return built<Real>(law->name(), tolerance, [&](double wanted) -> std::optional<BasicTable> {
     if (wanted >= quick_tolerance) {
       if (auto table = table::build<Real>(with_profile(quick_source(law), *law), wanted)) return table;

@@ -57,7 +57,7 @@ class BasicTable {
 
   /// The table of `law` with |error| ≤ tolerance·max(1, m₀) in f and in m at every twist. Cost: milliseconds for a closed form, up to
   /// seconds by quadrature.
-  /// Throws std::invalid_argument if the tolerance is out of range. Throws std::runtime_error if the tolerance needs more than most_bytes
+  /// Throws std::invalid_argument if there is no law or the tolerance is out of range. Throws std::runtime_error if the tolerance needs more than most_bytes
   /// or is finer than the law's own error; the message names the law and the finest possible tolerance.
   static BasicTable build(const Law& law, double tolerance);
 
@@ -72,6 +72,10 @@ class BasicTable {
   /// A table from its cells, for example from a file. Throws std::invalid_argument, with the cell or fact, if a fact or the x of a cell is
   /// out of range, a number is not finite, cells do not join or are not convex, an end is not exact, or the table has more than most_bytes.
   BasicTable(TableFacts facts, const TableCells& cells);
+
+  // Moving copies, which is cheap: what was moved from stays what it was.
+  BasicTable(const BasicTable&) = default;
+  BasicTable& operator=(const BasicTable&) = default;
 
   [[nodiscard]] const std::string& law_name() const noexcept { return data_->facts.law_name; }
   [[nodiscard]] double tolerance() const noexcept { return data_->facts.tolerance; }

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <limits>
 #include <stdexcept>
 
@@ -21,17 +22,25 @@ class CallableLaw final : public PressureLawOf<CallableLaw> {
     std::vector<Extended> given;
     for (const double place : breaks) {
       // The quadrature does not evaluate the ends of a piece, so it would not notice a pressure that is infinite there.
-      if (const double there = pressure_(place); !std::isfinite(there)) {
-        throw std::invalid_argument("law '" + name_ + "': the pressure at radius " + format_number(place) + " is " + format_number(there) +
-                                    ", expected >= 0 and finite");
-      }
+      if (const double there = pressure_(place); !(there >= 0.0 && there <= std::numeric_limits<double>::max())) throw refused(place, there);
       given.push_back(place / outer_);
     }
-    SmoothPieces pieces = smooth_pieces(
-        [&](Extended radius) {
-          return 2 * radius * this->pressure(RadialPosition<Extended>{radius, 1 - radius});
-        },
-        given, narrowest_feature);
+    // Exceptions must not pass through the quadrature: the first is kept, and thrown after it.
+    std::exception_ptr fault;
+    const auto at = [&](Extended radius) -> Extended {
+      if (fault) return 0;
+      try {
+        const double place = outer_ * static_cast<double>(radius);
+        const double there = pressure_(place);
+        if (there < 0.0) throw refused(place, there);
+        return 2 * radius * Extended(there);
+      } catch (...) {
+        fault = std::current_exception();
+        return 0;
+      }
+    };
+    SmoothPieces pieces = smooth_pieces(at, given, narrowest_feature);
+    if (fault) std::rethrow_exception(fault);
     const Extended load = pieces.integral;
     if (!(load > 0) || !(load <= std::numeric_limits<Extended>::max())) {
       throw std::invalid_argument("law '" + name_ + "': the pressure's integral is " + format_number(static_cast<double>(load)) +
@@ -49,7 +58,11 @@ class CallableLaw final : public PressureLawOf<CallableLaw> {
 
   template <class Real>
   Real pressure(RadialPosition<Real> at) const noexcept {
-    return static_cast<Real>(scale_) * static_cast<Real>(pressure_(outer_ * static_cast<double>(at.radius)));
+    try {
+      return static_cast<Real>(scale_) * static_cast<Real>(pressure_(outer_ * static_cast<double>(at.radius)));
+    } catch (...) {
+      return std::numeric_limits<Real>::quiet_NaN();
+    }
   }
 
   UnitForces<double> forces(double s, Slope slope) const noexcept override { return possible(PressureLaw::forces(s, slope)); }
@@ -70,6 +83,11 @@ class CallableLaw final : public PressureLawOf<CallableLaw> {
   }
 
  private:
+  [[nodiscard]] std::invalid_argument refused(double place, double pressure) const {
+    return std::invalid_argument("law '" + name_ + "': the pressure at radius " + format_number(place) + " is " + format_number(pressure) +
+                                 ", expected >= 0 and finite");
+  }
+
   /// The load within a rounding of a jump, where a double cannot resolve the side.
   [[nodiscard]] double load_at_jumps() const {
     const auto at = [&](Extended radius) { return this->pressure(RadialPosition<Extended>{radius, 1 - radius}); };

@@ -131,6 +131,7 @@ Law mixture(std::span<const std::pair<double, Law>> parts) {
   if (parts.empty()) throw std::invalid_argument("mixture has no parts: expected at least one");
   Extended total = 0;
   for (const auto& [weight, law] : parts) {
+    checked(law);
     if (!(weight > 0.0 && weight <= 1e12)) throw out_of_range("weight of " + law->name(), weight, "1", "0 < weight <= 1e12");
     total += weight;
   }

@@ -5,8 +5,15 @@
 #include "limitcurve/quadrature/tanh_sinh.hpp"
 
 #include <array>
+#include <stdexcept>
+#include <utility>
 
 namespace limitcurve {
+
+Law checked(Law law) {
+  if (!law) throw std::invalid_argument("law: none (a null pointer), expected a pressure law");
+  return law;
+}
 
 std::string_view to_string(Method method) {
   constexpr std::array<std::string_view, 5> names{"auto", "closed", "ring", "punch", "direct"};

@@ -84,7 +84,7 @@ Patch Patch::rectangle(double x, double y) {
 }
 
 Patch Patch::ellipse(const Law& law, double a, double b) {
-  return {patch::make_ellipse(law, checked_length("a", a), checked_length("b", b)), 1.0, 1.0};
+  return {patch::make_ellipse(checked(law), checked_length("a", a), checked_length("b", b)), 1.0, 1.0};
 }
 
 Patch Patch::image(std::span<const double> pressures, std::size_t columns, double pixel) {

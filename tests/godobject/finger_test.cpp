@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "limitcurve/patch.hpp"
 #include "tests/godobject/scene.hpp"
 #include "tests/repetitions.hpp"
 
@@ -292,6 +293,21 @@ TEST(SoftFinger, UnwrapsTheTwist) {
     ASSERT_NEAR(wrapped.output().angle, finger.output().angle, 1e-12);
   }
   EXPECT_GT(finger.output().moment, 0.0);
+}
+
+TEST(SoftFinger, WhatWasMovedFromStaysWhatItWas) {
+  const auto force_of = [](SoftFinger& finger) {
+    finger.reset();
+    finger.update(on_plane(0.0, 0.0, 0.002), 0.0);
+    return finger.update(on_plane(0.01, 0.0, 0.002), 0.1).force;
+  };
+  auto round = hertz_finger();
+  SoftFinger patch(Patch::rectangle(0.01, 0.01), round.parameters());
+  for (SoftFinger* finger : {&round, &patch}) {
+    const Eigen::Vector3d before = force_of(*finger);
+    { const SoftFinger gone = std::move(*finger); }
+    EXPECT_EQ(force_of(*finger), before);  // NOLINT(bugprone-use-after-move)
+  }
 }
 
 TEST(SoftFinger, LeavesAnglesBitForBitAloneWithoutAJump) {

@@ -3,6 +3,7 @@
 #include "complaint.hpp"
 #include "limitcurve/accuracy.hpp"
 #include "limitcurve/approximations.hpp"
+#include "limitcurve/exact_curve.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/pressure_law.hpp"
 #include "tests/repetitions.hpp"
@@ -18,6 +19,7 @@
 #include <random>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace limitcurve {
@@ -363,6 +365,20 @@ TEST(Table, SurvivesTwistsThatAreNone) {
   EXPECT_FALSE(table.gauge({nan, 1.0}) > 0.0);
   EXPECT_FALSE(table.along({nan, nan}).wrench.force > 1.0);
   EXPECT_FALSE(table.pieces().jet(true, nan).value > 1.0);
+}
+
+TEST(Table, NoLawIsRefused) {
+  expect_mention(complaint([] { (void)Table::build(Law{}, 1e-3); }), "law: none");
+  expect_mention(complaint([] { (void)ExactCurve(Law{}); }), "law: none");
+  expect_mention(complaint([] { (void)mixture(std::vector<std::pair<double, Law>>{{1.0, Law{}}}); }), "law: none");
+}
+
+TEST(Table, WhatWasMovedFromStaysWhatItWas) {
+  Table table = Table::build(hertz(), 1e-6);
+  const UnitWrench before = table.wrench({1.0, 1.0});
+  { const Table gone = std::move(table); }
+  EXPECT_EQ(table.wrench({1.0, 1.0}), before);  // NOLINT(bugprone-use-after-move)
+  EXPECT_EQ(table.law_name(), "hertz");
 }
 
 TEST(Table, OutlivesWhatItWasCopiedFrom) {
