@@ -186,7 +186,9 @@ TEST(LoadFit, RefusesByName) {
   LoadSamples one_load{LoadSamples::Quantity::radius, {{1.0, 2e-3}, {1.0, 2.1e-3}, {1.0, 1.9e-3}}};
   EXPECT_NE(refusal(one_load, LoadModel::power).find("gamma"), std::string::npos) << refusal(one_load, LoadModel::power);
   EXPECT_EQ(refusal(one_load, LoadModel::linear), "accepted");
-  EXPECT_EQ(refusal({LoadSamples::Quantity::moment, {{1.0, 2e-3}}}, LoadModel::power).find("not identifiable from 1 sample: mu_r, gamma, expected at least 3"), 0U);
+  EXPECT_EQ(refusal({LoadSamples::Quantity::moment, {{1.0, 2e-3}}}, LoadModel::power)
+                .find("not identifiable from 1 sample: mu_r, gamma, expected at least 3"),
+            0U);
   EXPECT_NE(refusal({LoadSamples::Quantity::moment, {}}, LoadModel::linear).find("at least one"), std::string::npos);
   one_load.samples[1].value = -1.0;
   EXPECT_EQ(refusal(one_load, LoadModel::linear), "sample 2: radius = -1: expected > 0 and finite");
