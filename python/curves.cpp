@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "python/core.hpp"
 
-#include "cli/io/stated_error.hpp"
 #include "cli/io/law_argument.hpp"
 #include "cli/io/output_file.hpp"
+#include "cli/io/stated_error.hpp"
 #include "cli/io/table_reader.hpp"
 #include "cli/io/table_writer.hpp"
 #include "godobject/godobject.hpp"
@@ -62,9 +62,8 @@ nb::object evaluate_with_errors(const PyLaw& law, nb::handle c) {
     const nb::gil_scoped_release release;
     for (std::size_t i = 0; i < cors.size; ++i) {
       const double s = cors.data[i];
-      const WrenchEstimate estimate =
-          std::isnan(s) ? WrenchEstimate{{not_a_number, not_a_number}, {not_a_number, not_a_number}, 0.0}
-                        : cli::in_units(law.law->evaluate(s), s, 1.0, 1.0);
+      const WrenchEstimate estimate = std::isnan(s) ? WrenchEstimate{{not_a_number, not_a_number}, {not_a_number, not_a_number}, 0.0}
+                                                    : cli::in_units(law.law->evaluate(s), s, 1.0, 1.0);
       results[0].data[i] = estimate.wrench.force;
       results[1].data[i] = estimate.wrench.moment;
       results[2].data[i] = estimate.error.force;

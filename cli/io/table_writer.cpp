@@ -14,7 +14,8 @@ TableWriter table_writer(const std::string& file, const std::string& option, con
     return [name](const limitcurve::Table& table) { return to_header(table, name); };
   }
   if (!name.empty()) {
-    throw std::invalid_argument("name '" + name + "' for the file '" + file + "': expected one that ends in .h or .hpp, only headers have names");
+    throw std::invalid_argument("name '" + name + "' for the file '" + file +
+                                "': expected one that ends in .h or .hpp, only headers have names");
   }
   if (extension == ".csv") return [](const limitcurve::Table& table) { return to_csv(table); };
   if (extension == ".json") return [](const limitcurve::Table& table) { return to_json(table); };

@@ -22,7 +22,8 @@ class CallableLaw final : public PressureLawOf<CallableLaw> {
     std::vector<Extended> given;
     for (const double place : breaks) {
       // The quadrature does not evaluate the ends of a piece, so it would not notice a pressure that is infinite there.
-      if (const double there = pressure_(place); !(there >= 0.0 && there <= std::numeric_limits<double>::max())) throw refused(place, there);
+      if (const double there = pressure_(place); !(there >= 0.0 && there <= std::numeric_limits<double>::max()))
+        throw refused(place, there);
       given.push_back(place / outer_);
     }
     // Exceptions must not pass through the quadrature: the first is kept, and thrown after it.

@@ -76,7 +76,7 @@ struct Image final : Shape {
   std::vector<double> ys;
   std::vector<double> weights;
   std::vector<std::size_t> before;  ///< how many of them precede each pixel
-  PatchPoint corner;  ///< of the image: least x, largest y, from the centre of pressure
+  PatchPoint corner;                ///< of the image: least x, largest y, from the centre of pressure
   SecondMoments moments;
 
   Image(std::vector<double> pixel_loads, std::size_t width, double hx, double hy)
@@ -178,7 +178,8 @@ struct Image final : Shape {
         bound += weights[i] * fourth_order * ratio * ratio * (1.0 + (std::hypot(xs[i], ys[i]) + away) / moment_ratio);
       }
     };
-    split(cor, [](std::size_t) {}, add_far);
+    split(
+        cor, [](std::size_t) {}, add_far);
     return rounding + bound;
   }
   /// The largest error of a pixel's force times (distance/longer side)⁴, for distances of 1.5 sides or more.
@@ -201,8 +202,8 @@ struct Image final : Shape {
   }
   [[nodiscard]] double area() const override { return static_cast<double>(xs.size()) * side_x * side_y; }
   [[nodiscard]] double nanoseconds() const noexcept override {
-    const double near = std::min(2.0 * near_columns() + 1.0, static_cast<double>(columns)) *
-                        std::min(2.0 * near_rows() + 1.0, static_cast<double>(rows));
+    const double near =
+        std::min(2.0 * near_columns() + 1.0, static_cast<double>(columns)) * std::min(2.0 * near_rows() + 1.0, static_cast<double>(rows));
     return 70.0 * near + 1.5 * static_cast<double>(xs.size());
   }
   [[nodiscard]] SecondMoments second_moments() const override { return moments; }

@@ -67,7 +67,8 @@ LineProfile::LineProfile(Law law) : law_(std::move(law)), outer_(static_cast<dou
 
 void LineProfile::tabulate(double tolerance) {
   double left = 0.0;
-  for (std::size_t i = 0; i < kinks_.size(); ++i) left = std::max(left, add_cells(kinks_[i], i + 1 < kinks_.size() ? kinks_[i + 1] : outer_, tolerance, 1.0));
+  for (std::size_t i = 0; i < kinks_.size(); ++i)
+    left = std::max(left, add_cells(kinks_[i], i + 1 < kinks_.size() ? kinks_[i + 1] : outer_, tolerance, 1.0));
   error_ += 4.0 * std::max(tolerance, left);
 }
 

@@ -137,8 +137,7 @@ PatchFriction Patch::evaluate(const PatchTwist& twist) const noexcept {
 
 PatchFriction Patch::about_origin(const PatchTwist& twist) const noexcept {
   const double reach = shape_->radius + std::hypot(shape_->centre.x, shape_->centre.y);
-  PatchFriction friction =
-      scaled(twist, reach, [this](const PatchTwist& one) { return shape_->about_origin(one, {mx_, my_}); });
+  PatchFriction friction = scaled(twist, reach, [this](const PatchTwist& one) { return shape_->about_origin(one, {mx_, my_}); });
   if (mx_ != 1.0 || my_ != 1.0) friction.error = (friction.error + 2.0 * patch::epsilon) * std::max({1.0, mx_, my_});
   return friction;
 }

@@ -29,7 +29,8 @@ std::string own_name(const Table& table, std::string_view digits) {
 void check_name(std::string_view name) {
   const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
   const auto fits = [&](char c) { return is_letter(c) || (c >= '0' && c <= '9') || c == '_'; };
-  if (!name.empty() && is_letter(name.front()) && std::all_of(name.begin(), name.end(), fits) && name.find("__") == std::string_view::npos) {
+  if (!name.empty() && is_letter(name.front()) && std::all_of(name.begin(), name.end(), fits) &&
+      name.find("__") == std::string_view::npos) {
     return;
   }
   throw std::invalid_argument("name: got '" + std::string(name) +

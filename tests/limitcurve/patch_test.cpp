@@ -443,8 +443,7 @@ PatchFriction orthotropic_points(const std::vector<PatchLoad>& loads, long doubl
     sums[2] += share * my * uy / speed;
     sums[3] += share * (x * my * uy - y * mx * ux) / speed;
   }
-  return {static_cast<double>(sums[0]),
-          {static_cast<double>(sums[1]), static_cast<double>(sums[2]), static_cast<double>(sums[3])}, 0.0};
+  return {static_cast<double>(sums[0]), {static_cast<double>(sums[1]), static_cast<double>(sums[2]), static_cast<double>(sums[3])}, 0.0};
 }
 
 TEST(PatchOrthotropic, PointsNextToTheCorKeepTheirStatedError) {
@@ -550,7 +549,8 @@ TEST(RoundModels, OfPointsAreTriedWithTheCorOnEachPoint) {
     for (PatchLoad& point : loads) point = {uniform(), uniform(), 0.1 + uniform()};
     const auto [mx, my] = set % 2 == 0 ? std::pair{1.0, 1.0} : std::pair{1.7, 0.6};
     const Patch points = Patch::points(loads).orthotropic(mx, my);
-    const std::vector<std::pair<double, Patch>> parts{{1.0, points}, {0.01, Patch::rectangle(0.1, 0.2).moved(0.5, 0.5).orthotropic(mx, my)}};
+    const std::vector<std::pair<double, Patch>> parts{{1.0, points},
+                                                      {0.01, Patch::rectangle(0.1, 0.2).moved(0.5, 0.5).orthotropic(mx, my)}};
     const Patch patch = set < 3 ? points : Patch::sum(parts);
     const RoundModel ellipsoid = round_models(patch).back();
     ASSERT_EQ(ellipsoid.name, "ellipsoid");

@@ -254,15 +254,20 @@ TEST(SmoothPieces, ANegativePressureIsRefusedWithItsRadius) {
   } catch (const std::invalid_argument& error) {
     EXPECT_NE(std::string(error.what()).find("is -0.01, expected >= 0"), std::string::npos) << error.what();
   }
-  EXPECT_THROW((void)from_pressure("below", [](double rho) { return 1.0 - 2.0 * rho; }, whole), std::invalid_argument);
+  EXPECT_THROW((void)from_pressure(
+                   "below", [](double rho) { return 1.0 - 2.0 * rho; }, whole),
+               std::invalid_argument);
 }
 
 TEST(SmoothPieces, AnExceptionOfThePressureComesThrough) {
   struct Broken {};
-  EXPECT_THROW((void)from_pressure("broken", [](double rho) { return rho > 0.3 && rho < 0.4 ? throw Broken() : 1.0; }, whole), Broken);
+  EXPECT_THROW((void)from_pressure(
+                   "broken", [](double rho) { return rho > 0.3 && rho < 0.4 ? throw Broken() : 1.0; }, whole),
+               Broken);
   // Later it cannot: `evaluate` does not throw.
   bool fails = false;
-  const Law law = from_pressure("failing", [&fails](double) { return fails ? throw Broken() : 1.0; }, whole);
+  const Law law = from_pressure(
+      "failing", [&fails](double) { return fails ? throw Broken() : 1.0; }, whole);
   EXPECT_NEAR(law->evaluate(0.0).wrench.moment, 2.0 / 3.0, 1e-14);
   fails = true;
   EXPECT_TRUE(std::isnan(law->evaluate(0.5).wrench.force));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "limitcurve/table_file.hpp"
+#include "complaint.hpp"
 #include "limitcurve/internal/number.hpp"
 #include "limitcurve/laws.hpp"
-#include "complaint.hpp"
 
 #include <gtest/gtest.h>
 
@@ -320,14 +320,15 @@ TEST(TableFile, HeadersOfManyTablesLiveInOneProgram) {
     // Chosen names may even be equal, in files of their own.
     std::ofstream(folder / ("same" + number + ".h")) << to_header(tables[i], "finger");
     std::ofstream(folder / ("same" + number + ".cpp")) << "#include \"same" << number << ".h\"\ndouble same" << number
-                                                        << "() { return finger_wrench(1.0, 1.0).moment + finger::moment_ratio; }\n";
+                                                       << "() { return finger_wrench(1.0, 1.0).moment + finger::moment_ratio; }\n";
     all << "double same" << number << "();\n";
     mains += "  printf(\"%.17g %.17g\\n\", " + name + "_wrench(-1.0, 1.0).moment + " + name + "::moment_ratio, same" + number + "());\n";
   }
   all << "int main() {\n" << mains << "}\n";
   all.close();
   const std::string directory = "cd '" + folder.string() + "' && ";
-  ASSERT_EQ(std::system((directory + "c++ -std=c++17 -Wall -Wextra -Wpedantic -Werror all.cpp same?.cpp -o use && ./use > found").c_str()), 0);
+  ASSERT_EQ(std::system((directory + "c++ -std=c++17 -Wall -Wextra -Wpedantic -Werror all.cpp same?.cpp -o use && ./use > found").c_str()),
+            0);
   std::ifstream found(folder / "found");
   for (const Table& table : tables) {
     double own = 0.0;
