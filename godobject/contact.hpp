@@ -22,6 +22,12 @@ using Numbers = std::array<double, 3>;
 /// grid), so that loads are, too: put the origin near the contact.
 inline constexpr double farthest = 1e6;
 
+/// Whether a sample is near enough to be one, by the sum of squares of its coordinates, depth and twist. A NaN is not.
+template <class Real, class Number>
+[[nodiscard]] constexpr auto is_plausible(Number sum_of_squares) noexcept {
+  return sum_of_squares <= Number(static_cast<Real>(farthest * farthest));
+}
+
 /// A rotation: a quaternion of unit length. It converts from and to `Eigen::Quaterniond`, whose alignment depends on the processor that a file
 /// is compiled for (-march=native): poses must have the same layout in your code and in the library.
 using Orientation = Eigen::Quaternion<double, Eigen::DontAlign>;

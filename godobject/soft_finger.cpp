@@ -163,8 +163,7 @@ FingerOutput SoftFinger::advance(FingerState& state, const Sensed& sensed) const
   output.load = trial.load(slips ? moved.normal : trial.spring.normal);
   output.force = kept.tangential * trial.springs.stiffness;
   output.moment = kept.twist * trial.springs.twist_stiffness;
-  // A proxy moved to the finger's near side slides without a turn: its COR is at infinity.
-  output.cor = !slips ? nan : kept.slips ? kept.cor : inf;
+  output.cor = !slips ? nan : kept.slips ? kept.cor : inf;  // moved to the near side it slides without a turn
   const double work = moved.along_slope * output.force.dot(trial.tangential - kept.tangential) + output.moment * (trial.twist - kept.twist);
   output.slip_work = !slips ? 0.0 : kept.converged ? std::max(work, 0.0) : work;
   output.converged = kept.converged;

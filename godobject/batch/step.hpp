@@ -32,8 +32,8 @@ void step_contacts(const Shared<Real>& shared, const BasicContactBatch<Real>& co
   const Number y = read(contacts.y);
   const Number goal_angle = read(contacts.twist);
   const Number depth = read(contacts.depth);
-  const auto is_plausible = x * x + y * y + depth * depth + goal_angle * goal_angle <= Number(Real(farthest * farthest));
-  const auto touches = is_plausible && depth > zero;
+  const auto is_usable = is_plausible<Real>(x * x + y * y + depth * depth + goal_angle * goal_angle);
+  const auto touches = is_usable && depth > zero;
   auto was_in_contact = !is_at(contacts.state, ContactState::free);
   // After a fault the memory knows.
   if (const auto was_fault = is_at(contacts.state, ContactState::invalid); any(was_fault)) {
@@ -82,7 +82,7 @@ void step_contacts(const Shared<Real>& shared, const BasicContactBatch<Real>& co
   memory = settled(before, memory, shared.curve.is_box, slips, slid, turned);
 
   // c. Force and moment on the user. A fault changes nothing but the state.
-  const auto write = [&](auto array, Number value) { store_where(is_plausible, array.data() + i, value); };
+  const auto write = [&](auto array, Number value) { store_where(is_usable, array.data() + i, value); };
   write(contacts.proxy_x, new_x);
   write(contacts.proxy_y, new_y);
   write(contacts.proxy_angle, new_angle);
@@ -93,12 +93,12 @@ void step_contacts(const Shared<Real>& shared, const BasicContactBatch<Real>& co
   write(contacts.moment, kept_twist * twist_stiffness);
   using States = std::array<ContactState, 3>;
   constexpr States states{ContactState::free, ContactState::stick, ContactState::slip};
-  set_states_where(is_plausible, contacts.state.data() + i, touches, slips, states, zero);
-  set_states_where(is_plausible, contacts.force_slides.data() + i, touches, memory.force_slides, states, zero);
-  if (shared.curve.is_box) set_states_where(is_plausible, contacts.moment_slides.data() + i, touches, memory.moment_slides, states, zero);
-  if (any(!is_plausible)) {
+  set_states_where(is_usable, contacts.state.data() + i, touches, slips, states, zero);
+  set_states_where(is_usable, contacts.force_slides.data() + i, touches, memory.force_slides, states, zero);
+  if (shared.curve.is_box) set_states_where(is_usable, contacts.moment_slides.data() + i, touches, memory.moment_slides, states, zero);
+  if (any(!is_usable)) {
     constexpr States invalid{ContactState::invalid, ContactState::invalid, ContactState::invalid};
-    set_states_where(!is_plausible, contacts.state.data() + i, touches, slips, invalid, zero);
+    set_states_where(!is_usable, contacts.state.data() + i, touches, slips, invalid, zero);
   }
 }
 

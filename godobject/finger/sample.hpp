@@ -36,7 +36,7 @@ struct Sensed {
   const Contact& contact = sensed.contact;
   const double square = contact.point.squaredNorm() + contact.depth * contact.depth + sensed.twist * sensed.twist;
   const bool is_unit = std::fabs(contact.normal.squaredNorm() - 1.0) <= 1e-6;
-  if (!(square <= farthest * farthest) || !is_unit || !(sensed.time_step >= 0.0)) return false;
+  if (!is_plausible<double>(square) || !is_unit || !(sensed.time_step >= 0.0)) return false;
   const Eigen::Vector3d position = contact.point - contact.normal * contact.depth;
   const double limit = max_displacement * max_displacement;
   if (!faults.seen || (position - last.position()).squaredNorm() <= limit) {

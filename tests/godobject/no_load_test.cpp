@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+// Without a load there is no friction: with dampers every fast lift-off has steps in contact under P = 0.
+#include "tests/godobject/scene.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace limitcurve::godobject::test {
+namespace {
+
+/// Fingers whose radius is constant, or a power of the load or an interpolation that is 0 or infinite without a load.
+std::vector<std::pair<std::string, FingerParameters>> fingers() {
+  std::vector<std::pair<std::string, FingerParameters>> result{{"constant", parameters()}};
+  const auto add = [&](const char* name, const RadiusLaw& law) {
+    result.emplace_back(name, parameters());
+    result.back().second.radius_law = law;
+  };
+  add("growing", RadiusLaw::power(0.005, 1.0 / 3.0));
+  add("sampled, growing", RadiusLaw::sampled(std::vector<LoadSample>{{1.0, 0.004}, {2.0, 0.005}, {5.0, 0.007}}));
+  add("sampled, falling", RadiusLaw::sampled(std::vector<LoadSample>{{1.0, 0.007}, {2.0, 0.005}, {5.0, 0.004}}));
+  for (const double gamma : {-0.5, -0.1, 0.3, 1.0}) {
+    result.emplace_back("gamma " + std::to_string(gamma), parameters());
+    result.back().second.mu_r = 0.003;
+    result.back().second.gamma = gamma;
+  }
+  return result;
+}
+
+TEST(NoLoad, LimitsAreNumbersAtEveryLoad) {
+  for (const auto& [name, with] : fingers()) {
+    const ContactLimits limits(with, 0.6);
+    for (const double load : {0.0, std::numeric_limits<double>::denorm_min(), 1e-300, 1e-100, 1e-30, 1.0}) {
+      const FrictionLimits<double> at = limits.at<double>(load, 25000.0);
+      const double moment = at.sticking.force * at.sticking.radius;
+      EXPECT_TRUE(std::isfinite(moment) && moment >= 0.0 && std::isfinite(at.sliding.force * at.sliding.radius)) << name << ' ' << load;
+      EXPECT_TRUE(at.load > 0.0 && at.sticking.radius <= 1e100) << name << ' ' << load;
+      const FrictionLimits<float> single = limits.at<float>(static_cast<float>(load), 25000.0F);
+      EXPECT_TRUE(std::isfinite(single.sticking.force * single.sticking.radius)) << name << ' ' << load;
+    }
+  }
+}
+
+// A slip and a twist under load, then a lift-off so fast that the damper takes all load, still in contact: nothing is kept, and the slip
+// turns about r/rho, for the springs relax.
+TEST(NoLoad, NoFrictionAndTheCentreOfTheWholeDeflection) {
+  for (const auto& [name, plain] : fingers()) {
+    FingerParameters with = plain;
+    with.damping = 10.0;
+    for_each_curve_and_projection(hertz(), [&, &name = name](const FingerCurve& curve, Projection projection, const std::string& kind) {
+      SCOPED_TRACE(name + ", " + kind);
+      SoftFinger finger(curve, with, projection);
+      finger.update(on_plane(0.0, 0.0, 2e-3), 0.0, 1e-3);
+      for (int i = 1; i <= 20; ++i) finger.update(on_plane(2e-5 * i, 0.0, 2e-3), 4e-3 * i, 1e-3);
+      const FingerState before = finger.state();
+      ASSERT_GT(before.output.force.norm() + std::fabs(before.output.moment), 0.0);
+      const FingerOutput output = finger.update(on_plane(4e-4, 0.0, 1e-3), 0.08, 1e-3);
+      EXPECT_EQ(finger.state().limit_load, 0.0);
+      EXPECT_LE(output.force.norm(), 1e-30);
+      EXPECT_LE(std::fabs(output.moment), 1e-30);
+      EXPECT_EQ(to_string(output.state), "slip");
+      // Springs and dampers of the step: trial wrench over their stiffness.
+      const double stiffness = with.stiffness + with.damping / 1e-3;
+      const double slide = finger.state().trial_force / stiffness;
+      const double turn = finger.state().trial_moment / with.twist_stiffness;
+      EXPECT_NEAR(output.cor / (slide / turn), 1.0, 1e-9);
+    });
+  }
+}
+
+// A limit that is no number keeps no friction, whatever the curve.
+TEST(NoLoad, ANaNKeepsNothing) {
+#ifdef NDEBUG
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for_each_curve_and_projection(hertz(), [&](const FingerCurve& curve, Projection projection, const std::string& kind) {
+    const FrictionLimits<double> limits{{nan, 0.005}, {nan, 0.005}, 25000.0};
+    FrictionMemory<double> memory;
+    const FrictionResult<double> result = apply_friction(curve.view(), projection, limits, FrictionTrial<double>{1.0, 0.01}, memory);
+    EXPECT_LE(result.force_fraction + result.moment_fraction, 1e-30) << kind;
+  });
+#endif
+}
+
+}  // namespace
+}  // namespace limitcurve::godobject::test
