@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <type_traits>
 
-/// Packs of numbers, one vector register each, under the names of single numbers (limitcurve/arithmetic.hpp, single.hpp). A template on
+/// Packs of numbers, one vector register each, under the names of single numbers (limitcurve/arithmetic.hpp, batch/step.hpp). A template on
 /// Number then computes as many results as a pack has lanes, with the same bits. The only header with extensions of GCC and Clang.
 ///
 /// The instruction set is part of every type's name: sources that are compiled for different processors share no function that the linker
