@@ -47,9 +47,9 @@ PatchFriction scaled(const PatchTwist& twist, double reach, const Evaluate& eval
 
 namespace patch {
 
-PatchFriction Shape::about_origin(const PatchTwist& user, PatchPoint factors) const noexcept {
-  const PatchTwist twist{factors.x * user.vx, factors.y * user.vy, user.omega};
-  const PatchPoint velocity = velocity_at(twist, centre.x, centre.y);
+PatchFriction Shape::about_origin(const PatchTwist& twist, PatchPoint factors) const noexcept {
+  const PatchTwist stretched{factors.x * twist.vx, factors.y * twist.vy, twist.omega};
+  const PatchPoint velocity = velocity_at(stretched, centre.x, centre.y);
   const PatchTwist here{velocity.x, velocity.y, twist.omega};
   if (velocity.x == 0.0 && velocity.y == 0.0 && twist.omega == 0.0) return {};
   PatchFriction friction = evaluate(here);
