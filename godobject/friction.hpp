@@ -219,8 +219,8 @@ template <class Real, class Number>
 
   FrictionResult<Number> result;
   result.slips = beyond_chord && projected.outside;
-  result.force_fraction = kept_fraction(result.slips && !(trial.force <= zero), projected.force_fraction);
-  result.moment_fraction = limits.has_torsion ? kept_fraction(result.slips && !(trial.moment <= zero), projected.moment_fraction) : zero;
+  result.force_fraction = kept_fraction(result.slips && !(unit.force <= zero), projected.force_fraction);
+  result.moment_fraction = limits.has_torsion ? kept_fraction(result.slips && !(unit.moment <= zero), projected.moment_fraction) : zero;
   // a(0) may be 0: keep the COR of pure sliding infinite.
   const Number radius = larger(limit.radius, Number((std::numeric_limits<Real>::min)()));
   Number cor = radius * (projected.slide / projected.spin);

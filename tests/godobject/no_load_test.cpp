@@ -72,6 +72,19 @@ TEST(NoLoad, NoFrictionAndTheCentreOfTheWholeDeflection) {
   }
 }
 
+// A moment so small that it is 0 in units of its limit is no trial: it keeps its own, and no NaN.
+TEST(NoLoad, AComponentBelowTheSmallestNumberIsNone) {
+  for_each_curve_and_projection(hertz(), [&](const FingerCurve& curve, Projection projection, const std::string& kind) {
+    const FrictionLimits<double> limits{{1e10, 0.005}, {1e10, 0.005}, 1e25};
+    for (const FrictionTrial<double> trial : {FrictionTrial<double>{3e13, 2e-320}, FrictionTrial<double>{2e-320, 3e13}}) {
+      FrictionMemory<double> memory;
+      const FrictionResult<double> result = apply_friction(curve.view(), projection, limits, trial, memory);
+      EXPECT_TRUE(result.slips && result.force_fraction >= 0.0 && result.force_fraction <= 1.0) << kind;
+      EXPECT_TRUE(result.moment_fraction >= 0.0 && result.moment_fraction <= 1.0) << kind;
+    }
+  });
+}
+
 // A limit that is no number keeps no friction, whatever the curve.
 TEST(NoLoad, ANaNKeepsNothing) {
 #ifdef NDEBUG
