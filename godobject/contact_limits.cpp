@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <string_view>
 
@@ -61,7 +62,7 @@ template void check_projection(const BasicFingerCurve<float>& curve, Projection 
 
 template <std::floating_point Real>
 Real radius_at(const RadiusLaw& law, Real load) noexcept {
-  return static_cast<Real>(law.radius(static_cast<double>(load)));
+  return static_cast<Real>(std::min(law.radius(static_cast<double>(load)), static_cast<double>(std::numeric_limits<Real>::max())));
 }
 
 template double radius_at(const RadiusLaw&, double) noexcept;
