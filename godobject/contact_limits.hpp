@@ -39,7 +39,7 @@ class ContactLimits {
     const auto number = [](double value) { return Number(static_cast<Real>(value)); };
     constexpr double almost_none = sizeof(Real) == sizeof(double) ? 1e-100 : 1e-30;
     const bool varies = radius_law_.has_value();
-    const auto length = [&](double value) { return number(std::min(value, 1.0 / almost_none)); };
+    const auto length = [&](double value) { return number((std::min)(value, 1.0 / almost_none)); };
     const Number radius = varies ? smaller(radius_at(*radius_law_, load), length(1.0 / almost_none)) : length(sticking_.radius);
     return {{number(sticking_.force) * load, radius},
             {number(sliding_.force) * load, varies ? length(sliding_fraction_) * radius : length(sliding_.radius)},
