@@ -41,8 +41,8 @@ UnitWrench BasicFingerCurve<Real>::wrench(SlipTwist twist) const noexcept {
   const bool outside = twist.slide > twist.spin;
   const auto x = static_cast<Real>(std::min(twist.slide, twist.spin) / std::max(twist.slide, twist.spin));
   const Jet<Real> jet = view_.jet(outside, x);
-  const auto leading = static_cast<double>(jet.leading());
-  const auto trailing = static_cast<double>(jet.trailing(x));
+  const auto leading = static_cast<double>(jet.leading);
+  const auto trailing = static_cast<double>(jet.trailing);
   return outside ? UnitWrench{trailing, leading} : UnitWrench{leading, trailing};
 }
 

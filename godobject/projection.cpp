@@ -43,8 +43,8 @@ Projected<Real> project_along_c_curve(const CurveView<Real>& curve, const UnitTr
     const bool outside = s > Real(1);
     const Real x = outside ? Real(1) / s : s;
     const Jet<Real> jet = curve.jet(outside, x);
-    result.force = outside ? jet.trailing(x) : jet.leading();
-    result.moment = outside ? jet.leading() : jet.trailing(x);
+    result.force = outside ? jet.trailing : jet.leading;
+    result.moment = outside ? jet.leading : jet.trailing;
   }
   if (result.force > trial.force || result.moment > trial.moment) result = foot;
   return {true,

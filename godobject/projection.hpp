@@ -99,8 +99,8 @@ template <class Real, class Number>
   const Number x = find_root<Real>(
       [&](Number at) noexcept -> Residual<Number> {
         jet = curve.jet(side.outside, at);
-        const Number over_leading = side.leading - jet.leading();
-        const Number over_trailing = kappa * (side.trailing - jet.trailing(at));
+        const Number over_leading = side.leading - jet.leading;
+        const Number over_trailing = kappa * (side.trailing - jet.trailing);
         const Number stiff = one + kappa * at * at;
         // A trial below a point of the curve in both components is inside: stop the search.
         const Number value = select(larger(over_leading, over_trailing) > zero, over_leading - at * over_trailing, zero);
@@ -110,7 +110,7 @@ template <class Real, class Number>
       side.begin(last, guess_twist));
   // The trial is outside the convex curve if and only if it is beyond the tangent at its closest point.
   const CurvePoint<Number> point = side.point(jet, x);
-  return {!(side.trailing + x * side.leading <= jet.value * trial.slip_from),
+  return {!(side.trailing + x * side.leading <= jet.value(x) * trial.slip_from),
           point.force / trial.force,
           point.moment / trial.moment,
           point.slide,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <bit>
 #include <cmath>
 #include <concepts>
@@ -25,10 +26,11 @@ template <class Value>
 [[nodiscard]] constexpr Value select(bool condition, Value yes, Value no) noexcept {
   return condition ? yes : no;
 }
-/// For indices: computed without a branch, because a branch on the side of the rim would often be mispredicted.
+/// values[0], or values[1] if the condition holds, as an Index. Without a branch, because one on the side of the rim would often be
+/// mispredicted.
 template <std::integral Index>
-[[nodiscard]] constexpr Index select(bool condition, Index yes, Index no) noexcept {
-  return no + (yes - no) * static_cast<Index>(condition);
+[[nodiscard]] constexpr Index one_of(const std::array<int, 2>& values, bool condition, Index /*type*/) noexcept {
+  return values[static_cast<std::size_t>(condition)];
 }
 
 /// Whether the condition holds in any lane of a pack. A single number is one lane.
@@ -72,5 +74,55 @@ template <std::integral Index>
 [[nodiscard]] constexpr Index gather(const std::uint16_t* array, Index i) noexcept {
   return static_cast<Index>(array[i]);
 }
+
+/// The larger of an index and 0.
+template <std::integral Index>
+[[nodiscard]] constexpr Index not_negative(Index i) noexcept {
+  return i & ~(i >> (8 * sizeof(Index) - 1));
+}
+
+/// A cell of a table (TablePieces) at an index.
+template <class Real>
+struct LoadedCell {
+  const Real* numbers;
+  bool outside;
+
+  [[nodiscard]] Real origin() const noexcept { return numbers[0]; }
+  [[nodiscard]] Real leading(int i) const noexcept { return numbers[2 * i + 2 + outside]; }
+  [[nodiscard]] Real trailing(int i) const noexcept { return numbers[2 * i + 3 - outside]; }
+};
+template <std::floating_point Real, std::integral Index>
+[[nodiscard]] constexpr LoadedCell<Real> load_cell(const Real* array, Index at, bool outside) noexcept {
+  return {array + at, outside};
+}
+
+/// Two numbers that one instruction serves, where the compiler has such types. Loaded from memory of their alignment.
+#ifdef __GNUC__
+template <class Real>
+struct PairOf {
+  typedef Real Type __attribute__((vector_size(2 * sizeof(Real))));
+};
+template <class Real>
+using Pair = typename PairOf<Real>::Type;
+template <class Real>
+[[nodiscard]] inline Pair<Real> load_pair(const Real* from) noexcept {
+  Pair<Real> result;
+  __builtin_memcpy(&result, __builtin_assume_aligned(from, sizeof result), sizeof result);
+  return result;
+}
+#else
+template <class Real>
+struct Pair {
+  Real numbers[2];
+
+  [[nodiscard]] constexpr Real operator[](int i) const noexcept { return numbers[i]; }
+  friend constexpr Pair operator*(Pair a, Real b) noexcept { return {a[0] * b, a[1] * b}; }
+  friend constexpr Pair operator+(Pair a, Pair b) noexcept { return {a[0] + b[0], a[1] + b[1]}; }
+};
+template <class Real>
+[[nodiscard]] constexpr Pair<Real> load_pair(const Real* from) noexcept {
+  return {from[0], from[1]};
+}
+#endif
 
 }  // namespace limitcurve::arithmetic

@@ -13,87 +13,122 @@ namespace limitcurve {
 /// x = 1/s and D(x) = H(1, x). x ∈ [0, 1] on both sides. The leading component of the wrench is the force inside, the moment outside.
 template <class Real>
 struct Jet {
-  Real value;   ///< D
-  Real first;   ///< D′, the leading component
-  Real second;  ///< D″ ≥ 0, the derivative of the leading component
-  Real third;   ///< D‴
+  Real leading;   ///< D′
+  Real trailing;  ///< D − xD′
+  Real second;    ///< D″ ≥ 0, the derivative of the leading component
+  Real third;     ///< D‴
 
-  [[nodiscard]] Real leading() const noexcept { return first; }
-  [[nodiscard]] Real trailing(Real x) const noexcept { return value - x * first; }
+  [[nodiscard]] Real value(Real x) const noexcept { return trailing + x * leading; }  ///< D
 };
 
-/// The cells of a table as a control loop reads them: the support function D(x) of both sides (Jet), a polynomial of degree 6 in each cell.
-/// Plain pointers to data that the table owns; copies are cheap.
+/// The cells of a table as a control loop reads them: the support function D(x) of both sides (Jet), a polynomial in each cell. Plain
+/// pointers to data that the table owns; copies are cheap.
 ///
-/// How a cell is found: y = min(x, 1 − x) is the distance from the nearer end of [0, 1]. The exponent and the leading mantissa bits of y +
-/// `offset`, offset = 2^−d, are the number of a bucket. So every octave towards either end, where limit curves may be singular, has the
-/// same number of buckets. There are four runs of buckets: inside and outside the rim, near x = 0 and near x = 1. `cell_of_bucket` is the
-/// index of the last cell that begins in the bucket or before it. A search is needed only if several cells begin in one bucket: next to a
-/// singularity that is not at an end. NaN counts as 0, so that no index leaves the arrays.
+/// A cell holds force and moment side by side as polynomials, so that one instruction serves both: inside the rim D′ and D − xD′, outside
+/// D − xD′ and D′.
+///
+/// How a cell is found: y = 1 − x is the distance from the rim. The exponent and the leading mantissa bits of y + `offset`, offset = 2^−d,
+/// are the number of a bucket. So every octave towards the rim, where most limit curves are singular, has the same number of buckets. There
+/// are two runs of buckets, inside and outside the rim. A bucket knows the last cell that begins in it or before it. A search is needed only
+/// if several cells begin in one bucket: next to a singularity elsewhere, as of a pressure that is concentrated at the centre. NaN counts as
+/// the rim, so that no index leaves the arrays.
 template <class Real>
 struct TablePieces {
-  const Real* cells = nullptr;  ///< eight numbers a cell: its origin x₀, then c₀ … c₆ of D = Σ cᵢ (x − x₀)ⁱ
-  const std::uint16_t* cell_of_bucket = nullptr;  ///< four runs: inside near 0, inside near 1, outside near 0, outside near 1
+  const Real* cells = nullptr;  ///< of each: its origin x₀, twice, then fᵢ, mᵢ of f = Σ fᵢ (x − x₀)ⁱ, i = 0 … degree; aligned as a Pair
+  const std::uint16_t* cell_of_bucket = nullptr;  ///< place of its last cell, in pairs of numbers; inside, then outside
   Real offset = 0;                                ///< 2^−d
   int dropped_bits = 0;                           ///< of the mantissa
-  int first_bucket = 0;                           ///< the leading bits of `offset`
-  int buckets = 0;                                ///< in each run
-  bool searches = false;                          ///< whether any cell begins inside a bucket, not at its edge
+  std::array<int, 2> runs = {0, 0};               ///< begin of each run, minus the leading bits of `offset`
+  std::array<int, 2> first_cells = {0, 0};        ///< place of the first cell of each side
+  int degree = most_degree;                       ///< of D
+  int halvings = 0;                               ///< of a search: fewer than 2^halvings cells begin in any bucket after its first
 
-  static constexpr int numbers_per_cell = 8;
+  static constexpr int least_degree = 3;
+  static constexpr int most_degree = 6;
+  /// The pairs of numbers of a cell, and those beyond the last cell that a pack may load.
+  [[nodiscard]] static constexpr int pairs_per_cell(int degree) noexcept { return degree + 2; }
+  static constexpr int padding = 4;
 
-  /// D and its derivatives at x ∈ [0, 1]. `Number` is Real or a pack of it, `outside` a bool or the pack's mask.
+  /// Writes the cell with the origin `x` and the coefficients of D.
+  static constexpr void write_cell(bool outside, double x, const std::array<double, most_degree + 1>& coefficients, int degree,
+                                   Real* to) noexcept {
+    to[0] = to[1] = static_cast<Real>(x);
+    for (int i = 0; i <= degree; ++i) {
+      to += 2;
+      const double leading = i < degree ? (i + 1) * coefficients[static_cast<std::size_t>(i) + 1] : 0.0;
+      to[outside] = static_cast<Real>(leading);
+      to[!outside] = static_cast<Real>((1 - i) * coefficients[static_cast<std::size_t>(i)] - x * leading);
+    }
+  }
+
+  /// Force and moment at x ∈ [0, 1]. Inlined at -O2, too.
+  [[nodiscard, gnu::always_inline]] arithmetic::Pair<Real> wrench(bool outside, Real x) const noexcept {
+    const Real* const cell = cells + 2 * place(outside, x);
+    const Real t = x - *cell;
+    auto sum = arithmetic::load_pair(cell + 2 * degree + 2);
+    const auto add = [&](int i) { sum = sum * t + arithmetic::load_pair(cell + 2 * i + 2); };
+    // Branches are faster than a loop: a processor learns them.
+    if (degree > 5) add(5);
+    if (degree > 4) add(4);
+    if (degree > 3) add(3);
+    add(2);
+    add(1);
+    add(0);
+    return sum;
+  }
+
+  /// The components and the derivatives of D at x ∈ [0, 1]. `Number` is Real or a pack of it, `outside` a bool or the pack's mask.
   template <class Number, class Mask>
   [[nodiscard]] Jet<Number> jet(Mask outside, Number x) const noexcept {
     using namespace arithmetic;
-    const auto at = numbers_per_cell * cell(outside, x);
-    const Number t = x - gather(cells, at);
-    const auto coefficient = [&](int i) { return gather(cells + 1 + i, at); };
-    // Horner's scheme for D and its Taylor coefficients together; each starts one step after the one before.
-    Number value = coefficient(6);
-    Number first = value;
-    value = value * t + coefficient(5);
-    Number half_second = first;
-    first = first * t + value;
-    value = value * t + coefficient(4);
-    Number sixth_third = half_second;
-    half_second = half_second * t + first;
-    first = first * t + value;
-    value = value * t + coefficient(3);
-    for (int i = 2; i >= 0; --i) {
-      sixth_third = sixth_third * t + half_second;
-      half_second = half_second * t + first;
-      first = first * t + value;
-      value = value * t + coefficient(i);
-    }
-    return {value, first, Number(Real(2)) * half_second, Number(Real(6)) * sixth_third};
+    const auto at = place(outside, x);
+    const auto cell = load_cell(cells, at + at, outside);
+    const Number t = x - cell.origin();
+    // Horner's scheme for both, and for the Taylor coefficients of the leading one.
+    Jet<Number> jet{};
+    const auto add = [&](int i) {
+      jet.third = jet.third * t + jet.second;
+      jet.second = jet.second * t + jet.leading;
+      jet.leading = jet.leading * t + cell.leading(i);
+      jet.trailing = jet.trailing * t + cell.trailing(i);
+    };
+    if (degree > 5) add(6);
+    if (degree > 4) add(5);
+    if (degree > 3) add(4);
+    add(3);
+    add(2);
+    add(1);
+    add(0);
+    jet.third = Number(Real(2)) * jet.third;
+    return jet;
   }
 
-  /// The index of the cell that contains x.
+  /// The place of the cell that contains x, in pairs of numbers.
   template <class Number, class Mask>
-  [[nodiscard]] auto cell(Mask outside, Number x) const noexcept {
+  [[nodiscard]] auto place(Mask outside, Number x) const noexcept {
     using namespace arithmetic;
-    const Number one = Number(Real(1));
-    const Number y = larger(Number(Real(0)), smaller(x, one - x));
+    const Number y = larger(Number(Real(0)), Number(Real(1)) - x);
     const auto bits = leading_bits(y + Number(offset), dropped_bits);
-    using Index = decltype(bits + 0);
-    const auto run = select(x > one - x, Index{} + buckets, Index{}) + select(outside, Index{} + 2 * buckets, Index{});
-    const auto last = gather(cell_of_bucket, bits - first_bucket + run);
-    return searches ? search(last, x) : last;
+    const auto last = gather(cell_of_bucket, bits + one_of(runs, outside, bits));
+    if (halvings > 0) [[unlikely]]
+      return search(last, outside, x);
+    return last;
   }
 
  private:
-  /// The cell at or before `cell` that begins at or before x.
-  template <class Index, class Number>
-  [[nodiscard]] Index search(Index cell, Number x) const noexcept {
+  /// The place of the last cell at or before `last` that begins at or before x.
+  template <class Index, class Mask, class Number>
+  [[nodiscard]] Index search(Index last, Mask outside, Number x) const noexcept {
     using namespace arithmetic;
-    while (true) {
-      const Number begin = gather(cells, numbers_per_cell * cell);
-      // The first cell of a side begins at 0.
-      const auto is_beyond = begin > larger(Number(Real(0)), x);
-      if (!any(is_beyond)) return cell;
-      cell = cell - select(is_beyond, Index{} + 1, Index{});
+    const Index first = one_of(first_cells, outside, last);
+    const int one_cell = degree + 2;
+    for (int step = one_cell << (halvings - 1); step >= one_cell; step /= 2) {
+      // The first cell of a side begins at 0, and so ends the search.
+      const Index next = first + not_negative(last - first - (step - one_cell));
+      const auto is_beyond = gather(cells, next + next) > larger(Number(Real(0)), x);
+      last = last - one_of({0, step}, is_beyond, last);
     }
+    return last;
   }
 };
 
@@ -135,7 +170,7 @@ struct CurveView {
     const Number inverse = Number(Real(1)) / value;
     const Number first = aa * x * inverse;
     const Number second = (aa - first * first) * inverse;
-    return {value, first, second, Number(Real(-3)) * first * second * inverse};
+    return {first, b * b * inverse, second, Number(Real(-3)) * first * second * inverse};
   }
 };
 
@@ -182,7 +217,7 @@ struct CurveSide {
   [[nodiscard]] CurvePoint<Number> point(const Jet<Number>& jet, Number x) const noexcept {
     using arithmetic::select;
     const Number one = Number(Real(1));
-    return {select(outside, jet.trailing(x), jet.leading()), select(outside, jet.leading(), jet.trailing(x)), select(outside, one, x),
+    return {select(outside, jet.trailing, jet.leading), select(outside, jet.leading, jet.trailing), select(outside, one, x),
             select(outside, x, one), select(outside, Number(Real(2)) - x, x)};
   }
 };
@@ -209,14 +244,14 @@ template <class Real, class Number>
       [&](Number at) noexcept -> Residual<Number> {
         jet = curve.jet(side.outside, at);
         const Number turn = side.trailing + at * side.leading;
-        const Number up = jet.trailing(at) * side.leading;
-        const Number down = jet.leading() * side.trailing;
+        const Number up = jet.trailing * side.leading;
+        const Number down = jet.leading * side.trailing;
         return {up - down, -jet.second * turn, -jet.third * turn - jet.second * side.leading,
                 Number(4 * std::numeric_limits<Real>::epsilon()) * (up + down)};
       },
       side.begin(last, guess_twist));
   // Gauge by the tangent at x: its error is the square of that of x.
-  gauge = (side.trailing + x * side.leading) / jet.value;
+  gauge = (side.trailing + x * side.leading) / jet.value(x);
   return side.point(jet, x);
 }
 

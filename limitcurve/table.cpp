@@ -10,6 +10,7 @@
 #include "limitcurve/table/check.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -21,11 +22,11 @@ namespace limitcurve {
 namespace {
 
 /// A law by its `forces`, in double: fast.
-table::Source quick_source(const Law& law) {
+table::Source quick_source(const Law& law, const std::string& name) {
   const double moment_ratio = law->moment_ratio();
   const UnitForces<Extended> unknown = law->unrounded(1, Slope::unwanted).error;
   const double error = 1e-13 * std::max(1.0, moment_ratio) + static_cast<double>(std::max(unknown.force, unknown.moment));
-  return {law->name(),
+  return {name,
           [=](bool outside, double x) -> table::Sample {
             if (x == 0.0) return {x, 0, outside ? 1 : moment_ratio, 0.0};
             const UnitForces<double> forces = law->forces(outside ? 1.0 / x : x, Slope::unwanted);
@@ -36,10 +37,10 @@ table::Source quick_source(const Law& law) {
 }
 
 /// A law in extended precision, whose rounding counts only where it is that of a double.
-table::Source fine_source(const Law& law) {
+table::Source fine_source(const Law& law, const std::string& name) {
   const double moment_ratio = law->moment_ratio();
   const double rounding = accuracy::has_extended ? 0.0 : 64 * std::numeric_limits<double>::epsilon() * std::max(1.0, moment_ratio);
-  return {law->name(),
+  return {name,
           [=](bool outside, double x) -> table::Sample {
             if (x == 0.0) return {x, 0, outside ? 1 : moment_ratio, 0.0};
             const auto [forces, bound] = law->unrounded(outside ? 1 / Extended(x) : Extended(x), Slope::unwanted);
@@ -83,15 +84,18 @@ BasicTable<Real> built(const std::string& name, double tolerance, const Attempt&
 }  // namespace
 
 template <class Real>
-BasicTable<Real> BasicTable<Real>::build(const Law& law, double tolerance) {
+BasicTable<Real> BasicTable<Real>::build(const Law& law, double tolerance, TableOptions options) {
   // Down to this tolerance the error of `forces` is small enough.
   constexpr double quick_tolerance = 1e-11;
   checked(law);
-  return built<Real>(law->name(), tolerance, [&](double wanted) -> std::optional<BasicTable> {
+  if (options.name.empty()) options.name = law->name();
+  const table::Source quick = with_profile(quick_source(law, options.name), *law);
+  const table::Source fine = with_profile(fine_source(law, options.name), *law);
+  return built<Real>(options.name, tolerance, [&](double wanted) -> std::optional<BasicTable> {
     if (wanted >= quick_tolerance) {
-      if (auto table = table::build<Real>(with_profile(quick_source(law), *law), wanted)) return table;
+      if (auto table = table::build<Real>(quick, wanted, options.bytes)) return table;
     }
-    return table::build<Real>(with_profile(fine_source(law), *law), wanted);
+    return table::build<Real>(fine, wanted, options.bytes);
   });
 }
 
@@ -101,9 +105,9 @@ void BasicTable<Real>::refuse_corners(const std::string& name) {
 }
 
 template <class Real>
-BasicTable<Real> BasicTable<Real>::build_from(const std::function<UnitWrench(SlipTwist)>& curve, double tolerance, std::string name) {
+BasicTable<Real> BasicTable<Real>::build_from(const std::function<UnitWrench(SlipTwist)>& curve, double tolerance, TableOptions options) {
   constexpr double relative = 1e-15;
-  const table::Source source{name,
+  const table::Source source{options.name,
                              [&](bool outside, double x) -> table::Sample {
                                const UnitWrench wrench = curve(outside ? SlipTwist{1.0, x} : SlipTwist{x, 1.0});
                                const double error = relative * std::max(wrench.force, wrench.moment);
@@ -111,69 +115,66 @@ BasicTable<Real> BasicTable<Real>::build_from(const std::function<UnitWrench(Sli
                                return {x, wrench.force, wrench.moment, error};
                              },
                              {}};
-  return built<Real>(name, tolerance, [&](double wanted) { return table::build<Real>(source, wanted); });
+  return built<Real>(options.name, tolerance, [&](double wanted) { return table::build<Real>(source, wanted, options.bytes); });
+}
+
+int TableCells::degree() const noexcept {
+  const auto reaches = [](const std::vector<TableCell>& side, std::size_t i) {
+    return std::any_of(side.begin(), side.end(), [i](const TableCell& cell) { return cell.coefficients[i] != 0.0; });
+  };
+  int degree = 6;
+  while (degree > 3 && !reaches(inside, static_cast<std::size_t>(degree)) && !reaches(outside, static_cast<std::size_t>(degree))) --degree;
+  return degree;
 }
 
 template <class Real>
 BasicTable<Real>::BasicTable(TableFacts facts, const TableCells& cells) {
-  const table::Buckets buckets{cells.index_bits, cells.octaves};
   table::check<Real>(facts, cells);
-  auto data = std::make_shared<Data>();
-  data->facts = std::move(facts);
-  data->buckets = {cells.index_bits, cells.octaves};
-  data->cells_inside = cells.inside.size();
-  bool searches = false;
-  for (const std::vector<TableCell>* side : {&cells.inside, &cells.outside}) {
-    const std::size_t first = data->cells.size();
-    for (const TableCell& cell : *side) {
-      Cell& stored = data->cells.emplace_back();
-      stored.numbers[0] = static_cast<Real>(cell.x);
-      std::transform(cell.coefficients.begin(), cell.coefficients.end(), stored.numbers.begin() + 1,
-                     [](double c) { return static_cast<Real>(c); });
+  using Pieces = TablePieces<Real>;
+  const int degree = cells.degree();
+  const auto pairs_per_cell = static_cast<std::size_t>(Pieces::pairs_per_cell(degree));
+  const table::Buckets buckets{cells.index_bits, cells.octaves};
+  auto data = std::make_shared<Data>(Data{std::move(facts), cells, {}, {}});
+  std::size_t most_in_bucket = 0;
+  for (const bool outside : {false, true}) {
+    const std::vector<TableCell>& side = outside ? cells.outside : cells.inside;
+    const std::size_t side_begin = data->numbers.size();
+    for (const TableCell& cell : side) {
+      data->numbers.resize(data->numbers.size() + pairs_per_cell);
+      Pieces::write_cell(outside, cell.x, cell.coefficients, degree, (data->numbers.end() - pairs_per_cell)->pair.data());
     }
-    // The cell of a bucket is the last cell that begins before the end of the bucket.
     const auto last_before = [&](double end) {
       const auto begins_before = [](const TableCell& cell, double x) { return cell.x < x; };
-      const auto after = std::lower_bound(side->begin(), side->end(), end, begins_before);
-      return static_cast<std::uint16_t>(first + static_cast<std::size_t>(after - side->begin()) - 1);
+      return static_cast<std::size_t>(std::lower_bound(side.begin() + 1, side.end(), end, begins_before) - side.begin()) - 1;
     };
-    for (std::size_t i = 1; i < buckets.per_run(); ++i) data->cell_of_bucket.push_back(last_before(buckets.distance(i)));
-    // The last bucket of a run contains 1/2, and may begin there.
-    data->cell_of_bucket.push_back(last_before(std::max(0.5, std::nextafter(buckets.distance(buckets.per_run() - 1), 1.0))));
-    for (std::size_t i = 0; i < buckets.per_run(); ++i) data->cell_of_bucket.push_back(last_before(1.0 - buckets.distance(i)));
-    const std::vector<double> edges = buckets.edges();
-    const auto is_inside_a_bucket = [&](const TableCell& cell) { return !std::binary_search(edges.begin(), edges.end(), cell.x); };
-    searches = searches || std::any_of(side->begin(), side->end(), is_inside_a_bucket);
+    for (std::size_t i = 0; i < buckets.per_side(); ++i) {
+      // x next to 0 counts as 0, by the rounding of 1 − x.
+      const std::size_t last = last_before(std::max<double>(buckets.edge(i), std::numeric_limits<Real>::epsilon()));
+      data->cell_of_bucket.push_back(static_cast<std::uint16_t>(side_begin + last * pairs_per_cell));
+      // A bucket that begins with a cell needs no search for those before.
+      most_in_bucket = std::max(most_in_bucket, last - last_before(std::nextafter(buckets.edge(i + 1), 1.0)));
+    }
   }
+  data->numbers.resize(data->numbers.size() + Pieces::padding);
   const auto offset = std::ldexp(Real(1), -cells.octaves);
   const int dropped_bits = std::numeric_limits<Real>::digits - 1 - cells.index_bits;
-  view_.table = {data->cells.front().numbers.data(),
-                 data->cell_of_bucket.data(),
-                 offset,
-                 dropped_bits,
-                 static_cast<int>(arithmetic::leading_bits(offset, dropped_bits)),
-                 static_cast<int>(buckets.per_run()),
-                 searches};
+  const auto first_bucket = static_cast<int>(arithmetic::leading_bits(offset, dropped_bits));
+  view_.table = {.cells = data->numbers.front().pair.data(),
+                 .cell_of_bucket = data->cell_of_bucket.data(),
+                 .offset = offset,
+                 .dropped_bits = dropped_bits,
+                 .runs = {-first_bucket, static_cast<int>(buckets.per_side()) - first_bucket},
+                 .first_cells = {0, static_cast<int>(cells.inside.size() * pairs_per_cell)},
+                 .degree = degree,
+                 .halvings = static_cast<int>(std::bit_width(most_in_bucket))};
   data_ = std::move(data);
-  const Jet<Real> rim = view_.table.jet(false, Real(1));
-  view_.set_scale(view_.table.jet(true, Real(0)).value, view_.table.jet(false, Real(0)).value, rim.leading(), rim.trailing(Real(1)));
+  view_.set_scale(view_.table.jet(true, Real(0)).trailing, view_.table.jet(false, Real(0)).trailing,
+                  view_.table.jet(false, Real(1)).leading, view_.table.jet(false, Real(1)).trailing);
 }
 
 template <class Real>
 std::size_t BasicTable<Real>::bytes() const noexcept {
-  return data_->cells.size() * sizeof(Cell) + data_->cell_of_bucket.size() * sizeof(std::uint16_t);
-}
-
-template <class Real>
-TableCells BasicTable<Real>::cells() const {
-  TableCells result{data_->buckets[0], data_->buckets[1], {}, {}};
-  for (std::size_t i = 0; i < data_->cells.size(); ++i) {
-    const auto& numbers = data_->cells[i].numbers;
-    TableCell cell{numbers[0], {}};
-    std::copy(numbers.begin() + 1, numbers.end(), cell.coefficients.begin());
-    (i < data_->cells_inside ? result.inside : result.outside).push_back(cell);
-  }
-  return result;
+  return (data_->numbers.size() - TablePieces<Real>::padding) * sizeof(Numbers) + data_->cell_of_bucket.size() * sizeof(std::uint16_t);
 }
 
 template <class Real>

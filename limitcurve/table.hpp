@@ -37,11 +37,21 @@ struct TableCells {
   int octaves = 0;                 ///< d: octaves of min(x, 1 − x) + 2^−d
   std::vector<TableCell> inside;   ///< x = c/a, in order, from 0
   std::vector<TableCell> outside;  ///< x = a/c, in order, from 0
+
+  /// The degree of D: the largest i with a cᵢ ≠ 0, and at least 3.
+  [[nodiscard]] int degree() const noexcept;
 };
 
-/// A table: a limit curve that interpolates the support function of another, with a certified error, in 0.2 to 64 KiB. Models LimitCurve.
+/// How to build a table.
+struct TableOptions {
+  std::string name = {};     ///< becomes law_name(); if empty, that of the law
+  std::size_t bytes = 4096;  ///< D has the lowest degree, 3 to 5, whose table has at most so many bytes(); 6 if none has. A look-up takes
+                             ///< about 0.5 ns more for each degree
+};
+
+/// A table: a limit curve that interpolates the support function of another, with a certified error, in 0.3 to 96 KiB. Models LimitCurve.
 ///
-/// Inside the rim D(x) = H(x, 1), x = c/a; outside D(x) = H(1, x), x = a/c. D is a polynomial of degree 6 in each cell. Cells join with
+/// Inside the rim D(x) = H(x, 1), x = c/a; outside D(x) = H(1, x), x = a/c. D is a polynomial of degree 3 to 6 in each cell. Cells join with
 /// their first derivatives, and the builder proves that every cell is convex. Hence the slip twist is exactly the normal of the table's own
 /// curve at the wrench (D′, D − xD′). Both ends, pure sliding and pure spin, are exact.
 ///
@@ -53,20 +63,20 @@ class BasicTable {
   static constexpr double finest_tolerance = sizeof(Real) == sizeof(float) ? 5e-7 : 1e-14;
   static constexpr double coarsest_tolerance = 1e-1;
   /// The largest bytes() of a table.
-  static constexpr std::size_t most_bytes = 65536;
+  static constexpr std::size_t most_bytes = 98304;
 
   /// The table of `law` with |error| ≤ tolerance·max(1, m₀) in f and in m at every twist. Cost: milliseconds for a closed form, up to
   /// seconds by quadrature.
   /// Throws std::invalid_argument if there is no law or the tolerance is out of range. Throws std::runtime_error if the tolerance needs more than most_bytes
   /// or is finer than the law's own error; the message names the law and the finest possible tolerance.
-  static BasicTable build(const Law& law, double tolerance);
+  static BasicTable build(const Law& law, double tolerance, TableOptions options = {});
 
   /// The table of any curve that has `wrench(SlipTwist)` to 1e-15 and no corners or faces: an ellipse, a superellipse, your own curve; not
-  /// a box or a diamond. |error| ≤ tolerance·max(force_max, m_max). `name` becomes law_name(). Throws like the other `build`.
+  /// a box or a diamond. |error| ≤ tolerance·max(force_max, m_max). Throws like the other `build`.
   template <class Curve>
-  static BasicTable build(const Curve& curve, double tolerance, std::string name) {
-    if constexpr (requires { curve.vertices(); }) refuse_corners(name);
-    return build_from([&curve](SlipTwist twist) -> UnitWrench { return curve.wrench(twist); }, tolerance, std::move(name));
+  static BasicTable build(const Curve& curve, double tolerance, TableOptions options) {
+    if constexpr (requires { curve.vertices(); }) refuse_corners(options.name);
+    return build_from([&curve](SlipTwist twist) -> UnitWrench { return curve.wrench(twist); }, tolerance, std::move(options));
   }
 
   /// A table from its cells, for example from a file. Throws std::invalid_argument, with the cell or fact, if a fact or the x of a cell is
@@ -83,11 +93,13 @@ class BasicTable {
   [[nodiscard]] double certified_error() const noexcept { return data_->facts.certified_error; }
   /// Absolute error of the law itself if its pressure is known at samples only. Add it to certified_error(). 0 for laws given by a formula.
   [[nodiscard]] double profile_error() const noexcept { return data_->facts.profile_error; }
-  [[nodiscard]] std::size_t cell_count() const noexcept { return data_->cells.size(); }
-  /// Memory that look-ups read [bytes]: the cells, a cache line each in double, and their index.
+  [[nodiscard]] std::size_t cell_count() const noexcept { return data_->cells.inside.size() + data_->cells.outside.size(); }
+  /// The degree of D.
+  [[nodiscard]] int degree() const noexcept { return view_.table.degree; }
+  /// Memory that look-ups read [bytes]: the cells and their index.
   [[nodiscard]] std::size_t bytes() const noexcept;
   /// The cells as numbers, exactly: BasicTable(facts, cells()) makes an equal table.
-  [[nodiscard]] TableCells cells() const;
+  [[nodiscard]] const TableCells& cells() const noexcept { return data_->cells; }
 
   [[nodiscard]] double force_max() const noexcept { return static_cast<double>(view_.force_max); }  ///< at pure sliding: 1 for a law
   [[nodiscard]] double moment_ratio() const noexcept { return static_cast<double>(view_.moment_max) / force_max(); }  ///< m₀
@@ -97,13 +109,15 @@ class BasicTable {
   [[nodiscard]] const CurveView<Real>& view() const noexcept { return view_; }
   [[nodiscard]] const TablePieces<Real>& pieces() const noexcept { return view_.table; }
 
-  /// The wrench of a slip twist, to certified_error(). Signs of the twist do not count; a zero twist gives wrench 0. About 10 ns.
+  /// The wrench of a slip twist, to certified_error(). Signs of the twist do not count; a zero twist gives wrench 0. About 5 ns.
   [[nodiscard]] UnitWrench wrench(SlipTwist twist) const noexcept {
-    twist = twist.magnitudes();
-    if (twist.is_zero()) return {};
+    twist = {arithmetic::abs(twist.slide), arithmetic::abs(twist.spin)};
+    const double sum = twist.slide + twist.spin;
+    if (!(sum > 0.0)) [[unlikely]]
+      return {sum, sum};
     const auto [outside, x] = place(twist);
-    const Jet<Real> jet = view_.table.jet(outside, x);
-    return wrench_of(outside, jet.leading(), jet.trailing(x));
+    const auto wrench = view_.table.wrench(outside, x);
+    return {wrench[0], wrench[1]};
   }
 
   [[nodiscard]] SlopedPoint point(SlipTwist twist) const noexcept {
@@ -111,7 +125,7 @@ class BasicTable {
     const Jet<Real> jet = view_.table.jet(outside, x);
     // u = 1/(1+s) = q/(1+q): ds/du = −(1+s)², dq/du = (1+q)².
     const double rate = (outside ? 1 : -1) * (1 + x) * (1 + x) * jet.second;
-    return {wrench_of(outside, jet.leading(), jet.trailing(x)), wrench_of(outside, rate, -double{x} * rate)};
+    return {wrench_of(outside, jet.leading, jet.trailing), wrench_of(outside, rate, -double{x} * rate)};
   }
 
   /// The point where the ray through `direction` ≠ 0 meets the table's curve, and its normal. Usually 2 to 4 evaluations, at most 64.
@@ -122,16 +136,14 @@ class BasicTable {
   }
 
  private:
-  /// A cell as it lies in memory: a cache line in double.
-  struct alignas(8 * sizeof(Real)) Cell {
-    std::array<Real, TablePieces<Real>::numbers_per_cell> numbers;
+  struct alignas(2 * sizeof(Real)) Numbers {
+    std::array<Real, 2> pair;
   };
   struct Data {
     TableFacts facts;
-    std::array<int, 2> buckets;  // p and d
-    std::vector<Cell> cells;     // inside, then outside, each in order
+    TableCells cells;
+    std::vector<Numbers> numbers;  // of the cells, as TablePieces reads them
     std::vector<std::uint16_t> cell_of_bucket;
-    std::size_t cells_inside;
   };
   struct Place {
     bool outside;
@@ -139,7 +151,7 @@ class BasicTable {
   };
 
   [[noreturn]] static void refuse_corners(const std::string& name);
-  static BasicTable build_from(const std::function<UnitWrench(SlipTwist)>& curve, double tolerance, std::string name);
+  static BasicTable build_from(const std::function<UnitWrench(SlipTwist)>& curve, double tolerance, TableOptions options);
 
   static Place place(SlipTwist twist) noexcept {
     return {twist.slide > twist.spin, static_cast<Real>((std::min)(twist.slide, twist.spin) / (std::max)(twist.slide, twist.spin))};

@@ -6,6 +6,7 @@
 #include "limitcurve/approximations.hpp"
 
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -26,9 +27,11 @@ namespace limitcurve::godobject {
 namespace {
 
 constexpr int most_cells = 128;
-std::array<double, TablePieces<double>::numbers_per_cell * most_cells> cells;
+std::array<std::array<double, 8>, most_cells> rows;
+using Pieces = TablePieces<double>;
+alignas(16) std::array<double, 2 * Pieces::pairs_per_cell(Pieces::most_degree) * most_cells> cells;
 // One bucket for each side, with its last cell; the table's own search finds the others.
-std::array<std::uint16_t, 4> last_cells;
+std::array<std::uint16_t, 2> last_cells;
 
 std::vector<FingerCurve> curves;  // of the law; the ellipse and the box through its intercepts
 SoftFinger finger(Ellipse::through_intercepts(1.0), {});
@@ -61,7 +64,7 @@ void write_finger(const SoftFinger& of) noexcept {
 
 /// Input for the rows of a table: origin and c₀ … c₆ of each cell, those inside the rim first.
 PLAYGROUND_EXPORT(cell_numbers) double* cell_numbers() {
-  return cells.data();
+  return rows.front().data();
 }
 
 /// Output of the functions below.
@@ -71,13 +74,21 @@ PLAYGROUND_EXPORT(results) double* results() {
 
 /// Sets the curves of a law. Call it after writing the rows.
 PLAYGROUND_EXPORT(use_table) void use_table(int inside, int outside) {
-  const auto last_inside = static_cast<std::uint16_t>(inside - 1);
-  const auto last_outside = static_cast<std::uint16_t>(inside + outside - 1);
-  last_cells = {last_inside, last_inside, last_outside, last_outside};
+  constexpr int degree = Pieces::most_degree;
+  constexpr int pairs = Pieces::pairs_per_cell(degree);
+  for (int i = 0; i < inside + outside; ++i) {
+    const auto [x, c0, c1, c2, c3, c4, c5, c6] = rows[static_cast<std::size_t>(i)];
+    Pieces::write_cell(i >= inside, x, {c0, c1, c2, c3, c4, c5, c6}, degree, cells.data() + 2 * pairs * i);
+  }
+  last_cells = {static_cast<std::uint16_t>(pairs * (inside - 1)), static_cast<std::uint16_t>(pairs * (inside + outside - 1))};
   CurveView<double> view;
-  view.table = {.cells = cells.data(), .cell_of_bucket = last_cells.data(), .dropped_bits = 63, .buckets = 1, .searches = true};
-  const Jet<double> rim = view.jet(false, 1.0);
-  view.set_scale(view.jet(true, 0.0).value, view.jet(false, 0.0).value, rim.leading(), rim.trailing(1.0));
+  view.table = {.cells = cells.data(),
+                .cell_of_bucket = last_cells.data(),
+                .dropped_bits = 63,
+                .runs = {0, 1},
+                .first_cells = {0, pairs * inside},
+                .halvings = std::bit_width(static_cast<unsigned>(most_cells))};
+  view.set_scale(view.jet(true, 0.0).trailing, view.jet(false, 0.0).trailing, view.jet(false, 1.0).leading, view.jet(false, 1.0).trailing);
   const FingerCurve curve(view, nullptr);
   curves = {curve, Ellipse::through_intercepts(curve.moment_ratio()), box(1.0, curve.moment_ratio())};
 }

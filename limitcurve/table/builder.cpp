@@ -22,18 +22,18 @@ constexpr double certificate_margin = 0.05;
 constexpr int most_bits = 6;
 
 /// Builds both sides of a table with an error of at most `target`.
+template <class Real>
 class Builder {
  public:
-  /// `finest_edge` is the largest p + d for which the edges of buckets are exact.
-  Builder(const Source& source, double target, int finest_edge, std::size_t cell_bytes)
-      : source_(source), target_(target), finest_edge_(finest_edge), cell_bytes_(cell_bytes) {}
+  Builder(const Source& source, double target, int degree, std::size_t most_bytes)
+      : source_(source), target_(target), degree_(degree), most_bytes_(most_bytes) {}
 
   /// Builds both sides; false if that is not possible.
   bool lay() { return lay_in_buckets() || lay_in_cells(); }
 
   /// Makes both sides meet at the rim, where D = f + m; false if a side would not stay convex.
   bool join_at_rim() {
-    const Extended at_rim = sides_[0].back().samples()[5].leading + sides_[1].back().samples()[5].leading;
+    const Extended at_rim = sides_[0].back().leading_at_end() + sides_[1].back().leading_at_end();
     return std::all_of(sides_.begin(), sides_.end(), [&](std::vector<Piece>& side) { return end_at(side, at_rim); });
   }
 
@@ -50,10 +50,7 @@ class Builder {
 
   /// Builds both sides from cells that begin at edges of buckets, which a look-up finds without a search; false if that is not possible.
   bool lay_in_buckets() {
-    int narrowest = 1;
-    for (const bool outside : {false, true}) {
-      for (const bool rim : {false, true}) narrowest = std::max(narrowest, octaves_to_end(outside, rim));
-    }
+    const int narrowest = octaves_to_rim();
     int bits = Buckets::least_bits;
     for (int more = 0;;) {
       // The narrowest bucket has the width 2^−(p + d).
@@ -77,19 +74,15 @@ class Builder {
   /// if that is not possible.
   bool lay_in_cells() {
     splits_buckets_ = true;
-    int narrowest = 1;
-    for (const bool outside : {false, true}) {
-      for (const bool rim : {false, true}) narrowest = std::max(narrowest, octaves_to_end(outside, rim));
-    }
     constexpr int bits = 4;
-    buckets_ = {bits, std::clamp(narrowest - bits, 1, finest_edge_ - bits)};
+    buckets_ = {bits, std::clamp(octaves_to_rim() - bits, 1, finest_edge - bits)};
     edges_ = buckets_.edges();
     return lay_side(false) == Outcome::done && lay_side(true) == Outcome::done;
   }
 
   /// The piece over [left, right]; with D′ as a chord if only that fits.
   [[nodiscard]] Piece piece(bool outside, double left, double right, Extended start) const {
-    Piece result(source_, outside, left, right, start, target_);
+    Piece result(source_, outside, static_cast<std::size_t>(degree_), left, right, start, target_);
     if (!fits(result) && result.may_be_straight()) {
       Piece chord = result;
       chord.straighten();
@@ -99,33 +92,36 @@ class Builder {
   }
   [[nodiscard]] bool fits(const Piece& piece) const { return piece.least_growth() >= 0 && piece.error() <= target_; }
 
-  /// Factor by which the width should change. With six nodes the error grows like the sixth power of the width.
+  /// Factor by which the width should change. The error grows like the power `degree` of the width.
   [[nodiscard]] double change(const Piece& piece) const {
     if (!(piece.least_growth() >= 0)) return 0.5;
     const double error = std::max(static_cast<double>(piece.error()), 1e-6 * target_);
-    return std::clamp(0.93 * std::pow(target_ / error, 1.0 / 6.0), 0.25, 4.0);
+    return std::clamp(0.93 * std::pow(target_ / error, 1.0 / degree_), 0.25, 4.0);
   }
+
+  [[nodiscard]] int octaves_to_rim() const { return std::max(octaves_to_end(false, true), octaves_to_end(true, true)); }
 
   /// k such that a piece of width 2^−k fits at an end of a side. The power with which its error falls is estimated from one try to the
   /// next.
   [[nodiscard]] int octaves_to_end(bool outside, bool rim) const {
-    double power = 6.0;
+    const double most_power = degree_;
+    double power = most_power;
     double last_error = 0.0;
     int step = 0;
     int k = 1;
-    while (k < finest_edge_) {
+    while (k < finest_edge) {
       const double width = std::ldexp(1.0, -k);
       const double left = rim ? 1.0 - width : 0.0;
       const Sample begin = source_.at(outside, left);
       const Piece here = piece(outside, left, rim ? 1.0 : width, begin.trailing + begin.x * begin.leading);
       if (fits(here)) break;
       const auto error = static_cast<double>(here.error());
-      if (step > 0 && last_error > 0.0 && error > 0.0) power = std::clamp(std::log2(last_error / error) / step, 0.5, 6.0);
+      if (step > 0 && last_error > 0.0 && error > 0.0) power = std::clamp(std::log2(last_error / error) / step, 0.5, most_power);
       step = error > target_ ? std::clamp(static_cast<int>(std::ceil(std::log2(error / target_) / power)), 1, 6) : 1;
       last_error = error;
       k += step;
     }
-    return std::min(k, finest_edge_);
+    return std::min(k, finest_edge);
   }
 
   [[nodiscard]] Outcome lay_side(bool outside) {
@@ -133,17 +129,17 @@ class Builder {
     side.clear();
     Extended start = source_.at(outside, 0.0).trailing;
     double left = 0.0;
-    double last_width = 0.25;
-    double guess = 0.25;
+    double guess = splits_buckets_ ? std::ldexp(1.0, -octaves_to_end(outside, false)) : 0.25;
+    double last_width = guess;
     while (left < 1.0) {
       std::optional<Piece> next = widest(outside, left, guess, start);
       if (!next && splits_buckets_) next = narrower(outside, left, guess, start);
       if (!next) {
         if (splits_buckets_) return Outcome::impossible;
         const double offset = std::ldexp(1.0, -buckets_.octaves);
-        const bool at_end = std::min(left, 1.0 - left) <= offset;
-        if (buckets_.index_bits + buckets_.octaves == finest_edge_) return Outcome::impossible;
-        if (at_end) return Outcome::needs_octave;
+        const bool at_rim = 1.0 - left <= offset;
+        if (buckets_.index_bits + buckets_.octaves == finest_edge) return Outcome::impossible;
+        if (at_rim) return Outcome::needs_octave;
         if (buckets_.index_bits == most_bits) return Outcome::impossible;
         // All edges used so far are also edges of the finer buckets.
         ++buckets_.index_bits;
@@ -186,7 +182,7 @@ class Builder {
   /// Nearly the widest piece from `left` that fits within its bucket; nothing if none does.
   [[nodiscard]] std::optional<Piece> narrower(bool outside, double left, double guess, Extended start) const {
     const double edge = *std::upper_bound(edges_.begin(), edges_.end(), left);
-    const double least = is_single() ? narrowest_cell<float> : narrowest_cell<double>;
+    constexpr double least = narrowest_cell<Real>;
     std::optional<Piece> best;
     double good = 0.0;
     double bad = edge - left;
@@ -194,7 +190,7 @@ class Builder {
     constexpr int attempts = 100;
     for (int i = 0; i < attempts && width >= least; ++i) {
       // The rest of the bucket must be wide enough for a cell, too.
-      const double right = is_single() ? double{static_cast<float>(left + width)} : left + width;
+      const double right = static_cast<Real>(left + width);
       if (!(right - left >= least && edge - right >= least)) return best;
       const Piece here = piece(outside, left, right, start);
       const bool fit = fits(here);
@@ -208,9 +204,8 @@ class Builder {
     return best;
   }
 
-  [[nodiscard]] bool is_single() const { return cell_bytes_ == 8 * sizeof(float); }
   [[nodiscard]] bool fits_in_memory() const {
-    return (sides_[0].size() + sides_[1].size()) * cell_bytes_ + 4 * buckets_.per_run() * sizeof(std::uint16_t) <= Table::most_bytes;
+    return bytes_of<Real>(sides_[0].size() + sides_[1].size(), degree_, buckets_) <= most_bytes_;
   }
 
   /// Makes D end at `value`: bends the widest piece that stays convex, and raises those after it. False if there is none.
@@ -229,10 +224,13 @@ class Builder {
     return true;
   }
 
+  /// The largest p + d for which the edges of buckets are exact.
+  static constexpr int finest_edge = std::numeric_limits<Real>::digits - 1;
+
   const Source& source_;
   double target_;
-  int finest_edge_;
-  std::size_t cell_bytes_;
+  int degree_;
+  std::size_t most_bytes_;
   Buckets buckets_;
   bool splits_buckets_ = false;
   std::vector<double> edges_;
@@ -250,8 +248,8 @@ double certify(const BasicTable<Real>& table, const std::array<std::vector<Piece
       for (const Sample& exact : piece.samples()) {
         const auto x = static_cast<Real>(exact.x);
         const Jet<Real> jet = table.pieces().jet(outside, x);
-        worst = std::max({worst, static_cast<double>(std::fabs(Extended(jet.leading()) - exact.leading)),
-                          static_cast<double>(std::fabs(Extended(jet.trailing(x)) - exact.trailing))});
+        worst = std::max({worst, static_cast<double>(std::fabs(Extended(jet.leading) - exact.leading)),
+                          static_cast<double>(std::fabs(Extended(jet.trailing) - exact.trailing))});
         exact_error = std::max(exact_error, exact.error);
       }
     }
@@ -259,10 +257,9 @@ double certify(const BasicTable<Real>& table, const std::array<std::vector<Piece
   return (1.0 + certificate_margin) * worst + exact_error;
 }
 
-}  // namespace
-
+/// `build` with a given degree and memory.
 template <class Real>
-std::optional<BasicTable<Real>> build(const Source& source, double tolerance) {
+std::optional<BasicTable<Real>> build_of_degree(const Source& source, double tolerance, int degree, std::size_t most_bytes) {
   const Sample spin = source.at(false, 0.0);
   const Sample slide = source.at(true, 0.0);
   const auto scale = static_cast<double>(std::max(spin.trailing, slide.trailing));
@@ -271,7 +268,7 @@ std::optional<BasicTable<Real>> build(const Source& source, double tolerance) {
   double target = 0.95 * (allowed - rounding - source.at(false, 1.0).error) / (1.0 + certificate_margin);
   constexpr int attempts = 12;
   for (int i = 0; i < attempts && target > 0.0; ++i) {
-    Builder builder(source, target, sizeof(Real) == sizeof(float) ? 23 : 52, 8 * sizeof(Real));
+    Builder<Real> builder(source, target, degree, most_bytes);
     if (!builder.lay()) return std::nullopt;
     if (!builder.join_at_rim()) {
       target *= 0.3;
@@ -286,7 +283,18 @@ std::optional<BasicTable<Real>> build(const Source& source, double tolerance) {
   return std::nullopt;
 }
 
-template std::optional<BasicTable<double>> build(const Source&, double);
-template std::optional<BasicTable<float>> build(const Source&, double);
+}  // namespace
+
+template <class Real>
+std::optional<BasicTable<Real>> build(const Source& source, double tolerance, std::size_t bytes) {
+  constexpr std::size_t most = BasicTable<Real>::most_bytes;
+  for (int degree = TablePieces<Real>::least_degree; degree < TablePieces<Real>::most_degree; ++degree) {
+    if (auto table = build_of_degree<Real>(source, tolerance, degree, std::min(bytes, most))) return table;
+  }
+  return build_of_degree<Real>(source, tolerance, TablePieces<Real>::most_degree, most);
+}
+
+template std::optional<BasicTable<double>> build(const Source&, double, std::size_t);
+template std::optional<BasicTable<float>> build(const Source&, double, std::size_t);
 
 }  // namespace limitcurve::table

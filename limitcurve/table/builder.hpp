@@ -28,16 +28,16 @@ struct Source {
 };
 
 /// The table of a curve with |error| ≤ tolerance·max(force_max, m_max), certified in the arithmetic of the table; nothing if that is not
-/// possible within BasicTable::most_bytes.
+/// possible within BasicTable::most_bytes. Its degree is the lowest with at most so many `bytes`, 6 if none has.
 ///
-/// Each side is built from x = 0 to the rim. In a cell D′ interpolates the curve at six Chebyshev–Lobatto nodes, in extended precision; D
+/// Each side is built from x = 0 to the rim. In a cell D′ interpolates the curve at Chebyshev–Lobatto nodes, in extended precision; D
 /// is its running integral. So the curve and its normal are continuous by construction. (Hermite interpolation of D would lose digits in
 /// narrow cells.) The error of the integral at the rim is corrected in one cell. A cell covers as many buckets as tolerance and convexity
 /// allow; where the curve is singular inside a side it may be part of a bucket. The Bernstein coefficients of D″ prove convexity.
 template <class Real>
-[[nodiscard]] std::optional<BasicTable<Real>> build(const Source& source, double tolerance);
+[[nodiscard]] std::optional<BasicTable<Real>> build(const Source& source, double tolerance, std::size_t bytes);
 
-extern template std::optional<BasicTable<double>> build(const Source&, double);
-extern template std::optional<BasicTable<float>> build(const Source&, double);
+extern template std::optional<BasicTable<double>> build(const Source&, double, std::size_t);
+extern template std::optional<BasicTable<float>> build(const Source&, double, std::size_t);
 
 }  // namespace limitcurve::table

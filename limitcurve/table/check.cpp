@@ -122,7 +122,7 @@ void check(const TableFacts& facts, const TableCells& cells) {
     throw out_of_range("octaves", cells.octaves, "1", "1 to " + std::to_string(finest_edge - cells.index_bits));
   }
   const Buckets buckets{cells.index_bits, cells.octaves};
-  const std::size_t bytes = 8 * sizeof(Real) * (cells.inside.size() + cells.outside.size()) + 4 * sizeof(std::uint16_t) * buckets.per_run();
+  const std::size_t bytes = bytes_of<Real>(cells.inside.size() + cells.outside.size(), cells.degree(), buckets);
   if (bytes > BasicTable<Real>::most_bytes) {
     throw std::invalid_argument("table of " + std::to_string(bytes) + " bytes: expected at most " +
                                 std::to_string(BasicTable<Real>::most_bytes));

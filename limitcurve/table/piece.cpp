@@ -6,48 +6,54 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace limitcurve::table {
 
-namespace {
-
-/// cos(kπ/10): the Chebyshev–Lobatto nodes for even k, points midway between them for odd k.
-constexpr std::array<double, 11> cosines{1.0, 0.9510565162951535,  0.8090169943749475,  0.5877852522924731,  0.3090169943749474,
-                                         0.0, -0.3090169943749474, -0.5877852522924731, -0.8090169943749475, -0.9510565162951535,
-                                         -1.0};
-
-double place(double left, double right, std::size_t k) noexcept {
-  if (k == 0) return left;
-  if (k == 10) return right;
-  return left + (right - left) * (0.5 - 0.5 * cosines[k]);
-}
-
-}  // namespace
-
-Piece::Piece(const Source& source, bool outside, double left, double right, Extended start, double limit)
-    : left_(left), right_(right), start_(start) {
-  samples_.reserve(2 * node_count + 3);
-  for (std::size_t k = 0; k <= 10; k += 2) samples_.push_back(source.at(outside, place(left, right, k)));
+Piece::Piece(const Source& source, bool outside, std::size_t nodes, double left, double right, Extended start, double limit)
+    : nodes_(nodes), left_(left), right_(right), start_(start) {
+  samples_.reserve(2 * most_nodes + 3);
+  for (std::size_t i = 0; i < nodes_; ++i) samples_.push_back(source.at(outside, place(2 * i)));
   interpolate();
   if (least_growth() >= 0 || may_be_straight()) look_between(source, outside, limit);
 }
 
+namespace {
+
+/// |y| on [−1, 1] where the product of the distances from 3 to 6 Chebyshev–Lobatto nodes is largest, and with it the error of an
+/// interpolation: tan((n − 1)θ) = −(n − 1) tan θ, y = cos θ. From the ends on; −1 after the last.
+constexpr std::array<std::array<double, 3>, 4> extrema{{{0.5773502691896258, -1.0},
+                                                        {0.7905694150420949, 0.0, -1.0},
+                                                        {0.8775854441999608, 0.3603384355413083, -1.0},
+                                                        {0.9202480489958662, 0.5655176345490637, 0.0}}};
+
+}  // namespace
+
+/// The Chebyshev–Lobatto nodes for even k, points between them for odd k.
+double Piece::place(std::size_t k) const noexcept {
+  if (k == 0) return left_;
+  const std::size_t last = 2 * (nodes_ - 1);
+  if (k == last) return right_;
+  const double sine = std::sin(std::numbers::pi / 2 * static_cast<double>(k) / static_cast<double>(last));
+  return left_ + (right_ - left_) * (sine * sine);
+}
+
 void Piece::interpolate() {
-  std::array<Extended, node_count> nodes;
-  std::array<Extended, node_count> differences;
-  for (std::size_t i = 0; i < node_count; ++i) {
+  std::array<Extended, most_nodes> nodes;
+  std::array<Extended, most_nodes> differences;
+  for (std::size_t i = 0; i < nodes_; ++i) {
     nodes[i] = (Extended(samples_[i].x) - left_) / width();
     differences[i] = samples_[i].leading;
   }
-  for (std::size_t order = 1; order < node_count; ++order) {
-    for (std::size_t i = node_count; i-- > order;) {
+  for (std::size_t order = 1; order < nodes_; ++order) {
+    for (std::size_t i = nodes_; i-- > order;) {
       differences[i] = (differences[i] - differences[i - 1]) / (nodes[i] - nodes[i - order]);
     }
   }
   // Newton's form, from the inside out: multiply by u − node, add the difference.
   coefficients_.fill(0);
-  for (std::size_t i = node_count; i-- > 0;) {
-    for (std::size_t k = node_count; k-- > 1;) coefficients_[k] = coefficients_[k - 1] - nodes[i] * coefficients_[k];
+  for (std::size_t i = nodes_; i-- > 0;) {
+    for (std::size_t k = nodes_; k-- > 1;) coefficients_[k] = coefficients_[k - 1] - nodes[i] * coefficients_[k];
     coefficients_[0] = differences[i] - nodes[i] * coefficients_[0];
   }
 }
@@ -59,10 +65,18 @@ void Piece::look_between(const Source& source, bool outside, double limit) {
     samples_.push_back(source.at(outside, x));
     within = may_be_straight() || error_at(samples_.back()) <= limit;
   };
-  for (const std::size_t k : {1U, 9U, 5U, 3U, 7U}) look(place(left_, right_, k));
-  // The error of a coarse cell may peak anywhere, and few cells are coarse: take twice as many samples.
+  for (const double y : extrema[nodes_ - 3]) {
+    if (y < 0.0) break;
+    look(left_ + (right_ - left_) * (0.5 - 0.5 * y));
+    if (y > 0.0) look(left_ + (right_ - left_) * (0.5 + 0.5 * y));
+  }
+  // The error of a coarse cell may peak anywhere, and few cells are coarse: take more samples.
   constexpr double coarse = 1e-5;
-  for (std::size_t k = 0; limit > coarse && k < 10; ++k) look((place(left_, right_, k) + place(left_, right_, k + 1)) / 2);
+  const std::size_t last = 2 * (nodes_ - 1);
+  for (std::size_t k = 0; limit > coarse && k < last; ++k) {
+    look((place(k) + place(k + 1)) / 2);
+    if (k % 2 == 1) look(place(k));
+  }
   // The curve may be singular at an end of the side; then the largest error is nearer to it.
   for (const double fraction : {0.01, 0.004, 0.0015}) {
     if (left_ == 0.0) look(fraction * right_);
@@ -79,12 +93,12 @@ void Piece::look_between(const Source& source, bool outside, double limit) {
 }
 
 bool Piece::may_be_straight() const noexcept {
-  const Extended end = samples_[node_count - 1].leading;
+  const Extended end = leading_at_end();
   return left_ == 0.0 || std::fabs(end - samples_[0].leading) <= std::numeric_limits<double>::epsilon() / 2 * end;
 }
 
 void Piece::straighten() {
-  const Extended rise = samples_[node_count - 1].leading - samples_[0].leading;
+  const Extended rise = leading_at_end() - samples_[0].leading;
   coefficients_.fill(0);
   coefficients_[0] = samples_[0].leading;
   // By rounding the rise may be negative.
@@ -93,18 +107,18 @@ void Piece::straighten() {
 
 Extended Piece::leading(Extended u) const noexcept {
   Extended sum = 0;
-  for (std::size_t i = node_count; i-- > 0;) sum = sum * u + coefficients_[i];
+  for (std::size_t i = most_nodes; i-- > 0;) sum = sum * u + coefficients_[i];
   return sum;
 }
 
 Extended Piece::support(Extended u) const noexcept {
   Extended sum = 0;
-  for (std::size_t i = node_count; i-- > 0;) sum = sum * u + coefficients_[i] / static_cast<Extended>(i + 1);
+  for (std::size_t i = most_nodes; i-- > 0;) sum = sum * u + coefficients_[i] / static_cast<Extended>(i + 1);
   return start_ + width() * u * sum;
 }
 
 Extended Piece::least_growth() const noexcept {
-  std::array<Extended, node_count - 1> slope;
+  std::array<Extended, most_nodes - 1> slope;
   for (std::size_t i = 0; i < slope.size(); ++i) slope[i] = static_cast<Extended>(i + 1) * coefficients_[i + 1];
   return least_bernstein_coefficient(slope);
 }
@@ -117,7 +131,7 @@ Extended Piece::error_at(const Sample& exact) const noexcept {
 
 Extended Piece::error() const noexcept {
   Extended worst = 0;
-  for (std::size_t i = node_count; i < samples_.size(); ++i) worst = std::max(worst, error_at(samples_[i]));
+  for (std::size_t i = nodes_; i < samples_.size(); ++i) worst = std::max(worst, error_at(samples_[i]));
   return worst;
 }
 
@@ -137,7 +151,7 @@ TableCell Piece::cell() const noexcept {
   TableCell result{left_, {}};
   result.coefficients[0] = static_cast<double>(start_);
   Extended scale = 1;
-  for (std::size_t i = 0; i < node_count; ++i) {
+  for (std::size_t i = 0; i < most_nodes; ++i) {
     result.coefficients[i + 1] = static_cast<double>(coefficients_[i] * scale / static_cast<Extended>(i + 1));
     scale /= width();
   }

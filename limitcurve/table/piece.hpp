@@ -7,11 +7,13 @@
 
 namespace limitcurve::table {
 
-/// A cell under construction: D′ = Σ lᵢ uⁱ and its integral D over [left, right], u = (x − left)/(right − left), in extended precision.
+/// A cell under construction: D′ = Σ lᵢ uⁱ, i < nodes, and its integral D over [left, right], u = (x − left)/(right − left), in extended
+/// precision.
 class Piece {
  public:
-  /// Interpolates D′ between `left` and `right`; `start` is D at the left end. Then samples its error, until one is above `limit`.
-  Piece(const Source& source, bool outside, double left, double right, Extended start, double limit);
+  /// Interpolates D′ between `left` and `right` at 3 to 6 `nodes`; `start` is D at the left end. Then samples its error, until one is above
+  /// `limit`.
+  Piece(const Source& source, bool outside, std::size_t nodes, double left, double right, Extended start, double limit);
 
   /// Whether a chord may replace the interpolation of D′: next to x = 0, where D′ may begin like a root of x, and where D′ rises by
   /// rounding only.
@@ -28,6 +30,8 @@ class Piece {
   [[nodiscard]] Extended least_growth() const noexcept;
   /// The largest error of both components at the samples between the nodes.
   [[nodiscard]] Extended error() const noexcept;
+  /// The exact D′ at the right end.
+  [[nodiscard]] Extended leading_at_end() const noexcept { return samples_[nodes_ - 1].leading; }
   /// The exact curve at the nodes and between them.
   [[nodiscard]] const std::vector<Sample>& samples() const noexcept { return samples_; }
 
@@ -41,18 +45,20 @@ class Piece {
   [[nodiscard]] TableCell cell() const noexcept;
 
  private:
-  static constexpr std::size_t node_count = 6;
+  static constexpr std::size_t most_nodes = 6;
 
+  [[nodiscard]] double place(std::size_t k) const noexcept;
   [[nodiscard]] Extended leading(Extended u) const noexcept;
   [[nodiscard]] Extended support(Extended u) const noexcept;
   [[nodiscard]] Extended error_at(const Sample& exact) const noexcept;
   void interpolate();
   void look_between(const Source& source, bool outside, double limit);
 
+  std::size_t nodes_;
   double left_;
   double right_;
   Extended start_;
-  std::array<Extended, node_count> coefficients_{};
+  std::array<Extended, most_nodes> coefficients_{};
   std::vector<Sample> samples_;
 };
 

@@ -32,7 +32,7 @@ constexpr std::string_view legend =
 
 UnitWrench wrench(const Table& table, bool outside, double x) {
   const Jet<double> jet = table.pieces().jet(outside, x);
-  return outside ? UnitWrench{jet.trailing(x), jet.leading()} : UnitWrench{jet.leading(), jet.trailing(x)};
+  return outside ? UnitWrench{jet.trailing, jet.leading} : UnitWrench{jet.leading, jet.trailing};
 }
 
 /// The rows of one side in order of x.
@@ -44,7 +44,7 @@ std::vector<Row> rows_of(const Table& table, const std::vector<TableCell>& cells
   };
   for (const TableCell& cell : cells) add(cell.x, cell.coefficients);
   const Jet<double> rim = table.pieces().jet(outside, 1.0);
-  add(1.0, {rim.value, rim.first});
+  add(1.0, {rim.value(1.0), rim.leading});
   return rows;
 }
 

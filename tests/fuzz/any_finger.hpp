@@ -60,8 +60,8 @@ const CurveAndProjection<Real>& any_curve(Bytes& bytes) {
     const BasicTable<Real> coarse = BasicTable<Real>::build(law, 1e-3);
     const BasicTable<Real> table = BasicTable<Real>::build(law, 1e-6);
     const BasicTable<Real> fine = BasicTable<Real>::build(law, finest);
-    const BasicTable<Real> super = BasicTable<Real>::build(minimax_superellipse(ExactCurve(law)), 1e-6, "superellipse");
-    const BasicTable<Real> quartic = BasicTable<Real>::build(minimax_quartic(ExactCurve(law)), 1e-6, "quartic");
+    const BasicTable<Real> super = BasicTable<Real>::build(minimax_superellipse(ExactCurve(law)), 1e-6, {.name = "superellipse"});
+    const BasicTable<Real> quartic = BasicTable<Real>::build(minimax_quartic(ExactCurve(law)), 1e-6, {.name = "quartic"});
     const Ellipse ellipse = Ellipse::through_intercepts(law->moment_ratio());
     return std::vector<CurveAndProjection<Real>>{{table, Projection::closest_point},
                                                  {table, Projection::c_curve},

@@ -103,7 +103,7 @@ std::vector<Tested> all_curves() {
           tested("table_flat_punch_1em9", Table::build(flat_punch(), 1e-9)),
           tested("table_power_1em11", Table::build(power(-0.9), 1e-11)),
           tested("table_gaussian_1em12", Table::build(gaussian(0.4), 1e-12)),
-          tested("table_superellipse_1em8", Table::build(Superellipse(1.1, 0.6, 1.725), 1e-8, "superellipse")),
+          tested("table_superellipse_1em8", Table::build(Superellipse(1.1, 0.6, 1.725), 1e-8, {.name = "superellipse"})),
           polygonal("box", box(1.0, 0.6)),
           polygonal("diamond", diamond(1.2, 0.5)),
           polygonal("octagon", Polygon<4>({UnitWrench{1.0, 0.0}, UnitWrench{0.9, 0.3}, UnitWrench{0.4, 0.55}, UnitWrench{0.0, 0.6}}))};

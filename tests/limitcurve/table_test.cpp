@@ -6,6 +6,7 @@
 #include "limitcurve/exact_curve.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/pressure_law.hpp"
+#include "limitcurve/quadrature/evaluators.hpp"
 #include "tests/repetitions.hpp"
 
 #include <gtest/gtest.h>
@@ -83,16 +84,17 @@ void expect_convex_and_smooth(const BasicTable<Real>& table) {
       const Jet<Real> there = pieces.jet(outside, before);
       const double step = double{x} - double{before};
       const double scale = std::max(table.force_max(), table.force_max() * table.moment_ratio());
-      EXPECT_NEAR(here.value, there.value, step * std::fabs(double{here.first}) + 8 * epsilon * scale) << outside << ' ' << side[i].x;
-      EXPECT_NEAR(here.first, there.first, 2 * step * double{std::max(here.second, there.second)} + 8 * epsilon * scale)
+      EXPECT_NEAR(here.value(x), there.value(before), step * std::fabs(double{here.leading}) + 8 * epsilon * scale)
+          << outside << ' ' << side[i].x;
+      EXPECT_NEAR(here.leading, there.leading, 2 * step * double{std::max(here.second, there.second)} + 8 * epsilon * scale)
           << outside << ' ' << x;
     }
   }
   const Jet<Real> inside = pieces.jet(false, Real(1));
   const Jet<Real> outside = pieces.jet(true, Real(1));
-  const double scale = std::max(double{inside.value}, double{outside.value});
-  EXPECT_NEAR(inside.value, outside.value, 8 * epsilon * scale);
-  EXPECT_NEAR(inside.first + outside.first, inside.value, 8 * epsilon * scale);
+  const double scale = std::max(double{inside.value(1)}, double{outside.value(1)});
+  EXPECT_NEAR(inside.value(1), outside.value(1), 8 * epsilon * scale);
+  EXPECT_NEAR(inside.leading + outside.leading, inside.value(1), 8 * epsilon * scale);
 }
 
 /// A law, at all the tolerances that it is quick at.
@@ -210,8 +212,49 @@ TEST(Table, ReachesTheFinestTolerance) {
 }
 
 TEST(Table, IsSmallForHertz) {
-  EXPECT_LE(Table::build(hertz(), 1e-8).bytes(), 1536U);
-  EXPECT_LE(FloatTable::build(hertz(), 5e-7).bytes(), 768U);
+  EXPECT_LE(Table::build(hertz(), 1e-8, {.bytes = 0}).bytes(), 1536U);
+  EXPECT_LE(FloatTable::build(hertz(), 5e-7, {.bytes = 0}).bytes(), 768U);
+}
+
+TEST(Table, HasTheLowestDegreeWithinItsBudget) {
+  for (const char* name : {"hertz", "uniform", "flat-punch", "gaussian:sigma=0.4"}) {
+    const Law law = parse_law(name);
+    for (const double tolerance : {1e-3, 1e-6, 1e-8, 1e-10}) {
+      std::size_t more = 0;
+      int last = 7;
+      for (const std::size_t bytes : {0U, 2048U, 4096U, 16384U, 98304U}) {
+        const Table table = Table::build(law, tolerance, {.bytes = bytes});
+        EXPECT_TRUE(table.degree() == 6 || table.bytes() <= bytes) << name << ' ' << tolerance << ' ' << bytes;
+        EXPECT_LE(table.degree(), last);
+        EXPECT_GE(table.bytes(), more);
+        EXPECT_EQ(table.degree(), Table(TableFacts{"again", tolerance, table.certified_error()}, table.cells()).degree());
+        EXPECT_LE(worst_error(table, exact_of(law), 300), table.certified_error() + 2e-16);
+        last = table.degree();
+        more = table.bytes();
+      }
+    }
+    EXPECT_EQ(Table::build(law, 1e-3).degree(), 3) << name;
+    EXPECT_EQ(Table::build(law, 1e-13).degree(), 6) << name;
+  }
+}
+
+TEST(Table, CertifiedErrorHoldsBetweenRepresentablePlaces) {
+  // At twists (slide, spin), whose quotient rounds: the slope of the curve is steep where pressures are concentrated at the centre.
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  for (const char* name : {"gaussian:sigma=1e-6", "xydas-kao:k=0.05"}) {
+    const Law law = parse_law(name);
+    const Table table = Table::build(law, 1e-12);
+    double worst = 0.0;
+    for (int i = 0; i < repetitions(500, 10); ++i) {
+      const SlipTwist twist{std::pow(10.0, -12.0 * unit(random)), unit(random)};
+      const auto exact = law->unrounded(Extended(twist.slide) / twist.spin, Slope::unwanted).forces;
+      const UnitWrench read = table.wrench(twist);
+      worst = std::max(
+          {worst, std::fabs(static_cast<double>(read.force - exact.force)), std::fabs(static_cast<double>(read.moment - exact.moment))});
+    }
+    EXPECT_LE(worst, table.certified_error()) << name;
+  }
 }
 
 /// A profile of samples: smooth, or with a jump within the contact.
@@ -244,7 +287,7 @@ struct NamedCurve {
 
 TEST(Table, TakesAnyCurveWhoseNormalTurnsSmoothly) {
   const auto named = [](const char* name, const auto& curve, double tolerance) {
-    return NamedCurve{name, [curve](SlipTwist twist) { return curve.wrench(twist); }, Table::build(curve, tolerance, name)};
+    return NamedCurve{name, [curve](SlipTwist twist) { return curve.wrench(twist); }, Table::build(curve, tolerance, {.name = name})};
   };
   for (const NamedCurve& curve :
        {named("ellipse", Ellipse(1.2, 0.5), 1e-13), named("sharp superellipse", Superellipse(1.1, 0.58, 1.725), 1e-13),
@@ -310,7 +353,7 @@ TEST(Table, FollowsWhatIsNearerToAnEndThanBucketsGet) {
 TEST(Table, NamesTheFinestToleranceThatIsPossible) {
   // Near pure spin its force is the fifth root of x: no cell begins near enough to 0.
   const Superellipse blunt(1.0, 0.58, 6.0);
-  const auto build = [&](double tolerance) { return Table::build(blunt, tolerance, "superellipse:n=6"); };
+  const auto build = [&](double tolerance) { return Table::build(blunt, tolerance, {.name = "superellipse:n=6"}); };
   const std::string text = complaint([&] { build(1e-12); });
   expect_mention(text, "superellipse:n=6");
   expect_mention(text, "1e-12");
@@ -331,15 +374,15 @@ TEST(Table, RefusesALawWhoseOwnErrorIsLarger) {
 }
 
 TEST(Table, RefusesCurvesWithCorners) {
-  expect_mention(complaint([] { Table::build(box(1.0, 0.6), 1e-3, "box"); }), "table of box");
-  expect_mention(complaint([] { Table::build(diamond(1.0, 0.6), 1e-3, "diamond"); }), "table of diamond");
+  expect_mention(complaint([] { Table::build(box(1.0, 0.6), 1e-3, {.name = "box"}); }), "table of box");
+  expect_mention(complaint([] { Table::build(diamond(1.0, 0.6), 1e-3, {.name = "diamond"}); }), "table of diamond");
   // One that does not say that it has: no cell fits.
   struct Corner {
     [[nodiscard]] UnitWrench wrench(SlipTwist twist) const noexcept {
       return {twist.slide > 0.0 ? 1.0 : 0.0, twist.spin > 0.0 ? 0.6 : 0.0};
     }
   };
-  expect_mention(complaint([] { Table::build(Corner{}, 1e-3, "corner"); }), "nor is any other");
+  expect_mention(complaint([] { Table::build(Corner{}, 1e-3, {.name = "corner"}); }), "nor is any other");
 }
 
 // The gauge of these is beyond the largest number; the point of the curve on their ray is not.
@@ -364,7 +407,7 @@ TEST(Table, SurvivesTwistsThatAreNone) {
   }
   EXPECT_FALSE(table.gauge({nan, 1.0}) > 0.0);
   EXPECT_FALSE(table.along({nan, nan}).wrench.force > 1.0);
-  EXPECT_FALSE(table.pieces().jet(true, nan).value > 1.0);
+  EXPECT_FALSE(table.pieces().jet(true, nan).trailing > 1.0);
 }
 
 TEST(Table, NoLawIsRefused) {

@@ -28,10 +28,10 @@ class Curves {
       for (const double tolerance : {1e-2, 1e-6, 1e-8, 1e-11}) tables_[0].push_back(Table::build(parse_law(law), tolerance));
     }
     for (const double exponent : {1.6, 1.9, 2.2}) {
-      tables_[1].push_back(Table::build(Superellipse::through_intercepts(0.6, exponent), 1e-8, "superellipse"));
+      tables_[1].push_back(Table::build(Superellipse::through_intercepts(0.6, exponent), 1e-8, {.name = "superellipse"}));
     }
     for (const double parameter : {2.0, 3.0, 5.0}) {
-      tables_[2].push_back(Table::build(Quartic::through_intercepts(0.6, parameter), 1e-8, "quartic"));
+      tables_[2].push_back(Table::build(Quartic::through_intercepts(0.6, parameter), 1e-8, {.name = "quartic"}));
     }
   }
   explicit Curves(const std::filesystem::path& folder) {
