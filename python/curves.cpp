@@ -168,24 +168,26 @@ void add_laws(nb::module_& module) {
 
 void add_tables(nb::module_& module) {
   nb::class_<PyTable>(module, "Table",
-                      "A limit curve as a lookup table, 1 to 64 KiB, with a certified error. It drives fingers and batches.\n\n"
+                      "A limit curve as a lookup table, 1 to 96 KiB, with a certified error. It drives fingers and batches.\n\n"
                       ">>> import limitcurve as lc\n"
                       ">>> table = lc.Table('hertz', tolerance=1e-8)\n"
-                      ">>> table.certified_error <= 1e-8, table.nbytes < 1536\n"
+                      ">>> table.certified_error <= 1e-8, table.nbytes <= 4096\n"
                       "(True, True)\n")
       .def(
           "__init__",
-          [](PyTable* self, nb::handle law, double tolerance) {
+          [](PyTable* self, nb::handle law, double tolerance, std::size_t bytes) {
             Law of = law_of(law);
             const auto built = [&] {
               const nb::gil_scoped_release release;
-              return Table::build(of, tolerance);
+              return Table::build(of, tolerance, {.bytes = bytes});
             }();
             new (self) PyTable{built, std::move(of)};
           },
-          nb::arg("law"), nb::arg("tolerance") = 1e-6, nb::sig("def __init__(self, law: str | Law, tolerance: float = 1e-06) -> None"),
-          "The table of a law: |error| <= tolerance * max(1, m0) in f and m, tolerance in [1e-14, 0.1]. Milliseconds for a law in closed\n"
-          "form, up to seconds by quadrature. RuntimeError if the law does not allow that tolerance. Releases the GIL.")
+          nb::arg("law"), nb::arg("tolerance") = 1e-6, nb::arg("bytes") = TableOptions{}.bytes,
+          nb::sig("def __init__(self, law: str | Law, tolerance: float = 1e-06, bytes: int = 4096) -> None"),
+          "The table of a law: |error| <= tolerance * max(1, m0) in f and m, tolerance in [1e-14, 0.1]. Its polynomials have the lowest\n"
+          "degree, 3 to 5, with which nbytes <= bytes, else 6: the lowest is the fastest. Milliseconds for a law in closed form, up to\n"
+          "seconds by quadrature. RuntimeError if the law does not allow that tolerance. Releases the GIL.")
       .def_static(
           "load", [](nb::handle path) { return PyTable{cli::read_table(path_of(path))}; }, nb::arg("path"),
           nb::sig("def load(path: str | os.PathLike[str]) -> Table"),

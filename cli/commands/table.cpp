@@ -25,12 +25,15 @@ class Table final : public Subcommand {
     options.law(law_);
     options.number("--tolerance", tolerance_, positive, "Largest error of force and moment, in unit wrenches", Presence::required);
     options.text("-o,--output", file_, "FILE", "File to write", Presence::required);
+    options.count(
+        "--bytes", bytes_, 0, 98304,
+        "Memory that a look-up may touch: the polynomials get the lowest degree, 3 to 5, that fits, which is the fastest; else 6");
     options.text("--name", name_, "NAME", "Of the table in a .h or .hpp file: NAME_wrench(slide, spin)");
   }
 
   void run(const Results& results) override {
     const TableWriter text_of = table_writer(file_, "--output", name_);
-    const auto table = limitcurve::Table::build(law_, tolerance_);
+    const auto table = limitcurve::Table::build(law_, tolerance_, {.bytes = bytes_});
     AtomicFile file(file_);
     file.output().write(text_of(table));
     file.commit();
@@ -42,6 +45,7 @@ class Table final : public Subcommand {
  private:
   Law law_;
   double tolerance_ = 0.0;
+  std::size_t bytes_ = TableOptions{}.bytes;
   std::string file_;
   std::string name_;
 };

@@ -31,8 +31,8 @@ const std::vector<Extended>& unit_disc() {
 
 PressureLaw::PressureLaw() {
   // Build static data now, so that no control loop builds it on first use.
-  static_cast<void>(tanh_sinh_rule<double>());
-  static_cast<void>(tanh_sinh_rule<Extended>());
+  static_cast<void>(TanhSinhRule<double>::get());
+  static_cast<void>(TanhSinhRule<Extended>::get());
   unit_disc();
 }
 

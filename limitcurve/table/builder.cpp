@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <unordered_map>
 
 namespace limitcurve::table {
 
@@ -29,7 +30,10 @@ class Builder {
       : source_(source), target_(target), degree_(degree), most_bytes_(most_bytes) {}
 
   /// Builds both sides; false if that is not possible.
-  bool lay() { return lay_in_buckets() || lay_in_cells(); }
+  bool lay() {
+    const Outcome outcome = lay_in_buckets();
+    return outcome == Outcome::done || (outcome == Outcome::impossible && lay_in_cells() == Outcome::done);
+  }
 
   /// Makes both sides meet at the rim, where D = f + m; false if a side would not stay convex.
   bool join_at_rim() {
@@ -46,10 +50,10 @@ class Builder {
   [[nodiscard]] const std::array<std::vector<Piece>, 2>& sides() const noexcept { return sides_; }
 
  private:
-  enum class Outcome { done, needs_octave, impossible };
+  enum class Outcome { done, needs_octave, impossible, too_large };
 
-  /// Builds both sides from cells that begin at edges of buckets, which a look-up finds without a search; false if that is not possible.
-  bool lay_in_buckets() {
+  /// Builds both sides from cells that begin at edges of buckets, which a look-up finds without a search.
+  Outcome lay_in_buckets() {
     const int narrowest = octaves_to_rim();
     int bits = Buckets::least_bits;
     for (int more = 0;;) {
@@ -58,26 +62,26 @@ class Builder {
       edges_ = buckets_.edges();
       Outcome outcome = fits_in_memory() ? lay_side(false) : Outcome::impossible;
       if (outcome == Outcome::done) outcome = lay_side(true);
-      if (outcome == Outcome::done) return true;
+      if (outcome == Outcome::done || outcome == Outcome::too_large) return outcome;
       if (outcome == Outcome::needs_octave) {
         ++more;
       } else if (buckets_.index_bits > bits) {
         // The number of bits grew. Starting with it needs fewer octaves.
         bits = buckets_.index_bits;
       } else {
-        return false;
+        return outcome;
       }
     }
   }
 
-  /// Builds both sides from cells that begin anywhere, for singularities inside a side or nearer to an end than the smallest bucket; false
-  /// if that is not possible.
-  bool lay_in_cells() {
+  /// Builds both sides from cells that begin anywhere, for singularities inside a side or nearer to an end than the smallest bucket.
+  Outcome lay_in_cells() {
     splits_buckets_ = true;
     constexpr int bits = 4;
     buckets_ = {bits, std::clamp(octaves_to_rim() - bits, 1, finest_edge - bits)};
     edges_ = buckets_.edges();
-    return lay_side(false) == Outcome::done && lay_side(true) == Outcome::done;
+    const Outcome outcome = lay_side(false);
+    return outcome == Outcome::done ? lay_side(true) : outcome;
   }
 
   /// The piece over [left, right]; with D′ as a chord if only that fits.
@@ -153,7 +157,7 @@ class Builder {
       left = next->right();
       start = next->end();
       side.push_back(*next);
-      if (!fits_in_memory()) return Outcome::impossible;
+      if (!fits_in_memory()) return Outcome::too_large;
     }
     return Outcome::done;
   }
@@ -288,10 +292,18 @@ std::optional<BasicTable<Real>> build_of_degree(const Source& source, double tol
 template <class Real>
 std::optional<BasicTable<Real>> build(const Source& source, double tolerance, std::size_t bytes) {
   constexpr std::size_t most = BasicTable<Real>::most_bytes;
+  // Attempts share what they know of the curve, which may come from a quadrature.
+  std::array<std::unordered_map<double, Sample>, 2> known;
+  Source remembered = source;
+  remembered.at = [&](bool outside, double x) {
+    auto [place, is_new] = known[outside].try_emplace(x);
+    if (is_new) place->second = source.at(outside, x);
+    return place->second;
+  };
   for (int degree = TablePieces<Real>::least_degree; degree < TablePieces<Real>::most_degree; ++degree) {
-    if (auto table = build_of_degree<Real>(source, tolerance, degree, std::min(bytes, most))) return table;
+    if (auto table = build_of_degree<Real>(remembered, tolerance, degree, std::min(bytes, most))) return table;
   }
-  return build_of_degree<Real>(source, tolerance, TablePieces<Real>::most_degree, most);
+  return build_of_degree<Real>(remembered, tolerance, TablePieces<Real>::most_degree, most);
 }
 
 template std::optional<BasicTable<double>> build(const Source&, double, std::size_t);
