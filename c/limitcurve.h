@@ -3,7 +3,7 @@
 #define LIMITCURVE_H
 
 /* limitcurve for C and for every language that calls C: friction limit curves of soft fingers, and a soft-finger god-object.
- * C99. Link with liblimitcurve-c. README.md beside this header has an example, and the declarations for C#.
+ * C99. Link with liblimitcurve-c. README.md beside this header has an example; examples/limitcurve.cs has the declarations for C#.
  *
  * Units are SI: m, rad, N, N m, s. A unit wrench is a force in units of mu P and a moment in units of mu P a (friction coefficient mu,
  * load P, contact radius a), both magnitudes >= 0. A centre of rotation (COR) is given by its distance from the contact's centre.

@@ -14,10 +14,10 @@ from repository import FILES  # noqa: E402  (it lies beside this file)
 project = "limitcurve"
 version = release = re.search(r'version = "(.*)"', (ROOT / "limitcurve" / "version.hpp").read_text(encoding="utf-8"))[1]
 root_doc = "index"
-include_patterns = sorted(name for name in FILES if name.endswith(".md"))
-exclude_patterns = ["build", "out"]  # Sphinx follows links, and in build/ports the z: of wine is the whole machine
-sys.path += map(str, ROOT.glob(f"build/venv/lib/python{sys.version_info.major}.{sys.version_info.minor}/site-packages"))
-extensions = ["myst_parser", "breathe", "sphinx.ext.autodoc", "sphinx_copybutton", "docstrings", "engines", "headers", "repository", "formulas", "theme"]
+include_patterns = [*sorted(name for name in FILES if name.endswith(".md")), "docs/index.rst", "build/reference/*.md"]
+# Sphinx follows links, and in build/ports the z: of wine is the whole machine.
+exclude_patterns = ["out", *(f"build/{path.name}" for path in (ROOT / "build").iterdir() if path.name != "reference")]
+extensions = ["myst_parser", "breathe", "sphinx.ext.autodoc", "sphinx_copybutton", "docstrings", "engines", "headers", "repository", "formulas"]
 myst_enable_extensions = ["dollarmath"]
 myst_heading_anchors = 4
 breathe_projects = {"limitcurve": str(ROOT / "build" / "doxygen" / "xml")}
@@ -25,9 +25,10 @@ breathe_default_project = "limitcurve"
 breathe_domain_by_extension = {"h": "c", "hpp": "cpp"}
 default_role = "code"
 autodoc_member_order = "bysource"
+autodoc_use_legacy_class_based = True  # the new one drops a signature that docstrings.py gives where it found none itself
 
 html_theme = "furo"
-# Styles of Debian's Pygments whose every colour has a contrast of 4.5; code stands on a ground of its own.
+# Styles of Pygments whose every colour has a contrast of 4.5; code stands on a ground of its own.
 pygments_style = "xcode"
 pygments_dark_style = "github-dark"
 html_theme_options = {"light_css_variables": {"color-code-background": "#f6f8fa"}}

@@ -117,7 +117,7 @@ int main() {
   bool right = true;
   const auto report = [&](const char* what, god::ContactState expected) {
     const god::FingerOutput output = touch.output();
-    std::printf("%-28s %-6s load %.3f N  friction %.3f N  moment %+.3f N mm  margin to the hand's force %.1e N\n", what,
+    std::printf("%-28s %-6s load %.3f N  friction %.3f N  moment %+.3f N mm  out of balance with the hand %.1e N\n", what,
                 god::to_string(output.state).data(), output.load, output.force.norm(), 1e3 * output.moment,
                 (device.hand_force() + output.load * Eigen::Vector3d::UnitY() + output.force).norm());
     right = right && output.state == expected;

@@ -33,7 +33,7 @@
 /// s = c/a ∈ [0, ∞] is the distance of the centre of rotation (COR) from the contact centre, in contact radii.
 /// Errors: factories and builders throw std::invalid_argument; the message names the parameter, its value and the permitted range.
 /// Member functions that evaluate a law, a curve or a table do not throw.
-/// README.md has the mathematics, docs/accuracy.md every error bound with its test.
+/// docs/theory.md has the mathematics, docs/accuracy.md every error bound with its test.
 namespace limitcurve {
 
 // 1. Generate.

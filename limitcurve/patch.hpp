@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-/// Contacts that are not round: the friction wrench (F_x, F_y, M) of a pressure patch of any shape. README, "Patches", has the mathematics.
+/// Contacts that are not round: the friction wrench (F_x, F_y, M) of a pressure patch of any shape. docs/theory.md has the mathematics.
 namespace limitcurve {
 
 /// A point of the patch [m].

@@ -42,7 +42,7 @@ struct SlipTwist {
   [[nodiscard]] constexpr double spin_fraction() const noexcept { return spin / (slide + spin); }
 };
 
-/// A point of a limit curve and its derivative in the spin fraction u. The slopes satisfy dm/du = −s·df/du (README, "The mathematics").
+/// A point of a limit curve and its derivative in the spin fraction u. The slopes satisfy dm/du = −s·df/du (docs/theory.md).
 struct SlopedPoint {
   UnitWrench wrench;
   UnitWrench slope;  ///< (df/du, dm/du): df/du ≤ 0 ≤ dm/du

@@ -2,7 +2,6 @@
 """The reference of the Python package, from its docstrings: plain text with `code` in them."""
 
 import enum
-import importlib.util
 import inspect
 import re
 
@@ -24,15 +23,6 @@ def signature(app, what, name, thing, options, arguments, result):
     return arguments, None if inspect.isclass(thing) else result
 
 
-def without_package(app, docname, source):
-    if docname != "reference/python":
-        return
-    found = importlib.util.find_spec("limitcurve")  # the folder of this name in the repository is no package, and has no origin
-    if found is None or found.origin is None:
-        source[0] = "# Python\n\nThis copy of the site was built where the Python package was not: its reference is missing. `scripts/maintain/site` says why.\n"
-
-
 def setup(app):
     app.connect("autodoc-process-docstring", escape)
     app.connect("autodoc-process-signature", signature)
-    app.connect("source-read", without_package)

@@ -11,7 +11,7 @@ logger = logging.getLogger(__name__)
 def formula(translator, node, inline):
     """A formula that docutils cannot read is an error with its place."""
     try:
-        translator.body.append(tex2mathml(node.astext(), inline=inline))
+        translator.body.append(tex2mathml(node.astext(), as_block=not inline))
     except SyntaxError as error:
         logger.warning("formula '%s': %s", node.astext(), error, location=node)
     raise nodes.SkipNode

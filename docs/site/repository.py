@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The site's pages are the repository's Markdown files: this module gives their names and adapts their links."""
+"""The site's pages are the repository's Markdown files: this module gives their names, and adapts links to folders."""
 
 import posixpath
 import re
@@ -15,37 +15,23 @@ LINK = re.compile(r"(?<!!)\[((?:[^][]|\[[^]]*\])*)\]\(([^)#:\s]+)(#[^)\s]*)?\)")
 
 
 class PagesAtTheTop(Project):
-    """docs/drive.md is the page drive.html, fit/README.md is fit/README.html."""
+    """docs/drive.md is the page drive.html, fit/README.md is fit/README.html, build/reference/c.md (headers.py) is reference/c.html."""
 
     def path2doc(self, filename):
         name = super().path2doc(filename)
-        return name and name.removeprefix("docs/")
-
-    def doc2path(self, docname, basedir=True):
-        below = f"docs/{docname}"
-        return super().doc2path(below if f"{below}.md" in FILES else docname, basedir)
-
-
-def page_of(path):
-    """The page name of a file or folder of the repository, or None."""
-    for name in (path, posixpath.join(path, "README.md")):
-        if name in FILES and name.endswith(".md"):
-            return name.removeprefix("docs/").removesuffix(".md")
-    return None
+        return name and re.sub(r"^(docs|build)/", "", name)
 
 
 def resolve_links(app, docname, source):
-    """Adapts links: a link to a file or folder with a page becomes a link to the page; a link to another folder is removed."""
-    folder = posixpath.dirname(posixpath.relpath(app.project.doc2path(docname), ROOT))
+    """A link to a folder leads to its README.md; a folder without one has no page."""
+    folder = posixpath.dirname(posixpath.relpath(app.project.doc2path(docname, True), ROOT))
 
     def resolved(match):
         text, target, anchor = match[1], match[2], match[3] or ""
         path = posixpath.normpath(posixpath.join(folder, target))
-        page = page_of(path)
-        if page:  # a heading is known by its file, a page by its name
-            name = (path if path.endswith(".md") else posixpath.join(path, "README.md")) if anchor else f"{page}.md"
-            return f"[{text}]({posixpath.relpath(name, posixpath.dirname(docname) or '.')}{anchor})"
-        return text if (ROOT / path).is_dir() else match[0]  # a file is offered as it is
+        if not (ROOT / path).is_dir():
+            return match[0]
+        return f"[{text}]({target}/README.md{anchor})" if f"{path}/README.md" in FILES else text
 
     source[0] = LINK.sub(resolved, source[0])
 

@@ -6,7 +6,11 @@ once a step the two `SoftFinger`s get the contact's place, turn and normal force
 It goes through `xfrc_applied`, between `mj_step1` and `mj_step2`: there the poses are this step's, and it happens exactly once a step,
 while the callback `mjcb_passive` also runs where MuJoCo only looks ahead (`mj_forward`, Runge-Kutta): a finger that remembers would slip twice.
 
+After `mj_step` poses are those from before it, hence the split. Normal forces are known only after the step, so the limit uses those of the last one.
+Contacts need some steps to carry their load: the fingers close before gravity acts. In the block's frame its faces rest, and proxies move with it.
+
 Beside it MuJoCo's own friction (condim 4) with the coefficients of `lc.translate`, and `lc.run("pivot")`, which is planar and implicit.
+MuJoCo's own cone lets a held block creep; `noslip_iterations` stops that, and the error of the ellipse remains: the block turns too late.
 """
 
 import time as clock

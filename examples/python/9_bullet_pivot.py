@@ -3,6 +3,7 @@
 
 Bullet's contacts have no friction. Before each step the two `SoftFinger`s get the contact's place, turn and normal force, and the wrench
 that they give is applied to the block with `applyExternalForce` and `applyExternalTorque`, which act in the next step alone.
+Every joint has a velocity motor at first, which must be switched off; joints and bodies have damping at first, which must be 0.
 """
 
 import importlib

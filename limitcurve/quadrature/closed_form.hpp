@@ -13,7 +13,7 @@
 ///   s ≤ 1        the COR is under the finger: polynomial, or elliptic integrals of modulus s;
 ///   1 < s² ≤ 2   the closed form for a COR outside, in τ = s² − 1 = (s−1)(s+1), which is exact near the rim;
 ///   s² > 2       the series in pressure moments (moment_series.hpp), which converges fast and keeps the relative precision of m.
-/// Relative error of f and m: ≤ 8 ε of Real, the cone's m ≤ 16 ε. df/ds: ≤ 64 ε. Cost: README, "Evaluators".
+/// Relative error of f and m: ≤ 8 ε of Real, the cone's m ≤ 16 ε. df/ds: ≤ 64 ε. Cost: limitcurve/README.md, "Evaluators".
 namespace limitcurve::closed_form {
 
 inline constexpr long double pi = 3.141592653589793238462643383279502884L;

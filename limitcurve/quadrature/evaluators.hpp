@@ -4,7 +4,7 @@
 #include "limitcurve/pressure_law.hpp"
 
 /// The evaluators of eq. (17) for every law, s ∈ [0, ∞]. All integrands except those of `direct` are positive, so that rounding stays at
-/// the level of one term. README, "The mathematics", has the kernels.
+/// the level of one term. docs/theory.md has the kernels.
 namespace limitcurve::evaluators {
 
 /// A value and the truncation error of its quadrature, without rounding.

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The examples of README.md and of --help run as they stand."""
+"""The examples of --help and of the pages of docs/ run as they stand, and the columns of cli/README.md are those of the command."""
 
 import os
 import re
@@ -10,7 +10,7 @@ from pathlib import Path
 
 from command_line import DATA, EXECUTABLE, CommandLineTest, header, run
 
-README = Path(__file__).resolve().parents[2] / "cli" / "README.md"
+ROOT = Path(__file__).resolve().parents[2]
 
 
 def subcommands():
@@ -18,8 +18,16 @@ def subcommands():
     return [line.split()[0] for line in listed.splitlines() if re.match(r"  \w", line)]
 
 
-def readme_examples():
-    return re.findall(r"^(limitcurve [a-z-]+(?: .+)?)$", README.read_text(encoding="utf-8"), re.M)
+def example(name):
+    """The arguments of the example of a subcommand's help."""
+    return shlex.split(run(name, "--help").stdout.split("Example:\n")[1])
+
+
+def page_examples(page):
+    """The lines of a page's ```sh blocks that run the command, continued lines joined."""
+    blocks = re.findall(r"^(?:[^\n]*not run[^\n]*\n)?```sh\n(.*?)^```", page.read_text(encoding="utf-8"), re.M | re.S)
+    lines = "".join(blocks).replace("\\\n", " ").splitlines()
+    return [re.sub(r"\s+# .*", "", line) for line in lines if line.startswith("limitcurve ")]
 
 
 class Examples(CommandLineTest):
@@ -38,25 +46,23 @@ class Examples(CommandLineTest):
 
     def test_help(self):
         for name in subcommands():
-            help_text = run(name, "--help").stdout
-            example = " ".join(help_text.split("Example:\n")[1].split())
-            self.assertTrue(example.startswith(f"limitcurve {name}"), example)
-            self.succeed(example)
+            self.assertEqual(example(name)[:2], ["limitcurve", name])
+            self.succeed(shlex.join(example(name)))
 
-    def test_readme(self):
-        examples = readme_examples()
+    def test_pages(self):
+        examples = [line for page in sorted((ROOT / "docs").glob("*.md")) for line in page_examples(page)]
+        self.assertGreater(len(examples), 20)
         for line in examples:
             self.succeed(line)
-        self.assertEqual({shlex.split(line)[1] for line in examples}, set(subcommands()), "one example a subcommand")
 
     def test_the_columns_of_the_contract(self):
-        for name, columns in re.findall(r"^\| `([a-z-]+)` \|[^|]+\| `([a-z_,]+)` \|$", README.read_text(encoding="utf-8"), re.M):
-            example = next(line for line in readme_examples() if line.split()[1] == name and "json" not in line)
-            arguments = [word.replace("data/", f"{DATA}/") for word in shlex.split(example)[1:]]
-            if name == "table":
-                arguments[-1] = str(self.directory / "hertz.csv")
-            if name == "lookup":
-                arguments[2] = str(self.directory / "hertz.csv")
+        contract = dict(re.findall(r"^\| `([a-z-]+)` \|[^|]+\| `([a-z_,]+)` \|$", (ROOT / "cli" / "README.md").read_text(encoding="utf-8"), re.M))
+        self.assertEqual({*contract, "report"}, set(subcommands()))
+        for name, columns in contract.items():
+            arguments = [word.replace("data/", f"{DATA}/") for word in example(name)[1:]]
+            if name in ("table", "lookup"):
+                place = arguments.index("-o" if name == "table" else "--table") + 1
+                arguments[place] = str(self.directory / "hertz.csv")
             self.assertEqual(header(*arguments), columns, name)
 
 

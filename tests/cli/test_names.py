@@ -77,6 +77,14 @@ class Names(unittest.TestCase):
                 shared = sum(plain in {other.lstrip("-").replace("-", "_") for other in present[place]} for place in LANGUAGES)
                 self.assertTrue(shared < 2 or name in known[language], f"{language}: {name} stands in {shared} languages, not in data/names.csv")
 
+    def test_structs_for_c_sharp_have_the_members_of_c_in_its_order(self):
+        sharp, header = text("examples", "limitcurve.cs"), re.sub(r"/\*.*?\*/", "", text("c", "limitcurve.h"), flags=re.DOTALL)
+        for name, of_c in (("FingerParameters", "finger_parameters"), ("Contact", "contact"), ("FingerOutput", "finger_output")):
+            members = re.findall(r"(\w+)(?:\[3\])?;", re.search(rf"typedef struct limitcurve_{of_c} \{{(.*?)\n\}}", header, re.DOTALL)[1])
+            body = re.search(rf"struct {name} \{{(.*?)\n\}}", sharp, re.DOTALL)[1]
+            declared = [re.sub(r"\[3\]", "", one) for line in re.findall(r"public (?:fixed )?\w+ ([^;]+);", body) for one in line.split(", ")]
+            self.assertEqual(declared, [re.sub(r"_(\w)", lambda letter: letter[1].upper(), member) for member in members], name)
+
     def test_old_options_are_accepted_and_said(self):
         finger = ["--law", "hertz", "--radius-law", "constant:a=0.006", "--mu", "0.6", "--stiffness", "1000", "--twist-stiffness", "0.036"]
         call = ["replay", "--trace", DATA / "traces" / "slide_twist_load.csv", *finger]

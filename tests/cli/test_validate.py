@@ -61,6 +61,18 @@ class Validate(CommandLineTest):
         # Of the exact curve the corner's ray meets the point of equal x and y.
         self.assertTrue(0.45 < box["max_over_estimate"] < 0.55)
 
+    def test_common_laws_lie_within_4_per_cent_of_each_other(self):
+        # By the support function of the normalised plane, H(u) = x cos u + y sin u: two curves differ nowhere by more than their support functions do.
+        angles = [math.pi / 2 * i / 200 for i in range(201)]
+        supports = []
+        for law in ["flat-punch", "uniform", "hertz", "parabolic", "cone", "gaussian:sigma=1"]:
+            ratio = rows("eval", "--law", law, "--c", "0")[0]["moment"]
+            cors = ",".join(repr(ratio / math.tan(angle)) if angle else "inf" for angle in angles)
+            supports.append([row["force"] * math.cos(angle) + row["moment"] / ratio * math.sin(angle)
+                             for row, angle in zip(rows("eval", "--law", law, "--c", cors), angles)])
+        farthest = max(max(at) / min(at) - 1 for at in zip(*supports))
+        self.assertTrue(0.03 < farthest < 0.04, farthest)
+
     def test_inner_and_outer_keep_their_promise(self):
         for law in ["hertz", "cone"]:
             models = self.models(law)

@@ -13,7 +13,7 @@ constexpr double stiffness = 1000.0;
 constexpr double depth = 0.002;
 constexpr double load = stiffness * depth;
 /// Unit wrench that a finger settles at when it is moved at a constant twist about a centre at s = c/a for long: ninety
-/// times the give of the softer spring, which the length of the transient is counted in (README, "How long it takes").
+/// times the give of the softer spring, which the length of the transient is counted in (docs/theory.md, "The step").
 UnitWrench settled(const FingerCurve& curve, Projection projection, double s, double kappa) {
   const double m0 = curve.moment_ratio();
   const double twist_stiffness = kappa * stiffness * (m0 * radius) * (m0 * radius);
@@ -140,7 +140,7 @@ double settled_after(const Law& law, const Table& table, double kappa, double s,
 }
 
 // Stiffness ratios and centres of rotation over six decades each, every half decade, and where the transient is longest, at light and
-// heavy loads: eq. (17) at once, and the transient no longer than the README says ("How long it takes").
+// heavy loads: eq. (17) at once, and the transient no longer than docs/theory.md says.
 TEST(SteadyTwist, ForgetsTheStartInTheLengthDocumented) {
   const auto forgets = [](const Law& law, double longest, double kappa, double s) {
     const Table table = Table::build(law, 1e-8);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where the closed forms as printed lose their digits, and ours do not. The table in limitcurve/README.md is this test's.
+// Where the closed forms as printed lose their digits, and ours do not. Drawn in docs/textbook_forms.svg.
 #include "limitcurve/accuracy.hpp"
 #include "limitcurve/quadrature/closed_form.hpp"
 #include "reference.hpp"
@@ -37,13 +37,13 @@ double our_moment(const std::string& law, double s) {
   return closed_form::uniform(s).moment;
 }
 
-/// A cell of the README's table: the relative error of a printed form.
+/// The relative error of a printed form at s.
 struct Cell {
   double s;
   long double error;
 };
 
-/// Rounding is luck: within a factor 100 of what the README says.
+/// Rounding is luck: within a factor 100.
 void expect_order(long double error, long double as_printed, const std::string& where) {
   EXPECT_GE(error, as_printed / 100) << where;
   EXPECT_LE(error, as_printed * 100) << where;

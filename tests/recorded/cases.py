@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The cases that scripts/maintain/record runs (README.md)."""
+"""The cases that scripts/maintain/record runs (tests/README.md)."""
 
 PAIRS = [(curve, projection) for curve in ("exact", "table", "ellipse")
          for projection in ("radial", "c-curve", "closest-point")] + [("box", "closest-point")]

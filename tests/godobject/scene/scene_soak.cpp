@@ -5,7 +5,7 @@
 //   · all outputs are finite,
 //   · the wrench is within the limit of the load,
 //   · a finger that sticks has not moved its proxy by a single bit;
-// and a free body between fingers at rest without gravity does not gain energy (README, "Bodies", has the bound).
+// and a free body between fingers at rest without gravity does not gain energy (godobject/README.md, "Bodies", has the bound).
 //     scene_soak [FINGER_STEPS [SEED]]
 // Prints what it saw and exits with 1 after the first scene that is wrong, which it names so that it can be run again.
 #include "godobject/body/grasp.hpp"

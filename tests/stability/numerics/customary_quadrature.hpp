@@ -23,7 +23,7 @@ using Function = std::function<double(double)>;
 /// The requested accuracy, for rules that accept one.
 inline constexpr double asked = 1e-9;
 
-/// The integrand of the unit force, (4/π) ρ g(ρ) φ(ρ, s), theory as in limitcurve/README.md.
+/// The integrand of the unit force, (4/π) ρ g(ρ) φ(ρ, s), as in docs/theory.md.
 inline Function force_integrand(Function density, double s) {
   return [density = std::move(density), s](double rho) {
     // Boost throws at modulus 1, so stay below it.
