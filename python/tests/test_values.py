@@ -78,9 +78,52 @@ def test_a_table_survives_its_files(tmp_path):
         TABLE.save(tmp_path / name)
         again = lc.Table.load(tmp_path / name)
         assert np.array_equal(again.evaluate(c), TABLE.evaluate(c)) and again.certified_error == TABLE.certified_error
-        lc.Batch(again, 3, dtype=np.float32)  # single precision is built from the law that it names
     TABLE.save(tmp_path / "t.h")
     assert "hertz" in (tmp_path / "t.h").read_text()
+
+
+def profile_file(path, exponent):
+    radius = np.linspace(0, 5, 30)
+    path.write_text("radius,pressure\n" + "".join(f"{r},{25 - r**exponent}\n" for r in radius.tolist()))
+    return path
+
+
+def test_a_batch_in_single_precision_has_the_curve_of_its_table(tmp_path, monkeypatch):
+    """Also where the table's law is a name that means something else by now."""
+    file = profile_file(tmp_path / "p.csv", 2)
+    lc.Table(f"samples:{file}").save(tmp_path / "t.csv")
+    profile_file(file, 0.5)
+    radius = np.linspace(0, 1, 9)
+    monkeypatch.chdir(tmp_path)
+    file.rename(tmp_path / "elsewhere.csv")
+    for table in (lc.Table.load("t.csv"), lc.Table(lc.Law.samples(radius, 1 - radius**4)), lc.Table("gaussian:sigma=1", 0.1), TABLE):
+        both = [lc.Batch(table, 50, dtype=dtype, mu=0.6) for dtype in (np.float64, np.float32)]
+        for batch in both:
+            batch.update(0, 0, 0.002, 0)
+            batch.update(np.linspace(0.002, 0.02, 50), 0, 0.002, np.linspace(2, 0, 50))
+        one, other = both
+        error = max(5e-7, table.tolerance / 100) + 1e-6  # and the rounding of coordinates
+        assert np.allclose(one.fx, other.fx, atol=1.2 * error) and np.allclose(one.moment, other.moment, atol=1.2 * 0.005 * error)
+        assert (one.state == lc.ContactState.slip).all() and np.abs(one.moment).max() > 1e-3
+
+
+def test_a_law_is_the_file_as_it_was_read(tmp_path):
+    file = profile_file(tmp_path / "p.csv", 2)
+    law = lc.Law(f"samples:{file}")
+    fitted = lc.fit("ellipse", law=law, quiet=True)["value"]
+    radius, pressure = law.arrays
+    assert np.array_equal(radius, np.linspace(0, 5, 30)) and np.array_equal(pressure, 25 - radius**2)
+    profile_file(file, 0.5)
+    assert lc.run("curve", law=law, points=3)["moment"].max() == law.moment_ratio
+    assert np.array_equal(lc.fit("ellipse", law=law, quiet=True)["value"], fitted)
+    file.unlink()
+    assert lc.run("eval", law=law, c=0)["moment"] == law.moment_ratio
+    assert set(lc.validate(law)["law"]) == {f"samples:{file}"}
+    for array in law.arrays:
+        with pytest.raises(ValueError, match="read-only"):
+            array[0] = 3
+        with pytest.raises(ValueError, match="WRITEABLE"):
+            array.flags.writeable = True
 
 
 def test_a_profile_from_arrays_is_the_profile_in_a_file(tmp_path):
