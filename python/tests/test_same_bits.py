@@ -60,8 +60,9 @@ def test_evaluate(library, text):
     c = cors()
     results = [np.empty(N) for _ in range(4)]
     assert library.limitcurve_law_evaluate(law, pointer(c), ctypes.c_size_t(N), *map(pointer, results)) == 0
-    for mine, other in zip(lc.Law(text.decode()).evaluate(c, error=True), results):
-        assert np.array_equal(mine, other)
+    mine = lc.Law(text.decode()).evaluate(c, error=True)
+    assert np.array_equal(mine[:2], results[:2])
+    assert (np.array(mine[2:]) >= results[2:]).all()  # Python's errors are those of `eval`, with the rounding of c
     library.limitcurve_law_free(law)
 
 
