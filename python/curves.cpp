@@ -129,14 +129,9 @@ void add_laws(nb::module_& module) {
       .def_static(
           "samples",
           [](nb::handle radius, nb::handle pressure, const std::string& source) {
-            const Numbers<double> radii = numbers_of<double>(radius, "radius");
-            const Numbers<double> pressures = numbers_of<double>(pressure, "pressure");
-            if (radii.size != pressures.size) {
-              throw std::invalid_argument("pressure: got " + std::to_string(pressures.size) + " numbers, expected as many as radii, " +
-                                          std::to_string(radii.size));
-            }
+            const auto all = columns_of("", {"radius", "pressure"}, nb::list(nb::make_tuple(radius, pressure)));
             std::vector<PressureSample> rows;
-            for (std::size_t i = 0; i < radii.size; ++i) rows.push_back({radii.data[i], pressures.data[i]});
+            for (std::size_t i = 0; i < all[0].size; ++i) rows.push_back({all[0].data[i], all[1].data[i]});
             Law law = samples(rows, source);
             std::string text = law->name();
             return PyLaw{std::move(law), std::move(text), std::move(rows)};
@@ -146,8 +141,8 @@ void add_laws(nb::module_& module) {
           "A measured profile: pressures [any unit] at increasing radii [any unit]; the last radius is the edge of the contact.")
       .def(
           "evaluate",
-          [](const PyLaw& self, nb::handle c, bool error) {
-            return error ? evaluate_with_errors(self, c) : evaluate(c, [&](double s) { return self.law->evaluate(s).wrench; });
+          [](const PyLaw& self, nb::handle c, nb::handle error) {
+            return truth_of(error) ? evaluate_with_errors(self, c) : evaluate(c, [&](double s) { return self.law->evaluate(s).wrench; });
           },
           nb::arg("c"), nb::kw_only(), nb::arg("error") = false,
           nb::sig("def evaluate(self, c: numpy.typing.ArrayLike, *, error: bool = False) -> tuple[typing.Any, ...]"),
