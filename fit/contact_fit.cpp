@@ -21,7 +21,6 @@ namespace limitcurve::fit {
 
 namespace {
 
-using internal::brief;
 using internal::ContactLayout;
 using internal::ContactPreparation;
 using internal::is_exact;
@@ -35,8 +34,9 @@ void warn(FitReport& report, const UnitCurve& curve, const ContactModel& model, 
   if (is_exact(model)) {
     const Estimate& radius = report.at(options.gamma != 0.0 || options.fit_gamma ? "c" : "radius");
     if (radius.name == "radius" && radius.value > options.largest_radius) {
-      report.warnings.push_back("the law implies a contact radius of " + brief(1e3 * radius.value) + " mm, more than the finger's " +
-                                brief(1e3 * options.largest_radius) + " mm: keep mu_r as measured, independent of radius and law");
+      report.warnings.push_back("the law implies a contact radius of " + format_number(1e3 * radius.value, 3) +
+                                " mm, more than the finger's " + format_number(1e3 * options.largest_radius, 3) +
+                                " mm: keep mu_r as measured, independent of radius and law");
     }
   }
   const std::string shape = curve.shape_name();
@@ -45,7 +45,7 @@ void warn(FitReport& report, const UnitCurve& curve, const ContactModel& model, 
       if (other.name == shape) continue;
       const double correlation = report.correlation_of(shape, other.name);
       if (std::fabs(correlation) > 0.9) {
-        report.warnings.push_back(shape + " and " + other.name + " trade off: correlation " + brief(correlation));
+        report.warnings.push_back(shape + " and " + other.name + " trade off: correlation " + format_number(correlation, 3));
       }
     }
   }
@@ -58,7 +58,7 @@ void warn_of_scatter(FitReport& report, const Solution& solution, const Loss& lo
   const double scatter =
       loss.kind != Loss::Kind::squared ? 1.4826 * median_size(solution.residuals) : std::sqrt(internal::residual_variance(solution));
   if (scatter > 1.0 + 3.0 / std::sqrt(count)) {
-    report.warnings.push_back("the scatter is " + brief(scatter) +
+    report.warnings.push_back("the scatter is " + format_number(scatter, 3) +
                               " times what the sigmas say: outliers, the wrong model, or sigmas that are too small");
   }
 }
@@ -139,7 +139,7 @@ ContactFit internal::fit_prepared(const ContactPreparation& preparation, const C
     const double relative_error = std::sqrt(covariance[j * free + j]);
     if (!(relative_error < 0.5)) {
       throw std::invalid_argument("not identifiable from these samples: " + parameters[j].name + " (its standard error is " +
-                                  brief(100.0 * relative_error) + " %)");
+                                  format_number(100.0 * relative_error, 3) + " %)");
     }
   }
 
@@ -218,10 +218,10 @@ ContactFit internal::fit_prepared(const ContactPreparation& preparation, const C
       if (!at_bound) estimate.value = std::numeric_limits<double>::quiet_NaN();
       estimate.std_error = infinity;
     }
-    fit.report.warnings.push_back(at_bound ? curve->shape_name() + " is at the end of its range, " + brief(curve->parameter(shape)) +
-                                                 ": the data ask for more than the family has, or say nothing of it"
-                                           : curve->shape_name() +
-                                                 " is not identifiable from these samples: any value in its range explains them");
+    fit.report.warnings.push_back(
+        at_bound ? curve->shape_name() + " is at the end of its range, " + format_number(curve->parameter(shape), 3) +
+                       ": the data ask for more than the family has, or say nothing of it"
+                 : curve->shape_name() + " is not identifiable from these samples: any value in its range explains them");
   }
   return fit;
 }

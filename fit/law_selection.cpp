@@ -4,6 +4,7 @@
 #include "fit/internal/contact_assumptions.hpp"
 #include "fit/internal/report.hpp"
 #include "fit/internal/warnings.hpp"
+#include "limitcurve/internal/number.hpp"
 #include "limitcurve/laws.hpp"
 
 #include <algorithm>
@@ -14,7 +15,6 @@
 
 namespace limitcurve::fit {
 
-using internal::brief;
 using internal::ContactPreparation;
 
 namespace {
@@ -73,7 +73,7 @@ LawSelection select_by(std::span<const Sample> samples, const ContactFitOptions&
     const double difference = candidate.report.aic - best.report.aic;
     selection.aic_difference.push_back(difference);
     if (&candidate != &best && difference < 2.0) {
-      rivals += (rivals.empty() ? "" : ", ") + candidate.model + " (AICc difference " + brief(difference) + ")";
+      rivals += (rivals.empty() ? "" : ", ") + candidate.model + " (AICc difference " + format_number(difference, 3) + ")";
     } else if (&candidate != &best && std::max(candidate.report.rms, best.report.rms) < internal::perfect) {
       ties += (ties.empty() ? "" : ", ") + candidate.model;
     }

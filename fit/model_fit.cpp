@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "fit/model_fit.hpp"
 
+#include "limitcurve/internal/number.hpp"
 #include "limitcurve/laws.hpp"
 
-#include <array>
-#include <cstdio>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -22,9 +21,7 @@ std::string radii(const Estimate& ratio) {
   std::string text = "the ratio implies a contact radius of";
   const char* separator = " ";
   for (const Law& law : {flat_punch(), hertz(), uniform(), parabolic()}) {
-    std::array<char, 64> number{};
-    std::snprintf(number.data(), number.size(), "%.2f mm", 1e3 * implied_radius(ratio, *law).value);
-    text += separator + std::string(number.data()) + " (" + law->name() + ")";
+    text += separator + format_number(1e3 * implied_radius(ratio, *law).value, 3) + " mm (" + law->name() + ")";
     separator = ", ";
   }
   return text;

@@ -9,9 +9,7 @@
 #include "limitcurve/validate.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <stdexcept>
 
@@ -34,25 +32,19 @@ Candidate sufficient_table(const Law& law, const ExactCurve& exact, double toler
   }
 }
 
-std::string printed(const char* format, double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), format, value);
-  return text.data();
-}
-
 std::string reason(const Candidate& candidate, const Candidate& best, double tolerance) {
   if (!candidate.reason.empty()) return candidate.reason;
   if (candidate.error > tolerance) return in_percent(candidate.error) + " > " + in_percent(tolerance);
   if (candidate.chosen) return in_percent(candidate.error) + ": chosen";
-  return in_percent(candidate.error) + ", " + printed("%.2g", candidate.nanoseconds / best.nanoseconds) + " times the cost";
+  return in_percent(candidate.error) + ", " + format_number(candidate.nanoseconds / best.nanoseconds, 2) + " times the cost";
 }
 
 }  // namespace
 
 std::string in_percent(double fraction) {
   if (fraction == 0.0) return "0";
-  if (!(fraction >= 1e-4)) return printed("%.1e", fraction);
-  return printed(fraction < 0.1 ? "%.2g" : "%.0f", 100.0 * fraction) + " %";
+  if (!(fraction >= 1e-4)) return format_number(fraction, 2);
+  return (fraction < 0.1 ? format_number(100.0 * fraction, 2) : format_number(std::round(100.0 * fraction))) + " %";
 }
 
 void choose_cheapest(std::vector<Candidate>& candidates, double tolerance) {

@@ -10,6 +10,7 @@
 #include <array>
 #include <cstddef>
 #include <initializer_list>
+#include <string>
 #include <vector>
 
 /// Conversion of numbers from and to Python: anything that NumPy accepts as real numbers, of any shape.
@@ -25,12 +26,22 @@ struct Numbers {
   std::size_t size;
 };
 
+/// Whether a mask leaves out some of the caller's numbers.
+bool is_masked(nb::handle values);
+
+/// Warns the caller.
+void warn(const std::string& text);
+
 /// Whether the caller's numbers have single precision; results then have it, too.
 bool is_single(nb::handle values);
 
-/// The caller's values as an array of Real. ValueError with `name` if they are no real numbers.
+/// The caller's values as an array of Real. ValueError with `name` if they are no real numbers, or if numbers alone would lose their
+/// meaning: times, a unit, a mask.
 template <class Real>
-Numbers<Real> numbers_of(nb::handle values, const char* name);
+Numbers<Real> numbers_of(nb::handle values, const std::string& name);
+
+/// Columns of one length, without the rows that are masked in one of them, which are said. With a `table` the names are those of its columns.
+std::vector<Numbers<double>> columns_of(const std::string& table, const std::vector<std::string>& names, const nb::list& columns);
 
 /// The same for several, broadcast against each other.
 std::vector<Numbers<double>> broadcast(std::initializer_list<nb::handle> values, std::initializer_list<const char*> names);
@@ -44,6 +55,12 @@ Results results_like(const nb::object& array);
 
 /// The result for the caller: a float for a scalar, otherwise an array in the caller's precision.
 nb::object handed_over(const Results& results, bool single);
+
+/// A number. ValueError with `name` if it is none.
+double number_of(nb::handle value, const std::string& name);
+
+/// What `bool(value)` is, of NumPy's truths too.
+bool truth_of(nb::handle value);
 
 /// Three numbers from a sequence or an array. ValueError with `name` if they are not.
 Eigen::Vector3d three_numbers(nb::handle values, const char* name);

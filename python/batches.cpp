@@ -151,7 +151,7 @@ void add_batches(nb::module_& module) {
           "twist_stiffness: float = 0.04, damping: float = 0.0, twist_damping: float = 0.0, rest_margin: float = 0.4, max_displacement: "
           "float = 0.5, fault_decay: float = 0.99) -> None"),
       "n free contacts at the origin; parameters as for SoftFinger. dtype float32 needs half the memory and time and resolves 6e-8 of a\n"
-      "coordinate; its table has the tolerance of the given one, but at least 5e-7.");
+      "coordinate; its table is that of the given one, to 5e-7 or 1 % of its tolerance.");
   batch.def(
       "update",
       [](PyBatch& self, nb::handle x, nb::handle y, nb::handle depth, nb::handle twist, double dt) {

@@ -31,12 +31,10 @@ class MemoryFile {
   MemoryFile(std::string name, const std::vector<std::pair<std::string, nb::object>>& columns, bool header)
       : name_(std::move(name)), descriptor_(::memfd_create("limitcurve", MFD_CLOEXEC)) {
     if (descriptor_ < 0) throw std::runtime_error("no memory for " + name_);
-    std::vector<std::pair<const double*, std::size_t>> numbers;
-    std::vector<nb::object> alive;
+    std::vector<Numbers> numbers;
     for (const auto& [column, array] : columns) {
       columns_.push_back(column);
-      const auto view = nb::cast<nb::ndarray<const double, nb::c_contig, nb::ndim<1>>>(array);
-      numbers.emplace_back(view.data(), view.size());
+      numbers.push_back(nb::cast<Numbers>(array));
     }
     write(numbers, header);
   }
@@ -72,11 +70,13 @@ class MemoryFile {
   }
 
  private:
-  void write(const std::vector<std::pair<const double*, std::size_t>>& numbers, bool header) {
-    const std::size_t rows = numbers.empty() ? 0 : numbers.front().second;
+  using Numbers = nb::ndarray<const double, nb::c_contig, nb::ndim<1>>;
+
+  void write(const std::vector<Numbers>& numbers, bool header) {
+    const std::size_t rows = numbers.empty() ? 0 : numbers.front().size();
     for (std::size_t i = 0; i < numbers.size(); ++i) {
-      if (numbers[i].second == rows) continue;
-      throw std::invalid_argument(name_ + "['" + columns_[i] + "']: got " + std::to_string(numbers[i].second) + " numbers, expected " +
+      if (numbers[i].size() == rows) continue;
+      throw std::invalid_argument(name_ + "['" + columns_[i] + "']: got " + std::to_string(numbers[i].size()) + " numbers, expected " +
                                   std::to_string(rows) + " as in '" + columns_[0] + "'");
     }
     cli::OutputFile output(descriptor_, name_);
@@ -90,7 +90,7 @@ class MemoryFile {
     for (std::size_t row = 0; row < rows; ++row) {
       for (std::size_t i = 0; i < numbers.size(); ++i) {
         if (i > 0) output.write(",");
-        const auto end = std::to_chars(text.data(), text.data() + text.size(), numbers[i].first[row]).ptr;
+        const auto end = std::to_chars(text.data(), text.data() + text.size(), numbers[i].data()[row]).ptr;
         output.write({text.data(), static_cast<std::size_t>(end - text.data())});
       }
       output.write("\n");

@@ -4,6 +4,8 @@
 #include "limitcurve/internal/number.hpp"
 #include "limitcurve/version.hpp"
 
+#include <nanobind/stl/vector.h>
+
 #include <cmath>
 #include <string>
 
@@ -15,17 +17,34 @@ nb::object numpy(const char* name) {
   return nb::module_::import_("numpy").attr(name);
 }
 
-/// An array made by NumPy; ValueError if it cannot.
-nb::object as_array(nb::handle values, const char* name) {
+/// Lets pass what is no error of the caller's values: Ctrl-C inside them, no memory.
+void rethrow_unless_of_values(nb::python_error& error) {
+  if (!error.matches(PyExc_Exception) || error.matches(PyExc_MemoryError)) throw error;
+}
+
+/// An array made by NumPy; ValueError if it cannot, or if it would lose a unit or a mask.
+nb::object as_array(nb::handle values, const std::string& name) {
   nb::object array;
+  const auto kind = [&] { return nb::cast<std::string>(array.attr("dtype").attr("kind")); };
   try {
     array = numpy("asarray")(values);
+    if (kind() == "O") array = numpy("asarray")(array.attr("tolist")());  // of what kind are the objects?
   } catch (nb::python_error& error) {
-    throw std::invalid_argument(std::string(name) + ": expected numbers, got " + error.what());
+    rethrow_unless_of_values(error);
+    throw std::invalid_argument(name + ": expected numbers, got " + error.what());
   }
-  const std::string kind = nb::cast<std::string>(array.attr("dtype").attr("kind"));
-  if (kind.find_first_of("fiub") != 0) {
-    throw std::invalid_argument(std::string(name) + ": got an array of " + text_of(array.attr("dtype")) + ", expected real numbers");
+  if (kind().find_first_of("mM") == 0) {
+    throw std::invalid_argument(name + ": got times of " + text_of(array.attr("dtype")) +
+                                ", expected numbers in seconds: (t - t[0]) / numpy.timedelta64(1, 's')");
+  }
+  if (kind().find_first_of("fiub") != 0) {
+    throw std::invalid_argument(name + ": got an array of " + text_of(array.attr("dtype")) + ", expected real numbers");
+  }
+  if (values.type().is(numpy("ndarray"))) return array;
+  if (is_masked(values)) throw std::invalid_argument(name + ": got masked numbers, expected none: fill or compress them");
+  for (const char* const unit : {"unit", "units"}) {
+    if (nb::isinstance(values, numpy("ndarray")) && nb::hasattr(values, unit))
+      throw std::invalid_argument(name + ": got numbers in " + text_of(values.attr(unit)) + ", expected plain numbers in SI units");
   }
   return array;
 }
@@ -40,16 +59,47 @@ Numbers<Real> contiguous(const nb::object& array) {
 
 }  // namespace
 
+bool is_masked(nb::handle values) {
+  return nb::cast<bool>(nb::bool_(nb::module_::import_("numpy.ma").attr("is_masked")(values)));
+}
+
+void warn(const std::string& text) {
+  if (PyErr_WarnEx(PyExc_UserWarning, text.c_str(), 1) != 0) throw nb::python_error();
+}
+
 bool is_single(nb::handle values) {
   return nb::hasattr(values, "dtype") && text_of(values.attr("dtype")) == "float32";
 }
 
 template <class Real>
-Numbers<Real> numbers_of(nb::handle values, const char* name) {
+Numbers<Real> numbers_of(nb::handle values, const std::string& name) {
   return contiguous<Real>(as_array(values, name));
 }
-template Numbers<double> numbers_of(nb::handle values, const char* name);
-template Numbers<float> numbers_of(nb::handle values, const char* name);
+template Numbers<double> numbers_of(nb::handle values, const std::string& name);
+template Numbers<float> numbers_of(nb::handle values, const std::string& name);
+
+std::vector<Numbers<double>> columns_of(const std::string& table, const std::vector<std::string>& names, const nb::list& columns) {
+  const auto place = [&](std::size_t i) { return table.empty() ? names[i] : table + "['" + names[i] + "']"; };
+  const nb::module_ masks = nb::module_::import_("numpy.ma");
+  std::vector<Numbers<double>> result;
+  nb::object masked = nb::none();
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const bool has_mask = is_masked(columns[i]);
+    result.push_back(numbers_of<double>(has_mask ? masks.attr("getdata")(columns[i]) : nb::object(columns[i]), place(i)));
+    if (result[i].size != result[0].size) {
+      throw std::invalid_argument(place(i) + ": got " + std::to_string(result[i].size) + " numbers, expected " +
+                                  std::to_string(result[0].size) + " as in '" + names[0] + "'");
+    }
+    if (!has_mask) continue;
+    const nb::object mask = masks.attr("getmaskarray")(columns[i]).attr("reshape")(-1);
+    masked = masked.is_none() ? mask : numpy("logical_or")(masked, mask);
+  }
+  if (masked.is_none()) return result;
+  for (Numbers<double>& column : result) column = contiguous<double>(column.array.attr("reshape")(-1)[numpy("logical_not")(masked)]);
+  warn((table.empty() ? names[0] : table) + ": rows with a masked number are left out, " +
+       std::to_string(nb::cast<std::size_t>(numpy("count_nonzero")(masked))) + " of " + std::to_string(nb::len(masked)));
+  return result;
+}
 
 std::vector<Numbers<double>> broadcast(std::initializer_list<nb::handle> values, std::initializer_list<const char*> names) {
   nb::list arrays;
@@ -71,23 +121,31 @@ nb::object handed_over(const Results& results, bool single) {
   return single ? nb::object(results.array.attr("astype")("float32")[nb::make_tuple()]) : results.array;
 }
 
+double number_of(nb::handle value, const std::string& name) {
+  const double number = PyFloat_AsDouble(value.ptr());
+  if (number != -1.0 || PyErr_Occurred() == nullptr) return number;
+  nb::python_error error;
+  rethrow_unless_of_values(error);
+  throw std::invalid_argument(name + ": expected a number");
+}
+
+bool truth_of(nb::handle value) {
+  const int truth = PyObject_IsTrue(value.ptr());
+  if (truth < 0) throw nb::python_error();
+  return truth == 1;
+}
+
 Eigen::Vector3d three_numbers(nb::handle values, const char* name) {
-  const nb::object items = nb::steal(PySequence_Fast(values.ptr(), "expected three numbers"));
-  if (!items.is_valid()) {
-    PyErr_Clear();
-    throw std::invalid_argument(std::string(name) + ": expected three numbers");
+  nb::object items = nb::borrow(values);
+  if (!nb::isinstance<nb::list>(items) && !nb::isinstance<nb::tuple>(items)) {
+    if (!items.type().is(numpy("ndarray"))) items = numbers_of<double>(values, name).array;
+    items = items.attr("tolist")();
+    if (!nb::isinstance<nb::list>(items)) throw std::invalid_argument(std::string(name) + ": got one number, expected three");
   }
-  const Py_ssize_t length = PySequence_Fast_GET_SIZE(items.ptr());
-  if (length != 3) throw std::invalid_argument(std::string(name) + ": got " + std::to_string(length) + " numbers, expected three");
-  Eigen::Vector3d result;
-  for (Py_ssize_t i = 0; i < 3; ++i) {
-    result[i] = PyFloat_AsDouble(PySequence_Fast_GET_ITEM(items.ptr(), i));
-    if (result[i] == -1.0 && PyErr_Occurred() != nullptr) {
-      PyErr_Clear();
-      throw std::invalid_argument(std::string(name) + ": expected three numbers");
-    }
-  }
-  return result;
+  const nb::tuple three(items);  // a copy: converting a number may change a list
+  if (nb::len(three) != 3)
+    throw std::invalid_argument(std::string(name) + ": got " + std::to_string(nb::len(three)) + " numbers, expected three");
+  return {number_of(three[0], name), number_of(three[1], name), number_of(three[2], name)};
 }
 
 std::string text_of(const nb::object& object) {
@@ -108,4 +166,19 @@ NB_MODULE(_core, module) {
   add_fingers(module);
   add_batches(module);
   add_patches(module);
+  module.def(
+      "columns_of",
+      [](const std::string& table, const std::vector<std::string>& names, const nb::list& columns) {
+        nb::list result;
+        for (const Numbers<double>& column : columns_of(table, names, columns)) result.append(column.array);
+        return result;
+      },
+      nb::arg("table"), nb::arg("names"), nb::arg("columns"),
+      nb::sig("def columns_of(table: str, names: collections.abc.Sequence[str], columns: list[typing.Any]) -> "
+              "list[numpy.typing.NDArray[numpy.float64]]"),
+      "A table's columns as arrays of one length, without masked rows. ValueError with the place of what is no number.");
+  module.def(
+      "numbers_of", [](nb::handle values, const std::string& name) { return numbers_of<double>(values, name).array; }, nb::arg("values"),
+      nb::arg("name"), nb::sig("def numbers_of(values: numpy.typing.ArrayLike, name: str) -> numpy.typing.NDArray[numpy.float64]"),
+      "An array of numbers. ValueError with their name if they are none.");
 }

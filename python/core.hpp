@@ -5,13 +5,13 @@
 
 #include "godobject/finger.hpp"
 #include "godobject/finger_curve.hpp"
+#include "limitcurve/laws.hpp"
 #include "limitcurve/patch.hpp"
-#include "limitcurve/pressure_law.hpp"
 #include "limitcurve/table.hpp"
 
 #include <memory>
-#include <optional>
 #include <string>
+#include <vector>
 
 /// Shared by the sources of the module: the objects behind the Python classes, and a function a source that adds its classes.
 namespace limitcurve::python {
@@ -21,17 +21,11 @@ void add_fingers(nb::module_& module);
 void add_batches(nb::module_& module);
 void add_patches(nb::module_& module);
 
-/// A law with its origin: its text, or the arrays of a measured profile.
+/// A law with its origin: its text, and the samples of a measured profile, because their file may change.
 struct PyLaw {
   Law law;
   std::string text;
-  nb::object samples = nb::none();  ///< (radii, pressures) if it was made from arrays
-};
-
-/// A table, and its law if it was built from one: single precision needs a table of its own.
-struct PyTable {
-  Table table;
-  Law law = {};
+  std::vector<PressureSample> profile = {};
 };
 
 /// An ellipse or a box in place of a table.

@@ -121,32 +121,28 @@ void add_laws(nb::module_& module) {
       .def(
           "__init__",
           [](PyLaw* self, const std::string& text) {
-            const Law law = cli::read_law(text);
-            new (self) PyLaw{law, text};
+            std::vector<PressureSample> profile;
+            Law law = cli::read_law(text, profile);
+            new (self) PyLaw{std::move(law), text, std::move(profile)};
           },
           nb::arg("text"), "ValueError names the error in the text or in the file, and the expected input.")
       .def_static(
           "samples",
           [](nb::handle radius, nb::handle pressure, const std::string& source) {
-            const Numbers<double> radii = numbers_of<double>(radius, "radius");
-            const Numbers<double> pressures = numbers_of<double>(pressure, "pressure");
-            if (radii.size != pressures.size) {
-              throw std::invalid_argument("pressure: got " + std::to_string(pressures.size) + " numbers, expected as many as radii, " +
-                                          std::to_string(radii.size));
-            }
+            const auto all = columns_of("", {"radius", "pressure"}, nb::list(nb::make_tuple(radius, pressure)));
             std::vector<PressureSample> rows;
-            for (std::size_t i = 0; i < radii.size; ++i) rows.push_back({radii.data[i], pressures.data[i]});
+            for (std::size_t i = 0; i < all[0].size; ++i) rows.push_back({all[0].data[i], all[1].data[i]});
             Law law = samples(rows, source);
             std::string text = law->name();
-            return PyLaw{std::move(law), std::move(text), nb::make_tuple(radii.array.attr("copy")(), pressures.array.attr("copy")())};
+            return PyLaw{std::move(law), std::move(text), std::move(rows)};
           },
           nb::arg("radius"), nb::arg("pressure"), nb::arg("source") = "arrays",
           nb::sig("def samples(radius: numpy.typing.ArrayLike, pressure: numpy.typing.ArrayLike, source: str = 'arrays') -> Law"),
           "A measured profile: pressures [any unit] at increasing radii [any unit]; the last radius is the edge of the contact.")
       .def(
           "evaluate",
-          [](const PyLaw& self, nb::handle c, bool error) {
-            return error ? evaluate_with_errors(self, c) : evaluate(c, [&](double s) { return self.law->evaluate(s).wrench; });
+          [](const PyLaw& self, nb::handle c, nb::handle error) {
+            return truth_of(error) ? evaluate_with_errors(self, c) : evaluate(c, [&](double s) { return self.law->evaluate(s).wrench; });
           },
           nb::arg("c"), nb::kw_only(), nb::arg("error") = false,
           nb::sig("def evaluate(self, c: numpy.typing.ArrayLike, *, error: bool = False) -> tuple[typing.Any, ...]"),
@@ -161,27 +157,33 @@ void add_laws(nb::module_& module) {
           "profile_error", [](const PyLaw& self) { return self.law->profile_error(); },
           "Error of f and m because the pressure is known only at samples; 0 for a formula.")
       .def_prop_ro(
-          "arrays", [](const PyLaw& self) { return self.samples; }, nb::sig("def arrays(self) -> typing.Any"),
-          "(radius, pressure) of a law made from arrays; None for other laws.")
+          "arrays",
+          [](nb::handle self) -> nb::object {
+            const auto& profile = nb::cast<const PyLaw&>(self).profile;
+            if (profile.empty()) return nb::none();
+            const auto column = [&](const double& first) {
+              return nb::ndarray<nb::numpy, const double>(&first, {profile.size()}, self, {sizeof(PressureSample) / sizeof(double)});
+            };
+            return nb::make_tuple(column(profile.front().radius), column(profile.front().pressure));
+          },
+          nb::sig("def arrays(self) -> typing.Any"),
+          "(radius, pressure) of a measured profile, read-only, from arrays or as read from its file; None for other laws.")
       .def("__repr__", [](const PyLaw& self) { return "Law('" + self.text + "')"; });
 }
 
 void add_tables(nb::module_& module) {
-  nb::class_<PyTable>(module, "Table",
-                      "A limit curve as a lookup table, 1 to 96 KiB, with a certified error. It drives fingers and batches.\n\n"
-                      ">>> import limitcurve as lc\n"
-                      ">>> table = lc.Table('hertz', tolerance=1e-8)\n"
-                      ">>> table.certified_error <= 1e-8, table.nbytes <= 4096\n"
-                      "(True, True)\n")
+  nb::class_<Table>(module, "Table",
+                    "A limit curve as a lookup table, 1 to 96 KiB, with a certified error. It drives fingers and batches.\n\n"
+                    ">>> import limitcurve as lc\n"
+                    ">>> table = lc.Table('hertz', tolerance=1e-8)\n"
+                    ">>> table.certified_error <= 1e-8, table.nbytes <= 4096\n"
+                    "(True, True)\n")
       .def(
           "__init__",
-          [](PyTable* self, nb::handle law, double tolerance, std::size_t bytes) {
-            Law of = law_of(law);
-            const auto built = [&] {
-              const nb::gil_scoped_release release;
-              return Table::build(of, tolerance, {.bytes = bytes});
-            }();
-            new (self) PyTable{built, std::move(of)};
+          [](Table* self, nb::handle law, double tolerance, std::size_t bytes) {
+            const Law of = law_of(law);
+            const nb::gil_scoped_release release;
+            new (self) Table(Table::build(of, tolerance, {.bytes = bytes}));
           },
           nb::arg("law"), nb::arg("tolerance") = 1e-6, nb::arg("bytes") = TableOptions{}.bytes,
           nb::sig("def __init__(self, law: str | Law, tolerance: float = 1e-06, bytes: int = 4096) -> None"),
@@ -189,16 +191,16 @@ void add_tables(nb::module_& module) {
           "degree, 3 to 5, with which nbytes <= bytes, else 6: the lowest is the fastest. Milliseconds for a law in closed form, up to\n"
           "seconds by quadrature. RuntimeError if the law does not allow that tolerance. Releases the GIL.")
       .def_static(
-          "load", [](nb::handle path) { return PyTable{cli::read_table(path_of(path))}; }, nb::arg("path"),
+          "load", [](nb::handle path) { return cli::read_table(path_of(path)); }, nb::arg("path"),
           nb::sig("def load(path: str | os.PathLike[str]) -> Table"),
           "Reads a .csv or .json file that `save` or `limitcurve table` wrote. ValueError names file, line and column of the error.")
       .def(
           "save",
-          [](const PyTable& self, nb::handle path, const std::string& name) {
+          [](const Table& self, nb::handle path, const std::string& name) {
             const std::string file = path_of(path);
             const cli::TableWriter text_of = cli::table_writer(file, "path", name);
             cli::AtomicFile output(file);
-            output.output().write(text_of(self.table));
+            output.output().write(text_of(self));
             output.commit();
           },
           nb::arg("path"), nb::arg("name") = "", nb::sig("def save(self, path: str | os.PathLike[str], name: str = '') -> None"),
@@ -206,41 +208,31 @@ void add_tables(nb::module_& module) {
           "name: of the table in a header, NAME_wrench(slide, spin); if empty, one that no other table has.")
       .def(
           "evaluate",
-          [](const PyTable& self, nb::handle c) {
-            return evaluate(c, [&](double s) { return self.table.wrench(SlipTwist::about_cor(s)); });
-          },
+          [](const Table& self, nb::handle c) { return evaluate(c, [&](double s) { return self.wrench(SlipTwist::about_cor(s)); }); },
           nb::arg("c"), nb::sig(evaluate_signature),
           "Unit wrenches at COR distances of c contact radii, within certified_error. As Law.evaluate.")
       .def(
           "gauge",
-          [](const PyTable& self, nb::handle force, nb::handle moment) {
-            return of_wrenches(force, moment, [&](double f, double m) { return self.table.gauge({f, m}); });
+          [](const Table& self, nb::handle force, nb::handle moment) {
+            return of_wrenches(force, moment, [&](double f, double m) { return self.gauge({f, m}); });
           },
           nb::arg("force"), nb::arg("moment"), nb::sig(gauge_signature),
           "Distance of unit wrenches from the origin divided by that of the curve on the same ray: < 1 holds, > 1 slips. Broadcasts.")
       .def(
           "load_to_hold",
-          [](const PyTable& self, nb::handle force, nb::handle moment, double mu, const std::string& radius_law) {
-            return loads_to_hold(self.table, force, moment, mu, radius_law);
+          [](const Table& self, nb::handle force, nb::handle moment, double mu, const std::string& radius_law) {
+            return loads_to_hold(self, force, moment, mu, radius_law);
           },
           nb::arg("force"), nb::arg("moment"), nb::kw_only(), nb::arg("mu"), nb::arg("radius_law"), nb::sig(hold_signature), hold_doc)
-      .def_prop_ro(
-          "certified_error", [](const PyTable& self) { return self.table.certified_error(); },
-          "Bound of the absolute error of f and m against the law.")
-      .def_prop_ro(
-          "profile_error", [](const PyTable& self) { return self.table.profile_error(); },
-          "Additional error because the pressure is known only at samples; 0 for a formula.")
-      .def_prop_ro(
-          "tolerance", [](const PyTable& self) { return self.table.tolerance(); }, "Requested tolerance.")
-      .def_prop_ro(
-          "law_name", [](const PyTable& self) { return self.table.law_name(); }, "The law in words.")
-      .def_prop_ro(
-          "moment_ratio", [](const PyTable& self) { return self.table.moment_ratio(); }, "m0, the unit moment of a pure twist.")
-      .def_prop_ro(
-          "nbytes", [](const PyTable& self) { return self.table.bytes(); }, "Bytes that a look-up may touch.")
-      .def("__repr__", [](const PyTable& self) {
-        return "<Table of " + self.table.law_name() + ", error <= " + format_number(self.table.certified_error()) + ">";
-      });
+      .def_prop_ro("certified_error", &Table::certified_error, "Bound of the absolute error of f and m against the law.")
+      .def_prop_ro("profile_error", &Table::profile_error,
+                   "Additional error because the pressure is known only at samples; 0 for a formula.")
+      .def_prop_ro("tolerance", &Table::tolerance, "Requested tolerance.")
+      .def_prop_ro("law_name", &Table::law_name, "The law in words.")
+      .def_prop_ro("moment_ratio", &Table::moment_ratio, "m0, the unit moment of a pure twist.")
+      .def_prop_ro("nbytes", &Table::bytes, "Bytes that a look-up may touch.")
+      .def("__repr__",
+           [](const Table& self) { return "<Table of " + self.law_name() + ", error <= " + format_number(self.certified_error()) + ">"; });
 }
 
 void add_closed_curves(nb::module_& module) {
@@ -293,7 +285,7 @@ Law law_of(nb::handle law) {
 
 template <>
 godobject::BasicFingerCurve<double> curve_of(nb::handle curve) {
-  if (nb::isinstance<PyTable>(curve)) return nb::cast<const PyTable&>(curve).table;
+  if (nb::isinstance<Table>(curve)) return nb::cast<const Table&>(curve);
   if (nb::isinstance<PyCurve>(curve)) return nb::cast<const PyCurve&>(curve).curve;
   throw std::invalid_argument("curve: expected a Table, or what ellipse() or box() made");
 }
@@ -301,11 +293,10 @@ godobject::BasicFingerCurve<double> curve_of(nb::handle curve) {
 template <>
 godobject::BasicFingerCurve<float> curve_of(nb::handle curve) {
   if (nb::isinstance<PyCurve>(curve)) return nb::cast<const PyCurve&>(curve).single;
-  if (!nb::isinstance<PyTable>(curve)) throw std::invalid_argument("curve: expected a Table, or what ellipse() or box() made");
-  const auto& [table, law] = nb::cast<const PyTable&>(curve);
-  // A table from a file has the law's name.
-  const Law of = law != nullptr ? law : cli::read_law(table.law_name());
-  return FloatTable::build(of, std::max(table.tolerance(), FloatTable::finest_tolerance));
+  if (!nb::isinstance<Table>(curve)) throw std::invalid_argument("curve: expected a Table, or what ellipse() or box() made");
+  // From the table itself, not from its law: that is only a name in a file, and the file of a measured profile may have changed.
+  const auto& table = nb::cast<const Table&>(curve);
+  return FloatTable::build(table, std::max(table.tolerance() / 100, FloatTable::finest_tolerance), table.law_name());
 }
 
 void add_curves(nb::module_& module) {

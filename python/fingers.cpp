@@ -20,13 +20,6 @@ using namespace godobject;
 
 namespace {
 
-double number_of(nb::handle value, const std::string& name) {
-  const double number = PyFloat_AsDouble(value.ptr());
-  if (number != -1.0 || PyErr_Occurred() == nullptr) return number;
-  PyErr_Clear();
-  throw std::invalid_argument(name + ": expected a number");
-}
-
 /// The field that each parameter's name sets.
 const std::map<std::string, std::function<void(FingerParameters&, double)>, std::less<>>& number_parameters() {
   static const std::map<std::string, std::function<void(FingerParameters&, double)>, std::less<>> fields{
@@ -61,8 +54,8 @@ constexpr const char* update_doc =
     "Bad input (not finite, a normal that is not of unit length, a jump, dt < 0) raises nothing; it gives the state `invalid`:\n"
     "the last good output is held, and fades.";
 
-FingerOutput update(SoftFinger& finger, nb::handle point, nb::handle normal, double depth, double twist, double dt, bool landed) {
-  return finger.update({three_numbers(point, "point"), three_numbers(normal, "normal"), depth, {}, landed}, twist, dt);
+FingerOutput update(SoftFinger& finger, nb::handle point, nb::handle normal, double depth, double twist, double dt, nb::handle landed) {
+  return finger.update({three_numbers(point, "point"), three_numbers(normal, "normal"), depth, {}, truth_of(landed)}, twist, dt);
 }
 
 void add_output(nb::module_& module) {

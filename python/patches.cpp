@@ -11,22 +11,7 @@ namespace limitcurve::python {
 
 namespace {
 
-/// Two or three arrays of one length.
-std::vector<Numbers<double>> of_one_length(std::initializer_list<nb::handle> values, std::initializer_list<const char*> names) {
-  std::vector<Numbers<double>> all;
-  const char* const* name = names.begin();
-  for (const nb::handle one : values) {
-    all.push_back(numbers_of<double>(one, *name));
-    if (all.back().size != all.front().size) {
-      throw std::invalid_argument(std::string(*name) + ": got " + std::to_string(all.back().size) + " numbers, expected " +
-                                  std::to_string(all.front().size));
-    }
-    ++name;
-  }
-  return all;
-}
-
-nb::object wrench(const Patch& patch, nb::handle twists, double mu, double load, bool error) {
+nb::object wrench(const Patch& patch, nb::handle twists, double mu, double load, nb::handle error) {
   if (!(mu > 0.0 && std::isfinite(mu))) throw out_of_range("mu", mu, "1", "(0, inf)");
   if (!(load > 0.0 && std::isfinite(load))) throw out_of_range("load", load, "N", "(0, inf)");
   const Numbers<double> given = numbers_of<double>(twists, "twists");
@@ -53,7 +38,7 @@ nb::object wrench(const Patch& patch, nb::handle twists, double mu, double load,
     }
   }
   const bool single = is_single(twists);
-  if (!error) return handed_over(wrenches, single);
+  if (!truth_of(error)) return handed_over(wrenches, single);
   return nb::make_tuple(handed_over(wrenches, single), handed_over(powers, single), handed_over(errors, single));
 }
 
@@ -75,7 +60,7 @@ void add_patches(nb::module_& module) {
       .def_static(
           "points",
           [](nb::handle x, nb::handle y, nb::handle load) {
-            const auto all = of_one_length({x, y, load}, {"x", "y", "load"});
+            const auto all = columns_of("", {"x", "y", "load"}, nb::list(nb::make_tuple(x, y, load)));
             std::vector<PatchLoad> points;
             for (std::size_t i = 0; i < all[0].size; ++i) points.push_back({all[0].data[i], all[1].data[i], all[2].data[i]});
             return Patch::points(points);
@@ -86,7 +71,7 @@ void add_patches(nb::module_& module) {
       .def_static(
           "polygon",
           [](nb::handle x, nb::handle y) {
-            const auto all = of_one_length({x, y}, {"x", "y"});
+            const auto all = columns_of("", {"x", "y"}, nb::list(nb::make_tuple(x, y)));
             std::vector<PatchPoint> vertices;
             for (std::size_t i = 0; i < all[0].size; ++i) vertices.push_back({all[0].data[i], all[1].data[i]});
             return Patch::polygon(vertices);
@@ -96,7 +81,9 @@ void add_patches(nb::module_& module) {
       .def_static(
           "image",
           [](nb::handle pressures, double pixel) {
-            const Numbers<double> all = numbers_of<double>(pressures, "pressures");
+            const bool has_mask = is_masked(pressures);
+            if (has_mask) warn("pressures: masked pixels have no sensor, and count as without pressure");
+            const Numbers<double> all = numbers_of<double>(has_mask ? pressures.attr("filled")(0.0) : nb::borrow(pressures), "pressures");
             const nb::tuple shape = all.array.attr("shape");
             if (nb::len(shape) != 2) {
               throw std::invalid_argument("pressures: got the shape " + text_of(shape) + ", expected two dimensions");
@@ -105,7 +92,7 @@ void add_patches(nb::module_& module) {
           },
           nb::arg("pressures"), nb::arg("pixel"), nb::sig("def image(pressures: numpy.typing.ArrayLike, pixel: float) -> Patch"),
           "A pressure image; the first row is at the largest y; pixels are squares of side `pixel` [m]; the origin is the centre of "
-          "pressure.")
+          "pressure.\nA masked pixel counts as without pressure, with a warning.")
       .def("orthotropic", &Patch::orthotropic, nb::arg("mx"), nb::arg("my"),
            "The same patch with orthotropic friction: mu times mx along x and times my along y.")
       .def("moved", &Patch::moved, nb::arg("x"), nb::arg("y"), "The same patch, moved by (x, y) [m].")

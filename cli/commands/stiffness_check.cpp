@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "cli/commands/stiffness_check.hpp"
 
+#include "limitcurve/internal/number.hpp"
+
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
-#include <sstream>
 
 namespace limitcurve::cli {
 
@@ -37,11 +37,10 @@ void note_stiffnesses(Messages& messages, const std::string& subject, const godo
   }
   if (worst_load == 0.0) return;
   const double times = ratio / (worst_arm * worst_arm);
-  std::ostringstream text;
-  text << std::setprecision(2) << "k_r/k_l is " << times << " times (mu_r/mu_l)^2 at " << worst_load << " N, where mu_r/mu_l is "
-       << worst_arm << " m: a finger that slides and twists renders hardly any friction " << (times > 1.0 ? "force" : "moment")
-       << "; use closest-point, or k_r = " << worst_arm * worst_arm * finger.stiffness << " N m/rad";
-  messages.say("limitcurve: note: " + subject + ": " + text.str());
+  messages.say("limitcurve: note: " + subject + ": k_r/k_l is " + format_number(times, 2) + " times (mu_r/mu_l)^2 at " +
+               format_number(worst_load, 2) + " N, where mu_r/mu_l is " + format_number(worst_arm, 2) +
+               " m: a finger that slides and twists renders hardly any friction " + (times > 1.0 ? "force" : "moment") +
+               "; use closest-point, or k_r = " + format_number(worst_arm * worst_arm * finger.stiffness, 2) + " N m/rad");
 }
 
 }  // namespace limitcurve::cli

@@ -3,8 +3,6 @@
 
 #include "cli/io/csv_reader.hpp"
 
-#include "limitcurve/laws.hpp"
-
 #include <optional>
 #include <stdexcept>
 #include <string_view>
@@ -42,9 +40,13 @@ auto made_of(const std::string& file, const Make& make) {
 }  // namespace
 
 Law read_law(const std::string& text) {
+  std::vector<PressureSample> profile;
+  return read_law(text, profile);
+}
+
+Law read_law(const std::string& text, std::vector<PressureSample>& profile) {
   const auto file = measured_file(text, "samples");
   if (!file) return parse_law(text);
-  std::vector<PressureSample> profile;
   CsvReader reader(*file, {"radius", "pressure"});
   while (reader.next()) profile.push_back({reader.number(0, non_negative), reader.number(1, finite)});
   return made_of(*file, [&] { return samples(profile, *file); });

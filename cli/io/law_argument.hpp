@@ -2,7 +2,7 @@
 #pragma once
 
 #include "limitcurve/contact_radius.hpp"
-#include "limitcurve/pressure_law.hpp"
+#include "limitcurve/laws.hpp"
 
 #include <optional>
 #include <string>
@@ -14,6 +14,8 @@ namespace limitcurve::cli {
 /// Reads a law from a command line: the library's grammar, or `samples:FILE.csv`, a measured profile with the columns radius,pressure.
 /// Throws std::invalid_argument with the place of the error in the text or in the file.
 Law read_law(const std::string& text);
+/// The same, and the rows of a measured profile; `profile` stays empty for other laws.
+Law read_law(const std::string& text, std::vector<PressureSample>& profile);
 
 /// A radius law on a command line. Measured moment limits become a radius law once friction and pressure law are known: Γ(P) = m₀ μ P a(P).
 class RadiusLawArgument {

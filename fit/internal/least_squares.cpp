@@ -85,6 +85,11 @@ ceres::Solver::Options quiet_options(double tolerance) {
   return options;
 }
 
+/// Why the minimiser stopped: the first sentence of its message. The numbers in the others depend on the locale.
+std::string reason_of(const ceres::Solver::Summary& summary) {
+  return summary.message.substr(0, summary.message.find(". "));
+}
+
 }  // namespace
 
 Solution minimise(const ResidualModel& model, std::span<const Parameter> parameters, const Loss& loss, double tolerance) {
@@ -112,11 +117,11 @@ Solution minimise(const ResidualModel& model, std::span<const Parameter> paramet
   ceres::Solver::Summary summary;
   ceres::Solve(quiet_options(tolerance), &problem, &summary);
   if (summary.termination_type == ceres::FAILURE && summary.num_successful_steps <= 0) {
-    throw std::invalid_argument("the fit cannot start: " + summary.message);
+    throw std::invalid_argument("the fit cannot start: " + reason_of(summary));
   }
   solution.converged = summary.termination_type == ceres::CONVERGENCE;
   solution.iterations = static_cast<int>(summary.iterations.size());
-  solution.message = summary.message;
+  solution.message = reason_of(summary);
   solution.cost = summary.final_cost;
   solution.residuals.resize(model.count());
   solution.jacobian.resize(model.count() * free);

@@ -7,9 +7,7 @@
 #include <boost/math/distributions/students_t.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 
 namespace limitcurve::fit::internal {
 
@@ -23,12 +21,6 @@ std::string list(const std::vector<std::size_t>& rows) {
 }
 
 }  // namespace
-
-std::string brief(double value) {
-  std::array<char, 32> buffer{};
-  std::snprintf(buffer.data(), buffer.size(), "%.3g", value);
-  return buffer.data();
-}
 
 std::vector<std::size_t> outliers_of(const Solution& robust, bool with_sigma, double noise) {
   const auto count = static_cast<double>(robust.residuals.size());
@@ -61,9 +53,9 @@ void warn_of_growth(FitReport& report, double assumed, const Estimate& gamma, do
   const double rare = boost::math::quantile(boost::math::students_t(spare), 1.0 - 0.5 / 2000.0);
   if (!(difference > rare * gamma.std_error)) return;
   // Gross outliers may hide the gain.
-  const std::string gain = rms < report.rms ? ": rms " + brief(rms) + " instead of " + brief(report.rms) : "";
-  report.warnings.push_back("gamma = " + format_number(assumed) + " was assumed, but " + brief(gamma.value) + " +- " +
-                            brief(gamma.std_error) + " explains the samples better" + gain + "; fit gamma too");
+  const std::string gain = rms < report.rms ? ": rms " + format_number(rms, 3) + " instead of " + format_number(report.rms, 3) : "";
+  report.warnings.push_back("gamma = " + format_number(assumed) + " was assumed, but " + format_number(gamma.value, 3) + " +- " +
+                            format_number(gamma.std_error, 3) + " explains the samples better" + gain + "; fit gamma too");
 }
 
 }  // namespace limitcurve::fit::internal

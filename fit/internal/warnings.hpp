@@ -12,9 +12,6 @@
 /// Warnings about a fit.
 namespace limitcurve::fit::internal {
 
-/// A number with three digits, for messages.
-std::string brief(double value);
-
 /// Rows whose distance from the curve of a robust fit is larger than the scatter of the others explains: a normal error reaches it in one
 /// of 200 data sets. `noise` is the unit of the residuals, in limits. The scatter comes from the median, with Rousseeuw's correction for
 /// few samples. Without sigmas nothing below a thousandth of the limits is gross.

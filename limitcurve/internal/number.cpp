@@ -24,6 +24,12 @@ std::string format_number(double value) {
   return error == std::errc{} ? std::string(buffer.data(), end) : std::string("nan");
 }
 
+std::string format_number(double value, int digits) {
+  if (!std::isfinite(value)) return format_number(value);
+  std::array<char, 32> buffer{};
+  return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, digits).ptr};
+}
+
 #ifndef _LIBCPP_VERSION
 std::optional<double> parse_number(std::string_view text) {
   // from_chars rejects a leading plus, but spreadsheets write it.

@@ -10,6 +10,8 @@ namespace limitcurve {
 
 /// The shortest decimal that reads back as exactly `value`; "inf", "-inf" or "nan" for a number that is not finite.
 std::string format_number(double value);
+/// The value rounded to `digits` digits, for messages: as printf's %.*g, but independent of the locale.
+std::string format_number(double value, int digits);
 
 /// The number written in `text` ("inf" and "nan" included); nothing if the whole text is not a number. A number beyond the range of double
 /// gives 0 or ±inf. Independent of the locale.

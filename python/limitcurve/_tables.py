@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar, cast
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ._core import Law
+from ._core import Law, columns_of, numbers_of
 
 if TYPE_CHECKING:
     from ._commands import MemoryFile
@@ -25,7 +25,7 @@ Columns: TypeAlias = dict[str, NDArray[Any]]
 """A table: its columns by name, arrays of one length."""
 
 Data: TypeAlias = "str | os.PathLike[str] | Mapping[str, ArrayLike] | Any"
-"""A file, or columns by name: a dict of arrays, a pandas DataFrame, a structured array."""
+"""A file, or columns by name: a dict of arrays, a pandas DataFrame, a structured array. Rows with a masked number are left out, with a warning."""
 
 
 _Function = TypeVar("_Function", bound=Callable[..., Any])
@@ -56,15 +56,10 @@ def _columns_of(name: str, data: Any) -> list[tuple[str, NDArray[np.float64]]]:
     names = data.dtype.names if isinstance(data, np.ndarray) else list(data.keys()) if hasattr(data, "keys") else None
     if names is None:
         raise ValueError(f"{name}: got {type(data).__name__}, expected a file's name, or columns by name")
-    columns = []
-    for column in names:
-        try:
-            numbers = np.asarray(data[column], dtype=np.float64)
-        except (TypeError, ValueError) as error:
-            raise ValueError(f"{name}[{column!r}]: expected numbers, {error}") from None
+    columns = list(zip(map(str, names), columns_of(name, list(map(str, names)), [data[column] for column in names])))
+    for column, numbers in columns:
         if numbers.ndim != 1:
             raise ValueError(f"{name}[{column!r}]: got the shape {numbers.shape}, expected one dimension")
-        columns.append((str(column), np.ascontiguousarray(numbers)))
     return columns
 
 
@@ -97,34 +92,32 @@ class _Call:
 
     def option(self, name: str, value: Any) -> None:
         """Adds an option, `name` in Python's spelling; leaves out None and False."""
+        if isinstance(value, (np.generic, np.ndarray)) and value.ndim == 0:
+            value = value.item()
         if value is None or value is False:
             return
         word = "--" + name.replace("_", "-")
         if value is True:
             self.words.append(word)
-        elif name == "law":
-            for law in [value] if isinstance(value, (str, Law)) else value:
-                self.words += [word, self.law(law)]
-        elif name == "patch" and not isinstance(value, str):
-            for patch in value:
-                self.words += [word, str(patch)]
+        elif name in ("law", "patch"):
+            several = [value] if isinstance(value, (str, Law)) else list(value)
+            if not several:
+                raise ValueError(f"{name}: got an empty list, expected one or more")
+            for one in several:
+                self.words += [word, self.law(one)]
         elif name in ("data", "trace", "twists") or isinstance(value, Mapping):
             self.words += [word, self.data(name, value)]
         elif isinstance(value, (str, os.PathLike)):
             self.words += [word, os.fsdecode(value)]
-        elif np.ndim(value) > 0:
-            self.words += [word, ",".join(_number(one) for one in np.ravel(np.asarray(value)))]
+        elif isinstance(value, (int, float)):
+            self.words += [word, repr(value)]
         else:
-            self.words += [word, _number(value)]
+            self.words += [word, ",".join(map(repr, numbers_of(value, name).ravel().tolist()))]
 
     def run(self) -> Columns:
         from . import _commands
 
         return _commands.run(self.words, self.files)
-
-
-def _number(value: Any) -> str:
-    return repr(value.item() if isinstance(value, np.generic) else value)
 
 
 def run(subcommand: str, *arguments: str, **options: Any) -> Columns:
@@ -153,7 +146,7 @@ def validate(law: str | Law | Sequence[str | Law] | None = None, *, patch: str |
     >>> round(float(table["max_error"][table["model"] == "ellipse"][0]), 4)
     0.0638
     """
-    return run("validate", law=law, patch=[patch] if isinstance(patch, str) else patch)
+    return run("validate", law=law, patch=patch)
 
 
 @_takes_old_names

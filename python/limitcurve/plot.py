@@ -64,6 +64,8 @@ def limit_curve(
     ax = _axes(ax)
     given = [law] if isinstance(law, (str, Law)) else list(law)
     laws = [one if isinstance(one, Law) else Law(one) for one in given]
+    if not laws:
+        raise ValueError("law: got an empty list, expected one or more")
     s = np.concatenate([np.linspace(0, 1, 129), 1 / np.linspace(1, 0, 128, endpoint=False)[1:], [np.inf]])
     for one in laws:
         ax.plot(*one.evaluate(s), label=one.name)

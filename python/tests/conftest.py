@@ -49,5 +49,5 @@ def same(table, texts):
         elif array.dtype.kind == "b":
             assert array.tolist() == [text == "true" for text in column], name
         else:
-            expected = np.array([float(text) for text in column])
+            expected = np.array([np.nan if text == "" else float(text) for text in column])
             assert np.array_equal(array.astype(float), expected, equal_nan=True), name

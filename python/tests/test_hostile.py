@@ -107,3 +107,42 @@ def test_threads_share_tables_batches_and_commands():
     for _ in range(100):
         alone.update(x, zero, 0.001, zero)
     assert np.array_equal(alone.fx, batch.fx) and np.array_equal(alone.state, batch.state)
+
+
+class Interrupted:
+    """The user presses Ctrl-C while NumPy or Python reads a value."""
+
+    def __array__(self, *arguments, **keywords):
+        raise KeyboardInterrupt
+
+    __float__ = __bool__ = __len__ = __iter__ = __array__
+
+
+def test_an_interruption_stays_one():
+    table = lc.Table("hertz", 1e-4)
+    finger = lc.SoftFinger(table)
+    for call in (table.evaluate, lambda x: lc.SoftFinger(table, mu=x), lambda x: finger.update(x, (0, 0, 1), 0, 0),
+                 lambda x: finger.update((x, 0, 0), (0, 0, 1), 0, 0), lambda x: finger.update((0, 0, 0), (0, 0, 1), 0, 0, landed=x),
+                 lambda x: lc.run("eval", law="hertz", c=x), lambda x: lc.fit("ratio", {"load": x, "force": x, "moment": x}), lc.Patch.image):
+        with pytest.raises(KeyboardInterrupt):
+            call(Interrupted(), 1e-3) if call is lc.Patch.image else call(Interrupted())
+
+
+def test_a_list_that_changes_while_it_is_read():
+    point = [0.0, 0.0, 0.0]
+
+    class Clears:
+        def __float__(self):
+            point.clear()
+            return 0.0
+
+    point[0] = Clears()
+    out = lc.SoftFinger(lc.Table("hertz", 1e-4)).update(point, (0, 0, 1), 0.001, 0)
+    assert out.state == lc.ContactState.stick and point == []
+
+
+@pytest.mark.parametrize("point", [{0: 1, 1: 2, 2: 3}, {0.0, 1.0, 2.0}, "123", b"123", iter([0, 0, 0]), (x for x in (0, 0, 0)), np.zeros((3, 1)),
+                                   np.zeros((1, 3)), [0, 0], np.array([0, 0, 0], "m8[ms]"), np.ma.masked_array([0.0, 0, 0], [0, 1, 0]), [0, 0, "0"]])
+def test_a_point_is_a_sequence_of_three_numbers(point):
+    with pytest.raises(ValueError, match="^point: (got|expected)"):
+        lc.SoftFinger(lc.Table("hertz", 1e-4)).update(point, (0, 0, 1), 0.001, 0)

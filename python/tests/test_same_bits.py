@@ -60,8 +60,9 @@ def test_evaluate(library, text):
     c = cors()
     results = [np.empty(N) for _ in range(4)]
     assert library.limitcurve_law_evaluate(law, pointer(c), ctypes.c_size_t(N), *map(pointer, results)) == 0
-    for mine, other in zip(lc.Law(text.decode()).evaluate(c, error=True), results):
-        assert np.array_equal(mine, other)
+    mine = lc.Law(text.decode()).evaluate(c, error=True)
+    assert np.array_equal(mine[:2], results[:2])
+    assert (np.array(mine[2:]) >= results[2:]).all()  # Python's errors are those of `eval`, with the rounding of c
     library.limitcurve_law_free(law)
 
 
@@ -109,22 +110,17 @@ def test_batch(library):
     table = handle(library.limitcurve_table_build, law, ctypes.c_double(1e-8))
     library.limitcurve_finger_defaults.restype = Parameters
     parameters = library.limitcurve_finger_defaults()
-    for dtype, name in ((np.float64, ""), (np.float32, "_float")):
-        if dtype is np.float64:
-            batch = handle(library.limitcurve_batch_new, table, ctypes.byref(parameters), 2)
-            mine = lc.Batch(lc.Table("hertz", 1e-8), N)
-        else:
-            batch = handle(library.limitcurve_batch_new_float, law, ctypes.c_double(5e-7), ctypes.byref(parameters), 2)
-            mine = lc.Batch(lc.Table("hertz", 1e-8), N, dtype=dtype)
-        memory = [np.zeros(N, np.uint8 if kind == "u" else dtype) for kind in "ddduuudd"]
-        results = [np.zeros(N, dtype) for _ in range(3)]
-        random = np.random.default_rng(7)
-        for _ in range(10):
-            inputs = [(scale * (random.normal(size=N) + offset)).astype(dtype) for scale, offset in ((1e-3, 0), (1e-3, 0), (0.1, 0), (1e-3, 1))]
-            arrays = (ctypes.c_void_p * 15)(*[array.ctypes.data for array in inputs + memory + results])
-            assert getattr(library, f"limitcurve_batch_step{name}")(batch, arrays, ctypes.c_size_t(N)) == 0
-            x, y, angle, depth = inputs
-            mine.update(x, y, depth, angle)
-            for view, other in zip((mine.fx, mine.fy, mine.moment, mine.state, mine.proxy_x), (*results, memory[3], memory[0])):
-                assert np.array_equal(view, other)
-        assert (mine.state == lc.ContactState.slip).sum() > 1000
+    batch = handle(library.limitcurve_batch_new, table, ctypes.byref(parameters), 2)
+    mine = lc.Batch(lc.Table("hertz", 1e-8), N)
+    memory = [np.zeros(N, np.uint8 if kind == "u" else np.float64) for kind in "ddduuudd"]
+    results = [np.zeros(N) for _ in range(3)]
+    random = np.random.default_rng(7)
+    for _ in range(10):
+        inputs = [scale * (random.normal(size=N) + offset) for scale, offset in ((1e-3, 0), (1e-3, 0), (0.1, 0), (1e-3, 1))]
+        arrays = (ctypes.c_void_p * 15)(*[array.ctypes.data for array in inputs + memory + results])
+        assert library.limitcurve_batch_step(batch, arrays, ctypes.c_size_t(N)) == 0
+        x, y, angle, depth = inputs
+        mine.update(x, y, depth, angle)
+        for view, other in zip((mine.fx, mine.fy, mine.moment, mine.state, mine.proxy_x), (*results, memory[3], memory[0])):
+            assert np.array_equal(view, other)
+    assert (mine.state == lc.ContactState.slip).sum() > 1000

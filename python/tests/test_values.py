@@ -4,6 +4,7 @@
 import math
 
 import limitcurve as lc
+import limitcurve.plot
 import numpy as np
 import pytest
 from hypothesis import given
@@ -78,9 +79,52 @@ def test_a_table_survives_its_files(tmp_path):
         TABLE.save(tmp_path / name)
         again = lc.Table.load(tmp_path / name)
         assert np.array_equal(again.evaluate(c), TABLE.evaluate(c)) and again.certified_error == TABLE.certified_error
-        lc.Batch(again, 3, dtype=np.float32)  # single precision is built from the law that it names
     TABLE.save(tmp_path / "t.h")
     assert "hertz" in (tmp_path / "t.h").read_text()
+
+
+def profile_file(path, exponent):
+    radius = np.linspace(0, 5, 30)
+    path.write_text("radius,pressure\n" + "".join(f"{r},{25 - r**exponent}\n" for r in radius.tolist()))
+    return path
+
+
+def test_a_batch_in_single_precision_has_the_curve_of_its_table(tmp_path, monkeypatch):
+    """Also where the table's law is a name that means something else by now."""
+    file = profile_file(tmp_path / "p.csv", 2)
+    lc.Table(f"samples:{file}").save(tmp_path / "t.csv")
+    profile_file(file, 0.5)
+    radius = np.linspace(0, 1, 9)
+    monkeypatch.chdir(tmp_path)
+    file.rename(tmp_path / "elsewhere.csv")
+    for table in (lc.Table.load("t.csv"), lc.Table(lc.Law.samples(radius, 1 - radius**4)), lc.Table("gaussian:sigma=1", 0.1), TABLE):
+        both = [lc.Batch(table, 50, dtype=dtype, mu=0.6) for dtype in (np.float64, np.float32)]
+        for batch in both:
+            batch.update(0, 0, 0.002, 0)
+            batch.update(np.linspace(0.002, 0.02, 50), 0, 0.002, np.linspace(2, 0, 50))
+        one, other = both
+        error = max(5e-7, table.tolerance / 100) + 1e-6  # and the rounding of coordinates
+        assert np.allclose(one.fx, other.fx, atol=1.2 * error) and np.allclose(one.moment, other.moment, atol=1.2 * 0.005 * error)
+        assert (one.state == lc.ContactState.slip).all() and np.abs(one.moment).max() > 1e-3
+
+
+def test_a_law_is_the_file_as_it_was_read(tmp_path):
+    file = profile_file(tmp_path / "p.csv", 2)
+    law = lc.Law(f"samples:{file}")
+    fitted = lc.fit("ellipse", law=law, quiet=True)["value"]
+    radius, pressure = law.arrays
+    assert np.array_equal(radius, np.linspace(0, 5, 30)) and np.array_equal(pressure, 25 - radius**2)
+    profile_file(file, 0.5)
+    assert lc.run("curve", law=law, points=3)["moment"].max() == law.moment_ratio
+    assert np.array_equal(lc.fit("ellipse", law=law, quiet=True)["value"], fitted)
+    file.unlink()
+    assert lc.run("eval", law=law, c=0)["moment"] == law.moment_ratio
+    assert set(lc.validate(law)["law"]) == {f"samples:{file}"}
+    for array in law.arrays:
+        with pytest.raises(ValueError, match="read-only"):
+            array[0] = 3
+        with pytest.raises(ValueError, match="WRITEABLE"):
+            array.flags.writeable = True
 
 
 def test_a_profile_from_arrays_is_the_profile_in_a_file(tmp_path):
@@ -207,3 +251,73 @@ def test_on_a_box_force_and_moment_come_to_rest_apart():
     assert states(0.1, 0.002) == (False, False)
     with pytest.raises(ValueError, match="moment_stick_fraction"):
         lc.apply_friction(lc.box(1, 0.6), 1, 0, limit=1, radius=0.01, stiffness_ratio=25000, moment_stick_fraction=-0.1)
+
+
+def test_times_are_no_numbers():
+    """Ticks of any unit once counted as seconds."""
+    time = np.arange(3) * np.timedelta64(1, "ms")
+    trace = {"time": time, "x": np.zeros(3), "y": np.zeros(3), "z": np.zeros(3), "twist": np.zeros(3)}
+    scene = {"radius_law": "constant:a=0.006", "mu": 0.6, "stiffness": 1000, "twist_stiffness": 0.036}
+    for column in (time, time + np.datetime64("2024-01-01"), time.astype(object), np.array(list(time), object)):
+        with pytest.raises(ValueError, match=r"^trace\['time'\]: got (times of|an array of object)"):
+            lc.replay({**trace, "time": column}, "hertz", **scene)
+    trace["time"] = (time - time[0]) / np.timedelta64(1, "s")  # what the message says
+    assert lc.replay(trace, "hertz", **scene)["time"].tolist() == [0, 0.001, 0.002]
+    with pytest.raises(ValueError, match="^c: got times of timedelta64"):
+        lc.run("eval", law="hertz", c=time)
+
+
+def test_numbers_with_a_unit_are_refused():
+    class Quantity(np.ndarray):
+        unit = "mm"
+
+    length = np.array([0.0, 4.5]).view(Quantity)
+    for call in (lambda: TABLE.evaluate(length), lambda: lc.Patch.points(length, length, [1, 1]), lambda: lc.SoftFinger(TABLE).update(length, length, 0, 0)):
+        with pytest.raises(ValueError, match="got numbers in mm, expected plain numbers in SI units$"):
+            call()
+
+
+def test_masked_pixels_have_no_sensor_and_masked_rows_are_none():
+    image = np.ma.masked_array(np.ones((4, 6)), mask=np.zeros((4, 6)))
+    image[:, 4:] = np.ma.masked
+    image.data[:, 4:] = 1e3  # what a dead sensor says
+    with pytest.warns(UserWarning, match="^pressures: masked pixels"):
+        assert lc.Patch.image(image, 1e-3).moment_ratio == lc.Patch.image(np.ones((4, 4)), 1e-3).moment_ratio
+    mask = [0, 0, 0, 1]
+    with pytest.warns(UserWarning, match="^x: rows with a masked number are left out, 1 of 4$"):
+        patch = lc.Patch.points([0, 1, 0, 9], [0, 0, 1, 9], np.ma.masked_array([1, 1, 1, 5], mask))
+    assert patch.moment_ratio == lc.Patch.points([0, 1, 0], [0, 0, 1], [1, 1, 1]).moment_ratio
+    radius = np.linspace(0, 1, 12)
+    pressure = np.ma.masked_array(1 - radius**2, radius == radius[5])
+    pressure.data[5] = 50
+    with pytest.warns(UserWarning, match="^radius: rows"):
+        law = lc.Law.samples(radius, pressure)
+    assert law.arrays[1].tolist() == pressure.compressed().tolist()
+    load = np.linspace(1, 3, 9)
+    data = {"load": load, "force": np.ma.masked_array(0.6 * load, load == 2), "moment": 0.6 * load * 0.006 * np.pi / 8}
+    data["force"].data[4] = 7
+    data = {name: np.ma.concatenate([column * (i == 0) if name == "force" else column * (i == 1) if name == "moment" else column for i in (0, 1)])
+            for name, column in data.items()}
+    rows = ~np.ma.getmaskarray(data["force"])
+    with pytest.warns(UserWarning, match="^data: rows with a masked number are left out, 2 of 18$"):
+        fitted = lc.fit("ratio", data, law="hertz", quiet=True)["value"]
+    assert np.array_equal(fitted, lc.fit("ratio", {name: np.asarray(column)[rows] for name, column in data.items()}, law="hertz", quiet=True)["value"])
+    with pytest.raises(ValueError, match="^c: got masked numbers"):
+        TABLE.evaluate(np.ma.masked_array([1.0, 2], [0, 1]))
+    assert TABLE.evaluate(np.ma.masked_array([1.0, 2]))[0].shape == (2,)  # a mask that leaves nothing out
+
+
+def test_numpy_truths_and_numbers_are_options():
+    words = {"law": "hertz", "mu": np.array(0.6), "radius_law": np.str_("constant:a=0.006"), "load": np.float32(2)}
+    assert set(lc.run("translate", **words, explain=np.bool_(False))) == set(lc.run("translate", **words))
+    plain = lc.run("translate", **{**words, "mu": 0.6, "load": 2, "explain": True})
+    assert plain["value"].tolist() == lc.run("translate", **words, explain=np.True_)["value"].tolist()
+    assert len(lc.Law("hertz").evaluate(1, error=np.True_)) == 4
+    finger = lc.SoftFinger(TABLE, mu=np.array(0.6))
+    assert finger.update((0, 0, 0), (0, 0, 1), np.array(0.001), 0, landed=np.array([True, False])[0]).load == 1
+
+
+def test_an_empty_list_is_not_all_laws():
+    for call in (lc.validate, lambda laws: lc.validate(patch=laws), lambda laws: lc.run("eval", law=laws, c=1), lambda laws: lc.plot.limit_curve(laws, ax=0)):
+        with pytest.raises(ValueError, match="got an empty list"):
+            call([])

@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "fit/model_fit.hpp"
 
+#include "limitcurve/choose.hpp"
 #include "limitcurve/laws.hpp"
 #include "tests/fit/synthetic.hpp"
 
 #include <gtest/gtest.h>
 
+#include <clocale>
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <regex>
 #include <string>
 #include <vector>
 
@@ -68,6 +73,38 @@ TEST(ModelFit, UnknownNamesAreToldWhatWasExpected) {
             std::string::npos);
   EXPECT_NE(message([&] { fit_model("load", samples); }).find("ratio or law"), std::string::npos);
   EXPECT_NE(message([&] { fit_model("law", LoadSamples{}); }).find("expected load"), std::string::npos);
+}
+
+/// The program's locale is German, with a comma in its numbers, where it can be made.
+class GermanNumbers {
+ public:
+  GermanNumbers() {
+    const std::string folder = testing::TempDir() + "locale";
+    std::filesystem::create_directories(folder);
+    const std::string make = "localedef -i de_DE -f UTF-8 --no-archive " + folder + "/de_DE.UTF-8 >/dev/null 2>&1";
+    if (std::system(make.c_str()) == 0 && ::setenv("LOCPATH", folder.c_str(), 1) == 0) std::setlocale(LC_ALL, "de_DE.UTF-8");
+    ::unsetenv("LOCPATH");
+    std::filesystem::remove_all(folder);
+  }
+  ~GermanNumbers() { std::setlocale(LC_ALL, "C"); }
+  [[nodiscard]] static bool are_set() { return std::localeconv()->decimal_point == std::string(","); }
+};
+
+TEST(ModelFit, NumbersInMessagesDoNotDependOnTheLocale) {
+  const GermanNumbers german;
+  if (!GermanNumbers::are_set()) GTEST_SKIP() << "no localedef, or no source of de_DE";
+  synthetic::Random random(3);
+  std::vector<Sample> samples = synthetic::clean(synthetic::curve_of(hertz()), {0.6, 0.0045, 0.3}, 60, random);
+  synthetic::disturb(samples, 0.01, 0.6, 0.0016, false, random);
+  std::string told = in_percent(0.0123) + in_percent(0.5) + in_percent(3.3e-5);
+  for (const char* const model : {"ratio", "law", "superellipse"}) {
+    const FitReport report = fit_model(model, samples).report;
+    told += report.note + report.message;
+    for (const std::string& warning : report.warnings) told += warning;
+  }
+  EXPECT_NE(told.find("the ratio implies a contact radius of"), std::string::npos);
+  EXPECT_NE(told.find("explains the samples better"), std::string::npos);
+  EXPECT_FALSE(std::regex_search(told, std::regex("[0-9],[0-9]"))) << told;
 }
 
 }  // namespace
