@@ -48,6 +48,8 @@ Projection projection_of(limitcurve_projection projection) {
 
 namespace {
 
+static_assert(static_cast<int>(Fault::none) == LIMITCURVE_FAULT_NONE && static_cast<int>(Fault::body) == LIMITCURVE_FAULT_BODY);
+
 void copy(const Eigen::Vector3d& from, double (&to)[3]) noexcept {
   std::copy_n(from.data(), 3, to);
 }
@@ -147,6 +149,7 @@ limitcurve_status limitcurve_finger_update(limitcurve_finger* finger, const limi
   output->slip_work = step.slip_work;
   output->state = static_cast<limitcurve_state>(step.state);
   output->converged = step.converged ? 1 : 0;
+  output->fault = static_cast<limitcurve_fault>(step.fault);
   return LIMITCURVE_OK;
 }
 

@@ -185,6 +185,18 @@ typedef enum limitcurve_state {
   LIMITCURVE_STATE_INVALID = 3  /* bad input: the last good output is held, and fades */
 } limitcurve_state;
 
+/* The reason of LIMITCURVE_STATE_INVALID. */
+typedef enum limitcurve_fault {
+  LIMITCURVE_FAULT_NONE = 0,
+  LIMITCURVE_FAULT_NOT_FINITE = 1,   /* a NaN or an infinity in the point, the normal, the depth or the twist */
+  LIMITCURVE_FAULT_TOO_FAR = 2,      /* one of them is beyond 1e6 */
+  LIMITCURVE_FAULT_ORIENTATION = 3,  /* not of this interface: a device's orientation is not of unit length */
+  LIMITCURVE_FAULT_NORMAL = 4,       /* the normal is not of unit length */
+  LIMITCURVE_FAULT_TIME_STEP = 5,    /* the time step is < 0 or not finite */
+  LIMITCURVE_FAULT_DISPLACEMENT = 6, /* more than max_displacement since the last sample */
+  LIMITCURVE_FAULT_BODY = 7          /* not of this interface: the pose of a touched body */
+} limitcurve_fault;
+
 /* A contact of a finger with a surface. */
 typedef struct limitcurve_contact {
   double point[3];  /* point of the surface nearest to the finger [m] */
@@ -207,6 +219,7 @@ typedef struct limitcurve_finger_output {
   double slip_work; /* dissipated in this step [J], >= 0 */
   limitcurve_state state;
   int converged; /* 0: the search for a patch's closest point did not converge */
+  limitcurve_fault fault; /* the reason of LIMITCURVE_STATE_INVALID */
 } limitcurve_finger_output;
 
 typedef struct limitcurve_finger limitcurve_finger;
@@ -223,7 +236,7 @@ LIMITCURVE_API limitcurve_status limitcurve_finger_new_patch(const limitcurve_pa
 LIMITCURVE_API void limitcurve_finger_free(limitcurve_finger* finger);
 
 /* One step. `time_step` [s] since the last step is for the dampers; 0 without. A value that is not finite, a normal that is not of unit
- * length, a jump or a time step < 0 is no error; it gives the state LIMITCURVE_STATE_INVALID. [real time] */
+ * length, a jump or a time step < 0 is no error; it gives the state LIMITCURVE_STATE_INVALID, and `fault` names the reason. [real time] */
 LIMITCURVE_API limitcurve_status limitcurve_finger_update(limitcurve_finger* finger, const limitcurve_contact* contact, double time_step,
                                                           limitcurve_finger_output* output);
 

@@ -16,6 +16,12 @@ namespace {
 // Not aligned, so that no user's LU of a 6×6 matrix, compiled for another processor (-march=native), stands in for ours.
 using Matrix6 = Eigen::Matrix<double, 6, 6, Eigen::DontAlign>;
 
+/// Whether a body's state is one: finite, no number beyond `farthest`, an orientation of unit length.
+bool is_plausible(const BodyState& state) noexcept {
+  const double square = state.position.squaredNorm() + state.velocity.squaredNorm() + state.angular_velocity.squaredNorm();
+  return godobject::is_plausible<double>(square) && std::fabs(state.orientation.squaredNorm() - 1.0) <= 1e-6;
+}
+
 BodyState moved(const BodyState& from, const Eigen::Vector3d& velocity, const Eigen::Vector3d& angular_velocity,
                 double time_step) noexcept {
   return {from.position + velocity * time_step, turned(from.orientation, angular_velocity, time_step), velocity, angular_velocity};
@@ -39,12 +45,15 @@ void Grasp::step(std::span<const DevicePose> devices, double time_step, const Ei
 }
 
 void Grasp::carry(const BodyState& state, std::span<const DevicePose> devices, double time_step) noexcept {
+  if (!is_time_step(time_step)) return refuse(Fault::time_step);
+  if (!is_plausible(state)) return refuse(Fault::body);
   state_ = state;
   commit(devices, time_step);
   account();
 }
 
 void Grasp::place(const BodyState& state, std::span<const DevicePose> devices) noexcept {
+  if (!is_plausible(state)) return refuse(Fault::body);
   state_ = state;
   commit(devices, 0.0);
 }
@@ -99,6 +108,11 @@ void Grasp::commit(std::span<const DevicePose> devices, double time_step) noexce
       fingers_[i].reset();
     }
   }
+}
+
+/// A step that is none: nothing moves, and every finger holds its last output.
+void Grasp::refuse(Fault fault) noexcept {
+  for (SoftFinger& finger : fingers_) finger.refuse(fault);
 }
 
 /// The residual of the velocities ξ at the end of the step: the change of momentum minus the impulse of the loads at the end of the step,

@@ -35,7 +35,8 @@ class Grasp {
   void step(std::span<const DevicePose> devices, double time_step, const Eigen::Vector3d& force = Eigen::Vector3d::Zero(),
             const Eigen::Vector3d& moment = Eigen::Vector3d::Zero()) noexcept;
 
-  /// Moves the body to a given state in a time [s] ≥ 0 (0: no dampers), and does steps a–c and e.
+  /// Moves the body to a given state in a time [s] ≥ 0 (0: no dampers), and does steps a–c and e. A time that is none, or a state that is
+  /// not finite, beyond `farthest` or not of unit length, moves nothing: all fingers are `invalid`, and name the fault.
   void carry(const BodyState& state, std::span<const DevicePose> devices, double time_step) noexcept;
 
   /// Puts the body into a state at once and does steps a–c there: the start of a scene, where fingers touch down.
@@ -81,6 +82,7 @@ class Grasp {
   [[nodiscard]] static DevicePose in_body(const BodyState& state, const DevicePose& device) noexcept;
   [[nodiscard]] Load preview(const BodyState& state, std::span<const DevicePose> devices, double time_step) const noexcept;
   void commit(std::span<const DevicePose> devices, double time_step) noexcept;
+  void refuse(Fault fault) noexcept;
   void account() noexcept;
   [[nodiscard]] Vector6 residual(const Vector6& velocities, std::span<const DevicePose> devices, double time_step, const Load& external,
                                  const Eigen::Vector3d& momentum) const noexcept;

@@ -173,6 +173,16 @@ def test_a_batch_says_which_samples_were_not_usable():
     assert not batch.invalid.any() and np.allclose(batch.fx, -1.2)  # the grip was held
 
 
+def test_a_finger_says_why_a_sample_is_invalid():
+    finger = lc.SoftFinger(TABLE, mu=0.6)
+    assert finger.update((0, 0, 0), (0, 0, 1), 0.002, 0.0).fault == lc.Fault.none
+    for bad, fault in (((math.nan, 0, 0), (0, 0, 1), 0.0), "not_finite"), (((0, 0, 0), (0, 0, 2), 0.0), "normal"), \
+            (((0, 0, 0), (0, 0, 1), -1.0), "time_step"), (((2, 0, 0), (0, 0, 1), 0.0), "displacement"):
+        point, normal, dt = bad
+        output = finger.update(point, normal, 0.002, 0.0, dt)
+        assert str(output.state) == "invalid" and str(output.fault) == fault and output.fault == lc.Fault[fault]
+
+
 def test_old_keywords_are_accepted_with_a_warning():
     with pytest.warns(FutureWarning, match="moment_coefficient is now mu_r"):
         old = lc.SoftFinger(TABLE, mu=0.6, moment_coefficient=0.002)
