@@ -128,9 +128,9 @@ typedef enum limitcurve_projection {
 /* Friction limits at the present load. */
 typedef struct limitcurve_limits {
   double force;             /* at rest: mu P [N] >= 0 ... */
-  double radius;            /* ... and a [m] > 0: the unit curve grows by force, and by force * radius */
-  double sliding_force;     /* while it slips: not larger than at rest */
-  double sliding_radius;    /* likewise */
+  double radius;            /* ... and a [m] >= 0: the unit curve grows by force, and by force * radius */
+  double sliding_force;     /* while it slips: neither the force ... */
+  double sliding_radius;    /* ... nor force * radius is larger than at rest; the radius may be */
   double stiffness_ratio;   /* k_l/k_r of the springs [1/m^2] > 0 */
   double force_stick_fraction;  /* in [0, 1]: a sliding contact comes to rest when its trial is within this fraction of the sliding limit, ... */
   double moment_stick_fraction; /* ... or this one, if it is smaller; on a box force and moment each have their own. 1: at once */

@@ -176,12 +176,14 @@ void add_friction(nb::module_& module) {
         require(finite(force), "force", force, "[0, inf)");
         require(finite(moment), "moment", moment, "[0, inf)");
         require(finite(limit), "limit", limit, "[0, inf)");
-        require(finite(radius) && radius > 0.0, "radius", radius, "(0, inf)");
+        require(finite(radius), "radius", radius, "[0, inf)");
         require(finite(stiffness_ratio) && stiffness_ratio > 0.0, "stiffness_ratio", stiffness_ratio, "(0, inf)");
         const double sliding_force = sliding_limit.value_or(limit);
         const double radius_of_slip = sliding_radius.value_or(radius);
         require(finite(sliding_force) && sliding_force <= limit, "sliding_limit", sliding_force, "[0, limit]");
-        require(radius_of_slip > 0.0 && radius_of_slip <= radius, "sliding_radius", radius_of_slip, "(0, radius]");
+        // The moments of a finger are products of rounded numbers.
+        require(finite(radius_of_slip) && sliding_force * radius_of_slip <= limit * radius * (1.0 + 1e-12), "sliding_radius",
+                radius_of_slip, "[0, limit/sliding_limit*radius]");
         require(force_stick_fraction >= 0.0 && force_stick_fraction <= 1.0, "force_stick_fraction", force_stick_fraction, "[0, 1]");
         require(moment_stick_fraction >= 0.0 && moment_stick_fraction <= 1.0, "moment_stick_fraction", moment_stick_fraction, "[0, 1]");
         const Projection way = parse_projection(projection);

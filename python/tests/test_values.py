@@ -203,6 +203,13 @@ def test_friction_is_what_a_finger_does():
     assert not result.slips and result.force_fraction == result.moment_fraction == 1 and math.isnan(result.cor)
 
 
+def test_the_radius_may_be_larger_during_slip():
+    result = lc.apply_friction(TABLE, 2.4, 0.0, limit=1.2, radius=0.006, stiffness_ratio=25000, sliding_limit=0.6, sliding_radius=0.012)
+    assert result.slips and result.force_fraction == pytest.approx(0.25, rel=1e-12)
+    with pytest.raises(ValueError, match="sliding_radius = 0.013"):
+        lc.apply_friction(TABLE, 2.4, 0.0, limit=1.2, radius=0.006, stiffness_ratio=25000, sliding_limit=0.6, sliding_radius=0.013)
+
+
 def test_on_a_box_force_and_moment_come_to_rest_apart():
     memory = lc.FrictionMemory()
 
