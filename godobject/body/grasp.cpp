@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 #include <utility>
 
 namespace limitcurve::godobject {
@@ -35,13 +36,18 @@ Grasp::Grasp(const BodyParameters& parameters, const BodyState& state, AnySurfac
   if (const double norm = state.orientation.norm(); !(std::fabs(norm - 1.0) <= 1e-9)) {
     throw out_of_range("norm of the orientation", norm, "1", "1");
   }
+  if (!is_plausible(state)) throw std::invalid_argument("state of the body: expected positions and velocities within 1e6 m, m/s and rad/s");
 }
 
 void Grasp::step(std::span<const DevicePose> devices, double time_step, const Eigen::Vector3d& force,
                  const Eigen::Vector3d& moment) noexcept {
-  state_ = solve(devices, time_step, {force + parameters_.mass * parameters_.gravity, moment});
-  commit(devices, time_step);
-  account();
+  if (!(time_step > 0.0 && is_time_step(time_step))) return refuse(Fault::time_step);
+  const Load external{force + parameters_.mass * parameters_.gravity, moment};
+  // The speeds that the forces alone would give.
+  const BodyState pushed{Eigen::Vector3d::Zero(), Orientation::Identity(), external.force * (time_step / parameters_.mass),
+                         moment * (time_step / parameters_.inertia.minCoeff())};
+  if (!is_plausible(pushed)) return refuse(Fault::body);
+  carry(solve(devices, time_step, external), devices, time_step);
 }
 
 void Grasp::carry(const BodyState& state, std::span<const DevicePose> devices, double time_step) noexcept {
@@ -72,6 +78,12 @@ double Grasp::energy() const noexcept {
   double sum = kinetic_energy(parameters_, state_) + gravity_energy(parameters_, state_);
   for (const SoftFinger& finger : fingers_) sum += finger.spring_energy();
   return sum;
+}
+
+void Grasp::reset() noexcept {
+  for (SoftFinger& finger : fingers_) finger.reset();
+  dissipated_ = 0.0;
+  unsolved_ = 0;
 }
 
 void Grasp::account() noexcept {

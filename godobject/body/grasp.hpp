@@ -31,7 +31,9 @@ class Grasp {
 
   /// One time step [s] > 0, with a device pose for each finger; a missing pose counts as far away. `force` [N] and `moment` [N m] about the
   /// centre of mass, in world axes, are added to gravity and the fingers' forces. A pose that is not finite makes its finger `invalid`; the
-  /// finger then acts with its last force. Does not throw, allocate or lock.
+  /// finger then acts with its last force. A time step that is none, or forces that are not finite or would carry the body beyond `farthest`
+  /// (its position in m, its velocities in m/s and rad/s), move nothing: all fingers are `invalid` and name the fault. Does not throw,
+  /// allocate or lock.
   void step(std::span<const DevicePose> devices, double time_step, const Eigen::Vector3d& force = Eigen::Vector3d::Zero(),
             const Eigen::Vector3d& moment = Eigen::Vector3d::Zero()) noexcept;
 
@@ -39,8 +41,12 @@ class Grasp {
   /// not finite, beyond `farthest` or not of unit length, moves nothing: all fingers are `invalid`, and name the fault.
   void carry(const BodyState& state, std::span<const DevicePose> devices, double time_step) noexcept;
 
-  /// Puts the body into a state at once and does steps a–c there: the start of a scene, where fingers touch down.
+  /// Puts the body into a state at once and does steps a–c there: fingers that do not touch yet touch down, the springs of those that do
+  /// are loaded. A new scene or episode begins with `reset`.
   void place(const BodyState& state, std::span<const DevicePose> devices) noexcept;
+
+  /// Forgets all contacts, and what was dissipated, as after construction. The body stays: `place` puts it where a scene begins.
+  void reset() noexcept;
 
   [[nodiscard]] const BodyParameters& parameters() const& noexcept { return parameters_; }
   void parameters() const&& = delete;
