@@ -48,20 +48,24 @@ Projection projection_of(limitcurve_projection projection) {
 
 namespace {
 
+static_assert(static_cast<int>(Fault::none) == LIMITCURVE_FAULT_NONE && static_cast<int>(Fault::body) == LIMITCURVE_FAULT_BODY);
+
 void copy(const Eigen::Vector3d& from, double (&to)[3]) noexcept {
   std::copy_n(from.data(), 3, to);
 }
 
 bool is_limit(double force, double radius) noexcept {
-  return force >= 0.0 && std::isfinite(force) && radius > 0.0 && std::isfinite(radius);
+  return force >= 0.0 && std::isfinite(force) && radius >= 0.0 && std::isfinite(radius);
 }
 
 /// Checks the friction limits; a static text names the error.
 const char* fault_of(const limitcurve_limits& limits, double force, double moment, const limitcurve_memory& memory) noexcept {
   if (!is_limit(limits.force, limits.radius) || !is_limit(limits.sliding_force, limits.sliding_radius))
-    return "expected finite forces >= 0 and radii > 0";
-  if (limits.sliding_force > limits.force || limits.sliding_radius > limits.radius)
-    return "sliding_force and sliding_radius: expected not more than at rest";
+    return "expected finite forces >= 0 and radii >= 0";
+  // The moments of a finger are products of rounded numbers.
+  constexpr double rounded = 1.0 + 1e-12;
+  if (limits.sliding_force > limits.force || limits.sliding_force * limits.sliding_radius > limits.force * limits.radius * rounded)
+    return "sliding_force, and sliding_force times sliding_radius: expected not more than at rest";
   if (!(limits.stiffness_ratio > 0.0 && std::isfinite(limits.stiffness_ratio))) return "stiffness_ratio: expected a finite number > 0";
   const auto is_fraction = [](double fraction) { return fraction >= 0.0 && fraction <= 1.0; };
   if (!is_fraction(limits.force_stick_fraction) || !is_fraction(limits.moment_stick_fraction))
@@ -147,6 +151,7 @@ limitcurve_status limitcurve_finger_update(limitcurve_finger* finger, const limi
   output->slip_work = step.slip_work;
   output->state = static_cast<limitcurve_state>(step.state);
   output->converged = step.converged ? 1 : 0;
+  output->fault = static_cast<limitcurve_fault>(step.fault);
   return LIMITCURVE_OK;
 }
 

@@ -128,9 +128,9 @@ typedef enum limitcurve_projection {
 /* Friction limits at the present load. */
 typedef struct limitcurve_limits {
   double force;             /* at rest: mu P [N] >= 0 ... */
-  double radius;            /* ... and a [m] > 0: the unit curve grows by force, and by force * radius */
-  double sliding_force;     /* while it slips: not larger than at rest */
-  double sliding_radius;    /* likewise */
+  double radius;            /* ... and a [m] >= 0: the unit curve grows by force, and by force * radius */
+  double sliding_force;     /* while it slips: neither the force ... */
+  double sliding_radius;    /* ... nor force * radius is larger than at rest; the radius may be */
   double stiffness_ratio;   /* k_l/k_r of the springs [1/m^2] > 0 */
   double force_stick_fraction;  /* in [0, 1]: a sliding contact comes to rest when its trial is within this fraction of the sliding limit, ... */
   double moment_stick_fraction; /* ... or this one, if it is smaller; on a box force and moment each have their own. 1: at once */
@@ -185,6 +185,18 @@ typedef enum limitcurve_state {
   LIMITCURVE_STATE_INVALID = 3  /* bad input: the last good output is held, and fades */
 } limitcurve_state;
 
+/* The reason of LIMITCURVE_STATE_INVALID. */
+typedef enum limitcurve_fault {
+  LIMITCURVE_FAULT_NONE = 0,
+  LIMITCURVE_FAULT_NOT_FINITE = 1,   /* a NaN or an infinity in the point, the normal, the depth or the twist */
+  LIMITCURVE_FAULT_TOO_FAR = 2,      /* one of them is beyond 1e6 */
+  LIMITCURVE_FAULT_ORIENTATION = 3,  /* not of this interface: a device's orientation is not of unit length */
+  LIMITCURVE_FAULT_NORMAL = 4,       /* the normal is not of unit length */
+  LIMITCURVE_FAULT_TIME_STEP = 5,    /* the time step is < 0 or not finite */
+  LIMITCURVE_FAULT_DISPLACEMENT = 6, /* more than max_displacement since the last sample */
+  LIMITCURVE_FAULT_BODY = 7          /* not of this interface: the pose of a touched body */
+} limitcurve_fault;
+
 /* A contact of a finger with a surface. */
 typedef struct limitcurve_contact {
   double point[3];  /* point of the surface nearest to the finger [m] */
@@ -207,6 +219,7 @@ typedef struct limitcurve_finger_output {
   double slip_work; /* dissipated in this step [J], >= 0 */
   limitcurve_state state;
   int converged; /* 0: the search for a patch's closest point did not converge */
+  limitcurve_fault fault; /* the reason of LIMITCURVE_STATE_INVALID */
 } limitcurve_finger_output;
 
 typedef struct limitcurve_finger limitcurve_finger;
@@ -223,7 +236,7 @@ LIMITCURVE_API limitcurve_status limitcurve_finger_new_patch(const limitcurve_pa
 LIMITCURVE_API void limitcurve_finger_free(limitcurve_finger* finger);
 
 /* One step. `time_step` [s] since the last step is for the dampers; 0 without. A value that is not finite, a normal that is not of unit
- * length, a jump or a time step < 0 is no error; it gives the state LIMITCURVE_STATE_INVALID. [real time] */
+ * length, a jump or a time step < 0 is no error; it gives the state LIMITCURVE_STATE_INVALID, and `fault` names the reason. [real time] */
 LIMITCURVE_API limitcurve_status limitcurve_finger_update(limitcurve_finger* finger, const limitcurve_contact* contact, double time_step,
                                                           limitcurve_finger_output* output);
 

@@ -33,6 +33,7 @@ unsafe struct FingerOutput {
   public double moment, cor, slipWork;
   public State state;
   public int converged;
+  public int fault;
 }
 
 static unsafe class LimitCurve {

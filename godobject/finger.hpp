@@ -43,6 +43,11 @@ struct FingerParameters {
 /// In shorter time steps [s] dampers do not act, and a free body does not move.
 inline constexpr double shortest_time_step = 1e-9;
 
+/// Whether a time step [s] is one: ≥ 0 and finite. A NaN is not.
+[[nodiscard]] constexpr bool is_time_step(double time_step) noexcept {
+  return time_step >= 0.0 && time_step <= (std::numeric_limits<double>::max)();
+}
+
 /// The state of a contact.
 enum class ContactState : std::uint8_t {
   free,     ///< not touching: depth ≤ 0
@@ -55,6 +60,31 @@ enum class ContactState : std::uint8_t {
 constexpr std::string_view to_string(ContactState state) noexcept {
   constexpr std::array<std::string_view, 4> names{"free", "stick", "slip", "invalid"};
   return names[static_cast<std::size_t>(state)];
+}
+
+/// Why a sample was refused: the reason of the state `invalid`.
+enum class Fault : std::uint8_t {
+  none,
+  not_finite,    ///< a NaN or an infinity in a position, a normal, an orientation or a twist
+  too_far,       ///< beyond `farthest`
+  orientation,   ///< the device's orientation is not of unit length
+  normal,        ///< the contact's normal is not of unit length
+  time_step,     ///< it is < 0 or not finite
+  displacement,  ///< more than `max_displacement` since the last sample
+  body,          ///< the pose of the touched body (Grasp, Replay) is not finite, beyond `farthest`, or not of unit length
+};
+
+/// What is wrong, as in "a sample is invalid: the normal is not of unit length"; "none" without a fault.
+constexpr std::string_view to_string(Fault fault) noexcept {
+  constexpr std::array<std::string_view, 8> reasons{"none",
+                                                    "a number is not finite",
+                                                    "a coordinate, the depth or the twist is beyond 1e6",
+                                                    "the orientation is not of unit length",
+                                                    "the normal is not of unit length",
+                                                    "the time goes back or is not finite",
+                                                    "the finger moved by more than the maximum displacement",
+                                                    "the body's pose is not finite, beyond 1e6 m, or not of unit length"};
+  return reasons[static_cast<std::size_t>(fault)];
 }
 
 /// The result of a step.
@@ -71,6 +101,7 @@ struct FingerOutput {
   double slip_work = 0.0;                                 ///< energy that slip dissipates in this step [J], ≥ 0 if `converged`
   /// False: the search for a patch's closest point did not converge. The wrench is on the limit surface, but not the closest point.
   bool converged = true;
+  Fault fault = Fault::none;  ///< the reason of `ContactState::invalid`; none in any other state
 };
 
 /// The last good sample of the device: where the finger is against the surface.

@@ -12,14 +12,14 @@ namespace limitcurve::godobject {
 template <class Number>
 struct FrictionLimit {
   Number force;   ///< μP [N] ≥ 0
-  Number radius;  ///< a [m] > 0
+  Number radius;  ///< a [m] ≥ 0
 };
 
 /// The limits of a contact at its present load, and the ratio of its springs.
 template <class Number>
 struct FrictionLimits {
   FrictionLimit<Number> sticking;            ///< static limit, with μ_s
-  FrictionLimit<Number> sliding;             ///< sliding limit, with μ_d; not larger
+  FrictionLimit<Number> sliding;             ///< sliding limit, with μ_d; neither μP nor μPa is larger
   Number stiffness_ratio;                    ///< k_l/k_r [1/m²] of the springs
   Number force_stick_fraction = Number(1);   ///< a sliding contact comes to rest within the smaller of these two fractions of the
   Number moment_stick_fraction = Number(1);  ///< sliding limit, ≤ 1; on the box force and moment each within its own

@@ -46,7 +46,15 @@ Projected<Real> project_along_c_curve(const CurveView<Real>& curve, const UnitTr
     result.force = outside ? jet.trailing : jet.leading;
     result.moment = outside ? jet.leading : jet.trailing;
   }
-  if (result.force > trial.force || result.moment > trial.moment) result = foot;
+  if (result.force > trial.force) {
+    // The force stays and the moment alone slips: the closest point where a change of the force costs all, which joins the c-curve without a
+    // jump.
+    UnitTrial<Real> held = trial;
+    held.compliance_ratio = sizeof(Real) == sizeof(double) ? Real(1e-100) : Real(1e-18);
+    const Projected<Real> closest = project_on_to_closest_point(curve, held, foot.parameter);
+    result = {trial.force, std::fmin(closest.moment_fraction, Real(1)) * trial.moment, Real(0), Real(1), foot.parameter};
+  }
+  if (result.moment > trial.moment) result = foot;
   return {true,
           result.force / trial.force,
           result.moment / trial.moment,

@@ -124,8 +124,9 @@ template <class Real, class Number>
 
 /// c-curve projection (Fig. 5) for a radius that depends on the load. The p-curve through the trial belongs to a load λP and has its COR at
 /// c; the result is the point of the p-curve of P with the same c. Root in ln λ of ln gauge(f̂/λ, m̂ a(P)/(λ a(λP))), bracketed; usually 3
-/// or 4 steps. If the pressure is concentrated at the rim, f(s) can grow faster than s, and the same c would increase the force: then c/a
-/// is kept instead, which never does.
+/// or 4 steps. If the pressure is concentrated at the rim, f(s) can grow faster than s; where a(P) grows about like P, the same c would then
+/// increase the force: the force stays and the moment slips. Continuous in the trial, except where a(P) falls faster than P^−0.3: there the
+/// same c may increase the moment, and c/a is kept instead.
 template <class Real>
 [[nodiscard]] Projected<Real> project_along_c_curve(const CurveView<Real>& curve, const UnitTrial<Real>& trial, Real last,
                                                     const RadiusLaw& radius_law, Real load) noexcept;

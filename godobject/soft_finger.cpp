@@ -24,10 +24,11 @@ constexpr double inf = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// The step of an invalid sample: the last good output is held, and fades from the second invalid sample on.
-FingerOutput fade(FingerState& state, double fault_decay) noexcept {
+FingerOutput fade(FingerState& state, double fault_decay, Fault fault) noexcept {
   FingerOutput& output = state.output;
   const double kept = output.state == ContactState::invalid ? fault_decay : 1.0;
   output.state = ContactState::invalid;
+  output.fault = fault;
   output.slip_work = 0.0;
   output.cor = nan;
   output.load *= kept;
@@ -106,8 +107,9 @@ const Patch* SoftFinger::patch() const& noexcept {
 
 FingerOutput SoftFinger::update(const AnySurface& surface, const DevicePose& device, double time_step) noexcept {
   Spin spin;
-  const Contact contact = sense(surface, device, state_, spin);
-  return advance(state_, {contact, device.twist, time_step, spin});
+  Fault fault = Fault::none;
+  const Contact contact = sense(surface, device, state_, spin, fault);
+  return advance(state_, {contact, device.twist, time_step, spin, fault});
 }
 
 FingerOutput SoftFinger::update(const Contact& contact, double twist, double time_step) noexcept {
@@ -117,8 +119,9 @@ FingerOutput SoftFinger::update(const Contact& contact, double twist, double tim
 FingerOutput SoftFinger::preview(const AnySurface& surface, const DevicePose& device, double time_step) const noexcept {
   FingerState state = state_;
   Spin spin;
-  const Contact contact = sense(surface, device, state, spin);
-  return advance(state, {contact, device.twist, time_step, spin});
+  Fault fault = Fault::none;
+  const Contact contact = sense(surface, device, state, spin, fault);
+  return advance(state, {contact, device.twist, time_step, spin, fault});
 }
 
 FingerOutput SoftFinger::preview(const Contact& contact, double twist, double time_step) const noexcept {
@@ -126,10 +129,15 @@ FingerOutput SoftFinger::preview(const Contact& contact, double twist, double ti
   return advance(state, {contact, twist, time_step, state.spin});
 }
 
+FingerOutput SoftFinger::refuse(Fault fault) noexcept {
+  return fade(state_, parameters_.fault_decay, fault);
+}
+
 FingerOutput SoftFinger::advance(FingerState& state, const Sensed& sensed) const noexcept {
   // A velocity needs two good samples in succession.
   const bool has_velocity = state.faults.seen && state.output.state != ContactState::invalid && sensed.time_step >= shortest_time_step;
-  if (!accept(state.faults, sensed, state.sample, parameters_.max_displacement)) return fade(state, parameters_.fault_decay);
+  const Fault fault = accept(state.faults, sensed, state.sample, parameters_.max_displacement);
+  if (fault != Fault::none) return fade(state, parameters_.fault_decay, fault);
   const bool stays = state.in_contact && !sensed.contact.landed;
   const FingerSample sample = take_sample(state.sample, sensed, stays);
   if (!(sample.depth > 0.0)) return release(state, sample, sensed);

@@ -51,9 +51,9 @@ class SoftFinger {
   /// (`Spin`) plus `DevicePose::twist`.
   /// With a time step [s] > 0 since the last update the dampers act, too: friction bounds the wrench of springs and dampers together, and
   /// so the force on the user. They do not act in the first good sample and in the first one after invalid samples, because the velocity is
-  /// not known. The state is `invalid` for input that is not finite, an orientation or a normal that is not of unit length, a displacement
-  /// beyond `max_displacement` and a time step < 0. Then the last good output is held, and fades after more invalid samples
-  /// (`fault_decay`); the proxy and the contact memory stay.
+  /// not known. The state is `invalid` for input that is not finite or beyond `farthest`, an orientation or a normal that is not of unit
+  /// length, a displacement beyond `max_displacement` and a time step that is < 0 or not finite; `FingerOutput::fault` names the reason.
+  /// Then the last good output is held, and fades after more invalid samples (`fault_decay`); the proxy and the contact memory stay.
   FingerOutput update(const AnySurface& surface, const DevicePose& device, double time_step = 0.0) noexcept;
   /// One step with a contact that other code found, and the device's twist α_s [rad] about the normal. The twist may wrap around at any
   /// multiple of 2π: a jump of more than π between steps counts as a turn in the other direction.
@@ -62,6 +62,9 @@ class SoftFinger {
   /// The result that `update` would have, without a change of the state.
   [[nodiscard]] FingerOutput preview(const AnySurface& surface, const DevicePose& device, double time_step = 0.0) const noexcept;
   [[nodiscard]] FingerOutput preview(const Contact& contact, double twist, double time_step = 0.0) const noexcept;
+
+  /// A step without a sample: as for an invalid one, with a reason that the caller knows.
+  FingerOutput refuse(Fault fault) noexcept;
 
   [[nodiscard]] const FingerOutput& output() const& noexcept { return state_.output; }
   [[nodiscard]] FingerOutput output() && noexcept { return state_.output; }

@@ -296,7 +296,7 @@ godobject::BasicFingerCurve<float> curve_of(nb::handle curve) {
   if (!nb::isinstance<Table>(curve)) throw std::invalid_argument("curve: expected a Table, or what ellipse() or box() made");
   // From the table itself, not from its law: that is only a name in a file, and the file of a measured profile may have changed.
   const auto& table = nb::cast<const Table&>(curve);
-  return FloatTable::build(table, std::max(table.tolerance() / 100, FloatTable::finest_tolerance), table.law_name());
+  return FloatTable::build(table, std::max(table.tolerance() / 100, FloatTable::finest_tolerance), {.name = table.law_name()});
 }
 
 void add_curves(nb::module_& module) {

@@ -51,8 +51,8 @@ constexpr const char* update_doc =
     "One step. Input: the contact (surface point [m], outward unit normal, depth [m] below the surface, <= 0 outside), the\n"
     "device's twist [rad] about the normal, and the time dt [s] since the last step, for the dampers. landed: the finger left the\n"
     "surface since the last step and landed on it anew, as from one wall to another; then it touches down.\n\n"
-    "Bad input (not finite, a normal that is not of unit length, a jump, dt < 0) raises nothing; it gives the state `invalid`:\n"
-    "the last good output is held, and fades.";
+    "Bad input (not finite, a normal that is not of unit length, a jump, dt < 0) raises nothing; it gives the state `invalid`, with\n"
+    "the reason in `fault`: the last good output is held, and fades.";
 
 FingerOutput update(SoftFinger& finger, nb::handle point, nb::handle normal, double depth, double twist, double dt, nb::handle landed) {
   return finger.update({three_numbers(point, "point"), three_numbers(normal, "normal"), depth, {}, truth_of(landed)}, twist, dt);
@@ -64,6 +64,15 @@ void add_output(nb::module_& module) {
       .value("stick", ContactState::stick, "touching, the proxy rests")
       .value("slip", ContactState::slip, "touching, the proxy slid in this step")
       .value("invalid", ContactState::invalid, "the input was not usable: the last good output is held, and fades");
+  nb::enum_<Fault>(module, "Fault", "Why a sample is `invalid`.")
+      .value("none", Fault::none, "it is not")
+      .value("not_finite", Fault::not_finite, "a NaN or an infinity in the point, the normal, the depth or the twist")
+      .value("too_far", Fault::too_far, "one of them is beyond 1e6")
+      .value("orientation", Fault::orientation, "a device's orientation is not of unit length")
+      .value("normal", Fault::normal, "the normal is not of unit length")
+      .value("time_step", Fault::time_step, "dt is < 0 or not finite")
+      .value("displacement", Fault::displacement, "more than max_displacement since the last sample")
+      .value("body", Fault::body, "the pose of the touched body is none");
   nb::class_<FingerOutput>(module, "FingerOutput",
                            "Result of a step. The rendered force is normal * load + force, the rendered moment is about the normal.")
       .def_ro("state", &FingerOutput::state, "ContactState")
@@ -77,6 +86,7 @@ void add_output(nb::module_& module) {
       .def_ro("cor", &FingerOutput::cor, "distance of the slip's centre of rotation [m]; NaN unless it slips")
       .def_ro("slip_work", &FingerOutput::slip_work, "dissipated in this step [J], >= 0")
       .def_ro("converged", &FingerOutput::converged, "False: the search for a patch's closest point did not converge")
+      .def_ro("fault", &FingerOutput::fault, "Fault: the reason of the state `invalid`")
       .def("__repr__", [](const FingerOutput& self) {
         return "<" + std::string(to_string(self.state)) + ", load " + format_number(self.load) + " N, friction " +
                format_number(self.force.norm()) + " N and " + format_number(self.moment) + " N m>";
@@ -159,12 +169,14 @@ void add_friction(nb::module_& module) {
         require(finite(force), "force", force, "[0, inf)");
         require(finite(moment), "moment", moment, "[0, inf)");
         require(finite(limit), "limit", limit, "[0, inf)");
-        require(finite(radius) && radius > 0.0, "radius", radius, "(0, inf)");
+        require(finite(radius), "radius", radius, "[0, inf)");
         require(finite(stiffness_ratio) && stiffness_ratio > 0.0, "stiffness_ratio", stiffness_ratio, "(0, inf)");
         const double sliding_force = sliding_limit.value_or(limit);
         const double radius_of_slip = sliding_radius.value_or(radius);
         require(finite(sliding_force) && sliding_force <= limit, "sliding_limit", sliding_force, "[0, limit]");
-        require(radius_of_slip > 0.0 && radius_of_slip <= radius, "sliding_radius", radius_of_slip, "(0, radius]");
+        // The moments of a finger are products of rounded numbers.
+        require(finite(radius_of_slip) && sliding_force * radius_of_slip <= limit * radius * (1.0 + 1e-12), "sliding_radius",
+                radius_of_slip, "[0, limit/sliding_limit*radius]");
         require(force_stick_fraction >= 0.0 && force_stick_fraction <= 1.0, "force_stick_fraction", force_stick_fraction, "[0, 1]");
         require(moment_stick_fraction >= 0.0 && moment_stick_fraction <= 1.0, "moment_stick_fraction", moment_stick_fraction, "[0, 1]");
         const Projection way = parse_projection(projection);

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <map>
 #include <optional>
 #include <span>
 #include <stdexcept>
@@ -41,6 +42,12 @@ std::vector<std::string> names(const Kinds& kinds) {
 struct Columns {
   bool in_space = false;  ///< pz,fz and the normal
   bool details = false;
+};
+
+/// The samples that are invalid for one reason.
+struct Refused {
+  std::size_t count = 0;
+  double since = 0.0;  ///< time of the first [s]
 };
 
 void add_columns(std::vector<std::string>& names, const std::string& suffix, const Columns& columns) {
@@ -74,7 +81,7 @@ class Replay final : public Subcommand {
             "The trace has columns time,x,y,z,twist [s, m, m, m, rad]. qw,qx,qy,qz (a unit quaternion, finger to world) may stand in\n"
             "place of twist; if both are there, twist counts. All may wrap around. Without both the finger does not twist.\n"
             "The surface is the plane z = 0 (outward normal +z, penetration -z), or another one at the origin.\n"
-            "Columns: time; state free|stick|slip|invalid (a sample earlier than the one before, or one that jumps); px,py [m] and angle\n"
+            "Columns: time; state free|stick|slip|invalid (a note names the reason, the first time and the count); px,py [m] and angle\n"
             "[rad] of the proxy; depth [m]; load [N]; fx,fy [N] and moment [N m], the rendered friction; cor [m], the distance of the\n"
             "slip's centre of rotation (nan unless it slips).\n"
             "With another surface, a body that moves, or several fingers, columns pz, fz and nx,ny,nz (the surface's outward normal) are\n"
@@ -229,6 +236,7 @@ class Replay final : public Subcommand {
     Rows rows(results, names);
     double last = std::numeric_limits<double>::infinity();
     std::array loads{std::numeric_limits<double>::infinity(), 0.0};
+    std::map<godobject::Fault, Refused> refused;
     while (trace.next()) {
       if (trace.share()) results.messages->progress(*trace.share());
       if (is_free && trace.time() - last > godobject::Replay::longest_step) {
@@ -246,6 +254,7 @@ class Replay final : public Subcommand {
         cell(trace.time());
         for (const godobject::SceneContact& contact : replay.contacts()) {
           write_contact(cell, contact, columns);
+          if (contact.fault != godobject::Fault::none && refused[contact.fault].count++ == 0) refused[contact.fault].since = trace.time();
           if (contact.load > 0.0) loads = {std::min(loads[0], contact.load), std::max(loads[1], contact.load)};
         }
         if (!is_free) return;
@@ -255,6 +264,10 @@ class Replay final : public Subcommand {
       });
     }
     rows.finish();
+    for (const auto& [fault, samples] : refused) {
+      results.messages->say("limitcurve: note: " + std::to_string(samples.count) + (samples.count == 1 ? " sample" : " samples") +
+                            " invalid, from time " + format_number(samples.since) + " s on: " + std::string(to_string(fault)));
+    }
     // Without any contact, check at 1 N.
     if (loads[1] == 0.0) loads = {1.0, 1.0};
     if (replay_.projection != Projection::closest_point) {

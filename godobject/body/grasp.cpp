@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 #include <utility>
 
 namespace limitcurve::godobject {
@@ -15,6 +16,12 @@ namespace {
 
 // Not aligned, so that no user's LU of a 6×6 matrix, compiled for another processor (-march=native), stands in for ours.
 using Matrix6 = Eigen::Matrix<double, 6, 6, Eigen::DontAlign>;
+
+/// Whether a body's state is one: finite, no number beyond `farthest`, an orientation of unit length.
+bool is_plausible(const BodyState& state) noexcept {
+  const double square = state.position.squaredNorm() + state.velocity.squaredNorm() + state.angular_velocity.squaredNorm();
+  return godobject::is_plausible<double>(square) && std::fabs(state.orientation.squaredNorm() - 1.0) <= 1e-6;
+}
 
 BodyState moved(const BodyState& from, const Eigen::Vector3d& velocity, const Eigen::Vector3d& angular_velocity,
                 double time_step) noexcept {
@@ -29,22 +36,30 @@ Grasp::Grasp(const BodyParameters& parameters, const BodyState& state, AnySurfac
   if (const double norm = state.orientation.norm(); !(std::fabs(norm - 1.0) <= 1e-9)) {
     throw out_of_range("norm of the orientation", norm, "1", "1");
   }
+  if (!is_plausible(state)) throw std::invalid_argument("state of the body: expected positions and velocities within 1e6 m, m/s and rad/s");
 }
 
 void Grasp::step(std::span<const DevicePose> devices, double time_step, const Eigen::Vector3d& force,
                  const Eigen::Vector3d& moment) noexcept {
-  state_ = solve(devices, time_step, {force + parameters_.mass * parameters_.gravity, moment});
-  commit(devices, time_step);
-  account();
+  if (!(time_step > 0.0 && is_time_step(time_step))) return refuse(Fault::time_step);
+  const Load external{force + parameters_.mass * parameters_.gravity, moment};
+  // The speeds that the forces alone would give.
+  const BodyState pushed{Eigen::Vector3d::Zero(), Orientation::Identity(), external.force * (time_step / parameters_.mass),
+                         moment * (time_step / parameters_.inertia.minCoeff())};
+  if (!is_plausible(pushed)) return refuse(Fault::body);
+  carry(solve(devices, time_step, external), devices, time_step);
 }
 
 void Grasp::carry(const BodyState& state, std::span<const DevicePose> devices, double time_step) noexcept {
+  if (!is_time_step(time_step)) return refuse(Fault::time_step);
+  if (!is_plausible(state)) return refuse(Fault::body);
   state_ = state;
   commit(devices, time_step);
   account();
 }
 
 void Grasp::place(const BodyState& state, std::span<const DevicePose> devices) noexcept {
+  if (!is_plausible(state)) return refuse(Fault::body);
   state_ = state;
   commit(devices, 0.0);
 }
@@ -63,6 +78,12 @@ double Grasp::energy() const noexcept {
   double sum = kinetic_energy(parameters_, state_) + gravity_energy(parameters_, state_);
   for (const SoftFinger& finger : fingers_) sum += finger.spring_energy();
   return sum;
+}
+
+void Grasp::reset() noexcept {
+  for (SoftFinger& finger : fingers_) finger.reset();
+  dissipated_ = 0.0;
+  unsolved_ = 0;
 }
 
 void Grasp::account() noexcept {
@@ -99,6 +120,11 @@ void Grasp::commit(std::span<const DevicePose> devices, double time_step) noexce
       fingers_[i].reset();
     }
   }
+}
+
+/// A step that is none: nothing moves, and every finger holds its last output.
+void Grasp::refuse(Fault fault) noexcept {
+  for (SoftFinger& finger : fingers_) finger.refuse(fault);
 }
 
 /// The residual of the velocities ξ at the end of the step: the change of momentum minus the impulse of the loads at the end of the step,

@@ -31,15 +31,22 @@ class Grasp {
 
   /// One time step [s] > 0, with a device pose for each finger; a missing pose counts as far away. `force` [N] and `moment` [N m] about the
   /// centre of mass, in world axes, are added to gravity and the fingers' forces. A pose that is not finite makes its finger `invalid`; the
-  /// finger then acts with its last force. Does not throw, allocate or lock.
+  /// finger then acts with its last force. A time step that is none, or forces that are not finite or would carry the body beyond `farthest`
+  /// (its position in m, its velocities in m/s and rad/s), move nothing: all fingers are `invalid` and name the fault. Does not throw,
+  /// allocate or lock.
   void step(std::span<const DevicePose> devices, double time_step, const Eigen::Vector3d& force = Eigen::Vector3d::Zero(),
             const Eigen::Vector3d& moment = Eigen::Vector3d::Zero()) noexcept;
 
-  /// Moves the body to a given state in a time [s] ≥ 0 (0: no dampers), and does steps a–c and e.
+  /// Moves the body to a given state in a time [s] ≥ 0 (0: no dampers), and does steps a–c and e. A time that is none, or a state that is
+  /// not finite, beyond `farthest` or not of unit length, moves nothing: all fingers are `invalid`, and name the fault.
   void carry(const BodyState& state, std::span<const DevicePose> devices, double time_step) noexcept;
 
-  /// Puts the body into a state at once and does steps a–c there: the start of a scene, where fingers touch down.
+  /// Puts the body into a state at once and does steps a–c there: fingers that do not touch yet touch down, the springs of those that do
+  /// are loaded. A new scene or episode begins with `reset`.
   void place(const BodyState& state, std::span<const DevicePose> devices) noexcept;
+
+  /// Forgets all contacts, and what was dissipated, as after construction. The body stays: `place` puts it where a scene begins.
+  void reset() noexcept;
 
   [[nodiscard]] const BodyParameters& parameters() const& noexcept { return parameters_; }
   void parameters() const&& = delete;
@@ -81,6 +88,7 @@ class Grasp {
   [[nodiscard]] static DevicePose in_body(const BodyState& state, const DevicePose& device) noexcept;
   [[nodiscard]] Load preview(const BodyState& state, std::span<const DevicePose> devices, double time_step) const noexcept;
   void commit(std::span<const DevicePose> devices, double time_step) noexcept;
+  void refuse(Fault fault) noexcept;
   void account() noexcept;
   [[nodiscard]] Vector6 residual(const Vector6& velocities, std::span<const DevicePose> devices, double time_step, const Load& external,
                                  const Eigen::Vector3d& momentum) const noexcept;

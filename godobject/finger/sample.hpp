@@ -14,40 +14,57 @@ namespace limitcurve::godobject {
 /// What the device gives in a step.
 struct Sensed {
   const Contact& contact;
-  double twist;      ///< α_s [rad] about the normal, as it was given
-  double time_step;  ///< [s]
-  const Spin& spin;  ///< of the device's orientation
+  double twist;               ///< α_s [rad] about the normal, as it was given
+  double time_step;           ///< [s]
+  const Spin& spin;           ///< of the device's orientation
+  Fault fault = Fault::none;  ///< of the device's pose; then there is no contact
 };
 
-/// The contact of a device's pose, and its spin. A pose that is not finite, or an orientation not of unit length, gives a contact that is not
-/// plausible; the surface is not called, because it requires a finite position.
-[[nodiscard]] inline Contact sense(const AnySurface& surface, const DevicePose& device, const FingerState& last, Spin& spin) noexcept {
-  if (!device.position.allFinite() || !(std::fabs(device.orientation.squaredNorm() - 1.0) <= 1e-6)) {
-    return {Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ(), std::numeric_limits<double>::quiet_NaN()};
+/// Whether a vector or a quaternion is of unit length; a NaN is not.
+template <class Vector>
+[[nodiscard]] bool is_unit(const Vector& vector) noexcept {
+  return std::fabs(vector.squaredNorm() - 1.0) <= 1e-6;
+}
+
+/// The contact of a device's pose, and its spin. If the pose is none, `fault` names the reason; the surface is not called, because it
+/// requires a finite position.
+[[nodiscard]] inline Contact sense(const AnySurface& surface, const DevicePose& device, const FingerState& last, Spin& spin,
+                                   Fault& fault) noexcept {
+  if (!is_plausible<double>(device.position.squaredNorm()) || !is_unit(device.orientation)) {
+    const bool is_finite = device.position.allFinite() && device.orientation.coeffs().allFinite();
+    fault = !is_finite ? Fault::not_finite : is_unit(device.orientation) ? Fault::too_far : Fault::orientation;
+    return {};
   }
   const Contact contact = surface.contact(device.position, last.contact);
   spin = last.spin.moved(device.orientation, contact.normal);
   return contact;
 }
 
-/// Whether what was sensed is plausible: finite, a normal of unit length, a time step ≥ 0, and within `max_displacement` of the last good
-/// position, or of the last refused one.
-[[nodiscard]] inline bool accept(FingerFaults& faults, const Sensed& sensed, const FingerSample& last, double max_displacement) noexcept {
+/// Checks that what was sensed is plausible: finite, a normal of unit length, a time step ≥ 0, and within `max_displacement` of the last
+/// good position, or of the last refused one. Returns what is not.
+[[nodiscard]] inline Fault accept(FingerFaults& faults, const Sensed& sensed, const FingerSample& last, double max_displacement) noexcept {
   const Contact& contact = sensed.contact;
+  if (sensed.fault != Fault::none) return sensed.fault;
   const double square = contact.point.squaredNorm() + contact.depth * contact.depth + sensed.twist * sensed.twist;
-  const bool is_unit = std::fabs(contact.normal.squaredNorm() - 1.0) <= 1e-6;
-  if (!is_plausible<double>(square) || !is_unit || !(sensed.time_step >= 0.0)) return false;
+  if (!is_plausible<double>(square) || !is_unit(contact.normal) || !is_time_step(sensed.time_step)) {
+    const bool is_finite =
+        contact.point.allFinite() && contact.normal.allFinite() && std::isfinite(contact.depth) && std::isfinite(sensed.twist);
+    return !is_finite                      ? Fault::not_finite
+           : !is_plausible<double>(square) ? Fault::too_far
+           : !is_unit(contact.normal)      ? Fault::normal
+                                           : Fault::time_step;
+  }
   const Eigen::Vector3d position = contact.point - contact.normal * contact.depth;
   const double limit = max_displacement * max_displacement;
   if (!faults.seen || (position - last.position()).squaredNorm() <= limit) {
     faults.refused = false;
     faults.seen = true;
-    return true;
+    return Fault::none;
   }
   const bool stays = faults.refused && (position - faults.refused_at).squaredNorm() <= limit;
   faults.refused = !stays;
   faults.refused_at = position;
-  return stays;
+  return stays ? Fault::none : Fault::displacement;
 }
 
 /// The next good sample. While touching, the twist is unwrapped; it is the device's bit for bit as long as it does not wrap.

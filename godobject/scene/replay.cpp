@@ -12,16 +12,12 @@ namespace limitcurve::godobject {
 
 namespace {
 
-/// Whether a body's pose is valid: within `farthest`, orientation of unit length.
-bool is_pose(const BodyPose& pose) noexcept {
-  return pose.position.squaredNorm() <= farthest * farthest && std::fabs(pose.orientation.squaredNorm() - 1.0) <= 1e-6;
-}
-
 /// Transforms the output of a finger from the body's frame to the world. After an invalid sample the held wrench and its normal turn with
 /// the body; the position is the last good one.
 void describe(SceneContact& contact, const SoftFinger& finger, const BodyState& body) noexcept {
   const FingerOutput& output = finger.output();
   contact.state = output.state;
+  contact.fault = output.fault;
   contact.dissipated += output.slip_work;
   contact.load = output.load;
   contact.force = body.orientation * output.force;
@@ -36,13 +32,6 @@ void describe(SceneContact& contact, const SoftFinger& finger, const BodyState& 
   contact.depth = output.depth;
   contact.margin = finger.margin();
   contact.load_to_hold = finger.load_to_hold();
-}
-
-/// An invalid pose: every finger refuses it.
-DevicePose nowhere() noexcept {
-  DevicePose result;
-  result.position.setConstant(std::numeric_limits<double>::quiet_NaN());
-  return result;
 }
 
 /// The finger of the options, and the error of its curve. Checks all options first, because a table is expensive.
@@ -68,19 +57,13 @@ SoftFinger make_finger(const ReplayOptions& options, double& curve_error) {
 Replay::Replay(const ReplayOptions& options)
     : grasp_(options.body, BodyState{}, options.surface, std::vector<SoftFinger>(options.fingers, make_finger(options, curve_error_))),
       contacts_(options.fingers),
-      refused_(options.fingers, nowhere()),
       motion_(options.motion) {}
 
 void Replay::step(double time, std::span<const DevicePose> fingers, const BodyPose& body) noexcept {
-  const bool in_time = time >= last_time_ && time <= std::numeric_limits<double>::max();
   const bool begins = last_time_ == -std::numeric_limits<double>::infinity();
-  if (!in_time || (motion_ == BodyMotion::prescribed && !is_pose(body))) {
-    grasp_.carry(grasp_.body(), refused_, 0.0);
-  } else {
-    const double time_step = begins ? 0.0 : time - last_time_;
-    last_time_ = time;
-    move(fingers, body, time_step);
-  }
+  const double time_step = begins && std::isfinite(time) ? 0.0 : time - last_time_;
+  if (is_time_step(time_step)) last_time_ = time;
+  move(fingers, body, time_step);
   for (std::size_t i = 0; i < contacts_.size(); ++i) describe(contacts_[i], grasp_.finger(i), grasp_.body());
 }
 

@@ -43,6 +43,7 @@ struct SceneContact {
   Eigen::Vector3d centre_of_rotation =
       Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());  ///< of the slip [m]; inf for pure sliding, NaN without slip
   double dissipated = 0.0;                                                  ///< energy of this finger's slip since the beginning [J]
+  Fault fault = Fault::none;                                                ///< the reason of `invalid`
 };
 
 /// The options of a replay. `Replay` checks them.
@@ -72,7 +73,7 @@ class Replay {
 
   /// Steps to the next sample: time [s], a pose for each finger (a missing one counts as far away), and the pose of the body, used if its
   /// motion is prescribed. If the time is not finite or earlier than the last, or the body's pose is not valid, all fingers are `invalid`
-  /// and nothing moves. If a finger's pose is not finite, that finger is `invalid`.
+  /// and nothing moves. If a finger's pose is not finite, that finger is `invalid`. `SceneContact::fault` names the reason.
   void step(double time, std::span<const DevicePose> fingers, const BodyPose& body = {}) noexcept;
 
   /// The present state of each finger.
@@ -92,7 +93,6 @@ class Replay {
   double curve_error_ = 0.0;
   Grasp grasp_;
   std::vector<SceneContact> contacts_;
-  std::vector<DevicePose> refused_;
   BodyMotion motion_;
   double last_time_ = -std::numeric_limits<double>::infinity();
 };

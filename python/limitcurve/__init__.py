@@ -15,6 +15,7 @@ from ._core import (
     Batch,
     ContactState,
     Curve,
+    Fault,
     FingerOutput,
     FrictionMemory,
     FrictionResult,
@@ -30,16 +31,18 @@ from ._core import (
 from ._tables import choose, fit, replay, run, translate, validate
 
 
-def _word(state: ContactState) -> str:
+def _word(state: ContactState | Fault) -> str:
     return state.name
 
 
-setattr(ContactState, "__str__", _word)  # the command line's word, not a number
+for _kind in (ContactState, Fault):
+    setattr(_kind, "__str__", _word)  # the command line's word, not a number
 
 __all__ = [
     "Batch",
     "ContactState",
     "Curve",
+    "Fault",
     "FingerOutput",
     "FrictionMemory",
     "FrictionResult",

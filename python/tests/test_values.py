@@ -217,6 +217,16 @@ def test_a_batch_says_which_samples_were_not_usable():
     assert not batch.invalid.any() and np.allclose(batch.fx, -1.2)  # the grip was held
 
 
+def test_a_finger_says_why_a_sample_is_invalid():
+    finger = lc.SoftFinger(TABLE, mu=0.6)
+    assert finger.update((0, 0, 0), (0, 0, 1), 0.002, 0.0).fault == lc.Fault.none
+    for bad, fault in (((math.nan, 0, 0), (0, 0, 1), 0.0), "not_finite"), (((0, 0, 0), (0, 0, 2), 0.0), "normal"), \
+            (((0, 0, 0), (0, 0, 1), -1.0), "time_step"), (((2, 0, 0), (0, 0, 1), 0.0), "displacement"):
+        point, normal, dt = bad
+        output = finger.update(point, normal, 0.002, 0.0, dt)
+        assert str(output.state) == "invalid" and str(output.fault) == fault and output.fault == lc.Fault[fault]
+
+
 def test_old_keywords_are_accepted_with_a_warning():
     with pytest.warns(FutureWarning, match="moment_coefficient is now mu_r"):
         old = lc.SoftFinger(TABLE, mu=0.6, moment_coefficient=0.002)
@@ -235,6 +245,13 @@ def test_friction_is_what_a_finger_does():
     assert result.slips and result.force_fraction == pytest.approx(0.5, rel=1e-12) and memory.force_slides
     result = lc.apply_friction(TABLE, 0.1, 1e-4, limit=1.2, radius=0.006, stiffness_ratio=25000, memory=memory)
     assert not result.slips and result.force_fraction == result.moment_fraction == 1 and math.isnan(result.cor)
+
+
+def test_the_radius_may_be_larger_during_slip():
+    result = lc.apply_friction(TABLE, 2.4, 0.0, limit=1.2, radius=0.006, stiffness_ratio=25000, sliding_limit=0.6, sliding_radius=0.012)
+    assert result.slips and result.force_fraction == pytest.approx(0.25, rel=1e-12)
+    with pytest.raises(ValueError, match="sliding_radius = 0.013"):
+        lc.apply_friction(TABLE, 2.4, 0.0, limit=1.2, radius=0.006, stiffness_ratio=25000, sliding_limit=0.6, sliding_radius=0.013)
 
 
 def test_on_a_box_force_and_moment_come_to_rest_apart():

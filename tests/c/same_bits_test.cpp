@@ -40,6 +40,46 @@ std::vector<double> random_cors() {
   return cors;
 }
 
+// With a moment coefficient the radius during slip may be larger than at rest: only force and moment fall.
+TEST(SameBits, FrictionTakesTheLimitsOfEveryFinger) {
+  limitcurve_table* ellipse = nullptr;
+  ASSERT_EQ(limitcurve_table_ellipse(1.0, 0.6, &ellipse), LIMITCURVE_OK);
+  const FingerCurve same = Ellipse(1.0, 0.6);
+  for (const double mu_dynamic : {0.0, 0.1, 0.6}) {
+    for (const double mu_r : {0.0, 0.002, 1.0 / 3.0}) {
+      for (const double part : {0.0, 0.3, 1.0}) {
+        FingerParameters parameters;
+        parameters.mu = 0.6;
+        parameters.mu_dynamic = mu_dynamic;
+        parameters.mu_r = mu_r;
+        parameters.mu_r_dynamic = part * mu_r;
+        parameters.gamma = 1.0;
+        const ContactLimits of_finger(parameters, 0.6);
+        for (const double load : {0.0, 1e-300, 0.7, 1e9}) {
+          const FrictionLimits<double> at = of_finger.at<double>(load, 25000.0);
+          const limitcurve_limits limits{
+              at.sticking.force, at.sticking.radius, at.sliding.force, at.sliding.radius, at.stiffness_ratio, 0.5, 0.5};
+          limitcurve_memory memory{};
+          limitcurve_friction found{};
+          ASSERT_EQ(limitcurve_apply_friction(ellipse, LIMITCURVE_CLOSEST_POINT, &limits, 1.0, 0.01, &memory, &found), LIMITCURVE_OK)
+              << limitcurve_error() << " mu_dynamic " << mu_dynamic << " mu_r " << mu_r << " part " << part << " load " << load;
+          FrictionMemory<double> remembered;
+          const FrictionResult<double> expected =
+              apply_friction(same.view(), Projection::closest_point, {at.sticking, at.sliding, at.stiffness_ratio, 0.5, 0.5},
+                             FrictionTrial<double>{1.0, 0.01}, remembered);
+          ASSERT_EQ(bits(found.force_fraction), bits(expected.force_fraction));
+          ASSERT_EQ(bits(found.moment_fraction), bits(expected.moment_fraction));
+        }
+      }
+    }
+  }
+  const limitcurve_limits grows{1.0, 0.01, 0.5, 0.021, 25000.0, 1.0, 1.0};
+  limitcurve_memory memory{};
+  limitcurve_friction found{};
+  EXPECT_EQ(limitcurve_apply_friction(ellipse, LIMITCURVE_CLOSEST_POINT, &grows, 1.0, 0.01, &memory, &found), LIMITCURVE_INVALID);
+  limitcurve_table_free(ellipse);
+}
+
 TEST(SameBits, EvaluateOfALaw) {
   for (const char* text : {"hertz", "uniform"}) {
     limitcurve_law* law = nullptr;

@@ -75,6 +75,7 @@ static void fingers(void) {
   CHECK(limitcurve_finger_centre_of_rotation(finger, centre) == LIMITCURVE_OK && !(fabs(centre[0]) < 1e9 && fabs(centre[1]) < 1e9));
   contact.depth = NAN;
   CHECK(limitcurve_finger_update(finger, &contact, 1e-3, &output) == LIMITCURVE_OK && output.state == LIMITCURVE_STATE_INVALID);
+  CHECK(output.fault == LIMITCURVE_FAULT_NOT_FINITE);
   CHECK(limitcurve_finger_reset(finger) == LIMITCURVE_OK);
   limitcurve_finger_free(finger);
 

@@ -9,8 +9,8 @@ from recorded_finger import COLUMNS, FINGER, M0, STIFFNESS, TRACE
 
 
 class Replays(CommandLineTest):
-    def replay(self, text, *options):
-        return rows("replay", "--trace", self.file("trace.csv", text), *FINGER, *options)
+    def replay(self, text, *options, remark=""):
+        return rows("replay", "--trace", self.file("trace.csv", text), *FINGER, *options, remark=remark)
 
     def test_press_and_drag(self):
         free, touch, stick, slip = self.replay(TRACE)
@@ -180,10 +180,20 @@ class Replays(CommandLineTest):
         self.assertIn("at 0.02 N", chosen.stderr)
 
     def test_a_time_that_goes_back_is_an_invalid_row(self):
-        found = self.replay(TRACE + "0.001,0.007,0,-0.001,0\n0.005,0.0051,0,-0.001,0\n")
+        late = TRACE + "0.001,0.007,0,-0.001,0\n0.005,0.0051,0,-0.001,0\n"
+        found = self.replay(late, remark="1 sample invalid, from time 0.001 s on: the time goes back")
         self.assertEqual(found[4]["state"], "invalid")
         self.assertEqual(found[4]["fx"], found[3]["fx"])
         self.assertEqual(found[5]["state"], "slip")
+
+    def test_each_reason_of_invalid_rows_is_named_once(self):
+        bad = TRACE + "0.004,1.006,0,-0.001,0\n0.005,0.0051,0,-0.001,0\n0.001,0,0,-0.001,0\n0.002,0,0,-0.001,0\n0.006,2e6,0,-0.001,0\n"
+        done = run("replay", "--trace", self.file("trace.csv", bad), *FINGER)
+        self.assertEqual(done.stderr.splitlines(), [
+            "limitcurve: note: 1 sample invalid, from time 0.006 s on: a coordinate, the depth or the twist is beyond 1e6",
+            "limitcurve: note: 2 samples invalid, from time 0.001 s on: the time goes back or is not finite",
+            "limitcurve: note: 1 sample invalid, from time 0.004 s on: the finger moved by more than the maximum displacement"])
+        self.assertEqual(run("replay", "--quiet", "--trace", self.directory / "trace.csv", *FINGER).stderr, "")
 
     def test_a_leap_is_refused_once_and_believed_if_it_stays(self):
         away = TRACE + "0.004,0.3,0,-0.001,0\n"
@@ -192,22 +202,22 @@ class Replays(CommandLineTest):
         self.assertEqual(believed, ["free", "stick", "stick", "slip", "slip", "slip", "stick"])
         # Half a metre is what a finger can do by itself.
         metre = TRACE + "0.004,1.006,0,-0.001,0\n0.005,0.0051,0,-0.001,0\n"
-        self.assertEqual([row["state"] for row in self.replay(metre)][3:], ["slip", "invalid", "slip"])
+        self.assertEqual([row["state"] for row in self.replay(metre, remark="maximum displacement")][3:], ["slip", "invalid", "slip"])
         self.assertEqual([row["state"] for row in self.replay(metre, "--max-displacement", "inf")][3:], ["slip", "slip", "slip"])
         for options in [[], ["--details"], ["--surface", "box:x=10,y=10,z=2e-12"]]:
-            held = self.replay(back, "--max-displacement", "0.01", *options)
+            held = self.replay(back, "--max-displacement", "0.01", *options, remark="maximum displacement")
             self.assertEqual([row["state"] for row in held[3:]], ["slip", "invalid", "slip", "slip"], options)
             for name in ["px", "load", "fx", "moment"]:
                 self.assertEqual(held[4][name], held[3][name])
             self.assertAlmostEqual(held[6]["fx"], -0.6, delta=1e-9)
-        stays = self.replay(away + "0.005,0.3,0,-0.001,0\n", "--max-displacement", "0.01")
+        stays = self.replay(away + "0.005,0.3,0,-0.001,0\n", "--max-displacement", "0.01", remark="maximum displacement")
         self.assertEqual([row["state"] for row in stays[4:]], ["invalid", "slip"])
         self.assertAlmostEqual(stays[5]["px"], 0.3 - 0.0006, delta=1e-9)
 
     def test_what_is_felt_fades_over_rows_that_stay_invalid(self):
         late = TRACE + "".join(f"0.001,0.00{i},0,-0.001,0\n" for i in (7, 8, 9)) + "0.005,0.0051,0,-0.001,0\n"
         for options, share in [([], 0.99), (["--fault-decay", "0.25"], 0.25), (["--fault-decay", "1"], 1.0), (["--fault-decay", "0"], 0.0)]:
-            rows = self.replay(late, *options)
+            rows = self.replay(late, *options, remark="the time goes back")
             self.assertEqual([row["state"] for row in rows[3:]], ["slip", "invalid", "invalid", "invalid", "slip"])
             for i, kept in [(4, 1.0), (5, share), (6, share)]:
                 for name in ["load", "fx"]:

@@ -122,6 +122,48 @@ TEST(SoftFinger, HoldsTheLastGoodOutputOnBadInput) {
   EXPECT_EQ(output.force, good.force);
 }
 
+// Each kind of bad input is named, the next good sample has none; a pose is refused for its own reason, not for that of the contact.
+TEST(SoftFinger, NamesTheReasonOfAFault) {
+  auto finger = hertz_finger();
+  const auto expect = [&](const FingerOutput& output, Fault fault) {
+    EXPECT_EQ(to_string(output.fault), to_string(fault));
+    EXPECT_EQ(output.state == ContactState::invalid, fault != Fault::none);
+  };
+  const auto on_good = [&] { expect(finger.update(on_plane(0.0, 0.0, 0.002), 0.0, 1e-3), Fault::none); };
+  const auto on_contact = [&](const Contact& contact, double twist, double time_step, Fault fault) {
+    expect(finger.update(contact, twist, time_step), fault);
+    on_good();
+  };
+  on_good();
+  for (const double none : {nan, infinity, -infinity}) {
+    on_contact(on_plane(none, 0.0, 0.002), 0.0, 1e-3, Fault::not_finite);
+    on_contact(on_plane(0.0, 0.0, none), 0.0, 1e-3, Fault::not_finite);
+    on_contact(on_plane(0.0, 0.0, 0.002), none, 1e-3, Fault::not_finite);
+    on_contact({Eigen::Vector3d::Zero(), {0.0, none, 1.0}, 0.002}, 0.0, 1e-3, Fault::not_finite);
+    on_contact(on_plane(0.0, 0.0, 0.002), 0.0, none, Fault::time_step);
+  }
+  on_contact(on_plane(1e300, 0.0, 0.002), 0.0, 1e-3, Fault::too_far);
+  on_contact(on_plane(0.0, 0.0, 0.002), -2e6, 1e-3, Fault::too_far);
+  on_contact({Eigen::Vector3d::Zero(), {0.0, 0.0, 1.001}, 0.002}, 0.0, 1e-3, Fault::normal);
+  on_contact({Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), 0.002}, 0.0, 1e-3, Fault::normal);
+  on_contact(on_plane(0.0, 0.0, 0.002), 0.0, -1e-9, Fault::time_step);
+  on_contact(on_plane(0.6, 0.0, 0.002), 0.0, 1e-3, Fault::displacement);
+  const AnySurface plane(PlaneSurface{});
+  const auto on_pose = [&](const DevicePose& device, Fault fault) {
+    expect(finger.preview(plane, device, 1e-3), fault);
+    expect(finger.update(plane, device, 1e-3), fault);
+    on_good();
+  };
+  on_pose({{0.0, 0.0, -0.002}}, Fault::none);
+  on_pose({{nan, 0.0, -0.002}}, Fault::not_finite);
+  on_pose({{0.0, 0.0, -0.002}, Orientation(nan, 0.0, 0.0, 0.0)}, Fault::not_finite);
+  on_pose({{0.0, 0.0, -0.002}, Orientation::Identity(), nan}, Fault::not_finite);
+  on_pose({{2e6, 0.0, -0.002}}, Fault::too_far);
+  on_pose({{0.0, 0.0, -0.002}, Orientation(1.1, 0.0, 0.0, 0.0)}, Fault::orientation);
+  on_pose({{0.6, 0.0, -0.002}}, Fault::displacement);
+  expect(finger.refuse(Fault::body), Fault::body);
+}
+
 // One bad sample does not change the force; a device that stops sending positions must not keep its force for ever.
 TEST(SoftFinger, HoldsOnceThenLetsGoSoftly) {
   FingerParameters with = parameters();

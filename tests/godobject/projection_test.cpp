@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "tests/godobject/scene.hpp"
+#include "tests/repetitions.hpp"
 
 #include <gtest/gtest.h>
 
@@ -239,14 +240,56 @@ TEST(CCurve, KeepsTheCentreOfRotationOfAMeasuredRadius) {
       }
       const auto [foot, growth] = at_load(std::sqrt(low * high));
       const double s = curve.along(foot).normal.cor();
-      UnitWrench expected = curve.wrench(SlipTwist::about_cor(s * growth));
-      // Where the same c would add force or moment, the same c/a counts.
-      if (expected.force > trial.force || expected.moment > trial.moment) expected = curve.wrench(SlipTwist::about_cor(s));
+      const UnitWrench expected = curve.wrench(SlipTwist::about_cor(s * growth));
       const UnitWrench found = projected(table, Projection::c_curve, outside).wrench;
       EXPECT_NEAR(found.force, expected.force, 1e-9) << law->name() << " load " << outside.load;
       EXPECT_NEAR(found.moment, expected.moment, 1e-9) << law->name() << " load " << outside.load;
     }
   }
+}
+
+// Along an arc of trials the result has no jump, however fast the radius grows with the load: the largest change on the arc, halved forty
+// times, vanishes. Where the same c would add force, as for pressures heaped at the rim, the force stays, and the end is on the curve.
+TEST(CCurve, IsContinuousInTheTrial) {
+  int kept = 0;
+  for (const char* const name : {"hertz", "uniform", "flat-punch", "power:n=-0.7"}) {
+    const ExactCurve curve(parse_law(name));
+    const FingerCurve table = exact_curve(parse_law(name));
+    for (const double gamma : {-0.3, 1.0 / 3.0, 0.7, 0.9, 1.0}) {
+      const RadiusLaw radius = RadiusLaw::sampled(std::array<LoadSample, 2>{{{1.0, 0.005}, {2.0, 0.005 * std::exp2(gamma)}}});
+      for (const double length : {1.2, 2.0, 5.0, 100.0}) {
+        const auto at = [&](double angle) {
+          Outside outside;
+          outside.trial = {length * std::sin(angle), length * table.moment_ratio() * std::cos(angle), 1.0, slip_onset<double>};
+          outside.radius_law = &radius;
+          const UnitWrench end = projected(table, Projection::c_curve, outside).wrench;
+          if (end.force > outside.trial.force * (1.0 - 1e-13) && angle > 0.0) {
+            EXPECT_NEAR(curve.gauge(end), 1.0, 1e-9) << name << ' ' << gamma << ' ' << angle;
+            ++kept;
+          }
+          return end;
+        };
+        constexpr int parts = repetitions(400, 40);
+        for (int i = 0; i < parts; ++i) {
+          double low = 0.5 * std::numbers::pi * i / parts;
+          double high = 0.5 * std::numbers::pi * (i + 1) / parts;
+          UnitWrench from = at(low);
+          UnitWrench to = at(high);
+          const auto change = [](const UnitWrench& a, const UnitWrench& b) { return std::hypot(a.force - b.force, a.moment - b.moment); };
+          if (change(from, to) < 0.02) continue;
+          for (int halving = 0; halving < 40; ++halving) {
+            const double middle = 0.5 * (low + high);
+            const UnitWrench between = at(middle);
+            const bool first = change(from, between) > change(between, to);
+            (first ? high : low) = middle;
+            (first ? to : from) = between;
+          }
+          ASSERT_LT(change(from, to), 1e-9) << name << " gamma " << gamma << " length " << length << " angle " << low;
+        }
+      }
+    }
+  }
+  EXPECT_GT(kept, 100);
 }
 
 TEST(Projection, NeverCreatesEnergy) {

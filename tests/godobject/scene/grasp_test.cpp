@@ -320,6 +320,76 @@ TEST(Grasp, SurvivesBadDevices) {
   EXPECT_LT(grasp.body().velocity.y(), -0.09);
 }
 
+// What comes after a reset is what comes after construction, to the bit; `place` keeps the springs of fingers that touch.
+TEST(Grasp, ResetStartsAnew) {
+  const BodyParameters body = BodyParameters::planar_block(0.1, edges, 9.81);
+  const Grasp first = make_grasp(body, edges, parameters(), ellipse, 2);
+  const auto devices = pinch(0.04, 0.003);
+  const auto episode = [&](Grasp& grasp) {
+    grasp.place(BodyState{}, devices);
+    for (int i = 0; i < 50; ++i) grasp.step(devices, 1e-3, {5.0, 0.0, 0.0});
+    return grasp;
+  };
+  Grasp once = first;
+  const Grasp expected = episode(once);
+  ASSERT_GT(expected.dissipated(), 0.0);
+  Grasp again = expected;
+  again.reset();
+  EXPECT_EQ(again.finger(0).output().state, ContactState::free);
+  EXPECT_EQ(again.dissipated(), 0.0);
+  const Grasp found = episode(again);
+  EXPECT_TRUE(same_bits(found.body().position, expected.body().position) && found.dissipated() == expected.dissipated());
+  EXPECT_TRUE(same_bits(found.finger(0).output().proxy, expected.finger(0).output().proxy));
+  Grasp placed = expected;
+  placed.place(BodyState{}, devices);
+  EXPECT_GT(placed.finger(0).output().force.norm(), 0.1) << "its springs are loaded";
+}
+
+// A step that is none moves nothing, by no bit, says so, and is over with the next one.
+TEST(Grasp, RefusesStepsThatAreNone) {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  BodyParameters body = BodyParameters::block(0.1, edges);
+  body.gravity = {0.0, -9.81, 0.0};
+  Grasp grasp = make_grasp(body, edges, parameters(), ellipse, 2);
+  const auto devices = pinch(0.04, 0.003);
+  grasp.place(BodyState{}, devices);
+  for (int i = 0; i < 10; ++i) grasp.step(devices, 1e-3);
+  const BodyState before = grasp.body();
+  Grasp undisturbed = grasp;
+  undisturbed.step(devices, 1e-3);
+  const auto is_refused = [&](Fault fault) {
+    EXPECT_TRUE(same_bits(grasp.body().position, before.position) && same_bits(grasp.body().velocity, before.velocity));
+    EXPECT_EQ(grasp.finger(0).output().state, ContactState::invalid);
+    EXPECT_EQ(to_string(grasp.finger(1).output().fault), to_string(fault));
+    Grasp next = grasp;
+    next.step(devices, 1e-3);
+    EXPECT_EQ(next.finger(0).output().state, ContactState::stick);
+    EXPECT_TRUE(same_bits(next.body().position, undisturbed.body().position));
+  };
+  for (const double none : {nan, inf, -inf, -1e-3, 0.0}) {
+    grasp.step(devices, none);
+    is_refused(Fault::time_step);
+  }
+  for (const double none : {nan, inf, 1e300, 1e30}) {
+    grasp.step(devices, 1e-3, {none, 0.0, 0.0});
+    is_refused(Fault::body);
+    grasp.step(devices, 1e-3, Vector3d::Zero(), {0.0, none, 0.0});
+    is_refused(Fault::body);
+  }
+  grasp.carry(before, devices, nan);
+  is_refused(Fault::time_step);
+  BodyState nowhere = before;
+  nowhere.velocity.x() = nan;
+  grasp.carry(nowhere, devices, 1e-3);
+  is_refused(Fault::body);
+  nowhere = before;
+  nowhere.orientation.w() = 2.0;
+  grasp.place(nowhere, devices);
+  is_refused(Fault::body);
+  EXPECT_THROW(Grasp(body, nowhere, AnySurface(PlaneSurface{}), {}), std::invalid_argument);
+}
+
 TEST(Body, IsValidated) {
   EXPECT_THROW(static_cast<void>(BodyParameters::block(0.0, edges)), std::invalid_argument);
   EXPECT_THROW(static_cast<void>(BodyParameters::block(0.1, {0.1, -0.1, 0.1})), std::invalid_argument);

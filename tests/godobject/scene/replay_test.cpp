@@ -210,20 +210,21 @@ TEST(Replay, HoldsOnSamplesThatAreNotUsable) {
     moved(replay, 0.0, pose({0.0, 0.0, 0.018}));
     const SceneContact good = moved(replay, 0.001, pose({0.0003, 0.0, 0.018}));
     const BodyState body = replay.body();
-    const auto is_held = [&](const SceneContact& contact) {
+    const auto is_held = [&](const SceneContact& contact, Fault fault) {
       EXPECT_EQ(contact.state, ContactState::invalid);
+      EXPECT_EQ(to_string(contact.fault), to_string(fault));
       EXPECT_EQ(contact.force, good.force);
       EXPECT_EQ(contact.proxy, good.proxy);
       EXPECT_EQ(contact.load, good.load);
       EXPECT_EQ(replay.body().position, body.position);
     };
-    is_held(moved(replay, 0.0005, pose({0.0, 0.0, 0.018})));
-    is_held(moved(replay, nan, pose({0.0, 0.0, 0.018})));
+    is_held(moved(replay, 0.0005, pose({0.0, 0.0, 0.018})), Fault::time_step);
+    is_held(moved(replay, nan, pose({0.0, 0.0, 0.018})), Fault::time_step);
     if (motion == BodyMotion::prescribed) {
-      is_held(moved(replay, 0.002, pose({0.0, 0.0, 0.018}), {Vector3d::Constant(nan), Quaterniond::Identity()}));
-      is_held(moved(replay, 0.002, pose({0.0, 0.0, 0.018}), {Vector3d::Zero(), Quaterniond(2.0, 0.0, 0.0, 0.0)}));
+      is_held(moved(replay, 0.002, pose({0.0, 0.0, 0.018}), {Vector3d::Constant(nan), Quaterniond::Identity()}), Fault::body);
+      is_held(moved(replay, 0.002, pose({0.0, 0.0, 0.018}), {Vector3d::Zero(), Quaterniond(2.0, 0.0, 0.0, 0.0)}), Fault::body);
     }
-    if (motion != BodyMotion::free) is_held(moved(replay, 0.002, pose({nan, 0.0, 0.018})));
+    if (motion != BodyMotion::free) is_held(moved(replay, 0.002, pose({nan, 0.0, 0.018})), Fault::not_finite);
     EXPECT_EQ(moved(replay, 0.002, pose({0.0003, 0.0, 0.018})).state, ContactState::stick);
   }
 }
