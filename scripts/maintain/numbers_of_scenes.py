@@ -91,17 +91,16 @@ def one_ratio(executable):
 
 
 def engines(executable):
-    """fit/README.md, "Translating to engines": the errors of the shapes, and how far the dragged pyramid is off."""
-    found = {}
-    for row in rows(executable, "translate", "--law", "hertz", "--radius-law", "constant:a=0.005", "--mu", "0.8", "--load", "3"):
-        found[row["model"]] = (percents(float(row["max_error"]), 1 if row["model"] == "ellipse" else 0), percents(float(row["cor_error"]), 0))
-    with open(ROOT / "data" / "engines" / "drag.csv", encoding="utf-8") as file:
-        dragged = [row for row in csv.DictReader(line for line in file if not line.startswith("#")) if row["model"] == "diamond"]
-    off = max(math.hypot(float(row["force"]) - float(row["exact_force"]), float(row["moment"]) - float(row["exact_moment"])) for row in dragged)
-    return [*(("fit/README.md", f"| {model} | {radial} | {same} |") for model, (radial, same) in found.items()),
-            ("fit/README.md", f"that is the error of {found['box'][1]}"),
-            ("fit/README.md", f"The {found['diamond'][1]} of the diamond"),
-            ("fit/README.md", f"stays within {percents(off, 0)}")]
+    """docs/which_number.md: what its sentences say beside the tables that scripts/maintain/engines/page.py writes."""
+    given = ("--law", "hertz", "--radius-law", "constant:a=0.005", "--mu", "0.8", "--load", "3", "--engine", "mujoco")
+    torsional = next(float(row["value"]) for row in rows(executable, "translate", *given) if row["formula"] == "mu_r")
+    default = 0.005  # of a geom in MuJoCo
+    radius = float(rows(executable, "translate", "--law", "hertz", "--mu", "1", "--read", f"mujoco.torsional={default}")[0]["radius"])
+    ratio = {law: float(rows(executable, "eval", "--law", law, "--c", "0")[0]["moment"]) for law in ("hertz", "uniform")}
+    return [("docs/which_number.md", f"{ratio['hertz']:.3f} for Hertz and {ratio['uniform']:.3f} for a uniform pressure"),
+            ("docs/which_number.md", f"A plane has {default} by default, and gives this fingertip {1e3 * default * 3:g} mN m at 3 N in place of {1e3 * torsional * 3:.2f}"),
+            ("docs/which_number.md", f"its moment is {1 / ratio['uniform']:.1f} times a uniform disc's"),
+            ("docs/which_number.md", f"MuJoCo's default is a fingertip of {1e3 * radius:.1f} mm under μ = 1")]
 
 
 def sentences(executable):
