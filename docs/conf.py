@@ -17,7 +17,7 @@ root_doc = "index"
 include_patterns = [*sorted(name for name in FILES if name.endswith(".md")), "docs/index.rst", "build/reference/*.md"]
 # Sphinx follows links, and in build/ports the z: of wine is the whole machine.
 exclude_patterns = ["out", *(f"build/{path.name}" for path in (ROOT / "build").iterdir() if path.name != "reference")]
-extensions = ["myst_parser", "breathe", "sphinx.ext.autodoc", "sphinx_copybutton", "docstrings", "engines", "headers", "repository", "formulas"]
+extensions = ["myst_parser", "breathe", "sphinx.ext.autodoc", "sphinx_copybutton", "docstrings", "headers", "repository", "formulas"]
 myst_enable_extensions = ["dollarmath"]
 myst_heading_anchors = 4
 breathe_projects = {"limitcurve": str(ROOT / "build" / "doxygen" / "xml")}

@@ -107,6 +107,34 @@ class Comparison {
     return error;
   }
 
+  /// `fraction(slide, spin)`: force over μP and moment over m₀ μP of a shape, for the speeds |v| and m₀|ω|.
+  [[nodiscard]] EngineShape shape(const char* name, UnitWrench (*fraction)(double slide, double spin)) const {
+    const auto of = [&](const PatchTwist& twist) { return fraction(std::hypot(twist.vx, twist.vy), m0_ * std::fabs(twist.omega)); };
+    Model model;
+    model.power = [&](const PatchTwist& twist) {
+      const UnitWrench share = of(twist);
+      return share.force * std::hypot(twist.vx, twist.vy) + share.moment * m0_ * std::fabs(twist.omega);
+    };
+    EngineShape result{name, power_error(model), 0.0};
+    const auto compare = [&](const PatchTwist& twist, const PatchWrench& wrench) {
+      const UnitWrench share = of(twist);
+      const double along = share.force / std::hypot(twist.vx, twist.vy);
+      const double apart = std::hypot(along * twist.vx - wrench.fx, along * twist.vy - wrench.fy, share.moment - wrench.moment / m0_);
+      result.max_wrench_error = std::max(result.max_wrench_error, apart);
+    };
+    for (std::size_t i = 0; i < grid_.size(); ++i) compare(twist_at(grid_[i]), wrench_[i]);
+    // Beside the twists where box and diamond jump between corners.
+    constexpr double far = 9.0;
+    constexpr double beside = 1e-9;
+    for (std::size_t j = 0; j < directions; ++j) {
+      for (const double exponent : {-far, -beside, beside, far}) {
+        const PatchTwist twist = twist_at({cor_at(0, j).direction, exponent});
+        compare(twist, patch_.wrench(twist));
+      }
+    }
+    return result;
+  }
+
   /// The radius of the disc of this law with the smallest largest error on the grid, and that error. Power grows with the radius:
   /// bisection.
   [[nodiscard]] std::pair<double, double> best_radius(const PressureLaw& law) const {
@@ -285,6 +313,26 @@ std::vector<RoundModel> round_models(const Patch& patch) {
   if (measures.geometric > 0.0) models.push_back(disc_model(comparison, "disc-sqrt-ab", measures.law, measures.geometric));
   models.push_back({"ellipsoid", patch.moment_ratio(), comparison.error(ellipsoid(patch))});
   return models;
+}
+
+std::vector<EngineShape> engine_shapes(const Patch& patch) {
+  const Comparison comparison(patch);
+  return {comparison.shape("ellipse",
+                           [](double slide, double spin) -> UnitWrench {
+                             const double power = std::hypot(slide, spin);
+                             return {slide / power, spin / power};
+                           }),
+          comparison.shape("diamond",
+                           [](double slide, double spin) {
+                             return slide > spin ? UnitWrench{1.0, 0.0} : UnitWrench{0.0, 1.0};
+                           }),
+          comparison.shape("box",
+                           [](double slide, double spin) {
+                             return UnitWrench{slide > 0.0 ? 1.0 : 0.0, spin > 0.0 ? 1.0 : 0.0};
+                           }),
+          comparison.shape("point", [](double slide, double) {
+            return UnitWrench{slide > 0.0 ? 1.0 : 0.0, 0.0};
+          })};
 }
 
 std::vector<Candidate> choose(const Patch& patch, double tolerance) {

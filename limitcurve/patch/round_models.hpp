@@ -30,6 +30,16 @@ struct RoundModel {
 /// Throws std::invalid_argument for a patch without moment, all of whose load is on one point.
 std::vector<RoundModel> round_models(const Patch& patch);
 
+/// A shape that physics engines give the limits |F| ≤ μP and |M| ≤ m₀ μP, m₀ = H(0, 0, 1).
+struct EngineShape {
+  std::string name;         ///< ellipse, diamond, box, or point (no moment)
+  CurveError error;         ///< of H_shape/H over twists, as in `round_models`; no COR
+  double max_wrench_error;  ///< largest distance of the wrenches of one twist over the CORs above, in units of μP and m₀ μP; right to 1e-2
+};
+
+/// The shapes and their errors against a patch. Throws like `round_models`.
+std::vector<EngineShape> engine_shapes(const Patch& patch);
+
 /// The disc, the ellipsoid and the patch itself as candidates, sorted by cost. `chosen` marks the disc if its error is at most `tolerance`,
 /// else the cheapest candidate that is accurate enough; the patch always is. Throws like `round_models`, and for a tolerance outside
 /// [1e-10, 1].

@@ -105,6 +105,9 @@ class _Call:
                 raise ValueError(f"{name}: got an empty list, expected one or more")
             for one in several:
                 self.words += [word, self.law(one)]
+        elif name == "read" and not isinstance(value, str):
+            for one in value:
+                self.words += [word, str(one)]
         elif name in ("data", "trace", "twists") or isinstance(value, Mapping):
             self.words += [word, self.data(name, value)]
         elif isinstance(value, (str, os.PathLike)):
@@ -240,17 +243,44 @@ def fit(
     )
 
 
-def translate(law: str | Law, radius_law: str, mu: float, load: float, *, loads: ArrayLike | None = None, explain: bool = False) -> Columns:
-    """The coefficients for physics engines, with the error that remains in each.
+def translate(
+    law: str | Law | None = None,
+    radius_law: str | None = None,
+    mu: float | None = None,
+    load: float | None = None,
+    *,
+    patch: str | None = None,
+    loads: ArrayLike | None = None,
+    engine: str | None = None,
+    read: str | Sequence[str] | None = None,
+    explain: bool = False,
+) -> Columns:
+    """The coefficients for physics engines, with the error that remains in each; of one `engine` alone, if it is named.
 
-    Columns: engine, parameter, value, unit, model, max_error, cor_error, loads_error, note.
+    With `patch` in place of law, radius law and load: for a contact that is not round. Columns: engine, parameter, value, unit, model,
+    max_error, cor_error, loads_error, note, formula, two_bodies; with `loads` also low and high, the range of the value over these loads.
+
+    `read`, with law and mu alone: what a number in a scene means. Columns: engine, parameter, value, moment_per_load, radius [m], note.
 
     >>> import limitcurve as lc
     >>> table = lc.translate("hertz", "constant:a=0.006", mu=0.6, load=2)
     >>> "mujoco" in table["engine"]
     True
+    >>> round(float(lc.translate("hertz", mu=1, read="mujoco.torsional=0.005")["radius"][0]), 6)
+    0.008488
     """
-    return run("translate", law=law, radius_law=radius_law, mu=mu, load=load, loads=loads, explain=explain)
+    return run(
+        "translate",
+        law=law,
+        radius_law=radius_law,
+        mu=mu,
+        load=load,
+        patch=patch,
+        loads=loads,
+        engine=engine,
+        read=read,
+        explain=explain,
+    )
 
 
 @_takes_old_names

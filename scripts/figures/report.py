@@ -70,7 +70,7 @@ engine_drag.csv     engine,version,model,c,force,moment,exact_force,exact_moment
                       data/engines/drag.csv: a finger dragged in the engines themselves about centres of rotation c [a]; force and
                       moment over their limits, and those of the law
 translate.csv       law,radius_law,mu,load,engine,parameter,value,unit,model,max_error,cor_error,
-                      loads_error,note
+                      loads_error,note,formula,two_bodies
                       as `translate`
 work_precision_*.csv  what scripts/maintain/work_precision measured (data/README.md), as it was shipped
 """
@@ -204,9 +204,10 @@ def unit_of(row):
 
 def engines_table(data):
     first = data["translate"][0]
-    rows = [(html.escape(row["engine"]), html.escape(row["parameter"]), html.escape(row["note"]) or readable(row["value"]), unit_of(row),
-             html.escape(row["model"]), percent(row["max_error"], 1)) for row in data["translate"].where(law=first["law"])]
-    return facts_table(("engine", "parameter", "value", "unit", "its limit curve", "error that remains"), rows)
+    rows = [(html.escape(row["engine"]), html.escape(row["parameter"]), readable(row["value"]), unit_of(row), html.escape(str(readable(row["formula"]))),
+             html.escape(row["two_bodies"]), html.escape(row["note"]), html.escape(row["model"]),
+             percent(row["max_error"], 1)) for row in data["translate"].where(law=first["law"])]
+    return facts_table(("engine", "parameter", "value", "unit", "formula", "of two bodies", "note", "its limit curve", "error that remains"), rows)
 
 
 def fits_table(data):
@@ -303,8 +304,8 @@ def sections(data):
             ("engines", "Measured: a finger dragged in the engines themselves about imposed centres of rotation, with the coefficients that "
              "<code>limitcurve translate</code> gives. MuJoCo’s elliptic cone is the ellipse and its default pyramid the diamond; ODE and "
              "Bullet limit force and moment each on its own (the box), so that all their wrenches but the two ends lie in its corner. The "
-             "limits of pure force and pure moment are right in every engine; right: what is wrong in between. PhysX, Chrono and Gazebo "
-             "were not measured: their shapes in the table are those that their documentation describes. Gazebo’s default engine is ODE."),
+             "limits of pure force and pure moment are right in all of them, in MuJoCo’s pyramid for slips of 30 mm/s and more; right: what is "
+             "wrong in between. data/engines/errors.csv has the other engines that were dragged."),
         ],
          f"<p>What to type into an engine for a finger of the {html.escape(engine['law'])} law, a(P) by "
          f"{html.escape(engine['radius_law'])}, μ = {engine['mu']:g}, at a load of {engine['load']:g} N, and how far its own limit curve "

@@ -28,7 +28,7 @@ FILES = {
     "fits": "data,model,parameter,value,std_error,unit,note",
     "fit_band": "force,moment,inner_force,inner_moment,outer_force,outer_moment",
     "fit_residuals": "load,force,moment,sigma_force,sigma_moment,residual",
-    "translate": "law,radius_law,mu,load,engine,parameter,value,unit,model,max_error,cor_error,loads_error,note",
+    "translate": "law,radius_law,mu,load,engine,parameter,value,unit,model,max_error,cor_error,loads_error,note,formula,two_bodies",
     "steady_twist": "law,boundary,projection,cor,stiffness_ratio,force,moment,exact_force,exact_moment,error",
 }
 

@@ -12,8 +12,8 @@ STEPS = 300
 
 
 def measure():
-    # The mean of both shapes counts: both get MuJoCo's coefficients.
-    given = drag.translated("mujoco")
+    # The mean of both shapes counts: both get the same.
+    given = drag.translated("newton-xpbd")
     xpbd = Finger(given, lambda model: newton.solvers.SolverXPBD(model, iterations=20))
     yield from drag.measure("newton-xpbd", newton.__version__, "ball", "box", xpbd.drag)
 
@@ -21,7 +21,7 @@ def measure():
 class Finger:
     def __init__(self, given, make):
         builder = newton.ModelBuilder(gravity=(0, 0, -drag.GRAVITY))
-        shape = newton.ModelBuilder.ShapeConfig(density=0.0, mu=given["geom.friction[0]"], mu_torsional=given["geom.friction[1]"], mu_rolling=0.0)
+        shape = newton.ModelBuilder.ShapeConfig(density=0.0, mu=given["ShapeConfig.mu"], mu_torsional=given["ShapeConfig.mu_torsional"], mu_rolling=0.0)
         builder.add_ground_plane(cfg=shape)
         inertia = wp.mat33(*(drag.INERTIA * np.eye(3)).ravel())
         body = builder.add_body(xform=wp.transform((0, 0, drag.BALL_RADIUS), wp.quat_identity()), mass=drag.MASS, inertia=inertia, lock_inertia=True)
