@@ -40,7 +40,7 @@ UnitWrench settled(const FingerCurve& curve, Projection projection, double kappa
     rho += step / radius;
     const auto kept = apply_friction(curve.view(), projection, limits, {stiffness * r, twist_stiffness * rho}, memory);
     r *= kept.force_fraction;
-    rho *= kept.moment_ratio;
+    rho *= kept.moment_fraction;
   }
   return {stiffness * r / force_unit, twist_stiffness * rho / (force_unit * radius)};
 }
