@@ -27,8 +27,10 @@ void OutputFile::flush() {
     const std::ptrdiff_t written = descriptor::write(descriptor_, rest.data(), rest.size());
     if (written < 0) {
       if (errno == EINTR) continue;
+      const bool closed = errno == EPIPE;
       const std::string complaint = system_complaint("write to", name_);
       buffer_.clear();
+      if (closed) throw ClosedPipe(complaint);
       throw std::runtime_error(complaint);
     }
     rest.remove_prefix(static_cast<std::size_t>(written));

@@ -3,13 +3,19 @@
 
 #include <filesystem>
 #include <functional>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
 
 namespace limitcurve::cli {
 
-/// A buffered output that reports every failure: a closed pipe or a full disk throws std::runtime_error with the output's name. The
+/// The reader of a pipe left, as `head` does after the lines that it wants.
+struct ClosedPipe : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// A buffered output that reports every failure: a full disk throws std::runtime_error with the output's name, a closed pipe ClosedPipe. The
 /// destructor drops text that was not flushed, so that nothing follows an error.
 class OutputFile {
  public:
