@@ -41,7 +41,7 @@ Projection projection_of(limitcurve_projection projection) {
     case LIMITCURVE_CLOSEST_POINT:
       return Projection::closest_point;
   }
-  throw std::invalid_argument("projection: got " + std::to_string(static_cast<int>(projection)) + ", expected 0, 1 or 2");
+  throw std::invalid_argument("projection: got " + std::to_string(projection) + ", expected 0, 1 or 2");
 }
 
 }  // namespace limitcurve::c

@@ -119,11 +119,12 @@ LIMITCURVE_API limitcurve_status limitcurve_table_gauge(const limitcurve_table* 
 /* ---- Friction ---- */
 
 /* How a wrench outside the limit curve moves back onto it. */
-typedef enum limitcurve_projection {
+enum {
   LIMITCURVE_RADIAL = 0,
   LIMITCURVE_C_CURVE = 1,
   LIMITCURVE_CLOSEST_POINT = 2 /* maximum dissipation: settles at the wrench of the slip. Recommended */
-} limitcurve_projection;
+};
+typedef int limitcurve_projection; /* one of these; an int, so that any other number is an error, not undefined */
 
 /* Friction limits at the present load. */
 typedef struct limitcurve_limits {
@@ -342,7 +343,7 @@ typedef struct limitcurve_fit limitcurve_fit;
 
 /* Fits a friction model to `count` measured slips: loads [N], forces [N], moments [N m], and their standard deviations (both arrays, or
  * both NULL). Models: "ellipse", "superellipse", "quartic", "ratio", "law". `law` may be NULL: then "ratio" uses hertz, and "law" finds
- * the best. The contact radius is proportional to P^gamma. */
+ * the best. The contact radius is proportional to P^gamma, gamma in [-0.5, 1]. */
 LIMITCURVE_API limitcurve_status limitcurve_fit_slips(const char* model, const double* loads, const double* forces, const double* moments,
                                                       const double* sigma_forces, const double* sigma_moments, size_t count,
                                                       const limitcurve_law* law, double gamma, limitcurve_fit** fit);

@@ -12,7 +12,8 @@ namespace limitcurve::cli {
 /// input, any other std::exception when the job failed. Called by `run_program`, by `report` for each of its tables, and by Python.
 void run_command_line(std::vector<std::string> arguments, Results results);
 
-/// What main() does: results on standard output, messages, progress and one line of complaint on standard error. Returns the exit status.
+/// What main() does: results on standard output, messages, progress and one line of complaint on standard error; none if whoever reads the
+/// results left. Returns the exit status.
 int run_program(const std::vector<std::string>& arguments);
 
 }  // namespace limitcurve::cli

@@ -32,6 +32,8 @@ int run_program(const std::vector<std::string>& arguments) {
   } catch (const std::invalid_argument& error) {
     complain(error.what());
     return 2;
+  } catch (const ClosedPipe&) {
+    return 1;
   } catch (const std::exception& error) {
     complain(error.what());
     return 1;

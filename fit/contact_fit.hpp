@@ -32,7 +32,7 @@ struct ContactModel {
 
 struct ContactFitOptions {
   Loss loss;
-  /// The contact radius is proportional to P^gamma; 0 is the paper's M = μ_r P. `fit_gamma` fits it.
+  /// The contact radius is proportional to P^gamma, γ ∈ [−0.5, 1]; 0 is the paper's M = μ_r P. `fit_gamma` fits it.
   double gamma = 0.0;
   bool fit_gamma = false;
   /// Warn of a larger contact radius [m]. The pad of a human fingertip is about 16 mm wide.

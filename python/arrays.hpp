@@ -3,7 +3,6 @@
 
 #include <nanobind/nanobind.h>
 #include <nanobind/ndarray.h>
-#include <nanobind/stl/string.h>  // without it a cast to a text compiles, but fails at run time
 
 #include <Eigen/Core>
 
@@ -12,6 +11,26 @@
 #include <initializer_list>
 #include <string>
 #include <vector>
+
+/// Texts from and to Python as os.fsencode and os.fsdecode have them, because many are or have names of files: bytes that are no UTF-8 pass.
+template <>
+struct nanobind::detail::type_caster<std::string> {
+  NB_TYPE_CASTER(std::string, const_name("str"))
+
+  template <class Flags>
+  bool from_python(handle text, Flags, cleanup_list*) noexcept {
+    const object bytes = steal(PyUnicode_Check(text.ptr()) ? PyUnicode_EncodeFSDefault(text.ptr()) : nullptr);
+    if (!bytes.is_valid()) {
+      PyErr_Clear();
+      return false;
+    }
+    value.assign(PyBytes_AS_STRING(bytes.ptr()), static_cast<std::size_t>(PyBytes_GET_SIZE(bytes.ptr())));
+    return true;
+  }
+  static handle from_cpp(const std::string& text, rv_policy, cleanup_list*) noexcept {
+    return PyUnicode_DecodeFSDefaultAndSize(text.data(), static_cast<Py_ssize_t>(text.size()));
+  }
+};
 
 /// Conversion of numbers from and to Python: anything that NumPy accepts as real numbers, of any shape.
 namespace limitcurve::python {

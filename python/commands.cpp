@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The command line in the interpreter's process: rows come back as arrays, errors as exceptions with the same message.
 #include "cli/command_line.hpp"
+#include "cli/report/share.hpp"
 
 #include "python/arrays.hpp"
 
@@ -10,11 +11,13 @@
 #include <nanobind/stl/vector.h>
 
 #include <charconv>
+#include <filesystem>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include <dlfcn.h>
 #include <sys/mman.h>
 #include <unistd.h>
 
@@ -190,6 +193,9 @@ int run_as_program(const std::vector<std::string>& arguments) {
 
 NB_MODULE(_commands, module) {
   using namespace limitcurve::python;
+  // The package's folder is that of this module.
+  if (Dl_info here{}; ::dladdr(reinterpret_cast<const void*>(&run_as_program), &here) != 0)
+    limitcurve::cli::set_package_share(std::filesystem::absolute(here.dli_fname).parent_path() / "share");
   module.doc() = "The command line, for `limitcurve`'s functions that return tables.";
   nb::class_<MemoryFile>(module, "MemoryFile", "Columns of numbers as a file that the command line reads.")
       .def(nb::init<std::string, const std::vector<std::pair<std::string, nb::object>>&, bool>(), nb::arg("name"), nb::arg("columns"),

@@ -7,6 +7,8 @@
 #include <nanobind/stl/vector.h>
 
 #include <cmath>
+#include <exception>
+#include <stdexcept>
 #include <string>
 
 namespace limitcurve::python {
@@ -156,11 +158,26 @@ std::string path_of(nb::handle path) {
   return nb::cast<std::string>(nb::module_::import_("os").attr("fsdecode")(path));
 }
 
+/// As nanobind does, but with names of files that are no UTF-8.
+void translate(const std::exception_ptr& thrown, void*) {
+  const auto raise = [](PyObject* type, const char* message) { PyErr_SetObject(type, nb::cast(std::string(message)).ptr()); };
+  try {
+    std::rethrow_exception(thrown);
+  } catch (const nb::builtin_exception&) {
+    throw;
+  } catch (const std::invalid_argument& error) {
+    raise(PyExc_ValueError, error.what());
+  } catch (const std::runtime_error& error) {
+    raise(PyExc_RuntimeError, error.what());
+  }
+}
+
 }  // namespace limitcurve::python
 
 NB_MODULE(_core, module) {
   using namespace limitcurve::python;
   module.doc() = "Laws, tables, fingers, batches and patches: the C++ library. Use it as `limitcurve`.";
+  nb::register_exception_translator(translate);
   module.attr("version") = nb::str(limitcurve::version.data(), limitcurve::version.size());
   add_curves(module);
   add_fingers(module);

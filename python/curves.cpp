@@ -199,6 +199,7 @@ void add_tables(nb::module_& module) {
           [](const Table& self, nb::handle path, const std::string& name) {
             const std::string file = path_of(path);
             const cli::TableWriter text_of = cli::table_writer(file, "path", name);
+            const nb::gil_scoped_release release;  // the reader of a pipe may be another thread
             cli::AtomicFile output(file);
             output.output().write(text_of(self));
             output.commit();

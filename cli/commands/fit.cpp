@@ -53,7 +53,7 @@ class Fit final : public Subcommand {
     options.choice("--loss", loss_, losses, "Loss function: the weight of outliers");
     options.choice("--load-model", load_model_, load_models,
                    "For load: growth of the radius, c P^gamma with gamma 0, 1/3 or free; or the best of them");
-    options.number("--gamma", settings_.gamma, non_negative, "Exponent of the contact radius a = c P^gamma");
+    options.number("--gamma", settings_.gamma, finite, "Exponent of the contact radius a = c P^gamma, from -0.5 to 1");
     options.flag("--fit-gamma", settings_.fit_gamma, "Fit gamma to the data, too");
     options.number("--largest-radius", settings_.largest_radius, positive, "Warn of a contact radius above this [m]");
   }

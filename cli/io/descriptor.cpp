@@ -13,7 +13,6 @@
 #include <climits>
 
 #include <io.h>
-#include <process.h>
 #include <sys/stat.h>
 
 #define WIN32_LEAN_AND_MEAN
@@ -30,11 +29,15 @@ int open_to_read(const std::string& file) noexcept {
   return ::_open(file.c_str(), _O_RDONLY | _O_BINARY | _O_NOINHERIT);
 }
 
-int create(const std::filesystem::path& path) noexcept {
+int open_to_write(const std::filesystem::path& path) noexcept {
+  return ::_wopen(path.c_str(), _O_WRONLY | _O_BINARY | _O_NOINHERIT);
+}
+
+int create(const std::filesystem::path& path, int) noexcept {
   return ::_wopen(path.c_str(), _O_WRONLY | _O_CREAT | _O_EXCL | _O_BINARY | _O_NOINHERIT, _S_IREAD | _S_IWRITE);
 }
 
-int create_nameless(const std::filesystem::path&) noexcept {
+int create_nameless(const std::filesystem::path&, int) noexcept {
   errno = ENOSYS;
   return -1;
 }
@@ -65,10 +68,6 @@ void prepare_standard_streams() noexcept {
   ::_setmode(standard_output, _O_BINARY);
 }
 
-int process_id() noexcept {
-  return ::_getpid();
-}
-
 namespace {
 
 /// A console that understands colours; it is asked to.
@@ -86,8 +85,12 @@ int open_to_read(const std::string& file) noexcept {
   return ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
 }
 
-int create(const std::filesystem::path& path) noexcept {
-  return ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+int open_to_write(const std::filesystem::path& path) noexcept {
+  return ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+}
+
+int create(const std::filesystem::path& path, int mode) noexcept {
+  return ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
 }
 
 namespace {
@@ -99,10 +102,10 @@ std::string place_of(int file) {
 
 }  // namespace
 
-int create_nameless(const std::filesystem::path& path) noexcept {
+int create_nameless(const std::filesystem::path& path, int mode) noexcept {
   if (::access("/proc/self/fd", F_OK) != 0) return -1;
   const std::filesystem::path directory = path.parent_path();
-  return ::open(directory.empty() ? "." : directory.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
+  return ::open(directory.empty() ? "." : directory.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, mode);
 }
 
 int give_name(int file, const std::filesystem::path& path) noexcept {
@@ -127,10 +130,6 @@ void close(int file) noexcept {
 
 void prepare_standard_streams() noexcept {
   std::signal(SIGPIPE, SIG_IGN);
-}
-
-int process_id() noexcept {
-  return ::getpid();
 }
 
 namespace {

@@ -13,12 +13,14 @@ inline constexpr int standard_output = 1;
 inline constexpr int standard_error = 2;
 
 int open_to_read(const std::string& file) noexcept;
-/// Creates a new file; fails if it exists.
-int create(const std::filesystem::path& path) noexcept;
+/// Opens a file that exists; waits for the reader of a named pipe.
+int open_to_write(const std::filesystem::path& path) noexcept;
+/// Creates a new file, fails if it exists. Its permissions are `mode` but for the process's mask.
+int create(const std::filesystem::path& path, int mode) noexcept;
 /// Creates a file without a name in the directory of `path`. It disappears if the process ends before `give_name`. Linux only, and not on
 /// every file system.
-int create_nameless(const std::filesystem::path& path) noexcept;
-/// Gives a file without a name its name.
+int create_nameless(const std::filesystem::path& path, int mode) noexcept;
+/// Gives a file without a name its name; fails if that exists.
 int give_name(int file, const std::filesystem::path& path) noexcept;
 /// Reads at most `size` bytes; 0 at the end of the file.
 std::ptrdiff_t read(int file, char* to, std::size_t size) noexcept;
@@ -28,7 +30,6 @@ int synchronise(int file) noexcept;
 void close(int file) noexcept;
 /// Sets binary mode for the standard streams, and makes a closed pipe an error of `write`. Call it once, at the start.
 void prepare_standard_streams() noexcept;
-int process_id() noexcept;
 /// Whether it is a terminal on which a line can be written over.
 bool draws(int file) noexcept;
 /// Whether it is such a terminal and the user does not mind colours (https://no-color.org).

@@ -5,6 +5,7 @@
 
 #include <cerrno>
 #include <cstddef>
+#include <random>
 #include <stdexcept>
 #include <system_error>
 
@@ -27,8 +28,10 @@ void OutputFile::flush() {
     const std::ptrdiff_t written = descriptor::write(descriptor_, rest.data(), rest.size());
     if (written < 0) {
       if (errno == EINTR) continue;
+      const bool closed = errno == EPIPE;
       const std::string complaint = system_complaint("write to", name_);
       buffer_.clear();
+      if (closed) throw ClosedPipe(complaint);
       throw std::runtime_error(complaint);
     }
     rest.remove_prefix(static_cast<std::size_t>(written));
@@ -38,60 +41,73 @@ void OutputFile::flush() {
 
 namespace {
 
-std::filesystem::path temporary_name(const std::filesystem::path& path) {
-  // The process id separates two runs that write the same file; the dot hides the file from listings and globs.
-  std::string name(1, '.');
-  name.append(path.filename().string()).append(".").append(std::to_string(descriptor::process_id())).append(".tmp");
-  return path.parent_path() / name;
+/// A name that no other run, thread or machine has; the dot hides it from listings and globs. It is short: the file's own may be as long as a
+/// name can be.
+std::filesystem::path temporary_name(const std::filesystem::path& target) {
+  std::random_device random;
+  std::string name = ".limitcurve";
+  for (int i = 0; i < 4; ++i) name += "-" + std::to_string(random());
+  return target.parent_path() / (name + ".tmp");
 }
 
-void discard(const std::filesystem::path& path) noexcept {
+/// Where the links of a name lead, even to a file that is not there yet.
+std::filesystem::path target_of(std::filesystem::path path) {
   std::error_code none;
-  std::filesystem::remove(path, none);
-}
-
-int open_named(const std::filesystem::path& temporary, const std::filesystem::path& path) {
-  discard(temporary);  // left by a killed process that had our number
-  const int file = descriptor::create(temporary);
-  if (file < 0) throw std::runtime_error(system_complaint("write", path.string()));
-  return file;
-}
-
-/// Opens a nameless file if possible, otherwise one with the temporary name; sets `named` accordingly.
-int open_temporary(const std::filesystem::path& path, const std::filesystem::path& temporary, bool& named) {
-  const int nameless_file = descriptor::create_nameless(path);
-  named = nameless_file < 0;
-  return named ? open_named(temporary, path) : nameless_file;
+  for (int links = 0; links < 40 && std::filesystem::is_symlink(std::filesystem::symlink_status(path, none)); ++links)
+    path = path.parent_path() / std::filesystem::read_symlink(path, none);
+  return path;
 }
 
 }  // namespace
 
-AtomicFile::AtomicFile(std::filesystem::path path)
-    : path_(std::move(path)),
-      temporary_(temporary_name(path_)),
-      descriptor_(open_temporary(path_, temporary_, named_)),
-      output_(descriptor_, path_.string()) {}
+AtomicFile::AtomicFile(const std::filesystem::path& path)
+    : name_(path.string()), target_(path), descriptor_(open()), output_(descriptor_, name_) {}
+
+int AtomicFile::open() {
+  const int existing = descriptor::open_to_write(target_);
+  if (existing < 0 && errno != ENOENT) throw std::runtime_error(system_complaint("write", name_));
+  if (existing >= 0) {
+    const std::filesystem::file_status status = std::filesystem::status(target_);
+    if (!std::filesystem::is_regular_file(status)) return existing;
+    descriptor::close(existing);
+    mode_ = status.permissions();
+  }
+  replaces_ = true;
+  target_ = target_of(target_);
+  const int mode = static_cast<int>(mode_.value_or(std::filesystem::perms(0666)));
+  int file = descriptor::create_nameless(target_, mode);
+  while (file < 0) {
+    temporary_ = temporary_name(target_);
+    file = descriptor::create(temporary_, mode);
+    named_ = file >= 0;
+    if (!named_ && errno != EEXIST) throw std::runtime_error(system_complaint("write", name_));
+  }
+  return file;
+}
 
 AtomicFile::~AtomicFile() {
+  std::error_code none;
   if (descriptor_ >= 0) descriptor::close(descriptor_);
-  if (named_) discard(temporary_);
+  if (named_) std::filesystem::remove(temporary_, none);
 }
 
 void AtomicFile::commit() {
   output_.flush();
+  if (!replaces_) return;
   // Flush the data before the rename: after a power cut the name must not belong to an empty file.
-  if (descriptor::synchronise(descriptor_) != 0) throw std::runtime_error(system_complaint("write", path_.string()));
-  if (!named_) {
-    // A link cannot replace a file, a rename can.
-    discard(temporary_);
-    if (descriptor::give_name(descriptor_, temporary_) != 0) throw std::runtime_error(system_complaint("write", path_.string()));
-    named_ = true;
+  if (descriptor::synchronise(descriptor_) != 0) throw std::runtime_error(system_complaint("write", name_));
+  // A link cannot replace a file, a rename can.
+  while (!named_) {
+    temporary_ = temporary_name(target_);
+    named_ = descriptor::give_name(descriptor_, temporary_) == 0;
+    if (!named_ && errno != EEXIST) throw std::runtime_error(system_complaint("write", name_));
   }
   descriptor::close(descriptor_);  // Windows renames no open file
   descriptor_ = -1;
   std::error_code refused;
-  std::filesystem::rename(temporary_, path_, refused);
-  if (refused) throw std::runtime_error("cannot write '" + path_.string() + "': " + refused.message());
+  if (mode_) std::filesystem::permissions(temporary_, *mode_, refused);  // a file system without permissions refuses
+  std::filesystem::rename(temporary_, target_, refused);
+  if (refused) throw std::runtime_error("cannot write '" + name_ + "': " + refused.message());
   named_ = false;
 }
 

@@ -3,13 +3,20 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
 
 namespace limitcurve::cli {
 
-/// A buffered output that reports every failure: a closed pipe or a full disk throws std::runtime_error with the output's name. The
+/// The reader of a pipe left, as `head` does after the lines that it wants.
+struct ClosedPipe : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// A buffered output that reports every failure: a full disk throws std::runtime_error with the output's name, a closed pipe ClosedPipe. The
 /// destructor drops text that was not flushed, so that nothing follows an error.
 class OutputFile {
  public:
@@ -36,24 +43,30 @@ class OutputFile {
 };
 
 /// A file that appears under its name complete or not at all. It is written without a name in the same directory (under a hidden name if
-/// the file system needs one); `commit` gives it its name. Without `commit` the destructor removes it. Failures throw std::runtime_error
-/// with file and cause.
+/// the file system needs one); `commit` gives it its name. Without `commit` the destructor removes it. A file that it replaces must be
+/// writable, and its permissions stay; behind a link, the file that the link leads to. A pipe or a device is not replaced but written.
+/// Failures throw std::runtime_error with file and cause.
 class AtomicFile {
  public:
-  explicit AtomicFile(std::filesystem::path path);
+  explicit AtomicFile(const std::filesystem::path& path);
   ~AtomicFile();
   AtomicFile(const AtomicFile&) = delete;
   AtomicFile& operator=(const AtomicFile&) = delete;
 
   OutputFile& output() { return output_; }
 
-  /// Flushes to the disk, then renames to `path`.
+  /// Flushes to the disk, then renames.
   void commit();
 
  private:
-  std::filesystem::path path_;
+  int open();
+
+  std::string name_;
+  std::filesystem::path target_;
   std::filesystem::path temporary_;
-  bool named_ = false;  ///< whether `temporary_` exists
+  std::optional<std::filesystem::perms> mode_;  ///< of the file that is replaced
+  bool replaces_ = false;                       ///< a pipe or a device is written
+  bool named_ = false;                          ///< whether `temporary_` exists
   int descriptor_;
   OutputFile output_;
 };

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #ifdef _WIN32
@@ -29,13 +30,20 @@ std::filesystem::path own_path() {
 #endif
 }
 
+std::filesystem::path package_share;
+
 }  // namespace
+
+void set_package_share(std::filesystem::path folder) {
+  package_share = std::move(folder);
+}
 
 std::filesystem::path find_share() {
   std::vector<std::filesystem::path> candidates;
   if (const char* const given = std::getenv("LIMITCURVE_SHARE"); given != nullptr && *given != '\0') {
     candidates.emplace_back(given);
   } else {
+    if (!package_share.empty()) candidates.push_back(package_share);
     const std::filesystem::path executable = own_path();
     if (!executable.empty()) candidates.push_back(executable.parent_path().parent_path() / "share" / "limitcurve");
     candidates.emplace_back(LIMITCURVE_SOURCE_DIRECTORY);

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import csv
 import itertools
+import os
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -89,7 +90,7 @@ def limit_curve(
     if points is not None:
         if mu is None or radius is None:
             raise ValueError("points: expected mu and radius too, which make them unit wrenches")
-        data = dict(_columns_of("points", points)) if not isinstance(points, (str, bytes)) else _read(str(points))
+        data = _columns("points", points)
         limit = mu * data["load"]
         ax.plot(np.abs(data["force"]) / limit, np.abs(data["moment"]) / (limit * radius), ".", color="0.5", markersize=4, label="measured")
     ax.set(xlabel=r"force $F/(\mu P)$ [1]", ylabel=r"moment $M/(\mu P a)$ [1]", xlim=(0, None), ylim=(0, None))
@@ -97,8 +98,10 @@ def limit_curve(
     return ax
 
 
-def _read(file: str) -> dict[str, Any]:
-    with open(file, encoding="utf-8", newline="") as lines:
+def _columns(name: str, data: Data) -> dict[str, Any]:
+    if not isinstance(data, (str, os.PathLike)):
+        return dict(_columns_of(name, data))
+    with open(data, encoding="utf-8", newline="") as lines:
         rows = list(csv.reader(line for line in lines if line.strip() and not line.startswith("#")))
     return {name: np.array([float(row[i]) for row in rows[1:]]) for i, name in enumerate(rows[0])}
 
@@ -156,7 +159,7 @@ def replay(
     twist_stiffness also the limit at the least and the largest load that slips.
     """
     ax = _axes(ax)
-    data = _read(str(trace)) if isinstance(trace, (str, bytes)) or hasattr(trace, "__fspath__") else dict(_columns_of("trace", trace))
+    data = _columns("trace", trace)
     r = 1e3 * np.hypot(data["x"] - table["px"], data["y"] - table["py"])
     rho = np.degrees(np.abs(data["twist"] - table["angle"]))
     touching = (table["state"] == "stick") | (table["state"] == "slip")

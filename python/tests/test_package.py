@@ -4,6 +4,8 @@
 import doctest
 import importlib.resources
 import inspect
+import os
+import shutil
 import statistics
 import subprocess
 import sys
@@ -50,6 +52,19 @@ def test_import_costs_at_most_100_ms_beyond_numpy():
     code = "import time, numpy; t = time.perf_counter(); import limitcurve; print(time.perf_counter() - t)"
     seconds = [float(subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout) for _ in range(5)]
     assert statistics.median(seconds) < 0.1
+
+
+def test_the_package_has_its_data_with_it(tmp_path):
+    """As where it was installed from a wheel: a checkout beside it once hid that only the command found its data."""
+    package = tmp_path / "limitcurve"
+    shutil.copytree(importlib.resources.files("limitcurve"), package)
+    with open(package / "share/data/materials.csv", "a", encoding="utf-8") as materials:
+        materials.write("cork,1.5,0,0.009,0,0.006,0\n")
+    code = "import limitcurve as lc; print(len(lc.run('pivot', case='exact', material='cork', duration=0.01)['time']))"
+    options = {"env": {**os.environ, "PYTHONPATH": str(tmp_path)}, "cwd": tmp_path, "capture_output": True, "text": True, "check": True}
+    assert subprocess.run([sys.executable, "-c", code], **options).stdout == "11\n"
+    words = ["-m", "limitcurve", "pivot", "--case", "exact", "--material", "cork", "--duration", "0.01"]
+    assert subprocess.run([sys.executable, *words], **options).stdout.count("\n") == 12
 
 
 def test_the_command_is_installed():

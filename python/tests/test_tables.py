@@ -1,6 +1,10 @@
 # SPDX-License-Identifier: MIT
 """The functions that return tables give the command line's numbers, to the last bit, and its messages."""
 
+import os
+import subprocess
+import sys
+
 import numpy as np
 import limitcurve as lc
 import pandas as pd
@@ -106,3 +110,34 @@ def test_files_of_any_option_may_be_columns(tmp_path):
     from_columns = lc.run("pivot", case="exact", material="sandpaper", grip={"time": [0, 0.1], "load": [0.5, 0.4]}, duration=0.1)
     for name, column in from_file.items():
         np.testing.assert_array_equal(column, from_columns[name])
+
+
+def test_names_of_files_that_are_no_utf_8(tmp_path, data):
+    """As on the command line, where a name is bytes."""
+    folder = tmp_path / os.fsdecode(b"\xff\xe4")
+    folder.mkdir()
+    profile = folder / os.fsdecode(b"p\xfc.csv")
+    profile.write_text("radius,pressure\n0,1\n1,0.9\n2,0.5\n3,0.1\n")
+    law = lc.Law(f"samples:{profile}")
+    assert law.name == f"samples:{profile}" and str(profile) in repr(law)
+    assert set(lc.validate(law)["law"]) == set(lc.validate(law.name)["law"]) == {law.name}
+    lc.Table(law, 1e-3).save(folder / "t.csv")
+    assert lc.Table.load(os.fsencode(folder / "t.csv")).law_name == law.name
+    slips = folder / "slips.csv"
+    slips.write_bytes((data / "fit/slips.csv").read_bytes())
+    assert lc.fit("ratio", slips, quiet=True)["value"].tolist() == lc.fit("ratio", data / "fit/slips.csv", quiet=True)["value"].tolist()
+    for call in (lc.Law, lc.Table, lambda text: lc.run("eval", law=text, c=1)):
+        with pytest.raises(ValueError, match="cannot read") as caught:
+            call(f"samples:{profile}x")
+        assert f"{profile}x" in str(caught.value)
+    with pytest.raises(RuntimeError, match="cannot write") as caught:
+        lc.Table("hertz", 1e-3).save(folder / "none" / "t.csv")
+    assert str(folder) in str(caught.value)
+    done = subprocess.run([sys.executable, "-m", "limitcurve", "eval", "--law", law.name, "--c", "0"], capture_output=True, check=True)
+    assert done.stdout.startswith(b"c,force,moment")
+
+
+def test_a_reader_that_leaves_ends_the_command_silently():
+    call = f"{sys.executable} -m limitcurve curve --law hertz --points 200000 | head -1"
+    done = subprocess.run(call, shell=True, capture_output=True, text=True, check=True)
+    assert (done.stdout.count("\n"), done.stderr) == (1, "")

@@ -4,6 +4,7 @@
 import csv
 import io
 import os
+import secrets
 import re
 from collections import defaultdict
 from pathlib import Path
@@ -135,9 +136,9 @@ def legend_below(figure, axes, columns):
 def write_whole(path, contents):
     """The file appears under its name whole or not at all: bytes go to a hidden file beside it, which is then renamed."""
     path = Path(path)
-    part = path.with_name(f".{path.name}.{os.getpid()}.part")
+    part = path.with_name(f".limitcurve-{secrets.token_hex(16)}.tmp")
     try:
-        with open(part, "wb") as file:
+        with open(part, "xb") as file:
             file.write(contents)
             file.flush()
             os.fsync(file.fileno())

@@ -128,6 +128,15 @@ class Fit(CommandLineTest):
         self.assertNotIn("was assumed", said)
         self.assert_close(found["c"], 0.00435, 1e-6)
 
+    def test_a_radius_may_shrink(self):
+        """As in every other language; the option took no negative number."""
+        slips = "load,force,moment\n" + "".join(f"{load},{0.6 * load * f!r},{0.6 * load * 0.005 * load ** -0.4 * m!r}\n" for load in (0.5, 1, 2, 4, 8)
+                                                for f, m in [(1, 0), (0, 3 * math.pi / 16)])
+        found, _ = self.fitted("ratio", "--law", "hertz", "--data", self.file("slips.csv", slips), "--gamma", "-0.4")
+        self.assert_close(found["c"], 0.005, 1e-9)
+        for gamma in ("-0.6", "1.1"):
+            self.assert_fails(2, ["gamma", gamma, "-0.5 <= gamma <= 1"], "fit", "ratio", "--data", self.directory / "slips.csv", "--gamma", gamma)
+
     def growing(self, law):
         points = rows("c-curves", "--law", law, "--radius-law", "power:c=0.00435,gamma=0.257", "--mu", "0.7", "--cors",
                       "0.0005,0.001,0.002,0.003,0.005,0.007,0.01,0.02", "--loads", "0.5,1,1.5,2,3,4,5,6,8,10")
