@@ -5,6 +5,7 @@
 
 #include <Eigen/LU>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -23,9 +24,39 @@ bool is_plausible(const BodyState& state) noexcept {
   return godobject::is_plausible<double>(square) && std::fabs(state.orientation.squaredNorm() - 1.0) <= 1e-6;
 }
 
-BodyState moved(const BodyState& from, const Eigen::Vector3d& velocity, const Eigen::Vector3d& angular_velocity,
-                double time_step) noexcept {
-  return {from.position + velocity * time_step, turned(from.orientation, angular_velocity, time_step), velocity, angular_velocity};
+/// The end of a step.
+struct Motion {
+  BodyState state;
+  Eigen::Vector3d angular_momentum;
+};
+
+/// The end of a step with the velocities ξ. In space the rotation ω Δt of the step is that of a free body, after a moment at the beginning
+/// has given it its momentum: then ω is the mean of the angular velocities before and after the turn, in the body's axes, and the turn
+/// changes neither the momentum nor the energy, by no more than rounding up to half a turn. With t the axis times the tangent of half the
+/// angle and J the inertia, these angular velocities are ω ± J⁻¹(t × Jω).
+Motion moved(const BodyParameters& body, const BodyState& from, const Eigen::Vector3d& velocity, const Eigen::Vector3d& angular_velocity,
+             double time_step) noexcept {
+  BodyState next{from.position + velocity * time_step, turned(from.orientation, angular_velocity, time_step), velocity, angular_velocity};
+  if (!(body.free[3] && body.free[4] && body.free[5])) return {next, angular_momentum(body, next)};
+  const Eigen::Vector3d rate = from.orientation.conjugate() * angular_velocity;
+  const Eigen::Vector3d quarter = quarter_turn(rate, time_step);
+  const Eigen::Vector3d momentum = body.inertia.cwiseProduct(rate);
+  const Eigen::Vector3d swing = quarter.cross(momentum) * (2.0 / std::max(1.0 - quarter.squaredNorm(), 0.1));
+  next.angular_velocity = next.orientation * Eigen::Vector3d(rate - swing.cwiseQuotient(body.inertia));
+  return {next, from.orientation * Eigen::Vector3d(momentum + swing)};
+}
+
+/// The change of the angular velocity by an angular impulse about the free axes [N m s], whose other components are 0.
+Eigen::Vector3d turn_by(const BodyParameters& body, const Orientation& orientation, const Eigen::Vector3d& impulse) noexcept {
+  const Eigen::Matrix3d axes = orientation.toRotationMatrix();
+  Eigen::Matrix3d inertia = axes * body.inertia.asDiagonal() * axes.transpose();
+  for (Eigen::Index i = 0; i < 3; ++i) {
+    if (body.free[static_cast<std::size_t>(i) + 3]) continue;
+    inertia.row(i).setZero();
+    inertia.col(i).setZero();
+    inertia(i, i) = 1.0;
+  }
+  return inertia.inverse() * impulse;
 }
 
 }  // namespace
@@ -127,15 +158,15 @@ void Grasp::refuse(Fault fault) noexcept {
   for (SoftFinger& finger : fingers_) finger.refuse(fault);
 }
 
-/// The residual of the velocities ξ at the end of the step: the change of momentum minus the impulse of the loads at the end of the step,
+/// The residual of the velocities ξ of the step: the change of momentum minus the impulse of the loads at the end of the step,
 /// in units of velocity.
 Grasp::Vector6 Grasp::residual(const Vector6& velocities, std::span<const DevicePose> devices, double time_step, const Load& external,
                                const Eigen::Vector3d& momentum) const noexcept {
-  const BodyState next = moved(state_, velocities.head<3>(), velocities.tail<3>(), time_step);
-  Load load = preview(next, devices, time_step);
+  const Motion next = moved(parameters_, state_, velocities.head<3>(), velocities.tail<3>(), time_step);
+  Load load = preview(next.state, devices, time_step);
   load.force += external.force;
   load.moment += external.moment;
-  const Eigen::Vector3d turning = angular_momentum(parameters_, next) - momentum - load.moment * time_step;
+  const Eigen::Vector3d turning = next.angular_momentum - momentum - load.moment * time_step;
   Vector6 result;
   result.head<3>() = velocities.head<3>() - state_.velocity - load.force * (time_step / parameters_.mass);
   result.tail<3>() = turning / parameters_.inertia.mean();
@@ -203,7 +234,12 @@ BodyState Grasp::solve(std::span<const DevicePose> devices, double time_step, co
     if (other.size < best.size) best = other;
     if (!(best.size <= solved_fraction * unit)) ++unsolved_;
   }
-  return moved(state_, best.velocities.head<3>(), best.velocities.tail<3>(), time_step);
+  auto [next, turned_to] = moved(parameters_, state_, best.velocities.head<3>(), best.velocities.tail<3>(), time_step);
+  // What the equations leave goes to the velocities: momentum changes by the impulse of the forces as they are rendered.
+  turned_to -= best.error.tail<3>() * parameters_.inertia.mean();
+  next.velocity -= best.error.head<3>();
+  next.angular_velocity += turn_by(parameters_, next.orientation, turned_to - angular_momentum(parameters_, next));
+  return next;
 }
 
 }  // namespace limitcurve::godobject

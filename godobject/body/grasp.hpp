@@ -13,7 +13,8 @@ namespace limitcurve::godobject {
 
 /// One rigid body and the fingers on it: steps a–e of the paper. Proxies are in the body's frame, so that step e, which carries them with
 /// the body, is exact and keeps the sign of the rotation (eq. 13 takes its absolute value). Springs and inertia are integrated together by
-/// implicit Euler steps: stable at every stiffness; modes that the time step cannot resolve are damped.
+/// implicit Euler steps: stable at every stiffness; modes that the time step cannot resolve are damped. A body that no moment acts on turns
+/// without a change of its energy or its angular momentum.
 ///
 /// Bodies touch fingers, not each other. For a scene of several bodies make a Grasp for each; a finger that may touch several bodies is in
 /// each Grasp. Allocates at construction only.

@@ -72,10 +72,14 @@ void BodyParameters::validate() const {
   }
 }
 
-Orientation turned(const Orientation& orientation, const Eigen::Vector3d& angular_velocity, double time) noexcept {
-  // tan of a quarter of the angle, to third order: τ(1 + τ²/3).
+Eigen::Vector3d quarter_turn(const Eigen::Vector3d& angular_velocity, double time) noexcept {
+  // To third order: τ(1 + τ²/3).
   const Eigen::Vector3d quarter = angular_velocity * (0.25 * time);
-  const Eigen::Vector3d tangent = quarter * (1.0 + quarter.squaredNorm() / 3.0);
+  return quarter * (1.0 + quarter.squaredNorm() / 3.0);
+}
+
+Orientation turned(const Orientation& orientation, const Eigen::Vector3d& angular_velocity, double time) noexcept {
+  const Eigen::Vector3d tangent = quarter_turn(angular_velocity, time);
   const double square = tangent.squaredNorm();
   const double scale = 1.0 / (1.0 + square);
   Orientation change;

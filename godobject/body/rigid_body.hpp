@@ -50,6 +50,9 @@ struct BodyState {
 /// cosine of the half angle are those of the Cayley map, (1 − τ²)/(1 + τ²) with τ = |ω|t/4: the axis is exact, the angle of third order.
 Orientation turned(const Orientation& orientation, const Eigen::Vector3d& angular_velocity, double time) noexcept;
 
+/// The axis of that rotation times the tangent of a quarter of its angle.
+Eigen::Vector3d quarter_turn(const Eigen::Vector3d& angular_velocity, double time) noexcept;
+
 /// Kinetic energy [J].
 double kinetic_energy(const BodyParameters& body, const BodyState& state) noexcept;
 /// Potential energy in the body's gravity, 0 at the world's origin [J].

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "godobject/body/rigid_body.hpp"
 
+#include "godobject/body/grasp.hpp"
+
 #include "tests/godobject/scene.hpp"
 #include "tests/repetitions.hpp"
 
@@ -35,6 +37,57 @@ TEST(RigidBody, TwistIsUnwrappedOverManyTurns) {
     finger.update(plane, {{0.0, 0.0, -0.002}, orientation});
     ASSERT_NEAR(finger.state().sample.angle, angle, 1e-9);
   }
+}
+
+/// Euler's equations of a free body by Runge–Kutta steps of fourth order: orientation after `time`.
+Quaterniond tumbled(const Vector3d& inertia, const Vector3d& rate, double time, int steps) {
+  Eigen::Matrix<double, 7, 1> state;
+  state << 1.0, 0.0, 0.0, 0.0, rate;
+  const auto slope = [&](const Eigen::Matrix<double, 7, 1>& at) {
+    const Quaterniond q(at[0], at[1], at[2], at[3]);
+    const Vector3d w = at.tail<3>();
+    const Quaterniond turn = q * Quaterniond(0.0, w.x(), w.y(), w.z());
+    Eigen::Matrix<double, 7, 1> result;
+    result << 0.5 * turn.w(), 0.5 * turn.vec(), inertia.cwiseProduct(w).cross(w).cwiseQuotient(inertia);
+    return result;
+  };
+  const double h = time / steps;
+  for (int i = 0; i < steps; ++i) {
+    const auto a = slope(state);
+    const auto b = slope(state + 0.5 * h * a);
+    const auto c = slope(state + 0.5 * h * b);
+    const auto d = slope(state + h * c);
+    state += h / 6.0 * (a + 2.0 * b + 2.0 * c + d);
+  }
+  return Quaterniond(state[0], state[1], state[2], state[3]).normalized();
+}
+
+// A block thrown about its middle axis, which is unstable: energy and momentum stay, and where it turns to is right to second order.
+TEST(RigidBody, TumblesWithoutLoss) {
+  BodyParameters body = BodyParameters::block(0.1, {0.12, 0.06, 0.03});
+  body.gravity.setZero();
+  BodyState thrown;
+  thrown.angular_velocity = {1.0, 50.0, 2.0};
+  const Quaterniond expected = tumbled(body.inertia, thrown.angular_velocity, 1.0, 20000);
+  const double energy = kinetic_energy(body, thrown);
+  const Vector3d momentum = angular_momentum(body, thrown);
+  std::array<double, 2> errors{};
+  for (const int part : {1, 4}) {
+    Grasp grasp(body, thrown, AnySurface(PlaneSurface{}), {});
+    for (int i = 0; i < 1000 * part; ++i) {
+      grasp.step({}, 1e-3 / part);
+      ASSERT_NEAR(kinetic_energy(body, grasp.body()), energy, 1e-9 * energy) << i;
+      ASSERT_LT((angular_momentum(body, grasp.body()) - momentum).norm(), 1e-9 * momentum.norm()) << i;
+    }
+    EXPECT_EQ(grasp.unsolved(), 0U);
+    errors[part == 1 ? 0 : 1] = Quaterniond(grasp.body().orientation).angularDistance(expected);
+  }
+  EXPECT_LT(errors[1], 0.02);
+  EXPECT_NEAR(errors[1], errors[0] / 16.0, 0.1 * errors[0] / 16.0);
+  // A turn of almost half a circle in a step is one, too.
+  Grasp grasp(body, thrown, AnySurface(PlaneSurface{}), {});
+  for (int i = 0; i < 100; ++i) grasp.step({}, 0.05);
+  EXPECT_TRUE(grasp.body().angular_velocity.allFinite());
 }
 
 /// Moments of inertia of an evenly filled solid per mass, by counting cells of a grid: nothing but its outline.
