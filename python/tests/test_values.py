@@ -2,6 +2,8 @@
 """Laws, tables, fingers, batches and patches: shapes, types of numbers, and values against independent results."""
 
 import math
+import signal
+import time
 
 import limitcurve as lc
 import numpy as np
@@ -207,3 +209,23 @@ def test_on_a_box_force_and_moment_come_to_rest_apart():
     assert states(0.1, 0.002) == (False, False)
     with pytest.raises(ValueError, match="moment_stick_fraction"):
         lc.apply_friction(lc.box(1, 0.6), 1, 0, limit=1, radius=0.01, stiffness_ratio=25000, moment_stick_fraction=-0.1)
+
+
+@pytest.mark.parametrize("build", [lambda law: lc.Table(law, tolerance=1e-13), lambda law: lc.choose(law, tolerance=1e-10)])
+def test_ctrl_c_ends_the_making_of_a_table(build):
+    radius = np.linspace(0, 1, 2000)
+    law = lc.Law.samples(radius, np.sqrt(1 - radius**2) * (1 + 0.5 * np.random.default_rng(1).random(2000)))
+
+    def interrupt(*_):
+        raise KeyboardInterrupt
+
+    before = signal.signal(signal.SIGALRM, interrupt)
+    began = time.process_time()
+    signal.setitimer(signal.ITIMER_REAL, 0.3)
+    try:
+        with pytest.raises(KeyboardInterrupt):
+            build(law)
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, before)
+    assert time.process_time() - began < 2
