@@ -132,11 +132,13 @@ StepChoice choose_step(const Scene& scene, double tolerance) {
   const double m0 = exact.moment_ratio();
   const Drive drive(scene, m0);
   const FingerParameters true_finger = parameters_of(scene);
-  const Table reference = finest_table(scene.law, std::max(1e-4 * tolerance, 1e-9));
+  // An error ε of f and m is an error of at most ε(1 + 1/m₀) of the limits; the error of a table is its tolerance times max(1, m₀). Count it in
+  // full: the test motion may have missed its maximum.
+  const double per_table_error = 1.0 + 1.0 / m0;
+  const double per_table_tolerance = per_table_error * std::max(1.0, m0);
+  const Table reference = finest_table(scene.law, std::max(1e-4 * tolerance / per_table_tolerance, 1e-9));
   const FingerCurve fine = reference;
   const Record truth = drive(fine, Projection::closest_point, true_finger);
-  // An error ε of f and m is an error of at most ε(1 + 1/m₀) of the limits. Count it in full: the test motion may have missed its maximum.
-  const double per_table_error = 1.0 + 1.0 / m0;
   const auto error_of = [&](const FingerCurve& curve, Projection projection, const FingerParameters& finger) {
     return error_margin * largest_difference(drive(curve, projection, finger), truth);
   };
@@ -159,7 +161,7 @@ StepChoice choose_step(const Scene& scene, double tolerance) {
   constexpr double load_radius_cost = 20.0;
   const bool radius_varies = !scene.mu_r && scene.radius_law.radius(scene.least_load) != scene.radius_law.radius(scene.most_load);
   const Table table =
-      finest_table(scene.law, std::clamp(0.1 * tolerance / per_table_error, Table::finest_tolerance, Table::coarsest_tolerance));
+      finest_table(scene.law, std::clamp(0.1 * tolerance / per_table_tolerance, Table::finest_tolerance, Table::coarsest_tolerance));
   auto& candidates = result.candidates;
   std::map<std::string, ReplayOptions> steps;
   const auto add = [&](const std::string& model, double parameter, CurveKind kind, const FingerCurve& curve, Projection projection,
