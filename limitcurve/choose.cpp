@@ -50,10 +50,15 @@ std::string in_percent(double fraction) {
 void choose_cheapest(std::vector<Candidate>& candidates, double tolerance) {
   std::stable_sort(candidates.begin(), candidates.end(),
                    [](const Candidate& one, const Candidate& other) { return one.nanoseconds < other.nanoseconds; });
+  const auto less_error = [](const Candidate& one, const Candidate& other) { return one.error < other.error; };
   auto best = std::find_if(candidates.begin(), candidates.end(), [&](const Candidate& candidate) { return candidate.error <= tolerance; });
   if (best == candidates.end()) {
-    best = std::min_element(candidates.begin(), candidates.end(),
-                            [](const Candidate& one, const Candidate& other) { return one.error < other.error; });
+    best = std::min_element(candidates.begin(), candidates.end(), less_error);
+  } else {
+    const double least = best->nanoseconds;
+    const auto tied =
+        std::find_if(best, candidates.end(), [&](const Candidate& one) { return one.nanoseconds > (1.0 + cost_tie) * least; });
+    best = std::min_element(best, tied, less_error);
   }
   best->chosen = true;
   for (Candidate& candidate : candidates) candidate.reason = reason(candidate, *best, tolerance);

@@ -19,16 +19,19 @@ struct Candidate {
   std::string reason = {};  ///< for people: its error if that is too large, "chosen", or its cost compared with the chosen one's
 };
 
-/// All candidates for `law`, sorted by cost. `chosen` marks the cheapest one whose error is at most `tolerance`; there always is one,
-/// because the exact curve has error 0.
+/// Costs that differ by less than this fraction are a tie: a measurement scatters as much.
+inline constexpr double cost_tie = 0.05;
+
+/// All candidates for `law`, sorted by cost. `chosen` marks the cheapest one whose error is at most `tolerance`, of a tie the one with the
+/// smallest error; there always is one, because the exact curve has error 0.
 ///
 /// Costs are constants (internal/shipped_costs.hpp), measured on one machine: compare them, do not rely on them. So the same input gives
 /// the same choice on every machine. Throws std::invalid_argument for a tolerance outside [1e-10, 1]. Cost: a millisecond for a closed
 /// form, a second by quadrature. godobject/scene/choose_step.hpp chooses for a whole scene, projection included.
 std::vector<Candidate> choose(const Law& law, double tolerance);
 
-/// Sorts candidates by cost, marks the cheapest whose error is at most `tolerance` (if there is none, the one with the smallest error), and
-/// sets each reason.
+/// Sorts candidates by cost, marks the cheapest whose error is at most `tolerance` (of a tie, or if there is none, the one with the smallest
+/// error), and sets each reason.
 void choose_cheapest(std::vector<Candidate>& candidates, double tolerance);
 
 /// A fraction as text: "6.4 %", "0.9 %"; below 0.01 % "1.0e-06".

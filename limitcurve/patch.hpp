@@ -113,7 +113,7 @@ class Patch {
   /// The friction factors along x and y, 1 unless `orthotropic`.
   [[nodiscard]] PatchPoint factors() const noexcept { return {mx_, my_}; }
 
-  /// Cost of a wrench with the COR near the patch [ns], measured on one machine. Compare it with other costs; do not rely on it.
+  /// Cost of a wrench with the COR near the patch [ns], measured where a table's costs 9 ns. Compare it with other costs; do not rely on it.
   [[nodiscard]] double nanoseconds() const noexcept;
 
   /// Measures from which round models of the patch are made. Zero if the patch has none: points have no area.

@@ -62,9 +62,6 @@ class PressureLaw {
   /// Increasing radii between which g is analytic, from 0 to the end of the pressure: 1, or more for a law without a rim.
   [[nodiscard]] virtual const std::vector<Extended>& breaks() const noexcept;
 
-  /// Whether g is a polynomial between its breaks. Then pieces away from the COR are integrated by a Gauss rule, which is cheaper.
-  [[nodiscard]] virtual bool has_polynomial_pieces() const noexcept { return false; }
-
   /// The closed form of the unit wrench at s, if the law has one.
   [[nodiscard]] virtual std::optional<UnitForces<Extended>> closed(Extended, Slope = Slope::wanted) const noexcept { return std::nullopt; }
 

@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 
 #include <array>
+#include <chrono>
 #include <cstddef>
 #include <initializer_list>
 #include <string>
@@ -89,5 +90,16 @@ std::string text_of(const nb::object& object);
 
 /// A path from a str or os.PathLike.
 std::string path_of(nb::handle path);
+
+/// Raises what Python's signal handlers raise (KeyboardInterrupt for Ctrl-C), at most twenty times a second: the library calls it in long work,
+/// without the GIL.
+inline void raise_signals() {
+  using Clock = std::chrono::steady_clock;
+  static thread_local Clock::time_point next{};
+  if (Clock::now() < next) return;
+  next = Clock::now() + std::chrono::milliseconds(50);
+  const nb::gil_scoped_acquire acquire;
+  if (PyErr_CheckSignals() != 0) throw nb::python_error();
+}
 
 }  // namespace limitcurve::python

@@ -5,6 +5,7 @@
 
 #include "python/arrays.hpp"
 
+#include "limitcurve/internal/interruption.hpp"
 #include "limitcurve/internal/number.hpp"
 
 #include <nanobind/stl/pair.h>
@@ -159,6 +160,8 @@ void in_terms_of(const std::vector<const MemoryFile*>& files, const Work& work) 
     throw std::invalid_argument(translated(error.what()));
   } catch (const std::bad_alloc&) {
     throw;
+  } catch (const nb::python_error&) {
+    throw;
   } catch (const std::exception& error) {
     throw std::runtime_error(translated(error.what()));
   }
@@ -196,6 +199,7 @@ NB_MODULE(_commands, module) {
   // The package's folder is that of this module.
   if (Dl_info here{}; ::dladdr(reinterpret_cast<const void*>(&run_as_program), &here) != 0)
     limitcurve::cli::set_package_share(std::filesystem::absolute(here.dli_fname).parent_path() / "share");
+  limitcurve::between_samples = raise_signals;
   module.doc() = "The command line, for `limitcurve`'s functions that return tables.";
   nb::class_<MemoryFile>(module, "MemoryFile", "Columns of numbers as a file that the command line reads.")
       .def(nb::init<std::string, const std::vector<std::pair<std::string, nb::object>>&, bool>(), nb::arg("name"), nb::arg("columns"),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "python/core.hpp"
 
+#include "limitcurve/internal/interruption.hpp"
 #include "limitcurve/internal/number.hpp"
 #include "limitcurve/version.hpp"
 
@@ -179,6 +180,7 @@ NB_MODULE(_core, module) {
   module.doc() = "Laws, tables, fingers, batches and patches: the C++ library. Use it as `limitcurve`.";
   nb::register_exception_translator(translate);
   module.attr("version") = nb::str(limitcurve::version.data(), limitcurve::version.size());
+  limitcurve::between_samples = raise_signals;
   add_curves(module);
   add_fingers(module);
   add_batches(module);

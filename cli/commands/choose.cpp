@@ -30,10 +30,11 @@ class Choose final : public Subcommand {
             "largest error (parameter: its radius; it drives a finger as a law does), the ellipsoid sqrt(v^2 + m0^2 w^2) (parameter: m0)\n"
             "and the patch itself. error is the largest relative error of power over all sliding twists.\n"
             "With --scene the command chooses the whole step of the god-object: model is 'no torsion' or BOUNDARY/PROJECTION, with the\n"
-            "contact radius of the mean load, or with the load-dependent radius if the name ends in '/a(P)'. error is the change of the\n"
-            "rendered wrench as a fraction of the friction limits: twice the largest change in a thousand slides and twists (in turn and\n"
-            "together, with reversals and turns, within the rates, distances and loads of the scene). nanoseconds is the time of a step\n"
-            "that slips. Standard error says whether the scene needs torsion, coupling, a load-dependent radius, the exact curve and\n"
+            "contact radius of the mean load, or with the load-dependent radius if the name ends in '/a(P)'. Without --radius-law and\n"
+            "--mu-r a is 5 mm. error is the change of the rendered wrench as a fraction of the friction limits: twice the largest change\n"
+            "in a thousand slides and twists (in turn and together, with reversals and turns, within the rates, distances and loads of\n"
+            "the scene). nanoseconds is the time of a step that slips. Standard error says whether the scene needs torsion, coupling, a "
+            "load-dependent radius, the exact curve and\n"
             "the closest point, and gives the replay options of the choice. A note appears where k_r/k_l differs more than tenfold from\n"
             "(mu_r/mu_l)^2, the ratio that the radial projection assumes.",
             "limitcurve choose --law hertz --tolerance 0.01 --scene --mu 0.6 --loads 0.5,2 --stiffness 1000 --twist-stiffness 0.036"};
@@ -46,12 +47,12 @@ class Choose final : public Subcommand {
                    Presence::required);
     options.flag("--explain", explain_, "Give the reason for each candidate on standard error");
     options.flag("--scene", scene_wanted_, "Choose the step of a scene: limit curve, projection, and whether torsion matters");
-    options.number("--mu", scene_.mu, positive, "Scene: coefficient of friction");
+    options.number("--mu", mu_, positive, "Scene: coefficient of friction (default 0.5)");
     options.radius_law(radius_law_, Presence::optional);
     options.number("--mu-r", scene_.mu_r, positive, "Scene: mu_r [m]; the moment limit is mu_r P, in place of the radius law's");
     options.numbers("--loads", loads_, positive, "Scene: least and largest load [N] (default 0.5,2)", Presence::optional);
-    options.number("--stiffness", scene_.stiffness, positive, "Scene: k_l [N/m]");
-    options.number("--twist-stiffness", scene_.twist_stiffness, positive, "Scene: k_r [N m/rad]");
+    options.number("--stiffness", stiffness_, positive, "Scene: k_l [N/m] (default 1000)");
+    options.number("--twist-stiffness", twist_stiffness_, positive, "Scene: k_r [N m/rad] (default 0.04)");
     options.number("--sample-time", scene_.sample_time, positive, "Scene: sample time [s]");
     options.number("--slide-speed", scene_.slide_speed, non_negative, "Scene: largest sliding speed [m/s]");
     options.number("--twist-rate", scene_.twist_rate, non_negative, "Scene: largest rate of the twist [rad/s]");
@@ -82,6 +83,9 @@ class Choose final : public Subcommand {
 
   void choose_for_scene(const Results& results) {
     scene_.law = law_;
+    if (mu_) scene_.mu = *mu_;
+    if (stiffness_) scene_.stiffness = *stiffness_;
+    if (twist_stiffness_) scene_.twist_stiffness = *twist_stiffness_;
     if (radius_law_) scene_.radius_law = radius_law_->of(scene_.mu, law_);
     if (slide_) scene_.slide = *slide_;
     if (twist_) scene_.twist = *twist_;
@@ -95,6 +99,9 @@ class Choose final : public Subcommand {
     const godobject::StepChoice choice = godobject::choose_step(scene_, tolerance_);
     write(results, choice.candidates);
     results.messages->say(choice.verdict);
+    if (!radius_law_ && !scene_.mu_r) {
+      results.messages->say("without --radius-law and --mu-r the contact radius is taken as a = 5 mm");
+    }
     results.messages->say(how_to_replay(choice));
     godobject::FingerParameters finger;
     finger.mu = scene_.mu;
@@ -112,9 +119,12 @@ class Choose final : public Subcommand {
     std::string text =
         "replay it with --curve " + std::string(to_string(step.curve)) + " --projection " + std::string(to_string(step.projection));
     if (step.curve == godobject::CurveKind::table) text += " --tolerance " + format_number(step.tolerance);
+    if (!mu_) text += " --mu " + format_number(scene_.mu);
+    if (!stiffness_) text += " --stiffness " + format_number(scene_.stiffness);
+    if (!twist_stiffness_) text += " --twist-stiffness " + format_number(scene_.twist_stiffness);
     if (step.finger.mu_r == 0.0) text += " --mu-r 0";
     const double radius = step.finger.radius_law.radius(scene_.most_load);
-    if (!scene_.mu_r && radius != scene_.radius_law.radius(scene_.most_load)) {
+    if (!scene_.mu_r && (!radius_law_ || radius != scene_.radius_law.radius(scene_.most_load))) {
       text += " --radius-law constant:a=" + format_number(radius);
     }
     return text;
@@ -126,6 +136,9 @@ class Choose final : public Subcommand {
   bool explain_ = false;
   bool scene_wanted_ = false;
   godobject::Scene scene_;
+  std::optional<double> mu_;
+  std::optional<double> stiffness_;
+  std::optional<double> twist_stiffness_;
   std::optional<RadiusLawArgument> radius_law_;
   std::vector<double> loads_;
   std::optional<double> slide_;

@@ -92,12 +92,12 @@ class Drive {
   SceneWalk walk_;
 };
 
-double largest_difference(const Record& one, const Record& other) {
-  double result = 0.0;
-  for (std::size_t i = 0; i < one.size(); ++i) {
-    result = std::max(result, (one[i] - other[i]).norm());
-  }
-  return result;
+Effect difference(const Record& one, const Record& other) {
+  std::vector<double> each;
+  for (std::size_t i = 0; i < one.size(); ++i) each.push_back((one[i] - other[i]).norm());
+  std::sort(each.begin(), each.end());
+  const auto quantile = [&](double fraction) { return each[static_cast<std::size_t>(fraction * static_cast<double>(each.size() - 1))]; };
+  return {quantile(0.5), quantile(0.99), each.back()};
 }
 
 FingerParameters parameters_of(const Scene& scene) {
@@ -111,15 +111,21 @@ FingerParameters parameters_of(const Scene& scene) {
 }
 
 std::string verdict_of(const Effects& effects, const Candidate& chosen, double tolerance) {
-  std::string text = effects.torsion <= tolerance    ? "no torsion is needed"
-                     : effects.coupling <= tolerance ? "uncoupled will do"
-                                                     : "coupling is needed";
-  text += ". Of what the contact bears, " + in_percent(effects.torsion) + " would change without torsion, " + in_percent(effects.coupling) +
-          " without coupling, " + in_percent(effects.load_radius) + " with the radius of the mean load, " + in_percent(effects.curve) +
-          " with the ellipse, " + in_percent(effects.projection) + " with the radial projection; tolerance " + in_percent(tolerance) +
-          ". Cheapest: " + chosen.model + ", off by " + in_percent(chosen.error);
-  if (effects.sampling > tolerance) {
-    text += ". But half the sample time would change " + in_percent(effects.sampling) + ": sample faster first";
+  const auto is_needed = [&](const Effect& effect) { return error_margin * effect.largest > tolerance; };
+  std::string text = !is_needed(effects.torsion)    ? "no torsion is needed"
+                     : !is_needed(effects.coupling) ? "uncoupled will do"
+                                                    : "coupling is needed";
+  const auto said = [](const Effect& effect, const char* without) {
+    return in_percent(effect.median) + ", " + in_percent(effect.percentile_99) + ", " + in_percent(effect.largest) + without;
+  };
+  text += ". What would change (median, 99th percentile, largest in the test motion, of what the contact bears): " +
+          said(effects.torsion, " without torsion; ") + said(effects.coupling, " without coupling; ") +
+          said(effects.load_radius, " with the radius of the mean load; ") + said(effects.curve, " with the ellipse; ") +
+          said(effects.projection, " with the radial projection") + ". Decided by " + format_number(error_margin) +
+          " times the largest, because another motion may change more; tolerance " + in_percent(tolerance) + ". Cheapest: " + chosen.model +
+          ", off by " + in_percent(chosen.error) + " with that factor";
+  if (effects.sampling.largest > tolerance) {
+    text += ". But half the sample time would change " + in_percent(effects.sampling.largest) + ": sample faster first";
   }
   return text;
 }
@@ -132,13 +138,15 @@ StepChoice choose_step(const Scene& scene, double tolerance) {
   const double m0 = exact.moment_ratio();
   const Drive drive(scene, m0);
   const FingerParameters true_finger = parameters_of(scene);
-  const Table reference = finest_table(scene.law, std::max(1e-4 * tolerance, 1e-9));
+  // An error ε of f and m is an error of at most ε(1 + 1/m₀) of the limits; the error of a table is its tolerance times max(1, m₀). Count it in
+  // full: the test motion may have missed its maximum.
+  const double per_table_error = 1.0 + 1.0 / m0;
+  const double per_table_tolerance = per_table_error * std::max(1.0, m0);
+  const Table reference = finest_table(scene.law, std::max(1e-4 * tolerance / per_table_tolerance, 1e-9));
   const FingerCurve fine = reference;
   const Record truth = drive(fine, Projection::closest_point, true_finger);
-  // An error ε of f and m is an error of at most ε(1 + 1/m₀) of the limits. Count it in full: the test motion may have missed its maximum.
-  const double per_table_error = 1.0 + 1.0 / m0;
-  const auto error_of = [&](const FingerCurve& curve, Projection projection, const FingerParameters& finger) {
-    return error_margin * largest_difference(drive(curve, projection, finger), truth);
+  const auto effect_of = [&](const FingerCurve& curve, Projection projection, const FingerParameters& finger) {
+    return difference(drive(curve, projection, finger), truth);
   };
   FingerParameters slippery = true_finger;
   slippery.mu_r = 0.0;
@@ -147,25 +155,29 @@ StepChoice choose_step(const Scene& scene, double tolerance) {
   const Ellipse ellipse = Ellipse::through_intercepts(m0);
 
   StepChoice result;
-  result.effects.torsion = error_of(fine, Projection::closest_point, slippery);
-  result.effects.coupling = error_of(box(1.0, m0), Projection::closest_point, true_finger);
-  result.effects.load_radius = error_of(fine, Projection::closest_point, mean_finger);
-  result.effects.curve = error_of(ellipse, Projection::closest_point, true_finger);
-  result.effects.projection = error_of(fine, Projection::radial, true_finger);
+  result.effects.torsion = effect_of(fine, Projection::closest_point, slippery);
+  result.effects.coupling = effect_of(box(1.0, m0), Projection::closest_point, true_finger);
+  result.effects.load_radius = effect_of(fine, Projection::closest_point, mean_finger);
+  result.effects.curve = effect_of(ellipse, Projection::closest_point, true_finger);
+  result.effects.projection = effect_of(fine, Projection::radial, true_finger);
   // The error of a step is proportional to its length.
-  result.effects.sampling = drive.finest_step() * largest_difference(drive(fine, Projection::closest_point, true_finger, 2), truth);
+  result.effects.sampling = difference(drive(fine, Projection::closest_point, true_finger, 2), truth);
+  for (double* change : {&result.effects.sampling.median, &result.effects.sampling.percentile_99, &result.effects.sampling.largest}) {
+    *change *= drive.finest_step();
+  }
 
   // Cost of a power of the load in a step [ns].
   constexpr double load_radius_cost = 20.0;
   const bool radius_varies = !scene.mu_r && scene.radius_law.radius(scene.least_load) != scene.radius_law.radius(scene.most_load);
   const Table table =
-      finest_table(scene.law, std::clamp(0.1 * tolerance / per_table_error, Table::finest_tolerance, Table::coarsest_tolerance));
+      finest_table(scene.law, std::clamp(0.1 * tolerance / per_table_tolerance, Table::finest_tolerance, Table::coarsest_tolerance));
   auto& candidates = result.candidates;
   std::map<std::string, ReplayOptions> steps;
   const auto add = [&](const std::string& model, double parameter, CurveKind kind, const FingerCurve& curve, Projection projection,
                        const FingerParameters& finger, double cost) {
     const double of_tables = reference.certified_error() + (kind == CurveKind::table ? table.certified_error() : 0.0);
-    candidates.push_back({model, parameter, error_of(curve, projection, finger) + per_table_error * of_tables, cost});
+    candidates.push_back(
+        {model, parameter, error_margin * effect_of(curve, projection, finger).largest + per_table_error * of_tables, cost});
     steps[model] = {.law = scene.law, .curve = kind, .projection = projection, .tolerance = table.tolerance(), .finger = finger};
   };
   const auto add_radii = [&](CurveKind kind, double parameter, const FingerCurve& curve, Projection projection, double cost) {

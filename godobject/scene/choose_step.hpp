@@ -30,19 +30,26 @@ struct Scene {
   double twist = std::numeric_limits<double>::infinity();  ///< largest twist since the touch-down [rad] ≥ 0
 };
 
-/// A stated error is this factor times the largest error in the scene's test motion, because another motion may have a larger error. In 300
+/// A candidate's error is this factor times the largest error in the scene's test motion, because another motion may have a larger error. In 300
 /// random scenes (seeds 1101 to 1400) the worst of 20 random motions had up to 1.8 times the error of the test motion, in 95 of 100 scenes
 /// up to 1.35 times. Calibrated by tests/godobject/scene/choice_study.cpp, with other seeds than the test.
 inline constexpr double error_margin = 2.0;
 
-/// The error of each simplification alone, everything else exact; in the unit of the candidates' error.
+/// A change of (F/μP, M/Γ), as a distance, in the samples of the test motion, as seen.
+struct Effect {
+  double median;
+  double percentile_99;
+  double largest;
+};
+
+/// What each simplification alone changes, everything else exact.
 struct Effects {
-  double torsion;      ///< no friction against twist
-  double coupling;     ///< separate limits of force and moment (box, closest point)
-  double load_radius;  ///< the radius of the mean load at every load
-  double curve;        ///< the ellipse through the intercepts instead of the exact curve
-  double projection;   ///< the radial projection instead of the closest point, on the exact curve
-  double sampling;     ///< not a simplification: the change if the sample time is halved. No model is more accurate than that
+  Effect torsion;      ///< no friction against twist
+  Effect coupling;     ///< separate limits of force and moment (box, closest point)
+  Effect load_radius;  ///< the radius of the mean load at every load
+  Effect curve;        ///< the ellipse through the intercepts instead of the exact curve
+  Effect projection;   ///< the radial projection instead of the closest point, on the exact curve
+  Effect sampling;     ///< not a simplification: the change if the sample time is halved. No model is more accurate than that
 };
 
 /// The result of choose_step.
@@ -52,7 +59,8 @@ struct StepChoice {
   /// otherwise it is that of the mean load. `error` is the largest change of (F/μP, M/Γ), as a distance: 0.01 is 1 % of the contact's
   /// limits. `nanoseconds`: cost of a step that slips.
   std::vector<Candidate> candidates;
-  /// "no torsion is needed", "uncoupled will do" or "coupling is needed", with the numbers behind it.
+  /// "no torsion is needed", "uncoupled will do" or "coupling is needed", with the numbers behind it. These are as seen; what is decided by
+  /// them counts `error_margin`.
   std::string verdict;
   /// The options of `Replay` that run the chosen model, on a plane.
   ReplayOptions chosen;

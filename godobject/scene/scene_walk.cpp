@@ -33,14 +33,15 @@ class RandomNumbers {
 
 /// The distances that load the springs of a contact to the limit.
 struct Reach {
-  double radius;   ///< of the contact [m]
+  double radius;   ///< of a Hertz contact with the same moment [m]: a law's nominal radius may be any length
   double shorter;  ///< the shorter of a slide by μP/k_l and of the rim's path in a twist by Γ/k_r [m]
   double longer;   ///< the longer of both [m]
 };
 
 Reach reach(const Scene& scene, double moment_ratio, double load) {
   const double moment = largest_moment(scene, moment_ratio, load);
-  const double radius = moment / (moment_ratio * scene.mu * load);
+  constexpr double hertz_moment_ratio = 3.0 * std::numbers::pi / 16.0;
+  const double radius = moment / (hertz_moment_ratio * scene.mu * load);
   const auto [shorter, longer] = std::minmax({scene.mu * load / scene.stiffness, radius * (moment / scene.twist_stiffness)});
   return {radius, shorter, longer};
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "limitcurve/internal/number.hpp"
 #include "limitcurve/laws.hpp"
+#include "limitcurve/quadrature/cubic_pieces.hpp"
 #include "limitcurve/quadrature/evaluators.hpp"
 
 #include <algorithm>
@@ -12,15 +13,7 @@ namespace limitcurve {
 
 namespace {
 
-/// p = value + t(slope + t(square + t·cube)) on [left, left + width], t the distance from the left end.
-struct Piece {
-  Extended left;
-  Extended width;
-  Extended value;
-  Extended slope;
-  Extended square;
-  Extended cube;
-};
+using Piece = CubicPieces::Piece;
 
 /// Monotone cubic through samples of increasing radius: slopes by the weighted harmonic mean of the neighbouring chords,
 /// zero where they change sign (Fritsch and Butland 1984); one-sided at the ends, limited alike.
@@ -73,62 +66,35 @@ class MonotoneCubic {
   std::span<const PressureSample> run_;
 };
 
-/// A measured profile as cubics, without the estimate of the interpolation error.
-class ProfileLaw final : public PressureLawOf<ProfileLaw> {
- public:
-  ProfileLaw(std::span<const PressureSample> profile, std::string_view source) : source_(source) {
-    std::vector<PressureSample> scaled;
-    const double outer = profile.back().radius;
-    for (const PressureSample& sample : profile) scaled.push_back({sample.radius / outer, std::max(sample.pressure, 0.0)});
-    if (scaled.front().radius > 0.0) scaled.insert(scaled.begin(), {0.0, scaled.front().pressure});
-    // Jumps divide the profile into runs.
-    for (std::size_t begin = 0; begin < scaled.size();) {
-      std::size_t end = begin + 1;
-      while (end < scaled.size() && scaled[end].radius > scaled[end - 1].radius) ++end;
-      MonotoneCubic(std::span(scaled).subspan(begin, end - begin)).append_to(pieces_);
-      begin = end;
-    }
-    for (const Piece& piece : pieces_) breaks_.push_back(piece.left);
-    breaks_.push_back(1);
-    normalise();
+/// A measured profile as cubics that carry the unit load.
+CubicPieces cubics(std::span<const PressureSample> profile, std::string_view source) {
+  std::vector<PressureSample> scaled;
+  const double outer = profile.back().radius;
+  for (const PressureSample& sample : profile) scaled.push_back({sample.radius / outer, std::max(sample.pressure, 0.0)});
+  if (scaled.front().radius > 0.0) scaled.insert(scaled.begin(), {0.0, scaled.front().pressure});
+  std::vector<Piece> pieces;
+  // Jumps divide the profile into runs.
+  for (std::size_t begin = 0; begin < scaled.size();) {
+    std::size_t end = begin + 1;
+    while (end < scaled.size() && scaled[end].radius > scaled[end - 1].radius) ++end;
+    MonotoneCubic(std::span(scaled).subspan(begin, end - begin)).append_to(pieces);
+    begin = end;
   }
-
-  std::string name() const override { return "samples:" + source_; }
-  const std::vector<Extended>& breaks() const noexcept override { return breaks_; }
-  bool has_polynomial_pieces() const noexcept override { return true; }
-
-  template <class Real>
-  Real pressure(RadialPosition<Real> at) const noexcept {
-    const auto after = std::upper_bound(pieces_.begin() + 1, pieces_.end(), at.radius,
-                                        [](Real radius, const Piece& piece) { return radius < static_cast<Real>(piece.left); });
-    const Piece& piece = *(after - 1);
-    const Real t = std::clamp<Real>(at.radius - static_cast<Real>(piece.left), 0, static_cast<Real>(piece.width));
-    const Real value = static_cast<Real>(piece.value) +
-                       t * (static_cast<Real>(piece.slope) + t * (static_cast<Real>(piece.square) + t * static_cast<Real>(piece.cube)));
-    // A cubic that ends at 0 may be negative by rounding.
-    return std::max<Real>(value, 0);
+  // ∫ 2ρ p dρ of a cubic, piece by piece: exact.
+  Extended load = 0;
+  for (const Piece& p : pieces) {
+    const Extended w = p.width;
+    const Extended zeroth = w * (p.value + w * (p.slope / 2 + w * (p.square / 3 + w * p.cube / 4)));
+    const Extended first = w * w * (p.value / 2 + w * (p.slope / 3 + w * (p.square / 4 + w * p.cube / 5)));
+    load += 2 * (p.left * zeroth + first);
   }
-
- private:
-  void normalise() {
-    // ∫ 2ρ p dρ of a cubic, piece by piece: exact.
-    Extended load = 0;
-    for (const Piece& p : pieces_) {
-      const Extended w = p.width;
-      const Extended zeroth = w * (p.value + w * (p.slope / 2 + w * (p.square / 3 + w * p.cube / 4)));
-      const Extended first = w * w * (p.value / 2 + w * (p.slope / 3 + w * (p.square / 4 + w * p.cube / 5)));
-      load += 2 * (p.left * zeroth + first);
-    }
-    if (!(load > 0)) throw std::invalid_argument("profile '" + source_ + "' has no pressure: expected one > 0 away from the centre");
-    for (Piece& p : pieces_) {
-      for (Extended* coefficient : {&p.value, &p.slope, &p.square, &p.cube}) *coefficient /= load;
-    }
+  if (!(load > 0))
+    throw std::invalid_argument("profile '" + std::string(source) + "' has no pressure: expected one > 0 away from the centre");
+  for (Piece& p : pieces) {
+    for (Extended* coefficient : {&p.value, &p.slope, &p.square, &p.cube}) *coefficient /= load;
   }
-
-  std::string source_;
-  std::vector<Piece> pieces_;
-  std::vector<Extended> breaks_;
-};
+  return CubicPieces(std::move(pieces));
+}
 
 /// Indices in `rows` of the samples, without rows that repeat the one before.
 std::vector<std::size_t> places_of_samples(std::span<const PressureSample> rows) {
@@ -145,17 +111,17 @@ std::vector<std::size_t> places_of_samples(std::span<const PressureSample> rows)
 /// The difference of both wrenches would be no estimate: it changes sign, and is 0 at some s.
 class SamplesLaw final : public PressureLawOf<SamplesLaw> {
  public:
-  SamplesLaw(std::span<const PressureSample> profile, std::string_view source) : fine_(profile, source) {
-    const ProfileLaw coarse(coarser(profile), source);
-    const auto& breaks = fine_.breaks();
-    for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
+  SamplesLaw(std::span<const PressureSample> profile, std::string_view source) : source_(source), pieces_(cubics(profile, source)) {
+    for (const Piece& piece : pieces_.pieces()) breaks_.push_back(piece.left);
+    breaks_.push_back(1);
+    const CubicPieces coarse = cubics(coarser(profile), source);
+    for (std::size_t i = 0; i + 1 < breaks_.size(); ++i) {
       // The midpoint rule suffices: the integrand is an absolute value with kinks, and an estimate needs few digits.
       constexpr int parts = 16;
-      const double width = static_cast<double>(breaks[i + 1] - breaks[i]) / parts;
+      const double width = static_cast<double>(breaks_[i + 1] - breaks_[i]) / parts;
       for (int k = 0; k < parts; ++k) {
-        const double rho = static_cast<double>(breaks[i]) + (k + 0.5) * width;
-        const RadialPosition<double> at{rho, 1.0 - rho};
-        double fraction = 2.0 * width * std::fabs(fine_.pressure(at) - coarse.pressure(at));
+        const double rho = static_cast<double>(breaks_[i]) + (k + 0.5) * width;
+        double fraction = 2.0 * width * std::fabs(pieces_(rho) - coarse(rho));
         for (double& moment : distance_) {
           moment += fraction;
           fraction *= rho;
@@ -164,22 +130,26 @@ class SamplesLaw final : public PressureLawOf<SamplesLaw> {
     }
   }
 
-  std::string name() const override { return fine_.name(); }
-  const std::vector<Extended>& breaks() const noexcept override { return fine_.breaks(); }
-  bool has_polynomial_pieces() const noexcept override { return true; }
+  std::string name() const override { return "samples:" + source_; }
+  const std::vector<Extended>& breaks() const noexcept override { return breaks_; }
 
   template <class Real>
   Real pressure(RadialPosition<Real> at) const noexcept {
-    return fine_.pressure(at);
+    return pieces_(at.radius);
   }
 
+  UnitForces<double> forces(double s, Slope slope) const noexcept override { return evaluators::ring(pieces_, s, slope).forces; }
+  evaluators::Quadrature<Extended> unrounded(Extended s, Slope slope) const noexcept override {
+    return evaluators::ring(pieces_, s, slope);
+  }
+  evaluators::Quadrature<double> line_profile(double t) const noexcept override { return evaluators::line_profile(pieces_, t); }
   WrenchEstimate evaluate(double s, Method method) const noexcept override {
-    WrenchEstimate estimate = fine_.evaluate(s, method);
+    WrenchEstimate estimate =
+        method == Method::automatic ? evaluators::rounded(unrounded(s, Slope::wanted)) : PressureLaw::evaluate(s, method);
     estimate.error.force += std::min(distance_[1], s * distance_[0]);
     estimate.error.moment += std::min(distance_[2], distance_[3] / s);
     return estimate;
   }
-  evaluators::Quadrature<Extended> unrounded(Extended s, Slope slope) const noexcept override { return fine_.unrounded(s, slope); }
   double profile_error() const noexcept override { return std::max(distance_[1], distance_[2]); }
 
  private:
@@ -219,7 +189,9 @@ class SamplesLaw final : public PressureLawOf<SamplesLaw> {
     return kept;
   }
 
-  ProfileLaw fine_;
+  std::string source_;
+  CubicPieces pieces_;
+  std::vector<Extended> breaks_;
   std::array<double, 4> distance_{};  // ∫ 2ρᵏδ dρ, k = 0 … 3
 };
 

@@ -256,7 +256,9 @@ struct Ellipse final : Shape {
     return there;
   }
   [[nodiscard]] double area() const override { return pi * a * b; }
-  [[nodiscard]] double nanoseconds() const noexcept override { return profile->is_polynomial() ? 30.0 : 5000.0; }
+  [[nodiscard]] double nanoseconds() const noexcept override {
+    return !profile->is_polynomial() ? 6000.0 : aspect() <= 3.0 ? 220.0 : 460.0;
+  }
   [[nodiscard]] SecondMoments second_moments() const override {
     // m(s) → ⟨ρ²⟩/(2s).
     constexpr double far = 1e6;

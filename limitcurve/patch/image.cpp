@@ -204,7 +204,7 @@ struct Image final : Shape {
   [[nodiscard]] double nanoseconds() const noexcept override {
     const double near =
         std::min(2.0 * near_columns() + 1.0, static_cast<double>(columns)) * std::min(2.0 * near_rows() + 1.0, static_cast<double>(rows));
-    return 70.0 * near + 1.5 * static_cast<double>(xs.size());
+    return 30.0 * near + (side_x == side_y ? 1.5 : 8.0) * static_cast<double>(xs.size());
   }
   [[nodiscard]] SecondMoments second_moments() const override { return moments; }
   [[nodiscard]] std::vector<PatchPoint> concentrations() const override {

@@ -138,7 +138,7 @@ struct Points final : Shape {
   [[nodiscard]] std::shared_ptr<Shape> smoothed(double least_radius) const override {
     return make_soft_points(stretched_loads(), least_radius);
   }
-  [[nodiscard]] double nanoseconds() const noexcept override { return 10.0 + 8.0 * static_cast<double>(loads.size()); }
+  [[nodiscard]] double nanoseconds() const noexcept override { return 10.0 + 4.0 * static_cast<double>(loads.size()); }
   [[nodiscard]] SecondMoments second_moments() const override { return moments_about(stretched_loads(), centre); }
   [[nodiscard]] std::vector<PatchPoint> concentrations() const override { return places_of(stretched_loads()); }
 };

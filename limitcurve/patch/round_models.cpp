@@ -339,18 +339,11 @@ std::vector<Candidate> choose(const Patch& patch, double tolerance) {
   if (!(tolerance >= 1e-10 && tolerance <= 1.0)) throw out_of_range("tolerance", tolerance, "1", "1e-10 <= tolerance <= 1");
   const Comparison comparison(patch);
   const RoundModel round = best_disc(comparison);
-  const double ellipsoid_error = comparison.error(ellipsoid(patch)).max_error;
-  const Candidate as_disc{round.name, round.parameter, round.error.max_error, shipped_costs::of("table").wrench};
-  const Candidate as_ellipsoid{"ellipsoid", patch.moment_ratio(), ellipsoid_error, shipped_costs::of("ellipse").wrench};
-  const Candidate itself{"patch", std::numeric_limits<double>::quiet_NaN(), 0.0, patch.nanoseconds()};
-  std::vector<Candidate> candidates{as_disc, itself};
-  // If the disc is accurate enough, leave out the ellipsoid, which is inaccurate even for a disc.
-  if (as_disc.error > tolerance) candidates.push_back(as_ellipsoid);
+  std::vector<Candidate> candidates{
+      {round.name, round.parameter, round.error.max_error, shipped_costs::of("table").wrench},
+      {"ellipsoid", patch.moment_ratio(), comparison.error(ellipsoid(patch)).max_error, shipped_costs::of("ellipse").wrench},
+      {"patch", std::numeric_limits<double>::quiet_NaN(), 0.0, patch.nanoseconds()}};
   choose_cheapest(candidates, tolerance);
-  if (as_disc.error <= tolerance) {
-    candidates.push_back(as_ellipsoid);
-    candidates.back().reason = in_percent(ellipsoid_error) + ", not needed: a disc will do";
-  }
   return candidates;
 }
 

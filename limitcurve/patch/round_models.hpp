@@ -40,8 +40,8 @@ struct EngineShape {
 /// The shapes and their errors against a patch. Throws like `round_models`.
 std::vector<EngineShape> engine_shapes(const Patch& patch);
 
-/// The disc, the ellipsoid and the patch itself as candidates, sorted by cost. `chosen` marks the disc if its error is at most `tolerance`,
-/// else the cheapest candidate that is accurate enough; the patch always is. Throws like `round_models`, and for a tolerance outside
+/// The disc, the ellipsoid and the patch itself as candidates, sorted by cost. `chosen` marks the cheapest that is accurate enough; the patch
+/// always is. Throws like `round_models`, and for a tolerance outside
 /// [1e-10, 1].
 std::vector<Candidate> choose(const Patch& patch, double tolerance);
 

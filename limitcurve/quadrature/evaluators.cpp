@@ -2,10 +2,9 @@
 #include "limitcurve/quadrature/evaluators.hpp"
 
 #include "limitcurve/quadrature/closed_form.hpp"
+#include "limitcurve/quadrature/cubic_pieces.hpp"
 #include "limitcurve/quadrature/elliptic.hpp"
 #include "limitcurve/quadrature/tanh_sinh.hpp"
-
-#include <boost/math/quadrature/gauss.hpp>
 
 #include <algorithm>
 #include <limits>
@@ -26,25 +25,10 @@ struct SplitPosition {
   Real from_cor;
 };
 
-/// The Gauss–Legendre rule of an even order on [0, length].
-template <unsigned order, class Real, class Integrand>
-Triple<Real> gauss(Integrand&& integrand, Real length) noexcept {
-  using Rule = boost::math::quadrature::gauss<Real, order>;
-  Triple<Real> sum{};
-  for (std::size_t i = 0; i < order / 2; ++i) {
-    const Real near = length / 2 * (1 - Rule::abscissa()[i]);
-    const Real far = length / 2 * (1 + Rule::abscissa()[i]);
-    const Triple<Real> left = integrand(near, far);
-    const Triple<Real> right = integrand(far, near);
-    for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += Rule::weights()[i] * length / 2 * (left[k] + right[k]);
-  }
-  return sum;
-}
-
 /// Sums ∫ kernel(position) dρ over the pieces between the breaks, split at s. The integrand is the kernel times rim^e with e =
 /// `rim_exponent` ≤ 0: on the last piece the substitution rim ∝ y^{1/(1+e)} absorbs that factor exactly.
 template <class Real, class Kernel>
-Quadrature<Real> integrate_pieces(const std::vector<Extended>& breaks, Real rim_exponent, bool polynomial, Real s, std::size_t wanted,
+Quadrature<Real> integrate_pieces(const std::vector<Extended>& breaks, Real rim_exponent, Real s, std::size_t wanted,
                                   Kernel&& kernel) noexcept {
   const auto outer = static_cast<Real>(breaks.back());
   Triple<Real> value{};
@@ -56,16 +40,8 @@ Quadrature<Real> integrate_pieces(const std::vector<Extended>& breaks, Real rim_
       return SplitPosition<Real>{{radius, (outer - right) + from_right}, from_cor};
     };
     Integrals<3, Real> piece;
-    const Real distance = std::max(left - s, s - right);
-    const auto evaluate = [&](Real x, Real y) { return kernel(at(x, y)); };
-    if (polynomial && distance >= 3 * (right - left)) {
-      // The kernel's singularity is at least 7 half-widths from the middle: the error of order n is 13.9^(−2n), here 1e-23.
-      piece.value = gauss<10>(evaluate, right - left);
-    } else if (polynomial && distance >= right - left) {
-      // 3 half-widths: 5.8^(−2n), here 1e-30.
-      piece.value = gauss<20>(evaluate, right - left);
-    } else if (rim_exponent == 0) {
-      piece = integrate<3>(evaluate, right - left, wanted);
+    if (rim_exponent == 0) {
+      piece = integrate<3>([&](Real x, Real y) { return kernel(at(x, y)); }, right - left, wanted);
     } else if (right < outer) {
       // Not the last piece, but the rim may be one rounding from its end.
       piece = integrate<3>(
@@ -110,24 +86,49 @@ Quadrature<Real> integrate_pieces(const std::vector<Extended>& breaks, Real rim_
   return {{value[0], value[1], value[2]}, {error[0], error[1], error[2]}};
 }
 
+/// Force, moment and slope of a ring of radius ρ that carries the unit load; `from_cor` is |ρ − s|.
+template <class Real>
+Triple<Real> ring_kernel(Real rho, Real s, Real from_cor) noexcept {
+  const Real larger = std::max(rho, s);
+  const Real q = std::min(rho, s) / larger;
+  const Real complement = from_cor / larger * ((rho + s) / larger);
+  const auto [b, d] = elliptic_pair(q, complement);
+  const Real e = b + complement * d;
+  constexpr auto scale = static_cast<Real>(2 / pi);
+  if (rho <= s) return {scale * e, scale * rho * q * b, scale * q * d * (q / s)};
+  return {scale * q * b, scale * rho * e, scale * d / rho};
+}
+
 template <class Real>
 Quadrature<Real> ring_in(const PressureLaw& law, Real s, Slope slope) noexcept {
-  // At s = ∞ the kernel below is ∞/∞: use its limit.
+  // At s = ∞ the kernel is ∞/∞: use its limit.
   if (std::isinf(s)) return {{1, 0, 0}, {0, 0, 0}};
-  return integrate_pieces(law.breaks(), static_cast<Real>(law.rim_exponent()), law.has_polynomial_pieces(), s,
-                          slope == Slope::wanted ? 3 : 2, [&](const SplitPosition<Real>& position) -> Triple<Real> {
-                            const auto [rho, rim] = position.at;
+  return integrate_pieces(law.breaks(), static_cast<Real>(law.rim_exponent()), s, slope == Slope::wanted ? 3 : 2,
+                          [&](const SplitPosition<Real>& position) -> Triple<Real> {
+                            const Real rho = position.at.radius;
                             // The contribution is negligible there, and an unbounded density would overflow.
                             if (rho < std::numeric_limits<Real>::min()) return {0, 0, 0};
-                            const Real weight = static_cast<Real>(4 / pi) * rho * law.density(position.at);
-                            const Real larger = std::max(rho, s);
-                            const Real q = std::min(rho, s) / larger;
-                            const Real complement = position.from_cor / larger * ((rho + s) / larger);
-                            const auto [b, d] = elliptic_pair(q, complement);
-                            const Real e = b + complement * d;
-                            if (rho <= s) return {weight * e, weight * rho * q * b, weight * q * d * (q / s)};
-                            return {weight * q * b, weight * rho * e, weight * d / rho};
+                            const Real weight = 2 * rho * law.density(position.at);
+                            Triple<Real> result = ring_kernel(rho, s, position.from_cor);
+                            for (Real& r : result) r *= weight;
+                            return result;
                           });
+}
+
+template <class Real>
+Quadrature<Real> ring_in(const CubicPieces& pressure, Real s, Slope slope) noexcept {
+  if (std::isinf(s)) return {{1, 0, 0}, {0, 0, 0}};
+  const auto [value, error] =
+      pressure.integrate(s, slope == Slope::wanted ? 3 : 2, [&](Real rho, Real from_cor) { return ring_kernel(rho, s, from_cor); });
+  return {{value[0], value[1], value[2]}, {error[0], error[1], error[2]}};
+}
+
+/// G′ and N of a ring of radius ρ that carries the unit load: (2/π) asin(t/ρ) and (2/π)√(ρ² − t²) where t < ρ, else 1 and 0.
+Triple<double> line_kernel(double rho, double t, double from_t) noexcept {
+  if (rho <= t) return {1.0, 0.0, 0.0};
+  constexpr auto scale = static_cast<double>(2 / pi);
+  const double half_chord = std::sqrt(from_t * (rho + t));
+  return {scale * std::atan2(t, half_chord), scale * half_chord, 0.0};
 }
 
 }  // namespace
@@ -139,21 +140,27 @@ Quadrature<double> ring(const PressureLaw& law, double s, Slope slope) noexcept 
   return ring_in(law, s, slope);
 }
 
+Quadrature<Extended> ring(const CubicPieces& pressure, Extended s, Slope slope) noexcept {
+  return ring_in(pressure, s, slope);
+}
+Quadrature<double> ring(const CubicPieces& pressure, double s, Slope slope) noexcept {
+  return ring_in(pressure, s, slope);
+}
+
 Quadrature<Extended> punch(const PressureLaw& law, Extended s) noexcept {
-  return integrate_pieces(law.breaks(), law.punch_exponent(), false, s, 3,
-                          [&](const SplitPosition<Extended>& position) -> Triple<Extended> {
-                            const Extended t = position.at.radius;
-                            const Extended weight = law.punch_density(position.at).value_or(0);
-                            const UnitForces<Extended> flat = closed_form::flat_punch(s / t);
-                            return {weight * flat.force, weight * t * flat.moment, weight * flat.force_slope / t};
-                          });
+  return integrate_pieces(law.breaks(), law.punch_exponent(), s, 3, [&](const SplitPosition<Extended>& position) -> Triple<Extended> {
+    const Extended t = position.at.radius;
+    const Extended weight = law.punch_density(position.at).value_or(0);
+    const UnitForces<Extended> flat = closed_form::flat_punch(s / t);
+    return {weight * flat.force, weight * t * flat.moment, weight * flat.force_slope / t};
+  });
 }
 
 Quadrature<Extended> direct(const PressureLaw& law, Extended s) noexcept {
   if (std::isinf(s)) return {{1, 0, 0}, {0, 0, 0}};
   Triple<Extended> inner_error{};
   Quadrature<Extended> estimate =
-      integrate_pieces(law.breaks(), law.rim_exponent(), false, s, 3, [&](const SplitPosition<Extended>& position) -> Triple<Extended> {
+      integrate_pieces(law.breaks(), law.rim_exponent(), s, 3, [&](const SplitPosition<Extended>& position) -> Triple<Extended> {
         const auto [rho, rim] = position.at;
         const Extended weight = 2 / pi * rho * law.density(position.at);
         const Extended gap = rho < s ? position.from_cor : -position.from_cor;  // s − ρ
@@ -184,16 +191,18 @@ Quadrature<Extended> direct(const PressureLaw& law, Extended s) noexcept {
 }
 
 Quadrature<double> line_profile(const PressureLaw& law, double t) noexcept {
-  // A ring of radius ρ gives G′ = (2/π) asin(t/ρ) and N = (2/π)√(ρ² − t²) where t < ρ, else 1 and 0.
-  return integrate_pieces(law.breaks(), static_cast<double>(law.rim_exponent()), law.has_polynomial_pieces(), t, 2,
+  return integrate_pieces(law.breaks(), static_cast<double>(law.rim_exponent()), t, 2,
                           [&](const SplitPosition<double>& position) -> Triple<double> {
-                            const double rho = position.at.radius;
-                            const double weight = 2.0 * rho * law.density(position.at);
-                            if (rho <= t) return {weight, 0.0, 0.0};
-                            const double fraction = weight * static_cast<double>(2 / pi);
-                            const double half_chord = std::sqrt(position.from_cor * (rho + t));
-                            return {fraction * std::atan2(t, half_chord), fraction * half_chord, 0.0};
+                            const double weight = 2.0 * position.at.radius * law.density(position.at);
+                            Triple<double> result = line_kernel(position.at.radius, t, position.from_cor);
+                            for (double& r : result) r *= weight;
+                            return result;
                           });
+}
+
+Quadrature<double> line_profile(const CubicPieces& pressure, double t) noexcept {
+  const auto [value, error] = pressure.integrate(t, 2, [&](double rho, double from_t) { return line_kernel(rho, t, from_t); });
+  return {{value[0], value[1], 0.0}, {error[0], error[1], 0.0}};
 }
 
 WrenchEstimate rounded(const Quadrature<Extended>& estimate) noexcept {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "limitcurve/internal/interruption.hpp"
 #include "limitcurve/law.hpp"
 #include "limitcurve/table.hpp"
 
@@ -22,9 +23,14 @@ struct Sample {
 /// The curve from which a table is built.
 struct Source {
   std::string name;
-  std::function<Sample(bool outside, double x)> at;
+  std::function<Sample(bool outside, double x)> sample;
   std::vector<double> breaks;  ///< s where the curve is not smooth, if known; without the rim and the ends
   double profile_error = 0.0;  ///< the table's profile_error
+
+  [[nodiscard]] Sample at(bool outside, double x) const {
+    if (between_samples != nullptr) between_samples();
+    return sample(outside, x);
+  }
 };
 
 /// The table of a curve with |error| ≤ tolerance·max(force_max, m_max), certified in the arithmetic of the table; nothing if that is not

@@ -82,12 +82,18 @@ void Piece::look_between(const Source& source, bool outside, double limit) {
     if (left_ == 0.0) look(fraction * right_);
     if (right_ == 1.0) look(1.0 - fraction * (1.0 - left_));
   }
-  for (const double s : source.breaks) {
-    const double at = outside ? 1.0 / s : s;
+  // Around each break, as far as its neighbours, which have samples of their own.
+  const std::vector<double>& breaks = source.breaks;
+  for (std::size_t i = 0; i < breaks.size(); ++i) {
+    const auto place_of = [&](std::size_t k) { return outside ? 1.0 / breaks[k] : breaks[k]; };
+    const double at = place_of(i);
+    const double before = i > 0 ? std::fabs(at - place_of(i - 1)) : 1.0;
+    const double after = i + 1 < breaks.size() ? std::fabs(place_of(i + 1) - at) : 1.0;
     look(at);
     for (const double fraction : {0.01, 0.02, 0.035, 0.05, 0.07, 0.1, 0.14}) {
-      look(at - fraction * (right_ - left_));
-      look(at + fraction * (right_ - left_));
+      const double step = fraction * (right_ - left_);
+      if (step < (outside ? after : before)) look(at - step);
+      if (step < (outside ? before : after)) look(at + step);
     }
   }
 }

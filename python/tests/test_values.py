@@ -2,6 +2,8 @@
 """Laws, tables, fingers, batches and patches: shapes, types of numbers, and values against independent results."""
 
 import math
+import signal
+import time
 
 import limitcurve as lc
 import limitcurve.plot
@@ -338,3 +340,23 @@ def test_an_empty_list_is_not_all_laws():
     for call in (lc.validate, lambda laws: lc.validate(patch=laws), lambda laws: lc.run("eval", law=laws, c=1), lambda laws: lc.plot.limit_curve(laws, ax=0)):
         with pytest.raises(ValueError, match="got an empty list"):
             call([])
+
+
+@pytest.mark.parametrize("build", [lambda law: lc.Table(law, tolerance=1e-13), lambda law: lc.choose(law, tolerance=1e-10)])
+def test_ctrl_c_ends_the_making_of_a_table(build):
+    radius = np.linspace(0, 1, 2000)
+    law = lc.Law.samples(radius, np.sqrt(1 - radius**2) * (1 + 0.5 * np.random.default_rng(1).random(2000)))
+
+    def interrupt(*_):
+        raise KeyboardInterrupt
+
+    before = signal.signal(signal.SIGALRM, interrupt)
+    began = time.process_time()
+    signal.setitimer(signal.ITIMER_REAL, 0.3)
+    try:
+        with pytest.raises(KeyboardInterrupt):
+            build(law)
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, before)
+    assert time.process_time() - began < 2

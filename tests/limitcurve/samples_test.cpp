@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "limitcurve/accuracy.hpp"
 #include "limitcurve/laws.hpp"
+#include "limitcurve/quadrature/evaluators.hpp"
 #include "limitcurve/table.hpp"
 #include "tests/repetitions.hpp"
 
@@ -9,6 +10,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <ctime>
+#include <limits>
+#include <memory>
 #include <random>
 #include <vector>
 
@@ -175,6 +179,80 @@ TEST(Samples, TabulatesWithinItsBudget) {
   EXPECT_LE(table.bytes(), 4096U);
   const std::array<PressureSample, 6> ring{{{0.0, 0.0}, {1.0, 0.0}, {2.0, 0.0}, {2.0, 3.0}, {3.0, 3.0}, {4.0, 3.0}}};
   EXPECT_LE(Table::build(samples(ring, "ring.csv"), 1e-8).bytes(), 65536U);
+}
+
+/// Hertz with noise, which the cubics follow.
+std::vector<PressureSample> many_samples(std::size_t count, double noise) {
+  return sampled([](double r) { return std::sqrt((1.0 - r) * (1.0 + r)); }, count, noise);
+}
+
+// Intervals of pieces away from the COR are integrated together; tanh-sinh integrates each piece alone.
+TEST(Samples, OfManyPiecesHaveTheWrenchThatEachPieceAloneGives) {
+  for (const std::size_t count : {5U, 60U, 300U}) {
+    const Law law = samples(many_samples(count, 0.3), "noisy.csv");
+    std::vector<double> places(cors.begin(), cors.end());
+    for (const std::size_t i : {1U, 2U, 3U}) {
+      const auto at = static_cast<double>(law->breaks()[i * count / 5]);
+      places.insert(places.end(), {at, at * (1.0 + 1e-15), at * (1.0 - 1e-9)});
+    }
+    for (const double s : places) {
+      const WrenchEstimate together = law->evaluate(s);
+      const WrenchEstimate alone = law->evaluate(s, Method::ring);
+      const UnitForces<double> forces = law->forces(s);
+      constexpr double bound = accuracy::has_extended ? 4e-16 : accuracy::evaluate_by_quadrature;
+      EXPECT_NEAR(together.wrench.force, alone.wrench.force, bound * alone.wrench.force) << count << ' ' << s;
+      EXPECT_NEAR(together.wrench.moment, alone.wrench.moment, bound * alone.wrench.moment) << count << ' ' << s;
+      EXPECT_NEAR(together.force_slope, alone.force_slope, 1e-13 * alone.force_slope) << count << ' ' << s;
+      EXPECT_NEAR(forces.force, alone.wrench.force, 1e-14 * alone.wrench.force) << count << ' ' << s;
+      EXPECT_NEAR(forces.moment, alone.wrench.moment, 1e-14 * alone.wrench.moment) << count << ' ' << s;
+    }
+  }
+}
+
+// Sixteen times as many samples took ten times as long.
+TEST(Samples, AWrenchOfManySamplesCostsLittleMoreThanOfFew) {
+  const auto time_of = [](std::size_t count) {
+    const Law law = samples(many_samples(count, 0.3), "noisy.csv");
+    std::clock_t best = std::numeric_limits<std::clock_t>::max();
+    double sum = 0.0;
+    for (int i = 0; i < 5; ++i) {
+      const std::clock_t begin = std::clock();
+      for (int k = 0; k < 200; ++k) sum += law->forces(0.005 * (k + 0.5)).force;
+      best = std::min(best, std::clock() - begin);
+    }
+    EXPECT_GT(sum, 0.0);
+    return best;
+  };
+  EXPECT_LT(time_of(3200), 4 * time_of(200));
+}
+
+/// Counts the wrenches that a table of a law takes.
+class Counted final : public PressureLawOf<Counted> {
+ public:
+  explicit Counted(Law law) : law_(std::move(law)) {}
+  std::string name() const override { return law_->name(); }
+  const std::vector<Extended>& breaks() const noexcept override { return law_->breaks(); }
+  template <class Real>
+  Real pressure(RadialPosition<Real> at) const noexcept {
+    return law_->density(at);
+  }
+  UnitForces<double> forces(double s, Slope slope) const noexcept override {
+    ++count;
+    return law_->forces(s, slope);
+  }
+  WrenchEstimate evaluate(double s, Method method) const noexcept override { return law_->evaluate(s, method); }
+  evaluators::Quadrature<Extended> unrounded(Extended s, Slope slope) const noexcept override { return law_->unrounded(s, slope); }
+  mutable std::size_t count = 0;
+
+ private:
+  Law law_;
+};
+
+// It took 80 000: fifteen around each sample for each cell that was tried.
+TEST(Samples, ATableOfAThousandTakesFewWrenches) {
+  const auto law = std::make_shared<Counted>(samples(many_samples(1000, 0.0), "hertz.csv"));
+  EXPECT_LE(Table::build(law, 1e-8).certified_error(), 1e-8);
+  EXPECT_LT(law->count, 15000U);
 }
 
 TEST(Samples, RefusesWhatIsNoProfile) {

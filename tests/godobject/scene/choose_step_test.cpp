@@ -105,7 +105,7 @@ TEST(ChooseStep, TakesTheCheapestThatIsGoodEnough) {
     EXPECT_LE(best.error, tolerance);
     EXPECT_EQ(std::count_if(choice.candidates.begin(), choice.candidates.end(), [](const auto& candidate) { return candidate.chosen; }), 1);
     for (const Candidate& other : choice.candidates) {
-      if (other.nanoseconds < best.nanoseconds) {
+      if (other.nanoseconds < best.nanoseconds / (1.0 + cost_tie)) {
         EXPECT_GT(other.error, tolerance) << other.model;
       }
     }
@@ -116,7 +116,7 @@ TEST(ChooseStep, APureDragNeedsNoTorsion) {
   Scene drag = scene();
   drag.twist_rate = 0.0;
   const StepChoice choice = choose_step(drag, 1e-4);
-  EXPECT_LT(choice.effects.torsion, 1e-14);  // rounding
+  EXPECT_LT(choice.effects.torsion.largest, 1e-14);  // rounding
   EXPECT_EQ(chosen(choice).model, "no torsion");
   EXPECT_EQ(choice.verdict.find("no torsion is needed"), 0U) << choice.verdict;
 }
@@ -125,8 +125,8 @@ TEST(ChooseStep, APureTwistNeedsNoCoupling) {
   Scene twist = scene();
   twist.slide_speed = 0.0;
   const StepChoice choice = choose_step(twist, 1e-6);
-  EXPECT_NEAR(choice.effects.torsion / error_margin, 1.0, 1e-9);  // all of the moment
-  EXPECT_LT(choice.effects.coupling, 1e-9);
+  EXPECT_NEAR(choice.effects.torsion.largest, 1.0, 1e-9);  // all of the moment
+  EXPECT_LT(choice.effects.coupling.largest, 1e-9);
   EXPECT_EQ(choice.verdict.find("uncoupled will do"), 0U) << choice.verdict;
 }
 
@@ -135,8 +135,8 @@ TEST(ChooseStep, WhatIsHeldNeedsNoCouplingEither) {
   held.slide = 0.2 * held.mu * held.least_load / held.stiffness;
   held.twist = 0.2 * 0.589 * held.mu * held.least_load * 0.006 / held.twist_stiffness;
   const StepChoice choice = choose_step(held, 0.01);
-  EXPECT_LT(choice.effects.coupling, 1e-9);
-  EXPECT_GT(choice.effects.torsion, 0.1);
+  EXPECT_LT(choice.effects.coupling.largest, 1e-9);
+  EXPECT_GT(choice.effects.torsion.largest, 0.1);
   EXPECT_EQ(choice.verdict.find("uncoupled will do"), 0U) << choice.verdict;
 }
 
@@ -145,7 +145,38 @@ TEST(ChooseStep, SlidingAndTwistingAtOnceNeedsCoupling) {
   EXPECT_EQ(choice.verdict.find("coupling is needed"), 0U) << choice.verdict;
   EXPECT_EQ(chosen(choice).model, "table/closest-point");
   // For a box, with both at their limits in its corner.
-  EXPECT_GT(choice.effects.coupling, 0.4);
+  EXPECT_GT(choice.effects.coupling.largest, 0.2);
+  // No component changes by more than from one limit to the other. Twice the largest was stated as a fact: 337 % without torsion.
+  for (const Effect& effect : {choice.effects.torsion, choice.effects.coupling, choice.effects.curve, choice.effects.projection}) {
+    EXPECT_LE(effect.median, effect.percentile_99);
+    EXPECT_LE(effect.percentile_99, effect.largest);
+    EXPECT_LE(effect.largest, 2.0);
+    EXPECT_NE(choice.verdict.find(in_percent(effect.percentile_99) + ", " + in_percent(effect.largest)), std::string::npos)
+        << choice.verdict;
+  }
+  EXPECT_NE(choice.verdict.find("Decided by 2 times the largest"), std::string::npos) << choice.verdict;
+}
+
+// A Gaussian's nominal radius is any length: σ = 50 of 60 µm is σ = 0.5 of 6 mm. Errors were 0.61 and 0.36, and a table with an error of 0.044
+// was chosen for a tolerance of 0.01.
+TEST(ChooseStep, UnitsOfLengthDoNotMatter) {
+  const auto choice_for = [](double sigma) {
+    Scene one = scene();
+    one.law = gaussian(sigma);
+    one.radius_law = RadiusLaw::constant(0.003 / sigma);
+    return choose_step(one, 0.01);
+  };
+  const StepChoice choice = choice_for(0.5);
+  for (const double sigma : {0.005, 50.0}) {
+    const StepChoice same = choice_for(sigma);
+    ASSERT_EQ(same.candidates.size(), choice.candidates.size());
+    for (std::size_t i = 0; i < choice.candidates.size(); ++i) {
+      EXPECT_EQ(same.candidates[i].model, choice.candidates[i].model);
+      EXPECT_EQ(same.candidates[i].chosen, choice.candidates[i].chosen) << same.candidates[i].model;
+      EXPECT_NEAR(same.candidates[i].error, choice.candidates[i].error, 0.003) << same.candidates[i].model;
+    }
+    EXPECT_LE(chosen(same).error, 0.01);
+  }
 }
 
 // What the chosen step and each simplification change on random motions stays near what `choose_step` found on its own.
@@ -158,9 +189,9 @@ TEST(ChooseStep, RandomMotionsBearItOut) {
   const RadiusLaw mean = RadiusLaw::constant(soft.radius_law.radius(0.5 * (soft.least_load + soft.most_load)));
   constexpr unsigned seeds = repetitions(3);
   for (unsigned seed = 1; seed <= seeds; ++seed) {
-    const auto expect = [&](const char* what, double found, double error) {
-      EXPECT_LT(error, found + 1e-6) << what;
-      EXPECT_GT(error, 0.1 * found / error_margin) << what;
+    const auto expect = [&](const char* what, const Effect& found, double error) {
+      EXPECT_LT(error, error_margin * found.largest + 1e-6) << what;
+      EXPECT_GT(error, 0.1 * found.largest) << what;
     };
     expect("coupling", choice.effects.coupling, witnessed(soft, seed, CurveKind::box, Projection::closest_point, soft.radius_law));
     expect("curve", choice.effects.curve, witnessed(soft, seed, CurveKind::ellipse, Projection::closest_point, soft.radius_law));
@@ -175,7 +206,7 @@ TEST(ChooseStep, SamplingThatIsTooSlowIsSaid) {
   slow.sample_time = 0.05;
   slow.slide_speed = 0.2;
   const StepChoice choice = choose_step(slow, 0.01);
-  EXPECT_GT(choice.effects.sampling, 0.01);
+  EXPECT_GT(choice.effects.sampling.largest, 0.01);
   EXPECT_NE(choice.verdict.find("sample faster"), std::string::npos) << choice.verdict;
   Scene fast = scene();
   fast.sample_time = std::min(fast.sample_time, 0.01);

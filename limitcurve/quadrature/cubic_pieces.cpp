@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#include "limitcurve/quadrature/cubic_pieces.hpp"
+
+#include <limits>
+#include <utility>
+
+namespace limitcurve {
+
+CubicPieces::CubicPieces(std::vector<Piece> pieces) : pieces_(std::move(pieces)) {
+  intervals_.reserve(2 * pieces_.size());
+  add_interval(0, pieces_.size());
+}
+
+std::size_t CubicPieces::add_interval(std::size_t begin, std::size_t end) {
+  const std::size_t index = intervals_.size();
+  const Extended left = pieces_[begin].left;
+  const Extended right = pieces_[end - 1].left + pieces_[end - 1].width;
+  intervals_.push_back({left, right, begin, 0, {}});
+  const Extended half = (right - left) / 2;
+  std::vector<Mass> masses;
+  if (end - begin == 1) {
+    using Rule = boost::math::quadrature::gauss<Extended, 20>;
+    for (std::size_t i = 0; i < Rule::abscissa().size(); ++i) {
+      for (const int side : {-1, 1}) {
+        const Extended radius = left + half * (1 + static_cast<Extended>(side) * Rule::abscissa()[i]);
+        masses.push_back({radius, half * Rule::weights()[i] * 2 * radius * pieces_[begin](radius)});
+      }
+    }
+  } else {
+    const std::size_t middle = begin + (end - begin) / 2;
+    for (const std::size_t part : {add_interval(begin, middle), add_interval(middle, end)}) {
+      masses.insert(masses.end(), intervals_[part].rule.begin(), intervals_[part].rule.end());
+    }
+  }
+  intervals_[index].rule = gauss_rule(masses, left + half, half);
+  intervals_[index].next = intervals_.size();
+  return index;
+}
+
+std::array<CubicPieces::Mass, CubicPieces::order> CubicPieces::gauss_rule(const std::vector<Mass>& masses, Extended middle, Extended half) {
+  // The polynomials p_k that are orthogonal under the masses, p_(k+1) = (x − a_k) p_k − b_k p_(k−1) (Stieltjes), x from −1 to 1.
+  std::array<Extended, order> a{};
+  std::array<Extended, order> b{};
+  std::array<Extended, order> norm{};
+  std::vector<Extended> p(masses.size(), 1);
+  std::vector<Extended> before(masses.size(), 0);
+  for (std::size_t k = 0; k < order; ++k) {
+    for (std::size_t i = 0; i < masses.size(); ++i) {
+      const Extended square = masses[i].mass * p[i] * p[i];
+      norm[k] += square;
+      a[k] += square * (masses[i].radius - middle) / half;
+    }
+    std::array<Mass, order> none;
+    none.fill({middle, 0});
+    if (!(norm[k] > 0)) return none;
+    a[k] /= norm[k];
+    if (k > 0) b[k] = norm[k] / norm[k - 1];
+    for (std::size_t i = 0; i < masses.size(); ++i) {
+      before[i] = ((masses[i].radius - middle) / half - a[k]) * p[i] - b[k] * before[i];
+      std::swap(before[i], p[i]);
+    }
+  }
+  // The nodes are the roots of the last polynomial: Newton's method from the right, with the roots already found divided out. The masses are
+  // Christoffel's numbers, 1/Σ p_k²/norm_k.
+  std::array<Mass, order> rule;
+  std::array<Extended, order> roots{};
+  for (std::size_t found = 0; found < order; ++found) {
+    Extended x = 1;
+    Extended sum = 0;
+    Extended step = 1;
+    for (int attempt = 0; attempt < 100 && std::fabs(step) > std::numeric_limits<Extended>::epsilon(); ++attempt) {
+      std::array<Extended, 2> last{0, 0};  // a polynomial and its slope
+      std::array<Extended, 2> next{1, 0};
+      sum = 0;
+      for (std::size_t k = 0; k < order; ++k) {
+        sum += next[0] * next[0] / norm[k];
+        last = {(x - a[k]) * next[0] - b[k] * last[0], next[0] + (x - a[k]) * next[1] - b[k] * last[1]};
+        std::swap(last, next);
+      }
+      Extended slope = next[1];
+      for (std::size_t i = 0; i < found; ++i) slope -= next[0] / (x - roots[i]);
+      step = next[0] / slope;
+      x -= step;
+    }
+    rule[found] = {middle + half * x, 1 / sum};
+    roots[found] = x;
+  }
+  return rule;
+}
+
+}  // namespace limitcurve
