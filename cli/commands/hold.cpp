@@ -106,7 +106,7 @@ class Hold final : public Subcommand {
         if (!is_round) cell(need.fy);
         cell(need.moment);
         cell(hold);
-        if (load) cell(hold == 0.0 ? 1.0 : *load == 0.0 || mu_ == 0.0 ? 0.0 : std::clamp(1.0 - gauge(need, *load), 0.0, 1.0));
+        if (load) cell(hold == 0.0 ? 1.0 : *load == 0.0 || mu_ == 0.0 ? 0.0 : std::max(0.0, 1.0 - gauge(need, *load)));
       });
     };
     if (!reader) {

@@ -74,3 +74,9 @@ def test_the_traps_of_the_page_which_number_do_i_type():
         disc = f'type="cylinder" size="{radius} 0.0005" condim="3" friction="0.8 0 0"'
         found, normal = spinning('condim="3" friction="0.8 0 0"', disc, 0.0005)
         assert found / normal == pytest.approx(moment, rel=1e-3)
+    # Without torsion: three balls on a circle of radius m0 a have the moment of the contact.
+    lever = mu_r / 0.8
+    places = [(lever * np.cos(turn), lever * np.sin(turn)) for turn in (0, 2 * np.pi / 3, 4 * np.pi / 3)]
+    balls = '/><geom mass="0" '.join(f'type="sphere" size="0.02" pos="{x} {y} 0" condim="3" friction="0.8 0 0"' for x, y in places)
+    found, normal = spinning('condim="3" friction="0.8 0 0"', balls, 0.02)
+    assert found / normal == pytest.approx(mu_r, rel=1e-3)
