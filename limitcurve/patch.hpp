@@ -105,7 +105,8 @@ class Patch {
   [[nodiscard]] PatchWrench wrench(const PatchTwist& twist) const noexcept { return evaluate(twist).wrench; }
 
   /// The gauge of a wrench in units of μP about the centre of pressure: 0 for wrench 0, 1 on the limit surface, more where the patch slips;
-  /// inf for a moment that all load on one point must bear. Relative error 1e-12 plus the patch's own. Cost: 30 to 170 wrenches.
+  /// inf for a moment that all load on one point must bear. Relative error 1e-12 plus the patch's own. Cost: 30 to 80 wrenches, 200 for two
+  /// points.
   [[nodiscard]] double gauge(const PatchWrench& wrench) const noexcept;
 
   /// Centre of pressure [m].
