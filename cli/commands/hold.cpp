@@ -5,7 +5,6 @@
 #include "cli/io/patch_argument.hpp"
 
 #include "godobject/finger_curve.hpp"
-#include "godobject/scene/pivot.hpp"
 #include "limitcurve/patch.hpp"
 
 #include <algorithm>
@@ -148,7 +147,7 @@ class Hold final : public Subcommand {
   std::optional<double> fingers_;
   std::optional<double> mass_;
   std::optional<double> offset_;
-  double gravity_ = godobject::PivotOptions().gravity;
+  double gravity_ = 9.81;
   std::array<double, 2> loads_{std::numeric_limits<double>::infinity(), 0.0};  ///< smallest and largest that hold
 };
 
