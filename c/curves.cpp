@@ -2,6 +2,7 @@
 #include "c/handles.hpp"
 
 #include "limitcurve/approximations.hpp"
+#include "limitcurve/contact_radius.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/table_file.hpp"
 
@@ -156,4 +157,18 @@ limitcurve_status limitcurve_table_gauge(const limitcurve_table* table, const do
   };
   table->table ? write(*table->table) : write(table->curve);
   return LIMITCURVE_OK;
+}
+
+limitcurve_status limitcurve_table_load_to_hold(const limitcurve_table* table, double mu, const char* radius_law, const double* forces,
+                                                const double* moments, size_t count, double* loads) {
+  if (is_no_handle("table", table) || is_missing("radius_law", radius_law)) return LIMITCURVE_INVALID;
+  if (count > 0 && (is_missing("forces", forces) || is_missing("moments", moments) || is_missing("loads", loads)))
+    return LIMITCURVE_INVALID;
+  return guarded([&] {
+    const RadiusLaw radius = RadiusLaw::parse(radius_law);
+    const auto write = [&](const auto& curve) {
+      for (std::size_t i = 0; i < count; ++i) loads[i] = load_to_hold(curve, radius, mu, forces[i], moments[i]);
+    };
+    table->table ? write(*table->table) : write(table->curve);
+  });
 }

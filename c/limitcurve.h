@@ -116,6 +116,11 @@ LIMITCURVE_API limitcurve_status limitcurve_table_evaluate(const limitcurve_tabl
 LIMITCURVE_API limitcurve_status limitcurve_table_gauge(const limitcurve_table* table, const double* forces, const double* moments,
                                                         size_t count, double* gauges);
 
+/* The smallest loads [N] under which a contact of friction `mu` >= 0 and contact radius `radius_law` (as in limitcurve_finger_parameters)
+ * bears forces [N] and moments [N m] >= 0; inf where no load holds. */
+LIMITCURVE_API limitcurve_status limitcurve_table_load_to_hold(const limitcurve_table* table, double mu, const char* radius_law,
+                                                               const double* forces, const double* moments, size_t count, double* loads);
+
 /* ---- Friction ---- */
 
 /* How a wrench outside the limit curve moves back onto it. */
@@ -335,6 +340,11 @@ LIMITCURVE_API void limitcurve_patch_free(limitcurve_patch* patch);
  * numbers each, for mu = 1 and load 1. Their powers [m/s] and the bounds of their errors may be NULL. [real time] */
 LIMITCURVE_API limitcurve_status limitcurve_patch_wrench(const limitcurve_patch* patch, const double* twists, size_t count,
                                                          double* wrenches, double* powers, double* errors);
+
+/* The smallest loads [N] under which the patch bears `count` wrenches (fx, fy, moment) [N, N m] about the origin, three numbers each, with
+ * friction `mu` >= 0; inf where no load holds. */
+LIMITCURVE_API limitcurve_status limitcurve_patch_load_to_hold(const limitcurve_patch* patch, double mu, const double* wrenches,
+                                                               size_t count, double* loads);
 
 /* ---- Fits ---- */
 

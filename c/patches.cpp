@@ -66,3 +66,15 @@ limitcurve_status limitcurve_patch_wrench(const limitcurve_patch* patch, const d
   }
   return LIMITCURVE_OK;
 }
+
+limitcurve_status limitcurve_patch_load_to_hold(const limitcurve_patch* patch, double mu, const double* wrenches, size_t count,
+                                                double* loads) {
+  if (is_no_handle("patch", patch)) return LIMITCURVE_INVALID;
+  if (count > 0 && (is_missing("wrenches", wrenches) || is_missing("loads", loads))) return LIMITCURVE_INVALID;
+  return guarded([&] {
+    for (std::size_t i = 0; i < count; ++i) {
+      const double* const wrench = wrenches + 3 * i;
+      loads[i] = load_to_hold(patch->patch, mu, {wrench[0], wrench[1], wrench[2]});
+    }
+  });
+}

@@ -46,7 +46,7 @@ std::vector<Entry> make_entries() {
 #ifdef LIMITCURVE_HAS_FIT
         make_fit, make_translate,
 #endif
-        make_replay, make_pivot, make_patch
+        make_replay, make_pivot, make_hold, make_patch
 #ifdef LIMITCURVE_HAS_FIT
         ,
         make_report

@@ -7,37 +7,7 @@
 #include <cmath>
 #include <cstdio>
 #include <numbers>
-#include <utility>
 #include <vector>
-
-namespace {
-
-/// The fraction of friction that a wrench about the centre of pressure uses: the largest W·T/(μP H(T)) over all twists, by a search over
-/// directions with shrinking steps. (A control loop uses `margin` and `load_to_hold` of godobject/soft_finger.hpp.)
-double used(const limitcurve::Patch& patch, const limitcurve::PatchWrench& wrench, double friction) {
-  const double arm = patch.moment_ratio();
-  double azimuth = std::atan2(wrench.fy, wrench.fx);
-  double height = std::atan2(wrench.moment / arm, std::hypot(wrench.fx, wrench.fy));
-  const auto share = [&](double a, double h) {
-    const limitcurve::PatchTwist twist{std::cos(h) * std::cos(a), std::cos(h) * std::sin(a), std::sin(h) / arm};
-    return (wrench.fx * twist.vx + wrench.fy * twist.vy + wrench.moment * twist.omega) / (friction * patch.power(twist));
-  };
-  double best = share(azimuth, height);
-  for (double step = 0.5; step > 1e-7;) {
-    const double before = best;
-    for (const auto& [da, dh] : {std::pair{step, 0.0}, {-step, 0.0}, {0.0, step}, {0.0, -step}}) {
-      const double there = share(azimuth + da, height + dh);
-      if (there <= best) continue;
-      best = there;
-      azimuth += da;
-      height += dh;
-    }
-    if (best == before) step /= 2.0;
-  }
-  return best;
-}
-
-}  // namespace
 
 int main() {
   // A tactile pad of 12 × 8 taxels of 1 mm on an oblique edge: a long, narrow contact.
@@ -60,18 +30,17 @@ int main() {
   const double mu = 0.5;
   const double load = 10.0;
   const limitcurve::PatchWrench weight{0.0, -3.0, 0.006};
-  const double share = used(contact, weight, mu * load);
-  const double share_of_disc = used(disc, weight, mu * load);
+  const double needed = load_to_hold(contact, mu, weight);
+  const double needed_by_disc = load_to_hold(disc, mu, weight);
   std::printf("largest moment: %.3f mN m, %.3f for the disc of equal area\n", 1e3 * mu * load * contact.moment_ratio(),
               1e3 * mu * load * disc.moment_ratio());
-  std::printf("slip margin %.1f %% (disc: %.1f %%); the least grip that holds is %.2f N (disc: %.2f N)\n", 100.0 * (1.0 - share),
-              100.0 * (1.0 - share_of_disc), load * share, load * share_of_disc);
+  std::printf("slip margin %.1f %% (disc: %.1f %%); the least grip that holds is %.2f N (disc: %.2f N)\n", 100.0 * (1.0 - needed / load),
+              100.0 * (1.0 - needed_by_disc / load), needed, needed_by_disc);
 
-  // Friction is proportional to the grip; the margin includes force and moment together.
-  const double again = used(contact, weight, mu * load * share);
-  const double force_alone = 3.0 / (mu * load);
-  const double moment_alone = 0.006 / (mu * load * contact.moment_ratio());
-  const bool right = std::abs(again - 1.0) < 1e-6 && share < 1.0 && share > std::max(force_alone, moment_alone) &&
-                     share < force_alone + moment_alone && share_of_disc < share;
+  // Force and moment together need more than each alone, and less than both.
+  const double force_alone = 3.0 / mu;
+  const double moment_alone = 0.006 / (mu * contact.moment_ratio());
+  const bool right =
+      needed < load && needed > std::max(force_alone, moment_alone) && needed < force_alone + moment_alone && needed_by_disc < needed;
   return right ? 0 : 1;
 }

@@ -118,8 +118,8 @@ constexpr std::array formulas{
 
 /// Null for a number.
 const Formula* find_formula(std::string_view text) {
-  const auto* const found = std::find_if(formulas.begin(), formulas.end(), [&](const Formula& one) { return one.text == text; });
-  return found == formulas.end() ? nullptr : found;
+  const auto found = std::find_if(formulas.begin(), formulas.end(), [&](const Formula& one) { return one.text == text; });
+  return found == formulas.end() ? nullptr : &*found;
 }
 
 std::string with_use(const Formula* formula, const std::string& note) {

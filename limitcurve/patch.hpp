@@ -104,6 +104,11 @@ class Patch {
   [[nodiscard]] double power(const PatchTwist& twist) const noexcept { return evaluate(twist).power; }
   [[nodiscard]] PatchWrench wrench(const PatchTwist& twist) const noexcept { return evaluate(twist).wrench; }
 
+  /// The gauge of a wrench in units of μP about the centre of pressure: 0 for wrench 0, 1 on the limit surface, more where the patch slips;
+  /// inf for a moment that all load on one point must bear. Relative error 1e-12 plus the patch's own. Cost: 30 to 80 wrenches, 200 for two
+  /// points.
+  [[nodiscard]] double gauge(const PatchWrench& wrench) const noexcept;
+
   /// Centre of pressure [m].
   [[nodiscard]] PatchPoint centre() const noexcept;
   /// m₀ = H(0, 0, 1) [m]: the moment of a pure spin about the centre of pressure. It is the largest moment.
@@ -134,5 +139,10 @@ class Patch {
   double moment_ratio_ = 0.0;
   double radius_ = 0.0;
 };
+
+/// The smallest load [N] under which the patch bears a wrench [N, N m] about the origin of its coordinates without slip, with friction `mu`
+/// ≥ 0 and the patch's shape of pressure at every load. 0 for wrench 0; inf if no load holds. Throws std::invalid_argument for arguments out
+/// of range. Error and cost are those of `Patch::gauge`.
+double load_to_hold(const Patch& patch, double mu, const PatchWrench& wrench);
 
 }  // namespace limitcurve

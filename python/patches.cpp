@@ -5,6 +5,7 @@
 #include "limitcurve/internal/number.hpp"
 
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace limitcurve::python {
@@ -40,6 +41,20 @@ nb::object wrench(const Patch& patch, nb::handle twists, double mu, double load,
   const bool single = is_single(twists);
   if (!truth_of(error)) return handed_over(wrenches, single);
   return nb::make_tuple(handed_over(wrenches, single), handed_over(powers, single), handed_over(errors, single));
+}
+
+nb::object loads_to_hold(const Patch& patch, nb::handle fx, nb::handle fy, nb::handle moment, double mu) {
+  const std::vector<Numbers<double>> numbers = broadcast({fx, fy, moment}, {"fx", "fy", "moment"});
+  const Results loads = results_like(numbers[0].array);
+  {
+    const nb::gil_scoped_release release;
+    for (std::size_t i = 0; i < numbers[0].size; ++i) {
+      const PatchWrench wrench{numbers[0].data[i], numbers[1].data[i], numbers[2].data[i]};
+      const bool is_number = !std::isnan(wrench.fx) && !std::isnan(wrench.fy) && !std::isnan(wrench.moment);
+      loads.data[i] = is_number ? load_to_hold(patch, mu, wrench) : std::numeric_limits<double>::quiet_NaN();
+    }
+  }
+  return handed_over(loads, is_single(fx) && is_single(fy) && is_single(moment));
 }
 
 }  // namespace
@@ -104,6 +119,11 @@ void add_patches(nb::module_& module) {
           "rad/s].\n\n"
           "Shape (…, 3) in and out. With `error` also the powers [W], and a bound of the largest of the power's relative error,\n"
           "|dF|/(mu P) and |dM|/(mu P m0). Releases the GIL.")
+      .def("load_to_hold", &loads_to_hold, nb::arg("fx"), nb::arg("fy"), nb::arg("moment"), nb::kw_only(), nb::arg("mu"),
+           nb::sig("def load_to_hold(self, fx: numpy.typing.ArrayLike, fy: numpy.typing.ArrayLike, moment: numpy.typing.ArrayLike, *, "
+                   "mu: float) -> typing.Any"),
+           "The least loads [N] that hold friction wrenches [N, N m] about the origin, broadcast against each other; inf if no load does.\n"
+           "Releases the GIL.")
       .def_prop_ro("moment_ratio", &Patch::moment_ratio, "m0: the moment of a pure spin over mu P [m].")
       .def_prop_ro("radius", &Patch::radius, "Largest distance of a point from the centre of pressure [m].")
       .def_prop_ro(

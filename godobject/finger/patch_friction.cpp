@@ -75,7 +75,7 @@ KeptDeflection friction_of_patch(const PatchProjector& patch, const ContactLimit
   PatchProjection found = project(was_sliding);
   if (found.slips && !was_sliding && limits.mu(true) < limits.mu(false)) found = project(true);
   friction.force_slides = keeps_sliding(was_sliding, found.slips, limits.force_stick_fraction(),
-                                        [&] { return patch.gauge(wrench) / (limits.mu(true) * trial.limit_load); });
+                                        [&] { return patch.patch().gauge(wrench) / (limits.mu(true) * trial.limit_load); });
 
   KeptDeflection kept{
       trial.tangential,         trial.twist,    found.slips, found.slips, found.slips, 0.0, stiffness * trial.tangential.norm(),
@@ -93,7 +93,7 @@ KeptDeflection friction_of_patch(const PatchProjector& patch, const ContactLimit
 double patch_gauge(const PatchProjector& patch, const FingerState& state) noexcept {
   const FingerOutput& output = state.output;
   const PatchWrench wrench = in_axes(state.patch.axis, output.normal, output.force, output.moment);
-  return patch.gauge(wrench);
+  return patch.patch().gauge(wrench);
 }
 
 }  // namespace limitcurve::godobject

@@ -190,17 +190,6 @@ double approach_by_hulls(Scaled& friction, const Vector3d& w, const Vector3d& st
 
 PatchProjector::PatchProjector(Patch patch) : patch_(std::move(patch)), spin_(patch_.wrench({0.0, 0.0, 1.0})) {}
 
-double PatchProjector::gauge(const PatchWrench& unit_wrench) const noexcept {
-  const double m0 = patch_.moment_ratio();
-  const auto [mx, my] = patch_.factors();
-  // Use units in which the ellipsoid is a sphere.
-  const Vector3d w{unit_wrench.fx, unit_wrench.fy, unit_wrench.moment / m0};
-  if (!(w.norm() > 0.0)) return 0.0;
-  Scaled friction{patch_, m0};
-  Vector3d q{w.x() / (mx * mx), w.y() / (my * my), w.z()};
-  return 1.0 / least_ratio(friction, w, q, 0.0);
-}
-
 PatchProjection PatchProjector::project(const PatchWrench& trial, double limit, double stiffness, double compliance_radius,
                                         const PatchTwist& warm) const noexcept {
   const double m0 = patch_.moment_ratio();

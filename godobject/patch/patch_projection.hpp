@@ -37,9 +37,6 @@ class PatchProjector {
                                         const PatchTwist& warm) const noexcept;
   static constexpr int most_evaluations = 400;
 
-  /// The gauge of a wrench in units of μP: 1 on the limit surface, 0 for wrench 0.
-  [[nodiscard]] double gauge(const PatchWrench& unit_wrench) const noexcept;
-
  private:
   Patch patch_;
   PatchWrench spin_;  ///< of a pure spin about the centre of pressure

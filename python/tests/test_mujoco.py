@@ -9,7 +9,7 @@ import pytest
 
 from conftest import ROOT
 
-pytest.importorskip("mujoco")
+mujoco = pytest.importorskip("mujoco")
 
 
 @pytest.fixture(scope="module")
@@ -38,3 +38,45 @@ def test_the_block_turns_as_in_pivot_and_nearer_with_smaller_steps(example, monk
         assert np.degrees(run["angle"][-1]) > 40
     assert apart[0] < 0.2
     assert apart[1] < 0.6 * apart[0]
+
+
+def spinning(plane, body, height):
+    """Mean of the friction moment [N m] and of the normal force [N] of a body of 0.3 kg that spins on a plane."""
+    model = mujoco.MjModel.from_xml_string(f"""<mujoco><option timestep="0.0005" gravity="0 0 -10" cone="elliptic" impratio="10"/><worldbody>
+      <geom type="plane" size="0 0 1" {plane}/><body pos="0 0 {height}"><joint type="slide" axis="0 0 1"/>
+      <joint type="hinge" axis="0 0 1" armature="1e3"/><geom mass="0.3" {body}/></body></worldbody></mujoco>""")
+    data = mujoco.MjData(model)
+    mean, contact, steps = np.zeros(2), np.zeros(6), 1000
+    for i in range(2 * steps):
+        data.qpos[1], data.qvel[1] = 0, 0.2
+        mujoco.mj_forward(model, data)
+        for k in range(data.ncon if i >= steps else 0):
+            mujoco.mj_contactForce(model, data, k, contact)
+            frame = data.contact.frame[k].reshape(3, 3)
+            force, place = frame.T @ contact[:3], data.contact.pos[k]
+            mean += (place[0] * force[1] - place[1] * force[0] + frame[0, 2] * contact[3], contact[0])
+        mujoco.mj_step(model, data)
+    return abs(mean) / steps
+
+
+def test_the_traps_of_the_page_which_number_do_i_type():
+    table = lc.translate("hertz", "constant:a=0.005", mu=0.8, load=3, engine="mujoco")
+    mu_r = float(table["value"][table["formula"] == "mu_r"][0])
+    typed = f'condim="4" friction="0.8 {mu_r} 0"'
+    ball = f'type="sphere" size="0.02" {typed}'
+    # The plane's default of 0.005 is larger, unless both have the number or the finger has priority.
+    for plane, finger, moment in (("", ball, 3 * 0.005), (typed, ball, 3 * mu_r), ("", ball + ' priority="1"', 3 * mu_r)):
+        found, normal = spinning(plane, finger, 0.02)
+        assert normal == pytest.approx(3, rel=1e-3) and found == pytest.approx(moment, rel=1e-3)
+    # A disc's points stand at its rim: its moment is that of the uniform disc at two thirds of its radius.
+    uniform = 2 / 3 * 0.8 * 0.05
+    for radius, moment in ((0.05, 1.5 * uniform), (2 / 3 * 0.05, uniform)):
+        disc = f'type="cylinder" size="{radius} 0.0005" condim="3" friction="0.8 0 0"'
+        found, normal = spinning('condim="3" friction="0.8 0 0"', disc, 0.0005)
+        assert found / normal == pytest.approx(moment, rel=1e-3)
+    # Without torsion: three balls on a circle of radius m0 a have the moment of the contact.
+    lever = mu_r / 0.8
+    places = [(lever * np.cos(turn), lever * np.sin(turn)) for turn in (0, 2 * np.pi / 3, 4 * np.pi / 3)]
+    balls = '/><geom mass="0" '.join(f'type="sphere" size="0.02" pos="{x} {y} 0" condim="3" friction="0.8 0 0"' for x, y in places)
+    found, normal = spinning('condim="3" friction="0.8 0 0"', balls, 0.02)
+    assert found / normal == pytest.approx(mu_r, rel=1e-3)

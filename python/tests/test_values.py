@@ -75,6 +75,21 @@ def test_gauge_and_load_to_hold_broadcast():
     assert np.allclose(gauge.ravel()[1:], 1, atol=1e-9)
 
 
+def test_load_to_hold_of_a_patch_broadcasts():
+    patch = lc.Patch.points([-0.01, 0.01], [0.5, 0.5], [1, 1])  # two points hold along y what each bears: (|F| + |M|/d)/mu
+    force, moment = np.linspace(-2, 2, 5), np.linspace(0, 5e-3, 4)[:, None]
+    loads = patch.load_to_hold(0, force, moment, mu=0.4)
+    assert loads.shape == (4, 5)
+    assert np.allclose(loads, (abs(force) + abs(moment) / 0.01) / 0.4, rtol=1e-11)
+    assert isinstance(patch.load_to_hold(0, 1, 0, mu=0.5), float)
+    # About the origin: a force along x at the points' height has a moment of -y fx there.
+    assert patch.load_to_hold(1, 0, -0.5, mu=0.5) == pytest.approx(2)
+    assert patch.load_to_hold(1, 0, 0, mu=0) == math.inf and math.isnan(patch.load_to_hold(math.nan, 0, 0, mu=1))
+    table = lc.Table("hertz", tolerance=1e-10)
+    disc = lc.Patch("ellipse:law=hertz,a=0.006,b=0.006").load_to_hold(0.6, -0.8, 2e-3, mu=0.6)
+    assert table.load_to_hold(1, 2e-3, mu=0.6, radius_law="constant:a=0.006") == pytest.approx(disc, rel=1e-8)
+
+
 def test_a_table_survives_its_files(tmp_path):
     c = np.geomspace(1e-3, 1e3, 100)
     for name in ("t.csv", "t.json"):

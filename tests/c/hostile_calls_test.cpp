@@ -79,7 +79,7 @@ TEST_F(HostileCalls, OddNumbersAndNullAreErrorsOrRightAnswers) {
     const auto text = [&] { return or_null(texts[random() % texts.size()]); };
     std::array<double, 4> numbers{number(), number(), number(), number()};
     std::array<double, 12> out{};
-    switch (random() % 12) {
+    switch (random() % 13) {
       case 0: {
         limitcurve_law* made = nullptr;
         expect_told(limitcurve_law_parse(text(), or_null(&made)));
@@ -181,6 +181,12 @@ TEST_F(HostileCalls, OddNumbersAndNullAreErrorsOrRightAnswers) {
       }
       case 10:
         expect_told(limitcurve_patch_wrench(or_null(patch), or_null(numbers.data()), 1, or_null(out.data()), nullptr, out.data() + 4));
+        break;
+      case 11:
+        expect_told(random() % 2 == 0
+                        ? limitcurve_patch_load_to_hold(or_null(patch), number(), or_null(numbers.data()), 1, or_null(out.data()))
+                        : limitcurve_table_load_to_hold(or_null(table), number(), or_null("constant:a=0.005"), or_null(numbers.data()),
+                                                        numbers.data(), 1, or_null(out.data())));
         break;
       default: {
         limitcurve_table* made = nullptr;

@@ -95,6 +95,15 @@ static void fingers(void) {
   double wrench[3], power, bound;
   CHECK(limitcurve_patch_wrench(patch, twist, 1, wrench, &power, &bound) == LIMITCURVE_OK);
   CHECK(fabs(wrench[0] - 1) < 1e-12 && fabs(wrench[1]) < 1e-12 && fabs(wrench[2]) < 1e-12 && fabs(power - 0.01) < 1e-14);
+  /* What slips at a load of 5 N is held by 5 N; here mu = 0.5. */
+  double needed[2] = {0, 0};
+  wrench[0] *= 2.5;
+  CHECK(limitcurve_patch_load_to_hold(patch, 0.5, wrench, 1, needed) == LIMITCURVE_OK && fabs(needed[0] - 5) < 1e-9);
+  CHECK(limitcurve_patch_load_to_hold(patch, -0.5, wrench, 1, needed) == LIMITCURVE_INVALID);
+  const double forces[2] = {1.2, 0}, moments[2] = {0, 1.2 * 0.004};
+  CHECK(limitcurve_table_load_to_hold(table, 0.6, "constant:a=0.006", forces, moments, 2, needed) == LIMITCURVE_OK);
+  CHECK(fabs(needed[0] - 2) < 1e-5 && fabs(needed[1] - 2) < 1e-5); /* m0 = 2/3 */
+  CHECK(limitcurve_table_load_to_hold(table, 0.6, "constant", forces, moments, 2, needed) == LIMITCURVE_INVALID);
   limitcurve_patch_free(patch);
   limitcurve_finger_free(finger);
 

@@ -69,7 +69,7 @@ TEST(PatchProjector, ClosestPointIsOnTheSurfaceAndTheSlipItsNormal) {
         ASSERT_TRUE(found.converged) << name << ' ' << ratio << ' ' << i;
         ASSERT_LE(found.evaluations, PatchProjector::most_evaluations);
         if (!found.slips) {
-          EXPECT_LE(projector.gauge({trial.fx / 3.0, trial.fy / 3.0, trial.moment / m0 * m0 / 3.0}), 1.0 + 1e-9) << name;
+          EXPECT_LE(projector.patch().gauge({trial.fx / 3.0, trial.fy / 3.0, trial.moment / m0 * m0 / 3.0}), 1.0 + 1e-9) << name;
           continue;
         }
         // What the springs gave is the slip; W·T = μP H(T) puts W on the surface with T as its normal.

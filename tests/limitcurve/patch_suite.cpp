@@ -10,6 +10,7 @@
 #include <limits>
 #include <numbers>
 #include <random>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -122,6 +123,33 @@ TEST_P(EveryPatch, WrenchIsTheDifferenceOfPowers) {
     const double arm = patch.moment_ratio();
     EXPECT_NEAR(wrench.moment / arm, slope(0, 0, 1.0 / arm), 1e-5) << name;
   }
+}
+
+TEST_P(EveryPatch, GaugeOfAWrenchThatSlipsIsOne) {
+  const auto& [name, patch, bound] = GetParam();
+  const PatchPoint centre = patch.centre();
+  for (const PatchTwist& twist : random_twists(patch, 200)) {
+    const PatchWrench wrench = patch.wrench(twist);
+    for (const double factor : {1.0, -0.25, 1e-200, 1e150}) {
+      EXPECT_NEAR(patch.gauge({factor * wrench.fx, factor * wrench.fy, factor * wrench.moment}) / std::fabs(factor), 1.0, 1e-12 + bound)
+          << name;
+    }
+    // The load of a wrench about the origin: mu P times what slips.
+    const double mu = 0.4;
+    const double load = 3.0;
+    const double moment = wrench.moment + centre.x * wrench.fy - centre.y * wrench.fx;
+    EXPECT_NEAR(load_to_hold(patch, mu, {mu * load * wrench.fx, mu * load * wrench.fy, mu * load * moment}), load, (1e-11 + bound) * load)
+        << name;
+  }
+  EXPECT_EQ(patch.gauge({0.0, 0.0, 0.0}), 0.0);
+  EXPECT_EQ(load_to_hold(patch, 0.0, {0.0, 0.0, 0.0}), 0.0);
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(load_to_hold(patch, 0.0, {0.0, 0.0, 1.0}), inf);
+  EXPECT_EQ(patch.gauge({inf, 0.0, 0.0}), inf);
+  EXPECT_TRUE(std::isnan(patch.gauge({1.0, nan, 1.0})) && std::isnan(patch.gauge({inf, 1.0, nan})));
+  EXPECT_THROW(load_to_hold(patch, -0.1, {1.0, 0.0, 0.0}), std::invalid_argument);
+  EXPECT_THROW(load_to_hold(patch, 0.5, {1.0, nan, 0.0}), std::invalid_argument);
 }
 
 TEST_P(EveryPatch, TwistsOfTheOriginGiveTheSameForces) {

@@ -3,6 +3,7 @@
 
 #include "limitcurve/accuracy.hpp"
 #include "limitcurve/approximations.hpp"
+#include "limitcurve/contact_radius.hpp"
 #include "limitcurve/exact_curve.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/patch/round_models.hpp"
@@ -159,6 +160,47 @@ TEST(PatchPoints, ASinglePointHasForceAndNoMoment) {
   EXPECT_NEAR(friction.wrench.fy, 0.8, 1e-15);
   EXPECT_EQ(friction.wrench.moment, 0.0);
   EXPECT_EQ(patch.evaluate({0, 0, 1}).power, 0.0);
+}
+
+TEST(PatchPoints, TwoHoldWhatEachBearsOfIt) {
+  // Along y each bears its part of force and moment; along x the two may share as they like. The least load by bisection of one unknown.
+  std::mt19937 bits(11);
+  std::normal_distribution<double> normal;
+  const double d = 0.01;
+  const Patch patch = Patch::points(std::vector<PatchLoad>{{-d, 0.0, 1.0}, {d, 0.0, 1.0}});
+  for (int i = 0; i < 300; ++i) {
+    const double part = i % 3 == 0 ? 0.0 : 1.0;  // with and without a force along the points
+    const PatchWrench wrench{part * normal(bits), normal(bits), 0.02 * normal(bits)};
+    const double left = 0.5 * (wrench.fy - wrench.moment / d);
+    const double right = 0.5 * (wrench.fy + wrench.moment / d);
+    double low = 2.0 * std::max(std::fabs(left), std::fabs(right));
+    double high = 2.0 * (low + std::fabs(wrench.fx));
+    const auto holds = [&](double load) {
+      return std::sqrt(load * load / 4.0 - left * left) + std::sqrt(load * load / 4.0 - right * right) >= std::fabs(wrench.fx);
+    };
+    for (int k = 0; k < 100 && !holds(low); ++k) (holds(0.5 * (low + high)) ? high : low) = 0.5 * (low + high);
+    EXPECT_NEAR(load_to_hold(patch, 0.5, wrench) * 0.5 / low, 1.0, 1e-11) << i;
+  }
+}
+
+TEST(PatchPoints, OneHoldsNoMoment) {
+  const Patch patch = Patch::points(std::vector<PatchLoad>{{0.25, 0.5, 3.0}}).orthotropic(1.0, 2.0);
+  EXPECT_NEAR(load_to_hold(patch, 0.5, {3.0, 8.0, 0.25 * 8.0 - 0.5 * 3.0}), 10.0, 1e-14);
+  EXPECT_EQ(load_to_hold(patch, 0.5, {3.0, 8.0, 0.0}), inf);
+}
+
+TEST(PatchEllipse, OfEqualAxesHoldsWhatTheDiscHolds) {
+  for (const Law& law : {hertz(), uniform(), parabolic()}) {
+    const Patch patch = Patch::ellipse(law, 0.004, 0.004);
+    for (const double force : {0.0, 0.3, 1.0}) {
+      for (const double moment : {0.0, 0.001, 0.02}) {
+        const double disc = load_to_hold(ExactCurve(law), RadiusLaw::constant(0.004), 0.7, force, moment);
+        for (const PatchPoint along : {PatchPoint{0.6, -0.8}, PatchPoint{1.0, 0.0}, PatchPoint{-std::sqrt(0.5), -std::sqrt(0.5)}}) {
+          EXPECT_NEAR(load_to_hold(patch, 0.7, {along.x * force, along.y * force, moment}), disc, 1e-10 * disc) << force << ' ' << moment;
+        }
+      }
+    }
+  }
 }
 
 TEST(PatchPolygon, IsTheIntegralOverTriangles) {

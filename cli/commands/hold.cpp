@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+#include "cli/commands/radius_check.hpp"
+#include "cli/commands/subcommands.hpp"
+#include "cli/io/csv_reader.hpp"
+#include "cli/io/patch_argument.hpp"
+
+#include "godobject/finger_curve.hpp"
+#include "limitcurve/patch.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+
+namespace limitcurve::cli {
+
+namespace {
+
+/// What a contact must bear.
+struct Need {
+  double fx = 0.0;
+  double fy = 0.0;
+  double moment = 0.0;
+};
+
+class Hold final : public Subcommand {
+ public:
+  [[nodiscard]] Manual manual() const override {
+    return {
+        "hold", "How hard to grip: the least load under which a contact bears a force and a moment without slip",
+        "One contact of --law, --radius-law and --mu bears --force and --moment, or each row of --data (columns force,moment). Signs do\n"
+        "not matter. With --fingers 2 --mass M --offset L in their place, fingers grip an object beside its centre of mass and hold\n"
+        "it level: each bears m g/2 and m g l/2, and hold_load is the grip of each.\n"
+        "--patch P, in place of --law and --radius-law: a contact that is not round (see 'limitcurve patch'); then --force is FX,FY,\n"
+        "and --data has fx,fy,moment; the moment is about the origin of the patch.\n"
+        "Columns: force,moment (with --patch fx,fy,moment) [N, N m]; hold_load [N], inf if no load holds. Where --data has a column\n"
+        "load [N], also margin at that load: 1 without friction, 0 on the limit and beyond, as in 'limitcurve replay --details'.",
+        "limitcurve hold --law hertz --radius-law hertz:R=0.008,E=2e5 --mu 0.8 --fingers 2 --mass 0.2 --offset 0.02"};
+  }
+
+  void declare(Options& options) override {
+    options.law(law_, Presence::optional);
+    options.radius_law(radius_law_, Presence::optional);
+    options.text("--patch", patch_, "PATCH", "In place of --law and --radius-law: a pressure patch");
+    options.number("--mu", mu_, non_negative, "Friction coefficient mu [1]", Presence::required);
+    options.numbers("--force", force_, finite, "Friction force F [N]; with --patch FX,FY", Presence::optional);
+    options.number("--moment", moment_, finite, "Friction moment M [N m]");
+    options.text("--data", data_, "FILE", "In place of --force and --moment: CSV of them, or - for standard input");
+    const Range few{[](double value) { return value >= 1.0 && value <= 100.0 && value == std::floor(value); },
+                    "a whole number from 1 to 100"};
+    options.number("--fingers", fingers_, few,
+                   "In place of --force and --moment: number of fingers that share an object's weight (default 2)");
+    options.number("--mass", mass_, positive, "Mass of the object [kg]");
+    options.number("--offset", offset_, non_negative, "Distance of its centre of mass from the grip, level [m]");
+    options.number("--gravity", gravity_, non_negative, "Gravity [m/s^2]");
+  }
+
+  void run(const Results& results) override {
+    if (patch_.empty() == (law_ == nullptr)) throw std::invalid_argument("expected one of --law and --patch");
+    const int given =
+        static_cast<int>(!force_.empty() || moment_) + static_cast<int>(!data_.empty()) + static_cast<int>(fingers_ || mass_ || offset_);
+    if (given != 1) throw std::invalid_argument("expected one of --force with --moment, --data, and --mass with --offset");
+    if (patch_.empty()) {
+      if (!radius_law_) throw std::invalid_argument("--radius-law is required");
+      const godobject::FingerCurve curve = make_finger_curve(godobject::CurveKind::exact, law_, 0.0);
+      const RadiusLaw radius_law = mu_ > 0.0 ? radius_law_->of(mu_, law_) : RadiusLaw::constant(1.0);
+      write(
+          results,
+          [&](const Need& need) { return load_to_hold(curve, radius_law, mu_, std::hypot(need.fx, need.fy), std::fabs(need.moment)); },
+          [&](const Need& need, double load) {
+            const double limit = mu_ * load;
+            return curve.gauge({std::hypot(need.fx, need.fy) / limit, std::fabs(need.moment) / (limit * radius_law.radius(load))});
+          });
+      if (loads_[1] > 0.0) warn_of_radii(*results.messages, radius_law, loads_);
+      return;
+    }
+    if (radius_law_) throw std::invalid_argument("--radius-law: not with --patch, which has its own size");
+    const Patch patch = read_patch(patch_);
+    const auto least = [&](const Need& need) { return load_to_hold(patch, mu_, {need.fx, need.fy, need.moment}); };
+    write(results, least, [&](const Need& need, double load) { return least(need) / load; });
+  }
+
+ private:
+  /// `least(need)` is the load that holds, `gauge(need, load)` the fraction of the limit at a load.
+  void write(const Results& results, const std::function<double(const Need&)>& least,
+             const std::function<double(const Need&, double)>& gauge) {
+    const bool is_round = patch_.empty();
+    std::vector<std::string> columns =
+        is_round ? std::vector<std::string>{"force", "moment"} : std::vector<std::string>{"fx", "fy", "moment"};
+    std::optional<CsvReader> reader;
+    if (!data_.empty()) reader.emplace(data_, columns, std::vector<std::string>{"load"});
+    const std::size_t load_column = columns.size();
+    const bool has_loads = reader && reader->has(load_column);
+    columns.emplace_back("hold_load");
+    if (has_loads) columns.emplace_back("margin");
+    Rows rows(results, columns);
+    const auto row = [&](const Need& need, std::optional<double> load) {
+      const double hold = least(need);
+      if (hold > 0.0 && std::isfinite(hold)) loads_ = {std::min(loads_[0], hold), std::max(loads_[1], hold)};
+      rows.row_by([&](const auto& cell) {
+        cell(need.fx);
+        if (!is_round) cell(need.fy);
+        cell(need.moment);
+        cell(hold);
+        if (load) cell(hold == 0.0 ? 1.0 : *load == 0.0 || mu_ == 0.0 ? 0.0 : std::max(0.0, 1.0 - gauge(need, *load)));
+      });
+    };
+    if (!reader) {
+      row(single(), std::nullopt);
+    } else {
+      while (reader->next()) {
+        const auto number = [&](std::size_t i) { return reader->number(i, finite); };
+        const Need need = is_round ? Need{number(0), 0.0, number(1)} : Need{number(0), number(1), number(2)};
+        row(need, has_loads ? std::optional(reader->number(load_column, non_negative)) : std::nullopt);
+        if (reader->share()) results.messages->progress(*reader->share());
+      }
+    }
+    rows.finish();
+  }
+
+  [[nodiscard]] Need single() const {
+    if (fingers_ || mass_ || offset_) {
+      if (!mass_ || !offset_) throw std::invalid_argument("--mass and --offset: expected both");
+      if (!patch_.empty()) throw std::invalid_argument("--mass: not with --patch, which needs the direction of the force: --force FX,FY");
+      const double weight = *mass_ * gravity_ / fingers_.value_or(2.0);
+      return {weight, 0.0, weight * *offset_};
+    }
+    const std::size_t expected = patch_.empty() ? 1 : 2;
+    if (!force_.empty() && force_.size() != expected) {
+      throw std::invalid_argument("--force: got " + std::to_string(force_.size()) + " numbers, expected " +
+                                  (expected == 1 ? "one, F" : "two, FX,FY"));
+    }
+    if (force_.empty() || !moment_) throw std::invalid_argument("--force and --moment: expected both");
+    return {force_[0], expected == 2 ? force_[1] : 0.0, *moment_};
+  }
+
+  Law law_;
+  std::optional<RadiusLawArgument> radius_law_;
+  std::string patch_;
+  double mu_ = 0.0;
+  std::vector<double> force_;
+  std::optional<double> moment_;
+  std::string data_;
+  std::optional<double> fingers_;
+  std::optional<double> mass_;
+  std::optional<double> offset_;
+  double gravity_ = 9.81;
+  std::array<double, 2> loads_{std::numeric_limits<double>::infinity(), 0.0};  ///< smallest and largest that hold
+};
+
+}  // namespace
+
+std::unique_ptr<Subcommand> make_hold() {
+  return std::make_unique<Hold>();
+}
+
+}  // namespace limitcurve::cli

@@ -1,0 +1,121 @@
+# SPDX-License-Identifier: MIT
+"""hold: the least load that bears a force and a moment."""
+
+import math
+import unittest
+
+from command_line import DATA, CommandLineTest, header, numbers, rows, run
+
+CONTACT = ["--law", "hertz", "--radius-law", "hertz:R=0.008,E=2e5", "--mu", "0.8"]
+PATCH = ["--patch", "rectangle:x=0.02,y=0.01", "--mu", "0.5"]
+FINGER = ["--stiffness", "1000", "--twist-stiffness", "0.036"]
+
+
+class Hold(CommandLineTest):
+    def data(self, columns, table):
+        return self.file("data.csv", "\n".join([columns, *(",".join(map(repr, line)) for line in table)]) + "\n")
+
+    def test_force_alone_and_moment_alone(self):
+        """F = mu P; M = m0 mu P a(P), with a = (3 P R/(4 E))^(1/3)."""
+        self.assertEqual(header("hold", *CONTACT, "--force", "1", "--moment", "0"), "force,moment,hold_load")
+        row, = rows("hold", *CONTACT, "--force", "-1", "--moment", "0")
+        self.assert_close(row["hold_load"], 1 / 0.8, 1e-12)
+        load = 3.0
+        moment = 3 * math.pi / 16 * 0.8 * load * (3 * load * 0.008 / (4 * 2e5)) ** (1 / 3)
+        row, = rows("hold", *CONTACT, "--force", "0", "--moment", moment)
+        self.assert_close(row["hold_load"], load, 1e-9)
+        row, = rows("hold", *CONTACT, "--force", "0", "--moment", "0")
+        self.assertEqual(row["hold_load"], 0)
+        row, = rows("hold", "--law", "hertz", "--radius-law", "constant:a=0.005", "--mu", "0", "--force", "1", "--moment", "0")
+        self.assertEqual(row["hold_load"], math.inf)
+
+    def test_a_wrench_on_the_limit_curve_needs_its_load(self):
+        for law in ("hertz", "uniform", "gaussian:sigma=0.4", "mix:0.7*hertz+0.3*uniform"):
+            for radius in ("constant:a=0.005", "power:c=0.00207,gamma=0.259"):
+                contact = ["--law", law, "--radius-law", radius, "--mu", "0.6"]
+                points = rows("p-curves", *contact, "--loads", "0.2,3,50", "--points", "9")
+                data = self.data("load,moment,force", [(row["load"], row["moment"], row["force"]) for row in points])
+                for row, point in zip(rows("hold", *contact, "--data", data), points, strict=True):
+                    self.assert_close(row["hold_load"], point["load"], 1e-9, law)
+                    self.assertLess(row["margin"], 1e-9)
+
+    def test_what_two_fingers_hold_level(self):
+        """Each bears half the weight, and half of its moment about the grip."""
+        two = rows("hold", *CONTACT, "--fingers", "2", "--mass", "0.2", "--offset", "0.02")
+        self.assertEqual(two, rows("hold", *CONTACT, "--mass", "0.2", "--offset", "0.02"))
+        self.assert_close(two[0]["force"], 0.2 * 9.81 / 2, 1e-15)
+        self.assert_close(two[0]["moment"], 0.2 * 9.81 * 0.02 / 2, 1e-15)
+        self.assertEqual(two, rows("hold", *CONTACT, "--force", repr(two[0]["force"]), "--moment", repr(two[0]["moment"])))
+        moon, = rows("hold", *CONTACT, "--fingers", "3", "--mass", "0.2", "--offset", "0.02", "--gravity", "1.62")
+        self.assert_close(moon["force"], 0.2 * 1.62 / 3, 1e-15)
+        # The block of the paper slips where this load is passed.
+        sandpaper = ["--law", "hertz", "--radius-law", "constant:a=0.008", "--mu", "0.6", "--mass", "0.1", "--offset", "0.005"]
+        hold = rows("hold", *sandpaper)[0]["hold_load"]
+        run_of = rows("pivot", "--case", "exact", "--law", "hertz", "--radius-law", "constant:a=0.008", "--mu", "0.6", "--mass", "0.1", "--offset", "0.005",
+                      "--release", f"from={1.2 * hold},to={0.9 * hold},over=3", "--time-step", "1e-4", "--every", "1")
+        slips = next(row["load"] for row in run_of if row["state"] == "slip")
+        self.assertAlmostEqual(slips / hold, 1, delta=2e-3)
+
+    def check_against_replay(self, contact, trace, wrench):
+        found = [row for row in rows("replay", "--trace", trace, *contact, *FINGER, "--details") if row["state"] == "stick" and row["load"] > 0]
+        self.assertGreater(len(found), 50)
+        columns = ",".join(wrench(found[0]))
+        data = self.data(f"load,{columns}", [(row["load"], *wrench(row).values()) for row in found])
+        for row, expected in zip(rows("hold", *contact, "--data", data), found, strict=True):
+            self.assertAlmostEqual(row["margin"], expected["margin"], delta=1e-6)
+            self.assertAlmostEqual(row["hold_load"], expected["hold_load"], delta=1e-6 * expected["load"])
+
+    def test_margin_is_that_of_replay(self):
+        self.check_against_replay(CONTACT, DATA / "traces" / "slide_twist_load.csv",
+                                  lambda row: {"force": math.hypot(row["fx"], row["fy"]), "moment": row["moment"]})
+        straight = self.file("trace.csv", "time,x,y,z,twist\n" + "".join(f"{i / 1000},{1e-5 * i},{5e-6 * i},-0.002,0\n" for i in range(100)))
+        self.check_against_replay(PATCH, straight, lambda row: {"fx": row["fx"], "fy": row["fy"], "moment": row["moment"]})
+
+    def test_the_load_is_where_margin_ends(self):
+        """By bisection on the margin, which does not use the search for the load."""
+        low, high = 1e-3, 1e3
+        for _ in range(60):
+            middle = math.sqrt(low * high)
+            row, = rows("hold", *CONTACT, "--data", self.data("force,moment,load", [(1.0, 0.003, middle)]))
+            low, high = (low, middle) if row["margin"] > 0 else (middle, high)
+        self.assert_close(row["hold_load"], high, 1e-9)
+
+    def test_patch_that_slips_needs_its_load(self):
+        for patch in ("rectangle:x=0.02,y=0.01", "ellipse:law=hertz,a=0.004,b=0.002,mx=0.5,my=2",
+                      f"points:{self.file('p.csv', 'x,y,load' + chr(10) + '0.01,0,1' + chr(10) + '-0.02,0.01,2' + chr(10) + '0,0.03,1' + chr(10))}"):
+            contact = ["--patch", patch, "--mu", "0.5"]
+            wrenches = rows("patch", *contact, "--load", "4", "--twists", DATA / "patches" / "twists.csv")
+            found = rows("hold", *contact, "--data", self.data("fx,fy,moment,load", [(row["fx"], row["fy"], row["moment"], 5.0) for row in wrenches]))
+            self.assertEqual(list(found[0]), ["fx", "fy", "moment", "hold_load", "margin"])
+            for row in found:
+                self.assert_close(row["hold_load"], 4, 1e-9, patch)
+                self.assertAlmostEqual(row["margin"], 0.2, delta=1e-9)
+            row = found[0]
+            self.assertEqual(rows("hold", *contact, "--force", numbers([row["fx"], row["fy"]]), "--moment", repr(row["moment"]))[0]["hold_load"],
+                             row["hold_load"])
+
+    def test_margin_at_the_ends(self):
+        for contact, columns, zero, some in ((CONTACT, "force,moment,load", (0, 0), (1, 0)), (PATCH, "fx,fy,moment,load", (0, 0, 0), (1, 0, 0))):
+            margins = [row["margin"] for row in rows("hold", *contact, "--data", self.data(columns, [(*zero, 0), (*zero, 2), (*some, 0), (*some, 1), (*some, 4)]))]
+            self.assertEqual(margins[:4], [1, 1, 0, 0])
+            self.assert_close(margins[4], 1 - 1 / 4 / float(contact[-1]), 1e-12)
+
+    def test_bad_input(self):
+        one = ["--force", "1", "--moment", "0"]
+        weight = ["--mass", "1", "--offset", "0"]
+        for told, arguments in ((["--law", "--patch"], ["--mu", "1", *one]), (["--law", "--patch"], [*CONTACT, "--patch", "rectangle:x=1,y=1", *one]),
+                                ("--radius-law", ["--law", "hertz", "--mu", "1", *one]), ("--radius-law", [*PATCH, "--radius-law", "constant:a=1", *one]),
+                                (["--data", "--mass"], CONTACT), (["--data", "--mass"], [*CONTACT, *one, "--data", "x"]), (["--data", "--mass"], [*CONTACT, *one, *weight]),
+                                ("--moment", [*CONTACT, "--force", "1"]), ("--force", [*CONTACT, "--moment", "1"]), ("--offset", [*CONTACT, "--mass", "1"]),
+                                ("FX,FY", [*PATCH, *one]), ("one, F", [*CONTACT, "--force", "1,2", "--moment", "0"]), ("--mass", [*PATCH, *weight]),
+                                ("--fingers", [*CONTACT, *weight, "--fingers", "0"]), ("--fingers", [*CONTACT, *weight, "--fingers", "1.5"]),
+                                ("--mass", [*CONTACT, "--fingers", "2"]), ("--mu", ["--law", "hertz", "--radius-law", "constant:a=1", "--mu", "-1", *one]),
+                                ("moment", [*CONTACT, "--data", self.file("short.csv", "force\n1\n")]),
+                                (["bad.csv:2:3", "'x'"], [*CONTACT, "--data", self.file("bad.csv", "force,moment\n1,x\n")]),
+                                (["load.csv:2:5", "-1"], [*CONTACT, "--data", self.file("load.csv", "force,moment,load\n1,0,-1\n")])):
+            self.assert_fails(2, told, "hold", *arguments)
+        self.assertIn("in metres?", run("hold", "--law", "hertz", "--radius-law", "constant:a=5", "--mu", "1", *one).stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
