@@ -66,8 +66,12 @@ void add_closed_forms(const WrenchStudy& study, const std::string& law) {
 
 void add_evaluators(const WrenchStudy& study) {
   const Law law = study.law();
+  study.add("ours", "forces", "double", 0, [law](SlipTwist twist) {
+    const UnitForces<double> forces = law->forces(twist.cor(), Slope::unwanted);
+    return UnitWrench{forces.force, forces.moment};
+  });
   study.add("ours", "ring", "double", 0, [law](SlipTwist twist) {
-    const UnitForces<double> forces = evaluators::ring(*law, twist.cor()).forces;
+    const UnitForces<double> forces = evaluators::ring(*law, twist.cor(), Slope::unwanted).forces;
     return UnitWrench{forces.force, forces.moment};
   });
   const auto add_method = [&](const char* family, limitcurve::Method method) {

@@ -133,7 +133,7 @@ limitcurve_status limitcurve_table_evaluate(const limitcurve_table* table, const
   if (is_no_handle("table", table) || refuse_arrays(cors, count, forces, moments)) return LIMITCURVE_INVALID;
   const auto write = [&](const auto& curve) {
     for (std::size_t i = 0; i < count; ++i) {
-      const UnitWrench wrench = std::isnan(cors[i]) ? UnitWrench{not_a_number, not_a_number} : curve.wrench(SlipTwist::about_cor(cors[i]));
+      const UnitWrench wrench = std::isnan(cors[i]) ? UnitWrench{not_a_number, not_a_number} : curve.wrench({cors[i], 1.0});
       forces[i] = wrench.force;
       moments[i] = wrench.moment;
     }

@@ -96,7 +96,7 @@ template <class Real, class Number>
                                      trial.moment);
   const Number kappa = select(side.outside, inverse_chi, chi);
   Jet<Number> jet;
-  const Number x = find_root<Real>(
+  const Root<Number> root = find_root<Real>(
       [&](Number at) noexcept -> Residual<Number> {
         jet = curve.jet(side.outside, at);
         const Number over_leading = side.leading - jet.leading;
@@ -108,6 +108,8 @@ template <class Real, class Number>
                 Number(4 * std::numeric_limits<Real>::epsilon()) * (side.leading + at * kappa * side.trailing)};
       },
       side.begin(last, guess_twist));
+  const Number x = root.x + root.step;
+  jet = jet.moved(root.x, root.step);
   // The trial is outside the convex curve if and only if it is beyond the tangent at its closest point.
   const CurvePoint<Number> point = side.point(jet, x);
   return {!(side.trailing + x * side.leading <= jet.value(x) * trial.slip_from),

@@ -19,6 +19,12 @@ struct Jet {
   Real third;     ///< D‴
 
   [[nodiscard]] Real value(Real x) const noexcept { return trailing + x * leading; }  ///< D
+  /// The components a short step from x, by their Taylor series.
+  [[nodiscard]] Jet moved(Real x, Real step) const noexcept {
+    const Real half_step = Real(0.5) * step;
+    return {leading + step * (second + half_step * third), trailing - step * (x * second + half_step * (second + x * third)), second,
+            third};
+  }
 };
 
 /// The cells of a table as a control loop reads them: the support function D(x) of both sides (Jet), a polynomial in each cell. Plain
@@ -240,7 +246,7 @@ template <class Real, class Number>
   };
   const CurveSide<Real, Number> side(force * Number(curve.rim_moment) > moment * Number(curve.rim_force), force, moment);
   Jet<Number> jet;
-  const Number x = find_root<Real>(
+  const Root<Number> root = find_root<Real>(
       [&](Number at) noexcept -> Residual<Number> {
         jet = curve.jet(side.outside, at);
         const Number turn = side.trailing + at * side.leading;
@@ -250,6 +256,8 @@ template <class Real, class Number>
                 Number(4 * std::numeric_limits<Real>::epsilon()) * (up + down)};
       },
       side.begin(last, guess_twist));
+  const Number x = root.x + root.step;
+  jet = jet.moved(root.x, root.step);
   // Gauge by the tangent at x: its error is the square of that of x.
   gauge = (side.trailing + x * side.leading) / jet.value(x);
   return side.point(jet, x);

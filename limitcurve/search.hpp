@@ -23,6 +23,17 @@ inline constexpr int max_search_steps = 64;
 template <class Real>
 inline constexpr Real search_tolerance = 4 * std::numeric_limits<Real>::epsilon();
 
+/// A step shorter than this fraction of the distance from the nearer end of [0, 1] is the last: its error is of third order.
+template <class Real>
+inline constexpr Real last_step = sizeof(Real) == sizeof(float) ? Real(3e-4) : Real(1e-5);
+
+/// What a search found: the x of its last evaluation, and the step from there to the root.
+template <class Number>
+struct Root {
+  Number x;
+  Number step;
+};
+
 #ifdef LIMITCURVE_COPIES
 inline namespace LIMITCURVE_COPIES {  // arithmetic.hpp
 #endif
@@ -31,23 +42,29 @@ inline namespace LIMITCURVE_COPIES {  // arithmetic.hpp
 /// that every step narrows. The last call of `residual` is at the x that is returned. After `max_search_steps` evaluations without
 /// convergence the result is the last x, which is in the bracket. If `residual` returns NaN, the result is still a number in [0, 1].
 template <class Real, class Number, class Function>
-[[nodiscard]] Number find_root(Function&& residual, Number x) noexcept {
+[[nodiscard]] Root<Number> find_root(Function&& residual, Number x) noexcept {
   using namespace arithmetic;
+  const Number zero = Number(Real(0));
   const Number half = Number(Real(0.5));
-  Number low = Number(Real(0));
+  Number low = zero;
   Number high = Number(Real(1));
   for (int step = 1;; ++step) {
     const Residual<Number> at = residual(x);
     // Compare with x times the slope, not with a constant: where the slope is small, a small value still means a long step.
     const auto searching = abs(at.value) > larger(at.rounding, Number(search_tolerance<Real>) * x * abs(at.slope));
-    if (!any(searching) || step == max_search_steps) return x;
-    low = select(at.value > Number(Real(0)), x, low);
-    high = select(at.value > Number(Real(0)), high, x);
-    Number next = x - at.value * at.slope / (at.slope * at.slope - half * at.value * at.curvature);
+    if (!any(searching)) return {x, zero};
+    low = select(at.value > zero, x, low);
+    high = select(at.value > zero, high, x);
+    const Number halley = x - at.value * at.slope / (at.slope * at.slope - half * at.value * at.curvature);
+    // By its length, not by its curvature, which may vanish by chance.
+    const auto is_inside = halley > low && halley < high;
+    const auto is_last = is_inside && abs(halley - x) <= Number(last_step<Real>) * smaller(x, Number(Real(1)) - x);
+    // Lanes of a pack that are done keep their x, and with it their last step.
+    const auto goes_on = searching && !is_last;
+    if (!any(goes_on) || step == max_search_steps) return {x, select(searching && is_last, halley - x, zero)};
     // A step out of the bracket or a NaN (0/0) is replaced by bisection. So is every eighth step: Halley steps may alternate for ever.
     const Number middle = half * (low + high);
-    next = step % 8 == 0 ? middle : select(next > low, select(next < high, next, middle), middle);
-    x = select(searching, next, x);
+    x = select(goes_on, step % 8 == 0 ? middle : select(is_inside, halley, middle), x);
   }
 }
 

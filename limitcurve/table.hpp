@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -118,6 +119,11 @@ class BasicTable {
     const auto [outside, x] = place(twist);
     const auto wrench = view_.table.wrench(outside, x);
     return {wrench[0], wrench[1]};
+  }
+
+  /// The wrenches of many slip twists, as far as both arrays go.
+  void wrench(std::span<const SlipTwist> twists, std::span<UnitWrench> wrenches) const noexcept {
+    for (std::size_t i = 0; i < (std::min)(twists.size(), wrenches.size()); ++i) wrenches[i] = wrench(twists[i]);
   }
 
   [[nodiscard]] SlopedPoint point(SlipTwist twist) const noexcept {

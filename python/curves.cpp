@@ -209,7 +209,7 @@ void add_tables(nb::module_& module) {
           "name: of the table in a header, NAME_wrench(slide, spin); if empty, one that no other table has.")
       .def(
           "evaluate",
-          [](const Table& self, nb::handle c) { return evaluate(c, [&](double s) { return self.wrench(SlipTwist::about_cor(s)); }); },
+          [](const Table& self, nb::handle c) { return evaluate(c, [&](double s) { return self.wrench({s, 1.0}); }); },
           nb::arg("c"), nb::sig(evaluate_signature),
           "Unit wrenches at COR distances of c contact radii, within certified_error. As Law.evaluate.")
       .def(
@@ -241,7 +241,7 @@ void add_closed_curves(nb::module_& module) {
       .def(
           "evaluate",
           [](const PyCurve& self, nb::handle c) {
-            return evaluate(c, [&](double s) { return self.curve.wrench(SlipTwist::about_cor(s)); });
+            return evaluate(c, [&](double s) { return self.curve.wrench({s, 1.0}); });
           },
           nb::arg("c"), nb::sig(evaluate_signature), "Unit wrenches at COR distances of c contact radii. As Law.evaluate.")
       .def(
