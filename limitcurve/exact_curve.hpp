@@ -23,7 +23,7 @@ class ExactCurve {
   [[nodiscard]] double moment_ratio() const noexcept { return moment_ratio_; }
 
   [[nodiscard]] UnitWrench wrench(SlipTwist twist) const noexcept {
-    if (twist.is_zero()) return {};
+    if (twist.slide == 0.0) return {0.0, twist.spin == 0.0 ? 0.0 : moment_ratio_};
     return inwards(law_->forces(twist.magnitudes().cor(), Slope::unwanted));
   }
 
