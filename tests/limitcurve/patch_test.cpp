@@ -17,7 +17,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <limits>
 #include <numbers>
 #include <random>
@@ -585,49 +584,6 @@ TEST(RoundModels, OfADiscErrAsTheCurvesOfItsLaw) {
 }
 
 // The over-estimate has a sharp maximum where the COR is on a point that bears much of the load: there H lacks that point's term.
-// The Hertz ellipse was said to cost 30 ns, and cost 270 to 590.
-TEST(Patch, CostsWhatItSays) {
-#ifdef __SANITIZE_ADDRESS__
-  GTEST_SKIP() << "costs are those of an optimized build";
-#endif
-  std::mt19937_64 random(3);
-  std::uniform_real_distribution<double> between(-1.0, 1.0);
-  std::vector<PatchTwist> twists;
-  for (int i = 0; i < 512; ++i) {
-    const double angle = std::numbers::pi * between(random);
-    const double distance = std::pow(10.0, between(random));
-    twists.push_back({distance * std::cos(angle), distance * std::sin(angle), 1.0});
-  }
-  std::vector<SlipTwist> slips;
-  for (const PatchTwist& twist : twists) slips.push_back({std::hypot(twist.vx, twist.vy), twist.omega});
-  const auto clocks_of = [](const auto& inputs, const auto& wrench_of) {
-    std::clock_t best = std::numeric_limits<std::clock_t>::max();
-    double sum = 0.0;
-    for (int run = 0; run < 9; ++run) {
-      const std::clock_t begin = std::clock();
-      for (int i = 0; i < 20; ++i) {
-        for (const auto& input : inputs) sum += wrench_of(input);
-      }
-      best = std::min(best, std::clock() - begin);
-    }
-    EXPECT_GT(sum, 0.0);
-    return static_cast<double>(best);
-  };
-  const Table table = Table::build(hertz(), 1e-8);
-  const double clocks_per_ns = clocks_of(slips, [&](const SlipTwist& twist) { return table.wrench(twist).moment; }) / 9.0;
-  for (const double b : {0.9, 0.5, 0.1}) {
-    for (const Law& law : {hertz(), uniform()}) {
-      const Patch patch = Patch::ellipse(law, 1.0, b);
-      const double m0 = patch.moment_ratio();
-      const double found = clocks_of(twists, [&](const PatchTwist& twist) {
-        return patch.wrench({m0 * twist.vx, m0 * twist.vy, twist.omega}).moment;
-      });
-      EXPECT_LT(found / clocks_per_ns, 3.0 * patch.nanoseconds()) << law->name() << ' ' << b;
-      EXPECT_GT(found / clocks_per_ns, patch.nanoseconds() / 3.0) << law->name() << ' ' << b;
-    }
-  }
-}
-
 TEST(RoundModels, OfPointsAreTriedWithTheCorOnEachPoint) {
   std::mt19937 bits(7);
   const auto uniform = [&bits] { return std::generate_canonical<double, 53>(bits); };
