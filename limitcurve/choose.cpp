@@ -9,6 +9,8 @@
 #include "limitcurve/validate.hpp"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -43,7 +45,10 @@ std::string reason(const Candidate& candidate, const Candidate& best, double tol
 
 std::string in_percent(double fraction) {
   if (fraction == 0.0) return "0";
-  if (!(fraction >= 1e-4)) return format_number(fraction, 2);
+  if (!(fraction >= 1e-4)) {
+    std::array<char, 32> text{};
+    return {text.data(), std::to_chars(text.data(), text.data() + text.size(), fraction, std::chars_format::scientific, 1).ptr};
+  }
   return (fraction < 0.1 ? format_number(100.0 * fraction, 2) : format_number(std::round(100.0 * fraction))) + " %";
 }
 

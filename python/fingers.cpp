@@ -76,12 +76,15 @@ void add_output(nb::module_& module) {
   nb::class_<FingerOutput>(module, "FingerOutput",
                            "Result of a step. The rendered force is normal * load + force, the rendered moment is about the normal.")
       .def_ro("state", &FingerOutput::state, "ContactState")
-      .def_ro("proxy", &FingerOutput::proxy, "where the proxy is [m]")
+      .def_prop_ro(
+          "proxy", [](const FingerOutput& self) { return self.proxy; }, "where the proxy is [m]")
       .def_ro("angle", &FingerOutput::angle, "of the proxy [rad]")
       .def_ro("depth", &FingerOutput::depth, "[m]")
-      .def_ro("normal", &FingerOutput::normal, "outward")
+      .def_prop_ro(
+          "normal", [](const FingerOutput& self) { return self.normal; }, "outward")
       .def_ro("load", &FingerOutput::load, "normal force on the user [N]")
-      .def_ro("force", &FingerOutput::force, "friction on the user [N], tangential")
+      .def_prop_ro(
+          "force", [](const FingerOutput& self) { return self.force; }, "friction on the user [N], tangential")
       .def_ro("moment", &FingerOutput::moment, "friction on the user about the normal [N m]")
       .def_ro("cor", &FingerOutput::cor, "distance of the slip's centre of rotation [m]; NaN unless it slips")
       .def_ro("slip_work", &FingerOutput::slip_work, "dissipated in this step [J], >= 0")

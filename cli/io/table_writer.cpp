@@ -3,6 +3,8 @@
 
 #include "limitcurve/table_file.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <filesystem>
 #include <stdexcept>
 
@@ -18,7 +20,14 @@ TableWriter table_writer(const std::string& file, const std::string& option, con
                                 "': expected one that ends in .h or .hpp, only headers have names");
   }
   if (extension == ".csv") return [](const limitcurve::Table& table) { return to_csv(table); };
-  if (extension == ".json") return [](const limitcurve::Table& table) { return to_json(table); };
+  if (extension == ".json") {
+    return [option](const limitcurve::Table& table) {
+      std::string text = to_json(table);
+      if (!nlohmann::json::accept(text))
+        throw std::invalid_argument(option + ": the law's name is no UTF-8, as JSON must be, expected a file that ends in .csv");
+      return text;
+    };
+  }
   throw std::invalid_argument(option + ": got '" + file + "', expected a name that ends in .csv, .json, .h or .hpp");
 }
 

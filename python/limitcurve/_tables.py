@@ -52,8 +52,15 @@ def _takes_old_names(function: _Function) -> _Function:
     return cast("_Function", renaming)
 
 
+def _column_names(data: Any) -> list[Any] | None:
+    """None of what has no columns."""
+    if isinstance(data, np.ndarray):
+        return list(data.dtype.names) if data.dtype.names else None
+    return list(data.keys()) if isinstance(data, Mapping) or hasattr(data, "columns") else None
+
+
 def _columns_of(name: str, data: Any) -> list[tuple[str, NDArray[np.float64]]]:
-    names = data.dtype.names if isinstance(data, np.ndarray) else list(data.keys()) if hasattr(data, "keys") else None
+    names = _column_names(data)
     if names is None:
         raise ValueError(f"{name}: got {type(data).__name__}, expected a file's name, or columns by name")
     columns = list(zip(map(str, names), columns_of(name, list(map(str, names)), [data[column] for column in names])))
@@ -108,7 +115,7 @@ class _Call:
         elif name == "read" and not isinstance(value, str):
             for one in value:
                 self.words += [word, str(one)]
-        elif name in ("data", "trace", "twists") or isinstance(value, Mapping):
+        elif name in ("data", "trace", "twists") or _column_names(value) is not None:
             self.words += [word, self.data(name, value)]
         elif isinstance(value, (str, os.PathLike)):
             self.words += [word, os.fsdecode(value)]

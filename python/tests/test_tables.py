@@ -107,9 +107,13 @@ def test_files_of_any_option_may_be_columns(tmp_path):
     grip = tmp_path / "grip.csv"
     grip.write_text("time,load\n0,0.5\n0.1,0.4\n")
     from_file = lc.run("pivot", case="exact", material="sandpaper", grip=grip, duration=0.1)
-    from_columns = lc.run("pivot", case="exact", material="sandpaper", grip={"time": [0, 0.1], "load": [0.5, 0.4]}, duration=0.1)
-    for name, column in from_file.items():
-        np.testing.assert_array_equal(column, from_columns[name])
+    frame = pd.DataFrame({"time": [0, 0.1], "load": [0.5, 0.4]})
+    for columns in (frame.to_dict("list"), frame, frame.to_records(index=False)):
+        from_columns = lc.run("pivot", case="exact", material="sandpaper", grip=columns, duration=0.1)
+        for name, column in from_file.items():
+            np.testing.assert_array_equal(column, from_columns[name])
+    c = pd.Series([0.1, 0.5])
+    assert lc.run("eval", law="hertz", c=c)["c"].tolist() == c.tolist()  # numbers, not columns
 
 
 def test_names_of_files_that_are_no_utf_8(tmp_path, data):
@@ -123,6 +127,9 @@ def test_names_of_files_that_are_no_utf_8(tmp_path, data):
     assert set(lc.validate(law)["law"]) == set(lc.validate(law.name)["law"]) == {law.name}
     lc.Table(law, 1e-3).save(folder / "t.csv")
     assert lc.Table.load(os.fsencode(folder / "t.csv")).law_name == law.name
+    with pytest.raises(ValueError, match="^path: the law's name is no UTF-8"):
+        lc.Table(law, 1e-3).save(folder / "t.json")
+    assert not (folder / "t.json").exists()
     slips = folder / "slips.csv"
     slips.write_bytes((data / "fit/slips.csv").read_bytes())
     assert lc.fit("ratio", slips, quiet=True)["value"].tolist() == lc.fit("ratio", data / "fit/slips.csv", quiet=True)["value"].tolist()

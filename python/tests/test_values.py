@@ -162,6 +162,8 @@ def test_a_finger_that_is_pulled_feels_mu_p():
     assert out.state == lc.ContactState.slip and str(out.state) == "slip"
     assert out.load == 2.0 and np.allclose(out.force, [-1.2, 0, 0], atol=1e-12) and out.moment == 0 and out.cor == math.inf
     assert finger.margin() == 0 and finger.load_to_hold() == pytest.approx(2)
+    out.force[:] = out.normal[:] = out.proxy[:] = 7  # arrays of a result are copies
+    assert np.allclose(out.force, [-1.2, 0, 0], atol=1e-12) and out.normal.tolist() == [0, 0, 1] and out.proxy[0] < 0.0199
     other = finger.copy()
     finger.reset()
     assert finger.output.state == lc.ContactState.free and other.output.state == lc.ContactState.slip

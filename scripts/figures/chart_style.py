@@ -135,7 +135,7 @@ def legend_below(figure, axes, columns):
 
 def write_whole(path, contents):
     """The file appears under its name whole or not at all: bytes go to a hidden file beside it, which is then renamed."""
-    path = Path(path)
+    path = Path(path).resolve()  # a link stays one
     part = path.with_name(f".limitcurve-{secrets.token_hex(16)}.tmp")
     try:
         with open(part, "xb") as file:

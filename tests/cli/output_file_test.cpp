@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#undef _FORTIFY_SOURCE  // which would define open in its header
 #include "cli/io/output_file.hpp"
 
 #include <gtest/gtest.h>
