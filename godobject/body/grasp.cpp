@@ -32,7 +32,7 @@ struct Motion {
 
 /// The end of a step with the velocities ξ. In space the rotation ω Δt of the step is that of a free body, after a moment at the beginning
 /// has given it its momentum: then ω is the mean of the angular velocities before and after the turn, in the body's axes, and the turn
-/// changes neither the momentum nor the energy, by no more than rounding up to half a turn. With t the axis times the tangent of half the
+/// changes neither the momentum nor the energy. With t the axis times the tangent of half the
 /// angle and J the inertia, these angular velocities are ω ± J⁻¹(t × Jω).
 Motion moved(const BodyParameters& body, const BodyState& from, const Eigen::Vector3d& velocity, const Eigen::Vector3d& angular_velocity,
              double time_step) noexcept {
@@ -41,6 +41,7 @@ Motion moved(const BodyParameters& body, const BodyState& from, const Eigen::Vec
   const Eigen::Vector3d rate = from.orientation.conjugate() * angular_velocity;
   const Eigen::Vector3d quarter = quarter_turn(rate, time_step);
   const Eigen::Vector3d momentum = body.inertia.cwiseProduct(rate);
+  // A search may try more than half a turn.
   const Eigen::Vector3d swing = quarter.cross(momentum) * (2.0 / std::max(1.0 - quarter.squaredNorm(), 0.1));
   next.angular_velocity = next.orientation * Eigen::Vector3d(rate - swing.cwiseQuotient(body.inertia));
   return {next, from.orientation * Eigen::Vector3d(momentum + swing)};
@@ -292,12 +293,16 @@ Grasp::Attempt Grasp::search(std::span<const DevicePose> devices, double time_st
   Attempt first = attempt(start);
   Attempt second = attempt(still);
   if (second.size < first.size) std::swap(first, second);
+  // A turn by more than about half a circle looks like one in the other direction, where a moment that slows it down drives it.
+  const auto is_solved = [&](const Attempt& found) {
+    return found.size <= solved_fraction * unit && found.velocities.tail<3>().norm() * time_step <= largest_turn;
+  };
   Attempt best = improve(first, unit, gyration, time_step, attempt);
-  if (!(best.size <= solved_fraction * unit)) {
+  if (!is_solved(best)) {
     const Attempt other = improve(second, unit, gyration, time_step, attempt);
-    if (other.size < best.size) best = other;
+    if (is_solved(other) || other.size < best.size) best = other;
   }
-  solved = best.size <= solved_fraction * unit;
+  solved = is_solved(best);
   return best;
 }
 

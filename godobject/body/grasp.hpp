@@ -29,6 +29,9 @@ class Grasp {
   /// Equations are solved when the residual is at most this fraction of the velocities, including those that the loads give in a step.
   static constexpr double solved_fraction = 1e-9;
 
+  /// A body that turns by more [rad] in a step is moved in parts, too.
+  static constexpr double largest_turn = 2.0;
+
   /// Throws std::invalid_argument with parameter, value, unit and range.
   Grasp(const BodyParameters& parameters, const BodyState& state, AnySurface surface, std::vector<SoftFinger> fingers);
 
