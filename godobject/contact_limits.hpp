@@ -52,6 +52,8 @@ class ContactLimits {
   }
   /// μ of a contact at rest, and while it slides.
   [[nodiscard]] double mu(bool slides) const noexcept { return slides ? sliding_.force : sticking_.force; }
+  /// Whether the limit falls when a slip begins.
+  [[nodiscard]] bool falls() const noexcept { return sliding_.force < sticking_.force || sliding_.radius != sticking_.radius; }
   /// The fraction of the sliding force limit within which a sliding contact comes to rest.
   [[nodiscard]] double force_stick_fraction() const noexcept { return force_stick_fraction_; }
   /// Margin to slip of a finger, as a fraction of the acting limit: 1 without friction, 0 on the limit and during slip.

@@ -69,12 +69,24 @@ void touch_down(FingerState& state, const FingerSample& sample) noexcept {
   state.patch = {};
 }
 
+/// The sliding limit only for what slides already: a slip of what rests stays at the static limit.
+void keep_static(FrictionLimits<double>& limits, const FrictionMemory<double>& memory, bool is_box) noexcept {
+  const bool slides = memory.force_slides;
+  const bool turns = is_box ? memory.moment_slides : slides;
+  if (slides && turns) return;
+  const FrictionLimit<double>& moment = turns ? limits.sliding : limits.sticking;
+  constexpr double almost_none = 1e-25;
+  const double force = slides ? std::max(limits.sliding.force, almost_none * limits.sticking.force) : limits.sticking.force;
+  limits.sliding = {force, force == moment.force ? moment.radius : moment.force / force * moment.radius};
+}
+
 /// Step b of a round contact.
 KeptDeflection friction_of_curve(const FingerCurve& curve, Projection projection, const ContactLimits& contact_limits,
-                                 const TrialDeflection& trial, FrictionMemory<double>& memory) noexcept {
+                                 const TrialDeflection& trial, bool may_begin, FrictionMemory<double>& memory) noexcept {
   const Springs& springs = trial.springs;
   const FrictionTrial<double> wrench{springs.stiffness * trial.tangential.norm(), springs.twist_stiffness * std::fabs(trial.twist)};
-  const FrictionLimits<double> limits = contact_limits.at<double>(trial.limit_load, springs.stiffness / springs.twist_stiffness);
+  FrictionLimits<double> limits = contact_limits.at<double>(trial.limit_load, springs.stiffness / springs.twist_stiffness);
+  if (!may_begin) keep_static(limits, memory, curve.is_box());
   const FrictionResult<double> friction = apply_friction(curve.view(), projection, limits, wrench, memory);
   return {trial.tangential * friction.force_fraction,
           trial.twist * friction.moment_fraction,
@@ -129,6 +141,15 @@ FingerOutput SoftFinger::preview(const Contact& contact, double twist, double ti
   return advance(state, {contact, twist, time_step, state.spin});
 }
 
+FingerState SoftFinger::try_step(const AnySurface& surface, const DevicePose& device, double time_step) const noexcept {
+  FingerState state = state_;
+  Spin spin;
+  Fault fault = Fault::none;
+  const Contact contact = sense(surface, device, state, spin, fault);
+  advance(state, {contact, device.twist, time_step, spin, fault, false});
+  return state;
+}
+
 FingerOutput SoftFinger::refuse(Fault fault) noexcept {
   return fade(state_, parameters_.fault_decay, fault);
 }
@@ -150,9 +171,9 @@ FingerOutput SoftFinger::advance(FingerState& state, const Sensed& sensed) const
   // b. Friction: the part of the trial deflection that the limit curve, or a patch's limit surface, allows (eqs. 21–23).
   FrictionMemory<double> friction = state.friction;
   PatchMemory patch;
-  const KeptDeflection kept =
-      patch_ ? friction_of_patch(*patch_, limits_, trial, sample.normal, sensed.spin, last.angle, state.patch, friction, patch)
-             : friction_of_curve(*curve_, projection_, limits_, trial, friction);
+  const KeptDeflection kept = patch_ ? friction_of_patch(*patch_, limits_, trial, sample.normal, sensed.spin, last.angle, state.patch,
+                                                         sensed.may_begin, friction, patch)
+                                     : friction_of_curve(*curve_, projection_, limits_, trial, sensed.may_begin, friction);
 
   // The proxy follows. A component without slip keeps its bits; a slip below the rounding of the position counts as stick.
   const MovedProxy moved = kept.force_reduced ? follow(trial, sample, kept.tangential) : MovedProxy{trial.proxy, trial.spring.normal};

@@ -96,6 +96,10 @@ class SoftFinger {
   [[nodiscard]] double spring_energy() const noexcept;
 
  private:
+  friend class Grasp;
+
+  /// The state that `update` would leave if a slip of what rests stayed at the static limit: the force is continuous in the pose.
+  [[nodiscard]] FingerState try_step(const AnySurface& surface, const DevicePose& device, double time_step) const noexcept;
   FingerOutput advance(FingerState& state, const Sensed& sensed) const noexcept;
 
   // The contact: one of both.

@@ -248,7 +248,7 @@ class Replay final : public Subcommand {
       replay.step(trace.time(), trace.fingers(), trace.body());
       if (replay.unsolved() > unsolved) {
         results.messages->say("limitcurve: time " + format_number(trace.time()) +
-                              " s: the step of the body was not solved to rounding; a smaller time step may help");
+                              " s: the step of the body was not solved; its momentum is right, its position approximate: a smaller time step may help");
       }
       rows.row_by([&](const auto& cell) {
         cell(trace.time());

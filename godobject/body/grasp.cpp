@@ -7,7 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <numbers>
 #include <stdexcept>
 #include <utility>
 
@@ -32,7 +32,7 @@ struct Motion {
 
 /// The end of a step with the velocities ξ. In space the rotation ω Δt of the step is that of a free body, after a moment at the beginning
 /// has given it its momentum: then ω is the mean of the angular velocities before and after the turn, in the body's axes, and the turn
-/// changes neither the momentum nor the energy, by no more than rounding up to half a turn. With t the axis times the tangent of half the
+/// changes neither the momentum nor the energy. With t the axis times the tangent of half the
 /// angle and J the inertia, these angular velocities are ω ± J⁻¹(t × Jω).
 Motion moved(const BodyParameters& body, const BodyState& from, const Eigen::Vector3d& velocity, const Eigen::Vector3d& angular_velocity,
              double time_step) noexcept {
@@ -41,6 +41,7 @@ Motion moved(const BodyParameters& body, const BodyState& from, const Eigen::Vec
   const Eigen::Vector3d rate = from.orientation.conjugate() * angular_velocity;
   const Eigen::Vector3d quarter = quarter_turn(rate, time_step);
   const Eigen::Vector3d momentum = body.inertia.cwiseProduct(rate);
+  // A search may try more than half a turn.
   const Eigen::Vector3d swing = quarter.cross(momentum) * (2.0 / std::max(1.0 - quarter.squaredNorm(), 0.1));
   next.angular_velocity = next.orientation * Eigen::Vector3d(rate - swing.cwiseQuotient(body.inertia));
   return {next, from.orientation * Eigen::Vector3d(momentum + swing)};
@@ -62,7 +63,13 @@ Eigen::Vector3d turn_by(const BodyParameters& body, const Orientation& orientati
 }  // namespace
 
 Grasp::Grasp(const BodyParameters& parameters, const BodyState& state, AnySurface surface, std::vector<SoftFinger> fingers)
-    : parameters_(parameters), state_(state), surface_(std::move(surface)), fingers_(std::move(fingers)) {
+    : parameters_(parameters),
+      state_(state),
+      surface_(std::move(surface)),
+      fingers_(std::move(fingers)),
+      last_devices_(fingers_.size()),
+      between_(fingers_.size()),
+      friction_(fingers_.size()) {
   parameters_.validate();
   if (const double norm = state.orientation.norm(); !(std::fabs(norm - 1.0) <= 1e-9)) {
     throw out_of_range("norm of the orientation", norm, "1", "1");
@@ -78,21 +85,47 @@ void Grasp::step(std::span<const DevicePose> devices, double time_step, const Ei
   const BodyState pushed{Eigen::Vector3d::Zero(), Orientation::Identity(), external.force * (time_step / parameters_.mass),
                          moment * (time_step / parameters_.inertia.minCoeff())};
   if (!is_plausible(pushed)) return refuse(Fault::body);
-  carry(solve(devices, time_step, external), devices, time_step);
+  // In whole, or in parts, counted in the smallest.
+  bool all_solved = true;
+  int size = most_parts;
+  for (int done = 0; done < most_parts;) {
+    const int end = done + size;
+    const double part = time_step * size / most_parts;
+    const std::span<const DevicePose> poses = end == most_parts ? devices : between(devices, static_cast<double>(end) / most_parts);
+    bool solved = false;
+    const Attempt attempt = solve(poses, part, external, solved);
+    if (!solved && size > 1 && (size < most_parts || may_divide(devices, time_step))) {
+      size /= 2;
+      continue;
+    }
+    all_solved = all_solved && solved;
+    const BodyState next = end_of(attempt, part);
+    if (!is_plausible(next)) return refuse(Fault::body);
+    state_ = next;
+    commit(poses, part, done > 0);
+    divided_ += done == 0 && size < most_parts;
+    done = end;
+    if (size < most_parts && done % (2 * size) == 0) size *= 2;
+  }
+  if (!all_solved) ++unsolved_;
+  remember(devices);
 }
 
 void Grasp::carry(const BodyState& state, std::span<const DevicePose> devices, double time_step) noexcept {
   if (!is_time_step(time_step)) return refuse(Fault::time_step);
   if (!is_plausible(state)) return refuse(Fault::body);
   state_ = state;
-  commit(devices, time_step);
-  account();
+  commit(devices, time_step, false);
+  remember(devices);
 }
 
 void Grasp::place(const BodyState& state, std::span<const DevicePose> devices) noexcept {
   if (!is_plausible(state)) return refuse(Fault::body);
   state_ = state;
-  commit(devices, 0.0);
+  const double dissipated = dissipated_;
+  commit(devices, 0.0, false);
+  dissipated_ = dissipated;
+  remember(devices);
 }
 
 Eigen::Vector3d Grasp::force_on_user(std::size_t index) const noexcept {
@@ -113,12 +146,26 @@ double Grasp::energy() const noexcept {
 
 void Grasp::reset() noexcept {
   for (SoftFinger& finger : fingers_) finger.reset();
+  last_count_ = 0;
   dissipated_ = 0.0;
   unsolved_ = 0;
+  divided_ = 0;
 }
 
-void Grasp::account() noexcept {
-  for (const SoftFinger& finger : fingers_) dissipated_ += finger.output().slip_work;
+void Grasp::remember(std::span<const DevicePose> devices) noexcept {
+  last_count_ = std::min(devices.size(), fingers_.size());
+  std::copy_n(devices.begin(), last_count_, last_devices_.begin());
+}
+
+/// The devices' poses at a fraction of the way from the last step to the present one.
+std::span<const DevicePose> Grasp::between(std::span<const DevicePose> devices, double fraction) noexcept {
+  for (std::size_t i = 0; i < last_count_; ++i) {
+    const DevicePose& from = last_devices_[i];
+    const double turn = std::remainder(devices[i].twist - from.twist, 2.0 * std::numbers::pi);
+    between_[i] = {from.position + fraction * (devices[i].position - from.position),
+                   from.orientation.slerp(fraction, devices[i].orientation), from.twist + fraction * turn};
+  }
+  return {between_.data(), last_count_};
 }
 
 /// A device pose in the body's frame.
@@ -127,14 +174,15 @@ DevicePose Grasp::in_body(const BodyState& state, const DevicePose& device) noex
 }
 
 /// The fingers' load on the body if `state` were its next state: the opposite of the users' forces, on the lines through finger and proxy,
-/// so that both ends have the same moment. Does not change the fingers.
+/// so that both ends have the same moment. What rests keeps the static limit. Does not change the fingers.
 Grasp::Load Grasp::preview(const BodyState& state, std::span<const DevicePose> devices, double time_step) const noexcept {
   Load load;
   for (std::size_t i = 0; i < fingers_.size() && i < devices.size(); ++i) {
     const DevicePose device = in_body(state, devices[i]);
-    const FingerOutput output = fingers_[i].preview(surface_, device, time_step);
+    const FingerState next = fingers_[i].try_step(surface_, device, time_step);
+    const FingerOutput& output = next.output;
     // After a refused sample the force acts at the last good position.
-    const Eigen::Vector3d finger = output.state != ContactState::invalid ? device.position : fingers_[i].state().sample.position();
+    const Eigen::Vector3d finger = output.state != ContactState::invalid ? device.position : next.sample.position();
     const Eigen::Vector3d force = state.orientation * Eigen::Vector3d(-output.force - output.normal * output.load);
     load.force += force;
     load.moment += (state.orientation * finger).cross(force) - state.orientation * Eigen::Vector3d(output.normal * output.moment);
@@ -142,14 +190,24 @@ Grasp::Load Grasp::preview(const BodyState& state, std::span<const DevicePose> d
   return load;
 }
 
-/// Steps a–c of all fingers; changes them.
-void Grasp::commit(std::span<const DevicePose> devices, double time_step) noexcept {
+/// Steps a–c of all fingers; changes them, and adds what their slip dissipates. If it `continues` a step, the output is that of the step: it
+/// slips if a part of it did.
+void Grasp::commit(std::span<const DevicePose> devices, double time_step, bool continues) noexcept {
   for (std::size_t i = 0; i < fingers_.size(); ++i) {
-    if (i < devices.size()) {
-      fingers_[i].update(surface_, in_body(state_, devices[i]), time_step);
-    } else {
-      fingers_[i].reset();
+    SoftFinger& finger = fingers_[i];
+    if (i >= devices.size()) {
+      finger.reset();
+      continue;
     }
+    const FingerOutput before = finger.output();
+    dissipated_ += finger.update(surface_, in_body(state_, devices[i]), time_step).slip_work;
+    if (!continues) continue;
+    FingerOutput& now = finger.state_.output;
+    now.slip_work += before.slip_work;
+    now.converged = now.converged && before.converged;
+    if (now.state != ContactState::stick || before.state != ContactState::slip) continue;
+    now.state = ContactState::slip;
+    now.cor = before.cor;
   }
 }
 
@@ -176,19 +234,21 @@ Grasp::Vector6 Grasp::residual(const Vector6& velocities, std::span<const Device
   return result;
 }
 
-/// Newton's method with a Jacobian by differences. A step that does not reduce the residual is halved: the load has a kink where a finger
-/// begins to slip.
+/// Newton's method with a Jacobian by differences. A step that does not reduce the residual is halved: the load has kinks where a finger
+/// slips or touches. At a kink the differences of one side may not lead down: then those of the other are tried.
 template <class Try>
 Grasp::Attempt Grasp::improve(Attempt now, double unit, double gyration, double time_step, const Try& attempt) const noexcept {
+  // Large compared with the rounding of positions, small compared with the deflection of the springs.
+  double change = 1e-9 / time_step;
+  bool turned_back = false;
   for (int i = 0; i < iteration_limit && now.size > 1e-15 * unit; ++i) {
     Matrix6 jacobian = Matrix6::Identity();
     for (int column = 0; column < 6; ++column) {
       if (!parameters_.free[static_cast<std::size_t>(column)]) continue;
-      // Large compared with the rounding of positions, small compared with the deflection of the springs.
-      const double change = (column < 3 ? 1.0 : 1.0 / gyration) * 1e-9 / time_step;
+      const double by = column < 3 ? change : change / gyration;
       Vector6 beside = now.velocities;
-      beside[column] += change;
-      jacobian.col(column) = (attempt(beside).error - now.error) / change;
+      beside[column] += by;
+      jacobian.col(column) = (attempt(beside).error - now.error) / by;
     }
     const Vector6 step = Eigen::PartialPivLU<Matrix6>(jacobian).solve(now.error);
     if (!step.allFinite()) break;
@@ -198,16 +258,23 @@ Grasp::Attempt Grasp::improve(Attempt now, double unit, double gyration, double 
       fraction *= 0.5;
       next = attempt(now.velocities - fraction * step);
     }
-    // No improvement: the residual is rounding, or there is a kink, which the next time step will pass.
-    if (!(next.size < now.size)) break;
-    now = next;
+    if (next.size < now.size) {
+      now = next;
+      turned_back = false;
+      continue;
+    }
+    // No improvement: the residual is rounding, or there is a kink.
+    if (turned_back || now.size <= solved_fraction * unit) break;
+    turned_back = true;
+    change = -change;
   }
   return now;
 }
 
-/// Implicit Euler step. Starts from the present velocities or from rest, whichever has the smaller residual; if that does not converge,
-/// from the other.
-BodyState Grasp::solve(std::span<const DevicePose> devices, double time_step, const Load& external) noexcept {
+/// The velocities of an implicit Euler step, from a start or from rest, whichever has the smaller residual; if that does not converge, from
+/// the other.
+Grasp::Attempt Grasp::search(std::span<const DevicePose> devices, double time_step, const Load& external, Vector6 start,
+                             bool& solved) const noexcept {
   const Eigen::Vector3d momentum = angular_momentum(parameters_, state_);
   const double gyration = std::sqrt(parameters_.inertia.mean() / parameters_.mass);
   const auto size = [&](const Vector6& value) { return value.head<3>().norm() + gyration * value.tail<3>().norm(); };
@@ -215,31 +282,78 @@ BodyState Grasp::solve(std::span<const DevicePose> devices, double time_step, co
     const Vector6 error = residual(velocities, devices, time_step, external, momentum);
     return Attempt{velocities, error, size(error)};
   };
-  Vector6 present;
-  present << state_.velocity, state_.angular_velocity;
-  Vector6 still = present;
+  Vector6 still = start;
   for (int i = 0; i < 6; ++i) {
     if (parameters_.free[static_cast<std::size_t>(i)]) still[i] = 0.0;
   }
   double force = external.force.norm();
   for (const SoftFinger& finger : fingers_) force += finger.output().load;
-  const double unit = size(present) + force * time_step / parameters_.mass;
+  const double unit = state_.velocity.norm() + gyration * state_.angular_velocity.norm() + force * time_step / parameters_.mass;
 
-  Attempt first = attempt(present);
+  Attempt first = attempt(start);
   Attempt second = attempt(still);
   if (second.size < first.size) std::swap(first, second);
+  // A turn by more than about half a circle looks like one in the other direction, where a moment that slows it down drives it.
+  const auto is_solved = [&](const Attempt& found) {
+    return found.size <= solved_fraction * unit && found.velocities.tail<3>().norm() * time_step <= largest_turn;
+  };
   Attempt best = improve(first, unit, gyration, time_step, attempt);
-  if (!(best.size <= solved_fraction * unit)) {
+  if (!is_solved(best)) {
     const Attempt other = improve(second, unit, gyration, time_step, attempt);
-    if (other.size < best.size) best = other;
-    if (!(best.size <= solved_fraction * unit)) ++unsolved_;
+    if (is_solved(other) || other.size < best.size) best = other;
   }
-  auto [next, turned_to] = moved(parameters_, state_, best.velocities.head<3>(), best.velocities.tail<3>(), time_step);
-  // What the equations leave goes to the velocities: momentum changes by the impulse of the forces as they are rendered.
-  turned_to -= best.error.tail<3>() * parameters_.inertia.mean();
-  next.velocity -= best.error.head<3>();
-  next.angular_velocity += turn_by(parameters_, next.orientation, turned_to - angular_momentum(parameters_, next));
+  solved = is_solved(best);
+  return best;
+}
+
+/// Marks the fingers that begin to slip at the end of a step: from then on their sliding limit acts. Whether there are new ones.
+bool Grasp::begin_slips(const Attempt& at, std::span<const DevicePose> devices, double time_step) noexcept {
+  const BodyState end = moved(parameters_, state_, at.velocities.head<3>(), at.velocities.tail<3>(), time_step).state;
+  bool begins = false;
+  for (std::size_t i = 0; i < fingers_.size() && i < devices.size(); ++i) {
+    SoftFinger& finger = fingers_[i];
+    if (!finger.limits_.falls()) continue;
+    FrictionMemory<double>& memory = finger.state_.friction;
+    const FrictionMemory<double> next = finger.try_step(surface_, in_body(end, devices[i]), time_step).friction;
+    begins = begins || (next.force_slides && !memory.force_slides) || (next.moment_slides && !memory.moment_slides);
+    memory.force_slides = memory.force_slides || next.force_slides;
+    memory.moment_slides = memory.moment_slides || next.moment_slides;
+  }
+  return begins;
+}
+
+/// The velocities of a step, and which fingers begin to slip in it. Where the static limit falls to a sliding one, the force jumps when slip
+/// begins, and the equations may have no root: so solve them with the static limit, mark what slips, and solve again, until nothing new
+/// slips. If that fails, the fingers stay as they were.
+Grasp::Attempt Grasp::solve(std::span<const DevicePose> devices, double time_step, const Load& external, bool& solved) noexcept {
+  for (std::size_t i = 0; i < fingers_.size(); ++i) friction_[i] = fingers_[i].state_.friction;
+  Vector6 present;
+  present << state_.velocity, state_.angular_velocity;
+  Attempt best = search(devices, time_step, external, present, solved);
+  while (solved && begin_slips(best, devices, time_step)) best = search(devices, time_step, external, best.velocities, solved);
+  for (std::size_t i = 0; i < fingers_.size() && !solved; ++i) fingers_[i].state_.friction = friction_[i];
+  return best;
+}
+
+/// The body at the end of a step. What the equations leave goes to the velocities: momentum changes by the impulse of the forces as they are
+/// rendered.
+BodyState Grasp::end_of(const Attempt& attempt, double time_step) const noexcept {
+  auto [next, momentum] = moved(parameters_, state_, attempt.velocities.head<3>(), attempt.velocities.tail<3>(), time_step);
+  momentum -= attempt.error.tail<3>() * parameters_.inertia.mean();
+  next.velocity -= attempt.error.head<3>();
+  next.angular_velocity += turn_by(parameters_, next.orientation, momentum - angular_momentum(parameters_, next));
   return next;
+}
+
+/// Whether a step may be done in parts: the devices' last poses are known, and no sample is refused. A jump that is refused must not become
+/// a motion.
+bool Grasp::may_divide(std::span<const DevicePose> devices, double time_step) const noexcept {
+  if (std::min(devices.size(), fingers_.size()) != last_count_) return false;
+  for (std::size_t i = 0; i < last_count_; ++i) {
+    if (fingers_[i].output().state == ContactState::invalid) return false;
+    if (fingers_[i].try_step(surface_, in_body(state_, devices[i]), time_step).output.state == ContactState::invalid) return false;
+  }
+  return true;
 }
 
 }  // namespace limitcurve::godobject

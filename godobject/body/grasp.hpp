@@ -22,10 +22,15 @@ class Grasp {
  public:
   /// Largest number of Newton steps from each of two starts; usually 2 to 4 are needed. Each costs seven evaluations of all fingers.
   static constexpr int iteration_limit = 20;
+  /// A step that cannot be solved is done in parts, of 1/2 to 1/2^7 of it, with poses of the devices in between; usually it is whole.
+  static constexpr int most_parts = 128;
   /// Largest number of halvings of a Newton step; usually 0.
   static constexpr int halving_limit = 24;
   /// Equations are solved when the residual is at most this fraction of the velocities, including those that the loads give in a step.
   static constexpr double solved_fraction = 1e-9;
+
+  /// A body that turns by more [rad] in a step is moved in parts, too.
+  static constexpr double largest_turn = 2.0;
 
   /// Throws std::invalid_argument with parameter, value, unit and range.
   Grasp(const BodyParameters& parameters, const BodyState& state, AnySurface surface, std::vector<SoftFinger> fingers);
@@ -67,8 +72,11 @@ class Grasp {
   [[nodiscard]] double energy() const noexcept;
   /// Energy that the slip of all fingers has dissipated since the beginning [J].
   [[nodiscard]] double dissipated() const noexcept { return dissipated_; }
-  /// Number of steps whose equations were not solved within iteration_limit.
+  /// Number of steps whose equations were not solved, not even in parts. Momentum changes there, too, by the impulse of the fingers' forces as
+  /// they are rendered; the position is approximate.
   [[nodiscard]] std::size_t unsolved() const noexcept { return unsolved_; }
+  /// Number of steps that were done in parts. There the output of a finger is that at the end, `slip` if a part slipped.
+  [[nodiscard]] std::size_t divided() const noexcept { return divided_; }
 
  private:
   using Vector6 = Eigen::Matrix<double, 6, 1>;
@@ -88,12 +96,18 @@ class Grasp {
 
   [[nodiscard]] static DevicePose in_body(const BodyState& state, const DevicePose& device) noexcept;
   [[nodiscard]] Load preview(const BodyState& state, std::span<const DevicePose> devices, double time_step) const noexcept;
-  void commit(std::span<const DevicePose> devices, double time_step) noexcept;
+  void commit(std::span<const DevicePose> devices, double time_step, bool continues) noexcept;
   void refuse(Fault fault) noexcept;
-  void account() noexcept;
+  void remember(std::span<const DevicePose> devices) noexcept;
+  [[nodiscard]] std::span<const DevicePose> between(std::span<const DevicePose> devices, double fraction) noexcept;
   [[nodiscard]] Vector6 residual(const Vector6& velocities, std::span<const DevicePose> devices, double time_step, const Load& external,
                                  const Eigen::Vector3d& momentum) const noexcept;
-  [[nodiscard]] BodyState solve(std::span<const DevicePose> devices, double time_step, const Load& external) noexcept;
+  [[nodiscard]] bool may_divide(std::span<const DevicePose> devices, double time_step) const noexcept;
+  [[nodiscard]] Attempt solve(std::span<const DevicePose> devices, double time_step, const Load& external, bool& solved) noexcept;
+  [[nodiscard]] Attempt search(std::span<const DevicePose> devices, double time_step, const Load& external, Vector6 start,
+                               bool& solved) const noexcept;
+  [[nodiscard]] bool begin_slips(const Attempt& at, std::span<const DevicePose> devices, double time_step) noexcept;
+  [[nodiscard]] BodyState end_of(const Attempt& attempt, double time_step) const noexcept;
   template <class Try>
   [[nodiscard]] Attempt improve(Attempt now, double unit, double gyration, double time_step, const Try& attempt) const noexcept;
 
@@ -101,8 +115,13 @@ class Grasp {
   BodyState state_;
   AnySurface surface_;
   std::vector<SoftFinger> fingers_;
+  std::vector<DevicePose> last_devices_;          // of the last step, for its first `last_count_` fingers
+  std::vector<DevicePose> between_;               // at the end of a part of a step
+  std::vector<FrictionMemory<double>> friction_;  // of the fingers, before a step is tried
+  std::size_t last_count_ = 0;
   double dissipated_ = 0.0;
   std::size_t unsolved_ = 0;
+  std::size_t divided_ = 0;
 };
 
 }  // namespace limitcurve::godobject

@@ -57,7 +57,7 @@ std::shared_ptr<const PatchProjector> make_projector(const Patch& patch, double 
 }
 
 KeptDeflection friction_of_patch(const PatchProjector& patch, const ContactLimits& limits, const TrialDeflection& trial,
-                                 const Vector3d& normal, const Spin& spin, double angle, const PatchMemory& last,
+                                 const Vector3d& normal, const Spin& spin, double angle, const PatchMemory& last, bool may_begin,
                                  FrictionMemory<double>& friction, PatchMemory& next) noexcept {
   next.zero_axis = zero_axis(normal, spin, last.zero_axis);
   next.axis = turned(next.zero_axis, normal, angle);
@@ -73,7 +73,7 @@ KeptDeflection friction_of_patch(const PatchProjector& patch, const ContactLimit
   };
   const bool was_sliding = friction.force_slides;
   PatchProjection found = project(was_sliding);
-  if (found.slips && !was_sliding && limits.mu(true) < limits.mu(false)) found = project(true);
+  if (found.slips && !was_sliding && may_begin && limits.mu(true) < limits.mu(false)) found = project(true);
   friction.force_slides = keeps_sliding(was_sliding, found.slips, limits.force_stick_fraction(),
                                         [&] { return patch.patch().gauge(wrench) / (limits.mu(true) * trial.limit_load); });
 

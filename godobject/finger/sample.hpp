@@ -18,6 +18,7 @@ struct Sensed {
   double time_step;           ///< [s]
   const Spin& spin;           ///< of the device's orientation
   Fault fault = Fault::none;  ///< of the device's pose; then there is no contact
+  bool may_begin = true;      ///< whether a slip of what rests begins: falls to the sliding limit
 };
 
 /// Whether a vector or a quaternion is of unit length; a NaN is not.

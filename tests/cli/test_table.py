@@ -4,6 +4,7 @@
 import csv
 import json
 import math
+import os
 import random
 import re
 import subprocess
@@ -172,6 +173,44 @@ class Tables(CommandLineTest):
         exact = rows("eval", "--law", "hertz", "--c", "0.3")[0]
         self.assertAlmostEqual(force, exact["force"], delta=1e-6)
         self.assertAlmostEqual(moment, exact["moment"], delta=1e-6)
+
+
+class Exports(CommandLineTest):
+    """What is exported gives what `eval` gives, within the error that the table states: random laws and tolerances, twists of both signs."""
+
+    def test_random_tables_give_what_eval_gives(self):
+        generator = random.Random(17)
+        any_law = ["hertz", "uniform", "parabolic", "flat-punch", "cone", lambda: f"power:n={generator.uniform(-0.9, 5)}",
+                   lambda: f"xydas-kao:k={generator.uniform(1, 6)}", lambda: f"gaussian:sigma={generator.uniform(0.2, 3)}",
+                   lambda: f"mix:{generator.uniform(0.1, 0.9)}*flat-punch+1*cone"]
+        cors = [0.0, 1.0, math.inf, *(10 ** generator.uniform(-5, 5) for _ in range(30)), *(generator.uniform(0.5, 1.5) for _ in range(20))]
+        includes, calls, expected = [], [], []
+        for case in range(40 if os.environ.get("LIMITCURVE_WHOLE") == "1" else 4):
+            law = generator.choice(any_law)
+            law = law if isinstance(law, str) else law()
+            path = self.directory / f"table{case}.h"
+            facts = rows("table", "--law", law, "--tolerance", 10 ** generator.uniform(-9, -1), "-o", path)[0]
+            error = facts["certified_error"] + facts["profile_error"]
+            name = re.search(r"(\w+)_wrench\(double", path.read_text()).group(1)
+            includes.append(f'#include "{path.name}"\n')
+            exact = rows("eval", "--law", law, "--c", numbers(cors))
+            for form in FORMS:
+                table = self.directory / f"table{case}.{form}"
+                rows("table", "--law", law, "--tolerance", facts["tolerance"], "-o", table)
+                for wrench, row in zip(rows("lookup", "--table", table, "--c", numbers(cors)), exact, strict=True):
+                    self.assertAlmostEqual(wrench["force"], row["force"], delta=error + 1e-15, msg=law)
+                    self.assertAlmostEqual(wrench["moment"], row["moment"], delta=error + 1e-15, msg=law)
+            for c, row in zip(cors, exact):
+                spin = 0.0 if math.isinf(c) else generator.choice([-1, 1]) * 10 ** generator.uniform(-3, 3)
+                slide = generator.choice([-1, 1]) * (c * abs(spin) if spin else 1.0)
+                calls.append(f'  {{ {name}_unit_wrench w = {name}_wrench({slide!r}, {spin!r}); printf("%.17g %.17g\\n", w.force, w.moment); }}\n')
+                expected.append((law, c, row["force"], row["moment"], error + 1e-14 * max(1, exact[0]["moment"])))
+        (self.directory / "main.c").write_text("".join(includes) + "#include <stdio.h>\nint main(void) {\n" + "".join(calls) + "  return 0;\n}\n")
+        subprocess.run(["cc", "-std=c99", "-Wall", "-Wextra", "-pedantic", "-Werror", "-o", "main", "main.c", "-lm"], cwd=self.directory, check=True)
+        printed = subprocess.run(["./main"], cwd=self.directory, check=True, capture_output=True, text=True).stdout.splitlines()
+        for line, (law, c, force, moment, error) in zip(printed, expected, strict=True):
+            for found, wanted in zip(map(float, line.split()), (force, moment)):
+                self.assertAlmostEqual(found, wanted, delta=error, msg=f"{law} at {c}")
 
 
 class BadTables(CommandLineTest):

@@ -78,6 +78,57 @@ TEST(MeshGrasp, ABlockOfTrianglesMovesLikeTheBlock) {
   }
 }
 
+// Where a finger passes from face to face, the normal at the end of the step acts on the whole of it: the energy rises, by no more than the
+// load times the way and the change of the normal, beside what the turn of the step may add (godobject/README.md, "Bodies").
+TEST(MeshGrasp, ARidgeAddsNoMoreThanItsBound) {
+  Random random(6);
+  double largest = 0.0;
+  for (int round = 0; round < repetitions(240, 12); ++round) {
+    BodyParameters body = BodyParameters::block(0.1, {0.06, 0.04, 0.04});
+    body.gravity.setZero();
+    if (round % 2 == 0) body.free = {true, true, false, false, false, true};
+    const AnySurface ball{MeshSurface(Mesh(ball_triangles(0.02, 1 + round % 3)))};
+    const double stiffness = 1000.0;
+    const SoftFinger finger =
+        hertz_finger(parameters(round / 6 % 4 == 3 ? 0.6 : 0.0, 0.005, stiffness));
+    Grasp grasp(body, BodyState{}, ball, {finger, finger});
+    const auto any = [&](double size) {
+      return Vector3d(random.uniform(-size, size), random.uniform(-size, size), random.uniform(-size, size));
+    };
+    const Vector3d at = (0.017 - random.uniform(0.0005, 0.004)) * any(1.0).normalized();
+    const std::array<DevicePose, 2> devices{DevicePose{at}, DevicePose{-at}};
+    BodyState knocked;
+    knocked.velocity = any(0.3);
+    knocked.angular_velocity = any(5.0);
+    if (round % 2 == 0) {
+      knocked.velocity.z() = 0.0;
+      knocked.angular_velocity.head<2>().setZero();
+    }
+    grasp.place(knocked, devices);
+    const double first = grasp.energy();
+    const double time_step = random.logarithmic(1e-5, 3e-3);
+    for (int i = 0; i < 300; ++i) {
+      const Grasp before = grasp;
+      grasp.step(devices, time_step);
+      const double turned = std::max(before.body().angular_velocity.norm(), grasp.body().angular_velocity.norm()) * time_step;
+      double moments = first;
+      double ridge = 0.0;
+      for (std::size_t k = 0; k < 2; ++k) {
+        const FingerOutput& was = before.finger(k).output();
+        const FingerOutput& now = grasp.finger(k).output();
+        moments += grasp.force_on_user(k).norm() * now.proxy.norm() + std::fabs(now.moment);
+        const double way = (before.body().to_body(devices[k].position) - grasp.body().to_body(devices[k].position)).norm();
+        const double bend = (now.normal - was.normal).norm();
+        ridge += (was.load + 0.5 * stiffness * way * bend) * way * bend;
+      }
+      const double rise = grasp.energy() - before.energy();
+      ASSERT_LE(rise, 1e-12 * first + turned * turned * moments + ridge) << round << ' ' << i;
+      largest = std::max(largest, rise / first);
+    }
+  }
+  EXPECT_GT(largest, tests_are_short ? 0.0 : 1e-5) << "the energy does rise";
+}
+
 // A finger drags its proxy around a ball of triangles: friction opposes it everywhere and is continuous up to the angle of the facets.
 TEST(MeshGrasp, AFingerSlidesAroundABall) {
   const MeshSurface ball(Mesh(ball_triangles(0.05, 5)));
