@@ -2,7 +2,9 @@
 #include "fit/model_fit.hpp"
 
 #include "cli/commands/fit_friction.hpp"
+#include "cli/commands/radius_check.hpp"
 #include "cli/commands/subcommands.hpp"
+#include "cli/io/patch_argument.hpp"
 #include "cli/io/slip_samples.hpp"
 
 #include "limitcurve/internal/number.hpp"
@@ -86,7 +88,11 @@ class Fit final : public Subcommand {
   [[nodiscard]] std::vector<fit::Estimate> friction() const {
     if (patch_.empty()) throw std::invalid_argument("--patch is required to fit 'friction'");
     if (data_.empty()) throw std::invalid_argument("--data is required to fit 'friction'");
-    return fit_friction(patch_, data_, load_);
+    const Patch patch = read_patch(patch_);
+    warn_of_patch(*messages_, patch_, patch);
+    const fit::FrictionFit found = fit_friction(patch, data_, load_);
+    for (const std::string& warning : found.warnings) say("warning", warning);
+    return found.estimates;
   }
 
   /// A note or warning that the user must know before using the numbers.

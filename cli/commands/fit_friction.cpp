@@ -2,7 +2,6 @@
 #include "cli/commands/fit_friction.hpp"
 
 #include "cli/io/csv_reader.hpp"
-#include "cli/io/patch_argument.hpp"
 
 namespace limitcurve::cli {
 
@@ -18,11 +17,10 @@ std::vector<fit::Push> read_pushes(const std::string& file) {
   return pushes;
 }
 
-std::vector<fit::Estimate> fit_friction(const std::string& patch, const std::string& data, const std::optional<double>& load) {
-  const Patch exact = read_patch(patch);
+fit::FrictionFit fit_friction(const Patch& patch, const std::string& data, const std::optional<double>& load) {
   const std::vector<fit::Push> pushes = read_pushes(data);
   try {
-    return fit::fit_friction(exact, pushes, load.value_or(1.0), load ? "1" : "N");
+    return fit::fit_friction(patch, pushes, load.value_or(1.0), load ? "1" : "N");
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument(data + ": " + error.what());
   }

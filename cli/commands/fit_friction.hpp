@@ -13,6 +13,6 @@ namespace limitcurve::cli {
 std::vector<fit::Push> read_pushes(const std::string& file);
 
 /// Fits the friction of a patch to the pushes of a CSV file (see `read_pushes`). `load` in [N]; without it mu is mu P.
-std::vector<fit::Estimate> fit_friction(const std::string& patch, const std::string& data, const std::optional<double>& load);
+fit::FrictionFit fit_friction(const Patch& patch, const std::string& data, const std::optional<double>& load);
 
 }  // namespace limitcurve::cli

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "cli/commands/radius_check.hpp"
 #include "cli/commands/subcommands.hpp"
 #include "cli/io/law_argument.hpp"
 #include "cli/io/patch_argument.hpp"
@@ -92,7 +93,9 @@ class Validate final : public Subcommand {
     std::vector<std::pair<std::string, std::vector<RoundModel>>> found;
     for (const std::string& text : patches_) {
       results.messages->progress(static_cast<double>(found.size()) / static_cast<double>(patches_.size()));
-      found.emplace_back(text, round_models(read_patch(text)));
+      const Patch patch = read_patch(text);
+      warn_of_patch(*results.messages, text, patch);
+      found.emplace_back(text, round_models(patch));
     }
     Rows rows(results, columns());
     for (const auto& [text, models] : found) {
