@@ -6,6 +6,7 @@
 
 #include "limitcurve/approximations.hpp"
 #include "limitcurve/exact_curve.hpp"
+#include "limitcurve/internal/remembering_law.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/patch/round_models.hpp"
 #include "limitcurve/validate.hpp"
@@ -55,7 +56,8 @@ class Validate final : public Subcommand {
     }
     Rows rows(results, columns());
     std::size_t done = 0;
-    for (const Law& law : laws_) {
+    for (const Law& given : laws_) {
+      const auto law = std::make_shared<const RememberingLaw>(given);
       results.messages->progress(static_cast<double>(done++) / static_cast<double>(laws_.size()));
       const auto row = [&](std::string_view model, double parameter, const CurveError& error) {
         write(rows, law->name(), model, parameter, error);
