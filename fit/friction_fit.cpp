@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "fit/internal/friction_fit.hpp"
 
+#include "fit/internal/warnings.hpp"
+
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <stdexcept>
 
 namespace limitcurve::fit {
@@ -48,6 +52,36 @@ Line regress(std::span<const double> x, std::span<const double> y) {
   return line;
 }
 
+/// Warnings of displacements and moments that no contact of metres, radians and N m is likely to have.
+std::vector<std::string> suspicious_units(const Patch& patch, std::span<const Push> pushes) {
+  constexpr double longest = 1.0;
+  double distance = 0.0;
+  double turn = 0.0;
+  std::vector<double> arms;  // moment over force, as a multiple of that of the patch
+  for (const auto& [wrench, moved] : pushes) {
+    distance = std::max(distance, std::hypot(moved.vx, moved.vy));
+    turn = std::max(turn, std::fabs(moved.omega));
+    const PatchWrench expected = patch.about_origin(moved).wrench;
+    const double force = std::hypot(expected.fx, expected.fy);
+    if (force > 0.1 && std::fabs(expected.moment) > 0.1 * patch.moment_ratio()) {
+      arms.push_back(std::fabs(wrench.moment / expected.moment) * force / std::hypot(wrench.fx, wrench.fy));
+    }
+  }
+  std::vector<std::string> warnings;
+  if (distance > longest) warnings.push_back("a push of " + format_number(distance, 3) + " m: are dx and dy in metres?");
+  if (turn > std::numbers::pi) warnings.push_back("a push turns by " + format_number(turn, 3) + " rad: is dtheta in radians?");
+  if (!arms.empty()) {
+    const auto middle = arms.begin() + static_cast<std::ptrdiff_t>(arms.size() / 2);
+    std::nth_element(arms.begin(), middle, arms.end());
+    constexpr double least = 30.0;
+    if (*middle > least) {
+      warnings.push_back("moments are " + format_number(*middle, 3) +
+                         " times those that the patch has beside these forces: are they in N m, and is the patch in metres?");
+    }
+  }
+  return warnings;
+}
+
 }  // namespace
 
 std::vector<PushFriction> push_friction(const Patch& patch, std::span<const Push> pushes, double load) {
@@ -69,22 +103,41 @@ std::vector<PushFriction> push_friction(const Patch& patch, std::span<const Push
   return found;
 }
 
-std::vector<Estimate> fit_friction(const Patch& patch, std::span<const Push> pushes, double load, const std::string& unit) {
-  if (pushes.size() < 3) throw std::invalid_argument(std::to_string(pushes.size()) + " pushes, expected at least 3");
+FrictionFit fit_friction(const Patch& patch, std::span<const Push> pushes, double load, const std::string& unit) {
   std::vector<double> share;
   std::vector<double> exact;
   std::vector<double> ellipsoid;
-  for (const PushFriction& push : push_friction(patch, pushes, load)) {
-    share.push_back(push.share);
-    exact.push_back(push.exact);
-    ellipsoid.push_back(push.ellipsoid);
+  std::vector<std::size_t> against;
+  const std::vector<PushFriction> found = push_friction(patch, pushes, load);
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    if (found[i].exact < 0.0) {
+      against.push_back(i);
+      continue;
+    }
+    share.push_back(found[i].share);
+    exact.push_back(found[i].exact);
+    ellipsoid.push_back(found[i].ellipsoid);
   }
+  if (2 * against.size() > found.size()) {
+    throw std::invalid_argument(
+        "push " + std::to_string(against.front() + 1) + ": negative power, as in " + std::to_string(against.size()) + " of " +
+        std::to_string(found.size()) +
+        " pushes; expected the wrench on the patch, which points along the motion: is this the reaction, with the other "
+        "sign?");
+  }
+  if (share.size() < 3) throw std::invalid_argument(std::to_string(share.size()) + " pushes, expected at least 3");
   const Line of_exact = regress(share, exact);
   const Line of_ellipsoid = regress(share, ellipsoid);
-  return {{"mu", of_exact.mean, of_exact.mean_error, unit},
-          {"drift", of_exact.drift, of_exact.drift_error, "1"},
-          {"mu_ellipsoid", of_ellipsoid.mean, of_ellipsoid.mean_error, unit},
-          {"drift_ellipsoid", of_ellipsoid.drift, of_ellipsoid.drift_error, "1"}};
+  FrictionFit fit{{{"mu", of_exact.mean, of_exact.mean_error, unit},
+                   {"drift", of_exact.drift, of_exact.drift_error, "1"},
+                   {"mu_ellipsoid", of_ellipsoid.mean, of_ellipsoid.mean_error, unit},
+                   {"drift_ellipsoid", of_ellipsoid.drift, of_ellipsoid.drift_error, "1"}},
+                  suspicious_units(patch, pushes)};
+  if (!against.empty()) {
+    fit.warnings.insert(fit.warnings.begin(), internal::listed("push", "pushes", against) + " of " + std::to_string(found.size()) +
+                                                  " (the first is 1): negative power, left out; did they slide?");
+  }
+  return fit;
 }
 
 }  // namespace limitcurve::fit

@@ -4,6 +4,7 @@
 #include "limitcurve/approximations.hpp"
 #include "limitcurve/exact_curve.hpp"
 #include "limitcurve/internal/number.hpp"
+#include "limitcurve/internal/remembering_law.hpp"
 #include "limitcurve/internal/shipped_costs.hpp"
 #include "limitcurve/table.hpp"
 #include "limitcurve/validate.hpp"
@@ -23,9 +24,13 @@ namespace {
 Candidate sufficient_table(const Law& law, const ExactCurve& exact, double tolerance) {
   // An error ε of f and m is a radial error of at most ε(1 + 1/m₀)/0.9; the error of a table is at most its tolerance times max(1, m₀).
   const double m0 = exact.moment_ratio();
-  const double bound =
-      std::clamp(0.9 * tolerance / ((1.0 + 1.0 / m0) * std::max(1.0, m0)), Table::finest_tolerance, Table::coarsest_tolerance);
+  const double needed = 0.9 * tolerance / ((1.0 + 1.0 / m0) * std::max(1.0, m0));
+  const double bound = std::clamp(needed, Table::finest_tolerance, Table::coarsest_tolerance);
   const double cost = shipped_costs::of("table").wrench;
+  // A sharply peaked pressure: its moment is less than any table's error. Do not look for the finest that is possible.
+  if (needed < 1e-2 * Table::finest_tolerance) {
+    return {"table", bound, std::numeric_limits<double>::infinity(), cost, false, "would need a tolerance of " + format_number(needed)};
+  }
   try {
     const Table table = Table::build(law, bound);
     return {"table", bound, curve_error(table, exact).max_error, cost};
@@ -71,7 +76,7 @@ void choose_cheapest(std::vector<Candidate>& candidates, double tolerance) {
 
 std::vector<Candidate> choose(const Law& law, double tolerance) {
   if (!(tolerance >= 1e-10 && tolerance <= 1.0)) throw out_of_range("tolerance", tolerance, "1", "1e-10 <= tolerance <= 1");
-  const ExactCurve exact(law);
+  const ExactCurve exact(std::make_shared<RememberingLaw>(checked(law)));
   const double m0 = exact.moment_ratio();
   const auto error_of = [&](const auto& curve) { return curve_error(curve, exact).max_error; };
   const auto cost_of = [](const char* model) { return shipped_costs::of(model).wrench; };

@@ -61,18 +61,20 @@ struct Comparison {
 };
 
 /// ∫ square d(angle) from `left` to `right` by the trapezoid rule and Richardson's extrapolation; the interval is halved if the two differ
-/// by more than `allowed`. `middle` is the comparison midway.
+/// by more than `allowed`, a share of the whole error for this interval of `part`, and by more than `density` times its angle: where the angle
+/// turns within a minute interval (a sharply peaked pressure) the first share is less than rounding. `middle` is the comparison midway.
 template <class Function>
-double integral(const Function& at, const Comparison& left, const Comparison& middle, const Comparison& right, double allowed, int depth) {
+double integral(const Function& at, const Comparison& left, const Comparison& middle, const Comparison& right, double allowed,
+                double density, int depth) {
   const auto trapezoid = [](const Comparison& one, const Comparison& other) {
     return 0.5 * (one.square + other.square) * std::fabs(other.angle - one.angle);
   };
   const double coarse = trapezoid(left, right);
   const double fine = trapezoid(left, middle) + trapezoid(middle, right);
   const double correction = (fine - coarse) / 3.0;
-  if (std::fabs(correction) <= allowed || depth == 0) return fine + correction;
+  if (std::fabs(correction) <= std::max(allowed, density * std::fabs(right.angle - left.angle)) || depth == 0) return fine + correction;
   const auto half = [&](const Comparison& begin, const Comparison& end) {
-    return integral(at, begin, at(0.5 * (begin.part + end.part)), end, 0.5 * allowed, depth - 1);
+    return integral(at, begin, at(0.5 * (begin.part + end.part)), end, 0.5 * allowed, density, depth - 1);
   };
   return half(left, middle) + half(middle, right);
 }
@@ -111,12 +113,12 @@ CurveError curve_error(const CompareRay& compare, UnitWrench intercepts, double 
 
   const double span = std::fabs(compared.back().angle - compared.front().angle);
   // The error of a root is the error of its square divided by twice the root.
-  const double allowed = rms_tolerance * std::max(std::sqrt(roughly / span), rms_tolerance) * span / intervals;
+  const double mean_error = rms_tolerance * std::max(std::sqrt(roughly / span), rms_tolerance);
   constexpr int most_halvings = 24;
   double squares = 0.0;
   for (std::size_t i = 0; i + 2 <= intervals; i += 2) {
-    squares += integral([&](double part) { return comparison(part, ray_at(part)); }, compared[i], compared[i + 1], compared[i + 2], allowed,
-                        most_halvings);
+    squares += integral([&](double part) { return comparison(part, ray_at(part)); }, compared[i], compared[i + 1], compared[i + 2],
+                        mean_error * span / intervals, 0.1 * mean_error, most_halvings);
   }
   error.rms_error = std::sqrt(std::max(squares, 0.0) / span);
 

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 
 namespace limitcurve::cli {
@@ -33,7 +34,7 @@ class Eval final : public Subcommand {
   void declare(Options& options) override {
     options.law(law_);
     options.numbers("--c", distances_, distance, "Distances of the centre of rotation from the contact centre [m], such as 0,0.5,inf");
-    options.number("--radius", radius_, positive, "Contact radius a [m]");
+    options.number("--radius", radius_, positive, "Contact radius a [m] (default 1)");
     options.number("--load", load_, non_negative, "Normal load P [N]");
     options.number("--mu", friction_, non_negative, "Friction coefficient mu [1]");
     options.choice("--method", method_, method_names(), "Method that evaluates eq. (17)");
@@ -42,14 +43,19 @@ class Eval final : public Subcommand {
   void run(const Results& results) override {
     const Method method = methods.at(method_);
     if (!law_->allows(method)) throw std::invalid_argument(unsupported(method));
+    constexpr double largest_radius = 1.0;
+    if (radius_ && *radius_ > largest_radius) {
+      results.messages->say("limitcurve: warning: --radius " + format_number(*radius_) + " m: is it in metres?");
+    }
+    const double radius = radius_.value_or(1.0);
     const double force_unit = friction_ * load_;
-    const double moment_unit = force_unit * radius_;
+    const double moment_unit = force_unit * radius;
     if (!std::isfinite(force_unit) || !std::isfinite(moment_unit)) {
       throw std::invalid_argument("--mu, --load, --radius: their product is too large, expected a finite number");
     }
     Rows rows(results, {"c", "force", "moment", "force_error", "moment_error"});
     for (const double c : distances_) {
-      const double s = c / radius_;
+      const double s = c / radius;
       const auto [wrench, error, slope] = in_units(law_->evaluate(s, method), s, force_unit, moment_unit);
       rows.row(c, wrench.force, wrench.moment, error.force, error.moment);
     }
@@ -67,7 +73,7 @@ class Eval final : public Subcommand {
 
   Law law_;
   std::vector<double> distances_;
-  double radius_ = 1.0;
+  std::optional<double> radius_;
   double load_ = 1.0;
   double friction_ = 1.0;
   std::size_t method_ = 0;

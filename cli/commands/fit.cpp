@@ -2,7 +2,9 @@
 #include "fit/model_fit.hpp"
 
 #include "cli/commands/fit_friction.hpp"
+#include "cli/commands/radius_check.hpp"
 #include "cli/commands/subcommands.hpp"
+#include "cli/io/patch_argument.hpp"
 #include "cli/io/slip_samples.hpp"
 
 #include "limitcurve/internal/number.hpp"
@@ -46,6 +48,9 @@ class Fit final : public Subcommand {
   void declare(Options& options) override {
     options.choice("MODEL", model_, models, "What to fit", Presence::required);
     options.text("--data", data_, "FILE", "CSV of measurements, or - for standard input");
+    options.text("--columns", columns_, "LIST", "The file's names of columns, such as load=Fz,force=Fxy,moment=Tz");
+    options.text("--units", units_, "LIST",
+                 "The file's units: length=m|cm|mm|um, force=N|mN|kN, moment=Nm|Ncm|Nmm|mNm|uNm, angle=rad|deg (default m, N, Nm, rad)");
     options.law(law_, Presence::optional);
     options.text("--patch", patch_, "PATCH", "For friction: the pressure patch");
     options.number("--load", load_, positive, "For friction: normal load P [N]; without it mu is mu P [N]");
@@ -60,6 +65,8 @@ class Fit final : public Subcommand {
 
   void run(const Results& results) override {
     messages_ = results.messages;
+    if (data_.empty() && !(columns_.empty() && units_.empty())) throw std::invalid_argument("--columns, --units: go with --data");
+    file_columns_ = FileColumns::read(columns_, units_);
     if (models[model_] == "friction") return write(results, friction(), patch_);
     if (!patch_.empty()) throw std::invalid_argument("--patch: only for fit friction, got fit " + models[model_]);
     if (load_) throw std::invalid_argument("--load: only for fit friction, got fit " + models[model_]);
@@ -86,7 +93,11 @@ class Fit final : public Subcommand {
   [[nodiscard]] std::vector<fit::Estimate> friction() const {
     if (patch_.empty()) throw std::invalid_argument("--patch is required to fit 'friction'");
     if (data_.empty()) throw std::invalid_argument("--data is required to fit 'friction'");
-    return fit_friction(patch_, data_, load_);
+    const Patch patch = read_patch(patch_);
+    warn_of_patch(*messages_, patch_, patch);
+    const fit::FrictionFit found = fit_friction(patch, data_, load_, file_columns_);
+    for (const std::string& warning : found.warnings) say("warning", warning);
+    return found.estimates;
   }
 
   /// A note or warning that the user must know before using the numbers.
@@ -171,13 +182,13 @@ class Fit final : public Subcommand {
   [[nodiscard]] fit::ModelFit data_fit() {
     settings_.loss = loss_ == 0 ? fit::Loss::squared() : loss_ == 1 ? fit::Loss::huber() : fit::Loss::cauchy();
     if (models[model_] == "ratio") return ratio_fit();
-    if (models[model_] == "law" && law_ == nullptr) return law_fit(read_slip_samples(data_));
-    if (models[model_] != "load") return fit::fit_model(models[model_], read_slip_samples(data_), law_, settings_);
-    return load_fit(read_load_samples(data_));
+    if (models[model_] == "law" && law_ == nullptr) return law_fit(read_slip_samples(data_, file_columns_));
+    if (models[model_] != "load") return fit::fit_model(models[model_], read_slip_samples(data_, file_columns_), law_, settings_);
+    return load_fit(read_load_samples(data_, file_columns_));
   }
 
   [[nodiscard]] fit::ModelFit ratio_fit() const {
-    const auto data = read_ratio_data(data_);
+    const auto data = read_ratio_data(data_, file_columns_);
     if (const auto* slips = std::get_if<std::vector<fit::Sample>>(&data)) return fit::fit_model("ratio", *slips, law_, settings_);
     if (loss_ != 0) throw std::invalid_argument("--loss: published ratios are averaged, expected squared, got " + losses[loss_]);
     return fit::fit_model("ratio", std::get<std::vector<fit::RatioSample>>(data), law_);
@@ -209,6 +220,9 @@ class Fit final : public Subcommand {
 
   std::size_t model_ = 0;
   std::string data_;
+  std::string columns_;
+  std::string units_;
+  FileColumns file_columns_;
   std::string patch_;
   std::optional<double> load_;
   Law law_;

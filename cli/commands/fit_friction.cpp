@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "cli/commands/fit_friction.hpp"
 
-#include "cli/io/csv_reader.hpp"
-#include "cli/io/patch_argument.hpp"
-
 namespace limitcurve::cli {
 
-std::vector<fit::Push> read_pushes(const std::string& file) {
+std::vector<fit::Push> read_pushes(const std::string& file, const FileColumns& columns) {
   std::vector<fit::Push> pushes;
-  CsvReader reader(file, {"force_x", "force_y", "moment", "dx", "dy", "dtheta"});
+  CsvReader reader(file, {"force_x", "force_y", "moment", "dx", "dy", "dtheta"}, {}, columns);
   while (reader.next()) {
     const auto number = [&reader](std::size_t column) { return reader.number(column, finite); };
     pushes.push_back({{number(0), number(1), number(2)}, {number(3), number(4), number(5)}});
@@ -18,11 +15,10 @@ std::vector<fit::Push> read_pushes(const std::string& file) {
   return pushes;
 }
 
-std::vector<fit::Estimate> fit_friction(const std::string& patch, const std::string& data, const std::optional<double>& load) {
-  const Patch exact = read_patch(patch);
-  const std::vector<fit::Push> pushes = read_pushes(data);
+fit::FrictionFit fit_friction(const Patch& patch, const std::string& data, const std::optional<double>& load, const FileColumns& columns) {
+  const std::vector<fit::Push> pushes = read_pushes(data, columns);
   try {
-    return fit::fit_friction(exact, pushes, load.value_or(1.0), load ? "1" : "N");
+    return fit::fit_friction(patch, pushes, load.value_or(1.0), load ? "1" : "N");
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument(data + ": " + error.what());
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "cli/io/csv_reader.hpp"
 #include "fit/internal/friction_fit.hpp"
 
 #include <optional>
@@ -10,9 +11,10 @@
 namespace limitcurve::cli {
 
 /// Reads pushes from a CSV file with columns force_x,force_y,moment,dx,dy,dtheta.
-std::vector<fit::Push> read_pushes(const std::string& file);
+std::vector<fit::Push> read_pushes(const std::string& file, const FileColumns& columns = {});
 
 /// Fits the friction of a patch to the pushes of a CSV file (see `read_pushes`). `load` in [N]; without it mu is mu P.
-std::vector<fit::Estimate> fit_friction(const std::string& patch, const std::string& data, const std::optional<double>& load);
+fit::FrictionFit fit_friction(const Patch& patch, const std::string& data, const std::optional<double>& load,
+                              const FileColumns& columns = {});
 
 }  // namespace limitcurve::cli

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "limitcurve/patch.hpp"
 
+#include "cli/commands/radius_check.hpp"
 #include "cli/commands/subcommands.hpp"
 #include "cli/io/patch_argument.hpp"
 
@@ -31,6 +32,9 @@ class PatchCommand final : public Subcommand {
 
   void run(const Results& results) override {
     const Patch patch = read_patch(patch_);
+    // A wrench is right in any unit of length that the twists share.
+    constexpr double largest_arm = 3.0;
+    warn_of_patch(*results.messages, patch_, patch, largest_arm);
     Rows rows(results, {"vx", "vy", "omega", "fx", "fy", "moment", "power", "error"});
     const double limit = mu_ * load_;
     read_twists(twists_, [&](const PatchTwist& twist) {

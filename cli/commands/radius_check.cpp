@@ -34,4 +34,10 @@ void warn_of_radii(Messages& messages, const RadiusLaw& radius_law, std::span<co
   }
 }
 
+void warn_of_patch(Messages& messages, const std::string& text, const Patch& patch, double largest_arm) {
+  if (!(patch.moment_ratio() > largest_arm)) return;
+  messages.say("limitcurve: warning: patch '" + text + "': its load is at a mean distance of " + format_number(patch.moment_ratio()) +
+               " m from its centre: is it in metres?");
+}
+
 }  // namespace limitcurve::cli

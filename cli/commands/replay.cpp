@@ -167,7 +167,10 @@ class Replay final : public Subcommand {
     replay_.fingers = fingers_;
     replay_.motion = body.motion;
     replay_.body = body.parameters;
-    if (!patch_.empty()) replay_.patch = read_patch(patch_);
+    if (!patch_.empty()) {
+      replay_.patch = read_patch(patch_);
+      warn_of_patch(*results.messages, patch_, *replay_.patch);
+    }
     replay_.point_radius = point_radius_.value_or(0.0);
     run_replay(results, {in_space, details_});
   }
@@ -220,7 +223,7 @@ class Replay final : public Subcommand {
   void run_replay(const Results& results, const Columns& columns) const {
     TraceReader trace(trace_, fingers_, replay_.motion == BodyMotion::prescribed);
     note_missing_twists(*results.messages, trace);
-    if (!surface_.note.empty()) results.messages->say("limitcurve: note: " + surface_.note);
+    for (const std::string& note : surface_.notes) results.messages->say("limitcurve: " + note);
     godobject::Replay replay(replay_);
     if (replay_.curve == CurveKind::exact && !replay_.patch) {
       std::string text = "limitcurve: exact: a table with an error of at most " + format_number(replay.curve_error()) + " in unit wrenches";

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include "cli/commands/radius_check.hpp"
 #include "cli/commands/subcommands.hpp"
 #include "cli/io/law_argument.hpp"
 #include "cli/io/patch_argument.hpp"
 
 #include "limitcurve/approximations.hpp"
 #include "limitcurve/exact_curve.hpp"
+#include "limitcurve/internal/remembering_law.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/patch/round_models.hpp"
 #include "limitcurve/validate.hpp"
@@ -54,7 +56,8 @@ class Validate final : public Subcommand {
     }
     Rows rows(results, columns());
     std::size_t done = 0;
-    for (const Law& law : laws_) {
+    for (const Law& given : laws_) {
+      const auto law = std::make_shared<const RememberingLaw>(given);
       results.messages->progress(static_cast<double>(done++) / static_cast<double>(laws_.size()));
       const auto row = [&](std::string_view model, double parameter, const CurveError& error) {
         write(rows, law->name(), model, parameter, error);
@@ -92,7 +95,9 @@ class Validate final : public Subcommand {
     std::vector<std::pair<std::string, std::vector<RoundModel>>> found;
     for (const std::string& text : patches_) {
       results.messages->progress(static_cast<double>(found.size()) / static_cast<double>(patches_.size()));
-      found.emplace_back(text, round_models(read_patch(text)));
+      const Patch patch = read_patch(text);
+      warn_of_patch(*results.messages, text, patch);
+      found.emplace_back(text, round_models(patch));
     }
     Rows rows(results, columns());
     for (const auto& [text, models] : found) {

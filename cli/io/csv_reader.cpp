@@ -5,9 +5,13 @@
 #include "cli/io/number_list.hpp"
 #include "cli/io/output_file.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstddef>
 #include <filesystem>
+#include <initializer_list>
+#include <numbers>
 #include <system_error>
 
 namespace limitcurve::cli {
@@ -66,7 +70,54 @@ std::string_view other_separator(std::string_view field) {
 
 }  // namespace
 
-CsvReader::CsvReader(const std::string& file, std::vector<std::string> columns, std::vector<std::string> optional_columns)
+FileColumns FileColumns::read(std::string_view names, std::string_view units) {
+  FileColumns columns;
+  const auto items = [](const char* option, std::string_view text, const char* example, const auto& take) {
+    while (!text.empty()) {
+      const std::string_view item = text.substr(0, text.find(','));
+      text.remove_prefix(std::min(item.size() + 1, text.size()));
+      const std::size_t equals = item.find('=');
+      if (equals == 0 || equals == std::string_view::npos || equals + 1 == item.size() ||
+          !take(std::string(item.substr(0, equals)), std::string(item.substr(equals + 1)))) {
+        throw std::invalid_argument(std::string(option) + ": got '" + excerpt(item) + "', expected " + example);
+      }
+    }
+  };
+  items("--columns", names, "a list such as load=Fz,force=Fxy", [&](const std::string& own, const std::string& other) {
+    columns.names.emplace_back(own, other);
+    return true;
+  });
+  struct Unit {
+    std::string_view name;
+    double FileColumns::*of;
+    double value;
+  };
+  static constexpr std::array<Unit, 14> known{{{"length=m", &FileColumns::length, 1.0},
+                                               {"length=cm", &FileColumns::length, 0.01},
+                                               {"length=mm", &FileColumns::length, 1e-3},
+                                               {"length=um", &FileColumns::length, 1e-6},
+                                               {"force=N", &FileColumns::force, 1.0},
+                                               {"force=mN", &FileColumns::force, 1e-3},
+                                               {"force=kN", &FileColumns::force, 1e3},
+                                               {"moment=Nm", &FileColumns::moment, 1.0},
+                                               {"moment=Ncm", &FileColumns::moment, 0.01},
+                                               {"moment=Nmm", &FileColumns::moment, 1e-3},
+                                               {"moment=mNm", &FileColumns::moment, 1e-3},
+                                               {"moment=uNm", &FileColumns::moment, 1e-6},
+                                               {"angle=rad", &FileColumns::angle, 1.0},
+                                               {"angle=deg", &FileColumns::angle, std::numbers::pi / 180.0}}};
+  items("--units", units, "length=m|cm|mm|um, force=N|mN|kN, moment=Nm|Ncm|Nmm|mNm|uNm or angle=rad|deg",
+        [&](const std::string& of, const std::string& unit) {
+          const auto found = std::find_if(known.begin(), known.end(), [&](const Unit& one) { return one.name == of + "=" + unit; });
+          if (found == known.end()) return false;
+          columns.*found->of = found->value;
+          return true;
+        });
+  return columns;
+}
+
+CsvReader::CsvReader(const std::string& file, std::vector<std::string> columns, std::vector<std::string> optional_columns,
+                     const FileColumns& file_columns)
     : name_(file == "-" ? "standard input" : file),
       columns_(std::move(columns)),
       required_(columns_.size()),
@@ -75,6 +126,7 @@ CsvReader::CsvReader(const std::string& file, std::vector<std::string> columns, 
       places_(columns_.size() + optional_columns.size(), missing) {
   for (std::string& column : optional_columns) columns_.push_back(std::move(column));
   try {
+    take(file_columns);
     if (!next_meaningful_line()) {
       line_number_ = 1;
       throw complaint_at(0, "an empty file, expected a header line with " + joined(columns_, required_ > 0 ? required_ : columns_.size()));
@@ -172,6 +224,26 @@ void CsvReader::split() {
   }
 }
 
+void CsvReader::take(const FileColumns& file_columns) {
+  const auto unit_of = [&](const std::string& column) {
+    const auto is_one_of = [&](std::initializer_list<std::string_view> names) {
+      return std::find(names.begin(), names.end(), column) != names.end();
+    };
+    if (is_one_of({"radius", "sigma_radius", "ratio", "ratio_sd", "dx", "dy"})) return file_columns.length;
+    if (is_one_of({"load", "force", "sigma_force", "force_x", "force_y"})) return file_columns.force;
+    if (is_one_of({"moment", "sigma_moment"})) return file_columns.moment;
+    return column == "dtheta" ? file_columns.angle : 1.0;
+  };
+  for (const std::string& column : columns_) units_.push_back(unit_of(column));
+  const std::vector<std::string> own = columns_;
+  for (const auto& [name, in_file] : file_columns.names) {
+    const auto place = std::find(own.begin(), own.end(), name);
+    if (place == own.end()) throw std::invalid_argument("--columns: got '" + name + "', expected one of " + joined(own, own.size()));
+    columns_[static_cast<std::size_t>(place - own.begin())] = in_file;
+    renamed_.push_back(static_cast<std::size_t>(place - own.begin()));
+  }
+}
+
 void CsvReader::find_columns() {
   header_fields_ = field_count_;
   for (std::size_t i = 0; i < field_count_; ++i) {
@@ -181,8 +253,9 @@ void CsvReader::find_columns() {
       places_[column] = i;
     }
   }
-  for (std::size_t column = 0; column < required_; ++column) {
-    if (places_[column] == missing) throw no_column("'" + columns_[column] + "'");
+  for (std::size_t column = 0; column < columns_.size(); ++column) {
+    const bool wanted = column < required_ || std::find(renamed_.begin(), renamed_.end(), column) != renamed_.end();
+    if (wanted && places_[column] == missing) throw no_column("'" + columns_[column] + "'");
   }
 }
 
@@ -212,7 +285,7 @@ bool CsvReader::next() {
 
 double CsvReader::number(std::size_t column, const Range& range) const {
   try {
-    return read_number(text(column), range);
+    return units_.empty() ? read_number(text(column), range) : units_[column] * read_number(text(column), range);
   } catch (const std::invalid_argument&) {
     throw complaint(
         column, "got '" + excerpt(text(column)) + "', expected " + std::string(range.text) + std::string(other_separator(text(column))));

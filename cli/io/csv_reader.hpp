@@ -9,9 +9,23 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace limitcurve::cli {
+
+/// The names and units of a measured file, where they are not the reader's own.
+struct FileColumns {
+  /// From --columns and --units: `load=Fz,force=Fxy` and `length=mm,force=N,moment=Nmm,angle=deg`. Throws std::invalid_argument with the wrong
+  /// item and the expected ones.
+  static FileColumns read(std::string_view names, std::string_view units);
+
+  std::vector<std::pair<std::string, std::string>> names = {};  ///< the reader's name of a column, the file's
+  double length = 1.0;                                          ///< the file's unit in m
+  double force = 1.0;                                           ///< in N
+  double moment = 1.0;                                          ///< in N m
+  double angle = 1.0;                                           ///< in rad
+};
 
 /// Reads a CSV file of named columns row by row, in constant memory.
 ///
@@ -21,7 +35,8 @@ namespace limitcurve::cli {
 class CsvReader {
  public:
   /// Opens `file` and reads its header, which must have all of `columns`.
-  CsvReader(const std::string& file, std::vector<std::string> columns, std::vector<std::string> optional_columns = {});
+  CsvReader(const std::string& file, std::vector<std::string> columns, std::vector<std::string> optional_columns = {},
+            const FileColumns& file_columns = {});
   /// Opens a file of numbers without header. Its columns are 0, 1, …, one for each field of the first row.
   explicit CsvReader(const std::string& file);
   ~CsvReader();
@@ -38,7 +53,7 @@ class CsvReader {
   [[nodiscard]] bool has(std::size_t column) const { return places_[column] != missing; }
   /// The field of the current row in the i-th column.
   [[nodiscard]] std::string_view text(std::size_t column) const { return fields_[places_[column]].text; }
-  /// The same as a number within `range`.
+  /// The same as a number within `range`, in SI units.
   [[nodiscard]] double number(std::size_t column, const Range& range) const;
 
   /// The fraction of the file that has been read, 0 to 1, if its size is known.
@@ -64,10 +79,13 @@ class CsvReader {
   bool next_meaningful_line();
   void split();
   void find_columns();
+  void take(const FileColumns& file_columns);
   [[nodiscard]] std::invalid_argument complaint_at(std::size_t offset, const std::string& what) const;
 
   std::string name_;
-  std::vector<std::string> columns_;
+  std::vector<std::string> columns_;  ///< names in the file
+  std::vector<double> units_;         ///< of the columns, in SI units
+  std::vector<std::size_t> renamed_;  ///< columns that --columns names: the file must have them
   std::size_t required_;
   int descriptor_;
   std::uintmax_t size_ = 0;  ///< of the file in bytes, 0 if not known

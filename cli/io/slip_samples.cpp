@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "cli/io/slip_samples.hpp"
 
-#include "cli/io/csv_reader.hpp"
-
 #include <stdexcept>
 
 namespace limitcurve::cli {
@@ -28,15 +26,16 @@ std::vector<fit::Sample> slips(CsvReader& reader, const std::string& file) {
 
 }  // namespace
 
-std::vector<fit::Sample> read_slip_samples(const std::string& file) {
-  CsvReader reader(file, {"load", "force", "moment"}, {"sigma_force", "sigma_moment"});
+std::vector<fit::Sample> read_slip_samples(const std::string& file, const FileColumns& columns) {
+  CsvReader reader(file, {"load", "force", "moment"}, {"sigma_force", "sigma_moment"}, columns);
   return slips(reader, file);
 }
 
-std::variant<std::vector<fit::Sample>, std::vector<fit::RatioSample>> read_ratio_data(const std::string& file) {
+std::variant<std::vector<fit::Sample>, std::vector<fit::RatioSample>> read_ratio_data(const std::string& file,
+                                                                                      const FileColumns& file_columns) {
   const std::vector<std::string> columns{"load", "force", "moment", "sigma_force", "sigma_moment", "ratio", "ratio_sd"};
   constexpr std::size_t ratio = 5;
-  CsvReader reader(file, {}, columns);
+  CsvReader reader(file, {}, columns, file_columns);
   const auto require = [&](std::size_t column) {
     if (!reader.has(column)) throw reader.no_column(columns[column]);
   };
@@ -50,8 +49,8 @@ std::variant<std::vector<fit::Sample>, std::vector<fit::RatioSample>> read_ratio
   return ratios;
 }
 
-fit::LoadSamples read_load_samples(const std::string& file) {
-  CsvReader reader(file, {"load"}, {"radius", "moment", "sigma_radius", "sigma_moment"});
+fit::LoadSamples read_load_samples(const std::string& file, const FileColumns& columns) {
+  CsvReader reader(file, {"load"}, {"radius", "moment", "sigma_radius", "sigma_moment"}, columns);
   if (reader.has(1) == reader.has(2)) throw std::invalid_argument(file + ": expected one of the columns radius and moment beside load");
   const std::size_t value = reader.has(1) ? 1 : 2;
   const std::size_t sigma = value + 2;

@@ -5,11 +5,15 @@
 #include "cli/io/number_list.hpp"
 
 #include "godobject/surface.hpp"
+#include "limitcurve/internal/number.hpp"
 #ifdef LIMITCURVE_HAS_MESH
 #include "godobject/mesh/mesh.hpp"
 #include "godobject/mesh/mesh_file.hpp"
 #endif
 
+#include <Eigen/Geometry>
+
+#include <algorithm>
 #include <stdexcept>
 #include <string_view>
 
@@ -19,6 +23,13 @@ namespace {
 
 using godobject::AnySurface;
 using godobject::BodyParameters;
+
+/// A warning of a surface that is probably in millimetres; `remedy` ends it.
+std::vector<std::string> size_warning(const std::string& what, double size, const std::string& remedy = "") {
+  constexpr double largest = 5.0;
+  if (!(size > largest)) return {};
+  return {"warning: " + what + ": " + format_number(size) + " m across: is it in metres?" + remedy};
+}
 
 #ifdef LIMITCURVE_HAS_MESH
 SurfaceArgument read_mesh(const std::string& text) {
@@ -30,12 +41,14 @@ SurfaceArgument read_mesh(const std::string& text) {
   const godobject::MeshSurface surface = godobject::read_mesh(file, scale);
   const int faces = static_cast<int>(surface.mesh().faces().size());
   const int turned = surface.mesh().repairs().turned;
-  std::string note;
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& vertex : surface.mesh().vertices()) box.extend(vertex);
+  std::vector<std::string> notes = size_warning(file, box.sizes().maxCoeff(), " If it is in millimetres append ,scale=0.001");
   if (turned > 0) {
-    note = file + ": " + std::to_string(turned) + " of " + std::to_string(faces) +
-           " faces looked inward and were turned outward; the surface bounds a solid, not a room";
+    notes.push_back("note: " + file + ": " + std::to_string(turned) + " of " + std::to_string(faces) +
+                    " faces looked inward and were turned outward; the surface bounds a solid, not a room");
   }
-  return {AnySurface(surface), {}, note};
+  return {AnySurface(surface), {}, notes};
 }
 #else
 SurfaceArgument read_mesh(const std::string& file) {
@@ -46,7 +59,8 @@ SurfaceArgument read_mesh(const std::string& file) {
 SurfaceArgument read_sphere(std::string_view text) {
   double radius = 0.0;
   read_key_values(text, {number_key("radius", radius, positive)});
-  return {AnySurface(godobject::SphereSurface(radius)), [=](double mass) { return BodyParameters::ball(mass, radius); }};
+  return {AnySurface(godobject::SphereSurface(radius)), [=](double mass) { return BodyParameters::ball(mass, radius); },
+          size_warning("sphere", 2.0 * radius)};
 }
 
 SurfaceArgument read_capsule(std::string_view text) {
@@ -54,7 +68,7 @@ SurfaceArgument read_capsule(std::string_view text) {
   double length = 0.0;
   read_key_values(text, {number_key("radius", radius, positive), number_key("length", length, non_negative)});
   return {AnySurface(godobject::CapsuleSurface(radius, 0.5 * length)),
-          [=](double mass) { return BodyParameters::capsule(mass, radius, length); }};
+          [=](double mass) { return BodyParameters::capsule(mass, radius, length); }, size_warning("capsule", length + 2.0 * radius)};
 }
 
 SurfaceArgument read_cylinder(std::string_view text) {
@@ -62,13 +76,15 @@ SurfaceArgument read_cylinder(std::string_view text) {
   double length = 0.0;
   read_key_values(text, {number_key("radius", radius, positive), number_key("length", length, positive)});
   return {AnySurface(godobject::CylinderSurface(radius, 0.5 * length)),
-          [=](double mass) { return BodyParameters::cylinder(mass, radius, length); }};
+          [=](double mass) { return BodyParameters::cylinder(mass, radius, length); },
+          size_warning("cylinder", std::max(length, 2.0 * radius))};
 }
 
 SurfaceArgument read_box(std::string_view text) {
   Eigen::Vector3d edges = Eigen::Vector3d::Zero();
   read_key_values(text, {number_key("x", edges.x(), positive), number_key("y", edges.y(), positive), number_key("z", edges.z(), positive)});
-  return {AnySurface(godobject::BoxSurface(0.5 * edges)), [=](double mass) { return BodyParameters::block(mass, edges); }};
+  return {AnySurface(godobject::BoxSurface(0.5 * edges)), [=](double mass) { return BodyParameters::block(mass, edges); },
+          size_warning("box", edges.maxCoeff())};
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace limitcurve::cli {
 
@@ -14,7 +15,8 @@ struct SurfaceArgument {
   godobject::AnySurface surface;
   /// The homogeneous body with this surface and a mass [kg]; empty if the surface encloses no known volume.
   std::function<godobject::BodyParameters(double mass)> even_body;
-  std::string note = {};  ///< what was changed in a file's surface; empty if nothing
+  std::vector<std::string> notes =
+      {};  ///< "note: …" of what was changed in a file's surface, "warning: …" of a size that is none in metres
 };
 
 /// Reads a surface from a command line: `plane`, `sphere:radius=0.05`, `capsule:radius=0.01,length=0.1`,

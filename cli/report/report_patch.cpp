@@ -19,7 +19,7 @@ void write_pushes(const std::filesystem::path& output, const std::filesystem::pa
     for (const fit::PushFriction& push : fit::push_friction(read_patch(patch), read_pushes(pushes), 1.0)) {
       rows.row(name, push.share, push.exact, push.ellipsoid);
     }
-    for (const fit::Estimate& estimate : fit_friction(patch, pushes, std::nullopt)) {
+    for (const fit::Estimate& estimate : fit_friction(read_patch(patch), pushes, std::nullopt).estimates) {
       fits.row(name, estimate.name, estimate.value, estimate.std_error, estimate.unit);
     }
   }

@@ -5,6 +5,8 @@
 #include "limitcurve/patch.hpp"
 
 #include <span>
+#include <string>
+#include <vector>
 
 namespace limitcurve::fit {
 
@@ -21,6 +23,12 @@ struct PushFriction {
   double ellipsoid;  ///< power divided by that of the ellipsoid
 };
 
+/// What all pushes say of a patch.
+struct FrictionFit {
+  std::vector<Estimate> estimates;
+  std::vector<std::string> warnings;  ///< for people: pushes that were left out, quantities that look like another unit
+};
+
 /// The results of all pushes. Throws like `fit_friction`, but accepts any number of pushes.
 std::vector<PushFriction> push_friction(const Patch& patch, std::span<const Push> pushes, double load);
 
@@ -28,8 +36,9 @@ std::vector<PushFriction> push_friction(const Patch& patch, std::span<const Push
 ///   mu        its mean; standard error from its scatter,
 ///   drift     least-squares slope of μ against the share of rotation |ω|m₀/√(v² + ω²m₀²), v of the centre of pressure, divided by the
 /// mean, and mu_ellipsoid, drift_ellipsoid: the same with the ellipsoid √(v² + m₀²ω²) in place of H, with v = (mx v_x, my v_y) if friction
-/// is orthotropic. `load` P [N]; if it is unknown pass 1, and mu is μP [N]. drift is nan if all shares are equal. Throws
-/// std::invalid_argument for fewer than 3 pushes, or for a push that does not move (the message has its number, from 1).
-std::vector<Estimate> fit_friction(const Patch& patch, std::span<const Push> pushes, double load, const std::string& unit);
+/// is orthotropic. `load` P [N]; if it is unknown pass 1, and mu is μP [N]. drift is nan if all shares are equal. A push of negative power is
+/// left out, with a warning. Throws std::invalid_argument if most are (the wrenches are then the reactions), for fewer than 3 pushes, or
+/// for a push that does not move (the message has its number, from 1).
+FrictionFit fit_friction(const Patch& patch, std::span<const Push> pushes, double load, const std::string& unit);
 
 }  // namespace limitcurve::fit

@@ -11,16 +11,13 @@
 
 namespace limitcurve::fit::internal {
 
-namespace {
-
-std::string list(const std::vector<std::size_t>& rows) {
+std::string listed(const char* one, const char* several, const std::vector<std::size_t>& places) {
   constexpr std::size_t most = 12;
-  std::string text = rows.size() == 1 ? "row " : "rows ";
-  for (std::size_t i = 0; i < std::min(rows.size(), most); ++i) text += (i == 0 ? "" : ", ") + std::to_string(rows[i] + 1);
-  return rows.size() > most ? text + " and " + std::to_string(rows.size() - most) + " more" : text;
+  std::string text = places.size() == 1 ? one : several;
+  for (std::size_t i = 0; i < std::min(places.size(), most); ++i) text += (i == 0 ? " " : ", ") + std::to_string(places[i] + 1);
+  return places.size() > most ? text + " and " + std::to_string(places.size() - most) + " more" : text;
 }
 
-}  // namespace
 
 std::vector<std::size_t> outliers_of(const Solution& robust, bool with_sigma, double noise) {
   const auto count = static_cast<double>(robust.residuals.size());
@@ -41,7 +38,7 @@ std::vector<std::size_t> outliers_of(const Solution& robust, bool with_sigma, do
 
 void warn_of_outliers(FitReport& report, const std::vector<std::size_t>& outliers, const Loss& loss) {
   if (outliers.empty()) return;
-  report.warnings.push_back(list(outliers) + " of " + std::to_string(report.residuals) +
+  report.warnings.push_back(listed("row", "rows", outliers) + " of " + std::to_string(report.residuals) +
                             " (the first is 1): gross outliers; mislabelled, or taken while the finger held?" +
                             (loss.kind == Loss::Kind::squared ? " The squared loss follows them; Cauchy's does not" : ""));
 }

@@ -12,6 +12,9 @@
 /// Warnings about a fit.
 namespace limitcurve::fit::internal {
 
+/// "row 3", or "rows 3, 17 and 2 more": places counted from 1.
+std::string listed(const char* one, const char* several, const std::vector<std::size_t>& places);
+
 /// Rows whose distance from the curve of a robust fit is larger than the scatter of the others explains: a normal error reaches it in one
 /// of 200 data sets. `noise` is the unit of the residuals, in limits. The scatter comes from the median, with Rousseeuw's correction for
 /// few samples. Without sigmas nothing below a thousandth of the limits is gross.

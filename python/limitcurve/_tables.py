@@ -130,6 +130,10 @@ class _Call:
         return _commands.run(self.words, self.files)
 
 
+def _list_of(pairs: Mapping[str, str] | None) -> str | None:
+    return None if pairs is None else ",".join(f"{key}={value}" for key, value in pairs.items())
+
+
 def run(subcommand: str, *arguments: str, **options: Any) -> Columns:
     """Runs any subcommand of the command line and returns its table; `limitcurve SUBCOMMAND --help` lists options, columns and units.
 
@@ -211,6 +215,8 @@ def fit(
     model: str,
     data: Data | None = None,
     *,
+    columns: Mapping[str, str] | None = None,
+    units: Mapping[str, str] | None = None,
     law: str | Law | None = None,
     patch: str | None = None,
     load: float | None = None,
@@ -225,7 +231,8 @@ def fit(
     """Fits a friction model to measurements, or an approximation to the exact curve of a law (no `data`).
 
     Models: ellipse, superellipse, quartic, ratio, law (data: load, force, moment[, sigma_force, sigma_moment]); load (data: load and
-    radius or moment); friction (with `patch`). Columns: parameter, value, std_error, unit, note. Warnings go to
+    radius or moment); friction (with `patch`). `columns` are the data's names where they differ, {"load": "Fz"}; `units` its units where
+    they are not SI, {"length": "mm", "moment": "Nmm", "angle": "deg"}. Columns: parameter, value, std_error, unit, note. Warnings go to
     standard error, unless `quiet`.
 
     >>> import limitcurve as lc
@@ -237,6 +244,8 @@ def fit(
         "fit",
         model,
         data=data,
+        columns=_list_of(columns),
+        units=_list_of(units),
         law=law,
         patch=patch,
         load=load,

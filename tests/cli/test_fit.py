@@ -7,6 +7,7 @@ import random
 import subprocess
 import sys
 import unittest
+from pathlib import Path
 
 from command_line import DATA, EXECUTABLE, CommandLineTest, header, numbers, rows, run
 
@@ -56,6 +57,51 @@ class Fit(CommandLineTest):
         self.assertRegex(done.stderr, r"warning: the ratios differ by more than their standard deviations explain")
         value = {line.split(",")[0]: float(line.split(",")[1]) for line in done.stdout.splitlines()[1:]}
         self.assert_close(value["p_value"], math.erfc(math.sqrt(value["chi_squared"] / 2)), 1e-12)
+
+    def renamed(self, source, names, factors):
+        """A copy of a file with other names of columns, and numbers in other units."""
+        lines = [line for line in Path(source).read_text().splitlines() if not line.startswith("#")]
+        columns = lines[0].split(",")
+        text = [",".join(names.get(name, name) for name in columns)]
+        text += [",".join(repr(float(cell) * factors[name]) if name in factors else cell for name, cell in zip(columns, line.split(","))) for line in lines[1:]]
+        return self.file("renamed.csv", "\n".join(text) + "\n")
+
+    def test_columns_and_units_of_the_file(self):
+        tripod = ["--patch", f"points:{DATA}/measured/tripod_hardboard_a_points.csv"]
+        deg = 180 / math.pi
+        for model, source, factors, units in (
+                ([model, *more], source, factors, units) for models, source, factors, units in (
+                    (("ratio", "law", "ellipse"), "fit/slips.csv", {"load": 1e3, "force": 1e3, "moment": 1e3, "sigma_force": 1e3, "sigma_moment": 1e3},
+                     "force=mN,moment=Nmm"),
+                    (("load",), "fit/radii.csv", {"radius": 1e3, "sigma_radius": 1e3}, "length=mm"),
+                    (("ratio",), "materials.csv", {"ratio": 100, "ratio_sd": 100}, "length=cm"),
+                    (("friction",), "measured/tripod_hardboard_a.csv", {"moment": 100, "dx": 1e3, "dy": 1e3, "dtheta": deg},
+                     "length=mm,moment=Ncm,angle=deg")) for model in models for more in [tripod if model == "friction" else []]):
+            own = rows("fit", *model, "--quiet", "--data", DATA / source)
+            names = {name: "Raw " + name.upper() for name in factors}
+            other = self.renamed(DATA / source, names, factors)
+            listed = ",".join(f"{name}={to}" for name, to in names.items())
+            found = rows("fit", *model, "--quiet", "--data", other, "--columns", listed, "--units", units)
+            for one, same in zip(own, found, strict=True):
+                self.assertEqual(one["parameter"], same["parameter"])
+                self.assert_close(same["value"], one["value"], 1e-6)
+                if isinstance(one["std_error"], float):
+                    self.assert_close(same["std_error"], one["std_error"], 1e-5)
+
+    def test_columns_and_units_that_are_wrong(self):
+        slips = DATA / "fit" / "slips.csv"
+        call = ["fit", "ratio", "--data", slips]
+        self.assert_fails(2, ["--columns", "'weight'", "expected one of load,force,moment"], *call, "--columns", "weight=Fz")
+        self.assert_fails(2, ["slips.csv", "no column 'Fz'"], *call, "--columns", "load=Fz")
+        self.assert_fails(2, ["slips.csv", "no column 'sd'"], *call, "--columns", "sigma_force=sd")
+        for bad in ("load", "load=", "=Fz"):
+            self.assert_fails(2, ["--columns", f"'{bad}'", "load=Fz"], *call, "--columns", bad)
+        for bad in ("length=inch", "mass=kg", "length", "angle=mm"):
+            self.assert_fails(2, ["--units", f"'{bad}'", "length=m|cm|mm|um"], *call, "--units", bad)
+        self.assert_fails(2, ["--columns", "--data"], "fit", "ellipse", "--law", "hertz", "--units", "length=mm")
+        # A message names the file's own column.
+        torn = self.file("torn.csv", "Fz,force,moment\n-1,2,3\n")
+        self.assert_fails(2, ["torn.csv:2:1: column 'Fz'"], "fit", "ratio", "--data", torn, "--columns", "load=Fz")
 
     def test_ratios_that_say_nothing(self):
         for text, told in [("ratio,ratio_sd\n0.006,0.001\n", "two"), ("ratio\n0.006\n0.007\n", "ratio_sd"), ("mu\n1\n", "load"),

@@ -45,6 +45,48 @@ class FitFriction(PatchCase):
         self.assertAlmostEqual(found["mu"]["value"], 4.0, delta=1e-14)
         self.assertTrue(math.isnan(found["drift"]["value"]))
 
+    MOVED = [(0.01, 0.0, 0.1), (0.0, 0.01, -0.05), (0.001, 0.002, 0.3), (0.02, -0.01, 0.0), (0.0, 0.0, 0.2)]
+
+    def changed(self, data, change, name="changed"):
+        """The pushes with each row changed: a dict of columns."""
+        header, *lines = data.read_text().splitlines()
+        names = header.split(",")
+        rows = [change(i, dict(zip(names, map(float, line.split(","))))) for i, line in enumerate(lines)]
+        return self.file(f"{name}.csv", "\n".join([header, *(",".join(repr(row[name]) for name in names) for row in rows)]) + "\n")
+
+    @staticmethod
+    def reacting(row):
+        return {name: value if name.startswith("d") else -value for name, value in row.items()}
+
+    def test_reactions_are_refused_and_single_pushes_against_the_motion_left_out(self):
+        # Logs of the reaction gave a negative mu, with exit 0.
+        patch, data = self.pushes(self.MOVED)
+        for against in (range(5), range(1, 5)):
+            done = run("fit", "friction", "--patch", patch, "--data", self.changed(data, lambda i, row: self.reacting(row) if i in against else row))
+            self.assertEqual((done.returncode, done.stdout), (2, ""))
+            self.assertIn(f"push {against[0] + 1}: negative power, as in {len(against)} of 5 pushes", done.stderr)
+            self.assertIn("reaction", done.stderr)
+        done = run("fit", "friction", "--patch", patch, "--data", self.changed(data, lambda i, row: self.reacting(row) if i == 2 else row))
+        self.assertIn("push 3 of 5 (the first is 1): negative power, left out", done.stderr)
+        self.assertTrue(done.stdout.splitlines()[1].startswith("mu,4"), done.stdout)
+
+    def test_other_units_are_warned_of(self):
+        patch, data = self.pushes(self.MOVED)
+        def scaled(**factors):
+            return self.changed(data, lambda _, row: {name: value * factors.get(name, 1) for name, value in row.items()}, "_".join(factors))
+
+        for changed, part in ((scaled(dx=1000, dy=1000), "in metres?"), (scaled(dtheta=57.3), "in radians?"), (scaled(moment=1000), "in N m"),
+                              (data, "")):
+            done = run("fit", "friction", "--patch", patch, "--data", changed)
+            self.assertIn(part, done.stderr)
+            self.assertEqual("warning" in done.stderr, part != "", done.stderr)
+        twists = self.file("twists.csv", "vx,vy,omega\n1,0,0\n")
+        for arguments in (("patch", "--twists", twists), ("validate",), ("fit", "friction", "--data", data)):
+            self.assertIn("is it in metres?", run(*arguments, "--patch", "rectangle:x=20,y=10").stderr)
+            self.assertNotIn("is it in metres?", run(*arguments, "--patch", "rectangle:x=0.02,y=0.01").stderr)
+        self.assertIn("is it in metres?", run("eval", "--law", "hertz", "--c", 1, "--radius", 5).stderr)
+        self.assertEqual("", run("eval", "--law", "hertz", "--c", 1, "--radius", 0.005).stderr)
+
     def test_bad_data_are_named(self):
         patch, data = self.pushes([(0.01, 0.0, 0.1), (0.0, 0.0, 0.0), (0.0, 0.01, 0.2)])
         few = self.file("few.csv", self.pushes([(0.01, 0.0, 0.1), (0.0, 0.01, 0.0)])[1].read_text())

@@ -146,6 +146,10 @@ class Scenes(CommandLineTest):
         lines = (DATA / "meshes" / "block.obj").read_text().splitlines()
         millimetres = [" ".join(["v", *(repr(float(word) * 1000) for word in line.split()[1:])]) if line.startswith("v ") else line for line in lines]
         scaled = self.file("block.obj", "\n".join(millimetres) + "\n")
+        # An 80 mm cube in mm was an 80 m cube, and nothing was said.
+        self.assertIn("120 m across: is it in metres?", run(*call, f"mesh:{scaled}").stderr)
+        self.assertIn("is it in metres?", run(*call, "sphere:radius=25").stderr)
+        self.assertNotIn("metres", run(*call, f"mesh:{scaled},scale=0.001").stderr)
         for mesh in [f"mesh:{DATA}/meshes/block.obj", f"mesh:{scaled},scale=0.001"]:
             found = self.scene("pinch.csv", "--surface", mesh, *scene)
             for one, other in zip(box, found):

@@ -38,7 +38,7 @@ TEST(FrictionFit, MeanAndDriftAreThoseOfALine) {
   const double variance = (found - places * line).squaredNorm() / 3.0;
   const double slope_error = std::sqrt(variance * (places.transpose() * places).inverse()(1, 1));
 
-  const std::vector<Estimate> estimates = fit_friction(patch, pushes, load, "1");
+  const std::vector<Estimate> estimates = fit_friction(patch, pushes, load, "1").estimates;
   ASSERT_EQ(estimates.size(), 4U);
   EXPECT_NEAR(estimates[0].value, found.mean(), 1e-12);
   EXPECT_NEAR(estimates[0].std_error, std::sqrt((found.array() - found.mean()).square().sum() / 4.0 / 5.0), 1e-12);

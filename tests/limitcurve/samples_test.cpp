@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include "counted_law.hpp"
 #include "limitcurve/accuracy.hpp"
 #include "limitcurve/laws.hpp"
-#include "limitcurve/quadrature/evaluators.hpp"
 #include "limitcurve/table.hpp"
 #include "tests/repetitions.hpp"
 
@@ -226,31 +226,9 @@ TEST(Samples, AWrenchOfManySamplesCostsLittleMoreThanOfFew) {
   EXPECT_LT(time_of(3200), 4 * time_of(200));
 }
 
-/// Counts the wrenches that a table of a law takes.
-class Counted final : public PressureLawOf<Counted> {
- public:
-  explicit Counted(Law law) : law_(std::move(law)) {}
-  std::string name() const override { return law_->name(); }
-  const std::vector<Extended>& breaks() const noexcept override { return law_->breaks(); }
-  template <class Real>
-  Real pressure(RadialPosition<Real> at) const noexcept {
-    return law_->density(at);
-  }
-  UnitForces<double> forces(double s, Slope slope) const noexcept override {
-    ++count;
-    return law_->forces(s, slope);
-  }
-  WrenchEstimate evaluate(double s, Method method) const noexcept override { return law_->evaluate(s, method); }
-  evaluators::Quadrature<Extended> unrounded(Extended s, Slope slope) const noexcept override { return law_->unrounded(s, slope); }
-  mutable std::size_t count = 0;
-
- private:
-  Law law_;
-};
-
 // It took 80 000: fifteen around each sample for each cell that was tried.
 TEST(Samples, ATableOfAThousandTakesFewWrenches) {
-  const auto law = std::make_shared<Counted>(samples(many_samples(1000, 0.0), "hertz.csv"));
+  const auto law = std::make_shared<test::CountedLaw>(samples(many_samples(1000, 0.0), "hertz.csv"));
   EXPECT_LE(Table::build(law, 1e-8).certified_error(), 1e-8);
   EXPECT_LT(law->count, 15000U);
 }
