@@ -2,17 +2,20 @@
 """The corrections to the paper (godobject/README.md): results of its equations as printed, written out here, compared with those of the command
 gives. And its page, docs/paper.md: nothing in it points to what is not there."""
 
+import importlib.util
 import math
 import os
 import re
 import shlex
 import subprocess
+import sys
 import unittest
 from pathlib import Path
 
 from command_line import DATA, EXECUTABLE, CommandLineTest, rows
 
 ROOT = Path(__file__).resolve().parents[2]
+SIXTY_LINES = ROOT / "examples" / "python" / "paper_in_60_lines.py"
 MU, MU_R = 1.67, 0.01011  # sandpaper
 FINGER = {"law": "hertz", "radius-law": "constant:a=0.006", "mu": "0.6", "stiffness": "1000", "twist-stiffness": "0.036"}
 FINGER_OPTIONS = [word for name, value in FINGER.items() for word in (f"--{name}", value)]
@@ -41,22 +44,8 @@ def printed_equation_8(samples, mu_static, mu_dynamic):
     return ratios
 
 
-def printed_equation_17(pressure, end, distance, steps=400):
-    """Eq. (17) as it is printed, by midpoints: F_t and M for mu = 1."""
-    force = moment = 0.0
-    for i in range(steps):
-        r = (i + 0.5) * end / steps
-        for j in range(steps):
-            angle = (j + 0.5) * 2 * math.pi / steps
-            share = pressure(r) * (end / steps) * (2 * math.pi / steps)
-            away = math.sqrt(r * r + distance * distance - 2 * distance * r * math.cos(angle))
-            force -= share * (r * math.cos(angle) - distance) * r / away
-            moment -= share * (r - distance * math.cos(angle)) * r * r / away
-    return force, moment
-
-
 def regripped_block(carried):
-    """The block of `pivot`, regripped under 1 N at 30 degrees while it turns at 0.3 rad/s, about the grip alone: how far it has turned after 3 s
+    """A model of the block of `pivot`, regripped under 1 N at 30 degrees while it turns at 0.3 rad/s, about the grip alone: how far it has turned after 3 s
     [deg]. `carried` is by how much step e carries the proxy's angle with a velocity: eq. (13) or its correction."""
     mass, offset, time_step = 0.1, 0.005, 1e-3
     inertia = mass * (0.12**2 + 0.04**2) / 12 + mass * offset**2
@@ -89,27 +78,15 @@ class Corrections(CommandLineTest):
         self.assertAlmostEqual(max(abs(a - b) for a, b in zip(printed, here)), 0, delta=1e-9)
 
     def test_angles_at_touch_down_preload_nothing(self):
-        # alpha_p = alpha_0 and alpha_g = alpha_s - alpha_0: at alpha_s = alpha_0 = 0.3 rad that is k_r 0.3 = 10.8 mN m.
-        self.assertAlmostEqual(0.036 * (0.3 - (0.3 - 0.3)), 0.0108, delta=1e-12)
         samples = [f"{i / 1000},0,0,{-min(i, 20) * 1e-4},0.3" for i in range(-2, 100)]
         found = rows("replay", "--trace", self.file("trace.csv", "time,x,y,z,twist\n" + "\n".join(samples) + "\n"), *FINGER_OPTIONS)
         self.assertEqual({row["moment"] for row in found}, {0})
         self.assertEqual(found[-1]["load"], 2)
 
-    def test_signs_and_the_end_of_equation_17(self):
-        def hertz(r):
-            return 3 / (2 * math.pi) * math.sqrt(1 - r * r)
-
-        force, moment = printed_equation_17(hertz, 1.0, 1.0)
-        here = rows("eval", "--law", "hertz", "--c", "1")[0]
-        self.assertAlmostEqual(force, 9 * math.pi / 32, delta=1e-4)
-        self.assertAlmostEqual(moment, -9 * math.pi / 128, delta=1e-4)
+    def test_signs_of_equation_17(self):
+        here = rows("eval", "--law", "hertz", "--c", "1")[0]  # as printed M is -9 pi/128
         self.assertAlmostEqual(here["force"], 9 * math.pi / 32, delta=1e-14)
         self.assertAlmostEqual(here["moment"], 9 * math.pi / 128, delta=1e-14)
-        # A uniform pressure on a = 6 mm, integrated to R = 8 mm as it stands.
-        beyond, _ = printed_equation_17(lambda r: 1 / (math.pi * 6**2), 8.0, 1e6)
-        self.assertAlmostEqual(beyond, 64 / 36, delta=1e-6)
-        self.assertEqual(rows("eval", "--law", "uniform", "--c", "inf")[0]["force"], 1)
 
     def test_quotients_that_are_0_by_0(self):
         # A pure twist has r = 0, a pure drag rho = 0: r'/r of eq. (23) is none.
@@ -170,6 +147,45 @@ class Corrections(CommandLineTest):
                        for more in ([], ["--mu-r", "0"]))
         self.assertAlmostEqual(soft[-1], math.degrees(2 * math.atan(0.2)), delta=0.05)
         self.assertEqual(set(point), {0})
+
+
+class SixtyLines(CommandLineTest):
+    """The paper's equations in examples/python, without the library, and their page."""
+
+    def setUp(self):
+        super().setUp()
+        spec = importlib.util.spec_from_file_location("paper_in_60_lines", SIXTY_LINES)
+        self.paper = importlib.util.module_from_spec(spec)
+        spec.loader.exec_module(self.paper)
+
+    def test_step_b_is_that_of_the_library(self):
+        done = subprocess.run([sys.executable, "-B", SIXTY_LINES, EXECUTABLE], capture_output=True, text=True, check=False)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        for step_b, curve in ((self.paper.uncoupled, ["box"]), (self.paper.coupled, ["ellipse", "--projection", "radial"])):
+            for path, body in ((DATA / "traces" / "slide_twist_load.csv", []), (DATA / "scenes" / "turntable.csv", ["--body", "trace"])):
+                here = list(self.paper.god_object(self.paper.read(path), step_b))
+                library = rows("replay", "--trace", path, *FINGER_OPTIONS, "--curve", *curve, *body)
+                self.assertEqual(len(here), len(library))
+                self.assertIn("slip", {row["state"] for row in library})
+                for wrench, row in zip(here, library):
+                    for value, name in zip(wrench, ("fx", "fy", "moment")):
+                        self.assertAlmostEqual(value, row[name], delta=1e-12)
+
+    def test_equation_17_by_midpoints(self):
+        radius, mu = self.paper.A, self.paper.MU
+        for row in rows("eval", "--law", "hertz", "--c", "0,0.003,0.006,0.009", "--radius", radius, "--mu", mu):
+            force, moment = self.paper.wrench(row["c"])
+            self.assertAlmostEqual(force, row["force"], delta=1e-4 * mu)
+            self.assertAlmostEqual(moment, row["moment"], delta=1e-4 * mu * radius)
+        self.assert_close(self.paper.MU_R, self.paper.wrench(0.0)[1], 1e-4)  # eqs. (4), (5)
+
+    def test_the_page_shows_the_file(self):
+        source, at = SIXTY_LINES.read_text(encoding="utf-8"), 0
+        blocks = re.findall(r"```python\n(.*?)```", (ROOT / "docs" / "paper_in_60_lines.md").read_text(encoding="utf-8"), re.DOTALL)
+        for block in blocks:
+            at = source.index(block, at) + len(block)
+        self.assertLessEqual(source.count("\n", source.index(blocks[0]), at), 60)
+        self.assertTrue(source[at:].startswith("\n\ndef read("), "the page shows all of it but the comparison")
 
 
 class Page(CommandLineTest):
