@@ -212,8 +212,8 @@ def engines_table(data):
 
 def fits_table(data):
     return facts_table(("data", "fit", "parameter", "value", "standard error", "unit"),
-                       [(row["data"], row["model"], html.escape(row["parameter"]), f"{row['value']:.5g}", f"{row['std_error']:.2g}",
-                         unit_of(row)) for row in data["fits"]])
+                       [(row["data"], row["model"], html.escape(row["parameter"]), f"{row['value']:.5g}",
+                         "–" if row["std_error"] == "" else f"{row['std_error']:.2g}", unit_of(row)) for row in data["fits"]])
 
 
 def patch_fits_table(data):
