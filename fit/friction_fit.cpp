@@ -2,6 +2,7 @@
 #include "fit/internal/friction_fit.hpp"
 
 #include "fit/internal/warnings.hpp"
+#include "limitcurve/internal/number.hpp"
 
 #include <algorithm>
 #include <cmath>

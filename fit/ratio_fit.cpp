@@ -7,6 +7,7 @@
 #include <boost/math/distributions/chi_squared.hpp>
 
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -26,29 +27,45 @@ FitReport fit_ratio(std::span<const RatioSample> samples, const PressureLaw& law
   if (samples.size() < 2) {
     throw std::invalid_argument("samples: expected at least two ratios to compare, got " + std::to_string(samples.size()));
   }
-  double weights = 0.0;
-  double mean = 0.0;
+  bool counted = true;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     require_length(i, "ratio", samples[i].ratio);
-    require_length(i, "ratio_sd", samples[i].sigma);
-    const double weight = 1.0 / samples[i].sigma / samples[i].sigma;
-    weights += weight;
-    mean += (samples[i].ratio - mean) * (weight / weights);
+    require_length(i, "ratio_sd", samples[i].sd);
+    const double n = samples[i].n;
+    if (n != 0.0 && !(n >= 1.0 && std::isfinite(n))) {
+      throw std::invalid_argument("sample " + std::to_string(i + 1) + ": n = " + format_number(n) + ": expected >= 1 and finite, or 0");
+    }
+    counted = counted && n != 0.0;
   }
-  FitReport report;
-  double chi_squared = 0.0;
+  const auto weight = [&](const RatioSample& sample) { return (counted ? sample.n : 1.0) / sample.sd / sample.sd; };
+  double weights = 0.0;
+  double mean = 0.0;
   for (const RatioSample& sample : samples) {
-    const double residual = (sample.ratio - mean) / sample.sigma;
-    chi_squared += residual * residual;
+    weights += weight(sample);
+    mean += (sample.ratio - mean) * (weight(sample) / weights);
   }
+  double chi_squared = 0.0;
+  for (const RatioSample& sample : samples) chi_squared += weight(sample) * (sample.ratio - mean) * (sample.ratio - mean);
   const auto freedom = static_cast<double>(samples.size() - 1);
-  const double p_value = boost::math::cdf(boost::math::complement(boost::math::chi_squared(freedom), chi_squared));
-  const Estimate ratio{"ratio", mean, 1.0 / std::sqrt(weights), "m"};
-  report.estimates = {ratio,
-                      implied_radius(ratio, law),
-                      {"chi_squared", chi_squared, 0.0, "1"},
-                      {"degrees_of_freedom", freedom, 0.0, "1"},
-                      {"p_value", p_value, 0.0, "1"}};
+  const boost::math::chi_squared distribution(freedom);
+  constexpr double significant = 0.05;
+  const Estimate ratio{"ratio", mean, counted ? 1.0 / std::sqrt(weights) : std::numeric_limits<double>::quiet_NaN(), "m"};
+  FitReport report;
+  report.estimates = {ratio, implied_radius(ratio, law)};
+  if (counted) {
+    const double p_value = boost::math::cdf(boost::math::complement(distribution, chi_squared));
+    report.estimates.insert(
+        report.estimates.end(),
+        {{"chi_squared", chi_squared, 0.0, "1"}, {"degrees_of_freedom", freedom, 0.0, "1"}, {"p_value", p_value, 0.0, "1"}});
+    if (p_value < significant) {
+      report.warnings.push_back("the ratios differ by more than their standard errors explain (p = " + format_number(p_value) + ")");
+    }
+  } else {
+    const double refuted = boost::math::quantile(boost::math::complement(distribution, significant)) / chi_squared;
+    report.estimates.insert(
+        report.estimates.end(),
+        {{"chi_squared_per_n", chi_squared, 0.0, "1"}, {"degrees_of_freedom", freedom, 0.0, "1"}, {"n_for_p_0.05", refuted, 0.0, "1"}});
+  }
   report.correlation.assign(report.estimates.size() * report.estimates.size(), 0.0);
   for (const std::size_t both : {std::size_t{0}, std::size_t{1}}) {
     report.correlation[both] = report.correlation[report.estimates.size() + both] = 1.0;
@@ -58,10 +75,9 @@ FitReport fit_ratio(std::span<const RatioSample> samples, const PressureLaw& law
   report.rms = std::sqrt(chi_squared / static_cast<double>(samples.size()));
   report.converged = true;
   report.message = "in closed form";
-  report.note = "one ratio for all rows, weighted by 1/ratio_sd^2; radius under " + std::string(law.name());
-  if (p_value < 0.05) {
-    report.warnings.push_back("the ratios differ by more than their standard deviations explain (p = " + format_number(p_value) + ")");
-  }
+  report.note = std::string("one ratio for all rows, weighted by ") +
+                (counted ? "n/ratio_sd^2" : "1/ratio_sd^2; n not known: no standard error, no p-value") + "; radius under " +
+                std::string(law.name());
   return report;
 }
 

@@ -80,8 +80,8 @@ class Pivot final : public Subcommand {
             "that an ellipse needs to hold the block if that is more.\n"
             "Columns: time [s]; x,y [m] of the centre of mass from the grip point; angle [rad]; grip_slip [m], the distance that the\n"
             "block has slid past the fingers; load of each finger [N]; friction_force [N] and friction_moment [N m] of both fingers;\n"
-            "state stick|slip|free; cor [m] of the slip (nan unless it slips); r,rho: k_l r [N] and k_r rho [N m] of one finger after\n"
-            "step b, dampers included; trial_r,trial_rho: the same before step b. All four are magnitudes.",
+            "state stick|slip|free; cor [m] of the slip (nan unless it slips); r,rho: distance [m] and angle [rad] of one finger's\n"
+            "god-object from its goal after step b; trial_r,trial_rho: the same before step b (eq. 7).",
             "limitcurve pivot --case coupled --material sandpaper --operator target=30deg"};
   }
 
@@ -157,7 +157,7 @@ class Pivot final : public Subcommand {
       if (step++ % every_ != 0) continue;
       const godobject::PivotRow& row = pivot.row();
       rows.row(row.time, row.x, row.y, row.angle, row.grip_slip, row.load, row.friction_force, row.friction_moment,
-               godobject::to_string(row.state), row.cor, row.spring_force, row.spring_moment, row.trial_force, row.trial_moment);
+               godobject::to_string(row.state), row.cor, row.r, row.rho, row.trial_r, row.trial_rho);
       if (row.load > 0.0) loads = {std::min(loads[0], row.load), std::max(loads[1], row.load)};
     } while (pivot.step());
     rows.finish();

@@ -5,7 +5,7 @@
 
 #include <memory>
 
-/// The subcommands, one file each.
+/// The subcommands, one file each; p-curves and c-curves share one.
 namespace limitcurve::cli {
 
 std::unique_ptr<Subcommand> make_laws();

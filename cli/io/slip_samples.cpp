@@ -33,7 +33,7 @@ std::vector<fit::Sample> read_slip_samples(const std::string& file, const FileCo
 
 std::variant<std::vector<fit::Sample>, std::vector<fit::RatioSample>> read_ratio_data(const std::string& file,
                                                                                       const FileColumns& file_columns) {
-  const std::vector<std::string> columns{"load", "force", "moment", "sigma_force", "sigma_moment", "ratio", "ratio_sd"};
+  const std::vector<std::string> columns{"load", "force", "moment", "sigma_force", "sigma_moment", "ratio", "ratio_sd", "n"};
   constexpr std::size_t ratio = 5;
   CsvReader reader(file, {}, columns, file_columns);
   const auto require = [&](std::size_t column) {
@@ -45,7 +45,10 @@ std::variant<std::vector<fit::Sample>, std::vector<fit::RatioSample>> read_ratio
   }
   require(ratio + 1);
   std::vector<fit::RatioSample> ratios;
-  while (reader.next()) ratios.push_back({reader.number(ratio, positive), reader.number(ratio + 1, positive)});
+  while (reader.next()) {
+    ratios.push_back({reader.number(ratio, positive), reader.number(ratio + 1, positive),
+                      reader.has(ratio + 2) ? reader.number(ratio + 2, positive) : 0.0});
+  }
   return ratios;
 }
 

@@ -43,7 +43,8 @@ void write_patch_files(const std::filesystem::path& output, const std::filesyste
 /// pivot.csv: case,grip and the columns of `pivot`, grip being `release` or `operator`. pivot_map.csv:
 /// case,offset,rate,angle: by how much the block has turned [rad] when it has slid 5 mm past the fingers or left them, over the
 /// offset [m] of its centre of mass and the rate [N/s] at which the grip eases. pivot_materials.csv: material,case and the columns of `pivot`;
-/// table_1.csv: data/materials.csv. pivot_stiffness.csv: case,ratio,angle: by how much the block turns [rad] before it leaves the fingers, over
+/// pivot_offsets.csv: material,case,offset,angle,grip_slip,reversals: what a slow operator achieves, with a hand's dampers. table_1.csv:
+/// data/materials.csv. pivot_stiffness.csv: case,ratio,angle: by how much the block turns [rad] before it leaves the fingers, over
 /// k_r/(k_l (mu_r/mu)^2). pinch.csv: friction (soft or point) and the columns of `replay` on pinch_trace.csv, data/scenes/pinch.csv.
 void write_pivot_files(const std::filesystem::path& output, const std::filesystem::path& data);
 /// work_precision_wrench.csv, …_step.csv and …_scaling.csv: what was measured for the figures in data/, as it stands there; its

@@ -17,7 +17,6 @@ void write_parameters(const std::filesystem::path& output, const std::filesystem
     call.insert(call.end(), options.begin(), options.end());
     fits.add(call, {{"data", name}, {"model", model}});
   };
-  for (const std::string material : {"rayon", "suede", "sandpaper"}) add(material, "ratio", {});
   fits.add({"fit", "ratio", "--data", (data / "materials.csv").string()}, {{"data", "materials"}, {"model", "ratio"}});
   add("slips", "law", {"--law", "hertz", "--loss", "cauchy", "--fit-gamma"});
   add("radii", "load", {});

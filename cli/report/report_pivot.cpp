@@ -3,10 +3,12 @@
 #include "cli/report/report_files.hpp"
 
 #include "godobject/scene/pivot.hpp"
+#include "limitcurve/internal/number.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <string_view>
 
 namespace limitcurve::cli {
@@ -16,17 +18,30 @@ namespace {
 // The paper's two cases and the exact one.
 constexpr std::array cases{godobject::PivotCase::coupled, godobject::PivotCase::uncoupled, godobject::PivotCase::exact};
 
-/// A grip that eases by itself, and an operator who regrips at 30°.
+/// Dampers as quiet as a hand [N s/m]: on sandpaper the block's turn has a damping ratio of 1, on rayon of 1.2. Measured for digits of young
+/// adults: mostly above 1 (J. Park, N. Pazin, J. Friedman, V. M. Zatsiorsky, M. L. Latash, Clinical Biomechanics 29:129-137, 2014).
+constexpr double quiet_damping = 86.0;
+
+/// The operator of such a hand: slow enough that the block does not oscillate. The rate is a fraction of the block's default load in a second.
+godobject::GripOperator quiet_operator(const godobject::PivotOptions& options) {
+  godobject::GripOperator hand;
+  hand.speed = 0.1;
+  hand.rate = 0.2 * godobject::default_load(options);
+  return hand;
+}
+
+/// A grip that eases by itself, without dampers, so that the god-object lies on the p-curves; and an operator with a hand's dampers.
 void write_runs(const std::filesystem::path& output) {
   GatheredRows pivot(output / "pivot.csv");
   for (const godobject::PivotCase kind : cases) {
     const std::string name(godobject::to_string(kind));
     const std::vector<std::string> call{"pivot", "--case", name, "--material", "sandpaper", "--every", "10"};
     std::vector<std::string> released = call;
-    released.insert(released.end(), {"--release", "from=0.5,to=0.25,over=10"});
+    released.insert(released.end(), {"--release", "from=0.5,to=0.25,over=10", "--damping", "0"});
     pivot.add(released, {{"case", name}, {"grip", "release"}});
     std::vector<std::string> operated = call;
-    operated.insert(operated.end(), {"--operator", "target=30deg"});
+    operated.insert(operated.end(),
+                    {"--operator", "target=30deg,speed=0.1,rate=0.1", "--damping", format_number(quiet_damping), "--duration", "15"});
     pivot.add(operated, {{"case", name}, {"grip", "operator"}});
   }
   pivot.finish();
@@ -62,6 +77,47 @@ void write_stiffnesses(const std::filesystem::path& output) {
         if (pivot.row().state != godobject::ContactState::free) angle = std::max(angle, pivot.row().angle);
       }
       rows.row(godobject::to_string(kind), ratio, angle);
+    }
+  }
+  rows.finish();
+  file.commit();
+}
+
+/// What the operator achieves, over the offset of the centre of mass: the angle of the block, its slip past the fingers, and how often it turns back
+/// by more than 0.1° before he has regripped.
+void write_offsets(const std::filesystem::path& output, const std::filesystem::path& data) {
+  constexpr double reversal = 0.1 * std::numbers::pi / 180.0;
+  AtomicFile file(output / "pivot_offsets.csv");
+  Rows rows({file.output()}, {"material", "case", "offset", "angle", "grip_slip", "reversals"});
+  for (const Material& material : read_materials(data)) {
+    for (const godobject::PivotCase kind : cases) {
+      for (const double offset : {0.001, 0.002, 0.003, 0.004, 0.005, 0.006, 0.0065, 0.007, 0.008, 0.009}) {
+        godobject::PivotOptions options;
+        options.kind = kind;
+        options.mu = material.mu;
+        options.mu_r = material.mu_r;
+        options.damping = quiet_damping;
+        options.duration = 25.0;
+        options.grip_operator = quiet_operator(options);
+        options.offset = offset;
+        godobject::Pivot pivot(options);
+        double extreme = 0.0;
+        double sense = 1.0;
+        std::size_t reversals = 0;
+        const double start_load = pivot.row().load;
+        bool eased = false;
+        // Until it has left the fingers, or is held as firmly as at the beginning.
+        while (pivot.row().state != godobject::ContactState::free && !(eased && pivot.row().load >= start_load) && pivot.step()) {
+          eased = eased || pivot.row().load < 0.9 * start_load;
+          const double ahead = sense * (pivot.row().angle - extreme);
+          if (ahead > 0.0) extreme = pivot.row().angle;
+          if (ahead >= -reversal) continue;
+          ++reversals;
+          sense = -sense;
+          extreme = pivot.row().angle;
+        }
+        rows.row(material.name, godobject::to_string(kind), offset, pivot.row().angle, pivot.row().grip_slip, reversals);
+      }
     }
   }
   rows.finish();
@@ -136,6 +192,7 @@ void write_pivot_files(const std::filesystem::path& output, const std::filesyste
   write_materials(output, data);
   write_stiffnesses(output);
   write_map(output);
+  write_offsets(output, data);
   write_pinch(output, data);
 }
 

@@ -130,15 +130,6 @@ def files():
                                f"ratio,{MOMENT_RATIO * C:.17g},m/N^gamma\n"
                                f"c,{C},m/N^gamma\n"
                                f"gamma,{GAMMA},1\n")
-
-    lines = [line for line in (FOLDER / ".." / "materials.csv").read_text().splitlines() if line and not line.startswith("#")]
-    names = lines[0].split(",")
-    for line in lines[1:]:
-        row = dict(zip(names, line.split(",")))
-        sigmas = f"{row['mu_sd']},{row['mu_r_sd']}"
-        out[f"{row['material']}.csv"] = (f"# Per newton of load, from ../materials.csv: one pure slide, one pure twist.\n"
-                                         f"load,force,moment,sigma_force,sigma_moment\n"
-                                         f"1,{row['mu']},0,{sigmas}\n1,0,{row['mu_r']},{sigmas}\n")
     return out
 
 

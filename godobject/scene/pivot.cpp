@@ -190,7 +190,7 @@ class Pivot::Scene {
         block_(options, SoftFinger(curve, parameters, projection_of(options))) {
     const double load = grip_load_.first();
     block_.take(load);
-    describe(0.0, load);
+    describe(0.0, load, block_.grasp().finger(0).output());
   }
 
   [[nodiscard]] const PivotRow& row() const noexcept { return row_; }
@@ -203,13 +203,15 @@ class Pivot::Scene {
     ++count_;
     const double time = static_cast<double>(count_) * options_.time_step;
     const double load = grip_load_.next(row_, time, options_.time_step, block_.grasp().body().angular_velocity.z());
+    const FingerOutput last = block_.grasp().finger(0).output();
     block_.step(load, options_.time_step);
-    describe(time, load);
+    describe(time, load, last);
     return true;
   }
 
  private:
-  void describe(double time, double load) noexcept {
+  /// `last`: the first finger's output of the step before.
+  void describe(double time, double load, const FingerOutput& last) noexcept {
     const Grasp& grasp = block_.grasp();
     const BodyState& body = grasp.body();
     const FingerOutput& output = grasp.finger(0).output();
@@ -229,10 +231,12 @@ class Pivot::Scene {
     row_.friction_moment = std::fabs(moment);
     row_.state = output.state;
     row_.cor = output.cor;
-    row_.spring_force = output.force.norm();
-    row_.spring_moment = std::fabs(output.moment);
-    row_.trial_force = grasp.finger(0).state().trial_force;
-    row_.trial_moment = grasp.finger(0).state().trial_moment;
+    const FingerSample& sample = grasp.finger(0).state().sample;
+    const bool free = output.state == ContactState::free;
+    row_.r = free ? 0.0 : (output.proxy - sample.goal).norm();
+    row_.rho = free ? 0.0 : std::fabs(output.angle - sample.angle);
+    row_.trial_r = free ? 0.0 : (last.proxy - sample.goal).norm();
+    row_.trial_rho = free ? 0.0 : std::fabs(last.angle - sample.angle);
   }
 
   PivotOptions options_;

@@ -91,11 +91,11 @@ struct PivotRow {
   double friction_moment = 0.0;  ///< |M| of both together about the grip's axis [N m]
   ContactState state = ContactState::stick;  ///< of the fingers; free when the block has left them
   double cor = 0.0;                          ///< distance of the slip's COR from the grip point [m]; NaN without slip
-  // The paper's [r, ρ] plane, for one finger, springs and dampers together. Both pairs are equal if it sticks, and 0 while free.
-  double spring_force = 0.0;   ///< k_l r after step b [N]
-  double spring_moment = 0.0;  ///< k_r ρ after step b [N m]
-  double trial_force = 0.0;    ///< k_l r before step b, the trial [N]
-  double trial_moment = 0.0;   ///< k_r ρ before step b [N m]
+  // The paper's [r, ρ] plane, for one finger: distances between god-object and goal (eq. 7). Both pairs are equal if it sticks, 0 while free.
+  double r = 0.0;          ///< |x_p − x_g| after step b [m]
+  double rho = 0.0;        ///< |α_p − α_g| after step b [rad]
+  double trial_r = 0.0;    ///< |x_p − x_g| before step b [m]
+  double trial_rho = 0.0;  ///< |α_p − α_g| before step b [rad]
 };
 
 /// The experiment, step by step. Deterministic.

@@ -47,6 +47,8 @@ steady_twist.csv    law,boundary,projection,cor,stiffness_ratio,force,moment,exa
 pivot.csv           case,grip,time,x,y,angle,grip_slip,load,friction_force,friction_moment,state,cor,r,rho,trial_r,trial_rho
                       as `pivot`, every tenth step, for sandpaper and the block's default size; grip is release or operator
                       (target=30deg)
+pivot_offsets.csv   material,case,offset,angle,grip_slip,reversals
+                      what an operator achieves over the offset [m]: angle [rad], slip [m], how often it turned back by 0.1 degrees
 pivot_map.csv       case,offset,rate,angle
                       angle at which the block leaves a grip that eases at a steady rate [N/s], for a grid of offsets and rates
 pivot_materials.csv material,case and the columns of `pivot`: each material's block, its grip left open
@@ -94,7 +96,7 @@ from report_page import Used, page  # noqa: E402
 from work_precision_figures import work_precision  # noqa: E402
 
 FILES = ("laws", "curves", "p_curves", "c_curves", "validate", "ellipse_error", "tables", "materials", "table_error", "replay",
-         "replay_runs", "replay_limits", "steady_twist", "pivot", "pivot_map", "pivot_materials", "pivot_stiffness", "table_1", "pinch", "pinch_trace", "validate_peaked", "fits", "fit_band", "fit_residuals", "patch_pushes",
+         "replay_runs", "replay_limits", "steady_twist", "pivot", "pivot_map", "pivot_materials", "pivot_offsets", "pivot_stiffness", "table_1", "pinch", "pinch_trace", "validate_peaked", "fits", "fit_band", "fit_residuals", "patch_pushes",
          "patch_fits", "patch_errors", "engine_drag",
          "translate", "work_precision_wrench", "work_precision_step", "work_precision_scaling")
 
@@ -111,6 +113,7 @@ FIGURES = {
     "steady_twist": finger_figures.steady_twist,
     "pivot": experiment_figures.pivot,
     "pivot_operator": experiment_figures.pivot_operator,
+    "pivot_offsets": experiment_figures.pivot_offsets,
     "pivot_stiffness": experiment_figures.pivot_stiffness,
     "pivot_map": finger_figures.pivot_map,
     "table_1": experiment_figures.table_1,
@@ -212,8 +215,8 @@ def engines_table(data):
 
 def fits_table(data):
     return facts_table(("data", "fit", "parameter", "value", "standard error", "unit"),
-                       [(row["data"], row["model"], html.escape(row["parameter"]), f"{row['value']:.5g}", f"{row['std_error']:.2g}",
-                         unit_of(row)) for row in data["fits"]])
+                       [(row["data"], row["model"], html.escape(row["parameter"]), f"{row['value']:.5g}",
+                         "–" if row["std_error"] == "" else f"{row['std_error']:.2g}", unit_of(row)) for row in data["fits"]])
 
 
 def patch_fits_table(data):

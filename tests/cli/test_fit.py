@@ -30,31 +30,37 @@ class Fit(CommandLineTest):
         self.assertEqual(lines[0], ["parameter", "value", "std_error", "unit", "note"])
         return {name: float(value) for name, value, *_ in lines[1:]}, done.stderr
 
-    # Table 1's claim that mu_r/mu_l does not depend on the material, by its published means and deviations.
-    def test_one_ratio_for_all_materials(self):
+    # Table 1's claim that mu_r/mu_l does not depend on the material: its deviations are of single measurements, and it does not say how many.
+    def test_what_a_standard_deviation_can_tell(self):
         table = [(7.39, 0.91), (6.37, 0.88), (6.20, 1.54)]
         weights = [1 / sd**2 for _, sd in table]
         mean = sum(weight * ratio for weight, (ratio, _) in zip(weights, table)) / sum(weights)
         chi_squared = sum(((ratio - mean) / sd) ** 2 for ratio, sd in table)
         self.assertEqual((round(mean, 2), round(chi_squared, 2)), (6.77, 0.81))
         found = {row["parameter"]: row for row in rows("fit", "ratio", "--quiet", "--data", DATA / "materials.csv")}
-        self.assertEqual(list(found), ["ratio", "radius", "chi_squared", "degrees_of_freedom", "p_value"])
+        self.assertEqual(list(found), ["ratio", "radius", "chi_squared_per_n", "degrees_of_freedom", "n_for_p_0.05"])
         self.assert_close(found["ratio"]["value"], 1e-3 * mean, 1e-14)
-        self.assert_close(found["ratio"]["std_error"], 1e-3 / math.sqrt(sum(weights)), 1e-14)
         self.assert_close(found["radius"]["value"], 1e-3 * mean * 16 / (3 * math.pi), 1e-14)
-        self.assert_close(found["chi_squared"]["value"], chi_squared, 1e-12)
-        self.assertEqual(found["degrees_of_freedom"]["value"], 2)
-        # Of two degrees of freedom chi squared is exponential.
-        self.assert_close(found["p_value"]["value"], math.exp(-chi_squared / 2), 1e-12)
+        self.assertEqual((found["ratio"]["std_error"], found["radius"]["std_error"]), ("", ""))
+        self.assert_close(found["chi_squared_per_n"]["value"], chi_squared, 1e-12)
+        # Of two degrees of freedom chi squared is exponential: p = exp(-n chi_squared/2).
+        self.assert_close(found["n_for_p_0.05"]["value"], -2 * math.log(0.05) / chi_squared, 1e-12)
+        for n, p in [(1, 0.67), (7, 0.06), (8, 0.04)]:
+            text = "ratio,ratio_sd,n\n" + "".join(f"{1e-3 * ratio!r},{1e-3 * sd!r},{n}\n" for ratio, sd in table)
+            told = {row["parameter"]: row for row in rows("fit", "ratio", "--quiet", "--data", self.file("n.csv", text))}
+            self.assertEqual(list(told), ["ratio", "radius", "chi_squared", "degrees_of_freedom", "p_value"])
+            self.assert_close(told["ratio"]["std_error"], 1e-3 / math.sqrt(n * sum(weights)), 1e-14)
+            self.assert_close(told["p_value"]["value"], math.exp(-n * chi_squared / 2), 1e-12)
+            self.assertEqual(round(told["p_value"]["value"], 2), p)
         # Under another law another radius; through a pipe; two that no one ratio explains.
         text = (DATA / "materials.csv").read_text()
         call = ["fit", "ratio", "--quiet", "--law", "uniform", "--data"]
         other = rows(*call, DATA / "materials.csv")
         self.assert_close(other[1]["value"], 1.5e-3 * mean, 1e-14)
         self.assertEqual(run(*call, "-", input=text).stdout, run(*call, DATA / "materials.csv").stdout)
-        done = run("fit", "ratio", "--data", self.file("two.csv", "ratio_sd,ratio\n0.001,0.006\n0.001,0.012\n"))
+        done = run("fit", "ratio", "--data", self.file("two.csv", "n,ratio_sd,ratio\n1,0.001,0.006\n1,0.001,0.012\n"))
         self.assertEqual(done.returncode, 0)
-        self.assertRegex(done.stderr, r"warning: the ratios differ by more than their standard deviations explain")
+        self.assertRegex(done.stderr, r"warning: the ratios differ by more than their standard errors explain")
         value = {line.split(",")[0]: float(line.split(",")[1]) for line in done.stdout.splitlines()[1:]}
         self.assert_close(value["p_value"], math.erfc(math.sqrt(value["chi_squared"] / 2)), 1e-12)
 
@@ -106,7 +112,8 @@ class Fit(CommandLineTest):
     def test_ratios_that_say_nothing(self):
         for text, told in [("ratio,ratio_sd\n0.006,0.001\n", "two"), ("ratio\n0.006\n0.007\n", "ratio_sd"), ("mu\n1\n", "load"),
                            ("ratio,ratio_sd\n0.006,0\n0.006,1\n", "ratios.csv:2:7"), ("ratio,ratio_sd\n-1,1\n", "ratios.csv:2:1"),
-                           ("ratio,ratio_sd\n1,nan\n", "ratios.csv:2:3")]:
+                           ("ratio,ratio_sd\n1,nan\n", "ratios.csv:2:3"), ("ratio,ratio_sd,n\n1,1,0\n", "ratios.csv:2:5"),
+                           ("ratio,ratio_sd,n\n1,1,0.5\n1,1,2\n", "n = 0.5")]:
             self.assert_fails(2, told, "fit", "ratio", "--quiet", "--data", self.file("ratios.csv", text))
         self.assert_fails(2, "--loss", "fit", "ratio", "--loss", "cauchy", "--data", DATA / "materials.csv")
         # Slips that have a column of that name are slips.

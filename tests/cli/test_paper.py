@@ -2,17 +2,22 @@
 """The corrections to the paper (godobject/README.md): results of its equations as printed, written out here, compared with those of the command
 gives. And its page, docs/paper.md: nothing in it points to what is not there."""
 
+import csv
+import importlib.util
+import io
 import math
 import os
 import re
 import shlex
 import subprocess
+import sys
 import unittest
 from pathlib import Path
 
-from command_line import DATA, EXECUTABLE, CommandLineTest, rows
+from command_line import DATA, EXECUTABLE, CommandLineTest, rows, run
 
 ROOT = Path(__file__).resolve().parents[2]
+SIXTY_LINES = ROOT / "examples" / "python" / "paper_in_60_lines.py"
 MU, MU_R = 1.67, 0.01011  # sandpaper
 FINGER = {"law": "hertz", "radius-law": "constant:a=0.006", "mu": "0.6", "stiffness": "1000", "twist-stiffness": "0.036"}
 FINGER_OPTIONS = [word for name, value in FINGER.items() for word in (f"--{name}", value)]
@@ -41,22 +46,8 @@ def printed_equation_8(samples, mu_static, mu_dynamic):
     return ratios
 
 
-def printed_equation_17(pressure, end, distance, steps=400):
-    """Eq. (17) as it is printed, by midpoints: F_t and M for mu = 1."""
-    force = moment = 0.0
-    for i in range(steps):
-        r = (i + 0.5) * end / steps
-        for j in range(steps):
-            angle = (j + 0.5) * 2 * math.pi / steps
-            share = pressure(r) * (end / steps) * (2 * math.pi / steps)
-            away = math.sqrt(r * r + distance * distance - 2 * distance * r * math.cos(angle))
-            force -= share * (r * math.cos(angle) - distance) * r / away
-            moment -= share * (r - distance * math.cos(angle)) * r * r / away
-    return force, moment
-
-
 def regripped_block(carried):
-    """The block of `pivot`, regripped under 1 N at 30 degrees while it turns at 0.3 rad/s, about the grip alone: how far it has turned after 3 s
+    """A model of the block of `pivot`, regripped under 1 N at 30 degrees while it turns at 0.3 rad/s, about the grip alone: how far it has turned after 3 s
     [deg]. `carried` is by how much step e carries the proxy's angle with a velocity: eq. (13) or its correction."""
     mass, offset, time_step = 0.1, 0.005, 1e-3
     inertia = mass * (0.12**2 + 0.04**2) / 12 + mass * offset**2
@@ -89,27 +80,15 @@ class Corrections(CommandLineTest):
         self.assertAlmostEqual(max(abs(a - b) for a, b in zip(printed, here)), 0, delta=1e-9)
 
     def test_angles_at_touch_down_preload_nothing(self):
-        # alpha_p = alpha_0 and alpha_g = alpha_s - alpha_0: at alpha_s = alpha_0 = 0.3 rad that is k_r 0.3 = 10.8 mN m.
-        self.assertAlmostEqual(0.036 * (0.3 - (0.3 - 0.3)), 0.0108, delta=1e-12)
         samples = [f"{i / 1000},0,0,{-min(i, 20) * 1e-4},0.3" for i in range(-2, 100)]
         found = rows("replay", "--trace", self.file("trace.csv", "time,x,y,z,twist\n" + "\n".join(samples) + "\n"), *FINGER_OPTIONS)
         self.assertEqual({row["moment"] for row in found}, {0})
         self.assertEqual(found[-1]["load"], 2)
 
-    def test_signs_and_the_end_of_equation_17(self):
-        def hertz(r):
-            return 3 / (2 * math.pi) * math.sqrt(1 - r * r)
-
-        force, moment = printed_equation_17(hertz, 1.0, 1.0)
-        here = rows("eval", "--law", "hertz", "--c", "1")[0]
-        self.assertAlmostEqual(force, 9 * math.pi / 32, delta=1e-4)
-        self.assertAlmostEqual(moment, -9 * math.pi / 128, delta=1e-4)
+    def test_signs_of_equation_17(self):
+        here = rows("eval", "--law", "hertz", "--c", "1")[0]  # as printed M is -9 pi/128
         self.assertAlmostEqual(here["force"], 9 * math.pi / 32, delta=1e-14)
         self.assertAlmostEqual(here["moment"], 9 * math.pi / 128, delta=1e-14)
-        # A uniform pressure on a = 6 mm, integrated to R = 8 mm as it stands.
-        beyond, _ = printed_equation_17(lambda r: 1 / (math.pi * 6**2), 8.0, 1e6)
-        self.assertAlmostEqual(beyond, 64 / 36, delta=1e-6)
-        self.assertEqual(rows("eval", "--law", "uniform", "--c", "inf")[0]["force"], 1)
 
     def test_quotients_that_are_0_by_0(self):
         # A pure twist has r = 0, a pure drag rho = 0: r'/r of eq. (23) is none.
@@ -172,6 +151,185 @@ class Corrections(CommandLineTest):
         self.assertEqual(set(point), {0})
 
 
+QUIET = ["--damping", "86", "--operator", "target=30deg,speed=0.1,rate=0.1", "--duration", "20"]
+
+
+def reversals(found, least=0.1):
+    """How often the block of `pivot` turns back by more than `least` [deg]."""
+    extreme, sense, count = 0.0, 1, 0
+    for row in found:
+        ahead = sense * (math.degrees(row["angle"]) - extreme)
+        if ahead > 0 or ahead < -least:
+            extreme = math.degrees(row["angle"])
+        if ahead < -least:
+            sense, count = -sense, count + 1
+    return count
+
+
+class Claims(CommandLineTest):
+    """What docs/paper.md says of claims of the paper that are no equation."""
+
+    def pivot(self, case, *options):
+        """Angle [deg], slip [mm] and reversals at the end, and the rows."""
+        found = [row for row in rows("pivot", "--case", case, *options) if row["state"] != "free"]
+        return math.degrees(found[-1]["angle"]), 1e3 * found[-1]["grip_slip"], reversals(found), found
+
+    def test_what_a_soft_finger_costs(self):
+        done = run("choose", "--law", "hertz", "--tolerance", "0.01", "--scene", "--mu", "0.6", "--loads", "0.5,2", "--stiffness", "1000",
+                   "--twist-stiffness", "0.036", "--twist-rate", "2")
+        cost = {row["model"]: float(row["nanoseconds"]) for row in csv.DictReader(io.StringIO(done.stdout))}
+        self.assertAlmostEqual(cost["ellipse/radial"] / cost["no torsion"], 2, delta=0.05)
+        self.assertAlmostEqual(cost["table/closest-point"] / cost["no torsion"], 4.4, delta=0.05)
+
+    def test_friction_does_not_know_the_speed(self):
+        motion = (DATA / "traces" / "slide_twist_load.csv").read_text().splitlines()
+        slow = [line if line[0] in "#t" else f"{7 * float(line.split(',')[0])}," + line.split(",", 1)[1] for line in motion]
+        for curve in (["ellipse", "--projection", "radial"], ["table"], ["box", "--mu-dynamic", "0.5"]):
+            ever, slower = (rows("replay", "--trace", self.file("trace.csv", "\n".join(lines) + "\n"), *FINGER_OPTIONS, "--curve", *curve)
+                            for lines in (motion, slow))
+            self.assertIn("slip", {row["state"] for row in ever})
+            for name in ("px", "py", "angle", "fx", "fy", "moment"):
+                self.assertEqual([row[name] for row in ever], [row[name] for row in slower])
+
+    def test_a_centre_of_rotation_on_the_x_axis_has_no_force_along_it(self):
+        # About (c, 0): v = omega x (r - c).
+        twists = self.file("twists.csv", "vx,vy,omega\n" + "".join(f"0,{-c},1\n" for c in (0.0005, 0.002, 0.004, 0.01)))
+        square = [(0.005 * x, 0.005 * y) for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
+        turned = [(x * math.cos(0.4) - y * math.sin(0.4), x * math.sin(0.4) + y * math.cos(0.4)) for x, y in square]
+        corners = self.file("square.csv", "x,y\n" + "".join(f"{x},{y}\n" for x, y in turned))
+        round_force, square_force = ([abs(row["fx"]) for row in rows("patch", "--patch", patch, "--twists", twists)]
+                                     for patch in ("ellipse:law=hertz,a=0.004,b=0.004", f"polygon:{corners}"))
+        self.assertLess(max(round_force), 1e-12)
+        self.assertGreater(max(square_force), 0.01)
+        self.assertLess(max(square_force), 0.03)
+
+    def test_curves_in_the_plane_of_r_and_rho(self):
+        springs = ["--stiffness", "1000", "--twist-stiffness", "0.036"]
+        for call in (["p-curves", "--loads", "0,0.5,1", "--points", "9"], ["c-curves", "--cors", "0,0.006,inf", "--loads", "0.5,1"]):
+            call += ["--law", "hertz", "--radius-law", "constant:a=0.006", "--mu", "0.6"]
+            plain, found = rows(*call), rows(*call, *springs)
+            self.assertEqual(list(found[0]), [*plain[0], "r", "rho"])
+            for row in found:
+                self.assert_close(row["r"], row["force"] / 1000, 1e-15)
+                self.assert_close(row["rho"], row["moment"] / 0.036, 1e-15)
+            self.assertEqual([{name: row[name] for name in plain[0]} for row in found], plain)
+            for one, other in ((springs[:2], "--twist-stiffness"), (springs[2:], "--stiffness")):
+                self.assert_fails(2, [other, "both"], *call, *one)
+        # A slipping god-object without dampers lies on the p-curve of its load: a Hertz contact of the mean radius of sandpaper, exact.
+        springs[3] = repr(1000 * (MU_R / MU) ** 2)
+        block = rows("pivot", "--case", "exact", "--damping", "0", "--release", "from=0.45,to=0.3,over=2", "--duration", "2", "--every", "50")
+        slips = [row for row in block if row["state"] == "slip"]
+        self.assertGreater(len(slips), 5)
+        for row in slips:
+            curve = rows("p-curves", "--law", "hertz", "--radius-law", f"constant:a={MU_R / MU * 16 / (3 * math.pi)!r}", "--mu", MU,
+                         "--loads", row["load"], "--points", "2001", *springs)
+            self.assertLess(min(math.hypot(row["r"] / curve[-1]["r"] - point["r"] / curve[-1]["r"],
+                                           row["rho"] / curve[0]["rho"] - point["rho"] / curve[0]["rho"]) for point in curve), 1e-3)
+
+    def test_smooth_in_a_not_in_b(self):
+        for case, slip in (("coupled", 4.5), ("exact", 4.1)):
+            angle, slid, back, _ = self.pivot(case, *QUIET)
+            self.assertAlmostEqual(angle, 30.1, delta=0.15)
+            self.assertAlmostEqual(slid, slip, delta=0.05)
+            self.assertLessEqual(back, 1 if case == "exact" else 0)
+        # The default dampers let the block oscillate.
+        *_, found = self.pivot("coupled", "--operator", "target=30deg")
+        self.assertEqual(reversals([row for row in found if row["time"] < 3.148]), 10)
+        for options, turned, slid in ((["--operator", "target=30deg"], 2.0, 3.5), (QUIET, 25.6, 9.7)):
+            found = self.pivot("uncoupled", "--offset", "0.0065", *options)
+            self.assertAlmostEqual(found[0], turned, delta=0.1)
+            self.assertAlmostEqual(found[1], slid, delta=0.06)
+
+    def test_the_offset_decides_what_b_can_do(self):
+        for offset in ("0.001", "0.003", "0.005", "0.006"):
+            angle, *_ = self.pivot("uncoupled", "--offset", offset, *QUIET)
+            self.assertAlmostEqual(angle, 0, delta=0.05)
+        angle, slid, *_ = self.pivot("uncoupled", "--offset", "0.009", *QUIET)
+        self.assertAlmostEqual(angle, 30, delta=0.1)
+        self.assertEqual(slid, 0)
+        angle, slid, *_ = self.pivot("coupled", "--offset", "0.009", *QUIET)
+        self.assertAlmostEqual(angle, 30.1, delta=0.1)
+        self.assertAlmostEqual(slid, 2.34, delta=0.02)
+
+    def test_the_centre_of_rotation_moves_as_the_load_falls(self):
+        # At one load from the end of the release on; the force is the weight, so only the weight's moment falls.
+        still = [row for row in self.pivot("coupled", "--damping", "0", "--release", "from=0.385,to=0.375,over=1")[3]
+                 if row["state"] == "slip" and 1 < row["time"] < 2]
+        self.assertGreater(math.degrees(still[-1]["angle"] - still[0]["angle"]), 15)
+        self.assertEqual({row["load"] for row in still}, {0.375})
+        self.assertAlmostEqual(1e3 * still[0]["cor"], 7.60, delta=0.01)
+        self.assertAlmostEqual(1e3 * still[-1]["cor"], 7.70, delta=0.01)
+        released = [row for row in self.pivot("coupled", "--damping", "0", "--release", "from=0.5,to=0.25,over=10")[3] if row["state"] == "slip"]
+        held = [row for row in released if row["load"] > 0.285]
+        self.assertAlmostEqual(1e3 * released[0]["cor"], 7.3, delta=0.05)
+        self.assertGreater(held[-1]["cor"], 1)
+        self.assertLess(max(row["r"] for row in held) / min(row["r"] for row in held), 1.05)
+
+    def test_the_ellipse_is_good_enough_for_the_experiment(self):
+        release = ["--release", "from=0.5,to=0.25,over=10", "--damping", "0"]
+        for case, lost in (("coupled", 33.07), ("exact", 35.5)):
+            found = self.pivot(case, *release)[3]
+            before, row = next(pair for pair in zip(found, found[1:]) if pair[1]["grip_slip"] >= 0.005)
+            part = (0.005 - before["grip_slip"]) / (row["grip_slip"] - before["grip_slip"])
+            self.assertAlmostEqual(math.degrees(before["angle"] + part * (row["angle"] - before["angle"])), lost, delta=0.02)
+
+
+class SixtyLines(CommandLineTest):
+    """The paper's equations in examples/python, without the library, and their page."""
+
+    def setUp(self):
+        super().setUp()
+        spec = importlib.util.spec_from_file_location("paper_in_60_lines", SIXTY_LINES)
+        self.paper = importlib.util.module_from_spec(spec)
+        spec.loader.exec_module(self.paper)
+
+    def test_step_b_is_that_of_the_library(self):
+        done = subprocess.run([sys.executable, "-B", SIXTY_LINES, EXECUTABLE], capture_output=True, text=True, check=False)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        for step_b, curve in ((self.paper.uncoupled, ["box"]), (self.paper.coupled, ["ellipse", "--projection", "radial"])):
+            for path, body in ((DATA / "traces" / "slide_twist_load.csv", []), (DATA / "scenes" / "turntable.csv", ["--body", "trace"])):
+                here = list(self.paper.god_object(self.paper.read(path), step_b))
+                library = rows("replay", "--trace", path, *FINGER_OPTIONS, "--curve", *curve, *body)
+                self.assertEqual(len(here), len(library))
+                self.assertIn("slip", {row["state"] for row in library})
+                for wrench, row in zip(here, library):
+                    for value, name in zip(wrench, ("fx", "fy", "moment")):
+                        self.assertAlmostEqual(value, row[name], delta=1e-12)
+
+    def test_equation_17_by_midpoints(self):
+        radius, mu = self.paper.A, self.paper.MU
+        for row in rows("eval", "--law", "hertz", "--c", "0,0.003,0.006,0.009", "--radius", radius, "--mu", mu):
+            force, moment = self.paper.wrench(row["c"])
+            self.assertAlmostEqual(force, row["force"], delta=1e-4 * mu)
+            self.assertAlmostEqual(moment, row["moment"], delta=1e-4 * mu * radius)
+        self.assert_close(self.paper.MU_R, self.paper.wrench(0.0)[1], 1e-4)  # eqs. (4), (5)
+
+    def test_the_page_shows_the_file(self):
+        source, at = SIXTY_LINES.read_text(encoding="utf-8"), 0
+        blocks = re.findall(r"```python\n(.*?)```", (ROOT / "docs" / "paper_in_60_lines.md").read_text(encoding="utf-8"), re.DOTALL)
+        for block in blocks:
+            at = source.index(block, at) + len(block)
+        self.assertLessEqual(source.count("\n", source.index(blocks[0]), at), 60)
+        self.assertTrue(source[at:].startswith("\n\ndef read("), "the page shows all of it but the comparison")
+
+
+# The paper's own words that docs/paper.md quotes, by section, compared word for word with the paper.
+QUOTATIONS = {
+    "1": ["no real additional computational cost"],
+    "2": ["almost independent of the material"],
+    "3": ["do not influence each other in any way"],
+    "4": ["the friction is independent of sliding speed"],
+    "4.1": ["do not present particular differences", "approximated by circles with unitary radius"],
+    "4.2": ["the characteristics of the instantaneous sliding motion are preserved"],
+    "6": ["a smooth rotation of the block with a small amount of translation",
+          "a movement with constant pressure and a reconfiguration of the instantaneous center of rotation", "not as much smooth",
+          "unable to simulate a realistic manipulation"],
+    "7": ["easily implemented in real-time", "can predict the frictional behavior of a planar object between two soft finger contacts"],
+}
+# The one text of three words and more that other pages have in quotation marks: the title of a work.
+TITLES = {"Tangential torque effects on the control of grip forces when holding objects with a precision grip"}
+
+
 class Page(CommandLineTest):
     """docs/paper.md."""
 
@@ -187,6 +345,29 @@ class Page(CommandLineTest):
             self.assertEqual(len(row), 5, row)
             self.assertTrue(all(row), row)
 
+    def test_quotations_are_the_papers_words_and_stand_here_once(self):
+        found = {}
+        for section in re.split(r"(?m)^## ", self.TEXT)[1:]:
+            first = [re.split(r"(?<!\\)\|", line)[1] for line in section.splitlines() if line.startswith("| ")]
+            quoted = [text for cell in first for text in re.findall(r'"([^"]+)"', cell)]
+            if quoted:
+                found[section.split()[0]] = quoted
+        self.assertEqual(found, QUOTATIONS)
+        every = [text for quoted in QUOTATIONS.values() for text in quoted]
+        for text in every:
+            self.assertEqual(self.TEXT.count(text), 1, text)
+        rooms = [room for room in ROOT.iterdir() if room.is_dir() and room.name not in ("build", "out", ".git", "tests")]
+        pages = [*ROOT.glob("*.md"), *(page for room in rooms for kind in ("*.md", "*.rst", "figures/*.py") for page in room.rglob(kind))]
+        pages.remove(ROOT / "docs" / "paper.md")
+        self.assertGreater(len(pages), 20)
+        for path in pages:
+            text = path.read_text(encoding="utf-8")
+            for quoted in every:
+                self.assertNotIn(quoted.lower(), re.sub(r"\s+", " ", text).lower(), path)
+            straight = [] if path.suffix == ".py" else re.findall(r'"([^"\n]+)"', re.sub(r"```.*?```|`[^`\n]*`", "", text, flags=re.DOTALL))
+            for quoted in straight + re.findall(r"“([^”]+)”", text):
+                self.assertTrue(len(quoted.split()) < 3 or quoted in TITLES, f"{path}: is this a quotation? {quoted}")
+
     def test_every_equation_figure_and_table_has_its_row(self):
         first = " ".join(row[0] for row in self.table())
         for number in range(1, 24):
@@ -200,8 +381,9 @@ class Page(CommandLineTest):
         (self.directory / "out").mkdir()
         calls = sorted({call for row in self.table() for call in re.findall(r"`(limitcurve [^`]+)`", row[2])})
         self.assertGreater(len(calls), 10)
+        finger = re.search(r'FINGER="([^"]+)"', self.TEXT)[1]
         for call in calls:
-            words = shlex.split(call)
+            words = shlex.split(call.replace("$FINGER", finger))
             if words[1] == "report":
                 continue  # test_report.py
             done = subprocess.run([EXECUTABLE, *words[1:]], cwd=self.directory, capture_output=True, text=True, check=False, env=os.environ)

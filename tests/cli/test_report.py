@@ -22,6 +22,7 @@ FILES = {
     "replay_limits": "trace,boundary,load,force,moment",
     "pivot": "case,grip,time,x,y,angle,grip_slip,load,friction_force,friction_moment,state,cor,r,rho,trial_r,trial_rho",
     "pivot_materials": "material,case,time,x,y,angle,grip_slip,load,friction_force,friction_moment,state,cor,r,rho,trial_r,trial_rho",
+    "pivot_offsets": "material,case,offset,angle,grip_slip,reversals",
     "pivot_stiffness": "case,ratio,angle",
     "validate_peaked": "law,model,parameter,max_error,rms_error,max_over_estimate,max_under_estimate,max_cor_error",
     "pivot_map": "case,offset,rate,angle",

@@ -95,12 +95,5 @@ TEST(SensorLog, RadiiGiveTheGrowthOfTheContact) {
   EXPECT_NEAR(report.at("c").value, truth()["c"], 2.5 * report.at("c").std_error);
 }
 
-TEST(SensorLog, MaterialsGiveTheirRatios) {
-  const std::map<std::string, double> quotients{{"rayon", 3.05e-3 / 0.42}, {"suede", 3.84e-3 / 0.61}, {"sandpaper", 10.11e-3 / 1.67}};
-  for (const auto& [material, quotient] : quotients) {
-    EXPECT_NEAR(fit_model("ratio", slips(material + ".csv")).report.at("ratio").value, quotient, 1e-12) << material;
-  }
-}
-
 }  // namespace
 }  // namespace limitcurve::fit
