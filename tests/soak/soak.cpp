@@ -22,7 +22,7 @@
 //
 // An episode depends only on the seed and its number, so that a failing one can be run alone (--episode). Prints how many
 // steps there were, and by how much a wrench exceeded its limit. --samples writes some outputs, to compare builds
-// (scripts/maintain/agree); these read the same tables, which one of them writes.
+// (scripts/maintain/matrix); these read the same tables, which one of them writes.
 
 namespace limitcurve::soak {
 namespace {

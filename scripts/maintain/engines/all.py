@@ -22,7 +22,7 @@ for name in sys.argv[1:]:
     try:
         module = importlib.import_module("in_" + name)
     except ImportError as error:
-        print(f"measure_engines: {name} left out: {error}", file=sys.stderr)
+        print(f"measure: {name} left out: {error}", file=sys.stderr)
         continue
     rows = list(module.measure())
     writer.writerows(rows)

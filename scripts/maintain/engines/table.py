@@ -16,7 +16,7 @@ for path in sys.argv[1:]:
             versions.setdefault(row["version"], []).append(row)
 
 writer = csv.writer(sys.stdout, lineterminator="\n")
-print("# Made by scripts/maintain/measure_engines. radial: largest error of the limit curve's radius; same_cor: largest distance of the wrench at the same centre of "
+print("# Made by scripts/maintain/engines/measure. radial: largest error of the limit curve's radius; same_cor: largest distance of the wrench at the same centre of "
       "rotation, over the limits; points: centres of rotation.")
 writer.writerow(["engine", "version", "model", "contact", "law", "radial", "same_cor", "points"])
 for (engine, model, contact, law), versions in sorted(points.items()):

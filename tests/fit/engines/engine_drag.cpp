@@ -2,7 +2,7 @@
 //
 // engine_drag: the friction that physics engines make of one finger (Hertz, mu = 0.8, a = 5 mm, 3 N) with the translated
 // coefficients, measured by dragging it about imposed centres of rotation, as CSV: engine,version,model,c,force,moment, with c
-// over the radius, force and moment over their limits; and exact_force,exact_moment of the law there. scripts/maintain/measure_engines runs it.
+// over the radius, force and moment over their limits; and exact_force,exact_moment of the law there. scripts/maintain/engines/measure runs it.
 #include "tests/fit/engines/dragged.hpp"
 
 #ifdef LIMITCURVE_HAS_BULLET
