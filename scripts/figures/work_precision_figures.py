@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""The work-precision chart: error of every way to a friction wrench against what it costs, from data/work_precision/."""
+"""The work-precision charts: error of every way to a friction wrench against what it costs, from data/work_precision/."""
 
 import math
 
 import matplotlib.pyplot as plt
-from chart_style import BLUE, FAINT, GREEN, INK, PURPLE, SKY, VERMILION
+from chart_style import BLUE, FAINT, GREEN, GRID, INK, PURPLE, SKY, VERMILION
 
 # Errors below the rounding of a double are drawn there.
 ROUNDING = 1e-16
@@ -37,13 +37,21 @@ LEGEND = {
     "ring": "one integral over the radius",
     "punch": "superposed flat punches",
     "direct": "eq. (17) as printed",
-    "Hermite": "even Hermite cubics, entries",
+    "Hermite": "evenly spaced Hermite cubics, entries",
     "grid": "N × N grid, N",
     "Boost split": "Boost, elliptic integrals, tolerance",
     "Boost nested": "Boost, nested, tolerance",
     "GSL nested": "GSL, nested, tolerance",
     "scipy dblquad": "scipy dblquad, tolerance",
 }
+# What to take, and for what.
+CHOICES = {
+    ("ellipse", ""): "ellipse:\na rough answer",
+    ("table", "1e-8"): "table of 1e-8:\na loop",
+    ("closed", "double"): "closed form:\na few values",
+    ("ring", "80 bit"): "evaluate:\nthe reference",
+}
+ERROR = "largest error over all centres of rotation, as a fraction of the friction limits"
 RADIAL_SHOWN = ("ellipse", "float ellipse", "table 1e-8")
 # Projection: colour, marker of a finger, marker of a contact in a batch.
 PROJECTIONS = {"radial": (PURPLE, "^", "+"), "closest-point": (BLUE, "o", "x")}
@@ -82,6 +90,15 @@ def steps(front, right):
         xs += [error, following]
         ys += [row["mean_ns"], row["mean_ns"]]
     return xs, ys
+
+
+def error_axis(axes, left):
+    """Errors fall to the right; what is not above the rounding of a double stands on its line."""
+    axes.set(xscale="log", yscale="log", xlim=(left, ROUNDING / 4))
+    axes.set_xticks([10.0 ** -k for k in range(0, 17, 2)], [*(f"$10^{{-{k}}}$" if k else "1" for k in range(0, 16, 2)), "below\n$10^{-16}$"])
+    axes.axvspan(2 * ROUNDING, ROUNDING / 4, color=GRID, linewidth=0, zorder=-1)
+    axes.minorticks_off()
+    axes.set_xlabel(ERROR, fontsize=8)
 
 
 class Labels:
@@ -146,9 +163,8 @@ class Labels:
 
 def law_panel(figure, axes, rows, law):
     right = ROUNDING / 4
-    axes.set(title=law, xscale="log", yscale="log", xlim=(10, right), ylim=(0.15, 2e8))
-    axes.set_xticks([10.0 ** -k for k in range(0, 17, 2)])
-    axes.minorticks_off()
+    axes.set(title=law, ylim=(0.15, 2e8), ylabel="mean time of a wrench  [ns]")
+    error_axis(axes, 10)
     labels = Labels(figure, axes, 7)
     ours = rows.where(kind="ours")
     for front, style in ((cheapest_first(ours), {"color": BLUE, "linewidth": 5, "alpha": 0.16}),
@@ -174,9 +190,8 @@ def draw_family(axes, labels, family, rows, cost):
 
 def bytes_panel(figure, axes, rows, law):
     """What is stored for a wrench by look-up, over the same errors."""
-    axes.set(title=f"{law}: what is stored", xscale="log", yscale="log", xlim=(10, ROUNDING / 4), ylim=(50, 1e8))
-    axes.set_xticks([10.0 ** -k for k in range(0, 17, 2)])
-    axes.minorticks_off()
+    axes.set(title=f"{law}: what is stored", ylim=(50, 1e8), ylabel="bytes")
+    error_axis(axes, 10)
     labels = Labels(figure, axes, 7)
     for family in ("table", "Hermite", "grid"):
         draw_family(axes, labels, family, rows.where(family=family), "bytes")
@@ -186,10 +201,8 @@ def bytes_panel(figure, axes, rows, law):
 
 
 def step_panel(figure, axes, rows):
-    right = ROUNDING / 4
-    axes.set(title="a god-object's step (hertz): error of the steady wrench", xscale="log", yscale="log", xlim=(1e3, right), ylim=(0.3, 3e3))
-    axes.set_xticks([10.0 ** -k for k in range(0, 17, 2)])
-    axes.minorticks_off()
+    axes.set(title="a god-object's step (hertz): error of the steady wrench", ylim=(0.3, 3e3), ylabel="mean time of a step  [ns]")
+    error_axis(axes, 1e3)
     labels = Labels(figure, axes, 7)
     for projection, (colour, marker, in_batch) in PROJECTIONS.items():
         for row in rows.where(projection=projection):
@@ -217,28 +230,55 @@ def step_panel(figure, axes, rows):
 
 
 def work_precision(data):
+    """The choices, among all ways to a wrench of a Hertz contact."""
+    rows = data["work_precision_wrench"].where(law="hertz")
+    figure, axes = plt.subplots(figsize=(8.4, 6.2))
+    figure.subplots_adjust(left=0.09, right=0.985, top=0.95, bottom=0.16)
+    figure.canvas.draw()
+    axes.set(title="One friction wrench of a Hertz contact: error against time", ylim=(0.7, 4e8), ylabel="mean time of a wrench  [ns]")
+    error_axis(axes, 30)
+    labels = Labels(figure, axes, 8.5)
+    for family, of_family in rows.groups("family").items():
+        colour, marker, dashes, by_parameter = FAMILIES[family]
+        points = [(max(row["max_error"], ROUNDING), row["mean_ns"]) for row in of_family]
+        hollow = {"markerfacecolor": "white"} if of_family[0]["kind"] != "ours" else {}
+        axes.plot(*zip(*points), marker=marker, markersize=4.5, color=colour, linewidth=0.6, linestyle=dashes if by_parameter else "none", zorder=3,
+                  **hollow)
+        labels.line(*zip(*points))
+        chosen = [CHOICES.get((family, parameter(row)), "") for row in of_family]
+        for point, word in zip(points, chosen):
+            if word:
+                axes.plot(*point, "o", markersize=13, color=colour, fillstyle="none", markeredgewidth=1.6, zorder=4)
+            labels.dot(*point, word, colour, 8 if word else 4.5)
+        if family in LEGEND and family != "ring":
+            labels.dot(*points[-1 if family in ("table", *ENDS_NAMED) else len(points) // 2], LEGEND[family].rsplit(", ", 1)[0], colour)
+        elif family not in LEGEND and not any(chosen):
+            labels.dot(*points[0], family, colour)
+    labels.place()
+    figure.text(0.5, 0.012, "Ringed: what to take, and for what. Filled: this library. Hollow: others. Error against eq. (17) by evaluate, in 80 bits.\n"
+                f"Measured on {data['work_precision_step'][0]['machine']}.", ha="center", fontsize=8, color=FAINT)
+    return figure
+
+
+def all_work_precision(data):
     """One panel a law, two for bytes, and one for the step."""
     wrench, step = data["work_precision_wrench"], data["work_precision_step"]
     laws = list(wrench.groups("law"))
-    figure, panels = plt.subplots(4, 2, figsize=(10, 17.6))
-    figure.subplots_adjust(left=0.07, right=0.99, top=0.982, bottom=0.1, hspace=0.17, wspace=0.13)
+    figure, panels = plt.subplots(4, 2, figsize=(10, 18.6))
+    figure.subplots_adjust(left=0.07, right=0.99, top=0.982, bottom=0.1, hspace=0.27, wspace=0.16)
     figure.canvas.draw()
     for axes, law in zip(panels.flat, laws):
         law_panel(figure, axes, wrench.where(law=law), law)
-        axes.set_ylabel("a wrench costs, mean  [ns]")
     step_panel(figure, panels.flat[5], step)
-    panels.flat[5].set_ylabel("a step costs, mean  [ns]")
     for axes, law in zip(panels[3], BYTES_OF):
         bytes_panel(figure, axes, wrench.where(law=law), law)
-        axes.set_ylabel("bytes")
-    for axes in panels[-1]:
-        axes.set_xlabel("largest error, of what the contact bears")
     handles = {}
     for axes in panels.flat[:len(laws)]:
         handles.update({label: handle for handle, label in zip(*axes.get_legend_handles_labels()) if label in LEGEND.values()})
     order = [label for label in LEGEND.values() if label in handles]
     figure.legend([handles[label] for label in order], order, loc="lower center", ncols=4, bbox_to_anchor=(0.5, 0.025), handlelength=3.5)
     machine = step[0]["machine"]
-    figure.text(0.5, 0.004, "Filled: this library. Hollow: others. Bands: the cheapest at each error, of ours (blue) and of the others (red).\n"
+    figure.text(0.5, 0.004, "Filled: this library. Hollow: others. Bands: the cheapest at each error, of ours (blue) and of the others (red). "
+                "Error against evaluate, in 80 bits.\n"
                 f"Measured on {machine}.", ha="center", fontsize=8.5, color=FAINT)
     return figure
