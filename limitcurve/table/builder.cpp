@@ -295,7 +295,7 @@ std::optional<BasicTable<Real>> build(const Source& source, double tolerance, st
   // Attempts share what they know of the curve, which may come from a quadrature.
   std::array<std::unordered_map<double, Sample>, 2> known;
   Source remembered = source;
-  remembered.at = [&](bool outside, double x) {
+  remembered.sample = [&](bool outside, double x) {
     auto [place, is_new] = known[outside].try_emplace(x);
     if (is_new) place->second = source.at(outside, x);
     return place->second;
