@@ -188,31 +188,27 @@ def section(data):
     scan = {case: dict(zip(rows.column("ratio"), rows.column("angle", 180 / math.pi)))
             for case, rows in data["pivot_stiffness"].groups("case").items()}
     soft, softest, stiff = 1, min(scan["coupled"]), max(scan["coupled"])
-    mean, error, chi_squared, p_value = one_ratio(data)
+    mean, error, _, p_value = one_ratio(data)
     level, above = offset, 7
     farthest = max(data["pivot_map"].where(case="uncoupled", offset=1e-3 * above).column("angle", 180 / math.pi))
     turn = {friction: turn_of(rows[-1], "bq") for friction, rows in data["pinch"].groups("friction").items()}
     return ("A block between two fingers", [
-        ("pivot", "The paper’s experiment (its Figs. 7 to 11), its cases A and B and the exact curve: a block, its centre of mass (blue path) beside the "
-         "grip (dot), on sandpaper; the grip is released slowly. Where force and moment share one limit the block turns before it is lost: by "
-         f"{turned['coupled']:.1f}° and {turned['exact']:.1f}° when it has slid {lost} past a grip that eases by itself (dots), and farther until it leaves the fingers. With limits of their own the moment "
-         f"holds to the end, and the block has turned by {abs(turned['uncoupled']):.1f}°. From top to bottom: "
-         "poses, darker is later (Figs. 7, 10); centre of mass and angle over time (Figs. 8, 11); the [r, ρ] plane of one finger (Fig. 9): the trial of a step "
-         "(diamond) lies outside the p-curve of its load and is moved on to it. "
-         "<b>From the paper</b> are μ<sub>l</sub>, μ<sub>r</sub>, the two cases and the level start. <b>Ours</b>, because it gives none, are the "
-         f"block ({1e3 * BLOCK_LENGTH:.0f} × {1e3 * BLOCK_HEIGHT:.0f} mm, 0.1 kg), its offset of {offset:.0f} mm, k<sub>l</sub>, k<sub>r</sub>, the dampers and the time step of 1 ms."),
-        ("pivot_operator", "The same by an operator, as the paper’s subject was asked to: ease until the block turns, keep it turning, regrip at 30°. He stops it at "
-         f"{math.degrees(kept['coupled']['angle']):.1f}° (A) and {math.degrees(kept['exact']['angle']):.1f}° (exact). Where the block slides out more than it "
-         f"turns he regrips too: in case B it is kept, {1e3 * kept['uncoupled']['grip_slip']:.1f} mm lower and level. The grip that tightens moves the p-curve out (green), and the point stays inside."),
-        ("pivot_stiffness", "What the paper does not give decides its experiment. By how much the block turns before it leaves the fingers, over the stiffness of the twist’s spring: "
-         f"with the radial projection {scan['coupled'][softest]:.0f}° to {scan['coupled'][stiff]:.1f}° (ratios {softest:g} to {stiff:g}), with the closest point "
-         f"{min(scan['exact'].values()):.0f}° to {max(scan['exact'].values()):.0f}°. Only at a ratio near {soft} do both agree."),
-        ("pivot_map", f"How far the block has turned, in degrees, when it has slid {lost} past the grip and is lost, over the offset of its centre of mass and the rate at "
-         "which the grip eases. The paper has two points of this map, and does not say where: offset and rate are ours. With limits of their own the block turns only where "
-         f"the offset exceeds μ<sub>r</sub>/μ<sub>l</sub> = {1e3 * sandpaper['mu_r'] / sandpaper['mu']:.2f} mm (triangles): at {level:g} mm it slides out level, at {above:g} mm it turns by up to {farthest:.0f}°. So the offset decides what case B shows."),
-        ("table_1", "Left: Table 1 says that μ<sub>r</sub>/μ<sub>l</sub> hardly depends on the material. By its means and standard deviations one ratio of "
-         f"{1e3 * mean:.2f} ± {1e3 * error:.2f} mm explains all three (χ² = {chi_squared:.2f} with 2 degrees of freedom, p = {p_value:.2f}). Right: the block between fingers "
-         "of each material, its grip released from 1.3 times what holds it: with one ratio the three move alike."),
-        ("pinch", "Two soft fingers close on a form (the paper’s introduction): they carry a block and turn it by "
-         f"{turn['soft']:.1f}° of {turn_of(data['pinch_trace'][-1], 'q'):.1f}°; without a friction moment by {abs(turn['point']):.1f}°."),
+        ("pivot", "The paper’s experiment (its Figs. 7 to 11): a block, its centre of mass beside the grip, on sandpaper; the grip eases. Where force and moment share one limit the block "
+         f"turns before it is lost: by {turned['coupled']:.1f}° and {turned['exact']:.1f}° when it has slid {lost} past the grip (dots), with limits of their own by "
+         f"{abs(turned['uncoupled']):.1f}°. Bottom: the [r, ρ] plane of one finger. From the paper are the friction, the cases and the level start; the block "
+         f"({1e3 * BLOCK_LENGTH:.0f} × {1e3 * BLOCK_HEIGHT:.0f} mm, 0.1 kg, {offset:.0f} mm off), springs, dampers and the time step are ours.",
+         "limits that know of each other, or the object slides out level."),
+        ("pivot_operator", "An operator eases until the block turns, and regrips at 30°. He stops it at "
+         f"{math.degrees(kept['coupled']['angle']):.1f}° (A, coupled) and {math.degrees(kept['exact']['angle']):.1f}° (exact); with limits of their own (B) it is kept, "
+         f"{1e3 * kept['uncoupled']['grip_slip']:.1f} mm lower and level.", "regripping works with coupled limits only."),
+        ("pivot_stiffness", f"The paper does not give the stiffness of the twist’s spring. With the radial projection the block turns by {scan['coupled'][softest]:.0f}° to "
+         f"{scan['coupled'][stiff]:.1f}° (ratios {softest:g} to {stiff:g}), with the closest point by {min(scan['exact'].values()):.0f}° to {max(scan['exact'].values()):.0f}°.",
+         f"the closest point, or a ratio near {soft}."),
+        ("pivot_map", f"The block’s angle when it has slid {lost} past the grip and is lost, over the offset of its centre of mass and the rate of the grip, both ours. With limits of "
+         f"their own it turns only where the offset exceeds μ<sub>r</sub>/μ = {1e3 * sandpaper['mu_r'] / sandpaper['mu']:.2f} mm (triangles): at {level:g} mm it slides out level, at "
+         f"{above:g} mm it turns by up to {farthest:.0f}°.", "state the offset when you compare such experiments."),
+        ("table_1", f"Left: by the paper’s Table 1 one ratio μ<sub>r</sub>/μ of {1e3 * mean:.2f} ± {1e3 * error:.2f} mm explains three materials (p = {p_value:.2f}: the data do not speak "
+         "against it). Right: with one ratio their blocks move alike.", "one measured ratio, for any material of the object."),
+        ("pinch", f"Two soft fingers carry a block and turn it by {turn['soft']:.1f}° of {turn_of(data['pinch_trace'][-1], 'q'):.1f}°; without a friction moment by "
+         f"{abs(turn['point']):.1f}°.", "a soft contact, where two fingers must turn an object."),
     ], "")
