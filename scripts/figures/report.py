@@ -18,7 +18,6 @@ c_curves.csv        law,radius_law,mu,c,load,force,moment
                       as `c-curves`, same laws and loads' range (finely, from 0), 5 CORs or so incl. 0 and inf
 validate.csv        law,model,parameter,max_error,rms_error,max_over_estimate,max_under_estimate,max_cor_error
                       as `validate` for every law
-validate_peaked.csv the same for a law heaped at the centre, which the ellipse under-estimates
 ellipse_error.csv   law,angle,over_estimate,cor_ratio
                       for every law over the direction `angle` = atan2(y, x) [rad] in [0, pi/2] of the wrench in the
                       normalised plane: over_estimate = radius of the ellipse through the intercepts over that of the
@@ -94,8 +93,8 @@ from report_page import Used, page  # noqa: E402
 from work_precision_figures import work_precision  # noqa: E402
 
 FILES = ("laws", "curves", "p_curves", "c_curves", "validate", "ellipse_error", "tables", "materials", "table_error", "replay",
-         "replay_runs", "replay_limits", "steady_twist", "pivot", "pivot_map", "pivot_materials", "pivot_stiffness", "table_1", "pinch", "pinch_trace", "validate_peaked", "fits", "fit_band", "fit_residuals", "patch_pushes",
-         "patch_fits", "patch_errors", "engine_drag",
+         "replay_runs", "replay_limits", "steady_twist", "pivot", "pivot_map", "pivot_materials", "pivot_stiffness", "table_1", "pinch", "pinch_trace", "fits",
+         "fit_band", "fit_residuals", "patch_pushes", "patch_fits", "patch_errors", "engine_drag",
          "translate", "work_precision_wrench", "work_precision_step", "work_precision_scaling")
 
 FIGURES = {

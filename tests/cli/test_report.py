@@ -23,7 +23,6 @@ FILES = {
     "pivot": "case,grip,time,x,y,angle,grip_slip,load,friction_force,friction_moment,state,cor,r,rho,trial_r,trial_rho",
     "pivot_materials": "material,case,time,x,y,angle,grip_slip,load,friction_force,friction_moment,state,cor,r,rho,trial_r,trial_rho",
     "pivot_stiffness": "case,ratio,angle",
-    "validate_peaked": "law,model,parameter,max_error,rms_error,max_over_estimate,max_under_estimate,max_cor_error",
     "pivot_map": "case,offset,rate,angle",
     "fits": "data,model,parameter,value,std_error,unit,note",
     "fit_band": "force,moment,inner_force,inner_moment,outer_force,outer_moment",
