@@ -78,9 +78,9 @@ def engines(executable):
         rules = [(kind, next((row["two_bodies"] for row in own if row["formula"] in formulas), "")) for kind, formulas in
                  (("friction", ("mu", "mu/f")), ("moment", ("mu_r", "mu_r/f", "m0 a", "16 m0 a/(3 pi)", "sqrt(m0 a/pi)")))]
         rules = [rule for _, rule in rules[:1]] if rules[1][1] in ("", rules[0][1]) else [": ".join(rule) for rule in rules]
-        rows.append([f"[**{fact['name']}**]({fact['link']})<br>{fact['how']}, {fact['version']}", "<br>".join(map(typed, own)), "<br>".join(rules),
-                     fact["model"], readable(fact["needs"]).replace("; ", "<br>")])
-    return table(["engine", "type", "of two bodies", "model", "mind"], rows)
+        rows.append([f"[**{fact['name']}**]({fact['link']})<br>{fact['model']}; {fact['how']}, {fact['version']}", "<br>".join(map(typed, own)),
+                     "<br>".join([f"*two bodies: {', '.join(rules)}*", readable(fact["needs"]).replace("; ", "<br>")])])
+    return table(["engine, its model", "type", "mind"], rows)
 
 
 def measured(model):
