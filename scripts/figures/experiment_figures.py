@@ -200,7 +200,7 @@ def section(data):
          "limits that know of each other, or the object slides out level."),
         ("pivot_operator", "An operator eases until the block turns, and regrips at 30°. He stops it at "
          f"{math.degrees(kept['coupled']['angle']):.1f}° (A, coupled) and {math.degrees(kept['exact']['angle']):.1f}° (exact); with limits of their own (B) it is kept, "
-         f"{1e3 * kept['uncoupled']['grip_slip']:.1f} mm lower and level.", "regripping works with coupled limits only."),
+         f"{1e3 * kept['uncoupled']['grip_slip']:.1f} mm lower and level.", "coupled limits, where easing the grip is to turn an object."),
         ("pivot_stiffness", f"The paper does not give the stiffness of the twist’s spring. With the radial projection the block turns by {scan['coupled'][softest]:.0f}° to "
          f"{scan['coupled'][stiff]:.1f}° (ratios {softest:g} to {stiff:g}), with the closest point by {min(scan['exact'].values()):.0f}° to {max(scan['exact'].values()):.0f}°.",
          f"the closest point, or a ratio near {soft}."),
@@ -208,7 +208,7 @@ def section(data):
          f"their own it turns only where the offset exceeds μ<sub>r</sub>/μ = {1e3 * sandpaper['mu_r'] / sandpaper['mu']:.2f} mm (triangles): at {level:g} mm it slides out level, at "
          f"{above:g} mm it turns by up to {farthest:.0f}°.", "state the offset when you compare such experiments."),
         ("table_1", f"Left: by the paper’s Table 1 one ratio μ<sub>r</sub>/μ of {1e3 * mean:.2f} ± {1e3 * error:.2f} mm explains three materials (p = {p_value:.2f}: the data do not speak "
-         "against it). Right: with one ratio their blocks move alike.", "one measured ratio, for any material of the object."),
+         "against it). Right: with one ratio their blocks move alike.", "one measured ratio, as a start, for any material of the object."),
         ("pinch", f"Two soft fingers carry a block and turn it by {turn['soft']:.1f}° of {turn_of(data['pinch_trace'][-1], 'q'):.1f}°; without a friction moment by "
          f"{abs(turn['point']):.1f}°.", "a soft contact, where two fingers must turn an object."),
     ], "")
