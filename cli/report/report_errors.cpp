@@ -64,10 +64,6 @@ void write_error_files(const std::filesystem::path& output) {
   GatheredRows validate(output / "validate.csv");
   validate.add({"validate"});
   validate.finish();
-  // Heaped at the centre, and so beyond the ellipse.
-  GatheredRows peaked(output / "validate_peaked.csv");
-  peaked.add({"validate", "--law", "xydas-kao:k=0.2"});
-  peaked.finish();
   write_ellipse_error(output);
   write_table_error(output);
 }

@@ -171,7 +171,7 @@ function report() {
   write("state", f.state);
   at("state").dataset.state = f.state;
   write("force", Math.hypot(f.fx, f.fy).toFixed(3));
-  write("moment", f.moment.toFixed(5));
+  write("moment", (f.moment * 1e3).toFixed(2));
   write("cor", f.state !== "slip" ? "–" : f.cor < 10 ? (f.cor * 1e3).toFixed(1) : "∞");
   write("grip", f.load.toFixed(3));
   if (settings.scene === "plate") write("error", scene.truth ? (scene.truth.error * 100).toFixed(1) : "–");

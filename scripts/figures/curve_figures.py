@@ -22,7 +22,7 @@ def limit_curves(data):
         axes.plot([math.cos(t) for t in QUARTER], [math.sin(t) for t in QUARTER], label="ellipse", **ELLIPSE)
     for axes in (left, lens):
         axes.set_aspect("equal", adjustable="box")
-    quadrant(left, "Normalised by each law's own limits", "force  $F/F_{fr}$", "moment  $M/M_{fr}$")
+    quadrant(left, "Normalised by each law's own limits", "force  $F/(μP)$", "moment  $M/Γ$")
     left.set(xlim=(0, 1.05), ylim=(0, 1.05))
     lens.set(xlim=(0.61, 0.76), ylim=(0.61, 0.76), xticks=[], yticks=[])
     for spine in lens.spines.values():

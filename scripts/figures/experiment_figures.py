@@ -231,35 +231,32 @@ def section(data):
     first = {(row["material"], row["case"]): row["load"] for row in reversed(data["pivot_materials"])}
     margins = sorted(first[row["material"], "coupled"] / holding_load(row, offset) for row in data["table_1"])
     return ("A block between two fingers", [
-        ("pivot", "The paper’s experiment (its Figs. 7 to 11), its cases A and B and the exact curve: a block, its centre of mass (blue path) beside the "
-         "grip (dot), on sandpaper; the grip is released slowly, without dampers. Where force and moment share one limit the block turns before it is lost: by "
-         f"{turned['coupled']:.1f}° and {turned['exact']:.1f}° when it has slid {lost} past a grip that eases by itself (dots), and farther until it leaves the fingers: "
-         "the ellipse is good enough for this experiment. With limits of their own the moment "
-         f"holds to the end, and the block has turned by {abs(turned['uncoupled']):.1f}°. From top to bottom: "
-         "poses, darker is later (Figs. 7, 10); centre of mass, angle and load over time (Figs. 8, 11); the centre of rotation of the slip, which moves away as the load falls, for the force is the weight; "
-         "the [r, ρ] plane of one finger (Fig. 9), with one step magnified: the goal has moved on (diamond), which leaves the god-object outside the p-curve of its load, and step b moves it on to it. "
-         "<b>From the paper</b> are μ<sub>l</sub>, μ<sub>r</sub>, the two cases and the level start. <b>Ours</b>, because it gives none, are the "
-         f"block ({1e3 * BLOCK_LENGTH:.0f} × {1e3 * BLOCK_HEIGHT:.0f} mm, 0.1 kg), its offset of {offset:.0f} mm, k<sub>l</sub>, k<sub>r</sub>, the dampers and the time step of 1 ms."),
-        ("pivot_operator", "The same by an operator, as the paper’s subject was asked to: ease until the block turns, keep it turning, regrip at 30°. He is slow (0.1 rad/s), and his fingers "
-         "are damped like a hand’s: 86 N s/m, a damping ratio of 1; digits of young adults have mostly more than 1 (Park et al., Clinical Biomechanics 29:129–137, 2014). He stops the block at "
-         f"{math.degrees(kept['coupled']['angle']):.1f}° (A) and {math.degrees(kept['exact']['angle']):.1f}° (exact). Where the block slides out more than it "
-         f"turns he regrips too: in case B it is kept, {1e3 * kept['uncoupled']['grip_slip']:.1f} mm lower and level. The grip that tightens moves the p-curve out (green), and the point stays inside."),
-        ("pivot_offsets", "What this operator achieves over the offset of the centre of mass, in the three materials: the angle when he has regripped, the slip past the fingers, and how often the block "
-         f"turned back by more than 0.1°. The paper’s A is smooth: from 5 mm on it has at most {max(row['reversals'] for row in coupled if row['offset'] > 0.0045):.0f} reversal (exact: alike). Closer to the grip it must slide far to turn, "
-         f"with up to {max(row['reversals'] for row in coupled):.0f} reversals. "
+        ("pivot", "The paper’s experiment (its Figs. 7 to 11), its cases A and B and the exact curve: a block, its centre of mass (blue path) beside the grip (dot), on sandpaper; the grip "
+         f"is released slowly, without dampers. Where force and moment share one limit the block turns before it is lost: by {turned['coupled']:.1f}° and {turned['exact']:.1f}° when it has slid {lost} past the grip "
+         f"(dots); with limits of their own by {abs(turned['uncoupled']):.1f}°. From top to bottom: poses (Figs. 7, 10); centre of mass, angle and load over time (Figs. 8, 11); the centre of "
+         "rotation of the slip; the [r, ρ] plane of one finger (Fig. 9), with one step magnified: the goal has moved on (diamond), and step b moves the god-object on to the p-curve of its load. "
+         f"From the paper are the friction, the cases and the level start; the block ({1e3 * BLOCK_LENGTH:.0f} × {1e3 * BLOCK_HEIGHT:.0f} mm, 0.1 kg, {offset:.0f} mm off), springs and time step are ours.",
+         "limits that know of each other, or the object slides out level; the ellipse is good enough for this."),
+        ("pivot_operator", "An operator eases until the block turns, and regrips at 30°, slowly (0.1 rad/s) and with fingers as damped as a hand’s: 86 N s/m, a damping ratio of 1; digits of young adults have mostly more "
+         f"(Park et al., Clinical Biomechanics 29:129–137, 2014). He stops it at {math.degrees(kept['coupled']['angle']):.1f}° (A) and {math.degrees(kept['exact']['angle']):.1f}° (exact); in case B it is kept, "
+         f"{1e3 * kept['uncoupled']['grip_slip']:.1f} mm lower and level.", "coupled limits, where easing the grip is to turn an object."),
+        ("pivot_offsets", "What this operator achieves over the offset of the centre of mass, in the three materials: angle, slip, and how often the block turned back by more than 0.1°. A has at most "
+         f"{max(row['reversals'] for row in coupled if row['offset'] > 0.0045):.0f} reversal from 5 mm on, closer to the grip up to {max(row['reversals'] for row in coupled):.0f}. "
          f"B does not turn below μ<sub>r</sub>/μ<sub>l</sub> (dashed; {edge:.2f} mm on sandpaper), and needs no slip above: at 6.5 mm it ends at {math.degrees(between['angle']):.0f}° having slid {1e3 * between['grip_slip']:.1f} mm, "
-         f"at 9 mm at {math.degrees(far['angle']):.0f}° having slid {1e3 * far['grip_slip']:.1f} mm, where A slips {1e3 * reached['coupled', 0.009]['grip_slip']:.1f} mm. So separate limits fail at small offsets, not always."),
-        ("pivot_stiffness", "What the paper does not give decides its experiment. By how much the block turns before it leaves the fingers, over the stiffness of the twist’s spring: "
-         f"with the radial projection {scan['coupled'][softest]:.0f}° to {scan['coupled'][stiff]:.1f}° (ratios {softest:g} to {stiff:g}), with the closest point "
-         f"{min(scan['exact'].values()):.0f}° to {max(scan['exact'].values()):.0f}°. Only at a ratio near {soft} do both agree."),
-        ("pivot_map", f"How far the block has turned, in degrees, when it has slid {lost} past the grip and is lost, over the offset of its centre of mass and the rate at "
-         "which the grip eases. The paper has two points of this map, and does not say where: offset and rate are ours. With limits of their own the block turns only where "
-         f"the offset exceeds μ<sub>r</sub>/μ<sub>l</sub> = {edge:.2f} mm (triangles): at {level:g} mm it slides out level, at {above:g} mm it turns by up to {farthest:.0f}°. So the offset decides what case B shows."),
+         f"at 9 mm at {math.degrees(far['angle']):.0f}° having slid {1e3 * far['grip_slip']:.1f} mm, where A slips {1e3 * reached['coupled', 0.009]['grip_slip']:.1f} mm.",
+         "separate limits fail at small offsets, not always."),
+        ("pivot_stiffness", f"The paper does not give the stiffness of the twist’s spring. With the radial projection the block turns by {scan['coupled'][softest]:.0f}° to "
+         f"{scan['coupled'][stiff]:.1f}° (ratios {softest:g} to {stiff:g}), with the closest point by {min(scan['exact'].values()):.0f}° to {max(scan['exact'].values()):.0f}°.",
+         f"the closest point, or a ratio near {soft}."),
+        ("pivot_map", f"The block’s angle when it has slid {lost} past the grip and is lost, over the offset of its centre of mass and the rate of the grip, both ours. With limits of "
+         f"their own it turns only where the offset exceeds μ<sub>r</sub>/μ<sub>l</sub> = {edge:.2f} mm (triangles): at {level:g} mm it slides out level, at "
+         f"{above:g} mm it turns by up to {farthest:.0f}°.", "state the offset when you compare such experiments."),
         ("table_1", "Left: Table 1 says that μ<sub>r</sub>/μ<sub>l</sub> hardly depends on the material: means ± standard deviations, of a number n of measurements that is not given. Their weighted mean is "
          f"{1e3 * mean:.2f} mm. That the bars overlap neither proves nor refutes one ratio: χ² = {chi_squared:.2f} n with 2 degrees of freedom, so that from n = {math.ceil(refuted)} on p is below 0.05. Right: the block between fingers "
-         f"of each material, each with its own ratio, its grip released from {margins[0]:.2f} to {margins[-1]:.2f} times what an ellipse needs to hold it."),
-        ("pinch", "Two soft fingers close on a form (the paper’s introduction): they carry a block and turn it by "
-         f"{turn['soft']:.1f}° of {turn_of(data['pinch_trace'][-1], 'q'):.1f}°; without a friction moment by {abs(turn['point']):.1f}°."),
+         f"of each material, each with its own ratio, its grip released from {margins[0]:.2f} to {margins[-1]:.2f} times what an ellipse needs to hold it.",
+         "one measured ratio, as a start, for any material of the object."),
+        ("pinch", f"Two soft fingers carry a block and turn it by {turn['soft']:.1f}° of {turn_of(data['pinch_trace'][-1], 'q'):.1f}°; without a friction moment by "
+         f"{abs(turn['point']):.1f}°.", "a soft contact, where two fingers must turn an object."),
     ], "")
 
 

@@ -282,6 +282,6 @@ def steady_twist(data):
     truth = (rows[0]["exact_force"], rows[0]["exact_moment"] / moment_ratio)
     right.plot(*truth, "o", color=BLUE, markersize=7)
     right.annotate("closest point:\nevery κ", truth, (6, 3), textcoords="offset points", color=BLUE, fontsize=8.5)
-    quadrant(right, "Where the wrench settles", "force  $F/F_{fr}$", "moment  $M/M_{fr}$")
+    quadrant(right, "Where the wrench settles", "force  $F/(μP)$", "moment  $M/Γ$")
     right.set(xlim=(0, 1.24), ylim=(0, 1.1), aspect="equal")
     return figure

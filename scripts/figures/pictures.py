@@ -24,11 +24,9 @@ def what_is_computed(data):
 def section():
     """The report's first part: heading, figure with what to see in it, what follows."""
     return ("What is computed", [
-        ("what_is_computed", "Left (the paper’s Fig. 1): a finger x<sub>h</sub> at depth d is pressed by P = k<sub>l</sub>d and held back by friction as long as the proxy "
-         "x<sub>p</sub> is within μd of the surface point x<sub>g</sub>; beyond, the proxy slides to the rim of the friction cone. Middle (Fig. 2): a pad has an area. While it "
-         "slides and turns, every place of it moves at a right angle to its line to one centre of rotation C, and friction opposes that; the sum over the pressure "
-         "is a force and a moment, eq. (17). Right (Fig. 5): over all C they make the limit curve of a load P; over all loads, a cone. What the springs ask for "
-         "beyond it (diamond) is brought back on to the curve of its load."),
+        ("what_is_computed", "Left: a finger is held by friction as long as its proxy is within μd of the surface point, d its depth. Middle: a pad slides and turns about one centre of "
+         "rotation C; friction on every place opposes that, and the sum is a force and a moment. Right: over all C they make the limit curve of a load, over all loads a cone. A "
+         "trial beyond it (diamond) is brought back on to the curve of its load.", "the curve wherever a contact slides and turns at once; for one of the two, Coulomb’s law is enough."),
     ], "")
 
 

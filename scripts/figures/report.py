@@ -18,7 +18,6 @@ c_curves.csv        law,radius_law,mu,c,load,force,moment
                       as `c-curves`, same laws and loads' range (finely, from 0), 5 CORs or so incl. 0 and inf
 validate.csv        law,model,parameter,max_error,rms_error,max_over_estimate,max_under_estimate,max_cor_error
                       as `validate` for every law
-validate_peaked.csv the same for a law heaped at the centre, which the ellipse under-estimates
 ellipse_error.csv   law,angle,over_estimate,cor_ratio
                       for every law over the direction `angle` = atan2(y, x) [rad] in [0, pi/2] of the wrench in the
                       normalised plane: over_estimate = radius of the ellipse through the intercepts over that of the
@@ -96,7 +95,7 @@ from report_page import Used, page  # noqa: E402
 from work_precision_figures import work_precision  # noqa: E402
 
 FILES = ("laws", "curves", "p_curves", "c_curves", "validate", "ellipse_error", "tables", "materials", "table_error", "replay",
-         "replay_runs", "replay_limits", "steady_twist", "pivot", "pivot_map", "pivot_materials", "pivot_offsets", "pivot_stiffness", "table_1", "pinch", "pinch_trace", "validate_peaked", "fits", "fit_band", "fit_residuals", "patch_pushes",
+         "replay_runs", "replay_limits", "steady_twist", "pivot", "pivot_map", "pivot_materials", "pivot_offsets", "pivot_stiffness", "table_1", "pinch", "pinch_trace", "fits", "fit_band", "fit_residuals", "patch_pushes",
          "patch_fits", "patch_errors", "engine_drag",
          "translate", "work_precision_wrench", "work_precision_step", "work_precision_scaling")
 
@@ -129,37 +128,26 @@ def percent(fraction, digits=2):
     return f"{100 * fraction:.{digits}f} %"
 
 
-def under_estimates(data):
-    """Whether an ellipse ever under-estimates, in a sentence."""
-    known = max(data["validate"].where(model="ellipse"), key=lambda row: row["max_under_estimate"])
-    peaked = data["validate_peaked"].where(model="ellipse")[0]
-    first = "It under-estimates none of these laws" if known["max_under_estimate"] < 1e-6 else (
-        f"It under-estimates {known['law']} by {percent(known['max_under_estimate'])}")
-    return f"{first}; a pressure heaped at the centre ({peaked['law']}) by up to {percent(peaked['max_under_estimate'], 1)}."
-
-
 def numbers_to_remember(data):
     """The three figures a reader should take away, each with the sentence that explains it."""
     ellipses = data["validate"].where(model="ellipse")
     worst, best = (pick(ellipses, key=lambda row: row["max_over_estimate"]) for pick in (max, min))
     twist = data["steady_twist"]
-    radial = twist.where(boundary="table", projection="radial")
-    closest = twist.where(boundary="table", projection="closest-point")
+    radial, closest = (twist.where(boundary="table", projection=name) for name in ("radial", "closest-point"))
     ratios = twist.column("stiffness_ratio")
-    at_one = min(radial, key=lambda row: abs(row["stiffness_ratio"] - 1))["error"]
-    fine = data["tables"].where(tolerance=min(data["tables"].column("tolerance"), key=lambda value: abs(value - 1e-8) / value))
-    usual, large = fine[0], max(fine, key=lambda row: row["bytes"])
+    usual = data["tables"].where(law="hertz", tolerance=min(data["tables"].column("tolerance"), key=lambda value: abs(value - 1e-8) / value))[0]
+    look_up = data["work_precision_wrench"].where(law="hertz", family="table", parameter=1e-8)[0]
+    step = data["work_precision_step"].where(boundary="table 1e-8", projection="closest-point")[0]
     return [
-        (percent(worst["max_over_estimate"]),
-         f"by which the ellipse over-estimates what a contact bears, at worst ({worst['law']}; {percent(best['max_over_estimate'])} for "
-         f"{best['law']}). {under_estimates(data)}"),
+        (percent(worst["max_over_estimate"], 1),
+         f"by which the usual ellipse over-estimates what a contact bears, at worst ({worst['law']}; {percent(best['max_over_estimate'], 1)} for "
+         f"{best['law']}). Its centre of rotation is farther off."),
         (percent(max(radial.column("error")), 0),
-         f"error of the steady wrench when a finger driven at a constant twist is projected radially, for stiffness ratios κ from "
-         f"{min(ratios):.2g} to {max(ratios):.2g} ({percent(at_one, 1)} at κ = 1). On the closest point it is "
-         f"{max(closest.column('error')):.0e}."),
-        (f"{usual['bytes']:.0f} bytes",
-         f"hold a look-up table of the {usual['law']} law that is certified to {usual['certified_error']:.1e} in force and moment. "
-         f"No law here needs more than {large['bytes']:.0f} bytes ({large['law']})."),
+         f"error of the friction of a steady twist with the radial projection, for stiffness ratios κ from {min(ratios):.2g} to {max(ratios):.2g}; "
+         f"{max(closest.column('error')):.0e} with the closest point."),
+        (f"{look_up['mean_ns']:.0f} ns",
+         f"for a look-up in a table that is certified to {usual['certified_error']:.1e} ({usual['bytes']:.0f} bytes), and {step['many_warm_ns']:.0f} ns for a "
+         "step of a finger on it: a finer table costs almost no time."),
     ]
 
 
@@ -191,13 +179,8 @@ def laws_table(data):
         ellipse = data["validate"].where(law=law["law"], model="ellipse")[0]
         cor = data["ellipse_error"].where(law=law["law"])
         ratios = [row["cor_ratio"] for row in cor if row["cor_ratio"] == row["cor_ratio"]]
-        rows.append((law["law"], f"{law['moment_ratio']:.12g}", law["method"], percent(ellipse["max_over_estimate"]),
-                     f"{min(ratios):.2f} … {max(ratios):.2f}"))
-    return facts_table(("law", "moment ratio m<sub>0</sub>", "evaluated by", "ellipse too strong by", "COR, ellipse / true"), rows)
-
-
-def readable(cell):
-    return f"{cell:.6g}" if isinstance(cell, float) else cell
+        rows.append((law["law"], f"{law['moment_ratio']:.4g}", percent(ellipse["max_over_estimate"]), f"{min(ratios):.2f} … {max(ratios):.2f}"))
+    return facts_table(("law", "moment ratio m<sub>0</sub>", "ellipse too strong by", "centre of rotation, ellipse / true"), rows)
 
 
 def unit_of(row):
@@ -207,16 +190,20 @@ def unit_of(row):
 
 def engines_table(data):
     first = data["translate"][0]
-    rows = [(html.escape(row["engine"]), html.escape(row["parameter"]), readable(row["value"]), unit_of(row), html.escape(str(readable(row["formula"]))),
-             html.escape(row["two_bodies"]), html.escape(row["note"]), html.escape(row["model"]),
-             percent(row["max_error"], 1)) for row in data["translate"].where(law=first["law"])]
-    return facts_table(("engine", "parameter", "value", "unit", "formula", "of two bodies", "note", "its limit curve", "error that remains"), rows)
+    rows = [(html.escape(row["engine"]), html.escape(row["parameter"]), f"{row['value']:.6g}" if isinstance(row["value"], float) else row["value"], unit_of(row),
+             html.escape(row["model"]), percent(row["max_error"], 1)) for row in data["translate"].where(law=first["law"])]
+    return facts_table(("engine", "parameter", "value", "unit", "its limit curve", "error that remains"), rows)
+
+
+def error_of(row):
+    """Degrees of freedom and probabilities have none."""
+    return f"{row['std_error']:.2g}" if row["std_error"] else "–"
 
 
 def fits_table(data):
     return facts_table(("data", "fit", "parameter", "value", "standard error", "unit"),
-                       [(row["data"], row["model"], html.escape(row["parameter"]), f"{row['value']:.5g}",
-                         "–" if row["std_error"] == "" else f"{row['std_error']:.2g}", unit_of(row)) for row in data["fits"]])
+                       [(row["data"], row["model"], html.escape(row["parameter"]), f"{row['value']:.5g}", error_of(row),
+                         unit_of(row)) for row in data["fits"]])
 
 
 def patch_fits_table(data):
@@ -226,93 +213,76 @@ def patch_fits_table(data):
 
 
 def sections(data):
-    """The page's story: heading, figure, what to see in it; each number is read from the files."""
+    """The page's story: heading, figures, each with what to see in it and what to do, and a table; each number is read from the files."""
     ellipses = data["validate"].where(model="ellipse")
     over = sorted(ellipses.column("max_over_estimate"))
-    quartics, superellipses, boxes, fitted = (sorted(data["validate"].where(model=name).column("max_error"))
-                                              for name in ("quartic", "superellipse", "box", "ellipse-least-squares"))
+    quartics, superellipses, boxes = (sorted(data["validate"].where(model=name).column("max_error")) for name in ("quartic", "superellipse", "box"))
     ratios = [row["cor_ratio"] for row in data["ellipse_error"] if row["cor_ratio"] == row["cor_ratio"]]
     run, twist = data["replay_runs"][-1], data["steady_twist"][0]
     engine = data["translate"][0]
     certified = max(data["table_error"].column("tolerance"))
-    drifts = [" and ".join(f"{row['value']:.3f} ± {row['std_error']:.3f}" for row in data["patch_fits"].where(parameter=name))
+    drifts = [" and ".join(f"{row['value']:.2f} ± {row['std_error']:.2f}" for row in data["patch_fits"].where(parameter=name))
               for name in ("drift", "drift_ellipsoid")]
     square, long = ([row for row in data["patch_errors"].where(shape="rectangle", aspect=aspect) if row["model"].startswith("disc:")][0]
                     for aspect in (1, 5))
-    worst_between = max(max(abs(row["force_error"]), abs(row["moment_error"])) for row in data["table_error"])
     return [
         pictures.section(),
         ("One curve for each pressure law", [
-            ("limit_curves", "The limit curves by eq. (17) of Frisoli et al. (2006), in units of μP and μPa, and each divided by its own limits (the paper’s "
-             "Fig. 3). There every law lies <em>inside</em> the dashed ellipse: a contact holds less than the "
-             "unit circle says. The laws differ little in shape and much in the moment they bear."),
+            ("limit_curves", "A pressure law says how the load spreads over the contact. Divided by its own limits the curve of every law lies <em>inside</em> the dashed ellipse; laws "
+             "differ little in shape, and much in the moment they bear.",
+             "not sure which law? hertz, with the friction moment that you measured."),
         ], laws_table(data)),
         ("Loads and centres of rotation", [
-            ("load_curves", "p-curves (blue, load fixed) and c-curves (orange, centre of rotation fixed) of the Hertz law, the paper’s "
-             "Fig. 4. With a contact radius that does not depend on the load, c-curves are straight lines from the origin. With one that "
-             "grows with the load they bend, and the paper’s construction along straight lines no longer keeps the centre of rotation."),
+            ("load_curves", "p-curves (blue): limit curves of fixed loads. c-curves (orange): force and moment at fixed centres of rotation, straight lines only if the contact does not "
+             "grow with the load.", "give the finger its a(P); do not scale one curve along straight lines."),
         ], ""),
         ("How wrong the ellipse is", [
-            ("ellipse_error", f"Left: the capacity is over-estimated by {percent(over[0])} to {percent(over[-1])}, depending on the law, about half "
-             "way between pure force and pure moment. Right: the centre of rotation that follows from the ellipse’s normal is "
-             f"{min(ratios):.2f} to {max(ratios):.2f} times as far away as the true one. This is what the ellipse is worst at."),
-            ("models", f"A least-squares ellipse is still off by up to {percent(fitted[-1], 1)}; one parameter more, in a superellipse or a quartic, leaves "
-             f"{percent(quartics[0], 1)} to {percent(superellipses[-1], 1)}. Limits of force and moment that know nothing of each other "
-             f"(the box) are too strong by up to {percent(boxes[-1], 0)}."),
+            ("ellipse_error", f"Left: it is too strong by {percent(over[0], 1)} to {percent(over[-1], 1)}. Right: its centre of rotation is {min(ratios):.2f} to "
+             f"{max(ratios):.2f} times as far away as the true one.", "an ellipse for rough forces, not for the motion after slip."),
+            ("models", f"With one parameter more (superellipse, quartic) {percent(quartics[0], 1)} to {percent(superellipses[-1], 1)} remain. Limits of force and moment that know "
+             f"nothing of each other, a box, are too strong by up to {percent(boxes[-1], 0)}.", "a table: it is faster than both, and its error certified."),
         ], ""),
         ("Look-up tables", [
-            ("tables", f"Left: bytes against tolerance. Right: the error between the nodes of a table of {short(certified)} stays inside the "
-             f"tolerance (grey); the largest found here is {worst_between:.1e}."),
-        ], "<p>The tables for Table 1 of the paper (Kinoshita et al., J. Neurophysiol. 78:1619–1630, 1997). The radius is the one that "
-           "the measured ratio μ<sub>r</sub>/μ implies under the law; it exceeds a fingertip’s, so keep μ<sub>r</sub> itself where it was "
-           "measured.</p>" + materials_table(data)),
+            ("tables", f"Left: bytes against tolerance. Right: the error of a table of {short(certified)} between its nodes, inside the tolerance (grey).",
+             "a tolerance of 1e-8, and stop thinking about the curve."),
+        ], "<p>Tables for Table 1 of the paper. The radius follows from the measured ratio μ<sub>r</sub>/μ and the law, and exceeds a fingertip’s: keep μ<sub>r</sub> itself "
+           "where it was measured.</p>" + materials_table(data)),
         ("A god-object that obeys the curve", [
-            ("god_object", "The god-object’s offset from its goal on three scripted motions, with the p-curves of several loads: a pure "
-             "drag stays on the axis of r, a pure twist on that of ρ, and both boundaries agree there. In the third the finger slides and "
-             "turns while the load falls to a third and rises again."),
-            ("repositioning", "Single steps of that slip, magnified (the paper’s Fig. 5). The goal moves on, which leaves the god-object "
-             "outside the p-curve of the step’s load (diamonds); it is moved back on to it (dots): along the ray to the origin, or to the "
-             "closest point, which lies at a right angle in these axes, scaled by the springs’ energy."),
-            ("felt", "What the finger feels. Shaded: slip, by the exact curve. Where motion is combined, the radial ellipse gives another "
-             f"force and moment (law {html.escape(run['law'])}, μ = {run['mu']:g}, k<sub>l</sub> = {run['stiffness']:g} N/m, "
-             f"k<sub>r</sub> = {run['twist_stiffness']:g} N m/rad)."),
+            ("god_object", "A god-object (proxy) is where the finger would be if it could not enter; springs pull it to its goal, by r, and turn it, by ρ. Its offset on three scripted "
+             "motions, with the limit curves of several loads: a drag stays on the axis of r, a twist on that of ρ; in the third the finger slides and turns while the load changes.",
+             "look at combined motions: only there do models differ."),
+            ("repositioning", "Single steps of that slip. The goal moves on and leaves the proxy outside the curve of the present load (diamonds); it is moved back on to it (dots), along the "
+             "ray to the origin or to the closest point.", "the closest point, the default."),
+            ("felt", f"What the finger feels. Shaded: slip, by the exact curve (law {html.escape(run['law'])}, μ = {run['mu']:g}, k<sub>l</sub> = {run['stiffness']:g} N/m, "
+             f"k<sub>r</sub> = {run['twist_stiffness']:g} N m/rad).", "a table and the closest point where a finger slides and turns at once."),
         ], ""),
         ("The projection matters more than the curve", [
-            ("steady_twist", f"A finger (law {html.escape(twist['law'])}) is driven at a constant twist about a centre at c = {twist['cor']:g} a "
-             "until the wrench is steady. Physics says the wrench of eq. (17) at that centre of rotation. The closest point gives it at every stiffness; the radial projection gives a wrench set by the "
-             "ratio of the springs, whatever the curve. On the ellipse the closest point is off by the ellipse’s own error."),
+            ("steady_twist", f"A finger turns steadily about a centre at c = {twist['cor']:g} a. The closest point gives the wrench of eq. (17) at every stiffness; the radial projection one "
+             "that the ratio of the springs sets, whatever the curve. On the ellipse the closest point has the ellipse’s own error.",
+             "the radial projection only if k<sub>r</sub> is near k<sub>l</sub>(μ<sub>r</sub>/μ)²."),
         ], ""),
         experiment_figures.section(data),
         ("From measurements to parameters", [
-            ("fits", "A synthetic sensor log with a few gross outliers (data/fit/slips.csv) and the limit curve fitted to it by a robust "
-             "loss: friction, moment coefficient and the growth of the contact with the load, each with its standard error; the 95 % "
-             "band is hardly wider than the line (lens). Grey on the right: where 95 % of the residuals of a right model lie."),
+            ("fits", "A synthetic sensor log with gross outliers and the limit curve fitted to it by a robust loss; the 95 % band is hardly wider than the line (lens). "
+             "Grey on the right: where 95 % of the residuals of a right model lie.", "<code>--loss cauchy</code> if some rows may not be slips."),
         ], fits_table(data)),
         ("Contacts that are not round", [
-            ("patches", "Left: measurements that nobody here made. A plate on three known points was pushed over hardboard and plywood; what "
-             "each push needs of power, over the power H of the three points (blue) and of the ellipsoid √(v² + m₀²ω²) (orange), must be "
-             f"one friction coefficient, however much of the motion is rotation. Nothing is fitted. Its drift over the share of rotation is {drifts[0]} for the points and "
-             f"{drifts[1]} for the ellipsoid. That shows how force and moment couple; it does not show the pressure "
-             "under a soft pad, nor pure spin, and the directions of the wrenches scatter too much to tell the models apart. Right: when a round "
-             f"model will do. The best disc of all laws and radii is off by {percent(square['max_error'], 1)} for a square and "
-             f"{percent(long['max_error'], 0)} for a rectangle 5 : 1."),
+            ("patches", "Left: a plate on three known points, pushed by others over hardboard and plywood. Measured power over the power of the model must be one friction coefficient at any "
+             f"share of rotation; its drift is {drifts[0]} for three points (blue), {drifts[1]} for the usual ellipsoid (orange). Nothing is fitted. Right: the best disc is off by "
+             f"{percent(square['max_error'], 1)} for a square and {percent(long['max_error'], 0)} for a rectangle 5 : 1.",
+             "the patch itself, or ask <code>limitcurve choose --patch</code>."),
         ], patch_fits_table(data)),
         ("Speed against accuracy", [
-            ("work_precision", "One dot for every way to a friction wrench: its largest error over every centre of rotation, as a share of what "
-             "the contact bears, against its cost on one machine; filled ours, hollow others’. Bands: the cheapest at each error. Last, a "
-             "step of the god-object: its error is that of the steady wrench under a constant twist, over stiffness ratios and centres of "
-             "rotation a decade to either side of one."),
+            ("work_precision", "One dot for every way to a friction wrench, on one machine.",
+             "a table of 1e-8 in a loop, <code>evaluate</code> for a reference."),
         ], ""),
         ("The same finger in a physics engine", [
-            ("engines", "Measured: a finger dragged in the engines themselves about imposed centres of rotation, with the coefficients that "
-             "<code>limitcurve translate</code> gives. MuJoCo’s elliptic cone is the ellipse and its default pyramid the diamond; ODE and "
-             "Bullet limit force and moment each on its own (the box), so that all their wrenches but the two ends lie in its corner. The "
-             "limits of pure force and pure moment are right in all of them, in MuJoCo’s pyramid for slips of 30 mm/s and more; right: what is "
-             "wrong in between. data/engines/errors.csv has the other engines that were dragged."),
+            ("engines", "A finger dragged in the engines themselves. MuJoCo’s elliptic cone is the ellipse, its default pyramid the diamond; ODE and Bullet limit force and moment each on its "
+             "own, so that nearly all their wrenches lie in the box’s corner. The limits of pure force and moment are right, in the pyramid for slips of 30 mm/s and more.",
+             "MuJoCo’s elliptic cone, if you can choose."),
         ],
-         f"<p>What to type into an engine for a finger of the {html.escape(engine['law'])} law, a(P) by "
-         f"{html.escape(engine['radius_law'])}, μ = {engine['mu']:g}, at a load of {engine['load']:g} N, and how far its own limit curve "
-         "then remains from the exact one.</p>" + engines_table(data)),
+         f"<p>What to type for a finger of the {html.escape(engine['law'])} law, a(P) by {html.escape(engine['radius_law'])}, μ = {engine['mu']:g}, at {engine['load']:g} N. Formulas and rules "
+         "for two bodies: <code>limitcurve translate</code>.</p>" + engines_table(data)),
     ]
 
 
@@ -331,7 +301,7 @@ def main():
             print(f"figure {number} of {len(FIGURES)}", flush=True)  # `limitcurve report` makes progress of it
         touch = {"limit_curves": touch_charts.limit_curves(data),
                  "load_curves": touch_charts.load_curves(data)}
-        text = page(data, numbers_to_remember(data), sections(data), pictures, touch, FILES)
+        text = page(data, numbers_to_remember(data), sections(data), pictures, touch)
         write_whole(arguments.output / "index.html", text.encode("utf-8"))
     except (OSError, ValueError, KeyError) as error:
         sys.exit(f"report.py: error: {type(error).__name__}: {error}")

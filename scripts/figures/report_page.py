@@ -22,17 +22,15 @@ class Used(dict):
 
 def links(name, tables):
     """What a figure is drawn from, and its files."""
-    data = ", ".join(f'<a href="{table}.csv">{table}.csv</a>' for table in tables)
-    return (f'<p class="files">{f"Data: {data}. " if data else ""}Figure: <a href="{name}.svg">{name}.svg</a>, '
-            f'<a href="{name}.png">{name}.png</a>.</p>')
+    return '<p class="files">' + ", ".join(f'<a href="{file}">{file}</a>' for file in (*(f"{table}.csv" for table in tables), f"{name}.svg", f"{name}.png")) + "</p>"
 
 
 def anchor(title):
     return re.sub(r"\W+", "-", title.lower()).strip("-")
 
 
-def page(data, numbers, sections, pictures, touch, files):
-    """`numbers` is (value, text); `sections` is (title, [(figure, caption)], HTML after them); `pictures` has an SVG and the names of its tables,
+def page(data, numbers, sections, pictures, touch):
+    """`numbers` is (value, text); `sections` is (title, [(figure, caption, what to use)], HTML folded after them); `pictures` has an SVG and the names of its tables,
     `touch` the HTML of a chart that takes a figure's place on a screen."""
     head = "".join(f"<li><b>{html.escape(value)}</b>{html.escape(text)}</li>" for value, text in numbers)
     contents = "".join(f'<li><a href="#{anchor(title)}">{title}</a></li>' for title, _, _ in sections)
@@ -40,13 +38,14 @@ def page(data, numbers, sections, pictures, touch, files):
     for title, figures, after in sections:
         plain = html.escape(title, quote=True)
         parts.append(f'<section><h2 id="{anchor(title)}">{title}</h2>')
-        for name, caption in figures:
+        for name, caption, use in figures:
             svg, tables = pictures[name]
             picture = svg.replace("<svg ", f'<svg role="img" aria-label="{plain}" ', 1)
-            parts.append(f'<figure id="{name}">{touch.get(name, "")}<div class="still">{picture}</div><figcaption>{caption}{links(name, tables)}'
-                         "</figcaption></figure>")
-        parts.append(f'<div class="wide" role="region" aria-label="{plain}: table" tabindex="0">{after}</div></section>' if after else "</section>")
-    listed = ", ".join(f'<a href="{name}.csv">{name}.csv</a>' for name in files)
+            parts.append(f'<figure id="{name}">{touch.get(name, "")}<div class="still">{picture}</div><figcaption>{caption}'
+                         f'<p class="use"><b>So:</b> {use}</p>{links(name, tables)}</figcaption></figure>')
+        if after:
+            parts.append(f'<details><summary>The numbers</summary><div class="wide" role="region" aria-label="{plain}: table" tabindex="0">{after}</div></details>')
+        parts.append("</section>")
     style = Path(__file__).with_name("page.css").read_text(encoding="utf-8")
     return f"""<!doctype html>
 <html lang="en">
@@ -62,14 +61,14 @@ def page(data, numbers, sections, pictures, touch, files):
 <body>
 <main>
 <h1>Limit curves of a soft finger</h1>
-<p>A finger pad that slides and twists at once cannot bear full friction force and full friction moment together. The limit curve says
-which pairs it can bear. This page computes it exactly for several pressure laws, says what the usual ellipse gets wrong, and drives a
-soft-finger god-object with both. All figures and numbers are drawn from the CSV files beside this page.</p>
+<p>A finger pad that slides and twists at once cannot bear its full friction force and its full friction moment together: the limit curve is the pairs that it can bear.
+f = F/(μP) and m = M/(μPa) are force and moment in units of load P, friction coefficient μ and contact radius a; the centre of rotation (COR) is the point that does not move.
+Eq. (n) is that of the paper named at the end. Each figure has its data below it.</p>
 <ul class="numbers">{head}</ul>
 <nav aria-labelledby="contents"><h2 id="contents">Contents</h2><ol>{contents}</ol></nav>
 {"".join(parts)}
-<footer>Data: {listed}. Source: A. Frisoli, F. Barbagli, E. Ruffaldi,
-K. Salisbury, M. Bergamasco, <em>A limit-curve based soft finger god-object algorithm</em>, Haptics Symposium 2006.</footer>
+<footer>A. Frisoli, F. Barbagli, E. Ruffaldi, K. Salisbury, M. Bergamasco, <em>A limit-curve based soft finger god-object algorithm</em>, Haptics Symposium
+2006.</footer>
 </main>
 {touch_charts.script(data)}
 </body>

@@ -24,7 +24,6 @@ FILES = {
     "pivot_materials": "material,case,time,x,y,angle,grip_slip,load,friction_force,friction_moment,state,cor,r,rho,trial_r,trial_rho",
     "pivot_offsets": "material,case,offset,angle,grip_slip,reversals",
     "pivot_stiffness": "case,ratio,angle",
-    "validate_peaked": "law,model,parameter,max_error,rms_error,max_over_estimate,max_under_estimate,max_cor_error",
     "pivot_map": "case,offset,rate,angle",
     "fits": "data,model,parameter,value,std_error,unit,note",
     "fit_band": "force,moment,inner_force,inner_moment,outer_force,outer_moment",

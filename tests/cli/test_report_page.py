@@ -31,6 +31,9 @@ class ReportPage(CommandLineTest):
         self.assertEqual(numbers["laws"]["curves"][0]["moment"], [float(f"{float(row['moment']):.10g}") for row in hertz])
         self.assertTrue((out / "limit_curves.svg").exists())
         self.assert_one_meaning_of_lost(page, out)
+        # Each figure says what to do about it; a number without an error has none on the page.
+        self.assertEqual(page.count('<p class="use">'), page.count("<figure "))
+        self.assertRegex(page, r"<td>p_value</td><td[^>]*>[\d.]+</td><td>–</td>")
 
     def assert_one_meaning_of_lost(self, page, out):
         """The angles on the page are those at which the block is lost, as in the map."""
