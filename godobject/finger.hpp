@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -45,7 +46,8 @@ inline constexpr double shortest_time_step = 1e-9;
 
 /// Whether a time step [s] is one: ≥ 0 and finite. A NaN is not.
 [[nodiscard]] constexpr bool is_time_step(double time_step) noexcept {
-  return time_step >= 0.0 && time_step <= (std::numeric_limits<double>::max)();
+  // One comparison: numbers with a sign have larger bits than an infinity, those that are not finite no smaller ones; −0 + 0 is 0.
+  return std::bit_cast<std::uint64_t>(time_step + 0.0) < std::bit_cast<std::uint64_t>(std::numeric_limits<double>::infinity());
 }
 
 /// The state of a contact.

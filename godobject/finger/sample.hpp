@@ -27,14 +27,14 @@ template <class Vector>
   return std::fabs(vector.squaredNorm() - 1.0) <= 1e-6;
 }
 
-/// The contact of a device's pose, and its spin. If the pose is none, `fault` names the reason; the surface is not called, because it
-/// requires a finite position.
+/// The contact of a device's pose, and its spin. If the pose is none, `fault` names the reason, and the contact is not plausible; the surface is
+/// not called, because it requires a finite position.
 [[nodiscard]] inline Contact sense(const AnySurface& surface, const DevicePose& device, const FingerState& last, Spin& spin,
                                    Fault& fault) noexcept {
   if (!is_plausible<double>(device.position.squaredNorm()) || !is_unit(device.orientation)) {
     const bool is_finite = device.position.allFinite() && device.orientation.coeffs().allFinite();
     fault = !is_finite ? Fault::not_finite : is_unit(device.orientation) ? Fault::too_far : Fault::orientation;
-    return {};
+    return {Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ(), std::numeric_limits<double>::quiet_NaN()};
   }
   const Contact contact = surface.contact(device.position, last.contact);
   spin = last.spin.moved(device.orientation, contact.normal);
@@ -45,9 +45,9 @@ template <class Vector>
 /// good position, or of the last refused one. Returns what is not.
 [[nodiscard]] inline Fault accept(FingerFaults& faults, const Sensed& sensed, const FingerSample& last, double max_displacement) noexcept {
   const Contact& contact = sensed.contact;
-  if (sensed.fault != Fault::none) return sensed.fault;
   const double square = contact.point.squaredNorm() + contact.depth * contact.depth + sensed.twist * sensed.twist;
   if (!is_plausible<double>(square) || !is_unit(contact.normal) || !is_time_step(sensed.time_step)) {
+    if (sensed.fault != Fault::none) return sensed.fault;
     const bool is_finite =
         contact.point.allFinite() && contact.normal.allFinite() && std::isfinite(contact.depth) && std::isfinite(sensed.twist);
     return !is_finite                      ? Fault::not_finite

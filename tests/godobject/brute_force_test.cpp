@@ -10,8 +10,8 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
-#include <optional>
 #include <string>
+#include <tuple>
 #include <utility>
 
 namespace limitcurve::godobject::test {
