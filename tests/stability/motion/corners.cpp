@@ -39,7 +39,7 @@ UnitWrench by_us(const Box& box, const Trial& trial) {
   godobject::FrictionMemory<double> memory;
   const auto kept = godobject::apply_friction(curve.view(), godobject::Projection::closest_point,
                                               {{1.0, 1.0}, {1.0, 1.0}, trial.compliance_ratio}, {trial.force, trial.moment}, memory);
-  return {trial.force * kept.force_fraction, trial.moment * kept.moment_ratio};
+  return {trial.force * kept.force_fraction, trial.moment * kept.moment_fraction};
 }
 
 /// The closest point of the box, by shrinking an interval of each face to two thirds until it is rounding; in long double, because the

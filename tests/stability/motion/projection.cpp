@@ -142,7 +142,7 @@ Failures failures(const Law& law, const FingerCurve& table, double kappa, double
     count.newton += fails(at(by_newton(condition, last)));
     count.newton_ahead += fails(at(by_newton(condition, trial.force / (trial.compliance_ratio * trial.moment))));
     const auto found = project_on_to_closest_point(table.view(), trial, last < 1.0 ? last : 2.0 - 1.0 / last);
-    count.ours += fails({trial.force * found.force_fraction, trial.moment * found.moment_ratio});
+    count.ours += fails({trial.force * found.force_fraction, trial.moment * found.moment_fraction});
   }
   return {count.newton / rounds, count.newton_ahead / rounds, count.ours / rounds};
 }
