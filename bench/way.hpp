@@ -36,6 +36,11 @@ inline std::vector<Way>& ways() {
   return all;
 }
 
+/// Error in the norm of a table's tolerance (docs/accuracy.md): the larger of |Δf| and |Δm|/max(1, m₀).
+inline double tolerance_error(UnitWrench one, UnitWrench other, double moment_ratio) {
+  return std::fmax(std::fabs(one.force - other.force), std::fabs(one.moment - other.moment) / std::fmax(1.0, moment_ratio));
+}
+
 /// Distance of two wrenches in the normalised plane of the paper: 0.01 is 1 % of the friction limits.
 inline double distance(UnitWrench one, UnitWrench other, double moment_ratio) {
   return std::hypot(one.force - other.force, (one.moment - other.moment) / moment_ratio);
@@ -166,7 +171,7 @@ class WrenchStudy {
     facts.known = true;
     const auto count = std::min(places_.size(), special_ + static_cast<std::size_t>(std::max(2e8 / rough, 9.0)));
     for (std::size_t i = 0; i < count; ++i) {
-      const double error = distance(call(places_[i]), references_[i], moment_ratio_);
+      const double error = tolerance_error(call(places_[i]), references_[i], moment_ratio_);
       facts.max_error = std::fmax(facts.max_error, error);
       if (i >= special_) facts.mean_error += error / static_cast<double>(count - special_);
     }

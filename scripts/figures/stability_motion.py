@@ -117,7 +117,8 @@ def projection_chatter(rows):
 
 def projection_collapse(rows):
     figure, (axes,) = frame(1)
-    for series, style in (("limit", {"color": INK, "linewidth": 3, "alpha": 0.35}), ("bristles", {"color": VERMILION, "linewidth": 1.2}), ("limitcurve", {"color": BLUE})):
+    for series, style in (("limit", {"color": INK, "linewidth": 3, "alpha": 0.35}), ("bristles of a fixed stiffness", {"color": VERMILION, "linewidth": 1.2}),
+                          ("bristles of a stiffness in proportion to the load", {"color": ORANGE, "dashes": (4, 2)}), ("limitcurve", {"color": BLUE})):
         points = rows.where(series=series)
         axes.step(points.column("x"), points.column("value"), where="post", label={"limit": "limit µP"}.get(series, series), **style)
     axes.set(title="Friction of a finger at rest, let go from 5 N to 5 mN", xlabel="samples", ylabel="[N]", yscale="log", xlim=(-10, 10), ylim=(1e-3, 10))

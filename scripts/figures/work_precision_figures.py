@@ -216,6 +216,7 @@ def step_panel(figure, axes, rows):
                 continue
             axes.plot([error, error], [row["batch_1024_ns"], row["cold_ns"]], color=colour, linewidth=0.6, zorder=2)
             axes.plot([error], [row["warm_ns"]], marker, color=colour, markersize=4.6, zorder=3)
+            axes.plot([max(row["mean_error"], ROUNDING), error], [row["warm_ns"]] * 2, color=colour, linewidth=3, alpha=0.35, zorder=1)
             axes.plot([error], [row["cold_ns"]], "_", color=colour, markersize=6, zorder=3)
             labels.line([error, error], [row["batch_1024_ns"], row["cold_ns"]])
             labels.dot(error, row["cold_ns"], "", colour)
@@ -226,6 +227,7 @@ def step_panel(figure, axes, rows):
         axes.plot([], [], marker, color=colour, label=f"{projection}, warm")
         axes.plot([], [], in_batch, color=colour, label=f"{projection}, a contact in a batch of 1024")
     axes.plot([], [], "_", color=INK, label="cold")
+    axes.plot([], [], color=INK, linewidth=3, alpha=0.35, label="from the mean to the largest error, κ and c/a 0.1 to 10")
     axes.legend(loc="lower right", fontsize=7, handlelength=1.2)
 
 

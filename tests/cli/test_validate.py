@@ -19,6 +19,30 @@ class Validate(CommandLineTest):
     def test_columns(self):
         self.assertEqual(header("validate", "--law", "hertz"), COLUMNS)
 
+    def test_what_is_called_the_error_of_the_ellipse(self):
+        """The table of docs/accuracy.md: wrenches about one centre of rotation, and steady ones of the radial projection, written out here."""
+        self.assertAlmostEqual(self.models("hertz")["ellipse"]["max_over_estimate"], 0.064, delta=5e-4)
+        self.assertAlmostEqual(self.models("hertz")["ellipse"]["max_cor_error"], 0.73, delta=5e-3)
+        ratio = 3 * math.pi / 16
+        points = [10 ** (i / 20 - 1) for i in range(41)]
+        exact = [(row["c"], row["force"], row["moment"] / ratio) for row in rows("eval", "--law", "hertz", "--c", ",".join(map(repr, points)))]
+
+        def apart(force, moment, ray):  # from the point of the unit circle on the ray
+            return math.hypot(ray[0] / math.hypot(*ray) - force, ray[1] / math.hypot(*ray) - moment)
+
+        same_cor = {c: apart(force, moment, (c, ratio)) for c, force, moment in exact}
+        self.assertAlmostEqual(max(same_cor.values()), 0.142, delta=5e-4)
+        self.assertAlmostEqual(same_cor[1.0], 0.134, delta=5e-4)
+        steady = {(kappa, c): apart(force, moment, (c, kappa * ratio)) for kappa in (0.72, *points) for c, force, moment in exact}
+        for pair, error in (((0.72, 1.0), 0.040), ((1.0, 1.0), 0.134), ((10.0, 1.0), 0.941)):
+            self.assertAlmostEqual(steady[pair], error, delta=5e-4)
+        self.assertAlmostEqual(max(steady.values()), 1.02, delta=5e-3)
+        pad = {row["model"]: row["max_error"] for row in rows("validate", "--patch", "rectangle:x=0.05,y=0.01")}
+        self.assertAlmostEqual(pad["ellipsoid"], 0.143, delta=5e-4)
+        done = run("choose", "--law", "hertz", "--tolerance", "0.01", "--scene", "--mu", "0.6", "--loads", "0.5,2", "--stiffness", "1000",
+                   "--twist-stiffness", "0.036", "--twist-rate", "2")
+        self.assertRegex(done.stdout, r"(?m)^ellipse/closest-point,1,0\.724")
+
     def test_without_a_law_all_that_are_listed(self):
         laws = [row["law"] for row in rows("laws")]
         found = rows("validate")

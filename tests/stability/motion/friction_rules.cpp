@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
 #include <numbers>
 #include <utility>
 
@@ -218,34 +219,43 @@ Hazard collapsing_load() {
   with.mu = mu;
   with.stiffness = contact_stiffness;
   SoftFinger finger(Table::build(hertz(), 1e-8), with);
+  // The same stiffness at 5 N, fixed or in proportion to the load.
   Bristles bristles(contact_stiffness, 0.0);
+  Bristles per_newton(contact_stiffness / 5.0, 0.0);
   const auto contact = [](double x, double load) { return Contact{{x, 0.0, 0.0}, Eigen::Vector3d::UnitZ(), load / contact_stiffness}; };
   // A load of 5 N, a deflection up to the limit, then a drop to 5 mN in one step, at rest.
   finger.update(contact(0.0, 5.0), 0.0);
   double bristle_force = 0.0;
+  double scaled_force = 0.0;
   for (int i = 0; i <= 1000; ++i) {
     finger.update(contact(1e-5 * i, 5.0), 0.0);
     bristle_force = bristles.update(1e-5 * i, mu * 5.0);
+    scaled_force = 5.0 * per_newton.update(1e-5 * i, mu);
   }
   // Drawn from the tenth sample before it to the tenth after it.
   Figure figure{"projection_collapse", {}};
-  const auto draw = [&](double sample, double load, double of_bristles, double ours) {
+  const auto draw = [&](double sample, double load, double ours) {
     figure.rows.push_back({"force", "limit", sample, mu * load});
-    figure.rows.push_back({"force", "bristles", sample, of_bristles});
+    figure.rows.push_back({"force", "bristles of a fixed stiffness", sample, bristle_force});
+    figure.rows.push_back({"force", "bristles of a stiffness in proportion to the load", sample, scaled_force});
     figure.rows.push_back({"force", "limitcurve", sample, ours});
   };
-  for (int i = -10; i < 0; ++i) draw(i, 5.0, bristle_force, finger.output().force.norm());
+  for (int i = -10; i < 0; ++i) draw(i, 5.0, finger.output().force.norm());
   const FingerOutput let_go = finger.update(contact(0.01, 0.005), 0.0);
   bristle_force = bristles.update(0.01, mu * 0.005);
-  const double at_once = bristle_force;
-  draw(0.0, 0.005, bristle_force, let_go.force.norm());
+  scaled_force = 0.005 * per_newton.update(0.01, mu);
+  const std::string quantity = "friction force at rest / limit, load to a thousandth in one step";
+  const double ours = let_go.force.norm() / (mu * let_go.load);
+  found.findings.push_back(
+      {"load drops in one step", "bristles of a fixed stiffness (Dahl, LuGre)", quantity, bristle_force / (mu * 0.005), ours, test});
+  found.findings.push_back({"load drops in one step", "bristles of a stiffness in proportion to the load (LuGre of tyres)", quantity,
+                            scaled_force / (mu * 0.005), ours, test});
+  draw(0.0, 0.005, let_go.force.norm());
   for (int i = 1; i <= 10; ++i) {
     bristle_force = bristles.update(0.01, mu * 0.005);
-    draw(i, 0.005, bristle_force, finger.update(contact(0.01, 0.005), 0.0).force.norm());
+    scaled_force = 0.005 * per_newton.update(0.01, mu);
+    draw(i, 0.005, finger.update(contact(0.01, 0.005), 0.0).force.norm());
   }
-  found.findings.push_back({"load drops in one step", "bristles (Dahl, LuGre)",
-                            "friction force at rest / limit, load to a thousandth in one step", at_once / (mu * 0.005),
-                            let_go.force.norm() / (mu * let_go.load), test});
   found.figures.push_back(std::move(figure));
   return found;
 }

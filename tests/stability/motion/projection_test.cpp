@@ -45,12 +45,14 @@ TEST(Projection, SmallContacts) {
   }
 }
 
-// Forces of the paper's method: 0.255 and 0.416 N, where eq. (17) has 0.487 N.
+// Forces of the paper's method: 0.255 N, and 0.438, 0.416, 0.4135 N in steps of 100, 10, 1 µm, where eq. (17) has 0.487 N.
 TEST(Projection, GrowingRadius) {
   const auto findings = held_here(growing_radius());
-  ASSERT_EQ(findings.size(), 2U);
+  ASSERT_EQ(findings.size(), 4U);
   EXPECT_NEAR(findings[0].breaks, 0.255, 0.0005);
   EXPECT_NEAR(findings[1].breaks, 0.416, 0.0005);
+  EXPECT_NEAR(findings[2].breaks, 0.438, 0.0005);
+  EXPECT_NEAR(findings[3].breaks, 0.4135, 0.0005);
   // (3π/8)s(1 − s²/4), s = 5/6.
   const double s = 5.0 / 6.0;
   for (const Finding& finding : findings) EXPECT_NEAR(finding.stands, 0.6 * 3.0 * std::numbers::pi / 8.0 * s * (1.0 - 0.25 * s * s), 1e-7);
@@ -91,10 +93,12 @@ TEST(Projection, Chatter) {
 }
 
 TEST(Projection, CollapsingLoad) {
-  for (const Finding& finding : held_here(collapsing_load())) {
-    EXPECT_GE(finding.breaks, 100.0);
-    EXPECT_NEAR(finding.stands, 1.0, 1e-12);
-  }
+  const auto findings = held_here(collapsing_load());
+  ASSERT_EQ(findings.size(), 2U);
+  // Dragged by 10 mm, which is four times μP/k: 1 − e⁻⁴ of the limit of 5 N, or of that of 5 mN.
+  EXPECT_NEAR(findings[0].breaks, 1000.0 * (1.0 - std::exp(-4.0)), 1.0);
+  EXPECT_NEAR(findings[1].breaks, 1.0 - std::exp(-4.0), 1e-3);
+  for (const Finding& finding : findings) EXPECT_NEAR(finding.stands, 1.0, 1e-12);
 }
 
 }  // namespace

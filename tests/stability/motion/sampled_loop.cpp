@@ -40,7 +40,7 @@ struct Device {
   double damping;
   int delay;
 
-  /// The largest amplitude in the last tenth of a second, divided by that in the first.
+  /// By how much the amplitude √(x² + v²m/k) grows in a second: its largest value in a tenth of a second, and a second later.
   [[nodiscard]] double growth(double stiffness) const {
     SoftFinger contact = finger(stiffness, 0.0, 1e6);
     contact.update(pressed(0.0, 1e-3), 0.0);
@@ -50,9 +50,9 @@ struct Device {
     const double decay = std::exp(-damping * tick / mass);
     double first = 0.0;
     double last = 0.0;
-    constexpr int steps = 1000;
+    constexpr int second = 1000;
     constexpr int part = 100;
-    for (int i = 0; i < steps; ++i) {
+    for (int i = 0; i < second + part; ++i) {
       std::rotate(line.begin(), line.end() - 1, line.end());
       line[0] = contact.update(pressed(x, 1e-3), 0.0).force.x();
       const double force = line[static_cast<std::size_t>(delay)];
@@ -60,8 +60,9 @@ struct Device {
       const double final = force / damping;
       x += final * tick + (v - final) * mass / damping * (1.0 - decay);
       v = final + (v - final) * decay;
-      if (i < part) first = std::max(first, std::fabs(x));
-      if (i >= steps - part) last = std::max(last, std::fabs(x));
+      const double amplitude = std::hypot(x, v * std::sqrt(mass / stiffness));
+      if (i < part) first = std::max(first, amplitude);
+      if (i >= second) last = std::max(last, amplitude);
     }
     return last / first;
   }

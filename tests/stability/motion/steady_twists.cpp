@@ -159,11 +159,15 @@ Hazard growing_radius() {
   }
   const SteadyTwist twist = at(0.005);
   const double ours = SteadyTwist::mu * settled(twist, Projection::closest_point).force;
-  for (const auto& [projection, method] : {std::pair{Projection::radial, "exact curve, radial projection"},
-                                           {Projection::c_curve, "exact curve, projection along the c-curve (Fig. 5)"}}) {
-    found.findings.push_back({"a radius that grows with the load", method,
-                              "friction force of a steady twist [N], c = 5 mm, a = 6 mm at 1 N, a ∝ P^⅓, μP = 0.6 N, 10 µm a step",
-                              SteadyTwist::mu * settled(twist, projection).force, ours, "Projection.GrowingRadius"});
+  const auto add_finding = [&](const char* method, Projection projection, double step, const char* micrometres) {
+    found.findings.push_back(
+        {"a radius that grows with the load", method,
+         std::string("friction force of a steady twist [N], c = 5 mm, a = 6 mm at 1 N, a ∝ P^⅓, μP = 0.6 N, ") + micrometres + " µm a step",
+         SteadyTwist::mu * twist.settled(table, projection, step, static_cast<int>(std::lround(0.04 / step))).force, ours, "Projection.GrowingRadius"});
+  };
+  add_finding("exact curve, radial projection", Projection::radial, 1e-5, "10");
+  for (const auto& [step, micrometres] : {std::pair{1e-5, "10"}, {1e-4, "100"}, {1e-6, "1"}}) {
+    add_finding("exact curve, projection along the c-curve (Fig. 5)", Projection::c_curve, step, micrometres);
   }
   found.figures.push_back(std::move(figure));
   return found;

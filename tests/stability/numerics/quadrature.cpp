@@ -122,10 +122,12 @@ Hazard centre_under_the_finger() {
     measure(near, 1.0 - distance, distance);
     near.close();
   }
-  const std::string quantity = "relative error of f at a requested 1e-9 (Hertz)";
-  found.findings.push_back({"COR under the finger", "tanh-sinh over the whole radius", quantity, tanh_sinh_worst, ours_worst, test});
+  found.findings.push_back({"COR under the finger", "tanh-sinh over the whole radius",
+                            "relative error of f at a requested 1e-9 (Hertz, at the CORs of the figure)", tanh_sinh_worst, ours_worst,
+                            test});
   found.findings.push_back({"COR under the finger", "the same, its error estimate", "error / error stated", unstated, ours_unstated, test});
-  found.findings.push_back({"COR under the finger", "Gauss, 30 points over the whole radius", quantity, gauss_worst, ours_worst, test});
+  found.findings.push_back({"COR under the finger", "Gauss, 30 points over the whole radius",
+                            "relative error of f (Hertz, at the CORs of the figure)", gauss_worst, ours_worst, test});
   found.figures.push_back(std::move(figure));
   return found;
 }
@@ -156,7 +158,7 @@ Hazard adaptive_subdivision() {
     raise(ours_worst, relative_error(our_force(*counting, s), truth));
   }
   found.findings.push_back({"COR under the finger", "adaptive Gauss–Kronrod, 15 points",
-                            "relative error of f at a requested 1e-14 (parabolic)", worst, ours_worst,
+                            "relative error of f at a requested 1e-14 (parabolic, at the CORs of the figure)", worst, ours_worst,
                             "Quadrature.AdaptiveSubdivisionStopsShort"});
   // Error against evaluations, each the largest over the same CORs.
   Figure figure{"quadrature_adaptive", {}};
@@ -207,7 +209,7 @@ Hazard singular_rim() {
       const auto at_place = errors(n, s);
       for (std::size_t i = 0; i < worst.size(); ++i) raise(worst[i], at_place[i]);
     }
-    const std::string quantity = std::string("relative error of f (") + name + ")";
+    const std::string quantity = std::string("relative error of f (") + name + ", at five CORs)";
     found.findings.push_back({"pressure infinite at the rim", "tanh-sinh, split at s", quantity, worst[0], worst[2], test});
     if (n == -0.5)
       found.findings.push_back({"pressure infinite at the rim", "Gauss, 30 points, split at s", quantity, worst[1], worst[2], test});
@@ -257,7 +259,7 @@ Hazard kinks_of_a_profile() {
       raise(ours_unstated, static_cast<double>(abs(Exact(estimate.wrench.force - exact))) / estimate.error.force);
     }
   }
-  const std::string quantity = "relative error of f (a profile of five pieces; ours without the breaks)";
+  const std::string quantity = "relative error of f (a profile of five pieces, at the CORs of the figure; ours without the breaks)";
   const std::string test = "Quadrature.KinksOfAMeasuredProfile";
   const double ours = std::max(worst[2], worst[3]);
   found.findings.push_back({"kinks of a measured profile", "tanh-sinh, split at s", quantity, worst[0], ours, test});
