@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Hostile conditions: a kill at any moment, a full disk, a folder without permission, a closed pipe, a gigabyte of input.
 
-LIMITCURVE_KILLS runs are killed (2; nightly asks for 40), and LIMITCURVE_BULK megabytes streamed (64; nightly asks for 1024).
+LIMITCURVE_KILLS runs are killed (2; nightly asks for 20), and LIMITCURVE_BULK megabytes streamed (64; nightly asks for 512).
 """
 
 import math

@@ -73,7 +73,7 @@ TEST(MeshRealTime, StepsMakeNoSystemCall) {
 #endif
 
 // Four threads, a finger each, one mesh: each gets the same bits as alone.
-TEST(MeshRealTime, ManyFingersShareAMesh) {
+TEST(MeshRealTime, FingersOfFourThreadsShareAMesh) {
   const MeshSurface star = read_mesh(data_mesh("star.obj"));
   const std::vector<Vector3d> path = moves(star.mesh(), 20000);
   const auto felt = [&] {

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+#include "patch_cases.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <random>
+#include <utility>
+#include <vector>
+
+namespace limitcurve::test {
+namespace {
+
+TEST(PatchImage, IsTheSumOfItsSquaresToItsStatedError) {
+  std::mt19937 bits(3);
+  const auto uniform = [&bits] { return std::generate_canonical<double, 53>(bits); };
+  std::vector<double> dense;
+  for (int i = 0; i < 64 * 64; ++i) {
+    const double x = (i % 64 - 31.5) / 32.0;
+    const double y = (i / 64 - 31.5) / 32.0;
+    dense.push_back(std::max(0.0, 1.0 - x * x - y * y) * (0.5 + uniform()));
+  }
+  std::vector<double> row(64, 0.0);
+  for (std::size_t i = 0; i < 8; ++i) row[16 + i] = 1.0;
+  const std::vector<double> lone{0, 0, 0, 0, 5, 0, 0, 0, 0};
+  const std::vector<double> few{1, 2, 0, 4, 0, 0, 1, 1, 3, 0.5, 0, 2};
+  const auto expect = [](const std::vector<double>& pressures, std::size_t columns, double least, double bound) {
+    const Patch patch = Patch::image(pressures, columns, 0.0005);
+    for (const PatchTwist& twist : twists(patch.radius(), 40, least, 1.0)) {
+      const PatchFriction exact = test::image_by_squares(pressures, columns, 0.0005, twist);
+      const double error = test::difference(patch.evaluate(twist), exact, patch.moment_ratio());
+      EXPECT_LE(error, patch.about_origin(twist).error) << twist.vx << ' ' << twist.vy;
+      EXPECT_LE(patch.about_origin(twist).error, bound);
+      EXPECT_LE(error, 0.1 * bound);
+    }
+  };
+  expect(dense, 64, -2.0, 1e-3);
+  expect(row, 8, -2.0, 0.1);
+  expect(lone, 3, -1.0, 0.1);
+  expect(few, 4, -1.0, 0.1);
+}
+
+TEST(PatchImage, UnderOrthotropicFrictionIsTheRectangle) {
+  // Pixels become rectangles: even ten times as long as wide.
+  const std::vector<double> even(64 * 64, 1.0);
+  for (const auto& [mx, my] : {std::pair{1.5, 1.0}, {1.0, 3.0}, {0.2, 2.0}}) {
+    const Patch image = Patch::image(even, 64, 0.5 / 64).orthotropic(mx, my);
+    const Patch whole = Patch::rectangle(0.5, 0.5).orthotropic(mx, my);
+    for (const PatchTwist& twist : twists(0.5, 200, -2.0, 1.0)) {
+      const double error = test::difference(image.evaluate(twist), whole.evaluate(twist), whole.moment_ratio());
+      EXPECT_LE(error, image.about_origin(twist).error) << mx << ' ' << my;
+      EXPECT_LE(error, 1e-4) << mx << ' ' << my;
+    }
+  }
+}
+
+/// An even rectangle of full sides (x, y) under orthotropic friction by brute force: an isotropic one of the stretched sides.
+PatchFriction stretched_rectangle(double x, double y, double mx, double my, PatchTwist twist) {
+  twist = {mx * twist.vx, my * twist.vy, twist.omega};
+  PatchFriction friction = test::polygon_by_triangles(rectangle(my * x, mx * y), twist, {0, 0});
+  friction.wrench.fx *= mx;
+  friction.wrench.fy *= my;
+  return friction;
+}
+
+TEST(PatchImage, OfOnesIsTheRectangleWithTheCorOnEdgesCornersAndMiddlesOfPixels) {
+  // The middle of an edge is where a pixel's distance to the COR equals half its side: one place decides what is near.
+  constexpr std::size_t columns = 3;
+  constexpr std::size_t rows = 4;
+  constexpr double pixel = 0.001;
+  for (const auto& [mx, my] : {std::pair{1.0, 1.2}, {1.0, 1.0}, {0.1, 10.0}, {10.0, 0.3}, {0.7, 0.6}, {2e3, 1e-3}}) {
+    const Patch image = Patch::image(std::vector<double>(columns * rows, 1.0), columns, pixel).orthotropic(mx, my);
+    for (std::size_t i = 0; i <= 2 * columns; ++i) {
+      for (std::size_t j = 0; j <= 2 * rows; ++j) {
+        const PatchTwist twist =
+            about({0.5 * pixel * (static_cast<double>(i) - columns), 0.5 * pixel * (static_cast<double>(j) - rows)}, j % 2 ? 1.0 : -3.0);
+        const PatchFriction exact = stretched_rectangle(columns * pixel, rows * pixel, mx, my, twist);
+        const double error = test::difference(image.evaluate(twist), exact, image.moment_ratio());
+        EXPECT_LE(error, image.about_origin(twist).error) << mx << ' ' << my << ": " << i << ' ' << j;
+      }
+    }
+  }
+}
+
+TEST(PatchImage, UnderAnyRatioOfFrictionKeepsItsStatedError) {
+  // Pixels 2e6 times as long as wide: the whole row of pixels is near.
+  constexpr std::size_t columns = 40;
+  for (const auto& [mx, my] : {std::pair{2.0, 1e-6}, {2e3, 1e-3}, {0.01, 1.0}, {1e-3, 2e3}}) {
+    const Patch image = Patch::image(std::vector<double>(columns * 5, 1.0), columns, 0.001).orthotropic(mx, my);
+    for (const PatchTwist& twist : twists(0.02, 40, -3.0, 1.0)) {
+      const PatchFriction exact = stretched_rectangle(columns * 0.001, 0.005, mx, my, twist);
+      const PatchFriction friction = image.about_origin(twist);
+      EXPECT_LE(test::difference(friction, exact, image.moment_ratio()), friction.error) << mx << ' ' << my;
+      EXPECT_LE(std::hypot(friction.wrench.fx / mx, friction.wrench.fy / my), 1.0 + friction.error / std::min(mx, my));
+    }
+  }
+}
+
+TEST(PatchImage, FirstRowHasTheLargestY) {
+  // Heavier on top: seen from the centre of pressure the light row is farther away, at negative y.
+  const Patch patch = Patch::image(std::vector<double>{3, 3, 1, 1}, 2, 1.0);
+  const double low = patch.evaluate(about({0, -0.7})).power;
+  const double high = patch.evaluate(about({0, 0.7})).power;
+  EXPECT_GT(low, high);
+}
+
+}  // namespace
+}  // namespace limitcurve::test

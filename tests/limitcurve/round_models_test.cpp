@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#include "limitcurve/patch/round_models.hpp"
+#include "limitcurve/approximations.hpp"
+#include "limitcurve/exact_curve.hpp"
+#include "limitcurve/laws.hpp"
+#include "limitcurve/validate.hpp"
+#include "patch_cases.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace limitcurve::test {
+namespace {
+
+// A disc is its own best round model; its ellipsoid is the ellipse through the intercepts of its law.
+TEST(RoundModels, OfADiscErrAsTheCurvesOfItsLaw) {
+  const Law law = hertz();
+  const CurveError expected = curve_error(Ellipse::through_intercepts(law->moment_ratio()), ExactCurve(law));
+  const std::vector<RoundModel> models = round_models(Patch::ellipse(law, 0.004, 0.004));
+  const auto error_of = [&](const std::string& name) {
+    const auto model = std::find_if(models.begin(), models.end(), [&](const RoundModel& one) { return one.name == name; });
+    EXPECT_NE(model, models.end()) << name;
+    return model == models.end() ? CurveError{} : model->error;
+  };
+  EXPECT_NEAR(error_of("disc:hertz").max_cor_ratio, 1.0, 1e-6);
+  EXPECT_NEAR(error_of("disc:hertz").min_cor_ratio, 1.0, 1e-6);
+  EXPECT_NEAR(error_of("ellipsoid").max_cor_ratio, expected.max_cor_ratio, 1e-6);
+  EXPECT_NEAR(error_of("ellipsoid").min_cor_ratio, expected.min_cor_ratio, 1e-6);
+}
+
+// The over-estimate has a sharp maximum where the COR is on a point that bears much of the load: there H lacks that point's term.
+TEST(RoundModels, OfPointsAreTriedWithTheCorOnEachPoint) {
+  std::mt19937 bits(7);
+  const auto uniform = [&bits] { return std::generate_canonical<double, 53>(bits); };
+  for (int set = 0; set < 4; ++set) {
+    std::vector<PatchLoad> loads(3 + set % 5);
+    for (PatchLoad& point : loads) point = {uniform(), uniform(), 0.1 + uniform()};
+    const auto [mx, my] = set % 2 == 0 ? std::pair{1.0, 1.0} : std::pair{1.7, 0.6};
+    const Patch points = Patch::points(loads).orthotropic(mx, my);
+    const std::vector<std::pair<double, Patch>> parts{{1.0, points},
+                                                      {0.01, Patch::rectangle(0.1, 0.2).moved(0.5, 0.5).orthotropic(mx, my)}};
+    const Patch patch = set < 3 ? points : Patch::sum(parts);
+    const RoundModel ellipsoid = round_models(patch).back();
+    ASSERT_EQ(ellipsoid.name, "ellipsoid");
+    for (const PatchLoad& point : loads) {
+      const PatchPoint cor{point.x - patch.centre().x, point.y - patch.centre().y};
+      const double there = std::hypot(mx * cor.y, my * cor.x, patch.moment_ratio()) / patch.power(about(cor)) - 1.0;
+      EXPECT_GE(ellipsoid.error.max_over_estimate, there - 1e-9) << set;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace limitcurve::test
