@@ -5,6 +5,8 @@
 #include "cli/io/number_list.hpp"
 #include "cli/io/output_file.hpp"
 
+#include "limitcurve/internal/interruption.hpp"
+
 #include <cerrno>
 #include <cstddef>
 #include <filesystem>
@@ -187,6 +189,7 @@ void CsvReader::find_columns() {
 }
 
 bool CsvReader::next() {
+  let_interrupt();
   if (!next_meaningful_line()) {
     if (any_row_) return false;
     ++line_number_;
