@@ -18,8 +18,9 @@ std::vector<fit::Push> read_pushes(const std::string& file) {
   return pushes;
 }
 
-std::vector<fit::Estimate> fit_friction(const std::string& patch, const std::string& data, const std::optional<double>& load) {
-  const Patch exact = read_patch(patch);
+std::vector<fit::Estimate> fit_friction(const std::string& patch, const std::string& data, const std::optional<double>& load,
+                                        Messages* messages) {
+  const Patch exact = read_patch(patch, messages);
   const std::vector<fit::Push> pushes = read_pushes(data);
   try {
     return fit::fit_friction(exact, pushes, load.value_or(1.0), load ? "1" : "N");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "cli/io/messages.hpp"
 #include "fit/internal/friction_fit.hpp"
 
 #include <optional>
@@ -13,6 +14,7 @@ namespace limitcurve::cli {
 std::vector<fit::Push> read_pushes(const std::string& file);
 
 /// Fits the friction of a patch to the pushes of a CSV file (see `read_pushes`). `load` in [N]; without it mu is mu P.
-std::vector<fit::Estimate> fit_friction(const std::string& patch, const std::string& data, const std::optional<double>& load);
+std::vector<fit::Estimate> fit_friction(const std::string& patch, const std::string& data, const std::optional<double>& load,
+                                        Messages* messages = nullptr);
 
 }  // namespace limitcurve::cli

@@ -30,7 +30,7 @@ class PatchCommand final : public Subcommand {
   }
 
   void run(const Results& results) override {
-    const Patch patch = read_patch(patch_);
+    const Patch patch = read_patch(patch_, results.messages);
     Rows rows(results, {"vx", "vy", "omega", "fx", "fy", "moment", "power", "error"});
     const double limit = mu_ * load_;
     read_twists(twists_, [&](const PatchTwist& twist) {

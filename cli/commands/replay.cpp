@@ -167,7 +167,7 @@ class Replay final : public Subcommand {
     replay_.fingers = fingers_;
     replay_.motion = body.motion;
     replay_.body = body.parameters;
-    if (!patch_.empty()) replay_.patch = read_patch(patch_);
+    if (!patch_.empty()) replay_.patch = read_patch(patch_, results.messages);
     replay_.point_radius = point_radius_.value_or(0.0);
     run_replay(results, {in_space, details_});
   }

@@ -92,7 +92,7 @@ class Validate final : public Subcommand {
     std::vector<std::pair<std::string, std::vector<RoundModel>>> found;
     for (const std::string& text : patches_) {
       results.messages->progress(static_cast<double>(found.size()) / static_cast<double>(patches_.size()));
-      found.emplace_back(text, round_models(read_patch(text)));
+      found.emplace_back(text, round_models(read_patch(text, results.messages)));
     }
     Rows rows(results, columns());
     for (const auto& [text, models] : found) {
