@@ -2,6 +2,7 @@
 #include "godobject/finger_curve.hpp"
 
 #include "limitcurve/approximations.hpp"
+#include "limitcurve/internal/did_you_mean.hpp"
 #include "limitcurve/pressure_law.hpp"
 #include "limitcurve/table.hpp"
 
@@ -10,6 +11,7 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace limitcurve::godobject {
 
@@ -94,12 +96,14 @@ Kind parse(const Names<Kind, count>& names, std::string_view noun, std::string_v
   std::string given(text);
   std::replace(given.begin(), given.end(), '_', '-');
   std::string expected;
+  std::vector<std::string_view> known;
   for (const auto& [kind, name] : names) {
     if (name == given) return kind;
     if (!expected.empty()) expected += '|';
     expected += name;
+    known.push_back(name);
   }
-  throw std::invalid_argument(std::string(noun) + " '" + std::string(text) + "': expected " + expected);
+  throw std::invalid_argument(std::string(noun) + " '" + std::string(text) + "': expected " + expected + did_you_mean(given, known));
 }
 
 }  // namespace

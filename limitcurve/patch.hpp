@@ -79,7 +79,11 @@ class Patch {
   /// The origin is the centre of pressure. Pixels next to the COR are integrated as squares; other pixels are points with the square's
   /// radius of gyration. The error comes from fourth moments: 1e-5 for a dense image of 64 × 64, 1e-2 for a single pixel. Cost: 1 ns a
   /// pixel with AVX2, 3 ns without.
-  static Patch image(std::span<const double> pressures, std::size_t columns, double pixel);
+  static Patch image(std::span<const double> pressures, std::size_t columns, double pixel) {
+    return image(pressures, columns, pixel, pixel);
+  }
+  /// The same with pixels that are rectangles, `width` along x and `height` along y [m].
+  static Patch image(std::span<const double> pressures, std::size_t columns, double width, double height);
   /// Σ wᵢ patchᵢ with positive weights, scaled to sum 1: H is linear in the pressure.
   static Patch sum(std::span<const std::pair<double, Patch>> parts);
 

@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cstddef>
@@ -64,17 +65,27 @@ Numbers<Real> numbers_of(nb::handle values, const std::string& name);
 std::vector<Numbers<double>> columns_of(const std::string& table, const std::vector<std::string>& names, const nb::list& columns);
 
 /// The same for several, broadcast against each other.
-std::vector<Numbers<double>> broadcast(std::initializer_list<nb::handle> values, std::initializer_list<const char*> names);
+template <class Real>
+std::vector<Numbers<Real>> broadcast(std::initializer_list<nb::handle> values, std::initializer_list<const char*> names);
 
-/// A new array of doubles with the shape of another, and its numbers.
+/// A new array with the shape of another, and its numbers.
+template <class Real>
 struct Results {
   nb::object array;
-  double* data;
+  Real* data;
 };
-Results results_like(const nb::object& array);
+template <class Real>
+Results<Real> results_like(const nb::object& array);
 
-/// The result for the caller: a float for a scalar, otherwise an array in the caller's precision.
-nb::object handed_over(const Results& results, bool single);
+/// The result for the caller: a float for a scalar in double precision, otherwise an array or a scalar of NumPy.
+template <class Real>
+nb::object handed_over(const Results<Real>& results);
+
+/// Calls `work` with a number of the caller's precision.
+template <class Work>
+nb::object in_precision(bool single, const Work& work) {
+  return single ? work(float{}) : work(double{});
+}
 
 /// A number. ValueError with `name` if it is none.
 double number_of(nb::handle value, const std::string& name);
@@ -100,6 +111,17 @@ inline void raise_signals() {
   next = Clock::now() + std::chrono::milliseconds(50);
   const nb::gil_scoped_acquire acquire;
   if (PyErr_CheckSignals() != 0) throw nb::python_error();
+}
+
+/// Calls work(i) for each i < count, without the GIL. Ctrl-C ends it between two blocks, which are to take at most 0.1 s: the larger the
+/// less its clock costs.
+template <std::size_t block = 16, class Work>
+void for_each_point(std::size_t count, const Work& work) {
+  const nb::gil_scoped_release release;
+  for (std::size_t begin = 0; begin < count; begin += block) {
+    raise_signals();
+    for (std::size_t i = begin; i < (std::min)(begin + block, count); ++i) work(i);
+  }
 }
 
 }  // namespace limitcurve::python

@@ -9,10 +9,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <functional>
 #include <memory>
 #include <mutex>
 #include <stdexcept>
+#include <type_traits>
 #include <variant>
 
 namespace limitcurve::python {
@@ -48,15 +50,36 @@ class Contacts {
     const std::lock_guard lock(mutex_);
     // In place: the caller may hold views.
     const BasicContactBatch<Real> all = arrays_.batch();
-    for (const auto array : {all.proxy_x, all.proxy_y, all.proxy_angle, all.search_start, all.search_rate, all.fx, all.fy, all.moment})
-      std::ranges::fill(array, Real(0));
-    for (const auto array : {all.state, all.force_slides, all.moment_slides}) std::ranges::fill(array, ContactState::free);
+    for_each_array(all, [](const auto array) { std::ranges::fill(array, std::remove_cvref_t<decltype(array[0])>{}); });
+  }
+
+  /// The bytes of all that a step changes.
+  [[nodiscard]] nb::list state() {
+    const std::lock_guard lock(mutex_);
+    nb::list result;
+    for_each_array(arrays_.batch(), [&](const auto array) { result.append(nb::bytes(array.data(), array.size_bytes())); });
+    return result;
+  }
+  void restore(const nb::list& state) {
+    std::size_t i = 0;
+    for_each_array(arrays_.batch(), [&](const auto array) {
+      const auto bytes = nb::cast<nb::bytes>(state[i++]);
+      if (bytes.size() != array.size_bytes()) throw std::invalid_argument("a pickled batch of another size");
+      if (bytes.size() > 0) std::memcpy(array.data(), bytes.c_str(), bytes.size());
+    });
   }
 
   [[nodiscard]] std::size_t size() const { return arrays_.size(); }
   [[nodiscard]] BasicContactBatch<Real> view() { return arrays_.batch(); }
 
  private:
+  template <class Work>
+  static void for_each_array(const BasicContactBatch<Real>& all, const Work& work) {
+    for (const auto array : {all.proxy_x, all.proxy_y, all.proxy_angle, all.search_start, all.search_rate, all.fx, all.fy, all.moment})
+      work(array);
+    for (const auto array : {all.state, all.force_slides, all.moment_slides}) work(array);
+  }
+
   /// One number for each contact, or a single one for all.
   [[nodiscard]] Numbers<Real> input(nb::handle values, const char* name) {
     Numbers<Real> numbers = numbers_of<Real>(values, name);
@@ -84,6 +107,8 @@ class Contacts {
 
 struct PyBatch {
   std::variant<std::unique_ptr<Contacts<double>>, std::unique_ptr<Contacts<float>>> contacts;
+  nb::object curve;  ///< what it was made from
+  nb::dict given;
 };
 
 bool is_single_precision(nb::handle dtype) {
@@ -131,11 +156,13 @@ void add_batches(nb::module_& module) {
       "__init__",
       [](PyBatch* self, nb::handle curve, std::size_t n, nb::handle dtype, nb::kwargs given) {
         const bool single = is_single_precision(dtype);
+        PyBatch made{.contacts = {}, .curve = nb::borrow(curve), .given = copy_of(given)};
+        made.given["n"] = n;
+        made.given["dtype"] = dtype;
         const Projection projection = take_projection(given);
         const FingerParameters parameters = parameters_of(given, curve_of<double>(curve).moment_ratio());
         if (parameters.damping != 0.0 || parameters.twist_damping != 0.0)
           throw std::invalid_argument("damping, twist_damping: expected 0, a batch has no dampers");
-        PyBatch made;
         if (single) {
           made.contacts = std::make_unique<Contacts<float>>(curve, n, parameters, projection);
         } else {
@@ -165,6 +192,14 @@ void add_batches(nb::module_& module) {
       "Arrays of length n, or one number for all. Contiguous arrays of the batch's dtype are not copied; others are.\n"
       "dt [s] has no effect, for a batch has no dampers. A contact with NaN or a value beyond 1e6 holds its last output (`invalid`).\n"
       "Releases the GIL; calls from several threads wait for each other.");
+  batch.def("__getstate__", [](const PyBatch& self) {
+    return nb::make_tuple(self.curve, self.given, std::visit([](const auto& contacts) { return contacts->state(); }, self.contacts));
+  });
+  batch.def("__setstate__", [](PyBatch& self, const nb::tuple& state) {
+    const nb::object made = nb::type<PyBatch>()(state[0], **nb::cast<nb::dict>(state[1]));
+    new (&self) PyBatch(std::move(nb::cast<PyBatch&>(made)));
+    std::visit([&](const auto& contacts) { contacts->restore(nb::cast<nb::list>(state[2])); }, self.contacts);
+  });
   batch.def(
       "reset", [](PyBatch& self) { std::visit([](const auto& contacts) { contacts->reset(); }, self.contacts); },
       "All contacts free, at the origin.");

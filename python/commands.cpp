@@ -92,6 +92,7 @@ class MemoryFile {
     }
     std::array<char, 32> text{};
     for (std::size_t row = 0; row < rows; ++row) {
+      raise_signals();
       for (std::size_t i = 0; i < numbers.size(); ++i) {
         if (i > 0) output.write(",");
         const auto end = std::to_chars(text.data(), text.data() + text.size(), numbers[i].data()[row]).ptr;
@@ -167,13 +168,28 @@ void in_terms_of(const std::vector<const MemoryFile*>& files, const Work& work) 
   }
 }
 
-nb::dict run(const std::vector<std::string>& arguments, const std::vector<const MemoryFile*>& files) {
+/// Appends to `said` what the command says on standard error, also where it fails.
+nb::dict run(const std::vector<std::string>& arguments, const std::vector<const MemoryFile*>& files, nb::list said) {
   std::vector<Column> columns;
-  in_terms_of(files, [&] {
-    const nb::gil_scoped_release release;
-    cli::OutputFile output(STDOUT_FILENO, "standard output");
-    cli::run_command_line(arguments, {.output = output, .columns = &columns});
-  });
+  std::vector<std::string> lines;
+  const auto hand_over_lines = [&] {
+    for (std::string& line : lines) {
+      for (const MemoryFile* const file : files) line = file->translated(std::move(line));
+      said.append(line);
+    }
+  };
+  try {
+    in_terms_of(files, [&] {
+      const nb::gil_scoped_release release;
+      cli::OutputFile output(STDOUT_FILENO, "standard output");
+      cli::Messages messages(lines);
+      cli::run_command_line(arguments, {.output = output, .columns = &columns, .messages = &messages});
+    });
+  } catch (...) {
+    hand_over_lines();
+    throw;
+  }
+  hand_over_lines();
   nb::dict result;
   for (Column& column : columns) {
     for (std::string& text : column.texts) {
@@ -205,8 +221,11 @@ NB_MODULE(_commands, module) {
       .def(nb::init<std::string, const std::vector<std::pair<std::string, nb::object>>&, bool>(), nb::arg("name"), nb::arg("columns"),
            nb::arg("header") = true)
       .def_prop_ro("path", &MemoryFile::path);
-  module.def("run", &run, nb::arg("arguments"), nb::arg("files"), "Runs `limitcurve ARGUMENTS` and returns its columns.",
-             nb::sig("def run(arguments: collections.abc.Sequence[str], files: collections.abc.Sequence[MemoryFile]) -> dict[str, "
-                     "numpy.typing.NDArray[typing.Any]]"));
+  module.def(
+      "run", &run, nb::arg("arguments"), nb::arg("files"), nb::arg("said"),
+      "Runs `limitcurve ARGUMENTS` and returns its columns; appends to `said` what it says on standard error.",
+      nb::sig(
+          "def run(arguments: collections.abc.Sequence[str], files: collections.abc.Sequence[MemoryFile], said: list[str]) -> dict[str, "
+          "numpy.typing.NDArray[typing.Any]]"));
   module.def("main", &run_as_program, nb::arg("arguments"), "Runs `limitcurve ARGUMENTS` as a program; returns its exit status.");
 }

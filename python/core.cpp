@@ -53,9 +53,11 @@ nb::object as_array(nb::handle values, const std::string& name) {
 }
 
 template <class Real>
+constexpr const char* dtype_of = sizeof(Real) == sizeof(float) ? "float32" : "float64";
+
+template <class Real>
 Numbers<Real> contiguous(const nb::object& array) {
-  const nb::object converted =
-      numpy("asarray")(array, nb::arg("dtype") = sizeof(Real) == sizeof(float) ? "float32" : "float64", nb::arg("order") = "C");
+  const nb::object converted = numpy("asarray")(array, nb::arg("dtype") = dtype_of<Real>, nb::arg("order") = "C");
   const auto view = nb::cast<nb::ndarray<const Real, nb::c_contig, nb::ndim<1>>>(converted.attr("reshape")(-1));
   return {converted, view.data(), view.size()};
 }
@@ -104,25 +106,33 @@ std::vector<Numbers<double>> columns_of(const std::string& table, const std::vec
   return result;
 }
 
-std::vector<Numbers<double>> broadcast(std::initializer_list<nb::handle> values, std::initializer_list<const char*> names) {
+template <class Real>
+std::vector<Numbers<Real>> broadcast(std::initializer_list<nb::handle> values, std::initializer_list<const char*> names) {
   nb::list arrays;
   const char* const* name = names.begin();
   for (const nb::handle one : values) arrays.append(as_array(one, *name++));
-  std::vector<Numbers<double>> result;
-  for (const nb::handle one : numpy("broadcast_arrays")(*arrays)) result.push_back(contiguous<double>(nb::borrow(one)));
+  std::vector<Numbers<Real>> result;
+  for (const nb::handle one : numpy("broadcast_arrays")(*arrays)) result.push_back(contiguous<Real>(nb::borrow(one)));
   return result;
 }
+template std::vector<Numbers<double>> broadcast(std::initializer_list<nb::handle> values, std::initializer_list<const char*> names);
+template std::vector<Numbers<float>> broadcast(std::initializer_list<nb::handle> values, std::initializer_list<const char*> names);
 
-Results results_like(const nb::object& array) {
-  const nb::object made = numpy("empty")(array.attr("shape"));
-  return {made, nb::cast<nb::ndarray<double, nb::c_contig, nb::ndim<1>>>(made.attr("reshape")(-1)).data()};
+template <class Real>
+Results<Real> results_like(const nb::object& array) {
+  const nb::object made = numpy("empty")(array.attr("shape"), dtype_of<Real>);
+  return {made, nb::cast<nb::ndarray<Real, nb::c_contig, nb::ndim<1>>>(made.attr("reshape")(-1)).data()};
 }
+template Results<double> results_like(const nb::object& array);
+template Results<float> results_like(const nb::object& array);
 
-nb::object handed_over(const Results& results, bool single) {
-  if (nb::cast<int>(results.array.attr("ndim")) == 0 && !single) return nb::float_(results.data[0]);
-  // An array without dimensions becomes a scalar.
-  return single ? nb::object(results.array.attr("astype")("float32")[nb::make_tuple()]) : results.array;
+template <class Real>
+nb::object handed_over(const Results<Real>& results) {
+  if (nb::cast<int>(results.array.attr("ndim")) != 0) return results.array;
+  return sizeof(Real) == sizeof(double) ? nb::object(nb::float_(results.data[0])) : results.array[nb::make_tuple()];
 }
+template nb::object handed_over(const Results<double>& results);
+template nb::object handed_over(const Results<float>& results);
 
 double number_of(nb::handle value, const std::string& name) {
   const double number = PyFloat_AsDouble(value.ptr());

@@ -3,13 +3,18 @@
 
 #include "python/arrays.hpp"
 
+#include "cli/io/patch_argument.hpp"
+
 #include "godobject/finger.hpp"
 #include "godobject/finger_curve.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/patch.hpp"
 #include "limitcurve/table.hpp"
+#include "limitcurve/version.hpp"
 
+#include <cstring>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -33,7 +38,64 @@ struct PyCurve {
   godobject::FingerCurve curve;
   godobject::BasicFingerCurve<float> single;
   std::string name;
+  double force_max;
+  double moment_max;
 };
+
+/// A patch with all that makes it: what its text or arrays said, and the changes since.
+struct PyPatch : Patch {
+  struct Change {
+    bool is_move;  ///< or the factors of orthotropic friction
+    double x;
+    double y;
+  };
+  cli::PatchArgument made_of;
+  std::vector<Change> changes;
+
+  explicit PyPatch(cli::PatchArgument argument) : Patch(argument.patch()), made_of(std::move(argument)) {}
+  [[nodiscard]] PyPatch changed(const Change& change) const {
+    PyPatch there = *this;
+    static_cast<Patch&>(there) = change.is_move ? moved(change.x, change.y) : orthotropic(change.x, change.y);
+    there.changes.push_back(change);
+    return there;
+  }
+};
+
+/// Its name, `ellipse` or `box`, and its semi-axes or limits. ValueError if they are out of range.
+PyCurve closed_curve(const std::string& name, double force_max, double moment_max);
+
+/// A curve is what never changes: its copy is itself.
+template <class Class>
+void copies_are_itself(Class& type) {
+  type.def("__copy__", [](nb::handle self) { return nb::borrow(self); });
+  type.def("__deepcopy__", [](nb::handle self, nb::handle) { return nb::borrow(self); });
+}
+
+/// Another dict with the same contents.
+inline nb::dict copy_of(const nb::dict& all) {
+  return nb::cast<nb::dict>(all.attr("copy")());
+}
+
+/// Plain numbers for pickle: their bytes, which are those of one version of the library alone.
+template <class Numbers>
+nb::tuple packed(const Numbers& numbers) {
+  return nb::make_tuple(nb::str(version.data(), version.size()), nb::bytes(&numbers, sizeof numbers));
+}
+template <class Numbers>
+Numbers unpacked(const nb::tuple& state) {
+  const auto made_by = nb::cast<std::string>(state[0]);
+  const auto bytes = nb::cast<nb::bytes>(state[1]);
+  if (made_by != version || bytes.size() != sizeof(Numbers))
+    throw std::invalid_argument("pickled by limitcurve " + made_by + ", expected " + std::string(version));
+  Numbers numbers;
+  std::memcpy(static_cast<void*>(&numbers), bytes.c_str(), sizeof numbers);
+  return numbers;
+}
+template <class Numbers, class Class>
+void pickle_plainly(Class& type) {
+  type.def("__getstate__", [](const Numbers& self) { return packed(self); });
+  type.def("__setstate__", [](Numbers& self, const nb::tuple& state) { new (&self) Numbers(unpacked<Numbers>(state)); });
+}
 
 /// A law from a str or a Law.
 Law law_of(nb::handle law);

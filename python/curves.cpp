@@ -11,10 +11,16 @@
 #include "limitcurve/internal/number.hpp"
 #include "limitcurve/laws.hpp"
 
+#include <nanobind/stl/tuple.h>
+#include <nanobind/stl/vector.h>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <stdexcept>
+#include <utility>
 
 namespace limitcurve::python {
 
@@ -23,74 +29,101 @@ namespace {
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 /// Throws for a negative number, and for infinity if not allowed; NaN passes.
-void require_non_negative(const Numbers<double>& numbers, const char* name, bool may_be_infinite) {
+template <class Real>
+void require_non_negative(const Real* numbers, std::size_t size, const char* name, bool may_be_infinite) {
   const double largest = may_be_infinite ? std::numeric_limits<double>::infinity() : std::numeric_limits<double>::max();
-  const double* const end = numbers.data + numbers.size;
-  const double* const bad = std::find_if(numbers.data, end, [&](double number) { return number < 0.0 || number > largest; });
+  const Real* const end = numbers + size;
+  const Real* const bad = std::find_if(numbers, end, [&](Real number) { return number < Real(0) || double{number} > largest; });
   if (bad == end) return;
-  const std::string place = numbers.size == 1 ? "" : "[" + std::to_string(bad - numbers.data) + "]";
-  throw std::invalid_argument(name + place + ": got " + format_number(*bad) + ", expected " +
+  const std::string place = size == 1 ? "" : "[" + std::to_string(bad - numbers) + "]";
+  throw std::invalid_argument(name + place + ": got " + format_number(double{*bad}) + ", expected " +
                               (may_be_infinite ? "a number >= 0, or inf" : "a finite number >= 0"));
 }
 
-/// Unit wrenches at COR distances: `wrench_at(s)` gives force and moment.
-template <class WrenchAt>
-nb::object evaluate(nb::handle c, const WrenchAt& wrench_at) {
-  const Numbers<double> cors = numbers_of<double>(c, "c");
-  require_non_negative(cors, "c", true);
-  const Results forces = results_like(cors.array);
-  const Results moments = results_like(cors.array);
-  {
-    const nb::gil_scoped_release release;
-    for (std::size_t i = 0; i < cors.size; ++i) {
-      const double s = cors.data[i];
-      const UnitWrench wrench = std::isnan(s) ? UnitWrench{not_a_number, not_a_number} : wrench_at(s);
-      forces.data[i] = wrench.force;
-      moments.data[i] = wrench.moment;
+/// Throws for what is no COR distance, in units of the radius.
+double checked_cor(double s) {
+  require_non_negative(&s, 1, "c", true);
+  return s;
+}
+
+/// A number of Python itself, for which arrays would cost ten times what the result does.
+std::optional<double> plain_number(nb::handle value) {
+  if (PyFloat_Check(value.ptr())) return PyFloat_AS_DOUBLE(value.ptr());
+  if (!PyLong_CheckExact(value.ptr())) return std::nullopt;
+  const double number = PyLong_AsDouble(value.ptr());
+  if (number != -1.0 || PyErr_Occurred() == nullptr) return number;
+  PyErr_Clear();  // too large: said as of arrays
+  return std::nullopt;
+}
+
+/// Results at COR distances: `at(s)` gives `count` numbers. Sixteen of them, or `block`, take less than 0.1 s.
+template <std::size_t count, std::size_t block = 16, class At>
+nb::object evaluate(nb::handle c, const At& at) {
+  constexpr auto numbers = std::make_index_sequence<count>();
+  const auto values_at = [&](double s) {
+    std::array<double, count> values;
+    if (std::isnan(s)) {
+      values.fill(not_a_number);
+    } else {
+      values = at(s);
     }
+    return values;
+  };
+  if (const std::optional<double> one = plain_number(c)) {
+    const std::array<double, count> values = values_at(checked_cor(*one));
+    return [&]<std::size_t... i>(std::index_sequence<i...>) {
+      return nb::make_tuple(values[i]...);
+    }
+    (numbers);
   }
-  const bool single = is_single(c);
-  return nb::make_tuple(handed_over(forces, single), handed_over(moments, single));
+  return in_precision(is_single(c), [&]<class Real>(Real) -> nb::object {
+    const Numbers<Real> cors = numbers_of<Real>(c, "c");
+    require_non_negative(cors.data, cors.size, "c", true);
+    std::array<Results<Real>, count> results;
+    for (Results<Real>& one : results) one = results_like<Real>(cors.array);
+    for_each_point<block>(cors.size, [&](std::size_t i) {
+      const std::array<double, count> values = values_at(static_cast<double>(cors.data[i]));
+      for (std::size_t j = 0; j < count; ++j) results[j].data[i] = static_cast<Real>(values[j]);
+    });
+    return [&]<std::size_t... i>(std::index_sequence<i...>) {
+      return nb::make_tuple(handed_over(results[i])...);
+    }
+    (numbers);
+  });
+}
+
+std::array<double, 2> components(const UnitWrench& wrench) {
+  return {wrench.force, wrench.moment};
+}
+
+/// Of a curve whose look-up takes nanoseconds.
+template <class Curve>
+nb::object look_up(const Curve& curve, nb::handle c) {
+  return evaluate<2, 256>(c, [&](double s) { return components(curve.wrench({s, 1.0})); });
 }
 
 nb::object evaluate_with_errors(const PyLaw& law, nb::handle c) {
-  const Numbers<double> cors = numbers_of<double>(c, "c");
-  require_non_negative(cors, "c", true);
-  const std::array<Results, 4> results{results_like(cors.array), results_like(cors.array), results_like(cors.array),
-                                       results_like(cors.array)};
-  {
-    const nb::gil_scoped_release release;
-    for (std::size_t i = 0; i < cors.size; ++i) {
-      const double s = cors.data[i];
-      const WrenchEstimate estimate = std::isnan(s) ? WrenchEstimate{{not_a_number, not_a_number}, {not_a_number, not_a_number}, 0.0}
-                                                    : cli::in_units(law.law->evaluate(s), s, 1.0, 1.0);
-      results[0].data[i] = estimate.wrench.force;
-      results[1].data[i] = estimate.wrench.moment;
-      results[2].data[i] = estimate.error.force;
-      results[3].data[i] = estimate.error.moment;
-    }
-  }
-  const bool single = is_single(c);
-  return nb::make_tuple(handed_over(results[0], single), handed_over(results[1], single), handed_over(results[2], single),
-                        handed_over(results[3], single));
+  return evaluate<4>(c, [&](double s) -> std::array<double, 4> {
+    const WrenchEstimate estimate = cli::in_units(law.law->evaluate(s), s, 1.0, 1.0);
+    return {estimate.wrench.force, estimate.wrench.moment, estimate.error.force, estimate.error.moment};
+  });
 }
 
 /// One number for each pair of force and moment.
 template <class Of>
 nb::object of_wrenches(nb::handle force, nb::handle moment, const Of& of) {
-  const std::vector<Numbers<double>> numbers = broadcast({force, moment}, {"force", "moment"});
-  require_non_negative(numbers[0], "force", false);
-  require_non_negative(numbers[1], "moment", false);
-  const Results results = results_like(numbers[0].array);
-  {
-    const nb::gil_scoped_release release;
-    for (std::size_t i = 0; i < numbers[0].size; ++i) {
-      const double f = numbers[0].data[i];
-      const double m = numbers[1].data[i];
-      results.data[i] = std::isnan(f) || std::isnan(m) ? not_a_number : of(f, m);
-    }
-  }
-  return handed_over(results, is_single(force) && is_single(moment));
+  return in_precision(is_single(force) && is_single(moment), [&]<class Real>(Real) {
+    const std::vector<Numbers<Real>> numbers = broadcast<Real>({force, moment}, {"force", "moment"});
+    require_non_negative(numbers[0].data, numbers[0].size, "force", false);
+    require_non_negative(numbers[1].data, numbers[1].size, "moment", false);
+    const Results<Real> results = results_like<Real>(numbers[0].array);
+    for_each_point(numbers[0].size, [&](std::size_t i) {
+      const auto f = static_cast<double>(numbers[0].data[i]);
+      const auto m = static_cast<double>(numbers[1].data[i]);
+      results.data[i] = static_cast<Real>(std::isnan(f) || std::isnan(m) ? not_a_number : of(f, m));
+    });
+    return handed_over(results);
+  });
 }
 
 template <class Curve>
@@ -108,16 +141,35 @@ constexpr const char* hold_doc =
     "inf if no load does. `radius_law` gives the contact radius a(P), as on the command line.";
 
 void add_laws(nb::module_& module) {
-  nb::class_<PyLaw>(module, "Law",
-                    "A pressure law under a soft finger, in the command line's grammar: 'hertz', 'power:n=2.3', 'samples:FILE.csv',\n"
-                    "'mix:0.7*hertz+0.3*uniform'.\n\n"
-                    ">>> import limitcurve as lc\n"
-                    ">>> law = lc.Law('hertz')\n"
-                    ">>> law.evaluate(float('inf'))\n"
-                    "(1.0, 0.0)\n"
-                    ">>> f, m = law.evaluate([0, 0.5, 1])\n"
-                    ">>> [round(float(x), 6) for x in f]\n"
-                    "[0.0, 0.552233, 0.883573]\n")
+  nb::class_<PyLaw> type(module, "Law",
+                         "A pressure law under a soft finger, in the command line's grammar: 'hertz', 'power:n=2.3', 'samples:FILE.csv',\n"
+                         "'mix:0.7*hertz+0.3*uniform'.\n\n"
+                         ">>> import limitcurve as lc\n"
+                         ">>> law = lc.Law('hertz')\n"
+                         ">>> law.evaluate(float('inf'))\n"
+                         "(1.0, 0.0)\n"
+                         ">>> f, m = law.evaluate([0, 0.5, 1])\n"
+                         ">>> [round(float(x), 6) for x in f]\n"
+                         "[0.0, 0.552233, 0.883573]\n");
+  copies_are_itself(type);
+  type.def("__getstate__",
+           [](const PyLaw& self) {
+             std::vector<double> radius;
+             std::vector<double> pressure;
+             for (const PressureSample& sample : self.profile) {
+               radius.push_back(sample.radius);
+               pressure.push_back(sample.pressure);
+             }
+             return std::tuple(self.text, radius, pressure);
+           })
+      .def("__setstate__",
+           [](PyLaw& self, const std::tuple<std::string, std::vector<double>, std::vector<double>>& state) {
+             const auto& [text, radius, pressure] = state;
+             std::vector<PressureSample> rows;
+             for (std::size_t i = 0; i < std::min(radius.size(), pressure.size()); ++i) rows.push_back({radius[i], pressure[i]});
+             Law law = cli::law_of(text, rows);
+             new (&self) PyLaw{std::move(law), text, std::move(rows)};
+           })
       .def(
           "__init__",
           [](PyLaw* self, const std::string& text) {
@@ -142,13 +194,14 @@ void add_laws(nb::module_& module) {
       .def(
           "evaluate",
           [](const PyLaw& self, nb::handle c, nb::handle error) {
-            return truth_of(error) ? evaluate_with_errors(self, c) : evaluate(c, [&](double s) { return self.law->evaluate(s).wrench; });
+            return truth_of(error) ? evaluate_with_errors(self, c)
+                                   : evaluate<2>(c, [&](double s) { return components(self.law->evaluate(s).wrench); });
           },
           nb::arg("c"), nb::kw_only(), nb::arg("error") = false,
           nb::sig("def evaluate(self, c: numpy.typing.ArrayLike, *, error: bool = False) -> tuple[typing.Any, ...]"),
           "Unit wrenches F/(mu P) and M/(mu P a) of a slip about centres of rotation at c contact radii, in [0, inf].\n\n"
           "The results have the shape of c; float32 gives float32; NaN gives NaN. With `error` also bounds of both absolute\n"
-          "errors: (f, m, f_error, m_error). Relative error <= 1e-15 in closed form, <= 1e-14 by quadrature. Releases the GIL.")
+          "errors: (f, m, f_error, m_error). Relative error <= 1e-15 in closed form, <= 1e-14 by quadrature. Arrays release the GIL.")
       .def_prop_ro(
           "name", [](const PyLaw& self) { return self.law->name(); }, "The law in words.")
       .def_prop_ro(
@@ -171,13 +224,49 @@ void add_laws(nb::module_& module) {
       .def("__repr__", [](const PyLaw& self) { return "Law('" + self.text + "')"; });
 }
 
+constexpr std::size_t cell_columns = 9;
+
+nb::object cells_of(const Table& table) {
+  const std::size_t count = table.cell_count();
+  auto rows = std::make_unique<double[]>(count * cell_columns);
+  double* next = rows.get();
+  const auto add = [&next](double side, const TableCell& cell) {
+    *next++ = side;
+    *next++ = cell.x;
+    next = std::copy(cell.coefficients.begin(), cell.coefficients.end(), next);
+  };
+  for (const TableCell& cell : table.cells().inside) add(0.0, cell);
+  std::for_each(table.cells().outside.rbegin(), table.cells().outside.rend(), [&](const TableCell& cell) { add(1.0, cell); });
+  double* const data = rows.release();
+  const nb::capsule owner(data, [](void* numbers) noexcept { delete[] static_cast<double*>(numbers); });
+  return nb::cast(nb::ndarray<nb::numpy, double>(data, {count, cell_columns}, owner));
+}
+
 void add_tables(nb::module_& module) {
-  nb::class_<Table>(module, "Table",
-                    "A limit curve as a lookup table, 1 to 96 KiB, with a certified error. It drives fingers and batches.\n\n"
-                    ">>> import limitcurve as lc\n"
-                    ">>> table = lc.Table('hertz', tolerance=1e-8)\n"
-                    ">>> table.certified_error <= 1e-8, table.nbytes <= 4096\n"
-                    "(True, True)\n")
+  nb::class_<Table> type(module, "Table",
+                         "A limit curve as a lookup table, 1 to 96 KiB, with a certified error. It drives fingers and batches.\n\n"
+                         ">>> import limitcurve as lc\n"
+                         ">>> table = lc.Table('hertz', tolerance=1e-8)\n"
+                         ">>> table.certified_error <= 1e-8, table.nbytes <= 4096\n"
+                         "(True, True)\n");
+  copies_are_itself(type);
+  type.def("__getstate__",
+           [](const Table& self) {
+             return nb::make_tuple(self.law_name(), self.tolerance(), self.certified_error(), self.profile_error(), self.cells().index_bits,
+                                   self.cells().octaves, cells_of(self));
+           })
+      .def("__setstate__",
+           [](Table& self, const nb::tuple& state) {
+             const auto number = [&](std::size_t i) { return nb::cast<double>(state[i]); };
+             TableCells cells{nb::cast<int>(state[4]), nb::cast<int>(state[5]), {}, {}};
+             const Numbers<double> rows = numbers_of<double>(state[6], "cells");
+             for (const double* row = rows.data; row < rows.data + rows.size; row += cell_columns) {
+               TableCell& cell = (row[0] == 0.0 ? cells.inside : cells.outside).emplace_back(TableCell{row[1], {}});
+               std::copy_n(row + 2, cell.coefficients.size(), cell.coefficients.begin());
+             }
+             std::reverse(cells.outside.begin(), cells.outside.end());
+             new (&self) Table(TableFacts{nb::cast<std::string>(state[0]), number(1), number(2), number(3)}, cells);
+           })
       .def(
           "__init__",
           [](Table* self, nb::handle law, double tolerance, std::size_t bytes) {
@@ -208,9 +297,7 @@ void add_tables(nb::module_& module) {
           "Writes the whole table or nothing; the extension selects .csv, .json, .h (C99) or .hpp (constexpr C++17).\n"
           "name: of the table in a header, NAME_wrench(slide, spin); if empty, one that no other table has.")
       .def(
-          "evaluate",
-          [](const Table& self, nb::handle c) { return evaluate(c, [&](double s) { return self.wrench({s, 1.0}); }); },
-          nb::arg("c"), nb::sig(evaluate_signature),
+          "evaluate", [](const Table& self, nb::handle c) { return look_up(self, c); }, nb::arg("c"), nb::sig(evaluate_signature),
           "Unit wrenches at COR distances of c contact radii, within certified_error. As Law.evaluate.")
       .def(
           "gauge",
@@ -225,6 +312,11 @@ void add_tables(nb::module_& module) {
             return loads_to_hold(self, force, moment, mu, radius_law);
           },
           nb::arg("force"), nb::arg("moment"), nb::kw_only(), nb::arg("mu"), nb::arg("radius_law"), nb::sig(hold_signature), hold_doc)
+      .def_prop_ro(
+          "cells", &cells_of, nb::sig("def cells(self) -> numpy.typing.NDArray[numpy.float64]"),
+          "The cells as rows (side, x, c0 ... c6), in the order of a file: D(t) = sum ci (t - x)^i from t = x to the next larger x of its\n"
+          "side, or to 1. On side 0, inside the rim, t = c/a, and (D', D - t D') is force and moment; on side 1, outside, t = a/c, and\n"
+          "it is moment and force.")
       .def_prop_ro("certified_error", &Table::certified_error, "Bound of the absolute error of f and m against the law.")
       .def_prop_ro("profile_error", &Table::profile_error,
                    "Additional error because the pressure is known only at samples; 0 for a formula.")
@@ -237,13 +329,15 @@ void add_tables(nb::module_& module) {
 }
 
 void add_closed_curves(nb::module_& module) {
-  nb::class_<PyCurve>(module, "Curve", "An ellipse or a box; it can drive a finger in place of a table: see `ellipse` and `box`.")
+  nb::class_<PyCurve> type(module, "Curve", "An ellipse or a box; it can drive a finger in place of a table: see `ellipse` and `box`.");
+  copies_are_itself(type);
+  type.def("__getstate__", [](const PyCurve& self) { return std::tuple(self.name, self.force_max, self.moment_max); })
       .def(
-          "evaluate",
-          [](const PyCurve& self, nb::handle c) {
-            return evaluate(c, [&](double s) { return self.curve.wrench({s, 1.0}); });
-          },
-          nb::arg("c"), nb::sig(evaluate_signature), "Unit wrenches at COR distances of c contact radii. As Law.evaluate.")
+          "__setstate__",
+          [](PyCurve& self, const std::tuple<std::string, double, double>& state) { new (&self) PyCurve(std::apply(closed_curve, state)); })
+      .def(
+          "evaluate", [](const PyCurve& self, nb::handle c) { return look_up(self.curve, c); }, nb::arg("c"), nb::sig(evaluate_signature),
+          "Unit wrenches at COR distances of c contact radii. As Law.evaluate.")
       .def(
           "gauge",
           [](const PyCurve& self, nb::handle force, nb::handle moment) {
@@ -260,23 +354,23 @@ void add_closed_curves(nb::module_& module) {
           "moment_ratio", [](const PyCurve& self) { return self.curve.moment_ratio(); }, "m0, the unit moment of a pure twist.")
       .def("__repr__", [](const PyCurve& self) { return "<" + self.name + ">"; });
   module.def(
-      "ellipse",
-      [](double force_max, double moment_max) {
-        const Ellipse ellipse(force_max, moment_max);
-        return PyCurve{ellipse, ellipse, "ellipse"};
-      },
-      nb::arg("force_max"), nb::arg("moment_max"),
-      "The ellipse with these semi-axes in unit wrenches; the usual one is ellipse(1, law.moment_ratio).");
+      "ellipse", [](double force_max, double moment_max) { return closed_curve("ellipse", force_max, moment_max); }, nb::arg("force_max"),
+      nb::arg("moment_max"), "The ellipse with these semi-axes in unit wrenches; the usual one is ellipse(1, law.moment_ratio).");
   module.def(
-      "box",
-      [](double force_max, double moment_max) {
-        const Box limits = box(force_max, moment_max);
-        return PyCurve{limits, limits, "box"};
-      },
-      nb::arg("force_max"), nb::arg("moment_max"), "Separate limits of force and moment; only with projection='closest-point'.");
+      "box", [](double force_max, double moment_max) { return closed_curve("box", force_max, moment_max); }, nb::arg("force_max"),
+      nb::arg("moment_max"), "Separate limits of force and moment; only with projection='closest-point'.");
 }
 
 }  // namespace
+
+PyCurve closed_curve(const std::string& name, double force_max, double moment_max) {
+  if (name == "ellipse") {
+    const Ellipse ellipse(force_max, moment_max);
+    return {ellipse, ellipse, name, force_max, moment_max};
+  }
+  const Box limits = box(force_max, moment_max);
+  return {limits, limits, name, force_max, moment_max};
+}
 
 Law law_of(nb::handle law) {
   if (nb::isinstance<PyLaw>(law)) return nb::cast<const PyLaw&>(law).law;

@@ -44,6 +44,15 @@ const std::map<std::string, std::function<void(FingerParameters&, double)>, std:
   "0.04, damping: float = 0.0, twist_damping: float = 0.0, rest_margin: float = 0.4, max_displacement: float = 0.5, fault_decay: float = " \
   "0.99"
 
+/// A finger with what it was made from.
+struct PyFinger : SoftFinger {
+  nb::object contact;
+  nb::dict given;
+
+  PyFinger(SoftFinger finger, nb::handle on, nb::dict keywords)
+      : SoftFinger(std::move(finger)), contact(nb::borrow(on)), given(std::move(keywords)) {}
+};
+
 constexpr const char* update_signature =
     "def update(self, point: collections.abc.Sequence[float] | numpy.typing.NDArray[typing.Any], normal: collections.abc.Sequence[float] | "
     "numpy.typing.NDArray[typing.Any], depth: float, twist: float, dt: float = 0.0, landed: bool = False) -> FingerOutput";
@@ -54,7 +63,7 @@ constexpr const char* update_doc =
     "Bad input (not finite, a normal that is not of unit length, a jump, dt < 0) raises nothing; it gives the state `invalid`, with\n"
     "the reason in `fault`: the last good output is held, and fades.";
 
-FingerOutput update(SoftFinger& finger, nb::handle point, nb::handle normal, double depth, double twist, double dt, nb::handle landed) {
+FingerOutput update(PyFinger& finger, nb::handle point, nb::handle normal, double depth, double twist, double dt, nb::handle landed) {
   return finger.update({three_numbers(point, "point"), three_numbers(normal, "normal"), depth, {}, truth_of(landed)}, twist, dt);
 }
 
@@ -73,9 +82,10 @@ void add_output(nb::module_& module) {
       .value("time_step", Fault::time_step, "dt is < 0 or not finite")
       .value("displacement", Fault::displacement, "more than max_displacement since the last sample")
       .value("body", Fault::body, "the pose of the touched body is none");
-  nb::class_<FingerOutput>(module, "FingerOutput",
-                           "Result of a step. The rendered force is normal * load + force, the rendered moment is about the normal.")
-      .def_ro("state", &FingerOutput::state, "ContactState")
+  nb::class_<FingerOutput> type(module, "FingerOutput",
+                                "Result of a step. The rendered force is normal * load + force, the rendered moment is about the normal.");
+  pickle_plainly<FingerOutput>(type);
+  type.def_ro("state", &FingerOutput::state, "ContactState")
       .def_prop_ro(
           "proxy", [](const FingerOutput& self) { return self.proxy; }, "where the proxy is [m]")
       .def_ro("angle", &FingerOutput::angle, "of the proxy [rad]")
@@ -97,7 +107,7 @@ void add_output(nb::module_& module) {
 }
 
 void add_finger_types(nb::module_& module) {
-  nb::class_<SoftFinger>(
+  nb::class_<PyFinger> type(
       module, "SoftFinger",
       "A soft-finger god-object: springs, dampers, and friction within a limit curve or the limit surface of a patch.\n\n"
       ">>> import limitcurve as lc\n"
@@ -107,11 +117,21 @@ void add_finger_types(nb::module_& module) {
       "('stick', 2.0)\n"
       ">>> finger = lc.SoftFinger(lc.Patch('rectangle:x=0.02,y=0.01'), mu=0.6)\n"
       ">>> str(finger.update((0, 0, 0), (0, 0, 1), 0.002, 0.0).state)\n"
-      "'stick'\n")
+      "'stick'\n");
+  type.def("__getstate__", [](const PyFinger& self) { return nb::make_tuple(self.contact, self.given, packed(self.state())); })
+      .def("__setstate__",
+           [](PyFinger& self, const nb::tuple& state) {
+             const nb::object made = nb::type<PyFinger>()(state[0], **nb::cast<nb::dict>(state[1]));
+             new (&self) PyFinger(nb::cast<const PyFinger&>(made));
+             self.restore(unpacked<FingerState>(nb::cast<nb::tuple>(state[2])));
+           })
       .def(
           "__init__",
-          [](SoftFinger* self, const Patch& patch, double point_radius, const nb::kwargs& given) {
-            new (self) SoftFinger(patch, parameters_of(given, patch.moment_ratio()), point_radius);
+          [](PyFinger* self, nb::handle_t<PyPatch> patch, double point_radius, nb::kwargs given) {
+            const auto& on = nb::cast<const PyPatch&>(patch);
+            const SoftFinger finger(on, parameters_of(given, on.moment_ratio()), point_radius);
+            given["point_radius"] = point_radius;
+            new (self) PyFinger(finger, patch, given);
           },
           nb::arg("patch"), nb::kw_only(), nb::arg("point_radius") = 0.0, nb::arg("kwargs"),
           nb::sig("def __init__(self, patch: Patch, *, point_radius: float = 0.0, " LIMITCURVE_PARAMETERS ") -> None"),
@@ -119,11 +139,12 @@ void add_finger_types(nb::module_& module) {
           "of a patch; 0 is the least.")
       .def(
           "__init__",
-          [](SoftFinger* self, nb::handle curve, nb::kwargs given) {
+          [](PyFinger* self, nb::handle curve, nb::kwargs given) {
+            const nb::dict all = copy_of(given);
             const Projection projection = take_projection(given);
             FingerCurve on = curve_of<double>(curve);
             const FingerParameters parameters = parameters_of(given, on.moment_ratio());
-            new (self) SoftFinger(std::move(on), parameters, projection);
+            new (self) PyFinger(SoftFinger(std::move(on), parameters, projection), curve, all);
           },
           nb::arg("curve"), nb::arg("kwargs"),
           nb::sig("def __init__(self, curve: Table | Curve, *, projection: str = 'closest-point', " LIMITCURVE_PARAMETERS ") -> None"),
@@ -133,14 +154,14 @@ void add_finger_types(nb::module_& module) {
            nb::arg("landed") = false, nb::sig(update_signature), update_doc)
       .def("reset", &SoftFinger::reset, "Back to the state before any contact.")
       .def_prop_ro(
-          "output", [](const SoftFinger& self) { return self.output(); }, "Result of the last step.")
+          "output", [](const PyFinger& self) { return self.output(); }, "Result of the last step.")
       .def("margin", &SoftFinger::margin, "Distance to slip, from 1 (no friction) to 0 (slips).")
       .def("load_to_hold", &SoftFinger::load_to_hold, "The least load [N] that would hold the present friction.")
       .def("centre_of_rotation", &SoftFinger::centre_of_rotation,
            "Centre of rotation of the slip [m]; inf for pure sliding, NaN unless it slips.")
       .def("spring_energy", &SoftFinger::spring_energy, "Energy of the springs [J].")
       .def(
-          "copy", [](const SoftFinger& self) { return self; }, "Another finger in the same state.");
+          "copy", [](const PyFinger& self) { return self; }, "Another finger in the same state.");
 }
 
 struct PyMemory {
@@ -148,15 +169,17 @@ struct PyMemory {
 };
 
 void add_friction(nb::module_& module) {
-  nb::class_<PyMemory>(module, "FrictionMemory", "State of a contact's friction between two steps.")
-      .def(nb::init<>())
+  nb::class_<PyMemory> memory_type(module, "FrictionMemory", "State of a contact's friction between two steps.");
+  pickle_plainly<PyMemory>(memory_type);
+  memory_type.def(nb::init<>())
       .def_prop_ro(
           "force_slides", [](const PyMemory& self) { return self.memory.force_slides; },
           "whether the sliding limit acts; on a box, that of the force")
       .def_prop_ro(
           "moment_slides", [](const PyMemory& self) { return self.memory.moment_slides; }, "on a box, whether that of the moment acts");
-  nb::class_<FrictionResult<double>>(module, "FrictionResult", "Effect of friction on a trial wrench.")
-      .def_ro("slips", &FrictionResult<double>::slips, "in this step")
+  nb::class_<FrictionResult<double>> result_type(module, "FrictionResult", "Effect of friction on a trial wrench.");
+  pickle_plainly<FrictionResult<double>>(result_type);
+  result_type.def_ro("slips", &FrictionResult<double>::slips, "in this step")
       .def_ro("force_fraction", &FrictionResult<double>::force_fraction, "what the limit leaves of the trial's force, in [0, 1]")
       .def_ro("moment_fraction", &FrictionResult<double>::moment_fraction, "likewise")
       .def_ro("cor", &FrictionResult<double>::cor, "of the slip [m], inf for pure sliding; NaN where it sticks");

@@ -1,66 +1,130 @@
 // SPDX-License-Identifier: MIT
 #include "python/core.hpp"
 
-#include "cli/io/patch_argument.hpp"
 #include "limitcurve/internal/number.hpp"
+
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/tuple.h>
+#include <nanobind/stl/vector.h>
 
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <stdexcept>
+#include <tuple>
+#include <utility>
 
 namespace limitcurve::python {
 
 namespace {
 
-nb::object wrench(const Patch& patch, nb::handle twists, double mu, double load, nb::handle error) {
+nb::object wrench(const PyPatch& patch, nb::handle twists, double mu, double load, nb::handle error) {
   if (!(mu > 0.0 && std::isfinite(mu))) throw out_of_range("mu", mu, "1", "(0, inf)");
   if (!(load > 0.0 && std::isfinite(load))) throw out_of_range("load", load, "N", "(0, inf)");
-  const Numbers<double> given = numbers_of<double>(twists, "twists");
-  const nb::tuple shape = given.array.attr("shape");
-  if (nb::len(shape) == 0 || nb::cast<std::size_t>(shape[nb::len(shape) - 1]) != 3) {
-    throw std::invalid_argument("twists: got the shape " + text_of(shape) + ", expected (…, 3): vx, vy, omega");
-  }
-  const std::size_t count = given.size / 3;
-  const Results wrenches = results_like(given.array);
-  const nb::object first = given.array[nb::make_tuple(nb::ellipsis(), 0)];
-  const Results powers = results_like(first);
-  const Results errors = results_like(first);
-  {
-    const nb::gil_scoped_release release;
-    const double limit = mu * load;
-    for (std::size_t i = 0; i < count; ++i) {
-      const double* const twist = given.data + 3 * i;
-      const PatchFriction friction = patch.about_origin({twist[0], twist[1], twist[2]});
-      wrenches.data[3 * i] = limit * friction.wrench.fx;
-      wrenches.data[3 * i + 1] = limit * friction.wrench.fy;
-      wrenches.data[3 * i + 2] = limit * friction.wrench.moment;
-      powers.data[i] = limit * friction.power;
-      errors.data[i] = friction.error;
+  return in_precision(is_single(twists), [&]<class Real>(Real) -> nb::object {
+    const Numbers<Real> given = numbers_of<Real>(twists, "twists");
+    const nb::tuple shape = given.array.attr("shape");
+    if (nb::len(shape) == 0 || nb::cast<std::size_t>(shape[nb::len(shape) - 1]) != 3) {
+      throw std::invalid_argument("twists: got the shape " + text_of(shape) + ", expected (…, 3): vx, vy, omega");
     }
-  }
-  const bool single = is_single(twists);
-  if (!truth_of(error)) return handed_over(wrenches, single);
-  return nb::make_tuple(handed_over(wrenches, single), handed_over(powers, single), handed_over(errors, single));
+    const Results<Real> wrenches = results_like<Real>(given.array);
+    const nb::object first = given.array[nb::make_tuple(nb::ellipsis(), 0)];
+    const Results<Real> powers = results_like<Real>(first);
+    const Results<Real> errors = results_like<Real>(first);
+    const double limit = mu * load;
+    for_each_point(given.size / 3, [&](std::size_t i) {
+      const Real* const twist = given.data + 3 * i;
+      const PatchFriction friction =
+          patch.about_origin({static_cast<double>(twist[0]), static_cast<double>(twist[1]), static_cast<double>(twist[2])});
+      wrenches.data[3 * i] = static_cast<Real>(limit * friction.wrench.fx);
+      wrenches.data[3 * i + 1] = static_cast<Real>(limit * friction.wrench.fy);
+      wrenches.data[3 * i + 2] = static_cast<Real>(limit * friction.wrench.moment);
+      powers.data[i] = static_cast<Real>(limit * friction.power);
+      errors.data[i] = static_cast<Real>(friction.error);
+    });
+    if (!truth_of(error)) return handed_over(wrenches);
+    return nb::make_tuple(handed_over(wrenches), handed_over(powers), handed_over(errors));
+  });
 }
 
-nb::object loads_to_hold(const Patch& patch, nb::handle fx, nb::handle fy, nb::handle moment, double mu) {
-  const std::vector<Numbers<double>> numbers = broadcast({fx, fy, moment}, {"fx", "fy", "moment"});
-  const Results loads = results_like(numbers[0].array);
-  {
-    const nb::gil_scoped_release release;
-    for (std::size_t i = 0; i < numbers[0].size; ++i) {
-      const PatchWrench wrench{numbers[0].data[i], numbers[1].data[i], numbers[2].data[i]};
+nb::object loads_to_hold(const PyPatch& patch, nb::handle fx, nb::handle fy, nb::handle moment, double mu) {
+  return in_precision(is_single(fx) && is_single(fy) && is_single(moment), [&]<class Real>(Real) {
+    const std::vector<Numbers<Real>> numbers = broadcast<Real>({fx, fy, moment}, {"fx", "fy", "moment"});
+    const Results<Real> loads = results_like<Real>(numbers[0].array);
+    for_each_point(numbers[0].size, [&](std::size_t i) {
+      const auto at = [&](std::size_t column) { return static_cast<double>(numbers[column].data[i]); };
+      const PatchWrench wrench{at(0), at(1), at(2)};
       const bool is_number = !std::isnan(wrench.fx) && !std::isnan(wrench.fy) && !std::isnan(wrench.moment);
-      loads.data[i] = is_number ? load_to_hold(patch, mu, wrench) : std::numeric_limits<double>::quiet_NaN();
-    }
+      loads.data[i] = static_cast<Real>(is_number ? load_to_hold(patch, mu, wrench) : std::numeric_limits<double>::quiet_NaN());
+    });
+    return handed_over(loads);
+  });
+}
+
+/// A kind of patch from columns of numbers.
+PyPatch of_columns(const char* kind, const std::vector<std::string>& names, const nb::list& columns) {
+  const auto all = columns_of("", names, columns);
+  cli::PatchArgument made{.kind = kind, .columns = all.size()};
+  for (std::size_t row = 0; row < all[0].size; ++row) {
+    for (const Numbers<double>& column : all) made.numbers.push_back(column.data[row]);
   }
-  return handed_over(loads, is_single(fx) && is_single(fy) && is_single(moment));
+  return PyPatch(std::move(made));
+}
+
+using Spacing = std::tuple<double, double>;
+
+PyPatch image(nb::handle pressures, const std::optional<double>& pixel, const std::optional<Spacing>& spacing) {
+  if (pixel.has_value() == spacing.has_value()) throw std::invalid_argument("expected one of pixel and spacing");
+  const bool has_mask = is_masked(pressures);
+  const Numbers<double> all = numbers_of<double>(has_mask ? pressures.attr("filled")(0.0) : nb::borrow(pressures), "pressures");
+  const nb::tuple shape = all.array.attr("shape");
+  if (nb::len(shape) != 2) throw std::invalid_argument("pressures: got the shape " + text_of(shape) + ", expected two dimensions");
+  const auto [dy, dx] = spacing ? *spacing : Spacing(*pixel, *pixel);
+  cli::PatchArgument made{
+      .kind = "image", .numbers = {all.data, all.data + all.size}, .columns = nb::cast<std::size_t>(shape[1]), .x = dx, .y = dy};
+  if (has_mask) made.without_sensor = nb::cast<std::size_t>(nb::module_::import_("numpy.ma").attr("count_masked")(pressures));
+  for (double& pressure : made.numbers) {
+    if (!std::isnan(pressure)) continue;
+    pressure = 0.0;
+    ++made.without_sensor;
+  }
+  if (!made.note().empty()) warn(made.note());
+  return PyPatch(std::move(made));
+}
+
+using ChangeState = std::tuple<bool, double, double>;
+using PatchState = std::tuple<std::string, std::vector<double>, std::size_t, std::vector<double>, std::string, std::vector<double>,
+                              std::vector<ChangeState>>;
+
+PatchState state_of(const PyPatch& self) {
+  const cli::PatchArgument& made = self.made_of;
+  std::vector<double> profile;
+  for (const PressureSample& sample : made.profile) profile.insert(profile.end(), {sample.radius, sample.pressure});
+  std::vector<ChangeState> changes;
+  for (const PyPatch::Change& change : self.changes) changes.emplace_back(change.is_move, change.x, change.y);
+  return {made.kind, made.numbers, made.columns, {made.x, made.y, made.mx, made.my}, made.law, profile, changes};
+}
+
+PyPatch patch_of(const PatchState& state) {
+  const auto& [kind, numbers, columns, lengths, law, profile, changes] = state;
+  cli::PatchArgument made{.kind = kind,
+                          .numbers = numbers,
+                          .columns = columns,
+                          .x = lengths.at(0),
+                          .y = lengths.at(1),
+                          .law = law,
+                          .mx = lengths.at(2),
+                          .my = lengths.at(3)};
+  for (std::size_t i = 0; i + 1 < profile.size(); i += 2) made.profile.push_back({profile[i], profile[i + 1]});
+  PyPatch patch(std::move(made));
+  for (const auto& [is_move, x, y] : changes) patch = patch.changed({is_move, x, y});
+  return patch;
 }
 
 }  // namespace
 
 void add_patches(nb::module_& module) {
-  nb::class_<Patch>(
+  nb::class_<PyPatch> type(
       module, "Patch",
       "A contact of any shape, in the command line's grammar ('points:FILE.csv', 'polygon:FILE.csv',\n"
       "'rectangle:x=0.02,y=0.01', 'ellipse:law=hertz,a=0.004,b=0.002', 'image:FILE.csv,pixel=0.0005', each with ',mx=…,my=…'), or\n"
@@ -68,17 +132,22 @@ void add_patches(nb::module_& module) {
       ">>> import limitcurve as lc\n"
       ">>> patch = lc.Patch('rectangle:x=0.02,y=0.01')\n"
       ">>> [round(float(x), 12) + 0.0 for x in patch.wrench([0.1, 0, 0])]\n"
-      "[1.0, 0.0, 0.0]\n")
+      "[1.0, 0.0, 0.0]\n");
+  copies_are_itself(type);
+  type.def("__getstate__", &state_of)
+      .def("__setstate__", [](PyPatch& self, const PatchState& state) { new (&self) PyPatch(patch_of(state)); })
       .def(
-          "__init__", [](Patch* self, const std::string& text) { new (self) Patch(cli::read_patch(text)); }, nb::arg("text"),
-          "ValueError names the error in the text or in the file, and the expected input.")
+          "__init__",
+          [](PyPatch* self, const std::string& text) {
+            cli::PatchArgument argument = cli::parse_patch(text);
+            if (!argument.note().empty()) warn(argument.note());
+            new (self) PyPatch(std::move(argument));
+          },
+          nb::arg("text"), "ValueError names the error in the text or in the file, and the expected input.")
       .def_static(
           "points",
           [](nb::handle x, nb::handle y, nb::handle load) {
-            const auto all = columns_of("", {"x", "y", "load"}, nb::list(nb::make_tuple(x, y, load)));
-            std::vector<PatchLoad> points;
-            for (std::size_t i = 0; i < all[0].size; ++i) points.push_back({all[0].data[i], all[1].data[i], all[2].data[i]});
-            return Patch::points(points);
+            return of_columns("points", {"x", "y", "load"}, nb::list(nb::make_tuple(x, y, load)));
           },
           nb::arg("x"), nb::arg("y"), nb::arg("load"),
           nb::sig("def points(x: numpy.typing.ArrayLike, y: numpy.typing.ArrayLike, load: numpy.typing.ArrayLike) -> Patch"),
@@ -86,31 +155,29 @@ void add_patches(nb::module_& module) {
       .def_static(
           "polygon",
           [](nb::handle x, nb::handle y) {
-            const auto all = columns_of("", {"x", "y"}, nb::list(nb::make_tuple(x, y)));
-            std::vector<PatchPoint> vertices;
-            for (std::size_t i = 0; i < all[0].size; ++i) vertices.push_back({all[0].data[i], all[1].data[i]});
-            return Patch::polygon(vertices);
+            return of_columns("polygon", {"x", "y"}, nb::list(nb::make_tuple(x, y)));
           },
           nb::arg("x"), nb::arg("y"), nb::sig("def polygon(x: numpy.typing.ArrayLike, y: numpy.typing.ArrayLike) -> Patch"),
           "Uniform pressure on a simple polygon [m].")
       .def_static(
-          "image",
-          [](nb::handle pressures, double pixel) {
-            const bool has_mask = is_masked(pressures);
-            if (has_mask) warn("pressures: masked pixels have no sensor, and count as without pressure");
-            const Numbers<double> all = numbers_of<double>(has_mask ? pressures.attr("filled")(0.0) : nb::borrow(pressures), "pressures");
-            const nb::tuple shape = all.array.attr("shape");
-            if (nb::len(shape) != 2) {
-              throw std::invalid_argument("pressures: got the shape " + text_of(shape) + ", expected two dimensions");
-            }
-            return Patch::image(std::span(all.data, all.size), nb::cast<std::size_t>(shape[1]), pixel);
+          "image", &image, nb::arg("pressures"), nb::arg("pixel") = nb::none(), nb::kw_only(), nb::arg("spacing") = nb::none(),
+          nb::sig("def image(pressures: numpy.typing.ArrayLike, pixel: float | None = None, *, spacing: tuple[float, float] | None = None) "
+                  "-> Patch"),
+          "A pressure image; the first row is at the largest y; pixels are squares of side `pixel` [m], or rectangles with the `spacing`\n"
+          "(dy, dx) of rows and columns; the origin is the centre of pressure. A pixel that is masked or NaN has no sensor: it counts as\n"
+          "without pressure, with a warning.")
+      .def(
+          "orthotropic",
+          [](const PyPatch& self, double mx, double my) {
+            return self.changed({false, mx, my});
           },
-          nb::arg("pressures"), nb::arg("pixel"), nb::sig("def image(pressures: numpy.typing.ArrayLike, pixel: float) -> Patch"),
-          "A pressure image; the first row is at the largest y; pixels are squares of side `pixel` [m]; the origin is the centre of "
-          "pressure.\nA masked pixel counts as without pressure, with a warning.")
-      .def("orthotropic", &Patch::orthotropic, nb::arg("mx"), nb::arg("my"),
-           "The same patch with orthotropic friction: mu times mx along x and times my along y.")
-      .def("moved", &Patch::moved, nb::arg("x"), nb::arg("y"), "The same patch, moved by (x, y) [m].")
+          nb::arg("mx"), nb::arg("my"), "The same patch with orthotropic friction: mu times mx along x and times my along y.")
+      .def(
+          "moved",
+          [](const PyPatch& self, double x, double y) {
+            return self.changed({true, x, y});
+          },
+          nb::arg("x"), nb::arg("y"), "The same patch, moved by (x, y) [m].")
       .def(
           "wrench", &wrench, nb::arg("twists"), nb::arg("mu") = 1.0, nb::arg("load") = 1.0, nb::kw_only(), nb::arg("error") = false,
           nb::sig(
@@ -127,7 +194,7 @@ void add_patches(nb::module_& module) {
       .def_prop_ro("moment_ratio", &Patch::moment_ratio, "m0: the moment of a pure spin over mu P [m].")
       .def_prop_ro("radius", &Patch::radius, "Largest distance of a point from the centre of pressure [m].")
       .def_prop_ro(
-          "centre", [](const Patch& self) { return nb::make_tuple(self.centre().x, self.centre().y); },
+          "centre", [](const PyPatch& self) { return nb::make_tuple(self.centre().x, self.centre().y); },
           nb::sig("def centre(self) -> tuple[float, float]"), "Centre of pressure [m].");
 }
 

@@ -68,7 +68,7 @@ class Choose final : public Subcommand {
 
  private:
   void choose_curve(const Results& results) const {
-    write(results, patch_.empty() ? choose(law_, tolerance_) : choose(read_patch(patch_), tolerance_));
+    write(results, patch_.empty() ? choose(law_, tolerance_) : choose(read_patch(patch_, results.messages), tolerance_));
     if (explain_) results.messages->say("costs measured: " + std::string(shipped_costs::measured));
   }
 

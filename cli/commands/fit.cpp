@@ -61,6 +61,7 @@ class Fit final : public Subcommand {
                    "For load: growth of the radius, c P^gamma with gamma 0, 1/3 or free; or the best of them");
     options.number("--gamma", settings_.gamma, finite, "Exponent of the contact radius a = c P^gamma, from -0.5 to 1");
     options.flag("--fit-gamma", settings_.fit_gamma, "Fit gamma to the data, too");
+    options.flag("--covariance", covariance_, "With --data: add a column covariance_NAME for each parameter");
     options.number("--largest-radius", settings_.largest_radius, positive, "Warn of a contact radius above this [m]");
   }
 
@@ -68,6 +69,8 @@ class Fit final : public Subcommand {
     messages_ = results.messages;
     if (data_.empty() && !(columns_.empty() && units_.empty())) throw std::invalid_argument("--columns, --units: go with --data");
     file_columns_ = FileColumns::read(columns_, units_);
+    if (covariance_ && (data_.empty() || models[model_] == "friction"))
+      throw std::invalid_argument("--covariance: only with --data, and not for fit friction");
     if (models[model_] == "friction") return write(results, friction(), patch_);
     if (!patch_.empty()) throw std::invalid_argument("--patch: only for fit friction, got fit " + models[model_]);
     if (load_) throw std::invalid_argument("--load: only for fit friction, got fit " + models[model_]);
@@ -77,16 +80,30 @@ class Fit final : public Subcommand {
     for (const std::string& warning : found.report.warnings) say("warning", warning);
     warn_of_units(found.report);
     if (!found.report.converged) throw std::runtime_error("the fit did not converge: " + found.report.message);
-    write(results, found.report.estimates, found.report.note);
+    write(results, found.report.estimates, found.report.note, covariance_ ? &found.report.correlation : nullptr);
     if (!data_.empty()) say_what_to_type(found);
   }
 
  private:
-  static void write(const Results& results, const std::vector<fit::Estimate>& estimates, const std::string& note) {
-    Rows rows(results, {"parameter", "value", "std_error", "unit", "note"});
-    for (const fit::Estimate& estimate : estimates) {
-      const auto error = std::isnan(estimate.std_error) ? std::nullopt : std::optional(estimate.std_error);
-      rows.row(estimate.name, estimate.value, error, estimate.unit, note);
+  /// With correlations also the covariances.
+  static void write(const Results& results, const std::vector<fit::Estimate>& estimates, const std::string& note,
+                    const std::vector<double>* correlation = nullptr) {
+    std::vector<std::string> columns{"parameter", "value", "std_error", "unit", "note"};
+    if (correlation != nullptr) {
+      for (const fit::Estimate& estimate : estimates) columns.push_back("covariance_" + estimate.name);
+    }
+    Rows rows(results, columns);
+    for (std::size_t i = 0; i < estimates.size(); ++i) {
+      const fit::Estimate& estimate = estimates[i];
+      rows.row_by([&](const auto& cell) {
+        cell(estimate.name);
+        cell(estimate.value);
+        cell(std::isnan(estimate.std_error) ? std::nullopt : std::optional(estimate.std_error));
+        cell(estimate.unit);
+        cell(note);
+        for (std::size_t j = 0; correlation != nullptr && j < estimates.size(); ++j)
+          cell((*correlation)[i * estimates.size() + j] * (estimate.std_error * estimates[j].std_error));
+      });
     }
     rows.finish();
   }
@@ -94,7 +111,7 @@ class Fit final : public Subcommand {
   [[nodiscard]] std::vector<fit::Estimate> friction() const {
     if (patch_.empty()) throw std::invalid_argument("--patch is required to fit 'friction'");
     if (data_.empty()) throw std::invalid_argument("--data is required to fit 'friction'");
-    const Patch patch = read_patch(patch_);
+    const Patch patch = read_patch(patch_, messages_);
     warn_of_patch(*messages_, patch_, patch);
     const fit::FrictionFit found = fit_friction(patch, data_, load_, file_columns_);
     for (const std::string& warning : found.warnings) say("warning", warning);
@@ -231,6 +248,7 @@ class Fit final : public Subcommand {
   std::size_t loss_ = 0;
   std::size_t load_model_ = 2;
   Messages* messages_ = nullptr;
+  bool covariance_ = false;
   fit::ContactFitOptions settings_;
 };
 

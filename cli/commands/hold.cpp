@@ -78,7 +78,7 @@ class Hold final : public Subcommand {
       return;
     }
     if (radius_law_) throw std::invalid_argument("--radius-law: not with --patch, which has its own size");
-    const Patch patch = read_patch(patch_);
+    const Patch patch = read_patch(patch_, results.messages);
     const auto least = [&](const Need& need) { return load_to_hold(patch, mu_, {need.fx, need.fy, need.moment}); };
     write(results, least, [&](const Need& need, double load) { return least(need) / load; });
   }

@@ -31,7 +31,7 @@ class PatchCommand final : public Subcommand {
   }
 
   void run(const Results& results) override {
-    const Patch patch = read_patch(patch_);
+    const Patch patch = read_patch(patch_, results.messages);
     // A wrench is right in any unit of length that the twists share.
     constexpr double largest_arm = 3.0;
     warn_of_patch(*results.messages, patch_, patch, largest_arm);

@@ -168,7 +168,7 @@ class Replay final : public Subcommand {
     replay_.motion = body.motion;
     replay_.body = body.parameters;
     if (!patch_.empty()) {
-      replay_.patch = read_patch(patch_);
+      replay_.patch = read_patch(patch_, results.messages);
       warn_of_patch(*results.messages, patch_, *replay_.patch);
     }
     replay_.point_radius = point_radius_.value_or(0.0);

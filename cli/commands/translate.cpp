@@ -77,7 +77,7 @@ class Translate final : public Subcommand {
       refuse("--radius-law", radius_law_.has_value(), why);
       refuse("--load", load_.has_value(), why);
       refuse("--loads", !loads_.empty(), why);
-      return write(results, fit::translate(read_patch(patch_), friction_));
+      return write(results, fit::translate(read_patch(patch_, results.messages), friction_));
     }
     if (law_ == nullptr) throw std::invalid_argument("expected one of --law, --patch and --read");
     if (!radius_law_) throw std::invalid_argument("--radius-law is required");

@@ -95,7 +95,7 @@ class Validate final : public Subcommand {
     std::vector<std::pair<std::string, std::vector<RoundModel>>> found;
     for (const std::string& text : patches_) {
       results.messages->progress(static_cast<double>(found.size()) / static_cast<double>(patches_.size()));
-      const Patch patch = read_patch(text);
+      const Patch patch = read_patch(text, results.messages);
       warn_of_patch(*results.messages, text, patch);
       found.emplace_back(text, round_models(patch));
     }

@@ -4,6 +4,7 @@
 #include "cli/io/descriptor.hpp"
 #include "cli/io/number_list.hpp"
 #include "cli/io/output_file.hpp"
+#include "limitcurve/internal/interruption.hpp"
 
 #include <algorithm>
 #include <array>
@@ -260,6 +261,7 @@ void CsvReader::find_columns() {
 }
 
 bool CsvReader::next() {
+  let_interrupt();
   if (!next_meaningful_line()) {
     if (any_row_) return false;
     ++line_number_;

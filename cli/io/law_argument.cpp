@@ -45,11 +45,16 @@ Law read_law(const std::string& text) {
 }
 
 Law read_law(const std::string& text, std::vector<PressureSample>& profile) {
+  if (const auto file = measured_file(text, "samples")) {
+    CsvReader reader(*file, {"radius", "pressure"});
+    while (reader.next()) profile.push_back({reader.number(0, non_negative), reader.number(1, finite)});
+  }
+  return law_of(text, profile);
+}
+
+Law law_of(const std::string& text, const std::vector<PressureSample>& profile) {
   const auto file = measured_file(text, "samples");
-  if (!file) return parse_law(text);
-  CsvReader reader(*file, {"radius", "pressure"});
-  while (reader.next()) profile.push_back({reader.number(0, non_negative), reader.number(1, finite)});
-  return made_of(*file, [&] { return samples(profile, *file); });
+  return file ? made_of(*file, [&] { return samples(profile, *file); }) : parse_law(text);
 }
 
 RadiusLaw RadiusLawArgument::of(double mu, const Law& law) const {

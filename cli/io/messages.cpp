@@ -11,6 +11,7 @@ namespace limitcurve::cli {
 
 void Messages::say(const std::string& line) {
   if (kind_ == Kind::none) return;
+  if (lines_ != nullptr) return lines_->push_back(line);
   const std::lock_guard lock(mutex_);
   clear();
   std::fprintf(stderr, "%s\n", line.c_str());

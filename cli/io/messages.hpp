@@ -6,6 +6,7 @@
 #include <mutex>
 #include <string>
 #include <thread>
+#include <vector>
 
 namespace limitcurve::cli {
 
@@ -16,6 +17,8 @@ class Messages {
   enum class Kind { none, notes, notes_and_progress };
 
   explicit Messages(Kind kind) : kind_(kind) {}
+  /// Notes go to `lines` in place of standard error.
+  explicit Messages(std::vector<std::string>& lines) : kind_(Kind::notes), lines_(&lines) {}
   /// Clears the bar.
   ~Messages() { stop(); }
   Messages(const Messages&) = delete;
@@ -41,6 +44,7 @@ class Messages {
   void clear();
 
   Kind kind_;
+  std::vector<std::string>* lines_ = nullptr;
   bool bar_ = false;
   std::string job_;
   Clock::time_point began_;

@@ -1,17 +1,46 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "cli/io/messages.hpp"
+
+#include "limitcurve/laws.hpp"
 #include "limitcurve/patch.hpp"
 
+#include <cstddef>
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace limitcurve::cli {
 
+/// All that makes a patch, the numbers of its file among them.
+struct PatchArgument {
+  std::string kind;                  ///< points, polygon, rectangle, ellipse or image
+  std::string text = {};             ///< as it was given, for messages; empty for arrays
+  std::string file = {};             ///< likewise
+  std::vector<double> numbers = {};  ///< row by row
+  std::size_t columns = 0;
+  std::size_t without_sensor = 0;  ///< pixels
+  double x = 0.0;                  ///< sides of a rectangle or of a pixel, semi-axes of an ellipse [m]
+  double y = 0.0;
+  std::string law = {};  ///< of an ellipse
+  std::vector<PressureSample> profile = {};
+  double mx = 1.0;
+  double my = 1.0;
+
+  /// Throws std::invalid_argument with text, file and the place of the error in it.
+  [[nodiscard]] Patch patch() const;
+  /// What a user must know of it; empty if there is nothing.
+  [[nodiscard]] std::string note() const;
+};
+
 /// Reads a patch from a command line: `points:FILE.csv` (columns x,y,load), `polygon:FILE.csv` (x,y), `rectangle:x=0.02,y=0.01` (full
-/// sides), `ellipse:law=hertz,a=0.004,b=0.002`, `image:FILE.csv,pixel=0.0005` (rows of pressures, no header), each with `,mx=…,my=…` if
-/// friction differs along x and y. Throws std::invalid_argument with the place of the error in the text or in the file.
-Patch read_patch(const std::string& text);
+/// sides), `ellipse:law=hertz,a=0.004,b=0.002`, `image:FILE.csv,pixel=0.0005` (rows of pressures, no header; `pixel=0.004x0.005` along x
+/// and y), each with `,mx=…,my=…` if friction differs along x and y. An empty pixel, `B` or `nan` has no sensor, and counts as without
+/// pressure. Throws std::invalid_argument with the place of the error in the text or in the file.
+PatchArgument parse_patch(const std::string& text);
+/// The patch itself; says its note.
+Patch read_patch(const std::string& text, Messages* messages = nullptr);
 
 /// Calls `take(twist)` for each row of a CSV file with the columns vx, vy, omega.
 void read_twists(const std::string& file, const std::function<void(const PatchTwist&)>& take);

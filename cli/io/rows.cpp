@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cli/io/rows.hpp"
 
+#include "limitcurve/internal/interruption.hpp"
 #include "limitcurve/internal/number.hpp"
 
 #include <nlohmann/json.hpp>
@@ -54,6 +55,7 @@ Rows::Rows(Results results, const std::vector<std::string>& columns) : results_(
 }
 
 void Rows::begin_row() {
+  let_interrupt();
   column_ = 0;
   if (results_.columns != nullptr) return;
   if (results_.format == Format::csv) {

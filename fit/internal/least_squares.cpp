@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "fit/internal/least_squares.hpp"
 
+#include "limitcurve/internal/interruption.hpp"
+
 #include <ceres/ceres.h>
 #include <Eigen/Dense>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <exception>
 #include <memory>
 #include <stdexcept>
 
@@ -14,17 +17,41 @@ namespace limitcurve::fit::internal {
 
 namespace {
 
-/// One sample's residual for Ceres. The model outlives the problem.
+/// What `let_interrupt` threw. It does not pass through Ceres, where every later residual is 0, which ends the iteration.
+class Interruption {
+ public:
+  [[nodiscard]] bool has_come() noexcept {
+    try {
+      if (thrown_ == nullptr) let_interrupt();
+    } catch (...) {
+      thrown_ = std::current_exception();
+    }
+    return thrown_ != nullptr;
+  }
+  void rethrow() const {
+    if (thrown_ != nullptr) std::rethrow_exception(thrown_);
+  }
+
+ private:
+  std::exception_ptr thrown_;
+};
+
+/// One sample's residual for Ceres. The model and the interruption outlive the problem.
 class SampleCost final : public ceres::CostFunction {
  public:
-  SampleCost(const ResidualModel& model, std::size_t sample, std::span<const Parameter> parameters)
-      : model_(model), sample_(sample), parameters_(parameters) {
+  SampleCost(const ResidualModel& model, std::size_t sample, std::span<const Parameter> parameters, Interruption& interruption)
+      : model_(model), sample_(sample), parameters_(parameters), interruption_(interruption) {
     set_num_residuals(1);
     mutable_parameter_block_sizes()->push_back(static_cast<int>(parameters.size()));
   }
 
   bool Evaluate(double const* const* blocks, double* residuals, double** jacobians) const override {
     double* const gradient = jacobians != nullptr ? jacobians[0] : nullptr;
+    if (interruption_.has_come()) {
+      residuals[0] = 0.0;
+      if (gradient != nullptr) std::fill_n(gradient, parameters_.size(), 0.0);
+      return true;
+    }
     if (!model_.evaluate(sample_, {blocks[0], parameters_.size()}, residuals[0], gradient)) return false;
     for (std::size_t j = 0; gradient != nullptr && j < parameters_.size(); ++j) {
       if (parameters_[j].is_held()) gradient[j] = 0.0;
@@ -36,6 +63,7 @@ class SampleCost final : public ceres::CostFunction {
   const ResidualModel& model_;
   std::size_t sample_;
   std::span<const Parameter> parameters_;
+  Interruption& interruption_;
 };
 
 std::unique_ptr<ceres::LossFunction> make_loss(const Loss& loss) {
@@ -100,13 +128,15 @@ Solution minimise(const ResidualModel& model, std::span<const Parameter> paramet
   }
   double* const block = solution.values.data();
   const std::unique_ptr<ceres::LossFunction> loss_function = make_loss(loss);
+  Interruption interruption;
   ceres::Problem::Options problem_options;
   problem_options.loss_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
   ceres::Problem problem(problem_options);
   problem.AddParameterBlock(block, static_cast<int>(free));
   for (std::size_t i = 0; i < model.count(); ++i) {
+    let_interrupt();
     // The problem owns the cost functions.
-    problem.AddResidualBlock(new SampleCost(model, i, parameters), loss_function.get(), block);
+    problem.AddResidualBlock(new SampleCost(model, i, parameters, interruption), loss_function.get(), block);
   }
   for (std::size_t j = 0; j < free; ++j) {
     const int index = static_cast<int>(j);
@@ -116,6 +146,7 @@ Solution minimise(const ResidualModel& model, std::span<const Parameter> paramet
   }
   ceres::Solver::Summary summary;
   ceres::Solve(quiet_options(tolerance), &problem, &summary);
+  interruption.rethrow();
   if (summary.termination_type == ceres::FAILURE && summary.num_successful_steps <= 0) {
     throw std::invalid_argument("the fit cannot start: " + reason_of(summary));
   }
@@ -126,6 +157,7 @@ Solution minimise(const ResidualModel& model, std::span<const Parameter> paramet
   solution.residuals.resize(model.count());
   solution.jacobian.resize(model.count() * free);
   for (std::size_t i = 0; i < model.count(); ++i) {
+    let_interrupt();
     if (!model.evaluate(i, solution.values, solution.residuals[i], solution.jacobian.data() + i * free)) solution.converged = false;
   }
   return solution;

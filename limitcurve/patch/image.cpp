@@ -216,7 +216,7 @@ struct Image final : Shape {
 
 }  // namespace
 
-std::shared_ptr<Shape> make_image(std::span<const double> pressures, std::size_t columns, double pixel) {
+std::shared_ptr<Shape> make_image(std::span<const double> pressures, std::size_t columns, double width, double height) {
   if (columns == 0 || pressures.empty() || pressures.size() % columns != 0) {
     throw std::invalid_argument("an image of " + std::to_string(pressures.size()) + " pixels in rows of " + std::to_string(columns) +
                                 ", expected whole rows");
@@ -236,7 +236,7 @@ std::shared_ptr<Shape> make_image(std::span<const double> pressures, std::size_t
   for (const double pressure : pressures) total += Extended(pressure) / highest;
   std::vector<double> loads;
   for (const double pressure : pressures) loads.push_back(static_cast<double>(Extended(pressure) / highest / total));
-  return std::make_shared<Image>(std::move(loads), columns, pixel, pixel);
+  return std::make_shared<Image>(std::move(loads), columns, width, height);
 }
 
 }  // namespace limitcurve::patch

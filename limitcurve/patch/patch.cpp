@@ -87,8 +87,8 @@ Patch Patch::ellipse(const Law& law, double a, double b) {
   return {patch::make_ellipse(checked(law), checked_length("a", a), checked_length("b", b)), 1.0, 1.0};
 }
 
-Patch Patch::image(std::span<const double> pressures, std::size_t columns, double pixel) {
-  return {patch::make_image(pressures, columns, checked_length("pixel", pixel)), 1.0, 1.0};
+Patch Patch::image(std::span<const double> pressures, std::size_t columns, double width, double height) {
+  return {patch::make_image(pressures, columns, checked_length("pixel", width), checked_length("pixel", height)), 1.0, 1.0};
 }
 
 Patch Patch::sum(std::span<const std::pair<double, Patch>> parts) {

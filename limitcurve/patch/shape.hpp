@@ -84,7 +84,7 @@ struct Shape {
 std::shared_ptr<Shape> make_points(std::span<const PatchLoad> loads);
 std::shared_ptr<Shape> make_polygon(std::span<const PatchPoint> vertices);
 std::shared_ptr<Shape> make_ellipse(const Law& law, double a, double b);
-std::shared_ptr<Shape> make_image(std::span<const double> pressures, std::size_t columns, double pixel);
+std::shared_ptr<Shape> make_image(std::span<const double> pressures, std::size_t columns, double width, double height);
 std::shared_ptr<Shape> make_sum(const std::vector<std::pair<double, std::shared_ptr<const Shape>>>& parts);
 
 /// Points with a radius: |u| becomes √(|u|² + ε²ω²).

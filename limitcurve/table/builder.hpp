@@ -28,7 +28,7 @@ struct Source {
   double profile_error = 0.0;  ///< the table's profile_error
 
   [[nodiscard]] Sample at(bool outside, double x) const {
-    if (between_samples != nullptr) between_samples();
+    let_interrupt();
     return sample(outside, x);
   }
 };

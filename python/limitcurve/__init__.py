@@ -28,7 +28,7 @@ from ._core import (
     ellipse,
     version as __version__,
 )
-from ._tables import choose, fit, replay, run, translate, validate
+from ._tables import Fit, choose, fit, replay, run, translate, validate
 
 
 def _word(state: ContactState | Fault) -> str:
@@ -43,6 +43,7 @@ __all__ = [
     "ContactState",
     "Curve",
     "Fault",
+    "Fit",
     "FingerOutput",
     "FrictionMemory",
     "FrictionResult",

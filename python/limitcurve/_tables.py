@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import functools
 import os
+import sys
 import warnings
 from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar, cast
@@ -124,10 +125,31 @@ class _Call:
         else:
             self.words += [word, ",".join(map(repr, numbers_of(value, name).ravel().tolist()))]
 
-    def run(self) -> Columns:
+    def run(self, notes: list[str] | None = None) -> Columns:
+        """Warnings are Python's; other lines go to `notes`, without it to standard error."""
         from . import _commands
 
-        return _commands.run(self.words, self.files)
+        said: list[str] = []
+        try:
+            return _commands.run(self.words, self.files, said)
+        finally:
+            for line in said:
+                text = line.removeprefix("limitcurve: ")
+                if text.startswith("warning: "):
+                    warnings.warn(text.removeprefix("warning: "), stacklevel=_stacklevel())
+                elif notes is not None:
+                    notes.append(text.removeprefix("note: "))
+                else:
+                    print(line, file=sys.stderr)
+
+
+def _stacklevel() -> int:
+    """For warnings.warn in the function that asks: the first caller outside this package."""
+    level = 1
+    frame = sys._getframe(1)
+    while frame.f_back is not None and frame.f_globals.get("__package__") == __package__:
+        frame, level = frame.f_back, level + 1
+    return level
 
 
 def _list_of(pairs: Mapping[str, str] | None) -> str | None:
@@ -144,10 +166,14 @@ def run(subcommand: str, *arguments: str, **options: Any) -> Columns:
     >>> list(table)
     ['c', 'force', 'moment', 'force_error', 'moment_error']
     """
-    call = _Call(subcommand, *arguments)
+    return _run([subcommand, *arguments], options)
+
+
+def _run(words: list[str], options: dict[str, Any], notes: list[str] | None = None) -> Columns:
+    call = _Call(*words)
     for name, value in options.items():
         call.option(name, value)
-    return call.run()
+    return call.run(notes)
 
 
 def validate(law: str | Law | Sequence[str | Law] | None = None, *, patch: str | Sequence[str] | None = None) -> Columns:
@@ -211,6 +237,19 @@ def choose(
     )
 
 
+class Fit(Columns):
+    """A fit: its columns by name, and what belongs to all of them.
+
+    `covariance` is the matrix of the parameters' covariances, in the order of the rows, in the product of their units: None without
+    data, for a curve has no noise, and for `friction`. `note` is the fitted model with its assumptions; `notes` are remarks on the fit
+    and how to type its result.
+    """
+
+    covariance: NDArray[np.float64] | None
+    note: str
+    notes: list[str]
+
+
 def fit(
     model: str,
     data: Data | None = None,
@@ -227,22 +266,21 @@ def fit(
     fit_gamma: bool = False,
     largest_radius: float | None = None,
     quiet: bool = False,
-) -> Columns:
+) -> Fit:
     """Fits a friction model to measurements, or an approximation to the exact curve of a law (no `data`).
 
     Models: ellipse, superellipse, quartic, ratio, law (data: load, force, moment[, sigma_force, sigma_moment]); load (data: load and
     radius or moment); friction (with `patch`). `columns` are the data's names where they differ, {"load": "Fz"}; `units` its units where
-    they are not SI, {"length": "mm", "moment": "Nmm", "angle": "deg"}. Columns: parameter, value, std_error, unit, note. Warnings go to
-    standard error, unless `quiet`.
+    they are not SI, {"length": "mm", "moment": "Nmm", "angle": "deg"}. Columns: parameter, value, std_error, unit, note. Warnings are
+    Python's; none, and no notes, if `quiet`.
 
     >>> import limitcurve as lc
     >>> table = lc.fit("ellipse", law="hertz", quiet=True)
     >>> [str(name) for name in table["parameter"]]
     ['force_max', 'moment_max']
     """
-    return run(
-        "fit",
-        model,
+    notes: list[str] = []
+    options = dict(
         data=data,
         columns=_list_of(columns),
         units=_list_of(units),
@@ -255,8 +293,16 @@ def fit(
         gamma=gamma,
         fit_gamma=fit_gamma,
         largest_radius=largest_radius,
+        covariance=data is not None and model != "friction",
         quiet=quiet,
     )
+    columns = _run(["fit", model], options, notes)
+    rows = [columns.pop(name) for name in list(columns) if name.startswith("covariance_")]
+    result = Fit(columns)
+    result.covariance = np.array(rows) if rows else None
+    result.note = str(columns["note"][0])
+    result.notes = notes
+    return result
 
 
 def translate(

@@ -55,12 +55,14 @@ def limit_curve(
     fits: Sequence[str] = ("ellipse",),
     points: Data | None = None,
     mu: float | None = None,
-    radius: float | None = None,
+    radius: ArrayLike | None = None,
+    radius_law: str | None = None,
     ax: Axes | None = None,
 ) -> Axes:
     """Limit curves of one or several laws, in units of mu P and mu P a, with models of `validate` for the first law, listed in `fits`.
 
-    points: measured slips (columns load, force, moment [N, N, N m]); they need mu and the contact radius [m].
+    points: measured slips (columns load, force, moment [N, N, N m]); they need mu and the contact radius [m], one for all, one for each, or
+    a radius law, which gives each the radius at its own load.
     """
     ax = _axes(ax)
     given = [law] if isinstance(law, (str, Law)) else list(law)
@@ -75,7 +77,7 @@ def limit_curve(
         errors = validate(first)
         dashes = itertools.cycle(["--", ":", "-."])
         unequal_ellipses = {"ellipse-least-squares", "ellipse-inner", "ellipse-outer"}
-        for name in fits:
+        for name in (word.replace("_", "-") for word in fits):
             rows = np.flatnonzero(errors["model"] == name)
             if rows.size == 0:
                 raise ValueError(f"fits: got {name!r}, expected one of {', '.join(errors['model'])}")
@@ -88,10 +90,15 @@ def limit_curve(
             worst = 100 * float(errors["max_error"][rows[0]])
             ax.plot(*_model(name, parameter, m0), linestyle=next(dashes), linewidth=1, color="0.3", label=f"{name}, off by up to {worst:.2g} %")
     if points is not None:
-        if mu is None or radius is None:
-            raise ValueError("points: expected mu and radius too, which make them unit wrenches")
+        if mu is None or (radius is None) == (radius_law is None):
+            raise ValueError("points: expected mu and one of radius and radius_law too, which make them unit wrenches")
         data = _columns("points", points)
         limit = mu * data["load"]
+        if radius_law is not None:
+            loads, places = np.unique(data["load"], return_inverse=True)
+            spins = run("p-curves", law=laws[0], radius_law=radius_law, mu=mu, loads=loads, points=2)
+            moments = spins["moment"][spins["c"] == 0]  # of a pure spin at each load: mu P a m0
+            radius = (moments / (mu * loads * laws[0].moment_ratio))[places]
         ax.plot(np.abs(data["force"]) / limit, np.abs(data["moment"]) / (limit * radius), ".", color="0.5", markersize=4, label="measured")
     ax.set(xlabel=r"force $F/(\mu P)$ [1]", ylabel=r"moment $M/(\mu P a)$ [1]", xlim=(0, None), ylim=(0, None))
     ax.legend(frameon=False)

@@ -39,7 +39,7 @@ def test_odd_arguments_are_errors_or_answers():
         (lambda f, m, mu, text: table.load_to_hold(f, m, mu=mu, radius_law=text), 4), (lc.ellipse, 2), (lc.box, 2), (finger.update, 5),
         (lambda a, b, c: lc.SoftFinger(table, mu=a, radius_law=b, projection=c), 3), (lambda a, b: lc.SoftFinger(a, stiffness=b), 2),
         (batch.update, 5), (single.update, 4), (lambda n, dtype: lc.Batch(table, n if not isinstance(n, int) or n < 100 else 3, dtype=dtype), 2),
-        (lc.Patch, 1), (lc.Patch.points, 3), (lc.Patch.polygon, 2), (lc.Patch.image, 2), (patch.wrench, 3), (lambda x, y, m, mu: patch.load_to_hold(x, y, m, mu=mu), 4), (patch.orthotropic, 2),
+        (lc.Patch, 1), (lc.Patch.points, 3), (lc.Patch.polygon, 2), (lc.Patch.image, 2), (lambda a, b: lc.Patch.image(a, spacing=b), 2), (patch.wrench, 3), (lambda x, y, m, mu: patch.load_to_hold(x, y, m, mu=mu), 4), (patch.orthotropic, 2),
         (lambda a, b, c, d, e: lc.apply_friction(table, a, b, limit=c, radius=d, stiffness_ratio=e), 5), (lambda a: lc.SoftFinger(patch, mu=a), 1),
         (lambda a: lc.run("curve", law=a, points=5), 1), (lambda a, b: lc.fit("ratio", a, law=b), 2), (lambda a: lc.translate("hertz", a, 0.5, 1), 1),
         (lambda a, b: lc.replay(a, "hertz", mu=b, stiffness=1000, twist_stiffness=0.04, radius_law="constant:a=0.005"), 2), (lc.run, 2),

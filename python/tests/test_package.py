@@ -11,10 +11,11 @@ import subprocess
 import sys
 
 import limitcurve as lc
+import limitcurve.arrays
 import limitcurve.plot
 import pytest
 
-MODULES = [lc, lc.plot, sys.modules["limitcurve._tables"]]
+MODULES = [lc, lc.plot, lc.arrays, sys.modules["limitcurve._tables"]]
 
 
 def documented():

@@ -27,6 +27,10 @@ def test_limit_curve_with_points_and_fits():
     inner = ax.lines[2].get_data()  # an ellipse inside: no point of it is beyond the curve
     assert lc.Table("hertz", 1e-8).gauge(*inner).max() <= 1 + 1e-6
     assert np.allclose(ax.lines[-1].get_data()[0], 0.5)
+    loads = np.array([2.0, 0.5, 2.0])
+    slips = {"load": loads, "force": 0.3 * loads, "moment": 0.1 * 0.6 * loads * 2e-3 * loads ** (1 / 3)}
+    points = lc.plot.limit_curve("hertz", fits=["ellipse_inner"], points=slips, mu=0.6, radius_law="power:c=0.002,gamma=0.3333333333333333").lines[-1]
+    assert np.allclose(points.get_data(), [[0.5] * 3, [0.1] * 3])
     with pytest.raises(ValueError, match="fits: got 'elipse'"):
         lc.plot.limit_curve("hertz", fits=["elipse"])
 

@@ -59,6 +59,20 @@ def test_evaluate_costs_what_the_loop_costs(library, kind):  # noqa: F811
     assert ratio(lambda: mine.evaluate(c), loop, 1.1) <= 1.1
 
 
+def test_a_number_costs_less_than_a_microsecond():
+    table = lc.Table("hertz", 1e-8)
+    nanoseconds = min(least(lambda: [table.evaluate(0.5) for _ in range(10_000)]) for _ in range(3)) / 1e-5
+    print(f"{nanoseconds:.0f} ns")
+    assert nanoseconds < 1000
+
+
+def test_single_precision_costs_no_more_than_double():
+    table = lc.Table("hertz", 1e-8)
+    c = np.random.default_rng(1).uniform(0, 3, N)
+    single = c.astype(np.float32)
+    assert ratio(lambda: table.evaluate(single), lambda: table.evaluate(c), 1.1) <= 1.1
+
+
 @pytest.mark.parametrize("dtype", [np.float64, np.float32])
 def test_a_batch_costs_what_the_loop_costs(library, dtype):  # noqa: F811
     law = handle(library.limitcurve_law_parse, b"hertz")

@@ -44,6 +44,30 @@ def test_fit_of_a_curve_and_of_data(command_line, data):
         same(lc.fit("ratio", given, quiet=True), words)
 
 
+def test_what_a_fit_says(data, capfd):
+    slips = columns(data / "fit/slips.csv")
+    with pytest.warns(UserWarning, match="gross outliers"):
+        fitted = lc.fit("ratio", slips)
+    value, covariance = dict(zip(fitted["parameter"], fitted["value"])), fitted.covariance
+    assert list(fitted) == ["parameter", "value", "std_error", "unit", "note"] and fitted.note == fitted["note"][0]
+    assert np.allclose(np.sqrt(np.diag(covariance)), fitted["std_error"], rtol=1e-12) and np.allclose(covariance, covariance.T, rtol=1e-12)
+    # The ratio is mu_r/mu: the law of errors of a quotient.
+    i, j, k = (list(value).index(name) for name in ("mu", "mu_r", "ratio"))
+    relative = covariance / np.outer(fitted["value"], fitted["value"])
+    assert relative[k, k] == pytest.approx(relative[i, i] + relative[j, j] - 2 * relative[i, j], rel=1e-9)
+    assert any(note.startswith("to type into replay:") for note in fitted.notes)
+    with pytest.warns(UserWarning, match="are the data in metres?") as caught:
+        lc.fit("ratio", {**slips, "moment": 1000 * slips["moment"]})
+    assert caught[0].filename == __file__
+    assert lc.fit("ratio", slips, quiet=True).notes == [] and lc.fit("ellipse", law="hertz").covariance is None
+    assert capfd.readouterr().err == ""
+    assert command_columns(lc.run("fit", "ratio", data=slips, covariance=True, quiet=True)) == [f"covariance_{name}" for name in fitted["parameter"]]
+
+
+def command_columns(table):
+    return [name for name in table if name.startswith("covariance")]
+
+
 def test_translate(command_line):
     same(
         lc.translate("hertz", "hertz:R=0.008,E=2e5", mu=0.6, load=2),

@@ -317,7 +317,7 @@ def test_masked_pixels_have_no_sensor_and_masked_rows_are_none():
     image = np.ma.masked_array(np.ones((4, 6)), mask=np.zeros((4, 6)))
     image[:, 4:] = np.ma.masked
     image.data[:, 4:] = 1e3  # what a dead sensor says
-    with pytest.warns(UserWarning, match="^pressures: masked pixels"):
+    with pytest.warns(UserWarning, match="^pressures: 8 of 24 pixels have no sensor"):
         assert lc.Patch.image(image, 1e-3).moment_ratio == lc.Patch.image(np.ones((4, 4)), 1e-3).moment_ratio
     mask = [0, 0, 0, 1]
     with pytest.warns(UserWarning, match="^x: rows with a masked number are left out, 1 of 4$"):
@@ -359,8 +359,25 @@ def test_an_empty_list_is_not_all_laws():
             call([])
 
 
-@pytest.mark.parametrize("build", [lambda law: lc.Table(law, tolerance=1e-13), lambda law: lc.choose(law, tolerance=1e-10)])
-def test_ctrl_c_ends_the_making_of_a_table(build):
+def slips_of(n):
+    """Load, force and moment of slips with an error of 1 %."""
+    random = np.random.default_rng(2)
+    f, m = TABLE.evaluate(np.tan(random.uniform(0, 1.5, n)))
+    load = random.uniform(1, 3, n)
+    return {"load": load, "force": 0.6 * load * f * (1 + 0.01 * random.normal(size=n)), "moment": 0.0036 * load * m * (1 + 0.01 * random.normal(size=n))}
+
+
+def trace_of(n):
+    t = np.arange(n) * 1e-3
+    return {"time": t, "x": 0.02 * t, "y": 0 * t, "z": 0 * t - 0.002, "twist": 0 * t}
+
+
+@pytest.mark.parametrize("work", [
+    lambda law: lc.Table(law, tolerance=1e-13), lambda law: lc.choose(law, tolerance=1e-10), lambda law: law.evaluate(np.linspace(0, 3, 10**6)),
+    lambda _: lc.Patch.image(np.ones((64, 64)), 1e-3).wrench(np.ones((10**6, 3))), lambda _: lc.fit("law", slips_of(200_000), quiet=True),
+    lambda _: lc.replay(trace_of(10**7), "hertz", radius_law="constant:a=0.006", mu=0.6, stiffness=1000, twist_stiffness=0.036),
+], ids=["table", "choice", "law", "patch", "fit", "replay"])
+def test_ctrl_c_ends_long_work(work):
     radius = np.linspace(0, 1, 2000)
     law = lc.Law.samples(radius, np.sqrt(1 - radius**2) * (1 + 0.5 * np.random.default_rng(1).random(2000)))
 
@@ -372,8 +389,25 @@ def test_ctrl_c_ends_the_making_of_a_table(build):
     signal.setitimer(signal.ITIMER_REAL, 0.3)
     try:
         with pytest.raises(KeyboardInterrupt):
-            build(law)
+            work(law)
     finally:
         signal.setitimer(signal.ITIMER_REAL, 0)
         signal.signal(signal.SIGALRM, before)
     assert time.process_time() - began < 2
+
+
+def test_the_cells_of_a_table_are_its_file(tmp_path):
+    TABLE.save(tmp_path / "t.csv")
+    rows = [line.split(",") for line in (tmp_path / "t.csv").read_text().splitlines() if not line.startswith("#")]
+    places = [rows[0].index(name) for name in ("x", "c0", "c1", "c2", "c3", "c4", "c5", "c6")]
+    written = np.array([[row[0] == "outside", *(float(row[i] or 0) for i in places)] for row in rows[1:] if float(row[1]) < 1])
+    assert TABLE.cells.shape == (len(written), 9) and np.array_equal(TABLE.cells, written)
+    x, c = TABLE.cells[1, 1], TABLE.cells[1, 2:]  # inside, at the beginning of a cell: D = c0, D' = c1
+    assert TABLE.evaluate(x) == pytest.approx((c[1], c[0] - x * c[1]), rel=1e-15)
+
+
+def test_projections_have_either_spelling_and_a_guess():
+    for word in ("closest-point", "closest_point", "c_curve"):
+        lc.SoftFinger(TABLE, projection=word)
+    with pytest.raises(ValueError, match="did you mean 'closest-point'"):
+        lc.SoftFinger(TABLE, projection="closest_pont")

@@ -111,6 +111,24 @@ class Patch(PatchCase):
             self.assertLessEqual(abs(row["power"] / exact["power"] - 1), row["error"])
             self.assertLessEqual(abs(row["fx"] - exact["fx"]), row["error"])
 
+    def test_pixels_need_not_be_square(self):
+        image = self.file("image.csv", "1,1\n1,1\n")
+        for twist in ((1.0, 0.2, 0.3), (0.0, 0.0, 1.0), (0.1, -0.3, 5.0)):
+            (row,) = self.wrenches(f"image:{image},pixel=0.5x0.25", twist)
+            (exact,) = self.wrenches("rectangle:x=1,y=0.5", twist)
+            for name in ("fx", "fy", "moment"):
+                self.assertAlmostEqual(float(row[name]), float(exact[name]), delta=float(row["error"]) + 1e-12)
+        self.refused(f"image:{image},pixel=0.5x", "pixel")
+        self.refused(f"image:{image},pixel=0.5x-1", "pixel", "-1")
+
+    def test_a_pixel_without_sensor_is_said(self):
+        image = self.file("image.csv", "1,B, 3\n,2,nan\n")
+        full = self.file("full.csv", "1,0,3\n0,2,0\n")
+        twists = self.file("twists.csv", "vx,vy,omega\n1,0.2,0.3\n")
+        done = run("patch", "--patch", f"image:{image},pixel=0.1", "--twists", twists)
+        self.assertEqual(done.stdout, run("patch", "--patch", f"image:{full},pixel=0.1", "--twists", twists).stdout)
+        self.assertIn("image.csv: 3 of 6 pixels have no sensor, and count as without pressure", done.stderr)
+
     def test_first_row_of_an_image_has_the_largest_y(self):
         image = self.file("image.csv", "# tactile\n0,0,9\n1,0,0\n")
         # Loads 0.9 and 0.1: their centre of pressure is the origin; the heavy pixel stands right and up of it.
@@ -177,7 +195,7 @@ class Patch(PatchCase):
         self.refused(f"image:{self.file('i.csv', '1,2')}", "pixel")
         self.refused(f"image:{self.file('i.csv', '')},pixel=1", "i.csv:1:1", "empty")
         self.refused(f"image:{self.file('i.csv', '1,2' + chr(10) + '3' + chr(10))},pixel=1", "i.csv:2:2", "expected 2")
-        self.refused(f"image:{self.file('i.csv', '1,2' + chr(10) + '3,nan' + chr(10))},pixel=1", "i.csv:2:3")
+        self.refused(f"image:{self.file('i.csv', '1,2' + chr(10) + '3,x' + chr(10))},pixel=1", "i.csv:2:3")
         self.refused(f"image:{self.file('i.csv', '1,2' + chr(10) + '3,-4' + chr(10))},pixel=1", "i.csv:2:3", "-4")
         self.refused(f"image:{self.file('i.csv', '0,0' + chr(10))},pixel=1", "pressure 0")
 

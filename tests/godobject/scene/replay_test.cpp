@@ -297,6 +297,7 @@ TEST(Kinds, ReadBackAsTheyArePrinted) {
   for (const Projection kind : projections) EXPECT_EQ(parse_projection(to_string(kind)), kind);
   EXPECT_THROW(static_cast<void>(parse_curve_kind("circle")), std::invalid_argument);
   EXPECT_THROW(static_cast<void>(parse_projection("")), std::invalid_argument);
+  EXPECT_EQ(parse_projection("closest_point"), Projection::closest_point);
 }
 
 }  // namespace
