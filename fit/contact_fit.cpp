@@ -249,6 +249,7 @@ ContactFit fit_contact(std::span<const Sample> samples, const ContactModel& mode
     const ContactPreparation preparation = internal::prepare(samples, with);
     ContactFit fit = internal::fit_prepared(preparation, model, with);
     internal::check_assumptions(fit, samples, model, with);
+    if (internal::is_exact(model)) internal::test_scatter(fit, samples, with.gamma, false);
     return fit;
   });
 }

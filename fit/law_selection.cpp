@@ -67,6 +67,7 @@ LawSelection select_by(std::span<const Sample> samples, const ContactFitOptions&
       internal::note_of(best.model + " (best of " + std::to_string(models.size()) + " laws by AICc; the errors include the choice)",
                         options, preparation.with_sigma);
   include_choice(best.report, selection.candidates);
+  internal::test_scatter(best, samples, options.gamma, true);
   std::string rivals;
   std::string ties;
   for (const ContactFit& candidate : selection.candidates) {

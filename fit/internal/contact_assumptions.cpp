@@ -5,6 +5,10 @@
 #include "fit/internal/warnings.hpp"
 #include "limitcurve/internal/number.hpp"
 
+#include <Eigen/Dense>
+#include <boost/math/distributions/fisher_f.hpp>
+
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <stdexcept>
@@ -44,6 +48,59 @@ void check_assumptions(ContactFit& fit, std::span<const Sample> samples, const C
   }
   warn_of_outliers(fit.report, fit.outliers, options.loss);
   if (!options.fit_gamma) warn_of_growth(fit.report, options.gamma, gamma, spare, rms);
+}
+
+void test_scatter(ContactFit& fit, std::span<const Sample> samples, double gamma, bool widen) {
+  constexpr Eigen::Index terms = 4;
+  FitReport& report = fit.report;
+  const double mu = report.estimates[0].value;
+  const double mu_r = report.estimates[1].value;
+  for (const Estimate& estimate : report.estimates) {
+    if (estimate.name == "gamma") gamma = estimate.value;
+  }
+  const auto count = static_cast<Eigen::Index>(samples.size() - fit.outliers.size());
+  Eigen::MatrixXd columns(count, terms);
+  Eigen::VectorXd residuals(count);
+  std::vector<double> distances;
+  Eigen::Index row = 0;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const double force = mu * samples[i].load;
+    const double moment = mu_r * std::pow(samples[i].load, 1.0 + gamma);
+    const double angle = std::atan2(std::fabs(samples[i].moment) / moment, std::fabs(samples[i].force) / force);
+    // A standard deviation in the normalised plane.
+    const double noise = samples[i].sigma_force > 0.0 ? std::hypot(std::cos(angle) * samples[i].sigma_force / force,
+                                                                   std::sin(angle) * samples[i].sigma_moment / moment)
+                                                      : report.rms;
+    distances.push_back(fit.residuals[i] * noise);
+    if (std::find(fit.outliers.begin(), fit.outliers.end(), i) != fit.outliers.end()) continue;
+    for (Eigen::Index k = 0; k < terms; ++k) columns(row, k) = std::cos(2.0 * static_cast<double>(k) * angle) / noise;
+    residuals[row++] = fit.residuals[i];
+  }
+  warn_of_rows_inside(report, distances);
+  const auto spare = static_cast<double>(count) - static_cast<double>(terms) - 1.0;
+  const auto fitted = static_cast<Eigen::Index>(report.free_parameters);
+  if (!(spare > 0.0) || fitted >= terms || report.rms < perfect) return;
+  const Eigen::VectorXd trend = columns.colPivHouseholderQr().solve(residuals);
+  const double after = (residuals - columns * trend).squaredNorm();
+  const auto freedom = static_cast<double>(terms - fitted);
+  const double ratio = (residuals.squaredNorm() - after) / freedom / (after / spare);
+  const double chance = boost::math::cdf(boost::math::complement(boost::math::fisher_f(freedom, spare), std::max(ratio, 0.0)));
+  if (!(chance < 0.01)) return;
+  const double at_slide = trend.sum();
+  const double at_twist = trend[0] - trend[1] + trend[2] - trend[3];
+  for (Estimate& estimate : report.estimates) {
+    if (!widen) break;
+    const bool of_both = estimate.name == "ratio" || estimate.name == "radius" || estimate.name == "c";
+    if (estimate.name != "mu" && estimate.name != "mu_r" && !of_both) continue;
+    const double off = estimate.name == "mu" ? at_slide : estimate.name == "mu_r" ? at_twist : at_twist - at_slide;
+    estimate.std_error = std::hypot(estimate.std_error, off * estimate.value);
+  }
+  if (chance < 1.0 / 2000.0) {
+    report.warnings.push_back("the samples do not scatter evenly about the curve of " + fit.model + ": mu may be off by " +
+                              brief(100.0 * std::fabs(at_slide)) + " %, mu_r by " + brief(100.0 * std::fabs(at_twist)) +
+                              (widen ? " %, which the standard errors include" : " %, which the standard errors leave out") +
+                              ". Another pressure law, or a wrong zero of the sensor?");
+  }
 }
 
 std::string note_of(const std::string& model, const ContactFitOptions& options, bool with_sigma) {

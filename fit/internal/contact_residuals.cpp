@@ -77,6 +77,20 @@ bool ContactResiduals::evaluate(std::size_t i, std::span<const double> parameter
     t = -1.0;
     return false;
   }
+  const auto distance_at = [&](double there) {
+    const PlanePoint point = curve_.at(there).point;
+    return std::hypot(at.x - scale.x * point.x, at.y - scale.y * point.y);
+  };
+  // Well inside the curve the distance has two minima, one towards each end: a search finds the nearer of them only by chance.
+  constexpr double well_inside = 0.05;
+  const PlanePoint nearest = curve_.at(t).point;
+  const double size = std::hypot(scale.x * nearest.x, scale.y * nearest.y);
+  if (std::hypot(at.x, at.y) < (1.0 - well_inside) * size) {
+    for (const double end : {0.0, 1.0}) {
+      const double other = closest(at, scale, end);
+      if (distance_at(other) < distance_at(t)) t = other;
+    }
+  }
   const UnitCurve::Place place = curve_.at(t);
   const PlanePoint on_curve{scale.x * place.point.x, scale.y * place.point.y};
   const double outward_x = scale.y * place.tangent.y;

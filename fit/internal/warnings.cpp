@@ -43,6 +43,15 @@ void warn_of_outliers(FitReport& report, const std::vector<std::size_t>& outlier
                             (loss.kind == Loss::Kind::squared ? " The squared loss follows them; Cauchy's does not" : ""));
 }
 
+void warn_of_rows_inside(FitReport& report, std::span<const double> distances) {
+  constexpr double far_inside = -0.5;
+  constexpr double many = 0.05;
+  const auto inside = std::count_if(distances.begin(), distances.end(), [](double distance) { return distance < far_inside; });
+  if (static_cast<double>(inside) <= many * static_cast<double>(distances.size())) return;
+  report.warnings.push_back(std::to_string(inside) + " of " + std::to_string(distances.size()) +
+                            " rows lie inside the curve by more than half of it: taken while the finger held? Fit slips only");
+}
+
 void warn_of_growth(FitReport& report, double assumed, const Estimate& gamma, double spare, double rms) {
   const double difference = std::fabs(gamma.value - assumed);
   // Ignore the last digits of exact data.

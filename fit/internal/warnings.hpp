@@ -6,6 +6,7 @@
 #include "fit/measurements.hpp"
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,10 @@ std::vector<std::size_t> outliers_of(const Solution& robust, bool with_sigma, do
 
 /// Adds a warning with the outliers (0 is the first row), if any, of a fit with `loss`.
 void warn_of_outliers(FitReport& report, const std::vector<std::size_t>& outliers, const Loss& loss);
+
+/// Warns if more than 5 % of the rows lie inside the curve by more than half of the limits (`distances` from it are relative to them). Rows
+/// that were taken while the finger held are no slips.
+void warn_of_rows_inside(FitReport& report, std::span<const double> distances);
 
 /// Adds a warning if `gamma`, fitted with `spare` more rows than parameters and this rms, differs from the assumed gamma by more than
 /// chance gives in one of 2000 data sets (Student's distribution).

@@ -64,6 +64,13 @@ class Fit(CommandLineTest):
         value = {line.split(",")[0]: float(line.split(",")[1]) for line in done.stdout.splitlines()[1:]}
         self.assert_close(value["p_value"], math.erfc(math.sqrt(value["chi_squared"] / 2)), 1e-12)
 
+    def test_rows_that_stick_are_warned_of(self):
+        # Huber's loss said mu = 0.6635 +- 0.0050 for 0.75, without a word.
+        for loss in ("squared", "huber", "cauchy"):
+            said = self.fitted("ratio", "--loss", loss, "--data", DATA / "fit" / "sensor_log.csv")[1]
+            self.assertIn("of 2000 rows lie inside the curve", said)
+        self.assertNotIn("inside", self.fitted("ratio", "--loss", "huber", "--data", DATA / "fit" / "slips.csv")[1])
+
     def renamed(self, source, names, factors):
         """A copy of a file with other names of columns, and numbers in other units."""
         lines = [line for line in Path(source).read_text().splitlines() if not line.startswith("#")]
