@@ -12,8 +12,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <string>
 #include <numbers>
+#include <string>
 #include <utility>
 
 namespace limitcurve::stability {

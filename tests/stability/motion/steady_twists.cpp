@@ -163,7 +163,8 @@ Hazard growing_radius() {
     found.findings.push_back(
         {"a radius that grows with the load", method,
          std::string("friction force of a steady twist [N], c = 5 mm, a = 6 mm at 1 N, a ∝ P^⅓, μP = 0.6 N, ") + micrometres + " µm a step",
-         SteadyTwist::mu * twist.settled(table, projection, step, static_cast<int>(std::lround(0.04 / step))).force, ours, "Projection.GrowingRadius"});
+         SteadyTwist::mu * twist.settled(table, projection, step, static_cast<int>(std::lround(0.04 / step))).force, ours,
+         "Projection.GrowingRadius"});
   };
   add_finding("exact curve, radial projection", Projection::radial, 1e-5, "10");
   for (const auto& [step, micrometres] : {std::pair{1e-5, "10"}, {1e-4, "100"}, {1e-6, "1"}}) {
