@@ -46,7 +46,7 @@ namespace {
 std::filesystem::path temporary_name(const std::filesystem::path& target) {
   std::random_device random;
   std::string name = ".limitcurve";
-  for (int i = 0; i < 4; ++i) name += "-" + std::to_string(random());
+  for (int i = 0; i < 4; ++i) name.append(1, '-').append(std::to_string(random()));
   return target.parent_path() / (name + ".tmp");
 }
 
