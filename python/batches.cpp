@@ -156,6 +156,7 @@ void add_batches(nb::module_& module) {
       "__init__",
       [](PyBatch* self, nb::handle curve, std::size_t n, nb::handle dtype, nb::kwargs given) {
         const bool single = is_single_precision(dtype);
+        read_files(given);
         PyBatch made{.contacts = {}, .curve = nb::borrow(curve), .given = copy_of(given)};
         made.given["n"] = n;
         made.given["dtype"] = dtype;

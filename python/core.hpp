@@ -103,6 +103,8 @@ Law law_of(nb::handle law);
 template <class Real>
 godobject::BasicFingerCurve<Real> curve_of(nb::handle curve);
 
+/// Puts what a radius law's file holds in place of its name: (text, loads, values).
+void read_files(nb::kwargs& given);
 /// Parameters by their C++ names; `moment_ratio` is the curve's m₀, for a radius law from measured moments. TypeError for an unknown name,
 /// ValueError for a bad number or radius law.
 godobject::FingerParameters parameters_of(const nb::kwargs& given, double moment_ratio);

@@ -7,12 +7,17 @@
 
 #include <nanobind/eigen/dense.h>
 #include <nanobind/stl/optional.h>
+#include <nanobind/stl/tuple.h>
+#include <nanobind/stl/vector.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <map>
 #include <stdexcept>
 #include <string_view>
+#include <tuple>
+#include <vector>
 
 namespace limitcurve::python {
 
@@ -43,6 +48,9 @@ const std::map<std::string, std::function<void(FingerParameters&, double)>, std:
   "gamma: float = 0.0, mu_r_dynamic: float | None = None, stiffness: float = 1000.0, twist_stiffness: float = "                            \
   "0.04, damping: float = 0.0, twist_damping: float = 0.0, rest_margin: float = 0.4, max_displacement: float = 0.5, fault_decay: float = " \
   "0.99"
+
+/// A radius law's text, and the rows of its file.
+using RadiusRows = std::tuple<std::string, std::vector<double>, std::vector<double>>;
 
 /// A finger with what it was made from.
 struct PyFinger : SoftFinger {
@@ -140,6 +148,7 @@ void add_finger_types(nb::module_& module) {
       .def(
           "__init__",
           [](PyFinger* self, nb::handle curve, nb::kwargs given) {
+            read_files(given);
             const nb::dict all = copy_of(given);
             const Projection projection = take_projection(given);
             FingerCurve on = curve_of<double>(curve);
@@ -246,12 +255,32 @@ std::string present_name(const std::string& name) {
 
 }  // namespace
 
+void read_files(nb::kwargs& given) {
+  if (!given.contains("radius_law") || !nb::isinstance<nb::str>(given["radius_law"])) return;
+  const auto argument = cli::read_radius_law(nb::cast<std::string>(given["radius_law"]));
+  if (argument.rows().empty()) return;
+  RadiusRows rows{argument.text(), {}, {}};
+  for (const LoadSample& sample : argument.rows()) {
+    std::get<1>(rows).push_back(sample.load);
+    std::get<2>(rows).push_back(sample.value);
+  }
+  given["radius_law"] = rows;
+}
+
 FingerParameters parameters_of(const nb::kwargs& given, double moment_ratio) {
   FingerParameters parameters;
   std::optional<cli::RadiusLawArgument> radius_law;
   for (const auto& [key, value] : given) {
     const auto name = present_name(nb::cast<std::string>(key));
     if (name == "radius_law") {
+      RadiusRows rows;
+      if (nb::try_cast(value, rows)) {
+        const auto& [text, loads, values] = rows;
+        std::vector<LoadSample> samples;
+        for (std::size_t i = 0; i < std::min(loads.size(), values.size()); ++i) samples.push_back({loads[i], values[i]});
+        radius_law.emplace(text, std::move(samples));
+        continue;
+      }
       if (!nb::isinstance<nb::str>(value)) throw std::invalid_argument("radius_law: expected a text, such as 'constant:a=0.005'");
       radius_law = cli::read_radius_law(nb::cast<std::string>(value));
       continue;

@@ -57,21 +57,26 @@ Law law_of(const std::string& text, const std::vector<PressureSample>& profile) 
   return file ? made_of(*file, [&] { return samples(profile, *file); }) : parse_law(text);
 }
 
+RadiusLawArgument::RadiusLawArgument(std::string text, std::vector<LoadSample> rows) : text_(std::move(text)), rows_(std::move(rows)) {
+  if (measured_file(text_, "moments")) return;
+  const auto file = measured_file(text_, "samples");
+  law_ = file ? made_of(*file, [&] { return RadiusLaw::sampled(rows_); }) : RadiusLaw::parse(text_);
+}
+
 RadiusLaw RadiusLawArgument::of(double mu, const Law& law) const {
   return law_ ? *law_ : of(mu, law->moment_ratio());
 }
 
 RadiusLaw RadiusLawArgument::of(double mu, double moment_ratio) const {
   if (law_) return *law_;
-  return made_of(file_ + ": as radii, a = moment/(m0 mu load)", [&] { return RadiusLaw::of_moments(moments_, mu, moment_ratio); });
+  return made_of(*measured_file(text_, "moments") + ": as radii, a = moment/(m0 mu load)",
+                 [&] { return RadiusLaw::of_moments(rows_, mu, moment_ratio); });
 }
 
 RadiusLawArgument read_radius_law(const std::string& text) {
-  if (const auto file = measured_file(text, "moments")) return {*file, read_load_samples(*file, "moment")};
-  const auto file = measured_file(text, "samples");
-  if (!file) return RadiusLaw::parse(text);
-  const std::vector<LoadSample> radii = read_load_samples(*file, "radius");
-  return made_of(*file, [&] { return RadiusLaw::sampled(radii); });
+  if (const auto file = measured_file(text, "moments")) return {text, read_load_samples(*file, "moment")};
+  if (const auto file = measured_file(text, "samples")) return {text, read_load_samples(*file, "radius")};
+  return {text, {}};
 }
 
 }  // namespace limitcurve::cli

@@ -23,18 +23,20 @@ Law law_of(const std::string& text, const std::vector<PressureSample>& profile);
 /// A radius law on a command line. Measured moment limits become a radius law once friction and pressure law are known: Γ(P) = m₀ μ P a(P).
 class RadiusLawArgument {
  public:
-  RadiusLawArgument(RadiusLaw law) : law_(std::move(law)) {}  // NOLINT: meant to convert
-  RadiusLawArgument(std::string file, std::vector<LoadSample> moments) : file_(std::move(file)), moments_(std::move(moments)) {}
+  /// The radius law that a text means, with the rows of its file, if it names one.
+  RadiusLawArgument(std::string text, std::vector<LoadSample> rows);
 
   /// Throws std::invalid_argument with the file's name if its moments give no radius law.
   [[nodiscard]] RadiusLaw of(double mu, const Law& law) const;
   /// The same from the law's m₀.
   [[nodiscard]] RadiusLaw of(double mu, double moment_ratio) const;
+  [[nodiscard]] const std::string& text() const noexcept { return text_; }
+  [[nodiscard]] const std::vector<LoadSample>& rows() const noexcept { return rows_; }
 
  private:
-  std::optional<RadiusLaw> law_;
-  std::string file_;
-  std::vector<LoadSample> moments_;
+  std::string text_;
+  std::vector<LoadSample> rows_;
+  std::optional<RadiusLaw> law_;  ///< nothing for measured moments
 };
 
 /// Reads a radius law from a command line: the library's grammar; `samples:FILE.csv`, measured radii with the columns load,radius [N, m];

@@ -7,9 +7,13 @@
 #include "cli/io/number_list.hpp"
 
 #include "limitcurve/internal/did_you_mean.hpp"
+#include "limitcurve/internal/number.hpp"
 #include "limitcurve/pressure_law.hpp"
 
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <optional>
 #include <stdexcept>
 #include <string_view>
 #include <vector>
@@ -54,6 +58,16 @@ void read_items(std::string_view items, const std::vector<KeyValue>& keys) {
   if (!items.empty() || required) read_key_values(items, keys);
 }
 
+/// Calls `work`, whose errors get a prefix.
+template <class Work>
+auto with_prefix(const std::string& prefix, const Work& work) {
+  try {
+    return work();
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(prefix + error.what());
+  }
+}
+
 /// All numbers of a file with these columns.
 void read_columns(PatchArgument& patch, const std::vector<std::string>& columns) {
   CsvReader reader(patch.file, columns);
@@ -64,18 +78,84 @@ void read_columns(PatchArgument& patch, const std::vector<std::string>& columns)
   }
 }
 
-void read_pixels(PatchArgument& patch) {
+std::string_view trimmed(std::string_view text) {
+  text.remove_prefix(std::min(text.find_first_not_of(" \t\r"), text.size()));
+  return text.substr(0, text.find_last_not_of(" \t\r") + 1);
+}
+
+/// Adds a pixel; `number` reads what is one.
+template <class Number>
+void add_pixel(PatchArgument& patch, std::string_view text, const Number& number) {
+  text = trimmed(text);
+  const bool has_sensor = !text.empty() && text != "B" && text != "nan" && text != "NaN";
+  patch.numbers.push_back(has_sensor ? number() : 0.0);
+  if (!has_sensor) ++patch.without_sensor;
+}
+
+/// Tekscan's ASCII files: lines KEY VALUE up to ASCII_DATA, then frames, each a line `Frame N` and its rows, up to `@@`. Takes the sides of a
+/// pixel from the header unless they are known, and one frame, which must be named if there are several. False if the file is none.
+bool read_tekscan(PatchArgument& patch, std::optional<double> frame) {
+  if (!std::filesystem::is_regular_file(patch.file)) return false;
+  std::ifstream file(patch.file);
+  std::string line;
+  std::size_t number = 0;
+  const auto next = [&] { return ++number, static_cast<bool>(std::getline(file, line)); };
+  if (!next() || !line.starts_with("DATA_TYPE")) return false;
+  const auto in_place = [&](const auto& work) { return with_prefix(patch.file + ":" + std::to_string(number) + ":1: ", work); };
+  double row_spacing = patch.y;
+  double column_spacing = patch.x;
+  const auto spacing = [&](std::string_view value) {
+    const std::size_t blank = value.find(' ');
+    if (blank == std::string_view::npos || trimmed(value.substr(blank)) != "mm")
+      throw std::invalid_argument("got '" + std::string(value) + "', expected a length in mm");
+    return 1e-3 * read_number(value.substr(0, blank), positive);
+  };
+  while (next() && !line.starts_with("ASCII_DATA")) {
+    const std::string_view all = trimmed(line);
+    const std::string_view value = trimmed(all.substr(std::min(all.find(' '), all.size())));
+    if (all.starts_with("ROW_SPACING ") && patch.y == 0.0) row_spacing = in_place([&] { return spacing(value); });
+    if (all.starts_with("COL_SPACING ") && patch.x == 0.0) column_spacing = in_place([&] { return spacing(value); });
+  }
+  patch.x = column_spacing;
+  patch.y = row_spacing;
+  std::size_t frames = 0;
+  bool wanted = false;
+  while (next() && !line.starts_with("@@")) {
+    const std::string_view all = trimmed(line);
+    if (all.starts_with("Frame")) {
+      const double index = in_place([&] { return read_number(trimmed(all.substr(5)), finite); });
+      wanted = !frame || index == *frame;
+      if (wanted && ++frames > 1) in_place([] { throw std::invalid_argument("a second frame, expected frame=N, which says the one"); });
+    } else if (wanted && !all.empty()) {
+      const std::size_t before = patch.numbers.size();
+      for (std::size_t begin = 0; begin <= all.size();) {
+        const std::size_t end = std::min(all.find(',', begin), all.size());
+        const std::string_view text = all.substr(begin, end - begin);
+        add_pixel(patch, text, [&] { return in_place([&] { return read_number(trimmed(text), non_negative); }); });
+        begin = end + 1;
+      }
+      const std::size_t columns = patch.numbers.size() - before;
+      if (before > 0 && columns != patch.columns) {
+        in_place([&] {
+          throw std::invalid_argument(std::to_string(columns) + " pixels, expected " + std::to_string(patch.columns) +
+                                      " as in the first row");
+        });
+      }
+      patch.columns = columns;
+    }
+  }
+  if (frames == 0) throw std::invalid_argument(patch.file + ": no frame" + (frame ? " " + format_number(*frame) : ""));
+  return true;
+}
+
+void read_pixels(PatchArgument& patch, std::optional<double> frame) {
+  if (read_tekscan(patch, frame)) return;
+  if (frame) throw std::invalid_argument("frame: only for a file of Tekscan's, which begins with DATA_TYPE");
   CsvReader reader(patch.file);
   while (reader.next()) {
     patch.columns = reader.field_count();
-    for (std::size_t column = 0; column < patch.columns; ++column) {
-      std::string_view text = reader.text(column);
-      text.remove_prefix(std::min(text.find_first_not_of(" \t"), text.size()));
-      text = text.substr(0, text.find_last_not_of(" \t") + 1);
-      const bool has_sensor = !text.empty() && text != "B" && text != "nan" && text != "NaN";
-      patch.numbers.push_back(has_sensor ? reader.number(column, non_negative) : 0.0);
-      if (!has_sensor) ++patch.without_sensor;
-    }
+    for (std::size_t column = 0; column < patch.columns; ++column)
+      add_pixel(patch, reader.text(column), [&] { return reader.number(column, non_negative); });
   }
 }
 
@@ -95,8 +175,13 @@ PatchArgument parse(std::string_view kind, std::string_view rest) {
     read_columns(patch, kind == "points" ? std::vector<std::string>{"x", "y", "load"} : std::vector<std::string>{"x", "y"});
   } else if (kind == "image") {
     patch.file = split_file(rest, items);
-    read_items(items, with_factors({{"pixel", [&](std::string_view text) { read_pixel(text, patch); }, true, "SIDE or XxY"}}, patch));
-    read_pixels(patch);
+    std::optional<double> frame;
+    const auto take_frame = [&](std::string_view text) { frame = read_number(text, finite); };
+    read_items(items, with_factors({{"pixel", [&](std::string_view text) { read_pixel(text, patch); }, false, "SIDE or XxY"},
+                                    {"frame", take_frame, false}},
+                                   patch));
+    read_pixels(patch, frame);
+    if (patch.x == 0.0 || patch.y == 0.0) throw std::invalid_argument("no pixel=…, expected the sides of a pixel [m]");
   } else if (kind == "rectangle") {
     read_items(rest, with_factors({number_key("x", patch.x, positive), number_key("y", patch.y, positive)}, patch));
   } else if (kind == "ellipse") {
@@ -111,16 +196,6 @@ PatchArgument parse(std::string_view kind, std::string_view rest) {
     refuse_kind(kind, ':' + std::string(rest));
   }
   return patch;
-}
-
-/// Calls `work`, whose errors get a prefix.
-template <class Work>
-auto with_prefix(const std::string& prefix, const Work& work) {
-  try {
-    return work();
-  } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument(prefix + error.what());
-  }
 }
 
 std::string in_quotes(const std::string& text) {

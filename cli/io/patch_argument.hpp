@@ -37,7 +37,7 @@ struct PatchArgument {
 /// Reads a patch from a command line: `points:FILE.csv` (columns x,y,load), `polygon:FILE.csv` (x,y), `rectangle:x=0.02,y=0.01` (full
 /// sides), `ellipse:law=hertz,a=0.004,b=0.002`, `image:FILE.csv,pixel=0.0005` (rows of pressures, no header; `pixel=0.004x0.005` along x
 /// and y), each with `,mx=…,my=…` if friction differs along x and y. An empty pixel, `B` or `nan` has no sensor, and counts as without
-/// pressure. Throws std::invalid_argument with the place of the error in the text or in the file.
+/// pressure. An image may be an ASCII file of Tekscan's, whose header has the sides of a pixel; `frame=2` says which of its frames. Throws std::invalid_argument with the place of the error in the text or in the file.
 PatchArgument parse_patch(const std::string& text);
 /// The patch itself; says its note.
 Patch read_patch(const std::string& text, Messages* messages = nullptr);

@@ -76,6 +76,23 @@ def test_a_finger_goes_on_where_it_was(way, contact):
     assert str(mine.state) == "slip"
 
 
+@pytest.mark.parametrize("rows", ["load,radius\n1,0.004\n2,0.006\n", "load,moment\n1,0.001\n2,0.003\n"])
+def test_a_measured_radius_law_needs_its_file_once(rows, tmp_path):
+    path = tmp_path / "radii.csv"
+    path.write_text(rows)
+    given = {"mu": 0.6, "radius_law": f"{'moments' if 'moment' in rows else 'samples'}:{path}"}
+    finger, batch = lc.SoftFinger(lc.Table("hertz"), **given), lc.Batch(lc.Table("hertz"), 1, **given)
+    path.unlink()
+    other, other_batch = again(finger), again(batch)
+    for one in (finger, other):
+        for twist in (0.0, 0.5):
+            one.update((0, 0, 0), (0, 0, 1), 0.0013, twist)
+    for one in (batch, other_batch):
+        for twist in (0.0, 0.5):
+            one.update(0.0, 0.0, 0.0013, twist)
+    assert finger.output.moment == other.output.moment < 0 and batch.moment[0] == other_batch.moment[0] < 0
+
+
 @pytest.mark.parametrize("way", [again, copy.copy, copy.deepcopy])
 @pytest.mark.parametrize("dtype", ["float64", "float32"])
 def test_a_batch_goes_on_where_it_was(way, dtype):
