@@ -250,8 +250,9 @@ class Replay final : public Subcommand {
       const std::size_t unsolved = replay.unsolved();
       replay.step(trace.time(), trace.fingers(), trace.body());
       if (replay.unsolved() > unsolved) {
-        results.messages->say("limitcurve: time " + format_number(trace.time()) +
-                              " s: the step of the body was not solved; its momentum is right, its position approximate: a smaller time step may help");
+        results.messages->say(
+            "limitcurve: time " + format_number(trace.time()) +
+            " s: the step of the body was not solved; its momentum is right, its position approximate: a smaller time step may help");
       }
       rows.row_by([&](const auto& cell) {
         cell(trace.time());

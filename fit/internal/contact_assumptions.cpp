@@ -97,7 +97,8 @@ void test_scatter(ContactFit& fit, std::span<const Sample> samples, double gamma
   }
   if (chance < 1.0 / 2000.0) {
     report.warnings.push_back("the samples do not scatter evenly about the curve of " + fit.model + ": mu may be off by " +
-                              brief(100.0 * std::fabs(at_slide)) + " %, mu_r by " + brief(100.0 * std::fabs(at_twist)) +
+                              format_number(100.0 * std::fabs(at_slide), 3) + " %, mu_r by " +
+                              format_number(100.0 * std::fabs(at_twist), 3) +
                               (widen ? " %, which the standard errors include" : " %, which the standard errors leave out") +
                               ". Another pressure law, or a wrong zero of the sensor?");
   }

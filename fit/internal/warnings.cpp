@@ -18,7 +18,6 @@ std::string listed(const char* one, const char* several, const std::vector<std::
   return places.size() > most ? text + " and " + std::to_string(places.size() - most) + " more" : text;
 }
 
-
 std::vector<std::size_t> outliers_of(const Solution& robust, bool with_sigma, double noise) {
   const auto count = static_cast<double>(robust.residuals.size());
   const double spare = count - static_cast<double>(robust.values.size());

@@ -372,7 +372,7 @@ TEST(BruteForce, AFingerWrittenOutDoesTheSame) {
       ASSERT_LE((found.proxy - eigen(expected.proxy)).norm(), force / with.stiffness) << where;
       ASSERT_NEAR(found.load, expected.load, force) << where;
       ASSERT_NEAR(found.moment, expected.moment, force * model.radius(load)) << where;
-// In the air the angle counts as an angle, whichever way the twist was unwrapped in contact.
+      // In the air the angle counts as an angle, whichever way the twist was unwrapped in contact.
       const double turn = found.angle - expected.angle;
       ASSERT_LE(std::fabs(expected.touches ? turn : std::remainder(turn, 2.0 * pi)),
                 force * model.radius(load) / with.twist_stiffness + 1e-14)

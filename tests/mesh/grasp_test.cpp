@@ -89,8 +89,7 @@ TEST(MeshGrasp, ARidgeAddsNoMoreThanItsBound) {
     if (round % 2 == 0) body.free = {true, true, false, false, false, true};
     const AnySurface ball{MeshSurface(Mesh(ball_triangles(0.02, 1 + round % 3)))};
     const double stiffness = 1000.0;
-    const SoftFinger finger =
-        hertz_finger(parameters(round / 6 % 4 == 3 ? 0.6 : 0.0, 0.005, stiffness));
+    const SoftFinger finger = hertz_finger(parameters(round / 6 % 4 == 3 ? 0.6 : 0.0, 0.005, stiffness));
     Grasp grasp(body, BodyState{}, ball, {finger, finger});
     const auto any = [&](double size) {
       return Vector3d(random.uniform(-size, size), random.uniform(-size, size), random.uniform(-size, size));
