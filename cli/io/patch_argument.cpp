@@ -235,7 +235,7 @@ std::string PatchArgument::note() const {
 PatchArgument parse_patch(const std::string& text) {
   const std::size_t colon = text.find(':');
   const std::string_view all = text;
-  return with_prefix(in_quotes(text), [&] {
+  return with_prefix("patch '" + text + "': ", [&] {
     if (colon == std::string::npos) refuse_kind(all, {});
     PatchArgument patch = parse(all.substr(0, colon), all.substr(colon + 1));
     patch.text = text;

@@ -20,7 +20,7 @@ FILE = Path(__file__).with_name("recorded.record")
 TOLERANCE = 1e-9
 # Below these magnitudes a column is only rounding [m, rad, N, N m]; other columns have no unit.
 FLOORS = {**dict.fromkeys(["px", "py", "pz", "depth", "bx", "by", "bz", "x", "y", "grip_slip"], 1e-3), "angle": 1e-2, "moment": 1e-5, "friction_moment": 1e-5,
-          **dict.fromkeys(["fx", "fy", "fz", "load", "friction_force", "r", "trial_r"], 1e-2), "rho": 1e-5, "trial_rho": 1e-5}
+          **dict.fromkeys(["fx", "fy", "fz", "load", "friction_force"], 1e-2), "r": 1e-5, "trial_r": 1e-5, "rho": 1e-4, "trial_rho": 1e-4}
 
 
 def read_cases():

@@ -33,7 +33,7 @@ class ReportPage(CommandLineTest):
         self.assert_one_meaning_of_lost(page, out)
         # Each figure says what to do about it; a number without an error has none on the page.
         self.assertEqual(page.count('<p class="use">'), page.count("<figure "))
-        self.assertRegex(page, r"<td>p_value</td><td[^>]*>[\d.]+</td><td>–</td>")
+        self.assertRegex(page, r"<td>chi_squared_per_n</td><td[^>]*>[\d.]+</td><td>–</td>")
 
     def assert_one_meaning_of_lost(self, page, out):
         """The angles on the page are those at which the block is lost, as in the map."""

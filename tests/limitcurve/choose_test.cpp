@@ -88,7 +88,7 @@ TEST(Choose, FractionsAsPeopleReadThem) {
   EXPECT_EQ(in_percent(0.01), "1 %");
   EXPECT_EQ(in_percent(1.26), "126 %");
   EXPECT_EQ(in_percent(0.00087), "0.087 %");
-  EXPECT_EQ(in_percent(2e-6), "2e-06");
+  EXPECT_EQ(in_percent(2e-6), "2.0e-06");
   EXPECT_EQ(in_percent(0.0), "0");
 }
 
