@@ -49,9 +49,7 @@ class Fit final : public Subcommand {
   void declare(Options& options) override {
     options.choice("MODEL", model_, models, "What to fit", Presence::required);
     options.text("--data", data_, "FILE", "CSV of measurements, or - for standard input");
-    options.text("--columns", columns_, "LIST", "The file's names of columns, such as load=Fz,force=Fxy,moment=Tz");
-    options.text("--units", units_, "LIST",
-                 "The file's units: length=m|cm|mm|um, force=N|mN|kN, moment=Nm|Ncm|Nmm|mNm|uNm, angle=rad|deg (default m, N, Nm, rad)");
+    options.file_columns(columns_, units_);
     options.law(law_, Presence::optional);
     options.text("--patch", patch_, "PATCH", "For friction: the pressure patch");
     options.number("--load", load_, positive, "For friction: normal load P [N]; without it mu is mu P [N]");

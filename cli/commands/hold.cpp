@@ -49,6 +49,7 @@ class Hold final : public Subcommand {
     options.numbers("--force", force_, finite, "Friction force F [N]; with --patch FX,FY", Presence::optional);
     options.number("--moment", moment_, finite, "Friction moment M [N m]");
     options.text("--data", data_, "FILE", "In place of --force and --moment: CSV of them, or - for standard input");
+    options.file_columns(columns_, units_);
     const Range few{[](double value) { return value >= 1.0 && value <= 100.0 && value == std::floor(value); },
                     "a whole number from 1 to 100"};
     options.number("--fingers", fingers_, few,
@@ -63,6 +64,7 @@ class Hold final : public Subcommand {
     const int given =
         static_cast<int>(!force_.empty() || moment_) + static_cast<int>(!data_.empty()) + static_cast<int>(fingers_ || mass_ || offset_);
     if (given != 1) throw std::invalid_argument("expected one of --force with --moment, --data, and --mass with --offset");
+    if (data_.empty() && !(columns_.empty() && units_.empty())) throw std::invalid_argument("--columns, --units: go with --data");
     if (patch_.empty()) {
       if (!radius_law_) throw std::invalid_argument("--radius-law is required");
       const godobject::FingerCurve curve = make_finger_curve(godobject::CurveKind::exact, law_, 0.0);
@@ -91,7 +93,7 @@ class Hold final : public Subcommand {
     std::vector<std::string> columns =
         is_round ? std::vector<std::string>{"force", "moment"} : std::vector<std::string>{"fx", "fy", "moment"};
     std::optional<CsvReader> reader;
-    if (!data_.empty()) reader.emplace(data_, columns, std::vector<std::string>{"load"});
+    if (!data_.empty()) reader.emplace(data_, columns, std::vector<std::string>{"load"}, FileColumns::read(columns_, units_));
     const std::size_t load_column = columns.size();
     const bool has_loads = reader && reader->has(load_column);
     columns.emplace_back("hold_load");
@@ -144,6 +146,8 @@ class Hold final : public Subcommand {
   std::vector<double> force_;
   std::optional<double> moment_;
   std::string data_;
+  std::string columns_;
+  std::string units_;
   std::optional<double> fingers_;
   std::optional<double> mass_;
   std::optional<double> offset_;

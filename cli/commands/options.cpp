@@ -38,6 +38,12 @@ void Options::numbers(const std::string& name, std::vector<double>& values, Rang
       name, "LIST", [&values, range](const std::string& text) { values = read_number_list(text, range); }, help, presence);
 }
 
+void Options::file_columns(std::string& columns, std::string& units) {
+  text("--columns", columns, "LIST", "The file's names of columns, such as load=Fz,force=Fxy,moment=Tz");
+  text("--units", units, "LIST",
+       "The file's units: length=m|cm|mm|um, force=N|mN|kN, moment=Nm|Ncm|Nmm|mNm|uNm, angle=rad|deg (default m, N, Nm, rad)");
+}
+
 void Options::count(const std::string& name, std::size_t& value, std::size_t least, std::size_t most, const std::string& help) {
   this->value(
       name, "N",

@@ -43,6 +43,8 @@ class Options {
   void number(const std::string& name, std::optional<double>& value, Range range, const std::string& help);
   void numbers(const std::string& name, std::vector<double>& values, Range range, const std::string& help,
                Presence presence = Presence::required);
+  /// --columns and --units of a file of measurements (FileColumns).
+  void file_columns(std::string& columns, std::string& units);
   void count(const std::string& name, std::size_t& value, std::size_t least, std::size_t most, const std::string& help);
   /// One of `choices`; `value` receives its index and holds the default.
   void choice(const std::string& name, std::size_t& value, std::vector<std::string> choices, const std::string& help,

@@ -231,7 +231,7 @@ void CsvReader::take(const FileColumns& file_columns) {
       return std::find(names.begin(), names.end(), column) != names.end();
     };
     if (is_one_of({"radius", "sigma_radius", "ratio", "ratio_sd", "dx", "dy"})) return file_columns.length;
-    if (is_one_of({"load", "force", "sigma_force", "force_x", "force_y"})) return file_columns.force;
+    if (is_one_of({"load", "force", "sigma_force", "force_x", "force_y", "fx", "fy"})) return file_columns.force;
     if (is_one_of({"moment", "sigma_moment"})) return file_columns.moment;
     return column == "dtheta" ? file_columns.angle : 1.0;
   };

@@ -65,6 +65,20 @@ class Hold(CommandLineTest):
             self.assertAlmostEqual(row["margin"], expected["margin"], delta=1e-6)
             self.assertAlmostEqual(row["hold_load"], expected["hold_load"], delta=1e-6 * expected["load"])
 
+    def test_a_sensor_s_own_columns_and_units(self):
+        si = self.data("load,force,moment", [(3.0, 1.2, 2e-3), (5.0, 0.3, -1e-3)])
+        expected = rows("hold", *CONTACT, "--data", si)
+        own = self.file("own.csv", "Fz,Fxy,Tz\n3000,1200,2\n5000,300,-1\n")
+        named = ["--columns", "load=Fz,force=Fxy,moment=Tz", "--units", "force=mN,moment=Nmm"]
+        for row, other in zip(expected, rows("hold", *CONTACT, "--data", own, *named), strict=True):
+            self.assertEqual(list(row), list(other))
+            for name in row:
+                self.assert_close(other[name], row[name], 1e-14)
+        pad = self.file("pad.csv", "Fx,fy,moment\n1000,0,0\n")
+        row, = rows("hold", *PATCH, "--data", pad, "--columns", "fx=Fx", "--units", "force=mN")
+        self.assert_close(row["hold_load"], 2, 1e-12)
+        self.assert_fails(2, "--columns, --units: go with --data", "hold", *CONTACT, "--force", "1", "--moment", "0", "--units", "force=mN")
+
     def test_margin_is_that_of_replay(self):
         self.check_against_replay(CONTACT, DATA / "traces" / "slide_twist_load.csv",
                                   lambda row: {"force": math.hypot(row["fx"], row["fy"]), "moment": row["moment"]})
