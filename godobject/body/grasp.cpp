@@ -273,7 +273,7 @@ Grasp::Attempt Grasp::improve(Attempt now, double unit, double gyration, double 
 
 /// The velocities of an implicit Euler step, from a start or from rest, whichever has the smaller residual; if that does not converge, from
 /// the other.
-Grasp::Attempt Grasp::search(std::span<const DevicePose> devices, double time_step, const Load& external, Vector6 start,
+Grasp::Attempt Grasp::search(std::span<const DevicePose> devices, double time_step, const Load& external, const Vector6& start,
                              bool& solved) const noexcept {
   const Eigen::Vector3d momentum = angular_momentum(parameters_, state_);
   const double gyration = std::sqrt(parameters_.inertia.mean() / parameters_.mass);

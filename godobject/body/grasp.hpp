@@ -104,7 +104,7 @@ class Grasp {
                                  const Eigen::Vector3d& momentum) const noexcept;
   [[nodiscard]] bool may_divide(std::span<const DevicePose> devices, double time_step) const noexcept;
   [[nodiscard]] Attempt solve(std::span<const DevicePose> devices, double time_step, const Load& external, bool& solved) noexcept;
-  [[nodiscard]] Attempt search(std::span<const DevicePose> devices, double time_step, const Load& external, Vector6 start,
+  [[nodiscard]] Attempt search(std::span<const DevicePose> devices, double time_step, const Load& external, const Vector6& start,
                                bool& solved) const noexcept;
   [[nodiscard]] bool begin_slips(const Attempt& at, std::span<const DevicePose> devices, double time_step) noexcept;
   [[nodiscard]] BodyState end_of(const Attempt& attempt, double time_step) const noexcept;

@@ -188,7 +188,7 @@ double approach_by_hulls(Scaled& friction, const Vector3d& w, const Vector3d& st
 
 }  // namespace
 
-PatchProjector::PatchProjector(Patch patch) : patch_(std::move(patch)), spin_(patch_.wrench({0.0, 0.0, 1.0})) {}
+PatchProjector::PatchProjector(const Patch& patch) : patch_(patch), spin_(patch_.wrench({0.0, 0.0, 1.0})) {}
 
 PatchProjection PatchProjector::project(const PatchWrench& trial, double limit, double stiffness, double compliance_radius,
                                         const PatchTwist& warm) const noexcept {

@@ -26,7 +26,7 @@ struct PatchProjection {
 class PatchProjector {
  public:
   /// The patch must be smooth (`Patch::smoothed`). One evaluation.
-  explicit PatchProjector(Patch patch);
+  explicit PatchProjector(const Patch& patch);
 
   [[nodiscard]] const Patch& patch() const noexcept { return patch_; }
 
