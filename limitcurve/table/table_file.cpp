@@ -71,7 +71,7 @@ double rounded_up(double value) {
 }
 
 TableContents contents_of(const Table& table) {
-  const TableCells cells = table.cells();
+  const TableCells& cells = table.cells();
   TableContents contents{.law = table.law_name(),
                          .tolerance = table.tolerance(),
                          .certified_error = table.certified_error(),
