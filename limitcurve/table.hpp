@@ -35,7 +35,7 @@ struct TableCell {
 /// The cells of both sides and the size of their index: all that defines a table's curve.
 struct TableCells {
   int index_bits = 0;              ///< p: 2^p buckets in each octave (TablePieces), 3 to 11
-  int octaves = 0;                 ///< d: octaves of min(x, 1 − x) + 2^−d
+  int octaves = 0;                 ///< d: octaves of 1 − x + 2^−d
   std::vector<TableCell> inside;   ///< x = c/a, in order, from 0
   std::vector<TableCell> outside;  ///< x = a/c, in order, from 0
 
