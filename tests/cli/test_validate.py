@@ -103,15 +103,6 @@ class Validate(CommandLineTest):
             self.assertLessEqual(models["ellipse-inner"]["max_over_estimate"], 1e-12)
             self.assertLessEqual(models["ellipse-outer"]["max_under_estimate"], 1e-12)
 
-    def test_what_a_scene_leaves_out_is_said_and_typed(self):
-        # The line to type lacked it, and failed; a = 5 mm was taken in silence.
-        trace = self.file("trace.csv", "time,x,y,z,twist\n0,0,0,-0.001,0\n0.1,0.002,0,-0.001,0\n")
-        for given in [[], ["--mu", "0.6"], ["--mu-r", "0.002"], ["--stiffness", "500", "--radius-law", "constant:a=0.004"]]:
-            done = run("choose", "--scene", "--law", "hertz", "--tolerance", "0.2", *given)
-            (line,) = (line for line in done.stderr.splitlines() if line.startswith("replay it with "))
-            self.assertEqual("a = 5 mm" in done.stderr, "--mu-r" not in given and "--radius-law" not in given, done.stderr)
-            self.assertEqual(len(rows("replay", "--trace", trace, "--law", "hertz", *given, *line.removeprefix("replay it with ").split())), 2)
-
     def test_units_of_length_do_not_matter(self):
         # Once max_cor_error was inf, or that of a place far from the ends.
         alike = [self.models(f"gaussian:sigma={sigma}") for sigma in ["1e-6", "0.001", "1", "1000", "1e6"]]
