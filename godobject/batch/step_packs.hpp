@@ -2,6 +2,7 @@
 #pragma once
 
 #include "godobject/batch/step.hpp"
+#include "godobject/kernel/loaded_cell.hpp"
 #include "godobject/kernel/pack.hpp"
 
 #include <cstddef>
