@@ -69,7 +69,7 @@ SteadyError steady_error(const Law& law, const BasicFingerCurve<Real>& curve, Pr
       const double unit = of_finger.mu * of_finger.stiffness * depth;
       const UnitWrench settled{static_cast<double>(std::fabs(contacts.fx[k])) / unit,
                                static_cast<double>(std::fabs(contacts.moment[k])) / (unit * radius)};
-      const double error = distance(settled, law->evaluate(decade[k]).wrench, m0);
+      const double error = tolerance_error(settled, law->evaluate(decade[k]).wrench, m0);
       result.max = std::fmax(result.max, error);
       result.mean += error / (decade.size() * decade.size());
     }

@@ -53,10 +53,10 @@ SlopedPoint Ellipse::point(SlipTwist twist) const noexcept {
 }
 
 RadialPoint Ellipse::along(UnitWrench direction) const noexcept {
-  const double x = direction.force / force_max_;
-  const double y = direction.moment / moment_max_;
-  const double length = std::sqrt(x * x + y * y);
-  return {{direction.force / length, direction.moment / length}, {x / force_max_, y / moment_max_}};
+  const double length = gauge(direction);
+  const double force = direction.force / length;
+  const double moment = direction.moment / length;
+  return {{force, moment}, {force / (force_max_ * force_max_), moment / (moment_max_ * moment_max_)}};
 }
 
 Superellipse::Superellipse(double force_max, double moment_max, double exponent)

@@ -35,8 +35,11 @@ class Ellipse {
     twist = twist.magnitudes();
     const double x = force_max_ * twist.slide;
     const double y = moment_max_ * twist.spin;
-    const double length = std::sqrt(x * x + y * y);
-    return {force_max_ * x / length, moment_max_ * y / length};
+    // By their ratio, because squares of small twists are 0; the ends are exact.
+    const double ratio = (std::min)(x, y) / (std::max)(x, y);
+    const double larger = 1.0 / std::sqrt(1.0 + ratio * ratio);
+    const double smaller = ratio * larger;
+    return x < y ? UnitWrench{force_max_ * smaller, moment_max_ * larger} : UnitWrench{force_max_ * larger, moment_max_ * smaller};
   }
 
   [[nodiscard]] SlopedPoint point(SlipTwist twist) const noexcept;
@@ -44,9 +47,7 @@ class Ellipse {
   [[nodiscard]] RadialPoint along(UnitWrench direction) const noexcept;
 
   [[nodiscard]] double gauge(UnitWrench wrench) const noexcept {
-    const double x = wrench.force / force_max_;
-    const double y = wrench.moment / moment_max_;
-    return std::sqrt(x * x + y * y);
+    return std::hypot(wrench.force / force_max_, wrench.moment / moment_max_);
   }
 
  private:

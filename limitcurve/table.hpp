@@ -110,7 +110,7 @@ class BasicTable {
   [[nodiscard]] const CurveView<Real>& view() const noexcept { return view_; }
   [[nodiscard]] const TablePieces<Real>& pieces() const noexcept { return view_.table; }
 
-  /// The wrench of a slip twist, to certified_error(). Signs of the twist do not count; a zero twist gives wrench 0. About 5 ns.
+  /// The wrench of a slip twist, to certified_error(). Signs of the twist do not count; a zero twist gives wrench 0. About 4 ns.
   [[nodiscard]] UnitWrench wrench(SlipTwist twist) const noexcept {
     twist = {arithmetic::abs(twist.slide), arithmetic::abs(twist.spin)};
     const double sum = twist.slide + twist.spin;

@@ -18,6 +18,7 @@ FAMILIES = {
     "quartic": (INK, "P", "-", False),
     "table": (BLUE, "o", "-", True),
     "closed": (GREEN, "*", "-", False),
+    "forces": (GREEN, "D", "-", False),
     "Gauss": (SKY, "^", "-", True),
     "ring": (PURPLE, "D", "-", True),
     "punch": (PURPLE, "v", "-", True),
@@ -51,12 +52,10 @@ CHOICES = {
     ("closed", "double"): "closed form:\na few values",
     ("ring", "80 bit"): "evaluate:\nthe reference",
 }
-ERROR = "largest error over all centres of rotation, as a fraction of the friction limits"
+ERROR = "largest error over all centres of rotation, in the norm of a tolerance"
 RADIAL_SHOWN = ("ellipse", "float ellipse", "table 1e-8")
 # Projection: colour, marker of a finger, marker of a contact in a batch.
 PROJECTIONS = {"radial": (PURPLE, "^", "+"), "closest-point": (BLUE, "o", "x")}
-# Least and most to the advantage of even cells: bytes are drawn for these.
-BYTES_OF = ("flat-punch", "power:n=2.3")
 
 
 def parameter(row):
@@ -161,6 +160,23 @@ class Labels:
             self.axes.text(*inverse.transform((x, y)), word, fontsize=self.size, color=colour, ha="center", va="center_baseline")
 
 
+def size(count):
+    for factor, unit in ((1024**2, "MiB"), (1024, "KiB")):
+        if count >= factor:
+            return f"{count / factor:.{int(count < 10 * factor)}f}".removesuffix(".0") + f" {unit}"
+    return f"{count:.0f} B"
+
+
+def draw_many(axes, labels, rows, colour):
+    """From a table in the first cache up to one of 64 tables, visited at random."""
+    for row in rows:
+        if row["many_ns"] != "":
+            ends = [max(row["max_error"], ROUNDING)] * 2, [row["mean_ns"], row["many_ns"]]
+            axes.plot(*ends, color=colour, linewidth=0.8, zorder=2)
+            axes.plot(*[end[1:] for end in ends], "_", color=colour, markersize=7, zorder=3)
+            labels.line(*ends)
+
+
 def law_panel(figure, axes, rows, law):
     right = ROUNDING / 4
     axes.set(title=law, ylim=(0.15, 2e8), ylabel="mean time of a wrench  [ns]")
@@ -181,23 +197,12 @@ def draw_family(axes, labels, family, rows, cost):
     hollow = {"markerfacecolor": "white"} if rows[0]["kind"] != "ours" else {}
     axes.plot(*zip(*points), marker=marker, markersize=7 if marker == "*" else 4.2, color=colour, linewidth=0.6,
               linestyle=dashes if by_parameter else "none", zorder=3, label=LEGEND.get(family, family), **hollow)
+    draw_many(axes, labels, rows, colour)
     if by_parameter:
         labels.line(*zip(*points))
     for i, (point, row) in enumerate(zip(points, rows)):
         named = family not in ENDS_NAMED or i in (0, len(rows) - 1)
         labels.dot(*point, (parameter(row) if by_parameter else name(row)) if named else "", colour)
-
-
-def bytes_panel(figure, axes, rows, law):
-    """What is stored for a wrench by look-up, over the same errors."""
-    axes.set(title=f"{law}: what is stored", ylim=(50, 1e8), ylabel="bytes")
-    error_axis(axes, 10)
-    labels = Labels(figure, axes, 7)
-    for family in ("table", "Hermite", "grid"):
-        draw_family(axes, labels, family, rows.where(family=family), "bytes")
-    axes.axhline(32768, color=FAINT, linewidth=0.8, dashes=(2, 2))
-    axes.annotate("32 KiB", (5, 32768), (0, 2), textcoords="offset points", color=FAINT, fontsize=7)
-    labels.place()
 
 
 def step_panel(figure, axes, rows):
@@ -247,40 +252,43 @@ def work_precision(data):
         axes.plot(*zip(*points), marker=marker, markersize=4.5, color=colour, linewidth=0.6, linestyle=dashes if by_parameter else "none", zorder=3,
                   **hollow)
         labels.line(*zip(*points))
+        draw_many(axes, labels, of_family, colour)
         chosen = [CHOICES.get((family, parameter(row)), "") for row in of_family]
         for point, word in zip(points, chosen):
             if word:
                 axes.plot(*point, "o", markersize=13, color=colour, fillstyle="none", markeredgewidth=1.6, zorder=4)
             labels.dot(*point, word, colour, 8 if word else 4.5)
+        for point, row in zip(points, of_family):
+            if row["many_ns"] != "":
+                labels.dot(*point, size(row["bytes"]), colour)
         if family in LEGEND and family != "ring":
             labels.dot(*points[-1 if family in ("table", *ENDS_NAMED) else len(points) // 2], LEGEND[family].rsplit(", ", 1)[0], colour)
         elif family not in LEGEND and not any(chosen):
             labels.dot(*points[0], family, colour)
     labels.place()
-    figure.text(0.5, 0.012, "Ringed: what to take, and for what. Filled: this library. Hollow: others. Error against eq. (17) by evaluate, in 80 bits.\n"
+    figure.text(0.5, 0.012, "Ringed: what to take, and for what. Filled: this library. Hollow: others. Dashes above dots: one of 64 tables, visited at random.\n"
+                "Error against eq. (17) by evaluate, in 80 bits. "
                 f"Measured on {data['work_precision_step'][0]['machine']}.", ha="center", fontsize=8, color=FAINT)
     return figure
 
 
 def all_work_precision(data):
-    """One panel a law, two for bytes, and one for the step."""
+    """One panel a law, and one for the step."""
     wrench, step = data["work_precision_wrench"], data["work_precision_step"]
     laws = list(wrench.groups("law"))
-    figure, panels = plt.subplots(4, 2, figsize=(10, 18.6))
-    figure.subplots_adjust(left=0.07, right=0.99, top=0.982, bottom=0.1, hspace=0.27, wspace=0.16)
+    figure, panels = plt.subplots(3, 2, figsize=(10, 14.4))
+    figure.subplots_adjust(left=0.07, right=0.99, top=0.978, bottom=0.12, hspace=0.27, wspace=0.16)
     figure.canvas.draw()
     for axes, law in zip(panels.flat, laws):
         law_panel(figure, axes, wrench.where(law=law), law)
     step_panel(figure, panels.flat[5], step)
-    for axes, law in zip(panels[3], BYTES_OF):
-        bytes_panel(figure, axes, wrench.where(law=law), law)
     handles = {}
     for axes in panels.flat[:len(laws)]:
         handles.update({label: handle for handle, label in zip(*axes.get_legend_handles_labels()) if label in LEGEND.values()})
     order = [label for label in LEGEND.values() if label in handles]
     figure.legend([handles[label] for label in order], order, loc="lower center", ncols=4, bbox_to_anchor=(0.5, 0.025), handlelength=3.5)
     machine = step[0]["machine"]
-    figure.text(0.5, 0.004, "Filled: this library. Hollow: others. Bands: the cheapest at each error, of ours (blue) and of the others (red). "
-                "Error against evaluate, in 80 bits.\n"
+    figure.text(0.5, 0.004, "Filled: this library. Hollow: others. Bands: the cheapest at each error, of ours (blue) and of the others (red).\n"
+                "Dashes above dots: one of 64 tables, visited at random. Error against evaluate, in 80 bits. "
                 f"Measured on {machine}.", ha="center", fontsize=8.5, color=FAINT)
     return figure

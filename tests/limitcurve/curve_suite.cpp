@@ -136,6 +136,24 @@ TEST_P(CurveSuite, SignsOfTheTwistDoNotCountAndNoSlipGivesNoWrench) {
   }
 }
 
+/// A slip of any size, and a ray by a vector of any length. The squares of 1e-200 are 0: the ellipse had an infinite wrench.
+TEST_P(CurveSuite, OnlyTheDirectionCounts) {
+  for (const SlipTwist twist : twists_) {
+    const UnitWrench wrench = curve().wrench(twist);
+    const UnitWrench ray = curve().along(wrench).wrench;
+    for (const double size : {0x1p-700, 0x1p700}) {
+      if (std::min(twist.slide, twist.spin) * size < 1e-300 && !(twist.slide == 0.0 || twist.spin == 0.0))
+        continue;  // it is another direction
+      const UnitWrench scaled = curve().wrench({twist.slide * size, twist.spin * size});
+      const UnitWrench scaled_ray = curve().along({wrench.force * size, wrench.moment * size}).wrench;
+      EXPECT_NEAR(scaled.force, wrench.force, 4 * epsilon) << twist.cor() << ' ' << size;
+      EXPECT_NEAR(scaled.moment, wrench.moment, 4 * epsilon) << twist.cor() << ' ' << size;
+      EXPECT_NEAR(scaled_ray.force, ray.force, 4 * epsilon) << twist.cor() << ' ' << size;
+      EXPECT_NEAR(scaled_ray.moment, ray.moment, 4 * epsilon) << twist.cor() << ' ' << size;
+    }
+  }
+}
+
 /// No curve point is further along the normal than the one that `wrench` gives: maximum dissipation.
 TEST_P(CurveSuite, WrenchSupportsItsTwist) {
   for (const SlipTwist twist : twists_) {
