@@ -177,12 +177,13 @@ Hazard even_spacing() {
     const int even = 2 * static_cast<int>(nodes / 2.0);
     figure.rows.push_back({"numbers", "even nodes", 3.0 * even, even_error(even)});
   }
+  const TableOptions fewest{.bytes = 1};  // of the highest degree, which needs the fewest numbers
   for (const double tolerance : in_ratios(1e-2, 1e-11, 19)) {
-    const Table table = Table::build(law, tolerance);
+    const Table table = Table::build(law, tolerance, fewest);
     const double error = worst_of([&](double s) { return table.wrench(SlipTwist::about_cor(s)); });
     figure.rows.push_back({"numbers", "limitcurve", 8.0 * static_cast<double>(table.cell_count()), error});
   }
-  const Table table = Table::build(law, 1e-8);
+  const Table table = Table::build(law, 1e-8, fewest);
   // The same count of numbers: a node is f, m and a slope; a cell of ours is an origin and seven coefficients.
   const auto nodes = static_cast<int>(8 * table.cell_count() / 3);
   const EvenTable even(*law, last, nodes);
