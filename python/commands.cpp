@@ -1,26 +1,19 @@
 // SPDX-License-Identifier: MIT
 // The command line in the interpreter's process: rows come back as arrays, errors as exceptions with the same message.
 #include "cli/command_line.hpp"
+#include "cli/io/csv_reader.hpp"
+#include "cli/io/descriptor.hpp"
 #include "cli/report/share.hpp"
 
-#include "python/arrays.hpp"
-
-#include "limitcurve/internal/interruption.hpp"
-#include "limitcurve/internal/number.hpp"
+#include "python/core.hpp"
 
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/vector.h>
 
-#include <charconv>
-#include <filesystem>
+#include <span>
 #include <stdexcept>
 #include <string>
-#include <string_view>
 #include <vector>
-
-#include <dlfcn.h>
-#include <sys/mman.h>
-#include <unistd.h>
 
 namespace limitcurve::python {
 
@@ -28,103 +21,27 @@ namespace {
 
 using cli::Column;
 
-/// A caller's columns as a CSV file for the command line, without a name in any directory.
-class MemoryFile {
+using NamedArrays = std::vector<std::pair<std::string, nb::ndarray<const double, nb::c_contig, nb::ndim<1>>>>;
+
+/// A caller's columns, of one length, which the command line reads as a file.
+class PyColumns : public cli::MemoryColumns {
  public:
-  /// `name` is the caller's name for it; columns of one length. Without header they are the columns of a matrix.
-  MemoryFile(std::string name, const std::vector<std::pair<std::string, nb::object>>& columns, bool header)
-      : name_(std::move(name)), descriptor_(::memfd_create("limitcurve", MFD_CLOEXEC)) {
-    if (descriptor_ < 0) throw std::runtime_error("no memory for " + name_);
-    std::vector<Numbers> numbers;
-    for (const auto& [column, array] : columns) {
-      columns_.push_back(column);
-      numbers.push_back(nb::cast<Numbers>(array));
-    }
-    write(numbers, header);
-  }
-  ~MemoryFile() { ::close(descriptor_); }
-  MemoryFile(const MemoryFile&) = delete;
-  MemoryFile& operator=(const MemoryFile&) = delete;
-
-  [[nodiscard]] std::string path() const { return "/proc/self/fd/" + std::to_string(descriptor_); }
-
-  /// A message of the command line in the caller's terms: `trace['x'][17]` for `/proc/self/fd/5:19:8`.
-  [[nodiscard]] std::string translated(std::string message) const {
-    const std::string file = path();
-    for (std::size_t at = message.find(file); at != std::string::npos; at = message.find(file, at + name_.size())) {
-      std::size_t end = at + file.size();
-      if (end < message.size() && message[end] >= '0' && message[end] <= '9') continue;  // another file's longer name
-      std::string place = name_;
-      std::size_t line = 0;
-      std::size_t byte = 0;
-      const char* const last = message.data() + message.size();
-      if (end < message.size() && message[end] == ':') {
-        const auto [after_line, fault] = std::from_chars(message.data() + end + 1, last, line);
-        if (fault == std::errc() && after_line < last && *after_line == ':') {
-          const auto [after_byte, other_fault] = std::from_chars(after_line + 1, last, byte);
-          if (other_fault == std::errc()) {
-            end = static_cast<std::size_t>(after_byte - message.data());
-            place = place_of(line, byte);
-          }
-        }
-      }
-      message.replace(at, end - at, place);
-    }
-    return message;
-  }
+  PyColumns(std::string name, const NamedArrays& columns)
+      : MemoryColumns(std::move(name), names(columns), numbers(columns)), columns_(columns) {}
 
  private:
-  using Numbers = nb::ndarray<const double, nb::c_contig, nb::ndim<1>>;
-
-  void write(const std::vector<Numbers>& numbers, bool header) {
-    const std::size_t rows = numbers.empty() ? 0 : numbers.front().size();
-    for (std::size_t i = 0; i < numbers.size(); ++i) {
-      if (numbers[i].size() == rows) continue;
-      throw std::invalid_argument(name_ + "['" + columns_[i] + "']: got " + std::to_string(numbers[i].size()) + " numbers, expected " +
-                                  std::to_string(rows) + " as in '" + columns_[0] + "'");
-    }
-    cli::OutputFile output(descriptor_, name_);
-    header_lines_ = header ? 1 : 0;
-    if (header) {
-      std::string line;
-      for (const std::string& column : columns_) line += (line.empty() ? "" : ",") + column;
-      output.write(line + "\n");
-    }
-    std::array<char, 32> text{};
-    for (std::size_t row = 0; row < rows; ++row) {
-      raise_signals();
-      for (std::size_t i = 0; i < numbers.size(); ++i) {
-        if (i > 0) output.write(",");
-        const auto end = std::to_chars(text.data(), text.data() + text.size(), numbers[i].data()[row]).ptr;
-        output.write({text.data(), static_cast<std::size_t>(end - text.data())});
-      }
-      output.write("\n");
-    }
-    output.flush();
+  static std::vector<std::string> names(const NamedArrays& columns) {
+    std::vector<std::string> result;
+    for (const auto& [name, array] : columns) result.push_back(name);
+    return result;
+  }
+  static std::vector<std::span<const double>> numbers(const NamedArrays& columns) {
+    std::vector<std::span<const double>> result;
+    for (const auto& [name, array] : columns) result.emplace_back(array.data(), array.size());
+    return result;
   }
 
-  /// Column and row, from 0, of a line and byte of the text, from 1.
-  [[nodiscard]] std::string place_of(std::size_t line, std::size_t byte) const {
-    if (line <= header_lines_) return name_;
-    std::string text(1U << 16U, '\0');
-    std::size_t current = 1;
-    std::size_t column = 0;
-    std::size_t at = 1;
-    off_t offset = 0;
-    for (ssize_t got = 0; current <= line && (got = ::pread(descriptor_, text.data(), text.size(), offset)) > 0; offset += got) {
-      for (const char character : std::string_view(text.data(), static_cast<std::size_t>(got))) {
-        if (current == line && at++ < byte && character == ',') ++column;
-        if (character == '\n' && ++current > line) break;
-      }
-    }
-    if (column >= columns_.size()) return name_;
-    return name_ + "['" + columns_[column] + "'][" + std::to_string(line - header_lines_ - 1) + "]";
-  }
-
-  std::string name_;
-  int descriptor_;
-  std::vector<std::string> columns_;
-  std::size_t header_lines_ = 0;
+  NamedArrays columns_;  ///< keeps the numbers alive
 };
 
 template <class Number>
@@ -148,53 +65,35 @@ nb::object array_of(const Column& column) {
   }
 }
 
-/// Calls `work` with errors in the caller's terms.
-template <class Work>
-void in_terms_of(const std::vector<const MemoryFile*>& files, const Work& work) {
-  const auto translated = [&](std::string message) {
-    for (const MemoryFile* const file : files) message = file->translated(std::move(message));
-    return message;
-  };
-  try {
-    work();
-  } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument(translated(error.what()));
-  } catch (const std::bad_alloc&) {
-    throw;
-  } catch (const nb::python_error&) {
-    throw;
-  } catch (const std::exception& error) {
-    throw std::runtime_error(translated(error.what()));
-  }
+/// A message of the command line in the caller's terms.
+std::string named(const std::vector<const PyColumns*>& data, std::string message) {
+  for (const PyColumns* const columns : data) message = columns->named(std::move(message));
+  return message;
 }
 
 /// Appends to `said` what the command says on standard error, also where it fails.
-nb::dict run(const std::vector<std::string>& arguments, const std::vector<const MemoryFile*>& files, nb::list said) {
+nb::dict run(const std::vector<std::string>& arguments, const std::vector<const PyColumns*>& data, nb::list said) {
   std::vector<Column> columns;
   std::vector<std::string> lines;
   const auto hand_over_lines = [&] {
-    for (std::string& line : lines) {
-      for (const MemoryFile* const file : files) line = file->translated(std::move(line));
-      said.append(line);
-    }
+    for (std::string& line : lines) said.append(named(data, std::move(line)));
+    lines.clear();
   };
   try {
-    in_terms_of(files, [&] {
-      const nb::gil_scoped_release release;
-      cli::OutputFile output(STDOUT_FILENO, "standard output");
-      cli::Messages messages(lines);
-      cli::run_command_line(arguments, {.output = output, .columns = &columns, .messages = &messages});
-    });
-  } catch (...) {
+    const nb::gil_scoped_release release;
+    cli::OutputFile output(cli::descriptor::standard_output, "standard output");
+    cli::Messages messages(lines);
+    cli::run_command_line(arguments, {.output = output, .columns = &columns, .messages = &messages});
+  } catch (const std::exception& error) {
     hand_over_lines();
-    throw;
+    if (dynamic_cast<const std::invalid_argument*>(&error) != nullptr) throw std::invalid_argument(named(data, error.what()));
+    if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr || dynamic_cast<const nb::python_error*>(&error) != nullptr) throw;
+    throw std::runtime_error(named(data, error.what()));
   }
   hand_over_lines();
   nb::dict result;
   for (Column& column : columns) {
-    for (std::string& text : column.texts) {
-      for (const MemoryFile* const file : files) text = file->translated(std::move(text));
-    }
+    for (std::string& text : column.texts) text = named(data, std::move(text));
     result[column.name.c_str()] = array_of(column);
   }
   return result;
@@ -208,24 +107,20 @@ int run_as_program(const std::vector<std::string>& arguments) {
 
 }  // namespace
 
-}  // namespace limitcurve::python
-
-NB_MODULE(_commands, module) {
-  using namespace limitcurve::python;
-  // The package's folder is that of this module.
-  if (Dl_info here{}; ::dladdr(reinterpret_cast<const void*>(&run_as_program), &here) != 0)
-    limitcurve::cli::set_package_share(std::filesystem::absolute(here.dli_fname).parent_path() / "share");
-  limitcurve::between_samples = raise_signals;
-  module.doc() = "The command line, for `limitcurve`'s functions that return tables.";
-  nb::class_<MemoryFile>(module, "MemoryFile", "Columns of numbers as a file that the command line reads.")
-      .def(nb::init<std::string, const std::vector<std::pair<std::string, nb::object>>&, bool>(), nb::arg("name"), nb::arg("columns"),
-           nb::arg("header") = true)
-      .def_prop_ro("path", &MemoryFile::path);
+void add_commands(nb::module_& module) {
+  nb::class_<PyColumns>(module, "MemoryColumns", "Columns of numbers that the command line reads as a file of that path.")
+      .def(nb::init<std::string, const NamedArrays&>(), nb::arg("name"), nb::arg("columns"))
+      .def_prop_ro("path", &PyColumns::path);
   module.def(
-      "run", &run, nb::arg("arguments"), nb::arg("files"), nb::arg("said"),
+      "run", &run, nb::arg("arguments"), nb::arg("data"), nb::arg("said"),
       "Runs `limitcurve ARGUMENTS` and returns its columns; appends to `said` what it says on standard error.",
       nb::sig(
-          "def run(arguments: collections.abc.Sequence[str], files: collections.abc.Sequence[MemoryFile], said: list[str]) -> dict[str, "
+          "def run(arguments: collections.abc.Sequence[str], data: collections.abc.Sequence[MemoryColumns], said: list[str]) -> dict[str, "
           "numpy.typing.NDArray[typing.Any]]"));
   module.def("main", &run_as_program, nb::arg("arguments"), "Runs `limitcurve ARGUMENTS` as a program; returns its exit status.");
+  module.def(
+      "set_share", [](const std::string& folder) { cli::set_package_share(folder); }, nb::arg("folder"),
+      "Says where the package's data and scripts are.");
 }
+
+}  // namespace limitcurve::python

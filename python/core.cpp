@@ -187,7 +187,7 @@ void translate(const std::exception_ptr& thrown, void*) {
 
 NB_MODULE(_core, module) {
   using namespace limitcurve::python;
-  module.doc() = "Laws, tables, fingers, batches and patches: the C++ library. Use it as `limitcurve`.";
+  module.doc() = "Laws, tables, fingers, batches, patches and the command line: the C++ library. Use it as `limitcurve`.";
   nb::register_exception_translator(translate);
   module.attr("version") = nb::str(limitcurve::version.data(), limitcurve::version.size());
   limitcurve::between_samples = raise_signals;
@@ -195,6 +195,7 @@ NB_MODULE(_core, module) {
   add_fingers(module);
   add_batches(module);
   add_patches(module);
+  add_commands(module);
   module.def(
       "columns_of",
       [](const std::string& table, const std::vector<std::string>& names, const nb::list& columns) {

@@ -25,6 +25,7 @@ void add_curves(nb::module_& module);
 void add_fingers(nb::module_& module);
 void add_batches(nb::module_& module);
 void add_patches(nb::module_& module);
+void add_commands(nb::module_& module);
 
 /// A law with its origin: its text, and the samples of a measured profile, because their file may change.
 struct PyLaw {

@@ -48,7 +48,7 @@ double checked_cor(double s) {
 
 /// A number of Python itself, for which arrays would cost ten times what the result does.
 std::optional<double> plain_number(nb::handle value) {
-  if (PyFloat_Check(value.ptr())) return PyFloat_AS_DOUBLE(value.ptr());
+  if (PyFloat_Check(value.ptr())) return PyFloat_AsDouble(value.ptr());
   if (!PyLong_CheckExact(value.ptr())) return std::nullopt;
   const double number = PyLong_AsDouble(value.ptr());
   if (number != -1.0 || PyErr_Occurred() == nullptr) return number;

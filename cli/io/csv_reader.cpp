@@ -5,6 +5,7 @@
 #include "cli/io/number_list.hpp"
 #include "cli/io/output_file.hpp"
 #include "limitcurve/internal/interruption.hpp"
+#include "limitcurve/internal/number.hpp"
 
 #include <algorithm>
 #include <array>
@@ -12,12 +13,33 @@
 #include <cstddef>
 #include <filesystem>
 #include <initializer_list>
+#include <map>
+#include <mutex>
 #include <numbers>
 #include <system_error>
 
 namespace limitcurve::cli {
 
 namespace {
+
+/// All there are, by path.
+struct InMemory {
+  std::mutex mutex;
+  std::size_t made = 0;
+  std::map<std::string, const MemoryColumns*> columns;
+};
+
+InMemory& in_memory() {
+  static InMemory all;
+  return all;
+}
+
+/// Null if there are none of that path.
+const MemoryColumns* find_in_memory(const std::string& path) {
+  const std::lock_guard lock(in_memory().mutex);
+  const auto found = in_memory().columns.find(path);
+  return found == in_memory().columns.end() ? nullptr : found->second;
+}
 
 std::string joined(const std::vector<std::string>& names, std::size_t count) {
   std::string text;
@@ -117,18 +139,41 @@ FileColumns FileColumns::read(std::string_view names, std::string_view units) {
   return columns;
 }
 
+MemoryColumns::MemoryColumns(std::string name, std::vector<std::string> columns, std::vector<std::span<const double>> numbers)
+    : name_(std::move(name)), columns_(std::move(columns)), numbers_(std::move(numbers)) {
+  const std::lock_guard lock(in_memory().mutex);
+  path_ = "/dev/null/" + std::to_string(++in_memory().made) + "/";  // the slash: none begins like another
+  in_memory().columns.emplace(path_, this);
+}
+
+MemoryColumns::~MemoryColumns() {
+  const std::lock_guard lock(in_memory().mutex);
+  in_memory().columns.erase(path_);
+}
+
+std::string MemoryColumns::named(std::string message) const {
+  for (std::size_t at = 0; (at = message.find(path_, at)) != std::string::npos; at += name_.size())
+    message.replace(at, path_.size(), name_);
+  return message;
+}
+
 CsvReader::CsvReader(const std::string& file, std::vector<std::string> columns, std::vector<std::string> optional_columns,
                      const FileColumns& file_columns)
-    : name_(file == "-" ? "standard input" : file),
+    : memory_(find_in_memory(file)),
+      name_(memory_ != nullptr ? memory_->name_
+            : file == "-"      ? "standard input"
+                               : file),
       columns_(std::move(columns)),
       required_(columns_.size()),
-      descriptor_(open_to_read(file)),
+      descriptor_(memory_ != nullptr ? descriptor::standard_input : open_to_read(file)),
       size_(size_of(file)),
       places_(columns_.size() + optional_columns.size(), missing) {
   for (std::string& column : optional_columns) columns_.push_back(std::move(column));
   try {
     take(file_columns);
-    if (!next_meaningful_line()) {
+    if (memory_ != nullptr) {
+      take_names_in_memory();
+    } else if (!next_meaningful_line()) {
       line_number_ = 1;
       throw complaint_at(0, "an empty file, expected a header line with " + joined(columns_, required_ > 0 ? required_ : columns_.size()));
     }
@@ -144,6 +189,12 @@ CsvReader::CsvReader(const std::string& file)
 
 CsvReader::~CsvReader() {
   if (descriptor_ != descriptor::standard_input) descriptor::close(descriptor_);
+}
+
+void CsvReader::take_names_in_memory() {
+  for (const std::string& name : memory_->columns_) fields_.push_back({name});
+  field_count_ = fields_.size();
+  line_ = joined(memory_->columns_, field_count_);
 }
 
 bool CsvReader::next_line() {
@@ -182,6 +233,7 @@ bool CsvReader::next_line() {
 }
 
 std::optional<double> CsvReader::share() const {
+  if (memory_ != nullptr) return static_cast<double>(rows_) / static_cast<double>(memory_->numbers_[0].size());
   if (size_ == 0) return std::nullopt;
   return static_cast<double>(read_) / static_cast<double>(size_);
 }
@@ -262,19 +314,19 @@ void CsvReader::find_columns() {
 
 bool CsvReader::next() {
   let_interrupt();
-  if (!next_meaningful_line()) {
-    if (any_row_) return false;
+  if (memory_ != nullptr ? memory_->numbers_.empty() || rows_ == memory_->numbers_[0].size() : !next_meaningful_line()) {
+    if (rows_ > 0) return false;
     ++line_number_;
     throw complaint_at(0, has_header_ ? "no rows after the header, expected at least one" : "an empty file, expected rows of numbers");
   }
-  if (!has_header_ && !any_row_) {
+  if (!has_header_ && rows_ == 0) {
     header_fields_ = field_count_;
     for (std::size_t column = 0; column < field_count_; ++column) {
       columns_.push_back(std::to_string(column + 1));
       places_.push_back(column);
     }
   }
-  any_row_ = true;
+  ++rows_;
   if (field_count_ != header_fields_) {
     throw complaint_at(line_.size(), "a line of " + std::to_string(field_count_) + (field_count_ == 1 ? " field" : " fields") + ", got '" +
                                          excerpt(line_) + "', expected " + std::to_string(header_fields_) +
@@ -286,6 +338,11 @@ bool CsvReader::next() {
 }
 
 double CsvReader::number(std::size_t column, const Range& range) const {
+  if (memory_ != nullptr) {
+    const double value = memory_->numbers_[places_[column]][rows_ - 1];
+    if (range.contains(value)) return units_[column] * value;
+    throw complaint(column, "got '" + format_number(value) + "', expected " + std::string(range.text));
+  }
   try {
     return units_.empty() ? read_number(text(column), range) : units_[column] * read_number(text(column), range);
   } catch (const std::invalid_argument&) {
@@ -301,10 +358,13 @@ std::invalid_argument CsvReader::no_column(const std::string& column) const {
 }
 
 std::invalid_argument CsvReader::complaint(std::size_t column, const std::string& what) const {
-  return complaint_at(fields_[places_[column]].offset, "column '" + columns_[column] + "': " + what);
+  const std::string in_column = "column '" + columns_[column] + "': " + what;
+  if (memory_ == nullptr) return complaint_at(fields_[places_[column]].offset, in_column);
+  return std::invalid_argument(name_ + "['" + columns_[column] + "'][" + std::to_string(rows_ - 1) + "]: " + in_column);
 }
 
 std::invalid_argument CsvReader::complaint_at(std::size_t offset, const std::string& what) const {
+  if (memory_ != nullptr) return std::invalid_argument(name_ + ": " + what);
   return std::invalid_argument(name_ + ':' + std::to_string(line_number_) + ':' + std::to_string(offset + 1) + ": " + what);
 }
 

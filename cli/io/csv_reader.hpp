@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -27,6 +28,29 @@ struct FileColumns {
   double angle = 1.0;                                           ///< in rad
 };
 
+/// Columns of numbers in memory (Python's arrays), which a CsvReader reads by their path as it would a file.
+class MemoryColumns {
+ public:
+  /// `name` stands for the file in messages: `trace['x'][17]: …`. The columns have one length, and stay where they are.
+  MemoryColumns(std::string name, std::vector<std::string> columns, std::vector<std::span<const double>> numbers);
+  ~MemoryColumns();
+  MemoryColumns(const MemoryColumns&) = delete;
+  MemoryColumns& operator=(const MemoryColumns&) = delete;
+
+  /// What no file has.
+  [[nodiscard]] const std::string& path() const { return path_; }
+  /// A message with the name in place of the path.
+  [[nodiscard]] std::string named(std::string message) const;
+
+ private:
+  friend class CsvReader;
+
+  std::string name_;
+  std::vector<std::string> columns_;
+  std::vector<std::span<const double>> numbers_;
+  std::string path_;
+};
+
 /// Reads a CSV file of named columns row by row, in constant memory.
 ///
 /// The reader finds columns by their names in the header line, in any order, and ignores others. It skips blank lines and lines that begin
@@ -34,7 +58,7 @@ struct FileColumns {
 /// `FILE:LINE:COLUMN: …` (COLUMN counts bytes from 1); a disk that fails throws std::runtime_error.
 class CsvReader {
  public:
-  /// Opens `file` and reads its header, which must have all of `columns`.
+  /// Opens `file`, or MemoryColumns of that path, and reads its header, which must have all of `columns`.
   CsvReader(const std::string& file, std::vector<std::string> columns, std::vector<std::string> optional_columns = {},
             const FileColumns& file_columns = {});
   /// Opens a file of numbers without header. Its columns are 0, 1, …, one for each field of the first row.
@@ -51,7 +75,7 @@ class CsvReader {
   [[nodiscard]] std::size_t field_count() const { return header_fields_; }
   /// Whether the file has the i-th column, in the order of the constructor's lists, optional columns last.
   [[nodiscard]] bool has(std::size_t column) const { return places_[column] != missing; }
-  /// The field of the current row in the i-th column.
+  /// The field of the current row in the i-th column; of a file only.
   [[nodiscard]] std::string_view text(std::size_t column) const { return fields_[places_[column]].text; }
   /// The same as a number within `range`, in SI units.
   [[nodiscard]] double number(std::size_t column, const Range& range) const;
@@ -75,6 +99,7 @@ class CsvReader {
   /// A longer line is an error; this bounds the memory.
   static constexpr std::size_t longest_line = 1 << 20;
 
+  void take_names_in_memory();
   bool next_line();
   bool next_meaningful_line();
   void split();
@@ -82,6 +107,8 @@ class CsvReader {
   void take(const FileColumns& file_columns);
   [[nodiscard]] std::invalid_argument complaint_at(std::size_t offset, const std::string& what) const;
 
+  const MemoryColumns* memory_ = nullptr;
+  std::size_t rows_ = 0;  ///< that have been read
   std::string name_;
   std::vector<std::string> columns_;  ///< names in the file
   std::vector<double> units_;         ///< of the columns, in SI units
@@ -98,7 +125,6 @@ class CsvReader {
   std::size_t field_count_ = 0;
   std::vector<std::size_t> places_;
   std::size_t header_fields_ = 0;
-  bool any_row_ = false;
   bool has_header_ = true;
 };
 

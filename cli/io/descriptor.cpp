@@ -102,11 +102,22 @@ std::string place_of(int file) {
 
 }  // namespace
 
+#ifdef O_TMPFILE
+
 int create_nameless(const std::filesystem::path& path, int mode) noexcept {
   if (::access("/proc/self/fd", F_OK) != 0) return -1;
   const std::filesystem::path directory = path.parent_path();
   return ::open(directory.empty() ? "." : directory.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, mode);
 }
+
+#else
+
+int create_nameless(const std::filesystem::path&, int) noexcept {
+  errno = ENOSYS;
+  return -1;
+}
+
+#endif
 
 int give_name(int file, const std::filesystem::path& path) noexcept {
   return ::linkat(AT_FDCWD, place_of(file).c_str(), AT_FDCWD, path.c_str(), AT_SYMLINK_FOLLOW);

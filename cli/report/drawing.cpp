@@ -28,7 +28,8 @@ constexpr const char* python = "/usr/bin/python3";
 class Pipe {
  public:
   Pipe() {
-    if (::pipe2(ends_.data(), O_CLOEXEC) != 0) throw std::runtime_error(system_complaint("make", "a pipe"));
+    if (::pipe(ends_.data()) != 0) throw std::runtime_error(system_complaint("make", "a pipe"));
+    for (const int end : ends_) ::fcntl(end, F_SETFD, FD_CLOEXEC);
   }
   ~Pipe() {
     ::close(ends_[0]);

@@ -4,9 +4,9 @@
 import signal
 import sys
 
+from . import _core
+
 
 def main() -> int:
     signal.signal(signal.SIGINT, signal.SIG_DFL)  # C++ code runs, and does not check Python's signals
-    from . import _commands
-
-    return _commands.main(sys.argv[1:])
+    return _core.main(sys.argv[1:])

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The functions that return tables: the command line's own code, with arrays in place of files.
 
-Errors, columns and defaults are the command line's, because its own code runs. Arrays in place of files are passed as files in memory;
+Errors, columns and defaults are the command line's, because its own code runs. The command reads arrays as it does files;
 rows come back as arrays, without conversion to text.
 """
 
@@ -12,15 +12,15 @@ import os
 import sys
 import warnings
 from collections.abc import Callable, Mapping, Sequence
-from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar, cast
+from typing import Any, TypeAlias, TypeVar, cast
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from . import _core
 from ._core import Law, columns_of, numbers_of
 
-if TYPE_CHECKING:
-    from ._commands import MemoryFile
+_core.set_share(os.path.join(os.path.dirname(__file__), "share"))
 
 Columns: TypeAlias = dict[str, NDArray[Any]]
 """A table: its columns by name, arrays of one length."""
@@ -72,11 +72,11 @@ def _columns_of(name: str, data: Any) -> list[tuple[str, NDArray[np.float64]]]:
 
 
 class _Call:
-    """A command line under construction, with the files in memory that it reads."""
+    """A command line under construction, with the columns in memory that it reads."""
 
     def __init__(self, *words: str) -> None:
         self.words = list(words)
-        self.files: list[MemoryFile] = []
+        self.memory: list[_core.MemoryColumns] = []
 
     def data(self, name: str, value: Data) -> str:
         """The name of a file with the contents of `value`."""
@@ -93,10 +93,8 @@ class _Call:
         return "samples:" + self._memory(value.name.removeprefix("samples:"), [("radius", radius), ("pressure", pressure)])
 
     def _memory(self, name: str, columns: list[tuple[str, NDArray[np.float64]]]) -> str:
-        from . import _commands
-
-        self.files.append(_commands.MemoryFile(name, columns))
-        return self.files[-1].path
+        self.memory.append(_core.MemoryColumns(name, columns))
+        return self.memory[-1].path
 
     def option(self, name: str, value: Any) -> None:
         """Adds an option, `name` in Python's spelling; leaves out None and False."""
@@ -127,11 +125,9 @@ class _Call:
 
     def run(self, notes: list[str] | None = None) -> Columns:
         """Warnings are Python's; other lines go to `notes`, without it to standard error."""
-        from . import _commands
-
         said: list[str] = []
         try:
-            return _commands.run(self.words, self.files, said)
+            return _core.run(self.words, self.memory, said)
         finally:
             for line in said:
                 text = line.removeprefix("limitcurve: ")
