@@ -20,7 +20,7 @@ class Validate(CommandLineTest):
         self.assertEqual(header("validate", "--law", "hertz"), COLUMNS)
 
     def test_what_is_called_the_error_of_the_ellipse(self):
-        """The table of docs/accuracy.md: wrenches about one centre of rotation, and steady ones of the radial projection, written out here."""
+        """The table of docs/validate.md: wrenches about one centre of rotation, and steady ones of the radial projection, written out here."""
         self.assertAlmostEqual(self.models("hertz")["ellipse"]["max_over_estimate"], 0.064, delta=5e-4)
         self.assertAlmostEqual(self.models("hertz")["ellipse"]["max_cor_error"], 0.73, delta=5e-3)
         ratio = 3 * math.pi / 16
