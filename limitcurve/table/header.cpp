@@ -59,7 +59,7 @@ std::string to_header(const Table& table, std::string_view chosen_name) {
   std::string text = R"(// Friction limit curve of the pressure law @LAW@, written by limitcurve @VERSION@.
 // |error| of force and moment <= certified_error, compared with the exact curve. Add profile_error if the pressure is known at samples
 // only (0 for a law given by a formula). Checksum @CHECKSUM@
-// C99 and C++17; needs no other header. All names begin with the table's, and are local to the file that includes this one.
+// C99, C++17 and CUDA; needs no other header. All names begin with the table's, and are local to the file that includes this one.
 #ifndef @GUARD@
 #define @GUARD@
 

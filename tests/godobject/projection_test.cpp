@@ -353,8 +353,12 @@ int main(void) {
 TEST(Projection, OfAnExportedHeaderIsTheLibrarys) {
   Random random(47);
   std::array<int, 7> of_degree{};
-  const std::vector<Table> tables{Table::build(hertz(), 1e-2, {}), Table::build(uniform(), 1e-4, {}), Table::build(gaussian(0.4), 1e-7, {}),
-                                  Table::build(flat_punch(), 1e-8, {}), Table::build(hertz(), 1e-12, {.bytes = 0})};
+  const std::vector<Table> tables{Table::build(hertz(), 1e-2),
+                                  Table::build(uniform(), 1e-4),
+                                  Table::build(gaussian(0.4), 1e-7),
+                                  Table::build(flat_punch(), 1e-8),
+                                  Table::build(hertz(), 1e-12, {.bytes = 0}),
+                                  Table({"cone", 1e-6, 1e-6}, FloatTable::build(cone(), 1e-6).cells())};
   for (const Table& table : tables) {
     ++of_degree[static_cast<std::size_t>(table.degree())];
     std::vector<std::array<double, 3>> trials{{0.0, 0.0, 1.0}, {2.0, 0.0, 1e-3}, {0.0, -2.0, 1e3}, {1e30, 1e30, 1.0}, {1e-30, 3.0, 7.0}};
