@@ -330,6 +330,9 @@ LIMITCURVE_API limitcurve_status limitcurve_patch_ellipse(const limitcurve_law* 
 /* A pressure image: `rows` rows of `columns` pressures >= 0, the first row at the largest y; pixels are squares of side `pixel` [m]. */
 LIMITCURVE_API limitcurve_status limitcurve_patch_image(const double* pressures, size_t rows, size_t columns, double pixel,
                                                         limitcurve_patch** patch);
+/* The same with pixels that are rectangles, `width` along x and `height` along y [m]. */
+LIMITCURVE_API limitcurve_status limitcurve_patch_image_spaced(const double* pressures, size_t rows, size_t columns, double width,
+                                                               double height, limitcurve_patch** patch);
 /* The same patch with orthotropic friction: its own times mx along x and times my along y, both > 0. */
 LIMITCURVE_API limitcurve_status limitcurve_patch_orthotropic(const limitcurve_patch* patch, double mx, double my,
                                                               limitcurve_patch** result);

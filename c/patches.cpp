@@ -35,10 +35,15 @@ limitcurve_status limitcurve_patch_ellipse(const limitcurve_law* law, double a, 
 }
 
 limitcurve_status limitcurve_patch_image(const double* pressures, size_t rows, size_t columns, double pixel, limitcurve_patch** patch) {
+  return limitcurve_patch_image_spaced(pressures, rows, columns, pixel, pixel, patch);
+}
+
+limitcurve_status limitcurve_patch_image_spaced(const double* pressures, size_t rows, size_t columns, double width, double height,
+                                                limitcurve_patch** patch) {
   if (rows > 0 && columns > std::numeric_limits<std::size_t>::max() / sizeof(double) / rows)
     return refuse("rows", "more pixels than there is memory");
   if (rows * columns > 0 && is_missing("pressures", pressures)) return LIMITCURVE_INVALID;
-  return make_handle(patch, [&] { return limitcurve_patch{Patch::image(std::span(pressures, rows * columns), columns, pixel)}; });
+  return make_handle(patch, [&] { return limitcurve_patch{Patch::image(std::span(pressures, rows * columns), columns, width, height)}; });
 }
 
 limitcurve_status limitcurve_patch_orthotropic(const limitcurve_patch* patch, double mx, double my, limitcurve_patch** result) {

@@ -9,9 +9,13 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <cstddef>
-#include <initializer_list>
+#include <limits>
+#include <optional>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 /// Texts from and to Python as os.fsencode and os.fsdecode have them, because many are or have names of files: bytes that are no UTF-8 pass.
@@ -66,7 +70,27 @@ std::vector<Numbers<double>> columns_of(const std::string& table, const std::vec
 
 /// The same for several, broadcast against each other.
 template <class Real>
-std::vector<Numbers<Real>> broadcast(std::initializer_list<nb::handle> values, std::initializer_list<const char*> names);
+std::vector<Numbers<Real>> broadcast(std::span<const nb::handle> values, std::span<const char* const> names);
+
+/// The numbers that an argument may be.
+struct Range {
+  double least;
+  double largest;
+  const char* text;
+};
+inline constexpr Range any{-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(), "any"};
+inline constexpr Range non_negative{0.0, std::numeric_limits<double>::infinity(), "a number >= 0, or inf"};
+inline constexpr Range finite_non_negative{0.0, std::numeric_limits<double>::max(), "a finite number >= 0"};
+
+/// Throws for a number out of the range; NaN passes.
+template <class Real>
+void require(const Real* numbers, std::size_t size, const char* name, const Range& range);
+
+/// NumPy's type of a single number in single precision.
+nb::handle single_type();
+
+/// A number of Python itself, or of NumPy in single precision: arrays would cost a hundred times what the result does.
+std::optional<double> plain_number(nb::handle value);
 
 /// A new array with the shape of another, and its numbers.
 template <class Real>
@@ -122,6 +146,55 @@ void for_each_point(std::size_t count, const Work& work) {
     raise_signals();
     for (std::size_t i = begin; i < (std::min)(begin + block, count); ++i) work(i);
   }
+}
+
+/// `at` of numbers that are broadcast against each other: it takes an array of `count` numbers and gives one of `results`. A NaN gives NaN.
+/// In single precision if all numbers are. Sixteen results, or `block`, take less than 0.1 s.
+template <std::size_t results, std::size_t block = 16, std::size_t count, class At>
+nb::object of_numbers(const std::array<nb::handle, count>& values, const std::array<const char*, count>& names, const Range& range,
+                      const At& at) {
+  const auto values_at = [&](const std::array<double, count>& numbers) {
+    std::array<double, results> found;
+    if (std::any_of(numbers.begin(), numbers.end(), [](double number) { return std::isnan(number); })) {
+      found.fill(std::numeric_limits<double>::quiet_NaN());
+    } else {
+      found = at(numbers);
+    }
+    return found;
+  };
+  const auto handed = [](const auto& result) -> nb::object {
+    return [&]<std::size_t... i>(std::index_sequence<i...>)->nb::object {
+      if constexpr (results == 1)
+        return result(0);
+      else
+        return nb::make_tuple(result(i)...);
+    }
+    (std::make_index_sequence<results>());
+  };
+  std::array<double, count> plain;
+  std::size_t known = 0;
+  for (std::optional<double> one; known < count && (one = plain_number(values[known])); ++known) plain[known] = *one;
+  if (known == count) {
+    for (std::size_t i = 0; i < count; ++i) require(&plain[i], 1, names[i], range);
+    const std::array<double, results> found = values_at(plain);
+    const bool single = std::all_of(values.begin(), values.end(), [](nb::handle value) { return value.type().is(single_type()); });
+    return handed([&](std::size_t i) -> nb::object {
+      return single ? single_type()(static_cast<float>(found[i])) : nb::object(nb::float_(found[i]));
+    });
+  }
+  return in_precision(std::all_of(values.begin(), values.end(), is_single), [&]<class Real>(Real) -> nb::object {
+    const std::vector<Numbers<Real>> numbers = broadcast<Real>(values, names);
+    for (std::size_t i = 0; i < count; ++i) require(numbers[i].data, numbers[i].size, names[i], range);
+    std::array<Results<Real>, results> found;
+    for (Results<Real>& one : found) one = results_like<Real>(numbers[0].array);
+    for_each_point<block>(numbers[0].size, [&](std::size_t i) {
+      std::array<double, count> given;
+      for (std::size_t j = 0; j < count; ++j) given[j] = static_cast<double>(numbers[j].data[i]);
+      const std::array<double, results> values_here = values_at(given);
+      for (std::size_t j = 0; j < results; ++j) found[j].data[i] = static_cast<Real>(values_here[j]);
+    });
+    return handed([&](std::size_t i) { return handed_over(found[i]); });
+  });
 }
 
 }  // namespace limitcurve::python

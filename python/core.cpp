@@ -7,7 +7,7 @@
 
 #include <nanobind/stl/vector.h>
 
-#include <cmath>
+#include <algorithm>
 #include <exception>
 #include <stdexcept>
 #include <string>
@@ -107,16 +107,42 @@ std::vector<Numbers<double>> columns_of(const std::string& table, const std::vec
 }
 
 template <class Real>
-std::vector<Numbers<Real>> broadcast(std::initializer_list<nb::handle> values, std::initializer_list<const char*> names) {
+std::vector<Numbers<Real>> broadcast(std::span<const nb::handle> values, std::span<const char* const> names) {
   nb::list arrays;
-  const char* const* name = names.begin();
+  const char* const* name = names.data();
   for (const nb::handle one : values) arrays.append(as_array(one, *name++));
   std::vector<Numbers<Real>> result;
   for (const nb::handle one : numpy("broadcast_arrays")(*arrays)) result.push_back(contiguous<Real>(nb::borrow(one)));
   return result;
 }
-template std::vector<Numbers<double>> broadcast(std::initializer_list<nb::handle> values, std::initializer_list<const char*> names);
-template std::vector<Numbers<float>> broadcast(std::initializer_list<nb::handle> values, std::initializer_list<const char*> names);
+template std::vector<Numbers<double>> broadcast(std::span<const nb::handle> values, std::span<const char* const> names);
+template std::vector<Numbers<float>> broadcast(std::span<const nb::handle> values, std::span<const char* const> names);
+
+template <class Real>
+void require(const Real* numbers, std::size_t size, const char* name, const Range& range) {
+  const Real* const end = numbers + size;
+  const Real* const bad =
+      std::find_if(numbers, end, [&](Real number) { return double{number} < range.least || double{number} > range.largest; });
+  if (bad == end) return;
+  const std::string place = size == 1 ? "" : "[" + std::to_string(bad - numbers) + "]";
+  throw std::invalid_argument(name + place + ": got " + format_number(double{*bad}) + ", expected " + range.text);
+}
+template void require(const double* numbers, std::size_t size, const char* name, const Range& range);
+template void require(const float* numbers, std::size_t size, const char* name, const Range& range);
+
+nb::handle single_type() {
+  static const nb::handle type = numpy("float32").release();
+  return type;
+}
+
+std::optional<double> plain_number(nb::handle value) {
+  if (PyFloat_Check(value.ptr())) return PyFloat_AsDouble(value.ptr());
+  if (!PyLong_CheckExact(value.ptr()) && !value.type().is(single_type())) return std::nullopt;
+  const double number = PyFloat_AsDouble(value.ptr());
+  if (number != -1.0 || PyErr_Occurred() == nullptr) return number;
+  PyErr_Clear();  // too large: said as of arrays
+  return std::nullopt;
+}
 
 template <class Real>
 Results<Real> results_like(const nb::object& array) {
@@ -191,6 +217,7 @@ NB_MODULE(_core, module) {
   nb::register_exception_translator(translate);
   module.attr("version") = nb::str(limitcurve::version.data(), limitcurve::version.size());
   limitcurve::between_samples = raise_signals;
+  single_type();  // now: imports at the first use could wait for each other
   add_curves(module);
   add_fingers(module);
   add_batches(module);

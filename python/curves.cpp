@@ -26,84 +26,17 @@ namespace limitcurve::python {
 
 namespace {
 
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
-
-/// Throws for a negative number, and for infinity if not allowed; NaN passes.
-template <class Real>
-void require_non_negative(const Real* numbers, std::size_t size, const char* name, bool may_be_infinite) {
-  const double largest = may_be_infinite ? std::numeric_limits<double>::infinity() : std::numeric_limits<double>::max();
-  const Real* const end = numbers + size;
-  const Real* const bad = std::find_if(numbers, end, [&](Real number) { return number < Real(0) || double{number} > largest; });
-  if (bad == end) return;
-  const std::string place = size == 1 ? "" : "[" + std::to_string(bad - numbers) + "]";
-  throw std::invalid_argument(name + place + ": got " + format_number(double{*bad}) + ", expected " +
-                              (may_be_infinite ? "a number >= 0, or inf" : "a finite number >= 0"));
-}
-
-/// Throws for what is no COR distance, in units of the radius.
-double checked_cor(double s) {
-  require_non_negative(&s, 1, "c", true);
-  return s;
-}
-
-/// A number of Python itself, for which arrays would cost ten times what the result does.
-std::optional<double> plain_number(nb::handle value) {
-  if (PyFloat_Check(value.ptr())) return PyFloat_AsDouble(value.ptr());
-  if (!PyLong_CheckExact(value.ptr())) return std::nullopt;
-  const double number = PyLong_AsDouble(value.ptr());
-  if (number != -1.0 || PyErr_Occurred() == nullptr) return number;
-  PyErr_Clear();  // too large: said as of arrays
-  return std::nullopt;
-}
-
-/// Results at COR distances: `at(s)` gives `count` numbers. Sixteen of them, or `block`, take less than 0.1 s.
-template <std::size_t count, std::size_t block = 16, class At>
-nb::object evaluate(nb::handle c, const At& at) {
-  constexpr auto numbers = std::make_index_sequence<count>();
-  const auto values_at = [&](double s) {
-    std::array<double, count> values;
-    if (std::isnan(s)) {
-      values.fill(not_a_number);
-    } else {
-      values = at(s);
-    }
-    return values;
-  };
-  if (const std::optional<double> one = plain_number(c)) {
-    const std::array<double, count> values = values_at(checked_cor(*one));
-    return [&]<std::size_t... i>(std::index_sequence<i...>) {
-      return nb::make_tuple(values[i]...);
-    }
-    (numbers);
-  }
-  return in_precision(is_single(c), [&]<class Real>(Real) -> nb::object {
-    const Numbers<Real> cors = numbers_of<Real>(c, "c");
-    require_non_negative(cors.data, cors.size, "c", true);
-    std::array<Results<Real>, count> results;
-    for (Results<Real>& one : results) one = results_like<Real>(cors.array);
-    for_each_point<block>(cors.size, [&](std::size_t i) {
-      const std::array<double, count> values = values_at(static_cast<double>(cors.data[i]));
-      for (std::size_t j = 0; j < count; ++j) results[j].data[i] = static_cast<Real>(values[j]);
-    });
-    return [&]<std::size_t... i>(std::index_sequence<i...>) {
-      return nb::make_tuple(handed_over(results[i])...);
-    }
-    (numbers);
-  });
+template <std::size_t results, std::size_t block = 16, class At>
+nb::object of_cors(nb::handle c, const At& at) {
+  return of_numbers<results, block, 1>({c}, {"c"}, non_negative, [&](const std::array<double, 1>& s) { return at(s[0]); });
 }
 
 std::array<double, 2> components(const UnitWrench& wrench) {
   return {wrench.force, wrench.moment};
 }
 
-/// Of a curve whose look-up takes nanoseconds.
-template <class Curve>
-nb::object look_up(const Curve& curve, nb::handle c) {
-  return evaluate<2, 256>(c, [&](double s) { return components(curve.wrench({s, 1.0})); });
-}
-
 nb::object evaluate_with_errors(const PyLaw& law, nb::handle c) {
-  return evaluate<4>(c, [&](double s) -> std::array<double, 4> {
+  return of_cors<4>(c, [&](double s) -> std::array<double, 4> {
     const WrenchEstimate estimate = cli::in_units(law.law->evaluate(s), s, 1.0, 1.0);
     return {estimate.wrench.force, estimate.wrench.moment, estimate.error.force, estimate.error.moment};
   });
@@ -112,33 +45,62 @@ nb::object evaluate_with_errors(const PyLaw& law, nb::handle c) {
 /// One number for each pair of force and moment.
 template <class Of>
 nb::object of_wrenches(nb::handle force, nb::handle moment, const Of& of) {
-  return in_precision(is_single(force) && is_single(moment), [&]<class Real>(Real) {
-    const std::vector<Numbers<Real>> numbers = broadcast<Real>({force, moment}, {"force", "moment"});
-    require_non_negative(numbers[0].data, numbers[0].size, "force", false);
-    require_non_negative(numbers[1].data, numbers[1].size, "moment", false);
-    const Results<Real> results = results_like<Real>(numbers[0].array);
-    for_each_point(numbers[0].size, [&](std::size_t i) {
-      const auto f = static_cast<double>(numbers[0].data[i]);
-      const auto m = static_cast<double>(numbers[1].data[i]);
-      results.data[i] = static_cast<Real>(std::isnan(f) || std::isnan(m) ? not_a_number : of(f, m));
-    });
-    return handed_over(results);
-  });
+  return of_numbers<1, 16, 2>({force, moment}, {"force", "moment"}, finite_non_negative,
+                              [&](const std::array<double, 2>& wrench) { return std::array{of(wrench[0], wrench[1])}; });
 }
 
-template <class Curve>
-nb::object loads_to_hold(const Curve& curve, nb::handle force, nb::handle moment, double mu, const std::string& radius_law) {
-  const RadiusLaw radius = cli::read_radius_law(radius_law).of(mu, curve.moment_ratio());
-  return of_wrenches(force, moment, [&](double f, double m) { return load_to_hold(curve, radius, mu, f, m); });
+const Table& curve_in(const Table& table) {
+  return table;
+}
+const godobject::FingerCurve& curve_in(const PyCurve& curve) {
+  return curve.curve;
 }
 
-constexpr const char* evaluate_signature = "def evaluate(self, c: numpy.typing.ArrayLike) -> tuple[typing.Any, typing.Any]";
-constexpr const char* gauge_signature = "def gauge(self, force: numpy.typing.ArrayLike, moment: numpy.typing.ArrayLike) -> typing.Any";
-constexpr const char* hold_signature =
-    "def load_to_hold(self, force: numpy.typing.ArrayLike, moment: numpy.typing.ArrayLike, *, mu: float, radius_law: str) -> typing.Any";
-constexpr const char* hold_doc =
-    "The least load [N] that holds friction forces [N] and moments [N m] >= 0, broadcast against each other.\n\n"
-    "inf if no load does. `radius_law` gives the contact radius a(P), as on the command line.";
+/// The methods of a table, an ellipse or a box.
+template <class Class>
+void add_limit_curve(nb::class_<Class>& type) {
+  type.def(
+          "evaluate",
+          [](const Class& self, nb::handle c) {
+            return of_cors<2, 256>(c, [&](double s) { return components(curve_in(self).wrench({s, 1.0})); });
+          },
+          nb::arg("c"), nb::sig("def evaluate(self, c: numpy.typing.ArrayLike) -> tuple[typing.Any, typing.Any]"),
+          "Unit wrenches at COR distances of c contact radii; of a table within certified_error. As Law.evaluate.")
+      .def(
+          "wrench",
+          [](const Class& self, nb::handle slide, nb::handle spin) {
+            return of_numbers<2, 256, 2>({slide, spin}, {"slide", "spin"}, any, [&](const std::array<double, 2>& twist) {
+              return components(curve_in(self).wrench({twist[0], twist[1]}));
+            });
+          },
+          nb::arg("slide"), nb::arg("spin"),
+          nb::sig("def wrench(self, slide: numpy.typing.ArrayLike, spin: numpy.typing.ArrayLike) -> tuple[typing.Any, typing.Any]"),
+          "Unit wrenches of slips with speeds |v| and rim speeds a|omega|, of which only the ratio counts, without signs; no slip gives "
+          "0.\n"
+          "Broadcasts; else as evaluate(slide / spin).")
+      .def(
+          "gauge",
+          [](const Class& self, nb::handle force, nb::handle moment) {
+            return of_wrenches(force, moment, [&](double f, double m) { return curve_in(self).gauge({f, m}); });
+          },
+          nb::arg("force"), nb::arg("moment"),
+          nb::sig("def gauge(self, force: numpy.typing.ArrayLike, moment: numpy.typing.ArrayLike) -> typing.Any"),
+          "Distance of unit wrenches from the origin divided by that of the curve on the same ray: < 1 holds, > 1 slips. Broadcasts.")
+      .def(
+          "load_to_hold",
+          [](const Class& self, nb::handle force, nb::handle moment, double mu, const std::string& radius_law) {
+            const auto& curve = curve_in(self);
+            const RadiusLaw radius = cli::read_radius_law(radius_law).of(mu, curve.moment_ratio());
+            return of_wrenches(force, moment, [&](double f, double m) { return load_to_hold(curve, radius, mu, f, m); });
+          },
+          nb::arg("force"), nb::arg("moment"), nb::kw_only(), nb::arg("mu"), nb::arg("radius_law"),
+          nb::sig("def load_to_hold(self, force: numpy.typing.ArrayLike, moment: numpy.typing.ArrayLike, *, mu: float, radius_law: str) -> "
+                  "typing.Any"),
+          "The least load [N] that holds friction forces [N] and moments [N m] >= 0, broadcast against each other.\n\n"
+          "inf if no load does. `radius_law` gives the contact radius a(P), as on the command line.")
+      .def_prop_ro(
+          "moment_ratio", [](const Class& self) { return curve_in(self).moment_ratio(); }, "m0, the unit moment of a pure twist.");
+}
 
 void add_laws(nb::module_& module) {
   nb::class_<PyLaw> type(module, "Law",
@@ -195,7 +157,7 @@ void add_laws(nb::module_& module) {
           "evaluate",
           [](const PyLaw& self, nb::handle c, nb::handle error) {
             return truth_of(error) ? evaluate_with_errors(self, c)
-                                   : evaluate<2>(c, [&](double s) { return components(self.law->evaluate(s).wrench); });
+                                   : of_cors<2>(c, [&](double s) { return components(self.law->evaluate(s).wrench); });
           },
           nb::arg("c"), nb::kw_only(), nb::arg("error") = false,
           nb::sig("def evaluate(self, c: numpy.typing.ArrayLike, *, error: bool = False) -> tuple[typing.Any, ...]"),
@@ -250,6 +212,7 @@ void add_tables(nb::module_& module) {
                          ">>> table.certified_error <= 1e-8, table.nbytes <= 4096\n"
                          "(True, True)\n");
   copies_are_itself(type);
+  add_limit_curve(type);
   type.def("__getstate__",
            [](const Table& self) {
              return nb::make_tuple(self.law_name(), self.tolerance(), self.certified_error(), self.profile_error(), self.cells().index_bits,
@@ -296,22 +259,6 @@ void add_tables(nb::module_& module) {
           nb::arg("path"), nb::arg("name") = "", nb::sig("def save(self, path: str | os.PathLike[str], name: str = '') -> None"),
           "Writes the whole table or nothing; the extension selects .csv, .json, .h (C99) or .hpp (constexpr C++17).\n"
           "name: of the table in a header, NAME_wrench(slide, spin); if empty, one that no other table has.")
-      .def(
-          "evaluate", [](const Table& self, nb::handle c) { return look_up(self, c); }, nb::arg("c"), nb::sig(evaluate_signature),
-          "Unit wrenches at COR distances of c contact radii, within certified_error. As Law.evaluate.")
-      .def(
-          "gauge",
-          [](const Table& self, nb::handle force, nb::handle moment) {
-            return of_wrenches(force, moment, [&](double f, double m) { return self.gauge({f, m}); });
-          },
-          nb::arg("force"), nb::arg("moment"), nb::sig(gauge_signature),
-          "Distance of unit wrenches from the origin divided by that of the curve on the same ray: < 1 holds, > 1 slips. Broadcasts.")
-      .def(
-          "load_to_hold",
-          [](const Table& self, nb::handle force, nb::handle moment, double mu, const std::string& radius_law) {
-            return loads_to_hold(self, force, moment, mu, radius_law);
-          },
-          nb::arg("force"), nb::arg("moment"), nb::kw_only(), nb::arg("mu"), nb::arg("radius_law"), nb::sig(hold_signature), hold_doc)
       .def_prop_ro(
           "cells", &cells_of, nb::sig("def cells(self) -> numpy.typing.NDArray[numpy.float64]"),
           "The cells as rows (side, x, c0 ... c6), in the order of a file: D(t) = sum ci (t - x)^i from t = x to the next larger x of its\n"
@@ -322,7 +269,6 @@ void add_tables(nb::module_& module) {
                    "Additional error because the pressure is known only at samples; 0 for a formula.")
       .def_prop_ro("tolerance", &Table::tolerance, "Requested tolerance.")
       .def_prop_ro("law_name", &Table::law_name, "The law in words.")
-      .def_prop_ro("moment_ratio", &Table::moment_ratio, "m0, the unit moment of a pure twist.")
       .def_prop_ro("nbytes", &Table::bytes, "Bytes that a look-up may touch.")
       .def("__repr__",
            [](const Table& self) { return "<Table of " + self.law_name() + ", error <= " + format_number(self.certified_error()) + ">"; });
@@ -331,27 +277,11 @@ void add_tables(nb::module_& module) {
 void add_closed_curves(nb::module_& module) {
   nb::class_<PyCurve> type(module, "Curve", "An ellipse or a box; it can drive a finger in place of a table: see `ellipse` and `box`.");
   copies_are_itself(type);
+  add_limit_curve(type);
   type.def("__getstate__", [](const PyCurve& self) { return std::tuple(self.name, self.force_max, self.moment_max); })
       .def(
           "__setstate__",
           [](PyCurve& self, const std::tuple<std::string, double, double>& state) { new (&self) PyCurve(std::apply(closed_curve, state)); })
-      .def(
-          "evaluate", [](const PyCurve& self, nb::handle c) { return look_up(self.curve, c); }, nb::arg("c"), nb::sig(evaluate_signature),
-          "Unit wrenches at COR distances of c contact radii. As Law.evaluate.")
-      .def(
-          "gauge",
-          [](const PyCurve& self, nb::handle force, nb::handle moment) {
-            return of_wrenches(force, moment, [&](double f, double m) { return self.curve.gauge({f, m}); });
-          },
-          nb::arg("force"), nb::arg("moment"), nb::sig(gauge_signature), "As Table.gauge.")
-      .def(
-          "load_to_hold",
-          [](const PyCurve& self, nb::handle force, nb::handle moment, double mu, const std::string& radius_law) {
-            return loads_to_hold(self.curve, force, moment, mu, radius_law);
-          },
-          nb::arg("force"), nb::arg("moment"), nb::kw_only(), nb::arg("mu"), nb::arg("radius_law"), nb::sig(hold_signature), hold_doc)
-      .def_prop_ro(
-          "moment_ratio", [](const PyCurve& self) { return self.curve.moment_ratio(); }, "m0, the unit moment of a pure twist.")
       .def("__repr__", [](const PyCurve& self) { return "<" + self.name + ">"; });
   module.def(
       "ellipse", [](double force_max, double moment_max) { return closed_curve("ellipse", force_max, moment_max); }, nb::arg("force_max"),

@@ -48,16 +48,8 @@ nb::object wrench(const PyPatch& patch, nb::handle twists, double mu, double loa
 }
 
 nb::object loads_to_hold(const PyPatch& patch, nb::handle fx, nb::handle fy, nb::handle moment, double mu) {
-  return in_precision(is_single(fx) && is_single(fy) && is_single(moment), [&]<class Real>(Real) {
-    const std::vector<Numbers<Real>> numbers = broadcast<Real>({fx, fy, moment}, {"fx", "fy", "moment"});
-    const Results<Real> loads = results_like<Real>(numbers[0].array);
-    for_each_point(numbers[0].size, [&](std::size_t i) {
-      const auto at = [&](std::size_t column) { return static_cast<double>(numbers[column].data[i]); };
-      const PatchWrench wrench{at(0), at(1), at(2)};
-      const bool is_number = !std::isnan(wrench.fx) && !std::isnan(wrench.fy) && !std::isnan(wrench.moment);
-      loads.data[i] = static_cast<Real>(is_number ? load_to_hold(patch, mu, wrench) : std::numeric_limits<double>::quiet_NaN());
-    });
-    return handed_over(loads);
+  return of_numbers<1, 16, 3>({fx, fy, moment}, {"fx", "fy", "moment"}, any, [&](const std::array<double, 3>& wrench) {
+    return std::array{load_to_hold(patch, mu, {wrench[0], wrench[1], wrench[2]})};
   });
 }
 

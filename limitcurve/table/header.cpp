@@ -41,6 +41,7 @@ void check_name(std::string_view name) {
 
 std::string to_header(const Table& table, std::string_view chosen_name) {
   const TableCells pieces = table.cells();
+  const auto degree = static_cast<std::size_t>(table.degree());
   const auto literal = [](double value) {
     const std::string text = format_number(value);
     return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
@@ -49,7 +50,7 @@ std::string to_header(const Table& table, std::string_view chosen_name) {
     std::string text = "{\n";
     for (const TableCell& cell : side) {
       text.append("    {").append(literal(cell.x));
-      for (const double coefficient : cell.coefficients) text.append(", ").append(literal(coefficient));
+      for (std::size_t i = 0; i <= degree; ++i) text.append(", ").append(literal(cell.coefficients[i]));
       text += "},\n";
     }
     return text + "}";
@@ -58,15 +59,22 @@ std::string to_header(const Table& table, std::string_view chosen_name) {
   std::string text = R"(// Friction limit curve of the pressure law @LAW@, written by limitcurve @VERSION@.
 // |error| of force and moment <= certified_error, compared with the exact curve. Add profile_error if the pressure is known at samples
 // only (0 for a law given by a formula). Checksum @CHECKSUM@
-// C99 and C++17; needs no other header. All names begin with the table's, and are local to the file that includes this one.
+// C99, C++17 and CUDA; needs no other header. All names begin with the table's, and are local to the file that includes this one.
 #ifndef @GUARD@
 #define @GUARD@
 
-#ifdef __cplusplus
+#if defined(__CUDA_ARCH__)
+#define LIMITCURVE_TABLE_DATA static __device__ constexpr
+#elif defined(__cplusplus)
 #define LIMITCURVE_TABLE_DATA static constexpr
-#define LIMITCURVE_TABLE_FUNCTION static constexpr
 #else
 #define LIMITCURVE_TABLE_DATA static const
+#endif
+#if defined(__CUDACC__)
+#define LIMITCURVE_TABLE_FUNCTION static __host__ __device__ constexpr
+#elif defined(__cplusplus)
+#define LIMITCURVE_TABLE_FUNCTION static constexpr
+#else
 #define LIMITCURVE_TABLE_FUNCTION static inline
 #endif
 
@@ -82,15 +90,25 @@ LIMITCURVE_TABLE_DATA double @NAME@_profile_error = @PROFILE@;
 /// Moment of a pure twist, mu_r / (mu a).
 LIMITCURVE_TABLE_DATA double @NAME@_moment_ratio = @RATIO@;
 
+/// The wrench at c = a, the centre of rotation on the rim.
+LIMITCURVE_TABLE_DATA @NAME@_unit_wrench @NAME@_rim = {@RIM@};
+
 /// The support function D(x) in pieces. A row is the x at which a piece begins, then the coefficients of D in powers of the distance from
 /// it. Inside the rim x = c/a, force = D', moment = D - x D'. Outside x = a/c, moment = D', force = D - x D'.
-LIMITCURVE_TABLE_DATA double @NAME@_inside[@INSIDE_COUNT@][8] = @INSIDE@;
-LIMITCURVE_TABLE_DATA double @NAME@_outside[@OUTSIDE_COUNT@][8] = @OUTSIDE@;
+LIMITCURVE_TABLE_DATA double @NAME@_inside[@INSIDE_COUNT@][@COLUMNS@] = @INSIDE@;
+LIMITCURVE_TABLE_DATA double @NAME@_outside[@OUTSIDE_COUNT@][@COLUMNS@] = @OUTSIDE@;
 
-/// D' (leading) and D - x D' (trailing) at x in [0, 1]. A bisection finds the piece.
-LIMITCURVE_TABLE_FUNCTION void @NAME@_evaluate(const double (*pieces)[8], int count, double x, double *leading, double *trailing) {
+typedef struct @NAME@_jet {
+  double leading;   /* D' */
+  double trailing;  /* D - x D' */
+  double second;    /* D'' */
+} @NAME@_jet;
+
+/// The curve at x in [0, 1], on one side of the rim. A bisection finds the piece.
+LIMITCURVE_TABLE_FUNCTION @NAME@_jet @NAME@_evaluate(int outside, double x) {
+  const double (*const pieces)[@COLUMNS@] = outside ? @NAME@_outside : @NAME@_inside;
   int low = 0;
-  int high = count;
+  int high = outside ? @OUTSIDE_COUNT@ : @INSIDE_COUNT@;
   while (high - low > 1) {
     const int middle = low + (high - low) / 2;
     if (pieces[middle][0] <= x) {
@@ -99,16 +117,17 @@ LIMITCURVE_TABLE_FUNCTION void @NAME@_evaluate(const double (*pieces)[8], int co
       high = middle;
     }
   }
-  const double *const piece = pieces[low];
-  const double t = x - piece[0];
-  double value = piece[7];
+  const double t = x - pieces[low][0];
+  double value = 0.0;
   double slope = 0.0;
-  for (int i = 6; i >= 1; --i) {
+  double half_second = 0.0;
+  for (int i = @DEGREE@ + 1; i >= 1; --i) {
+    half_second = half_second * t + slope;
     slope = slope * t + value;
-    value = value * t + piece[i];
+    value = value * t + pieces[low][i];
   }
-  *leading = slope;
-  *trailing = value - x * slope;
+  const @NAME@_jet jet = {slope, value - x * slope, 2.0 * half_second};
+  return jet;
 }
 
 /// The unit wrench of a contact that slides with speed `slide` and turns with rim speed `spin` (a times the angular velocity): magnitudes,
@@ -118,11 +137,63 @@ LIMITCURVE_TABLE_FUNCTION @NAME@_unit_wrench @NAME@_wrench(double slide, double 
   if (slide < 0.0) slide = -slide;
   if (spin < 0.0) spin = -spin;
   if (slide == 0.0 && spin == 0.0) return found;
-  if (slide <= spin) {
-    @NAME@_evaluate(@NAME@_inside, @INSIDE_COUNT@, slide / spin, &found.force, &found.moment);
-  } else {
-    @NAME@_evaluate(@NAME@_outside, @OUTSIDE_COUNT@, spin / slide, &found.moment, &found.force);
+  const int outside = slide > spin;
+  const @NAME@_jet jet = @NAME@_evaluate(outside, outside ? spin / slide : slide / spin);
+  found.force = outside ? jet.trailing : jet.leading;
+  found.moment = outside ? jet.leading : jet.trailing;
+  return found;
+}
+
+/// The curve's point nearest to a trial, if chi > 0 (closest_point), or on the ray through it, if chi = 0. `gauge` is how many times
+/// farther the trial reaches in the direction of the normal there. Newton's method in a bracket.
+LIMITCURVE_TABLE_FUNCTION @NAME@_unit_wrench @NAME@_project(double force, double moment, double chi, double *gauge) {
+  const int on_ray = !(chi > 0.0);
+  const int outside = on_ray ? force * @NAME@_rim.moment > moment * @NAME@_rim.force
+                             : force - @NAME@_rim.force > chi * (moment - @NAME@_rim.moment);
+  const double leading = outside ? moment : force;
+  const double trailing = outside ? force : moment;
+  const double kappa = outside && !on_ray ? 1.0 / chi : chi;
+  double low = 0.0;
+  double high = 1.0;
+  double x = leading > 0.0 ? 0.5 : 0.0; /* a trial on an axis has its root at the end */
+  @NAME@_jet jet = @NAME@_evaluate(outside, x);
+  for (int step = 1; step <= 64; ++step) {
+    const double over = kappa * (trailing - jet.trailing);
+    const double up = on_ray ? jet.trailing * leading : leading - jet.leading;
+    const double down = on_ray ? jet.leading * trailing : x * over;
+    const double slope = on_ray ? jet.second * (trailing + x * leading) : jet.second * (1.0 + kappa * x * x) + over;
+    const double rounding = 1e-15 * (on_ray ? up + down : leading + x * kappa * trailing);
+    /* Below its rounding the sign of the residual is chance. A trial below a point of the curve in both components is inside. */
+    if ((up - down <= rounding && down - up <= rounding) || (!on_ray && up <= 0.0 && over <= 0.0)) break;
+    if (up > down) {
+      low = x;
+    } else {
+      high = x;
+    }
+    const double next = slope > 0.0 && step % 8 != 0 ? x + (up - down) / slope : high;
+    x = next > low && next < high ? next : 0.5 * (low + high);
+    jet = @NAME@_evaluate(outside, x);
   }
+  *gauge = (trailing + x * leading) / (jet.trailing + x * jet.leading);
+  const @NAME@_unit_wrench found = {outside ? jet.trailing : jet.leading, outside ? jet.leading : jet.trailing};
+  return found;
+}
+
+/// Distance of a unit wrench from the origin divided by that of the curve on the same ray: < 1 holds, > 1 slips. Signs do not count.
+LIMITCURVE_TABLE_FUNCTION double @NAME@_gauge(double force, double moment) {
+  double gauge = 0.0;
+  @NAME@_project(force < 0.0 ? -force : force, moment < 0.0 ? -moment : moment, 0.0, &gauge);
+  return gauge;
+}
+
+/// What a trial, the unit wrench of springs that would stick, becomes: the nearest point of the curve if it slips, else itself. A change of
+/// the moment costs chi = a^2 k_l/k_r, in [1e-3, 1e3], times one of the force. Signs are kept.
+LIMITCURVE_TABLE_FUNCTION @NAME@_unit_wrench @NAME@_closest_point(double force, double moment, double chi) {
+  double gauge = 0.0;
+  @NAME@_unit_wrench found = @NAME@_project(force < 0.0 ? -force : force, moment < 0.0 ? -moment : moment, chi, &gauge);
+  const int slips = gauge > 1.0 + 1e-12;
+  found.force = !slips ? force : force < 0.0 ? -found.force : found.force;
+  found.moment = !slips ? moment : moment < 0.0 ? -found.moment : found.moment;
   return found;
 }
 
@@ -135,7 +206,11 @@ static constexpr double certified_error = @NAME@_certified_error;
 static constexpr double profile_error = @NAME@_profile_error;
 static constexpr double moment_ratio = @NAME@_moment_ratio;
 
-static constexpr unit_wrench wrench(double slide, double spin) { return @NAME@_wrench(slide, spin); }
+LIMITCURVE_TABLE_FUNCTION unit_wrench wrench(double slide, double spin) { return @NAME@_wrench(slide, spin); }
+LIMITCURVE_TABLE_FUNCTION double gauge(double force, double moment) { return @NAME@_gauge(force, moment); }
+LIMITCURVE_TABLE_FUNCTION unit_wrench closest_point(double force, double moment, double chi) {
+  return @NAME@_closest_point(force, moment, chi);
+}
 
 }  // namespace @NAME@
 #endif
@@ -160,6 +235,9 @@ static constexpr unit_wrench wrench(double slide, double spin) { return @NAME@_w
   put("@CERTIFIED@", literal(table.certified_error()));
   put("@PROFILE@", literal(table.profile_error()));
   put("@RATIO@", literal(table.moment_ratio()));
+  put("@RIM@", literal(table.rim().force) + ", " + literal(table.rim().moment));
+  put("@DEGREE@", std::to_string(degree));
+  put("@COLUMNS@", std::to_string(degree + 2));
   put("@INSIDE@", list(pieces.inside));
   put("@OUTSIDE@", list(pieces.outside));
   put("@INSIDE_COUNT@", std::to_string(pieces.inside.size()));

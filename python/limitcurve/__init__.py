@@ -8,7 +8,7 @@
 
 Functions that return tables (`validate`, `choose`, `fit`, `translate`, `replay`, `run`) give a dict of arrays with the command
 line's columns. Wrong input raises a ValueError with the command line's message, a failed job a RuntimeError. SI units throughout.
-`limitcurve.plot` draws with matplotlib.
+`limitcurve.plot` draws with matplotlib; `limitcurve.arrays` and `limitcurve.warp` are friction for JAX, torch and kernels of Warp.
 """
 
 from ._core import (

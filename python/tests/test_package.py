@@ -3,6 +3,7 @@
 
 import doctest
 import importlib.resources
+import importlib.util
 import inspect
 import os
 import shutil
@@ -16,6 +17,9 @@ import limitcurve.plot
 import pytest
 
 MODULES = [lc, lc.plot, lc.arrays, sys.modules["limitcurve._tables"]]
+if importlib.util.find_spec("warp"):
+    MODULES.append(importlib.import_module("limitcurve.warp"))
+    MODULES[-1].wp.config.log_level = MODULES[-1].wp.LOG_WARNING
 
 
 def documented():

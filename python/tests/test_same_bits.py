@@ -51,7 +51,7 @@ class Contact(ctypes.Structure):
 class Output(ctypes.Structure):
     _fields_ = [("proxy", ctypes.c_double * 3), ("angle", ctypes.c_double), ("depth", ctypes.c_double), ("normal", ctypes.c_double * 3),
                 ("load", ctypes.c_double), ("force", ctypes.c_double * 3), ("moment", ctypes.c_double), ("cor", ctypes.c_double),
-                ("slip_work", ctypes.c_double), ("state", ctypes.c_int)]
+                ("slip_work", ctypes.c_double), ("state", ctypes.c_int), ("converged", ctypes.c_int), ("fault", ctypes.c_int)]
 
 
 @pytest.mark.parametrize("text", [b"hertz", b"uniform", b"flat-punch"])

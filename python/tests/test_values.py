@@ -63,6 +63,34 @@ def test_gauge_is_one_on_the_curve_and_scales(c, factor):
     assert TABLE.gauge(factor * f, factor * m) == pytest.approx(factor, rel=1e-12, abs=1e-300)
 
 
+def test_wrench_is_of_a_ratio_without_signs():
+    slide, spin = np.array([0.0, -0.3, 2e-9, 5]), np.array([1.0, -1e-9, 0.7])[:, None]
+    for curve in (TABLE, lc.ellipse(1, 0.6)):
+        f, m = curve.wrench(slide, spin)
+        exact = curve.evaluate(np.abs(slide / spin))
+        assert f.shape == m.shape == (3, 4) and np.allclose(f, exact[0], atol=1e-15) and np.allclose(m, exact[1], atol=1e-15)
+        assert curve.wrench(0, 0) == (0, 0) and curve.wrench(2, 0) == (1, 0) and curve.wrench(0, -3) == (0, curve.moment_ratio)
+        assert curve.wrench(math.inf, 1) == (1, 0) and np.isnan(curve.wrench([1, math.nan], 1)[0]).tolist() == [False, True]
+        assert isinstance(curve.wrench(1, np.float64(2))[0], float) and isinstance(curve.wrench(np.float32(1), np.float32(2))[1], np.float32)
+
+
+def test_single_numbers_are_arrays_of_one():
+    law = lc.Law("hertz")
+    calls = {law.evaluate: [0.7], TABLE.evaluate: [0.7], TABLE.wrench: [0.7, -0.3], TABLE.gauge: [0.7, 0.3], lc.box(1, 0.6).gauge: [0.7, 0.3]}
+    for call, given in calls.items():
+        for kind in (np.float64, np.float32):
+            one, many = call(*map(kind, given)), call(*(np.array([x], kind) for x in given))
+            for x, xs in zip(np.atleast_1d(one), np.reshape(many, -1)):
+                assert x == xs and xs.dtype == kind
+        with pytest.raises(ValueError, match="expected real numbers|expected numbers"):
+            call(*("one" for _ in given))
+    for kind in (float, np.float32):
+        with pytest.raises(ValueError, match="moment: got -0.5, expected a finite number >= 0"):
+            TABLE.gauge(kind(1), kind(-0.5))
+        with pytest.raises(ValueError, match="force: got inf, expected a finite number >= 0"):
+            TABLE.gauge(kind("inf"), kind(1))
+
+
 def test_gauge_and_load_to_hold_broadcast():
     force, moment = np.linspace(0, 2, 5), np.linspace(0, 5e-3, 4)[:, None]
     loads = TABLE.load_to_hold(force, moment, mu=0.6, radius_law="power:c=0.002,gamma=0.3")

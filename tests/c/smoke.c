@@ -95,6 +95,16 @@ static void fingers(void) {
   double wrench[3], power, bound;
   CHECK(limitcurve_patch_wrench(patch, twist, 1, wrench, &power, &bound) == LIMITCURVE_OK);
   CHECK(fabs(wrench[0] - 1) < 1e-12 && fabs(wrench[1]) < 1e-12 && fabs(wrench[2]) < 1e-12 && fabs(power - 0.01) < 1e-14);
+  /* An image of wide pixels is that rectangle, turning about the middle of its right edge. */
+  const double pixels[4] = {1, 1, 1, 1}, turning[3] = {0, -0.01, 1};
+  double of_image[3], of_rectangle[3], image_bound;
+  limitcurve_patch* image = NULL;
+  CHECK(limitcurve_patch_image_spaced(pixels, 2, 2, 0.01, 0.005, &image) == LIMITCURVE_OK);
+  CHECK(limitcurve_patch_wrench(image, turning, 1, of_image, NULL, &image_bound) == LIMITCURVE_OK);
+  CHECK(limitcurve_patch_wrench(patch, turning, 1, of_rectangle, NULL, NULL) == LIMITCURVE_OK);
+  CHECK(image_bound < 0.01 && fabs(of_image[1] - of_rectangle[1]) <= image_bound);
+  limitcurve_patch_free(image);
+  CHECK(limitcurve_patch_image_spaced(pixels, 2, 2, 0.01, -0.005, &image) == LIMITCURVE_INVALID);
   /* What slips at a load of 5 N is held by 5 N; here mu = 0.5. */
   double needed[2] = {0, 0};
   wrench[0] *= 2.5;

@@ -7,6 +7,7 @@ import math
 import os
 import random
 import re
+import shutil
 import subprocess
 import unittest
 from pathlib import Path
@@ -114,6 +115,20 @@ class Tables(CommandLineTest):
             self.assertAlmostEqual(force, row["force"], delta=1e-14)
             self.assertAlmostEqual(moment, row["moment"], delta=1e-14)
 
+    @unittest.skipUnless(shutil.which("clang++"), "no clang++ on the PATH, which compiles CUDA")
+    def test_the_header_compiles_for_cuda(self):
+        self.build("hertz", 1e-6, "h")
+        source = self.file("use.cu", """
+            #define __host__ __attribute__((host))
+            #define __device__ __attribute__((device))
+            #define __global__ __attribute__((global))
+            #include "table.h"
+            __global__ void step(double* f, double* m, double* g) { *g = NAME_gauge(*f, *m); *f = NAME::closest_point(*f, *m, 1.0).force; *m = NAME::wrench(*f, *m).moment; }
+            int main() { return NAME::gauge(0.3, 0.1) > 1.0 || NAME_closest_point(2.0, 0.0, 1.0).force != 1.0; }
+            """.replace("NAME", re.search(r"(\w+)_wrench\(double", (self.directory / "table.h").read_text()).group(1)))
+        subprocess.run(["clang++", "-std=c++17", "-nocudainc", "-nocudalib", "--cuda-gpu-arch=sm_70", "-Wall", "-Wextra", "-Werror", "-fsyntax-only",
+                        source], check=True)
+
     def test_any_tolerance(self):
         # Once power:n=20 had no table of 0.05.
         generator = random.Random(9)
@@ -203,14 +218,26 @@ class Exports(CommandLineTest):
             for c, row in zip(cors, exact):
                 spin = 0.0 if math.isinf(c) else generator.choice([-1, 1]) * 10 ** generator.uniform(-3, 3)
                 slide = generator.choice([-1, 1]) * (c * abs(spin) if spin else 1.0)
-                calls.append(f'  {{ {name}_unit_wrench w = {name}_wrench({slide!r}, {spin!r}); printf("%.17g %.17g\\n", w.force, w.moment); }}\n')
-                expected.append((law, c, row["force"], row["moment"], error + 1e-14 * max(1, exact[0]["moment"])))
-        (self.directory / "main.c").write_text("".join(includes) + "#include <stdio.h>\nint main(void) {\n" + "".join(calls) + "  return 0;\n}\n")
+                # Along the normal from the exact point, in the metric of the springs, the nearest point of the exact curve is that point.
+                # Both a table's point and its projection are within its error of it, the latter in that metric.
+                chi, beyond = 10 ** generator.uniform(-3, 3), 10 ** generator.uniform(-2, 1)
+                trial = row["force"] + beyond * min(c, 1), row["moment"] + beyond * min(1, 1 / c if c else 1) / chi
+                calls.append(f'  show({name}_wrench({slide!r}, {spin!r}).force, {name}_wrench({slide!r}, {spin!r}).moment);\n'
+                             f'  show({name}_gauge({row["force"]!r}, -{row["moment"]!r}), 0);\n'
+                             f'  show({name}_closest_point({trial[0]!r}, {trial[1]!r}, {chi!r}).force, '
+                             f'{name}_closest_point({trial[0]!r}, {trial[1]!r}, {chi!r}).moment);\n')
+                error = facts["certified_error"] + facts["profile_error"] + 1e-14 * max(1, exact[0]["moment"])
+                point = row["force"], row["moment"]
+                least = min(1, exact[0]["moment"])  # 1/sqrt(2) of it is within the curve
+                expected += [(law, c, point, (error, error)), (law, c, (1, 0), (2 * error / (least - 2 * error), 0)),
+                             (law, c, point, (error * (1 + math.sqrt(1 + chi)), error * (1 + math.sqrt(1 + 1 / chi))))]
+        show = 'static void show(double a, double b) { printf("%.17g %.17g\\n", a, b); }\n'
+        (self.directory / "main.c").write_text("".join(includes) + "#include <stdio.h>\n" + show + "int main(void) {\n" + "".join(calls) + "  return 0;\n}\n")
         subprocess.run(["cc", "-std=c99", "-Wall", "-Wextra", "-pedantic", "-Werror", "-o", "main", "main.c", "-lm"], cwd=self.directory, check=True)
         printed = subprocess.run(["./main"], cwd=self.directory, check=True, capture_output=True, text=True).stdout.splitlines()
-        for line, (law, c, force, moment, error) in zip(printed, expected, strict=True):
-            for found, wanted in zip(map(float, line.split()), (force, moment)):
-                self.assertAlmostEqual(found, wanted, delta=error, msg=f"{law} at {c}")
+        for line, (law, c, wanted, errors) in zip(printed, expected, strict=True):
+            for found, number, error in zip(map(float, line.split()), wanted, errors):
+                self.assertAlmostEqual(found, number, delta=error, msg=f"{law} at {c}")
 
 
 class BadTables(CommandLineTest):
