@@ -16,7 +16,7 @@ namespace limitcurve::godobject {
 class PatchProjector;
 struct Sensed;
 
-/// A soft-finger god-object on one surface: steps a–c of the paper, corrected (README, "Corrections to the paper").
+/// A soft-finger god-object on one surface: steps a–c of the paper, corrected (docs/paper.md).
 /// The limit curve, or the limit surface of a patch, bounds force and moment together; the projection decides how a slipping proxy moves.
 ///
 ///     SoftFinger finger(Table::build(hertz(), 1e-6), {.mu = 0.6, .damping = 2.0});

@@ -50,7 +50,7 @@ struct GripOperator {
 /// (−offset, 0). Its weight turns it counter-clockwise, to positive angles, until the centre of mass hangs below the grip (90° without
 /// slip). The block moves in the plane only. The paper gives μ_l, μ_r (its Table 1), the two cases and the level start. It does not give
 /// the block, its offset, springs, dampers and time step: these defaults are ours. k_r decides the result of the paper's projection
-/// (godobject/README.md).
+/// (docs/paper.md, §6).
 struct PivotOptions {
   PivotCase kind = PivotCase::coupled;
   std::optional<CurveKind> curve = {};                ///< absent: the case's
