@@ -183,7 +183,7 @@ Hazard slivers() {
     if (taken) figure.rows.push_back({"error", "limitcurve", share, std::max(felt, 1e-9)});
   }
   found.findings.push_back({"slivers, in single precision", "normal of the face",
-                            "error of the normal [rad], height 1e-10 to 0.1 of the length (ours: accepted faces)", worst, ours_worst,
+                            "error of the normal [rad] (height 1e-10 to 0.1 of the length; ours: accepted faces)", worst, ours_worst,
                             test});
   found.figures.push_back(std::move(figure));
   return found;

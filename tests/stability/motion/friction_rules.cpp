@@ -167,7 +167,7 @@ Hazard order_of_limits() {
       worst[i] = std::max(worst[i], std::hypot(wrenches[i].first - exact.force, wrenches[i].second - exact.moment / m0));
     }
   }
-  const std::string quantity = "error of the wrench of a steady twist, 0.1 ≤ c/a ≤ 10";
+  const std::string quantity = "error of the wrench of a steady twist (0.1 ≤ c/a ≤ 10)";
   found.findings.push_back({"order of the limits", "force first, moment within the rest", quantity, worst[0], worst[2], test});
   found.findings.push_back({"order of the limits", "moment first, force within the rest", quantity, worst[1], worst[2], test});
   found.figures.push_back(std::move(figure));
@@ -205,8 +205,8 @@ Hazard chatter() {
     asked_error = std::max(asked_error, std::fabs(of_asked / exact - 1.0));
     our_error = std::max(our_error, std::fabs(of_ours / exact - 1.0));
   }
-  found.findings.push_back({"μ_s > μ_d, stick–slip of a mass", "static limit in every step", "relative error of the period, 20 to 200 mm/s",
-                            asked_error, our_error, test});
+  found.findings.push_back({"μ_s > μ_d, stick–slip of a mass", "static limit in every step",
+                            "relative error of the period (20 to 200 mm/s)", asked_error, our_error, test});
   found.figures.push_back(std::move(figure));
   return found;
 }
@@ -244,7 +244,7 @@ Hazard collapsing_load() {
   const FingerOutput let_go = finger.update(contact(0.01, 0.005), 0.0);
   bristle_force = bristles.update(0.01, mu * 0.005);
   scaled_force = 0.005 * per_newton.update(0.01, mu);
-  const std::string quantity = "friction force at rest / limit, load to a thousandth in one step";
+  const std::string quantity = "friction force at rest / limit (load to a thousandth in one step)";
   const double ours = let_go.force.norm() / (mu * let_go.load);
   found.findings.push_back(
       {"load drops in one step", "bristles of a fixed stiffness (Dahl, LuGre)", quantity, bristle_force / (mu * 0.005), ours, test});

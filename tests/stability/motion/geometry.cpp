@@ -63,7 +63,7 @@ Hazard thin_plate() {
       if (i % 2 == 0 && j != 1) figure.rows.push_back({"force", series[j], 1e3 * depth, forces[j]});
     }
   }
-  const std::string quantity = "k_l d minus the force towards the finger's side [N], pressed 3 mm into 1 mm, 1000 N/m";
+  const std::string quantity = "k_l d minus the force towards the finger's side [N] (pressed 3 mm into 1 mm, 1000 N/m)";
   found.findings.push_back({"thin plate", "nearest surface point (ours: box)", quantity, short_by[0], short_by[1], test});
   found.findings.push_back({"thin plate", "nearest surface point (ours: mesh)", quantity, short_by[0], short_by[2], test});
   found.figures.push_back(std::move(figure));
@@ -103,7 +103,7 @@ Hazard side_at_a_vertex() {
     ours = std::max(ours, static_cast<double>(our_wrong) / points);
   }
   found.findings.push_back({"nearest point on a vertex or an edge", "side of the nearest face",
-                            "share of points near a tip with the wrong side, worst of 15 pyramids", most, ours, test});
+                            "share of points near a tip with the wrong side (worst of 15 pyramids)", most, ours, test});
   found.figures.push_back(std::move(figure));
   return found;
 }
@@ -148,7 +148,7 @@ Hazard normals_that_jump() {
     work = std::min(work, output.slip_work);
   }
   Hazard found;
-  found.findings.push_back({"normals that jump", "spring to the proxy, clamped to μP", "friction along the normal / μP, edges of 45°",
+  found.findings.push_back({"normals that jump", "spring to the proxy, clamped to μP", "friction along the normal / μP (edges of 45°)",
                             customary, std::max(ours, -work), test});
   found.figures.push_back(std::move(figure));
   return found;

@@ -134,7 +134,7 @@ Hazard rates_and_jitter() {
     figure.rows.push_back({"error", "limitcurve", rate, error(rate)});
   }
   found.findings.push_back({"rates with jitter of 30 %", "bristles (Dahl, LuGre), explicit",
-                            "largest friction / limit, scrubbing at 100 Hz (ours: 100 Hz to 10 kHz; 1e6: more)", largest(100.0).first, ours,
+                            "largest friction / limit (scrubbing at 100 Hz; ours: 100 Hz to 10 kHz; 1e6: more)", largest(100.0).first, ours,
                             test});
   found.findings.push_back(
       {"rates with jitter of 30 %", "bristles (Dahl, LuGre), explicit", "the same at 200 Hz", largest(200.0).first, ours, test});
@@ -228,8 +228,8 @@ Hazard bad_samples() {
   finger.update(at(path(1102)), 0.0);
   const double last = finger.update(at(path(1103)), 0.0).load;
   for (int i = 0; i < 1000; ++i) finger.update(at(nothing), 0.0);
-  found.findings.push_back({"samples that stop", "the last force held", "load after a second at 1 kHz / before (ours: fault_decay 0.99)",
-                            1.0, finger.output().load / last, test});
+  found.findings.push_back({"samples that stop", "the last force held", "load after a second / before (1 kHz; ours: fault_decay 0.99)", 1.0,
+                            finger.output().load / last, test});
   found.figures.push_back(std::move(figure));
   return found;
 }
@@ -256,7 +256,7 @@ Hazard plate_between_samples() {
     figure.rows.push_back({"load", "limitcurve", static_cast<double>(lost), ours});
     if (lost != 10) continue;
     found.findings.push_back({"lost samples at a thin plate", "inside test at each sample",
-                              "load / k_l d on the entry side, ten samples lost", customary, ours, test});
+                              "load / k_l d on the entry side (ten samples lost)", customary, ours, test});
   }
   found.figures.push_back(std::move(figure));
   return found;

@@ -125,7 +125,7 @@ Hazard delayed_forces() {
     if (delay == 0) continue;
     const double customary = 1.05 * device_damping_needed(stiffness, 0.0, tick);
     const double ours = 1.05 * device_damping_needed(stiffness, 0.0, tick, delay);
-    found.findings.push_back({"force " + late, "device damped by 1.05 kT/2", "growth of an oscillation in one second, 1000 N/m, 0.1 kg",
+    found.findings.push_back({"force " + late, "device damped by 1.05 kT/2", "growth of an oscillation in one second (1000 N/m, 0.1 kg)",
                               Device{.damping = customary, .delay = delay}.growth(stiffness),
                               Device{.damping = ours, .delay = delay}.growth(stiffness), test});
   }
@@ -201,7 +201,7 @@ Hazard encoder_steps() {
   }
   const auto [customary, ours] = largest_share(1e4);
   found.findings.push_back({"encoder steps of 10 µm, velocities from differences", "damper beside the friction limit",
-                            "largest friction force / limit, 5 N s/m, 5 mm/s, 10 kHz", customary, ours, test});
+                            "largest friction force / limit (5 N s/m, 5 mm/s, 10 kHz)", customary, ours, test});
   // A finger rests at half the limit while the encoder jitters by a step: methods that sum increments creep.
   double stretch = 0.5 * mu / stiffness;
   const double at_first = stretch;
@@ -214,7 +214,7 @@ Hazard encoder_steps() {
     stretch += jump - std::fabs(jump) * stiffness * stretch / mu;
     creep = std::max(creep, std::fabs(contact.update(pressed(at_first + (i % 2 == 0 ? resolution : 0.0), 1e-3), 0.0).proxy.x() - proxy));
   }
-  found.findings.push_back({"encoder steps of 10 µm, at rest", "bristles (Dahl, LuGre)", "creep at half the limit / deflection, 1e4 steps",
+  found.findings.push_back({"encoder steps of 10 µm, at rest", "bristles (Dahl, LuGre)", "creep at half the limit / deflection (1e4 steps)",
                             (at_first - stretch) / at_first, creep / at_first, test});
   found.figures.push_back(std::move(figure));
   return found;

@@ -107,7 +107,7 @@ Hazard stiffness_ratios() {
   for (const double kappa : {1e-6, 1.0, 10.0, 1e6}) {
     const std::string power = kappa == 1.0 ? "1" : kappa == 10.0 ? "10" : kappa < 1.0 ? "1e-6" : "1e6";
     found.findings.push_back({"stiffness ratios", "ellipse, radial projection (eq. 23)",
-                              "error of the wrench of a steady twist, c = a, k_r/k_l = " + power + "·(m₀a)² (ours: any)", errors(kappa)[0],
+                              "error of the wrench of a steady twist (c = a, k_r/k_l = " + power + "·(m₀a)²; ours: any)", errors(kappa)[0],
                               ours, test});
   }
   found.findings.push_back(
@@ -135,7 +135,7 @@ Hazard small_contacts() {
   for (const auto& [mu_r, name] : {std::pair{1e-3, "1"}, {1e-4, "0.1"}, {1e-6, "0.001"}}) {
     const SteadyTwist twist = of_moment(mu_r);
     found.findings.push_back({"a small contact, the springs of a larger one", "ellipse, radial projection (eq. 23)",
-                              std::string("friction force of a steady twist in μP, c = 5 mm, μ_r = ") + name + " mm, k_r = 0.036 N m/rad",
+                              std::string("friction force of a steady twist in μP (c = 5 mm, μ_r = ") + name + " mm, k_r = 0.036 N m/rad)",
                               settled(twist, ellipse, Projection::radial).force, settled(twist, table, Projection::closest_point).force,
                               "Projection.SmallContacts"});
   }
@@ -160,11 +160,11 @@ Hazard growing_radius() {
   const SteadyTwist twist = at(0.005);
   const double ours = SteadyTwist::mu * settled(twist, Projection::closest_point).force;
   const auto add_finding = [&](const char* method, Projection projection, double step, const char* micrometres) {
-    found.findings.push_back(
-        {"a radius that grows with the load", method,
-         std::string("friction force of a steady twist [N], c = 5 mm, a = 6 mm at 1 N, a ∝ P^⅓, μP = 0.6 N, ") + micrometres + " µm a step",
-         SteadyTwist::mu * twist.settled(table, projection, step, static_cast<int>(std::lround(0.04 / step))).force, ours,
-         "Projection.GrowingRadius"});
+    found.findings.push_back({"a radius that grows with the load", method,
+                              std::string("friction force of a steady twist [N] (c = 5 mm, a = 6 mm at 1 N, a ∝ P^⅓, μP = 0.6 N, ") +
+                                  micrometres + " µm a step)",
+                              SteadyTwist::mu * twist.settled(table, projection, step, static_cast<int>(std::lround(0.04 / step))).force,
+                              ours, "Projection.GrowingRadius"});
   };
   add_finding("exact curve, radial projection", Projection::radial, 1e-5, "10");
   for (const auto& [step, micrometres] : {std::pair{1e-5, "10"}, {1e-4, "100"}, {1e-6, "1"}}) {

@@ -195,7 +195,7 @@ Hazard block_of_ten_grams() {
   for (const auto& [integrator, stiffness] : {std::pair(0U, 2000.0), std::pair(1U, 2e5)}) {
     found.findings.push_back(
         {"10 g between two fingers, 1 kHz", std::string(names[integrator]) + ", undamped",
-         "distance from the grip after 5 s, in static spring deflections (1000: lost), " + format_number(stiffness / 1000.0) + " kN/m",
+         "distance from the grip after 5 s, in static spring deflections (1000: lost; " + format_number(stiffness / 1000.0) + " kN/m)",
          held(integrators[integrator], stiffness, 5.0).fallen / (0.01 * 9.81 / (2.0 * stiffness)),
          held(Integrator::implicit_euler, stiffness, 5.0).fallen / (0.01 * 9.81 / (2.0 * stiffness)), test});
   }

@@ -59,7 +59,7 @@ Hazard cor_near_the_axes() {
   }
   for (std::size_t i = 0; i + 1 < models.size(); ++i) {
     found.findings.push_back({"COR implied by a fitted curve", models[i].name,
-                              "factor to the true COR minus 1, 1e-3 ≤ s ≤ 1e3 (flat punch; ours: table of 1e-8)", models[i].worst,
+                              "factor to the true COR minus 1 (flat punch, 1e-3 ≤ s ≤ 1e3; ours: table of 1e-8)", models[i].worst,
                               models.back().worst, test});
   }
   found.figures.push_back(std::move(figure));
@@ -164,7 +164,7 @@ Hazard shape_and_radius() {
     figure.rows.push_back({"errors", "Hertz assumed", static_cast<double>(i), assumed_in_errors.back()});
     figure.rows.push_back({"errors", "limitcurve", static_cast<double>(i), free_in_errors.back()});
   }
-  const std::string data = ", 95th percentile of 120 data sets (100 slips each, 1 % noise)";
+  const std::string data = " (95th percentile of 120 data sets of 100 slips, 1 % noise)";
   found.findings.push_back({"shape and radius not identifiable", "radius a reported, from a fit of n and a (ours: μ_r)",
                             "relative error of the length reported" + data, quantile(radius_error, 0.95), quantile(ratio_error, 0.95),
                             test});

@@ -205,7 +205,7 @@ Hazard even_spacing() {
     figure.rows.push_back({"cor", "limitcurve", s, ours_worst[i]});
   }
   found.findings.push_back({"even spacing across the rim", "cubic Hermite, exact slopes, even nodes in s ≤ 3",
-                            "largest error of f and m, as many numbers as our table of 1e-8 (flat punch)", even_error(nodes), ours, test});
+                            "largest error of f and m (flat punch, as many numbers as our table of 1e-8)", even_error(nodes), ours, test});
   found.findings.push_back(
       {"even spacing across the rim", "the same with 1000 nodes", "largest error of f and m (flat punch)", even_error(1000), ours, test});
   found.figures.push_back(std::move(figure));

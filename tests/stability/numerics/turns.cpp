@@ -138,7 +138,7 @@ Hazard ten_thousand_turns() {
     figure.rows.push_back({"angle", "limitcurve", count, here});
   }
   const long double end = turn * turns;
-  const std::string quantity = "error of the angle after 10⁴ turns of 100 steps [rad]";
+  const std::string quantity = "error of the angle [rad] (100 steps a turn)";
   found.findings.push_back({"10⁴ turns", "steps summed in float", quantity, error(static_cast<double>(single), end), ours, test});
   found.findings.push_back({"10⁴ turns", "steps summed in double", quantity, error(summed, end), ours, test});
   found.figures.push_back(std::move(figure));
