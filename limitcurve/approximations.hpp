@@ -16,7 +16,7 @@ namespace limitcurve {
 void check_intercepts(double force_max, double moment_max);
 
 /// The ellipse (f/A)² + (m/B)² = 1 (paper, eq. 19): the usual approximation of the limit curve. Through the intercepts (A = 1, B = m₀) it
-/// is too strong by 4 to 8 % in the middle. Models LimitCurve; one square root a call, no trigonometry.
+/// is too strong by 4 to 8 % for the nine laws of law_examples(). Models LimitCurve; one square root a call, no trigonometry.
 class Ellipse {
  public:
   /// Semi-axes in unit wrenches, 1e-100 … 1e100; throws std::invalid_argument otherwise.
@@ -58,7 +58,7 @@ class Ellipse {
 static_assert(LimitCurve<Ellipse>);
 
 /// The superellipse (f/A)ⁿ + (m/B)ⁿ = 1, n > 1: n = 2 is the ellipse, n → 1 the diamond, n → ∞ the box. With an exponent fitted to a law
-/// (minimax_superellipse in validate.hpp) its error is about 0.9 %, against 4 to 8 % of the ellipse.
+/// (minimax_superellipse in validate.hpp) its error is about 0.9 %.
 /// The error of its COR has no bound towards both ends, unless n = 2: there the normal turns like xⁿ⁻¹, not like x.
 ///
 /// Models LimitCurve; two powers a call, no trigonometry. Relative rounding error of both components ≤ 4 ε(1 + 1/(n−1)) for every twist,
