@@ -84,15 +84,11 @@ class Patch {
   }
   /// The same with pixels that are rectangles, `width` along x and `height` along y [m].
   static Patch image(std::span<const double> pressures, std::size_t columns, double width, double height);
-  /// Σ wᵢ patchᵢ with positive weights, scaled to sum 1: H is linear in the pressure.
-  static Patch sum(std::span<const std::pair<double, Patch>> parts);
 
   // Moving copies, which is cheap: what was moved from stays what it was.
   Patch(const Patch&) = default;
   Patch& operator=(const Patch&) = default;
 
-  /// The patch with all its points moved by (x, y) [m].
-  [[nodiscard]] Patch moved(double x, double y) const;
   /// The patch with orthotropic friction: coefficients mx along x and my along y, in [1e-6, 1e6], as multiples of this patch's. Associated
   /// flow: H = ⟨|diag(mx, my) u|⟩.
   [[nodiscard]] Patch orthotropic(double mx, double my) const;
@@ -130,7 +126,7 @@ class Patch {
     double area = 0.0;                       ///< under pressure [m²]
     double geometric = 0.0;                  ///< √(ab) [m], a and b the semi-axes of the ellipse of the same law and second moments
     Law law;                                 ///< the law of that ellipse: the patch's own if it is an ellipse, else uniform
-    std::vector<PatchPoint> concentrations;  ///< where H may have a sharp minimum with the COR there: points, pixels, parts of a sum [m]
+    std::vector<PatchPoint> concentrations;  ///< where H may have a sharp minimum with the COR there: points, pixels [m]
   };
   [[nodiscard]] RoundMeasures round_measures() const;
 

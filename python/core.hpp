@@ -16,6 +16,7 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 /// Shared by the sources of the module: the objects behind the Python classes, and a function a source that adds its classes.
@@ -43,21 +44,16 @@ struct PyCurve {
   double moment_max;
 };
 
-/// A patch with all that makes it: what its text or arrays said, and the changes since.
+/// A patch with all that makes it: what its text or arrays said, and the factors of orthotropic friction since.
 struct PyPatch : Patch {
-  struct Change {
-    bool is_move;  ///< or the factors of orthotropic friction
-    double x;
-    double y;
-  };
   cli::PatchArgument made_of;
-  std::vector<Change> changes;
+  std::vector<std::pair<double, double>> multiplied_by;
 
   explicit PyPatch(cli::PatchArgument argument) : Patch(argument.patch()), made_of(std::move(argument)) {}
-  [[nodiscard]] PyPatch changed(const Change& change) const {
+  [[nodiscard]] PyPatch orthotropic(double mx, double my) const {
     PyPatch there = *this;
-    static_cast<Patch&>(there) = change.is_move ? moved(change.x, change.y) : orthotropic(change.x, change.y);
-    there.changes.push_back(change);
+    static_cast<Patch&>(there) = Patch::orthotropic(mx, my);
+    there.multiplied_by.emplace_back(mx, my);
     return there;
   }
 };

@@ -4,6 +4,7 @@
 #include "limitcurve/internal/number.hpp"
 
 #include <nanobind/stl/optional.h>
+#include <nanobind/stl/pair.h>
 #include <nanobind/stl/tuple.h>
 #include <nanobind/stl/vector.h>
 
@@ -84,21 +85,18 @@ PyPatch image(nb::handle pressures, const std::optional<double>& pixel, const st
   return PyPatch(std::move(made));
 }
 
-using ChangeState = std::tuple<bool, double, double>;
 using PatchState = std::tuple<std::string, std::vector<double>, std::size_t, std::vector<double>, std::string, std::vector<double>,
-                              std::vector<ChangeState>>;
+                              std::vector<std::pair<double, double>>>;
 
 PatchState state_of(const PyPatch& self) {
   const cli::PatchArgument& made = self.made_of;
   std::vector<double> profile;
   for (const PressureSample& sample : made.profile) profile.insert(profile.end(), {sample.radius, sample.pressure});
-  std::vector<ChangeState> changes;
-  for (const PyPatch::Change& change : self.changes) changes.emplace_back(change.is_move, change.x, change.y);
-  return {made.kind, made.numbers, made.columns, {made.x, made.y, made.mx, made.my}, made.law, profile, changes};
+  return {made.kind, made.numbers, made.columns, {made.x, made.y, made.mx, made.my}, made.law, profile, self.multiplied_by};
 }
 
 PyPatch patch_of(const PatchState& state) {
-  const auto& [kind, numbers, columns, lengths, law, profile, changes] = state;
+  const auto& [kind, numbers, columns, lengths, law, profile, multiplied_by] = state;
   cli::PatchArgument made{.kind = kind,
                           .numbers = numbers,
                           .columns = columns,
@@ -109,7 +107,7 @@ PyPatch patch_of(const PatchState& state) {
                           .my = lengths.at(3)};
   for (std::size_t i = 0; i + 1 < profile.size(); i += 2) made.profile.push_back({profile[i], profile[i + 1]});
   PyPatch patch(std::move(made));
-  for (const auto& [is_move, x, y] : changes) patch = patch.changed({is_move, x, y});
+  for (const auto& [mx, my] : multiplied_by) patch = patch.orthotropic(mx, my);
   return patch;
 }
 
@@ -158,18 +156,8 @@ void add_patches(nb::module_& module) {
           "A pressure image; the first row is at the largest y; pixels are squares of side `pixel` [m], or rectangles with the `spacing`\n"
           "(dy, dx) of rows and columns; the origin is the centre of pressure. A pixel that is masked or NaN has no sensor: it counts as\n"
           "without pressure, with a warning.")
-      .def(
-          "orthotropic",
-          [](const PyPatch& self, double mx, double my) {
-            return self.changed({false, mx, my});
-          },
-          nb::arg("mx"), nb::arg("my"), "The same patch with orthotropic friction: mu times mx along x and times my along y.")
-      .def(
-          "moved",
-          [](const PyPatch& self, double x, double y) {
-            return self.changed({true, x, y});
-          },
-          nb::arg("x"), nb::arg("y"), "The same patch, moved by (x, y) [m].")
+      .def("orthotropic", &PyPatch::orthotropic, nb::arg("mx"), nb::arg("my"),
+           "The same patch with orthotropic friction: mu times mx along x and times my along y.")
       .def(
           "wrench", &wrench, nb::arg("twists"), nb::arg("mu") = 1.0, nb::arg("load") = 1.0, nb::kw_only(), nb::arg("error") = false,
           nb::sig(

@@ -244,16 +244,9 @@ struct Ellipse final : Shape {
     return profile->error() + (profile->is_smooth() ? accuracy::patch_ellipse : accuracy::patch_ellipse_other);
   }
 
-  [[nodiscard]] std::shared_ptr<Shape> moved(double x, double y) const override {
-    auto there = std::make_shared<Ellipse>(*this);
-    there->centre = {centre.x + x, centre.y + y};
-    return there;
-  }
   [[nodiscard]] std::shared_ptr<Shape> stretched(double sx, double sy) const override {
     check_aspect(sx * a, sy * b);
-    auto there = std::make_shared<Ellipse>(profile, sx * a, sy * b);
-    there->centre = {sx * centre.x, sy * centre.y};
-    return there;
+    return std::make_shared<Ellipse>(profile, sx * a, sy * b);
   }
   [[nodiscard]] double area() const override { return pi * a * b; }
   [[nodiscard]] double nanoseconds() const noexcept override {

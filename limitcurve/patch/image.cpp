@@ -185,19 +185,12 @@ struct Image final : Shape {
   /// The largest error of a pixel's force times (distance/longer side)⁴, for distances of 1.5 sides or more.
   static constexpr double fourth_order = 0.02;
 
-  [[nodiscard]] std::shared_ptr<Shape> moved(double x, double y) const override {
-    auto there = std::make_shared<Image>(*this);
-    there->centre = {centre.x + x, centre.y + y};
-    return there;
-  }
   [[nodiscard]] std::shared_ptr<Shape> stretched(double sx, double sy) const override {
-    auto there = std::make_shared<Image>(loads, columns, sx * side_x, sy * side_y);
-    there->centre = {sx * centre.x, sy * centre.y};
-    return there;
+    return std::make_shared<Image>(loads, columns, sx * side_x, sy * side_y);
   }
   [[nodiscard]] std::shared_ptr<Shape> smoothed(double) const override {
     std::vector<PatchLoad> points;
-    for (std::size_t i = 0; i < xs.size(); ++i) points.push_back({centre.x + xs[i], centre.y + ys[i], weights[i]});
+    for (std::size_t i = 0; i < xs.size(); ++i) points.push_back({xs[i], ys[i], weights[i]});
     return make_soft_points(std::move(points), std::sqrt(softness()));
   }
   [[nodiscard]] double area() const override { return static_cast<double>(xs.size()) * side_x * side_y; }
@@ -209,7 +202,7 @@ struct Image final : Shape {
   [[nodiscard]] SecondMoments second_moments() const override { return moments; }
   [[nodiscard]] std::vector<PatchPoint> concentrations() const override {
     std::vector<PatchPoint> middles;
-    for (std::size_t i = 0; i < xs.size(); ++i) middles.push_back({centre.x + xs[i], centre.y + ys[i]});
+    for (std::size_t i = 0; i < xs.size(); ++i) middles.push_back({xs[i], ys[i]});
     return middles;
   }
 };

@@ -91,26 +91,6 @@ Patch Patch::image(std::span<const double> pressures, std::size_t columns, doubl
   return {patch::make_image(pressures, columns, checked_length("pixel", width), checked_length("pixel", height)), 1.0, 1.0};
 }
 
-Patch Patch::sum(std::span<const std::pair<double, Patch>> parts) {
-  if (parts.empty()) throw std::invalid_argument("a sum of no patches, expected at least one");
-  const double mx = parts.front().second.mx_;
-  const double my = parts.front().second.my_;
-  std::vector<std::pair<double, std::shared_ptr<const patch::Shape>>> shapes;
-  for (const auto& [weight, part] : parts) {
-    if (!(weight > 0.0 && weight <= std::numeric_limits<double>::max())) throw out_of_range("weight", weight, "1", "a finite number > 0");
-    if (part.mx_ != mx || part.my_ != my) throw std::invalid_argument("a sum of patches of different friction factors, expected the same");
-    shapes.emplace_back(weight, part.shape_);
-  }
-  return {patch::make_sum(shapes), mx, my};
-}
-
-Patch Patch::moved(double x, double y) const {
-  const auto fits = [](double move) { return std::fabs(move) <= patch::most_length; };
-  if (!fits(x)) throw out_of_range("x", x, "m", "-1e100 <= x <= 1e100");
-  if (!fits(y)) throw out_of_range("y", y, "m", "-1e100 <= y <= 1e100");
-  return {shape_->moved(my_ * x, mx_ * y), mx_, my_};
-}
-
 Patch Patch::orthotropic(double mx, double my) const {
   const auto fits = [](double factor) { return factor >= 1e-6 && factor <= 1e6; };
   if (!fits(mx)) throw out_of_range("mx", mx, "1", "1e-6 <= mx <= 1e6");

@@ -45,11 +45,6 @@ std::vector<PatchLoad> stretch_loads(std::vector<PatchLoad> loads, double sx, do
   return loads;
 }
 
-std::vector<PatchLoad> shift(std::vector<PatchLoad> loads, double x, double y) {
-  for (PatchLoad& point : loads) point = {point.x + x, point.y + y, point.load};
-  return loads;
-}
-
 /// Bound of the rounding error of a sum over `count` points: of power and force, and of the moment in units of m₀.
 double rounding(std::size_t count, double radius, double moment_ratio) {
   const double terms = 4.0 + static_cast<double>(count) / 8.0;
@@ -129,9 +124,6 @@ struct Points final : Shape {
   }
 
   [[nodiscard]] std::vector<PatchLoad> stretched_loads() const { return stretch_loads(loads, stretch.x, stretch.y); }
-  [[nodiscard]] std::shared_ptr<Shape> moved(double x, double y) const override {
-    return std::make_shared<Points>(shift(loads, x / stretch.x, y / stretch.y), stretch);
-  }
   [[nodiscard]] std::shared_ptr<Shape> stretched(double sx, double sy) const override {
     return std::make_shared<Points>(loads, PatchPoint{sx * stretch.x, sy * stretch.y});
   }
@@ -167,9 +159,6 @@ struct SoftPoints final : Shape {
     return sum_soft_points(xs.data(), ys.data(), weights.data(), xs.size(), twist, softness * twist.omega * twist.omega);
   }
   [[nodiscard]] double error(const PatchTwist&) const noexcept override { return rounding(loads.size(), radius, moment_ratio); }
-  [[nodiscard]] std::shared_ptr<Shape> moved(double x, double y) const override {
-    return std::make_shared<SoftPoints>(shift(loads, x, y), std::sqrt(softness));
-  }
   [[nodiscard]] std::shared_ptr<Shape> stretched(double sx, double sy) const override {
     return std::make_shared<SoftPoints>(stretch_loads(loads, sx, sy), std::sqrt(softness * sx * sy));
   }

@@ -203,11 +203,6 @@ struct Polygon final : Shape {
     return epsilon * (16.0 + perimeter * reach * reach / (whole_area * moment_ratio));
   }
 
-  [[nodiscard]] std::shared_ptr<Shape> moved(double x, double y) const override {
-    std::vector<PatchPoint> there = vertices;
-    for (PatchPoint& vertex : there) vertex = {vertex.x + x, vertex.y + y};
-    return std::make_shared<Polygon>(std::move(there));
-  }
   [[nodiscard]] std::shared_ptr<Shape> stretched(double sx, double sy) const override {
     std::vector<PatchPoint> there = vertices;
     for (PatchPoint& vertex : there) vertex = {vertex.x * sx, vertex.y * sy};

@@ -36,7 +36,6 @@ struct Shape {
   /// with x times my and y times mx. Twist and moment refer to the origin. The caller scales as for `evaluate`.
   [[nodiscard]] virtual PatchFriction about_origin(const PatchTwist& twist, PatchPoint factors) const noexcept;
 
-  [[nodiscard]] virtual std::shared_ptr<Shape> moved(double x, double y) const = 0;
   /// The shape with coordinates times (sx, sy) and the same loads.
   [[nodiscard]] virtual std::shared_ptr<Shape> stretched(double sx, double sy) const = 0;
   /// See Patch::smoothed; null if the shape is smooth already.
@@ -46,7 +45,7 @@ struct Shape {
   [[nodiscard]] virtual double nanoseconds() const noexcept = 0;
   [[nodiscard]] virtual double area() const { return 0.0; }
   [[nodiscard]] virtual SecondMoments second_moments() const = 0;
-  /// Where much load is on little area: points, middles of pixels and of the parts of a sum. H may have a sharp minimum with the COR there.
+  /// Where much load is on little area: points, middles of pixels. H may have a sharp minimum with the COR there.
   [[nodiscard]] virtual std::vector<PatchPoint> concentrations() const { return {}; }
   /// The law of an ellipse; null for other shapes.
   [[nodiscard]] virtual Law law() const { return nullptr; }
@@ -85,7 +84,6 @@ std::shared_ptr<Shape> make_points(std::span<const PatchLoad> loads);
 std::shared_ptr<Shape> make_polygon(std::span<const PatchPoint> vertices);
 std::shared_ptr<Shape> make_ellipse(const Law& law, double a, double b);
 std::shared_ptr<Shape> make_image(std::span<const double> pressures, std::size_t columns, double width, double height);
-std::shared_ptr<Shape> make_sum(const std::vector<std::pair<double, std::shared_ptr<const Shape>>>& parts);
 
 /// Points with a radius: |u| becomes √(|u|² + ε²ω²).
 std::shared_ptr<Shape> make_soft_points(std::vector<PatchLoad> loads, double radius);

@@ -50,7 +50,7 @@ def test_patches(way, tmp_path):
         image = lc.Patch(f"image:{tmp_path}/image.csv,pixel=0.004x0.005")
     patches = [lc.Patch(f"points:{tmp_path}/points.csv,mx=2"), lc.Patch(f"polygon:{tmp_path}/polygon.csv"), image, lc.Patch("rectangle:x=0.02,y=0.01"),
                lc.Patch(f"ellipse:law=samples:{tmp_path}/profile.csv,a=0.004,b=0.002"), lc.Patch.points([0, 1], [0, 0], [1, 2]), lc.Patch.polygon([0, 1, 0], [0, 0, 1]),
-               lc.Patch.image([[1.0, 2], [3, 4]], 0.001).moved(0.01, 0).orthotropic(1.5, 1).moved(0, 0.01)]
+               lc.Patch.image([[1.0, 2], [3, 4]], 0.001).orthotropic(1.5, 1).orthotropic(1, 2)]
     for file in tmp_path.iterdir():
         file.unlink()
     for patch in patches:

@@ -288,7 +288,8 @@ TEST(PatchFinger, FrictionAlongAndAcrossTurnsWithTheFinger) {
 
 TEST(PatchFinger, TheOriginOfThePatchPlaysNoPart) {
   SoftFinger here(Patch::rectangle(0.02, 0.01), usual());
-  SoftFinger there(Patch::rectangle(0.02, 0.01).moved(0.5, -0.25), usual());
+  const std::vector<PatchPoint> corners{{0.49, -0.255}, {0.51, -0.255}, {0.51, -0.245}, {0.49, -0.245}};
+  SoftFinger there(Patch::polygon(corners), usual());
   for (int i = 0; i < 100; ++i) {
     const FingerOutput one = here.update(on_plane(1e-4 * i, 5e-5 * i, 1e-3), 0.01 * i);
     const FingerOutput two = there.update(on_plane(1e-4 * i, 5e-5 * i, 1e-3), 0.01 * i);
