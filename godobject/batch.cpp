@@ -19,7 +19,7 @@ void step_with([[maybe_unused]] InstructionSet set, const Shared<Real>& shared, 
   if (set == InstructionSet::avx512) i = step_packs<Avx512>(shared, contacts, count);
   if (set == InstructionSet::avx2) i = step_packs<Avx2>(shared, contacts, count);
 #endif
-  if (set == InstructionSet::sse2) i = step_packs<Sse2>(shared, contacts, count);
+  if (set == InstructionSet::baseline) i = step_packs<Baseline>(shared, contacts, count);
 #endif
   for (; i < count; ++i) step_contacts<Real, Real>(shared, contacts, i);
 }

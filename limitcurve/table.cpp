@@ -140,8 +140,9 @@ BasicTable<Real>::BasicTable(TableFacts facts, const TableCells& cells) {
     const std::vector<TableCell>& side = outside ? cells.outside : cells.inside;
     const std::size_t side_begin = data->numbers.size();
     for (const TableCell& cell : side) {
-      data->numbers.resize(data->numbers.size() + pairs_per_cell);
-      Pieces::write_cell(outside, cell.x, cell.coefficients, degree, (data->numbers.end() - pairs_per_cell)->pair.data());
+      const std::size_t place = data->numbers.size();
+      data->numbers.resize(place + pairs_per_cell);
+      Pieces::write_cell(outside, cell.x, cell.coefficients, degree, data->numbers[place].pair.data());
     }
     const auto last_before = [&](double end) {
       const auto begins_before = [](const TableCell& cell, double x) { return cell.x < x; };

@@ -132,7 +132,7 @@ void step_contacts(const Shared<Real>& shared, const BasicContactBatch<Real>& co
 template <class Real>
 void step_with(InstructionSet set, const Shared<Real>& shared, const BasicContactBatch<Real>& contacts) noexcept;
 
-struct Sse2;
+struct Baseline;
 struct Avx2;
 struct Avx512;
 

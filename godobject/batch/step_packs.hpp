@@ -2,8 +2,10 @@
 #pragma once
 
 #include "godobject/batch/step.hpp"
-#include "godobject/kernel/loaded_cell.hpp"
 #include "godobject/kernel/pack.hpp"
+#ifdef __x86_64__
+#include "godobject/kernel/pack_x86.hpp"
+#endif
 
 #include <cstddef>
 

@@ -9,7 +9,7 @@ bool is_supported(InstructionSet set) noexcept {
 #ifdef LIMITCURVE_PACKS
   switch (set) {
     case InstructionSet::single:
-    case InstructionSet::sse2:
+    case InstructionSet::baseline:
       return true;
 #ifdef LIMITCURVE_WIDE_PACKS
     case InstructionSet::avx2:
@@ -27,7 +27,7 @@ bool is_supported(InstructionSet set) noexcept {
 }
 
 InstructionSet widest_set() noexcept {
-  for (const InstructionSet set : {InstructionSet::avx512, InstructionSet::avx2, InstructionSet::sse2}) {
+  for (const InstructionSet set : {InstructionSet::avx512, InstructionSet::avx2, InstructionSet::baseline}) {
     if (is_supported(set)) return set;
   }
   return InstructionSet::single;

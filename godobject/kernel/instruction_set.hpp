@@ -4,7 +4,7 @@
 namespace limitcurve::godobject::kernel {
 
 /// The arithmetic of a batch: single numbers, or packs of an instruction set.
-enum class InstructionSet { single, sse2, avx2, avx512 };
+enum class InstructionSet { single, baseline, avx2, avx512 };
 
 /// Whether this processor and this build support a set.
 [[nodiscard]] bool is_supported(InstructionSet set) noexcept;

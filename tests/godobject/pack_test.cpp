@@ -26,10 +26,10 @@ namespace {
 
 using kernel::InstructionSet;
 
-constexpr std::array all_sets{InstructionSet::single, InstructionSet::sse2, InstructionSet::avx2, InstructionSet::avx512};
+constexpr std::array all_sets{InstructionSet::single, InstructionSet::baseline, InstructionSet::avx2, InstructionSet::avx512};
 
 std::string name_of(InstructionSet set) {
-  return std::array{"single", "sse2", "avx2", "avx512"}[static_cast<std::size_t>(set)];
+  return std::array{"single", "baseline", "avx2", "avx512"}[static_cast<std::size_t>(set)];
 }
 
 /// The arrays of a batch that a step writes.
@@ -131,6 +131,13 @@ std::vector<Curve<Real>> curves() {
           {"hertz", BasicTable<Real>::build(hertz(), is_double ? 1e-8 : 1e-6), all},
           {"flat punch", BasicTable<Real>::build(flat_punch(), 1e-4), all}};
 }
+
+#if defined(LIMITCURVE_PACKS) && (defined(__x86_64__) || defined(__aarch64__))
+TEST(PacksOfTheProcessor, AreUsed) {
+  EXPECT_TRUE(kernel::is_supported(InstructionSet::baseline));
+  EXPECT_NE(kernel::widest_set(), InstructionSet::single);
+}
+#endif
 
 template <class Real>
 class Packs : public testing::Test {};

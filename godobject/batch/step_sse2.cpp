@@ -1,9 +1,0 @@
-// SPDX-License-Identifier: MIT
-#include "godobject/batch/step_packs.hpp"
-
-namespace limitcurve::godobject::kernel {
-
-template std::size_t step_packs<Sse2>(const Shared<double>&, const ContactBatch&, std::size_t) noexcept;
-template std::size_t step_packs<Sse2>(const Shared<float>&, const FloatContactBatch&, std::size_t) noexcept;
-
-}  // namespace limitcurve::godobject::kernel
