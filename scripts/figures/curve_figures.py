@@ -222,7 +222,7 @@ def engines(data):
     quadrant(left, "Wrenches measured by dragging a finger", "force  $F/(\\mu P)$", "moment  $M/(m_0\\mu P a)$")
     left.set(xlim=(0, 1.08), ylim=(0, 1.08))
     left.set_aspect("equal", adjustable="box")
-    quadrant(right, "Distance from the exact wrench at the same centre of rotation", "centre of rotation  $c/a$", "of the limits")
+    quadrant(right, "Error at the same centre of rotation", "centre of rotation  $c/a$", "distance from the exact wrench, limits = 1")
     right.set(xscale="log", xlim=(0.9 * ends[0], 1.1 * ends[1]), ylim=(0, 1.1))
     right.set_xticks([0.1, 0.3, 1, 3], ["0.1", "0.3", "1", "3"])
     right.minorticks_off()

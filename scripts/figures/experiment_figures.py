@@ -27,7 +27,7 @@ def experiment(data, grip):
         rows = data["pivot"].where(case=case, grip=grip)
         held = held_rows(rows)
         draw_block(poses, rows)
-        poses.set(title=title, aspect="equal", xlim=(-80, 80), ylim=(-95, 55), xlabel="x  [mm]")
+        poses.set(title=title, aspect="equal", xlim=(-95, 75), ylim=(-95, 55), xlabel="x  [mm]")
         times = held.column("time")
         place.plot(times, held.column("x", 1e3), color=BLUE, label="x")
         place.plot(times, held.column("y", 1e3), color=VERMILION, dashes=(5, 2), label="y")
@@ -68,7 +68,7 @@ STIFFNESS = 1000.0  # k_l [N/m], `limitcurve pivot`'s default; k_r = k_l (mu_r/m
 
 
 def draw_plane(axes, held, unit, material):
-    """Fig. 9: the god-object before (diamonds) and after step b, the p-curves of both, that of the final grip; and one step, magnified."""
+    """Fig. 9: the god-object before (diamonds) and after step b, their p-curves, that of the final grip; without one, one step magnified."""
     twist_stiffness = STIFFNESS * (material["mu_r"] / material["mu"]) ** 2
 
     def p_curve(where, load, **look):
@@ -77,22 +77,29 @@ def draw_plane(axes, held, unit, material):
 
     slips = [row for row in held if row["state"] == "slip" and math.hypot(row["trial_r"] - row["r"], 6e-3 * (row["trial_rho"] - row["rho"])) < FASTEST]
     chosen = slips[::max(1, len(slips) // SHOWN_STEPS)]
-    middle = chosen[len(chosen) // 2]
-    lens = axes.inset_axes((0.18, 0.14, 0.45, 0.45))
-    half = 1.2 * max(1e6 * abs(middle["trial_r"] - middle["r"]), 1e3 * 6 * abs(middle["trial_rho"] - middle["rho"]), 1)
-    lens.set(xlim=(1e6 * middle["r"] - half, 1e6 * middle["r"] + half), ylim=(1e3 * middle["rho"] - half / 6, 1e3 * middle["rho"] + half / 6))
-    lens.tick_params(labelsize=6)
-    for where in (axes, lens):
-        for row in chosen:
-            p_curve(where, row["load"], color="#c4c4c4", linewidth=0.8)
-        if held[-1]["state"] == "stick" and held[-1]["load"] > slips[-1]["load"]:
-            # The grip grows until its p-curve lies outside the god-object.
-            p_curve(where, held[-1]["load"], color=GREEN, linewidth=1.6, dashes=(6, 2))
-        where.plot(held.column("r", 1e6), held.column("rho", 1e3), color=FAINT, linewidth=0.9)
-        for row in chosen:
+
+    def steps(where, shown, **look):
+        for row in shown:
+            p_curve(where, row["load"], color="#c4c4c4", **look)
             where.plot([1e6 * row["trial_r"], 1e6 * row["r"]], [1e3 * row["trial_rho"], 1e3 * row["rho"]], color=VERMILION, linewidth=0.9)
-        where.plot([1e6 * row["trial_r"] for row in chosen], [1e3 * row["trial_rho"] for row in chosen], "D", color=INK, markersize=3.5)
-        where.plot([1e6 * row["r"] for row in chosen], [1e3 * row["rho"] for row in chosen], "o", color=BLUE, markersize=3.5)
+        where.plot([1e6 * row["trial_r"] for row in shown], [1e3 * row["trial_rho"] for row in shown], "D", color=INK, markersize=3.5)
+        where.plot([1e6 * row["r"] for row in shown], [1e3 * row["rho"] for row in shown], "o", color=BLUE, markersize=3.5)
+
+    steps(axes, chosen, linewidth=0.8)
+    axes.plot(held.column("r", 1e6), held.column("rho", 1e3), color=FAINT, linewidth=0.9)
+    if held[-1]["state"] == "stick" and held[-1]["load"] > slips[-1]["load"]:
+        # The grip grows until its p-curve lies outside the god-object.
+        p_curve(axes, held[-1]["load"], color=GREEN, linewidth=1.6, dashes=(6, 2))
+    else:  # With dampers, as the operator's, the springs alone are not on the p-curve.
+        middle = chosen[len(chosen) // 2]
+        lens = axes.inset_axes((0.18, 0.14, 0.45, 0.45))
+        half = 1.2 * max(1e6 * abs(middle["trial_r"] - middle["r"]), 1e3 * 6 * abs(middle["trial_rho"] - middle["rho"]), 1)
+        lens.set(xlim=(1e6 * middle["r"] - half, 1e6 * middle["r"] + half), ylim=(1e3 * middle["rho"] - half / 6, 1e3 * middle["rho"] + half / 6))
+        lens.tick_params(labelsize=8)
+        lens.grid(False)
+        steps(lens, [middle], linewidth=1.6)
+        for spine in lens.spines.values():
+            spine.set(visible=True, color=FAINT)
     axes.plot(1e6 * held[0]["r"], 1e3 * held[0]["rho"], "s", color=INK, markersize=4.5)
     largest = max(chosen[0]["load"], held[-1]["load"] if held[-1]["state"] == "stick" else 0)
     axes.set(xlabel="r  [µm]", xlim=(0, 1.1e6 * material["mu"] * largest / STIFFNESS), ylim=(0, 1.1e3 * material["mu_r"] * largest / twist_stiffness))

@@ -211,8 +211,8 @@ def draw_block(axes, rows):
         corners = [(x * BLOCK_LENGTH / 2, y * BLOCK_HEIGHT / 2) for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1), (-1, -1))]
         axes.plot([1e3 * (row["x"] + x * cosine - y * sine) for x, y in corners],
                   [1e3 * (row["y"] + x * sine + y * cosine) for x, y in corners], color=shade, linewidth=1.1)
-        axes.annotate(f"{row['time']:.1f} s", (1e3 * (row["x"] - 62e-3 * cosine - 20e-3 * sine), 1e3 * (row["y"] - 62e-3 * sine + 20e-3 * cosine)), fontsize=6,
-                      color=shade, ha="center", va="bottom")
+        axes.annotate(f"{row['time']:.1f} s", [1e3 * place for place in (row["x"] - 0.06 * cosine - 0.02 * sine, row["y"] - 0.06 * sine + 0.02 * cosine)],
+                      (-3, 0), textcoords="offset points", fontsize=8, color=INK, ha="right", va="center")
     axes.plot([1e3 * row["x"] for row in held], [1e3 * row["y"] for row in held], color=BLUE, linewidth=1.6)
     axes.plot(0, 0, "o", color=VERMILION, markersize=6)
 
