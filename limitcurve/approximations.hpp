@@ -31,15 +31,19 @@ class Ellipse {
 
   /// Support point: (A²v, B²w)/√(A²v² + B²w²).
   [[nodiscard]] UnitWrench wrench(SlipTwist twist) const noexcept {
-    if (twist.is_zero()) return {};
     twist = twist.magnitudes();
-    const double x = force_max_ * twist.slide;
-    const double y = moment_max_ * twist.spin;
-    // By their ratio, because squares of small twists are 0; the ends are exact.
-    const double ratio = (std::min)(x, y) / (std::max)(x, y);
-    const double larger = 1.0 / std::sqrt(1.0 + ratio * ratio);
-    const double smaller = ratio * larger;
-    return x < y ? UnitWrench{force_max_ * smaller, moment_max_ * larger} : UnitWrench{force_max_ * larger, moment_max_ * smaller};
+    double x = force_max_ * twist.slide;
+    double y = moment_max_ * twist.spin;
+    double square = x * x + y * y;
+    if (!(square > 1e-250 && square < 1e250)) [[unlikely]] {  // a twist whose square underflows has a direction, too
+      const double larger = (std::max)(x, y);
+      if (larger == 0.0) return {};
+      x /= larger;
+      y /= larger;
+      square = x * x + y * y;
+    }
+    const double scale = 1.0 / std::sqrt(square);
+    return {force_max_ * x * scale, moment_max_ * y * scale};
   }
 
   [[nodiscard]] SlopedPoint point(SlipTwist twist) const noexcept;
