@@ -113,10 +113,12 @@ template <class Real, class Isa>
 template <class Real, class Isa>
 [[nodiscard]] bool any(Mask<Real, Isa> condition) noexcept {
   const auto words = (typename Registers<double, Isa>::Integers)condition.bits;
-  return (words[0] | words[1]) != 0;
+  std::int64_t found = 0;
+  for (std::size_t i = 0; i < Isa::bytes / 8; ++i) found |= words[i];
+  return found != 0;
 }
 
-// As the processor's min and max of x86: the second argument if one is NaN.
+// `a` if one is NaN.
 template <class Real, class Isa>
 [[nodiscard]] Pack<Real, Isa> smaller(Pack<Real, Isa> a, Pack<Real, Isa> b) noexcept {
   return Pack<Real, Isa>(b.lanes < a.lanes ? b.lanes : a.lanes);
@@ -133,8 +135,8 @@ template <class Real, class Isa>
 }
 template <class Real, class Isa>
 [[nodiscard]] Pack<Real, Isa> sqrt(Pack<Real, Isa> a) noexcept {
-  for (std::size_t lane = 0; lane < a.size; ++lane)
-    a.lanes[lane] = arithmetic::sqrt(a.lanes[lane]);  // compilers make one instruction of it
+  // Compilers make one instruction of it.
+  for (std::size_t lane = 0; lane < a.size; ++lane) a.lanes[lane] = arithmetic::sqrt(a.lanes[lane]);
   return a;
 }
 

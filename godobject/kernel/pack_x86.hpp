@@ -39,6 +39,7 @@ template <class Real, UpToAvx2 Isa>
   }
 }
 
+// The processor's min and max return their second argument if one is NaN.
 template <class Real, UpToAvx2 Isa>
 [[nodiscard]] Pack<Real, Isa> smaller(Pack<Real, Isa> a, Pack<Real, Isa> b) noexcept {
   if constexpr (Isa::bytes == 32 && sizeof(Real) == 8) {
@@ -159,6 +160,7 @@ template <class Real>
     return Pack<Real, Avx512>(_mm512_maskz_max_ps(0xFFFF, b.lanes, a.lanes));
   }
 }
+
 template <class Real>
 [[nodiscard]] Pack<Real, Avx512> gather(const Real* array, Index<Real, Avx512> at) noexcept {
   if constexpr (sizeof(Real) == 8) {
@@ -201,8 +203,7 @@ void set_states_where(Mask<Real, Avx512> where, State* states, Mask<Real, Avx512
 // ---- AVX2 and AVX-512
 
 template <class Isa>
-concept Wide = Isa::bytes >
-16;
+concept Wide = (Isa::bytes > 16);
 
 /// Eight numbers in a row from array[at] on, in each lane: loaded in one piece and transposed, because gathers are slow.
 template <class Isa>

@@ -265,7 +265,7 @@ struct RandomFinger {
 RandomFinger random_finger(Random& random) {
   static const std::array<Law, 3> laws{hertz(), uniform(), parabolic()};
   static const std::array<FingerCurve, 3> tables{exact_curve(laws[0]), exact_curve(laws[1]), exact_curve(laws[2])};
-  const std::size_t law = random.bits() % laws.size();
+  const auto law = static_cast<std::size_t>(random.bits() % laws.size());
   const std::uint64_t kind = random.bits() % 4;
   Model model;
   model.m0 = laws[law]->moment_ratio();
@@ -287,7 +287,7 @@ RandomFinger random_finger(Random& random) {
       return std::pair(wrench.force, wrench.moment);
     };
   }
-  if (!model.box) model.projection = projections.at(random.bits() % projections.size());
+  if (!model.box) model.projection = projections.at(static_cast<std::size_t>(random.bits() % projections.size()));
   FingerParameters& with = model.with;
   with.mu = random.logarithmic(0.05, 3.0);
   if (random.bits() % 2 == 0) with.mu_dynamic = with.mu * random.uniform(0.2, 1.0);
