@@ -47,7 +47,7 @@ std::vector<Entry> make_entries() {
         make_fit, make_translate,
 #endif
         make_replay, make_pivot, make_hold, make_patch
-#ifdef LIMITCURVE_HAS_FIT
+#ifdef LIMITCURVE_HAS_REPORT
         ,
         make_report
 #endif
@@ -80,12 +80,11 @@ void check_subcommand(const std::string& name, const std::vector<Entry>& entries
     expected += ' ' + entry.app->get_name();
     known.push_back(entry.app->get_name());
   }
-#ifndef LIMITCURVE_HAS_FIT
   if (name == "fit" || name == "translate" || name == "report") {
     throw std::invalid_argument("subcommand '" + name +
-                                "' is not in this executable, which was built without fits (they need Ceres), expected one of" + expected);
+                                "' is not in this executable (it needs Ceres, and the report another system than Windows), " +
+                                "expected one of" + expected);
   }
-#endif
   throw std::invalid_argument((name.empty() ? "no subcommand" : "unknown subcommand '" + name + "'") + ", expected one of" + expected +
                               did_you_mean(name, known));
 }

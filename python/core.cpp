@@ -131,7 +131,8 @@ template void require(const double* numbers, std::size_t size, const char* name,
 template void require(const float* numbers, std::size_t size, const char* name, const Range& range);
 
 nb::handle single_type() {
-  static const nb::handle type = numpy("float32").release();
+  static nb::handle type;  // set under the GIL: in a static's initialiser two threads that import could wait for each other
+  if (!type.is_valid()) type = numpy("float32").release();
   return type;
 }
 
@@ -217,7 +218,6 @@ NB_MODULE(_core, module) {
   nb::register_exception_translator(translate);
   module.attr("version") = nb::str(limitcurve::version.data(), limitcurve::version.size());
   limitcurve::between_samples = raise_signals;
-  single_type();  // now: imports at the first use could wait for each other
   add_curves(module);
   add_fingers(module);
   add_batches(module);

@@ -103,6 +103,14 @@ def test_a_law_from_arrays_goes_where_a_law_goes():
     assert lc.validate(law)["max_error"][0] == pytest.approx(lc.validate("parabolic")["max_error"][0], abs=1e-3)
 
 
+def test_a_column_may_have_any_name():
+    """A comma in it once made two of it."""
+    data = {"load": [1, 2, 4.0], 'radius, "a" [mm]': np.zeros(3), "radius": [1, 2, 5.0]}
+    with pytest.raises(ValueError, match=r"^data\['radius'\]\[1\]: column 'radius': got 'inf', expected a finite number > 0$"):
+        lc.fit("load", {**data, "radius": [1, np.inf, 5]})
+    assert np.array_equal(lc.fit("load", data, quiet=True)["value"], lc.fit("load", {name: data[name] for name in ("load", "radius")}, quiet=True)["value"])
+
+
 def test_errors_have_the_command_line_words_and_the_caller_places():
     trace = {"time": [0.0, 1, 2], "x": [0.0, np.nan, 0], "y": np.zeros(3), "z": np.zeros(3), "twist": np.zeros(3)}
     with pytest.raises(ValueError, match=r"^trace\['x'\]\[1\]: .*got 'nan', expected a finite number$"):
