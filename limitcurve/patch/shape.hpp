@@ -61,7 +61,13 @@ struct Shape {
 
 /// The velocity of the point at (x, y) from the reference point of the twist; each component is rounded once.
 [[nodiscard]] inline PatchPoint velocity_at(const PatchTwist& twist, double x, double y) noexcept {
-  return {std::fma(-twist.omega, y, twist.vx), std::fma(twist.omega, x, twist.vy)};
+#ifdef _WIN32
+  using Fused = long double;  // that of double rounds the product in mingw-w64's library
+#else
+  using Fused = double;
+#endif
+  return {static_cast<double>(std::fma(Fused{-twist.omega}, Fused{y}, Fused{twist.vx})),
+          static_cast<double>(std::fma(Fused{twist.omega}, Fused{x}, Fused{twist.vy}))};
 }
 
 /// Whether the COR is so far away that the patch only slides, to rounding.
