@@ -28,7 +28,7 @@ struct FrictionLimits {
   Number load = Number(0);                   ///< P [N], for the c-curve projection
 };
 
-/// The trial wrench: force and moment of the springs if the proxy stayed (eq. 7).
+/// The trial wrench: force and moment of springs and dampers if the proxy stayed (eq. 7).
 template <class Number>
 struct FrictionTrial {
   Number force;                        ///< k_l r [N] ≥ 0
@@ -178,8 +178,7 @@ template <class Real, class Number>
 /// Stick and slip: a contact at rest holds while its trial is within the limit at rest. After slip begins, the sliding limit acts, until a
 /// trial is within the stick fraction of the sliding limit; in that step the contact comes to rest. Slip work force·(r − r′) + moment·(ρ − ρ′)
 /// is never negative. No allocation, no exception, no NaN from finite input; a NaN
-/// keeps no friction. Cost: about 10 ns if it sticks, 100 ns if it slips; at most
-/// max_search_steps evaluations of the curve for each search. `Number` is `double`, or a pack of double or float (`Real`) for as many
+/// keeps no friction. Cost: at most max_search_steps evaluations of the curve for each search. `Number` is `double`, or a pack of double or float (`Real`) for as many
 /// contacts.
 template <class Real, class Number>
 [[nodiscard]] FrictionResult<Number> apply_friction(const CurveView<Real>& curve, Projection projection,

@@ -69,8 +69,9 @@ template <class Real, class Number>
 
 /// Closest point: the point of the curve nearest to the trial in the metric of the springs' compliance, f² + χm². There the slip
 /// (f̂ − f, χ(m̂ − m)) is normal to the curve. x is slide : spin inside the rim and spin : slide beyond it (Jet); the leading component is the
-/// force inside and the moment beyond, the trailing one the other. The residual is o_L − x·o_T, with the trial's excess over leading and trailing
-/// component at x: zero where the excess is parallel to the normal. It has one root for a trial outside the curve.
+/// force inside and the moment beyond, the trailing one the other. o_L is the trial's excess over the leading component at x, o_T that over the trailing
+/// one, times χ inside the rim and 1/χ beyond. The residual o_L − x·o_T is zero where the slip is parallel to the normal. It has one root for a
+/// trial outside the curve.
 template <class Real, class Number>
 [[nodiscard]] Projected<Number> project_on_to_closest_point(const CurveView<Real>& curve, const UnitTrial<Number>& trial,
                                                             Number last) noexcept {

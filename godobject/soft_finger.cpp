@@ -69,7 +69,7 @@ void touch_down(FingerState& state, const FingerSample& sample) noexcept {
   state.patch = {};
 }
 
-/// The sliding limit only for what slides already: a slip of what rests stays at the static limit.
+/// Only what slides already gets the sliding limit: a slip of what rests stays at the static one.
 void keep_static(FrictionLimits<double>& limits, const FrictionMemory<double>& memory, bool is_box) noexcept {
   const bool slides = memory.force_slides;
   const bool turns = is_box ? memory.moment_slides : slides;

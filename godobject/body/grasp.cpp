@@ -254,6 +254,7 @@ Grasp::Attempt Grasp::improve(Attempt now, double unit, double gyration, double 
     if (!step.allFinite()) break;
     double fraction = 1.0;
     Attempt next = attempt(now.velocities - step);
+    if (!(next.size < now.size) && now.size <= rounding_fraction * unit) break;
     for (int halving = 0; halving < halving_limit && !(next.size < now.size); ++halving) {
       fraction *= 0.5;
       next = attempt(now.velocities - fraction * step);

@@ -40,7 +40,7 @@ void check_name(std::string_view name) {
 }  // namespace
 
 std::string to_header(const Table& table, std::string_view chosen_name) {
-  const TableCells pieces = table.cells();
+  const TableCells& pieces = table.cells();
   const auto degree = static_cast<std::size_t>(table.degree());
   const auto literal = [](double value) {
     const std::string text = format_number(value);
