@@ -81,7 +81,7 @@ class Bar(CommandLineTest):
         self.assertEqual(shown(seen), [*printed.split("\n")])
 
     def test_the_share_that_is_done(self):
-        laws = [f"--law=xydas-kao:k={0.1 + 0.01 * i:.2f}" for i in range(40)]
+        laws = [f"--law=xydas-kao:k={0.1 + 0.01 * i:.2f}" for i in range(24)]
         status, seen, printed = on_terminal("validate", *laws, results=False)
         self.assertEqual((status, printed), (0, run("validate", *laws).stdout))
         percents = [int(text) for text in re.findall(r"\rlimitcurve: validate: \[#* *\] (\d+) %, \d+ s", seen)]
