@@ -51,7 +51,7 @@ void check_assumptions(ContactFit& fit, std::span<const Sample> samples, const C
 }
 
 void test_scatter(ContactFit& fit, std::span<const Sample> samples, double gamma, bool widen) {
-  constexpr Eigen::Index terms = 4;
+  constexpr Eigen::Index waves = 4;
   FitReport& report = fit.report;
   const double mu = report.estimates[0].value;
   const double mu_r = report.estimates[1].value;
@@ -59,7 +59,7 @@ void test_scatter(ContactFit& fit, std::span<const Sample> samples, double gamma
     if (estimate.name == "gamma") gamma = estimate.value;
   }
   const auto count = static_cast<Eigen::Index>(samples.size() - fit.outliers.size());
-  Eigen::MatrixXd columns(count, terms);
+  Eigen::MatrixXd columns(count, waves);
   Eigen::VectorXd residuals(count);
   std::vector<double> distances;
   Eigen::Index row = 0;
@@ -73,16 +73,16 @@ void test_scatter(ContactFit& fit, std::span<const Sample> samples, double gamma
                                                       : report.rms;
     distances.push_back(fit.residuals[i] * noise);
     if (std::find(fit.outliers.begin(), fit.outliers.end(), i) != fit.outliers.end()) continue;
-    for (Eigen::Index k = 0; k < terms; ++k) columns(row, k) = std::cos(2.0 * static_cast<double>(k) * angle) / noise;
+    for (Eigen::Index k = 0; k < waves; ++k) columns(row, k) = std::cos(2.0 * static_cast<double>(k) * angle) / noise;
     residuals[row++] = fit.residuals[i];
   }
   warn_of_rows_inside(report, distances);
-  const auto spare = static_cast<double>(count) - static_cast<double>(terms) - 1.0;
+  const auto spare = static_cast<double>(count) - static_cast<double>(waves) - 1.0;
   const auto fitted = static_cast<Eigen::Index>(report.free_parameters);
-  if (!(spare > 0.0) || fitted >= terms || report.rms < perfect) return;
+  if (!(spare > 0.0) || fitted >= waves || report.rms < perfect) return;
   const Eigen::VectorXd trend = columns.colPivHouseholderQr().solve(residuals);
   const double after = (residuals - columns * trend).squaredNorm();
-  const auto freedom = static_cast<double>(terms - fitted);
+  const auto freedom = static_cast<double>(waves - fitted);
   const double ratio = (residuals.squaredNorm() - after) / freedom / (after / spare);
   const double chance = boost::math::cdf(boost::math::complement(boost::math::fisher_f(freedom, spare), std::max(ratio, 0.0)));
   if (!(chance < 0.01)) return;
