@@ -38,8 +38,8 @@ TEST(RoundModels, OfADiscErrAsTheCurvesOfItsLaw) {
 TEST(RoundModels, OfPointsAreTriedWithTheCorOnEachPoint) {
   std::mt19937 bits(7);
   const auto uniform = [&bits] { return std::generate_canonical<double, 53>(bits); };
-  for (int set = 0; set < 3; ++set) {
-    std::vector<PatchLoad> loads(3 + set % 5);
+  for (std::size_t set = 0; set < 3; ++set) {
+    std::vector<PatchLoad> loads(3 + set);
     for (PatchLoad& point : loads) point = {uniform(), uniform(), 0.1 + uniform()};
     const auto [mx, my] = set % 2 == 0 ? std::pair{1.0, 1.0} : std::pair{1.7, 0.6};
     const Patch patch = Patch::points(loads).orthotropic(mx, my);
