@@ -1,14 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""The corrections to the paper: results of its equations as printed, written out here, compared with what the command gives. And its page,
-docs/paper.md: nothing in it points to what is not there."""
+"""The corrections to the paper: results of its equations as printed, written out here, compared with what the command gives."""
 
 import csv
 import importlib.util
 import io
 import math
-import os
 import re
-import shlex
 import subprocess
 import sys
 import unittest
@@ -311,95 +308,6 @@ class SixtyLines(CommandLineTest):
             at = source.index(block, at) + len(block)
         self.assertLessEqual(source.count("\n", source.index(blocks[0]), at), 60)
         self.assertTrue(source[at:].startswith("\n\ndef read("), "the page shows all of it but the comparison")
-
-
-# The paper's own words that docs/paper.md quotes, by section, compared word for word with the paper.
-QUOTATIONS = {
-    "1": ["no real additional computational cost"],
-    "2": ["almost independent of the material"],
-    "3": ["do not influence each other in any way"],
-    "4": ["the friction is independent of sliding speed"],
-    "4.1": ["do not present particular differences", "approximated by circles with unitary radius"],
-    "4.2": ["the characteristics of the instantaneous sliding motion are preserved"],
-    "6": ["a smooth rotation of the block with a small amount of translation",
-          "a movement with constant pressure and a reconfiguration of the instantaneous center of rotation", "not as much smooth",
-          "unable to simulate a realistic manipulation"],
-    "7": ["easily implemented in real-time", "can predict the frictional behavior of a planar object between two soft finger contacts"],
-}
-# The one text of three words and more that other pages have in quotation marks: the title of a work.
-TITLES = {"Tangential torque effects on the control of grip forces when holding objects with a precision grip"}
-
-
-class Page(CommandLineTest):
-    """docs/paper.md."""
-
-    TEXT = (ROOT / "docs" / "paper.md").read_text(encoding="utf-8")
-
-    def table(self):
-        return [[cell.strip() for cell in re.split(r"(?<!\\)\|", line)[1:-1]] for line in self.TEXT.splitlines() if line.startswith("| ")]
-
-    def test_no_row_is_empty(self):
-        found = self.table()
-        self.assertGreater(len(found), 50)
-        for row in found:
-            self.assertEqual(len(row), 4, row)
-            self.assertTrue(all(row), row)
-
-    def test_quotations_are_the_papers_words_and_stand_here_once(self):
-        found = {}
-        for section in re.split(r"(?m)^## ", self.TEXT)[1:]:
-            first = [re.split(r"(?<!\\)\|", line)[1] for line in section.splitlines() if line.startswith("| ")]
-            quoted = [text for cell in first for text in re.findall(r'"([^"]+)"', cell)]
-            if quoted:
-                found[section.split()[0]] = quoted
-        self.assertEqual(found, QUOTATIONS)
-        every = [text for quoted in QUOTATIONS.values() for text in quoted]
-        for text in every:
-            self.assertEqual(self.TEXT.count(text), 1, text)
-        rooms = [room for room in ROOT.iterdir() if room.is_dir() and room.name not in ("build", "out", ".git", "tests")]
-        pages = [*ROOT.glob("*.md"), *(page for room in rooms for kind in ("*.md", "*.rst", "figures/*.py") for page in room.rglob(kind))]
-        pages.remove(ROOT / "docs" / "paper.md")
-        self.assertGreater(len(pages), 20)
-        for path in pages:
-            text = path.read_text(encoding="utf-8")
-            for quoted in every:
-                self.assertNotIn(quoted.lower(), re.sub(r"\s+", " ", text).lower(), path)
-            straight = [] if path.suffix == ".py" else re.findall(r'"([^"\n]+)"', re.sub(r"```.*?```|`[^`\n]*`", "", text, flags=re.DOTALL))
-            for quoted in straight + re.findall(r"“([^”]+)”", text):
-                self.assertTrue(len(quoted.split()) < 3 or quoted in TITLES, f"{path}: is this a quotation? {quoted}")
-
-    def test_every_equation_figure_and_table_has_its_row(self):
-        first = " ".join(row[0] for row in self.table())
-        for number in range(1, 24):
-            self.assertRegex(first, rf"\({number}\)")
-        for number in range(1, 12):
-            self.assertRegex(first, rf"\bFig\. {number}\b")
-        self.assertIn("Table 1", first)
-
-    def test_every_command_runs(self):
-        (self.directory / "data").symlink_to(DATA)
-        calls = sorted({call for row in self.table() for call in re.findall(r"`((?:limitcurve|\$SLIDE) [^`]+)`", row[1])})
-        self.assertGreater(len(calls), 10)
-        variables = dict(re.findall(r'(?m)^([A-Z]+)="([^"]+)"$', self.TEXT))
-        for call in calls:
-            while "$" in call:
-                call = re.sub(r"\$([A-Z]+)", lambda name: variables[name[1]], call)
-            words = shlex.split(call)
-            done = subprocess.run([EXECUTABLE, *words[1:]], cwd=self.directory, capture_output=True, text=True, check=False, env=os.environ)
-            self.assertEqual(done.returncode, 0, f"{call}: {done.stderr}")
-
-    def test_every_test_and_file_is_there(self):
-        tests = "\n".join(path.read_text(encoding="utf-8") for suffix in ("cpp", "py") for path in (ROOT / "tests").rglob(f"*.{suffix}"))
-        for row in self.table():
-            if row[0] == "in the paper":
-                continue
-            names = re.findall(r"`([A-Za-z]+)\.([A-Za-z0-9]+|test_\w+)`", row[2])
-            self.assertTrue(names, row)
-            for suite, name in names:
-                there = (rf"class {suite}\((?:(?!\nclass )[\s\S])*?def {name}\(" if name.startswith("test_") else rf"\({suite}, {name}\)")
-                self.assertTrue(re.search(there, tests), f"{suite}.{name}")
-        for target in re.findall(r"\]\(([^)#]+)\)", self.TEXT):
-            self.assertTrue((ROOT / "docs" / target).exists(), target)
 
 
 if __name__ == "__main__":

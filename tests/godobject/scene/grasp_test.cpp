@@ -44,25 +44,6 @@ const Vector3d edges{0.12, 0.04, 0.04};
 
 const FingerCurve ellipse = Ellipse::through_intercepts(hertz()->moment_ratio());
 
-TEST(RigidBody, FallsAndSpinsFreely) {
-  BodyParameters body = BodyParameters::block(0.3, edges);
-  auto grasp = make_grasp(body, edges, parameters(), ellipse, 0);
-  BodyState start;
-  start.velocity = {1.0, -2.0, 0.5};
-  start.angular_velocity = {3.0, -1.0, 20.0};
-  grasp.place(start, {});
-  const Vector3d momentum = angular_momentum(body, grasp.body());
-  const double step = 1e-4;
-  for (int i = 1; i <= 10000; ++i) grasp.step({}, step);
-  EXPECT_NEAR(grasp.body().velocity.z(), 0.5 - 9.81, 1e-9);
-  // Implicit Euler's fall is ½gtΔt too far.
-  EXPECT_NEAR(grasp.body().position.z(), 0.5 - 0.5 * 9.81 * (1.0 + step), 1e-9);
-  EXPECT_NEAR(grasp.body().position.x(), 1.0, 1e-12);
-  // Angular momentum is kept exactly, by construction.
-  EXPECT_LT((angular_momentum(body, grasp.body()) - momentum).norm(), 1e-12 * momentum.norm());
-  EXPECT_NEAR(grasp.body().orientation.norm(), 1.0, 1e-15);
-}
-
 TEST(Grasp, StaysWithinTheSpringsGive) {
   const BodyParameters body = BodyParameters::block(0.1, edges);
   FingerParameters with = parameters();
@@ -388,13 +369,6 @@ TEST(Grasp, RefusesStepsThatAreNone) {
   grasp.place(nowhere, devices);
   is_refused(Fault::body);
   EXPECT_THROW(Grasp(body, nowhere, AnySurface(PlaneSurface{}), {}), std::invalid_argument);
-}
-
-TEST(Body, IsValidated) {
-  EXPECT_THROW(static_cast<void>(BodyParameters::block(0.0, edges)), std::invalid_argument);
-  EXPECT_THROW(static_cast<void>(BodyParameters::block(0.1, {0.1, -0.1, 0.1})), std::invalid_argument);
-  EXPECT_THROW(SphereSurface(0.0), std::invalid_argument);
-  EXPECT_THROW(BoxSurface({0.1, 0.1, std::numeric_limits<double>::quiet_NaN()}), std::invalid_argument);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 
 namespace limitcurve::godobject::test {
@@ -60,6 +61,26 @@ Quaterniond tumbled(const Vector3d& inertia, const Vector3d& rate, double time, 
     state += h / 6.0 * (a + 2.0 * b + 2.0 * c + d);
   }
   return Quaterniond(state[0], state[1], state[2], state[3]).normalized();
+}
+
+TEST(RigidBody, FallsAndSpinsFreely) {
+  const Vector3d edges(0.12, 0.04, 0.04);
+  const BodyParameters body = BodyParameters::block(0.3, edges);
+  Grasp grasp(body, BodyState{}, AnySurface(BoxSurface(0.5 * edges)), {});
+  BodyState start;
+  start.velocity = {1.0, -2.0, 0.5};
+  start.angular_velocity = {3.0, -1.0, 20.0};
+  grasp.place(start, {});
+  const Vector3d momentum = angular_momentum(body, grasp.body());
+  const double step = 1e-4;
+  for (int i = 1; i <= 10000; ++i) grasp.step({}, step);
+  EXPECT_NEAR(grasp.body().velocity.z(), 0.5 - 9.81, 1e-9);
+  // Implicit Euler's fall is ½gtΔt too far.
+  EXPECT_NEAR(grasp.body().position.z(), 0.5 - 0.5 * 9.81 * (1.0 + step), 1e-9);
+  EXPECT_NEAR(grasp.body().position.x(), 1.0, 1e-12);
+  // Angular momentum is kept exactly, by construction.
+  EXPECT_LT((angular_momentum(body, grasp.body()) - momentum).norm(), 1e-12 * momentum.norm());
+  EXPECT_NEAR(grasp.body().orientation.norm(), 1.0, 1e-15);
 }
 
 // A block thrown about its middle axis, which is unstable: energy and momentum stay, and where it turns to is right to second order.
@@ -140,6 +161,13 @@ TEST(BodyParameters, EvenlyFilledBodiesHaveTheInertiaOfTheirOutline) {
   EXPECT_THROW(static_cast<void>(BodyParameters::ball(0.1, 0.0)), std::invalid_argument);
   EXPECT_THROW(static_cast<void>(BodyParameters::cylinder(0.1, 0.1, 0.0)), std::invalid_argument);
   EXPECT_THROW(static_cast<void>(BodyParameters::capsule(-0.1, 0.1, 0.0)), std::invalid_argument);
+}
+
+TEST(BodyParameters, AndShapesOfNoSizeAreRefused) {
+  EXPECT_THROW(static_cast<void>(BodyParameters::block(0.0, {0.12, 0.04, 0.04})), std::invalid_argument);
+  EXPECT_THROW(static_cast<void>(BodyParameters::block(0.1, {0.1, -0.1, 0.1})), std::invalid_argument);
+  EXPECT_THROW(SphereSurface(0.0), std::invalid_argument);
+  EXPECT_THROW(BoxSurface({0.1, 0.1, std::numeric_limits<double>::quiet_NaN()}), std::invalid_argument);
 }
 
 }  // namespace

@@ -1,0 +1,178 @@
+# SPDX-License-Identifier: MIT
+"""Files of tables: refused if truncated, edited or foreign; no incomplete file is left."""
+
+import json
+import re
+import subprocess
+import unittest
+from pathlib import Path
+
+from command_line import EXECUTABLE, CommandLineTest, rows, run
+
+FORMS = ["csv", "json"]
+SEEDS = Path(__file__).resolve().parent.parent / "fuzz" / "seeds"
+
+
+class BadTables(CommandLineTest):
+    def test_tolerances(self):
+        path = self.directory / "table.csv"
+        for tolerance in ["0", "-1e-6", "nan", "inf", "1e-30", "10", "", "1e-6x"]:
+            self.assert_fails(2, ["tolerance", "expected"], "table", "--law", "hertz", "--tolerance", tolerance, "-o", path)
+        self.assertEqual(list(self.directory.iterdir()), [])
+
+    def test_names(self):
+        for name in ["table", "table.txt", "table.CSV", "csv"]:
+            self.assert_fails(2, ["--output", name, ".csv, .json, .h or .hpp"], "table", "--law", "hertz", "--tolerance", "1e-4", "-o",
+                              self.directory / name)
+        self.assert_fails(2, "--output", "table", "--law", "hertz", "--tolerance", "1e-4")
+        self.assertEqual(list(self.directory.iterdir()), [])
+
+    def test_torn_anywhere(self):
+        for form in FORMS:
+            path = self.directory / f"whole.{form}"
+            rows("table", "--law", "hertz", "--tolerance", "1e-4", "-o", path)
+            text = path.read_text()
+            for length in [0, 1, 10, len(text) // 3, len(text) // 2, len(text) - 20, len(text) - 3]:
+                torn = self.file(f"torn.{form}", text[:length])
+                self.assert_fails(2, f"torn.{form}", "lookup", "--table", torn, "--c", "1")
+
+    def test_edited_anywhere(self):
+        for form in FORMS:
+            path = self.directory / f"whole.{form}"
+            rows("table", "--law", "hertz", "--tolerance", "1e-2", "-o", path)
+            text = path.read_text()
+            count = 0
+            # Every number that is part of the contents, a little.
+            for number in re.finditer(r"(?<![\w.:])-?\d[\d.]*(e[-+]?\d+)?(?![\w.:])", text):
+                line = text[text.rfind("\n", 0, number.start()) + 1:number.end()]
+                if "version" in line or "format" in line or (line.startswith("#") and not re.match(r"# (tolerance|\w+_\w+|octaves): ", line)):
+                    continue
+                changed = repr(float(number[0]) * (1 + 1e-9) or 1e-9)
+                edited = self.file(f"edited.{form}", text[:number.start()] + changed + text[number.end():])
+                self.assert_fails(2, f"edited.{form}", "lookup", "--table", edited, "--c", "1")
+                count += 1
+            self.assertGreater(count, 20)
+            swapped = self.file(f"swapped.{form}", text.replace("hertz", "cone"))
+            self.assert_fails(2, [f"swapped.{form}", "checksum"], "lookup", "--table", swapped, "--c", "1")
+
+    def test_foreign_files(self):
+        foreign = {
+            "trace.csv": "time,x,y,z,twist\n0,0,0,0,0\n",
+            "empty.csv": "",
+            "binary.csv": "\0\x01\x02\n",
+            "empty.json": "",
+            "array.json": "[1, 2, 3]",
+            "number.json": "3",
+            "other.json": '{"format": "something else"}',
+            "bare.json": '{"format": "limitcurve table 2"}',
+            "kinds.json": '{"format": "limitcurve table 2", "law": 1, "tolerance": "x"}',
+            "deep.json": "[" * 10000,
+            "huge.json": '{"format": "limitcurve table 2", "tolerance": 1e999}',
+        }
+        for name, text in foreign.items():
+            self.assert_fails(2, name, "lookup", "--table", self.file(name, text), "--c", "1")
+        self.assert_fails(2, ["nothing.csv", "No such file"], "lookup", "--table", self.directory / "nothing.csv", "--c", "1")
+        self.assert_fails(2, [".csv or .json"], "lookup", "--table", self.file("table.hpp", ""), "--c", "1")
+        (self.directory / "folder.csv").mkdir()
+        self.assert_fails(2, ["folder.csv", "directory"], "lookup", "--table", self.directory / "folder.csv", "--c", "1")
+
+    def test_format_1_is_refused_with_the_command_that_makes_it_anew(self):
+        facts = '"law": "flat-punch", "tolerance": 1e-6'
+        old = {
+            "old.csv": "# limitcurve table, format 1\n# law: flat-punch\n# tolerance: 1e-06\n# certified_error: 9e-07\n",
+            "old.json": '{"format": "limitcurve table 1", ' + facts + ', "inside": []}',
+        }
+        for name, text in old.items():
+            path = self.file(name, text)
+            done = run("lookup", "--table", path, "--c", "1")
+            self.assertEqual(done.returncode, 2)
+            told = re.fullmatch(r"limitcurve: error: (\S+): a table of format 1, .*; make it anew: limitcurve (.*)\n", done.stderr)
+            self.assertIsNotNone(told, done.stderr)
+            # What it tells to do does it.
+            rows(*told[2].split())
+            self.assertEqual(rows("lookup", "--table", path, "--c", "inf")[0]["force"], 1)
+        for text in ['{"format": "limitcurve table 1"}', '{"format": "limitcurve table 1", "law": 3, "tolerance": "x"}']:
+            self.assert_fails(2, "limitcurve table --law LAW --tolerance TOLERANCE", "lookup", "--table", self.file("old.json", text), "--c", "1")
+
+    def test_rows_of_the_wrong_kind(self):
+        path = self.directory / "table.json"
+        rows("table", "--law", "hertz", "--tolerance", "1e-2", "-o", path)
+        for spoil in [lambda t: t["inside"].clear(), lambda t: t["outside"].pop(), lambda t: t["inside"].__setitem__(0, None),
+                      lambda t: t["inside"][0].pop(), lambda t: t["outside"][0].__setitem__(2, "1"), lambda t: t.pop("inside"),
+                      lambda t: t["inside"].reverse(), lambda t: t["inside"][1].__setitem__(0, 1e999), lambda t: t.update(tolerance=-1),
+                      lambda t: t.update(index_bits=4.5), lambda t: t.update(octaves=1 << 40), lambda t: t.pop("linear_error")]:
+            table = json.loads(path.read_text())
+            spoil(table)
+            self.assert_fails(2, "spoilt.json", "lookup", "--table", self.file("spoilt.json", json.dumps(table)), "--c", "1")
+
+    def test_rows_nested_as_deep_as_a_file_may_be(self):
+        deep = "[" * 1000000 + "]" * 1000000
+        sides = f'"inside": [{deep}], "outside": [{deep}]'
+        text = '{"format": "limitcurve table 2", "law": "hertz", "tolerance": 1e-6, "certified_error": 1e-7, "index_bits": 4, "octaves": 4, ' \
+            '"linear_error": 1, "checksum": "0", ' + sides + "}"
+        self.assert_fails(2, "row 1: got a nested array", "lookup", "--table", self.file("deep.json", text), "--c", "1")
+
+    def test_distances(self):
+        path = self.directory / "table.csv"
+        rows("table", "--law", "hertz", "--tolerance", "1e-2", "-o", path)
+        for text in ["-1", "nan", "", "1,,2"]:
+            self.assert_fails(2, ["--c", "item"], "lookup", "--table", path, "--c", text)
+
+
+class Seeds(CommandLineTest):
+    """The seeds of the fuzzers (tests/fuzz/seeds) are valid beyond the header."""
+
+    def complaint(self, name, text):
+        path = self.directory / name
+        path.write_bytes(text)
+        return run("lookup", "--table", path, "--c", "1").stderr.replace(str(path), "")
+
+    def test_csv(self):
+        for seed in sorted((SEEDS / "table_csv").iterdir()):
+            text = seed.read_bytes()
+            header = text[:text.index(b"\nside,x,")].count(b"\n") + 2
+            place = re.match(r"limitcurve: error: :(\d+):", self.complaint("seed.csv", text))
+            # A place among the rows, or no place: a complaint about all rows together, or none.
+            self.assertTrue(place is None or int(place[1]) > header, f"{seed.name}: {place}")
+
+    def test_json(self):
+        foreign = self.complaint("seed.json", b"{}")
+        for seed in sorted((SEEDS / "table_json").iterdir()):
+            text = seed.read_bytes()
+            complaint = self.complaint("seed.json", text)
+            place = re.match(r"limitcurve: error: :(\d+):", complaint)
+            self.assertNotEqual(complaint, foreign, seed.name)
+            self.assertNotRegex(complaint, "format 1|no member", seed.name)
+            self.assertTrue(place is None or int(place[1]) > 2, f"{seed.name}: {complaint}")
+
+
+class Writing(CommandLineTest):
+    CALL = ["table", "--law", "hertz", "--tolerance", "1e-4", "-o"]
+
+    def test_an_old_file_is_replaced_whole(self):
+        path = self.file("table.csv", "old")
+        rows(*self.CALL, path)
+        self.assertTrue(path.read_text().startswith("# limitcurve table"))
+        self.assertEqual([entry.name for entry in self.directory.iterdir()], ["table.csv"])
+
+    def test_where_nothing_can_be_written(self):
+        self.assert_fails(1, ["absent/table.csv", "No such file"], *self.CALL, self.directory / "absent" / "table.csv")
+        self.assert_fails(1, ["/proc/table.csv"], *self.CALL, "/proc/table.csv")
+        (self.directory / "table.csv").mkdir()
+        self.assert_fails(1, "table.csv", *self.CALL, self.directory / "table.csv")
+        self.assertEqual([entry.name for entry in self.directory.iterdir()], ["table.csv"])
+
+    def test_a_failed_run_keeps_the_old_file(self):
+        path = self.file("table.csv", "old")
+        self.assert_fails(2, "--law", "table", "--law", "herz", "--tolerance", "1e-4", "-o", path)
+        # No file may grow beyond 100 bytes: like a disk that is full in the middle of the table.
+        limited = subprocess.run(["sh", "-c", 'ulimit -f 0; trap "" XFSZ; exec "$0" "$@"', EXECUTABLE, *self.CALL, path],
+                                 capture_output=True, text=True, check=False)
+        self.assertEqual(limited.returncode, 1, limited.stderr)
+        self.assertRegex(limited.stderr, r"\Alimitcurve: error: [^\n]*table.csv[^\n]*\n\Z")
+        self.assertEqual(path.read_text(), "old")
+        self.assertEqual([entry.name for entry in self.directory.iterdir()], ["table.csv"])
+
+
+if __name__ == "__main__":
+    unittest.main()

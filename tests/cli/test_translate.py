@@ -1,0 +1,172 @@
+# SPDX-License-Identifier: MIT
+"""translate: the numbers for physics engines, and what a number in an engine means."""
+
+import csv
+import math
+import subprocess
+import sys
+import unittest
+
+from command_line import DATA, EXECUTABLE, CommandLineTest, header, numbers, rows, run
+
+
+class Translate(CommandLineTest):
+    CONTACT = ["translate", "--law", "uniform", "--radius-law", "power:c=0.002,gamma=0.25", "--mu", "0.8", "--load", "16"]
+
+    def test_every_engine_gets_both_limits(self):
+        self.assertEqual(header(*self.CONTACT), "engine,parameter,value,unit,model,max_error,cor_error,loads_error,note,formula,two_bodies")
+        found = rows(*self.CONTACT)
+        self.assertEqual({(row["engine"], row["model"]) for row in found},
+                         {(row["engine"], row["model"]) for row in self.facts("engines") if row["model"] != "field"})
+        self.assertLessEqual({"mujoco", "chrono", "gazebo", "physx", "isaac", "sapien", "bullet", "ode", "newton", "genesis", "drake", "dart", "dex-net"},
+                             {row["engine"] for row in found})
+        coefficients = {(row["engine"], row["parameter"]): row["value"] for row in found}
+        self.assertEqual(coefficients["mujoco", "geom.friction[0]"], 0.8)
+        # mu m0 a(P), a = 4 mm
+        self.assert_close(coefficients["mujoco", "geom.friction[1]"], 0.8 * 2 / 3 * 0.004, 1e-14)
+        errors = {row["model"]: row["max_error"] for row in found}
+        self.assertAlmostEqual(errors["ellipse"], 0.0704, delta=5e-5)
+        self.assertAlmostEqual(errors["box"], 0.512, delta=1e-3)
+
+    def test_the_cone_is_a_row(self):
+        """The cone option is on the models it holds for, and on no other row."""
+        cones = {(row["model"], row["value"], row["unit"], row["note"]) for row in rows(*self.CONTACT) if row["parameter"] == "option.cone"}
+        self.assertEqual(cones, {("ellipse", 1, 1, "elliptic"), ("diamond", 0, 1, "pyramidal")})
+
+    def facts(self, name):
+        with (DATA / "engines" / f"{name}.csv").open(encoding="utf-8") as file:
+            return list(csv.DictReader(line for line in file if not line.startswith("#")))
+
+    def test_every_row_says_its_formula_and_what_two_bodies_make(self):
+        self.assertNotIn('"', run(*self.CONTACT).stdout)  # for readers that split at commas
+        for row in rows(*self.CONTACT):
+            self.assertIsInstance(row["value"], float)
+            self.assertTrue(row["formula"] != "", row)
+            if str(row["formula"]).startswith("mu"):
+                self.assertTrue(row["two_bodies"], row)
+        notes = {(row["engine"], row["parameter"]): row["note"] for row in rows(*self.CONTACT)}
+        self.assertIn("times mu and load", notes["physx", "PxShape.minTorsionalPatchRadius"])
+        self.assertIn("times f and load", notes["bullet", "setSpinningFriction"])
+
+    def test_the_files_of_facts_agree(self):
+        """Names in one file are known in the others, and each name means one thing."""
+        shapes = {(row["engine"], row["model"]) for row in self.facts("engines")}
+        self.assertEqual(len(shapes), len(self.facts("engines")))
+        names = [name for row in self.facts("engines") for name in row["also"].split()]
+        self.assertEqual(len(names), len(set(names) - {row["engine"] for row in self.facts("engines")}))
+        for row in self.facts("engines"):
+            self.assertRegex(row["checked"], r"^20\d\d-\d\d-\d\d$")
+            self.assertIn(row["how"], ("measured", "source", "manual"))
+        for row in self.facts("coefficients"):
+            self.assertIn((row["engine"], row["model"]) if row["model"] else row["engine"], shapes | {engine for engine, _ in shapes})
+        known = {}
+        for row in self.facts("coefficients"):
+            for word in [*row["word"].split(), row["parameter"]]:
+                self.assertEqual(known.setdefault((row["engine"], word), row["parameter"]), row["parameter"])
+        for row in self.facts("errors"):
+            self.assertTrue(row["model"] == "points" or (row["engine"], row["model"]) in shapes, row)
+
+    def test_the_page_has_what_the_files_and_the_program_say(self):
+        pages = DATA.parent / "scripts" / "maintain" / "pages"
+        done = subprocess.run([sys.executable, "-B", pages, EXECUTABLE, "--check", "docs/which_number.md"], capture_output=True, text=True, check=False)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+
+    def test_one_engine(self):
+        every = rows(*self.CONTACT)
+        for name in {row["engine"] for row in every}:
+            self.assertEqual(rows(*self.CONTACT, "--engine", name), [row for row in every if row["engine"] == name])
+        self.assertEqual(rows(*self.CONTACT, "--engine", "isaac-lab"), rows(*self.CONTACT, "--engine", "isaac"))
+        self.assert_fails(2, ["--engine", "'mujcoo'", "mujoco"], *self.CONTACT, "--engine", "mujcoo")
+
+    def test_range_of_loads(self):
+        """For randomisation: mu_r over the loads, which goes as the radius."""
+        self.assertTrue(header(*self.CONTACT, "--loads", "4,64").endswith(",formula,two_bodies,low,high"))
+        for row in rows(*self.CONTACT, "--loads", "4,64"):
+            if row["formula"] in ("mu_r", "m0 a", "16 m0 a/(3 pi)", "mu_r/f"):
+                self.assert_close(row["low"], row["value"] / 2**0.5, 1e-12)
+                self.assert_close(row["high"], row["value"] * 2**0.5, 1e-12)
+            elif "a/pi" not in str(row["formula"]) and "1000" not in str(row["formula"]):
+                self.assertEqual((row["low"], row["high"]), (row["value"], row["value"]))
+
+    def test_patch(self):
+        """The largest moment of a uniform square of side d is mu P d (sqrt 2 + ln(1 + sqrt 2))/6, by integration of the distance."""
+        side = 0.01
+        lever = side * (math.sqrt(2) + math.log(1 + math.sqrt(2))) / 6
+        found = {(row["engine"], row["parameter"]): row for row in rows("translate", "--patch", f"rectangle:x={side},y={side}", "--mu", "0.8")}
+        self.assert_close(found["mujoco", "geom.friction[1]"]["value"], 0.8 * lever, 1e-12)
+        self.assert_close(found["sapien", "min_patch_radius"]["value"], lever, 1e-12)
+        ellipsoid, = [row for row in rows("validate", "--patch", f"rectangle:x={side},y={side}") if row["model"] == "ellipsoid"]
+        self.assert_close(found["genesis", "materials.Rigid.friction"]["max_error"], ellipsoid["max_error"], 1e-6)
+        for option, value in (("--law", "hertz"), ("--radius-law", "constant:a=0.005"), ("--load", "1"), ("--loads", "1,2")):
+            self.assert_fails(2, [option, "--patch"], "translate", "--patch", "rectangle:x=0.01,y=0.01", "--mu", "0.8", option, value)
+
+    def test_what_a_number_means(self):
+        reading = ["translate", "--law", "uniform", "--mu", "0.5", "--read"]
+        self.assertEqual(header(*reading, "mujoco.torsional=0.005"), "engine,parameter,value,moment_per_load,radius,note")
+        for text, parameter, moment in (("mujoco.torsional=0.005", "geom.friction[1]", 0.005), ("mujoco.geom.friction[1]=5e-3", "geom.friction[1]", 0.005),
+                                        ("isaac-lab.min_torsional_patch_radius=0.1", "physxCollision:minTorsionalPatchRadius", 0.05),
+                                        ("gazebo.patch_radius=0.016", "surface/friction/torsional/patch_radius", 0.5 * 0.003 * math.pi),
+                                        ("pybullet.spinningFriction=0.1", "setSpinningFriction", 0.1)):
+            row, = rows(*reading, text)
+            self.assertEqual(row["parameter"], parameter)
+            self.assert_close(row["moment_per_load"], moment, 1e-14)
+            self.assert_close(row["radius"], moment / 0.5 / (2 / 3), 1e-14)
+            self.assertEqual("no fingertip" in row["note"], not 1e-3 <= row["radius"] <= 2e-2)
+        both = rows(*reading, "dart.friction=0.5", "--read", "ode.torsional=0.002")
+        self.assertEqual([(row["engine"], row["radius"]) for row in both], [("dart", ""), ("ode", 0.006)])
+        for text, expected in (("mujoco.torsional", "ENGINE.PARAMETER=VALUE"), ("torsional=1", "ENGINE.PARAMETER=VALUE"), ("mujoco.torsional=a", "ENGINE.PARAMETER"),
+                               ("mujoco.torsional=-1", "-1"), ("mujoco.torsion=1", "torsional"), ("mujco.torsional=1", "mujoco")):
+            self.assert_fails(2, ["--read", expected], *reading, text)
+        self.assert_fails(2, "--load", *reading, "mujoco.torsional=0.005", "--load", "1")
+        self.assert_fails(2, "--law", "translate", "--mu", "1", "--read", "mujoco.torsional=0.005")
+
+    def test_errors_at_the_same_centre_of_rotation_and_over_the_loads(self):
+        """By an independent sum over the exact curve: an ellipse's wrench at c has the direction (s, m0²) of its normal."""
+        m0 = 2 / 3
+        worst = 0
+        cors = [m0 * math.tan(math.pi / 2 * (i + 0.5) / 500) for i in range(500)]
+        for row in rows("eval", "--law", "uniform", "--c", numbers(cors)):
+            s = row["c"] / m0
+            worst = max(worst, math.hypot(row["force"] - s / math.hypot(s, 1), row["moment"] / m0 - 1 / math.hypot(s, 1)))
+        for row in rows(*self.CONTACT, "--loads", "8,16"):
+            if row["model"] == "ellipse":
+                self.assertAlmostEqual(row["cor_error"], worst, delta=1e-4)
+                # At half the load the radius is 2^-0.25 of what it was: the moment is too large by as much.
+                self.assertAlmostEqual(row["loads_error"], 2 ** 0.25 - 1, delta=5e-3)
+            if row["model"] == "box":
+                self.assertAlmostEqual(row["cor_error"], 1, delta=1e-6)
+            self.assertGreaterEqual(row["loads_error"], row["max_error"])
+
+    def test_units_of_length_do_not_matter(self):
+        """Once, of a Gaussian of sigma = 1e-3, the error at a centre of rotation was sampled at its ends only."""
+        def errors(sigma, radius, load):
+            return [(row["max_error"], row["cor_error"], row["loads_error"], row["value"] / (radius * sigma if row["unit"] == "m" else 1))
+                    for row in rows("translate", "--law", f"gaussian:sigma={sigma}", "--radius-law", f"power:c={radius},gamma=0.25", "--mu", "0.8",
+                                    "--load", load, remark="in metres?" if radius > 1 else "") if "sqrt" not in str(row["formula"])]
+        reference = errors(1, 0.005, 1)
+        for sigma, radius in ((1e-6, 0.005), (1e-3, 5), (1e3, 0.005), (1e6, 1e-9)):
+            for row, expected in zip(errors(sigma, radius, 1), reference, strict=True):
+                for value, right in zip(row, expected, strict=True):
+                    self.assert_close(value, right, 1e-6)
+        for row, expected in zip(errors(1, 0.005, 1000), reference, strict=True):
+            for value, right in zip(row[:3], expected[:3], strict=True):
+                self.assert_close(value, right, 1e-6)
+
+    def test_explained_on_standard_error(self):
+        done = run(*self.CONTACT, "--explain")
+        self.assertEqual(done.returncode, 0)
+        self.assertEqual(done.stdout, run(*self.CONTACT).stdout)
+        self.assertTrue(all(line.startswith("limitcurve: note: ") for line in done.stderr.splitlines()))
+        self.assertIn("mujoco", done.stderr)
+
+    def test_bad_input(self):
+        for option, value in [("--mu", "0"), ("--load", "0"), ("--load", "-1"), ("--mu", "nan")]:
+            call = list(self.CONTACT)
+            call[call.index(option) + 1] = value
+            self.assert_fails(2, option, *call)
+        for loads in ["1", "2,1", "0,1", "1,2,3", "1,,2"]:
+            self.assert_fails(2, "--loads", *self.CONTACT, "--loads", loads)
+
+
+if __name__ == "__main__":
+    unittest.main()
