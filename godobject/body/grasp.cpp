@@ -254,7 +254,8 @@ Grasp::Attempt Grasp::improve(Attempt now, double unit, double gyration, double 
     if (!step.allFinite()) break;
     double fraction = 1.0;
     Attempt next = attempt(now.velocities - step);
-    if (!(next.size < now.size) && now.size <= rounding_fraction * unit) break;
+    // What a whole step does not reduce there is rounding, of which stiff dampers have much.
+    if (!(next.size < now.size) && now.size <= solved_fraction * unit) break;
     for (int halving = 0; halving < halving_limit && !(next.size < now.size); ++halving) {
       fraction *= 0.5;
       next = attempt(now.velocities - fraction * step);
@@ -264,8 +265,8 @@ Grasp::Attempt Grasp::improve(Attempt now, double unit, double gyration, double 
       turned_back = false;
       continue;
     }
-    // No improvement: the residual is rounding, or there is a kink.
-    if (turned_back || now.size <= solved_fraction * unit) break;
+    // No improvement: there is a kink.
+    if (turned_back) break;
     turned_back = true;
     change = -change;
   }

@@ -28,8 +28,6 @@ class Grasp {
   static constexpr int halving_limit = 24;
   /// Equations are solved when the residual is at most this fraction of the velocities, including those that the loads give in a step.
   static constexpr double solved_fraction = 1e-9;
-  /// Below this fraction what a whole step of Newton's method does not reduce is rounding: stiff dampers have so much.
-  static constexpr double rounding_fraction = 1e-11;
 
   /// A body that turns by more [rad] in a step is moved in parts, too.
   static constexpr double largest_turn = 2.0;
