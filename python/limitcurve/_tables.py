@@ -9,25 +9,18 @@ from __future__ import annotations
 
 import functools
 import os
-import sys
 import warnings
 from collections.abc import Callable, Mapping, Sequence
-from typing import Any, TypeAlias, TypeVar, cast
+from typing import Any, TypeVar, cast
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from ._core import Law, columns_of, numbers_of
+from ._call import Call, Columns, Data
+from ._core import Law
 
 _core.set_share(os.path.join(os.path.dirname(__file__), "share"))
-
-Columns: TypeAlias = dict[str, NDArray[Any]]
-"""A table: its columns by name, arrays of one length."""
-
-Data: TypeAlias = "str | os.PathLike[str] | Mapping[str, ArrayLike] | Any"
-"""A file, or columns by name: a dict of arrays, a pandas DataFrame, a structured array. Rows with a masked number are left out, with a warning."""
-
 
 _Function = TypeVar("_Function", bound=Callable[..., Any])
 
@@ -53,101 +46,6 @@ def _takes_old_names(function: _Function) -> _Function:
     return cast("_Function", renaming)
 
 
-def _column_names(data: Any) -> list[Any] | None:
-    """None of what has no columns."""
-    if isinstance(data, np.ndarray):
-        return list(data.dtype.names) if data.dtype.names else None
-    return list(data.keys()) if isinstance(data, Mapping) or hasattr(data, "columns") else None
-
-
-def _columns_of(name: str, data: Any) -> list[tuple[str, NDArray[np.float64]]]:
-    names = _column_names(data)
-    if names is None:
-        raise ValueError(f"{name}: got {type(data).__name__}, expected a file's name, or columns by name")
-    columns = list(zip(map(str, names), columns_of(name, list(map(str, names)), [data[column] for column in names])))
-    for column, numbers in columns:
-        if numbers.ndim != 1:
-            raise ValueError(f"{name}[{column!r}]: got the shape {numbers.shape}, expected one dimension")
-    return columns
-
-
-class _Call:
-    """A command line under construction, with the columns in memory that it reads."""
-
-    def __init__(self, *words: str) -> None:
-        self.words = list(words)
-        self.memory: list[_core.MemoryColumns] = []
-
-    def data(self, name: str, value: Data) -> str:
-        """The name of a file with the contents of `value`."""
-        if isinstance(value, (str, os.PathLike)):
-            return os.fsdecode(value)
-        return self._memory(name, _columns_of(name, value))
-
-    def law(self, value: str | Law) -> str:
-        if not isinstance(value, Law):
-            return str(value)
-        if value.arrays is None:
-            return value.name
-        radius, pressure = value.arrays
-        return "samples:" + self._memory(value.name.removeprefix("samples:"), [("radius", radius), ("pressure", pressure)])
-
-    def _memory(self, name: str, columns: list[tuple[str, NDArray[np.float64]]]) -> str:
-        self.memory.append(_core.MemoryColumns(name, columns))
-        return self.memory[-1].path
-
-    def option(self, name: str, value: Any) -> None:
-        """Adds an option, `name` in Python's spelling; leaves out None and False."""
-        if isinstance(value, (np.generic, np.ndarray)) and value.ndim == 0:
-            value = value.item()
-        if value is None or value is False:
-            return
-        word = "--" + name.replace("_", "-")
-        if value is True:
-            self.words.append(word)
-        elif name in ("law", "patch"):
-            several = [value] if isinstance(value, (str, Law)) else list(value)
-            if not several:
-                raise ValueError(f"{name}: got an empty list, expected one or more")
-            for one in several:
-                self.words += [word, self.law(one)]
-        elif name == "read" and not isinstance(value, str):
-            for one in value:
-                self.words += [word, str(one)]
-        elif name in ("data", "trace", "twists") or _column_names(value) is not None:
-            self.words += [word, self.data(name, value)]
-        elif isinstance(value, (str, os.PathLike)):
-            self.words += [word, os.fsdecode(value)]
-        elif isinstance(value, (int, float)):
-            self.words += [word, repr(value)]
-        else:
-            self.words += [word, ",".join(map(repr, numbers_of(value, name).ravel().tolist()))]
-
-    def run(self, notes: list[str] | None = None) -> Columns:
-        """Warnings are Python's; other lines go to `notes`, without it to standard error."""
-        said: list[str] = []
-        try:
-            return _core.run(self.words, self.memory, said)
-        finally:
-            for line in said:
-                text = line.removeprefix("limitcurve: ")
-                if text.startswith("warning: "):
-                    warnings.warn(text.removeprefix("warning: "), stacklevel=_stacklevel())
-                elif notes is not None:
-                    notes.append(text.removeprefix("note: "))
-                else:
-                    print(line, file=sys.stderr)
-
-
-def _stacklevel() -> int:
-    """For warnings.warn in the function that asks: the first caller outside this package."""
-    level = 1
-    frame = sys._getframe(1)
-    while frame.f_back is not None and frame.f_globals.get("__package__") == __package__:
-        frame, level = frame.f_back, level + 1
-    return level
-
-
 def _list_of(pairs: Mapping[str, str] | None) -> str | None:
     return None if pairs is None else ",".join(f"{key}={value}" for key, value in pairs.items())
 
@@ -166,7 +64,7 @@ def run(subcommand: str, *arguments: str, **options: Any) -> Columns:
 
 
 def _run(words: list[str], options: dict[str, Any], notes: list[str] | None = None) -> Columns:
-    call = _Call(*words)
+    call = Call(*words)
     for name, value in options.items():
         call.option(name, value)
     return call.run(notes)
@@ -292,11 +190,11 @@ def fit(
         covariance=data is not None and model != "friction",
         quiet=quiet,
     )
-    columns = _run(["fit", model], options, notes)
-    rows = [columns.pop(name) for name in list(columns) if name.startswith("covariance_")]
-    result = Fit(columns)
+    found = _run(["fit", model], options, notes)
+    rows = [found.pop(name) for name in list(found) if name.startswith("covariance_")]
+    result = Fit(found)
     result.covariance = np.array(rows) if rows else None
-    result.note = str(columns["note"][0])
+    result.note = str(found["note"][0])
     result.notes = notes
     return result
 

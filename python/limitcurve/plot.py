@@ -18,7 +18,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ._core import Law
-from ._tables import Columns, Data, _columns_of, run, validate
+from ._call import Columns, Data, named_columns
+from ._tables import run, validate
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -107,7 +108,7 @@ def limit_curve(
 
 def _columns(name: str, data: Data) -> dict[str, Any]:
     if not isinstance(data, (str, os.PathLike)):
-        return dict(_columns_of(name, data))
+        return dict(named_columns(name, data))
     with open(data, encoding="utf-8", newline="") as lines:
         rows = list(csv.reader(line for line in lines if line.strip() and not line.startswith("#")))
     return {name: np.array([float(row[i]) for row in rows[1:]]) for i, name in enumerate(rows[0])}
