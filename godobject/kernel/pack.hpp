@@ -211,8 +211,8 @@ void set_states_where(Mask<Real, Isa> where, State* states, Mask<Real, Isa> firs
 /// A cell of a table for each lane, under the names of that of a single number (limitcurve/arithmetic.hpp).
 template <class Real, class Isa>
 struct LoadedCell {
-  const Real* array;
   Index<Real, Isa> at;
+  const Real* array;
   Mask<Real, Isa> outside;
 
   [[nodiscard]] Pack<Real, Isa> origin() const noexcept { return gather(array, at); }
@@ -221,7 +221,7 @@ struct LoadedCell {
 };
 template <class Real, class Isa>
 [[nodiscard]] LoadedCell<Real, Isa> load_cell(const Real* array, Index<Real, Isa> at, Mask<Real, Isa> outside) noexcept {
-  return {array, at, outside};
+  return {at, array, outside};
 }
 
 /// The lanes of a pack as an array, for functions that have no form for packs.

@@ -255,7 +255,7 @@ struct LoadedCell<double, Isa> {
   std::array<Number, 8> high;  // 3 to 6, as far as the table has them
   Mask<double, Isa> outside;
 
-  LoadedCell(const double* array, Index<double, Isa> at, Mask<double, Isa> is_outside) noexcept
+  LoadedCell(Index<double, Isa> at, const double* array, Mask<double, Isa> is_outside) noexcept
       : low(load_rows(array, at)), high(load_rows(array + 8, at)), outside(is_outside) {}
 
   [[nodiscard]] Number origin() const noexcept { return low[0]; }

@@ -286,7 +286,7 @@ TEST(Table, FollowsJumpsInsideTheContact) {
     }
     const Law law = samples(profile, "jumps");
     const Table table = Table::build(law, 1e-10);
-    EXPECT_LE(table.bytes(), 16384U) << seed;
+    EXPECT_LE(table.certified_error(), 1e-10) << seed;
     double worst = 0.0;
     for (int i = 0; i < 400; ++i) {
       // Half of them next to a jump.
