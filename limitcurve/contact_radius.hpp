@@ -210,11 +210,4 @@ double load_to_hold(const Curve& curve, const RadiusLaw& radius_law, double mu, 
 }  // namespace LIMITCURVE_COPIES
 #endif
 
-/// Grip margin [N]: `load` minus `load_to_hold`. Negative if the contact slips. Throws like `load_to_hold`.
-template <class Curve>
-double grip_margin(const Curve& curve, const RadiusLaw& radius_law, double mu, double load, double force, double moment) {
-  detail::check_load(load);
-  return load - load_to_hold(curve, radius_law, mu, force, moment);
-}
-
 }  // namespace limitcurve
