@@ -61,7 +61,8 @@ FitReport fit_ratio(std::span<const RatioSample> samples, const PressureLaw& law
       report.warnings.push_back("the ratios differ by more than their standard errors explain (p = " + format_number(p_value) + ")");
     }
   } else {
-    const double refuted = boost::math::quantile(boost::math::complement(distribution, significant)) / chi_squared;
+    const double bound = boost::math::quantile(boost::math::complement(distribution, significant));
+    const double refuted = chi_squared > 0.0 ? bound / chi_squared : std::numeric_limits<double>::infinity();
     report.estimates.insert(
         report.estimates.end(),
         {{"chi_squared_per_n", chi_squared, 0.0, "1"}, {"degrees_of_freedom", freedom, 0.0, "1"}, {"n_for_p_0.05", refuted, 0.0, "1"}});

@@ -84,9 +84,8 @@ KeptDeflection friction_of_patch(const PatchProjector& patch, const ContactLimit
   next.slip = {found.slip.vx, found.slip.vy, found.slip.omega};
   kept.tangential = (next.axis * found.wrench.fx + normal.cross(next.axis) * found.wrench.fy) / stiffness;
   kept.twist = found.wrench.moment / twist_stiffness;
-  const double slide = std::hypot(found.slip.vx, found.slip.vy);
-  const double turn = std::fabs(found.slip.omega);
-  kept.cor = slide > 0.0 || turn > 0.0 ? slide / turn : 0.0;
+  const SlipTwist slip{std::hypot(found.slip.vx, found.slip.vy), std::fabs(found.slip.omega)};
+  kept.cor = slip.is_zero() ? 0.0 : slip.cor();
   return kept;
 }
 

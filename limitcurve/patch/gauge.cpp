@@ -114,7 +114,8 @@ double load_to_hold(const Patch& patch, double mu, const PatchWrench& wrench) {
   if (!std::isfinite(wrench.moment)) throw out_of_range("moment", wrench.moment, "N m", "a finite number");
   const PatchPoint centre = patch.centre();
   const double gauge = patch.gauge({wrench.fx, wrench.fy, wrench.moment - (centre.x * wrench.fy - centre.y * wrench.fx)});
-  return gauge > 0.0 ? gauge / mu : 0.0;
+  if (!(gauge > 0.0)) return 0.0;
+  return mu > 0.0 ? gauge / mu : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace limitcurve
