@@ -14,7 +14,7 @@ namespace limitcurve::godobject {
 /// out), and the friction wrench on the user (out). All arrays have the same length, and must not overlap.
 ///
 /// A sample that is not plausible (`farthest`), a NaN among them, is a fault of the device: the contact's state is `invalid`, and none of its
-/// other arrays changes, so that its last output is held.
+/// other arrays changes, so that its last output is held. So is a contact whose proxy is no number, or out of every reach, until it ends.
 ///
 /// A float takes half the memory of a double, but resolves 6e-8 of a coordinate: 60 nm at 1 m from the origin, while slips are micrometres.
 /// So give positions relative to a point near the contact (the object's origin, the touch-down), and angles within a few turns. A slip

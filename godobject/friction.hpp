@@ -3,7 +3,6 @@
 
 #include "projection.hpp"
 
-#include <cassert>
 #include <limits>
 
 namespace limitcurve::godobject {
@@ -127,7 +126,6 @@ template <class Number, class Mask>
 template <class Number, class Mask>
 [[nodiscard]] Number kept_fraction(Mask slips, Number fraction) noexcept {
   using namespace arithmetic;
-  assert(!any(slips && fraction != fraction));
   return select(slips, larger(Number(0), smaller(fraction, Number(1))), Number(1));
 }
 

@@ -81,6 +81,8 @@ void step_contacts(const Shared<Real>& shared, const BasicContactBatch<Real>& co
   const FrictionLimits<Number> limits = shared.limits.template at<Real>(normal_load, stiffness / twist_stiffness);
   const Number r = sqrt(trial_x * trial_x + trial_y * trial_y);
   const Number rho = abs(twist);
+  // A proxy farther than two samples can be, or NaN, is memory that the caller never wrote: a fault until the contact ends.
+  const auto is_known = is_usable && r + rho <= Number(static_cast<Real>(4.0 * farthest));
   const Number rounding = Number(std::numeric_limits<Real>::epsilon() / 2);
   // Without torsion the angle has no friction, so its rounding does not count.
   const FrictionTrial<Number> trial{stiffness * r, twist_stiffness * rho, stiffness * rounding * (abs(proxy_x) + abs(proxy_y)),
@@ -107,7 +109,7 @@ void step_contacts(const Shared<Real>& shared, const BasicContactBatch<Real>& co
   memory = settled(before, memory, shared.curve.is_box, slips, slid, turned);
 
   // c. Force and moment on the user. A fault changes nothing but the state.
-  const auto write = [&](auto array, Number value) { store_where(is_usable, array.data() + i, value); };
+  const auto write = [&](auto array, Number value) { store_where(is_known, array.data() + i, value); };
   write(contacts.proxy_x, new_x);
   write(contacts.proxy_y, new_y);
   write(contacts.proxy_angle, new_angle);
@@ -118,12 +120,12 @@ void step_contacts(const Shared<Real>& shared, const BasicContactBatch<Real>& co
   write(contacts.moment, kept_twist * twist_stiffness);
   using States = std::array<ContactState, 3>;
   constexpr States states{ContactState::free, ContactState::stick, ContactState::slip};
-  set_states_where(is_usable, contacts.state.data() + i, touches, slips, states, zero);
-  set_states_where(is_usable, contacts.force_slides.data() + i, touches, memory.force_slides, states, zero);
-  if (shared.curve.is_box) set_states_where(is_usable, contacts.moment_slides.data() + i, touches, memory.moment_slides, states, zero);
-  if (any(!is_usable)) {
+  set_states_where(is_known, contacts.state.data() + i, touches, slips, states, zero);
+  set_states_where(is_known, contacts.force_slides.data() + i, touches, memory.force_slides, states, zero);
+  if (shared.curve.is_box) set_states_where(is_known, contacts.moment_slides.data() + i, touches, memory.moment_slides, states, zero);
+  if (any(!is_known)) {
     constexpr States invalid{ContactState::invalid, ContactState::invalid, ContactState::invalid};
-    set_states_where(!is_usable, contacts.state.data() + i, touches, slips, invalid, zero);
+    set_states_where(!is_known, contacts.state.data() + i, touches, slips, invalid, zero);
   }
 }
 

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -228,6 +229,45 @@ TYPED_TEST(BatchOf, DoesNotDependOnNeighbours) {
       batch.step(together.batch());
       for (std::size_t i = 0; i < count; ++i) batch.step(alone.batch().part(i, 1));
       ASSERT_EQ(written(alone.batch()), written(together.batch())) << with.name << ' ' << round;
+    }
+  }
+}
+
+// The memory is the caller's: what he never wrote may be no numbers.
+TYPED_TEST(BatchOf, AProxyThatIsNoneIsAFaultUntilTheContactEnds) {
+  using Real = TypeParam;
+  using Limits = std::numeric_limits<Real>;
+  constexpr std::size_t count = 37;
+  for (const Case<Real>& with : cases<Real>()) {
+    const BasicBatch<Real> batch(with.curve, with.with, with.projection);
+    Random random(29);
+    BasicContactArrays<Real> arrays(count);
+    const BasicContactBatch<Real> contacts = arrays.batch();
+    const std::array memory{contacts.proxy_x, contacts.proxy_y, contacts.proxy_angle, contacts.search_start, contacts.search_rate};
+    const auto step = [&](double depth) {
+      std::ranges::fill(arrays.depth(), static_cast<Real>(depth));
+      for (Real& x : arrays.x()) x = static_cast<Real>(random.uniform(-2e-3, 2e-3));
+      for (Real& twist : arrays.twist()) twist = static_cast<Real>(random.uniform(-0.3, 0.3));
+      batch.step(contacts);
+    };
+    const auto is_number = [](Real number) { return std::isfinite(number) && std::fabs(number) < Real(1e6); };
+    for (const Real odd : {Limits::quiet_NaN(), Limits::infinity(), -Limits::infinity(), (Limits::max)(), Limits::lowest()}) {
+      for (std::size_t broken = 0; broken < memory.size(); ++broken) {
+        step(0.002);
+        for (std::size_t i = 0; i < count; i += 3) memory[broken][i] = odd;
+        for (int again = 0; again < 2; ++again) {
+          step(0.002);
+          for (std::size_t i = 0; i < count; ++i) {
+            ASSERT_EQ(contacts.state[i] == ContactState::invalid, broken < 3 && i % 3 == 0) << with.name << ' ' << broken << ' ' << odd;
+            ASSERT_TRUE(is_number(contacts.fx[i]) && is_number(contacts.fy[i]) && is_number(contacts.moment[i])) << with.name;
+          }
+        }
+        step(-0.002);
+        EXPECT_EQ(std::ranges::count(contacts.state, ContactState::free), static_cast<int>(count)) << with.name;
+        for (const std::size_t proxy : {0, 1, 2}) EXPECT_TRUE(std::ranges::all_of(memory[proxy], is_number)) << with.name;
+        std::ranges::fill(contacts.search_start, Real(0));
+        std::ranges::fill(contacts.search_rate, Real(0));
+      }
     }
   }
 }
