@@ -72,8 +72,8 @@ class Grasp {
   [[nodiscard]] double energy() const noexcept;
   /// Energy that the slip of all fingers has dissipated since the beginning [J].
   [[nodiscard]] double dissipated() const noexcept { return dissipated_; }
-  /// Number of steps whose equations were not solved, not even in parts. Momentum changes there, too, by the impulse of the fingers' forces as
-  /// they are rendered; the position is approximate.
+  /// Number of steps whose equations were not solved, not even in parts, which a step with a refused sample does not have. Momentum changes
+  /// there, too, by the impulse of the fingers' forces as they are rendered; the position is approximate.
   [[nodiscard]] std::size_t unsolved() const noexcept { return unsolved_; }
   /// Number of steps that were done in parts. There the output of a finger is that at the end, `slip` if a part slipped.
   [[nodiscard]] std::size_t divided() const noexcept { return divided_; }

@@ -33,6 +33,7 @@ struct Tally {
   std::uint64_t body_steps = 0;
   std::uint64_t divided = 0;
   std::uint64_t unsolved = 0;
+  std::uint64_t unsolved_refused = 0;  // with a refused sample: such a step has no parts
   double momentum_error = 0.0;
   double least_work = std::numeric_limits<double>::infinity();  // of a slip [J]
   double most_beyond = -1.0;                                    // how far a wrench is beyond the limit, as a share of it
@@ -145,7 +146,6 @@ class SoakScene {
       }
       if (std::string fault = wrong(); !fault.empty()) return fault + " in step " + std::to_string(i);
     }
-    tally_.unsolved += hand_.unsolved();
     tally_.divided += hand_.divided();
     if (kind == 1) tally_.body_steps += steps_per_scene;
     return {};
@@ -259,6 +259,7 @@ class SoakScene {
   void remember() {
     before_.clear();
     divided_ = hand_.divided();
+    unsolved_ = hand_.unsolved();
     for (std::size_t i = 0; i < hand_.finger_count(); ++i) before_.push_back(hand_.finger(i).state());
   }
 
@@ -271,6 +272,13 @@ class SoakScene {
   }
 
   std::string wrong() {
+    if (hand_.unsolved() > unsolved_) {
+      bool refused = false;
+      for (std::size_t i = 0; i < hand_.finger_count(); ++i) {
+        refused = refused || hand_.finger(i).output().state == ContactState::invalid || before_[i].output.state == ContactState::invalid;
+      }
+      ++(refused ? tally_.unsolved_refused : tally_.unsolved);
+    }
     for (std::size_t i = 0; i < hand_.finger_count(); ++i) {
       const SoftFinger& one = hand_.finger(i);
       const FingerOutput output = one.output();
@@ -310,6 +318,7 @@ class SoakScene {
   std::vector<DevicePose> devices_;
   std::vector<FingerState> before_;
   std::size_t divided_ = 0;
+  std::size_t unsolved_ = 0;
 };
 
 /// The fingers of every law, curve and projection; what is slow to build is built once.
@@ -335,12 +344,12 @@ int soak(std::uint64_t finger_steps, std::uint64_t seed) {
   }
   std::printf("seed %" PRIu64 ": %" PRIu64 " finger steps in %" PRIu64
               " scenes, %.1f %% slip, %.1f %% stick; none wrong. Least work of a slip: %.1e J. Farthest beyond the limit, of it: "
-              "%.1e. Steps of bodies: %" PRIu64 ", in parts %" PRIu64 ", unsolved %" PRIu64
+              "%.1e. Steps of bodies: %" PRIu64 ", in parts %" PRIu64 ", unsolved %" PRIu64 ", and with a refused sample %" PRIu64
               ", momentum off by %.1e. Largest rise of energy in a step, of the first: planar %.1e, spatial %.1e; %.2g of its bound\n",
               seed, tally.finger_steps, tally.scenes, 100.0 * static_cast<double>(tally.slips) / static_cast<double>(tally.finger_steps),
               100.0 * static_cast<double>(tally.sticks) / static_cast<double>(tally.finger_steps), tally.least_work, tally.most_beyond,
-              tally.body_steps, tally.divided, tally.unsolved, tally.momentum_error, tally.rise_planar, tally.rise_spatial,
-              tally.rise_of_bound);
+              tally.body_steps, tally.divided, tally.unsolved, tally.unsolved_refused, tally.momentum_error, tally.rise_planar,
+              tally.rise_spatial, tally.rise_of_bound);
   // One step in 10^4, and one more, may be unsolved.
   return tally.unsolved > 1 + tally.body_steps / 10'000 ? 1 : 0;
 }
