@@ -264,7 +264,7 @@ TYPED_TEST(BatchOf, AProxyThatIsNoneIsAFaultUntilTheContactEnds) {
         }
         step(-0.002);
         EXPECT_EQ(std::ranges::count(contacts.state, ContactState::free), static_cast<int>(count)) << with.name;
-        for (const std::size_t proxy : {0, 1, 2}) EXPECT_TRUE(std::ranges::all_of(memory[proxy], is_number)) << with.name;
+        for (std::size_t proxy = 0; proxy < 3; ++proxy) EXPECT_TRUE(std::ranges::all_of(memory[proxy], is_number)) << with.name;
         std::ranges::fill(contacts.search_start, Real(0));
         std::ranges::fill(contacts.search_rate, Real(0));
       }
