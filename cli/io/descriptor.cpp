@@ -52,7 +52,10 @@ std::ptrdiff_t read(int file, char* to, std::size_t size) noexcept {
 }
 
 std::ptrdiff_t write(int file, const char* from, std::size_t size) noexcept {
-  return ::_write(file, from, static_cast<unsigned>(std::min<std::size_t>(size, INT_MAX)));
+  const int written = ::_write(file, from, static_cast<unsigned>(std::min<std::size_t>(size, INT_MAX)));
+  // The run time calls a pipe whose reader is gone an invalid argument.
+  if (written < 0 && _doserrno == ERROR_NO_DATA) errno = EPIPE;
+  return written;
 }
 
 int synchronise(int file) noexcept {
