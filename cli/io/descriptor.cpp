@@ -54,7 +54,7 @@ std::ptrdiff_t read(int file, char* to, std::size_t size) noexcept {
 std::ptrdiff_t write(int file, const char* from, std::size_t size) noexcept {
   const int written = ::_write(file, from, static_cast<unsigned>(std::min<std::size_t>(size, INT_MAX)));
   // The run time calls a pipe whose reader is gone an invalid argument.
-  if (written < 0 && _doserrno == ERROR_NO_DATA) errno = EPIPE;
+  if (written < 0 && (_doserrno == ERROR_NO_DATA || _doserrno == ERROR_PIPE_NOT_CONNECTED)) errno = EPIPE;
   return written;
 }
 
