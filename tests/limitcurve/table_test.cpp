@@ -7,19 +7,17 @@
 #include "limitcurve/laws.hpp"
 #include "limitcurve/pressure_law.hpp"
 #include "limitcurve/quadrature/evaluators.hpp"
+#include "table_errors.hpp"
 #include "tests/repetitions.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <ostream>
 #include <random>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -27,170 +25,10 @@ namespace limitcurve {
 namespace {
 
 using test::complaint;
+using test::exact_of;
+using test::expect_convex_and_smooth;
 using test::expect_mention;
-
-/// Slip twists without regard to a table's cells: uniform, crowding to both ends, and crowding to the rim.
-SlipTwist probe(std::mt19937_64& random, int i) {
-  std::uniform_real_distribution<double> unit(0.0, 1.0);
-  const double sign = unit(random) < 0.5 ? -1.0 : 1.0;
-  const double tiny = std::pow(10.0, -16.0 * unit(random));
-  if (i % 3 == 0) return SlipTwist::about_cor(1.0 + sign * 0.5 * tiny);
-  if (i % 3 == 1) return sign < 0.0 ? SlipTwist{tiny, 1.0} : SlipTwist{1.0, tiny};
-  return SlipTwist::of_spin_fraction(unit(random));
-}
-
-/// The largest error of a table at so many twists.
-template <class Real, class Exact>
-double worst_error(const BasicTable<Real>& table, const Exact& exact, int count) {
-  std::mt19937_64 random(20060325);
-  double worst = 0.0;
-  for (int i = 0; i < count; ++i) {
-    const SlipTwist twist = probe(random, i);
-    const UnitWrench truth = exact(twist);
-    const UnitWrench read = table.wrench(twist);
-    worst = std::max({worst, std::fabs(read.force - truth.force), std::fabs(read.moment - truth.moment)});
-  }
-  return worst;
-}
-
-/// `forces` knows s = c/a only, whose rounding moves the wrench: by less than 2e-16, but by 1e-15 where m₀ ≫ 1.
-auto exact_of(const Law& law) {
-  return [law](SlipTwist twist) {
-    const UnitForces<double> forces = law->forces(twist.cor());
-    return UnitWrench{forces.force, forces.moment};
-  };
-}
-
-/// Neighbouring cells have the same D and D′ where they meet, and D″ ≥ 0 everywhere: as TablePieces reads them.
-template <class Real>
-void expect_convex_and_smooth(const BasicTable<Real>& table) {
-  constexpr double epsilon = std::numeric_limits<Real>::epsilon();
-  const TableCells cells = table.cells();
-  const TablePieces<Real>& pieces = table.pieces();
-  std::mt19937_64 random(4);
-  for (const bool outside : {false, true}) {
-    const std::vector<TableCell>& side = outside ? cells.outside : cells.inside;
-    for (std::size_t i = 0; i < side.size(); ++i) {
-      const double right = i + 1 < side.size() ? side[i + 1].x : 1.0;
-      std::uniform_real_distribution<double> within(side[i].x, right);
-      for (int k = 0; k < 20; ++k) {
-        const Jet<Real> jet = pieces.jet(outside, static_cast<Real>(within(random)));
-        EXPECT_GE(jet.second, -64 * epsilon * std::fabs(side[i].coefficients[2])) << outside << ' ' << side[i].x;
-      }
-      if (i == 0) continue;
-      const auto x = static_cast<Real>(side[i].x);
-      const auto before = std::nextafter(x, Real(0));
-      const Jet<Real> here = pieces.jet(outside, x);
-      const Jet<Real> there = pieces.jet(outside, before);
-      const double step = double{x} - double{before};
-      const double scale = std::max(table.force_max(), table.force_max() * table.moment_ratio());
-      EXPECT_NEAR(here.value(x), there.value(before), step * std::fabs(double{here.leading}) + 8 * epsilon * scale)
-          << outside << ' ' << side[i].x;
-      EXPECT_NEAR(here.leading, there.leading, 2 * step * double{std::max(here.second, there.second)} + 8 * epsilon * scale)
-          << outside << ' ' << x;
-    }
-  }
-  const Jet<Real> inside = pieces.jet(false, Real(1));
-  const Jet<Real> outside = pieces.jet(true, Real(1));
-  const double scale = std::max(double{inside.value(1)}, double{outside.value(1)});
-  EXPECT_NEAR(inside.value(1), outside.value(1), 8 * epsilon * scale);
-  EXPECT_NEAR(inside.leading + outside.leading, inside.value(1), 8 * epsilon * scale);
-}
-
-/// A law, at all the tolerances that it is quick at.
-struct TableCase {
-  std::string law;
-  std::vector<double> tolerances;
-};
-
-void PrintTo(const TableCase& test, std::ostream* stream) {
-  *stream << test.law;
-}
-
-class TableSuite : public testing::TestWithParam<TableCase> {
- protected:
-  void SetUp() override {
-    for (const double tolerance : GetParam().tolerances) tables_.push_back(Table::build(law_, tolerance));
-  }
-  const Law law_ = parse_law(GetParam().law);
-  const double scale_ = std::max(1.0, law_->moment_ratio());
-  std::vector<Table> tables_;
-};
-
-TEST_P(TableSuite, CertifiedErrorHoldsEverywhereAndIsNoLargerThanItNeedBe) {
-  for (const Table& table : tables_) {
-    EXPECT_LE(table.certified_error(), table.tolerance() * scale_);
-    const double worst = worst_error(table, exact_of(law_), 10000);
-    EXPECT_LE(worst, table.certified_error()) << table.tolerance();
-    EXPECT_GE(worst, 0.3 * table.certified_error()) << table.tolerance();
-  }
-}
-
-TEST_P(TableSuite, IsConvexAndContinuousWithItsNormal) {
-  for (const Table& table : tables_) expect_convex_and_smooth(table);
-}
-
-TEST_P(TableSuite, EndsExactly) {
-  for (const Table& table : tables_) {
-    EXPECT_EQ(table.wrench({1.0, 0.0}), (UnitWrench{1.0, 0.0}));
-    EXPECT_EQ(table.wrench({0.0, 1.0}), (UnitWrench{0.0, law_->moment_ratio()}));
-    EXPECT_EQ(table.moment_ratio(), law_->moment_ratio());
-    EXPECT_EQ(table.force_max(), 1.0);
-  }
-}
-
-TEST_P(TableSuite, FindsByDirectionWhatItFindsByTwist) {
-  std::mt19937_64 random(17);
-  for (const Table& table : tables_) {
-    for (int i = 0; i < 1000; ++i) {
-      const UnitWrench wrench = table.wrench(probe(random, i));
-      EXPECT_NEAR(table.gauge(wrench), 1.0, 1e-14);
-      const RadialPoint found = table.along({0.3 * wrench.force, 0.3 * wrench.moment});
-      EXPECT_NEAR(found.wrench.force, wrench.force, 1e-14 * scale_);
-      EXPECT_NEAR(found.wrench.moment, wrench.moment, 1e-14 * scale_);
-    }
-  }
-}
-
-TEST_P(TableSuite, IsMadeAgainOfItsCells) {
-  std::mt19937_64 random(5);
-  for (const Table& table : tables_) {
-    const TableCells cells = table.cells();
-    EXPECT_EQ(cells.inside.size() + cells.outside.size(), table.cell_count());
-    const Table again({table.law_name(), table.tolerance(), table.certified_error()}, cells);
-    EXPECT_EQ(again.bytes(), table.bytes());
-    for (int i = 0; i < 1000; ++i) {
-      const SlipTwist twist = probe(random, i);
-      EXPECT_EQ(again.wrench(twist), table.wrench(twist));
-    }
-  }
-}
-
-TEST_P(TableSuite, StaysWithinItsBudgetOfBytes) {
-  for (const Table& table : tables_) EXPECT_LE(table.bytes(), table.tolerance() >= 1e-8 ? 10240U : 65536U) << table.tolerance();
-}
-
-std::vector<TableCase> cases() {
-  std::vector<TableCase> all;
-  for (const char* law : {"hertz", "uniform", "parabolic", "flat-punch", "cone", "gaussian:sigma=0.4", "gaussian:sigma=1e-3",
-                          "gaussian:sigma=1e3", "mix:0.7*hertz+0.3*uniform"}) {  // quick at every tolerance
-    all.push_back({law, {1e-1, 1e-2, 1e-3, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12}});
-  }
-  std::vector<std::string_view> slower{"power:n=1000", "power:n=-0.9", "xydas-kao:k=0.1", "xydas-kao:k=20"};
-  for (const std::string_view law : law_examples()) {
-    if (std::none_of(all.begin(), all.end(), [&](const TableCase& known) { return known.law == law; })) slower.push_back(law);
-  }
-  for (const std::string_view law : slower) all.push_back({std::string(law), {1e-1, 1e-2, 1e-4, 1e-8, 1e-10}});
-  return all;
-}
-
-std::string case_name(const testing::TestParamInfo<TableCase>& info) {
-  std::string name = info.param.law;
-  for (char& c : name) c = std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
-  return name;
-}
-
-INSTANTIATE_TEST_SUITE_P(Laws, TableSuite, testing::ValuesIn(cases()), case_name);
+using test::worst_error;
 
 /// At 1e-14 the rounding of s = c/a in `forces` counts; the reference has the ratio exactly, and the rounding to double of its own. Where long
 /// double is double, its rounding is more than 1e-14: that tolerance is refused.

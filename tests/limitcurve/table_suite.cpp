@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+// What every law's table keeps, at every tolerance.
+#include "limitcurve/laws.hpp"
+#include "table_errors.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <ostream>
+#include <random>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace limitcurve {
+namespace {
+
+using test::exact_of;
+using test::expect_convex_and_smooth;
+using test::probe;
+using test::worst_error;
+
+/// A law, at all the tolerances that it is quick at.
+struct TableCase {
+  std::string law;
+  std::vector<double> tolerances;
+};
+
+void PrintTo(const TableCase& test, std::ostream* stream) {
+  *stream << test.law;
+}
+
+class TableSuite : public testing::TestWithParam<TableCase> {
+ protected:
+  void SetUp() override {
+    for (const double tolerance : GetParam().tolerances) tables_.push_back(Table::build(law_, tolerance));
+  }
+  const Law law_ = parse_law(GetParam().law);
+  const double scale_ = std::max(1.0, law_->moment_ratio());
+  std::vector<Table> tables_;
+};
+
+TEST_P(TableSuite, CertifiedErrorHoldsEverywhereAndIsNoLargerThanItNeedBe) {
+  for (const Table& table : tables_) {
+    EXPECT_LE(table.certified_error(), table.tolerance() * scale_);
+    const double worst = worst_error(table, exact_of(law_), 10000);
+    EXPECT_LE(worst, table.certified_error()) << table.tolerance();
+    EXPECT_GE(worst, 0.3 * table.certified_error()) << table.tolerance();
+  }
+}
+
+TEST_P(TableSuite, IsConvexAndContinuousWithItsNormal) {
+  for (const Table& table : tables_) expect_convex_and_smooth(table);
+}
+
+TEST_P(TableSuite, EndsExactly) {
+  for (const Table& table : tables_) {
+    EXPECT_EQ(table.wrench({1.0, 0.0}), (UnitWrench{1.0, 0.0}));
+    EXPECT_EQ(table.wrench({0.0, 1.0}), (UnitWrench{0.0, law_->moment_ratio()}));
+    EXPECT_EQ(table.moment_ratio(), law_->moment_ratio());
+    EXPECT_EQ(table.force_max(), 1.0);
+  }
+}
+
+TEST_P(TableSuite, FindsByDirectionWhatItFindsByTwist) {
+  std::mt19937_64 random(17);
+  for (const Table& table : tables_) {
+    for (int i = 0; i < 1000; ++i) {
+      const UnitWrench wrench = table.wrench(probe(random, i));
+      EXPECT_NEAR(table.gauge(wrench), 1.0, 1e-14);
+      const RadialPoint found = table.along({0.3 * wrench.force, 0.3 * wrench.moment});
+      EXPECT_NEAR(found.wrench.force, wrench.force, 1e-14 * scale_);
+      EXPECT_NEAR(found.wrench.moment, wrench.moment, 1e-14 * scale_);
+    }
+  }
+}
+
+TEST_P(TableSuite, IsMadeAgainOfItsCells) {
+  std::mt19937_64 random(5);
+  for (const Table& table : tables_) {
+    const TableCells cells = table.cells();
+    EXPECT_EQ(cells.inside.size() + cells.outside.size(), table.cell_count());
+    const Table again({table.law_name(), table.tolerance(), table.certified_error()}, cells);
+    EXPECT_EQ(again.bytes(), table.bytes());
+    for (int i = 0; i < 1000; ++i) {
+      const SlipTwist twist = probe(random, i);
+      EXPECT_EQ(again.wrench(twist), table.wrench(twist));
+    }
+  }
+}
+
+TEST_P(TableSuite, StaysWithinItsBudgetOfBytes) {
+  for (const Table& table : tables_) EXPECT_LE(table.bytes(), table.tolerance() >= 1e-8 ? 10240U : 65536U) << table.tolerance();
+}
+
+std::vector<TableCase> cases() {
+  std::vector<TableCase> all;
+  for (const char* law : {"hertz", "uniform", "parabolic", "flat-punch", "cone", "gaussian:sigma=0.4", "gaussian:sigma=1e-3",
+                          "gaussian:sigma=1e3", "mix:0.7*hertz+0.3*uniform"}) {  // quick at every tolerance
+    all.push_back({law, {1e-1, 1e-2, 1e-3, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12}});
+  }
+  std::vector<std::string_view> slower{"power:n=1000", "power:n=-0.9", "xydas-kao:k=0.1", "xydas-kao:k=20"};
+  for (const std::string_view law : law_examples()) {
+    if (std::none_of(all.begin(), all.end(), [&](const TableCase& known) { return known.law == law; })) slower.push_back(law);
+  }
+  for (const std::string_view law : slower) all.push_back({std::string(law), {1e-1, 1e-2, 1e-4, 1e-8, 1e-10}});
+  return all;
+}
+
+std::string case_name(const testing::TestParamInfo<TableCase>& info) {
+  std::string name = info.param.law;
+  for (char& c : name) c = std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
+  return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Laws, TableSuite, testing::ValuesIn(cases()), case_name);
+
+}  // namespace
+}  // namespace limitcurve
