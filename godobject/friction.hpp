@@ -175,9 +175,8 @@ template <class Real, class Number>
 ///
 /// Stick and slip: a contact at rest holds while its trial is within the limit at rest. After slip begins, the sliding limit acts, until a
 /// trial is within the stick fraction of the sliding limit; in that step the contact comes to rest. Slip work force·(r − r′) + moment·(ρ − ρ′)
-/// is never negative. No allocation, no exception, no NaN from finite input; a NaN
-/// keeps no friction. Cost: at most max_search_steps evaluations of the curve for each search. `Number` is `double`, or a pack of double or float (`Real`) for as many
-/// contacts.
+/// is never negative. No allocation, no exception, no NaN from finite input; a NaN keeps no friction. Cost: at most max_search_steps
+/// evaluations of the curve for each search. `Number` is `double`, or a pack of double or float (`Real`) for as many contacts.
 template <class Real, class Number>
 [[nodiscard]] FrictionResult<Number> apply_friction(const CurveView<Real>& curve, Projection projection,
                                                     const FrictionLimits<Number>& limits, const FrictionTrial<Number>& trial,
