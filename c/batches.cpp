@@ -20,11 +20,11 @@ limitcurve_status step(const limitcurve_batch* batch, const Contacts* contacts, 
   if (count == 0) return LIMITCURVE_OK;
   if (is_missing("contacts", contacts)) return LIMITCURVE_INVALID;
   const Contacts& of = *contacts;
-  if (is_missing("x", of.x) || is_missing("y", of.y) || is_missing("angle", of.twist) || is_missing("depth", of.depth) ||
+  if (is_missing("x", of.x) || is_missing("y", of.y) || is_missing("twist", of.twist) || is_missing("depth", of.depth) ||
       is_missing("proxy_x", of.proxy_x) || is_missing("proxy_y", of.proxy_y) || is_missing("proxy_angle", of.proxy_angle) ||
-      is_missing("state", of.state) || is_missing("sliding", of.force_slides) || is_missing("turning", of.moment_slides) ||
-      is_missing("parameter", of.search_start) || is_missing("rate", of.search_rate) || is_missing("force_x", of.fx) ||
-      is_missing("force_y", of.fy) || is_missing("moment", of.moment))
+      is_missing("state", of.state) || is_missing("force_slides", of.force_slides) || is_missing("moment_slides", of.moment_slides) ||
+      is_missing("search_start", of.search_start) || is_missing("search_rate", of.search_rate) || is_missing("fx", of.fx) ||
+      is_missing("fy", of.fy) || is_missing("moment", of.moment))
     return LIMITCURVE_INVALID;
   const auto all = [count](auto* array) { return std::span(array, count); };
   const auto states = [count](std::uint8_t* array) { return std::span(reinterpret_cast<ContactState*>(array), count); };

@@ -13,8 +13,9 @@ namespace limitcurve::godobject {
 /// Many contacts as a structure of arrays, each contact in its own tangent plane: position and depth of the finger (in), the proxy (in and
 /// out), and the friction wrench on the user (out). All arrays have the same length, and must not overlap.
 ///
-/// A sample that is not plausible (`farthest`), a NaN among them, is a fault of the device: the contact's state is `invalid`, and none of its
-/// other arrays changes, so that its last output is held. So is a contact whose proxy is no number, or out of every reach, until it ends.
+/// A sample that is not plausible (`farthest`), a NaN among them, is a fault of the device. The contact's state is then `invalid`, and none of
+/// its other arrays changes: its last output is held. A proxy that is not finite, or farther from the finger than two samples can be, is a
+/// fault until the contact ends.
 ///
 /// A float takes half the memory of a double, but resolves 6e-8 of a coordinate: 60 nm at 1 m from the origin, while slips are micrometres.
 /// So give positions relative to a point near the contact (the object's origin, the touch-down), and angles within a few turns. A slip
@@ -27,11 +28,10 @@ struct BasicContactBatch {
   std::span<const Real> depth;  ///< d [m]; ≤ 0: free, the proxy follows the finger
   std::span<Real> proxy_x;      ///< x_p [m]
   std::span<Real> proxy_y;
-  std::span<Real> proxy_angle;    ///< α_p [rad]
-  std::span<ContactState> state;  ///< in and out; initially `free`, `invalid` after a fault
-  std::span<ContactState>
-      force_slides;  ///< memory: `slip` while the sliding limit acts (FrictionMemory::slides), else `stick`; initially `free`
-  std::span<ContactState> moment_slides;  ///< on a box the same for the moment (FrictionMemory::turns); otherwise not used
+  std::span<Real> proxy_angle;            ///< α_p [rad]
+  std::span<ContactState> state;          ///< in and out; initially `free`, `invalid` after a fault
+  std::span<ContactState> force_slides;   ///< memory: `slip` while the sliding limit acts, else `stick`; initially `free`
+  std::span<ContactState> moment_slides;  ///< on a box the same for the moment; otherwise not used
   std::span<Real> search_start;           ///< warm start of the search (FrictionMemory); initially 0
   std::span<Real> search_rate;            ///< its rate; initially 0
   std::span<Real> fx;                     ///< friction on the user [N]
@@ -100,9 +100,9 @@ using FloatContactArrays = BasicContactArrays<float>;
 ///
 ///     const Batch batch(Table::build(hertz(), 1e-8), {.mu = 0.6});
 ///     ContactArrays arrays(10000);
-///     batch.step(arrays.batch());  // every millisecond, after x, y, angle and depth are written
+///     batch.step(arrays.batch());  // every millisecond, after x, y, twist and depth are written
 ///
-/// Results have the same bits on every instruction set (README, "Many contacts"). Immutable: any number of threads may share one, each with
+/// Results have the same bits on every instruction set (godobject/README.md, "Many contacts"). Immutable: any number of threads may share one, each with
 /// its part of the arrays. Allocates at construction only. Cost: bench/ and the README of the repository.
 template <class Real>
 class BasicBatch {

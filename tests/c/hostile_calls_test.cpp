@@ -201,6 +201,27 @@ TEST_F(HostileCalls, OddNumbersAndNullAreErrorsOrRightAnswers) {
   EXPECT_LT(refused, 9000U);
 }
 
+// By the name that it has in the header.
+TEST_F(HostileCalls, AnArrayThatIsMissingIsNamed) {
+  const limitcurve_finger_parameters parameters = limitcurve_finger_defaults();
+  limitcurve_batch* batch = nullptr;
+  ASSERT_EQ(limitcurve_batch_new(table, &parameters, LIMITCURVE_CLOSEST_POINT, &batch), LIMITCURVE_OK);
+  double number = 0.0;
+  std::uint8_t state = 0;
+  const auto told = [&](auto member, const std::string& name) {
+    limitcurve_contacts contacts{&number, &number, &number, &number, &number, &number, &number, &state,
+                                 &state,  &state,  &number, &number, &number, &number, &number};
+    contacts.*member = nullptr;
+    EXPECT_EQ(limitcurve_batch_step(batch, &contacts, 1), LIMITCURVE_INVALID) << name;
+    EXPECT_EQ(std::string(limitcurve_error()).find(name + ": "), 0U) << limitcurve_error();
+  };
+#define TOLD(member) told(&limitcurve_contacts::member, #member)
+  TOLD(x), TOLD(y), TOLD(twist), TOLD(depth), TOLD(proxy_x), TOLD(proxy_y), TOLD(proxy_angle), TOLD(state), TOLD(force_slides);
+  TOLD(moment_slides), TOLD(search_start), TOLD(search_rate), TOLD(fx), TOLD(fy), TOLD(moment);
+#undef TOLD
+  limitcurve_batch_free(batch);
+}
+
 TEST_F(HostileCalls, ThreadsHaveErrorsOfTheirOwn) {
   std::vector<std::thread> threads;
   for (int i = 0; i < 2; ++i) {
