@@ -46,12 +46,7 @@ std::vector<Entry> make_entries() {
 #ifdef LIMITCURVE_HAS_FIT
         make_fit, make_translate,
 #endif
-        make_replay, make_pivot, make_hold, make_patch
-#ifdef LIMITCURVE_HAS_REPORT
-        ,
-        make_report
-#endif
-       })
+        make_replay, make_pivot, make_hold, make_patch})
     entries.push_back({make()});
   return entries;
 }
@@ -80,10 +75,11 @@ void check_subcommand(const std::string& name, const std::vector<Entry>& entries
     expected += ' ' + entry.app->get_name();
     known.push_back(entry.app->get_name());
   }
-  if (name == "fit" || name == "translate" || name == "report") {
-    throw std::invalid_argument("subcommand '" + name +
-                                "' is not in this executable (it needs Ceres, and the report another system than Windows), " +
-                                "expected one of" + expected);
+  if (name == "report") {
+    throw std::invalid_argument("the report is no subcommand: 'python3 -m limitcurve.report -o DIR' of the Python package writes it, or scripts/demo");
+  }
+  if (name == "fit" || name == "translate") {
+    throw std::invalid_argument("subcommand '" + name + "' is not in this executable (it needs Ceres), expected one of" + expected);
   }
   throw std::invalid_argument((name.empty() ? "no subcommand" : "unknown subcommand '" + name + "'") + ", expected one of" + expected +
                               did_you_mean(name, known));

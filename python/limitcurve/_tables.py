@@ -8,7 +8,6 @@ rows come back as arrays, without conversion to text.
 from __future__ import annotations
 
 import functools
-import os
 import warnings
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, TypeVar, cast
@@ -16,11 +15,8 @@ from typing import Any, TypeVar, cast
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from . import _core
 from ._call import Call, Columns, Data
 from ._core import Law
-
-_core.set_share(os.path.join(os.path.dirname(__file__), "share"))
 
 _Function = TypeVar("_Function", bound=Callable[..., Any])
 

@@ -47,6 +47,7 @@ FONTS = "DejaVu Sans, Verdana, sans-serif"
 # For lines that are no laws', in the order of their colours.
 DASHES = ((), (5, 1.5), (1.5, 1.2), (5, 1.5, 1.2, 1.5), (8, 2, 3, 2))
 ELLIPSE = {"color": INK, "linewidth": 1.2, "dashes": (5, 3)}
+PHONE = 0.54  # share of a figure that 390 pixels show: page.css keeps it 40 rem wide
 
 plt.rcParams.update({
     "font.family": "DejaVu Sans",
@@ -133,6 +134,15 @@ def legend_below(figure, axes, columns):
     figure.legend(*axes.get_legend_handles_labels(), loc="upper center", bbox_to_anchor=(0.5, 0), ncols=columns)
 
 
+def legend_in_sight(figure, axes):
+    """Below, from the left edge, and no wider than what a phone shows of a figure before it is scrolled."""
+    for columns in range(5, 0, -1):
+        legend = figure.legend(*axes.get_legend_handles_labels(), loc="upper left", bbox_to_anchor=(0, 0), ncols=columns)
+        if columns == 1 or legend.get_window_extent().width < PHONE * figure.bbox.width:
+            return
+        legend.remove()
+
+
 def write_whole(path, contents):
     """The file appears under its name whole or not at all: bytes go to a hidden file beside it, which is then renamed."""
     path = Path(path).resolve()  # a link stays one
@@ -143,8 +153,10 @@ def write_whole(path, contents):
             file.flush()
             os.fsync(file.fileno())
         os.replace(part, path)
-    except BaseException:
+    except BaseException as error:
         part.unlink(missing_ok=True)
+        if isinstance(error, OSError):
+            error.filename = str(path)  # that of the hidden file, or none
         raise
 
 
@@ -214,6 +226,7 @@ def save(figure, folder, name):
     folder = Path(folder)
     svg = slim(picture(figure, "svg", {"Date": None, "Creator": None}).decode("utf-8"))
     write_whole(folder / f"{name}.svg", svg.encode("utf-8"))
+    figure.set_layout_engine("none")  # it has been laid out; twice would give the same
     write_whole(folder / f"{name}.png", picture(figure, "png", {"Software": None}))
     plt.close(figure)
     svg = svg[svg.index("<svg"):]
