@@ -75,11 +75,12 @@ def main():
     except ModuleNotFoundError as error:
         complaint = f"{error.name} is missing: install python3-matplotlib, or 'limitcurve[plot]' by pip"
     except OSError as error:
-        complaint = f"{error.filename}: {error.strerror}"
+        complaint = f"cannot write '{error.filename}': {error.strerror}"
     except Failed as error:
         complaint = str(error)
     progress.clear()
     sys.exit(f"limitcurve.report: error: {complaint}")
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -22,7 +22,11 @@ class Command:
         """What one run prints, row by row: a dictionary of texts each. A run ends with its reader."""
         call = [*self.words, *map(str, arguments), "--quiet"]
         pipes = {"stdin": subprocess.DEVNULL, "stdout": subprocess.PIPE, "stderr": subprocess.PIPE}
-        with subprocess.Popen(call, **pipes, encoding="utf-8") as process:
+        try:
+            process = subprocess.Popen(call, **pipes, encoding="utf-8")
+        except OSError as error:
+            raise Failed(f"cannot run '{call[0]}': {error.strerror}") from error
+        with process:
             lines = csv.reader(process.stdout)
             header = next(lines, ())
             for line in lines:

@@ -69,7 +69,7 @@ def curves(files):
     points = files.gather("curves", [({"law": law}, ["curve", "--law", law, "--points", 181]) for law in laws])
     error = []
     for (law, moment_ratio), rows in zip(files.moment_ratios.items(), points):
-        for c, force, moment, x, y in numbers(rows, "c", "force", "moment", "x", "y"):
+        for c, force, moment, x, y in reversed(numbers(rows, "c", "force", "moment", "x", "y")):
             ratio = force / moment * moment_ratio**2 / c if 0 < c < math.inf else math.nan
             error.append({"law": law, "angle": math.atan2(y, x), "over_estimate": 1 / math.hypot(x, y) - 1, "cor_ratio": ratio})
     files.write("ellipse_error", error)
@@ -151,8 +151,8 @@ def steady_twist(files):
     k_r/(k_l (m0 a)^2). The error is the norm of the difference, each part over its limit."""
     m0 = files.moment_ratios["hertz"]
     [exact] = numbers(files.command.rows("eval", "--law", "hertz", "--c", 1), "force", "moment")
-    kinds = [(curve, projection, 10 ** (2 * i / 80 - 1))
-             for curve in ("table", "ellipse") for projection in ("closest-point", "radial") for i in range(81)]
+    kinds = [(curve, projection, 10 ** (i / 20 - 1))
+             for curve in ("table", "ellipse") for projection in ("closest-point", "radial") for i in range(41)]
     with tempfile.TemporaryDirectory() as scratch:
         # Load, radius and friction are 1. A step is as long as the springs give: settled to rounding
         # well before the end.

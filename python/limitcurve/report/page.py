@@ -10,7 +10,7 @@ from .chart_style import Table, save, write_whole
 
 
 class Data:
-    """The CSV files of a folder as tables; each is read when it is asked for. `used` has the names since it was cleared."""
+    """The CSV files of a folder as tables, each read when it is asked for; `used` has the names since it was cleared."""
 
     def __init__(self, folder):
         self.folder, self.tables, self.used = folder, {}, {}
@@ -40,7 +40,7 @@ def anchor(title):
 
 def write(data, numbers, sections, pictures):
     """Writes index.html. `numbers` is (value, text); `sections` is (title, [(figure, caption, what to use)], HTML folded after them); `pictures` has what
-    `picture` returned for each figure."""
+    `picture` returned of each figure."""
     touch = {"limit_curves": touch_charts.limit_curves(data), "load_curves": touch_charts.load_curves(data)}  # take their place on a screen
     head = "".join(f"<li><b>{html.escape(value)}</b>{html.escape(text)}</li>" for value, text in numbers)
     contents = "".join(f'<li><a href="#{anchor(title)}">{title}</a></li>' for title, _, _ in sections)
