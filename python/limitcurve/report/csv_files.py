@@ -151,8 +151,8 @@ def steady_twist(files):
     k_r/(k_l (m0 a)^2). The error is the norm of the difference, each part over its limit."""
     m0 = files.moment_ratios["hertz"]
     [exact] = numbers(files.command.rows("eval", "--law", "hertz", "--c", 1), "force", "moment")
-    kinds = [(curve, projection, 10 ** (i / 20 - 1))
-             for curve in ("table", "ellipse") for projection in ("closest-point", "radial") for i in range(41)]
+    kinds = [(curve, projection, 10 ** (i / 40 - 1))
+             for curve in ("table", "ellipse") for projection in ("closest-point", "radial") for i in range(81)]
     with tempfile.TemporaryDirectory() as scratch:
         # Load, radius and friction are 1. A step is as long as the springs give: settled to rounding
         # well before the end.

@@ -45,6 +45,7 @@ def numbers_to_remember(data):
     radial, closest = (max(twist.where(boundary="table", projection=name).column("error")) for name in ("radial", "closest-point"))
     ratios = twist.column("stiffness_ratio")
     table = data["tables"].where(law="hertz", tolerance=1e-8)[0]
+    error = table["certified_error"]
     look_up = data["work_precision_wrench"].where(law="hertz", family="table", parameter=1e-8)[0]["mean_ns"]
     step = data["work_precision_step"].where(boundary="table 1e-8", projection="closest-point")[0]["many_warm_ns"]
     return [
@@ -54,7 +55,7 @@ def numbers_to_remember(data):
                              f"of its limits (stiffness ratios κ from {min(ratios):.2g} to {max(ratios):.2g}). With the closest "
                              f"point it is off by {closest:.0e}."),
         (f"{look_up:.0f} ns", f"A look-up takes {look_up:.0f} ns in a table of {table['bytes']:.0f} bytes, whose error is at most "
-                              f"{table['certified_error']:.1e}. A step of a finger on it takes {step:.0f} ns. A finer table takes "
+                              f"{short(float(f'{error:.1e}'))}. A step of a finger on it takes {step:.0f} ns. A finer table takes "
                               "hardly longer."),
     ]
 
