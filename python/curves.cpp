@@ -28,7 +28,7 @@ namespace {
 
 template <std::size_t results, std::size_t block = 16, class At>
 nb::object of_cors(nb::handle c, const At& at) {
-  return of_numbers<results, block, 1>({c}, {"c"}, non_negative, [&](const std::array<double, 1>& s) { return at(s[0]); });
+  return of_numbers<results, block, 1>({c}, {"c"}, cli::distance, [&](const std::array<double, 1>& s) { return at(s[0]); });
 }
 
 std::array<double, 2> components(const UnitWrench& wrench) {
@@ -45,7 +45,7 @@ nb::object evaluate_with_errors(const PyLaw& law, nb::handle c, Method method) {
 /// One number for each pair of force and moment.
 template <class Of>
 nb::object of_wrenches(nb::handle force, nb::handle moment, const Of& of) {
-  return of_numbers<1, 16, 2>({force, moment}, {"force", "moment"}, finite_non_negative,
+  return of_numbers<1, 16, 2>({force, moment}, {"force", "moment"}, cli::non_negative,
                               [&](const std::array<double, 2>& wrench) { return std::array{of(wrench[0], wrench[1])}; });
 }
 
