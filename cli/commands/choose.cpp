@@ -3,8 +3,8 @@
 #include "cli/commands/radius_check.hpp"
 #include "cli/commands/stiffness_check.hpp"
 #include "cli/commands/subcommands.hpp"
-#include "cli/io/number_list.hpp"
 #include "cli/io/patch_argument.hpp"
+#include "limitcurve/internal/number_list.hpp"
 
 #include "godobject/scene/choose_step.hpp"
 #include "limitcurve/internal/number.hpp"

@@ -4,6 +4,7 @@
 #include "cli/io/law_argument.hpp"
 #include "cli/io/range.hpp"
 
+#include "godobject/finger.hpp"
 #include "limitcurve/pressure_law.hpp"
 
 #include <cstddef>
@@ -46,14 +47,20 @@ class Options {
   /// --columns and --units of a file of measurements (FileColumns).
   void file_columns(std::string& columns, std::string& units);
   void count(const std::string& name, std::size_t& value, std::size_t least, std::size_t most, const std::string& help);
+  void count(const std::string& name, std::optional<std::size_t>& value, std::size_t least, std::size_t most, const std::string& help);
   /// One of `choices`; `value` receives its index and holds the default.
   void choice(const std::string& name, std::size_t& value, std::vector<std::string> choices, const std::string& help,
               Presence presence = Presence::optional);
 
+  /// The numbers of a finger (godobject/finger/finger_numbers.hpp), of which `required` must be given.
+  void finger(godobject::FingerParameters& value, const std::vector<std::string_view>& required);
   void law(Law& value, Presence presence = Presence::required);
   void radius_law(std::optional<RadiusLawArgument>& value, Presence presence = Presence::required);
 
  private:
+  void whole(const std::string& name, const std::function<void(std::size_t)>& take, std::size_t least, std::size_t most,
+             const std::string& help);
+
   CLI::App& app_;
 };
 

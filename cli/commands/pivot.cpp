@@ -4,10 +4,10 @@
 #include "cli/commands/radius_check.hpp"
 #include "cli/commands/subcommands.hpp"
 #include "cli/io/csv_reader.hpp"
-#include "cli/io/key_values.hpp"
 #include "cli/io/law_argument.hpp"
 #include "cli/io/materials.hpp"
-#include "cli/io/number_list.hpp"
+#include "limitcurve/internal/key_values.hpp"
+#include "limitcurve/internal/number_list.hpp"
 
 #include "limitcurve/internal/number.hpp"
 #include "limitcurve/laws.hpp"

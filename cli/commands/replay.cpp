@@ -3,10 +3,10 @@
 #include "cli/commands/stiffness_check.hpp"
 #include "cli/commands/subcommands.hpp"
 #include "cli/io/body_argument.hpp"
-#include "cli/io/key_values.hpp"
 #include "cli/io/patch_argument.hpp"
 #include "cli/io/surface_argument.hpp"
 #include "cli/io/trace_reader.hpp"
+#include "limitcurve/internal/key_values.hpp"
 
 #include "godobject/scene/passivity.hpp"
 #include "godobject/scene/replay.hpp"
@@ -105,16 +105,7 @@ class Replay final : public Subcommand {
     options.number("--point-radius", point_radius_, positive,
                    "Radius given to the points of a patch [m] (default and minimum 1e-3 m0, m0: moment of a pure spin over mu P)");
     options.radius_law(radius_law_, Presence::optional);
-    options.number("--mu", replay_.finger.mu, non_negative, "Friction coefficient mu [1]", Presence::required);
-    options.number("--stiffness", replay_.finger.stiffness, positive, "Contact stiffness k_l [N/m]; the load is P = k_l d",
-                   Presence::required);
-    options.number("--twist-stiffness", replay_.finger.twist_stiffness, positive, "Torsional stiffness k_r [N m/rad]", Presence::required);
-    options.number("--mu-dynamic", replay_.finger.mu_dynamic, non_negative, "Friction coefficient while slipping (default mu)");
-    options.number("--mu-r", replay_.finger.mu_r, non_negative,
-                   "mu_r [m/N^gamma]: the moment limit is mu_r P^(1+gamma), in place of the radius law's");
-    options.number("--gamma", replay_.finger.gamma, finite, "gamma of --mu-r, from -0.5 to 1");
-    options.number("--mu-r-dynamic", replay_.finger.mu_r_dynamic, non_negative,
-                   "mu_r while slipping [m] (default mu_r times mu-dynamic/mu)");
+    options.finger(replay_.finger, {"mu", "stiffness", "twist_stiffness"});
     options.value(
         "--curve", "exact|table|ellipse|box", [this](const std::string& text) { replay_.curve = godobject::parse_curve_kind(text); },
         "Limit curve (default table)", Presence::optional);
@@ -135,15 +126,6 @@ class Replay final : public Subcommand {
                  "Motion of the touched body: fixed, trace, planar:mass=0.1[,inertia=1e-4] (in x-y, frictionless), "
                  "free:mass=0.1[,inertia=1e-4][,gravity=9.81] (default fixed)");
     options.count("--fingers", fingers_, 1, godobject::Replay::most_fingers, "Number of fingers in the trace");
-    options.number("--damping", replay_.finger.damping, non_negative, "b_l of each finger [N s/m]");
-    options.number("--twist-damping", replay_.finger.twist_damping, non_negative, "b_r of each finger [N m s/rad]");
-    options.number(
-        "--rest-margin", replay_.finger.rest_margin, non_negative,
-        "A sliding finger comes to rest within the dynamic limit divided by 1 + this*(mu/mu_d - 1) [1]; 0: within the dynamic limit");
-    options.number("--max-displacement", replay_.finger.max_displacement, positive_or_inf,
-                   "A larger jump between two rows [m] is a fault of the device: one row is invalid");
-    options.number("--fault-decay", replay_.finger.fault_decay, share,
-                   "Fraction of load, force and moment [1] that an invalid row keeps from an invalid row before it: 0.99 fades, 1 holds");
     options.value(
         "--check-gains", "LIST", [this](const std::string& text) { read_device(text); },
         "b=NUMBER[,b_r=NUMBER][,T=0.001]: refuse gains that are not passive on a device with this damping [N s/m, N m s/rad] and "

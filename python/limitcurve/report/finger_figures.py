@@ -178,7 +178,7 @@ BLOCK_LENGTH, BLOCK_HEIGHT = 0.12, 0.04  # m, `limitcurve pivot`'s default
 CASES = {"coupled": "Coupled: ellipse, radial (A)", "exact": "Exact curve, closest point", "uncoupled": "Uncoupled: box (B)"}
 
 
-LOST = 0.005  # m: a block that has slid so far past the grip, or has left it, is lost; cli/report/report_pivot.cpp's, too
+LOST = 0.005  # m: a block that has slid so far past the grip, or has left it, is lost
 
 
 def angle_at_loss(rows):

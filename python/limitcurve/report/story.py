@@ -138,6 +138,7 @@ def sections(data):
     run, twist = data["replay_runs"][-1], data["steady_twist"][0]
     engine = data["translate"][0]
     tolerance, places = data["table_error"][0]["tolerance"], len(data["table_error"].where(law="hertz"))
+    finest, largest = min(data["tables"].column("tolerance")), max(data["tables"].column("bytes"))
     drifts = [" and ".join(f"{row['value']:.2f} ± {row['std_error']:.2f}" for row in data["patch_fits"].where(parameter=name))
               for name in ("drift", "drift_ellipsoid")]
     square, long = ([row for row in data["patch_errors"].where(shape="rectangle", aspect=aspect) if row["model"].startswith("disc:")][0]
@@ -167,8 +168,8 @@ too strong by up to {percent(max(boxes), 0)}.""",
              "Use a table. You choose its error."),
         ], ""),
         ("Look-up tables", [
-            ("tables", f"""Left: the finer a table, the more bytes it has. Right: a table of {short(tolerance)} less the exact
-curve, at {places} slips. The error stays within the tolerance (grey).""",
+            ("tables", f"""Left: down to a tolerance of {short(finest)} no table takes more than {largest:.0f} bytes. Right: a table
+of {short(tolerance)} less the exact curve, at {places} slips. The error stays within the tolerance (grey).""",
              "Take a tolerance of 1e-8, and stop thinking about the curve."),
         ], "<p>These are tables for the materials of the paper’s Table 1. The radius follows from the measured ratio "
            "μ<sub>r</sub>/μ and the law. It is larger than a fingertip’s: where μ<sub>r</sub> was measured, use μ<sub>r</sub> "
