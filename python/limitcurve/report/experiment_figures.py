@@ -44,7 +44,7 @@ def experiment(data, grip):
     panels[1][0].set_ylim(-25, 6)
     panels[2][0].set_ylim(-4, 60)
     panels[3][0].set_ylim(0, None)
-    figure.align_ylabels()
+    figure.align_ylabels(panels[:, 0])
     panels[1][0].legend(loc="lower left", ncols=2)
     if grip == "release":
         panels[2][0].legend(loc="upper left")
@@ -135,7 +135,7 @@ def pivot_offsets(data):
         back.set_xlabel("offset of the centre of mass  [mm]")
     for row, label in zip(panels, ("angle reached  [°]", "slipped  [mm]", "times turned back")):
         row[0].set_ylabel(label)
-    figure.align_ylabels()
+    figure.align_ylabels(panels[:, 0])
     legend_in_sight(figure, panels[0][0])
     return figure
 

@@ -157,7 +157,7 @@ def felt(data):
     for axes, label in zip((row[0] for row in panels), ("load  [N]", "force  [N]", "moment  [N mm]")):
         axes.set_ylabel(label)
         axes.set_ylim(0, None)
-    figure.align_ylabels()
+    figure.align_ylabels(panels[:, 0])
     legend_in_sight(figure, panels[1][0])
     return figure
 
