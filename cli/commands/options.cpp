@@ -91,8 +91,9 @@ void Options::choice(const std::string& name, std::size_t& value, std::vector<st
       help + standard, presence);
 }
 
-void Options::finger(godobject::FingerParameters& value, const std::vector<std::string_view>& required) {
+void Options::finger(godobject::FingerParameters& value, const std::vector<std::string_view>& required, bool rare) {
   godobject::for_each_number(value, [&](const godobject::FingerNumber& number, auto& field) {
+    if (number.rare != rare) return;
     std::string name = "--" + std::string(number.name);
     std::replace(name.begin(), name.end(), '_', '-');
     const bool is_required = std::find(required.begin(), required.end(), number.name) != required.end();
