@@ -20,10 +20,12 @@ FINGER = {"law": "hertz", "radius-law": "constant:a=0.006", "mu": "0.6", "stiffn
 FINGER_OPTIONS = [word for name, value in FINGER.items() for word in (f"--{name}", value)]
 
 
+def table(path):
+    return list(csv.DictReader(line for line in path.read_text(encoding="utf-8").splitlines() if not line.startswith("#")))
+
+
 def trace(name):
-    lines = [line for line in (DATA / "traces" / name).read_text().splitlines() if not line.startswith("#")]
-    names = lines[0].split(",")
-    return [dict(zip(names, map(float, line.split(",")))) for line in lines[1:]]
+    return [{column: float(value) for column, value in row.items()} for row in table(DATA / "traces" / name)]
 
 
 def printed_equation_8(samples, mu_static, mu_dynamic):
@@ -249,7 +251,7 @@ class Corrections(CommandLineTest):
             self.assertAlmostEqual(settled["fy"] / 1.2, x, delta=1e-4)
             self.assertAlmostEqual(-settled["moment"] / (1.2 * radius * largest), y, delta=1e-4)
 
-    def test_form_closure_by_two_soft_fingers(self):
+    def test_force_closure_by_two_soft_fingers(self):
         call = ["replay", "--trace", DATA / "scenes" / "pinch.csv", *FINGER_OPTIONS, "--fingers", "2", "--surface",
                 "box:x=0.12,y=0.04,z=0.04", "--body", "free:mass=0.1", "--damping", "2"]
         soft, point = ([math.degrees(2 * math.atan2(row["bqz"], row["bqw"])) for row in rows(*call, *more)]
@@ -371,6 +373,45 @@ class Claims(CommandLineTest):
         self.assertAlmostEqual(1e3 * released[0]["cor"], 7.3, delta=0.05)
         self.assertGreater(held[-1]["cor"], 1)
         self.assertLess(max(row["r"] for row in held) / min(row["r"] for row in held), 1.05)
+
+    def test_steps_beyond_the_p_curve(self):
+        found = rows("pivot", "--case", "coupled", "--damping", "0", "--release", "from=0.45,to=0.25,over=2", "--every", "10")
+        steps = sorted(row["trial_r"] - row["r"] for row in found if row["state"] == "slip")
+        self.assertEqual([round(1e6 * step) for step in (steps[len(steps) // 2], steps[-1])], [19, 127])
+
+    def test_a_torque_costs_less_the_larger_the_force(self):
+        """What the abstract of Kinoshita and others (1997), the paper's reference [6], says of fingers of people, by eq. (17) and Table 1."""
+        forces, moments = ([most * i / 4 for i in range(5)] for most in (3.4, 0.05))
+
+        def additive(grid):
+            """Share of the variance that sums of a term of the row and one of the column explain."""
+            mean = sum(map(sum, grid)) / 25
+            by_row, by_column = ([sum(line) / 5 - mean for line in lines] for lines in (grid, list(zip(*grid))))
+            return 5 * sum(term * term for term in by_row + by_column) / sum((value - mean) ** 2 for line in grid for value in line)
+
+        def first_cost(grid):
+            return [line[1] - line[0] for line in grid]
+
+        shares = []
+        for material in table(DATA / "materials.csv"):
+            mu, mu_r = float(material["mu"]), float(material["mu_r"])
+            data = self.file("grid.csv", "force,moment\n" + "".join(f"{force!r},{moment!r}\n" for force in forces for moment in moments))
+            loads = [row["hold_load"] for row in rows("hold", "--law", "hertz", "--radius-law", f"constant:a={mu_r / mu * 16 / (3 * math.pi)!r}", "--mu", mu,
+                                                      "--data", data)]
+            exact = [loads[5 * i:5 * i + 5] for i in range(5)]
+            ellipse, diamond, box = ([[bear(force / mu, moment / mu_r) for moment in moments] for force in forces]
+                                     for bear in (math.hypot, lambda x, y: x + y, max))
+            shares.append(round(additive(exact), 3))
+            for less, more in zip(first_cost(exact)[1:], first_cost(exact)):
+                self.assertLess(less, more)
+            self.assertAlmostEqual(additive(diamond), 1, delta=1e-14)
+            self.assertAlmostEqual(max(first_cost(diamond)), min(first_cost(diamond)), delta=1e-12)
+            self.assertEqual(first_cost(box)[3:], [0, 0])
+            self.assertLess(additive(box), 0.965)
+            self.assertAlmostEqual(additive(ellipse), additive(exact), delta=0.007)
+            if material["material"] == "rayon":
+                self.assertEqual([round(cost, 2) for cost in first_cost(exact)], [4.1, 2.71, 2.07, 1.7, 1.43])
+        self.assertEqual([min(shares), max(shares)], [0.981, 0.985])
 
     def test_the_ellipse_is_good_enough_for_the_experiment(self):
         release = ["--release", "from=0.5,to=0.25,over=10", "--damping", "0"]
