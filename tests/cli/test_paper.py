@@ -210,6 +210,16 @@ class Corrections(CommandLineTest):
         self.assert_close(first, -printed_equation_17(0, hertz_radius(1))[1], 1e-4)
         self.assert_close(second / first, 2, 1e-14)
 
+    def test_adhesive_friction_of_a_growing_contact(self):
+        # A traction of 10 kPa everywhere: F as P^(2/3), M as P, from 1 to 8 N.
+        ends = []
+        for load in (1, 8):
+            mu = 1e4 * math.pi * hertz_radius(load) ** 2 / load
+            twist, slide = rows("p-curves", "--law", "uniform", "--radius-law", "hertz:R=0.008,E=2e5", "--mu", mu, "--loads", load, "--points", "2")
+            ends.append((slide["force"], twist["moment"]))
+        for one, other, growth in zip(*ends, (4, 8)):
+            self.assert_close(other / one, growth, 1e-12)
+
     def test_c_curves_bend(self):
         call = ["c-curves", "--law", "hertz", "--mu", "0.6", "--cors", "0.005", "--loads", "1,4", "--radius-law"]
         for law, radius in (("constant:a=0.006", lambda load: 0.006), ("hertz:R=0.008,E=2e5", hertz_radius)):
