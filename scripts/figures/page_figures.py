@@ -4,19 +4,21 @@
 
 usage: page_figures.py LIMITCURVE FOLDER, which gets (each also as .png)
 
-textbook_forms.svg   where the closed forms of the textbooks lose their digits, in double, against `limitcurve eval`. Truth is
-                     mpmath at 60 digits (python3-mpmath): the hypergeometric forms, which cancel nowhere
-human_fingers.svg    the load that holds a force and a torque, by `limitcurve hold`, for rayon of data/materials.csv
+textbook_forms.svg   where the closed forms of the textbooks lose their digits, in double, against
+                     `limitcurve eval`. Truth is mpmath at 60 digits (python3-mpmath): the
+                     hypergeometric forms, which cancel nowhere
+human_fingers.svg    the load that holds a force and a torque, by `limitcurve hold`, for rayon
 """
 
 import csv
 import math
 import subprocess
 import sys
+from pathlib import Path
 
 import mpmath
 
-from chart_style import BLUE, FAINT, INK, ORANGE, VERMILION, law_style, plt, save
+from chart_style import BLUE, FAINT, INK, ORANGE, VERMILION, Table, law_style, plt, save
 
 DIGITS = 60
 CORS = [10 ** (k / 24) for k in range(-2 * 24, 5 * 24 + 1)]
@@ -73,7 +75,8 @@ def textbook_forms(limitcurve):
         colour = style["color"]
         printed = [relative_error(textbook(s), m) for s, m in zip(CORS, truth)]
         axes.loglog(CORS, printed, linewidth=1.2, **style)
-        axes.loglog(CORS, [relative_error(value, m) for value, m in zip(column(limitcurve, "moment", "eval", "--law", law, "--c", cors), truth)], color=colour, linewidth=1, alpha=0.9)
+        ours = column(limitcurve, "moment", "eval", "--law", law, "--c", cors)
+        axes.loglog(CORS, [relative_error(value, m) for value, m in zip(ours, truth)], color=colour, linewidth=1, alpha=0.9)
         last = next(i for i, error in enumerate(printed) if CORS[i] > 1 and error > (1e-6 if law == "hertz" else 1e-9))
         axes.annotate(f"{law}, as printed", (CORS[last], printed[last]), textcoords="offset points",
                       xytext=(-6, 2) if law == "hertz" else (18, -6), ha="right" if law == "hertz" else "left", color=colour)
@@ -91,7 +94,8 @@ def textbook_forms(limitcurve):
 
 def human_fingers(limitcurve):
     """Kinoshita and others (1997) measured fingers under such forces and torques."""
-    mu, mu_r = 0.42, 3.05e-3
+    rayon = Table.read(Path(__file__).resolve().parents[2] / "data" / "materials.csv").where(material="rayon")[0]
+    mu, mu_r = rayon["mu"], rayon["mu_r"]
     torques = [0.05 * i / 30 for i in range(31)]
     figure, axes = plt.subplots(figsize=(6.4, 3.4), layout="constrained")
     for force in (0, 1.7, 3.4):

@@ -76,7 +76,8 @@ def hertz_radius(load):
 
 
 def printed_equation_17(c, radius=1.0, pressure=hertz, n=300):
-    """F_t and M of eq. (17), sign by sign, for mu P = 1 and a pressure on the disc of radius 1: midpoints of theta and of r = a sin(phi)."""
+    """F_t and M of eq. (17), sign by sign, for mu P = 1 and a pressure on the disc of radius 1, by
+    midpoints of theta and of r = a sin(phi)."""
     force = moment = 0.0
     for phi in (math.pi / 2 * (i + 0.5) / n for i in range(n)):
         rho, weight = math.sin(phi), math.cos(phi) * math.pi / 2 / n * 2 * math.pi / n
@@ -89,8 +90,8 @@ def printed_equation_17(c, radius=1.0, pressure=hertz, n=300):
 
 
 def friction_on_a_finger(c, n=400):
-    """Force and moment on a Hertz finger of radius 1 that turns by +1 about C = (c, 0), Fig. 2, for mu P = 1: the traction -mu p v/|v|, which takes power from
-    every point that moves, over squares of the pad. Shares nothing with eq. (17)."""
+    """Force, moment and power of friction on a Hertz finger of radius 1 that turns by +1 about
+    C = (c, 0), Fig. 2, for mu P = 1: the traction -mu p v/|v| over squares of the pad."""
     force_x = force_y = moment = power = 0.0
     middles = [(2 * i + 1) / n - 1 for i in range(n)]
     for x in middles:
@@ -121,22 +122,25 @@ class Corrections(CommandLineTest):
         self.assertAlmostEqual(max(abs(a - b) for a, b in zip(printed, here)), 0, delta=1e-9)
 
     def test_angles_at_touch_down_preload_nothing(self):
-        samples = [f"{i / 1000},0,0,{-min(i, 20) * 1e-4},0.3" for i in range(-2, 100)]
-        found = rows("replay", "--trace", self.file("trace.csv", "time,x,y,z,twist\n" + "\n".join(samples) + "\n"), *FINGER_OPTIONS)
-        self.assertEqual({row["moment"] for row in found}, {0})
-        # As printed alpha_p = alpha_0 and alpha_g = alpha_s - alpha_0: step c has the moment k_r alpha_0 where nothing has moved yet.
-        alpha_0 = alpha_s = 0.3
-        self.assertEqual(0.036 * (alpha_0 - (alpha_s - alpha_0)), 0.036 * 0.3)
+        for alpha_0 in (0, 0.3):
+            samples = [(i / 1000, min(i, 20) * 1e-4, alpha_0 + max(0, i - 50) * 1e-3) for i in range(-2, 100)]
+            path = "".join(f"{time},0,0,{-depth},{alpha_s}\n" for time, depth, alpha_s in samples)
+            found = rows("replay", "--trace", self.file("trace.csv", "time,x,y,z,twist\n" + path), *FINGER_OPTIONS)
+            for row, (_, depth, alpha_s) in zip(found, samples, strict=True):
+                # As printed alpha_p = alpha_0 at touch-down and alpha_g = alpha_s - alpha_0.
+                printed = 0.036 * (alpha_0 - (alpha_s - alpha_0)) if depth > 0 else 0
+                self.assertAlmostEqual(printed - row["moment"], 0.036 * 0.3 if alpha_0 and depth > 0 else 0, delta=1e-15)
 
     def test_signs_of_equation_17(self):
-        # As printed the pair is that on the finger; F opposes v_y = -c, M opposes omega = 1, and together they have the friction power.
+        # The printed pair is that on the finger: F opposes v_y = -c, M opposes omega = 1, and they have
+        # the power of friction.
         radius, load = float(FINGER["radius-law"].split("=")[1]), 2
         for c in (0.5, 1, 2):
             force, moment = printed_equation_17(c)
             *summed, power = friction_on_a_finger(c)
             for one, other in zip((0, force, moment, -c * force + moment), (*summed, power)):
                 self.assertAlmostEqual(one, other, delta=1e-3)
-            # The command that knows no side tells magnitudes; a patch what moves it, so the opposite.
+            # `eval` tells magnitudes, `patch` what moves the patch: the opposite of friction.
             here = rows("eval", "--law", "hertz", "--c", c)[0]
             twist = self.file("twist.csv", f"vx,vy,omega\n0,{-c},1\n")
             patch = rows("patch", "--patch", "ellipse:law=hertz,a=1,b=1", "--twists", twist)[0]
@@ -160,8 +164,9 @@ class Corrections(CommandLineTest):
             self.assertFalse(any(math.isnan(row[name]) for name in ("px", "py", "angle", "fx", "fy", "moment")))
 
     def test_step_c_and_the_load_are_one_spring(self):
-        # Round a loop on a ball, where x_g = R n: k_l (x_p - x_g) of step c and the load k_l d are k_l (x_p - x_h), which is ours, and no loop gains
-        # energy. The tangential part of x_p - x_g alone would gain k_l s^2 (change of depth)/(2 R).
+        # Round a loop on a ball, where x_g = R n: k_l (x_p - x_g) of step c and the load k_l d are
+        # k_l (x_p - x_h), which is ours, and no loop gains energy. The tangential part of x_p - x_g
+        # alone would gain k_l s^2 (change of depth)/(2 R).
         ball, stiffness, turn, deep, shallow = 0.05, 1000, 0.1, 0.0025, 0.001
         corners = [(0, deep), (turn, deep), (turn, shallow), (0, shallow), (0, deep)]
         path = [tuple(p + (q - p) * i / 100 for p, q in zip(one, other)) for one, other in zip(corners, corners[1:]) for i in range(100)] + [corners[-1]]
@@ -203,7 +208,7 @@ class Corrections(CommandLineTest):
         self.assertLess(max(abs(math.degrees(row["angle"]) - 30) for row in found if row["time"] > 3.2), 3.2)
 
     def test_the_ratio_of_a_hertzian_contact_grows_with_the_load(self):
-        # Eqs. (4), (5): mu_r/mu_l = 3 pi/16 a(P), twice as large at 8 N as at 1 N; Table 1 and eq. (2): one number.
+        # Eqs. (4), (5): mu_r/mu_l = 3 pi/16 a(P), twice as large at 8 N as at 1 N; eq. (2): constant.
         found = rows("p-curves", "--law", "hertz", "--radius-law", "hertz:R=0.008,E=2e5", "--mu", "1", "--loads", "1,8", "--points", "2")
         first, second = (row["moment"] / row["load"] for row in found if row["c"] == 0)
         self.assert_close(first, -printed_equation_17(0, hertz_radius(1))[1], 1e-4)
@@ -243,13 +248,14 @@ class Corrections(CommandLineTest):
         self.assertAlmostEqual(100 * peaked["max_under_estimate"], 1.6, delta=0.05)
 
     def test_a_steady_slip_by_equation_23_is_set_by_the_springs(self):
-        # Eqs. (21) to (23) in units of mu P and mu_r P, a finger that turns about c = a until nothing changes; k_r = kappa k_l (mu_r/mu)^2.
+        # Eqs. (21) to (23) in units of mu P and mu_r P, a finger that turns about c = a until nothing
+        # changes; k_r = kappa k_l (mu_r/mu)^2.
         true_force, true_moment = printed_equation_17(1)
         largest = -printed_equation_17(0)[1]
         for kappa, off in ((0.72, 0.040), (1, 0.134), (1 / largest**2, 0.615), (10, 0.941)):
             x = y = 0.0
             for _ in range(20000):
-                x, y = x + 1e-3, y + 1e-3 * kappa * largest  # k_l dr/(mu P) and k_r drho/(mu_r P) of dr = a drho
+                x, y = x + 1e-3, y + 1e-3 * kappa * largest  # of dr = a drho
                 keep = 1 / math.sqrt(max(1, x * x + y * y))
                 x, y = keep * x, keep * y
             self.assertAlmostEqual(math.hypot(x - true_force, y + true_moment / largest), off, delta=1e-3)

@@ -128,11 +128,11 @@ class Claims(CommandLineTest):
         self.assertEqual([round(1e6 * step) for step in (steps[len(steps) // 2], steps[-1])], [19, 127])
 
     def test_a_torque_costs_less_the_larger_the_force(self):
-        """What the abstract of Kinoshita and others (1997), the paper's reference [6], says of fingers of people, by eq. (17) and Table 1."""
+        """What the abstract of the paper's reference [6] says of people's fingers, by eq. (17), Table 1."""
         forces, moments = ([most * i / 4 for i in range(5)] for most in (3.4, 0.05))
 
         def additive(grid):
-            """Share of the variance that sums of a term of the row and one of the column explain."""
+            """Share of the variance that a term of the row and one of the column explain."""
             mean = sum(map(sum, grid)) / 25
             by_row, by_column = ([sum(line) / 5 - mean for line in lines] for lines in (grid, list(zip(*grid))))
             return 5 * sum(term * term for term in by_row + by_column) / sum((value - mean) ** 2 for line in grid for value in line)
