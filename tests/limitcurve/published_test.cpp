@@ -13,7 +13,6 @@
 namespace limitcurve::test {
 namespace {
 
-constexpr double pi = std::numbers::pi;
 
 UnitWrench at(const Law& law, double s) {
   return law->evaluate(s).wrench;
@@ -60,16 +59,16 @@ TEST(Published, ARing) {
     const double modulus = 2.0 * std::sqrt(s) / (1.0 + s);
     const double first = std::comp_ellint_1(modulus);
     const double second = std::comp_ellint_2(modulus);
-    EXPECT_NEAR(at(power(-0.9999), s).force, ((1.0 + s) * second - (1.0 - s) * first) / (pi * s), 1e-4);
-    EXPECT_NEAR(at(power(-0.9999), s).moment, ((1.0 + s) * second + (1.0 - s) * first) / pi, 1e-4);
+    EXPECT_NEAR(at(power(-0.9999), s).force, ((1.0 + s) * second - (1.0 - s) * first) / (std::numbers::pi * s), 1e-4);
+    EXPECT_NEAR(at(power(-0.9999), s).moment, ((1.0 + s) * second + (1.0 - s) * first) / std::numbers::pi, 1e-4);
   }
 }
 
 // Zhuravlev, J. Appl. Math. Mech. 62:705, 1998, Hertz: F = μP v/(v + 8ωa/3π) is right where the
 // slide is small, M = M₀ ωa/(ωa + 15πv/16) where it is large.
 TEST(Published, ZhuravlevsTwoNumbers) {
-  EXPECT_NEAR(at(hertz(), 1e-7).force / 1e-7 * 8.0 / (3.0 * pi), 1.0, 1e-13);
-  EXPECT_NEAR(at(hertz(), 1e7).moment * 1e7 * (15.0 * pi / 16.0) / hertz()->moment_ratio(), 1.0, 1e-13);
+  EXPECT_NEAR(at(hertz(), 1e-7).force / 1e-7 * 8.0 / (3.0 * std::numbers::pi), 1.0, 1e-13);
+  EXPECT_NEAR(at(hertz(), 1e7).moment * 1e7 * (15.0 * std::numbers::pi / 16.0) / hertz()->moment_ratio(), 1.0, 1e-13);
 }
 
 // Xydas, Kao, Int. J. Robotics Res. 18:941, 1999: C₃ = 1.24049, and the moment 2 C_k ∫ρ²
@@ -85,9 +84,9 @@ TEST(Published, MomentsOfXydasAndKao) {
 // Lubkin, J. Appl. Mech. 18:183, 1951; Contensou, 1963, and Leine, Glocker, Eur. J. Mech. A
 // 22:193, 2003: a Hertz contact that spins, and one that turns about its rim.
 TEST(Published, HertzInTheMiddleAndAtTheRim) {
-  EXPECT_DOUBLE_EQ(at(hertz(), 0.0).moment, 3.0 * pi / 16.0);
-  EXPECT_DOUBLE_EQ(at(hertz(), 1.0).force, 9.0 * pi / 32.0);
-  EXPECT_DOUBLE_EQ(at(hertz(), 1.0).moment, 9.0 * pi / 128.0);
+  EXPECT_DOUBLE_EQ(at(hertz(), 0.0).moment, 3.0 * std::numbers::pi / 16.0);
+  EXPECT_DOUBLE_EQ(at(hertz(), 1.0).force, 9.0 * std::numbers::pi / 32.0);
+  EXPECT_DOUBLE_EQ(at(hertz(), 1.0).moment, 9.0 * std::numbers::pi / 128.0);
 }
 
 // Friction's power is a mean distance. Larson, Odoni, Urban Operations Research, 1981, Table 3-1:
@@ -96,7 +95,7 @@ TEST(Published, HertzInTheMiddleAndAtTheRim) {
 // 0.7652 from a corner of a unit square, half of it from its middle.
 TEST(Published, MeanDistances) {
   const UnitWrench rim = at(uniform(), 1.0);
-  EXPECT_DOUBLE_EQ(rim.force + rim.moment, 5.0 / 4.0 * 128.0 / (45.0 * pi));
+  EXPECT_DOUBLE_EQ(rim.force + rim.moment, 5.0 / 4.0 * 128.0 / (45.0 * std::numbers::pi));
   EXPECT_NEAR(Patch::rectangle(1.0, 1.0).power({0.0, 0.0, 1.0}), 0.7652 / 2.0, 5e-5);
 }
 
