@@ -1,10 +1,13 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Draws where the closed forms of the textbooks lose their digits, in double, against `limitcurve eval`.
+"""Draws the figures of docs/ that the report does not have.
 
-usage: textbook_forms.py LIMITCURVE FOLDER, which gets textbook_forms.svg (and .png)
+usage: page_figures.py LIMITCURVE FOLDER, which gets (each also as .png)
 
-Truth is mpmath at 60 digits (python3-mpmath): the hypergeometric forms, which cancel nowhere.
+textbook_forms.svg   where the closed forms of the textbooks lose their digits, in double, against
+                     `limitcurve eval`. Truth is mpmath at 60 digits (python3-mpmath): the
+                     hypergeometric forms, which cancel nowhere
+human_fingers.svg    the load that holds a force and a torque, by `limitcurve hold`, for rayon
 """
 
 import csv
@@ -17,7 +20,7 @@ import mpmath
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "python" / "limitcurve"))
 
-from report.chart_style import FAINT, INK, law_style, plt, save  # noqa: E402
+from report.chart_style import BLUE, FAINT, INK, ORANGE, VERMILION, Table, law_style, plt, save  # noqa: E402
 
 DIGITS = 60
 CORS = [10 ** (k / 24) for k in range(-2 * 24, 5 * 24 + 1)]
@@ -53,11 +56,10 @@ def power_truth(n, s):
 LAWS = {"uniform": (0, uniform_textbook), "hertz": (0.5, hertz_textbook)}
 
 
-def ours(limitcurve, law):
-    """Moments that the command line prints."""
-    cors = ",".join(repr(s) for s in CORS)
-    printed = subprocess.run([limitcurve, "eval", "--law", law, "--c", cors], check=True, capture_output=True, text=True)
-    return [float(row["moment"]) for row in csv.DictReader(printed.stdout.splitlines())]
+def column(limitcurve, name, *arguments, **options):
+    """A column of what the command line prints."""
+    printed = subprocess.run([limitcurve, *arguments], check=True, capture_output=True, text=True, **options)
+    return [float(row[name]) for row in csv.DictReader(printed.stdout.splitlines())]
 
 
 def relative_error(value, truth):
@@ -65,9 +67,9 @@ def relative_error(value, truth):
     return max(float(abs(value / truth - 1)), 2.0**-54)
 
 
-def main():
-    limitcurve, folder = sys.argv[1:]
+def textbook_forms(limitcurve):
     mpmath.mp.dps = DIGITS
+    cors = ",".join(map(repr, CORS))
     figure, axes = plt.subplots(figsize=(6.4, 3.4), layout="constrained")
     for law, (n, textbook) in LAWS.items():
         truth = [power_truth(n, s) for s in CORS]
@@ -75,7 +77,8 @@ def main():
         colour = style["color"]
         printed = [relative_error(textbook(s), m) for s, m in zip(CORS, truth)]
         axes.loglog(CORS, printed, linewidth=1.2, **style)
-        axes.loglog(CORS, [relative_error(value, m) for value, m in zip(ours(limitcurve, law), truth)], color=colour, linewidth=1, alpha=0.9)
+        ours = column(limitcurve, "moment", "eval", "--law", law, "--c", cors)
+        axes.loglog(CORS, [relative_error(value, m) for value, m in zip(ours, truth)], color=colour, linewidth=1, alpha=0.9)
         last = next(i for i, error in enumerate(printed) if CORS[i] > 1 and error > (1e-6 if law == "hertz" else 1e-9))
         axes.annotate(f"{law}, as printed", (CORS[last], printed[last]), textcoords="offset points",
                       xytext=(-6, 2) if law == "hertz" else (18, -6), ha="right" if law == "hertz" else "left", color=colour)
@@ -88,7 +91,34 @@ def main():
     axes.set_xlabel("distance of the centre of rotation  s = c/a")
     axes.set_ylabel("relative error of the moment m")
     axes.set_title("The closed forms as printed lose every digit of the moment as s grows")
-    save(figure, folder, "textbook_forms")
+    return figure
+
+
+def human_fingers(limitcurve):
+    """Kinoshita and others (1997) measured fingers under such forces and torques."""
+    rayon = Table.read(Path(__file__).resolve().parents[2] / "data" / "materials.csv").where(material="rayon")[0]
+    mu, mu_r = rayon["mu"], rayon["mu_r"]
+    torques = [0.05 * i / 30 for i in range(31)]
+    figure, axes = plt.subplots(figsize=(6.4, 3.4), layout="constrained")
+    for force in (0, 1.7, 3.4):
+        wrenches = "force,moment\n" + "".join(f"{force},{torque!r}\n" for torque in torques)
+        loads = column(limitcurve, "hold_load", "hold", "--law", "hertz", "--radius-law", f"constant:a={mu_r / mu * 16 / (3 * math.pi)!r}", "--mu", str(mu),
+                       "--data", "-", input=wrenches)
+        least, most = force / mu, 0.05 / mu_r
+        axes.plot((0, 50), (least, least + most), color=ORANGE, linewidth=1, dashes=(5, 1.5), label="diamond")
+        axes.plot((0, 1e3 * mu_r * least, 50), (least, least, most), color=VERMILION, linewidth=1, dashes=(1.5, 1.2), label="box")
+        axes.plot([1e3 * torque for torque in torques], loads, color=BLUE, label="eq. (17), Hertz")
+        axes.annotate(f"at {force:g} N", (50, loads[-1]), textcoords="offset points", xytext=(4, 0), va="bottom" if force else "top", color=BLUE,
+                      annotation_clip=False)
+    axes.legend(*[part[:3] for part in axes.get_legend_handles_labels()], loc="upper left")
+    axes.set(title="Load at which rayon slips from a finger, by Table 1 [N]", xlabel="torque [N mm]", xlim=(0, 50), ylim=(0, 25))
+    return figure
+
+
+def main():
+    limitcurve, folder = sys.argv[1:]
+    for draw in (textbook_forms, human_fingers):
+        save(draw(limitcurve), folder, draw.__name__)
 
 
 if __name__ == "__main__":
