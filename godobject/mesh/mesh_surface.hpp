@@ -11,9 +11,9 @@ namespace limitcurve::godobject {
 
 class Mesh;
 
-/// A triangle mesh as a Surface. The contact memory has the finger's god-object: in contact the point of the surface where it rests, which
-/// slides from face to face towards the finger; otherwise the finger's position. The god-object, not the finger, determines the side: a
-/// finger pressed through a thin plate stays on the side from which it came (mesh/README.md).
+/// A triangle mesh as a Surface. The contact memory has the finger's position, and in contact the face on which its god-object rests, at the
+/// face's point nearest to the finger. The god-object slides over the surface towards the finger, and it, not the finger, determines the
+/// side: a finger pressed through a thin plate stays on the side from which it came (mesh/README.md).
 ///
 /// For a finger with a coordinate beyond `farthest`, or not finite, the depth is NaN, which makes a SoftFinger `invalid`, and the memory does
 /// not change. Copies share the mesh. `contact` does not allocate or lock. It makes at most `rounds` flights and landings, usually one. Each slides

@@ -33,13 +33,6 @@ TriangleList cube() {
   return box_triangles(Vector3d::Constant(0.01));
 }
 
-/// Adds the triangles of another list, moved.
-void add(TriangleList& list, const TriangleList& other, const Vector3d& by = Vector3d::Zero()) {
-  const int first = static_cast<int>(list.vertices.size());
-  for (const Vector3d& vertex : other.vertices) list.vertices.push_back(vertex + by);
-  for (const auto& [a, b, c] : other.faces) list.faces.push_back({first + a, first + b, first + c});
-}
-
 TEST(Mesh, KnowsItsVolume) {
   EXPECT_NEAR(Mesh(cube()).volume(), 8e-6, 1e-16);
   EXPECT_EQ(Mesh(cube()).repairs().turned, 0);
