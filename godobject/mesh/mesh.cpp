@@ -43,7 +43,8 @@ bool clip(Vector3d& from, Vector3d& to, double bound) noexcept {
 
 }  // namespace
 
-Mesh::Mesh(const TriangleList& triangles) : solid_(close(triangles)), vertex_normals_(solid_.vertices.size(), Vector3d::Zero()) {
+Mesh::Mesh(const TriangleList& triangles, int body)
+    : solid_(close(triangles, body)), vertex_normals_(solid_.vertices.size(), Vector3d::Zero()) {
   normals_.reserve(solid_.faces.size());
   Volume volume;
   for (const Face& face : solid_.faces) {

@@ -22,8 +22,8 @@ struct MeshPlace {
 /// noexcept, and do not allocate or lock.
 class Mesh {
  public:
-  /// Checks and repairs the triangles with `close`; throws std::invalid_argument.
-  explicit Mesh(const TriangleList& triangles);
+  /// Checks and repairs the triangles with `close`: all, or those of one body; throws std::invalid_argument.
+  explicit Mesh(const TriangleList& triangles, int body = 0);
 
   [[nodiscard]] std::span<const Eigen::Vector3d> vertices() const noexcept { return solid_.vertices; }
   [[nodiscard]] std::span<const Face> faces() const noexcept { return solid_.faces; }
