@@ -7,11 +7,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <initializer_list>
-#include <limits>
-#include <map>
 #include <numeric>
 #include <stdexcept>
 #include <string>
@@ -119,9 +115,8 @@ class Closing {
   [[noreturn]] void refuse_meeting(int one, int other) const {
     fail(one, {"meets face ", std::to_string(mended_.given_face[index(other)]),
                " where they share neither edge nor vertex, expected a surface that does not cross or touch itself. ",
-               body_[index(one)] == body_[index(other)]
-                   ? "Blender (Modifiers, Remesh) makes one"
-                   : "Its closed bodies overlap: unite them (Blender: Modifiers, Boolean, Union)"});
+               body_[index(one)] == body_[index(other)] ? "Blender (Modifiers, Remesh) makes one"
+                                                        : "Its closed bodies overlap: unite them (Blender: Modifiers, Boolean, Union)"});
   }
 
   /// Whether two faces run along their shared edge (`side` of `one`) in the same sense, which is a fault.
