@@ -215,7 +215,8 @@ class Closing {
     }
   }
 
-  /// Turns bodies outward. One inside an even number of others is the outside of a solid, one inside an odd number is a hollow.
+  /// Turns bodies outward. One inside an even number of others is the outside of a solid, one
+  /// inside an odd number is a hollow.
   void turn_outward() {
     std::vector<Volume> volume(index(mended_.bodies));
     std::vector<int> member(index(mended_.bodies), -1);
@@ -239,7 +240,8 @@ class Closing {
     result_.repairs.turned = std::accumulate(turned_.begin(), turned_.end(), 0);
   }
 
-  /// The number of faces of other bodies that a ray from a vertex of this body passes. Its parity is that of the number of bodies around.
+  /// The number of faces of other bodies that a ray from a vertex of this body passes. Its parity
+  /// is that of the number of bodies around.
   [[nodiscard]] int surrounding(int body, int vertex) const {
     const Vector3d& from = result_.vertices[index(vertex)];
     Vector3d to = from;

@@ -23,9 +23,11 @@ struct ClosedTriangles {
 /// would be rounding. The thinnest plate along the grid's axes has a larger angle.
 inline constexpr double sharpest_edge = 1e-13;
 
-/// Mends and checks triangles: all, or one of the bodies, which are the connected parts, counted from 1 in the order of their first faces (0: all). Throws
-/// std::invalid_argument, with the face, its position, the fault, what is expected and a way on, for triangles that are open, not a
-/// manifold, one-sided, self-intersecting (faces cross, touch or fold on to each other), too thin or sharp, or not finite.
+/// Mends and checks triangles: all, or one of the bodies, which are the connected parts, counted
+/// from 1 in the order of their first faces (0: all). Throws std::invalid_argument, with the face,
+/// its position, the fault, what is expected and a way on, for triangles that are open, not a
+/// manifold, one-sided, self-intersecting (faces cross, touch or fold on to each other), too thin
+/// or sharp, or not finite.
 ClosedTriangles close(const TriangleList& triangles, int body = 0);
 
 }  // namespace limitcurve::godobject

@@ -122,7 +122,8 @@ class Mending {
 
   [[nodiscard]] bool is_thin(const Face& face) const { return thinness(result_.grid, result_.vertices, face) < thinnest_face; }
 
-  /// The corners of a sliver that is no higher than two spacings of a float, its longest edge first; nothing for another face.
+  /// The corners of a sliver that is no higher than two spacings of a float, its longest edge
+  /// first; nothing for another face.
   [[nodiscard]] std::optional<Face> sliver(Face face) const {
     if (!is_thin(face)) return std::nullopt;
     for (int turns = 0; length(face[0], face[1]) < std::max(length(face[1], face[2]), length(face[2], face[0])) && turns < 2; ++turns) {
@@ -135,7 +136,8 @@ class Mending {
   /// Two spacings of a float at the farthest coordinate [m].
   [[nodiscard]] double rounding() const { return std::ldexp(result_.grid.reach(), -23); }
 
-  /// Takes out slivers that have no corner in common, and with them faces that this leaves without area. False if there are none that can be.
+  /// Takes out slivers that have no corner in common, and with them faces that this leaves without
+  /// area. False if there are none that can be.
   bool take_out_slivers() {
     std::vector<Face>& faces = result_.faces;
     std::vector<EdgeSide> sides;
@@ -152,7 +154,7 @@ class Mending {
       for (const int corner : corners) touched[index(corner)] = 1;
       return true;
     };
-    std::vector<int> into(result_.vertices.size());  // of each vertex the one that it is merged with
+    std::vector<int> into(result_.vertices.size());  // what each vertex is merged with
     std::iota(into.begin(), into.end(), 0);
     int taken = 0;
     for (int i = 0; i < static_cast<int>(faces.size()); ++i) {
@@ -164,7 +166,8 @@ class Mending {
         if (!touch({a, b, c})) continue;
         into[index(std::max(near, c))] = std::min(near, c);
       } else {
-        // The face beyond the long edge gets the corner c there. If that is a sliver, too, only towards shorter edges: or they might be flipped to and fro.
+        // The face beyond the long edge gets the corner c there. If that is a sliver, too, only
+        // towards shorter edges: or they might be flipped to and fro.
         const auto both = at_edge(a, b);
         if (both.size() != 2) continue;
         const EdgeSide& beyond = both[0].face == i ? both[1] : both[0];
@@ -186,7 +189,8 @@ class Mending {
 
   /// Numbers the connected parts of the surface.
   void number_bodies() {
-    std::vector<int> earlier(result_.faces.size());  // of each face one of its part with a lower index; of the first itself
+    // Of each face one of its part with a lower index; of the first itself.
+    std::vector<int> earlier(result_.faces.size());
     std::iota(earlier.begin(), earlier.end(), 0);
     const auto first = [&](int face) {
       while (earlier[index(face)] != face) face = earlier[index(face)] = earlier[index(earlier[index(face)])];

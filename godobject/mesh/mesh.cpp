@@ -106,13 +106,14 @@ inline Mesh::Side Mesh::opposite(const Side& side) const noexcept {
   return {beyond, static_cast<int>(corners(beyond)[1] == end) + 2 * static_cast<int>(corners(beyond)[2] == end)};
 }
 
-/// How far a point is before a side, along the face and times the side's length; negative beyond it.
+/// How far a point is before a side, along the face and times the side's length; negative beyond
+/// it.
 inline double Mesh::before(const Side& side, const Vector3d& point) const noexcept {
   return normal(side.face).cross(way(side)).dot(point - start(side));
 }
 
-/// The side at which the straight way on a face, from `here` to the foot of the point on its plane, ends; moves `here` there. None: the foot is
-/// on the face.
+/// The side at which the straight way on a face, from `here` to the foot of the point on its
+/// plane, ends; moves `here` there. None: the foot is on the face.
 inline std::optional<Mesh::Side> Mesh::leave(int face, Vector3d& here, const Vector3d& point) const noexcept {
   const Vector3d descent = point - here - normal(face) * height(face, point);
   if (!(descent.squaredNorm() > 1e-24 * solid_.grid.reach() * solid_.grid.reach())) return std::nullopt;
@@ -133,7 +134,8 @@ inline std::optional<Mesh::Side> Mesh::leave(int face, Vector3d& here, const Vec
   return through;
 }
 
-/// The steepest way down from the vertex where `side` starts: on a face, as its side that starts there, or in a valley, as one of its sides.
+/// The steepest way down from the vertex where `side` starts: on a face, as its side that starts
+/// there, or in a valley, as one of its sides.
 std::optional<Mesh::Side> Mesh::steepest(Side side, const Vector3d& point, bool& in_valley) const noexcept {
   const int first = side.face;
   const Vector3d down = point - start(side);
@@ -157,10 +159,12 @@ std::optional<Mesh::Side> Mesh::steepest(Side side, const Vector3d& point, bool&
   return best;
 }
 
-// Steepest descent depends on the solid, not on how its surface is divided. On a face it leads straight to the foot of the point on the
-// face's plane, the same foot for all faces in that plane. At an edge it goes on beyond if the foot on the plane there is beyond the edge,
-// too. This does not depend on the place at the edge, so no edge is crossed both ways. Otherwise both faces lead to the edge, a valley: it
-// goes along it to the place nearest to the point, or to a vertex, and from there the steepest way.
+// Steepest descent depends on the solid, not on how its surface is divided. On a face it leads
+// straight to the foot of the point on the face's plane, the same foot for all faces in that
+// plane. At an edge it goes on beyond if the foot on the plane there is beyond the edge, too. This
+// does not depend on the place at the edge, so no edge is crossed both ways. Otherwise both faces
+// lead to the edge, a valley: it goes along it to the place nearest to the point, or to a vertex,
+// and from there the steepest way.
 MeshPlace Mesh::settle(int face, const Vector3d& from, const Vector3d& point) const noexcept {
   const MeshPlace aim = on(face, point);
   if (aim.part == part::inside && height(face, point) <= 0.0) return aim;

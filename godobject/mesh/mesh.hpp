@@ -22,7 +22,8 @@ struct MeshPlace {
 /// noexcept, and do not allocate or lock.
 class Mesh {
  public:
-  /// Checks and repairs the triangles with `close`: all, or those of one body; throws std::invalid_argument.
+  /// Checks and repairs the triangles with `close`: all, or those of one body; throws
+  /// std::invalid_argument.
   explicit Mesh(const TriangleList& triangles, int body = 0);
 
   [[nodiscard]] std::span<const Eigen::Vector3d> vertices() const noexcept { return solid_.vertices; }
@@ -48,9 +49,9 @@ class Mesh {
   /// The point of a face nearest to `point`.
   [[nodiscard]] MeshPlace on(int face, const Eigen::Vector3d& point) const noexcept;
 
-  /// Slides from the place of `face` that is nearest to `from` to a local minimum of the distance to `point`, by steepest descent on the
-  /// surface. So the way depends on the solid, not on how its surface is divided. At most one step for each face, usually one to five, of
-  /// 10 to 40 ns.
+  /// Slides from the place of `face` that is nearest to `from` to a local minimum of the distance
+  /// to `point`, by steepest descent on the surface. So the way depends on the solid, not on how
+  /// its surface is divided. At most one step for each face, usually one to five, of 10 to 40 ns.
   [[nodiscard]] MeshPlace settle(int face, const Eigen::Vector3d& from, const Eigen::Vector3d& point) const noexcept;
 
   /// The point of the mesh nearest to `point`; `guess` is a face near it. Opens at most `node_limit` boxes of the tree (0: no limit, there

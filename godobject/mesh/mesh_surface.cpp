@@ -80,8 +80,9 @@ Contact MeshSurface::contact(const Vector3d& finger, const ContactMemory& memory
   Vector3d from = last;
   bool landed = false;
   if (held) {
-    // Landed is what left: the finger's own way, from its last place to this one, leads out of the solid and in again. Then its god-object
-    // flies, even where a slide would lead to the same place: from wall to wall of a corner.
+    // Landed is what left: the finger's own way, from its last place to this one, leads out of the
+    // solid and in again. Then its god-object flies, even where a slide would lead to the same
+    // place: from wall to wall of a corner.
     if (mesh_->height(face, finger) > 0.0 && reenters(*mesh_, last, finger)) {
       const MeshPlace rest = mesh_->on(face, last);
       const auto entry = mesh_->above(rest, finger) ? mesh_->entry(rest.point, finger) : std::nullopt;

@@ -26,8 +26,8 @@ TriangleList plate_and_block() {
   return list;
 }
 
-/// A groove of radius 1 along y with its middle at the origin, in a block or in a sheet of this thickness. The facets have this angle [rad] and
-/// reach to 1 rad on each side.
+/// A groove of radius 1 along y with its middle at the origin, in a block or in a sheet of this
+/// thickness. The facets have this angle [rad] and reach to 1 rad on each side.
 TriangleList groove(double facet, double thickness) {
   TriangleList list;
   const int count = static_cast<int>(std::lround(2.0 / facet));
@@ -94,8 +94,9 @@ TEST(Landing, FromWallToWallIsATouchDown) {
   }
 }
 
-// A finger slides along a groove, 30 µm deep at the least, at 0.1 m/s. While its own way stays inside (s²/8R below that depth) it never lands, and friction is that of the
-// load, at any rate and however fine the facets are. At lower rates it leaves in each sample.
+// A finger slides along a groove, 30 µm deep at the least, at 0.1 m/s. While its own way stays
+// inside (s²/8R below that depth) it never lands, and friction is that of the load, at any rate
+// and however fine the facets are. At lower rates it leaves in each sample.
 TEST(Landing, AFingerThatStaysInAGrooveKeepsItsFriction) {
   constexpr double radius = 0.01, depth = 30e-6;
   for (const auto& [facet, thickness] : {std::pair(0.08, 1.0), {0.02, 1.0}, {0.005, 1.0}, {0.02, 0.002}}) {
@@ -149,7 +150,8 @@ TEST(Landing, OnlyFromOneBlockToTheOther) {
   EXPECT_GT(landings, 200);
 }
 
-// A star of spikes: whatever flight ends on its surface, the load is k d; and none does while the finger's own way stays inside.
+// A star of spikes: whatever flight ends on its surface, the load is k d; and none does while the
+// finger's own way stays inside.
 TEST(Landing, OnAStarOfSpikes) {
   const MeshSurface star = read_mesh(data_mesh("star.obj"));
   SoftFinger finger = hertz_finger();

@@ -178,7 +178,8 @@ std::string written(const std::string& name, const TriangleList& list) {
   return path;
 }
 
-// A cube one of whose edges has a cap of 1 nm, in metres and millimetres, and two boxes that overlap.
+// A cube one of whose edges has a cap of 1 nm, in metres and millimetres, and two boxes that
+// overlap.
 TEST(MeshFile, ReadsWhatOtherProgramsRound) {
   TriangleList capped = box_triangles(Vector3d::Constant(0.01));
   capped.vertices.push_back({-0.01, -0.01 + 1e-9, 0.001});

@@ -223,7 +223,8 @@ TriangleList with_cap(double beside) {
   return list;
 }
 
-// A cap of up to two spacings of a float (9e-10 at 1 cm) is taken out, and one above 1e-6 of its edge has a side.
+// A cap of up to two spacings of a float (9e-10 at 1 cm) is taken out, and one above 1e-6 of its
+// edge has a side.
 TEST(Mesh, RefusesFacesTooThinToHaveASide) {
   expect_complaint(with_cap(5e-9), {"face 5 is a sliver: its height is 5e-07 of its longest edge", "Remove T-Vertices"});
   EXPECT_EQ(Mesh(with_cap(1e-7)).repairs().slivers, 0);
@@ -260,15 +261,17 @@ TEST(Mesh, ABladeIsNotInsideOut) {
   expect_complaint(sharp, {"mesh: face 0 folds back on to face ", " rad, expected >= 1e-13", "Solidify"});
 }
 
-// Along an edge of a cube the two faces have points of their own, off the edge by the rounding of a float: between them are caps, needles, rows of both, or back to back.
+// Along an edge of a cube the two faces have points of their own, off the edge by the rounding of
+// a float: between them are caps, needles, rows of both, or back to back.
 TEST(Mesh, TakesOutSliversOfRounding) {
   Random random(40);
   const double spacing = std::ldexp(1.0, -30);  // of floats at 0.01
   int slivers = 0;
   for (int round = 0; round < 300; ++round) {
     TriangleList list = cube();
-    for (const std::ptrdiff_t face : {5, 0}) list.faces.erase(list.faces.begin() + face);  // (0, 5, 1) and (0, 1, 3)
-    std::map<double, int> along;                                                           // the points by z
+    // Without (0, 5, 1) and (0, 1, 3), which the points along z divide.
+    for (const std::ptrdiff_t face : {5, 0}) list.faces.erase(list.faces.begin() + face);
+    std::map<double, int> along;
     for (std::size_t i = 1 + random.bits() % 5; i > 0; --i) {
       const double z = random.uniform(-0.009, 0.009);
       along[z] = static_cast<int>(random.bits() % 2);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The same solid gives the same answer, however its faces are divided and whatever the pace of the finger.
+// The same solid gives the same answer, however its faces are divided and whatever the pace of the
+// finger.
 #include "godobject/mesh/mesh.hpp"
 #include "godobject/mesh/mesh_surface.hpp"
 
@@ -26,7 +27,8 @@ struct Division {
   bool as_float;  // vertices rounded as in an STL
 };
 
-// A finger wanders about a block and a thin plate, in and out, with leaps: what the mesh says is what the box says, which was written for it.
+// A finger wanders about a block and a thin plate, in and out, with leaps: what the mesh says is
+// what the box says, which was written for it.
 TEST(SameSolid, ABoxOfTrianglesIsTheBox) {
   const Vector3d margin = Vector3d::Constant(0.005);
   const Eigen::Matrix3d turn = Eigen::Quaterniond(0.5, -0.3, 0.7, 0.4).normalized().toRotationMatrix();
@@ -40,14 +42,16 @@ TEST(SameSolid, ABoxOfTrianglesIsTheBox) {
                                            {7, 1.2, true}}) {
     for (const Vector3d& half : {Vector3d(0.06, 0.02, 0.02), Vector3d(0.03, 0.0005, 0.02)}) {
       const BoxSurface box(half);
-      // A box along the axes is divided exactly in its planes; a turned one within the grid, or the rounding to float.
+      // A box along the axes is divided exactly in its planes; a turned one within the grid, or
+      // the rounding to float.
       const bool is_turned = power != 1.0;
       const Eigen::Matrix3d rotation = is_turned ? turn : Eigen::Matrix3d::Identity();
       const MeshSurface mesh(divided(box_triangles(half), n, power, [&, rounds = as_float](const Vector3d& vertex) -> Vector3d {
         const Vector3d place = rotation * vertex;
         return rounds ? Vector3d(place.cast<float>().cast<double>()) : place;
       }));
-      const double rounding = as_float ? 1e-7 : 2e-11;  // vertices move by 4e-9, normals of parts of 2 mm by 2e-6, seen from 2 cm deep
+      // As floats vertices move by 4e-9, and normals of parts of 2 mm by 2e-6, felt 2 cm deep.
+      const double rounding = as_float ? 1e-7 : 2e-11;
       Random random(2);
       for (const double step : {0.0002, 0.001, 0.003}) {
         Vector3d finger(0.0, 0.0, half.z() + step);

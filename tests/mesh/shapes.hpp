@@ -42,7 +42,8 @@ inline void add(TriangleList& list, const TriangleList& other, const Eigen::Vect
   for (const auto& [a, b, c] : other.faces) list.faces.push_back({first + a, first + b, first + c});
 }
 
-/// The same solid with each face divided into n² parts, of equal size for a power of 1, and `change`d: turned, mirrored (a mirror turns the faces), rounded.
+/// The same solid with each face divided into n² parts, of equal size for a power of 1, and
+/// `change`d: turned, mirrored (a mirror turns the faces), rounded.
 template <class Change>
 TriangleList divided(const TriangleList& list, int n, double power, Change&& change, bool mirrors = false) {
   TriangleList result;
