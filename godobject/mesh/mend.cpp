@@ -39,7 +39,6 @@ class Mending {
     if (result_.faces.size() < 4) {
       fail(joined({std::to_string(result_.faces.size()), " faces with an area, expected at least 4 (a tetrahedron)"}));
     }
-    drop_unused_vertices();
     return std::move(result_);
   }
 
@@ -217,25 +216,6 @@ class Mending {
     leave_out(dropped);
     result_.body.assign(result_.faces.size(), 0);
     result_.bodies = 1;
-  }
-
-  void drop_unused_vertices() {
-    std::vector<int> number(result_.vertices.size(), -1);
-    for (const Face& face : result_.faces) {
-      for (const int corner : face) number[index(corner)] = 0;
-    }
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < number.size(); ++i) {
-      if (number[i] < 0) continue;
-      result_.vertices[kept] = result_.vertices[i];
-      result_.given_vertex[kept] = result_.given_vertex[i];
-      number[i] = static_cast<int>(kept++);
-    }
-    result_.vertices.resize(kept);
-    result_.given_vertex.resize(kept);
-    for (Face& face : result_.faces) {
-      for (int& corner : face) corner = number[index(corner)];
-    }
   }
 
   const TriangleList& given_;

@@ -26,6 +26,7 @@ class Mesh {
   /// std::invalid_argument.
   explicit Mesh(const TriangleList& triangles, int body = 0);
 
+  /// Those of the faces, and those that mending or the choice of a body has left unused.
   [[nodiscard]] std::span<const Eigen::Vector3d> vertices() const noexcept { return solid_.vertices; }
   [[nodiscard]] std::span<const Face> faces() const noexcept { return solid_.faces; }
   [[nodiscard]] const MeshRepairs& repairs() const noexcept { return solid_.repairs; }

@@ -307,7 +307,6 @@ TEST(Mesh, LoadsOneBody) {
                    {"two.stl: face ", " meets face ", "Its closed bodies overlap: unite them (", "or load one alone, as body=2 of 2"});
   EXPECT_NEAR(Mesh(list, 1).volume(), 4.8e-5, 1e-15);
   EXPECT_NEAR(Mesh(list, 2).volume(), 8e-6, 1e-15);
-  EXPECT_EQ(Mesh(list, 2).vertices().size(), 8U);
   for (const int body : {-1, 3}) EXPECT_THROW(Mesh(list, body), std::invalid_argument);
   // One of them open, and counted by its first face.
   std::rotate(list.faces.begin(), list.faces.end() - 1, list.faces.end());
