@@ -140,9 +140,8 @@ int main() {
   ContactMemory memory;
   row("limitcurve::mesh", "MeshSurface::contact, a step", points, 1e-4,
       [&](const Vector3d& p) { return std::fabs(touch(surface, p, memory).depth); });
-  row("limitcurve::mesh", "Mesh::settle, tracked", points, 1e-4, [&, face = 0](const Vector3d& p) mutable {
-    const MeshPlace place = mesh.settle(face, p);
-    face = place.face;
+  row("limitcurve::mesh", "Mesh::settle, tracked", points, 1e-4, [&, place = MeshPlace{}](const Vector3d& p) mutable {
+    place = mesh.settle(place.face, place.point, p);
     return (place.point - p).norm();
   });
   row("limitcurve::mesh", "Mesh::nearest, from a far guess", points, 1e-4,

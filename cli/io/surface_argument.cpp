@@ -15,6 +15,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <string_view>
 
@@ -33,20 +34,26 @@ std::vector<std::string> size_warning(const std::string& what, double size, cons
 }
 
 #ifdef LIMITCURVE_HAS_MESH
+constexpr Range counted{[](double value) { return value >= 1.0 && value <= 1e9 && value == std::floor(value); }, "a whole number from 1"};
+
 SurfaceArgument read_mesh(std::string_view text) {
   std::string_view items;
   const std::string file = split_file("mesh", text, items);
   double scale = 1.0;
-  read_key_values(items, {number_key("scale", scale, positive, false)});
-  const godobject::MeshSurface surface = godobject::read_mesh(file, scale);
+  double body = 0.0;
+  read_key_values(items, {number_key("scale", scale, positive, false), number_key("body", body, counted, false)});
+  const godobject::MeshSurface surface = godobject::read_mesh(file, scale, static_cast<int>(body));
   const int faces = static_cast<int>(surface.mesh().faces().size());
-  const int turned = surface.mesh().repairs().turned;
+  const auto& repairs = surface.mesh().repairs();
   Eigen::AlignedBox3d box;
   for (const Eigen::Vector3d& vertex : surface.mesh().vertices()) box.extend(vertex);
   std::vector<std::string> notes = size_warning(file, box.sizes().maxCoeff(), " If it is in millimetres append ,scale=0.001");
-  if (turned > 0) {
-    notes.push_back("note: " + file + ": " + std::to_string(turned) + " of " + std::to_string(faces) +
+  if (repairs.turned > 0) {
+    notes.push_back("note: " + file + ": " + std::to_string(repairs.turned) + " of " + std::to_string(faces) +
                     " faces looked inward and were turned outward; the surface bounds a solid, not a room");
+  }
+  if (repairs.slivers > 0) {
+    notes.push_back("note: " + file + ": slivers taken out, none higher than two spacings of a float: " + std::to_string(repairs.slivers));
   }
   return {AnySurface(surface), {}, notes};
 }

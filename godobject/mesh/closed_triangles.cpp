@@ -7,11 +7,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <initializer_list>
-#include <limits>
-#include <map>
 #include <numeric>
 #include <stdexcept>
 #include <string>
@@ -23,28 +19,23 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// One side of a face: its edge from corner `side` to the next.
-struct Side {
-  int low, high;  // the edge's vertices
-  int face, side;
-};
-
 class Closing {
  public:
-  explicit Closing(const TriangleList& triangles) : given_(triangles) {}
+  Closing(const TriangleList& triangles, int body) : given_(triangles), mended_(mend(triangles, body)), body_(mended_.body) {
+    result_.grid = mended_.grid;
+    result_.vertices = std::move(mended_.vertices);
+    result_.faces = std::move(mended_.faces);
+    result_.repairs = mended_.repairs;
+  }
 
   ClosedTriangles run() {
-    weld();
-    drop_and_measure();
+    check_thinness();
     join();
     orient();
     check_fans();
     check_folds();
     result_.tree = Tree(result_.vertices, result_.faces);
-    if (const auto pair = find_self_intersection(result_)) {
-      fail(pair->first, {"meets face ", std::to_string(origin_[index(pair->second)]),
-                         " where they share neither edge nor vertex, expected a surface that does not cross or touch itself"});
-    }
+    if (const auto pair = find_self_intersection(result_)) refuse_meeting(pair->first, pair->second);
     turn_outward();
     return std::move(result_);
   }
@@ -54,111 +45,48 @@ class Closing {
 
   using Parts = std::initializer_list<std::string_view>;
 
-  [[noreturn]] void fail(int face, Parts what) const {
-    throw std::invalid_argument(joined({given_.place(origin_[index(face)]), " ", joined(what)}));
+  /// Throws; of several bodies it names one that may load alone: another than the face's.
+  [[noreturn]] void fail(int face, Parts what) const { fail(face, body_[index(face)] == 0 ? 1 : 0, what); }
+  [[noreturn]] void fail(int face, int body, Parts what) const {
+    const int bodies = mended_.bodies;
+    const std::string way = joined({", or load one alone, as body=", std::to_string(body + 1), " of ", std::to_string(bodies)});
+    throw std::invalid_argument(
+        joined({given_.place(mended_.given_face[index(face)]), " ", joined(what), body < bodies ? way : std::string()}));
   }
-  [[noreturn]] void fail(Parts what) const { throw std::invalid_argument(joined({given_.name, ": ", joined(what)})); }
 
   [[nodiscard]] std::string at(int vertex) const {
-    const Vector3d& v = given_.vertices[given_vertex_[index(vertex)]];
+    const Vector3d& v = given_.vertices[mended_.given_vertex[index(vertex)]];
     return joined({"(", format_number(v.x()), ", ", format_number(v.y()), ", ", format_number(v.z()), ")"});
   }
 
-  /// Snaps the vertices that faces use to the grid, and merges vertices at the same grid point.
-  void weld() {
-    double largest = 0.0;
-    for (std::size_t i = 0; i < given_.faces.size(); ++i) {
-      for (const int corner : given_.faces[i]) {
-        if (corner < 0 || index(corner) >= given_.vertices.size()) {
-          throw std::invalid_argument(joined({given_.place(i), " has the vertex ", std::to_string(corner), ", of ",
-                                              std::to_string(given_.vertices.size()), " counted from 0"}));
-        }
-        const double size = given_.vertices[index(corner)].cwiseAbs().maxCoeff();
-        if (!(size <= 1e6) || !given_.vertices[index(corner)].allFinite()) {
-          throw std::invalid_argument(joined({given_.place(i), " has a vertex that is not within 1e6 m of the origin"}));
-        }
-        largest = std::max(largest, size);
-      }
-    }
-    if (given_.faces.size() < 4) fail({std::to_string(given_.faces.size()), " faces, expected at least 4 (a tetrahedron)"});
-    if (given_.faces.size() > index(std::numeric_limits<int>::max() / 4)) fail({"too many faces, expected up to 5e8"});
-    if (!(largest >= 1e-6)) fail({"its farthest coordinate is ", format_number(largest), " m, expected at least 1e-6 m"});
-    result_.grid = Grid(largest);
-
-    const auto before = [](const Vector3d& a, const Vector3d& b) {
-      return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
-    };
-    std::vector<char> used(given_.vertices.size(), 0);
-    for (const Face& face : given_.faces) {
-      for (const int corner : face) used[index(corner)] = 1;
-    }
-    // In order of first use, so that vertices keep their order.
-    std::map<Vector3d, int, decltype(before)> known(before);
-    std::vector<int> number(given_.vertices.size(), -1);
-    for (std::size_t i = 0; i < given_.vertices.size(); ++i) {
-      if (used[i] == 0) continue;
-      // Adding 0 turns −0 into 0.
-      const Vector3d place = result_.grid.snap(given_.vertices[i]) + Vector3d::Zero();
-      const auto [found, is_new] = known.try_emplace(place, static_cast<int>(result_.vertices.size()));
-      if (is_new) {
-        result_.vertices.push_back(place);
-        given_vertex_.push_back(i);
-      } else {
-        ++result_.repairs.welded;
-      }
-      number[i] = found->second;
-    }
-    for (const Face& face : given_.faces) result_.faces.push_back({number[index(face[0])], number[index(face[1])], number[index(face[2])]});
-  }
-
-  void drop_and_measure() {
-    std::vector<Face> kept;
+  void check_thinness() const {
     for (std::size_t i = 0; i < result_.faces.size(); ++i) {
-      const Face& face = result_.faces[i];
-      if (face[0] == face[1] || face[1] == face[2] || face[2] == face[0]) {
-        ++result_.repairs.dropped;
-        continue;
-      }
-      kept.push_back(face);
-      origin_.push_back(i);
-    }
-    result_.faces = std::move(kept);
-    if (result_.faces.size() < 4) fail({std::to_string(result_.faces.size()), " faces with an area, expected at least 4 (a tetrahedron)"});
-    for (std::size_t i = 0; i < result_.faces.size(); ++i) {
+      const double thin = thinness(result_.grid, result_.vertices, result_.faces[i]);
+      if (thin >= thinnest_face) continue;
       const auto& [a, b, c] = result_.faces[i];
-      const Vector3d u = result_.vertices[index(b)] - result_.vertices[index(a)];
-      const Vector3d v = result_.vertices[index(c)] - result_.vertices[index(a)];
-      const double area = result_.grid.cross(u, v).norm();
-      const double longest = std::max({u.squaredNorm(), v.squaredNorm(), (v - u).squaredNorm()});
-      if (area == 0.0) fail(static_cast<int>(i), {"has no area: its corners ", at(a), ", ", at(b), ", ", at(c), " are on one line"});
-      if (!(area >= thinnest_face * longest)) {
-        fail(static_cast<int>(i), {"is a sliver: its height is ", format_number(area / longest), " of its longest edge, expected >= 1e-6"});
-      }
+      fail(static_cast<int>(i),
+           {thin == 0.0 ? "has no area"
+                        : joined({"is a sliver: its height is ", format_number(thin, 3), " of its longest edge, expected >= 1e-6"}),
+            "; its corners are ", at(a), ", ", at(b), ", ", at(c),
+            ". MeshLab (Filters, Remove T-Vertices) or Blender (Mesh, Clean Up, Degenerate Dissolve) takes it out"});
     }
   }
 
   /// Finds the face across every edge.
   void join() {
-    std::vector<Side> sides;
-    for (std::size_t i = 0; i < result_.faces.size(); ++i) {
-      for (int side = 0; side < 3; ++side) {
-        const int from = result_.faces[i][index(side)];
-        const int to = result_.faces[i][index((side + 1) % 3)];
-        sides.push_back({std::min(from, to), std::max(from, to), static_cast<int>(i), side});
-      }
-    }
-    std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
-      return std::array{a.low, a.high, a.face} < std::array{b.low, b.high, b.face};
-    });
+    const std::vector<EdgeSide> sides = sorted_sides(result_.faces);
     result_.neighbours.resize(result_.faces.size());
-    std::vector<Side> open;
+    std::vector<EdgeSide> open;
     for (std::size_t first = 0; first < sides.size();) {
       std::size_t end = first;
       while (end < sides.size() && sides[end].low == sides[first].low && sides[end].high == sides[first].high) ++end;
-      const Side& side = sides[first];
-      if (end - first > 2) fail(side.face, {"is one of ", std::to_string(end - first), " faces at the ", edge(side), ", expected two"});
+      const EdgeSide& side = sides[first];
+      if (end - first > 2) {
+        fail(side.face, {"is one of ", std::to_string(end - first), " faces at the ", edge(side),
+                         ", expected two. Parts that touch there are to be united (Blender: Modifiers, Boolean, Union) or moved apart"});
+      }
       if (end - first == 1) open.push_back(side);
-      const Side& other = sides[end - 1];
+      const EdgeSide& other = sides[end - 1];
       result_.neighbours[index(side.face)][index(side.side)] = other.face;
       result_.neighbours[index(other.face)][index(other.side)] = side.face;
       first = end;
@@ -166,18 +94,29 @@ class Closing {
     if (!open.empty()) refuse_open(open);
   }
 
-  [[nodiscard]] std::string edge(const Side& side) const { return joined({"edge from ", at(side.low), " to ", at(side.high)}); }
+  [[nodiscard]] std::string edge(const EdgeSide& side) const { return joined({"edge from ", at(side.low), " to ", at(side.high)}); }
 
   /// Names some of the open edges, and what closes them.
-  [[noreturn]] void refuse_open(const std::vector<Side>& open) const {
+  [[noreturn]] void refuse_open(const std::vector<EdgeSide>& open) const {
     std::string others;
     for (std::size_t i = 1; i < open.size() && i < 4; ++i) {
-      others +=
-          joined({i == 1 ? "; open are also the " : ", the ", edge(open[i]), " of face ", std::to_string(origin_[index(open[i].face)])});
+      others += joined({i == 1 ? "; open are also the " : ", the ", edge(open[i]), " of face ",
+                        std::to_string(mended_.given_face[index(open[i].face)])});
     }
     if (open.size() > 4) others += joined({" and ", std::to_string(open.size() - 4), " more"});
-    fail(open[0].face, {"has nothing beyond its ", edge(open[0]), ", expected a closed surface", others,
-                        ". MeshLab (Filters, Close Holes) or Blender (Mesh, Clean Up, Fill Holes) closes them"});
+    std::vector<char> is_open(index(mended_.bodies), 0);
+    for (const EdgeSide& side : open) is_open[index(body_[index(side.face)])] = 1;
+    const auto closed = static_cast<int>(std::find(is_open.begin(), is_open.end(), 0) - is_open.begin());
+    fail(open[0].face, closed,
+         {"has nothing beyond its ", edge(open[0]), ", expected a closed surface", others,
+          ". MeshLab (Filters, Close Holes) or Blender (Mesh, Clean Up, Fill Holes) closes them"});
+  }
+
+  [[noreturn]] void refuse_meeting(int one, int other) const {
+    fail(one, {"meets face ", std::to_string(mended_.given_face[index(other)]),
+               " where they share neither edge nor vertex, expected a surface that does not cross or touch itself. ",
+               body_[index(one)] == body_[index(other)] ? "Blender (Modifiers, Remesh) makes one"
+                                                        : "Its closed bodies overlap: unite them (Blender: Modifiers, Boolean, Union)"});
   }
 
   /// Whether two faces run along their shared edge (`side` of `one`) in the same sense, which is a fault.
@@ -199,30 +138,32 @@ class Closing {
     turned_[index(face)] ^= 1;
   }
 
-  /// Gives all faces of a shell the same orientation as its first face.
+  /// Gives all faces of a body the same orientation as its first face.
   void orient() {
     const std::size_t count = result_.faces.size();
-    shell_.assign(count, -1);
+    std::vector<char> reached(count, 0);
     turned_.assign(count, 0);
     for (std::size_t start = 0; start < count; ++start) {
-      if (shell_[start] >= 0) continue;
-      std::vector<int> reached{static_cast<int>(start)};
-      shell_[start] = shells_;
-      for (std::size_t next = 0; next < reached.size(); ++next) {
-        const int face = reached[next];
+      if (reached[start] != 0) continue;
+      std::vector<int> faces{static_cast<int>(start)};
+      reached[start] = 1;
+      for (std::size_t next = 0; next < faces.size(); ++next) {
+        const int face = faces[next];
         for (int side = 0; side < 3; ++side) {
           const int other = result_.neighbours[index(face)][index(side)];
-          if (shell_[index(other)] < 0) {
-            shell_[index(other)] = shells_;
-            if (same_sense(face, side, other)) turn(other);
-            reached.push_back(other);
-          } else if (same_sense(face, side, other)) {
-            fail(face,
-                 {"and face ", std::to_string(origin_[index(other)]), " cannot both look outward: expected a surface with two sides"});
+          const bool is_new = reached[index(other)] == 0;
+          if (is_new) {
+            reached[index(other)] = 1;
+            faces.push_back(other);
           }
+          if (!same_sense(face, side, other)) continue;
+          if (!is_new) {
+            fail(face, {"and face ", std::to_string(mended_.given_face[index(other)]),
+                        " cannot both look outward: expected a surface with two sides"});
+          }
+          turn(other);
         }
       }
-      ++shells_;
     }
   }
 
@@ -250,7 +191,8 @@ class Closing {
       } while (face != first[vertex].first && met <= faces_at[vertex]);
       if (met != faces_at[vertex]) {
         fail(first[vertex].first,
-             {"has a corner ", at(static_cast<int>(vertex)), " where parts of the surface touch in a point, expected one fan of faces"});
+             {"has a corner ", at(static_cast<int>(vertex)),
+              " where parts of the surface touch in a point, expected one fan of faces: unite them or move them apart"});
       }
     }
   }
@@ -266,45 +208,48 @@ class Closing {
       for (const int other : result_.neighbours[index(face)]) {
         const double angle = other > face ? (normal(face) + normal(other)).norm() : 1.0;
         if (angle >= sharpest_edge) continue;
-        fail(face, {"folds back on to face ", std::to_string(origin_[index(other)]), ": the angle between them is ", format_number(angle),
-                    " rad, expected >= 1e-13"});
+        fail(face,
+             {"folds back on to face ", std::to_string(mended_.given_face[index(other)]), ": the angle between them is ",
+              format_number(angle), " rad, expected >= 1e-13. A sheet is to be deleted, or made thick (Blender: Modifiers, Solidify)"});
       }
     }
   }
 
-  /// Turns shells outward. A shell inside an even number of other shells is the outside of a solid, one inside an odd number is a hollow.
+  /// Turns bodies outward. One inside an even number of others is the outside of a solid, one
+  /// inside an odd number is a hollow.
   void turn_outward() {
-    std::vector<Volume> volume(index(shells_));
-    std::vector<int> member(index(shells_), -1);
+    std::vector<Volume> volume(index(mended_.bodies));
+    std::vector<int> member(index(mended_.bodies), -1);
     for (std::size_t i = 0; i < result_.faces.size(); ++i) {
       const auto& [a, b, c] = result_.faces[i];
-      // The volume is computed about a vertex of the shell.
-      int& known = member[index(shell_[i])];
+      // The volume is computed about a vertex of the body.
+      int& known = member[index(body_[i])];
       if (known < 0) known = a;
       const Vector3d& origin = result_.vertices[index(known)];
-      volume[index(shell_[i])].add(result_.grid, result_.vertices[index(a)] - origin, result_.vertices[index(b)] - origin,
-                                   result_.vertices[index(c)] - origin);
+      volume[index(body_[i])].add(result_.grid, result_.vertices[index(a)] - origin, result_.vertices[index(b)] - origin,
+                                  result_.vertices[index(c)] - origin);
     }
-    std::vector<char> inward(index(shells_), 0);
-    for (std::size_t shell = 0; shell < volume.size(); ++shell) {
-      inward[shell] =
-          (volume[shell].value(result_.grid) > 0.0) == (shells_ > 1 && surrounding(static_cast<int>(shell), member[shell]) % 2 != 0);
+    std::vector<char> inward(index(mended_.bodies), 0);
+    for (std::size_t body = 0; body < volume.size(); ++body) {
+      inward[body] =
+          (volume[body].value(result_.grid) > 0.0) == (mended_.bodies > 1 && surrounding(static_cast<int>(body), member[body]) % 2 != 0);
     }
     for (std::size_t i = 0; i < result_.faces.size(); ++i) {
-      if (inward[index(shell_[i])] != 0) turn(static_cast<int>(i));
+      if (inward[index(body_[i])] != 0) turn(static_cast<int>(i));
     }
     result_.repairs.turned = std::accumulate(turned_.begin(), turned_.end(), 0);
   }
 
-  /// The number of faces of other shells that a ray from a vertex of this shell passes. Its parity is that of the number of shells around.
-  [[nodiscard]] int surrounding(int shell, int vertex) const {
+  /// The number of faces of other bodies that a ray from a vertex of this body passes. Its parity
+  /// is that of the number of bodies around.
+  [[nodiscard]] int surrounding(int body, int vertex) const {
     const Vector3d& from = result_.vertices[index(vertex)];
     Vector3d to = from;
     to.x() = Grid::room * result_.grid.reach();
     int count = 0;
     result_.tree.along(from, to, result_.grid.step(), [&](int face) {
       const auto& [a, b, c] = result_.faces[index(face)];
-      if (shell_[index(face)] != shell &&
+      if (body_[index(face)] != body &&
           crossing(result_.grid, from, to, result_.vertices[index(a)], result_.vertices[index(b)], result_.vertices[index(c)]) != 0) {
         ++count;
       }
@@ -314,18 +259,16 @@ class Closing {
   }
 
   const TriangleList& given_;
+  MendedTriangles mended_;  // what `result_` has not taken
   ClosedTriangles result_;
-  std::vector<std::size_t> origin_;        // index of each face in the input
-  std::vector<std::size_t> given_vertex_;  // index of each vertex in the input; of merged ones the first
-  std::vector<int> shell_;                 // index of the connected part of each face
+  const std::vector<int>& body_;  // of each face
   std::vector<char> turned_;
-  int shells_ = 0;
 };
 
 }  // namespace
 
-ClosedTriangles close(const TriangleList& triangles) {
-  return Closing(triangles).run();
+ClosedTriangles close(const TriangleList& triangles, int body) {
+  return Closing(triangles, body).run();
 }
 
 }  // namespace limitcurve::godobject

@@ -43,7 +43,8 @@ bool clip(Vector3d& from, Vector3d& to, double bound) noexcept {
 
 }  // namespace
 
-Mesh::Mesh(const TriangleList& triangles) : solid_(close(triangles)), vertex_normals_(solid_.vertices.size(), Vector3d::Zero()) {
+Mesh::Mesh(const TriangleList& triangles, int body)
+    : solid_(close(triangles, body)), vertex_normals_(solid_.vertices.size(), Vector3d::Zero()) {
   normals_.reserve(solid_.faces.size());
   Volume volume;
   for (const Face& face : solid_.faces) {
@@ -78,55 +79,126 @@ double Mesh::height(int face, const Vector3d& point) const noexcept {
   return normal(face).dot(point - vertex(corners(face)[0]));
 }
 
+bool Mesh::above(const MeshPlace& place, const Vector3d& point) const noexcept {
+  if (!(height(place.face, point) > 0.0)) return false;
+  if (place.part >= part::edge)
+    return place.part == part::inside || height(opposite({place.face, place.part - part::edge}).face, point) > 0.0;
+  for (Side side = around({place.face, place.part}); side.face != place.face; side = around(side)) {
+    if (!(height(side.face, point) > 0.0)) return false;
+  }
+  return true;
+}
+
 MeshPlace Mesh::on(int face, const Vector3d& point) const noexcept {
   const auto& [a, b, c] = corners(face);
   const NearestOnTriangle nearest = nearest_on_triangle(vertex(a), vertex(b), vertex(c), point);
   return {face, nearest.part, nearest.point};
 }
 
-MeshPlace Mesh::settle(int face, const Vector3d& point) const noexcept {
-  MeshPlace here = on(face, point);
-  double least = (point - here.point).squaredNorm();
-  // Each face has one nearest point, and the next one is nearer: so no face is come to twice, except by rounding.
-  for (std::size_t left = solid_.faces.size(); left > 0 && here.part != part::inside; --left) {
-    MeshPlace next = here;
-    if (here.part >= part::edge) {
-      const int beyond = solid_.neighbours[index(here.face)][index(here.part - part::edge)];
-      const MeshPlace there = on(beyond, point);
-      const int from = corners(here.face)[index((here.part - part::edge + 1) % 3)];
-      const Face& there_corners = corners(beyond);
-      // In the face beyond, the shared edge runs in the opposite sense.
-      const int side = static_cast<int>(std::find(there_corners.begin(), there_corners.end(), from) - there_corners.begin());
-      // Both faces have their nearest point on the shared edge: a local minimum.
-      if (part::on_edge(there.part, side)) break;
-      next = there;
-    } else {
-      // Once around the vertex: the nearest point that is not the vertex itself.
-      const int centre = corners(here.face)[index(here.part)];
-      double best = std::numeric_limits<double>::infinity();
-      int around = here.face;
-      int corner = here.part;
-      do {
-        around = solid_.neighbours[index(around)][index((corner + 2) % 3)];
-        const Face& at = corners(around);
-        corner = static_cast<int>(std::find(at.begin(), at.end(), centre) - at.begin());
-        if (around == here.face) break;
-        const MeshPlace there = on(around, point);
-        const double square = (point - there.point).squaredNorm();
-        if (there.part != corner && square < best) {
-          best = square;
-          next = there;
-        }
-      } while (true);
-      if (next.face == here.face) break;
+inline const Vector3d& Mesh::start(const Side& side) const noexcept {
+  return vertex(corners(side.face)[index(side.number)]);
+}
+
+/// The same edge as a side of the face beyond, where it runs in the opposite sense.
+inline Mesh::Side Mesh::opposite(const Side& side) const noexcept {
+  const int beyond = solid_.neighbours[index(side.face)][index(side.number)];
+  const int end = corners(side.face)[index((side.number + 1) % 3)];
+  return {beyond, static_cast<int>(corners(beyond)[1] == end) + 2 * static_cast<int>(corners(beyond)[2] == end)};
+}
+
+/// How far a point is before a side, along the face and times the side's length; negative beyond
+/// it.
+inline double Mesh::before(const Side& side, const Vector3d& point) const noexcept {
+  return normal(side.face).cross(way(side)).dot(point - start(side));
+}
+
+/// The side at which the straight way on a face, from `here` to the foot of the point on its
+/// plane, ends; moves `here` there. None: the foot is on the face.
+inline std::optional<Mesh::Side> Mesh::leave(int face, Vector3d& here, const Vector3d& point) const noexcept {
+  const Vector3d descent = point - here - normal(face) * height(face, point);
+  if (!(descent.squaredNorm() > 1e-24 * solid_.grid.reach() * solid_.grid.reach())) return std::nullopt;
+  std::optional<Side> through;
+  double share = 1.0;
+  for (const int number : {0, 1, 2}) {
+    const Side side{face, number};
+    const Vector3d inward = normal(face).cross(way(side));
+    const double end = inward.dot(point - start(side));
+    if (end >= 0.0) continue;
+    const double begin = std::max(inward.dot(here - start(side)), 0.0);
+    if (begin <= share * (begin - end)) {
+      through = side;
+      share = begin / (begin - end);
     }
-    // By rounding the next point may be farther by 1e-12; stop if it is more.
-    const double square = (point - next.point).squaredNorm();
-    if (!(square <= least * (1.0 + 1e-12))) break;
-    least = std::min(least, square);
-    here = next;
   }
-  return here;
+  here += share * descent;
+  return through;
+}
+
+/// The steepest way down from the vertex where `side` starts: on a face, as its side that starts
+/// there, or in a valley, as one of its sides.
+std::optional<Mesh::Side> Mesh::steepest(Side side, const Vector3d& point, bool& in_valley) const noexcept {
+  const int first = side.face;
+  const Vector3d down = point - start(side);
+  std::optional<Side> best;
+  double most = 0.0;  // the square of the way to the place nearest to the point
+  do {
+    const bool within = before(side, point) >= 0.0;
+    double fall = 0.0;
+    if (within && before(next(side, 2), point) >= 0.0) {
+      fall = down.squaredNorm() - std::pow(height(side.face, point), 2);
+    } else if (!within && before(opposite(side), point) < 0.0) {
+      fall = std::pow(std::max(way(side).dot(down), 0.0), 2) / way(side).squaredNorm();
+    }
+    if (fall > most) {
+      most = fall;
+      best = side;
+      in_valley = !within;
+    }
+    side = around(side);
+  } while (side.face != first);
+  return best;
+}
+
+// Steepest descent depends on the solid, not on how its surface is divided. On a face it leads
+// straight to the foot of the point on the face's plane, the same foot for all faces in that
+// plane. At an edge it goes on beyond if the foot on the plane there is beyond the edge, too. This
+// does not depend on the place at the edge, so no edge is crossed both ways. Otherwise both faces
+// lead to the edge, a valley: it goes along it to the place nearest to the point, or to a vertex,
+// and from there the steepest way.
+MeshPlace Mesh::settle(int face, const Vector3d& from, const Vector3d& point) const noexcept {
+  const MeshPlace aim = on(face, point);
+  if (aim.part == part::inside && height(face, point) <= 0.0) return aim;
+  const MeshPlace begin = on(face, from);
+  Vector3d here = begin.point;
+  Side side{face, begin.part};
+  bool at_vertex = begin.part < part::edge;
+  bool in_valley = false;
+  if (!at_vertex && begin.part != part::inside) {
+    // In a crease the wall holds that the point is beneath.
+    const int beyond = opposite({face, begin.part - part::edge}).face;
+    if (height(beyond, point) < height(face, point)) side.face = beyond;
+  }
+  for (std::size_t left = solid_.faces.size(); left > 0; --left) {
+    if (!at_vertex && !in_valley) {
+      const auto through = leave(side.face, here, point);
+      if (!through) break;
+      const Side beyond = opposite(*through);
+      in_valley = before(beyond, point) < 0.0;
+      side = in_valley ? *through : beyond;
+      if (!in_valley) continue;
+    }
+    if (in_valley) {
+      const double along = way(side).dot(point - start(side));
+      if (along > 0.0 && along < way(side).squaredNorm()) break;
+      if (along > 0.0) side = next(side);
+    }
+    const auto down = steepest(side, point, in_valley);
+    if (!down) break;
+    side = *down;
+    here = start(side);
+    at_vertex = false;
+  }
+  return on(side.face, point);
 }
 
 MeshPlace Mesh::nearest(const Vector3d& point, int guess, int node_limit) const noexcept {
@@ -162,7 +234,8 @@ std::optional<Mesh::Entry> Mesh::entry(const Vector3d& from, const Vector3d& to,
     const double before = height(face, start);
     const double now = height(face, end);
     const double along = before > now ? std::clamp(before / (before - now), 0.0, 1.0) : 0.0;
-    if (along > after && (!first || along < first->along) && passes(start, end, face) > 0) first = Entry{face, along};
+    if (along > after && (!first || along < first->along) && passes(start, end, face) > 0)
+      first = Entry{face, along, start + along * (end - start)};
     return first ? first->along : 1.0;
   });
   return first;

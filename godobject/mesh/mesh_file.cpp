@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "godobject/mesh/mesh_file.hpp"
 
+#include "godobject/mesh/mesh.hpp"
+
 #include "limitcurve/internal/number.hpp"
 
 #include <array>
@@ -34,8 +36,8 @@ TriangleList read_triangles(const std::string& path, double scale) {
   return extension == ".obj" ? read_obj(bytes, path, scale) : read_stl(bytes, path, scale);
 }
 
-MeshSurface read_mesh(const std::string& path, double scale) {
-  return MeshSurface(read_triangles(path, scale));
+MeshSurface read_mesh(const std::string& path, double scale, int body) {
+  return MeshSurface(Mesh(read_triangles(path, scale), body));
 }
 
 }  // namespace limitcurve::godobject

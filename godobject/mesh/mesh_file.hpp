@@ -23,7 +23,10 @@ TriangleList read_stl(std::string_view bytes, std::string_view name, double scal
 /// millimetres. Throws std::invalid_argument, also for a file that cannot be read.
 TriangleList read_triangles(const std::string& path, double scale = 1.0);
 
-/// The surface of the solid in a file: `read_triangles`, then checked and repaired by `Mesh`. Throws std::invalid_argument.
-MeshSurface read_mesh(const std::string& path, double scale = 1.0);
+/// The surface of the solid in a file: `read_triangles`, then checked and repaired by `Mesh`.
+/// `body`: only this one of its bodies, the connected parts of the surface, counted from 1 in the
+/// order of their first faces; 0: all, which may not touch each other. Throws
+/// std::invalid_argument.
+MeshSurface read_mesh(const std::string& path, double scale = 1.0, int body = 0);
 
 }  // namespace limitcurve::godobject

@@ -22,7 +22,7 @@ int remembered(int face) noexcept {
 
 /// The contact of a finger whose god-object rests at `place`; `landed`: after a flight from the surface.
 Contact touched(const Mesh& mesh, const MeshPlace& place, const Vector3d& finger, bool landed) noexcept {
-  const ContactMemory memory{place.face, numbers(place.point), true};
+  const ContactMemory memory{place.face, numbers(finger), true};
   if (mesh.flat(place)) {
     const Vector3d& normal = mesh.normal(place.face);
     const double depth = -mesh.height(place.face, finger);
@@ -51,6 +51,13 @@ Contact free_contact(const Mesh& mesh, const Vector3d& finger, int guess) noexce
   return {place.point, mesh.outward(place), -gap, memory};
 }
 
+/// Whether a way leads out of the solid and in again.
+bool reenters(const Mesh& mesh, const Vector3d& from, const Vector3d& to) noexcept {
+  auto entry = mesh.entry(from, to);
+  if (entry && !mesh.holds(from)) entry = mesh.entry(from, to, entry->along);
+  return entry.has_value();
+}
+
 }  // namespace
 
 MeshSurface::MeshSurface(Mesh mesh) : mesh_(std::make_shared<const Mesh>(std::move(mesh))) {}
@@ -66,29 +73,36 @@ Contact MeshSurface::contact(const Vector3d& finger, const ContactMemory& memory
   if (!(finger.cwiseAbs().array() <= farthest).all())
     return {Vector3d::Zero(), Vector3d::UnitZ(), std::numeric_limits<double>::quiet_NaN(), memory};
   const int faces = static_cast<int>(mesh_->faces().size());
-  int face = memory.face;
-  const Vector3d from = vector(memory.finger);
-  // A flight is a landing, except to a face that the god-object touches already: there it slides on.
   const double touching = 1e-9 * mesh_->grid().reach();
-  const auto lands = [&](const Mesh::Entry& entry, const Vector3d& start) { return entry.along * (finger - start).norm() > touching; };
+  const Vector3d last = vector(memory.finger);
+  const bool held = memory.known && memory.face >= 0 && memory.face < faces;
+  int face = memory.face;
+  Vector3d from = last;
   bool landed = false;
-  if (!memory.known || face >= faces) {
+  if (held) {
+    // Landed is what left: the finger's own way, from its last place to this one, leads out of the
+    // solid and in again. Then its god-object flies, even where a slide would lead to the same
+    // place: from wall to wall of a corner.
+    if (mesh_->height(face, finger) > 0.0 && reenters(*mesh_, last, finger)) {
+      const MeshPlace rest = mesh_->on(face, last);
+      const auto entry = mesh_->above(rest, finger) ? mesh_->entry(rest.point, finger) : std::nullopt;
+      if (entry) {
+        face = entry->face;
+        from = entry->point;
+        landed = true;
+      }
+    }
+  } else if (memory.known && face < 0) {
+    const auto entry = mesh_->entry(last, finger);
+    if (!entry) return free_contact(*mesh_, finger, face <= remembered(0) && face >= remembered(faces - 1) ? remembered(face) : 0);
+    face = entry->face;
+    from = entry->point;
+  } else {
     // Without memory: a finger inside counts as having entered through the nearest face.
     if (!mesh_->holds(finger)) return free_contact(*mesh_, finger, 0);
     face = mesh_->nearest(finger, 0).face;
-  } else if (face >= 0 && mesh_->height(face, finger) > 0.0) {
-    // Above the face it is not held there, and flies, even where a slide would lead to the same place: from wall to wall of a corner.
-    const auto entry = mesh_->entry(from, finger);
-    landed = entry && lands(*entry, from);
-    if (landed) face = entry->face;
   }
-  const int guess = face >= 0 ? face : face <= remembered(0) && face >= remembered(faces - 1) ? remembered(face) : 0;
-  if (face < 0) {
-    const auto entry = mesh_->entry(from, finger);
-    if (!entry) return free_contact(*mesh_, finger, guess);
-    face = entry->face;
-  }
-  MeshPlace place = mesh_->settle(face, finger);
+  MeshPlace place = mesh_->settle(face, from, finger);
   double after = -1.0;
   for (int round = 0; round < rounds; ++round) {
     const double depth = mesh_->flat(place) ? -mesh_->height(place.face, finger) : mesh_->outward(place).dot(place.point - finger);
@@ -99,11 +113,11 @@ Contact MeshSurface::contact(const Vector3d& finger, const ContactMemory& memory
       if (!mesh_->holds(finger)) return free_contact(*mesh_, finger, place.face);
       break;  // inside, but not beneath the face: by less than the grid
     }
-    const MeshPlace next = mesh_->settle(entry->face, finger);
+    const MeshPlace next = mesh_->settle(entry->face, entry->point, finger);
     // By rounding the god-object may seem to enter the face that it leaves: look for the next entry.
     const bool stays = (next.point - place.point).squaredNorm() <= touching * touching;
     after = stays ? entry->along : -1.0;
-    landed = landed || lands(*entry, place.point);
+    landed = landed || (held && (entry->point - place.point).norm() > touching && mesh_->entry(last, finger));
     place = next;
   }
   Contact contact = touched(*mesh_, place, finger, landed);

@@ -11,14 +11,17 @@ namespace limitcurve::godobject {
 
 class Mesh;
 
-/// A triangle mesh as a Surface. The contact memory has the finger's god-object: in contact the point of the surface where it rests, which
-/// slides from face to face towards the finger; otherwise the finger's position. The god-object, not the finger, determines the side: a
+/// A triangle mesh as a Surface. The contact memory has the finger's position, and in contact the
+/// face on which its god-object rests, at the face's point nearest to the finger. The god-object
+/// slides over the surface towards the finger, and it, not the finger, determines the side: a
 /// finger pressed through a thin plate stays on the side from which it came (mesh/README.md).
 ///
-/// For a finger with a coordinate beyond `farthest`, or not finite, the depth is NaN, which makes a SoftFinger `invalid`, and the memory does
-/// not change. Copies share the mesh. `contact` does not allocate or lock. It makes at most `rounds` flights and landings, usually one. Each slides
-/// over the faces on its way (`Mesh::settle`), one to five at the pace of a hand, and opens up to 2 boxes for each face, usually some dozens.
-/// For a finger outside it opens up to `near_limit` boxes.
+/// For a finger with a coordinate beyond `farthest`, or not finite, the depth is NaN, which makes
+/// a SoftFinger `invalid`, and the memory does not change. Copies share the mesh. `contact` does
+/// not allocate or lock. It makes at most `rounds` flights and landings, usually one. Each slides
+/// over the faces on its way (`Mesh::settle`), one to five at the pace of a hand, and opens up to
+/// 2 boxes for each face, usually some dozens. For a finger outside it opens up to `near_limit`
+/// boxes.
 class MeshSurface {
  public:
   /// Largest number of flights from the surface that end on it again, in one step.

@@ -247,7 +247,7 @@ def geometry_broken(rows):
 
 def geometry_slivers(rows):
     figure, (axes,) = panels(rows, ["error"])
-    axes.axvspan(1e-10, 1e-6, color=GRID, alpha=0.5, linewidth=0, zorder=0)
+    axes.axvspan(1.2e-7, 1e-6, color=GRID, alpha=0.5, linewidth=0, zorder=0)
     axes.set(title="Error of a thin face's normal, single precision (shaded: we refuse)", xlabel="height / length", ylabel="[rad]", xscale="log", yscale="log", xlim=(1e-10, 0.1),
              ylim=(1e-7, 10))
     axes.minorticks_off()

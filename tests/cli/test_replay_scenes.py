@@ -42,6 +42,14 @@ class Scenes(CommandLineTest):
             note = f"limitcurve: note: {path}: {turned} of 12 faces looked inward and were turned outward; the surface bounds a solid, not a room"
             self.assertEqual([line for line in done.stderr.splitlines() if "faces" in line], [note] if turned else [])
 
+    def test_slivers_are_said(self):
+        corners = "".join(f"v {x} {y} {z}\n" for x in (-1, 1) for y in (-1, 1) for z in (-1, 1))
+        faces = "".join(f"f {face}\n" for face in ["9 2 4 3 1", "1 2 9", "5 7 8 6", "1 5 6 2", "3 4 8 7", "1 3 7 5", "2 6 8 4"])
+        path = self.file("cap.obj", corners + "v -1 -1.0000001 0\n" + faces)
+        done = run("replay", "--trace", self.file("trace.csv", TRACE), *FINGER, "--surface", f"mesh:{path}")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn(f"limitcurve: note: {path}: slivers taken out, none higher than two spacings of a float: 1\n", done.stderr)
+
     def test_a_ball(self):
         found = self.scene("around_a_ball.csv", "--surface", "sphere:radius=0.05")
         self.assertEqual(header("replay", "--trace", DATA / "scenes" / "around_a_ball.csv", *FINGER, "--surface", "sphere:radius=0.05"),
@@ -150,7 +158,16 @@ class Scenes(CommandLineTest):
         self.assertIn("120 m across: is it in metres?", run(*call, f"mesh:{scaled}").stderr)
         self.assertIn("is it in metres?", run(*call, "sphere:radius=25").stderr)
         self.assertNotIn("metres", run(*call, f"mesh:{scaled},scale=0.001").stderr)
-        for mesh in [f"mesh:{DATA}/meshes/block.obj", f"mesh:{scaled},scale=0.001"]:
+        # Two blocks that overlap: refused with the way on, and the second alone is the block.
+        corners = [[float(word) for word in line.split()[1:]] for line in lines if line.startswith("v ")]
+        faces = [[int(word) for word in line.split()[1:]] for line in lines if line.startswith("f ")]
+        both = self.file("both.obj", "".join(
+            f"{kind} {' '.join(map(str, row))}\n" for kind, part in [("v", [[x + 0.01 for x in row] for row in corners]), ("f", faces),
+                                                                     ("v", corners), ("f", [[i + 8 for i in row] for row in faces])] for row in part))
+        self.assert_fails(2, ["--surface", "overlap: unite them", "body=2 of 2"], *call, f"mesh:{both}")
+        self.assert_fails(2, ["--surface", "body = 3", "expected 1 to 2"], *call, f"mesh:{both},body=3")
+        self.assert_fails(2, ["--surface", "'body'", "a whole number from 1"], *call, f"mesh:{both},body=1.5")
+        for mesh in [f"mesh:{DATA}/meshes/block.obj", f"mesh:{scaled},scale=0.001", f"mesh:{both},body=2,scale=1"]:
             found = self.scene("pinch.csv", "--surface", mesh, *scene)
             for one, other in zip(box, found):
                 self.assertEqual(one["state"], other["state"])

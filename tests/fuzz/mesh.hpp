@@ -19,7 +19,9 @@ inline void touch(const godobject::TriangleList& list) {
   // What takes long is no finding here.
   if (list.faces.size() > 2000) return;
   std::optional<godobject::MeshSurface> surface;
-  if (complaint_of([&] { surface.emplace(godobject::Mesh(list)); })) return;
+  if (complaint_of([&] { surface.emplace(godobject::Mesh(list)); }) && complaint_of([&] { surface.emplace(godobject::Mesh(list, 1)); })) {
+    return;
+  }
   const godobject::Mesh& mesh = surface->mesh();
   require(mesh.volume() > 0.0 && is_finite(mesh.volume()), "a solid without a volume");
 

@@ -15,12 +15,41 @@ using Eigen::Vector3d;
 /// Two blocks with a gap along x about the origin [m].
 TriangleList jaws(double gap) {
   TriangleList list;
-  for (const double side : {-1.0, 1.0}) {
-    const int first = static_cast<int>(list.vertices.size());
-    const TriangleList block = box_triangles({0.01, 0.03, 0.03});
-    for (const Vector3d& vertex : block.vertices) list.vertices.push_back(vertex + Vector3d(side * (0.01 + 0.5 * gap), 0.0, 0.0));
-    for (const auto& [a, b, c] : block.faces) list.faces.push_back({first + a, first + b, first + c});
+  for (const double side : {-1.0, 1.0}) add(list, box_triangles({0.01, 0.03, 0.03}), Vector3d(side * (0.01 + 0.5 * gap), 0.0, 0.0));
+  return list;
+}
+
+/// A plate, and beside and below its rim a block [m].
+TriangleList plate_and_block() {
+  TriangleList list = box_triangles({0.03, 0.03, 0.0005});
+  add(list, box_triangles({0.01, 0.03, 0.01}), {0.045, 0.0, -0.01});
+  return list;
+}
+
+/// A groove of radius 1 along y with its middle at the origin, in a block or in a sheet of this
+/// thickness. The facets have this angle [rad] and reach to 1 rad on each side.
+TriangleList groove(double facet, double thickness) {
+  TriangleList list;
+  const int count = static_cast<int>(std::lround(2.0 / facet));
+  for (int i = 0; i <= count; ++i) {
+    const double x = std::sin(facet * i - 1.0), z = 1.0 - std::cos(facet * i - 1.0);
+    const double below = thickness < 1.0 ? z - thickness : -1.0;
+    for (const Vector3d& vertex : {Vector3d(x, -0.5, z), {x, 0.5, z}, {x, -0.5, below}, {x, 0.5, below}}) list.vertices.push_back(vertex);
   }
+  const auto add = [&](int a, int b, int c, int d) {
+    list.faces.push_back({a, b, c});
+    list.faces.push_back({a, c, d});
+  };
+  for (int i = 0; i < count; ++i) {
+    const int a = 4 * i, b = a + 4;
+    add(a, b, b + 1, a + 1);
+    add(a + 2, a + 3, b + 3, b + 2);
+    add(a, a + 2, b + 2, b);
+    add(a + 1, b + 1, b + 3, a + 3);
+  }
+  const int last = 4 * count;
+  add(0, 1, 3, 2);
+  add(last, last + 2, last + 3, last + 1);
   return list;
 }
 
@@ -35,27 +64,61 @@ TEST(Landing, FromWallToWallIsATouchDown) {
   const MeshSurface bracket = read_mesh(data_mesh("bracket.stl"));
   struct Walls {
     AnySurface surface;
-    Vector3d one, between, other;
+    Vector3d start, one, between, other;
   };
+  const AnySurface slot{MeshSurface(jaws(0.001))};
   const std::array walls{
-      Walls{AnySurface(MeshSurface(Mesh(jaws(0.02)))), {-0.011, 0, 0}, {0, 0, 0}, {0.011, 0, 0}},
-      Walls{AnySurface(MeshSurface(Mesh(jaws(0.001)))), {-0.0006, 0, 0}, {0, 0, 0}, {0.0006, 0, 0.001}},
-      Walls{AnySurface(bracket), {0.055, 0.019, 0.001}, {0.03, 0.03, 0.001}, {0.019, 0.055, 0.001}},
+      Walls{AnySurface(MeshSurface(jaws(0.02))), {0, 0, 0}, {-0.011, 0, 0}, {0, 0, 0}, {0.011, 0, 0}},
+      Walls{slot, {0, 0, 0}, {-0.0006, 0, 0}, {0, 0, 0}, {0.0006, 0, 0.001}},
+      // From the top over the rim into the wall beyond the slot.
+      Walls{slot, {-0.005, 0, 0.04}, {-0.005, 0, 0.029}, {0, 0, 0.029}, {0.0006, 0, 0.029}},
+      Walls{AnySurface(bracket), {0.03, 0.03, 0.001}, {0.055, 0.019, 0.001}, {0.03, 0.03, 0.001}, {0.019, 0.055, 0.001}},
+      // From the top of a plate, through which the finger is pressed, to what is behind it.
+      Walls{AnySurface(MeshSurface(plate_and_block())), {0.02, 0, 0.01}, {0.02, 0, -0.002}, {0.033, 0, -0.005}, {0.036, 0, -0.005}},
   };
   const Patch patch = Patch::ellipse(hertz(), 0.01, 0.004);
-  for (const auto& [surface, one, between, other] : walls) {
+  for (const auto& [surface, start, one, between, other] : walls) {
     const double depth = after(hertz_finger(), surface, {between, other}).depth;
     ASSERT_GT(depth, 0.0);
     for (const double mu : {0.0, 0.6}) {
       for (const SoftFinger& finger : {hertz_finger(parameters(mu)), SoftFinger(patch, parameters(mu))}) {
-        const FingerOutput jumped = after(finger, surface, {between, one, other});
-        const FingerOutput expected = after(finger, surface, {between, one, between, other});
+        const FingerOutput jumped = after(finger, surface, {start, one, other});
+        const FingerOutput expected = after(finger, surface, {start, one, between, other});
         EXPECT_NEAR(jumped.load, 1000.0 * depth, 1e-9);
         EXPECT_EQ(jumped.load, expected.load);
         EXPECT_EQ(jumped.state, expected.state);
         EXPECT_TRUE(same_bits(jumped.proxy, expected.proxy) && same_bits(jumped.force, expected.force));
         EXPECT_EQ(jumped.moment, expected.moment);
       }
+    }
+  }
+}
+
+// A finger slides along a groove, 30 µm deep at the least, at 0.1 m/s. While its own way stays
+// inside (s²/8R below that depth) it never lands, and friction is that of the load, at any rate
+// and however fine the facets are. At lower rates it leaves in each sample.
+TEST(Landing, AFingerThatStaysInAGrooveKeepsItsFriction) {
+  constexpr double radius = 0.01, depth = 30e-6;
+  for (const auto& [facet, thickness] : {std::pair(0.08, 1.0), {0.02, 1.0}, {0.005, 1.0}, {0.02, 0.002}}) {
+    TriangleList list = groove(facet, thickness);
+    for (Vector3d& vertex : list.vertices) vertex *= radius;
+    const MeshSurface surface{Mesh(list)};
+    for (const double rate : {50.0, 70.0, 80.0, 100.0, 125.0, 150.0, 1000.0}) {
+      SoftFinger finger = hertz_finger();
+      const double step = 0.1 / rate;
+      const bool stays = step * step / (8.0 * radius) < depth;
+      finger.update(surface.contact({-0.5 * radius, 3e-4, 0.5 * radius}, finger.state().contact), 0.0);
+      int slides = 0;
+      for (double angle = -0.9; angle < 0.9; angle += step / (radius + depth)) {
+        const Vector3d place((radius + depth) * std::sin(angle), 3e-4, radius - (radius + depth) * std::cos(angle));
+        const Contact contact = surface.contact(place, finger.state().contact);
+        const FingerOutput output = finger.update(contact, 0.0);
+        if (angle < -0.6) continue;  // until it slides
+        ++slides;
+        ASSERT_EQ(contact.landed, !stays) << facet << ' ' << rate << ' ' << angle;
+        ASSERT_NEAR(output.force.norm(), stays ? 0.6 * output.load : 0.0, 0.01 * output.load) << facet << ' ' << rate << ' ' << angle;
+      }
+      EXPECT_GE(slides, 5);
     }
   }
 }
@@ -87,18 +150,22 @@ TEST(Landing, OnlyFromOneBlockToTheOther) {
   EXPECT_GT(landings, 200);
 }
 
-// A star of spikes: whatever flight ends on its surface, the load is k d.
-TEST(Landing, TheLoadOfALandingIsThatOfItsDepth) {
+// A star of spikes: whatever flight ends on its surface, the load is k d; and none does while the
+// finger's own way stays inside.
+TEST(Landing, OnAStarOfSpikes) {
   const MeshSurface star = read_mesh(data_mesh("star.obj"));
   SoftFinger finger = hertz_finger();
   Random random(29);
+  Vector3d place(0.1, 0.0, 0.0);
   int landings = 0;
   for (int i = 0; i < 20000; ++i) {
-    const Vector3d place(random.uniform(-0.05, 0.05), random.uniform(-0.05, 0.05), random.uniform(-0.05, 0.05));
+    const Vector3d last = place;
+    place = i % 2 == 0 ? anywhere(random, 0.05) : Vector3d(place + anywhere(random, 0.01));
     const Contact contact = star.contact(place, finger.state().contact);
     const FingerOutput output = finger.update(contact, 0.0);
     if (!contact.landed) continue;
     ++landings;
+    ASSERT_TRUE(winding_by_search(star.mesh(), last) < 0.5 || clearly_crosses(star.mesh(), last, place)) << i;
     ASSERT_LE(output.load, 1000.0 * std::max(output.depth, 0.0) + 1e-9) << i;
   }
   EXPECT_GT(landings, 100);

@@ -158,6 +158,55 @@ TEST(MeshFile, NamesThePlaceInABinaryStl) {
   EXPECT_EQ(stl_complaint(bad), "a.stl: face 7 has a coordinate that is not a finite number");
 }
 
+/// A file in a folder for tests: binary STL, whose numbers are floats, or OBJ.
+std::string written(const std::string& name, const TriangleList& list) {
+  const std::string path = ::testing::TempDir() + "/" + name;
+  std::ofstream file(path, std::ios::binary);
+  if (name.back() == 'j') {
+    for (const Vector3d& vertex : list.vertices) file << "v " << vertex.cast<float>().transpose().format({9}) << '\n';
+    for (const auto& [a, b, c] : list.faces) file << "f " << a + 1 << ' ' << b + 1 << ' ' << c + 1 << '\n';
+    return path;
+  }
+  const auto count = static_cast<std::uint32_t>(list.faces.size());
+  file << std::string(80, ' ');
+  file.write(reinterpret_cast<const char*>(&count), 4);
+  for (const Face& face : list.faces) {
+    Eigen::Matrix<float, 3, 4> rows = Eigen::Matrix<float, 3, 4>::Zero();
+    for (int i = 0; i < 3; ++i) rows.col(i + 1) = list.vertices[static_cast<std::size_t>(face[static_cast<std::size_t>(i)])].cast<float>();
+    file.write(reinterpret_cast<const char*>(rows.data()), 48).write("\0\0", 2);
+  }
+  return path;
+}
+
+// A cube one of whose edges has a cap of 1 nm, in metres and millimetres, and two boxes that
+// overlap.
+TEST(MeshFile, ReadsWhatOtherProgramsRound) {
+  TriangleList capped = box_triangles(Vector3d::Constant(0.01));
+  capped.vertices.push_back({-0.01, -0.01 + 1e-9, 0.001});
+  capped.faces[0] = {0, 8, 3};  // was 0, 1, 3
+  capped.faces.insert(capped.faces.end(), {{8, 1, 3}, {1, 8, 0}});
+  TriangleList millimetres = capped;
+  for (Vector3d& vertex : millimetres.vertices) vertex *= 1000.0;
+  TriangleList two = box_triangles({0.01, 0.02, 0.03});
+  add(two, box_triangles(Vector3d::Constant(0.01)), {0.005, 0.006, 0.007});
+  for (const std::string extension : {"stl", "obj"}) {
+    const std::string metres = written("capped." + extension, capped), large = written("large." + extension, millimetres);
+    for (const MeshSurface& surface : {read_mesh(metres), read_mesh(large, 0.001)}) {
+      EXPECT_EQ(surface.mesh().repairs().slivers, 1);
+      EXPECT_EQ(surface.mesh().faces().size(), 14U);
+      EXPECT_NEAR(surface.mesh().volume(), 8e-6, 1e-12);
+    }
+    const std::string both = written("two." + extension, two);
+    EXPECT_NE(complaint_of([&] { static_cast<void>(read_mesh(both)); }).find("overlap: unite them"), std::string::npos);
+    EXPECT_NEAR(read_mesh(both, 1.0, 2).mesh().volume(), 8e-6, 1e-12);
+    EXPECT_NE(complaint_of([&] {
+                static_cast<void>(read_mesh(both, 1.0, 3));
+              }).find("two." + extension + ": body = 3 is out of range: expected 1 to 2"),
+              std::string::npos);
+    for (const std::string& path : {metres, large, both}) std::filesystem::remove(path);
+  }
+}
+
 TEST(MeshFile, RefusesFilesThatAreNone) {
   const auto complaint = [](const std::string& path, double scale = 1.0) {
     return complaint_of([&] { static_cast<void>(read_mesh(path, scale)); });

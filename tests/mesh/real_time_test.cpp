@@ -96,7 +96,7 @@ TEST(MeshRealTime, FingersOfFourThreadsShareAMesh) {
 
 TEST(MeshRealTime, NothingInTheLoopThrows) {
   static_assert(noexcept(std::declval<const MeshSurface&>().contact(std::declval<const Vector3d&>(), std::declval<ContactMemory&>())));
-  static_assert(noexcept(std::declval<const Mesh&>().settle(0, std::declval<const Vector3d&>())));
+  static_assert(noexcept(std::declval<const Mesh&>().settle(0, std::declval<const Vector3d&>(), std::declval<const Vector3d&>())));
 }
 
 }  // namespace

@@ -20,6 +20,10 @@ inline std::string data_mesh(const std::string& name) {
   return LIMITCURVE_MESHES "/" + name;
 }
 
+inline Eigen::Vector3d anywhere(Random& random, double reach) {
+  return {random.uniform(-reach, reach), random.uniform(-reach, reach), random.uniform(-reach, reach)};
+}
+
 inline TriangleList box_triangles(const Eigen::Vector3d& half) {
   TriangleList list;
   for (int i = 0; i < 8; ++i)
@@ -29,6 +33,39 @@ inline TriangleList box_triangles(const Eigen::Vector3d& half) {
     list.faces.push_back({face[0], face[2], face[3]});
   }
   return list;
+}
+
+/// Adds the triangles of another list, moved.
+inline void add(TriangleList& list, const TriangleList& other, const Eigen::Vector3d& by = Eigen::Vector3d::Zero()) {
+  const int first = static_cast<int>(list.vertices.size());
+  for (const Eigen::Vector3d& vertex : other.vertices) list.vertices.push_back(vertex + by);
+  for (const auto& [a, b, c] : other.faces) list.faces.push_back({first + a, first + b, first + c});
+}
+
+/// The same solid with each face divided into n² parts, of equal size for a power of 1, and
+/// `change`d: turned, mirrored (a mirror turns the faces), rounded.
+template <class Change>
+TriangleList divided(const TriangleList& list, int n, double power, Change&& change, bool mirrors = false) {
+  TriangleList result;
+  for (const auto& [a, b, c] : list.faces) {
+    const auto place = [&](int i, int j) {
+      const Eigen::Vector3d share = Eigen::Array3d(n - i - j, i, j).pow(power);
+      const auto at = [&](int vertex) { return list.vertices[static_cast<std::size_t>(vertex)]; };
+      result.vertices.push_back(change((at(a) * share[0] + at(b) * share[1] + at(c) * share[2]) / share.sum()));
+      return static_cast<int>(result.vertices.size()) - 1;
+    };
+    const auto add = [&](int one, int two, int three) {
+      if (mirrors) std::swap(two, three);
+      result.faces.push_back({one, two, three});
+    };
+    for (int i = 0; i < n; ++i) {
+      for (int j = 0; i + j < n; ++j) {
+        add(place(i, j), place(i + 1, j), place(i, j + 1));
+        if (i + j + 1 < n) add(place(i + 1, j), place(i + 1, j + 1), place(i, j + 1));
+      }
+    }
+  }
+  return result;
 }
 
 /// A sphere of 8·4ⁿ faces: an octahedron whose faces are quartered, corners on the sphere.

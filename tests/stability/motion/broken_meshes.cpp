@@ -180,7 +180,7 @@ Hazard slivers() {
     worst = std::max(worst, of_normals);
     ours_worst = std::max(ours_worst, felt);
     figure.rows.push_back({"error", "normal of the face", share, of_normals});
-    if (taken) figure.rows.push_back({"error", "limitcurve", share, std::max(felt, 1e-9)});
+    figure.rows.push_back({"error", "limitcurve", share, taken ? std::max(felt, 1e-9) : std::numeric_limits<double>::quiet_NaN()});
   }
   found.findings.push_back({"slivers, in single precision", "normal of the face",
                             "error of the normal [rad] (height 1e-10 to 0.1 of the length; ours: accepted faces)", worst, ours_worst,
