@@ -66,7 +66,7 @@ Projection projection_of(limitcurve_projection projection) {
 
 namespace {
 
-static_assert(static_cast<int>(Fault::none) == LIMITCURVE_FAULT_NONE && static_cast<int>(Fault::body) == LIMITCURVE_FAULT_BODY);
+static_assert(static_cast<int>(Fault::none) == LIMITCURVE_FAULT_NONE && static_cast<int>(Fault::force) == LIMITCURVE_FAULT_FORCE);
 
 void copy(const Eigen::Vector3d& from, double (&to)[3]) noexcept {
   std::copy_n(from.data(), 3, to);

@@ -200,7 +200,8 @@ typedef enum limitcurve_fault {
   LIMITCURVE_FAULT_NORMAL = 4,       /* the normal is not of unit length */
   LIMITCURVE_FAULT_TIME_STEP = 5,    /* the time step is < 0 or not finite */
   LIMITCURVE_FAULT_DISPLACEMENT = 6, /* more than max_displacement since the last sample */
-  LIMITCURVE_FAULT_BODY = 7          /* not of this interface: the pose of a touched body */
+  LIMITCURVE_FAULT_BODY = 7,         /* not of this interface: the pose of a touched body */
+  LIMITCURVE_FAULT_FORCE = 8         /* not of this interface: the force or the moment on a touched body */
 } limitcurve_fault;
 
 /* A contact of a finger with a surface. */

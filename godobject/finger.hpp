@@ -74,18 +74,20 @@ enum class Fault : std::uint8_t {
   time_step,     ///< it is < 0 or not finite
   displacement,  ///< more than `max_displacement` since the last sample
   body,          ///< the pose of the touched body (Grasp, Replay) is not finite, beyond `farthest`, or not of unit length
+  force,         ///< the force or the moment on the body (Grasp) is not finite, or would carry it beyond `farthest`
 };
 
 /// What is wrong, as in "a sample is invalid: the normal is not of unit length"; "none" without a fault.
 constexpr std::string_view to_string(Fault fault) noexcept {
-  constexpr std::array<std::string_view, 8> reasons{"none",
+  constexpr std::array<std::string_view, 9> reasons{"none",
                                                     "a number is not finite",
                                                     "a coordinate, the depth or the twist is beyond 1e6",
                                                     "the orientation is not of unit length",
                                                     "the normal is not of unit length",
                                                     "the time goes back or is not finite",
                                                     "the finger moved by more than the maximum displacement",
-                                                    "the body's pose is not finite, beyond 1e6 m, or not of unit length"};
+                                                    "the body's pose is not finite, beyond 1e6 m, or not of unit length",
+                                                    "the force or the moment on the body is not finite, or would move it beyond 1e6"};
   return reasons[static_cast<std::size_t>(fault)];
 }
 

@@ -66,7 +66,8 @@ void add_output(nb::module_& module) {
       .value("normal", Fault::normal, "the normal is not of unit length")
       .value("time_step", Fault::time_step, "dt is < 0 or not finite")
       .value("displacement", Fault::displacement, "more than max_displacement since the last sample")
-      .value("body", Fault::body, "the pose of the touched body is none");
+      .value("body", Fault::body, "the pose of the touched body is none")
+      .value("force", Fault::force, "the force or the moment on the touched body is none");
   nb::class_<FingerOutput> type(module, "FingerOutput",
                                 "Result of a step. The rendered force is normal * load + force, the rendered moment is about the normal.");
   pickle_plainly<FingerOutput>(type);

@@ -86,7 +86,7 @@ void Grasp::step(std::span<const DevicePose> devices, double time_step, const Ei
   // The speeds that the forces alone would give.
   const BodyState pushed{Eigen::Vector3d::Zero(), Orientation::Identity(), external.force * (time_step / parameters_.mass),
                          moment * (time_step / parameters_.inertia.minCoeff())};
-  if (!is_plausible(pushed)) return refuse(Fault::body);
+  if (!is_plausible(pushed)) return refuse(Fault::force);
   // In whole, or in parts, counted in the smallest.
   bool all_solved = true;
   int size = most_parts;

@@ -393,9 +393,9 @@ TEST(Grasp, RefusesStepsThatAreNone) {
   }
   for (const double none : {nan, inf, 1e300, 1e30}) {
     grasp.step(devices, 1e-3, {none, 0.0, 0.0});
-    is_refused(Fault::body);
+    is_refused(Fault::force);
     grasp.step(devices, 1e-3, Vector3d::Zero(), {0.0, none, 0.0});
-    is_refused(Fault::body);
+    is_refused(Fault::force);
   }
   grasp.carry(before, devices, nan);
   is_refused(Fault::time_step);
