@@ -247,6 +247,12 @@ LIMITCURVE_API void limitcurve_finger_free(limitcurve_finger* finger);
 LIMITCURVE_API limitcurve_status limitcurve_finger_update(limitcurve_finger* finger, const limitcurve_contact* contact, double time_step,
                                                           limitcurve_finger_output* output);
 
+/* One step where a physics engine gives the load [N] and not a depth: `depth` is not read, the output has the load, and NaN for the depth. The
+ * point is where the finger is on the surface; with a load <= 0 the finger is free, and one that is not finite is bad input. Springs and
+ * dampers stay in the tangent plane, whatever the surface's radius. The rest as above. [real time] */
+LIMITCURVE_API limitcurve_status limitcurve_finger_update_under_load(limitcurve_finger* finger, const limitcurve_contact* contact,
+                                                                     double load, double time_step, limitcurve_finger_output* output);
+
 /* Back to the state before any contact. [real time] */
 LIMITCURVE_API limitcurve_status limitcurve_finger_reset(limitcurve_finger* finger);
 

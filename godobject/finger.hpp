@@ -96,7 +96,7 @@ struct FingerOutput {
   ContactState state = ContactState::free;
   Eigen::Vector3d proxy = Eigen::Vector3d::Zero();        ///< x_p [m]; while free, the finger's position
   double angle = 0.0;                                     ///< α_p [rad], measured like the device's twist; while free, the twist
-  double depth = 0.0;                                     ///< d [m]
+  double depth = 0.0;                                     ///< d [m]; NaN in a step under a given load
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();      ///< outward, at the contact; the whole force on the user is normal·load + force
   double load = 0.0;                                      ///< normal force on the user [N], 0 while free; on a plane at rest k_l d
   Eigen::Vector3d force = Eigen::Vector3d::Zero();        ///< friction on the user [N], tangential

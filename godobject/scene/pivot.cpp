@@ -30,7 +30,7 @@ void validate(const PivotOptions& options) {
   within("height", options.height, "m", false);
   within("mass", options.mass, "kg", false);
   within("gravity", options.gravity, "m/s^2", true);
-  within("time_step", options.time_step, "s", false);
+  if (!(options.time_step > 0.0 && options.time_step <= 1.0)) throw out_of_range("time_step", options.time_step, "s", "> 0, up to 1");
   within("duration", options.duration, "s", true);
   if (options.duration / options.time_step > 1e9) throw out_of_range("time_step", options.time_step, "s", ">= duration/1e9");
   if (!(options.offset >= 0.0 && options.offset < 0.5 * options.length)) {
