@@ -66,10 +66,25 @@ Projection projection_of(limitcurve_projection projection) {
 
 namespace {
 
-static_assert(static_cast<int>(Fault::none) == LIMITCURVE_FAULT_NONE && static_cast<int>(Fault::body) == LIMITCURVE_FAULT_BODY);
+static_assert(static_cast<int>(Fault::none) == LIMITCURVE_FAULT_NONE && static_cast<int>(Fault::force) == LIMITCURVE_FAULT_FORCE);
 
 void copy(const Eigen::Vector3d& from, double (&to)[3]) noexcept {
   std::copy_n(from.data(), 3, to);
+}
+
+void write(const FingerOutput& step, limitcurve_finger_output& output) noexcept {
+  copy(step.proxy, output.proxy);
+  output.angle = step.angle;
+  output.depth = step.depth;
+  copy(step.normal, output.normal);
+  output.load = step.load;
+  copy(step.force, output.force);
+  output.moment = step.moment;
+  output.cor = step.cor;
+  output.slip_work = step.slip_work;
+  output.state = static_cast<limitcurve_state>(step.state);
+  output.converged = step.converged ? 1 : 0;
+  output.fault = static_cast<limitcurve_fault>(step.fault);
 }
 
 bool is_limit(double force, double radius) noexcept {
@@ -150,19 +165,16 @@ limitcurve_status limitcurve_finger_update(limitcurve_finger* finger, const limi
                                            limitcurve_finger_output* output) {
   if (is_no_handle("finger", finger) || is_missing("contact", contact) || is_missing("output", output)) return LIMITCURVE_INVALID;
   const Contact touched{Eigen::Vector3d(contact->point), Eigen::Vector3d(contact->normal), contact->depth, {}, contact->landed != 0};
-  const FingerOutput step = finger->finger.update(touched, contact->twist, time_step);
-  copy(step.proxy, output->proxy);
-  output->angle = step.angle;
-  output->depth = step.depth;
-  copy(step.normal, output->normal);
-  output->load = step.load;
-  copy(step.force, output->force);
-  output->moment = step.moment;
-  output->cor = step.cor;
-  output->slip_work = step.slip_work;
-  output->state = static_cast<limitcurve_state>(step.state);
-  output->converged = step.converged ? 1 : 0;
-  output->fault = static_cast<limitcurve_fault>(step.fault);
+  write(finger->finger.update(touched, contact->twist, time_step), *output);
+  return LIMITCURVE_OK;
+}
+
+limitcurve_status limitcurve_finger_update_under_load(limitcurve_finger* finger, const limitcurve_contact* contact, double load,
+                                                      double time_step, limitcurve_finger_output* output) {
+  if (is_no_handle("finger", finger) || is_missing("contact", contact) || is_missing("output", output)) return LIMITCURVE_INVALID;
+  write(finger->finger.update_under_load(Eigen::Vector3d(contact->point), Eigen::Vector3d(contact->normal), load, contact->twist, time_step,
+                                         contact->landed != 0),
+        *output);
   return LIMITCURVE_OK;
 }
 

@@ -200,7 +200,8 @@ typedef enum limitcurve_fault {
   LIMITCURVE_FAULT_NORMAL = 4,       /* the normal is not of unit length */
   LIMITCURVE_FAULT_TIME_STEP = 5,    /* the time step is < 0 or not finite */
   LIMITCURVE_FAULT_DISPLACEMENT = 6, /* more than max_displacement since the last sample */
-  LIMITCURVE_FAULT_BODY = 7          /* not of this interface: the pose of a touched body */
+  LIMITCURVE_FAULT_BODY = 7,         /* not of this interface: the pose of a touched body */
+  LIMITCURVE_FAULT_FORCE = 8         /* not of this interface: the force or the moment on a touched body */
 } limitcurve_fault;
 
 /* A contact of a finger with a surface. */
@@ -245,6 +246,12 @@ LIMITCURVE_API void limitcurve_finger_free(limitcurve_finger* finger);
  * length, a jump or a time step < 0 is no error; it gives the state LIMITCURVE_STATE_INVALID, and `fault` names the reason. [real time] */
 LIMITCURVE_API limitcurve_status limitcurve_finger_update(limitcurve_finger* finger, const limitcurve_contact* contact, double time_step,
                                                           limitcurve_finger_output* output);
+
+/* One step where a physics engine gives the load [N] and not a depth: `depth` is not read, the output has the load, and NaN for the depth. The
+ * point is where the finger is on the surface; with a load <= 0 the finger is free, and one that is not finite is bad input. Springs and
+ * dampers stay in the tangent plane, whatever the surface's radius. The rest as above. [real time] */
+LIMITCURVE_API limitcurve_status limitcurve_finger_update_under_load(limitcurve_finger* finger, const limitcurve_contact* contact,
+                                                                     double load, double time_step, limitcurve_finger_output* output);
 
 /* Back to the state before any contact. [real time] */
 LIMITCURVE_API limitcurve_status limitcurve_finger_reset(limitcurve_finger* finger);

@@ -50,5 +50,7 @@ static unsafe class LimitCurve {
     Projection projection, out IntPtr finger);
   [DllImport(Library)] public static extern Status limitcurve_finger_update(IntPtr finger, in Contact contact, double timeStep,
     out FingerOutput output);
+  [DllImport(Library)] public static extern Status limitcurve_finger_update_under_load(IntPtr finger, in Contact contact, double load,
+    double timeStep, out FingerOutput output);
   [DllImport(Library)] public static extern void limitcurve_finger_free(IntPtr finger);
 }

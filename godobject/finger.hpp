@@ -74,18 +74,20 @@ enum class Fault : std::uint8_t {
   time_step,     ///< it is < 0 or not finite
   displacement,  ///< more than `max_displacement` since the last sample
   body,          ///< the pose of the touched body (Grasp, Replay) is not finite, beyond `farthest`, or not of unit length
+  force,         ///< the force or the moment on the body (Grasp) is not finite, or would carry it beyond `farthest`
 };
 
 /// What is wrong, as in "a sample is invalid: the normal is not of unit length"; "none" without a fault.
 constexpr std::string_view to_string(Fault fault) noexcept {
-  constexpr std::array<std::string_view, 8> reasons{"none",
+  constexpr std::array<std::string_view, 9> reasons{"none",
                                                     "a number is not finite",
                                                     "a coordinate, the depth or the twist is beyond 1e6",
                                                     "the orientation is not of unit length",
                                                     "the normal is not of unit length",
                                                     "the time goes back or is not finite",
                                                     "the finger moved by more than the maximum displacement",
-                                                    "the body's pose is not finite, beyond 1e6 m, or not of unit length"};
+                                                    "the body's pose is not finite, beyond 1e6 m, or not of unit length",
+                                                    "the force or the moment on the body is not finite, or would move it beyond 1e6"};
   return reasons[static_cast<std::size_t>(fault)];
 }
 
@@ -94,7 +96,7 @@ struct FingerOutput {
   ContactState state = ContactState::free;
   Eigen::Vector3d proxy = Eigen::Vector3d::Zero();        ///< x_p [m]; while free, the finger's position
   double angle = 0.0;                                     ///< α_p [rad], measured like the device's twist; while free, the twist
-  double depth = 0.0;                                     ///< d [m]
+  double depth = 0.0;                                     ///< d [m]; NaN in a step under a given load
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();      ///< outward, at the contact; the whole force on the user is normal·load + force
   double load = 0.0;                                      ///< normal force on the user [N], 0 while free; on a plane at rest k_l d
   Eigen::Vector3d force = Eigen::Vector3d::Zero();        ///< friction on the user [N], tangential

@@ -51,7 +51,7 @@ FingerOutput release(FingerState& state, const FingerSample& sample, const Sense
   free.faults.seen = true;
   free.output.proxy = sample.position();
   free.output.angle = sample.angle;
-  free.output.depth = sample.depth;
+  free.output.depth = sensed.depth();
   free.output.normal = sample.normal;
   state = free;
   return free.output;
@@ -152,6 +152,24 @@ FingerOutput SoftFinger::update(const Contact& contact, double twist, double tim
   return advance(state_, {contact, twist, time_step, state_.spin});
 }
 
+FingerOutput SoftFinger::update_under_load(const Vector3d& point, const Vector3d& normal, double load, double twist, double time_step,
+                                           bool landed) noexcept {
+  // A load that is not finite makes a depth that is none.
+  return advance(state_, {{point, normal, 0.0 * load, {}, landed}, twist, time_step, state_.spin, Fault::none, true, load});
+}
+
+FingerOutput SoftFinger::update_under_load(const Vector3d& point, const Vector3d& normal, double load, const Orientation& orientation,
+                                           double time_step, bool landed) noexcept {
+  Sensed sensed{{point, normal, 0.0 * load, {}, landed}, 0.0, time_step, state_.spin, Fault::none, true, load};
+  if (is_unit(orientation)) {
+    sensed.spin = state_.spin.moved(orientation, normal);
+  } else {
+    sensed.contact.depth = nan;
+    sensed.fault = orientation.coeffs().allFinite() ? Fault::orientation : Fault::not_finite;
+  }
+  return advance(state_, sensed);
+}
+
 FingerOutput SoftFinger::preview(const AnySurface& surface, const DevicePose& device, double time_step) const noexcept {
   FingerState state = state_;
   return advance(state, sense(surface, device, time_step, state));
@@ -173,18 +191,21 @@ FingerOutput SoftFinger::refuse(Fault fault) noexcept {
 }
 
 FingerOutput SoftFinger::advance(FingerState& state, const Sensed& sensed) const noexcept {
-  // A velocity needs two good samples in succession.
-  const bool has_velocity = state.faults.seen && state.output.state != ContactState::invalid && sensed.time_step >= shortest_time_step;
+  // A velocity needs two good samples of one kind in succession.
+  const bool has_velocity = state.faults.seen && state.output.state != ContactState::invalid && sensed.time_step >= shortest_time_step &&
+                            std::isnan(state.output.depth) == sensed.load.has_value();
   const Fault fault = accept(state.faults, sensed, state.sample, parameters_.max_displacement);
   if (fault != Fault::none) return fade(state, parameters_.fault_decay, fault);
   const bool continues = state.in_contact && !sensed.contact.landed;
   const FingerSample sample = take_sample(state.sample, sensed, continues);
-  if (!(sample.depth > 0.0)) return release(state, sample, sensed);
+  if (!sensed.touches()) return release(state, sample, sensed);
   if (!continues) touch_down(state, sample);
+  if (sensed.load) turn_with_normal(state.output.proxy, state.sample, sample);
   const FingerOutput& last = state.output;
 
   // a. The trial deflection of springs and dampers if the proxy stays (eq. 7).
-  const TrialDeflection trial(parameters_, last.proxy, last.angle, state.sample, sample, has_velocity ? sensed.time_step : 0.0);
+  const TrialDeflection trial(parameters_, last.proxy, last.angle, state.sample, sample, has_velocity ? sensed.time_step : 0.0,
+                              sensed.load);
 
   // b. Friction: the part of the trial deflection that the limit curve, or a patch's limit surface, allows (eqs. 21–23).
   FrictionMemory<double> friction = state.friction;
@@ -200,9 +221,9 @@ FingerOutput SoftFinger::advance(FingerState& state, const Sensed& sensed) const
   output.state = moved.slips ? ContactState::slip : ContactState::stick;
   output.proxy = moved.proxy;
   output.angle = moved.angle;
-  output.depth = sample.depth;
+  output.depth = sensed.depth();
   output.normal = sample.normal;
-  output.load = trial.load(moved.height);
+  output.load = sensed.load ? *sensed.load : trial.load(moved.height);
   output.force = kept.tangential * trial.springs.stiffness;
   output.moment = kept.twist * trial.springs.twist_stiffness;
   output.cor = !moved.slips ? nan : kept.slips ? kept.cor : inf;  // moved to the near side it slides without a turn

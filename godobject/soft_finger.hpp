@@ -59,6 +59,19 @@ class SoftFinger {
   /// multiple of 2π: a jump of more than π between steps counts as a turn in the other direction.
   FingerOutput update(const Contact& contact, double twist, double time_step = 0.0) noexcept;
 
+  /// One step where a physics engine gives the load P [N], and not a depth: friction is bounded at P; the engine pushes apart. `point`: where
+  /// the finger is on the surface [m], whose motion friction sees; the outward normal; the twist α_s [rad] about it, or the device's
+  /// orientation, all in the surface's frame. Without contact (P ≤ 0) the finger is free; a load that is not finite is a fault. The output has
+  /// that load, and no depth: NaN. `landed` as in `Contact`; the rest as in `update`.
+  ///
+  /// Springs and dampers stay in the tangent plane, and the proxy turns with the normal, so that a ball of any radius, also of one less than
+  /// P/k_l, is like the plane. The spring energy has no part along the normal. A finger may change between both ways of `update` in a contact;
+  /// in that step dampers do not act.
+  FingerOutput update_under_load(const Eigen::Vector3d& point, const Eigen::Vector3d& normal, double load, double twist,
+                                 double time_step = 0.0, bool landed = false) noexcept;
+  FingerOutput update_under_load(const Eigen::Vector3d& point, const Eigen::Vector3d& normal, double load, const Orientation& orientation,
+                                 double time_step = 0.0, bool landed = false) noexcept;
+
   /// The result that `update` would have, without a change of the state.
   [[nodiscard]] FingerOutput preview(const AnySurface& surface, const DevicePose& device, double time_step = 0.0) const noexcept;
   [[nodiscard]] FingerOutput preview(const Contact& contact, double twist, double time_step = 0.0) const noexcept;

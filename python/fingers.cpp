@@ -48,6 +48,20 @@ constexpr const char* update_doc =
     "Bad input (not finite, a normal that is not of unit length, a jump, dt < 0) raises nothing; it gives the state `invalid`, with\n"
     "the reason in `fault`: the last good output is held, and fades.";
 
+constexpr const char* update_under_load_signature =
+    "def update_under_load(self, point: collections.abc.Sequence[float] | numpy.typing.NDArray[typing.Any], normal: "
+    "collections.abc.Sequence[float] | numpy.typing.NDArray[typing.Any], load: float, twist: float, dt: float = 0.0, landed: bool = False) "
+    "-> FingerOutput";
+constexpr const char* update_under_load_doc =
+    "One step where a physics engine gives the load [N] and not a depth. point: where the finger is on the surface [m], whose\n"
+    "motion friction sees. With a load <= 0 the finger is free; one that is not finite is bad input. The output has that load, and\n"
+    "NaN for the depth. Springs and dampers stay in the tangent plane, whatever the surface's radius. The rest as in `update`.";
+
+FingerOutput update_under_load(PyFinger& finger, nb::handle point, nb::handle normal, double load, double twist, double dt,
+                               nb::handle landed) {
+  return finger.update_under_load(three_numbers(point, "point"), three_numbers(normal, "normal"), load, twist, dt, truth_of(landed));
+}
+
 FingerOutput update(PyFinger& finger, nb::handle point, nb::handle normal, double depth, double twist, double dt, nb::handle landed) {
   return finger.update({three_numbers(point, "point"), three_numbers(normal, "normal"), depth, {}, truth_of(landed)}, twist, dt);
 }
@@ -66,7 +80,8 @@ void add_output(nb::module_& module) {
       .value("normal", Fault::normal, "the normal is not of unit length")
       .value("time_step", Fault::time_step, "dt is < 0 or not finite")
       .value("displacement", Fault::displacement, "more than max_displacement since the last sample")
-      .value("body", Fault::body, "the pose of the touched body is none");
+      .value("body", Fault::body, "the pose of the touched body is none")
+      .value("force", Fault::force, "the force or the moment on the touched body is none");
   nb::class_<FingerOutput> type(module, "FingerOutput",
                                 "Result of a step. The rendered force is normal * load + force, the rendered moment is about the normal.");
   pickle_plainly<FingerOutput>(type);
@@ -139,6 +154,8 @@ void add_finger_types(nb::module_& module) {
           "'c-curve'. ValueError names a parameter out of range.")
       .def("update", &update, nb::arg("point"), nb::arg("normal"), nb::arg("depth"), nb::arg("twist"), nb::arg("dt") = 0.0,
            nb::arg("landed") = false, nb::sig(update_signature), update_doc)
+      .def("update_under_load", &update_under_load, nb::arg("point"), nb::arg("normal"), nb::arg("load"), nb::arg("twist"),
+           nb::arg("dt") = 0.0, nb::arg("landed") = false, nb::sig(update_under_load_signature), update_under_load_doc)
       .def("reset", &SoftFinger::reset, "Back to the state before any contact.")
       .def_prop_ro(
           "output", [](const PyFinger& self) { return self.output(); }, "Result of the last step.")

@@ -53,11 +53,11 @@ class Fingers:
                           twist_stiffness=twist_stiffness, twist_damping=DAMPING * LEVER**2)
             for _ in range(2)
         ]
-        self.twists, self.normals, self.depth, self.dissipated = [0.0, 0.0], [1.0, -1.0], GRIP_LOAD[0] / STIFFNESS, 0.0
+        self.twists, self.normals, self.dissipated = [0.0, 0.0], [1.0, -1.0], 0.0
         # The fingers start where their springs carry the level block.
         for finger, normal in zip(self.fingers, self.normals):
             for place, turn in (((OFFSET, -SAG), GIVE), ((OFFSET, -SAG), GIVE), ((OFFSET, 0.0), 0.0)):
-                finger.update((*place, normal * HALF), (0, 0, normal), self.depth, normal * turn, 0.0)
+                finger.update_under_load((*place, normal * HALF), (0, 0, normal), GRIP_LOAD[0], normal * turn)
 
     def apply(self, data: Any, loads: list[float]) -> None:
         block, turn = data.xpos[1], data.xmat[1].reshape(3, 3)
@@ -67,10 +67,7 @@ class Fingers:
             self.twists[i] -= normal * data.qvel[5] * DT
             place = turn.T @ (data.xpos[2 + i] - block)
             place[2] = normal * HALF
-            # The depth at which spring and damper together give MuJoCo's normal force.
-            rate = DAMPING / DT
-            depth = (loads[i] + rate * finger.output.depth) / (STIFFNESS + rate) if loads[i] > 0 else 0.0
-            out = finger.update(place, (0, 0, normal), depth, self.twists[i], DT)
+            out = finger.update_under_load(place, (0, 0, normal), loads[i], self.twists[i], DT)
             force = -(turn @ out.force)
             wrench[:3] += force
             wrench[3:] += np.cross(turn @ place, force) - turn[:, 2] * (normal * out.moment)
@@ -78,7 +75,7 @@ class Fingers:
         data.xfrc_applied[1] = wrench
 
     def spring_energy(self) -> float:
-        return sum(f.spring_energy() - 0.5 * STIFFNESS * f.output.depth**2 for f in self.fingers)
+        return sum(finger.spring_energy() for finger in self.fingers)
 
 
 def simulate(model_text: str, fingers: Fingers | None) -> dict[str, Any]:

@@ -69,7 +69,8 @@ Grasp::Grasp(const BodyParameters& parameters, const BodyState& state, AnySurfac
       fingers_(std::move(fingers)),
       last_devices_(fingers_.size()),
       between_(fingers_.size()),
-      friction_(fingers_.size()) {
+      friction_(fingers_.size()),
+      gyration_(std::sqrt(parameters.inertia.mean() / parameters.mass)) {
   parameters_.validate();
   if (const double norm = state.orientation.norm(); !(std::fabs(norm - 1.0) <= 1e-9)) {
     throw out_of_range("norm of the orientation", norm, "1", "1");
@@ -80,11 +81,12 @@ Grasp::Grasp(const BodyParameters& parameters, const BodyState& state, AnySurfac
 void Grasp::step(std::span<const DevicePose> devices, double time_step, const Eigen::Vector3d& force,
                  const Eigen::Vector3d& moment) noexcept {
   if (!(time_step > 0.0 && is_time_step(time_step))) return refuse(Fault::time_step);
-  const Load external{force + parameters_.mass * parameters_.gravity, moment};
+  Load external;
+  external.add(force + parameters_.mass * parameters_.gravity, moment, gyration_);
   // The speeds that the forces alone would give.
   const BodyState pushed{Eigen::Vector3d::Zero(), Orientation::Identity(), external.force * (time_step / parameters_.mass),
                          moment * (time_step / parameters_.inertia.minCoeff())};
-  if (!is_plausible(pushed)) return refuse(Fault::body);
+  if (!is_plausible(pushed)) return refuse(Fault::force);
   // In whole, or in parts, counted in the smallest.
   bool all_solved = true;
   int size = most_parts;
@@ -184,8 +186,8 @@ Grasp::Load Grasp::preview(const BodyState& state, std::span<const DevicePose> d
     // After a refused sample the force acts at the last good position.
     const Eigen::Vector3d finger = output.state != ContactState::invalid ? device.position : next.sample.position();
     const Eigen::Vector3d force = state.orientation * Eigen::Vector3d(-output.force - output.normal * output.load);
-    load.force += force;
-    load.moment += (state.orientation * finger).cross(force) - state.orientation * Eigen::Vector3d(output.normal * output.moment);
+    load.add(force, (state.orientation * finger).cross(force) - state.orientation * Eigen::Vector3d(output.normal * output.moment),
+             gyration_);
   }
   return load;
 }
@@ -216,49 +218,50 @@ void Grasp::refuse(Fault fault) noexcept {
   for (SoftFinger& finger : fingers_) finger.refuse(fault);
 }
 
-/// The residual of the velocities ξ of the step: the change of momentum minus the impulse of the loads at the end of the step,
-/// in units of velocity.
-Grasp::Vector6 Grasp::residual(const Vector6& velocities, std::span<const DevicePose> devices, double time_step, const Load& external,
-                               const Eigen::Vector3d& momentum) const noexcept {
+/// A try with the velocities ξ: its residual is the change of momentum minus the impulse of the loads at the end of the step, in units of
+/// velocity.
+Grasp::Attempt Grasp::attempt(const Vector6& velocities, std::span<const DevicePose> devices, double time_step,
+                              const Load& external) const noexcept {
   const Motion next = moved(parameters_, state_, velocities.head<3>(), velocities.tail<3>(), time_step);
   Load load = preview(next.state, devices, time_step);
-  load.force += external.force;
-  load.moment += external.moment;
-  const Eigen::Vector3d turning = next.angular_momentum - momentum - load.moment * time_step;
-  Vector6 result;
-  result.head<3>() = velocities.head<3>() - state_.velocity - load.force * (time_step / parameters_.mass);
-  result.tail<3>() = turning / parameters_.inertia.mean();
+  load.add(external.force, external.moment, gyration_);
+  const Eigen::Vector3d turning = next.angular_momentum - angular_momentum(parameters_, state_) - load.moment * time_step;
+  Vector6 error;
+  error.head<3>() = velocities.head<3>() - state_.velocity - load.force * (time_step / parameters_.mass);
+  error.tail<3>() = turning / parameters_.inertia.mean();
   for (int i = 0; i < 6; ++i) {
-    if (!parameters_.free[static_cast<std::size_t>(i)]) result[i] = 0.0;
+    if (!parameters_.free[static_cast<std::size_t>(i)]) error[i] = 0.0;
   }
-  return result;
+  const auto speed = [&](const auto& sliding, const auto& turn) { return sliding.norm() + gyration_ * turn.norm(); };
+  return {velocities, error, speed(error.head<3>(), error.tail<3>()),
+          speed(state_.velocity, state_.angular_velocity) + load.size * time_step / parameters_.mass};
 }
 
 /// Newton's method with a Jacobian by differences. A step that does not reduce the residual is halved: the load has kinks where a finger
 /// slips or touches. At a kink the differences of one side may not lead down: then those of the other are tried.
-template <class Try>
-Grasp::Attempt Grasp::improve(Attempt now, double unit, double gyration, double time_step, const Try& attempt) const noexcept {
+Grasp::Attempt Grasp::improve(Attempt now, std::span<const DevicePose> devices, double time_step, const Load& external) const noexcept {
+  const auto at = [&](const Vector6& velocities) { return attempt(velocities, devices, time_step, external); };
   // Large compared with the rounding of positions, small compared with the deflection of the springs.
   double change = 1e-9 / time_step;
   bool turned_back = false;
-  for (int i = 0; i < iteration_limit && now.size > 1e-15 * unit; ++i) {
+  for (int i = 0; i < iteration_limit && now.size > 1e-15 * now.unit; ++i) {
     Matrix6 jacobian = Matrix6::Identity();
     for (int column = 0; column < 6; ++column) {
       if (!parameters_.free[static_cast<std::size_t>(column)]) continue;
-      const double by = column < 3 ? change : change / gyration;
+      const double by = column < 3 ? change : change / gyration_;
       Vector6 beside = now.velocities;
       beside[column] += by;
-      jacobian.col(column) = (attempt(beside).error - now.error) / by;
+      jacobian.col(column) = (at(beside).error - now.error) / by;
     }
     const Vector6 step = Eigen::PartialPivLU<Matrix6>(jacobian).solve(now.error);
     if (!step.allFinite()) break;
     double fraction = 1.0;
-    Attempt next = attempt(now.velocities - step);
+    Attempt next = at(now.velocities - step);
     // What a whole step does not reduce there is rounding, of which stiff dampers have much.
-    if (!(next.size < now.size) && now.size <= solved_fraction * unit) break;
+    if (!(next.size < now.size) && now.size <= solved_fraction * now.unit) break;
     for (int halving = 0; halving < halving_limit && !(next.size < now.size); ++halving) {
       fraction *= 0.5;
-      next = attempt(now.velocities - fraction * step);
+      next = at(now.velocities - fraction * step);
     }
     if (next.size < now.size) {
       now = next;
@@ -277,31 +280,20 @@ Grasp::Attempt Grasp::improve(Attempt now, double unit, double gyration, double 
 /// the other.
 Grasp::Attempt Grasp::search(std::span<const DevicePose> devices, double time_step, const Load& external, const Vector6& start,
                              bool& solved) const noexcept {
-  const Eigen::Vector3d momentum = angular_momentum(parameters_, state_);
-  const double gyration = std::sqrt(parameters_.inertia.mean() / parameters_.mass);
-  const auto size = [&](const Vector6& value) { return value.head<3>().norm() + gyration * value.tail<3>().norm(); };
-  const auto attempt = [&](const Vector6& velocities) {
-    const Vector6 error = residual(velocities, devices, time_step, external, momentum);
-    return Attempt{velocities, error, size(error)};
-  };
   Vector6 still = start;
   for (int i = 0; i < 6; ++i) {
     if (parameters_.free[static_cast<std::size_t>(i)]) still[i] = 0.0;
   }
-  double force = external.force.norm();
-  for (const SoftFinger& finger : fingers_) force += finger.output().load;
-  const double unit = state_.velocity.norm() + gyration * state_.angular_velocity.norm() + force * time_step / parameters_.mass;
-
-  Attempt first = attempt(start);
-  Attempt second = attempt(still);
+  Attempt first = attempt(start, devices, time_step, external);
+  Attempt second = attempt(still, devices, time_step, external);
   if (second.size < first.size) std::swap(first, second);
   // A turn by more than about half a circle looks like one in the other direction, where a moment that slows it down drives it.
   const auto is_solved = [&](const Attempt& found) {
-    return found.size <= solved_fraction * unit && found.velocities.tail<3>().norm() * time_step <= largest_turn;
+    return found.size <= solved_fraction * found.unit && found.velocities.tail<3>().norm() * time_step <= largest_turn;
   };
-  Attempt best = improve(first, unit, gyration, time_step, attempt);
+  Attempt best = improve(first, devices, time_step, external);
   if (!is_solved(best)) {
-    const Attempt other = improve(second, unit, gyration, time_step, attempt);
+    const Attempt other = improve(second, devices, time_step, external);
     if (is_solved(other) || other.size < best.size) best = other;
   }
   solved = is_solved(best);

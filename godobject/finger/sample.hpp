@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 
 /// From the device to a sample: the contact query, the check for faults, and the unwrapping of the twist.
 namespace limitcurve::godobject {
@@ -14,11 +15,16 @@ namespace limitcurve::godobject {
 /// What the device gives in a step.
 struct Sensed {
   Contact contact;
-  double twist;               ///< α_s [rad] about the normal, as it was given
-  double time_step;           ///< [s]
-  Spin spin;                  ///< of the device's orientation
-  Fault fault = Fault::none;  ///< of the device's pose; then there is no contact
-  bool may_begin = true;      ///< whether a slip of what rests begins: falls to the sliding limit
+  double twist;                     ///< α_s [rad] about the normal, as it was given
+  double time_step;                 ///< [s]
+  Spin spin;                        ///< of the device's orientation
+  Fault fault = Fault::none;        ///< of the device's pose; then there is no contact
+  bool may_begin = true;            ///< whether a slip of what rests begins: falls to the sliding limit
+  std::optional<double> load = {};  ///< P [N] where a physics engine gives it: then there is no depth
+
+  [[nodiscard]] bool touches() const noexcept { return load ? *load > 0.0 : contact.depth > 0.0; }
+  /// As `FingerOutput::depth` shows it [m].
+  [[nodiscard]] double depth() const noexcept { return load ? std::numeric_limits<double>::quiet_NaN() : contact.depth; }
 };
 
 /// Whether a vector or a quaternion is of unit length; a NaN is not.

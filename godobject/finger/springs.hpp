@@ -43,6 +43,22 @@ struct Deflection {
   }
 };
 
+/// Under a given load springs and dampers stay in the tangent plane, whatever the surface's radius: the proxy turns with the normal about the
+/// contact point, from the last sample to the present one. The way between both points has the tangent plane half way.
+inline void turn_with_normal(Eigen::Vector3d& proxy, FingerSample& last, const FingerSample& sample) noexcept {
+  if (last.normal == sample.normal) return;
+  const Eigen::Vector3d half_way = (last.normal + sample.normal).normalized();
+  // Turns what is tangent to `from`, as far as the normal turns from there; a normal that is turned over leaves it.
+  const auto turned = [](const Eigen::Vector3d& vector, const Eigen::Vector3d& from, const Eigen::Vector3d& to) -> Eigen::Vector3d {
+    const Eigen::Vector3d tangent = vector - from * from.dot(vector);
+    return tangent - (from + to) * (to.dot(tangent) / std::max(1.0 + from.dot(to), 1e-12));
+  };
+  const Eigen::Vector3d deflection = turned(turned(proxy - last.goal, last.normal, half_way), half_way, sample.normal);
+  last.goal = sample.goal - turned(sample.goal - last.goal, half_way, sample.normal);
+  last.normal = sample.normal;
+  proxy = last.goal + deflection;
+}
+
 /// Step a: springs and dampers if the proxy stays (eq. 7).
 struct TrialDeflection {
   Springs springs;
@@ -56,9 +72,9 @@ struct TrialDeflection {
   double twist;                        ///< trial deflection in twist from the relaxed one [rad]
   double limit_load;                   ///< P of the friction limit [N]
 
-  /// For a proxy x_p, α_p: from the last sample to the present one. `time_step` [s]; 0: no damper acts.
+  /// For a proxy x_p, α_p: from the last sample to the present one. `time_step` [s]; 0: no damper acts. `load`: P [N], where it is given.
   TrialDeflection(const FingerParameters& parameters, const Eigen::Vector3d& before, double angle, const FingerSample& last,
-                  const FingerSample& sample, double time_step) noexcept
+                  const FingerSample& sample, double time_step, const std::optional<double>& load) noexcept
       : springs(parameters, time_step), spring(before, sample), proxy(before) {
     const Eigen::Vector3d& n = sample.normal;
     Eigen::Vector3d relaxed = Eigen::Vector3d::Zero();
@@ -71,8 +87,10 @@ struct TrialDeflection {
     relaxed_twist = (angle - last.angle) * springs.twist_relaxed_fraction;
     const double damper = springs.stiffness - parameters.stiffness;
     // The depth alone sets the limit, as in the paper: what friction gives must not change it.
-    limit_load = std::max(parameters.stiffness * sample.depth + damper * (sample.depth - last.depth), 0.0);
-    if (spring.height < 0.0) {
+    limit_load = load ? *load : std::max(parameters.stiffness * sample.depth + damper * (sample.depth - last.depth), 0.0);
+    if (load) {
+      spring.height = 0.0;
+    } else if (spring.height < 0.0) {
       // Springs do not pull a finger in: move the proxy to the finger's near side, not farther away than it was.
       moves_to_near_side = true;
       spring.height = std::min(-spring.height, sample.depth);

@@ -30,7 +30,7 @@ void validate(const PivotOptions& options) {
   within("height", options.height, "m", false);
   within("mass", options.mass, "kg", false);
   within("gravity", options.gravity, "m/s^2", true);
-  within("time_step", options.time_step, "s", false);
+  if (!(options.time_step > 0.0 && options.time_step <= 1.0)) throw out_of_range("time_step", options.time_step, "s", "> 0, up to 1");
   within("duration", options.duration, "s", true);
   if (options.duration / options.time_step > 1e9) throw out_of_range("time_step", options.time_step, "s", ">= duration/1e9");
   if (!(options.offset >= 0.0 && options.offset < 0.5 * options.length)) {
@@ -111,6 +111,7 @@ FingerParameters finger_parameters(const PivotOptions& options, const FingerCurv
     }
     result.twist_stiffness = options.stiffness * arm * arm;
   }
+  result.max_displacement = std::numeric_limits<double>::infinity();  // the fingers are as deep as load and stiffness make them
   result.damping = options.damping;
   result.twist_damping = options.twist_damping.value_or(options.damping * result.twist_stiffness / result.stiffness);
   return result;

@@ -72,7 +72,7 @@ struct PivotOptions {
   std::optional<double> twist_stiffness = {};
   double damping = 5.0;                      ///< b_l of each finger [N s/m] ≥ 0
   std::optional<double> twist_damping = {};  ///< b_r of each finger [N m s/rad] ≥ 0; absent: b_l k_r/k_l
-  double time_step = 1e-3;                   ///< [s] > 0
+  double time_step = 1e-3;                   ///< [s] > 0, ≤ 1
   double duration = 10.0;                    ///< [s] ≥ 0
   Law law = {};                              ///< pressure law; absent: Hertz
   double tolerance = 1e-8;                   ///< of the table, if the curve is one

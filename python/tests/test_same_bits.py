@@ -95,8 +95,13 @@ def test_finger(library):
     states = np.zeros(4, int)
     for i in range(N):
         contact = Contact((x[i], y[i], 0), (0, 0, 1), depth[i], twist[i], i % 64 == 63)
-        assert library.limitcurve_finger_update(finger, ctypes.byref(contact), ctypes.c_double(1e-3), ctypes.byref(output)) == 0
-        out = mine.update((x[i], y[i], 0), (0, 0, 1), depth[i], twist[i], 1e-3, landed=i % 64 == 63)
+        dt, load = ctypes.c_double(1e-3), 1e3 * depth[i]
+        if i % 128 < 64:
+            assert library.limitcurve_finger_update(finger, ctypes.byref(contact), dt, ctypes.byref(output)) == 0
+            out = mine.update((x[i], y[i], 0), (0, 0, 1), depth[i], twist[i], 1e-3, landed=i % 64 == 63)
+        else:  # by the load, in place of the depth
+            assert library.limitcurve_finger_update_under_load(finger, ctypes.byref(contact), ctypes.c_double(load), dt, ctypes.byref(output)) == 0
+            out = mine.update_under_load((x[i], y[i], 0), (0, 0, 1), load, twist[i], 1e-3, landed=i % 64 == 63)
         states[output.state] += 1
         if (int(out.state), out.load, out.moment, out.angle, out.slip_work) != (output.state, output.load, output.moment, output.angle, output.slip_work):
             raise AssertionError(i)

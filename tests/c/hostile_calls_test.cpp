@@ -139,7 +139,9 @@ TEST_F(HostileCalls, OddNumbersAndNullAreErrorsOrRightAnswers) {
           const limitcurve_contact contact{
               {number(), number(), 0}, {0, 0, random() % 4 == 0 ? number() : 1}, number(), number(), static_cast<int>(random())};
           limitcurve_finger_output output{};
-          const limitcurve_status status = limitcurve_finger_update(finger, or_null(&contact), number(), or_null(&output));
+          const limitcurve_status status =
+              random() % 2 == 0 ? limitcurve_finger_update(finger, or_null(&contact), number(), or_null(&output))
+                                : limitcurve_finger_update_under_load(finger, or_null(&contact), number(), number(), or_null(&output));
           expect_told(status);
           if (status != LIMITCURVE_OK) continue;
           EXPECT_TRUE(std::isfinite(output.load) && std::isfinite(output.force[0]) && std::isfinite(output.moment) &&

@@ -187,9 +187,16 @@ TEST(SameBits, UpdateOfAFinger) {
     given.twist = twist;
     given.landed = i % 64 == 63;
     limitcurve_finger_output output;
-    ASSERT_EQ(limitcurve_finger_update(finger, &given, 1e-3, &output), LIMITCURVE_OK);
-    const FingerOutput expected = expected_finger.update(
-        {Eigen::Vector3d(contact.point), Eigen::Vector3d(contact.normal), contact.depth, {}, i % 64 == 63}, twist, 1e-3);
+    const Eigen::Vector3d point(contact.point);
+    const Eigen::Vector3d upward(contact.normal);
+    FingerOutput expected;
+    if (i % 128 < 64) {
+      ASSERT_EQ(limitcurve_finger_update(finger, &given, 1e-3, &output), LIMITCURVE_OK);
+      expected = expected_finger.update({point, upward, contact.depth, {}, i % 64 == 63}, twist, 1e-3);
+    } else {  // by the load, in place of the depth
+      ASSERT_EQ(limitcurve_finger_update_under_load(finger, &given, 1e3 * contact.depth, 1e-3, &output), LIMITCURVE_OK);
+      expected = expected_finger.update_under_load(point, upward, 1e3 * contact.depth, twist, 1e-3, i % 64 == 63);
+    }
     ASSERT_EQ(static_cast<int>(output.state), static_cast<int>(expected.state));
     ++seen[static_cast<std::size_t>(output.state)];
     for (int axis = 0; axis < 3; ++axis) {

@@ -36,6 +36,7 @@ TEST(RealTime, AStepNeitherAllocatesNorLocks) {
     const int count = allocations_and_locks([&] {
       for (int i = 0; i < 500; ++i) {
         finger.update(on_plane(i * 1e-4, i * 2e-5, 0.002 - i * 5e-6), i * 0.01, 1e-3);
+        finger.update_under_load({i * 1e-4, 0.0, 0.0}, {std::sin(0.1 * i), 0.0, std::cos(0.1 * i)}, 2.0 - 0.01 * i, i * 0.01, 1e-3);
         static_cast<void>(finger.margin());
         static_cast<void>(finger.load_to_hold());
         static_cast<void>(finger.preview(on_plane(0.0, 0.0, 0.001), 0.0));
@@ -91,6 +92,10 @@ TEST(RealTime, AMillionStepsMakeNoSystemCall) {
 
 TEST(RealTime, NothingInTheLoopThrows) {
   static_assert(noexcept(std::declval<SoftFinger&>().update(std::declval<const Contact&>(), 0.0)));
+  const Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
+  const Orientation level = Orientation::Identity();
+  static_assert(noexcept(std::declval<SoftFinger&>().update_under_load(up, up, 0.0, 0.0)));
+  static_assert(noexcept(std::declval<SoftFinger&>().update_under_load(up, up, 0.0, level)));
   static_assert(noexcept(std::declval<SoftFinger&>().restore(std::declval<const FingerState&>())));
   static_assert(noexcept(std::declval<const SoftFinger&>().margin()));
   static_assert(noexcept(std::declval<const Batch&>().step(std::declval<const ContactBatch&>())));
