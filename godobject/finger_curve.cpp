@@ -115,8 +115,6 @@ std::string_view to_string(Projection projection) noexcept {
   return name_of(projections, projection);
 }
 CurveKind parse_curve_kind(std::string_view text) {
-  if (text == "superellipse" || text == "quartic")
-    throw std::invalid_argument("curve '" + std::string(text) + "': use --curve table, which is faster and as exact as the law allows");
   return parse(curves, "curve", text);
 }
 Projection parse_projection(std::string_view text) {

@@ -72,7 +72,7 @@ class BasicTable {
   /// or is finer than the law's own error; the message names the law and the finest possible tolerance.
   static BasicTable build(const Law& law, double tolerance, TableOptions options = {});
 
-  /// The table of any curve that has `wrench(SlipTwist)` to 1e-15 and no corners or faces: an ellipse, a superellipse, your own curve; not
+  /// The table of any curve that has `wrench(SlipTwist)` to 1e-15 and no corners or faces: an ellipse, your own curve; not
   /// a box or a diamond. |error| ≤ tolerance·max(force_max, m_max). Throws like the other `build`.
   template <class Curve>
   static BasicTable build(const Curve& curve, double tolerance, TableOptions options) {

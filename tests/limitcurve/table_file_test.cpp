@@ -236,16 +236,6 @@ TEST(TableFile, RefusesRowsThatAreNoTableWhateverTheirChecksum) {
   EXPECT_TRUE(has(with_its_checksum(edge), "torn.csv: ")) << with_its_checksum(edge);
 }
 
-TEST(TableFile, RefusesFormat1WithTheCommandThatMakesItAnew) {
-  const std::string facts = "# law: mix:0.7*hertz+0.3*uniform\n# tolerance: 1e-06\n# certified_error: 9e-07\n";
-  EXPECT_EQ(complaint("# limitcurve table, format 1\n" + facts + "# version: 0.1.0\n"),
-            "torn.csv: a table of format 1, which this version does not read; make it anew: limitcurve table "
-            "--law mix:0.7*hertz+0.3*uniform --tolerance 1e-06 -o torn.csv");
-  EXPECT_EQ(complaint("# limitcurve table, format 1\n# la"),
-            "torn.csv: a table of format 1, which this version does not read; make it anew: limitcurve table "
-            "--law LAW --tolerance TOLERANCE -o torn.csv");
-}
-
 TEST(TableFile, NamesOfHeadersAreCIdentifiers) {
   const Table table = Table::build(hertz(), 1e-2);
   EXPECT_TRUE(has(to_header(table, "thumb"), "thumb_wrench(double slide, double spin)"));
