@@ -94,7 +94,7 @@ CurveError curve_error(const Model& model, const Exact& exact) {
 }
 
 /// The ellipse inside the exact curve whose largest error is least; both semi-axes are free. It holds only where the exact curve holds.
-/// For common laws it is the ellipse through the intercepts, shrunk (Hertz: to 0.940 of both). Semi-axes right to 1e-6; it is inside to
+/// For common laws it is the ellipse through the intercepts, shrunk (Hertz: to 0.940 of both). Semi-axes right to 1e-7; it is inside to
 /// 1e-12.
 template <LimitCurve Exact>
 Ellipse inner_ellipse(const Exact& exact) {

@@ -22,8 +22,9 @@ Law checked(Law law) {
   }
   const UnitForces<Extended> error = law->unrounded(1, Slope::unwanted).error;
   if (!(std::max(error.force, error.moment / breaks.back()) <= 1e-3L)) {
-    refuse("quadrature of its pressure does not give the load 1, expected the integral of 2 rho g to be 1, and breaks at every kink, jump and "
-           "singular ring");
+    refuse(
+        "quadrature of its pressure does not give the load 1, expected the integral of 2 rho g to be 1, and breaks at every kink, jump and "
+        "singular ring");
   }
   return law;
 }

@@ -219,11 +219,10 @@ Quadrature<Extended> direct(const PressureLaw& law, Extended s) noexcept {
 }
 
 Quadrature<double> line_profile(const PressureLaw& law, double t) noexcept {
-  return integrate_pieces(law.breaks(), static_cast<double>(law.rim_exponent()), t, 2,
-                          [&](const SplitPosition<double>& position) -> Sums<double> {
-                            return loaded(2.0 * position.at.radius * usable(law.density(position.at)),
-                                          line_kernel(position.at.radius, t, position.from_cor));
-                          });
+  return integrate_pieces(
+      law.breaks(), static_cast<double>(law.rim_exponent()), t, 2, [&](const SplitPosition<double>& position) -> Sums<double> {
+        return loaded(2.0 * position.at.radius * usable(law.density(position.at)), line_kernel(position.at.radius, t, position.from_cor));
+      });
 }
 
 Quadrature<double> line_profile(const CubicPieces& pressure, double t) noexcept {

@@ -100,8 +100,7 @@ TEST(CurveFit, EllipseLeastSquaresIsTheMinimumThatBruteForceFinds) {
 }
 
 TEST(CurveFit, EllipseMinimaxIsTheMinimumThatBruteForceFinds) {
-  // The last bulges out of the ellipse through the intercepts.
-  for (const Law& law : {flat_punch(), uniform(), hertz(), parabolic(), xydas_kao(0.2)}) {
+  for (const Law& law : {flat_punch(), uniform(), hertz(), parabolic()}) {
     const std::vector<Point> points = exact_points(law, 2001);
     const CurveFit fit = fit_ellipse(law, Criterion::minimax);
     const auto best = brute_force([&](const auto& axes) { return largest_error(points, ellipse_gauge, axes); }, {0.97, 0.96}, 1e-8);
@@ -109,6 +108,13 @@ TEST(CurveFit, EllipseMinimaxIsTheMinimumThatBruteForceFinds) {
     EXPECT_NEAR(fit.curve.force_max(), best[0], 1e-5) << law->name();
     EXPECT_NEAR(fit.error.max_over_estimate, fit.error.max_under_estimate, 1e-9) << law->name();
   }
+  // This curve bulges out of the ellipse through the intercepts; brute force stops at a ridge, a little above the minimum.
+  const std::vector<Point> points = exact_points(xydas_kao(0.2), 2001);
+  const double found = largest_error(
+      points, ellipse_gauge, brute_force([&](const auto& axes) { return largest_error(points, ellipse_gauge, axes); }, {1.0, 1.0}, 1e-8));
+  const CurveError error = fit_ellipse(xydas_kao(0.2), Criterion::minimax).error;
+  EXPECT_LT(error.max_error, found);
+  EXPECT_NEAR(error.max_over_estimate, error.max_under_estimate, 1e-9);
 }
 
 TEST(CurveFit, TheInnerEllipseDoesNotCrossTheCurve) {

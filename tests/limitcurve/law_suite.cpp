@@ -30,8 +30,7 @@ constexpr double lost = accuracy::has_extended ? 0.0 : accuracy::evaluate_by_qua
 /// The law of a string, or one that no string names: a ring-shaped pressure as a function, with a kink.
 Law law_of(const std::string& text) {
   if (text != "function") return parse_law(text);
-  return law_of_function(
-      "function", [](Extended rho) { return rho < 0.6L ? 0.2L + rho * rho : 1.4L * (1 - rho); }, {0, 0.6L, 1});
+  return law_of_function("function", [](Extended rho) { return rho < 0.6L ? 0.2L + rho * rho : 1.4L * (1 - rho); }, {0, 0.6L, 1});
 }
 
 class LawSuite : public testing::TestWithParam<std::string> {

@@ -30,7 +30,7 @@ constexpr std::array<double, 15> cors{0.0, 1e-6, 0.1, 0.31, 0.37, 0.5, 0.62, 0.7
 struct Discs {
   std::string name;
   Law kind;
-  std::vector<double> radii;  ///< the largest is 1
+  std::vector<double> radii;   ///< the largest is 1
   std::vector<double> shares;  ///< of the load; sum 1
 
   [[nodiscard]] Extended pressure(Extended rho) const {
@@ -58,7 +58,8 @@ struct Discs {
     if (told) breaks.insert(breaks.end(), radii.begin(), radii.end());
     std::sort(breaks.begin(), breaks.end());
     breaks.erase(std::unique(breaks.begin(), breaks.end()), breaks.end());
-    return std::make_shared<FunctionLaw>(name, [*this](Extended rho) { return pressure(rho); }, breaks);
+    return std::make_shared<FunctionLaw>(
+        name, [*this](Extended rho) { return pressure(rho); }, breaks);
   }
 };
 
@@ -156,7 +157,8 @@ TEST(OwnLaw, WithoutASensiblePressureIsRefused) {
     const Law law = std::make_shared<FunctionLaw>(name, pressure, whole);
     for (const double s : cors) {
       const WrenchEstimate found = law->evaluate(s);
-      EXPECT_TRUE(found.wrench.force >= 0.0 && found.wrench.force <= 1.0 && found.wrench.moment >= 0.0 && found.wrench.moment <= 1.0) << name << s;
+      EXPECT_TRUE(found.wrench.force >= 0.0 && found.wrench.force <= 1.0 && found.wrench.moment >= 0.0 && found.wrench.moment <= 1.0)
+          << name << s;
       if (s < inf) {
         EXPECT_TRUE(found.error.force > 1e-4 && found.error.force <= 1.01) << name << ' ' << found.error.force;
       }
@@ -165,7 +167,8 @@ TEST(OwnLaw, WithoutASensiblePressureIsRefused) {
     EXPECT_THROW(Table::build(law, 1e-2), std::invalid_argument) << name;
   }
   for (const std::vector<Extended>& breaks : std::vector<std::vector<Extended>>{{}, {0}, {0.1L, 1}, {0, 1, 0.5L}, {0, 0, 1}, {0, nan}}) {
-    const Law law = std::make_shared<FunctionLaw>("bad breaks", [](Extended) { return 1; }, breaks);
+    const Law law = std::make_shared<FunctionLaw>(
+        "bad breaks", [](Extended) { return 1; }, breaks);
     EXPECT_THROW(ExactCurve{law}, std::invalid_argument) << breaks.size();
   }
 }

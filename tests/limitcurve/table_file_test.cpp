@@ -189,7 +189,7 @@ TEST(TableFile, TheErrorOfAProfileIsHeldByTheChecksumToo) {
   std::string edited = text;
   EXPECT_TRUE(has(complaint(edited.replace(line, text.find('\n', line) - line, "# profile_error: 0")), "edited or damaged"));
   edited = text;
-  EXPECT_TRUE(has(complaint(edited.erase(line, text.find('\n', line) + 1 - line)), "edited or damaged"));
+  EXPECT_TRUE(has(complaint(edited.erase(line, text.find('\n', line) + 1 - line)), "expected '# profile_error: …'"));
 }
 
 TEST(TableFile, NamesWhatIsWrongAndWhere) {

@@ -3,6 +3,7 @@
 #include "fits.hpp"
 
 #include "../../fit/synthetic.hpp"
+#include "../../superellipse.hpp"
 #include "fit/fit.hpp"
 #include "gaussian_sum.hpp"
 #include "limitcurve/exact_curve.hpp"
@@ -10,7 +11,6 @@
 #include "limitcurve/laws.hpp"
 #include "limitcurve/table.hpp"
 #include "sampling.hpp"
-#include "../../superellipse.hpp"
 #include "truth.hpp"
 
 #include <algorithm>

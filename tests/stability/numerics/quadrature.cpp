@@ -261,8 +261,8 @@ Hazard kinks_of_a_profile() {
   const std::string test = "Quadrature.KinksOfAMeasuredProfile";
   const double ours = worst[2];
   found.findings.push_back({"kinks of a measured profile", "tanh-sinh, split at s", quantity, worst[0], ours, test});
-  found.findings.push_back(
-      {"kinks of a measured profile", "the same, its error estimate", "error / error stated (ours also if not told)", unstated, ours_unstated, test});
+  found.findings.push_back({"kinks of a measured profile", "the same, its error estimate", "error / error stated (ours also if not told)",
+                            unstated, ours_unstated, test});
   found.findings.push_back({"kinks of a measured profile", "Gauss, 30 points, split at s", quantity, worst[1], ours, test});
   found.figures.push_back(std::move(figure));
   return found;
