@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-/// Limit curves with one parameter beside the intercepts, as others use them: rivals in the charts.
+/// Rivals in the charts: limit curves with one parameter beside the intercepts.
 namespace limitcurve::bench {
 
 /// x⁴ + y⁴ + κx²y² = 1 with x = f, y = m/m₀, 0 ≤ κ ≤ 6.
@@ -24,8 +24,8 @@ struct Quartic {
     return std::sqrt(std::sqrt(x * x + y * y + kappa * x * y));
   }
 
-  /// With t the smaller of (v, m₀w) over the larger, r = smaller of (x, y) over the larger solves t(2 + κr²) = r(2r² + κ): r = κt/6 + z,
-  /// z³ + 3pz = 2q, by Cardano.
+  /// With t the smaller of (v, m₀w) over the larger, r = smaller of (x, y) over the larger solves
+  /// t(2 + κr²) = r(2r² + κ): r = κt/6 + z, z³ + 3pz = 2q, by Cardano.
   [[nodiscard]] UnitWrench wrench(SlipTwist twist) const {
     const double q_slip = moment_ratio * twist.spin;
     const double t = std::min(twist.slide, q_slip) / std::max(twist.slide, q_slip);
@@ -39,7 +39,8 @@ struct Quartic {
   }
 };
 
-/// The curve `of(parameter)`, from `low` to `high`, with the least largest error of the radius over 500 rays.
+/// The curve `of(parameter)`, from `low` to `high`, with the least largest error of the radius
+/// over 500 rays.
 template <class Of>
 auto best_of(const ExactCurve& exact, double low, double high, const Of& of) {
   const auto worst = [&](double parameter) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Job 2, validate: the error of the usual ellipse for each pressure law, and of the one that never holds too much.
+// Job 2, validate: the error of the usual ellipse for each pressure law, and of the one that never
+// holds too much.
 #include "limitcurve/approximations.hpp"
 #include "limitcurve/exact_curve.hpp"
 #include "limitcurve/laws.hpp"

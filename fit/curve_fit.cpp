@@ -107,8 +107,8 @@ CurveFit fit_ellipse(const Law& law, Criterion criterion, std::size_t points) {
       break;
     }
     case Criterion::minimax: {
-      // The same shape as inside: the ratio of its largest to its smallest radius, in units of the curve's, is the least. Scaled so
-      // that both errors are equal.
+      // The same shape as inside: the ratio of its largest to its smallest radius, in units of the
+      // curve's, is the least. Scaled so that both errors are equal.
       ellipse = inner_ellipse(exact);
       const double scale = 2.0 / (2.0 - curve_error(ellipse, exact).max_under_estimate);
       ellipse = Ellipse(scale * ellipse.force_max(), scale * ellipse.moment_max());

@@ -10,8 +10,9 @@
 
 namespace limitcurve::fit {
 
-/// Criterion for an ellipse that approximates the exact unit limit curve. Errors are radial and relative: its radius divided by the curve's
-/// along the same ray of the normalised plane (x = f, y = m/m₀), minus one.
+/// Criterion for an ellipse that approximates the exact unit limit curve. Errors are radial and
+/// relative: its radius divided by the curve's along the same ray of the normalised plane (x = f,
+/// y = m/m₀), minus one.
 enum class Criterion {
   intercepts,     ///< through (1, 0) and (0, m₀), as in the paper: too strong everywhere between
   least_squares,  ///< least rms error over the rays, `CurveError::rms_error`, by Ceres
@@ -22,8 +23,9 @@ enum class Criterion {
 /// The criterion's name: intercepts, least-squares, minimax, inner.
 const char* to_string(Criterion criterion) noexcept;
 
-/// An ellipse that approximates the exact unit limit curve of a law, with its errors against that curve over all rays.
-/// The report's rms is over the points of the least-squares fit. Its standard errors are NaN: the curve has no noise.
+/// An ellipse that approximates the exact unit limit curve of a law, with its errors against that
+/// curve over all rays. The report's rms is over the points of the least-squares fit. Its standard
+/// errors are NaN: the curve has no noise.
 struct CurveFit {
   Ellipse curve;  ///< in unit wrenches
   CurveError error;
@@ -34,8 +36,9 @@ struct CurveFit {
 /// weight of a point is its share of rays.
 inline constexpr std::size_t default_curve_points = 361;
 
-/// Ellipse of two semi-axes; estimates force_max [1], moment_max [1] in unit wrenches. Throws std::invalid_argument if points < 3. Cost: 1 to
-/// 2 ms for a law in closed form, most of it to measure the error.
+/// Ellipse of two semi-axes; estimates force_max [1], moment_max [1] in unit wrenches. Throws
+/// std::invalid_argument if points < 3. Cost: 1 to 2 ms for a law in closed form, most of it to
+/// measure the error.
 CurveFit fit_ellipse(const Law& law, Criterion criterion = Criterion::least_squares, std::size_t points = default_curve_points);
 
 }  // namespace limitcurve::fit

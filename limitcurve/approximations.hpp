@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <span>
 
-/// Limit curves with few parameters: ellipse, box and diamond. `validate.hpp` computes their errors.
+/// Limit curves with few parameters: ellipse, box and diamond. Their errors: `validate.hpp`.
 namespace limitcurve {
 
 /// Throws std::invalid_argument, with the name and value, unless both intercepts of a limit curve [unit wrenches] are within 1e-100 …

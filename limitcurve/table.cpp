@@ -53,7 +53,7 @@ table::Source fine_source(const Law& law, const std::string& name) {
           {}};
 }
 
-/// The largest error of `unrounded` at some CORs: some roundings, unless the law does not keep its promises.
+/// The largest error of `unrounded` at some CORs: roundings, if the law keeps its promises.
 double own_error(const PressureLaw& law) {
   Extended worst = 0;
   for (const Extended s : {0.0L, 0.03L, 0.1L, 0.3L, 0.5L, 0.7L, 0.9L, 1.0L, 1.1L, 1.5L, 3.0L, 10.0L}) {

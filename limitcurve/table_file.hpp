@@ -35,7 +35,8 @@ std::string to_json(const Table& table);
 std::string to_header(const Table& table, std::string_view name = {});
 
 /// Reads a table that `to_csv` wrote. `source` is its name in messages. Throws std::invalid_argument: `source:line:column: …` for a text
-/// that is truncated, out of order or not a table; `source: …` for a wrong checksum and for cells that make no table.
+/// that is truncated, out of order or not a table; `source: …` for a wrong checksum and for cells
+/// that make no table.
 Table read_table_csv(std::string_view text, std::string_view source);
 
 /// The contents of a table file of format 2, CSV or JSON.

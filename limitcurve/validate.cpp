@@ -139,9 +139,10 @@ CurveError curve_error(const CompareRay& compare, UnitWrench intercepts, double 
 }
 
 Ellipse inner_ellipse(const WrenchOfTwist& exact, UnitWrench intercepts) {
-  // With α, β the inverse squares of the semi-axes in the normalised plane, the square of exact radius/model radius is αx² + βy². The best
-  // ellipse has the least ratio of its largest to its smallest value, a quotient of a convex and a concave function of the shape: there
-  // is one minimum. Its size makes the smallest value 1.
+  // With α, β the inverse squares of the semi-axes in the normalised plane, the square of exact
+  // radius/model radius is αx² + βy². The best ellipse has the least ratio of its largest to its
+  // smallest value, a quotient of a convex and a concave function of the shape: there is one
+  // minimum. Its size makes the smallest value 1.
   const auto square_at = [&](double part, double spin_share) {
     const UnitWrench wrench = exact(twist_at(part, intercepts));
     const double x = wrench.force / intercepts.force;

@@ -9,8 +9,9 @@
 #include <functional>
 #include <limits>
 
-/// Errors of a limit curve against an exact one, and the best ellipse inside it. Offline: every function allocates, and
-/// evaluates the exact curve 1150 to 1500 times (0.1 to 0.6 ms for a closed form, about 0.1 s by quadrature), fits included.
+/// Errors of a limit curve against an exact one, and the best ellipse inside it. Offline: every
+/// function allocates, and evaluates the exact curve 1150 to 1500 times (0.1 to 0.6 ms for a closed
+/// form, about 0.1 s by quadrature), fits included.
 namespace limitcurve {
 
 /// Errors over all rays of the normalised plane x = f/f_max, y = m/m_max of the exact curve, from axis to axis. Radial errors are fractions
@@ -93,9 +94,9 @@ CurveError curve_error(const Model& model, const Exact& exact) {
   return detail::curve_error(compare, intercepts, exact_spin / model_spin, model_slide / exact_slide);
 }
 
-/// The ellipse inside the exact curve whose largest error is least; both semi-axes are free. It holds only where the exact curve holds.
-/// For common laws it is the ellipse through the intercepts, shrunk (Hertz: to 0.940 of both). Semi-axes right to 1e-7; it is inside to
-/// 1e-12.
+/// The ellipse inside the exact curve whose largest error is least; both semi-axes are free. It
+/// holds only where the exact curve holds. For common laws it is the ellipse through the
+/// intercepts, shrunk (Hertz: to 0.940 of both). Semi-axes right to 1e-7; it is inside to 1e-12.
 template <LimitCurve Exact>
 Ellipse inner_ellipse(const Exact& exact) {
   return detail::inner_ellipse(detail::wrench_of(exact), detail::intercepts_of(exact));

@@ -14,7 +14,7 @@
 
 namespace limitcurve::test {
 
-/// A law of somebody's own: any function of the radius, and the radii at which it says that this is not smooth. It may lie.
+/// A law of somebody's own: any function, and the radii where it says that it is not smooth.
 class FunctionLaw final : public PressureLawOf<FunctionLaw> {
  public:
   FunctionLaw(std::string name, std::function<Extended(Extended)> pressure, std::vector<Extended> breaks)

@@ -8,8 +8,8 @@
 
 namespace limitcurve::test {
 
-/// A limit curve of somebody's own, x^n + y^n = 1 with x = f/A and y = m/B: near the axes its normal turns like x^(n−1). For n < 2 the
-/// curvature there is infinite, for n > 2 zero.
+/// A limit curve of somebody's own, x^n + y^n = 1 with x = f/A and y = m/B: near the axes its
+/// normal turns like x^(n−1). For n < 2 the curvature there is infinite, for n > 2 zero.
 struct Superellipse {
   double force_max;
   double moment_max;
@@ -17,7 +17,8 @@ struct Superellipse {
 
   [[nodiscard]] double moment_ratio() const noexcept { return moment_max / force_max; }
 
-  /// With p = Av and q = Bw the smaller of x, y is (smaller of p, q/larger)^{1/(n−1)} times the larger, which is (1 + ratioⁿ)^{−1/n}.
+  /// With p = Av and q = Bw the smaller of x, y is (smaller of p, q/larger)^{1/(n−1)} times the
+  /// larger, which is (1 + ratioⁿ)^{−1/n}.
   [[nodiscard]] UnitWrench wrench(SlipTwist twist) const noexcept {
     if (twist.is_zero()) return {};
     twist = twist.magnitudes();
@@ -29,7 +30,7 @@ struct Superellipse {
                   : UnitWrench{force_max * (ratio * larger), moment_max * larger};
   }
 
-  /// d ln(y/x)/du = 1/((n−1)u(1−u)); at the ends that of u = 1e-80: for n > 2 the slope has no bound there.
+  /// d ln(y/x)/du = 1/((n−1)u(1−u)); at the ends that of u = 1e-80: for n > 2 it has no bound.
   [[nodiscard]] SlopedPoint point(SlipTwist twist) const noexcept {
     constexpr double end_distance = 1e-80;
     const double total = twist.slide + twist.spin;

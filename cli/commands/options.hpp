@@ -46,7 +46,8 @@ class Options {
   /// --columns and --units of a file of measurements (FileColumns).
   void file_columns(std::string& columns, std::string& units);
   void count(const std::string& name, std::size_t& value, std::size_t least, std::size_t most, const std::string& help);
-  /// One of `choices`; `value` receives its index and holds the default. `advice` may end the complaint of a word that is none of them.
+  /// One of `choices`; `value` receives its index and holds the default. `advice` may end the
+  /// complaint of a word that is none of them.
   void choice(const std::string& name, std::size_t& value, std::vector<std::string> choices, const std::string& help,
               Presence presence = Presence::optional, const char* (*advice)(const std::string& text) = nullptr);
 

@@ -49,7 +49,8 @@ class EllipseCurve final : public PolarCurve {
   Gauge gauge_of(PlanePoint ray) const noexcept override { return {1.0, ray.x, ray.y, 0.0}; }
 };
 
-/// γ⁴ = Q = x⁴ + y⁴ + κx²y²; γ_x = (4x³ + 2κxy²)γ/(4Q); ∂ln γ/∂κ = x²y²/(4Q). Convex for 0 ≤ κ ≤ 6; κ = 2 is the ellipse.
+/// γ⁴ = Q = x⁴ + y⁴ + κx²y²; γ_x = (4x³ + 2κxy²)γ/(4Q); ∂ln γ/∂κ = x²y²/(4Q). Convex for 0 ≤ κ ≤
+/// 6; κ = 2 is the ellipse.
 class FlexibleCurve final : public PolarCurve {
  public:
   std::string shape_name() const override { return "kappa"; }

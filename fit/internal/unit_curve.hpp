@@ -19,8 +19,9 @@ class UnitCurve {
 
   virtual ~UnitCurve() = default;
 
-  /// The shape parameter's name ("" if there is none), and, in a coordinate for the minimiser, its bounds, its start and the inverse. The coordinate
-  /// of a law's family is a logarithm of the parameter, up to a shift.
+  /// The shape parameter's name ("" if there is none), and, in a coordinate for the minimiser, its
+  /// bounds, its start and the inverse. The coordinate of a law's family is a logarithm of the
+  /// parameter, up to a shift.
   [[nodiscard]] virtual std::string shape_name() const { return {}; }
   [[nodiscard]] virtual double low() const noexcept { return 0.0; }
   [[nodiscard]] virtual double high() const noexcept { return 0.0; }

@@ -27,7 +27,7 @@ struct SplitPosition {
   Real from_cor;
 };
 
-/// A law's number; 0 where it is negative, infinite or NaN: what is missing then shows in the load.
+/// A law's number, or 0 for one that is negative, infinite or NaN: the load tells what is missing.
 template <class Real>
 Real usable(Real density) noexcept {
   return density >= 0 && density <= std::numeric_limits<Real>::max() ? density : 0;
@@ -38,9 +38,11 @@ Sums<Real> loaded(Real load, const Triple<Real>& of_unit_load) noexcept {
   return {load * of_unit_load[0], load * of_unit_load[1], load * of_unit_load[2], load};
 }
 
-/// The sums and their errors. A law that does not keep the promises of PressureLawOf, such as one with a kink between its breaks, has not the
-/// load 1 in the points of the quadrature either. Force and moment of a ring are at most `most` = {1, largest radius} times its load, and
-/// smooth where the pressure is not: so what is missing of the load tells their errors, four times if rings hide each other.
+/// The sums and their errors. A law that does not keep the promises of PressureLawOf, such as one
+/// with a kink between its breaks, has not the load 1 in the points of the quadrature either.
+/// Force and moment of a ring are at most `most` = {1, largest radius} times its load, and smooth
+/// where the pressure is not: so what is missing of the load tells their errors, four times if
+/// rings hide each other.
 template <class Real>
 Quadrature<Real> checked_by_load(Sums<Real> value, Sums<Real> error, const Sums<Real>& wavering, const std::array<Real, 2>& most) noexcept {
   constexpr Real rounding = sizeof(Real) > sizeof(double) ? Real(1e-15L) : Real(1e-13);
@@ -56,7 +58,8 @@ Quadrature<Real> checked_by_load(Sums<Real> value, Sums<Real> error, const Sums<
 }
 
 /// Sums ∫ kernel(position) dρ over the pieces between the breaks, split at s. The integrand is the kernel times rim^e with e =
-/// `rim_exponent` ≤ 0: on the last piece the substitution rim ∝ y^{1/(1+e)} absorbs that factor exactly. The kernel returns `Sums`.
+/// `rim_exponent` ≤ 0: on the last piece the substitution rim ∝ y^{1/(1+e)} absorbs that factor
+/// exactly. The kernel returns `Sums`.
 template <class Real, class Kernel>
 Quadrature<Real> integrate_pieces(const std::vector<Extended>& breaks, Real rim_exponent, Real s, std::size_t wanted,
                                   Kernel&& kernel) noexcept {

@@ -58,7 +58,8 @@ template <std::size_t count, class Real>
 struct Integrals {
   std::array<Real, count> value{};
   std::array<Real, count> error{};
-  /// The sum of the differences of the last four rows: an error of integrands that are not smooth, where one difference may be small by chance.
+  /// The sum of the differences of the last four rows: an error of integrands that are not smooth,
+  /// where one difference may be small by chance.
   std::array<Real, count> wavering{};
 };
 

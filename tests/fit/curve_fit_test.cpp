@@ -108,7 +108,8 @@ TEST(CurveFit, EllipseMinimaxIsTheMinimumThatBruteForceFinds) {
     EXPECT_NEAR(fit.curve.force_max(), best[0], 1e-5) << law->name();
     EXPECT_NEAR(fit.error.max_over_estimate, fit.error.max_under_estimate, 1e-9) << law->name();
   }
-  // This curve bulges out of the ellipse through the intercepts; brute force stops at a ridge, a little above the minimum.
+  // This curve bulges out of the ellipse through the intercepts; brute force stops at a ridge, a
+  // little above the minimum.
   const std::vector<Point> points = exact_points(xydas_kao(0.2), 2001);
   const double found = largest_error(
       points, ellipse_gauge, brute_force([&](const auto& axes) { return largest_error(points, ellipse_gauge, axes); }, {1.0, 1.0}, 1e-8));

@@ -189,7 +189,8 @@ TEST(CurveError, OfASuperellipseAgainstAnEllipse) {
   EXPECT_NEAR(error.max_over_estimate, std::pow(2.0, 0.5 - 1.0 / 2.5) - 1.0, accuracy::curve_error);
 }
 
-/// Inside, and no other ellipse inside has a smaller largest error: of those nearby each sticks out or is weaker somewhere.
+/// Inside, and no other ellipse inside has a smaller largest error: of those nearby each sticks
+/// out or is weaker somewhere.
 TEST(InnerEllipse, IsInsideWithTheLeastLargestError) {
   std::mt19937_64 random(5);
   std::uniform_real_distribution<double> factor(-0.02, 0.02);
@@ -222,8 +223,8 @@ TEST(InnerEllipse, IsInsideWithTheLeastLargestError) {
   }
 }
 
-/// Where the curve lies within the ellipse through the intercepts, that ellipse shrunk by its over-estimate touches it, and the ends are the
-/// weakest. Hertz: 1/1.0638.
+/// Where the curve lies within the ellipse through the intercepts, that ellipse shrunk by its
+/// over-estimate touches it, and the ends are the weakest. Hertz: 1/1.0638.
 TEST(InnerEllipse, IsTheOneThroughTheInterceptsShrunk) {
   for (const char* name : {"hertz", "uniform", "flat-punch", "parabolic", "cone", "gaussian:sigma=0.4"}) {
     const ExactCurve exact(parse_law(name));

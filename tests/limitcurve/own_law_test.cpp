@@ -25,8 +25,8 @@ namespace {
 constexpr double inf = std::numeric_limits<double>::infinity();
 constexpr std::array<double, 15> cors{0.0, 1e-6, 0.1, 0.31, 0.37, 0.5, 0.62, 0.75, 0.9, 1.0, 1.1, 2.0, 30.0, 1e6, inf};
 
-/// Pressures of discs on each other, each a law of one piece: a sum with a kink, a jump or a singular ring at each radius, whose wrench is
-/// known in closed form.
+/// Pressures of discs on each other, each a law of one piece: a sum with a kink, a jump or a
+/// singular ring at each radius, whose wrench is known in closed form.
 struct Discs {
   std::string name;
   Law kind;
@@ -138,7 +138,8 @@ TEST(OwnLaw, ThatHidesSomethingAtRandomIsRefusedOrSaysALargerError) {
   }
 }
 
-/// Pressures that are none: `evaluate` never has a NaN, and says that it knows nothing; curves and tables refuse them.
+/// Pressures that are none: `evaluate` never has a NaN, and says that it knows nothing; curves and
+/// tables refuse them.
 TEST(OwnLaw, WithoutASensiblePressureIsRefused) {
   constexpr Extended nan = std::numeric_limits<Extended>::quiet_NaN();
   const std::vector<Extended> whole{0, 1};
