@@ -4,9 +4,6 @@
 #include "limitcurve/pressure_law.hpp"
 
 #include <boost/math/quadrature/gauss_kronrod.hpp>
-#include <boost/math/quadrature/tanh_sinh.hpp>
-#include <boost/math/special_functions/ellint_rd.hpp>
-#include <boost/math/special_functions/ellint_rf.hpp>
 
 #ifdef LIMITCURVE_BENCH_GSL
 #include <gsl/gsl_errno.h>
@@ -15,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <vector>
 
@@ -66,57 +62,6 @@ class Grid {
     double x, y, load;
   };
   std::vector<Cell> cells_;
-};
-
-/// Boost's tanh–sinh rule over Carlson's elliptic integrals, split at ρ = s, with exact distances from there and from
-/// the rim, and without promotion to long double: the best that could be had without this library.
-class BoostSplit {
- public:
-  BoostSplit(const PressureLaw& law, double tolerance) : law_(&law), tolerance_(tolerance), rule_(std::make_shared<Rule>()) {}
-
-  UnitWrench operator()(double s) const {
-    const auto integral = [&](bool moment) {
-      double sum = 0.0;
-      const auto piece = [&](double from, double to) {
-        if (!(to > from)) return;
-        const auto integrand = [&](double radius, double from_end) {
-          const bool left = radius - from < to - radius;
-          const double near = std::fabs(from_end);
-          const double rim = left || to < 1.0 ? 1.0 - radius : near;
-          const double from_cor = to <= s ? (s - to) + (left ? to - radius : near) : (from - s) + (left ? near : radius - from);
-          return kernel(moment, s, radius, rim, from_cor);
-        };
-        sum += rule_->integrate(integrand, from, to, tolerance_);
-      };
-      piece(0.0, std::min(s, 1.0));
-      piece(std::min(s, 1.0), 1.0);
-      return sum;
-    };
-    return {integral(false), integral(true)};
-  }
-
- private:
-  using Policy = boost::math::policies::policy<boost::math::policies::promote_double<false>>;
-  using Rule = boost::math::quadrature::tanh_sinh<double, Policy>;
-
-  [[nodiscard]] double kernel(bool moment, double s, double radius, double rim, double from_cor) const {
-    constexpr double per_pi = 4.0 / 3.14159265358979323846;
-    if (radius == 0.0) return 0.0;
-    const double larger = std::max(radius, s);
-    const double q = std::min(radius, s) / larger;
-    const double complement = std::max(from_cor / larger * ((radius + s) / larger), std::numeric_limits<double>::min());
-    const double k = boost::math::ellint_rf(0.0, complement, 1.0, Policy());
-    const double d = boost::math::ellint_rd(0.0, complement, 1.0, Policy()) / 3.0;
-    const double b = k - d;
-    const double e = b + complement * d;
-    const double weight = per_pi * radius * pressure_at(*law_, radius, rim);
-    if (radius <= s) return weight * (moment ? radius * q * b : e);
-    return weight * (moment ? radius * e : q * b);
-  }
-
-  const PressureLaw* law_;
-  double tolerance_;
-  std::shared_ptr<Rule> rule_;  // its construction costs more than an integral
 };
 
 /// The integrand of eq. (17) as printed, at radius ρ and angle θ from the COR.

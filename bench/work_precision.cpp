@@ -119,7 +119,10 @@ void add_peers(const WrenchStudy& study) {
     add_of_cor(study, "others", "grid", std::to_string(cells), Grid(law, cells));
   }
   for (const double tolerance : {1e-1, 1e-2, 1e-4, 1e-6, 1e-8, 1e-12}) {
-    add_of_cor(study, "others", "Boost split", format_number(tolerance), BoostSplit(law, tolerance));
+    add_of_cor(study, "others", "Boost split", format_number(tolerance), [&law, tolerance](double cor) {
+      const UnitForces<double> forces = evaluators::boost(law, cor, Slope::unwanted, tolerance).forces;
+      return UnitWrench{forces.force, forces.moment};
+    });
   }
   for (const double tolerance : {1e-1, 1e-3, 1e-6, 1e-9, 1e-12}) {
     add_of_cor(study, "others", "Boost nested", format_number(tolerance), BoostNested(law, tolerance));

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "c/handles.hpp"
 
+#include "godobject/finger/finger_numbers.hpp"
 #include "godobject/friction.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
+#include <optional>
+#include <type_traits>
 
 using namespace limitcurve;
 using namespace limitcurve::c;
@@ -12,23 +17,36 @@ using namespace limitcurve::godobject;
 
 namespace limitcurve::c {
 
+namespace {
+
+/// The members of the structure, in the order of `finger_numbers`.
+using Given = limitcurve_finger_parameters;
+constexpr std::array members{&Given::mu,
+                             &Given::mu_dynamic,
+                             &Given::mu_r,
+                             &Given::gamma,
+                             &Given::mu_r_dynamic,
+                             &Given::stiffness,
+                             &Given::twist_stiffness,
+                             &Given::damping,
+                             &Given::twist_damping,
+                             &Given::rest_margin,
+                             &Given::max_displacement,
+                             &Given::fault_decay};
+static_assert(members.size() == finger_numbers.size());
+
+}  // namespace
+
 FingerParameters parameters_of(const limitcurve_finger_parameters& given) {
-  const auto absent = [](double value) { return std::isnan(value) ? std::optional<double>() : value; };
   if (given.radius_law == nullptr) throw std::invalid_argument("radius_law: got NULL");
   FingerParameters parameters;
-  parameters.mu = given.mu;
-  parameters.mu_dynamic = absent(given.mu_dynamic);
   parameters.radius_law = RadiusLaw::parse(given.radius_law);
-  parameters.mu_r = absent(given.mu_r);
-  parameters.gamma = given.gamma;
-  parameters.mu_r_dynamic = absent(given.mu_r_dynamic);
-  parameters.stiffness = given.stiffness;
-  parameters.twist_stiffness = given.twist_stiffness;
-  parameters.damping = given.damping;
-  parameters.twist_damping = given.twist_damping;
-  parameters.rest_margin = given.rest_margin;
-  parameters.max_displacement = given.max_displacement;
-  parameters.fault_decay = given.fault_decay;
+  auto member = members.begin();
+  for_each_number(parameters, [&](const FingerNumber&, auto& value) {
+    const double number = given.**member++;
+    // An absent number is NaN.
+    if (std::is_same_v<decltype(value), double&> || !std::isnan(number)) value = number;
+  });
   return parameters;
 }
 
@@ -101,21 +119,14 @@ limitcurve_status limitcurve_apply_friction(const limitcurve_table* table, limit
 }
 
 limitcurve_finger_parameters limitcurve_finger_defaults(void) {
+  limitcurve_finger_parameters result{};
+  result.radius_law = "constant:a=0.005";
+  auto member = members.begin();
   const FingerParameters standard;
-  const double nan = std::numeric_limits<double>::quiet_NaN();
-  return {standard.mu,
-          nan,
-          "constant:a=0.005",
-          nan,
-          0.0,
-          nan,
-          standard.stiffness,
-          standard.twist_stiffness,
-          standard.damping,
-          standard.twist_damping,
-          standard.rest_margin,
-          standard.max_displacement,
-          standard.fault_decay};
+  for_each_number(standard, [&](const FingerNumber&, std::optional<double> value) {
+    result.** member++ = value.value_or(std::numeric_limits<double>::quiet_NaN());
+  });
+  return result;
 }
 
 limitcurve_status limitcurve_finger_new(const limitcurve_table* table, const limitcurve_finger_parameters* parameters,

@@ -18,6 +18,29 @@ namespace limitcurve::cli {
 
 namespace {
 
+/// The help of a subcommand: required options, an example, the other options, notes.
+class Help final : public CLI::Formatter {
+ public:
+  static constexpr const char* required = "Required";
+
+  explicit Help(std::string example) : example_(std::move(example)) { label("REQUIRED", ""); }
+
+  std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override {
+    if (mode == CLI::AppFormatMode::Sub) return CLI::Formatter::make_help(app, std::move(name), mode);
+    const auto group = [&](const std::string& title) {
+      const auto options =
+          app->get_options([&](const CLI::Option* option) { return option->get_group() == title && option->nonpositional(); });
+      return options.empty() ? std::string() : make_group(title, false, options);
+    };
+    std::string text = make_description(app) + make_usage(app, std::move(name)) + make_positionals(app) + group(required);
+    if (!example_.empty()) text += "\nExample:\n  " + example_ + "\n";
+    return text + group("Options") + group("Rare options") + make_subcommands(app, mode) + "\n" + make_footer(app);
+  }
+
+ private:
+  std::string example_;
+};
+
 CLI::Option* add_option(CLI::App& app, const std::string& name, const std::string& kind, std::function<void(const std::string&)> take,
                         const std::string& help, Presence presence) {
   const auto take_each = [name, take = std::move(take)](const CLI::results_t& texts) {
@@ -28,47 +51,64 @@ CLI::Option* add_option(CLI::App& app, const std::string& name, const std::strin
     }
     return true;
   };
-  return app.add_option(name, take_each, help)->type_name(kind)->required(presence == Presence::required);
+  CLI::Option* const option = app.add_option(name, take_each, help)->type_name(kind);
+  if (presence == Presence::required) option->required()->group(Help::required);
+  return option;
 }
 
 struct Entry {
   std::unique_ptr<Subcommand> subcommand;
+  std::string group;
   CLI::App* app = nullptr;
   Format format = Format::csv;
   bool quiet = false;
 };
 
+/// The subcommands in groups, in the order of --help.
 std::vector<Entry> make_entries() {
-  std::vector<Entry> entries;
-  for (const auto make :
-       {make_laws, make_eval, make_curve, make_p_curves, make_c_curves, make_table, make_lookup, make_validate, make_choose,
+  using Make = std::unique_ptr<Subcommand> (*)();
+  const std::initializer_list<std::pair<const char*, std::vector<Make>>> groups {
+    {"Answers",
+     {make_hold,
 #ifdef LIMITCURVE_HAS_FIT
-        make_fit, make_translate,
+      make_translate, make_validate, make_choose, make_fit}},
+#else
+      make_validate, make_choose}},
 #endif
-        make_replay, make_pivot, make_hold, make_patch
+        {"Numbers", {make_laws, make_eval, make_curve, make_p_curves, make_c_curves, make_table, make_lookup, make_patch}}, {
+      "Motions", {
+        make_replay, make_pivot
 #ifdef LIMITCURVE_HAS_REPORT
-        ,
-        make_report
+            ,
+            make_report
 #endif
-       })
-    entries.push_back({make()});
+      }
+    }
+  };
+  std::vector<Entry> entries;
+  for (const auto& [group, makes] : groups) {
+    for (const Make make : makes) entries.push_back({make(), group});
+  }
   return entries;
 }
 
-void declare(CLI::App& whole, Entry& entry) {
+void declare(CLI::App& whole, Entry& entry, bool all) {
   const Manual manual = entry.subcommand->manual();
-  entry.app = whole.add_subcommand(manual.name, manual.purpose);
-  entry.app->footer(manual.notes + (manual.notes.empty() ? "" : "\n\n") + "Example:\n  " + manual.example);
-  Options options(*entry.app);
+  entry.app = whole.add_subcommand(manual.name, manual.purpose)->group(entry.group);
+  entry.app->formatter(std::make_shared<Help>(manual.example));
+  entry.app->footer(manual.notes);
+  Options options(*entry.app, all);
   entry.subcommand->declare(options);
-  options.value(
+  Options common(*entry.app, all);
+  common.value(
       "--format", "csv|json",
       [&entry](const std::string& text) {
         if (text != "csv" && text != "json") throw std::invalid_argument("got '" + text + "', expected csv or json");
         entry.format = text == "json" ? Format::json : Format::csv;
       },
       "Form of the results (default csv)", Presence::optional);
-  options.flag("--quiet", entry.quiet, "Write nothing but errors to standard error");
+  common.flag("--quiet", entry.quiet, "Write nothing but errors to standard error");
+  entry.app->set_help_flag("-h,--help", options.has_rare() ? "This help; --help-all shows rare options, too" : "This help");
 }
 
 void check_subcommand(const std::string& name, const std::vector<Entry>& entries) {
@@ -106,11 +146,27 @@ std::string option_meant(const std::vector<std::string>& arguments, const std::v
   return meant.empty() ? "" : "; '" + word(*unknown) + "' is none of its options" + meant;
 }
 
+/// "--mu, --stiffness are required" of the subcommand that was parsed; empty if nothing is missing.
+std::string missing_options(const std::vector<Entry>& entries) {
+  std::string names;
+  std::size_t count = 0;
+  for (const Entry& entry : entries) {
+    if (!entry.app->parsed()) continue;
+    for (const CLI::Option* const option : entry.app->get_options()) {
+      if (!option->get_required() || option->count() > 0) continue;
+      names += (names.empty() ? "" : ", ") + option->get_name();
+      ++count;
+    }
+  }
+  return names.empty() ? names : names + (count == 1 ? " is required" : " are required");
+}
+
 }  // namespace
 
 void Options::value(const std::string& name, const std::string& kind, std::function<void(const std::string&)> take, const std::string& help,
                     Presence presence) {
-  add_option(app_, name, kind, std::move(take), help, presence)->expected(1);
+  CLI::Option* const option = add_option(app_, name, kind, std::move(take), help, presence)->expected(1);
+  if (is_rare_) option->group(all_ ? "Rare options" : "");
 }
 
 void Options::repeated(const std::string& name, const std::string& kind, std::function<void(const std::string&)> take,
@@ -125,17 +181,25 @@ void Options::flag(const std::string& name, bool& value, const std::string& help
 }
 
 void run_command_line(std::vector<std::string> arguments, Results results) {
-  CLI::App app("Friction limit curves of soft fingers: exact, tabulated, approximated, and driving a god-object.", "limitcurve");
-  app.set_version_flag("--version", "limitcurve " + std::string(version));
+  CLI::App app("Friction limit curves of soft fingers: exact, tabulated, approximated; and a soft finger for a servo loop.", "limitcurve");
+  app.formatter(std::make_shared<Help>(""));
+  app.set_help_flag("-h,--help", "This help");
+  app.set_version_flag("-V,--version", "limitcurve " + std::string(version), "The version");
   app.require_subcommand(1);
   app.footer(
       "Results go to standard output as CSV (or JSON), messages to standard error.\n"
       "Exit status: 0 success, 1 the job failed, 2 wrong usage or bad input.\n"
-      "limitcurve SUBCOMMAND --help shows its options and an example.");
+      "limitcurve help SUBCOMMAND shows its options and an example.");
+  // "help", "help SUBCOMMAND" and --help-all are ways to ask for --help.
+  if (!arguments.empty() && arguments[0] == "help") arguments = {arguments.size() > 1 ? arguments[1] : "--help", "--help"};
+  const auto all = std::find(arguments.begin(), arguments.end(), "--help-all");
+  const bool shows_all = all != arguments.end();
+  if (shows_all) *all = "--help";
   std::vector<Entry> entries = make_entries();
-  for (Entry& entry : entries) declare(app, entry);
-  const std::string name = arguments.empty() ? "" : arguments[0];
-  if (name != "-h" && name != "--help" && name != "--version") check_subcommand(name, entries);
+  for (Entry& entry : entries) declare(app, entry, shows_all);
+  if (arguments.empty()) throw NoSubcommand(app.help());
+  const std::string name = arguments[0];
+  if (name != "-h" && name != "--help" && name != "--version" && name != "-V") check_subcommand(name, entries);
   try {
     app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
   } catch (const CLI::CallForHelp&) {
@@ -150,8 +214,9 @@ void run_command_line(std::vector<std::string> arguments, Results results) {
     throw std::invalid_argument("these arguments were not expected:" + unknown + " (expected usage: limitcurve " + name + " --help)" +
                                 option_meant(arguments, entries));
   } catch (const CLI::ParseError& error) {
-    throw std::invalid_argument(std::string(error.what()) + " (expected usage: limitcurve " + name + " --help)" +
-                                option_meant(arguments, entries));
+    const std::string missing = missing_options(entries);
+    throw std::invalid_argument((missing.empty() ? std::string(error.what()) : missing) + " (expected usage: limitcurve " + name +
+                                " --help)" + option_meant(arguments, entries));
   }
   for (const Entry& entry : entries) {
     if (!entry.app->parsed()) continue;

@@ -3,10 +3,16 @@
 
 #include "cli/io/rows.hpp"
 
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace limitcurve::cli {
+
+/// No subcommand was given; the text is the help.
+struct NoSubcommand : std::invalid_argument {
+  using std::invalid_argument::invalid_argument;
+};
 
 /// Runs `limitcurve ARGUMENTS…`; what --format says overrules `results`. Throws std::invalid_argument for wrong usage or bad
 /// input, any other std::exception when the job failed. Called by `run_program`, by `report` for each of its tables, and by Python.

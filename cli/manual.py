@@ -42,11 +42,17 @@ def parse(help_text):
     """A page. The parser of the command line indents a name by two spaces and its text further, on the same line or on those below."""
     lines = iter(help_text.splitlines())
     page = Page(purpose=next(lines).strip())
-    entries, notes = {"options": [], "positionals": [], "subcommands": []}, []
-    section = None
+    required, options, subcommands = [], [], []
+    entries = {"Positionals": [], "Required": required, "Options": options, "Rare options": options}
+    entries |= {"Answers": subcommands, "Numbers": subcommands, "Motions": subcommands}
+    section, notes, example = None, [], []
     for line in lines:
-        title = line.rstrip(":").lower()
-        if title in entries and line.endswith(":"):
+        title = line.rstrip(":")
+        if line == "Example:":
+            section = None
+            while line := next(lines, ""):
+                example.append(line)
+        elif title in entries and line.endswith(":"):
             section = entries[title]
         elif section is not None and (match := re.fullmatch(r" {2}(\S.*?)(?: {2,}(\S.*))?|( {3,}\S.*)", line)) and (match[1] or section):
             # A name that fills its column has one space before its text: the column is where the others begin.
@@ -62,16 +68,13 @@ def parse(help_text):
         elif not line:
             section = None
             notes.append("")
-    text, _, page.example = "\n".join(notes).partition("Example:\n")
-    page.notes = [paragraph for paragraph in re.split(r"\n{2,}", text.strip()) if paragraph]
-    page.example = page.example.strip("\n")
-    page.subcommands = dict(entries["subcommands"])
-    for name in ("options", "positionals"):
-        for head, text in entries[name]:
-            words = head.split()
-            required = words[-1] == "REQUIRED"
-            kind = " ".join(words[1 : len(words) - required])
-            getattr(page, name).append(Option(words[0].split(","), kind, required, text))
+    page.notes = [paragraph for paragraph in re.split(r"\n{2,}", "\n".join(notes).strip()) if paragraph]
+    page.example = "\n".join(example)
+    page.subcommands = dict(subcommands)
+    for name, listed in (("options", required + options), ("positionals", entries["Positionals"])):
+        for head, text in listed:
+            names, _, kind = head.partition(" ")
+            getattr(page, name).append(Option(names.split(","), kind, listed is not options and [head, text] in required, text))
     return page
 
 
@@ -84,7 +87,7 @@ class Manual:
 
         self.version = said("--version").split()[-1]
         self.whole = parse(said("--help"))
-        self.pages = {name: parse(said(name, "--help")) for name in self.whole.subcommands}
+        self.pages = {name: parse(said(name, "--help-all")) for name in self.whole.subcommands}
         # What a law begins with: a shell would break a word at the colon after it.
         laws = [row.split(",")[0].strip('"') for row in said("laws").splitlines()[1:]] + ["samples:", "mix:"]
         self.laws = list(dict.fromkeys(law.partition(":")[0] + law.partition(":")[1] for law in laws))

@@ -29,6 +29,9 @@ int run_program(const std::vector<std::string>& arguments) {
     if (descriptor::draws(descriptor::standard_output)) output.before_writing([&] { messages.stop(); });
     run_command_line(arguments, {.output = output, .messages = &messages});
     return 0;
+  } catch (const NoSubcommand& error) {
+    std::fputs(error.what(), stderr);
+    return 2;
   } catch (const std::invalid_argument& error) {
     complain(error.what());
     return 2;

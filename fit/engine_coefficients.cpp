@@ -7,7 +7,7 @@
 #include "limitcurve/internal/did_you_mean.hpp"
 #include "limitcurve/internal/number.hpp"
 #include "limitcurve/patch.hpp"
-#include "limitcurve/patch/round_models.hpp"
+#include "limitcurve/round_models.hpp"
 
 #include <algorithm>
 #include <array>

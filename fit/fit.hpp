@@ -6,6 +6,7 @@
 #include "curve_fit.hpp"
 #include "engine_coefficients.hpp"
 #include "estimate.hpp"
+#include "friction_fit.hpp"
 #include "load_fit.hpp"
 #include "measurements.hpp"
 #include "model_fit.hpp"

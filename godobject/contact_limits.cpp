@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "godobject/contact_limits.hpp"
 
+#include "godobject/finger/finger_numbers.hpp"
 #include "limitcurve/contact_radius.hpp"
 #include "limitcurve/internal/number.hpp"
 
@@ -15,26 +16,15 @@ namespace limitcurve::godobject {
 
 namespace {
 
-/// The range is so wide that only a wrong unit leaves it, and so narrow that no product in a step overflows.
-double positive(std::string_view name, double value, std::string_view unit) {
-  if (!(value >= 1e-15 && value <= 1e15)) throw out_of_range(name, value, unit, "> 0, from 1e-15 to 1e15");
+double in_range(std::string_view name, double value, std::string_view unit, const Range& range) {
+  if (!range.contains(value)) throw out_of_range(name, value, unit, range.text);
   return value;
 }
 
-double non_negative(std::string_view name, double value, std::string_view unit) {
-  if (!(value >= 0.0 && value <= 1e15)) throw out_of_range(name, value, unit, ">= 0, up to 1e15");
-  return value;
-}
-
-void check_finger(const FingerParameters& parameters) {
-  positive("stiffness", parameters.stiffness, "N/m");
-  positive("twist_stiffness", parameters.twist_stiffness, "N m/rad");
-  non_negative("damping", parameters.damping, "N s/m");
-  non_negative("twist_damping", parameters.twist_damping, "N m s/rad");
-  non_negative("rest_margin", parameters.rest_margin, "1");
-  if (!(parameters.max_displacement > 0.0)) throw out_of_range("max_displacement", parameters.max_displacement, "m", "> 0");
-  if (!(parameters.fault_decay >= 0.0 && parameters.fault_decay <= 1.0))
-    throw out_of_range("fault_decay", parameters.fault_decay, "1", "0 <= fault_decay <= 1");
+void check_ranges(const FingerParameters& parameters) {
+  for_each_number(parameters, [](const FingerNumber& number, std::optional<double> value) {
+    if (value) in_range(number.name, *value, number.unit, number.range);
+  });
 }
 
 /// The radius for which μ a m_max is the moment coefficient. For a coefficient of 0 a radius so small that the moment is negligible: limits
@@ -76,19 +66,19 @@ double stick_fraction(double sliding_fraction, double rest_margin) noexcept {
 }
 
 ContactLimits::ContactLimits(const FingerParameters& parameters, double moment_max) {
-  check_finger(parameters);
-  positive("moment_max", moment_max, "1");
-  const double mu = non_negative("mu", parameters.mu, "1");
-  const double mu_dynamic = non_negative("mu_dynamic", parameters.mu_dynamic.value_or(mu), "1");
+  check_ranges(parameters);
+  in_range("moment_max", moment_max, "1", spring);
+  const double mu = parameters.mu;
+  const double mu_dynamic = parameters.mu_dynamic.value_or(mu);
   if (mu_dynamic > mu) throw out_of_range("mu_dynamic", mu_dynamic, "1", "0 <= mu_dynamic <= mu");
   if (parameters.mu_r) {
-    const double mu_r = non_negative("mu_r", *parameters.mu_r, "m");
+    const double mu_r = *parameters.mu_r;
     if (mu == 0.0 && mu_r > 0.0) throw out_of_range("mu_r", mu_r, "m", "0 where mu is 0");
     sticking_ = {mu, equivalent_radius(mu_r, mu, moment_max)};
     // By default both coefficients fall by the same factor, so that the radius stays.
     sliding_ = {mu_dynamic, sticking_.radius};
     if (parameters.mu_r_dynamic) {
-      const double mu_r_dynamic = non_negative("mu_r_dynamic", *parameters.mu_r_dynamic, "m");
+      const double mu_r_dynamic = *parameters.mu_r_dynamic;
       if (mu_r_dynamic > mu_r) {
         throw out_of_range("mu_r_dynamic", mu_r_dynamic, "m", "0 <= mu_r_dynamic <= mu_r");
       }
@@ -98,18 +88,17 @@ ContactLimits::ContactLimits(const FingerParameters& parameters, double moment_m
       sliding_.radius = equivalent_radius(mu_r_dynamic, sliding_.force, moment_max);
     }
     has_torsion_ = mu_r > 0.0;
-    const double exponent = parameters.gamma;
-    if (!(exponent >= -0.5 && exponent <= 1.0)) throw out_of_range("gamma", exponent, "1", "-0.5 <= gamma <= 1");
-    if (exponent != 0.0) {
+    if (parameters.gamma != 0.0) {
       // A sampled law is a power law between and beyond its two samples.
-      radius_law_ = RadiusLaw::sampled(std::array<LoadSample, 2>{{{1.0, sticking_.radius}, {2.0, sticking_.radius * std::exp2(exponent)}}});
+      radius_law_ =
+          RadiusLaw::sampled(std::array<LoadSample, 2>{{{1.0, sticking_.radius}, {2.0, sticking_.radius * std::exp2(parameters.gamma)}}});
     }
   } else {
     if (parameters.gamma != 0.0) throw out_of_range("gamma", parameters.gamma, "1", "0 without mu_r");
     if (parameters.mu_r_dynamic) {
       throw out_of_range("mu_r_dynamic", *parameters.mu_r_dynamic, "m", "absent without mu_r");
     }
-    const double radius = positive("radius_law coefficient", parameters.radius_law.coefficient(), "m/N^gamma");
+    const double radius = in_range("radius_law coefficient", parameters.radius_law.coefficient(), "m/N^gamma", spring);
     sticking_ = {mu, radius};
     sliding_ = {mu_dynamic, radius};
     if (parameters.radius_law.is_sampled() || parameters.radius_law.exponent() != 0.0) radius_law_ = parameters.radius_law;

@@ -2,16 +2,14 @@
 #include "godobject/finger_curve.hpp"
 
 #include "limitcurve/approximations.hpp"
-#include "limitcurve/internal/did_you_mean.hpp"
+#include "limitcurve/internal/names.hpp"
 #include "limitcurve/pressure_law.hpp"
 #include "limitcurve/table.hpp"
 
 #include <algorithm>
 #include <array>
 #include <stdexcept>
-#include <string>
 #include <utility>
-#include <vector>
 
 namespace limitcurve::godobject {
 
@@ -72,53 +70,25 @@ double BasicFingerCurve<Real>::gauge(UnitWrench wrench) const noexcept {
 template class BasicFingerCurve<double>;
 template class BasicFingerCurve<float>;
 
-namespace {
-
-template <class Kind, std::size_t count>
-using Names = std::array<std::pair<Kind, std::string_view>, count>;
-
-constexpr Names<CurveKind, 4> curves{
-    {{CurveKind::exact, "exact"}, {CurveKind::table, "table"}, {CurveKind::ellipse, "ellipse"}, {CurveKind::box, "box"}}};
-
-constexpr Names<Projection, 3> projections{
-    {{Projection::radial, "radial"}, {Projection::c_curve, "c-curve"}, {Projection::closest_point, "closest-point"}}};
-
-template <class Kind, std::size_t count>
-std::string_view name_of(const Names<Kind, count>& names, Kind kind) noexcept {
-  for (const auto& [known, name] : names) {
-    if (known == kind) return name;
-  }
-  return "unknown";
+std::span<const std::string_view> curve_kind_names() noexcept {
+  static constexpr std::array<std::string_view, 4> names{"exact", "table", "ellipse", "box"};
+  return names;
 }
-
-template <class Kind, std::size_t count>
-Kind parse(const Names<Kind, count>& names, std::string_view noun, std::string_view text) {
-  std::string given(text);
-  std::replace(given.begin(), given.end(), '_', '-');
-  std::string expected;
-  std::vector<std::string_view> known;
-  for (const auto& [kind, name] : names) {
-    if (name == given) return kind;
-    if (!expected.empty()) expected += '|';
-    expected += name;
-    known.push_back(name);
-  }
-  throw std::invalid_argument(std::string(noun) + " '" + std::string(text) + "': expected " + expected + did_you_mean(given, known));
+std::span<const std::string_view> projection_names() noexcept {
+  static constexpr std::array<std::string_view, 3> names{"radial", "c-curve", "closest-point"};
+  return names;
 }
-
-}  // namespace
-
 std::string_view to_string(CurveKind kind) noexcept {
-  return name_of(curves, kind);
+  return curve_kind_names()[static_cast<std::size_t>(kind)];
 }
 std::string_view to_string(Projection projection) noexcept {
-  return name_of(projections, projection);
+  return projection_names()[static_cast<std::size_t>(projection)];
 }
 CurveKind parse_curve_kind(std::string_view text) {
-  return parse(curves, "curve", text);
+  return parse_name<CurveKind>(curve_kind_names(), "curve", text);
 }
 Projection parse_projection(std::string_view text) {
-  return parse(projections, "projection", text);
+  return parse_name<Projection>(projection_names(), "projection", text);
 }
 
 Table finest_table(const Law& law, double tolerance) {
@@ -132,10 +102,17 @@ Table finest_table(const Law& law, double tolerance) {
 }
 
 FingerCurve make_finger_curve(CurveKind kind, const Law& law, double tolerance) {
-  if (kind == CurveKind::exact) return finest_table(law, Table::finest_tolerance);
-  if (kind == CurveKind::table) return Table::build(law, tolerance);
-  if (kind == CurveKind::box) return box(1.0, law->moment_ratio());
-  return Ellipse::through_intercepts(law->moment_ratio());
+  switch (kind) {
+    case CurveKind::exact:
+      return finest_table(law, Table::finest_tolerance);
+    case CurveKind::table:
+      return Table::build(law, tolerance);
+    case CurveKind::ellipse:
+      return Ellipse::through_intercepts(law->moment_ratio());
+    case CurveKind::box:
+      return box(1.0, law->moment_ratio());
+  }
+  throw std::invalid_argument("curve: no CurveKind");
 }
 
 }  // namespace limitcurve::godobject

@@ -8,6 +8,7 @@
 #include <concepts>
 #include <cstddef>
 #include <memory>
+#include <span>
 #include <string_view>
 #include <utility>
 
@@ -85,9 +86,10 @@ enum class CurveKind {
   box       ///< uncoupled limits; for the closest point only
 };
 
-/// "exact", "table", "ellipse", "box".
+/// "exact", "table", "ellipse", "box"; and "radial", "c-curve", "closest-point": in the order of the enumerations.
+std::span<const std::string_view> curve_kind_names() noexcept;
+std::span<const std::string_view> projection_names() noexcept;
 std::string_view to_string(CurveKind kind) noexcept;
-/// "radial", "c-curve", "closest-point".
 std::string_view to_string(Projection projection) noexcept;
 
 /// The inverse of `to_string`, which takes "_" for "-", too; throws `std::invalid_argument` with the names that were expected.

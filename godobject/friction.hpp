@@ -91,9 +91,15 @@ template <class Real, class Number>
     const Number limit = Number(curve.force_max);
     return {!(trial.force <= limit * trial.slip_from), limit / trial.force, zero, Number(Real(1)), zero, zero};
   }
-  if (projection == Projection::closest_point) return project_on_to_closest_point(curve, trial, last);
-  if (projection == Projection::c_curve && limits.radius_law != nullptr)
-    return project_along_c_curve(curve, trial, last, *limits.radius_law, limits.load);
+  switch (projection) {
+    case Projection::closest_point:
+      return project_on_to_closest_point(curve, trial, last);
+    case Projection::c_curve:
+      if (limits.radius_law != nullptr) return project_along_c_curve(curve, trial, last, *limits.radius_law, limits.load);
+      break;  // a radius that does not depend on the load: the same as radial
+    case Projection::radial:
+      break;
+  }
   return project_radially(curve, trial, last);
 }
 

@@ -5,6 +5,7 @@
 #include "wrench.hpp"
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,9 +24,11 @@ enum class Method {
   ring,       ///< elliptic kernels, one integral over the radius
   punch,      ///< superposition of rigid flat punches, one integral over their radius
   direct,     ///< eq. (17) as printed: the double integral over the disc
+  boost,      ///< as ring, by Boost.Math alone: Carlson's integrals and its tanh–sinh rule, in double
 };
 
-/// The method's name on the command line ("auto", "closed", "ring", "punch", "direct").
+/// The methods' names, in their order: "auto", "closed", "ring", "punch", "direct", "boost".
+std::span<const std::string_view> method_names();
 std::string_view to_string(Method method);
 
 /// Whether a function computes df/ds, too. By quadrature the slope adds half to the cost. `unwanted`: df/ds may be NaN.
@@ -79,8 +82,8 @@ class PressureLaw {
 
   /// Unit wrench at s ∈ [0, ∞] and a bound of its absolute error, computed in extended precision. `allows(method)` must be true.
   /// The true error is at most the error returned. That is ≤ 1e-15 relative for a closed form and ≤ 1e-14 for ring and punch (larger if long
-  /// double is double: accuracy.hpp); for direct it is absolute. A law from samples adds its interpolation error. Cost: 1 µs to 0.5 ms, direct
-  /// 10 to 100 ms.
+  /// double is double: accuracy.hpp); ≤ 1e-13 for boost; for direct it is absolute. A law from samples adds its
+  /// interpolation error. Cost: 1 µs to 0.5 ms, direct 10 to 100 ms.
   [[nodiscard]] virtual WrenchEstimate evaluate(double s, Method method = Method::automatic) const noexcept;
 
   /// The result of `evaluate` before rounding to double, by Method::automatic. Its error leaves out the interpolation error of samples
@@ -106,6 +109,9 @@ class PressureLaw {
 /// 0, or the quadrature misses 1e-3 of the force or of the moment.
 Law checked(Law law);
 
+/// The method of that name; throws std::invalid_argument, which lists those that the law has, for one that it lacks or that is none.
+Method method_of(const PressureLaw& law, std::string_view name);
+
 /// Base of laws: implements both densities by the derived law's template
 /// `pressure<Real>(RadialPosition<Real>)`. With this and `name` a law is complete if
 ///  - its load is 1, ∫ 2ρ g dρ = 1, to 1e-17;
@@ -114,7 +120,8 @@ Law checked(Law law);
 ///  - the pressure grows towards the rim at most like rim^(−½), computed from `rim`, or has a
 ///    `rim_exponent`. A ring of infinite pressure within the rim costs digits: about 1e-9.
 /// What a law does not keep of this `evaluate` adds to its error, and a table to its own: what the
-/// load lacks in the points of the quadrature. More than 1e-3 is refused (`checked`). Never NaN.
+/// load lacks in the points of the quadrature. Never NaN; more than 1e-3 is refused (`checked`).
+/// Method::boost, a witness, does not look for it.
 template <class Derived>
 class PressureLawOf : public PressureLaw {
  public:

@@ -2,52 +2,20 @@
 #include "limitcurve/contact_radius.hpp"
 
 #include "limitcurve/internal/did_you_mean.hpp"
+#include "limitcurve/internal/key_values.hpp"
 #include "limitcurve/internal/number.hpp"
 
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <optional>
 
 namespace limitcurve {
 
 namespace {
 
-double positive(std::string_view name, double value, std::string_view unit) {
+double checked(std::string_view name, double value, std::string_view unit) {
   if (!(value > 0.0 && value <= std::numeric_limits<double>::max())) throw out_of_range(name, value, unit, "> 0 and finite");
   return value;
-}
-
-/// Reads exactly the `keys`, in any order, from "key=value,key=value".
-template <std::size_t count>
-std::array<double, count> parameters(std::string_view whole, std::string_view text, const std::array<std::string_view, count>& keys) {
-  std::array<std::optional<double>, count> values;
-  const auto complain = [&](std::string_view item) {
-    std::string expected;
-    for (const std::string_view key : keys) expected += (expected.empty() ? "" : ",") + std::string(key) + "=NUMBER";
-    return std::invalid_argument("radius law '" + std::string(whole) + "': expected " + expected + ", got '" + std::string(item) + "'" +
-                                 did_you_mean(item.substr(0, item.find('=')), {keys.begin(), keys.end()}));
-  };
-  std::size_t begin = 0;
-  while (begin <= text.size()) {
-    const std::size_t end = std::min(text.find(',', begin), text.size());
-    const std::string_view item = text.substr(begin, end - begin);
-    bool known = false;
-    for (std::size_t i = 0; i < count; ++i) {
-      if (item.substr(0, keys[i].size() + 1) != std::string(keys[i]) + "=") continue;
-      if (values[i]) throw complain(item);
-      values[i] = parse_number(item.substr(keys[i].size() + 1));
-      known = values[i].has_value();
-    }
-    if (!known) throw complain(item);
-    begin = end + 1;
-  }
-  std::array<double, count> result{};
-  for (std::size_t i = 0; i < count; ++i) {
-    if (!values[i]) throw complain(text);
-    result[i] = *values[i];
-  }
-  return result;
 }
 
 }  // namespace
@@ -60,18 +28,18 @@ struct RadiusLaw::Stretch {
 };
 
 RadiusLaw RadiusLaw::constant(double radius) {
-  return {positive("a", radius, "m"), 0.0};
+  return {checked("a", radius, "m"), 0.0};
 }
 
 RadiusLaw RadiusLaw::hertz(double sphere_radius, double modulus) {
   // The quotient of two valid numbers may overflow or underflow.
-  const double ratio = positive("R/E", positive("R", sphere_radius, "m") / positive("E", modulus, "Pa"), "m/Pa");
+  const double ratio = checked("R/E", checked("R", sphere_radius, "m") / checked("E", modulus, "Pa"), "m/Pa");
   return {std::cbrt(0.75 * ratio), 1.0 / 3.0};
 }
 
 RadiusLaw RadiusLaw::power(double coefficient, double exponent) {
   if (!(exponent >= 0.0 && exponent <= 1.0)) throw out_of_range("gamma", exponent, "1", "0 <= gamma <= 1");
-  return {positive("c", coefficient, "m/N^gamma"), exponent};
+  return {checked("c", coefficient, "m/N^gamma"), exponent};
 }
 
 RadiusLaw RadiusLaw::sampled(std::span<const LoadSample> radii) {
@@ -79,8 +47,8 @@ RadiusLaw RadiusLaw::sampled(std::span<const LoadSample> radii) {
   auto stretches = std::make_shared<std::vector<Stretch>>();
   for (std::size_t i = 0; i < radii.size(); ++i) {
     const std::string sample = " of sample " + std::to_string(i + 1);
-    positive("load" + sample, radii[i].load, "N");
-    positive("value" + sample, radii[i].value, "m or N m");
+    checked("load" + sample, radii[i].load, "N");
+    checked("value" + sample, radii[i].value, "m or N m");
     if (i == 0) continue;
     const LoadSample& before = radii[i - 1];
     if (!(radii[i].load > before.load)) throw out_of_range("load" + sample, radii[i].load, "N", "greater than the one before");
@@ -98,15 +66,15 @@ RadiusLaw RadiusLaw::sampled(std::span<const LoadSample> radii) {
 }
 
 RadiusLaw RadiusLaw::of_moments(std::span<const LoadSample> moments, double mu, double moment_ratio) {
-  positive("mu", mu, "1");
-  positive("moment_ratio", moment_ratio, "1");
+  checked("mu", mu, "1");
+  checked("moment_ratio", moment_ratio, "1");
   std::vector<LoadSample> radii;
   for (const LoadSample& sample : moments) radii.push_back({sample.load, sample.value / (moment_ratio * mu * sample.load)});
   return sampled(radii);
 }
 
 RadiusLaw RadiusLaw::linear_moment(double mu_r, double mu, double moment_ratio) {
-  return constant(positive("mu_r", mu_r, "m") / (positive("mu", mu, "1") * positive("moment_ratio", moment_ratio, "1")));
+  return constant(checked("mu_r", mu_r, "m") / (checked("mu", mu, "1") * checked("moment_ratio", moment_ratio, "1")));
 }
 
 double RadiusLaw::sampled_radius(double load) const noexcept {
@@ -139,22 +107,28 @@ double RadiusLaw::load_of_product(double product) const noexcept {
 }
 
 RadiusLaw RadiusLaw::parse(std::string_view text) {
-  const std::size_t colon = text.find(':');
-  const std::string_view kind = text.substr(0, colon);
-  if (colon == std::string_view::npos || (kind != "constant" && kind != "hertz" && kind != "power")) {
-    throw std::invalid_argument("radius law '" + std::string(text) +
-                                "': expected constant:a=0.005, hertz:R=0.008,E=2e5, power:c=0.00207,gamma=0.259; on the command line "
-                                "also samples:FILE.csv (load,radius), moments:FILE.csv (load,moment)" +
-                                did_you_mean(kind, {"constant", "hertz", "power", "samples", "moments"}, text.substr(kind.size())));
-  }
-  const std::string_view rest = text.substr(colon + 1);
+  const auto [kind, rest] = split_description(text);
+  const std::string_view items = rest.value_or("");
   try {
-    if (kind == "constant") return constant(parameters<1>(text, rest, {"a"})[0]);
-    const bool is_hertz = kind == "hertz";
-    const auto [first, second] = is_hertz ? parameters<2>(text, rest, {"R", "E"}) : parameters<2>(text, rest, {"c", "gamma"});
-    return is_hertz ? hertz(first, second) : power(first, second);
+    double first = 0.0;
+    double second = 0.0;
+    if (kind == "constant") {
+      read_key_values(items, {number_key("a", first)});
+      return constant(first);
+    }
+    if (kind == "hertz") {
+      read_key_values(items, {number_key("R", first), number_key("E", second)});
+      return hertz(first, second);
+    }
+    if (kind == "power") {
+      read_key_values(items, {number_key("c", first), number_key("gamma", second)});
+      return power(first, second);
+    }
+    throw std::invalid_argument(
+        "expected constant:a=0.005, hertz:R=0.008,E=2e5, power:c=0.00207,gamma=0.259; on the command line also samples:FILE.csv "
+        "(load,radius), moments:FILE.csv (load,moment)" +
+        did_you_mean(kind, {"constant", "hertz", "power", "samples", "moments"}, text.substr(kind.size())));
   } catch (const std::invalid_argument& error) {
-    if (std::string_view(error.what()).substr(0, 12) == "radius law '") throw;
     throw std::invalid_argument("radius law '" + std::string(text) + "': " + error.what());
   }
 }

@@ -4,6 +4,8 @@
 #include <nanobind/nanobind.h>
 #include <nanobind/ndarray.h>
 
+#include "cli/io/range.hpp"
+
 #include <Eigen/Core>
 
 #include <algorithm>
@@ -72,15 +74,8 @@ std::vector<Numbers<double>> columns_of(const std::string& table, const std::vec
 template <class Real>
 std::vector<Numbers<Real>> broadcast(std::span<const nb::handle> values, std::span<const char* const> names);
 
-/// The numbers that an argument may be.
-struct Range {
-  double least;
-  double largest;
-  const char* text;
-};
-inline constexpr Range any{-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(), "any"};
-inline constexpr Range non_negative{0.0, std::numeric_limits<double>::infinity(), "a number >= 0, or inf"};
-inline constexpr Range finite_non_negative{0.0, std::numeric_limits<double>::max(), "a finite number >= 0"};
+/// Any number.
+inline constexpr Range any{-cli::infinite, cli::infinite, "any"};
 
 /// Throws for a number out of the range; NaN passes.
 template <class Real>

@@ -152,6 +152,9 @@ void add_batches(nb::module_& module) {
       "['stick', 'stick', 'slip']\n"
       ">>> [round(float(f), 6) for f in batch.fx]\n"
       "[0.0, -1.0, -1.2]\n");
+  const std::string signature =
+      "def __init__(self, curve: Table | Curve, n: int, *, dtype: numpy.typing.DTypeLike = 'float64', projection: str = 'closest-point', " +
+      parameters_signature() + ") -> None";
   batch.def(
       "__init__",
       [](PyBatch* self, nb::handle curve, std::size_t n, nb::handle dtype, nb::kwargs given) {
@@ -171,13 +174,7 @@ void add_batches(nb::module_& module) {
         }
         new (self) PyBatch(std::move(made));
       },
-      nb::arg("curve"), nb::arg("n"), nb::kw_only(), nb::arg("dtype") = "float64", nb::arg("kwargs"),
-      nb::sig(
-          "def __init__(self, curve: Table | Curve, n: int, *, dtype: numpy.typing.DTypeLike = 'float64', projection: str = "
-          "'closest-point', mu: float = 0.5, mu_dynamic: float | None = None, radius_law: str = 'constant:a=0.005', mu_r: "
-          "float | None = None, gamma: float = 0.0, mu_r_dynamic: float | None = None, stiffness: float = 1000.0, "
-          "twist_stiffness: float = 0.04, damping: float = 0.0, twist_damping: float = 0.0, rest_margin: float = 0.4, max_displacement: "
-          "float = 0.5, fault_decay: float = 0.99) -> None"),
+      nb::arg("curve"), nb::arg("n"), nb::kw_only(), nb::arg("dtype") = "float64", nb::arg("kwargs"), nb::sig(signature.c_str()),
       "n free contacts at the origin; parameters as for SoftFinger. dtype float32 needs half the memory and time and resolves 6e-8 of a\n"
       "coordinate; its table is that of the given one, to 5e-7 or 1 % of its tolerance.");
   batch.def(

@@ -122,10 +122,10 @@ template <class Real>
 void require(const Real* numbers, std::size_t size, const char* name, const Range& range) {
   const Real* const end = numbers + size;
   const Real* const bad =
-      std::find_if(numbers, end, [&](Real number) { return double{number} < range.least || double{number} > range.largest; });
+      std::find_if(numbers, end, [&](Real number) { return double{number} < range.least || double{number} > range.most; });
   if (bad == end) return;
   const std::string place = size == 1 ? "" : "[" + std::to_string(bad - numbers) + "]";
-  throw std::invalid_argument(name + place + ": got " + format_number(double{*bad}) + ", expected " + range.text);
+  throw std::invalid_argument(name + place + ": got " + format_number(double{*bad}) + ", expected " + std::string(range.text));
 }
 template void require(const double* numbers, std::size_t size, const char* name, const Range& range);
 template void require(const float* numbers, std::size_t size, const char* name, const Range& range);

@@ -28,16 +28,16 @@ namespace {
 
 template <std::size_t results, std::size_t block = 16, class At>
 nb::object of_cors(nb::handle c, const At& at) {
-  return of_numbers<results, block, 1>({c}, {"c"}, non_negative, [&](const std::array<double, 1>& s) { return at(s[0]); });
+  return of_numbers<results, block, 1>({c}, {"c"}, cli::distance, [&](const std::array<double, 1>& s) { return at(s[0]); });
 }
 
 std::array<double, 2> components(const UnitWrench& wrench) {
   return {wrench.force, wrench.moment};
 }
 
-nb::object evaluate_with_errors(const PyLaw& law, nb::handle c) {
+nb::object evaluate_with_errors(const PyLaw& law, nb::handle c, Method method) {
   return of_cors<4>(c, [&](double s) -> std::array<double, 4> {
-    const WrenchEstimate estimate = cli::in_units(law.law->evaluate(s), s, 1.0, 1.0);
+    const WrenchEstimate estimate = cli::in_units(law.law->evaluate(s, method), s, 1.0, 1.0);
     return {estimate.wrench.force, estimate.wrench.moment, estimate.error.force, estimate.error.moment};
   });
 }
@@ -45,7 +45,7 @@ nb::object evaluate_with_errors(const PyLaw& law, nb::handle c) {
 /// One number for each pair of force and moment.
 template <class Of>
 nb::object of_wrenches(nb::handle force, nb::handle moment, const Of& of) {
-  return of_numbers<1, 16, 2>({force, moment}, {"force", "moment"}, finite_non_negative,
+  return of_numbers<1, 16, 2>({force, moment}, {"force", "moment"}, cli::non_negative,
                               [&](const std::array<double, 2>& wrench) { return std::array{of(wrench[0], wrench[1])}; });
 }
 
@@ -155,15 +155,17 @@ void add_laws(nb::module_& module) {
           "A measured profile: pressures [any unit] at increasing radii [any unit]; the last radius is the edge of the contact.")
       .def(
           "evaluate",
-          [](const PyLaw& self, nb::handle c, nb::handle error) {
-            return truth_of(error) ? evaluate_with_errors(self, c)
-                                   : of_cors<2>(c, [&](double s) { return components(self.law->evaluate(s).wrench); });
+          [](const PyLaw& self, nb::handle c, nb::handle error, const std::string& name) {
+            const Method method = method_of(*self.law, name);
+            return truth_of(error) ? evaluate_with_errors(self, c, method)
+                                   : of_cors<2>(c, [&](double s) { return components(self.law->evaluate(s, method).wrench); });
           },
-          nb::arg("c"), nb::kw_only(), nb::arg("error") = false,
-          nb::sig("def evaluate(self, c: numpy.typing.ArrayLike, *, error: bool = False) -> tuple[typing.Any, ...]"),
+          nb::arg("c"), nb::kw_only(), nb::arg("error") = false, nb::arg("method") = "auto",
+          nb::sig("def evaluate(self, c: numpy.typing.ArrayLike, *, error: bool = False, method: str = 'auto') -> tuple[typing.Any, ...]"),
           "Unit wrenches F/(mu P) and M/(mu P a) of a slip about centres of rotation at c contact radii, in [0, inf].\n\n"
           "The results have the shape of c; float32 gives float32; NaN gives NaN. With `error` also bounds of both absolute\n"
-          "errors: (f, m, f_error, m_error). Relative error <= 1e-15 in closed form, <= 1e-14 by quadrature. Arrays release the GIL.")
+          "errors: (f, m, f_error, m_error). Relative error <= 1e-15 in closed form, <= 1e-14 by quadrature. `method`: auto, or one of\n"
+          "closed, ring, punch, direct and boost that the law has. Arrays release the GIL.")
       .def_prop_ro(
           "name", [](const PyLaw& self) { return self.law->name(); }, "The law in words.")
       .def_prop_ro(

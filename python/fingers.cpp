@@ -2,6 +2,7 @@
 #include "python/core.hpp"
 
 #include "cli/io/law_argument.hpp"
+#include "godobject/finger/finger_numbers.hpp"
 #include "godobject/soft_finger.hpp"
 #include "limitcurve/internal/number.hpp"
 
@@ -12,11 +13,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <map>
 #include <stdexcept>
 #include <string_view>
 #include <tuple>
+#include <type_traits>
 #include <vector>
 
 namespace limitcurve::python {
@@ -24,30 +25,6 @@ namespace limitcurve::python {
 using namespace godobject;
 
 namespace {
-
-/// The field that each parameter's name sets.
-const std::map<std::string, std::function<void(FingerParameters&, double)>, std::less<>>& number_parameters() {
-  static const std::map<std::string, std::function<void(FingerParameters&, double)>, std::less<>> fields{
-      {"mu", [](FingerParameters& all, double value) { all.mu = value; }},
-      {"mu_dynamic", [](FingerParameters& all, double value) { all.mu_dynamic = value; }},
-      {"mu_r", [](FingerParameters& all, double value) { all.mu_r = value; }},
-      {"gamma", [](FingerParameters& all, double value) { all.gamma = value; }},
-      {"mu_r_dynamic", [](FingerParameters& all, double value) { all.mu_r_dynamic = value; }},
-      {"stiffness", [](FingerParameters& all, double value) { all.stiffness = value; }},
-      {"twist_stiffness", [](FingerParameters& all, double value) { all.twist_stiffness = value; }},
-      {"damping", [](FingerParameters& all, double value) { all.damping = value; }},
-      {"twist_damping", [](FingerParameters& all, double value) { all.twist_damping = value; }},
-      {"rest_margin", [](FingerParameters& all, double value) { all.rest_margin = value; }},
-      {"max_displacement", [](FingerParameters& all, double value) { all.max_displacement = value; }},
-      {"fault_decay", [](FingerParameters& all, double value) { all.fault_decay = value; }}};
-  return fields;
-}
-
-#define LIMITCURVE_PARAMETERS                                                                                                              \
-  "mu: float = 0.5, mu_dynamic: float | None = None, radius_law: str = 'constant:a=0.005', mu_r: float | None = None, "                    \
-  "gamma: float = 0.0, mu_r_dynamic: float | None = None, stiffness: float = 1000.0, twist_stiffness: float = "                            \
-  "0.04, damping: float = 0.0, twist_damping: float = 0.0, rest_margin: float = 0.4, max_displacement: float = 0.5, fault_decay: float = " \
-  "0.99"
 
 /// A radius law's text, and the rows of its file.
 using RadiusRows = std::tuple<std::string, std::vector<double>, std::vector<double>>;
@@ -115,6 +92,9 @@ void add_output(nb::module_& module) {
 }
 
 void add_finger_types(nb::module_& module) {
+  const std::string of_patch = "def __init__(self, patch: Patch, *, point_radius: float = 0.0, " + parameters_signature() + ") -> None";
+  const std::string of_curve =
+      "def __init__(self, curve: Table | Curve, *, projection: str = 'closest-point', " + parameters_signature() + ") -> None";
   nb::class_<PyFinger> type(
       module, "SoftFinger",
       "A soft-finger god-object: springs, dampers, and friction within a limit curve or the limit surface of a patch.\n\n"
@@ -141,8 +121,7 @@ void add_finger_types(nb::module_& module) {
             given["point_radius"] = point_radius;
             new (self) PyFinger(finger, patch, given);
           },
-          nb::arg("patch"), nb::kw_only(), nb::arg("point_radius") = 0.0, nb::arg("kwargs"),
-          nb::sig("def __init__(self, patch: Patch, *, point_radius: float = 0.0, " LIMITCURVE_PARAMETERS ") -> None"),
+          nb::arg("patch"), nb::kw_only(), nb::arg("point_radius") = 0.0, nb::arg("kwargs"), nb::sig(of_patch.c_str()),
           "A finger whose contact is a patch, with the closest point and without a radius law. `point_radius` [m] is given to the points\n"
           "of a patch; 0 is the least.")
       .def(
@@ -155,8 +134,7 @@ void add_finger_types(nb::module_& module) {
             const FingerParameters parameters = parameters_of(given, on.moment_ratio());
             new (self) PyFinger(SoftFinger(std::move(on), parameters, projection), curve, all);
           },
-          nb::arg("curve"), nb::arg("kwargs"),
-          nb::sig("def __init__(self, curve: Table | Curve, *, projection: str = 'closest-point', " LIMITCURVE_PARAMETERS ") -> None"),
+          nb::arg("curve"), nb::arg("kwargs"), nb::sig(of_curve.c_str()),
           "A finger with a limit curve; parameter names of the C++ FingerParameters, SI units. Projections: 'closest-point', 'radial',\n"
           "'c-curve'. ValueError names a parameter out of range.")
       .def("update", &update, nb::arg("point"), nb::arg("normal"), nb::arg("depth"), nb::arg("twist"), nb::arg("dt") = 0.0,
@@ -274,18 +252,34 @@ FingerParameters parameters_of(const nb::kwargs& given, double moment_ratio) {
       radius_law = cli::read_radius_law(nb::cast<std::string>(value));
       continue;
     }
-    const auto found = number_parameters().find(name);
-    if (found == number_parameters().end()) {
-      std::string expected = "projection, radius_law";
-      for (const auto& [known, write] : number_parameters()) expected += ", " + known;
-      throw nb::type_error(("unknown parameter '" + name + "', expected one of " + expected).c_str());
-    }
-    // Optional parameters may be None.
-    const bool may_be_absent = name == "mu_dynamic" || name.starts_with("mu_r");
-    if (!(may_be_absent && value.is_none())) found->second(parameters, number_of(value, name));
+    bool known = false;
+    std::string expected = "projection, radius_law";
+    for_each_number(parameters, [&](const FingerNumber& number, auto& field) {
+      expected.append(", ").append(number.name);
+      if (number.name != name) return;
+      known = true;
+      const bool may_be_absent = !std::is_same_v<decltype(field), double&>;
+      if (!(may_be_absent && value.is_none())) field = number_of(value, name);
+    });
+    if (!known) throw nb::type_error(("unknown parameter '" + name + "', expected one of " + expected).c_str());
   }
   if (radius_law) parameters.radius_law = radius_law->of(parameters.mu, moment_ratio);
   return parameters;
+}
+
+std::string parameters_signature() {
+  std::string text;
+  const FingerParameters standard;
+  for_each_number(standard, [&](const FingerNumber& number, const auto& value) {
+    text.append(text.empty() ? "" : ", ").append(number.name);
+    if constexpr (std::is_same_v<decltype(value), const double&>) {
+      const std::string digits = format_number(value);
+      text.append(": float = ").append(digits).append(digits.find_first_of(".e") == std::string::npos ? ".0" : "");
+    } else {
+      text.append(": float | None = None");
+    }
+  });
+  return text + ", radius_law: str = 'constant:a=0.005'";
 }
 
 Projection take_projection(nb::kwargs& given) {

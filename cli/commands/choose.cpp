@@ -3,13 +3,13 @@
 #include "cli/commands/radius_check.hpp"
 #include "cli/commands/stiffness_check.hpp"
 #include "cli/commands/subcommands.hpp"
-#include "cli/io/number_list.hpp"
 #include "cli/io/patch_argument.hpp"
+#include "limitcurve/internal/number_list.hpp"
 
 #include "godobject/scene/choose_step.hpp"
 #include "limitcurve/internal/number.hpp"
 #include "limitcurve/internal/shipped_costs.hpp"
-#include "limitcurve/patch/round_models.hpp"
+#include "limitcurve/round_models.hpp"
 
 #include <array>
 #include <limits>

@@ -4,7 +4,6 @@
 
 #include "limitcurve/internal/number.hpp"
 
-#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -13,14 +12,6 @@
 namespace limitcurve::cli {
 
 namespace {
-
-constexpr std::array methods{Method::automatic, Method::closed, Method::ring, Method::punch, Method::direct};
-
-std::vector<std::string> method_names() {
-  std::vector<std::string> names;
-  for (const Method method : methods) names.emplace_back(to_string(method));
-  return names;
-}
 
 class Eval final : public Subcommand {
  public:
@@ -37,12 +28,11 @@ class Eval final : public Subcommand {
     options.number("--radius", radius_, positive, "Contact radius a [m] (default 1)");
     options.number("--load", load_, non_negative, "Normal load P [N]");
     options.number("--mu", friction_, non_negative, "Friction coefficient mu [1]");
-    options.choice("--method", method_, method_names(), "Method that evaluates eq. (17)");
+    options.choice("--method", method_, {method_names().begin(), method_names().end()}, "Method that evaluates eq. (17)");
   }
 
   void run(const Results& results) override {
-    const Method method = methods.at(method_);
-    if (!law_->allows(method)) throw std::invalid_argument(unsupported(method));
+    const Method method = method_of(*law_, method_names()[method_]);
     constexpr double largest_radius = 1.0;
     if (radius_ && *radius_ > largest_radius) {
       results.messages->say("limitcurve: warning: --radius " + format_number(*radius_) + " m: is it in metres?");
@@ -63,14 +53,6 @@ class Eval final : public Subcommand {
   }
 
  private:
-  [[nodiscard]] std::string unsupported(Method method) const {
-    std::string has;
-    for (const Method candidate : methods) {
-      if (law_->allows(candidate)) has += (has.empty() ? "" : ", ") + std::string(to_string(candidate));
-    }
-    return "--method: law '" + law_->name() + "' cannot be evaluated by '" + std::string(to_string(method)) + "', it has " + has;
-  }
-
   Law law_;
   std::vector<double> distances_;
   std::optional<double> radius_;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "cli/io/csv_reader.hpp"
-#include "fit/internal/friction_fit.hpp"
+#include "fit/friction_fit.hpp"
 
 #include <optional>
 #include <string>

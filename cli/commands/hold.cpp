@@ -50,10 +50,8 @@ class Hold final : public Subcommand {
     options.number("--moment", moment_, finite, "Friction moment M [N m]");
     options.text("--data", data_, "FILE", "In place of --force and --moment: CSV of them, or - for standard input");
     options.file_columns(columns_, units_);
-    const Range few{[](double value) { return value >= 1.0 && value <= 100.0 && value == std::floor(value); },
-                    "a whole number from 1 to 100"};
-    options.number("--fingers", fingers_, few,
-                   "In place of --force and --moment: number of fingers that share an object's weight (default 2)");
+    options.count("--fingers", fingers_, 1, 100,
+                  "In place of --force and --moment: number of fingers that share an object's weight (default 2)");
     options.number("--mass", mass_, positive, "Mass of the object [kg]");
     options.number("--offset", offset_, non_negative, "Distance of its centre of mass from the grip, level [m]");
     options.number("--gravity", gravity_, non_negative, "Gravity [m/s^2]");
@@ -127,7 +125,7 @@ class Hold final : public Subcommand {
     if (fingers_ || mass_ || offset_) {
       if (!mass_ || !offset_) throw std::invalid_argument("--mass and --offset: expected both");
       if (!patch_.empty()) throw std::invalid_argument("--mass: not with --patch, which needs the direction of the force: --force FX,FY");
-      const double weight = *mass_ * gravity_ / fingers_.value_or(2.0);
+      const double weight = *mass_ * gravity_ / static_cast<double>(fingers_.value_or(2));
       return {weight, 0.0, weight * *offset_};
     }
     const std::size_t expected = patch_.empty() ? 1 : 2;
@@ -148,7 +146,7 @@ class Hold final : public Subcommand {
   std::string data_;
   std::string columns_;
   std::string units_;
-  std::optional<double> fingers_;
+  std::optional<std::size_t> fingers_;
   std::optional<double> mass_;
   std::optional<double> offset_;
   double gravity_ = 9.81;

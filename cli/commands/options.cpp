@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "cli/commands/options.hpp"
 
-#include "cli/io/number_list.hpp"
+#include "limitcurve/internal/number_list.hpp"
 
+#include "godobject/finger/finger_numbers.hpp"
 #include "limitcurve/internal/did_you_mean.hpp"
 #include "limitcurve/internal/number.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <type_traits>
 
 namespace limitcurve::cli {
 
@@ -45,17 +47,29 @@ void Options::file_columns(std::string& columns, std::string& units) {
 }
 
 void Options::count(const std::string& name, std::size_t& value, std::size_t least, std::size_t most, const std::string& help) {
-  this->value(
+  whole(
+      name, [&value](std::size_t number) { value = number; }, least, most, help + " (default " + std::to_string(value) + ")");
+}
+
+void Options::count(const std::string& name, std::optional<std::size_t>& value, std::size_t least, std::size_t most,
+                    const std::string& help) {
+  whole(
+      name, [&value](std::size_t number) { value = number; }, least, most, help);
+}
+
+void Options::whole(const std::string& name, const std::function<void(std::size_t)>& take, std::size_t least, std::size_t most,
+                    const std::string& help) {
+  value(
       name, "N",
-      [&value, least, most](const std::string& text) {
+      [take, least, most](const std::string& text) {
         const auto number = parse_number(text);
         if (!number || !(*number >= static_cast<double>(least) && *number <= static_cast<double>(most)) || *number != std::floor(*number)) {
           throw std::invalid_argument("got '" + text + "', expected a whole number from " + std::to_string(least) + " to " +
                                       std::to_string(most));
         }
-        value = static_cast<std::size_t>(*number);
+        take(static_cast<std::size_t>(*number));
       },
-      help + " (default " + std::to_string(value) + ")", Presence::optional);
+      help, Presence::optional);
 }
 
 void Options::choice(const std::string& name, std::size_t& value, std::vector<std::string> choices, const std::string& help,
@@ -76,6 +90,20 @@ void Options::choice(const std::string& name, std::size_t& value, std::vector<st
         value = static_cast<std::size_t>(found - choices.begin());
       },
       help + standard, presence);
+}
+
+void Options::finger(godobject::FingerParameters& value, const std::vector<std::string_view>& required, bool rare) {
+  godobject::for_each_number(value, [&](const godobject::FingerNumber& number, auto& field) {
+    if (number.rare != rare) return;
+    std::string name = "--" + std::string(number.name);
+    std::replace(name.begin(), name.end(), '_', '-');
+    const bool is_required = std::find(required.begin(), required.end(), number.name) != required.end();
+    if constexpr (std::is_same_v<decltype(field), double&>) {
+      this->number(name, field, number.range, std::string(number.text), is_required ? Presence::required : Presence::optional);
+    } else {
+      this->number(name, field, number.range, std::string(number.text));
+    }
+  });
 }
 
 void Options::law(Law& value, Presence presence) {

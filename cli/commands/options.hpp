@@ -4,11 +4,14 @@
 #include "cli/io/law_argument.hpp"
 #include "cli/io/range.hpp"
 
+#include "godobject/finger.hpp"
+#include "limitcurve/internal/names.hpp"
 #include "limitcurve/pressure_law.hpp"
 
 #include <cstddef>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,7 +28,12 @@ enum class Presence { optional, required };
 /// slow to compile. A value out of range throws std::invalid_argument that names the option.
 class Options {
  public:
-  explicit Options(CLI::App& app) : app_(app) {}
+  /// `all`: help shows the rare options, too.
+  Options(CLI::App& app, bool all) : app_(app), all_(all) {}
+
+  /// What is declared from here on is rare: help shows it under --help-all alone.
+  void rare() { is_rare_ = true; }
+  [[nodiscard]] bool has_rare() const { return is_rare_; }
 
   /// An option whose text goes to `take`, which throws std::invalid_argument if it is no value. `name` is "--law", "-o,--output", or,
   /// without dashes, a positional argument; `kind` names the value in the help text.
@@ -46,16 +54,31 @@ class Options {
   /// --columns and --units of a file of measurements (FileColumns).
   void file_columns(std::string& columns, std::string& units);
   void count(const std::string& name, std::size_t& value, std::size_t least, std::size_t most, const std::string& help);
+  void count(const std::string& name, std::optional<std::size_t>& value, std::size_t least, std::size_t most, const std::string& help);
+  /// One of an enumeration's `names`; `value` is of it, or an optional one.
+  template <class Value, class Kind>
+  void named(const std::string& name, Value& value, std::span<const std::string_view> names, Kind (*parse)(std::string_view),
+             const std::string& help) {
+    this->value(
+        name, joined(names), [&value, parse](const std::string& text) { value = parse(text); }, help, Presence::optional);
+  }
   /// One of `choices`; `value` receives its index and holds the default. `advice` may end the
   /// complaint of a word that is none of them.
   void choice(const std::string& name, std::size_t& value, std::vector<std::string> choices, const std::string& help,
               Presence presence = Presence::optional, const char* (*advice)(const std::string& text) = nullptr);
 
+  /// The numbers of a finger (godobject/finger/finger_numbers.hpp), of which `required` must be given, and only `rare` ones or only the others.
+  void finger(godobject::FingerParameters& value, const std::vector<std::string_view>& required, bool rare);
   void law(Law& value, Presence presence = Presence::required);
   void radius_law(std::optional<RadiusLawArgument>& value, Presence presence = Presence::required);
 
  private:
+  void whole(const std::string& name, const std::function<void(std::size_t)>& take, std::size_t least, std::size_t most,
+             const std::string& help);
+
   CLI::App& app_;
+  bool all_;
+  bool is_rare_ = false;
 };
 
 }  // namespace limitcurve::cli

@@ -4,10 +4,10 @@
 #include "cli/commands/radius_check.hpp"
 #include "cli/commands/subcommands.hpp"
 #include "cli/io/csv_reader.hpp"
-#include "cli/io/key_values.hpp"
 #include "cli/io/law_argument.hpp"
 #include "cli/io/materials.hpp"
-#include "cli/io/number_list.hpp"
+#include "limitcurve/internal/key_values.hpp"
+#include "limitcurve/internal/number_list.hpp"
 
 #include "limitcurve/internal/number.hpp"
 #include "limitcurve/laws.hpp"
@@ -86,22 +86,16 @@ class Pivot final : public Subcommand {
   }
 
   void declare(Options& options) override {
-    options.value(
-        "--case", "coupled|uncoupled|exact", [this](const std::string& text) { case_ = godobject::parse_pivot_case(text); },
-        "Friction model; optional if one of the next three options is given", Presence::optional);
-    options.value(
-        "--curve", "exact|table|ellipse|box", [this](const std::string& text) { settings_.curve = godobject::parse_curve_kind(text); },
-        "Limit curve, in place of the case's", Presence::optional);
-    options.value(
-        "--projection", "radial|c-curve|closest-point",
-        [this](const std::string& text) { settings_.projection = godobject::parse_projection(text); },
-        "Projection onto the limit curve, in place of the case's", Presence::optional);
+    options.named("--case", case_, godobject::pivot_case_names(), godobject::parse_pivot_case,
+                  "Friction model; optional if one of the next three options is given");
+    options.named("--curve", settings_.curve, godobject::curve_kind_names(), godobject::parse_curve_kind,
+                  "Limit curve, in place of the case's");
+    options.named("--projection", settings_.projection, godobject::projection_names(), godobject::parse_projection,
+                  "Projection onto the limit curve, in place of the case's");
     options.radius_law(radius_law_, Presence::optional);
     options.text("--material", material_, "NAME", "Coefficients from Table 1 (data/materials.csv): rayon, suede, sandpaper");
     options.number("--mu", mu_, non_negative, "Friction coefficient mu_l [1] (default: the material's, else sandpaper's)");
     options.number("--mu-r", mu_r_, non_negative, "mu_r [m] (default: the material's, else sandpaper's)");
-    options.number("--mu-dynamic", settings_.mu_dynamic, non_negative, "mu_l while slipping [1] (default mu_l)");
-    options.number("--mu-r-dynamic", settings_.mu_r_dynamic, non_negative, "mu_r while slipping [m] (default mu_r times mu-dynamic/mu)");
     options.text("--grip", grip_file_, "FILE", "CSV with columns time,load");
     options.value(
         "--release", "LIST", [this](const std::string& text) { release_ = read_release(text); }, "from=N,to=N,over=SECONDS",
@@ -109,20 +103,23 @@ class Pivot final : public Subcommand {
     options.value(
         "--operator", "LIST", [this](const std::string& text) { settings_.grip_operator = read_operator(text); }, "target=ANGLE[,…]",
         Presence::optional);
-    options.number("--length", settings_.length, positive, "Length of the block [m]");
-    options.number("--height", settings_.height, positive, "Height of the block [m]");
     options.number("--mass", settings_.mass, positive, "Mass of the block [kg]");
     options.number("--offset", settings_.offset, non_negative, "Distance of the centre of mass from the grip point, along the block [m]");
-    options.number("--gravity", settings_.gravity, non_negative, "Gravity [m/s^2]");
     options.number("--stiffness", settings_.stiffness, positive, "k_l of each finger [N/m]");
     options.number("--twist-stiffness", settings_.twist_stiffness, positive,
                    "k_r of each finger [N m/rad] (default k_l (mu_r/mu_l)^2, where --projection radial is best)");
+    options.number("--duration", settings_.duration, non_negative, "Duration [s]");
+    options.law(settings_.law, Presence::optional);
+    options.rare();
+    options.number("--mu-dynamic", settings_.mu_dynamic, non_negative, "mu_l while slipping [1] (default mu_l)");
+    options.number("--mu-r-dynamic", settings_.mu_r_dynamic, non_negative, "mu_r while slipping [m] (default mu_r times mu-dynamic/mu)");
+    options.number("--length", settings_.length, positive, "Length of the block [m]");
+    options.number("--height", settings_.height, positive, "Height of the block [m]");
+    options.number("--gravity", settings_.gravity, non_negative, "Gravity [m/s^2]");
     options.number("--damping", settings_.damping, non_negative, "b_l of each finger [N s/m]");
     options.number("--twist-damping", settings_.twist_damping, non_negative, "b_r of each finger [N m s/rad] (default b_l k_r/k_l)");
     options.number("--time-step", settings_.time_step, positive, "Time step [s]");
-    options.number("--duration", settings_.duration, non_negative, "Duration [s]");
     options.count("--every", every_, 1, 1'000'000'000, "Write one row every N time steps, beginning with the first");
-    options.law(settings_.law, Presence::optional);
     options.number("--tolerance", settings_.tolerance, positive, "Error of the table, if the limit curve is one, in unit wrenches");
   }
 

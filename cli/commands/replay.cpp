@@ -3,10 +3,10 @@
 #include "cli/commands/stiffness_check.hpp"
 #include "cli/commands/subcommands.hpp"
 #include "cli/io/body_argument.hpp"
-#include "cli/io/key_values.hpp"
 #include "cli/io/patch_argument.hpp"
 #include "cli/io/surface_argument.hpp"
 #include "cli/io/trace_reader.hpp"
+#include "limitcurve/internal/key_values.hpp"
 
 #include "godobject/scene/passivity.hpp"
 #include "godobject/scene/replay.hpp"
@@ -29,20 +29,59 @@ using godobject::BodyMotion;
 using godobject::CurveKind;
 using godobject::Projection;
 
-constexpr std::array projections{Projection::radial, Projection::c_curve, Projection::closest_point};
+using godobject::SceneContact;
 
-template <class Kinds>
-std::vector<std::string> names(const Kinds& kinds) {
-  std::vector<std::string> result;
-  for (const auto kind : kinds) result.emplace_back(godobject::to_string(kind));
-  return result;
+/// A column of a finger: its name, and its text where --help has one.
+struct Column {
+  std::string_view name;
+  double (*of)(const SceneContact&);
+  std::string_view text = {};
+};
+
+constexpr std::array plane_columns = std::to_array<Column>({
+    {"px", [](const SceneContact& contact) { return contact.proxy.x(); }},
+    {"py", [](const SceneContact& contact) { return contact.proxy.y(); }},
+    {"angle", [](const SceneContact& contact) { return contact.angle; }},
+    {"depth", [](const SceneContact& contact) { return contact.depth; }},
+    {"load", [](const SceneContact& contact) { return contact.load; }},
+    {"fx", [](const SceneContact& contact) { return contact.force.x(); }},
+    {"fy", [](const SceneContact& contact) { return contact.force.y(); }},
+    {"moment", [](const SceneContact& contact) { return contact.moment; }},
+    {"cor", [](const SceneContact& contact) { return contact.cor; }},
+});
+constexpr std::array space_columns = std::to_array<Column>({
+    {"pz", [](const SceneContact& contact) { return contact.proxy.z(); }},
+    {"fz", [](const SceneContact& contact) { return contact.force.z(); }},
+    {"nx", [](const SceneContact& contact) { return contact.normal.x(); }},
+    {"ny", [](const SceneContact& contact) { return contact.normal.y(); }},
+    {"nz", [](const SceneContact& contact) { return contact.normal.z(); }},
+});
+constexpr std::array detail_columns = std::to_array<Column>({
+    {"margin", [](const SceneContact& contact) { return contact.margin; }, "margin to slip [1]: 1 without friction, 0 slips"},
+    {"hold_load", [](const SceneContact& contact) { return contact.load_to_hold; }, "least load that would hold the friction [N]"},
+    {"corx", [](const SceneContact& contact) { return contact.centre_of_rotation.x(); }, "the slip's centre of rotation [m]"},
+    {"cory", [](const SceneContact& contact) { return contact.centre_of_rotation.y(); }},
+    {"corz", [](const SceneContact& contact) { return contact.centre_of_rotation.z(); }},
+    {"dissipated", [](const SceneContact& contact) { return contact.dissipated; }, "by slip so far [J]"},
+});
+
+/// The groups of columns of one finger.
+std::vector<std::span<const Column>> columns_of_finger(bool in_space, bool details) {
+  std::vector<std::span<const Column>> groups{plane_columns};
+  if (in_space) groups.emplace_back(space_columns);
+  if (details) groups.emplace_back(detail_columns);
+  return groups;
 }
 
-/// Optional groups of columns of one finger.
-struct Columns {
-  bool in_space = false;  ///< pz,fz and the normal
-  bool details = false;
-};
+/// What --details adds, as in --help.
+std::string details_text() {
+  std::string text;
+  for (const Column& column : detail_columns) {
+    text.append(text.empty() ? "" : column.text.empty() ? "," : "; ").append(column.name);
+    if (!column.text.empty()) text.append(" (").append(column.text).append(")");
+  }
+  return text;
+}
 
 /// The samples that are invalid for one reason.
 struct Refused {
@@ -50,37 +89,12 @@ struct Refused {
   double since = 0.0;  ///< time of the first [s]
 };
 
-void add_columns(std::vector<std::string>& names, const std::string& suffix, const Columns& columns) {
-  const auto add = [&](std::initializer_list<const char*> more) {
-    for (const char* name : more) names.push_back(name + suffix);
-  };
-  add({"state", "px", "py", "angle", "depth", "load", "fx", "fy", "moment", "cor"});
-  if (columns.in_space) add({"pz", "fz", "nx", "ny", "nz"});
-  if (columns.details) add({"margin", "hold_load", "corx", "cory", "corz", "dissipated"});
-}
-
-template <class Cell>
-void write_contact(const Cell& cell, const godobject::SceneContact& contact, const Columns& columns) {
-  cell(godobject::to_string(contact.state));
-  const auto numbers = [&](std::initializer_list<double> values) {
-    for (const double value : values) cell(value);
-  };
-  numbers({contact.proxy.x(), contact.proxy.y(), contact.angle, contact.depth, contact.load, contact.force.x(), contact.force.y(),
-           contact.moment, contact.cor});
-  if (columns.in_space) numbers({contact.proxy.z(), contact.force.z(), contact.normal.x(), contact.normal.y(), contact.normal.z()});
-  if (columns.details) {
-    const Eigen::Vector3d& centre = contact.centre_of_rotation;
-    numbers({contact.margin, contact.load_to_hold, centre.x(), centre.y(), centre.z(), contact.dissipated});
-  }
-}
-
 class Replay final : public Subcommand {
  public:
   [[nodiscard]] Manual manual() const override {
-    return {"replay", "Runs the god-object over a recorded motion of a finger on a surface",
-            "The trace has columns time,x,y,z,twist [s, m, m, m, rad]. qw,qx,qy,qz (a unit quaternion, finger to world) may stand in\n"
-            "place of twist; if both are there, twist counts. All may wrap around. Without both the finger does not twist.\n"
-            "The surface is the plane z = 0 (outward normal +z, penetration -z), or another one at the origin.\n"
+    return {"replay", "Runs a soft finger (the paper's god-object) over a recorded motion on a surface",
+            "Trace: columns time,x,y,z,twist [s, m, m, m, rad]. qw,qx,qy,qz (a unit quaternion, finger to world) may stand in place of\n"
+            "twist; without both the finger does not twist. The plane is z = 0: outward normal +z, penetration -z.\n"
             "Columns: time; state free|stick|slip|invalid (a note names the reason, the first time and the count); px,py [m] and angle\n"
             "[rad] of the proxy; depth [m]; load [N]; fx,fy [N] and moment [N m], the rendered friction; cor [m], the distance of the\n"
             "slip's centre of rotation (nan unless it slips).\n"
@@ -89,10 +103,7 @@ class Replay final : public Subcommand {
             "--body trace: columns bx,by,bz [m] and bqw,bqx,bqy,bqz (body to world) of the trace move the body. planar and free: the\n"
             "fingers push the body, which starts at the origin; its pose after each sample is in columns of those names.\n"
             "Finger N reads x2,y2,z2,twist2 (qw2,...) and so on, and writes state2,px2,py2,...\n"
-            "--details adds margin to slip (1: no friction used, 0: slips); hold_load [N], the least load that would hold the present\n"
-            "friction; corx,cory,corz [m], the slip's centre of rotation; dissipated [J], by slip so far.\n"
-            "With --patch in place of --law and --radius-law the contact is not round (see 'limitcurve patch'). The patch is fixed to the\n"
-            "finger and turns with angle; its centre of pressure is the contact point, and cor is the distance from there.",
+            "A patch is fixed to the finger and turns with angle; cor is the distance from its centre of pressure, the contact point.",
             "limitcurve replay --trace data/traces/slide_twist_load.csv --law hertz --radius-law constant:a=0.006 --mu 0.6\n"
             "    --stiffness 1000 --twist-stiffness 0.036 --curve table --projection closest-point"};
   }
@@ -102,25 +113,11 @@ class Replay final : public Subcommand {
     options.law(replay_.law, Presence::optional);
     options.text("--patch", patch_, "PATCH",
                  "In place of --law and --radius-law: a pressure patch of any shape (closest-point projection)");
-    options.number("--point-radius", point_radius_, positive,
-                   "Radius given to the points of a patch [m] (default and minimum 1e-3 m0, m0: moment of a pure spin over mu P)");
     options.radius_law(radius_law_, Presence::optional);
-    options.number("--mu", replay_.finger.mu, non_negative, "Friction coefficient mu [1]", Presence::required);
-    options.number("--stiffness", replay_.finger.stiffness, positive, "Contact stiffness k_l [N/m]; the load is P = k_l d",
-                   Presence::required);
-    options.number("--twist-stiffness", replay_.finger.twist_stiffness, positive, "Torsional stiffness k_r [N m/rad]", Presence::required);
-    options.number("--mu-dynamic", replay_.finger.mu_dynamic, non_negative, "Friction coefficient while slipping (default mu)");
-    options.number("--mu-r", replay_.finger.mu_r, non_negative,
-                   "mu_r [m/N^gamma]: the moment limit is mu_r P^(1+gamma), in place of the radius law's");
-    options.number("--gamma", replay_.finger.gamma, finite, "gamma of --mu-r, from -0.5 to 1");
-    options.number("--mu-r-dynamic", replay_.finger.mu_r_dynamic, non_negative,
-                   "mu_r while slipping [m] (default mu_r times mu-dynamic/mu)");
-    options.value(
-        "--curve", "exact|table|ellipse|box", [this](const std::string& text) { replay_.curve = godobject::parse_curve_kind(text); },
-        "Limit curve (default table)", Presence::optional);
-    options.choice("--projection", projection_, names(projections),
-                   "Projection onto the limit curve. radial and c-curve assume k_r/k_l = (mu_r/mu_l)^2; a note appears if that is far "
-                   "from true");
+    options.finger(replay_.finger, {"mu", "stiffness", "twist_stiffness"}, false);
+    options.named("--curve", replay_.curve, godobject::curve_kind_names(), godobject::parse_curve_kind, "Limit curve (default table)");
+    options.named("--projection", replay_.projection, godobject::projection_names(), godobject::parse_projection,
+                  "Projection onto the limit curve (default closest-point). radial and c-curve assume k_r/k_l = (mu_r/mu_l)^2");
     options.number("--tolerance", replay_.tolerance, positive, "Error of the table, in unit wrenches");
     options.value(
         "--surface", "SURFACE",
@@ -135,21 +132,16 @@ class Replay final : public Subcommand {
                  "Motion of the touched body: fixed, trace, planar:mass=0.1[,inertia=1e-4] (in x-y, frictionless), "
                  "free:mass=0.1[,inertia=1e-4][,gravity=9.81] (default fixed)");
     options.count("--fingers", fingers_, 1, godobject::Replay::most_fingers, "Number of fingers in the trace");
-    options.number("--damping", replay_.finger.damping, non_negative, "b_l of each finger [N s/m]");
-    options.number("--twist-damping", replay_.finger.twist_damping, non_negative, "b_r of each finger [N m s/rad]");
-    options.number(
-        "--rest-margin", replay_.finger.rest_margin, non_negative,
-        "A sliding finger comes to rest within the dynamic limit divided by 1 + this*(mu/mu_d - 1) [1]; 0: within the dynamic limit");
-    options.number("--max-displacement", replay_.finger.max_displacement, positive_or_inf,
-                   "A larger jump between two rows [m] is a fault of the device: one row is invalid");
-    options.number("--fault-decay", replay_.finger.fault_decay, share,
-                   "Fraction of load, force and moment [1] that an invalid row keeps from an invalid row before it: 0.99 fades, 1 holds");
     options.value(
         "--check-gains", "LIST", [this](const std::string& text) { read_device(text); },
         "b=NUMBER[,b_r=NUMBER][,T=0.001]: refuse gains that are not passive on a device with this damping [N s/m, N m s/rad] and "
         "sample time [s]",
         Presence::optional);
-    options.flag("--details", details_, "Add columns for a controller: margin,hold_load,corx,cory,corz,dissipated");
+    options.flag("--details", details_, "Add columns for a controller: " + details_text());
+    options.rare();
+    options.finger(replay_.finger, {}, true);
+    options.number("--point-radius", point_radius_, positive,
+                   "Radius given to the points of a patch [m] (default and minimum 1e-3 m0, m0: moment of a pure spin over mu P)");
   }
 
   void run(const Results& results) override {
@@ -159,7 +151,6 @@ class Replay final : public Subcommand {
     } else if (!replay_.finger.mu_r && patch_.empty()) {
       throw std::invalid_argument("--radius-law is required, unless --mu-r is given");
     }
-    replay_.projection = projections.at(projection_);
     check_gains();
     const BodyArgument body = body_argument();
     const bool in_space = !on_plane_ || body.motion != BodyMotion::fixed || fingers_ > 1;
@@ -172,7 +163,7 @@ class Replay final : public Subcommand {
       warn_of_patch(*results.messages, patch_, *replay_.patch);
     }
     replay_.point_radius = point_radius_.value_or(0.0);
-    run_replay(results, {in_space, details_});
+    run_replay(results, columns_of_finger(in_space, details_));
   }
 
  private:
@@ -188,7 +179,7 @@ class Replay final : public Subcommand {
     refuse("--radius-law", radius_law_.has_value());
     refuse("--mu-r", replay_.finger.mu_r.has_value());
     refuse("--mu-r-dynamic", replay_.finger.mu_r_dynamic.has_value());
-    if (projections.at(projection_) != Projection::closest_point) throw std::invalid_argument("--projection: a patch needs closest-point");
+    if (replay_.projection != Projection::closest_point) throw std::invalid_argument("--projection: a patch needs closest-point");
     if (replay_.curve != CurveKind::table && replay_.curve != CurveKind::exact) {
       throw std::invalid_argument("--curve: not with --patch, which is its own limit surface");
     }
@@ -220,7 +211,7 @@ class Replay final : public Subcommand {
     }
   }
 
-  void run_replay(const Results& results, const Columns& columns) const {
+  void run_replay(const Results& results, const std::vector<std::span<const Column>>& columns) const {
     TraceReader trace(trace_, fingers_, replay_.motion == BodyMotion::prescribed);
     note_missing_twists(*results.messages, trace);
     for (const std::string& note : surface_.notes) results.messages->say("limitcurve: " + note);
@@ -234,7 +225,12 @@ class Replay final : public Subcommand {
     }
     const bool is_free = replay_.motion == BodyMotion::free;
     std::vector<std::string> names{"time"};
-    for (std::size_t i = 0; i < fingers_; ++i) add_columns(names, i == 0 ? "" : std::to_string(i + 1), columns);
+    for (std::size_t i = 0; i < fingers_; ++i) {
+      const std::string suffix = i == 0 ? "" : std::to_string(i + 1);
+      names.push_back("state" + suffix);
+      for (const auto group : columns)
+        for (const Column& column : group) names.push_back(std::string(column.name) + suffix);
+    }
     if (is_free) names.insert(names.end(), {"bx", "by", "bz", "bqw", "bqx", "bqy", "bqz"});
     Rows rows(results, names);
     double last = std::numeric_limits<double>::infinity();
@@ -256,8 +252,10 @@ class Replay final : public Subcommand {
       }
       rows.row_by([&](const auto& cell) {
         cell(trace.time());
-        for (const godobject::SceneContact& contact : replay.contacts()) {
-          write_contact(cell, contact, columns);
+        for (const SceneContact& contact : replay.contacts()) {
+          cell(godobject::to_string(contact.state));
+          for (const auto group : columns)
+            for (const Column& column : group) cell(column.of(contact));
           if (contact.fault != godobject::Fault::none && refused[contact.fault].count++ == 0) refused[contact.fault].since = trace.time();
           if (contact.load > 0.0) loads = {std::min(loads[0], contact.load), std::max(loads[1], contact.load)};
         }
@@ -285,7 +283,6 @@ class Replay final : public Subcommand {
   std::string patch_;
   std::optional<double> point_radius_;
   std::optional<RadiusLawArgument> radius_law_;
-  std::size_t projection_ = 2;
   SurfaceArgument surface_ = read_surface("plane");
   bool on_plane_ = true;
   std::string body_text_ = "fixed";

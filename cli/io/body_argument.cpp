@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "cli/io/body_argument.hpp"
 
-#include "cli/io/key_values.hpp"
+#include "cli/io/range.hpp"
 #include "cli/io/surface_argument.hpp"
+
+#include "limitcurve/internal/did_you_mean.hpp"
+#include "limitcurve/internal/key_values.hpp"
 
 #include <limits>
 #include <stdexcept>
@@ -33,9 +36,8 @@ godobject::BodyParameters solid(const SurfaceArgument& surface, double mass, dou
 BodyArgument read_body(const std::string& text, const SurfaceArgument& surface) {
   if (text == "fixed") return {};
   if (text == "trace") return {godobject::BodyMotion::prescribed};
-  const std::size_t colon = text.find(':');
-  const std::string_view kind = std::string_view(text).substr(0, colon);
-  const std::string_view rest = colon == std::string::npos ? std::string_view{} : std::string_view(text).substr(colon + 1);
+  const auto [kind, given] = split_description(text);
+  const std::string_view rest = given.value_or("");
   double mass = none;
   double inertia = none;
   if (kind == "planar") {
@@ -53,7 +55,8 @@ BodyArgument read_body(const std::string& text, const SurfaceArgument& surface) 
     result.parameters.gravity = {0.0, 0.0, -gravity};
     return result;
   }
-  throw std::invalid_argument("got '" + text + "', expected fixed, trace, planar:mass=0.1 or free:mass=0.1");
+  throw std::invalid_argument("got '" + text + "', expected fixed, trace, planar:mass=0.1 or free:mass=0.1" +
+                              did_you_mean(kind, {"fixed", "trace", "planar", "free"}, std::string_view(text).substr(kind.size())));
 }
 
 }  // namespace limitcurve::cli

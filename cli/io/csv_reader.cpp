@@ -2,10 +2,10 @@
 #include "cli/io/csv_reader.hpp"
 
 #include "cli/io/descriptor.hpp"
-#include "cli/io/number_list.hpp"
 #include "cli/io/output_file.hpp"
 #include "limitcurve/internal/interruption.hpp"
 #include "limitcurve/internal/number.hpp"
+#include "limitcurve/internal/number_list.hpp"
 
 #include <algorithm>
 #include <array>

@@ -2,9 +2,9 @@
 #include "cli/io/patch_argument.hpp"
 
 #include "cli/io/csv_reader.hpp"
-#include "cli/io/key_values.hpp"
 #include "cli/io/law_argument.hpp"
-#include "cli/io/number_list.hpp"
+#include "limitcurve/internal/key_values.hpp"
+#include "limitcurve/internal/number_list.hpp"
 
 #include "limitcurve/internal/did_you_mean.hpp"
 #include "limitcurve/internal/number.hpp"
@@ -36,26 +36,6 @@ std::vector<KeyValue> with_factors(std::vector<KeyValue> keys, PatchArgument& pa
 [[noreturn]] void refuse_kind(std::string_view kind, std::string_view after) {
   throw std::invalid_argument(std::string(expected_kinds) +
                               did_you_mean(kind, {"points", "polygon", "rectangle", "ellipse", "image"}, after));
-}
-
-/// Splits a text into a file name and the key=value items after it.
-std::string split_file(std::string_view text, std::string_view& items) {
-  // Starts at the end because the name may contain commas.
-  std::size_t end = text.size();
-  for (;;) {
-    const std::size_t comma = text.substr(0, end).rfind(',');
-    if (comma == std::string_view::npos || text.substr(comma, end - comma).find('=') == std::string_view::npos) break;
-    end = comma;
-  }
-  items = end == text.size() ? std::string_view{} : text.substr(end + 1);
-  if (end == 0) throw std::invalid_argument("no file name, " + std::string(expected_kinds));
-  return std::string(text.substr(0, end));
-}
-
-void read_items(std::string_view items, const std::vector<KeyValue>& keys) {
-  bool required = false;
-  for (const KeyValue& key : keys) required = required || key.required;
-  if (!items.empty() || required) read_key_values(items, keys);
 }
 
 /// Calls `work`, whose errors get a prefix.
@@ -170,28 +150,29 @@ PatchArgument parse(std::string_view kind, std::string_view rest) {
   PatchArgument patch{std::string(kind)};
   std::string_view items;
   if (kind == "points" || kind == "polygon") {
-    patch.file = split_file(rest, items);
-    read_items(items, with_factors({}, patch));
+    patch.file = split_file(kind, rest, items);
+    read_key_values(items, with_factors({}, patch));
     read_columns(patch, kind == "points" ? std::vector<std::string>{"x", "y", "load"} : std::vector<std::string>{"x", "y"});
   } else if (kind == "image") {
-    patch.file = split_file(rest, items);
+    patch.file = split_file(kind, rest, items);
     std::optional<double> frame;
     const auto take_frame = [&](std::string_view text) { frame = read_number(text, finite); };
-    read_items(items, with_factors({{"pixel", [&](std::string_view text) { read_pixel(text, patch); }, false, "SIDE or XxY"},
-                                    {"frame", take_frame, false}},
-                                   patch));
+    read_key_values(items, with_factors({{"pixel", [&](std::string_view text) { read_pixel(text, patch); }, false, "SIDE or XxY"},
+                                         {"frame", take_frame, false}},
+                                        patch));
     read_pixels(patch, frame);
     if (patch.x == 0.0 || patch.y == 0.0) throw std::invalid_argument("no pixel=…, expected the sides of a pixel [m]");
   } else if (kind == "rectangle") {
-    read_items(rest, with_factors({number_key("x", patch.x, positive), number_key("y", patch.y, positive)}, patch));
+    read_key_values(rest, with_factors({number_key("x", patch.x, positive), number_key("y", patch.y, positive)}, patch));
   } else if (kind == "ellipse") {
     const auto take_law = [&patch](std::string_view text) {
       patch.law = text;
       patch.profile.clear();
       read_law(patch.law, patch.profile);
     };
-    read_items(rest, with_factors({{"law", take_law, true, "LAW"}, number_key("a", patch.x, positive), number_key("b", patch.y, positive)},
-                                  patch));
+    read_key_values(
+        rest,
+        with_factors({{"law", take_law, true, "LAW"}, number_key("a", patch.x, positive), number_key("b", patch.y, positive)}, patch));
   } else {
     refuse_kind(kind, ':' + std::string(rest));
   }
@@ -233,11 +214,10 @@ std::string PatchArgument::note() const {
 }
 
 PatchArgument parse_patch(const std::string& text) {
-  const std::size_t colon = text.find(':');
-  const std::string_view all = text;
-  return with_prefix("patch '" + text + "': ", [&] {
-    if (colon == std::string::npos) refuse_kind(all, {});
-    PatchArgument patch = parse(all.substr(0, colon), all.substr(colon + 1));
+  const auto [kind, rest] = split_description(text);
+  return with_prefix("patch '" + text + "': ", [&, kind = kind, rest = rest] {
+    if (!rest) refuse_kind(kind, {});
+    PatchArgument patch = parse(kind, *rest);
     patch.text = text;
     return patch;
   });

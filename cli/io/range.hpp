@@ -1,25 +1,20 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "limitcurve/internal/range.hpp"
+
 #include <limits>
-#include <string_view>
 
 namespace limitcurve::cli {
 
-/// The valid values of an option or a column, and their description for error messages. NaN is never valid.
-struct Range {
-  bool (*contains)(double);
-  std::string_view text;
-};
-
 inline constexpr double largest = std::numeric_limits<double>::max();
+inline constexpr double smallest = std::numeric_limits<double>::denorm_min();
+inline constexpr double infinite = std::numeric_limits<double>::infinity();
 
-inline constexpr Range finite{[](double value) { return value >= -largest && value <= largest; }, "a finite number"};
-inline constexpr Range positive{[](double value) { return value > 0.0 && value <= largest; }, "a finite number > 0"};
-inline constexpr Range non_negative{[](double value) { return value >= 0.0 && value <= largest; }, "a finite number >= 0"};
-inline constexpr Range positive_or_inf{[](double value) { return value > 0.0; }, "a number > 0, or inf"};
-inline constexpr Range share{[](double value) { return value >= 0.0 && value <= 1.0; }, "a number from 0 to 1"};
+inline constexpr Range finite{-largest, largest, "a finite number"};
+inline constexpr Range positive{smallest, largest, "a finite number > 0"};
+inline constexpr Range non_negative{0.0, largest, "a finite number >= 0"};
 /// Distances of a centre of rotation; infinity is pure sliding.
-inline constexpr Range distance{[](double value) { return value >= 0.0; }, "a number >= 0, or inf"};
+inline constexpr Range distance{0.0, infinite, "a number >= 0, or inf"};
 
 }  // namespace limitcurve::cli

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "cli/io/surface_argument.hpp"
 
-#include "cli/io/key_values.hpp"
-#include "cli/io/number_list.hpp"
+#include "cli/io/range.hpp"
 
 #include "godobject/surface.hpp"
+#include "limitcurve/internal/did_you_mean.hpp"
+#include "limitcurve/internal/key_values.hpp"
 #include "limitcurve/internal/number.hpp"
 #ifdef LIMITCURVE_HAS_MESH
 #include "godobject/mesh/mesh.hpp"
@@ -32,12 +33,11 @@ std::vector<std::string> size_warning(const std::string& what, double size, cons
 }
 
 #ifdef LIMITCURVE_HAS_MESH
-SurfaceArgument read_mesh(const std::string& text) {
-  constexpr std::string_view key = ",scale=";
-  const std::size_t comma = text.rfind(key);
-  const std::string file = text.substr(0, comma);
-  if (file.empty()) throw std::invalid_argument("no file, expected mesh:FILE.obj or mesh:FILE.stl");
-  const double scale = comma == std::string::npos ? 1.0 : read_number(std::string_view(text).substr(comma + key.size()), positive);
+SurfaceArgument read_mesh(std::string_view text) {
+  std::string_view items;
+  const std::string file = split_file("mesh", text, items);
+  double scale = 1.0;
+  read_key_values(items, {number_key("scale", scale, positive, false)});
   const godobject::MeshSurface surface = godobject::read_mesh(file, scale);
   const int faces = static_cast<int>(surface.mesh().faces().size());
   const int turned = surface.mesh().repairs().turned;
@@ -51,8 +51,8 @@ SurfaceArgument read_mesh(const std::string& text) {
   return {AnySurface(surface), {}, notes};
 }
 #else
-SurfaceArgument read_mesh(const std::string& file) {
-  throw std::invalid_argument("'mesh:" + file + "': this program was built without meshes, expected another surface");
+SurfaceArgument read_mesh(std::string_view file) {
+  throw std::invalid_argument("'mesh:" + std::string(file) + "': this program was built without meshes, expected another surface");
 }
 #endif
 
@@ -91,17 +91,18 @@ SurfaceArgument read_box(std::string_view text) {
 
 SurfaceArgument read_surface(const std::string& text) {
   if (text == "plane") return {AnySurface(godobject::PlaneSurface{}), {}};
-  const std::size_t colon = text.find(':');
-  const std::string_view kind = std::string_view(text).substr(0, colon);
-  const std::string_view rest = colon == std::string::npos ? std::string_view{} : std::string_view(text).substr(colon + 1);
+  const auto [kind, given] = split_description(text);
+  const std::string_view rest = given.value_or("");
   if (kind == "sphere") return read_sphere(rest);
   if (kind == "capsule") return read_capsule(rest);
   if (kind == "cylinder") return read_cylinder(rest);
   if (kind == "box") return read_box(rest);
-  if (kind == "mesh") return read_mesh(std::string(rest));
-  throw std::invalid_argument("got '" + text +
-                              "', expected plane, sphere:radius=0.05, capsule:radius=0.01,length=0.1, cylinder:radius=0.02,length=0.1, "
-                              "box:x=0.12,y=0.04,z=0.04 or mesh:FILE.obj");
+  if (kind == "mesh") return read_mesh(rest);
+  throw std::invalid_argument(
+      "got '" + text +
+      "', expected plane, sphere:radius=0.05, capsule:radius=0.01,length=0.1, cylinder:radius=0.02,length=0.1, "
+      "box:x=0.12,y=0.04,z=0.04 or mesh:FILE.obj" +
+      did_you_mean(kind, {"plane", "sphere", "capsule", "cylinder", "box", "mesh"}, std::string_view(text).substr(kind.size())));
 }
 
 }  // namespace limitcurve::cli

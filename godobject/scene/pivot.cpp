@@ -3,6 +3,7 @@
 
 #include "godobject/finger_curve.hpp"
 #include "godobject/scene/gripped_block.hpp"
+#include "limitcurve/internal/names.hpp"
 #include "limitcurve/internal/number.hpp"
 #include "limitcurve/laws.hpp"
 
@@ -17,9 +18,6 @@
 namespace limitcurve::godobject {
 
 namespace {
-
-constexpr std::array<std::pair<PivotCase, std::string_view>, 3> cases{
-    {{PivotCase::coupled, "coupled"}, {PivotCase::uncoupled, "uncoupled"}, {PivotCase::exact, "exact"}}};
 
 double within(std::string_view name, double value, std::string_view unit, bool zero_allowed) {
   const bool good = zero_allowed ? value >= 0.0 && value <= 1e9 : value > 0.0 && value <= 1e9;
@@ -55,9 +53,16 @@ void validate(const PivotOptions& options) {
 }
 
 CurveKind curve_kind(const PivotOptions& options) noexcept {
-  return options.curve.value_or(options.kind == PivotCase::uncoupled ? CurveKind::box
-                                : options.kind == PivotCase::exact   ? CurveKind::table
-                                                                     : CurveKind::ellipse);
+  if (options.curve) return *options.curve;
+  switch (options.kind) {
+    case PivotCase::coupled:
+      return CurveKind::ellipse;
+    case PivotCase::uncoupled:
+      return CurveKind::box;
+    case PivotCase::exact:
+      break;
+  }
+  return CurveKind::table;
 }
 
 Projection projection_of(const PivotOptions& options) noexcept {
@@ -248,18 +253,15 @@ class Pivot::Scene {
   long count_ = 0;
 };
 
-std::string_view to_string(PivotCase kind) noexcept {
-  for (const auto& [known, name] : cases) {
-    if (known == kind) return name;
-  }
-  return "unknown";
+std::span<const std::string_view> pivot_case_names() noexcept {
+  static constexpr std::array<std::string_view, 3> names{"coupled", "uncoupled", "exact"};
+  return names;
 }
-
+std::string_view to_string(PivotCase kind) noexcept {
+  return pivot_case_names()[static_cast<std::size_t>(kind)];
+}
 PivotCase parse_pivot_case(std::string_view text) {
-  for (const auto& [kind, name] : cases) {
-    if (name == text) return kind;
-  }
-  throw std::invalid_argument("case '" + std::string(text) + "': expected coupled|uncoupled|exact");
+  return parse_name<PivotCase>(pivot_case_names(), "case", text);
 }
 
 Pivot::Pivot(const PivotOptions& options) {

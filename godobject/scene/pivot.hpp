@@ -7,6 +7,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -20,6 +21,7 @@ enum class PivotCase {
 };
 
 /// "coupled", "uncoupled", "exact".
+std::span<const std::string_view> pivot_case_names() noexcept;
 std::string_view to_string(PivotCase kind) noexcept;
 /// The inverse of `to_string`; throws `std::invalid_argument` with the names that were expected.
 PivotCase parse_pivot_case(std::string_view text);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "limitcurve/internal/did_you_mean.hpp"
+#include "limitcurve/internal/key_values.hpp"
 #include "limitcurve/internal/number.hpp"
 #include "limitcurve/laws.hpp"
 
@@ -16,18 +17,30 @@ std::invalid_argument complaint(std::string_view text, const std::string& what) 
   return std::invalid_argument("law '" + std::string(text) + "': " + what);
 }
 
-/// The value in `key=value`, which must be all of `parameters`.
-double parameter(std::string_view text, std::string_view parameters, std::string_view key) {
-  const std::string expected = "expected " + std::string(key) + "=NUMBER after the colon";
-  if (parameters.substr(0, key.size()) != key || parameters.size() <= key.size() || parameters[key.size()] != '=') {
-    throw complaint(text,
-                    expected + ", got '" + std::string(parameters) + "'" + did_you_mean(parameters.substr(0, parameters.find('=')), {key}));
+/// A kind of law: an example of its text, with the parameter, if it has one; and how it is made.
+struct Kind {
+  std::string_view example;
+  Law (*make)(double parameter);
+
+  [[nodiscard]] constexpr std::string_view name() const { return example.substr(0, example.find(':')); }
+  [[nodiscard]] constexpr std::string_view parameter() const {
+    const std::size_t colon = example.find(':');
+    return colon == std::string_view::npos ? std::string_view{} : example.substr(colon + 1, example.find('=') - colon - 1);
   }
-  const std::string_view number = parameters.substr(key.size() + 1);
-  const auto value = parse_number(number);
-  if (!value) throw complaint(text, expected + ", got '" + std::string(number) + "' for the number");
-  return *value;
-}
+};
+
+constexpr std::array kinds = std::to_array<Kind>({
+    {"hertz", [](double) { return hertz(); }},
+    {"uniform", [](double) { return uniform(); }},
+    {"parabolic", [](double) { return parabolic(); }},
+    {"flat-punch", [](double) { return flat_punch(); }},
+    {"cone", [](double) { return cone(); }},
+    {"power:n=2.3", power},
+    {"xydas-kao:k=3", xydas_kao},
+    {"gaussian:sigma=0.4", gaussian},
+});
+
+constexpr std::string_view mixture_example = "mix:0.7*hertz+0.3*uniform";
 
 Law parse_mixture(std::string_view text, std::string_view parts) {
   std::vector<std::pair<double, Law>> mixed;
@@ -56,36 +69,37 @@ Law parse_mixture(std::string_view text, std::string_view parts) {
 }
 
 Law parse_unchecked(std::string_view text) {
-  const std::size_t colon = text.find(':');
-  const std::string_view kind = text.substr(0, colon);
-  const std::string_view parameters = colon == std::string_view::npos ? std::string_view{} : text.substr(colon + 1);
-  if (colon == std::string_view::npos) {
-    if (kind == "hertz") return hertz();
-    if (kind == "uniform") return uniform();
-    if (kind == "parabolic") return parabolic();
-    if (kind == "flat-punch") return flat_punch();
-    if (kind == "cone") return cone();
-  }
-  if (kind == "power") return power(parameter(text, parameters, "n"));
-  if (kind == "xydas-kao") return xydas_kao(parameter(text, parameters, "k"));
-  if (kind == "gaussian") return gaussian(parameter(text, parameters, "sigma"));
-  if (kind == "mix") return parse_mixture(text, parameters);
+  const auto [name, rest] = split_description(text);
+  if (name == "mix") return parse_mixture(text, rest.value_or(""));
   std::string expected = "expected one of";
-  std::vector<std::string_view> kinds{"samples"};
-  for (const std::string_view example : law_examples()) {
-    expected += ' ' + std::string(example);
-    kinds.push_back(example.substr(0, example.find(':')));
+  std::vector<std::string_view> names{"samples", "mix"};
+  for (const Kind& kind : kinds) {
+    expected.append(" ").append(kind.example);
+    names.push_back(kind.name());
+    if (kind.name() != name) continue;
+    double value = 0.0;
+    if (!kind.parameter().empty()) {
+      read_key_values(rest.value_or(""), {number_key(kind.parameter(), value)});
+    } else if (rest) {
+      const std::string key(rest->substr(0, rest->find('=')));
+      throw std::invalid_argument(std::string(name) + " has no parameter" + (key.empty() ? "" : " '" + key + "'") + ", expected " +
+                                  std::string(name) + "; the contact radius is that of the radius law (--radius-law)");
+    }
+    return kind.make(value);
   }
-  expected += "; on the command line also samples:FILE.csv (radius,pressure)";
-  throw complaint(text, expected + did_you_mean(kind, kinds, text.substr(kind.size())));
+  expected.append(" ").append(mixture_example).append("; on the command line also samples:FILE.csv (radius,pressure)");
+  throw complaint(text, expected + did_you_mean(name, names, text.substr(name.size())));
 }
 
 }  // namespace
 
 std::span<const std::string_view> law_examples() {
-  static constexpr std::array examples =
-      std::to_array<std::string_view>({"hertz", "uniform", "parabolic", "flat-punch", "cone", "power:n=2.3", "xydas-kao:k=3",
-                                       "gaussian:sigma=0.4", "mix:0.7*hertz+0.3*uniform"});
+  static constexpr auto examples = [] {
+    std::array<std::string_view, kinds.size() + 1> all{};
+    for (std::size_t i = 0; i < kinds.size(); ++i) all[i] = kinds[i].example;
+    all.back() = mixture_example;
+    return all;
+  }();
   return examples;
 }
 

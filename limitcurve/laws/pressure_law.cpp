@@ -29,9 +29,24 @@ Law checked(Law law) {
   return law;
 }
 
+std::span<const std::string_view> method_names() {
+  static constexpr std::array<std::string_view, 6> names{"auto", "closed", "ring", "punch", "direct", "boost"};
+  return names;
+}
+
 std::string_view to_string(Method method) {
-  constexpr std::array<std::string_view, 5> names{"auto", "closed", "ring", "punch", "direct"};
-  return names[static_cast<std::size_t>(method)];
+  return method_names()[static_cast<std::size_t>(method)];
+}
+
+Method method_of(const PressureLaw& law, std::string_view name) {
+  std::string has;
+  for (std::size_t i = 0; i < method_names().size(); ++i) {
+    const auto method = static_cast<Method>(i);
+    if (!law.allows(method)) continue;
+    if (to_string(method) == name) return method;
+    has += (has.empty() ? "" : ", ") + std::string(to_string(method));
+  }
+  throw std::invalid_argument("method '" + std::string(name) + "': law '" + law.name() + "' has no such method, expected one of " + has);
 }
 
 namespace {
@@ -79,6 +94,10 @@ bool PressureLaw::allows(Method method) const noexcept {
 WrenchEstimate PressureLaw::evaluate(double s, Method method) const noexcept {
   if (method == Method::punch) return evaluators::rounded(evaluators::punch(*this, Extended(s)));
   if (method == Method::direct) return evaluators::rounded(evaluators::direct(*this, Extended(s)));
+  if (method == Method::boost) {
+    const auto [forces, error] = evaluators::boost(*this, s);
+    return {{forces.force, forces.moment}, {error.force, error.moment}, forces.force_slope};
+  }
   if (method != Method::ring) return evaluators::rounded(PressureLaw::unrounded(s, Slope::wanted));
   return evaluators::rounded(evaluators::ring(*this, Extended(s), Slope::wanted));
 }

@@ -32,6 +32,10 @@ Quadrature<Extended> punch(const PressureLaw& law, Extended s) noexcept;
 /// Eq. (17) as printed, over radius and angle, split at r = c. Its force integrand changes sign: the error is absolute.
 Quadrature<Extended> direct(const PressureLaw& law, Extended s) noexcept;
 
+/// The kernels of `ring` by Carlson's integrals, the radius by Boost's tanh–sinh rule, which ends where the estimate of its error, that of
+/// the last row but one, is below `tolerance` of the integral. Shares no integral with `ring`. The error includes rounding.
+Quadrature<double> boost(const PressureLaw& law, double s, Slope slope = Slope::wanted, double tolerance = 1e-14) noexcept;
+
 /// The law's pressure projected on a line through the contact centre, at the coordinate t ≥ 0 on the line: with G(t) = ⟨|t − x|⟩, `force`
 /// is G′ and `moment` is N = G − tG′. For contacts that are not round.
 Quadrature<double> line_profile(const PressureLaw& law, double t) noexcept;

@@ -49,6 +49,11 @@ def header(*arguments):
     return run(*arguments).stdout.split("\n", 1)[0]
 
 
+def subcommands():
+    """The names in the groups of --help."""
+    return re.findall(r"(?m)^  ([a-z]\S*)", run("--help").stdout)
+
+
 def number_or_text(text):
     try:
         return float(text)

@@ -8,19 +8,14 @@ import subprocess
 import unittest
 from pathlib import Path
 
-from command_line import DATA, EXECUTABLE, CommandLineTest, header, run
+from command_line import DATA, EXECUTABLE, CommandLineTest, header, run, subcommands
 
 ROOT = Path(__file__).resolve().parents[2]
 
 
-def subcommands():
-    listed = run("--help").stdout.split("Subcommands:\n")[1].split("\n\n")[0]
-    return [line.split()[0] for line in listed.splitlines() if re.match(r"  \w", line)]
-
-
 def example(name):
     """The arguments of the example of a subcommand's help."""
-    return shlex.split(run(name, "--help").stdout.split("Example:\n")[1])
+    return shlex.split(run(name, "--help").stdout.split("Example:\n")[1].split("\n\n")[0])
 
 
 def page_examples(page):

@@ -16,7 +16,6 @@ import tempfile
 import threading
 import time
 import unittest
-from pathlib import Path
 
 from command_line import DATA, EXECUTABLE, PROGRESS, REPORT, CommandLineTest, run, share
 
@@ -128,19 +127,19 @@ class Refused(CommandLineTest):
         self.assert_refused([EXECUTABLE, "report", "-o", str(folder / "out")], ["out", "Read-only file system"])
 
     def test_a_folder_without_permission(self):
-        if os.getuid() != 0:
-            folder, options = self.directory / "locked", {}
-        else:
-            # As root everything is permitted: be nobody, in a place that nobody may enter.
-            directory = tempfile.TemporaryDirectory(dir="/tmp")
-            self.addCleanup(directory.cleanup)
-            os.chmod(directory.name, 0o755)
-            folder, options = Path(directory.name) / "locked", {"user": 65534, "group": 65534, "extra_groups": []}
-            if subprocess.run([EXECUTABLE, "--version"], capture_output=True, check=False, **options).returncode != 0:
-                self.skipTest("nobody may not run the executable")
+        folder, executable, options = self.directory / "locked", EXECUTABLE, {}
+        if os.getuid() == 0:
+            # To root everything is permitted: be nobody, who may not enter every folder of root's. So the executable lies beside.
+            os.chmod(self.directory, 0o755)
+            executable = shutil.copy(EXECUTABLE, self.directory)
+            options = {"user": 65534, "group": 65534, "extra_groups": [], "cwd": self.directory}
+            try:
+                subprocess.run([executable, "--version"], capture_output=True, check=True, **options)
+            except (OSError, subprocess.CalledProcessError) as error:
+                self.skipTest(f"nobody may not run the executable: {error}")
         folder.mkdir(mode=0o555)
-        self.assert_refused([EXECUTABLE, *TABLE, str(folder / "table.csv")], ["table.csv", "Permission denied"], **options)
-        self.assert_refused([EXECUTABLE, "report", "-o", str(folder / "out")], ["out", "Permission denied"], **options)
+        self.assert_refused([executable, *TABLE, str(folder / "table.csv")], ["table.csv", "Permission denied"], **options)
+        self.assert_refused([executable, "report", "-o", str(folder / "out")], ["out", "Permission denied"], **options)
 
     def test_a_path_below_a_file(self):
         path = self.file("file", "")
@@ -150,7 +149,7 @@ class Refused(CommandLineTest):
     def test_a_pipe_that_closes(self):
         for call in ["curve --law hertz --points 200000", "replay --trace long.csv " + " ".join(REPLAY[1:-2])]:
             (self.directory / "long.csv").write_text("time,x,y,z,twist\n" + "0,0,0,-0.001,0\n" * 50000)
-            done = subprocess.run(["bash", "-c", f"{EXECUTABLE} {call} | head -1; exit ${{PIPESTATUS[0]}}"], cwd=self.directory,
+            done = subprocess.run(["bash", "-c", '"$0" "$@" | head -1; exit ${PIPESTATUS[0]}', EXECUTABLE, *call.split()], cwd=self.directory,
                                   capture_output=True, text=True, check=False)
             self.assertEqual((done.returncode, done.stdout.count("\n")), (1, 1), call)
             self.assertEqual(done.stderr, "", call)

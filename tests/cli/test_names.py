@@ -50,7 +50,7 @@ def c_names():
 def python_names():
     sources = "".join(text("python", name) for name in ("fingers.cpp", "batches.cpp"))
     found = set(re.findall(r'(?:nb::arg|def_ro|def_prop_ro|add_view|\.def)\(\s*"(\w+)"', sources))
-    found |= set(re.findall(r'\{"(\w+)", \[\]\(FingerParameters', sources)) | {"radius_law", "projection"}
+    found |= set(re.findall(r'\{"(\w+)", &FingerParameters', text("godobject", "finger", "finger_numbers.hpp"))) | {"radius_law", "projection"}
     for node in ast.parse(text("python", "limitcurve", "_tables.py")).body:
         if isinstance(node, ast.FunctionDef) and node.name in ("replay", "choose"):
             found |= {argument.arg for argument in node.args.args + node.args.kwonlyargs}
@@ -58,7 +58,7 @@ def python_names():
 
 
 def option_names():
-    return {name for subcommand in ("replay", "pivot", "choose") for name in re.findall(r"(--[a-z-]+)", run(subcommand, "--help").stdout)}
+    return {name for subcommand in ("replay", "pivot", "choose") for name in re.findall(r"(--[a-z-]+)", run(subcommand, "--help-all").stdout)}
 
 
 class Names(unittest.TestCase):

@@ -74,7 +74,7 @@ class Replays(CommandLineTest):
             self.assert_close(growing[-1]["moment"], -0.004 * 3 ** (1 + exponent), 1e-9)
         self.assert_fails(2, ["gamma", "without mu_r"], "replay", "--trace", self.directory / "trace.csv", *FINGER,
                           "--gamma", "0.1")
-        self.assert_fails(2, ["gamma = 2", "<= 1"], "replay", "--trace", self.directory / "trace.csv", *FINGER,
+        self.assert_fails(2, ["--gamma: got '2'", "from -0.5 to 1"], "replay", "--trace", self.directory / "trace.csv", *FINGER,
                           "--mu-r", "0.004", "--gamma", "2")
         self.replay(twist)
         self.assertAlmostEqual(self.replay(TRACE, "--mu-dynamic", "0.3")[-1]["fx"], -0.3, delta=1e-9)

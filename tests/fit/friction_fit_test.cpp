@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "fit/internal/friction_fit.hpp"
+#include "fit/friction_fit.hpp"
 
 #include "limitcurve/laws.hpp"
 

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <random>
 #include <utility>
 
@@ -67,7 +68,7 @@ void expect_agreement(const Law& law, double s, Method one, Method other) {
       << law->name() << " s = " << s << ' ' << to_string(one) << '/' << to_string(other);
 }
 
-/// The closed forms and either integral, 10⁴ laws and CORs: a study.
+/// The closed forms, either integral, and Boost's: 10⁴ laws and CORs, a study.
 TEST(MethodAgreement, ClosedRingAndPunch) {
   RandomCases cases(1);
   int punches = 0;
@@ -76,6 +77,7 @@ TEST(MethodAgreement, ClosedRingAndPunch) {
     const Law law = cases.law();
     const double s = cases.cor();
     ASSERT_TRUE(law->allows(Method::closed)) << law->name();
+    expect_agreement(law, s, Method::closed, Method::boost);
     if (i % 2 == 0 || !law->allows(Method::punch)) {
       expect_agreement(law, s, Method::closed, Method::ring);
     } else {
@@ -84,6 +86,19 @@ TEST(MethodAgreement, ClosedRingAndPunch) {
     }
   }
   EXPECT_GE(punches, count / 5);
+}
+
+/// Where there is no closed form, the rule and the elliptic integrals of a library, which share no integral with ours.
+TEST(MethodAgreement, BoostAndRing) {
+  RandomCases cases(4);
+  const Law profile = samples(std::array<PressureSample, 5>{{{0.0, 1.0}, {0.3, 2.0}, {0.5, 1.5}, {0.8, 1.0}, {1.0, 0.0}}}, "profile");
+  for (int i = 0; i < study_cases(3000, 300); ++i) {
+    const Law law = i % 20 == 0 ? profile : xydas_kao(cases.log_uniform(0.01, 1e6));
+    const double s = i % 9 == 0 ? cases.log_uniform(1e-300, 1e300) : cases.cor();
+    expect_agreement(law, s, Method::ring, Method::boost);
+  }
+  for (const double s : {0.0, std::numeric_limits<double>::infinity()}) expect_agreement(hertz(), s, Method::automatic, Method::boost);
+  EXPECT_TRUE(std::isnan(hertz()->evaluate(std::numeric_limits<double>::quiet_NaN(), Method::boost).wrench.force));
 }
 
 /// Where there is no closed form, and where all three have one integral or two: the double integral of eq. (17).

@@ -97,14 +97,14 @@ TEST(RadiusLaw, ParametersComeInAnyOrder) {
 
 TEST(RadiusLaw, SaysWhatIsWrong) {
   for (const auto& [text, place] : {std::pair{"", "radius law ''"},
-                                    {"constant", "expected constant:a="},
+                                    {"constant", "no 'a' in '', expected a=NUMBER"},
                                     {"cone:a=1", "'cone:a=1'"},
-                                    {"constant:", "got ''"},
-                                    {"constant:a=", "got 'a='"},
-                                    {"constant:a=1x", "got 'a=1x'"},
+                                    {"constant:", "expected a=NUMBER"},
+                                    {"constant:a=", "'a' in 'a=': got ''"},
+                                    {"constant:a=1x", "got '1x', expected a number"},
                                     {"constant:b=1", "got 'b=1'"},
                                     {"constant:a=1,", "got ''"},
-                                    {"constant:a=1,a=2", "got 'a=2'"},
+                                    {"constant:a=1,a=2", "'a' twice in 'a=1,a=2'"},
                                     {"constant:a=0", "a = 0 m"},
                                     {"constant:a=-1", "a = -1 m"},
                                     {"constant:a=nan", "a = nan m"},
@@ -116,7 +116,7 @@ TEST(RadiusLaw, SaysWhatIsWrong) {
                                     {"power:c=0.002,gamma=1.5", "gamma = 1.5"},
                                     {"power:c=0.002,gamma=-0.1", "gamma = -0.1"},
                                     {"power:c=0,gamma=0.2", "c = 0 m/N^gamma"},
-                                    {"power:c=0.002,gamma=0.2 ", "got 'gamma=0.2 '"}}) {
+                                    {"power:c=0.002,gamma=0.2 ", "got '0.2 '"}}) {
     const std::string complaint = complaint_about(text);
     EXPECT_NE(complaint.find(place), std::string::npos) << text << " -> " << complaint;
     EXPECT_NE(complaint.find(std::string("radius law '") + text + "'"), std::string::npos) << text << " -> " << complaint;

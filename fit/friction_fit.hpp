@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "fit/estimate.hpp"
-#include "limitcurve/patch.hpp"
+#include "../limitcurve/patch.hpp"
+#include "estimate.hpp"
 
 #include <span>
 #include <string>

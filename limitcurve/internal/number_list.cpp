@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cli/io/number_list.hpp"
+#include "limitcurve/internal/number_list.hpp"
 
 #include "limitcurve/internal/number.hpp"
 
@@ -7,12 +7,12 @@
 #include <stdexcept>
 #include <string>
 
-namespace limitcurve::cli {
+namespace limitcurve {
 
-double read_number(std::string_view text, const Range& range) {
+double read_number(std::string_view text, const std::optional<Range>& range) {
   const auto value = parse_number(text);
-  if (value && range.contains(*value)) return *value;
-  throw std::invalid_argument("got '" + std::string(text) + "', expected " + std::string(range.text));
+  if (value && (!range || range->contains(*value))) return *value;
+  throw std::invalid_argument("got '" + std::string(text) + "', expected " + (range ? std::string(range->text) : "a number"));
 }
 
 std::vector<double> read_number_list(std::string_view text, const Range& range) {
@@ -34,4 +34,4 @@ std::vector<double> read_number_list(std::string_view text, const Range& range) 
   return numbers;
 }
 
-}  // namespace limitcurve::cli
+}  // namespace limitcurve

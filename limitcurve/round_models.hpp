@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "limitcurve/choose.hpp"
-#include "limitcurve/patch.hpp"
-#include "limitcurve/validate.hpp"
+#include "choose.hpp"
+#include "patch.hpp"
+#include "validate.hpp"
 
 #include <string>
 #include <vector>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "cli/io/key_values.hpp"
+#include "limitcurve/internal/key_values.hpp"
 
-#include "cli/io/number_list.hpp"
+#include "limitcurve/internal/number_list.hpp"
 
 #include "limitcurve/internal/did_you_mean.hpp"
 
@@ -9,9 +9,9 @@
 #include <numbers>
 #include <stdexcept>
 
-namespace limitcurve::cli {
+namespace limitcurve {
 
-KeyValue number_key(std::string_view key, double& value, const Range& range, bool required) {
+KeyValue number_key(std::string_view key, double& value, const std::optional<Range>& range, bool required) {
   return {key, [&value, range](std::string_view text) { value = read_number(text, range); }, required};
 }
 
@@ -28,6 +28,25 @@ KeyValue angle_key(std::string_view key, double& value, const Range& range, bool
   return {key, take, required};
 }
 
+Description split_description(std::string_view text) {
+  const std::size_t colon = text.find(':');
+  if (colon == std::string_view::npos) return {text, std::nullopt};
+  return {text.substr(0, colon), text.substr(colon + 1)};
+}
+
+std::string split_file(std::string_view kind, std::string_view rest, std::string_view& items) {
+  // From the end, because the name may contain commas.
+  std::size_t end = rest.size();
+  for (;;) {
+    const std::size_t comma = rest.substr(0, end).rfind(',');
+    if (comma == std::string_view::npos || rest.substr(comma, end - comma).find('=') == std::string_view::npos) break;
+    end = comma;
+  }
+  items = end == rest.size() ? std::string_view{} : rest.substr(end + 1);
+  if (end == 0) throw std::invalid_argument("no file name, expected " + std::string(kind) + ":FILE");
+  return std::string(rest.substr(0, end));
+}
+
 void read_key_values(std::string_view text, const std::vector<KeyValue>& keys) {
   std::string expected;
   std::vector<std::string_view> names;
@@ -38,7 +57,7 @@ void read_key_values(std::string_view text, const std::vector<KeyValue>& keys) {
   }
   std::vector<bool> seen(keys.size());
   std::size_t begin = 0;
-  while (begin <= text.size()) {
+  while (!text.empty() && begin <= text.size()) {
     const std::size_t end = std::min(text.find(',', begin), text.size());
     const std::string_view item = text.substr(begin, end - begin);
     const std::size_t equals = item.find('=');
@@ -64,4 +83,4 @@ void read_key_values(std::string_view text, const std::vector<KeyValue>& keys) {
   }
 }
 
-}  // namespace limitcurve::cli
+}  // namespace limitcurve

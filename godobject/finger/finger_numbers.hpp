@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "godobject/finger.hpp"
+#include "limitcurve/internal/range.hpp"
+
+#include <array>
+#include <limits>
+#include <optional>
+#include <string_view>
+#include <variant>
+
+namespace limitcurve::godobject {
+
+/// A number among the parameters of a finger: what the options of the command, Python's keywords, C's structure and the checks are made from.
+struct FingerNumber {
+  std::string_view name;
+  std::variant<double FingerParameters::*, std::optional<double> FingerParameters::*> member;
+  std::string_view unit;
+  Range range;
+  std::string_view text;  ///< help
+  bool rare = false;      ///< help shows it under --help-all alone
+};
+
+/// So wide that only a wrong unit leaves it, and so narrow that no product in a step overflows.
+inline constexpr Range coefficient{0.0, 1e15, "a number >= 0, up to 1e15"};
+inline constexpr Range spring{1e-15, 1e15, "a number > 0, from 1e-15 to 1e15"};
+
+inline constexpr std::array finger_numbers = std::to_array<FingerNumber>({
+    {"mu", &FingerParameters::mu, "1", coefficient, "Friction coefficient mu [1]"},
+    {"mu_dynamic", &FingerParameters::mu_dynamic, "1", coefficient, "Friction coefficient while slipping (default mu)"},
+    {"mu_r", &FingerParameters::mu_r, "m", coefficient,
+     "mu_r [m/N^gamma]: the moment limit is mu_r P^(1+gamma), in place of the radius law's"},
+    {"gamma", &FingerParameters::gamma, "1", {-0.5, 1.0, "a number from -0.5 to 1"}, "gamma of mu_r, from -0.5 to 1", true},
+    {"mu_r_dynamic", &FingerParameters::mu_r_dynamic, "m", coefficient, "mu_r while slipping [m] (default mu_r times mu_dynamic/mu)", true},
+    {"stiffness", &FingerParameters::stiffness, "N/m", spring, "Contact stiffness k_l [N/m]; the load is P = k_l d"},
+    {"twist_stiffness", &FingerParameters::twist_stiffness, "N m/rad", spring, "Torsional stiffness k_r [N m/rad]"},
+    {"damping", &FingerParameters::damping, "N s/m", coefficient, "b_l of each finger [N s/m]"},
+    {"twist_damping", &FingerParameters::twist_damping, "N m s/rad", coefficient, "b_r of each finger [N m s/rad]", true},
+    {"rest_margin", &FingerParameters::rest_margin, "1", coefficient,
+     "A sliding finger comes to rest within the dynamic limit divided by 1 + this*(mu/mu_d - 1) [1]; 0: within the dynamic limit", true},
+    {"max_displacement",
+     &FingerParameters::max_displacement,
+     "m",
+     {std::numeric_limits<double>::denorm_min(), std::numeric_limits<double>::infinity(), "a number > 0, or inf"},
+     "A larger jump between two samples [m] is a fault of the device: one sample is invalid",
+     true},
+    {"fault_decay",
+     &FingerParameters::fault_decay,
+     "1",
+     {0.0, 1.0, "a number from 0 to 1"},
+     "Fraction of load, force and moment [1] that an invalid sample keeps from an invalid one before it: 0.99 fades, 1 holds",
+     true},
+});
+
+/// Calls `take(number, value)` for each; the value is a double or an optional one.
+template <class Parameters, class Take>
+void for_each_number(Parameters& parameters, const Take& take) {
+  for (const FingerNumber& number : finger_numbers) std::visit([&](auto member) { take(number, parameters.*member); }, number.member);
+}
+
+}  // namespace limitcurve::godobject

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string_view>
+
+namespace limitcurve {
+
+/// The valid values of an option, a column or a parameter, and their description for error messages. NaN is never valid.
+struct Range {
+  double least;
+  double most;
+  std::string_view text;
+
+  [[nodiscard]] constexpr bool contains(double value) const noexcept { return value >= least && value <= most; }
+};
+
+}  // namespace limitcurve
