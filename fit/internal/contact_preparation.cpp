@@ -194,8 +194,8 @@ ContactPreparation prepare(std::span<const Sample> samples, const ContactFitOpti
   preparation.start = starting_limits(samples, options.gamma, preparation.reference_load);
   // Without sigmas the unit of error is the limit itself, for which an ellipse is good enough. A robust loss also needs the typical
   // error, 1.4826 median |residual|, which outliers hardly move. An ellipse would add its own
-  // misfit to it: with Huber's loss and a tenth of the rows inside, 70 % of the intervals instead
-  // of 87 % would hold the truth.
+  // misfit to it: with Huber's loss and a tenth of the rows inside the curve, 66 to 70 % of the
+  // intervals would hold the truth, and not 87 %.
   const bool robust = options.loss.kind != Loss::Kind::squared;
   const std::unique_ptr<UnitCurve> curve = robust ? make_flexible() : make_ellipse();
   const ContactLayout layout{robust, options.fit_gamma, options.gamma};
