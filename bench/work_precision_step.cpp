@@ -42,36 +42,40 @@ struct SteadyError {
   double mean = 0.0;
 };
 
-/// Error of the steady wrench over stiffness ratios k_r/k_l/(m₀a)² and CORs a decade on either side of 1. The fingers stay and the
-/// proxies move, by steps that a float resolves.
+/// Error of the steady wrench over stiffness ratios k_r/k_l/(m₀a)² and CORs a decade on either side of 1: many CORs, because a table's
+/// error differs from cell to cell, and inside the rim Hertz is a polynomial. The fingers stay and the proxies move, by steps that a float
+/// resolves.
 template <class Real>
 SteadyError steady_error(const Law& law, const BasicFingerCurve<Real>& curve, Projection projection) {
   constexpr int steps = 1000;           // forgets the start to rounding
   constexpr double step_length = 1e-3;  // [m]
-  constexpr std::array decade{0.1, 0.3, 1.0, 3.0, 10.0};
+  constexpr std::array stiffness_ratios{0.1, 0.3, 1.0, 3.0, 10.0};
+  constexpr std::size_t count = 1001;
+  std::vector<double> cors(count);
+  for (std::size_t k = 0; k < count; ++k) cors[k] = std::pow(10.0, 2.0 * static_cast<double>(k) / (count - 1) - 1.0);
   const double m0 = law->moment_ratio();
   SteadyError result;
-  for (const double ratio : decade) {
+  for (const double ratio : stiffness_ratios) {
     const FingerParameters of_finger = parameters(ratio, m0);
     const BasicBatch<Real> stepper(curve, of_finger, projection);
-    BasicContactArrays<Real> arrays(decade.size());
+    BasicContactArrays<Real> arrays(count);
     const BasicContactBatch<Real> contacts = arrays.batch();
     std::ranges::fill(arrays.depth(), static_cast<Real>(depth));
     for (int i = 0; i <= steps; ++i) {
       stepper.step(contacts);
-      for (std::size_t k = 0; k < decade.size() && i < steps; ++k) {
-        const SlipTwist twist = SlipTwist::about_cor(decade[k]);
+      for (std::size_t k = 0; k < count && i < steps; ++k) {
+        const SlipTwist twist = SlipTwist::about_cor(cors[k]);
         contacts.proxy_x[k] -= static_cast<Real>(step_length * twist.slide);
         contacts.proxy_angle[k] -= static_cast<Real>(step_length * twist.spin / radius);
       }
     }
-    for (std::size_t k = 0; k < decade.size(); ++k) {
+    for (std::size_t k = 0; k < count; ++k) {
       const double unit = of_finger.mu * of_finger.stiffness * depth;
       const UnitWrench settled{static_cast<double>(std::fabs(contacts.fx[k])) / unit,
                                static_cast<double>(std::fabs(contacts.moment[k])) / (unit * radius)};
-      const double error = tolerance_error(settled, law->evaluate(decade[k]).wrench, m0);
+      const double error = tolerance_error(settled, law->evaluate(cors[k]).wrench, m0);
       result.max = std::fmax(result.max, error);
-      result.mean += error / (decade.size() * decade.size());
+      result.mean += error / static_cast<double>(count * stiffness_ratios.size());
     }
   }
   return result;

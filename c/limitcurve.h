@@ -177,7 +177,7 @@ typedef struct limitcurve_finger_parameters {
   double twist_stiffness;            /* k_r [N m/rad] > 0 */
   double damping;                    /* b_l [N s/m] >= 0 */
   double twist_damping;              /* b_r [N m s/rad] >= 0 */
-  double rest_margin;                /* margin below the dynamic limit at which a sliding finger comes to rest, >= 0 */
+  double rest_margin;                /* margin below the sliding limit at which a sliding finger comes to rest, >= 0 */
   double max_displacement;           /* between two samples [m]; a larger jump is invalid once */
   double fault_decay;                /* factor of load, force and moment from one invalid sample to the next, in [0, 1] */
 } limitcurve_finger_parameters;

@@ -35,7 +35,7 @@ double equivalent_radius(double mu_r, double mu, double moment_max) {
   return mu > 0.0 ? std::clamp(mu_r / (mu * moment_max), almost_none, finite) : almost_none;
 }
 
-/// The sliding limit divided by the limit at rest; 1 if that is 0.
+/// The sliding limit divided by the sticking limit; 1 if that is 0.
 double fraction(double sliding, double sticking) {
   return sticking > 0.0 ? sliding / sticking : 1.0;
 }
@@ -83,8 +83,7 @@ ContactLimits::ContactLimits(const FingerParameters& parameters, double moment_m
         throw out_of_range("mu_r_dynamic", mu_r_dynamic, "m", "0 <= mu_r_dynamic <= mu_r");
       }
       // The moment may keep a limit without a sliding force: give the force a limit of almost 0.
-      constexpr double almost_none = 1e-25;
-      if (mu_r_dynamic > 0.0) sliding_.force = std::max(mu_dynamic, almost_none);
+      if (mu_r_dynamic > 0.0) sliding_.force = std::max(mu_dynamic, least_sliding_share);
       sliding_.radius = equivalent_radius(mu_r_dynamic, sliding_.force, moment_max);
     }
     has_torsion_ = mu_r > 0.0;
@@ -104,7 +103,7 @@ ContactLimits::ContactLimits(const FingerParameters& parameters, double moment_m
     if (parameters.radius_law.is_sampled() || parameters.radius_law.exponent() != 0.0) radius_law_ = parameters.radius_law;
     has_torsion_ = mu > 0.0;
   }
-  sliding_fraction_ = sliding_.radius / sticking_.radius;
+  sliding_radius_fraction_ = sliding_.radius / sticking_.radius;
   const double moment_fraction = has_torsion_ ? fraction(sliding_.force * sliding_.radius, sticking_.force * sticking_.radius) : 1.0;
   force_stick_fraction_ = stick_fraction(fraction(sliding_.force, sticking_.force), parameters.rest_margin);
   moment_stick_fraction_ = stick_fraction(moment_fraction, parameters.rest_margin);

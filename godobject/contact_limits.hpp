@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+// Inner: installed because other headers need it; it may change in every version.
+
 #include "finger.hpp"
 #include "finger_curve.hpp"
 
@@ -19,8 +21,11 @@ template <std::floating_point Real>
 template <class Real>
 void check_projection(const BasicFingerCurve<Real>& curve, Projection projection);
 
+/// What counts as a sliding force of none, in units of the sticking one: the moment may keep a limit without it.
+inline constexpr double least_sliding_share = 1e-25;
+
 /// The fraction of the sliding limit within which a sliding contact comes to rest (FingerParameters::rest_margin). `sliding_fraction` ∈ [0, 1]
-/// is the sliding limit divided by the limit at rest; the result is 1 if that is 1.
+/// is the sliding limit divided by the sticking limit; the result is 1 if that is 1.
 [[nodiscard]] double stick_fraction(double sliding_fraction, double rest_margin) noexcept;
 
 /// The friction limits of a finger as a function of its load: μP and a(P). With a moment coefficient the radius follows from it,
@@ -42,7 +47,7 @@ class ContactLimits {
     const auto length = [&](double value) { return number((std::min)(value, 1.0 / almost_none)); };
     const Number radius = varies ? smaller(radius_at(*radius_law_, load), length(1.0 / almost_none)) : length(sticking_.radius);
     return {{number(sticking_.force) * load, radius},
-            {number(sliding_.force) * load, varies ? length(sliding_fraction_) * radius : length(sliding_.radius)},
+            {number(sliding_.force) * load, varies ? length(sliding_radius_fraction_) * radius : length(sliding_.radius)},
             stiffness_ratio,
             number(force_stick_fraction_),
             number(moment_stick_fraction_),
@@ -66,7 +71,7 @@ class ContactLimits {
   FrictionLimit<double> sticking_;
   FrictionLimit<double> sliding_;
   std::optional<RadiusLaw> radius_law_;  // if the radius depends on the load
-  double sliding_fraction_;              // radius during slip divided by the radius at rest
+  double sliding_radius_fraction_;       // radius during slip divided by the radius at rest
   double force_stick_fraction_;          // fraction of the sliding limit within which a contact comes to rest
   double moment_stick_fraction_;         // the same for the moment
   bool has_torsion_;

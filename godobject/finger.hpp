@@ -28,10 +28,10 @@ struct FingerParameters {
   double twist_stiffness = 0.04;                      ///< k_r [N m/rad] > 0
   double damping = 0.0;                               ///< b_l [N s/m] ≥ 0, normal and tangential; acts if `update` has a time step
   double twist_damping = 0.0;                         ///< b_r [N m s/rad] ≥ 0
-  /// Hysteresis between static and dynamic friction [1] ≥ 0: a sliding finger comes to rest when its trial is within the dynamic limit
+  /// Hysteresis between static and dynamic friction [1] ≥ 0: a sliding finger comes to rest when its trial is within the sliding limit
   /// divided by 1 + rest_margin·(μ/μ_d − 1). So a repeated sample, noise or the device's resolution do not bring it back to static
   /// friction. With the default the trial must fall by about 0.4 of the gap between the limits; a mass that sticks and slips on springs not
-  /// stiffer than the contact makes it fall by 0.5 or more. 0: at rest as soon as the trial is within the dynamic limit.
+  /// stiffer than the contact makes it fall by 0.5 or more. 0: at rest as soon as the trial is within the sliding limit.
   double rest_margin = 0.4;
   /// Maximum displacement between two samples [m] > 0. A larger one is a fault of the device: the sample is `invalid`. If the next sample
   /// is near it, it is accepted. The default is 500 m/s at 1 kHz; ∞ accepts every sample.

@@ -17,8 +17,8 @@ struct FrictionLimit {
 /// The limits of a contact at its present load, and the ratio of its springs.
 template <class Number>
 struct FrictionLimits {
-  FrictionLimit<Number> sticking;            ///< static limit, with μ_s
-  FrictionLimit<Number> sliding;             ///< sliding limit, with μ_d; neither μP nor μPa is larger
+  FrictionLimit<Number> sticking;            ///< with μ: of a contact that sticks
+  FrictionLimit<Number> sliding;             ///< with μ_d: while it slides; neither μP nor μPa is larger
   Number stiffness_ratio;                    ///< k_l/k_r [1/m²] of the springs
   Number force_stick_fraction = Number(1);   ///< a sliding contact comes to rest within the smaller of these two fractions of the
   Number moment_stick_fraction = Number(1);  ///< sliding limit, ≤ 1; on the box force and moment each within its own
@@ -179,7 +179,7 @@ template <class Real, class Number>
 /// Applies friction (step b of the paper, eqs. 8–12, 19–23): the fraction of the trial deflection that the limit curve allows. Updates
 /// `memory`.
 ///
-/// Stick and slip: a contact at rest holds while its trial is within the limit at rest. After slip begins, the sliding limit acts, until a
+/// Stick and slip: a contact at rest holds while its trial is within the sticking limit. After slip begins, the sliding limit acts, until a
 /// trial is within the stick fraction of the sliding limit; in that step the contact comes to rest. Slip work force·(r − r′) + moment·(ρ − ρ′)
 /// is never negative. No allocation, no exception, no NaN from finite input; a NaN keeps no friction. Cost: at most max_search_steps
 /// evaluations of the curve for each search. `Number` is `double`, or a pack of double or float (`Real`) for as many contacts.

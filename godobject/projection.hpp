@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+// Inner but for the enumeration Projection: it may change in every version.
+
 #include "../limitcurve/contact_radius.hpp"
 #include "../limitcurve/curve_view.hpp"
 
@@ -95,11 +97,11 @@ template <class Real, class Number>
   };
   const CurveSide<Real, Number> side(trial.force - Number(curve.rim_force) > chi * (trial.moment - Number(curve.rim_moment)), trial.force,
                                      trial.moment);
-  const Number kappa = select(side.outside, inverse_chi, chi);
+  const Number kappa = select(side.beyond_rim, inverse_chi, chi);
   Jet<Number> jet;
   const Root<Number> root = find_root<Real>(
       [&](Number at) noexcept -> Residual<Number> {
-        jet = curve.jet(side.outside, at);
+        jet = curve.jet(side.beyond_rim, at);
         const Number over_leading = side.leading - jet.leading;
         const Number over_trailing = kappa * (side.trailing - jet.trailing);
         const Number stiff = one + kappa * at * at;

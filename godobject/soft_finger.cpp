@@ -40,7 +40,7 @@ FingerOutput fade(FingerState& state, double fault_decay, Fault fault) noexcept 
 
 void store(FingerState& state, const FingerSample& sample, const Sensed& sensed) noexcept {
   state.sample = sample;
-  if (&sensed.spin != &state.spin) state.spin = sensed.spin;
+  state.spin = sensed.spin;
   state.contact = sensed.contact.memory;
 }
 
@@ -75,8 +75,7 @@ void keep_static(FrictionLimits<double>& limits, const FrictionMemory<double>& m
   const bool turns = is_box ? memory.moment_slides : slides;
   if (slides && turns) return;
   const FrictionLimit<double>& moment = turns ? limits.sliding : limits.sticking;
-  constexpr double almost_none = 1e-25;
-  const double force = slides ? std::max(limits.sliding.force, almost_none * limits.sticking.force) : limits.sticking.force;
+  const double force = slides ? std::max(limits.sliding.force, least_sliding_share * limits.sticking.force) : limits.sticking.force;
   limits.sliding = {force, force == moment.force ? moment.radius : moment.force / force * moment.radius};
 }
 
@@ -98,6 +97,34 @@ KeptDeflection friction_of_curve(const FingerCurve& curve, Projection projection
           wrench.moment};
 }
 
+/// The proxy after step b.
+struct Moved {
+  Vector3d proxy;      ///< x_p [m]
+  double angle;        ///< α_p [rad]
+  double height;       ///< of the spring [m]
+  double along_slope;  ///< as in MovedProxy
+  bool slid;
+  bool turned;
+  bool slips;
+};
+
+/// The proxy follows. A component without slip keeps its bits; a slip below the rounding of the position counts as stick.
+Moved move_proxy(const TrialDeflection& trial, const KeptDeflection& kept, const FingerSample& sample, const FingerOutput& last) noexcept {
+  const MovedProxy followed = kept.force_reduced ? follow(trial, sample, kept.tangential) : MovedProxy{trial.proxy, trial.spring.height};
+  const double angle = kept.moment_reduced ? sample.angle + trial.relaxed_twist + kept.twist : last.angle;
+  const bool slid = trial.moves_to_near_side || (kept.force_reduced && followed.proxy != trial.proxy);
+  const bool turned = angle != last.angle;
+  const bool slips = trial.moves_to_near_side || (kept.slips && (slid || turned));
+  const bool turns_freely = kept.moment_reduced && !kept.slips;  // without torsion it turns with the finger
+  return {slips ? followed.proxy : last.proxy,
+          slips || turns_freely ? angle : last.angle,
+          slips ? followed.height : trial.spring.height,
+          followed.along_slope,
+          slid,
+          turned,
+          slips};
+}
+
 }  // namespace
 
 SoftFinger::SoftFinger(FingerCurve curve, const FingerParameters& parameters, Projection projection)
@@ -110,18 +137,15 @@ SoftFinger::SoftFinger(const Patch& patch, const FingerParameters& parameters, d
   if (parameters.mu_r) {
     throw out_of_range("mu_r", *parameters.mu_r, "m", "absent with a patch, which has its own moments");
   }
-  patch_ = make_projector(patch, point_radius);
+  projector_ = make_projector(patch, point_radius);
 }
 
 const Patch* SoftFinger::patch() const& noexcept {
-  return patch_ ? &patch_->patch() : nullptr;
+  return projector_ ? &projector_->patch() : nullptr;
 }
 
 FingerOutput SoftFinger::update(const AnySurface& surface, const DevicePose& device, double time_step) noexcept {
-  Spin spin;
-  Fault fault = Fault::none;
-  const Contact contact = sense(surface, device, state_, spin, fault);
-  return advance(state_, {contact, device.twist, time_step, spin, fault});
+  return advance(state_, sense(surface, device, time_step, state_));
 }
 
 FingerOutput SoftFinger::update(const Contact& contact, double twist, double time_step) noexcept {
@@ -130,10 +154,7 @@ FingerOutput SoftFinger::update(const Contact& contact, double twist, double tim
 
 FingerOutput SoftFinger::preview(const AnySurface& surface, const DevicePose& device, double time_step) const noexcept {
   FingerState state = state_;
-  Spin spin;
-  Fault fault = Fault::none;
-  const Contact contact = sense(surface, device, state, spin, fault);
-  return advance(state, {contact, device.twist, time_step, spin, fault});
+  return advance(state, sense(surface, device, time_step, state));
 }
 
 FingerOutput SoftFinger::preview(const Contact& contact, double twist, double time_step) const noexcept {
@@ -143,10 +164,7 @@ FingerOutput SoftFinger::preview(const Contact& contact, double twist, double ti
 
 FingerState SoftFinger::try_step(const AnySurface& surface, const DevicePose& device, double time_step) const noexcept {
   FingerState state = state_;
-  Spin spin;
-  Fault fault = Fault::none;
-  const Contact contact = sense(surface, device, state, spin, fault);
-  advance(state, {contact, device.twist, time_step, spin, fault, false});
+  advance(state, sense(surface, device, time_step, state, false));
   return state;
 }
 
@@ -159,10 +177,10 @@ FingerOutput SoftFinger::advance(FingerState& state, const Sensed& sensed) const
   const bool has_velocity = state.faults.seen && state.output.state != ContactState::invalid && sensed.time_step >= shortest_time_step;
   const Fault fault = accept(state.faults, sensed, state.sample, parameters_.max_displacement);
   if (fault != Fault::none) return fade(state, parameters_.fault_decay, fault);
-  const bool stays = state.in_contact && !sensed.contact.landed;
-  const FingerSample sample = take_sample(state.sample, sensed, stays);
+  const bool continues = state.in_contact && !sensed.contact.landed;
+  const FingerSample sample = take_sample(state.sample, sensed, continues);
   if (!(sample.depth > 0.0)) return release(state, sample, sensed);
-  if (!stays) touch_down(state, sample);
+  if (!continues) touch_down(state, sample);
   const FingerOutput& last = state.output;
 
   // a. The trial deflection of springs and dampers if the proxy stays (eq. 7).
@@ -170,34 +188,29 @@ FingerOutput SoftFinger::advance(FingerState& state, const Sensed& sensed) const
 
   // b. Friction: the part of the trial deflection that the limit curve, or a patch's limit surface, allows (eqs. 21–23).
   FrictionMemory<double> friction = state.friction;
-  PatchMemory patch;
-  const KeptDeflection kept = patch_ ? friction_of_patch(*patch_, limits_, trial, sample.normal, sensed.spin, last.angle, state.patch,
-                                                         sensed.may_begin, friction, patch)
-                                     : friction_of_curve(*curve_, projection_, limits_, trial, sensed.may_begin, friction);
+  PatchMemory next_patch;
+  const KeptDeflection kept = projector_ ? friction_of_patch(*projector_, limits_, trial, sample.normal, sensed.spin, last.angle,
+                                                             state.patch, sensed.may_begin, friction, next_patch)
+                                         : friction_of_curve(*curve_, projection_, limits_, trial, sensed.may_begin, friction);
 
-  // The proxy follows. A component without slip keeps its bits; a slip below the rounding of the position counts as stick.
-  const MovedProxy moved = kept.force_reduced ? follow(trial, sample, kept.tangential) : MovedProxy{trial.proxy, trial.spring.normal};
-  const double angle = kept.moment_reduced ? sample.angle + trial.relaxed_twist + kept.twist : last.angle;
-  const bool slid = trial.moves_to_near_side || (kept.force_reduced && moved.proxy != trial.proxy);
-  const bool turned = angle != last.angle;
-  const bool slips = trial.moves_to_near_side || (kept.slips && (slid || turned));
+  const Moved moved = move_proxy(trial, kept, sample, last);
 
   // c. Force and moment on the user.
   FingerOutput output;
-  output.state = slips ? ContactState::slip : ContactState::stick;
-  output.proxy = slips ? moved.proxy : last.proxy;
-  output.angle = slips || (kept.moment_reduced && !kept.slips) ? angle : last.angle;  // without torsion it turns with the finger
+  output.state = moved.slips ? ContactState::slip : ContactState::stick;
+  output.proxy = moved.proxy;
+  output.angle = moved.angle;
   output.depth = sample.depth;
   output.normal = sample.normal;
-  output.load = trial.load(slips ? moved.normal : trial.spring.normal);
+  output.load = trial.load(moved.height);
   output.force = kept.tangential * trial.springs.stiffness;
   output.moment = kept.twist * trial.springs.twist_stiffness;
-  output.cor = !slips ? nan : kept.slips ? kept.cor : inf;  // moved to the near side it slides without a turn
+  output.cor = !moved.slips ? nan : kept.slips ? kept.cor : inf;  // moved to the near side it slides without a turn
   const double work = moved.along_slope * output.force.dot(trial.tangential - kept.tangential) + output.moment * (trial.twist - kept.twist);
-  output.slip_work = !slips ? 0.0 : kept.converged ? std::max(work, 0.0) : work;
+  output.slip_work = !moved.slips ? 0.0 : kept.converged ? std::max(work, 0.0) : work;
   output.converged = kept.converged;
-  state.friction = settled(state.friction, friction, curve_ && curve_->is_box(), slips, slid, turned);
-  if (patch_) state.patch = {patch.zero_axis, patch.axis, slips ? patch.slip : Vector3d(Vector3d::Zero())};
+  state.friction = settled(state.friction, friction, curve_ && curve_->is_box(), moved.slips, moved.slid, moved.turned);
+  if (projector_) state.patch = {next_patch.zero_axis, next_patch.axis, moved.slips ? next_patch.slip : Vector3d(Vector3d::Zero())};
   store(state, sample, sensed);
   state.limit_load = trial.limit_load;
   state.trial_force = kept.trial_force;
@@ -222,22 +235,22 @@ double SoftFinger::spring_energy() const noexcept {
   if (!state_.in_contact) return 0.0;
   const Deflection spring(state_.output.proxy, state_.sample);
   const double twist = state_.output.angle - state_.sample.angle;
-  return 0.5 * parameters_.stiffness * (spring.normal * spring.normal + spring.tangential.squaredNorm()) +
+  return 0.5 * parameters_.stiffness * (spring.height * spring.height + spring.tangential.squaredNorm()) +
          0.5 * parameters_.twist_stiffness * twist * twist;
 }
 
 double SoftFinger::margin() const noexcept {
-  if (!patch_) return limits_.margin(*curve_, parameters_, state_);
+  if (!projector_) return limits_.margin(*curve_, parameters_, state_);
   if (!state_.in_contact) return 1.0;
   if (state_.output.state == ContactState::slip) return 0.0;
-  const double needed = patch_gauge(*patch_, state_);
+  const double needed = patch_gauge(*projector_, state_);
   return needed == 0.0 ? 1.0 : std::clamp(1.0 - needed / (limits_.mu(state_.friction.force_slides) * state_.limit_load), 0.0, 1.0);
 }
 
 double SoftFinger::load_to_hold() const noexcept {
   const FingerOutput& output = state_.output;
-  if (!patch_) return limits_.load_to_hold(*curve_, output.force.norm(), std::fabs(output.moment));
-  const double needed = patch_gauge(*patch_, state_);
+  if (!projector_) return limits_.load_to_hold(*curve_, output.force.norm(), std::fabs(output.moment));
+  const double needed = patch_gauge(*projector_, state_);
   return needed == 0.0 ? 0.0 : needed / limits_.mu(false);
 }
 

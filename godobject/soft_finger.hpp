@@ -98,13 +98,13 @@ class SoftFinger {
  private:
   friend class Grasp;
 
-  /// The state that `update` would leave if a slip of what rests stayed at the static limit: the force is continuous in the pose.
+  /// The state that `update` would leave if a slip of what rests stayed at the sticking limit: the force is continuous in the pose.
   [[nodiscard]] FingerState try_step(const AnySurface& surface, const DevicePose& device, double time_step) const noexcept;
   FingerOutput advance(FingerState& state, const Sensed& sensed) const noexcept;
 
   // The contact: one of both.
   std::optional<FingerCurve> curve_;
-  std::shared_ptr<const PatchProjector> patch_;
+  std::shared_ptr<const PatchProjector> projector_;
   FingerParameters parameters_;
   Projection projection_ = Projection::closest_point;
   ContactLimits limits_;

@@ -16,7 +16,7 @@ namespace limitcurve {
 void check_intercepts(double force_max, double moment_max);
 
 /// The ellipse (f/A)² + (m/B)² = 1 (paper, eq. 19): the usual approximation of the limit curve. Through the intercepts (A = 1, B = m₀) it
-/// is too strong by 4 to 8 % for the nine laws of law_examples(). Models LimitCurve; one square root a call, no trigonometry.
+/// is too strong by 4 to 8 % for the laws of law_examples(). Models LimitCurve; one square root a call, no trigonometry.
 class Ellipse {
  public:
   /// Semi-axes in unit wrenches, 1e-100 … 1e100; throws std::invalid_argument otherwise.

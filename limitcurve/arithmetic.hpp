@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+// Inner: installed because other headers need it; it may change in every version.
+
 #include <array>
 #include <bit>
 #include <cmath>
@@ -85,15 +87,15 @@ template <std::integral Index>
 template <class Real>
 struct LoadedCell {
   const Real* numbers;
-  bool outside;
+  bool beyond_rim;
 
   [[nodiscard]] Real origin() const noexcept { return numbers[0]; }
-  [[nodiscard]] Real leading(int i) const noexcept { return numbers[2 * i + 2 + outside]; }
-  [[nodiscard]] Real trailing(int i) const noexcept { return numbers[2 * i + 3 - outside]; }
+  [[nodiscard]] Real leading(int i) const noexcept { return numbers[2 * i + 2 + beyond_rim]; }
+  [[nodiscard]] Real trailing(int i) const noexcept { return numbers[2 * i + 3 - beyond_rim]; }
 };
 template <std::floating_point Real, std::integral Index>
-[[nodiscard]] constexpr LoadedCell<Real> load_cell(const Real* array, Index at, bool outside) noexcept {
-  return {array + at, outside};
+[[nodiscard]] constexpr LoadedCell<Real> load_cell(const Real* array, Index at, bool beyond_rim) noexcept {
+  return {array + at, beyond_rim};
 }
 
 /// Two numbers that one instruction serves, where the compiler has such types. Loaded from memory of their alignment.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+// Inner: installed because other headers need it; it may change in every version.
+
 #include "arithmetic.hpp"
 
 #include <limits>

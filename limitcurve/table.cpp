@@ -8,6 +8,7 @@
 #include "limitcurve/table/buckets.hpp"
 #include "limitcurve/table/builder.hpp"
 #include "limitcurve/table/check.hpp"
+#include "limitcurve/table/own_curve.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -122,6 +123,8 @@ void BasicTable<Real>::refuse_corners(const std::string& name) {
 template <class Real>
 BasicTable<Real> BasicTable<Real>::build_from(const std::function<UnitWrench(SlipTwist)>& curve, double tolerance, TableOptions options) {
   constexpr double relative = 1e-15;
+  if (options.name.empty()) options.name = "your curve";
+  table::require_limit_curve(curve, options.name);
   const table::Source source{options.name,
                              [&](bool outside, double x) -> table::Sample {
                                const UnitWrench wrench = curve(outside ? SlipTwist{1.0, x} : SlipTwist{x, 1.0});

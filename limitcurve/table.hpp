@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -72,9 +73,13 @@ class BasicTable {
   /// or is finer than the law's own error; the message names the law and the finest possible tolerance.
   static BasicTable build(const Law& law, double tolerance, TableOptions options = {});
 
-  /// The table of any curve that has `wrench(SlipTwist)` to 1e-15 and no corners or faces: an
-  /// ellipse, your own curve; not a box or a diamond. |error| ≤ tolerance·max(force_max, m_max). Throws like the other `build`.
+  /// The table of any curve that has `wrench(SlipTwist)` to 1e-15 and no corners or faces: an ellipse, your own curve; not a box or a
+  /// diamond. |error| ≤ tolerance·max(force_max, m_max). Throws like the other `build`; std::invalid_argument, with the requirement and the
+  /// place, for a function that is no such curve.
   template <class Curve>
+  requires requires(const Curve& curve, SlipTwist twist) {
+    { curve.wrench(twist) } -> std::convertible_to<UnitWrench>;
+  }
   static BasicTable build(const Curve& curve, double tolerance, TableOptions options) {
     if constexpr (requires { curve.vertices(); }) refuse_corners(options.name);
     return build_from([&curve](SlipTwist twist) -> UnitWrench { return curve.wrench(twist); }, tolerance, std::move(options));

@@ -19,14 +19,14 @@ def pressure(r: float) -> float:  # for P = 1, eq. (3)
     return 1.5 * sqrt(1 - (r / A) ** 2) / (pi * A**2)
 
 
-def wrench(c: float, n: int = 400) -> tuple[float, float]:  # F_t and M for P = 1 and a COR at c, by midpoints
+def wrench(c: float, n: int = 400) -> tuple[float, float]:  # F_t and M for P = 1, turning by +1 about (c, 0), by midpoints
     force = moment = 0.0
     for r in (A * (i + 0.5) / n for i in range(n)):
         for t in (2 * pi * (j + 0.5) / n for j in range(n)):
             distance = sqrt(r * r + c * c - 2 * c * r * cos(t))  # from the COR: eqs. (15), (16)
             traction = MU * pressure(r) / distance * (A / n) * (2 * pi / n)
             force -= traction * (r * cos(t) - c) * r  # eq. (17)
-            moment += traction * (r - c * cos(t)) * r * r  # printed with the other sign
+            moment -= traction * (r - c * cos(t)) * r * r
     return force, moment
 
 

@@ -174,7 +174,7 @@ DevicePose Grasp::in_body(const BodyState& state, const DevicePose& device) noex
 }
 
 /// The fingers' load on the body if `state` were its next state: the opposite of the users' forces, on the lines through finger and proxy,
-/// so that both ends have the same moment. What rests keeps the static limit. Does not change the fingers.
+/// so that both ends have the same moment. What rests keeps the sticking limit. Does not change the fingers.
 Grasp::Load Grasp::preview(const BodyState& state, std::span<const DevicePose> devices, double time_step) const noexcept {
   Load load;
   for (std::size_t i = 0; i < fingers_.size() && i < devices.size(); ++i) {
@@ -324,8 +324,8 @@ bool Grasp::begin_slips(const Attempt& at, std::span<const DevicePose> devices, 
   return begins;
 }
 
-/// The velocities of a step, and which fingers begin to slip in it. Where the static limit falls to a sliding one, the force jumps when slip
-/// begins, and the equations may have no root: so solve them with the static limit, mark what slips, and solve again, until nothing new
+/// The velocities of a step, and which fingers begin to slip in it. Where the sticking limit falls to a sliding one, the force jumps when slip
+/// begins, and the equations may have no root: so solve them with the sticking limit, mark what slips, and solve again, until nothing new
 /// slips. If that fails, the fingers stay as they were.
 Grasp::Attempt Grasp::solve(std::span<const DevicePose> devices, double time_step, const Load& external, bool& solved) noexcept {
   for (std::size_t i = 0; i < fingers_.size(); ++i) friction_[i] = fingers_[i].state_.friction;

@@ -38,7 +38,7 @@ inline constexpr std::array finger_numbers = std::to_array<FingerNumber>({
     {"damping", &FingerParameters::damping, "N s/m", coefficient, "b_l of each finger [N s/m]"},
     {"twist_damping", &FingerParameters::twist_damping, "N m s/rad", coefficient, "b_r of each finger [N m s/rad]", true},
     {"rest_margin", &FingerParameters::rest_margin, "1", coefficient,
-     "A sliding finger comes to rest within the dynamic limit divided by 1 + this*(mu/mu_d - 1) [1]; 0: within the dynamic limit", true},
+     "A sliding finger comes to rest within the sliding limit divided by 1 + this*(mu/mu_d - 1) [1]; 0: within the sliding limit", true},
     {"max_displacement",
      &FingerParameters::max_displacement,
      "m",

@@ -12,7 +12,7 @@ namespace limitcurve::godobject {
 class PatchProjector;
 
 /// Step b of a contact that is a patch: the closest point of its limit surface, in the patch's axes. `angle` is the proxy's α_p [rad], `last`
-/// what the last step left; `next` receives what this one leaves. If no slip may begin, what rests keeps the static limit.
+/// what the last step left; `next` receives what this one leaves. If no slip may begin, what rests keeps the sticking limit.
 [[nodiscard]] KeptDeflection friction_of_patch(const PatchProjector& patch, const ContactLimits& limits, const TrialDeflection& trial,
                                                const Eigen::Vector3d& normal, const Spin& spin, double angle, const PatchMemory& last,
                                                bool may_begin, FrictionMemory<double>& friction, PatchMemory& next) noexcept;

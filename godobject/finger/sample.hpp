@@ -13,10 +13,10 @@ namespace limitcurve::godobject {
 
 /// What the device gives in a step.
 struct Sensed {
-  const Contact& contact;
+  Contact contact;
   double twist;               ///< α_s [rad] about the normal, as it was given
   double time_step;           ///< [s]
-  const Spin& spin;           ///< of the device's orientation
+  Spin spin;                  ///< of the device's orientation
   Fault fault = Fault::none;  ///< of the device's pose; then there is no contact
   bool may_begin = true;      ///< whether a slip of what rests begins: falls to the sliding limit
 };
@@ -29,16 +29,16 @@ template <class Vector>
 
 /// The contact of a device's pose, and its spin. If the pose is none, `fault` names the reason, and the contact is not plausible; the surface is
 /// not called, because it requires a finite position.
-[[nodiscard]] inline Contact sense(const AnySurface& surface, const DevicePose& device, const FingerState& last, Spin& spin,
-                                   Fault& fault) noexcept {
+[[nodiscard]] inline Sensed sense(const AnySurface& surface, const DevicePose& device, double time_step, const FingerState& last,
+                                  bool may_begin = true) noexcept {
   if (!is_plausible<double>(device.position.squaredNorm()) || !is_unit(device.orientation)) {
     const bool is_finite = device.position.allFinite() && device.orientation.coeffs().allFinite();
-    fault = !is_finite ? Fault::not_finite : is_unit(device.orientation) ? Fault::too_far : Fault::orientation;
-    return {Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ(), std::numeric_limits<double>::quiet_NaN()};
+    const Contact none{Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ(), std::numeric_limits<double>::quiet_NaN()};
+    const Fault fault = !is_finite ? Fault::not_finite : is_unit(device.orientation) ? Fault::too_far : Fault::orientation;
+    return {none, device.twist, time_step, last.spin, fault, may_begin};
   }
   const Contact contact = surface.contact(device.position, last.contact);
-  spin = last.spin.moved(device.orientation, contact.normal);
-  return contact;
+  return {contact, device.twist, time_step, last.spin.moved(device.orientation, contact.normal), Fault::none, may_begin};
 }
 
 /// Checks that what was sensed is plausible: finite, a normal of unit length, a time step ≥ 0, and within `max_displacement` of the last
@@ -62,18 +62,18 @@ template <class Vector>
     faults.seen = true;
     return Fault::none;
   }
-  const bool stays = faults.refused && (position - faults.refused_at).squaredNorm() <= limit;
-  faults.refused = !stays;
+  const bool is_there_again = faults.refused && (position - faults.refused_at).squaredNorm() <= limit;
+  faults.refused = !is_there_again;
   faults.refused_at = position;
-  return stays ? Fault::none : Fault::displacement;
+  return is_there_again ? Fault::none : Fault::displacement;
 }
 
-/// The next good sample. While touching, the twist is unwrapped; it is the device's bit for bit as long as it does not wrap.
-[[nodiscard]] inline FingerSample take_sample(const FingerSample& last, const Sensed& sensed, bool was_in_contact) noexcept {
+/// The next good sample. In a contact that continues, the twist is unwrapped; it is the device's bit for bit as long as it does not wrap.
+[[nodiscard]] inline FingerSample take_sample(const FingerSample& last, const Sensed& sensed, bool continues) noexcept {
   constexpr double turn = 2.0 * std::numbers::pi;
   const Contact& contact = sensed.contact;
   double unwrapped_by = 0.0;
-  if (was_in_contact) {
+  if (continues) {
     unwrapped_by = last.unwrapped_by;
     const double jump = sensed.twist - last.twist;
     if (std::fabs(jump) > std::numbers::pi) unwrapped_by -= turn * std::round(jump / turn);

@@ -33,13 +33,13 @@ struct Springs {
 /// The deflection x_p − x_h of the spring between proxy and finger.
 struct Deflection {
   Eigen::Vector3d tangential;  ///< along the surface [m]; r is its length
-  double normal;               ///< along the normal [m]: the depth, plus the rise of a curved surface from x_g to the proxy
+  double height;               ///< along the normal [m]: the depth, plus the rise of a curved surface from x_g to the proxy
 
   Deflection(const Eigen::Vector3d& proxy, const FingerSample& sample) noexcept {
     const Eigen::Vector3d apart = proxy - sample.goal;
     const double rise = sample.normal.dot(apart);
     tangential = apart - sample.normal * rise;
-    normal = sample.depth + rise;
+    height = sample.depth + rise;
   }
 };
 
@@ -50,7 +50,7 @@ struct TrialDeflection {
   Eigen::Vector3d proxy;               ///< x_p [m]
   bool moves_to_near_side = false;     ///< the proxy was on the far side of a curved surface, and is moved to the finger's near side
   Eigen::Vector3d relaxed_tangential;  ///< deflection at which springs and dampers are relaxed: along the surface [m],
-  double relaxed_normal;               ///< along the normal [m],
+  double relaxed_height;               ///< along the normal [m],
   double relaxed_twist;                ///< and in twist [rad]
   Eigen::Vector3d tangential;          ///< trial deflection along the surface from the relaxed one [m]
   double twist;                        ///< trial deflection in twist from the relaxed one [rad]
@@ -64,27 +64,27 @@ struct TrialDeflection {
     Eigen::Vector3d relaxed = Eigen::Vector3d::Zero();
     if (springs.relaxed_fraction > 0.0) {
       const Deflection was(before, last);
-      relaxed = (was.tangential + last.normal * was.normal) * springs.relaxed_fraction;
+      relaxed = (was.tangential + last.normal * was.height) * springs.relaxed_fraction;
     }
-    relaxed_normal = n.dot(relaxed);
-    relaxed_tangential = relaxed - n * relaxed_normal;
+    relaxed_height = n.dot(relaxed);
+    relaxed_tangential = relaxed - n * relaxed_height;
     relaxed_twist = (angle - last.angle) * springs.twist_relaxed_fraction;
     const double damper = springs.stiffness - parameters.stiffness;
     // The depth alone sets the limit, as in the paper: what friction gives must not change it.
     limit_load = std::max(parameters.stiffness * sample.depth + damper * (sample.depth - last.depth), 0.0);
-    if (spring.normal < 0.0) {
+    if (spring.height < 0.0) {
       // Springs do not pull a finger in: move the proxy to the finger's near side, not farther away than it was.
       moves_to_near_side = true;
-      spring.normal = std::min(-spring.normal, sample.depth);
-      proxy = sample.goal + spring.tangential + n * (spring.normal - sample.depth);
+      spring.height = std::min(-spring.height, sample.depth);
+      proxy = sample.goal + spring.tangential + n * (spring.height - sample.depth);
     }
     tangential = spring.tangential - relaxed_tangential;
     twist = (angle - sample.angle) - relaxed_twist;
   }
 
-  /// The normal force on the user [N] for a deflection along the normal [m]. A damper does not pull.
-  [[nodiscard]] double load(double normal) const noexcept {
-    const double force = springs.stiffness * (normal - relaxed_normal);
+  /// The normal force on the user [N] for a height of the spring [m]. A damper does not pull.
+  [[nodiscard]] double load(double height) const noexcept {
+    const double force = springs.stiffness * (height - relaxed_height);
     return springs.relaxed_fraction > 0.0 ? std::max(force, 0.0) : force;
   }
 };
@@ -105,7 +105,7 @@ struct KeptDeflection {
 /// The proxy after a slip.
 struct MovedProxy {
   Eigen::Vector3d proxy;     ///< x_p [m]
-  double normal;             ///< deflection of the spring along the normal then [m]
+  double height;             ///< of the spring then [m]
   double along_slope = 1.0;  ///< work along the surface at the proxy divided by work along the tangent plane at x_g
 };
 
@@ -115,16 +115,16 @@ struct MovedProxy {
   const Eigen::Vector3d tangential = trial.relaxed_tangential + kept;
   const double before = trial.spring.tangential.squaredNorm();
   const double square = tangential.squaredNorm();
-  double rise = trial.spring.normal - sample.depth;
+  double rise = trial.spring.height - sample.depth;
   if (rise != 0.0 && square < before) {
-    const double longest = std::sqrt(trial.spring.normal * trial.spring.normal + (before - square));
+    const double longest = std::sqrt(trial.spring.height * trial.spring.height + (before - square));
     rise = std::min(rise * (square / before), longest - sample.depth);
   }
-  const double normal = sample.depth + rise;
+  const double height = sample.depth + rise;
   // A deflection whose square is near underflow is none: the slope would be infinite.
   constexpr double none = 1e-200;
-  const double along_slope = rise != 0.0 && square > none ? std::max(1.0 + 2.0 * normal * rise / square, 0.0) : 1.0;
-  return {sample.goal + tangential + sample.normal * rise, normal, along_slope};
+  const double along_slope = rise != 0.0 && square > none ? std::max(1.0 + 2.0 * height * rise / square, 0.0) : 1.0;
+  return {sample.goal + tangential + sample.normal * rise, height, along_slope};
 }
 
 }  // namespace limitcurve::godobject

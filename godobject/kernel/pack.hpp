@@ -213,15 +213,15 @@ template <class Real, class Isa>
 struct LoadedCell {
   Index<Real, Isa> at;
   const Real* array;
-  Mask<Real, Isa> outside;
+  Mask<Real, Isa> beyond_rim;
 
   [[nodiscard]] Pack<Real, Isa> origin() const noexcept { return gather(array, at); }
-  [[nodiscard]] Pack<Real, Isa> leading(int i) const noexcept { return gather(array + 2 * i + 2, at + one_of({0, 1}, outside, at)); }
-  [[nodiscard]] Pack<Real, Isa> trailing(int i) const noexcept { return gather(array + 2 * i + 2, at + one_of({1, 0}, outside, at)); }
+  [[nodiscard]] Pack<Real, Isa> leading(int i) const noexcept { return gather(array + 2 * i + 2, at + one_of({0, 1}, beyond_rim, at)); }
+  [[nodiscard]] Pack<Real, Isa> trailing(int i) const noexcept { return gather(array + 2 * i + 2, at + one_of({1, 0}, beyond_rim, at)); }
 };
 template <class Real, class Isa>
-[[nodiscard]] LoadedCell<Real, Isa> load_cell(const Real* array, Index<Real, Isa> at, Mask<Real, Isa> outside) noexcept {
-  return {at, array, outside};
+[[nodiscard]] LoadedCell<Real, Isa> load_cell(const Real* array, Index<Real, Isa> at, Mask<Real, Isa> beyond_rim) noexcept {
+  return {at, array, beyond_rim};
 }
 
 /// The lanes of a pack as an array, for functions that have no form for packs.

@@ -263,8 +263,9 @@ def work_precision(data):
                 labels.dot(*point, size(row["bytes"]), colour)
         if family in LEGEND and family != "ring":
             labels.dot(*points[-1 if family in ("table", *ENDS_NAMED) else len(points) // 2], LEGEND[family].rsplit(", ", 1)[0], colour)
-        elif family not in LEGEND and not any(chosen):
-            labels.dot(*points[0], family, colour)
+        elif family not in LEGEND:
+            for point, row, word in zip(points, of_family, chosen):
+                labels.dot(*point, "" if word else name(row), colour)
     labels.place()
     figure.text(0.5, 0.012, "Ringed: what to take, and for what. Filled: this library. Hollow: others. Dashes above dots: one of 64 tables, visited at random.\n"
                 "Error against eq. (17) by evaluate, in 80 bits. "

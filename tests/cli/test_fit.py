@@ -42,7 +42,7 @@ class Fit(CommandLineTest):
         self.assert_close(found["chi_squared_per_n"]["value"], chi_squared, 1e-12)
         # Of two degrees of freedom chi squared is exponential: p = exp(-n chi_squared/2).
         self.assert_close(found["n_for_p_0.05"]["value"], -2 * math.log(0.05) / chi_squared, 1e-12)
-        for n, p in [(1, 0.67), (7, 0.06), (8, 0.04)]:
+        for n, p in [(1, 0.67), (8, 0.04), (10, 0.02)]:
             text = "ratio,ratio_sd,n\n" + "".join(f"{1e-3 * ratio!r},{1e-3 * sd!r},{n}\n" for ratio, sd in table)
             told = {row["parameter"]: row for row in rows("fit", "ratio", "--quiet", "--data", self.file("n.csv", text))}
             self.assertEqual(list(told), ["ratio", "radius", "chi_squared", "degrees_of_freedom", "p_value"])

@@ -43,7 +43,7 @@ class Pivot(CommandLineTest):
     def test_a_block_that_has_begun_to_slip_is_held_less(self):
         call = ["pivot", "--case", "exact", "--release", "from=0.45,to=0.39,over=2", "--duration", "2"]
         as_ever, slippery = rows(*call), rows(*call, "--mu-dynamic", "1.5", "--mu-r-dynamic", "0.009")
-        # The static limit counts until it slips; then it turns farther.
+        # The sticking limit counts until it slips; then it turns farther.
         first = next(i for i, row in enumerate(as_ever) if row["state"] == "slip")
         self.assertEqual([row["angle"] for row in slippery[:first]], [row["angle"] for row in as_ever[:first]])
         self.assertGreater(slippery[-1]["angle"], as_ever[-1]["angle"] + 0.1)

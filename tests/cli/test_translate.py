@@ -103,6 +103,8 @@ class Translate(CommandLineTest):
     def test_what_a_number_means(self):
         reading = ["translate", "--law", "uniform", "--mu", "0.5", "--read"]
         self.assertEqual(header(*reading, "mujoco.torsional=0.005"), "engine,parameter,value,moment_per_load,radius,note")
+        row, = rows("translate", "--law", "hertz", "--mu", "1", "--read", "mujoco.torsional=0.005")
+        self.assertAlmostEqual(1e3 * row["radius"], 8.5, delta=0.05)
         for text, parameter, moment in (("mujoco.torsional=0.005", "geom.friction[1]", 0.005), ("mujoco.geom.friction[1]=5e-3", "geom.friction[1]", 0.005),
                                         ("isaac-lab.min_torsional_patch_radius=0.1", "physxCollision:minTorsionalPatchRadius", 0.05),
                                         ("gazebo.patch_radius=0.016", "surface/friction/torsional/patch_radius", 0.5 * 0.003 * math.pi),

@@ -125,7 +125,8 @@ TEST(CurvedSurface, ConingFeedsNothingButTheSprings) {
   EXPECT_NEAR(work.sum, begin - finger.spring_energy(), 1e-8 * begin);
 }
 
-// Point 10: out on a ball at one depth and back at another, a stuck finger gives its user nothing. The first edition gave ½ k s² Δd/R, 1.875e-5 J.
+// Out on a ball at one depth and back at another, a stuck finger gives its user nothing; k_l times the tangential part of x_p − x_g
+// would give ½ k s² Δd/R, 1.875e-5 J.
 TEST(CurvedSurface, ALoopOfAStuckFingerWinsNothing) {
   struct Shape {
     const char* name;

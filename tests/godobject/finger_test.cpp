@@ -257,7 +257,7 @@ TEST(SoftFinger, DynamicLimitActsWhileItSlips) {
   FingerParameters with = parameters();
   with.mu_dynamic = 0.4;
   auto finger = hertz_finger(with);
-  const double depth = 0.002;  // static limit 1.2 N, dynamic 0.8 N
+  const double depth = 0.002;  // sticking limit 1.2 N, dynamic 0.8 N
   finger.update(on_plane(0.0, 0.0, depth), 0.0);
   finger.update(on_plane(0.00119, 0.0, depth), 0.0);
   EXPECT_EQ(finger.output().state, ContactState::stick);
@@ -267,13 +267,13 @@ TEST(SoftFinger, DynamicLimitActsWhileItSlips) {
   finger.update(on_plane(0.00122, 0.0, depth), 0.0);
   EXPECT_EQ(finger.output().state, ContactState::slip);
   EXPECT_DOUBLE_EQ(finger.output().force.x(), -0.8);
-  // A step back is within the dynamic limit, but by less than 0.4 of the gap: it still slides.
+  // A step back is within the sliding limit, but by less than 0.4 of the gap: it still slides.
   finger.update(on_plane(0.00121, 0.0, depth), 0.0);
   EXPECT_EQ(finger.output().state, ContactState::stick);
   finger.update(on_plane(0.00123, 0.0, depth), 0.0);
   EXPECT_EQ(finger.output().state, ContactState::slip);
   EXPECT_DOUBLE_EQ(finger.output().force.x(), -0.8);
-  // Within 0.8 N/(1 + 0.4 · (0.6/0.4 − 1)) it rests, and then holds up to the static limit.
+  // Within 0.8 N/(1 + 0.4 · (0.6/0.4 − 1)) it rests, and then holds up to the sticking limit.
   finger.update(on_plane(0.00123 - 0.000134, 0.0, depth), 0.0);
   EXPECT_NEAR(finger.output().force.x(), -0.666, 1e-12);
   EXPECT_EQ(finger.output().state, ContactState::stick);

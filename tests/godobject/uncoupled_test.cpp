@@ -20,7 +20,7 @@ FingerCurve hertz_box() {
   return box(1.0, hertz()->moment_ratio());
 }
 
-/// Eqs. (8) to (12) for a single number: a proxy on a line (or a circle), a spring, a limit at rest and one while it slides. It comes to rest
+/// Eqs. (8) to (12) for a single number: a proxy on a line (or a circle), a spring, a sticking limit and one while it slides. It comes to rest
 /// when its trial has retreated within `sliding`/(1 + margin·(sticking/sliding − 1)).
 struct Scalar {
   double stiffness;
@@ -63,7 +63,7 @@ TEST(Uncoupled, AHeldTwistKeepsItsMomentWhileTheForceSlips) {
   }
   EXPECT_TRUE(slipped);
   EXPECT_NEAR(largest, 0.6, 1e-12);
-  // The twist has not slipped, so that it slips at the limit at rest.
+  // The twist has not slipped, so that it slips at the sticking limit.
   EXPECT_EQ(finger.update(on_plane(2e-5 * 99, 0.0, 0.001), 0.999 * limit / 0.036).state, ContactState::stick);
   const FingerOutput turned = finger.update(on_plane(2e-5 * 99, 0.0, 0.001), 1.001 * limit / 0.036);
   EXPECT_EQ(turned.state, ContactState::slip);
@@ -217,7 +217,7 @@ void expect_batch_of_fingers(double tolerance) {
   int only_one = 0;
   for (int step = 0; step < 300; ++step) {
     for (std::size_t i = 0; i < count; ++i) {
-      // Even contacts slide and hold their twist near its limit at rest, odd ones turn and hold their position.
+      // Even contacts slide and hold their twist near its sticking limit, odd ones turn and hold their position.
       const bool slides = i % 2 == 0;
       arrays.x()[i] = static_cast<Real>(slides ? 1e-5 * step : 5e-4 * std::min(step / 10.0, 1.0));
       arrays.twist()[i] = static_cast<Real>(slides ? 0.04 * std::min(step / 10.0, 1.0) : 1e-3 * step);

@@ -34,6 +34,23 @@ TEST(RoundModels, OfADiscErrAsTheCurvesOfItsLaw) {
   EXPECT_NEAR(error_of("ellipsoid").min_cor_ratio, expected.min_cor_ratio, 1e-6);
 }
 
+// What docs/which_number.md advises for engines without a moment at a point. The limit is weakest where a ball does not move.
+TEST(RoundModels, ThreeBallsAreUpTo13PercentTooWeak) {
+  const ExactCurve hertz_curve(hertz());
+  const double m0 = hertz_curve.moment_ratio();
+  const double half = m0 * std::sqrt(3.0) / 2.0;
+  const Patch balls = Patch::points(std::vector<PatchLoad>{{m0, 0.0, 1.0}, {-m0 / 2.0, half, 1.0}, {-m0 / 2.0, -half, 1.0}});
+  const auto gauge = [&](const PatchTwist& twist) {
+    const PatchWrench wrench = balls.wrench(twist);
+    return hertz_curve.gauge({std::hypot(wrench.fx, wrench.fy), std::fabs(wrench.moment)});
+  };
+  EXPECT_NEAR(gauge(about({m0, 0.0})), 1.0 - 0.13, 0.005);
+  for (const PatchTwist& twist : twists(m0, 20000, -1.0, 1.0)) {
+    EXPECT_GT(gauge(twist), 1.0 - 0.135);
+    EXPECT_LT(gauge(twist), 1.01);
+  }
+}
+
 // The over-estimate has a sharp maximum where the COR is on a point that bears much of the load: there H lacks that point's term.
 TEST(RoundModels, OfPointsAreTriedWithTheCorOnEachPoint) {
   std::mt19937 bits(7);

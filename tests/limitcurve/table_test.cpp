@@ -214,13 +214,13 @@ TEST(Table, RefusesALawWhoseOwnErrorIsLarger) {
 TEST(Table, RefusesCurvesWithCorners) {
   expect_mention(complaint([] { Table::build(box(1.0, 0.6), 1e-3, {.name = "box"}); }), "table of box");
   expect_mention(complaint([] { Table::build(diamond(1.0, 0.6), 1e-3, {.name = "diamond"}); }), "table of diamond");
-  // One that does not say that it has: no cell fits.
+  // One that does not say that it has.
   struct Corner {
     [[nodiscard]] UnitWrench wrench(SlipTwist twist) const noexcept {
       return {twist.slide > 0.0 ? 1.0 : 0.0, twist.spin > 0.0 ? 0.6 : 0.0};
     }
   };
-  expect_mention(complaint([] { Table::build(Corner{}, 1e-3, {.name = "corner"}); }), "nor is any other");
+  expect_mention(complaint([] { Table::build(Corner{}, 1e-3, {.name = "corner"}); }), "flat face");
 }
 
 // The gauge of these is beyond the largest number; the point of the curve on their ray is not.
