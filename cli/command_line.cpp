@@ -78,10 +78,6 @@ std::vector<Entry> make_entries() {
         {"Numbers", {make_laws, make_eval, make_curve, make_p_curves, make_c_curves, make_table, make_lookup, make_patch}}, {
       "Motions", {
         make_replay, make_pivot
-#ifdef LIMITCURVE_HAS_REPORT
-            ,
-            make_report
-#endif
       }
     }
   };
@@ -119,10 +115,12 @@ void check_subcommand(const std::string& name, const std::vector<Entry>& entries
     expected += ' ' + entry.app->get_name();
     known.push_back(entry.app->get_name());
   }
-  if (name == "fit" || name == "translate" || name == "report") {
-    throw std::invalid_argument("subcommand '" + name +
-                                "' is not in this executable (it needs Ceres, and the report another system than Windows), " +
-                                "expected one of" + expected);
+  if (name == "report") {
+    throw std::invalid_argument(
+        "the report is no subcommand: 'python3 -m limitcurve.report -o DIR' of the Python package writes it, or scripts/demo");
+  }
+  if (name == "fit" || name == "translate") {
+    throw std::invalid_argument("subcommand '" + name + "' is not in this executable (it needs Ceres), expected one of" + expected);
   }
   throw std::invalid_argument((name.empty() ? "no subcommand" : "unknown subcommand '" + name + "'") + ", expected one of" + expected +
                               did_you_mean(name, known));

@@ -66,5 +66,4 @@ set(CPACK_DEBIAN_LIBLIMITCURVE-DEV_DESCRIPTION "friction of soft fingers, exactl
 
 set(CPACK_DEBIAN_LIMITCURVE_PACKAGE_NAME limitcurve)
 set(CPACK_DEBIAN_LIMITCURVE_PACKAGE_SECTION science)
-set(CPACK_DEBIAN_LIMITCURVE_PACKAGE_RECOMMENDS python3-matplotlib)
 set(CPACK_DEBIAN_LIMITCURVE_DESCRIPTION "friction of soft fingers, exactly (command line)\n${about}This package contains the command, which generates tables, validates\napproximations, fits measurements, and replays motions.")

@@ -37,7 +37,9 @@ ModelFit fit_model(std::string_view model, const Law& law, Criterion criterion) 
 
 ModelFit fit_model(std::string_view model, std::span<const Sample> samples, const Law& law, const ContactFitOptions& options) {
   using Kind = ContactModel::Kind;
-  const auto done = [](ContactFit fit) { return ModelFit{std::move(fit.model), std::move(fit.report), std::nullopt}; };
+  const auto done = [](ContactFit fit) {
+    return ModelFit{std::move(fit.model), std::move(fit.report), std::nullopt, std::move(fit.residuals)};
+  };
   if (model == "ellipse") return done(fit_contact(samples, {Kind::ellipse}, options));
   if (model == "law") {
     if (law) return done(fit_contact(samples, ContactModel::of(law), options));

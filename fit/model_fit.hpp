@@ -9,6 +9,7 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <vector>
 
 /// Fits selected by name, for programs that get the name from a user.
 namespace limitcurve::fit {
@@ -18,6 +19,8 @@ struct ModelFit {
   std::string model;  ///< the fitted model, or the best one
   FitReport report;
   std::optional<CurveError> error;  ///< against the exact curve, for fits to a law
+  /// For fits to slips: distance of each sample from the curve in standard deviations, positive outside.
+  std::vector<double> residuals = {};
 };
 
 /// Fits `ellipse` to the exact curve of a law, in unit wrenches.

@@ -3,7 +3,6 @@
 #include "cli/command_line.hpp"
 #include "cli/io/csv_reader.hpp"
 #include "cli/io/descriptor.hpp"
-#include "cli/report/share.hpp"
 
 #include "python/core.hpp"
 
@@ -118,9 +117,6 @@ void add_commands(nb::module_& module) {
           "def run(arguments: collections.abc.Sequence[str], data: collections.abc.Sequence[MemoryColumns], said: list[str]) -> dict[str, "
           "numpy.typing.NDArray[typing.Any]]"));
   module.def("main", &run_as_program, nb::arg("arguments"), "Runs `limitcurve ARGUMENTS` as a program; returns its exit status.");
-  module.def(
-      "set_share", [](const std::string& folder) { cli::set_package_share(folder); }, nb::arg("folder"),
-      "Says where the package's data and scripts are.");
 }
 
 }  // namespace limitcurve::python

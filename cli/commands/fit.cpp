@@ -63,6 +63,8 @@ class Fit final : public Subcommand {
     options.number("--gamma", settings_.gamma, finite, "Exponent of the contact radius a = c P^gamma, from -0.5 to 1");
     options.flag("--fit-gamma", settings_.fit_gamma, "Fit gamma to the data, too");
     options.flag("--covariance", covariance_, "With --data: add a column covariance_NAME for each parameter");
+    options.flag("--residuals", residuals_,
+                 "Write, in place of the parameters, one column: by how many standard deviations each slip lies outside the fitted curve");
     options.number("--largest-radius", settings_.largest_radius, positive, "Warn of a contact radius above this [m]");
   }
 
@@ -72,6 +74,8 @@ class Fit final : public Subcommand {
     file_columns_ = FileColumns::read(columns_, units_);
     if (covariance_ && (data_.empty() || models[model_] == "friction"))
       throw std::invalid_argument("--covariance: only with --data, and not for fit friction");
+    if (residuals_ && (data_.empty() || (models[model_] != "law" && model_ > last_of_a_curve)))
+      throw std::invalid_argument("--residuals: only for a curve that is fitted to the slips of --data, got fit " + models[model_]);
     if (models[model_] == "friction") return write(results, friction(), patch_);
     if (!patch_.empty()) throw std::invalid_argument("--patch: only for fit friction, got fit " + models[model_]);
     if (load_) throw std::invalid_argument("--load: only for fit friction, got fit " + models[model_]);
@@ -81,7 +85,11 @@ class Fit final : public Subcommand {
     for (const std::string& warning : found.report.warnings) say("warning", warning);
     warn_of_units(found.report);
     if (!found.report.converged) throw std::runtime_error("the fit did not converge: " + found.report.message);
-    write(results, found.report.estimates, found.report.note, covariance_ ? &found.report.correlation : nullptr);
+    if (residuals_) {
+      write_residuals(results, found.residuals);
+    } else {
+      write(results, found.report.estimates, found.report.note, covariance_ ? &found.report.correlation : nullptr);
+    }
     if (!data_.empty()) say_what_to_type(found);
   }
 
@@ -106,6 +114,12 @@ class Fit final : public Subcommand {
           cell((*correlation)[i * estimates.size() + j] * (estimate.std_error * estimates[j].std_error));
       });
     }
+    rows.finish();
+  }
+
+  static void write_residuals(const Results& results, const std::vector<double>& residuals) {
+    Rows rows(results, {"residual"});
+    for (const double residual : residuals) rows.row(residual);
     rows.finish();
   }
 
@@ -219,7 +233,7 @@ class Fit final : public Subcommand {
       say("note", selection.candidates[i].model + ": AICc " + format_number(selection.aic_difference[i]) + " above the best");
     }
     fit::ContactFit& best = selection.candidates.front();
-    return {best.model, std::move(best.report), std::nullopt};
+    return {best.model, std::move(best.report), std::nullopt, std::move(best.residuals)};
   }
 
   [[nodiscard]] fit::ModelFit load_fit(const fit::LoadSamples& samples) const {
@@ -250,6 +264,7 @@ class Fit final : public Subcommand {
   std::size_t load_model_ = 2;
   Messages* messages_ = nullptr;
   bool covariance_ = false;
+  bool residuals_ = false;
   fit::ContactFitOptions settings_;
 };
 

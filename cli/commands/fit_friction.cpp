@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "cli/commands/fit_friction.hpp"
 
+#include <vector>
+
 namespace limitcurve::cli {
+
+namespace {
 
 std::vector<fit::Push> read_pushes(const std::string& file, const FileColumns& columns) {
   std::vector<fit::Push> pushes;
@@ -14,6 +18,8 @@ std::vector<fit::Push> read_pushes(const std::string& file, const FileColumns& c
   }
   return pushes;
 }
+
+}  // namespace
 
 fit::FrictionFit fit_friction(const Patch& patch, const std::string& data, const std::optional<double>& load, const FileColumns& columns) {
   const std::vector<fit::Push> pushes = read_pushes(data, columns);

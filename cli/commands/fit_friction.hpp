@@ -6,14 +6,10 @@
 
 #include <optional>
 #include <string>
-#include <vector>
 
 namespace limitcurve::cli {
 
-/// Reads pushes from a CSV file with columns force_x,force_y,moment,dx,dy,dtheta.
-std::vector<fit::Push> read_pushes(const std::string& file, const FileColumns& columns = {});
-
-/// Fits the friction of a patch to the pushes of a CSV file (see `read_pushes`). `load` in [N]; without it mu is mu P.
+/// Fits the friction of a patch to the pushes of a CSV file, force_x,force_y,moment,dx,dy,dtheta. `load` in [N]; without it mu is mu P.
 fit::FrictionFit fit_friction(const Patch& patch, const std::string& data, const std::optional<double>& load,
                               const FileColumns& columns = {});
 

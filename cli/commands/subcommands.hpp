@@ -23,6 +23,5 @@ std::unique_ptr<Subcommand> make_replay();
 std::unique_ptr<Subcommand> make_pivot();
 std::unique_ptr<Subcommand> make_patch();
 std::unique_ptr<Subcommand> make_hold();
-std::unique_ptr<Subcommand> make_report();
 
 }  // namespace limitcurve::cli

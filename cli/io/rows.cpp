@@ -45,24 +45,16 @@ Rows::Rows(Results results, const std::vector<std::string>& columns) : results_(
     return;
   }
   std::string header;
-  for (const auto& [name, cell] : results_.leading) {
-    header += quoted_for_csv(name) + ',';
-    leading_ += quoted_for_csv(cell) + ',';
-  }
   for (const std::string& name : columns_) header += name + ',';
   header.back() = '\n';
-  if (results_.header) results_.output.write(header);
+  results_.output.write(header);
 }
 
 void Rows::begin_row() {
   let_interrupt();
   column_ = 0;
   if (results_.columns != nullptr) return;
-  if (results_.format == Format::csv) {
-    results_.output.write(leading_);
-  } else {
-    results_.output.write(first_row_ ? "\n{" : ",\n{");
-  }
+  if (results_.format == Format::json) results_.output.write(first_row_ ? "\n{" : ",\n{");
   first_row_ = false;
 }
 

@@ -28,15 +28,12 @@ struct Column {
   std::vector<std::string> texts = {};
 };
 
-/// Destination and format of a subcommand's results. `report` collects several runs in one CSV file: then each row begins with the
-/// columns that identify its run, and only the first run writes the header.
+/// Destination and format of a subcommand's results.
 struct Results {
   OutputFile& output;
   Format format = Format::csv;
-  std::vector<std::pair<std::string, std::string>> leading = {};  ///< column, its cell in every row; CSV only
-  bool header = true;                                             ///< CSV only
-  std::vector<Column>* columns = nullptr;                         ///< collects the rows in place of `output`, unless null
-  Messages* messages = nullptr;                                   ///< never null in `Subcommand::run`
+  std::vector<Column>* columns = nullptr;  ///< collects the rows in place of `output`, unless null
+  Messages* messages = nullptr;            ///< never null in `Subcommand::run`
 };
 
 /// Writes rows of named columns one by one.
@@ -98,7 +95,6 @@ class Rows {
 
   Results results_;
   std::vector<std::string> columns_;
-  std::string leading_;
   std::size_t column_ = 0;
   bool first_row_ = true;
 };

@@ -7,7 +7,6 @@ rows come back as arrays, without conversion to text.
 
 from __future__ import annotations
 
-import os
 import warnings
 from collections.abc import Mapping, Sequence
 from typing import Any
@@ -15,11 +14,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from . import _core
 from ._call import Call, Columns, Data
 from ._core import Law
 
-_core.set_share(os.path.join(os.path.dirname(__file__), "share"))
 
 def _list_of(pairs: Mapping[str, str] | None) -> str | None:
     return None if pairs is None else ",".join(f"{key}={value}" for key, value in pairs.items())

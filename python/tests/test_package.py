@@ -5,8 +5,7 @@ import doctest
 import importlib.resources
 import importlib.util
 import inspect
-import os
-import shutil
+import pathlib
 import statistics
 import subprocess
 import sys
@@ -59,17 +58,10 @@ def test_import_costs_at_most_50_ms_beyond_numpy():
     assert statistics.median(seconds) < 0.05
 
 
-def test_the_package_has_its_data_with_it(tmp_path):
-    """As where it was installed from a wheel: a checkout beside it once hid that only the command found its data."""
-    package = tmp_path / "limitcurve"
-    shutil.copytree(importlib.resources.files("limitcurve"), package)
-    with open(package / "share/data/materials.csv", "a", encoding="utf-8") as materials:
-        materials.write("cork,1.5,0,0.009,0,0.006,0\n")
-    code = "import limitcurve as lc; print(len(lc.run('pivot', case='exact', material='cork', duration=0.01)['time']))"
-    options = {"env": {**os.environ, "PYTHONPATH": str(tmp_path)}, "cwd": tmp_path, "capture_output": True, "text": True, "check": True}
-    assert subprocess.run([sys.executable, "-c", code], **options).stdout == "11\n"
-    words = ["-m", "limitcurve", "pivot", "--case", "exact", "--material", "cork", "--duration", "0.01"]
-    assert subprocess.run([sys.executable, *words], **options).stdout.count("\n") == 12
+def test_the_report_has_its_data_with_it():
+    """Within the package: a checkout beside it once hid that it had none."""
+    data = importlib.import_module("limitcurve.report.csv_files").DATA
+    assert data == pathlib.Path(lc.__file__).parent / "report" / "data" and (data / "fit" / "slips.csv").is_file()
 
 
 def test_the_command_is_installed():

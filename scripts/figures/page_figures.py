@@ -18,7 +18,9 @@ from pathlib import Path
 
 import mpmath
 
-from chart_style import BLUE, FAINT, INK, ORANGE, VERMILION, Table, law_style, plt, save
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "python" / "limitcurve"))
+
+from report.chart_style import BLUE, FAINT, INK, ORANGE, VERMILION, Table, law_style, plt, save  # noqa: E402
 
 DIGITS = 60
 CORS = [10 ** (k / 24) for k in range(-2 * 24, 5 * 24 + 1)]

@@ -8,9 +8,11 @@ usage: stability_figures.py ATLAS_FOLDER OUTPUT_FOLDER     every FIGURE.csv as F
 import sys
 from pathlib import Path
 
-import stability_motion
-import stability_numerics
-from chart_style import Table, save
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "python" / "limitcurve"))
+
+import stability_motion  # noqa: E402
+import stability_numerics  # noqa: E402
+from report.chart_style import Table, save  # noqa: E402
 
 MODULES = (stability_numerics, stability_motion)
 LARGEST = 60_000  # bytes of a figure in docs/

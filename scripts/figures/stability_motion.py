@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Figures of docs/stability.md, entries projection, time, geometry and reality: one function a figure, takes its rows, returns a figure."""
 
-from chart_style import BLUE, GRID, INK, ORANGE, VERMILION, legend_below, plt
+from report.chart_style import BLUE, GRID, INK, ORANGE, VERMILION, legend_below, plt
 from stability_numerics import COR, draw, frame, styles
 
 

@@ -3,7 +3,7 @@
 
 import math
 
-from chart_style import BLUE, DASHES, FAINT, GREEN, GRID, INK, ORANGE, PURPLE, VERMILION, law_style, legend_below, plt
+from report.chart_style import BLUE, DASHES, FAINT, GREEN, GRID, INK, ORANGE, PURPLE, VERMILION, law_style, legend_below, plt
 
 OURS = "limitcurve"
 COLOURS = (VERMILION, ORANGE, GREEN, PURPLE, FAINT)

@@ -12,12 +12,9 @@ from pathlib import Path
 
 EXECUTABLE = os.environ["LIMITCURVE"]
 DATA = Path(os.environ["LIMITCURVE_DATA"])
-# Where test_report_page.py leaves the report.
-REPORT = Path(os.environ["LIMITCURVE_REPORT"]) if "LIMITCURVE_REPORT" in os.environ else None
-
 
 # What is said of a job that takes long: how long that is depends on the machine.
-PROGRESS = re.compile(r"(?m)^limitcurve: [a-z-]+: (\d+ %, )?\d+ s\n")
+PROGRESS = re.compile(r"(?m)^limitcurve(: [a-z-]+|\.report): (\d+ %, )?\d+ s\n")
 
 
 def run(*arguments, **options):
@@ -25,16 +22,6 @@ def run(*arguments, **options):
     done = subprocess.run([EXECUTABLE, *map(str, arguments)], capture_output=True, text=True, timeout=600, check=False, **options)
     done.stderr = PROGRESS.sub("", done.stderr)
     return done
-
-
-def share(directory, script):
-    """The environment in which a script replaces the drawing of the report."""
-    folder = directory / "share"
-    (folder / "scripts" / "figures").mkdir(parents=True, exist_ok=True)
-    (folder / "scripts" / "figures" / "report.py").write_text(script)
-    (folder / "data").unlink(missing_ok=True)
-    (folder / "data").symlink_to(DATA)
-    return {**os.environ, "LIMITCURVE_SHARE": str(folder)}
 
 
 def rows(*arguments, remark=""):

@@ -243,6 +243,20 @@ class Fit(CommandLineTest):
         typed = self.fitted("load", "--data", radii)[1].splitlines()[-1].split("to type into replay: ")[1].split(";")[0].split()
         self.assertEqual(rows("replay", "--trace", trace, "--law", "hertz", "--mu", "0.5", *typed, "--stiffness", "1000", "--twist-stiffness", "0.04")[-1]["state"], "slip")
 
+    def test_residuals_are_distances_in_standard_deviations(self):
+        """Slips on the curve, but for one that is 7 standard deviations outside and one that is 4 inside."""
+        text = self.slips("hertz").read_text().splitlines()
+        slips = [f"{line},0.002,1e-5" for line in text[1:]] + ["2,1.414,0,0.002,1e-5", f"2,0,{1.4 * 0.005 * 3 * math.pi / 16 - 4e-5!r},0.002,1e-5"]
+        data = self.file("slips.csv", "\n".join([text[0] + ",sigma_force,sigma_moment", *slips]) + "\n")
+        for model in (["law", "--law", "hertz"], ["law"]):
+            found = [row["residual"] for row in rows("fit", *model, "--data", data, "--loss", "cauchy", "--quiet", "--residuals")]
+            self.assertEqual(len(found), len(slips))
+            for residual, expected in zip(found, [0] * (len(slips) - 2) + [7, -4]):
+                self.assertAlmostEqual(residual, expected, delta=0.25)
+        for model, call in [("load", ["--data", data]), ("ratio", ["--data", data]), ("friction", ["--data", data, "--patch", "rectangle:x=1,y=1"]),
+                            ("ellipse", ["--law", "hertz"])]:
+            self.assert_fails(2, ["--residuals", "--data", f"fit {model}"], "fit", model, "--residuals", *call)
+
     def test_wrong_usage(self):
         data = self.slips("hertz")
         self.assert_fails(2, "MODEL", "fit")

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: MIT
 """pivot: the paper's experiment with its options, and errors for bad options."""
 
+import csv
 import math
 import unittest
 
-from command_line import CommandLineTest, header, rows, run
+from command_line import DATA, CommandLineTest, header, rows, run
 
 CASES = ["coupled", "uncoupled", "exact"]
 
@@ -105,6 +106,14 @@ class Pivot(CommandLineTest):
                 self.assertEqual((found[0]["load"], found[-1]["state"]), (2 * start, "stick"))
         found = rows("pivot", "--case", "exact", "--mass", "3", "--duration", "1")
         self.assertEqual({row["state"] for row in found}, {"stick"})
+
+    def test_a_material_is_the_row_of_its_table(self):
+        with open(DATA / "materials.csv", encoding="utf-8") as file:
+            table = list(csv.DictReader(line for line in file if not line.startswith("#")))
+        self.assertGreater(len(table), 2)
+        for row in table:
+            call = ["pivot", "--case", "coupled", "--duration", "0.02"]
+            self.assertEqual(run(*call, "--material", row["material"]).stdout, run(*call, "--mu", row["mu"], "--mu-r", row["mu_r"]).stdout)
 
     # By hand: eq. (19) with half the weight for each finger, F/mu and 5 mm F/mu_r.
     def test_a_grip_that_cannot_hold_is_warned_of(self):

@@ -1,52 +1,62 @@
 # SPDX-License-Identifier: MIT
-"""report: the data of its figures, and its errors."""
+"""The report, from the source tree and the executable alone: its data, its page, and what ends it early. What its charts answer is tested in a
+browser, by tests/site/test_report.py."""
 
 import csv
+import json
+import math
 import os
+import re
+import resource
+import signal
+import subprocess
+import time
 import unittest
 
-from command_line import CommandLineTest, share
+from command_line import DATA, EXECUTABLE, PROGRESS, CommandLineTest
 
-FILES = {
-    "laws": "law,moment_ratio,method,error",
-    "curves": "law,c,force,moment,x,y",
-    "p_curves": "law,radius_law,mu,load,c,force,moment",
-    "c_curves": "law,radius_law,mu,c,load,force,moment",
-    "validate": "law,model,parameter,max_error,rms_error,max_over_estimate,max_under_estimate,max_cor_error",
-    "ellipse_error": "law,angle,over_estimate,cor_ratio",
-    "tables": "law,tolerance,certified_error,nodes,bytes",
-    "materials": "material,mu,mu_r,radius,file,law,tolerance,certified_error,nodes,bytes,profile_error",
-    "table_error": "law,tolerance,spin_fraction,force_error,moment_error",
-    "replay": "trace,boundary,projection,time,state,px,py,angle,depth,load,fx,fy,moment,cor",
-    "replay_runs": "trace,law,radius_law,mu,stiffness,twist_stiffness,moment_ratio",
-    "replay_limits": "trace,boundary,load,force,moment",
-    "pivot": "case,grip,time,x,y,angle,grip_slip,load,friction_force,friction_moment,state,cor,r,rho,trial_r,trial_rho",
-    "pivot_materials": "material,case,time,x,y,angle,grip_slip,load,friction_force,friction_moment,state,cor,r,rho,trial_r,trial_rho",
-    "pivot_offsets": "material,case,offset,angle,grip_slip,reversals",
-    "pivot_stiffness": "case,ratio,angle",
-    "pivot_map": "case,offset,rate,angle",
-    "fits": "data,model,parameter,value,std_error,unit,note",
-    "fit_band": "force,moment,inner_force,inner_moment,outer_force,outer_moment",
-    "fit_residuals": "load,force,moment,sigma_force,sigma_moment,residual",
-    "translate": "law,radius_law,mu,load,engine,parameter,value,unit,model,max_error,cor_error,loads_error,note,formula,two_bodies",
-    "steady_twist": "law,boundary,projection,cor,stiffness_ratio,force,moment,exact_force,exact_moment,error",
-}
+PYTHON = "/usr/bin/python3"  # Debian's own: another that is first on the PATH may lack matplotlib
 
 
+def call(folder, *flags, command=EXECUTABLE):
+    return {"args": [PYTHON, "-B", *flags, "-m", "report", "--command", command, "-o", folder], "text": True, "stdout": subprocess.PIPE,
+            "stderr": subprocess.PIPE, "env": {**os.environ, "PYTHONPATH": str(DATA.parent / "python" / "limitcurve")}}
+
+
+@unittest.skipIf(subprocess.run([PYTHON, "-c", "import matplotlib"], capture_output=True, check=False).returncode, "no matplotlib")
 class Report(CommandLineTest):
     def read(self, name):
-        with open(self.directory / "out" / f"{name}.csv", newline="", encoding="utf-8") as file:
-            return list(csv.DictReader(file))
+        with open(self.directory / f"{name}.csv", newline="", encoding="utf-8") as file:
+            return list(csv.DictReader(line for line in file if not line.startswith("#")))
 
-    def test_the_data_stay_when_drawing_fails(self):
-        environment = share(self.directory, "import no_such_module")
-        self.assert_fails(1, ["No module named 'no_such_module'", "matplotlib", "out"], "report", "-o", self.directory / "out", env=environment)
-        for name, columns in FILES.items():
-            rows = self.read(name)
-            self.assertEqual(",".join(rows[0]), columns)
-            self.assertNotIn(None, {value for row in rows for value in row.values()}, name)
+    def test_a_whole_one(self):
+        done = subprocess.run(**call(self.directory), check=False)
+        self.assertEqual((done.returncode, PROGRESS.sub("", done.stderr)), (0, ""))
+        self.assertIn("index.html", done.stdout)
+        self.assertEqual({entry.suffix for entry in self.directory.iterdir()}, {".csv", ".html", ".png", ".svg"})  # nothing hidden is left
+        self.check_data()
+        page = (self.directory / "index.html").read_text(encoding="utf-8")
+        self.assertIn("</html>", page)
+        # Self-contained: it loads nothing, and is the same wherever it was made.
+        self.assertNotRegex(page, r"<(script|link|img)[^>]+(src|href)=(?!\"data:)")
+        for text in [page, *(path.read_text(encoding="utf-8") for path in self.directory.glob("*.csv"))]:
+            self.assertNotIn(str(DATA), text)
+        numbers = json.loads(re.search(r'<script type="application/json" id="numbers">(.*?)</script>', page)[1])
+        hertz = [row for row in self.read("curves") if row["law"] == "hertz"]
+        self.assertEqual(numbers["laws"]["curves"][0]["moment"], [float(f"{float(row['moment']):.10g}") for row in hertz])
+        # Each figure says what to do about it; a number without an error has none on the page.
+        self.assertEqual(page.count('<p class="use">'), page.count("<figure "))
+        self.assertRegex(page, r"<td>chi_squared_per_n</td><td[^>]*>[\d.]+</td><td>–</td>")
+        for name in ("Fig. 1", "Fig. 2", "Fig. 3", "Fig. 4", "Fig. 5", "Figs. 7 to 11"):  # of the paper
+            self.assertIn(name, page)
+        self.check_that_lost_has_one_meaning(page)
+
+    def check_data(self):
+        for path in self.directory.glob("*.csv"):
+            for row in self.read(path.stem):  # of another length than the header
+                self.assertFalse(None in row or None in row.values(), path)
         for row in self.read("materials"):
-            self.assertTrue((self.directory / "out" / row["file"]).exists())
+            self.assertTrue((self.directory / row["file"]).exists())
         for row in self.read("tables"):
             self.assertLessEqual(float(row["certified_error"]), float(row["tolerance"]))
         for row in self.read("table_error"):
@@ -54,17 +64,58 @@ class Report(CommandLineTest):
         for row in self.read("steady_twist"):
             if (row["boundary"], row["projection"]) == ("table", "closest-point"):
                 self.assertLess(float(row["error"]), 1e-7)
-        left = {entry.suffix for entry in (self.directory / "out").iterdir()}
-        self.assertEqual(left, {".csv"})
+        # The fitted curve lies within its band, and most slips near it.
+        for row in self.read("fit_band"):
+            inner, curve, outer = (math.hypot(float(row[f"{edge}force"]), 200 * float(row[f"{edge}moment"])) for edge in ("inner_", "", "outer_"))
+            self.assertTrue(inner < curve < outer, row)
 
-    def test_without_its_script(self):
-        environment = {**os.environ, "LIMITCURVE_SHARE": str(self.directory)}
-        self.assert_fails(1, ["scripts/figures/report.py", "LIMITCURVE_SHARE"], "report", "-o", self.directory / "out", env=environment)
+    def check_that_lost_has_one_meaning(self, page):
+        """The angles on the page are those at which the block is lost, as in the map."""
+        turned = {}
+        for row in self.read("pivot"):
+            if row["grip"] == "release" and float(row["grip_slip"]) >= 0.005:
+                turned.setdefault(row["case"], math.degrees(float(row["angle"])))
+        said = re.search(r"by ([\d.]+)° and ([\d.]+)° when it has slid 5 mm past", page)
+        # A row is 10 ms after the one before it.
+        self.assertAlmostEqual(float(said[1]), turned["coupled"], delta=0.5)
+        self.assertAlmostEqual(float(said[2]), turned["exact"], delta=0.5)
+        self.assertIn("when it has slid 5 mm past the grip and is lost, over the offset", page)
 
-    def test_where_nothing_can_be_written(self):
-        self.assert_fails(2, "--output", "report")
-        self.assert_fails(1, "/proc/out", "report", "-o", "/proc/out")
-        self.assert_fails(1, "taken", "report", "-o", self.file("taken", ""))
+    def assert_ends(self, told, folder, **options):
+        limit = options.pop("limit", None)
+        flags = options.pop("flags", ())
+        done = subprocess.run(**call(folder, *flags, **options), check=False,
+                              preexec_fn=limit and (lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit))))
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertRegex(PROGRESS.sub("", done.stderr), r"\Alimitcurve\.report: error: [^\n]+\n\Z")
+        for text in told:
+            self.assertIn(text, done.stderr)
+
+    def test_what_it_cannot_do_is_one_line(self):
+        out = self.directory / "out"
+        self.assert_ends(["matplotlib is missing", "python3-matplotlib"], out, flags=["-S"])  # no packages
+        self.assertFalse(out.exists())
+        self.assert_ends(["/proc/out", "No such file"], "/proc/out")
+        self.assert_ends(["taken", "File exists"], self.file("taken", ""))
+        self.assert_ends(["below", "Not a directory"], self.directory / "taken" / "below")
+        self.assert_ends(["curves.csv", "File too large"], out, limit=4096)  # as a disk that fills
+        self.assertEqual([path.name for path in out.iterdir()], ["laws.csv"])
+        self.assert_ends(["cannot run '/no-such-command'", "No such file"], out, command="/no-such-command")
+        self.assert_ends(["false laws", "exit status 1"], out, command="/bin/false")
+        self.assertEqual(subprocess.run([PYTHON, "-B", "-m", "report"], capture_output=True, env=call(out)["env"], check=False).returncode, 2)
+
+    def test_an_interruption_is_one_line(self):
+        out = self.directory / "out"
+        with subprocess.Popen(**call(out)) as process:
+            while not (out / "curves.csv").exists():
+                time.sleep(0.01)
+            process.send_signal(signal.SIGINT)
+            said = process.communicate()[1]
+        self.assertEqual((process.returncode, PROGRESS.sub("", said)), (-signal.SIGINT, "limitcurve.report: interrupted\n"))
+        self.assertEqual([path.name for path in out.iterdir() if path.name.startswith(".")], [])
+
+    def test_the_command_says_where_it_is(self):
+        self.assert_fails(2, ["python3 -m limitcurve.report -o DIR", "scripts/demo"], "report", "-o", self.directory / "out")
 
 
 if __name__ == "__main__":

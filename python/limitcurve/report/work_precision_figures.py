@@ -4,7 +4,7 @@
 import math
 
 import matplotlib.pyplot as plt
-from chart_style import BLUE, FAINT, GREEN, GRID, INK, PURPLE, SKY, VERMILION
+from .chart_style import BLUE, FAINT, GREEN, GRID, INK, PURPLE, SKY, VERMILION
 
 # Errors below the rounding of a double are drawn there.
 ROUNDING = 1e-16

@@ -5,19 +5,28 @@ import html
 import re
 from pathlib import Path
 
-import touch_charts
+from . import touch_charts
+from .chart_style import Table, save, write_whole
 
 
-class Used(dict):
-    """The tables, which remembers the names of those that were asked for."""
+class Data:
+    """The CSV files of a folder as tables, each read when it is asked for; `used` has the names since it was cleared."""
 
-    def __init__(self, data):
-        super().__init__(data)
-        self.names = {}
+    def __init__(self, folder):
+        self.folder, self.tables, self.used = folder, {}, {}
 
     def __getitem__(self, name):
-        self.names[name] = None
-        return super().__getitem__(name)
+        self.used[name] = None
+        if name not in self.tables:
+            self.tables[name] = Table.read(self.folder / f"{name}.csv")
+        return self.tables[name]
+
+
+def picture(data, draw, name):
+    """Draws a figure beside its data; returns its SVG, and the names of the tables that it shows."""
+    data.used.clear()
+    figure = draw(data)
+    return save(figure, data.folder, name), tuple(data.used)
 
 
 def links(name, tables):
@@ -29,9 +38,10 @@ def anchor(title):
     return re.sub(r"\W+", "-", title.lower()).strip("-")
 
 
-def page(data, numbers, sections, pictures, touch):
-    """`numbers` is (value, text); `sections` is (title, [(figure, caption, what to use)], HTML folded after them); `pictures` has an SVG and the names of its tables,
-    `touch` the HTML of a chart that takes a figure's place on a screen."""
+def write(data, numbers, sections, pictures):
+    """Writes index.html. `numbers` is (value, text); `sections` is (title, [(figure, caption, what to use)], HTML folded after them); `pictures` has what
+    `picture` returned of each figure."""
+    touch = {"limit_curves": touch_charts.limit_curves(data), "load_curves": touch_charts.load_curves(data)}  # take their place on a screen
     head = "".join(f"<li><b>{html.escape(value)}</b>{html.escape(text)}</li>" for value, text in numbers)
     contents = "".join(f'<li><a href="#{anchor(title)}">{title}</a></li>' for title, _, _ in sections)
     parts = []
@@ -47,7 +57,7 @@ def page(data, numbers, sections, pictures, touch):
             parts.append(f'<details><summary>The numbers</summary><div class="wide" role="region" aria-label="{plain}: table" tabindex="0">{after}</div></details>')
         parts.append("</section>")
     style = Path(__file__).with_name("page.css").read_text(encoding="utf-8")
-    return f"""<!doctype html>
+    write_whole(data.folder / "index.html", f"""<!doctype html>
 <html lang="en">
 <head>
 <meta charset="utf-8">
@@ -61,7 +71,7 @@ def page(data, numbers, sections, pictures, touch):
 <body>
 <main>
 <h1>Limit curves of a soft finger</h1>
-<p>A finger pad that slides and twists at once cannot bear its full friction force and its full friction moment together: the limit curve is the pairs that it can bear.
+<p>A finger pad that slides and twists at once cannot bear its full friction force and its full friction moment together: the limit curve is the pairs that it can just bear.
 f = F/(μP) and m = M/(μPa) are force and moment in units of load P, friction coefficient μ and contact radius a; the centre of rotation (COR) is the point that does not move.
 Eq. (n) is that of the paper named at the end. Each figure has its data below it.</p>
 <ul class="numbers">{head}</ul>
@@ -73,4 +83,4 @@ Eq. (n) is that of the paper named at the end. Each figure has its data below it
 {touch_charts.script(data)}
 </body>
 </html>
-"""
+""".encode("utf-8"))

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""The report's figures of limit curves, approximations, tables and fits, one function each: takes the CSVs (see report.py
+"""The report's figures of limit curves, approximations, tables and fits, one function each: takes the CSVs (see csv_files.py
 for their columns), returns a figure."""
 
 import math
 
-from chart_style import BLUE, ELLIPSE, FAINT, GREEN, GRID, INK, ORANGE, VERMILION, Table, law_style, legend_below, plt, quadrant, short
+from .chart_style import BLUE, ELLIPSE, FAINT, GREEN, GRID, INK, ORANGE, VERMILION, Table, law_style, legend_in_sight, plt, quadrant, short
 
 QUARTER = [math.pi / 2 * i / 72 for i in range(73)]
 
@@ -30,7 +30,7 @@ def limit_curves(data):
     left.indicate_inset_zoom(lens, edgecolor=FAINT)
     quadrant(right, "In units of friction × load × contact radius", "force  $F/(\\mu P)$", "moment  $M/(\\mu P a)$")
     right.set(xlim=(0, 1.05), ylim=(0, 1.05 * max(data["curves"].column("moment"))))
-    legend_below(figure, left, 5)
+    legend_in_sight(figure, left)
     return figure
 
 
@@ -85,7 +85,7 @@ def ellipse_error(data):
     right.minorticks_off()
     for axes in (left, right):
         axes.set_xticks(range(0, 91, 15))
-    legend_below(figure, left, 5)
+    legend_in_sight(figure, left)
     return figure
 
 
@@ -111,7 +111,7 @@ def models(data):
     ticks = (0.2, 0.5, 1, 2, 5, 10, 20, 50)
     axes.set_xticks(ticks, [f"{tick:g}" for tick in ticks])
     axes.minorticks_off()
-    legend_below(figure, axes, len(MODELS))
+    legend_in_sight(figure, axes)
     return figure
 
 
@@ -225,7 +225,7 @@ def engines(data):
     right.set(xscale="log", xlim=(0.9 * ends[0], 1.1 * ends[1]), ylim=(0, 1.1))
     right.set_xticks([0.1, 0.3, 1, 3], ["0.1", "0.3", "1", "3"])
     right.minorticks_off()
-    legend_below(figure, left, 5)
+    legend_in_sight(figure, left)
     return figure
 
 

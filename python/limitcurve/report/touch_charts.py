@@ -6,7 +6,7 @@ import json
 import math
 from pathlib import Path
 
-from chart_style import law_style
+from .chart_style import law_style
 
 DIGITS = 10
 

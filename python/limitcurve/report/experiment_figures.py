@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""The report's figures of the paper's experiment (section 6), of Table 1 and of form closure. One function
-each: takes the CSVs (see report.py for their columns), returns a figure."""
+"""The report's figures of the paper's experiment (section 6), of Table 1 and of force closure. One function
+each: takes the CSVs (see csv_files.py for their columns), returns a figure."""
 
 import math
 
-from chart_style import BLUE, FAINT, GREEN, INK, ORANGE, VERMILION, legend_below, plt
-from finger_figures import BLOCK_HEIGHT, BLOCK_LENGTH, CASES, LOST, angle_at_loss, draw_block, held_rows
+from .chart_style import BLUE, FAINT, GREEN, INK, ORANGE, VERMILION, legend_in_sight, plt
+from .finger_figures import BLOCK_HEIGHT, BLOCK_LENGTH, CASES, LOST, angle_at_loss, draw_block, held_rows
 
 def pivot(data):
     """Paper, Figs. 7 to 11: the grip is released slowly."""
@@ -44,7 +44,7 @@ def experiment(data, grip):
     panels[1][0].set_ylim(-25, 6)
     panels[2][0].set_ylim(-4, 60)
     panels[3][0].set_ylim(0, None)
-    figure.align_ylabels()
+    figure.align_ylabels(panels[:, 0])
     panels[1][0].legend(loc="lower left", ncols=2)
     if grip == "release":
         panels[2][0].legend(loc="upper left")
@@ -114,11 +114,11 @@ def legend_plane(figure, axes, regrips):
         looks.append(({"color": GREEN, "dashes": (6, 2)}, "p-curve after regripping"))
     for look, label in looks:
         axes.plot([], [], label=label, **look)
-    legend_below(figure, axes, 5)
+    legend_in_sight(figure, axes)
 
 
 def pivot_offsets(data):
-    """What an operator achieves over the offset of the centre of mass: angle, slip, reversals; a column for each material."""
+    """What an operator achieves over the offset of the centre of mass: angle, slip, how often it turned back; a column for each material."""
     materials = data["pivot_offsets"].groups("material")
     looks = {"coupled": {"color": VERMILION, "dashes": (5, 2)}, "exact": {"color": BLUE}, "uncoupled": {"color": INK, "dashes": (1.5, 1.5)}}
     figure, panels = plt.subplots(3, len(materials), figsize=(9.6, 6.6), layout="constrained", sharex=True, sharey="row")
@@ -128,21 +128,21 @@ def pivot_offsets(data):
             offsets = rows.column("offset", 1e3)
             turned.plot(offsets, rows.column("angle", 180 / math.pi), marker="o", markersize=3, label=CASES[case], **looks[case])
             slid.plot(offsets, rows.column("grip_slip", 1e3), marker="o", markersize=3, **looks[case])
-            back.plot(offsets, rows.column("reversals"), marker="o", markersize=3, **looks[case])
+            back.plot(offsets, rows.column("turned_back"), marker="o", markersize=3, **looks[case])
         for axes in (turned, slid, back):
             axes.axvline(1e3 * numbers["mu_r"] / numbers["mu"], color=FAINT, linewidth=0.8, dashes=(3, 3))
         turned.set_title(material)
         back.set_xlabel("offset of the centre of mass  [mm]")
-    for row, label in zip(panels, ("angle reached  [°]", "slipped  [mm]", "reversals")):
+    for row, label in zip(panels, ("angle reached  [°]", "slipped  [mm]", "times turned back")):
         row[0].set_ylabel(label)
-    figure.align_ylabels()
-    legend_below(figure, panels[0][0], 3)
+    figure.align_ylabels(panels[:, 0])
+    legend_in_sight(figure, panels[0][0])
     return figure
 
 
 def pivot_stiffness(data):
     """Rotation of the block before it leaves the fingers, against the twist stiffness, which the paper does not give."""
-    figure, axes = plt.subplots(figsize=(6.4, 3.4), layout="constrained")
+    figure, axes = plt.subplots(figsize=(9.6, 3.9), layout="constrained")
     looks = {"coupled": {"color": VERMILION, "dashes": (5, 2)}, "exact": {"color": BLUE}}
     for case, rows in data["pivot_stiffness"].groups("case").items():
         axes.plot(rows.column("ratio"), rows.column("angle", 180 / math.pi), marker="o", markersize=4, label=CASES[case], **looks[case])
@@ -151,7 +151,7 @@ def pivot_stiffness(data):
     axes.set_xticks(ticks, [f"{tick:g}" for tick in ticks])
     axes.axvline(1, color=FAINT, linewidth=0.8, dashes=(3, 3))
     axes.annotate("this project’s default", (1, 92), (4, -3), textcoords="offset points", color=FAINT, fontsize=8)
-    axes.legend(loc="upper right")
+    legend_in_sight(figure, axes)
     return figure
 
 
@@ -196,7 +196,7 @@ def turn_of(row, prefix):
 
 
 def pinch(data):
-    """Form closure by two fingers that carry and turn a block, with and without a friction moment."""
+    """Force closure by two fingers that carry and turn a block, with and without a friction moment."""
     figure, (left, right) = plt.subplots(1, 2, figsize=(9.6, 3.2), layout="constrained", width_ratios=(1.25, 1))
     trace = data["pinch_trace"]
     right.plot(trace.column("time"), [turn_of(row, "q") for row in trace], color=INK, dashes=(4, 2), label="the fingers")
@@ -238,32 +238,47 @@ def section(data):
     first = {(row["material"], row["case"]): row["load"] for row in reversed(data["pivot_materials"])}
     margins = sorted(first[row["material"], "coupled"] / holding_load(row, offset) for row in data["table_1"])
     return ("A block between two fingers", [
-        ("pivot", "The paper’s experiment (its Figs. 7 to 11), its cases A and B and the exact curve: a block, its centre of mass (blue path) beside the grip (dot), on sandpaper; the grip "
-         f"is released slowly, without dampers. Where force and moment share one limit the block turns before it is lost: by {turned['coupled']:.1f}° and {turned['exact']:.1f}° when it has slid {lost} past the grip "
-         f"(dots); with limits of their own by {abs(turned['uncoupled']):.1f}°. From top to bottom: poses (Figs. 7, 10); centre of mass, angle and load over time (Figs. 8, 11); the centre of "
-         "rotation of the slip; the [r, ρ] plane of one finger (Fig. 9), with one step magnified: the goal has moved on (diamond), and step b moves the god-object on to the p-curve of its load. "
-         f"From the paper are the friction, the cases and the level start; the block ({1e3 * BLOCK_LENGTH:.0f} × {1e3 * BLOCK_HEIGHT:.0f} mm, 0.1 kg, {offset:.0f} mm off), springs and time step are ours.",
-         "limits that know of each other, or the object slides out level; the ellipse is good enough for this."),
-        ("pivot_operator", "An operator eases until the block turns, and regrips at 30°, slowly (0.1 rad/s) and with fingers as damped as a hand’s: 86 N s/m, a damping ratio of 1; digits of young adults have mostly more "
-         f"(Park et al., Clinical Biomechanics 29:129–137, 2014). He stops it at {math.degrees(kept['coupled']['angle']):.1f}° (A) and {math.degrees(kept['exact']['angle']):.1f}° (exact); in case B it is kept, "
-         f"{1e3 * kept['uncoupled']['grip_slip']:.1f} mm lower and level.", "coupled limits, where easing the grip is to turn an object."),
-        ("pivot_offsets", "What this operator achieves over the offset of the centre of mass, in the three materials: angle, slip, and how often the block turned back by more than 0.1°. A has at most "
-         f"{max(row['reversals'] for row in coupled if row['offset'] > 0.0045):.0f} reversal from 5 mm on, closer to the grip up to {max(row['reversals'] for row in coupled):.0f}. "
-         f"B does not turn below μ<sub>r</sub>/μ<sub>l</sub> (dashed; {edge:.2f} mm on sandpaper), and needs no slip above: at 6.5 mm it ends at {math.degrees(between['angle']):.0f}° having slid {1e3 * between['grip_slip']:.1f} mm, "
-         f"at 9 mm at {math.degrees(far['angle']):.0f}° having slid {1e3 * far['grip_slip']:.1f} mm, where A slips {1e3 * reached['coupled', 0.009]['grip_slip']:.1f} mm.",
-         "separate limits fail at small offsets, not always."),
-        ("pivot_stiffness", f"The paper does not give the stiffness of the twist’s spring. With the radial projection the block turns by {scan['coupled'][softest]:.0f}° to "
-         f"{scan['coupled'][stiff]:.1f}° (ratios {softest:g} to {stiff:g}), with the closest point by {min(scan['exact'].values()):.0f}° to {max(scan['exact'].values()):.0f}°.",
-         f"the closest point, or a ratio near {soft}."),
-        ("pivot_map", f"The block’s angle when it has slid {lost} past the grip and is lost, over the offset of its centre of mass and the rate of the grip, both ours. With limits of "
-         f"their own it turns only where the offset exceeds μ<sub>r</sub>/μ<sub>l</sub> = {edge:.2f} mm (triangles): at {level:g} mm it slides out level, at "
-         f"{above:g} mm it turns by up to {farthest:.0f}°.", "state the offset when you compare such experiments."),
-        ("table_1", "Left: Table 1 says that μ<sub>r</sub>/μ<sub>l</sub> hardly depends on the material: means ± standard deviations, of a number n of measurements that is not given. Their weighted mean is "
-         f"{1e3 * mean:.2f} mm. That the bars overlap neither proves nor refutes one ratio: χ² = {chi_squared:.2f} n with 2 degrees of freedom, so that from n = {math.ceil(refuted)} on p is below 0.05. Right: the block between fingers "
-         f"of each material, each with its own ratio, its grip released from {margins[0]:.2f} to {margins[-1]:.2f} times what an ellipse needs to hold it.",
-         "one measured ratio, as a start, for any material of the object."),
-        ("pinch", f"Two soft fingers carry a block and turn it by {turn['soft']:.1f}° of {turn_of(data['pinch_trace'][-1], 'q'):.1f}°; without a friction moment by "
-         f"{abs(turn['point']):.1f}°.", "a soft contact, where two fingers must turn an object."),
+        ("pivot", f"""This is the paper’s experiment (its Figs. 7 to 11): cases A and B, and the exact curve. The grip on a block of
+sandpaper opens slowly, without dampers. The centre of mass (blue path) lies beside the grip (dot). With coupled limits the block
+turns before it is lost, by {turned['coupled']:.1f}° and {turned['exact']:.1f}° when it has slid {lost} past the grip (dots).
+With uncoupled limits it turns by {abs(turned['uncoupled']):.1f}°. From top to bottom: poses (Figs. 7, 10); centre of mass, angle
+and load over time (Figs. 8, 11); the centre of rotation of the slip; and the [r, ρ] plane of one finger (Fig. 9), with one step
+magnified, where the goal has moved on (diamond) and step b moves the god-object to the p-curve of its load. The friction, the
+cases and the level start are the paper’s. The block ({1e3 * BLOCK_LENGTH:.0f} × {1e3 * BLOCK_HEIGHT:.0f} mm, 0.1 kg,
+{offset:.0f} mm off), the springs and the time step are ours.""",
+         "Use coupled limits, or the object slides out level. The ellipse is good enough for this."),
+        ("pivot_operator", f"""An operator eases the grip until the block turns, and grips again at 30°. He is slow (0.1 rad/s), and
+the fingers are as damped as a hand: 86 N s/m, a damping ratio of 1. The digits of young adults mostly have more (Park et al.,
+Clinical Biomechanics 29:129–137, 2014). He stops the block at {math.degrees(kept['coupled']['angle']):.1f}° (A) and
+{math.degrees(kept['exact']['angle']):.1f}° (exact). In case B he keeps it, {1e3 * kept['uncoupled']['grip_slip']:.1f} mm lower and
+level.""",
+         "Use coupled limits where a looser grip is to turn an object."),
+        ("pivot_offsets", f"""This is what the same operator achieves in the three materials, over the offset of the centre of mass:
+the angle, the slip, and how often the block turned back by more than 0.1°. With coupled limits it turned back up to
+{max(row['turned_back'] for row in coupled):.0f} times (from 5 mm on:
+{max(row['turned_back'] for row in coupled if row['offset'] > 0.0045):.0f}). In case B it does not turn below
+μ<sub>r</sub>/μ<sub>l</sub> (dashed; {edge:.2f} mm on sandpaper). At 6.5 mm it ends at {math.degrees(between['angle']):.0f}° and
+has slid {1e3 * between['grip_slip']:.1f} mm. At 9 mm it ends at {math.degrees(far['angle']):.0f}° and has slid
+{1e3 * far['grip_slip']:.1f} mm, where case A slides {1e3 * reached['coupled', 0.009]['grip_slip']:.1f} mm.""",
+         "Expect uncoupled limits to fail at small offsets, not always."),
+        ("pivot_stiffness", f"""The paper does not give the stiffness of the spring that turns. With the radial projection the block
+turns by {scan['coupled'][softest]:.0f}° to {scan['coupled'][stiff]:.1f}° (ratios {softest:g} to {stiff:g}), with the closest point
+by {min(scan['exact'].values()):.0f}° to {max(scan['exact'].values()):.0f}°.""",
+         f"Use the closest point, or a ratio near {soft}."),
+        ("pivot_map", f"""The map has the angle of the block when it has slid {lost} past the grip and is lost, over the offset of its
+centre of mass and the rate at which the grip opens. Both are ours. With uncoupled limits the block turns only where the offset
+exceeds μ<sub>r</sub>/μ<sub>l</sub> = {edge:.2f} mm (triangles): at {level:g} mm it slides out level, at {above:g} mm it turns by up
+to {farthest:.0f}°.""",
+         "State the offset when you compare such experiments."),
+        ("table_1", f"""Left: by Table 1 the ratio μ<sub>r</sub>/μ<sub>l</sub> hardly depends on the material. Bars are means ±
+standard deviations; the table does not say of how many measurements, n. The weighted mean is {1e3 * mean:.2f} mm. That the bars
+overlap neither proves nor refutes one ratio: χ² = {chi_squared:.2f} n with 2 degrees of freedom, so p is below 0.05 from
+n = {math.ceil(refuted)} on. Right: the block between fingers of each material, with the ratio of that material. The grip opens from
+{margins[0]:.2f} to {margins[-1]:.2f} times the load that an ellipse needs to hold the block.""",
+         "Take one measured ratio as a start, for any material of the object."),
+        ("pinch", f"""Two soft fingers carry a block, and turn it by {turn['soft']:.1f}° of
+{turn_of(data['pinch_trace'][-1], 'q'):.1f}°: force closure. Without a friction moment they turn it by {abs(turn['point']):.1f}°.""",
+         "Use a soft contact where two fingers must turn an object."),
     ], "")
 
 

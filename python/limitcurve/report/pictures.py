@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""The report's pictures of what is computed (the paper's Figs. 1, 2 and 5). One function: takes the CSVs (see report.py for their columns),
+"""The report's pictures of what is computed (the paper's Figs. 1, 2 and 5). One function: takes the CSVs (see csv_files.py for their columns),
 returns a figure."""
 
 import math
 
-from chart_style import BLUE, FAINT, INK, VERMILION, plt
+from .chart_style import BLUE, FAINT, INK, VERMILION, plt
 
 
 def what_is_computed(data):
@@ -24,9 +24,11 @@ def what_is_computed(data):
 def section():
     """The report's first part: heading, figure with what to see in it, what follows."""
     return ("What is computed", [
-        ("what_is_computed", "Left: a finger is held by friction as long as its proxy is within μd of the surface point, d its depth. Middle: a pad slides and turns about one centre of "
-         "rotation C; friction on every place opposes that, and the sum is a force and a moment. Right: over all C they make the limit curve of a load, over all loads a cone. A "
-         "trial beyond it (diamond) is brought back on to the curve of its load.", "the curve wherever a contact slides and turns at once; for one of the two, Coulomb’s law is enough."),
+        ("what_is_computed", """Left (the paper’s Fig. 1): friction holds a finger as long as its proxy is within μd of the surface
+point; d is its depth. Middle (Fig. 2): a pad slides and turns about one centre of rotation C. Friction opposes that at every
+place, and its sum is a force and a moment. Right (Fig. 5): all centres C together make the limit curve of a load, and all loads a
+cone. A trial outside (diamond) is brought back to the curve of its load.""",
+         "Use the curve wherever a contact slides and turns at once. For one of the two, Coulomb’s law is enough."),
     ], "")
 
 

@@ -3,7 +3,7 @@
 
 import matplotlib.pyplot as plt
 
-from chart_style import BLUE, FAINT, GREEN, ORANGE
+from .chart_style import BLUE, FAINT, GREEN, ORANGE
 
 SETS = {"tripod_hardboard_a": ("hardboard", "o"), "tripod_plywood_a": ("plywood", "^")}
 MODELS = {"exact": ("points, exactly", BLUE, ""), "ellipsoid": ("ellipsoid", ORANGE, "_ellipsoid")}

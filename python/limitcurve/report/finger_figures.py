@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
 """The report's figures of the god-object: on traces, at a steady twist, and with a block between two fingers. One function
-each: takes the CSVs (see report.py for their columns), returns a figure."""
+each: takes the CSVs (see csv_files.py for their columns), returns a figure."""
 
 import math
 
-from chart_style import BLUE, FAINT, INK, VERMILION, legend_below, plt, quadrant
+from .chart_style import BLUE, FAINT, INK, VERMILION, legend_in_sight, plt, quadrant
 
 def repositionings(rows, run):
     """Per step the trial point [r, rho] before, and the point after repositioning (m, rad), recomputed from the log."""
@@ -54,7 +54,7 @@ def god_object(data):
     for state, colour in (("stick", FAINT), ("slip", BLUE)):
         panels[0][0].plot([], [], color=colour, linewidth=2, label=state)
     panels[0][0].plot([], [], color="#c4c4c4", label="p-curves")
-    legend_below(figure, panels[0][0], 4)
+    legend_in_sight(figure, panels[0][0])
     return figure
 
 
@@ -106,7 +106,7 @@ def repositioning(data):
     panels[0].plot([], [], "D", color=INK, markersize=4, label="goal has moved: before repositioning")
     panels[0].plot([], [], "o", color=BLUE, markersize=4.5, label="god-object moved on to the p-curve")
     panels[0].plot([], [], color="#c4c4c4", label="p-curve of each step's load")
-    legend_below(figure, panels[0], 3)
+    legend_in_sight(figure, panels[0])
     return figure
 
 
@@ -157,8 +157,8 @@ def felt(data):
     for axes, label in zip((row[0] for row in panels), ("load  [N]", "force  [N]", "moment  [N mm]")):
         axes.set_ylabel(label)
         axes.set_ylim(0, None)
-    figure.align_ylabels()
-    legend_below(figure, panels[1][0], 2)
+    figure.align_ylabels(panels[:, 0])
+    legend_in_sight(figure, panels[1][0])
     return figure
 
 
@@ -178,7 +178,7 @@ BLOCK_LENGTH, BLOCK_HEIGHT = 0.12, 0.04  # m, `limitcurve pivot`'s default
 CASES = {"coupled": "Coupled: ellipse, radial (A)", "exact": "Exact curve, closest point", "uncoupled": "Uncoupled: box (B)"}
 
 
-LOST = 0.005  # m: a block that has slid so far past the grip, or has left it, is lost; cli/report/report_pivot.cpp's, too
+LOST = 0.005  # m: a block that has slid so far past the grip, or has left it, is lost
 
 
 def angle_at_loss(rows):

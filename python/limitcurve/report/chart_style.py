@@ -47,6 +47,8 @@ FONTS = "DejaVu Sans, Verdana, sans-serif"
 # For lines that are no laws', in the order of their colours.
 DASHES = ((), (5, 1.5), (1.5, 1.2), (5, 1.5, 1.2, 1.5), (8, 2, 3, 2))
 ELLIPSE = {"color": INK, "linewidth": 1.2, "dashes": (5, 3)}
+MARGIN = 0.06  # inches around a figure
+PHONE = 0.54  # share of a figure that 390 pixels show: page.css keeps it 40 rem wide
 
 plt.rcParams.update({
     "font.family": "DejaVu Sans",
@@ -133,6 +135,15 @@ def legend_below(figure, axes, columns):
     figure.legend(*axes.get_legend_handles_labels(), loc="upper center", bbox_to_anchor=(0.5, 0), ncols=columns)
 
 
+def legend_in_sight(figure, axes):
+    """Below, from the left edge, and no wider than what a phone shows of a figure before it is scrolled."""
+    for columns in range(5, 0, -1):
+        legend = figure.legend(*axes.get_legend_handles_labels(), loc="upper left", bbox_to_anchor=(0, 0), ncols=columns)
+        if columns == 1 or legend.get_window_extent().width < PHONE * figure.bbox.width:
+            return
+        legend.remove()
+
+
 def write_whole(path, contents):
     """The file appears under its name whole or not at all: bytes go to a hidden file beside it, which is then renamed."""
     path = Path(path).resolve()  # a link stays one
@@ -143,14 +154,16 @@ def write_whole(path, contents):
             file.flush()
             os.fsync(file.fileno())
         os.replace(part, path)
-    except BaseException:
+    except BaseException as error:
         part.unlink(missing_ok=True)
+        if isinstance(error, OSError):
+            error.filename = str(path)  # that of the hidden file, or none
         raise
 
 
-def picture(figure, form, metadata):
+def picture(figure, form, metadata, frame):
     buffer = io.BytesIO()
-    figure.savefig(buffer, format=form, metadata=metadata, bbox_inches="tight", pad_inches=0.06)
+    figure.savefig(buffer, format=form, metadata=metadata, bbox_inches=frame, pad_inches=MARGIN)
     return buffer.getvalue()
 
 
@@ -212,9 +225,12 @@ def one_style(match):
 def save(figure, folder, name):
     """Writes NAME.svg and NAME.png, the same bytes each time; returns the SVG for a page, its ids made its own."""
     folder = Path(folder)
-    svg = slim(picture(figure, "svg", {"Date": None, "Creator": None}).decode("utf-8"))
+    svg = slim(picture(figure, "svg", {"Date": None, "Creator": None}, "tight").decode("utf-8"))
     write_whole(folder / f"{name}.svg", svg.encode("utf-8"))
-    write_whole(folder / f"{name}.png", picture(figure, "png", {"Software": None}))
+    # It has been laid out: the second picture takes half of the time of the first.
+    figure.set_layout_engine("none")
+    figure.set_dpi(plt.rcParams["savefig.dpi"])
+    write_whole(folder / f"{name}.png", picture(figure, "png", {"Software": None}, figure.get_tightbbox().padded(MARGIN)))
     plt.close(figure)
     svg = svg[svg.index("<svg"):]
     svg = re.sub(r'\b(id=")', rf"\g<1>{name}-", svg)

@@ -1,0 +1,225 @@
+# SPDX-License-Identifier: MIT
+"""The report's story: its figures, what to see in each, what to do about it, and tables. It only draws; every number comes from the CSV files."""
+
+import html
+
+from . import curve_figures, experiment_figures, finger_figures, patch_figures, pictures
+from .chart_style import short
+from .work_precision_figures import work_precision
+
+FIGURES = {
+    "what_is_computed": pictures.what_is_computed,
+    "limit_curves": curve_figures.limit_curves,
+    "load_curves": curve_figures.load_curves,
+    "ellipse_error": curve_figures.ellipse_error,
+    "models": curve_figures.models,
+    "tables": curve_figures.tables,
+    "god_object": finger_figures.god_object,
+    "repositioning": finger_figures.repositioning,
+    "felt": finger_figures.felt,
+    "steady_twist": finger_figures.steady_twist,
+    "pivot": experiment_figures.pivot,
+    "pivot_operator": experiment_figures.pivot_operator,
+    "pivot_offsets": experiment_figures.pivot_offsets,
+    "pivot_stiffness": experiment_figures.pivot_stiffness,
+    "pivot_map": finger_figures.pivot_map,
+    "table_1": experiment_figures.table_1,
+    "pinch": experiment_figures.pinch,
+    "fits": curve_figures.fits,
+    "patches": patch_figures.patches,
+    "engines": curve_figures.engines,
+    "work_precision": work_precision,
+}
+
+
+def percent(fraction, digits=2):
+    return f"{100 * fraction:.{digits}f} %"
+
+
+def numbers_to_remember(data):
+    """The three figures a reader should take away, each with the sentences that explain it."""
+    ellipses = data["validate"].where(model="ellipse")
+    worst, best = (pick(ellipses, key=lambda row: row["max_over_estimate"]) for pick in (max, min))
+    largest, least = percent(worst["max_over_estimate"], 1), percent(best["max_over_estimate"], 1)
+    twist = data["steady_twist"]
+    radial, closest = (max(twist.where(boundary="table", projection=name).column("error")) for name in ("radial", "closest-point"))
+    ratios = twist.column("stiffness_ratio")
+    table = data["tables"].where(law="hertz", tolerance=1e-8)[0]
+    error = table["certified_error"]
+    look_up = data["work_precision_wrench"].where(law="hertz", family="table", parameter=1e-8)[0]["mean_ns"]
+    step = data["work_precision_step"].where(boundary="table 1e-8", projection="closest-point")[0]["many_warm_ns"]
+    return [
+        (largest, f"The usual ellipse overestimates what a contact bears by up to {largest} ({worst['law']}; for {best['law']} "
+                  f"by {least}). Its centre of rotation is off by up to {percent(worst_cor_error(data), 0)}."),
+        (percent(radial, 0), f"With the radial projection the friction of a steady twist is off by up to {percent(radial, 0)} "
+                             f"of its limits (stiffness ratios κ from {min(ratios):.2g} to {max(ratios):.2g}). With the closest "
+                             f"point it is off by {closest:.0e}."),
+        (f"{look_up:.0f} ns", f"A look-up takes {look_up:.0f} ns in a table of {table['bytes']:.0f} bytes, whose error is at most "
+                              f"{short(float(f'{error:.1e}'))}. A step of a finger on it takes {step:.0f} ns. A finer table takes "
+                              "hardly longer."),
+    ]
+
+
+def cor_ratios(rows):
+    """Distance of the centre of rotation by the ellipse over the true one, where it is a number."""
+    return [row["cor_ratio"] for row in rows if row["cor_ratio"] == row["cor_ratio"]]
+
+
+def worst_cor_error(data):
+    return max(abs(ratio - 1) for ratio in cor_ratios(data["ellipse_error"]))
+
+
+def facts_table(columns, rows):
+    """An HTML table; columns of numbers (that begin with a digit in every row) stand to the right, of words to the left."""
+    numeric = [all(cell[:1].isdigit() for cell in column) for column in zip(*rows)]
+
+    def line(tag, cells):
+        marked = zip(numeric, cells)
+        return "<tr>" + "".join(f"<{tag}{' class=number' if number else ''}>{cell}</{tag}>" for number, cell in marked) + "</tr>"
+
+    head, body = line("th", columns), "".join(line("td", row) for row in rows)
+    return f'<table><thead>{head}</thead><tbody>{body}</tbody></table>'
+
+
+def materials_table(data):
+    def link(name):
+        return f'<a href="{html.escape(name)}">{html.escape(name)}</a>'
+
+    return facts_table(
+        ("material", "μ", "μ<sub>r</sub> [mm]", "law", "radius a [mm]", "certified error", "nodes", "bytes", "file"),
+        [(row["material"], f"{row['mu']:g}", f"{1e3 * row['mu_r']:g}", row["law"], f"{1e3 * row['radius']:.2f}",
+          f"{row['certified_error']:.1e}", f"{row['nodes']:.0f}", f"{row['bytes']:.0f}", link(row["file"])) for row in data["materials"]])
+
+
+def laws_table(data):
+    rows = []
+    for law in data["laws"]:
+        ellipse = data["validate"].where(law=law["law"], model="ellipse")[0]
+        ratios = cor_ratios(data["ellipse_error"].where(law=law["law"]))
+        rows.append((law["law"], f"{law['moment_ratio']:.4g}", percent(ellipse["max_over_estimate"]), f"{min(ratios):.2f} … {max(ratios):.2f}"))
+    return facts_table(("law", "moment ratio m<sub>0</sub>", "ellipse too strong by", "centre of rotation, ellipse / true"), rows)
+
+
+def unit_of(row):
+    """A bare 1 for what has none would be read as a number."""
+    return "–" if row["unit"] == 1 else html.escape(str(row["unit"])).replace("^gamma", "<sup>γ</sup>")
+
+
+def engines_table(data):
+    first = data["translate"][0]
+    rows = [(html.escape(row["engine"]), html.escape(row["parameter"]), f"{row['value']:.6g}" if isinstance(row["value"], float) else row["value"], unit_of(row),
+             html.escape(row["model"]), percent(row["max_error"], 1)) for row in data["translate"].where(law=first["law"])]
+    return facts_table(("engine", "parameter", "value", "unit", "its limit curve", "error that remains"), rows)
+
+
+def error_of(row):
+    """Degrees of freedom and probabilities have none."""
+    return f"{row['std_error']:.2g}" if row["std_error"] else "–"
+
+
+def fits_table(data):
+    return facts_table(("data", "fit", "parameter", "value", "standard error", "unit"),
+                       [(row["data"], row["model"], html.escape(row["parameter"]), f"{row['value']:.5g}", error_of(row),
+                         unit_of(row)) for row in data["fits"]])
+
+
+def patch_fits_table(data):
+    return facts_table(("data", "parameter", "value", "standard error", "unit"),
+                       [(row["data"], row["parameter"].replace("_", " "), f"{row['value']:.4g}", f"{row['std_error']:.2g}", unit_of(row))
+                        for row in data["patch_fits"]])
+
+
+def sections(data):
+    """The page's story: heading, figures, each with what to see in it and what to do, and a table."""
+    ellipses = data["validate"].where(model="ellipse")
+    over, boxes = sorted(ellipses.column("max_over_estimate")), data["validate"].where(model="box").column("max_error")
+    worst = max(ellipses, key=lambda row: row["max_over_estimate"])["law"]
+    ratios = cor_ratios(data["ellipse_error"])
+    run, twist = data["replay_runs"][-1], data["steady_twist"][0]
+    engine = data["translate"][0]
+    tolerance, places = data["table_error"][0]["tolerance"], len(data["table_error"].where(law="hertz"))
+    finest, largest = min(data["tables"].column("tolerance")), max(data["tables"].column("bytes"))
+    drifts = [" and ".join(f"{row['value']:.2f} ± {row['std_error']:.2f}" for row in data["patch_fits"].where(parameter=name))
+              for name in ("drift", "drift_ellipsoid")]
+    square, long = ([row for row in data["patch_errors"].where(shape="rectangle", aspect=aspect) if row["model"].startswith("disc:")][0]
+                    for aspect in (1, 5))
+    return [
+        pictures.section(),
+        ("One curve for each pressure law", [
+            ("limit_curves", """These are the limit curves of the paper’s Fig. 3, for the laws of this library. A pressure law
+says how the load spreads over the contact. Divided by its own limits, the curve of every law lies <em>inside</em> the dashed
+ellipse. The laws differ little in shape; they differ much in the moment that they bear.""",
+             "If you do not know the law, take hertz, with the friction moment that you measured."),
+        ], laws_table(data)),
+        ("Loads and centres of rotation", [
+            ("load_curves", """These are the two families of the paper’s Fig. 4. A p-curve (blue) is the limit curve of one load.
+A c-curve (orange) has force and moment at one centre of rotation, for all loads. It is straight only if the contact does not
+grow with the load.""",
+             "Give the finger its a(P). Do not scale one curve along straight lines."),
+        ], ""),
+        ("How wrong the ellipse is", [
+            ("ellipse_error", f"""Left: the ellipse overestimates what a contact bears by {percent(over[0], 1)} to
+{percent(over[-1], 1)} (worst: {worst}). Right: its centre of rotation is {min(ratios):.2f} to {max(ratios):.2f} times as far
+away as the true one.""",
+             "Use an ellipse for rough forces, not for the motion after slip."),
+            ("models", f"""Each dot is the largest error of a model, as a fraction of what the contact bears. The ellipse through
+the limits is off by {percent(over[0], 1)} to {percent(over[-1], 1)}. A box, whose limits of force and moment are uncoupled, is
+too strong by up to {percent(max(boxes), 0)}.""",
+             "Use a table. You choose its error."),
+        ], ""),
+        ("Look-up tables", [
+            ("tables", f"""Left: down to a tolerance of {short(finest)} no table takes more than {largest:.0f} bytes. Right: a table
+of {short(tolerance)} less the exact curve, at {places} slips. The error stays within the tolerance (grey).""",
+             "Take a tolerance of 1e-8, and stop thinking about the curve."),
+        ], "<p>These are tables for the materials of the paper’s Table 1. The radius follows from the measured ratio "
+           "μ<sub>r</sub>/μ and the law. It is larger than a fingertip’s: where μ<sub>r</sub> was measured, use μ<sub>r</sub> "
+           "itself.</p>" + materials_table(data)),
+        ("A god-object that obeys the curve", [
+            ("god_object", """A god-object (proxy) is where the finger would be if it could not enter the surface. Springs pull it
+to its goal: r is how far they are stretched, ρ how far they are turned. The planes are those of the paper’s Figs. 5 and 9, for
+three scripted motions, with the limit curves of several loads. A drag stays on the axis of r, a twist on that of ρ. In the third
+motion the finger slides and turns while the load changes.""",
+             "Look at combined motions. Only there do the models differ."),
+            ("repositioning", """These are single steps of that slip, as in the paper’s Fig. 5. The goal moves on, and leaves the
+proxy outside the curve of the present load (diamonds). The step moves it back to the curve (dots), along the ray to the origin
+or to the closest point.""",
+             "Use the closest point, which is the default."),
+            ("felt", f"""This is what the user feels. Shaded: the finger slips, by the exact curve (law {html.escape(run['law'])},
+μ = {run['mu']:g}, k<sub>l</sub> = {run['stiffness']:g} N/m, k<sub>r</sub> = {run['twist_stiffness']:g} N m/rad).""",
+             "Use a table and the closest point where a finger slides and turns at once."),
+        ], ""),
+        ("The projection matters more than the curve", [
+            ("steady_twist", f"""A finger turns steadily about a centre at c = {twist['cor']:g} a. Errors are fractions of the
+limits. With the closest point the wrench settles at that of eq. (17), at every stiffness. With the radial projection the ratio
+of the springs decides where it settles, whatever the curve. On the ellipse the closest point has the ellipse’s own error.""",
+             "Use the radial projection only if k<sub>r</sub> is near k<sub>l</sub>(μ<sub>r</sub>/μ)²."),
+        ], ""),
+        experiment_figures.section(data),
+        ("From measurements to parameters", [
+            ("fits", """Left: slips from a synthetic sensor log with gross outliers, and the limit curve that a robust loss fits
+to them. The lens shows the 95 % band of the curve, which is hardly wider than the line. Right: the residuals. Of a right model
+95 % of them lie in the grey band.""",
+             "Add <code>--loss cauchy</code> if some rows may not be slips."),
+        ], fits_table(data)),
+        ("Contacts that are not round", [
+            ("patches", f"""Left: others pushed a plate on three known points over hardboard and plywood. The measured power over
+that of a model is the friction coefficient. Of a right model it is the same at any share of rotation. Its drift is {drifts[0]}
+for three points (blue), and {drifts[1]} for the usual ellipsoid (orange). Nothing is fitted. Right: the best disc is off by
+{percent(square['max_error'], 1)} for a square, and by {percent(long['max_error'], 0)} for a rectangle 5 : 1.""",
+             "Use the patch itself, or ask <code>limitcurve choose --patch</code>."),
+        ], patch_fits_table(data)),
+        ("Speed against accuracy", [
+            ("work_precision", """Each dot is one way to compute a friction wrench, on one machine. Its error is counted as that
+of a table’s tolerance is: in units of μP and μPa, not of the limits.""",
+             "Use a table of 1e-8 in a loop, and <code>evaluate</code> as a reference."),
+        ], ""),
+        ("The same finger in a physics engine", [
+            ("engines", """A finger was dragged in the engines themselves. MuJoCo’s elliptic cone is the ellipse; its default
+pyramid is the diamond. ODE and Bullet limit force and moment each on its own, so that nearly all their wrenches lie in the corner
+of the box. The limits of pure force and pure moment are right, in the pyramid for slips of 30 mm/s and more.""",
+             "Use MuJoCo’s elliptic cone, if you can choose."),
+        ],
+         f"<p>This is what to type for a finger of the {html.escape(engine['law'])} law, a(P) by {html.escape(engine['radius_law'])}, "
+         f"μ = {engine['mu']:g}, at {engine['load']:g} N. <code>limitcurve translate</code> has formulas, and rules for two "
+         "bodies.</p>" + engines_table(data)),
+    ]
