@@ -79,8 +79,6 @@ int main(int argc, char** argv) {
   ContactFitOptions growing;
   growing.fit_gamma = true;
   add("fit_ellipse", {Kind::ellipse});
-  add("fit_superellipse", {Kind::superellipse});
-  add("fit_quartic", {Kind::quartic});
   add("fit_hertz", ContactModel::of(hertz()));
   add("fit_hertz_cauchy", ContactModel::of(hertz()), robust);
   add("fit_hertz_gamma", ContactModel::of(hertz()), growing);

@@ -180,8 +180,6 @@ void register_all() {
   }
   register_model("box", box(1.0, 0.589));
   register_model("ellipse", Ellipse::through_intercepts(0.589));
-  register_model("superellipse", Superellipse(1.0, 0.589, 1.725));
-  register_model("quartic", Quartic(1.0, 0.589, 3.142));
 }
 
 }  // namespace

@@ -362,8 +362,8 @@ LIMITCURVE_API limitcurve_status limitcurve_patch_load_to_hold(const limitcurve_
 typedef struct limitcurve_fit limitcurve_fit;
 
 /* Fits a friction model to `count` measured slips: loads [N], forces [N], moments [N m], and their standard deviations (both arrays, or
- * both NULL). Models: "ellipse", "superellipse", "quartic", "ratio", "law". `law` may be NULL: then "ratio" uses hertz, and "law" finds
- * the best. The contact radius is proportional to P^gamma, gamma in [-0.5, 1]. */
+ * both NULL). Models: "ellipse", "ratio", "law". `law` may be NULL: then "ratio" uses hertz, and "law" finds the best. The contact
+ * radius is proportional to P^gamma, gamma in [-0.5, 1]. */
 LIMITCURVE_API limitcurve_status limitcurve_fit_slips(const char* model, const double* loads, const double* forces, const double* moments,
                                                       const double* sigma_forces, const double* sigma_moments, size_t count,
                                                       const limitcurve_law* law, double gamma, limitcurve_fit** fit);

@@ -10,7 +10,6 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <array>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
@@ -160,28 +159,6 @@ std::string missing_options(const std::vector<Entry>& entries) {
   return names.empty() ? names : names + (count == 1 ? " is required" : " are required");
 }
 
-/// Options of 0.1 and their names since. 0.3 takes the new ones only.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 6> renamed{{{"--boundary", "--curve"},
-                                                                                {"--jump-limit", "--max-displacement"},
-                                                                                {"--hold-share", "--fault-decay"},
-                                                                                {"--moment-coefficient", "--mu-r"},
-                                                                                {"--moment-coefficient-dynamic", "--mu-r-dynamic"},
-                                                                                {"--moment-exponent", "--gamma"}}};
-
-/// Gives old options their new names, where the subcommand has them. Returns a line for each.
-std::vector<std::string> rename_options(std::vector<std::string>& arguments, const CLI::App& subcommand) {
-  std::vector<std::string> lines;
-  for (std::string& argument : arguments) {
-    const std::string name = argument.substr(0, argument.find('='));
-    for (const auto& [before, now] : renamed) {
-      if (name != before || subcommand.get_option_no_throw(std::string(now)) == nullptr) continue;
-      argument.replace(0, name.size(), now);
-      lines.push_back("limitcurve: " + name + " is now " + std::string(now) + "; the old name works until 0.3");
-    }
-  }
-  return lines;
-}
-
 }  // namespace
 
 void Options::value(const std::string& name, const std::string& kind, std::function<void(const std::string&)> take, const std::string& help,
@@ -221,10 +198,6 @@ void run_command_line(std::vector<std::string> arguments, Results results) {
   if (arguments.empty()) throw NoSubcommand(app.help());
   const std::string name = arguments[0];
   if (name != "-h" && name != "--help" && name != "--version" && name != "-V") check_subcommand(name, entries);
-  std::vector<std::string> old_names;
-  for (const Entry& entry : entries) {
-    if (entry.app->get_name() == name) old_names = rename_options(arguments, *entry.app);
-  }
   try {
     app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
   } catch (const CLI::CallForHelp&) {
@@ -250,7 +223,6 @@ void run_command_line(std::vector<std::string> arguments, Results results) {
     if (results.messages == nullptr) results.messages = &own;
     if (entry.quiet) results.messages->silence();
     results.messages->start(entry.app->get_name());
-    for (const std::string& line : old_names) results.messages->say(line);
     entry.subcommand->run(results);
   }
 }

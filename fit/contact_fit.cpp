@@ -187,22 +187,19 @@ ContactFit internal::fit_prepared(const ContactPreparation& preparation, const C
         {-radius, radius, -radius * curve->moment_ratio_slope() / curve->moment_ratio(), -radius * log_reference});
     if (layout.shape) reported.bends.back() = -0.5 * internal::log_moment_ratio_curvature(*curve, shape);
   }
-  const bool logarithmic = curve->is_logarithmic();
   if (layout.shape) {
     const double slope = curve->parameter_slope(shape);
-    add(curve->shape_name(), curve->parameter(shape), "1", logarithmic ? slope : 0.0, {0.0, 0.0, slope, 0.0});
+    add(curve->shape_name(), curve->parameter(shape), "1", slope, {0.0, 0.0, slope, 0.0});
   }
   if (layout.gamma) add("gamma", gamma, "1", 0.0, {0.0, 0.0, 0.0, 1.0});
   internal::set_estimates(fit.report, reported.quantities, reported.jacobian, covariance);
   if (!at_bound && !hidden) {
     internal::FittedContact fitted{residuals, solution, parameters, loss, variance};
-    if (logarithmic) fit.report.estimates[4].std_error = internal::mean_shape_error(fitted, covariance, *curve);
+    if (layout.shape) fit.report.estimates[4].std_error = internal::mean_shape_error(fitted, covariance, *curve);
     // As for the drift: use the estimated noise.
     if (preparation.with_sigma && !robust) fitted.variance = std::min(scatter, 1.0);
     internal::Stray stray = internal::stray_of(fitted);
-    if (layout.shape) {
-      stray = internal::expected_stray(fitted, stray, logarithmic);
-    }
+    if (layout.shape) stray = internal::expected_stray(fitted, stray);
     internal::unbias(fit.report, reported, stray, layout.gamma ? layout.gamma_place() : free);
     curve->bend(layout.shape ? shape - stray.bias[2] : 0.0);
   }
@@ -230,10 +227,6 @@ std::string ContactModel::name() const {
   switch (kind) {
     case Kind::ellipse:
       return "ellipse";
-    case Kind::superellipse:
-      return "superellipse";
-    case Kind::quartic:
-      return "quartic";
     case Kind::power:
       return "power";
     case Kind::xydas_kao:

@@ -15,18 +15,16 @@ namespace limitcurve::fit {
 /// load) and μ_r (largest moment divided by load).
 struct ContactModel {
   enum class Kind {
-    ellipse,       ///< (F/μP)² + (M/μ_rP)² = 1
-    superellipse,  ///< exponent free, 1.05 to 20
-    quartic,       ///< κ free, 0 to 6
-    law,           ///< the exact curve of one pressure law: implies a contact radius a = μ_r/(μ m₀)
-    power,         ///< exact, p ∝ (1−ρ²)ⁿ, n free, −0.75 to 6
-    xydas_kao,     ///< exact, p ∝ (1−ρᵏ)^{1/k}, k free, 0.8 to 12
+    ellipse,    ///< (F/μP)² + (M/μ_rP)² = 1
+    law,        ///< the exact curve of one pressure law: implies a contact radius a = μ_r/(μ m₀)
+    power,      ///< exact, p ∝ (1−ρ²)ⁿ, n free, −0.75 to 6
+    xydas_kao,  ///< exact, p ∝ (1−ρᵏ)^{1/k}, k free, 0.8 to 12
   };
   Kind kind = Kind::ellipse;
   Law pressure_law = nullptr;  ///< for Kind::law
 
   static ContactModel of(Law law) { return {Kind::law, std::move(law)}; }
-  /// ellipse, superellipse, quartic, power, xydas-kao, or the law's own name.
+  /// ellipse, power, xydas-kao, or the law's own name.
   [[nodiscard]] std::string name() const;
 };
 
@@ -41,7 +39,7 @@ struct ContactFitOptions {
 
 /// A model fitted to samples. Estimates, in this order:
 ///   exact curves: mu [1], mu_r [m], ratio = mu_r/mu [m], radius [m], then n or k if free;
-///   approximations: force_max [1] (= F/P), moment_max [m] (= M/P), then exponent or kappa.
+///   ellipse: force_max [1] (= F/P), moment_max [m] (= M/P).
 /// With gamma ≠ 0 or fitted, moments are those at a load of 1 N, in m/N^γ, the radius has the name c, and gamma follows if free.
 struct ContactFit {
   /// For charts: a point of the fitted limit curve per newton of load, and the edges of the 95 % band along its normal (in the normalised

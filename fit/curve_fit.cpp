@@ -43,51 +43,6 @@ class EllipseResiduals final : public internal::ResidualModel {
   const std::vector<CurvePoint>& points_;
 };
 
-/// Superellipse: with S = xⁿ + yⁿ, γ = S^{1/n}, e = 1/γ − 1 and
-///   ∂e/∂n = (1/γ)[ln S/n² − (xⁿ ln x + yⁿ ln y)/(n S)].
-class SuperellipseResiduals final : public internal::ResidualModel {
- public:
-  explicit SuperellipseResiduals(const std::vector<CurvePoint>& points) : points_(points) {}
-  std::size_t count() const noexcept override { return points_.size(); }
-  bool evaluate(std::size_t i, std::span<const double> parameters, double& residual, double* gradient) const override {
-    const double n = parameters[0];
-    const double x = std::pow(points_[i].x, n);
-    const double y = std::pow(points_[i].y, n);
-    const double sum = x + y;
-    const double inverse = std::pow(sum, -1.0 / n);
-    residual = points_[i].weight * (inverse - 1.0);
-    if (gradient != nullptr) {
-      const auto entropy = [](double power, double base) { return base > 0.0 ? power * std::log(base) : 0.0; };
-      gradient[0] =
-          points_[i].weight * inverse * (std::log(sum) / (n * n) - (entropy(x, points_[i].x) + entropy(y, points_[i].y)) / (n * sum));
-    }
-    return true;
-  }
-
- private:
-  const std::vector<CurvePoint>& points_;
-};
-
-/// Quartic: γ⁴ = x⁴ + y⁴ + κx²y², e = 1/γ − 1 and ∂e/∂κ = −x²y²/(4γ⁵).
-class QuarticResiduals final : public internal::ResidualModel {
- public:
-  explicit QuarticResiduals(const std::vector<CurvePoint>& points) : points_(points) {}
-  std::size_t count() const noexcept override { return points_.size(); }
-  bool evaluate(std::size_t i, std::span<const double> parameters, double& residual, double* gradient) const override {
-    const double x = points_[i].x * points_[i].x;
-    const double y = points_[i].y * points_[i].y;
-    const double fourth = x * x + y * y + parameters[0] * x * y;
-    if (!(fourth > 0.0)) return false;
-    const double inverse = 1.0 / std::sqrt(std::sqrt(fourth));
-    residual = points_[i].weight * (inverse - 1.0);
-    if (gradient != nullptr) gradient[0] = -points_[i].weight * x * y * inverse / (4.0 * fourth);
-    return true;
-  }
-
- private:
-  const std::vector<CurvePoint>& points_;
-};
-
 std::vector<double> residuals_at(const internal::ResidualModel& model, std::span<const double> parameters) {
   std::vector<double> residuals(model.count());
   for (std::size_t i = 0; i < residuals.size(); ++i) model.evaluate(i, parameters, residuals[i], nullptr);
@@ -117,31 +72,6 @@ std::string note_of(const Law& law, Criterion criterion) {
   return std::string(to_string(criterion)) + " to the exact curve of " + law->name();
 }
 
-/// A shape through the intercepts with one parameter `name`, by least squares or minimax.
-template <class Curve, class MakeCurve, class Minimax>
-CurveFit<Curve> fit_shape(const Law& law, Criterion criterion, const internal::ResidualModel& model, const internal::Parameter& shape,
-                          MakeCurve make, Minimax minimax) {
-  const ExactCurve exact(law);
-  double value = 0.0;
-  FitReport report;
-  if (criterion == Criterion::least_squares) {
-    const std::array<internal::Parameter, 1> parameters{shape};
-    const internal::Solution solution = internal::minimise(model, parameters);
-    value = solution.values[0];
-    internal::describe(report, solution);
-  } else if (criterion == Criterion::minimax) {
-    value = minimax(exact);
-    report = direct_report(model, std::array{value}, "minimax: extremes of the error of equal size");
-  } else {
-    throw std::invalid_argument(std::string("criterion '") + to_string(criterion) +
-                                "' is not one this shape has: expected least-squares or minimax");
-  }
-  const Curve curve = make(exact.moment_ratio(), value);
-  set_estimates(report, {{"force_max", 1.0, "1"}, {"moment_max", exact.moment_ratio(), "1"}, {shape.name, value, "1"}});
-  report.note = note_of(law, criterion);
-  return {curve, curve_error(curve, exact), std::move(report)};
-}
-
 }  // namespace
 
 const char* to_string(Criterion criterion) noexcept {
@@ -154,13 +84,11 @@ const char* to_string(Criterion criterion) noexcept {
       return "minimax";
     case Criterion::inner:
       return "inner";
-    case Criterion::outer:
-      return "outer";
   }
   return "";
 }
 
-CurveFit<Ellipse> fit_ellipse(const Law& law, Criterion criterion, std::size_t points) {
+CurveFit fit_ellipse(const Law& law, Criterion criterion, std::size_t points) {
   const std::vector<CurvePoint> curve = internal::curve_points(*law, points);
   const EllipseResiduals model(curve);
   const ExactCurve exact(law);
@@ -179,21 +107,17 @@ CurveFit<Ellipse> fit_ellipse(const Law& law, Criterion criterion, std::size_t p
       break;
     }
     case Criterion::minimax: {
-      // The error of the intercept ellipse is 0 at both ends and e₀ > 0 at its one maximum between. Scaled by 1 − E it is −E, +E, −E:
-      // equal in size and alternating three times for two parameters, hence minimax, if (1−E)(1+e₀) = 1 + E.
-      const double largest = curve_error(ellipse, exact).max_over_estimate;
-      const double shrink = 1.0 - largest / (2.0 + largest);
-      ellipse = Ellipse(shrink, shrink * moment_ratio);
+      // The same shape as inside: the ratio of its largest to its smallest radius, in units of the
+      // curve's, is the least. Scaled so that both errors are equal.
+      ellipse = inner_ellipse(exact);
+      const double scale = 2.0 / (2.0 - curve_error(ellipse, exact).max_under_estimate);
+      ellipse = Ellipse(scale * ellipse.force_max(), scale * ellipse.moment_max());
       message = "minimax: extremes of the error of equal size";
       break;
     }
     case Criterion::inner:
       ellipse = inner_ellipse(exact);
-      message = "largest area inside the curve";
-      break;
-    case Criterion::outer:
-      ellipse = outer_ellipse(exact);
-      message = "smallest area around the curve";
+      message = "inside the curve, with the least largest error";
       break;
   }
   if (criterion != Criterion::least_squares) {
@@ -202,19 +126,6 @@ CurveFit<Ellipse> fit_ellipse(const Law& law, Criterion criterion, std::size_t p
   set_estimates(report, {{"force_max", ellipse.force_max(), "1"}, {"moment_max", ellipse.moment_max(), "1"}});
   report.note = note_of(law, criterion);
   return {ellipse, curve_error(ellipse, exact), std::move(report)};
-}
-
-CurveFit<Superellipse> fit_superellipse(const Law& law, Criterion criterion, std::size_t points) {
-  const std::vector<CurvePoint> curve = internal::curve_points(*law, points);
-  return fit_shape<Superellipse>(law, criterion, SuperellipseResiduals(curve), {"exponent", 1.8, 1.01, 100.0},
-                                 Superellipse::through_intercepts,
-                                 [](const ExactCurve& exact) { return minimax_superellipse(exact).exponent(); });
-}
-
-CurveFit<Quartic> fit_quartic(const Law& law, Criterion criterion, std::size_t points) {
-  const std::vector<CurvePoint> curve = internal::curve_points(*law, points);
-  return fit_shape<Quartic>(law, criterion, QuarticResiduals(curve), {"kappa", 3.0, 0.0, 6.0}, Quartic::through_intercepts,
-                            [](const ExactCurve& exact) { return minimax_quartic(exact).kappa(); });
 }
 
 }  // namespace limitcurve::fit

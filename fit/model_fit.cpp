@@ -27,18 +27,12 @@ std::string radii(const Estimate& ratio) {
   return text;
 }
 
-template <class Fit>
-ModelFit curve_fit(std::string_view model, const Fit& fit) {
-  return {std::string(model), fit.report, fit.error};
-}
-
 }  // namespace
 
 ModelFit fit_model(std::string_view model, const Law& law, Criterion criterion) {
-  if (model == "ellipse") return curve_fit(model, fit_ellipse(law, criterion));
-  if (model == "superellipse") return curve_fit(model, fit_superellipse(law, criterion));
-  if (model == "quartic") return curve_fit(model, fit_quartic(law, criterion));
-  throw unknown(model, "ellipse, superellipse or quartic for the curve of a law");
+  if (model != "ellipse") throw unknown(model, "ellipse for the curve of a law");
+  const CurveFit fit = fit_ellipse(law, criterion);
+  return {std::string(model), fit.report, fit.error};
 }
 
 ModelFit fit_model(std::string_view model, std::span<const Sample> samples, const Law& law, const ContactFitOptions& options) {
@@ -47,8 +41,6 @@ ModelFit fit_model(std::string_view model, std::span<const Sample> samples, cons
     return ModelFit{std::move(fit.model), std::move(fit.report), std::nullopt, std::move(fit.residuals)};
   };
   if (model == "ellipse") return done(fit_contact(samples, {Kind::ellipse}, options));
-  if (model == "superellipse") return done(fit_contact(samples, {Kind::superellipse}, options));
-  if (model == "quartic") return done(fit_contact(samples, {Kind::quartic}, options));
   if (model == "law") {
     if (law) return done(fit_contact(samples, ContactModel::of(law), options));
     return done(std::move(select_law(samples, options).candidates.front()));
@@ -58,7 +50,7 @@ ModelFit fit_model(std::string_view model, std::span<const Sample> samples, cons
     if (options.gamma == 0.0 && !options.fit_gamma) fit.report.warnings.push_back(radii(fit.report.at("ratio")));
     return fit;
   }
-  throw unknown(model, "ellipse, superellipse, quartic, ratio or law for samples of load, force and moment");
+  throw unknown(model, "ellipse, ratio or law for samples of load, force and moment");
 }
 
 ModelFit fit_model(std::string_view model, std::span<const RatioSample> samples, const Law& law) {

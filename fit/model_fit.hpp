@@ -23,13 +23,13 @@ struct ModelFit {
   std::vector<double> residuals = {};
 };
 
-/// Fits `ellipse`, `superellipse` or `quartic` to the exact curve of a law, in unit wrenches.
+/// Fits `ellipse` to the exact curve of a law, in unit wrenches.
 /// All four throw std::invalid_argument that lists the models for an unknown name.
 ModelFit fit_model(std::string_view model, const Law& law, Criterion criterion = Criterion::least_squares);
 
-/// Fits `ellipse`, `superellipse`, `quartic`, `ratio` or `law` to samples. `ratio` reports mu, mu_r, ratio, radius under the law (default
-/// Hertz), with a warning that lists the radius under each other common law; `law` does the same for the given law, or finds the law that
-/// explains the samples best.
+/// Fits `ellipse`, `ratio` or `law` to samples. `ratio` reports mu, mu_r, ratio, radius under the
+/// law (default Hertz), with a warning that lists the radius under each other common law; `law`
+/// does the same for the given law, or finds the law that explains the samples best.
 ModelFit fit_model(std::string_view model, std::span<const Sample> samples, const Law& law = nullptr,
                    const ContactFitOptions& options = {});
 

@@ -109,7 +109,6 @@ class CylinderSurface {
 class BoxSurface {
  public:
   explicit BoxSurface(const Eigen::Vector3d& half_edges);  ///< [m], each > 0; throws std::invalid_argument
-  [[nodiscard]] const Eigen::Vector3d& half_edges() const noexcept { return half_edges_; }
   [[nodiscard]] Contact contact(const Eigen::Vector3d& finger, const ContactMemory& memory) const noexcept;
 
  private:

@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <span>
 
-/// Limit curves with few parameters: ellipse, superellipse, quartic, box and diamond. `validate.hpp` computes their errors.
+/// Limit curves with few parameters: ellipse, box and diamond. Their errors: `validate.hpp`.
 namespace limitcurve {
 
 /// Throws std::invalid_argument, with the name and value, unless both intercepts of a limit curve [unit wrenches] are within 1e-100 …
@@ -60,103 +60,6 @@ class Ellipse {
 };
 
 static_assert(LimitCurve<Ellipse>);
-
-/// The superellipse (f/A)ⁿ + (m/B)ⁿ = 1, n > 1: n = 2 is the ellipse, n → 1 the diamond, n → ∞ the box. With an exponent fitted to a law
-/// (minimax_superellipse in validate.hpp) its error is about 0.9 %.
-/// The error of its COR has no bound towards both ends, unless n = 2: there the normal turns like xⁿ⁻¹, not like x.
-///
-/// Models LimitCurve; two powers a call, no trigonometry. Relative rounding error of both components ≤ 4 ε(1 + 1/(n−1)) for every twist,
-/// the ends included. It grows as n → 1, because on a flat side a small change of the twist moves the point far.
-class Superellipse {
- public:
-  /// Intercepts in unit wrenches, 1e-100 … 1e100, and the exponent, > 1 and finite; throws std::invalid_argument otherwise.
-  Superellipse(double force_max, double moment_max, double exponent);
-
-  /// Through (1, 0) and (0, m₀).
-  static Superellipse through_intercepts(double moment_ratio, double exponent) { return {1.0, moment_ratio, exponent}; }
-
-  [[nodiscard]] double force_max() const noexcept { return force_max_; }
-  [[nodiscard]] double moment_max() const noexcept { return moment_max_; }
-  [[nodiscard]] double exponent() const noexcept { return exponent_; }
-  [[nodiscard]] double moment_ratio() const noexcept { return moment_max_ / force_max_; }
-
-  /// Support point. In the normalised plane x = f/A, y = m/B the normal is (p, q) = (Av, Bw) ∝ (xⁿ⁻¹, yⁿ⁻¹); hence the
-  /// smaller of x, y is (smaller of p, q / larger)^{1/(n−1)} times the larger, which is (1 + ratioⁿ)^{−1/n}.
-  [[nodiscard]] UnitWrench wrench(SlipTwist twist) const noexcept;
-
-  /// For n > 2 the slope is infinite at the ends; the result there is the slope at u = 1e-80, large but finite.
-  [[nodiscard]] SlopedPoint point(SlipTwist twist) const noexcept;
-
-  [[nodiscard]] RadialPoint along(UnitWrench direction) const noexcept;
-
-  [[nodiscard]] double gauge(UnitWrench wrench) const noexcept;
-
- private:
-  /// Keeps u⁻¹ finite at the ends.
-  static constexpr double end_distance = 1e-80;
-
-  /// (1 + ratioⁿ)^{1/n}: length of (1, ratio).
-  [[nodiscard]] double unit_length(double ratio) const noexcept { return std::pow(1.0 + std::pow(ratio, exponent_), 1.0 / exponent_); }
-
-  double force_max_;
-  double moment_max_;
-  double exponent_;
-  double inverse_;  // 1/(n−1)
-};
-
-static_assert(LimitCurve<Superellipse>);
-
-/// The quartic x⁴ + y⁴ + κx²y² = 1 with x = f/A, y = m/B. It is convex for 0 ≤ κ ≤ 6: κ = 2 is the ellipse, κ = 6 is nearly a diamond (flat
-/// on the diagonal), κ = 0 nearly a box (flat at the ends). Fitted to a law (minimax_quartic in validate.hpp) its error is about 0.65 %,
-/// and its COR has a bounded error at both ends, unlike the superellipse's.
-///
-/// Models LimitCurve; at most three square roots and a cube root a call, no trigonometry, no iteration. Relative rounding error of both
-/// components ≤ 16 ε for κ away from 0 and 6. On a flat side (κ = 6 at the diagonal) the position along the side is sensitive to the twist;
-/// the distance along the normal is not.
-class Quartic {
- public:
-  /// Intercepts in unit wrenches, 1e-100 … 1e100, and κ ∈ [0, 6]; throws std::invalid_argument otherwise.
-  Quartic(double force_max, double moment_max, double kappa);
-
-  /// Through (1, 0) and (0, m₀).
-  static Quartic through_intercepts(double moment_ratio, double kappa) { return {1.0, moment_ratio, kappa}; }
-
-  [[nodiscard]] double force_max() const noexcept { return force_max_; }
-  [[nodiscard]] double moment_max() const noexcept { return moment_max_; }
-  [[nodiscard]] double kappa() const noexcept { return kappa_; }
-  [[nodiscard]] double moment_ratio() const noexcept { return moment_max_ / force_max_; }
-
-  /// Support point: with t the smaller of (Av, Bw) over the larger, r = smaller of (x, y) over the larger solves
-  /// t = r(2r² + κ)/(2 + κr²), and the larger is (1 + κr² + r⁴)^{−1/4}.
-  [[nodiscard]] UnitWrench wrench(SlipTwist twist) const noexcept;
-
-  /// On a flat side (κ = 0 at the ends, κ = 6 at the diagonal) the slope is infinite; the result there is large but finite.
-  [[nodiscard]] SlopedPoint point(SlipTwist twist) const noexcept;
-
-  [[nodiscard]] RadialPoint along(UnitWrench direction) const noexcept;
-
-  [[nodiscard]] double gauge(UnitWrench wrench) const noexcept;
-
- private:
-  /// Lower bound of dt/dr, a divisor: its size one rounding away from a flat point.
-  static constexpr double flattest = 1e-32;
-
-  /// (1 + κr² + r⁴)^{1/4}: length of (1, r).
-  [[nodiscard]] double unit_length(double ratio) const noexcept {
-    const double square = ratio * ratio;
-    return std::sqrt(std::sqrt(1.0 + square * (kappa_ + square)));
-  }
-
-  /// r ∈ [0, 1] with 2r³ − κt r² + κr − 2t = 0 for t ∈ [0, 1]. With r = κt/6 + z: z³ + Pz = Q, P ≥ 0, whose one real root
-  /// is Cardano's U − V; as Q/(U² + UV + V²) it does not cancel. Relative error ≤ 12 ε.
-  [[nodiscard]] double ratio_of(double t) const noexcept;
-
-  double force_max_;
-  double moment_max_;
-  double kappa_;
-};
-
-static_assert(LimitCurve<Quartic>);
 
 /// Throws std::invalid_argument, with the vertex, unless the vertices make a `Polygon`.
 void check_vertices(std::span<const UnitWrench> vertices);

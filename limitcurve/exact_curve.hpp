@@ -16,7 +16,7 @@ namespace limitcurve {
 /// Cost: that of `forces`, nanoseconds for a closed form, microseconds by quadrature. In a control loop use a table.
 class ExactCurve {
  public:
-  /// Throws std::invalid_argument if there is no law.
+  /// Throws std::invalid_argument for a law that `checked` refuses.
   explicit ExactCurve(Law law) : law_(checked(std::move(law))), moment_ratio_(law_->moment_ratio()) {}
 
   [[nodiscard]] const PressureLaw& law() const noexcept { return *law_; }

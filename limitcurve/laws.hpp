@@ -3,7 +3,6 @@
 
 #include "pressure_law.hpp"
 
-#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -53,21 +52,6 @@ struct PressureSample {
 /// before or nearer to it than 1e-9 of the last radius (equal is allowed), and a profile without pressure. `source` names the data in
 /// `name()`.
 Law samples(std::span<const PressureSample> rows, std::string_view source);
-
-/// A pressure given by a function of the radius, on 0 ≤ ρ ≤ breaks.back(); finite and ≥ 0, in any unit. The radius is scaled to a, the
-/// pressure to load 1. Evaluated by ring.
-///  - `breaks`: increasing radii from 0 to the rim, between which `pressure` is smooth. The constructor also searches for kinks, jumps,
-///    rings and grooves that `breaks` leaves out (smooth_pieces.hpp). It finds those at least `narrowest_feature` wide; a listed break
-///    costs less.
-///  - `narrowest_feature`: a fraction of breaks.back(), in [1e-6, 1].
-///  - `name`: what `name()` returns. parse_law does not accept it.
-/// If a pressure is too rough to be resolved, `evaluate` states a larger error. `pressure` is called from const member functions, so it
-/// must be safe to call from several threads. Cost: 25 to 150 evaluations of `pressure` divided by narrowest_feature, and 1e5 for each kink
-/// or jump. Throws std::invalid_argument for an empty `pressure`, `breaks` that do not increase from 0, a pressure that is not finite at a
-/// break, one that is negative anywhere it is tried, one without load, and a `narrowest_feature` out of its range. Lets exceptions of
-/// `pressure` through; if it throws later, the wrench is NaN.
-Law from_pressure(std::string name, std::function<double(double)> pressure, std::span<const double> breaks,
-                  double narrowest_feature = 1e-4);
 
 /// The law with the name `text`: `hertz uniform parabolic flat-punch cone power:n=2.3 xydas-kao:k=3 gaussian:sigma=0.4
 /// mix:0.7*hertz+0.3*uniform`. Throws `std::invalid_argument`, which quotes the text and says what was expected.

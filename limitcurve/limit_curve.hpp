@@ -9,7 +9,7 @@
 namespace limitcurve {
 
 /// A limit curve: a convex curve in the quadrant f, m ≥ 0, from (f_max, 0) to (0, m_max), in unit wrenches. Models: ExactCurve, Table,
-/// Ellipse, Superellipse, Quartic, Polygon (box, diamond). Errors, gauges and load curves are templates over this concept.
+/// Ellipse, Polygon (box, diamond). Errors and load curves are templates over this concept.
 ///
 /// Requirements; tests/limitcurve/curve_suite.cpp has a test for each, and runs it for every curve:
 ///  - `wrench(t)`: the curve point whose outward normal is the slip twist t; on a flat face any point of the face. Signs of t do not count;

@@ -52,7 +52,7 @@ Law parse_law(std::string_view text);
 // 2. Validate.
 
 // ExactCurve(law)                                the exact curve, the reference for approximations
-// Ellipse, Superellipse, Quartic, box, diamond   approximations: approximations.hpp
+// Ellipse, box, diamond                          approximations: approximations.hpp
 // curve_error(model, exact)                      the error of an approximation: validate.hpp
 
 /// Compares the limit curves that can stand for `law`: all candidates, sorted by cost. `chosen` marks the cheapest one whose radial error,

@@ -124,8 +124,7 @@ class Patch {
   /// Measures from which round models of the patch are made. Zero if the patch has none: points have no area.
   struct RoundMeasures {
     double area = 0.0;                       ///< under pressure [m²]
-    double geometric = 0.0;                  ///< √(ab) [m], a and b the semi-axes of the ellipse of the same law and second moments
-    Law law;                                 ///< the law of that ellipse: the patch's own if it is an ellipse, else uniform
+    Law law;                                 ///< the patch's own if it is an ellipse, else uniform
     std::vector<PatchPoint> concentrations;  ///< where H may have a sharp minimum with the COR there: points, pixels [m]
   };
   [[nodiscard]] RoundMeasures round_measures() const;

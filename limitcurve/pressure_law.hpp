@@ -105,13 +105,23 @@ class PressureLaw {
   [[nodiscard]] double moment_ratio() const noexcept { return evaluate(0.0).wrench.moment; }
 };
 
-/// The law; throws std::invalid_argument if the pointer is null.
+/// The law; throws std::invalid_argument if the pointer is null, the breaks do not increase from
+/// 0, or the quadrature misses 1e-3 of the force or of the moment.
 Law checked(Law law);
 
 /// The method of that name; throws std::invalid_argument, which lists those that the law has, for one that it lacks or that is none.
 Method method_of(const PressureLaw& law, std::string_view name);
 
-/// Base of laws: implements both densities by the derived law's template `pressure<Real>(RadialPosition<Real>)`.
+/// Base of laws: implements both densities by the derived law's template
+/// `pressure<Real>(RadialPosition<Real>)`. With this and `name` a law is complete if
+///  - its load is 1, ∫ 2ρ g dρ = 1, to 1e-17;
+///  - `breaks` lists every kink, jump and singular ring: each radius where the pressure or one of
+///    its derivatives jumps;
+///  - the pressure grows towards the rim at most like rim^(−½), computed from `rim`, or has a
+///    `rim_exponent`. A ring of infinite pressure within the rim costs digits: about 1e-9.
+/// What a law does not keep of this `evaluate` adds to its error, and a table to its own: what the
+/// load lacks in the points of the quadrature. Never NaN; more than 1e-3 is refused (`checked`).
+/// Method::boost, a witness, does not look for it.
 template <class Derived>
 class PressureLawOf : public PressureLaw {
  public:

@@ -21,7 +21,6 @@ struct RoundModel {
 /// The round models of a patch and their errors against it:
 ///   disc:LAW              the law of `law_examples()` and the radius with the smallest largest error,
 ///   disc-equal-area:LAW   of the patch's area; the law is the ellipse's own, else uniform; left out where the patch has no area,
-///   disc-sqrt-ab:LAW      of radius √(ab), a and b the semi-axes of the ellipse of the same second moments; left out for points on a line,
 ///   ellipsoid             √(v² + m₀²ω²), m₀ = H(0, 0, 1); v is (mx v_x, my v_y) under orthotropic friction.
 /// `max_over_estimate` and `max_under_estimate` are the largest of H_model/H − 1 and 1 − H_model/H over all twists, right to 1e-6.
 /// `rms_error` is the root mean square of H_model/H − 1 over CORs in 128 directions, evenly, at 121 distances from 1e-3 m₀ to 1e3 m₀,

@@ -22,11 +22,13 @@ namespace limitcurve {
 
 namespace {
 
+/// Error of `forces`, relative to max(1, m₀).
+constexpr double quick_error = 1e-13;
+
 /// A law by its `forces`, in double: fast.
 table::Source quick_source(const Law& law, const std::string& name) {
   const double moment_ratio = law->moment_ratio();
-  const UnitForces<Extended> unknown = law->unrounded(1, Slope::unwanted).error;
-  const double error = 1e-13 * std::max(1.0, moment_ratio) + static_cast<double>(std::max(unknown.force, unknown.moment));
+  const double error = quick_error * std::max(1.0, moment_ratio);
   return {name,
           [=](bool outside, double x) -> table::Sample {
             if (x == 0.0) return {x, 0, outside ? 1 : moment_ratio, 0.0};
@@ -50,6 +52,16 @@ table::Source fine_source(const Law& law, const std::string& name) {
             return {x, forces.force, forces.moment, error};
           },
           {}};
+}
+
+/// The largest error of `unrounded` at some CORs: roundings, if the law keeps its promises.
+double own_error(const PressureLaw& law) {
+  Extended worst = 0;
+  for (const Extended s : {0.0L, 0.03L, 0.1L, 0.3L, 0.5L, 0.7L, 0.9L, 1.0L, 1.1L, 1.5L, 3.0L, 10.0L}) {
+    const UnitForces<Extended> error = law.unrounded(s, Slope::unwanted).error;
+    worst = std::max({worst, error.force, error.moment});
+  }
+  return static_cast<double>(worst);
 }
 
 /// Adds the radii at which the law's pressure is not smooth, between centre and rim, and its profile error.
@@ -92,8 +104,11 @@ BasicTable<Real> BasicTable<Real>::build(const Law& law, double tolerance, Table
   if (options.name.empty()) options.name = law->name();
   const table::Source quick = with_profile(quick_source(law, options.name), *law);
   const table::Source fine = with_profile(fine_source(law, options.name), *law);
+  const double scale = std::max(1.0, law->moment_ratio());
+  const double known_error = own_error(*law);
   return built<Real>(options.name, tolerance, [&](double wanted) -> std::optional<BasicTable> {
-    if (wanted >= quick_tolerance) {
+    if (wanted * scale <= known_error) return std::nullopt;
+    if (wanted >= quick_tolerance && known_error <= quick_error * scale) {
       if (auto table = table::build<Real>(quick, wanted, options.bytes)) return table;
     }
     return table::build<Real>(fine, wanted, options.bytes);

@@ -69,7 +69,7 @@ class BasicTable {
 
   /// The table of `law` with |error| ≤ tolerance·max(1, m₀) in f and in m at every twist. Cost: milliseconds for a closed form, up to
   /// seconds by quadrature.
-  /// Throws std::invalid_argument if there is no law or the tolerance is out of range. Throws std::runtime_error if the tolerance needs more than most_bytes
+  /// Throws std::invalid_argument for a law that `checked` refuses and a tolerance out of range. Throws std::runtime_error if the tolerance needs more than most_bytes
   /// or is finer than the law's own error; the message names the law and the finest possible tolerance.
   static BasicTable build(const Law& law, double tolerance, TableOptions options = {});
 

@@ -35,8 +35,8 @@ std::string to_json(const Table& table);
 std::string to_header(const Table& table, std::string_view name = {});
 
 /// Reads a table that `to_csv` wrote. `source` is its name in messages. Throws std::invalid_argument: `source:line:column: …` for a text
-/// that is truncated, out of order or not a table; `source: …` for a wrong checksum and for cells that make no table. For a table of format
-/// 1 the message has the command that makes the table again.
+/// that is truncated, out of order or not a table; `source: …` for a wrong checksum and for cells
+/// that make no table.
 Table read_table_csv(std::string_view text, std::string_view source);
 
 /// The contents of a table file of format 2, CSV or JSON.
@@ -52,7 +52,7 @@ struct TableContents {
   int octaves = 0;
   /// Largest error of force and moment under linear interpolation in x between rows, rounded up to two digits.
   double linear_error = 0.0;
-  /// As in TableFacts. A file without it has 0.
+  /// As in TableFacts.
   double profile_error = 0.0;
   /// Rows in the order of the curve, from pure spin to pure sliding: x grows inside the rim and falls outside. Each side has a row at the
   /// rim, x = 1, which is not a cell: c₀ = D and c₁ = D′ there, the other coefficients are 0.
@@ -63,8 +63,5 @@ struct TableContents {
 /// The table with these contents. Throws std::invalid_argument, whose message begins with `source`, if their checksum is not
 /// `expected_checksum` or they are not a limit curve.
 Table table_of(const TableContents& contents, std::string_view expected_checksum, std::string_view source);
-
-/// The exception for a table of format 1. `law` and `tolerance` are those of the file, empty if it has none.
-std::invalid_argument format_1_complaint(std::string_view source, std::string_view law, std::string_view tolerance);
 
 }  // namespace limitcurve

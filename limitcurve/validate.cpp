@@ -2,7 +2,6 @@
 #include "limitcurve/validate.hpp"
 
 #include <boost/math/tools/minima.hpp>
-#include <boost/math/tools/toms748_solve.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -139,115 +138,36 @@ CurveError curve_error(const CompareRay& compare, UnitWrench intercepts, double 
   return error;
 }
 
-double equal_ripple(const WrenchOfTwist& exact, UnitWrench intercepts, const GaugeOfParameter& gauge, double low, double high) {
-  std::vector<UnitWrench> wrenches(intervals + 1);
-  for (std::size_t i = 0; i <= intervals; ++i) wrenches[i] = exact(twist_at(part_of(i), intercepts));
-  // Over-estimate minus under-estimate is monotone in the parameter, because the gauge is.
-  const auto imbalance = [&](double parameter) {
-    std::vector<double> inside(intervals + 1);
-    std::vector<double> outside(intervals + 1);
-    for (std::size_t i = 0; i <= intervals; ++i) {
-      outside[i] = gauge(wrenches[i], parameter);
-      inside[i] = 1.0 / outside[i];
-    }
-    const auto gauge_at = [&](double part) { return gauge(exact(twist_at(part, intercepts)), parameter); };
-    const double over = refined_maximum(inside, [&](double part) { return 1.0 / gauge_at(part); }) - 1.0;
-    const double under = 1.0 - 1.0 / refined_maximum(outside, gauge_at);
-    return over - under;
-  };
-  const double at_low = imbalance(low);
-  const double at_high = imbalance(high);
-  if (at_low == 0.0 || at_high == 0.0 || std::signbit(at_low) == std::signbit(at_high)) {
-    return std::fabs(at_low) <= std::fabs(at_high) ? low : high;
-  }
-  constexpr int bits = 40;
-  std::uintmax_t steps = 100;
-  const auto [left, right] =
-      boost::math::tools::toms748_solve(imbalance, low, high, at_low, at_high, boost::math::tools::eps_tolerance<double>(bits), steps);
-  return 0.5 * (left + right);
-}
-
-namespace {
-
-/// A condition on an ellipse's squared semi-axes, or on their inverses: α·first + β·second ≤ bound.
-struct Condition {
-  double first;
-  double second;
-  double bound;
-};
-
-/// The α, β > 0 with the largest product that satisfy `condition_at(part)` for every part ∈ [0, 1]. With β(α) the largest β for a given α,
-/// ln α + ln β(α) is concave.
-template <class ConditionAt>
-std::pair<double, double> largest_product(const ConditionAt& condition_at) {
-  // At the ends a coefficient is 0 and the quotient below is 0/0: keep this distance.
-  constexpr double innermost = 1e-6;
-  std::vector<Condition> conditions(intervals + 1);
-  for (std::size_t i = 0; i <= intervals; ++i) conditions[i] = condition_at(part_of(i));
-  double largest = inf;
-  for (const Condition& condition : conditions) {
-    if (condition.first > 0.0) largest = std::min(largest, condition.bound / condition.first);
-  }
-  const auto second_of = [&](double first) {
-    const auto inverse = [&](const Condition& condition) {
-      return condition.second > 0.0 ? condition.second / std::max(condition.bound - first * condition.first, 0.0) : 0.0;
-    };
-    std::vector<double> on_grid(intervals + 1);
-    std::transform(conditions.begin(), conditions.end(), on_grid.begin(), inverse);
-    // An infinite inverse gives β = 0, the correct limit; 0/0 is excluded by `innermost`.
-    return 1.0 / refined_maximum(on_grid, [&](double part) { return inverse(condition_at(std::clamp(part, innermost, 1.0 - innermost))); });
-  };
-  const auto loss = [&](double first) { return -first * second_of(first); };
-  constexpr int bits = 40;
-  std::uintmax_t steps = 100;
-  const auto [first, value] = boost::math::tools::brent_find_minima(loss, 0.0, largest, bits, steps);
-  // The largest α is often the answer, but a search inside the interval only approaches it.
-  const double best = loss(largest) <= value ? largest : first;
-  return {best, second_of(best)};
-}
-
-/// Ratio of lengths by which the condition is violated: > 1 if it is.
-double excess(const Condition& condition, const std::pair<double, double>& squares) {
-  return std::sqrt((squares.first * condition.first + squares.second * condition.second) / condition.bound);
-}
-
-/// The largest excess of the ellipse; 1 if it is only rounding.
-template <class ConditionAt>
-double largest_excess(const ConditionAt& condition_at, const std::pair<double, double>& squares) {
-  std::vector<double> on_grid(intervals + 1);
-  for (std::size_t i = 0; i <= intervals; ++i) on_grid[i] = excess(condition_at(part_of(i)), squares);
-  const double largest = refined_maximum(on_grid, [&](double part) { return excess(condition_at(part), squares); });
-  return largest > 1.0 + 4.0 * std::numeric_limits<double>::epsilon() ? largest : 1.0;
-}
-
-}  // namespace
-
 Ellipse inner_ellipse(const WrenchOfTwist& exact, UnitWrench intercepts) {
-  // An ellipse is inside if its support function is nowhere above the exact one: α p² + β q² ≤ (px + qy)² for every normal (p, q).
-  const auto condition_at = [&](double part) -> Condition {
-    const SlipTwist twist = twist_at(part, intercepts);
-    const UnitWrench wrench = exact(twist);
-    const double p = twist.slide * intercepts.force;
-    const double q = twist.spin * intercepts.moment;
-    const double support = twist.slide * wrench.force + twist.spin * wrench.moment;
-    return {p * p, q * q, support * support};
-  };
-  const auto squares = largest_product(condition_at);
-  const double scale = 1.0 / largest_excess(condition_at, squares);
-  return {intercepts.force * std::sqrt(squares.first) * scale, intercepts.moment * std::sqrt(squares.second) * scale};
-}
-
-Ellipse outer_ellipse(const WrenchOfTwist& exact, UnitWrench intercepts) {
-  // An ellipse is outside if α x² + β y² ≤ 1 at every exact point, α and β the inverse squares of the semi-axes.
-  const auto condition_at = [&](double part) -> Condition {
+  // With α, β the inverse squares of the semi-axes in the normalised plane, the square of exact
+  // radius/model radius is αx² + βy². The best ellipse has the least ratio of its largest to its
+  // smallest value, a quotient of a convex and a concave function of the shape: there is one
+  // minimum. Its size makes the smallest value 1.
+  const auto square_at = [&](double part, double spin_share) {
     const UnitWrench wrench = exact(twist_at(part, intercepts));
     const double x = wrench.force / intercepts.force;
     const double y = wrench.moment / intercepts.moment;
-    return {x * x, y * y, 1.0};
+    return (1.0 - spin_share) * x * x + spin_share * y * y;
   };
-  const auto squares = largest_product(condition_at);
-  const double scale = largest_excess(condition_at, squares);
-  return {intercepts.force / std::sqrt(squares.first) * scale, intercepts.moment / std::sqrt(squares.second) * scale};
+  std::vector<std::pair<double, double>> squares(intervals + 1);
+  for (std::size_t i = 0; i <= intervals; ++i) squares[i] = {square_at(part_of(i), 0.0), square_at(part_of(i), 1.0)};
+  const auto square_of = [](const std::pair<double, double>& xy, double spin_share) { return std::lerp(xy.first, xy.second, spin_share); };
+  const auto spread = [&](double spin_share) {
+    double least = inf;
+    double largest = 0.0;
+    for (const auto& xy : squares) {
+      const double square = square_of(xy, spin_share);
+      least = std::min(least, square);
+      largest = std::max(largest, square);
+    }
+    return largest / least;
+  };
+  constexpr int bits = 40;
+  const double spin_share = boost::math::tools::brent_find_minima(spread, 0.0, 1.0, bits).first;
+  std::vector<double> inverse(intervals + 1);
+  for (std::size_t i = 0; i <= intervals; ++i) inverse[i] = 1.0 / square_of(squares[i], spin_share);
+  const double size = 1.0 / refined_maximum(inverse, [&](double part) { return 1.0 / square_at(part, spin_share); });
+  return {intercepts.force * std::sqrt(size / (1.0 - spin_share)), intercepts.moment * std::sqrt(size / spin_share)};
 }
 
 }  // namespace limitcurve::detail

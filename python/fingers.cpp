@@ -237,17 +237,6 @@ void add_friction(nb::module_& module) {
       "(True, 0.5)\n");
 }
 
-/// The name since 0.2 of a keyword of 0.1, with a warning.
-std::string present_name(const std::string& name) {
-  static const std::map<std::string, std::string> renamed{
-      {"moment_coefficient", "mu_r"}, {"moment_coefficient_dynamic", "mu_r_dynamic"}, {"moment_exponent", "gamma"}};
-  const auto found = renamed.find(name);
-  if (found == renamed.end()) return name;
-  const std::string text = name + " is now " + found->second + "; the old name works until 0.3";
-  if (PyErr_WarnEx(PyExc_FutureWarning, text.c_str(), 1) != 0) throw nb::python_error();
-  return found->second;
-}
-
 }  // namespace
 
 void read_files(nb::kwargs& given) {
@@ -266,7 +255,7 @@ FingerParameters parameters_of(const nb::kwargs& given, double moment_ratio) {
   FingerParameters parameters;
   std::optional<cli::RadiusLawArgument> radius_law;
   for (const auto& [key, value] : given) {
-    const auto name = present_name(nb::cast<std::string>(key));
+    const auto name = nb::cast<std::string>(key);
     if (name == "radius_law") {
       RadiusRows rows;
       if (nb::try_cast(value, rows)) {

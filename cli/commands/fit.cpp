@@ -18,9 +18,8 @@ namespace limitcurve::cli {
 
 namespace {
 
-const std::vector<std::string> models{"ellipse", "superellipse", "quartic", "ratio", "law", "load", "friction"};
-constexpr std::size_t last_of_a_curve = 2;
-const std::vector<std::string> criteria{"intercepts", "least-squares", "minimax", "inner", "outer"};
+const std::vector<std::string> models{"ellipse", "ratio", "law", "load", "friction"};
+const std::vector<std::string> criteria{"intercepts", "least-squares", "minimax", "inner"};
 const std::vector<std::string> losses{"squared", "huber", "cauchy"};
 const std::vector<std::string> load_models{"linear", "hertz", "power", "best"};
 
@@ -28,8 +27,8 @@ class Fit final : public Subcommand {
  public:
   [[nodiscard]] Manual manual() const override {
     return {"fit", "Fits a friction model to measured slips, or an approximation to the exact curve",
-            "With --data, a CSV of slips: load,force,moment[,sigma_force,sigma_moment] [N, N, N m]. With --law and no data, ellipse,\n"
-            "superellipse and quartic are fitted to the exact unit curve.\n"
+            "With --data, a CSV of slips: load,force,moment[,sigma_force,sigma_moment] [N, N, N m]. With --law and no data, an\n"
+            "ellipse is fitted to the exact unit curve.\n"
             "ratio: mu, mu_r and the contact radius that they imply under --law (default hertz); or, from a CSV of published\n"
             "ratio,ratio_sd[,n] (mean and standard deviation [m] of n measurements) of several materials, their weighted mean and a\n"
             "test that one ratio explains them: chi_squared, degrees_of_freedom, p_value, the probability of more scatter. Without n\n"
@@ -47,7 +46,11 @@ class Fit final : public Subcommand {
   }
 
   void declare(Options& options) override {
-    options.choice("MODEL", model_, models, "What to fit", Presence::required);
+    options.choice("MODEL", model_, models, "What to fit", Presence::required, [](const std::string& text) {
+      if (text != "superellipse" && text != "quartic") return "";
+      return "; a curve of that shape would be of no use: 'limitcurve table --law LAW' has the exact curve, and 'fit ratio' and 'fit law' "
+             "find the parameters of measured slips";
+    });
     options.text("--data", data_, "FILE", "CSV of measurements, or - for standard input");
     options.file_columns(columns_, units_);
     options.law(law_, Presence::optional);
@@ -204,7 +207,7 @@ class Fit final : public Subcommand {
   }
 
   [[nodiscard]] fit::ModelFit curve_fit() const {
-    if (model_ > last_of_a_curve) throw std::invalid_argument("--data is required to fit '" + models[model_] + "'");
+    if (models[model_] != "ellipse") throw std::invalid_argument("--data is required to fit '" + models[model_] + "'");
     if (law_ == nullptr) throw std::invalid_argument("--data or --law is required, to fit to measurements or to the exact curve");
     return fit::fit_model(models[model_], law_, static_cast<fit::Criterion>(criterion_));
   }

@@ -25,18 +25,17 @@ namespace {
 class Validate final : public Subcommand {
  public:
   [[nodiscard]] Manual manual() const override {
-    return {"validate", "Errors of ellipse, superellipse, quartic and box against the exact curve",
+    return {"validate", "Errors of ellipse, box and diamond against the exact curve",
             "Errors are relative radii in the paper's normalised plane (0.07 is 7 %). An over-estimate holds where the real finger slips.\n"
             "max_cor_error is the largest |c_model/c_exact - 1|, inf if it is unbounded.\n"
-            "Models and their parameter: ellipse (through the intercepts), ellipse-least-squares, ellipse-inner (largest inside the\n"
-            "curve) and ellipse-outer (smallest outside): the force semi-axis in units of mu P; superellipse x^n + y^n = 1: n, and\n"
-            "quartic x^4 + y^4 + kappa x^2 y^2 = 1: kappa, both with the least largest error; box (uncoupled limits): inf, and diamond\n"
-            "(x + y = 1): 1, the exponents of these as superellipses.\n"
+            "Models and their parameter: ellipse (through the intercepts), ellipse-least-squares and ellipse-inner (inside the curve,\n"
+            "with the least largest error): the force semi-axis in units of mu P; box (uncoupled limits): inf, and diamond: 1, the\n"
+            "exponents n of x^n + y^n = 1.\n"
             "With --patch the contact is not round (see 'limitcurve patch') and law names the patch. Errors compare the model's power\n"
             "with the patch's, over all sliding twists; rms_error is over centres of rotation in 128 directions at 121\n"
             "distances, evenly and logarithmically from 1e-3 to 1e3 m0 (m0: moment of a pure spin over mu P). Models and their parameter:\n"
-            "disc:LAW, the law and radius with the least largest error, disc-equal-area:LAW, and disc-sqrt-ab:LAW, with sqrt(ab) of the\n"
-            "semi-axes of the ellipse of equal second moments: the radius [m]; ellipsoid sqrt(v^2 + m0^2 w^2): m0 [m].",
+            "disc:LAW, the law and radius with the least largest error, and disc-equal-area:LAW: the radius [m]; ellipsoid\n"
+            "sqrt(v^2 + m0^2 w^2): m0 [m].",
             "limitcurve validate --law hertz --law uniform"};
   }
 
@@ -69,11 +68,6 @@ class Validate final : public Subcommand {
       ellipse("ellipse-least-squares", fit::fit_ellipse(law, fit::Criterion::least_squares).curve);
 #endif
       ellipse("ellipse-inner", inner_ellipse(exact));
-      ellipse("ellipse-outer", outer_ellipse(exact));
-      const auto superellipse = Superellipse::through_intercepts(exact.moment_ratio(), minimax_superellipse(exact).exponent());
-      row("superellipse", superellipse.exponent(), curve_error(superellipse, exact));
-      const auto quartic = Quartic::through_intercepts(exact.moment_ratio(), minimax_quartic(exact).kappa());
-      row("quartic", quartic.kappa(), curve_error(quartic, exact));
       row("box", std::numeric_limits<double>::infinity(), curve_error(box(1.0, exact.moment_ratio()), exact));
       row("diamond", 1.0, curve_error(diamond(1.0, exact.moment_ratio()), exact));
     }

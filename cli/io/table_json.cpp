@@ -19,7 +19,6 @@ namespace {
 using nlohmann::json;
 
 constexpr const char* expected_format = "limitcurve table 2";
-constexpr const char* format_1 = "limitcurve table 1";
 
 std::string quoted(std::string_view name) {
   std::string text(1, '"');
@@ -74,13 +73,6 @@ int whole_number(const json& whole, const char* name, const std::string& source)
   return static_cast<int>(value);
 }
 
-[[noreturn]] void refuse_format_1(const json& whole, const std::string& source) {
-  const auto law = whole.find("law");
-  const auto tolerance = whole.find("tolerance");
-  throw format_1_complaint(source, law != whole.end() && law->is_string() ? law->get<std::string>() : "",
-                           tolerance != whole.end() && tolerance->is_number() ? format_number(tolerance->get<double>()) : "");
-}
-
 }  // namespace
 
 limitcurve::Table read_table_json(std::string_view text, const std::string& source) {
@@ -93,7 +85,6 @@ limitcurve::Table read_table_json(std::string_view text, const std::string& sour
     fail(source, "a number that no double can hold");
   }
   const json format = whole.is_object() ? whole.value("format", json()) : json();
-  if (format == format_1) refuse_format_1(whole, source);
   if (format != expected_format) fail(source, "not a table: expected an object with \"format\": " + quoted(expected_format));
   const auto text_of = [&](const char* name) { return member(whole, name, &json::is_string, source, "a text").get<std::string>(); };
   const auto number = [&](const char* name) { return member(whole, name, &json::is_number, source, "a number").get<double>(); };
@@ -103,7 +94,7 @@ limitcurve::Table read_table_json(std::string_view text, const std::string& sour
                                .index_bits = whole_number(whole, "index_bits", source),
                                .octaves = whole_number(whole, "octaves", source),
                                .linear_error = number("linear_error"),
-                               .profile_error = whole.contains("profile_error") ? number("profile_error") : 0.0,
+                               .profile_error = number("profile_error"),
                                .inside = side(whole, "inside", source),
                                .outside = side(whole, "outside", source)};
   const json row_columns = json::array({"x", "force", "moment", "c0", "c1", "c2", "c3", "c4", "c5", "c6"});

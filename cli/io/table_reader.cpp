@@ -15,7 +15,7 @@ namespace limitcurve::cli {
 
 namespace {
 
-/// A table has at most a hundredth of this length, one of format 1 a third. A longer file is no table and is not read into memory.
+/// A table has at most a hundredth of this length: a longer file is none, and is not read.
 constexpr std::size_t longest_file = 32U << 20U;
 
 std::string read_whole(const std::string& file) {

@@ -31,11 +31,11 @@ Stray stray_of(const FittedContact& fit) {
   return stray;
 }
 
-Stray expected_stray(const FittedContact& fit, const Stray& at_solution, bool logarithmic) {
+Stray expected_stray(const FittedContact& fit, const Stray& at_solution) {
   const std::size_t free = fit.parameters.size();
   std::vector<double> values = fit.solution.values;
   for (std::size_t j = 0; j < free; ++j) values[j] -= at_solution.bias[j];
-  if (logarithmic) values[shape_place] -= 0.5 * variance_of_shape(at_solution.covariance, free);
+  values[shape_place] -= 0.5 * variance_of_shape(at_solution.covariance, free);
   values[shape_place] = std::clamp(values[shape_place], fit.parameters[shape_place].low, fit.parameters[shape_place].high);
   const Solution nearer = moved(fit.residuals, fit.solution, std::move(values));
   return stray_of({fit.residuals, nearer, fit.parameters, fit.loss, fit.variance});

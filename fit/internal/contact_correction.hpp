@@ -39,8 +39,8 @@ struct FittedContact {
 Stray stray_of(const FittedContact& fit);
 
 /// The same at the expected truth, that is after subtracting the bias at the solution: the bias grows fast with the shape, and so
-/// would its error. If `logarithmic`, the reported shape is the exponential of its coordinate.
-Stray expected_stray(const FittedContact& fit, const Stray& at_solution, bool logarithmic);
+/// would its error. The reported shape is the exponential of its coordinate.
+Stray expected_stray(const FittedContact& fit, const Stray& at_solution);
 
 /// Subtracts from each estimate the bias due to curvature; b is the bias of the parameters θ:
 ///   bias(φ) = ∇φ·b + ½ tr(∇²φ V) = S (∇λ·b + ½ ∇λᵀV∇λ + ½ tr(∇²λ V)),

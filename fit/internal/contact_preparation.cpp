@@ -135,10 +135,6 @@ std::unique_ptr<UnitCurve> make_curve(const ContactModel& model) {
   switch (model.kind) {
     case ContactModel::Kind::ellipse:
       return internal::make_ellipse();
-    case ContactModel::Kind::superellipse:
-      return internal::make_superellipse();
-    case ContactModel::Kind::quartic:
-      return internal::make_quartic();
     case ContactModel::Kind::power:
       return internal::make_family(internal::ShapeFamily::power(), "n", 0.5);
     case ContactModel::Kind::xydas_kao:
@@ -197,16 +193,17 @@ ContactPreparation prepare(std::span<const Sample> samples, const ContactFitOpti
   preparation.reference_load = std::exp(log_load / static_cast<double>(samples.size()));
   preparation.start = starting_limits(samples, options.gamma, preparation.reference_load);
   // Without sigmas the unit of error is the limit itself, for which an ellipse is good enough. A robust loss also needs the typical
-  // error, to which the misfit of a quartic adds little: 1.4826 median |residual| estimates σ, insensitive to outliers.
+  // error, 1.4826 median |residual|, which outliers hardly move. An ellipse would add its own
+  // misfit to it: with Huber's loss and a tenth of the rows inside the curve, 66 to 70 % of the
+  // intervals would hold the truth, and not 87 %.
   const bool robust = options.loss.kind != Loss::Kind::squared;
-  const ContactModel shape{robust ? ContactModel::Kind::quartic : ContactModel::Kind::ellipse};
-  const std::unique_ptr<UnitCurve> curve = make_curve(shape);
+  const std::unique_ptr<UnitCurve> curve = robust ? make_flexible() : make_ellipse();
   const ContactLayout layout{robust, options.fit_gamma, options.gamma};
   const int passes = preparation.with_sigma ? 0 : robust ? 2 : 1;
   for (int pass = 0; pass < passes; ++pass) {
     const auto weighted = weigh(samples, false, preparation.start, preparation.noise, preparation.reference_load);
     const ContactResiduals residuals(weighted, *curve, layout);
-    const std::vector<Parameter> parameters = free_parameters(*curve, layout, shape, preparation.start);
+    const std::vector<Parameter> parameters = free_parameters(*curve, layout, {ContactModel::Kind::ellipse}, preparation.start);
     const Loss loss = pass == 0 && robust ? Loss::cauchy(0.05) : options.loss;
     const Solution solution = internal::minimise(residuals, parameters, loss, internal::coarse_tolerance);
     preparation.start = {std::exp(solution.values[0]), std::exp(solution.values[1])};

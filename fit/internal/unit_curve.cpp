@@ -49,32 +49,9 @@ class EllipseCurve final : public PolarCurve {
   Gauge gauge_of(PlanePoint ray) const noexcept override { return {1.0, ray.x, ray.y, 0.0}; }
 };
 
-/// γ = S^{1/n}, S = xⁿ + yⁿ; γ_x = γ x^{n−1}/S; ∂ln γ/∂n = −ln S/n² + (xⁿ ln x + yⁿ ln y)/(nS).
-class SuperellipseCurve final : public PolarCurve {
- public:
-  std::string shape_name() const override { return "exponent"; }
-  double low() const noexcept override { return 1.05; }
-  double high() const noexcept override { return 20.0; }
-  double start() const noexcept override { return 1.8; }
-  void bend(double exponent) noexcept override { exponent_ = exponent; }
-
- protected:
-  Gauge gauge_of(PlanePoint ray) const noexcept override {
-    const double x = std::pow(ray.x, exponent_ - 1.0);
-    const double y = std::pow(ray.y, exponent_ - 1.0);
-    const double sum = x * ray.x + y * ray.y;
-    const double gauge = std::pow(sum, 1.0 / exponent_);
-    const auto entropy = [](double power, double base) { return base > 0.0 ? power * base * std::log(base) : 0.0; };
-    const double by_shape = (-std::log(sum) / exponent_ + (entropy(x, ray.x) + entropy(y, ray.y)) / sum) / exponent_;
-    return {gauge, gauge * x / sum, gauge * y / sum, by_shape};
-  }
-
- private:
-  double exponent_ = 2.0;
-};
-
-/// γ⁴ = Q = x⁴ + y⁴ + κx²y²; γ_x = (4x³ + 2κxy²)γ/(4Q); ∂ln γ/∂κ = x²y²/(4Q).
-class QuarticCurve final : public PolarCurve {
+/// γ⁴ = Q = x⁴ + y⁴ + κx²y²; γ_x = (4x³ + 2κxy²)γ/(4Q); ∂ln γ/∂κ = x²y²/(4Q). Convex for 0 ≤ κ ≤
+/// 6; κ = 2 is the ellipse.
+class FlexibleCurve final : public PolarCurve {
  public:
   std::string shape_name() const override { return "kappa"; }
   double low() const noexcept override { return 0.0; }
@@ -113,7 +90,6 @@ class LawCurve final : public UnitCurve {
   double parameter_slope(double coordinate) const noexcept override {
     return family_ != nullptr ? family_->parameter_slope(coordinate) : 1.0;
   }
-  bool is_logarithmic() const noexcept override { return family_ != nullptr; }
 
   void bend(double coordinate) noexcept override {
     if (family_ == nullptr || coordinate == bent_to_) return;
@@ -140,11 +116,8 @@ class LawCurve final : public UnitCurve {
 std::unique_ptr<UnitCurve> make_ellipse() {
   return std::make_unique<EllipseCurve>();
 }
-std::unique_ptr<UnitCurve> make_superellipse() {
-  return std::make_unique<SuperellipseCurve>();
-}
-std::unique_ptr<UnitCurve> make_quartic() {
-  return std::make_unique<QuarticCurve>();
+std::unique_ptr<UnitCurve> make_flexible() {
+  return std::make_unique<FlexibleCurve>();
 }
 std::unique_ptr<UnitCurve> make_law(const PressureLaw& law) {
   return std::make_unique<LawCurve>(law);

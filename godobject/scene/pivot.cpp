@@ -295,18 +295,6 @@ bool Pivot::step() noexcept {
   return scene_->step();
 }
 
-std::vector<PivotRow> run_pivot(const PivotOptions& options) {
-  Pivot pivot(options);
-  std::vector<PivotRow> rows{pivot.row()};
-  while (pivot.step()) rows.push_back(pivot.row());
-  return rows;
-}
-
-double holding_load(const PivotOptions& options) {
-  validate(options);
-  return load_to_hold(options, make_curve(options, curve_kind(options)));
-}
-
 double default_load(const PivotOptions& options) {
   validate(options);
   constexpr double usual = 0.5;

@@ -125,12 +125,6 @@ class Pivot {
   std::unique_ptr<Scene> scene_;
 };
 
-/// Runs the whole experiment: the row at time 0 and one for each time step. Throws like the constructor of Pivot.
-std::vector<PivotRow> run_pivot(const PivotOptions& options);
-
-/// The smallest load of each finger [N] that holds the level block at rest; ∞ if none does. The gauge of the block's weight is 1 there.
-double holding_load(const PivotOptions& options);
-
 /// The default load at the start of a grip [N]: 1.3 times the load that holds the block on an ellipse (eq. 19), rounded up to two digits,
 /// and at least 0.5 N. All cases of a block begin with it, and hold: the ellipse needs at most a tenth less load than the exact curve.
 double default_load(const PivotOptions& options);

@@ -4,7 +4,9 @@
 #include "limitcurve/quadrature/evaluators.hpp"
 #include "limitcurve/quadrature/tanh_sinh.hpp"
 
+#include <algorithm>
 #include <array>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -12,6 +14,18 @@ namespace limitcurve {
 
 Law checked(Law law) {
   if (!law) throw std::invalid_argument("law: none (a null pointer), expected a pressure law");
+  const std::vector<Extended>& breaks = law->breaks();
+  const auto refuse = [&](const char* what) { throw std::invalid_argument("law '" + law->name() + "': " + what); };
+  const auto falls = [](Extended one, Extended next) { return !(next > one && next <= std::numeric_limits<double>::max()); };
+  if (breaks.size() < 2 || breaks[0] != 0 || std::adjacent_find(breaks.begin(), breaks.end(), falls) != breaks.end()) {
+    refuse("its breaks do not increase, expected radii from 0 to the end of the pressure");
+  }
+  const UnitForces<Extended> error = law->unrounded(1, Slope::unwanted).error;
+  if (!(std::max(error.force, error.moment / breaks.back()) <= 1e-3L)) {
+    refuse(
+        "quadrature of its pressure does not give the load 1, expected the integral of 2 rho g to be 1, and breaks at every kink, jump and "
+        "singular ring");
+  }
   return law;
 }
 

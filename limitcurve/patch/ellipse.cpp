@@ -252,12 +252,6 @@ struct Ellipse final : Shape {
   [[nodiscard]] double nanoseconds() const noexcept override {
     return !profile->is_polynomial() ? 6000.0 : aspect() <= 3.0 ? 220.0 : 460.0;
   }
-  [[nodiscard]] SecondMoments second_moments() const override {
-    // m(s) → ⟨ρ²⟩/(2s).
-    constexpr double far = 1e6;
-    const double mean_square = 2.0 * far * law()->forces(far).moment;
-    return {0.5 * a * a * mean_square, 0.5 * b * b * mean_square, 0.0};
-  }
   [[nodiscard]] Law law() const override { return profile->law(); }
 };
 

@@ -77,7 +77,6 @@ struct Image final : Shape {
   std::vector<double> weights;
   std::vector<std::size_t> before;  ///< how many of them precede each pixel
   PatchPoint corner;                ///< of the image: least x, largest y, from the centre of pressure
-  SecondMoments moments;
 
   Image(std::vector<double> pixel_loads, std::size_t width, double hx, double hy)
       : loads(std::move(pixel_loads)), columns(width), rows(loads.size() / width), side_x(hx), side_y(hy) {
@@ -96,9 +95,6 @@ struct Image final : Shape {
       xs.push_back(static_cast<double>((static_cast<Extended>(i % columns) - mean_column) * side_x));
       ys.push_back(static_cast<double>((mean_row - static_cast<Extended>(row)) * side_y));
       weights.push_back(loads[i]);
-      moments.xx += loads[i] * (xs.back() * xs.back() + side_x * side_x / 12.0);
-      moments.yy += loads[i] * (ys.back() * ys.back() + side_y * side_y / 12.0);
-      moments.xy += loads[i] * xs.back() * ys.back();
       radius = std::max(radius, std::hypot(std::fabs(xs.back()) + 0.5 * side_x, std::fabs(ys.back()) + 0.5 * side_y));
     }
     before.push_back(xs.size());
@@ -199,7 +195,6 @@ struct Image final : Shape {
         std::min(2.0 * near_columns() + 1.0, static_cast<double>(columns)) * std::min(2.0 * near_rows() + 1.0, static_cast<double>(rows));
     return 30.0 * near + (side_x == side_y ? 1.5 : 8.0) * static_cast<double>(xs.size());
   }
-  [[nodiscard]] SecondMoments second_moments() const override { return moments; }
   [[nodiscard]] std::vector<PatchPoint> concentrations() const override {
     std::vector<PatchPoint> middles;
     for (std::size_t i = 0; i < xs.size(); ++i) middles.push_back({xs[i], ys[i]});

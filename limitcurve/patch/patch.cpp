@@ -131,17 +131,10 @@ PatchPoint Patch::centre() const noexcept {
 }
 
 Patch::RoundMeasures Patch::round_measures() const {
-  // shape_ is stretched: divide its moments and its area by the stretch.
-  const patch::SecondMoments moments = shape_->second_moments();
-  const double stretch = mx_ * my_;
-  const double determinant = std::max(0.0, moments.xx * moments.yy - moments.xy * moments.xy) / (stretch * stretch);
-  const Law law = shape_->law() ? shape_->law() : uniform();
-  // An ellipse with semi-axes a, b has the second moments a²⟨ρ²⟩/2 and b²⟨ρ²⟩/2; m(s) → ⟨ρ²⟩/(2s) gives ⟨ρ²⟩.
-  constexpr double far = 1e6;
-  const double mean_square = 2.0 * far * law->forces(far).moment;
   std::vector<PatchPoint> concentrations = shape_->concentrations();
   for (PatchPoint& place : concentrations) place = {place.x / my_, place.y / mx_};
-  return {shape_->area() / stretch, std::sqrt(2.0 / mean_square) * std::sqrt(std::sqrt(determinant)), law, std::move(concentrations)};
+  // shape_ is stretched: divide its area by the stretch.
+  return {shape_->area() / (mx_ * my_), shape_->law() ? shape_->law() : uniform(), std::move(concentrations)};
 }
 
 }  // namespace limitcurve

@@ -28,18 +28,6 @@ PatchPoint normalise(std::vector<PatchLoad>& loads) {
   return {static_cast<double>(x / total), static_cast<double>(y / total)};
 }
 
-SecondMoments moments_about(const std::vector<PatchLoad>& loads, PatchPoint centre) {
-  SecondMoments sum;
-  for (const PatchLoad& point : loads) {
-    const double x = point.x - centre.x;
-    const double y = point.y - centre.y;
-    sum.xx += point.load * x * x;
-    sum.yy += point.load * y * y;
-    sum.xy += point.load * x * y;
-  }
-  return sum;
-}
-
 std::vector<PatchLoad> stretch_loads(std::vector<PatchLoad> loads, double sx, double sy) {
   for (PatchLoad& point : loads) point = {sx * point.x, sy * point.y, point.load};
   return loads;
@@ -131,7 +119,6 @@ struct Points final : Shape {
     return make_soft_points(stretched_loads(), least_radius);
   }
   [[nodiscard]] double nanoseconds() const noexcept override { return 10.0 + 4.0 * static_cast<double>(loads.size()); }
-  [[nodiscard]] SecondMoments second_moments() const override { return moments_about(stretched_loads(), centre); }
   [[nodiscard]] std::vector<PatchPoint> concentrations() const override { return places_of(stretched_loads()); }
 };
 
@@ -163,7 +150,6 @@ struct SoftPoints final : Shape {
     return std::make_shared<SoftPoints>(stretch_loads(loads, sx, sy), std::sqrt(softness * sx * sy));
   }
   [[nodiscard]] double nanoseconds() const noexcept override { return 20.0 + 1.5 * static_cast<double>(loads.size()); }
-  [[nodiscard]] SecondMoments second_moments() const override { return moments_about(loads, centre); }
   [[nodiscard]] std::vector<PatchPoint> concentrations() const override { return places_of(loads); }
 };
 

@@ -48,7 +48,6 @@ struct Polygon final : Shape {
   };
   std::vector<PatchPoint> vertices;  ///< counter-clockwise, in the user's coordinates
   std::vector<Edge> edges;
-  SecondMoments moments;
   double whole_area = 0.0;
   double perimeter = 0.0;
   EdgeRule rule;
@@ -71,15 +70,12 @@ struct Polygon final : Shape {
     measure_moment_ratio();
   }
 
-  /// Area, centre of pressure and second moments; turns the vertices counter-clockwise.
+  /// Area and centre of pressure; turns the vertices counter-clockwise.
   void measure() {
     const PatchPoint base = vertices.front();
     Extended area = 0;
     Extended ax = 0;
     Extended ay = 0;
-    Extended axx = 0;
-    Extended ayy = 0;
-    Extended axy = 0;
     double reach = 0.0;
     for (std::size_t i = 0; i < vertices.size(); ++i) {
       const PatchPoint& from = vertices[i];
@@ -92,9 +88,6 @@ struct Polygon final : Shape {
       area += cross / 2;
       ax += cross * (x1 + x2) / 6;
       ay += cross * (y1 + y2) / 6;
-      axx += cross * (x1 * x1 + x1 * x2 + x2 * x2) / 12;
-      ayy += cross * (y1 * y1 + y1 * y2 + y2 * y2) / 12;
-      axy += cross * (2 * x1 * y1 + x1 * y2 + x2 * y1 + 2 * x2 * y2) / 24;
       reach = std::max({reach, std::fabs(to.x - base.x), std::fabs(to.y - base.y)});
     }
     // A smaller area is rounding of the vertices.
@@ -103,11 +96,7 @@ struct Polygon final : Shape {
       throw std::invalid_argument("the polygon has area " + format_number(static_cast<double>(std::fabs(area))) +
                                   " m^2, expected more than 1e-12 of its extent squared");
     }
-    const Extended mx = ax / area;
-    const Extended my = ay / area;
-    centre = {static_cast<double>(base.x + mx), static_cast<double>(base.y + my)};
-    moments = {static_cast<double>(axx / area - mx * mx), static_cast<double>(ayy / area - my * my),
-               static_cast<double>(axy / area - mx * my)};
+    centre = {static_cast<double>(base.x + ax / area), static_cast<double>(base.y + ay / area)};
     if (area < 0) std::reverse(vertices.begin(), vertices.end());
     whole_area = static_cast<double>(std::fabs(area));
   }
@@ -210,7 +199,6 @@ struct Polygon final : Shape {
   }
   [[nodiscard]] double area() const override { return whole_area; }
   [[nodiscard]] double nanoseconds() const noexcept override { return 10.0 + 16.0 * static_cast<double>(edges.size()); }
-  [[nodiscard]] SecondMoments second_moments() const override { return moments; }
 };
 
 bool same(const PatchPoint& one, const PatchPoint& other) {

@@ -310,7 +310,6 @@ std::vector<RoundModel> round_models(const Patch& patch) {
   const Patch::RoundMeasures measures = patch.round_measures();
   const double equal_area = std::sqrt(measures.area / std::numbers::pi);
   if (equal_area > 0.0) models.push_back(disc_model(comparison, "disc-equal-area", measures.law, equal_area));
-  if (measures.geometric > 0.0) models.push_back(disc_model(comparison, "disc-sqrt-ab", measures.law, measures.geometric));
   models.push_back({"ellipsoid", patch.moment_ratio(), comparison.error(ellipsoid(patch))});
   return models;
 }

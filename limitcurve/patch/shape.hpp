@@ -16,13 +16,6 @@ inline constexpr double epsilon = std::numeric_limits<double>::epsilon();
 inline constexpr double least_length = 1e-100;
 inline constexpr double most_length = 1e100;
 
-/// Central second moments of the pressure [m²].
-struct SecondMoments {
-  double xx = 0.0;
-  double yy = 0.0;
-  double xy = 0.0;
-};
-
 /// A kind of patch, under isotropic friction of coefficient 1 and load 1. The caller passes finite twists, not zero, scaled so that no
 /// square overflows.
 struct Shape {
@@ -44,7 +37,6 @@ struct Shape {
   /// Cost of `evaluate` [ns], the mean over CORs within a tenth and ten times the moment arm; measured where a table's wrench costs 9 ns.
   [[nodiscard]] virtual double nanoseconds() const noexcept = 0;
   [[nodiscard]] virtual double area() const { return 0.0; }
-  [[nodiscard]] virtual SecondMoments second_moments() const = 0;
   /// Where much load is on little area: points, middles of pixels. H may have a sharp minimum with the COR there.
   [[nodiscard]] virtual std::vector<PatchPoint> concentrations() const { return {}; }
   /// The law of an ellipse; null for other shapes.

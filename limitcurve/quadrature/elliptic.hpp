@@ -15,8 +15,6 @@ struct EllipticPair {
   Real d;
 
   [[nodiscard]] Real first_kind() const noexcept { return b + d; }
-  /// E(q), given the complement 1 − q².
-  [[nodiscard]] Real second_kind(Real complement) const noexcept { return b + complement * d; }
 };
 
 /// B and D of modulus q ∈ [0, 1] by one arithmetic–geometric mean (DLMF 19.8.1 and 19.8.6, with each c_n divided by

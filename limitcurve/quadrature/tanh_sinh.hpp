@@ -59,6 +59,9 @@ template <std::size_t count, class Real>
 struct Integrals {
   std::array<Real, count> value{};
   std::array<Real, count> error{};
+  /// The sum of the differences of the last four rows: an error of integrands that are not smooth,
+  /// where one difference may be small by chance.
+  std::array<Real, count> wavering{};
 };
 
 /// ∫₀^length of `integrand(from_left, from_right)`, an array of `count` numbers. The distances from both ends keep their digits. Split the
@@ -74,6 +77,8 @@ template <std::size_t count, class Real, class Integrand>
   const Real half = length / 2;
   Integrals<count, Real> result;
   result.value.fill(nan);
+  std::array<Real, count> before{};
+  std::array<Real, count> earlier{};
   std::array<Real, count> sum = integrand(half, half);
   for (Real& one : sum) one *= Real(1.570796326794896619231321691639751442L);
   Real scale = half * TanhSinhRule<Real>::first_step;
@@ -84,11 +89,14 @@ template <std::size_t count, class Real, class Integrand>
       const std::array<Real, count> right = integrand(length - near, near);
       for (std::size_t i = 0; i < count; ++i) sum[i] += weight * (left[i] + right[i]);
     }
+    earlier = before;
+    before = result.error;
     bool agree = true;
     for (std::size_t i = 0; i < count; ++i) {
       const Real now = scale * sum[i];
       result.error[i] = std::fabs(now - result.value[i]);
       result.value[i] = now;
+      result.wavering[i] = result.error[i] + before[i] + earlier[i];
       agree = agree && (i >= wanted || result.error[i] <= agreement * std::fabs(now));
     }
     if (agree) break;

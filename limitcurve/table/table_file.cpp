@@ -18,9 +18,7 @@ namespace {
 
 using Row = TableContents::Row;
 
-constexpr std::string_view any_title = "# limitcurve table, format ";
 constexpr std::string_view title = "# limitcurve table, format 2";
-constexpr std::string_view title_of_format_1 = "# limitcurve table, format 1";
 constexpr std::string_view columns = "x,force,moment,c0,c1,c2,c3,c4,c5,c6";
 constexpr std::size_t coefficients_from = 3;
 constexpr std::string_view legend =
@@ -116,10 +114,7 @@ std::array<std::string, 7> facts_of(const TableContents& contents) {
 
 std::string checksum(const TableContents& contents) {
   std::string text;
-  const auto facts = facts_of(contents);
-  // Older files have no profile_error. Leave out a value of 0, so that their checksums stay valid.
-  const std::size_t count = facts.size() - (contents.profile_error == 0.0 ? 1 : 0);
-  for (std::size_t i = 0; i < count; ++i) text += facts[i] + "\n";
+  for (const std::string& one : facts_of(contents)) text += one + "\n";
   std::uint64_t hash = 0xcbf29ce484222325U;
   for (const char c : text + csv_rows(contents)) {
     hash ^= static_cast<unsigned char>(c);
@@ -195,17 +190,6 @@ std::optional<std::string_view> fact(std::string_view line, std::string_view nam
   return line.substr(prefix.size());
 }
 
-[[noreturn]] void refuse_format_1(Reader& reader, std::string_view source) {
-  std::string_view law;
-  std::string_view tolerance;
-  while (reader.has_line()) {
-    const std::string_view line = reader.line();
-    law = fact(line, "law").value_or(law);
-    tolerance = fact(line, "tolerance").value_or(tolerance);
-  }
-  throw format_1_complaint(source, law, tolerance);
-}
-
 std::vector<TableCell> cells_of(const std::vector<Row>& rows, std::string_view side) {
   if (rows.size() < 2 || rows.back()[0] != 1.0) {
     throw std::invalid_argument("the rows " + std::string(side) + " do not reach the rim: expected rows from x = 0 to x = 1");
@@ -239,15 +223,13 @@ std::string to_csv(const Table& table) {
 
 Table read_table_csv(std::string_view text, std::string_view source) {
   Reader reader(text, source);
-  std::string_view line = text.starts_with(any_title) ? reader.line() : "";
-  if (line == title_of_format_1) refuse_format_1(reader, source);
+  std::string_view line = text.starts_with(title) ? reader.line() : "";
   if (line != title) reader.fail(1, "not a table: expected the first line '" + std::string(title) + "'");
   TableContents contents;
   std::string_view sum;
   for (const std::string_view name : fact_names) {
-    if (name != "version" || line.starts_with("# profile_error: ")) line = reader.line();
+    line = reader.line();
     const std::optional<std::string_view> value = fact(line, name);
-    if (!value && name == "profile_error") continue;
     if (!value) reader.fail(1, "expected '# " + std::string(name) + ": …'");
     const std::size_t column = line.size() - value->size() + 1;
     if (name == "law") contents.law = *value;
@@ -289,13 +271,6 @@ Table table_of(const TableContents& contents, std::string_view expected_checksum
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument(std::string(source) + ": " + error.what());
   }
-}
-
-std::invalid_argument format_1_complaint(std::string_view source, std::string_view law, std::string_view tolerance) {
-  std::string text(source);
-  text.append(": a table of format 1, which this version does not read; make it anew: limitcurve table --law ");
-  text.append(law.empty() ? "LAW" : law).append(" --tolerance ").append(tolerance.empty() ? "TOLERANCE" : tolerance);
-  return std::invalid_argument(text.append(" -o ").append(source));
 }
 
 std::string to_json(const Table& table) {

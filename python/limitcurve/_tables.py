@@ -7,39 +7,15 @@ rows come back as arrays, without conversion to text.
 
 from __future__ import annotations
 
-import functools
 import warnings
-from collections.abc import Callable, Mapping, Sequence
-from typing import Any, TypeVar, cast
+from collections.abc import Mapping, Sequence
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ._call import Call, Columns, Data
 from ._core import Law
-
-_Function = TypeVar("_Function", bound=Callable[..., Any])
-
-# Keywords of 0.1 and their names since.
-_RENAMED = {
-    "boundary": "curve",
-    "jump_limit": "max_displacement",
-    "hold_share": "fault_decay",
-    "moment_coefficient": "mu_r",
-    "moment_coefficient_dynamic": "mu_r_dynamic",
-    "moment_exponent": "gamma",
-}
-
-
-def _takes_old_names(function: _Function) -> _Function:
-    @functools.wraps(function)
-    def renaming(*arguments: Any, **given: Any) -> Any:
-        for old in _RENAMED.keys() & given.keys():
-            warnings.warn(f"{old} is now {_RENAMED[old]}; the old name works until 0.3", FutureWarning, stacklevel=2)
-            given[_RENAMED[old]] = given.pop(old)
-        return function(*arguments, **given)
-
-    return cast("_Function", renaming)
 
 
 def _list_of(pairs: Mapping[str, str] | None) -> str | None:
@@ -67,7 +43,7 @@ def _run(words: list[str], options: dict[str, Any], notes: list[str] | None = No
 
 
 def validate(law: str | Law | Sequence[str | Law] | None = None, *, patch: str | Sequence[str] | None = None) -> Columns:
-    """Errors of ellipse, superellipse, quartic and box against the exact curve of one, several or all laws; or of round models of patches.
+    """Errors of ellipse, box and diamond against the exact curve of one, several or all laws; or of round models of patches.
 
     Columns: law, model, parameter, max_error, rms_error, max_over_estimate, max_under_estimate, max_cor_error; errors as fractions.
 
@@ -79,7 +55,6 @@ def validate(law: str | Law | Sequence[str | Law] | None = None, *, patch: str |
     return run("validate", law=law, patch=patch)
 
 
-@_takes_old_names
 def choose(
     law: str | Law | None = None,
     tolerance: float = 0.01,
@@ -159,8 +134,8 @@ def fit(
 ) -> Fit:
     """Fits a friction model to measurements, or an approximation to the exact curve of a law (no `data`).
 
-    Models: ellipse, superellipse, quartic, ratio, law (data: load, force, moment[, sigma_force, sigma_moment]); load (data: load and
-    radius or moment); friction (with `patch`). `columns` are the data's names where they differ, {"load": "Fz"}; `units` its units where
+    Models: ellipse, ratio, law (data: load, force, moment[, sigma_force, sigma_moment]); load (data: load and radius or moment); friction
+    (with `patch`). `columns` are the data's names where they differ, {"load": "Fz"}; `units` its units where
     they are not SI, {"length": "mm", "moment": "Nmm", "angle": "deg"}. Columns: parameter, value, std_error, unit, note. Warnings are
     Python's; none, and no notes, if `quiet`.
 
@@ -235,7 +210,6 @@ def translate(
     )
 
 
-@_takes_old_names
 def replay(
     trace: Data,
     law: str | Law | None = None,

@@ -41,13 +41,9 @@ def _model(model: str, parameter: float, m0: float, points: int = 257) -> tuple[
     x, y = np.cos(angle), np.sin(angle)
     if model.startswith("ellipse"):
         return parameter * x, parameter * m0 * y
-    if model == "quartic":  # x^4 + y^4 + kappa x^2 y^2 = 1
-        radius = (x**4 + y**4 + parameter * x**2 * y**2) ** -0.25
-        return radius * x, radius * m0 * y
     if model == "box":
         return np.array([1.0, 1.0, 0.0]), np.array([0.0, m0, m0])
-    radius = (x**parameter + y**parameter) ** (-1 / parameter)  # superellipse, diamond
-    return radius * x, radius * m0 * y
+    return np.array([1.0, 0.0]), np.array([0.0, m0])  # diamond
 
 
 def limit_curve(
@@ -77,7 +73,7 @@ def limit_curve(
         first = laws[0]
         errors = validate(first)
         dashes = itertools.cycle(["--", ":", "-."])
-        unequal_ellipses = {"ellipse-least-squares", "ellipse-inner", "ellipse-outer"}
+        unequal_ellipses = {"ellipse-least-squares", "ellipse-inner"}
         for name in (word.replace("_", "-") for word in fits):
             rows = np.flatnonzero(errors["model"] == name)
             if rows.size == 0:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What arguments may be: times, units, masks, truths, names of columns and old keywords; and that Ctrl-C ends long work."""
+"""What arguments may be: times, units, masks, truths and names of columns; and that Ctrl-C ends long work."""
 
 import signal
 import time
@@ -10,18 +10,6 @@ import numpy as np
 import pytest
 
 TABLE = lc.Table("hertz", tolerance=1e-8)
-
-
-def test_old_keywords_are_accepted_with_a_warning():
-    with pytest.warns(FutureWarning, match="moment_coefficient is now mu_r"):
-        old = lc.SoftFinger(TABLE, mu=0.6, moment_coefficient=0.002)
-    new = lc.SoftFinger(TABLE, mu=0.6, mu_r=0.002)
-    for finger in (old, new):
-        finger.update((0, 0, 0), (0, 0, 1), 0.002, 0.0)
-    assert old.update((0, 0, 0), (0, 0, 1), 0.002, 1.0).moment == new.update((0, 0, 0), (0, 0, 1), 0.002, 1.0).moment
-    trace = {"time": [0, 1], "x": [0, 0.01], "y": [0, 0], "z": [-0.002, -0.002], "twist": [0, 0]}
-    with pytest.warns(FutureWarning, match="boundary is now curve"):
-        lc.replay(trace, "hertz", radius_law="constant:a=0.006", mu=0.6, stiffness=1000, twist_stiffness=0.036, boundary="ellipse")
 
 
 def test_times_are_no_numbers():

@@ -37,7 +37,7 @@ def test_choose(command_line):
 
 
 def test_fit_of_a_curve_and_of_data(command_line, data):
-    same(lc.fit("superellipse", law="cone"), command_line("fit", "superellipse", "--law", "cone"))
+    same(lc.fit("ellipse", law="cone", criterion="inner"), command_line("fit", "ellipse", "--law", "cone", "--criterion", "inner"))
     slips = columns(data / "fit/slips.csv")
     words = command_line("fit", "ratio", "--data", data / "fit/slips.csv")
     for given in (data / "fit/slips.csv", str(data / "fit/slips.csv"), slips, {name: slips[name].to_numpy() for name in slips}, slips.to_records(index=False)):

@@ -82,7 +82,7 @@ class Bash(Made):
     def test_what_an_option_takes(self):
         self.assertEqual(self.offered("replay", "--curve", ""), "exact table ellipse box".split())
         self.assertEqual(self.offered("replay", "--details", "--pro"), ["--projection"])
-        self.assertEqual(self.offered("fit", "su"), ["superellipse"])
+        self.assertEqual(self.offered("fit", "el"), ["ellipse"])
         self.assertEqual(set(self.offered("fit", "")), set(models()) | set(options("fit")))
         self.assertEqual(self.offered("eval", "--law", "he"), ["hertz"])
         self.assertEqual(self.offered("eval", "--law", "pow"), ["power:"])

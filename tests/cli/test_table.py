@@ -63,14 +63,6 @@ class Tables(CommandLineTest):
         mixed = self.build(f"mix:1*hertz+3*power:n=2.3", 1e-4)[1]
         self.assertEqual((self.build("hertz", 1e-4)[1]["profile_error"], mixed["profile_error"]), (0, 0))
 
-    def test_tables_without_a_profile_error_are_still_read(self):
-        for form, line in [("csv", "# profile_error: 0\n"), ("json", '  "profile_error": 0,\n')]:
-            path, _ = self.build("hertz", 1e-4, form)
-            found = rows("lookup", "--table", path, "--c", "0,0.5,2")
-            self.assertIn(line, path.read_text())
-            path.write_text(path.read_text().replace(line, ""))
-            self.assertEqual(rows("lookup", "--table", path, "--c", "0,0.5,2"), found)
-
     def test_a_byte_order_mark_is_no_part_of_a_table(self):
         for form in FORMS:
             path, _ = self.build("hertz", 1e-4, form)

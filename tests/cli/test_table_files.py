@@ -76,24 +76,6 @@ class BadTables(CommandLineTest):
         (self.directory / "folder.csv").mkdir()
         self.assert_fails(2, ["folder.csv", "directory"], "lookup", "--table", self.directory / "folder.csv", "--c", "1")
 
-    def test_format_1_is_refused_with_the_command_that_makes_it_anew(self):
-        facts = '"law": "flat-punch", "tolerance": 1e-6'
-        old = {
-            "old.csv": "# limitcurve table, format 1\n# law: flat-punch\n# tolerance: 1e-06\n# certified_error: 9e-07\n",
-            "old.json": '{"format": "limitcurve table 1", ' + facts + ', "inside": []}',
-        }
-        for name, text in old.items():
-            path = self.file(name, text)
-            done = run("lookup", "--table", path, "--c", "1")
-            self.assertEqual(done.returncode, 2)
-            told = re.fullmatch(r"limitcurve: error: (\S+): a table of format 1, .*; make it anew: limitcurve (.*)\n", done.stderr)
-            self.assertIsNotNone(told, done.stderr)
-            # What it tells to do does it.
-            rows(*told[2].split())
-            self.assertEqual(rows("lookup", "--table", path, "--c", "inf")[0]["force"], 1)
-        for text in ['{"format": "limitcurve table 1"}', '{"format": "limitcurve table 1", "law": 3, "tolerance": "x"}']:
-            self.assert_fails(2, "limitcurve table --law LAW --tolerance TOLERANCE", "lookup", "--table", self.file("old.json", text), "--c", "1")
-
     def test_rows_of_the_wrong_kind(self):
         path = self.directory / "table.json"
         rows("table", "--law", "hertz", "--tolerance", "1e-2", "-o", path)
@@ -109,7 +91,7 @@ class BadTables(CommandLineTest):
         deep = "[" * 1000000 + "]" * 1000000
         sides = f'"inside": [{deep}], "outside": [{deep}]'
         text = '{"format": "limitcurve table 2", "law": "hertz", "tolerance": 1e-6, "certified_error": 1e-7, "index_bits": 4, "octaves": 4, ' \
-            '"linear_error": 1, "checksum": "0", ' + sides + "}"
+            '"linear_error": 1, "profile_error": 0, "checksum": "0", ' + sides + "}"
         self.assert_fails(2, "row 1: got a nested array", "lookup", "--table", self.file("deep.json", text), "--c", "1")
 
     def test_distances(self):
@@ -142,7 +124,7 @@ class Seeds(CommandLineTest):
             complaint = self.complaint("seed.json", text)
             place = re.match(r"limitcurve: error: :(\d+):", complaint)
             self.assertNotEqual(complaint, foreign, seed.name)
-            self.assertNotRegex(complaint, "format 1|no member", seed.name)
+            self.assertNotRegex(complaint, "no member", seed.name)
             self.assertTrue(place is None or int(place[1]) > 2, f"{seed.name}: {complaint}")
 
 

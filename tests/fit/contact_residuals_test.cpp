@@ -21,8 +21,7 @@ struct Case {
 
 const std::vector<Case> cases{
     {"ellipse", make_ellipse},
-    {"superellipse", make_superellipse},
-    {"quartic", make_quartic},
+    {"flexible", make_flexible},
     {"hertz", [] { return make_law(*hertz()); }},
     {"gaussian", [] { return make_law(*gaussian(1.0)); }},
     {"power", [] { return make_family(ShapeFamily::power(), "n", 0.5); }},

@@ -75,17 +75,10 @@ std::vector<double> brute_force(const std::function<double(const std::vector<dou
 }
 
 const Gauge ellipse_gauge = [](Point p, const std::vector<double>& axes) { return std::hypot(p.x / axes[0], p.y / axes[1]); };
-const Gauge superellipse_gauge = [](Point p, const std::vector<double>& n) {
-  return std::pow(std::pow(p.x, n[0]) + std::pow(p.y, n[0]), 1.0 / n[0]);
-};
-const Gauge quartic_gauge = [](Point p, const std::vector<double>& kappa) {
-  return std::pow(std::pow(p.x, 4) + std::pow(p.y, 4) + kappa[0] * p.x * p.x * p.y * p.y, 0.25);
-};
-
 TEST(CurveFit, EllipseThroughTheInterceptsOverEstimatesByThePublishedAmounts) {
   const std::vector<std::pair<Law, double>> known{{flat_punch(), 0.0826}, {uniform(), 0.0704}, {hertz(), 0.0638}, {parabolic(), 0.0597}};
   for (const auto& [law, over] : known) {
-    const CurveFit<Ellipse> fit = fit_ellipse(law, Criterion::intercepts);
+    const CurveFit fit = fit_ellipse(law, Criterion::intercepts);
     EXPECT_NEAR(fit.error.max_over_estimate, over, 6e-5) << law->name();
     EXPECT_EQ(fit.report.at("moment_max").value, law->moment_ratio());
     EXPECT_TRUE(std::isnan(fit.report.at("force_max").std_error));
@@ -95,7 +88,7 @@ TEST(CurveFit, EllipseThroughTheInterceptsOverEstimatesByThePublishedAmounts) {
 TEST(CurveFit, EllipseLeastSquaresIsTheMinimumThatBruteForceFinds) {
   for (const Law& law : {flat_punch(), uniform(), hertz(), parabolic(), cone()}) {
     const std::vector<Point> points = exact_points(law, 91);
-    const CurveFit<Ellipse> fit = fit_ellipse(law, Criterion::least_squares, 91);
+    const CurveFit fit = fit_ellipse(law, Criterion::least_squares, 91);
     EXPECT_TRUE(fit.report.converged) << fit.report.message;
     const auto best = brute_force([&](const auto& axes) { return mean_square(points, ellipse_gauge, axes); }, {1.0, 1.0}, 1e-9);
     EXPECT_NEAR(fit.curve.force_max(), best[0], 1e-7) << law->name();
@@ -109,35 +102,25 @@ TEST(CurveFit, EllipseLeastSquaresIsTheMinimumThatBruteForceFinds) {
 TEST(CurveFit, EllipseMinimaxIsTheMinimumThatBruteForceFinds) {
   for (const Law& law : {flat_punch(), uniform(), hertz(), parabolic()}) {
     const std::vector<Point> points = exact_points(law, 2001);
-    const CurveFit<Ellipse> fit = fit_ellipse(law, Criterion::minimax);
+    const CurveFit fit = fit_ellipse(law, Criterion::minimax);
     const auto best = brute_force([&](const auto& axes) { return largest_error(points, ellipse_gauge, axes); }, {0.97, 0.96}, 1e-8);
     EXPECT_NEAR(fit.error.max_error, largest_error(points, ellipse_gauge, best), 1e-6) << law->name();
     EXPECT_NEAR(fit.curve.force_max(), best[0], 1e-5) << law->name();
     EXPECT_NEAR(fit.error.max_over_estimate, fit.error.max_under_estimate, 1e-9) << law->name();
   }
+  // This curve bulges out of the ellipse through the intercepts; brute force stops at a ridge, a
+  // little above the minimum.
+  const std::vector<Point> points = exact_points(xydas_kao(0.2), 2001);
+  const double found = largest_error(
+      points, ellipse_gauge, brute_force([&](const auto& axes) { return largest_error(points, ellipse_gauge, axes); }, {1.0, 1.0}, 1e-8));
+  const CurveError error = fit_ellipse(xydas_kao(0.2), Criterion::minimax).error;
+  EXPECT_LT(error.max_error, found);
+  EXPECT_NEAR(error.max_over_estimate, error.max_under_estimate, 1e-9);
 }
 
-TEST(CurveFit, InnerAndOuterEllipsesDoNotCrossTheCurve) {
+TEST(CurveFit, TheInnerEllipseDoesNotCrossTheCurve) {
   for (const Law& law : {flat_punch(), uniform(), hertz()}) {
     EXPECT_LE(fit_ellipse(law, Criterion::inner).error.max_over_estimate, 1e-9) << law->name();
-    EXPECT_LE(fit_ellipse(law, Criterion::outer).error.max_under_estimate, 1e-9) << law->name();
-  }
-}
-
-TEST(CurveFit, ShapesOfOneParameterGiveThePublishedMinimax) {
-  EXPECT_NEAR(fit_superellipse(hertz(), Criterion::minimax).report.at("exponent").value, 1.725, 5e-4);
-  EXPECT_NEAR(fit_superellipse(uniform(), Criterion::minimax).report.at("exponent").value, 1.702, 5e-4);
-  EXPECT_NEAR(fit_quartic(hertz(), Criterion::minimax).report.at("kappa").value, 3.142, 5e-4);
-  EXPECT_NEAR(fit_quartic(uniform(), Criterion::minimax).report.at("kappa").value, 3.261, 5e-4);
-}
-
-TEST(CurveFit, ShapesOfOneParameterLeastSquaresIsTheMinimumThatBruteForceFinds) {
-  for (const Law& law : {flat_punch(), uniform(), hertz(), parabolic(), cone()}) {
-    const std::vector<Point> points = exact_points(law, 91);
-    const auto super = brute_force([&](const auto& n) { return mean_square(points, superellipse_gauge, n); }, {2.0}, 1e-9);
-    EXPECT_NEAR(fit_superellipse(law, Criterion::least_squares, 91).curve.exponent(), super[0], 1e-6) << law->name();
-    const auto quartic = brute_force([&](const auto& kappa) { return mean_square(points, quartic_gauge, kappa); }, {2.0}, 1e-9);
-    EXPECT_NEAR(fit_quartic(law, Criterion::least_squares, 91).curve.kappa(), quartic[0], 1e-6) << law->name();
   }
 }
 
@@ -149,8 +132,6 @@ TEST(CurveFit, NoNeighbourHasALesserReportedError) {
     const ExactCurve exact(law);
     const double m0 = exact.moment_ratio();
     const auto ellipse = fit_ellipse(law);
-    const auto superellipse = fit_superellipse(law);
-    const auto quartic = fit_quartic(law);
     // Reported from other points than were fitted: equal to a few millionths.
     EXPECT_NEAR(ellipse.report.rms, ellipse.error.rms_error, 1e-5) << text;
     constexpr double rounding = 1e-7;
@@ -159,10 +140,6 @@ TEST(CurveFit, NoNeighbourHasALesserReportedError) {
       const double moment = ellipse.curve.moment_max();
       EXPECT_GT(curve_error(Ellipse(force + step, moment), exact).rms_error, ellipse.error.rms_error - rounding) << text;
       EXPECT_GT(curve_error(Ellipse(force, moment + step * m0), exact).rms_error, ellipse.error.rms_error - rounding) << text;
-      const double n = superellipse.curve.exponent() + step;
-      EXPECT_GT(curve_error(Superellipse::through_intercepts(m0, n), exact).rms_error, superellipse.error.rms_error - rounding) << text;
-      const double kappa = quartic.curve.kappa() + 5.0 * step;
-      EXPECT_GT(curve_error(Quartic::through_intercepts(m0, kappa), exact).rms_error, quartic.error.rms_error - rounding) << text;
     }
   }
 }
@@ -177,8 +154,7 @@ TEST(CurveFit, UnitOfLengthDoesNotMatter) {
   const auto fits = [](const char* text) {
     const Law law = parse_law(text);
     const auto ellipse = fit_ellipse(law);
-    return std::vector<double>{ellipse.curve.force_max(), ellipse.curve.moment_max() / law->moment_ratio(),
-                               fit_superellipse(law).curve.exponent(), fit_quartic(law).curve.kappa()};
+    return std::vector<double>{ellipse.curve.force_max(), ellipse.curve.moment_max() / law->moment_ratio()};
   };
   const std::vector<double> metre = fits("gaussian:sigma=1");
   for (const char* text : {"gaussian:sigma=1e-6", "gaussian:sigma=0.001", "gaussian:sigma=1000", "gaussian:sigma=1e6"}) {
@@ -189,8 +165,6 @@ TEST(CurveFit, UnitOfLengthDoesNotMatter) {
 
 TEST(CurveFit, RefusesWhatItCannotDo) {
   EXPECT_THROW(fit_ellipse(hertz(), Criterion::least_squares, 2), std::invalid_argument);
-  EXPECT_THROW(fit_superellipse(hertz(), Criterion::inner), std::invalid_argument);
-  EXPECT_THROW(fit_quartic(hertz(), Criterion::intercepts), std::invalid_argument);
 }
 
 }  // namespace

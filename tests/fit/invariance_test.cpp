@@ -42,8 +42,7 @@ struct Case {
 
 std::vector<Case> cases() {
   std::vector<Case> result;
-  const std::vector<ContactModel> models{{Kind::ellipse}, {Kind::superellipse}, {Kind::quartic},
-                                         {Kind::power},   {Kind::xydas_kao},    ContactModel::of(uniform())};
+  const std::vector<ContactModel> models{{Kind::ellipse}, {Kind::power}, {Kind::xydas_kao}, ContactModel::of(uniform())};
   for (const Loss& loss : {Loss::squared(), Loss::huber(), Loss::cauchy()}) {
     for (const double gamma : {0.0, 0.25}) {
       for (const bool fit_gamma : {false, true}) {

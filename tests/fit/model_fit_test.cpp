@@ -47,15 +47,12 @@ TEST(ModelFit, EachNameDoesItsFit) {
   synthetic::Random random(1);
   const std::vector<Sample> samples = synthetic::clean(synthetic::curve_of(uniform()), {0.8, 0.004}, 60, random);
   EXPECT_EQ(fit_model("ellipse", samples).report.estimates[0].name, "force_max");
-  EXPECT_EQ(fit_model("superellipse", samples).report.estimates[2].name, "exponent");
-  EXPECT_EQ(fit_model("quartic", samples).report.estimates[2].name, "kappa");
   EXPECT_NEAR(fit_model("law", samples, uniform()).report.at("radius").value, 0.004, 1e-10);
   EXPECT_NEAR(fit_model("law", samples).report.at("radius").value, 0.004, 1e-6);
   EXPECT_EQ(
       fit_model("load", LoadSamples{LoadSamples::Quantity::radius, {{1.0, 2e-3}, {2.0, 2e-3}, {4.0, 2.1e-3}, {8.0, 1.9e-3}, {9.0, 2e-3}}})
           .model,
       "linear");
-  EXPECT_NEAR(fit_model("superellipse", hertz(), Criterion::minimax).report.at("exponent").value, 1.725, 5e-4);
   EXPECT_TRUE(fit_model("ellipse", hertz()).error.has_value());
 }
 
@@ -69,8 +66,7 @@ TEST(ModelFit, UnknownNamesAreToldWhatWasExpected) {
     return "accepted";
   };
   const std::vector<Sample> samples(3, {1.0, 0.5, 0.001});
-  EXPECT_NE(message([&] { fit_model("elipse", hertz()); }).find("model 'elipse': expected ellipse, superellipse or quartic"),
-            std::string::npos);
+  EXPECT_NE(message([&] { fit_model("elipse", hertz()); }).find("model 'elipse': expected ellipse"), std::string::npos);
   EXPECT_NE(message([&] { fit_model("load", samples); }).find("ratio or law"), std::string::npos);
   EXPECT_NE(message([&] { fit_model("law", LoadSamples{}); }).find("expected load"), std::string::npos);
 }
@@ -97,7 +93,7 @@ TEST(ModelFit, NumbersInMessagesDoNotDependOnTheLocale) {
   std::vector<Sample> samples = synthetic::clean(synthetic::curve_of(hertz()), {0.6, 0.0045, 0.3}, 60, random);
   synthetic::disturb(samples, 0.01, 0.6, 0.0016, false, random);
   std::string told = in_percent(0.0123) + in_percent(0.5) + in_percent(3.3e-5);
-  for (const char* const model : {"ratio", "law", "superellipse"}) {
+  for (const char* const model : {"ratio", "law", "ellipse"}) {
     const FitReport report = fit_model(model, samples).report;
     told += report.note + report.message;
     for (const std::string& warning : report.warnings) told += warning;

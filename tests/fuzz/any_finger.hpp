@@ -5,6 +5,7 @@
 #include "limitcurve/laws.hpp"
 #include "limitcurve/limitcurve.hpp"
 #include "tests/fuzz/fuzz.hpp"
+#include "tests/superellipse.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -60,21 +61,22 @@ const CurveAndProjection<Real>& any_curve(Bytes& bytes) {
     const BasicTable<Real> coarse = BasicTable<Real>::build(law, 1e-3);
     const BasicTable<Real> table = BasicTable<Real>::build(law, 1e-6);
     const BasicTable<Real> fine = BasicTable<Real>::build(law, finest);
-    const BasicTable<Real> super = BasicTable<Real>::build(minimax_superellipse(ExactCurve(law)), 1e-6, {.name = "superellipse"});
-    const BasicTable<Real> quartic = BasicTable<Real>::build(minimax_quartic(ExactCurve(law)), 1e-6, {.name = "quartic"});
-    const Ellipse ellipse = Ellipse::through_intercepts(law->moment_ratio());
+    const double m0 = law->moment_ratio();
+    const BasicTable<Real> pointed = BasicTable<Real>::build(test::Superellipse{1.0, m0, 1.725}, 1e-6, {.name = "pointed"});
+    const BasicTable<Real> blunt = BasicTable<Real>::build(test::Superellipse{1.0, m0, 3.0}, 1e-6, {.name = "blunt"});
+    const Ellipse ellipse = Ellipse::through_intercepts(m0);
     return std::vector<CurveAndProjection<Real>>{{table, Projection::closest_point},
                                                  {table, Projection::c_curve},
                                                  {table, Projection::radial},
                                                  {ellipse, Projection::radial},
-                                                 {box(1.0, law->moment_ratio()), Projection::closest_point},
+                                                 {box(1.0, m0), Projection::closest_point},
                                                  {fine, Projection::closest_point},
                                                  {ellipse, Projection::closest_point},
-                                                 {super, Projection::closest_point},
-                                                 {quartic, Projection::closest_point},
-                                                 {super, Projection::c_curve},
+                                                 {pointed, Projection::closest_point},
+                                                 {blunt, Projection::closest_point},
+                                                 {pointed, Projection::c_curve},
                                                  {coarse, Projection::c_curve},
-                                                 {quartic, Projection::radial}};
+                                                 {blunt, Projection::radial}};
   }();
   return choices[bytes.take<std::uint8_t>() % choices.size()];
 }

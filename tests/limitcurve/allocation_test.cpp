@@ -78,8 +78,6 @@ void expect_no_allocation(const char* what, const Curve& curve) {
 
 TEST(Allocation, NoCurveAllocates) {
   expect_no_allocation("ellipse", Ellipse(1.0, 0.6));
-  expect_no_allocation("superellipse", Superellipse(1.0, 0.6, 1.7));
-  expect_no_allocation("quartic", Quartic(1.0, 0.6, 3.2));
   expect_no_allocation("box", box(1.0, 0.6));
   expect_no_allocation("diamond", diamond(1.0, 0.6));
   expect_no_allocation("table", Table::build(uniform(), 1e-6));

@@ -5,6 +5,7 @@
 #include "limitcurve/laws.hpp"
 #include "limitcurve/quadrature/evaluators.hpp"
 #include "reference.hpp"
+#include "tests/function_law.hpp"
 
 #include <gtest/gtest.h>
 #include <boost/math/quadrature/tanh_sinh.hpp>
@@ -29,9 +30,7 @@ constexpr double lost = accuracy::has_extended ? 0.0 : accuracy::evaluate_by_qua
 /// The law of a string, or one that no string names: a ring-shaped pressure as a function, with a kink.
 Law law_of(const std::string& text) {
   if (text != "function") return parse_law(text);
-  const std::array<double, 3> breaks{0.0, 0.6, 1.0};
-  return from_pressure(
-      "function", [](double rho) { return rho < 0.6 ? 0.2 + rho * rho : 1.4 * (1.0 - rho); }, breaks);
+  return law_of_function("function", [](Extended rho) { return rho < 0.6L ? 0.2L + rho * rho : 1.4L * (1 - rho); }, {0, 0.6L, 1});
 }
 
 class LawSuite : public testing::TestWithParam<std::string> {

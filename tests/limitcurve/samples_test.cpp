@@ -3,6 +3,7 @@
 #include "limitcurve/accuracy.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/table.hpp"
+#include "tests/function_law.hpp"
 #include "tests/repetitions.hpp"
 
 #include <gtest/gtest.h>
@@ -110,9 +111,30 @@ TEST(Samples, ARingWithSharpEdgesIsExact) {
 }
 
 TEST(Samples, ASmoothRingIsThatOfTheSamePressureAsAFunction) {
-  const auto bump = [](double r) { return std::exp(-40.0 * (r - 0.6) * (r - 0.6)) * (1.0 - r * r); };
+  const auto bump = [](auto r) { return std::exp(-40.0 * (r - 0.6) * (r - 0.6)) * (1.0 - r * r); };
   const Law law = samples(sampled(bump, 120, 0.0), "bump.csv");
-  expect_within_stated_error(*law, *from_pressure("bump", bump, std::array{0.0, 0.6, 1.0}), 1e-3);
+  expect_within_stated_error(*law, *test::law_of_function("bump", bump, {0, 0.6L, 1}), 1e-3);
+}
+
+TEST(Samples, OfAFormulaAreExactWhereTheirRadiiCrowdAtTheRim) {
+  constexpr int last = 5000;
+  const auto worst = [](auto radius_of) {
+    std::vector<PressureSample> rows;
+    for (int i = 0; i <= last; ++i) {
+      const double radius = i < last ? radius_of(i) : 1.0;
+      rows.push_back({radius, std::sqrt((1.0 - radius) * (1.0 + radius))});
+    }
+    const Law law = samples(rows, "formula.csv");
+    double error = 0.0;
+    for (const double s : cors) {
+      const UnitWrench found = law->evaluate(s).wrench;
+      const UnitWrench exact = hertz()->evaluate(s).wrench;
+      error = std::max({error, std::fabs(found.force - exact.force), std::fabs(found.moment - exact.moment)});
+    }
+    return error;
+  };
+  EXPECT_LT(worst([](int i) { return std::sin(i * 3.14159265358979324 / (2 * last)); }), 5.1e-13);
+  EXPECT_NEAR(worst([](int i) { return static_cast<double>(i) / last; }), 6e-7, 0.3e-7);
 }
 
 TEST(Samples, NoiseEntersTheStatedError) {
@@ -155,10 +177,10 @@ TEST(Samples, ARunOfTwoSamplesHasAnErrorToo) {
   expect_within_stated_error(*samples(rows, "twice.csv"), *hertz(), 0.1);
   // Two samples on either side of a jump.
   const std::array<PressureSample, 4> jump{{{0.0, 2.0}, {0.5, 1.5}, {0.5, 1.0}, {1.0, 0.0}}};
-  const auto curved = [](double r) { return r < 0.5 ? 2.0 - 2.0 * r * r : 2.0 - r * (1.0 + r); };
-  expect_within_stated_error(*samples(jump, "jump.csv"), *from_pressure("curved", curved, std::array{0.0, 0.5, 1.0}), 0.3);
-  const auto early = [](double r) { return r < 0.5 ? (r < 0.01 ? 2.0 : 1.5) : (r < 0.51 ? 1.0 : 1e-9); };
-  expect_within_stated_error(*samples(jump, "jump.csv"), *from_pressure("early", early, std::array{0.0, 0.01, 0.5, 0.51, 1.0}), 0.5);
+  const auto curved = [](Extended r) { return r < 0.5 ? 2.0 - 2.0 * r * r : 2.0 - r * (1.0 + r); };
+  expect_within_stated_error(*samples(jump, "jump.csv"), *test::law_of_function("curved", curved, {0, 0.5L, 1}), 0.3);
+  const auto early = [](Extended r) { return r < 0.5 ? (r < 0.01 ? 2.0 : 1.5) : (r < 0.51 ? 1.0 : 1e-9); };
+  expect_within_stated_error(*samples(jump, "jump.csv"), *test::law_of_function("early", early, {0, 0.01L, 0.5L, 0.51L, 1}), 0.5);
 }
 
 TEST(Samples, TheInterpolantDoesNotOvershoot) {
@@ -252,24 +274,6 @@ TEST(Samples, RefusesWhatIsNoProfile) {
   EXPECT_NE(complaint({{0, 0}, {1, 0}, {1.5, 0}, {2, 0}}).find("no pressure"), std::string::npos);
   EXPECT_NE(complaint({{0, 1}, {1, 1}, {1, 3}, {1, 2}, {2, 1}}).find("at most two"), std::string::npos);
   EXPECT_NE(complaint({{0, 1}, {1, 1}, {2, 1}, {2, 0}}).find("jump at the last radius"), std::string::npos);
-}
-
-TEST(FromPressure, IsTheLawItComputes) {
-  const Law law = from_pressure(
-      "mine", [](double r) { return std::sqrt((2.0 - r) * (2.0 + r)); }, std::array{0.0, 2.0});
-  for (const double s : cors) {
-    const WrenchEstimate estimate = law->evaluate(s);
-    const WrenchEstimate exact = hertz()->evaluate(s);
-    EXPECT_NEAR(estimate.wrench.force, exact.wrench.force, estimate.error.force);
-    EXPECT_NEAR(estimate.wrench.moment, exact.wrench.moment, estimate.error.moment);
-  }
-  EXPECT_THROW(from_pressure("none", {}, std::array{0.0, 1.0}), std::invalid_argument);
-  EXPECT_THROW(from_pressure(
-                   "empty", [](double) { return 0.0; }, std::array{0.0, 1.0}),
-               std::invalid_argument);
-  EXPECT_THROW(from_pressure(
-                   "backwards", [](double) { return 1.0; }, std::array{0.0, 1.0, 0.5}),
-               std::invalid_argument);
 }
 
 // Once only 13 of 21 such profiles reached 1e-10.

@@ -8,7 +8,9 @@
 #include "limitcurve/pressure_law.hpp"
 #include "limitcurve/quadrature/evaluators.hpp"
 #include "table_errors.hpp"
+#include "tests/function_law.hpp"
 #include "tests/repetitions.hpp"
+#include "tests/superellipse.hpp"
 
 #include <gtest/gtest.h>
 
@@ -128,9 +130,8 @@ TEST(Table, TakesAnyCurveWhoseNormalTurnsSmoothly) {
     return NamedCurve{name, [curve](SlipTwist twist) { return curve.wrench(twist); }, Table::build(curve, tolerance, {.name = name})};
   };
   for (const NamedCurve& curve :
-       {named("ellipse", Ellipse(1.2, 0.5), 1e-13), named("sharp superellipse", Superellipse(1.1, 0.58, 1.725), 1e-13),
-        named("blunt superellipse", Superellipse(1.0, 0.58, 3.0), 1e-8), named("quartic", Quartic(1.0, 0.6, 3.142), 1e-13),
-        named("wide quartic", Quartic(2.0, 30.0, 3.2), 1e-10)}) {
+       {named("ellipse", Ellipse(1.2, 0.5), 1e-13), named("sharp superellipse", test::Superellipse{1.1, 0.58, 1.725}, 1e-13),
+        named("blunt superellipse", test::Superellipse{1.0, 0.58, 3.0}, 1e-8), named("wide ellipse", Ellipse(2.0, 30.0), 1e-10)}) {
     SCOPED_TRACE(curve.name);
     EXPECT_EQ(curve.table.law_name(), curve.name);
     const double scale = std::max(curve.exact({1.0, 0.0}).force, curve.exact({0.0, 1.0}).moment);
@@ -190,7 +191,7 @@ TEST(Table, FollowsWhatIsNearerToAnEndThanBucketsGet) {
 
 TEST(Table, NamesTheFinestToleranceThatIsPossible) {
   // Near pure spin its force is the fifth root of x: no cell begins near enough to 0.
-  const Superellipse blunt(1.0, 0.58, 6.0);
+  const test::Superellipse blunt{1.0, 0.58, 6.0};
   const auto build = [&](double tolerance) { return Table::build(blunt, tolerance, {.name = "superellipse:n=6"}); };
   const std::string text = complaint([&] { build(1e-12); });
   expect_mention(text, "superellipse:n=6");
@@ -203,12 +204,11 @@ TEST(Table, NamesTheFinestToleranceThatIsPossible) {
 }
 
 TEST(Table, RefusesALawWhoseOwnErrorIsLarger) {
-  // A pressure of noise: from_pressure states what its integral may be off by.
-  const std::vector<double> ends{0.0, 1.0};
-  const Law noise = from_pressure(
-      "noise", [](double rho) { return 1.0 + 0.5 * std::sin(1e7 * rho * rho); }, ends);
-  const std::string text = complaint([&] { Table::build(noise, 1e-12); });
-  expect_mention(text, "table of noise");
+  // A kink that the law does not list.
+  const Law kinked = std::make_shared<test::FunctionLaw>(
+      "kinked", [](Extended rho) { return rho < 0.5L ? 24.0L / 13 * (1 - rho) : 12.0L / 13; }, std::vector<Extended>{0, 1});
+  const std::string text = complaint([&] { Table::build(kinked, 1e-12); });
+  expect_mention(text, "table of kinked");
 }
 
 TEST(Table, RefusesCurvesWithCorners) {

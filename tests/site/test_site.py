@@ -142,7 +142,7 @@ class Browsed(unittest.TestCase):
                 self.assertLessEqual(self.browser.execute_script("return document.documentElement.scrollWidth"), 390)
 
     def test_search_finds(self):
-        for word, page in (("superellipse", "validate.html"), ("SoftFinger", "reference/godobject.html"), ("limitcurve_finger_update", "reference/c.html")):
+        for word, page in (("diamond", "validate.html"), ("SoftFinger", "reference/godobject.html"), ("limitcurve_finger_update", "reference/c.html")):
             with self.subTest(word):
                 browser.show(self.browser, f"{(SITE / 'search.html').as_uri()}?q={word}")
                 script = "return [...document.querySelectorAll('#search-results a')].map((a) => a.href.split(/[?#]/)[0])"

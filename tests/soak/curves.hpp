@@ -6,6 +6,7 @@
 #include "limitcurve/limitcurve.hpp"
 #include "limitcurve/table_file.hpp"
 #include "tests/soak/random_bits.hpp"
+#include "tests/superellipse.hpp"
 
 #include <array>
 #include <filesystem>
@@ -21,17 +22,14 @@ namespace limitcurve::soak {
 /// the mathematical library in extended precision, differs between machines.
 class Curves {
  public:
-  static constexpr std::array<const char*, 5> names{"law", "superellipse", "quartic", "ellipse", "box"};
+  static constexpr std::array<const char*, 4> names{"law", "superellipse", "ellipse", "box"};
 
   Curves() {
     for (const char* law : {"hertz", "uniform", "flat-punch", "cone", "xydas-kao:k=3", "gaussian:sigma=0.4"}) {
       for (const double tolerance : {1e-2, 1e-6, 1e-8, 1e-11}) tables_[0].push_back(Table::build(parse_law(law), tolerance));
     }
     for (const double exponent : {1.6, 1.9, 2.2}) {
-      tables_[1].push_back(Table::build(Superellipse::through_intercepts(0.6, exponent), 1e-8, {.name = "superellipse"}));
-    }
-    for (const double parameter : {2.0, 3.0, 5.0}) {
-      tables_[2].push_back(Table::build(Quartic::through_intercepts(0.6, parameter), 1e-8, {.name = "quartic"}));
+      tables_[1].push_back(Table::build(test::Superellipse{1.0, 0.6, exponent}, 1e-8, {.name = "superellipse"}));
     }
   }
   explicit Curves(const std::filesystem::path& folder) {
@@ -53,8 +51,8 @@ class Curves {
   /// A curve of that kind.
   [[nodiscard]] godobject::FingerCurve any(std::size_t kind, RandomBits& random) const {
     const double moment_ratio = random.uniform(0.4, 0.8);
-    if (kind == 3) return Ellipse::through_intercepts(moment_ratio);
-    if (kind == 4) return box(1.0, moment_ratio);
+    if (kind == 2) return Ellipse::through_intercepts(moment_ratio);
+    if (kind == 3) return box(1.0, moment_ratio);
     return tables_[kind][static_cast<std::size_t>(random.below(static_cast<int>(tables_[kind].size())))];
   }
 
@@ -63,7 +61,7 @@ class Curves {
     return folder / (std::string(names[kind]) + '-' + std::to_string(i) + ".csv");
   }
 
-  std::array<std::vector<Table>, 3> tables_;
+  std::array<std::vector<Table>, 2> tables_;
 };
 
 }  // namespace limitcurve::soak

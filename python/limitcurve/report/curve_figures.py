@@ -91,8 +91,7 @@ def ellipse_error(data):
 
 # Model of validate.csv: what the legend says, marker and colour.
 MODELS = {
-    "quartic": ("quartic", "s", GREEN),
-    "superellipse": ("superellipse", "^", BLUE),
+    "ellipse-inner": ("ellipse, inside the curve", "s", GREEN),
     "ellipse-least-squares": ("ellipse, best fit", "o", FAINT),
     "ellipse": ("ellipse through the limits", "o", INK),
     "diamond": ("diamond", "D", ORANGE),

@@ -3,13 +3,13 @@
 #include "fits.hpp"
 
 #include "../../fit/synthetic.hpp"
+#include "../../superellipse.hpp"
 #include "fit/fit.hpp"
 #include "gaussian_sum.hpp"
 #include "limitcurve/exact_curve.hpp"
 #include "limitcurve/internal/number.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/table.hpp"
-#include "limitcurve/validate.hpp"
 #include "sampling.hpp"
 #include "truth.hpp"
 
@@ -44,9 +44,17 @@ Hazard cor_near_the_axes() {
   const auto model = [](std::string name, auto approximation) {
     return Model{std::move(name), [approximation](UnitWrench wrench) { return approximation.along(wrench).normal; }};
   };
-  std::vector<Model> models{model("ellipse", Ellipse::through_intercepts(curve.moment_ratio())),
-                            model("superellipse", minimax_superellipse(curve)), model("quartic", minimax_quartic(curve)),
-                            model("limitcurve", Table::build(flat_punch(), 1e-8))};
+  const double m0 = curve.moment_ratio();
+  // Their parameters have the least largest error of the radius.
+  constexpr double exponent = 1.66217;
+  constexpr double kappa = 3.48144;
+  const auto quartic = [m0](UnitWrench wrench) {  // x⁴ + y⁴ + κx²y² = 1
+    const double x = wrench.force;
+    const double y = wrench.moment / m0;
+    return SlipTwist{x * (2.0 * x * x + kappa * y * y), y * (2.0 * y * y + kappa * x * x) / m0};
+  };
+  std::vector<Model> models{model("ellipse", Ellipse::through_intercepts(m0)), model("superellipse", test::Superellipse{1.0, m0, exponent}),
+                            Model{"quartic", quartic}, model("limitcurve", Table::build(flat_punch(), 1e-8))};
   for (const double s : in_ratios(1e-3, 1e3, 121)) {
     const ExactWrench exact = exact_flat_punch(s);
     const UnitWrench wrench{static_cast<double>(exact.force), static_cast<double>(exact.moment)};
