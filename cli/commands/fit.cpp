@@ -73,7 +73,7 @@ class Fit final : public Subcommand {
     if (data_.empty() && file_columns_.given()) throw std::invalid_argument("--columns, --units: go with --data");
     if (covariance_ && (data_.empty() || models[model_] == "friction"))
       throw std::invalid_argument("--covariance: only with --data, and not for fit friction");
-    if (residuals_ && (data_.empty() || (models[model_] != "law" && model_ > last_of_a_curve)))
+    if (residuals_ && (data_.empty() || (models[model_] != "law" && models[model_] != "ellipse")))
       throw std::invalid_argument("--residuals: only for a curve that is fitted to the slips of --data, got fit " + models[model_]);
     if (models[model_] == "friction") return write(results, friction(), patch_);
     if (!patch_.empty()) throw std::invalid_argument("--patch: only for fit friction, got fit " + models[model_]);
