@@ -356,6 +356,12 @@ LIMITCURVE_API limitcurve_status limitcurve_patch_wrench(const limitcurve_patch*
 LIMITCURVE_API limitcurve_status limitcurve_patch_load_to_hold(const limitcurve_patch* patch, double mu, const double* wrenches,
                                                                size_t count, double* loads);
 
+/* The twists (vx, vy, omega) [m/s, rad/s] about the origin with which the patch slips under `count` wrenches (fx, fy, moment) [N, N m] about the
+ * origin, three numbers each: at the load that just holds, of power 1 W against the wrench; NaN for wrench 0, and where no load holds. Bounds of
+ * |dF|/(mu P) and |dM|/(mu P m0), from the wrench to what the twist needs, may be NULL. */
+LIMITCURVE_API limitcurve_status limitcurve_patch_slip(const limitcurve_patch* patch, const double* wrenches, size_t count, double* twists,
+                                                       double* errors);
+
 /* ---- Fits ---- */
 
 /* A library built without Ceres refuses them with LIMITCURVE_FAILED. */
