@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "limitcurve/patch.hpp"
 
-#include "cli/commands/radius_check.hpp"
 #include "cli/commands/subcommands.hpp"
 #include "cli/io/patch_argument.hpp"
+#include "cli/io/unit_questions.hpp"
 
 namespace limitcurve::cli {
 
@@ -33,10 +33,10 @@ class PatchCommand final : public Subcommand {
   }
 
   void run(const Results& results) override {
-    const Patch patch = read_patch(patch_, results.messages);
-    // A wrench is right in any unit of length that the twists share.
-    constexpr double largest_arm = 3.0;
-    warn_of_patch(*results.messages, patch_, patch, largest_arm);
+    const Patch patch = read_patch(patch_, *results.messages);
+    UnitQuestions questions;
+    questions.load(load_);
+    results.messages->say(questions.lines());
     Rows rows(results, {"vx", "vy", "omega", "fx", "fy", "moment", "power", "error"});
     const double limit = mu_ * load_;
     read_twists(twists_, [&](const PatchTwist& twist) {

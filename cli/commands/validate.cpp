@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "cli/commands/radius_check.hpp"
 #include "cli/commands/subcommands.hpp"
 #include "cli/io/law_argument.hpp"
 #include "cli/io/patch_argument.hpp"
@@ -89,9 +88,7 @@ class Validate final : public Subcommand {
     std::vector<std::pair<std::string, std::vector<RoundModel>>> found;
     for (const std::string& text : patches_) {
       results.messages->progress(static_cast<double>(found.size()) / static_cast<double>(patches_.size()));
-      const Patch patch = read_patch(text, results.messages);
-      warn_of_patch(*results.messages, text, patch);
-      found.emplace_back(text, round_models(patch));
+      found.emplace_back(text, round_models(read_patch(text, *results.messages)));
     }
     Rows rows(results, columns());
     for (const auto& [text, models] : found) {
