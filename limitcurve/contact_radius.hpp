@@ -69,6 +69,8 @@ class RadiusLaw {
   [[nodiscard]] double coefficient(double load = 1.0) const noexcept;
   [[nodiscard]] double exponent(double load = 1.0) const noexcept;
   [[nodiscard]] bool is_sampled() const noexcept { return stretches_ != nullptr; }
+  /// Whether a is a function of the load, as a property of the law: two equal radii do not make it constant.
+  [[nodiscard]] bool depends_on_load() const noexcept { return is_sampled() || exponent_ != 0.0; }
   /// The smallest and the largest load [N] of the samples, beyond which a sampled law extrapolates; 0 and infinity for any other law.
   [[nodiscard]] std::pair<double, double> sampled_loads() const noexcept { return sampled_loads_; }
 

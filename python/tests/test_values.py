@@ -261,6 +261,15 @@ def test_a_patch_on_a_finger_is_the_disc_of_its_law():
     assert disc.centre_of_rotation() == pytest.approx(round_.centre_of_rotation(), abs=1e-6)
 
 
+def test_a_late_device_needs_more_damping():
+    assert lc.device_damping_needed(1e-3, delay=2, stiffness=1000) == pytest.approx((2.5, 2.5e-3 * 0.025))
+    lc.require_passive(1e-3, 2.51, delay=2, stiffness=1000)
+    with pytest.raises(ValueError, match="a delay of 2 samples need .* 2.5 N s/m"):
+        lc.require_passive(1e-3, 2.49, delay=2, stiffness=1000)
+    with pytest.raises(ValueError, match="delay = -1"):
+        lc.device_damping_needed(1e-3, delay=-1)
+
+
 def test_a_batch_says_which_samples_were_not_usable():
     batch = lc.Batch(TABLE, 3, mu=0.6)
     batch.update(0.0, 0.0, 0.002, 0.0)
