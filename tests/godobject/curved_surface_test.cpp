@@ -125,44 +125,6 @@ TEST(CurvedSurface, ConingFeedsNothingButTheSprings) {
   EXPECT_NEAR(work.sum, begin - finger.spring_energy(), 1e-8 * begin);
 }
 
-// Out on a ball at one depth and back at another, a stuck finger gives its user nothing; k_l times the tangential part of x_p − x_g
-// would give ½ k s² Δd/R, 1.875e-5 J.
-TEST(CurvedSurface, ALoopOfAStuckFingerWinsNothing) {
-  struct Shape {
-    const char* name;
-    AnySurface surface;
-    Vector3d along;  // the loop goes round this axis
-  };
-  const std::vector<Shape> shapes{{"plane", AnySurface(PlaneSurface{}), Vector3d::UnitY()},
-                                  {"sphere", AnySurface(SphereSurface(0.01)), Vector3d::UnitY()},
-                                  {"capsule", AnySurface(CapsuleSurface(0.01, 0.02)), Vector3d::UnitZ()},
-                                  {"cylinder", AnySurface(CylinderSurface(0.01, 0.02)), Vector3d::UnitZ()}};
-  for (const Shape& shape : shapes) {
-    const bool is_flat = shape.name == std::string_view("plane");
-    const auto place = [&](double s, double depth) -> Vector3d {
-      if (is_flat) return {s, 0.0, -depth};
-      return about(shape.along, s / 0.01) * ((0.01 - depth) * Vector3d::UnitX());
-    };
-    SoftFinger finger = finger_of(skin());
-    Work work;
-    const auto go = [&](double s, double depth) {
-      const DevicePose device{place(s, depth)};
-      work.add(device, finger.update(shape.surface, device));
-    };
-    constexpr int steps = 4000;
-    go(0.0, 0.0025);
-    for (int loop = 0; loop < 3; ++loop) {
-      for (int i = 1; i <= steps; ++i) go(5e-4 * i / steps, 0.0025);
-      for (int i = 1; i <= steps; ++i) go(5e-4, 0.0025 - 0.0015 * i / steps);
-      for (int i = 1; i <= steps; ++i) go(5e-4 - 5e-4 * i / steps, 0.001);
-      for (int i = 1; i <= steps; ++i) go(0.0, 0.001 + 0.0015 * i / steps);
-    }
-    EXPECT_TRUE(work.all_stick) << shape.name;
-    // The force is linear in the finger's position, so the trapezoidal rule is exact.
-    EXPECT_LT(std::fabs(work.sum), 1e-15) << shape.name;
-  }
-}
-
 // Point 4: with dampers and a normal that turns, friction has no part along the normal.
 TEST(CurvedSurface, DampedFrictionIsTangent) {
   FingerParameters with = skin();
