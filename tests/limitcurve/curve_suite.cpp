@@ -200,9 +200,10 @@ TEST_P(CurveSuite, GaugeIsOfMagnitudesAndKeepsNaNAndInfinity) {
       const UnitWrench wrench = curve().wrench({force, moment});
       EXPECT_TRUE(std::isnan(wrench.force) && std::isnan(wrench.moment)) << force << ' ' << moment;
       const auto [large_force, large_moment] = pair(-infinite);
-      if (!std::isnan(other)) EXPECT_EQ(curve().gauge({large_force, large_moment}), infinite);
-      if (std::isfinite(other))
-        EXPECT_EQ(curve().wrench({large_force, large_moment}), curve().wrench(force_first ? SlipTwist{1, 0} : SlipTwist{0, 1}));
+      if (std::isnan(other)) continue;
+      EXPECT_EQ(curve().gauge({large_force, large_moment}), infinite);
+      if (std::isinf(other)) continue;
+      EXPECT_EQ(curve().wrench({large_force, large_moment}), curve().wrench(force_first ? SlipTwist{1, 0} : SlipTwist{0, 1}));
     }
   }
 }
