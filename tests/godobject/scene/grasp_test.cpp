@@ -279,27 +279,6 @@ TEST(Grasp, SolvesSlipUnderStiffSprings) {
   }
 }
 
-// Ten seconds here; the hour is in rest_soak.cpp.
-TEST(Grasp, RestsWithoutCreeping) {
-  BodyParameters body = BodyParameters::planar_block(0.1, edges, 9.81);
-  FingerParameters with = parameters(1.67, 0.01, 1000.0, 0.0366);
-  with.damping = 10.0;
-  with.twist_damping = 0.001;
-  auto grasp = make_grasp(body, edges, with, exact_curve(hertz()), 2);
-  const auto devices = pinch(0.04, 0.002, {0.005, 0.0, 0.0});
-  grasp.place(BodyState{}, devices);
-  const Vector3d proxy = grasp.finger(0).output().proxy;
-  const double angle = grasp.finger(0).output().angle;
-  for (int i = 0; i < 5000; ++i) grasp.step(devices, 1e-3);
-  const BodyState settled = grasp.body();
-  for (int i = 0; i < 10000; ++i) {
-    grasp.step(devices, 1e-3);
-    ASSERT_TRUE(grasp.finger(0).output().proxy == proxy && grasp.finger(0).output().angle == angle);
-  }
-  EXPECT_LT((grasp.body().position - settled.position).norm(), 1e-12);
-  EXPECT_LT(grasp.body().orientation.angularDistance(settled.orientation), 1e-12);
-}
-
 // A damped oscillator has an answer: the ratio of successive swings of a body between two damped fingers.
 TEST(Grasp, DampingIsTheOneAskedFor) {
   BodyParameters body = BodyParameters::planar_block(0.1, edges, 0.0);
