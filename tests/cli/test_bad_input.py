@@ -119,14 +119,6 @@ class Outputs(CommandLineTest):
             self.assertEqual(done.returncode, 1)
             self.assertRegex(done.stderr, r"\Alimitcurve: error: [^\n]*standard output[^\n]*No space left[^\n]*\n\Z")
 
-    def test_a_closed_pipe(self):
-        with subprocess.Popen([EXECUTABLE, "curve", "--law", "hertz", "--points", "200000"], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                              text=True) as process:
-            process.stdout.readline()
-            process.stdout.close()
-            complaint = process.stderr.read()
-        self.assertEqual((process.returncode, complaint), (1, ""))
-
 
 class OtherFiles(CommandLineTest):
     """What is no CSV text with commas is called what it is, by every command that reads columns."""
