@@ -78,8 +78,8 @@ class Tables(CommandLineTest):
             #define __device__ __attribute__((device))
             #define __global__ __attribute__((global))
             #include "table.h"
-            __global__ void step(double* f, double* m, double* g) { *g = NAME_gauge(*f, *m); *f = NAME::closest_point(*f, *m, 1.0).force; *m = NAME::wrench(*f, *m).moment; }
-            int main() { return NAME::gauge(0.3, 0.1) > 1.0 || NAME_closest_point(2.0, 0.0, 1.0).force != 1.0; }
+            __global__ void step(double* f, double* m, double* g) { *g = NAME_gauge(*f, *m); *f = NAME_closest_point(*f, *m, 1.0).force; *m = NAME_wrench(*f, *m).moment; }
+            int main() { return NAME_gauge(0.3, 0.1) > 1.0 || NAME_closest_point(2.0, 0.0, 1.0).force != 1.0; }
             """.replace("NAME", re.search(r"(\w+)_wrench\(double", (self.directory / "table.h").read_text()).group(1)))
         subprocess.run(["clang++", "-std=c++17", "-nocudainc", "-nocudalib", "--cuda-gpu-arch=sm_70", "-Wall", "-Wextra", "-Werror", "-fsyntax-only",
                         source], check=True)
@@ -131,8 +131,8 @@ class Tables(CommandLineTest):
         name = re.search(r"(\w+)_wrench\(double", path.read_text()).group(1)
         source = self.file("use.cpp", f"""#include "table.hpp"
             #include <cstdio>
-            static_assert({name}::wrench(1.0, 0.0).force == 1.0, "");
-            int main() {{ std::printf("%.17g,%.17g\\n", {name}::wrench(0.3, 1.0).force, {name}::wrench(0.3, 1.0).moment); }}
+            static_assert({name}_wrench(1.0, 0.0).force == 1.0, "");
+            int main() {{ std::printf("%.17g,%.17g\\n", {name}_wrench(0.3, 1.0).force, {name}_wrench(0.3, 1.0).moment); }}
             """)
         try:
             subprocess.run(["c++", "-std=c++17", "-Wall", "-Wextra", "-pedantic", "-Werror", source, "-o", self.directory / "use"], check=True)
