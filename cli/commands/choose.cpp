@@ -29,7 +29,7 @@ class Choose final : public Subcommand {
             "With --patch in place of --law the contact is not round (see 'limitcurve patch'). Candidates are the disc with the least\n"
             "largest error (parameter: its radius; it drives a finger as a law does), the ellipsoid sqrt(v^2 + m0^2 w^2) (parameter: m0)\n"
             "and the patch itself. error is the largest relative error of power over all sliding twists.\n"
-            "With --scene the command chooses the whole step of the god-object: model is 'no torsion' or BOUNDARY/PROJECTION, with the\n"
+            "With --scene the command chooses the whole step of the god-object: model is 'no torsion' or CURVE/PROJECTION, with the\n"
             "contact radius of the mean load, or with the load-dependent radius if the name ends in '/a(P)'. Without --radius-law and\n"
             "--mu-r a is 5 mm. error is the change of the rendered wrench as a fraction of the friction limits: twice the largest change\n"
             "in a thousand slides and twists (in turn and together, with reversals and turns, within the rates, distances and loads of\n"
@@ -67,16 +67,18 @@ class Choose final : public Subcommand {
   }
 
  private:
+  static void note(const Results& results, const std::string& text) { results.messages->say("limitcurve: note: " + text); }
+
   void choose_curve(const Results& results) const {
     write(results, patch_.empty() ? choose(law_, tolerance_) : choose(read_patch(patch_, results.messages), tolerance_));
-    if (explain_) results.messages->say("costs measured: " + std::string(shipped_costs::measured));
+    if (explain_) note(results, "costs measured: " + std::string(shipped_costs::measured));
   }
 
   void write(const Results& results, const std::vector<Candidate>& candidates) const {
     Rows rows(results, {"model", "parameter", "error", "nanoseconds", "chosen"});
     for (const Candidate& candidate : candidates) {
       rows.row(candidate.model, candidate.parameter, candidate.error, candidate.nanoseconds, candidate.chosen);
-      if (explain_) results.messages->say(candidate.model + ": " + candidate.reason);
+      if (explain_) note(results, candidate.model + ": " + candidate.reason);
     }
     rows.finish();
   }
@@ -98,11 +100,11 @@ class Choose final : public Subcommand {
     if (radius_law_) warn_of_radii(*results.messages, scene_.radius_law, std::array{scene_.least_load, scene_.most_load});
     const godobject::StepChoice choice = godobject::choose_step(scene_, tolerance_);
     write(results, choice.candidates);
-    results.messages->say(choice.verdict);
+    for (const std::string& finding : choice.findings) note(results, finding);
     if (!radius_law_ && !scene_.mu_r) {
-      results.messages->say("without --radius-law and --mu-r the contact radius is taken as a = 5 mm");
+      note(results, "without --radius-law and --mu-r the contact radius is taken as a = 5 mm");
     }
-    results.messages->say(how_to_replay(choice));
+    note(results, how_to_replay(choice));
     godobject::FingerParameters finger;
     finger.mu = scene_.mu;
     finger.radius_law = scene_.radius_law;
@@ -118,14 +120,14 @@ class Choose final : public Subcommand {
     const godobject::ReplayOptions& step = choice.chosen;
     std::string text =
         "replay it with --curve " + std::string(to_string(step.curve)) + " --projection " + std::string(to_string(step.projection));
-    if (step.curve == godobject::CurveKind::table) text += " --tolerance " + format_number(step.tolerance);
+    if (step.curve == godobject::CurveKind::table) text += " --tolerance " + format_number(step.tolerance, 6);
     if (!mu_) text += " --mu " + format_number(scene_.mu);
     if (!stiffness_) text += " --stiffness " + format_number(scene_.stiffness);
     if (!twist_stiffness_) text += " --twist-stiffness " + format_number(scene_.twist_stiffness);
     if (step.finger.mu_r == 0.0) text += " --mu-r 0";
     const double radius = step.finger.radius_law.radius(scene_.most_load);
     if (!scene_.mu_r && (!radius_law_ || radius != scene_.radius_law.radius(scene_.most_load))) {
-      text += " --radius-law constant:a=" + format_number(radius);
+      text += " --radius-law constant:a=" + format_number(radius, 6);
     }
     return text;
   }

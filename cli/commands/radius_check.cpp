@@ -24,19 +24,19 @@ void warn_of_radii(Messages& messages, const RadiusLaw& radius_law, std::span<co
     }
   }
   if (radius > largest_radius) {
-    messages.say("limitcurve: warning: the radius law gives a contact radius of " + format_number(radius) + " m at a load of " +
-                 format_number(at_load) + " N: is the law in metres?");
+    messages.say("limitcurve: warning: the radius law gives a contact radius of " + format_number(radius, 3) + " m at a load of " +
+                 format_number(at_load, 3) + " N: is the law in metres?");
   }
   const auto [first, last] = radius_law.sampled_loads();
   if (least < first || most > last) {
-    messages.say("limitcurve: warning: the radius law is extrapolated: its samples have loads from " + format_number(first) + " to " +
-                 format_number(last) + " N, it is used from " + format_number(least) + " to " + format_number(most) + " N");
+    messages.say("limitcurve: warning: the radius law is extrapolated: its samples have loads from " + format_number(first, 3) + " to " +
+                 format_number(last, 3) + " N, it is used from " + format_number(least, 3) + " to " + format_number(most, 3) + " N");
   }
 }
 
 void warn_of_patch(Messages& messages, const std::string& text, const Patch& patch, double largest_arm) {
   if (!(patch.moment_ratio() > largest_arm)) return;
-  messages.say("limitcurve: warning: patch '" + text + "': its load is at a mean distance of " + format_number(patch.moment_ratio()) +
+  messages.say("limitcurve: warning: patch '" + text + "': its load is at a mean distance of " + format_number(patch.moment_ratio(), 3) +
                " m from its centre: is it in metres?");
 }
 

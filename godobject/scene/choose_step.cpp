@@ -111,24 +111,26 @@ FingerParameters parameters_of(const Scene& scene) {
   return result;
 }
 
-std::string verdict_of(const Effects& effects, const Candidate& chosen, double tolerance) {
+std::vector<std::string> findings_of(const Effects& effects, const Candidate& chosen, double tolerance) {
   const auto is_needed = [&](const Effect& effect) { return error_margin * effect.largest > tolerance; };
-  std::string text = !is_needed(effects.torsion)    ? "no torsion is needed"
-                     : !is_needed(effects.coupling) ? "uncoupled will do"
-                                                    : "coupling is needed";
-  const auto said = [](const Effect& effect, const char* without) {
-    return in_percent(effect.median) + ", " + in_percent(effect.percentile_99) + ", " + in_percent(effect.largest) + without;
+  std::vector<std::string> lines{!is_needed(effects.torsion)    ? "no torsion is needed"
+                                 : !is_needed(effects.coupling) ? "uncoupled will do"
+                                                                : "coupling is needed"};
+  const auto say = [&](const char* change, const Effect& effect) {
+    lines.push_back(std::string(change) + " the wrench changes by " + in_percent(effect.median) + " (median), " +
+                    in_percent(effect.percentile_99) + " (99th percentile), " + in_percent(effect.largest) + " (largest) of its limits");
   };
-  text += ". What would change (median, 99th percentile, largest in the test motion, of what the contact bears): " +
-          said(effects.torsion, " without torsion; ") + said(effects.coupling, " without coupling; ") +
-          said(effects.load_radius, " with the radius of the mean load; ") + said(effects.curve, " with the ellipse; ") +
-          said(effects.projection, " with the radial projection") + ". Decided by " + format_number(error_margin) +
-          " times the largest, because another motion may change more; tolerance " + in_percent(tolerance) + ". Cheapest: " + chosen.model +
-          ", off by " + in_percent(chosen.error) + " with that factor";
+  say("without torsion", effects.torsion);
+  say("without coupling", effects.coupling);
+  say("with the radius of the mean load", effects.load_radius);
+  say("with the ellipse", effects.curve);
+  say("with the radial projection", effects.projection);
+  lines.push_back(format_number(error_margin) + " times the largest decides, because another motion may change more");
+  lines.push_back("cheapest within " + in_percent(tolerance) + ": " + chosen.model + ", off by " + in_percent(chosen.error));
   if (effects.sampling.largest > tolerance) {
-    text += ". But half the sample time would change " + in_percent(effects.sampling.largest) + ": sample faster first";
+    lines.push_back("sample faster first: half the sample time changes the wrench by " + in_percent(effects.sampling.largest));
   }
-  return text;
+  return lines;
 }
 
 }  // namespace
@@ -201,7 +203,7 @@ StepChoice choose_step(const Scene& scene, double tolerance) {
 
   choose_cheapest(candidates, tolerance);
   const auto best = std::find_if(candidates.begin(), candidates.end(), [](const Candidate& candidate) { return candidate.chosen; });
-  result.verdict = verdict_of(result.effects, *best, tolerance);
+  result.findings = findings_of(result.effects, *best, tolerance);
   result.chosen = steps.at(best->model);
   return result;
 }

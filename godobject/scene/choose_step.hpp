@@ -59,9 +59,9 @@ struct StepChoice {
   /// otherwise it is that of the mean load. `error` is the largest change of (F/μP, M/Γ), as a distance: 0.01 is 1 % of the contact's
   /// limits. `nanoseconds`: cost of a step that slips.
   std::vector<Candidate> candidates;
-  /// "no torsion is needed", "uncoupled will do" or "coupling is needed", with the numbers behind it. These are as seen; what is decided by
-  /// them counts `error_margin`.
-  std::string verdict;
+  /// "no torsion is needed", "uncoupled will do" or "coupling is needed"; then the numbers behind it, a line each. These are as seen; what
+  /// is decided by them counts `error_margin`.
+  std::vector<std::string> findings;
   /// The options of `Replay` that run the chosen model, on a plane.
   ReplayOptions chosen;
 };
