@@ -285,7 +285,7 @@ typedef struct limitcurve_contacts {
   double* proxy_x;     /* in and out */
   double* proxy_y;
   double* proxy_angle;
-  uint8_t* state; /* in and out: a limitcurve_state. A sample, or a proxy, that is no number is a fault: no other array changes */
+  uint8_t* state; /* in and out: a limitcurve_state. A sample, or a proxy, that is NaN is a fault: no other array changes */
   uint8_t* force_slides;  /* memory */
   uint8_t* moment_slides; /* memory, of the moment on a box */
   double* search_start;   /* memory */

@@ -21,8 +21,8 @@ void require_honest(const Patch& patch) {
   for (const PatchTwist& twist : twists) {
     const PatchFriction friction = patch.evaluate(twist);
     const double error = patch.about_origin(twist).error;
-    fuzz::require(error >= 0.0, "an error that is none");
-    fuzz::require(fuzz::is_finite(friction.power) && friction.power >= 0.0, "a power that is none");
+    fuzz::require(error >= 0.0, "an error below 0 or NaN");
+    fuzz::require(fuzz::is_finite(friction.power) && friction.power >= 0.0, "a power below 0, infinite or NaN");
     fuzz::require(fuzz::is_finite(dot(twist, friction.wrench)), "a wrench that is not finite");
     const double size = std::hypot(twist.vx, twist.vy, arm * twist.omega) * std::max({1.0, patch.factors().x, patch.factors().y});
     const double slack = (1e-9 + 4.0 * error) * size;

@@ -206,13 +206,13 @@ void expect_no_number_from_none() {
   }
 }
 
-TEST(ClosedForms, GiveNoNumberForNone) {
+TEST(ClosedForms, GiveNaNForNaN) {
   expect_no_number_from_none<float>();
   expect_no_number_from_none<double>();
 }
 
 /// Neither does a law whose form is not among those templates.
-TEST(ForcesForLoops, GiveNoNumberForNone) {
+TEST(ForcesForLoops, GiveNaNForNaN) {
   for (const std::string_view name : law_examples()) {
     const UnitForces<double> forces = parse_law(name)->forces(std::numeric_limits<double>::quiet_NaN());
     EXPECT_TRUE(std::isnan(forces.force) && std::isnan(forces.moment) && std::isnan(forces.force_slope)) << name;

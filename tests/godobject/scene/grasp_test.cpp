@@ -322,8 +322,8 @@ TEST(Grasp, ResetStartsAnew) {
   EXPECT_GT(placed.finger(0).output().force.norm(), 0.1) << "its springs are loaded";
 }
 
-// A step that is none moves nothing, by no bit, says so, and is over with the next one.
-TEST(Grasp, RefusesStepsThatAreNone) {
+// A refused step moves nothing, not by one bit, says so, and is over with the next one.
+TEST(Grasp, RefusesInvalidSteps) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   constexpr double inf = std::numeric_limits<double>::infinity();
   BodyParameters body = BodyParameters::block(0.1, edges);

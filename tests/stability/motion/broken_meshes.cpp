@@ -63,7 +63,7 @@ std::vector<Broken> broken() {
   TriangleList lost = box;
   lost.vertices[3].x() = std::numeric_limits<double>::quiet_NaN();
   return {{"a face missing", open, whole},  {"a face turned", turned, whole},       {"tangled with another", tangled, both},
-          {"a face doubled", twice, whole}, {"a face without area", needle, whole}, {"a corner that is no number", lost, whole}};
+          {"a face doubled", twice, whole}, {"a face without area", needle, whole}, {"a corner that is NaN", lost, whole}};
 }
 
 /// Whether `inside` is right for all of 3000 points near a solid.

@@ -121,7 +121,7 @@ Hazard centre_under_the_finger() {
     measure(near, 1.0 - distance, distance);
     near.close();
   }
-  found.findings.push_back({"COR under the finger", "tanh-sinh over the whole radius",
+  found.findings.push_back({"COR under the finger", "Boost's tanh-sinh over the whole radius",
                             "relative error of f at a requested 1e-9 (Hertz, at the CORs of the figure)", tanh_sinh_worst, ours_worst});
   found.findings.push_back({"COR under the finger", "the same, its error estimate", "error / error stated", unstated, ours_unstated});
   found.findings.push_back({"COR under the finger", "Gauss, 30 points over the whole radius",
@@ -204,7 +204,7 @@ Hazard singular_rim() {
       for (std::size_t i = 0; i < worst.size(); ++i) raise(worst[i], at_place[i]);
     }
     const std::string quantity = std::string("relative error of f (") + name + ", at five CORs)";
-    found.findings.push_back({"pressure infinite at the rim", "tanh-sinh, split at s", quantity, worst[0], worst[2]});
+    found.findings.push_back({"pressure infinite at the rim", "Boost's tanh-sinh, split at s", quantity, worst[0], worst[2]});
     if (n == -0.5) found.findings.push_back({"pressure infinite at the rim", "Gauss, 30 points, split at s", quantity, worst[1], worst[2]});
   }
   found.figures.push_back(std::move(figure));
@@ -253,7 +253,7 @@ Hazard kinks_of_a_profile() {
   }
   const std::string quantity = "relative error of f (a profile of five pieces, at the CORs of the figure; ours is told of the kinks)";
   const double ours = worst[2];
-  found.findings.push_back({"kinks of a measured profile", "tanh-sinh, split at s", quantity, worst[0], ours});
+  found.findings.push_back({"kinks of a measured profile", "Boost's tanh-sinh, split at s", quantity, worst[0], ours});
   found.findings.push_back({"kinks of a measured profile", "the same, its error estimate", "error / error stated (ours also if not told)",
                             unstated, ours_unstated});
   found.findings.push_back({"kinks of a measured profile", "Gauss, 30 points, split at s", quantity, worst[1], ours});
@@ -283,7 +283,7 @@ Hazard vanishing_complement() {
     }
   }
   const std::string quantity = "least relative distance of ρ and s at which K is right to 1e-12";
-  found.findings.push_back({"complement of the modulus vanishes", "K of the modulus k", quantity, breaks_down[0], breaks_down[2]});
+  found.findings.push_back({"complement of the modulus vanishes", "Boost's K of the modulus k", quantity, breaks_down[0], breaks_down[2]});
   found.findings.push_back({"complement of the modulus vanishes", "R_F of the squared distance", quantity, breaks_down[1], breaks_down[2]});
   found.figures.push_back(std::move(figure));
   return found;
