@@ -208,6 +208,16 @@ RadialPoint BasicTable<Real>::along(UnitWrench direction) const noexcept {
   return {{scaled.force / length, scaled.moment / length}, {static_cast<double>(point.slide), static_cast<double>(point.spin)}};
 }
 
+template <class Real>
+void BasicTable<Real>::wrench(std::span<const SlipTwist> twists, std::span<UnitWrench> wrenches) const noexcept {
+  for (std::size_t i = 0; i < std::min(twists.size(), wrenches.size()); ++i) wrenches[i] = wrench(twists[i]);
+}
+
+template <class Real>
+void BasicTable<Real>::gauge(std::span<const UnitWrench> wrenches, std::span<double> gauges) const noexcept {
+  for (std::size_t i = 0; i < std::min(wrenches.size(), gauges.size()); ++i) gauges[i] = gauge(wrenches[i]);
+}
+
 template class BasicTable<double>;
 template class BasicTable<float>;
 

@@ -28,7 +28,7 @@ namespace {
 
 template <std::size_t results, std::size_t block = 16, class At>
 nb::object of_cors(nb::handle c, const At& at) {
-  return of_numbers<results, block, 1>({c}, {"c"}, cli::distance, [&](const std::array<double, 1>& s) { return at(s[0]); });
+  return of_numbers<results, block, 1>({c}, {"c"}, cli::signed_distance, [&](const std::array<double, 1>& s) { return at(s[0]); });
 }
 
 std::array<double, 2> components(const UnitWrench& wrench) {

@@ -242,6 +242,12 @@ TEST(Replay, HeldForceAndNormalTurnWithTheBody) {
   ASSERT_EQ(contact.state, ContactState::invalid);
   EXPECT_GT(contact.force.norm(), 0.1);
   EXPECT_NEAR(contact.force.dot(contact.normal), 0.0, 1e-12);
+  // What it needs fades with it.
+  for (int i = 3; i < 20; ++i) {
+    const SceneContact fading = moved(replay, 0.001 * i, pose({nan, 0.0, 0.0}));
+    EXPECT_NEAR(fading.load_to_hold / fading.force.norm(), contact.load_to_hold / contact.force.norm(), 1e-9) << i;
+    EXPECT_LT(fading.load, contact.load);
+  }
 }
 
 TEST(Replay, NamesWhatIsWrongWithItsOptions) {
