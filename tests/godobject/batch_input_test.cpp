@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a batch makes of any input, and where its arrays lie.
+// What a batch makes of any input.
 #include "tests/godobject/batch_cases.hpp"
 #include "tests/repetitions.hpp"
 
