@@ -348,11 +348,13 @@ std::optional<BasicTable<Real>> build(const Source& source, double tolerance, st
   std::optional<BasicTable<Real>> best;
   for (const bool splits_buckets : {false, true}) {
     for (int degree = TablePieces<Real>::least_degree; degree <= TablePieces<Real>::most_degree; ++degree) {
-      const std::size_t allowed = degree < TablePieces<Real>::most_degree ? std::min(bytes, most) : most;
-      auto table = build_of_degree<Real>(remembered, tolerance, degree, allowed, splits_buckets);
+      auto table = build_of_degree<Real>(remembered, tolerance, degree, std::min(bytes, most), splits_buckets);
       if (table && (!best || table->pieces().halvings < best->pieces().halvings)) best = std::move(table);
       if (best && !splits_buckets) return best;
     }
+  }
+  for (const bool splits_buckets : {false, true}) {
+    if (!best) best = build_of_degree<Real>(remembered, tolerance, TablePieces<Real>::most_degree, most, splits_buckets);
   }
   return best;
 }
