@@ -89,7 +89,7 @@ class RadiusLaw {
 /// The wrench of a contact under load P that slips about a COR at distance c.
 struct LoadPoint {
   double load = 0.0;    ///< P [N]
-  double cor = 0.0;     ///< c [m] ∈ [0, ∞]
+  double cor = 0.0;     ///< c [m], |c| ∈ [0, ∞]
   double force = 0.0;   ///< F [N]
   double moment = 0.0;  ///< M [N·m]
 };
@@ -99,7 +99,6 @@ namespace detail {
 void check_friction(double mu);
 void check_load(double load);
 void check_cor(double cor);
-void check_wrench(double force, double moment);
 /// Throws unless the limits μP and μPa are finite.
 void check_limits(double mu, double load, double radius);
 }  // namespace detail
@@ -108,7 +107,7 @@ void check_limits(double mu, double load, double radius);
 /// curve's normal then turns by equal steps, so that a polyline through the points looks smooth. `points` ≥ 2, else std::invalid_argument.
 std::vector<SlipTwist> slip_twists(std::size_t points);
 
-/// The wrench of a contact that slips about a COR at distance `cor` [m] ∈ [0, ∞] under `load` [N] ≥ 0, μ ≥ 0: F = μP f(c/a), M = μPa m(c/a)
+/// The wrench of a contact that slips about a COR at distance |`cor`| [m] ∈ [0, ∞] under `load` [N] ≥ 0, μ ≥ 0: F = μP f(c/a), M = μPa m(c/a)
 /// with a = a(P). Relative error: the curve's plus 8 ε. Throws std::invalid_argument for an argument out of range.
 template <LimitCurve Curve>
 LoadPoint load_point(const Curve& curve, const RadiusLaw& radius_law, double mu, double load, double cor) {
@@ -159,8 +158,8 @@ double moment_capacity(double moment_ratio, const RadiusLaw& radius_law, double 
 inline namespace LIMITCURVE_COPIES {  // arithmetic.hpp
 #endif
 
-/// The smallest load [N] under which the contact bears force F [N] ≥ 0 and moment M [N·m] ≥ 0 without slip. 0 for F = M = 0; ∞ without
-/// friction (μ = 0) and where no finite load holds. Relative error ≤ 1e-12 plus the curve's.
+/// The smallest load [N] under which the contact bears force F [N] and moment M [N·m], of any sign, without slip. 0 for F = M = 0; ∞ without
+/// friction (μ = 0) and where no finite load holds; NaN for NaN. Relative error ≤ 1e-12 plus the curve's.
 ///
 /// It is the root of ln gauge(F/μP, M/μPa(P)) = 0 in ln P. The slope is −(1 + γω): γ is the exponent of the radius law, ω the fraction of
 /// the dissipated power that rotation takes, from the curve's normal. Newton's method inside a bracket: below, the larger of the loads that
@@ -171,9 +170,11 @@ double load_to_hold(const Curve& curve, const RadiusLaw& radius_law, double mu, 
   constexpr int search_limit = 60;
   constexpr double tolerance = 1e-14;
   detail::check_friction(mu);
-  detail::check_wrench(force, moment);
-  if (force == 0.0 && moment == 0.0) return 0.0;
-  if (mu == 0.0) return std::numeric_limits<double>::infinity();
+  force = std::fabs(force);
+  moment = std::fabs(moment);
+  const double sum = force + moment;
+  if (!(sum > 0.0)) return sum;
+  if (mu == 0.0 || std::isinf(sum)) return std::numeric_limits<double>::infinity();
   const double scaled_force = force / mu;
   const double scaled_moment = moment / mu;
   if (!radius_law.is_sampled() && radius_law.exponent() == 0.0)

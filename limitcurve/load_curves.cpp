@@ -29,12 +29,7 @@ void check_load(double load) {
 }
 
 void check_cor(double cor) {
-  if (!(cor >= 0.0)) throw out_of_range("cor", cor, "m", ">= 0");
-}
-
-void check_wrench(double force, double moment) {
-  check_finite_magnitude("force", force, "N");
-  check_finite_magnitude("moment", moment, "N m");
+  if (std::isnan(cor)) throw out_of_range("cor", cor, "m", "a number");
 }
 
 void check_limits(double mu, double load, double radius) {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 
-#include "cli/commands/radius_check.hpp"
 #include "cli/commands/stiffness_check.hpp"
 #include "cli/commands/subcommands.hpp"
 #include "cli/io/patch_argument.hpp"
+#include "cli/io/unit_questions.hpp"
 #include "limitcurve/internal/number_list.hpp"
 
 #include "godobject/scene/choose_step.hpp"
@@ -68,7 +68,7 @@ class Choose final : public Subcommand {
 
  private:
   void choose_curve(const Results& results) const {
-    write(results, patch_.empty() ? choose(law_, tolerance_) : choose(read_patch(patch_, results.messages), tolerance_));
+    write(results, patch_.empty() ? choose(law_, tolerance_) : choose(read_patch(patch_, *results.messages), tolerance_));
     if (explain_) results.messages->say("costs measured: " + std::string(shipped_costs::measured));
   }
 
@@ -95,7 +95,7 @@ class Choose final : public Subcommand {
       scene_.least_load = loads_.front();
       scene_.most_load = loads_.back();
     }
-    if (radius_law_) warn_of_radii(*results.messages, scene_.radius_law, std::array{scene_.least_load, scene_.most_load});
+    results.messages->say(questions_of(scene_.radius_law, std::array{scene_.least_load, scene_.most_load}));
     const godobject::StepChoice choice = godobject::choose_step(scene_, tolerance_);
     write(results, choice.candidates);
     results.messages->say(choice.verdict);

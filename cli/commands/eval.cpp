@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cli/commands/subcommands.hpp"
 #include "cli/io/stated_error.hpp"
+#include "cli/io/unit_questions.hpp"
 
 #include "limitcurve/internal/number.hpp"
 
@@ -33,11 +34,11 @@ class Eval final : public Subcommand {
 
   void run(const Results& results) override {
     const Method method = method_of(*law_, method_names()[method_]);
-    constexpr double largest_radius = 1.0;
-    if (radius_ && *radius_ > largest_radius) {
-      results.messages->say("limitcurve: warning: --radius " + format_number(*radius_) + " m: is it in metres?");
-    }
     const double radius = radius_.value_or(1.0);
+    UnitQuestions questions;
+    questions.load(load_);
+    if (radius_) questions.length("--radius", *radius_);
+    results.messages->say(questions.lines());
     const double force_unit = friction_ * load_;
     const double moment_unit = force_unit * radius;
     if (!std::isfinite(force_unit) || !std::isfinite(moment_unit)) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "cli/commands/radius_check.hpp"
 #include "cli/commands/subcommands.hpp"
 #include "cli/io/csv_reader.hpp"
 #include "cli/io/patch_argument.hpp"
+#include "cli/io/unit_questions.hpp"
 
 #include "godobject/finger_curve.hpp"
 #include "limitcurve/patch.hpp"
@@ -50,7 +50,7 @@ class Hold final : public Subcommand {
     options.numbers("--force", force_, finite, "Friction force F [N]; with --patch FX,FY", Presence::optional);
     options.number("--moment", moment_, finite, "Friction moment M [N m]");
     options.text("--data", data_, "FILE", "In place of --force and --moment: CSV of them, or - for standard input");
-    options.file_columns(columns_, units_);
+    options.file_columns(columns_);
     options.count("--fingers", fingers_, 1, 100,
                   "In place of --force and --moment: number of fingers that share an object's weight (default 2)");
     options.number("--mass", mass_, positive, "Mass of the object [kg]");
@@ -65,7 +65,8 @@ class Hold final : public Subcommand {
         static_cast<int>(!force_.empty() || moment_) + static_cast<int>(!data_.empty()) + static_cast<int>(fingers_ || mass_ || offset_);
     if (given != 1) throw std::invalid_argument("expected one of --force with --moment, --data, and --mass with --offset");
     if (!down_.empty() && (patch_.empty() || !mass_)) throw std::invalid_argument("--down: goes with --patch and --mass");
-    if (data_.empty() && !(columns_.empty() && units_.empty())) throw std::invalid_argument("--columns, --units: go with --data");
+    if (data_.empty() && !columns_.names.empty()) throw std::invalid_argument("--columns: goes with --data");
+    if (mass_ && columns_.given()) throw std::invalid_argument("--units: goes with --data, or with --force and --moment");
     if (patch_.empty()) {
       if (!radius_law_) throw std::invalid_argument("--radius-law is required");
       const godobject::FingerCurve curve = make_finger_curve(godobject::CurveKind::exact, law_, 0.0);
@@ -77,13 +78,16 @@ class Hold final : public Subcommand {
             const double limit = mu_ * load;
             return curve.gauge({std::hypot(need.fx, need.fy) / limit, std::fabs(need.moment) / (limit * radius_law.radius(load))});
           });
-      if (loads_[1] > 0.0) warn_of_radii(*results.messages, radius_law, loads_);
+      if (loads_[1] > 0.0) questions_.radii(radius_law, loads_);
+      results.messages->say(questions_.lines());
       return;
     }
     if (radius_law_) throw std::invalid_argument("--radius-law: not with --patch, which has its own size");
-    const Patch patch = read_patch(patch_, results.messages);
+    const Patch patch = read_patch(patch_, *results.messages);
     const auto least = [&](const Need& need) { return load_to_hold(patch, mu_, {need.fx, need.fy, need.moment}); };
     write(results, least, [&](const Need& need, double load) { return least(need) / load; });
+    for (const double load : loads_) questions_.load(load);
+    results.messages->say(questions_.lines());
   }
 
  private:
@@ -94,13 +98,18 @@ class Hold final : public Subcommand {
     std::vector<std::string> columns =
         is_round ? std::vector<std::string>{"force", "moment"} : std::vector<std::string>{"fx", "fy", "moment"};
     std::optional<CsvReader> reader;
-    if (!data_.empty()) reader.emplace(data_, columns, std::vector<std::string>{"load"}, FileColumns::read(columns_, units_));
+    if (!data_.empty()) reader.emplace(data_, columns, std::vector<std::string>{"load"}, columns_);
     const std::size_t load_column = columns.size();
     const bool has_loads = reader && reader->has(load_column);
     columns.emplace_back("hold_load");
     if (has_loads) columns.emplace_back("margin");
     Rows rows(results, columns);
     const auto row = [&](const Need& need, std::optional<double> load) {
+      questions_.wrench(std::hypot(need.fx, need.fy), need.moment);
+      if (load) {
+        questions_.load(*load);
+        questions_.force_under(*load, std::hypot(need.fx, need.fy));
+      }
       const double hold = least(need);
       if (hold > 0.0 && std::isfinite(hold)) loads_ = {std::min(loads_[0], hold), std::max(loads_[1], hold)};
       rows.row_by([&](const auto& cell) {
@@ -140,7 +149,7 @@ class Hold final : public Subcommand {
                                   (expected == 1 ? "one, F" : "two, FX,FY"));
     }
     if (force_.empty() || !moment_) throw std::invalid_argument("--force and --moment: expected both");
-    return {force_[0], expected == 2 ? force_[1] : 0.0, *moment_};
+    return {columns_.force * force_[0], expected == 2 ? columns_.force * force_[1] : 0.0, columns_.moment * *moment_};
   }
 
   Law law_;
@@ -150,13 +159,13 @@ class Hold final : public Subcommand {
   std::vector<double> force_;
   std::optional<double> moment_;
   std::string data_;
-  std::string columns_;
-  std::string units_;
+  FileColumns columns_;
   std::optional<std::size_t> fingers_;
   std::optional<double> mass_;
   std::optional<double> offset_;
   std::vector<double> down_;
   double gravity_ = 9.81;
+  UnitQuestions questions_;
   std::array<double, 2> loads_{std::numeric_limits<double>::infinity(), 0.0};  ///< smallest and largest that hold
 };
 

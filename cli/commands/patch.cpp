@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "cli/commands/radius_check.hpp"
 #include "cli/commands/subcommands.hpp"
 #include "cli/io/csv_reader.hpp"
 #include "cli/io/patch_argument.hpp"
+#include "cli/io/unit_questions.hpp"
 
 #include "godobject/finger_curve.hpp"
 #include "limitcurve/patch.hpp"
@@ -55,11 +55,11 @@ class PatchCommand final : public Subcommand {
     if (load_ && twists_.empty()) throw std::invalid_argument("--load: goes with --twists; with --wrenches it is a result");
     if (law_ != nullptr) return slip_of_round_contact(results);
     if (radius_law_) throw std::invalid_argument("--radius-law: not with --patch, which has its own size");
-    const Patch patch = read_patch(patch_, results.messages);
-    // A wrench is right in any unit of length that the twists share.
-    constexpr double largest_arm = 3.0;
-    warn_of_patch(*results.messages, patch_, patch, largest_arm);
+    const Patch patch = read_patch(patch_, *results.messages);
     if (!wrenches_.empty()) return slip(results, patch);
+    UnitQuestions questions;
+    questions.load(load_.value_or(1.0));
+    results.messages->say(questions.lines());
     Rows rows(results, {"vx", "vy", "omega", "fx", "fy", "moment", "power", "error"});
     const double limit = mu_ * load_.value_or(1.0);
     CsvReader reader(twists_, {"vx", "vy", "omega"});
@@ -74,13 +74,16 @@ class PatchCommand final : public Subcommand {
 
  private:
   void slip(const Results& results, const Patch& patch) const {
+    UnitQuestions questions;
     Rows rows(results, {"fx", "fy", "moment", "hold_load", "vx", "vy", "omega", "error"});
     CsvReader reader(wrenches_, {"fx", "fy", "moment"});
     while (reader.next()) {
       const PatchWrench wrench{reader.number(0, finite), reader.number(1, finite), reader.number(2, finite)};
+      questions.wrench(std::hypot(wrench.fx, wrench.fy), wrench.moment);
       const auto [twist, gauge, error] = patch.slip(wrench);
       rows.row(wrench.fx, wrench.fy, wrench.moment, gauge / mu_, twist.vx, twist.vy, twist.omega, error);
     }
+    results.messages->say(questions.lines());
     rows.finish();
   }
 
@@ -89,13 +92,15 @@ class PatchCommand final : public Subcommand {
     if (!radius_law_) throw std::invalid_argument("--radius-law is required");
     const godobject::FingerCurve curve = make_finger_curve(godobject::CurveKind::exact, law_, 0.0);
     const RadiusLaw radius_law = radius_law_->of(mu_, law_);
+    UnitQuestions questions;
     std::array<double, 2> loads{infinite, 0.0};  // smallest and largest
     Rows rows(results, {"force", "moment", "hold_load", "slide", "spin", "error"});
     CsvReader reader(wrenches_, {"force", "moment"});
     while (reader.next()) {
       const double force = reader.number(0, finite);
       const double moment = reader.number(1, finite);
-      const double load = load_to_hold(curve, radius_law, mu_, std::fabs(force), std::fabs(moment));
+      questions.wrench(force, moment);
+      const double load = load_to_hold(curve, radius_law, mu_, force, moment);
       if (!(load > 0.0 && std::isfinite(load))) {
         constexpr double nan = std::numeric_limits<double>::quiet_NaN();
         rows.row(force, moment, load, nan, nan, nan);
@@ -111,7 +116,8 @@ class PatchCommand final : public Subcommand {
       rows.row(force, moment, load, std::copysign(normal.slide / power, force), std::copysign(normal.spin / power / radius, moment),
                miss + curve.error() / std::min(1.0, curve.moment_ratio()));
     }
-    if (loads[1] > 0.0) warn_of_radii(*results.messages, radius_law, loads);
+    if (loads[1] > 0.0) questions.radii(radius_law, loads);
+    results.messages->say(questions.lines());
     rows.finish();
   }
 

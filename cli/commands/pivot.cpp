@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "godobject/scene/pivot.hpp"
 
-#include "cli/commands/radius_check.hpp"
 #include "cli/commands/subcommands.hpp"
 #include "cli/io/csv_reader.hpp"
 #include "cli/io/law_argument.hpp"
 #include "cli/io/materials.hpp"
+#include "cli/io/unit_questions.hpp"
 #include "limitcurve/internal/key_values.hpp"
 #include "limitcurve/internal/number_list.hpp"
 
@@ -47,7 +47,7 @@ std::vector<GripSample> read_release(const std::string& text) {
   return {{0.0, from}, {over, to}};
 }
 
-GripOperator read_operator(const std::string& text) {
+GripOperator read_operator(const std::string& text, UnitQuestions& questions) {
   GripOperator hand;
   const auto positive_key = [](std::string_view key, std::optional<double>& value) {
     return KeyValue{key, [&value](std::string_view number) { value = read_number(number, positive); }, false};
@@ -56,8 +56,15 @@ GripOperator read_operator(const std::string& text) {
     if (word != "regrip" && word != "keep") throw std::invalid_argument("got '" + std::string(word) + "', expected regrip|keep");
     hand.regrips_on_slide = word == "regrip";
   };
-  read_key_values(text, {angle_key("target", hand.target, positive), positive_key("load", hand.start_load), positive_key("rate", hand.rate),
-                         positive_key("regrip-rate", hand.regrip_rate), number_key("speed", hand.speed, positive, false),
+  const auto take_target = [&](std::string_view target) {
+    angle_key("target", hand.target, positive).take(target);
+    questions.angle("target", hand.target, target);
+  };
+  read_key_values(text, {{"target", take_target},
+                         positive_key("load", hand.start_load),
+                         positive_key("rate", hand.rate),
+                         positive_key("regrip-rate", hand.regrip_rate),
+                         number_key("speed", hand.speed, positive, false),
                          KeyValue{"on-slide", take_on_slide, false, "regrip|keep"}});
   return hand;
 }
@@ -101,8 +108,8 @@ class Pivot final : public Subcommand {
         "--release", "LIST", [this](const std::string& text) { release_ = read_release(text); }, "from=N,to=N,over=SECONDS",
         Presence::optional);
     options.value(
-        "--operator", "LIST", [this](const std::string& text) { settings_.grip_operator = read_operator(text); }, "target=ANGLE[,…]",
-        Presence::optional);
+        "--operator", "LIST", [this](const std::string& text) { settings_.grip_operator = read_operator(text, questions_); },
+        "target=ANGLE[,…]", Presence::optional);
     options.number("--mass", settings_.mass, positive, "Mass of the block [kg]");
     options.number("--offset", settings_.offset, non_negative, "Distance of the centre of mass from the grip point, along the block [m]");
     options.number("--stiffness", settings_.stiffness, positive, "k_l of each finger [N/m]");
@@ -158,7 +165,8 @@ class Pivot final : public Subcommand {
       if (row.load > 0.0) loads = {std::min(loads[0], row.load), std::max(loads[1], row.load)};
     } while (pivot.step());
     rows.finish();
-    if (radius_law_ && !mu_r_) warn_of_radii(*results.messages, settings_.radius_law, loads);
+    questions_.radii(radius_law_ ? settings_.radius_law : RadiusLaw::constant(1e-3), loads);
+    results.messages->say(questions_.lines());
   }
 
  private:
@@ -183,6 +191,7 @@ class Pivot final : public Subcommand {
   std::string grip_file_;
   std::vector<GripSample> release_;
   std::size_t every_ = 1;
+  UnitQuestions questions_;
   godobject::PivotOptions settings_;
 };
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "cli/commands/radius_check.hpp"
 #include "cli/commands/stiffness_check.hpp"
 #include "cli/commands/subcommands.hpp"
 #include "cli/io/body_argument.hpp"
 #include "cli/io/patch_argument.hpp"
 #include "cli/io/surface_argument.hpp"
 #include "cli/io/trace_reader.hpp"
+#include "cli/io/unit_questions.hpp"
 #include "limitcurve/internal/key_values.hpp"
 
 #include "godobject/scene/passivity.hpp"
@@ -139,6 +139,7 @@ class Replay final : public Subcommand {
         Presence::optional);
     options.flag("--details", details_, "Add columns for a controller: " + details_text());
     options.rare();
+    options.file_columns(columns_);
     options.finger(replay_.finger, {}, true);
     options.number("--point-radius", point_radius_, positive,
                    "Radius given to the points of a patch [m] (default and minimum 1e-3 m0, m0: moment of a pure spin over mu P)");
@@ -159,8 +160,7 @@ class Replay final : public Subcommand {
     replay_.motion = body.motion;
     replay_.body = body.parameters;
     if (!patch_.empty()) {
-      replay_.patch = read_patch(patch_, results.messages);
-      warn_of_patch(*results.messages, patch_, *replay_.patch);
+      replay_.patch = read_patch(patch_, *results.messages);
     }
     replay_.point_radius = point_radius_.value_or(0.0);
     run_replay(results, columns_of_finger(in_space, details_));
@@ -212,9 +212,9 @@ class Replay final : public Subcommand {
   }
 
   void run_replay(const Results& results, const std::vector<std::span<const Column>>& columns) const {
-    TraceReader trace(trace_, fingers_, replay_.motion == BodyMotion::prescribed);
+    TraceReader trace(trace_, fingers_, replay_.motion == BodyMotion::prescribed, columns_);
     note_missing_twists(*results.messages, trace);
-    for (const std::string& note : surface_.notes) results.messages->say("limitcurve: " + note);
+    results.messages->say(surface_.notes);
     godobject::Replay replay(replay_);
     if (replay_.curve == CurveKind::exact && !replay_.patch) {
       std::string text = "limitcurve: exact: a table with an error of at most " + format_number(replay.curve_error()) + " in unit wrenches";
@@ -270,16 +270,19 @@ class Replay final : public Subcommand {
       results.messages->say("limitcurve: note: " + std::to_string(samples.count) + (samples.count == 1 ? " sample" : " samples") +
                             " invalid, from time " + format_number(samples.since) + " s on: " + std::string(to_string(fault)));
     }
+    results.messages->say(trace.questions().lines());
     // Without any contact, check at 1 N.
     if (loads[1] == 0.0) loads = {1.0, 1.0};
     if (replay_.projection != Projection::closest_point) {
       note_stiffnesses(*results.messages, "--projection " + std::string(to_string(replay_.projection)), replay_.finger,
                        replay_.law->moment_ratio(), std::span(&loads[1], 1));
     }
-    if (radius_law_) warn_of_radii(*results.messages, replay_.finger.radius_law, loads);
+    // A patch has its own size, and mu_r needs no radius.
+    results.messages->say(questions_of(radius_law_ ? replay_.finger.radius_law : RadiusLaw::constant(1e-3), loads));
   }
 
   std::string trace_;
+  FileColumns columns_;
   std::string patch_;
   std::optional<double> point_radius_;
   std::optional<RadiusLawArgument> radius_law_;

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "cli/commands/radius_check.hpp"
 #include "cli/commands/subcommands.hpp"
 #include "cli/io/csv_reader.hpp"
 #include "cli/io/law_argument.hpp"
@@ -104,9 +103,7 @@ class Validate final : public Subcommand {
     std::vector<std::pair<std::string, std::vector<RoundModel>>> found;
     for (const std::string& text : patches_) {
       results.messages->progress(static_cast<double>(found.size()) / static_cast<double>(patches_.size()));
-      const Patch patch = read_patch(text, results.messages);
-      warn_of_patch(*results.messages, text, patch);
-      found.emplace_back(text, round_models(patch));
+      found.emplace_back(text, round_models(read_patch(text, *results.messages)));
     }
     Rows rows(results, columns());
     for (const auto& [text, models] : found) {
@@ -131,7 +128,7 @@ class Validate final : public Subcommand {
     std::vector<Point> points;
     while (reader.next()) {
       const auto number = [&](std::size_t i) { return reader.number(i, finite); };
-      points.push_back(is_round ? Point{{number(0), 0.0, number(1)}, has_cor ? std::fabs(reader.number(2, any_distance)) : 0.0}
+      points.push_back(is_round ? Point{{number(0), 0.0, number(1)}, has_cor ? std::fabs(reader.number(2, distance)) : 0.0}
                                 : Point{{number(0), number(1), number(2)}, 0.0});
       const auto [fx, fy, moment] = points.back().wrench;
       if (fx == 0.0 && fy == 0.0 && moment == 0.0) throw reader.complaint(0, "force and moment are 0, expected a point of the limit curve");
@@ -153,8 +150,7 @@ class Validate final : public Subcommand {
                error.max_under_estimate, has_cor ? std::optional(error.max_cor_error) : std::nullopt);
     };
     for (const std::string& text : patches_) {
-      const Patch patch = read_patch(text, results.messages);
-      warn_of_patch(*results.messages, text, patch);
+      const Patch patch = read_patch(text, *results.messages);
       row(text, [&](const Point& point, CurveError&) { return load_to_hold(patch, limit, point.wrench); });
     }
     for (const Law& law : laws_) {
@@ -173,8 +169,6 @@ class Validate final : public Subcommand {
     }
     rows.finish();
   }
-
-  static constexpr Range any_distance{-infinite, infinite, "a number"};
 
   std::vector<Law> laws_;
   std::vector<std::string> patches_;

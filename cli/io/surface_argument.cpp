@@ -34,7 +34,7 @@ std::vector<std::string> size_warning(const std::string& what, double size, cons
 }
 
 #ifdef LIMITCURVE_HAS_MESH
-constexpr Range counted{[](double value) { return value >= 1.0 && value <= 1e9 && value == std::floor(value); }, "a whole number from 1"};
+constexpr Range counted{1.0, 1e9, "a whole number from 1", true};
 
 SurfaceArgument read_mesh(std::string_view text) {
   std::string_view items;

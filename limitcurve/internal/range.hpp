@@ -10,8 +10,11 @@ struct Range {
   double least;
   double most;
   std::string_view text;
+  bool whole = false;  ///< whole numbers only, within ±1e9
 
-  [[nodiscard]] constexpr bool contains(double value) const noexcept { return value >= least && value <= most; }
+  [[nodiscard]] constexpr bool contains(double value) const noexcept {
+    return value >= least && value <= most && (!whole || value == static_cast<double>(static_cast<int>(value)));
+  }
 };
 
 }  // namespace limitcurve

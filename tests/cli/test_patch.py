@@ -262,7 +262,7 @@ class Slip(PatchCase):
                     self.assertLess(row["error"], 1e-8)
 
     def test_about_a_point_of_support_it_is_exact(self):
-        loads = [(0.1, 0.2, 2.0), (0.4, 0.2, 1.0), (0.1, 0.7, 1.0), (0.3, 0.6, 4.0)]
+        loads = [(0.01, 0.02, 2.0), (0.04, 0.02, 1.0), (0.01, 0.07, 1.0), (0.03, 0.06, 4.0)]
         patch = f"points:{self.file('four.csv', 'x,y,load' + chr(10) + ''.join(f'{x},{y},{w}' + chr(10) for x, y, w in loads))}"
         for i, (x, y, load) in enumerate(loads):
             fx, fy, moment, power = by_points(loads[:i] + loads[i + 1:], (3 * y, -3 * x, 3.0))
