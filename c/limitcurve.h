@@ -219,7 +219,7 @@ typedef struct limitcurve_finger_output {
   double angle;    /* of the proxy [rad] */
   double depth;    /* [m] */
   double normal[3];
-  double load;      /* [N] */
+  double load;      /* [N], the whole normal force: on a curved surface what bounds friction (k_l depth) and the surface's own push */
   double force[3];  /* friction on the user [N], tangential */
   double moment;    /* friction on the user about the normal [N m] */
   double cor;       /* of the slip [m]; NaN unless it slips */
@@ -256,9 +256,19 @@ LIMITCURVE_API limitcurve_status limitcurve_finger_update_under_load(limitcurve_
 /* Back to the state before any contact. [real time] */
 LIMITCURVE_API limitcurve_status limitcurve_finger_reset(limitcurve_finger* finger);
 
-/* Distance to slip, from 1 (no friction) to 0 (slips), and the least load [N] that would hold the present friction. Either may be
- * NULL. [real time] */
+/* Distance to slip, from 1 (no friction) to 0 (slips), and the least `load` of the output [N] that would hold the present friction. Either
+ * may be NULL. [real time] */
 LIMITCURVE_API limitcurve_status limitcurve_finger_margin(const limitcurve_finger* finger, double* margin, double* load_to_hold);
+
+/* The damping [N s/m] and twist damping [N m s/rad] that a device itself needs at a sample time [s], with its force `delay` samples late (0 to
+ * 1000), so that a finger's sampled springs and dampers add no energy in any hand. Either result may be NULL. */
+LIMITCURVE_API limitcurve_status limitcurve_device_damping_needed(const limitcurve_finger_parameters* parameters, double sample_time,
+                                                                  int delay, double* sliding, double* twist);
+
+/* LIMITCURVE_INVALID, and what to change in limitcurve_error(), unless a device with this damping has more than it needs; infinity leaves one
+ * unchecked. */
+LIMITCURVE_API limitcurve_status limitcurve_require_passive(const limitcurve_finger_parameters* parameters, double sample_time, int delay,
+                                                            double sliding, double twist);
 
 /* The slip's centre of rotation, in the surface's frame [m]; infinite for pure sliding, NaN without slip. [real time] */
 LIMITCURVE_API limitcurve_status limitcurve_finger_centre_of_rotation(const limitcurve_finger* finger, double centre_of_rotation[3]);
@@ -275,7 +285,7 @@ typedef struct limitcurve_contacts {
   double* proxy_x;     /* in and out */
   double* proxy_y;
   double* proxy_angle;
-  uint8_t* state; /* in and out: a limitcurve_state. A sample, or a proxy, that is no number is a fault: no other array changes */
+  uint8_t* state; /* in and out: a limitcurve_state. A sample, or a proxy, that is NaN is a fault: no other array changes */
   uint8_t* force_slides;  /* memory */
   uint8_t* moment_slides; /* memory, of the moment on a box */
   double* search_start;   /* memory */

@@ -154,7 +154,7 @@ FingerOutput SoftFinger::update(const Contact& contact, double twist, double tim
 
 FingerOutput SoftFinger::update_under_load(const Vector3d& point, const Vector3d& normal, double load, double twist, double time_step,
                                            bool landed) noexcept {
-  // A load that is not finite makes a depth that is none.
+  // A load that is not finite makes a depth that is NaN.
   return advance(state_, {{point, normal, 0.0 * load, {}, landed}, twist, time_step, state_.spin, Fault::none, true, load});
 }
 
@@ -270,9 +270,10 @@ double SoftFinger::margin() const noexcept {
 
 double SoftFinger::load_to_hold() const noexcept {
   const FingerOutput& output = state_.output;
-  if (!projector_) return limits_.load_to_hold(*curve_, output.force.norm(), std::fabs(output.moment));
-  const double needed = patch_gauge(*projector_, state_);
-  return needed == 0.0 ? 0.0 : needed / limits_.mu(false);
+  const double needed = projector_ ? patch_gauge(*projector_, state_) / limits_.mu(false)
+                                   : limits_.load_to_hold(*curve_, output.force.norm(), std::fabs(output.moment));
+  // The surface's push is no part of the limit's load, but of `load`.
+  return needed > 0.0 ? std::max(needed + (output.load - state_.limit_load), 0.0) : 0.0;
 }
 
 }  // namespace limitcurve::godobject

@@ -64,9 +64,9 @@ class Hold final : public Subcommand {
     const int given =
         static_cast<int>(!force_.empty() || moment_) + static_cast<int>(!data_.empty()) + static_cast<int>(fingers_ || mass_ || offset_);
     if (given != 1) throw std::invalid_argument("expected one of --force with --moment, --data, and --mass with --offset");
-    if (!down_.empty() && (patch_.empty() || !mass_)) throw std::invalid_argument("--down: goes with --patch and --mass");
     if (data_.empty() && !columns_.names.empty()) throw std::invalid_argument("--columns: goes with --data");
     if (mass_ && columns_.given()) throw std::invalid_argument("--units: goes with --data, or with --force and --moment");
+    if (!down_.empty() && (patch_.empty() || !mass_)) throw std::invalid_argument("--down: goes with --patch and --mass");
     if (patch_.empty()) {
       if (!radius_law_) throw std::invalid_argument("--radius-law is required");
       const godobject::FingerCurve curve = make_finger_curve(godobject::CurveKind::exact, law_, 0.0);

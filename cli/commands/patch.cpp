@@ -58,7 +58,7 @@ class PatchCommand final : public Subcommand {
     const Patch patch = read_patch(patch_, *results.messages);
     if (!wrenches_.empty()) return slip(results, patch);
     UnitQuestions questions;
-    questions.load(load_.value_or(1.0));
+    if (load_) questions.load(*load_);
     results.messages->say(questions.lines());
     Rows rows(results, {"vx", "vy", "omega", "fx", "fy", "moment", "power", "error"});
     const double limit = mu_ * load_.value_or(1.0);
@@ -74,13 +74,14 @@ class PatchCommand final : public Subcommand {
 
  private:
   void slip(const Results& results, const Patch& patch) const {
-    UnitQuestions questions;
     Rows rows(results, {"fx", "fy", "moment", "hold_load", "vx", "vy", "omega", "error"});
     CsvReader reader(wrenches_, {"fx", "fy", "moment"});
+    UnitQuestions questions;
     while (reader.next()) {
       const PatchWrench wrench{reader.number(0, finite), reader.number(1, finite), reader.number(2, finite)};
-      questions.wrench(std::hypot(wrench.fx, wrench.fy), wrench.moment);
       const auto [twist, gauge, error] = patch.slip(wrench);
+      questions.wrench(std::hypot(wrench.fx, wrench.fy), wrench.moment);
+      questions.load(gauge / mu_);
       rows.row(wrench.fx, wrench.fy, wrench.moment, gauge / mu_, twist.vx, twist.vy, twist.omega, error);
     }
     results.messages->say(questions.lines());
@@ -92,14 +93,13 @@ class PatchCommand final : public Subcommand {
     if (!radius_law_) throw std::invalid_argument("--radius-law is required");
     const godobject::FingerCurve curve = make_finger_curve(godobject::CurveKind::exact, law_, 0.0);
     const RadiusLaw radius_law = radius_law_->of(mu_, law_);
-    UnitQuestions questions;
     std::array<double, 2> loads{infinite, 0.0};  // smallest and largest
     Rows rows(results, {"force", "moment", "hold_load", "slide", "spin", "error"});
     CsvReader reader(wrenches_, {"force", "moment"});
+    UnitQuestions questions;
     while (reader.next()) {
       const double force = reader.number(0, finite);
       const double moment = reader.number(1, finite);
-      questions.wrench(force, moment);
       const double load = load_to_hold(curve, radius_law, mu_, force, moment);
       if (!(load > 0.0 && std::isfinite(load))) {
         constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -107,6 +107,7 @@ class PatchCommand final : public Subcommand {
         continue;
       }
       loads = {std::min(loads[0], load), std::max(loads[1], load)};
+      questions.wrench(force, moment);
       const double radius = radius_law.radius(load);
       const double limit = mu_ * load;
       const UnitWrench wrench{std::fabs(force) / limit, std::fabs(moment) / (limit * radius)};

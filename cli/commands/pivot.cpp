@@ -87,7 +87,8 @@ class Pivot final : public Subcommand {
             "that an ellipse needs to hold the block if that is more.\n"
             "Columns: time [s]; x,y [m] of the centre of mass from the grip point; angle [rad]; grip_slip [m], the distance that the\n"
             "block has slid past the fingers; load of each finger [N]; friction_force [N] and friction_moment [N m] of both fingers;\n"
-            "state stick|slip|free; cor [m] of the slip (nan unless it slips); r,rho: distance [m] and angle [rad] of one finger's\n"
+            "state stick|slip|free|invalid (a note names the reason); cor [m] of the slip (nan unless it slips); r,rho: distance [m] and "
+            "angle [rad] of one finger's\n"
             "god-object from its goal after step b; trial_r,trial_rho: the same before step b (eq. 7).",
             "limitcurve pivot --case coupled --material sandpaper --operator target=30deg"};
   }
@@ -100,7 +101,7 @@ class Pivot final : public Subcommand {
     options.named("--projection", settings_.projection, godobject::projection_names(), godobject::parse_projection,
                   "Projection onto the limit curve, in place of the case's");
     options.radius_law(radius_law_, Presence::optional);
-    options.text("--material", material_, "NAME", "Coefficients from Table 1 (data/materials.csv): rayon, suede, sandpaper");
+    options.text("--material", material_, "rayon|suede|sandpaper", "Coefficients from Table 1 (data/materials.csv)");
     options.number("--mu", mu_, non_negative, "Friction coefficient mu_l [1] (default: the material's, else sandpaper's)");
     options.number("--mu-r", mu_r_, non_negative, "mu_r [m] (default: the material's, else sandpaper's)");
     options.text("--grip", grip_file_, "FILE", "CSV with columns time,load");
@@ -157,7 +158,13 @@ class Pivot final : public Subcommand {
                         "trial_r", "trial_rho"});
     std::size_t step = 0;
     std::array loads{pivot.row().load, pivot.row().load};
+    godobject::Fault fault = godobject::Fault::none;
+    double since = 0.0;
     do {
+      if (fault == godobject::Fault::none && pivot.row().fault != fault) {
+        fault = pivot.row().fault;
+        since = pivot.row().time;
+      }
       if (step++ % every_ != 0) continue;
       const godobject::PivotRow& row = pivot.row();
       rows.row(row.time, row.x, row.y, row.angle, row.grip_slip, row.load, row.friction_force, row.friction_moment,
@@ -165,6 +172,10 @@ class Pivot final : public Subcommand {
       if (row.load > 0.0) loads = {std::min(loads[0], row.load), std::max(loads[1], row.load)};
     } while (pivot.step());
     rows.finish();
+    if (fault != godobject::Fault::none) {
+      results.messages->say("limitcurve: note: invalid from time " + format_number(since) + " s on: " + std::string(to_string(fault)) +
+                            "; a smaller --time-step may help");
+    }
     questions_.radii(radius_law_ ? settings_.radius_law : RadiusLaw::constant(1e-3), loads);
     results.messages->say(questions_.lines());
   }
@@ -173,13 +184,13 @@ class Pivot final : public Subcommand {
   /// Notes and warnings that the user must know before using the rows.
   void describe(Messages& messages, const godobject::Pivot& pivot) const {
     if (settings_.curve == CurveKind::exact) {
-      messages.say("limitcurve: exact: a table with an error of at most " + format_number(pivot.curve_error()) + " in unit wrenches");
+      messages.say("limitcurve: exact: a table with an error of at most " + format_number(pivot.curve_error(), 3) + " in unit wrenches");
     }
     const double load = pivot.row().load;
     const double needed = pivot.holding_load();
     if (load < needed) {
-      messages.say("limitcurve: warning: the grip begins at " + format_number(load) + " N a finger and does not hold the block: " +
-                   (std::isfinite(needed) ? "that needs " + format_number(needed) + " N" : "no load does"));
+      messages.say("limitcurve: warning: the grip begins at " + format_number(load, 3) + " N a finger and does not hold the block: " +
+                   (std::isfinite(needed) ? "that needs " + format_number(needed, 3) + " N" : "no load does"));
     }
   }
 

@@ -71,6 +71,21 @@ def test_wrench_is_of_a_ratio_without_signs():
         assert isinstance(curve.wrench(1, np.float64(2))[0], float) and isinstance(curve.wrench(np.float32(1), np.float32(2))[1], np.float32)
 
 
+def test_an_engine_with_the_touching_ellipse_finds_the_curve():
+    slide, spin = np.array([0.1, 1, 30.0]), np.array([1.0, -0.7])[:, None]
+    p, q = TABLE.touching_ellipse(slip=(slide, spin))
+    for i, j in np.ndindex(2, 3):
+        assert lc.ellipse(p[i, j], q[i, j]).wrench(slide[j], spin[i, 0]) == pytest.approx(TABLE.wrench(slide[j], spin[i, 0]), rel=1e-14)
+    f, m = TABLE.wrench(slide, spin)
+    for again in (TABLE.touching_ellipse(f, -m, p, q), TABLE.touching_ellipse(-f, m)):
+        assert np.allclose(again, (p, q), rtol=1e-9)
+    assert TABLE.touching_ellipse(0, 0) == TABLE.touching_ellipse(0, 0, 1, 1) == TABLE.touching_ellipse(slip=(0, 0)) == (1, TABLE.moment_ratio)
+    assert np.isnan(TABLE.touching_ellipse(math.nan, 1)).all() and np.isnan(TABLE.touching_ellipse(1, 1, math.nan, 1)).all()
+    for wrong in ({}, {"force": 1}, {"force": 1, "moment": 1, "p": 1}, {"force": 1, "moment": 1, "slip": (1, 1)}, {"slip": (1, 1, 1)}):
+        with pytest.raises(ValueError, match="expected"):
+            TABLE.touching_ellipse(**wrong)
+
+
 def test_single_numbers_are_arrays_of_one():
     law = lc.Law("hertz")
     calls = {law.evaluate: [0.7], TABLE.evaluate: [0.7], TABLE.wrench: [0.7, -0.3], TABLE.gauge: [0.7, 0.3], lc.box(1, 0.6).gauge: [0.7, 0.3]}
@@ -259,6 +274,15 @@ def test_a_patch_on_a_finger_is_the_disc_of_its_law():
         assert outputs[0].state == outputs[1].state and outputs[0].converged
         assert np.allclose(outputs[0].force, outputs[1].force, atol=1e-9) and outputs[0].moment == pytest.approx(outputs[1].moment, abs=1e-11)
     assert disc.centre_of_rotation() == pytest.approx(round_.centre_of_rotation(), abs=1e-6)
+
+
+def test_a_late_device_needs_more_damping():
+    assert lc.device_damping_needed(1e-3, delay=2, stiffness=1000) == pytest.approx((2.5, 2.5e-3 * 0.025))
+    lc.require_passive(1e-3, 2.51, delay=2, stiffness=1000)
+    with pytest.raises(ValueError, match="a delay of 2 samples need .* 2.5 N s/m"):
+        lc.require_passive(1e-3, 2.49, delay=2, stiffness=1000)
+    with pytest.raises(ValueError, match="delay = -1"):
+        lc.device_damping_needed(1e-3, delay=-1)
 
 
 def test_a_batch_says_which_samples_were_not_usable():

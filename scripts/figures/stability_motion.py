@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Figures of docs/stability.md, entries projection, time, geometry and reality: one function a figure, takes its rows, returns a figure."""
 
-from report.chart_style import BLUE, GRID, INK, ORANGE, VERMILION, legend_below, plt
+from report.chart_style import BLUE, GRID, INK, ORANGE, VERMILION, legend_below, mark_ratios, plt
 from stability_numerics import COR, draw, frame, styles
 
 
@@ -21,7 +21,7 @@ def projection_quotients(rows):
     """Ten steps, each a line: what is felt, as printed and by us."""
     figure, axes = frame(2, height=2.9, sharey=True)
     steps = list(rows.groups("panel"))
-    marks = {0: ("o", BLUE, "right"), 1: ("x", VERMILION, "wrong"), 2: ("s", VERMILION, "no number")}
+    marks = {0: ("o", BLUE, "right"), 1: ("x", VERMILION, "wrong"), 2: ("s", VERMILION, "NaN")}
     for one, series in zip(axes, ("as printed", "limitcurve")):
         for value, (marker, colour, label) in marks.items():
             found = [(row["x"], steps.index(row["panel"])) for row in rows.where(series=series) if row["value"] == value]
@@ -41,6 +41,7 @@ def projection_stiffness(rows):
     axes.set(title="Error of the wrench of a steady twist, c = a", xlabel=RATIO, xscale="log", xlim=(1e-6, 1e6), ylim=(-0.03, None),
              ylabel="in the normalised plane")
     axes.minorticks_off()
+    mark_ratios(axes)
     legend_below(figure, axes, 2)
     return figure
 
@@ -281,7 +282,7 @@ def reality_clock(rows):
 
 def reality_samples(rows):
     figure, (axes,) = panels(rows, ["load"])
-    axes.set(title="Load; one sample leaps, one is no number, from 500 ms on there are none", xlabel="time [ms]", ylabel="[N]", xlim=(0, 1000), ylim=(0, 6.2))
+    axes.set(title="Load; one sample leaps, one is NaN, from 500 ms on there are none", xlabel="time [ms]", ylabel="[N]", xlim=(0, 1000), ylim=(0, 6.2))
     legend_below(figure, axes, 2)
     return figure
 

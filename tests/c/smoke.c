@@ -69,6 +69,12 @@ static void fingers(void) {
     CHECK(limitcurve_finger_update(finger, &contact, 1e-3, &output) == LIMITCURVE_OK);
   }
   CHECK(output.state == LIMITCURVE_SLIP && fabs(output.force[0] + 0.6 * 2.0) < 1e-12 && isinf(output.cor));
+  double device = 0, turn = 0;
+  CHECK(limitcurve_device_damping_needed(&parameters, 1e-3, 1, &device, &turn) == LIMITCURVE_OK);
+  CHECK(fabs(device - 1.5e-3 * parameters.stiffness) < 1e-12 && fabs(turn - 1.5e-3 * parameters.twist_stiffness) < 1e-15);
+  CHECK(limitcurve_require_passive(&parameters, 1e-3, 1, 1.01 * device, 1.01 * turn) == LIMITCURVE_OK);
+  CHECK(limitcurve_require_passive(&parameters, 1e-3, 2, 1.01 * device, INFINITY) == LIMITCURVE_INVALID);
+  CHECK(strstr(limitcurve_error(), "a delay of 2 samples") != NULL);
   double margin = 1, hold = 0;
   CHECK(limitcurve_finger_margin(finger, &margin, &hold) == LIMITCURVE_OK && margin == 0 && fabs(hold - 2.0) < 1e-9);
   double centre[3];

@@ -208,18 +208,24 @@ class Choose(CommandLineTest):
         self.assertEqual(done.stdout.splitlines()[0], "model,parameter,error,nanoseconds,chosen")
         self.assertIn("ellipse: 6.4 % > 1 %", done.stderr)
         self.assertIn(": chosen", done.stderr)
+        self.assertRegex(done.stderr, "(?m)^error: of the radius on a ray, .*--scene$")
         self.assertEqual(run("choose", "--law", "hertz", "--tolerance", "0.01").stderr, "")
+        # Digits tell an error from the tolerance.
+        self.assertIn("ellipse: 6.38 % > 6.36 %", run("choose", "--law", "hertz", "--tolerance", "0.0636", "--explain").stderr)
 
     def test_a_scene(self):
         scene = ["choose", "--law", "hertz", "--tolerance", "0.01", "--scene", "--mu", "0.6", "--sample-time", "0.01"]
         coupled = run(*scene)
         self.assertEqual(coupled.stdout.splitlines()[0], "model,parameter,error,nanoseconds,chosen")
-        self.assertTrue(coupled.stderr.startswith("coupling is needed"), coupled.stderr)
+        self.assertTrue(coupled.stderr.startswith("limitcurve: coupling is needed"), coupled.stderr)
+        self.assertTrue(all(line.startswith("limitcurve: ") and len(line) < 160 for line in coupled.stderr.splitlines()), coupled.stderr)
         best = [line for line in coupled.stdout.splitlines() if line.endswith(",true")]
         self.assertEqual([line.split(",")[0] for line in best], ["table/closest-point"])
-        self.assertTrue(run(*scene, "--slide-speed", "0").stderr.startswith("uncoupled will do"))
-        self.assertTrue(run(*scene, "--twist-rate", "0").stderr.startswith("no torsion is needed"))
-        self.assert_fails(2, ["slide speed", "twist rate"], *scene, "--slide-speed", "0", "--twist-rate", "0")
+        self.assertTrue(run(*scene, "--slide-speed", "0").stderr.startswith("limitcurve: uncoupled will do"))
+        self.assertTrue(run(*scene, "--twist-rate", "0").stderr.startswith("limitcurve: no torsion is needed"))
+        for slide in ("--slide-speed", "--slide"):
+            for twist in ("--twist-rate", "--twist"):
+                self.assert_fails(2, ["no motion", "slide speed", "twist rate"], *scene, slide, "0", twist, "0")
         self.assert_fails(2, ["--loads", "expected"], *scene, "--loads", "1,2,3")
         self.assert_fails(2, ["least load"], *scene, "--loads", "2,1")
 
@@ -234,20 +240,34 @@ class Choose(CommandLineTest):
         (best,) = (line[0] for line in lines if line[4] == "true")
         self.assertTrue(best.endswith("/closest-point"), best)
 
+    def test_a_scene_in_which_nothing_is_good_enough(self):
+        rows_of = self.file("four.csv", "radius,pressure\n0,1\n1,0.8\n2,0.6\n3,0.1\n")
+        done = run("choose", "--scene", "--law", f"samples:{rows_of}", "--tolerance", "1e-6", "--sample-time", "0.02")
+        self.assertEqual(done.returncode, 1)
+        self.assertTrue(all(line.endswith(",false") for line in done.stdout.splitlines()[1:]))
+        self.assertGreater(len(done.stdout.splitlines()), 8)
+        last = done.stderr.splitlines()[-1]
+        self.assertRegex(last, r"\Alimitcurve: error: no step is within the tolerance: the best is table/closest-point, .* > 1.0e-06; expected")
+
     def test_a_scene_says_what_to_type_into_replay(self):
         trace = self.file("trace.csv", "time,x,y,z,twist\n0,0,0,-0.001,0\n0.1,0.002,0,-0.001,0\n0.2,0.002,0,-0.001,0.2\n")
+        plateau, ends = (f"samples:{self.file(name, f'load,radius{chr(10)}0.5,0.005{chr(10)}1,{middle}{chr(10)}2,{most}{chr(10)}')}"
+                         for name, middle, most in (("plateau.csv", 0.006, 0.006), ("ends.csv", 0.0052, 0.005)))
         for law in ["hertz", "power:n=2.3"]:
-            for radius in ["constant:a=0.006", "power:c=0.005,gamma=0.3"]:
+            # The last two are equal at the most load and at the mean one, or at both ends.
+            for radius in ["constant:a=0.006", "power:c=0.005,gamma=0.3", plateau, ends]:
                 for tolerance in ["0.3", "0.02", "1e-4"]:
                     for rates in [[], ["--twist-rate", "0"]]:
                         finger = ["--law", law, "--radius-law", radius, "--mu", "0.6", "--stiffness", "1000", "--twist-stiffness", "0.036"]
                         done = run("choose", "--scene", *finger, "--tolerance", tolerance, "--sample-time", "0.02", *rates)
-                        line = next(line for line in done.stderr.splitlines() if line.startswith("replay it with "))
-                        options = line.removeprefix("replay it with ").split()
+                        line = next(line for line in done.stderr.splitlines() if line.startswith("limitcurve: replay it with "))
+                        options = line.removeprefix("limitcurve: replay it with ").split()
+                        best = next(row for row in done.stdout.splitlines() if row.endswith(",true")).split(",")[0]
+                        follows = best.endswith("/a(P)") or best == "no torsion" or radius.startswith("constant")
+                        self.assertEqual("--radius-law" not in options, follows, (best, line))
                         if "--radius-law" in options:
                             finger[3] = options[options.index("--radius-law") + 1]
                             del options[options.index("--radius-law"):]
-                        best = next(row for row in done.stdout.splitlines() if row.endswith(",true")).split(",")[0]
                         if best != "no torsion":
                             self.assertEqual(best.split("/")[:2], [options[1], options[3]])
                         self.assertEqual(len(rows("replay", "--trace", trace, *finger, *options)), 3)
@@ -257,9 +277,9 @@ class Choose(CommandLineTest):
         trace = self.file("trace.csv", "time,x,y,z,twist\n0,0,0,-0.001,0\n0.1,0.002,0,-0.001,0\n")
         for given in [[], ["--mu", "0.6"], ["--mu-r", "0.002"], ["--stiffness", "500", "--radius-law", "constant:a=0.004"]]:
             done = run("choose", "--scene", "--law", "hertz", "--tolerance", "0.2", *given)
-            (line,) = (line for line in done.stderr.splitlines() if line.startswith("replay it with "))
+            (line,) = (line for line in done.stderr.splitlines() if line.startswith("limitcurve: replay it with "))
             self.assertEqual("a = 5 mm" in done.stderr, "--mu-r" not in given and "--radius-law" not in given, done.stderr)
-            self.assertEqual(len(rows("replay", "--trace", trace, "--law", "hertz", *given, *line.removeprefix("replay it with ").split())), 2)
+            self.assertEqual(len(rows("replay", "--trace", trace, "--law", "hertz", *given, *line.removeprefix("limitcurve: replay it with ").split())), 2)
 
     def test_units_of_length_do_not_matter(self):
         tables = []

@@ -239,7 +239,7 @@ TEST(TableFile, RefusesRowsThatAreNoTableWhateverTheirChecksum) {
 TEST(TableFile, NamesOfHeadersAreCIdentifiers) {
   const Table table = Table::build(hertz(), 1e-2);
   EXPECT_TRUE(has(to_header(table, "thumb"), "thumb_wrench(double slide, double spin)"));
-  for (const char* name : {"2nd", "a-b", "_a", "a__b", "a b", "d\xc3\xa9"}) {
+  for (const char* name : {"2nd", "a-b", "_a", "a__b", "a b", "d\xc3\xa9", "int", "class", "main"}) {
     test::expect_mention(test::complaint([&] { (void)to_header(table, name); }), std::string("'") + name + "'");
   }
 }
