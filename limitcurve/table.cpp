@@ -8,6 +8,7 @@
 #include "limitcurve/table/buckets.hpp"
 #include "limitcurve/table/builder.hpp"
 #include "limitcurve/table/check.hpp"
+#include "limitcurve/table/lookup.hpp"
 #include "limitcurve/table/own_curve.hpp"
 
 #include <algorithm>
@@ -17,6 +18,7 @@
 #include <limits>
 #include <optional>
 #include <stdexcept>
+#include <type_traits>
 
 namespace limitcurve {
 
@@ -221,12 +223,31 @@ RadialPoint BasicTable<Real>::along(UnitWrench direction) const noexcept {
 
 template <class Real>
 void BasicTable<Real>::wrench(std::span<const SlipTwist> twists, std::span<UnitWrench> wrenches) const noexcept {
-  for (std::size_t i = 0; i < std::min(twists.size(), wrenches.size()); ++i) wrenches[i] = wrench(twists[i]);
+  const std::size_t count = std::min(twists.size(), wrenches.size());
+  std::size_t i = 0;
+#ifdef LIMITCURVE_WIDE_PACKS
+  if constexpr (std::is_same_v<Real, double>) {
+    const kernel::InstructionSet set = kernel::widest_set();
+    if (set == kernel::InstructionSet::avx512)
+      i = kernel::wrenches_in_packs<kernel::Avx512>(pieces(), twists.data(), wrenches.data(), count);
+    if (set == kernel::InstructionSet::avx2) i = kernel::wrenches_in_packs<kernel::Avx2>(pieces(), twists.data(), wrenches.data(), count);
+  }
+#endif
+  for (; i < count; ++i) wrenches[i] = wrench(twists[i]);
 }
 
 template <class Real>
 void BasicTable<Real>::gauge(std::span<const UnitWrench> wrenches, std::span<double> gauges) const noexcept {
-  for (std::size_t i = 0; i < std::min(wrenches.size(), gauges.size()); ++i) gauges[i] = gauge(wrenches[i]);
+  const std::size_t count = std::min(wrenches.size(), gauges.size());
+  std::size_t i = 0;
+#ifdef LIMITCURVE_WIDE_PACKS
+  if constexpr (std::is_same_v<Real, double>) {
+    const kernel::InstructionSet set = kernel::widest_set();
+    if (set == kernel::InstructionSet::avx512) i = kernel::gauges_in_packs<kernel::Avx512>(view_, wrenches.data(), gauges.data(), count);
+    if (set == kernel::InstructionSet::avx2) i = kernel::gauges_in_packs<kernel::Avx2>(view_, wrenches.data(), gauges.data(), count);
+  }
+#endif
+  for (; i < count; ++i) gauges[i] = gauge(wrenches[i]);
 }
 
 template class BasicTable<double>;

@@ -128,7 +128,7 @@ class Validate final : public Subcommand {
     std::vector<Point> points;
     while (reader.next()) {
       const auto number = [&](std::size_t i) { return reader.number(i, finite); };
-      points.push_back(is_round ? Point{{number(0), 0.0, number(1)}, has_cor ? std::fabs(reader.number(2, any_distance)) : 0.0}
+      points.push_back(is_round ? Point{{number(0), 0.0, number(1)}, has_cor ? std::fabs(reader.number(2, distance)) : 0.0}
                                 : Point{{number(0), number(1), number(2)}, 0.0});
       const auto [fx, fy, moment] = points.back().wrench;
       if (fx == 0.0 && fy == 0.0 && moment == 0.0) throw reader.complaint(0, "force and moment are 0, expected a point of the limit curve");
@@ -169,8 +169,6 @@ class Validate final : public Subcommand {
     }
     rows.finish();
   }
-
-  static constexpr Range any_distance{-infinite, infinite, "a number"};
 
   std::vector<Law> laws_;
   std::vector<std::string> patches_;

@@ -109,30 +109,33 @@ Slip slip_by_columns(const Vector& w, const Support& support) noexcept {
 template <class Support>
 Vector polished(Vector twist, const Vector& w, const Support& support, double& miss) noexcept {
   constexpr double enough = 1e-14;
+  constexpr double power_rounding = 1e-13;
   const Vector axis = std::fabs(w.z) < 0.5 ? Vector{0.0, 0.0, 1.0} : Vector{1.0, 0.0, 0.0};
   Vector one = cross(w, axis);
   one = one * (1.0 / std::sqrt(dot(one, one)));
   const Vector other = cross(w, one);
-  const auto across = [&](const Vector& at) -> PatchPoint {
+  /// The parts of the wrench across W, and its power.
+  const auto across = [&](const Vector& at) -> Vector {
     const Vector needed = support(at);
-    return {dot(needed, one), dot(needed, other)};
+    return {dot(needed, one), dot(needed, other), dot(needed, at)};
   };
-  PatchPoint now = across(twist);
+  Vector now = across(twist);
   miss = std::hypot(now.x, now.y);
   for (double step = 1e-6; step > 1e-15 && miss > enough;) {
     const double size = step * std::sqrt(dot(twist, twist));
     const auto slope = [&](const Vector& along) -> PatchPoint {
-      const PatchPoint ahead = across(twist + along * size);
-      const PatchPoint behind = across(twist - along * size);
+      const Vector ahead = across(twist + along * size);
+      const Vector behind = across(twist - along * size);
       return {(ahead.x - behind.x) / (2.0 * size), (ahead.y - behind.y) / (2.0 * size)};
     };
     const PatchPoint a = slope(one);
     const PatchPoint b = slope(other);
     const double area = a.x * b.y - a.y * b.x;
     const Vector next = twist + one * ((now.y * b.x - now.x * b.y) / area) + other * ((now.x * a.y - now.y * a.x) / area);
-    const PatchPoint there = across(next);
+    const Vector there = across(next);
     const double left = std::hypot(there.x, there.y);
-    if (left < 0.5 * miss) {
+    // Beside a kink less may be left than on it, but H is larger.
+    if (left < 0.5 * miss && there.z <= now.z * (1.0 + power_rounding)) {
       twist = next;
       now = there;
       miss = left;

@@ -157,17 +157,17 @@ class Points(CommandLineTest):
 
     def test_methods_of_the_page(self):
         """What public code computes, written out here, has the errors that docs/validate.md says."""
-        square, pad = ("--patch", "rectangle:x=1,y=1"), ("--patch", "rectangle:x=0.082,y=0.0625")
+        square, pad = ("--patch", "rectangle:x=0.1,y=0.1"), ("--patch", "rectangle:x=0.082,y=0.0625")
         d = math.hypot(0.082, 0.0625)
         closed = (d + 0.082**2 / 0.125 * math.asinh(0.0625 / 0.082) + 0.0625**2 / 0.164 * math.asinh(0.082 / 0.0625)) / 6
-        spin = {"closed form": (pad, closed), "quadrature of two points an axis": (pad, d / 2 / math.sqrt(3)), "disc around it": (square, math.sqrt(2) / 3),
-                "√(ab) as radius": (("--patch", "ellipse:law=parabolic,a=5,b=1"), 8 / 15 * math.sqrt(5))}
+        spin = {"closed form": (pad, closed), "quadrature of two points an axis": (pad, d / 2 / math.sqrt(3)), "disc around it": (square, 0.1 * math.sqrt(2) / 3),
+                "√(ab) as radius": (("--patch", "ellipse:law=parabolic,a=0.05,b=0.01"), 0.08 / 15 * math.sqrt(5))}
         errors = {method: self.judged(contact, "fx,fy,moment", [(0.0, 0.0, moment)])["max_error"] for method, (contact, moment) in spin.items()}
         chance = random.Random(1)
         means = [sum(math.sqrt(1 - chance.random() ** (2 / 3)) for _ in range(10000)) / 10000 for _ in range(20)]
         errors["10 000 random points"] = self.judged(("--law", "hertz"), "force,moment", [(0.0, mean) for mean in means])["rms_error"]
-        cells = [((i - 10) / 21, (j - 10) / 21, 1.0) for i in range(21) for j in range(21)]
-        cors = [(i / 80, j / 80) for i in range(60) for j in range(i + 1)]
+        cells = [((i - 10) / 210, (j - 10) / 210, 1.0) for i in range(21) for j in range(21)]
+        cors = [(i / 800, j / 800) for i in range(60) for j in range(i + 1)]
         errors["21 × 21 cells"] = self.judged(square, "fx,fy,moment", [by_points(cells, (y, -x, 1.0))[:3] for x, y in cors])["max_error"]
         page = (Path(__file__).parents[2] / "docs" / "validate.md").read_text(encoding="utf-8")
         for method, error in errors.items():
