@@ -3,6 +3,7 @@
 
 #include "godobject/finger/finger_numbers.hpp"
 #include "godobject/friction.hpp"
+#include "godobject/scene/passivity.hpp"
 
 #include <algorithm>
 #include <array>
@@ -103,8 +104,7 @@ const char* fault_of(const limitcurve_limits& limits, double force, double momen
   const auto is_fraction = [](double fraction) { return fraction >= 0.0 && fraction <= 1.0; };
   if (!is_fraction(limits.force_stick_fraction) || !is_fraction(limits.moment_stick_fraction))
     return "force_stick_fraction and moment_stick_fraction: expected numbers from 0 to 1";
-  if (!(force >= 0.0 && std::isfinite(force) && moment >= 0.0 && std::isfinite(moment)))
-    return "force and moment: expected finite numbers >= 0";
+  if (!std::isfinite(force) || !std::isfinite(moment)) return "force and moment: expected finite numbers";
   if (!(memory.search_start >= 0.0 && memory.search_start <= 2.0 && std::fabs(memory.search_rate) <= 2.0))
     return "memory: expected all 0, or what the last step left";
   return nullptr;
@@ -189,6 +189,22 @@ limitcurve_status limitcurve_finger_centre_of_rotation(const limitcurve_finger* 
   const Eigen::Vector3d centre = finger->finger.centre_of_rotation();
   std::copy_n(centre.data(), 3, centre_of_rotation);
   return LIMITCURVE_OK;
+}
+
+limitcurve_status limitcurve_device_damping_needed(const limitcurve_finger_parameters* parameters, double sample_time, int delay,
+                                                   double* sliding, double* twist) {
+  if (is_missing("parameters", parameters)) return LIMITCURVE_INVALID;
+  return guarded([&] {
+    const DeviceDamping needed = device_damping_needed(parameters_of(*parameters), sample_time, delay);
+    if (sliding != nullptr) *sliding = needed.sliding;
+    if (twist != nullptr) *twist = needed.twist;
+  });
+}
+
+limitcurve_status limitcurve_require_passive(const limitcurve_finger_parameters* parameters, double sample_time, int delay, double sliding,
+                                             double twist) {
+  if (is_missing("parameters", parameters)) return LIMITCURVE_INVALID;
+  return guarded([&] { require_passive(parameters_of(*parameters), sample_time, {sliding, twist}, delay); });
 }
 
 limitcurve_status limitcurve_finger_margin(const limitcurve_finger* finger, double* margin, double* load_to_hold) {

@@ -112,12 +112,12 @@ LIMITCURVE_API limitcurve_status limitcurve_table_evaluate(const limitcurve_tabl
                                                            double* moments);
 
 /* Distance of unit wrenches from the origin divided by that of the curve on the same ray: < 1 holds, > 1 slips. Forces and moments are
- * finite and >= 0. [real time] */
+ * finite; signs do not count. [real time] */
 LIMITCURVE_API limitcurve_status limitcurve_table_gauge(const limitcurve_table* table, const double* forces, const double* moments,
                                                         size_t count, double* gauges);
 
 /* The smallest loads [N] under which a contact of friction `mu` >= 0 and contact radius `radius_law` (as in limitcurve_finger_parameters)
- * bears forces [N] and moments [N m] >= 0; inf where no load holds. */
+ * bears forces [N] and moments [N m], of any sign; inf where no load holds. */
 LIMITCURVE_API limitcurve_status limitcurve_table_load_to_hold(const limitcurve_table* table, double mu, const char* radius_law,
                                                                const double* forces, const double* moments, size_t count, double* loads);
 
@@ -157,7 +157,7 @@ typedef struct limitcurve_friction {
   int slips;           /* in this step */
 } limitcurve_friction;
 
-/* For simulators with springs of their own: the fraction of a trial force [N] and moment [N m], both finite and >= 0, within the friction
+/* For simulators with springs of their own: the fraction of a trial force [N] and moment [N m], both finite, within the friction
  * limit. LIMITCURVE_C_CURVE is radial here, because there is no radius law. [real time] */
 LIMITCURVE_API limitcurve_status limitcurve_apply_friction(const limitcurve_table* table, limitcurve_projection projection,
                                                            const limitcurve_limits* limits, double force, double moment,
@@ -219,7 +219,7 @@ typedef struct limitcurve_finger_output {
   double angle;    /* of the proxy [rad] */
   double depth;    /* [m] */
   double normal[3];
-  double load;      /* [N] */
+  double load;      /* [N], the whole normal force: on a curved surface what bounds friction (k_l depth) and the surface's own push */
   double force[3];  /* friction on the user [N], tangential */
   double moment;    /* friction on the user about the normal [N m] */
   double cor;       /* of the slip [m]; NaN unless it slips */
@@ -256,9 +256,19 @@ LIMITCURVE_API limitcurve_status limitcurve_finger_update_under_load(limitcurve_
 /* Back to the state before any contact. [real time] */
 LIMITCURVE_API limitcurve_status limitcurve_finger_reset(limitcurve_finger* finger);
 
-/* Distance to slip, from 1 (no friction) to 0 (slips), and the least load [N] that would hold the present friction. Either may be
- * NULL. [real time] */
+/* Distance to slip, from 1 (no friction) to 0 (slips), and the least `load` of the output [N] that would hold the present friction. Either
+ * may be NULL. [real time] */
 LIMITCURVE_API limitcurve_status limitcurve_finger_margin(const limitcurve_finger* finger, double* margin, double* load_to_hold);
+
+/* The damping [N s/m] and twist damping [N m s/rad] that a device itself needs at a sample time [s], with its force `delay` samples late (0 to
+ * 1000), so that a finger's sampled springs and dampers add no energy in any hand. Either result may be NULL. */
+LIMITCURVE_API limitcurve_status limitcurve_device_damping_needed(const limitcurve_finger_parameters* parameters, double sample_time,
+                                                                  int delay, double* sliding, double* twist);
+
+/* LIMITCURVE_INVALID, and what to change in limitcurve_error(), unless a device with this damping has more than it needs; infinity leaves one
+ * unchecked. */
+LIMITCURVE_API limitcurve_status limitcurve_require_passive(const limitcurve_finger_parameters* parameters, double sample_time, int delay,
+                                                            double sliding, double twist);
 
 /* The slip's centre of rotation, in the surface's frame [m]; infinite for pure sliding, NaN without slip. [real time] */
 LIMITCURVE_API limitcurve_status limitcurve_finger_centre_of_rotation(const limitcurve_finger* finger, double centre_of_rotation[3]);
@@ -355,6 +365,12 @@ LIMITCURVE_API limitcurve_status limitcurve_patch_wrench(const limitcurve_patch*
  * friction `mu` >= 0; inf where no load holds. */
 LIMITCURVE_API limitcurve_status limitcurve_patch_load_to_hold(const limitcurve_patch* patch, double mu, const double* wrenches,
                                                                size_t count, double* loads);
+
+/* The twists (vx, vy, omega) [m/s, rad/s] about the origin with which the patch slips under `count` wrenches (fx, fy, moment) [N, N m] about the
+ * origin, three numbers each: at the load that just holds, of power 1 W against the wrench; NaN for wrench 0, and where no load holds. Bounds of
+ * |dF|/(mu P) and |dM|/(mu P m0), from the wrench to what the twist needs, may be NULL. */
+LIMITCURVE_API limitcurve_status limitcurve_patch_slip(const limitcurve_patch* patch, const double* wrenches, size_t count, double* twists,
+                                                       double* errors);
 
 /* ---- Fits ---- */
 

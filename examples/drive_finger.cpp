@@ -17,7 +17,7 @@ int main() {
   parameters.mu = 0.6;
   parameters.radius_law = lc::RadiusLaw::constant(0.005);
   parameters.stiffness = 1000.0;
-  parameters.twist_stiffness = 0.04;
+  parameters.twist_stiffness = 0.025;
   god::SoftFinger finger(lc::Table::build(law, 1e-8), parameters);
 
   const double depth = 0.002, radius = 0.005, mu = 0.6;  // so the load is 2 N

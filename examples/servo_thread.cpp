@@ -75,7 +75,7 @@ int main(int argc, char** argv) {
   parameters.mu = 0.6;
   parameters.radius_law = lc::RadiusLaw::constant(0.005);
   parameters.stiffness = 1000.0;
-  parameters.twist_stiffness = 0.04;
+  parameters.twist_stiffness = 0.025;
   // Construct tables and fingers before the loop: only construction allocates.
   god::SoftFinger finger(lc::Table::build(lc::hertz(), 1e-6), parameters);
 

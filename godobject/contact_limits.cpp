@@ -71,20 +71,19 @@ ContactLimits::ContactLimits(const FingerParameters& parameters, double moment_m
   const double mu = parameters.mu;
   const double mu_dynamic = parameters.mu_dynamic.value_or(mu);
   if (mu_dynamic > mu) throw out_of_range("mu_dynamic", mu_dynamic, "1", "0 <= mu_dynamic <= mu");
+  const double sliding = std::max(mu_dynamic, least_sliding_share * mu);
   if (parameters.mu_r) {
     const double mu_r = *parameters.mu_r;
     if (mu == 0.0 && mu_r > 0.0) throw out_of_range("mu_r", mu_r, "m", "0 where mu is 0");
     sticking_ = {mu, equivalent_radius(mu_r, mu, moment_max)};
     // By default both coefficients fall by the same factor, so that the radius stays.
-    sliding_ = {mu_dynamic, sticking_.radius};
+    sliding_ = {sliding, sticking_.radius};
     if (parameters.mu_r_dynamic) {
       const double mu_r_dynamic = *parameters.mu_r_dynamic;
       if (mu_r_dynamic > mu_r) {
         throw out_of_range("mu_r_dynamic", mu_r_dynamic, "m", "0 <= mu_r_dynamic <= mu_r");
       }
-      // The moment may keep a limit without a sliding force: give the force a limit of almost 0.
-      if (mu_r_dynamic > 0.0) sliding_.force = std::max(mu_dynamic, least_sliding_share);
-      sliding_.radius = equivalent_radius(mu_r_dynamic, sliding_.force, moment_max);
+      sliding_.radius = equivalent_radius(mu_r_dynamic, sliding, moment_max);
     }
     has_torsion_ = mu_r > 0.0;
     if (parameters.gamma != 0.0) {
@@ -99,8 +98,8 @@ ContactLimits::ContactLimits(const FingerParameters& parameters, double moment_m
     }
     const double radius = in_range("radius_law coefficient", parameters.radius_law.coefficient(), "m/N^gamma", spring);
     sticking_ = {mu, radius};
-    sliding_ = {mu_dynamic, radius};
-    if (parameters.radius_law.is_sampled() || parameters.radius_law.exponent() != 0.0) radius_law_ = parameters.radius_law;
+    sliding_ = {sliding, radius};
+    if (parameters.radius_law.depends_on_load()) radius_law_ = parameters.radius_law;
     has_torsion_ = mu > 0.0;
   }
   sliding_radius_fraction_ = sliding_.radius / sticking_.radius;

@@ -23,9 +23,11 @@ struct FingerParameters {
   RadiusLaw radius_law = RadiusLaw::constant(0.005);  ///< contact radius a(P)
   std::optional<double> mu_r = {};                    ///< μ_r [m/N^γ] ≥ 0: Γ = μ_r P^(1+γ), replaces the radius law (eq. 2)
   double gamma = 0.0;                                 ///< γ ∈ [−0.5, 1] of the moment coefficients
-  std::optional<double> mu_r_dynamic = {};            ///< μ_r during slip [m/N^γ]; absent: μ_r μ_d/μ
+  /// μ_r during slip [m/N^γ]; absent: μ_r μ_d/μ. Where μ_d = 0 closest_point keeps this moment; radial and c_curve do not, because the ray to
+  /// a trial with a force meets the limit at 0.
+  std::optional<double> mu_r_dynamic = {};
   double stiffness = 1000.0;                          ///< k_l [N/m] > 0, normal and tangential
-  double twist_stiffness = 0.04;                      ///< k_r [N m/rad] > 0
+  double twist_stiffness = 0.025;                     ///< k_r [N m/rad] > 0; a pad's own is k_l a² (docs/drive.md)
   double damping = 0.0;                               ///< b_l [N s/m] ≥ 0, normal and tangential; acts if `update` has a time step
   double twist_damping = 0.0;                         ///< b_r [N m s/rad] ≥ 0
   /// Hysteresis between static and dynamic friction [1] ≥ 0: a sliding finger comes to rest when its trial is within the sliding limit
@@ -98,7 +100,10 @@ struct FingerOutput {
   double angle = 0.0;                                     ///< α_p [rad], measured like the device's twist; while free, the twist
   double depth = 0.0;                                     ///< d [m]; NaN in a step under a given load
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();      ///< outward, at the contact; the whole force on the user is normal·load + force
-  double load = 0.0;                                      ///< normal force on the user [N], 0 while free; on a plane at rest k_l d
+  /// Normal force on the user [N], 0 while free: the load that bounds friction (`FingerState::limit_load`, k_l d and the damper's part) plus the
+  /// push of a curved surface, k_l times its rise from x_g to the proxy, < 0 on a convex one; on a plane both are one. The push is part of the
+  /// gradient of the springs' energy: a closed loop gains nothing with it, and may gain without. `load_to_hold` has the same unit.
+  double load = 0.0;
   Eigen::Vector3d force = Eigen::Vector3d::Zero();        ///< friction on the user [N], tangential
   double moment = 0.0;                                    ///< friction on the user about the normal [N m]
   double cor = std::numeric_limits<double>::quiet_NaN();  ///< distance of the slip's COR from the contact centre [m]; NaN without slip
@@ -145,7 +150,7 @@ struct FingerState {
   FrictionMemory<double> friction{};
   PatchMemory patch{};
   bool in_contact = false;    ///< unchanged by invalid samples
-  double limit_load = 0.0;    ///< P of the friction limit [N]: k_l d plus the damper's force
+  double limit_load = 0.0;    ///< P of the friction limit [N]: k_l d plus the damper's force; `FingerOutput::load` less the surface's push
   double trial_force = 0.0;   ///< trial wrench of the last step (eq. 7): force of springs and dampers if the proxy stayed [N]
   double trial_moment = 0.0;  ///< and their moment [N m]
 };

@@ -270,9 +270,10 @@ double SoftFinger::margin() const noexcept {
 
 double SoftFinger::load_to_hold() const noexcept {
   const FingerOutput& output = state_.output;
-  if (!projector_) return limits_.load_to_hold(*curve_, output.force.norm(), std::fabs(output.moment));
-  const double needed = patch_gauge(*projector_, state_);
-  return needed == 0.0 ? 0.0 : needed / limits_.mu(false);
+  const double needed = projector_ ? patch_gauge(*projector_, state_) / limits_.mu(false)
+                                   : limits_.load_to_hold(*curve_, output.force.norm(), std::fabs(output.moment));
+  // The surface's push is no part of the limit's load, but of `load`.
+  return needed > 0.0 ? std::max(needed + (output.load - state_.limit_load), 0.0) : 0.0;
 }
 
 }  // namespace limitcurve::godobject

@@ -101,7 +101,8 @@ class SoftFinger {
 
   /// Margin to slip, as a fraction of the limit: 1 without friction or while free, 0 on the limit and during slip.
   [[nodiscard]] double margin() const noexcept;
-  /// The smallest load [N] under which the contact bears its present friction without slip: the grip needed to hold.
+  /// The smallest `FingerOutput::load` [N] under which the contact bears its present friction without slip: the grip needed to hold. It is at
+  /// most the present load if and only if the contact is within its static limit.
   [[nodiscard]] double load_to_hold() const noexcept;
   /// The slip's centre of rotation, in the surface's frame [m]; infinite for pure sliding, NaN without slip.
   [[nodiscard]] Eigen::Vector3d centre_of_rotation() const noexcept;

@@ -39,11 +39,19 @@ Candidate sufficient_table(const Law& law, const ExactCurve& exact, double toler
   }
 }
 
-std::string reason(const Candidate& candidate, const Candidate& best, double tolerance) {
+std::string reason(const Candidate& candidate, double cost_of_chosen, double tolerance) {
   if (!candidate.reason.empty()) return candidate.reason;
-  if (candidate.error > tolerance) return in_percent(candidate.error) + " > " + in_percent(tolerance);
+  if (candidate.error > tolerance) {
+    // As many digits as tell one from the other.
+    const auto said = [](double error, int digits) {
+      return digits == 2 ? in_percent(error) : format_number(100.0 * error, digits) + " %";
+    };
+    int digits = 2;
+    while (said(candidate.error, digits) == said(tolerance, digits)) ++digits;
+    return said(candidate.error, digits) + " > " + said(tolerance, digits);
+  }
   if (candidate.chosen) return in_percent(candidate.error) + ": chosen";
-  return in_percent(candidate.error) + ", " + format_number(candidate.nanoseconds / best.nanoseconds, 2) + " times the cost";
+  return in_percent(candidate.error) + ", " + format_number(candidate.nanoseconds / cost_of_chosen, 2) + " times the cost";
 }
 
 }  // namespace
@@ -62,16 +70,15 @@ void choose_cheapest(std::vector<Candidate>& candidates, double tolerance) {
                    [](const Candidate& one, const Candidate& other) { return one.nanoseconds < other.nanoseconds; });
   const auto less_error = [](const Candidate& one, const Candidate& other) { return one.error < other.error; };
   auto best = std::find_if(candidates.begin(), candidates.end(), [&](const Candidate& candidate) { return candidate.error <= tolerance; });
-  if (best == candidates.end()) {
-    best = std::min_element(candidates.begin(), candidates.end(), less_error);
-  } else {
+  if (best != candidates.end()) {
     const double least = best->nanoseconds;
     const auto tied =
         std::find_if(best, candidates.end(), [&](const Candidate& one) { return one.nanoseconds > (1.0 + cost_tie) * least; });
     best = std::min_element(best, tied, less_error);
+    best->chosen = true;
   }
-  best->chosen = true;
-  for (Candidate& candidate : candidates) candidate.reason = reason(candidate, *best, tolerance);
+  const double cost = best == candidates.end() ? 0.0 : best->nanoseconds;  // none is chosen: each has an error that is too large
+  for (Candidate& candidate : candidates) candidate.reason = reason(candidate, cost, tolerance);
 }
 
 std::vector<Candidate> choose(const Law& law, double tolerance) {

@@ -30,7 +30,7 @@ inline constexpr double cost_tie = 0.05;
 /// form, a second by quadrature. godobject/scene/choose_step.hpp chooses for a whole scene, projection included.
 std::vector<Candidate> choose(const Law& law, double tolerance);
 
-/// Sorts candidates by cost, marks the cheapest whose error is at most `tolerance` (of a tie, or if there is none, the one with the smallest
+/// Sorts candidates by cost, marks the cheapest whose error is at most `tolerance`, if there is one (of a tie, the one with the smallest
 /// error), and sets each reason.
 void choose_cheapest(std::vector<Candidate>& candidates, double tolerance);
 

@@ -69,6 +69,8 @@ class RadiusLaw {
   [[nodiscard]] double coefficient(double load = 1.0) const noexcept;
   [[nodiscard]] double exponent(double load = 1.0) const noexcept;
   [[nodiscard]] bool is_sampled() const noexcept { return stretches_ != nullptr; }
+  /// Whether a is a function of the load, as a property of the law: two equal radii do not make it constant.
+  [[nodiscard]] bool depends_on_load() const noexcept { return is_sampled() || exponent_ != 0.0; }
   /// The smallest and the largest load [N] of the samples, beyond which a sampled law extrapolates; 0 and infinity for any other law.
   [[nodiscard]] std::pair<double, double> sampled_loads() const noexcept { return sampled_loads_; }
 
@@ -99,7 +101,6 @@ namespace detail {
 void check_friction(double mu);
 void check_load(double load);
 void check_cor(double cor);
-void check_wrench(double force, double moment);
 /// Throws unless the limits μP and μPa are finite.
 void check_limits(double mu, double load, double radius);
 }  // namespace detail
@@ -159,8 +160,8 @@ double moment_capacity(double moment_ratio, const RadiusLaw& radius_law, double 
 inline namespace LIMITCURVE_COPIES {  // arithmetic.hpp
 #endif
 
-/// The smallest load [N] under which the contact bears force F [N] ≥ 0 and moment M [N·m] ≥ 0 without slip. 0 for F = M = 0; ∞ without
-/// friction (μ = 0) and where no finite load holds. Relative error ≤ 1e-12 plus the curve's.
+/// The smallest load [N] under which the contact bears force F [N] and moment M [N·m], of any sign, without slip. 0 for F = M = 0; ∞ without
+/// friction (μ = 0) and where no finite load holds; NaN for NaN. Relative error ≤ 1e-12 plus the curve's.
 ///
 /// It is the root of ln gauge(F/μP, M/μPa(P)) = 0 in ln P. The slope is −(1 + γω): γ is the exponent of the radius law, ω the fraction of
 /// the dissipated power that rotation takes, from the curve's normal. Newton's method inside a bracket: below, the larger of the loads that
@@ -171,9 +172,11 @@ double load_to_hold(const Curve& curve, const RadiusLaw& radius_law, double mu, 
   constexpr int search_limit = 60;
   constexpr double tolerance = 1e-14;
   detail::check_friction(mu);
-  detail::check_wrench(force, moment);
-  if (force == 0.0 && moment == 0.0) return 0.0;
-  if (mu == 0.0) return std::numeric_limits<double>::infinity();
+  force = std::fabs(force);
+  moment = std::fabs(moment);
+  const double sum = force + moment;
+  if (!(sum > 0.0)) return sum;
+  if (mu == 0.0 || std::isinf(sum)) return std::numeric_limits<double>::infinity();
   const double scaled_force = force / mu;
   const double scaled_moment = moment / mu;
   if (!radius_law.is_sampled() && radius_law.exponent() == 0.0)

@@ -40,7 +40,8 @@ struct PressureSample {
   double pressure;
 };
 
-/// A measured pressure profile. The last radius is scaled to a, the pressure to load 1. Evaluated by ring, piece by piece.
+/// A measured pressure profile. The radius where the pressure ends is scaled to a (of rows without pressure at the end the first counts), the
+/// pressure to load 1. Evaluated by ring, piece by piece.
 ///  - Between samples: a monotone cubic, which does not overshoot (Fritsch and Carlson 1980; slopes by Fritsch and Butland 1984).
 ///  - From the centre to the first radius: the pressure of the first sample.
 ///  - Two samples at the same radius: a jump. A repeated sample is ignored. A negative pressure is noise and counts as zero.

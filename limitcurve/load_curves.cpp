@@ -32,11 +32,6 @@ void check_cor(double cor) {
   if (!(cor >= 0.0)) throw out_of_range("cor", cor, "m", ">= 0");
 }
 
-void check_wrench(double force, double moment) {
-  check_finite_magnitude("force", force, "N");
-  check_finite_magnitude("moment", moment, "N m");
-}
-
 void check_limits(double mu, double load, double radius) {
   // An infinite limit times a component of 0 would be NaN.
   if (std::isfinite(mu * load) && std::isfinite(mu * load * radius)) return;

@@ -198,6 +198,7 @@ std::size_t BasicTable<Real>::bytes() const noexcept {
 
 template <class Real>
 RadialPoint BasicTable<Real>::along(UnitWrench direction) const noexcept {
+  direction = direction.magnitudes();
   const double size = std::max(direction.force, direction.moment);
   const UnitWrench scaled{direction.force / size, direction.moment / size};
   Real gauge{};
@@ -205,6 +206,16 @@ RadialPoint BasicTable<Real>::along(UnitWrench direction) const noexcept {
   // Scale by the gauge: its error is the square of the search's. The gauge is that of the scaled wrench, so that it does not overflow.
   const auto length = static_cast<double>(gauge);
   return {{scaled.force / length, scaled.moment / length}, {static_cast<double>(point.slide), static_cast<double>(point.spin)}};
+}
+
+template <class Real>
+void BasicTable<Real>::wrench(std::span<const SlipTwist> twists, std::span<UnitWrench> wrenches) const noexcept {
+  for (std::size_t i = 0; i < std::min(twists.size(), wrenches.size()); ++i) wrenches[i] = wrench(twists[i]);
+}
+
+template <class Real>
+void BasicTable<Real>::gauge(std::span<const UnitWrench> wrenches, std::span<double> gauges) const noexcept {
+  for (std::size_t i = 0; i < std::min(wrenches.size(), gauges.size()); ++i) gauges[i] = gauge(wrenches[i]);
 }
 
 template class BasicTable<double>;

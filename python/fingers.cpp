@@ -3,6 +3,7 @@
 
 #include "cli/io/law_argument.hpp"
 #include "godobject/finger/finger_numbers.hpp"
+#include "godobject/scene/passivity.hpp"
 #include "godobject/soft_finger.hpp"
 #include "limitcurve/internal/number.hpp"
 
@@ -13,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <stdexcept>
 #include <string_view>
@@ -92,7 +94,8 @@ void add_output(nb::module_& module) {
       .def_ro("depth", &FingerOutput::depth, "[m]")
       .def_prop_ro(
           "normal", [](const FingerOutput& self) { return self.normal; }, "outward")
-      .def_ro("load", &FingerOutput::load, "normal force on the user [N]")
+      .def_ro("load", &FingerOutput::load,
+              "normal force on the user [N]: what bounds friction (k_l depth), and on a curved surface its own push")
       .def_prop_ro(
           "force", [](const FingerOutput& self) { return self.force; }, "friction on the user [N], tangential")
       .def_ro("moment", &FingerOutput::moment, "friction on the user about the normal [N m]")
@@ -160,7 +163,7 @@ void add_finger_types(nb::module_& module) {
       .def_prop_ro(
           "output", [](const PyFinger& self) { return self.output(); }, "Result of the last step.")
       .def("margin", &SoftFinger::margin, "Distance to slip, from 1 (no friction) to 0 (slips).")
-      .def("load_to_hold", &SoftFinger::load_to_hold, "The least load [N] that would hold the present friction.")
+      .def("load_to_hold", &SoftFinger::load_to_hold, "The least `load` of the output [N] that would hold the present friction.")
       .def("centre_of_rotation", &SoftFinger::centre_of_rotation,
            "Centre of rotation of the slip [m]; inf for pure sliding, NaN unless it slips.")
       .def("spring_energy", &SoftFinger::spring_energy, "Energy of the springs [J].")
@@ -196,8 +199,8 @@ void add_friction(nb::module_& module) {
           if (!holds) throw out_of_range(name, value, "1", expected);
         };
         const auto finite = [](double value) { return std::isfinite(value) && value >= 0.0; };
-        require(finite(force), "force", force, "[0, inf)");
-        require(finite(moment), "moment", moment, "[0, inf)");
+        require(std::isfinite(force), "force", force, "a finite number");
+        require(std::isfinite(moment), "moment", moment, "a finite number");
         require(finite(limit), "limit", limit, "[0, inf)");
         require(finite(radius), "radius", radius, "[0, inf)");
         require(finite(stiffness_ratio) && stiffness_ratio > 0.0, "stiffness_ratio", stiffness_ratio, "(0, inf)");
@@ -226,7 +229,8 @@ void add_friction(nb::module_& module) {
           "sliding_limit: float | None = None, sliding_radius: float | None = None, force_stick_fraction: float = 1.0, "
           "moment_stick_fraction: "
           "float = 1.0, memory: FrictionMemory | None = None, projection: str = 'closest-point') -> FrictionResult"),
-      "The fraction of a trial force [N] and moment [N m] within the friction limit: for simulators with springs of their own.\n\n"
+      "The fraction of a trial force [N] and moment [N m], of any sign, within the friction limit: for simulators with springs of\n"
+      "their own.\n\n"
       "limit is mu P [N], radius is a [m], stiffness_ratio is k_l/k_r of the springs [1/m^2]. The `sliding_` limits act while the\n"
       "contact slips; `memory` stores that. A sliding contact comes to rest within the sliding limit times the smaller of the two rest\n"
       "shares; on a box force and moment each have their own. The projection 'c-curve' is radial here.\n\n"
@@ -307,10 +311,38 @@ Projection take_projection(nb::kwargs& given) {
   return parse_projection(nb::cast<std::string>(value));
 }
 
+void add_passivity(nb::module_& module) {
+  const std::string rest = parameters_signature() + ") -> ";
+  const std::string needed = "def device_damping_needed(sample_time: float, *, delay: int = 0, " + rest + "tuple[float, float]";
+  const std::string required =
+      "def require_passive(sample_time: float, sliding: float, twist: float = inf, *, delay: int = 0, " + rest + "None";
+  module.def(
+      "device_damping_needed",
+      [](double sample_time, int delay, const nb::kwargs& given) {
+        const DeviceDamping device = device_damping_needed(parameters_of(given, 1.0), sample_time, delay);
+        return std::tuple(device.sliding, device.twist);
+      },
+      nb::arg("sample_time"), nb::kw_only(), nb::arg("delay") = 0, nb::arg("kwargs"), nb::sig(needed.c_str()),
+      "The damping [N s/m] and twist damping [N m s/rad] that a device itself needs, with its force `delay` samples late, so that the\n"
+      "sampled springs and dampers of a finger add no energy in any hand. Most devices are a sample late.\n\n"
+      ">>> import limitcurve as lc\n"
+      ">>> lc.device_damping_needed(1e-3, delay=1, stiffness=1000, twist_stiffness=0.024)\n"
+      "(1.5, 3.6e-05)\n");
+  module.def(
+      "require_passive",
+      [](double sample_time, double sliding, double twist, int delay, const nb::kwargs& given) {
+        require_passive(parameters_of(given, 1.0), sample_time, {sliding, twist}, delay);
+      },
+      nb::arg("sample_time"), nb::arg("sliding"), nb::arg("twist") = std::numeric_limits<double>::infinity(), nb::kw_only(),
+      nb::arg("delay") = 0, nb::arg("kwargs"), nb::sig(required.c_str()),
+      "ValueError, with what to change, unless a device with this damping has more than it needs; inf leaves one unchecked.");
+}
+
 void add_fingers(nb::module_& module) {
   add_output(module);
   add_finger_types(module);
   add_friction(module);
+  add_passivity(module);
 }
 
 }  // namespace limitcurve::python

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 
-#include "cli/commands/radius_check.hpp"
 #include "cli/commands/stiffness_check.hpp"
 #include "cli/commands/subcommands.hpp"
 #include "cli/io/patch_argument.hpp"
+#include "cli/io/unit_questions.hpp"
 #include "limitcurve/internal/number_list.hpp"
 
 #include "godobject/scene/choose_step.hpp"
@@ -22,22 +22,24 @@ namespace {
 class Choose final : public Subcommand {
  public:
   [[nodiscard]] Manual manual() const override {
-    return {"choose", "Finds the cheapest limit curve that is good enough, and lists the others",
-            "Columns: model and parameter as in validate (table: its tolerance; exact: nan); error, the largest radial error in the\n"
-            "normalised plane; nanoseconds, the time to compute one wrench from its slip twist on one machine (compare ratios only);\n"
-            "chosen, true for the cheapest model whose error is at most the tolerance. --explain gives the reasons on standard error.\n"
-            "With --patch in place of --law the contact is not round (see 'limitcurve patch'). Candidates are the disc with the least\n"
-            "largest error (parameter: its radius; it drives a finger as a law does), the ellipsoid sqrt(v^2 + m0^2 w^2) (parameter: m0)\n"
-            "and the patch itself. error is the largest relative error of power over all sliding twists.\n"
-            "With --scene the command chooses the whole step of the god-object: model is 'no torsion' or BOUNDARY/PROJECTION, with the\n"
-            "contact radius of the mean load, or with the load-dependent radius if the name ends in '/a(P)'. Without --radius-law and\n"
-            "--mu-r a is 5 mm. error is the change of the rendered wrench as a fraction of the friction limits: twice the largest change\n"
-            "in a thousand slides and twists (in turn and together, with reversals and turns, within the rates, distances and loads of\n"
-            "the scene). nanoseconds is the time of a step that slips. Standard error says whether the scene needs torsion, coupling, a "
-            "load-dependent radius, the exact curve and\n"
-            "the closest point, and gives the replay options of the choice. A note appears where k_r/k_l differs more than tenfold from\n"
-            "(mu_r/mu_l)^2, the ratio that the radial projection assumes.",
-            "limitcurve choose --law hertz --tolerance 0.01 --scene --mu 0.6 --loads 0.5,2 --stiffness 1000 --twist-stiffness 0.036"};
+    return {
+        "choose", "Finds the cheapest limit curve that is good enough, and lists the others",
+        "Columns: model and parameter as in validate (table: its tolerance; exact: nan); error, the largest of the radius on a ray in\n"
+        "the normalised plane: whether a contact holds; how it moves is a question for --scene. nanoseconds, the time to compute one\n"
+        "wrench from its slip twist on one machine (compare ratios only); chosen, true for the cheapest model whose\n"
+        "error is at most the tolerance. --explain gives the reasons on standard error.\n"
+        "With --patch in place of --law the contact is not round (see 'limitcurve patch'). Candidates are the disc with the least\n"
+        "largest error (parameter: its radius; it drives a finger as a law does), the ellipsoid sqrt(v^2 + m0^2 w^2) (parameter: m0)\n"
+        "and the patch itself. error is the largest relative error of power over all sliding twists.\n"
+        "With --scene the command chooses the whole step of the god-object: model is 'no torsion' or CURVE/PROJECTION, with the\n"
+        "contact radius of the mean load, or with the load-dependent radius if the name ends in '/a(P)'. Without --radius-law and\n"
+        "--mu-r a is 5 mm. error is the change of the rendered wrench as a fraction of the friction limits: twice the largest change\n"
+        "in a thousand slides and twists (in turn and together, with reversals and turns, within the rates, distances and loads of\n"
+        "the scene). nanoseconds is the time of a step of one finger that slips; a batch steps several contacts at once. Standard error\n"
+        "says whether the scene needs torsion, coupling, a load-dependent radius, the exact curve and the closest point, and gives\n"
+        "the replay options of the choice. Exit 1 if no step is within the tolerance. A note appears where k_r/k_l differs more than\n"
+        "tenfold from (mu_r/mu_l)^2, the ratio that the radial projection assumes.",
+        "limitcurve choose --law hertz --tolerance 0.01 --scene --mu 0.6 --loads 0.5,2 --stiffness 1000 --twist-stiffness 0.036"};
   }
 
   void declare(Options& options) override {
@@ -52,7 +54,7 @@ class Choose final : public Subcommand {
     options.number("--mu-r", scene_.mu_r, positive, "Scene: mu_r [m]; the moment limit is mu_r P, in place of the radius law's");
     options.numbers("--loads", loads_, positive, "Scene: least and largest load [N] (default 0.5,2)", Presence::optional);
     options.number("--stiffness", stiffness_, positive, "Scene: k_l [N/m] (default 1000)");
-    options.number("--twist-stiffness", twist_stiffness_, positive, "Scene: k_r [N m/rad] (default 0.04)");
+    options.number("--twist-stiffness", twist_stiffness_, positive, "Scene: k_r [N m/rad] (default 0.025)");
     options.number("--sample-time", scene_.sample_time, positive, "Scene: sample time [s]");
     options.number("--slide-speed", scene_.slide_speed, non_negative, "Scene: largest sliding speed [m/s]");
     options.number("--twist-rate", scene_.twist_rate, non_negative, "Scene: largest rate of the twist [rad/s]");
@@ -68,8 +70,12 @@ class Choose final : public Subcommand {
 
  private:
   void choose_curve(const Results& results) const {
-    write(results, patch_.empty() ? choose(law_, tolerance_) : choose(read_patch(patch_, results.messages), tolerance_));
-    if (explain_) results.messages->say("costs measured: " + std::string(shipped_costs::measured));
+    write(results, patch_.empty() ? choose(law_, tolerance_) : choose(read_patch(patch_, *results.messages), tolerance_));
+    if (!explain_) return;
+    if (law_) {
+      results.messages->say("error: of the radius on a ray, which says whether a contact holds; how it moves is a question for --scene");
+    }
+    results.messages->say("costs measured: " + std::string(shipped_costs::measured));
   }
 
   void write(const Results& results, const std::vector<Candidate>& candidates) const {
@@ -95,14 +101,17 @@ class Choose final : public Subcommand {
       scene_.least_load = loads_.front();
       scene_.most_load = loads_.back();
     }
-    if (radius_law_) warn_of_radii(*results.messages, scene_.radius_law, std::array{scene_.least_load, scene_.most_load});
+    results.messages->say(questions_of(scene_.radius_law, std::array{scene_.least_load, scene_.most_load}));
     const godobject::StepChoice choice = godobject::choose_step(scene_, tolerance_);
     write(results, choice.candidates);
-    results.messages->say(choice.verdict);
-    if (!radius_law_ && !scene_.mu_r) {
-      results.messages->say("without --radius-law and --mu-r the contact radius is taken as a = 5 mm");
+    for (const std::string& line : choice.verdict) {
+      if (!choice.chosen && line == choice.verdict.back()) throw std::runtime_error(line + "; expected a larger --tolerance");
+      results.messages->say("limitcurve: " + line);
     }
-    results.messages->say(how_to_replay(choice));
+    if (!radius_law_ && !scene_.mu_r) {
+      results.messages->say("limitcurve: without --radius-law and --mu-r the contact radius is taken as a = 5 mm");
+    }
+    results.messages->say("limitcurve: " + how_to_replay(*choice.chosen));
     godobject::FingerParameters finger;
     finger.mu = scene_.mu;
     finger.radius_law = scene_.radius_law;
@@ -114,8 +123,7 @@ class Choose final : public Subcommand {
   }
 
   /// The options of replay that the scene's own options do not set.
-  [[nodiscard]] std::string how_to_replay(const godobject::StepChoice& choice) const {
-    const godobject::ReplayOptions& step = choice.chosen;
+  [[nodiscard]] std::string how_to_replay(const godobject::ReplayOptions& step) const {
     std::string text =
         "replay it with --curve " + std::string(to_string(step.curve)) + " --projection " + std::string(to_string(step.projection));
     if (step.curve == godobject::CurveKind::table) text += " --tolerance " + format_number(step.tolerance);
@@ -123,9 +131,9 @@ class Choose final : public Subcommand {
     if (!stiffness_) text += " --stiffness " + format_number(scene_.stiffness);
     if (!twist_stiffness_) text += " --twist-stiffness " + format_number(scene_.twist_stiffness);
     if (step.finger.mu_r == 0.0) text += " --mu-r 0";
-    const double radius = step.finger.radius_law.radius(scene_.most_load);
-    if (!scene_.mu_r && (!radius_law_ || radius != scene_.radius_law.radius(scene_.most_load))) {
-      text += " --radius-law constant:a=" + format_number(radius);
+    const RadiusLaw& radius_law = step.finger.radius_law;
+    if (!scene_.mu_r && (!radius_law_ || radius_law.depends_on_load() != scene_.radius_law.depends_on_load())) {
+      text += " --radius-law constant:a=" + format_number(radius_law.radius(scene_.most_load));
     }
     return text;
   }

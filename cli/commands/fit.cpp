@@ -2,10 +2,10 @@
 #include "fit/model_fit.hpp"
 
 #include "cli/commands/fit_friction.hpp"
-#include "cli/commands/radius_check.hpp"
 #include "cli/commands/subcommands.hpp"
 #include "cli/io/patch_argument.hpp"
 #include "cli/io/slip_samples.hpp"
+#include "cli/io/unit_questions.hpp"
 
 #include "limitcurve/internal/number.hpp"
 
@@ -52,7 +52,7 @@ class Fit final : public Subcommand {
              "find the parameters of measured slips";
     });
     options.text("--data", data_, "FILE", "CSV of measurements, or - for standard input");
-    options.file_columns(columns_, units_);
+    options.file_columns(file_columns_);
     options.law(law_, Presence::optional);
     options.text("--patch", patch_, "PATCH", "For friction: the pressure patch");
     options.number("--load", load_, positive, "For friction: normal load P [N]; without it mu is mu P [N]");
@@ -70,8 +70,7 @@ class Fit final : public Subcommand {
 
   void run(const Results& results) override {
     messages_ = results.messages;
-    if (data_.empty() && !(columns_.empty() && units_.empty())) throw std::invalid_argument("--columns, --units: go with --data");
-    file_columns_ = FileColumns::read(columns_, units_);
+    if (data_.empty() && file_columns_.given()) throw std::invalid_argument("--columns, --units: go with --data");
     if (covariance_ && (data_.empty() || models[model_] == "friction"))
       throw std::invalid_argument("--covariance: only with --data, and not for fit friction");
     if (residuals_ && (data_.empty() || (models[model_] != "law" && models[model_] != "ellipse")))
@@ -123,11 +122,16 @@ class Fit final : public Subcommand {
     rows.finish();
   }
 
-  [[nodiscard]] std::vector<fit::Estimate> friction() const {
+  [[nodiscard]] std::vector<fit::Estimate> friction() {
     if (patch_.empty()) throw std::invalid_argument("--patch is required to fit 'friction'");
     if (data_.empty()) throw std::invalid_argument("--data is required to fit 'friction'");
-    const Patch patch = read_patch(patch_, messages_);
-    warn_of_patch(*messages_, patch_, patch);
+    const Patch patch = read_patch(patch_, *messages_);
+    if (load_) {
+      *load_ *= file_columns_.force;
+      UnitQuestions questions;
+      questions.load(*load_);
+      messages_->say(questions.lines());
+    }
     const fit::FrictionFit found = fit_friction(patch, data_, load_, file_columns_);
     for (const std::string& warning : found.warnings) say("warning", warning);
     return found.estimates;
@@ -215,14 +219,26 @@ class Fit final : public Subcommand {
   [[nodiscard]] fit::ModelFit data_fit() {
     settings_.loss = loss_ == 0 ? fit::Loss::squared() : loss_ == 1 ? fit::Loss::huber() : fit::Loss::cauchy();
     if (models[model_] == "ratio") return ratio_fit();
-    if (models[model_] == "law" && law_ == nullptr) return law_fit(read_slip_samples(data_, file_columns_));
-    if (models[model_] != "load") return fit::fit_model(models[model_], read_slip_samples(data_, file_columns_), law_, settings_);
+    if (models[model_] == "law" && law_ == nullptr) return law_fit(asked(read_slip_samples(data_, file_columns_)));
+    if (models[model_] != "load") return fit::fit_model(models[model_], asked(read_slip_samples(data_, file_columns_)), law_, settings_);
     return load_fit(read_load_samples(data_, file_columns_));
+  }
+
+  /// The same slips, after the questions about their units: the fit itself may fail.
+  [[nodiscard]] const std::vector<fit::Sample>& asked(const std::vector<fit::Sample>& slips) const {
+    UnitQuestions questions;
+    for (const fit::Sample& slip : slips) {
+      questions.load(slip.load);
+      questions.wrench(slip.force, slip.moment);
+      questions.force_under(slip.load, slip.force);
+    }
+    messages_->say(questions.lines());
+    return slips;
   }
 
   [[nodiscard]] fit::ModelFit ratio_fit() const {
     const auto data = read_ratio_data(data_, file_columns_);
-    if (const auto* slips = std::get_if<std::vector<fit::Sample>>(&data)) return fit::fit_model("ratio", *slips, law_, settings_);
+    if (const auto* slips = std::get_if<std::vector<fit::Sample>>(&data)) return fit::fit_model("ratio", asked(*slips), law_, settings_);
     if (loss_ != 0) throw std::invalid_argument("--loss: published ratios are averaged, expected squared, got " + losses[loss_]);
     return fit::fit_model("ratio", std::get<std::vector<fit::RatioSample>>(data), law_);
   }
@@ -237,6 +253,9 @@ class Fit final : public Subcommand {
   }
 
   [[nodiscard]] fit::ModelFit load_fit(const fit::LoadSamples& samples) const {
+    UnitQuestions questions;
+    for (const auto& sample : samples.samples) questions.load(sample.load);
+    messages_->say(questions.lines());
     const std::string& wanted = load_models[load_model_];
     if (wanted == "linear" || wanted == "hertz") {
       const auto model = wanted == "linear" ? fit::LoadModel::linear : fit::LoadModel::hertz;
@@ -253,8 +272,6 @@ class Fit final : public Subcommand {
 
   std::size_t model_ = 0;
   std::string data_;
-  std::string columns_;
-  std::string units_;
   FileColumns file_columns_;
   std::string patch_;
   std::optional<double> load_;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "cli/commands/radius_check.hpp"
 #include "cli/commands/subcommands.hpp"
 #include "cli/io/csv_reader.hpp"
 #include "cli/io/patch_argument.hpp"
+#include "cli/io/unit_questions.hpp"
 
 #include "godobject/finger_curve.hpp"
 #include "limitcurve/patch.hpp"
@@ -35,7 +35,8 @@ class Hold final : public Subcommand {
         "not matter. With --fingers 2 --mass M --offset L in their place, fingers grip an object beside its centre of mass and hold\n"
         "it level: each bears m g/2 and m g l/2, and hold_load is the grip of each.\n"
         "--patch P, in place of --law and --radius-law: a contact that is not round (see 'limitcurve patch'); then --force is FX,FY,\n"
-        "and --data has fx,fy,moment; the moment is about the origin of the patch.\n"
+        "and --data has fx,fy,moment; the moment is about the origin of the patch. With --mass the weight pulls along --down, and the\n"
+        "centre of mass is --offset from the origin towards (-Y, X), which is positive x by default.\n"
         "Columns: force,moment (with --patch fx,fy,moment) [N, N m]; hold_load [N], inf if no load holds. Where --data has a column\n"
         "load [N], also margin at that load: 1 without friction, 0 on the limit and beyond, as in 'limitcurve replay --details'.",
         "limitcurve hold --law hertz --radius-law hertz:R=0.008,E=2e5 --mu 0.8 --fingers 2 --mass 0.2 --offset 0.02"};
@@ -49,11 +50,12 @@ class Hold final : public Subcommand {
     options.numbers("--force", force_, finite, "Friction force F [N]; with --patch FX,FY", Presence::optional);
     options.number("--moment", moment_, finite, "Friction moment M [N m]");
     options.text("--data", data_, "FILE", "In place of --force and --moment: CSV of them, or - for standard input");
-    options.file_columns(columns_, units_);
+    options.file_columns(columns_);
     options.count("--fingers", fingers_, 1, 100,
                   "In place of --force and --moment: number of fingers that share an object's weight (default 2)");
     options.number("--mass", mass_, positive, "Mass of the object [kg]");
-    options.number("--offset", offset_, non_negative, "Distance of its centre of mass from the grip, level [m]");
+    options.number("--offset", offset_, finite, "Distance of its centre of mass from the grip, level [m]");
+    options.numbers("--down", down_, finite, "With --patch and --mass: direction of the weight, X,Y (default 0,-1)", Presence::optional);
     options.number("--gravity", gravity_, non_negative, "Gravity [m/s^2]");
   }
 
@@ -62,7 +64,9 @@ class Hold final : public Subcommand {
     const int given =
         static_cast<int>(!force_.empty() || moment_) + static_cast<int>(!data_.empty()) + static_cast<int>(fingers_ || mass_ || offset_);
     if (given != 1) throw std::invalid_argument("expected one of --force with --moment, --data, and --mass with --offset");
-    if (data_.empty() && !(columns_.empty() && units_.empty())) throw std::invalid_argument("--columns, --units: go with --data");
+    if (data_.empty() && !columns_.names.empty()) throw std::invalid_argument("--columns: goes with --data");
+    if (mass_ && columns_.given()) throw std::invalid_argument("--units: goes with --data, or with --force and --moment");
+    if (!down_.empty() && (patch_.empty() || !mass_)) throw std::invalid_argument("--down: goes with --patch and --mass");
     if (patch_.empty()) {
       if (!radius_law_) throw std::invalid_argument("--radius-law is required");
       const godobject::FingerCurve curve = make_finger_curve(godobject::CurveKind::exact, law_, 0.0);
@@ -74,13 +78,16 @@ class Hold final : public Subcommand {
             const double limit = mu_ * load;
             return curve.gauge({std::hypot(need.fx, need.fy) / limit, std::fabs(need.moment) / (limit * radius_law.radius(load))});
           });
-      if (loads_[1] > 0.0) warn_of_radii(*results.messages, radius_law, loads_);
+      if (loads_[1] > 0.0) questions_.radii(radius_law, loads_);
+      results.messages->say(questions_.lines());
       return;
     }
     if (radius_law_) throw std::invalid_argument("--radius-law: not with --patch, which has its own size");
-    const Patch patch = read_patch(patch_, results.messages);
+    const Patch patch = read_patch(patch_, *results.messages);
     const auto least = [&](const Need& need) { return load_to_hold(patch, mu_, {need.fx, need.fy, need.moment}); };
     write(results, least, [&](const Need& need, double load) { return least(need) / load; });
+    for (const double load : loads_) questions_.load(load);
+    results.messages->say(questions_.lines());
   }
 
  private:
@@ -91,13 +98,18 @@ class Hold final : public Subcommand {
     std::vector<std::string> columns =
         is_round ? std::vector<std::string>{"force", "moment"} : std::vector<std::string>{"fx", "fy", "moment"};
     std::optional<CsvReader> reader;
-    if (!data_.empty()) reader.emplace(data_, columns, std::vector<std::string>{"load"}, FileColumns::read(columns_, units_));
+    if (!data_.empty()) reader.emplace(data_, columns, std::vector<std::string>{"load"}, columns_);
     const std::size_t load_column = columns.size();
     const bool has_loads = reader && reader->has(load_column);
     columns.emplace_back("hold_load");
     if (has_loads) columns.emplace_back("margin");
     Rows rows(results, columns);
     const auto row = [&](const Need& need, std::optional<double> load) {
+      questions_.wrench(std::hypot(need.fx, need.fy), need.moment);
+      if (load) {
+        questions_.load(*load);
+        questions_.force_under(*load, std::hypot(need.fx, need.fy));
+      }
       const double hold = least(need);
       if (hold > 0.0 && std::isfinite(hold)) loads_ = {std::min(loads_[0], hold), std::max(loads_[1], hold)};
       rows.row_by([&](const auto& cell) {
@@ -124,9 +136,12 @@ class Hold final : public Subcommand {
   [[nodiscard]] Need single() const {
     if (fingers_ || mass_ || offset_) {
       if (!mass_ || !offset_) throw std::invalid_argument("--mass and --offset: expected both");
-      if (!patch_.empty()) throw std::invalid_argument("--mass: not with --patch, which needs the direction of the force: --force FX,FY");
       const double weight = *mass_ * gravity_ / static_cast<double>(fingers_.value_or(2));
-      return {weight, 0.0, weight * *offset_};
+      if (patch_.empty()) return {weight, 0.0, weight * *offset_};
+      const std::vector<double> down = down_.empty() ? std::vector{0.0, -1.0} : down_;
+      const double length = down.size() == 2 ? std::hypot(down[0], down[1]) : 0.0;
+      if (!(length > 0.0)) throw std::invalid_argument("--down: expected X,Y, two numbers that are not both 0");
+      return {weight * down[0] / length, weight * down[1] / length, 0.0 - weight * *offset_};
     }
     const std::size_t expected = patch_.empty() ? 1 : 2;
     if (!force_.empty() && force_.size() != expected) {
@@ -134,7 +149,7 @@ class Hold final : public Subcommand {
                                   (expected == 1 ? "one, F" : "two, FX,FY"));
     }
     if (force_.empty() || !moment_) throw std::invalid_argument("--force and --moment: expected both");
-    return {force_[0], expected == 2 ? force_[1] : 0.0, *moment_};
+    return {columns_.force * force_[0], expected == 2 ? columns_.force * force_[1] : 0.0, columns_.moment * *moment_};
   }
 
   Law law_;
@@ -144,12 +159,13 @@ class Hold final : public Subcommand {
   std::vector<double> force_;
   std::optional<double> moment_;
   std::string data_;
-  std::string columns_;
-  std::string units_;
+  FileColumns columns_;
   std::optional<std::size_t> fingers_;
   std::optional<double> mass_;
   std::optional<double> offset_;
+  std::vector<double> down_;
   double gravity_ = 9.81;
+  UnitQuestions questions_;
   std::array<double, 2> loads_{std::numeric_limits<double>::infinity(), 0.0};  ///< smallest and largest that hold
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "cli/commands/radius_check.hpp"
 #include "cli/commands/subcommands.hpp"
+#include "cli/io/unit_questions.hpp"
 
 #include "limitcurve/contact_radius.hpp"
 #include "limitcurve/exact_curve.hpp"
@@ -47,7 +47,7 @@ class LoadCurves final : public Subcommand {
                                   ": absent, expected both stiffnesses or none");
     }
     const RadiusLaw radius_law = radius_law_->of(friction_, law_);
-    warn_of_radii(*results.messages, radius_law, loads_);
+    results.messages->say(questions_of(radius_law, loads_));
     std::vector<std::string> columns{at_cors_ ? "c" : "load", at_cors_ ? "load" : "c", "force", "moment"};
     if (stiffness_) columns.insert(columns.end(), {"r", "rho"});
     Rows rows(results, columns);

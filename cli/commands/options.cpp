@@ -40,10 +40,14 @@ void Options::numbers(const std::string& name, std::vector<double>& values, Rang
       name, "LIST", [&values, range](const std::string& text) { values = read_number_list(text, range); }, help, presence);
 }
 
-void Options::file_columns(std::string& columns, std::string& units) {
-  text("--columns", columns, "LIST", "The file's names of columns, such as load=Fz,force=Fxy,moment=Tz");
-  text("--units", units, "LIST",
-       "The file's units: length=m|cm|mm|um, force=N|mN|kN, moment=Nm|Ncm|Nmm|mNm|uNm, angle=rad|deg (default m, N, Nm, rad)");
+void Options::file_columns(FileColumns& columns) {
+  value(
+      "--columns", "LIST", [&columns](const std::string& list) { columns.read_names(list); },
+      "The file's names of columns, such as load=Fz,force=Fxy,moment=Tz", Presence::optional);
+  value(
+      "--units", "LIST", [&columns](const std::string& list) { columns.read_units(list); },
+      "Units of the file, and of --force, --moment and --load: " + std::string(units_text) + " (default m, N, Nm, rad, s)",
+      Presence::optional);
 }
 
 void Options::count(const std::string& name, std::size_t& value, std::size_t least, std::size_t most, const std::string& help) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "cli/io/csv_reader.hpp"
 #include "cli/io/law_argument.hpp"
 #include "cli/io/range.hpp"
 
@@ -51,8 +52,8 @@ class Options {
   void number(const std::string& name, std::optional<double>& value, Range range, const std::string& help);
   void numbers(const std::string& name, std::vector<double>& values, Range range, const std::string& help,
                Presence presence = Presence::required);
-  /// --columns and --units of a file of measurements (FileColumns).
-  void file_columns(std::string& columns, std::string& units);
+  /// --columns and --units of a file of measurements.
+  void file_columns(FileColumns& columns);
   void count(const std::string& name, std::size_t& value, std::size_t least, std::size_t most, const std::string& help);
   void count(const std::string& name, std::optional<std::size_t>& value, std::size_t least, std::size_t most, const std::string& help);
   /// One of an enumeration's `names`; `value` is of it, or an optional one.

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "godobject/scene/pivot.hpp"
 
-#include "cli/commands/radius_check.hpp"
 #include "cli/commands/subcommands.hpp"
 #include "cli/io/csv_reader.hpp"
 #include "cli/io/law_argument.hpp"
 #include "cli/io/materials.hpp"
+#include "cli/io/unit_questions.hpp"
 #include "limitcurve/internal/key_values.hpp"
 #include "limitcurve/internal/number_list.hpp"
 
@@ -47,7 +47,7 @@ std::vector<GripSample> read_release(const std::string& text) {
   return {{0.0, from}, {over, to}};
 }
 
-GripOperator read_operator(const std::string& text) {
+GripOperator read_operator(const std::string& text, UnitQuestions& questions) {
   GripOperator hand;
   const auto positive_key = [](std::string_view key, std::optional<double>& value) {
     return KeyValue{key, [&value](std::string_view number) { value = read_number(number, positive); }, false};
@@ -56,7 +56,11 @@ GripOperator read_operator(const std::string& text) {
     if (word != "regrip" && word != "keep") throw std::invalid_argument("got '" + std::string(word) + "', expected regrip|keep");
     hand.regrips_on_slide = word == "regrip";
   };
-  read_key_values(text, {angle_key("target", hand.target, positive), positive_key("load", hand.start_load), positive_key("rate", hand.rate),
+  const auto take_target = [&](std::string_view target) {
+    angle_key("target", hand.target, positive).take(target);
+    questions.angle("target", hand.target, target);
+  };
+  read_key_values(text, {{"target", take_target}, positive_key("load", hand.start_load), positive_key("rate", hand.rate),
                          positive_key("regrip-rate", hand.regrip_rate), number_key("speed", hand.speed, positive, false),
                          KeyValue{"on-slide", take_on_slide, false, "regrip|keep"}});
   return hand;
@@ -80,7 +84,8 @@ class Pivot final : public Subcommand {
             "that an ellipse needs to hold the block if that is more.\n"
             "Columns: time [s]; x,y [m] of the centre of mass from the grip point; angle [rad]; grip_slip [m], the distance that the\n"
             "block has slid past the fingers; load of each finger [N]; friction_force [N] and friction_moment [N m] of both fingers;\n"
-            "state stick|slip|free; cor [m] of the slip (nan unless it slips); r,rho: distance [m] and angle [rad] of one finger's\n"
+            "state stick|slip|free|invalid (a note names the reason); cor [m] of the slip (nan unless it slips); r,rho: distance [m] and "
+            "angle [rad] of one finger's\n"
             "god-object from its goal after step b; trial_r,trial_rho: the same before step b (eq. 7).",
             "limitcurve pivot --case coupled --material sandpaper --operator target=30deg"};
   }
@@ -101,7 +106,8 @@ class Pivot final : public Subcommand {
         "--release", "LIST", [this](const std::string& text) { release_ = read_release(text); }, "from=N,to=N,over=SECONDS",
         Presence::optional);
     options.value(
-        "--operator", "LIST", [this](const std::string& text) { settings_.grip_operator = read_operator(text); }, "target=ANGLE[,…]",
+        "--operator", "LIST", [this](const std::string& text) { settings_.grip_operator = read_operator(text, questions_); },
+        "target=ANGLE[,…]",
         Presence::optional);
     options.number("--mass", settings_.mass, positive, "Mass of the block [kg]");
     options.number("--offset", settings_.offset, non_negative, "Distance of the centre of mass from the grip point, along the block [m]");
@@ -150,7 +156,13 @@ class Pivot final : public Subcommand {
                         "trial_r", "trial_rho"});
     std::size_t step = 0;
     std::array loads{pivot.row().load, pivot.row().load};
+    godobject::Fault fault = godobject::Fault::none;
+    double since = 0.0;
     do {
+      if (fault == godobject::Fault::none && pivot.row().fault != fault) {
+        fault = pivot.row().fault;
+        since = pivot.row().time;
+      }
       if (step++ % every_ != 0) continue;
       const godobject::PivotRow& row = pivot.row();
       rows.row(row.time, row.x, row.y, row.angle, row.grip_slip, row.load, row.friction_force, row.friction_moment,
@@ -158,7 +170,12 @@ class Pivot final : public Subcommand {
       if (row.load > 0.0) loads = {std::min(loads[0], row.load), std::max(loads[1], row.load)};
     } while (pivot.step());
     rows.finish();
-    if (radius_law_ && !mu_r_) warn_of_radii(*results.messages, settings_.radius_law, loads);
+    if (fault != godobject::Fault::none) {
+      results.messages->say("limitcurve: note: invalid from time " + format_number(since) + " s on: " + std::string(to_string(fault)) +
+                            "; a smaller --time-step may help");
+    }
+    questions_.radii(radius_law_ ? settings_.radius_law : RadiusLaw::constant(1e-3), loads);
+    results.messages->say(questions_.lines());
   }
 
  private:
@@ -183,6 +200,7 @@ class Pivot final : public Subcommand {
   std::string grip_file_;
   std::vector<GripSample> release_;
   std::size_t every_ = 1;
+  UnitQuestions questions_;
   godobject::PivotOptions settings_;
 };
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "cli/commands/radius_check.hpp"
 #include "cli/commands/stiffness_check.hpp"
 #include "cli/commands/subcommands.hpp"
 #include "cli/io/body_argument.hpp"
 #include "cli/io/patch_argument.hpp"
 #include "cli/io/surface_argument.hpp"
 #include "cli/io/trace_reader.hpp"
+#include "cli/io/unit_questions.hpp"
 #include "limitcurve/internal/key_values.hpp"
 
 #include "godobject/scene/passivity.hpp"
@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <optional>
@@ -134,11 +135,12 @@ class Replay final : public Subcommand {
     options.count("--fingers", fingers_, 1, godobject::Replay::most_fingers, "Number of fingers in the trace");
     options.value(
         "--check-gains", "LIST", [this](const std::string& text) { read_device(text); },
-        "b=NUMBER[,b_r=NUMBER][,T=0.001]: refuse gains that are not passive on a device with this damping [N s/m, N m s/rad] and "
-        "sample time [s]",
+        "b=NUMBER[,b_r=NUMBER][,T=SECONDS][,delay=SAMPLES]: refuse gains that are not passive on a device with this damping [N s/m, "
+        "N m s/rad], sample time (default: the longest of the trace) and delay (most devices: 1)",
         Presence::optional);
     options.flag("--details", details_, "Add columns for a controller: " + details_text());
     options.rare();
+    options.file_columns(columns_);
     options.finger(replay_.finger, {}, true);
     options.number("--point-radius", point_radius_, positive,
                    "Radius given to the points of a patch [m] (default and minimum 1e-3 m0, m0: moment of a pure spin over mu P)");
@@ -151,7 +153,7 @@ class Replay final : public Subcommand {
     } else if (!replay_.finger.mu_r && patch_.empty()) {
       throw std::invalid_argument("--radius-law is required, unless --mu-r is given");
     }
-    check_gains();
+    check_gains(*results.messages);
     const BodyArgument body = body_argument();
     const bool in_space = !on_plane_ || body.motion != BodyMotion::fixed || fingers_ > 1;
     replay_.surface = surface_.surface;
@@ -159,8 +161,7 @@ class Replay final : public Subcommand {
     replay_.motion = body.motion;
     replay_.body = body.parameters;
     if (!patch_.empty()) {
-      replay_.patch = read_patch(patch_, results.messages);
-      warn_of_patch(*results.messages, patch_, *replay_.patch);
+      replay_.patch = read_patch(patch_, *results.messages);
     }
     replay_.point_radius = point_radius_.value_or(0.0);
     run_replay(results, columns_of_finger(in_space, details_));
@@ -195,14 +196,36 @@ class Replay final : public Subcommand {
 
   void read_device(const std::string& text) {
     godobject::DeviceDamping device{0.0, std::numeric_limits<double>::infinity()};
+    const auto take_delay = [this](std::string_view number) {
+      const std::optional<double> samples = parse_number(number);
+      delay_ = samples && *samples >= 0.0 && *samples <= godobject::most_delay ? static_cast<int>(*samples) : -1;
+      if (delay_ != samples) throw std::invalid_argument("got '" + std::string(number) + "', expected whole samples, 0 to 1000");
+    };
     read_key_values(text, {number_key("b", device.sliding, non_negative), number_key("b_r", device.twist, non_negative, false),
-                           number_key("T", sample_time_, positive, false)});
+                           number_key("T", sample_time_, positive, false), KeyValue{"delay", take_delay, false}});
     device_ = device;
   }
 
-  void check_gains() const {
+  /// The longest time from a sample of the trace to the next [s].
+  [[nodiscard]] double longest_step() const {
+    const auto refuse = [](const char* why) { return std::invalid_argument(std::string("--check-gains: T is not given, and ") + why); };
+    if (trace_ == "-") throw refuse("a trace from standard input is read once; expected T=SECONDS");
+    CsvReader reader(trace_, {"time"});
+    double longest = 0.0;
+    double last = std::numeric_limits<double>::infinity();
+    while (reader.next()) {
+      const double time = reader.number(0, finite);
+      longest = std::max(longest, time - last);
+      last = time;
+    }
+    if (!(longest > 0.0)) throw refuse("the times of the trace do not grow; expected T=SECONDS");
+    return longest;
+  }
+
+  void check_gains(Messages& messages) const {
     if (!device_) return;
-    godobject::require_passive(replay_.finger, sample_time_, *device_);
+    godobject::require_passive(replay_.finger, sample_time_ > 0.0 ? sample_time_ : longest_step(), *device_, delay_);
+    if (std::isinf(device_->twist)) messages.say("limitcurve: note: --check-gains: without b_r the twist is not checked");
   }
 
   static void note_missing_twists(Messages& messages, const TraceReader& trace) {
@@ -212,9 +235,9 @@ class Replay final : public Subcommand {
   }
 
   void run_replay(const Results& results, const std::vector<std::span<const Column>>& columns) const {
-    TraceReader trace(trace_, fingers_, replay_.motion == BodyMotion::prescribed);
+    TraceReader trace(trace_, fingers_, replay_.motion == BodyMotion::prescribed, columns_);
     note_missing_twists(*results.messages, trace);
-    for (const std::string& note : surface_.notes) results.messages->say("limitcurve: " + note);
+    results.messages->say(surface_.notes);
     godobject::Replay replay(replay_);
     if (replay_.curve == CurveKind::exact && !replay_.patch) {
       std::string text = "limitcurve: exact: a table with an error of at most " + format_number(replay.curve_error()) + " in unit wrenches";
@@ -270,16 +293,19 @@ class Replay final : public Subcommand {
       results.messages->say("limitcurve: note: " + std::to_string(samples.count) + (samples.count == 1 ? " sample" : " samples") +
                             " invalid, from time " + format_number(samples.since) + " s on: " + std::string(to_string(fault)));
     }
+    results.messages->say(trace.questions().lines());
     // Without any contact, check at 1 N.
     if (loads[1] == 0.0) loads = {1.0, 1.0};
     if (replay_.projection != Projection::closest_point) {
       note_stiffnesses(*results.messages, "--projection " + std::string(to_string(replay_.projection)), replay_.finger,
                        replay_.law->moment_ratio(), std::span(&loads[1], 1));
     }
-    if (radius_law_) warn_of_radii(*results.messages, replay_.finger.radius_law, loads);
+    // A patch has its own size, and mu_r needs no radius.
+    results.messages->say(questions_of(radius_law_ ? replay_.finger.radius_law : RadiusLaw::constant(1e-3), loads));
   }
 
   std::string trace_;
+  FileColumns columns_;
   std::string patch_;
   std::optional<double> point_radius_;
   std::optional<RadiusLawArgument> radius_law_;
@@ -289,7 +315,8 @@ class Replay final : public Subcommand {
   std::size_t fingers_ = 1;
   bool details_ = false;
   std::optional<godobject::DeviceDamping> device_;
-  double sample_time_ = 1e-3;
+  double sample_time_ = 0.0;  // of the device; 0: the trace's
+  int delay_ = 0;
   godobject::ReplayOptions replay_;
 };
 

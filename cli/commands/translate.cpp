@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "cli/commands/radius_check.hpp"
 #include "cli/commands/subcommands.hpp"
 #include "cli/io/patch_argument.hpp"
+#include "cli/io/unit_questions.hpp"
 
 #include "fit/engine_coefficients.hpp"
 #include "limitcurve/internal/number.hpp"
@@ -77,7 +77,7 @@ class Translate final : public Subcommand {
       refuse("--radius-law", radius_law_.has_value(), why);
       refuse("--load", load_.has_value(), why);
       refuse("--loads", !loads_.empty(), why);
-      return write(results, fit::translate(read_patch(patch_, results.messages), friction_));
+      return write(results, fit::translate(read_patch(patch_, *results.messages), friction_));
     }
     if (law_ == nullptr) throw std::invalid_argument("expected one of --law, --patch and --read");
     if (!radius_law_) throw std::invalid_argument("--radius-law is required");
@@ -87,7 +87,7 @@ class Translate final : public Subcommand {
     }
     const fit::LoadRange range = loads_.empty() ? fit::LoadRange{*load_ / 4.0, 4.0 * *load_} : fit::LoadRange{loads_[0], loads_[1]};
     const RadiusLaw radius_law = radius_law_->of(friction_, law_);
-    warn_of_radii(*results.messages, radius_law, std::array{range.low, range.high, *load_});
+    results.messages->say(questions_of(radius_law, std::array{range.low, range.high, *load_}));
     write(results, fit::translate(law_, radius_law, friction_, *load_, range));
   }
 

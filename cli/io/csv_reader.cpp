@@ -91,52 +91,69 @@ std::string_view other_separator(std::string_view field) {
   return {};
 }
 
+struct Unit {
+  std::string name;
+  double value;  ///< in SI units
+};
+
+const std::vector<Unit> lengths{{"m", 1.0}, {"cm", 0.01}, {"mm", 1e-3}, {"um", 1e-6}, {"in", 0.0254}};
+const std::vector<Unit> forces{{"N", 1.0}, {"mN", 1e-3}, {"uN", 1e-6}, {"kN", 1e3}, {"kgf", 9.80665}, {"lbf", 4.4482216152605}};
+const std::vector<Unit> angles{{"rad", 1.0}, {"deg", std::numbers::pi / 180.0}};
+const std::vector<Unit> times{{"s", 1.0}, {"ms", 1e-3}};
+
+std::vector<Unit> products(const std::vector<Unit>& first, const std::vector<Unit>& second) {
+  std::vector<Unit> all;
+  for (const Unit& one : first) {
+    for (const Unit& other : second) all.push_back({one.name + other.name, one.value * other.value});
+  }
+  return all;
+}
+
+struct Quantity {
+  std::string_view name;
+  double FileColumns::*of;
+  const std::vector<Unit>& units;
+};
+
+/// Calls `take(key, value)` of each item of KEY=VALUE,…, which returns false if it is none.
+template <class Take>
+void for_each_item(std::string_view list, std::string_view expected, const Take& take) {
+  while (!list.empty()) {
+    const std::string_view item = list.substr(0, list.find(','));
+    list.remove_prefix(std::min(item.size() + 1, list.size()));
+    const std::size_t equals = item.find('=');
+    if (equals == 0 || equals == std::string_view::npos || equals + 1 == item.size() ||
+        !take(std::string(item.substr(0, equals)), std::string(item.substr(equals + 1)))) {
+      throw std::invalid_argument("got '" + excerpt(item) + "', expected " + std::string(expected));
+    }
+  }
+}
+
 }  // namespace
 
-FileColumns FileColumns::read(std::string_view names, std::string_view units) {
-  FileColumns columns;
-  const auto items = [](const char* option, std::string_view text, const char* example, const auto& take) {
-    while (!text.empty()) {
-      const std::string_view item = text.substr(0, text.find(','));
-      text.remove_prefix(std::min(item.size() + 1, text.size()));
-      const std::size_t equals = item.find('=');
-      if (equals == 0 || equals == std::string_view::npos || equals + 1 == item.size() ||
-          !take(std::string(item.substr(0, equals)), std::string(item.substr(equals + 1)))) {
-        throw std::invalid_argument(std::string(option) + ": got '" + excerpt(item) + "', expected " + example);
-      }
-    }
-  };
-  items("--columns", names, "a list such as load=Fz,force=Fxy", [&](const std::string& own, const std::string& other) {
-    columns.names.emplace_back(own, other);
+void FileColumns::read_names(std::string_view list) {
+  for_each_item(list, "a list such as load=Fz,force=Fxy", [&](const std::string& own, const std::string& other) {
+    names.emplace_back(own, other);
     return true;
   });
-  struct Unit {
-    std::string_view name;
-    double FileColumns::*of;
-    double value;
-  };
-  static constexpr std::array<Unit, 14> known{{{"length=m", &FileColumns::length, 1.0},
-                                               {"length=cm", &FileColumns::length, 0.01},
-                                               {"length=mm", &FileColumns::length, 1e-3},
-                                               {"length=um", &FileColumns::length, 1e-6},
-                                               {"force=N", &FileColumns::force, 1.0},
-                                               {"force=mN", &FileColumns::force, 1e-3},
-                                               {"force=kN", &FileColumns::force, 1e3},
-                                               {"moment=Nm", &FileColumns::moment, 1.0},
-                                               {"moment=Ncm", &FileColumns::moment, 0.01},
-                                               {"moment=Nmm", &FileColumns::moment, 1e-3},
-                                               {"moment=mNm", &FileColumns::moment, 1e-3},
-                                               {"moment=uNm", &FileColumns::moment, 1e-6},
-                                               {"angle=rad", &FileColumns::angle, 1.0},
-                                               {"angle=deg", &FileColumns::angle, std::numbers::pi / 180.0}}};
-  items("--units", units, "length=m|cm|mm|um, force=N|mN|kN, moment=Nm|Ncm|Nmm|mNm|uNm or angle=rad|deg",
-        [&](const std::string& of, const std::string& unit) {
-          const auto found = std::find_if(known.begin(), known.end(), [&](const Unit& one) { return one.name == of + "=" + unit; });
-          if (found == known.end()) return false;
-          columns.*found->of = found->value;
-          return true;
-        });
-  return columns;
+}
+
+void FileColumns::read_units(std::string_view list) {
+  static const std::vector<Unit> moments = products(forces, lengths);
+  const std::array<Quantity, 5> quantities{{{"length", &FileColumns::length, lengths},
+                                            {"force", &FileColumns::force, forces},
+                                            {"moment", &FileColumns::moment, moments},
+                                            {"angle", &FileColumns::angle, angles},
+                                            {"time", &FileColumns::time, times}}};
+  for_each_item(list, units_text, [&](const std::string& name, const std::string& unit) {
+    const auto quantity = std::find_if(quantities.begin(), quantities.end(), [&](const Quantity& one) { return one.name == name; });
+    if (quantity == quantities.end()) return false;
+    const auto known = std::find_if(quantity->units.begin(), quantity->units.end(), [&](const Unit& one) { return one.name == unit; });
+    if (known == quantity->units.end()) return false;
+    this->*quantity->of = known->value;
+    return true;
+  });
+  units_given = true;
 }
 
 MemoryColumns::MemoryColumns(std::string name, std::vector<std::string> columns, std::vector<std::span<const double>> numbers)
@@ -278,14 +295,16 @@ void CsvReader::split() {
 }
 
 void CsvReader::take(const FileColumns& file_columns) {
-  const auto unit_of = [&](const std::string& column) {
+  const auto unit_of = [&](std::string_view column) {
+    column = column.substr(0, column.find_last_not_of("0123456789") + 1);  // x2 is the x of the second finger
     const auto is_one_of = [&](std::initializer_list<std::string_view> names) {
       return std::find(names.begin(), names.end(), column) != names.end();
     };
-    if (is_one_of({"radius", "sigma_radius", "ratio", "ratio_sd", "dx", "dy"})) return file_columns.length;
+    if (is_one_of({"radius", "sigma_radius", "ratio", "ratio_sd", "dx", "dy", "x", "y", "z", "bx", "by", "bz"})) return file_columns.length;
     if (is_one_of({"load", "force", "sigma_force", "force_x", "force_y", "fx", "fy"})) return file_columns.force;
     if (is_one_of({"moment", "sigma_moment"})) return file_columns.moment;
-    return column == "dtheta" ? file_columns.angle : 1.0;
+    if (is_one_of({"twist", "dtheta"})) return file_columns.angle;
+    return column == "time" ? file_columns.time : 1.0;
   };
   for (const std::string& column : columns_) units_.push_back(unit_of(column));
   const std::vector<std::string> own = columns_;

@@ -17,6 +17,10 @@ void Messages::say(const std::string& line) {
   std::fprintf(stderr, "%s\n", line.c_str());
 }
 
+void Messages::say(const std::vector<std::string>& remarks) {
+  for (const std::string& remark : remarks) say("limitcurve: " + remark);
+}
+
 void Messages::start(const std::string& job) {
   if (kind_ != Kind::notes_and_progress) return;
   job_ = job;

@@ -28,6 +28,8 @@ class Messages {
   void silence() noexcept { kind_ = Kind::none; }
   /// One line, which ends in no line break.
   void say(const std::string& line);
+  /// Lines that begin with "note: " or "warning: ".
+  void say(const std::vector<std::string>& remarks);
 
   /// The work named `job` begins.
   void start(const std::string& job);

@@ -3,6 +3,7 @@
 
 #include "cli/io/csv_reader.hpp"
 #include "cli/io/law_argument.hpp"
+#include "cli/io/unit_questions.hpp"
 #include "limitcurve/internal/key_values.hpp"
 #include "limitcurve/internal/number_list.hpp"
 
@@ -13,6 +14,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <string_view>
@@ -207,10 +209,35 @@ Patch PatchArgument::patch() const {
   });
 }
 
-std::string PatchArgument::note() const {
-  if (without_sensor == 0) return {};
-  return (file.empty() ? "pressures" : file) + ": " + std::to_string(without_sensor) + " of " + std::to_string(numbers.size()) +
-         " pixels have no sensor, and count as without pressure";
+std::vector<std::string> PatchArgument::remarks() const {
+  std::vector<std::string> lines;
+  if (without_sensor > 0) {
+    lines.push_back("note: " + (file.empty() ? "pressures" : file) + ": " + std::to_string(without_sensor) + " of " +
+                    std::to_string(numbers.size()) + " pixels have no sensor, and count as without pressure");
+  }
+  UnitQuestions questions;
+  questions.length("patch" + (text.empty() ? text : " '" + text + "'"), across());
+  const std::vector<std::string> asked = questions.lines();
+  lines.insert(lines.end(), asked.begin(), asked.end());
+  return lines;
+}
+
+double PatchArgument::across() const {
+  if (kind == "rectangle") return std::max(x, y);
+  if (kind == "ellipse") return 2.0 * std::max(x, y);
+  const std::size_t rows = columns == 0 ? 0 : numbers.size() / columns;
+  if (kind == "image") return std::max(x * static_cast<double>(columns), y * static_cast<double>(rows));
+  double longest = 0.0;
+  for (const std::size_t axis : {0U, 1U}) {
+    double least = std::numeric_limits<double>::infinity();
+    double most = -least;
+    for (std::size_t i = 0; i < rows; ++i) {
+      least = std::min(least, numbers[i * columns + axis]);
+      most = std::max(most, numbers[i * columns + axis]);
+    }
+    longest = std::max(longest, most - least);
+  }
+  return longest;
 }
 
 PatchArgument parse_patch(const std::string& text) {
@@ -223,15 +250,11 @@ PatchArgument parse_patch(const std::string& text) {
   });
 }
 
-Patch read_patch(const std::string& text, Messages* messages) {
+Patch read_patch(const std::string& text, Messages& messages) {
   const PatchArgument argument = parse_patch(text);
-  if (messages != nullptr && !argument.note().empty()) messages->say("limitcurve: note: " + argument.note());
-  return argument.patch();
-}
-
-void read_twists(const std::string& file, const std::function<void(const PatchTwist&)>& take) {
-  CsvReader reader(file, {"vx", "vy", "omega"});
-  while (reader.next()) take({reader.number(0, finite), reader.number(1, finite), reader.number(2, finite)});
+  Patch patch = argument.patch();
+  messages.say(argument.remarks());
+  return patch;
 }
 
 }  // namespace limitcurve::cli

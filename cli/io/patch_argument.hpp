@@ -7,7 +7,6 @@
 #include "limitcurve/patch.hpp"
 
 #include <cstddef>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -30,8 +29,12 @@ struct PatchArgument {
 
   /// Throws std::invalid_argument with text, file and the place of the error in it.
   [[nodiscard]] Patch patch() const;
-  /// What a user must know of it; empty if there is nothing.
-  [[nodiscard]] std::string note() const;
+  /// What a user must know of it, and what is to be asked: "note: …", "warning: …".
+  [[nodiscard]] std::vector<std::string> remarks() const;
+
+ private:
+  /// Its longest side [m].
+  [[nodiscard]] double across() const;
 };
 
 /// Reads a patch from a command line: `points:FILE.csv` (columns x,y,load), `polygon:FILE.csv` (x,y), `rectangle:x=0.02,y=0.01` (full
@@ -39,10 +42,7 @@ struct PatchArgument {
 /// and y), each with `,mx=…,my=…` if friction differs along x and y. An empty pixel, `B` or `nan` has no sensor, and counts as without
 /// pressure. An image may be an ASCII file of Tekscan's, whose header has the sides of a pixel; `frame=2` says which of its frames. Throws std::invalid_argument with the place of the error in the text or in the file.
 PatchArgument parse_patch(const std::string& text);
-/// The patch itself; says its note.
-Patch read_patch(const std::string& text, Messages* messages = nullptr);
-
-/// Calls `take(twist)` for each row of a CSV file with the columns vx, vy, omega.
-void read_twists(const std::string& file, const std::function<void(const PatchTwist&)>& take);
+/// The patch itself; says its remarks.
+Patch read_patch(const std::string& text, Messages& messages);
 
 }  // namespace limitcurve::cli

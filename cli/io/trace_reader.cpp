@@ -4,6 +4,7 @@
 #include "limitcurve/internal/number.hpp"
 
 #include <cmath>
+#include <limits>
 
 namespace limitcurve::cli {
 
@@ -40,12 +41,13 @@ std::size_t column_of_finger(std::size_t finger) {
 
 }  // namespace
 
-TraceReader::TraceReader(const std::string& file, std::size_t fingers, bool body_moves)
+TraceReader::TraceReader(const std::string& file, std::size_t fingers, bool body_moves, const FileColumns& columns)
     : body_column_(column_of_finger(fingers)),
       first_optional_(body_column_ + (body_moves ? 3 : 0)),
       body_moves_(body_moves),
-      reader_(file, required_columns(fingers, body_moves), optional_columns(fingers, body_moves)),
-      fingers_(fingers) {
+      reader_(file, required_columns(fingers, body_moves), optional_columns(fingers, body_moves), columns),
+      fingers_(fingers),
+      last_twists_(fingers, std::numeric_limits<double>::quiet_NaN()) {
   for (std::size_t i = 0; i < fingers; ++i) {
     const std::size_t twist = first_optional_ + optional_per_finger * i;
     if (reader_.has(twist) || has_all(twist + 1, 4)) continue;
@@ -70,6 +72,8 @@ bool TraceReader::next() {
     fingers_[i].position = position(column_of_finger(i));
     if (reader_.has(twist)) {
       fingers_[i].twist = reader_.number(twist, finite);
+      questions_.twist(last_twists_[i], fingers_[i].twist, time_);
+      last_twists_[i] = fingers_[i].twist;
     } else if (reader_.has(twist + 1)) {
       fingers_[i].orientation = orientation(twist + 1);
     }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cli/io/csv_reader.hpp"
+#include "cli/io/unit_questions.hpp"
 
 #include "godobject/scene/replay.hpp"
 
@@ -19,7 +20,7 @@ namespace limitcurve::cli {
 /// bx,by,bz [m] of the body, and bqw,bqx,bqy,bqz (body to world), optional if it does not turn.
 class TraceReader {
  public:
-  TraceReader(const std::string& file, std::size_t fingers, bool body_moves);
+  TraceReader(const std::string& file, std::size_t fingers, bool body_moves, const FileColumns& columns = {});
 
   /// Moves to the next sample; false after the last. Throws std::invalid_argument with the place of an error.
   bool next();
@@ -29,6 +30,8 @@ class TraceReader {
   [[nodiscard]] const godobject::BodyPose& body() const { return body_; }
   /// Names "twist", "twist2", … of the fingers for which the trace has neither twist nor orientation.
   [[nodiscard]] const std::vector<std::string>& missing_twists() const { return missing_twists_; }
+  /// What is to be asked of the twists so far.
+  [[nodiscard]] const UnitQuestions& questions() const { return questions_; }
   /// The fraction of the file that has been read, 0 to 1, if its size is known.
   [[nodiscard]] std::optional<double> share() const { return reader_.share(); }
   /// An error at the time of this sample.
@@ -46,6 +49,8 @@ class TraceReader {
   double time_ = 0.0;
   std::vector<godobject::DevicePose> fingers_;
   std::vector<std::string> missing_twists_;
+  std::vector<double> last_twists_;  ///< NaN before the first sample
+  UnitQuestions questions_;
   godobject::BodyPose body_;
 };
 

@@ -11,7 +11,7 @@ from numpy.typing import DTypeLike, NDArray
 
 Array = NDArray[Any]
 N = 1_000_000
-MU, RADIUS, STIFFNESS, TWIST_STIFFNESS, M0 = 0.6, 0.005, 1000.0, 0.04, lc.Law("hertz").moment_ratio
+MU, RADIUS, STIFFNESS, TWIST_STIFFNESS, M0 = 0.6, 0.005, 1000.0, 0.025, lc.Law("hertz").moment_ratio
 
 
 class NumpyBatch:

@@ -65,11 +65,15 @@ BodyParameters BodyParameters::planar_block(double mass, const Eigen::Vector3d& 
 }
 
 void BodyParameters::validate() const {
-  require_positive("mass", mass, "kg");
-  for (const double moment : inertia) require_positive("inertia", moment, "kg m^2");
-  for (const double component : gravity) {
-    if (!std::isfinite(component)) throw out_of_range("gravity", component, "m/s^2", "finite");
-  }
+  // So wide that only a wrong unit leaves it, and so narrow that no product in a step overflows.
+  const auto check = [](std::string_view name, double value, std::string_view unit, double least, double most) {
+    if (!(value >= least && value <= most)) {
+      throw out_of_range(name, value, unit, "from " + format_number(least) + " to " + format_number(most));
+    }
+  };
+  check("mass", mass, "kg", 1e-15, 1e15);
+  for (const double moment : inertia) check("inertia", moment, "kg m^2", 1e-30, 1e15);
+  for (const double component : gravity) check("gravity", component, "m/s^2", -1e15, 1e15);
 }
 
 Eigen::Vector3d quarter_turn(const Eigen::Vector3d& angular_velocity, double time) noexcept {

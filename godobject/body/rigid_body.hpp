@@ -12,9 +12,9 @@ namespace limitcurve::godobject {
 
 /// Mass, inertia, gravity and free motions of a rigid body.
 struct BodyParameters {
-  double mass = 0.1;                                          ///< [kg] > 0
-  Eigen::Vector3d inertia = Eigen::Vector3d::Constant(1e-4);  ///< principal moments about the centre of mass [kg m²], each > 0
-  Eigen::Vector3d gravity = {0.0, 0.0, -9.81};                ///< [m/s²]
+  double mass = 0.1;                                          ///< [kg], 1e-15 to 1e15
+  Eigen::Vector3d inertia = Eigen::Vector3d::Constant(1e-4);  ///< principal moments about the centre of mass [kg m²], 1e-30 to 1e15
+  Eigen::Vector3d gravity = {0.0, 0.0, -9.81};                ///< [m/s²], up to 1e15
   /// The velocities that are free, in world axes: three of the centre of mass, three of rotation. A body in the x-y plane has {1, 1, 0, 0,
   /// 0, 1}.
   std::array<bool, 6> free = {true, true, true, true, true, true};

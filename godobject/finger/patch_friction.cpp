@@ -68,7 +68,8 @@ KeptDeflection friction_of_patch(const PatchProjector& patch, const ContactLimit
 
   const auto project = [&](bool slides) -> PatchProjection {
     const double limit = limits.mu(slides) * trial.limit_load;
-    if (limit > 0.0) return patch.project(wrench, limit, stiffness, std::sqrt(twist_stiffness / stiffness), last_slip);
+    const bool has_friction = limit > least_sliding_share * limits.mu(false) * trial.limit_load;
+    if (has_friction) return patch.project(wrench, limit, stiffness, std::sqrt(twist_stiffness / stiffness), last_slip);
     return {true, {}, {wrench.fx / stiffness, wrench.fy / stiffness, trial.twist}};
   };
   const bool was_sliding = friction.force_slides;

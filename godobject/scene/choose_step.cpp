@@ -47,8 +47,8 @@ void check(const Scene& scene, double tolerance) {
   not_negative("twist rate", scene.twist_rate, "rad/s");
   if (!(scene.slide >= 0.0)) throw out_of_range("slide", scene.slide, "m", "slide >= 0");
   if (!(scene.twist >= 0.0)) throw out_of_range("twist", scene.twist, "rad", "twist >= 0");
-  if (scene.slide_speed == 0.0 && scene.twist_rate == 0.0) {
-    throw std::invalid_argument("slide speed and twist rate are both 0: expected a motion");
+  if ((scene.slide_speed == 0.0 || scene.slide == 0.0) && (scene.twist_rate == 0.0 || scene.twist == 0.0)) {
+    throw std::invalid_argument("no motion: expected a slide speed and a slide > 0, or a twist rate and a twist > 0");
   }
 }
 
@@ -111,24 +111,32 @@ FingerParameters parameters_of(const Scene& scene) {
   return result;
 }
 
-std::string verdict_of(const Effects& effects, const Candidate& chosen, double tolerance) {
+std::vector<std::string> verdict_of(const Effects& effects, const std::vector<Candidate>& candidates, double tolerance) {
   const auto is_needed = [&](const Effect& effect) { return error_margin * effect.largest > tolerance; };
-  std::string text = !is_needed(effects.torsion)    ? "no torsion is needed"
-                     : !is_needed(effects.coupling) ? "uncoupled will do"
-                                                    : "coupling is needed";
-  const auto said = [](const Effect& effect, const char* without) {
-    return in_percent(effect.median) + ", " + in_percent(effect.percentile_99) + ", " + in_percent(effect.largest) + without;
+  const auto line = [](const char* what, const Effect& effect) {
+    return std::string(what) + " " + in_percent(effect.median) + ", " + in_percent(effect.percentile_99) + ", " +
+           in_percent(effect.largest);
   };
-  text += ". What would change (median, 99th percentile, largest in the test motion, of what the contact bears): " +
-          said(effects.torsion, " without torsion; ") + said(effects.coupling, " without coupling; ") +
-          said(effects.load_radius, " with the radius of the mean load; ") + said(effects.curve, " with the ellipse; ") +
-          said(effects.projection, " with the radial projection") + ". Decided by " + format_number(error_margin) +
-          " times the largest, because another motion may change more; tolerance " + in_percent(tolerance) + ". Cheapest: " + chosen.model +
-          ", off by " + in_percent(chosen.error) + " with that factor";
+  const char* const needed = !is_needed(effects.torsion)    ? "no torsion is needed"
+                             : !is_needed(effects.coupling) ? "uncoupled will do"
+                                                            : "coupling is needed";
+  std::vector<std::string> lines{std::string(needed) + ": decided by " + format_number(error_margin) +
+                                     " times the largest change, because another motion may change more",
+                                 "changes of the wrench in the test motion, in friction limits: median, 99th percentile, largest",
+                                 line("without torsion:", effects.torsion),
+                                 line("without coupling:", effects.coupling),
+                                 line("with the radius of the mean load:", effects.load_radius),
+                                 line("with the ellipse:", effects.curve),
+                                 line("with the radial projection:", effects.projection)};
   if (effects.sampling.largest > tolerance) {
-    text += ". But half the sample time would change " + in_percent(effects.sampling.largest) + ": sample faster first";
+    lines.push_back("half the sample time would change " + in_percent(effects.sampling.largest) + ": sample faster first");
   }
-  return text;
+  const auto chosen = std::find_if(candidates.begin(), candidates.end(), [](const Candidate& one) { return one.chosen; });
+  const auto best = std::min_element(candidates.begin(), candidates.end(),
+                                     [](const Candidate& one, const Candidate& other) { return one.error < other.error; });
+  lines.push_back(chosen != candidates.end() ? "cheapest: " + chosen->model + ", " + in_percent(chosen->error) + " with that factor"
+                                             : "no step is within the tolerance: the best is " + best->model + ", " + best->reason);
+  return lines;
 }
 
 }  // namespace
@@ -169,40 +177,59 @@ StepChoice choose_step(const Scene& scene, double tolerance) {
 
   // Cost of a power of the load in a step [ns].
   constexpr double load_radius_cost = 20.0;
-  const bool radius_varies = !scene.mu_r && scene.radius_law.radius(scene.least_load) != scene.radius_law.radius(scene.most_load);
-  const Table table =
-      finest_table(scene.law, std::clamp(0.1 * tolerance / per_table_tolerance, Table::finest_tolerance, Table::coarsest_tolerance));
+  const bool radius_varies = !scene.mu_r && scene.radius_law.depends_on_load();
+  // Each ten times as fine as the one before.
+  std::vector<Table> tables{
+      finest_table(scene.law, std::clamp(0.1 * tolerance / per_table_tolerance, Table::finest_tolerance, Table::coarsest_tolerance))};
   auto& candidates = result.candidates;
   std::map<std::string, ReplayOptions> steps;
-  const auto add = [&](const std::string& model, double parameter, CurveKind kind, const FingerCurve& curve, Projection projection,
-                       const FingerParameters& finger, double cost) {
-    const double of_tables = reference.certified_error() + (kind == CurveKind::table ? table.certified_error() : 0.0);
-    candidates.push_back(
-        {model, parameter, error_margin * effect_of(curve, projection, finger).largest + per_table_error * of_tables, cost});
-    steps[model] = {.law = scene.law, .curve = kind, .projection = projection, .tolerance = table.tolerance(), .finger = finger};
+  const auto error_of = [&](const FingerCurve& curve, double of_table, Projection projection, const FingerParameters& finger) {
+    return error_margin * effect_of(curve, projection, finger).largest + per_table_error * (reference.certified_error() + of_table);
   };
-  const auto add_radii = [&](CurveKind kind, double parameter, const FingerCurve& curve, Projection projection, double cost) {
-    const std::string model = std::string(to_string(kind)) + "/" + std::string(to_string(projection));
-    add(model, parameter, kind, curve, projection, mean_finger, cost);
-    if (radius_varies) add(model + "/a(P)", parameter, kind, curve, projection, true_finger, cost + load_radius_cost);
+  /// The coarsest table whose error fits, because all cost the same; the first if the error is not the table's.
+  const auto sufficient_table = [&](Projection projection, const FingerParameters& finger, double& error) -> const Table& {
+    for (std::size_t i = 0;; ++i) {
+      error = error_of(tables[i], tables[i].certified_error(), projection, finger);
+      if (error <= tolerance || tables[i].tolerance() <= reference.tolerance()) return tables[i];
+      if (i == 0 && !(error_of(fine, 0.0, projection, finger) <= tolerance)) return tables[i];
+      if (i + 1 == tables.size()) tables.push_back(finest_table(scene.law, std::max(0.1 * tables[i].tolerance(), reference.tolerance())));
+    }
   };
-  const auto add_both = [&](CurveKind kind, double parameter, const FingerCurve& curve) {
-    const shipped_costs::Cost& cost = shipped_costs::of(to_string(kind));
-    add_radii(kind, parameter, curve, Projection::radial, cost.radial);
-    add_radii(kind, parameter, curve, Projection::closest_point, cost.closest_point);
+  const auto add = [&](const std::string& model, CurveKind kind, Projection projection, const FingerParameters& finger, double cost) {
+    Candidate candidate{model, 1.0, 0.0, cost};
+    switch (kind) {
+      case CurveKind::box:
+        candidate.parameter = std::numeric_limits<double>::infinity();
+        candidate.error = error_of(box(1.0, m0), 0.0, projection, finger);
+        break;
+      case CurveKind::ellipse:
+        candidate.error = error_of(ellipse, 0.0, projection, finger);
+        break;
+      default:
+        candidate.parameter = sufficient_table(projection, finger, candidate.error).tolerance();
+    }
+    steps[model] = {.law = scene.law, .curve = kind, .projection = projection, .tolerance = candidate.parameter, .finger = finger};
+    candidates.push_back(candidate);
   };
   // A clamp of the force alone is cheaper than the other candidates.
-  add("no torsion", std::numeric_limits<double>::quiet_NaN(), CurveKind::ellipse, ellipse, Projection::radial, slippery,
-      0.5 * shipped_costs::of("ellipse").radial);
-  add_radii(CurveKind::box, std::numeric_limits<double>::infinity(), box(1.0, m0), Projection::closest_point,
-            shipped_costs::of("box").closest_point);
-  add_both(CurveKind::ellipse, 1.0, ellipse);
-  add_both(CurveKind::table, table.tolerance(), table);
+  add("no torsion", CurveKind::ellipse, Projection::radial, slippery, 0.5 * shipped_costs::of("ellipse").radial);
+  candidates.back().parameter = std::numeric_limits<double>::quiet_NaN();
+  for (const CurveKind kind : {CurveKind::box, CurveKind::ellipse, CurveKind::table}) {
+    for (const Projection projection : {Projection::radial, Projection::closest_point}) {
+      const shipped_costs::Cost& costs = shipped_costs::of(to_string(kind));
+      const double cost = projection == Projection::radial ? costs.radial : costs.closest_point;
+      if (std::isnan(cost)) continue;
+      const std::string model = std::string(to_string(kind)) + "/" + std::string(to_string(projection));
+      add(model, kind, projection, mean_finger, cost);
+      if (radius_varies) add(model + "/a(P)", kind, projection, true_finger, cost + load_radius_cost);
+    }
+  }
 
   choose_cheapest(candidates, tolerance);
-  const auto best = std::find_if(candidates.begin(), candidates.end(), [](const Candidate& candidate) { return candidate.chosen; });
-  result.verdict = verdict_of(result.effects, *best, tolerance);
-  result.chosen = steps.at(best->model);
+  result.verdict = verdict_of(result.effects, candidates, tolerance);
+  for (const Candidate& candidate : candidates) {
+    if (candidate.chosen) result.chosen = steps.at(candidate.model);
+  }
   return result;
 }
 

@@ -9,18 +9,17 @@ namespace limitcurve::godobject {
 // every stiffness. The device must dissipate it.
 
 /// The smallest damping of the device itself (without friction and inertia) that makes a sampled spring k and damper b passive in any hand:
-/// kT/2 + |b| (Colgate and Schenkel, J. Robotic Systems 14:37–47, 1997; the damper uses a backward difference, as here), plus kT for each
-/// whole sample of delay of the force. One channel: N/m and N s/m, or N m/rad and N m s/rad; T [s] > 0, delay ≥ 0 samples.
-///
-/// In their condition a spring with a delay of d samples has Re{(1 − e^{−jθ})e^{−jdθ}}/(1 − cos θ) = 1 + 2 Σ_{i≤d} cos iθ ≤ 2d + 1, and a
-/// damper −2 cos((d+1)θ). The bound is exact for a spring or a damper alone, and for both without delay.
+/// sup over θ of ½kT sin((N + ½)θ)/sin(θ/2) − b cos((N + 1)θ) for a force that comes N samples late, at most (N + ½)kT + |b|; kT/2 + |b|
+/// without delay (Colgate and Schenkel, J. Robotic Systems 14:37–47, 1997; the damper uses a backward difference, as here). Most devices are
+/// a sample late. One channel: N/m and N s/m, or N m/rad and N m s/rad; T [s] > 0, 0 ≤ N ≤ `most_delay` samples.
 ///
 /// It also holds on curved surfaces, for translation and for twist about the normal (energy_search_test searches for the path that gains
 /// most). If the device also rotates while the normal turns, it gains at most |M| |Δn| |Δφ|/2 more in a sample, because a held moment keeps
 /// its direction.
-[[nodiscard]] constexpr double device_damping_needed(double stiffness, double damping, double sample_time, int delay = 0) noexcept {
-  return (0.5 + delay) * stiffness * sample_time + (damping < 0.0 ? -damping : damping);
-}
+[[nodiscard]] double device_damping_needed(double stiffness, double damping, double sample_time, int delay = 0) noexcept;
+
+/// The longest delay that is checked [samples].
+inline constexpr int most_delay = 1000;
 
 /// Stability number of n fingers with spring k and damper b on a body of mass m (or k_r, b_r and the moment of inertia) under explicit
 /// steps (symplectic Euler): n(kT²/m + 2bT/m)/4. Stable if it is below 1: then the characteristic polynomial z² − (2 − β − κ)z + 1 − β, κ =
@@ -36,12 +35,13 @@ struct DeviceDamping {
   double twist;    ///< [N m s/rad]
 };
 
-/// The damping that a finger's springs and dampers need at a sample time [s] > 0. Throws std::invalid_argument for a parameter out of
-/// range.
-[[nodiscard]] DeviceDamping device_damping_needed(const FingerParameters& finger, double sample_time);
+/// The damping that a finger's springs and dampers need at a sample time [s] > 0 with a delay in samples. Throws std::invalid_argument for a
+/// parameter out of range.
+[[nodiscard]] DeviceDamping device_damping_needed(const FingerParameters& finger, double sample_time, int delay = 0);
 
 /// Throws std::invalid_argument, with the missing damping and what to change, unless a device with this damping is passive with these gains
-/// at this sample time [s] > 0. The bound holds for any user; a hand that damps allows higher gains.
-void require_passive(const FingerParameters& finger, double sample_time, const DeviceDamping& device);
+/// at this sample time [s] > 0 and delay [samples]. The bound holds for any user; a hand that damps allows higher gains. An infinite damping
+/// leaves a channel unchecked.
+void require_passive(const FingerParameters& finger, double sample_time, const DeviceDamping& device, int delay = 0);
 
 }  // namespace limitcurve::godobject

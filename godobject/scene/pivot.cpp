@@ -118,7 +118,7 @@ FingerParameters finger_parameters(const PivotOptions& options, const FingerCurv
 }
 
 /// Throws unless the block stays in the grip at the start: its weight must deflect the springs by less than half its height, and less than
-/// half a turn.
+/// half a turn, and the loads must not press the fingers beyond what is a position.
 void require_hold(const PivotOptions& options, const FingerParameters& finger) {
   const double fraction = 0.5 * options.mass * options.gravity;
   if (const double least = 2.0 * fraction / options.height; !(finger.stiffness > least)) {
@@ -128,6 +128,14 @@ void require_hold(const PivotOptions& options, const FingerParameters& finger) {
   if (const double least = fraction * options.offset / std::numbers::pi; !(finger.twist_stiffness > least)) {
     throw out_of_range("twist_stiffness", finger.twist_stiffness, "N m/rad",
                        "> " + format_number(least) + ", so that the block's weight turns it by less than half a turn");
+  }
+  double load = options.grip_operator ? options.grip_operator->start_load.value_or(0.0) : 0.0;
+  for (const GripSample& sample : options.grip) load = std::max(load, sample.load);
+  if (load == 0.0) load = 2.0 * default_load(options);
+  if (const double least = 2.0 * load / farthest; !(finger.stiffness > least)) {
+    throw out_of_range(
+        "stiffness", finger.stiffness, "N/m",
+        "> " + format_number(least) + ", so that a load of " + format_number(load) + " N presses a finger in by less than 5e5 m");
   }
 }
 
@@ -236,6 +244,7 @@ class Pivot::Scene {
     row_.friction_force = force.norm();
     row_.friction_moment = std::fabs(moment);
     row_.state = output.state;
+    row_.fault = output.fault;
     row_.cor = output.cor;
     const FingerSample& sample = grasp.finger(0).state().sample;
     const bool free = output.state == ContactState::free;

@@ -92,6 +92,7 @@ struct PivotRow {
   double friction_force = 0.0;   ///< |F| of both fingers together on the block [N]
   double friction_moment = 0.0;  ///< |M| of both together about the grip's axis [N m]
   ContactState state = ContactState::stick;  ///< of the fingers; free when the block has left them
+  Fault fault = Fault::none;                 ///< the reason of `invalid`, where a time step would carry the block beyond `farthest`
   double cor = 0.0;                          ///< distance of the slip's COR from the grip point [m]; NaN without slip
   // The paper's [r, ρ] plane, for one finger: distances between god-object and goal (eq. 7). Both pairs are equal if it sticks, 0 while free.
   double r = 0.0;          ///< |x_p − x_g| after step b [m]

@@ -26,12 +26,12 @@ void describe(SceneContact& contact, const SoftFinger& finger, const BodyState& 
   contact.cor = output.cor;
   contact.centre_of_rotation = finger.centre_of_rotation();
   if (contact.centre_of_rotation.allFinite()) contact.centre_of_rotation = body.to_world(contact.centre_of_rotation);
+  contact.margin = finger.margin();
+  contact.load_to_hold = finger.load_to_hold();
   if (output.state == ContactState::invalid) return;
   contact.proxy = body.to_world(output.proxy);
   contact.angle = output.angle;
   contact.depth = output.depth;
-  contact.margin = finger.margin();
-  contact.load_to_hold = finger.load_to_hold();
 }
 
 /// The finger of the options, and the error of its curve. Checks all options first, because a table is expensive.

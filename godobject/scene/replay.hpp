@@ -29,7 +29,7 @@ enum class BodyMotion {
 
 /// The state of one finger of a scene; points and vectors in the world.
 struct SceneContact {
-  ContactState state = ContactState::free;                ///< invalid: all that follows is held from the last good step
+  ContactState state = ContactState::free;                ///< invalid: the wrench fades as in `FingerOutput`, cor is NaN, places are held
   Eigen::Vector3d proxy = Eigen::Vector3d::Zero();        ///< x_p [m]; while free, the finger's position
   double angle = 0.0;                                     ///< α_p [rad], relative to the body
   double depth = 0.0;                                     ///< d [m]

@@ -144,6 +144,7 @@ class SamplesLaw final : public PressureLawOf<SamplesLaw> {
   }
   evaluators::Quadrature<double> line_profile(double t) const noexcept override { return evaluators::line_profile(pieces_, t); }
   WrenchEstimate evaluate(double s, Method method) const noexcept override {
+    s = std::fabs(s);
     WrenchEstimate estimate =
         method == Method::automatic ? evaluators::rounded(unrounded(s, Slope::wanted)) : PressureLaw::evaluate(s, method);
     estimate.error.force += std::min(distance_[1], s * distance_[0]);
@@ -225,6 +226,10 @@ Law samples(std::span<const PressureSample> rows, std::string_view source) {
   if (!(profile.back().radius > profile.front().radius)) throw refuse(profile.size() - 1, "expected a last radius > the first");
   if (profile[profile.size() - 2].radius == profile.back().radius)
     throw refuse(profile.size() - 1, "a jump at the last radius, expected one pressure there");
+  // The contact ends where its pressure does: a sensor's line goes on.
+  const auto inner = [&]() -> const PressureSample& { return profile[profile.size() - 2]; };
+  while (profile.back().pressure <= 0.0 && inner().pressure <= 0.0 && inner().radius > profile.front().radius) profile.pop_back();
+  if (profile.back().radius == inner().radius) profile.pop_back();
   return std::make_shared<SamplesLaw>(profile, source);
 }
 

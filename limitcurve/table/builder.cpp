@@ -18,10 +18,6 @@ namespace {
 /// Margin of the certified error above the largest error found, because the true maximum is near a sample, not at it.
 constexpr double certificate_margin = 0.05;
 
-/// Largest number of index bits. More buckets would help only next to a singularity inside a side; there a search costs less than their
-/// memory.
-constexpr int most_bits = 6;
-
 /// Builds both sides of a table with an error of at most `target`.
 template <class Real>
 class Builder {
@@ -29,11 +25,8 @@ class Builder {
   Builder(const Source& source, double target, int degree, std::size_t most_bytes)
       : source_(source), target_(target), degree_(degree), most_bytes_(most_bytes) {}
 
-  /// Builds both sides; false if that is not possible.
-  bool lay() {
-    const Outcome outcome = lay_in_buckets();
-    return outcome == Outcome::done || (outcome == Outcome::impossible && lay_in_cells() == Outcome::done);
-  }
+  /// Builds both sides, with several cells in a bucket or without; false if that is not possible.
+  bool lay(bool splits_buckets) { return (splits_buckets ? lay_in_cells() : lay_in_buckets()) == Outcome::done; }
 
   /// Makes both sides meet at the rim, where D = f + m; false if a side would not stay convex.
   bool join_at_rim() {
@@ -144,7 +137,7 @@ class Builder {
         const bool at_rim = 1.0 - left <= offset;
         if (buckets_.index_bits + buckets_.octaves == finest_edge) return Outcome::impossible;
         if (at_rim) return Outcome::needs_octave;
-        if (buckets_.index_bits == most_bits) return Outcome::impossible;
+        if (buckets_.index_bits == Buckets::most_bits) return Outcome::impossible;
         // All edges used so far are also edges of the finer buckets.
         ++buckets_.index_bits;
         edges_ = buckets_.edges();
@@ -261,9 +254,10 @@ double certify(const BasicTable<Real>& table, const std::array<std::vector<Piece
   return (1.0 + certificate_margin) * worst + exact_error;
 }
 
-/// `build` with a given degree and memory.
+/// `build` with a given degree and memory; with `splits_buckets` look-ups search.
 template <class Real>
-std::optional<BasicTable<Real>> build_of_degree(const Source& source, double tolerance, int degree, std::size_t most_bytes) {
+std::optional<BasicTable<Real>> build_of_degree(const Source& source, double tolerance, int degree, std::size_t most_bytes,
+                                                bool splits_buckets) {
   const Sample spin = source.at(false, 0.0);
   const Sample slide = source.at(true, 0.0);
   const auto scale = static_cast<double>(std::max(spin.trailing, slide.trailing));
@@ -273,7 +267,7 @@ std::optional<BasicTable<Real>> build_of_degree(const Source& source, double tol
   constexpr int attempts = 12;
   for (int i = 0; i < attempts && target > 0.0; ++i) {
     Builder<Real> builder(source, target, degree, most_bytes);
-    if (!builder.lay()) return std::nullopt;
+    if (!builder.lay(splits_buckets)) return std::nullopt;
     if (!builder.join_at_rim()) {
       target *= 0.3;
       continue;
@@ -300,10 +294,17 @@ std::optional<BasicTable<Real>> build(const Source& source, double tolerance, st
     if (is_new) place->second = source.at(outside, x);
     return place->second;
   };
-  for (int degree = TablePieces<Real>::least_degree; degree < TablePieces<Real>::most_degree; ++degree) {
-    if (auto table = build_of_degree<Real>(remembered, tolerance, degree, std::min(bytes, most))) return table;
+  // A step of a search takes as long as eight degrees: the first without a search is the fastest, else the one with the shortest search.
+  std::optional<BasicTable<Real>> best;
+  for (const bool splits_buckets : {false, true}) {
+    for (int degree = TablePieces<Real>::least_degree; degree <= TablePieces<Real>::most_degree; ++degree) {
+      const std::size_t allowed = degree < TablePieces<Real>::most_degree ? std::min(bytes, most) : most;
+      auto table = build_of_degree<Real>(remembered, tolerance, degree, allowed, splits_buckets);
+      if (table && (!best || table->pieces().halvings < best->pieces().halvings)) best = std::move(table);
+      if (best && !splits_buckets) return best;
+    }
   }
-  return build_of_degree<Real>(remembered, tolerance, TablePieces<Real>::most_degree, most);
+  return best;
 }
 
 template std::optional<BasicTable<double>> build(const Source&, double, std::size_t);

@@ -25,7 +25,9 @@ from ._core import (
     Table,
     apply_friction,
     box,
+    device_damping_needed,
     ellipse,
+    require_passive,
     version as __version__,
 )
 from ._tables import Fit, choose, fit, replay, run, translate, validate
@@ -55,9 +57,11 @@ __all__ = [
     "apply_friction",
     "box",
     "choose",
+    "device_damping_needed",
     "ellipse",
     "fit",
     "replay",
+    "require_passive",
     "run",
     "translate",
     "validate",

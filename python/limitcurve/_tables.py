@@ -42,8 +42,16 @@ def _run(words: list[str], options: dict[str, Any], notes: list[str] | None = No
     return call.run(notes)
 
 
-def validate(law: str | Law | Sequence[str | Law] | None = None, *, patch: str | Sequence[str] | None = None) -> Columns:
-    """Errors of ellipse, box and diamond against the exact curve of one, several or all laws; or of round models of patches.
+def validate(
+    law: str | Law | Sequence[str | Law] | None = None,
+    *,
+    patch: str | Sequence[str] | None = None,
+    points: Data | None = None,
+    mu: float | None = None,
+    load: float | None = None,
+    radius: float | None = None,
+) -> Columns:
+    """Errors of ellipse, box and diamond against the exact curve of one, several or all laws; or of round models of patches; or of `points`.
 
     Columns: law, model, parameter, max_error, rms_error, max_over_estimate, max_under_estimate, max_cor_error; errors as fractions.
 
@@ -52,7 +60,7 @@ def validate(law: str | Law | Sequence[str | Law] | None = None, *, patch: str |
     >>> round(float(table["max_error"][table["model"] == "ellipse"][0]), 4)
     0.0638
     """
-    return run("validate", law=law, patch=patch)
+    return run("validate", **locals())
 
 
 def choose(
@@ -82,24 +90,7 @@ def choose(
     >>> int(table["chosen"].sum())
     1
     """
-    return run(
-        "choose",
-        law=law,
-        patch=patch,
-        tolerance=tolerance,
-        scene=scene,
-        mu=mu,
-        radius_law=radius_law,
-        mu_r=mu_r,
-        loads=loads,
-        stiffness=stiffness,
-        twist_stiffness=twist_stiffness,
-        sample_time=sample_time,
-        slide_speed=slide_speed,
-        twist_rate=twist_rate,
-        slide=slide,
-        twist=twist,
-    )
+    return run("choose", **locals())
 
 
 class Fit(Columns):
@@ -144,24 +135,9 @@ def fit(
     >>> [str(name) for name in table["parameter"]]
     ['force_max', 'moment_max']
     """
+    options = dict(locals(), covariance=data is not None and model != "friction")
     notes: list[str] = []
-    options = dict(
-        data=data,
-        columns=_list_of(columns),
-        units=_list_of(units),
-        law=law,
-        patch=patch,
-        load=load,
-        criterion=criterion,
-        loss=loss,
-        load_model=load_model,
-        gamma=gamma,
-        fit_gamma=fit_gamma,
-        largest_radius=largest_radius,
-        covariance=data is not None and model != "friction",
-        quiet=quiet,
-    )
-    found = _run(["fit", model], options, notes)
+    found = _run(["fit", options.pop("model")], options, notes)
     rows = [found.pop(name) for name in list(found) if name.startswith("covariance_")]
     result = Fit(found)
     result.covariance = np.array(rows) if rows else None
@@ -196,18 +172,7 @@ def translate(
     >>> round(float(lc.translate("hertz", mu=1, read="mujoco.torsional=0.005")["radius"][0]), 6)
     0.008488
     """
-    return run(
-        "translate",
-        law=law,
-        radius_law=radius_law,
-        mu=mu,
-        load=load,
-        patch=patch,
-        loads=loads,
-        engine=engine,
-        read=read,
-        explain=explain,
-    )
+    return run("translate", **locals())
 
 
 def replay(
@@ -248,34 +213,9 @@ def replay(
     >>> str(table["state"][-1]), round(float(table["fx"][-1]), 9)
     ('slip', -1.2)
     """
+    options = dict(locals())
     if isinstance(trace, np.ndarray) and trace.dtype.names is None:
         if trace.ndim != 2 or trace.shape[1] != 5:
             raise ValueError(f"trace: got the shape {trace.shape}, expected (n, 5): time, x, y, z, twist")
         trace = dict(zip(("time", "x", "y", "z", "twist"), trace.T))
-    return run(
-        "replay",
-        trace=trace,
-        law=law,
-        patch=patch,
-        point_radius=point_radius,
-        radius_law=radius_law,
-        mu=mu,
-        stiffness=stiffness,
-        twist_stiffness=twist_stiffness,
-        mu_dynamic=mu_dynamic,
-        mu_r=mu_r,
-        gamma=gamma,
-        mu_r_dynamic=mu_r_dynamic,
-        curve=curve,
-        projection=projection,
-        tolerance=tolerance,
-        surface=surface,
-        body=body,
-        fingers=fingers,
-        damping=damping,
-        twist_damping=twist_damping,
-        rest_margin=rest_margin,
-        max_displacement=max_displacement,
-        fault_decay=fault_decay,
-        details=details,
-    )
+    return run("replay", **options | {"trace": trace})

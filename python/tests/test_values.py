@@ -130,6 +130,15 @@ def test_load_to_hold_of_a_patch_broadcasts():
     assert table.load_to_hold(1, 2e-3, mu=0.6, radius_law="constant:a=0.006") == pytest.approx(disc, rel=1e-8)
 
 
+def test_slip_of_a_patch_is_the_inverse_of_its_wrench():
+    patch = lc.Patch("rectangle:x=0.02,y=0.01,my=0.6")
+    twists = np.array([[[0.01, 0.02, 1.0], [-0.3, 0.02, 0.5]], [[0.0, 0.001, -1.0], [0.1, 0.1, 20.0]]])
+    wrenches, powers, _ = patch.wrench(twists, 0.7, 3, error=True)
+    slips = patch.slip(*np.moveaxis(wrenches, -1, 0))
+    assert np.allclose(slips * powers[..., None], twists, rtol=1e-8, atol=1e-10)
+    assert patch.slip(1, 0, 0).shape == (3,) and np.isnan(patch.slip([0, math.nan], 0, 0)).all()
+
+
 def test_a_table_survives_its_files(tmp_path):
     c = np.geomspace(1e-3, 1e3, 100)
     for name in ("t.csv", "t.json"):
@@ -265,6 +274,15 @@ def test_a_patch_on_a_finger_is_the_disc_of_its_law():
         assert outputs[0].state == outputs[1].state and outputs[0].converged
         assert np.allclose(outputs[0].force, outputs[1].force, atol=1e-9) and outputs[0].moment == pytest.approx(outputs[1].moment, abs=1e-11)
     assert disc.centre_of_rotation() == pytest.approx(round_.centre_of_rotation(), abs=1e-6)
+
+
+def test_a_late_device_needs_more_damping():
+    assert lc.device_damping_needed(1e-3, delay=2, stiffness=1000) == pytest.approx((2.5, 2.5e-3 * 0.025))
+    lc.require_passive(1e-3, 2.51, delay=2, stiffness=1000)
+    with pytest.raises(ValueError, match="a delay of 2 samples need .* 2.5 N s/m"):
+        lc.require_passive(1e-3, 2.49, delay=2, stiffness=1000)
+    with pytest.raises(ValueError, match="delay = -1"):
+        lc.device_damping_needed(1e-3, delay=-1)
 
 
 def test_a_batch_says_which_samples_were_not_usable():

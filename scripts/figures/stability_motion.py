@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Figures of docs/stability.md, entries projection, time, geometry and reality: one function a figure, takes its rows, returns a figure."""
 
-from report.chart_style import BLUE, GRID, INK, ORANGE, VERMILION, legend_below, plt
+from report.chart_style import BLUE, GRID, INK, ORANGE, VERMILION, legend_below, mark_ratios, plt
 from stability_numerics import COR, draw, frame, styles
 
 
@@ -41,6 +41,7 @@ def projection_stiffness(rows):
     axes.set(title="Error of the wrench of a steady twist, c = a", xlabel=RATIO, xscale="log", xlim=(1e-6, 1e6), ylim=(-0.03, None),
              ylabel="in the normalised plane")
     axes.minorticks_off()
+    mark_ratios(axes)
     legend_below(figure, axes, 2)
     return figure
 

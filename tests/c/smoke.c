@@ -69,6 +69,12 @@ static void fingers(void) {
     CHECK(limitcurve_finger_update(finger, &contact, 1e-3, &output) == LIMITCURVE_OK);
   }
   CHECK(output.state == LIMITCURVE_SLIP && fabs(output.force[0] + 0.6 * 2.0) < 1e-12 && isinf(output.cor));
+  double device = 0, turn = 0;
+  CHECK(limitcurve_device_damping_needed(&parameters, 1e-3, 1, &device, &turn) == LIMITCURVE_OK);
+  CHECK(fabs(device - 1.5e-3 * parameters.stiffness) < 1e-12 && fabs(turn - 1.5e-3 * parameters.twist_stiffness) < 1e-15);
+  CHECK(limitcurve_require_passive(&parameters, 1e-3, 1, 1.01 * device, 1.01 * turn) == LIMITCURVE_OK);
+  CHECK(limitcurve_require_passive(&parameters, 1e-3, 2, 1.01 * device, INFINITY) == LIMITCURVE_INVALID);
+  CHECK(strstr(limitcurve_error(), "a delay of 2 samples") != NULL);
   double margin = 1, hold = 0;
   CHECK(limitcurve_finger_margin(finger, &margin, &hold) == LIMITCURVE_OK && margin == 0 && fabs(hold - 2.0) < 1e-9);
   double centre[3];
@@ -110,6 +116,9 @@ static void fingers(void) {
   wrench[0] *= 2.5;
   CHECK(limitcurve_patch_load_to_hold(patch, 0.5, wrench, 1, needed) == LIMITCURVE_OK && fabs(needed[0] - 5) < 1e-9);
   CHECK(limitcurve_patch_load_to_hold(patch, -0.5, wrench, 1, needed) == LIMITCURVE_INVALID);
+  double slip[3], slip_bound;
+  CHECK(limitcurve_patch_slip(patch, wrench, 1, slip, &slip_bound) == LIMITCURVE_OK && slip_bound < 1e-9);
+  CHECK(fabs(slip[0] * wrench[0] - 1) < 1e-9 && fabs(slip[1]) < 1e-9 && fabs(slip[2]) * 0.01 < 1e-9);
   const double forces[2] = {1.2, 0}, moments[2] = {0, 1.2 * 0.004};
   CHECK(limitcurve_table_load_to_hold(table, 0.6, "constant:a=0.006", forces, moments, 2, needed) == LIMITCURVE_OK);
   CHECK(fabs(needed[0] - 2) < 1e-5 && fabs(needed[1] - 2) < 1e-5); /* m0 = 2/3 */

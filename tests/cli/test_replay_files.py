@@ -102,6 +102,19 @@ class Files(CommandLineTest):
         self.assert_fails(2, ["not passive", "0.9 N s/m"], *call, "--check-gains", "b=0.8", "--damping", "0.4")
         self.assert_fails(2, ["--check-gains", "expected b=NUMBER"], *call, "--check-gains", "0.5")
         self.assert_fails(2, ["--check-gains", "'T'"], *call, "--check-gains", "b=0.5,T=0")
+        # A sample late: 1.5 kT, and 1.5 kT - B where a damper helps: at theta = 0.
+        self.assert_fails(2, ["a delay of 1 sample need", "1.5 N s/m"], *call, "--check-gains", "b=1.49,delay=1")
+        self.assert_fails(2, ["1.1 N s/m"], *call, "--check-gains", "b=1.09,delay=1", "--damping", "0.4")
+        self.assertEqual(run(*call, "--check-gains", "b=1.51,b_r=5.5e-5,delay=1").stdout, plain)
+        for delay in ["-1", "0.5", "1001", "x"]:
+            self.assert_fails(2, ["--check-gains", "whole samples"], *call, "--check-gains", f"b=9,delay={delay}")
+        # Without b_r a note, and the sample time is the trace's.
+        self.assertIn("the twist is not checked", run(*call, "--check-gains", "b=0.51").stderr)
+        self.assertNotIn("the twist is not checked", run(*call, "--check-gains", "b=0.51,b_r=1").stderr)
+        slow = self.file("slow.csv", "time,x,y,z,twist\n0,0,0,-0.001,0\n0.002,0,0,-0.001,0\n0.012,0,0,-0.001,0\n0.013,0,0,-0.001,0\n")
+        self.assert_fails(2, ["5 N s/m", "0.01 s"], "replay", "--trace", slow, *FINGER, "--check-gains", "b=4.9")
+        self.assertEqual(run("replay", "--trace", slow, *FINGER, "--check-gains", "b=5.1").returncode, 0)
+        self.assert_fails(2, ["T=SECONDS"], "replay", "--trace", "-", *FINGER, "--check-gains", "b=5.1")
 
     def test_a_long_trace_is_streamed(self):
         def peak(samples):

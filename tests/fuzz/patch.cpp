@@ -51,7 +51,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   file.replace(text.substr(std::min(end + 1, text.size())));
   if (reads) argument.replace(colon + 1, 1, file.path());
   std::optional<Patch> patch;
-  if (const auto complaint = fuzz::complaint_of([&] { patch = cli::read_patch(argument); })) {
+  if (const auto complaint = fuzz::complaint_of([&] { patch = cli::parse_patch(argument).patch(); })) {
     fuzz::require(complaint->substr(0, 7) == "patch '", "a complaint that does not name the patch");
     return 0;
   }

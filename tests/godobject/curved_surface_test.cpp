@@ -36,8 +36,10 @@ struct Work {
   double sum = 0.0;  // [J]
   bool all_stick = true;
 
-  void add(const DevicePose& to, const FingerOutput& output) {
-    const Vector3d force = output.normal * output.load + output.force;
+  void add(const DevicePose& to, const FingerOutput& output) { add(to, output, output.load); }
+  /// With another normal force in place of the load.
+  void add(const DevicePose& to, const FingerOutput& output, double load) {
+    const Vector3d force = output.normal * load + output.force;
     const Vector3d moment = output.normal * output.moment;
     if (known_) {
       const AngleAxisd turn(to.orientation * last_.orientation.conjugate());
@@ -125,8 +127,8 @@ TEST(CurvedSurface, ConingFeedsNothingButTheSprings) {
   EXPECT_NEAR(work.sum, begin - finger.spring_energy(), 1e-8 * begin);
 }
 
-// Out on a ball at one depth and back at another, a stuck finger gives its user nothing; k_l times the tangential part of x_p − x_g
-// would give ½ k s² Δd/R, 1.875e-5 J.
+// Out on a ball at one depth and back at another, a stuck finger gives its user nothing; k_l times the tangential part of x_p − x_g would
+// give ½ k s² Δd/R, 1.875e-5 J, each time round, and so would the load that bounds friction in place of the load: it lacks the surface's push.
 TEST(CurvedSurface, ALoopOfAStuckFingerWinsNothing) {
   struct Shape {
     const char* name;
@@ -144,10 +146,11 @@ TEST(CurvedSurface, ALoopOfAStuckFingerWinsNothing) {
       return about(shape.along, s / 0.01) * ((0.01 - depth) * Vector3d::UnitX());
     };
     SoftFinger finger = finger_of(skin());
-    Work work;
+    Work work, without_push;
     const auto go = [&](double s, double depth) {
       const DevicePose device{place(s, depth)};
       work.add(device, finger.update(shape.surface, device));
+      without_push.add(device, finger.output(), finger.state().limit_load);
     };
     constexpr int steps = 4000;
     go(0.0, 0.0025);
@@ -160,6 +163,7 @@ TEST(CurvedSurface, ALoopOfAStuckFingerWinsNothing) {
     EXPECT_TRUE(work.all_stick) << shape.name;
     // The force is linear in the finger's position, so the trapezoidal rule is exact.
     EXPECT_LT(std::fabs(work.sum), 1e-15) << shape.name;
+    EXPECT_NEAR(std::fabs(without_push.sum), is_flat ? 0.0 : 3 * 1.875e-5, 1e-7) << shape.name;
   }
 }
 

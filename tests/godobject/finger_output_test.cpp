@@ -53,6 +53,60 @@ TEST(SoftFinger, TellsTheLoadThatHolds) {
   }
 }
 
+// It is in the unit of the load that is reported: also on a ball, whose push is part of that, it sticks if and only if the load is at least
+// the one that holds.
+TEST(SoftFinger, TellsTheLoadThatHoldsInTheUnitOfTheLoad) {
+  Random random(5);
+  int pushes = 0;
+  for (int scene = 0; scene < 300; ++scene) {
+    const double radius = random.logarithmic(0.002, 0.1);
+    const AnySurface ball(SphereSurface{radius});
+    auto finger = exact_hertz_finger(parameters(random.logarithmic(0.1, 1.5), 0.005, 1000.0, 0.025));
+    Eigen::Vector3d way(random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0), 0.0);
+    for (int i = 0; i < 60; ++i) {
+      const double depth = radius * random.uniform(0.05, 0.3);
+      const Eigen::Vector3d at = (Eigen::Vector3d::UnitZ() + 0.01 * i * way).normalized() * (radius - depth);
+      const FingerOutput output = finger.update(ball, {at, Orientation::Identity(), 0.01 * i}, 1e-3);
+      ASSERT_NE(output.state, ContactState::invalid);
+      ASSERT_LE(finger.load_to_hold(), output.load * (1.0 + 1e-9)) << scene << ' ' << i;
+      if (output.state == ContactState::slip && finger.load_to_hold() > 0.0) {
+        ASSERT_GE(finger.load_to_hold(), output.load - 1e-9) << scene << ' ' << i;
+        pushes += output.load < 0.99 * finger.state().limit_load;
+      }
+    }
+  }
+  EXPECT_GT(pushes, 300);
+}
+
+// Without a sliding force the moment keeps its limit and the slip its centre: the COR that the proxy turns about.
+TEST(SoftFinger, TurnsAboutACentreWithoutASlidingForce) {
+  FingerParameters with = parameters();
+  with.mu_dynamic = 0.0;
+  with.mu_r = 0.002;
+  for (const double moment : {0.001, 1e-5}) {
+    with.mu_r_dynamic = moment;
+    for_each_curve(hertz(), [&](const FingerCurve& curve, const std::string& name) {
+      SoftFinger finger(curve, with);
+      FingerOutput last = finger.update(on_plane(0.0, 0.0, 0.002), 0.0);
+      for (int i = 1; i < 40; ++i) {
+        const FingerOutput output = finger.update(on_plane(1e-3 * i, 0.0, 0.002), 0.2 * i);
+        if (output.state != ContactState::slip || i < 10) {
+          last = output;
+          continue;
+        }
+        EXPECT_NEAR(std::fabs(output.moment), 2.0 * moment, 1e-9) << name;
+        EXPECT_LT(output.force.norm(), 1e-12) << name;
+        const double way = (output.proxy - last.proxy).norm();
+        const double turn = std::fabs(output.angle - last.angle);
+        EXPECT_NEAR(output.cor, way / turn, 1e-9) << name;
+        EXPECT_NEAR((finger.centre_of_rotation() - output.proxy).norm(), output.cor, 1e-9) << name;
+        last = output;
+      }
+      EXPECT_EQ(last.state, ContactState::slip) << name;
+    });
+  }
+}
+
 // A finger turns about a fixed point: that point is the centre of rotation of its slip.
 TEST(SoftFinger, TellsWhereTheCentreOfRotationIs) {
   for (const double sense : {1.0, -1.0}) {

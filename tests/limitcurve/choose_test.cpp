@@ -77,6 +77,11 @@ TEST(Choose, OfEqualCostsTheSmallerErrorWins) {
   for (Candidate& candidate : candidates) candidate.chosen = false;
   choose_cheapest(candidates, 0.5);
   EXPECT_EQ(chosen(candidates).model, "cheap");
+  // None is good enough: none is chosen, and digits tell the error from the tolerance.
+  candidates = {{"near", 0.0, 0.1002, 10.0}, {"far", 0.0, 0.3, 5.0}};
+  choose_cheapest(candidates, 0.1);
+  EXPECT_TRUE(std::none_of(candidates.begin(), candidates.end(), [](const Candidate& one) { return one.chosen; }));
+  EXPECT_EQ(candidates[1].reason, "10.02 % > 10 %");
 }
 
 TEST(Choose, SaysWhatItBeatAndWhy) {

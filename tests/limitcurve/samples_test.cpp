@@ -51,6 +51,32 @@ TEST(Samples, TwoHundredOfAHertzProfileAreHertzWithinTheirStatedError) {
   expect_within_stated_error(*law, *hertz(), 5e-4);
 }
 
+// The contact ends where its pressure does: a sensor's line goes on with rows of zero, or of noise below it.
+TEST(Samples, RowsWithoutPressureAtTheEndAreNoContact) {
+  std::vector<PressureSample> profile = sampled([](double r) { return std::sqrt((1.0 - r) * (1.0 + r)); }, 50, 0.0);
+  const double end = profile.back().radius;
+  const Law law = samples(profile, "hertz.csv");
+  std::vector<PressureSample> jump = profile;
+  jump.back().pressure = jump[jump.size() - 2].pressure;
+  const Law cut = samples(jump, "cut.csv");
+  for (const double pressure : {0.0, -1e-3}) {
+    for (const double far : {1.1, 4.0}) {
+      for (auto* const one : {&profile, &jump}) {
+        std::vector<PressureSample> longer = *one;
+        if (one == &jump) longer.push_back({end, 0.0});
+        longer.insert(longer.end(), {{1.05 * end, pressure}, {far * end, pressure}});
+        const Law same = samples(longer, "tail.csv");
+        for (const double s : {0.0, 0.5, 1.0, 3.0}) {
+          EXPECT_EQ(same->forces(s).moment, (one == &jump ? cut : law)->forces(s).moment);
+          EXPECT_EQ(same->evaluate(s).error.force, (one == &jump ? cut : law)->evaluate(s).error.force);
+        }
+      }
+    }
+  }
+  const std::vector<std::vector<PressureSample>> none{{{0, 0}, {1, 0}, {2, 0}, {3, 0}}, {{0, 1}, {0, 0}, {1, 0}, {2, 0}}};
+  for (const auto& one : none) EXPECT_THROW(samples(one, "none.csv"), std::invalid_argument);
+}
+
 TEST(Samples, AParabolaIsFoundFarCloser) {
   // No singularity at the rim: the monotone cubic is of third order there.
   const Law law = samples(sampled([](double r) { return (1.0 - r) * (1.0 + r); }, 200, 0.0), "parabola.csv");

@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <chrono>
 #include <functional>
 #include <map>
 #include <numbers>
@@ -164,15 +163,13 @@ TEST(Mesh, FindsCrossingsAroundAVertexOfManyFaces) {
   EXPECT_GT(accepted, 20);
 }
 
-// 0.6 s for 1e5 faces around each of two vertices; by pairs it would be many minutes.
+// 1e5 faces around each of two vertices: by pairs it would not end within the suite's time.
 TEST(Mesh, ManyFacesAroundAVertexTakeNoSquareOfTheirNumber) {
   constexpr int count = 100'000;
-  const auto begin = std::chrono::steady_clock::now();
   const Mesh cone(fans(count, 0.0, [](int i) {
     const double angle = 2.0 * std::numbers::pi * i / count;
     return Vector3d(0.02 * std::cos(angle), 0.02 * std::sin(angle), 0.0);
   }));
-  EXPECT_LT(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(), 20.0);
   EXPECT_NEAR(cone.volume(), std::numbers::pi * 0.02 * 0.02 * 0.03 / 3.0, 1e-13);
 }
 

@@ -131,6 +131,14 @@ def quadrant(axes, title, x_label, y_label):
     axes.set(title=title, xlabel=x_label, ylabel=y_label, xlim=(0, None), ylim=(0, None))
 
 
+def mark_ratios(axes):
+    """Marks on an axis of κ = k_r/(k_l (m0 a)^2) where the radial projection is exact for the ellipse, and a pad's own ratio (k_r = k_l a^2)."""
+    for ratio, what, side in ((1, "κ = 1: radial is exact\nfor the ellipse", "right"), (2.88, "κ = 2.88:\na pad’s own", "left")):
+        axes.axvline(ratio, color=FAINT, linewidth=0.8, dashes=(3, 3), zorder=0)
+        axes.annotate(what, (ratio, 1), (4 if side == "left" else -4, -3), xycoords=("data", "axes fraction"), textcoords="offset points",
+                      color=FAINT, fontsize=7, ha=side, va="top")
+
+
 def legend_below(figure, axes, columns):
     figure.legend(*axes.get_legend_handles_labels(), loc="upper center", bbox_to_anchor=(0.5, 0), ncols=columns)
 

@@ -4,7 +4,7 @@ each: takes the CSVs (see csv_files.py for their columns), returns a figure."""
 
 import math
 
-from .chart_style import BLUE, FAINT, GREEN, INK, ORANGE, VERMILION, legend_in_sight, plt
+from .chart_style import BLUE, FAINT, GREEN, INK, ORANGE, VERMILION, legend_in_sight, mark_ratios, plt
 from .finger_figures import BLOCK_HEIGHT, BLOCK_LENGTH, CASES, LOST, angle_at_loss, draw_block, held_rows
 
 def pivot(data):
@@ -149,8 +149,7 @@ def pivot_stiffness(data):
     axes.set(xscale="log", xlabel="stiffness ratio  $k_r/(k_l (μ_r/μ_l)^2)$", ylabel="turned before it leaves  [°]", ylim=(0, 95))
     ticks = (0.1, 1, 10, 100)
     axes.set_xticks(ticks, [f"{tick:g}" for tick in ticks])
-    axes.axvline(1, color=FAINT, linewidth=0.8, dashes=(3, 3))
-    axes.annotate("this project’s default", (1, 92), (4, -3), textcoords="offset points", color=FAINT, fontsize=8)
+    mark_ratios(axes)
     legend_in_sight(figure, axes)
     return figure
 

@@ -4,7 +4,7 @@ each: takes the CSVs (see csv_files.py for their columns), returns a figure."""
 
 import math
 
-from .chart_style import BLUE, FAINT, INK, VERMILION, legend_in_sight, plt, quadrant
+from .chart_style import BLUE, FAINT, INK, VERMILION, legend_in_sight, mark_ratios, plt, quadrant
 
 def repositionings(rows, run):
     """Per step the trial point [r, rho] before, and the point after repositioning (m, rad), recomputed from the log."""
@@ -265,7 +265,8 @@ def steady_twist(data):
     ratios = (0.1, 0.2, 0.5, 1, 2, 5, 10)
     left.set_xticks(ratios, [f"{ratio:g}" for ratio in ratios])
     left.minorticks_off()
-    left.legend(loc="upper left", handlelength=3)
+    left.legend(loc="upper left", bbox_to_anchor=(0, 0.86), handlelength=3)
+    mark_ratios(left)
 
     law = rows[0]["law"]
     curve = data["curves"].where(law=law)
@@ -273,7 +274,7 @@ def steady_twist(data):
     right.plot(curve.column("x"), curve.column("y"), color=FAINT, linewidth=1.2)
     radial = rows.where(boundary="table", projection="radial")
     right.plot(radial.column("force"), radial.column("moment", 1 / moment_ratio), color=VERMILION, linewidth=2.2)
-    for ratio in (0.1, 0.5, 1, 2, 10):
+    for ratio in (0.1, 0.5, 1, 2.88, 10):
         row = min(radial, key=lambda one: abs(math.log(one["stiffness_ratio"] / ratio)))
         point = (row["force"], row["moment"] / moment_ratio)
         right.plot(*point, "o", color=VERMILION, markersize=4)

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-/// What the tests in real physics engines share: the contact that is translated, and how a finger is dragged.
+/// The contact that is translated, and how a finger is dragged in a physics engine.
 namespace limitcurve::fit::engines {
 
 inline const double friction = 0.8;

@@ -66,7 +66,8 @@ TEST(ChoiceStudy, WhatIsChosenCanBeReplayed) {
     const StepChoice choice = choose_step(scene, tolerance);
     const auto best = std::find_if(choice.candidates.begin(), choice.candidates.end(), [](const auto& one) { return one.chosen; });
     SoftFinger finger = named_finger(scene, *best);
-    Replay replay(choice.chosen);
+    ASSERT_TRUE(choice.chosen);
+    Replay replay(*choice.chosen);
     double time = 0.0;
     for (const StudySample& at : random_motion(scene, random)) {
       DevicePose pose;

@@ -234,28 +234,6 @@ TEST(Grasp, NeverGainsEnergy) {
   }
 }
 
-// The same in space, where a body that tilts under its fingers changes depth and friction together: the force acts along the
-// line through the finger; otherwise depth times friction force would give a false moment.
-TEST(Grasp, NeverGainsEnergyInSpace) {
-  Random random(6);
-  for (int round = 0; round < repetitions(40, 4); ++round) {
-    BodyParameters body = BodyParameters::block(0.1, edges);
-    body.gravity.setZero();
-    FingerParameters with = parameters(round % 2 == 0 ? 0.6 : 1e3);
-    if (round % 4 > 1) with.damping = 0.5;
-    auto grasp = make_grasp(body, edges, with, exact_curve(hertz()), 2);
-    const auto devices = pinch(0.04, 0.002, {0.01, 0.0, 0.0});
-    grasp.place(BodyState{}, devices);
-    BodyState start;
-    start.velocity = {random.uniform(-0.1, 0.1), random.uniform(-0.1, 0.1), random.uniform(-0.1, 0.1)};
-    start.angular_velocity = {random.uniform(-3.0, 3.0), random.uniform(-3.0, 3.0), random.uniform(-3.0, 3.0)};
-    grasp.place(start, devices);
-    SCOPED_TRACE(round);
-    expect_energy_never_rises(grasp, devices, repetitions(2000, 500), 1e-4);
-    EXPECT_EQ(grasp.unsolved(), 0U);
-  }
-}
-
 // Springs a thousand times stiffer than the time step resolves, and a body that hits them sliding: solved, and no energy gained.
 TEST(Grasp, SolvesSlipUnderStiffSprings) {
   Random random(8);
@@ -277,27 +255,6 @@ TEST(Grasp, SolvesSlipUnderStiffSprings) {
     expect_energy_never_rises(grasp, devices, 200, 1e-3);
     EXPECT_EQ(grasp.unsolved(), 0U);
   }
-}
-
-// Ten seconds here; the hour is in rest_soak.cpp.
-TEST(Grasp, RestsWithoutCreeping) {
-  BodyParameters body = BodyParameters::planar_block(0.1, edges, 9.81);
-  FingerParameters with = parameters(1.67, 0.01, 1000.0, 0.0366);
-  with.damping = 10.0;
-  with.twist_damping = 0.001;
-  auto grasp = make_grasp(body, edges, with, exact_curve(hertz()), 2);
-  const auto devices = pinch(0.04, 0.002, {0.005, 0.0, 0.0});
-  grasp.place(BodyState{}, devices);
-  const Vector3d proxy = grasp.finger(0).output().proxy;
-  const double angle = grasp.finger(0).output().angle;
-  for (int i = 0; i < 5000; ++i) grasp.step(devices, 1e-3);
-  const BodyState settled = grasp.body();
-  for (int i = 0; i < 10000; ++i) {
-    grasp.step(devices, 1e-3);
-    ASSERT_TRUE(grasp.finger(0).output().proxy == proxy && grasp.finger(0).output().angle == angle);
-  }
-  EXPECT_LT((grasp.body().position - settled.position).norm(), 1e-12);
-  EXPECT_LT(grasp.body().orientation.angularDistance(settled.orientation), 1e-12);
 }
 
 // A damped oscillator has an answer: the ratio of successive swings of a body between two damped fingers.

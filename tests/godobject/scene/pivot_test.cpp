@@ -168,6 +168,39 @@ TEST(Pivot, AGripThatIsLeftOpenHoldsTheBlockAtFirst) {
   EXPECT_EQ(Pivot(options).holding_load(), std::numeric_limits<double>::infinity());
 }
 
+// Fingers that were pressed in by more than 0.5 m were refused as a jump, and the block dropped in silence.
+TEST(Pivot, ADeepGripHoldsTheBlock) {
+  for (const double load : {490.0, 510.0, 1e6, 4e8}) {
+    PivotOptions options;
+    options.grip = {{0.0, load}};
+    options.duration = 0.2;
+    for (const PivotCase kind : {PivotCase::coupled, PivotCase::uncoupled, PivotCase::exact}) {
+      options.kind = kind;
+      Pivot pivot(options);
+      while (pivot.step()) {
+      }
+      EXPECT_EQ(pivot.row().state, ContactState::stick) << load;
+      EXPECT_NEAR(pivot.row().friction_force, 0.981, 1e-9) << load;
+    }
+  }
+  PivotOptions far;
+  far.grip = {{0.0, 6e8}};
+  EXPECT_THROW(Pivot{far}, std::invalid_argument);
+}
+
+TEST(Pivot, ABlockThatFallsOutOfTheWorldIsInvalidForAReason) {
+  PivotOptions options;
+  options.gravity = 1e7;
+  options.stiffness = 1e9;
+  options.twist_stiffness = 1e6;
+  options.grip = {{0.0, 1e7}, {1.0, 0.0}};
+  options.time_step = 1.0;
+  Pivot pivot(options);
+  while (pivot.step() && pivot.row().state != ContactState::invalid) {
+  }
+  EXPECT_EQ(pivot.row().fault, Fault::force);
+}
+
 TEST(GrippedBlock, GoesOnWithOtherFingers) {
   const FingerParameters with = parameters(1.67, 0.01, 1000.0, 0.037);
   GrippedBlock block(PivotOptions{}, hertz_finger(with));

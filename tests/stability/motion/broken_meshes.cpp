@@ -130,7 +130,6 @@ std::pair<double, std::optional<double>> sliver_errors(double share, const Eigen
 }  // namespace
 
 Hazard broken_meshes() {
-  const std::string test = "Geometry.BrokenMeshes";
   double customary = 0.0;
   double ours = 0.0;
   double refused = 0.0;
@@ -150,9 +149,9 @@ Hazard broken_meshes() {
   }
   Hazard found;
   found.findings.push_back({"open, flipped, intersecting, doubled, degenerate, NaN", "side of the nearest face",
-                            "of six meshes, those accepted that give a wrong side", customary, ours, test});
+                            "of six meshes, those accepted that give a wrong side", customary, ours});
   found.findings.push_back({"open, flipped, intersecting, doubled, degenerate, NaN", "any triangles accepted",
-                            "of six meshes, those refused with face and reason", 0.0, refused, test});
+                            "of six meshes, those refused with face and reason", 0.0, refused});
   found.figures.push_back(std::move(figure));
   return found;
 }
@@ -160,7 +159,6 @@ Hazard broken_meshes() {
 Hazard slivers() {
   Hazard found;
   Figure figure{"geometry_slivers", {}};
-  const std::string test = "Geometry.Slivers";
   double worst = 0.0;
   double ours_worst = 0.0;
   for (const double share : in_ratios(1e-10, 0.1, 55)) {
@@ -183,8 +181,7 @@ Hazard slivers() {
     figure.rows.push_back({"error", "limitcurve", share, taken ? std::max(felt, 1e-9) : std::numeric_limits<double>::quiet_NaN()});
   }
   found.findings.push_back({"slivers, in single precision", "normal of the face",
-                            "error of the normal [rad] (height 1e-10 to 0.1 of the length; ours: accepted faces)", worst, ours_worst,
-                            test});
+                            "error of the normal [rad] (height 1e-10 to 0.1 of the length; ours: accepted faces)", worst, ours_worst});
   found.figures.push_back(std::move(figure));
   return found;
 }

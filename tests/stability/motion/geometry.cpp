@@ -45,7 +45,6 @@ Contact nearest_face(const Vector3d& half, const Vector3d& finger) {
 Hazard thin_plate() {
   Hazard found;
   Figure figure{"geometry_plate", {}};
-  const std::string test = "Geometry.ThinPlate";
   const Vector3d half{0.03, 0.02, 0.0005};
   const BoxSurface box(half);
   const MeshSurface mesh(Mesh(box_triangles(half)));
@@ -64,8 +63,8 @@ Hazard thin_plate() {
     }
   }
   const std::string quantity = "k_l d minus the force towards the finger's side [N] (pressed 3 mm into 1 mm, 1000 N/m)";
-  found.findings.push_back({"thin plate", "nearest surface point (ours: box)", quantity, short_by[0], short_by[1], test});
-  found.findings.push_back({"thin plate", "nearest surface point (ours: mesh)", quantity, short_by[0], short_by[2], test});
+  found.findings.push_back({"thin plate", "nearest surface point (ours: box)", quantity, short_by[0], short_by[1]});
+  found.findings.push_back({"thin plate", "nearest surface point (ours: mesh)", quantity, short_by[0], short_by[2]});
   found.figures.push_back(std::move(figure));
   return found;
 }
@@ -73,7 +72,6 @@ Hazard thin_plate() {
 Hazard side_at_a_vertex() {
   Hazard found;
   Figure figure{"geometry_vertex", {}};
-  const std::string test = "Geometry.SideAtAVertex";
   // Pyramids on a square, blunt to sharp; points about the tip.
   Random random(8);
   double most = 0.0;
@@ -103,13 +101,12 @@ Hazard side_at_a_vertex() {
     ours = std::max(ours, static_cast<double>(our_wrong) / points);
   }
   found.findings.push_back({"nearest point on a vertex or an edge", "side of the nearest face",
-                            "share of points near a tip with the wrong side (worst of 15 pyramids)", most, ours, test});
+                            "share of points near a tip with the wrong side (worst of 15 pyramids)", most, ours});
   found.figures.push_back(std::move(figure));
   return found;
 }
 
 Hazard normals_that_jump() {
-  const std::string test = "Geometry.NormalsThatJump";
   constexpr double mu = 0.8;
   FingerParameters with;
   with.mu = mu;
@@ -149,7 +146,7 @@ Hazard normals_that_jump() {
   }
   Hazard found;
   found.findings.push_back({"normals that jump", "spring to the proxy, clamped to μP", "friction along the normal / μP (edges of 45°)",
-                            customary, std::max(ours, -work), test});
+                            customary, std::max(ours, -work)});
   found.figures.push_back(std::move(figure));
   return found;
 }

@@ -150,7 +150,6 @@ Failures failures(const Law& law, const FingerCurve& table, double kappa, double
 }  // namespace
 
 Hazard degenerate_steps() {
-  const std::string test = "Projection.DegenerateSteps";
   const double k_r = 0.04;
   const double mu = 0.5;
   const double mu_r = 0.002;
@@ -184,7 +183,7 @@ Hazard degenerate_steps() {
   }
   Hazard found;
   found.findings.push_back(
-      {"r = 0, ρ = 0, μ = 0, Γ = 0", "eqs. (21)–(23) as printed", "of ten steps, those with NaN or a wrong result", printed, ours, test});
+      {"r = 0, ρ = 0, μ = 0, Γ = 0", "eqs. (21)–(23) as printed", "of ten steps, those with NaN or a wrong result", printed, ours});
   found.figures.push_back(std::move(figure));
   return found;
 }
@@ -192,7 +191,6 @@ Hazard degenerate_steps() {
 Hazard newton_without_bracket() {
   Hazard found;
   Figure figure{"projection_newton", {}};
-  const std::string test = "Projection.NewtonWithoutBracket";
   const Law law = hertz();
   const FingerCurve table(Table::build(law, 1e-10));
   const auto add = [&](const char* panel, double x, const Failures& at) {
@@ -215,9 +213,9 @@ Hazard newton_without_bracket() {
   const Failures stiff = failures(law, table, 1e6, 1e-4, 10.0);
   const std::string share = "share of slips with no closest point found ";
   found.findings.push_back(
-      {"Newton without a bracket", "from the last COR", share + "(trials up to 11 times the limit)", even.newton, ours, test});
+      {"Newton without a bracket", "from the last COR", share + "(trials up to 11 times the limit)", even.newton, ours});
   found.findings.push_back(
-      {"Newton without a bracket", "from the trial's direction", share + "(k_r/k_l = 1e6·(m₀a)²)", stiff.newton_ahead, ours, test});
+      {"Newton without a bracket", "from the trial's direction", share + "(k_r/k_l = 1e6·(m₀a)²)", stiff.newton_ahead, ours});
   found.figures.push_back(std::move(figure));
   return found;
 }

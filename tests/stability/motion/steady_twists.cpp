@@ -84,7 +84,6 @@ void add(Figure& figure, const char* series, double x, UnitWrench wrench) {
 Hazard stiffness_ratios() {
   Hazard found;
   Figure figure{"projection_stiffness", {}};
-  const std::string test = "Projection.StiffnessRatios";
   const Law law = hertz();
   const double m0 = law->moment_ratio();
   const UnitWrench truth = ExactCurve(law).wrench(SlipTwist::about_cor(1.0));
@@ -108,10 +107,9 @@ Hazard stiffness_ratios() {
     const std::string power = kappa == 1.0 ? "1" : kappa == 10.0 ? "10" : kappa < 1.0 ? "1e-6" : "1e6";
     found.findings.push_back({"stiffness ratios", "ellipse, radial projection (eq. 23)",
                               "error of the wrench of a steady twist (c = a, k_r/k_l = " + power + "·(m₀a)²; ours: any)", errors(kappa)[0],
-                              ours, test});
+                              ours});
   }
-  found.findings.push_back(
-      {"stiffness ratios", "force and moment clamped separately (§3.1)", "the same, any ratio", errors(1.0)[2], ours, test});
+  found.findings.push_back({"stiffness ratios", "force and moment clamped separately (§3.1)", "the same, any ratio", errors(1.0)[2], ours});
   found.figures.push_back(std::move(figure));
   return found;
 }
@@ -136,8 +134,7 @@ Hazard small_contacts() {
     const SteadyTwist twist = of_moment(mu_r);
     found.findings.push_back({"a small contact, the springs of a larger one", "ellipse, radial projection (eq. 23)",
                               std::string("friction force of a steady twist in μP (c = 5 mm, μ_r = ") + name + " mm, k_r = 0.036 N m/rad)",
-                              settled(twist, ellipse, Projection::radial).force, settled(twist, table, Projection::closest_point).force,
-                              "Projection.SmallContacts"});
+                              settled(twist, ellipse, Projection::radial).force, settled(twist, table, Projection::closest_point).force});
   }
   found.figures.push_back(std::move(figure));
   return found;
@@ -164,7 +161,7 @@ Hazard growing_radius() {
                               std::string("friction force of a steady twist [N] (c = 5 mm, a = 6 mm at 1 N, a ∝ P^⅓, μP = 0.6 N, ") +
                                   micrometres + " µm a step)",
                               SteadyTwist::mu * twist.settled(table, projection, step, static_cast<int>(std::lround(0.04 / step))).force,
-                              ours, "Projection.GrowingRadius"});
+                              ours});
   };
   add_finding("exact curve, radial projection", Projection::radial, 1e-5, "10");
   for (const auto& [step, micrometres] : {std::pair{1e-5, "10"}, {1e-4, "100"}, {1e-6, "1"}}) {

@@ -72,8 +72,7 @@ Hazard moment_far_away() {
     }
     const double at = 1e4;
     found.findings.push_back({"closed form as s → ∞", std::string(form.law) + ", as printed",
-                              "relative error of m at s = 1e4 (ours: s ≤ 1e8)", relative_error(form.moment(at), form.truth(at)), worst,
-                              "ClosedForms.MomentFarAway"});
+                              "relative error of m at s = 1e4 (ours: s ≤ 1e8)", relative_error(form.moment(at), form.truth(at)), worst});
   }
   for (std::size_t i = 0; i < cors.size(); ++i) figure.rows.push_back({"far", "limitcurve", cors[i], ours[i]});
   found.figures.push_back(std::move(figure));
@@ -94,7 +93,7 @@ Hazard force_near_the_centre() {
   }
   const double at = 1e-8;
   found.findings.push_back({"closed form as s → 0", "uniform, as printed", "relative error of f at s = 1e-8 (ours: s ≥ 1e-10)",
-                            relative_error(uniform_force(at), exact_power(0.0, at).force), worst, "ClosedForms.ForceNearTheCentre"});
+                            relative_error(uniform_force(at), exact_power(0.0, at).force), worst});
   found.figures.push_back(std::move(figure));
   return found;
 }

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#include "cli/io/unit_questions.hpp"
+
+#include "limitcurve/internal/number.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace limitcurve::cli {
+
+template <class Text>
+void UnitQuestions::note(First& first, const Text& text) {
+  if (first.count++ == 0) first.text = text();
+}
+
+void UnitQuestions::load(double load) {
+  constexpr double most = 1000.0;
+  if (load > most && std::isfinite(load)) note(loads_, [&] { return "a load of " + format_number(load) + " N: is it in newtons?"; });
+}
+
+void UnitQuestions::wrench(double force, double moment) {
+  constexpr double largest = 0.2;  // [N m], and the arm [m]
+  if (std::fabs(moment) <= largest || !(std::fabs(moment) > largest * std::fabs(force))) return;
+  note(wrenches_, [&] {
+    return "a moment of " + format_number(moment) + " N m beside a force of " + format_number(force) + " N: are they in N m and N?";
+  });
+}
+
+void UnitQuestions::force_under(double load, double force) {
+  ++loaded_;
+  if (std::fabs(force) > load) ++swapped_;
+}
+
+void UnitQuestions::twist(double before, double now, double time) {
+  constexpr double turn = 2.0 * std::numbers::pi;
+  const double step = std::fabs(now - before);
+  if (!(step > 1.0)) return;
+  if (std::fabs(step - turn) < 1.0 && std::fabs(now) <= turn && std::fabs(before) <= turn) return;
+  note(twists_,
+       [&] { return "the twist changes by " + format_number(step) + " rad up to time " + format_number(time) + " s: is it in radians?"; });
+}
+
+void UnitQuestions::angle(const std::string& what, double angle, std::string_view text) {
+  if (std::fabs(angle) <= 2.0 * std::numbers::pi || text.ends_with("deg") || text.ends_with("rad")) return;
+  others_.push_back(what + " = " + format_number(angle) + " rad: is it in radians? " + format_number(angle) + "deg is in degrees");
+}
+
+void UnitQuestions::radii(const RadiusLaw& law, std::span<const double> loads) {
+  constexpr double largest_radius = 0.1;
+  double radius = 0.0;
+  double at_load = 0.0;
+  double least = std::numeric_limits<double>::infinity();
+  double most = 0.0;
+  for (const double load : loads) {
+    if (!(load > 0.0 && std::isfinite(load))) continue;
+    least = std::min(least, load);
+    most = std::max(most, load);
+    if (law.radius(load) > radius) {
+      radius = law.radius(load);
+      at_load = load;
+    }
+  }
+  load(most);
+  if (radius > largest_radius) {
+    others_.push_back("the radius law gives a contact radius of " + format_number(radius) + " m at a load of " + format_number(at_load) +
+                      " N: is the law in metres?");
+  }
+  const auto [first, last] = law.sampled_loads();
+  if (least < first || most > last) {
+    others_.push_back("the radius law is extrapolated: its samples have loads from " + format_number(first) + " to " + format_number(last) +
+                      " N, it is used from " + format_number(least) + " to " + format_number(most) + " N");
+  }
+}
+
+void UnitQuestions::length(const std::string& what, double across) {
+  constexpr double longest = 0.5;
+  if (across > longest) others_.push_back(what + ": " + format_number(across) + " m across: is it in metres?");
+}
+
+std::vector<std::string> UnitQuestions::lines() const {
+  std::vector<std::string> texts = others_;
+  for (const First* const first : {&loads_, &wrenches_, &twists_}) {
+    if (first->count == 0) continue;
+    texts.push_back(first->text + (first->count > 1 ? " (the first of " + std::to_string(first->count) + ")" : ""));
+  }
+  if (2 * swapped_ > loaded_) {
+    texts.push_back("the force exceeds the load in " + std::to_string(swapped_) + " of " + std::to_string(loaded_) +
+                    " rows: are the two swapped?");
+  }
+  for (std::string& text : texts) text.insert(0, "warning: ");
+  return texts;
+}
+
+std::vector<std::string> questions_of(const RadiusLaw& law, std::span<const double> loads) {
+  UnitQuestions questions;
+  questions.radii(law, loads);
+  return questions.lines();
+}
+
+}  // namespace limitcurve::cli
