@@ -155,18 +155,18 @@ def touching_ellipse(cells: Cells, force: float, moment: float, p: float, q: flo
     share = wp.where(outside, turning, sliding)
     root = wp.sqrt(share)
     # The cell, by bisection over their edges, then x in it, where x sqrt(D'/(x D)) is the root of the leading share.
-    row = wp.where(outside, cells.inside, 0)
-    end = wp.where(outside, cells.rows.shape[0], cells.inside)
+    row = int(wp.where(outside, cells.inside, 0))
+    end = int(wp.where(outside, cells.rows.shape[0], cells.inside))
     while end - row > 1:
         middle = (row + end) // 2
         if cells.rows[middle, 0] * cells.rows[middle, 2] < share * cells.rows[middle, 1]:
             row = middle
         else:
             end = middle
-    low, high = cells.rows[row, 0], float(1.0)
+    low, high = float(cells.rows[row, 0]), float(1.0)
     if end < wp.where(outside, cells.rows.shape[0], cells.inside):
-        high = cells.rows[end, 0]
-    x = low
+        high = float(cells.rows[end, 0])
+    x = float(low)
     for _step in range(24):
         leading, trailing, second = _jet(cells, row, x)
         d, each = trailing + x * leading, wp.where(x > 1.0e-30, leading / wp.max(x, 1.0e-30), second)

@@ -27,7 +27,7 @@ std::vector<std::string> laws_and_sharp_peaks() {
 
 class TouchingEllipseOf : public testing::TestWithParam<std::string> {};
 INSTANTIATE_TEST_SUITE_P(Laws, TouchingEllipseOf, testing::ValuesIn(laws_and_sharp_peaks()),
-                         [](const auto& info) { return "law" + std::to_string(info.index); });
+                         [](const auto& law) { return "law" + std::to_string(law.index); });
 
 /// What an engine with an elliptic cone finds for a slip: maximum dissipation.
 UnitWrench found_by_engine(TouchingEllipse axes, SlipTwist slip) {
