@@ -43,6 +43,10 @@ struct Source {
 template <class Real>
 [[nodiscard]] std::optional<BasicTable<Real>> build(const Source& source, double tolerance, std::size_t bytes);
 
+/// Whether such a table can begin at x = 0 on both sides: a first cell may have to be narrower than any can be.
+template <class Real>
+[[nodiscard]] bool begins(const Source& source, double tolerance);
+
 extern template std::optional<BasicTable<double>> build(const Source&, double, std::size_t);
 extern template std::optional<BasicTable<float>> build(const Source&, double, std::size_t);
 

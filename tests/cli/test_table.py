@@ -125,25 +125,6 @@ class Tables(CommandLineTest):
                 self.assertAlmostEqual(force, found["force"], delta=1e-15)
                 self.assertAlmostEqual(moment, found["moment"], delta=1e-15)
 
-    def test_the_header_compiles_alone(self):
-        path, _ = self.build("hertz", 1e-6, "hpp")
-        self.assertEqual(self.build("hertz", 1e-6, "h")[0].read_text(), path.read_text())
-        name = re.search(r"(\w+)_wrench\(double", path.read_text()).group(1)
-        source = self.file("use.cpp", f"""#include "table.hpp"
-            #include <cstdio>
-            static_assert({name}_wrench(1.0, 0.0).force == 1.0, "");
-            int main() {{ std::printf("%.17g,%.17g\\n", {name}_wrench(0.3, 1.0).force, {name}_wrench(0.3, 1.0).moment); }}
-            """)
-        try:
-            subprocess.run(["c++", "-std=c++17", "-Wall", "-Wextra", "-pedantic", "-Werror", source, "-o", self.directory / "use"], check=True)
-        except FileNotFoundError:
-            self.skipTest("no compiler on the PATH")
-        printed = subprocess.run([self.directory / "use"], capture_output=True, text=True, check=True).stdout
-        force, moment = map(float, printed.split(","))
-        exact = rows("eval", "--law", "hertz", "--c", "0.3")[0]
-        self.assertAlmostEqual(force, exact["force"], delta=1e-6)
-        self.assertAlmostEqual(moment, exact["moment"], delta=1e-6)
-
 
 class Exports(CommandLineTest):
     """What is exported gives what `eval` gives, within the error that the table states: random laws and tolerances, twists of both signs."""

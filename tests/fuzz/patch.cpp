@@ -2,6 +2,7 @@
 #include "cli/io/patch_argument.hpp"
 #include "tests/fuzz/fuzz.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 using namespace limitcurve;

@@ -170,18 +170,6 @@ TEST(Radial, KeepsTheDirection) {
   }
 }
 
-TEST(Radial, IsTheClosestPointOfTheEllipseWhenTheStiffnessesMatch) {
-  const double m0 = hertz()->moment_ratio();
-  const FingerCurve ellipse = Ellipse::through_intercepts(m0);
-  for_random_trials(ellipse, 500, [&](Outside outside) {
-    outside.trial.compliance_ratio = 1.0 / (m0 * m0);  // k_r/k_l = (m₀a)²
-    const UnitWrench radial = projected(ellipse, Projection::radial, outside).wrench;
-    const UnitWrench closest = projected(ellipse, Projection::closest_point, outside).wrench;
-    EXPECT_NEAR(radial.force, closest.force, 1e-14);
-    EXPECT_NEAR(radial.moment, closest.moment, 1e-14);
-  });
-}
-
 TEST(CCurve, IsRadialWhenTheRadiusIsConstant) {
   for_each_curve(uniform(), [&](const FingerCurve& curve, const std::string&) {
     if (curve.is_box()) return;

@@ -232,14 +232,6 @@ TEST(ClosedForms, EndWherePureSlidingIs) {
   }
 }
 
-/// Γ(3/k)²/(Γ(2/k)Γ(4/k))·¾, printed to 12 digits in Xydas and Kao's notation.
-TEST(Anchors, MomentRatioOfXydasAndKao) {
-  for (const auto& [k, ratio] : {std::pair{1.0, 0.5}, {1.8, 0.578681684721}, {3.0, 0.620245007350}, {4.0, 0.635409813595}}) {
-    EXPECT_NEAR(xydas_kao(k)->moment_ratio(), ratio, 1e-12) << k;
-  }
-  EXPECT_DOUBLE_EQ(xydas_kao(2.0)->moment_ratio(), hertz()->moment_ratio());
-}
-
 /// n → −1 is the ring: all load at ρ = 1, f = (2/π)·…, whose wrench at s = 1 is f = m = 2/π.
 TEST(Anchors, PowerLawTendsToTheRing) {
   const WrenchEstimate estimate = power(-1.0 + 1e-9)->evaluate(1.0);

@@ -234,20 +234,6 @@ TEST(Table, FindsTheCurveOnTheRayOfTheLargestWrenches) {
   }
 }
 
-TEST(Table, SurvivesTwistsThatAreNone) {
-  const Table table = Table::build(power(-0.9), 1e-6);
-  const FloatTable single = FloatTable::build(power(-0.9), 1e-6);
-  const double nan = std::nan("");
-  for (const SlipTwist twist : {SlipTwist{nan, 1.0}, SlipTwist{1.0, nan}, SlipTwist{nan, nan}, SlipTwist{HUGE_VAL, HUGE_VAL}}) {
-    EXPECT_FALSE(table.wrench(twist).force > 1.0);
-    EXPECT_FALSE(single.wrench(twist).force > 1.0);
-    EXPECT_FALSE(table.point(twist).wrench.force > 1.0);
-  }
-  EXPECT_FALSE(table.gauge({nan, 1.0}) > 0.0);
-  EXPECT_FALSE(table.along({nan, nan}).wrench.force > 1.0);
-  EXPECT_FALSE(table.pieces().jet(true, nan).trailing > 1.0);
-}
-
 TEST(Table, NoLawIsRefused) {
   expect_mention(complaint([] { (void)Table::build(Law{}, 1e-3); }), "law: none");
   expect_mention(complaint([] { (void)ExactCurve(Law{}); }), "law: none");

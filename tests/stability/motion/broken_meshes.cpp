@@ -133,7 +133,8 @@ Hazard broken_meshes() {
   double customary = 0.0;
   double ours = 0.0;
   double refused = 0.0;
-  Figure figure{"geometry_broken", {}};
+  Hazard found;
+  Figure& figure = found.figures.emplace_back(Figure{"geometry_broken", {}});
   for (const Broken& mesh : broken()) {
     const std::vector<Triangle> triangles = triangles_of(mesh.list);
     bool taken = true;
@@ -147,18 +148,16 @@ Hazard broken_meshes() {
     }
     draw_slice(figure, mesh, !taken);
   }
-  Hazard found;
   found.findings.push_back({"open, flipped, intersecting, doubled, degenerate, NaN", "side of the nearest face",
                             "of six meshes, those accepted that give a wrong side", customary, ours});
   found.findings.push_back({"open, flipped, intersecting, doubled, degenerate, NaN", "any triangles accepted",
                             "of six meshes, those refused with face and reason", 0.0, refused});
-  found.figures.push_back(std::move(figure));
   return found;
 }
 
 Hazard slivers() {
   Hazard found;
-  Figure figure{"geometry_slivers", {}};
+  Figure& figure = found.figures.emplace_back(Figure{"geometry_slivers", {}});
   double worst = 0.0;
   double ours_worst = 0.0;
   for (const double share : in_ratios(1e-10, 0.1, 55)) {
@@ -182,7 +181,6 @@ Hazard slivers() {
   }
   found.findings.push_back({"slivers, in single precision", "normal of the face",
                             "error of the normal [rad] (height 1e-10 to 0.1 of the length; ours: accepted faces)", worst, ours_worst});
-  found.figures.push_back(std::move(figure));
   return found;
 }
 

@@ -148,7 +148,7 @@ struct Drawn {
 
 Hazard order_of_limits() {
   Hazard found;
-  Figure figure{"projection_order", {}};
+  Figure& figure = found.figures.emplace_back(Figure{"projection_order", {}});
   const Law law = hertz();
   const double m0 = law->moment_ratio();
   const Table table = Table::build(law, 1e-8);
@@ -169,13 +169,12 @@ Hazard order_of_limits() {
   const std::string quantity = "error of the wrench of a steady twist (0.1 ≤ c/a ≤ 10)";
   found.findings.push_back({"order of the limits", "force first, moment within the rest", quantity, worst[0], worst[2]});
   found.findings.push_back({"order of the limits", "moment first, force within the rest", quantity, worst[1], worst[2]});
-  found.figures.push_back(std::move(figure));
   return found;
 }
 
 Hazard chatter() {
   Hazard found;
-  Figure figure{"projection_chatter", {}};
+  Figure& figure = found.figures.emplace_back(Figure{"projection_chatter", {}});
   constexpr double speed = 0.005;
   const std::vector<double> asked = dragged(speed, false);
   const std::vector<double> ours = dragged(speed, true);
@@ -205,7 +204,6 @@ Hazard chatter() {
   }
   found.findings.push_back({"μ_s > μ_d, stick–slip of a mass", "static limit in every step",
                             "relative error of the period (20 to 200 mm/s)", asked_error, our_error});
-  found.figures.push_back(std::move(figure));
   return found;
 }
 
@@ -230,7 +228,7 @@ Hazard collapsing_load() {
     scaled_force = 5.0 * per_newton.update(1e-5 * i, mu);
   }
   // Drawn from the tenth sample before it to the tenth after it.
-  Figure figure{"projection_collapse", {}};
+  Figure& figure = found.figures.emplace_back(Figure{"projection_collapse", {}});
   const auto draw = [&](double sample, double load, double ours) {
     figure.rows.push_back({"force", "limit", sample, mu * load});
     figure.rows.push_back({"force", "bristles of a fixed stiffness", sample, bristle_force});
@@ -253,7 +251,6 @@ Hazard collapsing_load() {
     scaled_force = 0.005 * per_newton.update(0.01, mu);
     draw(i, 0.005, finger.update(contact(0.01, 0.005), 0.0).force.norm());
   }
-  found.figures.push_back(std::move(figure));
   return found;
 }
 

@@ -102,7 +102,7 @@ void draw_samples(Figure& figure, FingerParameters with) {
 
 Hazard rates_and_jitter() {
   Hazard found;
-  Figure figure{"reality_rates", {}};
+  Figure& figure = found.figures.emplace_back(Figure{"reality_rates", {}});
   constexpr double jitter = 0.3;
   const auto largest = [&](double rate) {
     SoftFinger finger = made_of(parameters());
@@ -137,13 +137,12 @@ Hazard rates_and_jitter() {
                             ours});
   found.findings.push_back(
       {"rates with jitter of 30 %", "bristles (Dahl, LuGre), explicit", "the same at 200 Hz", largest(200.0).first, ours});
-  found.figures.push_back(std::move(figure));
   return found;
 }
 
 Hazard clocks() {
   Hazard found;
-  Figure figure{"reality_clock", {}};
+  Figure& figure = found.figures.emplace_back(Figure{"reality_clock", {}});
   constexpr double damping = 5.0;
   constexpr double speed = 0.05;
   constexpr double tick = 1e-3;
@@ -186,13 +185,12 @@ Hazard clocks() {
     found.findings.push_back({std::string("a clock that ") + what, "damper with the reported time step", "load of that sample / k_l d",
                               customary / right, ours / right});
   }
-  found.figures.push_back(std::move(figure));
   return found;
 }
 
 Hazard bad_samples() {
   Hazard found;
-  Figure figure{"reality_samples", {}};
+  Figure& figure = found.figures.emplace_back(Figure{"reality_samples", {}});
   FingerParameters with = parameters();
   with.max_displacement = 0.01;
   with.fault_decay = 0.99;
@@ -227,15 +225,14 @@ Hazard bad_samples() {
   for (int i = 0; i < 1000; ++i) finger.update(at(nothing), 0.0);
   found.findings.push_back({"samples that stop", "the last force held", "load after a second / before (1 kHz; ours: fault_decay 0.99)", 1.0,
                             finger.output().load / last});
-  found.figures.push_back(std::move(figure));
   return found;
 }
 
 Hazard plate_between_samples() {
   const Vector3d half{0.03, 0.02, 0.0005};
   const BoxSurface box(half);
-  Figure figure{"reality_plate", {}};
   Hazard found;
+  Figure& figure = found.figures.emplace_back(Figure{"reality_plate", {}});
   // A fall at 0.4 m/s, sampled at 1 kHz, with lost samples; the first sample after them.
   constexpr double way = 0.4e-3;
   for (int lost = 0; lost <= 20; ++lost) {
@@ -254,7 +251,6 @@ Hazard plate_between_samples() {
     found.findings.push_back({"lost samples at a thin plate", "inside test at each sample",
                               "load / k_l d on the entry side (ten samples lost)", customary, ours});
   }
-  found.figures.push_back(std::move(figure));
   return found;
 }
 
@@ -271,7 +267,7 @@ Hazard frozen_device() {
     bristles.update(0.25e-4 * i, limit);
   }
   const Vector3d proxy = finger.output().proxy;
-  Figure figure{"reality_frozen", {}};
+  Figure& figure = found.figures.emplace_back(Figure{"reality_frozen", {}});
   const auto draw = [&](double sample, double of_bristles, double of_finger) {
     figure.rows.push_back({"force", "bristles", sample, of_bristles / limit});
     figure.rows.push_back({"force", "limitcurve", sample, of_finger / limit});
@@ -291,7 +287,6 @@ Hazard frozen_device() {
   }
   found.findings.push_back({"a device that freezes and continues 2 cm away", "bristles (Dahl, LuGre), explicit",
                             "largest friction / limit after it", customary, ours + creep});
-  found.figures.push_back(std::move(figure));
   return found;
 }
 

@@ -113,7 +113,7 @@ double in_steps(double x, double step) {
 
 Hazard delayed_forces() {
   Hazard found;
-  Figure figure{"time_delay", {}};
+  Figure& figure = found.figures.emplace_back(Figure{"time_delay", {}});
   constexpr double stiffness = 1000.0;
   for (const int delay : {0, 1, 2}) {
     const std::string late = delay == 0 ? "no delay" : delay == 1 ? "one sample late" : "two samples late";
@@ -128,13 +128,12 @@ Hazard delayed_forces() {
                               Device{.damping = customary, .delay = delay}.growth(stiffness),
                               Device{.damping = ours, .delay = delay}.growth(stiffness)});
   }
-  found.figures.push_back(std::move(figure));
   return found;
 }
 
 Hazard sampled_contact() {
   Hazard found;
-  Figure figure{"time_passivity", {}};
+  Figure& figure = found.figures.emplace_back(Figure{"time_passivity", {}});
   double off = 0.0;
   double most_given = 0.0;
   double our_given = 0.0;
@@ -157,13 +156,12 @@ Hazard sampled_contact() {
                             "energy drawn by an oscillation / dissipation of the required damping (≤ 0: none)", most_given, our_given});
   found.findings.push_back({"sampled contact, any hand", "b taken as sufficient damping",
                             "error of the sufficient damping, k 10 to 1e4 N/m, b 0 to 10 N s/m, 100 Hz to 10 kHz", 1.0, off});
-  found.figures.push_back(std::move(figure));
   return found;
 }
 
 Hazard encoder_steps() {
   Hazard found;
-  Figure figure{"time_encoder", {}};
+  Figure& figure = found.figures.emplace_back(Figure{"time_encoder", {}});
   constexpr double mu = 0.5;
   constexpr double stiffness = 1000.0;
   constexpr double damping = 5.0;
@@ -212,7 +210,6 @@ Hazard encoder_steps() {
   }
   found.findings.push_back({"encoder steps of 10 µm, at rest", "bristles (Dahl, LuGre)", "creep at half the limit / deflection (1e4 steps)",
                             (at_first - stretch) / at_first, creep / at_first});
-  found.figures.push_back(std::move(figure));
   return found;
 }
 

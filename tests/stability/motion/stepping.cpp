@@ -140,7 +140,7 @@ Hazard light_body() {
 
 Hazard stiffness_and_damping() {
   Hazard found;
-  Figure figure{"time_map", {}};
+  Figure& figure = found.figures.emplace_back(Figure{"time_map", {}});
   const std::vector<double> stiffnesses = in_ratios(1e-2, 1e3, 41);
   const std::vector<double> dampings = evenly(0.0, 2.0, 21);
   std::array<double, 3> lost{};
@@ -175,13 +175,12 @@ Hazard stiffness_and_damping() {
     found.findings.push_back({"stiff fingers, light body", std::string(names[i]) + ", any damping",
                               "share of the map 0.01 ≤ kΔt²/m ≤ 1000, ζ ≤ 2 that gains energy", lost[i], lost[2]});
   }
-  found.figures.push_back(std::move(figure));
   return found;
 }
 
 Hazard block_of_ten_grams() {
   Hazard found;
-  Figure figure{"time_block", {}};
+  Figure& figure = found.figures.emplace_back(Figure{"time_block", {}});
   for (std::size_t i = 0; i < integrators.size(); ++i) {
     const Held block = held(integrators[i], 2000.0, 0.12);
     for (std::size_t j = 0; j < block.heights.size(); ++j) {
@@ -195,14 +194,13 @@ Hazard block_of_ten_grams() {
          held(integrators[integrator], stiffness, 5.0).fallen / (0.01 * 9.81 / (2.0 * stiffness)),
          held(Integrator::implicit_euler, stiffness, 5.0).fallen / (0.01 * 9.81 / (2.0 * stiffness))});
   }
-  found.figures.push_back(std::move(figure));
   return found;
 }
 
 Hazard released_grip() {
   Hazard found;
   std::array<double, 3> gain{};
-  Figure figure{"time_release", {}};
+  Figure& figure = found.figures.emplace_back(Figure{"time_release", {}});
   for (std::size_t i = 0; i < integrators.size(); ++i) {
     const Eigen::Vector3d edges{0.03, 0.03, 0.02};
     BodyParameters body = BodyParameters::block(0.01, edges);
@@ -230,7 +228,6 @@ Hazard released_grip() {
   }
   found.findings.push_back(
       {"grip released in one step", "explicit Euler, undamped", "energy gained in the next 0.2 s / energy before", gain[0], gain[2]});
-  found.figures.push_back(std::move(figure));
   return found;
 }
 

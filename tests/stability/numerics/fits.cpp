@@ -33,7 +33,7 @@ double quantile(std::vector<double> numbers, double share) {
 
 Hazard cor_near_the_axes() {
   Hazard found;
-  Figure figure{"fits_cor", {}};
+  Figure& figure = found.figures.emplace_back(Figure{"fits_cor", {}});
   struct Model {
     std::string name;
     std::function<SlipTwist(UnitWrench)> normal;
@@ -69,13 +69,12 @@ Hazard cor_near_the_axes() {
                               "factor to the true COR minus 1 (flat punch, 1e-3 ≤ s ≤ 1e3; ours: table of 1e-8)", models[i].worst,
                               models.back().worst});
   }
-  found.figures.push_back(std::move(figure));
   return found;
 }
 
 Hazard dying_tails() {
   Hazard found;
-  Figure figure{"fits_tails", {}};
+  Figure& figure = found.figures.emplace_back(Figure{"fits_tails", {}});
   constexpr double last = 5.0;
   const customary::GaussianSum moment([](double s) { return static_cast<double>(exact_hertz(s).moment); }, last);
   const customary::GaussianSum lack_of_force([](double s) { return 1.0 - static_cast<double>(exact_hertz(s).force); }, last);
@@ -116,13 +115,12 @@ Hazard dying_tails() {
   found.findings.push_back({"vanishing tails", method, "error of m in the fitted range (Hertz; ours: table of 1e-4)", within, ours_within});
   found.findings.push_back({"vanishing tails", method, "relative error of m at s = 20", of_sums(far).moment, of_table(far).moment});
   found.findings.push_back({"vanishing tails", method, "relative error of the COR implied at s = 20", of_sums(far).cor, of_table(far).cor});
-  found.figures.push_back(std::move(figure));
   return found;
 }
 
 Hazard shape_and_radius() {
   Hazard found;
-  Figure figure{"fits_shape", {}};
+  Figure& figure = found.figures.emplace_back(Figure{"fits_shape", {}});
   using fit::synthetic::Random;
   constexpr double mu = 0.8;
   constexpr double radius = 0.005;
@@ -173,7 +171,6 @@ Hazard shape_and_radius() {
   found.findings.push_back({"shape and radius not identifiable", "Hertz assumed for a uniform pressure (ours: n free)",
                             "error of the radius in standard errors stated" + data, quantile(assumed_in_errors, 0.95),
                             quantile(free_in_errors, 0.95)});
-  found.figures.push_back(std::move(figure));
   return found;
 }
 

@@ -83,7 +83,7 @@ double or_nothing(const Call& call) {
 Hazard centre_under_the_finger() {
   Hazard found;
   const Law law = hertz();
-  Figure figure{"quadrature_rim", {}};
+  Figure& figure = found.figures.emplace_back(Figure{"quadrature_rim", {}});
   double tanh_sinh_worst = 0.0;
   double gauss_worst = 0.0;
   double ours_worst = 0.0;
@@ -126,7 +126,6 @@ Hazard centre_under_the_finger() {
   found.findings.push_back({"COR under the finger", "the same, its error estimate", "error / error stated", unstated, ours_unstated});
   found.findings.push_back({"COR under the finger", "Gauss, 30 points over the whole radius",
                             "relative error of f (Hertz, at the CORs of the figure)", gauss_worst, ours_worst});
-  found.figures.push_back(std::move(figure));
   return found;
 }
 
@@ -156,7 +155,7 @@ Hazard adaptive_subdivision() {
   found.findings.push_back({"COR under the finger", "adaptive Gauss–Kronrod, 15 points",
                             "relative error of f at a requested 1e-14 (parabolic, at the CORs of the figure)", worst, ours_worst});
   // Error against evaluations, each the largest over the same CORs.
-  Figure figure{"quadrature_adaptive", {}};
+  Figure& figure = found.figures.emplace_back(Figure{"quadrature_adaptive", {}});
   const auto add = [&](const char* series, const long& count, const std::function<double(double)>& force) {
     long most = 0;
     double error = 0.0;
@@ -172,14 +171,13 @@ Hazard adaptive_subdivision() {
         [&](double s) { return customary::adaptive_gauss_kronrod(customary::force_integrand(density, s), accuracy); });
   }
   add("limitcurve", our_evaluations, [&](double s) { return our_force(counting, s); });
-  found.figures.push_back(std::move(figure));
   return found;
 }
 
 // The usual rules split at s, and avoid the one point where the pressure is infinite.
 Hazard singular_rim() {
   Hazard found;
-  Figure figure{"quadrature_singular", {}};
+  Figure& figure = found.figures.emplace_back(Figure{"quadrature_singular", {}});
   const auto errors = [](double n, double s) {
     const Exact truth = exact_power(n, s).force;
     const customary::Function density = [n](double rho) { return rho < 1.0 ? (n + 1.0) * std::pow(1.0 - rho * rho, n) : 0.0; };
@@ -207,7 +205,6 @@ Hazard singular_rim() {
     found.findings.push_back({"pressure infinite at the rim", "Boost's tanh-sinh, split at s", quantity, worst[0], worst[2]});
     if (n == -0.5) found.findings.push_back({"pressure infinite at the rim", "Gauss, 30 points, split at s", quantity, worst[1], worst[2]});
   }
-  found.figures.push_back(std::move(figure));
   return found;
 }
 
@@ -229,7 +226,7 @@ Hazard kinks_of_a_profile() {
   breaks.insert(breaks.end(), radii.begin(), radii.end());
   const test::FunctionLaw told("kinks", pressure, breaks);
   const test::FunctionLaw untold("kinks", pressure, {0, 1});
-  Figure figure{"quadrature_kinks", {}};
+  Figure& figure = found.figures.emplace_back(Figure{"quadrature_kinks", {}});
   std::array<double, 3> worst{};
   double unstated = 0.0;
   double ours_unstated = 0.0;
@@ -257,7 +254,6 @@ Hazard kinks_of_a_profile() {
   found.findings.push_back({"kinks of a measured profile", "the same, its error estimate", "error / error stated (ours also if not told)",
                             unstated, ours_unstated});
   found.findings.push_back({"kinks of a measured profile", "Gauss, 30 points, split at s", quantity, worst[1], ours});
-  found.figures.push_back(std::move(figure));
   return found;
 }
 
@@ -265,7 +261,7 @@ Hazard kinks_of_a_profile() {
 // k = 2√(ρs)/(ρ+s), with complement δ², δ = |ρ−s|/(ρ+s). A quadrature graded to ρ = s goes down to δ = 1e-300.
 Hazard vanishing_complement() {
   Hazard found;
-  Figure figure{"quadrature_complement", {}};
+  Figure& figure = found.figures.emplace_back(Figure{"quadrature_complement", {}});
   std::array<double, 3> breaks_down{};
   constexpr std::array series{"modulus rounded", "complement squared", "limitcurve"};
   for (const double delta : in_ratios(1e-300, 0.5, 120)) {
@@ -285,7 +281,6 @@ Hazard vanishing_complement() {
   const std::string quantity = "least relative distance of ρ and s at which K is right to 1e-12";
   found.findings.push_back({"complement of the modulus vanishes", "Boost's K of the modulus k", quantity, breaks_down[0], breaks_down[2]});
   found.findings.push_back({"complement of the modulus vanishes", "R_F of the squared distance", quantity, breaks_down[1], breaks_down[2]});
-  found.figures.push_back(std::move(figure));
   return found;
 }
 

@@ -159,7 +159,7 @@ void draw_power(Figure& figure, const Polyline& curve, const Polyline& ours, dou
 
 Hazard even_spacing() {
   Hazard found;
-  Figure figure{"tables_spacing", {}};
+  Figure& figure = found.figures.emplace_back(Figure{"tables_spacing", {}});
   const Law law = flat_punch();
   constexpr double last = 3.0;
   const auto places = flat_punch_around_the_rim(last);
@@ -207,13 +207,12 @@ Hazard even_spacing() {
                             "largest error of f and m (flat punch, as many numbers as our table of 1e-8)", even_error(nodes), ours});
   found.findings.push_back(
       {"even spacing across the rim", "the same with 1000 nodes", "largest error of f and m (flat punch)", even_error(1000), ours});
-  found.figures.push_back(std::move(figure));
   return found;
 }
 
 Hazard beyond_the_last_node() {
   Hazard found;
-  Figure figure{"tables_extrapolation", {}};
+  Figure& figure = found.figures.emplace_back(Figure{"tables_extrapolation", {}});
   const Law law = hertz();
   constexpr double last = 5.0;
   constexpr int nodes = 64;
@@ -241,13 +240,12 @@ Hazard beyond_the_last_node() {
   }
   found.findings.push_back({"COR beyond the last node", "last value held", "moment of a pure slide / largest moment (must be 0)",
                             even.wrench(last).moment / moments.front(), table.wrench({1.0, 0.0}).moment / table.moment_ratio()});
-  found.figures.push_back(std::move(figure));
   return found;
 }
 
 Hazard false_equilibria() {
   Hazard found;
-  Figure figure{"tables_equilibria", {}};
+  Figure& figure = found.figures.emplace_back(Figure{"tables_equilibria", {}});
   const Law law = hertz();
   const Polyline ours = tabulated(Table::build(law, 1e-4));
   Rests worst;
@@ -272,7 +270,6 @@ Hazard false_equilibria() {
                             static_cast<double>(our_worst.most)});
   found.findings.push_back(
       {"interpolant not convex", method, "distance between two of them in (f, m)", worst.distance, our_worst.distance});
-  found.figures.push_back(std::move(figure));
   return found;
 }
 

@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <utility>
 
 namespace limitcurve::stability {
 
@@ -66,7 +65,7 @@ class CustomaryTwist {
 
 Hazard half_a_turn() {
   Hazard found;
-  Figure figure{"turns_half", {}};
+  Figure& figure = found.figures.emplace_back(Figure{"turns_half", {}});
   // A stiff and a soft spring: the one slips after a tenth of a radian, the other after four.
   for (const double largest_lag : {0.1, 4.0}) {
     const Twisting twisting{Twisting::limit / largest_lag};
@@ -101,13 +100,12 @@ Hazard half_a_turn() {
     if (largest_lag < std::numbers::pi) continue;
     found.findings.push_back({"twist passes ±π", "difference wrapped into ±π", quantity, worst_wrapping, worst_ours});
   }
-  found.figures.push_back(std::move(figure));
   return found;
 }
 
 Hazard ten_thousand_turns() {
   Hazard found;
-  Figure figure{"turns_many", {}};
+  Figure& figure = found.figures.emplace_back(Figure{"turns_many", {}});
   constexpr long turns = 10000;
   constexpr long steps_a_turn = 100;
   auto finger = Twisting{0.02}.finger();
@@ -139,7 +137,6 @@ Hazard ten_thousand_turns() {
   const std::string quantity = "error of the angle [rad] (100 steps a turn)";
   found.findings.push_back({"10⁴ turns", "steps summed in float", quantity, error(static_cast<double>(single), end), ours});
   found.findings.push_back({"10⁴ turns", "steps summed in double", quantity, error(summed, end), ours});
-  found.figures.push_back(std::move(figure));
   return found;
 }
 
