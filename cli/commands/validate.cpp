@@ -150,8 +150,7 @@ class Validate final : public Subcommand {
                error.max_under_estimate, has_cor ? std::optional(error.max_cor_error) : std::nullopt);
     };
     for (const std::string& text : patches_) {
-      const Patch patch = read_patch(text, results.messages);
-      warn_of_patch(*results.messages, text, patch);
+      const Patch patch = read_patch(text, *results.messages);
       row(text, [&](const Point& point, CurveError&) { return load_to_hold(patch, limit, point.wrench); });
     }
     for (const Law& law : laws_) {

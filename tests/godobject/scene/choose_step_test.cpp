@@ -285,8 +285,8 @@ TEST(ChooseStep, RefusesWhatMeansNothing) {
     refuses([=](Scene& s) { s.slide_speed = bad; });
     refuses([=](Scene& s) { s.twist_rate = bad; });
   }
-  for (auto* const slide : {&Scene::slide_speed, &Scene::slide}) {
-    for (auto* const twist : {&Scene::twist_rate, &Scene::twist}) refuses([=](Scene& s) { s.*slide = s.*twist = 0.0; });
+  for (const auto slide : {&Scene::slide_speed, &Scene::slide}) {
+    for (const auto twist : {&Scene::twist_rate, &Scene::twist}) refuses([=](Scene& s) { s.*slide = s.*twist = 0.0; });
   }
   refuses([=](Scene& s) { s.twist = nan; });
 }
