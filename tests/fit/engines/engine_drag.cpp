@@ -13,7 +13,7 @@ int main() {
   using namespace limitcurve;
   using namespace limitcurve::fit::engines;
   std::puts("engine,version,model,c,force,moment,exact_force,exact_moment");
-  const fit::EngineContact contact = translated("ode", "box");
+  const fit::EngineContact contact = translated();
   const Law exact = law();
   const double moment_ratio = exact->moment_ratio();
   constexpr int steps = 16;

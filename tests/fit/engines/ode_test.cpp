@@ -10,7 +10,7 @@ namespace limitcurve::fit::engines {
 namespace {
 
 TEST(Ode, IsABoxWithTheExactLimits) {
-  const EngineContact contact = translated("ode", "box");
+  const EngineContact contact = translated();
   const double moment_ratio = law()->moment_ratio();
   const Box expected = box(1.0, moment_ratio);
   for (const SlipTwist twist : twists) {
