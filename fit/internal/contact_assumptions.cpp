@@ -9,6 +9,7 @@
 #include <boost/math/distributions/fisher_f.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <stdexcept>
@@ -50,7 +51,7 @@ void check_assumptions(ContactFit& fit, std::span<const Sample> samples, const C
   if (!options.fit_gamma) warn_of_growth(fit.report, options.gamma, gamma, spare, rms);
 }
 
-void test_scatter(ContactFit& fit, std::span<const Sample> samples, double gamma, bool widen) {
+void test_scatter(ContactFit& fit, std::span<const Sample> samples, double gamma) {
   constexpr Eigen::Index waves = 4;
   FitReport& report = fit.report;
   const double mu = report.estimates[0].value;
@@ -85,28 +86,28 @@ void test_scatter(ContactFit& fit, std::span<const Sample> samples, double gamma
   const auto freedom = static_cast<double>(waves - fitted);
   const double ratio = (residuals.squaredNorm() - after) / freedom / (after / spare);
   const double chance = boost::math::cdf(boost::math::complement(boost::math::fisher_f(freedom, spare), std::max(ratio, 0.0)));
-  if (!(chance < 0.01)) return;
+  if (!(chance < 0.05)) return;
   const double at_slide = trend.sum();
   const double at_twist = trend[0] - trend[1] + trend[2] - trend[3];
-  for (Estimate& estimate : report.estimates) {
-    if (!widen) break;
-    const bool of_both = estimate.name == "ratio" || estimate.name == "radius" || estimate.name == "c";
-    if (estimate.name != "mu" && estimate.name != "mu_r" && !of_both) continue;
-    const double off = estimate.name == "mu" ? at_slide : estimate.name == "mu_r" ? at_twist : at_twist - at_slide;
+  const std::array<double, 2> off_limits{at_slide, at_twist};
+  for (std::size_t j = 0; j < report.estimates.size(); ++j) {
+    Estimate& estimate = report.estimates[j];
+    if (j > 1 && estimate.name != "ratio" && estimate.name != "radius" && estimate.name != "c") continue;
+    const double off = j > 1 ? at_twist - at_slide : off_limits.at(j);
     estimate.std_error = std::hypot(estimate.std_error, off * estimate.value);
   }
-  if (chance < 1.0 / 2000.0) {
-    report.warnings.push_back("the samples do not scatter evenly about the curve of " + fit.model + ": mu may be off by " +
-                              format_number(100.0 * std::fabs(at_slide), 3) + " %, mu_r by " +
-                              format_number(100.0 * std::fabs(at_twist), 3) +
-                              (widen ? " %, which the standard errors include" : " %, which the standard errors leave out") +
-                              ". Another pressure law, or a wrong zero of the sensor?");
+  if (chance < 0.002) {
+    report.warnings.push_back("the samples do not scatter evenly about the curve of " + fit.model + ": " + report.estimates[0].name +
+                              " may be off by " + format_number(100.0 * std::fabs(at_slide), 3) + " %, " + report.estimates[1].name +
+                              " by " + format_number(100.0 * std::fabs(at_twist), 3) +
+                              " %, which the standard errors include. Another pressure law, or a wrong zero of the sensor?");
   }
 }
 
-std::string note_of(const std::string& model, const ContactFitOptions& options, bool with_sigma) {
+std::string note_of(const std::string& model, const ContactFitOptions& options, std::size_t spare, bool with_sigma) {
   return model + "; gamma " + (options.fit_gamma ? std::string("fitted") : "= " + format_number(options.gamma) + " assumed") + "; " +
-         to_string(options.loss.kind) + " loss" + (with_sigma ? "" : "; errors proportional to the load assumed");
+         to_string(options.loss.kind) + " loss" + (with_sigma ? "" : "; errors proportional to the load assumed") +
+         (with_sigma && options.loss.kind == Loss::Kind::squared ? "" : note_of_few_rows(spare));
 }
 
 }  // namespace limitcurve::fit::internal
