@@ -69,7 +69,9 @@ void refuse_one_centre(const internal::ContactResiduals::Ray& ray, const Solutio
   const auto count = static_cast<double>(ray.distances.size());
   const double size = robust ? 1.4826 * median_size(ray.distances) : internal::root_mean_square(ray.distances);
   const double unknown = 1.0 / (count - 1.0) + (with_sigma ? 0.0 : 1.0 / (count - static_cast<double>(solution.values.size())));
-  const double least = std::max(2.0, 1.0 + 3.0 * std::sqrt(2.0 * unknown));
+  // Without sigmas the limits, which such samples do not tell, are the unit of both errors: noise may seem unequal, but not correlated.
+  const bool spreads = with_sigma || ray.correlation * std::sqrt(count - 1.0) < -3.0;
+  const double least = spreads ? std::max(2.0, 1.0 + 3.0 * std::sqrt(2.0 * unknown)) : 10.0;
   if (!(size * size < least * noise)) return;
   throw std::invalid_argument(
       "not identifiable from these samples: mu, mu_r (all slips turn about one centre of rotation, as far as their "

@@ -79,26 +79,44 @@ void ContactResiduals::expect_drift(std::span<const double> parameters, double v
 }
 
 ContactResiduals::Ray ContactResiduals::common_ray(std::span<const double> parameters) const {
-  Ray ray{0.0, 0.0, std::vector<double>(samples_.size())};
-  const auto squares = [&](double angle) {
+  const double gamma = layout_.gamma ? parameters[layout_.gamma_place()] : layout_.fixed_gamma;
+  const auto count = static_cast<double>(samples_.size());
+  const auto per_load = [&](const WeightedSample& sample) {
+    return PlanePoint{sample.force / sample.load_force, sample.moment / (sample.load_moment * std::exp(gamma * sample.log_load))};
+  };
+  PlanePoint mean{0.0, 0.0};
+  for (const WeightedSample& sample : samples_) {
+    mean.x += per_load(sample).x / count;
+    mean.y += per_load(sample).y / count;
+  }
+  Ray ray{0.0, 0.0, 0.0, std::vector<double>(samples_.size())};
+  PlanePoint squares{0.0, 0.0};
+  for (const WeightedSample& sample : samples_) {
+    const PlanePoint off{per_load(sample).x - mean.x, per_load(sample).y - mean.y};
+    squares.x += off.x * off.x;
+    squares.y += off.y * off.y;
+    ray.correlation += off.x * off.y;
+  }
+  ray.correlation /= std::sqrt(squares.x * squares.y);
+  const auto at = [&](double angle) {
     double sum = 0.0;
     double known = 0.0;
     for (std::size_t i = 0; i < samples_.size(); ++i) {
-      const PlanePoint scale = scale_of(samples_[i], parameters);
-      const double x = std::cos(angle) * scale.x;
-      const double y = std::sin(angle) * scale.y;
+      const WeightedSample& sample = samples_[i];
+      const double x = std::cos(angle) * mean.x * sample.load_force;
+      const double y = std::sin(angle) * mean.y * sample.load_moment * std::exp(gamma * sample.log_load);
       const double length = std::hypot(x, y);
-      ray.distances[i] = (samples_[i].moment * x - samples_[i].force * y) / length;
+      ray.distances[i] = (sample.moment * x - sample.force * y) / length;
       sum += ray.distances[i] * ray.distances[i];
-      known += std::pow((samples_[i].force * x + samples_[i].moment * y) * x * y / (length * length * length), 2);
+      known += std::pow((sample.force * x + sample.moment * y) * x * y / (length * length * length), 2);
     }
-    ray.ratio = std::exp(parameters[1] - parameters[0]) * std::tan(angle);
+    ray.ratio = mean.y / mean.x * std::tan(angle);
     ray.relative_error = 1.0 / std::sqrt(known);
     return sum;
   };
   constexpr double quarter_turn = 1.5707963267948966;
   constexpr int bits = 26;
-  squares(boost::math::tools::brent_find_minima(squares, 0.0, quarter_turn, bits).first);
+  at(boost::math::tools::brent_find_minima(at, 0.0, quarter_turn, bits).first);
   return ray;
 }
 

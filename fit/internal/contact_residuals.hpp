@@ -41,10 +41,11 @@ class ContactResiduals final : public ResidualModel {
   /// From now on subtracts from each residual its mean at its closest point for `parameters`: that of errors of ±σ along the tangent.
   void expect_drift(std::span<const double> parameters, double variance);
 
-  /// The ray through the origin on which slips about one centre of rotation lie, where they fit it best: M/F = ratio·P (P/P₀)^γ/P.
+  /// The ray through the origin on which slips about one centre of rotation lie, where it fits best.
   struct Ray {
-    double ratio;           ///< [m] of the parameters' units, at the reference load
+    double ratio;           ///< moment/force [m] at the reference load
     double relative_error;  ///< of the ratio, for residuals of variance 1
+    double correlation;     ///< of moment/load with force/load: negative where slips spread along the curve
     std::vector<double> distances;
   };
   [[nodiscard]] Ray common_ray(std::span<const double> parameters) const;
