@@ -2,7 +2,6 @@
 #include "fit/contact_fit.hpp"
 
 #include "fit/internal/contact_assumptions.hpp"
-#include "fit/internal/contact_correction.hpp"
 #include "fit/internal/contact_preparation.hpp"
 #include "fit/internal/report.hpp"
 #include "fit/internal/warnings.hpp"
@@ -57,11 +56,28 @@ void warn_of_scatter(FitReport& report, const Solution& solution, const Loss& lo
   if (!with_sigma || report.residuals <= report.free_parameters) return;
   const double scatter =
       loss.kind != Loss::Kind::squared ? 1.4826 * median_size(solution.residuals) : std::sqrt(internal::residual_variance(solution));
-  report.scatter_refused = scatter > 1.0 + 3.0 / std::sqrt(count);
-  if (report.scatter_refused) {
-    report.warnings.push_back("the scatter is " + format_number(scatter, 3) +
-                              " times what the sigmas say: outliers, the wrong model, or sigmas that are too small");
-  }
+  const bool large = scatter > 1.0 + 3.0 / std::sqrt(count);
+  report.scatter_refused = large;
+  if (!large && !(scatter < 1.0 - 3.0 / std::sqrt(count))) return;
+  report.warnings.push_back("the scatter is " + format_number(scatter, 3) + " times what the sigmas say: " +
+                            (large ? "outliers, the wrong model, or sigmas that are too small"
+                                   : "are they of one reading? The standard errors are as much too large"));
+}
+
+/// Throws if the samples are all about one centre of rotation, for all their noise says: then they tell a single point of the curve, and a
+/// spread along it that is noise would be taken for that of slips.
+void refuse_one_centre(const internal::ContactResiduals::Ray& ray, const Solution& solution, double noise, bool with_sigma, bool robust) {
+  const auto count = static_cast<double>(ray.distances.size());
+  const double size = robust ? 1.4826 * median_size(ray.distances) : internal::root_mean_square(ray.distances);
+  const double unknown = 1.0 / (count - 1.0) + (with_sigma ? 0.0 : 1.0 / (count - static_cast<double>(solution.values.size())));
+  // Without sigmas the limits, which such samples do not tell, are the unit of both errors: noise may seem unequal, but not correlated.
+  const bool spreads = with_sigma || ray.correlation * std::sqrt(count - 1.0) < -3.0;
+  const double least = spreads ? std::max(2.0, 1.0 + 3.0 * std::sqrt(2.0 * unknown)) : 10.0;
+  if (!(size * size < least * noise)) return;
+  throw std::invalid_argument(
+      "not identifiable from these samples: mu, mu_r (all slips turn about one centre of rotation, as far as their "
+      "noise tells, expected several centres); what they tell is moment/force = " +
+      format_number(ray.ratio, 4) + " +- " + format_number(ray.ratio * ray.relative_error * std::sqrt(noise), 2) + " m");
 }
 
 /// The fitted curve and its band: with q the curve's point in the normalised plane and N its normal, the standard error of q·N is that of
@@ -119,7 +135,8 @@ ContactFit internal::fit_prepared(const ContactPreparation& preparation, const C
   Solution solution = internal::minimise(residuals, parameters, loss, first_tolerance);
   // Second pass, with the drift from the estimated scatter (the sigmas may overstate it).
   const double scatter = robust ? std::pow(1.4826 * median_size(solution.residuals), 2) : internal::residual_variance(solution);
-  residuals.expect_drift(solution.values, preparation.with_sigma ? std::min(scatter, 1.0) : scatter);
+  const double noise = preparation.with_sigma ? std::min(scatter, 1.0) : scatter;
+  residuals.expect_drift(solution.values, noise);
   for (std::size_t j = 0; j < free; ++j) parameters[j].start = solution.values[j];
   const int iterations = solution.iterations;
   // The minimiser is slow along a bound: fix a shape that lies on one, unless the samples then move it inside.
@@ -135,7 +152,8 @@ ContactFit internal::fit_prepared(const ContactPreparation& preparation, const C
   if (!held) solution = internal::minimise(residuals, parameters, loss);
   solution.iterations += iterations;
   const double variance = preparation.with_sigma ? 1.0 : internal::residual_variance(solution);
-  std::vector<double> covariance = internal::covariance(solution, parameters, loss, variance);
+  refuse_one_centre(residuals.common_ray(solution.values), solution, noise, preparation.with_sigma, robust);
+  const std::vector<double> covariance = internal::covariance(solution, parameters, loss, variance);
   for (std::size_t j = 0; j < 2; ++j) {
     const double relative_error = std::sqrt(covariance[j * free + j]);
     if (!(relative_error < 0.5)) {
@@ -149,7 +167,7 @@ ContactFit internal::fit_prepared(const ContactPreparation& preparation, const C
     for (double& residual : fit.residuals) residual /= std::sqrt(variance);
   }
   internal::describe(fit.report, solution);
-  fit.report.note = internal::note_of(fit.model, options, preparation.with_sigma);
+  fit.report.note = internal::note_of(fit.model, options, count - free, preparation.with_sigma);
   fit.report.rms *= preparation.noise;
   fit.report.aic = internal::akaike(internal::cost_of(solution, options.loss), count, free, preparation.with_sigma || robust);
 
@@ -169,42 +187,27 @@ ContactFit internal::fit_prepared(const ContactPreparation& preparation, const C
   const std::string metre = grows ? "m/N^gamma" : "m";
   const double mu = std::exp(solution.values[0]);
   const double mu_r = std::exp(solution.values[1] - gamma * log_reference);
-  internal::Reported reported;
-  const auto add = [&](std::string name, double value, std::string unit, double scale, std::array<double, 4> slopes) {
-    reported.quantities.push_back({std::move(name), value, std::move(unit)});
-    reported.scales.push_back(scale);
-    reported.bends.push_back(0.0);
-    reported.jacobian.insert(reported.jacobian.end(), {slopes[0], slopes[1]});
-    if (layout.shape) reported.jacobian.push_back(slopes[2]);
-    if (layout.gamma) reported.jacobian.push_back(slopes[3]);
+  std::vector<internal::Quantity> quantities;
+  std::vector<double> jacobian;
+  const auto add = [&](std::string name, double value, std::string unit, std::array<double, 4> slopes) {
+    quantities.push_back({std::move(name), value, std::move(unit)});
+    jacobian.insert(jacobian.end(), {slopes[0], slopes[1]});
+    if (layout.shape) jacobian.push_back(slopes[2]);
+    if (layout.gamma) jacobian.push_back(slopes[3]);
   };
-  add(parameters[0].name, mu, "1", mu, {mu, 0.0, 0.0, 0.0});
-  add(parameters[1].name, mu_r, metre, mu_r, {0.0, mu_r, 0.0, -mu_r * log_reference});
+  add(parameters[0].name, mu, "1", {mu, 0.0, 0.0, 0.0});
+  add(parameters[1].name, mu_r, metre, {0.0, mu_r, 0.0, -mu_r * log_reference});
   if (is_exact(model)) {
     const double ratio = mu_r / mu;
-    add("ratio", ratio, metre, ratio, {-ratio, ratio, 0.0, -ratio * log_reference});
+    add("ratio", ratio, metre, {-ratio, ratio, 0.0, -ratio * log_reference});
     const double radius = ratio / curve->moment_ratio();
-    add(grows ? "c" : "radius", radius, metre, radius,
+    add(grows ? "c" : "radius", radius, metre,
         {-radius, radius, -radius * curve->moment_ratio_slope() / curve->moment_ratio(), -radius * log_reference});
-    if (layout.shape) reported.bends.back() = -0.5 * internal::log_moment_ratio_curvature(*curve, shape);
   }
-  if (layout.shape) {
-    const double slope = curve->parameter_slope(shape);
-    add(curve->shape_name(), curve->parameter(shape), "1", slope, {0.0, 0.0, slope, 0.0});
-  }
-  if (layout.gamma) add("gamma", gamma, "1", 0.0, {0.0, 0.0, 0.0, 1.0});
-  internal::set_estimates(fit.report, reported.quantities, reported.jacobian, covariance);
-  if (!at_bound && !hidden) {
-    internal::FittedContact fitted{residuals, solution, parameters, loss, variance};
-    if (layout.shape) fit.report.estimates[4].std_error = internal::mean_shape_error(fitted, covariance, *curve);
-    // As for the drift: use the estimated noise.
-    if (preparation.with_sigma && !robust) fitted.variance = std::min(scatter, 1.0);
-    internal::Stray stray = internal::stray_of(fitted);
-    if (layout.shape) stray = internal::expected_stray(fitted, stray);
-    internal::unbias(fit.report, reported, stray, layout.gamma ? layout.gamma_place() : free);
-    curve->bend(layout.shape ? shape - stray.bias[2] : 0.0);
-  }
-  fit.band = band_of(*curve, layout, covariance, fit.report.estimates[0].value, fit.report.estimates[1].value, log_reference);
+  if (layout.shape) add(curve->shape_name(), curve->parameter(shape), "1", {0.0, 0.0, curve->parameter_slope(shape), 0.0});
+  if (layout.gamma) add("gamma", gamma, "1", {0.0, 0.0, 0.0, 1.0});
+  internal::set_estimates(fit.report, quantities, jacobian, covariance);
+  fit.band = band_of(*curve, layout, covariance, mu, mu_r, log_reference);
   warn(fit.report, *curve, model, options);
   warn_of_scatter(fit.report, solution, options.loss, preparation.with_sigma);
 
@@ -243,7 +246,7 @@ ContactFit fit_contact(std::span<const Sample> samples, const ContactModel& mode
     const ContactPreparation preparation = internal::prepare(samples, with);
     ContactFit fit = internal::fit_prepared(preparation, model, with);
     internal::check_assumptions(fit, samples, model, with);
-    if (internal::is_exact(model)) internal::test_scatter(fit, samples, with.gamma, false);
+    internal::test_scatter(fit, samples, with.gamma);
     return fit;
   });
 }

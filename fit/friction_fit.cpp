@@ -134,6 +134,12 @@ FrictionFit fit_friction(const Patch& patch, std::span<const Push> pushes, doubl
                    {"mu_ellipsoid", of_ellipsoid.mean, of_ellipsoid.mean_error, unit},
                    {"drift_ellipsoid", of_ellipsoid.drift, of_ellipsoid.drift_error, "1"}},
                   suspicious_units(patch, pushes)};
+  for (Estimate& drift : fit.estimates) {
+    if (drift.unit != "1" || !(std::fabs(drift.value) > 1.0) || drift.name.find("drift") != 0) continue;
+    fit.warnings.push_back(drift.name + ": no estimate, for " + format_number(drift.value, 3) + " +- " + format_number(drift.std_error, 3) +
+                           " is more than mu itself: the shares of rotation hardly differ");
+    drift.value = drift.std_error = std::numeric_limits<double>::quiet_NaN();
+  }
   if (!against.empty()) {
     fit.warnings.insert(fit.warnings.begin(), internal::listed("push", "pushes", against) + " of " + std::to_string(found.size()) +
                                                   " (the first is 1): negative power, left out; did they slide?");

@@ -19,26 +19,6 @@ using internal::ContactPreparation;
 
 namespace {
 
-/// The standard errors of a chosen law include the choice: with Akaike's weights w ∝ exp(−AICc/2) (Buckland, Burnham & Augustin 1997,
-/// Biometrics 53:603–618), for each quantity of all candidates, se² = Σ w (se_i² + (value_i − value)²) about the value of the best.
-/// A candidate without a value for a quantity is left out.
-void include_choice(FitReport& report, const std::vector<ContactFit>& candidates) {
-  for (Estimate& estimate : report.estimates) {
-    double sum = 0.0;
-    double variance = 0.0;
-    for (const ContactFit& candidate : candidates) {
-      for (const Estimate& other : candidate.report.estimates) {
-        if (other.name != estimate.name || !std::isfinite(other.value) || !std::isfinite(other.std_error)) continue;
-        const double weight = std::exp(0.5 * (report.aic - candidate.report.aic));
-        sum += weight;
-        variance += weight * (std::pow(other.std_error, 2) + std::pow(other.value - estimate.value, 2));
-      }
-    }
-    const bool is_shape = estimate.name == "n" || estimate.name == "k";
-    if (!is_shape && std::isfinite(estimate.value) && sum > 0.0) estimate.std_error = std::sqrt(variance / sum);
-  }
-}
-
 LawSelection select_by(std::span<const Sample> samples, const ContactFitOptions& options) {
   const ContactPreparation preparation = internal::prepare(samples, options);
   LawSelection selection;
@@ -63,11 +43,11 @@ LawSelection select_by(std::span<const Sample> samples, const ContactFitOptions&
   for (const std::size_t i : order) selection.candidates.push_back(std::move(fits[i]));
   ContactFit& best = selection.candidates.front();
   internal::check_assumptions(best, samples, models.at(order.front()), options);
-  best.report.note =
-      internal::note_of(best.model + " (best of " + std::to_string(models.size()) + " laws by AICc; the errors include the choice)",
-                        options, preparation.with_sigma);
-  include_choice(best.report, selection.candidates);
-  internal::test_scatter(best, samples, options.gamma, true);
+  best.report.note = internal::note_of(
+      best.model + " (best of " + std::to_string(models.size()) + " laws by AICc; the errors include the choice, but for n and k)", options,
+      samples.size() - best.report.free_parameters, preparation.with_sigma);
+  internal::include_choice(best.report, selection.candidates);
+  internal::test_scatter(best, samples, options.gamma);
   std::string rivals;
   std::string ties;
   for (const ContactFit& candidate : selection.candidates) {

@@ -133,7 +133,7 @@ LoadFit fit_prepared(const Preparation& data, LoadModel model, const Loss& loss)
   LoadFit fit{model, {}};
   internal::describe(fit.report, solution);
   fit.report.note = std::string(to_string(model)) + "; gamma " + (fit_gamma ? "fitted" : "assumed") + "; " + to_string(loss.kind) +
-                    " loss" + (data.with_sigma ? "" : "; relative errors of one size assumed");
+                    " loss" + (data.with_sigma ? "" : "; relative errors of one size assumed" + internal::note_of_few_rows(count - free));
   fit.report.rms *= data.noise;
   fit.report.aic = internal::akaike(solution.cost, count, free, data.with_sigma || robust);
   // From the value at the reference load to that at 1 N, per newton for moments.
@@ -200,6 +200,8 @@ LoadSelection select_load(const LoadSamples& samples, const Loss& loss) {
   std::stable_sort(selection.candidates.begin(), selection.candidates.end(),
                    [](const LoadFit& a, const LoadFit& b) { return a.report.aic < b.report.aic; });
   LoadFit& best = selection.candidates.front();
+  internal::include_choice(best.report, selection.candidates);
+  best.report.note += "; best of 3 by AICc, the errors include the choice";
   check_assumptions(best, samples, loss);
   for (const LoadFit& candidate : selection.candidates) {
     const double difference = candidate.report.aic - best.report.aic;

@@ -31,7 +31,7 @@ struct LoadFit {
 LoadFit fit_load(const LoadSamples& samples, LoadModel model, const Loss& loss = {});
 
 /// The fits of the three models, best first by AICc; `aic_difference` in the same order. The report of the best warns of every model that
-/// the data cannot distinguish from it (difference below 2).
+/// the data cannot distinguish from it (difference below 2). Its standard errors include the choice, as those of `select_law` do.
 struct LoadSelection {
   std::vector<LoadFit> candidates;
   std::vector<double> aic_difference;

@@ -24,7 +24,9 @@ class Curve final : public Subcommand {
   void run(const Results& results) override {
     Rows rows(results, {"c", "force", "moment", "x", "y"});
     const double moment_ratio = law_->moment_ratio();
+    std::size_t done = 0;
     for (const SlipTwist twist : slip_twists(points_)) {
+      results.messages->progress(static_cast<double>(done++) / static_cast<double>(points_));
       const UnitWrench wrench = law_->evaluate(twist.cor()).wrench;
       rows.row(twist.cor(), wrench.force, wrench.moment, wrench.force, wrench.moment / moment_ratio);
     }

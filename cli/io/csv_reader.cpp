@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cerrno>
 #include <cstddef>
 #include <filesystem>
@@ -175,24 +176,26 @@ std::string MemoryColumns::named(std::string message) const {
 }
 
 CsvReader::CsvReader(const std::string& file, std::vector<std::string> columns, std::vector<std::string> optional_columns,
-                     const FileColumns& file_columns)
+                     const FileColumns& file_columns, std::string expected)
     : memory_(find_in_memory(file)),
       name_(memory_ != nullptr ? memory_->name_
             : file == "-"      ? "standard input"
                                : file),
       columns_(std::move(columns)),
       required_(columns_.size()),
+      expected_(std::move(expected)),
       descriptor_(memory_ != nullptr ? descriptor::standard_input : open_to_read(file)),
       size_(size_of(file)),
       places_(columns_.size() + optional_columns.size(), missing) {
   for (std::string& column : optional_columns) columns_.push_back(std::move(column));
   try {
     take(file_columns);
+    if (expected_.empty()) expected_ = joined(columns_, required_ > 0 ? required_ : columns_.size());
     if (memory_ != nullptr) {
       take_names_in_memory();
     } else if (!next_meaningful_line()) {
       line_number_ = 1;
-      throw complaint_at(0, "an empty file, expected a header line with " + joined(columns_, required_ > 0 ? required_ : columns_.size()));
+      throw complaint_at(0, "an empty file, expected a header line with " + expected_);
     }
     find_columns();
   } catch (...) {
@@ -371,9 +374,15 @@ double CsvReader::number(std::size_t column, const Range& range) const {
 }
 
 std::invalid_argument CsvReader::no_column(const std::string& column) const {
-  return complaint_at(0, "no column " + column + ", got '" + excerpt(line_) + "', expected a header line with " +
-                             joined(columns_, required_ > 0 ? required_ : columns_.size()) +
-                             std::string(field_count_ == 1 ? other_separator(fields_[0].text) : ""));
+  std::string hint = field_count_ == 1 ? std::string(other_separator(fields_[0].text)) : "";
+  for (const std::string& name : columns_) {
+    for (std::size_t i = 0; i < field_count_; ++i) {
+      const auto same = [](char a, char b) { return std::tolower(static_cast<unsigned char>(a)) == b; };
+      const std::string& field = fields_[i].text;
+      if (field != name && std::equal(field.begin(), field.end(), name.begin(), name.end(), same)) hint = "; capital letters count";
+    }
+  }
+  return complaint_at(0, "no column " + column + ", got '" + excerpt(line_) + "', expected a header line with " + expected_ + hint);
 }
 
 std::invalid_argument CsvReader::complaint(std::size_t column, const std::string& what) const {

@@ -67,9 +67,10 @@ class MemoryColumns {
 /// `FILE:LINE:COLUMN: …` (COLUMN counts bytes from 1); a disk that fails throws std::runtime_error.
 class CsvReader {
  public:
-  /// Opens `file`, or MemoryColumns of that path, and reads its header, which must have all of `columns`.
+  /// Opens `file`, or MemoryColumns of that path, and reads its header, which must have all of `columns`; `expected`: what a message says it
+  /// must have, if that is more.
   CsvReader(const std::string& file, std::vector<std::string> columns, std::vector<std::string> optional_columns = {},
-            const FileColumns& file_columns = {});
+            const FileColumns& file_columns = {}, std::string expected = {});
   /// Opens a file of numbers without header. Its columns are 0, 1, …, one for each field of the first row.
   explicit CsvReader(const std::string& file);
   ~CsvReader();
@@ -123,6 +124,7 @@ class CsvReader {
   std::vector<double> units_;         ///< of the columns, in SI units
   std::vector<std::size_t> renamed_;  ///< columns that --columns names: the file must have them
   std::size_t required_;
+  std::string expected_;
   int descriptor_;
   std::uintmax_t size_ = 0;  ///< of the file in bytes, 0 if not known
   std::uintmax_t read_ = 0;

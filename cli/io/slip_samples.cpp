@@ -35,7 +35,7 @@ std::variant<std::vector<fit::Sample>, std::vector<fit::RatioSample>> read_ratio
                                                                                       const FileColumns& file_columns) {
   const std::vector<std::string> columns{"load", "force", "moment", "sigma_force", "sigma_moment", "ratio", "ratio_sd", "n"};
   constexpr std::size_t ratio = 5;
-  CsvReader reader(file, {}, columns, file_columns);
+  CsvReader reader(file, {}, columns, file_columns, "load,force,moment or ratio,ratio_sd");
   const auto require = [&](std::size_t column) {
     if (!reader.has(column)) throw reader.no_column(columns[column]);
   };
@@ -53,7 +53,7 @@ std::variant<std::vector<fit::Sample>, std::vector<fit::RatioSample>> read_ratio
 }
 
 fit::LoadSamples read_load_samples(const std::string& file, const FileColumns& columns) {
-  CsvReader reader(file, {"load"}, {"radius", "moment", "sigma_radius", "sigma_moment"}, columns);
+  CsvReader reader(file, {"load"}, {"radius", "moment", "sigma_radius", "sigma_moment"}, columns, "load,radius or load,moment");
   if (reader.has(1) == reader.has(2)) throw std::invalid_argument(file + ": expected one of the columns radius and moment beside load");
   const std::size_t value = reader.has(1) ? 1 : 2;
   const std::size_t sigma = value + 2;

@@ -9,6 +9,7 @@
 #include <boost/math/distributions/fisher_f.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <stdexcept>
@@ -50,7 +51,7 @@ void check_assumptions(ContactFit& fit, std::span<const Sample> samples, const C
   if (!options.fit_gamma) warn_of_growth(fit.report, options.gamma, gamma, spare, rms);
 }
 
-void test_scatter(ContactFit& fit, std::span<const Sample> samples, double gamma, bool widen) {
+void test_scatter(ContactFit& fit, std::span<const Sample> samples, double gamma) {
   constexpr Eigen::Index waves = 4;
   FitReport& report = fit.report;
   const double mu = report.estimates[0].value;
@@ -62,15 +63,18 @@ void test_scatter(ContactFit& fit, std::span<const Sample> samples, double gamma
   Eigen::MatrixXd columns(count, waves);
   Eigen::VectorXd residuals(count);
   std::vector<double> distances;
+  double curved = 0.0;
   Eigen::Index row = 0;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const double force = mu * samples[i].load;
     const double moment = mu_r * std::pow(samples[i].load, 1.0 + gamma);
     const double angle = std::atan2(std::fabs(samples[i].moment) / moment, std::fabs(samples[i].force) / force);
+    const double force_noise = samples[i].sigma_force / force;
+    const double moment_noise = samples[i].sigma_moment / moment;
+    if (force_noise > 0.0) curved = std::max({curved, moment_noise * moment_noise / force_noise, force_noise * force_noise / moment_noise});
     // A standard deviation in the normalised plane.
-    const double noise = samples[i].sigma_force > 0.0 ? std::hypot(std::cos(angle) * samples[i].sigma_force / force,
-                                                                   std::sin(angle) * samples[i].sigma_moment / moment)
-                                                      : report.rms;
+    const double noise =
+        samples[i].sigma_force > 0.0 ? std::hypot(std::cos(angle) * force_noise, std::sin(angle) * moment_noise) : report.rms;
     distances.push_back(fit.residuals[i] * noise);
     if (std::find(fit.outliers.begin(), fit.outliers.end(), i) != fit.outliers.end()) continue;
     for (Eigen::Index k = 0; k < waves; ++k) columns(row, k) = std::cos(2.0 * static_cast<double>(k) * angle) / noise;
@@ -85,28 +89,33 @@ void test_scatter(ContactFit& fit, std::span<const Sample> samples, double gamma
   const auto freedom = static_cast<double>(waves - fitted);
   const double ratio = (residuals.squaredNorm() - after) / freedom / (after / spare);
   const double chance = boost::math::cdf(boost::math::complement(boost::math::fisher_f(freedom, spare), std::max(ratio, 0.0)));
-  if (!(chance < 0.01)) return;
-  const double at_slide = trend.sum();
-  const double at_twist = trend[0] - trend[1] + trend[2] - trend[3];
-  for (Estimate& estimate : report.estimates) {
-    if (!widen) break;
-    const bool of_both = estimate.name == "ratio" || estimate.name == "radius" || estimate.name == "c";
-    if (estimate.name != "mu" && estimate.name != "mu_r" && !of_both) continue;
-    const double off = estimate.name == "mu" ? at_slide : estimate.name == "mu_r" ? at_twist : at_twist - at_slide;
+  if (!(chance < 0.05)) return;
+  // Beyond slips of a narrow range the trend means nothing; no two models differ by more.
+  constexpr double most = 0.2;
+  const double at_slide = std::clamp(trend.sum(), -most, most);
+  const double at_twist = std::clamp(trend[0] - trend[1] + trend[2] - trend[3], -most, most);
+  const std::array<double, 2> off_limits{at_slide, at_twist};
+  for (std::size_t j = 0; j < report.estimates.size(); ++j) {
+    Estimate& estimate = report.estimates[j];
+    if (j > 1 && estimate.name != "ratio" && estimate.name != "radius" && estimate.name != "c") continue;
+    const double off = j > 1 ? at_twist - at_slide : off_limits.at(j);
     estimate.std_error = std::hypot(estimate.std_error, off * estimate.value);
   }
-  if (chance < 1.0 / 2000.0) {
-    report.warnings.push_back("the samples do not scatter evenly about the curve of " + fit.model + ": mu may be off by " +
-                              format_number(100.0 * std::fabs(at_slide), 3) + " %, mu_r by " +
-                              format_number(100.0 * std::fabs(at_twist), 3) +
-                              (widen ? " %, which the standard errors include" : " %, which the standard errors leave out") +
-                              ". Another pressure law, or a wrong zero of the sensor?");
+  if (chance < 0.002) {
+    // Where an end of the curve bends within a standard deviation, errors make a trend.
+    constexpr double most_curved = 0.4;
+    report.warnings.push_back("the samples do not scatter evenly about the curve of " + fit.model + ": " + report.estimates[0].name +
+                              " may be off by " + format_number(100.0 * std::fabs(at_slide), 3) + " %, " + report.estimates[1].name +
+                              " by " + format_number(100.0 * std::fabs(at_twist), 3) + " %, which the standard errors include. " +
+                              (curved > most_curved ? "Force and moment have errors so unequal that the curve bends within one of them"
+                                                    : "Another pressure law, or a wrong zero of the sensor?"));
   }
 }
 
-std::string note_of(const std::string& model, const ContactFitOptions& options, bool with_sigma) {
+std::string note_of(const std::string& model, const ContactFitOptions& options, std::size_t spare, bool with_sigma) {
   return model + "; gamma " + (options.fit_gamma ? std::string("fitted") : "= " + format_number(options.gamma) + " assumed") + "; " +
-         to_string(options.loss.kind) + " loss" + (with_sigma ? "" : "; errors proportional to the load assumed");
+         to_string(options.loss.kind) + " loss" + (with_sigma ? "" : "; errors proportional to the load assumed") +
+         (with_sigma && options.loss.kind == Loss::Kind::squared ? "" : note_of_few_rows(spare));
 }
 
 }  // namespace limitcurve::fit::internal

@@ -20,16 +20,15 @@ ContactFit fit_prepared(const ContactPreparation& preparation, const ContactMode
 /// free gamma. Adds outliers and warnings to the fit.
 void check_assumptions(ContactFit& fit, std::span<const Sample> samples, const ContactModel& model, const ContactFitOptions& options);
 
-/// Tests two more, of an exact curve: that rows scatter to both sides of it (none was taken while the finger held), and that the residuals are
-/// noise, not a function of the place on the curve (another law made the samples). `gamma` is that of the options.
+/// Tests two more: that rows scatter to both sides of it (none was taken while the finger held), and that the residuals are
+/// noise, not a function of the place on the curve (another law made the samples, or no ellipse). `gamma` is that of the options.
 ///
 /// In the normalised plane the relative distance from the curve is fitted by g(φ) = Σ c_k cos 2kφ, k < 4, φ the polar angle, without gross
-/// outliers. An F test warns of what chance gives in 1 of 2000 data sets. If `widen`, what chance gives in 1 of 100 enters the standard
-/// errors: g is what the law may be off by, at φ = 0 of mu, at π/2 of mu_r, the difference of ratio and radius.
-void test_scatter(ContactFit& fit, std::span<const Sample> samples, double gamma, bool widen);
+/// outliers. An F test warns of what chance gives in 1 of 500 data sets. What chance gives in 1 of 20 enters the standard errors: g is what the law may be off by, at φ = 0 of mu, at π/2 of mu_r, the difference of ratio and radius.
+void test_scatter(ContactFit& fit, std::span<const Sample> samples, double gamma);
 
-/// The note beside each estimate: the model and its assumptions.
-std::string note_of(const std::string& model, const ContactFitOptions& options, bool with_sigma);
+/// The note beside each estimate: the model and its assumptions; `spare` rows more than parameters.
+std::string note_of(const std::string& model, const ContactFitOptions& options, std::size_t spare, bool with_sigma);
 
 inline ContactFit& best_of(ContactFit& fit) noexcept {
   return fit;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "fit/internal/contact_residuals.hpp"
 
+#include <boost/math/tools/minima.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -48,22 +50,74 @@ PlanePoint ContactResiduals::scale_of(const WeightedSample& sample, std::span<co
 
 void ContactResiduals::expect_drift(std::span<const double> parameters, double variance) {
   if (layout_.shape) curve_.bend(parameters[2]);
+  const double noise = std::sqrt(variance);
   for (std::size_t i = 0; i < samples_.size(); ++i) {
-    // Curvature by the circle through three points: 4·area/(product of the sides).
-    constexpr double step = 0.01;
-    const double t = std::clamp(last_[i], step, 1.0 - step);
     const PlanePoint scale = scale_of(samples_[i], parameters);
-    std::array<PlanePoint, 3> points{};
-    for (std::size_t k = 0; k < 3; ++k) {
-      const PlanePoint point = curve_.at(t + step * (static_cast<double>(k) - 1.0)).point;
-      points[k] = {scale.x * point.x, scale.y * point.y};
-    }
-    const auto side = [&](std::size_t a, std::size_t b) { return std::hypot(points[a].x - points[b].x, points[a].y - points[b].y); };
-    const double twice_area =
-        std::fabs((points[1].x - points[0].x) * (points[2].y - points[0].y) - (points[1].y - points[0].y) * (points[2].x - points[0].x));
-    const double curvature = 2.0 * twice_area / (side(0, 1) * side(1, 2) * side(0, 2));
-    drift_[i] = std::min(0.5 * curvature * variance, 0.25 * std::sqrt(variance));
+    // The distance from the curve of q(t) with an error of ±σ along the tangent; its closest points.
+    const auto strayed = [&](double t, std::array<double, 2>& closest_to) {
+      const UnitCurve::Place place = curve_.at(t);
+      const PlanePoint tangent{scale.x * place.tangent.x, scale.y * place.tangent.y};
+      const double step = noise / std::hypot(tangent.x, tangent.y);
+      double distance = 0.0;
+      for (const double sign : {-1.0, 1.0}) {
+        // The curve is symmetric about both axes.
+        const PlanePoint at{std::fabs(scale.x * place.point.x + sign * step * tangent.x),
+                            std::fabs(scale.y * place.point.y + sign * step * tangent.y)};
+        double& nearest = closest_to.at(sign > 0.0 ? 1 : 0);
+        nearest = closest(at, scale, t);
+        const PlanePoint point = curve_.at(nearest).point;
+        distance += 0.5 * std::hypot(at.x - scale.x * point.x, at.y - scale.y * point.y);
+      }
+      return distance;
+    };
+    std::array<double, 2> around{};
+    std::array<double, 2> beyond{};
+    drift_[i] = 2.0 * strayed(last_[i], around);
+    // The closest point of a sample strays along the curve, too: take out what that smooths.
+    for (const double t : around) drift_[i] -= 0.5 * strayed(t, beyond);
   }
+}
+
+ContactResiduals::Ray ContactResiduals::common_ray(std::span<const double> parameters) const {
+  const double gamma = layout_.gamma ? parameters[layout_.gamma_place()] : layout_.fixed_gamma;
+  const auto count = static_cast<double>(samples_.size());
+  const auto per_load = [&](const WeightedSample& sample) {
+    return PlanePoint{sample.force / sample.load_force, sample.moment / (sample.load_moment * std::exp(gamma * sample.log_load))};
+  };
+  PlanePoint mean{0.0, 0.0};
+  for (const WeightedSample& sample : samples_) {
+    mean.x += per_load(sample).x / count;
+    mean.y += per_load(sample).y / count;
+  }
+  Ray ray{0.0, 0.0, 0.0, std::vector<double>(samples_.size())};
+  PlanePoint squares{0.0, 0.0};
+  for (const WeightedSample& sample : samples_) {
+    const PlanePoint off{per_load(sample).x - mean.x, per_load(sample).y - mean.y};
+    squares.x += off.x * off.x;
+    squares.y += off.y * off.y;
+    ray.correlation += off.x * off.y;
+  }
+  ray.correlation /= std::sqrt(squares.x * squares.y);
+  const auto at = [&](double angle) {
+    double sum = 0.0;
+    double known = 0.0;
+    for (std::size_t i = 0; i < samples_.size(); ++i) {
+      const WeightedSample& sample = samples_[i];
+      const double x = std::cos(angle) * mean.x * sample.load_force;
+      const double y = std::sin(angle) * mean.y * sample.load_moment * std::exp(gamma * sample.log_load);
+      const double length = std::hypot(x, y);
+      ray.distances[i] = (sample.moment * x - sample.force * y) / length;
+      sum += ray.distances[i] * ray.distances[i];
+      known += std::pow((sample.force * x + sample.moment * y) * x * y / (length * length * length), 2);
+    }
+    ray.ratio = mean.y / mean.x * std::tan(angle);
+    ray.relative_error = 1.0 / std::sqrt(known);
+    return sum;
+  };
+  constexpr double quarter_turn = 1.5707963267948966;
+  constexpr int bits = 26;
+  at(boost::math::tools::brent_find_minima(at, 0.0, quarter_turn, bits).first);
+  return ray;
 }
 
 bool ContactResiduals::evaluate(std::size_t i, std::span<const double> parameters, double& residual, double* gradient) const {

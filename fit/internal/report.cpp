@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "fit/internal/report.hpp"
 
+#include "limitcurve/internal/number.hpp"
+
+#include <boost/math/distributions/students_t.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -64,6 +68,12 @@ void set_estimates(FitReport& report, std::span<const Quantity> quantities, std:
       if (scale > 0.0) report.correlation[a * count + b] = a == b ? 1.0 : propagated(a, b) / scale;
     }
   }
+}
+
+std::string note_of_few_rows(std::size_t spare) {
+  if (spare == 0 || spare >= 30) return "";
+  const double rare = boost::math::quantile(boost::math::students_t(static_cast<double>(spare)), 0.975);
+  return "; few rows: a 95 % interval is +- " + format_number(rare, 3) + " std_error";
 }
 
 double akaike(double cost, std::size_t residuals, std::size_t free_parameters, bool known_variance) noexcept {

@@ -4,6 +4,7 @@
 #include "fit/estimate.hpp"
 #include "fit/internal/least_squares.hpp"
 
+#include <cmath>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -44,5 +45,32 @@ inline constexpr double perfect = 1e-10;
 /// AICc of a fit whose residuals r have known unit variance (`known_variance`), χ² + 2p + …, or a common unknown one, N log(χ²/N) + 2(p+1) + ….
 /// `cost` is ½ Σ loss(r²). Residuals below `perfect` count as `perfect`: perfect fits then differ only in their number of parameters.
 double akaike(double cost, std::size_t residuals, std::size_t free_parameters, bool known_variance) noexcept;
+
+/// What a note says of few rows whose scatter is the only measure of noise: "" from 30 rows more than parameters on.
+std::string note_of_few_rows(std::size_t spare);
+
+/// The standard errors of a chosen model include the choice: with Akaike's weights w ∝ exp(−AICc/2) (Buckland, Burnham & Augustin 1997,
+/// Biometrics 53:603–618), for each quantity of all candidates, se² = Σ w (se_i² + (value_i − value)²) about the value of the best.
+/// A candidate without a value for a quantity is left out; the shapes n and k are.
+template <class Fit>
+void include_choice(FitReport& report, const std::vector<Fit>& candidates) {
+  const std::size_t count = report.estimates.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    Estimate& estimate = report.estimates[i];
+    double sum = 0.0;
+    double variance = 0.0;
+    for (const Fit& candidate : candidates) {
+      for (const Estimate& other : candidate.report.estimates) {
+        if (other.name != estimate.name || !std::isfinite(other.value) || !std::isfinite(other.std_error)) continue;
+        const double weight = std::exp(0.5 * (report.aic - candidate.report.aic));
+        sum += weight;
+        variance += weight * (other.std_error * other.std_error + (other.value - estimate.value) * (other.value - estimate.value));
+      }
+    }
+    const bool is_shape = estimate.name == "n" || estimate.name == "k";
+    if (!is_shape && std::isfinite(estimate.value) && sum > 0.0) estimate.std_error = std::sqrt(variance / sum);
+    if (estimate.std_error > 0.0) report.correlation[i * count + i] = 1.0;
+  }
+}
 
 }  // namespace limitcurve::fit::internal

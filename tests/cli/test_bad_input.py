@@ -170,7 +170,7 @@ class OtherFiles(CommandLineTest):
 
     def test_the_header_that_is_expected_is_said(self):
         for text in ("", "a,b\n1,2\n"):
-            self.assert_fails(2, "expected a header line with load,force,moment,", *self.command("ratio", self.file("data.csv", text)))
+            self.assert_fails(2, "expected a header line with load,force,moment or ratio", *self.command("ratio", self.file("data.csv", text)))
 
     def test_a_damaged_column_of_a_table(self):
         table = self.file("table.json", "")

@@ -174,6 +174,30 @@ TEST(ContactFit, RefusesByNameWhatTheSamplesCannotTell) {
   EXPECT_NE(refusal(ends, {Kind::power}).find("not identifiable from these samples: n"), std::string::npos) << refusal(ends, {Kind::power});
 }
 
+/// Slips about centres of rotation at 0.6 radii, spread by so much of it. Noise once passed for a spread: mu 1.009 +- 0.049 for 0.8.
+std::vector<Sample> slips_about(double spread, double noise, bool tell, Random& random) {
+  const double mu_r = 0.8 * 0.005 * hertz()->moment_ratio();
+  std::vector<Sample> samples;
+  for (int i = 0; i < 100; ++i) {
+    const UnitForces<double> forces = hertz()->forces(0.6 * (1.0 + spread * random.normal()));
+    const double load = random.uniform(1.0, 3.0);
+    samples.push_back({load, 0.8 * load * forces.force, 0.004 * load * forces.moment});
+  }
+  synthetic::disturb(samples, noise, 0.8, mu_r, tell, random);
+  return samples;
+}
+
+TEST(ContactFit, SlipsAboutOneCentreOfRotationAreRefusedAndASpreadIsNot) {
+  for (const bool tell : {true, false}) {
+    Random random(9);
+    for (int i = 0; i < 10; ++i) {
+      const std::string text = refusal(slips_about(0.0, 0.01, tell, random), ContactModel::of(hertz()));
+      EXPECT_NE(text.find("one centre of rotation"), std::string::npos) << text;
+      EXPECT_EQ(refusal(slips_about(0.1, 0.01, tell, random), ContactModel::of(hertz())), "accepted");
+    }
+  }
+}
+
 TEST(ContactFit, NamesTheBadSample) {
   Random random(5);
   const std::vector<Sample> good = synthetic::clean(synthetic::curve_of(hertz()), {0.7, 0.004}, 30, random);
