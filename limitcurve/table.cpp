@@ -227,10 +227,9 @@ void BasicTable<Real>::wrench(std::span<const SlipTwist> twists, std::span<UnitW
   std::size_t i = 0;
 #ifdef LIMITCURVE_WIDE_PACKS
   if constexpr (std::is_same_v<Real, double>) {
-    const kernel::InstructionSet set = kernel::widest_set();
-    if (set == kernel::InstructionSet::avx512)
+    // With AVX2 packs are no faster.
+    if (kernel::widest_set() == kernel::InstructionSet::avx512)
       i = kernel::wrenches_in_packs<kernel::Avx512>(pieces(), twists.data(), wrenches.data(), count);
-    if (set == kernel::InstructionSet::avx2) i = kernel::wrenches_in_packs<kernel::Avx2>(pieces(), twists.data(), wrenches.data(), count);
   }
 #endif
   for (; i < count; ++i) wrenches[i] = wrench(twists[i]);

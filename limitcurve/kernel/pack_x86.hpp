@@ -13,72 +13,46 @@
 /// What packs do by instructions of x86-64 that compilers do not find themselves.
 namespace limitcurve::kernel {
 
-// ---- SSE2 and AVX2
-
-template <class Isa>
-concept UpToAvx2 = Isa::bytes <= 32;
+// ---- AVX2
 
 // In the units of numbers, where their masks are.
-template <class Real, UpToAvx2 Isa>
-[[nodiscard]] Pack<Real, Isa> select(Mask<Real, Isa> condition, Pack<Real, Isa> yes, Pack<Real, Isa> no) noexcept {
-  using Numbers = typename Pack<Real, Isa>::Numbers;
-  if constexpr (Isa::bytes == 32) {
-    const auto bits = (__m256)condition.bits;
-    return Pack<Real, Isa>((Numbers)_mm256_or_ps(_mm256_and_ps(bits, (__m256)yes.lanes), _mm256_andnot_ps(bits, (__m256)no.lanes)));
-  } else {
-    const auto bits = (__m128)condition.bits;
-    return Pack<Real, Isa>((Numbers)_mm_or_ps(_mm_and_ps(bits, (__m128)yes.lanes), _mm_andnot_ps(bits, (__m128)no.lanes)));
-  }
+template <class Real>
+[[nodiscard]] Pack<Real, Avx2> select(Mask<Real, Avx2> condition, Pack<Real, Avx2> yes, Pack<Real, Avx2> no) noexcept {
+  const auto bits = (__m256)condition.bits;
+  const __m256 chosen = _mm256_or_ps(_mm256_and_ps(bits, (__m256)yes.lanes), _mm256_andnot_ps(bits, (__m256)no.lanes));
+  return Pack<Real, Avx2>((typename Pack<Real, Avx2>::Numbers)chosen);
 }
-template <class Real, UpToAvx2 Isa>
-[[nodiscard]] bool any(Mask<Real, Isa> condition) noexcept {
-  if constexpr (Isa::bytes == 32) {
-    return _mm256_movemask_ps((__m256)condition.bits) != 0;
-  } else {
-    return _mm_movemask_ps((__m128)condition.bits) != 0;
-  }
+template <class Real>
+[[nodiscard]] bool any(Mask<Real, Avx2> condition) noexcept {
+  return _mm256_movemask_ps((__m256)condition.bits) != 0;
 }
 
 // The processor's min and max return their second argument if one is NaN.
-template <class Real, UpToAvx2 Isa>
-[[nodiscard]] Pack<Real, Isa> smaller(Pack<Real, Isa> a, Pack<Real, Isa> b) noexcept {
-  if constexpr (Isa::bytes == 32 && sizeof(Real) == 8) {
-    return Pack<Real, Isa>(_mm256_min_pd(b.lanes, a.lanes));
-  } else if constexpr (Isa::bytes == 32) {
-    return Pack<Real, Isa>(_mm256_min_ps(b.lanes, a.lanes));
-  } else if constexpr (sizeof(Real) == 8) {
-    return Pack<Real, Isa>(_mm_min_pd(b.lanes, a.lanes));
+template <class Real>
+[[nodiscard]] Pack<Real, Avx2> smaller(Pack<Real, Avx2> a, Pack<Real, Avx2> b) noexcept {
+  if constexpr (sizeof(Real) == 8) {
+    return Pack<Real, Avx2>(_mm256_min_pd(b.lanes, a.lanes));
   } else {
-    return Pack<Real, Isa>(_mm_min_ps(b.lanes, a.lanes));
+    return Pack<Real, Avx2>(_mm256_min_ps(b.lanes, a.lanes));
   }
 }
-template <class Real, UpToAvx2 Isa>
-[[nodiscard]] Pack<Real, Isa> larger(Pack<Real, Isa> a, Pack<Real, Isa> b) noexcept {
-  if constexpr (Isa::bytes == 32 && sizeof(Real) == 8) {
-    return Pack<Real, Isa>(_mm256_max_pd(b.lanes, a.lanes));
-  } else if constexpr (Isa::bytes == 32) {
-    return Pack<Real, Isa>(_mm256_max_ps(b.lanes, a.lanes));
-  } else if constexpr (sizeof(Real) == 8) {
-    return Pack<Real, Isa>(_mm_max_pd(b.lanes, a.lanes));
+template <class Real>
+[[nodiscard]] Pack<Real, Avx2> larger(Pack<Real, Avx2> a, Pack<Real, Avx2> b) noexcept {
+  if constexpr (sizeof(Real) == 8) {
+    return Pack<Real, Avx2>(_mm256_max_pd(b.lanes, a.lanes));
   } else {
-    return Pack<Real, Isa>(_mm_max_ps(b.lanes, a.lanes));
+    return Pack<Real, Avx2>(_mm256_max_ps(b.lanes, a.lanes));
   }
 }
 
-template <class Real, UpToAvx2 Isa, class State>
-void store_states(Index<Real, Isa> lanes, State* states) noexcept {
-  __m128i low;
-  __m128i high;
-  if constexpr (Isa::bytes == 32) {
-    low = _mm256_castsi256_si128((__m256i)lanes.lanes);
-    high = _mm256_extracti128_si256((__m256i)lanes.lanes, 1);
-  } else {
-    low = high = (__m128i)lanes.lanes;
-  }
+template <class Real, class State>
+void store_states(Index<Real, Avx2> lanes, State* states) noexcept {
+  __m128i low = _mm256_castsi256_si128((__m256i)lanes.lanes);
+  __m128i high = _mm256_extracti128_si256((__m256i)lanes.lanes, 1);
   if constexpr (sizeof(Real) == 8) low = high = (__m128i)_mm_shuffle_ps((__m128)low, (__m128)high, _MM_SHUFFLE(2, 0, 2, 0));
   low = _mm_packs_epi32(low, high);
   low = _mm_packs_epi16(low, low);
-  __builtin_memcpy(states, &low, Pack<Real, Isa>::size);
+  __builtin_memcpy(states, &low, Pack<Real, Avx2>::size);
 }
 
 template <class Real>
