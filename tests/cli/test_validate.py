@@ -189,14 +189,6 @@ class Choose(CommandLineTest):
         (best,) = (line[0] for line in lines if line[4] == "true")
         self.assertTrue(best.endswith("/closest-point"), best)
 
-    def test_a_scene_in_which_nothing_is_good_enough(self):
-        done = run("choose", "--scene", "--law", "hertz", "--twist-stiffness", "1e-12", "--tolerance", "1e-6", "--sample-time", "0.02")
-        self.assertEqual(done.returncode, 1)
-        self.assertTrue(all(line.endswith(",false") for line in done.stdout.splitlines()[1:]))
-        self.assertGreater(len(done.stdout.splitlines()), 8)
-        last = done.stderr.splitlines()[-1]
-        self.assertRegex(last, r"\Alimitcurve: error: no step is within the tolerance: the best is table/closest-point, .* > 1.0e-06; expected")
-
     def test_a_scene_says_what_to_type_into_replay(self):
         trace = self.file("trace.csv", "time,x,y,z,twist\n0,0,0,-0.001,0\n0.1,0.002,0,-0.001,0\n0.2,0.002,0,-0.001,0.2\n")
         plateau, ends = (f"samples:{self.file(name, f'load,radius{chr(10)}0.5,0.005{chr(10)}1,{middle}{chr(10)}2,{most}{chr(10)}')}"
