@@ -7,6 +7,7 @@
 #include "godobject/mesh/mesh_file.hpp"
 #include "limitcurve/approximations.hpp"
 #include "limitcurve/laws.hpp"
+#include "limitcurve/patch.hpp"
 #include "limitcurve/table.hpp"
 
 #include <cstddef>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The workloads of users: fingers on a plane and on a mesh, a grasp, batches, look-ups, construction of tables. Alone it prints mean and
-// worst of every workload on this machine; scripts/maintain/compare_speed compiles it against two commits and runs both in turn.
+// The workloads of users: fingers on a plane and on a mesh, a grasp, batches, look-ups, construction
+// of tables, patches. Alone it prints mean and worst of every workload on this machine;
+// scripts/maintain/compare_speed compiles it against two commits and runs both in turn.
 //
 //     finger_bench [REGEX]   the workloads with matching names (default all), as CSV
 //     finger_bench --list    their names
@@ -224,6 +225,23 @@ Pass wrenches(const std::string& law, double tolerance) {
   });
 }
 
+/// Of a contact that is not round, about CORs in all directions, from `near` to `far` radii, evenly in the logarithm.
+Pass wrenches(const Patch& patch, double near, double far) {
+  constexpr std::size_t count = 1024;
+  std::vector<PatchTwist> twists;
+  Random random;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double distance = patch.radius() * near * std::pow(far / near, 0.5 + 0.5 * random());
+    const double direction = pi * random();
+    twists.push_back({distance * std::cos(direction), distance * std::sin(direction), 1.0});
+  }
+  return timed(1, count, [patch, twists](std::size_t) {
+    double sum = 0.0;
+    for (const PatchTwist& twist : twists) sum += patch.evaluate(twist).wrench.moment;
+    return sum;
+  });
+}
+
 Pass building(const std::string& law, double tolerance) {
   return timed(1, 1, [law, tolerance](std::size_t) { return wrench_sum(build_table(law, tolerance), 0.5, 0.5); });
 }
@@ -283,6 +301,14 @@ std::vector<Workload> workloads() {
       add(std::string("wrench/") + law + '/' + name, [=, tolerance = tolerance] { return wrenches(law, tolerance); });
     }
     add(std::string("build/") + law + "/1e-8", [=] { return building(law, 1e-8); });
+  }
+  std::vector<double> pressures;
+  for (int i = 0; i < 64 * 64; ++i) pressures.push_back(1.0 + i % 7);
+  for (const auto& [name, patch] :
+       {std::pair{"rectangle", Patch::rectangle(0.02, 0.01)}, std::pair{"elliptic hertz 2:1", Patch::ellipse(hertz(), 0.008, 0.004)},
+        std::pair{"image 64 x 64", Patch::image(pressures, 64, 1e-3)}}) {
+    add(std::string("patch/") + name + "/COR inside", [=, patch = patch] { return wrenches(patch, 0.01, 0.5); });
+    add(std::string("patch/") + name + "/COR outside", [=, patch = patch] { return wrenches(patch, 1.01, 100.0); });
   }
   return result;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Error against time of every method to compute a friction wrench, ours and others'. scripts/maintain/work_precision runs it and draws the
-// chart; by hand it is a Google Benchmark like the others.
+// chart; by hand it is a Google Benchmark.
 #include "bench/fixed_gauss.hpp"
 #include "bench/one_parameter.hpp"
 #include "bench/peers.hpp"

@@ -285,7 +285,7 @@ typedef struct limitcurve_contacts {
   double* proxy_x;     /* in and out */
   double* proxy_y;
   double* proxy_angle;
-  uint8_t* state; /* in and out: a limitcurve_state. A sample, or a proxy, that is no number is a fault: no other array changes */
+  uint8_t* state; /* in and out: a limitcurve_state. A sample, or a proxy, that is NaN is a fault: no other array changes */
   uint8_t* force_slides;  /* memory */
   uint8_t* moment_slides; /* memory, of the moment on a box */
   double* search_start;   /* memory */
@@ -365,6 +365,12 @@ LIMITCURVE_API limitcurve_status limitcurve_patch_wrench(const limitcurve_patch*
  * friction `mu` >= 0; inf where no load holds. */
 LIMITCURVE_API limitcurve_status limitcurve_patch_load_to_hold(const limitcurve_patch* patch, double mu, const double* wrenches,
                                                                size_t count, double* loads);
+
+/* The twists (vx, vy, omega) [m/s, rad/s] about the origin with which the patch slips under `count` wrenches (fx, fy, moment) [N, N m] about the
+ * origin, three numbers each: at the load that just holds, of power 1 W against the wrench; NaN for wrench 0, and where no load holds. Bounds of
+ * |dF|/(mu P) and |dM|/(mu P m0), from the wrench to what the twist needs, may be NULL. */
+LIMITCURVE_API limitcurve_status limitcurve_patch_slip(const limitcurve_patch* patch, const double* wrenches, size_t count, double* twists,
+                                                       double* errors);
 
 /* ---- Fits ---- */
 

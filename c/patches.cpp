@@ -83,3 +83,19 @@ limitcurve_status limitcurve_patch_load_to_hold(const limitcurve_patch* patch, d
     }
   });
 }
+
+limitcurve_status limitcurve_patch_slip(const limitcurve_patch* patch, const double* wrenches, size_t count, double* twists,
+                                        double* errors) {
+  if (is_no_handle("patch", patch)) return LIMITCURVE_INVALID;
+  if (count > 0 && (is_missing("wrenches", wrenches) || is_missing("twists", twists))) return LIMITCURVE_INVALID;
+  return guarded([&] {
+    for (std::size_t i = 0; i < count; ++i) {
+      const double* const wrench = wrenches + 3 * i;
+      const auto [twist, gauge, error] = patch->patch.slip({wrench[0], wrench[1], wrench[2]});
+      twists[3 * i] = twist.vx;
+      twists[3 * i + 1] = twist.vy;
+      twists[3 * i + 2] = twist.omega;
+      if (errors != nullptr) errors[i] = error;
+    }
+  });
+}

@@ -10,6 +10,8 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <array>
+#include <optional>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
@@ -60,7 +62,7 @@ struct Entry {
   std::unique_ptr<Subcommand> subcommand;
   std::string group;
   CLI::App* app = nullptr;
-  Format format = Format::csv;
+  std::optional<Format> format = {};
   bool quiet = false;
 };
 
@@ -97,12 +99,14 @@ void declare(CLI::App& whole, Entry& entry, bool all) {
   entry.subcommand->declare(options);
   Options common(*entry.app, all);
   common.value(
-      "--format", "csv|json",
+      "--format", "table|csv|json",
       [&entry](const std::string& text) {
-        if (text != "csv" && text != "json") throw std::invalid_argument("got '" + text + "', expected csv or json");
-        entry.format = text == "json" ? Format::json : Format::csv;
+        constexpr std::array<std::string_view, 3> names{"table", "csv", "json"};
+        const auto found = std::find(names.begin(), names.end(), text);
+        if (found == names.end()) throw std::invalid_argument("got '" + text + "', expected table, csv or json");
+        entry.format = static_cast<Format>(found - names.begin());
       },
-      "Form of the results (default csv)", Presence::optional);
+      "Form of the results (default: table on a terminal, otherwise csv)", Presence::optional);
   common.flag("--quiet", entry.quiet, "Write nothing but errors to standard error");
   entry.app->set_help_flag("-h,--help", options.has_rare() ? "This help; --help-all shows rare options, too" : "This help");
 }
@@ -185,7 +189,7 @@ void run_command_line(std::vector<std::string> arguments, Results results) {
   app.set_version_flag("-V,--version", "limitcurve " + std::string(version), "The version");
   app.require_subcommand(1);
   app.footer(
-      "Results go to standard output as CSV (or JSON), messages to standard error.\n"
+      "Results go to standard output, to a terminal as a table, elsewhere as CSV; messages to standard error.\n"
       "Exit status: 0 success, 1 the job failed, 2 wrong usage or bad input.\n"
       "limitcurve help SUBCOMMAND shows its options and an example.");
   // "help", "help SUBCOMMAND" and --help-all are ways to ask for --help.
@@ -218,7 +222,7 @@ void run_command_line(std::vector<std::string> arguments, Results results) {
   }
   for (const Entry& entry : entries) {
     if (!entry.app->parsed()) continue;
-    results.format = entry.format;
+    results.format = entry.format.value_or(results.format);
     Messages own(Messages::Kind::notes);
     if (results.messages == nullptr) results.messages = &own;
     if (entry.quiet) results.messages->silence();

@@ -90,7 +90,9 @@ class Manual:
         self.pages = {name: parse(said(name, "--help-all")) for name in self.whole.subcommands}
         # What a law begins with: a shell would break a word at the colon after it.
         laws = [row.split(",")[0].strip('"') for row in said("laws").splitlines()[1:]] + ["samples:", "mix:"]
-        self.laws = list(dict.fromkeys(law.partition(":")[0] + law.partition(":")[1] for law in laws))
+        wrong = subprocess.run([executable, "translate", "--engine", "?"], capture_output=True, text=True, check=False).stderr
+        self.words = {"LAW": list(dict.fromkeys(law.partition(":")[0] + law.partition(":")[1] for law in laws)),
+                      "ENGINE": wrong.partition("expected one of ")[2].split()}
 
 
 def roff(text):
@@ -125,8 +127,8 @@ def man(manual):
 
 
 def words_after(manual, option):
-    """Completions after an option: its choices, or the laws; nothing if the shell should offer files."""
-    return manual.laws if option.kind == "LAW" else option.choices
+    """Completions after an option: its choices, the laws or the engines; nothing if the shell should offer files."""
+    return manual.words.get(option.kind.removesuffix(" ..."), option.choices)
 
 
 def bash(manual):

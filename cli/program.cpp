@@ -27,7 +27,8 @@ int run_program(const std::vector<std::string>& arguments) {
     Messages messages(Messages::Kind::notes_and_progress);
     auto output = OutputFile::standard_output();
     if (descriptor::draws(descriptor::standard_output)) output.before_writing([&] { messages.stop(); });
-    run_command_line(arguments, {.output = output, .messages = &messages});
+    const Format format = descriptor::is_terminal(descriptor::standard_output) ? Format::table : Format::csv;
+    run_command_line(arguments, {.output = output, .format = format, .messages = &messages});
     return 0;
   } catch (const NoSubcommand& error) {
     std::fputs(error.what(), stderr);

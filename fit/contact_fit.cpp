@@ -57,7 +57,8 @@ void warn_of_scatter(FitReport& report, const Solution& solution, const Loss& lo
   if (!with_sigma || report.residuals <= report.free_parameters) return;
   const double scatter =
       loss.kind != Loss::Kind::squared ? 1.4826 * median_size(solution.residuals) : std::sqrt(internal::residual_variance(solution));
-  if (scatter > 1.0 + 3.0 / std::sqrt(count)) {
+  report.scatter_refused = scatter > 1.0 + 3.0 / std::sqrt(count);
+  if (report.scatter_refused) {
     report.warnings.push_back("the scatter is " + format_number(scatter, 3) +
                               " times what the sigmas say: outliers, the wrong model, or sigmas that are too small");
   }

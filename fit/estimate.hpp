@@ -40,6 +40,9 @@ struct FitReport {
   std::string note;
   /// Warnings that a user must know before using the numbers, one sentence each.
   std::vector<std::string> warnings;
+  /// The samples refuse γ as it was assumed; their scatter is more than their sigmas say. Each has its warning.
+  bool gamma_refused = false;
+  bool scatter_refused = false;
 
   /// The estimate with this name; throws std::out_of_range if there is none.
   [[nodiscard]] const Estimate& at(std::string_view name) const;

@@ -145,7 +145,7 @@ LoadFit fit_prepared(const Preparation& data, LoadModel model, const Loss& loss)
     internal::set_estimates(fit.report, quantities, std::array{coefficient, -coefficient * data.log_reference, 0.0, 1.0}, covariance);
     const Estimate& estimate = fit.report.at("gamma");
     if (estimate.value < -2.0 * estimate.std_error || estimate.value > 1.0 / 3.0 + 2.0 * estimate.std_error) {
-      fit.report.warnings.push_back("gamma = " + format_number(estimate.value) + " is outside 0 to 1/3, the range of solid contacts");
+      fit.report.warnings.push_back("gamma = " + format_number(estimate.value, 3) + " is outside 0 to 1/3, the range of solid contacts");
     }
   } else {
     internal::set_estimates(fit.report, quantities, std::array{coefficient, 0.0}, covariance);

@@ -58,7 +58,7 @@ FitReport fit_ratio(std::span<const RatioSample> samples, const PressureLaw& law
         report.estimates.end(),
         {{"chi_squared", chi_squared, 0.0, "1"}, {"degrees_of_freedom", freedom, 0.0, "1"}, {"p_value", p_value, 0.0, "1"}});
     if (p_value < significant) {
-      report.warnings.push_back("the ratios differ by more than their standard errors explain (p = " + format_number(p_value) + ")");
+      report.warnings.push_back("the ratios differ by more than their standard errors explain (p = " + format_number(p_value, 3) + ")");
     }
   } else {
     const double bound = boost::math::quantile(boost::math::complement(distribution, significant));

@@ -185,11 +185,11 @@ template <class Real, class Number>
 /// evaluations of the curve for each search. `Number` is `double`, or a pack of double or float (`Real`) for as many contacts.
 template <class Real, class Number>
 [[nodiscard]] FrictionResult<Number> apply_friction(const CurveView<Real>& curve, Projection projection,
-                                                    const FrictionLimits<Number>& limits, FrictionTrial<Number> trial,
+                                                    const FrictionLimits<Number>& limits, const FrictionTrial<Number>& signed_trial,
                                                     FrictionMemory<Number>& memory) noexcept {
   using namespace arithmetic;
-  trial.force = abs(trial.force);
-  trial.moment = abs(trial.moment);
+  const FrictionTrial<Number> trial{abs(signed_trial.force), abs(signed_trial.moment), signed_trial.force_rounding,
+                                    signed_trial.moment_rounding};
   if (curve.is_box) return apply_uncoupled_friction(curve, limits, trial, memory);
   const Number zero = Number(Real(0));
   const Number one = Number(Real(1));

@@ -154,7 +154,7 @@ FingerOutput SoftFinger::update(const Contact& contact, double twist, double tim
 
 FingerOutput SoftFinger::update_under_load(const Vector3d& point, const Vector3d& normal, double load, double twist, double time_step,
                                            bool landed) noexcept {
-  // A load that is not finite makes a depth that is none.
+  // A load that is not finite makes a depth that is NaN.
   return advance(state_, {{point, normal, 0.0 * load, {}, landed}, twist, time_step, state_.spin, Fault::none, true, load});
 }
 

@@ -22,7 +22,7 @@
 #endif
 
 /// Arithmetic of a single number, under the names that packs of numbers use. Table look-up and friction are templates written with these
-/// names; they serve a single finger (`double`) and a batch (packs, godobject/kernel).
+/// names; they serve a single finger (`double`) and a batch (packs, kernel/).
 namespace limitcurve::arithmetic {
 
 /// `yes` if the condition holds, else `no`.

@@ -91,7 +91,7 @@ class RadiusLaw {
 /// The wrench of a contact under load P that slips about a COR at distance c.
 struct LoadPoint {
   double load = 0.0;    ///< P [N]
-  double cor = 0.0;     ///< c [m], |c| ∈ [0, ∞]
+  double cor = 0.0;     ///< c [m] ∈ [0, ∞]
   double force = 0.0;   ///< F [N]
   double moment = 0.0;  ///< M [N·m]
 };
@@ -109,7 +109,7 @@ void check_limits(double mu, double load, double radius);
 /// curve's normal then turns by equal steps, so that a polyline through the points looks smooth. `points` ≥ 2, else std::invalid_argument.
 std::vector<SlipTwist> slip_twists(std::size_t points);
 
-/// The wrench of a contact that slips about a COR at distance |`cor`| [m] ∈ [0, ∞] under `load` [N] ≥ 0, μ ≥ 0: F = μP f(c/a), M = μPa m(c/a)
+/// The wrench of a contact that slips about a COR at distance `cor` [m] ∈ [0, ∞] under `load` [N] ≥ 0, μ ≥ 0: F = μP f(c/a), M = μPa m(c/a)
 /// with a = a(P). Relative error: the curve's plus 8 ε. Throws std::invalid_argument for an argument out of range.
 template <LimitCurve Curve>
 LoadPoint load_point(const Curve& curve, const RadiusLaw& radius_law, double mu, double load, double cor) {

@@ -26,8 +26,8 @@ class ExactCurve {
     twist = twist.magnitudes();
     const double sum = twist.slide + twist.spin;
     if (!(sum > 0.0)) return {sum, sum};
-    if (twist.slide == 0.0) return {0.0, moment_ratio_};
-    return inwards(law_->forces(twist.cor(), Slope::unwanted));
+    const double s = twist.cor();
+    return s == 0.0 ? UnitWrench{0.0, moment_ratio_} : inwards(law_->forces(s, Slope::unwanted));
   }
 
   [[nodiscard]] SlopedPoint point(SlipTwist twist) const noexcept {

@@ -29,7 +29,7 @@ void check_load(double load) {
 }
 
 void check_cor(double cor) {
-  if (std::isnan(cor)) throw out_of_range("cor", cor, "m", "a number");
+  if (!(cor >= 0.0)) throw out_of_range("cor", cor, "m", ">= 0");
 }
 
 void check_limits(double mu, double load, double radius) {

@@ -48,6 +48,13 @@ struct PatchFriction {
   double error = 0.0;  ///< bound of the largest of: the power's relative error, |ΔF|, |ΔM|/m₀; set by `about_origin` only
 };
 
+/// How a patch slips under a wrench.
+struct PatchSlip {
+  PatchTwist twist;    ///< about the origin, of power 1 against the wrench; NaN for wrench 0 and for one that no load bears
+  double gauge = 0.0;  ///< of the wrench: 1 on the limit surface
+  double error = 0.0;  ///< bound of |ΔF| and |ΔM|/m₀, Δ from wrench/gauge to what the twist needs, force of a point under the COR aside
+};
+
 namespace patch {
 struct Shape;
 }
@@ -108,6 +115,10 @@ class Patch {
   /// inf for a moment that all load on one point must bear. Relative error 1e-12 plus the patch's own. Cost: 30 to 80 wrenches, 200 for two
   /// points.
   [[nodiscard]] double gauge(const PatchWrench& wrench) const noexcept;
+  /// The slip that begins when a wrench [N, N m], about the origin of the coordinates, overcomes friction: the inverse of `about_origin`.
+  /// Where the limit surface is flat, the slip is about a point, exactly; that point may bear any force up to its share. Points on one line,
+  /// and a single point, may slip in more than one way: it is one of them. Cost: 50 to 150 wrenches.
+  [[nodiscard]] PatchSlip slip(const PatchWrench& wrench) const;
 
   /// Centre of pressure [m].
   [[nodiscard]] PatchPoint centre() const noexcept;
@@ -130,6 +141,8 @@ class Patch {
   [[nodiscard]] RoundMeasures round_measures() const;
 
  private:
+  struct Direction;
+
   Patch(std::shared_ptr<const patch::Shape> shape, double mx, double my);
 
   std::shared_ptr<const patch::Shape> shape_;  ///< under isotropic friction: the patch with x times my and y times mx

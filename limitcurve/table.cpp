@@ -8,6 +8,7 @@
 #include "limitcurve/table/buckets.hpp"
 #include "limitcurve/table/builder.hpp"
 #include "limitcurve/table/check.hpp"
+#include "limitcurve/table/lookup.hpp"
 #include "limitcurve/table/own_curve.hpp"
 
 #include <algorithm>
@@ -17,6 +18,7 @@
 #include <limits>
 #include <optional>
 #include <stdexcept>
+#include <type_traits>
 
 namespace limitcurve {
 
@@ -57,10 +59,13 @@ table::Source fine_source(const Law& law, const std::string& name) {
 /// The largest error of `unrounded` at some CORs: roundings, if the law keeps its promises.
 double own_error(const PressureLaw& law) {
   Extended worst = 0;
-  for (const Extended s : {0.0L, 0.03L, 0.1L, 0.3L, 0.5L, 0.7L, 0.9L, 1.0L, 1.1L, 1.5L, 3.0L, 10.0L}) {
+  const auto look = [&](Extended s) {
     const UnitForces<Extended> error = law.unrounded(s, Slope::unwanted).error;
     worst = std::max({worst, error.force, error.moment});
-  }
+  };
+  for (const Extended s : {0.0L, 0.03L, 0.1L, 0.3L, 0.5L, 0.7L, 0.9L, 1.0L, 1.1L, 1.5L, 3.0L, 10.0L}) look(s);
+  // A pressure that is concentrated at the centre.
+  for (Extended s = 1e-28L; s < 0.01L; s *= 100) look(s);
   return static_cast<double>(worst);
 }
 
@@ -73,9 +78,9 @@ table::Source with_profile(table::Source source, const PressureLaw& law) {
   return source;
 }
 
-/// The result of `attempt(tolerance)`. If it returns nothing, throws an error with the finest tolerance at which it returns a table.
-template <class Real, class Attempt>
-BasicTable<Real> built(const std::string& name, double tolerance, const Attempt& attempt) {
+/// The result of `attempt(tolerance)`. If it returns nothing, throws an error with the finest tolerance that is `possible(tolerance)`.
+template <class Real, class Attempt, class Possible>
+BasicTable<Real> built(const std::string& name, double tolerance, const Attempt& attempt, const Possible& possible) {
   using Result = BasicTable<Real>;
   if (!(tolerance >= Result::finest_tolerance && tolerance <= Result::coarsest_tolerance)) {
     throw out_of_range("tolerance", tolerance, "1",
@@ -89,7 +94,7 @@ BasicTable<Real> built(const std::string& name, double tolerance, const Attempt&
     for (const int digit : {1, 2, 5}) coarser.push_back(digit / std::pow(10.0, decade));
   }
   std::erase_if(coarser, [&](double t) { return t <= tolerance || t > Result::coarsest_tolerance; });
-  const auto finest = std::partition_point(coarser.begin(), coarser.end(), [&](double t) { return !attempt(t); });
+  const auto finest = std::partition_point(coarser.begin(), coarser.end(), [&](double t) { return !possible(t); });
   if (finest == coarser.end()) throw std::runtime_error(failed + "nor is any other");
   throw std::runtime_error(failed + "the finest that is possible is " + format_number(*finest));
 }
@@ -106,13 +111,20 @@ BasicTable<Real> BasicTable<Real>::build(const Law& law, double tolerance, Table
   const table::Source fine = with_profile(fine_source(law, options.name), *law);
   const double scale = std::max(1.0, law->moment_ratio());
   const double known_error = own_error(*law);
-  return built<Real>(options.name, tolerance, [&](double wanted) -> std::optional<BasicTable> {
-    if (wanted * scale <= known_error) return std::nullopt;
-    if (wanted >= quick_tolerance && known_error <= quick_error * scale) {
+  const auto begins = [&](const table::Source& source, double wanted) {
+    return wanted * scale > known_error && table::begins<Real>(source, wanted);
+  };
+  bool begun = true;
+  const auto attempt = [&](double wanted) -> std::optional<BasicTable> {
+    if (wanted >= quick_tolerance && known_error <= std::max(quick_error, 0.01 * wanted) * scale) {
       if (auto table = table::build<Real>(quick, wanted, options.bytes)) return table;
     }
-    return table::build<Real>(fine, wanted, options.bytes);
-  });
+    begun = begins(fine, wanted);
+    return begun ? table::build<Real>(fine, wanted, options.bytes) : std::nullopt;
+  };
+  // If it does not begin, neither do finer ones; where the coarser ones begin is found without building them.
+  return built<Real>(options.name, tolerance, attempt,
+                     [&](double wanted) { return begun ? attempt(wanted).has_value() : begins(quick, wanted); });
 }
 
 template <class Real>
@@ -133,7 +145,8 @@ BasicTable<Real> BasicTable<Real>::build_from(const std::function<UnitWrench(Sli
                                return {x, wrench.force, wrench.moment, error};
                              },
                              {}};
-  return built<Real>(options.name, tolerance, [&](double wanted) { return table::build<Real>(source, wanted, options.bytes); });
+  const auto attempt = [&](double wanted) { return table::build<Real>(source, wanted, options.bytes); };
+  return built<Real>(options.name, tolerance, attempt, [&](double wanted) { return attempt(wanted).has_value(); });
 }
 
 int TableCells::degree() const noexcept {
@@ -206,6 +219,35 @@ RadialPoint BasicTable<Real>::along(UnitWrench direction) const noexcept {
   // Scale by the gauge: its error is the square of the search's. The gauge is that of the scaled wrench, so that it does not overflow.
   const auto length = static_cast<double>(gauge);
   return {{scaled.force / length, scaled.moment / length}, {static_cast<double>(point.slide), static_cast<double>(point.spin)}};
+}
+
+template <class Real>
+void BasicTable<Real>::wrench(std::span<const SlipTwist> twists, std::span<UnitWrench> wrenches) const noexcept {
+  const std::size_t count = std::min(twists.size(), wrenches.size());
+  std::size_t i = 0;
+#ifdef LIMITCURVE_WIDE_PACKS
+  if constexpr (std::is_same_v<Real, double>) {
+    const kernel::InstructionSet set = kernel::widest_set();
+    if (set == kernel::InstructionSet::avx512)
+      i = kernel::wrenches_in_packs<kernel::Avx512>(pieces(), twists.data(), wrenches.data(), count);
+    if (set == kernel::InstructionSet::avx2) i = kernel::wrenches_in_packs<kernel::Avx2>(pieces(), twists.data(), wrenches.data(), count);
+  }
+#endif
+  for (; i < count; ++i) wrenches[i] = wrench(twists[i]);
+}
+
+template <class Real>
+void BasicTable<Real>::gauge(std::span<const UnitWrench> wrenches, std::span<double> gauges) const noexcept {
+  const std::size_t count = std::min(wrenches.size(), gauges.size());
+  std::size_t i = 0;
+#ifdef LIMITCURVE_WIDE_PACKS
+  if constexpr (std::is_same_v<Real, double>) {
+    const kernel::InstructionSet set = kernel::widest_set();
+    if (set == kernel::InstructionSet::avx512) i = kernel::gauges_in_packs<kernel::Avx512>(view_, wrenches.data(), gauges.data(), count);
+    if (set == kernel::InstructionSet::avx2) i = kernel::gauges_in_packs<kernel::Avx2>(view_, wrenches.data(), gauges.data(), count);
+  }
+#endif
+  for (; i < count; ++i) gauges[i] = gauge(wrenches[i]);
 }
 
 template class BasicTable<double>;

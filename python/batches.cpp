@@ -142,7 +142,7 @@ void add_batches(nb::module_& module) {
       module, "Batch",
       "Many contacts in arrays. They share a limit curve and parameters; each is in its own tangent plane.\n\n"
       "A batch does step b only: friction by the curve, springs, radius law, static and dynamic friction. Dampers, fading and\n"
-      "unwrapping of angles need a SoftFinger. A sample that is not usable (NaN, farther than 1e6 m), or a proxy that is none,\n"
+      "unwrapping of angles need a SoftFinger. A sample that is not usable (NaN, farther than 1e6 m), or a proxy that is NaN,\n"
       "makes its contact `invalid`; the last output of that contact stays.\n\n"
       ">>> import limitcurve as lc, numpy as np\n"
       ">>> batch = lc.Batch(lc.Table('hertz', 1e-8), 3, mu=0.6)\n"

@@ -233,7 +233,7 @@ NB_MODULE(_core, module) {
       nb::arg("table"), nb::arg("names"), nb::arg("columns"),
       nb::sig("def columns_of(table: str, names: collections.abc.Sequence[str], columns: list[typing.Any]) -> "
               "list[numpy.typing.NDArray[numpy.float64]]"),
-      "A table's columns as arrays of one length, without masked rows. ValueError with the place of what is no number.");
+      "A table's columns as arrays of one length, without masked rows. ValueError with the place of what is NaN.");
   module.def(
       "numbers_of", [](nb::handle values, const std::string& name) { return numbers_of<double>(values, name).array; }, nb::arg("values"),
       nb::arg("name"), nb::sig("def numbers_of(values: numpy.typing.ArrayLike, name: str) -> numpy.typing.NDArray[numpy.float64]"),

@@ -54,6 +54,14 @@ nb::object loads_to_hold(const PyPatch& patch, nb::handle fx, nb::handle fy, nb:
   });
 }
 
+nb::object slips(const PyPatch& patch, nb::handle fx, nb::handle fy, nb::handle moment) {
+  const nb::object twists = of_numbers<3, 16, 3>({fx, fy, moment}, {"fx", "fy", "moment"}, any, [&](const std::array<double, 3>& wrench) {
+    const PatchTwist twist = patch.slip({wrench[0], wrench[1], wrench[2]}).twist;
+    return std::array{twist.vx, twist.vy, twist.omega};
+  });
+  return nb::module_::import_("numpy").attr("stack")(twists, -1);
+}
+
 /// A kind of patch from columns of numbers.
 PyPatch of_columns(const char* kind, const std::vector<std::string>& names, const nb::list& columns) {
   const auto all = columns_of("", names, columns);
@@ -171,6 +179,13 @@ void add_patches(nb::module_& module) {
                    "mu: float) -> typing.Any"),
            "The least loads [N] that hold friction wrenches [N, N m] about the origin, broadcast against each other; inf if no load does.\n"
            "Releases the GIL.")
+      .def("slip", &slips, nb::arg("fx"), nb::arg("fy"), nb::arg("moment"),
+           nb::sig("def slip(self, fx: numpy.typing.ArrayLike, fy: numpy.typing.ArrayLike, moment: numpy.typing.ArrayLike) -> typing.Any"),
+           "The twists (vx, vy, omega) [m/s, rad/s] about the origin with which the patch slips under friction wrenches [N, N m], "
+           "broadcast\n"
+           "against each other: shape (…, 3). They have power 1 W against the wrench; NaN for wrench 0, and where no load holds. Releases "
+           "the\n"
+           "GIL.")
       .def_prop_ro("moment_ratio", &Patch::moment_ratio, "m0: the moment of a pure spin over mu P [m].")
       .def_prop_ro("radius", &Patch::radius, "Largest distance of a point from the centre of pressure [m].")
       .def_prop_ro(

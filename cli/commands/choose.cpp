@@ -126,14 +126,14 @@ class Choose final : public Subcommand {
   [[nodiscard]] std::string how_to_replay(const godobject::ReplayOptions& step) const {
     std::string text =
         "replay it with --curve " + std::string(to_string(step.curve)) + " --projection " + std::string(to_string(step.projection));
-    if (step.curve == godobject::CurveKind::table) text += " --tolerance " + format_number(step.tolerance);
+    if (step.curve == godobject::CurveKind::table) text += " --tolerance " + format_number(step.tolerance, 6);
     if (!mu_) text += " --mu " + format_number(scene_.mu);
     if (!stiffness_) text += " --stiffness " + format_number(scene_.stiffness);
     if (!twist_stiffness_) text += " --twist-stiffness " + format_number(scene_.twist_stiffness);
     if (step.finger.mu_r == 0.0) text += " --mu-r 0";
     const RadiusLaw& radius_law = step.finger.radius_law;
     if (!scene_.mu_r && (!radius_law_ || radius_law.depends_on_load() != scene_.radius_law.depends_on_load())) {
-      text += " --radius-law constant:a=" + format_number(radius_law.radius(scene_.most_load));
+      text += " --radius-law constant:a=" + format_number(radius_law.radius(scene_.most_load), 6);
     }
     return text;
   }

@@ -25,7 +25,7 @@ class Eval final : public Subcommand {
 
   void declare(Options& options) override {
     options.law(law_);
-    options.numbers("--c", distances_, distance, "Distances of the centre of rotation from the contact centre [m], such as 0,0.5,inf");
+    options.numbers("--c", distances_, signed_distance, "Distances of the centre of rotation from the contact centre [m], such as 0,0.5,inf");
     options.number("--radius", radius_, positive, "Contact radius a [m] (default 1)");
     options.number("--load", load_, non_negative, "Normal load P [N]");
     options.number("--mu", friction_, non_negative, "Friction coefficient mu [1]");
@@ -35,15 +35,15 @@ class Eval final : public Subcommand {
   void run(const Results& results) override {
     const Method method = method_of(*law_, method_names()[method_]);
     const double radius = radius_.value_or(1.0);
-    UnitQuestions questions;
-    questions.load(load_);
-    if (radius_) questions.length("--radius", *radius_);
-    results.messages->say(questions.lines());
     const double force_unit = friction_ * load_;
     const double moment_unit = force_unit * radius;
     if (!std::isfinite(force_unit) || !std::isfinite(moment_unit)) {
       throw std::invalid_argument("--mu, --load, --radius: their product is too large, expected a finite number");
     }
+    UnitQuestions questions;
+    questions.load(load_);
+    if (radius_) questions.length("--radius", *radius_);
+    results.messages->say(questions.lines());
     Rows rows(results, {"c", "force", "moment", "force_error", "moment_error"});
     for (const double c : distances_) {
       const double s = c / radius;

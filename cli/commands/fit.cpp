@@ -41,7 +41,8 @@ class Fit final : public Subcommand {
             "explains the pushes. mu_ellipsoid and drift_ellipsoid use the ellipsoid sqrt(v^2 + m0^2 w^2) in place of H.\n"
             "Columns: parameter, value, std_error (empty without data: a curve has no noise), unit, note (the fitted model and its\n"
             "assumptions).\n"
-            "Standard error has warnings, and in its last line the options of replay and the fields of FingerParameters to use.",
+            "Standard error has warnings, and in its last line the options of replay and the fields of FingerParameters to use, unless\n"
+            "the data refuse the fit.",
             "limitcurve fit ellipse --law hertz"};
   }
 
@@ -145,7 +146,7 @@ class Fit final : public Subcommand {
     constexpr double largest_radius = 0.1;
     for (const fit::Estimate& estimate : report.estimates) {
       if ((estimate.name != "radius" && estimate.name != "c") || !(estimate.value > largest_radius)) continue;
-      say("warning", estimate.name + " = " + format_number(estimate.value) + " " + estimate.unit + ": are the data in metres?");
+      say("warning", estimate.name + " = " + format_number(estimate.value, 3) + " " + estimate.unit + ": are the data in metres?");
     }
   }
 
@@ -153,14 +154,16 @@ class Fit final : public Subcommand {
   void describe(const fit::ModelFit& found) const {
     const fit::FitReport& report = found.report;
     std::string text = std::to_string(report.residuals) + " residuals, " + std::to_string(report.free_parameters) +
-                       " free parameters, rms " + format_number(report.rms) + "; ";
+                       " free parameters, rms " + format_number(report.rms, 3) + "; ";
     if (found.error) {
-      text += "too strong by up to " + format_number(found.error->max_over_estimate) + ", too weak by up to " +
-              format_number(found.error->max_under_estimate) + ", its centre of rotation off by up to " +
-              format_number(found.error->max_cor_error) + "; ";
+      text += "too strong by up to " + format_number(found.error->max_over_estimate, 3) + ", too weak by up to " +
+              format_number(found.error->max_under_estimate, 3) + ", its centre of rotation off by up to " +
+              format_number(found.error->max_cor_error, 3) + "; ";
     }
     say("note", text + report.message);
   }
+
+  static constexpr int digits = 6;  ///< of a number to type
 
   /// The fitted finger as options of replay and as fields of FingerParameters.
   void say_what_to_type(const fit::ModelFit& found) const {
@@ -172,12 +175,17 @@ class Fit final : public Subcommand {
       return otherwise;
     };
     if (estimates.front().name == "ratio") return;  // without mu there is no finger
+    const bool follows_outliers = found.report.scatter_refused && loss_ == 0;
+    if (found.report.gamma_refused || follows_outliers) {
+      return say("note", std::string("nothing to type: the data refuse this fit; add") +
+                             (found.report.gamma_refused ? " --fit-gamma" : "") + (follows_outliers ? " --loss cauchy" : ""));
+    }
     const double gamma = value("gamma", settings_.gamma);
-    const std::string growth = format_number(gamma);
+    const std::string growth = format_number(gamma, digits);
     // FingerParameters accepts no other exponent.
     if (!(gamma >= -0.5 && gamma <= 1.0)) return;
     if (estimates.front().name == "c") {
-      const std::string c = format_number(estimates.front().value);
+      const std::string c = format_number(estimates.front().value, digits);
       if (gamma >= 0.0) {
         say("note", "to type into replay: --radius-law power:c=" + c + ",gamma=" + growth +
                         "; into FingerParameters: .radius_law = RadiusLaw::power(" + c + ", " + growth + ")");
@@ -194,8 +202,8 @@ class Fit final : public Subcommand {
     if (!law.empty()) options = " --law " + law;
     if (found.model == "ellipse") options = " --curve ellipse";
     const bool of_load = estimates.front().name == "mu_r";
-    if (!of_load) add("mu", "mu", format_number(estimates[0].value));
-    add("mu-r", "mu_r", format_number(estimates[of_load ? 0 : 1].value));
+    if (!of_load) add("mu", "mu", format_number(estimates[0].value, digits));
+    add("mu-r", "mu_r", format_number(estimates[of_load ? 0 : 1].value, digits));
     if (gamma != 0.0) add("gamma", "gamma", growth);
     say("note", "to type into replay:" + options + "; into FingerParameters: " + fields);
   }
@@ -204,7 +212,7 @@ class Fit final : public Subcommand {
   [[nodiscard]] static std::string law_of(const fit::ModelFit& found) {
     for (const fit::Estimate& estimate : found.report.estimates) {
       if (estimate.name == "n" || estimate.name == "k") {
-        return std::isfinite(estimate.value) ? found.model + ":" + estimate.name + "=" + format_number(estimate.value) : "";
+        return std::isfinite(estimate.value) ? found.model + ":" + estimate.name + "=" + format_number(estimate.value, digits) : "";
       }
     }
     return found.report.estimates.front().name == "mu" ? found.model : "";
@@ -246,7 +254,7 @@ class Fit final : public Subcommand {
   [[nodiscard]] fit::ModelFit law_fit(const std::vector<fit::Sample>& samples) const {
     fit::LawSelection selection = fit::select_law(samples, settings_);
     for (std::size_t i = 0; i < selection.candidates.size(); ++i) {
-      say("note", selection.candidates[i].model + ": AICc " + format_number(selection.aic_difference[i]) + " above the best");
+      say("note", selection.candidates[i].model + ": AICc " + format_number(selection.aic_difference[i], 3) + " above the best");
     }
     fit::ContactFit& best = selection.candidates.front();
     return {best.model, std::move(best.report), std::nullopt, std::move(best.residuals)};
@@ -263,7 +271,7 @@ class Fit final : public Subcommand {
     }
     const fit::LoadSelection selection = fit::select_load(samples, settings_.loss);
     for (std::size_t i = 0; i < selection.candidates.size(); ++i) {
-      say("note", std::string(fit::to_string(selection.candidates[i].model)) + ": AICc " + format_number(selection.aic_difference[i]) +
+      say("note", std::string(fit::to_string(selection.candidates[i].model)) + ": AICc " + format_number(selection.aic_difference[i], 3) +
                       " above the best");
     }
     if (wanted == "best") return {"load", selection.candidates.front().report, std::nullopt};

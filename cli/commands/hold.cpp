@@ -35,7 +35,8 @@ class Hold final : public Subcommand {
         "not matter. With --fingers 2 --mass M --offset L in their place, fingers grip an object beside its centre of mass and hold\n"
         "it level: each bears m g/2 and m g l/2, and hold_load is the grip of each.\n"
         "--patch P, in place of --law and --radius-law: a contact that is not round (see 'limitcurve patch'); then --force is FX,FY,\n"
-        "and --data has fx,fy,moment; the moment is about the origin of the patch.\n"
+        "and --data has fx,fy,moment; the moment is about the origin of the patch. With --mass the weight pulls along --down, and the\n"
+        "centre of mass is --offset from the origin towards (-Y, X), which is positive x by default.\n"
         "Columns: force,moment (with --patch fx,fy,moment) [N, N m]; hold_load [N], inf if no load holds. Where --data has a column\n"
         "load [N], also margin at that load: 1 without friction, 0 on the limit and beyond, as in 'limitcurve replay --details'.",
         "limitcurve hold --law hertz --radius-law hertz:R=0.008,E=2e5 --mu 0.8 --fingers 2 --mass 0.2 --offset 0.02"};
@@ -53,7 +54,8 @@ class Hold final : public Subcommand {
     options.count("--fingers", fingers_, 1, 100,
                   "In place of --force and --moment: number of fingers that share an object's weight (default 2)");
     options.number("--mass", mass_, positive, "Mass of the object [kg]");
-    options.number("--offset", offset_, non_negative, "Distance of its centre of mass from the grip, level [m]");
+    options.number("--offset", offset_, finite, "Distance of its centre of mass from the grip, level [m]");
+    options.numbers("--down", down_, finite, "With --patch and --mass: direction of the weight, X,Y (default 0,-1)", Presence::optional);
     options.number("--gravity", gravity_, non_negative, "Gravity [m/s^2]");
   }
 
@@ -64,6 +66,7 @@ class Hold final : public Subcommand {
     if (given != 1) throw std::invalid_argument("expected one of --force with --moment, --data, and --mass with --offset");
     if (data_.empty() && !columns_.names.empty()) throw std::invalid_argument("--columns: goes with --data");
     if (mass_ && columns_.given()) throw std::invalid_argument("--units: goes with --data, or with --force and --moment");
+    if (!down_.empty() && (patch_.empty() || !mass_)) throw std::invalid_argument("--down: goes with --patch and --mass");
     if (patch_.empty()) {
       if (!radius_law_) throw std::invalid_argument("--radius-law is required");
       const godobject::FingerCurve curve = make_finger_curve(godobject::CurveKind::exact, law_, 0.0);
@@ -133,9 +136,12 @@ class Hold final : public Subcommand {
   [[nodiscard]] Need single() const {
     if (fingers_ || mass_ || offset_) {
       if (!mass_ || !offset_) throw std::invalid_argument("--mass and --offset: expected both");
-      if (!patch_.empty()) throw std::invalid_argument("--mass: not with --patch, which needs the direction of the force: --force FX,FY");
       const double weight = *mass_ * gravity_ / static_cast<double>(fingers_.value_or(2));
-      return {weight, 0.0, weight * *offset_};
+      if (patch_.empty()) return {weight, 0.0, weight * *offset_};
+      const std::vector<double> down = down_.empty() ? std::vector{0.0, -1.0} : down_;
+      const double length = down.size() == 2 ? std::hypot(down[0], down[1]) : 0.0;
+      if (!(length > 0.0)) throw std::invalid_argument("--down: expected X,Y, two numbers that are not both 0");
+      return {weight * down[0] / length, weight * down[1] / length, 0.0 - weight * *offset_};
     }
     const std::size_t expected = patch_.empty() ? 1 : 2;
     if (!force_.empty() && force_.size() != expected) {
@@ -157,6 +163,7 @@ class Hold final : public Subcommand {
   std::optional<std::size_t> fingers_;
   std::optional<double> mass_;
   std::optional<double> offset_;
+  std::vector<double> down_;
   double gravity_ = 9.81;
   UnitQuestions questions_;
   std::array<double, 2> loads_{std::numeric_limits<double>::infinity(), 0.0};  ///< smallest and largest that hold

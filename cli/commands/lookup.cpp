@@ -17,7 +17,7 @@ class Lookup final : public Subcommand {
 
   void declare(Options& options) override {
     options.text("--table", file_, "FILE", "Table, .csv or .json", Presence::required);
-    options.numbers("--c", distances_, distance, "Distances of the centre of rotation from the contact centre, in contact radii");
+    options.numbers("--c", distances_, signed_distance, "Distances of the centre of rotation from the contact centre, in contact radii");
   }
 
   void run(const Results& results) override {

@@ -1,9 +1,18 @@
 // SPDX-License-Identifier: MIT
-#include "limitcurve/patch.hpp"
-
 #include "cli/commands/subcommands.hpp"
+#include "cli/io/csv_reader.hpp"
 #include "cli/io/patch_argument.hpp"
 #include "cli/io/unit_questions.hpp"
+
+#include "godobject/finger_curve.hpp"
+#include "limitcurve/patch.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <stdexcept>
 
 namespace limitcurve::cli {
 
@@ -13,7 +22,7 @@ class PatchCommand final : public Subcommand {
  public:
   [[nodiscard]] Manual manual() const override {
     return {
-        "patch", "Friction of a contact that is not round: the wrench of each sliding twist",
+        "patch", "Contacts that are not round: the wrench of each sliding twist, or the slip under each wrench",
         "Patches: points:FILE.csv (columns x,y,load), polygon:FILE.csv (x,y), rectangle:x=0.02,y=0.01 (full sides),\n"
         "ellipse:law=hertz,a=0.004,b=0.002 (semi-axes), image:FILE.csv,pixel=0.0005 (rows of pressures, the first row at the\n"
         "largest y; the origin is the centre of pressure; pixel=0.004x0.005 along x and y; an empty pixel, B or nan has no sensor; a\n"
@@ -21,37 +30,105 @@ class PatchCommand final : public Subcommand {
         "mu. Lengths are in metres; loads and pressures may have any unit.\n"
         "Twists: a CSV with the columns vx,vy,omega [m/s, rad/s], the velocity of the patch over the ground at the origin.\n"
         "Columns: the twist; fx, fy, moment: the wrench about the origin that keeps the patch sliding; power = mu P H; error, a\n"
-        "bound of the largest of the relative error of power, |dF|/(mu P) and |dM|/(mu P m0).",
+        "bound of the largest of the relative error of power, |dF|/(mu P) and |dM|/(mu P m0).\n"
+        "Wrenches: a CSV with the columns fx,fy,moment [N, N m] about the origin. Columns: the wrench; hold_load: the load that\n"
+        "just holds it [N], inf if none does; vx, vy, omega: the slip at that load, of power 1 W against the wrench, nan for wrench 0 or\n"
+        "without such a load; error: bound of |dF|/(mu P) and |dM|/(mu P m0), from the wrench to what the slip needs. Where the limit\n"
+        "surface is flat the slip is about a point of the patch, exactly; error leaves out the force that this point bears.\n"
+        "--law and --radius-law in place of --patch: a round contact; wrenches are force,moment, slips slide,spin [m/s, rad/s].",
         "limitcurve patch --patch rectangle:x=0.02,y=0.01 --twists data/patches/twists.csv --mu 0.5 --load 4"};
   }
 
   void declare(Options& options) override {
-    options.text("--patch", patch_, "PATCH", "Pressure patch (see below)", Presence::required);
-    options.text("--twists", twists_, "FILE", "CSV of twists, or - for standard input", Presence::required);
+    options.text("--patch", patch_, "PATCH", "Pressure patch (see below)");
+    options.law(law_, Presence::optional);
+    options.radius_law(radius_law_, Presence::optional);
+    options.text("--twists", twists_, "FILE", "CSV of twists, or - for standard input");
+    options.text("--wrenches", wrenches_, "FILE", "In place of --twists: CSV of wrenches, or - for standard input");
     options.number("--mu", mu_, positive, "Coefficient of friction");
-    options.number("--load", load_, positive, "Normal load P [N]");
+    options.number("--load", load_, positive, "With --twists: normal load P [N] (default 1)");
   }
 
   void run(const Results& results) override {
+    if (patch_.empty() == (law_ == nullptr)) throw std::invalid_argument("expected one of --patch and --law");
+    if (twists_.empty() == wrenches_.empty()) throw std::invalid_argument("expected one of --twists and --wrenches");
+    if (load_ && twists_.empty()) throw std::invalid_argument("--load: goes with --twists; with --wrenches it is a result");
+    if (law_ != nullptr) return slip_of_round_contact(results);
+    if (radius_law_) throw std::invalid_argument("--radius-law: not with --patch, which has its own size");
     const Patch patch = read_patch(patch_, *results.messages);
+    if (!wrenches_.empty()) return slip(results, patch);
     UnitQuestions questions;
-    questions.load(load_);
+    if (load_) questions.load(*load_);
     results.messages->say(questions.lines());
     Rows rows(results, {"vx", "vy", "omega", "fx", "fy", "moment", "power", "error"});
-    const double limit = mu_ * load_;
-    read_twists(twists_, [&](const PatchTwist& twist) {
+    const double limit = mu_ * load_.value_or(1.0);
+    CsvReader reader(twists_, {"vx", "vy", "omega"});
+    while (reader.next()) {
+      const PatchTwist twist{reader.number(0, finite), reader.number(1, finite), reader.number(2, finite)};
       const PatchFriction friction = patch.about_origin(twist);
       rows.row(twist.vx, twist.vy, twist.omega, limit * friction.wrench.fx, limit * friction.wrench.fy, limit * friction.wrench.moment,
                limit * friction.power, friction.error);
-    });
+    }
     rows.finish();
   }
 
  private:
+  void slip(const Results& results, const Patch& patch) const {
+    Rows rows(results, {"fx", "fy", "moment", "hold_load", "vx", "vy", "omega", "error"});
+    CsvReader reader(wrenches_, {"fx", "fy", "moment"});
+    UnitQuestions questions;
+    while (reader.next()) {
+      const PatchWrench wrench{reader.number(0, finite), reader.number(1, finite), reader.number(2, finite)};
+      const auto [twist, gauge, error] = patch.slip(wrench);
+      questions.wrench(std::hypot(wrench.fx, wrench.fy), wrench.moment);
+      questions.load(gauge / mu_);
+      rows.row(wrench.fx, wrench.fy, wrench.moment, gauge / mu_, twist.vx, twist.vy, twist.omega, error);
+    }
+    results.messages->say(questions.lines());
+    rows.finish();
+  }
+
+  void slip_of_round_contact(const Results& results) const {
+    if (wrenches_.empty()) throw std::invalid_argument("--law: goes with --wrenches; for twists see 'limitcurve eval'");
+    if (!radius_law_) throw std::invalid_argument("--radius-law is required");
+    const godobject::FingerCurve curve = make_finger_curve(godobject::CurveKind::exact, law_, 0.0);
+    const RadiusLaw radius_law = radius_law_->of(mu_, law_);
+    std::array<double, 2> loads{infinite, 0.0};  // smallest and largest
+    Rows rows(results, {"force", "moment", "hold_load", "slide", "spin", "error"});
+    CsvReader reader(wrenches_, {"force", "moment"});
+    UnitQuestions questions;
+    while (reader.next()) {
+      const double force = reader.number(0, finite);
+      const double moment = reader.number(1, finite);
+      const double load = load_to_hold(curve, radius_law, mu_, force, moment);
+      if (!(load > 0.0 && std::isfinite(load))) {
+        constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+        rows.row(force, moment, load, nan, nan, nan);
+        continue;
+      }
+      loads = {std::min(loads[0], load), std::max(loads[1], load)};
+      questions.wrench(force, moment);
+      const double radius = radius_law.radius(load);
+      const double limit = mu_ * load;
+      const UnitWrench wrench{std::fabs(force) / limit, std::fabs(moment) / (limit * radius)};
+      const auto [needed, normal] = curve.along(wrench);
+      const double power = limit * (wrench.force * normal.slide + wrench.moment * normal.spin);
+      const double miss = std::max(std::fabs(needed.force - wrench.force), std::fabs(needed.moment - wrench.moment) / curve.moment_ratio());
+      rows.row(force, moment, load, std::copysign(normal.slide / power, force), std::copysign(normal.spin / power / radius, moment),
+               miss + curve.error() / std::min(1.0, curve.moment_ratio()));
+    }
+    if (loads[1] > 0.0) questions.radii(radius_law, loads);
+    results.messages->say(questions.lines());
+    rows.finish();
+  }
+
   std::string patch_;
+  Law law_;
+  std::optional<RadiusLawArgument> radius_law_;
   std::string twists_;
+  std::string wrenches_;
   double mu_ = 1.0;
-  double load_ = 1.0;
+  std::optional<double> load_;
 };
 
 }  // namespace

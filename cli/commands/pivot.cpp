@@ -60,8 +60,11 @@ GripOperator read_operator(const std::string& text, UnitQuestions& questions) {
     angle_key("target", hand.target, positive).take(target);
     questions.angle("target", hand.target, target);
   };
-  read_key_values(text, {{"target", take_target}, positive_key("load", hand.start_load), positive_key("rate", hand.rate),
-                         positive_key("regrip-rate", hand.regrip_rate), number_key("speed", hand.speed, positive, false),
+  read_key_values(text, {{"target", take_target},
+                         positive_key("load", hand.start_load),
+                         positive_key("rate", hand.rate),
+                         positive_key("regrip-rate", hand.regrip_rate),
+                         number_key("speed", hand.speed, positive, false),
                          KeyValue{"on-slide", take_on_slide, false, "regrip|keep"}});
   return hand;
 }
@@ -98,7 +101,7 @@ class Pivot final : public Subcommand {
     options.named("--projection", settings_.projection, godobject::projection_names(), godobject::parse_projection,
                   "Projection onto the limit curve, in place of the case's");
     options.radius_law(radius_law_, Presence::optional);
-    options.text("--material", material_, "NAME", "Coefficients from Table 1 (data/materials.csv): rayon, suede, sandpaper");
+    options.text("--material", material_, "rayon|suede|sandpaper", "Coefficients from Table 1 (data/materials.csv)");
     options.number("--mu", mu_, non_negative, "Friction coefficient mu_l [1] (default: the material's, else sandpaper's)");
     options.number("--mu-r", mu_r_, non_negative, "mu_r [m] (default: the material's, else sandpaper's)");
     options.text("--grip", grip_file_, "FILE", "CSV with columns time,load");
@@ -107,8 +110,7 @@ class Pivot final : public Subcommand {
         Presence::optional);
     options.value(
         "--operator", "LIST", [this](const std::string& text) { settings_.grip_operator = read_operator(text, questions_); },
-        "target=ANGLE[,…]",
-        Presence::optional);
+        "target=ANGLE[,…]", Presence::optional);
     options.number("--mass", settings_.mass, positive, "Mass of the block [kg]");
     options.number("--offset", settings_.offset, non_negative, "Distance of the centre of mass from the grip point, along the block [m]");
     options.number("--stiffness", settings_.stiffness, positive, "k_l of each finger [N/m]");
@@ -182,13 +184,13 @@ class Pivot final : public Subcommand {
   /// Notes and warnings that the user must know before using the rows.
   void describe(Messages& messages, const godobject::Pivot& pivot) const {
     if (settings_.curve == CurveKind::exact) {
-      messages.say("limitcurve: exact: a table with an error of at most " + format_number(pivot.curve_error()) + " in unit wrenches");
+      messages.say("limitcurve: exact: a table with an error of at most " + format_number(pivot.curve_error(), 3) + " in unit wrenches");
     }
     const double load = pivot.row().load;
     const double needed = pivot.holding_load();
     if (load < needed) {
-      messages.say("limitcurve: warning: the grip begins at " + format_number(load) + " N a finger and does not hold the block: " +
-                   (std::isfinite(needed) ? "that needs " + format_number(needed) + " N" : "no load does"));
+      messages.say("limitcurve: warning: the grip begins at " + format_number(load, 3) + " N a finger and does not hold the block: " +
+                   (std::isfinite(needed) ? "that needs " + format_number(needed, 3) + " N" : "no load does"));
     }
   }
 

@@ -242,9 +242,10 @@ class Replay final : public Subcommand {
     results.messages->say(surface_.notes);
     godobject::Replay replay(replay_);
     if (replay_.curve == CurveKind::exact && !replay_.patch) {
-      std::string text = "limitcurve: exact: a table with an error of at most " + format_number(replay.curve_error()) + " in unit wrenches";
+      std::string text =
+          "limitcurve: exact: a table with an error of at most " + format_number(replay.curve_error(), 3) + " in unit wrenches";
       if (const double profile = replay_.law->profile_error(); profile > 0.0) {
-        text += ", of which " + format_number(profile) + " because the pressure is known only at samples";
+        text += ", of which " + format_number(profile, 3) + " because the pressure is known only at samples";
       }
       results.messages->say(text);
     }

@@ -50,7 +50,7 @@ class Translate final : public Subcommand {
     options.numbers("--loads", loads_, positive,
                     "LOW,HIGH: range of loads [N] for loads_error (default: a quarter of --load to four times --load)", Presence::optional);
     options.value(
-        "--engine", "NAME", [this](const std::string& text) { engine_ = fit::find_engine(text); },
+        "--engine", "ENGINE", [this](const std::string& text) { engine_ = fit::find_engine(text); },
         "One engine alone: mujoco, newton, genesis, physx, isaac, sapien, bullet, ...", Presence::optional);
     options.repeated(
         "--read", "ENGINE.PARAMETER=VALUE", [this](const std::string& text) { readings_.push_back(text); },

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "cli/commands/subcommands.hpp"
+#include "cli/io/csv_reader.hpp"
 #include "cli/io/law_argument.hpp"
 #include "cli/io/patch_argument.hpp"
 
@@ -13,7 +14,11 @@
 #include "fit/curve_fit.hpp"
 #endif
 
+#include <algorithm>
+#include <cmath>
+#include <functional>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 #include <string_view>
 
@@ -34,7 +39,11 @@ class Validate final : public Subcommand {
             "with the patch's, over all sliding twists; rms_error is over centres of rotation in 128 directions at 121\n"
             "distances, evenly and logarithmically from 1e-3 to 1e3 m0 (m0: moment of a pure spin over mu P). Models and their parameter:\n"
             "disc:LAW, the law and radius with the least largest error, and disc-equal-area:LAW: the radius [m]; ellipsoid\n"
-            "sqrt(v^2 + m0^2 w^2): m0 [m].",
+            "sqrt(v^2 + m0^2 w^2): m0 [m].\n"
+            "With --points: the errors of points of a limit curve that other code, or a measurement, gave. Columns force,moment of the\n"
+            "unit curve (F/(mu P), M/(mu P a)), unless --mu, --load, --radius scale it, and c, the distance of the COR, for\n"
+            "max_cor_error; with --patch fx,fy,moment about its origin. Signs of force, moment and c do not matter. model: the file;\n"
+            "parameter: the number of points; an error is gauge - 1, the gauge being 1 on the limit.",
             "limitcurve validate --law hertz --law uniform"};
   }
 
@@ -45,9 +54,16 @@ class Validate final : public Subcommand {
     options.repeated(
         "--patch", "PATCH", [this](const std::string& text) { patches_.push_back(text); },
         "In place of --law: a pressure patch; may be repeated", Presence::optional);
+    options.text("--points", file_, "FILE", "In place of models: CSV of points of a limit curve, or - for standard input");
+    options.number("--mu", mu_, positive, "Of --points: coefficient of friction");
+    options.number("--load", load_, positive, "Of --points: normal load P [N]");
+    options.number("--radius", radius_, positive, "Of --points with --law: contact radius a [m]");
   }
 
   void run(const Results& results) override {
+    if (!laws_.empty() && !patches_.empty()) throw std::invalid_argument("--patch: got --law too, expected one of them");
+    if (!file_.empty()) return validate_points(results);
+    if (mu_ || load_ || radius_) throw std::invalid_argument("--mu, --load, --radius: go with --points");
     if (!patches_.empty()) return validate_patches(results);
     if (laws_.empty()) {
       for (const std::string_view name : law_examples()) laws_.push_back(parse_law(name));
@@ -84,7 +100,6 @@ class Validate final : public Subcommand {
   }
 
   void validate_patches(const Results& results) const {
-    if (!laws_.empty()) throw std::invalid_argument("--patch: got --law too, expected one of them");
     std::vector<std::pair<std::string, std::vector<RoundModel>>> found;
     for (const std::string& text : patches_) {
       results.messages->progress(static_cast<double>(found.size()) / static_cast<double>(patches_.size()));
@@ -97,8 +112,70 @@ class Validate final : public Subcommand {
     rows.finish();
   }
 
+  /// A point of a curve that is to be judged.
+  struct Point {
+    PatchWrench wrench;  ///< of a round contact its force is fx
+    double cor;
+  };
+
+  void validate_points(const Results& results) const {
+    const bool is_round = patches_.empty();
+    if (is_round && laws_.empty()) throw std::invalid_argument("--points: expected one of --law and --patch, which it is compared with");
+    if (!is_round && radius_) throw std::invalid_argument("--radius: not with --patch, which has its own size");
+    CsvReader reader(file_, is_round ? std::vector<std::string>{"force", "moment"} : std::vector<std::string>{"fx", "fy", "moment"},
+                     is_round ? std::vector<std::string>{"c"} : std::vector<std::string>{});
+    const bool has_cor = is_round && reader.has(2);
+    std::vector<Point> points;
+    while (reader.next()) {
+      const auto number = [&](std::size_t i) { return reader.number(i, finite); };
+      points.push_back(is_round ? Point{{number(0), 0.0, number(1)}, has_cor ? std::fabs(reader.number(2, distance)) : 0.0}
+                                : Point{{number(0), number(1), number(2)}, 0.0});
+      const auto [fx, fy, moment] = points.back().wrench;
+      if (fx == 0.0 && fy == 0.0 && moment == 0.0) throw reader.complaint(0, "force and moment are 0, expected a point of the limit curve");
+    }
+    Rows rows(results, columns());
+    const double limit = mu_.value_or(1.0) * load_.value_or(1.0);
+    const auto row = [&](const std::string& name, const std::function<double(const Point&, CurveError&)>& gauge) {
+      CurveError error;
+      double squares = 0.0;
+      for (const Point& point : points) {
+        const double excess = gauge(point, error) - 1.0;
+        error.max_over_estimate = std::max(error.max_over_estimate, excess);
+        error.max_under_estimate = std::max(error.max_under_estimate, -excess);
+        squares += excess * excess;
+      }
+      error.max_error = std::max(error.max_over_estimate, error.max_under_estimate);
+      error.rms_error = std::sqrt(squares / static_cast<double>(points.size()));
+      rows.row(name, file_, static_cast<double>(points.size()), error.max_error, error.rms_error, error.max_over_estimate,
+               error.max_under_estimate, has_cor ? std::optional(error.max_cor_error) : std::nullopt);
+    };
+    for (const std::string& text : patches_) {
+      const Patch patch = read_patch(text, *results.messages);
+      row(text, [&](const Point& point, CurveError&) { return load_to_hold(patch, limit, point.wrench); });
+    }
+    for (const Law& law : laws_) {
+      const ExactCurve exact(law);
+      const double radius = radius_.value_or(1.0);
+      row(law->name(), [&](const Point& point, CurveError& error) {
+        const UnitWrench wrench{std::fabs(point.wrench.fx) / limit, std::fabs(point.wrench.moment) / (limit * radius)};
+        const RadialPoint on_curve = exact.along(wrench);
+        const double cor = radius * on_curve.normal.cor();
+        if (has_cor && point.cor != cor) {
+          const double apart = std::fabs(point.cor / cor - 1.0);
+          error.max_cor_error = std::max(error.max_cor_error, std::isnan(apart) ? infinite : apart);
+        }
+        return gauge_from(wrench, on_curve.wrench);
+      });
+    }
+    rows.finish();
+  }
+
   std::vector<Law> laws_;
   std::vector<std::string> patches_;
+  std::string file_;
+  std::optional<double> mu_;
+  std::optional<double> load_;
+  std::optional<double> radius_;
 };
 
 }  // namespace

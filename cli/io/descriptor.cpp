@@ -71,16 +71,12 @@ void prepare_standard_streams() noexcept {
   ::_setmode(standard_output, _O_BINARY);
 }
 
-namespace {
-
 /// A console that understands colours; it is asked to.
 bool is_terminal(int file) noexcept {
   const auto console = reinterpret_cast<HANDLE>(::_get_osfhandle(file));
   DWORD mode = 0;
   return ::GetConsoleMode(console, &mode) != 0 && ::SetConsoleMode(console, mode | ENABLE_VIRTUAL_TERMINAL_PROCESSING) != 0;
 }
-
-}  // namespace
 
 #else
 
@@ -146,13 +142,9 @@ void prepare_standard_streams() noexcept {
   std::signal(SIGPIPE, SIG_IGN);
 }
 
-namespace {
-
 bool is_terminal(int file) noexcept {
   return ::isatty(file) == 1;
 }
-
-}  // namespace
 
 #endif
 

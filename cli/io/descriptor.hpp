@@ -30,6 +30,7 @@ int synchronise(int file) noexcept;
 void close(int file) noexcept;
 /// Sets binary mode for the standard streams, and makes a closed pipe an error of `write`. Call it once, at the start.
 void prepare_standard_streams() noexcept;
+bool is_terminal(int file) noexcept;
 /// Whether it is a terminal on which a line can be written over.
 bool draws(int file) noexcept;
 /// Whether it is such a terminal and the user does not mind colours (https://no-color.org).

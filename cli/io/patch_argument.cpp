@@ -257,9 +257,4 @@ Patch read_patch(const std::string& text, Messages& messages) {
   return patch;
 }
 
-void read_twists(const std::string& file, const std::function<void(const PatchTwist&)>& take) {
-  CsvReader reader(file, {"vx", "vy", "omega"});
-  while (reader.next()) take({reader.number(0, finite), reader.number(1, finite), reader.number(2, finite)});
-}
-
 }  // namespace limitcurve::cli

@@ -7,7 +7,6 @@
 #include "limitcurve/patch.hpp"
 
 #include <cstddef>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -45,8 +44,5 @@ struct PatchArgument {
 PatchArgument parse_patch(const std::string& text);
 /// The patch itself; says its remarks.
 Patch read_patch(const std::string& text, Messages& messages);
-
-/// Calls `take(twist)` for each row of a CSV file with the columns vx, vy, omega.
-void read_twists(const std::string& file, const std::function<void(const PatchTwist&)>& take);
 
 }  // namespace limitcurve::cli

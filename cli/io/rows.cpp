@@ -6,6 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 
@@ -23,6 +25,12 @@ std::string quoted_for_csv(std::string_view text) {
   return quoted + '"';
 }
 
+/// Digits of a column's numbers in a table.
+int digits_of(std::string_view column) {
+  constexpr std::array<std::string_view, 7> typed{"hold_load", "high", "low", "parameter", "radius", "time", "value"};
+  return std::find(typed.begin(), typed.end(), column) == typed.end() ? 4 : 6;
+}
+
 std::string quoted_for_json(std::string_view text) {
   // A file name need not be valid UTF-8; JSON must.
   return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
@@ -32,9 +40,11 @@ std::string quoted_for_json(std::string_view text) {
 
 Rows::Rows(Results results, const std::vector<std::string>& columns) : results_(std::move(results)) {
   if (results_.columns != nullptr) {
-    columns_ = columns;
     results_.columns->clear();
     for (const std::string& name : columns) results_.columns->push_back({name});
+  }
+  if (results_.columns != nullptr || results_.format == Format::table) {
+    columns_ = columns;
     return;
   }
   for (const std::string& name : columns) {
@@ -53,7 +63,7 @@ Rows::Rows(Results results, const std::vector<std::string>& columns) : results_(
 void Rows::begin_row() {
   let_interrupt();
   column_ = 0;
-  if (results_.columns != nullptr) return;
+  if (results_.columns != nullptr || results_.format == Format::table) return;
   if (results_.format == Format::json) results_.output.write(first_row_ ? "\n{" : ",\n{");
   first_row_ = false;
 }
@@ -61,7 +71,15 @@ void Rows::begin_row() {
 void Rows::end_row() {
   if (column_ != columns_.size()) throw std::logic_error("a row of other length than its header");
   if (results_.columns != nullptr) return;
-  results_.output.write(results_.format == Format::csv ? "\n" : "}");
+  if (results_.format != Format::table) return results_.output.write(results_.format == Format::csv ? "\n" : "}");
+  constexpr std::size_t block = 1000;  // a long table is not kept in memory
+  if (cells_.size() == block * columns_.size()) write_table();
+}
+
+void Rows::write_table() {
+  results_.output.write(aligned(columns_, cells_, first_row_));
+  cells_.clear();
+  first_row_ = false;
 }
 
 void Rows::begin_cell() {
@@ -81,12 +99,18 @@ void Rows::gather(Column::Kind kind, double number) {
 
 void Rows::cell(double number) {
   if (results_.columns != nullptr) return gather(Column::Kind::number, number);
+  if (results_.format == Format::table) return literal(format_number(number, digits_of(columns_.at(column_))), std::isfinite(number));
   begin_cell();
   const std::string text = format_number(number);
   results_.output.write(results_.format == Format::json && !std::isfinite(number) ? '"' + text + '"' : text);
 }
 
-void Rows::literal(std::string_view text) {
+void Rows::literal(std::string_view text, bool is_number) {
+  if (results_.format == Format::table) {
+    ++column_;
+    cells_.push_back({std::string(text), is_number});
+    return;
+  }
   begin_cell();
   results_.output.write(text);
 }
@@ -96,12 +120,24 @@ void Rows::cell(std::string_view text) {
     results_.columns->at(column_++).texts.emplace_back(text);
     return;
   }
+  constexpr std::size_t longest_in_a_cell = 16;
+  if (results_.format == Format::table && text.size() > longest_in_a_cell && text.find(' ') != std::string_view::npos) {
+    const auto known = std::find(remarks_.begin(), remarks_.end(), text);
+    const auto number = std::to_string(known - remarks_.begin() + 1);
+    if (known == remarks_.end()) remarks_.emplace_back(text);
+    return literal("[" + number + "]");
+  }
+  if (results_.format == Format::table) return literal(text);
   begin_cell();
   results_.output.write(results_.format == Format::csv ? quoted_for_csv(text) : quoted_for_json(text));
 }
 
 void Rows::finish() {
   if (results_.columns != nullptr) return;
+  if (results_.format == Format::table) {
+    write_table();
+    for (std::size_t i = 0; i < remarks_.size(); ++i) results_.output.write("[" + std::to_string(i + 1) + "] " + remarks_[i] + "\n");
+  }
   if (results_.format == Format::json) results_.output.write(first_row_ ? "]\n" : "\n]\n");
   results_.output.flush();
 }

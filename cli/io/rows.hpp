@@ -3,6 +3,7 @@
 
 #include "cli/io/messages.hpp"
 #include "cli/io/output_file.hpp"
+#include "cli/io/text_table.hpp"
 
 #include <concepts>
 #include <cstdint>
@@ -16,7 +17,7 @@
 
 namespace limitcurve::cli {
 
-enum class Format { csv, json };
+enum class Format { table, csv, json };
 
 /// A column of results as values instead of CSV text.
 struct Column {
@@ -41,6 +42,8 @@ struct Results {
 /// CSV: one header line; numbers in shortest round-trip form, `inf` and `nan` in lower case; a text with a comma, a
 /// quote or a line break is quoted as in RFC 4180.
 /// JSON: an array of objects, one a line, keyed by the column names; values without a JSON number are the strings "inf", "-inf", "nan".
+/// Table: for a person; numbers have 4 digits, or 6 in a column whose numbers are typed into something. A long text of several words stands
+/// once, below the rows; its cells have a number in brackets.
 class Rows {
  public:
   Rows(Results results, std::initializer_list<std::string_view> columns)
@@ -83,18 +86,21 @@ class Rows {
   template <std::unsigned_integral Integer>
   void cell(Integer number) {
     if (results_.columns != nullptr) return gather(Column::Kind::integer, static_cast<double>(number));
-    literal(std::to_string(number));
+    literal(std::to_string(number), true);
   }
   void cell(bool truth) {
     if (results_.columns != nullptr) return gather(Column::Kind::truth, truth ? 1.0 : 0.0);
     literal(truth ? "true" : "false");
   }
   void gather(Column::Kind kind, double number);
-  /// A cell with the same text in CSV and JSON.
-  void literal(std::string_view text);
+  /// A cell with the same text in every format.
+  void literal(std::string_view text, bool is_number = false);
+  void write_table();
 
   Results results_;
   std::vector<std::string> columns_;
+  std::vector<TableCell> cells_;  ///< of a table: of the rows that are not written yet
+  std::vector<std::string> remarks_;
   std::size_t column_ = 0;
   bool first_row_ = true;
 };

@@ -30,7 +30,7 @@ using godobject::BodyParameters;
 std::vector<std::string> size_warning(const std::string& what, double size, const std::string& remedy = "") {
   constexpr double largest = 5.0;
   if (!(size > largest)) return {};
-  return {"warning: " + what + ": " + format_number(size) + " m across: is it in metres?" + remedy};
+  return {"warning: " + what + ": " + format_number(size, 3) + " m across: is it in metres?" + remedy};
 }
 
 #ifdef LIMITCURVE_HAS_MESH

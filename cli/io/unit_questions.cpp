@@ -64,7 +64,7 @@ void UnitQuestions::radii(const RadiusLaw& law, std::span<const double> loads) {
   }
   load(most);
   if (radius > largest_radius) {
-    others_.push_back("the radius law gives a contact radius of " + format_number(radius) + " m at a load of " + format_number(at_load) +
+    others_.push_back("the radius law gives a contact radius of " + format_number(radius, 3) + " m at a load of " + format_number(at_load) +
                       " N: is the law in metres?");
   }
   const auto [first, last] = law.sampled_loads();
@@ -76,7 +76,7 @@ void UnitQuestions::radii(const RadiusLaw& law, std::span<const double> loads) {
 
 void UnitQuestions::length(const std::string& what, double across) {
   constexpr double longest = 0.5;
-  if (across > longest) others_.push_back(what + ": " + format_number(across) + " m across: is it in metres?");
+  if (across > longest) others_.push_back(what + ": " + format_number(across, 3) + " m across: is it in metres?");
 }
 
 std::vector<std::string> UnitQuestions::lines() const {

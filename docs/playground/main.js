@@ -63,6 +63,7 @@ function show(name) {
   for (const other of document.querySelectorAll(".plate-only")) other.hidden = name !== "plate";
   for (const other of document.querySelectorAll(".block-only")) other.hidden = name !== "block";
   at("how").innerHTML = kind.how;
+  at("scene").style.touchAction = name === "plate" ? "none" : "pinch-zoom";  // two fingers turn the plate's finger
   at("scene").setAttribute("aria-label", kind.name);
   at("load-name").textContent = kind.load.name;
   at("grip-name").textContent = name === "plate" ? "Load P" : "Grip P";
@@ -124,15 +125,17 @@ at("scene").addEventListener("pointerdown", (event) => {
 at("scene").addEventListener("pointermove", (event) => pointers.has(event.pointerId) && point(event));
 for (const end of ["pointerup", "pointercancel"]) at("scene").addEventListener(end, (event) => pointers.delete(event.pointerId));
 at("scene").addEventListener("wheel", (event) => {
+  if (event.ctrlKey) return;  // which zooms the page, as a pinch of a touchpad does
   event.preventDefault();
   releasing = false;
   scene.wheel(Math.max(-3, Math.min(3, event.deltaY / (event.deltaMode ? 3 : 100))));
 }, { passive: false });
 
+const keyOf = (event) => ({ "=": "+", "−": "-", _: "-" })[event.key] ?? event.key.toLowerCase();
 const held = new Set(["arrowleft", "arrowright", "arrowup", "arrowdown", "q", "e", "+", "-"]);
 at("scene").addEventListener("keydown", (event) => {
   if (event.ctrlKey || event.metaKey || event.altKey) return;
-  const key = event.key === "=" ? "+" : event.key === "−" || event.key === "_" ? "-" : event.key.toLowerCase();
+  const key = keyOf(event);
   if (held.has(key)) {
     keys.add(key);
     releasing = false;
@@ -147,9 +150,7 @@ at("scene").addEventListener("keydown", (event) => {
   }
   event.preventDefault();
 });
-at("scene").addEventListener("keyup", (event) => {
-  for (const key of [event.key.toLowerCase(), event.key === "=" ? "+" : "", event.key === "_" ? "-" : ""]) keys.delete(key);
-});
+at("scene").addEventListener("keyup", (event) => keys.delete(keyOf(event)));
 at("scene").addEventListener("blur", () => keys.clear());
 
 for (const id of ["law", "curve", "projection", "radius", "coupled"]) at(id).addEventListener("change", configure);
@@ -174,16 +175,21 @@ function report() {
   write("moment", (f.moment * 1e3).toFixed(2));
   write("cor", f.state !== "slip" ? "–" : f.cor < 10 ? (f.cor * 1e3).toFixed(1) : "∞");
   write("grip", f.load.toFixed(3));
-  if (settings.scene === "plate") write("error", scene.truth ? (scene.truth.error * 100).toFixed(1) : "–");
+  if (settings.scene === "plate") {
+    const known = f.state === "slip" && scene.truth;
+    write("error", known ? (scene.truth.error * 100).toFixed(1) : f.state === "stick" ? "no slip" : "–");
+    at("error-unit").hidden = !known;
+  }
   if (settings.scene === "block") {
     write("turned", ((scene.pose.angle * 180) / Math.PI).toFixed(1));
     write("slid", (scene.slid * 1e3).toFixed(1));
   }
 }
 
-/** Steps of a millisecond for the elapsed time, at most a twentieth of a second. */
-function advance(seconds) {
-  const count = Math.min(50, Math.round(seconds * 1e3));
+/** Steps of a millisecond for the elapsed time, at most a twentieth of a second: what the page did not see did not pass. */
+function advance(elapsed) {
+  const count = Math.min(50, Math.round(elapsed * 1e3));
+  const seconds = count * 1e-3;
   const pressed = (keys.has("+") ? 1 : 0) - (keys.has("-") ? 1 : 0);
   if (settings.scene === "plate" && pressed) setLoad(settings.load + pressed * seconds);
   if (releasing) {

@@ -57,6 +57,7 @@ void warn_of_growth(FitReport& report, double assumed, const Estimate& gamma, do
   if (!(spare > 0.0) || difference < 1e-6) return;
   const double rare = boost::math::quantile(boost::math::students_t(spare), 1.0 - 0.5 / 2000.0);
   if (!(difference > rare * gamma.std_error)) return;
+  report.gamma_refused = true;
   // Gross outliers may hide the gain.
   const std::string gain = rms < report.rms ? ": rms " + format_number(rms, 3) + " instead of " + format_number(report.rms, 3) : "";
   report.warnings.push_back("gamma = " + format_number(assumed) + " was assumed, but " + format_number(gamma.value, 3) + " +- " +

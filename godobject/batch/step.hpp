@@ -3,13 +3,15 @@
 
 #include "godobject/batch.hpp"
 #include "godobject/contact_limits.hpp"
-#include "godobject/kernel/instruction_set.hpp"
+#include "limitcurve/kernel/instruction_set.hpp"
 
 #include <array>
 #include <concepts>
 #include <cstddef>
 
 namespace limitcurve::godobject::kernel {
+
+using namespace limitcurve::kernel;
 
 // Reading and writing arrays, for a single number. pack.hpp has the same functions for packs; the last argument, which is not used, has the
 // type of the number or pack.
@@ -133,10 +135,6 @@ void step_contacts(const Shared<Real>& shared, const BasicContactBatch<Real>& co
 /// bits.
 template <class Real>
 void step_with(InstructionSet set, const Shared<Real>& shared, const BasicContactBatch<Real>& contacts) noexcept;
-
-struct Baseline;
-struct Avx2;
-struct Avx512;
 
 /// Steps the first contacts, as many as fill packs, and returns their number. Each instruction set has its own source file.
 template <class Isa, class Real>

@@ -2,17 +2,18 @@
 #pragma once
 
 #include "godobject/batch/step.hpp"
-#include "godobject/kernel/pack.hpp"
+#include "limitcurve/kernel/pack.hpp"
 #ifdef __x86_64__
-#include "godobject/kernel/pack_x86.hpp"
+#include "limitcurve/kernel/pack_x86.hpp"
 #endif
 
 #include <cstddef>
 
 /// The step of a batch by packs. Powers, logarithms and the c-curve are computed lane by lane, by functions of other sources: this one may be
 /// compiled for a processor that not every user has.
-namespace limitcurve::godobject::kernel {
+namespace limitcurve::kernel {
 
+// Here because the step finds them by the type of its numbers.
 template <class Real, class Isa>
 [[nodiscard]] Pack<Real, Isa> radius_at(const RadiusLaw& law, Pack<Real, Isa> load) noexcept {
   Lanes<Real, Isa> lanes = lanes_of(load);
@@ -21,15 +22,16 @@ template <class Real, class Isa>
 }
 
 template <class Real, class Isa>
-[[nodiscard]] Projected<Pack<Real, Isa>> project_along_c_curve(const CurveView<Real>& curve, const UnitTrial<Pack<Real, Isa>>& trial,
-                                                               Pack<Real, Isa> last, const RadiusLaw& radius_law,
-                                                               Pack<Real, Isa> load) noexcept {
+[[nodiscard]] godobject::Projected<Pack<Real, Isa>> project_along_c_curve(const CurveView<Real>& curve,
+                                                                          const godobject::UnitTrial<Pack<Real, Isa>>& trial,
+                                                                          Pack<Real, Isa> last, const RadiusLaw& radius_law,
+                                                                          Pack<Real, Isa> load) noexcept {
   const auto force = lanes_of(trial.force), moment = lanes_of(trial.moment), compliance_ratio = lanes_of(trial.compliance_ratio),
              slip_from = lanes_of(trial.slip_from), parameter = lanes_of(last), loads = lanes_of(load);
   Lanes<Real, Isa> outside, force_fraction, moment_fraction, slide, spin, next;
   for (std::size_t i = 0; i < outside.size(); ++i) {
-    const Projected<Real> lane = godobject::project_along_c_curve(curve, {force[i], moment[i], compliance_ratio[i], slip_from[i]},
-                                                                  parameter[i], radius_law, loads[i]);
+    const godobject::Projected<Real> lane = godobject::project_along_c_curve(
+        curve, {force[i], moment[i], compliance_ratio[i], slip_from[i]}, parameter[i], radius_law, loads[i]);
     outside[i] = lane.outside ? Real(1) : Real(0);
     force_fraction[i] = lane.force_fraction;
     moment_fraction[i] = lane.moment_fraction;
@@ -44,6 +46,10 @@ template <class Real, class Isa>
           pack_of<Isa>(spin),
           pack_of<Isa>(next)};
 }
+
+}  // namespace limitcurve::kernel
+
+namespace limitcurve::godobject::kernel {
 
 /// All functions of a step are inlined into one loop, so that numbers stay in registers.
 template <class Isa, class Real>

@@ -18,7 +18,7 @@ namespace {
 // Not aligned, so that no user's LU of a 6×6 matrix, compiled for another processor (-march=native), stands in for ours.
 using Matrix6 = Eigen::Matrix<double, 6, 6, Eigen::DontAlign>;
 
-/// Whether a body's state is one: finite, no number beyond `farthest`, an orientation of unit length.
+/// Whether a body's state is valid: finite, no number beyond `farthest`, an orientation of unit length.
 bool is_plausible(const BodyState& state) noexcept {
   const double square = state.position.squaredNorm() + state.velocity.squaredNorm() + state.angular_velocity.squaredNorm();
   return godobject::is_plausible<double>(square) && std::fabs(state.orientation.squaredNorm() - 1.0) <= 1e-6;
@@ -213,7 +213,7 @@ void Grasp::commit(std::span<const DevicePose> devices, double time_step, bool c
   }
 }
 
-/// A step that is none: nothing moves, and every finger holds its last output.
+/// A refused step: nothing moves, and every finger holds its last output.
 void Grasp::refuse(Fault fault) noexcept {
   for (SoftFinger& finger : fingers_) finger.refuse(fault);
 }

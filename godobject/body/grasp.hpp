@@ -37,14 +37,14 @@ class Grasp {
 
   /// One time step [s] > 0, with a device pose for each finger; a missing pose counts as far away. `force` [N] and `moment` [N m] about the
   /// centre of mass, in world axes, are added to gravity and the fingers' forces. A pose that is not finite makes its finger `invalid`; the
-  /// finger then acts with its last force. A time step that is none, or forces that are not finite or would carry the body beyond `farthest`
+  /// finger then acts with its last force. An invalid time step, or forces that are not finite or would carry the body beyond `farthest`
   /// (its position in m, its velocities in m/s and rad/s), move nothing: all fingers are `invalid` and name the fault. Does not throw,
   /// allocate or lock. Cost: usually 15 to 40 contact queries a finger, for a step in parts some thousands; at most 2 `most_parts` solutions,
   /// and as many again for each finger that begins to slip, of 2 `iteration_limit` (7 + `halving_limit`) queries each.
   void step(std::span<const DevicePose> devices, double time_step, const Eigen::Vector3d& force = Eigen::Vector3d::Zero(),
             const Eigen::Vector3d& moment = Eigen::Vector3d::Zero()) noexcept;
 
-  /// Moves the body to a given state in a time [s] ≥ 0 (0: no dampers), and does steps a–c and e. A time that is none, or a state that is
+  /// Moves the body to a given state in a time [s] ≥ 0 (0: no dampers), and does steps a–c and e. An invalid time, or a state that is
   /// not finite, beyond `farthest` or not of unit length, moves nothing: all fingers are `invalid`, and name the fault.
   void carry(const BodyState& state, std::span<const DevicePose> devices, double time_step) noexcept;
 

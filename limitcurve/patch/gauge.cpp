@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "limitcurve/internal/number.hpp"
 #include "limitcurve/patch.hpp"
+#include "limitcurve/patch/shape.hpp"
 
 #include <algorithm>
 #include <array>
@@ -11,12 +12,13 @@ namespace limitcurve {
 
 namespace {
 
-/// A wrench or a twist in units in which the moment of a pure spin is 1.
+/// A wrench or a twist in units in which the forces of pure slides along x and y and the moment of a pure spin are 1.
 struct Vector {
   double x;
   double y;
   double z;
 
+  friend Vector operator+(const Vector& a, const Vector& b) noexcept { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
   friend Vector operator-(const Vector& a, const Vector& b) noexcept { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
   friend Vector operator*(const Vector& a, double scale) noexcept { return {a.x * scale, a.y * scale, a.z * scale}; }
 };
@@ -52,32 +54,25 @@ struct Facet {
   }
 };
 
-}  // namespace
+/// The gauge of W, and the twist of power 1 against W with the least H, which is 1/gauge.
+struct Slip {
+  Vector twist;
+  double gauge;
+};
 
 // The smallest Σ λᵢ with Σ λᵢ pᵢ = W over points pᵢ of the surface and λᵢ ≥ 0: a linear programme of which the surface's support in the
 // direction T of a facet, the wrench of the twist T, is the column to add. Its H(T) ≥ 1 bounds what is missing: the gauge is at least
 // Σ λᵢ/H(T). No derivative is needed, so that kinks, flat faces and points do not matter.
-double Patch::gauge(const PatchWrench& wrench) const noexcept {
+template <class Support>
+Slip slip_by_columns(const Vector& w, const Support& support) noexcept {
   constexpr int most_columns = 400;
   constexpr int most_stalls = 10;
   constexpr double enough = 1e-13;
-  const double m0 = moment_ratio_;
-  if (std::isnan(wrench.fx) || std::isnan(wrench.fy) || std::isnan(wrench.moment)) return std::numeric_limits<double>::quiet_NaN();
-  if (m0 == 0.0) {
-    return wrench.moment != 0.0 ? std::numeric_limits<double>::infinity() : std::hypot(wrench.fx / mx_, wrench.fy / my_);
-  }
-  const double size = std::hypot(std::hypot(wrench.fx, wrench.fy), wrench.moment / m0);
-  if (!(size > 0.0 && std::isfinite(size))) return size;
-  const Vector w = Vector{wrench.fx, wrench.fy, wrench.moment / m0} * (1.0 / size);
-  const auto support = [&](const Vector& twist) -> Vector {
-    const PatchWrench there = this->wrench({twist.x, twist.y, twist.z / m0});
-    return {there.fx, there.fy, there.moment / m0};
-  };
   // The first facet: pure slides along the axes and a pure spin, with the signs of W.
   const Vector spin = support({0.0, 0.0, 1.0});
   const auto with_sign = [](const Vector& point, double share) { return share < 0.0 ? point * -1.0 : point; };
   const Vector slides = w - spin * w.z;
-  Facet facet({with_sign({mx_, 0.0, 0.0}, slides.x), with_sign({0.0, my_, 0.0}, slides.y), with_sign(spin, w.z)});
+  Facet facet({with_sign({1.0, 0.0, 0.0}, slides.x), with_sign({0.0, 1.0, 0.0}, slides.y), with_sign(spin, w.z)});
   double least = std::numeric_limits<double>::infinity();
   int stalls = 0;
   for (int i = 0; i < most_columns; ++i) {
@@ -104,7 +99,136 @@ double Patch::gauge(const PatchWrench& wrench) const noexcept {
     if (!(dot(next.twist, w) > 0.0)) break;  // three points of one line
     facet = next;
   }
-  return size * std::min(least, dot(facet.twist, w));
+  const double sum = dot(facet.twist, w);
+  return {facet.twist * (1.0 / sum), std::min(least, sum)};
+}
+
+/// Improves a twist of unit power against W, |W| = 1, until the wrench that it needs is parallel to W: Newton's method for the part across
+/// W, with differences of wrenches as slopes. Near a kink of H the steps of the differences shrink; on one nothing improves, and `miss`,
+/// the part that is left, stays.
+template <class Support>
+Vector polished(Vector twist, const Vector& w, const Support& support, double& miss) noexcept {
+  constexpr double enough = 1e-14;
+  constexpr double power_rounding = 1e-13;
+  const Vector axis = std::fabs(w.z) < 0.5 ? Vector{0.0, 0.0, 1.0} : Vector{1.0, 0.0, 0.0};
+  Vector one = cross(w, axis);
+  one = one * (1.0 / std::sqrt(dot(one, one)));
+  const Vector other = cross(w, one);
+  /// The parts of the wrench across W, and its power.
+  const auto across = [&](const Vector& at) -> Vector {
+    const Vector needed = support(at);
+    return {dot(needed, one), dot(needed, other), dot(needed, at)};
+  };
+  Vector now = across(twist);
+  miss = std::hypot(now.x, now.y);
+  for (double step = 1e-6; step > 1e-15 && miss > enough;) {
+    const double size = step * std::sqrt(dot(twist, twist));
+    const auto slope = [&](const Vector& along) -> PatchPoint {
+      const Vector ahead = across(twist + along * size);
+      const Vector behind = across(twist - along * size);
+      return {(ahead.x - behind.x) / (2.0 * size), (ahead.y - behind.y) / (2.0 * size)};
+    };
+    const PatchPoint a = slope(one);
+    const PatchPoint b = slope(other);
+    const double area = a.x * b.y - a.y * b.x;
+    const Vector next = twist + one * ((now.y * b.x - now.x * b.y) / area) + other * ((now.x * a.y - now.y * a.x) / area);
+    const Vector there = across(next);
+    const double left = std::hypot(there.x, there.y);
+    // Beside a kink less may be left than on it, but H is larger.
+    if (left < 0.5 * miss && there.z <= now.z * (1.0 + power_rounding)) {
+      twist = next;
+      now = there;
+      miss = left;
+    } else {
+      step /= 32.0;
+    }
+  }
+  return twist;
+}
+
+/// The wrench about `centre` of one about the origin. A moment within its rounding is 0: a single point bears no other.
+PatchWrench about(const PatchPoint& centre, const PatchWrench& wrench) noexcept {
+  const double x = centre.x * wrench.fy;
+  const double y = centre.y * wrench.fx;
+  const double moment = wrench.moment - (x - y);
+  const bool is_rounding = std::fabs(moment) <= 2.0 * patch::epsilon * (std::fabs(x) + std::fabs(y));
+  return {wrench.fx, wrench.fy, is_rounding ? 0.0 : moment};
+}
+
+}  // namespace
+
+/// The direction of a wrench about the centre of pressure, and what twists need, in the units of `Vector`.
+struct Patch::Direction {
+  Patch isotropic;
+  double size = std::numeric_limits<double>::quiet_NaN();
+  Vector w{};  ///< of length 1, if size > 0 is finite
+
+  Direction(const Patch& patch, const PatchWrench& wrench) noexcept : isotropic(patch.shape_, 1.0, 1.0) {
+    if (std::isnan(wrench.fx) || std::isnan(wrench.fy) || std::isnan(wrench.moment)) return;
+    w = {wrench.fx / patch.mx_, wrench.fy / patch.my_, wrench.moment == 0.0 ? 0.0 : wrench.moment / patch.moment_ratio_};
+    size = std::hypot(std::hypot(w.x, w.y), w.z);
+    w = w * (1.0 / size);
+  }
+  /// The wrench that a twist needs.
+  [[nodiscard]] Vector operator()(const Vector& twist) const noexcept {
+    const PatchWrench needed = isotropic.wrench({twist.x, twist.y, twist.z / isotropic.moment_ratio_});
+    return {needed.fx, needed.fy, needed.moment / isotropic.moment_ratio_};
+  }
+  /// For size > 0 that is finite. A single point bears no moment, and its spin is free: it does not spin.
+  [[nodiscard]] Slip slip() const noexcept { return isotropic.moment_ratio_ > 0.0 ? slip_by_columns(w, *this) : Slip{w, 1.0}; }
+};
+
+double Patch::gauge(const PatchWrench& wrench) const noexcept {
+  const Direction direction(*this, wrench);
+  return direction.size > 0.0 && std::isfinite(direction.size) ? direction.size * direction.slip().gauge : direction.size;
+}
+
+PatchSlip Patch::slip(const PatchWrench& wrench) const {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  constexpr double kink = 1e-9;  // more than Newton's method leaves where H is smooth
+  constexpr double near = 1e-6;
+  constexpr double rounding = 1e-14;
+  const PatchPoint middle = centre();
+  const Direction direction(*this, about(middle, wrench));
+  const double size = direction.size;
+  if (!(size > 0.0 && std::isfinite(size))) return {{nan, nan, nan}, size, nan};
+  const auto [first, gauge] = direction.slip();
+  const bool spins = moment_ratio_ > 0.0;
+  double miss = 0.0;
+  const Vector twist = spins ? polished(first, direction.w, direction, miss) : first;
+  const PatchTwist slip{twist.x / mx_ / size, twist.y / my_ / size, spins ? twist.z / moment_ratio_ / size : 0.0};
+  const PatchPoint velocity = patch::velocity_at(slip, -middle.x, -middle.y);
+  PatchSlip found{{velocity.x, velocity.y, slip.omega}, size * gauge, nan};
+  const PatchPoint* bears = nullptr;  // any force, and the face that the wrench is on
+  PatchPoint nearest{};
+  if (miss > kink && slip.omega != 0.0) {
+    // With the COR on a point H has a kink: a whole face of wrenches slips about that very point.
+    const PatchPoint cor{middle.x - slip.vy / slip.omega, middle.y + slip.vx / slip.omega};
+    double distance = std::numeric_limits<double>::infinity();
+    for (const PatchPoint& place : shape_->concentrations()) {
+      const PatchPoint point{place.x / my_, place.y / mx_};
+      const double far = std::hypot(point.x - cor.x, point.y - cor.y);
+      if (far < distance) nearest = point, distance = far;
+    }
+    const double omega = twist.z / moment_ratio_;
+    const Vector about_nearest{mx_ * omega * (nearest.y - middle.y), -my_ * omega * (nearest.x - middle.x), twist.z};
+    const double power = dot(about_nearest, direction.w);
+    if (distance < near * radius_ &&
+        dot(about_nearest, direction(about_nearest)) <= power * (1.0 + rounding) * dot(twist, direction(twist))) {
+      const double rate = slip.omega / power;
+      found.twist = {rate * nearest.y, -rate * nearest.x, rate};
+      bears = &nearest;
+    }
+  }
+  const auto [vx, vy, omega] = found.twist;
+  const PatchFriction needed = about_origin(found.twist);
+  const double fx = needed.wrench.fx - wrench.fx / found.gauge;
+  const double fy = needed.wrench.fy - wrench.fy / found.gauge;
+  const double moment = needed.wrench.moment - wrench.moment / found.gauge - (bears != nullptr ? bears->x * fy - bears->y * fx : 0.0);
+  // Beside the point, whose own force is not the twist's to tell.
+  const double own = bears != nullptr ? about_origin({vx + near * radius_ * omega, vy, omega}).error : needed.error;
+  found.error = own + std::max(bears != nullptr ? 0.0 : std::hypot(fx, fy), spins ? std::fabs(moment) / moment_ratio_ : 0.0);
+  return found;
 }
 
 double load_to_hold(const Patch& patch, double mu, const PatchWrench& wrench) {
@@ -112,8 +236,7 @@ double load_to_hold(const Patch& patch, double mu, const PatchWrench& wrench) {
   if (!std::isfinite(wrench.fx)) throw out_of_range("fx", wrench.fx, "N", "a finite number");
   if (!std::isfinite(wrench.fy)) throw out_of_range("fy", wrench.fy, "N", "a finite number");
   if (!std::isfinite(wrench.moment)) throw out_of_range("moment", wrench.moment, "N m", "a finite number");
-  const PatchPoint centre = patch.centre();
-  const double gauge = patch.gauge({wrench.fx, wrench.fy, wrench.moment - (centre.x * wrench.fy - centre.y * wrench.fx)});
+  const double gauge = patch.gauge(about(patch.centre(), wrench));
   if (!(gauge > 0.0)) return 0.0;
   return mu > 0.0 ? gauge / mu : std::numeric_limits<double>::infinity();
 }

@@ -4,11 +4,15 @@
 #include "limitcurve/table/buckets.hpp"
 #include "limitcurve/table/piece.hpp"
 
+#include <boost/math/tools/minima.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <limits>
+#include <map>
 #include <unordered_map>
 
 namespace limitcurve::table {
@@ -18,10 +22,6 @@ namespace {
 /// Margin of the certified error above the largest error found, because the true maximum is near a sample, not at it.
 constexpr double certificate_margin = 0.05;
 
-/// Largest number of index bits. More buckets would help only next to a singularity inside a side; there a search costs less than their
-/// memory.
-constexpr int most_bits = 6;
-
 /// Builds both sides of a table with an error of at most `target`.
 template <class Real>
 class Builder {
@@ -29,10 +29,15 @@ class Builder {
   Builder(const Source& source, double target, int degree, std::size_t most_bytes)
       : source_(source), target_(target), degree_(degree), most_bytes_(most_bytes) {}
 
-  /// Builds both sides; false if that is not possible.
-  bool lay() {
-    const Outcome outcome = lay_in_buckets();
-    return outcome == Outcome::done || (outcome == Outcome::impossible && lay_in_cells() == Outcome::done);
+  /// Builds both sides, with several cells in a bucket or without; false if that is not possible.
+  bool lay(bool splits_buckets) { return (splits_buckets ? lay_in_cells() : lay_in_buckets()) == Outcome::done; }
+
+  /// Whether both sides have their first cells, the narrowest where a pressure is concentrated at the centre.
+  bool begins() {
+    most_cells_ = 4;
+    splits_buckets_ = true;
+    edges_ = buckets_.edges();
+    return lay_side(false) == Outcome::done && lay_side(true) == Outcome::done;
   }
 
   /// Makes both sides meet at the rim, where D = f + m; false if a side would not stay convex.
@@ -135,7 +140,7 @@ class Builder {
     double left = 0.0;
     double guess = splits_buckets_ ? std::ldexp(1.0, -octaves_to_end(outside, false)) : 0.25;
     double last_width = guess;
-    while (left < 1.0) {
+    while (left < 1.0 && side.size() < most_cells_) {
       std::optional<Piece> next = widest(outside, left, guess, start);
       if (!next && splits_buckets_) next = narrower(outside, left, guess, start);
       if (!next) {
@@ -144,7 +149,7 @@ class Builder {
         const bool at_rim = 1.0 - left <= offset;
         if (buckets_.index_bits + buckets_.octaves == finest_edge) return Outcome::impossible;
         if (at_rim) return Outcome::needs_octave;
-        if (buckets_.index_bits == most_bits) return Outcome::impossible;
+        if (buckets_.index_bits == Buckets::most_bits) return Outcome::impossible;
         // All edges used so far are also edges of the finer buckets.
         ++buckets_.index_bits;
         edges_ = buckets_.edges();
@@ -235,52 +240,91 @@ class Builder {
   double target_;
   int degree_;
   std::size_t most_bytes_;
+  std::size_t most_cells_ = std::numeric_limits<std::size_t>::max();  ///< of a side
   Buckets buckets_;
   bool splits_buckets_ = false;
   std::vector<double> edges_;
   std::array<std::vector<Piece>, 2> sides_;
 };
 
-/// Error bound of the finished table in its own arithmetic: the largest error at all samples of the exact curve, plus the error of the
-/// exact curve.
+/// Error bound of the finished table in its own arithmetic: the largest error, plus the error of the exact curve. A maximum of the error is
+/// bracketed by three of the pieces' samples, and found between them, unless it is clearly smaller than another.
 template <class Real>
-double certify(const BasicTable<Real>& table, const std::array<std::vector<Piece>, 2>& sides) {
+double certify(const Source& source, const BasicTable<Real>& table, const std::array<std::vector<Piece>, 2>& sides) {
+  struct Bracket {
+    double error;
+    bool outside;
+    double left;
+    double right;
+  };
   double worst = 0.0;
   double exact_error = 0.0;
+  const auto error_at = [&](bool outside, const Sample& exact) {
+    exact_error = std::max(exact_error, exact.error);
+    const Jet<Real> jet = table.pieces().jet(outside, static_cast<Real>(exact.x));
+    const auto error =
+        static_cast<double>(std::max(std::fabs(Extended(jet.leading) - exact.leading), std::fabs(Extended(jet.trailing) - exact.trailing)));
+    worst = std::max(worst, error);
+    return error;
+  };
+  std::vector<Bracket> brackets;
   for (const bool outside : {false, true}) {
+    std::map<double, double> errors;
     for (const Piece& piece : sides[outside]) {
-      for (const Sample& exact : piece.samples()) {
-        const auto x = static_cast<Real>(exact.x);
-        const Jet<Real> jet = table.pieces().jet(outside, x);
-        worst = std::max({worst, static_cast<double>(std::fabs(Extended(jet.leading) - exact.leading)),
-                          static_cast<double>(std::fabs(Extended(jet.trailing) - exact.trailing))});
-        exact_error = std::max(exact_error, exact.error);
-      }
+      for (const Sample& exact : piece.samples()) errors[exact.x] = error_at(outside, exact);
     }
+    for (auto here = std::next(errors.begin()); std::next(here) != errors.end(); ++here) {
+      const auto before = std::prev(here);
+      const auto after = std::next(here);
+      if (here->second >= std::max(before->second, after->second)) brackets.push_back({here->second, outside, before->first, after->first});
+    }
+  }
+  std::sort(brackets.begin(), brackets.end(), [](const Bracket& a, const Bracket& b) { return a.error > b.error; });
+  for (const Bracket& bracket : brackets) {
+    constexpr double clearly_smaller = 0.7;
+    if (bracket.error < clearly_smaller * worst) break;
+    constexpr int bits = 6;
+    std::uintmax_t steps = 10;
+    const auto error = [&](double part) {
+      const double x = std::lerp(bracket.left, bracket.right, part);
+      return -error_at(bracket.outside, source.at(bracket.outside, static_cast<Real>(x)));
+    };
+    boost::math::tools::brent_find_minima(error, 0.0, 1.0, bits, steps);
   }
   return (1.0 + certificate_margin) * worst + exact_error;
 }
 
-/// `build` with a given degree and memory.
+/// The certified error that a tolerance allows, what rounding has of it, and the error of cells.
 template <class Real>
-std::optional<BasicTable<Real>> build_of_degree(const Source& source, double tolerance, int degree, std::size_t most_bytes) {
-  const Sample spin = source.at(false, 0.0);
-  const Sample slide = source.at(true, 0.0);
-  const auto scale = static_cast<double>(std::max(spin.trailing, slide.trailing));
-  const double rounding = 1.5 * double{std::numeric_limits<Real>::epsilon()} * scale;
-  const double allowed = tolerance * scale;
-  double target = 0.95 * (allowed - rounding - source.at(false, 1.0).error) / (1.0 + certificate_margin);
+struct Errors {
+  double allowed;
+  double rounding;
+  double target;
+
+  Errors(const Source& source, double tolerance) {
+    const auto scale = static_cast<double>(std::max(source.at(false, 0.0).trailing, source.at(true, 0.0).trailing));
+    allowed = tolerance * scale;
+    rounding = 1.5 * double{std::numeric_limits<Real>::epsilon()} * scale;
+    target = 0.95 * (allowed - rounding - source.at(false, 1.0).error) / (1.0 + certificate_margin);
+  }
+};
+
+/// `build` with a given degree and memory; with `splits_buckets` look-ups search.
+template <class Real>
+std::optional<BasicTable<Real>> build_of_degree(const Source& source, double tolerance, int degree, std::size_t most_bytes,
+                                                bool splits_buckets) {
+  auto [allowed, rounding, target] = Errors<Real>(source, tolerance);
   constexpr int attempts = 12;
   for (int i = 0; i < attempts && target > 0.0; ++i) {
     Builder<Real> builder(source, target, degree, most_bytes);
-    if (!builder.lay()) return std::nullopt;
+    if (!builder.lay(splits_buckets)) return std::nullopt;
     if (!builder.join_at_rim()) {
       target *= 0.3;
       continue;
     }
     TableFacts facts{source.name, tolerance, allowed, source.profile_error};
     const BasicTable<Real> table(facts, builder.cells());
-    facts.certified_error = certify(table, builder.sides()) + rounding;
+    facts.certified_error = certify(source, table, builder.sides()) + rounding;
     if (facts.certified_error <= allowed) return BasicTable<Real>(facts, builder.cells());
     target *= 0.8;
   }
@@ -300,13 +344,30 @@ std::optional<BasicTable<Real>> build(const Source& source, double tolerance, st
     if (is_new) place->second = source.at(outside, x);
     return place->second;
   };
-  for (int degree = TablePieces<Real>::least_degree; degree < TablePieces<Real>::most_degree; ++degree) {
-    if (auto table = build_of_degree<Real>(remembered, tolerance, degree, std::min(bytes, most))) return table;
+  // A step of a search takes as long as eight degrees: the first without a search is the fastest, else the one with the shortest search.
+  std::optional<BasicTable<Real>> best;
+  for (const bool splits_buckets : {false, true}) {
+    for (int degree = TablePieces<Real>::least_degree; degree <= TablePieces<Real>::most_degree; ++degree) {
+      auto table = build_of_degree<Real>(remembered, tolerance, degree, std::min(bytes, most), splits_buckets);
+      if (table && (!best || table->pieces().halvings < best->pieces().halvings)) best = std::move(table);
+      if (best && !splits_buckets) return best;
+    }
   }
-  return build_of_degree<Real>(remembered, tolerance, TablePieces<Real>::most_degree, most);
+  for (const bool splits_buckets : {false, true}) {
+    if (!best) best = build_of_degree<Real>(remembered, tolerance, TablePieces<Real>::most_degree, most, splits_buckets);
+  }
+  return best;
+}
+
+template <class Real>
+bool begins(const Source& source, double tolerance) {
+  const double target = Errors<Real>(source, tolerance).target;
+  return target > 0.0 && Builder<Real>(source, target, TablePieces<Real>::most_degree, BasicTable<Real>::most_bytes).begins();
 }
 
 template std::optional<BasicTable<double>> build(const Source&, double, std::size_t);
 template std::optional<BasicTable<float>> build(const Source&, double, std::size_t);
+template bool begins<double>(const Source&, double);
+template bool begins<float>(const Source&, double);
 
 }  // namespace limitcurve::table

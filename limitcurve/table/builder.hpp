@@ -34,7 +34,7 @@ struct Source {
 };
 
 /// The table of a curve with |error| ≤ tolerance·max(force_max, m_max), certified in the arithmetic of the table; nothing if that is not
-/// possible within BasicTable::most_bytes. Its degree is the lowest with at most so many `bytes`, 6 if none has.
+/// possible within BasicTable::most_bytes. The fastest with at most so many `bytes`, or of degree 6 (TableOptions::bytes).
 ///
 /// Each side is built from x = 0 to the rim. In a cell D′ interpolates the curve at Chebyshev–Lobatto nodes, in extended precision; D
 /// is its running integral. So the curve and its normal are continuous by construction. (Hermite interpolation of D would lose digits in
@@ -42,6 +42,10 @@ struct Source {
 /// allow; where the curve is singular inside a side it may be part of a bucket. The Bernstein coefficients of D″ prove convexity.
 template <class Real>
 [[nodiscard]] std::optional<BasicTable<Real>> build(const Source& source, double tolerance, std::size_t bytes);
+
+/// Whether such a table can begin at x = 0 on both sides: a first cell may have to be narrower than any can be.
+template <class Real>
+[[nodiscard]] bool begins(const Source& source, double tolerance);
 
 extern template std::optional<BasicTable<double>> build(const Source&, double, std::size_t);
 extern template std::optional<BasicTable<float>> build(const Source&, double, std::size_t);

@@ -132,7 +132,7 @@ Extended Piece::least_growth() const noexcept {
 Extended Piece::error_at(const Sample& exact) const noexcept {
   const Extended u = (Extended(exact.x) - left_) / width();
   const Extended slope = leading(u);
-  return std::max(std::fabs(slope - exact.leading), std::fabs(support(u) - exact.x * slope - exact.trailing));
+  return std::max(std::fabs(slope - exact.leading), std::fabs(support(u) - exact.x * slope - exact.trailing)) + exact.error;
 }
 
 Extended Piece::error() const noexcept {

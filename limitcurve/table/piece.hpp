@@ -28,7 +28,7 @@ class Piece {
   [[nodiscard]] Extended end() const noexcept { return support(1); }
   /// The smallest Bernstein coefficient of dD′/du. If it is ≥ 0, the piece is convex.
   [[nodiscard]] Extended least_growth() const noexcept;
-  /// The largest error of both components at the samples between the nodes.
+  /// The largest error of both components at the samples between the nodes, the curve's own included.
   [[nodiscard]] Extended error() const noexcept;
   /// The exact D′ at the right end.
   [[nodiscard]] Extended leading_at_end() const noexcept { return samples_[nodes_ - 1].leading; }

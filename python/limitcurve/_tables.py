@@ -42,8 +42,16 @@ def _run(words: list[str], options: dict[str, Any], notes: list[str] | None = No
     return call.run(notes)
 
 
-def validate(law: str | Law | Sequence[str | Law] | None = None, *, patch: str | Sequence[str] | None = None) -> Columns:
-    """Errors of ellipse, box and diamond against the exact curve of one, several or all laws; or of round models of patches.
+def validate(
+    law: str | Law | Sequence[str | Law] | None = None,
+    *,
+    patch: str | Sequence[str] | None = None,
+    points: Data | None = None,
+    mu: float | None = None,
+    load: float | None = None,
+    radius: float | None = None,
+) -> Columns:
+    """Errors of ellipse, box and diamond against the exact curve of one, several or all laws; or of round models of patches; or of `points`.
 
     Columns: law, model, parameter, max_error, rms_error, max_over_estimate, max_under_estimate, max_cor_error; errors as fractions.
 
@@ -52,7 +60,7 @@ def validate(law: str | Law | Sequence[str | Law] | None = None, *, patch: str |
     >>> round(float(table["max_error"][table["model"] == "ellipse"][0]), 4)
     0.0638
     """
-    return run("validate", law=law, patch=patch)
+    return run("validate", **locals())
 
 
 def choose(

@@ -123,39 +123,38 @@ def closest_point(cells: Cells, force: Any, moment: Any, chi: Any) -> "tuple[Any
     return xp.where(slips, force_sign * to_force, force) + nothing, xp.where(slips, moment_sign * to_moment, moment) + nothing, slips
 
 def touching_ellipse(cells: Cells, force: Any = 0, moment: Any = 0, p: Any = None, q: Any = None, *, slip: Any = None) -> "tuple[Any, Any]":
-    """Semi-axes of Table.touching_ellipse: of the unit wrench that an engine found with the semi-axes p and q, or of slip = (|v|, a|omega|)."""
+    """Semi-axes, as Table.touching_ellipse: of the unit wrench that an engine found with the semi-axes p and q; without these on its ray;
+    or of slip = (|v|, a|omega|)."""
+    limits = _given(cells)[0].finfo(cells.rows.dtype)
+
+    def per_x(x: Any, first: Any, second: Any) -> Any:  # D'/x, D'(0) = 0
+        least = float(limits.tiny) * 2.0**30
+        return xp.where(x > least, first / xp.where(x > least, x, 1.0), second)
+
+    def on_ray(to: Any, x: Any, d: Any, first: Any, second: Any) -> "tuple[Any, Any, Any]":
+        up, down = to[0] * (d - x * first), to[1] * first
+        return up - down, second * (to[1] + x * to[0]), 4 * float(limits.eps) * (up + down)
+
+    def split(to: Any, x: Any, d: Any, first: Any, second: Any) -> "tuple[Any, Any, Any]":
+        each = per_x(x, first, second)  # x sqrt(each/D) is the root of the leading share of the power
+        rise = (each / d) ** 0.5
+        return to[0] - x * rise, (each + second - first * first / d) / (2 * d * rise), 4 * float(limits.eps) * to[0]
+
     if slip is not None:
         xp, rests, outside, cell, x = _slip(cells, *slip)
-        given = [0 * x]
-    elif p is None and q is None:
-        xp, *given = _given(cells, force, moment)
+        nothing = 0 * x
     else:
-        xp, force, moment, p, q = _given(cells, force, moment, p, q)
-        given = [force / p, moment / q]
-    per_x = lambda x, first, second: xp.where(x > least, first / xp.where(x > least, x, 1.0), second)  # noqa: E731
-    least = float(xp.finfo(cells.rows.dtype).tiny) * 2.0**30
-    eps = float(xp.finfo(cells.rows.dtype).eps)
-    if slip is None:
-        f, m = (_magnitude(xp, part)[1] for part in given)
+        given = (force, moment) if p is None else (force, moment, p, q)
+        xp, *given = _given(cells, *given)
+        f, m = (_magnitude(xp, part)[1] for part in (given if p is None else (given[0] / given[2], given[1] / given[3])))
         size = xp.hypot(f, m)
-        rests = size == 0
+        rests, nothing = size == 0, 0 * _constant(size)
         f, m = f / xp.where(rests, 1.0, size), m / xp.where(rests, 1.0, size)
         rim_force, rim_moment = wrench(cells, 1.0, 1.0)
         outside = f * rim_moment > m * rim_force if p is None else f * f * rim_moment > m * m * rim_force
-
-        def on_ray(to: Any, x: Any, d: Any, first: Any, second: Any) -> "tuple[Any, Any, Any]":
-            up, down = to[0] * (d - x * first), to[1] * first
-            return up - down, second * (to[1] + x * to[0]), 4 * eps * (up + down)
-
-        def split(to: Any, x: Any, d: Any, first: Any, second: Any) -> "tuple[Any, Any, Any]":
-            each = per_x(x, first, second)  # the root of the leading share of the power is x sqrt(each/D)
-            rise = (each / d) ** 0.5
-            return to[0] - x * rise, (each + second - first * first / d) / (2 * d * rise), 4 * eps * to[0]
-
         cell, x = _root(xp, cells, outside, on_ray if p is None else split, xp.where(outside, m, f), xp.where(outside, f, m))
     d, first, second = _jet(cell, x)
     leading, trailing = (d * per_x(x, first, second)) ** 0.5, (d * (d - x * first)) ** 0.5
-    inside, nothing = cells.inside.shape[0], 0 * sum(map(_constant, given))
-    usual = cells.rows[inside, 1] + nothing, cells.rows[0, 1] + nothing
-    return (xp.where(rests, usual[0], xp.where(outside, trailing, leading) + nothing),
-            xp.where(rests, usual[1], xp.where(outside, leading, trailing) + nothing))
+    usual = cells.rows[cells.inside.shape[0], 1], cells.rows[0, 1]
+    return (xp.where(rests, usual[0], xp.where(outside, trailing, leading)) + nothing,
+            xp.where(rests, usual[1], xp.where(outside, leading, trailing)) + nothing)

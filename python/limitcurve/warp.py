@@ -141,3 +141,47 @@ def closest_point(cells: Cells, force: float, moment: float, chi: float):  # typ
         return force + not_finite, moment + not_finite, False
     to_force, to_moment = wp.where(outside, trailing, leading), wp.where(outside, leading, trailing)
     return (wp.where(force < 0.0, -to_force, to_force) + not_finite, wp.where(moment < 0.0, -to_moment, to_moment) + not_finite, True)
+
+
+@wp.func
+def touching_ellipse(cells: Cells, force: float, moment: float, p: float, q: float):  # type: ignore[no-untyped-def]
+    """(p, q), as Table.touching_ellipse: of the unit wrench that an engine found with the semi-axes p and q > 0."""
+    f, m = force / p, moment / q
+    size = wp.sqrt(f * f + m * m)
+    if size == 0.0:
+        return cells.rows[cells.inside, 1], cells.rows[0, 1]
+    sliding, turning = f * f / (size * size), m * m / (size * size)  # shares of the power
+    outside = sliding * cells.rim[1] > turning * cells.rim[0]
+    share = wp.where(outside, turning, sliding)
+    root = wp.sqrt(share)
+    # The cell, by bisection over their edges, then x in it, where x sqrt(D'/(x D)) is the root of the leading share.
+    row = int(wp.where(outside, cells.inside, 0))
+    end = int(wp.where(outside, cells.rows.shape[0], cells.inside))
+    while end - row > 1:
+        middle = (row + end) // 2
+        if cells.rows[middle, 0] * cells.rows[middle, 2] < share * cells.rows[middle, 1]:
+            row = middle
+        else:
+            end = middle
+    low, high = float(cells.rows[row, 0]), float(1.0)
+    if end < wp.where(outside, cells.rows.shape[0], cells.inside):
+        high = float(cells.rows[end, 0])
+    x = float(low)
+    for _step in range(24):
+        leading, trailing, second = _jet(cells, row, x)
+        d, each = trailing + x * leading, wp.where(x > 1.0e-30, leading / wp.max(x, 1.0e-30), second)
+        rise = wp.sqrt(each / d)
+        value = root - x * rise
+        if wp.abs(value) <= 5.0e-7 * root:
+            break
+        if value > 0.0:
+            low = x
+        else:
+            high = x
+        new = x + value * 2.0 * d * rise / (each + second - leading * leading / d)
+        x = wp.where(new >= low and new <= high, new, 0.5 * (low + high))
+    leading, trailing, second = _jet(cells, row, x)
+    d, each = trailing + x * leading, wp.where(x > 1.0e-30, leading / wp.max(x, 1.0e-30), second)
+    not_finite = size - size
+    lead, trail = wp.sqrt(d * each) + not_finite, wp.sqrt(d * trailing) + not_finite
+    return wp.where(outside, trail, lead), wp.where(outside, lead, trail)

@@ -12,7 +12,7 @@ import pytest
 TABLE = lc.Table("hertz", tolerance=1e-8)
 
 
-def test_times_are_no_numbers():
+def test_times_that_are_nan():
     """Ticks of any unit once counted as seconds."""
     time = np.arange(3) * np.timedelta64(1, "ms")
     trace = {"time": time, "x": np.zeros(3), "y": np.zeros(3), "z": np.zeros(3), "twist": np.zeros(3)}

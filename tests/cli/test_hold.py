@@ -56,6 +56,19 @@ class Hold(CommandLineTest):
         slips = next(row["load"] for row in run_of if row["state"] == "slip")
         self.assertAlmostEqual(slips / hold, 1, delta=2e-3)
 
+    def test_the_weight_on_a_pad(self):
+        data = [(4.905, 0.0, -0.0981), (0.0, -4.905, -0.0981), (2.943, -3.924, 0.0981)]
+        expected = [row["hold_load"] for row in rows("hold", *PATCH, "--data", self.data("fx,fy,moment", data))]
+        for given, load in zip((("--down", "2,0", "--offset", 0.02), ("--offset", 0.02), ("--down", "3,-4", "--offset", -0.02)), expected):
+            row, = rows("hold", *PATCH, "--mass", 1, *given)
+            self.assert_close(row["hold_load"], load, 1e-12)
+        row, = rows("hold", *PATCH, "--mass", 1, "--offset", 0.02)
+        self.assertEqual([row[name] for name in ("fx", "fy")], [0, -4.905])
+        self.assert_close(row["moment"], -0.0981, 1e-12)  # x times fy
+        for down in ("0,0", "1", "1,2,3"):
+            self.assert_fails(2, "--down", "hold", *PATCH, "--mass", 1, "--offset", 0, "--down", down)
+        self.assert_fails(2, "--down", "hold", *CONTACT, "--mass", 1, "--offset", 0, "--down", "0,-1")
+
     def check_against_replay(self, contact, trace, wrench):
         found = [row for row in rows("replay", "--trace", trace, *contact, *FINGER, "--details") if row["state"] == "stick" and row["load"] > 0]
         self.assertGreater(len(found), 50)
@@ -121,7 +134,7 @@ class Hold(CommandLineTest):
                                 ("--radius-law", ["--law", "hertz", "--mu", "1", *one]), ("--radius-law", [*PATCH, "--radius-law", "constant:a=1", *one]),
                                 (["--data", "--mass"], CONTACT), (["--data", "--mass"], [*CONTACT, *one, "--data", "x"]), (["--data", "--mass"], [*CONTACT, *one, *weight]),
                                 ("--moment", [*CONTACT, "--force", "1"]), ("--force", [*CONTACT, "--moment", "1"]), ("--offset", [*CONTACT, "--mass", "1"]),
-                                ("FX,FY", [*PATCH, *one]), ("one, F", [*CONTACT, "--force", "1,2", "--moment", "0"]), ("--mass", [*PATCH, *weight]),
+                                ("FX,FY", [*PATCH, *one]), ("one, F", [*CONTACT, "--force", "1,2", "--moment", "0"]),
                                 ("--fingers", [*CONTACT, *weight, "--fingers", "0"]), ("--fingers", [*CONTACT, *weight, "--fingers", "1.5"]),
                                 ("--mass", [*CONTACT, "--fingers", "2"]), ("--mu", ["--law", "hertz", "--radius-law", "constant:a=1", "--mu", "-1", *one]),
                                 ("moment", [*CONTACT, "--data", self.file("short.csv", "force\n1\n")]),

@@ -80,11 +80,15 @@ class Bash(Made):
             self.assertEqual(set(self.offered(name, "-")), set(options(name)), name)
 
     def test_what_an_option_takes(self):
-        self.assertEqual(self.offered("replay", "--curve", ""), "exact table ellipse box".split())
+        for call, expected in [("replay --curve", "exact table ellipse box"), ("replay --projection", "radial c-curve closest-point"),
+                               ("pivot --material", "rayon suede sandpaper"), ("laws --format", "table csv json")]:
+            self.assertEqual(self.offered(*call.split(), ""), expected.split())
+        if "translate" in subcommands():
+            self.assertLessEqual({"mujoco", "isaac-lab", "dex-net"}, set(self.offered("translate", "--engine", "")))
         self.assertEqual(self.offered("replay", "--details", "--pro"), ["--projection"])
         self.assertEqual(self.offered("fit", "el"), ["ellipse"])
         self.assertEqual(set(self.offered("fit", "")), set(models()) | set(options("fit")))
-        self.assertEqual(self.offered("eval", "--law", "he"), ["hertz"])
+        self.assertEqual(self.offered("eval", "--law", "he") + self.offered("validate", "--law", "he"), ["hertz"] * 2)
         self.assertEqual(self.offered("eval", "--law", "pow"), ["power:"])
         self.assertEqual(self.offered("eval", "--c", ""), [])  # numbers; bash itself offers files
         self.assertEqual(self.offered("nonsense", ""), [])
@@ -112,7 +116,7 @@ class Zsh(Made):
         self.assertEqual(re.findall(r"(?m)^([a-z-]+):", self.called("")), subcommands())
         for name in subcommands():
             self.assertEqual(set(re.findall(r"(?m)^\*(-[^\[]+)\[", self.called(name, ""))), set(options(name)), name)
-        self.assertIn(":(csv json)", self.called("laws", ""))
+        self.assertIn(":(table csv json)", self.called("laws", ""))
 
 
 if __name__ == "__main__":

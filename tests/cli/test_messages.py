@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""What is said on standard error: progress (a bar on a terminal, lines elsewhere, nothing when quiet), colours, and what was meant."""
+"""What a terminal gets: results in a table; on standard error progress (a bar there, lines elsewhere), colours, and what was meant."""
 
+import csv
 import os
 import pty
 import re
@@ -79,7 +80,7 @@ class Bar(CommandLineTest):
         self.assertRegex(seen, r"\rlimitcurve: replay: \[ *#+ *\] 1 s")
         self.assertEqual(shown(seen), [""])
         # Where the results come to the same terminal, they stand alone too.
-        status, seen, _ = on_terminal(*replay, feed=slowly(*ROWS))
+        status, seen, _ = on_terminal(*replay, "--format", "csv", feed=slowly(*ROWS))
         self.assertRegex(seen, r"\rlimitcurve: replay: \[ *#+ *\] 1 s")
         self.assertEqual(shown(seen), [*printed.split("\n")])
 
@@ -103,6 +104,50 @@ class Bar(CommandLineTest):
         for arguments, environment in [(["--quiet"], {}), ([], {"TERM": "dumb"})]:
             status, seen, _ = on_terminal("replay", "--trace", "-", *FINGER, *arguments, results=False, feed=slowly(*ROWS), environment=environment)
             self.assertEqual((status, seen), (0, ""))
+
+
+class Table(CommandLineTest):
+    CALLS = [["validate", "--law", "hertz", "--law", "mix:0.7*hertz+0.3*uniform"], ["choose", "--law", "hertz", "--tolerance", "0.01"],
+             ["fit", "ellipse", "--law", "hertz", "--quiet"], ["laws"], ["p-curves", *FINGER[:6], "--loads", "1,2000", "--points", "500"],
+             ["hold", *FINGER[:6], "--force", "1", "--moment", "0.002"]]
+
+    @unittest.skipIf(sys.platform == "win32", "no pseudo-terminals")
+    def test_a_table_on_a_terminal_and_csv_elsewhere(self):
+        for call in self.CALLS:
+            table, text = run(*call, "--format", "table").stdout, run(*call, "--format", "csv").stdout
+            self.assertEqual((on_terminal(*call)[1], run(*call).stdout), (table, text))
+            self.assertEqual(on_terminal(*call, "--format", "csv")[1], text)
+
+    def test_it_has_the_cells_of_the_csv_rounded_and_aligned(self):
+        for call in self.CALLS:
+            names, *expected = csv.reader(run(*call).stdout.splitlines())
+            lines = run(*call, "--format", "table").stdout.splitlines()
+            self.assertLessEqual(max(map(len, lines)), 100, lines)
+            starts = [match.start() for match in re.finditer(r"\S+", lines[0])]
+            cells = [[line[begin:end] for begin, end in zip(starts, [*starts[1:], None])] for line in lines]
+            head = len(lines) - len(expected) - sum(line.startswith("[") for line in lines)
+            self.assertEqual(["".join(part[i].strip() for part in cells[:head]) for i in range(len(names))], names)
+            for i, name in enumerate(names):
+                numbers = [row[i].rstrip() for row in cells[head:][:len(expected)]]
+                for shown_as, row in zip(numbers, expected):
+                    self.assertEqual(shown_as.strip(), self.rounded(name, row[i], lines), (name, call))
+                points = {re.search(r"[.e]|$", one).start() for one in numbers if re.fullmatch(r" *-?[\d.e+-]+", one)}
+                self.assertLessEqual(len(points), 1, (name, call))
+
+    def test_a_long_one_comes_in_parts(self):
+        call = ["p-curves", *FINGER[:6], "--loads", "1,2000,3", "--points", "1001", "--format"]
+        cells = [line.split() for line in run(*call, "table").stdout.splitlines()]
+        self.assertEqual([(row[0], len(row)) for row in cells], [(line.split(",")[0], 4) for line in run(*call, "csv").stdout.splitlines()])
+
+    @staticmethod
+    def rounded(name, text, lines):
+        if len(text) > 16 and " " in text:  # a remark, which stands below once
+            (number,) = (line.split()[0] for line in lines if line.endswith("] " + text))
+            return number
+        try:
+            return f"{float(text):.{6 if name in ('parameter', 'value', 'hold_load') else 4}g}"
+        except ValueError:
+            return text
 
 
 @unittest.skipIf(sys.platform == "win32", "no pseudo-terminals")

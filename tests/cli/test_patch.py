@@ -234,5 +234,81 @@ class Patch(PatchCase):
             self.assertIn(part, done.stderr)
 
 
+class Slip(PatchCase):
+    def slips(self, contact, columns, wrenches):
+        data = self.file("wrenches.csv", columns + "\n" + "".join(",".join(map(repr, wrench)) + "\n" for wrench in wrenches))
+        return rows("patch", *contact, "--wrenches", data)
+
+    def of(self, patch, *wrenches, mu=0.5):
+        return self.slips(("--patch", patch, "--mu", mu), "fx,fy,moment", wrenches)
+
+    def test_the_twist_whose_wrench_this_is(self):
+        """Sums and quadrature give the wrench of a twist; the command must find the twist again."""
+        ell = [(0.05, 0.01), (0.09, 0.01), (0.09, 0.02), (0.06, 0.02), (0.06, 0.04), (0.05, 0.04)]
+        pad = [(-0.01, -0.005), (0.01, -0.005), (0.01, 0.005), (-0.01, 0.005)]
+        loads = [(-0.04, -0.04, 1.0), (0.04, -0.02, 2.0), (-0.04, 0.08, 1.0), (0.3, 0.1, 0.5)]
+        polygon = "polygon:" + str(self.file("ell.csv", "x,y\n" + "".join(f"{x},{y}\n" for x, y in ell)))
+        points = "points:" + str(self.file("points.csv", "x,y,load\n" + "".join(f"{x},{y},{w}\n" for x, y, w in loads)))
+        twists = [(0.01, 0.02, 1.0), (-0.03, 0.05, -2.0), (0.02, 0.01, -1.0), (0.03, 0.01, 0.5), (0.0, 0.4, 7.0), (-0.011, 0.052, 1.0)]
+        for patch, points_about in ((polygon, lambda c: polygon_points(ell, c)), ("rectangle:x=0.02,y=0.01", lambda c: polygon_points(pad, c)),
+                                    (points, lambda c: loads)):
+            for mx, my in ((1.0, 1.0), (0.3, 2.0)):
+                exact = [by_points(list(points_about((-vy / w, vx / w))), (vx, vy, w), mx, my) for vx, vy, w in twists]
+                for (vx, vy, w), wrench, row in zip(twists, exact, self.of(f"{patch},mx={mx},my={my}", *([2 * one for one in of[:3]] for of in exact))):
+                    self.assertAlmostEqual(row["hold_load"], 4, delta=1e-9)
+                    scale = 2 * wrench[3]
+                    for found, expected, arm in ((row["vx"], vx, 1), (row["vy"], vy, 1), (row["omega"], w, 0.05)):
+                        self.assertLess(abs(found * scale - expected) * arm, 1e-8 * (abs(vx) + abs(vy) + 0.05 * abs(w)), (patch, mx, row))
+                    self.assertLess(row["error"], 1e-8)
+
+    def test_about_a_point_of_support_it_is_exact(self):
+        loads = [(0.01, 0.02, 2.0), (0.04, 0.02, 1.0), (0.01, 0.07, 1.0), (0.03, 0.06, 4.0)]
+        patch = f"points:{self.file('four.csv', 'x,y,load' + chr(10) + ''.join(f'{x},{y},{w}' + chr(10) for x, y, w in loads))}"
+        for i, (x, y, load) in enumerate(loads):
+            fx, fy, moment, power = by_points(loads[:i] + loads[i + 1:], (3 * y, -3 * x, 3.0))
+            share = load / 8
+            for part, angle in ((0.0, 0.0), (0.5, 1.0), (0.999, 2.0), (-0.7, 0.1)):
+                px, py = part * share * math.cos(angle), part * share * math.sin(angle)
+                wrench = ((1 - share) * fx + px, (1 - share) * fy + py, (1 - share) * moment + x * py - y * px)
+                (row,) = self.of(patch, wrench, mu=1)
+                self.assertAlmostEqual(row["hold_load"], 1, delta=1e-12)
+                self.assertAlmostEqual(row["omega"] * (1 - share) * power, 3, delta=1e-11)
+                self.assertEqual((row["vx"], row["vy"]), (row["omega"] * y, -row["omega"] * x))
+                self.assertLess(row["error"], 1e-11)
+
+    def test_round_contacts(self):
+        contact = ("--law", "hertz", "--radius-law", "power:c=0.004,gamma=0.3", "--mu", 0.6)
+        slip = rows("p-curves", *contact, "--loads", "0.5,3", "--points", 7)
+        found = self.slips(contact, "force,moment", [(-row["force"], row["moment"]) for row in slip])
+        self.assertEqual(list(found[0]), ["force", "moment", "hold_load", "slide", "spin", "error"])
+        for row, point in zip(found, slip, strict=True):
+            self.assertAlmostEqual(row["hold_load"] / point["load"], 1, delta=1e-9)
+            self.assertAlmostEqual(row["force"] * row["slide"] + row["moment"] * row["spin"], 1, delta=1e-12)
+            self.assertAlmostEqual(-row["slide"], -1 / row["force"] if math.isinf(point["c"]) else point["c"] * row["spin"], delta=1e-6 * abs(row["slide"]))
+            self.assertLess(row["error"], 1e-9)
+        disc = self.of("ellipse:law=hertz,a=0.005,b=0.005", (0.3, 0.4, 1e-3), (-0.8, 0.1, 2e-3))
+        for row, other in zip(disc, self.slips(("--law", "hertz", "--radius-law", "constant:a=0.005", "--mu", 0.5), "force,moment",
+                                               [(math.hypot(row["fx"], row["fy"]), row["moment"]) for row in disc])):
+            for one, same in (("hold_load", "hold_load"), ("omega", "spin")):
+                self.assertAlmostEqual(row[one] / other[same], 1, delta=1e-8)
+            self.assertAlmostEqual(math.hypot(row["vx"], row["vy"]) / other["slide"], 1, delta=1e-8)
+
+    def test_where_nothing_slips(self):
+        point = f"points:{self.file('one.csv', 'x,y,load' + chr(10) + '0.1,0.2,3' + chr(10))}"
+        zero, turned, held = self.of(point, (0.0, 0.0, 0.0), (0.0, 0.0, -1e-3), (0.3, 0.7, 0.01))
+        self.assertEqual((zero["hold_load"], turned["hold_load"]), (0, math.inf))
+        for row in (zero, turned, *self.slips(("--law", "hertz", "--radius-law", "constant:a=1"), "force,moment", [(0.0, 0.0)])):
+            self.assertTrue(all(math.isnan(value) for name, value in row.items() if name in ("vx", "vy", "omega", "slide", "spin", "error")), row)
+        self.assertAlmostEqual(0.3 * held["vx"] + 0.7 * held["vy"], 1, delta=1e-14)
+        data = self.file("w.csv", "fx,fy,moment\n1,2,3\n")
+        pad = ("--patch", "rectangle:x=1,y=1")
+        for arguments, part in ((pad, "--wrenches"), ((*pad, "--wrenches", data, "--load", 1), "--load"), ((*pad, "--law", "hertz", "--wrenches", data), "--law"),
+                                (("--law", "hertz", "--wrenches", data), "--radius-law"), ((*pad, "--radius-law", "constant:a=1", "--wrenches", data), "--radius-law"),
+                                (("--law", "hertz", "--twists", data), "--wrenches"), ((*pad, "--wrenches", self.twists((1.0, 0.0, 0.0))), "no column 'fx'")):
+            done = run("patch", *arguments)
+            self.assertEqual(done.returncode, 2)
+            self.assertIn(part, done.stderr)
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -204,20 +204,6 @@ class ReplayPatch(PatchCase):
     SPRINGS = ("--mu", 0.6, "--mu-dynamic", 0.5, "--stiffness", 1000, "--twist-stiffness", 0.036, "--details")
     TRACE = ("replay", "--trace", DATA / "traces" / "slide_twist_load.csv")
 
-    def test_a_disc_is_the_finger_of_its_law(self):
-        law = rows(*self.TRACE, "--law", "hertz", "--radius-law", "constant:a=0.006", "--tolerance", "1e-12", *self.SPRINGS)
-        patch = rows(*self.TRACE, "--patch", "ellipse:law=hertz,a=0.006,b=0.006", *self.SPRINGS)
-        self.assertEqual(len(law), len(patch))
-        for one, other in zip(law, patch):
-            self.assertEqual(one["state"], other["state"])
-            for name in ("px", "py", "angle", "depth", "load", "fx", "fy"):
-                self.assertAlmostEqual(one[name], other[name], delta=1e-9)
-            self.assertAlmostEqual(one["moment"] / 0.006, other["moment"] / 0.006, delta=1e-8)
-            self.assertAlmostEqual(one["dissipated"], other["dissipated"], delta=1e-11)
-            self.assertAlmostEqual(one["margin"], other["margin"], delta=1e-6)
-            for name in ("corx", "cory"):
-                self.assertTrue(one[name] == other[name] or math.isnan(one[name]) or abs(one[name] - other[name]) < 1e-5 * one["cor"])
-
     def test_columns_are_those_of_replay(self):
         springs = self.SPRINGS[:-1]
         as_law = header(*self.TRACE, "--law", "hertz", "--radius-law", "constant:a=0.006", *springs)

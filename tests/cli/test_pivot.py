@@ -15,27 +15,6 @@ class Pivot(CommandLineTest):
         self.assertEqual(header("pivot", "--case", "coupled", "--duration", "0"),
                          "time,x,y,angle,grip_slip,load,friction_force,friction_moment,state,cor,r,rho,trial_r,trial_rho")
 
-    def test_a_firm_grip_holds(self):
-        for case in CASES:
-            found = rows("pivot", "--case", case, "--release", "from=3,to=3,over=1", "--duration", "1", "--offset", "0.002")
-            self.assertEqual({row["state"] for row in found}, {"stick"}, case)
-            self.assertAlmostEqual(found[-1]["time"], 1, delta=2e-3)
-            self.assertEqual(found[-1]["grip_slip"], 0)
-            # The weight, and its moment about the grip.
-            self.assertAlmostEqual(found[0]["friction_force"], 0.1 * 9.81, delta=1e-9)
-
-    def test_an_operator_lets_the_block_turn_and_regrips(self):
-        for case in ["coupled", "exact"]:
-            found = rows("pivot", "--case", case, "--material", "sandpaper", "--operator", "target=30deg")
-            self.assertIn("slip", {row["state"] for row in found})
-            self.assertEqual(found[-1]["state"], "stick")
-            self.assertAlmostEqual(math.degrees(found[-1]["angle"]), 30, delta=3)
-
-    def test_without_coupling_it_slides_out_with_hardly_a_turn(self):
-        found = rows("pivot", "--case", "uncoupled", "--release", "from=1,to=0,over=4", "--duration", "5")
-        self.assertEqual(found[-1]["state"], "free")
-        self.assertLess(max(abs(row["angle"]) for row in found if row["grip_slip"] < 0.01), math.radians(5))
-
     def test_grip_from_a_file_is_the_release(self):
         grip = self.file("grip.csv", "# eased\ntime,load\n0,1.5\n1,0.5\n")
         call = ["pivot", "--case", "exact", "--duration", "1"]

@@ -95,7 +95,7 @@ class RadiusLaws(CommandLineTest):
                 row, = rows("c-curves", "--law", pressure, "--radius-law", law, "--mu", mu, "--loads", repr(load), "--cors", "0")
                 self.assert_close(row["moment"], math.sqrt(0.4e-3 * 1.1e-3), 1e-12)
 
-    def test_moments_that_are_none(self):
+    def test_moments_that_are_invalid(self):
         def call(law, mu="0.5"):
             return ["p-curves", "--law", "hertz", "--radius-law", law, "--mu", mu, "--loads", "1"]
         good = "0.5,0.0005\n1,0.001\n2,0.003\n"

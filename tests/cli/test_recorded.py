@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What replay and pivot gave when it was recorded, they give still: recorded.record, to 1e-9 of the largest magnitude of a column in its case.
+"""What replay and pivot gave when it was recorded, they give still: data/recorded.record, to 1e-9 of the largest magnitude of a column in its case.
 
     LIMITCURVE=EXECUTABLE LIMITCURVE_DATA=data tests/cli/test_recorded.py --record 'plane/*'
 
@@ -12,11 +12,10 @@ import fnmatch
 import math
 import sys
 import unittest
-from pathlib import Path
 
 from command_line import DATA, number_or_text, run
 
-FILE = Path(__file__).with_name("recorded.record")
+FILE = DATA / "recorded.record"
 TOLERANCE = 1e-9
 # Below these magnitudes a column is only rounding [m, rad, N, N m]; other columns have no unit.
 FLOORS = {**dict.fromkeys(["px", "py", "pz", "depth", "bx", "by", "bz", "x", "y", "grip_slip"], 1e-3), "angle": 1e-2, "moment": 1e-5, "friction_moment": 1e-5,

@@ -63,7 +63,7 @@ class Files(CommandLineTest):
             self.assert_fails(2, [place, what, "expected"] if what != "quote" else [place, what], "replay", "--trace",
                               self.directory / "bad.csv", *FINGER)
 
-    def test_files_that_are_none(self):
+    def test_files_of_another_kind(self):
         self.assert_fails(2, ["absent.csv", "No such file"], "replay", "--trace", self.directory / "absent.csv", *FINGER)
         self.assert_fails(2, "directory", "replay", "--trace", self.directory, *FINGER)
         endless = self.directory / "endless.csv"

@@ -8,6 +8,7 @@ import math
 import os
 import re
 import resource
+import shutil
 import signal
 import subprocess
 import time
@@ -113,6 +114,15 @@ class Report(CommandLineTest):
             said = process.communicate()[1]
         self.assertEqual((process.returncode, PROGRESS.sub("", said)), (-signal.SIGINT, "limitcurve.report: interrupted\n"))
         self.assertEqual([path.name for path in out.iterdir() if path.name.startswith(".")], [])
+
+    def test_librsvg_draws_the_figures_of_the_pages(self):
+        # It sets the parts of a text on top of each other: a formula is a path.
+        docs = DATA.parent / "docs"
+        for path in [*docs.glob("*.svg"), *docs.glob("stability/*.svg")]:
+            self.assertNotIn("<tspan", path.read_text(encoding="utf-8"), path)
+            if shutil.which("rsvg-convert"):
+                drawn = subprocess.run(["rsvg-convert", path], capture_output=True, check=True)
+                self.assertEqual((drawn.stdout[:4], drawn.stderr), (b"\x89PNG", b""), path)
 
     def test_the_command_says_where_it_is(self):
         self.assert_fails(2, ["python3 -m limitcurve.report -o DIR", "scripts/demo"], "report", "-o", self.directory / "out")

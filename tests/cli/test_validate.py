@@ -3,9 +3,13 @@
 
 import functools
 import math
+import random
+import re
 import unittest
+from pathlib import Path
 
 from command_line import CommandLineTest, header, rows, run
+from patch_case import by_points
 
 COLUMNS = "law,model,parameter,max_error,rms_error,max_over_estimate,max_under_estimate,max_cor_error"
 
@@ -130,6 +134,53 @@ class Validate(CommandLineTest):
 
     def test_json(self):
         self.assertIn('"max_cor_error":"inf"', run("validate", "--law", "hertz", "--format", "json").stdout)
+
+
+class Points(CommandLineTest):
+    def judged(self, contact, columns, points):
+        (row,) = rows("validate", *contact, "--points", self.file("points.csv", columns + "\n" + "".join(",".join(map(repr, p)) + "\n" for p in points)))
+        self.assertEqual((row["model"], row["parameter"]), (str(self.directory / "points.csv"), len(points)))
+        return row
+
+    def test_points_of_the_exact_curve_and_scaled_ones(self):
+        exact = [(row["force"], row["moment"], row["c"]) for row in rows("eval", "--law", "hertz", "--c", "0,0.1,0.7,1,5,inf")]
+        row = self.judged(("--law", "hertz"), "force,moment,c", exact)
+        self.assertLess(max(row["max_error"], row["max_cor_error"]), 1e-13)
+        changed = [(-1.2 * 3 * f * (1.1 if i == 2 else 0.8 if i == 3 else 1), 1.2 * 3 * 0.005 * m * (1.1 if i == 2 else 0.8 if i == 3 else 1),
+                    0.005 * c * (2 if i == 4 else 1)) for i, (f, m, c) in enumerate(exact)]
+        row = self.judged(("--law", "hertz", "--mu", 1.2, "--load", 3, "--radius", 0.005), "force,moment,c", changed)
+        for column, expected in (("max_error", 0.2), ("max_over_estimate", 0.1), ("max_under_estimate", 0.2), ("max_cor_error", 1),
+                                 ("rms_error", math.sqrt((0.01 + 0.04) / 6))):
+            self.assertAlmostEqual(row[column], expected, delta=1e-12, msg=column)
+        self.assertEqual(self.judged(("--law", "hertz"), "force,moment", [point[:2] for point in exact])["max_cor_error"], "")
+        self.assertEqual(self.judged(("--law", "hertz"), "force,moment,c", [(0.0, 0.5, 1.0)])["max_cor_error"], math.inf)
+
+    def test_methods_of_the_page(self):
+        """What public code computes, written out here, has the errors that docs/validate.md says."""
+        square, pad = ("--patch", "rectangle:x=0.1,y=0.1"), ("--patch", "rectangle:x=0.082,y=0.0625")
+        d = math.hypot(0.082, 0.0625)
+        closed = (d + 0.082**2 / 0.125 * math.asinh(0.0625 / 0.082) + 0.0625**2 / 0.164 * math.asinh(0.082 / 0.0625)) / 6
+        spin = {"closed form": (pad, closed), "quadrature of two points an axis": (pad, d / 2 / math.sqrt(3)), "disc around it": (square, 0.1 * math.sqrt(2) / 3),
+                "√(ab) as radius": (("--patch", "ellipse:law=parabolic,a=0.05,b=0.01"), 0.08 / 15 * math.sqrt(5))}
+        errors = {method: self.judged(contact, "fx,fy,moment", [(0.0, 0.0, moment)])["max_error"] for method, (contact, moment) in spin.items()}
+        chance = random.Random(1)
+        means = [sum(math.sqrt(1 - chance.random() ** (2 / 3)) for _ in range(10000)) / 10000 for _ in range(20)]
+        errors["10 000 random points"] = self.judged(("--law", "hertz"), "force,moment", [(0.0, mean) for mean in means])["rms_error"]
+        cells = [((i - 10) / 210, (j - 10) / 210, 1.0) for i in range(21) for j in range(21)]
+        cors = [(i / 800, j / 800) for i in range(60) for j in range(i + 1)]
+        errors["21 × 21 cells"] = self.judged(square, "fx,fy,moment", [by_points(cells, (y, -x, 1.0))[:3] for x, y in cors])["max_error"]
+        page = (Path(__file__).parents[2] / "docs" / "validate.md").read_text(encoding="utf-8")
+        for method, error in errors.items():
+            self.assertRegex(page, rf"\[{re.escape(method)}\]\([^)]*\) \| {100 * error:.1f} %", method)
+
+    def test_bad_input(self):
+        zero = self.file("zero.csv", "force,moment\n1,0\n0,0\n")
+        none = self.file("none.csv", "fx,fy,moment\n0,0,0\n")
+        pad = ("--patch", "rectangle:x=1,y=1")
+        for arguments, told in ((("--law", "hertz", "--points", zero), ["zero.csv:3:1", "0"]), ((*pad, "--points", none), "none.csv:2:1"),
+                                ((*pad, "--points", zero), "no column 'fx'"), (("--points", zero), "--law"), (("--law", "hertz", "--mu", 1), "--points"),
+                                ((*pad, "--points", none, "--radius", 1), "--radius"), ((*pad, "--law", "hertz", "--points", none), "--law")):
+            self.assert_fails(2, told, "validate", *arguments)
 
 
 class Choose(CommandLineTest):

@@ -63,7 +63,7 @@ const CurveAndProjection<Real>& any_curve(Bytes& bytes) {
     const BasicTable<Real> fine = BasicTable<Real>::build(law, finest);
     const double m0 = law->moment_ratio();
     const BasicTable<Real> pointed = BasicTable<Real>::build(test::Superellipse{1.0, m0, 1.725}, 1e-6, {.name = "pointed"});
-    const BasicTable<Real> blunt = BasicTable<Real>::build(test::Superellipse{1.0, m0, 3.0}, 1e-6, {.name = "blunt"});
+    const BasicTable<Real> blunt = BasicTable<Real>::build(test::Superellipse{1.0, m0, 3.0}, 1e-4, {.name = "blunt"});
     const Ellipse ellipse = Ellipse::through_intercepts(m0);
     return std::vector<CurveAndProjection<Real>>{{table, Projection::closest_point},
                                                  {table, Projection::c_curve},

@@ -2,6 +2,7 @@
 #include "cli/io/patch_argument.hpp"
 #include "tests/fuzz/fuzz.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 using namespace limitcurve;
@@ -20,8 +21,8 @@ void require_honest(const Patch& patch) {
   for (const PatchTwist& twist : twists) {
     const PatchFriction friction = patch.evaluate(twist);
     const double error = patch.about_origin(twist).error;
-    fuzz::require(error >= 0.0, "an error that is none");
-    fuzz::require(fuzz::is_finite(friction.power) && friction.power >= 0.0, "a power that is none");
+    fuzz::require(error >= 0.0, "an error below 0 or NaN");
+    fuzz::require(fuzz::is_finite(friction.power) && friction.power >= 0.0, "a power below 0, infinite or NaN");
     fuzz::require(fuzz::is_finite(dot(twist, friction.wrench)), "a wrench that is not finite");
     const double size = std::hypot(twist.vx, twist.vy, arm * twist.omega) * std::max({1.0, patch.factors().x, patch.factors().y});
     const double slack = (1e-9 + 4.0 * error) * size;
@@ -51,7 +52,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   file.replace(text.substr(std::min(end + 1, text.size())));
   if (reads) argument.replace(colon + 1, 1, file.path());
   std::optional<Patch> patch;
-  if (const auto complaint = fuzz::complaint_of([&] { patch = cli::read_patch(argument); })) {
+  if (const auto complaint = fuzz::complaint_of([&] { patch = cli::parse_patch(argument).patch(); })) {
     fuzz::require(complaint->substr(0, 7) == "patch '", "a complaint that does not name the patch");
     return 0;
   }

@@ -25,8 +25,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     fuzz::require(names_file(*radius_refused), "a complaint that does not name the file");
   } else {
     for (const double load : {1e-3, 1.0, 7.0, 1e3}) {
-      fuzz::require(radius_law->radius(load) >= 0.0, "a radius that is none");
-      fuzz::require(radius_law->load_of_product(load) >= 0.0, "a load that is none");
+      fuzz::require(radius_law->radius(load) >= 0.0, "a radius below 0 or NaN");
+      fuzz::require(radius_law->load_of_product(load) >= 0.0, "a load below 0 or NaN");
     }
   }
   return 0;

@@ -44,7 +44,7 @@ void run(fuzz::Bytes bytes, const fuzz::CurveAndProjection<double>& choice) {
     fuzz::require(same(preview, finger.output()), "a preview shows another step");
     const double margin = finger.margin();
     fuzz::require(margin >= 0.0 && margin <= 1.0, "a margin outside 0 to 1");
-    fuzz::require(finger.load_to_hold() >= 0.0, "a load to hold that is none");
+    fuzz::require(finger.load_to_hold() >= 0.0, "a load to hold below 0 or NaN");
   }
 }
 

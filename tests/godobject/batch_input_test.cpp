@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a batch makes of any input, and where its arrays lie.
+// What a batch makes of any input.
 #include "tests/godobject/batch_cases.hpp"
 #include "tests/repetitions.hpp"
 
@@ -8,9 +8,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <iterator>
 #include <limits>
-#include <set>
 #include <span>
 
 namespace limitcurve::godobject::test {
@@ -137,25 +135,6 @@ TYPED_TEST(BatchInput, StepsFingersOfAnyScale) {
     const BasicContactBatch<Real> result = arrays.batch();
     const double gauge = table.gauge({std::fabs(double{result.fx[2]}) / unit, std::fabs(double{result.moment[2]}) / (0.005 * unit)});
     EXPECT_NEAR(gauge, 1.0, sizeof(Real) == sizeof(double) ? 1e-14 : 1e-6) << scale;
-  }
-}
-
-// Where they lie decides how fast a step is, and no result.
-TYPED_TEST(BatchInput, ArraysLieApartWithinAPage) {
-  using Real = TypeParam;
-  for (const std::size_t count : {0U, 1U, 8U, 511U, 512U, 513U, 100'000U}) {
-    BasicContactArrays<Real> arrays(count);
-    const BasicContactBatch<Real> batch = arrays.batch();
-    std::set<std::uintptr_t> lines;
-    for (const Real* begin : {batch.x.data(), batch.y.data(), batch.twist.data(), batch.depth.data(),
-                              static_cast<const Real*>(batch.proxy_x.data()), static_cast<const Real*>(batch.proxy_y.data()),
-                              static_cast<const Real*>(batch.proxy_angle.data()), static_cast<const Real*>(batch.fx.data()),
-                              static_cast<const Real*>(batch.fy.data()), static_cast<const Real*>(batch.moment.data())}) {
-      lines.insert(reinterpret_cast<std::uintptr_t>(begin) % 4096 / 64);
-    }
-    EXPECT_EQ(batch.size(), count);
-    ASSERT_EQ(lines.size(), 10U) << count;
-    for (auto line = std::next(lines.begin()); line != lines.end(); ++line) EXPECT_GE(*line - *std::prev(line), 4U) << count;
   }
 }
 

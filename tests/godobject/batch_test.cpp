@@ -233,8 +233,8 @@ TYPED_TEST(BatchOf, DoesNotDependOnNeighbours) {
   }
 }
 
-// The memory is the caller's: what he never wrote may be no numbers.
-TYPED_TEST(BatchOf, AProxyThatIsNoneIsAFaultUntilTheContactEnds) {
+// The memory is the caller's: what he never wrote may be NaN.
+TYPED_TEST(BatchOf, AProxyThatIsNaNIsAFaultUntilTheContactEnds) {
   using Real = TypeParam;
   using Limits = std::numeric_limits<Real>;
   constexpr std::size_t count = 37;

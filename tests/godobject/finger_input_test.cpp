@@ -5,7 +5,6 @@
 
 #include <gtest/gtest.h>
 
-#include <bit>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -256,62 +255,6 @@ TEST(SoftFinger, StaysWithinTheCurveUnderNormalsOfNearlyUnitLength) {
           << "length " << length << " tilt " << tilt;
     }
   }
-}
-
-// Steps of random magnitude and sign, loads over eight decades: the wrench stays on or within the curve, the slip
-// dissipates, and nothing is lost to NaN.
-TEST(SoftFinger, RandomStepsStayWithinTheCurveAndDissipate) {
-  for_each_curve_and_projection(hertz(), [&](const FingerCurve& curve, Projection projection, const std::string& name) {
-    Random random(99);
-    FingerParameters with = parameters();
-    with.radius_law = RadiusLaw::power(0.002, 0.26);
-    SoftFinger finger(curve, with, projection);
-    double x = 0.0;
-    double y = 0.0;
-    double twist = 0.0;
-    for (int i = 0; i < 5000; ++i) {
-      const double step = random.logarithmic(1e-9, 1e-2);
-      x += random.uniform(-step, step);
-      y += random.uniform(-step, step);
-      twist += random.uniform(-1.0, 1.0) * random.logarithmic(1e-7, 1.0);
-      const FingerOutput output = finger.update(on_plane(x, y, random.logarithmic(1e-9, 1e-1)), twist);
-      ASSERT_TRUE(output.state == ContactState::stick || output.state == ContactState::slip);
-      ASSERT_GE(output.slip_work, 0.0) << name;
-      ASSERT_LE(curve.gauge(unit_wrench(finger.state(), with.mu, with.radius_law.radius(finger.state().limit_load))), 1.0 + 1.01e-12)
-          << name << ' ' << i;
-      ASSERT_TRUE(std::isfinite(output.angle) && output.proxy.allFinite());
-    }
-  });
-}
-
-// Arbitrary bits as input never give NaN, inf, or a wrench beyond the friction limit.
-TEST(SoftFinger, RandomBitsDoNoHarm) {
-  for_each_curve_and_projection(uniform(), [&](const FingerCurve& curve, Projection projection, const std::string& name) {
-    Random random(2);
-    FingerParameters with = parameters();
-    with.radius_law = RadiusLaw::hertz(0.008, 2e5);
-    with.damping = 1.0;
-    SoftFinger finger(curve, with, projection);
-    const auto any = [&] { return std::bit_cast<double>(random.bits()); };
-    for (int i = 0; i < 5000; ++i) {
-      Contact contact = on_plane(any(), any(), any());
-      double twist = any();
-      // Bits alone are mostly absurd: three of four steps have only one of them.
-      if (i % 4 != 0) {
-        contact = on_plane(random.uniform(-0.01, 0.01), random.uniform(-0.01, 0.01), random.logarithmic(1e-12, 0.01));
-        twist = random.uniform(-3.0, 3.0);
-        if (i % 4 == 1) contact.point.x() = any();
-        if (i % 4 == 2) contact.depth = any();
-        if (i % 4 == 3) twist = any();
-      }
-      const FingerOutput output = finger.update(contact, twist, i % 2 == 0 ? 1e-3 : any());
-      ASSERT_TRUE(output.proxy.allFinite() && output.force.allFinite()) << name << ' ' << i;
-      ASSERT_TRUE(std::isfinite(output.angle) && std::isfinite(output.moment) && std::isfinite(output.load));
-      ASSERT_GE(output.slip_work, 0.0);
-      // A trial above 1e60 times its limit is treated as that: with almost no load the force is almost zero.
-      ASSERT_LE(output.force.norm(), with.mu * output.load * (1.0 + 2e-12) + 1e-50) << name;
-    }
-  });
 }
 
 TEST(FingerParameters, AreValidated) {

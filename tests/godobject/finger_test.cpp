@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "limitcurve/patch.hpp"
 #include "tests/godobject/scene.hpp"
-#include "tests/repetitions.hpp"
 
 #include <gtest/gtest.h>
 
@@ -79,48 +78,6 @@ TEST(SoftFinger, PullsBackTowardsTheProxy) {
   EXPECT_DOUBLE_EQ(output.force.y(), 0.4);
   EXPECT_EQ(output.force.z(), 0.0);
   EXPECT_NEAR(output.moment, -0.0004, 1e-16);
-}
-
-// A held finger must not creep: noise of position, twist and load that never reaches the limit moves nothing. (For longer: tests/soak.)
-TEST(SoftFinger, HeldFingerNeverCreeps) {
-  SoftFinger finger(Table::build(hertz(), 1e-6), parameters());
-  finger.update(on_plane(0.1, 0.2, 0.002), 3.0);
-  const Eigen::Vector3d proxy = finger.output().proxy;
-  const double angle = finger.output().angle;
-  Random random(7);
-  std::uint64_t moved = 0;
-  for (int i = 0; i < repetitions(100'000); ++i) {
-    // Up to 0.8 of the limit at the least load: 0.96 N and 0.8·0.589·1.2 N·5 mm.
-    const std::uint64_t bits = random.bits();
-    const auto share = [&](int shift) { return static_cast<double>((bits >> shift) & 0xffffU) / 65536.0 - 0.5; };
-    const FingerOutput output =
-        finger.update(on_plane(0.1 + 0.0009 * share(0), 0.2 + 0.0009 * share(16), 0.002 + 0.0004 * share(32)), 3.0 + 0.05 * share(48));
-    moved += output.state != ContactState::stick || !same_bits(output.proxy, proxy) || output.angle != angle;
-  }
-  EXPECT_EQ(moved, 0U);
-}
-
-TEST(SoftFinger, HeldOnTheLimitNeverCreeps) {
-  // Dragged until it slips, then held where it is.
-  Random random(11);
-  for (int round = 0; round < 200; ++round) {
-    auto finger = exact_hertz_finger();
-    const double x = random.uniform(-2.0, 2.0);
-    const double y = random.uniform(-2.0, 2.0);
-    finger.update(on_plane(x, y, 0.002), 0.0);
-    const double reach = random.uniform(0.002, 0.01);
-    const double turn = random.uniform(0.0, 2.0);
-    finger.update(on_plane(x + reach, y, 0.002), turn);
-    EXPECT_EQ(finger.output().state, ContactState::slip);
-    finger.update(on_plane(x + reach, y, 0.002), turn);
-    const FingerOutput held = finger.output();
-    for (int i = 0; i < 1000; ++i) {
-      const FingerOutput output = finger.update(on_plane(x + reach, y, 0.002), turn);
-      ASSERT_EQ(output.state, ContactState::stick);
-      ASSERT_TRUE(same_bits(output.proxy, held.proxy));
-      ASSERT_EQ(output.angle, held.angle);
-    }
-  }
 }
 
 // In 360 directions of force and moment, sense included: it sticks 1e-12 inside the curve and slips 2e-12 outside,

@@ -94,7 +94,7 @@ void expect_same_bits(const FingerState& one, const FingerState& other) {
   ASSERT_EQ(bits(one.sample.unwrapped_by), bits(other.sample.unwrapped_by));
 }
 
-// The step lives in the library: a user's file gets the same to the last bit, whatever its own arithmetic, and samples that are no numbers are
+// The step lives in the library: a user's file gets the same to the last bit, whatever its own arithmetic, and samples that are NaN are
 // refused.
 TEST(HostSettings, FastMathInAUsersFileChangesNothing) {
   int refused = 0;

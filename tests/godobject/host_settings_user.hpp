@@ -9,7 +9,7 @@
 /// What a user's file does with a finger. Two files hold it, one of them compiled with -ffast-math; static, so that each has its own.
 namespace limitcurve::godobject::test {
 
-/// A finger's states and outputs along a path, of which every tenth sample is no number.
+/// A finger's states and outputs along a path, of which every tenth sample is NaN.
 struct UsersRun {
   std::vector<FingerState> states;
   std::vector<FingerOutput> outputs;

@@ -85,7 +85,7 @@ TEST(NoLoad, AComponentBelowTheSmallestNumberIsNone) {
   });
 }
 
-// A limit that is no number keeps no friction, whatever the curve.
+// A limit that is NaN keeps no friction, whatever the curve.
 TEST(NoLoad, ANaNKeepsNothing) {
 #ifdef NDEBUG
   const double nan = std::numeric_limits<double>::quiet_NaN();

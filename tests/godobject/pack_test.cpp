@@ -186,39 +186,6 @@ TYPED_TEST(Packs, GiveTheBitsOfSingleNumbers) {
   }
 }
 
-TYPED_TEST(Packs, LeaveAHeldContactWhereItIs) {
-  using Real = TypeParam;
-  constexpr std::size_t count = 33;
-  for (const Curve<Real>& curve : curves<Real>()) {
-    for (const Projection projection : curve.projections) {
-      const BasicBatch<Real> batch(curve.curve, {.mu = 0.6}, projection);
-      BasicContactArrays<Real> arrays(count);
-      // Touch down, slip until the springs are stretched to the limit; then the finger rests.
-      for (int step = 0; step < 40; ++step) {
-        for (std::size_t i = 0; i < count; ++i) {
-          const auto u = static_cast<Real>(i) / Real(count - 1);
-          arrays.x()[i] = Real(0.3) + Real(step) * Real(1e-4) * (1 - u);
-          arrays.y()[i] = Real(-0.7) + Real(step) * Real(3e-5) * u;
-          arrays.twist()[i] = Real(step) * Real(0.02) * u;
-          arrays.depth()[i] = Real(0.002);
-        }
-        batch.step(arrays.batch());
-      }
-      batch.step(arrays.batch());
-      const BasicContactArrays<Real> rested = arrays;
-      for (int step = 0; step < repetitions(100000); ++step) batch.step(arrays.batch());
-      const std::string where = curve.name + ", projection " + std::to_string(static_cast<int>(projection));
-      BasicContactArrays<Real> before = rested;
-      for (std::size_t i = 0; i < count; ++i) {
-        ASSERT_EQ(before.batch().proxy_x[i], arrays.batch().proxy_x[i]) << where << ' ' << i;
-        ASSERT_EQ(before.batch().proxy_y[i], arrays.batch().proxy_y[i]) << where << ' ' << i;
-        ASSERT_EQ(before.batch().proxy_angle[i], arrays.batch().proxy_angle[i]) << where << ' ' << i;
-        ASSERT_EQ(arrays.batch().state[i], ContactState::stick) << where << ' ' << i;
-      }
-    }
-  }
-}
-
 TYPED_TEST(Packs, StepPartsOnTwoThreadsAsTheWhole) {
   using Real = TypeParam;
   constexpr std::size_t count = 1001;

@@ -82,26 +82,6 @@ TEST(SteadyTwist, RadialSettlesAtTheStiffnessRatio) {
   }
 }
 
-// What the paper's own projection makes of a steady twist at c = a (Hertz), as a share of the limit: figures that were
-// computed apart from this code.
-TEST(SteadyTwist, RadialIsWrongByAsMuchAsTheStiffnessesDiffer) {
-  const FingerCurve curve = exact_curve(hertz());
-  const double m0 = curve.moment_ratio();
-  const FingerCurve ellipse = Ellipse::through_intercepts(m0);
-  const UnitWrench expected = ExactCurve(hertz()).wrench(SlipTwist::about_cor(1.0));
-  const auto error = [&](const FingerCurve& of, double kappa) {
-    return distance(settled(of, Projection::radial, 1.0, kappa), expected, m0);
-  };
-  EXPECT_NEAR(error(curve, 1.0), 0.125, 0.0005);
-  EXPECT_NEAR(error(curve, 2.0), 0.44, 0.005);
-  EXPECT_NEAR(error(curve, 10.0), 0.94, 0.005);
-  EXPECT_NEAR(error(curve, 0.1), 0.34, 0.005);
-  EXPECT_NEAR(error(ellipse, 1.0), 0.134, 0.0005);
-  EXPECT_NEAR(error(ellipse, 2.0), 0.45, 0.005);
-  // At its best.
-  EXPECT_NEAR(error(ellipse, 0.72), 0.040, 0.0005);
-}
-
 TEST(SteadyTwist, ClosestPointObeysALoadDependentRadius) {
   const ExactCurve curve(hertz());
   FingerParameters soft = parameters();

@@ -109,26 +109,5 @@ TEST(Surfaces, AreDefinedAtTheirCentres) {
   }
 }
 
-// A finger that slides around a sphere once under constant depth: friction opposes it all the way, the proxy stays on the sphere, and force and
-// load are those of the spring from there to the finger.
-TEST(Surfaces, AFingerSlidesAroundASphere) {
-  const SphereSurface sphere(0.05);
-  SoftFinger finger(Ellipse::through_intercepts(hertz()->moment_ratio()), parameters());
-  ContactMemory memory;
-  const double depth = 0.002;
-  for (int i = 0; i <= 6283; ++i) {
-    const double angle = 1e-3 * i;
-    const Vector3d out{std::cos(angle), std::sin(angle), 0.0};
-    const FingerOutput output = finger.update(touch(sphere, out * (0.05 - depth), memory), 0.0);
-    ASSERT_LT((output.normal * output.load + output.force - 1000.0 * (output.proxy - out * (0.05 - depth))).norm(), 1e-12);
-    if (i < 100) continue;
-    ASSERT_EQ(output.state, ContactState::slip);
-    ASSERT_NEAR(output.force.norm(), 1.2, 1e-12);
-    // Against the motion, within the angle that the proxy trails behind on the sphere.
-    ASSERT_LT(output.force.dot(Vector3d(-out.y(), out.x(), 0.0)), -1.199);
-    ASSERT_NEAR(output.proxy.norm(), 0.05, 4e-9);  // r^4/8R^3 = 2e-9, of a step
-  }
-}
-
 }  // namespace
 }  // namespace limitcurve::godobject::test

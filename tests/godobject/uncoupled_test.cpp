@@ -6,11 +6,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <cstdint>
 #include <limits>
-#include <numbers>
 #include <vector>
 
 namespace limitcurve::godobject::test {
@@ -39,37 +36,6 @@ struct Scalar {
     return stiffness * (proxy - goal);
   }
 };
-
-TEST(Uncoupled, AHeldTwistKeepsItsMomentWhileTheForceSlips) {
-  FingerParameters with = parameters(0.6, 0.006, 1000.0, 0.036);
-  with.mu_dynamic = 0.3;
-  SoftFinger finger(hertz_box(), with);
-  const double limit = 3.0 * std::numbers::pi / 16.0 * 0.6 * 0.006;  // Γ_s at 1 N
-  const double twist = 0.9 * limit / 0.036;
-  finger.update(on_plane(0.0, 0.0, 0.001), 0.0);
-  const double held = finger.update(on_plane(0.0, 0.0, 0.001), twist).moment;
-  EXPECT_NEAR(held, -0.9 * limit, 1e-15);
-  double largest = 0.0;
-  bool slipped = false;
-  for (int i = 0; i < 100; ++i) {
-    const FingerOutput output = finger.update(on_plane(2e-5 * i, 0.0, 0.001), twist);
-    ASSERT_EQ(output.moment, held) << i;
-    largest = std::max(largest, output.force.norm());
-    if (output.state == ContactState::stick) continue;
-    slipped = true;
-    ASSERT_EQ(output.state, ContactState::slip);
-    EXPECT_NEAR(output.force.norm(), 0.3, 1e-12) << i;
-    EXPECT_EQ(output.cor, std::numeric_limits<double>::infinity());
-  }
-  EXPECT_TRUE(slipped);
-  EXPECT_NEAR(largest, 0.6, 1e-12);
-  // The twist has not slipped, so that it slips at the sticking limit.
-  EXPECT_EQ(finger.update(on_plane(2e-5 * 99, 0.0, 0.001), 0.999 * limit / 0.036).state, ContactState::stick);
-  const FingerOutput turned = finger.update(on_plane(2e-5 * 99, 0.0, 0.001), 1.001 * limit / 0.036);
-  EXPECT_EQ(turned.state, ContactState::slip);
-  EXPECT_EQ(turned.cor, 0.0);
-  EXPECT_NEAR(turned.moment, -0.5 * limit, 1e-15);
-}
 
 /// Random fingers on a random walk: the whole motion, its slide alone and its twist alone.
 TEST(Uncoupled, EitherPartIsWhatItIsWithoutTheOther) {

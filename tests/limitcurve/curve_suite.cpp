@@ -140,17 +140,8 @@ TEST_P(CurveSuite, OnlyTheDirectionCounts) {
   }
 }
 
-/// No curve point is further along the normal than the one that `wrench` gives: maximum dissipation.
-TEST_P(CurveSuite, WrenchSupportsItsTwist) {
-  for (const SlipTwist twist : twists_) {
-    const double own = power_of(twist, curve().wrench(twist));
-    for (const SlipTwist other : twists_) {
-      EXPECT_LE(power_of(twist, curve().wrench(other)), own * (1.0 + curve().support_error)) << twist.cor() << ' ' << other.cor();
-    }
-  }
-}
-
-/// The same against points that come from `along`, which is another piece of code.
+/// No curve point, by `along`, which is another piece of code, is further along the normal than the
+/// one that `wrench` gives: maximum dissipation.
 TEST_P(CurveSuite, WrenchSupportsAmongTheRays) {
   constexpr int rays = 400;
   std::vector<UnitWrench> points;
@@ -200,9 +191,10 @@ TEST_P(CurveSuite, GaugeIsOfMagnitudesAndKeepsNaNAndInfinity) {
       const UnitWrench wrench = curve().wrench({force, moment});
       EXPECT_TRUE(std::isnan(wrench.force) && std::isnan(wrench.moment)) << force << ' ' << moment;
       const auto [large_force, large_moment] = pair(-infinite);
-      if (!std::isnan(other)) EXPECT_EQ(curve().gauge({large_force, large_moment}), infinite);
-      if (std::isfinite(other))
-        EXPECT_EQ(curve().wrench({large_force, large_moment}), curve().wrench(force_first ? SlipTwist{1, 0} : SlipTwist{0, 1}));
+      if (std::isnan(other)) continue;
+      EXPECT_EQ(curve().gauge({large_force, large_moment}), infinite);
+      if (std::isinf(other)) continue;
+      EXPECT_EQ(curve().wrench({large_force, large_moment}), curve().wrench(force_first ? SlipTwist{1, 0} : SlipTwist{0, 1}));
     }
   }
 }
@@ -303,17 +295,6 @@ TEST_P(CurveSuite, IsMonotoneAndConvex) {
   }
 }
 
-/// Only the ratio of slide and spin counts.
-TEST_P(CurveSuite, WrenchDependsOnTheDirectionOfTheTwistOnly) {
-  for (const SlipTwist twist : twists_) {
-    if (!(twist.cor() > 1e-30 && twist.cor() < 1e30)) continue;
-    const UnitWrench wrench = curve().wrench(twist);
-    for (const double factor : {0x1p-300, 0x1p-1, 0x1p3, 0x1p300}) {
-      EXPECT_EQ(curve().wrench({factor * twist.slide, factor * twist.spin}), wrench) << twist.cor() << ' ' << factor;
-    }
-  }
-}
-
 /// Both components keep their digits towards the ends: f ∝ s^p as s → 0, m ∝ s^−p as s → ∞, over a hundred decades.
 TEST_P(CurveSuite, KeepsItsDigitsTowardsTheEnds) {
   // A polygon's ends are vertices; the powers of a near-diamond leave the range of doubles.
@@ -326,15 +307,6 @@ TEST_P(CurveSuite, KeepsItsDigitsTowardsTheEnds) {
                               curve().wrench(SlipTwist::about_cor(std::pow(10.0, decade))).moment;
     EXPECT_NEAR(near_spin / expected, 1.0, 1e-13) << decade;
     EXPECT_NEAR(near_slide / expected, 1.0, 1e-13) << decade;
-  }
-}
-
-/// Inside holds, outside slips.
-TEST_P(CurveSuite, GaugeTellsInsideFromOutside) {
-  for (const SlipTwist twist : twists_) {
-    const UnitWrench wrench = curve().wrench(twist);
-    EXPECT_LT(curve().gauge({(1.0 - 1e-14) * wrench.force, (1.0 - 1e-14) * wrench.moment}), 1.0) << twist.cor();
-    EXPECT_GT(curve().gauge({(1.0 + 1e-14) * wrench.force, (1.0 + 1e-14) * wrench.moment}), 1.0) << twist.cor();
   }
 }
 

@@ -229,8 +229,6 @@ TEST(LoadCurves, RefuseBadInput) {
     EXPECT_NE(complaint_of([&] { p_curve(curve, radius_law, bad, 1.0, 3); }).find("mu = "), std::string::npos) << bad;
     EXPECT_NE(complaint_of([&] { p_curve(curve, radius_law, mu, bad, 3); }).find("load = "), std::string::npos) << bad;
     EXPECT_NE(complaint_of([&] { load_point(curve, radius_law, mu, bad, 1.0); }).find("load = "), std::string::npos) << bad;
-    EXPECT_NE(complaint_of([&] { load_to_hold(curve, radius_law, mu, bad, 0.0); }).find("force = "), std::string::npos) << bad;
-    EXPECT_NE(complaint_of([&] { load_to_hold(curve, radius_law, mu, 0.0, bad); }).find("moment = "), std::string::npos) << bad;
     EXPECT_NE(complaint_of([&] { moment_capacity(bad, radius_law, mu, 1.0); }).find("moment_ratio = "), std::string::npos) << bad;
   }
   EXPECT_NE(complaint_of([&] { load_point(curve, radius_law, mu, 1.0, -1.0); }).find("cor = -1 m"), std::string::npos);

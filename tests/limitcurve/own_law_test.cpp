@@ -138,7 +138,7 @@ TEST(OwnLaw, ThatHidesSomethingAtRandomIsRefusedOrSaysALargerError) {
   }
 }
 
-/// Pressures that are none: `evaluate` never has a NaN, and says that it knows nothing; curves and
+/// Pressures that are invalid: `evaluate` never has a NaN, and says that it knows nothing; curves and
 /// tables refuse them.
 TEST(OwnLaw, WithoutASensiblePressureIsRefused) {
   constexpr Extended nan = std::numeric_limits<Extended>::quiet_NaN();

@@ -149,6 +149,27 @@ TEST_P(EveryPatch, GaugeOfAWrenchThatSlipsIsOne) {
   EXPECT_THROW(load_to_hold(patch, 0.5, {1.0, nan, 0.0}), std::invalid_argument);
 }
 
+TEST_P(EveryPatch, SlipIsTheTwistThatNeedsTheWrench) {
+  const auto& [name, patch, bound] = GetParam();
+  for (const PatchTwist& twist : random_twists(patch, 100)) {
+    const PatchFriction needed = patch.about_origin(twist);
+    for (const double factor : {1.0, -0.25, 1e-200, 1e150}) {
+      const PatchWrench wrench{factor * needed.wrench.fx, factor * needed.wrench.fy, factor * needed.wrench.moment};
+      const auto [slip, gauge, error] = patch.slip(wrench);
+      EXPECT_NEAR(gauge / std::fabs(factor), 1.0, 1e-12 + bound) << name;
+      EXPECT_NEAR(dot(slip, wrench), 1.0, 1e-12) << name;
+      const double scale = factor * needed.power;
+      const PatchTwist apart{slip.vx * scale - twist.vx, slip.vy * scale - twist.vy, slip.omega * scale - twist.omega};
+      EXPECT_LE(size(patch, apart), std::max(1e-8, 10.0 * bound) * size(patch, twist)) << name << ' ' << twist.vx << ' ' << twist.omega;
+      const PatchWrench again = patch.about_origin(slip).wrench;
+      EXPECT_LE(std::hypot(again.fx - wrench.fx / gauge, again.fy - wrench.fy / gauge), error) << name;
+      EXPECT_LE(std::fabs(again.moment - wrench.moment / gauge), error * patch.moment_ratio()) << name;
+      EXPECT_LE(error, 1e-9 + 10.0 * bound) << name;
+    }
+  }
+  EXPECT_TRUE(std::isnan(patch.slip({0.0, 0.0, 0.0}).twist.vx));
+}
+
 TEST_P(EveryPatch, NothingIsUndefined) {
   const auto& [name, patch, bound] = GetParam();
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();

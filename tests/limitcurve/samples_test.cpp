@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <ctime>
 #include <limits>
 #include <memory>
 #include <random>
@@ -255,23 +254,6 @@ TEST(Samples, OfManyPiecesHaveTheWrenchThatEachPieceAloneGives) {
       EXPECT_NEAR(forces.moment, alone.wrench.moment, 1e-14 * alone.wrench.moment) << count << ' ' << s;
     }
   }
-}
-
-// Sixteen times as many samples took ten times as long.
-TEST(Samples, AWrenchOfManySamplesCostsLittleMoreThanOfFew) {
-  const auto time_of = [](std::size_t count) {
-    const Law law = samples(many_samples(count, 0.3), "noisy.csv");
-    std::clock_t best = std::numeric_limits<std::clock_t>::max();
-    double sum = 0.0;
-    for (int i = 0; i < 5; ++i) {
-      const std::clock_t begin = std::clock();
-      for (int k = 0; k < 200; ++k) sum += law->forces(0.005 * (k + 0.5)).force;
-      best = std::min(best, std::clock() - begin);
-    }
-    EXPECT_GT(sum, 0.0);
-    return best;
-  };
-  EXPECT_LT(time_of(3200), 4 * time_of(200));
 }
 
 // It took 80 000: fifteen around each sample for each cell that was tried.

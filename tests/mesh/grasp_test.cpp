@@ -4,7 +4,6 @@
 #include "godobject/mesh/mesh_surface.hpp"
 #include "tests/mesh/shapes.hpp"
 #include "tests/repetitions.hpp"
-#include "tests/touch.hpp"
 
 #include <gtest/gtest.h>
 
@@ -59,25 +58,6 @@ TEST(MeshGrasp, RestsForTenMinutesWithoutCreeping) {
   }
 }
 
-// What happens to a block of triangles is what happens to the block.
-TEST(MeshGrasp, ABlockOfTrianglesMovesLikeTheBlock) {
-  const BodyParameters body = BodyParameters::block(0.1, edges);
-  auto exact = hold(BoxSurface(0.5 * edges), body, pinch);
-  auto mesh = hold(MeshSurface(Mesh(box_triangles(0.5 * edges))), body, pinch);
-  constexpr int steps = repetitions(3000, 600);
-  for (int i = 0; i < steps; ++i) {
-    auto devices = pinch;
-    // Carried about, turned, and let go of slowly.
-    for (DevicePose& device : devices) device.position += Vector3d(0.02 * std::sin(1e-3 * i), 0.01 * std::cos(2e-3 * i) - 0.01, 0.0);
-    devices[0].position.z() += 4e-7 * i;
-    exact.step(devices, 1e-3);
-    mesh.step(devices, 1e-3);
-    ASSERT_LT((exact.body().position - mesh.body().position).norm(), 1e-9) << i;
-    ASSERT_LT(exact.body().orientation.angularDistance(mesh.body().orientation), 1e-7) << i;
-    ASSERT_EQ(exact.finger(0).output().state, mesh.finger(0).output().state) << i;
-  }
-}
-
 // Where a finger passes from face to face, the normal at the end of the step acts on the whole of it: the energy rises, by no more than the
 // load times the way and the change of the normal, beside what the turn of the step may add (godobject/README.md, "Bodies").
 TEST(MeshGrasp, ARidgeAddsNoMoreThanItsBound) {
@@ -126,26 +106,6 @@ TEST(MeshGrasp, ARidgeAddsNoMoreThanItsBound) {
     }
   }
   EXPECT_GT(largest, tests_are_short ? 0.0 : 1e-5) << "the energy does rise";
-}
-
-// A finger drags its proxy around a ball of triangles: friction opposes it everywhere and is continuous up to the angle of the facets.
-TEST(MeshGrasp, AFingerSlidesAroundABall) {
-  const MeshSurface ball(Mesh(ball_triangles(0.05, 5)));
-  SoftFinger finger = hertz_finger();
-  ContactMemory memory;
-  for (int i = 0; i <= 6283; ++i) {
-    const double angle = 1e-3 * i;
-    const Vector3d out{std::cos(angle), std::sin(angle), 0.0};
-    const FingerOutput output = finger.update(touch(ball, out * 0.048 + Vector3d(0.0, 0.0, 0.0003), memory), 0.0);
-    const double normal_force = 1000.0 * output.depth;  // what limits friction
-    ASSERT_NEAR(normal_force, 2.0, 0.05) << i;
-    ASSERT_NEAR(output.load, 2.0, 0.1) << i;
-    if (i < 100) continue;
-    ASSERT_EQ(output.state, ContactState::slip);
-    ASSERT_NEAR(output.force.norm(), 0.6 * normal_force, 1e-12);
-    ASSERT_LT(output.force.dot(Vector3d(-out.y(), out.x(), 0.0)), -0.95 * 0.6 * normal_force);
-    ASSERT_GE(output.slip_work, 0.0);
-  }
 }
 
 }  // namespace

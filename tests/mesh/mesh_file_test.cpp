@@ -207,7 +207,7 @@ TEST(MeshFile, ReadsWhatOtherProgramsRound) {
   }
 }
 
-TEST(MeshFile, RefusesFilesThatAreNone) {
+TEST(MeshFile, RefusesFilesThatAreNoMesh) {
   const auto complaint = [](const std::string& path, double scale = 1.0) {
     return complaint_of([&] { static_cast<void>(read_mesh(path, scale)); });
   };

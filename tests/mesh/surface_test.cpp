@@ -236,28 +236,6 @@ TEST(MeshSurface, TouchesAsFarAsFingersMayBe) {
   EXPECT_GT(refused, 1000);
 }
 
-TEST(MeshSurface, AThinPlateIsNotPassedThrough) {
-  const MeshSurface plate = read_mesh(data_mesh("plate.stl"));
-  for (const bool slowly : {false, true}) {
-    ContactMemory memory;
-    ASSERT_LT(touch(plate, {0.005, 0.0, 0.01}, memory).depth, 0.0);
-    for (double z = slowly ? 0.0005 : -0.0025; z >= -0.0025; z -= 1e-5) static_cast<void>(touch(plate, {0.005, 0.0, z}, memory));
-    // 3 mm through: still below the top, wherever it goes below the plate, by steps or by jumps.
-    Random random(3);
-    for (int i = 0; i < 5000; ++i) {
-      const Vector3d finger(random.uniform(-0.0299, 0.0299), random.uniform(-0.0199, 0.0199), -0.0025);
-      const Contact contact = touch(plate, finger, memory);
-      ASSERT_EQ(contact.normal, Vector3d::UnitZ());
-      ASSERT_NEAR(contact.depth, 0.003, 1e-12);
-      ASSERT_NEAR(contact.point.z(), 0.0005, 1e-12);
-    }
-    // Past its rim it is free, and comes back from below.
-    ASSERT_LT(touch(plate, {0.0301, 0.0, -0.0025}, memory).depth, 0.0);
-    ASSERT_LT(touch(plate, {0.0, 0.0, -0.0025}, memory).depth, 0.0);
-    ASSERT_LT((touch(plate, {0.0, 0.0, 0.0025}, memory).normal + Vector3d::UnitZ()).norm(), 1e-12);
-  }
-}
-
 // Two plates, one above the other: a finger that jumps off the lower one, through the upper one and beyond, is held below the upper.
 TEST(MeshSurface, AFlightEndsAtWhatIsInItsWay) {
   TriangleList list = box_triangles({0.03, 0.02, 0.0005});

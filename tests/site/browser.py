@@ -37,9 +37,6 @@ for (const e of document.querySelectorAll("body *")) {
 return result;
 """
 
-# When the page first showed something [ms]; null if it has not yet.
-FIRST_PAINT = "return performance.getEntriesByType('paint').find((e) => e.name === 'first-contentful-paint')?.startTime ?? null"
-
 CONTROLS = {"application", "button", "checkbox", "combobox", "image", "img", "link", "radio", "searchbox", "slider", "textbox"}
 
 
@@ -67,10 +64,6 @@ def wait(test, condition, seconds=8.0, message="it did not come to be"):
         test.assertLess(time.monotonic(), end, message)
         time.sleep(0.02)
     return result
-
-
-def first_paint(test, browser):
-    return wait(test, lambda: browser.execute_script(FIRST_PAINT), message="nothing is painted")
 
 
 def complaints(browser):

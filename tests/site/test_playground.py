@@ -128,7 +128,7 @@ class Playground(browser.PageTest):
                     for column, name in (("x", "x"), ("y", "y"), ("angle", "angle"), ("friction_force", "force"), ("friction_moment", "moment")):
                         self.assertLessEqual(abs(have[name] - float(want[column])), 1e-12, f"{column} at {want['time']}")
 
-    def test_a_row_that_is_no_number_is_named(self):
+    def test_a_row_with_a_nan_is_named(self):
         script = ("const done = arguments[arguments.length - 1]; limitcurve.replay([{time: 0, x: NaN, y: 0, z: 0, twist: 0}])"
                   ".then(() => done('none'), (e) => done(e.message))")
         self.assertIn("row 0: x = NaN", self.browser.execute_async_script(script))
@@ -164,6 +164,13 @@ class Playground(browser.PageTest):
             ActionChains(self.browser).scroll_from_origin(origin, 0, 100).perform()
         self.wait(lambda: abs(self.number("moment")) > 1.5, message="no moment while turned")
         self.assertLess(self.number("force"), 0.05)
+
+    def test_a_wheel_with_ctrl_is_the_page_s(self):
+        script = """return [false, true].map((ctrlKey) => {
+          const event = new WheelEvent("wheel", {deltaY: 100, ctrlKey, cancelable: true});
+          document.getElementById("scene").dispatchEvent(event);
+          return event.defaultPrevented; })"""
+        self.assertEqual(self.browser.execute_script(script), [True, False])
 
     def test_two_fingers_turn_and_one_drags(self):
         self.open(390, 844, touch=True)
@@ -205,7 +212,11 @@ class Playground(browser.PageTest):
         self.hold(Keys.ARROW_RIGHT, lambda: self.number("force") > 0.59, "no friction")
         self.hold("q", lambda: self.number("moment") < -1, "no moment")
         self.hold("e", lambda: self.number("moment") > 1, "no moment")
-        self.hold("-", lambda: self.number("grip") < 0.9, "no less load")
+        for minus, load in (("-", 0.9), ("−", 0.8)):
+            self.hold(minus, lambda load=load: self.number("grip") < load, "no less load")
+            left = self.number("grip")
+            time.sleep(0.3)
+            self.assertGreater(self.number("grip"), left - 0.1, "the key sticks")
         self.hold("+", lambda: self.number("grip") > 1.5, "no load")  # last: a busy machine may hold a key until nothing is left to lift
         ActionChains(self.browser).send_keys(" ").perform()
         self.wait(lambda: self.element("state").text == "free")
@@ -231,6 +242,14 @@ class Playground(browser.PageTest):
         self.suggest("operate")
         self.wait(lambda: self.number("turned") > 28 and self.element("state").text == "stick", 20, "the operator does not turn it")
         self.assertLess(self.number("turned"), 40)
+
+    def test_time_that_the_page_did_not_see_does_not_pass(self):
+        # Four seconds in another tab took 0.4 N off the grip.
+        self.show_block()
+        self.suggest("exactly")
+        grip = self.number("grip")
+        self.browser.execute_script("const began = performance.now(); while (performance.now() < began + 3000);")
+        self.assertGreater(self.number("grip"), grip - 0.1)
 
     def test_the_uncoupled_block_slides_out_level(self):
         self.show_block()
@@ -286,32 +305,6 @@ class Playground(browser.PageTest):
         self.suggest("radial")
         time.sleep(0.5)
         self.assert_asks_nobody(PAGE)
-
-    def test_paints_within_a_second(self):
-        times = []
-        for _ in range(3):
-            self.open()
-            times.append(browser.first_paint(self, self.browser))
-        print(f"first paint: {min(times):.0f} ms", file=sys.stderr)
-        self.assertLessEqual(min(times), 1000)
-
-    def test_sixty_frames_a_second(self):
-        for scene, name in (("plate", "radial"), ("block", "operate")):
-            with self.subTest(scene):
-                if scene == "block":
-                    self.show_block()
-                self.suggest(name)
-                best = 0.0
-                # The best of some seconds: the machine may be busy.
-                for _ in range(8):
-                    rate, busy = self.browser.execute_async_script(
-                        "const done = arguments[arguments.length - 1], first = limitcurve.frames.count, began = performance.now();"
-                        "setTimeout(() => done([(limitcurve.frames.count - first) / (performance.now() - began) * 1e3, limitcurve.frames.busy]), 1000)")
-                    best = max(best, rate)
-                    if best > 58:
-                        break
-                print(f"{scene}: {best:.1f} frames a second, {busy:.1f} ms of work in the last", file=sys.stderr)
-                self.assertGreater(best, 58)
 
     def test_contrast(self):
         for dark in (False, True):

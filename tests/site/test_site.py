@@ -101,20 +101,6 @@ class Browsed(unittest.TestCase):
                 self.assertNotIn("Network.loadingFailed", log)
                 self.assertEqual(browser.complaints(self.browser), [], "the console has errors")
 
-    def test_paints_within_a_second(self):
-        slowest = 0
-        for path in pages():
-            with self.subTest(page=name(path)):
-                self.show(path)
-                best = browser.first_paint(self, self.browser)
-                for _ in range(4):  # the machine may be busy
-                    if best > 1000:
-                        self.show(path)
-                        best = min(best, browser.first_paint(self, self.browser))
-                self.assertLessEqual(best, 1000)
-                slowest = max(slowest, best)
-        print(f"slowest first paint: {slowest:.0f} ms", file=sys.stderr)
-
     def test_text_can_be_read_in_light_and_dark(self):
         for dark in (False, True):
             lowest = 99

@@ -43,7 +43,7 @@ struct Sample {
 };
 
 /// A finger that wanders over a surface: drifts, trembles, rests, lifts off, falls out of its load, jumps, turns past ±π, and
-/// sends what is no number.
+/// sends NaN.
 class Motion {
  public:
   explicit Motion(RandomBits& random) {

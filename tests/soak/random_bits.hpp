@@ -44,7 +44,7 @@ class RandomBits {
     const double mantissa = 1.0 + unit();
     return std::ldexp(mantissa, least + below(most - least + 1));
   }
-  /// Any bits at all: subnormal, infinite, no number.
+  /// Any bits at all: subnormal, infinite, NaN.
   double any() { return std::bit_cast<double>(bits()); }
 
  private:

@@ -102,7 +102,7 @@ class Soak {
       if (check.counted) {
         const bool slips = state == godobject::ContactState::slip;
         double& largest = (slips ? totals_.excess_slipping : totals_.excess_sticking)[episode.kind];
-        // Also true of what is no number.
+        // Also true of NaN.
         if (!(check.excess <= most_excess) && check.fault.empty()) check.fault = "a wrench outside its limit";
         if (settings_.episode && check.excess > largest) std::printf("  %d: %g above the limit\n", i, check.excess);
         largest = std::max(largest, check.excess);

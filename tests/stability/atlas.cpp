@@ -64,13 +64,13 @@ void run(const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder);
   const std::filesystem::path path = folder / "summary.csv";
   std::ofstream summary(path);
-  summary << "entry,hazard,method,quantity,breaks,stands,test\n";
+  summary << "entry,hazard,method,quantity,breaks,stands\n";
   for (const Entry& entry : entries) {
     for (Hazard (*const measure)() : entry.hazards) {
       const Hazard hazard = measure();
       for (const Finding& finding : hazard.findings) {
         summary << entry.name << ',' << quoted(finding.hazard) << ',' << quoted(finding.method) << ',' << quoted(finding.quantity) << ','
-                << format_number(finding.breaks) << ',' << format_number(finding.stands) << ',' << finding.test << '\n';
+                << format_number(finding.breaks) << ',' << format_number(finding.stands) << '\n';
       }
       for (const Figure& figure : hazard.figures) write(figure, folder);
     }

@@ -5,7 +5,7 @@
 #include <vector>
 
 /// The atlas of failures: where methods break, the usual ones and ours. Each entry of docs/stability.md has a file with its
-/// measurements (ENTRY.cpp, a function for each hazard), tests of the code against them (ENTRY_test.cpp) and its figures.
+/// measurements (a function for each hazard) and its figures; scripts/maintain/stability --check measures them anew and compares.
 /// The measuring files contain the usual methods in their common form; truth.hpp has the true values.
 namespace limitcurve::stability {
 
@@ -31,7 +31,6 @@ struct Finding {
   std::string quantity;  ///< the measured quantity, with its unit
   double breaks;         ///< its value for the usual method; inf, nan: it returned this, or threw
   double stands;         ///< its value for ours
-  std::string test;      ///< SUITE.NAME, in tests/stability
 };
 
 /// The measurements of one hazard.

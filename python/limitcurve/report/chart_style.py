@@ -13,6 +13,7 @@ import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402  (the backend first)
+from matplotlib.backends.backend_svg import RendererSVG  # noqa: E402
 
 INK = "#222222"
 FAINT = "#8a8a8a"
@@ -77,9 +78,21 @@ plt.rcParams.update({
     "mathtext.fontset": "dejavusans",
     "figure.dpi": 100,
     "savefig.dpi": 160,
-    "svg.fonttype": "none",  # text stays text: half the bytes, and a reader can search it; FONTS says what replaces a missing font
+    "svg.fonttype": "none",  # words stay text: half the bytes, and a reader can search it; FONTS says what replaces a missing font
     "svg.hashsalt": "limitcurve",
 })
+
+
+draw_text = RendererSVG.draw_text
+
+
+def draw_formulas_as_paths(self, gc, x, y, s, prop, angle, ismath=False, mtext=None):
+    """Readers such as librsvg set the parts of a formula on top of each other if they are text."""
+    with plt.rc_context({"svg.fonttype": "path" if ismath else "none"}):
+        draw_text(self, gc, x, y, s, prop, angle, ismath, mtext)
+
+
+RendererSVG.draw_text = draw_formulas_as_paths
 
 
 def law_style(law):
@@ -195,7 +208,6 @@ def slim(svg):
     for i, name in enumerate(first or second for first, second in used):
         svg = svg.replace(name, f"{name[0]}{i}")
     svg = ungrouped(re.sub(r"\s*\n\s*", "\n", svg))
-    svg = re.sub(r"<g ([^>]*)>\n<text>\n((?:<tspan.*\n)+)</text>\n</g>", r"<text \1>\2</text>", svg)
     svg = re.sub(r' d="([^"]*)"', lambda match: f' d="{path(match[1])}"', svg)
     return re.sub(r'(?:<use [^>]*? style="([^"]*)"/>\n)(?:<use [^>]*? style="\1"/>\n)+', one_style, svg)
 

@@ -306,10 +306,12 @@ def copy(files, name, source):
 
 def others(files):
     """translate: law, radius_law, mu, load, `translate`. engine_drag, work_precision_…:
-    data/engines/drag.csv and data/work_precision/, which were measured once (data/README.md)."""
+    data/engines/drag*.csv and data/work_precision/, which were measured once (data/README.md)."""
     contacts = [{"law": law, "radius_law": GROWING, "mu": 0.6, "load": 2} for law in ("hertz", "uniform")]
     files.gather("translate", [(contact, ["translate", *options(contact)]) for contact in contacts])
-    copy(files, "engine_drag", "engines/drag.csv")
+    measured = [row for name in ("drag_pypi", "drag") for row in read(DATA / "engines" / f"{name}.csv")]
+    files.write("engine_drag", [{name: row[name] for name in measured[-1]} for row in measured
+                                if row["engine"] in ("mujoco", "bullet", "ode") and row.get("contact", "ball") == "ball"])
     for name in ("wrench", "step", "scaling"):
         copy(files, f"work_precision_{name}", f"work_precision/{name}.csv")
 

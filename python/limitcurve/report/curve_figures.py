@@ -213,7 +213,8 @@ def engines(data):
     for (engine, model), rows in drag.groups("engine", "model").items():
         marker, colour, filled = ENGINE_STYLES[f"{engine} {model}"]
         style = {"color": colour, "marker": marker, "markersize": 5.5, "markerfacecolor": colour if filled else "none", "clip_on": False}
-        label = f"{ {'mujoco': 'MuJoCo', 'ode': 'ODE', 'bullet': 'Bullet'}[engine]} {readable_version(rows)}, {model}"
+        name = {"mujoco": "MuJoCo", "ode": "ODE", "bullet": "Bullet"}[engine]
+        label = f"{name} {rows[0]['version'].removeprefix('PyBullet ')}, {model}"
         left.plot(rows.column("force"), rows.column("moment"), linestyle="", label=label, zorder=4, **style)
         between = [row for row in rows if ends[0] <= row["c"] <= ends[1]]
         right.plot([row["c"] for row in between],
@@ -227,8 +228,3 @@ def engines(data):
     right.minorticks_off()
     legend_in_sight(figure, left)
     return figure
-
-
-def readable_version(rows):
-    version = rows[0]["version"]
-    return f"{version:g}" if isinstance(version, float) else version

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""MuJoCo, the current release by PyPI (engine_drag measures Debian's): both cones, and a disc."""
+"""MuJoCo: both cones, and a disc."""
 
 import mujoco
 import numpy as np

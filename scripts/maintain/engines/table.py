@@ -12,15 +12,12 @@ for path in sys.argv[1:]:
         for row in csv.DictReader(line for line in file if not line.startswith("#")):
             # engine_drag's file has no last columns: its finger is the ball of Hertz.
             row["law"], row["contact"] = row.get("law") or "hertz", row.get("contact") or "ball"
-            versions = points.setdefault(tuple(row[name] for name in ("engine", "model", "contact", "law")), {})
-            versions.setdefault(row["version"], []).append(row)
+            points.setdefault(tuple(row[name] for name in ("engine", "model", "contact", "law")), []).append(row)
 
 writer = csv.writer(sys.stdout, lineterminator="\n")
 print("# Made by scripts/maintain/engines/measure. radial: largest error of the limit curve's radius; same_cor: largest distance of the wrench at the same centre of "
       "rotation, over the limits; points: centres of rotation.")
 writer.writerow(["engine", "version", "model", "contact", "law", "radial", "same_cor", "points"])
-for (engine, model, contact, law), versions in sorted(points.items()):
-    # Debian's MuJoCo and Bullet are older: PyPI's stand last.
-    version, rows = list(versions.items())[-1]
+for (engine, model, contact, law), rows in sorted(points.items()):
     radial, apart = drag.errors(rows)
-    writer.writerow([engine, version, model, contact, law, f"{radial:.3f}", f"{apart:.3f}", len(rows)])
+    writer.writerow([engine, rows[0]["version"], model, contact, law, f"{radial:.3f}", f"{apart:.3f}", len(rows)])

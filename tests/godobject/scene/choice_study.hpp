@@ -202,7 +202,8 @@ inline StudyResult study_scene(std::uint64_t seed, int motions) {
   const auto [scene, tolerance] = random_study_scene(random);
   const StepChoice choice = choose_step(scene, tolerance);
   constexpr double reference_error = 1e-9;
-  FingerParameters full = named_finger(scene, choice.candidates.front()).parameters();
+  const SoftFinger first = named_finger(scene, choice.candidates.front());
+  FingerParameters full = first.parameters();
   full.radius_law = scene.radius_law;
   full.mu_r = scene.mu_r;
   const SoftFinger truth(finest_table(scene.law, reference_error), full);

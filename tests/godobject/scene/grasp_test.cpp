@@ -164,57 +164,6 @@ TEST(Grasp, AFirstTouchNeedsNoGravity) {
   }
 }
 
-// A light body between two stiff fingers at 1 kHz: k Δt²/m = 2·2000·1e-6/0.01 = 0.4 along the faces.
-TEST(Grasp, HoldsALightBlockThatAnExplicitStepCannot) {
-  BodyParameters body = BodyParameters::block(0.01, {0.03, 0.03, 0.02});
-  body.gravity = {0.0, -9.81, 0.0};
-  FingerParameters with = parameters(0.6, 0.005, 2000.0, 0.07);
-  const auto holds = [&](Integrator integrator, double stiffness) {
-    with.stiffness = stiffness;
-    Grasp grasp = make_grasp(body, {0.03, 0.03, 0.02}, with, ellipse, 2);
-    const auto devices = pinch(0.02, 2.0 / stiffness);
-    grasp.place(BodyState{}, devices);
-    int slips = 0;
-    for (int i = 0; i < 5000; ++i) {
-      step_by(integrator, grasp, devices, 1e-3);
-      slips += grasp.finger(0).output().state != ContactState::stick;
-    }
-    return slips == 0 && grasp.body().velocity.norm() < 1e-3;
-  };
-  EXPECT_FALSE(holds(Integrator::explicit_euler, 2000.0));
-  EXPECT_TRUE(holds(Integrator::implicit_euler, 2000.0));
-  // kΔt²/m = 40: a hundred times what it takes.
-  EXPECT_TRUE(holds(Integrator::implicit_euler, 200000.0));
-  EXPECT_FALSE(holds(Integrator::symplectic_euler, 200000.0));
-}
-
-// The limit of the semi-implicit step, k Δt²/m = 4 undamped, and that the implicit step has none.
-TEST(Grasp, StabilityLimitsAreTheAnalyticOnes) {
-  const auto grows = [](Integrator integrator, double ratio) {
-    const double mass = 0.1;
-    const double time_step = 1e-3;
-    BodyParameters body = BodyParameters::block(mass, edges);
-    body.gravity.setZero();
-    body.free = {true, false, false, false, false, false};
-    const double stiffness = 0.5 * ratio * mass / (time_step * time_step);  // of each of two fingers
-    FingerParameters with = parameters(1e6, 0.005, stiffness, 1000.0);
-    Grasp grasp = make_grasp(body, edges, with, ellipse, 2);
-    grasp.place(BodyState{}, pinch(0.04, 1e-3));
-    BodyState moved_body;
-    moved_body.position.x() = 1e-6;
-    grasp.place(moved_body, pinch(0.04, 1e-3));
-    for (int i = 0; i < 400; ++i) {
-      step_by(integrator, grasp, pinch(0.04, 1e-3), time_step);
-      if (std::fabs(grasp.body().position.x()) > 1e-4) return true;
-    }
-    return false;
-  };
-  EXPECT_FALSE(grows(Integrator::symplectic_euler, 3.9));
-  EXPECT_TRUE(grows(Integrator::symplectic_euler, 4.1));
-  EXPECT_TRUE(grows(Integrator::explicit_euler, 0.1));
-  for (const double ratio : {0.1, 4.1, 100.0, 1e4}) EXPECT_FALSE(grows(Integrator::implicit_euler, ratio)) << ratio;
-}
-
 // Fixed fingers, no gravity: a body set in motion between them never gains energy, and what it loses to slip is accounted.
 TEST(Grasp, NeverGainsEnergy) {
   Random random(5);
@@ -231,28 +180,6 @@ TEST(Grasp, NeverGainsEnergy) {
     expect_energy_never_rises(grasp, pinch(0.04, 0.002), 2000, 1e-4);
     EXPECT_GT(grasp.dissipated(), 0.0);
     EXPECT_LE(grasp.dissipated(), first * (1.0 + 1e-9));
-  }
-}
-
-// The same in space, where a body that tilts under its fingers changes depth and friction together: the force acts along the
-// line through the finger; otherwise depth times friction force would give a false moment.
-TEST(Grasp, NeverGainsEnergyInSpace) {
-  Random random(6);
-  for (int round = 0; round < repetitions(40, 4); ++round) {
-    BodyParameters body = BodyParameters::block(0.1, edges);
-    body.gravity.setZero();
-    FingerParameters with = parameters(round % 2 == 0 ? 0.6 : 1e3);
-    if (round % 4 > 1) with.damping = 0.5;
-    auto grasp = make_grasp(body, edges, with, exact_curve(hertz()), 2);
-    const auto devices = pinch(0.04, 0.002, {0.01, 0.0, 0.0});
-    grasp.place(BodyState{}, devices);
-    BodyState start;
-    start.velocity = {random.uniform(-0.1, 0.1), random.uniform(-0.1, 0.1), random.uniform(-0.1, 0.1)};
-    start.angular_velocity = {random.uniform(-3.0, 3.0), random.uniform(-3.0, 3.0), random.uniform(-3.0, 3.0)};
-    grasp.place(start, devices);
-    SCOPED_TRACE(round);
-    expect_energy_never_rises(grasp, devices, repetitions(2000, 500), 1e-4);
-    EXPECT_EQ(grasp.unsolved(), 0U);
   }
 }
 
@@ -277,27 +204,6 @@ TEST(Grasp, SolvesSlipUnderStiffSprings) {
     expect_energy_never_rises(grasp, devices, 200, 1e-3);
     EXPECT_EQ(grasp.unsolved(), 0U);
   }
-}
-
-// Ten seconds here; the hour is in rest_soak.cpp.
-TEST(Grasp, RestsWithoutCreeping) {
-  BodyParameters body = BodyParameters::planar_block(0.1, edges, 9.81);
-  FingerParameters with = parameters(1.67, 0.01, 1000.0, 0.0366);
-  with.damping = 10.0;
-  with.twist_damping = 0.001;
-  auto grasp = make_grasp(body, edges, with, exact_curve(hertz()), 2);
-  const auto devices = pinch(0.04, 0.002, {0.005, 0.0, 0.0});
-  grasp.place(BodyState{}, devices);
-  const Vector3d proxy = grasp.finger(0).output().proxy;
-  const double angle = grasp.finger(0).output().angle;
-  for (int i = 0; i < 5000; ++i) grasp.step(devices, 1e-3);
-  const BodyState settled = grasp.body();
-  for (int i = 0; i < 10000; ++i) {
-    grasp.step(devices, 1e-3);
-    ASSERT_TRUE(grasp.finger(0).output().proxy == proxy && grasp.finger(0).output().angle == angle);
-  }
-  EXPECT_LT((grasp.body().position - settled.position).norm(), 1e-12);
-  EXPECT_LT(grasp.body().orientation.angularDistance(settled.orientation), 1e-12);
 }
 
 // A damped oscillator has an answer: the ratio of successive swings of a body between two damped fingers.
@@ -365,8 +271,8 @@ TEST(Grasp, ResetStartsAnew) {
   EXPECT_GT(placed.finger(0).output().force.norm(), 0.1) << "its springs are loaded";
 }
 
-// A step that is none moves nothing, by no bit, says so, and is over with the next one.
-TEST(Grasp, RefusesStepsThatAreNone) {
+// A refused step moves nothing, not by one bit, says so, and is over with the next one.
+TEST(Grasp, RefusesInvalidSteps) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   constexpr double inf = std::numeric_limits<double>::infinity();
   BodyParameters body = BodyParameters::block(0.1, edges);

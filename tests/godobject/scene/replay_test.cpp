@@ -229,23 +229,6 @@ TEST(Replay, HoldsOnSamplesThatAreNotUsable) {
   }
 }
 
-// A finger enters a plate through a face. A sample that jumps to another face is refused; then the finger must find its own face again.
-TEST(Replay, ARefusedSampleLeavesNoTrace) {
-  ReplayOptions with = options();
-  with.surface = AnySurface(BoxSurface(Vector3d(0.06, 0.02, 0.02)));
-  Replay replay(with);
-  for (int i = 0; i < 8; ++i) {
-    const bool leaps = i == 3;
-    const SceneContact contact = moved(replay, 1e-3 * i, pose({leaps ? 1.0 : 0.0, 0.0, leaps ? 0.0 : 0.018}));
-    if (leaps) {
-      EXPECT_EQ(contact.state, ContactState::invalid);
-    } else {
-      EXPECT_EQ(contact.state, ContactState::stick);
-      EXPECT_NEAR(contact.load, 0.002 * with.finger.stiffness, 1e-9) << "row " << i;
-    }
-  }
-}
-
 // While a sample is invalid the wrench is held in the body's frame: force and normal turn together.
 TEST(Replay, HeldForceAndNormalTurnWithTheBody) {
   ReplayOptions with = options();

@@ -63,7 +63,7 @@ std::vector<Broken> broken() {
   TriangleList lost = box;
   lost.vertices[3].x() = std::numeric_limits<double>::quiet_NaN();
   return {{"a face missing", open, whole},  {"a face turned", turned, whole},       {"tangled with another", tangled, both},
-          {"a face doubled", twice, whole}, {"a face without area", needle, whole}, {"a corner that is no number", lost, whole}};
+          {"a face doubled", twice, whole}, {"a face without area", needle, whole}, {"a corner that is NaN", lost, whole}};
 }
 
 /// Whether `inside` is right for all of 3000 points near a solid.
@@ -130,11 +130,11 @@ std::pair<double, std::optional<double>> sliver_errors(double share, const Eigen
 }  // namespace
 
 Hazard broken_meshes() {
-  const std::string test = "Geometry.BrokenMeshes";
   double customary = 0.0;
   double ours = 0.0;
   double refused = 0.0;
-  Figure figure{"geometry_broken", {}};
+  Hazard found;
+  Figure& figure = found.figures.emplace_back(Figure{"geometry_broken", {}});
   for (const Broken& mesh : broken()) {
     const std::vector<Triangle> triangles = triangles_of(mesh.list);
     bool taken = true;
@@ -148,19 +148,16 @@ Hazard broken_meshes() {
     }
     draw_slice(figure, mesh, !taken);
   }
-  Hazard found;
   found.findings.push_back({"open, flipped, intersecting, doubled, degenerate, NaN", "side of the nearest face",
-                            "of six meshes, those accepted that give a wrong side", customary, ours, test});
+                            "of six meshes, those accepted that give a wrong side", customary, ours});
   found.findings.push_back({"open, flipped, intersecting, doubled, degenerate, NaN", "any triangles accepted",
-                            "of six meshes, those refused with face and reason", 0.0, refused, test});
-  found.figures.push_back(std::move(figure));
+                            "of six meshes, those refused with face and reason", 0.0, refused});
   return found;
 }
 
 Hazard slivers() {
   Hazard found;
-  Figure figure{"geometry_slivers", {}};
-  const std::string test = "Geometry.Slivers";
+  Figure& figure = found.figures.emplace_back(Figure{"geometry_slivers", {}});
   double worst = 0.0;
   double ours_worst = 0.0;
   for (const double share : in_ratios(1e-10, 0.1, 55)) {
@@ -183,9 +180,7 @@ Hazard slivers() {
     figure.rows.push_back({"error", "limitcurve", share, taken ? std::max(felt, 1e-9) : std::numeric_limits<double>::quiet_NaN()});
   }
   found.findings.push_back({"slivers, in single precision", "normal of the face",
-                            "error of the normal [rad] (height 1e-10 to 0.1 of the length; ours: accepted faces)", worst, ours_worst,
-                            test});
-  found.figures.push_back(std::move(figure));
+                            "error of the normal [rad] (height 1e-10 to 0.1 of the length; ours: accepted faces)", worst, ours_worst});
   return found;
 }
 

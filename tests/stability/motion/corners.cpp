@@ -126,13 +126,12 @@ Figure ways(const Box& box) {
 }  // namespace
 
 Hazard corners() {
-  const std::string test = "Projection.Corners";
   const Box of_hertz = box(1.0, hertz()->moment_ratio());
   const auto [search, ours] = corner_errors(of_hertz);
   const std::string hazard = "corners and faces";
   const std::string method = "search for the wrench with the given normal, box";
-  return {{{hazard, method, "distance from the closest point, in the normalised plane", search.distance, ours.distance, test},
-           {hazard, method, "least slip work, in (μP)²/k_l (must be ≥ 0)", search.work, ours.work, test}},
+  return {{{hazard, method, "distance from the closest point, in the normalised plane", search.distance, ours.distance},
+           {hazard, method, "least slip work, in (μP)²/k_l (must be ≥ 0)", search.work, ours.work}},
           {ways(of_hertz)}};
 }
 

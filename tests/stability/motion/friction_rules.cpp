@@ -148,8 +148,7 @@ struct Drawn {
 
 Hazard order_of_limits() {
   Hazard found;
-  Figure figure{"projection_order", {}};
-  const std::string test = "Projection.OrderOfLimits";
+  Figure& figure = found.figures.emplace_back(Figure{"projection_order", {}});
   const Law law = hertz();
   const double m0 = law->moment_ratio();
   const Table table = Table::build(law, 1e-8);
@@ -168,16 +167,14 @@ Hazard order_of_limits() {
     }
   }
   const std::string quantity = "error of the wrench of a steady twist (0.1 ≤ c/a ≤ 10)";
-  found.findings.push_back({"order of the limits", "force first, moment within the rest", quantity, worst[0], worst[2], test});
-  found.findings.push_back({"order of the limits", "moment first, force within the rest", quantity, worst[1], worst[2], test});
-  found.figures.push_back(std::move(figure));
+  found.findings.push_back({"order of the limits", "force first, moment within the rest", quantity, worst[0], worst[2]});
+  found.findings.push_back({"order of the limits", "moment first, force within the rest", quantity, worst[1], worst[2]});
   return found;
 }
 
 Hazard chatter() {
   Hazard found;
-  Figure figure{"projection_chatter", {}};
-  const std::string test = "Projection.Chatter";
+  Figure& figure = found.figures.emplace_back(Figure{"projection_chatter", {}});
   constexpr double speed = 0.005;
   const std::vector<double> asked = dragged(speed, false);
   const std::vector<double> ours = dragged(speed, true);
@@ -188,10 +185,10 @@ Hazard chatter() {
   }
   const double drop = static_limit - dynamic_limit;
   found.findings.push_back({"μ_s > μ_d, a steady drag", "static limit in every step", "swing of the force, in (μ_s − μ_d)P",
-                            swing(asked) / drop, swing(ours) / drop, test});
+                            swing(asked) / drop, swing(ours) / drop});
   found.findings.push_back({"μ_s > μ_d, a steady drag", "static limit in every step", "chatter of 1/s, at 5 mm/s (steady force: 0)",
                             1.0 / period(asked, tick, 0.99 * static_limit),
-                            swing(ours) > 0.0 ? 1.0 / period(ours, tick, dynamic_limit) : 0.0, test});
+                            swing(ours) > 0.0 ? 1.0 / period(ours, tick, dynamic_limit) : 0.0});
   const Drawn drawn;
   double asked_error = 0.0;
   double our_error = 0.0;
@@ -206,14 +203,12 @@ Hazard chatter() {
     our_error = std::max(our_error, std::fabs(of_ours / exact - 1.0));
   }
   found.findings.push_back({"μ_s > μ_d, stick–slip of a mass", "static limit in every step",
-                            "relative error of the period (20 to 200 mm/s)", asked_error, our_error, test});
-  found.figures.push_back(std::move(figure));
+                            "relative error of the period (20 to 200 mm/s)", asked_error, our_error});
   return found;
 }
 
 Hazard collapsing_load() {
   Hazard found;
-  const std::string test = "Projection.CollapsingLoad";
   constexpr double mu = 0.5;
   FingerParameters with;
   with.mu = mu;
@@ -233,7 +228,7 @@ Hazard collapsing_load() {
     scaled_force = 5.0 * per_newton.update(1e-5 * i, mu);
   }
   // Drawn from the tenth sample before it to the tenth after it.
-  Figure figure{"projection_collapse", {}};
+  Figure& figure = found.figures.emplace_back(Figure{"projection_collapse", {}});
   const auto draw = [&](double sample, double load, double ours) {
     figure.rows.push_back({"force", "limit", sample, mu * load});
     figure.rows.push_back({"force", "bristles of a fixed stiffness", sample, bristle_force});
@@ -247,16 +242,15 @@ Hazard collapsing_load() {
   const std::string quantity = "friction force at rest / limit (load to a thousandth in one step)";
   const double ours = let_go.force.norm() / (mu * let_go.load);
   found.findings.push_back(
-      {"load drops in one step", "bristles of a fixed stiffness (Dahl, LuGre)", quantity, bristle_force / (mu * 0.005), ours, test});
+      {"load drops in one step", "bristles of a fixed stiffness (Dahl, LuGre)", quantity, bristle_force / (mu * 0.005), ours});
   found.findings.push_back({"load drops in one step", "bristles of a stiffness in proportion to the load (LuGre of tyres)", quantity,
-                            scaled_force / (mu * 0.005), ours, test});
+                            scaled_force / (mu * 0.005), ours});
   draw(0.0, 0.005, let_go.force.norm());
   for (int i = 1; i <= 10; ++i) {
     bristle_force = bristles.update(0.01, mu * 0.005);
     scaled_force = 0.005 * per_newton.update(0.01, mu);
     draw(i, 0.005, finger.update(contact(0.01, 0.005), 0.0).force.norm());
   }
-  found.figures.push_back(std::move(figure));
   return found;
 }
 

@@ -19,7 +19,6 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <utility>
 
 namespace limitcurve::stability {
 
@@ -44,8 +43,7 @@ Contact nearest_face(const Vector3d& half, const Vector3d& finger) {
 
 Hazard thin_plate() {
   Hazard found;
-  Figure figure{"geometry_plate", {}};
-  const std::string test = "Geometry.ThinPlate";
+  Figure& figure = found.figures.emplace_back(Figure{"geometry_plate", {}});
   const Vector3d half{0.03, 0.02, 0.0005};
   const BoxSurface box(half);
   const MeshSurface mesh(Mesh(box_triangles(half)));
@@ -64,16 +62,14 @@ Hazard thin_plate() {
     }
   }
   const std::string quantity = "k_l d minus the force towards the finger's side [N] (pressed 3 mm into 1 mm, 1000 N/m)";
-  found.findings.push_back({"thin plate", "nearest surface point (ours: box)", quantity, short_by[0], short_by[1], test});
-  found.findings.push_back({"thin plate", "nearest surface point (ours: mesh)", quantity, short_by[0], short_by[2], test});
-  found.figures.push_back(std::move(figure));
+  found.findings.push_back({"thin plate", "nearest surface point (ours: box)", quantity, short_by[0], short_by[1]});
+  found.findings.push_back({"thin plate", "nearest surface point (ours: mesh)", quantity, short_by[0], short_by[2]});
   return found;
 }
 
 Hazard side_at_a_vertex() {
   Hazard found;
-  Figure figure{"geometry_vertex", {}};
-  const std::string test = "Geometry.SideAtAVertex";
+  Figure& figure = found.figures.emplace_back(Figure{"geometry_vertex", {}});
   // Pyramids on a square, blunt to sharp; points about the tip.
   Random random(8);
   double most = 0.0;
@@ -103,13 +99,11 @@ Hazard side_at_a_vertex() {
     ours = std::max(ours, static_cast<double>(our_wrong) / points);
   }
   found.findings.push_back({"nearest point on a vertex or an edge", "side of the nearest face",
-                            "share of points near a tip with the wrong side (worst of 15 pyramids)", most, ours, test});
-  found.figures.push_back(std::move(figure));
+                            "share of points near a tip with the wrong side (worst of 15 pyramids)", most, ours});
   return found;
 }
 
 Hazard normals_that_jump() {
-  const std::string test = "Geometry.NormalsThatJump";
   constexpr double mu = 0.8;
   FingerParameters with;
   with.mu = mu;
@@ -121,7 +115,8 @@ Hazard normals_that_jump() {
   double customary = 0.0;
   double ours = 0.0;
   double work = 0.0;
-  Figure figure{"geometry_normals", {}};
+  Hazard found;
+  Figure& figure = found.figures.emplace_back(Figure{"geometry_normals", {}});
   for (int i = 0; i < 4000; ++i) {
     const double angle = 0.002 * i;
     const double of_face = 0.25 * std::numbers::pi * std::round(angle / (0.25 * std::numbers::pi));
@@ -147,10 +142,8 @@ Hazard normals_that_jump() {
     ours = std::max(ours, std::fabs(output.force.dot(normal)) / (mu * output.load));
     work = std::min(work, output.slip_work);
   }
-  Hazard found;
   found.findings.push_back({"normals that jump", "spring to the proxy, clamped to μP", "friction along the normal / μP (edges of 45°)",
-                            customary, std::max(ours, -work), test});
-  found.figures.push_back(std::move(figure));
+                            customary, std::max(ours, -work)});
   return found;
 }
 

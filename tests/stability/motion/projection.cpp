@@ -150,7 +150,6 @@ Failures failures(const Law& law, const FingerCurve& table, double kappa, double
 }  // namespace
 
 Hazard degenerate_steps() {
-  const std::string test = "Projection.DegenerateSteps";
   const double k_r = 0.04;
   const double mu = 0.5;
   const double mu_r = 0.002;
@@ -168,7 +167,8 @@ Hazard degenerate_steps() {
       Degenerate{"at rest", 0.0, 0.0, depth, mu, mu_r, {0.0, 0.0}},
       Degenerate{"held", 1e-4, 0.01, depth, mu, mu_r, {stiffness * 1e-4, k_r * 0.01}},
   };
-  Figure figure{"projection_quotients", {}};
+  Hazard found;
+  Figure& figure = found.figures.emplace_back(Figure{"projection_quotients", {}});
   double printed = 0.0;
   double ours = 0.0;
   for (const Degenerate& step : steps) {
@@ -182,17 +182,14 @@ Hazard degenerate_steps() {
     printed += wrong("as printed", as_printed(step, k_r));
     ours += wrong("limitcurve", by_finger(step, k_r));
   }
-  Hazard found;
   found.findings.push_back(
-      {"r = 0, ρ = 0, μ = 0, Γ = 0", "eqs. (21)–(23) as printed", "of ten steps, those with NaN or a wrong result", printed, ours, test});
-  found.figures.push_back(std::move(figure));
+      {"r = 0, ρ = 0, μ = 0, Γ = 0", "eqs. (21)–(23) as printed", "of ten steps, those with NaN or a wrong result", printed, ours});
   return found;
 }
 
 Hazard newton_without_bracket() {
   Hazard found;
-  Figure figure{"projection_newton", {}};
-  const std::string test = "Projection.NewtonWithoutBracket";
+  Figure& figure = found.figures.emplace_back(Figure{"projection_newton", {}});
   const Law law = hertz();
   const FingerCurve table(Table::build(law, 1e-10));
   const auto add = [&](const char* panel, double x, const Failures& at) {
@@ -215,10 +212,9 @@ Hazard newton_without_bracket() {
   const Failures stiff = failures(law, table, 1e6, 1e-4, 10.0);
   const std::string share = "share of slips with no closest point found ";
   found.findings.push_back(
-      {"Newton without a bracket", "from the last COR", share + "(trials up to 11 times the limit)", even.newton, ours, test});
+      {"Newton without a bracket", "from the last COR", share + "(trials up to 11 times the limit)", even.newton, ours});
   found.findings.push_back(
-      {"Newton without a bracket", "from the trial's direction", share + "(k_r/k_l = 1e6·(m₀a)²)", stiff.newton_ahead, ours, test});
-  found.figures.push_back(std::move(figure));
+      {"Newton without a bracket", "from the trial's direction", share + "(k_r/k_l = 1e6·(m₀a)²)", stiff.newton_ahead, ours});
   return found;
 }
 

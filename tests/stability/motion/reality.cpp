@@ -102,8 +102,7 @@ void draw_samples(Figure& figure, FingerParameters with) {
 
 Hazard rates_and_jitter() {
   Hazard found;
-  Figure figure{"reality_rates", {}};
-  const std::string test = "Reality.RatesAndJitter";
+  Figure& figure = found.figures.emplace_back(Figure{"reality_rates", {}});
   constexpr double jitter = 0.3;
   const auto largest = [&](double rate) {
     SoftFinger finger = made_of(parameters());
@@ -134,18 +133,16 @@ Hazard rates_and_jitter() {
     figure.rows.push_back({"error", "limitcurve", rate, error(rate)});
   }
   found.findings.push_back({"rates with jitter of 30 %", "bristles (Dahl, LuGre), explicit",
-                            "largest friction / limit (scrubbing at 100 Hz; ours: 100 Hz to 10 kHz; 1e6: more)", largest(100.0).first, ours,
-                            test});
+                            "largest friction / limit (scrubbing at 100 Hz; ours: 100 Hz to 10 kHz; 1e6: more)", largest(100.0).first,
+                            ours});
   found.findings.push_back(
-      {"rates with jitter of 30 %", "bristles (Dahl, LuGre), explicit", "the same at 200 Hz", largest(200.0).first, ours, test});
-  found.figures.push_back(std::move(figure));
+      {"rates with jitter of 30 %", "bristles (Dahl, LuGre), explicit", "the same at 200 Hz", largest(200.0).first, ours});
   return found;
 }
 
 Hazard clocks() {
   Hazard found;
-  Figure figure{"reality_clock", {}};
-  const std::string test = "Reality.Clocks";
+  Figure& figure = found.figures.emplace_back(Figure{"reality_clock", {}});
   constexpr double damping = 5.0;
   constexpr double speed = 0.05;
   constexpr double tick = 1e-3;
@@ -174,7 +171,7 @@ Hazard clocks() {
       last = time;
     }
     found.findings.push_back(
-        {"a clock with jitter of 30 %", "the nominal time step", "error of the damper's force / (b v)", customary, ours, test});
+        {"a clock with jitter of 30 %", "the nominal time step", "error of the damper's force / (b v)", customary, ours});
   }
   // A time stamp that repeats the last one, or is before it.
   for (const auto& [stamp, what] : {std::pair(0.0, "stands still"), std::pair(-1e-5, "runs backwards by 10 µs")}) {
@@ -186,16 +183,14 @@ Hazard clocks() {
     const double ours = finger.update(at(0.0, 0.0, now), 0.0, stamp).load;
     const double right = stiffness * now;
     found.findings.push_back({std::string("a clock that ") + what, "damper with the reported time step", "load of that sample / k_l d",
-                              customary / right, ours / right, test});
+                              customary / right, ours / right});
   }
-  found.figures.push_back(std::move(figure));
   return found;
 }
 
 Hazard bad_samples() {
   Hazard found;
-  Figure figure{"reality_samples", {}};
-  const std::string test = "Reality.BadSamples";
+  Figure& figure = found.figures.emplace_back(Figure{"reality_samples", {}});
   FingerParameters with = parameters();
   with.max_displacement = 0.01;
   with.fault_decay = 0.99;
@@ -218,28 +213,26 @@ Hazard bad_samples() {
     ours += !finger.update(at(path(i)), 0.0).force.allFinite();
   }
   found.findings.push_back(
-      {"one sample that is NaN", "bristles; any accumulated state", "samples of the next 1000 without a force", customary, ours, test});
+      {"one sample that is NaN", "bristles; any accumulated state", "samples of the next 1000 without a force", customary, ours});
   draw_samples(figure, with);
   // A sample 10 cm deep.
   const double leap = finger.update(at(path(1101), 0.0, 0.1), 0.0).load;
   found.findings.push_back({"one sample that jumps by 10 cm", "load k_l d of the raw sample",
-                            "load of that sample / before (ours: max_displacement 1 cm)", stiffness * 0.1 / before, leap / before, test});
+                            "load of that sample / before (ours: max_displacement 1 cm)", stiffness * 0.1 / before, leap / before});
   // No samples any more.
   finger.update(at(path(1102)), 0.0);
   const double last = finger.update(at(path(1103)), 0.0).load;
   for (int i = 0; i < 1000; ++i) finger.update(at(nothing), 0.0);
   found.findings.push_back({"samples that stop", "the last force held", "load after a second / before (1 kHz; ours: fault_decay 0.99)", 1.0,
-                            finger.output().load / last, test});
-  found.figures.push_back(std::move(figure));
+                            finger.output().load / last});
   return found;
 }
 
 Hazard plate_between_samples() {
-  const std::string test = "Reality.PlateBetweenSamples";
   const Vector3d half{0.03, 0.02, 0.0005};
   const BoxSurface box(half);
-  Figure figure{"reality_plate", {}};
   Hazard found;
+  Figure& figure = found.figures.emplace_back(Figure{"reality_plate", {}});
   // A fall at 0.4 m/s, sampled at 1 kHz, with lost samples; the first sample after them.
   constexpr double way = 0.4e-3;
   for (int lost = 0; lost <= 20; ++lost) {
@@ -256,15 +249,13 @@ Hazard plate_between_samples() {
     figure.rows.push_back({"load", "limitcurve", static_cast<double>(lost), ours});
     if (lost != 10) continue;
     found.findings.push_back({"lost samples at a thin plate", "inside test at each sample",
-                              "load / k_l d on the entry side (ten samples lost)", customary, ours, test});
+                              "load / k_l d on the entry side (ten samples lost)", customary, ours});
   }
-  found.figures.push_back(std::move(figure));
   return found;
 }
 
 Hazard frozen_device() {
   Hazard found;
-  const std::string test = "Reality.FrozenDevice";
   SoftFinger finger = made_of(parameters());
   Bristles bristles(stiffness, 0.0);
   double creep = 0.0;
@@ -276,7 +267,7 @@ Hazard frozen_device() {
     bristles.update(0.25e-4 * i, limit);
   }
   const Vector3d proxy = finger.output().proxy;
-  Figure figure{"reality_frozen", {}};
+  Figure& figure = found.figures.emplace_back(Figure{"reality_frozen", {}});
   const auto draw = [&](double sample, double of_bristles, double of_finger) {
     figure.rows.push_back({"force", "bristles", sample, of_bristles / limit});
     figure.rows.push_back({"force", "limitcurve", sample, of_finger / limit});
@@ -295,8 +286,7 @@ Hazard frozen_device() {
     if (i <= 30) draw(i, force, output.force.norm());
   }
   found.findings.push_back({"a device that freezes and continues 2 cm away", "bristles (Dahl, LuGre), explicit",
-                            "largest friction / limit after it", customary, ours + creep, test});
-  found.figures.push_back(std::move(figure));
+                            "largest friction / limit after it", customary, ours + creep});
   return found;
 }
 

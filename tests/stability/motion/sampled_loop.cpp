@@ -113,8 +113,7 @@ double in_steps(double x, double step) {
 
 Hazard delayed_forces() {
   Hazard found;
-  Figure figure{"time_delay", {}};
-  const std::string test = "Time.DelayedForces";
+  Figure& figure = found.figures.emplace_back(Figure{"time_delay", {}});
   constexpr double stiffness = 1000.0;
   for (const int delay : {0, 1, 2}) {
     const std::string late = delay == 0 ? "no delay" : delay == 1 ? "one sample late" : "two samples late";
@@ -127,16 +126,14 @@ Hazard delayed_forces() {
     const double ours = 1.05 * device_damping_needed(stiffness, 0.0, tick, delay);
     found.findings.push_back({"force " + late, "device damped by 1.05 kT/2", "growth of an oscillation in one second (1000 N/m, 0.1 kg)",
                               Device{.damping = customary, .delay = delay}.growth(stiffness),
-                              Device{.damping = ours, .delay = delay}.growth(stiffness), test});
+                              Device{.damping = ours, .delay = delay}.growth(stiffness)});
   }
-  found.figures.push_back(std::move(figure));
   return found;
 }
 
 Hazard sampled_contact() {
   Hazard found;
-  Figure figure{"time_passivity", {}};
-  const std::string test = "Time.SampledContact";
+  Figure& figure = found.figures.emplace_back(Figure{"time_passivity", {}});
   double off = 0.0;
   double most_given = 0.0;
   double our_given = 0.0;
@@ -156,18 +153,15 @@ Hazard sampled_contact() {
     }
   }
   found.findings.push_back({"sampled contact, any hand", "device damped by b, sampling ignored",
-                            "energy drawn by an oscillation / dissipation of the required damping (≤ 0: none)", most_given, our_given,
-                            test});
+                            "energy drawn by an oscillation / dissipation of the required damping (≤ 0: none)", most_given, our_given});
   found.findings.push_back({"sampled contact, any hand", "b taken as sufficient damping",
-                            "error of the sufficient damping, k 10 to 1e4 N/m, b 0 to 10 N s/m, 100 Hz to 10 kHz", 1.0, off, test});
-  found.figures.push_back(std::move(figure));
+                            "error of the sufficient damping, k 10 to 1e4 N/m, b 0 to 10 N s/m, 100 Hz to 10 kHz", 1.0, off});
   return found;
 }
 
 Hazard encoder_steps() {
   Hazard found;
-  Figure figure{"time_encoder", {}};
-  const std::string test = "Time.EncoderSteps";
+  Figure& figure = found.figures.emplace_back(Figure{"time_encoder", {}});
   constexpr double mu = 0.5;
   constexpr double stiffness = 1000.0;
   constexpr double damping = 5.0;
@@ -201,7 +195,7 @@ Hazard encoder_steps() {
   }
   const auto [customary, ours] = largest_share(1e4);
   found.findings.push_back({"encoder steps of 10 µm, velocities from differences", "damper beside the friction limit",
-                            "largest friction force / limit (5 N s/m, 5 mm/s, 10 kHz)", customary, ours, test});
+                            "largest friction force / limit (5 N s/m, 5 mm/s, 10 kHz)", customary, ours});
   // A finger rests at half the limit while the encoder jitters by a step: methods that sum increments creep.
   double stretch = 0.5 * mu / stiffness;
   const double at_first = stretch;
@@ -215,8 +209,7 @@ Hazard encoder_steps() {
     creep = std::max(creep, std::fabs(contact.update(pressed(at_first + (i % 2 == 0 ? resolution : 0.0), 1e-3), 0.0).proxy.x() - proxy));
   }
   found.findings.push_back({"encoder steps of 10 µm, at rest", "bristles (Dahl, LuGre)", "creep at half the limit / deflection (1e4 steps)",
-                            (at_first - stretch) / at_first, creep / at_first, test});
-  found.figures.push_back(std::move(figure));
+                            (at_first - stretch) / at_first, creep / at_first});
   return found;
 }
 

@@ -83,8 +83,7 @@ void add(Figure& figure, const char* series, double x, UnitWrench wrench) {
 
 Hazard stiffness_ratios() {
   Hazard found;
-  Figure figure{"projection_stiffness", {}};
-  const std::string test = "Projection.StiffnessRatios";
+  Figure& figure = found.figures.emplace_back(Figure{"projection_stiffness", {}});
   const Law law = hertz();
   const double m0 = law->moment_ratio();
   const UnitWrench truth = ExactCurve(law).wrench(SlipTwist::about_cor(1.0));
@@ -108,17 +107,15 @@ Hazard stiffness_ratios() {
     const std::string power = kappa == 1.0 ? "1" : kappa == 10.0 ? "10" : kappa < 1.0 ? "1e-6" : "1e6";
     found.findings.push_back({"stiffness ratios", "ellipse, radial projection (eq. 23)",
                               "error of the wrench of a steady twist (c = a, k_r/k_l = " + power + "·(m₀a)²; ours: any)", errors(kappa)[0],
-                              ours, test});
+                              ours});
   }
-  found.findings.push_back(
-      {"stiffness ratios", "force and moment clamped separately (§3.1)", "the same, any ratio", errors(1.0)[2], ours, test});
-  found.figures.push_back(std::move(figure));
+  found.findings.push_back({"stiffness ratios", "force and moment clamped separately (§3.1)", "the same, any ratio", errors(1.0)[2], ours});
   return found;
 }
 
 Hazard small_contacts() {
   Hazard found;
-  Figure figure{"projection_small", {}};
+  Figure& figure = found.figures.emplace_back(Figure{"projection_small", {}});
   const double m0 = hertz()->moment_ratio();
   const Ellipse ellipse = Ellipse::through_intercepts(m0);
   const FingerCurve table = Table::build(hertz(), 1e-8);
@@ -136,16 +133,14 @@ Hazard small_contacts() {
     const SteadyTwist twist = of_moment(mu_r);
     found.findings.push_back({"a small contact, the springs of a larger one", "ellipse, radial projection (eq. 23)",
                               std::string("friction force of a steady twist in μP (c = 5 mm, μ_r = ") + name + " mm, k_r = 0.036 N m/rad)",
-                              settled(twist, ellipse, Projection::radial).force, settled(twist, table, Projection::closest_point).force,
-                              "Projection.SmallContacts"});
+                              settled(twist, ellipse, Projection::radial).force, settled(twist, table, Projection::closest_point).force});
   }
-  found.figures.push_back(std::move(figure));
   return found;
 }
 
 Hazard growing_radius() {
   Hazard found;
-  Figure figure{"projection_growth", {}};
+  Figure& figure = found.figures.emplace_back(Figure{"projection_growth", {}});
   const FingerCurve table = Table::build(hertz(), 1e-8);
   const auto at = [](double cor) { return SteadyTwist{RadiusLaw::power(0.006, 1.0 / 3.0), 0.036, cor}; };
   // 10 mm/s at 1 kHz: the result of the c-curve depends on the step.
@@ -164,13 +159,12 @@ Hazard growing_radius() {
                               std::string("friction force of a steady twist [N] (c = 5 mm, a = 6 mm at 1 N, a ∝ P^⅓, μP = 0.6 N, ") +
                                   micrometres + " µm a step)",
                               SteadyTwist::mu * twist.settled(table, projection, step, static_cast<int>(std::lround(0.04 / step))).force,
-                              ours, "Projection.GrowingRadius"});
+                              ours});
   };
   add_finding("exact curve, radial projection", Projection::radial, 1e-5, "10");
   for (const auto& [step, micrometres] : {std::pair{1e-5, "10"}, {1e-4, "100"}, {1e-6, "1"}}) {
     add_finding("exact curve, projection along the c-curve (Fig. 5)", Projection::c_curve, step, micrometres);
   }
-  found.figures.push_back(std::move(figure));
   return found;
 }
 

@@ -33,8 +33,7 @@ double quantile(std::vector<double> numbers, double share) {
 
 Hazard cor_near_the_axes() {
   Hazard found;
-  Figure figure{"fits_cor", {}};
-  const std::string test = "Fits.CorNearTheAxes";
+  Figure& figure = found.figures.emplace_back(Figure{"fits_cor", {}});
   struct Model {
     std::string name;
     std::function<SlipTwist(UnitWrench)> normal;
@@ -68,16 +67,14 @@ Hazard cor_near_the_axes() {
   for (std::size_t i = 0; i + 1 < models.size(); ++i) {
     found.findings.push_back({"COR implied by a fitted curve", models[i].name,
                               "factor to the true COR minus 1 (flat punch, 1e-3 ≤ s ≤ 1e3; ours: table of 1e-8)", models[i].worst,
-                              models.back().worst, test});
+                              models.back().worst});
   }
-  found.figures.push_back(std::move(figure));
   return found;
 }
 
 Hazard dying_tails() {
   Hazard found;
-  Figure figure{"fits_tails", {}};
-  const std::string test = "Fits.DyingTails";
+  Figure& figure = found.figures.emplace_back(Figure{"fits_tails", {}});
   constexpr double last = 5.0;
   const customary::GaussianSum moment([](double s) { return static_cast<double>(exact_hertz(s).moment); }, last);
   const customary::GaussianSum lack_of_force([](double s) { return 1.0 - static_cast<double>(exact_hertz(s).force); }, last);
@@ -115,19 +112,15 @@ Hazard dying_tails() {
     ours_within = std::max(ours_within, std::fabs(table.wrench(SlipTwist::about_cor(s)).moment - truth));
   }
   const double far = 20.0;
-  found.findings.push_back(
-      {"vanishing tails", method, "error of m in the fitted range (Hertz; ours: table of 1e-4)", within, ours_within, test});
-  found.findings.push_back({"vanishing tails", method, "relative error of m at s = 20", of_sums(far).moment, of_table(far).moment, test});
-  found.findings.push_back(
-      {"vanishing tails", method, "relative error of the COR implied at s = 20", of_sums(far).cor, of_table(far).cor, test});
-  found.figures.push_back(std::move(figure));
+  found.findings.push_back({"vanishing tails", method, "error of m in the fitted range (Hertz; ours: table of 1e-4)", within, ours_within});
+  found.findings.push_back({"vanishing tails", method, "relative error of m at s = 20", of_sums(far).moment, of_table(far).moment});
+  found.findings.push_back({"vanishing tails", method, "relative error of the COR implied at s = 20", of_sums(far).cor, of_table(far).cor});
   return found;
 }
 
 Hazard shape_and_radius() {
   Hazard found;
-  Figure figure{"fits_shape", {}};
-  const std::string test = "Fits.ShapeAndRadius";
+  Figure& figure = found.figures.emplace_back(Figure{"fits_shape", {}});
   using fit::synthetic::Random;
   constexpr double mu = 0.8;
   constexpr double radius = 0.005;
@@ -174,12 +167,10 @@ Hazard shape_and_radius() {
   }
   const std::string data = " (95th percentile of 120 data sets of 100 slips, 1 % noise)";
   found.findings.push_back({"shape and radius not identifiable", "radius a reported, from a fit of n and a (ours: μ_r)",
-                            "relative error of the length reported" + data, quantile(radius_error, 0.95), quantile(ratio_error, 0.95),
-                            test});
+                            "relative error of the length reported" + data, quantile(radius_error, 0.95), quantile(ratio_error, 0.95)});
   found.findings.push_back({"shape and radius not identifiable", "Hertz assumed for a uniform pressure (ours: n free)",
                             "error of the radius in standard errors stated" + data, quantile(assumed_in_errors, 0.95),
-                            quantile(free_in_errors, 0.95), test});
-  found.figures.push_back(std::move(figure));
+                            quantile(free_in_errors, 0.95)});
   return found;
 }
 

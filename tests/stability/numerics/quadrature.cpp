@@ -8,7 +8,6 @@
 #include "limitcurve/quadrature/evaluators.hpp"
 #include "sampling.hpp"
 #include "tests/function_law.hpp"
-#include "tests/repetitions.hpp"
 #include "truth.hpp"
 
 #include <boost/math/special_functions/ellint_rf.hpp>
@@ -84,8 +83,7 @@ double or_nothing(const Call& call) {
 Hazard centre_under_the_finger() {
   Hazard found;
   const Law law = hertz();
-  const std::string test = "Quadrature.CentreUnderTheFinger";
-  Figure figure{"quadrature_rim", {}};
+  Figure& figure = found.figures.emplace_back(Figure{"quadrature_rim", {}});
   double tanh_sinh_worst = 0.0;
   double gauss_worst = 0.0;
   double ours_worst = 0.0;
@@ -111,7 +109,7 @@ Hazard centre_under_the_finger() {
     raise(ours_unstated, static_cast<double>(abs(Exact(estimate.wrench.force - truth))) / estimate.error.force);
   };
   constexpr int stretches = 80;
-  constexpr int places = repetitions(10);
+  constexpr int places = 10;
   Envelope across(figure, "across");
   for (int i = 0; i < stretches; ++i) {
     // An odd fraction of an interval: at "round" CORs the rule's points are accidentally good.
@@ -123,13 +121,11 @@ Hazard centre_under_the_finger() {
     measure(near, 1.0 - distance, distance);
     near.close();
   }
-  found.findings.push_back({"COR under the finger", "tanh-sinh over the whole radius",
-                            "relative error of f at a requested 1e-9 (Hertz, at the CORs of the figure)", tanh_sinh_worst, ours_worst,
-                            test});
-  found.findings.push_back({"COR under the finger", "the same, its error estimate", "error / error stated", unstated, ours_unstated, test});
+  found.findings.push_back({"COR under the finger", "Boost's tanh-sinh over the whole radius",
+                            "relative error of f at a requested 1e-9 (Hertz, at the CORs of the figure)", tanh_sinh_worst, ours_worst});
+  found.findings.push_back({"COR under the finger", "the same, its error estimate", "error / error stated", unstated, ours_unstated});
   found.findings.push_back({"COR under the finger", "Gauss, 30 points over the whole radius",
-                            "relative error of f (Hertz, at the CORs of the figure)", gauss_worst, ours_worst, test});
-  found.figures.push_back(std::move(figure));
+                            "relative error of f (Hertz, at the CORs of the figure)", gauss_worst, ours_worst});
   return found;
 }
 
@@ -138,7 +134,7 @@ Hazard adaptive_subdivision() {
   long evaluations = 0;
   long our_evaluations = 0;
   std::vector<std::pair<double, Exact>> cors;
-  for (const double s : evenly(0.0137, 0.9937, repetitions(50, 5))) cors.emplace_back(s, exact_power(1.0, s).force);
+  for (const double s : evenly(0.0137, 0.9937, 50)) cors.emplace_back(s, exact_power(1.0, s).force);
   const test::FunctionLaw counting("counting",
                                    [&our_evaluations](Extended rho) {
                                      ++our_evaluations;
@@ -157,10 +153,9 @@ Hazard adaptive_subdivision() {
     raise(ours_worst, relative_error(our_force(counting, s), truth));
   }
   found.findings.push_back({"COR under the finger", "adaptive Gauss–Kronrod, 15 points",
-                            "relative error of f at a requested 1e-14 (parabolic, at the CORs of the figure)", worst, ours_worst,
-                            "Quadrature.AdaptiveSubdivisionStopsShort"});
+                            "relative error of f at a requested 1e-14 (parabolic, at the CORs of the figure)", worst, ours_worst});
   // Error against evaluations, each the largest over the same CORs.
-  Figure figure{"quadrature_adaptive", {}};
+  Figure& figure = found.figures.emplace_back(Figure{"quadrature_adaptive", {}});
   const auto add = [&](const char* series, const long& count, const std::function<double(double)>& force) {
     long most = 0;
     double error = 0.0;
@@ -176,15 +171,13 @@ Hazard adaptive_subdivision() {
         [&](double s) { return customary::adaptive_gauss_kronrod(customary::force_integrand(density, s), accuracy); });
   }
   add("limitcurve", our_evaluations, [&](double s) { return our_force(counting, s); });
-  found.figures.push_back(std::move(figure));
   return found;
 }
 
 // The usual rules split at s, and avoid the one point where the pressure is infinite.
 Hazard singular_rim() {
   Hazard found;
-  const std::string test = "Quadrature.SingularRim";
-  Figure figure{"quadrature_singular", {}};
+  Figure& figure = found.figures.emplace_back(Figure{"quadrature_singular", {}});
   const auto errors = [](double n, double s) {
     const Exact truth = exact_power(n, s).force;
     const customary::Function density = [n](double rho) { return rho < 1.0 ? (n + 1.0) * std::pow(1.0 - rho * rho, n) : 0.0; };
@@ -209,11 +202,9 @@ Hazard singular_rim() {
       for (std::size_t i = 0; i < worst.size(); ++i) raise(worst[i], at_place[i]);
     }
     const std::string quantity = std::string("relative error of f (") + name + ", at five CORs)";
-    found.findings.push_back({"pressure infinite at the rim", "tanh-sinh, split at s", quantity, worst[0], worst[2], test});
-    if (n == -0.5)
-      found.findings.push_back({"pressure infinite at the rim", "Gauss, 30 points, split at s", quantity, worst[1], worst[2], test});
+    found.findings.push_back({"pressure infinite at the rim", "Boost's tanh-sinh, split at s", quantity, worst[0], worst[2]});
+    if (n == -0.5) found.findings.push_back({"pressure infinite at the rim", "Gauss, 30 points, split at s", quantity, worst[1], worst[2]});
   }
-  found.figures.push_back(std::move(figure));
   return found;
 }
 
@@ -235,11 +226,11 @@ Hazard kinks_of_a_profile() {
   breaks.insert(breaks.end(), radii.begin(), radii.end());
   const test::FunctionLaw told("kinks", pressure, breaks);
   const test::FunctionLaw untold("kinks", pressure, {0, 1});
-  Figure figure{"quadrature_kinks", {}};
+  Figure& figure = found.figures.emplace_back(Figure{"quadrature_kinks", {}});
   std::array<double, 3> worst{};
   double unstated = 0.0;
   double ours_unstated = 0.0;
-  for (const double s : evenly(0.0131, 1.9931, repetitions(100, 20))) {
+  for (const double s : evenly(0.0131, 1.9931, 100)) {
     const Exact exact = truth(s);
     const customary::Function integrand = customary::force_integrand([&](double rho) { return pressure(rho); }, s);
     const customary::Answer answer = customary::tanh_sinh(integrand, customary::split_at(s));
@@ -258,13 +249,11 @@ Hazard kinks_of_a_profile() {
     }
   }
   const std::string quantity = "relative error of f (a profile of five pieces, at the CORs of the figure; ours is told of the kinks)";
-  const std::string test = "Quadrature.KinksOfAMeasuredProfile";
   const double ours = worst[2];
-  found.findings.push_back({"kinks of a measured profile", "tanh-sinh, split at s", quantity, worst[0], ours, test});
+  found.findings.push_back({"kinks of a measured profile", "Boost's tanh-sinh, split at s", quantity, worst[0], ours});
   found.findings.push_back({"kinks of a measured profile", "the same, its error estimate", "error / error stated (ours also if not told)",
-                            unstated, ours_unstated, test});
-  found.findings.push_back({"kinks of a measured profile", "Gauss, 30 points, split at s", quantity, worst[1], ours, test});
-  found.figures.push_back(std::move(figure));
+                            unstated, ours_unstated});
+  found.findings.push_back({"kinks of a measured profile", "Gauss, 30 points, split at s", quantity, worst[1], ours});
   return found;
 }
 
@@ -272,8 +261,7 @@ Hazard kinks_of_a_profile() {
 // k = 2√(ρs)/(ρ+s), with complement δ², δ = |ρ−s|/(ρ+s). A quadrature graded to ρ = s goes down to δ = 1e-300.
 Hazard vanishing_complement() {
   Hazard found;
-  Figure figure{"quadrature_complement", {}};
-  const std::string test = "Quadrature.VanishingComplement";
+  Figure& figure = found.figures.emplace_back(Figure{"quadrature_complement", {}});
   std::array<double, 3> breaks_down{};
   constexpr std::array series{"modulus rounded", "complement squared", "limitcurve"};
   for (const double delta : in_ratios(1e-300, 0.5, 120)) {
@@ -291,10 +279,8 @@ Hazard vanishing_complement() {
     }
   }
   const std::string quantity = "least relative distance of ρ and s at which K is right to 1e-12";
-  found.findings.push_back({"complement of the modulus vanishes", "K of the modulus k", quantity, breaks_down[0], breaks_down[2], test});
-  found.findings.push_back(
-      {"complement of the modulus vanishes", "R_F of the squared distance", quantity, breaks_down[1], breaks_down[2], test});
-  found.figures.push_back(std::move(figure));
+  found.findings.push_back({"complement of the modulus vanishes", "Boost's K of the modulus k", quantity, breaks_down[0], breaks_down[2]});
+  found.findings.push_back({"complement of the modulus vanishes", "R_F of the squared distance", quantity, breaks_down[1], breaks_down[2]});
   return found;
 }
 

@@ -159,8 +159,7 @@ void draw_power(Figure& figure, const Polyline& curve, const Polyline& ours, dou
 
 Hazard even_spacing() {
   Hazard found;
-  Figure figure{"tables_spacing", {}};
-  const std::string test = "Tables.EvenSpacing";
+  Figure& figure = found.figures.emplace_back(Figure{"tables_spacing", {}});
   const Law law = flat_punch();
   constexpr double last = 3.0;
   const auto places = flat_punch_around_the_rim(last);
@@ -205,17 +204,15 @@ Hazard even_spacing() {
     figure.rows.push_back({"cor", "limitcurve", s, ours_worst[i]});
   }
   found.findings.push_back({"even spacing across the rim", "cubic Hermite, exact slopes, even nodes in s ≤ 3",
-                            "largest error of f and m (flat punch, as many numbers as our table of 1e-8)", even_error(nodes), ours, test});
+                            "largest error of f and m (flat punch, as many numbers as our table of 1e-8)", even_error(nodes), ours});
   found.findings.push_back(
-      {"even spacing across the rim", "the same with 1000 nodes", "largest error of f and m (flat punch)", even_error(1000), ours, test});
-  found.figures.push_back(std::move(figure));
+      {"even spacing across the rim", "the same with 1000 nodes", "largest error of f and m (flat punch)", even_error(1000), ours});
   return found;
 }
 
 Hazard beyond_the_last_node() {
   Hazard found;
-  Figure figure{"tables_extrapolation", {}};
-  const std::string test = "Tables.BeyondTheLastNode";
+  Figure& figure = found.figures.emplace_back(Figure{"tables_extrapolation", {}});
   const Law law = hertz();
   constexpr double last = 5.0;
   constexpr int nodes = 64;
@@ -239,18 +236,16 @@ Hazard beyond_the_last_node() {
   const auto far = errors(1e4);
   for (std::size_t i = 0; i < 3; ++i) {
     found.findings.push_back({"COR beyond the last node", std::string(series[i]) + ", 64 nodes to s = 5",
-                              "relative error of m at s = 1e4 (ours: table of 1e-8, s ≤ 1e6)", far[i], ours, test});
+                              "relative error of m at s = 1e4 (ours: table of 1e-8, s ≤ 1e6)", far[i], ours});
   }
   found.findings.push_back({"COR beyond the last node", "last value held", "moment of a pure slide / largest moment (must be 0)",
-                            even.wrench(last).moment / moments.front(), table.wrench({1.0, 0.0}).moment / table.moment_ratio(), test});
-  found.figures.push_back(std::move(figure));
+                            even.wrench(last).moment / moments.front(), table.wrench({1.0, 0.0}).moment / table.moment_ratio()});
   return found;
 }
 
 Hazard false_equilibria() {
   Hazard found;
-  Figure figure{"tables_equilibria", {}};
-  const std::string test = "Tables.FalseEquilibria";
+  Figure& figure = found.figures.emplace_back(Figure{"tables_equilibria", {}});
   const Law law = hertz();
   const Polyline ours = tabulated(Table::build(law, 1e-4));
   Rests worst;
@@ -272,10 +267,9 @@ Hazard false_equilibria() {
   }
   const std::string method = "cubic splines of f and m through values of four decimals";
   found.findings.push_back({"interpolant not convex", method, "equilibrium wrenches of one steady twist", static_cast<double>(worst.most),
-                            static_cast<double>(our_worst.most), test});
+                            static_cast<double>(our_worst.most)});
   found.findings.push_back(
-      {"interpolant not convex", method, "distance between two of them in (f, m)", worst.distance, our_worst.distance, test});
-  found.figures.push_back(std::move(figure));
+      {"interpolant not convex", method, "distance between two of them in (f, m)", worst.distance, our_worst.distance});
   return found;
 }
 

@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <utility>
 
 namespace limitcurve::stability {
 
@@ -66,8 +65,7 @@ class CustomaryTwist {
 
 Hazard half_a_turn() {
   Hazard found;
-  Figure figure{"turns_half", {}};
-  const std::string test = "Turns.HalfATurn";
+  Figure& figure = found.figures.emplace_back(Figure{"turns_half", {}});
   // A stiff and a soft spring: the one slips after a tenth of a radian, the other after four.
   for (const double largest_lag : {0.1, 4.0}) {
     const Twisting twisting{Twisting::limit / largest_lag};
@@ -97,19 +95,17 @@ Hazard half_a_turn() {
       figure.rows.push_back({panel, "limitcurve", static_cast<double>(angle), ours});
     }
     const std::string quantity = std::string("error of the moment / limit (slips after ") + (largest_lag < 1.0 ? "0.1" : "4") + " rad)";
-    found.findings.push_back({"twist passes ±π", "spring to the raw angle", quantity, worst_told, worst_ours, test});
+    found.findings.push_back({"twist passes ±π", "spring to the raw angle", quantity, worst_told, worst_ours});
     // Wrapping the difference is right if the finger slips before half a turn.
     if (largest_lag < std::numbers::pi) continue;
-    found.findings.push_back({"twist passes ±π", "difference wrapped into ±π", quantity, worst_wrapping, worst_ours, test});
+    found.findings.push_back({"twist passes ±π", "difference wrapped into ±π", quantity, worst_wrapping, worst_ours});
   }
-  found.figures.push_back(std::move(figure));
   return found;
 }
 
 Hazard ten_thousand_turns() {
   Hazard found;
-  Figure figure{"turns_many", {}};
-  const std::string test = "Turns.TenThousandTurns";
+  Figure& figure = found.figures.emplace_back(Figure{"turns_many", {}});
   constexpr long turns = 10000;
   constexpr long steps_a_turn = 100;
   auto finger = Twisting{0.02}.finger();
@@ -139,9 +135,8 @@ Hazard ten_thousand_turns() {
   }
   const long double end = turn * turns;
   const std::string quantity = "error of the angle [rad] (100 steps a turn)";
-  found.findings.push_back({"10⁴ turns", "steps summed in float", quantity, error(static_cast<double>(single), end), ours, test});
-  found.findings.push_back({"10⁴ turns", "steps summed in double", quantity, error(summed, end), ours, test});
-  found.figures.push_back(std::move(figure));
+  found.findings.push_back({"10⁴ turns", "steps summed in float", quantity, error(static_cast<double>(single), end), ours});
+  found.findings.push_back({"10⁴ turns", "steps summed in double", quantity, error(summed, end), ours});
   return found;
 }
 

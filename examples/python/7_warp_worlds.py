@@ -87,4 +87,4 @@ for n in (1, 1000, 1_000_000):
 figure, axes = plt.subplots(layout="constrained")
 axes.plot(np.where(moving, found[:, 0] / np.maximum(RADIUS * found[:, 1], 1e-9), np.nan))
 axes.set(xlabel="step", ylabel="v/(a omega)", ylim=(0, 4), title=f"{WORLDS} discs end alike, at 0.653")
-figure.savefig("10_warp_worlds.svg")
+figure.savefig("7_warp_worlds.svg")

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "godobject/kernel/instruction_set.hpp"
+#include "limitcurve/kernel/instruction_set.hpp"
 
 #include <initializer_list>
 
-namespace limitcurve::godobject::kernel {
+namespace limitcurve::kernel {
 
 bool is_supported(InstructionSet set) noexcept {
 #ifdef LIMITCURVE_PACKS
@@ -33,4 +33,4 @@ InstructionSet widest_set() noexcept {
   return InstructionSet::single;
 }
 
-}  // namespace limitcurve::godobject::kernel
+}  // namespace limitcurve::kernel

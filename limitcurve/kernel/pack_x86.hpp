@@ -11,7 +11,7 @@
 #include <type_traits>
 
 /// What packs do by instructions of x86-64 that compilers do not find themselves.
-namespace limitcurve::godobject::kernel {
+namespace limitcurve::kernel {
 
 // ---- SSE2 and AVX2
 
@@ -259,8 +259,10 @@ struct LoadedCell<double, Isa> {
       : low(load_rows(array, at)), high(load_rows(array + 8, at)), beyond_rim(is_beyond_rim) {}
 
   [[nodiscard]] Number origin() const noexcept { return low[0]; }
-  [[nodiscard]] Number leading(int i) const noexcept { return select(beyond_rim, pair(i)[1], pair(i)[0]); }
-  [[nodiscard]] Number trailing(int i) const noexcept { return select(beyond_rim, pair(i)[0], pair(i)[1]); }
+  [[nodiscard]] Number force(int i) const noexcept { return pair(i)[0]; }
+  [[nodiscard]] Number moment(int i) const noexcept { return pair(i)[1]; }
+  [[nodiscard]] Number leading(int i) const noexcept { return select(beyond_rim, moment(i), force(i)); }
+  [[nodiscard]] Number trailing(int i) const noexcept { return select(beyond_rim, force(i), moment(i)); }
 
  private:
   [[nodiscard]] const Number* pair(int i) const noexcept {
@@ -269,4 +271,4 @@ struct LoadedCell<double, Isa> {
   }
 };
 
-}  // namespace limitcurve::godobject::kernel
+}  // namespace limitcurve::kernel

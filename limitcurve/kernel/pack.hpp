@@ -14,7 +14,7 @@
 ///
 /// The instruction set is part of every type's name: sources that are compiled for different processors share no function that the linker
 /// could take from the wrong one.
-namespace limitcurve::godobject::kernel {
+namespace limitcurve::kernel {
 
 /// Instruction sets. The baseline is what every processor has: SSE2 on x86-64, NEON on AArch64.
 struct Baseline {
@@ -216,6 +216,8 @@ struct LoadedCell {
   Mask<Real, Isa> beyond_rim;
 
   [[nodiscard]] Pack<Real, Isa> origin() const noexcept { return gather(array, at); }
+  [[nodiscard]] Pack<Real, Isa> force(int i) const noexcept { return gather(array + 2 * i + 2, at); }
+  [[nodiscard]] Pack<Real, Isa> moment(int i) const noexcept { return gather(array + 2 * i + 3, at); }
   [[nodiscard]] Pack<Real, Isa> leading(int i) const noexcept { return gather(array + 2 * i + 2, at + one_of({0, 1}, beyond_rim, at)); }
   [[nodiscard]] Pack<Real, Isa> trailing(int i) const noexcept { return gather(array + 2 * i + 2, at + one_of({1, 0}, beyond_rim, at)); }
 };
@@ -241,4 +243,4 @@ template <class Isa, class Real, std::size_t size>
   return result;
 }
 
-}  // namespace limitcurve::godobject::kernel
+}  // namespace limitcurve::kernel

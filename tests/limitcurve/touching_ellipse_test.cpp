@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#include "limitcurve/touching_ellipse.hpp"
+#include "limitcurve/approximations.hpp"
+#include "limitcurve/exact_curve.hpp"
+#include "limitcurve/laws.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace limitcurve {
+namespace {
+
+std::vector<std::string> laws_and_sharp_peaks() {
+  std::vector<std::string> laws(law_examples().begin(), law_examples().end());
+  for (const char* law : {"power:n=-0.9", "xydas-kao:k=0.05", "gaussian:sigma=50", "mix:0.5*gaussian:sigma=0.05+0.5*uniform",
+                          "mix:0.2*power:n=-0.9+0.8*xydas-kao:k=0.1"}) {
+    laws.emplace_back(law);
+  }
+  return laws;
+}
+
+class TouchingEllipseOf : public testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(Laws, TouchingEllipseOf, testing::ValuesIn(laws_and_sharp_peaks()),
+                         [](const auto& law) { return "law" + std::to_string(law.index); });
+
+/// What an engine with an elliptic cone finds for a slip: maximum dissipation.
+UnitWrench found_by_engine(TouchingEllipse axes, SlipTwist slip) {
+  return Ellipse(axes.p, axes.q).wrench(slip);
+}
+
+TEST_P(TouchingEllipseOf, HasTheCurvesWrenchAndNormalAndIsAFixedPoint) {
+  const Table table = Table::build(parse_law(GetParam()), 1e-8);
+  const ExactCurve exact(parse_law(GetParam()));
+  const double m0 = std::fmax(1.0, table.moment_ratio());
+  const auto examples = law_examples();
+  const double stated_error = std::find(examples.begin(), examples.end(), GetParam()) != examples.end() ? 2e-6 : 3e-4;
+  for (double log_c = -9.0; log_c <= 9.0; log_c += 0.37) {
+    const SlipTwist slip = SlipTwist::about_cor(std::pow(10.0, log_c));
+    const TouchingEllipse axes = touching_ellipse(table, slip);
+    const UnitWrench curve = table.wrench(slip);
+    const UnitWrench engine = found_by_engine(axes, slip);
+    const auto [f, m] = exact.wrench(slip);
+    const double power = f * slip.slide + m * slip.spin;
+    EXPECT_NEAR(axes.p / std::sqrt(f * power / slip.slide), 1.0, stated_error) << log_c;
+    EXPECT_NEAR(axes.q / std::sqrt(m * power / slip.spin), 1.0, stated_error) << log_c;
+    EXPECT_NEAR(engine.force, curve.force, 1e-14) << log_c;
+    EXPECT_NEAR(engine.moment, curve.moment, 1e-14 * m0) << log_c;
+    for (const TouchingEllipse again :
+         {touching_ellipse(table, -engine.force, engine.moment, axes.p, axes.q), touching_ellipse(table, curve.force, -curve.moment)}) {
+      // Where the curve is steep or flat, a rounding of the wrench moves the place.
+      EXPECT_NEAR(again.p / axes.p, 1.0, 1e-7) << log_c;
+      EXPECT_NEAR(again.q / axes.q, 1.0, 1e-7) << log_c;
+    }
+  }
+}
+
+TEST_P(TouchingEllipseOf, ConvergesToTheExactWrenchWhateverTheSceneImposes) {
+  const Table table = Table::build(parse_law(GetParam()), 1e-8);
+  const ExactCurve exact(parse_law(GetParam()));
+  int most[2] = {};
+  for (const bool is_slip_imposed : {true, false}) {
+    for (const double c : {1e-3, 0.01, 0.1, 0.5, 1.0, 2.0, 10.0}) {
+      const SlipTwist slip = SlipTwist::about_cor(c);
+      const UnitWrench goal = exact.wrench(slip);
+      TouchingEllipse axes = touching_ellipse(table, 0.0, 0.0);
+      int updates = 0;
+      for (;; ++updates) {
+        ASSERT_LT(updates, 60) << c << (is_slip_imposed ? " slip" : " wrench");
+        const Ellipse engine(axes.p, axes.q);
+        const UnitWrench found = is_slip_imposed ? engine.wrench(slip) : engine.along(goal).wrench;
+        const double cor = found.force / (axes.p * axes.p) / (found.moment / (axes.q * axes.q));
+        if (std::fabs(found.force - goal.force) < 1e-6 && std::fabs(found.moment - goal.moment) < 1e-6 && std::fabs(cor / c - 1.0) < 1e-3)
+          break;
+        axes = touching_ellipse(table, found.force, found.moment, axes.p, axes.q);
+      }
+      most[is_slip_imposed] = std::max(most[is_slip_imposed], updates);
+    }
+  }
+  std::printf("%s: %d updates with the slip imposed, %d with the wrench\n", GetParam().c_str(), most[1], most[0]);
+}
+
+TEST_P(TouchingEllipseOf, EndsAreTheirLimits) {
+  const Table table = Table::build(parse_law(GetParam()), 1e-8);
+  for (const bool slides : {false, true}) {
+    const auto at = [&](double x) { return touching_ellipse(table, slides ? SlipTwist{1.0, x} : SlipTwist{x, 1.0}); };
+    const TouchingEllipse end = at(0.0);
+    for (const double x : {1e-160, 1e-307, 5e-324}) {
+      EXPECT_NEAR(at(x).p / end.p, 1.0, 1e-9) << x;
+      EXPECT_NEAR(at(x).q / end.q, 1.0, 1e-9) << x;
+      const TouchingEllipse split = touching_ellipse(table, slides ? 1.0 : x, slides ? x : 1.0, 1.0, 1.0);
+      EXPECT_NEAR(split.p / end.p, 1.0, 1e-9) << x;
+      EXPECT_NEAR(split.q / end.q, 1.0, 1e-9) << x;
+    }
+    EXPECT_NEAR(slides ? end.p : end.q, slides ? 1.0 : table.moment_ratio(), 1e-15);
+  }
+}
+
+TEST(TouchingEllipse, AtRestIsTheUsualOneAndOfNaNIsNaN) {
+  const Table table = Table::build(parse_law("hertz"), 1e-8);
+  for (const TouchingEllipse axes :
+       {touching_ellipse(table, 0.0, -0.0), touching_ellipse(table, 0.0, 0.0, 1.0, 0.5), touching_ellipse(table, SlipTwist{0.0, 0.0})}) {
+    EXPECT_EQ(axes.p, 1.0);
+    EXPECT_EQ(axes.q, table.moment_ratio());
+  }
+  for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    for (const TouchingEllipse axes :
+         {touching_ellipse(table, bad, 0.1), touching_ellipse(table, 0.1, bad), touching_ellipse(table, bad, 0.1, 1.0, 0.5),
+          touching_ellipse(table, 0.1, bad, 1.0, 0.5), touching_ellipse(table, SlipTwist{bad, bad})}) {
+      EXPECT_TRUE(std::isnan(axes.p) && std::isnan(axes.q)) << bad;
+    }
+  }
+  EXPECT_TRUE(std::isnan(touching_ellipse(table, 0.1, 0.1, std::nan(""), 0.5).p));
+  EXPECT_TRUE(std::isnan(touching_ellipse(table, SlipTwist{0.0, std::nan("")}).p));
+  EXPECT_EQ(touching_ellipse(table, SlipTwist{-0.3, 0.2}).p, touching_ellipse(table, SlipTwist{0.3, -0.2}).p);
+}
+
+}  // namespace
+}  // namespace limitcurve
