@@ -315,7 +315,7 @@ void add_passivity(nb::module_& module) {
   const std::string rest = parameters_signature() + ") -> ";
   const std::string needed = "def device_damping_needed(sample_time: float, *, delay: int = 0, " + rest + "tuple[float, float]";
   const std::string required =
-      "def require_passive(sample_time: float, sliding: float, twist: float = inf, *, delay: int = 0, " + rest + "None";
+      "def require_passive(sample_time: float, b: float, b_r: float = float('inf'), *, delay: int = 0, " + rest + "None";
   module.def(
       "device_damping_needed",
       [](double sample_time, int delay, const nb::kwargs& given) {
@@ -330,12 +330,13 @@ void add_passivity(nb::module_& module) {
       "(1.5, 3.6e-05)\n");
   module.def(
       "require_passive",
-      [](double sample_time, double sliding, double twist, int delay, const nb::kwargs& given) {
-        require_passive(parameters_of(given, 1.0), sample_time, {sliding, twist}, delay);
+      [](double sample_time, double b, double b_r, int delay, const nb::kwargs& given) {
+        require_passive(parameters_of(given, 1.0), sample_time, {b, b_r}, delay);
       },
-      nb::arg("sample_time"), nb::arg("sliding"), nb::arg("twist") = std::numeric_limits<double>::infinity(), nb::kw_only(),
-      nb::arg("delay") = 0, nb::arg("kwargs"), nb::sig(required.c_str()),
-      "ValueError, with what to change, unless a device with this damping has more than it needs; inf leaves one unchecked.");
+      nb::arg("sample_time"), nb::arg("b"), nb::arg("b_r") = std::numeric_limits<double>::infinity(), nb::kw_only(), nb::arg("delay") = 0,
+      nb::arg("kwargs"), nb::sig(required.c_str()),
+      "ValueError, with what to change, unless a device damped by b [N s/m] and b_r [N m s/rad] has more than it needs; inf leaves one "
+      "unchecked.");
 }
 
 void add_fingers(nb::module_& module) {

@@ -198,8 +198,10 @@ class Replay final : public Subcommand {
     godobject::DeviceDamping device{0.0, std::numeric_limits<double>::infinity()};
     const auto take_delay = [this](std::string_view number) {
       const std::optional<double> samples = parse_number(number);
-      delay_ = samples && *samples >= 0.0 && *samples <= godobject::most_delay ? static_cast<int>(*samples) : -1;
-      if (delay_ != samples) throw std::invalid_argument("got '" + std::string(number) + "', expected whole samples, 0 to 1000");
+      if (!(samples && *samples >= 0.0 && *samples <= godobject::most_delay && *samples == std::floor(*samples))) {
+        throw std::invalid_argument("got '" + std::string(number) + "', expected whole samples, 0 to 1000");
+      }
+      delay_ = static_cast<int>(*samples);
     };
     read_key_values(text, {number_key("b", device.sliding, non_negative), number_key("b_r", device.twist, non_negative, false),
                            number_key("T", sample_time_, positive, false), KeyValue{"delay", take_delay, false}});

@@ -151,7 +151,7 @@ StepChoice choose_step(const Scene& scene, double tolerance) {
   // full: the test motion may have missed its maximum.
   const double per_table_error = 1.0 + 1.0 / m0;
   const double per_table_tolerance = per_table_error * std::max(1.0, m0);
-  const Table reference = finest_table(scene.law, std::max(1e-4 * tolerance / per_table_tolerance, 1e-9));
+  const Table reference = finest_table(scene.law, std::max(1e-6 * tolerance / per_table_tolerance, 1e-12));
   const FingerCurve fine = reference;
   const Record truth = drive(fine, Projection::closest_point, true_finger);
   const auto effect_of = [&](const FingerCurve& curve, Projection projection, const FingerParameters& finger) {
@@ -186,13 +186,14 @@ StepChoice choose_step(const Scene& scene, double tolerance) {
   const auto error_of = [&](const FingerCurve& curve, double of_table, Projection projection, const FingerParameters& finger) {
     return error_margin * effect_of(curve, projection, finger).largest + per_table_error * (reference.certified_error() + of_table);
   };
-  /// The coarsest table whose error fits, because all cost the same; the first if the error is not the table's.
+  /// The coarsest table whose error fits, because all cost the same; the first if the error is not the table's. None is so fine that the
+  /// reference's own error counts beside its.
   const auto sufficient_table = [&](Projection projection, const FingerParameters& finger, double& error) -> const Table& {
     for (std::size_t i = 0;; ++i) {
       error = error_of(tables[i], tables[i].certified_error(), projection, finger);
-      if (error <= tolerance || tables[i].tolerance() <= reference.tolerance()) return tables[i];
+      if (error <= tolerance || tables[i].tolerance() < 100.0 * reference.tolerance()) return tables[i];
       if (i == 0 && !(error_of(fine, 0.0, projection, finger) <= tolerance)) return tables[i];
-      if (i + 1 == tables.size()) tables.push_back(finest_table(scene.law, std::max(0.1 * tables[i].tolerance(), reference.tolerance())));
+      if (i + 1 == tables.size()) tables.push_back(finest_table(scene.law, 0.1 * tables[i].tolerance()));
     }
   };
   const auto add = [&](const std::string& model, CurveKind kind, Projection projection, const FingerParameters& finger, double cost) {

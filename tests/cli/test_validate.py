@@ -218,7 +218,7 @@ class Choose(CommandLineTest):
         coupled = run(*scene)
         self.assertEqual(coupled.stdout.splitlines()[0], "model,parameter,error,nanoseconds,chosen")
         self.assertTrue(coupled.stderr.startswith("limitcurve: coupling is needed"), coupled.stderr)
-        self.assertTrue(all(line.startswith("limitcurve: ") and len(line) < 160 for line in coupled.stderr.splitlines()), coupled.stderr)
+        self.assertTrue(all(line.startswith("limitcurve: ") and len(line) < 180 for line in coupled.stderr.splitlines()), coupled.stderr)
         best = [line for line in coupled.stdout.splitlines() if line.endswith(",true")]
         self.assertEqual([line.split(",")[0] for line in best], ["table/closest-point"])
         self.assertTrue(run(*scene, "--slide-speed", "0").stderr.startswith("limitcurve: uncoupled will do"))
@@ -239,15 +239,6 @@ class Choose(CommandLineTest):
         self.assertGreater(errors["ellipse/radial"], 0.286)
         (best,) = (line[0] for line in lines if line[4] == "true")
         self.assertTrue(best.endswith("/closest-point"), best)
-
-    def test_a_scene_in_which_nothing_is_good_enough(self):
-        rows_of = self.file("four.csv", "radius,pressure\n0,1\n1,0.8\n2,0.6\n3,0.1\n")
-        done = run("choose", "--scene", "--law", f"samples:{rows_of}", "--tolerance", "1e-6", "--sample-time", "0.02")
-        self.assertEqual(done.returncode, 1)
-        self.assertTrue(all(line.endswith(",false") for line in done.stdout.splitlines()[1:]))
-        self.assertGreater(len(done.stdout.splitlines()), 8)
-        last = done.stderr.splitlines()[-1]
-        self.assertRegex(last, r"\Alimitcurve: error: no step is within the tolerance: the best is table/closest-point, .* > 1.0e-06; expected")
 
     def test_a_scene_says_what_to_type_into_replay(self):
         trace = self.file("trace.csv", "time,x,y,z,twist\n0,0,0,-0.001,0\n0.1,0.002,0,-0.001,0\n0.2,0.002,0,-0.001,0.2\n")
