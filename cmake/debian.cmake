@@ -55,15 +55,15 @@ set(about "Friction limit curves of soft fingers for any axisymmetric pressure, 
 set(CPACK_PACKAGE_DESCRIPTION ${about})
 set(CPACK_DEBIAN_LIBLIMITCURVE-C0_PACKAGE_NAME liblimitcurve-c0)
 set(CPACK_DEBIAN_LIBLIMITCURVE-C0_PACKAGE_SECTION libs)
-set(CPACK_DEBIAN_LIBLIMITCURVE-C0_DESCRIPTION "friction of soft fingers, exactly (C interface)\n${about}This package contains the shared library with the C interface.")
+set(CPACK_DEBIAN_LIBLIMITCURVE-C0_DESCRIPTION "friction limit curves of soft fingers (C interface)\n${about}This package contains the shared library with the C interface.")
 set(CPACK_DEBIAN_LIBLIMITCURVE-C0_PACKAGE_CONTROL_EXTRA $ENV{BUILD}/triggers)  # beside it CPack's scripts call ldconfig, too
 
 set(CPACK_DEBIAN_LIBLIMITCURVE-DEV_PACKAGE_NAME liblimitcurve-dev)
 set(CPACK_DEBIAN_LIBLIMITCURVE-DEV_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_LIBLIMITCURVE-DEV_PACKAGE_DEPENDS "liblimitcurve-c0 (= $ENV{VERSION}), libeigen3-dev")
 set(CPACK_DEBIAN_LIBLIMITCURVE-DEV_PACKAGE_RECOMMENDS libceres-dev)
-set(CPACK_DEBIAN_LIBLIMITCURVE-DEV_DESCRIPTION "friction of soft fingers, exactly (for development)\n${about}This package contains the header of the C interface, the C++ headers and\nstatic libraries, and what CMake and pkg-config read.")
+set(CPACK_DEBIAN_LIBLIMITCURVE-DEV_DESCRIPTION "friction limit curves of soft fingers (for development)\n${about}This package contains the header of the C interface, the C++ headers and\nstatic libraries, and what CMake and pkg-config read.")
 
 set(CPACK_DEBIAN_LIMITCURVE_PACKAGE_NAME limitcurve)
 set(CPACK_DEBIAN_LIMITCURVE_PACKAGE_SECTION science)
-set(CPACK_DEBIAN_LIMITCURVE_DESCRIPTION "friction of soft fingers, exactly (command line)\n${about}This package contains the command, which generates tables, validates\napproximations, fits measurements, and replays motions.")
+set(CPACK_DEBIAN_LIMITCURVE_DESCRIPTION "friction limit curves of soft fingers (command line)\n${about}This package contains the command, which generates tables, validates\napproximations, fits measurements, and replays motions.")
