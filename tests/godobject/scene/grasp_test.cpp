@@ -3,6 +3,7 @@
 
 #include "godobject/surface.hpp"
 #include "tests/godobject/scene.hpp"
+#include "tests/integrators.hpp"
 #include "tests/repetitions.hpp"
 
 #include <gtest/gtest.h>
