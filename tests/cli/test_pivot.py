@@ -104,7 +104,7 @@ class Pivot(CommandLineTest):
                 done = run(*call, *grip)
                 self.assertEqual(done.returncode, 0)
                 self.assertRegex(done.stderr, r"\Alimitcurve: warning: the grip begins at 0.9 N a finger and does not hold the block: that needs \S+ N\n\Z")
-                self.assert_close(float(done.stderr.split()[-2]), needed, 1e-12)
+                self.assert_close(float(done.stderr.split()[-2]), needed, 5e-3)  # of three digits
             self.assertEqual(run(*call, "--release", f"from={needed * (1 + 1e-9)},to=0,over=10").stderr, "")
         done = run("pivot", "--case", "exact", "--mu", "0", "--mu-r", "0", "--twist-stiffness", "0.03", "--duration", "0.1")
         self.assertIn("no load does", done.stderr)

@@ -161,13 +161,6 @@ class Replays(CommandLineTest):
                      "--twist-stiffness", right)
         self.assertIn("at 0.02 N", chosen.stderr)
 
-    def test_a_time_that_goes_back_is_an_invalid_row(self):
-        late = TRACE + "0.001,0.007,0,-0.001,0\n0.005,0.0051,0,-0.001,0\n"
-        found = self.replay(late, remark="1 sample invalid, from time 0.001 s on: the time goes back")
-        self.assertEqual(found[4]["state"], "invalid")
-        self.assertEqual(found[4]["fx"], found[3]["fx"])
-        self.assertEqual(found[5]["state"], "slip")
-
     def test_each_reason_of_invalid_rows_is_named_once(self):
         bad = TRACE + "0.004,1.006,0,-0.001,0\n0.005,0.0051,0,-0.001,0\n0.001,0,0,-0.001,0\n0.002,0,0,-0.001,0\n0.006,2e6,0,-0.001,0\n"
         done = run("replay", "--trace", self.file("trace.csv", bad), *FINGER)

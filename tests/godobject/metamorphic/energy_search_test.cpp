@@ -3,7 +3,6 @@
 // most. Slowly led, a finger gives back what it stored at most; sampled and held, what `device_damping_needed` names is enough.
 #include "tests/godobject/metamorphic/energy_search.hpp"
 
-#include "godobject/body/grasp.hpp"
 #include "tests/repetitions.hpp"
 
 #include <gtest/gtest.h>
@@ -178,58 +177,6 @@ TEST(EnergySearch, TheDampingThatIsNamedIsEnough) {
     best = std::max(best, climb(random_path(reach, random), reach, repetitions(200), random, gain));
   });
   EXPECT_GT(best, -1e-12);
-}
-
-// A hundredth less is not enough, and the search finds out.
-TEST(EnergySearch, AHundredthLessIsNot) {
-  Random random(24);
-  for (const AnySurface& surface : {AnySurface(SphereSurface(0.01)), AnySurface(CylinderSurface(0.02, 0.03))}) {
-    FingerParameters with = parameters(1.0, 0.006, 1000.0, 0.036);
-    DeviceDamping device = device_damping_needed(with, time_step);
-    device.sliding *= 0.99;
-    const Reach reach{surface.contact({0.05, 0.0, 0.0}, {}).point, Vector3d::UnitX(), 0.002, 0.0005, 0.0, 0.0};
-    const DevicePose outside = random_pose(reach, random, true);
-    const auto gain = [&](const Path& path) {
-      SampledUser user(SoftFinger(Ellipse::through_intercepts(hertz()->moment_ratio()), with), device, time_step);
-      user.move(surface, outside);
-      double before = 0.0;
-      for (int turn = 0; turn < 3; ++turn) {
-        before = user.won().work;
-        for (const DevicePose& pose : path) user.move(surface, pose);
-      }
-      return user.won().work - before;
-    };
-    EXPECT_GT(climb(random_path(reach, random), reach, 2000, random, gain), 1e-9);
-  }
-}
-
-// Four sticking fingers hold a ball with locked rotation: it comes to rest, and no step adds energy.
-TEST(EnergySearch, AHeldBallDoesNotFlutter) {
-  Random random(25);
-  for (int round = 0; round < 20; ++round) {
-    BodyParameters ball = BodyParameters::ball(0.1, 0.01);
-    ball.gravity.setZero();
-    ball.free = {true, true, true, false, false, false};
-    const SoftFinger finger = hertz_finger(parameters(100.0, 0.006, 1000.0, 0.036));
-    Grasp grasp(ball, BodyState{}, AnySurface(SphereSurface(0.01)), std::vector<SoftFinger>(4, finger));
-    std::vector<DevicePose> devices;
-    for (const Vector3d& corner : {Vector3d(1, 1, 1), Vector3d(1, -1, -1), Vector3d(-1, 1, -1), Vector3d(-1, -1, 1)}) {
-      devices.push_back({(0.01 - random.uniform(0.001, 0.003)) * (corner + 0.2 * random_direction(random)).normalized()});
-    }
-    grasp.place(BodyState{}, devices);
-    BodyState start;
-    start.velocity = 0.001 * random_direction(random);
-    grasp.place(start, devices);
-    // A step may add only rounding: positions of 10 mm with a few newtons.
-    double before = grasp.energy();
-    for (int i = 0; i < repetitions(1000, 100); ++i) {
-      grasp.step(devices, time_step);
-      ASSERT_LE(grasp.energy(), before + 1e-15) << round << ' ' << i;
-      before = grasp.energy();
-    }
-    for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(to_string(grasp.finger(i).output().state), "stick");
-    EXPECT_LT(grasp.body().velocity.norm(), tests_are_short ? 0.02 : 0.002);
-  }
 }
 
 }  // namespace

@@ -25,39 +25,6 @@ TEST(ChoiceStudy, TheStatedErrorHoldsInRandomMotionsAndIsNotTooLarge) {
   EXPECT_GE(cheaper_is_chosen, 0.7 * cheaper_would_do);
 }
 
-// Once ellipse/radial was recommended with an error of 0.051, and a slide followed by a twist showed 0.286.
-TEST(ChoiceStudy, ATwistAfterASlideIsAmongTheMotions) {
-  Scene scene;
-  scene.law = parse_law("xydas-kao:k=3");
-  scene.mu = 1.126;
-  scene.radius_law = RadiusLaw::constant(0.007428);
-  scene.least_load = scene.most_load = 2.0;
-  scene.stiffness = 510.184;
-  scene.twist_stiffness = 0.00468116;
-  scene.slide_speed = 0.008314;
-  scene.twist_rate = 0.1404;
-  std::vector<StudySample> motion;
-  const double slide = 8.0 * scene.mu * 2.0 / scene.stiffness;
-  for (StudySample at{0.0, 0.0, 0.0, 2.0}; at.x < slide; at.x += scene.slide_speed * scene.sample_time) motion.push_back(at);
-  for (StudySample at = motion.back(); at.twist < 12.0; at.twist += scene.twist_rate * scene.sample_time) motion.push_back(at);
-
-  const StepChoice choice = choose_step(scene, 0.0858);
-  const Candidate full{"table/closest-point", 1e-9, 0.0, 0.0};
-  const auto right = felt(scene, named_finger(scene, full), motion);
-  double of_ellipse = 0.0;
-  for (const Candidate& candidate : choice.candidates) {
-    const auto wrong = felt(scene, named_finger(scene, candidate), motion);
-    double found = 0.0;
-    for (std::size_t i = 0; i < right.size(); ++i) found = std::max(found, (right[i] - wrong[i]).norm());
-    EXPECT_LE(found, candidate.error) << candidate.model;
-    if (candidate.chosen) {
-      EXPECT_LE(found, 0.0858) << candidate.model;
-    }
-    if (candidate.model == "ellipse/radial") of_ellipse = found;
-  }
-  EXPECT_NEAR(of_ellipse, 0.286, 5e-4);
-}
-
 // The chosen step is one that a replay runs, and it is the one that its name says.
 TEST(ChoiceStudy, WhatIsChosenCanBeReplayed) {
   for (std::uint64_t seed = 301; seed <= 310; ++seed) {
