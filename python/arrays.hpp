@@ -56,8 +56,9 @@ struct Numbers {
 /// Whether a mask leaves out some of the caller's numbers.
 bool is_masked(nb::handle values);
 
-/// Warns the caller.
+/// Warns the caller; of lines that begin with "note: " or "warning: ", without that.
 void warn(const std::string& text);
+void warn(const std::vector<std::string>& remarks);
 
 /// Whether the caller's numbers have single precision; results then have it, too.
 bool is_single(nb::handle values);

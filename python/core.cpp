@@ -72,6 +72,10 @@ void warn(const std::string& text) {
   if (PyErr_WarnEx(PyExc_UserWarning, text.c_str(), 1) != 0) throw nb::python_error();
 }
 
+void warn(const std::vector<std::string>& remarks) {
+  for (const std::string& remark : remarks) warn(remark.substr(remark.find(": ") + 2));
+}
+
 bool is_single(nb::handle values) {
   return nb::hasattr(values, "dtype") && text_of(values.attr("dtype")) == "float32";
 }

@@ -54,6 +54,13 @@ nb::object loads_to_hold(const PyPatch& patch, nb::handle fx, nb::handle fy, nb:
   });
 }
 
+/// The patch, with warnings of what is odd about it.
+PyPatch asked(cli::PatchArgument argument) {
+  PyPatch patch(std::move(argument));
+  warn(patch.made_of.remarks());
+  return patch;
+}
+
 /// A kind of patch from columns of numbers.
 PyPatch of_columns(const char* kind, const std::vector<std::string>& names, const nb::list& columns) {
   const auto all = columns_of("", names, columns);
@@ -61,7 +68,7 @@ PyPatch of_columns(const char* kind, const std::vector<std::string>& names, cons
   for (std::size_t row = 0; row < all[0].size; ++row) {
     for (const Numbers<double>& column : all) made.numbers.push_back(column.data[row]);
   }
-  return PyPatch(std::move(made));
+  return asked(std::move(made));
 }
 
 using Spacing = std::tuple<double, double>;
@@ -81,8 +88,7 @@ PyPatch image(nb::handle pressures, const std::optional<double>& pixel, const st
     pressure = 0.0;
     ++made.without_sensor;
   }
-  if (!made.note().empty()) warn(made.note());
-  return PyPatch(std::move(made));
+  return asked(std::move(made));
 }
 
 using PatchState = std::tuple<std::string, std::vector<double>, std::size_t, std::vector<double>, std::string, std::vector<double>,
@@ -129,9 +135,7 @@ void add_patches(nb::module_& module) {
       .def(
           "__init__",
           [](PyPatch* self, const std::string& text) {
-            cli::PatchArgument argument = cli::parse_patch(text);
-            if (!argument.note().empty()) warn(argument.note());
-            new (self) PyPatch(std::move(argument));
+            new (self) PyPatch(asked(cli::parse_patch(text)));
           },
           nb::arg("text"), "ValueError names the error in the text or in the file, and the expected input.")
       .def_static(

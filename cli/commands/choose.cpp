@@ -48,7 +48,7 @@ class Choose final : public Subcommand {
     options.flag("--explain", explain_, "Give the reason for each candidate on standard error");
     options.flag("--scene", scene_wanted_, "Choose the step of a scene: limit curve, projection, and whether torsion matters");
     options.number("--mu", mu_, positive, "Scene: coefficient of friction (default 0.5)");
-    options.radius_law(radius_law_, Presence::optional);
+    options.radius_law(radius_law_);
     options.number("--mu-r", scene_.mu_r, positive, "Scene: mu_r [m]; the moment limit is mu_r P, in place of the radius law's");
     options.numbers("--loads", loads_, positive, "Scene: least and largest load [N] (default 0.5,2)", Presence::optional);
     options.number("--stiffness", stiffness_, positive, "Scene: k_l [N/m] (default 1000)");
@@ -62,6 +62,7 @@ class Choose final : public Subcommand {
 
   void run(const Results& results) override {
     if (patch_.empty() == (law_ == nullptr)) throw std::invalid_argument("expected one of --law and --patch");
+    if (radius_law_ && scene_.mu_r) throw std::invalid_argument("--mu-r: not with --radius-law, expected one of them");
     if (!patch_.empty() && scene_wanted_) throw std::invalid_argument("--scene: goes with --law, got --patch");
     scene_wanted_ ? choose_for_scene(results) : choose_curve(results);
   }

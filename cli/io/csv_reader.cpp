@@ -136,6 +136,7 @@ void FileColumns::read_names(std::string_view list) {
     names.emplace_back(own, other);
     return true;
   });
+  options.append(" --columns '").append(list).append("'");
 }
 
 void FileColumns::read_units(std::string_view list) {
@@ -153,7 +154,7 @@ void FileColumns::read_units(std::string_view list) {
     this->*quantity->of = known->value;
     return true;
   });
-  units_given = true;
+  options.append(" --units '").append(list).append("'");
 }
 
 MemoryColumns::MemoryColumns(std::string name, std::vector<std::string> columns, std::vector<std::span<const double>> numbers)

@@ -22,7 +22,7 @@ struct FileColumns {
   void read_names(std::string_view list);
   void read_units(std::string_view list);
   /// Whether anything was read.
-  [[nodiscard]] bool given() const { return !names.empty() || units_given; }
+  [[nodiscard]] bool given() const { return !options.empty(); }
 
   std::vector<std::pair<std::string, std::string>> names = {};  ///< the reader's name of a column, the file's
   double length = 1.0;                                          ///< the file's unit in m
@@ -30,7 +30,7 @@ struct FileColumns {
   double moment = 1.0;                                          ///< in N m
   double angle = 1.0;                                           ///< in rad
   double time = 1.0;                                            ///< in s
-  bool units_given = false;
+  std::string options = {};                                     ///< as they were typed
 };
 
 /// What --units takes, for help and messages.

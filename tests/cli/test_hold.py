@@ -77,7 +77,6 @@ class Hold(CommandLineTest):
         pad = self.file("pad.csv", "Fx,fy,moment\n1000,0,0\n")
         row, = rows("hold", *PATCH, "--data", pad, "--columns", "fx=Fx", "--units", "force=mN")
         self.assert_close(row["hold_load"], 2, 1e-12)
-        self.assert_fails(2, "--columns, --units: go with --data", "hold", *CONTACT, "--force", "1", "--moment", "0", "--units", "force=mN")
 
     def test_margin_is_that_of_replay(self):
         self.check_against_replay(CONTACT, DATA / "traces" / "slide_twist_load.csv",

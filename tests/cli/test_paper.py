@@ -143,7 +143,7 @@ class Corrections(CommandLineTest):
             # `eval` tells magnitudes, `patch` what moves the patch: the opposite of friction.
             here = rows("eval", "--law", "hertz", "--c", c)[0]
             twist = self.file("twist.csv", f"vx,vy,omega\n0,{-c},1\n")
-            patch = rows("patch", "--patch", "ellipse:law=hertz,a=1,b=1", "--twists", twist)[0]
+            patch = rows("patch", "--quiet", "--patch", "ellipse:law=hertz,a=1,b=1", "--twists", twist)[0]
             # A finger moved so settles at it, on its user.
             path = "".join(f"{i / 1000},0,{-c * radius * 0.02 * i},{-load / 1000},{0.02 * i}\n" for i in range(300))
             settled = self.replay(self.file("trace.csv", "time,x,y,z,twist\n" + path), "--projection", "closest-point")[-1]
