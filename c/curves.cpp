@@ -147,10 +147,9 @@ limitcurve_status limitcurve_table_gauge(const limitcurve_table* table, const do
   if (is_no_handle("table", table)) return LIMITCURVE_INVALID;
   if (count > 0 && (is_missing("forces", forces) || is_missing("moments", moments) || is_missing("gauges", gauges)))
     return LIMITCURVE_INVALID;
-  const char* const expected = "a finite number >= 0";
   for (std::size_t i = 0; i < count; ++i) {
-    if (!(forces[i] >= 0.0 && std::isfinite(forces[i]))) return refuse("forces", i, forces[i], expected);
-    if (!(moments[i] >= 0.0 && std::isfinite(moments[i]))) return refuse("moments", i, moments[i], expected);
+    if (!std::isfinite(forces[i])) return refuse("forces", i, forces[i], "a finite number");
+    if (!std::isfinite(moments[i])) return refuse("moments", i, moments[i], "a finite number");
   }
   const auto write = [&](const auto& curve) {
     for (std::size_t i = 0; i < count; ++i) gauges[i] = curve.gauge({forces[i], moments[i]});

@@ -103,8 +103,7 @@ const char* fault_of(const limitcurve_limits& limits, double force, double momen
   const auto is_fraction = [](double fraction) { return fraction >= 0.0 && fraction <= 1.0; };
   if (!is_fraction(limits.force_stick_fraction) || !is_fraction(limits.moment_stick_fraction))
     return "force_stick_fraction and moment_stick_fraction: expected numbers from 0 to 1";
-  if (!(force >= 0.0 && std::isfinite(force) && moment >= 0.0 && std::isfinite(moment)))
-    return "force and moment: expected finite numbers >= 0";
+  if (!std::isfinite(force) || !std::isfinite(moment)) return "force and moment: expected finite numbers";
   if (!(memory.search_start >= 0.0 && memory.search_start <= 2.0 && std::fabs(memory.search_rate) <= 2.0))
     return "memory: expected all 0, or what the last step left";
   return nullptr;

@@ -112,7 +112,7 @@ LIMITCURVE_API limitcurve_status limitcurve_table_evaluate(const limitcurve_tabl
                                                            double* moments);
 
 /* Distance of unit wrenches from the origin divided by that of the curve on the same ray: < 1 holds, > 1 slips. Forces and moments are
- * finite and >= 0. [real time] */
+ * finite; signs do not count. [real time] */
 LIMITCURVE_API limitcurve_status limitcurve_table_gauge(const limitcurve_table* table, const double* forces, const double* moments,
                                                         size_t count, double* gauges);
 
@@ -152,7 +152,7 @@ typedef struct limitcurve_friction {
   int slips;           /* in this step */
 } limitcurve_friction;
 
-/* For simulators with springs of their own: the fraction of a trial force [N] and moment [N m], both finite and >= 0, within the friction
+/* For simulators with springs of their own: the fraction of a trial force [N] and moment [N m], both finite, within the friction
  * limit. LIMITCURVE_C_CURVE is radial here, because there is no radius law. [real time] */
 LIMITCURVE_API limitcurve_status limitcurve_apply_friction(const limitcurve_table* table, limitcurve_projection projection,
                                                            const limitcurve_limits* limits, double force, double moment,

@@ -91,7 +91,7 @@ class TouchOfPlane {
     return result;
   }
 
-  god::AnySurface ground_ = god::AnySurface(god::PlaneSurface{});
+  god::AnySurface ground_ = god::PlaneSurface{};
   Eigen::Quaterniond y_up_ = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitY(), Eigen::Vector3d::UnitZ());
   god::SoftFinger finger_;
   double greatest_force_;

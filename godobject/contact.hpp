@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "../limitcurve/version.hpp"
+
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 

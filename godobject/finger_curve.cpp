@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -34,12 +36,13 @@ BasicFingerCurve<Real>::BasicFingerCurve(const BasicTable<Real>& table)
 template <class Real>
 UnitWrench BasicFingerCurve<Real>::wrench(SlipTwist twist) const noexcept {
   if (twist.is_zero()) return {};
-  twist = twist.magnitudes();
+  const auto [slide, spin] = twist.direction();
   if (is_box()) {
-    return {twist.slide > 0.0 ? static_cast<double>(view_.force_max) : 0.0, twist.spin > 0.0 ? static_cast<double>(view_.moment_max) : 0.0};
+    if (std::isnan(slide)) return {slide, slide};
+    return {slide > 0.0 ? static_cast<double>(view_.force_max) : 0.0, spin > 0.0 ? static_cast<double>(view_.moment_max) : 0.0};
   }
-  const bool outside = twist.slide > twist.spin;
-  const auto x = static_cast<Real>(std::min(twist.slide, twist.spin) / std::max(twist.slide, twist.spin));
+  const bool outside = slide > spin;
+  const auto x = static_cast<Real>(outside ? spin : slide);
   const Jet<Real> jet = view_.jet(outside, x);
   const auto leading = static_cast<double>(jet.leading);
   const auto trailing = static_cast<double>(jet.trailing);
@@ -48,8 +51,10 @@ UnitWrench BasicFingerCurve<Real>::wrench(SlipTwist twist) const noexcept {
 
 template <class Real>
 RadialPoint BasicFingerCurve<Real>::along(UnitWrench direction) const noexcept {
-  const auto force = static_cast<Real>(direction.force);
-  const auto moment = static_cast<Real>(direction.moment);
+  direction = direction.magnitudes();
+  const double size = std::max(direction.force, direction.moment);
+  const auto force = static_cast<Real>(direction.force / size);
+  const auto moment = static_cast<Real>(direction.moment / size);
   if (is_box()) {
     const double factor = gauge(direction);
     const bool is_force = force * view_.moment_max >= moment * view_.force_max;
@@ -63,8 +68,11 @@ RadialPoint BasicFingerCurve<Real>::along(UnitWrench direction) const noexcept {
 
 template <class Real>
 double BasicFingerCurve<Real>::gauge(UnitWrench wrench) const noexcept {
-  if (!(wrench.force + wrench.moment > 0.0)) return 0.0;
-  return static_cast<double>(limitcurve::gauge(view_, static_cast<Real>(wrench.force), static_cast<Real>(wrench.moment), Real(0)));
+  const auto [force, moment] = wrench.magnitudes();
+  // In units of the larger component, for float has fewer decades than double.
+  const double size = std::max(force, moment);
+  if (!(force + moment > 0.0 && size <= std::numeric_limits<double>::max())) return force + moment;
+  return size * static_cast<double>(limitcurve::gauge(view_, static_cast<Real>(force / size), static_cast<Real>(moment / size), Real(0)));
 }
 
 template class BasicFingerCurve<double>;

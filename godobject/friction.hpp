@@ -30,8 +30,8 @@ struct FrictionLimits {
 /// The trial wrench: force and moment of springs and dampers if the proxy stayed (eq. 7).
 template <class Number>
 struct FrictionTrial {
-  Number force;                        ///< k_l r [N] ≥ 0
-  Number moment;                       ///< k_r ρ [N m] ≥ 0
+  Number force;                        ///< k_l r [N]; its sign does not count
+  Number moment;                       ///< k_r ρ [N m]; likewise
   Number force_rounding = Number(0);   ///< bound of the rounding error of `force`, from the positions [N]
   Number moment_rounding = Number(0);  ///< bound of the rounding error of `moment` [N m]
 };
@@ -185,9 +185,11 @@ template <class Real, class Number>
 /// evaluations of the curve for each search. `Number` is `double`, or a pack of double or float (`Real`) for as many contacts.
 template <class Real, class Number>
 [[nodiscard]] FrictionResult<Number> apply_friction(const CurveView<Real>& curve, Projection projection,
-                                                    const FrictionLimits<Number>& limits, const FrictionTrial<Number>& trial,
+                                                    const FrictionLimits<Number>& limits, FrictionTrial<Number> trial,
                                                     FrictionMemory<Number>& memory) noexcept {
   using namespace arithmetic;
+  trial.force = abs(trial.force);
+  trial.moment = abs(trial.moment);
   if (curve.is_box) return apply_uncoupled_friction(curve, limits, trial, memory);
   const Number zero = Number(Real(0));
   const Number one = Number(Real(1));

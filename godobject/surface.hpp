@@ -21,13 +21,14 @@ concept Surface = requires(const Shape& shape, const Eigen::Vector3d& finger, co
 // clang-format on
 
 /// Any surface, chosen at run time, for example by a file or a command line. Costs one indirect call for each contact. Immutable; copies
-/// share the surface. Allocates at construction only.
+/// share the surface. Any surface converts to it, for example in `finger.update(read_mesh(path), pose)`. The conversion allocates: in a loop
+/// make it once.
 class AnySurface {
  public:
   // clang-format off
   template <class Shape>
   requires(Surface<Shape> && !std::same_as<Shape, AnySurface>)
-  explicit AnySurface(Shape shape) : model_(std::make_shared<Model<Shape>>(std::move(shape))) {}
+  AnySurface(Shape shape) : model_(std::make_shared<Model<Shape>>(std::move(shape))) {}
   // clang-format on
 
   [[nodiscard]] Contact contact(const Eigen::Vector3d& finger, const ContactMemory& memory) const noexcept {

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <span>
 
 /// Limit curves with few parameters: ellipse, box and diamond. Their errors: `validate.hpp`.
@@ -31,18 +32,11 @@ class Ellipse {
 
   /// Support point: (A²v, B²w)/√(A²v² + B²w²).
   [[nodiscard]] UnitWrench wrench(SlipTwist twist) const noexcept {
-    twist = twist.magnitudes();
-    double x = force_max_ * twist.slide;
-    double y = moment_max_ * twist.spin;
-    double square = x * x + y * y;
-    if (!(square > 1e-250 && square < 1e250)) [[unlikely]] {  // a twist whose square underflows has a direction, too
-      const double larger = (std::max)(x, y);
-      if (larger == 0.0) return {};
-      x /= larger;
-      y /= larger;
-      square = x * x + y * y;
-    }
-    const double scale = 1.0 / std::sqrt(square);
+    if (twist.is_zero()) return {};
+    twist = twist.direction();
+    const double x = force_max_ * twist.slide;
+    const double y = moment_max_ * twist.spin;
+    const double scale = 1.0 / std::sqrt(x * x + y * y);
     return {force_max_ * x * scale, moment_max_ * y * scale};
   }
 
@@ -51,7 +45,8 @@ class Ellipse {
   [[nodiscard]] RadialPoint along(UnitWrench direction) const noexcept;
 
   [[nodiscard]] double gauge(UnitWrench wrench) const noexcept {
-    return std::hypot(wrench.force / force_max_, wrench.moment / moment_max_);
+    const double sum = std::fabs(wrench.force) + std::fabs(wrench.moment);
+    return sum <= (std::numeric_limits<double>::max)() ? std::hypot(wrench.force / force_max_, wrench.moment / moment_max_) : sum;
   }
 
  private:
@@ -88,7 +83,8 @@ class Polygon {
 
   [[nodiscard]] UnitWrench wrench(SlipTwist twist) const noexcept {
     if (twist.is_zero()) return {};
-    twist = twist.magnitudes();
+    twist = twist.direction();
+    if (std::isnan(twist.slide)) return {twist.slide, twist.slide};
     if (twist.slide == 0.0) return vertices_.back();
     std::size_t i = 0;
     if (twist.spin == 0.0) return vertices_[i];
@@ -112,7 +108,11 @@ class Polygon {
     return {{direction.force / length, direction.moment / length}, face_normal(face)};
   }
 
-  [[nodiscard]] double gauge(UnitWrench wrench) const noexcept { return length_on(face_along(wrench), wrench); }
+  [[nodiscard]] double gauge(UnitWrench wrench) const noexcept {
+    wrench = wrench.magnitudes();
+    const double sum = wrench.force + wrench.moment;
+    return sum <= (std::numeric_limits<double>::max)() ? length_on(face_along(wrench), wrench) : sum;
+  }
 
  private:
   /// Outward normal of the face from vertex i to i + 1.

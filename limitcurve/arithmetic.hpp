@@ -3,6 +3,8 @@
 
 // Inner: installed because other headers need it; it may change in every version.
 
+#include "version.hpp"
+
 #include <array>
 #include <bit>
 #include <cmath>

@@ -103,7 +103,7 @@ struct ContactFriction {
 /// The wrench of a contact under load P that slips about a COR at distance c.
 struct LoadPoint {
   double load = 0.0;    ///< P [N]
-  double cor = 0.0;     ///< c [m] ∈ [0, ∞]
+  double cor = 0.0;     ///< c [m], |c| ∈ [0, ∞]
   double force = 0.0;   ///< F [N]
   double moment = 0.0;  ///< M [N·m]
 };
@@ -130,7 +130,7 @@ template <class Curve>
 /// curve's normal then turns by equal steps, so that a polyline through the points looks smooth. `points` ≥ 2, else std::invalid_argument.
 std::vector<SlipTwist> slip_twists(std::size_t points);
 
-/// The wrench of a contact that slips about a COR at distance `cor` [m] ∈ [0, ∞] under `load` [N] ≥ 0: F = μP f(c/a), M = μPa m(c/a)
+/// The wrench of a contact that slips about a COR at distance |`cor`| [m] ∈ [0, ∞] under `load` [N] ≥ 0: F = μP f(c/a), M = μPa m(c/a)
 /// with a = a(P). Relative error: the curve's plus 8 ε. Throws std::invalid_argument for an argument out of range.
 template <LimitCurve Curve>
 LoadPoint load_point(const Curve& curve, const ContactFriction& contact, double load, double cor) {
@@ -189,12 +189,11 @@ template <class Curve>
 double load_to_hold(const Curve& curve, const RadiusLaw& radius_law, double mu, double force, double moment) {
   constexpr int search_limit = 60;
   constexpr double tolerance = 1e-14;
-  constexpr double never = std::numeric_limits<double>::infinity();
   force = std::fabs(force);
   moment = std::fabs(moment);
-  if (std::isnan(force) || std::isnan(moment)) return force + moment;
-  if (force == 0.0 && moment == 0.0) return 0.0;
-  if (mu == 0.0 || std::isinf(force) || std::isinf(moment)) return never;
+  const double sum = force + moment;
+  if (!(sum > 0.0)) return sum;
+  if (mu == 0.0 || std::isinf(sum)) return std::numeric_limits<double>::infinity();
   const double scaled_force = force / mu;
   const double scaled_moment = moment / mu;
   if (!radius_law.is_sampled() && radius_law.exponent() == 0.0)

@@ -23,8 +23,11 @@ class ExactCurve {
   [[nodiscard]] double moment_ratio() const noexcept { return moment_ratio_; }
 
   [[nodiscard]] UnitWrench wrench(SlipTwist twist) const noexcept {
-    if (twist.slide == 0.0) return {0.0, twist.spin == 0.0 ? 0.0 : moment_ratio_};
-    return inwards(law_->forces(twist.magnitudes().cor(), Slope::unwanted));
+    twist = twist.magnitudes();
+    const double sum = twist.slide + twist.spin;
+    if (!(sum > 0.0)) return {sum, sum};
+    if (twist.slide == 0.0) return {0.0, moment_ratio_};
+    return inwards(law_->forces(twist.cor(), Slope::unwanted));
   }
 
   [[nodiscard]] SlopedPoint point(SlipTwist twist) const noexcept {
@@ -42,9 +45,7 @@ class ExactCurve {
     return search_along(*this, direction, spin / (direction.force * moment_ratio_ + spin));
   }
 
-  [[nodiscard]] double gauge(UnitWrench wrench) const noexcept {
-    return wrench.force + wrench.moment > 0.0 ? gauge_from(wrench, along(wrench).wrench) : 0.0;
-  }
+  [[nodiscard]] double gauge(UnitWrench wrench) const noexcept { return gauge_along(*this, wrench); }
 
  private:
   static UnitWrench inwards(const UnitForces<double>& forces) noexcept {

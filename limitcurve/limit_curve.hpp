@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <concepts>
+#include <limits>
 
 namespace limitcurve {
 
@@ -16,9 +17,11 @@ namespace limitcurve {
 ///                 a zero twist gives wrench 0;
 ///  - `point(t)`:  the same point, with its derivative in the spin fraction u, for slide, spin ≥ 0, not both zero;
 ///  - `along(w)`:  the curve point on the ray from the origin through w ≠ 0, and the normal there; at a corner any one of its normals;
-///  - `gauge(w)`:  the factor γ ≥ 0 for which w/γ is on the curve; γ < 1: the contact holds, γ > 1: it slips, γ = 0 for w = 0;
+///  - `gauge(w)`:  the factor γ ≥ 0 for which w/γ is on the curve; γ < 1: the contact holds, γ > 1: it slips, γ = 0 for w = 0, ∞ for an
+///                 infinite w. Signs of w do not count;
 ///  - `moment_ratio()`: moment intercept divided by force intercept, m₀ = μ_r/(μ a).
-/// They do not throw, allocate or lock; every loop is bounded. Results stay right for twists and wrenches times 1e-120 … 1e120.
+/// They do not throw, allocate or lock; every loop is bounded. NaN gives NaN. Results stay right for twists and wrenches times 1e-120 …
+/// 1e120.
 // clang-format off
 template <class Curve>
 concept LimitCurve = requires(const Curve& curve, SlipTwist twist, UnitWrench wrench) {
@@ -34,6 +37,16 @@ concept LimitCurve = requires(const Curve& curve, SlipTwist twist, UnitWrench wr
 /// the sum of the components replaces the length, and no square root is needed.
 constexpr double gauge_from(UnitWrench wrench, UnitWrench on_curve) noexcept {
   return (wrench.force + wrench.moment) / (on_curve.force + on_curve.moment);
+}
+
+/// The gauge by a curve's `along`: of any wrench, as LimitCurve::gauge promises.
+template <class Curve>
+[[nodiscard]] double gauge_along(const Curve& curve, UnitWrench wrench) noexcept {
+  wrench = wrench.magnitudes();
+  const double sum = wrench.force + wrench.moment;
+  if (!(sum > 0.0 && sum <= (std::numeric_limits<double>::max)())) [[unlikely]]
+    return sum;
+  return gauge_from(wrench, curve.along(wrench).wrench);
 }
 
 /// The point where the ray through `direction` meets a strictly convex curve, and its normal. Newton's method in the spin fraction u,

@@ -25,7 +25,7 @@ void check_load(double load) {
 }
 
 void check_cor(double cor) {
-  if (!(cor >= 0.0)) throw out_of_range("cor", cor, "m", ">= 0");
+  if (std::isnan(cor)) throw out_of_range("cor", cor, "m", "a number");
 }
 
 void check_limits(double mu, double load, double radius) {

@@ -80,7 +80,7 @@ class PressureLaw {
   /// Cost: nanoseconds for a closed form, up to 0.1 ms by quadrature; no exception, no allocation, no lock. In a control loop use a table.
   [[nodiscard]] virtual UnitForces<double> forces(double s, Slope slope = Slope::wanted) const noexcept;
 
-  /// Unit wrench at s ∈ [0, ∞] and a bound of its absolute error, computed in extended precision. `allows(method)` must be true.
+  /// Unit wrench at |s| ∈ [0, ∞] and a bound of its absolute error, computed in extended precision. `allows(method)` must be true.
   /// The true error is at most the error returned. That is ≤ 1e-15 relative for a closed form and ≤ 1e-14 for ring and punch (larger if long
   /// double is double: accuracy.hpp); ≤ 1e-13 for boost; for direct it is absolute. A law from samples adds its
   /// interpolation error. Cost: 1 µs to 0.5 ms, direct 10 to 100 ms.

@@ -198,6 +198,7 @@ std::size_t BasicTable<Real>::bytes() const noexcept {
 
 template <class Real>
 RadialPoint BasicTable<Real>::along(UnitWrench direction) const noexcept {
+  direction = direction.magnitudes();
   const double size = std::max(direction.force, direction.moment);
   const UnitWrench scaled{direction.force / size, direction.moment / size};
   Real gauge{};

@@ -142,9 +142,7 @@ class BasicTable {
   /// The point where the ray through `direction` ≠ 0 meets the table's curve, and its normal. Usually 2 to 4 evaluations, at most 64.
   [[nodiscard]] RadialPoint along(UnitWrench direction) const noexcept;
 
-  [[nodiscard]] double gauge(UnitWrench wrench) const noexcept {
-    return wrench.force + wrench.moment > 0.0 ? gauge_from(wrench, along(wrench).wrench) : 0.0;
-  }
+  [[nodiscard]] double gauge(UnitWrench wrench) const noexcept { return gauge_along(*this, wrench); }
 
  private:
   struct alignas(2 * sizeof(Real)) Numbers {

@@ -28,7 +28,7 @@ std::string to_json(const Table& table);
 
 /// The table as a C99, C++17 and CUDA header that includes nothing. In C: `NAME_wrench(slide, spin)` returns a struct of force and moment,
 /// as Table::wrench does; `NAME_gauge(force, moment)` is Table::gauge; `NAME_closest_point(force, moment, chi)` is the closest-point step,
-/// within 2e-13 of the library's for chi = 1e-3 … 1e3. In C++ also: namespace NAME with these as constexpr functions. All names have
+/// within 2e-13 of the library's for chi = 1e-3 … 1e3. In C++ they are constexpr. All names have
 /// internal linkage. The cell is found by bisection. NAME is `name`; if that is empty, `limitcurve_table_<law>_<first 8 digits of the
 /// checksum>`, which no other table has.
 /// Throws std::invalid_argument, with the name, unless it is a C identifier that begins with a letter and has no double underscore.

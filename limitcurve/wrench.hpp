@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "version.hpp"
+
 #include <limits>
 
 namespace limitcurve {
@@ -10,6 +12,9 @@ namespace limitcurve {
 struct UnitWrench {
   double force = 0.0;
   double moment = 0.0;
+
+  /// The wrench without signs.
+  [[nodiscard]] constexpr UnitWrench magnitudes() const noexcept { return {force < 0.0 ? -force : force, moment < 0.0 ? -moment : moment}; }
 
   friend bool operator==(const UnitWrench&, const UnitWrench&) = default;
 };
@@ -21,7 +26,7 @@ struct SlipTwist {
   double slide = 0.0;  ///< |v| [m/s, or any unit]
   double spin = 1.0;   ///< a|ω| [same unit]
 
-  /// The twist whose centre of rotation (COR) lies at s = c/a from the contact centre, s ∈ [0, ∞].
+  /// The twist whose centre of rotation (COR) lies at s = c/a from the contact centre; |s| ∈ [0, ∞].
   static constexpr SlipTwist about_cor(double s) noexcept {
     // (1, 1/s), not (s/(1+s), 1/(1+s)): both ends keep full relative precision.
     return s <= 1.0 ? SlipTwist{s, 1.0} : SlipTwist{1.0, 1.0 / s};
@@ -34,6 +39,11 @@ struct SlipTwist {
   [[nodiscard]] constexpr SlipTwist magnitudes() const noexcept { return {slide < 0.0 ? -slide : slide, spin < 0.0 ? -spin : spin}; }
   /// No slip. The wrench of such a twist is 0, one of the many that hold.
   [[nodiscard]] constexpr bool is_zero() const noexcept { return slide == 0.0 && spin == 0.0; }
+  /// A slip's direction: magnitudes of which the larger is 1. ∞ is along its axis; `slide` is NaN if a component is, or both are ∞ or 0.
+  [[nodiscard]] constexpr SlipTwist direction() const noexcept {
+    const auto [v, w] = magnitudes();
+    return v > w ? SlipTwist{1.0, w / v} : SlipTwist{v / w, 1.0};
+  }
 
   /// For slide, spin ≥ 0, not both zero. s = c/a ∈ [0, ∞]: distance of the COR in contact radii.
   [[nodiscard]] constexpr double cor() const noexcept { return spin > 0.0 ? slide / spin : std::numeric_limits<double>::infinity(); }

@@ -45,7 +45,7 @@ nb::object evaluate_with_errors(const PyLaw& law, nb::handle c, Method method) {
 /// One number for each pair of force and moment.
 template <class Of>
 nb::object of_wrenches(nb::handle force, nb::handle moment, const Of& of) {
-  return of_numbers<1, 16, 2>({force, moment}, {"force", "moment"}, cli::non_negative,
+  return of_numbers<1, 16, 2>({force, moment}, {"force", "moment"}, any,
                               [&](const std::array<double, 2>& wrench) { return std::array{of(wrench[0], wrench[1])}; });
 }
 
@@ -85,7 +85,8 @@ void add_limit_curve(nb::class_<Class>& type) {
           },
           nb::arg("force"), nb::arg("moment"),
           nb::sig("def gauge(self, force: numpy.typing.ArrayLike, moment: numpy.typing.ArrayLike) -> typing.Any"),
-          "Distance of unit wrenches from the origin divided by that of the curve on the same ray: < 1 holds, > 1 slips. Broadcasts.")
+          "Distance of unit wrenches from the origin divided by that of the curve on the same ray: < 1 holds, > 1 slips. Signs do not\n"
+          "count. Broadcasts.")
       .def(
           "load_to_hold",
           [](const Class& self, nb::handle force, nb::handle moment, double mu, const std::string& radius_law) {
@@ -96,7 +97,7 @@ void add_limit_curve(nb::class_<Class>& type) {
           nb::arg("force"), nb::arg("moment"), nb::kw_only(), nb::arg("mu"), nb::arg("radius_law"),
           nb::sig("def load_to_hold(self, force: numpy.typing.ArrayLike, moment: numpy.typing.ArrayLike, *, mu: float, radius_law: str) -> "
                   "typing.Any"),
-          "The least load [N] that holds friction forces [N] and moments [N m] >= 0, broadcast against each other.\n\n"
+          "The least load [N] that holds friction forces [N] and moments [N m], of any sign, broadcast against each other.\n\n"
           "inf if no load does. `radius_law` gives the contact radius a(P), as on the command line.")
       .def_prop_ro(
           "moment_ratio", [](const Class& self) { return curve_in(self).moment_ratio(); }, "m0, the unit moment of a pure twist.");
@@ -162,7 +163,7 @@ void add_laws(nb::module_& module) {
           },
           nb::arg("c"), nb::kw_only(), nb::arg("error") = false, nb::arg("method") = "auto",
           nb::sig("def evaluate(self, c: numpy.typing.ArrayLike, *, error: bool = False, method: str = 'auto') -> tuple[typing.Any, ...]"),
-          "Unit wrenches F/(mu P) and M/(mu P a) of a slip about centres of rotation at c contact radii, in [0, inf].\n\n"
+          "Unit wrenches F/(mu P) and M/(mu P a) of a slip about centres of rotation at |c| contact radii.\n\n"
           "The results have the shape of c; float32 gives float32; NaN gives NaN. With `error` also bounds of both absolute\n"
           "errors: (f, m, f_error, m_error). Relative error <= 1e-15 in closed form, <= 1e-14 by quadrature. `method`: auto, or one of\n"
           "closed, ring, punch, direct and boost that the law has. Arrays release the GIL.")

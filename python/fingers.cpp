@@ -196,8 +196,8 @@ void add_friction(nb::module_& module) {
           if (!holds) throw out_of_range(name, value, "1", expected);
         };
         const auto finite = [](double value) { return std::isfinite(value) && value >= 0.0; };
-        require(finite(force), "force", force, "[0, inf)");
-        require(finite(moment), "moment", moment, "[0, inf)");
+        require(std::isfinite(force), "force", force, "a finite number");
+        require(std::isfinite(moment), "moment", moment, "a finite number");
         require(finite(limit), "limit", limit, "[0, inf)");
         require(finite(radius), "radius", radius, "[0, inf)");
         require(finite(stiffness_ratio) && stiffness_ratio > 0.0, "stiffness_ratio", stiffness_ratio, "(0, inf)");
@@ -226,7 +226,8 @@ void add_friction(nb::module_& module) {
           "sliding_limit: float | None = None, sliding_radius: float | None = None, force_stick_fraction: float = 1.0, "
           "moment_stick_fraction: "
           "float = 1.0, memory: FrictionMemory | None = None, projection: str = 'closest-point') -> FrictionResult"),
-      "The fraction of a trial force [N] and moment [N m] within the friction limit: for simulators with springs of their own.\n\n"
+      "The fraction of a trial force [N] and moment [N m], of any sign, within the friction limit: for simulators with springs of\n"
+      "their own.\n\n"
       "limit is mu P [N], radius is a [m], stiffness_ratio is k_l/k_r of the springs [1/m^2]. The `sliding_` limits act while the\n"
       "contact slips; `memory` stores that. A sliding contact comes to rest within the sliding limit times the smaller of the two rest\n"
       "shares; on a box force and moment each have their own. The projection 'c-curve' is radial here.\n\n"

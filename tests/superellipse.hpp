@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace limitcurve::test {
 
@@ -21,7 +22,7 @@ struct Superellipse {
   /// larger, which is (1 + ratioⁿ)^{−1/n}.
   [[nodiscard]] UnitWrench wrench(SlipTwist twist) const noexcept {
     if (twist.is_zero()) return {};
-    twist = twist.magnitudes();
+    twist = twist.direction();
     const double p = force_max * twist.slide;
     const double q = moment_max * twist.spin;
     const double ratio = std::pow(std::min(p, q) / std::max(p, q), 1.0 / (exponent - 1.0));
@@ -53,10 +54,12 @@ struct Superellipse {
   }
 
   [[nodiscard]] double gauge(UnitWrench wrench) const noexcept {
-    const double x = wrench.force / force_max;
-    const double y = wrench.moment / moment_max;
+    const auto [force, moment] = wrench.magnitudes();
+    if (!(force + moment > 0.0 && force + moment <= std::numeric_limits<double>::max())) return force + moment;
+    const double x = force / force_max;
+    const double y = moment / moment_max;
     const double larger = std::max(x, y);
-    return larger > 0.0 ? larger * length_of(std::min(x, y) / larger) : 0.0;
+    return larger * length_of(std::min(x, y) / larger);
   }
 
  private:

@@ -15,6 +15,6 @@ inline constexpr Range finite{-largest, largest, "a finite number"};
 inline constexpr Range positive{smallest, largest, "a finite number > 0"};
 inline constexpr Range non_negative{0.0, largest, "a finite number >= 0"};
 /// Distances of a centre of rotation; infinity is pure sliding.
-inline constexpr Range distance{0.0, infinite, "a number >= 0, or inf"};
+inline constexpr Range distance{-infinite, infinite, "a number, or inf"};
 
 }  // namespace limitcurve::cli

@@ -12,6 +12,7 @@ namespace limitcurve::cli {
 /// due to the rounding of s, and half a unit in the last place for each rounding of the scaling.
 inline WrenchEstimate in_units(const WrenchEstimate& unit, double s, double force_unit, double moment_unit) noexcept {
   constexpr double rounding = 0.5 * std::numeric_limits<double>::epsilon();
+  s = std::fabs(s);
   const double force_shift = std::isinf(s) ? 0.0 : std::abs(s * unit.force_slope) * rounding;
   const double moment_shift = std::isinf(s) ? 0.0 : s * force_shift;
   const UnitWrench wrench{force_unit * unit.wrench.force, moment_unit * unit.wrench.moment};

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <utility>
@@ -92,6 +93,7 @@ bool PressureLaw::allows(Method method) const noexcept {
 }
 
 WrenchEstimate PressureLaw::evaluate(double s, Method method) const noexcept {
+  s = std::fabs(s);
   if (method == Method::punch) return evaluators::rounded(evaluators::punch(*this, Extended(s)));
   if (method == Method::direct) return evaluators::rounded(evaluators::direct(*this, Extended(s)));
   if (method == Method::boost) {

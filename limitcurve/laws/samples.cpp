@@ -144,6 +144,7 @@ class SamplesLaw final : public PressureLawOf<SamplesLaw> {
   }
   evaluators::Quadrature<double> line_profile(double t) const noexcept override { return evaluators::line_profile(pieces_, t); }
   WrenchEstimate evaluate(double s, Method method) const noexcept override {
+    s = std::fabs(s);
     WrenchEstimate estimate =
         method == Method::automatic ? evaluators::rounded(unrounded(s, Slope::wanted)) : PressureLaw::evaluate(s, method);
     estimate.error.force += std::min(distance_[1], s * distance_[0]);

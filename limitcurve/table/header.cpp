@@ -26,15 +26,24 @@ std::string own_name(const Table& table, std::string_view digits) {
   return text.append(digits.substr(0, 8));
 }
 
+/// The reserved words of C23 and C++23, and `main`.
+constexpr std::string_view reserved =
+    " alignas alignof and and_eq asm auto bitand bitor bool break case catch char char8_t char16_t char32_t class co_await co_return "
+    "co_yield compl concept const consteval constexpr constinit const_cast continue decltype default delete do double dynamic_cast else "
+    "enum explicit export extern false float for friend goto if inline int long main mutable namespace new noexcept not not_eq nullptr "
+    "operator or or_eq private protected public register reinterpret_cast requires restrict return short signed sizeof static "
+    "static_assert static_cast struct switch template this thread_local throw true try typedef typeid typename typeof typeof_unqual union "
+    "unsigned using virtual void volatile wchar_t while xor xor_eq ";
+
 void check_name(std::string_view name) {
   const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
   const auto fits = [&](char c) { return is_letter(c) || (c >= '0' && c <= '9') || c == '_'; };
   if (!name.empty() && is_letter(name.front()) && std::all_of(name.begin(), name.end(), fits) &&
-      name.find("__") == std::string_view::npos) {
+      name.find("__") == std::string_view::npos && reserved.find(" " + std::string(name) + " ") == std::string_view::npos) {
     return;
   }
   throw std::invalid_argument("name: got '" + std::string(name) +
-                              "', expected a C identifier: a letter, then letters, digits and single underscores");
+                              "', expected a C identifier: a letter, then letters, digits and single underscores, and no word of C or C++");
 }
 
 }  // namespace
@@ -181,9 +190,9 @@ LIMITCURVE_TABLE_FUNCTION @NAME@_unit_wrench @NAME@_project(double force, double
 
 /// Distance of a unit wrench from the origin divided by that of the curve on the same ray: < 1 holds, > 1 slips. Signs do not count.
 LIMITCURVE_TABLE_FUNCTION double @NAME@_gauge(double force, double moment) {
-  double gauge = 0.0;
-  @NAME@_project(force < 0.0 ? -force : force, moment < 0.0 ? -moment : moment, 0.0, &gauge);
-  return gauge;
+  double gauge = (force < 0.0 ? -force : force) + (moment < 0.0 ? -moment : moment);
+  if (gauge - gauge == 0.0) @NAME@_project(force < 0.0 ? -force : force, moment < 0.0 ? -moment : moment, 0.0, &gauge);
+  return gauge; /* of infinity and NaN they themselves */
 }
 
 /// What a trial, the unit wrench of springs that would stick, becomes: the nearest point of the curve if it slips, else itself. A change of
@@ -192,28 +201,11 @@ LIMITCURVE_TABLE_FUNCTION @NAME@_unit_wrench @NAME@_closest_point(double force, 
   double gauge = 0.0;
   @NAME@_unit_wrench found = @NAME@_project(force < 0.0 ? -force : force, moment < 0.0 ? -moment : moment, chi, &gauge);
   const int slips = gauge > 1.0 + 1e-12;
-  found.force = !slips ? force : force < 0.0 ? -found.force : found.force;
-  found.moment = !slips ? moment : moment < 0.0 ? -found.moment : found.moment;
+  const double nan = 0.0 * (force - force + moment - moment + chi - chi); /* else 0 */
+  found.force = nan + (!slips ? force : force < 0.0 ? -found.force : found.force);
+  found.moment = nan + (!slips ? moment : moment < 0.0 ? -found.moment : found.moment);
   return found;
 }
-
-#ifdef __cplusplus
-namespace @NAME@ {
-
-using unit_wrench = @NAME@_unit_wrench;
-static constexpr double tolerance = @NAME@_tolerance;
-static constexpr double certified_error = @NAME@_certified_error;
-static constexpr double profile_error = @NAME@_profile_error;
-static constexpr double moment_ratio = @NAME@_moment_ratio;
-
-LIMITCURVE_TABLE_FUNCTION unit_wrench wrench(double slide, double spin) { return @NAME@_wrench(slide, spin); }
-LIMITCURVE_TABLE_FUNCTION double gauge(double force, double moment) { return @NAME@_gauge(force, moment); }
-LIMITCURVE_TABLE_FUNCTION unit_wrench closest_point(double force, double moment, double chi) {
-  return @NAME@_closest_point(force, moment, chi);
-}
-
-}  // namespace @NAME@
-#endif
 
 #undef LIMITCURVE_TABLE_DATA
 #undef LIMITCURVE_TABLE_FUNCTION

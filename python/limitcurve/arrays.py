@@ -1,22 +1,26 @@
 # SPDX-License-Identifier: MIT
-"""Friction within a table in arrays of NumPy, JAX, torch or another library of the array API standard; differentiable.
+"""Friction within a table in arrays of NumPy, JAX, torch or another library of the array API standard; differentiable once.
 
->>> import limitcurve as lc, numpy as np
+>>> import limitcurve as lc
 >>> from limitcurve import arrays
 >>> cells = arrays.cells(lc.Table("hertz", 1e-8))  # arrays.cells(table, jax.numpy) for JAX
->>> f, m, slips = arrays.closest_point(cells, np.array([0.2, 2.0]), np.array([0.1, 0.0]), np.array([1.0, 1.0]))
+>>> f, m, slips = arrays.closest_point(cells, [0.2, -2.0], [0.1, 0.0], 1.0)
 >>> [round(float(x), 6) for x in f], slips.tolist()
-([0.2, 1.0], [False, True])
+([0.2, -1.0], [False, True])
+
+Numbers, lists and arrays broadcast against each other, and become arrays of the cells' library and type. What is not finite gives NaN.
 """
 
 import os
 import sys
+from collections.abc import Callable
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from ._core import Table
 
+newton_steps = 12
 Cells = NamedTuple("Cells", [("inside", Any), ("outside", Any), ("rows", Any)])  # where cells begin on each side of the rim; (x, c0 ... c6) of all
 
 def cells(table: "Table | str | os.PathLike[str]", library: Any = np, dtype: Any = None) -> Cells:
@@ -26,43 +30,132 @@ def cells(table: "Table | str | os.PathLike[str]", library: Any = np, dtype: Any
     parts = rows[rows[:, 0] == 0, 1], rows[rows[:, 0] == 1, 1], rows[:, 1:].copy()
     return Cells(*(library.asarray(part, dtype=dtype or library.float64) for part in parts))
 
-def _jet(xp: Any, cells: Cells, outside: Any, x: Any) -> "tuple[Any, Any, Any]":
+def _given(cells: Cells, *numbers: Any) -> "tuple[Any, ...]":
+    """The library of the cells, and the numbers as its arrays."""
+    rows = cells.rows
+    xp = rows.__array_namespace__() if hasattr(rows, "__array_namespace__") else sys.modules[type(rows).__module__.partition(".")[0]]
+    return xp, *(xp.asarray(number, dtype=rows.dtype) for number in numbers)
+
+def _constant(array: Any) -> Any:
+    """The array, without its derivative."""
+    if hasattr(array, "detach"):
+        return array.detach()
+    jax = sys.modules.get("jax")
+    return jax.lax.stop_gradient(array) if jax and isinstance(array, jax.Array) else array
+
+def _magnitude(xp: Any, x: Any) -> "tuple[Any, Any]":
+    """The sign of x, 1 for 0, and |x|, whose derivative at 0 is that on the right."""
+    one = xp.ones_like(x)
+    sign = xp.where(x < 0, -one, one)
+    return sign, sign * x
+
+def _jet(cell: Any, x: Any) -> "tuple[Any, Any, Any]":
     """D, D' and D'' of the support function at x, which is c/a inside the rim and a/c outside."""
-    beyond = cells.inside.shape[0] + xp.searchsorted(cells.outside, x, side="right")
-    cell = cells.rows[xp.where(outside, beyond, xp.searchsorted(cells.inside, x, side="right")) - 1]
     t, d, first, second = x - cell[..., 0], 0 * x, 0 * x, 0 * x
     for k in range(7, 0, -1):
         d, first, second = d * t + cell[..., k], first * t + d, second * t + first
     return d, first, 2 * second
 
-def wrench(cells: Cells, slide: Any, spin: Any) -> "tuple[Any, Any]":
-    """F/(mu P) and M/(mu P a) of slips: arrays of one shape of slide |v| and spin a|omega|, >= 0 and not both 0. Error: certified_error."""
-    xp = slide.__array_namespace__() if hasattr(slide, "__array_namespace__") else sys.modules[type(slide).__module__.partition(".")[0]]
-    outside, x = slide > spin, xp.minimum(slide, spin) / xp.maximum(slide, spin)
-    d, first, _ = _jet(xp, cells, outside, x)
+def _root(xp: Any, cells: Cells, outside: Any, residual: "Callable[..., tuple[Any, Any, Any]]", *given: Any) -> "tuple[Any, Any]":
+    """Cell and x in [0, 1] where `residual(given, x, D, D', D'')` is 0: a value that falls with x, minus its slope, and the value's rounding.
+    The cell is found by bisection, then x by Newton's method in a bracket. Only the last step has a derivative: that of the implicit function."""
+    inside, count = cells.inside.shape[0], cells.rows.shape[0]
+    fixed, rows = tuple(map(_constant, given)), _constant(cells.rows)
+    begin, end = xp.where(outside, inside, 0), xp.where(outside, count, inside)
+    high = xp.ones_like(rows[begin, 0])
+    for _ in range(max(inside, count - inside).bit_length()):
+        middle = (begin + end) // 2
+        x = rows[middle, 0]
+        above = (residual(fixed, x, rows[middle, 1], rows[middle, 2], 0 * x)[0] > 0) | (middle == begin)
+        begin, end, high = xp.where(above, middle, begin), xp.where(above, end, middle), xp.where(above, high, x)
+    cell = rows[begin]
+    x = low = cell[..., 0]
+    for _ in range(newton_steps):
+        value, slope, rounding = residual(fixed, x, *_jet(cell, x))
+        low, high = xp.where(value > 0, x, low), xp.where(value > 0, high, x)
+        new = x + value / xp.where(slope > 0, slope, 1.0)
+        new = xp.where((slope > 0) & (new >= low) & (new <= high), new, (low + high) / 2)
+        x = xp.where(xp.abs(value) > rounding, new, x)  # below its rounding the sign is chance, and would cut the root out
+    cell = cells.rows[begin]
+    value, slope, _ = residual(given, x, *_jet(cell, x))
+    new = x + value / _constant(xp.where(slope > 0, slope, 1.0))
+    return cell, new + _constant(xp.where((slope > 0) & (new >= low) & (new <= high), new, x) - new)
+
+def _wrench(xp: Any, outside: Any, cell: Any, x: Any) -> "tuple[Any, Any]":
+    d, first, _ = _jet(cell, x)
     return xp.where(outside, d - x * first, first), xp.where(outside, first, d - x * first)
 
-def closest_point(cells: Cells, force: Any, moment: Any, chi: Any, steps: int = 14) -> "tuple[Any, Any, Any]":
-    """(force, moment, slips): trial unit wrenches >= 0, arrays of one shape; those that slip become the curve's points nearest to them, where
-    a change of the moment costs chi = a^2 k_l/k_r, in [1e-3, 1e3], times one of the force. Newton's method in a bracket."""
-    xp = force.__array_namespace__() if hasattr(force, "__array_namespace__") else sys.modules[type(force).__module__.partition(".")[0]]
-    eps, one = float(xp.finfo(force.dtype).eps), 0 * force + 1
-    rim_force, rim_moment = wrench(cells, one, one)
-    outside = force - rim_force > chi * (moment - rim_moment)
-    leading, trailing = xp.where(outside, moment, force), xp.where(outside, force, moment)
-    kappa, low, high, x = xp.where(outside, 1 / chi, chi), 0 * one, one, one / 2
-    for step in range(steps):
-        d, first, second = _jet(xp, cells, outside, x)
-        over = kappa * (trailing - d + x * first)
-        value, slope = leading - first - x * over, second * (1 + kappa * x * x) + over
-        low, high = xp.where(value > 0, x, low), xp.where(value > 0, high, x)
-        # Below its rounding the sign of the residual is chance, and would cut the root out of the bracket. The last step is always taken,
-        # because the derivatives of the result are its.
-        moves = (step == steps - 1) | (xp.abs(value) > 4 * eps * (leading + x * kappa * trailing))
-        new = x + xp.where(slope > 0, value, 0 * x) / xp.where(slope > 0, slope, one)
-        new = xp.where((slope > 0) & (new >= low) & (new <= high), new, x if step == steps - 1 else (low + high) / 2)
-        x = xp.where(moves, new, x)
-    d, first, _ = _jet(xp, cells, outside, x)
-    slips = trailing + x * leading > d * (1 + (1e-12 if eps < 1e-10 else 2**-18))  # slip_onset
-    to = xp.where(outside, d - x * first, first), xp.where(outside, first, d - x * first)
-    return xp.where(slips, to[0], force), xp.where(slips, to[1], moment), slips
+def _slip(cells: Cells, slide: Any, spin: Any) -> "tuple[Any, ...]":
+    """Library, whether nothing slips, whether beyond the rim, cell and x of slips."""
+    xp, slide, spin = _given(cells, slide, spin)
+    slide, spin = _magnitude(xp, slide)[1], _magnitude(xp, spin)[1]
+    outside, rests = slide > spin, (slide == 0) & (spin == 0)
+    x = xp.where(outside, spin, slide) / xp.where(rests, 1.0, xp.where(outside, slide, spin))
+    beyond = cells.inside.shape[0] + xp.searchsorted(cells.outside, x, side="right")
+    return xp, rests, outside, cells.rows[xp.where(outside, beyond, xp.searchsorted(cells.inside, x, side="right")) - 1], x
+
+def wrench(cells: Cells, slide: Any, spin: Any) -> "tuple[Any, Any]":
+    """F/(mu P) and M/(mu P a) of slips of slide |v| and spin a|omega|, without signs; no slip gives 0. Error: certified_error."""
+    xp, rests, *place = _slip(cells, slide, spin)
+    force, moment = _wrench(xp, *place)
+    return xp.where(rests, 0.0, force), xp.where(rests, 0.0, moment)
+
+def closest_point(cells: Cells, force: Any, moment: Any, chi: Any) -> "tuple[Any, Any, Any]":
+    """(force, moment, slips): trial unit wrenches; those that slip become the curve's points nearest to them, with the trial's signs, where
+    a change of the moment costs chi = a^2 k_l/k_r, in [1e-3, 1e3], times one of the force."""
+    xp, force, moment, chi = _given(cells, force, moment, chi)
+    (force_sign, f), (moment_sign, m) = _magnitude(xp, force), _magnitude(xp, moment)
+    rim_force, rim_moment = wrench(cells, 1.0, 1.0)
+    outside = f - rim_force > chi * (m - rim_moment)
+    leading, trailing = xp.where(outside, m, f), xp.where(outside, f, m)
+    eps = float(xp.finfo(f.dtype).eps)
+
+    def residual(trial: Any, x: Any, d: Any, first: Any, second: Any) -> "tuple[Any, Any, Any]":
+        lead, trail, kappa = trial
+        over = kappa * (trail - d + x * first)
+        return lead - first - x * over, second * (1 + kappa * x * x) + over, 4 * eps * (lead + x * kappa * trail)
+
+    cell, x = _root(xp, cells, outside, residual, leading, trailing, xp.where(outside, 1 / chi, chi))
+    d, first, _ = _jet(cell, x)
+    to_force, to_moment = _wrench(xp, outside, cell, x)
+    slips = ~(trailing + x * leading <= d * (1 + (1e-12 if eps < 1e-10 else 2**-18)))  # slip_onset
+    nothing = 0 * _constant(force + moment + chi)
+    return xp.where(slips, force_sign * to_force, force) + nothing, xp.where(slips, moment_sign * to_moment, moment) + nothing, slips
+
+def touching_ellipse(cells: Cells, force: Any = 0, moment: Any = 0, p: Any = None, q: Any = None, *, slip: Any = None) -> "tuple[Any, Any]":
+    """Semi-axes of Table.touching_ellipse: of the unit wrench that an engine found with the semi-axes p and q, or of slip = (|v|, a|omega|)."""
+    if slip is not None:
+        xp, rests, outside, cell, x = _slip(cells, *slip)
+        given = [0 * x]
+    elif p is None and q is None:
+        xp, *given = _given(cells, force, moment)
+    else:
+        xp, force, moment, p, q = _given(cells, force, moment, p, q)
+        given = [force / p, moment / q]
+    per_x = lambda x, first, second: xp.where(x > least, first / xp.where(x > least, x, 1.0), second)  # noqa: E731
+    least = float(xp.finfo(cells.rows.dtype).tiny) * 2.0**30
+    eps = float(xp.finfo(cells.rows.dtype).eps)
+    if slip is None:
+        f, m = (_magnitude(xp, part)[1] for part in given)
+        size = xp.hypot(f, m)
+        rests = size == 0
+        f, m = f / xp.where(rests, 1.0, size), m / xp.where(rests, 1.0, size)
+        rim_force, rim_moment = wrench(cells, 1.0, 1.0)
+        outside = f * rim_moment > m * rim_force if p is None else f * f * rim_moment > m * m * rim_force
+
+        def on_ray(to: Any, x: Any, d: Any, first: Any, second: Any) -> "tuple[Any, Any, Any]":
+            up, down = to[0] * (d - x * first), to[1] * first
+            return up - down, second * (to[1] + x * to[0]), 4 * eps * (up + down)
+
+        def split(to: Any, x: Any, d: Any, first: Any, second: Any) -> "tuple[Any, Any, Any]":
+            each = per_x(x, first, second)  # the root of the leading share of the power is x sqrt(each/D)
+            rise = (each / d) ** 0.5
+            return to[0] - x * rise, (each + second - first * first / d) / (2 * d * rise), 4 * eps * to[0]
+
+        cell, x = _root(xp, cells, outside, on_ray if p is None else split, xp.where(outside, m, f), xp.where(outside, f, m))
+    d, first, second = _jet(cell, x)
+    leading, trailing = (d * per_x(x, first, second)) ** 0.5, (d * (d - x * first)) ** 0.5
+    inside, nothing = cells.inside.shape[0], 0 * sum(map(_constant, given))
+    usual = cells.rows[inside, 1] + nothing, cells.rows[0, 1] + nothing
+    return (xp.where(rests, usual[0], xp.where(outside, trailing, leading) + nothing),
+            xp.where(rests, usual[1], xp.where(outside, leading, trailing) + nothing))

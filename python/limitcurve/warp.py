@@ -36,15 +36,14 @@ class Cells:
 def cells(table: "Table | str | os.PathLike[str]", device: Any = None) -> Any:
     """The Cells of a Table, or of a file of one, on a device of Warp."""
     host, found = arrays.cells(table, np, np.float32), Cells()
-    one = np.ones(1, np.float32)
     found.rows, found.inside = wp.array(host.rows, dtype=float, device=device), len(host.inside)
-    found.rim = wp.vec2(*(float(part[0]) for part in arrays.wrench(host, one, one)))
+    found.rim = wp.vec2(*(float(part) for part in arrays.wrench(host, 1.0, 1.0)))
     return found
 
 
 @wp.func
-def _jet(cells: Cells, outside: bool, x: float):  # type: ignore[no-untyped-def]
-    """D', D - x D' and D'' of the support function at x, which is c/a inside the rim and a/c outside."""
+def _cell(cells: Cells, outside: bool, x: float):  # type: ignore[no-untyped-def]
+    """The row of the cell with x, which is c/a inside the rim and a/c outside."""
     low = wp.where(outside, cells.inside, 0)
     high = wp.where(outside, cells.rows.shape[0], cells.inside)
     while high - low > 1:
@@ -53,33 +52,45 @@ def _jet(cells: Cells, outside: bool, x: float):  # type: ignore[no-untyped-def]
             low = middle
         else:
             high = middle
-    t = x - cells.rows[low, 0]
+    return low
+
+
+@wp.func
+def _jet(cells: Cells, row: int, x: float):  # type: ignore[no-untyped-def]
+    """D', D - x D' and D'' of the support function at x."""
+    t = x - cells.rows[row, 0]
     d, first, half_second = float(0.0), float(0.0), float(0.0)
     for k in range(7):
         half_second = half_second * t + first
         first = first * t + d
-        d = d * t + cells.rows[low, 7 - k]
+        d = d * t + cells.rows[row, 7 - k]
     return first, d - x * first, 2.0 * half_second
 
 
 @wp.func
+def _magnitude(x: float):  # type: ignore[no-untyped-def]
+    """|x|, whose derivative at 0 is that on the right."""
+    return wp.where(x < 0.0, -x, x)
+
+
+@wp.func
 def wrench(cells: Cells, slide: float, spin: float):  # type: ignore[no-untyped-def]
-    """(force, moment): F/(mu P) and M/(mu P a) of a slip with speed |v| and rim speed a|omega|, >= 0 and not both 0."""
-    outside = slide > spin
-    leading, trailing, _second = _jet(cells, outside, wp.min(slide, spin) / wp.max(slide, spin))
+    """(force, moment): F/(mu P) and M/(mu P a) of a slip with speed |v| and rim speed a|omega|, without signs; no slip gives 0."""
+    v, u = _magnitude(slide), _magnitude(spin)
+    outside = v > u
+    if v == 0.0 and u == 0.0:
+        return 0.0, 0.0
+    x = wp.where(outside, u, v) / wp.where(outside, v, u)
+    leading, trailing, _second = _jet(cells, _cell(cells, outside, x), x)
     return wp.where(outside, trailing, leading), wp.where(outside, leading, trailing)
 
 
 @wp.func
-def closest_point(cells: Cells, force: float, moment: float, chi: float):  # type: ignore[no-untyped-def]
-    """(force, moment, slips): a trial unit wrench >= 0; if it slips, the curve's point nearest to it, where a change of the moment costs
-    chi = a^2 k_l/k_r, in [1e-3, 1e3], times one of the force. As limitcurve.arrays.closest_point."""
-    outside = force - cells.rim[0] > chi * (moment - cells.rim[1])
-    to_lead, to_trail = wp.where(outside, moment, force), wp.where(outside, force, moment)
-    kappa = wp.where(outside, 1.0 / chi, chi)
+def _foot(cells: Cells, outside: bool, to_lead: float, to_trail: float, kappa: float):  # type: ignore[no-untyped-def]
+    """The row and the x of the closest point, by Newton's method in a bracket."""
     low, high, x = float(0.0), float(1.0), wp.where(to_lead > 0.0, 0.5, 0.0)
-    leading, trailing, second = _jet(cells, outside, x)
     for _step in range(32):
+        leading, trailing, second = _jet(cells, _cell(cells, outside, x), x)
         over = kappa * (to_trail - trailing)
         value = to_lead - leading - x * over
         # Below its rounding the sign of the residual is chance.
@@ -92,7 +103,41 @@ def closest_point(cells: Cells, force: float, moment: float, chi: float):  # typ
         slope = second * (1.0 + kappa * x * x) + over
         new = x + value / slope
         x = wp.where(slope > 0.0 and new > low and new < high, new, 0.5 * (low + high))
-        leading, trailing, second = _jet(cells, outside, x)
-    if not to_trail + x * to_lead > (trailing + x * leading) * (1.0 + 1.0 / 262144.0):  # slip_onset
-        return force, moment, False
-    return wp.where(outside, trailing, leading), wp.where(outside, leading, trailing), True
+    return _cell(cells, outside, x), x
+
+
+@wp.func_grad(_foot)
+def _foot_slope(cells: Cells, outside: bool, to_lead: float, to_trail: float, kappa: float, adj_row: int, adj_x: float):  # type: ignore[no-untyped-def]
+    """The step after the search has the derivative."""
+
+
+@wp.func
+def _stay(x: float, step: float):  # type: ignore[no-untyped-def]
+    """x, with the derivative of the step from it: what is left of the step is rounding."""
+    return x
+
+
+@wp.func_grad(_stay)
+def _step_slope(x: float, step: float, adj_x: float):  # type: ignore[no-untyped-def]
+    wp.adjoint[step] += adj_x
+
+
+@wp.func
+def closest_point(cells: Cells, force: float, moment: float, chi: float):  # type: ignore[no-untyped-def]
+    """(force, moment, slips): as limitcurve.arrays.closest_point, with the derivative under wp.Tape."""
+    f, m = _magnitude(force), _magnitude(moment)
+    outside = f - cells.rim[0] > chi * (m - cells.rim[1])
+    to_lead, to_trail = wp.where(outside, m, f), wp.where(outside, f, m)
+    kappa = wp.where(outside, 1.0 / chi, chi)
+    row, start = _foot(cells, outside, to_lead, to_trail, kappa)
+    # The derivative of a further Newton step: that of the implicit function.
+    lead_there, trail_there, second = _jet(cells, row, start)
+    over = kappa * (to_trail - trail_there)
+    slope = second * (1.0 + kappa * start * start) + over
+    x = _stay(start, (to_lead - lead_there - start * over) / wp.where(slope > 0.0, slope, 1.0))
+    leading, trailing, _second = _jet(cells, row, x)
+    not_finite = force - force + (moment - moment) + (chi - chi)
+    if to_trail + x * to_lead <= (trailing + x * leading) * (1.0 + 1.0 / 262144.0):  # slip_onset
+        return force + not_finite, moment + not_finite, False
+    to_force, to_moment = wp.where(outside, trailing, leading), wp.where(outside, leading, trailing)
+    return (wp.where(force < 0.0, -to_force, to_force) + not_finite, wp.where(moment < 0.0, -to_moment, to_moment) + not_finite, True)

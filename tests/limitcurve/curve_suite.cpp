@@ -182,6 +182,31 @@ TEST_P(CurveSuite, GaugeIsHomogeneous) {
   }
 }
 
+/// A NaN never holds, and signs of a wrench count as little as those of a twist.
+TEST_P(CurveSuite, GaugeIsOfMagnitudesAndKeepsNaNAndInfinity) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  for (const UnitWrench wrench : {UnitWrench{0.9, 0.5}, {0.3, 0.1}, {0.0, 2.0}, {2.0, 0.0}}) {
+    const double gauge = curve().gauge(wrench);
+    EXPECT_EQ(curve().gauge({-wrench.force, wrench.moment}), gauge);
+    EXPECT_EQ(curve().gauge({wrench.force, -wrench.moment}), gauge);
+    EXPECT_EQ(curve().gauge({-wrench.force, -wrench.moment}), gauge);
+  }
+  for (const double other : {0.0, 0.3, -0.3, infinite, none}) {
+    for (const bool force_first : {true, false}) {
+      const auto pair = [&](double value) { return force_first ? std::pair(value, other) : std::pair(other, value); };
+      const auto [force, moment] = pair(none);
+      EXPECT_TRUE(std::isnan(curve().gauge({force, moment}))) << force << ' ' << moment;
+      const UnitWrench wrench = curve().wrench({force, moment});
+      EXPECT_TRUE(std::isnan(wrench.force) && std::isnan(wrench.moment)) << force << ' ' << moment;
+      const auto [large_force, large_moment] = pair(-infinite);
+      if (!std::isnan(other)) EXPECT_EQ(curve().gauge({large_force, large_moment}), infinite);
+      if (std::isfinite(other))
+        EXPECT_EQ(curve().wrench({large_force, large_moment}), curve().wrench(force_first ? SlipTwist{1, 0} : SlipTwist{0, 1}));
+    }
+  }
+}
+
 /// The ray through a curve point meets the curve there.
 TEST_P(CurveSuite, AlongFindsThePointAgain) {
   for (const SlipTwist twist : twists_) {

@@ -183,11 +183,11 @@ TEST(MeshSurface, ALongWalkArrives) {
   SoftFinger finger = hertz_finger(parameters(0.0));
   const auto step = [&](double angle, double z) {
     const Vector3d out(std::cos(angle), std::sin(angle), 0.0);
-    const FingerOutput output = finger.update(AnySurface(surface), {out * (radius - 0.001) + Vector3d(0, 0, z)}, 1e-3);
+    const FingerOutput output = finger.update(surface, {out * (radius - 0.001) + Vector3d(0, 0, z)}, 1e-3);
     ASSERT_NEAR(output.load, 1.0, 1e-4) << angle;
     ASSERT_GT(output.normal.dot(out), 0.9999) << angle;
   };
-  finger.update(AnySurface(surface), {{0.03, 0.0, 0.0}}, 1e-3);
+  finger.update(surface, {{0.03, 0.0, 0.0}}, 1e-3);
   double angle = 0.0;
   for (int i = 0; i < 200; ++i) step(angle += 0.004 / (radius - 0.001), 0.0);
   for (int i = 0; i < 200; ++i) step(angle -= 0.004 / (radius - 0.001), 0.001 * (i % 20));

@@ -1,0 +1,88 @@
+# SPDX-License-Identifier: MIT
+"""Questions that every interface answers alike (data/questions.csv): here the command and the exported header in C."""
+
+import csv
+import math
+import subprocess
+import unittest
+from collections import defaultdict
+
+from command_line import DATA, CommandLineTest, rows, run
+
+# Reads "quantity numbers" a line.
+ASK = """
+#include <stdio.h>
+#include <string.h>
+#include "t.h"
+int main(void) {
+  char what[16];
+  double a, b, chi;
+  while (scanf("%15s %lf %lf %lf", what, &a, &b, &chi) == 4) {
+    const t_unit_wrench found = what[0] == 'w' ? t_wrench(a, b) : t_closest_point(a, b, chi);
+    if (what[0] == 'g') printf("%.17g\\n", t_gauge(a, b)); else printf("%.17g %.17g\\n", found.force, found.moment);
+  }
+  return 0;
+}
+"""
+
+
+def questions():
+    """By law: quantity, radius law, arguments and answer."""
+    result = defaultdict(list)
+    with open(DATA / "questions.csv", encoding="utf-8") as file:
+        for row in csv.DictReader(line for line in file if not line.startswith("#")):
+            words = row["arguments"].split()
+            radius = next((word for word in words if ":" in word), "")
+            result[row["law"]].append((row["quantity"], radius, [float(word) for word in words if word != radius], [float(x) for x in row["answer"].split()]))
+    return result
+
+
+class Questions(CommandLineTest):
+    def check(self, question, got, tolerance):
+        for value, expected in zip(got, question[3], strict=True):
+            if math.isnan(expected):
+                self.assertTrue(math.isnan(value), (question, got))
+            elif math.isinf(expected):
+                self.assertEqual(value, expected, question)
+            else:
+                self.assertLessEqual(abs(value - expected), tolerance * max(1, abs(expected)), (question, got))
+
+    def test_the_exported_header(self):
+        for law, asked in questions().items():
+            rows("table", "--law", law, "--tolerance", 1e-9, "--name", "t", "-o", self.directory / "t.h")
+            self.file("ask.c", ASK)
+            subprocess.run(["cc", "-std=c99", "-O1", "-Wall", "-Wextra", "-Werror", "ask.c", "-o", "ask"], cwd=self.directory, check=True)
+            asked = [question for question in asked if question[0] in ("wrench", "gauge", "closest")]
+            lines = "".join(f"{what} {' '.join(map(repr, [*of, 1.0][:3]))}\n" for what, _, of, _ in asked)
+            answers = subprocess.run([self.directory / "ask"], input=lines, capture_output=True, text=True, check=True).stdout.splitlines()
+            self.assertEqual(len(answers), len(asked))
+            for question, line in zip(asked, answers):
+                self.check(question, [float(word) for word in line.split()], 2e-9)
+
+    def test_hold(self):
+        """Answers what is finite, and refuses the rest, in options and in files."""
+        for law, asked in questions().items():
+            for question in asked:
+                what, radius, of, expected = question
+                if what not in ("hold", "margin"):
+                    continue
+                words = ["hold", "--law", law, "--radius-law", radius, "--mu", repr(of[0])]
+                force, moment = map(repr, of[-2:])
+                if not all(map(math.isfinite, of)):
+                    self.assert_fails(2, "number", *words, f"--force={force}", f"--moment={moment}")
+                    self.assert_fails(2, ["x.csv:2:", "number"], *words, "--data", self.file("x.csv", f"force,moment\n{force},{moment}\n"))
+                elif what == "hold":
+                    self.check(question, [rows(*words, f"--force={force}", f"--moment={moment}")[0]["hold_load"]], 1e-11)
+                else:
+                    data = self.file("x.csv", f"load,force,moment\n{of[1]!r},{force},{moment}\n")
+                    self.check(question, [rows(*words, "--data", data)[0]["margin"]], 1e-11)
+
+    def test_eval_and_lookup_take_any_sign(self):
+        rows("table", "--law", "hertz", "--tolerance", 1e-9, "-o", self.directory / "t.csv")
+        for words in (["eval", "--law", "hertz"], ["eval", "--law", "hertz", "--method", "ring"], ["lookup", "--table", self.directory / "t.csv"]):
+            positive, negative = (run(*words, "--c=" + c).stdout.replace("-", "") for c in ("0.5,2,inf", "-0.5,-2,-inf"))
+            self.assertEqual(positive, negative)
+
+
+if __name__ == "__main__":
+    unittest.main()
