@@ -69,7 +69,13 @@ class Choose final : public Subcommand {
 
  private:
   void choose_curve(const Results& results) const {
-    write(results, patch_.empty() ? choose(law_, tolerance_) : choose(read_patch(patch_, *results.messages), tolerance_));
+    if (patch_.empty()) {
+      write(results, choose(law_, tolerance_));
+    } else {
+      const Patch patch = read_patch(patch_, *results.messages);
+      note_factor(*results.messages, patch);
+      write(results, choose(patch, tolerance_));
+    }
     if (explain_) results.messages->say("costs measured: " + std::string(shipped_costs::measured));
   }
 
@@ -123,7 +129,7 @@ class Choose final : public Subcommand {
     if (!mu_) text += " --mu " + format_number(scene_.mu);
     if (!stiffness_) text += " --stiffness " + format_number(scene_.stiffness);
     if (!twist_stiffness_) text += " --twist-stiffness " + format_number(scene_.twist_stiffness);
-    if (step.finger.mu_r == 0.0) text += " --mu-r 0";
+    if (step.finger.mu_r == 0.0) return text + " --mu-r 0" + (radius_law_ ? " in place of --radius-law" : "");
     const double radius = step.finger.radius_law.radius(scene_.most_load);
     if (!scene_.mu_r && (!radius_law_ || radius != scene_.radius_law.radius(scene_.most_load))) {
       text += " --radius-law constant:a=" + format_number(radius);

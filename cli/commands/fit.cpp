@@ -199,8 +199,8 @@ class Fit final : public Subcommand {
     add("mu-r", "mu_r", format_number(estimates[of_load ? 0 : 1].value));
     if (gamma != 0.0) add("gamma", "gamma", growth);
     if (!of_load && (!law.empty() || found.model == "ellipse") && std::filesystem::exists(data_)) {
-      say("note", "to type, for the load that would hold each row: limitcurve hold" + options + " --data '" + data_ + "'" +
-                      file_columns_.options);
+      say("note",
+          "to type, for the load that would hold each row: limitcurve hold" + options + " --data '" + data_ + "'" + file_columns_.options);
     }
     say("note", "to type into replay:" + options + "; into FingerParameters: " + fields);
   }

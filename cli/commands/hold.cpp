@@ -31,7 +31,7 @@ class Hold final : public Subcommand {
   [[nodiscard]] Manual manual() const override {
     return {
         "hold", "How hard to grip: the least load under which a contact bears a force and a moment without slip",
-        "One contact of --law, --mu and --radius-law (or --mu-r, with --gamma if it grows with the load) bears --force and --moment, or each row of --data (columns force,moment). Signs do\n"
+        "A contact of --law, --radius-law or --mu-r, and --mu bears --force and --moment, or each row of --data (force,moment). Signs do\n"
         "not matter. With --fingers 2 --mass M --offset L in their place, fingers grip an object beside its centre of mass and hold\n"
         "it level: each bears m g/2 and m g l/2, and hold_load is the grip of each.\n"
         "--patch P, in place of --law and --radius-law: a contact that is not round (see 'limitcurve patch'); then --force is FX,FY,\n"
@@ -62,7 +62,8 @@ class Hold final : public Subcommand {
   void run(const Results& results) override {
     const godobject::CurveKind kind = curve_.value_or(godobject::CurveKind::exact);
     if (patch_.empty()) law_ = law_if_needed(law_, kind, moment_.mu_r.has_value());
-    if (patch_.empty() == (law_ == nullptr)) throw std::invalid_argument("expected one of --law and --patch, or --curve ellipse or box with --mu-r");
+    if (patch_.empty() == (law_ == nullptr))
+      throw std::invalid_argument("expected one of --law and --patch, or --curve ellipse or box with --mu-r");
     const int given =
         static_cast<int>(!force_.empty() || moment_) + static_cast<int>(!data_.empty()) + static_cast<int>(fingers_ || mass_ || offset_);
     if (given != 1) throw std::invalid_argument("expected one of --force with --moment, --data, and --mass with --offset");
@@ -73,8 +74,7 @@ class Hold final : public Subcommand {
       const godobject::FingerCurve curve = make_finger_curve(kind, law_, 1e-8);
       const RadiusLaw radius_law = contact.radius(curve.moment_ratio());
       write(
-          results,
-          [&](const Need& need) { return load_to_hold(curve, contact, need.fx, need.moment); },
+          results, [&](const Need& need) { return load_to_hold(curve, contact, need.fx, need.moment); },
           [&](const Need& need, double load) {
             const double limit = mu_ * load;
             return curve.gauge({std::fabs(need.fx) / limit, std::fabs(need.moment) / (limit * radius_law.radius(load))});

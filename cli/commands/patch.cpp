@@ -12,17 +12,17 @@ namespace {
 class PatchCommand final : public Subcommand {
  public:
   [[nodiscard]] Manual manual() const override {
-    return {
-        "patch", "Friction of a contact that is not round: the wrench of each sliding twist",
-        "Patches: points:FILE.csv (columns x,y,load), polygon:FILE.csv (x,y), rectangle:x=0.02,y=0.01 (full sides),\n"
-        "ellipse:law=hertz,a=0.004,b=0.002 (semi-axes), image:FILE.csv,pixel=0.0005 (rows of pressures, the first row at the\n"
-        "largest y; the origin is the centre of pressure; pixel=0.004x0.005 along x and y; an empty pixel, B or nan has no sensor; a\n"
-        "file of Tekscan's has its pixel, and frame=2 selects). Append ,mx=...,my=... if friction along x and y differs: they multiply\n"
-        "mu. Lengths are in metres; loads and pressures may have any unit.\n"
-        "Twists: a CSV with the columns vx,vy,omega [m/s, rad/s], the velocity of the patch over the ground at the origin.\n"
-        "Columns: the twist; fx, fy, moment: the wrench about the origin that keeps the patch sliding; power = mu P H; error, a\n"
-        "bound of the largest of the relative error of power, |dF|/(mu P) and |dM|/(mu P m0).",
-        "limitcurve patch --patch rectangle:x=0.02,y=0.01 --twists data/patches/twists.csv --mu 0.5 --load 4"};
+    return {"patch", "Friction of a contact that is not round: the wrench of each sliding twist",
+            "Patches: points:FILE.csv (columns x,y,load), polygon:FILE.csv (x,y), rectangle:x=0.02,y=0.01 (full sides),\n"
+            "ellipse:law=hertz,a=0.004,b=0.002 (semi-axes), image:FILE.csv,pixel=0.0005 (rows of pressures, the first row at the\n"
+            "largest y; the origin is the centre of pressure; pixel=0.004x0.005 along x and y; an empty pixel, B or nan has no sensor; a\n"
+            "file of Tekscan's has its pixel; columns=32: each row of the file is a frame, flattened; frame=2 selects). Append "
+            ",mx=...,my=... if friction along x and y differs: they multiply\n"
+            "mu. Lengths are in metres; loads and pressures may have any unit.\n"
+            "Twists: a CSV with the columns vx,vy,omega [m/s, rad/s], the velocity of the patch over the ground at the origin.\n"
+            "Columns: the twist; fx, fy, moment: the wrench about the origin that keeps the patch sliding; power = mu P H; error, a\n"
+            "bound of the largest of the relative error of power, |dF|/(mu P) and |dM|/(mu P m0).",
+            "limitcurve patch --patch rectangle:x=0.02,y=0.01 --twists data/patches/twists.csv --mu 0.5 --load 4"};
   }
 
   void declare(Options& options) override {

@@ -60,8 +60,11 @@ GripOperator read_operator(const std::string& text, UnitQuestions& questions) {
     angle_key("target", hand.target, positive).take(target);
     questions.angle("target", hand.target, target);
   };
-  read_key_values(text, {{"target", take_target}, positive_key("load", hand.start_load), positive_key("rate", hand.rate),
-                         positive_key("regrip-rate", hand.regrip_rate), number_key("speed", hand.speed, positive, false),
+  read_key_values(text, {{"target", take_target},
+                         positive_key("load", hand.start_load),
+                         positive_key("rate", hand.rate),
+                         positive_key("regrip-rate", hand.regrip_rate),
+                         number_key("speed", hand.speed, positive, false),
                          KeyValue{"on-slide", take_on_slide, false, "regrip|keep"}});
   return hand;
 }
@@ -106,8 +109,7 @@ class Pivot final : public Subcommand {
         Presence::optional);
     options.value(
         "--operator", "LIST", [this](const std::string& text) { settings_.grip_operator = read_operator(text, questions_); },
-        "target=ANGLE[,…]",
-        Presence::optional);
+        "target=ANGLE[,…]", Presence::optional);
     options.number("--mass", settings_.mass, positive, "Mass of the block [kg]");
     options.number("--offset", settings_.offset, non_negative, "Distance of the centre of mass from the grip point, along the block [m]");
     options.number("--stiffness", settings_.stiffness, positive, "k_l of each finger [N/m]");

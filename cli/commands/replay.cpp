@@ -170,7 +170,8 @@ class Replay final : public Subcommand {
  private:
   void check_patch() {
     if (patch_.empty()) replay_.law = law_if_needed(replay_.law, replay_.curve, replay_.finger.mu_r.has_value());
-    if (patch_.empty() == (replay_.law == nullptr)) throw std::invalid_argument("expected one of --law and --patch, or --curve ellipse or box with --mu-r");
+    if (patch_.empty() == (replay_.law == nullptr))
+      throw std::invalid_argument("expected one of --law and --patch, or --curve ellipse or box with --mu-r");
     if (patch_.empty()) {
       if (point_radius_) throw std::invalid_argument("--point-radius: goes with --patch");
       return;

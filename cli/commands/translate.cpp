@@ -78,7 +78,9 @@ class Translate final : public Subcommand {
       refuse("--radius-law, --mu-r, --gamma", moment_.given(), why);
       refuse("--load", load_.has_value(), why);
       refuse("--loads", !loads_.empty(), why);
-      return write(results, fit::translate(read_patch(patch_, *results.messages), friction_));
+      const Patch patch = read_patch(patch_, *results.messages);
+      refuse_factors(*results.messages, patch);
+      return write(results, fit::translate(patch, friction_));
     }
     if (law_ == nullptr) throw std::invalid_argument("expected one of --law, --patch and --read");
     moment_.check();
@@ -93,6 +95,21 @@ class Translate final : public Subcommand {
   }
 
  private:
+  /// Where friction along x and y differs: the engine that has one coefficient alone, or a note of them.
+  void refuse_factors(Messages& messages, const Patch& patch) const {
+    const auto [mx, my] = patch.factors();
+    if (mx == my) return;
+    std::string names;
+    for (const std::string& engine : fit::engines_of_one_friction()) {
+      if (engine == engine_) {
+        throw std::invalid_argument("--engine: " + engine + " has one coefficient of friction, and mx = " + format_number(mx) +
+                                    ", my = " + format_number(my) + " differ: expected an engine with two, mujoco, gazebo or ode");
+      }
+      names += ' ' + engine;
+    }
+    if (engine_.empty()) messages.say("limitcurve: note: left out, because they have one coefficient of friction for x and y:" + names);
+  }
+
   void write(const Results& results, const std::vector<fit::EngineContact>& contacts) const {
     std::vector<std::string> columns{"engine",    "parameter",   "value", "unit",    "model",     "max_error",
                                      "cor_error", "loads_error", "note",  "formula", "two_bodies"};

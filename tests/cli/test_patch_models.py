@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Contacts that are not round: `fit friction`, `validate`, `choose` and `replay` with --patch."""
 
+import csv
 import functools
 import math
 import unittest
@@ -136,6 +137,34 @@ class HowWrongIsRound(PatchCase):
             (ellipse,) = (row for row in rows("validate", "--law", law) if row["model"] == "ellipse")
             self.assertAlmostEqual(found["ellipsoid"]["max_over_estimate"], ellipse["max_over_estimate"], delta=1e-6)
             self.assertAlmostEqual(found["ellipsoid"]["max_cor_error"], ellipse["max_cor_error"], delta=1e-4)
+
+    def test_a_friction_factor_of_all_directions_is_one_of_mu(self):
+        disc = "ellipse:law=hertz,a=0.004,b=0.004"
+        for name, model in self.models(disc + ",mx=2,my=2").items():
+            for column in ("max_error", "rms_error", "max_cor_error"):
+                self.assertAlmostEqual(model[column], self.models(disc)[name][column], delta=1e-6, msg=name)
+        for patch in (disc, "rectangle:x=0.02,y=0.01"):
+            twice = rows("translate", "--patch", patch + ",mx=2,my=2", "--mu", "0.3")
+            for one, other in zip(rows("translate", "--patch", patch, "--mu", "0.6"), twice, strict=True):
+                self.assert_close(other["value"], one["value"], 1e-12, one)
+                self.assertAlmostEqual(other["max_error"], one["max_error"], delta=1e-9)
+        self.assertIn("a disc has 2 times mu", run("choose", "--patch", disc + ",mx=2,my=2", "--tolerance", "0.1").stderr)
+
+    def test_engines_with_two_coefficients_of_friction_get_both(self):
+        patch = "rectangle:x=0.02,y=0.01,mx=2,my=0.5"
+        spin = rows("patch", "--patch", patch, "--twists", self.twists((0, 0, 1)))[0]["moment"]
+        done = run("translate", "--patch", patch, "--mu", "0.4")
+        found = {(row["engine"], row["parameter"]): float(row["value"]) for row in csv.DictReader(done.stdout.splitlines())}
+        self.assertEqual({engine for engine, _ in found}, {"mujoco", "gazebo", "ode"})
+        for engine, along, across, moment in (("mujoco", "pair.friction[0]", "pair.friction[1]", found["mujoco", "pair.friction[2]"]),
+                                              ("ode", "surface.mu", "surface.mu2", found["ode", "surface.rhoN"]),
+                                              ("gazebo", "surface/friction/ode/mu", "surface/friction/ode/mu2", found["gazebo", "surface/friction/torsional/coefficient"]
+                                               * 3 * math.pi / 16 * found["gazebo", "surface/friction/torsional/patch_radius"])):
+            self.assert_close(found[engine, along], 0.8, 1e-12)
+            self.assert_close(found[engine, across], 0.2, 1e-12)
+            self.assert_close(moment, 0.4 * spin, 1e-12)
+        self.assertIn("physx", done.stderr)
+        self.assert_fails(2, ["physx has one coefficient", "mx = 2, my = 0.5"], "translate", "--patch", patch, "--mu", "0.4", "--engine", "physx")
 
     def test_the_best_disc_is_better_than_the_others_and_balanced(self):
         for patch in ("rectangle:x=0.02,y=0.01", "ellipse:law=hertz,a=0.02,b=0.004", "rectangle:x=1,y=1"):

@@ -193,7 +193,9 @@ class Choose(CommandLineTest):
                         done = run("choose", "--scene", *finger, "--tolerance", tolerance, "--sample-time", "0.02", *rates)
                         line = next(line for line in done.stderr.splitlines() if line.startswith("replay it with "))
                         options = line.removeprefix("replay it with ").split()
-                        if "--radius-law" in options:
+                        if "--mu-r" in options:
+                            del finger[2:4], options[options.index("in"):]
+                        elif "--radius-law" in options:
                             finger[3] = options[options.index("--radius-law") + 1]
                             del options[options.index("--radius-law"):]
                         best = next(row for row in done.stdout.splitlines() if row.endswith(",true")).split(",")[0]
