@@ -43,7 +43,7 @@ class Hold final : public Subcommand {
 
   void declare(Options& options) override {
     options.law(law_, Presence::optional);
-    options.moment(moment_);
+    options.moment(torsion_);
     options.named("--curve", curve_, godobject::curve_kind_names(), godobject::parse_curve_kind,
                   "Limit curve (default exact); with ellipse or box, --mu and --mu-r no law is needed");
     options.text("--patch", patch_, "PATCH", "In place of --law and --radius-law: a pressure patch");
@@ -61,7 +61,7 @@ class Hold final : public Subcommand {
 
   void run(const Results& results) override {
     const godobject::CurveKind kind = curve_.value_or(godobject::CurveKind::exact);
-    if (patch_.empty()) law_ = law_if_needed(law_, kind, moment_.mu_r.has_value());
+    if (patch_.empty()) law_ = law_if_needed(law_, kind, torsion_.mu_r.has_value());
     if (patch_.empty() == (law_ == nullptr))
       throw std::invalid_argument("expected one of --law and --patch, or --curve ellipse or box with --mu-r");
     const int given =
@@ -70,7 +70,7 @@ class Hold final : public Subcommand {
     if (data_.empty() && !columns_.names.empty()) throw std::invalid_argument("--columns: goes with --data");
     if (mass_ && columns_.given()) throw std::invalid_argument("--units: goes with --data, or with --force and --moment");
     if (patch_.empty()) {
-      const ContactFriction contact = moment_.with(mu_, law_);
+      const ContactFriction contact = torsion_.with(mu_, law_);
       const godobject::FingerCurve curve = make_finger_curve(kind, law_, 1e-8);
       const RadiusLaw radius_law = contact.radius(curve.moment_ratio());
       write(
@@ -83,7 +83,7 @@ class Hold final : public Subcommand {
       results.messages->say(questions_.lines());
       return;
     }
-    if (moment_.given()) throw std::invalid_argument("--radius-law, --mu-r, --gamma: not with --patch, which has its own size and moments");
+    if (torsion_.given()) throw std::invalid_argument("--radius-law, --mu-r, --gamma: not with --patch, which has its own size and moments");
     if (curve_) throw std::invalid_argument("--curve: not with --patch, which is its own limit surface");
     const Patch patch = read_patch(patch_, *results.messages);
     const auto least = [&](const Need& need) { return load_to_hold(patch, mu_, {need.fx, need.fy, need.moment}); };
@@ -152,7 +152,7 @@ class Hold final : public Subcommand {
   }
 
   Law law_;
-  MomentArgument moment_;
+  MomentArgument torsion_;
   std::optional<godobject::CurveKind> curve_;
   std::string patch_;
   double mu_ = 0.0;

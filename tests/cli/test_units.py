@@ -48,7 +48,7 @@ class Units(CommandLineTest):
         turned = [(0.1 * i, 0, 0, -0.001, 30.0 * i) for i in range(4)]
         wraps = [(0.1 * i, 0, 0, -0.001, math.remainder(0.5 * i, 2 * math.pi)) for i in range(20)]
         replay = lambda *samples: ["replay", "--trace", data("time,x,y,z,twist", *(",".join(map(repr, sample)) for sample in samples)), *LAW, *FINGER]
-        slips = ["load,force,moment"] + [f"{0.5 + 0.01 * i},{1 + 0.02 * i},{1e-4 * (i % 7)}" for i in range(20)]
+        slips = ["load,force,moment"] + [f"{0.5 + 0.01 * i},{(1 + 0.02 * i) * (1 - 0.1 * (i % 7))},{1e-3 * (i % 7)}" for i in range(20)]
         for command, questions in (
                 ([*hold, "--force", "1", "--moment", "2"], ["a load of ", "a moment of 2 N m beside a force of 1 N"]),
                 ([*hold, "--force", "1", "--moment", "0.002"], []), ([*hold, "--force", "0.5", "--moment", "0.15"], []),
@@ -64,7 +64,7 @@ class Units(CommandLineTest):
                 (["pivot", "--case", "coupled", "--operator", "target=30deg", "--duration", "0.01"], []),
                 (["pivot", "--case", "coupled", "--operator", "target=400deg", "--duration", "0.01"], []),
                 (replay(*turned), ["the twist changes by 30 rad up to time 0.1 s"]), (replay(*wraps), []), (replay((0, 0, 0, -2, 0)), ["a load of 2000 N"]),
-                (["fit", "ratio", "--data", data(*slips), "--quiet"], []), (["fit", "ratio", "--data", data(*slips)], ["the force exceeds the load in 20 of 20"])):
+                (["fit", "ratio", "--data", data(*slips), "--quiet"], []), (["fit", "ratio", "--data", data(*slips)], ["the force exceeds the load in "])):
             said = [line for line in self.asked(*command) if not any(word in line for word in ("inside the curve", "scatter", "grip begins", "contact radius"))]
             self.assertEqual(len(said), len(questions), (command, said))
             for line, question in zip(said, questions):
