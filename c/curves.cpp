@@ -158,15 +158,19 @@ limitcurve_status limitcurve_table_gauge(const limitcurve_table* table, const do
   return LIMITCURVE_OK;
 }
 
-limitcurve_status limitcurve_table_load_to_hold(const limitcurve_table* table, double mu, const char* radius_law, const double* forces,
-                                                const double* moments, size_t count, double* loads) {
-  if (is_no_handle("table", table) || is_missing("radius_law", radius_law)) return LIMITCURVE_INVALID;
+limitcurve_status limitcurve_table_load_to_hold(const limitcurve_table* table, const limitcurve_finger_parameters* contact,
+                                                const double* forces, const double* moments, size_t count, double* loads) {
+  if (is_no_handle("table", table) || is_missing("contact", contact)) return LIMITCURVE_INVALID;
   if (count > 0 && (is_missing("forces", forces) || is_missing("moments", moments) || is_missing("loads", loads)))
     return LIMITCURVE_INVALID;
+  if (refuse_numbers("forces", forces, count) || refuse_numbers("moments", moments, count)) return LIMITCURVE_INVALID;
   return guarded([&] {
-    const RadiusLaw radius = RadiusLaw::parse(radius_law);
+    const FingerParameters parameters = parameters_of(*contact);
+    ContactFriction friction{.mu = parameters.mu, .mu_r = parameters.mu_r, .gamma = parameters.gamma};
+    if (!friction.mu_r) friction.radius_law = parameters.radius_law;
     const auto write = [&](const auto& curve) {
-      for (std::size_t i = 0; i < count; ++i) loads[i] = load_to_hold(curve, radius, mu, forces[i], moments[i]);
+      static_cast<void>(load_to_hold(curve, friction, 0.0, 0.0));  // what is wrong with the contact, before anything is written
+      for (std::size_t i = 0; i < count; ++i) loads[i] = load_to_hold(curve, friction, forces[i], moments[i]);
     };
     table->table ? write(*table->table) : write(table->curve);
   });

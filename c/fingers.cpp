@@ -39,9 +39,9 @@ static_assert(members.size() == finger_numbers.size());
 }  // namespace
 
 FingerParameters parameters_of(const limitcurve_finger_parameters& given) {
-  if (given.radius_law == nullptr) throw std::invalid_argument("radius_law: got NULL");
   FingerParameters parameters;
-  parameters.radius_law = RadiusLaw::parse(given.radius_law);
+  if (given.radius_law == nullptr && std::isnan(given.mu_r)) throw std::invalid_argument("radius_law: got NULL, expected it, or mu_r");
+  if (given.radius_law != nullptr) parameters.radius_law = RadiusLaw::parse(given.radius_law);
   auto member = members.begin();
   for_each_number(parameters, [&](const FingerNumber&, auto& value) {
     const double number = given.**member++;
@@ -154,7 +154,9 @@ limitcurve_status limitcurve_finger_new(const limitcurve_table* table, const lim
 limitcurve_status limitcurve_finger_new_patch(const limitcurve_patch* patch, const limitcurve_finger_parameters* parameters,
                                               double point_radius, limitcurve_finger** finger) {
   if (is_no_handle("patch", patch) || is_missing("parameters", parameters)) return LIMITCURVE_INVALID;
-  return make_handle(finger, [&] { return limitcurve_finger{SoftFinger(patch->patch, parameters_of(*parameters), point_radius)}; });
+  limitcurve_finger_parameters own = *parameters;
+  own.radius_law = limitcurve_finger_defaults().radius_law;  // a patch has its own size
+  return make_handle(finger, [&] { return limitcurve_finger{SoftFinger(patch->patch, parameters_of(own), point_radius)}; });
 }
 
 void limitcurve_finger_free(limitcurve_finger* finger) {

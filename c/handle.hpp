@@ -3,6 +3,8 @@
 
 #include "c/limitcurve.h"
 
+#include <algorithm>
+#include <cmath>
 #include <exception>
 #include <memory>
 #include <new>
@@ -17,6 +19,14 @@ limitcurve_status complain(limitcurve_status status, const char* message) noexce
 /// "NAME: WHAT", "NAME[INDEX]: got VALUE, expected EXPECTED". No allocation.
 limitcurve_status refuse(const char* name, const char* what) noexcept;
 limitcurve_status refuse(const char* name, std::size_t index, double value, const char* expected) noexcept;
+
+/// Whether one of the caller's numbers is not finite; refuses it.
+inline bool refuse_numbers(const char* name, const double* numbers, std::size_t count) noexcept {
+  const double* const bad = std::find_if(numbers, numbers + count, [](double number) { return !std::isfinite(number); });
+  if (bad == numbers + count) return false;
+  refuse(name, static_cast<std::size_t>(bad - numbers), *bad, "a finite number");
+  return true;
+}
 
 /// Runs `work`; turns exceptions into a status and a message.
 template <class Work>

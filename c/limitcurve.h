@@ -116,11 +116,6 @@ LIMITCURVE_API limitcurve_status limitcurve_table_evaluate(const limitcurve_tabl
 LIMITCURVE_API limitcurve_status limitcurve_table_gauge(const limitcurve_table* table, const double* forces, const double* moments,
                                                         size_t count, double* gauges);
 
-/* The smallest loads [N] under which a contact of friction `mu` >= 0 and contact radius `radius_law` (as in limitcurve_finger_parameters)
- * bears forces [N] and moments [N m], of any sign; inf where no load holds. */
-LIMITCURVE_API limitcurve_status limitcurve_table_load_to_hold(const limitcurve_table* table, double mu, const char* radius_law,
-                                                               const double* forces, const double* moments, size_t count, double* loads);
-
 /* ---- Friction ---- */
 
 /* How a wrench outside the limit curve moves back onto it. */
@@ -169,7 +164,7 @@ LIMITCURVE_API limitcurve_status limitcurve_apply_friction(const limitcurve_tabl
 typedef struct limitcurve_finger_parameters {
   double mu;                 /* coefficient of static friction >= 0 */
   double mu_dynamic;         /* while slipping, in [0, mu]; NaN: mu */
-  const char* radius_law;    /* a(P): "constant:a=0.005", "hertz:R=0.008,E=2e5", "power:c=0.00207,gamma=0.259"; read by the call only */
+  const char* radius_law;    /* a(P): "constant:a=0.005", "hertz:R=0.008,E=2e5", "power:c=0.00207,gamma=0.259"; read by the call only; NULL where mu_r is given */
   double mu_r; /* mu_r [m/N^gamma] >= 0: the moment limit is mu_r P^(1+gamma), in place of the radius law's; NaN: none */
   double gamma;    /* gamma, in [-0.5, 1] */
   double mu_r_dynamic; /* while slipping; NaN: mu_r mu_d/mu */
@@ -183,6 +178,11 @@ typedef struct limitcurve_finger_parameters {
 } limitcurve_finger_parameters;
 
 LIMITCURVE_API limitcurve_finger_parameters limitcurve_finger_defaults(void);
+
+/* The smallest loads [N] under which a contact bears forces [N] and moments [N m], whose signs do not count; inf where no load holds. Of the
+ * finger's parameters mu, radius_law, mu_r and gamma count. */
+LIMITCURVE_API limitcurve_status limitcurve_table_load_to_hold(const limitcurve_table* table, const limitcurve_finger_parameters* contact,
+                                                               const double* forces, const double* moments, size_t count, double* loads);
 
 typedef enum limitcurve_state {
   LIMITCURVE_FREE = 0,  /* no contact */
@@ -235,7 +235,7 @@ typedef struct limitcurve_patch limitcurve_patch;
 LIMITCURVE_API limitcurve_status limitcurve_finger_new(const limitcurve_table* table, const limitcurve_finger_parameters* parameters,
                                                        limitcurve_projection projection, limitcurve_finger** finger);
 
-/* A finger with a contact that is not round; the radius law is not used. `point_radius` [m] is given to the points of a patch; 0 is the
+/* A finger with a contact that is not round; radius_law may be NULL. `point_radius` [m] is given to the points of a patch; 0 is the
  * least. */
 LIMITCURVE_API limitcurve_status limitcurve_finger_new_patch(const limitcurve_patch* patch, const limitcurve_finger_parameters* parameters,
                                                              double point_radius, limitcurve_finger** finger);

@@ -76,7 +76,9 @@ limitcurve_status limitcurve_patch_load_to_hold(const limitcurve_patch* patch, d
                                                 double* loads) {
   if (is_no_handle("patch", patch)) return LIMITCURVE_INVALID;
   if (count > 0 && (is_missing("wrenches", wrenches) || is_missing("loads", loads))) return LIMITCURVE_INVALID;
+  if (refuse_numbers("wrenches", wrenches, 3 * count)) return LIMITCURVE_INVALID;
   return guarded([&] {
+    static_cast<void>(load_to_hold(patch->patch, mu, {}));  // what is wrong with mu, before anything is written
     for (std::size_t i = 0; i < count; ++i) {
       const double* const wrench = wrenches + 3 * i;
       loads[i] = load_to_hold(patch->patch, mu, {wrench[0], wrench[1], wrench[2]});

@@ -40,7 +40,7 @@ foreach(component limitcurve godobject mesh fit c-dev)
   string(TOUPPER ${component} component)
   set(CPACK_COMPONENT_${component}_GROUP liblimitcurve-dev)
 endforeach()
-set(CPACK_COMPONENT_C_GROUP liblimitcurve-c0)
+set(CPACK_COMPONENT_C_GROUP liblimitcurve-c0.3)
 set(CPACK_COMPONENT_CLI_GROUP limitcurve)
 
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
@@ -53,14 +53,14 @@ set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 
 set(about "Friction limit curves of soft fingers for any axisymmetric pressure, to a\nstated error: tables for servo loops, approximations, and a god-object that\nobeys them.\n\n")
 set(CPACK_PACKAGE_DESCRIPTION ${about})
-set(CPACK_DEBIAN_LIBLIMITCURVE-C0_PACKAGE_NAME liblimitcurve-c0)
-set(CPACK_DEBIAN_LIBLIMITCURVE-C0_PACKAGE_SECTION libs)
-set(CPACK_DEBIAN_LIBLIMITCURVE-C0_DESCRIPTION "friction limit curves of soft fingers (C interface)\n${about}This package contains the shared library with the C interface.")
-set(CPACK_DEBIAN_LIBLIMITCURVE-C0_PACKAGE_CONTROL_EXTRA $ENV{BUILD}/triggers)  # beside it CPack's scripts call ldconfig, too
+set(CPACK_DEBIAN_LIBLIMITCURVE-C0.3_PACKAGE_NAME liblimitcurve-c0.3)
+set(CPACK_DEBIAN_LIBLIMITCURVE-C0.3_PACKAGE_SECTION libs)
+set(CPACK_DEBIAN_LIBLIMITCURVE-C0.3_DESCRIPTION "friction limit curves of soft fingers (C interface)\n${about}This package contains the shared library with the C interface.")
+set(CPACK_DEBIAN_LIBLIMITCURVE-C0.3_PACKAGE_CONTROL_EXTRA $ENV{BUILD}/triggers)  # beside it CPack's scripts call ldconfig, too
 
 set(CPACK_DEBIAN_LIBLIMITCURVE-DEV_PACKAGE_NAME liblimitcurve-dev)
 set(CPACK_DEBIAN_LIBLIMITCURVE-DEV_PACKAGE_SECTION libdevel)
-set(CPACK_DEBIAN_LIBLIMITCURVE-DEV_PACKAGE_DEPENDS "liblimitcurve-c0 (= $ENV{VERSION}), libeigen3-dev")
+set(CPACK_DEBIAN_LIBLIMITCURVE-DEV_PACKAGE_DEPENDS "liblimitcurve-c0.3 (= $ENV{VERSION}), libeigen3-dev")
 set(CPACK_DEBIAN_LIBLIMITCURVE-DEV_PACKAGE_RECOMMENDS libceres-dev)
 set(CPACK_DEBIAN_LIBLIMITCURVE-DEV_DESCRIPTION "friction limit curves of soft fingers (for development)\n${about}This package contains the header of the C interface, the C++ headers and\nstatic libraries, and what CMake and pkg-config read.")
 

@@ -104,6 +104,8 @@ constexpr double hertz_ratio = 3.0 * std::numbers::pi / 16.0;
 
 constexpr std::array formulas{
     Formula{"mu", friction_of, nullptr, "times load: the force's limit"},
+    Formula{"mu_x", friction_of, nullptr, "times load: the force's limit along x"},
+    Formula{"mu_y", friction_of, nullptr, "times load: the force's limit along y"},
     Formula{"mu/f", friction_of, nullptr, "times f and load: the force's limit"},
     Formula{"mu_r", moment_of, lever_of_moment, "times load: the moment's limit"},
     Formula{"mu_r/f", moment_of, lever_of_moment, "times f and load: the moment's limit"},
@@ -146,21 +148,43 @@ struct Levers {
   double greatest;
 };
 
-std::vector<EngineContact> contacts_of(double mu, const Levers& levers, const std::function<ShapeError(const std::string&)>& error_of) {
+/// Coefficients of friction along x and y; rows of coefficients.csv `when` both are one, or two.
+struct Friction {
+  double x;
+  double y;
+  [[nodiscard]] bool has(const Facts& coefficient) const {
+    const std::string& when = coefficient.at("when");
+    return when.empty() || when == (x == y ? "one" : "two");
+  }
+};
+
+bool takes_two(std::string_view engine) {
+  return std::any_of(all_coefficients().begin(), all_coefficients().end(),
+                     [&](const Facts& one) { return one.at("engine") == engine && one.at("when") == "two"; });
+}
+
+/// `levers` are largest moments over `mu` and the load.
+std::vector<EngineContact> contacts_of(double mu, const Friction& friction, const Levers& levers,
+                                       const std::function<ShapeError(const std::string&)>& error_of) {
   std::map<std::string, ShapeError> errors;  // of shapes that several engines have
   std::vector<EngineContact> contacts;
   for (const Facts& facts : all_engines()) {
     const std::string& model = facts.at("model");
     if (model == "field") continue;  // pressure on a mesh: no number chooses its moment
+    if (friction.x != friction.y && !takes_two(facts.at("engine"))) continue;
     if (!errors.contains(model)) errors[model] = error_of(model);
     const ShapeError& error = errors[model];
     EngineContact contact{facts.at("engine"), model, {}, error.curve, error.wrench, error.over_loads, facts.at("link"), facts.at("needs")};
     for (const Facts& coefficient : all_coefficients()) {
       if (coefficient.at("engine") != contact.engine) continue;
       if (!coefficient.at("model").empty() && coefficient.at("model") != model) continue;
+      if (!friction.has(coefficient)) continue;
       const std::string& text = coefficient.at("formula");
       const Formula* const formula = find_formula(text);
-      const auto value = [&](double lever) { return formula == nullptr ? parse_number(text).value() : formula->value(mu, lever); };
+      const auto value = [&](double lever) {
+        if (formula == nullptr) return parse_number(text).value();
+        return formula->value(text == "mu_x" ? friction.x : text == "mu_y" ? friction.y : mu, lever);
+      };
       contact.coefficients.push_back({coefficient.at("parameter"), value(levers.here), coefficient.at("unit"), text,
                                       coefficient.at("two_bodies"), with_use(formula, coefficient.at("note")), value(levers.least),
                                       value(levers.greatest)});
@@ -237,7 +261,7 @@ std::vector<EngineContact> translate(const Law& law, const RadiusLaw& radius_law
     levers.least = std::min(levers.least, lever);
     levers.greatest = std::max(levers.greatest, lever);
   }
-  return contacts_of(mu, levers, [&](const std::string& model) -> ShapeError {
+  return contacts_of(mu, {mu, mu}, levers, [&](const std::string& model) -> ShapeError {
     if (model == "ellipse") return errors_of(exact, levers, [](double moment_max) { return Ellipse(1.0, moment_max); });
     if (model == "diamond") return errors_of(exact, levers, [](double moment_max) { return diamond(1.0, moment_max); });
     if (model == "box") return errors_of(exact, levers, [](double moment_max) { return box(1.0, moment_max); });
@@ -253,12 +277,23 @@ std::vector<EngineContact> translate(const Law& law, const RadiusLaw& radius_law
 std::vector<EngineContact> translate(const Patch& patch, double mu) {
   require("mu", mu, "1");
   const std::vector<EngineShape> shapes = engine_shapes(patch);
-  const double lever = patch.moment_ratio();
-  return contacts_of(mu, {lever, lever, lever}, [&](const std::string& model) -> ShapeError {
+  const auto [mx, my] = patch.factors();
+  const double own = mx == my ? mu * mx : mu;  // the factor of all directions is one of the coefficient
+  const double lever = mu * patch.moment_ratio() / own;
+  return contacts_of(own, {mu * mx, mu * my}, {lever, lever, lever}, [&](const std::string& model) -> ShapeError {
     const auto shape = std::find_if(shapes.begin(), shapes.end(), [&](const EngineShape& one) { return one.name == model; });
     if (shape == shapes.end()) throw std::logic_error("data/engines: unknown model " + model);
     return {shape->error, shape->max_wrench_error, shape->error.max_error};
   });
+}
+
+std::vector<std::string> engines_of_one_friction() {
+  std::vector<std::string> names;
+  for (const Facts& facts : all_engines()) {
+    const std::string& engine = facts.at("engine");
+    if (!takes_two(engine) && std::find(names.begin(), names.end(), engine) == names.end()) names.push_back(engine);
+  }
+  return names;
 }
 
 std::string find_engine(std::string_view name) {

@@ -58,8 +58,10 @@ std::vector<EngineContact> translate(const Law& law, const RadiusLaw& radius_law
 std::vector<EngineContact> translate(const Law& law, const RadiusLaw& radius_law, double mu, double load);
 /// The same for a contact that is not round: Γ = m₀ μ P about its centre of pressure, at every load. Errors compare the powers of the shape
 /// and of the patch over all sliding twists (`engine_shapes`): their largest ratio is that of the radii. Throws also for a patch without
-/// moment.
+/// moment. A friction factor of all directions goes into μ; where mx ≠ my, engines that have two coefficients of friction get both, and the
+/// others, `engines_of_one_friction`, are left out.
 std::vector<EngineContact> translate(const Patch& patch, double mu);
+std::vector<std::string> engines_of_one_friction();
 
 /// The name in `translate` of an engine that may have others (isaac-lab, pybullet). Throws std::invalid_argument with all names.
 std::string find_engine(std::string_view name);

@@ -6,7 +6,6 @@
 #include "limitcurve/internal/number.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -25,14 +24,6 @@ void check_ranges(const FingerParameters& parameters) {
   for_each_number(parameters, [](const FingerNumber& number, std::optional<double> value) {
     if (value) in_range(number.name, *value, number.unit, number.range);
   });
-}
-
-/// The radius for which μ a m_max is the moment coefficient. For a coefficient of 0 a radius so small that the moment is negligible: limits
-/// are continuous in the parameters.
-double equivalent_radius(double mu_r, double mu, double moment_max) {
-  constexpr double almost_none = 1e-20;
-  constexpr double finite = 1e200;
-  return mu > 0.0 ? std::clamp(mu_r / (mu * moment_max), almost_none, finite) : almost_none;
 }
 
 /// The sliding limit divided by the sticking limit; 1 if that is 0.
@@ -74,8 +65,8 @@ ContactLimits::ContactLimits(const FingerParameters& parameters, double moment_m
   const double sliding = std::max(mu_dynamic, least_sliding_share * mu);
   if (parameters.mu_r) {
     const double mu_r = *parameters.mu_r;
-    if (mu == 0.0 && mu_r > 0.0) throw out_of_range("mu_r", mu_r, "m", "0 where mu is 0");
-    sticking_ = {mu, equivalent_radius(mu_r, mu, moment_max)};
+    const RadiusLaw radius_law = RadiusLaw::of_mu_r(mu_r, parameters.gamma, mu, moment_max);
+    sticking_ = {mu, radius_law.coefficient()};
     // By default both coefficients fall by the same factor, so that the radius stays.
     sliding_ = {sliding, sticking_.radius};
     if (parameters.mu_r_dynamic) {
@@ -83,14 +74,10 @@ ContactLimits::ContactLimits(const FingerParameters& parameters, double moment_m
       if (mu_r_dynamic > mu_r) {
         throw out_of_range("mu_r_dynamic", mu_r_dynamic, "m", "0 <= mu_r_dynamic <= mu_r");
       }
-      sliding_.radius = equivalent_radius(mu_r_dynamic, sliding, moment_max);
+      sliding_.radius = RadiusLaw::of_mu_r(mu_r_dynamic, 0.0, sliding, moment_max).coefficient();
     }
     has_torsion_ = mu_r > 0.0;
-    if (parameters.gamma != 0.0) {
-      // A sampled law is a power law between and beyond its two samples.
-      radius_law_ =
-          RadiusLaw::sampled(std::array<LoadSample, 2>{{{1.0, sticking_.radius}, {2.0, sticking_.radius * std::exp2(parameters.gamma)}}});
-    }
+    if (parameters.gamma != 0.0) radius_law_ = radius_law;
   } else {
     if (parameters.gamma != 0.0) throw out_of_range("gamma", parameters.gamma, "1", "0 without mu_r");
     if (parameters.mu_r_dynamic) {
@@ -131,7 +118,7 @@ double ContactLimits::load_to_hold(const FingerCurve& curve, double force, doubl
   const bool turns = moment > 0.0;
   if ((sticking_.force == 0.0 && force > 0.0) || (!has_torsion_ && turns)) return never;
   if (sticking_.force == 0.0) return 0.0;
-  if (radius_law_) return limitcurve::load_to_hold(curve, *radius_law_, sticking_.force, force, moment);
+  if (radius_law_) return limitcurve::detail::load_to_hold(curve, *radius_law_, sticking_.force, force, moment);
   return curve.gauge({force / sticking_.force, turns ? moment / (sticking_.force * sticking_.radius) : 0.0});
 }
 

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -28,8 +29,8 @@ struct LoadSample {
 
 /// A radius law: the contact radius a(P) at normal load P. Either a power law a = c·P^γ, which covers the published laws: constant (γ = 0),
 /// Hertz a = (3PR/4E*)^{1/3} (γ = 1/3), soft finger c·P^γ (Xydas and Kao 1999, 0 ≤ γ ≤ 1/3); or measured samples with a power law from each
-/// sample to the next. Because Γ(P) = m₀ μ P a(P), a measured moment limit gives a radius law, too: `of_moments`, and `linear_moment` for
-/// Γ = μ_r P. Immutable; copies share the samples.
+/// sample to the next. Because Γ(P) = m₀ μ P a(P), a measured moment limit gives a radius law, too: `of_moments`, and `of_mu_r` for
+/// Γ = μ_r P^(1+γ). Immutable; copies share the samples.
 class RadiusLaw {
  public:
   /// a = radius [m] > 0 at every load.
@@ -43,8 +44,9 @@ class RadiusLaw {
   static RadiusLaw sampled(std::span<const LoadSample> radii);
   /// Interpolates samples of the moment limit Γ [N·m] the same way: a = Γ/(m₀ μ P).
   static RadiusLaw of_moments(std::span<const LoadSample> moments, double mu, double moment_ratio);
-  /// The constant radius at which Γ(P) = μ_r P (paper, eq. 2): a = μ_r/(μ m₀), μ_r [m] > 0.
-  static RadiusLaw linear_moment(double mu_r, double mu, double moment_ratio);
+  /// The radius at which Γ(P) = μ_r P^(1+γ) (paper, eq. 2): a = μ_r P^γ/(μ m₀), μ_r [m/N^γ] ≥ 0, γ ∈ [−0.5, 1]. Without friction μ_r must be
+  /// 0; for μ_r = 0 the radius is so small that the moment is negligible: limits are continuous in the parameters.
+  static RadiusLaw of_mu_r(double mu_r, double gamma, double mu, double moment_ratio);
   /// `constant:a=0.005`, `hertz:R=0.008,E=2e5`, `power:c=0.00207,gamma=0.259`.
   /// Like all factories here it throws `std::invalid_argument`, with the parameter, its value, unit and range.
   static RadiusLaw parse(std::string_view text);
@@ -88,6 +90,18 @@ class RadiusLaw {
   std::shared_ptr<const std::vector<Stretch>> stretches_;  // of a sampled law; shared by its copies
 };
 
+/// The friction of a round contact, as it is known: its coefficient, and its contact radius or its moment coefficient.
+struct ContactFriction {
+  double mu = 0.0;                           ///< coefficient of friction μ ≥ 0
+  std::optional<RadiusLaw> radius_law = {};  ///< contact radius a(P); or
+  std::optional<double> mu_r = {};           ///< moment coefficient μ_r [m/N^γ] ≥ 0, as measured: Γ = μ_r P^(1+γ), whatever the radius
+  double gamma = 0.0;                        ///< γ ∈ [−0.5, 1] of μ_r
+
+  /// a(P): `radius_law`, or `RadiusLaw::of_mu_r` for a curve with the unit moment `moment_ratio` of a pure twist. Throws
+  /// std::invalid_argument, with the name, for a number out of range, and unless one of `radius_law` and `mu_r` is given.
+  [[nodiscard]] RadiusLaw radius(double moment_ratio) const;
+};
+
 /// The wrench of a contact under load P that slips about a COR at distance c.
 struct LoadPoint {
   double load = 0.0;    ///< P [N]
@@ -98,29 +112,37 @@ struct LoadPoint {
 
 namespace detail {
 /// Each throws std::invalid_argument, with the parameter, its value, unit and range.
-void check_friction(double mu);
 void check_load(double load);
 void check_cor(double cor);
 /// Throws unless the limits μP and μPa are finite.
 void check_limits(double mu, double load, double radius);
+/// a(P) [m]; 0 without load where the law has no finite radius.
+[[nodiscard]] inline double radius_at(const RadiusLaw& law, double load) noexcept {
+  const double radius = law.radius(load);
+  return load > 0.0 || std::isfinite(radius) ? radius : 0.0;
+}
+/// The radius law of a contact on this curve.
+template <class Curve>
+[[nodiscard]] RadiusLaw radius_law_of(const Curve& curve, const ContactFriction& contact) {
+  return contact.radius(contact.mu_r ? curve.wrench({0.0, 1.0}).moment : 1.0);
+}
 }  // namespace detail
 
 /// Slip twists from pure spin (c = 0) to pure sliding (c = ∞), both ends included, evenly spaced in the slip angle atan2(|v|, a|ω|). The
 /// curve's normal then turns by equal steps, so that a polyline through the points looks smooth. `points` ≥ 2, else std::invalid_argument.
 std::vector<SlipTwist> slip_twists(std::size_t points);
 
-/// The wrench of a contact that slips about a COR at distance `cor` [m] ∈ [0, ∞] under `load` [N] ≥ 0, μ ≥ 0: F = μP f(c/a), M = μPa m(c/a)
+/// The wrench of a contact that slips about a COR at distance `cor` [m] ∈ [0, ∞] under `load` [N] ≥ 0: F = μP f(c/a), M = μPa m(c/a)
 /// with a = a(P). Relative error: the curve's plus 8 ε. Throws std::invalid_argument for an argument out of range.
 template <LimitCurve Curve>
-LoadPoint load_point(const Curve& curve, const RadiusLaw& radius_law, double mu, double load, double cor) {
-  detail::check_friction(mu);
+LoadPoint load_point(const Curve& curve, const ContactFriction& contact, double load, double cor) {
   detail::check_load(load);
   detail::check_cor(cor);
-  const double radius = radius_law.radius(load);
-  const double capacity = mu * load;
+  const double radius = detail::radius_at(detail::radius_law_of(curve, contact), load);
+  const double capacity = contact.mu * load;
   // Without a contact there is nothing to slip against, and c/a may be 0/0.
   if (!(radius > 0.0)) return {load, cor, 0.0, 0.0};
-  detail::check_limits(mu, load, radius);
+  detail::check_limits(contact.mu, load, radius);
   const UnitWrench unit = curve.wrench(SlipTwist::about_cor(cor / radius));
   return {load, cor, capacity * unit.force, capacity * radius * unit.moment};
 }
@@ -128,10 +150,10 @@ LoadPoint load_point(const Curve& curve, const RadiusLaw& radius_law, double mu,
 /// p-curve: points of the limit curve at one load [N] ≥ 0, from pure spin to pure sliding, at `slip_twists(points)`. Throws like
 /// `load_point`.
 template <LimitCurve Curve>
-std::vector<LoadPoint> p_curve(const Curve& curve, const RadiusLaw& radius_law, double mu, double load, std::size_t points) {
-  detail::check_friction(mu);
+std::vector<LoadPoint> p_curve(const Curve& curve, const ContactFriction& contact, double load, std::size_t points) {
   detail::check_load(load);
-  const double radius = radius_law.radius(load);
+  const double mu = contact.mu;
+  const double radius = detail::radius_at(detail::radius_law_of(curve, contact), load);
   detail::check_limits(mu, load, radius);
   std::vector<LoadPoint> result;
   for (const SlipTwist twist : slip_twists(points)) {
@@ -146,9 +168,9 @@ std::vector<LoadPoint> p_curve(const Curve& curve, const RadiusLaw& radius_law, 
 /// c-curve: the wrenches that slip about one COR [m], at the given `loads` [N]. A straight line from the origin if a does not depend on P,
 /// else curved (the paper's Figs. 4 and 5 draw straight lines). Throws like `load_point`.
 template <LimitCurve Curve>
-std::vector<LoadPoint> c_curve(const Curve& curve, const RadiusLaw& radius_law, double mu, double cor, std::span<const double> loads) {
+std::vector<LoadPoint> c_curve(const Curve& curve, const ContactFriction& contact, double cor, std::span<const double> loads) {
   std::vector<LoadPoint> result;
-  for (const double load : loads) result.push_back(load_point(curve, radius_law, mu, load, cor));
+  for (const double load : loads) result.push_back(load_point(curve, contact, load, cor));
   return result;
 }
 
@@ -156,22 +178,19 @@ std::vector<LoadPoint> c_curve(const Curve& curve, const RadiusLaw& radius_law, 
 /// std::invalid_argument for an argument out of range.
 double moment_capacity(double moment_ratio, const RadiusLaw& radius_law, double mu, double load);
 
+namespace detail {
 #ifdef LIMITCURVE_COPIES
 inline namespace LIMITCURVE_COPIES {  // arithmetic.hpp
 #endif
-
-/// The smallest load [N] under which the contact bears force F [N] and moment M [N·m], of any sign, without slip. 0 for F = M = 0; ∞ without
-/// friction (μ = 0) and where no finite load holds; NaN for NaN. Relative error ≤ 1e-12 plus the curve's.
+/// `load_to_hold` of a contact whose radius law is known and whose numbers are in range.
 ///
 /// It is the root of ln gauge(F/μP, M/μPa(P)) = 0 in ln P. The slope is −(1 + γω): γ is the exponent of the radius law, ω the fraction of
 /// the dissipated power that rotation takes, from the curve's normal. Newton's method inside a bracket: below, the larger of the loads that
-/// hold F alone and M alone; above, by convexity, their sum. Cost: one call of `gauge` for a constant radius, else 3 to 6 calls of `along`,
-/// at most 60.
+/// hold F alone and M alone; above, by convexity, their sum.
 template <class Curve>
 double load_to_hold(const Curve& curve, const RadiusLaw& radius_law, double mu, double force, double moment) {
   constexpr int search_limit = 60;
   constexpr double tolerance = 1e-14;
-  detail::check_friction(mu);
   force = std::fabs(force);
   moment = std::fabs(moment);
   const double sum = force + moment;
@@ -186,9 +205,9 @@ double load_to_hold(const Curve& curve, const RadiusLaw& radius_law, double mu, 
   double low = (std::max)(force_alone, moment_alone);
   double high = force_alone + moment_alone;
   if (force == 0.0 || moment == 0.0 || std::isinf(high)) return high;
-  // A sampled radius may fall with the load; then the sum of the two loads need not hold. A load that bears twice the force alone and twice
-  // the moment alone does.
-  if (radius_law.is_sampled())
+  // Where the radius falls with the load the sum of the two loads need not hold. A load that bears twice the force alone and twice the
+  // moment alone does.
+  if (radius_law.is_sampled() || radius_law.exponent() < 0.0)
     high = (std::max)(high, radius_law.load_of_product(scaled_moment / curve.wrench({0.0, 1.0}).moment * 2.0) + 2.0 * force_alone);
   double load = low;
   for (int i = 0; i < search_limit; ++i) {
@@ -207,6 +226,25 @@ double load_to_hold(const Curve& curve, const RadiusLaw& radius_law, double mu, 
     if (step <= tolerance * load) break;
   }
   return load;
+}
+#ifdef LIMITCURVE_COPIES
+}
+#endif
+}  // namespace detail
+
+#ifdef LIMITCURVE_COPIES
+inline namespace LIMITCURVE_COPIES {
+#endif
+
+/// The smallest load [N] under which the contact bears a force [N] and a moment [N·m] without slip; their signs do not count. 0 for none of
+/// both; ∞ without friction, for a moment without moment coefficient, and where no finite load holds; NaN for NaN. Relative error ≤ 1e-12
+/// plus the curve's. Throws like `ContactFriction::radius`. Cost: one call of `gauge` for a constant radius, else 3 to 6 calls of `along`,
+/// at most 60.
+template <class Curve>
+double load_to_hold(const Curve& curve, const ContactFriction& contact, double force, double moment) {
+  const RadiusLaw radius_law = detail::radius_law_of(curve, contact);
+  if (contact.mu_r == 0.0 && std::fabs(moment) > 0.0 && !std::isnan(force)) return std::numeric_limits<double>::infinity();
+  return detail::load_to_hold(curve, radius_law, contact.mu, force, moment);
 }
 
 #ifdef LIMITCURVE_COPIES

@@ -64,8 +64,8 @@ std::vector<Candidate> choose(const Law& law, double tolerance);
 /// Γ(P) = m₀ μ P a(P) [N m], the largest friction moment at load P [N]: the moment of a pure twist. RadiusLaw is a(P).
 double moment_capacity(double moment_ratio, const RadiusLaw& radius_law, double mu, double load);
 
-// p_curve(curve, radius_law, mu, load, points)   the limit curve at one load [N]: force [N], moment [N m] and COR [m] of each point
-// load_to_hold(curve, radius_law, mu, F, M)      the smallest grip [N] that holds a force and a moment without slip
+// p_curve(curve, contact, load, points)          the limit curve at one load [N]: force [N], moment [N m] and COR [m] of each point
+// load_to_hold(curve, contact, F, M)             the smallest grip [N] that holds a force and a moment without slip
 // Patch::rectangle(0.02, 0.01).wrench(twist)     contacts that are not round, and load_to_hold(patch, mu, wrench): patch.hpp
 
 }  // namespace limitcurve

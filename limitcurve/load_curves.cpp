@@ -20,10 +20,6 @@ void check_finite_magnitude(std::string_view name, double value, std::string_vie
 
 }  // namespace
 
-void check_friction(double mu) {
-  check_finite_magnitude("mu", mu, "1");
-}
-
 void check_load(double load) {
   check_finite_magnitude("load", load, "N");
 }
@@ -41,6 +37,15 @@ void check_limits(double mu, double load, double radius) {
 
 }  // namespace detail
 
+RadiusLaw ContactFriction::radius(double moment_ratio) const {
+  detail::check_finite_magnitude("mu", mu, "1");
+  if (radius_law.has_value() == mu_r.has_value())
+    throw std::invalid_argument(std::string("got ") + (mu_r ? "both" : "none") + " of radius_law and mu_r, expected one of them");
+  if (mu_r) return RadiusLaw::of_mu_r(*mu_r, gamma, mu, moment_ratio);
+  if (gamma != 0.0) throw out_of_range("gamma", gamma, "1", "0 without mu_r");
+  return *radius_law;
+}
+
 std::vector<SlipTwist> slip_twists(std::size_t points) {
   if (points < 2) throw std::invalid_argument("points = " + std::to_string(points) + " is out of range: expected >= 2");
   std::vector<SlipTwist> twists(points);
@@ -55,7 +60,7 @@ std::vector<SlipTwist> slip_twists(std::size_t points) {
 }
 
 double moment_capacity(double moment_ratio, const RadiusLaw& radius_law, double mu, double load) {
-  detail::check_friction(mu);
+  detail::check_finite_magnitude("mu", mu, "1");
   detail::check_load(load);
   if (!(moment_ratio >= 0.0 && moment_ratio <= std::numeric_limits<double>::max())) {
     throw out_of_range("moment_ratio", moment_ratio, "1", ">= 0 and finite");

@@ -73,8 +73,14 @@ RadiusLaw RadiusLaw::of_moments(std::span<const LoadSample> moments, double mu, 
   return sampled(radii);
 }
 
-RadiusLaw RadiusLaw::linear_moment(double mu_r, double mu, double moment_ratio) {
-  return constant(checked("mu_r", mu_r, "m") / (checked("mu", mu, "1") * checked("moment_ratio", moment_ratio, "1")));
+RadiusLaw RadiusLaw::of_mu_r(double mu_r, double gamma, double mu, double moment_ratio) {
+  constexpr double almost_none = 1e-20;
+  constexpr double most = 1e200;
+  if (!(mu_r >= 0.0 && std::isfinite(mu_r))) throw out_of_range("mu_r", mu_r, "m", ">= 0 and finite");
+  if (!(mu > 0.0) && mu_r > 0.0) throw out_of_range("mu_r", mu_r, "m", "0 where mu is 0");
+  if (!(gamma >= -0.5 && gamma <= 1.0)) throw out_of_range("gamma", gamma, "1", "-0.5 <= gamma <= 1");
+  checked("moment_ratio", moment_ratio, "1");
+  return {mu > 0.0 ? std::clamp(mu_r / (mu * moment_ratio), almost_none, most) : almost_none, gamma};
 }
 
 double RadiusLaw::sampled_radius(double load) const noexcept {

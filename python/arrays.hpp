@@ -56,8 +56,9 @@ struct Numbers {
 /// Whether a mask leaves out some of the caller's numbers.
 bool is_masked(nb::handle values);
 
-/// Warns the caller.
+/// Warns the caller; of lines that begin with "note: " or "warning: ", without that.
 void warn(const std::string& text);
+void warn(const std::vector<std::string>& remarks);
 
 /// Whether the caller's numbers have single precision; results then have it, too.
 bool is_single(nb::handle values);
@@ -68,7 +69,9 @@ template <class Real>
 Numbers<Real> numbers_of(nb::handle values, const std::string& name);
 
 /// Columns of one length, without the rows that are masked in one of them, which are said. With a `table` the names are those of its columns.
-std::vector<Numbers<double>> columns_of(const std::string& table, const std::vector<std::string>& names, const nb::list& columns);
+/// With `refused` a column that is none of numbers is empty, and its complaint there; else it is thrown.
+std::vector<Numbers<double>> columns_of(const std::string& table, const std::vector<std::string>& names, const nb::list& columns,
+                                        std::vector<std::string>* refused = nullptr);
 
 /// The same for several, broadcast against each other.
 template <class Real>
@@ -106,8 +109,14 @@ nb::object in_precision(bool single, const Work& work) {
   return single ? work(float{}) : work(double{});
 }
 
-/// A number. ValueError with `name` if it is none.
+/// A number; `standard` for None. ValueError with `name` and the value if it is none.
 double number_of(nb::handle value, const std::string& name);
+double number_of(nb::handle value, const std::string& name, double standard);
+/// A text; `standard` for None. ValueError likewise.
+std::string string_of(nb::handle value, const std::string& name, const std::string& standard);
+std::string string_of(nb::handle value, const std::string& name);
+/// A value for an error message: its repr(), shortened.
+std::string shown(nb::handle value);
 
 /// What `bool(value)` is, of NumPy's truths too.
 bool truth_of(nb::handle value);
@@ -146,8 +155,8 @@ void for_each_point(std::size_t count, const Work& work) {
 /// `at` of numbers that are broadcast against each other: it takes an array of `count` numbers and gives one of `results`. A NaN gives NaN.
 /// In single precision if all numbers are. Sixteen results, or `block`, take less than 0.1 s.
 template <std::size_t results, std::size_t block = 16, std::size_t count, class At>
-nb::object of_numbers(const std::array<nb::handle, count>& values, const std::array<const char*, count>& names, const Range& range,
-                      const At& at) {
+nb::object of_numbers(const std::array<nb::handle, count>& values, const std::array<const char*, count>& names,
+                      const std::array<Range, count>& ranges, const At& at) {
   const auto values_at = [&](const std::array<double, count>& numbers) {
     std::array<double, results> found;
     if (std::any_of(numbers.begin(), numbers.end(), [](double number) { return std::isnan(number); })) {
@@ -170,7 +179,7 @@ nb::object of_numbers(const std::array<nb::handle, count>& values, const std::ar
   std::size_t known = 0;
   for (std::optional<double> one; known < count && (one = plain_number(values[known])); ++known) plain[known] = *one;
   if (known == count) {
-    for (std::size_t i = 0; i < count; ++i) require(&plain[i], 1, names[i], range);
+    for (std::size_t i = 0; i < count; ++i) require(&plain[i], 1, names[i], ranges[i]);
     const std::array<double, results> found = values_at(plain);
     const bool single = std::all_of(values.begin(), values.end(), [](nb::handle value) { return value.type().is(single_type()); });
     return handed([&](std::size_t i) -> nb::object {
@@ -179,7 +188,7 @@ nb::object of_numbers(const std::array<nb::handle, count>& values, const std::ar
   }
   return in_precision(std::all_of(values.begin(), values.end(), is_single), [&]<class Real>(Real) -> nb::object {
     const std::vector<Numbers<Real>> numbers = broadcast<Real>(values, names);
-    for (std::size_t i = 0; i < count; ++i) require(numbers[i].data, numbers[i].size, names[i], range);
+    for (std::size_t i = 0; i < count; ++i) require(numbers[i].data, numbers[i].size, names[i], ranges[i]);
     std::array<Results<Real>, results> found;
     for (Results<Real>& one : found) one = results_like<Real>(numbers[0].array);
     for_each_point<block>(numbers[0].size, [&](std::size_t i) {

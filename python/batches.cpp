@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "python/core.hpp"
+#include "python/parameters.hpp"
 
 #include "godobject/batch.hpp"
 #include "limitcurve/internal/number.hpp"
@@ -157,7 +158,9 @@ void add_batches(nb::module_& module) {
       parameters_signature() + ") -> None";
   batch.def(
       "__init__",
-      [](PyBatch* self, nb::handle curve, std::size_t n, nb::handle dtype, nb::kwargs given) {
+      [](PyBatch* self, nb::handle curve, nb::handle number, nb::handle dtype, nb::kwargs given) {
+        std::size_t n = 0;
+        if (!nb::try_cast(number, n)) throw std::invalid_argument("n: got " + shown(number) + ", expected a whole number >= 0");
         const bool single = is_single_precision(dtype);
         read_files(given);
         PyBatch made{.contacts = {}, .curve = nb::borrow(curve), .given = copy_of(given)};
@@ -177,15 +180,16 @@ void add_batches(nb::module_& module) {
       nb::arg("curve"), nb::arg("n"), nb::kw_only(), nb::arg("dtype") = "float64", nb::arg("kwargs"), nb::sig(signature.c_str()),
       "n free contacts at the origin; parameters as for SoftFinger. dtype float32 needs half the memory and time and resolves 6e-8 of a\n"
       "coordinate; its table is that of the given one, to 5e-7 or 1 % of its tolerance.");
-  batch.def(
-      "update",
-      [](PyBatch& self, nb::handle x, nb::handle y, nb::handle depth, nb::handle twist, double dt) {
+  define<PyBatch&>(
+      batch,
+      "def update(self, x: numpy.typing.ArrayLike, y: numpy.typing.ArrayLike, depth: numpy.typing.ArrayLike, twist: "
+      "numpy.typing.ArrayLike, "
+      "dt: float = 0.0) -> None",
+      [](PyBatch& self, const Given& given) {
+        const double dt = number_of(given[4], "dt", 0.0);
         if (!(dt >= 0.0 && std::isfinite(dt))) throw out_of_range("dt", dt, "s", "[0, inf)");
-        std::visit([&](const auto& contacts) { contacts->update(x, y, depth, twist); }, self.contacts);
+        std::visit([&](const auto& contacts) { contacts->update(given[0], given[1], given[2], given[3]); }, self.contacts);
       },
-      nb::arg("x"), nb::arg("y"), nb::arg("depth"), nb::arg("twist"), nb::arg("dt") = 0.0,
-      nb::sig("def update(self, x: numpy.typing.ArrayLike, y: numpy.typing.ArrayLike, depth: numpy.typing.ArrayLike, twist: "
-              "numpy.typing.ArrayLike, dt: float = 0.0) -> None"),
       "Steps all contacts, in place: finger positions x, y [m] in the tangent plane, depths [m] (<= 0: free), twists [rad], unwrapped.\n"
       "Arrays of length n, or one number for all. Contiguous arrays of the batch's dtype are not copied; others are.\n"
       "dt [s] has no effect, for a batch has no dampers. A contact with NaN or a value beyond 1e6 holds its last output (`invalid`).\n"

@@ -25,8 +25,8 @@ using NamedArrays = std::vector<std::pair<std::string, nb::ndarray<const double,
 /// A caller's columns, of one length, which the command line reads as a file.
 class PyColumns : public cli::MemoryColumns {
  public:
-  PyColumns(std::string name, const NamedArrays& columns)
-      : MemoryColumns(std::move(name), names(columns), numbers(columns)), columns_(columns) {}
+  PyColumns(std::string name, const NamedArrays& columns, std::vector<std::string> refused)
+      : MemoryColumns(std::move(name), names(columns), numbers(columns), std::move(refused)), columns_(columns) {}
 
  private:
   static std::vector<std::string> names(const NamedArrays& columns) {
@@ -108,7 +108,7 @@ int run_as_program(const std::vector<std::string>& arguments) {
 
 void add_commands(nb::module_& module) {
   nb::class_<PyColumns>(module, "MemoryColumns", "Columns of numbers that the command line reads as a file of that path.")
-      .def(nb::init<std::string, const NamedArrays&>(), nb::arg("name"), nb::arg("columns"))
+      .def(nb::init<std::string, const NamedArrays&, std::vector<std::string>>(), nb::arg("name"), nb::arg("columns"), nb::arg("refused"))
       .def_prop_ro("path", &PyColumns::path);
   module.def(
       "run", &run, nb::arg("arguments"), nb::arg("data"), nb::arg("said"),

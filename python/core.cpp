@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "python/core.hpp"
 
+#include "godobject/finger/finger_numbers.hpp"
 #include "limitcurve/internal/interruption.hpp"
 #include "limitcurve/internal/number.hpp"
 #include "limitcurve/version.hpp"
@@ -72,6 +73,10 @@ void warn(const std::string& text) {
   if (PyErr_WarnEx(PyExc_UserWarning, text.c_str(), 1) != 0) throw nb::python_error();
 }
 
+void warn(const std::vector<std::string>& remarks) {
+  for (const std::string& remark : remarks) warn(remark.substr(remark.find(": ") + 2));
+}
+
 bool is_single(nb::handle values) {
   return nb::hasattr(values, "dtype") && text_of(values.attr("dtype")) == "float32";
 }
@@ -83,24 +88,42 @@ Numbers<Real> numbers_of(nb::handle values, const std::string& name) {
 template Numbers<double> numbers_of(nb::handle values, const std::string& name);
 template Numbers<float> numbers_of(nb::handle values, const std::string& name);
 
-std::vector<Numbers<double>> columns_of(const std::string& table, const std::vector<std::string>& names, const nb::list& columns) {
+std::vector<Numbers<double>> columns_of(const std::string& table, const std::vector<std::string>& names, const nb::list& columns,
+                                        std::vector<std::string>* refused) {
   const auto place = [&](std::size_t i) { return table.empty() ? names[i] : table + "['" + names[i] + "']"; };
   const nb::module_ masks = nb::module_::import_("numpy.ma");
   std::vector<Numbers<double>> result;
   nb::object masked = nb::none();
+  std::size_t first = names.size();  // that has numbers
+  if (refused != nullptr) refused->assign(names.size(), "");
   for (std::size_t i = 0; i < names.size(); ++i) {
     const bool has_mask = is_masked(columns[i]);
-    result.push_back(numbers_of<double>(has_mask ? masks.attr("getdata")(columns[i]) : nb::object(columns[i]), place(i)));
-    if (result[i].size != result[0].size) {
+    try {
+      result.push_back(numbers_of<double>(has_mask ? masks.attr("getdata")(columns[i]) : nb::object(columns[i]), place(i)));
+      if (!table.empty() && nb::cast<int>(result[i].array.attr("ndim")) != 1) {
+        throw std::invalid_argument(place(i) + ": got the shape " + text_of(result[i].array.attr("shape")) + ", expected one dimension");
+      }
+    } catch (const std::invalid_argument& error) {
+      if (refused == nullptr) throw;
+      (*refused)[i] = error.what();
+      result.resize(i);
+      result.push_back(numbers_of<double>(nb::list(), place(i)));
+      continue;
+    }
+    first = std::min(first, i);
+    if (result[i].size != result[first].size) {
       throw std::invalid_argument(place(i) + ": got " + std::to_string(result[i].size) + " numbers, expected " +
-                                  std::to_string(result[0].size) + " as in '" + names[0] + "'");
+                                  std::to_string(result[first].size) + " as in '" + names[first] + "'");
     }
     if (!has_mask) continue;
     const nb::object mask = masks.attr("getmaskarray")(columns[i]).attr("reshape")(-1);
     masked = masked.is_none() ? mask : numpy("logical_or")(masked, mask);
   }
   if (masked.is_none()) return result;
-  for (Numbers<double>& column : result) column = contiguous<double>(column.array.attr("reshape")(-1)[numpy("logical_not")(masked)]);
+  for (Numbers<double>& column : result) {
+    if (column.size == 0) continue;
+    column = contiguous<double>(column.array.attr("reshape")(-1)[numpy("logical_not")(masked)]);
+  }
   warn((table.empty() ? names[0] : table) + ": rows with a masked number are left out, " +
        std::to_string(nb::cast<std::size_t>(numpy("count_nonzero")(masked))) + " of " + std::to_string(nb::len(masked)));
   return result;
@@ -166,7 +189,33 @@ double number_of(nb::handle value, const std::string& name) {
   if (number != -1.0 || PyErr_Occurred() == nullptr) return number;
   nb::python_error error;
   rethrow_unless_of_values(error);
-  throw std::invalid_argument(name + ": expected a number");
+  throw std::invalid_argument(name + ": got " + shown(value) + ", expected a number");
+}
+
+double number_of(nb::handle value, const std::string& name, double standard) {
+  return value.is_none() ? standard : number_of(value, name);
+}
+
+std::string string_of(nb::handle value, const std::string& name) {
+  std::string text;
+  if (!nb::try_cast(value, text)) throw std::invalid_argument(name + ": got " + shown(value) + ", expected a text");
+  return text;
+}
+
+std::string string_of(nb::handle value, const std::string& name, const std::string& standard) {
+  return value.is_none() ? standard : string_of(value, name);
+}
+
+std::string shown(nb::handle value) {
+  constexpr std::size_t most = 60;
+  try {
+    std::string text = nb::cast<std::string>(nb::repr(value));
+    std::replace(text.begin(), text.end(), '\n', ' ');
+    return text.size() <= most ? text : text.substr(0, most) + "…";
+  } catch (nb::python_error& error) {
+    rethrow_unless_of_values(error);
+    return nb::cast<std::string>(nb::inst_name(value));
+  }
 }
 
 bool truth_of(nb::handle value) {
@@ -227,13 +276,17 @@ NB_MODULE(_core, module) {
       "columns_of",
       [](const std::string& table, const std::vector<std::string>& names, const nb::list& columns) {
         nb::list result;
-        for (const Numbers<double>& column : columns_of(table, names, columns)) result.append(column.array);
-        return result;
+        std::vector<std::string> refused;
+        for (const Numbers<double>& column : columns_of(table, names, columns, &refused)) result.append(column.array);
+        return nb::make_tuple(result, refused);
       },
       nb::arg("table"), nb::arg("names"), nb::arg("columns"),
       nb::sig("def columns_of(table: str, names: collections.abc.Sequence[str], columns: list[typing.Any]) -> "
-              "list[numpy.typing.NDArray[numpy.float64]]"),
-      "A table's columns as arrays of one length, without masked rows. ValueError with the place of what is NaN.");
+              "tuple[list[numpy.typing.NDArray[numpy.float64]], list[str]]"),
+      "A table's columns as arrays of one length, without masked rows; and of each what is wrong with it, '' if it has numbers.");
+  nb::list names;
+  for (const auto& number : limitcurve::godobject::finger_numbers) names.append(nb::str(number.name.data(), number.name.size()));
+  module.attr("finger_numbers") = names;
   module.def(
       "numbers_of", [](nb::handle values, const std::string& name) { return numbers_of<double>(values, name).array; }, nb::arg("values"),
       nb::arg("name"), nb::sig("def numbers_of(values: numpy.typing.ArrayLike, name: str) -> numpy.typing.NDArray[numpy.float64]"),

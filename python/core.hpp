@@ -105,8 +105,8 @@ void read_files(nb::kwargs& given);
 /// Parameters by their C++ names; `moment_ratio` is the curve's m₀, for a radius law from measured moments. TypeError for an unknown name,
 /// ValueError for a bad number or radius law.
 godobject::FingerParameters parameters_of(const nb::kwargs& given, double moment_ratio);
-/// These parameters as keywords of a Python function, with types and defaults.
-std::string parameters_signature();
+/// These parameters as keywords of a Python function, with types and defaults; for a patch without those of a round contact's moment.
+std::string parameters_signature(bool of_patch = false);
 /// Removes the projection from the keywords and returns it; default closest point.
 godobject::Projection take_projection(nb::kwargs& given);
 

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "python/core.hpp"
+#include "python/parameters.hpp"
 
 #include "cli/io/law_argument.hpp"
 #include "cli/io/output_file.hpp"
 #include "cli/io/stated_error.hpp"
 #include "cli/io/table_reader.hpp"
 #include "cli/io/table_writer.hpp"
+#include "cli/io/unit_questions.hpp"
 #include "godobject/godobject.hpp"
 #include "limitcurve/contact_radius.hpp"
 #include "limitcurve/internal/number.hpp"
@@ -18,6 +20,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <stdexcept>
@@ -29,7 +32,7 @@ namespace {
 
 template <std::size_t results, std::size_t block = 16, class At>
 nb::object of_cors(nb::handle c, const At& at) {
-  return of_numbers<results, block, 1>({c}, {"c"}, cli::signed_distance, [&](const std::array<double, 1>& s) { return at(s[0]); });
+  return of_numbers<results, block, 1>({c}, {"c"}, {cli::signed_distance}, [&](const std::array<double, 1>& s) { return at(s[0]); });
 }
 
 std::array<double, 2> components(const UnitWrench& wrench) {
@@ -43,13 +46,6 @@ nb::object evaluate_with_errors(const PyLaw& law, nb::handle c, Method method) {
   });
 }
 
-/// One number for each pair of force and moment.
-template <class Of>
-nb::object of_wrenches(nb::handle force, nb::handle moment, const Of& of) {
-  return of_numbers<1, 16, 2>({force, moment}, {"force", "moment"}, any,
-                              [&](const std::array<double, 2>& wrench) { return std::array{of(wrench[0], wrench[1])}; });
-}
-
 const Table& curve_in(const Table& table) {
   return table;
 }
@@ -57,51 +53,84 @@ const godobject::FingerCurve& curve_in(const PyCurve& curve) {
   return curve.curve;
 }
 
+template <class Curve>
+nb::object loads_to_hold(const Curve& curve, const Given& given) {
+  const nb::handle force = given[0];
+  const nb::handle moment = given[1];
+  const nb::handle mu = given[2];
+  const nb::handle radius_law = given[3];
+  const nb::handle mu_r = given[4];
+  const nb::object gamma = given[5].is_none() ? nb::float_(0.0) : given[5];
+  if (radius_law.is_none() == mu_r.is_none())
+    throw std::invalid_argument(std::string("radius_law, mu_r: got ") + (mu_r.is_none() ? "none" : "both") + ", expected one of them");
+  cli::UnitQuestions questions;
+  std::array loads{std::numeric_limits<double>::infinity(), 0.0};
+  const auto least = [&](const ContactFriction& contact, double f, double m) {
+    const double load = load_to_hold(curve, contact, f, m);
+    questions.wrench(f, m);
+    questions.load(load);
+    if (load > 0.0 && std::isfinite(load)) loads = {std::min(loads[0], load), std::max(loads[1], load)};
+    return std::array{load};
+  };
+  nb::object result;
+  if (mu_r.is_none()) {
+    const cli::RadiusLawArgument argument = cli::read_radius_law(string_of(radius_law, "radius_law"));
+    ContactFriction contact{.mu = -1.0, .gamma = number_of(gamma, "gamma")};
+    result = of_numbers<1, 16, 3>({force, moment, mu}, {"force", "moment", "mu"}, {any, any, cli::non_negative}, [&](const auto& of) {
+      // Measured moments make another radius law for each mu; without friction none matters.
+      if (of[2] != contact.mu) contact.radius_law = of[2] > 0.0 ? argument.of(of[2], curve.moment_ratio()) : RadiusLaw::constant(1e-3);
+      contact.mu = of[2];
+      return least(contact, of[0], of[1]);
+    });
+    if (contact.radius_law) questions.radii(*contact.radius_law, loads);
+  } else {
+    constexpr Range exponent{-0.5, 1.0, "a number from -0.5 to 1"};
+    result = of_numbers<1, 16, 5>({force, moment, mu, mu_r, gamma}, {"force", "moment", "mu", "mu_r", "gamma"},
+                                  {any, any, cli::non_negative, cli::non_negative, exponent},
+                                  [&](const auto& of) { return least({.mu = of[2], .mu_r = of[3], .gamma = of[4]}, of[0], of[1]); });
+  }
+  warn(questions.lines());
+  return result;
+}
+
 /// The methods of a table, an ellipse or a box.
 template <class Class>
 void add_limit_curve(nb::class_<Class>& type) {
-  type.def(
-          "evaluate",
-          [](const Class& self, nb::handle c) {
-            return of_cors<2, 256>(c, [&](double s) { return components(curve_in(self).wrench({s, 1.0})); });
-          },
-          nb::arg("c"), nb::sig("def evaluate(self, c: numpy.typing.ArrayLike) -> tuple[typing.Any, typing.Any]"),
-          "Unit wrenches at COR distances of c contact radii; of a table within certified_error. As Law.evaluate.")
-      .def(
-          "wrench",
-          [](const Class& self, nb::handle slide, nb::handle spin) {
-            return of_numbers<2, 256, 2>({slide, spin}, {"slide", "spin"}, any, [&](const std::array<double, 2>& twist) {
-              return components(curve_in(self).wrench({twist[0], twist[1]}));
-            });
-          },
-          nb::arg("slide"), nb::arg("spin"),
-          nb::sig("def wrench(self, slide: numpy.typing.ArrayLike, spin: numpy.typing.ArrayLike) -> tuple[typing.Any, typing.Any]"),
-          "Unit wrenches of slips with speeds |v| and rim speeds a|omega|, of which only the ratio counts, without signs; no slip gives "
-          "0.\n"
-          "Broadcasts; else as evaluate(slide / spin).")
-      .def(
-          "gauge",
-          [](const Class& self, nb::handle force, nb::handle moment) {
-            return of_wrenches(force, moment, [&](double f, double m) { return curve_in(self).gauge({f, m}); });
-          },
-          nb::arg("force"), nb::arg("moment"),
-          nb::sig("def gauge(self, force: numpy.typing.ArrayLike, moment: numpy.typing.ArrayLike) -> typing.Any"),
-          "Distance of unit wrenches from the origin divided by that of the curve on the same ray: < 1 holds, > 1 slips. Signs do not\n"
-          "count. Broadcasts.")
-      .def(
-          "load_to_hold",
-          [](const Class& self, nb::handle force, nb::handle moment, double mu, const std::string& radius_law) {
-            const auto& curve = curve_in(self);
-            const RadiusLaw radius = cli::read_radius_law(radius_law).of(mu, curve.moment_ratio());
-            return of_wrenches(force, moment, [&](double f, double m) { return load_to_hold(curve, radius, mu, f, m); });
-          },
-          nb::arg("force"), nb::arg("moment"), nb::kw_only(), nb::arg("mu"), nb::arg("radius_law"),
-          nb::sig("def load_to_hold(self, force: numpy.typing.ArrayLike, moment: numpy.typing.ArrayLike, *, mu: float, radius_law: str) -> "
-                  "typing.Any"),
-          "The least load [N] that holds friction forces [N] and moments [N m], of any sign, broadcast against each other.\n\n"
-          "inf if no load does. `radius_law` gives the contact radius a(P), as on the command line.")
-      .def_prop_ro(
-          "moment_ratio", [](const Class& self) { return curve_in(self).moment_ratio(); }, "m0, the unit moment of a pure twist.");
+  define<const Class&>(
+      type, "def evaluate(self, c: numpy.typing.ArrayLike) -> tuple[typing.Any, typing.Any]",
+      [](const Class& self, const Given& given) {
+        return of_cors<2, 256>(given[0], [&](double s) { return components(curve_in(self).wrench({s, 1.0})); });
+      },
+      "Unit wrenches at COR distances of c contact radii; of a table within certified_error. As Law.evaluate.");
+  define<const Class&>(
+      type, "def wrench(self, slide: numpy.typing.ArrayLike, spin: numpy.typing.ArrayLike) -> tuple[typing.Any, typing.Any]",
+      [](const Class& self, const Given& given) {
+        return of_numbers<2, 256, 2>({given[0], given[1]}, {"slide", "spin"}, {any, any}, [&](const std::array<double, 2>& twist) {
+          return components(curve_in(self).wrench({twist[0], twist[1]}));
+        });
+      },
+      "Unit wrenches of slips with speeds |v| and rim speeds a|omega|, of which only the ratio counts, without signs; no slip gives 0.\n"
+      "Broadcasts; else as evaluate(slide / spin).");
+  define<const Class&>(
+      type, "def gauge(self, force: numpy.typing.ArrayLike, moment: numpy.typing.ArrayLike) -> typing.Any",
+      [](const Class& self, const Given& given) {
+        return of_numbers<1, 16, 2>({given[0], given[1]}, {"force", "moment"}, {any, any}, [&](const std::array<double, 2>& wrench) {
+          return std::array{curve_in(self).gauge({wrench[0], wrench[1]})};
+        });
+      },
+      "Distance of unit wrenches from the origin divided by that of the curve on the same ray: < 1 holds, > 1 slips. Signs do not\n"
+      "count. Broadcasts.");
+  define<const Class&>(
+      type,
+      "def load_to_hold(self, force: numpy.typing.ArrayLike, moment: numpy.typing.ArrayLike, *, mu: numpy.typing.ArrayLike, radius_law: "
+      "str "
+      "| None = None, mu_r: numpy.typing.ArrayLike | None = None, gamma: numpy.typing.ArrayLike = 0.0) -> typing.Any",
+      [](const Class& self, const Given& given) { return loads_to_hold(curve_in(self), given); },
+      "The least load [N] that holds friction forces [N] and moments [N m], of any sign; inf if no load does. All numbers broadcast.\n\n"
+      "`radius_law` gives the contact radius a(P), as on the command line; or `mu_r` [m/N^gamma] is given as measured, and the moment\n"
+      "limit is mu_r P^(1+gamma).");
+  type.def_prop_ro(
+      "moment_ratio", [](const Class& self) { return curve_in(self).moment_ratio(); }, "m0, the unit moment of a pure twist.");
 }
 
 void add_laws(nb::module_& module) {
@@ -134,43 +163,40 @@ void add_laws(nb::module_& module) {
              Law law = cli::law_of(text, rows);
              new (&self) PyLaw{std::move(law), text, std::move(rows)};
            })
-      .def(
-          "__init__",
-          [](PyLaw* self, const std::string& text) {
-            std::vector<PressureSample> profile;
-            Law law = cli::read_law(text, profile);
-            new (self) PyLaw{std::move(law), text, std::move(profile)};
-          },
-          nb::arg("text"), "ValueError names the error in the text or in the file, and the expected input.")
-      .def_static(
-          "samples",
-          [](nb::handle radius, nb::handle pressure, const std::string& source) {
-            const auto all = columns_of("", {"radius", "pressure"}, nb::list(nb::make_tuple(radius, pressure)));
-            std::vector<PressureSample> rows;
-            for (std::size_t i = 0; i < all[0].size; ++i) rows.push_back({all[0].data[i], all[1].data[i]});
-            Law law = samples(rows, source);
-            std::string text = law->name();
-            return PyLaw{std::move(law), std::move(text), std::move(rows)};
-          },
-          nb::arg("radius"), nb::arg("pressure"), nb::arg("source") = "arrays",
-          nb::sig("def samples(radius: numpy.typing.ArrayLike, pressure: numpy.typing.ArrayLike, source: str = 'arrays') -> Law"),
-          "A measured profile: pressures [any unit] at increasing radii [any unit]; the last radius is the edge of the contact.")
-      .def(
-          "evaluate",
-          [](const PyLaw& self, nb::handle c, nb::handle error, const std::string& name) {
-            const Method method = method_of(*self.law, name);
-            return truth_of(error) ? evaluate_with_errors(self, c, method)
-                                   : of_cors<2>(c, [&](double s) { return components(self.law->evaluate(s, method).wrench); });
-          },
-          nb::arg("c"), nb::kw_only(), nb::arg("error") = false, nb::arg("method") = "auto",
-          nb::sig("def evaluate(self, c: numpy.typing.ArrayLike, *, error: bool = False, method: str = 'auto') -> tuple[typing.Any, ...]"),
-          "Unit wrenches F/(mu P) and M/(mu P a) of a slip about centres of rotation at |c| contact radii.\n\n"
-          "The results have the shape of c; float32 gives float32; NaN gives NaN. With `error` also bounds of both absolute\n"
-          "errors: (f, m, f_error, m_error). Relative error <= 1e-15 in closed form, <= 1e-14 by quadrature. `method`: auto, or one of\n"
-          "closed, ring, punch, direct and boost that the law has. Arrays release the GIL.")
       .def_prop_ro(
-          "name", [](const PyLaw& self) { return self.law->name(); }, "The law in words.")
-      .def_prop_ro(
+          "name", [](const PyLaw& self) { return self.law->name(); }, "The law in words.");
+  define<PyLaw*>(
+      type, "def __init__(self, text: str) -> None",
+      [](PyLaw* self, const Given& given) {
+        std::string text = string_of(given[0], "text");
+        std::vector<PressureSample> profile;
+        Law law = cli::read_law(text, profile);
+        new (self) PyLaw{std::move(law), std::move(text), std::move(profile)};
+      },
+      "ValueError names the error in the text or in the file, and the expected input.");
+  define_static(
+      type, "def samples(radius: numpy.typing.ArrayLike, pressure: numpy.typing.ArrayLike, source: str = 'arrays') -> Law",
+      [](const Given& given) {
+        const auto all = columns_of("", {"radius", "pressure"}, nb::list(nb::make_tuple(given[0], given[1])));
+        std::vector<PressureSample> rows;
+        for (std::size_t i = 0; i < all[0].size; ++i) rows.push_back({all[0].data[i], all[1].data[i]});
+        Law law = samples(rows, string_of(given[2], "source", "arrays"));
+        std::string text = law->name();
+        return PyLaw{std::move(law), std::move(text), std::move(rows)};
+      },
+      "A measured profile: pressures [any unit] at increasing radii [any unit]; the last radius is the edge of the contact.");
+  define<const PyLaw&>(
+      type, "def evaluate(self, c: numpy.typing.ArrayLike, *, error: bool = False, method: str = 'auto') -> tuple[typing.Any, ...]",
+      [](const PyLaw& self, const Given& given) {
+        const Method method = method_of(*self.law, string_of(given[2], "method", "auto"));
+        return truth_of(given[1]) ? evaluate_with_errors(self, given[0], method)
+                                  : of_cors<2>(given[0], [&](double s) { return components(self.law->evaluate(s, method).wrench); });
+      },
+      "Unit wrenches F/(mu P) and M/(mu P a) of a slip about centres of rotation at |c| contact radii.\n\n"
+      "The results have the shape of c; float32 gives float32; NaN gives NaN. With `error` also bounds of both absolute\n"
+      "errors: (f, m, f_error, m_error). Relative error <= 1e-15 in closed form, <= 1e-14 by quadrature. `method`: auto, or one of\n"
+      "closed, ring, punch, direct and boost that the law has. Arrays release the GIL.");
+  type.def_prop_ro(
           "moment_ratio", [](const PyLaw& self) { return self.law->moment_ratio(); }, "m0, the unit moment of a pure twist.")
       .def_prop_ro(
           "profile_error", [](const PyLaw& self) { return self.law->profile_error(); },
@@ -208,6 +234,16 @@ nb::object cells_of(const Table& table) {
   return nb::cast(nb::ndarray<nb::numpy, double>(data, {count, cell_columns}, owner));
 }
 
+/// Whether two tables have the same numbers, whatever they were made from.
+bool same(const Table& one, const Table& other) {
+  const auto equal = [](const std::vector<TableCell>& a, const std::vector<TableCell>& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                      [](const TableCell& c, const TableCell& d) { return c.x == d.x && c.coefficients == d.coefficients; });
+  };
+  return one.certified_error() == other.certified_error() && equal(one.cells().inside, other.cells().inside) &&
+         equal(one.cells().outside, other.cells().outside);
+}
+
 void add_tables(nb::module_& module) {
   nb::class_<Table> type(module, "Table",
                          "A limit curve as a lookup table, 1 to 96 KiB, with a certified error. It drives fingers and batches.\n\n"
@@ -222,47 +258,49 @@ void add_tables(nb::module_& module) {
              return nb::make_tuple(self.law_name(), self.tolerance(), self.certified_error(), self.profile_error(), self.cells().index_bits,
                                    self.cells().octaves, cells_of(self));
            })
-      .def("__setstate__",
-           [](Table& self, const nb::tuple& state) {
-             const auto number = [&](std::size_t i) { return nb::cast<double>(state[i]); };
-             TableCells cells{nb::cast<int>(state[4]), nb::cast<int>(state[5]), {}, {}};
-             const Numbers<double> rows = numbers_of<double>(state[6], "cells");
-             for (const double* row = rows.data; row < rows.data + rows.size; row += cell_columns) {
-               TableCell& cell = (row[0] == 0.0 ? cells.inside : cells.outside).emplace_back(TableCell{row[1], {}});
-               std::copy_n(row + 2, cell.coefficients.size(), cell.coefficients.begin());
-             }
-             std::reverse(cells.outside.begin(), cells.outside.end());
-             new (&self) Table(TableFacts{nb::cast<std::string>(state[0]), number(1), number(2), number(3)}, cells);
-           })
-      .def(
-          "__init__",
-          [](Table* self, nb::handle law, double tolerance, std::size_t bytes) {
-            const Law of = law_of(law);
-            const nb::gil_scoped_release release;
-            new (self) Table(Table::build(of, tolerance, {.bytes = bytes}));
-          },
-          nb::arg("law"), nb::arg("tolerance") = 1e-6, nb::arg("bytes") = TableOptions{}.bytes,
-          nb::sig("def __init__(self, law: str | Law, tolerance: float = 1e-06, bytes: int = 4096) -> None"),
-          "The table of a law: |error| <= tolerance * max(1, m0) in f and m, tolerance in [1e-14, 0.1]. Its polynomials have the lowest\n"
-          "degree, 3 to 5, with which nbytes <= bytes, else 6: the lowest is the fastest. Milliseconds for a law in closed form, up to\n"
-          "seconds by quadrature. RuntimeError if the law does not allow that tolerance. Releases the GIL.")
-      .def_static(
-          "load", [](nb::handle path) { return cli::read_table(path_of(path)); }, nb::arg("path"),
-          nb::sig("def load(path: str | os.PathLike[str]) -> Table"),
-          "Reads a .csv or .json file that `save` or `limitcurve table` wrote. ValueError names file, line and column of the error.")
-      .def(
-          "save",
-          [](const Table& self, nb::handle path, const std::string& name) {
-            const std::string file = path_of(path);
-            const cli::TableWriter text_of = cli::table_writer(file, "path", name);
-            const nb::gil_scoped_release release;  // the reader of a pipe may be another thread
-            cli::AtomicFile output(file);
-            output.output().write(text_of(self));
-            output.commit();
-          },
-          nb::arg("path"), nb::arg("name") = "", nb::sig("def save(self, path: str | os.PathLike[str], name: str = '') -> None"),
-          "Writes the whole table or nothing; the extension selects .csv, .json, .h (C99) or .hpp (constexpr C++17).\n"
-          "name: of the table in a header, NAME_wrench(slide, spin); if empty, one that no other table has.")
+      .def("__setstate__", [](Table& self, const nb::tuple& state) {
+        const auto number = [&](std::size_t i) { return nb::cast<double>(state[i]); };
+        TableCells cells{nb::cast<int>(state[4]), nb::cast<int>(state[5]), {}, {}};
+        const Numbers<double> rows = numbers_of<double>(state[6], "cells");
+        for (const double* row = rows.data; row < rows.data + rows.size; row += cell_columns) {
+          TableCell& cell = (row[0] == 0.0 ? cells.inside : cells.outside).emplace_back(TableCell{row[1], {}});
+          std::copy_n(row + 2, cell.coefficients.size(), cell.coefficients.begin());
+        }
+        std::reverse(cells.outside.begin(), cells.outside.end());
+        new (&self) Table(TableFacts{nb::cast<std::string>(state[0]), number(1), number(2), number(3)}, cells);
+      });
+  define<Table*>(
+      type, "def __init__(self, law: str | Law, tolerance: float = 1e-06, bytes: int = 4096) -> None",
+      [](Table* self, const Given& given) {
+        const Law of = law_of(given[0]);
+        const double tolerance = number_of(given[1], "tolerance", 1e-6);
+        TableOptions options;
+        if (!given[2].is_none() && !nb::try_cast(given[2], options.bytes))
+          throw std::invalid_argument("bytes: got " + shown(given[2]) + ", expected a whole number");
+        const nb::gil_scoped_release release;
+        new (self) Table(Table::build(of, tolerance, options));
+      },
+      "The table of a law: |error| <= tolerance * max(1, m0) in f and m, tolerance in [1e-14, 0.1]. Its polynomials have the lowest\n"
+      "degree, 3 to 5, with which nbytes <= bytes, else 6: the lowest is the fastest. Milliseconds for a law in closed form, up to\n"
+      "seconds by quadrature. RuntimeError if the law does not allow that tolerance. Releases the GIL.");
+  define_static(
+      type, "def load(path: str | os.PathLike[str]) -> Table", [](const Given& given) { return cli::read_table(path_of(given[0])); },
+      "Reads a .csv or .json file that `save` or `limitcurve table` wrote. ValueError names file, line and column of the error.");
+  define<const Table&>(
+      type, "def save(self, path: str | os.PathLike[str], name: str = '') -> None",
+      [](const Table& self, const Given& given) {
+        const std::string file = path_of(given[0]);
+        const cli::TableWriter text_of = cli::table_writer(file, "path", string_of(given[1], "name", ""));
+        const nb::gil_scoped_release release;  // the reader of a pipe may be another thread
+        cli::AtomicFile output(file);
+        output.output().write(text_of(self));
+        output.commit();
+      },
+      "Writes the whole table or nothing; the extension selects .csv, .json, .h (C99) or .hpp (constexpr C++17).\n"
+      "name: of the table in a header, NAME_wrench(slide, spin); if empty, one that no other table has.");
+  type.def("__eq__",
+           [](const Table& self, nb::handle other) { return nb::isinstance<Table>(other) && same(self, nb::cast<const Table&>(other)); })
+      .def("__hash__", [](const Table& self) { return std::hash<double>()(self.certified_error()); })
       .def(
           "touching_ellipse",
           [](const Table& self, nb::handle force, nb::handle moment, nb::handle p, nb::handle q, nb::handle slip) {
@@ -277,16 +315,16 @@ void add_tables(nb::module_& module) {
                 throw std::invalid_argument("slip: got " + std::to_string(nb::len(slip)) + " values, expected (v, u)");
               const nb::object slide = slip[0];
               const nb::object spin = slip[1];
-              return of_numbers<2, 16, 2>({slide, spin}, {"slip[0]", "slip[1]"}, any, [&](const std::array<double, 2>& twist) {
+              return of_numbers<2, 16, 2>({slide, spin}, {"slip[0]", "slip[1]"}, {any, any}, [&](const std::array<double, 2>& twist) {
                 return axes(touching_ellipse(self, SlipTwist{twist[0], twist[1]}));
               });
             }
             if (p.is_none()) {
-              return of_numbers<2, 16, 2>({force, moment}, {"force", "moment"}, any, [&](const std::array<double, 2>& wrench) {
+              return of_numbers<2, 16, 2>({force, moment}, {"force", "moment"}, {any, any}, [&](const std::array<double, 2>& wrench) {
                 return axes(touching_ellipse(self, wrench[0], wrench[1]));
               });
             }
-            return of_numbers<2, 16, 4>({force, moment, p, q}, {"force", "moment", "p", "q"}, any, [&](const std::array<double, 4>& given) {
+            return of_numbers<2, 16, 4>({force, moment, p, q}, {"force", "moment", "p", "q"}, {any, any, any, any}, [&](const std::array<double, 4>& given) {
               return axes(touching_ellipse(self, given[0], given[1], given[2], given[3]));
             });
           },
@@ -331,12 +369,14 @@ void add_closed_curves(nb::module_& module) {
           "__setstate__",
           [](PyCurve& self, const std::tuple<std::string, double, double>& state) { new (&self) PyCurve(std::apply(closed_curve, state)); })
       .def("__repr__", [](const PyCurve& self) { return "<" + self.name + ">"; });
-  module.def(
-      "ellipse", [](double force_max, double moment_max) { return closed_curve("ellipse", force_max, moment_max); }, nb::arg("force_max"),
-      nb::arg("moment_max"), "The ellipse with these semi-axes in unit wrenches; the usual one is ellipse(1, law.moment_ratio).");
-  module.def(
-      "box", [](double force_max, double moment_max) { return closed_curve("box", force_max, moment_max); }, nb::arg("force_max"),
-      nb::arg("moment_max"), "Separate limits of force and moment; only with projection='closest-point'.");
+  define_static(
+      module, "def ellipse(force_max: float, moment_max: float) -> Curve",
+      [](const Given& given) { return closed_curve("ellipse", number_of(given[0], "force_max"), number_of(given[1], "moment_max")); },
+      "The ellipse with these semi-axes in unit wrenches; the usual one is ellipse(1, law.moment_ratio).");
+  define_static(
+      module, "def box(force_max: float, moment_max: float) -> Curve",
+      [](const Given& given) { return closed_curve("box", number_of(given[0], "force_max"), number_of(given[1], "moment_max")); },
+      "Separate limits of force and moment; only with projection='closest-point'.");
 }
 
 }  // namespace
@@ -353,20 +393,21 @@ PyCurve closed_curve(const std::string& name, double force_max, double moment_ma
 Law law_of(nb::handle law) {
   if (nb::isinstance<PyLaw>(law)) return nb::cast<const PyLaw&>(law).law;
   if (nb::isinstance<nb::str>(law)) return cli::read_law(nb::cast<std::string>(law));
-  throw std::invalid_argument("law: expected a text, such as 'hertz', or a Law");
+  throw std::invalid_argument("law: got " + shown(law) + ", expected a text, such as 'hertz', or a Law");
 }
 
 template <>
 godobject::BasicFingerCurve<double> curve_of(nb::handle curve) {
   if (nb::isinstance<Table>(curve)) return nb::cast<const Table&>(curve);
   if (nb::isinstance<PyCurve>(curve)) return nb::cast<const PyCurve&>(curve).curve;
-  throw std::invalid_argument("curve: expected a Table, or what ellipse() or box() made");
+  throw std::invalid_argument("curve: got " + shown(curve) + ", expected a Table, or what ellipse() or box() made");
 }
 
 template <>
 godobject::BasicFingerCurve<float> curve_of(nb::handle curve) {
   if (nb::isinstance<PyCurve>(curve)) return nb::cast<const PyCurve&>(curve).single;
-  if (!nb::isinstance<Table>(curve)) throw std::invalid_argument("curve: expected a Table, or what ellipse() or box() made");
+  if (!nb::isinstance<Table>(curve))
+    throw std::invalid_argument("curve: got " + shown(curve) + ", expected a Table, or what ellipse() or box() made");
   // From the table itself, not from its law: that is only a name in a file, and the file of a measured profile may have changed.
   const auto& table = nb::cast<const Table&>(curve);
   return FloatTable::build(table, std::max(table.tolerance() / 100, FloatTable::finest_tolerance), {.name = table.law_name()});

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "python/core.hpp"
+#include "python/parameters.hpp"
 
 #include "cli/io/law_argument.hpp"
+#include "cli/io/unit_questions.hpp"
 #include "godobject/finger/finger_numbers.hpp"
 #include "godobject/scene/passivity.hpp"
 #include "godobject/soft_finger.hpp"
+#include "limitcurve/internal/did_you_mean.hpp"
 #include "limitcurve/internal/number.hpp"
 
 #include <nanobind/eigen/dense.h>
@@ -59,13 +62,16 @@ constexpr const char* update_under_load_doc =
     "motion friction sees. With a load <= 0 the finger is free; one that is not finite is bad input. The output has that load, and\n"
     "NaN for the depth. Springs and dampers stay in the tangent plane, whatever the surface's radius. The rest as in `update`.";
 
-FingerOutput update_under_load(PyFinger& finger, nb::handle point, nb::handle normal, double load, double twist, double dt,
+FingerOutput update_under_load(PyFinger& finger, nb::handle point, nb::handle normal, nb::handle load, nb::handle twist, nb::handle dt,
                                nb::handle landed) {
-  return finger.update_under_load(three_numbers(point, "point"), three_numbers(normal, "normal"), load, twist, dt, truth_of(landed));
+  return finger.update_under_load(three_numbers(point, "point"), three_numbers(normal, "normal"), number_of(load, "load"),
+                                  number_of(twist, "twist"), number_of(dt, "dt"), truth_of(landed));
 }
 
-FingerOutput update(PyFinger& finger, nb::handle point, nb::handle normal, double depth, double twist, double dt, nb::handle landed) {
-  return finger.update({three_numbers(point, "point"), three_numbers(normal, "normal"), depth, {}, truth_of(landed)}, twist, dt);
+FingerOutput update(PyFinger& finger, nb::handle point, nb::handle normal, nb::handle depth, nb::handle twist, nb::handle dt,
+                    nb::handle landed) {
+  return finger.update({three_numbers(point, "point"), three_numbers(normal, "normal"), number_of(depth, "depth"), {}, truth_of(landed)},
+                       number_of(twist, "twist"), number_of(dt, "dt"));
 }
 
 void add_output(nb::module_& module) {
@@ -104,13 +110,14 @@ void add_output(nb::module_& module) {
       .def_ro("converged", &FingerOutput::converged, "False: the search for a patch's closest point did not converge")
       .def_ro("fault", &FingerOutput::fault, "Fault: the reason of the state `invalid`")
       .def("__repr__", [](const FingerOutput& self) {
+        if (self.state == ContactState::invalid) return "<invalid: " + std::string(to_string(self.fault)) + ">";
         return "<" + std::string(to_string(self.state)) + ", load " + format_number(self.load) + " N, friction " +
                format_number(self.force.norm()) + " N and " + format_number(self.moment) + " N m>";
       });
 }
 
 void add_finger_types(nb::module_& module) {
-  const std::string of_patch = "def __init__(self, patch: Patch, *, point_radius: float = 0.0, " + parameters_signature() + ") -> None";
+  const std::string of_patch = "def __init__(self, patch: Patch, *, point_radius: float = 0.0, " + parameters_signature(true) + ") -> None";
   const std::string of_curve =
       "def __init__(self, curve: Table | Curve, *, projection: str = 'closest-point', " + parameters_signature() + ") -> None";
   nb::class_<PyFinger> type(
@@ -133,8 +140,11 @@ void add_finger_types(nb::module_& module) {
            })
       .def(
           "__init__",
-          [](PyFinger* self, nb::handle_t<PyPatch> patch, double point_radius, nb::kwargs given) {
+          [](PyFinger* self, nb::handle_t<PyPatch> patch, nb::handle radius, nb::kwargs given) {
+            const double point_radius = number_of(radius, "point_radius");
             const auto& on = nb::cast<const PyPatch&>(patch);
+            if (given.contains("radius_law") || given.contains("projection"))
+              throw std::invalid_argument("radius_law, projection: not with a Patch, which has its own size and the closest point");
             const SoftFinger finger(on, parameters_of(given, on.moment_ratio()), point_radius);
             given["point_radius"] = point_radius;
             new (self) PyFinger(finger, patch, given);
@@ -190,11 +200,26 @@ void add_friction(nb::module_& module) {
       .def_ro("force_fraction", &FrictionResult<double>::force_fraction, "what the limit leaves of the trial's force, in [0, 1]")
       .def_ro("moment_fraction", &FrictionResult<double>::moment_fraction, "likewise")
       .def_ro("cor", &FrictionResult<double>::cor, "of the slip [m], inf for pure sliding; NaN where it sticks");
-  module.def(
-      "apply_friction",
-      [](nb::handle curve, double force, double moment, double limit, double radius, double stiffness_ratio,
-         std::optional<double> sliding_limit, std::optional<double> sliding_radius, double force_stick_fraction,
-         double moment_stick_fraction, PyMemory* memory, const std::string& projection) {
+  define_static(
+      module,
+      "def apply_friction(curve: Table | Curve, force: float, moment: float, *, limit: float, radius: float, stiffness_ratio: float, "
+      "sliding_limit: float | None = None, sliding_radius: float | None = None, force_stick_fraction: float = 1.0, moment_stick_fraction: "
+      "float = 1.0, memory: FrictionMemory | None = None, projection: str = 'closest-point') -> FrictionResult",
+      [](const Given& given) {
+        const double force = number_of(given[1], "force");
+        const double moment = number_of(given[2], "moment");
+        const double limit = number_of(given[3], "limit");
+        const double radius = number_of(given[4], "radius");
+        const double stiffness_ratio = number_of(given[5], "stiffness_ratio");
+        const double sliding_force = number_of(given[6], "sliding_limit", limit);
+        const double radius_of_slip = number_of(given[7], "sliding_radius", radius);
+        const double force_stick_fraction = number_of(given[8], "force_stick_fraction", 1.0);
+        const double moment_stick_fraction = number_of(given[9], "moment_stick_fraction", 1.0);
+        PyMemory forgotten;
+        PyMemory* memory = &forgotten;
+        if (!given[10].is_none() && !nb::try_cast(given[10], memory))
+          throw std::invalid_argument("memory: got " + shown(given[10]) + ", expected a FrictionMemory");
+        const Projection way = parse_projection(string_of(given[11], "projection", "closest-point"));
         const auto require = [](bool holds, const char* name, double value, const char* expected) {
           if (!holds) throw out_of_range(name, value, "1", expected);
         };
@@ -204,31 +229,18 @@ void add_friction(nb::module_& module) {
         require(finite(limit), "limit", limit, "[0, inf)");
         require(finite(radius), "radius", radius, "[0, inf)");
         require(finite(stiffness_ratio) && stiffness_ratio > 0.0, "stiffness_ratio", stiffness_ratio, "(0, inf)");
-        const double sliding_force = sliding_limit.value_or(limit);
-        const double radius_of_slip = sliding_radius.value_or(radius);
         require(finite(sliding_force) && sliding_force <= limit, "sliding_limit", sliding_force, "[0, limit]");
         // The moments of a finger are products of rounded numbers.
         require(finite(radius_of_slip) && sliding_force * radius_of_slip <= limit * radius * (1.0 + 1e-12), "sliding_radius",
                 radius_of_slip, "[0, limit/sliding_limit*radius]");
         require(force_stick_fraction >= 0.0 && force_stick_fraction <= 1.0, "force_stick_fraction", force_stick_fraction, "[0, 1]");
         require(moment_stick_fraction >= 0.0 && moment_stick_fraction <= 1.0, "moment_stick_fraction", moment_stick_fraction, "[0, 1]");
-        const Projection way = parse_projection(projection);
-        const FingerCurve on = curve_of<double>(curve);
+        const FingerCurve on = curve_of<double>(given[0]);
         check_projection(on, way);
-        PyMemory forgotten;
         const FrictionLimits<double> limits{
             {limit, radius}, {sliding_force, radius_of_slip}, stiffness_ratio, force_stick_fraction, moment_stick_fraction};
-        return apply_friction(on.view(), way, limits, FrictionTrial<double>{force, moment},
-                              memory != nullptr ? memory->memory : forgotten.memory);
+        return apply_friction(on.view(), way, limits, FrictionTrial<double>{force, moment}, memory->memory);
       },
-      nb::arg("curve"), nb::arg("force"), nb::arg("moment"), nb::kw_only(), nb::arg("limit"), nb::arg("radius"), nb::arg("stiffness_ratio"),
-      nb::arg("sliding_limit") = nb::none(), nb::arg("sliding_radius") = nb::none(), nb::arg("force_stick_fraction") = 1.0,
-      nb::arg("moment_stick_fraction") = 1.0, nb::arg("memory") = nb::none(), nb::arg("projection") = "closest-point",
-      nb::sig(
-          "def apply_friction(curve: Table | Curve, force: float, moment: float, *, limit: float, radius: float, stiffness_ratio: float, "
-          "sliding_limit: float | None = None, sliding_radius: float | None = None, force_stick_fraction: float = 1.0, "
-          "moment_stick_fraction: "
-          "float = 1.0, memory: FrictionMemory | None = None, projection: str = 'closest-point') -> FrictionResult"),
       "The fraction of a trial force [N] and moment [N m], of any sign, within the friction limit: for simulators with springs of\n"
       "their own.\n\n"
       "limit is mu P [N], radius is a [m], stiffness_ratio is k_l/k_r of the springs [1/m^2]. The `sliding_` limits act while the\n"
@@ -269,7 +281,8 @@ FingerParameters parameters_of(const nb::kwargs& given, double moment_ratio) {
         radius_law.emplace(text, std::move(samples));
         continue;
       }
-      if (!nb::isinstance<nb::str>(value)) throw std::invalid_argument("radius_law: expected a text, such as 'constant:a=0.005'");
+      if (!nb::isinstance<nb::str>(value))
+        throw std::invalid_argument("radius_law: got " + shown(value) + ", expected a text, such as 'constant:a=0.005'");
       radius_law = cli::read_radius_law(nb::cast<std::string>(value));
       continue;
     }
@@ -282,16 +295,27 @@ FingerParameters parameters_of(const nb::kwargs& given, double moment_ratio) {
       const bool may_be_absent = !std::is_same_v<decltype(field), double&>;
       if (!(may_be_absent && value.is_none())) field = number_of(value, name);
     });
-    if (!known) throw nb::type_error(("unknown parameter '" + name + "', expected one of " + expected).c_str());
+    if (known) continue;
+    std::vector<std::string_view> names{"projection", "radius_law"};
+    for (const FingerNumber& number : finger_numbers) names.push_back(number.name);
+    throw nb::type_error(("unknown parameter '" + name + "', expected one of " + expected + did_you_mean(name, names)).c_str());
   }
-  if (radius_law) parameters.radius_law = radius_law->of(parameters.mu, moment_ratio);
+  if (!radius_law) return parameters;
+  if (parameters.mu_r) throw std::invalid_argument("mu_r: not with radius_law, expected one of them");
+  parameters.radius_law = radius_law->of(parameters.mu, moment_ratio);
+  const auto [first, last] = parameters.radius_law.sampled_loads();
+  cli::UnitQuestions questions;
+  questions.radii(parameters.radius_law, std::array{std::max(first, 1.0), std::min(last, std::max(first, 1.0))});
+  warn(questions.lines());
   return parameters;
 }
 
-std::string parameters_signature() {
+std::string parameters_signature(bool of_patch) {
   std::string text;
   const FingerParameters standard;
   for_each_number(standard, [&](const FingerNumber& number, const auto& value) {
+    if (of_patch && number.name.find("mu_r") != std::string_view::npos) return;
+    if (of_patch && number.name == "gamma") return;
     text.append(text.empty() ? "" : ", ").append(number.name);
     if constexpr (std::is_same_v<decltype(value), const double&>) {
       const std::string digits = format_number(value);
@@ -300,14 +324,15 @@ std::string parameters_signature() {
       text.append(": float | None = None");
     }
   });
-  return text + ", radius_law: str = 'constant:a=0.005'";
+  return of_patch ? text : text + ", radius_law: str = 'constant:a=0.005'";
 }
 
 Projection take_projection(nb::kwargs& given) {
   if (!given.contains("projection")) return Projection::closest_point;
   const nb::object value = given["projection"];
   PyDict_DelItemString(given.ptr(), "projection");
-  if (!nb::isinstance<nb::str>(value)) throw std::invalid_argument("projection: expected closest-point, radial or c-curve");
+  if (!nb::isinstance<nb::str>(value))
+    throw std::invalid_argument("projection: got " + shown(value) + ", expected closest-point, radial or c-curve");
   return parse_projection(nb::cast<std::string>(value));
 }
 

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "python/core.hpp"
+#include "python/parameters.hpp"
+
+#include "cli/io/unit_questions.hpp"
 
 #include "limitcurve/internal/number.hpp"
 
@@ -19,22 +22,26 @@ namespace limitcurve::python {
 
 namespace {
 
-nb::object wrench(const PyPatch& patch, nb::handle twists, double mu, double load, nb::handle error) {
+nb::object wrench(const PyPatch& patch, const Given& given) {
+  const nb::handle twists = given[0];
+  const double mu = number_of(given[1], "mu", 1.0);
+  const double load = number_of(given[2], "load", 1.0);
+  const bool with_error = truth_of(given[3]);
   if (!(mu > 0.0 && std::isfinite(mu))) throw out_of_range("mu", mu, "1", "(0, inf)");
   if (!(load > 0.0 && std::isfinite(load))) throw out_of_range("load", load, "N", "(0, inf)");
   return in_precision(is_single(twists), [&]<class Real>(Real) -> nb::object {
-    const Numbers<Real> given = numbers_of<Real>(twists, "twists");
-    const nb::tuple shape = given.array.attr("shape");
+    const Numbers<Real> all = numbers_of<Real>(twists, "twists");
+    const nb::tuple shape = all.array.attr("shape");
     if (nb::len(shape) == 0 || nb::cast<std::size_t>(shape[nb::len(shape) - 1]) != 3) {
       throw std::invalid_argument("twists: got the shape " + text_of(shape) + ", expected (…, 3): vx, vy, omega");
     }
-    const Results<Real> wrenches = results_like<Real>(given.array);
-    const nb::object first = given.array[nb::make_tuple(nb::ellipsis(), 0)];
+    const Results<Real> wrenches = results_like<Real>(all.array);
+    const nb::object first = all.array[nb::make_tuple(nb::ellipsis(), 0)];
     const Results<Real> powers = results_like<Real>(first);
     const Results<Real> errors = results_like<Real>(first);
     const double limit = mu * load;
-    for_each_point(given.size / 3, [&](std::size_t i) {
-      const Real* const twist = given.data + 3 * i;
+    for_each_point(all.size / 3, [&](std::size_t i) {
+      const Real* const twist = all.data + 3 * i;
       const PatchFriction friction =
           patch.about_origin({static_cast<double>(twist[0]), static_cast<double>(twist[1]), static_cast<double>(twist[2])});
       wrenches.data[3 * i] = static_cast<Real>(limit * friction.wrench.fx);
@@ -43,19 +50,34 @@ nb::object wrench(const PyPatch& patch, nb::handle twists, double mu, double loa
       powers.data[i] = static_cast<Real>(limit * friction.power);
       errors.data[i] = static_cast<Real>(friction.error);
     });
-    if (!truth_of(error)) return handed_over(wrenches);
+    if (!with_error) return handed_over(wrenches);
     return nb::make_tuple(handed_over(wrenches), handed_over(powers), handed_over(errors));
   });
 }
 
-nb::object loads_to_hold(const PyPatch& patch, nb::handle fx, nb::handle fy, nb::handle moment, double mu) {
-  return of_numbers<1, 16, 3>({fx, fy, moment}, {"fx", "fy", "moment"}, any, [&](const std::array<double, 3>& wrench) {
-    return std::array{load_to_hold(patch, mu, {wrench[0], wrench[1], wrench[2]})};
-  });
+nb::object loads_to_hold(const PyPatch& patch, const Given& given) {
+  cli::UnitQuestions questions;
+  const nb::object loads =
+      of_numbers<1, 16, 4>({given[0], given[1], given[2], given[3]}, {"fx", "fy", "moment", "mu"},
+                           {cli::finite, cli::finite, cli::finite, cli::non_negative}, [&](const std::array<double, 4>& of) {
+                             const double load = load_to_hold(patch, of[3], {of[0], of[1], of[2]});
+                             questions.wrench(std::hypot(of[0], of[1]), of[2]);
+                             questions.load(load);
+                             return std::array{load};
+                           });
+  warn(questions.lines());
+  return loads;
 }
 
-nb::object slips(const PyPatch& patch, nb::handle fx, nb::handle fy, nb::handle moment) {
-  const nb::object twists = of_numbers<3, 16, 3>({fx, fy, moment}, {"fx", "fy", "moment"}, any, [&](const std::array<double, 3>& wrench) {
+/// The patch, with warnings of what is odd about it.
+PyPatch asked(cli::PatchArgument argument) {
+  PyPatch patch(std::move(argument));
+  warn(patch.made_of.remarks());
+  return patch;
+}
+
+nb::object slips(const PyPatch& patch, const Given& given) {
+  const nb::object twists = of_numbers<3, 16, 3>({given[0], given[1], given[2]}, {"fx", "fy", "moment"}, {any, any, any}, [&](const std::array<double, 3>& wrench) {
     const PatchTwist twist = patch.slip({wrench[0], wrench[1], wrench[2]}).twist;
     return std::array{twist.vx, twist.vy, twist.omega};
   });
@@ -69,18 +91,22 @@ PyPatch of_columns(const char* kind, const std::vector<std::string>& names, cons
   for (std::size_t row = 0; row < all[0].size; ++row) {
     for (const Numbers<double>& column : all) made.numbers.push_back(column.data[row]);
   }
-  return PyPatch(std::move(made));
+  return asked(std::move(made));
 }
 
-using Spacing = std::tuple<double, double>;
-
-PyPatch image(nb::handle pressures, const std::optional<double>& pixel, const std::optional<Spacing>& spacing) {
-  if (pixel.has_value() == spacing.has_value()) throw std::invalid_argument("expected one of pixel and spacing");
+PyPatch image(const Given& given) {
+  const nb::handle pressures = given[0];
+  const nb::handle pixel = given[1];
+  std::tuple<double, double> spacing;
+  if (pixel.is_none() == given[2].is_none()) throw std::invalid_argument("expected one of pixel and spacing");
+  if (pixel.is_none() && !nb::try_cast(given[2], spacing))
+    throw std::invalid_argument("spacing: got " + shown(given[2]) + ", expected (dy, dx)");
+  if (!pixel.is_none()) spacing = {number_of(pixel, "pixel"), number_of(pixel, "pixel")};
   const bool has_mask = is_masked(pressures);
   const Numbers<double> all = numbers_of<double>(has_mask ? pressures.attr("filled")(0.0) : nb::borrow(pressures), "pressures");
   const nb::tuple shape = all.array.attr("shape");
   if (nb::len(shape) != 2) throw std::invalid_argument("pressures: got the shape " + text_of(shape) + ", expected two dimensions");
-  const auto [dy, dx] = spacing ? *spacing : Spacing(*pixel, *pixel);
+  const auto [dy, dx] = spacing;
   cli::PatchArgument made{
       .kind = "image", .numbers = {all.data, all.data + all.size}, .columns = nb::cast<std::size_t>(shape[1]), .x = dx, .y = dy};
   if (has_mask) made.without_sensor = nb::cast<std::size_t>(nb::module_::import_("numpy.ma").attr("count_masked")(pressures));
@@ -89,23 +115,23 @@ PyPatch image(nb::handle pressures, const std::optional<double>& pixel, const st
     pressure = 0.0;
     ++made.without_sensor;
   }
-  if (!made.note().empty()) warn(made.note());
-  return PyPatch(std::move(made));
+  return asked(std::move(made));
 }
 
-using PatchState = std::tuple<std::string, std::vector<double>, std::size_t, std::vector<double>, std::string, std::vector<double>,
-                              std::vector<std::pair<double, double>>>;
+using PatchState = std::tuple<std::string, std::string, std::vector<double>, std::size_t, std::vector<double>, std::string,
+                              std::vector<double>, std::vector<std::pair<double, double>>>;
 
 PatchState state_of(const PyPatch& self) {
   const cli::PatchArgument& made = self.made_of;
   std::vector<double> profile;
   for (const PressureSample& sample : made.profile) profile.insert(profile.end(), {sample.radius, sample.pressure});
-  return {made.kind, made.numbers, made.columns, {made.x, made.y, made.mx, made.my}, made.law, profile, self.multiplied_by};
+  return {made.kind, made.text, made.numbers, made.columns, {made.x, made.y, made.mx, made.my}, made.law, profile, self.multiplied_by};
 }
 
 PyPatch patch_of(const PatchState& state) {
-  const auto& [kind, numbers, columns, lengths, law, profile, multiplied_by] = state;
+  const auto& [kind, text, numbers, columns, lengths, law, profile, multiplied_by] = state;
   cli::PatchArgument made{.kind = kind,
+                          .text = text,
                           .numbers = numbers,
                           .columns = columns,
                           .x = lengths.at(0),
@@ -117,6 +143,13 @@ PyPatch patch_of(const PatchState& state) {
   PyPatch patch(std::move(made));
   for (const auto& [mx, my] : multiplied_by) patch = patch.orthotropic(mx, my);
   return patch;
+}
+
+std::string in_words(const PyPatch& self) {
+  const cli::PatchArgument& made = self.made_of;
+  std::string text = made.text.empty() ? made.kind + " of " + std::to_string(made.numbers.size() / made.columns) + " rows" : made.text;
+  for (const auto& [mx, my] : self.multiplied_by) text += ",mx=" + format_number(mx) + ",my=" + format_number(my);
+  return "<Patch " + text + ", m0 " + format_number(self.moment_ratio()) + " m>";
 }
 
 }  // namespace
@@ -132,60 +165,56 @@ void add_patches(nb::module_& module) {
       ">>> [round(float(x), 12) + 0.0 for x in patch.wrench([0.1, 0, 0])]\n"
       "[1.0, 0.0, 0.0]\n");
   copies_are_itself(type);
-  type.def("__getstate__", &state_of)
-      .def("__setstate__", [](PyPatch& self, const PatchState& state) { new (&self) PyPatch(patch_of(state)); })
-      .def(
-          "__init__",
-          [](PyPatch* self, const std::string& text) {
-            cli::PatchArgument argument = cli::parse_patch(text);
-            if (!argument.note().empty()) warn(argument.note());
-            new (self) PyPatch(std::move(argument));
-          },
-          nb::arg("text"), "ValueError names the error in the text or in the file, and the expected input.")
-      .def_static(
-          "points",
-          [](nb::handle x, nb::handle y, nb::handle load) {
-            return of_columns("points", {"x", "y", "load"}, nb::list(nb::make_tuple(x, y, load)));
-          },
-          nb::arg("x"), nb::arg("y"), nb::arg("load"),
-          nb::sig("def points(x: numpy.typing.ArrayLike, y: numpy.typing.ArrayLike, load: numpy.typing.ArrayLike) -> Patch"),
-          "Points [m] with loads >= 0 of any unit.")
-      .def_static(
-          "polygon",
-          [](nb::handle x, nb::handle y) {
-            return of_columns("polygon", {"x", "y"}, nb::list(nb::make_tuple(x, y)));
-          },
-          nb::arg("x"), nb::arg("y"), nb::sig("def polygon(x: numpy.typing.ArrayLike, y: numpy.typing.ArrayLike) -> Patch"),
-          "Uniform pressure on a simple polygon [m].")
-      .def_static(
-          "image", &image, nb::arg("pressures"), nb::arg("pixel") = nb::none(), nb::kw_only(), nb::arg("spacing") = nb::none(),
-          nb::sig("def image(pressures: numpy.typing.ArrayLike, pixel: float | None = None, *, spacing: tuple[float, float] | None = None) "
-                  "-> Patch"),
-          "A pressure image; the first row is at the largest y; pixels are squares of side `pixel` [m], or rectangles with the `spacing`\n"
-          "(dy, dx) of rows and columns; the origin is the centre of pressure. A pixel that is masked or NaN has no sensor: it counts as\n"
-          "without pressure, with a warning.")
-      .def("orthotropic", &PyPatch::orthotropic, nb::arg("mx"), nb::arg("my"),
-           "The same patch with orthotropic friction: mu times mx along x and times my along y.")
-      .def(
-          "wrench", &wrench, nb::arg("twists"), nb::arg("mu") = 1.0, nb::arg("load") = 1.0, nb::kw_only(), nb::arg("error") = false,
-          nb::sig(
-              "def wrench(self, twists: numpy.typing.ArrayLike, mu: float = 1.0, load: float = 1.0, *, error: bool = False) -> typing.Any"),
-          "The wrenches (fx, fy, moment) [N, N m] about the origin that keep the patch sliding with twists (vx, vy, omega) [m/s, "
-          "rad/s].\n\n"
-          "Shape (…, 3) in and out. With `error` also the powers [W], and a bound of the largest of the power's relative error,\n"
-          "|dF|/(mu P) and |dM|/(mu P m0). Releases the GIL.")
-      .def("load_to_hold", &loads_to_hold, nb::arg("fx"), nb::arg("fy"), nb::arg("moment"), nb::kw_only(), nb::arg("mu"),
-           nb::sig("def load_to_hold(self, fx: numpy.typing.ArrayLike, fy: numpy.typing.ArrayLike, moment: numpy.typing.ArrayLike, *, "
-                   "mu: float) -> typing.Any"),
-           "The least loads [N] that hold friction wrenches [N, N m] about the origin, broadcast against each other; inf if no load does.\n"
-           "Releases the GIL.")
-      .def("slip", &slips, nb::arg("fx"), nb::arg("fy"), nb::arg("moment"),
-           nb::sig("def slip(self, fx: numpy.typing.ArrayLike, fy: numpy.typing.ArrayLike, moment: numpy.typing.ArrayLike) -> typing.Any"),
-           "The twists (vx, vy, omega) [m/s, rad/s] about the origin with which the patch slips under friction wrenches [N, N m], "
-           "broadcast\n"
-           "against each other: shape (…, 3). They have power 1 W against the wrench; NaN for wrench 0, and where no load holds. Releases "
-           "the\n"
-           "GIL.")
+  type.def("__getstate__", &state_of).def("__setstate__", [](PyPatch& self, const PatchState& state) {
+    new (&self) PyPatch(patch_of(state));
+  });
+  define<PyPatch*>(
+      type, "def __init__(self, text: str) -> None",
+      [](PyPatch* self, const Given& given) { new (self) PyPatch(asked(cli::parse_patch(string_of(given[0], "text")))); },
+      "ValueError names the error in the text or in the file, and the expected input.");
+  define_static(
+      type, "def points(x: numpy.typing.ArrayLike, y: numpy.typing.ArrayLike, load: numpy.typing.ArrayLike) -> Patch",
+      [](const Given& given) {
+        return of_columns("points", {"x", "y", "load"}, nb::list(nb::make_tuple(given[0], given[1], given[2])));
+      },
+      "Points [m] with loads >= 0 of any unit.");
+  define_static(
+      type, "def polygon(x: numpy.typing.ArrayLike, y: numpy.typing.ArrayLike) -> Patch",
+      [](const Given& given) {
+        return of_columns("polygon", {"x", "y"}, nb::list(nb::make_tuple(given[0], given[1])));
+      },
+      "Uniform pressure on a simple polygon [m].");
+  define_static(
+      type,
+      "def image(pressures: numpy.typing.ArrayLike, pixel: float | None = None, *, spacing: tuple[float, float] | None = None) -> Patch",
+      &image,
+      "A pressure image; the first row is at the largest y; pixels are squares of side `pixel` [m], or rectangles with the `spacing`\n"
+      "(dy, dx) of rows and columns; the origin is the centre of pressure. A pixel that is masked or NaN has no sensor: it counts as\n"
+      "without pressure, with a warning.");
+  define<const PyPatch&>(
+      type, "def orthotropic(self, mx: float, my: float) -> Patch",
+      [](const PyPatch& self, const Given& given) { return self.orthotropic(number_of(given[0], "mx"), number_of(given[1], "my")); },
+      "The same patch with orthotropic friction: mu times mx along x and times my along y.");
+  define<const PyPatch&>(
+      type, "def wrench(self, twists: numpy.typing.ArrayLike, mu: float = 1.0, load: float = 1.0, *, error: bool = False) -> typing.Any",
+      &wrench,
+      "The wrenches (fx, fy, moment) [N, N m] about the origin that keep the patch sliding with twists (vx, vy, omega) [m/s, rad/s].\n\n"
+      "Shape (…, 3) in and out. With `error` also the powers [W], and a bound of the largest of the power's relative error,\n"
+      "|dF|/(mu P) and |dM|/(mu P m0). Releases the GIL.");
+  define<const PyPatch&>(
+      type,
+      "def load_to_hold(self, fx: numpy.typing.ArrayLike, fy: numpy.typing.ArrayLike, moment: numpy.typing.ArrayLike, *, mu: "
+      "numpy.typing.ArrayLike) -> typing.Any",
+      &loads_to_hold,
+      "The least loads [N] that hold friction wrenches [N, N m] about the origin, broadcast against each other and mu; inf if no load\n"
+      "does. Releases the GIL.");
+  define<const PyPatch&>(
+      type,
+      "def slip(self, fx: numpy.typing.ArrayLike, fy: numpy.typing.ArrayLike, moment: numpy.typing.ArrayLike) -> typing.Any", &slips,
+      "The twists (vx, vy, omega) [m/s, rad/s] about the origin with which the patch slips under friction wrenches [N, N m], broadcast\n"
+      "against each other: shape (…, 3). They have power 1 W against the wrench; NaN for wrench 0, and where no load holds. Releases the\n"
+      "GIL.");
+  type.def("__repr__", &in_words)
       .def_prop_ro("moment_ratio", &Patch::moment_ratio, "m0: the moment of a pure spin over mu P [m].")
       .def_prop_ro("radius", &Patch::radius, "Largest distance of a point from the centre of pressure [m].")
       .def_prop_ro(

@@ -50,7 +50,7 @@ class Choose final : public Subcommand {
     options.flag("--explain", explain_, "Give the reason for each candidate on standard error");
     options.flag("--scene", scene_wanted_, "Choose the step of a scene: limit curve, projection, and whether torsion matters");
     options.number("--mu", mu_, positive, "Scene: coefficient of friction (default 0.5)");
-    options.radius_law(radius_law_, Presence::optional);
+    options.radius_law(radius_law_);
     options.number("--mu-r", scene_.mu_r, positive, "Scene: mu_r [m]; the moment limit is mu_r P, in place of the radius law's");
     options.numbers("--loads", loads_, positive, "Scene: least and largest load [N] (default 0.5,2)", Presence::optional);
     options.number("--stiffness", stiffness_, positive, "Scene: k_l [N/m] (default 1000)");
@@ -64,13 +64,20 @@ class Choose final : public Subcommand {
 
   void run(const Results& results) override {
     if (patch_.empty() == (law_ == nullptr)) throw std::invalid_argument("expected one of --law and --patch");
+    if (radius_law_ && scene_.mu_r) throw std::invalid_argument("--mu-r: not with --radius-law, expected one of them");
     if (!patch_.empty() && scene_wanted_) throw std::invalid_argument("--scene: goes with --law, got --patch");
     scene_wanted_ ? choose_for_scene(results) : choose_curve(results);
   }
 
  private:
   void choose_curve(const Results& results) const {
-    write(results, patch_.empty() ? choose(law_, tolerance_) : choose(read_patch(patch_, *results.messages), tolerance_));
+    if (patch_.empty()) {
+      write(results, choose(law_, tolerance_));
+    } else {
+      const Patch patch = read_patch(patch_, *results.messages);
+      note_factor(*results.messages, patch);
+      write(results, choose(patch, tolerance_));
+    }
     if (!explain_) return;
     if (law_) {
       results.messages->say("error: of the radius on a ray, which says whether a contact holds; how it moves is a question for --scene");
@@ -130,7 +137,7 @@ class Choose final : public Subcommand {
     if (!mu_) text += " --mu " + format_number(scene_.mu);
     if (!stiffness_) text += " --stiffness " + format_number(scene_.stiffness);
     if (!twist_stiffness_) text += " --twist-stiffness " + format_number(scene_.twist_stiffness);
-    if (step.finger.mu_r == 0.0) text += " --mu-r 0";
+    if (step.finger.mu_r == 0.0) return text + " --mu-r 0" + (radius_law_ ? " in place of --radius-law" : "");
     const RadiusLaw& radius_law = step.finger.radius_law;
     if (!scene_.mu_r && (!radius_law_ || radius_law.depends_on_load() != scene_.radius_law.depends_on_load())) {
       text += " --radius-law constant:a=" + format_number(radius_law.radius(scene_.most_load), 6);

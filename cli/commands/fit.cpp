@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -207,6 +208,10 @@ class Fit final : public Subcommand {
     if (!of_load) add("mu", "mu", format_number(estimates[0].value, digits));
     add("mu-r", "mu_r", format_number(estimates[of_load ? 0 : 1].value, digits));
     if (gamma != 0.0) add("gamma", "gamma", growth);
+    if (!of_load && (!law.empty() || found.model == "ellipse") && std::filesystem::exists(data_)) {
+      say("note",
+          "to type, for the load that would hold each row: limitcurve hold" + options + " --data '" + data_ + "'" + file_columns_.options);
+    }
     say("note", "to type into replay:" + options + "; into FingerParameters: " + fields);
   }
 

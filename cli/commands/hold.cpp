@@ -31,7 +31,7 @@ class Hold final : public Subcommand {
   [[nodiscard]] Manual manual() const override {
     return {
         "hold", "How hard to grip: the least load under which a contact bears a force and a moment without slip",
-        "One contact of --law, --radius-law and --mu bears --force and --moment, or each row of --data (columns force,moment). Signs do\n"
+        "A contact of --law, --radius-law or --mu-r, and --mu bears --force and --moment, or each row of --data (force,moment). Signs do\n"
         "not matter. With --fingers 2 --mass M --offset L in their place, fingers grip an object beside its centre of mass and hold\n"
         "it level: each bears m g/2 and m g l/2, and hold_load is the grip of each.\n"
         "--patch P, in place of --law and --radius-law: a contact that is not round (see 'limitcurve patch'); then --force is FX,FY,\n"
@@ -44,7 +44,9 @@ class Hold final : public Subcommand {
 
   void declare(Options& options) override {
     options.law(law_, Presence::optional);
-    options.radius_law(radius_law_, Presence::optional);
+    options.moment(torsion_);
+    options.named("--curve", curve_, godobject::curve_kind_names(), godobject::parse_curve_kind,
+                  "Limit curve (default exact); with ellipse or box, --mu and --mu-r no law is needed");
     options.text("--patch", patch_, "PATCH", "In place of --law and --radius-law: a pressure patch");
     options.number("--mu", mu_, non_negative, "Friction coefficient mu [1]", Presence::required);
     options.numbers("--force", force_, finite, "Friction force F [N]; with --patch FX,FY", Presence::optional);
@@ -60,7 +62,10 @@ class Hold final : public Subcommand {
   }
 
   void run(const Results& results) override {
-    if (patch_.empty() == (law_ == nullptr)) throw std::invalid_argument("expected one of --law and --patch");
+    const godobject::CurveKind kind = curve_.value_or(godobject::CurveKind::exact);
+    if (patch_.empty()) law_ = law_if_needed(law_, kind, torsion_.mu_r.has_value());
+    if (patch_.empty() == (law_ == nullptr))
+      throw std::invalid_argument("expected one of --law and --patch, or --curve ellipse or box with --mu-r");
     const int given =
         static_cast<int>(!force_.empty() || moment_) + static_cast<int>(!data_.empty()) + static_cast<int>(fingers_ || mass_ || offset_);
     if (given != 1) throw std::invalid_argument("expected one of --force with --moment, --data, and --mass with --offset");
@@ -68,25 +73,24 @@ class Hold final : public Subcommand {
     if (mass_ && columns_.given()) throw std::invalid_argument("--units: goes with --data, or with --force and --moment");
     if (!down_.empty() && (patch_.empty() || !mass_)) throw std::invalid_argument("--down: goes with --patch and --mass");
     if (patch_.empty()) {
-      if (!radius_law_) throw std::invalid_argument("--radius-law is required");
-      const godobject::FingerCurve curve = make_finger_curve(godobject::CurveKind::exact, law_, 0.0);
-      const RadiusLaw radius_law = mu_ > 0.0 ? radius_law_->of(mu_, law_) : RadiusLaw::constant(1.0);
+      const ContactFriction contact = torsion_.with(mu_, law_);
+      const godobject::FingerCurve curve = make_finger_curve(kind, law_, 1e-8);
+      const RadiusLaw radius_law = contact.radius(curve.moment_ratio());
       write(
-          results,
-          [&](const Need& need) { return load_to_hold(curve, radius_law, mu_, std::hypot(need.fx, need.fy), std::fabs(need.moment)); },
+          results, [&](const Need& need) { return load_to_hold(curve, contact, need.fx, need.moment); },
           [&](const Need& need, double load) {
             const double limit = mu_ * load;
-            return curve.gauge({std::hypot(need.fx, need.fy) / limit, std::fabs(need.moment) / (limit * radius_law.radius(load))});
+            return curve.gauge({std::fabs(need.fx) / limit, std::fabs(need.moment) / (limit * radius_law.radius(load))});
           });
       if (loads_[1] > 0.0) questions_.radii(radius_law, loads_);
       results.messages->say(questions_.lines());
       return;
     }
-    if (radius_law_) throw std::invalid_argument("--radius-law: not with --patch, which has its own size");
+    if (torsion_.given()) throw std::invalid_argument("--radius-law, --mu-r, --gamma: not with --patch, which has its own size and moments");
+    if (curve_) throw std::invalid_argument("--curve: not with --patch, which is its own limit surface");
     const Patch patch = read_patch(patch_, *results.messages);
     const auto least = [&](const Need& need) { return load_to_hold(patch, mu_, {need.fx, need.fy, need.moment}); };
     write(results, least, [&](const Need& need, double load) { return least(need) / load; });
-    for (const double load : loads_) questions_.load(load);
     results.messages->say(questions_.lines());
   }
 
@@ -111,6 +115,7 @@ class Hold final : public Subcommand {
         questions_.force_under(*load, std::hypot(need.fx, need.fy));
       }
       const double hold = least(need);
+      questions_.load(hold);
       if (hold > 0.0 && std::isfinite(hold)) loads_ = {std::min(loads_[0], hold), std::max(loads_[1], hold)};
       rows.row_by([&](const auto& cell) {
         cell(need.fx);
@@ -153,7 +158,8 @@ class Hold final : public Subcommand {
   }
 
   Law law_;
-  std::optional<RadiusLawArgument> radius_law_;
+  MomentArgument torsion_;
+  std::optional<godobject::CurveKind> curve_;
   std::string patch_;
   double mu_ = 0.0;
   std::vector<double> force_;

@@ -32,7 +32,7 @@ class LoadCurves final : public Subcommand {
 
   void declare(Options& options) override {
     options.law(law_);
-    options.radius_law(radius_law_);
+    options.moment(moment_);
     options.number("--mu", friction_, non_negative, "Friction coefficient mu [1]", Presence::required);
     if (at_cors_) options.numbers("--cors", distances_, distance, "Distances of the centre of rotation from the contact centre [m]");
     options.numbers("--loads", loads_, non_negative, "Normal loads P [N]");
@@ -46,8 +46,8 @@ class LoadCurves final : public Subcommand {
       throw std::invalid_argument(std::string(stiffness_ ? "--twist-stiffness" : "--stiffness") +
                                   ": absent, expected both stiffnesses or none");
     }
-    const RadiusLaw radius_law = radius_law_->of(friction_, law_);
-    results.messages->say(questions_of(radius_law, loads_));
+    const ContactFriction contact = moment_.with(friction_, law_);
+    results.messages->say(questions_of(contact.radius(law_->moment_ratio()), loads_));
     std::vector<std::string> columns{at_cors_ ? "c" : "load", at_cors_ ? "load" : "c", "force", "moment"};
     if (stiffness_) columns.insert(columns.end(), {"r", "rho"});
     Rows rows(results, columns);
@@ -65,15 +65,15 @@ class LoadCurves final : public Subcommand {
       }
     };
     const ExactCurve exact(law_);
-    for (const double c : distances_) write(c_curve(exact, radius_law, friction_, c, loads_));
-    for (const double load : at_cors_ ? std::vector<double>() : loads_) write(p_curve(exact, radius_law, friction_, load, points_));
+    for (const double c : distances_) write(c_curve(exact, contact, c, loads_));
+    for (const double load : at_cors_ ? std::vector<double>() : loads_) write(p_curve(exact, contact, load, points_));
     rows.finish();
   }
 
  private:
   bool at_cors_;
   Law law_;
-  std::optional<RadiusLawArgument> radius_law_;
+  MomentArgument moment_;
   double friction_ = 0.0;
   std::vector<double> distances_;
   std::vector<double> loads_;

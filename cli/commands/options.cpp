@@ -116,13 +116,24 @@ void Options::law(Law& value, Presence presence) {
       "Pressure law: hertz, uniform, power:n=2.3, samples:FILE.csv, …; 'limitcurve laws' lists them", presence);
 }
 
-void Options::radius_law(std::optional<RadiusLawArgument>& value, Presence presence) {
+void Options::radius_law(std::optional<RadiusLawArgument>& value) {
   this->value(
       "--radius-law", "RADIUS-LAW", [&value](const std::string& text) { value = read_radius_law(text); },
       "Contact radius a(P) [m]: constant:a=0.005, hertz:R=0.008,E=2e5, power:c=0.00207,gamma=0.259, samples:FILE.csv (columns "
       "load,radius), or "
       "moments:FILE.csv (load,moment: the largest moment at a load [N m])",
-      presence);
+      Presence::optional);
+}
+
+void Options::moment(MomentArgument& value) {
+  radius_law(value.radius_law);
+  number("--mu-r", value.mu_r, non_negative, "In place of --radius-law: mu_r [m/N^gamma], the moment limit is mu_r P^(1+gamma)");
+  number("--gamma", value.gamma, Range{-0.5, 1.0, "a number from -0.5 to 1"}, "gamma of mu_r, from -0.5 to 1 (default 0)");
+}
+
+Law law_if_needed(const Law& law, godobject::CurveKind kind, bool has_mu_r) {
+  const bool is_closed = kind == godobject::CurveKind::ellipse || kind == godobject::CurveKind::box;
+  return law == nullptr && is_closed && has_mu_r ? hertz() : law;
 }
 
 }  // namespace limitcurve::cli

@@ -6,6 +6,7 @@
 #include "cli/io/range.hpp"
 
 #include "godobject/finger.hpp"
+#include "godobject/finger_curve.hpp"
 #include "limitcurve/internal/names.hpp"
 #include "limitcurve/pressure_law.hpp"
 
@@ -71,7 +72,9 @@ class Options {
   /// The numbers of a finger (godobject/finger/finger_numbers.hpp), of which `required` must be given, and only `rare` ones or only the others.
   void finger(godobject::FingerParameters& value, const std::vector<std::string_view>& required, bool rare);
   void law(Law& value, Presence presence = Presence::required);
-  void radius_law(std::optional<RadiusLawArgument>& value, Presence presence = Presence::required);
+  void radius_law(std::optional<RadiusLawArgument>& value);
+  /// --radius-law, and --mu-r with --gamma in its place.
+  void moment(MomentArgument& value);
 
  private:
   void whole(const std::string& name, const std::function<void(std::size_t)>& take, std::size_t least, std::size_t most,
@@ -81,5 +84,8 @@ class Options {
   bool all_;
   bool is_rare_ = false;
 };
+
+/// The law; any one where none is needed: the limits of an ellipse or a box with mu_r do not depend on it.
+Law law_if_needed(const Law& law, godobject::CurveKind kind, bool has_mu_r);
 
 }  // namespace limitcurve::cli

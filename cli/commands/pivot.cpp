@@ -100,7 +100,7 @@ class Pivot final : public Subcommand {
                   "Limit curve, in place of the case's");
     options.named("--projection", settings_.projection, godobject::projection_names(), godobject::parse_projection,
                   "Projection onto the limit curve, in place of the case's");
-    options.radius_law(radius_law_, Presence::optional);
+    options.radius_law(radius_law_);
     options.text("--material", material_, "rayon|suede|sandpaper", "Coefficients from Table 1 (data/materials.csv)");
     options.number("--mu", mu_, non_negative, "Friction coefficient mu_l [1] (default: the material's, else sandpaper's)");
     options.number("--mu-r", mu_r_, non_negative, "mu_r [m] (default: the material's, else sandpaper's)");
@@ -141,6 +141,7 @@ class Pivot final : public Subcommand {
       settings_.mu = material.mu;
       settings_.mu_r = material.mu_r;
     }
+    if (radius_law_ && mu_r_) throw std::invalid_argument("--mu-r: not with --radius-law, expected one of them");
     settings_.mu = mu_.value_or(settings_.mu);
     if (radius_law_) {
       if (settings_.law == nullptr) settings_.law = hertz();
@@ -176,7 +177,8 @@ class Pivot final : public Subcommand {
       results.messages->say("limitcurve: note: invalid from time " + format_number(since) + " s on: " + std::string(to_string(fault)) +
                             "; a smaller --time-step may help");
     }
-    questions_.radii(radius_law_ ? settings_.radius_law : RadiusLaw::constant(1e-3), loads);
+    if (radius_law_) questions_.radii(settings_.radius_law, loads);
+    questions_.load(loads[1]);
     results.messages->say(questions_.lines());
   }
 

@@ -114,7 +114,7 @@ class Replay final : public Subcommand {
     options.law(replay_.law, Presence::optional);
     options.text("--patch", patch_, "PATCH",
                  "In place of --law and --radius-law: a pressure patch of any shape (closest-point projection)");
-    options.radius_law(radius_law_, Presence::optional);
+    options.radius_law(radius_law_);
     options.finger(replay_.finger, {"mu", "stiffness", "twist_stiffness"}, false);
     options.named("--curve", replay_.curve, godobject::curve_kind_names(), godobject::parse_curve_kind, "Limit curve (default table)");
     options.named("--projection", replay_.projection, godobject::projection_names(), godobject::parse_projection,
@@ -148,6 +148,7 @@ class Replay final : public Subcommand {
 
   void run(const Results& results) override {
     check_patch();
+    if (radius_law_ && replay_.finger.mu_r) throw std::invalid_argument("--mu-r: not with --radius-law, expected one of them");
     if (radius_law_) {
       replay_.finger.radius_law = radius_law_->of(replay_.finger.mu, replay_.law);
     } else if (!replay_.finger.mu_r && patch_.empty()) {
@@ -168,8 +169,10 @@ class Replay final : public Subcommand {
   }
 
  private:
-  void check_patch() const {
-    if (patch_.empty() == (replay_.law == nullptr)) throw std::invalid_argument("expected one of --law and --patch");
+  void check_patch() {
+    if (patch_.empty()) replay_.law = law_if_needed(replay_.law, replay_.curve, replay_.finger.mu_r.has_value());
+    if (patch_.empty() == (replay_.law == nullptr))
+      throw std::invalid_argument("expected one of --law and --patch, or --curve ellipse or box with --mu-r");
     if (patch_.empty()) {
       if (point_radius_) throw std::invalid_argument("--point-radius: goes with --patch");
       return;
@@ -296,15 +299,16 @@ class Replay final : public Subcommand {
       results.messages->say("limitcurve: note: " + std::to_string(samples.count) + (samples.count == 1 ? " sample" : " samples") +
                             " invalid, from time " + format_number(samples.since) + " s on: " + std::string(to_string(fault)));
     }
-    results.messages->say(trace.questions().lines());
     // Without any contact, check at 1 N.
     if (loads[1] == 0.0) loads = {1.0, 1.0};
     if (replay_.projection != Projection::closest_point) {
       note_stiffnesses(*results.messages, "--projection " + std::string(to_string(replay_.projection)), replay_.finger,
                        replay_.law->moment_ratio(), std::span(&loads[1], 1));
     }
-    // A patch has its own size, and mu_r needs no radius.
-    results.messages->say(questions_of(radius_law_ ? replay_.finger.radius_law : RadiusLaw::constant(1e-3), loads));
+    UnitQuestions questions = trace.questions();
+    questions.load(loads[1]);
+    if (radius_law_) questions.radii(replay_.finger.radius_law, loads);
+    results.messages->say(questions.lines());
   }
 
   std::string trace_;

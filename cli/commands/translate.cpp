@@ -33,6 +33,7 @@ class Translate final : public Subcommand {
         "its name for the value; formula, of mu, mu_r = mu m0 a, m0, a, and f, the other body's friction, taken as 1; two_bodies,\n"
         "how the engine combines the values of two bodies. With --loads also low and high: the range of the value over these loads,\n"
         "for randomisation.\n"
+        "--mu-r R, as it is measured, with --gamma G if it grows with the load: in place of --radius-law.\n"
         "--patch P, in place of --law, --radius-law and --load: a contact that is not round (see 'limitcurve patch').\n"
         "--read ENGINE.PARAMETER=VALUE, with --mu and --law alone: what a number in a scene means. Columns: engine; parameter;\n"
         "value; moment_per_load [m], the largest moment over the load (none: it sets no moment); radius [m], the contact radius that a\n"
@@ -43,7 +44,7 @@ class Translate final : public Subcommand {
 
   void declare(Options& options) override {
     options.law(law_, Presence::optional);
-    options.radius_law(radius_law_, Presence::optional);
+    options.moment(moment_);
     options.text("--patch", patch_, "PATCH", "In place of --law, --radius-law and --load: a pressure patch");
     options.number("--mu", friction_, positive, "Friction coefficient mu [1]", Presence::required);
     options.number("--load", load_, positive, "Normal load P [N] at which the limits are exact");
@@ -63,7 +64,7 @@ class Translate final : public Subcommand {
       if (given) throw std::invalid_argument(std::string(option) + ": not with " + why);
     };
     if (!readings_.empty()) {
-      refuse("--radius-law", radius_law_.has_value(), "--read, which finds the radius");
+      refuse("--radius-law, --mu-r, --gamma", moment_.given(), "--read, which finds the radius");
       refuse("--patch", !patch_.empty(), "--read, which finds a radius");
       refuse("--load", load_.has_value(), "--read, which finds the moment over the load");
       refuse("--loads", !loads_.empty(), "--read, which finds the moment over the load");
@@ -74,24 +75,41 @@ class Translate final : public Subcommand {
     if (!patch_.empty()) {
       const char* const why = "--patch, which has its own size and moments at every load";
       refuse("--law", law_ != nullptr, why);
-      refuse("--radius-law", radius_law_.has_value(), why);
+      refuse("--radius-law, --mu-r, --gamma", moment_.given(), why);
       refuse("--load", load_.has_value(), why);
       refuse("--loads", !loads_.empty(), why);
-      return write(results, fit::translate(read_patch(patch_, *results.messages), friction_));
+      const Patch patch = read_patch(patch_, *results.messages);
+      refuse_factors(*results.messages, patch);
+      return write(results, fit::translate(patch, friction_));
     }
     if (law_ == nullptr) throw std::invalid_argument("expected one of --law, --patch and --read");
-    if (!radius_law_) throw std::invalid_argument("--radius-law is required");
+    moment_.check();
     if (!load_) throw std::invalid_argument("--load is required");
     if (!loads_.empty() && (loads_.size() != 2 || loads_[0] > loads_[1])) {
       throw std::invalid_argument("--loads: expected two numbers LOW,HIGH with LOW <= HIGH");
     }
     const fit::LoadRange range = loads_.empty() ? fit::LoadRange{*load_ / 4.0, 4.0 * *load_} : fit::LoadRange{loads_[0], loads_[1]};
-    const RadiusLaw radius_law = radius_law_->of(friction_, law_);
+    const RadiusLaw radius_law = moment_.with(friction_, law_).radius(law_->moment_ratio());
     results.messages->say(questions_of(radius_law, std::array{range.low, range.high, *load_}));
     write(results, fit::translate(law_, radius_law, friction_, *load_, range));
   }
 
  private:
+  /// Where friction along x and y differs: the engine that has one coefficient alone, or a note of them.
+  void refuse_factors(Messages& messages, const Patch& patch) const {
+    const auto [mx, my] = patch.factors();
+    if (mx == my) return;
+    std::string names;
+    for (const std::string& engine : fit::engines_of_one_friction()) {
+      if (engine == engine_) {
+        throw std::invalid_argument("--engine: " + engine + " has one coefficient of friction, and mx = " + format_number(mx) +
+                                    ", my = " + format_number(my) + " differ: expected an engine with two, mujoco, gazebo or ode");
+      }
+      names += ' ' + engine;
+    }
+    if (engine_.empty()) messages.say("limitcurve: note: left out, because they have one coefficient of friction for x and y:" + names);
+  }
+
   void write(const Results& results, const std::vector<fit::EngineContact>& contacts) const {
     std::vector<std::string> columns{"engine",    "parameter",   "value", "unit",    "model",     "max_error",
                                      "cor_error", "loads_error", "note",  "formula", "two_bodies"};
@@ -146,7 +164,7 @@ class Translate final : public Subcommand {
   }
 
   Law law_;
-  std::optional<RadiusLawArgument> radius_law_;
+  MomentArgument moment_;
   std::string patch_;
   double friction_ = 0.0;
   std::optional<double> load_;

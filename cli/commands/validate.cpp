@@ -103,7 +103,9 @@ class Validate final : public Subcommand {
     std::vector<std::pair<std::string, std::vector<RoundModel>>> found;
     for (const std::string& text : patches_) {
       results.messages->progress(static_cast<double>(found.size()) / static_cast<double>(patches_.size()));
-      found.emplace_back(text, round_models(read_patch(text, *results.messages)));
+      const Patch patch = read_patch(text, *results.messages);
+      note_factor(*results.messages, patch);
+      found.emplace_back(text, round_models(patch));
     }
     Rows rows(results, columns());
     for (const auto& [text, models] : found) {

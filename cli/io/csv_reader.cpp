@@ -137,6 +137,7 @@ void FileColumns::read_names(std::string_view list) {
     names.emplace_back(own, other);
     return true;
   });
+  options.append(" --columns '").append(list).append("'");
 }
 
 void FileColumns::read_units(std::string_view list) {
@@ -154,11 +155,13 @@ void FileColumns::read_units(std::string_view list) {
     this->*quantity->of = known->value;
     return true;
   });
-  units_given = true;
+  options.append(" --units '").append(list).append("'");
 }
 
-MemoryColumns::MemoryColumns(std::string name, std::vector<std::string> columns, std::vector<std::span<const double>> numbers)
-    : name_(std::move(name)), columns_(std::move(columns)), numbers_(std::move(numbers)) {
+MemoryColumns::MemoryColumns(std::string name, std::vector<std::string> columns, std::vector<std::span<const double>> numbers,
+                             std::vector<std::string> refused)
+    : name_(std::move(name)), columns_(std::move(columns)), numbers_(std::move(numbers)), refused_(std::move(refused)) {
+  for (const std::span<const double> column : numbers_) rows_ = std::max(rows_, column.size());
   const std::lock_guard lock(in_memory().mutex);
   path_ = "/dev/null/" + std::to_string(++in_memory().made) + "/";  // the slash: none begins like another
   in_memory().columns.emplace(path_, this);
@@ -167,6 +170,10 @@ MemoryColumns::MemoryColumns(std::string name, std::vector<std::string> columns,
 MemoryColumns::~MemoryColumns() {
   const std::lock_guard lock(in_memory().mutex);
   in_memory().columns.erase(path_);
+}
+
+void MemoryColumns::require_numbers(std::size_t column) const {
+  if (!refused_[column].empty()) throw std::invalid_argument(refused_[column]);
 }
 
 std::string MemoryColumns::named(std::string message) const {
@@ -253,15 +260,18 @@ bool CsvReader::next_line() {
 }
 
 std::optional<double> CsvReader::share() const {
-  if (memory_ != nullptr) return static_cast<double>(rows_) / static_cast<double>(memory_->numbers_[0].size());
+  if (memory_ != nullptr) return static_cast<double>(rows_) / static_cast<double>(memory_->rows_);
   if (size_ == 0) return std::nullopt;
   return static_cast<double>(read_) / static_cast<double>(size_);
 }
 
 bool CsvReader::next_meaningful_line() {
+  std::size_t blank = 0;
   while (next_line()) {
     const std::size_t first = line_.find_first_not_of(" \t");
+    if (first == std::string::npos && rows_ > 0) ++blank;
     if (first == std::string::npos || line_[first] == '#') continue;
+    blank_lines_ += blank;
     split();
     return true;
   }
@@ -331,12 +341,13 @@ void CsvReader::find_columns() {
   for (std::size_t column = 0; column < columns_.size(); ++column) {
     const bool wanted = column < required_ || std::find(renamed_.begin(), renamed_.end(), column) != renamed_.end();
     if (wanted && places_[column] == missing) throw no_column("'" + columns_[column] + "'");
+    if (wanted && memory_ != nullptr) memory_->require_numbers(places_[column]);
   }
 }
 
 bool CsvReader::next() {
   let_interrupt();
-  if (memory_ != nullptr ? memory_->numbers_.empty() || rows_ == memory_->numbers_[0].size() : !next_meaningful_line()) {
+  if (memory_ != nullptr ? rows_ == memory_->rows_ : !next_meaningful_line()) {
     if (rows_ > 0) return false;
     ++line_number_;
     throw complaint_at(0, has_header_ ? "no rows after the header, expected at least one" : "an empty file, expected rows of numbers");
@@ -361,6 +372,7 @@ bool CsvReader::next() {
 
 double CsvReader::number(std::size_t column, const Range& range) const {
   if (memory_ != nullptr) {
+    memory_->require_numbers(places_[column]);
     const double value = memory_->numbers_[places_[column]][rows_ - 1];
     if (range.contains(value)) return units_[column] * value;
     throw complaint(column, "got '" + format_number(value) + "', expected " + std::string(range.text));

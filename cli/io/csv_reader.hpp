@@ -22,7 +22,7 @@ struct FileColumns {
   void read_names(std::string_view list);
   void read_units(std::string_view list);
   /// Whether anything was read.
-  [[nodiscard]] bool given() const { return !names.empty() || units_given; }
+  [[nodiscard]] bool given() const { return !options.empty(); }
 
   std::vector<std::pair<std::string, std::string>> names = {};  ///< the reader's name of a column, the file's
   double length = 1.0;                                          ///< the file's unit in m
@@ -30,7 +30,7 @@ struct FileColumns {
   double moment = 1.0;                                          ///< in N m
   double angle = 1.0;                                           ///< in rad
   double time = 1.0;                                            ///< in s
-  bool units_given = false;
+  std::string options = {};                                     ///< as they were typed
 };
 
 /// What --units takes, for help and messages.
@@ -40,8 +40,10 @@ inline constexpr const char* units_text =
 /// Columns of numbers in memory (Python's arrays), which a CsvReader reads by their path as it would a file.
 class MemoryColumns {
  public:
-  /// `name` stands for the file in messages: `trace['x'][17]: …`. The columns have one length, and stay where they are.
-  MemoryColumns(std::string name, std::vector<std::string> columns, std::vector<std::span<const double>> numbers);
+  /// `name` stands for the file in messages: `trace['x'][17]: …`. The columns have one length, and stay where they are. What is no column of
+  /// numbers has none, and in `refused` the complaint for who reads it; else that is empty.
+  MemoryColumns(std::string name, std::vector<std::string> columns, std::vector<std::span<const double>> numbers,
+                std::vector<std::string> refused);
   ~MemoryColumns();
   MemoryColumns(const MemoryColumns&) = delete;
   MemoryColumns& operator=(const MemoryColumns&) = delete;
@@ -54,9 +56,13 @@ class MemoryColumns {
  private:
   friend class CsvReader;
 
+  void require_numbers(std::size_t column) const;
+
   std::string name_;
   std::vector<std::string> columns_;
   std::vector<std::span<const double>> numbers_;
+  std::vector<std::string> refused_;
+  std::size_t rows_ = 0;
   std::string path_;
 };
 
@@ -83,6 +89,8 @@ class CsvReader {
 
   /// Number of fields in the header, or in the first row if there is no header.
   [[nodiscard]] std::size_t field_count() const { return header_fields_; }
+  /// Of those between the rows that were read.
+  [[nodiscard]] std::size_t blank_lines() const { return blank_lines_; }
   /// Whether the file has the i-th column, in the order of the constructor's lists, optional columns last.
   [[nodiscard]] bool has(std::size_t column) const { return places_[column] != missing; }
   /// The field of the current row in the i-th column; of a file only.
@@ -119,6 +127,7 @@ class CsvReader {
 
   const MemoryColumns* memory_ = nullptr;
   std::size_t rows_ = 0;  ///< that have been read
+  std::size_t blank_lines_ = 0;
   std::string name_;
   std::vector<std::string> columns_;  ///< names in the file
   std::vector<double> units_;         ///< of the columns, in SI units

@@ -79,4 +79,18 @@ RadiusLawArgument read_radius_law(const std::string& text) {
   return {text, {}};
 }
 
+void MomentArgument::check() const {
+  if (radius_law && mu_r) throw std::invalid_argument("--mu-r: not with --radius-law, expected one of them");
+  if (!radius_law && !mu_r) throw std::invalid_argument("--radius-law is required, or --mu-r in its place");
+  if (gamma && !mu_r) throw std::invalid_argument("--gamma: goes with --mu-r");
+}
+
+ContactFriction MomentArgument::with(double mu, const Law& law) const {
+  check();
+  ContactFriction contact{.mu = mu, .mu_r = mu_r, .gamma = gamma.value_or(0.0)};
+  // Without friction no radius matters, and measured moments give none.
+  if (radius_law) contact.radius_law = mu > 0.0 ? radius_law->of(mu, law) : RadiusLaw::constant(1e-3);
+  return contact;
+}
+
 }  // namespace limitcurve::cli

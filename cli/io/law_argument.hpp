@@ -43,4 +43,16 @@ class RadiusLawArgument {
 /// or `moments:FILE.csv`, measured moment limits with the columns load,moment [N, N m]. Throws like `read_law`.
 RadiusLawArgument read_radius_law(const std::string& text);
 
+/// The options of a contact's moment: --radius-law, or --mu-r with --gamma in its place.
+struct MomentArgument {
+  std::optional<RadiusLawArgument> radius_law;
+  std::optional<double> mu_r;
+  std::optional<double> gamma;
+
+  /// Throws std::invalid_argument with the options, of which one is expected.
+  void check() const;
+  [[nodiscard]] bool given() const { return radius_law || mu_r || gamma; }
+  [[nodiscard]] ContactFriction with(double mu, const Law& law) const;
+};
+
 }  // namespace limitcurve::cli

@@ -10,6 +10,7 @@
 #include "limitcurve/internal/did_you_mean.hpp"
 #include "limitcurve/internal/number.hpp"
 #include "limitcurve/pressure_law.hpp"
+#include "limitcurve/round_models.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -130,15 +131,27 @@ bool read_tekscan(PatchArgument& patch, std::optional<double> frame) {
   return true;
 }
 
-void read_pixels(PatchArgument& patch, std::optional<double> frame) {
-  if (read_tekscan(patch, frame)) return;
-  if (frame) throw std::invalid_argument("frame: only for a file of Tekscan's, which begins with DATA_TYPE");
+/// With `columns` each row of the file is a frame, flattened, of which `frame` selects one, counted from 1.
+void read_pixels(PatchArgument& patch, std::optional<double> frame, std::optional<double> columns) {
+  if (!columns && read_tekscan(patch, frame)) return;
+  if (frame && !columns) throw std::invalid_argument("frame: only with columns=N, or for a file of Tekscan's, which begins with DATA_TYPE");
   CsvReader reader(patch.file);
+  std::size_t row = 0;
   while (reader.next()) {
-    patch.columns = reader.field_count();
-    for (std::size_t column = 0; column < patch.columns; ++column)
+    ++row;
+    if (columns && frame && static_cast<double>(row) != *frame) continue;
+    patch.columns = columns ? static_cast<std::size_t>(*columns) : reader.field_count();
+    if (columns && (reader.field_count() % patch.columns != 0 || reader.field_count() == patch.columns)) {
+      throw reader.complaint(0, "a row of " + std::to_string(reader.field_count()) + " pixels, expected a frame of several rows of " +
+                                    std::to_string(patch.columns));
+    }
+    if (columns && !patch.numbers.empty())
+      throw reader.complaint(0, "a second frame, expected frame=N, which says the one, counted from 1");
+    for (std::size_t column = 0; column < reader.field_count(); ++column)
       add_pixel(patch, reader.text(column), [&] { return reader.number(column, non_negative); });
+    patch.frames_in_blocks = !columns && reader.blank_lines() > 0;
   }
+  if (patch.numbers.empty()) throw std::invalid_argument(patch.file + ": no frame " + format_number(*frame) + " of " + std::to_string(row));
 }
 
 /// `0.0005`, or `0.004x0.005`: along x and along y.
@@ -159,10 +172,13 @@ PatchArgument parse(std::string_view kind, std::string_view rest) {
     patch.file = split_file(kind, rest, items);
     std::optional<double> frame;
     const auto take_frame = [&](std::string_view text) { frame = read_number(text, finite); };
+    std::optional<double> columns;
+    const auto take_columns = [&](std::string_view text) { columns = read_number(text, Range{1.0, 1e6, "a whole number from 1", true}); };
     read_key_values(items, with_factors({{"pixel", [&](std::string_view text) { read_pixel(text, patch); }, false, "SIDE or XxY"},
-                                         {"frame", take_frame, false}},
+                                         {"columns", take_columns, false, "N"},
+                                         {"frame", take_frame, false, "N"}},
                                         patch));
-    read_pixels(patch, frame);
+    read_pixels(patch, frame, columns);
     if (patch.x == 0.0 || patch.y == 0.0) throw std::invalid_argument("no pixel=…, expected the sides of a pixel [m]");
   } else if (kind == "rectangle") {
     read_key_values(rest, with_factors({number_key("x", patch.x, positive), number_key("y", patch.y, positive)}, patch));
@@ -215,6 +231,13 @@ std::vector<std::string> PatchArgument::remarks() const {
     lines.push_back("note: " + (file.empty() ? "pressures" : file) + ": " + std::to_string(without_sensor) + " of " +
                     std::to_string(numbers.size()) + " pixels have no sensor, and count as without pressure");
   }
+  const std::size_t rows = columns == 0 ? 0 : numbers.size() / columns;
+  constexpr std::size_t slender = 20;
+  if (kind == "image" && (columns > slender * rows || frames_in_blocks)) {
+    lines.push_back("warning: " + (file.empty() ? "pressures" : file) + ": a picture of " + std::to_string(rows) + " rows of " +
+                    std::to_string(columns) + " pixels" + (frames_in_blocks ? " in blocks" : "") +
+                    ": is it one frame? columns=N[,frame=K] reads a frame a row");
+  }
   UnitQuestions questions;
   questions.length("patch" + (text.empty() ? text : " '" + text + "'"), across());
   const std::vector<std::string> asked = questions.lines();
@@ -255,6 +278,13 @@ Patch read_patch(const std::string& text, Messages& messages) {
   Patch patch = argument.patch();
   messages.say(argument.remarks());
   return patch;
+}
+
+void note_factor(Messages& messages, const Patch& patch) {
+  const auto [mx, my] = patch.factors();
+  if (mx == 1.0 && my == 1.0) return;
+  messages.say("limitcurve: note: friction factors mx = " + format_number(mx) + ", my = " + format_number(my) + ": a disc has " +
+               format_number(round_factor(patch)) + " times mu");
 }
 
 }  // namespace limitcurve::cli

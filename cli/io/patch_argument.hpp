@@ -20,6 +20,7 @@ struct PatchArgument {
   std::vector<double> numbers = {};  ///< row by row
   std::size_t columns = 0;
   std::size_t without_sensor = 0;  ///< pixels
+  bool frames_in_blocks = false;   ///< of an image: blank lines part its rows
   double x = 0.0;                  ///< sides of a rectangle or of a pixel, semi-axes of an ellipse [m]
   double y = 0.0;
   std::string law = {};  ///< of an ellipse
@@ -40,9 +41,14 @@ struct PatchArgument {
 /// Reads a patch from a command line: `points:FILE.csv` (columns x,y,load), `polygon:FILE.csv` (x,y), `rectangle:x=0.02,y=0.01` (full
 /// sides), `ellipse:law=hertz,a=0.004,b=0.002`, `image:FILE.csv,pixel=0.0005` (rows of pressures, no header; `pixel=0.004x0.005` along x
 /// and y), each with `,mx=…,my=…` if friction differs along x and y. An empty pixel, `B` or `nan` has no sensor, and counts as without
-/// pressure. An image may be an ASCII file of Tekscan's, whose header has the sides of a pixel; `frame=2` says which of its frames. Throws std::invalid_argument with the place of the error in the text or in the file.
+/// pressure. With
+/// `columns=32` each row of an image is a frame, flattened. An image may be an ASCII file of Tekscan's, whose header has the sides of a pixel.
+/// `frame=2` says which of the frames. Throws std::invalid_argument with the place of the error in the text or in the file.
 PatchArgument parse_patch(const std::string& text);
 /// The patch itself; says its remarks.
 Patch read_patch(const std::string& text, Messages& messages);
+
+/// Says by what the discs of a patch with friction factors multiply mu.
+void note_factor(Messages& messages, const Patch& patch);
 
 }  // namespace limitcurve::cli

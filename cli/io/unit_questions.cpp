@@ -62,7 +62,6 @@ void UnitQuestions::radii(const RadiusLaw& law, std::span<const double> loads) {
       at_load = load;
     }
   }
-  load(most);
   if (radius > largest_radius) {
     others_.push_back("the radius law gives a contact radius of " + format_number(radius, 3) + " m at a load of " + format_number(at_load) +
                       " N: is the law in metres?");
@@ -96,6 +95,7 @@ std::vector<std::string> UnitQuestions::lines() const {
 std::vector<std::string> questions_of(const RadiusLaw& law, std::span<const double> loads) {
   UnitQuestions questions;
   questions.radii(law, loads);
+  for (const double one : loads) questions.load(one);
   return questions.lines();
 }
 

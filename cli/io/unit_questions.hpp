@@ -24,7 +24,7 @@ class UnitQuestions {
   void twist(double before, double now, double time);
   /// An angle [rad] read from `text`: more than a turn without a unit.
   void angle(const std::string& what, double angle, std::string_view text);
-  /// The radii [m] of a law at loads > 0: above 0.1 m, or beyond the law's samples; asks of the loads, too.
+  /// The radii [m] of a law at loads > 0: above 0.1 m, or beyond the law's samples.
   void radii(const RadiusLaw& law, std::span<const double> loads);
   /// The longest side [m] of `what`: above 0.5 m.
   void length(const std::string& what, double across);
@@ -49,7 +49,7 @@ class UnitQuestions {
   std::vector<std::string> others_;
 };
 
-/// Those about radii and loads alone.
+/// Those about radii and their loads.
 std::vector<std::string> questions_of(const RadiusLaw& law, std::span<const double> loads);
 
 }  // namespace limitcurve::cli

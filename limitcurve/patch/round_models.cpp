@@ -27,7 +27,7 @@ constexpr std::size_t directions = 128;
 constexpr std::size_t distances = 121;
 constexpr double decades = 3.0;  ///< of distances, either way
 
-/// The COR of a twist: its direction, and the logarithm (base 10) of its distance in m₀. ±∞ is pure sliding and pure spin.
+/// The COR of a twist: its direction, and the logarithm (base 10) of its distance in `length_`. ±∞ is pure sliding and pure spin.
 struct Cor {
   double direction;
   double exponent;
@@ -42,7 +42,8 @@ struct Model {
 
 class Comparison {
  public:
-  explicit Comparison(const Patch& patch) : patch_(patch), m0_(patch.moment_ratio()) {
+  explicit Comparison(const Patch& patch)
+      : patch_(patch), m0_(patch.moment_ratio()), factor_(round_factor(patch)), length_(m0_ / factor_) {
     if (!(m0_ > 0.0)) throw std::invalid_argument("all load of the patch is on one point, expected a patch that resists a turn");
     for (std::size_t i = 0; i < distances; ++i) {
       for (std::size_t j = 0; j < directions; ++j) {
@@ -56,7 +57,7 @@ class Comparison {
     for (const auto& [x, y] : patch_.round_measures().concentrations) {
       const double distance = std::hypot(x - centre.x, y - centre.y);
       if (!(distance > 0.0)) continue;  // pure spin
-      concentrations_.push_back({std::atan2(y - centre.y, x - centre.x), std::log10(distance / m0_)});
+      concentrations_.push_back({std::atan2(y - centre.y, x - centre.x), std::log10(distance / length_)});
       concentrated_power_.push_back(patch_.power(twist_at(concentrations_.back())));
     }
   }
@@ -101,25 +102,31 @@ class Comparison {
     return error;
   }
 
+  [[nodiscard]] double factor() const { return factor_; }
+
   [[nodiscard]] CurveError error(const Model& model) const {
     CurveError error = power_error(model);
     add_cor_error(model, error);
     return error;
   }
 
-  /// `fraction(slide, spin)`: force over μP and moment over m₀ μP of a shape, for the speeds |v| and m₀|ω|.
+  /// `fraction(slide, spin)`: force and moment of a shape as fractions of their limits, for the speeds |(mx v_x, my v_y)| and m₀|ω|.
   [[nodiscard]] EngineShape shape(const char* name, UnitWrench (*fraction)(double slide, double spin)) const {
-    const auto of = [&](const PatchTwist& twist) { return fraction(std::hypot(twist.vx, twist.vy), m0_ * std::fabs(twist.omega)); };
+    const auto [mx, my] = patch_.factors();
+    const auto speed = [mx = mx, my = my](const PatchTwist& twist) { return std::hypot(mx * twist.vx, my * twist.vy); };
+    const auto of = [&](const PatchTwist& twist) { return fraction(speed(twist), m0_ * std::fabs(twist.omega)); };
     Model model;
+    model.is_isotropic = mx == my;
     model.power = [&](const PatchTwist& twist) {
       const UnitWrench share = of(twist);
-      return share.force * std::hypot(twist.vx, twist.vy) + share.moment * m0_ * std::fabs(twist.omega);
+      return share.force * speed(twist) + share.moment * m0_ * std::fabs(twist.omega);
     };
     EngineShape result{name, power_error(model), 0.0};
-    const auto compare = [&](const PatchTwist& twist, const PatchWrench& wrench) {
+    const auto compare = [&, mx = mx, my = my](const PatchTwist& twist, const PatchWrench& wrench) {
       const UnitWrench share = of(twist);
-      const double along = share.force / std::hypot(twist.vx, twist.vy);
-      const double apart = std::hypot(along * twist.vx - wrench.fx, along * twist.vy - wrench.fy, share.moment - wrench.moment / m0_);
+      const double along = share.force / speed(twist);
+      const double apart = std::hypot(along * mx * twist.vx - wrench.fx / mx, along * my * twist.vy - wrench.fy / my,
+                                      share.moment - wrench.moment / m0_);
       result.max_wrench_error = std::max(result.max_wrench_error, apart);
     };
     for (std::size_t i = 0; i < grid_.size(); ++i) compare(twist_at(grid_[i]), wrench_[i]);
@@ -139,22 +146,22 @@ class Comparison {
   /// bisection.
   [[nodiscard]] std::pair<double, double> best_radius(const PressureLaw& law) const {
     const auto over_and_under = [&](double a) {
-      double over = a * law.moment_ratio() / m0_;  // pure spin
+      double over = a * law.moment_ratio() / length_;  // pure spin
       double under = over;
       for (std::size_t i = 0; i < distances; ++i) {
         const PatchTwist twist = twist_at(grid_[i * directions]);
-        const double disc = disc_power(law, a, twist);
+        const double disc = disc_power(law, a, twist, factor_);
         const auto [low, high] = std::minmax_element(power_.begin() + static_cast<std::ptrdiff_t>(i * directions),
                                                      power_.begin() + static_cast<std::ptrdiff_t>((i + 1) * directions));
         over = std::max(over, disc / *low);
         under = std::min(under, disc / *high);
       }
       for (std::size_t i = 0; i < concentrations_.size(); ++i) {
-        over = std::max(over, disc_power(law, a, twist_at(concentrations_[i])) / concentrated_power_[i]);
+        over = std::max(over, disc_power(law, a, twist_at(concentrations_[i]), factor_) / concentrated_power_[i]);
       }
       return std::pair{over - 1.0, 1.0 - under};
     };
-    double low = std::log(m0_ / law.moment_ratio()) - 4.0;
+    double low = std::log(length_ / law.moment_ratio()) - 4.0;
     double high = low + 8.0;
     while (high - low > 1e-14) {
       const double middle = 0.5 * (low + high);
@@ -166,11 +173,11 @@ class Comparison {
     return {a, std::max(over, under)};
   }
 
-  [[nodiscard]] static double disc_power(const PressureLaw& law, double a, const PatchTwist& twist) {
+  [[nodiscard]] static double disc_power(const PressureLaw& law, double a, const PatchTwist& twist, double factor) {
     const double slide = std::hypot(twist.vx, twist.vy);
     const double spin = a * std::fabs(twist.omega);
     const UnitForces<double> forces = law.forces(spin > 0.0 ? slide / spin : inf);
-    return slide * forces.force + spin * forces.moment;
+    return factor * (slide * forces.force + spin * forces.moment);
   }
 
  private:
@@ -180,10 +187,10 @@ class Comparison {
   }
 
   [[nodiscard]] PatchTwist twist_at(const Cor& cor) const {
-    // |v| = 1 beyond m₀, m₀ω = 1 within.
+    // |v| = 1 beyond the length, its product with ω is 1 within.
     const double slide = cor.exponent > 0.0 ? 1.0 : std::pow(10.0, cor.exponent);
     const double spin = cor.exponent > 0.0 ? std::pow(10.0, -cor.exponent) : 1.0;
-    return {slide * std::sin(cor.direction), -slide * std::cos(cor.direction), spin / m0_};
+    return {slide * std::sin(cor.direction), -slide * std::cos(cor.direction), spin / length_};
   }
 
   /// The largest value near a grid point: steps to the sides, halved when none is better.
@@ -215,7 +222,7 @@ class Comparison {
       error.min_cor_ratio = std::min(error.min_cor_ratio, ratio);
     };
     const auto ratio = [&](const Cor& cor, const PatchWrench& wrench) {
-      return model.cor_distance(wrench) / (m0_ * std::pow(10.0, cor.exponent));
+      return model.cor_distance(wrench) / (length_ * std::pow(10.0, cor.exponent));
     };
     for (std::size_t i = 0; i < grid_.size(); ++i) take(ratio(grid_[i], wrench_[i]));
     // Towards both ends the ratio has a limit, or grows without bound.
@@ -236,6 +243,8 @@ class Comparison {
 
   const Patch& patch_;
   double m0_;
+  double factor_;  ///< of the discs
+  double length_;  ///< m₀ of the patch without factors, about
   std::vector<Cor> grid_;      ///< distance by distance
   std::vector<double> power_;  ///< of the patch there
   std::vector<PatchWrench> wrench_;
@@ -250,8 +259,8 @@ double cor_distance(const Curve& curve, double a, const PatchWrench& wrench) {
   return a * curve.along(unit).normal.cor();
 }
 
-Model disc(const Law& law, double a) {
-  const auto power = [law, a](const PatchTwist& twist) { return Comparison::disc_power(*law, a, twist); };
+Model disc(const Law& law, double a, double factor) {
+  const auto power = [law, a, factor](const PatchTwist& twist) { return Comparison::disc_power(*law, a, twist, factor); };
   if (law->allows(Method::closed)) {
     return {power, [exact = ExactCurve(law), a](const PatchWrench& wrench) { return cor_distance(exact, a, wrench); }};
   }
@@ -271,7 +280,7 @@ Model ellipsoid(const Patch& patch) {
 }
 
 RoundModel disc_model(const Comparison& comparison, const char* kind, const Law& law, double a) {
-  return {std::string(kind) + ":" + law->name(), a, comparison.error(disc(law, a))};
+  return {std::string(kind) + ":" + law->name(), a, comparison.error(disc(law, a, comparison.factor()))};
 }
 
 RoundModel best_disc(const Comparison& comparison) {
@@ -288,7 +297,7 @@ RoundModel best_disc(const Comparison& comparison) {
   }
   // Between grid points both errors may be larger: balance them again.
   const auto imbalance = [&](double a) {
-    const CurveError error = comparison.power_error(disc(best, a));
+    const CurveError error = comparison.power_error(disc(best, a, comparison.factor()));
     return error.max_over_estimate - error.max_under_estimate;
   };
   constexpr double near = 0.01;
@@ -303,6 +312,11 @@ RoundModel best_disc(const Comparison& comparison) {
 }
 
 }  // namespace
+
+double round_factor(const Patch& patch) {
+  const auto [mx, my] = patch.factors();
+  return 2.0 * mx * my / (mx + my);
+}
 
 std::vector<RoundModel> round_models(const Patch& patch) {
   const Comparison comparison(patch);

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import os
+import re
 import sys
 import warnings
 from collections.abc import Mapping
@@ -26,18 +27,18 @@ def column_names(data: Any) -> list[Any] | None:
     """None of what has no columns."""
     if isinstance(data, np.ndarray):
         return list(data.dtype.names) if data.dtype.names else None
-    return list(data.keys()) if isinstance(data, Mapping) or hasattr(data, "columns") else None
+    return list(data) if isinstance(data, Mapping) else list(data.columns) if hasattr(data, "columns") else None
 
 
-def named_columns(name: str, data: Any) -> list[tuple[str, NDArray[np.float64]]]:
+def named_columns(name: str, data: Any) -> tuple[list[tuple[str, NDArray[np.float64]]], list[str]]:
+    """The columns, and of each what is wrong with it: the command refuses what it reads, and ignores the others."""
+    if hasattr(data, "collect") and hasattr(data, "columns"):  # lazy frames of polars
+        data = data.collect()
     names = column_names(data)
     if names is None:
         raise ValueError(f"{name}: got {type(data).__name__}, expected a file's name, or columns by name")
-    columns = list(zip(map(str, names), columns_of(name, list(map(str, names)), [data[column] for column in names])))
-    for column, numbers in columns:
-        if numbers.ndim != 1:
-            raise ValueError(f"{name}[{column!r}]: got the shape {numbers.shape}, expected one dimension")
-    return columns
+    columns, refused = columns_of(name, list(map(str, names)), [data[column] for column in names])
+    return list(zip(map(str, names), columns)), refused
 
 
 class Call:
@@ -51,7 +52,7 @@ class Call:
         """The name of a file with the contents of `value`."""
         if isinstance(value, (str, os.PathLike)):
             return os.fsdecode(value)
-        return self._memory(name, named_columns(name, value))
+        return self._memory(name, *named_columns(name, value))
 
     def law(self, value: str | Law) -> str:
         if not isinstance(value, Law):
@@ -59,10 +60,10 @@ class Call:
         if value.arrays is None:
             return value.name
         radius, pressure = value.arrays
-        return "samples:" + self._memory(value.name.removeprefix("samples:"), [("radius", radius), ("pressure", pressure)])
+        return "samples:" + self._memory(value.name.removeprefix("samples:"), [("radius", radius), ("pressure", pressure)], ["", ""])
 
-    def _memory(self, name: str, columns: list[tuple[str, NDArray[np.float64]]]) -> str:
-        self.memory.append(_core.MemoryColumns(name, columns))
+    def _memory(self, name: str, columns: list[tuple[str, NDArray[np.float64]]], refused: list[str]) -> str:
+        self.memory.append(_core.MemoryColumns(name, columns, refused))
         return self.memory[-1].path
 
     def option(self, name: str, value: Any) -> None:
@@ -80,9 +81,13 @@ class Call:
                 raise ValueError(f"{name}: got an empty list, expected one or more")
             for one in several:
                 self.words += [word, self.law(one)]
+        elif name in ("columns", "units") and isinstance(value, Mapping):
+            self.words += [word, ",".join(f"{key}={text}" for key, text in value.items())]
         elif name == "read" and not isinstance(value, str):
+            if isinstance(value, Mapping) or not all(isinstance(one, str) for one in value):
+                raise ValueError(f"read: got {value!r}, expected 'ENGINE.PARAMETER=VALUE', or a list of such texts")
             for one in value:
-                self.words += [word, str(one)]
+                self.words += [word, one]
         elif name in ("data", "trace", "twists") or column_names(value) is not None:
             self.words += [word, self.data(name, value)]
         elif isinstance(value, (str, os.PathLike)):
@@ -97,15 +102,25 @@ class Call:
         said: list[str] = []
         try:
             return _core.run(self.words, self.memory, said)
+        except ValueError as error:
+            raise ValueError(_in_python(str(error))) from None
         finally:
             for line in said:
-                text = line.removeprefix("limitcurve: ")
+                text = _in_python(line.removeprefix("limitcurve: "))
                 if text.startswith("warning: "):
                     warnings.warn(text.removeprefix("warning: "), stacklevel=_stacklevel())
                 elif notes is not None:
                     notes.append(text.removeprefix("note: "))
                 else:
                     print(line, file=sys.stderr)
+
+
+def _in_python(message: str) -> str:
+    """A message of the command with the keywords of Python in place of its options."""
+    if "to type" in message:  # on the command line
+        return message
+    name = lambda option: option[1].replace("-", "_")
+    return re.sub(r"(?<![\w-])--(?!help)([a-z][a-z-]*)", name, re.sub(r" \(expected usage: [^()]*\)", "", message))
 
 
 def _stacklevel() -> int:

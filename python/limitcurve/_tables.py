@@ -7,19 +7,40 @@ rows come back as arrays, without conversion to text.
 
 from __future__ import annotations
 
-import warnings
-from collections.abc import Mapping, Sequence
-from typing import Any
+import difflib
+import functools
+import inspect
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any, TypeVar, cast
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ._call import Call, Columns, Data
-from ._core import Law
+from ._core import Law, finger_numbers
 
 
-def _list_of(pairs: Mapping[str, str] | None) -> str | None:
-    return None if pairs is None else ",".join(f"{key}={value}" for key, value in pairs.items())
+_Function = TypeVar("_Function", bound=Callable[..., Any])
+
+
+def _tells(function: _Function) -> _Function:
+    """Names an unknown keyword, and the one that was meant."""
+    known = [name for name in inspect.signature(function).parameters if name != "finger"]
+    if len(known) < len(inspect.signature(function).parameters):
+        known += finger_numbers
+
+    @functools.wraps(function)
+    def telling(*arguments: Any, **given: Any) -> Any:
+        for name in given:
+            if name not in known:
+                near = difflib.get_close_matches(name, known, 1)
+                raise TypeError(f"{function.__name__}: unknown parameter {name!r}, expected {', '.join(known)}" + "".join(f"; did you mean {one!r}?" for one in near))
+        for name in ("columns", "units"):
+            if given.get(name) is not None and not isinstance(given[name], Mapping):
+                raise ValueError(f"{name}: got {given[name]!r}, expected a dict, such as " + ("{'load': 'Fz'}" if name == "columns" else "{'moment': 'Nmm'}"))
+        return function(*arguments, **given)
+
+    return cast("_Function", telling)
 
 
 def run(subcommand: str, *arguments: str, **options: Any) -> Columns:
@@ -42,6 +63,7 @@ def _run(words: list[str], options: dict[str, Any], notes: list[str] | None = No
     return call.run(notes)
 
 
+@_tells
 def validate(
     law: str | Law | Sequence[str | Law] | None = None,
     *,
@@ -63,6 +85,7 @@ def validate(
     return run("validate", **locals())
 
 
+@_tells
 def choose(
     law: str | Law | None = None,
     tolerance: float = 0.01,
@@ -106,6 +129,7 @@ class Fit(Columns):
     notes: list[str]
 
 
+@_tells
 def fit(
     model: str,
     data: Data | None = None,
@@ -146,12 +170,15 @@ def fit(
     return result
 
 
+@_tells
 def translate(
     law: str | Law | None = None,
     radius_law: str | None = None,
     mu: float | None = None,
     load: float | None = None,
     *,
+    mu_r: float | None = None,
+    gamma: float | None = None,
     patch: str | None = None,
     loads: ArrayLike | None = None,
     engine: str | None = None,
@@ -160,7 +187,8 @@ def translate(
 ) -> Columns:
     """The coefficients for physics engines, with the error that remains in each; of one `engine` alone, if it is named.
 
-    With `patch` in place of law, radius law and load: for a contact that is not round. Columns: engine, parameter, value, unit, model,
+    With `mu_r` and `gamma`, as measured, in place of radius_law. With `patch` in place of law, radius law and load: for a contact
+    that is not round. Columns: engine, parameter, value, unit, model,
     max_error, cor_error, loads_error, note, formula, two_bodies; with `loads` also low and high, the range of the value over these loads.
 
     `read`, with law and mu alone: what a number in a scene means. Columns: engine, parameter, value, moment_per_load, radius [m], note.
@@ -175,6 +203,7 @@ def translate(
     return run("translate", **locals())
 
 
+@_tells
 def replay(
     trace: Data,
     law: str | Law | None = None,
@@ -182,27 +211,20 @@ def replay(
     patch: str | None = None,
     point_radius: float | None = None,
     radius_law: str | None = None,
-    mu: float,
-    stiffness: float,
-    twist_stiffness: float,
-    mu_dynamic: float | None = None,
-    mu_r: float | None = None,
-    gamma: float | None = None,
-    mu_r_dynamic: float | None = None,
     curve: str | None = None,
     projection: str | None = None,
     tolerance: float | None = None,
     surface: str | None = None,
     body: str | None = None,
     fingers: int | None = None,
-    damping: float | None = None,
-    twist_damping: float | None = None,
-    rest_margin: float | None = None,
-    max_displacement: float | None = None,
-    fault_decay: float | None = None,
+    columns: Mapping[str, str] | None = None,
+    units: Mapping[str, str] | None = None,
     details: bool = False,
+    **finger: float | None,
 ) -> Columns:
     """Runs the god-object over a recorded motion: columns time, x, y, z, twist [s, m, rad] (`limitcurve replay --help` lists more).
+
+    `finger` are the numbers of SoftFinger; mu, stiffness and twist_stiffness are required. `columns` and `units` are as in `fit`.
 
     Columns: time, state, px, py, angle, depth, load, fx, fy, moment, cor, and the columns of the options.
 
@@ -214,8 +236,9 @@ def replay(
     ('slip', -1.2)
     """
     options = dict(locals())
+    del options["finger"]
     if isinstance(trace, np.ndarray) and trace.dtype.names is None:
         if trace.ndim != 2 or trace.shape[1] != 5:
             raise ValueError(f"trace: got the shape {trace.shape}, expected (n, 5): time, x, y, z, twist")
         trace = dict(zip(("time", "x", "y", "z", "twist"), trace.T))
-    return run("replay", **options | {"trace": trace})
+    return run("replay", **options | finger | {"trace": trace})

@@ -89,7 +89,7 @@ def limit_curve(
     if points is not None:
         if mu is None or (radius is None) == (radius_law is None):
             raise ValueError("points: expected mu and one of radius and radius_law too, which make them unit wrenches")
-        data = _columns("points", points)
+        data = _columns("points", points, ("load", "force", "moment"))
         limit = mu * data["load"]
         if radius_law is not None:
             loads, places = np.unique(data["load"], return_inverse=True)
@@ -102,12 +102,27 @@ def limit_curve(
     return ax
 
 
-def _columns(name: str, data: Data) -> dict[str, Any]:
-    if not isinstance(data, (str, os.PathLike)):
-        return dict(named_columns(name, data))
-    with open(data, encoding="utf-8", newline="") as lines:
-        rows = list(csv.reader(line for line in lines if line.strip() and not line.startswith("#")))
-    return {name: np.array([float(row[i]) for row in rows[1:]]) for i, name in enumerate(rows[0])}
+def _columns(name: str, data: Data, needed: Sequence[str]) -> dict[str, Any]:
+    if isinstance(data, (str, os.PathLike)):
+        with open(data, encoding="utf-8", newline="") as lines:
+            rows = list(csv.reader(line for line in lines if line.strip() and not line.startswith("#")))
+        data = {column: _numbers([row[i] for row in rows[1:]]) for i, column in enumerate(rows[0])}
+    columns, refused = named_columns(name, data)
+    for column, wrong in zip((column for column, _ in columns), refused):
+        if column in needed and wrong:
+            raise ValueError(wrong)
+    found = dict(columns)
+    if missing := [column for column in needed if column not in found]:
+        raise ValueError(f"{name}: no column {missing[0]!r}, expected {', '.join(needed)}")
+    return found
+
+
+def _numbers(texts: list[str]) -> list[Any]:
+    """Or the texts, where one is no number."""
+    try:
+        return [float(text) for text in texts]
+    except ValueError:
+        return texts
 
 
 def p_curves(law: str | Law, radius_law: str, mu: float, loads: ArrayLike, *, points: int = 129, ax: Axes | None = None) -> Axes:
@@ -163,7 +178,7 @@ def replay(
     twist_stiffness also the limit at the least and the largest load that slips.
     """
     ax = _axes(ax)
-    data = _columns("trace", trace)
+    data = _columns("trace", trace, ("x", "y", "twist"))
     r = 1e3 * np.hypot(data["x"] - table["px"], data["y"] - table["py"])
     rho = np.degrees(np.abs(data["twist"] - table["angle"]))
     touching = (table["state"] == "stick") | (table["state"] == "slip")

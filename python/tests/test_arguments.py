@@ -96,6 +96,75 @@ def test_a_sensors_own_columns_and_units():
     assert named["value"] == pytest.approx(lc.fit("ratio", {"load": load, "force": force, "moment": moment}, law="hertz", quiet=True)["value"], rel=1e-12)
 
 
+PATCH = lc.Patch("rectangle:x=0.02,y=0.01")
+SLIPS = {"load": [1.0, 1, 2, 2], "force": [0.6, 0.02, 1.21, 0.03], "moment": [0, 2.1e-3, 0, 4.3e-3]}
+
+
+@pytest.mark.parametrize("call, told", [
+    (lambda: lc.Table("hertz", tol=1e-8), "unknown parameter 'tol'"), (lambda: lc.Table("hertz", tolerance="1e-8"), "tolerance: got '1e-8', expected a number"),
+    (lambda: lc.Table(3), "law: got 3, expected a text"), (lambda: lc.Table(), "no 'law', expected law, tolerance, bytes"), (lambda: lc.Law(2), "text: got 2"),
+    (lambda: TABLE.load_to_hold(1, 2e-3, mu=0.6, radius=0.005), "unknown parameter 'radius' .did you mean 'radius_law'"),
+    (lambda: TABLE.load_to_hold(1, 2e-3, radius_law="constant:a=0.005"), "no 'mu'"), (lambda: TABLE.load_to_hold(1, 2e-3, mu=0.6), "radius_law, mu_r: got none"),
+    (lambda: TABLE.load_to_hold(1, 2e-3, mu=0.6, mu_r=0.002, radius_law="constant:a=0.005"), "radius_law, mu_r: got both"),
+    (lambda: TABLE.load_to_hold(1, 2e-3, mu=[0.6, -1], mu_r=0.002), r"mu\[1\]: got -1"), (lambda: TABLE.load_to_hold(1, 2e-3, mu=0.6, radius_law=5), "radius_law: got 5"),
+    (lambda: TABLE.gauge(1, moment=2, force=3), "'force' twice"), (lambda: TABLE.evaluate(1, 2), "2 values by position"), (lambda: TABLE.save("x.csv", name=3), "name: got 3"),
+    (lambda: lc.ellipse(1, moment="a"), "unknown parameter 'moment'"), (lambda: lc.box(1, "a"), "moment_max: got 'a'"),
+    (lambda: lc.Patch.image([[1]], spacing=3), "spacing: got 3"), (lambda: PATCH.orthotropic(mx="a", my=1), "mx: got 'a'"), (lambda: PATCH.wrench([1, 0, 0], mu=None, lod=1), "unknown parameter 'lod'"),
+    (lambda: lc.SoftFinger(PATCH, radius_law="constant:a=0.005"), "radius_law.*not with a Patch"), (lambda: lc.SoftFinger(TABLE, stiffnes=1), "did you mean 'stiffness'"),
+    (lambda: lc.SoftFinger(TABLE, mu_r=0.002, radius_law="constant:a=0.005"), "mu_r: not with radius_law"), (lambda: lc.SoftFinger(TABLE).update((0, 0, 0), (0, 0, 1), "deep", 0), "depth: got 'deep'"),
+    (lambda: lc.apply_friction(TABLE, 1, 0, limit=1, radius=1), "no 'stiffness_ratio'"), (lambda: lc.Batch(TABLE, -1), "n: got -1"),
+    (lambda: lc.fit("law", SLIPS, units="moment=Nmm"), "units: got 'moment=Nmm', expected a dict"), (lambda: lc.fit("law", SLIPS, columns="a"), "columns: got 'a'"),
+    (lambda: lc.fit("law", SLIPS, unit={"moment": "Nmm"}), "unknown parameter 'unit'.*did you mean 'units'"), (lambda: lc.fit("lwa", SLIPS), "did you mean 'law'"),
+    (lambda: lc.translate("hertz", mu=1, read={"mujoco.torsional": 5}), "read: got {'mujoco.torsional': 5}, expected 'ENGINE.PARAMETER=VALUE'"),
+    (lambda: lc.translate("hertz", mu=1, read="mujoco.torsional"), "^read: got 'mujoco.torsional'"), (lambda: lc.translate("hertz", mu=-1, load=1), "^mu: got '-1'"),
+    (lambda: lc.replay(trace_of(9), "hertz", stifness=1), "unknown parameter 'stifness'.*did you mean 'stiffness'"), (lambda: lc.replay(trace_of(9), "hertz"), "^mu, stiffness, twist_stiffness are required"),
+    (lambda: lc.run("eval", law="hertz", cc=1), "did you mean 'c'|not expected: cc"), (lambda: lc.fit("law", {**SLIPS, "force": list("abcd")}), r"^data\['force'\]: got an array of <U1"),
+])
+def test_wrong_calls_are_told_by_name(call, told):
+    with pytest.raises((ValueError, TypeError), match=told) as error:
+        call()
+    assert "--" not in str(error.value) and "\n" not in str(error.value)
+
+
+def test_other_columns_are_ignored_and_every_number_broadcasts():
+    class Frame:  # as polars has it: columns is a list, and there are no keys
+        columns = ["note", *SLIPS, "day", "empty", "wide"]
+
+        def __getitem__(self, name):
+            odd = {"note": list("abcd"), "day": np.arange(4).astype("datetime64[D]"), "empty": [None] * 4, "wide": np.zeros((4, 2))}
+            return odd[name] if name in odd else np.array(SLIPS[name])
+
+    plain = lc.fit("ratio", SLIPS, law="hertz", quiet=True)["value"]
+    for frame in (Frame(), {name: Frame()[name] for name in Frame.columns}):
+        assert np.array_equal(lc.fit("ratio", frame, law="hertz", quiet=True)["value"], plain)
+    force, mu, mu_r = np.array([[1.0], [-2]]), np.array([0.4, 0.6, 0.8]), 0.002
+    measured = TABLE.load_to_hold(force, 1e-3, mu=mu, mu_r=mu_r, gamma=0.2)
+    assert measured.shape == (2, 3) and measured[1, 2] == TABLE.load_to_hold(2, -1e-3, mu=0.8, mu_r=mu_r, gamma=0.2)
+    sized = TABLE.load_to_hold(force, 1e-3, mu=mu, radius_law="constant:a=0.005")
+    assert sized[0, 1] == pytest.approx(TABLE.load_to_hold(1, 1e-3, mu=0.6, mu_r=0.6 * TABLE.moment_ratio * 0.005), rel=1e-12)
+    assert np.isnan(TABLE.load_to_hold([1, np.nan], 0, mu=0.6, mu_r=0)[1]) and TABLE.load_to_hold(1, 1, mu=0.6, mu_r=0) == np.inf
+    assert PATCH.load_to_hold(0, 1, 0, mu=mu).tolist() == pytest.approx((1 / mu).tolist())
+
+
+def test_units_are_asked_about_in_python_too():
+    for call, asked in ((lambda: lc.Patch("rectangle:x=20,y=10"), "20 m across: is it in metres"), (lambda: lc.Patch.points([0, 20], [0, 1], [1, 1]), "20 m across"),
+                        (lambda: TABLE.load_to_hold(1, 1e-3, mu=0.6, radius_law="constant:a=5"), "is the law in metres"), (lambda: lc.SoftFinger(TABLE, radius_law="constant:a=5"), "in metres"),
+                        (lambda: TABLE.load_to_hold(1, 2, mu=0.6, mu_r=0.003), "a moment of 2 N m"), (lambda: PATCH.load_to_hold(1, 0, 2, mu=0.6), "a moment of 2 N m"),
+                        (lambda: lc.replay({**trace_of(4), "twist": 30.0 * np.arange(4)}, "hertz", mu=0.6, mu_r=0.002, stiffness=1000, twist_stiffness=0.036), "in radians")):
+        with pytest.warns(UserWarning, match=asked):
+            call()
+    trace = trace_of(50)
+    scene = dict(mu=0.6, radius_law="constant:a=0.006", stiffness=1000, twist_stiffness=0.036)
+    other = {**{name: column * 1000 for name, column in trace.items()}, "twist": trace["twist"]}
+    assert lc.replay(other, "hertz", units={"length": "mm", "time": "ms"}, **scene)["fx"] == pytest.approx(lc.replay(trace, "hertz", **scene)["fx"], abs=1e-12)
+
+
+def test_values_say_what_they_are():
+    assert repr(PATCH).startswith("<Patch rectangle:x=0.02,y=0.01, m0 0.0059") and "points of 2 rows" in repr(lc.Patch.points([0, 0.01], [0, 0], [1, 1]))
+    assert "not finite" in repr(lc.SoftFinger(TABLE).update((0, 0, np.nan), (0, 0, 1), 0.001, 0))
+    assert TABLE == lc.Table("hertz", tolerance=1e-8) and TABLE != lc.Table("hertz", tolerance=1e-6) and TABLE != 3 and len({TABLE, lc.Table("hertz", 1e-8)}) == 1
+
+
 def slips_of(n):
     """Load, force and moment of slips with an error of 1 %."""
     random = np.random.default_rng(2)

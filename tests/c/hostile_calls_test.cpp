@@ -185,12 +185,17 @@ TEST_F(HostileCalls, OddNumbersAndNullAreErrorsOrRightAnswers) {
         expect_told(limitcurve_patch_wrench(or_null(patch), or_null(numbers.data()), 1, or_null(out.data()), nullptr, out.data() + 4));
         expect_told(limitcurve_patch_slip(or_null(patch), or_null(numbers.data()), 1, or_null(out.data()), out.data() + 4));
         break;
-      case 11:
+      case 11: {
+        limitcurve_finger_parameters contact = limitcurve_finger_defaults();
+        contact.mu = number();
+        contact.mu_r = random() % 2 == 0 ? number() : NAN;
+        contact.radius_law = or_null(contact.radius_law);
         expect_told(random() % 2 == 0
                         ? limitcurve_patch_load_to_hold(or_null(patch), number(), or_null(numbers.data()), 1, or_null(out.data()))
-                        : limitcurve_table_load_to_hold(or_null(table), number(), or_null("constant:a=0.005"), or_null(numbers.data()),
-                                                        numbers.data(), 1, or_null(out.data())));
+                        : limitcurve_table_load_to_hold(or_null(table), or_null(&contact), or_null(numbers.data()), numbers.data(), 1,
+                                                        or_null(out.data())));
         break;
+      }
       default: {
         limitcurve_table* made = nullptr;
         std::string csv = limitcurve_table_csv(table);

@@ -86,7 +86,7 @@ std::optional<Numbers> of_curve(const Curve& curve, const Question& question) {
     return Numbers{wrench.force, wrench.moment};
   }
   if (question.quantity == "gauge") return Numbers{curve.gauge({of[0], of[1]})};
-  if (question.quantity == "hold") return Numbers{load_to_hold(curve, RadiusLaw::parse(question.radius_law), of[0], of[1], of[2])};
+  if (question.quantity == "hold") return Numbers{load_to_hold(curve, {of[0], RadiusLaw::parse(question.radius_law)}, of[1], of[2])};
   return std::nullopt;
 }
 
@@ -109,7 +109,10 @@ std::optional<Numbers> of_c(const limitcurve_table* table, const Question& quest
   if (question.quantity == "gauge") {
     status = limitcurve_table_gauge(table, &of[0], &of[1], 1, &result);
   } else if (question.quantity == "hold") {
-    status = limitcurve_table_load_to_hold(table, of[0], question.radius_law.c_str(), &of[1], &of[2], 1, &result);
+    limitcurve_finger_parameters contact = limitcurve_finger_defaults();
+    contact.mu = of[0];
+    contact.radius_law = question.radius_law.c_str();
+    status = limitcurve_table_load_to_hold(table, &contact, &of[1], &of[2], 1, &result);
   } else if (question.quantity == "closest") {
     const limitcurve_limits limits{1, 1, 1, 1, of[2], 1, 1};
     limitcurve_memory memory{};

@@ -119,10 +119,30 @@ static void fingers(void) {
   double slip[3], slip_bound;
   CHECK(limitcurve_patch_slip(patch, wrench, 1, slip, &slip_bound) == LIMITCURVE_OK && slip_bound < 1e-9);
   CHECK(fabs(slip[0] * wrench[0] - 1) < 1e-9 && fabs(slip[1]) < 1e-9 && fabs(slip[2]) * 0.01 < 1e-9);
+  const double bad[6] = {1, 0, 0, 0, NAN, 0}; /* then nothing is written */
+  needed[0] = -1;
+  CHECK(limitcurve_patch_load_to_hold(patch, 0.5, bad, 2, needed) == LIMITCURVE_INVALID && needed[0] == -1);
+  CHECK(strstr(limitcurve_error(), "wrenches[4]: got nan, expected a finite number") != NULL);
+  limitcurve_finger_parameters sized = limitcurve_finger_defaults();
+  sized.radius_law = NULL; /* a patch has its own size */
+  limitcurve_finger* on_patch = NULL;
+  CHECK(limitcurve_finger_new_patch(patch, &sized, 0, &on_patch) == LIMITCURVE_OK);
+  limitcurve_finger_free(on_patch);
   const double forces[2] = {1.2, 0}, moments[2] = {0, 1.2 * 0.004};
-  CHECK(limitcurve_table_load_to_hold(table, 0.6, "constant:a=0.006", forces, moments, 2, needed) == LIMITCURVE_OK);
+  limitcurve_finger_parameters held = limitcurve_finger_defaults();
+  held.mu = 0.6;
+  held.radius_law = "constant:a=0.006";
+  CHECK(limitcurve_table_load_to_hold(table, &held, forces, moments, 2, needed) == LIMITCURVE_OK);
   CHECK(fabs(needed[0] - 2) < 1e-5 && fabs(needed[1] - 2) < 1e-5); /* m0 = 2/3 */
-  CHECK(limitcurve_table_load_to_hold(table, 0.6, "constant", forces, moments, 2, needed) == LIMITCURVE_INVALID);
+  held.radius_law = "constant";
+  CHECK(limitcurve_table_load_to_hold(table, &held, forces, moments, 2, needed) == LIMITCURVE_INVALID);
+  held.radius_law = NULL;
+  CHECK(limitcurve_table_load_to_hold(table, &held, forces, moments, 2, needed) == LIMITCURVE_INVALID);
+  held.mu_r = 0.6 * 0.004; /* as measured */
+  CHECK(limitcurve_table_load_to_hold(table, &held, forces, moments, 2, needed) == LIMITCURVE_OK && fabs(needed[1] - 2) < 1e-5);
+  needed[0] = -1;
+  CHECK(limitcurve_table_load_to_hold(table, &held, forces, bad + 3, 2, needed) == LIMITCURVE_INVALID && needed[0] == -1);
+  CHECK(strstr(limitcurve_error(), "moments[1]: got nan, expected a finite number") != NULL);
   limitcurve_patch_free(patch);
   limitcurve_finger_free(finger);
 

@@ -25,7 +25,7 @@ class PatchCase(unittest.TestCase):
 
     def wrenches(self, patch, *twists, **options):
         arguments = [text for name, value in options.items() for text in (f"--{name}", value)]
-        return rows("patch", "--patch", patch, "--twists", self.twists(*twists), *arguments)
+        return rows("patch", "--quiet", "--patch", patch, "--twists", self.twists(*twists), *arguments)
 
     def refused(self, patch, *parts):
         done = run("patch", "--patch", patch, "--twists", self.twists((1.0, 0.0, 0.0)))

@@ -7,4 +7,5 @@ COLUMNS = "time,state,px,py,angle,depth,load,fx,fy,moment,cor"
 STIFFNESS = 1000.0
 M0 = 3 * math.pi / 16  # Hertz
 FINGER = ["--law", "hertz", "--radius-law", "constant:a=0.006", "--mu", "0.6", "--stiffness", "1000", "--twist-stiffness", "0.036"]
+MEASURED = [word for word in FINGER if word not in ("--radius-law", "constant:a=0.006")]  # without radius law, for --mu-r
 TRACE = "time,x,y,z,twist\n0,0,0,0.001,0\n0.001,0,0,-0.001,0\n0.002,0.0001,0,-0.001,0\n0.003,0.005,0,-0.001,0\n"

@@ -2,6 +2,7 @@
 """fit: fits find the parameters of synthetic data; bad and insufficient data are refused."""
 
 import math
+import shlex
 import random
 import unittest
 from pathlib import Path
@@ -229,16 +230,22 @@ class Fit(CommandLineTest):
     def test_what_is_said_to_be_typed_can_be_typed(self):
         """The largest moment of a replay with the options given is that of the data."""
         data = self.growing("uniform")
-        trace = self.file("twist.csv", "time,x,y,z,twist\n0,0,0,-0.004,0\n1,0,0,-0.004,3\n2,0,0,-0.004,6\n")
+        trace = self.file("twist.csv", "time,x,y,z,twist\n" + "".join(f"{i},0,0,-0.004,{i}\n" for i in range(7)))
         for call in (["law", "--fit-gamma"], ["law", "--law", "uniform", "--gamma", "0.257"], ["ellipse", "--fit-gamma"]):
             said = self.fitted(*call, "--data", data)[1]
             self.assertRegex(said.splitlines()[-1], r"\.mu = 0\.\d+, \.mu_r = 0\.\d+, \.gamma = 0\.2")
             typed = said.splitlines()[-1].split("to type into replay: ")[1].split(";")[0].split()
-            if "--law" not in typed:
-                typed += ["--law", "uniform"]
             end = rows("replay", "--trace", trace, *typed, "--stiffness", "1000", "--twist-stiffness", "0.04")[-1]
             # mu m0 P a(P) under 4 N; approximations have their own largest moment.
             self.assert_close(end["moment"], -0.7 * 2 / 3 * 4 * 0.00435 * 4 ** 0.257, 5e-6 if "law" in call else 0.05)
+        # The whole line: each row is a slip, so that it holds up to the scatter.
+        for call, data in ((["ellipse"], DATA / "fit" / "slips.csv"), (["law", "--law", "uniform", "--gamma", "0.257"], data),
+                           (["law", "--law", "uniform", "--columns", "load=Fz", "--units", "force=N"], self.renamed(data, {"load": "Fz"}, {}))):
+            line, = (line for line in self.fitted(*call, "--data", data)[1].splitlines() if "to type, for" in line)
+            command, *typed = shlex.split(line[line.index("limitcurve hold"):])
+            margins = [row["margin"] for row in rows(*typed)]
+            self.assertEqual(command, "limitcurve")
+            self.assertLess(sum(margins) / len(margins), 0.1, call)
         self.assertIn("nothing to type: the data refuse this fit; add --fit-gamma\n", self.fitted("ellipse", "--data", data)[1])
         radii = self.file("radii.csv", "load,radius\n1,0.002\n2,0.0023\n5,0.0028\n")
         typed = self.fitted("load", "--data", radii)[1].splitlines()[-1].split("to type into replay: ")[1].split(";")[0].split()

@@ -90,7 +90,41 @@ class Hold(CommandLineTest):
         pad = self.file("pad.csv", "Fx,fy,moment\n1000,0,0\n")
         row, = rows("hold", *PATCH, "--data", pad, "--columns", "fx=Fx", "--units", "force=mN")
         self.assert_close(row["hold_load"], 2, 1e-12)
-        self.assert_fails(2, "--columns, --units: go with --data", "hold", *CONTACT, "--force", "1", "--moment", "0", "--units", "force=mN")
+
+    def test_mu_r_as_measured_is_the_radius_law_it_implies(self):
+        """In every command that takes one: mu_r = mu m0 a, with gamma the exponent of the radius."""
+        m0 = 3 * math.pi / 16
+        common = ["--law", "hertz", "--mu", "0.6"]
+        for gamma, law in ((0, "constant:a=0.005"), (0.3, "power:c=0.005,gamma=0.3")):
+            sized, measured = ["--radius-law", law], ["--mu-r", repr(0.6 * m0 * 0.005), "--gamma", repr(gamma)]
+            for command in (["hold", "--force", "1", "--moment", "0.003"], ["hold", "--data", self.data("force,moment,load", [(1, 0.003, 2.5)])],
+                            ["p-curves", "--loads", "0,0.5,3"], ["c-curves", "--loads", "0,1,2", "--cors", "0,0.002,inf"],
+                            ["translate", "--load", "2", "--loads", "1,4"], ["hold", "--curve", "box", "--force", "1", "--moment", "0.003"]):
+                for one, other in zip(rows(*command, *common, *sized), rows(*command, *common, *measured), strict=True):
+                    for name, number in one.items():
+                        self.assertEqual(number, other[name]) if isinstance(number, str) else self.assertAlmostEqual(number, other[name], delta=1e-12 * abs(number))
+        falls = rows("hold", *common, "--mu-r", "0.002", "--gamma", "-0.4", "--force", "0", "--moment", "0.003")[0]["hold_load"]
+        self.assert_close(0.002 * falls ** 0.6, 0.003, 1e-12)
+        self.assertEqual(rows("hold", *common, "--mu-r", "0", "--force", "1", "--moment", "1e-6")[0]["hold_load"], math.inf)
+
+    def test_an_ellipse_or_a_box_with_mu_r_needs_no_law(self):
+        contact = ["--mu", "0.6", "--mu-r", "0.002"]
+        for curve, load in (("ellipse", math.hypot(1 / 0.6, 0.003 / 0.002)), ("box", 1 / 0.6)):
+            for law in ([], ["--law", "cone"]):
+                self.assert_close(rows("hold", "--curve", curve, *law, *contact, "--force", "1", "--moment", "0.003")[0]["hold_load"], load, 1e-12)
+            trace = self.file("turns.csv", "time,x,y,z,twist\n" + "".join(f"{i},0,0,-0.002,{i}\n" for i in range(4)))
+            self.assert_close(rows("replay", "--trace", trace, "--curve", curve, *contact, *FINGER)[-1]["moment"], -0.002 * 2, 1e-12)
+            self.assertEqual(run("pivot", "--curve", curve, *contact, "--duration", "0.01").returncode, 0)
+        one, sized = ["--force", "1", "--moment", "0"], ["--radius-law", "constant:a=0.005"]
+        for command in (["hold", *one], ["replay", "--trace", trace, *FINGER], ["pivot", "--case", "exact"], ["p-curves", "--loads", "1"],
+                        ["c-curves", "--loads", "1", "--cors", "0"], ["translate", "--load", "1"], ["choose", "--scene", "--tolerance", "0.1"]):
+            self.assert_fails(2, ["--mu-r", "--radius-law"], *command, "--law", "hertz", *contact, *sized)
+        for command in (["hold", "--force", "1,0", "--moment", "0"], ["replay", "--trace", trace, *FINGER], ["translate"]):
+            self.assert_fails(2, ["--mu-r", "--patch"], *command, "--patch", "rectangle:x=0.02,y=0.01", *contact)
+        for command in (["hold", *one], ["replay", "--trace", trace, *FINGER]):
+            for curve in ("exact", "table"):
+                self.assert_fails(2, "--law", *command, "--curve", curve, *contact)
+            self.assert_fails(2, "--law", *command, "--curve", "ellipse", "--mu", "0.6", *sized)
 
     def test_margin_is_that_of_replay(self):
         self.check_against_replay(CONTACT, DATA / "traces" / "slide_twist_load.csv",

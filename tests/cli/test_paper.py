@@ -143,7 +143,7 @@ class Corrections(CommandLineTest):
             # `eval` tells magnitudes, `patch` what moves the patch: the opposite of friction.
             here = rows("eval", "--law", "hertz", "--c", c)[0]
             twist = self.file("twist.csv", f"vx,vy,omega\n0,{-c},1\n")
-            patch = rows("patch", "--patch", "ellipse:law=hertz,a=1,b=1", "--twists", twist)[0]
+            patch = rows("patch", "--quiet", "--patch", "ellipse:law=hertz,a=1,b=1", "--twists", twist)[0]
             # A finger moved so settles at it, on its user.
             path = "".join(f"{i / 1000},0,{-c * radius * 0.02 * i},{-load / 1000},{0.02 * i}\n" for i in range(300))
             settled = self.replay(self.file("trace.csv", "time,x,y,z,twist\n" + path), "--projection", "closest-point")[-1]
@@ -268,10 +268,10 @@ class Corrections(CommandLineTest):
             self.assertAlmostEqual(-settled["moment"] / (1.2 * radius * largest), y, delta=1e-4)
 
     def test_force_closure_by_two_soft_fingers(self):
-        call = ["replay", "--trace", DATA / "scenes" / "pinch.csv", *FINGER_OPTIONS, "--fingers", "2", "--surface",
+        call = ["replay", "--trace", DATA / "scenes" / "pinch.csv", "--fingers", "2", "--surface",
                 "box:x=0.12,y=0.04,z=0.04", "--body", "free:mass=0.1", "--damping", "2"]
         soft, point = ([math.degrees(2 * math.atan2(row["bqz"], row["bqw"])) for row in rows(*call, *more)]
-                       for more in ([], ["--mu-r", "0"]))
+                       for more in (FINGER_OPTIONS, ["--mu-r", "0", *(w for w in FINGER_OPTIONS if w not in ("--radius-law", FINGER["radius-law"]))]))
         self.assertAlmostEqual(soft[-1], math.degrees(2 * math.atan(0.2)), delta=0.05)
         self.assertEqual(set(point), {0})
 

