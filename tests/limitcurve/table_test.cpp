@@ -81,17 +81,6 @@ TEST(Table, HasTheLowestDegreeWithinItsBudget) {
   }
 }
 
-TEST(Table, MoreBytesNeverLengthenASearch) {
-  for (const double tolerance : {1e-6, 1e-8}) {
-    int last = 20;
-    for (const std::size_t bytes : {0U, 2048U, 4096U, 16384U, 98304U}) {
-      const int halvings = Table::build(parse_law("xydas-kao:k=0.3"), tolerance, {.bytes = bytes}).pieces().halvings;
-      EXPECT_LE(halvings, last) << tolerance << ' ' << bytes;
-      last = halvings;
-    }
-  }
-}
-
 TEST(Table, ManyLookUpsGiveTheBitsOfSingleOnes) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   constexpr double inf = std::numeric_limits<double>::infinity();
