@@ -32,7 +32,12 @@ std::string to_json(const Table& table);
 /// internal linkage. The cell is found by bisection. NAME is `name`; if that is empty, `limitcurve_table_<law>_<first 8 digits of the
 /// checksum>`, which no other table has.
 /// Throws std::invalid_argument, with the name, unless it is a C identifier that begins with a letter and has no double underscore.
-std::string to_header(const Table& table, std::string_view name = {});
+/// With `is_single` all is in float: literals, tolerances, and certified_error, which is `single_precision_error`; at the ratio of speeds as
+/// a float, and closest_point within 5e-6.
+std::string to_header(const Table& table, std::string_view name = {}, bool is_single = false);
+
+/// Bound of the error of force and moment by a header in single precision: the table's own and roundings, about 4e-7·max(1, m₀).
+double single_precision_error(const Table& table);
 
 /// Reads a table that `to_csv` wrote. `source` is its name in messages. Throws std::invalid_argument: `source:line:column: …` for a text
 /// that is truncated, out of order or not a table; `source: …` for a wrong checksum and for cells

@@ -5,6 +5,12 @@
 #include "cli/io/output_file.hpp"
 #include "cli/io/table_writer.hpp"
 
+#include "limitcurve/internal/number.hpp"
+#include "limitcurve/table_file.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
 namespace limitcurve::cli {
 
 namespace {
@@ -28,17 +34,29 @@ class Table final : public Subcommand {
     options.count(
         "--bytes", bytes_, 0, 98304,
         "Memory that a look-up may touch: the polynomials get the lowest degree, 3 to 5, that fits, which is the fastest; else 6");
+    options.choice("--real", real_, {"double", "float"}, "Numbers of a header");
     options.text("--name", name_, "NAME", "Of the table in a .h or .hpp file: NAME_wrench(slide, spin)");
   }
 
   void run(const Results& results) override {
-    const TableWriter text_of = table_writer(file_, "--output", name_);
-    const auto table = limitcurve::Table::build(law_, tolerance_, {.bytes = bytes_});
+    const bool is_single = real_ == 1;
+    const TableWriter text_of = table_writer(file_, "--output", name_, is_single);
+    // Rounding of float takes most of the finest tolerance.
+    const double finest = FloatTable::finest_tolerance;
+    if (is_single && !(tolerance_ >= finest))
+      throw out_of_range("--tolerance", tolerance_, "1", format_number(finest) + " or more with --real float");
+    const double of_table = is_single ? std::max(0.1 * tolerance_, tolerance_ - 0.9 * finest) : tolerance_;
+    const auto table = limitcurve::Table::build(law_, of_table, {.bytes = bytes_});
+    const double error = is_single ? single_precision_error(table) : table.certified_error();
+    if (const double least = error / std::max(1.0, table.moment_ratio()); is_single && least > tolerance_) {
+      throw std::runtime_error("table of " + table.law_name() + " in single precision: expected a tolerance of " + format_number(least) +
+                               " or more");
+    }
     AtomicFile file(file_);
     file.output().write(text_of(table));
     file.commit();
     Rows rows(results, {"law", "tolerance", "certified_error", "nodes", "bytes", "profile_error"});
-    rows.row(table.law_name(), table.tolerance(), table.certified_error(), table.cell_count(), table.bytes(), table.profile_error());
+    rows.row(table.law_name(), tolerance_, error, table.cell_count(), table.bytes() / (is_single ? 2 : 1), table.profile_error());
     rows.finish();
   }
 
@@ -48,6 +66,7 @@ class Table final : public Subcommand {
   std::size_t bytes_ = TableOptions{}.bytes;
   std::string file_;
   std::string name_;
+  std::size_t real_ = 0;
 };
 
 }  // namespace

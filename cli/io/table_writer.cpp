@@ -10,15 +10,16 @@
 
 namespace limitcurve::cli {
 
-TableWriter table_writer(const std::string& file, const std::string& option, const std::string& name) {
+TableWriter table_writer(const std::string& file, const std::string& option, const std::string& name, bool is_single) {
   const std::string extension = std::filesystem::path(file).extension().string();
   if (extension == ".hpp" || extension == ".h") {
-    return [name](const limitcurve::Table& table) { return to_header(table, name); };
+    return [name, is_single](const limitcurve::Table& table) { return to_header(table, name, is_single); };
   }
   if (!name.empty()) {
     throw std::invalid_argument("name '" + name + "' for the file '" + file +
                                 "': expected one that ends in .h or .hpp, only headers have names");
   }
+  if (is_single) throw std::invalid_argument("--real float: got the file '" + file + "', expected one that ends in .h or .hpp");
   if (extension == ".csv") return [](const limitcurve::Table& table) { return to_csv(table); };
   if (extension == ".json") {
     return [option](const limitcurve::Table& table) {

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "limitcurve/internal/number.hpp"
+#include "limitcurve/table/single_precision.hpp"
 #include "limitcurve/table_file.hpp"
 #include "limitcurve/version.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
+#include <charconv>
+#include <regex>
+#include <sstream>
 #include <stdexcept>
 #include <vector>
 
@@ -46,14 +51,33 @@ void check_name(std::string_view name) {
                               "', expected a C identifier: a letter, then letters, digits and single underscores, and no word of C or C++");
 }
 
+/// C in double precision as C in single precision: types and literals, but in comments.
+std::string in_float(const std::string& code) {
+  std::string text;
+  std::istringstream lines(code);
+  for (std::string line; std::getline(lines, line); text += line + "\n") {
+    if (line.starts_with("//")) continue;
+    line = std::regex_replace(line, std::regex("\\bdouble\\b"), "float");
+    line = std::regex_replace(line, std::regex("\\b[0-9]+\\.[0-9]+\\b"), "$&f");
+  }
+  return text;
+}
+
 }  // namespace
 
-std::string to_header(const Table& table, std::string_view chosen_name) {
-  const TableCells& pieces = table.cells();
+double single_precision_error(const Table& table) {
+  return table.certified_error() + table::rounding_in_single_precision(table::in_single_precision(table.cells()));
+}
+
+std::string to_header(const Table& table, std::string_view chosen_name, bool is_single) {
+  const TableCells pieces = is_single ? table::in_single_precision(table.cells()) : table.cells();
   const auto degree = static_cast<std::size_t>(table.degree());
-  const auto literal = [](double value) {
-    const std::string text = format_number(value);
-    return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
+  const auto literal = [&](double value) {
+    std::array<char, 32> digits{};
+    const char* const end = std::to_chars(digits.data(), digits.data() + digits.size(), static_cast<float>(value)).ptr;
+    std::string text = is_single ? std::string(digits.data(), static_cast<std::size_t>(end - digits.data())) : format_number(value);
+    if (text.find_first_of(".e") == std::string::npos) text += ".0";
+    return is_single ? text + "f" : text;
   };
   const auto list = [&](const std::vector<TableCell>& side) {
     std::string text = "{\n";
@@ -171,7 +195,7 @@ LIMITCURVE_TABLE_FUNCTION @NAME@_unit_wrench @NAME@_project(double force, double
     const double up = on_ray ? jet.trailing * leading : leading - jet.leading;
     const double down = on_ray ? jet.leading * trailing : x * over;
     const double slope = on_ray ? jet.second * (trailing + x * leading) : jet.second * (1.0 + kappa * x * x) + over;
-    const double rounding = 1e-15 * (on_ray ? up + down : leading + x * kappa * trailing);
+    const double rounding = @ROUNDING@ * (on_ray ? up + down : leading + x * kappa * trailing);
     /* Below its rounding the sign of the residual is chance. A trial below a point of the curve in both components is inside. */
     if ((up - down <= rounding && down - up <= rounding) || (!on_ray && up <= 0.0 && over <= 0.0)) break;
     if (up > down) {
@@ -200,7 +224,7 @@ LIMITCURVE_TABLE_FUNCTION double @NAME@_gauge(double force, double moment) {
 LIMITCURVE_TABLE_FUNCTION @NAME@_unit_wrench @NAME@_closest_point(double force, double moment, double chi) {
   double gauge = 0.0;
   @NAME@_unit_wrench found = @NAME@_project(force < 0.0 ? -force : force, moment < 0.0 ? -moment : moment, chi, &gauge);
-  const int slips = gauge > 1.0 + 1e-12;
+  const int slips = gauge > @ONSET@;
   const double nan = 0.0 * (force - force + moment - moment + chi - chi); /* else 0 */
   found.force = nan + (!slips ? force : force < 0.0 ? -found.force : found.force);
   found.moment = nan + (!slips ? moment : moment < 0.0 ? -found.moment : found.moment);
@@ -212,6 +236,7 @@ LIMITCURVE_TABLE_FUNCTION @NAME@_unit_wrench @NAME@_closest_point(double force, 
 
 #endif
 )";
+  if (is_single) text = in_float(text);
   const auto put = [&](std::string_view word, const std::string& value) {
     for (std::size_t at = 0; (at = text.find(word, at)) != std::string::npos; at += value.size()) text.replace(at, word.size(), value);
   };
@@ -223,8 +248,10 @@ LIMITCURVE_TABLE_FUNCTION @NAME@_unit_wrench @NAME@_closest_point(double force, 
   put("@NAME@", name);
   put("@VERSION@", std::string(version));
   put("@CHECKSUM@", sum);
-  put("@TOLERANCE@", literal(table.tolerance()));
-  put("@CERTIFIED@", literal(table.certified_error()));
+  put("@ROUNDING@", is_single ? "5e-7f" : "1e-15");
+  put("@ONSET@", is_single ? "1.0000038f" : "1.0 + 1e-12");
+  put("@TOLERANCE@", literal(is_single ? single_precision_error(table) : table.tolerance()));
+  put("@CERTIFIED@", is_single ? literal(single_precision_error(table) * (1 + 1e-7)) : literal(table.certified_error()));
   put("@PROFILE@", literal(table.profile_error()));
   put("@RATIO@", literal(table.moment_ratio()));
   put("@RIM@", literal(table.rim().force) + ", " + literal(table.rim().moment));
