@@ -324,9 +324,9 @@ void add_tables(nb::module_& module) {
                 return axes(touching_ellipse(self, wrench[0], wrench[1]));
               });
             }
-            return of_numbers<2, 16, 4>({force, moment, p, q}, {"force", "moment", "p", "q"}, {any, any, any, any}, [&](const std::array<double, 4>& given) {
-              return axes(touching_ellipse(self, given[0], given[1], given[2], given[3]));
-            });
+            return of_numbers<2, 16, 4>(
+                {force, moment, p, q}, {"force", "moment", "p", "q"}, {any, any, any, any},
+                [&](const std::array<double, 4>& given) { return axes(touching_ellipse(self, given[0], given[1], given[2], given[3])); });
           },
           nb::arg("force") = nb::none(), nb::arg("moment") = nb::none(), nb::arg("p") = nb::none(), nb::arg("q") = nb::none(),
           nb::kw_only(), nb::arg("slip") = nb::none(),

@@ -77,10 +77,11 @@ PyPatch asked(cli::PatchArgument argument) {
 }
 
 nb::object slips(const PyPatch& patch, const Given& given) {
-  const nb::object twists = of_numbers<3, 16, 3>({given[0], given[1], given[2]}, {"fx", "fy", "moment"}, {any, any, any}, [&](const std::array<double, 3>& wrench) {
-    const PatchTwist twist = patch.slip({wrench[0], wrench[1], wrench[2]}).twist;
-    return std::array{twist.vx, twist.vy, twist.omega};
-  });
+  const nb::object twists = of_numbers<3, 16, 3>({given[0], given[1], given[2]}, {"fx", "fy", "moment"}, {any, any, any},
+                                                 [&](const std::array<double, 3>& wrench) {
+                                                   const PatchTwist twist = patch.slip({wrench[0], wrench[1], wrench[2]}).twist;
+                                                   return std::array{twist.vx, twist.vy, twist.omega};
+                                                 });
   return nb::module_::import_("numpy").attr("stack")(twists, -1);
 }
 
@@ -209,8 +210,7 @@ void add_patches(nb::module_& module) {
       "The least loads [N] that hold friction wrenches [N, N m] about the origin, broadcast against each other and mu; inf if no load\n"
       "does. Releases the GIL.");
   define<const PyPatch&>(
-      type,
-      "def slip(self, fx: numpy.typing.ArrayLike, fy: numpy.typing.ArrayLike, moment: numpy.typing.ArrayLike) -> typing.Any", &slips,
+      type, "def slip(self, fx: numpy.typing.ArrayLike, fy: numpy.typing.ArrayLike, moment: numpy.typing.ArrayLike) -> typing.Any", &slips,
       "The twists (vx, vy, omega) [m/s, rad/s] about the origin with which the patch slips under friction wrenches [N, N m], broadcast\n"
       "against each other: shape (…, 3). They have power 1 W against the wrench; NaN for wrench 0, and where no load holds. Releases the\n"
       "GIL.");

@@ -25,7 +25,8 @@ class Eval final : public Subcommand {
 
   void declare(Options& options) override {
     options.law(law_);
-    options.numbers("--c", distances_, signed_distance, "Distances of the centre of rotation from the contact centre [m], such as 0,0.5,inf");
+    options.numbers("--c", distances_, signed_distance,
+                    "Distances of the centre of rotation from the contact centre [m], such as 0,0.5,inf");
     options.number("--radius", radius_, positive, "Contact radius a [m] (default 1)");
     options.number("--load", load_, non_negative, "Normal load P [N]");
     options.number("--mu", friction_, non_negative, "Friction coefficient mu [1]");

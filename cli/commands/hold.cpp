@@ -86,7 +86,8 @@ class Hold final : public Subcommand {
       results.messages->say(questions_.lines());
       return;
     }
-    if (torsion_.given()) throw std::invalid_argument("--radius-law, --mu-r, --gamma: not with --patch, which has its own size and moments");
+    if (torsion_.given())
+      throw std::invalid_argument("--radius-law, --mu-r, --gamma: not with --patch, which has its own size and moments");
     if (curve_) throw std::invalid_argument("--curve: not with --patch, which is its own limit surface");
     const Patch patch = read_patch(patch_, *results.messages);
     const auto least = [&](const Need& need) { return load_to_hold(patch, mu_, {need.fx, need.fy, need.moment}); };

@@ -27,7 +27,8 @@ class PatchCommand final : public Subcommand {
         "ellipse:law=hertz,a=0.004,b=0.002 (semi-axes), image:FILE.csv,pixel=0.0005 (rows of pressures, the first row at the\n"
         "largest y; the origin is the centre of pressure; pixel=0.004x0.005 along x and y; an empty pixel, B or nan has no sensor; a\n"
         "file of Tekscan's has its pixel; columns=32: each row of the file is a frame, flattened; frame=2 selects). Append\n"
-        ",mx=...,my=... if friction along x and y differs: they multiply mu. Lengths are in metres; loads and pressures may have any unit.\n"
+        ",mx=...,my=... if friction along x and y differs: they multiply mu. Lengths are in metres; loads and pressures may have any "
+        "unit.\n"
         "Twists: a CSV with the columns vx,vy,omega [m/s, rad/s], the velocity of the patch over the ground at the origin.\n"
         "Columns: the twist; fx, fy, moment: the wrench about the origin that keeps the patch sliding; power = mu P H; error, a\n"
         "bound of the largest of the relative error of power, |dF|/(mu P) and |dM|/(mu P m0).\n"
@@ -35,14 +36,15 @@ class PatchCommand final : public Subcommand {
         "just holds it [N], inf if none does; vx, vy, omega: the slip at that load, of power 1 W against the wrench, nan for wrench 0 or\n"
         "without such a load; error: bound of |dF|/(mu P) and |dM|/(mu P m0), from the wrench to what the slip needs. Where the limit\n"
         "surface is flat the slip is about a point of the patch, exactly; error leaves out the force that this point bears.\n"
-        "--law and --radius-law in place of --patch: a round contact; wrenches are force,moment, slips slide,spin [m/s, rad/s].",
+        "--law with --radius-law or --mu-r, in place of --patch: a round contact; wrenches are force,moment, slips slide,spin [m/s, "
+        "rad/s].",
         "limitcurve patch --patch rectangle:x=0.02,y=0.01 --twists data/patches/twists.csv --mu 0.5 --load 4"};
   }
 
   void declare(Options& options) override {
     options.text("--patch", patch_, "PATCH", "Pressure patch (see below)");
     options.law(law_, Presence::optional);
-    options.radius_law(radius_law_, Presence::optional);
+    options.moment(moment_);
     options.text("--twists", twists_, "FILE", "CSV of twists, or - for standard input");
     options.text("--wrenches", wrenches_, "FILE", "In place of --twists: CSV of wrenches, or - for standard input");
     options.number("--mu", mu_, positive, "Coefficient of friction");
@@ -54,7 +56,7 @@ class PatchCommand final : public Subcommand {
     if (twists_.empty() == wrenches_.empty()) throw std::invalid_argument("expected one of --twists and --wrenches");
     if (load_ && twists_.empty()) throw std::invalid_argument("--load: goes with --twists; with --wrenches it is a result");
     if (law_ != nullptr) return slip_of_round_contact(results);
-    if (radius_law_) throw std::invalid_argument("--radius-law: not with --patch, which has its own size");
+    if (moment_.given()) throw std::invalid_argument("--radius-law, --mu-r, --gamma: not with --patch, which has its own size and moments");
     const Patch patch = read_patch(patch_, *results.messages);
     if (!wrenches_.empty()) return slip(results, patch);
     UnitQuestions questions;
@@ -90,9 +92,10 @@ class PatchCommand final : public Subcommand {
 
   void slip_of_round_contact(const Results& results) const {
     if (wrenches_.empty()) throw std::invalid_argument("--law: goes with --wrenches; for twists see 'limitcurve eval'");
-    if (!radius_law_) throw std::invalid_argument("--radius-law is required");
+    moment_.check();
+    const ContactFriction contact = moment_.with(mu_, law_);
     const godobject::FingerCurve curve = make_finger_curve(godobject::CurveKind::exact, law_, 0.0);
-    const RadiusLaw radius_law = radius_law_->of(mu_, law_);
+    const RadiusLaw radius_law = contact.radius(curve.moment_ratio());
     std::array<double, 2> loads{infinite, 0.0};  // smallest and largest
     Rows rows(results, {"force", "moment", "hold_load", "slide", "spin", "error"});
     CsvReader reader(wrenches_, {"force", "moment"});
@@ -100,7 +103,7 @@ class PatchCommand final : public Subcommand {
     while (reader.next()) {
       const double force = reader.number(0, finite);
       const double moment = reader.number(1, finite);
-      const double load = load_to_hold(curve, radius_law, mu_, force, moment);
+      const double load = load_to_hold(curve, contact, force, moment);
       if (!(load > 0.0 && std::isfinite(load))) {
         constexpr double nan = std::numeric_limits<double>::quiet_NaN();
         rows.row(force, moment, load, nan, nan, nan);
@@ -124,7 +127,7 @@ class PatchCommand final : public Subcommand {
 
   std::string patch_;
   Law law_;
-  std::optional<RadiusLawArgument> radius_law_;
+  MomentArgument moment_;
   std::string twists_;
   std::string wrenches_;
   double mu_ = 1.0;
