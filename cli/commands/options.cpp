@@ -46,7 +46,7 @@ void Options::file_columns(FileColumns& columns) {
       "The file's names of columns, such as load=Fz,force=Fxy,moment=Tz", Presence::optional);
   value(
       "--units", "LIST", [&columns](const std::string& list) { columns.read_units(list); },
-      "Units of the file, and of --force, --moment and --load: " + std::string(units_text) + " (default m, N, Nm, rad, s)",
+      "Units of the file, and of a single force, moment and load: " + std::string(units_text) + " (default m, N, Nm, rad, s)",
       Presence::optional);
 }
 

@@ -42,8 +42,7 @@ struct Model {
 
 class Comparison {
  public:
-  explicit Comparison(const Patch& patch)
-      : patch_(patch), m0_(patch.moment_ratio()), factor_(round_factor(patch)), length_(m0_ / factor_) {
+  explicit Comparison(const Patch& patch) : patch_(patch), m0_(patch.moment_ratio()), factor_(round_factor(patch)), length_(m0_ / factor_) {
     if (!(m0_ > 0.0)) throw std::invalid_argument("all load of the patch is on one point, expected a patch that resists a turn");
     for (std::size_t i = 0; i < distances; ++i) {
       for (std::size_t j = 0; j < directions; ++j) {
@@ -125,8 +124,8 @@ class Comparison {
     const auto compare = [&, mx = mx, my = my](const PatchTwist& twist, const PatchWrench& wrench) {
       const UnitWrench share = of(twist);
       const double along = share.force / speed(twist);
-      const double apart = std::hypot(along * mx * twist.vx - wrench.fx / mx, along * my * twist.vy - wrench.fy / my,
-                                      share.moment - wrench.moment / m0_);
+      const double apart =
+          std::hypot(along * mx * twist.vx - wrench.fx / mx, along * my * twist.vy - wrench.fy / my, share.moment - wrench.moment / m0_);
       result.max_wrench_error = std::max(result.max_wrench_error, apart);
     };
     for (std::size_t i = 0; i < grid_.size(); ++i) compare(twist_at(grid_[i]), wrench_[i]);
@@ -243,8 +242,8 @@ class Comparison {
 
   const Patch& patch_;
   double m0_;
-  double factor_;  ///< of the discs
-  double length_;  ///< m₀ of the patch without factors, about
+  double factor_;              ///< of the discs
+  double length_;              ///< m₀ of the patch without factors, about
   std::vector<Cor> grid_;      ///< distance by distance
   std::vector<double> power_;  ///< of the patch there
   std::vector<PatchWrench> wrench_;
