@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "c/handles.hpp"
 
+#include "godobject/finger.hpp"
 #include "limitcurve/approximations.hpp"
 #include "limitcurve/contact_radius.hpp"
 #include "limitcurve/laws.hpp"
@@ -20,14 +21,7 @@ constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 /// True if an array of COR distances, or an output array, is bad.
 bool refuse_arrays(const double* cors, std::size_t count, const double* forces, const double* moments) noexcept {
-  if (count == 0) return false;
-  if (is_missing("cors", cors) || is_missing("forces", forces) || is_missing("moments", moments)) return true;
-  for (std::size_t i = 0; i < count; ++i) {
-    if (!(cors[i] < 0.0)) continue;
-    refuse("cors", i, cors[i], "a number >= 0, or inf");
-    return true;
-  }
-  return false;
+  return count > 0 && (is_missing("cors", cors) || is_missing("forces", forces) || is_missing("moments", moments));
 }
 
 }  // namespace
@@ -165,7 +159,7 @@ limitcurve_status limitcurve_table_load_to_hold(const limitcurve_table* table, c
     return LIMITCURVE_INVALID;
   if (refuse_numbers("forces", forces, count) || refuse_numbers("moments", moments, count)) return LIMITCURVE_INVALID;
   return guarded([&] {
-    const FingerParameters parameters = parameters_of(*contact);
+    const godobject::FingerParameters parameters = parameters_of(*contact);
     ContactFriction friction{.mu = parameters.mu, .mu_r = parameters.mu_r, .gamma = parameters.gamma};
     if (!friction.mu_r) friction.radius_law = parameters.radius_law;
     const auto write = [&](const auto& curve) {
