@@ -224,15 +224,7 @@ RadialPoint BasicTable<Real>::along(UnitWrench direction) const noexcept {
 template <class Real>
 void BasicTable<Real>::wrench(std::span<const SlipTwist> twists, std::span<UnitWrench> wrenches) const noexcept {
   const std::size_t count = std::min(twists.size(), wrenches.size());
-  std::size_t i = 0;
-#ifdef LIMITCURVE_WIDE_PACKS
-  if constexpr (std::is_same_v<Real, double>) {
-    // With AVX2 packs are no faster.
-    if (kernel::widest_set() == kernel::InstructionSet::avx512)
-      i = kernel::wrenches_in_packs<kernel::Avx512>(pieces(), twists.data(), wrenches.data(), count);
-  }
-#endif
-  for (; i < count; ++i) wrenches[i] = wrench(twists[i]);
+  for (std::size_t i = 0; i < count; ++i) wrenches[i] = wrench(twists[i]);
 }
 
 template <class Real>

@@ -9,10 +9,7 @@
 
 namespace limitcurve::kernel {
 
-/// The wrenches of the first twists, as many as fill packs; returns their number. Each instruction set has its own source file.
-template <class Isa>
-std::size_t wrenches_in_packs(const TablePieces<double>& table, const SlipTwist* twists, UnitWrench* wrenches, std::size_t count) noexcept;
-/// Likewise the gauges of wrenches.
+/// The gauges of the first wrenches, as many as fill packs; returns their number. Each instruction set has its own source file.
 template <class Isa>
 std::size_t gauges_in_packs(const CurveView<double>& curve, const UnitWrench* wrenches, double* gauges, std::size_t count) noexcept;
 

@@ -218,6 +218,25 @@ def test_a_finger_that_is_pulled_feels_mu_p():
     assert finger.output.state == lc.ContactState.free and other.output.state == lc.ContactState.slip
 
 
+def test_fingers_and_batches_do_what_replay_does(data):
+    given = {"mu": 0.6, "mu_dynamic": 0.5, "radius_law": "power:c=0.00207,gamma=0.259", "stiffness": 1000, "twist_stiffness": 0.036}
+    trace = np.loadtxt(data / "traces/slide_twist_load.csv", delimiter=",", skiprows=2)
+    expected = lc.replay(trace, "hertz", curve="table", tolerance=1e-8, details=True, **given)
+    finger, under_load, batch = lc.SoftFinger(TABLE, **given), lc.SoftFinger(TABLE, **given), lc.Batch(TABLE, 2, **given)
+    for i, (time, x, y, z, twist) in enumerate(trace):
+        dt = time - trace[i - 1][0] if i else 0.0
+        out = finger.update((x, y, z), (0, 0, 1), -z, twist, dt)
+        other = under_load.update_under_load((x, y, z), (0, 0, 1), max(-1000 * z, 0.0), twist, dt)
+        batch.update(x, y, -z, twist)
+        row = [str(expected["state"][i]), *(expected[name][i] for name in ("load", "fx", "fy", "moment"))]
+        assert [str(out.state), out.load, *out.force[:2], out.moment] == row
+        assert str(other.state) == row[0] and np.allclose([other.load, *other.force[:2], other.moment], row[1:], rtol=1e-12, atol=1e-12)
+        assert str(lc.ContactState(batch.state[1])) == row[0] and np.allclose([batch.fx[1], batch.fy[1], batch.moment[1]], row[2:], rtol=0, atol=1e-12)
+    for one, last in ((finger.update, 0.001), (under_load.update_under_load, 1.0)):
+        one((0.05, 0, 0), (0, 0, 1), last, 3.0)
+        assert not one((0.1, 0, 0), (0, 0, 1), last, 4.0, landed=True).force[:2].any()  # anew where it lands
+
+
 def test_a_faulty_sample_is_a_state_and_not_an_error():
     finger = lc.SoftFinger(TABLE, mu=0.6)
     finger.update((0, 0, 0), (0, 0, 1), 0.001, 0)

@@ -10,38 +10,6 @@ from patch_case import PatchCase, by_points
 COLUMNS = "vx,vy,omega,fx,fy,moment,power,error"
 
 
-def gauss(count):
-    """Gauss-Legendre's rule on [0, 1]."""
-    rule = []
-    for i in range(count):
-        x = math.cos(math.pi * (i + 0.75) / (count + 0.5))
-        for _ in range(50):
-            p0, p1 = 1.0, x
-            for k in range(2, count + 1):
-                p0, p1 = p1, ((2 * k - 1) * x * p1 - (k - 1) * p0) / k
-            slope = count * (x * p1 - p0) / (x * x - 1)
-            x -= p1 / slope
-        rule.append(((1 + x) / 2, 1 / ((1 - x * x) * slope * slope)))
-    return rule
-
-
-GAUSS = gauss(24)
-
-
-def triangle_points(a, b, c):
-    """Weighted points of a triangle (signed), dense towards the vertex a."""
-    cross = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
-    for s, ws in GAUSS:
-        for t, wt in GAUSS:
-            yield (a[0] + s * (b[0] - a[0] + t * (c[0] - b[0])), a[1] + s * (b[1] - a[1] + t * (c[1] - b[1])), ws * wt * s * cross)
-
-
-def polygon_points(vertices, corner):
-    """A polygon as signed triangles from `corner`, the centre of rotation, where the integrand is not smooth."""
-    for first, second in zip(vertices, vertices[1:] + vertices[:1]):
-        yield from triangle_points(corner, first, second)
-
-
 class Patch(PatchCase):
     def expect(self, row, reference, moment_ratio, bound):
         fx, fy, moment, power = reference
@@ -60,14 +28,6 @@ class Patch(PatchCase):
         for twist, row in zip(twists, self.wrenches(f"points:{patch}", *twists)):
             self.expect(row, by_points(points, twist), 0.05, 1e-13)
 
-    def test_a_point_under_the_cor_bears_no_force(self):
-        patch = self.file("points.csv", "x,y,load\n0.1,0.2,1\n0.4,0.2,1\n0.1,0.7,2\n")
-        for omega in (1.0, 3.0, -0.1):
-            (row,) = self.wrenches(f"points:{patch}", (omega * 0.2, -omega * 0.1, omega))
-            sense = math.copysign(1.0, omega)
-            self.assertAlmostEqual(row["fx"], -0.5 * sense, delta=1e-14)
-            self.assertAlmostEqual(row["fy"], 0.25 * sense, delta=1e-14)
-
     def test_tactile_logs_with_a_frame_a_row(self):
         frame = [[max(0, 50 - ((x - 16) ** 2 + 2 * (y - 6) ** 2)) for x in range(32)] for y in range(12)]
         text = lambda lines: "".join(",".join(map(str, line)) + "\n" for line in lines)
@@ -85,32 +45,16 @@ class Patch(PatchCase):
                             ("columns=384,frame=1", "of several rows"), ("columns=1.5", "whole number"), ("frame=1", "only with columns=N")):
             self.refused(f"image:{log},pixel=0.002,{wrong}", told)
 
-    def test_polygons_with_the_cor_inside_outside_on_edge_and_vertex(self):
-        vertices = [(0.0, 0.0), (4.0, 0.0), (4.0, 1.0), (1.0, 1.0), (1.0, 3.0), (0.0, 3.0)]
-        patch = self.file("ell.csv", "x,y\n" + "".join(f"{x},{y}\n" for x, y in vertices))
-        # On a line through edges the triangles do not see the other edges' kinks; elsewhere Gauss points of a triangle do.
-        for corner in ((0.0, 0.0), (1.0, 1.0), (4.0, 1.0), (1.0, 2.0), (0.5, 1.5), (3.0, 2.0), (-2.0, -3.0), (30.0, 10.0)):
-            reference = by_points(list(polygon_points(vertices, corner)), (corner[1], -corner[0], 1.0))
-            (row,) = self.wrenches(f"polygon:{patch}", (corner[1], -corner[0], 1.0))
-            # 24 points do not resolve the edge next to the COR to more than this.
-            self.assertAlmostEqual(row["power"] / reference[3], 1.0, delta=1e-9)
-            self.assertAlmostEqual(row["fx"], reference[0], delta=1e-8)
-            self.assertAlmostEqual(row["fy"], reference[1], delta=1e-8)
-            self.assertAlmostEqual(row["moment"], reference[2], delta=3e-8)
-            self.assertLessEqual(row["error"], 1e-12)
+    def test_a_polygon_may_be_a_rectangle(self):
+        corners = self.file("corners.csv", "y,x\n-1,-0.5\n-1,0.5\n1,0.5\n1,-0.5\n")
+        for row, exact in zip(*(self.wrenches(patch, (1.0, 0.2, 0.3), (0.1, -0.3, 5.0)) for patch in (f"polygon:{corners}", "rectangle:x=1,y=2"))):
+            for name in ("fx", "fy", "moment", "power"):
+                self.assertAlmostEqual(row[name], exact[name], delta=1e-13)
 
     def test_a_square_spins_as_it_must(self):
         (row,) = self.wrenches("rectangle:x=2,y=2", (0.0, 0.0, -2.0), mu=0.5, load=3)
         self.assertAlmostEqual(row["moment"] / (-1.5 * (math.sqrt(2) + math.asinh(1)) / 3), 1.0, delta=1e-14)
         self.assertAlmostEqual(row["power"] / (3.0 * (math.sqrt(2) + math.asinh(1)) / 3), 1.0, delta=1e-14)
-
-    def test_an_ellipse_of_equal_axes_is_the_disc(self):
-        for law in ("hertz", "uniform", "power:n=2.3", "xydas-kao:k=3"):
-            for s in (0.0, 0.3, 1.0, 2.0, 1e6):
-                (exact,) = rows("eval", "--law", law, "--c", s)
-                (row,) = self.wrenches(f"ellipse:law={law},a=0.004,b=0.004", (0.0, -0.004 * s, 1.0))
-                self.assertAlmostEqual(-row["fy"], exact["force"], delta=1e-12)
-                self.assertAlmostEqual(row["moment"] / 0.004, exact["moment"], delta=1e-12)
 
     def test_samples_on_an_ellipse(self):
         profile = self.file("profile.csv", "radius,pressure\n" + "".join(f"{i / 20},{1.5 * math.sqrt(1 - (i / 20) ** 2)}\n" for i in range(21)))
@@ -119,14 +63,6 @@ class Patch(PatchCase):
         self.assertAlmostEqual(row["fx"], hertz["fx"], delta=row["error"])
         self.assertLess(row["error"], 0.1)
         self.assertAlmostEqual(row["power"] / hertz["power"], 1.0, delta=0.02)
-
-    def test_an_image_of_two_pixels_is_a_rectangle(self):
-        image = self.file("image.csv", "1,1\n")
-        for twist in ((0.0, 0.0, 1.0), (0.1, 0.3, 1.0), (0.0, 5.0, 1.0), (1.0, 1.0, 0.0)):
-            (row,) = self.wrenches(f"image:{image},pixel=0.5", twist)
-            (exact,) = self.wrenches("rectangle:x=1,y=0.5", twist)
-            self.assertLessEqual(abs(row["power"] / exact["power"] - 1), row["error"])
-            self.assertLessEqual(abs(row["fx"] - exact["fx"]), row["error"])
 
     def test_pixels_need_not_be_square(self):
         image = self.file("image.csv", "1,1\n1,1\n")
@@ -192,17 +128,6 @@ class Patch(PatchCase):
         plain = self.file("plain_image.csv", "1,2\n3,4\n")
         self.assertEqual(self.wrenches(f"image:{plain},pixel=1", (1.0, 0.2, 0.3)), self.wrenches(f"image:{image},pixel=1", (1.0, 0.2, 0.3)))
 
-    def test_a_patch_at_rest_needs_no_wrench(self):
-        (row,) = self.wrenches("rectangle:x=2,y=1", (0.0, 0.0, 0.0))
-        self.assertEqual([row[name] for name in ("fx", "fy", "moment", "power")], [0.0] * 4)
-
-    def test_extreme_twists_stay_numbers(self):
-        image = self.file("image.csv", "1,2\n3,4\n")
-        for patch in ("rectangle:x=0.02,y=0.01", "ellipse:law=cone,a=0.01,b=0.0005", f"image:{image},pixel=0.001"):
-            for row in self.wrenches(patch, (1e300, 0.0, 1e-300), (1e-300, 1e-300, 1e-300), (0.0, 5e-324, 0.0), (1.0, 1.0, 1e-12)):
-                self.assertTrue(math.isfinite(row["fx"]) and math.isfinite(row["moment"]) and row["power"] >= 0)
-                self.assertLessEqual(math.hypot(row["fx"], row["fy"]), 1 + 1e-12)
-
     def test_bad_patches_name_the_place(self):
         points = "x,y,load\n0,0,1\n"
         self.refused("circle:r=1", "expected points:FILE.csv")
@@ -236,12 +161,7 @@ class Patch(PatchCase):
 
         self.refused(polygon((0, 0), (1, 0)), "2 vertices")
         self.refused(polygon((0, 0), (1, 1), (1, 0), (0, 1)), "vertex 1 to 2", "vertex 3 to 4")
-        self.refused(polygon((0, 0), (1, 0), (2, 0)), "no area")
-        self.refused(polygon((0, 0), (0, 0), (0, 0)), "vertex 2")
-        self.refused(polygon((0, 0), (2, 0), (2, 2), (1, 0), (0, 2)), "meets")
-        self.refused(polygon((0, 0), (1, 0), (1, 0), (0, 1)), "vertex 3")
         self.refused(polygon((0, 0), (1, "inf"), (1, 1)), "v.csv:3:3")
-        self.refused(polygon((0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (1, 1), (0, 1)), "vertex")
 
     def test_bad_twists_name_the_place(self):
         for text, part in (("", "twists.csv:1:1"), ("vx,vy\n1,2\n", "omega"), ("vx,vy,omega\n1,2\n", "twists.csv:2:4"),
@@ -260,22 +180,15 @@ class Slip(PatchCase):
         return self.slips(("--patch", patch, "--mu", mu), "fx,fy,moment", wrenches)
 
     def test_the_twist_whose_wrench_this_is(self):
-        """Sums and quadrature give the wrench of a twist; the command must find the twist again."""
-        ell = [(0.05, 0.01), (0.09, 0.01), (0.09, 0.02), (0.06, 0.02), (0.06, 0.04), (0.05, 0.04)]
-        pad = [(-0.01, -0.005), (0.01, -0.005), (0.01, 0.005), (-0.01, 0.005)]
-        loads = [(-0.04, -0.04, 1.0), (0.04, -0.02, 2.0), (-0.04, 0.08, 1.0), (0.3, 0.1, 0.5)]
-        polygon = "polygon:" + str(self.file("ell.csv", "x,y\n" + "".join(f"{x},{y}\n" for x, y in ell)))
-        points = "points:" + str(self.file("points.csv", "x,y,load\n" + "".join(f"{x},{y},{w}\n" for x, y, w in loads)))
-        twists = [(0.01, 0.02, 1.0), (-0.03, 0.05, -2.0), (0.02, 0.01, -1.0), (0.03, 0.01, 0.5), (0.0, 0.4, 7.0), (-0.011, 0.052, 1.0)]
-        for patch, points_about in ((polygon, lambda c: polygon_points(ell, c)), ("rectangle:x=0.02,y=0.01", lambda c: polygon_points(pad, c)),
-                                    (points, lambda c: loads)):
-            for mx, my in ((1.0, 1.0), (0.3, 2.0)):
-                exact = [by_points(list(points_about((-vy / w, vx / w))), (vx, vy, w), mx, my) for vx, vy, w in twists]
-                for (vx, vy, w), wrench, row in zip(twists, exact, self.of(f"{patch},mx={mx},my={my}", *([0.5 * one for one in of[:3]] for of in exact))):
+        corners, loads = "x,y\n0.05,0.01\n0.09,0.01\n0.09,0.02\n0.06,0.02\n0.06,0.04\n0.05,0.04\n", "x,y,load\n-0.04,-0.04,1\n0.04,-0.02,2\n-0.04,0.08,1\n"
+        twists = [(0.01, 0.02, 1.0), (-0.03, 0.05, -2.0), (0.02, 0.01, -1.0), (0.0, 0.4, 7.0), (-0.011, 0.052, 1.0)]
+        for patch in (f"polygon:{self.file('ell.csv', corners)}", "rectangle:x=0.02,y=0.01", f"points:{self.file('points.csv', loads)}"):
+            for patch in (patch + ",mx=1", patch + ",mx=0.3,my=2"):
+                exact = self.wrenches(patch, *twists, mu=0.5)
+                for twist, wrench, row in zip(twists, exact, self.of(patch, *((one["fx"], one["fy"], one["moment"]) for one in exact)), strict=True):
                     self.assertAlmostEqual(row["hold_load"], 1, delta=1e-9)
-                    scale = 0.5 * wrench[3]
-                    for found, expected, arm in ((row["vx"], vx, 1), (row["vy"], vy, 1), (row["omega"], w, 0.05)):
-                        self.assertLess(abs(found * scale - expected) * arm, 1e-8 * (abs(vx) + abs(vy) + 0.05 * abs(w)), (patch, mx, row))
+                    for name, expected, arm in zip(("vx", "vy", "omega"), twist, (1, 1, 0.05)):
+                        self.assertLess(abs(row[name] * wrench["power"] - expected) * arm, 1e-8 * math.hypot(*twist), (patch, row))
                     self.assertLess(row["error"], 1e-8)
 
     def test_about_a_point_of_support_it_is_exact(self):

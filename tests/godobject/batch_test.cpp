@@ -185,54 +185,6 @@ TYPED_TEST(BatchOf, AHeldContactKeepsEveryBit) {
   }
 }
 
-// Under a constant twist it settles at the wrench of eq. (17) with the closest point, for any stiffnesses.
-TYPED_TEST(BatchOf, SettlesAtEquation17) {
-  using Real = TypeParam;
-  constexpr bool is_double = sizeof(Real) == sizeof(double);
-  const auto table = BasicTable<Real>::build(hertz(), is_double ? 1e-8 : 1e-6);
-  // What 0.2 m and 40 rad resolve, in float, of the finger's stride of 0.1 mm and 0.02 rad turns the slip by so much.
-  constexpr double bound = is_double ? 1e-7 : 2e-4;
-  for (const double twist_stiffness : {0.004, 0.04, 0.4}) {
-    const BasicBatch<Real> batch(table, parameters(0.6, 0.005, 1000.0, twist_stiffness));
-    const std::vector<double> cors{0.01, 0.1, 0.3, 0.7, 1.0, 1.5, 3.0, 10.0, 100.0};
-    BasicContactArrays<Real> arrays(cors.size());
-    const BasicContactBatch<Real> result = arrays.batch();
-    std::ranges::fill(arrays.depth(), Real(0.002));
-    batch.step(result);
-    for (int i = 1; i <= 2000; ++i) {
-      for (std::size_t k = 0; k < cors.size(); ++k) {
-        const SlipTwist twist = SlipTwist::about_cor(cors[k]);
-        arrays.x()[k] = static_cast<Real>(1e-4 * i * twist.slide);
-        arrays.twist()[k] = static_cast<Real>(1e-4 * i * twist.spin / 0.005);
-      }
-      batch.step(result);
-    }
-    for (std::size_t k = 0; k < cors.size(); ++k) {
-      const UnitForces<double> exact = hertz()->forces(cors[k]);
-      EXPECT_NEAR(double{result.fx[k]} / 1.2, -exact.force, bound) << cors[k];
-      EXPECT_NEAR(double{result.moment[k]} / (1.2 * 0.005), -exact.moment, bound) << cors[k];
-    }
-  }
-}
-
-// In parts, which threads may share, as well as at once.
-TYPED_TEST(BatchOf, DoesNotDependOnNeighbours) {
-  using Real = TypeParam;
-  constexpr std::size_t count = 117;
-  for (const Case<Real>& with : cases<Real>()) {
-    const BasicBatch<Real> batch(with.curve, with.with, with.projection);
-    BasicContactArrays<Real> together(count);
-    Random random(23);
-    for (int round = 0; round < 20; ++round) {
-      move_all(together, random, 1e-2);
-      BasicContactArrays<Real> alone = together;
-      batch.step(together.batch());
-      for (std::size_t i = 0; i < count; ++i) batch.step(alone.batch().part(i, 1));
-      ASSERT_EQ(written(alone.batch()), written(together.batch())) << with.name << ' ' << round;
-    }
-  }
-}
-
 // The memory is the caller's: what he never wrote may be NaN.
 TYPED_TEST(BatchOf, AProxyThatIsNaNIsAFaultUntilTheContactEnds) {
   using Real = TypeParam;

@@ -12,7 +12,6 @@
 namespace limitcurve::godobject::test {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double pi = std::numbers::pi;
 
 TEST(SoftFinger, IsFreeUntilItTouches) {
@@ -111,23 +110,6 @@ TEST(SoftFinger, SlipBeginsOnTheCurve) {
       }
     }
   });
-}
-
-TEST(SoftFinger, BoxWithClosestPointIsTheUncoupledAlgorithm) {
-  // Paper, eq. (11): r′ = μd, ρ′ = Γ/k_r, each on its own.
-  FingerParameters with = parameters();
-  with.mu_r = 0.0025;
-  SoftFinger finger(box(1.0, hertz()->moment_ratio()), with);
-  const double depth = 0.002;
-  finger.update(on_plane(0.0, 0.0, depth), 0.0);
-  finger.update(on_plane(0.01, 0.0, depth), 0.05);
-  EXPECT_EQ(finger.output().state, ContactState::slip);
-  EXPECT_DOUBLE_EQ(finger.output().proxy.x(), 0.01 - with.mu * depth);
-  EXPECT_EQ(finger.output().angle, 0.0);  // Γ/k_r = 0.125 rad: the twist holds, bit for bit
-  EXPECT_EQ(finger.output().cor, infinity);
-  finger.update(on_plane(0.01, 0.0, depth), 0.5);
-  EXPECT_DOUBLE_EQ(finger.output().angle, 0.5 - 0.0025 * 2.0 / with.twist_stiffness);
-  EXPECT_EQ(finger.output().cor, 0.0);
 }
 
 TEST(SoftFinger, MomentCoefficientSetsTheLimitWhateverTheRadiusLaw) {

@@ -76,30 +76,6 @@ TEST(Replay, OnThePlaneAtRestIsTheFinger) {
   }
 }
 
-// Only the motion of the finger in the body's frame counts: a moved scene gives the same output.
-TEST(Replay, FeelsTheRelativeMotionAlone) {
-  ReplayOptions with = options();
-  Replay still(with);
-  with.motion = BodyMotion::prescribed;
-  Replay carried(with);
-  for (int i = 0; i <= 1000; ++i) {
-    const double t = i * 1e-3;
-    const DevicePose finger{{0.01 * t, 0.004 * t * t, -0.002}, about(Vector3d::UnitZ(), 3.0 * t), 0.0};
-    const BodyPose body{{0.3 * t, -0.2 * t * t, 0.1 * t}, about(Vector3d(1.0, 2.0, -0.5).normalized(), 2.0 * t)};
-    const DevicePose along{body.position + body.orientation * finger.position, body.orientation * finger.orientation, 0.0};
-    const SceneContact one = moved(still, t, finger);
-    const SceneContact other = moved(carried, t, along, body);
-    ASSERT_EQ(one.state, other.state) << i;
-    ASSERT_LT((body.orientation * one.force - other.force).norm(), 1e-11);
-    ASSERT_LT((body.orientation * one.normal - other.normal).norm(), 1e-14);
-    ASSERT_LT((body.position + body.orientation * one.proxy - other.proxy).norm(), 1e-13);
-    ASSERT_NEAR(one.moment, other.moment, 1e-13);
-    ASSERT_NEAR(one.angle, other.angle, 1e-12);
-  }
-  EXPECT_EQ(still.contacts().front().state, ContactState::slip);
-  EXPECT_NEAR(still.contacts().front().dissipated, carried.contacts().front().dissipated, 1e-12);
-}
-
 // A plate turns under a finger at rest: the slip turns about the plate's axis, and eq. (17) gives the wrench.
 TEST(Replay, ATurntableRubsAsEquation17Says) {
   ReplayOptions with = options();
