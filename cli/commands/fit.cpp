@@ -179,7 +179,7 @@ class Fit final : public Subcommand {
     };
     if (estimates.front().name == "ratio") return;  // without mu there is no finger
     const bool follows_outliers = found.report.scatter_refused && loss_ == 0;
-    if (found.report.gamma_refused || follows_outliers) {
+    if (models[model_] == "law" && (found.report.gamma_refused || follows_outliers)) {
       return say("note", std::string("nothing to type: the data refuse this fit; add") +
                              (found.report.gamma_refused ? " --fit-gamma" : "") + (follows_outliers ? " --loss cauchy" : ""));
     }

@@ -73,7 +73,9 @@ class Hold final : public Subcommand {
     if (mass_ && columns_.given()) throw std::invalid_argument("--units: goes with --data, or with --force and --moment");
     if (!down_.empty() && (patch_.empty() || !mass_)) throw std::invalid_argument("--down: goes with --patch and --mass");
     if (patch_.empty()) {
-      const ContactFriction contact = torsion_.with(mu_, law_);
+      torsion_.check();
+      // Without friction no radius matters, and measured moments give none.
+      const ContactFriction contact = mu_ > 0.0 ? torsion_.with(mu_, law_) : ContactFriction{0.0, RadiusLaw::constant(1e-3)};
       const godobject::FingerCurve curve = make_finger_curve(kind, law_, 1e-8);
       const RadiusLaw radius_law = contact.radius(curve.moment_ratio());
       write(

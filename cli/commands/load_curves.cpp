@@ -47,7 +47,6 @@ class LoadCurves final : public Subcommand {
                                   ": absent, expected both stiffnesses or none");
     }
     const ContactFriction contact = moment_.with(friction_, law_);
-    results.messages->say(questions_of(contact.radius(law_->moment_ratio()), loads_));
     std::vector<std::string> columns{at_cors_ ? "c" : "load", at_cors_ ? "load" : "c", "force", "moment"};
     if (stiffness_) columns.insert(columns.end(), {"r", "rho"});
     Rows rows(results, columns);
@@ -68,6 +67,7 @@ class LoadCurves final : public Subcommand {
     for (const double c : distances_) write(c_curve(exact, contact, c, loads_));
     for (const double load : at_cors_ ? std::vector<double>() : loads_) write(p_curve(exact, contact, load, points_));
     rows.finish();
+    results.messages->say(questions_of(contact.radius(law_->moment_ratio()), loads_));
   }
 
  private:

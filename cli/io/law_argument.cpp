@@ -88,8 +88,7 @@ void MomentArgument::check() const {
 ContactFriction MomentArgument::with(double mu, const Law& law) const {
   check();
   ContactFriction contact{.mu = mu, .mu_r = mu_r, .gamma = gamma.value_or(0.0)};
-  // Without friction no radius matters, and measured moments give none.
-  if (radius_law) contact.radius_law = mu > 0.0 ? radius_law->of(mu, law) : RadiusLaw::constant(1e-3);
+  if (radius_law) contact.radius_law = radius_law->of(mu, law);
   return contact;
 }
 

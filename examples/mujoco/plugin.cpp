@@ -34,9 +34,7 @@ struct Pair {
 template <class Visit>
 void each_number(Pair& p, Visit&& visit) {  // the numbers that make a pair, on their way into plugin_state and back
   FingerState& f = p.finger;
-  const auto all = [&](auto& array) {
-    for (double& x : array) visit(x);
-  };
+  const auto all = [&](auto& array) { std::for_each(array.begin(), array.end(), visit); };
   visit(p.object), visit(p.load), visit(p.slide_weight), visit(p.twist_weight), all(p.lever), all(p.finger_at);
   all(f.output.proxy), visit(f.output.angle), visit(f.in_contact), visit(f.faults.seen);
   all(f.sample.goal), all(f.sample.normal), visit(f.sample.angle);
@@ -44,12 +42,7 @@ void each_number(Pair& p, Visit&& visit) {  // the numbers that make a pair, on 
   visit(f.friction.force_slides), visit(f.friction.search_start), visit(f.friction.search_rate);
   all(f.patch.zero_axis), all(f.patch.axis), all(f.patch.slip);
 }
-const int pair_size = [] {
-  int count = 0;
-  Pair pair;
-  each_number(pair, [&](auto&) { ++count; });
-  return count;
-}();
+const int pair_size = [count = 0, pair = Pair()]() mutable { return each_number(pair, [&](auto&) { ++count; }), count; }();
 Pair load(const mjtNum* from) {
   Pair pair;
   each_number(pair, [&](auto& x) { x = static_cast<std::decay_t<decltype(x)>>(*from++); });
@@ -89,21 +82,15 @@ struct Skin {  // what the bodies of one plugin instance share: plugin_data of o
       if (*end) throw std::invalid_argument(std::string(key) + ": '" + value + "' is not a number");
       return value.empty() ? std::optional<double>() : x;
     };
-    given_ = {.mu = number("mu").value_or(0.5),
-              .mu_dynamic = number("mu_dynamic"),
-              .radius_law = RadiusLaw::parse(text("radius_law", "constant:a=0.005")),
-              .mu_r = number("mu_r"),
-              .max_displacement = std::numeric_limits<double>::infinity()};
+    given_.mu = number("mu").value_or(0.5), given_.mu_dynamic = number("mu_dynamic"), given_.mu_r = number("mu_r");
+    given_.radius_law = RadiusLaw::parse(text("radius_law", "constant:a=0.005")), given_.max_displacement = mjMAXVAL;
     stiffness_ = number("stiffness"), twist_stiffness_ = number("twist_stiffness");
     damping_ = number("damping"), twist_damping_ = number("twist_damping"), contacts_ = std::max(1.0, number("contacts").value_or(8.0));
     double x = 0, y = 0;
     const std::string patch = text("patch");
-    if (patch.empty())
-      curve_ = shared_curve(text("law", "hertz"), number("tolerance").value_or(1e-6));
-    else if (std::sscanf(patch.c_str(), "rectangle:x=%lf,y=%lf", &x, &y) == 2)
-      patch_ = Patch::rectangle(x, y);
-    else
-      throw std::invalid_argument("patch: got '" + patch + "', expected rectangle:x=LENGTH,y=LENGTH");
+    if (patch.empty()) curve_ = shared_curve(text("law", "hertz"), number("tolerance").value_or(1e-6));
+    if (std::sscanf(patch.c_str(), "rectangle:x=%lf,y=%lf", &x, &y) == 2) patch_ = Patch::rectangle(x, y);
+    if (!curve_ && !patch_) throw std::invalid_argument("patch: got '" + patch + "', expected rectangle:x=LENGTH,y=LENGTH");
     for (int body = 1; body < m->nbody; ++body)
       if (m->body_plugin[body] == instance) finger_of_[body] = static_cast<int>(bodies.size()), bodies.push_back(body);
     for (int geom = 0; geom < m->ngeom; ++geom)

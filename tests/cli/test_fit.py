@@ -224,7 +224,7 @@ class Fit(CommandLineTest):
         for call, noted in [(["ellipse", "--law", "hertz"], "least-squares to the exact curve of hertz"),
                             (["ratio", "--data", data, "--gamma", "0.257"], "hertz; gamma = 0.257 assumed; squared loss; errors proportional to the load assumed"),
                             (["law", "--data", data, "--fit-gamma", "--loss", "huber"],
-                             "uniform (best of 8 laws by AICc; the errors include the choice); gamma fitted; huber loss; errors proportional to the load assumed")]:
+                             "uniform (best of 8 laws by AICc; the errors include the choice, but for n and k); gamma fitted; huber loss; errors proportional to the load assumed")]:
             self.assertEqual({row["note"] for row in rows("fit", *call, "--quiet")}, {noted})
 
     def test_what_is_said_to_be_typed_can_be_typed(self):
@@ -246,7 +246,7 @@ class Fit(CommandLineTest):
             margins = [row["margin"] for row in rows(*typed)]
             self.assertEqual(command, "limitcurve")
             self.assertLess(sum(margins) / len(margins), 0.1, call)
-        self.assertIn("nothing to type: the data refuse this fit; add --fit-gamma\n", self.fitted("ellipse", "--data", data)[1])
+        self.assertIn("nothing to type: the data refuse this fit; add --fit-gamma\n", self.fitted("law", "--law", "uniform", "--data", data)[1])
         radii = self.file("radii.csv", "load,radius\n1,0.002\n2,0.0023\n5,0.0028\n")
         typed = self.fitted("load", "--data", radii)[1].splitlines()[-1].split("to type into replay: ")[1].split(";")[0].split()
         self.assertEqual(rows("replay", "--trace", trace, "--law", "hertz", "--mu", "0.5", *typed, "--stiffness", "1000", "--twist-stiffness", "0.04")[-1]["state"], "slip")

@@ -151,10 +151,10 @@ TEST(Invariance, RowsGivenTwiceGiveTheSameFitWithLesserErrors) {
       if (found.note != expected.note) continue;  // twice as much evidence may choose another law
       // The bias that curvature causes, and that is taken off, is half as large.
       expect_same(found, expected, 0.3, 1.0, 1.0, item.gamma, item.name);
-      // The error of a law that was chosen includes the choice, which twice the evidence narrows.
+      // The error of a law that was chosen includes the choice, which twice the evidence narrows; and that of the model, which it does not.
       for (std::size_t i = 0; i < 2 && item.name.find("unknown") == std::string::npos; ++i) {
         const double ratio = found.estimates[i].std_error / expected.estimates[i].std_error;
-        EXPECT_NEAR(ratio, std::sqrt(0.5), 0.05) << item.name << ' ' << expected.estimates[i].name;
+        EXPECT_TRUE(ratio > std::sqrt(0.5) - 0.05 && ratio < 1.05) << ratio << ' ' << item.name << ' ' << expected.estimates[i].name;
       }
     }
   }
@@ -165,7 +165,7 @@ TEST(Invariance, GrowthOverTheLoadTooIsFittedAlike) {
     for (const auto quantity : {LoadSamples::Quantity::radius, LoadSamples::Quantity::moment}) {
       LoadSamples samples{quantity, {}};
       Random random(5);
-      for (int i = 0; i < 25; ++i) {
+      for (int i = 0; i < 80; ++i) {
         const double load = random.uniform(0.5, 12.0);
         const double exact = 0.002 * std::pow(load, quantity == LoadSamples::Quantity::radius ? 0.28 : 1.28);
         samples.samples.push_back({load, exact * std::exp(0.03 * random.normal()) * (i == 7 ? 2.0 : 1.0), with_sigma ? 0.03 * exact : 0.0});

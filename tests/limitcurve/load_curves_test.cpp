@@ -251,7 +251,7 @@ TEST(LoadCurves, RefuseBadInput) {
     EXPECT_NE(complaint_of([&] { load_point(curve, {mu, radius_law}, bad, 1.0); }).find("load = "), std::string::npos) << bad;
     EXPECT_NE(complaint_of([&] { load_to_hold(curve, {bad, radius_law}, 1.0, 0.0); }).find("mu = "), std::string::npos) << bad;
     EXPECT_NE(complaint_of([&] { load_to_hold(curve, {.mu = mu, .mu_r = bad}, 1.0, 0.0); }).find("mu_r = "), std::string::npos) << bad;
-    EXPECT_NE(complaint_of([&] { load_to_hold(curve, {.mu = mu, .mu_r = 0.1, .gamma = 2.0 + bad}, 1.0, 0.0); }).find("gamma = "),
+    EXPECT_NE(complaint_of([&] { load_to_hold(curve, {.mu = mu, .mu_r = 0.1, .gamma = 3.0 + bad}, 1.0, 0.0); }).find("gamma = "),
               std::string::npos)
         << bad;
     EXPECT_NE(complaint_of([&] { moment_capacity(bad, radius_law, mu, 1.0); }).find("moment_ratio = "), std::string::npos) << bad;
