@@ -126,7 +126,7 @@ class BasicTable {
     return {wrench[0], wrench[1]};
   }
 
-  /// The wrenches of many slip twists, as far as both arrays go: the bits of single ones, in less time where the processor has wide packs.
+  /// The wrenches of many slip twists, as far as both arrays go: the bits of single ones.
   void wrench(std::span<const SlipTwist> twists, std::span<UnitWrench> wrenches) const noexcept;
 
   [[nodiscard]] SlopedPoint point(SlipTwist twist) const noexcept {
@@ -141,7 +141,7 @@ class BasicTable {
   [[nodiscard]] RadialPoint along(UnitWrench direction) const noexcept;
 
   [[nodiscard]] double gauge(UnitWrench wrench) const noexcept { return gauge_along(*this, wrench); }
-  /// The gauges of many wrenches, as the wrenches of many twists.
+  /// Likewise the gauges of many wrenches, in less time where the processor has wide packs.
   void gauge(std::span<const UnitWrench> wrenches, std::span<double> gauges) const noexcept;
 
  private:

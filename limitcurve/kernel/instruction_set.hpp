@@ -3,7 +3,7 @@
 
 namespace limitcurve::kernel {
 
-/// The arithmetic of a batch or of many look-ups: single numbers, or packs of an instruction set.
+/// The arithmetic of a batch or of many gauges: single numbers, or packs of an instruction set.
 enum class InstructionSet { single, baseline, avx2, avx512 };
 
 /// The packs' types of sets (pack.hpp).

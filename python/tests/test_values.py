@@ -225,8 +225,8 @@ def test_fingers_and_batches_do_what_replay_does(data):
     finger, under_load, batch = lc.SoftFinger(TABLE, **given), lc.SoftFinger(TABLE, **given), lc.Batch(TABLE, 2, **given)
     for i, (time, x, y, z, twist) in enumerate(trace):
         dt = time - trace[i - 1][0] if i else 0.0
-        out = finger.update((x, y, z), (0, 0, 1), -z, twist, dt)
-        other = under_load.update_under_load((x, y, z), (0, 0, 1), max(-1000 * z, 0.0), twist, dt)
+        out = finger.update((x, y, 0), (0, 0, 1), -z, twist, dt)
+        other = under_load.update_under_load((x, y, 0), (0, 0, 1), max(-1000 * z, 0.0), twist, dt)
         batch.update(x, y, -z, twist)
         row = [str(expected["state"][i]), *(expected[name][i] for name in ("load", "fx", "fy", "moment"))]
         assert [str(out.state), out.load, *out.force[:2], out.moment] == row

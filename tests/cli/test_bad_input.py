@@ -60,25 +60,14 @@ class Usage(CommandLineTest):
 
 
 class Laws(CommandLineTest):
-    def test_unknown_or_malformed(self):
-        for law in ["herz", "", "hertz ", "hertz:", "hertz:n=1", "power", "power:", "power:n", "power:n=", "power:k=2", "power:n=2.3x",
-                    "power:n=2.3,k=1", "xydas-kao:k=3 ", "mix:", "mix:hertz", "mix:0.5*hertz+", "Hertz"]:
+    def test_malformed_or_out_of_range(self):
+        for law in ["", "herz", "power:n=2.3x", "power:n=-1"]:
             self.assert_fails(2, ["--law", f"'{law}'", "expected"], "eval", "--law", law, "--c", "1")
         for law in ["samples", "samples:"]:
             self.assert_fails(2, ["--law", f"'{law}'", "expected samples:FILE.csv"], "eval", "--law", law, "--c", "1")
         self.assert_fails(2, ["--law", "'herz'", "expected"], "eval", "--law", "mix:0.5*herz+0.5*hertz", "--c", "1")
-
-    def test_parameters_out_of_range(self):
-        for law in ["power:n=-1", "power:n=-2", "power:n=nan", "power:n=inf", "xydas-kao:k=0", "xydas-kao:k=-3", "xydas-kao:k=nan",
-                    "gaussian:sigma=0", "gaussian:sigma=-1", "gaussian:sigma=nan", "mix:-1*hertz+2*uniform"]:
-            self.assert_fails(2, ["--law", law, "expected"], "eval", "--law", law, "--c", "1")
-
-    def test_radius_laws(self):
-        for law in ["", "constant", "constant:a=", "constant:a=0", "constant:a=-1", "constant:a=nan", "constant:r=1", "hertz:R=0.008",
-                    "hertz:R=0.008,E=0", "hertz:R=-1,E=1", "power:c=1,gamma=2", "power:c=0,gamma=0.2", "power:c=1,gamma=0.2x",
-                    "linear:a=1"]:
-            self.assert_fails(2, ["--radius-law", law, "expected"], "p-curves", "--law", "hertz", "--radius-law", law, "--mu", "1", "--loads",
-                              "1")
+        for law in ["", "constant:a=0", "power:c=1,gamma=0.2x"]:
+            self.assert_fails(2, ["--radius-law", law, "expected"], "p-curves", "--law", "hertz", "--radius-law", law, "--mu", "1", "--loads", "1")
 
     def test_a_method_the_law_lacks(self):
         self.assert_fails(2, ["xydas-kao:k=3", "closed", "auto, ring"], "eval", "--law", "xydas-kao:k=3", "--c", "1", "--method", "closed")

@@ -132,15 +132,6 @@ class Hold(CommandLineTest):
         straight = self.file("trace.csv", "time,x,y,z,twist\n" + "".join(f"{i / 1000},{1e-5 * i},{5e-6 * i},-0.002,0\n" for i in range(100)))
         self.check_against_replay(PATCH, straight, lambda row: {"fx": row["fx"], "fy": row["fy"], "moment": row["moment"]})
 
-    def test_the_load_is_where_margin_ends(self):
-        """By bisection on the margin, which does not use the search for the load."""
-        low, high = 1e-3, 1e3
-        for _ in range(60):
-            middle = math.sqrt(low * high)
-            row, = rows("hold", *CONTACT, "--data", self.data("force,moment,load", [(1.0, 0.003, middle)]))
-            low, high = (low, middle) if row["margin"] > 0 else (middle, high)
-        self.assert_close(row["hold_load"], high, 1e-9)
-
     def test_patch_that_slips_needs_its_load(self):
         for patch in ("rectangle:x=0.02,y=0.01", "ellipse:law=hertz,a=0.004,b=0.002,mx=0.5,my=2",
                       f"points:{self.file('p.csv', 'x,y,load' + chr(10) + '0.01,0,1' + chr(10) + '-0.02,0.01,2' + chr(10) + '0,0.03,1' + chr(10))}"):

@@ -92,14 +92,6 @@ class Tables(CommandLineTest):
                 facts = self.build(law, tolerance)[1]
                 self.assertLessEqual(facts["certified_error"], tolerance * max(1, rows("eval", "--law", law, "--c", 0)[0]["moment"]))
 
-    def test_csv_and_json_are_the_same_table(self):
-        places = numbers([0, 1e-300, 0.1, 0.5, 1 - 1e-9, 1, 1 + 1e-9, 3, 1e300, math.inf])
-        for law in ["cone", "xydas-kao:k=3", "mix:0.7*hertz+0.3*uniform"]:
-            found = [rows("lookup", "--table", self.build(law, 1e-4, form)[0], "--c", places) for form in FORMS]
-            self.assertEqual(found[0], found[1])
-            self.assertEqual((found[0][-1]["force"], found[0][-1]["moment"]), (1, 0))
-            self.assertEqual(found[0][0]["force"], 0)
-
     def test_json_has_the_rows_of_the_csv(self):
         path, facts = self.build("hertz", 1e-6, "json")
         whole = json.loads(path.read_text())

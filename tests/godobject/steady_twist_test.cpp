@@ -49,16 +49,6 @@ TEST(SteadyTwist, ClosestPointSettlesAtTheCurvesWrench) {
   }
 }
 
-TEST(SteadyTwist, ClosestPointOnTheEllipseSettlesAtTheEllipsesWrench) {
-  const Ellipse ellipse = Ellipse::through_intercepts(hertz()->moment_ratio());
-  for (const double kappa : {1e-3, 0.1, 1.0, 10.0, 1e3}) {
-    for (const double s : {0.1, 1.0, 10.0}) {
-      const UnitWrench expected = ellipse.wrench(SlipTwist::about_cor(s));
-      EXPECT_LT(distance(settled(ellipse, Projection::closest_point, s, kappa), expected, ellipse.moment_ratio()), 1e-9);
-    }
-  }
-}
-
 TEST(SteadyTwist, ClosestPointOnATableSettlesAtEquation17) {
   const ExactCurve curve(hertz());
   const Table table = Table::build(hertz(), 1e-8);

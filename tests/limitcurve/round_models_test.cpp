@@ -1,38 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "limitcurve/round_models.hpp"
-#include "limitcurve/approximations.hpp"
 #include "limitcurve/exact_curve.hpp"
 #include "limitcurve/laws.hpp"
-#include "limitcurve/validate.hpp"
 #include "patch_cases.hpp"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <random>
-#include <string>
 #include <utility>
 #include <vector>
 
 namespace limitcurve::test {
 namespace {
-
-// A disc is its own best round model; its ellipsoid is the ellipse through the intercepts of its law.
-TEST(RoundModels, OfADiscErrAsTheCurvesOfItsLaw) {
-  const Law law = hertz();
-  const CurveError expected = curve_error(Ellipse::through_intercepts(law->moment_ratio()), ExactCurve(law));
-  const std::vector<RoundModel> models = round_models(Patch::ellipse(law, 0.004, 0.004));
-  const auto error_of = [&](const std::string& name) {
-    const auto model = std::find_if(models.begin(), models.end(), [&](const RoundModel& one) { return one.name == name; });
-    EXPECT_NE(model, models.end()) << name;
-    return model == models.end() ? CurveError{} : model->error;
-  };
-  EXPECT_NEAR(error_of("disc:hertz").max_cor_ratio, 1.0, 1e-6);
-  EXPECT_NEAR(error_of("disc:hertz").min_cor_ratio, 1.0, 1e-6);
-  EXPECT_NEAR(error_of("ellipsoid").max_cor_ratio, expected.max_cor_ratio, 1e-6);
-  EXPECT_NEAR(error_of("ellipsoid").min_cor_ratio, expected.min_cor_ratio, 1e-6);
-}
 
 // What docs/which_number.md advises for engines without a moment at a point. The limit is weakest where a ball does not move.
 TEST(RoundModels, ThreeBallsAreUpTo13PercentTooWeak) {
