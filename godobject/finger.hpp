@@ -26,10 +26,10 @@ struct FingerParameters {
   /// μ_r during slip [m/N^γ]; absent: μ_r μ_d/μ. Where μ_d = 0 closest_point keeps this moment; radial and c_curve do not, because the ray to
   /// a trial with a force meets the limit at 0.
   std::optional<double> mu_r_dynamic = {};
-  double stiffness = 1000.0;                          ///< k_l [N/m] > 0, normal and tangential
-  double twist_stiffness = 0.025;                     ///< k_r [N m/rad] > 0; a pad's own is k_l a² (docs/drive.md)
-  double damping = 0.0;                               ///< b_l [N s/m] ≥ 0, normal and tangential; acts if `update` has a time step
-  double twist_damping = 0.0;                         ///< b_r [N m s/rad] ≥ 0
+  double stiffness = 1000.0;       ///< k_l [N/m] > 0, normal and tangential
+  double twist_stiffness = 0.025;  ///< k_r [N m/rad] > 0; a pad's own is k_l a² (docs/drive.md)
+  double damping = 0.0;            ///< b_l [N s/m] ≥ 0, normal and tangential; acts if `update` has a time step
+  double twist_damping = 0.0;      ///< b_r [N m s/rad] ≥ 0
   /// Hysteresis between static and dynamic friction [1] ≥ 0: a sliding finger comes to rest when its trial is within the sliding limit
   /// divided by 1 + rest_margin·(μ/μ_d − 1). So a repeated sample, noise or the device's resolution do not bring it back to static
   /// friction. With the default the trial must fall by about 0.4 of the gap between the limits; a mass that sticks and slips on springs not
@@ -96,10 +96,10 @@ constexpr std::string_view to_string(Fault fault) noexcept {
 /// The result of a step.
 struct FingerOutput {
   ContactState state = ContactState::free;
-  Eigen::Vector3d proxy = Eigen::Vector3d::Zero();        ///< x_p [m]; while free, the finger's position
-  double angle = 0.0;                                     ///< α_p [rad], measured like the device's twist; while free, the twist
-  double depth = 0.0;                                     ///< d [m]; NaN in a step under a given load
-  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();      ///< outward, at the contact; the whole force on the user is normal·load + force
+  Eigen::Vector3d proxy = Eigen::Vector3d::Zero();    ///< x_p [m]; while free, the finger's position
+  double angle = 0.0;                                 ///< α_p [rad], measured like the device's twist; while free, the twist
+  double depth = 0.0;                                 ///< d [m]; NaN in a step under a given load
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< outward, at the contact; the whole force on the user is normal·load + force
   /// Normal force on the user [N], 0 while free: the load that bounds friction (`FingerState::limit_load`, k_l d and the damper's part) plus the
   /// push of a curved surface, k_l times its rise from x_g to the proxy, < 0 on a convex one; on a plane both are one. The push is part of the
   /// gradient of the springs' energy: a closed loop gains nothing with it, and may gain without. `load_to_hold` has the same unit.

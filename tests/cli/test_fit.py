@@ -239,9 +239,9 @@ class Fit(CommandLineTest):
             # mu m0 P a(P) under 4 N; approximations have their own largest moment.
             self.assert_close(end["moment"], -0.7 * 2 / 3 * 4 * 0.00435 * 4 ** 0.257, 5e-6 if "law" in call else 0.05)
         # The whole line: each row is a slip, so that it holds up to the scatter.
-        for call, data in ((["ellipse"], DATA / "fit" / "slips.csv"), (["law", "--law", "uniform", "--gamma", "0.257"], data),
+        for call, slips in ((["ellipse"], DATA / "fit" / "slips.csv"), (["law", "--law", "uniform", "--gamma", "0.257"], data),
                            (["law", "--law", "uniform", "--fit-gamma", "--columns", "load=Fz", "--units", "force=N"], self.renamed(data, {"load": "Fz"}, {}))):
-            line, = (line for line in self.fitted(*call, "--data", data)[1].splitlines() if "to type, for" in line)
+            line, = (line for line in self.fitted(*call, "--data", slips)[1].splitlines() if "to type, for" in line)
             command, *typed = shlex.split(line[line.index("limitcurve hold"):])
             margins = [row["margin"] for row in rows(*typed)]
             self.assertEqual(command, "limitcurve")

@@ -13,7 +13,6 @@
 namespace limitcurve::test {
 namespace {
 
-
 UnitWrench at(const Law& law, double s) {
   return law->evaluate(s).wrench;
 }
