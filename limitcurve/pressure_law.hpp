@@ -44,8 +44,7 @@ struct RadialPosition {
 /// A pressure law: the shape of an axisymmetric pressure under a soft finger, g(ρ) = πa² p(ρa)/P, normalised to ∫ 2ρ g dρ = 1.
 /// Laws are immutable and may be shared between threads.
 ///
-/// To add a law: derive from PressureLawOf in a new file, write a factory in laws.hpp and a line in law_grammar.cpp.
-/// tests/limitcurve/law_suite.cpp has one test for each requirement.
+/// To add a law: docs/extend.md. tests/limitcurve/law_suite.cpp has one test for each requirement.
 class PressureLaw {
  public:
   PressureLaw();
