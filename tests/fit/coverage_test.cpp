@@ -14,7 +14,7 @@ namespace {
 /// With a free shape least squares is biased by up to so many standard errors; its intervals hold the truth all the same.
 constexpr double shape_bias = 0.4;
 
-/// A short version of `fit_coverage_study 1000`; the module's README has its figures.
+/// A short version of `fit_coverage_study 200`; the module's README has its figures.
 void expect_honest(const ContactModel& model, double noise, bool tell) {
   constexpr int seeds = repetitions(300, 50);
   // A short build has fewer draws.
