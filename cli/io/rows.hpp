@@ -47,7 +47,7 @@ struct Results {
 class Rows {
  public:
   Rows(Results results, std::initializer_list<std::string_view> columns)
-      : Rows(std::move(results), std::vector<std::string>(columns.begin(), columns.end())) {}
+      : Rows(results, std::vector<std::string>(columns.begin(), columns.end())) {}
   /// For columns known only at run time.
   Rows(Results results, const std::vector<std::string>& columns);
 
