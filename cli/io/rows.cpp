@@ -38,7 +38,7 @@ std::string quoted_for_json(std::string_view text) {
 
 }  // namespace
 
-Rows::Rows(Results results, const std::vector<std::string>& columns) : results_(std::move(results)) {
+Rows::Rows(Results results, const std::vector<std::string>& columns) : results_(results) {
   if (results_.columns != nullptr) {
     results_.columns->clear();
     for (const std::string& name : columns) results_.columns->push_back({name});
