@@ -17,14 +17,14 @@ void UnitQuestions::note(First& first, const Text& text) {
 
 void UnitQuestions::load(double load) {
   constexpr double most = 1000.0;
-  if (load > most && std::isfinite(load)) note(loads_, [&] { return "a load of " + format_number(load) + " N: is it in newtons?"; });
+  if (load > most && std::isfinite(load)) note(loads_, [&] { return "a load of " + format_number(load, 6) + " N: is it in newtons?"; });
 }
 
 void UnitQuestions::wrench(double force, double moment) {
   constexpr double largest = 0.2;  // [N m], and the arm [m]
   if (std::fabs(moment) <= largest || !(std::fabs(moment) > largest * std::fabs(force))) return;
   note(wrenches_, [&] {
-    return "a moment of " + format_number(moment) + " N m beside a force of " + format_number(force) + " N: are they in N m and N?";
+    return "a moment of " + format_number(moment, 6) + " N m beside a force of " + format_number(force, 6) + " N: are they in N m and N?";
   });
 }
 
@@ -38,8 +38,9 @@ void UnitQuestions::twist(double before, double now, double time) {
   const double step = std::fabs(now - before);
   if (!(step > 1.0)) return;
   if (std::fabs(step - turn) < 1.0 && std::fabs(now) <= turn && std::fabs(before) <= turn) return;
-  note(twists_,
-       [&] { return "the twist changes by " + format_number(step) + " rad up to time " + format_number(time) + " s: is it in radians?"; });
+  note(twists_, [&] {
+    return "the twist changes by " + format_number(step, 6) + " rad up to time " + format_number(time, 6) + " s: is it in radians?";
+  });
 }
 
 void UnitQuestions::angle(const std::string& what, double angle, std::string_view text) {
@@ -63,8 +64,8 @@ void UnitQuestions::radii(const RadiusLaw& law, std::span<const double> loads) {
     }
   }
   if (radius > largest_radius) {
-    others_.push_back("the radius law gives a contact radius of " + format_number(radius, 3) + " m at a load of " + format_number(at_load) +
-                      " N: is the law in metres?");
+    others_.push_back("the radius law gives a contact radius of " + format_number(radius, 6) + " m at a load of " +
+                      format_number(at_load, 6) + " N: is the law in metres?");
   }
   const auto [first, last] = law.sampled_loads();
   if (least < first || most > last) {
@@ -75,7 +76,7 @@ void UnitQuestions::radii(const RadiusLaw& law, std::span<const double> loads) {
 
 void UnitQuestions::length(const std::string& what, double across) {
   constexpr double longest = 0.5;
-  if (across > longest) others_.push_back(what + ": " + format_number(across, 3) + " m across: is it in metres?");
+  if (across > longest) others_.push_back(what + ": " + format_number(across, 6) + " m across: is it in metres?");
 }
 
 std::vector<std::string> UnitQuestions::lines() const {

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#include "cli/io/file_columns.hpp"
+
+#include <algorithm>
+#include <array>
+#include <numbers>
+#include <stdexcept>
+
+namespace limitcurve::cli {
+
+namespace {
+
+struct Unit {
+  std::string name;
+  double value;  ///< in SI units
+};
+
+const std::vector<Unit> lengths{{"m", 1.0}, {"cm", 0.01}, {"mm", 1e-3}, {"um", 1e-6}, {"in", 0.0254}};
+const std::vector<Unit> forces{{"N", 1.0}, {"mN", 1e-3}, {"uN", 1e-6}, {"kN", 1e3}, {"kgf", 9.80665}, {"lbf", 4.4482216152605}};
+const std::vector<Unit> angles{{"rad", 1.0}, {"deg", std::numbers::pi / 180.0}};
+const std::vector<Unit> times{{"s", 1.0}, {"ms", 1e-3}};
+
+std::vector<Unit> products(const std::vector<Unit>& first, const std::vector<Unit>& second) {
+  std::vector<Unit> all;
+  for (const Unit& one : first) {
+    for (const Unit& other : second) all.push_back({one.name + other.name, one.value * other.value});
+  }
+  return all;
+}
+
+struct Quantity {
+  std::string_view name;
+  double FileColumns::*of;
+  const std::vector<Unit>& units;
+};
+
+/// Calls `take(key, value)` of each item of KEY=VALUE,…, which returns false if it is none.
+template <class Take>
+void for_each_item(std::string_view list, std::string_view expected, const Take& take) {
+  while (!list.empty()) {
+    const std::string_view item = list.substr(0, list.find(','));
+    list.remove_prefix(std::min(item.size() + 1, list.size()));
+    const std::size_t equals = item.find('=');
+    if (equals == 0 || equals == std::string_view::npos || equals + 1 == item.size() ||
+        !take(std::string(item.substr(0, equals)), std::string(item.substr(equals + 1)))) {
+      throw std::invalid_argument("got '" + std::string(item) + "', expected " + std::string(expected));
+    }
+  }
+}
+
+}  // namespace
+
+void FileColumns::read_names(std::string_view list) {
+  for_each_item(list, "a list such as load=Fz,force=Fxy", [&](const std::string& own, const std::string& other) {
+    names.emplace_back(own, other);
+    return true;
+  });
+  options.append(" --columns '").append(list).append("'");
+}
+
+void FileColumns::read_units(std::string_view list) {
+  static const std::vector<Unit> moments = products(forces, lengths);
+  const std::array<Quantity, 5> quantities{{{"length", &FileColumns::length, lengths},
+                                            {"force", &FileColumns::force, forces},
+                                            {"moment", &FileColumns::moment, moments},
+                                            {"angle", &FileColumns::angle, angles},
+                                            {"time", &FileColumns::time, times}}};
+  for_each_item(list, units_text, [&](const std::string& name, const std::string& unit) {
+    const auto quantity = std::find_if(quantities.begin(), quantities.end(), [&](const Quantity& one) { return one.name == name; });
+    if (quantity == quantities.end()) return false;
+    const auto known = std::find_if(quantity->units.begin(), quantity->units.end(), [&](const Unit& one) { return one.name == unit; });
+    if (known == quantity->units.end()) return false;
+    this->*quantity->of = known->value;
+    return true;
+  });
+  options.append(" --units '").append(list).append("'");
+}
+
+}  // namespace limitcurve::cli
