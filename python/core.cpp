@@ -267,6 +267,7 @@ NB_MODULE(_core, module) {
   nb::register_exception_translator(translate);
   module.attr("version") = nb::str(limitcurve::version.data(), limitcurve::version.size());
   limitcurve::between_samples = raise_signals;
+  add_laws(module);
   add_curves(module);
   add_fingers(module);
   add_batches(module);

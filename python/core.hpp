@@ -22,6 +22,7 @@
 /// Shared by the sources of the module: the objects behind the Python classes, and a function a source that adds its classes.
 namespace limitcurve::python {
 
+void add_laws(nb::module_& module);
 void add_curves(nb::module_& module);
 void add_fingers(nb::module_& module);
 void add_batches(nb::module_& module);
@@ -60,6 +61,17 @@ struct PyPatch : Patch {
 
 /// Its name, `ellipse` or `box`, and its semi-axes or limits. ValueError if they are out of range.
 PyCurve closed_curve(const std::string& name, double force_max, double moment_max);
+
+/// `at` of COR distances c, of any sign.
+template <std::size_t results, std::size_t block = 16, class At>
+nb::object of_cors(nb::handle c, const At& at) {
+  return of_numbers<results, block, 1>({c}, {"c"}, {cli::signed_distance}, [&](const std::array<double, 1>& s) { return at(s[0]); });
+}
+
+/// Force and moment, as results of of_numbers.
+inline std::array<double, 2> components(const UnitWrench& wrench) {
+  return {wrench.force, wrench.moment};
+}
 
 /// A curve is what never changes: its copy is itself.
 template <class Class>

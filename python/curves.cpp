@@ -4,7 +4,6 @@
 
 #include "cli/io/law_argument.hpp"
 #include "cli/io/output_file.hpp"
-#include "cli/io/stated_error.hpp"
 #include "cli/io/table_reader.hpp"
 #include "cli/io/table_writer.hpp"
 #include "cli/io/unit_questions.hpp"
@@ -23,28 +22,14 @@
 #include <functional>
 #include <limits>
 #include <optional>
+#include <span>
 #include <stdexcept>
+#include <type_traits>
 #include <utility>
 
 namespace limitcurve::python {
 
 namespace {
-
-template <std::size_t results, std::size_t block = 16, class At>
-nb::object of_cors(nb::handle c, const At& at) {
-  return of_numbers<results, block, 1>({c}, {"c"}, {cli::signed_distance}, [&](const std::array<double, 1>& s) { return at(s[0]); });
-}
-
-std::array<double, 2> components(const UnitWrench& wrench) {
-  return {wrench.force, wrench.moment};
-}
-
-nb::object evaluate_with_errors(const PyLaw& law, nb::handle c, Method method) {
-  return of_cors<4>(c, [&](double s) -> std::array<double, 4> {
-    const WrenchEstimate estimate = cli::in_units(law.law->evaluate(s, method), s, 1.0, 1.0);
-    return {estimate.wrench.force, estimate.wrench.moment, estimate.error.force, estimate.error.moment};
-  });
-}
 
 const Table& curve_in(const Table& table) {
   return table;
@@ -93,6 +78,27 @@ nb::object loads_to_hold(const Curve& curve, const Given& given) {
   return result;
 }
 
+/// The gauges of arrays of wrenches by a table, in blocks, which are computed in packs.
+nb::object gauges(const Table& table, const std::array<nb::handle, 2>& wrenches) {
+  return in_precision(std::all_of(wrenches.begin(), wrenches.end(), is_single), [&]<class Real>(Real) -> nb::object {
+    constexpr std::size_t block = 64;
+    const std::vector<Numbers<Real>> numbers = broadcast<Real>(wrenches, std::array{"force", "moment"});
+    const std::size_t size = numbers[0].size;
+    const Results<Real> found = results_like<Real>(numbers[0].array);
+    for_each_point((size + block - 1) / block, [&](std::size_t i) {
+      const std::size_t begin = i * block;
+      const std::size_t count = std::min(block, size - begin);
+      std::array<UnitWrench, block> given;
+      std::array<double, block> gauge;
+      for (std::size_t j = 0; j < count; ++j)
+        given[j] = {static_cast<double>(numbers[0].data[begin + j]), static_cast<double>(numbers[1].data[begin + j])};
+      table.gauge(std::span(given).first(count), gauge);
+      for (std::size_t j = 0; j < count; ++j) found.data[begin + j] = static_cast<Real>(gauge[j]);
+    });
+    return handed_over(found);
+  });
+}
+
 /// The methods of a table, an ellipse or a box.
 template <class Class>
 void add_limit_curve(nb::class_<Class>& type) {
@@ -114,6 +120,9 @@ void add_limit_curve(nb::class_<Class>& type) {
   define<const Class&>(
       type, "def gauge(self, force: numpy.typing.ArrayLike, moment: numpy.typing.ArrayLike) -> typing.Any",
       [](const Class& self, const Given& given) {
+        if constexpr (std::is_same_v<Class, Table>) {
+          if (!plain_number(given[0]) || !plain_number(given[1])) return gauges(self, {given[0], given[1]});
+        }
         return of_numbers<1, 16, 2>({given[0], given[1]}, {"force", "moment"}, {any, any}, [&](const std::array<double, 2>& wrench) {
           return std::array{curve_in(self).gauge({wrench[0], wrench[1]})};
         });
@@ -131,89 +140,6 @@ void add_limit_curve(nb::class_<Class>& type) {
       "limit is mu_r P^(1+gamma).");
   type.def_prop_ro(
       "moment_ratio", [](const Class& self) { return curve_in(self).moment_ratio(); }, "m0, the unit moment of a pure twist.");
-}
-
-void add_laws(nb::module_& module) {
-  nb::class_<PyLaw> type(module, "Law",
-                         "A pressure law under a soft finger, in the command line's grammar: 'hertz', 'power:n=2.3', 'samples:FILE.csv',\n"
-                         "'mix:0.7*hertz+0.3*uniform'.\n\n"
-                         ">>> import limitcurve as lc\n"
-                         ">>> law = lc.Law('hertz')\n"
-                         ">>> law.evaluate(float('inf'))\n"
-                         "(1.0, 0.0)\n"
-                         ">>> f, m = law.evaluate([0, 0.5, 1])\n"
-                         ">>> [round(float(x), 6) for x in f]\n"
-                         "[0.0, 0.552233, 0.883573]\n");
-  copies_are_itself(type);
-  type.def("__getstate__",
-           [](const PyLaw& self) {
-             std::vector<double> radius;
-             std::vector<double> pressure;
-             for (const PressureSample& sample : self.profile) {
-               radius.push_back(sample.radius);
-               pressure.push_back(sample.pressure);
-             }
-             return std::tuple(self.text, radius, pressure);
-           })
-      .def("__setstate__",
-           [](PyLaw& self, const std::tuple<std::string, std::vector<double>, std::vector<double>>& state) {
-             const auto& [text, radius, pressure] = state;
-             std::vector<PressureSample> rows;
-             for (std::size_t i = 0; i < std::min(radius.size(), pressure.size()); ++i) rows.push_back({radius[i], pressure[i]});
-             Law law = cli::law_of(text, rows);
-             new (&self) PyLaw{std::move(law), text, std::move(rows)};
-           })
-      .def_prop_ro(
-          "name", [](const PyLaw& self) { return self.law->name(); }, "The law in words.");
-  define<PyLaw*>(
-      type, "def __init__(self, text: str) -> None",
-      [](PyLaw* self, const Given& given) {
-        std::string text = string_of(given[0], "text");
-        std::vector<PressureSample> profile;
-        Law law = cli::read_law(text, profile);
-        new (self) PyLaw{std::move(law), std::move(text), std::move(profile)};
-      },
-      "ValueError names the error in the text or in the file, and the expected input.");
-  define_static(
-      type, "def samples(radius: numpy.typing.ArrayLike, pressure: numpy.typing.ArrayLike, source: str = 'arrays') -> Law",
-      [](const Given& given) {
-        const auto all = columns_of("", {"radius", "pressure"}, nb::list(nb::make_tuple(given[0], given[1])));
-        std::vector<PressureSample> rows;
-        for (std::size_t i = 0; i < all[0].size; ++i) rows.push_back({all[0].data[i], all[1].data[i]});
-        Law law = samples(rows, string_of(given[2], "source", "arrays"));
-        std::string text = law->name();
-        return PyLaw{std::move(law), std::move(text), std::move(rows)};
-      },
-      "A measured profile: pressures [any unit] at increasing radii [any unit]; the last radius is the edge of the contact.");
-  define<const PyLaw&>(
-      type, "def evaluate(self, c: numpy.typing.ArrayLike, *, error: bool = False, method: str = 'auto') -> tuple[typing.Any, ...]",
-      [](const PyLaw& self, const Given& given) {
-        const Method method = method_of(*self.law, string_of(given[2], "method", "auto"));
-        return truth_of(given[1]) ? evaluate_with_errors(self, given[0], method)
-                                  : of_cors<2>(given[0], [&](double s) { return components(self.law->evaluate(s, method).wrench); });
-      },
-      "Unit wrenches F/(mu P) and M/(mu P a) of a slip about centres of rotation at |c| contact radii.\n\n"
-      "The results have the shape of c; float32 gives float32; NaN gives NaN. With `error` also bounds of both absolute\n"
-      "errors: (f, m, f_error, m_error). Relative error <= 1e-15 in closed form, <= 1e-14 by quadrature. `method`: auto, or one of\n"
-      "closed, ring, punch, direct and boost that the law has. Arrays release the GIL.");
-  type.def_prop_ro(
-          "moment_ratio", [](const PyLaw& self) { return self.law->moment_ratio(); }, "m0, the unit moment of a pure twist.")
-      .def_prop_ro(
-          "profile_error", [](const PyLaw& self) { return self.law->profile_error(); },
-          "Error of f and m because the pressure is known only at samples; 0 for a formula.")
-      .def_prop_ro(
-          "arrays",
-          [](nb::handle self) -> nb::object {
-            const auto& profile = nb::cast<const PyLaw&>(self).profile;
-            if (profile.empty()) return nb::none();
-            const auto column = [&](const double& first) {
-              return nb::ndarray<nb::numpy, const double>(&first, {profile.size()}, self, {sizeof(PressureSample) / sizeof(double)});
-            };
-            return nb::make_tuple(column(profile.front().radius), column(profile.front().pressure));
-          },
-          nb::sig("def arrays(self) -> typing.Any"),
-          "(radius, pressure) of a measured profile, read-only, from arrays or as read from its file; None for other laws.")
-      .def("__repr__", [](const PyLaw& self) { return "Law('" + self.text + "')"; });
 }
 
 constexpr std::size_t cell_columns = 9;
@@ -414,7 +340,6 @@ godobject::BasicFingerCurve<float> curve_of(nb::handle curve) {
 }
 
 void add_curves(nb::module_& module) {
-  add_laws(module);
   add_tables(module);
   add_closed_curves(module);
 }
