@@ -302,10 +302,13 @@ struct Errors {
   double target;
 
   Errors(const Source& source, double tolerance) {
-    const auto scale = static_cast<double>(std::max(source.at(false, 0.0).trailing, source.at(true, 0.0).trailing));
+    const Sample spin = source.at(false, 0.0);
+    const Sample slide = source.at(true, 0.0);
+    const auto scale = static_cast<double>(std::max(spin.trailing, slide.trailing));
+    const double own = std::max({spin.error, slide.error, source.at(false, 1.0).error});
     allowed = tolerance * scale;
     rounding = 1.5 * double{std::numeric_limits<Real>::epsilon()} * scale;
-    target = 0.95 * (allowed - rounding - source.at(false, 1.0).error) / (1.0 + certificate_margin);
+    target = 0.95 * (allowed - rounding - own) / (1.0 + certificate_margin);
   }
 };
 
@@ -315,6 +318,7 @@ std::optional<BasicTable<Real>> build_of_degree(const Source& source, double tol
                                                 bool splits_buckets) {
   auto [allowed, rounding, target] = Errors<Real>(source, tolerance);
   constexpr int attempts = 12;
+  double last = std::numeric_limits<double>::infinity();
   for (int i = 0; i < attempts && target > 0.0; ++i) {
     Builder<Real> builder(source, target, degree, most_bytes);
     if (!builder.lay(splits_buckets)) return std::nullopt;
@@ -326,6 +330,9 @@ std::optional<BasicTable<Real>> build_of_degree(const Source& source, double tol
     const BasicTable<Real> table(facts, builder.cells());
     facts.certified_error = certify(source, table, builder.sides()) + rounding;
     if (facts.certified_error <= allowed) return BasicTable<Real>(facts, builder.cells());
+    // Smaller cells with far larger errors meet rounding.
+    if (!(facts.certified_error < 2.0 * last)) return std::nullopt;
+    last = facts.certified_error;
     target *= 0.8;
   }
   return std::nullopt;
