@@ -285,13 +285,10 @@ std::vector<EngineContact> translate(const Patch& patch, double mu) {
     if (shape == shapes.end()) throw std::logic_error("data/engines: unknown model " + model);
     return {shape->error, shape->max_wrench_error, shape->error.max_error};
   });
+  const char* const build = "; for one contact point (a ball, a capsule across); several: no torsion (condim 3), geometry of radius m0 a";
   for (EngineContact& contact : contacts) {
-    for (EngineCoefficient& coefficient : contact.coefficients) {
-      const Formula* const formula = find_formula(coefficient.formula);
-      if (formula == nullptr || formula->lever == nullptr) continue;
-      coefficient.note +=
-          "; for one contact point (build a ball, or a capsule across); for several: no torsion (MuJoCo: condim 3), "
-          "but geometry of radius m0 a";
+    for (EngineCoefficient& one : contact.coefficients) {
+      if (const Formula* const formula = find_formula(one.formula); formula != nullptr && formula->lever != nullptr) one.note += build;
     }
   }
   return contacts;
