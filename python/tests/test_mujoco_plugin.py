@@ -3,8 +3,10 @@
 
 import concurrent.futures
 import copy
-import importlib.util
+import importlib
 import os
+import runpy
+import types
 
 import limitcurve as lc
 import numpy as np
@@ -20,10 +22,7 @@ pytestmark = pytest.mark.skipif(not LIBRARY, reason="no plugin")
 @pytest.fixture(scope="module")
 def demo():
     importlib.import_module("limitcurve.mujoco").register(LIBRARY)
-    spec = importlib.util.spec_from_file_location("demo", ROOT / "examples/mujoco/demo.py")
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
+    return types.SimpleNamespace(**runpy.run_path(ROOT / "examples/mujoco/demo.py"))
 
 
 @pytest.mark.parametrize("law", ["hertz", "uniform", "xydas-kao:k=0.3"])
