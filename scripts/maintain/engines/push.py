@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 """data/engines/cors.csv: a ball in MuJoCo (Hertz, mu = 0.8, a = 5 mm, 3 N) is pushed slowly. numbers: those of
-`limitcurve translate`, or of `touching_ellipse`; lever: the moment of friction over its force [a]; error: the distance of the centre of rotation over the exact curve's, less 1."""
+`limitcurve translate`, or of `touching_ellipse`; lever: moment over force of friction [a]; error: the distance of the centre of rotation over the exact, less 1."""
 
 import csv
 import sys
