@@ -47,7 +47,7 @@ def test_a_pushed_disc_turns_about_the_exact_centre(demo, lever):
     mujoco.mj_step(model, data, 1000)
     force, moment = data.qfrc_applied[1:] - drag * data.qvel[1:] * (1, radius**2)
     cor = data.qvel[1] / data.qvel[2] / radius
-    (most, least) = (m / f for f, m in (law.evaluate(cor * 0.999), law.evaluate(cor * 1.001)))
+    (most, least) = (m / f for f, m in (law.evaluate(cor * 0.9999), law.evaluate(cor * 1.0001)))
     assert least < moment / radius / force < most
 
 
