@@ -96,7 +96,6 @@ class Report(CommandLineTest):
         out = self.directory / "out"
         self.assert_ends(["matplotlib is missing", "python3-matplotlib"], out, flags=["-S"])  # no packages
         self.assertFalse(out.exists())
-        self.assert_ends(["/proc/out", "No such file"], "/proc/out")
         self.assert_ends(["taken", "File exists"], self.file("taken", ""))
         self.assert_ends(["below", "Not a directory"], self.directory / "taken" / "below")
         self.assert_ends(["curves.csv", "File too large"], out, limit=4096)  # as a disk that fills

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <limits>
 #include <optional>
 #include <span>
@@ -13,7 +14,6 @@
 #include <string>
 #include <string_view>
 
-#include <sys/mman.h>
 #include <unistd.h>
 
 /// The body of a fuzz target, called by libFuzzer or by replay_seeds.cpp; each target defines it.
@@ -76,26 +76,29 @@ class Bytes {
   std::span<const std::uint8_t> rest_;
 };
 
-/// A file in memory whose contents can be replaced, for readers that open a file by its name.
-class MemoryFile {
+/// A file whose contents can be replaced, for readers that open a file by its name.
+class TemporaryFile {
  public:
-  MemoryFile() : descriptor_(::memfd_create("fuzz", 0)), path_("/proc/self/fd/" + std::to_string(descriptor_)) {
-    require(descriptor_ >= 0, "no file in memory");
+  TemporaryFile() : path_(std::filesystem::temp_directory_path() / "fuzz-XXXXXX"), descriptor_(::mkstemp(path_.data())) {
+    require(descriptor_ >= 0, "no temporary file");
   }
-  ~MemoryFile() { ::close(descriptor_); }
-  MemoryFile(const MemoryFile&) = delete;
-  MemoryFile& operator=(const MemoryFile&) = delete;
+  ~TemporaryFile() {
+    ::close(descriptor_);
+    ::unlink(path_.c_str());
+  }
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
 
   void replace(std::string_view text) {
     const bool written =
         ::ftruncate(descriptor_, 0) == 0 && ::pwrite(descriptor_, text.data(), text.size(), 0) == static_cast<ssize_t>(text.size());
-    require(written, "cannot write to the file in memory");
+    require(written, "cannot write to the temporary file");
   }
   [[nodiscard]] const std::string& path() const { return path_; }
 
  private:
-  int descriptor_;
   std::string path_;
+  int descriptor_;
 };
 
 }  // namespace limitcurve::fuzz

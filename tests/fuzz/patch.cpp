@@ -38,7 +38,7 @@ void require_honest(const Patch& patch) {
 
 /// A patch: the first line is the argument; @ stands for a file with the rest. The result is an error or a valid patch.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  static fuzz::MemoryFile file;
+  static fuzz::TemporaryFile file;
   const std::string_view text = fuzz::as_text(data, size);
   const std::size_t end = std::min(text.find('\n'), text.size());
   std::string argument(text.substr(0, end));

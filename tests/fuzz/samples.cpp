@@ -6,7 +6,7 @@ using namespace limitcurve;
 
 /// Measured profiles, `samples:FILE` of a pressure law and of a radius law: a complaint that names the file, or an honest law.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  static fuzz::MemoryFile file;
+  static fuzz::TemporaryFile file;
   file.replace(fuzz::as_text(data, size));
   const std::string argument = "samples:" + file.path();
   const auto names_file = [&](const std::string& complaint) { return complaint.find(file.path()) != std::string::npos; };

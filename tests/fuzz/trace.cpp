@@ -32,7 +32,7 @@ std::vector<Row> read(const std::string& file) {
 /// A trace: rows of finite numbers, or an error with its place; the rows survive a round trip when written again; and the god-object
 /// replays it in finite numbers.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  static fuzz::MemoryFile file;
+  static fuzz::TemporaryFile file;
   file.replace(fuzz::as_text(data, size));
   std::vector<Row> rows;
   if (const auto complaint = fuzz::complaint_of([&] { rows = read(file.path()); })) {

@@ -32,7 +32,7 @@ void read(const std::string& file, std::size_t fingers, bool body_moves) {
 /// A trace of one or two fingers and a body (the first byte chooses), by twists or quaternions: finite poses and rotations of unit
 /// length, or a complaint that names the place.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  static fuzz::MemoryFile file;
+  static fuzz::TemporaryFile file;
   fuzz::Bytes bytes(data, size);
   const auto choice = bytes.take<std::uint8_t>();
   file.replace(size > 0 ? fuzz::as_text(data + 1, size - 1) : std::string_view());
