@@ -32,6 +32,8 @@ def cells(table: "Table | str | os.PathLike[str]", library: Any = np, dtype: Any
 
 def _given(cells: Cells, *numbers: Any) -> "tuple[Any, ...]":
     """The library of the cells, and the numbers as its arrays."""
+    if not isinstance(cells, Cells):
+        raise TypeError(f"cells: got {type(cells).__name__}, expected what cells() made of a table")
     rows = cells.rows
     xp = rows.__array_namespace__() if hasattr(rows, "__array_namespace__") else sys.modules[type(rows).__module__.partition(".")[0]]
     return xp, *(xp.asarray(number, dtype=rows.dtype) for number in numbers)
@@ -146,13 +148,12 @@ def touching_ellipse(cells: Cells, force: Any = 0, moment: Any = 0, p: Any = Non
         xp, rests, outside, cell, x = _slip(cells, *slip)
         nothing = 0 * x
     else:
-        given = (force, moment) if p is None else (force, moment, p, q)
-        xp, *given = _given(cells, *given)
-        f, m = (_magnitude(xp, part)[1] for part in given[:2])
+        xp, force, moment, *axes = _given(cells, force, moment, *(() if p is None else (p, q)))
+        f, m = _magnitude(xp, force)[1], _magnitude(xp, moment)[1]
         largest = xp.maximum(f, m)
         f, m = (part / xp.where(largest == 0, 1.0, largest) for part in (f, m))
-        if p is not None:
-            f, m = f / given[2], m / given[3]
+        if axes:
+            f, m = f / axes[0], m / axes[1]
         size = xp.hypot(f, m)
         rests, nothing = size == 0, 0 * _constant(size)
         f, m = f / xp.where(rests, 1.0, size), m / xp.where(rests, 1.0, size)

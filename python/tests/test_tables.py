@@ -115,7 +115,7 @@ def test_errors_have_the_command_line_words_and_the_caller_places():
     trace = {"time": [0.0, 1, 2], "x": [0.0, np.nan, 0], "y": np.zeros(3), "z": np.zeros(3), "twist": np.zeros(3)}
     with pytest.raises(ValueError, match=r"^trace\['x'\]\[1\]: .*got 'nan', expected a finite number$"):
         lc.replay(trace, "hertz", **SCENE)
-    with pytest.raises(ValueError, match="^--law: law 'hertzz': expected one of"):
+    with pytest.raises(ValueError, match="^law: law 'hertzz': expected one of"):
         lc.validate("hertzz")
     with pytest.raises(ValueError, match="^trace: no column 'y'"):
         lc.replay({name: trace[name] for name in ("time", "x", "z", "twist")}, "hertz", **SCENE)
