@@ -61,9 +61,10 @@ void define(Class& type, const std::string& signature, const Work& work, const c
   } else {
     // nanobind's own word on a wrong self, as of Table.gauge(1, 2), would be its lines on C++.
     const auto checked = [=](const nb::args& all, const nb::kwargs& keywords) {
-      const bool has_self = all.size() > 0 && nb::isinstance<std::remove_cvref_t<Self>>(all[0]);
+      std::remove_cvref_t<Self>* self = nullptr;
+      const bool has_self = all.size() > 0 && nb::try_cast(all[0], self) && self != nullptr;
       const Given given = parameters->bind(all, keywords, 1, has_self);
-      return called(nb::cast<Self>(all[0]), given);
+      return called(*self, given);
     };
     type.def(name, checked, nb::sig(signature.c_str()), doc);
   }
