@@ -112,8 +112,8 @@ godobject::BasicFingerCurve<Real> curve_of(nb::handle curve);
 
 /// With what a radius law's file holds in place of its name: (text, loads, values).
 nb::dict read_files(nb::dict given);
-/// Parameters by their C++ names, of which others are passed over; `moment_ratio` is the curve's m₀, for a radius law from measured moments.
-/// ValueError for a bad number or radius law.
+/// Parameters by their C++ names; other names are passed over. `moment_ratio` is the curve's m₀, for
+/// a radius law from measured moments. ValueError for a bad number or radius law.
 godobject::FingerParameters parameters_of(const nb::dict& given, double moment_ratio);
 /// These parameters as keywords of a Python function, with types and defaults; for a patch without those of a round contact's moment.
 std::string parameters_signature(bool of_patch = false);

@@ -24,7 +24,8 @@ struct Given : std::vector<nb::object> {
 class Parameters {
  public:
   explicit Parameters(std::string_view signature);
-  /// TypeError names the function and the parameter that is unknown, missing or given twice. The `first` positional values are none of these.
+  /// TypeError names the function and the parameter that is unknown, missing or given twice.
+  /// `first`: the first positional value that is a parameter's, after self.
   [[nodiscard]] Given bind(const nb::args& positional, const nb::kwargs& keywords, std::size_t first = 0, bool has_self = true) const;
   [[nodiscard]] const std::string& function() const { return function_; }
 
@@ -41,8 +42,8 @@ class Parameters {
   std::vector<Parameter> all_;
 };
 
-/// Defines a method, of `Self` as nanobind has it (`const Class&`, `Class*` of a constructor): work(self, given), or work(self) of one
-/// without parameters.
+/// Defines a method, of `Self` as nanobind has it (`const Class&`, `Class*` of a constructor):
+/// work(self, given), or work(self) of one without parameters.
 template <class Self, class Class, class Work>
 void define(Class& type, const std::string& signature, const Work& work, const char* doc) {
   const auto parameters = std::make_shared<const Parameters>(signature);

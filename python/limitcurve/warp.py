@@ -146,7 +146,7 @@ def closest_point(cells: Cells, force: float, moment: float, chi: float):  # typ
 
 @wp.func
 def touching_ellipse(cells: Cells, force: float, moment: float, p: float, q: float):  # type: ignore[no-untyped-def]
-    """(p, q), as Table.touching_ellipse: of the unit wrench that an engine found with the semi-axes p and q > 0. Has no derivative."""
+    """(p, q), as Table.touching_ellipse: of the unit wrench that an engine found with the semi-axes p and q > 0. No derivative."""
     if force == 0.0 and moment == 0.0:
         return cells.rows[cells.inside, 1], cells.rows[0, 1]
     largest = wp.max(_magnitude(force), _magnitude(moment))

@@ -54,7 +54,7 @@ def same(table, texts):
 
 
 def warp_step(wp, lw):
-    """A kernel: of each trial (force, moment, chi) the closest point, and of the first two as slips and engine's wrenches the rest."""
+    """A kernel: closest points of trials (force, moment, chi); their first two are a slip and an engine's wrench, too."""
 
     @wp.kernel
     def step(cells: lw.Cells, trials: wp.array2d(dtype=float), out: wp.array2d(dtype=float)):
