@@ -37,7 +37,7 @@ def objects(table):
         if quantity == "closest" and all(map(math.isfinite, of)):
             result = lc.apply_friction(table, *of[:2], limit=1, radius=1, stiffness_ratio=of[2])
             return result.force_fraction * of[0], result.moment_fraction * of[1]
-        return None
+        return None  # margins of files are the command's; apply_friction refuses what is not finite
 
     return answer
 
