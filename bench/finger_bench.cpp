@@ -14,6 +14,8 @@
 #include "motion.hpp"
 #include "workload.hpp"
 
+#include "limitcurve/patch.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -3,6 +3,7 @@
 
 #include "limitcurve/pressure_law.hpp"
 #include "limitcurve/wrench.hpp"
+#include "tests/limitcurve/reference.hpp"
 
 #include <benchmark/benchmark.h>
 
@@ -104,19 +105,22 @@ CostOverInputs cost_over(const std::vector<double>& inputs, Call&& call, double 
   return {costs[costs.size() / 2], costs.back()};
 }
 
-/// A pressure law with its reference: wrenches by `evaluate` in 80-bit arithmetic; tests compare them with 50-digit values.
-/// Methods are added as calls from a slip twist to a unit wrench.
+/// A pressure law with its reference: the 50-digit values of data/reference at its centres of rotation, and between these `evaluate` in
+/// 80-bit arithmetic. Methods are added as calls from a slip twist to a unit wrench.
 class WrenchStudy {
  public:
   WrenchStudy(std::string_view law_name, Law law) : law_name_(law_name), law_(std::move(law)) {
     // The difficult inputs come first, so that slow methods get them, too.
-    for (const double s : {1.0, 0.0, 0.5, 2.0, 0.999, 1.001, 1e3, 1e-3, 1.0 + 1e-6, 1.0 - 1e-6, 0.9, 1.1, 1e6, 1e-6}) {
-      places_.push_back(SlipTwist::about_cor(s));
+    for (const test::ReferenceRow& row : test::reference_rows()) {
+      if (row.law != law_name_) continue;
+      places_.push_back(SlipTwist::about_cor(row.s));
+      references_.push_back({static_cast<double>(row.force), static_cast<double>(row.moment)});
     }
-    places_.push_back({1.0, 0.0});
     special_ = places_.size();
-    for (const double u : spread(497)) places_.push_back(SlipTwist::of_spin_fraction(u));
-    for (const SlipTwist place : places_) references_.push_back(law_->evaluate(place.cor()).wrench);
+    for (const double u : spread(497)) {
+      places_.push_back(SlipTwist::of_spin_fraction(u));
+      references_.push_back(law_->evaluate(places_.back().cor()).wrench);
+    }
     moment_ratio_ = law_->moment_ratio();
   }
 

@@ -280,11 +280,18 @@ std::vector<EngineContact> translate(const Patch& patch, double mu) {
   const auto [mx, my] = patch.factors();
   const double own = mx == my ? mu * mx : mu;  // the factor of all directions is one of the coefficient
   const double lever = mu * patch.moment_ratio() / own;
-  return contacts_of(own, {mu * mx, mu * my}, {lever, lever, lever}, [&](const std::string& model) -> ShapeError {
+  auto contacts = contacts_of(own, {mu * mx, mu * my}, {lever, lever, lever}, [&](const std::string& model) -> ShapeError {
     const auto shape = std::find_if(shapes.begin(), shapes.end(), [&](const EngineShape& one) { return one.name == model; });
     if (shape == shapes.end()) throw std::logic_error("data/engines: unknown model " + model);
     return {shape->error, shape->max_wrench_error, shape->error.max_error};
   });
+  const char* const build = "; for one contact point (a ball, a capsule across); several: no torsion (condim 3), geometry of radius m0 a";
+  for (EngineContact& contact : contacts) {
+    for (EngineCoefficient& one : contact.coefficients) {
+      if (const Formula* const formula = find_formula(one.formula); formula != nullptr && formula->lever != nullptr) one.note += build;
+    }
+  }
+  return contacts;
 }
 
 std::vector<std::string> engines_of_one_friction() {

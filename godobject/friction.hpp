@@ -76,7 +76,7 @@ template <class Real, class Number>
   const Number rounding = trial.force_rounding * per_force * Number(curve.inverse_force_max) +
                           trial.moment_rounding * per_moment * Number(curve.inverse_moment_max);
   // Rounding counts as the limit at most: a contact without friction must slip.
-  return {smaller(trial.force * per_force, largest), smaller(trial.moment * per_moment, largest),
+  return {smaller(abs(trial.force) * per_force, largest), smaller(abs(trial.moment) * per_moment, largest),
           smaller(larger(limit.radius * limit.radius * stiffness_ratio, Number(Real(1) / steepest)), Number(steepest)),
           Number(slip_onset<Real>) + smaller(rounding, Number(Real(1)))};
 }
@@ -158,20 +158,21 @@ template <class Real, class Number>
   const FrictionLimit<Number>& sticking = limits.sticking;
   const FrictionLimit<Number>& sliding = limits.sliding;
   FrictionResult<Number> result;
-  result.force_fraction = apply_scalar_friction<Real>(sticking.force * Number(box.force_max), sliding.force * Number(box.force_max),
-                                                      limits.force_stick_fraction, trial.force, trial.force_rounding, memory.force_slides);
+  result.force_fraction =
+      apply_scalar_friction<Real>(sticking.force * Number(box.force_max), sliding.force * Number(box.force_max),
+                                  limits.force_stick_fraction, abs(trial.force), trial.force_rounding, memory.force_slides);
   result.slips = result.force_fraction < one;
   Number turned = zero;
   result.moment_fraction = zero;
   if (limits.has_torsion) {
     result.moment_fraction = apply_scalar_friction<Real>(
         sticking.force * sticking.radius * Number(box.moment_max), sliding.force * sliding.radius * Number(box.moment_max),
-        limits.moment_stick_fraction, trial.moment, trial.moment_rounding, memory.moment_slides);
+        limits.moment_stick_fraction, abs(trial.moment), trial.moment_rounding, memory.moment_slides);
     result.slips = result.slips || result.moment_fraction < one;
-    turned = trial.moment * (one - result.moment_fraction);
+    turned = abs(trial.moment) * (one - result.moment_fraction);
   }
   // COR distance = slip/turn, from the changes of force and moment.
-  const Number slid = trial.force * (one - result.force_fraction);
+  const Number slid = abs(trial.force) * (one - result.force_fraction);
   result.cor = select(result.slips, slid / (turned * limits.stiffness_ratio), Number(std::numeric_limits<Real>::quiet_NaN()));
   return result;
 }
@@ -185,11 +186,9 @@ template <class Real, class Number>
 /// evaluations of the curve for each search. `Number` is `double`, or a pack of double or float (`Real`) for as many contacts.
 template <class Real, class Number>
 [[nodiscard]] FrictionResult<Number> apply_friction(const CurveView<Real>& curve, Projection projection,
-                                                    const FrictionLimits<Number>& limits, const FrictionTrial<Number>& signed_trial,
+                                                    const FrictionLimits<Number>& limits, const FrictionTrial<Number>& trial,
                                                     FrictionMemory<Number>& memory) noexcept {
   using namespace arithmetic;
-  const FrictionTrial<Number> trial{abs(signed_trial.force), abs(signed_trial.moment), signed_trial.force_rounding,
-                                    signed_trial.moment_rounding};
   if (curve.is_box) return apply_uncoupled_friction(curve, limits, trial, memory);
   const Number zero = Number(Real(0));
   const Number one = Number(Real(1));
@@ -232,7 +231,7 @@ template <class Real, class Number>
     // Without a load the springs relax, whatever the projection: the slip is the whole trial deflection.
     const Number largest = Number(largest_trial<Real>);
     const auto relaxes = !(limit.force > Number(least_limit<Real>) && unit.force < largest && unit.moment < largest);
-    cor = select(relaxes, trial.force / (trial.moment * limits.stiffness_ratio), cor);
+    cor = select(relaxes, abs(trial.force) / (abs(trial.moment) * limits.stiffness_ratio), cor);
   }
   result.cor = select(result.slips, cor, nan);
   memory.force_slides = keeps_sliding(was_sliding, result.slips, stick_fraction, fraction_of_unit);

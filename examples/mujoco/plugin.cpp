@@ -87,9 +87,10 @@ struct Skin {  // what the bodies of one plugin instance share: plugin_data of o
     stiffness_ = number("stiffness"), twist_stiffness_ = number("twist_stiffness");
     damping_ = number("damping"), twist_damping_ = number("twist_damping"), contacts_ = std::max(1.0, number("contacts").value_or(8.0));
     double x = 0, y = 0;
+    char rest;
     const std::string patch = text("patch");
     if (patch.empty()) curve_ = shared_curve(text("law", "hertz"), number("tolerance").value_or(1e-6));
-    if (std::sscanf(patch.c_str(), "rectangle:x=%lf,y=%lf", &x, &y) == 2) patch_ = Patch::rectangle(x, y);
+    if (std::sscanf(patch.c_str(), "rectangle:x=%lf,y=%lf%c", &x, &y, &rest) == 2) patch_ = Patch::rectangle(x, y);
     if (!curve_ && !patch_) throw std::invalid_argument("patch: got '" + patch + "', expected rectangle:x=LENGTH,y=LENGTH");
     for (int body = 1; body < m->nbody; ++body)
       if (m->body_plugin[body] == instance) finger_of_[body] = static_cast<int>(bodies.size()), bodies.push_back(body);
@@ -146,11 +147,10 @@ struct Skin {  // what the bodies of one plugin instance share: plugin_data of o
   }
   // What a force along the contact, or a moment about its normal, accelerates.
   void weigh(mjData* d, int body, const Touch& touch, Pair& pair) const {
-    const int nv = model_->nv;
     const Vector3d at = touch.at / touch.count, n = touch.normal.normalized();
-    Rows rows(6, nv), of_object(6, nv), moved(6, nv);
-    mj_jac(model_, d, rows.data(), rows.data() + 3 * nv, at.data(), body);
-    mj_jac(model_, d, of_object.data(), of_object.data() + 3 * nv, at.data(), touch.object);
+    Rows rows(6, model_->nv), of_object(6, model_->nv), moved(6, model_->nv);
+    mj_jac(model_, d, rows.data(), rows.row(3).data(), at.data(), body);
+    mj_jac(model_, d, of_object.data(), of_object.row(3).data(), at.data(), touch.object);
     rows -= of_object;
     mj_solveM(model_, d, moved.data(), rows.data(), 6);
     const Eigen::Matrix<double, 6, 6> weights = moved * rows.transpose();
@@ -200,8 +200,7 @@ void each_pair(const mjModel* m, mjData* d, int instance, Skin& s, Visit&& visit
     }
 }
 int init(const mjModel* m, mjData* d, int instance) try {
-  d->plugin_data[instance] = reinterpret_cast<uintptr_t>(new Skin(m, instance));
-  return 0;
+  return d->plugin_data[instance] = reinterpret_cast<uintptr_t>(new Skin(m, instance)), 0;
 } catch (const std::exception& error) {
   return mju_warning("limitcurve.finger: %s", error.what()), -1;
 }

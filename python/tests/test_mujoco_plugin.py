@@ -3,8 +3,10 @@
 
 import concurrent.futures
 import copy
-import importlib.util
+import importlib
 import os
+import runpy
+import types
 
 import limitcurve as lc
 import numpy as np
@@ -20,10 +22,7 @@ pytestmark = pytest.mark.skipif(not LIBRARY, reason="no plugin")
 @pytest.fixture(scope="module")
 def demo():
     importlib.import_module("limitcurve.mujoco").register(LIBRARY)
-    spec = importlib.util.spec_from_file_location("demo", ROOT / "examples/mujoco/demo.py")
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
+    return types.SimpleNamespace(**runpy.run_path(ROOT / "examples/mujoco/demo.py"))
 
 
 @pytest.mark.parametrize("law", ["hertz", "uniform", "xydas-kao:k=0.3"])
@@ -32,6 +31,24 @@ def test_it_holds_as_load_to_hold_says_and_does_not_creep(demo, law):
     turn, way = demo.moved(demo.scene(law), 1.001 * least, 10)
     assert turn < 1e-8 and way < 1e-9
     assert demo.moved(demo.scene(law), 0.999 * least)[0] > 0.02
+
+
+@pytest.mark.parametrize("lever", [0.05, 0.3, 1, 2])
+def test_a_pushed_disc_turns_about_the_exact_centre(demo, lever):
+    """Lever of the push over the disc's radius. Viscous friction takes what is too much."""
+    law, mu, radius, drag = lc.Law("uniform"), 0.8, 0.02, 100.0
+    keys = "".join(f'<config key="{key}" value="{value}"/>' for key, value in (("law", "uniform"), ("mu", mu), ("radius_law", f"constant:a={radius}")))
+    model = mujoco.MjModel.from_xml_string(f"""<mujoco><option timestep=".001" gravity="0 0 -10"/><extension><plugin plugin="limitcurve.finger">
+      <instance name="skin">{keys}</instance></plugin></extension><worldbody><geom type="plane" size="0 0 1"/><body pos="0 0 .005">
+      <joint type="slide" axis="0 0 1"/><joint type="slide" axis="1 0 0" damping="{drag}"/><joint type="hinge" axis="0 0 1" damping="{drag * radius**2}"/>
+      <geom type="cylinder" size="{radius} .005" mass=".3" condim="1" priority="1"/><plugin instance="skin"/></body></worldbody></mujoco>""")
+    data, push = mujoco.MjData(model), np.array([1, lever * radius])
+    data.qfrc_applied[1:] = 1.1 * mu * 3 / lc.Table(law, 1e-8).gauge(1.0, lever) * push
+    mujoco.mj_step(model, data, 1000)
+    force, moment = data.qfrc_applied[1:] - drag * data.qvel[1:] * (1, radius**2)
+    cor = data.qvel[1] / data.qvel[2] / radius
+    (most, least) = (m / f for f, m in (law.evaluate(cor * 0.9999), law.evaluate(cor * 1.0001)))
+    assert least < moment / radius / force < most
 
 
 def test_copies_and_threads_go_on_with_the_same_bits(demo):
@@ -65,6 +82,7 @@ def test_friction_is_equal_and_opposite(demo):
 
 
 @pytest.mark.parametrize(("keys", "told"), [('<config key="stiffness" value="stiff"/>', "stiffness"), ('<config key="patch" value="disc"/>', "rectangle"),
+                                            ('<config key="patch" value="rectangle:x=.02,y=.01,mx=2"/>', "rectangle"),
                                             ('<config key="mu_dynamic" value="-1"/>', "mu")])
 def test_bad_keys_are_refused_by_name(demo, keys, told):
     with pytest.raises(ValueError, match=told):

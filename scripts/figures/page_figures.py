@@ -5,6 +5,7 @@
 usage: page_figures.py LIMITCURVE FOLDER, which gets (each also as .png)
 
 when_a_table_pays.svg  the scatter of fingers (data/materials.csv) beside errors of models
+cor_in_engine.svg      error of the centre of rotation in MuJoCo (data/engines/cors.csv)
 human_fingers.svg      the load that holds a force and a torque, by `limitcurve hold`, for rayon
 """
 
@@ -64,9 +65,25 @@ def when_a_table_pays(limitcurve):
     return figure
 
 
+def cor_in_engine(limitcurve):
+    pushed = Table.read(Path(__file__).resolve().parents[2] / "data" / "engines" / "cors.csv")
+    cors, forces, moments = (column(limitcurve, name, "curve", "--law", "hertz", "--points", "401")[1:-1] for name in ("c", "force", "moment"))
+    levers = [moment / force for moment, force in zip(moments, forces)]
+    m0 = column(limitcurve, "moment", "eval", "--law", "hertz", "--c", "0")[0]
+    figure, axes = plt.subplots(figsize=(6.4, 3.2), layout="constrained")
+    axes.plot(levers, [100 * (m0**2 / lever / cor - 1) for lever, cor in zip(levers, cors)], color=VERMILION, label="ellipse, by its equation")
+    for numbers, colour, marker, label in (("typed", VERMILION, "o", "as typed"), ("touching", BLUE, "s", "that follow the slip")):
+        found = pushed.where(numbers=numbers)
+        axes.plot(found.column("lever"), found.column("error", 100), marker, color=colour, markersize=5, label=f"MuJoCo {found[0]['version']}, numbers {label}")
+    axes.set(title="Error of the centre of rotation [%]", xlabel="lever of the friction over the contact radius, M/(F a)", xscale="log", xlim=(0.04, 3), ylim=(-40, 80))
+    axes.set_xticks([0.05, 0.1, 0.2, 0.5, 1, 2], [0.05, 0.1, 0.2, 0.5, 1, 2])
+    axes.legend()
+    return figure
+
+
 def main():
     limitcurve, folder = sys.argv[1:]
-    for draw in (human_fingers, when_a_table_pays):
+    for draw in (cor_in_engine, human_fingers, when_a_table_pays):
         save(draw(limitcurve), folder, draw.__name__)
 
 

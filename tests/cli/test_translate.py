@@ -95,6 +95,8 @@ class Translate(CommandLineTest):
         found = {(row["engine"], row["parameter"]): row for row in rows("translate", "--patch", f"rectangle:x={side},y={side}", "--mu", "0.8")}
         self.assert_close(found["mujoco", "geom.friction[1]"]["value"], 0.8 * lever, 1e-12)
         self.assert_close(found["sapien", "min_patch_radius"]["value"], lever, 1e-12)
+        for parameter, told in (("geom.friction[1]", True), ("geom.friction[0]", False)):
+            self.assertEqual("one contact point (a ball" in found["mujoco", parameter]["note"], told)
         ellipsoid, = [row for row in rows("validate", "--patch", f"rectangle:x={side},y={side}") if row["model"] == "ellipsoid"]
         self.assert_close(found["genesis", "materials.Rigid.friction"]["max_error"], ellipsoid["max_error"], 1e-6)
         for option, value in (("--law", "hertz"), ("--radius-law", "constant:a=0.005"), ("--load", "1"), ("--loads", "1,2")):

@@ -2,16 +2,20 @@
 """Bullet, by PyBullet; its bodies are of the kind that createMultiBody makes."""
 
 import importlib.metadata
+import math
 
 import pybullet as p
 
 import drag
+import hold
+
+
+VERSION = "PyBullet " + importlib.metadata.version("pybullet")
 
 
 def measure():
-    version = "PyBullet " + importlib.metadata.version("pybullet")
     given = drag.translated("bullet")
-    yield from drag.measure("bullet", version, "ball", "box", lambda v, w: one(given, v, w))
+    yield from drag.measure("bullet", VERSION, "ball", "box", lambda v, w: one(given, v, w))
 
 
 def one(given, slide, spin):
@@ -40,3 +44,36 @@ def one(given, slide, spin):
         return drag.drag_free_body(set_motion, p.stepSimulation, motion, slide, spin)
     finally:
         p.disconnect()
+
+
+def held():
+    yield "bullet", VERSION, "ball", hold.DISC, gripped
+
+
+def gripped(offset):
+    p.resetSimulation() if p.isConnected() else p.connect(p.DIRECT)
+    p.setPhysicsEngineParameter(fixedTimeStep=1e-3, numSolverIterations=200, numSubSteps=1)
+    given = hold.typed(*hold.DISC, engine="bullet")
+    body = p.createMultiBody(hold.MASS, p.createCollisionShape(p.GEOM_BOX, halfExtents=hold.HALF), basePosition=[-offset, 0, 0])
+    p.changeDynamics(body, -1, lateralFriction=1, spinningFriction=0, rollingFriction=0, linearDamping=0, angularDamping=0,
+                     activationState=p.ACTIVATION_STATE_DISABLE_SLEEPING)
+    shape, pads = p.createCollisionShape(p.GEOM_SPHERE, radius=hold.BALL), []
+    for way in (-1, 1):
+        place = [0, 0, -way * (hold.HALF[2] + hold.BALL)]
+        pads.append(p.createMultiBody(0, -1, basePosition=place, linkMasses=[hold.PAD_MASS], linkCollisionShapeIndices=[shape], linkVisualShapeIndices=[-1],
+                                      linkPositions=[[0, 0, 0]], linkOrientations=[[0, 0, 0, 1]], linkInertialFramePositions=[[0, 0, 0]],
+                                      linkInertialFrameOrientations=[[0, 0, 0, 1]], linkParentIndices=[0], linkJointTypes=[p.JOINT_PRISMATIC],
+                                      linkJointAxis=[[0, 0, way]]))
+        p.changeDynamics(pads[-1], 0, lateralFriction=given["setFriction"], spinningFriction=given["setSpinningFriction"],
+                         rollingFriction=given["setRollingFriction"], jointDamping=hold.SLOWED)
+        p.setJointMotorControl2(pads[-1], 0, p.VELOCITY_CONTROL, force=0)
+
+    def step(weight):
+        for pad in pads:
+            p.setJointMotorControl2(pad, 0, p.TORQUE_CONTROL, force=hold.GRIP)
+        place, turn = p.getBasePositionAndOrientation(body)
+        p.applyExternalForce(body, -1, [0, -weight, 0], place, p.WORLD_FRAME)
+        p.stepSimulation()
+        return 2 * math.atan2(turn[2], turn[3]), place[1]
+
+    return step

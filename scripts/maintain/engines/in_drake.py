@@ -9,11 +9,13 @@ import importlib.metadata
 import math
 
 import drag
+import hold
 from pydrake.geometry import (AddCompliantHydroelasticProperties, AddCompliantHydroelasticPropertiesForHalfSpace, AddContactMaterial,
-                              AddRigidHydroelasticProperties, Cylinder, HalfSpace, ProximityProperties, Sphere)
+                              AddRigidHydroelasticProperties, Box, Cylinder, HalfSpace, ProximityProperties, Sphere)
 from pydrake.math import RigidTransform
 from pydrake.multibody.plant import AddMultibodyPlantSceneGraph, ContactModel, CoulombFriction
-from pydrake.multibody.tree import PlanarJoint, PrismaticJoint, SpatialInertia
+from pydrake.multibody.tree import FixedOffsetFrame, PlanarJoint, PrismaticJoint, SpatialInertia
+from pydrake.systems.analysis import Simulator
 from pydrake.systems.framework import DiagramBuilder
 
 BALL, DEPTH = 0.02, 0.0006  # [m]: a patch of about 5 mm
@@ -65,3 +67,45 @@ def one(contact, slide, spin):
     force, moment = info.F_Ac_W().translational(), info.F_Ac_W().rotational()
     place = info.contact_surface().centroid()
     return force[0], moment[2] + place[0] * force[1] - place[1] * force[0], abs(force[2])
+
+
+def held():
+    yield "drake", importlib.metadata.version("drake"), "ball, hydroelastic, a = 10 mm", ("--law", "parabolic", "--radius-law", "constant:a=0.01"), gripped
+
+
+def gripped(offset):
+    builder = DiagramBuilder()
+    plant, _ = AddMultibodyPlantSceneGraph(builder, time_step=1e-3)
+    plant.mutable_gravity_field().set_gravity_vector([0, 0, 0])
+    hard, soft = ProximityProperties(), ProximityProperties()
+    for properties in (hard, soft):
+        AddContactMaterial(properties=properties, dissipation=1.0, friction=CoulombFriction(hold.MU, hold.MU))
+    a = 0.01
+    depth = a * a / (2 * BALL)  # where the grip is that of the pressure modulus depth/BALL (1 - (r/a)^2)
+    AddRigidHydroelasticProperties(hard)
+    AddCompliantHydroelasticProperties(BALL / 10, 2 * hold.GRIP * BALL / (math.pi * a * a * depth), soft)
+    sides = [2 * half for half in hold.HALF]
+    body = plant.AddRigidBody("body", SpatialInertia.SolidBoxWithMass(hold.MASS, *sides))
+    plant.RegisterCollisionGeometry(body, RigidTransform(), Box(*sides), "body", hard)
+    plant.SetDefaultFloatingBaseBodyPose(body, RigidTransform([-offset, 0, 0]))
+    for way in (-1, 1):
+        pad = plant.AddRigidBody(f"pad{way}", SpatialInertia.SolidSphereWithMass(hold.PAD_MASS, BALL))
+        plant.RegisterCollisionGeometry(pad, RigidTransform(), Sphere(BALL), "ball", soft)
+        place = plant.AddFrame(FixedOffsetFrame(f"at{way}", plant.world_frame(), RigidTransform([0, 0, -way * (hold.HALF[2] + BALL)])))
+        plant.AddJoint(PrismaticJoint(f"slide{way}", place, pad.body_frame(), [0, 0, way], damping=hold.SLOWED))
+    plant.Finalize()
+    diagram = builder.Build()
+    simulator = Simulator(diagram)
+    state = plant.GetMyMutableContextFromRoot(simulator.get_mutable_context())
+    force = [hold.GRIP] * plant.num_velocities()
+    free = body.floating_velocities_start_in_v()
+
+    def step(weight):
+        force[free:free + 6] = 0, 0, 0, 0, -weight, 0
+        plant.get_applied_generalized_force_input_port().FixValue(state, force)
+        simulator.AdvanceTo(simulator.get_context().get_time() + 1e-3)
+        pose = plant.EvalBodyPoseInWorld(state, body)
+        turn = pose.rotation().matrix()
+        return math.atan2(turn[1, 0], turn[0, 0]), pose.translation()[1]
+
+    return step

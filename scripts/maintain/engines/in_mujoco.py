@@ -1,10 +1,13 @@
 # SPDX-License-Identifier: MIT
-"""MuJoCo: both cones, and a disc."""
+"""MuJoCo: both cones, a disc, and what two fingers hold."""
+
+import importlib.metadata
 
 import mujoco
 import numpy as np
 
 import drag
+import hold
 
 
 def measure():
@@ -40,3 +43,65 @@ def one(contact, geom, option, speed, slide, spin):
                 total += force[0], moment, frame_force[0]
         mujoco.mj_step(model, data)
     return tuple(total)
+
+
+def scene(geom, option, offset):
+    """As MJCF."""
+    pad = f'<geom mass="{hold.PAD_MASS}" priority="1" {geom}/>'
+    half, z = " ".join(map(str, hold.HALF)), hold.HALF[2] + hold.BALL
+    slide = [f'<joint type="slide" axis="0 0 {way}" damping="{hold.SLOWED}"/>{pad}' for way in (-1, 1)]
+    return f"""<mujoco><option timestep="0.001" gravity="0 0 0" {option}/><worldbody>
+      <body pos="{-offset} 0 0"><freejoint/><geom type="box" size="{half}" mass="{hold.MASS}"/></body>
+      <body pos="0 0 {z}">{slide[0]}</body><body pos="0 0 {-z}">{slide[1]}</body></worldbody></mujoco>"""
+
+
+def gripped(geom, option, offset):
+    model = mujoco.MjModel.from_xml_string(scene(geom, option, offset))
+    data = mujoco.MjData(model)
+    data.qfrc_applied[6:] = hold.GRIP
+
+    def step(weight):
+        data.xfrc_applied[1, 1] = -weight
+        mujoco.mj_step(model, data)
+        return 2 * np.arctan2(data.qpos[6], data.qpos[3]), data.qpos[1]
+
+    return step
+
+
+def gripped_in_warp(geom, offset):
+    import mujoco_warp
+
+    model = mujoco.MjModel.from_xml_string(scene(geom, 'cone="elliptic" impratio="1e4"', offset))
+    there, now = mujoco_warp.put_model(model), mujoco_warp.put_data(model, mujoco.MjData(model))
+    now.qfrc_applied.assign([[0] * 6 + [hold.GRIP] * 2])
+
+    def step(weight):
+        now.xfrc_applied.assign([[[0] * 6, [0, -weight, 0, 0, 0, 0], [0] * 6, [0] * 6]])
+        mujoco_warp.step(there, now)
+        place = now.qpos.numpy()[0]
+        return 2 * np.arctan2(place[6], place[3]), place[1]
+
+    return step
+
+
+def ball(*contact):
+    mu_r = hold.typed(*contact, engine="mujoco")["geom.friction[1]"]
+    return mu_r, f'type="sphere" size="{hold.BALL}" condim="4" friction="{hold.MU} {mu_r} 0"'
+
+
+def held():
+    patch = ("--patch", "rectangle:x=0.02,y=0.012")
+    (_, disc), (mu_r, pad) = ball(*hold.DISC), ball(*patch)
+    box, elliptic, pyramid = 'type="box" size="0.01 0.006 0.01"', 'cone="elliptic" impratio="10"', 'cone="pyramidal"'
+    noslip, more = 'noslip_iterations="3"', f'{elliptic} noslip_iterations="200"'
+    for setting, contact, geom, option in (
+        ("ball as typed", hold.DISC, disc, f"{elliptic} {noslip}"), ("ball without noslip", hold.DISC, disc, elliptic),
+        ("ball without noslip, impratio 1e4", hold.DISC, disc, 'cone="elliptic" impratio="1e4"'),
+        ("ball, pyramid", hold.DISC, disc, pyramid), ("ball, pyramid and noslip", hold.DISC, disc, f"{pyramid} {noslip}"),
+        ("box 20x12 mm by one ball", patch, pad, f"{elliptic} {noslip}"),
+        ("box 20x12 mm, noslip 200, condim 4", patch, f'{box} condim="4" friction="{hold.MU} {mu_r} 0"', more),
+        ("box 20x12 mm, noslip 200, condim 3", patch, f'{box} condim="3" friction="{hold.MU} 0 0"', more),
+        ("disc of radius m0 a, noslip 200, condim 3", patch, f'type="cylinder" size="{mu_r / hold.MU} 0.01" condim="3" friction="{hold.MU} 0 0"', more),
+    ):
+        yield "mujoco", mujoco.__version__, setting, contact, lambda offset, a=(geom, option): gripped(*a, offset)
+    yield "mujoco-warp", importlib.metadata.version("mujoco-warp"), "ball, impratio 1e4", hold.DISC, lambda offset: gripped_in_warp(disc, offset)

@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: MIT
-"""Newton's solver XPBD, on a processor. (Its solver MuJoCo is MuJoCo, which in_mujoco.py drags.)"""
+"""Newton's solver XPBD, on a processor; and what two fingers hold in its solver MuJoCo, which in_mujoco.py drags."""
 
 import newton
 import numpy as np
 import warp as wp
 
 import drag
+import hold
+import in_mujoco
 
 wp.config.quiet = True
 STEPS = 300
@@ -48,3 +50,26 @@ class Finger:
                          drag.MASS * ((after[2] - before) / drag.DT + drag.GRAVITY))
             now, then = then, now
         return tuple(mean)
+
+
+def held():
+    yield "newton", newton.__version__, "ball, impratio 1e4", hold.DISC, gripped
+
+
+def gripped(offset):
+    builder = newton.ModelBuilder(gravity=(0, 0, 0))
+    newton.solvers.SolverMuJoCo.register_custom_attributes(builder)
+    builder.add_mjcf(in_mujoco.scene(in_mujoco.ball(*hold.DISC)[1], "", offset))
+    model = builder.finalize(device="cpu")
+    solver = newton.solvers.SolverMuJoCo(model, cone="elliptic", impratio=1e4, use_mujoco_cpu=True)
+    states, control = [model.state(), model.state()], model.control()
+
+    def step(weight):
+        now, then = states
+        now.body_f.assign([[0, -weight, 0, 0, 0, 0], *([0, 0, grip, 0, 0, 0] for grip in (-hold.GRIP, hold.GRIP))])
+        solver.step(now, then, control, None, 1e-3)
+        states.reverse()
+        place = then.body_q.numpy()[0]
+        return 2 * np.arctan2(place[5], place[6]), place[1]
+
+    return step
