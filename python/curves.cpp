@@ -171,17 +171,11 @@ bool same(const Table& one, const Table& other) {
 }
 
 nb::object touching_ellipses(const Table& self, const Given& given) {
-  const nb::handle force = given[0];
-  const nb::handle moment = given[1];
-  const nb::handle p = given[2];
-  const nb::handle q = given[3];
-  const nb::handle slip = given[4];
+  const auto has = [&](std::size_t i) { return !given[i].is_none(); };
   const auto axes = [](const TouchingEllipse& ellipse) { return std::array{ellipse.p, ellipse.q}; };
-  const bool has_wrench = !force.is_none() && !moment.is_none();
-  if (slip.is_none() != has_wrench || force.is_none() != moment.is_none() || p.is_none() != q.is_none() || (!has_wrench && !p.is_none())) {
+  if (has(0) != has(1) || has(0) == has(4) || has(2) != has(3) || (has(2) && !has(0)))
     throw std::invalid_argument("touching_ellipse: expected force and moment, or these with p and q, or slip=(v, u)");
-  }
-  if (!has_wrench) {
+  if (const nb::object& slip = given[4]; has(4)) {
     if (!nb::isinstance<nb::sequence>(slip) || nb::len(slip) != 2)
       throw std::invalid_argument("slip: got " + shown(slip) + ", expected (v, u)");
     const nb::object slide = slip[0];
@@ -190,11 +184,11 @@ nb::object touching_ellipses(const Table& self, const Given& given) {
       return axes(touching_ellipse(self, SlipTwist{twist[0], twist[1]}));
     });
   }
-  if (p.is_none()) {
-    return of_numbers<2, 16, 2>({force, moment}, {"force", "moment"}, {any, any},
+  if (!has(2)) {
+    return of_numbers<2, 16, 2>({given[0], given[1]}, {"force", "moment"}, {any, any},
                                 [&](const std::array<double, 2>& wrench) { return axes(touching_ellipse(self, wrench[0], wrench[1])); });
   }
-  return of_numbers<2, 16, 4>({force, moment, p, q}, {"force", "moment", "p", "q"}, {any, any, any, any},
+  return of_numbers<2, 16, 4>({given[0], given[1], given[2], given[3]}, {"force", "moment", "p", "q"}, {any, any, any, any},
                               [&](const std::array<double, 4>& of) { return axes(touching_ellipse(self, of[0], of[1], of[2], of[3])); });
 }
 
