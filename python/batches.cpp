@@ -156,28 +156,25 @@ void add_batches(nb::module_& module) {
   const std::string signature =
       "def __init__(self, curve: Table | Curve, n: int, *, dtype: numpy.typing.DTypeLike = 'float64', projection: str = 'closest-point', " +
       parameters_signature() + ") -> None";
-  batch.def(
-      "__init__",
-      [](PyBatch* self, nb::handle curve, nb::handle number, nb::handle dtype, nb::kwargs given) {
+  define<PyBatch*>(
+      batch, signature,
+      [](PyBatch* self, const Given& given) {
+        const nb::handle curve = given[0];
         std::size_t n = 0;
-        if (!nb::try_cast(number, n)) throw std::invalid_argument("n: got " + shown(number) + ", expected a whole number >= 0");
-        const bool single = is_single_precision(dtype);
-        read_files(given);
-        PyBatch made{.contacts = {}, .curve = nb::borrow(curve), .given = copy_of(given)};
+        if (!nb::try_cast(given[1], n)) throw std::invalid_argument("n: got " + shown(given[1]) + ", expected a whole number >= 0");
+        PyBatch made{.contacts = {}, .curve = given[0], .given = read_files(without(given.by_name, "curve"))};
         made.given["n"] = n;
-        made.given["dtype"] = dtype;
-        const Projection projection = take_projection(given);
-        const FingerParameters parameters = parameters_of(given, curve_of<double>(curve).moment_ratio());
+        const Projection projection = projection_of(given[3]);
+        const FingerParameters parameters = parameters_of(made.given, curve_of<double>(curve).moment_ratio());
         if (parameters.damping != 0.0 || parameters.twist_damping != 0.0)
           throw std::invalid_argument("damping, twist_damping: expected 0, a batch has no dampers");
-        if (single) {
+        if (is_single_precision(given[2])) {
           made.contacts = std::make_unique<Contacts<float>>(curve, n, parameters, projection);
         } else {
           made.contacts = std::make_unique<Contacts<double>>(curve, n, parameters, projection);
         }
         new (self) PyBatch(std::move(made));
       },
-      nb::arg("curve"), nb::arg("n"), nb::kw_only(), nb::arg("dtype") = "float64", nb::arg("kwargs"), nb::sig(signature.c_str()),
       "n free contacts at the origin; parameters as for SoftFinger. dtype float32 needs half the memory and time and resolves 6e-8 of a\n"
       "coordinate; its table is that of the given one, to 5e-7 or 1 % of its tolerance.");
   define<PyBatch&>(
@@ -202,8 +199,8 @@ void add_batches(nb::module_& module) {
     new (&self) PyBatch(std::move(nb::cast<PyBatch&>(made)));
     std::visit([&](const auto& contacts) { contacts->restore(nb::cast<nb::list>(state[2])); }, self.contacts);
   });
-  batch.def(
-      "reset", [](PyBatch& self) { std::visit([](const auto& contacts) { contacts->reset(); }, self.contacts); },
+  define<PyBatch&>(
+      batch, "def reset(self) -> None", [](PyBatch& self) { std::visit([](const auto& contacts) { contacts->reset(); }, self.contacts); },
       "All contacts free, at the origin.");
   batch.def("__len__",
             [](const PyBatch& self) { return std::visit([](const auto& contacts) { return contacts->size(); }, self.contacts); });

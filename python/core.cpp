@@ -242,7 +242,12 @@ std::string text_of(const nb::object& object) {
 }
 
 std::string path_of(nb::handle path) {
-  return nb::cast<std::string>(nb::module_::import_("os").attr("fsdecode")(path));
+  try {
+    return nb::cast<std::string>(nb::module_::import_("os").attr("fsdecode")(path));
+  } catch (nb::python_error& error) {
+    rethrow_unless_of_values(error);
+    throw std::invalid_argument("path: got " + shown(path) + ", expected a file's name");
+  }
 }
 
 /// As nanobind does, but with names of files that are no UTF-8.

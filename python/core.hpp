@@ -80,10 +80,8 @@ void copies_are_itself(Class& type) {
   type.def("__deepcopy__", [](nb::handle self, nb::handle) { return nb::borrow(self); });
 }
 
-/// Another dict with the same contents.
-inline nb::dict copy_of(const nb::dict& all) {
-  return nb::cast<nb::dict>(all.attr("copy")());
-}
+/// Another dict with the same contents, but for one name.
+nb::dict without(const nb::dict& all, const char* name);
 
 /// Plain numbers for pickle: their bytes, which are those of one version of the library alone.
 template <class Numbers>
@@ -112,14 +110,14 @@ Law law_of(nb::handle law);
 template <class Real>
 godobject::BasicFingerCurve<Real> curve_of(nb::handle curve);
 
-/// Puts what a radius law's file holds in place of its name: (text, loads, values).
-void read_files(nb::kwargs& given);
-/// Parameters by their C++ names; `moment_ratio` is the curve's m₀, for a radius law from measured moments. TypeError for an unknown name,
-/// ValueError for a bad number or radius law.
-godobject::FingerParameters parameters_of(const nb::kwargs& given, double moment_ratio);
+/// With what a radius law's file holds in place of its name: (text, loads, values).
+nb::dict read_files(nb::dict given);
+/// Parameters by their C++ names; other names are passed over. `moment_ratio` is the curve's m₀, for
+/// a radius law from measured moments. ValueError for a bad number or radius law.
+godobject::FingerParameters parameters_of(const nb::dict& given, double moment_ratio);
 /// These parameters as keywords of a Python function, with types and defaults; for a patch without those of a round contact's moment.
 std::string parameters_signature(bool of_patch = false);
-/// Removes the projection from the keywords and returns it; default closest point.
-godobject::Projection take_projection(nb::kwargs& given);
+/// The projection of a word; default closest point.
+godobject::Projection projection_of(nb::handle word);
 
 }  // namespace limitcurve::python

@@ -170,6 +170,28 @@ bool same(const Table& one, const Table& other) {
          equal(one.cells().outside, other.cells().outside);
 }
 
+nb::object touching_ellipses(const Table& self, const Given& given) {
+  const auto has = [&](std::size_t i) { return !given[i].is_none(); };
+  const auto axes = [](const TouchingEllipse& ellipse) { return std::array{ellipse.p, ellipse.q}; };
+  if (has(0) != has(1) || has(0) == has(4) || has(2) != has(3) || (has(2) && !has(0)))
+    throw std::invalid_argument("touching_ellipse: expected force and moment, or these with p and q, or slip=(v, u)");
+  if (const nb::object& slip = given[4]; has(4)) {
+    if (!nb::isinstance<nb::sequence>(slip) || nb::len(slip) != 2)
+      throw std::invalid_argument("slip: got " + shown(slip) + ", expected (v, u)");
+    const nb::object slide = slip[0];
+    const nb::object spin = slip[1];
+    return of_numbers<2, 16, 2>({slide, spin}, {"slip[0]", "slip[1]"}, {any, any}, [&](const std::array<double, 2>& twist) {
+      return axes(touching_ellipse(self, SlipTwist{twist[0], twist[1]}));
+    });
+  }
+  if (!has(2)) {
+    return of_numbers<2, 16, 2>({given[0], given[1]}, {"force", "moment"}, {any, any},
+                                [&](const std::array<double, 2>& wrench) { return axes(touching_ellipse(self, wrench[0], wrench[1])); });
+  }
+  return of_numbers<2, 16, 4>({given[0], given[1], given[2], given[3]}, {"force", "moment", "p", "q"}, {any, any, any, any},
+                              [&](const std::array<double, 4>& of) { return axes(touching_ellipse(self, of[0], of[1], of[2], of[3])); });
+}
+
 void add_tables(nb::module_& module) {
   nb::class_<Table> type(module, "Table",
                          "A limit curve as a lookup table, 1 to 96 KiB, with a certified error. It drives fingers and batches.\n\n"
@@ -226,52 +248,25 @@ void add_tables(nb::module_& module) {
       "name: of the table in a header, NAME_wrench(slide, spin); if empty, one that no other table has.");
   type.def("__eq__",
            [](const Table& self, nb::handle other) { return nb::isinstance<Table>(other) && same(self, nb::cast<const Table&>(other)); })
-      .def("__hash__", [](const Table& self) { return std::hash<double>()(self.certified_error()); })
-      .def(
-          "touching_ellipse",
-          [](const Table& self, nb::handle force, nb::handle moment, nb::handle p, nb::handle q, nb::handle slip) {
-            const auto axes = [](const TouchingEllipse& ellipse) { return std::array{ellipse.p, ellipse.q}; };
-            const bool has_wrench = !force.is_none() && !moment.is_none();
-            if (slip.is_none() != has_wrench || force.is_none() != moment.is_none() || p.is_none() != q.is_none() ||
-                (!has_wrench && !p.is_none())) {
-              throw std::invalid_argument("touching_ellipse: expected force and moment, or these with p and q, or slip=(v, u)");
-            }
-            if (!has_wrench) {
-              if (nb::len(slip) != 2)
-                throw std::invalid_argument("slip: got " + std::to_string(nb::len(slip)) + " values, expected (v, u)");
-              const nb::object slide = slip[0];
-              const nb::object spin = slip[1];
-              return of_numbers<2, 16, 2>({slide, spin}, {"slip[0]", "slip[1]"}, {any, any}, [&](const std::array<double, 2>& twist) {
-                return axes(touching_ellipse(self, SlipTwist{twist[0], twist[1]}));
-              });
-            }
-            if (p.is_none()) {
-              return of_numbers<2, 16, 2>({force, moment}, {"force", "moment"}, {any, any}, [&](const std::array<double, 2>& wrench) {
-                return axes(touching_ellipse(self, wrench[0], wrench[1]));
-              });
-            }
-            return of_numbers<2, 16, 4>(
-                {force, moment, p, q}, {"force", "moment", "p", "q"}, {any, any, any, any},
-                [&](const std::array<double, 4>& given) { return axes(touching_ellipse(self, given[0], given[1], given[2], given[3])); });
-          },
-          nb::arg("force") = nb::none(), nb::arg("moment") = nb::none(), nb::arg("p") = nb::none(), nb::arg("q") = nb::none(),
-          nb::kw_only(), nb::arg("slip") = nb::none(),
-          nb::sig(
-              "def touching_ellipse(self, force: numpy.typing.ArrayLike | None = None, moment: numpy.typing.ArrayLike | None = None, p: "
-              "numpy.typing.ArrayLike | None = None, q: numpy.typing.ArrayLike | None = None, *, slip: "
-              "tuple[numpy.typing.ArrayLike, numpy.typing.ArrayLike] | None = None) -> tuple[typing.Any, typing.Any]"),
-          "Semi-axes (p, q) with which an engine's elliptic cone, coefficients mu p and mu a q, finds the exact curve: of the ellipse "
-          "that\n"
-          "touches it. Give the engine's last unit wrench (F/(mu P), M/(mu P a)) and the p and q it was found with, after each step: they\n"
-          "converge. Without p and q it touches on the wrench's ray; slip=(|v|, a|omega|): at a known slip. Signs do not count; no wrench\n"
-          "or slip gives the usual ellipse (1, m0), NaN gives NaN. Broadcasts.\n\n"
-          ">>> import limitcurve as lc\n"
-          ">>> table = lc.Table('hertz', tolerance=1e-8)\n"
-          ">>> p, q = table.touching_ellipse(slip=(1, 1))\n"
-          ">>> f, m = lc.ellipse(p, q).wrench(1, 1)  # what the engine finds\n"
-          ">>> abs(f - table.wrench(1, 1)[0]) < 1e-15\n"
-          "True\n")
-      .def_prop_ro(
+      .def("__hash__", [](const Table& self) { return std::hash<double>()(self.certified_error()); });
+  define<const Table&>(
+      type,
+      "def touching_ellipse(self, force: numpy.typing.ArrayLike | None = None, moment: numpy.typing.ArrayLike | None = None, p: "
+      "numpy.typing.ArrayLike | None = None, q: numpy.typing.ArrayLike | None = None, *, slip: "
+      "tuple[numpy.typing.ArrayLike, numpy.typing.ArrayLike] | None = None) -> tuple[typing.Any, typing.Any]",
+      &touching_ellipses,
+      "Semi-axes (p, q) with which an engine's elliptic cone, coefficients mu p and mu a q, finds the exact curve: of the ellipse "
+      "that\n"
+      "touches it. Give the engine's last unit wrench (F/(mu P), M/(mu P a)) and the p and q it was found with, after each step: they\n"
+      "converge. Without p and q it touches on the wrench's ray; slip=(|v|, a|omega|): at a known slip. Signs do not count; no wrench\n"
+      "or slip gives the usual ellipse (1, m0), NaN gives NaN. Broadcasts.\n\n"
+      ">>> import limitcurve as lc\n"
+      ">>> table = lc.Table('hertz', tolerance=1e-8)\n"
+      ">>> p, q = table.touching_ellipse(slip=(1, 1))\n"
+      ">>> f, m = lc.ellipse(p, q).wrench(1, 1)  # what the engine finds\n"
+      ">>> abs(f - table.wrench(1, 1)[0]) < 1e-15\n"
+      "True\n");
+  type.def_prop_ro(
           "cells", &cells_of, nb::sig("def cells(self) -> numpy.typing.NDArray[numpy.float64]"),
           "The cells as rows (side, x, c0 ... c6), in the order of a file: D(t) = sum ci (t - x)^i from t = x to the next larger x of its\n"
           "side, or to 1. On side 0, inside the rim, t = c/a, and (D', D - t D') is force and moment; on side 1, outside, t = a/c, and\n"

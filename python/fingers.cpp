@@ -7,7 +7,6 @@
 #include "godobject/finger/finger_numbers.hpp"
 #include "godobject/scene/passivity.hpp"
 #include "godobject/soft_finger.hpp"
-#include "limitcurve/internal/did_you_mean.hpp"
 #include "limitcurve/internal/number.hpp"
 
 #include <nanobind/eigen/dense.h>
@@ -62,16 +61,15 @@ constexpr const char* update_under_load_doc =
     "motion friction sees. With a load <= 0 the finger is free; one that is not finite is bad input. The output has that load, and\n"
     "NaN for the depth. Springs and dampers stay in the tangent plane, whatever the surface's radius. The rest as in `update`.";
 
-FingerOutput update_under_load(PyFinger& finger, nb::handle point, nb::handle normal, nb::handle load, nb::handle twist, nb::handle dt,
-                               nb::handle landed) {
-  return finger.update_under_load(three_numbers(point, "point"), three_numbers(normal, "normal"), number_of(load, "load"),
-                                  number_of(twist, "twist"), number_of(dt, "dt"), truth_of(landed));
+FingerOutput update_under_load(PyFinger& finger, const Given& given) {
+  return finger.update_under_load(three_numbers(given[0], "point"), three_numbers(given[1], "normal"), number_of(given[2], "load"),
+                                  number_of(given[3], "twist"), number_of(given[4], "dt", 0.0), truth_of(given[5]));
 }
 
-FingerOutput update(PyFinger& finger, nb::handle point, nb::handle normal, nb::handle depth, nb::handle twist, nb::handle dt,
-                    nb::handle landed) {
-  return finger.update({three_numbers(point, "point"), three_numbers(normal, "normal"), number_of(depth, "depth"), {}, truth_of(landed)},
-                       number_of(twist, "twist"), number_of(dt, "dt"));
+FingerOutput update(PyFinger& finger, const Given& given) {
+  return finger.update(
+      {three_numbers(given[0], "point"), three_numbers(given[1], "normal"), number_of(given[2], "depth"), {}, truth_of(given[5])},
+      number_of(given[3], "twist"), number_of(given[4], "dt", 0.0));
 }
 
 void add_output(nb::module_& module) {
@@ -132,53 +130,47 @@ void add_finger_types(nb::module_& module) {
       ">>> str(finger.update((0, 0, 0), (0, 0, 1), 0.002, 0.0).state)\n"
       "'stick'\n");
   type.def("__getstate__", [](const PyFinger& self) { return nb::make_tuple(self.contact, self.given, packed(self.state())); })
-      .def("__setstate__",
-           [](PyFinger& self, const nb::tuple& state) {
-             const nb::object made = nb::type<PyFinger>()(state[0], **nb::cast<nb::dict>(state[1]));
-             new (&self) PyFinger(nb::cast<const PyFinger&>(made));
-             self.restore(unpacked<FingerState>(nb::cast<nb::tuple>(state[2])));
-           })
-      .def(
-          "__init__",
-          [](PyFinger* self, nb::handle_t<PyPatch> patch, nb::handle radius, nb::kwargs given) {
-            const double point_radius = number_of(radius, "point_radius");
-            const auto& on = nb::cast<const PyPatch&>(patch);
-            if (given.contains("radius_law") || given.contains("projection"))
-              throw std::invalid_argument("radius_law, projection: not with a Patch, which has its own size and the closest point");
-            const SoftFinger finger(on, parameters_of(given, on.moment_ratio()), point_radius);
-            given["point_radius"] = point_radius;
-            new (self) PyFinger(finger, patch, given);
-          },
-          nb::arg("patch"), nb::kw_only(), nb::arg("point_radius") = 0.0, nb::arg("kwargs"), nb::sig(of_patch.c_str()),
-          "A finger whose contact is a patch, with the closest point and without a radius law. `point_radius` [m] is given to the points\n"
-          "of a patch; 0 is the least.")
-      .def(
-          "__init__",
-          [](PyFinger* self, nb::handle curve, nb::kwargs given) {
-            read_files(given);
-            const nb::dict all = copy_of(given);
-            const Projection projection = take_projection(given);
-            FingerCurve on = curve_of<double>(curve);
-            const FingerParameters parameters = parameters_of(given, on.moment_ratio());
-            new (self) PyFinger(SoftFinger(std::move(on), parameters, projection), curve, all);
-          },
-          nb::arg("curve"), nb::arg("kwargs"), nb::sig(of_curve.c_str()),
-          "A finger with a limit curve; parameter names of the C++ FingerParameters, SI units. Projections: 'closest-point', 'radial',\n"
-          "'c-curve'. ValueError names a parameter out of range.")
-      .def("update", &update, nb::arg("point"), nb::arg("normal"), nb::arg("depth"), nb::arg("twist"), nb::arg("dt") = 0.0,
-           nb::arg("landed") = false, nb::sig(update_signature), update_doc)
-      .def("update_under_load", &update_under_load, nb::arg("point"), nb::arg("normal"), nb::arg("load"), nb::arg("twist"),
-           nb::arg("dt") = 0.0, nb::arg("landed") = false, nb::sig(update_under_load_signature), update_under_load_doc)
-      .def("reset", &SoftFinger::reset, "Back to the state before any contact.")
-      .def_prop_ro(
-          "output", [](const PyFinger& self) { return self.output(); }, "Result of the last step.")
-      .def("margin", &SoftFinger::margin, "Distance to slip, from 1 (no friction) to 0 (slips).")
-      .def("load_to_hold", &SoftFinger::load_to_hold, "The least `load` of the output [N] that would hold the present friction.")
-      .def("centre_of_rotation", &SoftFinger::centre_of_rotation,
-           "Centre of rotation of the slip [m]; inf for pure sliding, NaN unless it slips.")
-      .def("spring_energy", &SoftFinger::spring_energy, "Energy of the springs [J].")
-      .def(
-          "copy", [](const PyFinger& self) { return self; }, "Another finger in the same state.");
+      .def("__setstate__", [](PyFinger& self, const nb::tuple& state) {
+        const nb::object made = nb::type<PyFinger>()(state[0], **nb::cast<nb::dict>(state[1]));
+        new (&self) PyFinger(nb::cast<const PyFinger&>(made));
+        self.restore(unpacked<FingerState>(nb::cast<nb::tuple>(state[2])));
+      });
+  type.def(
+      "__init__",
+      [parameters = Parameters(of_patch)](PyFinger* self, nb::handle_t<PyPatch> patch, const nb::args& others, const nb::kwargs& given) {
+        if (given.contains("radius_law") || given.contains("projection"))
+          throw std::invalid_argument("radius_law, projection: not with a Patch, which has its own size and the closest point");
+        parameters.bind(nb::borrow<nb::args>(nb::make_tuple(patch) + others), given);
+        const auto& on = nb::cast<const PyPatch&>(patch);
+        const nb::object radius = given.contains("point_radius") ? given["point_radius"] : nb::object(nb::float_(0.0));
+        new (self) PyFinger(SoftFinger(on, parameters_of(given, on.moment_ratio()), number_of(radius, "point_radius")), patch, given);
+      },
+      nb::arg("patch"), nb::arg("args"), nb::arg("kwargs"), nb::sig(of_patch.c_str()),
+      "A finger whose contact is a patch, with the closest point and without a radius law. `point_radius` [m] is given to the points\n"
+      "of a patch; 0 is the least.");
+  define<PyFinger*>(
+      type, of_curve,
+      [](PyFinger* self, const Given& given) {
+        const nb::dict all = read_files(without(given.by_name, "curve"));
+        FingerCurve on = curve_of<double>(given[0]);
+        const FingerParameters parameters = parameters_of(all, on.moment_ratio());
+        new (self) PyFinger(SoftFinger(std::move(on), parameters, projection_of(given[1])), given[0], all);
+      },
+      "A finger with a limit curve; parameter names of the C++ FingerParameters, SI units. Projections: 'closest-point', 'radial',\n"
+      "'c-curve'. ValueError names a parameter out of range.");
+  define<PyFinger&>(type, update_signature, &update, update_doc);
+  define<PyFinger&>(type, update_under_load_signature, &update_under_load, update_under_load_doc);
+  define<PyFinger&>(type, "def reset(self) -> None", &SoftFinger::reset, "Back to the state before any contact.");
+  type.def_prop_ro(
+      "output", [](const PyFinger& self) { return self.output(); }, "Result of the last step.");
+  define<const PyFinger&>(type, "def margin(self) -> float", &SoftFinger::margin, "Distance to slip, from 1 (no friction) to 0 (slips).");
+  define<const PyFinger&>(type, "def load_to_hold(self) -> float", &SoftFinger::load_to_hold,
+                          "The least `load` of the output [N] that would hold the present friction.");
+  define<const PyFinger&>(type, "def centre_of_rotation(self) -> numpy.typing.NDArray[numpy.float64]", &SoftFinger::centre_of_rotation,
+                          "Centre of rotation of the slip [m]; inf for pure sliding, NaN unless it slips.");
+  define<const PyFinger&>(type, "def spring_energy(self) -> float", &SoftFinger::spring_energy, "Energy of the springs [J].");
+  define<const PyFinger&>(
+      type, "def copy(self) -> SoftFinger", [](const PyFinger& self) { return self; }, "Another finger in the same state.");
 }
 
 struct PyMemory {
@@ -188,7 +180,9 @@ struct PyMemory {
 void add_friction(nb::module_& module) {
   nb::class_<PyMemory> memory_type(module, "FrictionMemory", "State of a contact's friction between two steps.");
   pickle_plainly<PyMemory>(memory_type);
-  memory_type.def(nb::init<>())
+  define<PyMemory*>(
+      memory_type, "def __init__(self) -> None", [](PyMemory* self) { new (self) PyMemory(); }, "Of a contact at rest.");
+  memory_type
       .def_prop_ro(
           "force_slides", [](const PyMemory& self) { return self.memory.force_slides; },
           "whether the sliding limit acts; on a box, that of the force")
@@ -255,19 +249,26 @@ void add_friction(nb::module_& module) {
 
 }  // namespace
 
-void read_files(nb::kwargs& given) {
-  if (!given.contains("radius_law") || !nb::isinstance<nb::str>(given["radius_law"])) return;
+nb::dict without(const nb::dict& all, const char* name) {
+  const auto result = nb::cast<nb::dict>(all.attr("copy")());
+  if (result.contains(name)) PyDict_DelItemString(result.ptr(), name);
+  return result;
+}
+
+nb::dict read_files(nb::dict given) {
+  if (!given.contains("radius_law") || !nb::isinstance<nb::str>(given["radius_law"])) return given;
   const auto argument = cli::read_radius_law(nb::cast<std::string>(given["radius_law"]));
-  if (argument.rows().empty()) return;
+  if (argument.rows().empty()) return given;
   RadiusRows rows{argument.text(), {}, {}};
   for (const LoadSample& sample : argument.rows()) {
     std::get<1>(rows).push_back(sample.load);
     std::get<2>(rows).push_back(sample.value);
   }
   given["radius_law"] = rows;
+  return given;
 }
 
-FingerParameters parameters_of(const nb::kwargs& given, double moment_ratio) {
+FingerParameters parameters_of(const nb::dict& given, double moment_ratio) {
   FingerParameters parameters;
   std::optional<cli::RadiusLawArgument> radius_law;
   for (const auto& [key, value] : given) {
@@ -286,19 +287,10 @@ FingerParameters parameters_of(const nb::kwargs& given, double moment_ratio) {
       radius_law = cli::read_radius_law(nb::cast<std::string>(value));
       continue;
     }
-    bool known = false;
-    std::string expected = "projection, radius_law";
     for_each_number(parameters, [&](const FingerNumber& number, auto& field) {
-      expected.append(", ").append(number.name);
-      if (number.name != name) return;
-      known = true;
       const bool may_be_absent = !std::is_same_v<decltype(field), double&>;
-      if (!(may_be_absent && value.is_none())) field = number_of(value, name);
+      if (number.name == name && !(may_be_absent && value.is_none())) field = number_of(value, name);
     });
-    if (known) continue;
-    std::vector<std::string_view> names{"projection", "radius_law"};
-    for (const FingerNumber& number : finger_numbers) names.push_back(number.name);
-    throw nb::type_error(("unknown parameter '" + name + "', expected one of " + expected + did_you_mean(name, names)).c_str());
   }
   if (!radius_law) return parameters;
   if (parameters.mu_r) throw std::invalid_argument("mu_r: not with radius_law, expected one of them");
@@ -327,39 +319,40 @@ std::string parameters_signature(bool of_patch) {
   return of_patch ? text : text + ", radius_law: str = 'constant:a=0.005'";
 }
 
-Projection take_projection(nb::kwargs& given) {
-  if (!given.contains("projection")) return Projection::closest_point;
-  const nb::object value = given["projection"];
-  PyDict_DelItemString(given.ptr(), "projection");
-  if (!nb::isinstance<nb::str>(value))
-    throw std::invalid_argument("projection: got " + shown(value) + ", expected closest-point, radial or c-curve");
-  return parse_projection(nb::cast<std::string>(value));
+Projection projection_of(nb::handle word) {
+  if (word.is_none()) return Projection::closest_point;
+  if (!nb::isinstance<nb::str>(word))
+    throw std::invalid_argument("projection: got " + shown(word) + ", expected closest-point, radial or c-curve");
+  return parse_projection(nb::cast<std::string>(word));
 }
 
 void add_passivity(nb::module_& module) {
+  const auto delay_of = [](nb::handle given) {
+    int delay = 0;
+    if (!given.is_none() && !nb::try_cast(given, delay))
+      throw std::invalid_argument("delay: got " + shown(given) + ", expected a whole number");
+    return delay;
+  };
   const std::string rest = parameters_signature() + ") -> ";
-  const std::string needed = "def device_damping_needed(sample_time: float, *, delay: int = 0, " + rest + "tuple[float, float]";
-  const std::string required =
-      "def require_passive(sample_time: float, b: float, b_r: float = float('inf'), *, delay: int = 0, " + rest + "None";
-  module.def(
-      "device_damping_needed",
-      [](double sample_time, int delay, const nb::kwargs& given) {
-        const DeviceDamping device = device_damping_needed(parameters_of(given, 1.0), sample_time, delay);
+  define_static(
+      module, "def device_damping_needed(sample_time: float, *, delay: int = 0, " + rest + "tuple[float, float]",
+      [delay_of](const Given& given) {
+        const DeviceDamping device =
+            device_damping_needed(parameters_of(given.by_name, 1.0), number_of(given[0], "sample_time"), delay_of(given[1]));
         return std::tuple(device.sliding, device.twist);
       },
-      nb::arg("sample_time"), nb::kw_only(), nb::arg("delay") = 0, nb::arg("kwargs"), nb::sig(needed.c_str()),
       "The damping [N s/m] and twist damping [N m s/rad] that a device itself needs, with its force `delay` samples late, so that the\n"
       "sampled springs and dampers of a finger add no energy in any hand. Most devices are a sample late.\n\n"
       ">>> import limitcurve as lc\n"
-      ">>> lc.device_damping_needed(1e-3, delay=1, stiffness=1000, twist_stiffness=0.024)\n"
-      "(1.5, 3.6e-05)\n");
-  module.def(
-      "require_passive",
-      [](double sample_time, double b, double b_r, int delay, const nb::kwargs& given) {
-        require_passive(parameters_of(given, 1.0), sample_time, {b, b_r}, delay);
+      ">>> lc.device_damping_needed(1e-3, delay=1, stiffness=1000, twist_stiffness=0.04)\n"
+      "(1.5, 6e-05)\n");
+  define_static(
+      module, "def require_passive(sample_time: float, b: float, b_r: float = float('inf'), *, delay: int = 0, " + rest + "None",
+      [delay_of](const Given& given) {
+        const double twist = number_of(given[2], "b_r", std::numeric_limits<double>::infinity());
+        require_passive(parameters_of(given.by_name, 1.0), number_of(given[0], "sample_time"), {number_of(given[1], "b"), twist},
+                        delay_of(given[3]));
       },
-      nb::arg("sample_time"), nb::arg("b"), nb::arg("b_r") = std::numeric_limits<double>::infinity(), nb::kw_only(), nb::arg("delay") = 0,
-      nb::arg("kwargs"), nb::sig(required.c_str()),
       "ValueError, with what to change, unless a device damped by b [N s/m] and b_r [N m s/rad] has more than it needs; inf leaves one "
       "unchecked.");
 }

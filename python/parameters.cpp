@@ -50,17 +50,17 @@ Parameters::Parameters(std::string_view signature) {
 void Parameters::refuse(const std::string& what) const {
   std::string expected;
   for (const Parameter& one : all_) expected += (expected.empty() ? "" : ", ") + one.name;
+  if (expected.empty()) expected = "none";
   throw nb::type_error(((function_ == "__init__" ? "" : function_ + ": ") + what + ", expected " + expected).c_str());
 }
 
-Given Parameters::bind(const nb::args& positional, const nb::kwargs& keywords) const {
-  Given given(all_.size(), nb::none());
-  std::vector<bool> seen(all_.size());
+Given Parameters::bind(const nb::args& positional, const nb::kwargs& keywords, std::size_t first, bool has_self) const {
+  Given given(all_.size(), keywords);
   std::size_t next = 0;
-  for (const nb::handle value : positional) {
-    if (next == all_.size() || all_[next].by_keyword_only) refuse("got " + std::to_string(positional.size()) + " values by position");
-    seen[next] = true;
-    given[next++] = nb::borrow(value);
+  for (std::size_t i = first; i < positional.size(); ++i) {
+    if (next == all_.size() || all_[next].by_keyword_only)
+      refuse("got " + std::to_string(positional.size() - first) + " values by position");
+    given[next++] = positional[i];
   }
   for (const auto& [key, value] : keywords) {
     const auto name = nb::cast<std::string>(key);
@@ -71,13 +71,15 @@ Given Parameters::bind(const nb::args& positional, const nb::kwargs& keywords) c
       const std::string meant = did_you_mean(name, known);
       refuse("unknown parameter '" + name + "'" + (meant.empty() ? "" : " (" + meant.substr(2) + ")"));
     }
-    const auto index = static_cast<std::size_t>(found - all_.begin());
-    if (seen[index]) refuse("'" + name + "' twice");
-    seen[index] = true;
-    given[index] = nb::borrow(value);
+    nb::object& one = given[static_cast<std::size_t>(found - all_.begin())];
+    if (one.is_valid()) refuse("'" + name + "' twice");
+    one = nb::borrow(value);
   }
+  if (!has_self) refuse("called on no object of its class");
   for (std::size_t i = 0; i < all_.size(); ++i) {
-    if (!seen[i] && all_[i].required) refuse("no '" + all_[i].name + "'");
+    if (given[i].is_valid()) continue;
+    if (all_[i].required) refuse("no '" + all_[i].name + "'");
+    given[i] = nb::none();
   }
   return given;
 }

@@ -3,9 +3,11 @@
 
 #include <nanobind/nanobind.h>
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 namespace limitcurve::python {
@@ -13,14 +15,18 @@ namespace limitcurve::python {
 namespace nb = nanobind;
 
 /// What a caller gave for the parameters of a function, in their order; None for those that are absent.
-using Given = std::vector<nb::object>;
+struct Given : std::vector<nb::object> {
+  Given(std::size_t count, const nb::kwargs& keywords) : vector(count), by_name(keywords) {}
+  nb::kwargs by_name;  ///< what was given by keyword
+};
 
 /// The parameters of a function, by its signature in Python, such as "def gauge(self, force: float, *, mu: float = 1.0) -> float".
 class Parameters {
  public:
   explicit Parameters(std::string_view signature);
   /// TypeError names the function and the parameter that is unknown, missing or given twice.
-  [[nodiscard]] Given bind(const nb::args& positional, const nb::kwargs& keywords) const;
+  /// `first`: the first positional value that is a parameter's, after self.
+  [[nodiscard]] Given bind(const nb::args& positional, const nb::kwargs& keywords, std::size_t first = 0, bool has_self = true) const;
   [[nodiscard]] const std::string& function() const { return function_; }
 
  private:
@@ -29,40 +35,54 @@ class Parameters {
     bool required;
     bool by_keyword_only;
   };
+
   [[noreturn]] void refuse(const std::string& what) const;
 
   std::string function_;
   std::vector<Parameter> all_;
 };
 
-/// Defines a method, of `Self` as nanobind has it (`const Class&`, `Class*` of a constructor): work(self, given).
+/// Defines a method, of `Self` as nanobind has it (`const Class&`, `Class*` of a constructor):
+/// work(self, given), or work(self) of one without parameters.
 template <class Self, class Class, class Work>
-void define(Class& type, const char* signature, const Work& work, const char* doc) {
+void define(Class& type, const std::string& signature, const Work& work, const char* doc) {
   const auto parameters = std::make_shared<const Parameters>(signature);
-  type.def(
-      parameters->function().c_str(),
-      [parameters, work](Self self, const nb::args& positional, const nb::kwargs& keywords) {
-        return work(self, parameters->bind(positional, keywords));
-      },
-      nb::sig(signature), doc);
+  const auto called = [work](Self self, [[maybe_unused]] const Given& given) {
+    if constexpr (std::is_invocable_v<Work, Self, const Given&>)
+      return work(self, given);
+    else
+      return std::invoke(work, self);
+  };
+  const char* const name = parameters->function().c_str();
+  if constexpr (std::is_pointer_v<Self>) {
+    const auto constructed = [=](Self self, const nb::args& positional, const nb::kwargs& keywords) {
+      return called(self, parameters->bind(positional, keywords));
+    };
+    type.def(name, constructed, nb::sig(signature.c_str()), doc);
+  } else {
+    // nanobind's own word on a wrong self, as of Table.gauge(1, 2), would be its lines on C++.
+    const auto checked = [=](const nb::args& all, const nb::kwargs& keywords) {
+      std::remove_cvref_t<Self>* self = nullptr;
+      const bool has_self = all.size() > 0 && nb::try_cast(all[0], self) && self != nullptr;
+      const Given given = parameters->bind(all, keywords, 1, has_self);
+      return called(*self, given);
+    };
+    type.def(name, checked, nb::sig(signature.c_str()), doc);
+  }
 }
 
 /// The same of a static method, or with a module in place of the class of a function: work(given).
-template <class Class, class Work>
-void define_static(nb::class_<Class>& type, const char* signature, const Work& work, const char* doc) {
+template <class Type, class Work>
+void define_static(Type& type, const std::string& signature, const Work& work, const char* doc) {
   const auto parameters = std::make_shared<const Parameters>(signature);
-  type.def_static(
-      parameters->function().c_str(),
-      [parameters, work](const nb::args& positional, const nb::kwargs& keywords) { return work(parameters->bind(positional, keywords)); },
-      nb::sig(signature), doc);
-}
-template <class Work>
-void define_static(nb::module_& module, const char* signature, const Work& work, const char* doc) {
-  const auto parameters = std::make_shared<const Parameters>(signature);
-  module.def(
-      parameters->function().c_str(),
-      [parameters, work](const nb::args& positional, const nb::kwargs& keywords) { return work(parameters->bind(positional, keywords)); },
-      nb::sig(signature), doc);
+  const char* const name = parameters->function().c_str();
+  const auto called = [parameters, work](const nb::args& positional, const nb::kwargs& keywords) {
+    return work(parameters->bind(positional, keywords));
+  };
+  if constexpr (std::is_same_v<Type, nb::module_>)
+    type.def(name, called, nb::sig(signature.c_str()), doc);
+  else
+    type.def_static(name, called, nb::sig(signature.c_str()), doc);
 }
 
 }  // namespace limitcurve::python

@@ -115,7 +115,7 @@ def gauge(curve, force, moment):
 
 
 def closest(curve, force, moment, chi):
-    if any(math.isnan(x) for x in (force, moment, chi)):
+    if not all(map(math.isfinite, (force, moment, chi))):
         return math.nan, math.nan
     if gauge(curve, force, moment)[0] <= 1:
         return mpf(force), mpf(moment)
@@ -181,9 +181,9 @@ def questions():
             for pair in trials if usual else trials[3:5] + trials[-1:] if chi in (0.1, 76.823) else ():
                 yield "closest", law, (*pair, chi)
         if usual:
-            for pair in ((math.nan, 0.1), (0.1, math.nan), (1e-300, 0.0), (1e30, 1e30)):
+            for pair in ((math.nan, 0.1), (0.1, math.nan), (math.inf, 0.1), (0.1, -math.inf), (1e-300, 0.0), (1e30, 1e30)):
                 yield "closest", law, (*pair, 1.0)
-            yield "closest", law, (2.0, 0.1, math.nan)
+            yield from (("closest", law, of) for of in ((2.0, 0.1, math.nan), (2e38, -2e38, 1e3)))
             for pair in ((0.0, 0.0), (math.nan, 0.0), (1.0, math.nan), (math.inf, 0.0), (1e-300, 0.0), (1e300, 0.0)):
                 yield "hold", law, (0.6, "constant:a=0.005", *pair)
         for radius in ("constant:a=0.005", "power:c=0.00207,gamma=0.259") if usual else ("constant:a=0.005",):

@@ -7,7 +7,7 @@ import os
 import re
 import sys
 import warnings
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -45,6 +45,9 @@ class Call:
     """A command line under construction, with the columns in memory that it reads."""
 
     def __init__(self, *words: str) -> None:
+        for word in words:
+            if not isinstance(word, str):
+                raise ValueError(f"arguments: got {word!r}, expected texts")
         self.words = list(words)
         self.memory: list[_core.MemoryColumns] = []
 
@@ -76,10 +79,12 @@ class Call:
         if value is True:
             self.words.append(word)
         elif name in ("law", "patch"):
-            several = [value] if isinstance(value, (str, Law)) else list(value)
+            several = list(value) if isinstance(value, Iterable) and not isinstance(value, str) else [value]
             if not several:
                 raise ValueError(f"{name}: got an empty list, expected one or more")
             for one in several:
+                if not isinstance(one, (str, Law)):
+                    raise ValueError(f"{name}: got {one!r}, expected a text" + " or a Law" * (name == "law"))
                 self.words += [word, self.law(one)]
         elif name in ("columns", "units") and isinstance(value, Mapping):
             self.words += [word, ",".join(f"{key}={text}" for key, text in value.items())]

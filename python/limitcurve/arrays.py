@@ -32,6 +32,8 @@ def cells(table: "Table | str | os.PathLike[str]", library: Any = np, dtype: Any
 
 def _given(cells: Cells, *numbers: Any) -> "tuple[Any, ...]":
     """The library of the cells, and the numbers as its arrays."""
+    if not isinstance(cells, Cells):
+        raise TypeError(f"cells: got {type(cells).__name__}, expected what cells() made of a table")
     rows = cells.rows
     xp = rows.__array_namespace__() if hasattr(rows, "__array_namespace__") else sys.modules[type(rows).__module__.partition(".")[0]]
     return xp, *(xp.asarray(number, dtype=rows.dtype) for number in numbers)
@@ -105,10 +107,12 @@ def closest_point(cells: Cells, force: Any, moment: Any, chi: Any) -> "tuple[Any
     a change of the moment costs chi = a^2 k_l/k_r, in [1e-3, 1e3], times one of the force."""
     xp, force, moment, chi = _given(cells, force, moment, chi)
     (force_sign, f), (moment_sign, m) = _magnitude(xp, force), _magnitude(xp, moment)
+    eps = float(xp.finfo(f.dtype).eps)
+    far = xp.maximum(f, m) * eps * eps
+    f, m = (part / xp.where(far > 1, far, 1.0) for part in (f, m))  # from afar only the direction counts
     rim_force, rim_moment = wrench(cells, 1.0, 1.0)
     outside = f - rim_force > chi * (m - rim_moment)
     leading, trailing = xp.where(outside, m, f), xp.where(outside, f, m)
-    eps = float(xp.finfo(f.dtype).eps)
 
     def residual(trial: Any, x: Any, d: Any, first: Any, second: Any) -> "tuple[Any, Any, Any]":
         lead, trail, kappa = trial
@@ -119,7 +123,7 @@ def closest_point(cells: Cells, force: Any, moment: Any, chi: Any) -> "tuple[Any
     d, first, _ = _jet(cell, x)
     to_force, to_moment = _wrench(xp, outside, cell, x)
     slips = ~(trailing + x * leading <= d * (1 + (1e-12 if eps < 1e-10 else 2**-18)))  # slip_onset
-    nothing = 0 * _constant(force + moment + chi)
+    nothing = sum(0 * _constant(number) for number in (force, moment, chi))
     return xp.where(slips, force_sign * to_force, force) + nothing, xp.where(slips, moment_sign * to_moment, moment) + nothing, slips
 
 def touching_ellipse(cells: Cells, force: Any = 0, moment: Any = 0, p: Any = None, q: Any = None, *, slip: Any = None) -> "tuple[Any, Any]":
@@ -144,9 +148,12 @@ def touching_ellipse(cells: Cells, force: Any = 0, moment: Any = 0, p: Any = Non
         xp, rests, outside, cell, x = _slip(cells, *slip)
         nothing = 0 * x
     else:
-        given = (force, moment) if p is None else (force, moment, p, q)
-        xp, *given = _given(cells, *given)
-        f, m = (_magnitude(xp, part)[1] for part in (given if p is None else (given[0] / given[2], given[1] / given[3])))
+        xp, force, moment, *axes = _given(cells, force, moment, *(() if p is None else (p, q)))
+        f, m = _magnitude(xp, force)[1], _magnitude(xp, moment)[1]
+        largest = xp.maximum(f, m)
+        f, m = (part / xp.where(largest == 0, 1.0, largest) for part in (f, m))
+        if axes:
+            f, m = f / axes[0], m / axes[1]
         size = xp.hypot(f, m)
         rests, nothing = size == 0, 0 * _constant(size)
         f, m = f / xp.where(rests, 1.0, size), m / xp.where(rests, 1.0, size)

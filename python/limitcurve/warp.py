@@ -125,7 +125,8 @@ def _step_slope(x: float, step: float, adj_x: float):  # type: ignore[no-untyped
 @wp.func
 def closest_point(cells: Cells, force: float, moment: float, chi: float):  # type: ignore[no-untyped-def]
     """(force, moment, slips): as limitcurve.arrays.closest_point, with the derivative under wp.Tape."""
-    f, m = _magnitude(force), _magnitude(moment)
+    far = wp.max(1.0, 1.0e-14 * wp.max(wp.abs(force), wp.abs(moment)))
+    f, m = _magnitude(force) / far, _magnitude(moment) / far  # from afar only the direction counts
     outside = f - cells.rim[0] > chi * (m - cells.rim[1])
     to_lead, to_trail = wp.where(outside, m, f), wp.where(outside, f, m)
     kappa = wp.where(outside, 1.0 / chi, chi)
@@ -145,11 +146,12 @@ def closest_point(cells: Cells, force: float, moment: float, chi: float):  # typ
 
 @wp.func
 def touching_ellipse(cells: Cells, force: float, moment: float, p: float, q: float):  # type: ignore[no-untyped-def]
-    """(p, q), as Table.touching_ellipse: of the unit wrench that an engine found with the semi-axes p and q > 0."""
-    f, m = force / p, moment / q
-    size = wp.sqrt(f * f + m * m)
-    if size == 0.0:
+    """(p, q), as Table.touching_ellipse: of the unit wrench that an engine found with the semi-axes p and q > 0. No derivative."""
+    if force == 0.0 and moment == 0.0:
         return cells.rows[cells.inside, 1], cells.rows[0, 1]
+    largest = wp.max(_magnitude(force), _magnitude(moment))
+    f, m = force / largest / p, moment / largest / q
+    size = wp.sqrt(f * f + m * m)
     sliding, turning = f * f / (size * size), m * m / (size * size)  # shares of the power
     outside = sliding * cells.rim[1] > turning * cells.rim[0]
     share = wp.where(outside, turning, sliding)
@@ -185,3 +187,8 @@ def touching_ellipse(cells: Cells, force: float, moment: float, p: float, q: flo
     not_finite = size - size
     lead, trail = wp.sqrt(d * each) + not_finite, wp.sqrt(d * trailing) + not_finite
     return wp.where(outside, trail, lead), wp.where(outside, lead, trail)
+
+
+@wp.func_grad(touching_ellipse)
+def _no_slope(cells: Cells, force: float, moment: float, p: float, q: float, adj_p: float, adj_q: float):  # type: ignore[no-untyped-def]
+    """Coefficients of an engine are settings."""

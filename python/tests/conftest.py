@@ -51,3 +51,23 @@ def same(table, texts):
         else:
             expected = np.array([np.nan if text == "" else float(text) for text in column])
             assert np.array_equal(array.astype(float), expected, equal_nan=True), name
+
+
+def warp_step(wp, lw):
+    """A kernel: closest points of trials (force, moment, chi); their first two are a slip and an engine's wrench, too."""
+
+    @wp.kernel
+    def step(cells: lw.Cells, trials: wp.array2d(dtype=float), out: wp.array2d(dtype=float)):
+        i = wp.tid()
+        force, moment, slips = lw.closest_point(cells, trials[0, i], trials[1, i], trials[2, i])
+        slide_force, slide_moment = lw.wrench(cells, trials[0, i], trials[1, i])
+        out[0, i] = force
+        out[1, i] = moment
+        out[2, i] = wp.where(slips, 1.0, 0.0)
+        out[3, i] = slide_force
+        out[4, i] = slide_moment
+        p, q = lw.touching_ellipse(cells, trials[0, i], trials[1, i], 1.0, 0.6)
+        out[5, i] = p
+        out[6, i] = q
+
+    return step

@@ -9,6 +9,8 @@ import numpy as np
 import pytest
 from limitcurve import arrays
 
+from conftest import warp_step
+
 N = 100_000
 
 
@@ -54,16 +56,6 @@ def test_wrenches_and_closest_points_are_the_librarys(library, trials, law):
     assert 0.3 < slips.mean() < 0.9 and np.abs(table.gauge(abs(f[slips]), abs(m[slips])) - 1).max() < 1e-13
 
 
-def test_numbers_and_lists_are_arrays_and_what_is_not_finite_gives_nan(library):
-    cells = arrays.cells(lc.Table("hertz", 1e-8), library)
-    assert [float(x) for x in arrays.wrench(cells, 0, 0)] == [0, 0]
-    assert [round(float(x), 6) for x in arrays.closest_point(cells, -2, 0, 1)[:2]] == [-1, 0]
-    nan, inf = float("nan"), float("inf")
-    for trial in ([nan, 0.1, 1], [0.1, nan, 1], [0.1, 0.1, nan], [inf, 0.1, 1], [0.1, -inf, 1]):
-        force, moment, slips = arrays.closest_point(cells, *([x] for x in trial))
-        assert np.isnan(np.asarray([force, moment])).all() and bool(slips[0]), trial
-
-
 @laws
 def test_touching_ellipses_are_the_tables(library, trials, law):
     table = lc.Table(law, 1e-8)
@@ -92,24 +84,6 @@ def test_single_precision(library, trials):
     table = lc.Table("hertz", 1e-6)
     single = [part.astype(np.float32) for part in trials]
     assert same_in_single_precision(table, single, arrays.closest_point(arrays.cells(table, library, library.float32), *map(library.asarray, single)))
-
-
-def warp_step(wp, lw):
-    @wp.kernel
-    def step(cells: lw.Cells, trials: wp.array2d(dtype=float), out: wp.array2d(dtype=float)):
-        i = wp.tid()
-        force, moment, slips = lw.closest_point(cells, trials[0, i], trials[1, i], trials[2, i])
-        slide_force, slide_moment = lw.wrench(cells, trials[0, i], trials[1, i])
-        out[0, i] = force
-        out[1, i] = moment
-        out[2, i] = wp.where(slips, 1.0, 0.0)
-        out[3, i] = slide_force
-        out[4, i] = slide_moment
-        p, q = lw.touching_ellipse(cells, trials[0, i], trials[1, i], 1.0, 0.6)
-        out[5, i] = p
-        out[6, i] = q
-
-    return step
 
 
 @laws

@@ -52,7 +52,8 @@ def test_odd_arguments_are_errors_or_answers():
             call(*arguments)
             answers += 1
         except EXPECTED as error:
-            assert str(error) or isinstance(error, MemoryError), arguments
+            told = str(error) or type(error) is MemoryError
+            assert told and "incompatible function arguments" not in str(error), arguments
             errors += 1
     assert errors > 5000 and answers > 300
     # All is as it was.
@@ -68,8 +69,6 @@ def test_arrays_of_a_wrong_length_or_kind_are_named():
         batch.update(np.zeros(5), np.zeros(5), np.zeros(5, complex), np.zeros(5))
     with pytest.raises(ValueError, match=r"^dt = nan \[?s?"):
         batch.update(0, 0, 0, 0, math.nan)
-    with pytest.raises(ValueError, match=r"^c\[2\]: got -3, expected a number >= 0, or inf$"):
-        table.evaluate([0, 1, -3])
     with pytest.raises(ValueError, match="a batch has no dampers"):
         lc.Batch(table, 5, damping=1)
     with pytest.raises(ValueError, match="closest-point only"):
