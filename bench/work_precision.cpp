@@ -2,7 +2,6 @@
 // Error against time of every method to compute a friction wrench, ours and others'. scripts/maintain/work_precision runs it and draws the
 // chart; by hand it is a Google Benchmark.
 #include "bench/fixed_gauss.hpp"
-#include "bench/one_parameter.hpp"
 #include "bench/peers.hpp"
 #include "bench/way.hpp"
 #include "bench/work_precision_step.hpp"
@@ -107,9 +106,6 @@ void add_curves(const WrenchStudy& study) {
   add_curve(study, "diamond", "", diamond(1.0, exact.moment_ratio()));
   add_curve(study, "box", "", box(1.0, exact.moment_ratio()));
   add_curve(study, "ellipse", "", Ellipse::through_intercepts(exact.moment_ratio()));
-  const double m0 = exact.moment_ratio();
-  add_curve(study, "superellipse", "", best_of(exact, 1.3, 2.0, [m0](double exponent) { return test::Superellipse{1.0, m0, exponent}; }));
-  add_curve(study, "quartic", "", best_of(exact, 2.0, 6.0, [m0](double kappa) { return Quartic{m0, kappa}; }));
 }
 
 void add_peers(const WrenchStudy& study) {

@@ -58,7 +58,7 @@ struct FrictionResult {
 inline namespace LIMITCURVE_COPIES {  // arithmetic.hpp
 #endif
 
-/// Bounds that keep all squares finite: a smaller limit counts as least_limit, a larger trial in units of the limit as largest_trial.
+/// Bounds that keep all squares finite: a smaller limit counts as least_limit, a longer trial in units of the limit as largest_trial.
 template <class Real>
 inline constexpr Real least_limit = sizeof(Real) == sizeof(double) ? Real(1e-125) : Real(1e-18);
 template <class Real>
@@ -67,7 +67,7 @@ inline constexpr Real largest_trial = sizeof(Real) == sizeof(double) ? Real(1e60
 /// The trial wrench in units of a limit. The ratio of stiffnesses is clamped to [1/steepest, steepest].
 template <class Real, class Number>
 [[nodiscard]] UnitTrial<Number> unit_trial(const CurveView<Real>& curve, const FrictionLimit<Number>& limit,
-                                           const FrictionTrial<Number>& trial, Number stiffness_ratio) noexcept {
+                                           const FrictionTrial<Number>& trial, const FrictionLimits<Number>& limits) noexcept {
   using namespace arithmetic;
   constexpr Real steepest = sizeof(Real) == sizeof(double) ? Real(1e40) : Real(1e9);
   const Number largest = Number(largest_trial<Real>);
@@ -75,9 +75,18 @@ template <class Real, class Number>
   const Number per_moment = Number(Real(1)) / larger(Number(least_limit<Real>), limit.force * limit.radius);
   const Number rounding = trial.force_rounding * per_force * Number(curve.inverse_force_max) +
                           trial.moment_rounding * per_moment * Number(curve.inverse_moment_max);
+  const Number most = Number((std::numeric_limits<Real>::max)());
+  Number force = smaller(abs(trial.force) * per_force, most);
+  Number moment = limits.has_torsion ? smaller(abs(trial.moment) * per_moment, most) : Number(Real(0));
+  const Number longer = larger(force, moment);
+  if (any(longer > largest)) {
+    const Number shortened = select(longer > largest, largest / longer, Number(Real(1)));
+    force = force * shortened;
+    moment = moment * shortened;
+  }
   // Rounding counts as the limit at most: a contact without friction must slip.
-  return {smaller(abs(trial.force) * per_force, largest), smaller(abs(trial.moment) * per_moment, largest),
-          smaller(larger(limit.radius * limit.radius * stiffness_ratio, Number(Real(1) / steepest)), Number(steepest)),
+  return {force, moment,
+          smaller(larger(limit.radius * limit.radius * limits.stiffness_ratio, Number(Real(1) / steepest)), Number(steepest)),
           Number(slip_onset<Real>) + smaller(rounding, Number(Real(1)))};
 }
 
@@ -201,7 +210,7 @@ template <class Real, class Number>
 
   FrictionLimit<Number> limit{select(was_sliding, limits.sliding.force, limits.sticking.force),
                               select(was_sliding, limits.sliding.radius, limits.sticking.radius)};
-  UnitTrial<Number> unit = unit_trial(curve, limit, trial, limits.stiffness_ratio);
+  UnitTrial<Number> unit = unit_trial(curve, limit, trial, limits);
   // Every limit curve is convex, so a trial within the chord between the intercepts sticks.
   const auto beyond_chord = !(unit.force * Number(curve.inverse_force_max) + unit.moment * Number(curve.inverse_moment_max) <= one);
   const Number nan = Number(std::numeric_limits<Real>::quiet_NaN());
@@ -216,7 +225,7 @@ template <class Real, class Number>
   if (any(begins && (limits.sliding.force < limits.sticking.force || limits.sliding.radius != limits.sticking.radius))) {
     // Slip begins: project on to the sliding limit.
     limit = {select(begins, limits.sliding.force, limit.force), select(begins, limits.sliding.radius, limit.radius)};
-    unit = unit_trial(curve, limit, trial, limits.stiffness_ratio);
+    unit = unit_trial(curve, limit, trial, limits);
     projected = project(curve, projection, limits, unit, last);
   }
 
@@ -229,9 +238,18 @@ template <class Real, class Number>
   Number cor = radius * (projected.slide / projected.spin);
   if (limits.has_torsion) {
     // Without a load the springs relax, whatever the projection: the slip is the whole trial deflection.
-    const Number largest = Number(largest_trial<Real>);
-    const auto relaxes = !(limit.force > Number(least_limit<Real>) && unit.force < largest && unit.moment < largest);
+    const Number half = Number(largest_trial<Real> / 2);
+    const auto relaxes = !(limit.force > Number(least_limit<Real>) && unit.force < half && unit.moment < half);
     cor = select(relaxes, abs(trial.force) / (abs(trial.moment) * limits.stiffness_ratio), cor);
+    if (any(relaxes && result.slips)) {
+      // The fractions are those of the shortened trial.
+      const auto of_trial = [&](Number fraction, Number length, Number whole, Number per) {
+        const auto is_shorter = relaxes && result.slips && whole > zero;
+        return select(is_shorter, kept_fraction(is_shorter, fraction * length / whole * per), fraction);
+      };
+      result.force_fraction = of_trial(result.force_fraction, unit.force, abs(trial.force), limit.force);
+      result.moment_fraction = of_trial(result.moment_fraction, unit.moment, abs(trial.moment), limit.force * limit.radius);
+    }
   }
   result.cor = select(result.slips, cor, nan);
   memory.force_slides = keeps_sliding(was_sliding, result.slips, stick_fraction, fraction_of_unit);

@@ -181,7 +181,7 @@ def questions():
             for pair in trials if usual else trials[3:5] + trials[-1:] if chi in (0.1, 76.823) else ():
                 yield "closest", law, (*pair, chi)
         if usual:
-            for pair in ((math.nan, 0.1), (0.1, math.nan), (math.inf, 0.1), (0.1, -math.inf), (1e-300, 0.0), (1e30, 1e30)):
+            for pair in ((math.nan, 0.1), (0.1, math.nan), (math.inf, 0.1), (0.1, -math.inf), (1e-300, 0.0), (1e30, 1e30), (1e300, 1e300)):
                 yield "closest", law, (*pair, 1.0)
             yield from (("closest", law, of) for of in ((2.0, 0.1, math.nan), (2e38, -2e38, 1e3)))
             for pair in ((0.0, 0.0), (math.nan, 0.0), (1.0, math.nan), (math.inf, 0.0), (1e-300, 0.0), (1e300, 0.0)):

@@ -161,20 +161,6 @@ def time_map(rows):
     return figure
 
 
-def time_block(rows):
-    figure, (axes,) = panels(rows, ["height"])
-    axes.set(title="Height of 10 g between two fingers of 2000 N/m, 1 kHz, undamped", xlabel="time [ms]", ylabel="[mm]", xlim=(0, 120), ylim=(-0.5, 0.1))
-    legend_below(figure, axes, 3)
-    return figure
-
-
-def time_release(rows):
-    figure, (axes,) = panels(rows, ["energy"])
-    axes.set(title="Energy of 10 g after the grip is let go from 10 N to 0.2 N in one step", xlabel="time [ms]", ylabel="of what there was", xlim=(0, 200), ylim=(0, 1.5))
-    legend_below(figure, axes, 3)
-    return figure
-
-
 def time_delay(rows):
     figure, (axes,) = frame(1)
     looks = {"no delay": (BLUE, "o"), "one sample late": (ORANGE, "^"), "two samples late": (VERMILION, "s")}
@@ -202,28 +188,6 @@ def time_passivity(rows):
     axes.set(title="Damping that a device needs: measured, against the formula", xlabel="$kT/2 + |b|$  [N s/m]", ylabel="measured [N s/m]", xscale="log", yscale="log")
     axes.minorticks_off()
     legend_below(figure, axes, 4)
-    return figure
-
-
-def time_encoder(rows):
-    figure, (axes,) = panels(rows, ["force"])
-    axes.set(title="Largest friction force / limit; encoder of 10 µm, 5 N s/m, a drag at 5 mm/s", xlabel="rate [Hz]", xscale="log", xlim=(100, 1e4), ylim=(0.9, 2.1))
-    axes.minorticks_off()
-    legend_below(figure, axes, 2)
-    return figure
-
-
-def geometry_plate(rows):
-    figure, (axes,) = panels(rows, ["force"])
-    axes.set(title="Force towards the finger's side, pressed into a plate of 1 mm (1000 N/m)", xlabel="depth [mm]", ylabel="[N]", xlim=(-0.2, 3), ylim=(-1, 3))
-    legend_below(figure, axes, 2)
-    return figure
-
-
-def geometry_vertex(rows):
-    figure, (axes,) = panels(rows, ["share"])
-    axes.set(title="Points about the tip of a pyramid taken for the other side", xlabel="angle of the tip [°]", ylabel="share", xlim=(10, 150), ylim=(-0.01, None))
-    legend_below(figure, axes, 2)
     return figure
 
 
@@ -256,13 +220,6 @@ def geometry_slivers(rows):
     return figure
 
 
-def geometry_normals(rows):
-    figure, (axes,) = panels(rows, ["normal"])
-    axes.set(title="Friction along the normal / µP, round a rod of eight edges", xlabel="angle [°]", xlim=(10, 80), ylim=(-0.7, 0.2))
-    legend_below(figure, axes, 2)
-    return figure
-
-
 def reality_rates(rows):
     figure, (force, error) = panels(rows, ["force", "error"])
     force.set(title="Largest friction / limit, scrubbing up to 0.25 m/s", xlabel="rate [Hz]", xscale="log", yscale="log", xlim=(100, 1e4), ylim=(0.5, 1e3))
@@ -270,20 +227,6 @@ def reality_rates(rows):
     for axes in (force, error):
         axes.minorticks_off()
     legend_below(figure, force, 2)
-    return figure
-
-
-def reality_clock(rows):
-    figure, (axes,) = panels(rows, ["load"])
-    axes.set(title="Damper's share of the load at a steady speed, 1 kHz ± 30 %", xlabel="time [ms]", ylabel="of b v", xlim=(0, 50), ylim=(0, 2))
-    legend_below(figure, axes, 2)
-    return figure
-
-
-def reality_samples(rows):
-    figure, (axes,) = panels(rows, ["load"])
-    axes.set(title="Load; one sample leaps, one is NaN, from 500 ms on there are none", xlabel="time [ms]", ylabel="[N]", xlim=(0, 1000), ylim=(0, 6.2))
-    legend_below(figure, axes, 2)
     return figure
 
 
@@ -297,16 +240,30 @@ def reality_plate(rows):
     return figure
 
 
-def reality_frozen(rows):
-    figure, (axes,) = panels(rows, ["force"])
-    axes.set(title="Friction / limit of a device that froze, and goes on 2 cm away", xlabel="samples", yscale="log", xlim=(-10, 30), ylim=(0.1, 100))
-    axes.minorticks_off()
-    legend_below(figure, axes, 2)
-    return figure
+def one_panel(panel, columns, **labels):
+    """A figure of one panel whose legend has so many columns."""
+    def figure_of(rows):
+        figure, (axes,) = panels(rows, [panel])
+        axes.set(**labels)
+        if "xscale" in labels or "yscale" in labels:
+            axes.minorticks_off()
+        legend_below(figure, axes, columns)
+        return figure
+    return figure_of
 
 
 FIGURES = {figure.__name__: figure for figure in (
     projection_quotients, projection_stiffness, projection_small, projection_growth, projection_newton, projection_corners, projection_order, projection_chatter, projection_collapse,
-    time_map, time_block, time_release, time_delay, time_passivity, time_encoder,
-    geometry_plate, geometry_vertex, geometry_broken, geometry_slivers, geometry_normals,
-    reality_rates, reality_clock, reality_samples, reality_plate, reality_frozen)}
+    time_map, time_delay, time_passivity,
+    geometry_broken, geometry_slivers,
+    reality_rates, reality_plate)} | {
+    "time_block": one_panel("height", 3, title="Height of 10 g between two fingers of 2000 N/m, 1 kHz, undamped", xlabel="time [ms]", ylabel="[mm]", xlim=(0, 120), ylim=(-0.5, 0.1)),
+    "time_release": one_panel("energy", 3, title="Energy of 10 g after the grip is let go from 10 N to 0.2 N in one step", xlabel="time [ms]", ylabel="of what there was", xlim=(0, 200), ylim=(0, 1.5)),
+    "time_encoder": one_panel("force", 2, title="Largest friction force / limit; encoder of 10 µm, 5 N s/m, a drag at 5 mm/s", xlabel="rate [Hz]", xscale="log", xlim=(100, 1e4), ylim=(0.9, 2.1)),
+    "geometry_plate": one_panel("force", 2, title="Force towards the finger's side, pressed into a plate of 1 mm (1000 N/m)", xlabel="depth [mm]", ylabel="[N]", xlim=(-0.2, 3), ylim=(-1, 3)),
+    "geometry_vertex": one_panel("share", 2, title="Points about the tip of a pyramid taken for the other side", xlabel="angle of the tip [°]", ylabel="share", xlim=(10, 150), ylim=(-0.01, None)),
+    "geometry_normals": one_panel("normal", 2, title="Friction along the normal / µP, round a rod of eight edges", xlabel="angle [°]", xlim=(10, 80), ylim=(-0.7, 0.2)),
+    "reality_clock": one_panel("load", 2, title="Damper's share of the load at a steady speed, 1 kHz ± 30 %", xlabel="time [ms]", ylabel="of b v", xlim=(0, 50), ylim=(0, 2)),
+    "reality_samples": one_panel("load", 2, title="Load; one sample leaps, one is NaN, from 500 ms on there are none", xlabel="time [ms]", ylabel="[N]", xlim=(0, 1000), ylim=(0, 6.2)),
+    "reality_frozen": one_panel("force", 2, title="Friction / limit of a device that froze, and goes on 2 cm away", xlabel="samples", yscale="log", xlim=(-10, 30), ylim=(0.1, 100)),
+}

@@ -94,9 +94,9 @@ template <class Real>
 std::optional<Numbers> of_finger_curve(const BasicFingerCurve<Real>& curve, const Question& question) {
   const Numbers& of = question.arguments;
   if (question.quantity != "closest") return of_curve(curve, question);
-  // What is not finite is the loop's business; a trial counts as at most largest_trial.
-  if (!(std::max(std::fabs(of[0]), std::fabs(of[1])) < double{largest_trial<Real>} && std::isfinite(of[0] + of[1] + of[2])))
-    return std::nullopt;
+  // What is not finite is the loop's business; a fraction of a longer trial underflows.
+  constexpr double longest = sizeof(Real) == sizeof(double) ? 1e300 : 1e30;
+  if (!(std::hypot(of[0], of[1]) <= 2.0 * longest && std::isfinite(of[2]))) return std::nullopt;
   const auto real = [](double value) { return static_cast<Real>(value); };
   const FrictionLimit<Real> limit{1, 1};
   FrictionMemory<Real> memory;

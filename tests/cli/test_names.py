@@ -50,8 +50,8 @@ def c_names():
 def python_names():
     sources = "".join(text("python", name) for name in ("fingers.cpp", "batches.cpp"))
     found = set(re.findall(r'(?:nb::arg|def_ro|def_prop_ro|add_view|\.def)\(\s*"(\w+)"', sources))
-    for signature in re.findall(r'"def \w+\((.*?)\) ->', re.sub(r'"\s*\n\s*"', "", sources)):
-        found |= set(re.findall(r"(\w+): ", signature))
+    for name, signature in re.findall(r'"def (\w+)\((.*?)\) ->', re.sub(r'"\s*\n\s*"', "", sources)):
+        found |= {name, *re.findall(r"(\w+): ", signature)}
     found |= set(re.findall(r'\{"(\w+)",\s*&FingerParameters', text("godobject", "finger", "finger_numbers.hpp"))) | {"radius_law", "projection"}
     for node in ast.parse(text("python", "limitcurve", "_tables.py")).body:
         if isinstance(node, ast.FunctionDef) and node.name in ("replay", "choose"):

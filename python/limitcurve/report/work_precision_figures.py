@@ -14,8 +14,6 @@ FAMILIES = {
     "box": (INK, "s", "-", False),
     "diamond": (INK, "D", "-", False),
     "ellipse": (INK, "o", "-", False),
-    "superellipse": (INK, "^", "-", False),
-    "quartic": (INK, "P", "-", False),
     "table": (BLUE, "o", "-", True),
     "large table": (BLUE, "s", (0, (1, 1)), True),
     "closed": (GREEN, "*", "-", False),
