@@ -5,11 +5,6 @@
 
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 
-#ifdef LIMITCURVE_BENCH_GSL
-#include <gsl/gsl_errno.h>
-#include <gsl/gsl_integration.h>
-#endif
-
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -96,55 +91,6 @@ class BoostNested {
   const PressureLaw* law_;
   double tolerance_;
 };
-
-#ifdef LIMITCURVE_BENCH_GSL
-/// The same by two nested QAGS rules of the GNU Scientific Library.
-class GslNested {
- public:
-  GslNested(const PressureLaw& law, double tolerance) : law_(&law), tolerance_(tolerance), inner_(make()), outer_(make()) {
-    gsl_set_error_handler_off();  // what does not converge to the tolerance returns its best
-  }
-
-  UnitWrench operator()(double s) const { return {integral(false, s), integral(true, s)}; }
-
- private:
-  static constexpr std::size_t intervals = 50;
-  using Workspace = std::shared_ptr<gsl_integration_workspace>;
-  static Workspace make() { return {gsl_integration_workspace_alloc(intervals), gsl_integration_workspace_free}; }
-
-  struct Place {
-    const GslNested* rule;
-    bool moment;
-    double s;
-    double radius;
-  };
-
-  static double over_angle(double angle, void* place) {
-    const auto& [rule, moment, s, radius] = *static_cast<const Place*>(place);
-    return printed_integrand(*rule->law_, moment, s, radius, angle);
-  }
-  static double over_radius(double radius, void* place) {
-    Place at = *static_cast<const Place*>(place);
-    at.radius = radius;
-    return at.rule->integrate({over_angle, &at}, 3.14159265358979323846, *at.rule->inner_);
-  }
-  [[nodiscard]] double integrate(gsl_function function, double to, gsl_integration_workspace& workspace) const {
-    double value = 0.0;
-    double error = 0.0;
-    gsl_integration_qags(&function, 0.0, to, tolerance_, tolerance_, intervals, &workspace, &value, &error);
-    return value;
-  }
-  [[nodiscard]] double integral(bool moment, double s) const {
-    Place place{this, moment, s, 0.0};
-    return integrate({over_radius, &place}, 1.0, *outer_);
-  }
-
-  const PressureLaw* law_;
-  double tolerance_;
-  Workspace inner_;
-  Workspace outer_;
-};
-#endif
 
 /// Hermite cubics over equal cells of the spin fraction with the exact curve's slopes, both components from one cell: the most obvious
 /// table. It has no error bound, and equal cells give a large error at the rim.

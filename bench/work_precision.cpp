@@ -126,11 +126,6 @@ void add_peers(const WrenchStudy& study) {
   for (const double tolerance : {1e-1, 1e-3, 1e-6, 1e-9, 1e-12}) {
     add_of_cor(study, "others", "Boost nested", format_number(tolerance), BoostNested(law, tolerance));
   }
-#ifdef LIMITCURVE_BENCH_GSL
-  for (const double tolerance : {1e-1, 1e-3, 1e-5, 1e-8, 1e-11}) {
-    add_of_cor(study, "others", "GSL nested", format_number(tolerance), GslNested(law, tolerance));
-  }
-#endif
 }
 
 /// Against tolerance^(−1/4), the argument.

@@ -26,11 +26,10 @@ FAMILIES = {
     "grid": (VERMILION, "s", (0, (4, 2)), True),
     "Boost split": (VERMILION, "^", (0, (1, 1)), True),
     "Boost nested": (VERMILION, "v", (0, (6, 1.5, 1, 1.5)), True),
-    "GSL nested": (VERMILION, "D", (0, (2.5, 1)), True),
     "scipy dblquad": (VERMILION, "P", (0, (1, 3)), True),
 }
 # Of these, which lie close, the first and the last dot are named.
-ENDS_NAMED = ("grid", "Boost split", "Boost nested", "GSL nested", "scipy dblquad")
+ENDS_NAMED = ("grid", "Boost split", "Boost nested", "scipy dblquad")
 LEGEND = {
     "table": "look-up table, its tolerance",
     "large table": "look-up table in 96 KiB, its tolerance",
@@ -42,7 +41,6 @@ LEGEND = {
     "grid": "N × N grid, N",
     "Boost split": "Boost, elliptic integrals, tolerance",
     "Boost nested": "Boost, nested, tolerance",
-    "GSL nested": "GSL, nested, tolerance",
     "scipy dblquad": "scipy dblquad, tolerance",
 }
 # What to take, and for what.
