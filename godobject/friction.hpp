@@ -58,7 +58,8 @@ struct FrictionResult {
 inline namespace LIMITCURVE_COPIES {  // arithmetic.hpp
 #endif
 
-/// Bounds that keep all squares finite: a smaller limit counts as least_limit, a longer trial in units of the limit as largest_trial.
+/// Bounds that keep all squares finite: a smaller limit counts as least_limit, and a trial that is longer in units of the limit is shortened to
+/// largest_trial, without a turn.
 template <class Real>
 inline constexpr Real least_limit = sizeof(Real) == sizeof(double) ? Real(1e-125) : Real(1e-18);
 template <class Real>
@@ -236,20 +237,18 @@ template <class Real, class Number>
   // a(0) may be 0: keep the COR of pure sliding infinite.
   const Number radius = larger(limit.radius, Number((std::numeric_limits<Real>::min)()));
   Number cor = radius * (projected.slide / projected.spin);
-  if (limits.has_torsion) {
-    // Without a load the springs relax, whatever the projection: the slip is the whole trial deflection.
-    const Number half = Number(largest_trial<Real> / 2);
-    const auto relaxes = !(limit.force > Number(least_limit<Real>) && unit.force < half && unit.moment < half);
-    cor = select(relaxes, abs(trial.force) / (abs(trial.moment) * limits.stiffness_ratio), cor);
-    if (any(relaxes && result.slips)) {
-      // The fractions are those of the shortened trial.
-      const auto of_trial = [&](Number fraction, Number length, Number whole, Number per) {
-        const auto is_shorter = relaxes && result.slips && whole > zero;
-        return select(is_shorter, kept_fraction(is_shorter, fraction * length / whole * per), fraction);
-      };
-      result.force_fraction = of_trial(result.force_fraction, unit.force, abs(trial.force), limit.force);
-      result.moment_fraction = of_trial(result.moment_fraction, unit.moment, abs(trial.moment), limit.force * limit.radius);
-    }
+  const Number half = Number(largest_trial<Real> / 2);
+  const auto is_far = !(limit.force > Number(least_limit<Real>) && unit.force < half && unit.moment < half);
+  // Without a load the springs relax, whatever the projection: the slip is the whole trial deflection.
+  if (limits.has_torsion) cor = select(is_far, abs(trial.force) / (abs(trial.moment) * limits.stiffness_ratio), cor);
+  if (any(is_far && result.slips)) {
+    // The fractions are those of the shortened trial.
+    const auto of_trial = [&](Number fraction, Number length, Number whole, Number per) {
+      const auto is_shorter = is_far && result.slips && whole > zero;
+      return select(is_shorter, kept_fraction(is_shorter, fraction * length / whole * per), fraction);
+    };
+    result.force_fraction = of_trial(result.force_fraction, unit.force, abs(trial.force), limit.force);
+    result.moment_fraction = of_trial(result.moment_fraction, unit.moment, abs(trial.moment), limit.force * limit.radius);
   }
   result.cor = select(result.slips, cor, nan);
   memory.force_slides = keeps_sliding(was_sliding, result.slips, stick_fraction, fraction_of_unit);

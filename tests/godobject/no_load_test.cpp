@@ -85,6 +85,30 @@ TEST(NoLoad, AComponentBelowTheSmallestNumberIsNone) {
   });
 }
 
+// From afar only the trial's direction counts: what friction keeps is on the limit, at every magnitude, with and without torsion.
+TEST(NoLoad, ATrialFromAfarKeepsWhatANearerOneDoes) {
+  for_each_curve_and_projection(hertz(), [&](const FingerCurve& curve, Projection projection, const std::string& kind) {
+    for (const bool has_torsion : {true, false}) {
+      FrictionLimits<double> limits{{2.0, 0.005}, {1.0, 0.005}, 25000.0};
+      limits.has_torsion = has_torsion;
+      const auto kept = [&](double scale, double lever) {
+        FrictionMemory<double> memory;
+        const FrictionTrial<double> trial{scale, -lever * scale};
+        const FrictionResult<double> result = apply_friction(curve.view(), projection, limits, trial, memory);
+        EXPECT_TRUE(result.slips) << kind;
+        return Eigen::Vector2d(trial.force * result.force_fraction, trial.moment * result.moment_fraction / 0.005);
+      };
+      for (const double lever : {0.0, 1e-3, 4e-3, 1.0}) {
+        const Eigen::Vector2d near = kept(1e30, lever);
+        EXPECT_TRUE((lever > 0.0 && has_torsion) || std::fabs(near.x() - 1.0) <= 1e-12) << kind << ' ' << lever;
+        for (const double scale : {1e59, 1e60, 1e61, 1e100, 1e200, 1e300}) {
+          EXPECT_LE((kept(scale, lever) - near).norm(), 1e-7) << kind << ' ' << lever << ' ' << scale << ' ' << has_torsion;
+        }
+      }
+    }
+  });
+}
+
 // A limit that is NaN keeps no friction, whatever the curve.
 TEST(NoLoad, ANaNKeepsNothing) {
 #ifdef NDEBUG
