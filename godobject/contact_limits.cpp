@@ -109,7 +109,7 @@ double ContactLimits::margin(const FingerCurve& curve, const FingerParameters& p
     const double force_fraction = wrench.force > 0.0 ? wrench.force / (acting(state.friction.force_slides).force * curve.force_max()) : 0.0;
     return std::clamp(1.0 - std::max(force_fraction, wrench.moment > 0.0 ? wrench.moment / moment_limit : 0.0), 0.0, 1.0);
   }
-  const UnitTrial<double> trial = unit_trial(curve.view(), acting(state.friction.force_slides), wrench, limits);
+  const UnitTrial<double> trial = unit_trial(curve.view(), acting(state.friction.force_slides), wrench, limits.stiffness_ratio);
   return std::clamp(1.0 - fraction_of_limit(curve.view(), limits.has_torsion, trial, 0.0), 0.0, 1.0);
 }
 

@@ -68,7 +68,7 @@ inline constexpr Real largest_trial = sizeof(Real) == sizeof(double) ? Real(1e60
 /// The trial wrench in units of a limit. The ratio of stiffnesses is clamped to [1/steepest, steepest].
 template <class Real, class Number>
 [[nodiscard]] UnitTrial<Number> unit_trial(const CurveView<Real>& curve, const FrictionLimit<Number>& limit,
-                                           const FrictionTrial<Number>& trial, const FrictionLimits<Number>& limits) noexcept {
+                                           const FrictionTrial<Number>& trial, Number stiffness_ratio) noexcept {
   using namespace arithmetic;
   constexpr Real steepest = sizeof(Real) == sizeof(double) ? Real(1e40) : Real(1e9);
   const Number largest = Number(largest_trial<Real>);
@@ -76,19 +76,28 @@ template <class Real, class Number>
   const Number per_moment = Number(Real(1)) / larger(Number(least_limit<Real>), limit.force * limit.radius);
   const Number rounding = trial.force_rounding * per_force * Number(curve.inverse_force_max) +
                           trial.moment_rounding * per_moment * Number(curve.inverse_moment_max);
-  const Number most = Number((std::numeric_limits<Real>::max)());
-  Number force = smaller(abs(trial.force) * per_force, most);
-  Number moment = limits.has_torsion ? smaller(abs(trial.moment) * per_moment, most) : Number(Real(0));
-  const Number longer = larger(force, moment);
-  if (any(longer > largest)) {
-    const Number shortened = select(longer > largest, largest / longer, Number(Real(1)));
-    force = force * shortened;
-    moment = moment * shortened;
-  }
   // Rounding counts as the limit at most: a contact without friction must slip.
-  return {force, moment,
-          smaller(larger(limit.radius * limit.radius * limits.stiffness_ratio, Number(Real(1) / steepest)), Number(steepest)),
+  return {smaller(abs(trial.force) * per_force, largest), smaller(abs(trial.moment) * per_moment, largest),
+          smaller(larger(limit.radius * limit.radius * stiffness_ratio, Number(Real(1) / steepest)), Number(steepest)),
           Number(slip_onset<Real>) + smaller(rounding, Number(Real(1)))};
+}
+
+/// Where a component reached largest_trial, the whole trial is shortened, so that its direction stays.
+template <class Real, class Number>
+void keep_direction(UnitTrial<Number>& unit, const FrictionLimit<Number>& limit, const FrictionTrial<Number>& trial,
+                    bool has_torsion) noexcept {
+  using namespace arithmetic;
+  const Number largest = Number(largest_trial<Real>);
+  const auto is_long = unit.force >= largest || unit.moment >= largest;
+  if (!any(is_long)) [[likely]]
+    return;
+  const Number most = Number((std::numeric_limits<Real>::max)());
+  const auto in_units = [&](Number part, Number of) { return smaller(abs(part) / larger(Number(least_limit<Real>), of), most); };
+  const Number force = in_units(trial.force, limit.force);
+  const Number moment = has_torsion ? in_units(trial.moment, limit.force * limit.radius) : Number(Real(0));
+  const Number shortened = largest / larger(largest, larger(force, moment));
+  unit.force = select(is_long, force * shortened, unit.force);
+  unit.moment = select(is_long, moment * shortened, unit.moment);
 }
 
 /// Projects the trial on to the limit curve.
@@ -211,7 +220,7 @@ template <class Real, class Number>
 
   FrictionLimit<Number> limit{select(was_sliding, limits.sliding.force, limits.sticking.force),
                               select(was_sliding, limits.sliding.radius, limits.sticking.radius)};
-  UnitTrial<Number> unit = unit_trial(curve, limit, trial, limits);
+  UnitTrial<Number> unit = unit_trial(curve, limit, trial, limits.stiffness_ratio);
   // Every limit curve is convex, so a trial within the chord between the intercepts sticks.
   const auto beyond_chord = !(unit.force * Number(curve.inverse_force_max) + unit.moment * Number(curve.inverse_moment_max) <= one);
   const Number nan = Number(std::numeric_limits<Real>::quiet_NaN());
@@ -221,12 +230,14 @@ template <class Real, class Number>
     memory = {keeps_sliding(was_sliding, beyond_chord, stick_fraction, fraction_of_unit), memory.moment_slides, zero, zero};
     return {beyond_chord, one, limits.has_torsion ? one : zero, nan};
   }
+  keep_direction<Real>(unit, limit, trial, limits.has_torsion);
   Projected<Number> projected = project(curve, projection, limits, unit, last);
   const auto begins = !was_sliding && beyond_chord && projected.outside;
   if (any(begins && (limits.sliding.force < limits.sticking.force || limits.sliding.radius != limits.sticking.radius))) {
     // Slip begins: project on to the sliding limit.
     limit = {select(begins, limits.sliding.force, limit.force), select(begins, limits.sliding.radius, limit.radius)};
-    unit = unit_trial(curve, limit, trial, limits);
+    unit = unit_trial(curve, limit, trial, limits.stiffness_ratio);
+    keep_direction<Real>(unit, limit, trial, limits.has_torsion);
     projected = project(curve, projection, limits, unit, last);
   }
 
