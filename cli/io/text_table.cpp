@@ -71,8 +71,10 @@ std::string aligned(const std::vector<std::string>& names, const std::vector<Tab
   for (std::size_t line = 0; with_names && line < head_lines; ++line) {
     for (std::size_t i = 0; i < count; ++i) put(i, line < heads[i].size() ? heads[i][line] : "", 0);
   }
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    put(i % count, cells[i].text, cells[i].is_number ? widths[i % count].before_point - point_of(cells[i].text) : 0);
+  std::size_t column = 0;
+  for (const TableCell& cell : cells) {
+    put(column, cell.text, cell.is_number ? widths[column].before_point - point_of(cell.text) : 0);
+    if (++column == count) column = 0;
   }
   return text;
 }

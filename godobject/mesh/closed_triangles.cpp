@@ -41,8 +41,6 @@ class Closing {
   }
 
  private:
-  static std::size_t index(int value) { return static_cast<std::size_t>(value); }
-
   using Parts = std::initializer_list<std::string_view>;
 
   /// Throws; of several bodies it names one that may load alone: another than the face's.

@@ -21,10 +21,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-std::size_t index(int value) {
-  return static_cast<std::size_t>(value);
-}
-
 class Mending {
  public:
   explicit Mending(const TriangleList& triangles) : given_(triangles) {}

@@ -10,6 +10,11 @@
 
 namespace limitcurve::godobject {
 
+/// The number of a vertex, a face or a side, from 0, as an index.
+inline std::size_t index(int number) noexcept {
+  return static_cast<std::size_t>(number);
+}
+
 /// Repairs of a list of triangles. Only faults with a unique repair are repaired.
 struct MeshRepairs {
   int welded = 0;   ///< vertices at the grid point of another, merged with it, as in every STL

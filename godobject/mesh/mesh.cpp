@@ -15,10 +15,6 @@ using Eigen::Vector3d;
 
 namespace {
 
-std::size_t index(int value) {
-  return static_cast<std::size_t>(value);
-}
-
 /// The part of a segment within |x|, |y|, |z| ≤ bound; false if there is none.
 bool clip(Vector3d& from, Vector3d& to, double bound) noexcept {
   if ((from.cwiseAbs().array() <= bound).all() && (to.cwiseAbs().array() <= bound).all()) return true;

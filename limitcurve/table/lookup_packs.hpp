@@ -27,10 +27,10 @@ template <class Isa>
 using Places = std::make_index_sequence<Pack<double, Isa>::size>;
 
 template <class Isa>
-[[gnu::flatten]] std::size_t gauges_in_packs(const CurveView<double>& view, const UnitWrench* wrenches, double* gauges,
+[[gnu::flatten]] std::size_t gauges_in_packs(const CurveView<double>& curve, const UnitWrench* wrenches, double* gauges,
                                              std::size_t count) noexcept {
   using Number = Pack<double, Isa>;
-  const CurveView<double> curve = view;
+  const CurveView<double> own = curve;
   std::size_t i = 0;
   for (; i + Number::size <= count; i += Number::size) {
     const auto given = unzip<Isa>(&wrenches[i].force, Places<Isa>());
@@ -40,7 +40,7 @@ template <class Isa>
     const Number f = force / size;
     const Number m = moment / size;
     Number length;
-    static_cast<void>(point_on_ray(curve, f, m, Number(0.0), length));
+    static_cast<void>(point_on_ray(own, f, m, Number(0.0), length));
     const Number sum = force + moment;
     const auto is_usual = sum > Number(0.0) && sum <= Number(std::numeric_limits<double>::max());
     const Number gauge = select(is_usual, sum / (f / length + m / length), sum);
