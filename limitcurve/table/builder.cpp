@@ -351,19 +351,14 @@ std::optional<BasicTable<Real>> build(const Source& source, double tolerance, st
     if (is_new) place->second = source.at(outside, x);
     return place->second;
   };
-  // A step of a search takes as long as eight degrees: the first without a search is the fastest, else the one with the shortest search.
-  std::optional<BasicTable<Real>> best;
-  for (const bool splits_buckets : {false, true}) {
-    for (int degree = TablePieces<Real>::least_degree; degree <= TablePieces<Real>::most_degree; ++degree) {
-      auto table = build_of_degree<Real>(remembered, tolerance, degree, std::min(bytes, most), splits_buckets);
-      if (table && (!best || table->pieces().halvings < best->pieces().halvings)) best = std::move(table);
-      if (best && !splits_buckets) return best;
-    }
+  for (int degree = TablePieces<Real>::least_degree; degree < TablePieces<Real>::most_degree; ++degree) {
+    if (auto table = build_of_degree<Real>(remembered, tolerance, degree, std::min(bytes, most), false)) return table;
   }
+  // A step of a search takes as long as eight degrees.
   for (const bool splits_buckets : {false, true}) {
-    if (!best) best = build_of_degree<Real>(remembered, tolerance, TablePieces<Real>::most_degree, most, splits_buckets);
+    if (auto table = build_of_degree<Real>(remembered, tolerance, TablePieces<Real>::most_degree, most, splits_buckets)) return table;
   }
-  return best;
+  return std::nullopt;
 }
 
 template <class Real>
