@@ -19,7 +19,8 @@ LONG = {
     "fit": "lc.fit('law', data)",
 }
 PREPARED = """
-import limitcurve as lc, numpy as np
+import signal, limitcurve as lc, numpy as np
+signal.signal(signal.SIGINT, signal.default_int_handler)  # which a shell's background job ignores
 load = np.linspace(0.5, 5, 200_000)
 data = dict(load=load, force=0.6 * load, moment=1e-4 * load)
 print("ready", flush=True)
