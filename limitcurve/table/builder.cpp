@@ -354,9 +354,11 @@ std::optional<BasicTable<Real>> build(const Source& source, double tolerance, st
   for (int degree = TablePieces<Real>::least_degree; degree < TablePieces<Real>::most_degree; ++degree) {
     if (auto table = build_of_degree<Real>(remembered, tolerance, degree, std::min(bytes, most), false)) return table;
   }
-  // A step of a search takes as long as eight degrees.
+  // A step of a search takes as long as eight degrees. Where the highest degree meets rounding, a lower one may do.
   for (const bool splits_buckets : {false, true}) {
-    if (auto table = build_of_degree<Real>(remembered, tolerance, TablePieces<Real>::most_degree, most, splits_buckets)) return table;
+    for (int degree = TablePieces<Real>::most_degree; degree >= TablePieces<Real>::least_degree; --degree) {
+      if (auto table = build_of_degree<Real>(remembered, tolerance, degree, most, splits_buckets)) return table;
+    }
   }
   return std::nullopt;
 }
