@@ -47,8 +47,9 @@ struct TableCells {
 /// How to build a table.
 struct TableOptions {
   std::string name = {};  ///< becomes law_name(); if empty, that of the law
-  /// The fastest table with at most so many bytes(): D has the lowest degree, 3 to 5, that needs no search of a cell; 6, of any size, if none
-  /// fits. A look-up takes about 0.5 ns more for each degree, and 4 ns for each step of a search, if no table can do without.
+  /// The fastest table with at most so many bytes(): D has the lowest degree, 3 to 5, that needs no search of a cell. If none fits, a table
+  /// of degree 6 and any size; or 3 where 6 meets rounding. A look-up takes about 0.5 ns more for each degree, and 4 ns for each step of a
+  /// search, if no table can do without.
   std::size_t bytes = 4096;
 };
 

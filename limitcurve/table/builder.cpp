@@ -351,14 +351,14 @@ std::optional<BasicTable<Real>> build(const Source& source, double tolerance, st
     if (is_new) place->second = source.at(outside, x);
     return place->second;
   };
-  for (int degree = TablePieces<Real>::least_degree; degree < TablePieces<Real>::most_degree; ++degree) {
+  constexpr int highest = TablePieces<Real>::most_degree;
+  for (int degree = TablePieces<Real>::least_degree; degree < highest; ++degree) {
     if (auto table = build_of_degree<Real>(remembered, tolerance, degree, std::min(bytes, most), false)) return table;
   }
-  // A step of a search takes as long as eight degrees. Where the highest degree meets rounding, a lower one may do.
-  for (const bool splits_buckets : {false, true}) {
-    for (int degree = TablePieces<Real>::most_degree; degree >= TablePieces<Real>::least_degree; --degree) {
-      if (auto table = build_of_degree<Real>(remembered, tolerance, degree, most, splits_buckets)) return table;
-    }
+  if (auto table = build_of_degree<Real>(remembered, tolerance, highest, most, false)) return table;
+  // A step of a search takes as long as eight degrees. Where the highest degree meets rounding, the lowest may do.
+  for (const int degree : {highest, TablePieces<Real>::least_degree}) {
+    if (auto table = build_of_degree<Real>(remembered, tolerance, degree, most, true)) return table;
   }
   return std::nullopt;
 }
