@@ -50,16 +50,15 @@ void step_contacts(const Shared<Real>& shared, const BasicContactBatch<Real>& co
   const Number zero = Number(Real(0));
   const auto read = [i, zero](auto array) { return load(array.data() + i, zero); };
   const auto is_at = [i, zero](auto states, ContactState wanted) { return has_state(states.data() + i, wanted, zero); };
-  const Number given_x = read(contacts.x);
-  const Number given_y = read(contacts.y);
-  const Number given_angle = read(contacts.twist);
-  const Number given_depth = read(contacts.depth);
-  const auto is_usable = is_plausible<Real>(given_x * given_x + given_y * given_y + given_depth * given_depth + given_angle * given_angle);
-  // What is not usable is stepped at 0, so that no NaN enters friction, and not written.
-  const Number x = select(is_usable, given_x, zero);
-  const Number y = select(is_usable, given_y, zero);
-  const Number goal_angle = select(is_usable, given_angle, zero);
-  const Number depth = select(is_usable, given_depth, zero);
+  Number x = read(contacts.x);
+  Number y = read(contacts.y);
+  Number goal_angle = read(contacts.twist);
+  Number depth = read(contacts.depth);
+  const auto is_usable = is_plausible<Real>(x * x + y * y + depth * depth + goal_angle * goal_angle);
+  if (any(!is_usable)) {
+    // What is not usable is stepped at 0, so that no NaN enters friction, and not written.
+    for (Number* const number : {&x, &y, &goal_angle, &depth}) *number = select(is_usable, *number, zero);
+  }
   const auto touches = is_usable && depth > zero;
   auto was_in_contact = !is_at(contacts.state, ContactState::free);
   // After a fault the memory knows.
