@@ -21,8 +21,8 @@ void UnitQuestions::load(double load) {
 }
 
 void UnitQuestions::wrench(double force, double moment) {
-  constexpr double largest = 0.2;  // [N m], and the arm [m]
-  if (std::fabs(moment) <= largest || !(std::fabs(moment) > largest * std::fabs(force))) return;
+  constexpr double large = 0.2;  // [N m], and the arm [m]
+  if (std::fabs(moment) <= large || !(std::fabs(moment) > large * std::fabs(force))) return;
   note(wrenches_, [&] {
     return "a moment of " + format_number(moment, 6) + " N m beside a force of " + format_number(force, 6) + " N: are they in N m and N?";
   });
