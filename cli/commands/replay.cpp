@@ -33,13 +33,13 @@ using godobject::Projection;
 using godobject::SceneContact;
 
 /// A column of a finger: its name, and its text where --help has one.
-struct Column {
+struct FingerColumn {
   std::string_view name;
   double (*of)(const SceneContact&);
   std::string_view text = {};
 };
 
-constexpr std::array plane_columns = std::to_array<Column>({
+constexpr std::array plane_columns = std::to_array<FingerColumn>({
     {"px", [](const SceneContact& contact) { return contact.proxy.x(); }},
     {"py", [](const SceneContact& contact) { return contact.proxy.y(); }},
     {"angle", [](const SceneContact& contact) { return contact.angle; }},
@@ -50,14 +50,14 @@ constexpr std::array plane_columns = std::to_array<Column>({
     {"moment", [](const SceneContact& contact) { return contact.moment; }},
     {"cor", [](const SceneContact& contact) { return contact.cor; }},
 });
-constexpr std::array space_columns = std::to_array<Column>({
+constexpr std::array space_columns = std::to_array<FingerColumn>({
     {"pz", [](const SceneContact& contact) { return contact.proxy.z(); }},
     {"fz", [](const SceneContact& contact) { return contact.force.z(); }},
     {"nx", [](const SceneContact& contact) { return contact.normal.x(); }},
     {"ny", [](const SceneContact& contact) { return contact.normal.y(); }},
     {"nz", [](const SceneContact& contact) { return contact.normal.z(); }},
 });
-constexpr std::array detail_columns = std::to_array<Column>({
+constexpr std::array detail_columns = std::to_array<FingerColumn>({
     {"margin", [](const SceneContact& contact) { return contact.margin; }, "margin to slip [1]: 1 without friction, 0 slips"},
     {"hold_load", [](const SceneContact& contact) { return contact.load_to_hold; }, "least load that would hold the friction [N]"},
     {"corx", [](const SceneContact& contact) { return contact.centre_of_rotation.x(); }, "the slip's centre of rotation [m]"},
@@ -67,8 +67,8 @@ constexpr std::array detail_columns = std::to_array<Column>({
 });
 
 /// The groups of columns of one finger.
-std::vector<std::span<const Column>> columns_of_finger(bool in_space, bool details) {
-  std::vector<std::span<const Column>> groups{plane_columns};
+std::vector<std::span<const FingerColumn>> columns_of_finger(bool in_space, bool details) {
+  std::vector<std::span<const FingerColumn>> groups{plane_columns};
   if (in_space) groups.emplace_back(space_columns);
   if (details) groups.emplace_back(detail_columns);
   return groups;
@@ -77,7 +77,7 @@ std::vector<std::span<const Column>> columns_of_finger(bool in_space, bool detai
 /// What --details adds, as in --help.
 std::string details_text() {
   std::string text;
-  for (const Column& column : detail_columns) {
+  for (const FingerColumn& column : detail_columns) {
     text.append(text.empty() ? "" : column.text.empty() ? "," : "; ").append(column.name);
     if (!column.text.empty()) text.append(" (").append(column.text).append(")");
   }
@@ -239,7 +239,7 @@ class Replay final : public Subcommand {
     }
   }
 
-  void run_replay(const Results& results, const std::vector<std::span<const Column>>& columns) const {
+  void run_replay(const Results& results, const std::vector<std::span<const FingerColumn>>& columns) const {
     TraceReader trace(trace_, fingers_, replay_.motion == BodyMotion::prescribed, columns_);
     note_missing_twists(*results.messages, trace);
     results.messages->say(surface_.notes);
@@ -258,7 +258,7 @@ class Replay final : public Subcommand {
       const std::string suffix = i == 0 ? "" : std::to_string(i + 1);
       names.push_back("state" + suffix);
       for (const auto group : columns)
-        for (const Column& column : group) names.push_back(std::string(column.name) + suffix);
+        for (const FingerColumn& column : group) names.push_back(std::string(column.name) + suffix);
     }
     if (is_free) names.insert(names.end(), {"bx", "by", "bz", "bqw", "bqx", "bqy", "bqz"});
     Rows rows(results, names);
@@ -284,7 +284,7 @@ class Replay final : public Subcommand {
         for (const SceneContact& contact : replay.contacts()) {
           cell(godobject::to_string(contact.state));
           for (const auto group : columns)
-            for (const Column& column : group) cell(column.of(contact));
+            for (const FingerColumn& column : group) cell(column.of(contact));
           if (contact.fault != godobject::Fault::none && refused[contact.fault].count++ == 0) refused[contact.fault].since = trace.time();
           if (contact.load > 0.0) loads = {std::min(loads[0], contact.load), std::max(loads[1], contact.load)};
         }
