@@ -47,11 +47,11 @@ inline void add(TriangleList& list, const TriangleList& other, const Eigen::Vect
 template <class Change>
 TriangleList divided(const TriangleList& list, int n, double power, Change&& change, bool mirrors = false) {
   TriangleList result;
-  for (const auto& [a, b, c] : list.faces) {
+  for (const auto& face : list.faces) {
     const auto place = [&](int i, int j) {
       const Eigen::Vector3d share = Eigen::Array3d(n - i - j, i, j).pow(power);
-      const auto at = [&](int vertex) { return list.vertices[static_cast<std::size_t>(vertex)]; };
-      result.vertices.push_back(change((at(a) * share[0] + at(b) * share[1] + at(c) * share[2]) / share.sum()));
+      const auto at = [&](std::size_t corner) { return list.vertices[static_cast<std::size_t>(face.at(corner))]; };
+      result.vertices.push_back(change((at(0) * share[0] + at(1) * share[1] + at(2) * share[2]) / share.sum()));
       return static_cast<int>(result.vertices.size()) - 1;
     };
     const auto add = [&](int one, int two, int three) {
