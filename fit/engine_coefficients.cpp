@@ -125,7 +125,7 @@ const Formula* find_formula(std::string_view text) {
 }
 
 std::string with_use(const Formula* formula, const std::string& note) {
-  std::string result(formula == nullptr ? "" : formula->use);
+  std::string result(formula == nullptr || note.starts_with("times") ? "" : formula->use);
   if (!result.empty() && !note.empty()) result += "; ";
   return result + note;
 }

@@ -136,7 +136,7 @@ void Rows::finish() {
   if (results_.columns != nullptr) return;
   if (results_.format == Format::table) {
     write_table();
-    for (std::size_t i = 0; i < remarks_.size(); ++i) results_.output.write("[" + std::to_string(i + 1) + "] " + remarks_[i] + "\n");
+    for (std::size_t i = 0; i < remarks_.size(); ++i) results_.output.write('[' + std::to_string(i + 1) + "] " + remarks_[i] + "\n");
   }
   if (results_.format == Format::json) results_.output.write(first_row_ ? "]\n" : "\n]\n");
   results_.output.flush();

@@ -66,7 +66,7 @@ std::string aligned(const std::vector<std::string>& names, const std::vector<Tab
   std::string text;
   const auto put = [&](std::size_t column, const std::string& cell, std::size_t indent) {
     text += std::string(indent, ' ') + cell + std::string(widths[column].total() + gap - indent - letters(cell), ' ');
-    if (column + 1 == count) text.replace(text.find_last_not_of(' ') + 1, std::string::npos, "\n");
+    if (column + 1 == count) text.erase(text.find_last_not_of(' ') + 1) += '\n';
   };
   for (std::size_t line = 0; with_names && line < head_lines; ++line) {
     for (std::size_t i = 0; i < count; ++i) put(i, line < heads[i].size() ? heads[i][line] : "", 0);

@@ -46,7 +46,8 @@ class Translate(CommandLineTest):
                 self.assertTrue(row["two_bodies"], row)
         notes = {(row["engine"], row["parameter"]): row["note"] for row in rows(*self.CONTACT)}
         self.assertIn("times mu and load", notes["physx", "PxShape.minTorsionalPatchRadius"])
-        self.assertIn("times f and load", notes["bullet", "setSpinningFriction"])
+        self.assertIn("times f and load: the moment's limit", notes["bullet", "setSpinningFriction"])
+        self.assertNotIn("force", notes["gazebo", "surface/friction/torsional/coefficient"])
 
     def test_the_files_of_facts_agree(self):
         """Names in one file are known in the others, and each name means one thing."""

@@ -121,7 +121,7 @@ void expect_certified(double finest) {
     const Law law = draw.law();
     const Exact exact = [&](SlipTwist twist) {
       if (own) return curve.wrench(twist);
-      if (tolerance > 1e-10) return law->evaluate(twist.cor(), Method::automatic).wrench;
+      if (tolerance > 1e-10 || twist.spin == 0.0) return law->evaluate(twist.cor(), Method::automatic).wrench;
       const auto forces = law->unrounded(Extended(twist.slide) / twist.spin, Slope::unwanted).forces;
       return UnitWrench{static_cast<double>(forces.force), static_cast<double>(forces.moment)};
     };
