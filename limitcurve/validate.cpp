@@ -160,7 +160,7 @@ Ellipse inner_ellipse(const WrenchOfTwist& exact, UnitWrench intercepts) {
       least = std::min(least, square);
       largest = std::max(largest, square);
     }
-    return largest / least;
+    return least > 0.0 ? largest / least : inf;
   };
   constexpr int bits = 40;
   const double spin_share = boost::math::tools::brent_find_minima(spread, 0.0, 1.0, bits).first;

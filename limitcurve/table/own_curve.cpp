@@ -20,7 +20,7 @@ struct Place {
 
   [[nodiscard]] SlipTwist twist() const { return SlipTwist::of_spin_fraction(u); }
   [[nodiscard]] double work(const UnitWrench& other) const { return twist().slide * other.force + twist().spin * other.moment; }
-  [[nodiscard]] std::string text() const { return "at c/a = " + format_number((1.0 - u) / u, 3); }
+  [[nodiscard]] std::string text() const { return "at c/a = " + format_number(twist().cor(), 3); }
 };
 
 double distance(const UnitWrench& one, const UnitWrench& other) {
