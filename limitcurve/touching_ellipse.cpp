@@ -30,8 +30,8 @@ TouchingEllipse touching_ellipse(const Table& curve, SlipTwist slip) noexcept {
   const auto [slide, spin] = slip.magnitudes();
   const bool outside = slide > spin;
   const double larger = outside ? slide : spin;
-  const double x = (outside ? spin : slide) / larger;
-  return larger > 0.0 && x >= 0.0 ? touching_at(curve, outside, x) : without_direction(curve, slide + spin);
+  const double x = larger > 0.0 ? (outside ? spin : slide) / larger : std::numeric_limits<double>::quiet_NaN();
+  return x >= 0.0 ? touching_at(curve, outside, x) : without_direction(curve, slide + spin);
 }
 
 TouchingEllipse touching_ellipse(const Table& curve, double force, double moment, double p, double q) noexcept {

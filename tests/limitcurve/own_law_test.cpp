@@ -178,7 +178,7 @@ TEST(OwnLaw, WithoutASensiblePressureIsRefused) {
 TEST(OwnLaw, ThatComputesItsRimFromTheRadiusSaysWhatItLost) {
   const Discs punch{"", flat_punch(), {1.0}, {1.0}};
   for (const Extended soft : {0.0L, 1e-24L, 1e-12L}) {
-    const auto pressure = [soft](Extended rho) { return 0.5L / std::sqrt((1 - rho * rho) + soft); };
+    const auto pressure = [soft](Extended rho) { return 0.5L * std::pow((1 - rho * rho) + soft, -0.5L); };
     const Law law = std::make_shared<FunctionLaw>("softened by " + std::to_string(soft), pressure, std::vector<Extended>{0, 1});
     for (const double s : cors) {
       const WrenchEstimate found = law->evaluate(s);
