@@ -163,7 +163,7 @@ class Validate final : public Subcommand {
         const RadialPoint on_curve = exact.along(wrench);
         const double cor = radius * on_curve.normal.cor();
         if (has_cor && point.cor != cor) {
-          const double apart = std::fabs(point.cor / cor - 1.0);
+          const double apart = cor == 0.0 ? infinite : std::fabs(point.cor / cor - 1.0);
           error.max_cor_error = std::max(error.max_cor_error, std::isnan(apart) ? infinite : apart);
         }
         return gauge_from(wrench, on_curve.wrench);

@@ -167,7 +167,7 @@ struct Patch::Direction {
     if (std::isnan(wrench.fx) || std::isnan(wrench.fy) || std::isnan(wrench.moment)) return;
     w = {wrench.fx / patch.mx_, wrench.fy / patch.my_, wrench.moment == 0.0 ? 0.0 : wrench.moment / patch.moment_ratio_};
     size = std::hypot(std::hypot(w.x, w.y), w.z);
-    if (size > 0.0) w = w * (1.0 / size);
+    w = w * (1.0 / size);
   }
   /// The wrench that a twist needs.
   [[nodiscard]] Vector operator()(const Vector& twist) const noexcept {
