@@ -151,7 +151,7 @@ TEST(OwnLaw, WithoutASensiblePressureIsRefused) {
       {"infinite", [](Extended) { return std::numeric_limits<Extended>::infinity(); }},
       {"huge", [](Extended) { return std::numeric_limits<Extended>::max(); }},
       {"negative in a ring", [](Extended rho) { return rho > 0.5L && rho < 0.6L ? -1 : 1; }},
-      {"infinite load", [](Extended rho) { return 1 / (1 - rho * rho); }},
+      {"infinite load", [](Extended rho) { return std::pow(1 - rho * rho, -1); }},
       {"noise", [](Extended rho) { return std::sin(1e9L * rho) > 0 ? 2 : 0; }},
   };
   for (const auto& [name, pressure] : pressures) {
