@@ -3,6 +3,7 @@
 
 #include "cli/commands/fit_friction.hpp"
 #include "cli/commands/subcommands.hpp"
+#include "cli/io/descriptor.hpp"
 #include "cli/io/patch_argument.hpp"
 #include "cli/io/slip_samples.hpp"
 #include "cli/io/unit_questions.hpp"
@@ -11,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -208,7 +208,7 @@ class Fit final : public Subcommand {
     if (!of_load) add("mu", "mu", format_number(estimates[0].value, digits));
     add("mu-r", "mu_r", format_number(estimates[of_load ? 0 : 1].value, digits));
     if (gamma != 0.0) add("gamma", "gamma", growth);
-    if (!of_load && (!law.empty() || found.model == "ellipse") && std::filesystem::exists(data_)) {
+    if (!of_load && (!law.empty() || found.model == "ellipse") && std::filesystem::exists(descriptor::path_of(data_))) {
       say("note",
           "to type, for the load that would hold each row: limitcurve hold" + options + " --data '" + data_ + "'" + file_columns_.options);
     }

@@ -49,7 +49,7 @@ std::string joined(const std::vector<std::string>& names, std::size_t count) {
 int open_to_read(const std::string& file) {
   if (file == "-") return descriptor::standard_input;
   std::error_code unknown;
-  if (std::filesystem::is_directory(file, unknown))
+  if (std::filesystem::is_directory(descriptor::path_of(file), unknown))
     throw std::invalid_argument("cannot read '" + file + "': a directory, expected a CSV file");
   const int opened = descriptor::open_to_read(file);
   if (opened < 0) throw std::invalid_argument(system_complaint("read", file));
@@ -59,7 +59,8 @@ int open_to_read(const std::string& file) {
 /// In bytes; 0 if unknown, as for standard input or a pipe.
 std::uintmax_t size_of(const std::string& file) {
   std::error_code unknown;
-  return file != "-" && std::filesystem::is_regular_file(file, unknown) ? std::filesystem::file_size(file, unknown) : 0;
+  const std::filesystem::path path = descriptor::path_of(file);
+  return file != "-" && std::filesystem::is_regular_file(path, unknown) ? std::filesystem::file_size(path, unknown) : 0;
 }
 
 /// The beginning of a text, made printable, for an error message.

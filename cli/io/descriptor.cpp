@@ -37,16 +37,6 @@ int create(const std::filesystem::path& path, int) noexcept {
   return ::_wopen(path.c_str(), _O_WRONLY | _O_CREAT | _O_EXCL | _O_BINARY | _O_NOINHERIT, _S_IREAD | _S_IWRITE);
 }
 
-int create_nameless(const std::filesystem::path&, int) noexcept {
-  errno = ENOSYS;
-  return -1;
-}
-
-int give_name(int, const std::filesystem::path&) noexcept {
-  errno = ENOSYS;
-  return -1;
-}
-
 std::ptrdiff_t read(int file, char* to, std::size_t size) noexcept {
   return ::_read(file, to, static_cast<unsigned>(std::min<std::size_t>(size, INT_MAX)));
 }
@@ -92,36 +82,6 @@ int create(const std::filesystem::path& path, int mode) noexcept {
   return ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
 }
 
-namespace {
-
-/// The path in /proc through which a nameless file gets its name.
-std::string place_of(int file) {
-  return "/proc/self/fd/" + std::to_string(file);
-}
-
-}  // namespace
-
-#ifdef O_TMPFILE
-
-int create_nameless(const std::filesystem::path& path, int mode) noexcept {
-  if (::access("/proc/self/fd", F_OK) != 0) return -1;
-  const std::filesystem::path directory = path.parent_path();
-  return ::open(directory.empty() ? "." : directory.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, mode);
-}
-
-#else
-
-int create_nameless(const std::filesystem::path&, int) noexcept {
-  errno = ENOSYS;
-  return -1;
-}
-
-#endif
-
-int give_name(int file, const std::filesystem::path& path) noexcept {
-  return ::linkat(AT_FDCWD, place_of(file).c_str(), AT_FDCWD, path.c_str(), AT_SYMLINK_FOLLOW);
-}
-
 std::ptrdiff_t read(int file, char* to, std::size_t size) noexcept {
   return ::read(file, to, size);
 }
@@ -144,6 +104,33 @@ void prepare_standard_streams() noexcept {
 
 bool is_terminal(int file) noexcept {
   return ::isatty(file) == 1;
+}
+
+#endif
+
+#ifdef O_TMPFILE
+
+int create_nameless(const std::filesystem::path& path, int mode) noexcept {
+  if (::access("/proc/self/fd", F_OK) != 0) return -1;
+  const std::filesystem::path directory = path.parent_path();
+  return ::open(directory.empty() ? "." : directory.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, mode);
+}
+
+int give_name(int file, const std::filesystem::path& path) noexcept {
+  const std::string place = "/proc/self/fd/" + std::to_string(file);
+  return ::linkat(AT_FDCWD, place.c_str(), AT_FDCWD, path.c_str(), AT_SYMLINK_FOLLOW);
+}
+
+#else
+
+int create_nameless(const std::filesystem::path&, int) noexcept {
+  errno = ENOSYS;
+  return -1;
+}
+
+int give_name(int, const std::filesystem::path&) noexcept {
+  errno = ENOSYS;
+  return -1;
 }
 
 #endif

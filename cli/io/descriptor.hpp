@@ -12,6 +12,11 @@ inline constexpr int standard_input = 0;
 inline constexpr int standard_output = 1;
 inline constexpr int standard_error = 2;
 
+/// The path of a name from the command line. On Windows both are UTF-8; the run time of GCC would take the bytes of a string for Latin-1.
+inline std::filesystem::path path_of(const std::string& name) {
+  return std::u8string(name.begin(), name.end());
+}
+
 int open_to_read(const std::string& file) noexcept;
 /// Opens a file that exists; waits for the reader of a named pipe.
 int open_to_write(const std::filesystem::path& path) noexcept;

@@ -8,6 +8,7 @@
 #include <random>
 #include <stdexcept>
 #include <system_error>
+#include <utility>
 
 namespace limitcurve::cli {
 
@@ -60,8 +61,8 @@ std::filesystem::path target_of(std::filesystem::path path) {
 
 }  // namespace
 
-AtomicFile::AtomicFile(const std::filesystem::path& path)
-    : name_(path.string()), target_(path), descriptor_(open()), output_(descriptor_, name_) {}
+AtomicFile::AtomicFile(std::string name)
+    : name_(std::move(name)), target_(descriptor::path_of(name_)), descriptor_(open()), output_(descriptor_, name_) {}
 
 int AtomicFile::open() {
   const int existing = descriptor::open_to_write(target_);

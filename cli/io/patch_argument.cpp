@@ -2,6 +2,7 @@
 #include "cli/io/patch_argument.hpp"
 
 #include "cli/io/csv_reader.hpp"
+#include "cli/io/descriptor.hpp"
 #include "cli/io/law_argument.hpp"
 #include "cli/io/unit_questions.hpp"
 #include "limitcurve/internal/key_values.hpp"
@@ -13,7 +14,6 @@
 #include "limitcurve/round_models.hpp"
 
 #include <algorithm>
-#include <filesystem>
 #include <fstream>
 #include <limits>
 #include <optional>
@@ -78,7 +78,7 @@ void add_pixel(PatchArgument& patch, std::string_view text, const Number& number
 /// Tekscan's ASCII files: lines KEY VALUE up to ASCII_DATA, then frames, each a line `Frame N` and its rows, up to `@@`. Takes the sides of a
 /// pixel from the header unless they are known, and one frame, which must be named if there are several. False if the file is none.
 bool read_tekscan(PatchArgument& patch, std::optional<double> frame) {
-  if (!std::filesystem::is_regular_file(patch.file)) return false;
+  if (!std::filesystem::is_regular_file(descriptor::path_of(patch.file))) return false;
   std::ifstream file(patch.file);
   std::string line;
   std::size_t number = 0;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "cli/io/table_reader.hpp"
 
+#include "cli/io/descriptor.hpp"
 #include "cli/io/output_file.hpp"
 
 #include "limitcurve/table_file.hpp"
 
 #include <cerrno>
-#include <filesystem>
 #include <fstream>
 #include <stdexcept>
 #include <string_view>
@@ -19,7 +19,8 @@ namespace {
 constexpr std::size_t longest_file = 32U << 20U;
 
 std::string read_whole(const std::string& file) {
-  if (std::filesystem::is_directory(file)) throw std::invalid_argument("cannot read '" + file + "': a directory, expected a table");
+  if (std::filesystem::is_directory(descriptor::path_of(file)))
+    throw std::invalid_argument("cannot read '" + file + "': a directory, expected a table");
   std::ifstream stream(file, std::ios::binary);
   if (!stream) throw std::invalid_argument(system_complaint("read", file));
   std::string text;

@@ -77,11 +77,11 @@ class Patch(PatchCase):
     def test_a_file_of_tekscan_has_its_spacing_and_frames(self):
         header = "DATA_TYPE MOVIE\r\nROWS 2\r\nCOLS 3\r\nROW_SPACING 5.0 mm\r\nCOL_SPACING 4.0 mm\r\nUNITS RAW\r\nASCII_DATA @@\r\n"
         frames = "\r\nFrame 1\r\n1,0,3\r\n0,2,0\r\n\r\nFrame 2\r\n5,0,1\r\n1,1,1\r\n@@\r\n"
-        movie, plain = self.file("movie.asf", header + frames), self.file("plain.csv", "5,0,1\n1,1,1\n")
+        movie, plain = self.file("映画.asf", header + frames), self.file("plain.csv", "5,0,1\n1,1,1\n")
         twist = (1.0, 0.2, 30.0)
         self.assertEqual(self.wrenches(f"image:{movie},frame=2", twist), self.wrenches(f"image:{plain},pixel=0.004x0.005", twist))
         self.assertEqual(self.wrenches(f"image:{movie},frame=2,pixel=0.1", twist), self.wrenches(f"image:{plain},pixel=0.1", twist))
-        self.refused(f"image:{movie}", "movie.asf:13", "frame=N")
+        self.refused(f"image:{movie}", "映画.asf:13", "frame=N")
         self.refused(f"image:{movie},frame=3", "no frame 3")
         self.refused(f"image:{plain},frame=1,pixel=1", "frame: only")
         self.refused(f"image:{self.file('bad.asf', header + 'Frame 1' + chr(10) + '1,x,3' + chr(10))}", "bad.asf:9", "'x'")

@@ -17,12 +17,12 @@ FORMS = ["csv", "json"]
 
 
 class Tables(CommandLineTest):
-    def build(self, law, tolerance, form="csv"):
-        path = self.directory / f"table.{form}"
+    def build(self, law, tolerance, form="csv", name="table"):
+        path = self.directory / f"{name}.{form}"
         return path, rows("table", "--law", law, "--tolerance", tolerance, "-o", path)[0]
 
     def test_columns(self):
-        path, facts = self.build("hertz", 1e-6)
+        path, facts = self.build("hertz", 1e-6, name="日é")  # a name that no code page but UTF-8 has
         self.assertEqual(list(facts), ["law", "tolerance", "certified_error", "nodes", "bytes", "profile_error"])
         self.assertEqual((facts["law"], facts["tolerance"]), ("hertz", 1e-6))
         self.assertLessEqual(facts["certified_error"], 1e-6)
