@@ -66,6 +66,8 @@ void expect_agreement(const Law& law, double s, Method one, Method other) {
       << law->name() << " s = " << s << ' ' << to_string(one) << '/' << to_string(other);
   EXPECT_LE(std::fabs(a.wrench.moment - b.wrench.moment), a.error.moment + b.error.moment)
       << law->name() << " s = " << s << ' ' << to_string(one) << '/' << to_string(other);
+  EXPECT_NEAR(a.force_slope, b.force_slope, 1e-9 * a.force_slope + std::numeric_limits<double>::min())
+      << law->name() << " s = " << s << ' ' << to_string(other);
 }
 
 /// The closed forms, either integral, and Boost's: 10⁴ laws and CORs, a study.
