@@ -12,7 +12,8 @@ inline constexpr int standard_input = 0;
 inline constexpr int standard_output = 1;
 inline constexpr int standard_error = 2;
 
-/// The path of a name from the command line. On Windows both are UTF-8; the run time of GCC would take the bytes of a string for Latin-1.
+/// The path of a name from the command line. On Windows the name is UTF-8, and one that is not throws std::filesystem::filesystem_error; a
+/// path of the std::string itself would be another file, for GCC's run time takes its bytes for Latin-1. Elsewhere bytes stay as they are.
 inline std::filesystem::path path_of(const std::string& name) {
   return std::u8string(name.begin(), name.end());
 }
