@@ -4,7 +4,6 @@
 #include "godobject/batch.hpp"
 #include "godobject/body/grasp.hpp"
 #include "godobject/godobject.hpp"
-#include "godobject/mesh/mesh_file.hpp"
 #include "limitcurve/approximations.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/patch.hpp"
@@ -22,10 +21,7 @@ namespace limitcurve::bench {
 
 using godobject::BodyState;
 using godobject::Contact;
-using godobject::ContactMemory;
 using godobject::DevicePose;
-using godobject::MeshSurface;
-using godobject::read_mesh;
 
 /// The limit curve of a Hertz contact, and the projection; the table has a tolerance of 1e-8 (in a batch of floats: the finest possible).
 enum class Model { ellipse_radial, table_radial, table_closest_point };

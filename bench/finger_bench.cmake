@@ -3,5 +3,4 @@
 # scripts/maintain/compare_speed includes this file in its project.
 add_executable(finger_bench ${CMAKE_CURRENT_LIST_DIR}/finger_bench.cpp)
 target_include_directories(finger_bench PRIVATE ${PROJECT_SOURCE_DIR})
-target_compile_definitions(finger_bench PRIVATE LIMITCURVE_MESHES="${CMAKE_CURRENT_LIST_DIR}/../data/meshes")
-target_link_libraries(finger_bench PRIVATE limitcurve::mesh limitcurve_options)
+target_link_libraries(finger_bench PRIVATE limitcurve::godobject limitcurve_options)

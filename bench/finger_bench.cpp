@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The workloads of users: fingers on a plane and on a mesh, a grasp, batches, look-ups, construction
+// The workloads of users: fingers on a plane, a grasp, batches, look-ups, construction
 // of tables, patches. Alone it prints mean and worst of every workload on this machine;
 // scripts/maintain/compare_speed compiles it against two commits and runs both in turn.
 //
@@ -44,81 +44,48 @@ struct OnPlane {
     Contact contact;
     double twist;
   };
-  struct Memory {};
 
   explicit OnPlane(Motion motion) {
     for (const Sample& s : move(motion)) inputs.push_back({{{s.x, s.y, 0.0}, Vector3d::UnitZ(), s.depth}, s.twist});
   }
-  [[nodiscard]] const Contact& contact(std::size_t i, Memory&) const { return inputs[i].contact; }
+  [[nodiscard]] const Contact& contact(std::size_t i) const { return inputs[i].contact; }
   [[nodiscard]] double twist(std::size_t i) const { return inputs[i].twist; }
 
-  std::vector<Input> inputs;
-};
-
-/// The finger's position is given; the contact is found on a ball of 320 triangles.
-struct OnMesh {
-  static constexpr double radius = 0.05;  // [m]
-  struct Input {
-    Vector3d finger;
-    double twist;
-  };
-  using Memory = ContactMemory;
-
-  explicit OnMesh(Motion motion) : surface(read_mesh(LIMITCURVE_MESHES "/ball.obj")) {
-    Random random;
-    for (const Sample& s : move(motion)) {
-      // The coordinates are arcs about the ball's pole; a wild finger touches anywhere.
-      const Vector3d towards = motion == Motion::wild ? random.vector() : Vector3d(s.x / radius, s.y / radius, 1.0);
-      inputs.push_back({(radius - s.depth) * towards.normalized(), s.twist});
-    }
-  }
-  [[nodiscard]] Contact contact(std::size_t i, Memory& memory) const {
-    const Contact found = surface.contact(inputs[i].finger, memory);
-    memory = found.memory;
-    return found;
-  }
-  [[nodiscard]] double twist(std::size_t i) const { return inputs[i].twist; }
-
-  MeshSurface surface;
   std::vector<Input> inputs;
 };
 
 /// The timed step.
-template <bool cold, class Finger, class Place>
-double take_step(Finger& finger, const Place& place, typename Place::Memory& memory, std::size_t i) {
+template <bool cold, class Finger>
+double take_step(Finger& finger, const OnPlane& place, std::size_t i) {
   if constexpr (cold) forget_closest_point(finger);
-  return std::fabs(update(finger, place.contact(i, memory), place.twist(i), time_step));
+  return std::fabs(update(finger, place.contact(i), place.twist(i), time_step));
 }
 
-template <Model model, bool cold, class Place>
+template <Model model, bool cold>
 Pass one_finger(Skin skin, Motion motion) {
   return timed(samples / stretch_steps, stretch_steps,
-               [finger = make_finger<model>(skin), place = Place(motion), memory = typename Place::Memory{}](std::size_t stretch) mutable {
+               [finger = make_finger<model>(skin), place = OnPlane(motion)](std::size_t stretch) mutable {
                  double sum = 0.0;
                  for (std::size_t i = 0; i < stretch_steps; ++i) {
-                   sum += take_step<cold>(finger, place, memory, stretch * stretch_steps + i);
+                   sum += take_step<cold>(finger, place, stretch * stretch_steps + i);
                  }
                  return sum;
                });
 }
 
 /// Fingers in turn, each at another point of the motion: a step need not wait for the finger's last one, as in a scene with many fingers.
-template <Model model, bool cold, class Place>
+template <Model model, bool cold>
 Pass sixteen_fingers(Skin skin, Motion motion) {
   constexpr std::size_t count = 16;
   const auto finger = make_finger<model>(skin);
   using Finger = std::remove_const_t<decltype(finger)>;
-  struct One {
-    Finger finger;
-    typename Place::Memory memory;
-  };
   return timed(samples * count / stretch_steps, stretch_steps,
-               [fingers = std::vector<One>(count, One{finger, {}}), place = Place(motion)](std::size_t stretch) mutable {
+               [fingers = std::vector<Finger>(count, finger), place = OnPlane(motion)](std::size_t stretch) mutable {
                  double sum = 0.0;
                  for (std::size_t i = 0; i < stretch_steps / count; ++i) {
                    for (std::size_t j = 0; j < count; ++j) {
                      const std::size_t at = (stretch * (stretch_steps / count) + i + j * (samples / count)) % samples;
-                     sum += take_step<cold>(fingers[j].finger, place, fingers[j].memory, at);
+                     sum += take_step<cold>(fingers[j], place, at);
                    }
                  }
                  return sum;
@@ -256,21 +223,19 @@ std::vector<Workload> workloads() {
 
   const std::array<std::pair<const char*, Skin>, 4> skins{
       {{"plain", {false, false}}, {"dampers", {true, false}}, {"a(P)", {false, true}}, {"dampers+a(P)", {true, true}}}};
-  const auto add_fingers = [&]<Model model, bool cold, class Place>(const std::string& place, const std::string& curve) {
+  const auto add_fingers = [&]<Model model, bool cold>(const std::string& curve) {
     for (const auto& [skin_name, skin] : skins) {
       for (const auto& [motion, motion_name] : motions) {
         const std::string name = curve + '/' + skin_name + '/' + motion_name;
-        add("finger/" + place + "/one/" + name, [=] { return one_finger<model, cold, Place>(skin, motion); });
-        add("finger/" + place + "/sixteen/" + name, [=] { return sixteen_fingers<model, cold, Place>(skin, motion); });
+        add("finger/plane/one/" + name, [=] { return one_finger<model, cold>(skin, motion); });
+        add("finger/plane/sixteen/" + name, [=] { return sixteen_fingers<model, cold>(skin, motion); });
       }
     }
   };
-  add_fingers.operator()<Model::ellipse_radial, false, OnPlane>("plane", "ellipse-radial");
-  add_fingers.operator()<Model::table_closest_point, false, OnPlane>("plane", "table-closest-warm");
-  add_fingers.operator()<Model::table_closest_point, true, OnPlane>("plane", "table-closest-cold");
-  add_fingers.operator()<Model::table_radial, false, OnPlane>("plane", "table-radial");
-  add_fingers.operator()<Model::ellipse_radial, false, OnMesh>("mesh", "ellipse-radial");
-  add_fingers.operator()<Model::table_closest_point, false, OnMesh>("mesh", "table-closest-warm");
+  add_fingers.operator()<Model::ellipse_radial, false>("ellipse-radial");
+  add_fingers.operator()<Model::table_closest_point, false>("table-closest-warm");
+  add_fingers.operator()<Model::table_closest_point, true>("table-closest-cold");
+  add_fingers.operator()<Model::table_radial, false>("table-radial");
 
   const auto add_grasps = [&]<Model model>(const std::string& curve) {
     for (const auto& [skin_name, skin] : {skins.front(), skins.back()}) {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Eigen/Core>
-
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -27,10 +25,6 @@ inline constexpr std::array<std::pair<Motion, const char*>, 3> motions{
 class Random {
  public:
   double operator()() { return share_(engine_); }
-  Eigen::Vector3d vector() {
-    const double x = (*this)(), y = (*this)(), z = (*this)();
-    return {x, y, z};
-  }
 
  private:
   std::mt19937 engine_{1};

@@ -20,8 +20,8 @@ using Numbers = std::array<double, 3>;
 }
 
 /// What is farther from the origin [m] is a fault of the device. A finger's sample is plausible if the sum of squares of its coordinates and
-/// depth [m] and its twist [rad] is at most farthest²; NaN is not. There positions are rounded to 1e-10 m, and those of a mesh to 4 µm (its
-/// grid), so that loads are, too: put the origin near the contact.
+/// depth [m] and its twist [rad] is at most farthest²; NaN is not. There positions are rounded to 1e-10 m, so that
+/// loads are, too: put the origin near the contact.
 inline constexpr double farthest = 1e6;
 
 /// Whether a sample is near enough to be one, by the sum of squares of its coordinates, depth and twist. A NaN is not.

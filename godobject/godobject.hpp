@@ -10,8 +10,8 @@
 #include "soft_finger.hpp"                   // IWYU pragma: export
 #include "surface.hpp"                       // IWYU pragma: export
 
-/// The soft-finger god-object. Start here: this file includes what a control loop needs. Bodies (body/), scenes (scene/) and meshes (mesh/)
-/// have headers of their own.
+/// The soft-finger god-object. Start here: this file includes what a control loop needs. Bodies (body/) and scenes (scene/) have
+/// headers of their own.
 ///
 /// ```cpp
 /// #include "godobject/godobject.hpp"
@@ -34,7 +34,7 @@
 ///  - a limit curve, FingerCurve: a Table of any law, an Ellipse, or a box (the paper's uncoupled step);
 ///  - FingerParameters (finger.hpp): friction, contact radius a(P), springs, dampers;
 ///  - a Projection: closest_point converges to eq. (17)'s wrench; radial and c_curve are the paper's (§5).
-/// `update` takes an AnySurface (plane, sphere, capsule, cylinder, box, mesh, or your own: surface.hpp), or a Contact that other code has
+/// `update` takes an AnySurface (plane, sphere, capsule, cylinder, box, or your own: surface.hpp), or a Contact that other code has
 /// found.
 ///
 /// A SoftFinger takes a Patch, too: a contact that is not round. Batch and FloatBatch step thousands of contacts in one call (batch.hpp).

@@ -21,7 +21,7 @@ concept Surface = requires(const Shape& shape, const Eigen::Vector3d& finger, co
 // clang-format on
 
 /// Any surface, chosen at run time, for example by a file or a command line. Costs one indirect call for each contact. Immutable; copies
-/// share the surface. Any surface converts to it, for example in `finger.update(read_mesh(path), pose)`. The conversion allocates: in a loop
+/// share the surface. Any surface converts to it, for example in `finger.update(SphereSurface(0.05), pose)`. The conversion allocates: in a loop
 /// make it once.
 class AnySurface {
  public:

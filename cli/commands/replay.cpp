@@ -127,7 +127,7 @@ class Replay final : public Subcommand {
           on_plane_ = text == "plane";
         },
         "Surface that the finger touches [m]: plane, sphere:radius=0.05, capsule:radius=0.01,length=0.1, cylinder:radius=0.02,length=0.1, "
-        "box:x=0.12,y=0.04,z=0.04, mesh:FILE.obj (default plane)",
+        "box:x=0.12,y=0.04,z=0.04 (default plane)",
         Presence::optional);
     options.text("--body", body_text_, "BODY",
                  "Motion of the touched body: fixed, trace, planar:mass=0.1[,inertia=1e-4] (in x-y, frictionless), "

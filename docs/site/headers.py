@@ -17,7 +17,7 @@ from docutils.statemachine import StringList
 ROOT = Path(__file__).resolve().parents[2]
 FOLDER = ROOT / "build" / "reference"
 WORDS = re.compile(r"((?:^///.*\n)+)^namespace ", re.MULTILINE)
-MODULES = {"limitcurve": ("C++: limitcurve", "limitcurve"), "godobject": ("C++: godobject", "godobject"), "mesh": ("C++: meshes", "godobject/mesh"),
+MODULES = {"limitcurve": ("C++: limitcurve", "limitcurve"), "godobject": ("C++: godobject", "godobject"),
            "fit": ("C++: fit", "fit"), "c": ("C", "c")}
 PYTHON = """# Python
 

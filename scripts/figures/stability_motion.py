@@ -191,35 +191,6 @@ def time_passivity(rows):
     return figure
 
 
-def geometry_broken(rows):
-    """A slice through each mesh: what is inside, and where the nearest face tells the wrong side."""
-    figure, panels_ = plt.subplots(2, 3, figsize=(9.6, 3.3), layout="constrained", sharex=True, sharey=True)
-    colours = plt.matplotlib.colors.ListedColormap(["#ffffff", "#cfe3f2", VERMILION])
-    for axes, (name, part) in zip(panels_.flat, rows.groups("panel").items()):
-        lines = {series: points for series, points in part.groups("series").items() if isinstance(series, float)}
-        across = next(iter(lines.values())).column("x")
-        axes.pcolormesh(across, list(lines), [points.column("value") for points in lines.values()], cmap=colours, vmin=0, vmax=2, shading="nearest", rasterized=True,
-                        linewidth=0)
-        refused = part.where(series="refused").column("value")[0]
-        axes.set(title=f"{name}: {'refused' if refused else 'mended'}", aspect="equal", xticks=(-60, 0, 60), yticks=(-20, 20))
-        axes.grid(False)
-    figure.supxlabel("along and above the middle [mm]", fontsize=9)
-    for colour, label in (("#cfe3f2", "inside"), (VERMILION, "taken for the other side by the nearest face")):
-        panels_[0][0].plot([], [], "s", color=colour, label=label)
-    legend_below(figure, panels_[0][0], 2)
-    return figure
-
-
-def geometry_slivers(rows):
-    figure, (axes,) = panels(rows, ["error"])
-    axes.axvspan(1.2e-7, 1e-6, color=GRID, alpha=0.5, linewidth=0, zorder=0)
-    axes.set(title="Error of a thin face's normal, single precision (shaded: we refuse)", xlabel="height / length", ylabel="[rad]", xscale="log", yscale="log", xlim=(1e-10, 0.1),
-             ylim=(1e-7, 10))
-    axes.minorticks_off()
-    legend_below(figure, axes, 2)
-    return figure
-
-
 def reality_rates(rows):
     figure, (force, error) = panels(rows, ["force", "error"])
     force.set(title="Largest friction / limit, scrubbing up to 0.25 m/s", xlabel="rate [Hz]", xscale="log", yscale="log", xlim=(100, 1e4), ylim=(0.5, 1e3))
@@ -255,13 +226,11 @@ def one_panel(panel, columns, **labels):
 FIGURES = {figure.__name__: figure for figure in (
     projection_quotients, projection_stiffness, projection_small, projection_growth, projection_newton, projection_corners, projection_order, projection_chatter, projection_collapse,
     time_map, time_delay, time_passivity,
-    geometry_broken, geometry_slivers,
     reality_rates, reality_plate)} | {
     "time_block": one_panel("height", 3, title="Height of 10 g between two fingers of 2000 N/m, 1 kHz, undamped", xlabel="time [ms]", ylabel="[mm]", xlim=(0, 120), ylim=(-0.5, 0.1)),
     "time_release": one_panel("energy", 3, title="Energy of 10 g after the grip is let go from 10 N to 0.2 N in one step", xlabel="time [ms]", ylabel="of what there was", xlim=(0, 200), ylim=(0, 1.5)),
     "time_encoder": one_panel("force", 2, title="Largest friction force / limit; encoder of 10 µm, 5 N s/m, a drag at 5 mm/s", xlabel="rate [Hz]", xscale="log", xlim=(100, 1e4), ylim=(0.9, 2.1)),
     "geometry_plate": one_panel("force", 2, title="Force towards the finger's side, pressed into a plate of 1 mm (1000 N/m)", xlabel="depth [mm]", ylabel="[N]", xlim=(-0.2, 3), ylim=(-1, 3)),
-    "geometry_vertex": one_panel("share", 2, title="Points about the tip of a pyramid taken for the other side", xlabel="angle of the tip [°]", ylabel="share", xlim=(10, 150), ylim=(-0.01, None)),
     "geometry_normals": one_panel("normal", 2, title="Friction along the normal / µP, round a rod of eight edges", xlabel="angle [°]", xlim=(10, 80), ylim=(-0.7, 0.2)),
     "reality_clock": one_panel("load", 2, title="Damper's share of the load at a steady speed, 1 kHz ± 30 %", xlabel="time [ms]", ylabel="of b v", xlim=(0, 50), ylim=(0, 2)),
     "reality_samples": one_panel("load", 2, title="Load; one sample leaps, one is NaN, from 500 ms on there are none", xlabel="time [ms]", ylabel="[N]", xlim=(0, 1000), ylim=(0, 6.2)),

@@ -29,26 +29,6 @@ class Scenes(CommandLineTest):
     def replay_of(self, path, *options):
         return rows("replay", "--trace", path, *FINGER, *options)
 
-    def test_turned_faces_are_said(self):
-        corners = "".join(f"v {x} {y} {z}\n" for x in (-1, 1) for y in (-1, 1) for z in (-1, 1))
-        squares = ["1 2 4 3", "5 7 8 6", "1 5 6 2", "3 4 8 7", "1 3 7 5", "2 6 8 4"]
-        outward = "".join(f"f {square}\n" for square in squares)
-        room = "".join(f"f {' '.join(reversed(square.split()))}\n" for square in squares)
-        for faces, turned in ((outward, 0), (room, 12), (outward.replace("1 2 4 3", "3 4 2 1"), 2)):
-            path = self.file("cube.obj", corners + faces)
-            done = run("replay", "--trace", self.file("trace.csv", TRACE), *FINGER, "--surface", f"mesh:{path}")
-            self.assertEqual(done.returncode, 0, done.stderr)
-            note = f"limitcurve: note: {path}: {turned} of 12 faces looked inward and were turned outward; the surface bounds a solid, not a room"
-            self.assertEqual([line for line in done.stderr.splitlines() if "faces" in line], [note] if turned else [])
-
-    def test_slivers_are_said(self):
-        corners = "".join(f"v {x} {y} {z}\n" for x in (-1, 1) for y in (-1, 1) for z in (-1, 1))
-        faces = "".join(f"f {face}\n" for face in ["9 2 4 3 1", "1 2 9", "5 7 8 6", "1 5 6 2", "3 4 8 7", "1 3 7 5", "2 6 8 4"])
-        path = self.file("cap.obj", corners + "v -1 -1.0000001 0\n" + faces)
-        done = run("replay", "--trace", self.file("trace.csv", TRACE), *FINGER, "--surface", f"mesh:{path}")
-        self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertIn(f"limitcurve: note: {path}: slivers taken out, none higher than two spacings of a float: 1\n", done.stderr)
-
     def test_other_surfaces(self):
         for surface, top in [("capsule:radius=0.01,length=0.04", 0.03), ("cylinder:radius=0.05,length=0.1", 0.05),
                              ("box:x=0.1,y=0.1,z=0.02", 0.01), ("box:z=0.02,y=0.1,x=0.1", 0.01), ("sphere:radius=0.05", 0.05)]:
@@ -80,7 +60,7 @@ class Scenes(CommandLineTest):
         for surface, told in [("ball", "'ball', expected plane"), ("sphere", "expected radius=NUMBER"), ("sphere:radius=0", "'radius'"),
                               ("sphere:radius=1,radius=2", "twice"), ("box:x=1,y=1", "z=NUMBER"), ("box:x=1,y=1,z=nan", "'z'"),
                               ("capsule:radius=1,length=-1", "'length'"), ("cylinder:radius=1e9,length=1", "radius"),
-                              ("plane:z=0", "expected plane"), ("", "expected")]:
+                              ("plane:z=0", "expected plane"), ("", "expected"), ("mesh:a.obj", "give it to a SoftFinger as a Contact")]:
             self.assert_fails(2, ["--surface", told], "replay", "--trace", path, *FINGER, "--surface", surface)
         for body, told in [("loose", "expected fixed"), ("free", "mass"), ("free:mass=0", "'mass'"), ("free:mass=1", "inertia"),
                            ("planar:mass=1,inertia=1,gravity=1", "gravity"), ("free:mass=1,inertia=-1", "'inertia'")]:
@@ -101,42 +81,9 @@ class Scenes(CommandLineTest):
         self.assert_fails(2, ["gap.csv:3:1:", "gap of 3 s", "expected at most 1 s"], "replay", "--trace", gap, *FINGER, "--surface",
                           "sphere:radius=1", "--body", "free:mass=1")
 
-    def test_a_mesh(self):
-        path = self.file("trace.csv", TRACE)
-        call = ["replay", "--trace", path, *FINGER, "--surface"]
-        if "built without meshes" in run(*call, "mesh:x.obj").stderr:
-            self.assert_fails(2, ["--surface", "mesh:x.obj"], *call, "mesh:x.obj")
-            self.skipTest("built without meshes")
-        self.assert_fails(2, ["--surface", "absent.obj"], *call, f"mesh:{self.directory}/absent.obj")
-        self.assert_fails(2, ["--surface", "expected mesh:FILE"], *call, "mesh:")
-        self.assert_fails(2, ["--surface", "'x'"], *call, f"mesh:{DATA}/meshes/block.obj,scale=x")
-        torn = self.file("torn.obj", "v 0 0 0\nv 1 0\n")
-        self.assert_fails(2, ["--surface", "torn.obj:2:"], *call, f"mesh:{torn}")
-        # A block is a block, whether given by its edges or its corners, in metres or millimetres.
-        scene = ["--fingers", "2", "--damping", "2", "--body", "free:mass=0.1,inertia=1e-4"]
-        box = self.scene("pinch.csv", "--surface", "box:x=0.12,y=0.04,z=0.04", *scene)
-        lines = (DATA / "meshes" / "block.obj").read_text().splitlines()
-        millimetres = [" ".join(["v", *(repr(float(word) * 1000) for word in line.split()[1:])]) if line.startswith("v ") else line for line in lines]
-        scaled = self.file("block.obj", "\n".join(millimetres) + "\n")
-        # An 80 mm cube in mm was an 80 m cube, and nothing was said.
-        self.assertIn("120 m across: is it in metres?", run(*call, f"mesh:{scaled}").stderr)
-        self.assertIn("is it in metres?", run(*call, "sphere:radius=25").stderr)
-        self.assertNotIn("metres", run(*call, f"mesh:{scaled},scale=0.001").stderr)
-        # Two blocks that overlap: refused with the way on, and the second alone is the block.
-        corners = [[float(word) for word in line.split()[1:]] for line in lines if line.startswith("v ")]
-        faces = [[int(word) for word in line.split()[1:]] for line in lines if line.startswith("f ")]
-        both = self.file("both.obj", "".join(
-            f"{kind} {' '.join(map(str, row))}\n" for kind, part in [("v", [[x + 0.01 for x in row] for row in corners]), ("f", faces),
-                                                                     ("v", corners), ("f", [[i + 8 for i in row] for row in faces])] for row in part))
-        self.assert_fails(2, ["--surface", "overlap: unite them", "body=2 of 2"], *call, f"mesh:{both}")
-        self.assert_fails(2, ["--surface", "body = 3", "expected 1 to 2"], *call, f"mesh:{both},body=3")
-        self.assert_fails(2, ["--surface", "'body'", "a whole number from 1"], *call, f"mesh:{both},body=1.5")
-        for mesh in [f"mesh:{DATA}/meshes/block.obj", f"mesh:{scaled},scale=0.001", f"mesh:{both},body=2,scale=1"]:
-            found = self.scene("pinch.csv", "--surface", mesh, *scene)
-            for one, other in zip(box, found):
-                self.assertEqual(one["state"], other["state"])
-                for name in ["px", "py", "pz", "fx", "fy", "fz", "load", "nz", "bx", "by", "bz", "bqz", "load2"]:
-                    self.assertAlmostEqual(one[name], other[name], delta=1e-8, msg=name)
+    def test_a_size_that_is_none_in_metres(self):
+        done = run("replay", "--trace", self.file("trace.csv", TRACE), *FINGER, "--surface", "sphere:radius=25")
+        self.assertIn("50 m across: is it in metres?", done.stderr)
 
 
 if __name__ == "__main__":

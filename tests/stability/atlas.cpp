@@ -34,7 +34,7 @@ const std::vector<Entry> entries = {
      {degenerate_steps, stiffness_ratios, small_contacts, growing_radius, newton_without_bracket, corners, order_of_limits, chatter,
       collapsing_load}},
     {"time", {light_body, stiffness_and_damping, block_of_ten_grams, released_grip, delayed_forces, sampled_contact, encoder_steps}},
-    {"geometry", {half_a_turn, ten_thousand_turns, thin_plate, side_at_a_vertex, broken_meshes, slivers, normals_that_jump}},
+    {"geometry", {half_a_turn, ten_thousand_turns, thin_plate, normals_that_jump}},
     {"reality", {rates_and_jitter, clocks, bad_samples, plate_between_samples, frozen_device}},
 };
 
