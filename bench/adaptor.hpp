@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "godobject/batch.hpp"
+#include "godobject/batch/batch.hpp"
 #include "godobject/body/grasp.hpp"
 #include "godobject/godobject.hpp"
 #include "limitcurve/approximations.hpp"
 #include "limitcurve/laws.hpp"
-#include "limitcurve/patch.hpp"
+#include "limitcurve/patch/patch.hpp"
 #include "limitcurve/table.hpp"
 
 #include <cstddef>

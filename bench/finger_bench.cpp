@@ -14,7 +14,8 @@
 #include "motion.hpp"
 #include "workload.hpp"
 
-#include "limitcurve/patch.hpp"
+#include "godobject/batch/batch.hpp"
+#include "limitcurve/patch/patch.hpp"
 
 #include <algorithm>
 #include <array>

@@ -3,6 +3,7 @@
 
 #include "bench/way.hpp"
 
+#include "godobject/batch/batch.hpp"
 #include "godobject/godobject.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/table.hpp"

@@ -3,7 +3,7 @@
 
 #include "godobject/finger.hpp"
 #include "limitcurve/approximations.hpp"
-#include "limitcurve/contact_radius.hpp"
+#include "limitcurve/contact/load_to_hold.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/table_file.hpp"
 

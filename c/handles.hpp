@@ -3,9 +3,9 @@
 
 #include "c/handle.hpp"
 
-#include "godobject/batch.hpp"
+#include "godobject/batch/batch.hpp"
 #include "godobject/soft_finger.hpp"
-#include "limitcurve/patch.hpp"
+#include "limitcurve/patch/patch.hpp"
 #include "limitcurve/pressure_law.hpp"
 #include "limitcurve/table.hpp"
 

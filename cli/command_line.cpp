@@ -69,20 +69,19 @@ struct Entry {
 /// The subcommands in groups, in the order of --help.
 std::vector<Entry> make_entries() {
   using Make = std::unique_ptr<Subcommand> (*)();
-  const std::initializer_list<std::pair<const char*, std::vector<Make>>> groups {
-    {"Answers",
-     {make_hold,
+  const std::initializer_list<std::pair<const char*, std::vector<Make>>> groups{
+      {"Answers",
+       {
+           make_hold,
+           make_translate,
+           make_validate,
+           make_choose,
 #ifdef LIMITCURVE_HAS_FIT
-      make_translate, make_validate, make_choose, make_fit}},
-#else
-      make_validate, make_choose}},
+           make_fit,
 #endif
-        {"Numbers", {make_laws, make_eval, make_curve, make_p_curves, make_c_curves, make_table, make_lookup, make_patch}}, {
-      "Motions", {
-        make_replay, make_pivot
-      }
-    }
-  };
+       }},
+      {"Numbers", {make_laws, make_eval, make_curve, make_p_curves, make_c_curves, make_table, make_lookup, make_patch}},
+      {"Motions", {make_replay, make_pivot}}};
   std::vector<Entry> entries;
   for (const auto& [group, makes] : groups) {
     for (const Make make : makes) entries.push_back({make(), group});
@@ -123,7 +122,7 @@ void check_subcommand(const std::string& name, const std::vector<Entry>& entries
     throw std::invalid_argument(
         "the report is no subcommand: 'python3 -m limitcurve.report -o DIR' of the Python package writes it, or scripts/demo");
   }
-  if (name == "fit" || name == "translate") {
+  if (name == "fit") {
     throw std::invalid_argument("subcommand '" + name + "' is not in this executable (it needs Ceres), expected one of" + expected);
   }
   throw std::invalid_argument((name.empty() ? "no subcommand" : "unknown subcommand '" + name + "'") + ", expected one of" + expected +

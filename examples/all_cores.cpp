@@ -2,7 +2,7 @@
 // Many contacts on all cores: each thread steps its own part of the arrays with one call of the batch. Prints contacts a second
 // for 1, 2, 4 … threads, and checks that the bits equal those of a single thread.
 //     example_all_cores [CONTACTS [STEPS]]      ten million contacts: example_all_cores 1e7, 1 GB
-#include "godobject/godobject.hpp"
+#include "godobject/batch/batch.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/table.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Which number do I type into MuJoCo, and which error remains? For a silicone fingertip: mu = 0.8, a = 4 mm at 2 N, growing as P^(1/3).
-#include "fit/engine_coefficients.hpp"
+#include "limitcurve/engines/engine_coefficients.hpp"
 #include "limitcurve/laws.hpp"
 
 #include <cmath>
@@ -10,7 +10,7 @@ int main() {
   const limitcurve::Law law = limitcurve::hertz();
   const auto radius_law = limitcurve::RadiusLaw::power(0.004 / std::cbrt(2.0), 1.0 / 3.0);
   bool right = false;
-  for (const auto& contact : limitcurve::fit::translate(law, radius_law, 0.8, 2.0, {1.0, 4.0})) {
+  for (const auto& contact : limitcurve::engines::translate(law, radius_law, 0.8, 2.0, {1.0, 4.0})) {
     std::printf("%s, a %s: off by up to %.0f %% from 1 to 4 N\n", contact.engine.c_str(), contact.model.c_str(),
                 100.0 * contact.max_error_over_loads);
     for (const auto& coefficient : contact.coefficients) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // From a tactile image to the slip margin: the fraction of a grip's friction that a held object uses, and the required grip. The usual
 // disc in place of the image over-estimates the friction.
-#include "limitcurve/patch.hpp"
+#include "limitcurve/patch/patch.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,6 @@
 /// Fits: from curves and measurements to friction parameters with their uncertainty.
 #include "contact_fit.hpp"
 #include "curve_fit.hpp"
-#include "engine_coefficients.hpp"
 #include "estimate.hpp"
 #include "friction_fit.hpp"
 #include "load_fit.hpp"

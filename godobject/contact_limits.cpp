@@ -2,7 +2,8 @@
 #include "godobject/contact_limits.hpp"
 
 #include "godobject/finger/finger_numbers.hpp"
-#include "limitcurve/contact_radius.hpp"
+#include "limitcurve/contact/load_curves.hpp"
+#include "limitcurve/contact/load_to_hold.hpp"
 #include "limitcurve/internal/number.hpp"
 
 #include <algorithm>

@@ -4,7 +4,6 @@
 #include "../limitcurve/approximations.hpp"  // IWYU pragma: export
 #include "../limitcurve/laws.hpp"            // IWYU pragma: export
 #include "../limitcurve/table.hpp"           // IWYU pragma: export
-#include "batch.hpp"                         // IWYU pragma: export
 #include "contact.hpp"                       // IWYU pragma: export
 #include "finger_curve.hpp"                  // IWYU pragma: export
 #include "soft_finger.hpp"                   // IWYU pragma: export

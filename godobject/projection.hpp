@@ -3,7 +3,7 @@
 
 // Inner but for the enumeration Projection: it may change in every version.
 
-#include "../limitcurve/contact_radius.hpp"
+#include "../limitcurve/contact/radius_law.hpp"
 #include "../limitcurve/curve_view.hpp"
 
 #include <array>

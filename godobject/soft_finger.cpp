@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "godobject/soft_finger.hpp"
 
-#include "godobject/finger/patch_friction.hpp"
+#include "godobject/finger/patch_step.hpp"
 #include "godobject/finger/sample.hpp"
 #include "godobject/finger/springs.hpp"
-#include "godobject/patch/patch_projection.hpp"
 #include "limitcurve/internal/number.hpp"
 
 #include <Eigen/Geometry>
@@ -132,16 +131,8 @@ SoftFinger::SoftFinger(FingerCurve curve, const FingerParameters& parameters, Pr
   check_projection(*curve_, projection);
 }
 
-SoftFinger::SoftFinger(const Patch& patch, const FingerParameters& parameters, double point_radius)
-    : parameters_(parameters), limits_(parameters, 1.0) {
-  if (parameters.mu_r) {
-    throw out_of_range("mu_r", *parameters.mu_r, "m", "absent with a patch, which has its own moments");
-  }
-  projector_ = make_projector(patch, point_radius);
-}
-
 const Patch* SoftFinger::patch() const& noexcept {
-  return projector_ ? &projector_->patch() : nullptr;
+  return patch_ ? &patch_->patch() : nullptr;
 }
 
 FingerOutput SoftFinger::update(const AnySurface& surface, const DevicePose& device, double time_step) noexcept {
@@ -210,9 +201,9 @@ FingerOutput SoftFinger::advance(FingerState& state, const Sensed& sensed) const
   // b. Friction: the part of the trial deflection that the limit curve, or a patch's limit surface, allows (eqs. 21–23).
   FrictionMemory<double> friction = state.friction;
   PatchMemory next_patch;
-  const KeptDeflection kept = projector_ ? friction_of_patch(*projector_, limits_, trial, sample.normal, sensed.spin, last.angle,
-                                                             state.patch, sensed.may_begin, friction, next_patch)
-                                         : friction_of_curve(*curve_, projection_, limits_, trial, sensed.may_begin, friction);
+  const KeptDeflection kept =
+      patch_ ? patch_->friction(limits_, trial, sample.normal, sensed.spin, last.angle, state.patch, sensed.may_begin, friction, next_patch)
+             : friction_of_curve(*curve_, projection_, limits_, trial, sensed.may_begin, friction);
 
   const Moved moved = move_proxy(trial, kept, sample, last);
 
@@ -231,7 +222,7 @@ FingerOutput SoftFinger::advance(FingerState& state, const Sensed& sensed) const
   output.slip_work = !moved.slips ? 0.0 : kept.converged ? std::max(work, 0.0) : work;
   output.converged = kept.converged;
   state.friction = settled(state.friction, friction, curve_ && curve_->is_box(), moved.slips, moved.slid, moved.turned);
-  if (projector_) state.patch = {next_patch.zero_axis, next_patch.axis, moved.slips ? next_patch.slip : Vector3d(Vector3d::Zero())};
+  if (patch_) state.patch = {next_patch.zero_axis, next_patch.axis, moved.slips ? next_patch.slip : Vector3d(Vector3d::Zero())};
   store(state, sample, sensed);
   state.limit_load = trial.limit_load;
   state.trial_force = kept.trial_force;
@@ -261,17 +252,17 @@ double SoftFinger::spring_energy() const noexcept {
 }
 
 double SoftFinger::margin() const noexcept {
-  if (!projector_) return limits_.margin(*curve_, parameters_, state_);
+  if (!patch_) return limits_.margin(*curve_, parameters_, state_);
   if (!state_.in_contact) return 1.0;
   if (state_.output.state == ContactState::slip) return 0.0;
-  const double needed = patch_gauge(*projector_, state_);
+  const double needed = patch_->gauge(state_);
   return needed == 0.0 ? 1.0 : std::clamp(1.0 - needed / (limits_.mu(state_.friction.force_slides) * state_.limit_load), 0.0, 1.0);
 }
 
 double SoftFinger::load_to_hold() const noexcept {
   const FingerOutput& output = state_.output;
-  const double needed = projector_ ? patch_gauge(*projector_, state_) / limits_.mu(false)
-                                   : limits_.load_to_hold(*curve_, output.force.norm(), std::fabs(output.moment));
+  const double needed =
+      patch_ ? patch_->gauge(state_) / limits_.mu(false) : limits_.load_to_hold(*curve_, output.force.norm(), std::fabs(output.moment));
   // The surface's push is no part of the limit's load, but of `load`.
   return needed > 0.0 ? std::max(needed + (output.load - state_.limit_load), 0.0) : 0.0;
 }

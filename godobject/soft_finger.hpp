@@ -13,7 +13,7 @@ class Patch;
 
 namespace limitcurve::godobject {
 
-class PatchProjector;
+class PatchStep;
 struct Sensed;
 
 /// A soft-finger god-object on one surface: steps a–c of the paper, corrected (docs/paper.md).
@@ -118,7 +118,7 @@ class SoftFinger {
 
   // The contact: one of both.
   std::optional<FingerCurve> curve_;
-  std::shared_ptr<const PatchProjector> projector_;
+  std::shared_ptr<const PatchStep> patch_;
   FingerParameters parameters_;
   Projection projection_ = Projection::closest_point;
   ContactLimits limits_;

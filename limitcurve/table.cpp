@@ -8,7 +8,6 @@
 #include "limitcurve/table/buckets.hpp"
 #include "limitcurve/table/builder.hpp"
 #include "limitcurve/table/check.hpp"
-#include "limitcurve/table/lookup.hpp"
 #include "limitcurve/table/own_curve.hpp"
 
 #include <algorithm>
@@ -21,6 +20,12 @@
 #include <type_traits>
 
 namespace limitcurve {
+
+#ifdef LIMITCURVE_PACKS
+namespace kernel {
+std::size_t gauges(const CurveView<double>& curve, const UnitWrench* wrenches, double* gauges, std::size_t count) noexcept;
+}
+#endif
 
 namespace {
 
@@ -231,12 +236,8 @@ template <class Real>
 void BasicTable<Real>::gauge(std::span<const UnitWrench> wrenches, std::span<double> gauges) const noexcept {
   const std::size_t count = std::min(wrenches.size(), gauges.size());
   std::size_t i = 0;
-#ifdef LIMITCURVE_WIDE_PACKS
-  if constexpr (std::is_same_v<Real, double>) {
-    const kernel::InstructionSet set = kernel::widest_set();
-    if (set == kernel::InstructionSet::avx512) i = kernel::gauges_in_packs<kernel::Avx512>(view_, wrenches.data(), gauges.data(), count);
-    if (set == kernel::InstructionSet::avx2) i = kernel::gauges_in_packs<kernel::Avx2>(view_, wrenches.data(), gauges.data(), count);
-  }
+#ifdef LIMITCURVE_PACKS
+  if constexpr (std::is_same_v<Real, double>) i = kernel::gauges(view_, wrenches.data(), gauges.data(), count);
 #endif
   for (; i < count; ++i) gauges[i] = gauge(wrenches[i]);
 }

@@ -4,7 +4,7 @@
 #include <nanobind/nanobind.h>
 #include <nanobind/ndarray.h>
 
-#include "cli/io/range.hpp"
+#include "limitcurve/internal/range.hpp"
 
 #include <Eigen/Core>
 
@@ -78,7 +78,7 @@ template <class Real>
 std::vector<Numbers<Real>> broadcast(std::span<const nb::handle> values, std::span<const char* const> names);
 
 /// Any number.
-inline constexpr Range any{-cli::infinite, cli::infinite, "any"};
+inline constexpr Range any{-ranges::infinite, ranges::infinite, "any"};
 
 /// Throws for a number out of the range; NaN passes.
 template <class Real>

@@ -2,7 +2,7 @@
 #include "python/core.hpp"
 #include "python/parameters.hpp"
 
-#include "godobject/batch.hpp"
+#include "godobject/batch/batch.hpp"
 #include "limitcurve/internal/number.hpp"
 
 #include <nanobind/stl/variant.h>

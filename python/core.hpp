@@ -8,7 +8,7 @@
 #include "godobject/finger.hpp"
 #include "godobject/finger_curve.hpp"
 #include "limitcurve/laws.hpp"
-#include "limitcurve/patch.hpp"
+#include "limitcurve/patch/patch.hpp"
 #include "limitcurve/table.hpp"
 #include "limitcurve/version.hpp"
 
@@ -65,7 +65,7 @@ PyCurve closed_curve(const std::string& name, double force_max, double moment_ma
 /// `at` of COR distances c, of any sign.
 template <std::size_t results, std::size_t block = 16, class At>
 nb::object of_cors(nb::handle c, const At& at) {
-  return of_numbers<results, block, 1>({c}, {"c"}, {cli::signed_distance}, [&](const std::array<double, 1>& s) { return at(s[0]); });
+  return of_numbers<results, block, 1>({c}, {"c"}, {ranges::signed_distance}, [&](const std::array<double, 1>& s) { return at(s[0]); });
 }
 
 /// Force and moment, as results of of_numbers.

@@ -8,7 +8,7 @@
 #include "cli/io/table_writer.hpp"
 #include "cli/io/unit_questions.hpp"
 #include "godobject/godobject.hpp"
-#include "limitcurve/contact_radius.hpp"
+#include "limitcurve/contact/load_to_hold.hpp"
 #include "limitcurve/internal/number.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/touching_ellipse.hpp"
@@ -61,7 +61,7 @@ nb::object loads_to_hold(const Curve& curve, const Given& given) {
   if (mu_r.is_none()) {
     const cli::RadiusLawArgument argument = cli::read_radius_law(string_of(radius_law, "radius_law"));
     ContactFriction contact{.mu = -1.0, .gamma = number_of(gamma, "gamma")};
-    result = of_numbers<1, 16, 3>({force, moment, mu}, {"force", "moment", "mu"}, {any, any, cli::non_negative}, [&](const auto& of) {
+    result = of_numbers<1, 16, 3>({force, moment, mu}, {"force", "moment", "mu"}, {any, any, ranges::non_negative}, [&](const auto& of) {
       // Measured moments make another radius law for each mu; without friction none matters.
       if (of[2] != contact.mu) contact.radius_law = of[2] > 0.0 ? argument.of(of[2], curve.moment_ratio()) : RadiusLaw::constant(1e-3);
       contact.mu = of[2];
@@ -71,7 +71,7 @@ nb::object loads_to_hold(const Curve& curve, const Given& given) {
   } else {
     constexpr Range exponent{-0.5, 1.0, "a number from -0.5 to 1"};
     result = of_numbers<1, 16, 5>({force, moment, mu, mu_r, gamma}, {"force", "moment", "mu", "mu_r", "gamma"},
-                                  {any, any, cli::non_negative, cli::non_negative, exponent},
+                                  {any, any, ranges::non_negative, ranges::non_negative, exponent},
                                   [&](const auto& of) { return least({.mu = of[2], .mu_r = of[3], .gamma = of[4]}, of[0], of[1]); });
   }
   warn(questions.lines());

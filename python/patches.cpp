@@ -59,7 +59,7 @@ nb::object loads_to_hold(const PyPatch& patch, const Given& given) {
   cli::UnitQuestions questions;
   const nb::object loads =
       of_numbers<1, 16, 4>({given[0], given[1], given[2], given[3]}, {"fx", "fy", "moment", "mu"},
-                           {cli::finite, cli::finite, cli::finite, cli::non_negative}, [&](const std::array<double, 4>& of) {
+                           {ranges::finite, ranges::finite, ranges::finite, ranges::non_negative}, [&](const std::array<double, 4>& of) {
                              const double load = load_to_hold(patch, of[3], {of[0], of[1], of[2]});
                              questions.wrench(std::hypot(of[0], of[1]), of[2]);
                              questions.load(load);

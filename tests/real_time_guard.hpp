@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What a servo loop must not do, caught in the act: calls of the allocator and locks, counted, and calls of the system, caged. It defines
-// malloc and its kin and pthread_mutex_lock for the whole executable: include it in one of its sources only. Where it cannot (no glibc, or
-// a sanitizer, which brings an allocator of its own), LIMITCURVE_GUARDS_REAL_TIME is not defined, nor is anything else.
+// malloc and its kin and pthread_mutex_lock for the whole executable. Where it cannot (no glibc, or a sanitizer, which brings an allocator of
+// its own), LIMITCURVE_GUARDS_REAL_TIME is not defined, nor is anything else.
 #pragma once
 
 #include <cstddef>
@@ -64,23 +64,23 @@ void* __libc_calloc(std::size_t count, std::size_t size);
 void* __libc_realloc(void* memory, std::size_t size);
 void __libc_free(void* memory);
 
-void* malloc(std::size_t size) {
+[[gnu::weak]] void* malloc(std::size_t size) {
   limitcurve::test::watched_calls += limitcurve::test::thread_is_watched;
   return __libc_malloc(size);
 }
-void* calloc(std::size_t count, std::size_t size) {
+[[gnu::weak]] void* calloc(std::size_t count, std::size_t size) {
   limitcurve::test::watched_calls += limitcurve::test::thread_is_watched;
   return __libc_calloc(count, size);
 }
-void* realloc(void* memory, std::size_t size) {
+[[gnu::weak]] void* realloc(void* memory, std::size_t size) {
   limitcurve::test::watched_calls += limitcurve::test::thread_is_watched;
   return __libc_realloc(memory, size);
 }
-void free(void* memory) {
+[[gnu::weak]] void free(void* memory) {
   limitcurve::test::watched_calls += limitcurve::test::thread_is_watched;
   __libc_free(memory);
 }
-int pthread_mutex_lock(pthread_mutex_t* mutex) noexcept {
+[[gnu::weak]] int pthread_mutex_lock(pthread_mutex_t* mutex) noexcept {
   limitcurve::test::watched_calls += limitcurve::test::thread_is_watched;
   static const auto lock = reinterpret_cast<int (*)(pthread_mutex_t*)>(dlsym(RTLD_NEXT, "pthread_mutex_lock"));
   return lock(mutex);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cli/commands/subcommands.hpp"
 
-#include "limitcurve/contact_radius.hpp"
+#include "limitcurve/contact/load_curves.hpp"
 
 namespace limitcurve::cli {
 

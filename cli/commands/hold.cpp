@@ -5,7 +5,8 @@
 #include "cli/io/unit_questions.hpp"
 
 #include "godobject/finger_curve.hpp"
-#include "limitcurve/patch.hpp"
+#include "limitcurve/contact/load_to_hold.hpp"
+#include "limitcurve/patch/patch.hpp"
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,7 @@
 #include "cli/commands/subcommands.hpp"
 #include "cli/io/unit_questions.hpp"
 
-#include "limitcurve/contact_radius.hpp"
+#include "limitcurve/contact/load_curves.hpp"
 #include "limitcurve/exact_curve.hpp"
 
 #include <stdexcept>

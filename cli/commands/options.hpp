@@ -3,7 +3,7 @@
 
 #include "cli/io/csv_reader.hpp"
 #include "cli/io/law_argument.hpp"
-#include "cli/io/range.hpp"
+#include "limitcurve/internal/range.hpp"
 
 #include "godobject/finger.hpp"
 #include "godobject/finger_curve.hpp"
@@ -23,6 +23,8 @@ class App;
 }
 
 namespace limitcurve::cli {
+
+using namespace ranges;
 
 enum class Presence { optional, required };
 

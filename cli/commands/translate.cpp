@@ -3,7 +3,7 @@
 #include "cli/io/patch_argument.hpp"
 #include "cli/io/unit_questions.hpp"
 
-#include "fit/engine_coefficients.hpp"
+#include "limitcurve/engines/engine_coefficients.hpp"
 #include "limitcurve/internal/number.hpp"
 
 #include <array>
@@ -51,7 +51,7 @@ class Translate final : public Subcommand {
     options.numbers("--loads", loads_, positive,
                     "LOW,HIGH: range of loads [N] for loads_error (default: a quarter of --load to four times --load)", Presence::optional);
     options.value(
-        "--engine", "ENGINE", [this](const std::string& text) { engine_ = fit::find_engine(text); },
+        "--engine", "ENGINE", [this](const std::string& text) { engine_ = engines::find_engine(text); },
         "One engine alone: mujoco, newton, genesis, physx, isaac, sapien, bullet, ...", Presence::optional);
     options.repeated(
         "--read", "ENGINE.PARAMETER=VALUE", [this](const std::string& text) { readings_.push_back(text); },
@@ -80,7 +80,7 @@ class Translate final : public Subcommand {
       refuse("--loads", !loads_.empty(), why);
       const Patch patch = read_patch(patch_, *results.messages);
       refuse_factors(*results.messages, patch);
-      return write(results, fit::translate(patch, friction_));
+      return write(results, engines::translate(patch, friction_));
     }
     if (law_ == nullptr) throw std::invalid_argument("expected one of --law, --patch and --read");
     moment_.check();
@@ -88,10 +88,11 @@ class Translate final : public Subcommand {
     if (!loads_.empty() && (loads_.size() != 2 || loads_[0] > loads_[1])) {
       throw std::invalid_argument("--loads: expected two numbers LOW,HIGH with LOW <= HIGH");
     }
-    const fit::LoadRange range = loads_.empty() ? fit::LoadRange{*load_ / 4.0, 4.0 * *load_} : fit::LoadRange{loads_[0], loads_[1]};
+    const engines::LoadRange range =
+        loads_.empty() ? engines::LoadRange{*load_ / 4.0, 4.0 * *load_} : engines::LoadRange{loads_[0], loads_[1]};
     const RadiusLaw radius_law = moment_.with(friction_, law_).radius(law_->moment_ratio());
     results.messages->say(questions_of(radius_law, std::array{range.low, range.high, *load_}));
-    write(results, fit::translate(law_, radius_law, friction_, *load_, range));
+    write(results, engines::translate(law_, radius_law, friction_, *load_, range));
   }
 
  private:
@@ -100,7 +101,7 @@ class Translate final : public Subcommand {
     const auto [mx, my] = patch.factors();
     if (mx == my) return;
     std::string names;
-    for (const std::string& engine : fit::engines_of_one_friction()) {
+    for (const std::string& engine : engines::engines_of_one_friction()) {
       if (engine == engine_) {
         throw std::invalid_argument("--engine: " + engine + " has one coefficient of friction, and mx = " + format_number(mx) +
                                     ", my = " + format_number(my) + " differ: expected an engine with two, mujoco, gazebo or ode");
@@ -110,14 +111,14 @@ class Translate final : public Subcommand {
     if (engine_.empty()) messages.say("limitcurve: note: left out, because they have one coefficient of friction for x and y:" + names);
   }
 
-  void write(const Results& results, const std::vector<fit::EngineContact>& contacts) const {
+  void write(const Results& results, const std::vector<engines::EngineContact>& contacts) const {
     std::vector<std::string> columns{"engine",    "parameter",   "value", "unit",    "model",     "max_error",
                                      "cor_error", "loads_error", "note",  "formula", "two_bodies"};
     if (!loads_.empty()) columns.insert(columns.end(), {"low", "high"});
     Rows rows(results, columns);
-    for (const fit::EngineContact& contact : contacts) {
+    for (const engines::EngineContact& contact : contacts) {
       if (!engine_.empty() && contact.engine != engine_) continue;
-      for (const fit::EngineCoefficient& coefficient : contact.coefficients) {
+      for (const engines::EngineCoefficient& coefficient : contact.coefficients) {
         rows.row_by([&](const auto& cell) {
           cell(contact.engine);
           cell(coefficient.parameter);
@@ -154,7 +155,7 @@ class Translate final : public Subcommand {
       }
       try {
         const auto found =
-            fit::read_coefficient(text.substr(0, point), text.substr(point + 1, equals - point - 1), *value, friction_, law_);
+            engines::read_coefficient(text.substr(0, point), text.substr(point + 1, equals - point - 1), *value, friction_, law_);
         rows.row(found.engine, found.parameter, *value, if_any(found.moment_per_load), if_any(found.radius), found.note);
       } catch (const std::invalid_argument& error) {
         throw std::invalid_argument(std::string("--read: ") + error.what());

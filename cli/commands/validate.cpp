@@ -8,7 +8,7 @@
 #include "limitcurve/exact_curve.hpp"
 #include "limitcurve/internal/remembering_law.hpp"
 #include "limitcurve/laws.hpp"
-#include "limitcurve/round_models.hpp"
+#include "limitcurve/patch/round_models.hpp"
 #include "limitcurve/validate.hpp"
 #ifdef LIMITCURVE_HAS_FIT
 #include "fit/curve_fit.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "cli/io/body_argument.hpp"
 
-#include "cli/io/range.hpp"
 #include "cli/io/surface_argument.hpp"
+#include "limitcurve/internal/range.hpp"
 
 #include "limitcurve/internal/did_you_mean.hpp"
 #include "limitcurve/internal/key_values.hpp"
@@ -12,6 +12,8 @@
 #include <string_view>
 
 namespace limitcurve::cli {
+
+using namespace ranges;
 
 namespace {
 

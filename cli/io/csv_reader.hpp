@@ -2,7 +2,7 @@
 #pragma once
 
 #include "cli/io/file_columns.hpp"
-#include "cli/io/range.hpp"
+#include "limitcurve/internal/range.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -15,6 +15,8 @@
 #include <vector>
 
 namespace limitcurve::cli {
+
+using namespace ranges;
 
 /// Columns of numbers in memory (Python's arrays), which a CsvReader reads by their path as it would a file.
 class MemoryColumns {

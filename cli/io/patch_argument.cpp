@@ -10,8 +10,8 @@
 
 #include "limitcurve/internal/did_you_mean.hpp"
 #include "limitcurve/internal/number.hpp"
+#include "limitcurve/patch/round_models.hpp"
 #include "limitcurve/pressure_law.hpp"
-#include "limitcurve/round_models.hpp"
 
 #include <algorithm>
 #include <fstream>

@@ -4,7 +4,7 @@
 #include "cli/io/messages.hpp"
 
 #include "limitcurve/laws.hpp"
-#include "limitcurve/patch.hpp"
+#include "limitcurve/patch/patch.hpp"
 
 #include <cstddef>
 #include <string>

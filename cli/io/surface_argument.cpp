@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cli/io/surface_argument.hpp"
 
-#include "cli/io/range.hpp"
+#include "limitcurve/internal/range.hpp"
 
 #include "godobject/surface.hpp"
 #include "limitcurve/internal/did_you_mean.hpp"
@@ -16,6 +16,8 @@
 #include <string_view>
 
 namespace limitcurve::cli {
+
+using namespace ranges;
 
 namespace {
 

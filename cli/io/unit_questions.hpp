@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "limitcurve/contact_radius.hpp"
+#include "limitcurve/contact/radius_law.hpp"
 
 #include <cstddef>
 #include <span>

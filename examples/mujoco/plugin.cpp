@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <godobject/godobject.hpp>
 #include <limitcurve/limitcurve.hpp>
-#include <limitcurve/patch.hpp>
+#include <limitcurve/patch/patch.hpp>
 #include <map>
 #include <mutex>
 #include <optional>

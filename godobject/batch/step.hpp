@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "godobject/batch.hpp"
+#include "godobject/batch/batch.hpp"
 #include "godobject/contact_limits.hpp"
 #include "limitcurve/kernel/instruction_set.hpp"
 

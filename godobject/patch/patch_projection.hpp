@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "limitcurve/patch.hpp"
+#include "limitcurve/patch/patch.hpp"
 
 namespace limitcurve::godobject {
 

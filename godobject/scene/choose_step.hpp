@@ -2,7 +2,7 @@
 #pragma once
 
 #include "../../limitcurve/choose.hpp"
-#include "../../limitcurve/contact_radius.hpp"
+#include "../../limitcurve/contact/radius_law.hpp"
 #include "../../limitcurve/pressure_law.hpp"
 #include "replay.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "../../limitcurve/patch.hpp"
+#include "../../limitcurve/patch/patch.hpp"
 #include "../body/grasp.hpp"
 #include "../finger_curve.hpp"
 #include "../surface.hpp"

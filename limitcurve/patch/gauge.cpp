@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "limitcurve/internal/number.hpp"
-#include "limitcurve/patch.hpp"
+#include "limitcurve/patch/patch.hpp"
 #include "limitcurve/patch/shape.hpp"
 
 #include <algorithm>

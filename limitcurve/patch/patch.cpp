@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "limitcurve/patch.hpp"
+#include "limitcurve/patch/patch.hpp"
 
 #include "limitcurve/internal/number.hpp"
 #include "limitcurve/laws.hpp"

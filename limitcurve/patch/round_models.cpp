@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "limitcurve/round_models.hpp"
+#include "limitcurve/patch/round_models.hpp"
 
 #include "limitcurve/approximations.hpp"
 #include "limitcurve/exact_curve.hpp"

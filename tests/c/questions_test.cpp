@@ -5,7 +5,7 @@
 
 #include "godobject/finger_curve.hpp"
 #include "godobject/friction.hpp"
-#include "limitcurve/contact_radius.hpp"
+#include "limitcurve/contact/load_to_hold.hpp"
 #include "limitcurve/exact_curve.hpp"
 #include "limitcurve/internal/number.hpp"
 #include "limitcurve/laws.hpp"

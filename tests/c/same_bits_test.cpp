@@ -2,7 +2,7 @@
 // The C interface gives the bits of the C++ library, on 10^5 random inputs each.
 #include "c/limitcurve.h"
 
-#include "godobject/batch.hpp"
+#include "godobject/batch/batch.hpp"
 #include "godobject/soft_finger.hpp"
 #include "limitcurve/approximations.hpp"
 #include "limitcurve/laws.hpp"

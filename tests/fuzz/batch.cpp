@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "godobject/batch.hpp"
+#include "godobject/batch/batch.hpp"
 #include "tests/fuzz/any_finger.hpp"
 
 #include <cmath>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "limitcurve/internal/key_values.hpp"
-#include "cli/io/range.hpp"
 #include "limitcurve/internal/number.hpp"
 #include "limitcurve/internal/number_list.hpp"
+#include "limitcurve/internal/range.hpp"
 #include "tests/fuzz/fuzz.hpp"
 
 using namespace limitcurve;
@@ -17,8 +17,8 @@ struct Grip {
 
 std::optional<std::string> read(std::string_view text, Grip& grip) {
   return fuzz::complaint_of([&] {
-    read_key_values(text, {number_key("from", grip.from, cli::positive), number_key("to", grip.to, cli::non_negative, false),
-                           angle_key("target", grip.target, cli::finite, false)});
+    read_key_values(text, {number_key("from", grip.from, ranges::positive), number_key("to", grip.to, ranges::non_negative, false),
+                           angle_key("target", grip.target, ranges::finite, false)});
   });
 }
 
@@ -40,13 +40,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
 
   std::vector<double> numbers;
-  if (fuzz::complaint_of([&] { numbers = read_number_list(text, cli::distance); })) return 0;
+  if (fuzz::complaint_of([&] { numbers = read_number_list(text, ranges::distance); })) return 0;
   std::string written;
   for (const double number : numbers) {
     fuzz::require(number >= 0.0, "an item out of its range");
     if (!written.empty()) written += ',';
     written += format_number(number);
   }
-  fuzz::require(read_number_list(written, cli::distance) == numbers, "a list does not come back");
+  fuzz::require(read_number_list(written, ranges::distance) == numbers, "a list does not come back");
   return 0;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "limitcurve/contact_radius.hpp"
+#include "limitcurve/contact/radius_law.hpp"
 #include "limitcurve/internal/number.hpp"
 #include "tests/fuzz/fuzz.hpp"
 

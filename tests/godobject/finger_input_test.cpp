@@ -290,8 +290,6 @@ TEST(FingerParameters, ABoxGoesWithTheClosestPointOnly) {
     } catch (const std::invalid_argument& error) {
       EXPECT_NE(std::string(error.what()).find("projection: a box goes with closest-point only"), std::string::npos) << error.what();
     }
-    EXPECT_THROW(static_cast<void>(Batch(limits, parameters(), projection)), std::invalid_argument);
-    EXPECT_THROW(static_cast<void>(FloatBatch(limits, parameters(), projection)), std::invalid_argument);
   }
 }
 

@@ -1,62 +1,16 @@
 // SPDX-License-Identifier: MIT
 // What the host's settings may not change: -ffast-math in a user's file, another rounding, subnormal numbers flushed to 0.
+#include "tests/godobject/host_settings.hpp"
 #include "tests/godobject/host_settings_user.hpp"
 
 #include <gtest/gtest.h>
 
 #include <bit>
-#include <cfenv>
-#include <functional>
-#if defined(__SSE2__)
-#include <xmmintrin.h>
-#endif
 
 namespace limitcurve::godobject::test {
 namespace {
 
 constexpr double time_step = 1e-3;
-
-/// What a host may set, while it lives.
-class Setting {
- public:
-  virtual ~Setting() = default;
-};
-
-class Rounding final : public Setting {
- public:
-  explicit Rounding(int how) { EXPECT_EQ(std::fesetround(how), 0); }
-  ~Rounding() override { std::fesetround(FE_TONEAREST); }
-};
-
-#if defined(__SSE2__)
-class NoSubnormals final : public Setting {
- public:
-  NoSubnormals() : before_(_mm_getcsr()) { _mm_setcsr(before_ | 0x8040); }  // FTZ and DAZ
-  ~NoSubnormals() override { _mm_setcsr(before_); }
-
- private:
-  unsigned before_;
-};
-#endif
-
-struct NamedSetting {
-  std::string name;
-  std::function<std::unique_ptr<Setting>()> set;
-};
-
-std::vector<NamedSetting> settings() {
-  const auto rounding = [](std::string name, int how) {
-    return NamedSetting{std::move(name), [how] { return std::make_unique<Rounding>(how); }};
-  };
-  return {
-    rounding("downward", FE_DOWNWARD), rounding("upward", FE_UPWARD), rounding("toward zero", FE_TOWARDZERO),
-#if defined(__SSE2__)
-    {
-      "no subnormals", [] { return std::make_unique<NoSubnormals>(); }
-    }
-#endif
-  };
-}
 
 std::vector<DevicePose> path_on(const AnySurface& surface, Random& random) {
   const RandomDevice device(surface, random);
@@ -184,48 +138,6 @@ TEST(HostSettings, ATableLooksUpTheSameUnderAnyRounding) {
       if (std::fmax(twists[i].slide, twists[i].spin) < 1e-300 && setting.name == "no subnormals") continue;
       ASSERT_NEAR(nearest[i].force, other[i].force, 1e-9) << setting.name << ' ' << twists[i].slide << ' ' << twists[i].spin;
       ASSERT_NEAR(nearest[i].moment, other[i].moment, 1e-9) << setting.name << ' ' << twists[i].slide << ' ' << twists[i].spin;
-    }
-  }
-}
-
-/// A batch of contacts that slide and twist; forces of all steps.
-std::vector<double> batch_forces(const FingerCurve& curve, const FingerParameters& with, Projection projection) {
-  constexpr std::size_t count = 67;  // packs, and some more
-  const Batch batch(curve, with, projection);
-  ContactArrays arrays(count);
-  const ContactBatch contacts = arrays.batch();
-  std::vector<double> result;
-  for (int step = 0; step < 40; ++step) {
-    for (std::size_t i = 0; i < count; ++i) {
-      const double phase = static_cast<double>(i) + 0.1 * step;
-      arrays.x()[i] = 0.003 * std::sin(phase);
-      arrays.y()[i] = 0.002 * std::cos(2.0 * phase);
-      arrays.twist()[i] = 0.5 * std::sin(0.7 * phase);
-      arrays.depth()[i] = i % 13 == 12 ? 1e-310 : 0.0015 + 0.002 * std::sin(3.0 * phase);
-    }
-    batch.step(contacts);
-    for (std::size_t i = 0; i < count; ++i) {
-      result.insert(result.end(), {contacts.fx[i], contacts.fy[i], contacts.moment[i], contacts.proxy_x[i], contacts.proxy_angle[i]});
-    }
-  }
-  return result;
-}
-
-TEST(HostSettings, ABatchFeelsTheSameUnderAnyRounding) {
-  for (const CurveChoice& choice : all_curves()) {
-    const FingerCurve curve = make_finger_curve(choice.kind, hertz(), 1e-8);
-    for (const NamedParameters& with : all_parameters()) {
-      const std::vector<double> nearest = batch_forces(curve, with.finger, choice.projection);
-      for (const NamedSetting& setting : settings()) {
-        std::vector<double> other;
-        {
-          const auto set = setting.set();
-          other = batch_forces(curve, with.finger, choice.projection);
-        }
-        for (std::size_t i = 0; i < nearest.size(); ++i) {
-          ASSERT_NEAR(nearest[i], other[i], 1e-9) << choice.name() << ", " << with.name << ", " << setting.name << ' ' << i;
-        }
-      }
     }
   }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "godobject/scene/replay.hpp"
+#include "godobject/soft_finger.hpp"
 #include "tests/godobject/scene.hpp"
 #include "tests/real_time_guard.hpp"
 
@@ -47,32 +47,6 @@ TEST(RealTime, AStepNeitherAllocatesNorLocks) {
   });
 }
 
-template <class Real>
-void expect_batch_neither_allocates_nor_locks() {
-  FingerParameters soft = parameters();
-  soft.radius_law = RadiusLaw::hertz(0.008, 2e5);
-  constexpr std::size_t contacts = 300;
-  for (const Projection projection : projections) {
-    const BasicBatch<Real> batch(BasicTable<Real>::build(uniform(), 1e-6), soft, projection);
-    BasicContactArrays<Real> arrays(contacts);
-    for (Real& depth : arrays.depth()) depth = Real(0.002);
-    const int count = allocations_and_locks([&] {
-      for (int i = 0; i < 100; ++i) {
-        for (std::size_t k = 0; k < contacts; ++k) arrays.x()[k] += Real(1e-5) * static_cast<Real>(k);
-        arrays.twist()[7] = i == 50 ? std::numeric_limits<Real>::quiet_NaN() : Real(0.01);
-        batch.step(arrays.batch());
-      }
-    });
-    EXPECT_EQ(count, 0) << to_string(projection);
-    EXPECT_EQ(arrays.batch().state[200], ContactState::slip);
-  }
-}
-
-TEST(RealTime, ABatchNeitherAllocatesNorLocks) {
-  expect_batch_neither_allocates_nor_locks<double>();
-  expect_batch_neither_allocates_nor_locks<float>();
-}
-
 TEST(RealTime, TheCageHoldsWhatCallsTheSystem) {
   EXPECT_FALSE(runs_without_system_calls([] { syscall(SYS_getppid); }));
 }
@@ -98,8 +72,6 @@ TEST(RealTime, NothingInTheLoopThrows) {
   static_assert(noexcept(std::declval<SoftFinger&>().update_under_load(up, up, 0.0, level)));
   static_assert(noexcept(std::declval<SoftFinger&>().restore(std::declval<const FingerState&>())));
   static_assert(noexcept(std::declval<const SoftFinger&>().margin()));
-  static_assert(noexcept(std::declval<const Batch&>().step(std::declval<const ContactBatch&>())));
-  static_assert(noexcept(std::declval<Replay&>().step(0.0, std::declval<std::span<const DevicePose>>(), std::declval<const BodyPose&>())));
 }
 
 }  // namespace

@@ -170,47 +170,5 @@ TEST(Uncoupled, AMomentOutlivesAForceWithoutFriction) {
   EXPECT_EQ(turned.moment, 0.0);
 }
 
-/// Batches remember both slip states: contact by contact what a finger does.
-template <class Real>
-void expect_batch_of_fingers(double tolerance) {
-  constexpr std::size_t count = 67;
-  FingerParameters with = parameters(0.6, 0.005, 1000.0, 0.04);
-  with.mu_dynamic = 0.3;
-  const BasicBatch<Real> batch(box(1.0, hertz()->moment_ratio()), with);
-  std::vector<SoftFinger> fingers(count, SoftFinger(hertz_box(), with));
-  BasicContactArrays<Real> arrays(count);
-  Random random(11);
-  int only_one = 0;
-  for (int step = 0; step < 300; ++step) {
-    for (std::size_t i = 0; i < count; ++i) {
-      // Even contacts slide and hold their twist near its sticking limit, odd ones turn and hold their position.
-      const bool slides = i % 2 == 0;
-      arrays.x()[i] = static_cast<Real>(slides ? 1e-5 * step : 5e-4 * std::min(step / 10.0, 1.0));
-      arrays.twist()[i] = static_cast<Real>(slides ? 0.04 * std::min(step / 10.0, 1.0) : 1e-3 * step);
-      arrays.depth()[i] = static_cast<Real>(0.001);
-    }
-    const BasicContactBatch<Real> contacts = arrays.batch();
-    batch.step(contacts);
-    for (std::size_t i = 0; i < count; ++i) {
-      const FingerOutput output =
-          fingers[i].update(on_plane(double{contacts.x[i]}, 0.0, double{contacts.depth[i]}), double{contacts.twist[i]});
-      ASSERT_EQ(contacts.state[i], output.state) << step << ' ' << i;
-      ASSERT_NEAR(double{contacts.fx[i]}, output.force.x(), tolerance) << step << ' ' << i;
-      ASSERT_NEAR(double{contacts.moment[i]}, output.moment, 0.005 * tolerance) << step << ' ' << i;
-      ASSERT_EQ(contacts.force_slides[i] == ContactState::slip, fingers[i].state().friction.force_slides) << step << ' ' << i;
-      ASSERT_EQ(contacts.moment_slides[i] == ContactState::slip, fingers[i].state().friction.moment_slides) << step << ' ' << i;
-      only_one += (contacts.force_slides[i] == ContactState::slip) != (contacts.moment_slides[i] == ContactState::slip);
-    }
-  }
-  EXPECT_GT(only_one, 1000);
-}
-
-TEST(Uncoupled, BatchesRememberBothSlips) {
-  expect_batch_of_fingers<double>(1e-12);
-}
-TEST(Uncoupled, FloatBatchesRememberBothSlips) {
-  expect_batch_of_fingers<float>(1e-5);
-}
-
 }  // namespace
 }  // namespace limitcurve::godobject::test

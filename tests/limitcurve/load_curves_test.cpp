@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "limitcurve/contact_radius.hpp"
+#include "limitcurve/contact/load_curves.hpp"
+#include "limitcurve/contact/load_to_hold.hpp"
 
 #include "limitcurve/approximations.hpp"
 #include "limitcurve/exact_curve.hpp"

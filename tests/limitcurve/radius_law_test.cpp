@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "limitcurve/contact_radius.hpp"
+#include "limitcurve/contact/radius_law.hpp"
 
 #include <gtest/gtest.h>
 
@@ -124,9 +124,9 @@ TEST(RadiusLaw, SaysWhatIsWrong) {
 }
 
 TEST(RadiusLaw, FactoriesRefuseToo) {
-  constexpr double inf = std::numeric_limits<double>::infinity();
+  constexpr double infinite = std::numeric_limits<double>::infinity();
   EXPECT_THROW(RadiusLaw::constant(0.0), std::invalid_argument);
-  EXPECT_THROW(RadiusLaw::hertz(inf, 1.0), std::invalid_argument);
+  EXPECT_THROW(RadiusLaw::hertz(infinite, 1.0), std::invalid_argument);
   EXPECT_THROW(RadiusLaw::hertz(1.0, -1.0), std::invalid_argument);
   EXPECT_THROW(RadiusLaw::power(0.002, std::nan("")), std::invalid_argument);
   // Each is a good number, their ratio is not.

@@ -2,7 +2,7 @@
 // Held fingers do not creep: a finger that trembles within the limit, or stays where it slipped last, keeps its proxy to the last bit.
 //     creep [STEPS]
 // A finger and a batch of each precision, STEPS (ten million) each. Exits with 1 if a proxy moves.
-#include "godobject/batch.hpp"
+#include "godobject/batch/batch.hpp"
 #include "godobject/godobject.hpp"
 #include "limitcurve/laws.hpp"
 #include "tests/soak/random_bits.hpp"

@@ -4,7 +4,7 @@
 // translated coefficients, measured by dragging it about imposed centres of rotation, as CSV:
 // engine,version,model,c,force,moment, with c over the radius, force and moment over their limits;
 // and exact_force,exact_moment of the law there. scripts/maintain/engines/measure runs it.
-#include "fit/engine_coefficients.hpp"
+#include "limitcurve/engines/engine_coefficients.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/wrench.hpp"
 
@@ -64,9 +64,9 @@ UnitWrench drag(std::map<std::string, dReal>& typed, SlipTwist twist) {
 int main() {
   std::puts("engine,version,model,c,force,moment,exact_force,exact_moment");
   std::map<std::string, dReal> typed;
-  for (const fit::EngineContact& contact : fit::translate(hertz(), RadiusLaw::constant(radius), friction, load)) {
+  for (const engines::EngineContact& contact : engines::translate(hertz(), RadiusLaw::constant(radius), friction, load)) {
     if (contact.engine != "ode") continue;
-    for (const fit::EngineCoefficient& one : contact.coefficients) typed[one.parameter] = static_cast<dReal>(one.value);
+    for (const engines::EngineCoefficient& one : contact.coefficients) typed[one.parameter] = static_cast<dReal>(one.value);
   }
   const double moment_ratio = hertz()->moment_ratio();
   constexpr int steps = 16;

@@ -13,6 +13,8 @@
 namespace limitcurve::godobject::test {
 namespace {
 
+static_assert(noexcept(std::declval<Replay&>().step(0.0, std::declval<std::span<const DevicePose>>(), std::declval<const BodyPose&>())));
+
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What fingers, a batch, a scene and curves give, on one path. `drive write FILE` writes it; `drive compare FILE`, compiled for the processor
 // (-march=native), compares: what the library gives is the same to the last bit, what this file makes of the library's templates to 1e-12.
+#include "godobject/batch/batch.hpp"
 #include "godobject/body/grasp.hpp"
 #include "godobject/friction.hpp"
 #include "godobject/godobject.hpp"

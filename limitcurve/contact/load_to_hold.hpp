@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "../arithmetic.hpp"
+#include "contact_friction.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace limitcurve {
+
+namespace detail {
+#ifdef LIMITCURVE_COPIES
+inline namespace LIMITCURVE_COPIES {  // arithmetic.hpp
+#endif
+/// `load_to_hold` of a contact whose radius law is known and whose numbers are in range.
+///
+/// It is the root of ln gauge(F/μP, M/μPa(P)) = 0 in ln P. The slope is −(1 + γω): γ is the exponent of the radius law, ω the fraction of
+/// the dissipated power that rotation takes, from the curve's normal. Newton's method inside a bracket: below, the larger of the loads that
+/// hold F alone and M alone; above, by convexity, their sum.
+template <class Curve>
+double load_to_hold(const Curve& curve, const RadiusLaw& radius_law, double mu, double force, double moment) {
+  constexpr int search_limit = 60;
+  constexpr double tolerance = 1e-14;
+  force = std::fabs(force);
+  moment = std::fabs(moment);
+  const double sum = force + moment;
+  if (!(sum > 0.0)) return sum;
+  if (mu == 0.0 || std::isinf(sum)) return std::numeric_limits<double>::infinity();
+  const double scaled_force = force / mu;
+  const double scaled_moment = moment / mu;
+  if (!radius_law.is_sampled() && radius_law.exponent() == 0.0)
+    return curve.gauge({scaled_force, scaled_moment / radius_law.coefficient()});
+  const double force_alone = scaled_force / curve.wrench({1.0, 0.0}).force;
+  const double moment_alone = radius_law.load_of_product(scaled_moment / curve.wrench({0.0, 1.0}).moment);
+  double low = (std::max)(force_alone, moment_alone);
+  double high = force_alone + moment_alone;
+  if (force == 0.0 || moment == 0.0 || std::isinf(high)) return high;
+  // Where the radius falls with the load the sum of the two loads need not hold. A load that bears twice the force alone and twice the
+  // moment alone does.
+  if (radius_law.is_sampled() || radius_law.exponent() < 0.0)
+    high = (std::max)(high, radius_law.load_of_product(scaled_moment / curve.wrench({0.0, 1.0}).moment * 2.0) + 2.0 * force_alone);
+  double load = low;
+  for (int i = 0; i < search_limit; ++i) {
+    const UnitWrench wrench{scaled_force / load, scaled_moment / (load * radius_law.radius(load))};
+    const double gamma = radius_law.exponent(load);
+    const auto [on_curve, normal] = curve.along(wrench);
+    const double gauge = gauge_from(wrench, on_curve);
+    (gauge > 1.0 ? low : high) = load;
+    const double slide_power = normal.slide * on_curve.force;
+    const double spin_power = normal.spin * on_curve.moment;
+    const double fraction = spin_power / (slide_power + spin_power);
+    double next = load * std::pow(gauge, 1.0 / (1.0 + gamma * fraction));
+    if (!(next >= low && next <= high)) next = 0.5 * (low + high);
+    const double step = std::fabs(next - load);
+    load = next;
+    if (step <= tolerance * load) break;
+  }
+  return load;
+}
+#ifdef LIMITCURVE_COPIES
+}
+#endif
+}  // namespace detail
+
+#ifdef LIMITCURVE_COPIES
+inline namespace LIMITCURVE_COPIES {
+#endif
+
+/// The smallest load [N] under which the contact bears a force [N] and a moment [N·m] without slip; their signs do not count. 0 for none of
+/// both; ∞ without friction, for a moment without moment coefficient, and where no finite load holds; NaN for NaN. Relative error ≤ 1e-12
+/// plus the curve's. Throws like `ContactFriction::radius`. Cost: one call of `gauge` for a constant radius, else 3 to 6 calls of `along`,
+/// at most 60.
+template <class Curve>
+double load_to_hold(const Curve& curve, const ContactFriction& contact, double force, double moment) {
+  const RadiusLaw radius_law = detail::radius_law_of(curve, contact);
+  if (contact.mu_r == 0.0 && std::fabs(moment) > 0.0 && !std::isnan(force)) return std::numeric_limits<double>::infinity();
+  return detail::load_to_hold(curve, radius_law, contact.mu, force, moment);
+}
+
+#ifdef LIMITCURVE_COPIES
+}  // namespace LIMITCURVE_COPIES
+#endif
+
+}  // namespace limitcurve

@@ -1,8 +1,0 @@
-// SPDX-License-Identifier: MIT
-#include "limitcurve/table/lookup_packs.hpp"
-
-namespace limitcurve::kernel {
-
-template std::size_t gauges_in_packs<Avx2>(const CurveView<double>&, const UnitWrench*, double*, std::size_t) noexcept;
-
-}  // namespace limitcurve::kernel

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: MIT
+// A finger whose load a physics engine gives: friction on a ball of any radius is that on the plane.
+#include "godobject/surface.hpp"
+#include "limitcurve/patch/patch.hpp"
+#include "tests/godobject/scene.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+namespace limitcurve::godobject::test {
+namespace {
+
+using Eigen::AngleAxisd;
+using Eigen::Vector3d;
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// The place on a ball of this radius [m] after a way along a great circle; the force there, along and across it.
+struct Ball {
+  double radius;
+
+  [[nodiscard]] Vector3d normal(double way) const { return {std::sin(way / radius), 0.0, std::cos(way / radius)}; }
+  [[nodiscard]] Vector3d point(double way) const { return std::isinf(radius) ? Vector3d(way, 0.0, 0.0) : Vector3d(radius * normal(way)); }
+  [[nodiscard]] Vector3d along(double way) const { return {std::cos(way / radius), 0.0, -std::sin(way / radius)}; }
+};
+
+std::vector<SoftFinger> fingers() {
+  FingerParameters with = parameters(0.8, 0.005, 144.0, 0.01);
+  FingerParameters damped = with;
+  damped.damping = 1.44;
+  damped.twist_damping = 1e-4;
+  damped.mu_dynamic = 0.5;
+  damped.radius_law = RadiusLaw::hertz(0.008, 2e5);
+  return {hertz_finger(with), exact_hertz_finger(damped), {box(1.0, 0.5), damped}, {Patch::rectangle(0.01, 0.005), damped}};
+}
+
+// To and fro, with a twist, under loads that ease and press: P/k_l is 24 mm at most, so that the smallest balls are smaller than the deflection.
+TEST(GivenLoad, ABallOfAnyRadiusIsLikeThePlane) {
+  for (const SoftFinger& finger : fingers()) {
+    for (const double radius : {1e-3, 4e-3, 0.03, 0.1, 1e3}) {
+      const Ball ball{radius};
+      const Ball plane{infinity};
+      SoftFinger round = finger;
+      SoftFinger flat = finger;
+      int slips = 0;
+      int sticks = 0;
+      for (int i = 0; i < 4000; ++i) {
+        const double way = 0.02 * std::sin(0.0015 * i);
+        const double load = 1.9 + 1.5 * std::sin(0.007 * i);
+        const double twist = 0.3 * std::sin(0.002 * i);
+        const FingerOutput out = round.update_under_load(ball.point(way), ball.normal(way), load, twist, 1e-3);
+        const FingerOutput expected = flat.update_under_load(plane.point(way), plane.normal(way), load, twist, 1e-3);
+        const double unit = 0.8 * load;
+        ASSERT_EQ(out.load, load);
+        ASSERT_TRUE(std::isnan(out.depth));
+        ASSERT_NEAR(out.force.dot(ball.along(way)), expected.force.x(), 2e-4 * unit) << radius << ' ' << i;
+        ASSERT_NEAR(out.force.y(), expected.force.y(), 2e-4 * unit) << radius << ' ' << i;
+        ASSERT_NEAR(out.force.dot(out.normal), 0.0, 1e-14) << radius << ' ' << i;
+        ASSERT_NEAR(out.moment, expected.moment, 2e-4 * unit * 0.005) << radius << ' ' << i;
+        ASSERT_GE(out.slip_work, 0.0);
+        ASSERT_NEAR(round.spring_energy(), flat.spring_energy(), 1e-3 * unit * unit / 144.0) << radius << ' ' << i;
+        slips += out.state == ContactState::slip;
+        sticks += out.state == ContactState::stick;
+      }
+      EXPECT_GT(slips, 500);
+      EXPECT_GT(sticks, 500);
+    }
+  }
+}
+
+// 3.4 N on a ball of 4 mm at 1 cm/s: where a depth of 24 mm carries the device through the middle of the ball, the damper pushed it on.
+TEST(GivenLoad, ADamperBrakesOnABallSmallerThanTheDeflection) {
+  FingerParameters with = parameters(0.8, 0.005, 144.0, 0.01);
+  with.damping = 1.44;
+  for (const double radius : {4e-3, 0.03, 0.1, infinity}) {
+    SoftFinger finger = hertz_finger(with);
+    const Ball ball{radius};
+    for (int i = 0; i < 20; ++i) finger.update_under_load(ball.point(1e-5 * i), ball.normal(1e-5 * i), 3.4, 0.0, 1e-3);
+    EXPECT_EQ(finger.output().state, ContactState::stick);
+    EXPECT_NEAR(finger.output().force.dot(ball.along(1.9e-4)), -(144.0 * 1.9e-4 + 1.44 * 0.01), 1e-6) << radius;
+  }
+}
+
+// On the plane it is `update` with the depth at which springs and dampers give that load, to the bit.
+TEST(GivenLoad, OnThePlaneItIsUpdate) {
+  for (const SoftFinger& finger : fingers()) {
+    SoftFinger deep = finger;
+    SoftFinger loaded = finger;
+    Random random(3);
+    for (int i = 0; i < 2000; ++i) {
+      const Contact contact = on_plane(0.03 * std::sin(0.01 * i), 0.01 * std::sin(0.013 * i), 0.02 * std::sin(0.02 * i) + 0.01);
+      const double twist = 3.0 * std::sin(0.003 * i);
+      const FingerOutput expected = deep.update(contact, twist, 1e-3);
+      const bool touches = expected.state != ContactState::free;
+      // The least load, where a damper that lifts off takes all of it.
+      const double load = touches ? std::max(deep.state().limit_load, 5e-324) : random.uniform(-1.0, 0.0);
+      const FingerOutput out = loaded.update_under_load(contact.point, contact.normal, load, twist, 1e-3);
+      ASSERT_EQ(out.state, expected.state) << i;
+      ASSERT_TRUE(same_bits(out.force, expected.force) && out.moment == expected.moment && out.slip_work == expected.slip_work) << i;
+      ASSERT_TRUE(!touches || (same_bits(out.proxy, expected.proxy) && out.angle == expected.angle)) << i;
+      ASSERT_EQ(loaded.margin(), deep.margin());
+    }
+  }
+}
+
+// Its user never has more than was put in, on any path over a small ball under any loads: friction's work and the springs' energy.
+TEST(GivenLoad, NoPathWinsEnergy) {
+  Random random(4);
+  for (const double mu : {0.0, 0.3, 100.0}) {
+    FingerParameters with = parameters(mu, 0.005, 144.0, 0.01);
+    with.damping = 0.5;
+    SoftFinger finger = exact_hertz_finger(with);
+    Vector3d normal = Vector3d::UnitZ();
+    Vector3d step = Vector3d::Zero();
+    Vector3d last = 0.004 * normal;
+    double won = 0.0;
+    double passed = 0.0;
+    for (int i = 0; i < 20000; ++i) {
+      step = 0.99 * step + 1e-4 * Vector3d(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+      normal = (normal + step).normalized();
+      const Vector3d point = 0.004 * normal;
+      const double before = finger.spring_energy();
+      const FingerOutput out = finger.update_under_load(point, normal, random.uniform(0.01, 5.0), 0.0, 1e-3);
+      if (i > 0) won += out.force.dot(point - last) + finger.spring_energy() - before;
+      passed += out.force.norm() * (point - last).norm();
+      EXPECT_LE(won, 1e-6 * passed) << mu << ' ' << i;
+      last = point;
+    }
+    EXPECT_GT(passed, mu == 0.0 ? -1.0 : 0.001);
+  }
+}
+
+TEST(GivenLoad, NoLoadIsFreeAndABadOneIsAFault) {
+  SoftFinger finger = hertz_finger();
+  const Vector3d up = Vector3d::UnitZ();
+  const auto at = [&](double x, double load, double time_step = 1e-3) {
+    return finger.update_under_load({x, 0.0, 0.0}, up, load, 0.0, time_step);
+  };
+  for (const double none : {0.0, -0.0, -1.0, -1e300}) {
+    EXPECT_EQ(at(0.0, none).state, ContactState::free) << none;
+    EXPECT_EQ(finger.output().load, 0.0);
+    EXPECT_TRUE(std::isnan(finger.output().depth));
+  }
+  at(0.0, 2.0);
+  EXPECT_EQ(at(1e-3, 2.0).force.x(), -1.0);
+  for (const double bad : {nan, infinity, -infinity}) {
+    at(1e-3, 2.0);
+    EXPECT_EQ(at(1e-3, bad).fault, Fault::not_finite) << bad;
+    EXPECT_EQ(finger.output().state, ContactState::invalid);
+    EXPECT_EQ(finger.output().force.x(), -1.0) << "the last good output is held";
+  }
+  EXPECT_EQ(at(nan, 2.0).fault, Fault::not_finite);
+  EXPECT_EQ(at(1e-3, 2.0, -1.0).fault, Fault::time_step);
+  EXPECT_EQ(at(0.7, 2.0).fault, Fault::displacement);
+  EXPECT_EQ(finger.update_under_load({1e-3, 0.0, 0.0}, 1.1 * up, 2.0, 0.0).fault, Fault::normal);
+  EXPECT_EQ(finger.update_under_load({1e-3, 0.0, 0.0}, up, 2.0, Orientation(1.1, 0.0, 0.0, 0.0)).fault, Fault::orientation);
+  EXPECT_EQ(at(1e-3, 2.0).force.x(), -1.0) << "and goes on";
+  EXPECT_EQ(finger.update_under_load({1e-3, 0.0, 0.0}, up, 2.0, 0.0, 1e-3, true).force.x(), -0.0) << "landed: the springs are relaxed";
+  for (const double load : {5e-324, 1e-200, 1e20, 1e300}) {
+    const FingerOutput out = at(2e-3, load);
+    EXPECT_TRUE(out.force.allFinite() && std::isfinite(out.moment) && out.slip_work >= 0.0) << load;
+    EXPECT_TRUE(finger.margin() >= 0.0 && finger.load_to_hold() < infinity) << load;
+  }
+}
+
+// The twist is the spin of an orientation about the normal; a normal that is turned over leaves numbers.
+TEST(GivenLoad, AnOrientationGivesTheTwist) {
+  SoftFinger by_angle = hertz_finger();
+  SoftFinger by_turn = hertz_finger();
+  for (int i = 0; i < 100; ++i) {
+    const Orientation turn(Eigen::Quaterniond(AngleAxisd(0.1 * i, Vector3d::UnitZ()) * AngleAxisd(0.3, Vector3d::UnitX())));
+    const FingerOutput expected = by_angle.update_under_load({1e-4 * i, 0.0, 0.0}, Vector3d::UnitZ(), 2.0, 0.1 * i, 1e-3);
+    const FingerOutput out = by_turn.update_under_load({1e-4 * i, 0.0, 0.0}, Vector3d::UnitZ(), 2.0, turn, 1e-3);
+    EXPECT_NEAR(out.moment, expected.moment, 1e-12) << i;
+    EXPECT_NEAR(out.force.x(), expected.force.x(), 1e-10) << i;
+  }
+  const FingerOutput over = by_angle.update_under_load({0.0, 0.0, 0.0}, -Vector3d::UnitZ(), 2.0, 10.0, 1e-3);
+  EXPECT_TRUE(over.force.allFinite() && over.proxy.allFinite() && over.force.norm() <= 1.2 * (1.0 + 1e-12));
+}
+
+// From a depth to a load and back in one contact: the springs stay, and dampers, which know no velocity there, do not act.
+TEST(GivenLoad, AFingerMayChangeBetweenBoth) {
+  FingerParameters with = parameters();
+  with.damping = 5.0;
+  SoftFinger finger = hertz_finger(with);
+  for (int i = 0; i < 3; ++i) finger.update(on_plane(5e-4, 0.0, 0.002), 0.0, 1e-3);
+  finger.update(on_plane(1e-3, 0.0, 0.002), 0.0, 1e-3);
+  for (int i = 0; i < 4; ++i) {
+    const double x = 1e-3 + 1e-5 * i;
+    const FingerOutput out = i % 2 == 0 ? finger.update_under_load({x, 0.0, 0.0}, Vector3d::UnitZ(), 2.0, 0.0, 1e-3)
+                                        : finger.update(on_plane(x, 0.0, 0.002), 0.0, 1e-3);
+    EXPECT_NEAR(out.force.x(), 1000.0 * (out.proxy.x() - x), 1e-12) << i;
+    EXPECT_EQ(out.load, 2.0) << i;
+  }
+}
+
+}  // namespace
+}  // namespace limitcurve::godobject::test

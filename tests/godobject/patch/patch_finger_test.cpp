@@ -1,0 +1,350 @@
+// SPDX-License-Identifier: MIT
+#include "godobject/patch/patch_projection.hpp"
+#include "godobject/soft_finger.hpp"
+#include "limitcurve/laws.hpp"
+#include "limitcurve/patch/patch.hpp"
+#include "limitcurve/table.hpp"
+#include "tests/repetitions.hpp"
+
+#include <gtest/gtest.h>
+#include <Eigen/Geometry>
+
+#include <cmath>
+#include <limits>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace limitcurve::godobject {
+
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+Patch tripod() {
+  const std::vector<PatchLoad> loads{{-0.04, -0.04, 1}, {0.04, -0.02, 2}, {-0.04, 0.08, 1}};
+  return Patch::points(loads);
+}
+
+std::vector<std::pair<std::string, Patch>> patches() {
+  return {{"rectangle", Patch::rectangle(0.02, 0.01)},
+          {"slim rectangle", Patch::rectangle(0.05, 0.005)},
+          {"hertz", Patch::ellipse(hertz(), 0.008, 0.004)},
+          {"slim hertz", Patch::ellipse(hertz(), 0.001, 0.01)},
+          {"uniform", Patch::ellipse(uniform(), 0.002, 0.004)},
+          {"tripod", tripod().smoothed(1e-3 * tripod().moment_ratio())},
+          {"orthotropic", Patch::rectangle(0.02, 0.01).orthotropic(0.5, 2.0)}};
+}
+
+Contact on_plane(double x, double y, double depth) {
+  return {{x, y, 0.0}, Eigen::Vector3d::UnitZ(), depth};
+}
+
+FingerParameters usual() {
+  FingerParameters parameters;
+  parameters.mu = 0.6;
+  parameters.radius_law = RadiusLaw::constant(0.006);
+  parameters.stiffness = 1000.0;
+  parameters.twist_stiffness = 0.036;
+  return parameters;
+}
+
+}  // namespace
+
+TEST(PatchProjector, ClosestPointIsOnTheSurfaceAndTheSlipItsNormal) {
+  // 1e6 trials in the whole study.
+  const int trials = studies_are_whole() ? 28571 : repetitions(1000, 50);
+  for (const auto& [name, patch] : patches()) {
+    const PatchProjector projector(patch);
+    const double m0 = patch.moment_ratio();
+    for (const double ratio : {1e-3, 1e-1, 1.0, 1e1, 1e3}) {
+      std::mt19937 bits(4);
+      std::normal_distribution<double> normal;
+      std::uniform_real_distribution<double> decades(-0.5, 2.0);
+      for (int i = 0; i < trials; ++i) {
+        PatchWrench trial{normal(bits), normal(bits), normal(bits)};
+        const double size = 3.0 * std::pow(10.0, decades(bits)) / std::hypot(trial.fx, trial.fy, trial.moment);
+        trial = {size * trial.fx, size * trial.fy, size * m0 * trial.moment};
+        const PatchProjection found = projector.project(trial, 3.0, 500.0, m0 * std::sqrt(ratio), {});
+        ASSERT_TRUE(found.converged) << name << ' ' << ratio << ' ' << i;
+        ASSERT_LE(found.evaluations, PatchProjector::most_evaluations);
+        if (!found.slips) {
+          EXPECT_LE(projector.patch().gauge({trial.fx / 3.0, trial.fy / 3.0, trial.moment / m0 * m0 / 3.0}), 1.0 + 1e-9) << name;
+          continue;
+        }
+        // What the springs gave is the slip; W·T = μP H(T) puts W on the surface with T as its normal.
+        EXPECT_NEAR((trial.fx - found.wrench.fx) / 500.0, found.slip.vx, 1e-12);
+        const double power = found.wrench.fx * found.slip.vx + found.wrench.fy * found.slip.vy + found.wrench.moment * found.slip.omega;
+        const double available = 3.0 * patch.power(found.slip);
+        EXPECT_GT(power, 0.0);
+        const double slipped = std::hypot(found.slip.vx, found.slip.vy, m0 * found.slip.omega);
+        // Of a slip near none the rounding of the trial is what is left.
+        const double rounding = 4.0 * std::numeric_limits<double>::epsilon() * std::hypot(trial.fx, trial.fy, trial.moment / m0) / 500.0;
+        EXPECT_NEAR(power, available, 1e-9 * available + 1e-11 * slipped + 3.0 * rounding) << name << ' ' << ratio;
+      }
+    }
+  }
+}
+
+/// Two to seven points, of which one may be a thousand times heavier.
+Patch random_points(std::mt19937& bits) {
+  std::uniform_real_distribution<double> unit(-1.0, 1.0);
+  std::vector<PatchLoad> loads(2 + bits() % 6);
+  for (PatchLoad& load : loads) load = {0.01 * unit(bits), 0.01 * unit(bits), std::pow(10.0, 1.5 * unit(bits))};
+  const Patch patch = Patch::points(loads).orthotropic(bits() % 2 == 0 ? 1.0 : std::pow(10.0, 0.5 * unit(bits)), 1.0);
+  return patch.smoothed(1e-3 * patch.moment_ratio());
+}
+
+/// max over twists of W·T/H(T), by a scan and a search by shrinking steps: the gauge of a wrench, from below.
+double brute_force_gauge(const Patch& patch, const PatchWrench& wrench, const std::vector<PatchTwist>& extra) {
+  const double m0 = patch.moment_ratio();
+  double best = 0.0;
+  PatchTwist at;
+  const auto look = [&](const PatchTwist& twist) {
+    const double ratio = (wrench.fx * twist.vx + wrench.fy * twist.vy + wrench.moment * twist.omega) / patch.power(twist);
+    if (ratio > best) {
+      best = ratio;
+      at = twist;
+      return true;
+    }
+    return false;
+  };
+  for (int i = 0; i < 40; ++i) {
+    for (int j = 0; j < 40; ++j) {
+      const double tilt = 3.14159265 * (i + 0.5) / 40.0;
+      const double turn = 2.0 * 3.14159265 * j / 40.0;
+      look({std::sin(tilt) * std::cos(turn), std::sin(tilt) * std::sin(turn), std::cos(tilt) / m0});
+    }
+  }
+  for (const PatchTwist& twist : extra) look(twist);
+  std::mt19937 bits(5);
+  std::normal_distribution<double> normal;
+  for (double step = 0.1; step > 1e-12; step *= 0.7) {
+    const double size = std::hypot(at.vx, at.vy, at.omega * m0);
+    for (int i = 0; i < 30; ++i) {
+      const double length = step * size;
+      look({at.vx + length * normal(bits), at.vy + length * normal(bits), at.omega + length / m0 * normal(bits)});
+    }
+  }
+  return best;
+}
+
+TEST(PatchProjector, PointsStickWithinTheirLimitAndAlwaysConverge) {
+  std::mt19937 bits(17);
+  std::normal_distribution<double> normal;
+  std::uniform_real_distribution<double> unit(-1.5, 1.5);
+  const int sets = study_cases(600);
+  int sticks = 0;
+  for (int set = 0; set < sets; ++set) {
+    const Patch patch = random_points(bits);
+    const PatchProjector projector(patch);
+    const double m0 = patch.moment_ratio();
+    for (int i = 0; i < 60; ++i) {
+      const double size = std::pow(10.0, 0.3 * normal(bits));
+      PatchWrench trial{normal(bits), normal(bits), normal(bits)};
+      const double length = std::hypot(trial.fx, trial.fy, trial.moment);
+      trial = {size * trial.fx / length, size * trial.fy / length, size * m0 * trial.moment / length};
+      const double ratio = std::pow(10.0, unit(bits));
+      const PatchProjection found = projector.project(trial, 1.0, 1000.0, m0 * ratio, {});
+      ASSERT_TRUE(found.converged) << set << ' ' << i;
+      ASSERT_LE(found.evaluations, PatchProjector::most_evaluations);
+      if (found.slips) {
+        const double power = found.wrench.fx * found.slip.vx + found.wrench.fy * found.slip.vy + found.wrench.moment * found.slip.omega;
+        const double slipped = std::hypot(found.slip.vx, found.slip.vy, m0 * found.slip.omega);
+        ASSERT_NEAR(power, patch.power(found.slip), 1e-8 * slipped + 1e-15) << set << ' ' << i;
+      } else if (i % 6 == 0) {
+        ++sticks;
+        ASSERT_LE(brute_force_gauge(patch, trial, {}), 1.0 + 1e-9) << set << ' ' << i;
+      }
+    }
+  }
+  EXPECT_GT(sticks, sets);
+}
+
+TEST(PatchFinger, OfADiscIsSoftFinger) {
+  for (const char* name : {"hertz", "uniform"}) {
+    const Law law = parse_law(name);
+    FingerParameters parameters = usual();
+    for (const bool damped : {false, true}) {
+      parameters.damping = damped ? 2.0 : 0.0;
+      parameters.twist_damping = damped ? 1e-4 : 0.0;
+      parameters.mu_dynamic = 0.5;
+      SoftFinger patch(Patch::ellipse(law, 0.006, 0.006), parameters);
+      SoftFinger disc(Table::build(law, 1e-12), parameters);
+      double x = 0.0;
+      double y = 0.0;
+      double twist = 0.1;
+      std::mt19937 bits(9);
+      std::normal_distribution<double> normal;
+      int slips = 0;
+      for (int i = 0; i < repetitions(4000, 100); ++i) {
+        x += 1e-4 * normal(bits) + 2e-5;
+        y += 1e-4 * normal(bits);
+        twist += 0.02 * normal(bits);
+        const Contact contact = on_plane(x, y, 1.5e-3 + 1e-3 * std::sin(0.01 * i));
+        const FingerOutput one = patch.update(contact, twist, 1e-3);
+        const FingerOutput two = disc.update(contact, twist, 1e-3);
+        ASSERT_EQ(one.state, two.state) << name << ' ' << i;
+        EXPECT_NEAR((one.proxy - two.proxy).norm(), 0.0, 1e-9 * 0.006) << i;
+        EXPECT_NEAR(one.angle, two.angle, 1e-9) << i;
+        EXPECT_NEAR((one.force - two.force).norm(), 0.0, 1e-9) << i;
+        EXPECT_NEAR(one.moment / 0.006, two.moment / 0.006, 1e-9) << i;
+        slips += one.state == ContactState::slip;
+        if (one.state == ContactState::slip) {
+          EXPECT_NEAR(one.cor / two.cor, 1.0, 1e-5);
+          EXPECT_NEAR((patch.centre_of_rotation() - disc.centre_of_rotation()).norm() / one.cor, 0.0, 1e-4);
+        }
+        EXPECT_NEAR(patch.margin(), disc.margin(), 1e-8);
+        EXPECT_NEAR(patch.load_to_hold(), disc.load_to_hold(), 1e-8);
+      }
+      EXPECT_GT(slips, repetitions(4000, 100) / 10);
+    }
+  }
+}
+
+TEST(PatchFinger, SteadyTwistGivesThePatchsWrench) {
+  for (const auto& [name, patch] : patches()) {
+    for (const double ratio : {1e-2, 1.0, 1e2}) {
+      FingerParameters parameters = usual();
+      const double m0 = patch.moment_ratio();
+      // So stiff that the deflection, which turns with the patch, adds little to the proxy's velocity.
+      parameters.stiffness = 1e6;
+      parameters.twist_stiffness = 1e6 * m0 * m0 * ratio;
+      SoftFinger finger(patch, parameters);
+      // The device turns about a point that is fixed to it: in the patch's axes the twist is constant.
+      const PatchTwist twist{0.3 * m0, -0.5 * m0, 1.0};
+      double x = 0.0;
+      double y = 0.0;
+      double angle = 0.0;
+      FingerOutput output;
+      const double step = 1e-4;
+      for (int i = 0; i < 1500; ++i) {
+        const double lag = finger.output().state == ContactState::free ? angle : finger.output().angle;
+        x += step * (twist.vx * std::cos(lag) - twist.vy * std::sin(lag));
+        y += step * (twist.vx * std::sin(lag) + twist.vy * std::cos(lag));
+        angle += step * twist.omega;
+        output = finger.update(on_plane(x, y, 1e-6), std::remainder(angle, 6.283185307179586));
+      }
+      const PatchWrench wrench = finger.patch()->wrench(twist);
+      // The user feels the opposite of what drives the patch; its axes turn with α_p.
+      const double c = std::cos(output.angle);
+      const double s = std::sin(output.angle);
+      EXPECT_NEAR(-(c * output.force.x() + s * output.force.y()) / 0.6, wrench.fx, 1e-3) << name << ' ' << ratio;
+      EXPECT_NEAR(-(-s * output.force.x() + c * output.force.y()) / 0.6, wrench.fy, 1e-3) << name << ' ' << ratio;
+      EXPECT_NEAR(-output.moment / (0.6 * m0), wrench.moment / m0, 1e-3) << name << ' ' << ratio;
+    }
+  }
+}
+
+TEST(PatchFinger, DissipatesAndHoldsStill) {
+  for (const auto& [name, patch] : patches()) {
+    SoftFinger finger(patch, usual());
+    std::mt19937 bits(2);
+    std::normal_distribution<double> normal;
+    double x = 0.0;
+    double y = 0.0;
+    double twist = 0.0;
+    for (int i = 0; i < 500; ++i) {
+      x += 2e-4 * normal(bits);
+      y += 2e-4 * normal(bits);
+      twist += 0.03 * normal(bits);
+      const FingerOutput output = finger.update(on_plane(x, y, 1e-3 * (1.2 + std::sin(0.05 * i))), twist, 1e-3);
+      EXPECT_GE(output.slip_work, 0.0);
+      EXPECT_TRUE(output.force.allFinite() && std::isfinite(output.moment));
+      EXPECT_LE(finger.load_to_hold(), output.load * (1.0 + 1e-6)) << name;
+    }
+    const FingerOutput held = finger.output();
+    for (int i = 0; i < 100; ++i) finger.update(on_plane(x, y, 1e-3 * (1.2 + std::sin(0.05 * 499))), twist, 1e-3);
+    const FingerOutput settled = finger.output();
+    const FingerOutput later = finger.update(on_plane(x, y, 1e-3 * (1.2 + std::sin(0.05 * 499))), twist, 1e-3);
+    EXPECT_EQ(later.proxy, settled.proxy) << name;
+    EXPECT_EQ(later.angle, settled.angle) << name;
+    EXPECT_EQ(later.state, ContactState::stick) << name;
+    EXPECT_NEAR((later.proxy - held.proxy).norm(), 0.0, 1e-9) << name;
+  }
+}
+
+TEST(PatchFinger, FrictionAlongAndAcrossTurnsWithTheFinger) {
+  // Twice as rough along the patch's x axis.
+  FingerParameters parameters = usual();
+  parameters.mu = 0.3;
+  for (const double turned : {0.0, 1.5707963267948966, 0.5}) {
+    for (const bool upside_down : {false, true}) {
+      SoftFinger finger(Patch::rectangle(0.02, 0.02).orthotropic(2.0, 1.0), parameters);
+      const Eigen::Vector3d normal = upside_down ? Eigen::Vector3d(0, 1, 0) : Eigen::Vector3d(0, 0, 1);
+      const Eigen::Vector3d x = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), normal) * Eigen::Vector3d::UnitX();
+      const Eigen::Vector3d along = x * std::cos(turned) + normal.cross(x) * std::sin(turned);
+      FingerOutput output;
+      for (int i = 0; i < 50; ++i) output = finger.update({1e-4 * i * along, normal, 1e-3}, turned);
+      EXPECT_EQ(output.state, ContactState::slip);
+      EXPECT_NEAR(-output.force.dot(along), 0.6, 1e-9) << turned;
+      finger.reset();
+      const Eigen::Vector3d across = normal.cross(along);
+      for (int i = 0; i < 50; ++i) output = finger.update({1e-4 * i * across, normal, 1e-3}, turned);
+      EXPECT_NEAR(-output.force.dot(across), 0.3, 1e-9) << turned;
+    }
+  }
+}
+
+TEST(PatchFinger, TheOriginOfThePatchPlaysNoPart) {
+  SoftFinger here(Patch::rectangle(0.02, 0.01), usual());
+  const std::vector<PatchPoint> corners{{0.49, -0.255}, {0.51, -0.255}, {0.51, -0.245}, {0.49, -0.245}};
+  SoftFinger there(Patch::polygon(corners), usual());
+  for (int i = 0; i < 100; ++i) {
+    const FingerOutput one = here.update(on_plane(1e-4 * i, 5e-5 * i, 1e-3), 0.01 * i);
+    const FingerOutput two = there.update(on_plane(1e-4 * i, 5e-5 * i, 1e-3), 0.01 * i);
+    EXPECT_NEAR((one.force - two.force).norm(), 0.0, 1e-9);
+    EXPECT_NEAR(one.moment, two.moment, 1e-11);
+  }
+}
+
+TEST(PatchFinger, BadSamplesAreInvalidAndLoseNothing) {
+  SoftFinger finger(tripod(), usual());
+  finger.update(on_plane(0, 0, 1e-3), 0.0);
+  const FingerOutput good = finger.update(on_plane(1e-3, 0, 1e-3), 0.1);
+  for (const Contact& contact : {on_plane(nan, 0, 1e-3), on_plane(0, 0, nan), on_plane(5, 0, 1e-3), Contact{{0, 0, 0}, {0, 0, 2}, 1e-3}}) {
+    const FingerOutput bad = finger.update(contact, 0.1);
+    EXPECT_EQ(bad.state, ContactState::invalid);
+    EXPECT_TRUE(bad.force.allFinite());
+  }
+  EXPECT_EQ(finger.update(on_plane(1e-3, 0, 1e-3), nan).state, ContactState::invalid);
+  const FingerOutput again = finger.update(on_plane(1e-3, 0, 1e-3), 0.1);
+  EXPECT_NEAR((again.force - good.force).norm(), 0.0, 1e-6);
+  EXPECT_EQ(finger.update(on_plane(1e-3, 0, -1e-3), 0.1).state, ContactState::free);
+  EXPECT_EQ(finger.output().force.norm(), 0.0);
+}
+
+TEST(PatchFinger, WithoutFrictionFollowsTheFinger) {
+  FingerParameters parameters = usual();
+  parameters.mu = 0.0;
+  SoftFinger finger(Patch::rectangle(0.02, 0.01), parameters);
+  for (int i = 0; i < 10; ++i) {
+    const FingerOutput output = finger.update(on_plane(1e-3 * i, 0, 1e-3), 0.1 * i);
+    EXPECT_EQ(output.force.norm(), 0.0);
+    EXPECT_EQ(output.moment, 0.0);
+    EXPECT_NEAR(output.proxy.x(), 1e-3 * i, 1e-15);
+  }
+}
+
+TEST(PatchFinger, BadParametersAreNamed) {
+  const auto complaint = [](const Patch& patch, const FingerParameters& parameters, double radius = 0.0) -> std::string {
+    try {
+      SoftFinger finger(patch, parameters, radius);
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "";
+  };
+  FingerParameters parameters = usual();
+  parameters.mu_r = 0.01;
+  EXPECT_NE(complaint(tripod(), parameters).find("mu_r"), std::string::npos);
+  parameters = usual();
+  parameters.mu = nan;
+  EXPECT_NE(complaint(tripod(), parameters).find("mu = nan"), std::string::npos);
+  const Patch point = Patch::points(std::vector<PatchLoad>{{1, 2, 3}});
+  EXPECT_NE(complaint(point, usual()).find("on one point"), std::string::npos);
+  EXPECT_EQ(complaint(point, usual(), 0.001), "");
+  EXPECT_NE(complaint(tripod(), usual(), 1e-9).find("point_radius = 1e-09"), std::string::npos);
+}
+
+}  // namespace limitcurve::godobject

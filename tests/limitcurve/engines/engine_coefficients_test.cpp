@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: MIT
+#include "limitcurve/engines/engine_coefficients.hpp"
+
+#include "limitcurve/laws.hpp"
+#include "limitcurve/patch/patch.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace limitcurve::engines {
+namespace {
+
+const RadiusLaw silicone = RadiusLaw::power(2.07e-3, 0.259);
+
+double coefficient(const EngineContact& contact, const std::string& parameter) {
+  for (const EngineCoefficient& item : contact.coefficients) {
+    if (item.parameter == parameter) return item.value;
+  }
+  throw std::out_of_range(parameter);
+}
+
+/// The moment limit that each engine computes from what it was given, by its documentation or source; 0 where it has none.
+double moment_limit(const EngineContact& contact, double load) {
+  const std::string& engine = contact.engine;
+  const auto number = [&](const char* parameter) { return coefficient(contact, parameter); };
+  if (engine == "mujoco") return number("geom.friction[1]") * load;
+  if (engine == "newton" || engine == "newton-xpbd") return number("ShapeConfig.mu_torsional") * load;
+  if (engine == "genesis") return number("materials.Rigid.friction_torsional") * load;
+  if (engine == "chrono") return number("SetSpinningFriction") * load;
+  if (engine == "gazebo") {
+    return 3.0 * std::acos(-1.0) / 16.0 * number("surface/friction/torsional/patch_radius") *
+           number("surface/friction/torsional/coefficient") * load;
+  }
+  if (engine == "physx") return number("PxMaterial.dynamicFriction") * number("PxShape.minTorsionalPatchRadius") * load;
+  if (engine == "isaac") return number("physics:dynamicFriction") * number("physxCollision:minTorsionalPatchRadius") * load;
+  if (engine == "sapien") return number("PhysxMaterial.dynamic_friction") * number("min_patch_radius") * load;
+  if (engine == "bullet") return number("setSpinningFriction") * 1.0 * load;
+  if (engine == "ode") return number("surface.rhoN") * load;
+  if (engine == "dex-net") return std::acos(-1.0) * std::pow(number("finger_radius"), 2) * number("friction_coef") * load;
+  if (engine == "drake" || engine == "dart") return 0.0;
+  throw std::out_of_range(engine);
+}
+
+TEST(EngineCoefficients, GiveEveryEngineTheExactLimits) {
+  for (const Law& law : {hertz(), uniform(), flat_punch(), parabolic()}) {
+    for (const double load : {0.5, 3.0, 12.0}) {
+      std::set<std::string> engines;
+      for (const EngineContact& contact : translate(law, silicone, 0.8, load)) {
+        engines.insert(contact.engine);
+        const bool bears = contact.model != "point";
+        EXPECT_NEAR(moment_limit(contact, load) / (0.8 * load * law->moment_ratio() * silicone.radius(load)), bears ? 1.0 : 0.0, 1e-14)
+            << contact.engine;
+        EXPECT_EQ(contact.documentation.substr(0, 4), "http");
+        EXPECT_FALSE(contact.caveat.empty());
+        std::set<std::string> parameters;
+        bool has_friction = false;
+        for (const EngineCoefficient& item : contact.coefficients) {
+          EXPECT_FALSE(item.formula.empty() || item.unit.empty());
+          EXPECT_TRUE(parameters.insert(item.parameter).second) << item.parameter;
+          EXPECT_LE(item.low, item.value);
+          EXPECT_GE(item.high, item.value);
+          has_friction = has_friction || (item.formula.substr(0, 2) == "mu" && item.value == 0.8);
+        }
+        EXPECT_TRUE(has_friction) << contact.engine;
+      }
+      EXPECT_EQ(engines, (std::set<std::string>{"mujoco", "newton", "newton-xpbd", "genesis", "physx", "isaac", "sapien", "bullet",
+                                                "chrono", "gazebo", "ode", "drake", "dart", "dex-net"}));
+    }
+  }
+}
+
+TEST(EngineCoefficients, WhatIsReadIsWhatWasTranslated) {
+  int moments = 0;
+  for (const Law& law : {hertz(), uniform()}) {
+    for (const EngineContact& contact : translate(law, silicone, 0.8, 3.0)) {
+      for (const EngineCoefficient& item : contact.coefficients) {
+        const CoefficientMeaning meaning = read_coefficient(contact.engine, item.parameter, item.value, 0.8, law);
+        EXPECT_EQ(meaning.parameter, item.parameter);
+        if (std::isnan(meaning.moment_per_load)) continue;
+        ++moments;
+        EXPECT_NEAR(meaning.moment_per_load, 0.8 * law->moment_ratio() * silicone.radius(3.0), 1e-17) << item.parameter;
+        EXPECT_NEAR(meaning.radius, silicone.radius(3.0), 1e-17) << item.parameter;
+        // The loads scale the moment, and with it the number: half the lever is half of it, or its root.
+        EXPECT_LT(item.low, item.high);
+      }
+    }
+  }
+  // One number sets the moment in each of twelve shapes and engines; the two cones of MuJoCo share theirs.
+  EXPECT_EQ(moments, 2 * 13);
+}
+
+TEST(EngineCoefficients, AreReadByShortNamesAndOtherNamesOfEngines) {
+  // MuJoCo's default under mu = 1: the radius that has it in a Hertz contact.
+  const CoefficientMeaning mujoco = read_coefficient("mjx", "torsional", 0.005, 1.0, hertz());
+  EXPECT_EQ(mujoco.engine, "mujoco");
+  EXPECT_EQ(mujoco.parameter, "geom.friction[1]");
+  EXPECT_EQ(mujoco.moment_per_load, 0.005);
+  EXPECT_NEAR(mujoco.radius, 0.005 * 16.0 / (3.0 * std::acos(-1.0)), 1e-17);
+  EXPECT_EQ(mujoco.note.find("no fingertip"), std::string::npos);
+  // A lever in scenes of grasping hands.
+  const CoefficientMeaning maniskill = read_coefficient("maniskill", "min_patch_radius", 0.1, 2.0, uniform());
+  EXPECT_NEAR(maniskill.moment_per_load, 0.2, 1e-15);
+  EXPECT_NEAR(maniskill.radius, 0.15, 1e-15);
+  EXPECT_NE(maniskill.note.find("no fingertip"), std::string::npos);
+  // An area: 37 times less than the contact of this radius bears.
+  EXPECT_NEAR(read_coefficient("dexnet", "finger_radius", 0.005, 0.5, hertz()).moment_per_load, 0.5 * std::acos(-1.0) * 25e-6, 1e-19);
+  // Radii that go with the depth, and frictions, set no moment of their own.
+  for (const auto& [engine, parameter] :
+       {std::pair{"physx", "patch_radius"}, std::pair{"dart", "friction"}, std::pair{"pybullet", "rolling"}}) {
+    EXPECT_TRUE(std::isnan(read_coefficient(engine, parameter, 0.1, 0.5, hertz()).radius));
+  }
+  for (const auto& [engine, parameter] :
+       {std::pair{"mujocco", "torsional"}, std::pair{"mujoco", "torsion"}, std::pair{"dart", "torsional"}}) {
+    EXPECT_THROW(read_coefficient(engine, parameter, 0.1, 0.5, hertz()), std::invalid_argument);
+  }
+  EXPECT_THROW(read_coefficient("mujoco", "torsional", -1e-3, 0.5, hertz()), std::invalid_argument);
+  EXPECT_THROW(read_coefficient("mujoco", "torsional", std::numeric_limits<double>::quiet_NaN(), 0.5, hertz()), std::invalid_argument);
+  EXPECT_THROW(read_coefficient("mujoco", "torsional", 1e-3, 0.0, hertz()), std::invalid_argument);
+}
+
+TEST(EngineCoefficients, APatchThatIsADiscIsTranslatedAsOne) {
+  const std::vector<EngineContact> disc = translate(hertz(), RadiusLaw::constant(0.005), 0.8, 3.0);
+  const std::vector<EngineContact> patch = translate(Patch::ellipse(hertz(), 0.005, 0.005), 0.8);
+  ASSERT_EQ(patch.size(), disc.size());
+  for (std::size_t i = 0; i < disc.size(); ++i) {
+    EXPECT_EQ(patch[i].engine, disc[i].engine);
+    for (std::size_t k = 0; k < disc[i].coefficients.size(); ++k) {
+      EXPECT_NEAR(patch[i].coefficients[k].value, disc[i].coefficients[k].value, 1e-12);
+    }
+    EXPECT_NEAR(patch[i].error.max_over_estimate, disc[i].error.max_over_estimate, 1e-6) << disc[i].model;
+    EXPECT_NEAR(patch[i].error.max_under_estimate, disc[i].error.max_under_estimate, 1e-6) << disc[i].model;
+    EXPECT_NEAR(patch[i].max_wrench_error, disc[i].max_wrench_error, 1e-2) << disc[i].model;
+  }
+  // Two points far apart: a pure spin bears all of the load at half their distance. About one of them only the other slides, with
+  // half the power that the box needs.
+  constexpr std::array points{PatchLoad{-0.01, 0.0, 1.0}, PatchLoad{0.01, 0.0, 1.0}};
+  for (const EngineContact& contact : translate(Patch::points(points), 0.5)) {
+    if (contact.engine == "chrono") {
+      EXPECT_NEAR(coefficient(contact, "SetSpinningFriction"), 0.5 * 0.01, 1e-17);
+    }
+    if (contact.model == "box") {
+      EXPECT_NEAR(contact.error.max_over_estimate, 1.0, 1e-6);
+    }
+    if (contact.model == "point") {
+      EXPECT_EQ(contact.error.max_under_estimate, 1.0);
+    }
+  }
+}
+
+TEST(EngineCoefficients, PatchRadiusOfGazeboIsTheContactRadiusForHertz) {
+  for (const EngineContact& contact : translate(hertz(), silicone, 0.8, 3.0)) {
+    if (contact.engine == "gazebo") {
+      EXPECT_NEAR(coefficient(contact, "surface/friction/torsional/patch_radius") / silicone.radius(3.0), 1.0, 1e-14);
+    }
+  }
+}
+
+TEST(EngineCoefficients, ErrorsAreThoseOfTheShapes) {
+  for (const EngineContact& contact : translate(hertz(), RadiusLaw::constant(0.005), 0.8, 3.0)) {
+    // A constant radius is followed by constant coefficients.
+    EXPECT_NEAR(contact.max_error_over_loads, contact.error.max_error, 1e-12);
+    if (contact.model == "ellipse") {
+      EXPECT_NEAR(contact.error.max_error, 0.0638, 6e-5);
+      // At the same COR: measured in the engine itself as 0.14.
+      EXPECT_NEAR(contact.max_wrench_error, 0.14, 0.01);
+    } else if (contact.model == "box") {
+      EXPECT_GT(contact.error.max_over_estimate, 0.45);
+      EXPECT_LE(contact.error.max_under_estimate, 1e-12);
+      // Just off pure sliding the box still gives the whole moment.
+      EXPECT_NEAR(contact.max_wrench_error, 1.0, 1e-3);
+    } else if (contact.model == "diamond") {
+      EXPECT_GT(contact.error.max_under_estimate, 0.2);
+      EXPECT_LE(contact.error.max_over_estimate, 1e-12);
+    } else {
+      EXPECT_EQ(contact.model, "point");
+      EXPECT_EQ(contact.error.max_under_estimate, 1.0);
+      // Just off a pure twist the force is whole and the moment missing.
+      EXPECT_NEAR(contact.max_wrench_error, std::sqrt(2.0), 1e-6);
+    }
+  }
+}
+
+TEST(EngineCoefficients, ConstantCoefficientsCannotFollowAGrowingRadius) {
+  const EngineContact ellipse = translate(hertz(), silicone, 0.8, 3.0, {1.5, 6.0}).front();
+  // At half the load the radius is 2^-0.259 of what it was, and the moment's limit 2^0.259 = 1.197 times too large.
+  EXPECT_NEAR(ellipse.max_error_over_loads, std::pow(2.0, 0.259) - 1.0, 1e-3);
+}
+
+TEST(EngineCoefficients, RefuseBadInput) {
+  EXPECT_THROW(translate(hertz(), silicone, -1.0, 3.0), std::invalid_argument);
+  EXPECT_THROW(translate(hertz(), silicone, std::numeric_limits<double>::quiet_NaN(), 3.0), std::invalid_argument);
+  EXPECT_THROW(translate(hertz(), silicone, 0.8, 0.0), std::invalid_argument);
+  EXPECT_THROW(translate(hertz(), silicone, 0.8, 3.0, {4.0, 2.0}), std::invalid_argument);
+  EXPECT_THROW(translate(hertz(), silicone, 0.8, 3.0, {0.0, 2.0}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace limitcurve::engines

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+#include "limitcurve/contact/load_to_hold.hpp"
+#include "patch_cases.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <utility>
+#include <vector>
+
+namespace limitcurve::test {
+namespace {
+
+TEST(PatchPoints, AreTheExactSum) {
+  const std::vector<PatchLoad> loads{{-0.04, -0.04, 1}, {0.04, -0.02, 2}, {-0.04, 0.08, 1}, {0.01, 0.02, 0}};
+  const Patch patch = Patch::points(loads);
+  EXPECT_NEAR(patch.centre().x, 0.0, 1e-17);
+  for (const PatchTwist& twist : twists(0.05, 2000)) {
+    const PatchFriction exact = test::points_by_sum(loads, twist, patch.centre());
+    EXPECT_LE(test::difference(patch.evaluate(twist), exact, patch.moment_ratio()), 1e-13);
+    const PatchFriction about_origin = test::points_by_sum(loads, twist, {0, 0});
+    EXPECT_LE(test::difference(patch.about_origin(twist), about_origin, patch.moment_ratio()), patch.about_origin(twist).error);
+  }
+}
+
+TEST(PatchPoints, OneUnderTheCorBearsNoForce) {
+  const std::vector<PatchLoad> loads{{0.1, 0.2, 1}, {0.4, 0.2, 1}, {0.1, 0.7, 2}};
+  const Patch patch = Patch::points(loads);
+  // 3 * 0.1 and 3 * 0.2 are rounded: the COR is on the point within that rounding.
+  for (const double omega : {1.0, -1.0, 3.0, 1e-3, 7e5}) {
+    const PatchFriction friction = patch.about_origin({omega * 0.2, -omega * 0.1, omega});
+    const double sense = omega > 0 ? 1.0 : -1.0;
+    EXPECT_NEAR(friction.wrench.fx, -sense * 0.5, 1e-15) << omega;
+    EXPECT_NEAR(friction.wrench.fy, sense * 0.25, 1e-15) << omega;
+    EXPECT_NEAR(friction.power, std::fabs(omega) * (0.25 * 0.3 + 0.5 * 0.5), 1e-15 * std::fabs(omega)) << omega;
+  }
+  EXPECT_LT(patch.about_origin({0.2, -0.1, 1.0}).error, 1e-13);
+}
+
+TEST(PatchPoints, ASinglePointHasForceAndNoMoment) {
+  const Patch patch = Patch::points(std::vector<PatchLoad>{{3, 4, 7}});
+  const PatchFriction friction = patch.evaluate({3e-3, 4e-3, 1e9});
+  EXPECT_NEAR(friction.wrench.fx, 0.6, 1e-15);
+  EXPECT_NEAR(friction.wrench.fy, 0.8, 1e-15);
+  EXPECT_EQ(friction.wrench.moment, 0.0);
+  EXPECT_EQ(patch.evaluate({0, 0, 1}).power, 0.0);
+}
+
+TEST(PatchPoints, TwoHoldWhatEachBearsOfIt) {
+  // Along y each bears its part of force and moment; along x the two may share as they like. The least load by bisection of one unknown.
+  std::mt19937 bits(11);
+  std::normal_distribution<double> normal;
+  const double d = 0.01;
+  const Patch patch = Patch::points(std::vector<PatchLoad>{{-d, 0.0, 1.0}, {d, 0.0, 1.0}});
+  for (int i = 0; i < 300; ++i) {
+    const double part = i % 3 == 0 ? 0.0 : 1.0;  // with and without a force along the points
+    const PatchWrench wrench{part * normal(bits), normal(bits), 0.02 * normal(bits)};
+    const double left = 0.5 * (wrench.fy - wrench.moment / d);
+    const double right = 0.5 * (wrench.fy + wrench.moment / d);
+    double low = 2.0 * std::max(std::fabs(left), std::fabs(right));
+    double high = 2.0 * (low + std::fabs(wrench.fx));
+    const auto holds = [&](double load) {
+      return std::sqrt(load * load / 4.0 - left * left) + std::sqrt(load * load / 4.0 - right * right) >= std::fabs(wrench.fx);
+    };
+    for (int k = 0; k < 100 && !holds(low); ++k) (holds(0.5 * (low + high)) ? high : low) = 0.5 * (low + high);
+    EXPECT_NEAR(load_to_hold(patch, 0.5, wrench) * 0.5 / low, 1.0, 1e-11) << i;
+  }
+}
+
+TEST(PatchPoints, OneHoldsNoMoment) {
+  const Patch patch = Patch::points(std::vector<PatchLoad>{{0.25, 0.5, 3.0}}).orthotropic(1.0, 2.0);
+  EXPECT_NEAR(load_to_hold(patch, 0.5, {3.0, 8.0, 0.25 * 8.0 - 0.5 * 3.0}), 10.0, 1e-14);
+  EXPECT_EQ(load_to_hold(patch, 0.5, {3.0, 8.0, 0.0}), std::numeric_limits<double>::infinity());
+}
+
+TEST(PatchOrthotropic, IsTheSumOfItsPoints) {
+  const std::vector<PatchLoad> loads{{0.3, 0.1, 1}, {-0.2, 0.5, 2}, {0.1, -0.4, 1.5}};
+  const Patch patch = Patch::points(loads).orthotropic(0.7, 1.6);
+  const PatchTwist twist{0.3, -0.2, 0.9};
+  double power = 0.0;
+  double fx = 0.0;
+  double fy = 0.0;
+  double moment = 0.0;
+  for (const auto& [x, y, load] : loads) {
+    const double ux = 0.7 * (twist.vx - twist.omega * y);
+    const double uy = 1.6 * (twist.vy + twist.omega * x);
+    const double speed = std::hypot(ux, uy);
+    const double share = load / 4.5;
+    power += share * speed;
+    fx += share * 0.7 * ux / speed;
+    fy += share * 1.6 * uy / speed;
+    moment += share * (x * 1.6 * uy - y * 0.7 * ux) / speed;
+  }
+  const PatchFriction friction = patch.about_origin(twist);
+  EXPECT_NEAR(friction.power, power, 1e-15);
+  EXPECT_NEAR(friction.wrench.fx, fx, 1e-15);
+  EXPECT_NEAR(friction.wrench.fy, fy, 1e-15);
+  EXPECT_NEAR(friction.wrench.moment, moment, 1e-15);
+  EXPECT_NEAR(patch.centre().x, Patch::points(loads).centre().x, 1e-15);
+}
+
+/// Points under orthotropic friction by brute force, about the origin, in extended precision.
+PatchFriction orthotropic_points(const std::vector<PatchLoad>& loads, long double mx, long double my, const PatchTwist& twist) {
+  long double total = 0;
+  for (const PatchLoad& point : loads) total += point.load;
+  long double sums[4] = {};
+  for (const auto& [x, y, load] : loads) {
+    // The product has more digits than long double, and next to the COR they count.
+    const long double ux = mx * std::fma(static_cast<long double>(-twist.omega), y, twist.vx);
+    const long double uy = my * std::fma(static_cast<long double>(twist.omega), x, twist.vy);
+    const long double speed = std::hypot(ux, uy);
+    const long double share = load / total;
+    sums[0] += share * speed;
+    sums[1] += share * mx * ux / speed;
+    sums[2] += share * my * uy / speed;
+    sums[3] += share * (x * my * uy - y * mx * ux) / speed;
+  }
+  return {static_cast<double>(sums[0]), {static_cast<double>(sums[1]), static_cast<double>(sums[2]), static_cast<double>(sums[3])}, 0.0};
+}
+
+TEST(PatchOrthotropic, PointsNextToTheCorKeepTheirStatedError) {
+  const std::vector<PatchLoad> loads{{0.31, 0.13, 1}, {-0.23, 0.51, 2}, {0.11, -0.47, 1.5}};
+  for (const auto& [mx, my] : {std::pair{0.7, 1.6}, {1.3, 0.9}, {3.3e5, 1.7e-4}}) {
+    const Patch points = Patch::points(loads).orthotropic(mx, my);
+    for (const double near : {1e-2, 1e-5, 1e-8, 1e-11, 3e-14, 2e-15}) {
+      for (const PatchLoad& point : loads) {
+        for (const double angle : {0.1, 1.0, 2.5, 4.0}) {
+          const double omega = 0.9;
+          const PatchTwist twist = about({point.x + near * std::cos(angle), point.y + near * std::sin(angle)}, omega);
+          const PatchFriction exact = orthotropic_points(loads, mx, my, twist);
+          const PatchFriction friction = points.about_origin(twist);
+          EXPECT_LE(test::difference(friction, exact, points.moment_ratio()), friction.error + witness_error)
+              << mx << ' ' << my << ' ' << near << ' ' << angle;
+          EXPECT_LE(friction.error, 1e-13 * std::max(1.0, mx)) << near;
+        }
+      }
+    }
+  }
+}
+
+TEST(PatchOrthotropic, TwistsOfAnySizeGiveTheSameWrench) {
+  const std::vector<PatchLoad> loads{{0.31, 0.13, 1}, {-0.23, 0.51, 2}, {11.0, -0.47, 1.5}};
+  for (const auto& [mx, my] : {std::pair{1.0, 1.0}, {7.3, 1.6}, {0.03, 0.9}}) {
+    const Patch patch = Patch::points(loads).orthotropic(mx, my);
+    for (const double size : {1e-318, 3e-308, 1e-200, 1e200, 4e307, 0.85e308}) {
+      for (const PatchTwist& twist : {PatchTwist{size, -2.0 * size, 0.0}, {0.3 * size, size, 2.0 * size}, {0.0, 0.0, -size}}) {
+        // The same twist times a power of two: no digit of it changes.
+        const int exponent = -std::ilogb(size);
+        const PatchTwist usual{std::ldexp(twist.vx, exponent), std::ldexp(twist.vy, exponent), std::ldexp(twist.omega, exponent)};
+        const PatchFriction exact = orthotropic_points(loads, mx, my, usual);
+        const PatchFriction friction = patch.about_origin(twist);
+        EXPECT_LE(std::hypot(friction.wrench.fx - exact.wrench.fx, friction.wrench.fy - exact.wrench.fy), friction.error) << size;
+        EXPECT_LE(std::fabs(friction.wrench.moment - exact.wrench.moment), friction.error * patch.moment_ratio()) << size;
+        EXPECT_EQ(friction.power, static_cast<double>(std::ldexp(patch.about_origin(usual).power, -exponent))) << size;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace limitcurve::test

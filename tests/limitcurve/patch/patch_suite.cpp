@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: MIT
+#include "limitcurve/laws.hpp"
+#include "limitcurve/patch/patch.hpp"
+#include "patch_reference.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+/// What holds for every kind of patch. A kind is made from a motion of the plane, so that symmetry can be tested.
+namespace limitcurve {
+
+namespace {
+
+struct Kind {
+  std::string name;
+  Patch patch;
+  double bound;  ///< of what rounding, or the kind's own error, leaves
+};
+
+std::vector<double> bump_image() {
+  std::vector<double> pressures;
+  for (int i = 0; i < 12 * 9; ++i) pressures.push_back(i % 5 == 0 ? 0.0 : 1.0 + i % 7);
+  return pressures;
+}
+
+std::vector<Kind> kinds() {
+  const std::vector<PatchLoad> loads{{-0.04, -0.04, 1}, {0.04, -0.02, 2}, {-0.04, 0.08, 1}};
+  const std::vector<PatchPoint> concave{{0, 0}, {0.04, 0}, {0.04, 0.01}, {0.01, 0.01}, {0.01, 0.03}, {0, 0.03}};
+  const Patch ellipse = Patch::ellipse(hertz(), 0.004, 0.002);
+  return {{"points", Patch::points(loads), 1e-13},
+          {"polygon", Patch::polygon(concave), 1e-13},
+          {"rectangle", Patch::rectangle(0.02, 0.01), 1e-13},
+          {"hertz ellipse", ellipse, 1e-13},
+          {"uniform ellipse", Patch::ellipse(uniform(), 0.002, 0.009), 1e-12},
+          {"gaussian ellipse", Patch::ellipse(gaussian(0.4), 0.002, 0.003), 1e-12},
+          {"image", Patch::image(bump_image(), 12, 0.001), 2e-3},
+          {"smoothed image", Patch::image(bump_image(), 12, 0.001).smoothed(1e-3), 1e-13},
+          {"smoothed points", Patch::points(loads).smoothed(1e-3), 1e-13},
+          {"orthotropic polygon", Patch::polygon(concave).orthotropic(0.5, 1.5), 1e-13},
+          {"orthotropic ellipse", ellipse.orthotropic(1.2, 0.8), 1e-13},
+          {"orthotropic image", Patch::image(bump_image(), 12, 0.001).orthotropic(1.3, 0.9), 2e-3}};
+}
+
+std::vector<PatchTwist> random_twists(const Patch& patch, std::size_t count) {
+  std::mt19937 bits(5);
+  std::normal_distribution<double> normal;
+  std::vector<PatchTwist> made;
+  for (std::size_t i = 0; i < count; ++i) {
+    made.push_back({normal(bits) * patch.moment_ratio(), normal(bits) * patch.moment_ratio(), normal(bits) * std::pow(10.0, normal(bits))});
+  }
+  return made;
+}
+
+double size(const Patch& patch, const PatchTwist& twist) {
+  return std::hypot(twist.vx, twist.vy) + patch.moment_ratio() * std::fabs(twist.omega);
+}
+
+double dot(const PatchTwist& twist, const PatchWrench& wrench) {
+  return twist.vx * wrench.fx + twist.vy * wrench.fy + twist.omega * wrench.moment;
+}
+
+class EveryPatch : public ::testing::TestWithParam<Kind> {};
+
+TEST_P(EveryPatch, PowerIsTwistTimesWrenchAndPositive) {
+  const auto& [name, patch, bound] = GetParam();
+  for (const PatchTwist& twist : random_twists(patch, 300)) {
+    const PatchFriction friction = patch.evaluate(twist);
+    EXPECT_GT(friction.power, 0.0);
+    EXPECT_NEAR(friction.power, dot(twist, friction.wrench), 1e-13 * size(patch, twist)) << name;
+  }
+}
+
+TEST_P(EveryPatch, PowerIsOfDegreeOneAndEven) {
+  const auto& [name, patch, bound] = GetParam();
+  for (const PatchTwist& twist : random_twists(patch, 50)) {
+    const PatchFriction once = patch.evaluate(twist);
+    for (const double factor : {-1.0, 3.0, -1e-9, 1e200, 1e-250}) {
+      const PatchFriction other = patch.evaluate({factor * twist.vx, factor * twist.vy, factor * twist.omega});
+      EXPECT_NEAR(other.power / (std::fabs(factor) * once.power), 1.0, 1e-12) << name << ' ' << factor;
+      const double sense = factor > 0 ? 1.0 : -1.0;
+      EXPECT_NEAR(other.wrench.fx, sense * once.wrench.fx, 1e-12) << name;
+      EXPECT_NEAR(other.wrench.moment, sense * once.wrench.moment, 1e-12 * patch.moment_ratio()) << name;
+    }
+  }
+}
+
+TEST_P(EveryPatch, PowerIsConvexAndTheWrenchASubgradient) {
+  const auto& [name, patch, bound] = GetParam();
+  const std::vector<PatchTwist> all = random_twists(patch, 60);
+  for (const PatchTwist& one : all) {
+    const PatchWrench wrench = patch.wrench(one);
+    for (const PatchTwist& other : all) {
+      // H(t) >= W·t for every wrench of the set: convexity and gradient in one.
+      EXPECT_GE(patch.power(other) - dot(other, wrench), -bound * size(patch, other)) << name;
+    }
+  }
+}
+
+TEST_P(EveryPatch, WrenchIsTheDifferenceOfPowers) {
+  const auto& [name, patch, bound] = GetParam();
+  if (bound > 1e-3) return;  // its power has steps of its own error
+  for (const PatchTwist& twist : random_twists(patch, 50)) {
+    const double step = 1e-6 * size(patch, twist);
+    const auto slope = [&, &of = patch](double x, double y, double w) {
+      const PatchTwist ahead{twist.vx + x * step, twist.vy + y * step, twist.omega + w * step};
+      const PatchTwist behind{twist.vx - x * step, twist.vy - y * step, twist.omega - w * step};
+      return (of.power(ahead) - of.power(behind)) / (2.0 * step);
+    };
+    const PatchWrench wrench = patch.wrench(twist);
+    EXPECT_NEAR(wrench.fx, slope(1, 0, 0), 1e-5) << name;
+    EXPECT_NEAR(wrench.fy, slope(0, 1, 0), 1e-5) << name;
+    const double arm = patch.moment_ratio();
+    EXPECT_NEAR(wrench.moment / arm, slope(0, 0, 1.0 / arm), 1e-5) << name;
+  }
+}
+
+TEST_P(EveryPatch, GaugeOfAWrenchThatSlipsIsOne) {
+  const auto& [name, patch, bound] = GetParam();
+  const PatchPoint centre = patch.centre();
+  for (const PatchTwist& twist : random_twists(patch, 200)) {
+    const PatchWrench wrench = patch.wrench(twist);
+    for (const double factor : {1.0, -0.25, 1e-200, 1e150}) {
+      EXPECT_NEAR(patch.gauge({factor * wrench.fx, factor * wrench.fy, factor * wrench.moment}) / std::fabs(factor), 1.0, 1e-12 + bound)
+          << name;
+    }
+    // The load of a wrench about the origin: mu P times what slips.
+    const double mu = 0.4;
+    const double load = 3.0;
+    const double moment = wrench.moment + centre.x * wrench.fy - centre.y * wrench.fx;
+    EXPECT_NEAR(load_to_hold(patch, mu, {mu * load * wrench.fx, mu * load * wrench.fy, mu * load * moment}), load, (1e-11 + bound) * load)
+        << name;
+  }
+  EXPECT_EQ(patch.gauge({0.0, 0.0, 0.0}), 0.0);
+  EXPECT_EQ(load_to_hold(patch, 0.0, {0.0, 0.0, 0.0}), 0.0);
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(load_to_hold(patch, 0.0, {0.0, 0.0, 1.0}), inf);
+  EXPECT_EQ(patch.gauge({inf, 0.0, 0.0}), inf);
+  EXPECT_TRUE(std::isnan(patch.gauge({1.0, nan, 1.0})) && std::isnan(patch.gauge({inf, 1.0, nan})));
+  EXPECT_THROW(load_to_hold(patch, -0.1, {1.0, 0.0, 0.0}), std::invalid_argument);
+  EXPECT_THROW(load_to_hold(patch, 0.5, {1.0, nan, 0.0}), std::invalid_argument);
+}
+
+TEST_P(EveryPatch, SlipIsTheTwistThatNeedsTheWrench) {
+  const auto& [name, patch, bound] = GetParam();
+  for (const PatchTwist& twist : random_twists(patch, 100)) {
+    const PatchFriction needed = patch.about_origin(twist);
+    for (const double factor : {1.0, -0.25, 1e-200, 1e150}) {
+      const PatchWrench wrench{factor * needed.wrench.fx, factor * needed.wrench.fy, factor * needed.wrench.moment};
+      const auto [slip, gauge, error] = patch.slip(wrench);
+      EXPECT_NEAR(gauge / std::fabs(factor), 1.0, 1e-12 + bound) << name;
+      EXPECT_NEAR(dot(slip, wrench), 1.0, 1e-12) << name;
+      const double scale = factor * needed.power;
+      const PatchTwist apart{slip.vx * scale - twist.vx, slip.vy * scale - twist.vy, slip.omega * scale - twist.omega};
+      EXPECT_LE(size(patch, apart), std::max(1e-8, 10.0 * bound) * size(patch, twist)) << name << ' ' << twist.vx << ' ' << twist.omega;
+      const PatchWrench again = patch.about_origin(slip).wrench;
+      EXPECT_LE(std::hypot(again.fx - wrench.fx / gauge, again.fy - wrench.fy / gauge), error) << name;
+      EXPECT_LE(std::fabs(again.moment - wrench.moment / gauge), error * patch.moment_ratio()) << name;
+      EXPECT_LE(error, 1e-9 + 10.0 * bound) << name;
+    }
+  }
+  EXPECT_TRUE(std::isnan(patch.slip({0.0, 0.0, 0.0}).twist.vx));
+}
+
+TEST_P(EveryPatch, NothingIsUndefined) {
+  const auto& [name, patch, bound] = GetParam();
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  const PatchFriction rest = patch.evaluate({0, 0, 0});
+  EXPECT_EQ(rest.power, 0.0);
+  EXPECT_EQ(rest.wrench.fx, 0.0);
+  EXPECT_EQ(rest.wrench.moment, 0.0);
+  EXPECT_TRUE(std::isnan(patch.evaluate({nan, 0, 1}).power)) << name;
+  EXPECT_TRUE(std::isnan(patch.evaluate({0, inf, 1}).power)) << name;
+  for (const double v : {0.0, 1e-300, 1e-30, 1.0, 1e30, 1e300}) {
+    for (const double omega : {0.0, 5e-324, 1e-300, 1e-12, 1.0, 1e18, 1e300}) {
+      for (const double side : {-1.0, 0.0, 0.3}) {
+        const PatchFriction friction = patch.about_origin({v, side * v, omega});
+        EXPECT_TRUE(std::isfinite(friction.power) && std::isfinite(friction.wrench.fx) && std::isfinite(friction.wrench.fy) &&
+                    std::isfinite(friction.wrench.moment) && friction.error >= 0.0)
+            << name << ' ' << v << ' ' << omega;
+      }
+    }
+  }
+}
+
+std::string test_name(const ::testing::TestParamInfo<Kind>& kind) {
+  std::string name = kind.param.name;
+  std::replace(name.begin(), name.end(), ' ', '_');
+  return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Patches, EveryPatch, ::testing::ValuesIn(kinds()), test_name);
+
+TEST(PatchSymmetry, TurnedAndMirroredPatchesHaveTurnedAndMirroredWrenches) {
+  const std::vector<PatchPoint> shape{{0, 0}, {4, 0}, {4, 1}, {1, 1}, {1, 3}, {0, 3}};
+  const double c = std::cos(0.7);
+  const double s = std::sin(0.7);
+  std::vector<PatchPoint> turned;
+  std::vector<PatchPoint> mirrored;
+  for (const auto& [x, y] : shape) {
+    turned.push_back({c * x - s * y, s * x + c * y});
+    mirrored.push_back({-x, y});
+  }
+  const Patch one = Patch::polygon(shape);
+  const Patch two = Patch::polygon(turned);
+  const Patch three = Patch::polygon(mirrored);
+  for (const PatchTwist& twist : random_twists(one, 100)) {
+    const PatchFriction first = one.evaluate(twist);
+    const PatchFriction second = two.evaluate({c * twist.vx - s * twist.vy, s * twist.vx + c * twist.vy, twist.omega});
+    EXPECT_NEAR(second.power / first.power, 1.0, 1e-14);
+    EXPECT_NEAR(second.wrench.fx, c * first.wrench.fx - s * first.wrench.fy, 1e-14);
+    EXPECT_NEAR(second.wrench.moment, first.wrench.moment, 1e-14);
+    const PatchFriction third = three.evaluate({-twist.vx, twist.vy, -twist.omega});
+    EXPECT_NEAR(third.wrench.fx, -first.wrench.fx, 1e-14);
+    EXPECT_NEAR(third.wrench.moment, -first.wrench.moment, 1e-14);
+  }
+  // An ellipse along y is that along x, turned by a right angle.
+  const Patch along_x = Patch::ellipse(uniform(), 3.0, 1.0);
+  const Patch along_y = Patch::ellipse(uniform(), 1.0, 3.0);
+  for (const PatchTwist& twist : random_twists(along_x, 50)) {
+    const PatchWrench first = along_x.wrench(twist);
+    const PatchWrench second = along_y.wrench({-twist.vy, twist.vx, twist.omega});
+    EXPECT_NEAR(second.fy, first.fx, 1e-13);
+    EXPECT_NEAR(second.fx, -first.fy, 1e-13);
+    EXPECT_NEAR(second.moment, first.moment, 1e-13);
+  }
+}
+
+TEST(PatchOrigin, TwistsOfTheOriginGiveTheSameForces) {
+  const auto made = [](double x, double y) {
+    const std::vector<PatchLoad> loads{{x - 0.04, y - 0.04, 1}, {x + 0.04, y - 0.02, 2}, {x - 0.04, y + 0.08, 1}};
+    const std::vector<PatchPoint> corners{{x, y},       {x + 0.04, y}, {x + 0.04, y + 0.01}, {x + 0.01, y + 0.01}, {x + 0.01, y + 0.03},
+                                          {x, y + 0.03}};
+    return std::vector{Patch::points(loads), Patch::points(loads).smoothed(1e-3), Patch::polygon(corners),
+                       Patch::polygon(corners).orthotropic(0.5, 1.5)};
+  };
+  const std::vector<Patch> near = made(0.0, 0.0);
+  const std::vector<Patch> away = made(3.0, -2.0);
+  for (std::size_t i = 0; i < near.size(); ++i) {
+    const PatchPoint c = away[i].centre();
+    EXPECT_NEAR(c.x, near[i].centre().x + 3.0, 1e-14);
+    EXPECT_NEAR(c.y, near[i].centre().y - 2.0, 1e-14);
+    for (const PatchTwist& twist : random_twists(near[i], 50)) {
+      const PatchFriction here = near[i].evaluate(twist);
+      const PatchFriction there = away[i].about_origin({twist.vx + twist.omega * c.y, twist.vy - twist.omega * c.x, twist.omega});
+      // The twist of a point 3 m away has itself lost digits.
+      const double lost = 1e-13 + 4e-15 * std::fabs(twist.omega) / here.power * (1.0 + 3.6 / near[i].moment_ratio());
+      EXPECT_NEAR(there.power / here.power, 1.0, lost) << i;
+      const double arm = 1e-11 * (3.6 + near[i].moment_ratio());
+      EXPECT_NEAR(there.wrench.moment, here.wrench.moment + c.x * here.wrench.fy - c.y * here.wrench.fx, arm + 3.6 * lost) << i;
+    }
+  }
+}
+
+}  // namespace
+
+}  // namespace limitcurve
