@@ -11,7 +11,7 @@
 #include "limitcurve/contact/load_to_hold.hpp"
 #include "limitcurve/internal/number.hpp"
 #include "limitcurve/laws.hpp"
-#include "limitcurve/touching_ellipse.hpp"
+#include "limitcurve/tangent_ellipse.hpp"
 
 #include <nanobind/stl/tuple.h>
 #include <nanobind/stl/vector.h>
@@ -170,26 +170,26 @@ bool same(const Table& one, const Table& other) {
          equal(one.cells().outside, other.cells().outside);
 }
 
-nb::object touching_ellipses(const Table& self, const Given& given) {
+nb::object tangent_ellipses(const Table& self, const Given& given) {
   const auto has = [&](std::size_t i) { return !given[i].is_none(); };
-  const auto axes = [](const TouchingEllipse& ellipse) { return std::array{ellipse.p, ellipse.q}; };
+  const auto axes = [](const TangentEllipse& ellipse) { return std::array{ellipse.p, ellipse.q}; };
   if (has(0) != has(1) || has(0) == has(4) || has(2) != has(3) || (has(2) && !has(0)))
-    throw std::invalid_argument("touching_ellipse: expected force and moment, or these with p and q, or slip=(v, u)");
+    throw std::invalid_argument("tangent_ellipse: expected force and moment, or these with p and q, or slip=(v, u)");
   if (const nb::object& slip = given[4]; has(4)) {
     if (!nb::isinstance<nb::sequence>(slip) || nb::len(slip) != 2)
       throw std::invalid_argument("slip: got " + shown(slip) + ", expected (v, u)");
     const nb::object slide = slip[0];
     const nb::object spin = slip[1];
     return of_numbers<2, 16, 2>({slide, spin}, {"slip[0]", "slip[1]"}, {any, any}, [&](const std::array<double, 2>& twist) {
-      return axes(touching_ellipse(self, SlipTwist{twist[0], twist[1]}));
+      return axes(tangent_ellipse(self, SlipTwist{twist[0], twist[1]}));
     });
   }
   if (!has(2)) {
     return of_numbers<2, 16, 2>({given[0], given[1]}, {"force", "moment"}, {any, any},
-                                [&](const std::array<double, 2>& wrench) { return axes(touching_ellipse(self, wrench[0], wrench[1])); });
+                                [&](const std::array<double, 2>& wrench) { return axes(tangent_ellipse(self, wrench[0], wrench[1])); });
   }
   return of_numbers<2, 16, 4>({given[0], given[1], given[2], given[3]}, {"force", "moment", "p", "q"}, {any, any, any, any},
-                              [&](const std::array<double, 4>& of) { return axes(touching_ellipse(self, of[0], of[1], of[2], of[3])); });
+                              [&](const std::array<double, 4>& of) { return axes(tangent_ellipse(self, of[0], of[1], of[2], of[3])); });
 }
 
 void add_tables(nb::module_& module) {
@@ -251,10 +251,10 @@ void add_tables(nb::module_& module) {
       .def("__hash__", [](const Table& self) { return std::hash<double>()(self.certified_error()); });
   define<const Table&>(
       type,
-      "def touching_ellipse(self, force: numpy.typing.ArrayLike | None = None, moment: numpy.typing.ArrayLike | None = None, p: "
+      "def tangent_ellipse(self, force: numpy.typing.ArrayLike | None = None, moment: numpy.typing.ArrayLike | None = None, p: "
       "numpy.typing.ArrayLike | None = None, q: numpy.typing.ArrayLike | None = None, *, slip: "
       "tuple[numpy.typing.ArrayLike, numpy.typing.ArrayLike] | None = None) -> tuple[typing.Any, typing.Any]",
-      &touching_ellipses,
+      &tangent_ellipses,
       "Semi-axes (p, q) with which an engine's elliptic cone, coefficients mu p and mu a q, finds the exact curve: of the ellipse "
       "that\n"
       "touches it. Give the engine's last unit wrench (F/(mu P), M/(mu P a)) and the p and q it was found with, after each step: they\n"
@@ -262,7 +262,7 @@ void add_tables(nb::module_& module) {
       "or slip gives the usual ellipse (1, m0), NaN gives NaN. Broadcasts.\n\n"
       ">>> import limitcurve as lc\n"
       ">>> table = lc.Table('hertz', tolerance=1e-8)\n"
-      ">>> p, q = table.touching_ellipse(slip=(1, 1))\n"
+      ">>> p, q = table.tangent_ellipse(slip=(1, 1))\n"
       ">>> f, m = lc.ellipse(p, q).wrench(1, 1)  # what the engine finds\n"
       ">>> abs(f - table.wrench(1, 1)[0]) < 1e-15\n"
       "True\n");

@@ -11,7 +11,7 @@ Contacts need some steps to carry their load: the fingers close before gravity a
 
 Beside it MuJoCo's own friction (condim 4) with the coefficients of `lc.translate`, and `lc.run("pivot")`, which is planar and implicit.
 MuJoCo's own cone lets a held block creep; `noslip_iterations` stops that, and the error of the ellipse remains: the block turns too late. With
-coefficients that follow the slip (`Table.touching_ellipse`, docs/which_number.md) the same cone turns it as the exact curve does.
+coefficients that follow the slip (`Table.tangent_ellipse`, docs/which_number.md) the same cone turns it as the exact curve does.
 """
 
 import time as clock
@@ -108,7 +108,7 @@ def simulate(model_text: str, fingers: Fingers | None, touching: lc.Table | None
             loads[ball - 1] += force[0]
             if touching:
                 a = LEVER / touching.moment_ratio
-                p, q = touching.touching_ellipse(np.hypot(*force[1:3]), force[3] / a, friction[0] / MU, friction[2] / (MU * a))
+                p, q = touching.tangent_ellipse(np.hypot(*force[1:3]), force[3] / a, friction[0] / MU, friction[2] / (MU * a))
                 model.geom_friction[ball, :2] = MU * p, MU * a * q
         angle += data.qvel[5] * DT
     cost = (clock.perf_counter() - began) / len(rows)
@@ -132,7 +132,7 @@ def main() -> None:
     runs["MuJoCo + limitcurve"] = simulate(scene(smooth), Fingers(table, "closest-point"))
     runs["MuJoCo condim 4 elliptic"] = simulate(scene(own, elliptic), None)
     runs["MuJoCo condim 4 noslip"] = simulate(scene(own, f'{elliptic} noslip_iterations="20"'), None)
-    runs["MuJoCo touching ellipse"] = simulate(scene(own, f'{elliptic} noslip_iterations="20"'), None, table)
+    runs["MuJoCo tangent ellipse"] = simulate(scene(own, f'{elliptic} noslip_iterations="20"'), None, table)
     runs["MuJoCo condim 4 pyramidal"] = simulate(scene(own, 'cone="pyramidal"'), None)
     bare = simulate(scene(smooth), None)["cost"]
 
@@ -162,7 +162,7 @@ def main() -> None:
     assert abs(ours["angle"][held]) < 1e-6  # held, it does not creep
     # A cone has no springs: compare it with hard ones.
     hard = lc.run("pivot", case="exact", material="sandpaper", grip=grip, duration=DURATION, time_step=DT, stiffness=1e5)["angle"]
-    apart = np.degrees(np.abs(runs["MuJoCo touching ellipse"]["angle"] - hard[: len(ours["angle"])])).max()
+    apart = np.degrees(np.abs(runs["MuJoCo tangent ellipse"]["angle"] - hard[: len(ours["angle"])])).max()
     print(f"with coefficients that follow the slip, MuJoCo alone is never further than {apart:.3f} degrees from pivot with hard springs")
     assert apart < 1
     axes.set(xlabel="time [s]", ylabel="turn of the block [deg]", title="A block between two soft fingers whose grip eases")

@@ -126,8 +126,8 @@ def closest_point(cells: Cells, force: Any, moment: Any, chi: Any) -> "tuple[Any
     nothing = sum(0 * _constant(number) for number in (force, moment, chi))
     return xp.where(slips, force_sign * to_force, force) + nothing, xp.where(slips, moment_sign * to_moment, moment) + nothing, slips
 
-def touching_ellipse(cells: Cells, force: Any = 0, moment: Any = 0, p: Any = None, q: Any = None, *, slip: Any = None) -> "tuple[Any, Any]":
-    """Semi-axes, as Table.touching_ellipse: of the unit wrench that an engine found with the semi-axes p and q; without these on its ray;
+def tangent_ellipse(cells: Cells, force: Any = 0, moment: Any = 0, p: Any = None, q: Any = None, *, slip: Any = None) -> "tuple[Any, Any]":
+    """Semi-axes, as Table.tangent_ellipse: of the unit wrench that an engine found with the semi-axes p and q; without these on its ray;
     or of slip = (|v|, a|omega|)."""
     limits = _given(cells)[0].finfo(cells.rows.dtype)
 

@@ -145,8 +145,8 @@ def closest_point(cells: Cells, force: float, moment: float, chi: float):  # typ
 
 
 @wp.func
-def touching_ellipse(cells: Cells, force: float, moment: float, p: float, q: float):  # type: ignore[no-untyped-def]
-    """(p, q), as Table.touching_ellipse: of the unit wrench that an engine found with the semi-axes p and q > 0. No derivative."""
+def tangent_ellipse(cells: Cells, force: float, moment: float, p: float, q: float):  # type: ignore[no-untyped-def]
+    """(p, q), as Table.tangent_ellipse: of the unit wrench that an engine found with the semi-axes p and q > 0. No derivative."""
     if force == 0.0 and moment == 0.0:
         return cells.rows[cells.inside, 1], cells.rows[0, 1]
     largest = wp.max(_magnitude(force), _magnitude(moment))
@@ -189,6 +189,6 @@ def touching_ellipse(cells: Cells, force: float, moment: float, p: float, q: flo
     return wp.where(outside, trail, lead), wp.where(outside, lead, trail)
 
 
-@wp.func_grad(touching_ellipse)
+@wp.func_grad(tangent_ellipse)
 def _no_slope(cells: Cells, force: float, moment: float, p: float, q: float, adj_p: float, adj_q: float):  # type: ignore[no-untyped-def]
     """Coefficients of an engine are settings."""

@@ -66,7 +66,7 @@ def warp_step(wp, lw):
         out[2, i] = wp.where(slips, 1.0, 0.0)
         out[3, i] = slide_force
         out[4, i] = slide_moment
-        p, q = lw.touching_ellipse(cells, trials[0, i], trials[1, i], 1.0, 0.6)
+        p, q = lw.tangent_ellipse(cells, trials[0, i], trials[1, i], 1.0, 0.6)
         out[5, i] = p
         out[6, i] = q
 

@@ -57,14 +57,14 @@ def test_wrenches_and_closest_points_are_the_librarys(library, trials, law):
 
 
 @laws
-def test_touching_ellipses_are_the_tables(library, trials, law):
+def test_tangent_ellipses_are_the_tables(library, trials, law):
     table = lc.Table(law, 1e-8)
     cells, random = arrays.cells(table, library), np.random.default_rng(3)
     force, moment = trials[0][:1000], trials[1][:1000]
     p, q = random.uniform(0.3, 3, 1000), random.uniform(0.1, 1, 1000)
-    for mine, own in ((arrays.touching_ellipse(cells, force, moment, p, q), table.touching_ellipse(force, moment, p, q)),
-                      (arrays.touching_ellipse(cells, force, moment), table.touching_ellipse(force, moment)),
-                      (arrays.touching_ellipse(cells, slip=(force, moment)), table.touching_ellipse(slip=(force, moment)))):
+    for mine, own in ((arrays.tangent_ellipse(cells, force, moment, p, q), table.tangent_ellipse(force, moment, p, q)),
+                      (arrays.tangent_ellipse(cells, force, moment), table.tangent_ellipse(force, moment)),
+                      (arrays.tangent_ellipse(cells, slip=(force, moment)), table.tangent_ellipse(slip=(force, moment)))):
         assert all(np.abs(np.asarray(a) / b - 1).max() < 1e-9 for a, b in zip(mine, own))
 
 
@@ -94,7 +94,7 @@ def test_functions_for_warp_are_the_librarys(trials, law):
     wp.launch(warp_step(wp, lw), N, [lw.cells(table, "cpu"), wp.array(np.array(single), dtype=float, device="cpu"), out], device="cpu")
     found = out.numpy()
     assert same_in_single_precision(table, single, [found[0], found[1], found[2] == 1])
-    for mine, exact in zip(found[5:], table.touching_ellipse(single[0].astype(float), single[1].astype(float), 1.0, float(np.float32(0.6)))):
+    for mine, exact in zip(found[5:], table.tangent_ellipse(single[0].astype(float), single[1].astype(float), 1.0, float(np.float32(0.6)))):
         assert np.abs(mine / exact - 1).max() < 1e-4
     for mine, exact in zip(found[3:5], table.wrench(single[0].astype(float), single[1].astype(float))):
         assert np.abs(mine - exact).max() < 1e-6

@@ -69,19 +69,19 @@ def test_wrench_is_of_a_ratio_without_signs():
         assert isinstance(curve.wrench(1, np.float64(2))[0], float) and isinstance(curve.wrench(np.float32(1), np.float32(2))[1], np.float32)
 
 
-def test_an_engine_with_the_touching_ellipse_finds_the_curve():
+def test_an_engine_with_the_tangent_ellipse_finds_the_curve():
     slide, spin = np.array([0.1, 1, 30.0]), np.array([1.0, -0.7])[:, None]
-    p, q = TABLE.touching_ellipse(slip=(slide, spin))
+    p, q = TABLE.tangent_ellipse(slip=(slide, spin))
     for i, j in np.ndindex(2, 3):
         assert lc.ellipse(p[i, j], q[i, j]).wrench(slide[j], spin[i, 0]) == pytest.approx(TABLE.wrench(slide[j], spin[i, 0]), rel=1e-14)
     f, m = TABLE.wrench(slide, spin)
-    for again in (TABLE.touching_ellipse(f, -m, p, q), TABLE.touching_ellipse(-f, m)):
+    for again in (TABLE.tangent_ellipse(f, -m, p, q), TABLE.tangent_ellipse(-f, m)):
         assert np.allclose(again, (p, q), rtol=1e-9)
-    assert TABLE.touching_ellipse(0, 0) == TABLE.touching_ellipse(0, 0, 1, 1) == TABLE.touching_ellipse(slip=(0, 0)) == (1, TABLE.moment_ratio)
-    assert np.isnan(TABLE.touching_ellipse(math.nan, 1)).all() and np.isnan(TABLE.touching_ellipse(1, 1, math.nan, 1)).all()
+    assert TABLE.tangent_ellipse(0, 0) == TABLE.tangent_ellipse(0, 0, 1, 1) == TABLE.tangent_ellipse(slip=(0, 0)) == (1, TABLE.moment_ratio)
+    assert np.isnan(TABLE.tangent_ellipse(math.nan, 1)).all() and np.isnan(TABLE.tangent_ellipse(1, 1, math.nan, 1)).all()
     for wrong in ({}, {"force": 1}, {"force": 1, "moment": 1, "p": 1}, {"force": 1, "moment": 1, "slip": (1, 1)}, {"slip": (1, 1, 1)}):
         with pytest.raises(ValueError, match="expected"):
-            TABLE.touching_ellipse(**wrong)
+            TABLE.tangent_ellipse(**wrong)
 
 
 def test_single_numbers_are_arrays_of_one():

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 """data/engines/cors.csv: a ball in MuJoCo (Hertz, mu = 0.8, a = 5 mm, 3 N) is pushed slowly. numbers: those of
-`limitcurve translate`, or of `touching_ellipse`; lever: moment over force of friction [a]; error: the distance of the centre of rotation over the exact, less 1."""
+`limitcurve translate`, or of `tangent_ellipse`; lever: moment over force of friction [a]; error: the distance of the centre of rotation over the exact, less 1."""
 
 import csv
 import sys
@@ -27,7 +27,7 @@ def pushed(table, lever, follows):
         mujoco.mj_contactForce(model, data, 0, wrench)
         force, moment, friction = np.hypot(*wrench[1:3]), abs(wrench[3]) / A, data.contact.friction[0]
         if follows:
-            p, q = table.touching_ellipse(force, moment, friction[0] / MU, friction[2] / (MU * A))
+            p, q = table.tangent_ellipse(force, moment, friction[0] / MU, friction[2] / (MU * A))
             model.geom_friction[1, :2] = MU * p, MU * A * q
     cors = np.geomspace(1e-3, 1e3, 100_001)
     on_ray = np.divide(*table.evaluate(cors))

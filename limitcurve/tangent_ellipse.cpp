@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "limitcurve/touching_ellipse.hpp"
+#include "limitcurve/tangent_ellipse.hpp"
 
 #include <cmath>
 #include <limits>
@@ -9,24 +9,24 @@ namespace limitcurve {
 namespace {
 
 /// With (v, aω) = (x, 1) inside the rim, (1, x) outside, and H = fv + maω = D: p² = f H/v and q² = m H/(aω).
-TouchingEllipse touching_at(const Table& curve, bool outside, double x) noexcept {
+TangentEllipse touching_at(const Table& curve, bool outside, double x) noexcept {
   const Jet<double> jet = curve.pieces().jet(outside, x);
   // D′(0) = 0.
   const double per_x = x > std::numeric_limits<double>::min() ? jet.leading / x : jet.second;
   const double leading = std::sqrt(jet.value(x) * per_x);
   const double trailing = std::sqrt(jet.value(x) * jet.trailing);
-  return outside ? TouchingEllipse{trailing, leading} : TouchingEllipse{leading, trailing};
+  return outside ? TangentEllipse{trailing, leading} : TangentEllipse{leading, trailing};
 }
 
 /// What a direction that has no length gives: the usual ellipse, or NaN.
-TouchingEllipse without_direction(const Table& curve, double length) noexcept {
+TangentEllipse without_direction(const Table& curve, double length) noexcept {
   if (length == 0.0) return {curve.force_max(), curve.moment_ratio() * curve.force_max()};
   return {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
 }
 
 }  // namespace
 
-TouchingEllipse touching_ellipse(const Table& curve, SlipTwist slip) noexcept {
+TangentEllipse tangent_ellipse(const Table& curve, SlipTwist slip) noexcept {
   const auto [slide, spin] = slip.magnitudes();
   const bool outside = slide > spin;
   const double larger = outside ? slide : spin;
@@ -34,7 +34,7 @@ TouchingEllipse touching_ellipse(const Table& curve, SlipTwist slip) noexcept {
   return x >= 0.0 ? touching_at(curve, outside, x) : without_direction(curve, slide + spin);
 }
 
-TouchingEllipse touching_ellipse(const Table& curve, double force, double moment, double p, double q) noexcept {
+TangentEllipse tangent_ellipse(const Table& curve, double force, double moment, double p, double q) noexcept {
   const double length = std::hypot(force / p, moment / q);
   if (!(length > 0.0 && length <= std::numeric_limits<double>::max())) return without_direction(curve, length);
   const double sliding = std::pow(force / p / length, 2);  // its share of the power
@@ -56,10 +56,10 @@ TouchingEllipse touching_ellipse(const Table& curve, double force, double moment
   return touching_at(curve, outside, root.x + root.step);
 }
 
-TouchingEllipse touching_ellipse(const Table& curve, double force, double moment) noexcept {
+TangentEllipse tangent_ellipse(const Table& curve, double force, double moment) noexcept {
   const double length = std::hypot(force, moment);
   if (!(length > 0.0 && length <= std::numeric_limits<double>::max())) return without_direction(curve, length);
-  return touching_ellipse(curve, curve.along({std::fabs(force / length), std::fabs(moment / length)}).normal);
+  return tangent_ellipse(curve, curve.along({std::fabs(force / length), std::fabs(moment / length)}).normal);
 }
 
 }  // namespace limitcurve

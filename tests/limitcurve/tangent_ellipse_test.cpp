@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "limitcurve/touching_ellipse.hpp"
+#include "limitcurve/tangent_ellipse.hpp"
 #include "limitcurve/approximations.hpp"
 #include "limitcurve/exact_curve.hpp"
 #include "limitcurve/laws.hpp"
@@ -25,16 +25,16 @@ std::vector<std::string> laws_and_sharp_peaks() {
   return laws;
 }
 
-class TouchingEllipseOf : public testing::TestWithParam<std::string> {};
-INSTANTIATE_TEST_SUITE_P(Laws, TouchingEllipseOf, testing::ValuesIn(laws_and_sharp_peaks()),
+class TangentEllipseOf : public testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(Laws, TangentEllipseOf, testing::ValuesIn(laws_and_sharp_peaks()),
                          [](const auto& law) { return "law" + std::to_string(law.index); });
 
 /// What an engine with an elliptic cone finds for a slip: maximum dissipation.
-UnitWrench found_by_engine(TouchingEllipse axes, SlipTwist slip) {
+UnitWrench found_by_engine(TangentEllipse axes, SlipTwist slip) {
   return Ellipse(axes.p, axes.q).wrench(slip);
 }
 
-TEST_P(TouchingEllipseOf, HasTheCurvesWrenchAndNormalAndIsAFixedPoint) {
+TEST_P(TangentEllipseOf, HasTheCurvesWrenchAndNormalAndIsAFixedPoint) {
   const Table table = Table::build(parse_law(GetParam()), 1e-8);
   const ExactCurve exact(parse_law(GetParam()));
   const double m0 = std::fmax(1.0, table.moment_ratio());
@@ -42,7 +42,7 @@ TEST_P(TouchingEllipseOf, HasTheCurvesWrenchAndNormalAndIsAFixedPoint) {
   const double stated_error = std::find(examples.begin(), examples.end(), GetParam()) != examples.end() ? 2e-6 : 3e-4;
   for (double log_c = -9.0; log_c <= 9.0; log_c += 0.37) {
     const SlipTwist slip = SlipTwist::about_cor(std::pow(10.0, log_c));
-    const TouchingEllipse axes = touching_ellipse(table, slip);
+    const TangentEllipse axes = tangent_ellipse(table, slip);
     const UnitWrench curve = table.wrench(slip);
     const UnitWrench engine = found_by_engine(axes, slip);
     const auto [f, m] = exact.wrench(slip);
@@ -51,8 +51,8 @@ TEST_P(TouchingEllipseOf, HasTheCurvesWrenchAndNormalAndIsAFixedPoint) {
     EXPECT_NEAR(axes.q / std::sqrt(m * power / slip.spin), 1.0, stated_error) << log_c;
     EXPECT_NEAR(engine.force, curve.force, 1e-14) << log_c;
     EXPECT_NEAR(engine.moment, curve.moment, 1e-14 * m0) << log_c;
-    for (const TouchingEllipse again :
-         {touching_ellipse(table, -engine.force, engine.moment, axes.p, axes.q), touching_ellipse(table, curve.force, -curve.moment)}) {
+    for (const TangentEllipse again :
+         {tangent_ellipse(table, -engine.force, engine.moment, axes.p, axes.q), tangent_ellipse(table, curve.force, -curve.moment)}) {
       // Where the curve is steep or flat, a rounding of the wrench moves the place.
       EXPECT_NEAR(again.p / axes.p, 1.0, 1e-7) << log_c;
       EXPECT_NEAR(again.q / axes.q, 1.0, 1e-7) << log_c;
@@ -60,7 +60,7 @@ TEST_P(TouchingEllipseOf, HasTheCurvesWrenchAndNormalAndIsAFixedPoint) {
   }
 }
 
-TEST_P(TouchingEllipseOf, ConvergesToTheExactWrenchWhateverTheSceneImposes) {
+TEST_P(TangentEllipseOf, ConvergesToTheExactWrenchWhateverTheSceneImposes) {
   const Table table = Table::build(parse_law(GetParam()), 1e-8);
   const ExactCurve exact(parse_law(GetParam()));
   int most[2] = {};
@@ -68,7 +68,7 @@ TEST_P(TouchingEllipseOf, ConvergesToTheExactWrenchWhateverTheSceneImposes) {
     for (const double c : {1e-3, 0.01, 0.1, 0.5, 1.0, 2.0, 10.0}) {
       const SlipTwist slip = SlipTwist::about_cor(c);
       const UnitWrench goal = exact.wrench(slip);
-      TouchingEllipse axes = touching_ellipse(table, 0.0, 0.0);
+      TangentEllipse axes = tangent_ellipse(table, 0.0, 0.0);
       int updates = 0;
       for (;; ++updates) {
         ASSERT_LT(updates, 60) << c << (is_slip_imposed ? " slip" : " wrench");
@@ -77,7 +77,7 @@ TEST_P(TouchingEllipseOf, ConvergesToTheExactWrenchWhateverTheSceneImposes) {
         const double cor = found.force / (axes.p * axes.p) / (found.moment / (axes.q * axes.q));
         if (std::fabs(found.force - goal.force) < 1e-6 && std::fabs(found.moment - goal.moment) < 1e-6 && std::fabs(cor / c - 1.0) < 1e-3)
           break;
-        axes = touching_ellipse(table, found.force, found.moment, axes.p, axes.q);
+        axes = tangent_ellipse(table, found.force, found.moment, axes.p, axes.q);
       }
       most[is_slip_imposed] = std::max(most[is_slip_imposed], updates);
     }
@@ -85,15 +85,15 @@ TEST_P(TouchingEllipseOf, ConvergesToTheExactWrenchWhateverTheSceneImposes) {
   std::printf("%s: %d updates with the slip imposed, %d with the wrench\n", GetParam().c_str(), most[1], most[0]);
 }
 
-TEST_P(TouchingEllipseOf, EndsAreTheirLimits) {
+TEST_P(TangentEllipseOf, EndsAreTheirLimits) {
   const Table table = Table::build(parse_law(GetParam()), 1e-8);
   for (const bool slides : {false, true}) {
-    const auto at = [&](double x) { return touching_ellipse(table, slides ? SlipTwist{1.0, x} : SlipTwist{x, 1.0}); };
-    const TouchingEllipse end = at(0.0);
+    const auto at = [&](double x) { return tangent_ellipse(table, slides ? SlipTwist{1.0, x} : SlipTwist{x, 1.0}); };
+    const TangentEllipse end = at(0.0);
     for (const double x : {1e-160, 1e-307, 5e-324}) {
       EXPECT_NEAR(at(x).p / end.p, 1.0, 1e-9) << x;
       EXPECT_NEAR(at(x).q / end.q, 1.0, 1e-9) << x;
-      const TouchingEllipse split = touching_ellipse(table, slides ? 1.0 : x, slides ? x : 1.0, 1.0, 1.0);
+      const TangentEllipse split = tangent_ellipse(table, slides ? 1.0 : x, slides ? x : 1.0, 1.0, 1.0);
       EXPECT_NEAR(split.p / end.p, 1.0, 1e-9) << x;
       EXPECT_NEAR(split.q / end.q, 1.0, 1e-9) << x;
     }
@@ -101,23 +101,23 @@ TEST_P(TouchingEllipseOf, EndsAreTheirLimits) {
   }
 }
 
-TEST(TouchingEllipse, AtRestIsTheUsualOneAndOfNaNIsNaN) {
+TEST(TangentEllipse, AtRestIsTheUsualOneAndOfNaNIsNaN) {
   const Table table = Table::build(parse_law("hertz"), 1e-8);
-  for (const TouchingEllipse axes :
-       {touching_ellipse(table, 0.0, -0.0), touching_ellipse(table, 0.0, 0.0, 1.0, 0.5), touching_ellipse(table, SlipTwist{0.0, 0.0})}) {
+  for (const TangentEllipse axes :
+       {tangent_ellipse(table, 0.0, -0.0), tangent_ellipse(table, 0.0, 0.0, 1.0, 0.5), tangent_ellipse(table, SlipTwist{0.0, 0.0})}) {
     EXPECT_EQ(axes.p, 1.0);
     EXPECT_EQ(axes.q, table.moment_ratio());
   }
   for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
-    for (const TouchingEllipse axes :
-         {touching_ellipse(table, bad, 0.1), touching_ellipse(table, 0.1, bad), touching_ellipse(table, bad, 0.1, 1.0, 0.5),
-          touching_ellipse(table, 0.1, bad, 1.0, 0.5), touching_ellipse(table, SlipTwist{bad, bad})}) {
+    for (const TangentEllipse axes :
+         {tangent_ellipse(table, bad, 0.1), tangent_ellipse(table, 0.1, bad), tangent_ellipse(table, bad, 0.1, 1.0, 0.5),
+          tangent_ellipse(table, 0.1, bad, 1.0, 0.5), tangent_ellipse(table, SlipTwist{bad, bad})}) {
       EXPECT_TRUE(std::isnan(axes.p) && std::isnan(axes.q)) << bad;
     }
   }
-  EXPECT_TRUE(std::isnan(touching_ellipse(table, 0.1, 0.1, std::nan(""), 0.5).p));
-  EXPECT_TRUE(std::isnan(touching_ellipse(table, SlipTwist{0.0, std::nan("")}).p));
-  EXPECT_EQ(touching_ellipse(table, SlipTwist{-0.3, 0.2}).p, touching_ellipse(table, SlipTwist{0.3, -0.2}).p);
+  EXPECT_TRUE(std::isnan(tangent_ellipse(table, 0.1, 0.1, std::nan(""), 0.5).p));
+  EXPECT_TRUE(std::isnan(tangent_ellipse(table, SlipTwist{0.0, std::nan("")}).p));
+  EXPECT_EQ(tangent_ellipse(table, SlipTwist{-0.3, 0.2}).p, tangent_ellipse(table, SlipTwist{0.3, -0.2}).p);
 }
 
 }  // namespace
