@@ -9,7 +9,7 @@
 #include "godobject/scene/choose_step.hpp"
 #include "limitcurve/internal/number.hpp"
 #include "limitcurve/internal/shipped_costs.hpp"
-#include "limitcurve/patch/round_models.hpp"
+#include "limitcurve/patch/disc_models.hpp"
 
 #include <array>
 #include <limits>

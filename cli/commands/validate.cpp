@@ -8,7 +8,7 @@
 #include "limitcurve/exact_curve.hpp"
 #include "limitcurve/internal/remembering_law.hpp"
 #include "limitcurve/laws.hpp"
-#include "limitcurve/patch/round_models.hpp"
+#include "limitcurve/patch/disc_models.hpp"
 #include "limitcurve/validate.hpp"
 #ifdef LIMITCURVE_HAS_FIT
 #include "fit/curve_fit.hpp"
@@ -100,16 +100,16 @@ class Validate final : public Subcommand {
   }
 
   void validate_patches(const Results& results) const {
-    std::vector<std::pair<std::string, std::vector<RoundModel>>> found;
+    std::vector<std::pair<std::string, std::vector<DiscModel>>> found;
     for (const std::string& text : patches_) {
       results.messages->progress(static_cast<double>(found.size()) / static_cast<double>(patches_.size()));
       const Patch patch = read_patch(text, *results.messages);
       note_factor(*results.messages, patch);
-      found.emplace_back(text, round_models(patch));
+      found.emplace_back(text, disc_models(patch));
     }
     Rows rows(results, columns());
     for (const auto& [text, models] : found) {
-      for (const RoundModel& model : models) write(rows, text, model.name, model.parameter, model.error);
+      for (const DiscModel& model : models) write(rows, text, model.name, model.parameter, model.error);
     }
     rows.finish();
   }

@@ -10,7 +10,7 @@
 
 #include "limitcurve/internal/did_you_mean.hpp"
 #include "limitcurve/internal/number.hpp"
-#include "limitcurve/patch/round_models.hpp"
+#include "limitcurve/patch/disc_models.hpp"
 #include "limitcurve/pressure_law.hpp"
 
 #include <algorithm>
@@ -284,7 +284,7 @@ void note_factor(Messages& messages, const Patch& patch) {
   const auto [mx, my] = patch.factors();
   if (mx == 1.0 && my == 1.0) return;
   messages.say("limitcurve: note: friction factors mx = " + format_number(mx) + ", my = " + format_number(my) + ": a disc has " +
-               format_number(round_factor(patch)) + " times mu");
+               format_number(disc_factor(patch)) + " times mu");
 }
 
 }  // namespace limitcurve::cli

@@ -6,8 +6,8 @@
 #include "limitcurve/exact_curve.hpp"
 #include "limitcurve/internal/did_you_mean.hpp"
 #include "limitcurve/internal/number.hpp"
+#include "limitcurve/patch/disc_models.hpp"
 #include "limitcurve/patch/patch.hpp"
-#include "limitcurve/patch/round_models.hpp"
 
 #include <algorithm>
 #include <array>

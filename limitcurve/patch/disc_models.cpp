@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "limitcurve/patch/round_models.hpp"
+#include "limitcurve/patch/disc_models.hpp"
 
 #include "limitcurve/approximations.hpp"
 #include "limitcurve/exact_curve.hpp"
@@ -42,7 +42,7 @@ struct Model {
 
 class Comparison {
  public:
-  explicit Comparison(const Patch& patch) : patch_(patch), m0_(patch.moment_ratio()), factor_(round_factor(patch)), length_(m0_ / factor_) {
+  explicit Comparison(const Patch& patch) : patch_(patch), m0_(patch.moment_ratio()), factor_(disc_factor(patch)), length_(m0_ / factor_) {
     if (!(m0_ > 0.0)) throw std::invalid_argument("all load of the patch is on one point, expected a patch that resists a turn");
     for (std::size_t i = 0; i < distances; ++i) {
       for (std::size_t j = 0; j < directions; ++j) {
@@ -278,11 +278,11 @@ Model ellipsoid(const Patch& patch) {
           mx == my};
 }
 
-RoundModel disc_model(const Comparison& comparison, const char* kind, const Law& law, double a) {
+DiscModel disc_model(const Comparison& comparison, const char* kind, const Law& law, double a) {
   return {std::string(kind) + ":" + law->name(), a, comparison.error(disc(law, a, comparison.factor()))};
 }
 
-RoundModel best_disc(const Comparison& comparison) {
+DiscModel best_disc(const Comparison& comparison) {
   Law best;
   double radius = 0.0;
   double least = inf;
@@ -312,14 +312,14 @@ RoundModel best_disc(const Comparison& comparison) {
 
 }  // namespace
 
-double round_factor(const Patch& patch) {
+double disc_factor(const Patch& patch) {
   const auto [mx, my] = patch.factors();
   return 2.0 * mx * my / (mx + my);
 }
 
-std::vector<RoundModel> round_models(const Patch& patch) {
+std::vector<DiscModel> disc_models(const Patch& patch) {
   const Comparison comparison(patch);
-  std::vector<RoundModel> models{best_disc(comparison)};
+  std::vector<DiscModel> models{best_disc(comparison)};
   const Patch::RoundMeasures measures = patch.round_measures();
   const double equal_area = std::sqrt(measures.area / std::numbers::pi);
   if (equal_area > 0.0) models.push_back(disc_model(comparison, "disc-equal-area", measures.law, equal_area));
@@ -350,7 +350,7 @@ std::vector<EngineShape> engine_shapes(const Patch& patch) {
 std::vector<Candidate> choose(const Patch& patch, double tolerance) {
   if (!(tolerance >= 1e-10 && tolerance <= 1.0)) throw out_of_range("tolerance", tolerance, "1", "1e-10 <= tolerance <= 1");
   const Comparison comparison(patch);
-  const RoundModel round = best_disc(comparison);
+  const DiscModel round = best_disc(comparison);
   std::vector<Candidate> candidates{
       {round.name, round.parameter, round.error.max_error, shipped_costs::of("table").wrench},
       {"ellipsoid", patch.moment_ratio(), comparison.error(ellipsoid(patch)).max_error, shipped_costs::of("ellipse").wrench},

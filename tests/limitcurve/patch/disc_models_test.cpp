@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "limitcurve/patch/round_models.hpp"
+#include "limitcurve/patch/disc_models.hpp"
 #include "limitcurve/exact_curve.hpp"
 #include "limitcurve/laws.hpp"
 #include "patch_cases.hpp"
@@ -15,7 +15,7 @@ namespace limitcurve::test {
 namespace {
 
 // What docs/which_number.md advises for engines without a moment at a point. The limit is weakest where a ball does not move.
-TEST(RoundModels, ThreeBallsAreUpTo13PercentTooWeak) {
+TEST(DiscModels, ThreeBallsAreUpTo13PercentTooWeak) {
   const ExactCurve hertz_curve(hertz());
   const double m0 = hertz_curve.moment_ratio();
   const double half = m0 * std::sqrt(3.0) / 2.0;
@@ -32,7 +32,7 @@ TEST(RoundModels, ThreeBallsAreUpTo13PercentTooWeak) {
 }
 
 // The over-estimate has a sharp maximum where the COR is on a point that bears much of the load: there H lacks that point's term.
-TEST(RoundModels, OfPointsAreTriedWithTheCorOnEachPoint) {
+TEST(DiscModels, OfPointsAreTriedWithTheCorOnEachPoint) {
   std::mt19937 bits(7);
   const auto uniform = [&bits] { return std::generate_canonical<double, 53>(bits); };
   for (std::size_t set = 0; set < 3; ++set) {
@@ -40,7 +40,7 @@ TEST(RoundModels, OfPointsAreTriedWithTheCorOnEachPoint) {
     for (PatchLoad& point : loads) point = {uniform(), uniform(), 0.1 + uniform()};
     const auto [mx, my] = set % 2 == 0 ? std::pair{1.0, 1.0} : std::pair{1.7, 0.6};
     const Patch patch = Patch::points(loads).orthotropic(mx, my);
-    const RoundModel ellipsoid = round_models(patch).back();
+    const DiscModel ellipsoid = disc_models(patch).back();
     ASSERT_EQ(ellipsoid.name, "ellipsoid");
     for (const PatchLoad& point : loads) {
       const PatchPoint cor{point.x - patch.centre().x, point.y - patch.centre().y};
