@@ -37,20 +37,20 @@ FingerOutput fade(FingerState& state, double fault_decay, Fault fault) noexcept 
   return output;
 }
 
-void store(FingerState& state, const FingerSample& sample, const Sensed& sensed) noexcept {
+void store(FingerState& state, const FingerSample& sample, const StepInput& input) noexcept {
   state.sample = sample;
-  state.spin = sensed.spin;
-  state.contact = sensed.contact.memory;
+  state.spin = input.spin;
+  state.contact = input.contact.memory;
 }
 
 /// The step without contact: the proxy follows the finger.
-FingerOutput release(FingerState& state, const FingerSample& sample, const Sensed& sensed) noexcept {
+FingerOutput release(FingerState& state, const FingerSample& sample, const StepInput& input) noexcept {
   FingerState free;
-  store(free, sample, sensed);
+  store(free, sample, input);
   free.faults.seen = true;
   free.output.proxy = sample.position();
   free.output.angle = sample.angle;
-  free.output.depth = sensed.depth();
+  free.output.depth = input.depth();
   free.output.normal = sample.normal;
   state = free;
   return free.output;
@@ -151,14 +151,14 @@ FingerOutput SoftFinger::update_under_load(const Vector3d& point, const Vector3d
 
 FingerOutput SoftFinger::update_under_load(const Vector3d& point, const Vector3d& normal, double load, const Orientation& orientation,
                                            double time_step, bool landed) noexcept {
-  Sensed sensed{{point, normal, 0.0 * load, {}, landed}, 0.0, time_step, state_.spin, Fault::none, true, load};
+  StepInput input{{point, normal, 0.0 * load, {}, landed}, 0.0, time_step, state_.spin, Fault::none, true, load};
   if (is_unit(orientation)) {
-    sensed.spin = state_.spin.moved(orientation, normal);
+    input.spin = state_.spin.moved(orientation, normal);
   } else {
-    sensed.contact.depth = nan;
-    sensed.fault = orientation.coeffs().allFinite() ? Fault::orientation : Fault::not_finite;
+    input.contact.depth = nan;
+    input.fault = orientation.coeffs().allFinite() ? Fault::orientation : Fault::not_finite;
   }
-  return advance(state_, sensed);
+  return advance(state_, input);
 }
 
 FingerOutput SoftFinger::preview(const AnySurface& surface, const DevicePose& device, double time_step) const noexcept {
@@ -181,29 +181,28 @@ FingerOutput SoftFinger::refuse(Fault fault) noexcept {
   return fade(state_, parameters_.fault_decay, fault);
 }
 
-FingerOutput SoftFinger::advance(FingerState& state, const Sensed& sensed) const noexcept {
+FingerOutput SoftFinger::advance(FingerState& state, const StepInput& input) const noexcept {
   // A velocity needs two good samples of one kind in succession.
-  const bool has_velocity = state.faults.seen && state.output.state != ContactState::invalid && sensed.time_step >= shortest_time_step &&
-                            std::isnan(state.output.depth) == sensed.load.has_value();
-  const Fault fault = accept(state.faults, sensed, state.sample, parameters_.max_displacement);
+  const bool has_velocity = state.faults.seen && state.output.state != ContactState::invalid && input.time_step >= shortest_time_step &&
+                            std::isnan(state.output.depth) == input.load.has_value();
+  const Fault fault = accept(state.faults, input, state.sample, parameters_.max_displacement);
   if (fault != Fault::none) return fade(state, parameters_.fault_decay, fault);
-  const bool continues = state.in_contact && !sensed.contact.landed;
-  const FingerSample sample = take_sample(state.sample, sensed, continues);
-  if (!sensed.touches()) return release(state, sample, sensed);
+  const bool continues = state.in_contact && !input.contact.landed;
+  const FingerSample sample = take_sample(state.sample, input, continues);
+  if (!input.touches()) return release(state, sample, input);
   if (!continues) touch_down(state, sample);
-  if (sensed.load) turn_with_normal(state.output.proxy, state.sample, sample);
+  if (input.load) turn_with_normal(state.output.proxy, state.sample, sample);
   const FingerOutput& last = state.output;
 
   // a. The trial deflection of springs and dampers if the proxy stays (eq. 7).
-  const TrialDeflection trial(parameters_, last.proxy, last.angle, state.sample, sample, has_velocity ? sensed.time_step : 0.0,
-                              sensed.load);
+  const TrialDeflection trial(parameters_, last.proxy, last.angle, state.sample, sample, has_velocity ? input.time_step : 0.0, input.load);
 
   // b. Friction: the part of the trial deflection that the limit curve, or a patch's limit surface, allows (eqs. 21–23).
   FrictionMemory<double> friction = state.friction;
   PatchMemory next_patch;
   const KeptDeflection kept =
-      patch_ ? patch_->friction(limits_, trial, sample.normal, sensed.spin, last.angle, state.patch, sensed.may_begin, friction, next_patch)
-             : friction_of_curve(*curve_, projection_, limits_, trial, sensed.may_begin, friction);
+      patch_ ? patch_->friction(limits_, trial, sample.normal, input.spin, last.angle, state.patch, input.may_begin, friction, next_patch)
+             : friction_of_curve(*curve_, projection_, limits_, trial, input.may_begin, friction);
 
   const Moved moved = move_proxy(trial, kept, sample, last);
 
@@ -212,9 +211,9 @@ FingerOutput SoftFinger::advance(FingerState& state, const Sensed& sensed) const
   output.state = moved.slips ? ContactState::slip : ContactState::stick;
   output.proxy = moved.proxy;
   output.angle = moved.angle;
-  output.depth = sensed.depth();
+  output.depth = input.depth();
   output.normal = sample.normal;
-  output.load = sensed.load ? *sensed.load : trial.load(moved.height);
+  output.load = input.load ? *input.load : trial.load(moved.height);
   output.force = kept.tangential * trial.springs.stiffness;
   output.moment = kept.twist * trial.springs.twist_stiffness;
   output.cor = !moved.slips ? nan : kept.slips ? kept.cor : inf;  // moved to the near side it slides without a turn
@@ -223,7 +222,7 @@ FingerOutput SoftFinger::advance(FingerState& state, const Sensed& sensed) const
   output.converged = kept.converged;
   state.friction = settled(state.friction, friction, curve_ && curve_->is_box(), moved.slips, moved.slid, moved.turned);
   if (patch_) state.patch = {next_patch.zero_axis, next_patch.axis, moved.slips ? next_patch.slip : Vector3d(Vector3d::Zero())};
-  store(state, sample, sensed);
+  store(state, sample, input);
   state.limit_load = trial.limit_load;
   state.trial_force = kept.trial_force;
   state.trial_moment = kept.trial_moment;

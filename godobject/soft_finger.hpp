@@ -14,7 +14,7 @@ class Patch;
 namespace limitcurve::godobject {
 
 class PatchStep;
-struct Sensed;
+struct StepInput;
 
 /// A soft-finger god-object on one surface: steps a–c of the paper, corrected (docs/paper.md).
 /// The limit curve, or the limit surface of a patch, bounds force and moment together; the projection decides how a slipping proxy moves.
@@ -114,7 +114,7 @@ class SoftFinger {
 
   /// The state that `update` would leave if a slip of what rests stayed at the sticking limit: the force is continuous in the pose.
   [[nodiscard]] FingerState try_step(const AnySurface& surface, const DevicePose& device, double time_step) const noexcept;
-  FingerOutput advance(FingerState& state, const Sensed& sensed) const noexcept;
+  FingerOutput advance(FingerState& state, const StepInput& input) const noexcept;
 
   // The contact: one of both.
   std::optional<FingerCurve> curve_;

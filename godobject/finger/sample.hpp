@@ -13,7 +13,7 @@
 namespace limitcurve::godobject {
 
 /// What the device gives in a step.
-struct Sensed {
+struct StepInput {
   Contact contact;
   double twist;                     ///< α_s [rad] about the normal, as it was given
   double time_step;                 ///< [s]
@@ -35,8 +35,8 @@ template <class Vector>
 
 /// The contact of a device's pose, and its spin. If the pose is none, `fault` names the reason, and the contact is not plausible; the surface is
 /// not called, because it requires a finite position.
-[[nodiscard]] inline Sensed sense(const AnySurface& surface, const DevicePose& device, double time_step, const FingerState& last,
-                                  bool may_begin = true) noexcept {
+[[nodiscard]] inline StepInput sense(const AnySurface& surface, const DevicePose& device, double time_step, const FingerState& last,
+                                     bool may_begin = true) noexcept {
   if (!is_plausible<double>(device.position.squaredNorm()) || !is_unit(device.orientation)) {
     const bool is_finite = device.position.allFinite() && device.orientation.coeffs().allFinite();
     const Contact none{Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ(), std::numeric_limits<double>::quiet_NaN()};
@@ -49,13 +49,14 @@ template <class Vector>
 
 /// Checks that what was sensed is plausible: finite, a normal of unit length, a time step ≥ 0, and within `max_displacement` of the last
 /// good position, or of the last refused one. Returns what is not.
-[[nodiscard]] inline Fault accept(FingerFaults& faults, const Sensed& sensed, const FingerSample& last, double max_displacement) noexcept {
-  const Contact& contact = sensed.contact;
-  const double square = contact.point.squaredNorm() + contact.depth * contact.depth + sensed.twist * sensed.twist;
-  if (!is_plausible<double>(square) || !is_unit(contact.normal) || !is_time_step(sensed.time_step)) {
-    if (sensed.fault != Fault::none) return sensed.fault;
+[[nodiscard]] inline Fault accept(FingerFaults& faults, const StepInput& input, const FingerSample& last,
+                                  double max_displacement) noexcept {
+  const Contact& contact = input.contact;
+  const double square = contact.point.squaredNorm() + contact.depth * contact.depth + input.twist * input.twist;
+  if (!is_plausible<double>(square) || !is_unit(contact.normal) || !is_time_step(input.time_step)) {
+    if (input.fault != Fault::none) return input.fault;
     const bool is_finite =
-        contact.point.allFinite() && contact.normal.allFinite() && std::isfinite(contact.depth) && std::isfinite(sensed.twist);
+        contact.point.allFinite() && contact.normal.allFinite() && std::isfinite(contact.depth) && std::isfinite(input.twist);
     return !is_finite                      ? Fault::not_finite
            : !is_plausible<double>(square) ? Fault::too_far
            : !is_unit(contact.normal)      ? Fault::normal
@@ -75,16 +76,16 @@ template <class Vector>
 }
 
 /// The next good sample. In a contact that continues, the twist is unwrapped; it is the device's bit for bit as long as it does not wrap.
-[[nodiscard]] inline FingerSample take_sample(const FingerSample& last, const Sensed& sensed, bool continues) noexcept {
+[[nodiscard]] inline FingerSample take_sample(const FingerSample& last, const StepInput& input, bool continues) noexcept {
   constexpr double turn = 2.0 * std::numbers::pi;
-  const Contact& contact = sensed.contact;
+  const Contact& contact = input.contact;
   double unwrapped_by = 0.0;
   if (continues) {
     unwrapped_by = last.unwrapped_by;
-    const double jump = sensed.twist - last.twist;
+    const double jump = input.twist - last.twist;
     if (std::fabs(jump) > std::numbers::pi) unwrapped_by -= turn * std::round(jump / turn);
   }
-  return {contact.point, contact.normal, contact.depth, sensed.twist + unwrapped_by + sensed.spin.angle, sensed.twist, unwrapped_by};
+  return {contact.point, contact.normal, contact.depth, input.twist + unwrapped_by + input.spin.angle, input.twist, unwrapped_by};
 }
 
 }  // namespace limitcurve::godobject
