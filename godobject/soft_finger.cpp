@@ -97,7 +97,7 @@ KeptDeflection friction_of_curve(const FingerCurve& curve, Projection projection
 }
 
 /// The proxy after step b.
-struct Moved {
+struct ProxyUpdate {
   Vector3d proxy;      ///< x_p [m]
   double angle;        ///< α_p [rad]
   double height;       ///< of the spring [m]
@@ -108,7 +108,8 @@ struct Moved {
 };
 
 /// The proxy follows. A component without slip keeps its bits; a slip below the rounding of the position counts as stick.
-Moved move_proxy(const TrialDeflection& trial, const KeptDeflection& kept, const FingerSample& sample, const FingerOutput& last) noexcept {
+ProxyUpdate move_proxy(const TrialDeflection& trial, const KeptDeflection& kept, const FingerSample& sample,
+                       const FingerOutput& last) noexcept {
   const MovedProxy followed = kept.force_reduced ? follow(trial, sample, kept.tangential) : MovedProxy{trial.proxy, trial.spring.height};
   const double angle = kept.moment_reduced ? sample.angle + trial.relaxed_twist + kept.twist : last.angle;
   const bool slid = trial.moves_to_near_side || (kept.force_reduced && followed.proxy != trial.proxy);
@@ -204,7 +205,7 @@ FingerOutput SoftFinger::advance(FingerState& state, const StepInput& input) con
       patch_ ? patch_->friction(limits_, trial, sample.normal, input.spin, last.angle, state.patch, input.may_begin, friction, next_patch)
              : friction_of_curve(*curve_, projection_, limits_, trial, input.may_begin, friction);
 
-  const Moved moved = move_proxy(trial, kept, sample, last);
+  const ProxyUpdate moved = move_proxy(trial, kept, sample, last);
 
   // c. Force and moment on the user.
   FingerOutput output;
