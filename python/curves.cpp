@@ -6,7 +6,7 @@
 #include "cli/io/output_file.hpp"
 #include "cli/io/table_reader.hpp"
 #include "cli/io/table_writer.hpp"
-#include "cli/io/unit_questions.hpp"
+#include "cli/io/unit_checks.hpp"
 #include "godobject/godobject.hpp"
 #include "limitcurve/contact/load_to_hold.hpp"
 #include "limitcurve/internal/number.hpp"
@@ -48,7 +48,7 @@ nb::object loads_to_hold(const Curve& curve, const Given& given) {
   const nb::object gamma = given[5].is_none() ? nb::float_(0.0) : given[5];
   if (radius_law.is_none() == mu_r.is_none())
     throw std::invalid_argument(std::string("radius_law, mu_r: got ") + (mu_r.is_none() ? "none" : "both") + ", expected one of them");
-  cli::UnitQuestions questions;
+  cli::UnitChecks questions;
   std::array loads{std::numeric_limits<double>::infinity(), 0.0};
   const auto least = [&](const ContactFriction& contact, double f, double m) {
     const double load = load_to_hold(curve, contact, f, m);

@@ -3,7 +3,7 @@
 #include "python/parameters.hpp"
 
 #include "cli/io/law_argument.hpp"
-#include "cli/io/unit_questions.hpp"
+#include "cli/io/unit_checks.hpp"
 #include "godobject/finger/finger_numbers.hpp"
 #include "godobject/scene/passivity.hpp"
 #include "godobject/soft_finger.hpp"
@@ -296,7 +296,7 @@ FingerParameters parameters_of(const nb::dict& given, double moment_ratio) {
   if (parameters.mu_r) throw std::invalid_argument("mu_r: not with radius_law, expected one of them");
   parameters.radius_law = radius_law->of(parameters.mu, moment_ratio);
   const auto [first, last] = parameters.radius_law.sampled_loads();
-  cli::UnitQuestions questions;
+  cli::UnitChecks questions;
   questions.radii(parameters.radius_law, std::array{std::max(first, 1.0), std::min(last, std::max(first, 1.0))});
   warn(questions.lines());
   return parameters;

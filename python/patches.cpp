@@ -2,7 +2,7 @@
 #include "python/core.hpp"
 #include "python/parameters.hpp"
 
-#include "cli/io/unit_questions.hpp"
+#include "cli/io/unit_checks.hpp"
 
 #include "limitcurve/internal/number.hpp"
 
@@ -56,7 +56,7 @@ nb::object wrench(const PyPatch& patch, const Given& given) {
 }
 
 nb::object loads_to_hold(const PyPatch& patch, const Given& given) {
-  cli::UnitQuestions questions;
+  cli::UnitChecks questions;
   const nb::object loads =
       of_numbers<1, 16, 4>({given[0], given[1], given[2], given[3]}, {"fx", "fy", "moment", "mu"},
                            {ranges::finite, ranges::finite, ranges::finite, ranges::non_negative}, [&](const std::array<double, 4>& of) {

@@ -3,7 +3,7 @@
 #include "cli/commands/stiffness_check.hpp"
 #include "cli/commands/subcommands.hpp"
 #include "cli/io/patch_argument.hpp"
-#include "cli/io/unit_questions.hpp"
+#include "cli/io/unit_checks.hpp"
 #include "limitcurve/internal/number_list.hpp"
 
 #include "godobject/scene/choose_step.hpp"
@@ -108,7 +108,7 @@ class Choose final : public Subcommand {
       scene_.least_load = loads_.front();
       scene_.most_load = loads_.back();
     }
-    results.messages->say(questions_of(scene_.radius_law, std::array{scene_.least_load, scene_.most_load}));
+    results.messages->say(radius_warnings(scene_.radius_law, std::array{scene_.least_load, scene_.most_load}));
     const godobject::StepChoice choice = godobject::choose_step(scene_, tolerance_);
     write(results, choice.candidates);
     for (const std::string& line : choice.verdict) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cli/commands/subcommands.hpp"
 #include "cli/io/stated_error.hpp"
-#include "cli/io/unit_questions.hpp"
+#include "cli/io/unit_checks.hpp"
 
 #include "limitcurve/internal/number.hpp"
 
@@ -41,7 +41,7 @@ class Eval final : public Subcommand {
     if (!std::isfinite(force_unit) || !std::isfinite(moment_unit)) {
       throw std::invalid_argument("--mu, --load, --radius: their product is too large, expected a finite number");
     }
-    UnitQuestions questions;
+    UnitChecks questions;
     questions.load(load_);
     if (radius_) questions.length("--radius", *radius_);
     results.messages->say(questions.lines());

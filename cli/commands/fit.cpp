@@ -6,7 +6,7 @@
 #include "cli/io/descriptor.hpp"
 #include "cli/io/patch_argument.hpp"
 #include "cli/io/slip_samples.hpp"
-#include "cli/io/unit_questions.hpp"
+#include "cli/io/unit_checks.hpp"
 
 #include "limitcurve/internal/number.hpp"
 
@@ -132,7 +132,7 @@ class Fit final : public Subcommand {
     const Patch patch = read_patch(patch_, *messages_);
     if (load_) {
       *load_ *= file_columns_.force;
-      UnitQuestions questions;
+      UnitChecks questions;
       questions.load(*load_);
       messages_->say(questions.lines());
     }
@@ -241,7 +241,7 @@ class Fit final : public Subcommand {
 
   /// The same slips, after the questions about their units: the fit itself may fail.
   [[nodiscard]] const std::vector<fit::Sample>& asked(const std::vector<fit::Sample>& slips) const {
-    UnitQuestions questions;
+    UnitChecks questions;
     for (const fit::Sample& slip : slips) {
       questions.load(slip.load);
       questions.wrench(slip.force, slip.moment);
@@ -268,7 +268,7 @@ class Fit final : public Subcommand {
   }
 
   [[nodiscard]] fit::ModelFit load_fit(const fit::LoadSamples& samples) const {
-    UnitQuestions questions;
+    UnitChecks questions;
     for (const auto& sample : samples.samples) questions.load(sample.load);
     messages_->say(questions.lines());
     const std::string& wanted = load_models[load_model_];

@@ -2,7 +2,7 @@
 #include "cli/commands/subcommands.hpp"
 #include "cli/io/csv_reader.hpp"
 #include "cli/io/patch_argument.hpp"
-#include "cli/io/unit_questions.hpp"
+#include "cli/io/unit_checks.hpp"
 
 #include "godobject/finger_curve.hpp"
 #include "limitcurve/contact/load_to_hold.hpp"
@@ -175,7 +175,7 @@ class Hold final : public Subcommand {
   std::optional<double> offset_;
   std::vector<double> down_;
   double gravity_ = 9.81;
-  UnitQuestions questions_;
+  UnitChecks questions_;
   std::array<double, 2> loads_{std::numeric_limits<double>::infinity(), 0.0};  ///< smallest and largest that hold
 };
 

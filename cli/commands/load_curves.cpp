@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "cli/commands/subcommands.hpp"
-#include "cli/io/unit_questions.hpp"
+#include "cli/io/unit_checks.hpp"
 
 #include "limitcurve/contact/load_curves.hpp"
 #include "limitcurve/exact_curve.hpp"
@@ -67,7 +67,7 @@ class LoadCurves final : public Subcommand {
     for (const double c : distances_) write(c_curve(exact, contact, c, loads_));
     for (const double load : at_cors_ ? std::vector<double>() : loads_) write(p_curve(exact, contact, load, points_));
     rows.finish();
-    results.messages->say(questions_of(contact.radius(law_->moment_ratio()), loads_));
+    results.messages->say(radius_warnings(contact.radius(law_->moment_ratio()), loads_));
   }
 
  private:

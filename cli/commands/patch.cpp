@@ -2,7 +2,7 @@
 #include "cli/commands/subcommands.hpp"
 #include "cli/io/csv_reader.hpp"
 #include "cli/io/patch_argument.hpp"
-#include "cli/io/unit_questions.hpp"
+#include "cli/io/unit_checks.hpp"
 
 #include "godobject/finger_curve.hpp"
 #include "limitcurve/contact/load_to_hold.hpp"
@@ -60,7 +60,7 @@ class PatchCommand final : public Subcommand {
     if (moment_.given()) throw std::invalid_argument("--radius-law, --mu-r, --gamma: not with --patch, which has its own size and moments");
     const Patch patch = read_patch(patch_, *results.messages);
     if (!wrenches_.empty()) return slip(results, patch);
-    UnitQuestions questions;
+    UnitChecks questions;
     if (load_) questions.load(*load_);
     results.messages->say(questions.lines());
     Rows rows(results, {"vx", "vy", "omega", "fx", "fy", "moment", "power", "error"});
@@ -79,7 +79,7 @@ class PatchCommand final : public Subcommand {
   void slip(const Results& results, const Patch& patch) const {
     Rows rows(results, {"fx", "fy", "moment", "hold_load", "vx", "vy", "omega", "error"});
     CsvReader reader(wrenches_, {"fx", "fy", "moment"});
-    UnitQuestions questions;
+    UnitChecks questions;
     while (reader.next()) {
       const PatchWrench wrench{reader.number(0, finite), reader.number(1, finite), reader.number(2, finite)};
       const auto [twist, gauge, error] = patch.slip(wrench);
@@ -100,7 +100,7 @@ class PatchCommand final : public Subcommand {
     std::array<double, 2> loads{infinite, 0.0};  // smallest and largest
     Rows rows(results, {"force", "moment", "hold_load", "slide", "spin", "error"});
     CsvReader reader(wrenches_, {"force", "moment"});
-    UnitQuestions questions;
+    UnitChecks questions;
     while (reader.next()) {
       const double force = reader.number(0, finite);
       const double moment = reader.number(1, finite);

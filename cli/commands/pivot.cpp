@@ -5,7 +5,7 @@
 #include "cli/io/csv_reader.hpp"
 #include "cli/io/law_argument.hpp"
 #include "cli/io/materials.hpp"
-#include "cli/io/unit_questions.hpp"
+#include "cli/io/unit_checks.hpp"
 #include "limitcurve/internal/key_values.hpp"
 #include "limitcurve/internal/number_list.hpp"
 
@@ -47,7 +47,7 @@ std::vector<GripSample> read_release(const std::string& text) {
   return {{0.0, from}, {over, to}};
 }
 
-GripOperator read_operator(const std::string& text, UnitQuestions& questions) {
+GripOperator read_operator(const std::string& text, UnitChecks& questions) {
   GripOperator hand;
   const auto positive_key = [](std::string_view key, std::optional<double>& value) {
     return KeyValue{key, [&value](std::string_view number) { value = read_number(number, positive); }, false};
@@ -204,7 +204,7 @@ class Pivot final : public Subcommand {
   std::string grip_file_;
   std::vector<GripSample> release_;
   std::size_t every_ = 1;
-  UnitQuestions questions_;
+  UnitChecks questions_;
   godobject::PivotOptions settings_;
 };
 

@@ -5,7 +5,7 @@
 #include "cli/io/patch_argument.hpp"
 #include "cli/io/surface_argument.hpp"
 #include "cli/io/trace_reader.hpp"
-#include "cli/io/unit_questions.hpp"
+#include "cli/io/unit_checks.hpp"
 #include "limitcurve/internal/key_values.hpp"
 
 #include "godobject/scene/passivity.hpp"
@@ -305,7 +305,7 @@ class Replay final : public Subcommand {
       note_stiffnesses(*results.messages, "--projection " + std::string(to_string(replay_.projection)), replay_.finger,
                        replay_.law->moment_ratio(), std::span(&loads[1], 1));
     }
-    UnitQuestions questions = trace.questions();
+    UnitChecks questions = trace.questions();
     questions.load(loads[1]);
     if (radius_law_) questions.radii(replay_.finger.radius_law, loads);
     results.messages->say(questions.lines());

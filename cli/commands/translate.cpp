@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cli/commands/subcommands.hpp"
 #include "cli/io/patch_argument.hpp"
-#include "cli/io/unit_questions.hpp"
+#include "cli/io/unit_checks.hpp"
 
 #include "limitcurve/engines/engine_coefficients.hpp"
 #include "limitcurve/internal/number.hpp"
@@ -91,7 +91,7 @@ class Translate final : public Subcommand {
     const engines::LoadRange range =
         loads_.empty() ? engines::LoadRange{*load_ / 4.0, 4.0 * *load_} : engines::LoadRange{loads_[0], loads_[1]};
     const RadiusLaw radius_law = moment_.with(friction_, law_).radius(law_->moment_ratio());
-    results.messages->say(questions_of(radius_law, std::array{range.low, range.high, *load_}));
+    results.messages->say(radius_warnings(radius_law, std::array{range.low, range.high, *load_}));
     write(results, engines::translate(law_, radius_law, friction_, *load_, range));
   }
 

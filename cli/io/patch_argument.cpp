@@ -4,7 +4,7 @@
 #include "cli/io/csv_reader.hpp"
 #include "cli/io/descriptor.hpp"
 #include "cli/io/law_argument.hpp"
-#include "cli/io/unit_questions.hpp"
+#include "cli/io/unit_checks.hpp"
 #include "limitcurve/internal/key_values.hpp"
 #include "limitcurve/internal/number_list.hpp"
 
@@ -238,7 +238,7 @@ std::vector<std::string> PatchArgument::remarks() const {
                     std::to_string(columns) + " pixels" + (frames_in_blocks ? " in blocks" : "") +
                     ": is it one frame? columns=N[,frame=K] reads a frame a row");
   }
-  UnitQuestions questions;
+  UnitChecks questions;
   questions.length("patch" + (text.empty() ? text : " '" + text + "'"), across());
   const std::vector<std::string> asked = questions.lines();
   lines.insert(lines.end(), asked.begin(), asked.end());

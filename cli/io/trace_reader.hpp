@@ -2,7 +2,7 @@
 #pragma once
 
 #include "cli/io/csv_reader.hpp"
-#include "cli/io/unit_questions.hpp"
+#include "cli/io/unit_checks.hpp"
 
 #include "godobject/scene/replay.hpp"
 
@@ -31,7 +31,7 @@ class TraceReader {
   /// Names "twist", "twist2", … of the fingers for which the trace has neither twist nor orientation.
   [[nodiscard]] const std::vector<std::string>& missing_twists() const { return missing_twists_; }
   /// What is to be asked of the twists so far.
-  [[nodiscard]] const UnitQuestions& questions() const { return questions_; }
+  [[nodiscard]] const UnitChecks& questions() const { return questions_; }
   /// The fraction of the file that has been read, 0 to 1, if its size is known.
   [[nodiscard]] std::optional<double> share() const { return reader_.share(); }
   /// An error at the time of this sample.
@@ -50,7 +50,7 @@ class TraceReader {
   std::vector<godobject::DevicePose> fingers_;
   std::vector<std::string> missing_twists_;
   std::vector<double> last_twists_;  ///< NaN before the first sample
-  UnitQuestions questions_;
+  UnitChecks questions_;
   godobject::BodyPose body_;
 };
 

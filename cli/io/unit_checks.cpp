@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cli/io/unit_questions.hpp"
+#include "cli/io/unit_checks.hpp"
 
 #include "limitcurve/internal/number.hpp"
 
@@ -11,16 +11,16 @@
 namespace limitcurve::cli {
 
 template <class Text>
-void UnitQuestions::note(First& first, const Text& text) {
+void UnitChecks::note(First& first, const Text& text) {
   if (first.count++ == 0) first.text = text();
 }
 
-void UnitQuestions::load(double load) {
+void UnitChecks::load(double load) {
   constexpr double most = 1000.0;
   if (load > most && std::isfinite(load)) note(loads_, [&] { return "a load of " + format_number(load, 6) + " N: is it in newtons?"; });
 }
 
-void UnitQuestions::wrench(double force, double moment) {
+void UnitChecks::wrench(double force, double moment) {
   constexpr double large = 0.2;  // [N m], and the arm [m]
   if (std::fabs(moment) <= large || !(std::fabs(moment) > large * std::fabs(force))) return;
   note(wrenches_, [&] {
@@ -28,12 +28,12 @@ void UnitQuestions::wrench(double force, double moment) {
   });
 }
 
-void UnitQuestions::force_under(double load, double force) {
+void UnitChecks::force_under(double load, double force) {
   ++loaded_;
   if (std::fabs(force) > load) ++swapped_;
 }
 
-void UnitQuestions::twist(double before, double now, double time) {
+void UnitChecks::twist(double before, double now, double time) {
   constexpr double turn = 2.0 * std::numbers::pi;
   const double step = std::fabs(now - before);
   if (!(step > 1.0)) return;
@@ -43,12 +43,12 @@ void UnitQuestions::twist(double before, double now, double time) {
   });
 }
 
-void UnitQuestions::angle(const std::string& what, double angle, std::string_view text) {
+void UnitChecks::angle(const std::string& what, double angle, std::string_view text) {
   if (std::fabs(angle) <= 2.0 * std::numbers::pi || text.ends_with("deg") || text.ends_with("rad")) return;
   others_.push_back(what + " = " + format_number(angle) + " rad: is it in radians? " + format_number(angle) + "deg is in degrees");
 }
 
-void UnitQuestions::radii(const RadiusLaw& law, std::span<const double> loads) {
+void UnitChecks::radii(const RadiusLaw& law, std::span<const double> loads) {
   constexpr double largest_radius = 0.1;
   double radius = 0.0;
   double at_load = 0.0;
@@ -74,12 +74,12 @@ void UnitQuestions::radii(const RadiusLaw& law, std::span<const double> loads) {
   }
 }
 
-void UnitQuestions::length(const std::string& what, double across) {
+void UnitChecks::length(const std::string& what, double across) {
   constexpr double longest = 0.5;
   if (across > longest) others_.push_back(what + ": " + format_number(across, 6) + " m across: is it in metres?");
 }
 
-std::vector<std::string> UnitQuestions::lines() const {
+std::vector<std::string> UnitChecks::lines() const {
   std::vector<std::string> texts = others_;
   for (const First* const first : {&loads_, &wrenches_, &twists_}) {
     if (first->count == 0) continue;
@@ -93,8 +93,8 @@ std::vector<std::string> UnitQuestions::lines() const {
   return texts;
 }
 
-std::vector<std::string> questions_of(const RadiusLaw& law, std::span<const double> loads) {
-  UnitQuestions questions;
+std::vector<std::string> radius_warnings(const RadiusLaw& law, std::span<const double> loads) {
+  UnitChecks questions;
   questions.radii(law, loads);
   for (const double one : loads) questions.load(one);
   return questions.lines();

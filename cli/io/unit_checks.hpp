@@ -12,7 +12,7 @@
 namespace limitcurve::cli {
 
 /// Asks whether numbers are in metres, newtons and radians, and whether two columns are swapped: they are far outside what a fingertip has.
-class UnitQuestions {
+class UnitChecks {
  public:
   /// Normal loads [N]: above 1000 N.
   void load(double load);
@@ -50,6 +50,6 @@ class UnitQuestions {
 };
 
 /// Those about radii and their loads.
-std::vector<std::string> questions_of(const RadiusLaw& law, std::span<const double> loads);
+std::vector<std::string> radius_warnings(const RadiusLaw& law, std::span<const double> loads);
 
 }  // namespace limitcurve::cli
