@@ -93,7 +93,7 @@ BasicTable<Real> built(const std::string& name, double tolerance, const Attempt&
   }
   if (auto table = attempt(tolerance)) return std::move(*table);
   const std::string failed = "table of " + name + ": a tolerance of " + format_number(tolerance) + " is not possible in " +
-                             std::to_string(Result::most_bytes / 1024) + " KiB, or is finer than the curve's own error; ";
+                             std::to_string(Result::max_bytes / 1024) + " KiB, or is finer than the curve's own error; ";
   std::vector<double> coarser;
   for (int decade = 14; decade > 0; --decade) {
     for (const int digit : {1, 2, 5}) coarser.push_back(digit / std::pow(10.0, decade));

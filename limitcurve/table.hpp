@@ -67,11 +67,11 @@ class BasicTable {
   static constexpr double finest_tolerance = sizeof(Real) == sizeof(float) ? 5e-7 : 1e-14;
   static constexpr double coarsest_tolerance = 1e-1;
   /// The largest bytes() of a table.
-  static constexpr std::size_t most_bytes = 98304;
+  static constexpr std::size_t max_bytes = 98304;
 
   /// The table of `law` with |error| ≤ tolerance·max(1, m₀) in f and in m at every twist. Cost: milliseconds for a closed form, up to
   /// seconds by quadrature.
-  /// Throws std::invalid_argument for a law that `checked` refuses and a tolerance out of range. Throws std::runtime_error if the tolerance needs more than most_bytes
+  /// Throws std::invalid_argument for a law that `checked` refuses and a tolerance out of range. Throws std::runtime_error if the tolerance needs more than max_bytes
   /// or is finer than the law's own error; the message names the law and the finest possible tolerance.
   static BasicTable build(const Law& law, double tolerance, TableOptions options = {});
 
@@ -88,7 +88,7 @@ class BasicTable {
   }
 
   /// A table from its cells, for example from a file. Throws std::invalid_argument, with the cell or fact, if a fact or the x of a cell is
-  /// out of range, a number is not finite, cells do not join or are not convex, an end is not exact, or the table has more than most_bytes.
+  /// out of range, a number is not finite, cells do not join or are not convex, an end is not exact, or the table has more than max_bytes.
   BasicTable(TableFacts facts, const TableCells& cells);
 
   // Moving copies, which is cheap: what was moved from stays what it was.

@@ -89,14 +89,14 @@ void Grasp::step(std::span<const DevicePose> devices, double time_step, const Ei
   if (!is_plausible(pushed)) return refuse(Fault::force);
   // In whole, or in parts, counted in the smallest.
   bool all_solved = true;
-  int size = most_parts;
-  for (int done = 0; done < most_parts;) {
+  int size = max_parts;
+  for (int done = 0; done < max_parts;) {
     const int end = done + size;
-    const double part = time_step * size / most_parts;
-    const std::span<const DevicePose> poses = end == most_parts ? devices : between(devices, static_cast<double>(end) / most_parts);
+    const double part = time_step * size / max_parts;
+    const std::span<const DevicePose> poses = end == max_parts ? devices : between(devices, static_cast<double>(end) / max_parts);
     bool solved = false;
     const Attempt attempt = solve(poses, part, external, solved);
-    if (!solved && size > 1 && (size < most_parts || may_divide(devices, time_step))) {
+    if (!solved && size > 1 && (size < max_parts || may_divide(devices, time_step))) {
       size /= 2;
       continue;
     }
@@ -105,9 +105,9 @@ void Grasp::step(std::span<const DevicePose> devices, double time_step, const Ei
     if (!is_plausible(next)) return refuse(Fault::body);
     state_ = next;
     commit(poses, part, done > 0);
-    divided_ += done == 0 && size < most_parts;
+    divided_ += done == 0 && size < max_parts;
     done = end;
-    if (size < most_parts && done % (2 * size) == 0) size *= 2;
+    if (size < max_parts && done % (2 * size) == 0) size *= 2;
   }
   if (!all_solved) ++unsolved_;
   remember(devices);

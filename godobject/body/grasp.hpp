@@ -23,7 +23,7 @@ class Grasp {
   /// Largest number of Newton steps from each of two starts; usually 2 to 4 are needed. Each costs seven evaluations of all fingers.
   static constexpr int iteration_limit = 20;
   /// A step that cannot be solved is done in parts, of 1/2 to 1/2^7 of it, with poses of the devices in between; usually it is whole.
-  static constexpr int most_parts = 128;
+  static constexpr int max_parts = 128;
   /// Largest number of halvings of a Newton step; usually 0.
   static constexpr int halving_limit = 24;
   /// Equations are solved when the residual is at most this fraction of the velocities, including those that its loads give in the step.
@@ -39,7 +39,7 @@ class Grasp {
   /// centre of mass, in world axes, are added to gravity and the fingers' forces. A pose that is not finite makes its finger `invalid`; the
   /// finger then acts with its last force. An invalid time step, or forces that are not finite or would carry the body beyond `farthest`
   /// (its position in m, its velocities in m/s and rad/s), move nothing: all fingers are `invalid` and name the fault. Does not throw,
-  /// allocate or lock. Cost: usually 15 to 40 contact queries a finger, for a step in parts some thousands; at most 2 `most_parts` solutions,
+  /// allocate or lock. Cost: usually 15 to 40 contact queries a finger, for a step in parts some thousands; at most 2 `max_parts` solutions,
   /// and as many again for each finger that begins to slip, of 2 `iteration_limit` (7 + `halving_limit`) queries each.
   void step(std::span<const DevicePose> devices, double time_step, const Eigen::Vector3d& force = Eigen::Vector3d::Zero(),
             const Eigen::Vector3d& moment = Eigen::Vector3d::Zero()) noexcept;

@@ -26,8 +26,8 @@ constexpr double certificate_margin = 0.05;
 template <class Real>
 class Builder {
  public:
-  Builder(const Source& source, double target, int degree, std::size_t most_bytes)
-      : source_(source), target_(target), degree_(degree), most_bytes_(most_bytes) {}
+  Builder(const Source& source, double target, int degree, std::size_t max_bytes)
+      : source_(source), target_(target), degree_(degree), most_bytes_(max_bytes) {}
 
   /// Builds both sides, with several cells in a bucket or without; false if that is not possible.
   bool lay(bool splits_buckets) { return (splits_buckets ? lay_in_cells() : lay_in_buckets()) == Outcome::done; }
@@ -314,13 +314,13 @@ struct Errors {
 
 /// `build` with a given degree and memory; with `splits_buckets` look-ups search.
 template <class Real>
-std::optional<BasicTable<Real>> build_of_degree(const Source& source, double tolerance, int degree, std::size_t most_bytes,
+std::optional<BasicTable<Real>> build_of_degree(const Source& source, double tolerance, int degree, std::size_t max_bytes,
                                                 bool splits_buckets) {
   auto [allowed, rounding, target] = Errors<Real>(source, tolerance);
   constexpr int attempts = 12;
   double last = std::numeric_limits<double>::infinity();
   for (int i = 0; i < attempts && target > 0.0; ++i) {
-    Builder<Real> builder(source, target, degree, most_bytes);
+    Builder<Real> builder(source, target, degree, max_bytes);
     if (!builder.lay(splits_buckets)) return std::nullopt;
     if (!builder.join_at_rim()) {
       target *= 0.3;
@@ -342,7 +342,7 @@ std::optional<BasicTable<Real>> build_of_degree(const Source& source, double tol
 
 template <class Real>
 std::optional<BasicTable<Real>> build(const Source& source, double tolerance, std::size_t bytes) {
-  constexpr std::size_t most = BasicTable<Real>::most_bytes;
+  constexpr std::size_t most = BasicTable<Real>::max_bytes;
   // Attempts share what they know of the curve, which may come from a quadrature.
   std::array<std::unordered_map<double, Sample>, 2> known;
   Source remembered = source;
@@ -366,7 +366,7 @@ std::optional<BasicTable<Real>> build(const Source& source, double tolerance, st
 template <class Real>
 bool begins(const Source& source, double tolerance) {
   const double target = Errors<Real>(source, tolerance).target;
-  return target > 0.0 && Builder<Real>(source, target, TablePieces<Real>::most_degree, BasicTable<Real>::most_bytes).begins();
+  return target > 0.0 && Builder<Real>(source, target, TablePieces<Real>::most_degree, BasicTable<Real>::max_bytes).begins();
 }
 
 template std::optional<BasicTable<double>> build(const Source&, double, std::size_t);

@@ -123,9 +123,9 @@ void check(const TableFacts& facts, const TableCells& cells) {
   }
   const Buckets buckets{cells.index_bits, cells.octaves};
   const std::size_t bytes = bytes_of<Real>(cells.inside.size() + cells.outside.size(), cells.degree(), buckets);
-  if (bytes > BasicTable<Real>::most_bytes) {
+  if (bytes > BasicTable<Real>::max_bytes) {
     throw std::invalid_argument("table of " + std::to_string(bytes) + " bytes: expected at most " +
-                                std::to_string(BasicTable<Real>::most_bytes));
+                                std::to_string(BasicTable<Real>::max_bytes));
   }
   const auto [support, force] = check_side<Real>("inside", cells.inside);
   const auto [other_support, moment] = check_side<Real>("outside", cells.outside);
