@@ -1,9 +1,9 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Questions that every interface answers alike, and their answers: ../questions.csv.
+"""Questions that every interface answers alike, and their answers: ../conformance.csv.
 
-    make_questions.py             write it (five minutes)
-    make_questions.py --check     compute it again and compare
+    make_conformance.py             write it (five minutes)
+    make_conformance.py --check     compute it again and compare
 
 The witness shares nothing with the library: it has the laws' unit wrenches from mpmath (pressure_laws.py), hence the support
 function H(v, w) = v f + w m, and searches over all slip twists.
@@ -33,7 +33,7 @@ sys.dont_write_bytecode = True
 from pressure_laws import Gaussian, PowerLaw, XydasKao  # noqa: E402
 from rings import rings  # noqa: E402
 
-OUTPUT = Path(__file__).parent.parent / "questions.csv"
+OUTPUT = Path(__file__).parent.parent / "conformance.csv"
 LAWS = {
     "hertz": PowerLaw(0.5), "uniform": PowerLaw(0), "power:n=-0.9": PowerLaw(-0.9), "power:n=-0.99": PowerLaw(-0.99),
     "xydas-kao:k=0.05": XydasKao(0.05), "gaussian:sigma=50": Gaussian(50),
@@ -202,7 +202,7 @@ def number(value):
 
 def made():
     text = io.StringIO()
-    text.write("# Questions that every interface answers alike; arguments and answers are explained in reference/make_questions.py.\n")
+    text.write("# Questions that every interface answers alike; arguments and answers are explained in reference/make_conformance.py.\n")
     rows = csv.writer(text, lineterminator="\n")
     rows.writerow(["quantity", "law", "arguments", "answer"])
     curves = {name: Curve(law) for name, law in LAWS.items()}

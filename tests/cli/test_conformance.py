@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Questions that every interface answers alike (data/questions.csv): here the command and the exported header in C."""
+"""Questions that every interface answers alike (data/conformance.csv): here the command and the exported header in C."""
 
 import csv
 import math
@@ -29,7 +29,7 @@ int main(void) {
 def questions():
     """By law: quantity, radius law, arguments and answer."""
     result = defaultdict(list)
-    with open(DATA / "questions.csv", encoding="utf-8") as file:
+    with open(DATA / "conformance.csv", encoding="utf-8") as file:
         for row in csv.DictReader(line for line in file if not line.startswith("#")):
             words = row["arguments"].split()
             radius = next((word for word in words if ":" in word), "")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Questions that every interface answers alike (data/questions.csv): here Python's objects, arrays and kernels of Warp."""
+"""Questions that every interface answers alike (data/conformance.csv): here Python's objects, arrays and kernels of Warp."""
 
 import csv
 import functools
@@ -16,7 +16,7 @@ from limitcurve import arrays
 
 
 def questions(data):
-    with open(data / "questions.csv", encoding="utf-8") as file:
+    with open(data / "conformance.csv", encoding="utf-8") as file:
         for row in csv.DictReader(line for line in file if not line.startswith("#")):
             words = row["arguments"].split()
             radius = next((word for word in words if ":" in word), "")

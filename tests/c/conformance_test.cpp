@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Questions that every interface answers alike (data/questions.csv, from a witness that is not the library): C++ exact, in double and in
-// float, and C. tests/cli/test_questions.py asks the command and the exported header, python/tests/test_questions.py the rest.
+// Questions that every interface answers alike (data/conformance.csv, from a witness that is not the library): C++ exact, in double and in
+// float, and C. tests/cli/test_conformance.py asks the command and the exported header, python/tests/test_conformance.py the rest.
 #include "c/limitcurve.h"
 
 #include "godobject/finger_curve.hpp"
@@ -41,7 +41,7 @@ struct Question {
 };
 
 std::vector<Question> questions() {
-  std::ifstream file(LIMITCURVE_DATA_DIR "/questions.csv");
+  std::ifstream file(LIMITCURVE_DATA_DIR "/conformance.csv");
   std::vector<Question> result;
   std::string line;
   for (int number = 1; std::getline(file, line); ++number) {
@@ -162,7 +162,7 @@ TEST(Questions, EveryInterfaceAnswersAlike) {
       const auto answer = one.answer(question);
       if (!answer) continue;
       ++asked[one.name];
-      const std::string place = "questions.csv:" + std::to_string(question.line) + ' ' + one.name;
+      const std::string place = "conformance.csv:" + std::to_string(question.line) + ' ' + one.name;
       if (answer->empty()) {
         EXPECT_FALSE(is_finite) << place << " refuses";
         continue;
