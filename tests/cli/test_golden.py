@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""What replay and pivot gave when it was recorded, they give still: data/recorded.record, to 1e-9 of the largest magnitude of a column in its case.
+"""What replay and pivot gave when it was recorded, they give still: data/golden.txt, to 1e-9 of the largest magnitude of a column in its case.
 
-    LIMITCURVE=EXECUTABLE LIMITCURVE_DATA=data tests/cli/test_recorded.py --record 'plane/*'
+    LIMITCURVE=EXECUTABLE LIMITCURVE_DATA=data tests/cli/test_golden.py --record 'plane/*'
 
 records the cases of these names again, the same columns and rows. A new case begins as the line `case NAME: ARGUMENTS`, a line of columns that begins with
 `row`, and lines that hold the numbers of rows.
@@ -15,7 +15,7 @@ import unittest
 
 from command_line import DATA, number_or_text, run
 
-FILE = DATA / "recorded.record"
+FILE = DATA / "golden.txt"
 TOLERANCE = 1e-9
 # Below these magnitudes a column is only rounding [m, rad, N, N m]; other columns have no unit.
 FLOORS = {**dict.fromkeys(["px", "py", "pz", "depth", "bx", "by", "bz", "x", "y", "grip_slip"], 1e-3), "angle": 1e-2, "moment": 1e-5, "friction_moment": 1e-5,
