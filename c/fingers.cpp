@@ -21,19 +21,19 @@ namespace limitcurve::c {
 namespace {
 
 /// The members of the structure, in the order of `finger_numbers`.
-using Given = limitcurve_finger_parameters;
-constexpr std::array members{&Given::mu,
-                             &Given::mu_dynamic,
-                             &Given::mu_r,
-                             &Given::gamma,
-                             &Given::mu_r_dynamic,
-                             &Given::stiffness,
-                             &Given::twist_stiffness,
-                             &Given::damping,
-                             &Given::twist_damping,
-                             &Given::rest_margin,
-                             &Given::max_displacement,
-                             &Given::fault_decay};
+using Parameters = limitcurve_finger_parameters;
+constexpr std::array members{&Parameters::mu,
+                             &Parameters::mu_dynamic,
+                             &Parameters::mu_r,
+                             &Parameters::gamma,
+                             &Parameters::mu_r_dynamic,
+                             &Parameters::stiffness,
+                             &Parameters::twist_stiffness,
+                             &Parameters::damping,
+                             &Parameters::twist_damping,
+                             &Parameters::rest_margin,
+                             &Parameters::max_displacement,
+                             &Parameters::fault_decay};
 static_assert(members.size() == finger_numbers.size());
 
 }  // namespace

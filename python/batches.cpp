@@ -158,7 +158,7 @@ void add_batches(nb::module_& module) {
       parameters_signature() + ") -> None";
   define<PyBatch*>(
       batch, signature,
-      [](PyBatch* self, const Given& given) {
+      [](PyBatch* self, const BoundArguments& given) {
         const nb::handle curve = given[0];
         std::size_t n = 0;
         if (!nb::try_cast(given[1], n)) throw std::invalid_argument("n: got " + shown(given[1]) + ", expected a whole number >= 0");
@@ -182,7 +182,7 @@ void add_batches(nb::module_& module) {
       "def update(self, x: numpy.typing.ArrayLike, y: numpy.typing.ArrayLike, depth: numpy.typing.ArrayLike, twist: "
       "numpy.typing.ArrayLike, "
       "dt: float = 0.0) -> None",
-      [](PyBatch& self, const Given& given) {
+      [](PyBatch& self, const BoundArguments& given) {
         const double dt = number_of(given[4], "dt", 0.0);
         if (!(dt >= 0.0 && std::isfinite(dt))) throw out_of_range("dt", dt, "s", "[0, inf)");
         std::visit([&](const auto& contacts) { contacts->update(given[0], given[1], given[2], given[3]); }, self.contacts);

@@ -39,7 +39,7 @@ const godobject::FingerCurve& curve_in(const PyCurve& curve) {
 }
 
 template <class Curve>
-nb::object loads_to_hold(const Curve& curve, const Given& given) {
+nb::object loads_to_hold(const Curve& curve, const BoundArguments& given) {
   const nb::handle force = given[0];
   const nb::handle moment = given[1];
   const nb::handle mu = given[2];
@@ -104,13 +104,13 @@ template <class Class>
 void add_limit_curve(nb::class_<Class>& type) {
   define<const Class&>(
       type, "def evaluate(self, c: numpy.typing.ArrayLike) -> tuple[typing.Any, typing.Any]",
-      [](const Class& self, const Given& given) {
+      [](const Class& self, const BoundArguments& given) {
         return of_cors<2, 256>(given[0], [&](double s) { return components(curve_in(self).wrench({s, 1.0})); });
       },
       "Unit wrenches at COR distances of c contact radii; of a table within certified_error. As Law.evaluate.");
   define<const Class&>(
       type, "def wrench(self, slide: numpy.typing.ArrayLike, spin: numpy.typing.ArrayLike) -> tuple[typing.Any, typing.Any]",
-      [](const Class& self, const Given& given) {
+      [](const Class& self, const BoundArguments& given) {
         return of_numbers<2, 256, 2>({given[0], given[1]}, {"slide", "spin"}, {any, any}, [&](const std::array<double, 2>& twist) {
           return components(curve_in(self).wrench({twist[0], twist[1]}));
         });
@@ -119,7 +119,7 @@ void add_limit_curve(nb::class_<Class>& type) {
       "Broadcasts; else as evaluate(slide / spin).");
   define<const Class&>(
       type, "def gauge(self, force: numpy.typing.ArrayLike, moment: numpy.typing.ArrayLike) -> typing.Any",
-      [](const Class& self, const Given& given) {
+      [](const Class& self, const BoundArguments& given) {
         if constexpr (std::is_same_v<Class, Table>) {
           if (!plain_number(given[0]) || !plain_number(given[1])) return gauges(self, {given[0], given[1]});
         }
@@ -134,7 +134,7 @@ void add_limit_curve(nb::class_<Class>& type) {
       "def load_to_hold(self, force: numpy.typing.ArrayLike, moment: numpy.typing.ArrayLike, *, mu: numpy.typing.ArrayLike, radius_law: "
       "str "
       "| None = None, mu_r: numpy.typing.ArrayLike | None = None, gamma: numpy.typing.ArrayLike = 0.0) -> typing.Any",
-      [](const Class& self, const Given& given) { return loads_to_hold(curve_in(self), given); },
+      [](const Class& self, const BoundArguments& given) { return loads_to_hold(curve_in(self), given); },
       "The least load [N] that holds friction forces [N] and moments [N m], of any sign; inf if no load does. All numbers broadcast.\n\n"
       "`radius_law` gives the contact radius a(P), as on the command line; or `mu_r` [m/N^gamma] is given as measured, and the moment\n"
       "limit is mu_r P^(1+gamma).");
@@ -170,7 +170,7 @@ bool same(const Table& one, const Table& other) {
          equal(one.cells().outside, other.cells().outside);
 }
 
-nb::object tangent_ellipses(const Table& self, const Given& given) {
+nb::object tangent_ellipses(const Table& self, const BoundArguments& given) {
   const auto has = [&](std::size_t i) { return !given[i].is_none(); };
   const auto axes = [](const TangentEllipse& ellipse) { return std::array{ellipse.p, ellipse.q}; };
   if (has(0) != has(1) || has(0) == has(4) || has(2) != has(3) || (has(2) && !has(0)))
@@ -219,7 +219,7 @@ void add_tables(nb::module_& module) {
       });
   define<Table*>(
       type, "def __init__(self, law: str | Law, tolerance: float = 1e-06, bytes: int = 4096) -> None",
-      [](Table* self, const Given& given) {
+      [](Table* self, const BoundArguments& given) {
         const Law of = law_of(given[0]);
         const double tolerance = number_of(given[1], "tolerance", 1e-6);
         TableOptions options;
@@ -232,11 +232,12 @@ void add_tables(nb::module_& module) {
       "degree, 3 to 5, with which nbytes <= bytes, else 6: the lowest is the fastest. Milliseconds for a law in closed form, up to\n"
       "seconds by quadrature. RuntimeError if the law does not allow that tolerance. Releases the GIL.");
   define_static(
-      type, "def load(path: str | os.PathLike[str]) -> Table", [](const Given& given) { return cli::read_table(path_of(given[0])); },
+      type, "def load(path: str | os.PathLike[str]) -> Table",
+      [](const BoundArguments& given) { return cli::read_table(path_of(given[0])); },
       "Reads a .csv or .json file that `save` or `limitcurve table` wrote. ValueError names file, line and column of the error.");
   define<const Table&>(
       type, "def save(self, path: str | os.PathLike[str], name: str = '') -> None",
-      [](const Table& self, const Given& given) {
+      [](const Table& self, const BoundArguments& given) {
         const std::string file = path_of(given[0]);
         const cli::TableWriter text_of = cli::table_writer(file, "path", string_of(given[1], "name", ""));
         const nb::gil_scoped_release release;  // the reader of a pipe may be another thread
@@ -292,11 +293,13 @@ void add_closed_curves(nb::module_& module) {
       .def("__repr__", [](const PyCurve& self) { return "<" + self.name + ">"; });
   define_static(
       module, "def ellipse(force_max: float, moment_max: float) -> Curve",
-      [](const Given& given) { return closed_curve("ellipse", number_of(given[0], "force_max"), number_of(given[1], "moment_max")); },
+      [](const BoundArguments& given) {
+        return closed_curve("ellipse", number_of(given[0], "force_max"), number_of(given[1], "moment_max"));
+      },
       "The ellipse with these semi-axes in unit wrenches; the usual one is ellipse(1, law.moment_ratio).");
   define_static(
       module, "def box(force_max: float, moment_max: float) -> Curve",
-      [](const Given& given) { return closed_curve("box", number_of(given[0], "force_max"), number_of(given[1], "moment_max")); },
+      [](const BoundArguments& given) { return closed_curve("box", number_of(given[0], "force_max"), number_of(given[1], "moment_max")); },
       "Separate limits of force and moment; only with projection='closest-point'.");
 }
 

@@ -61,12 +61,12 @@ constexpr const char* update_under_load_doc =
     "motion friction sees. With a load <= 0 the finger is free; one that is not finite is bad input. The output has that load, and\n"
     "NaN for the depth. Springs and dampers stay in the tangent plane, whatever the surface's radius. The rest as in `update`.";
 
-FingerOutput update_under_load(PyFinger& finger, const Given& given) {
+FingerOutput update_under_load(PyFinger& finger, const BoundArguments& given) {
   return finger.update_under_load(three_numbers(given[0], "point"), three_numbers(given[1], "normal"), number_of(given[2], "load"),
                                   number_of(given[3], "twist"), number_of(given[4], "dt", 0.0), truth_of(given[5]));
 }
 
-FingerOutput update(PyFinger& finger, const Given& given) {
+FingerOutput update(PyFinger& finger, const BoundArguments& given) {
   return finger.update(
       {three_numbers(given[0], "point"), three_numbers(given[1], "normal"), number_of(given[2], "depth"), {}, truth_of(given[5])},
       number_of(given[3], "twist"), number_of(given[4], "dt", 0.0));
@@ -150,7 +150,7 @@ void add_finger_types(nb::module_& module) {
       "of a patch; 0 is the least.");
   define<PyFinger*>(
       type, of_curve,
-      [](PyFinger* self, const Given& given) {
+      [](PyFinger* self, const BoundArguments& given) {
         const nb::dict all = read_files(without(given.by_name, "curve"));
         FingerCurve on = curve_of<double>(given[0]);
         const FingerParameters parameters = parameters_of(all, on.moment_ratio());
@@ -199,7 +199,7 @@ void add_friction(nb::module_& module) {
       "def apply_friction(curve: Table | Curve, force: float, moment: float, *, limit: float, radius: float, stiffness_ratio: float, "
       "sliding_limit: float | None = None, sliding_radius: float | None = None, force_stick_fraction: float = 1.0, moment_stick_fraction: "
       "float = 1.0, memory: FrictionMemory | None = None, projection: str = 'closest-point') -> FrictionResult",
-      [](const Given& given) {
+      [](const BoundArguments& given) {
         const double force = number_of(given[1], "force");
         const double moment = number_of(given[2], "moment");
         const double limit = number_of(given[3], "limit");
@@ -336,7 +336,7 @@ void add_passivity(nb::module_& module) {
   const std::string rest = parameters_signature() + ") -> ";
   define_static(
       module, "def device_damping_needed(sample_time: float, *, delay: int = 0, " + rest + "tuple[float, float]",
-      [delay_of](const Given& given) {
+      [delay_of](const BoundArguments& given) {
         const DeviceDamping device =
             device_damping_needed(parameters_of(given.by_name, 1.0), number_of(given[0], "sample_time"), delay_of(given[1]));
         return std::tuple(device.sliding, device.twist);
@@ -348,7 +348,7 @@ void add_passivity(nb::module_& module) {
       "(1.5, 6e-05)\n");
   define_static(
       module, "def require_passive(sample_time: float, b: float, b_r: float = float('inf'), *, delay: int = 0, " + rest + "None",
-      [delay_of](const Given& given) {
+      [delay_of](const BoundArguments& given) {
         const double twist = number_of(given[2], "b_r", std::numeric_limits<double>::infinity());
         require_passive(parameters_of(given.by_name, 1.0), number_of(given[0], "sample_time"), {number_of(given[1], "b"), twist},
                         delay_of(given[3]));

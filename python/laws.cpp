@@ -60,7 +60,7 @@ void add_laws(nb::module_& module) {
           "name", [](const PyLaw& self) { return self.law->name(); }, "The law in words.");
   define<PyLaw*>(
       type, "def __init__(self, text: str) -> None",
-      [](PyLaw* self, const Given& given) {
+      [](PyLaw* self, const BoundArguments& given) {
         std::string text = string_of(given[0], "text");
         std::vector<PressureSample> profile;
         Law law = cli::read_law(text, profile);
@@ -69,7 +69,7 @@ void add_laws(nb::module_& module) {
       "ValueError names the error in the text or in the file, and the expected input.");
   define_static(
       type, "def samples(radius: numpy.typing.ArrayLike, pressure: numpy.typing.ArrayLike, source: str = 'arrays') -> Law",
-      [](const Given& given) {
+      [](const BoundArguments& given) {
         const auto all = columns_of("", {"radius", "pressure"}, nb::list(nb::make_tuple(given[0], given[1])));
         std::vector<PressureSample> rows;
         for (std::size_t i = 0; i < all[0].size; ++i) rows.push_back({all[0].data[i], all[1].data[i]});
@@ -80,7 +80,7 @@ void add_laws(nb::module_& module) {
       "A measured profile: pressures [any unit] at increasing radii [any unit]; the last radius is the edge of the contact.");
   define<const PyLaw&>(
       type, "def evaluate(self, c: numpy.typing.ArrayLike, *, error: bool = False, method: str = 'auto') -> tuple[typing.Any, ...]",
-      [](const PyLaw& self, const Given& given) {
+      [](const PyLaw& self, const BoundArguments& given) {
         const Method method = method_of(*self.law, string_of(given[2], "method", "auto"));
         return truth_of(given[1]) ? evaluate_with_errors(self, given[0], method)
                                   : of_cors<2>(given[0], [&](double s) { return components(self.law->evaluate(s, method).wrench); });

@@ -54,8 +54,8 @@ void Parameters::refuse(const std::string& what) const {
   throw nb::type_error(((function_ == "__init__" ? "" : function_ + ": ") + what + ", expected " + expected).c_str());
 }
 
-Given Parameters::bind(const nb::args& positional, const nb::kwargs& keywords, std::size_t first, bool has_self) const {
-  Given given(all_.size(), keywords);
+BoundArguments Parameters::bind(const nb::args& positional, const nb::kwargs& keywords, std::size_t first, bool has_self) const {
+  BoundArguments given(all_.size(), keywords);
   std::size_t next = 0;
   for (std::size_t i = first; i < positional.size(); ++i) {
     if (next == all_.size() || all_[next].by_keyword_only)

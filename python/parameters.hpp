@@ -15,8 +15,8 @@ namespace limitcurve::python {
 namespace nb = nanobind;
 
 /// What a caller gave for the parameters of a function, in their order; None for those that are absent.
-struct Given : std::vector<nb::object> {
-  Given(std::size_t count, const nb::kwargs& keywords) : vector(count), by_name(keywords) {}
+struct BoundArguments : std::vector<nb::object> {
+  BoundArguments(std::size_t count, const nb::kwargs& keywords) : vector(count), by_name(keywords) {}
   nb::kwargs by_name;  ///< what was given by keyword
 };
 
@@ -26,7 +26,8 @@ class Parameters {
   explicit Parameters(std::string_view signature);
   /// TypeError names the function and the parameter that is unknown, missing or given twice.
   /// `first`: the first positional value that is a parameter's, after self.
-  [[nodiscard]] Given bind(const nb::args& positional, const nb::kwargs& keywords, std::size_t first = 0, bool has_self = true) const;
+  [[nodiscard]] BoundArguments bind(const nb::args& positional, const nb::kwargs& keywords, std::size_t first = 0,
+                                    bool has_self = true) const;
   [[nodiscard]] const std::string& function() const { return function_; }
 
  private:
@@ -47,8 +48,8 @@ class Parameters {
 template <class Self, class Class, class Work>
 void define(Class& type, const std::string& signature, const Work& work, const char* doc) {
   const auto parameters = std::make_shared<const Parameters>(signature);
-  const auto called = [work](Self self, [[maybe_unused]] const Given& given) {
-    if constexpr (std::is_invocable_v<Work, Self, const Given&>)
+  const auto called = [work](Self self, [[maybe_unused]] const BoundArguments& given) {
+    if constexpr (std::is_invocable_v<Work, Self, const BoundArguments&>)
       return work(self, given);
     else
       return std::invoke(work, self);
@@ -64,7 +65,7 @@ void define(Class& type, const std::string& signature, const Work& work, const c
     const auto checked = [=](const nb::args& all, const nb::kwargs& keywords) {
       std::remove_cvref_t<Self>* self = nullptr;
       const bool has_self = all.size() > 0 && nb::try_cast(all[0], self) && self != nullptr;
-      const Given given = parameters->bind(all, keywords, 1, has_self);
+      const BoundArguments given = parameters->bind(all, keywords, 1, has_self);
       return called(*self, given);
     };
     type.def(name, checked, nb::sig(signature.c_str()), doc);

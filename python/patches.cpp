@@ -22,7 +22,7 @@ namespace limitcurve::python {
 
 namespace {
 
-nb::object wrench(const PyPatch& patch, const Given& given) {
+nb::object wrench(const PyPatch& patch, const BoundArguments& given) {
   const nb::handle twists = given[0];
   const double mu = number_of(given[1], "mu", 1.0);
   const double load = number_of(given[2], "load", 1.0);
@@ -55,7 +55,7 @@ nb::object wrench(const PyPatch& patch, const Given& given) {
   });
 }
 
-nb::object loads_to_hold(const PyPatch& patch, const Given& given) {
+nb::object loads_to_hold(const PyPatch& patch, const BoundArguments& given) {
   cli::UnitChecks questions;
   const nb::object loads =
       of_numbers<1, 16, 4>({given[0], given[1], given[2], given[3]}, {"fx", "fy", "moment", "mu"},
@@ -76,7 +76,7 @@ PyPatch asked(cli::PatchArgument argument) {
   return patch;
 }
 
-nb::object slips(const PyPatch& patch, const Given& given) {
+nb::object slips(const PyPatch& patch, const BoundArguments& given) {
   const nb::object twists = of_numbers<3, 16, 3>({given[0], given[1], given[2]}, {"fx", "fy", "moment"}, {any, any, any},
                                                  [&](const std::array<double, 3>& wrench) {
                                                    const PatchTwist twist = patch.slip({wrench[0], wrench[1], wrench[2]}).twist;
@@ -95,7 +95,7 @@ PyPatch of_columns(const char* kind, const std::vector<std::string>& names, cons
   return asked(std::move(made));
 }
 
-PyPatch image(const Given& given) {
+PyPatch image(const BoundArguments& given) {
   const nb::handle pressures = given[0];
   const nb::handle pixel = given[1];
   std::tuple<double, double> spacing;
@@ -171,17 +171,17 @@ void add_patches(nb::module_& module) {
   });
   define<PyPatch*>(
       type, "def __init__(self, text: str) -> None",
-      [](PyPatch* self, const Given& given) { new (self) PyPatch(asked(cli::parse_patch(string_of(given[0], "text")))); },
+      [](PyPatch* self, const BoundArguments& given) { new (self) PyPatch(asked(cli::parse_patch(string_of(given[0], "text")))); },
       "ValueError names the error in the text or in the file, and the expected input.");
   define_static(
       type, "def points(x: numpy.typing.ArrayLike, y: numpy.typing.ArrayLike, load: numpy.typing.ArrayLike) -> Patch",
-      [](const Given& given) {
+      [](const BoundArguments& given) {
         return of_columns("points", {"x", "y", "load"}, nb::list(nb::make_tuple(given[0], given[1], given[2])));
       },
       "Points [m] with loads >= 0 of any unit.");
   define_static(
       type, "def polygon(x: numpy.typing.ArrayLike, y: numpy.typing.ArrayLike) -> Patch",
-      [](const Given& given) {
+      [](const BoundArguments& given) {
         return of_columns("polygon", {"x", "y"}, nb::list(nb::make_tuple(given[0], given[1])));
       },
       "Uniform pressure on a simple polygon [m].");
@@ -194,7 +194,9 @@ void add_patches(nb::module_& module) {
       "without pressure, with a warning.");
   define<const PyPatch&>(
       type, "def orthotropic(self, mx: float, my: float) -> Patch",
-      [](const PyPatch& self, const Given& given) { return self.orthotropic(number_of(given[0], "mx"), number_of(given[1], "my")); },
+      [](const PyPatch& self, const BoundArguments& given) {
+        return self.orthotropic(number_of(given[0], "mx"), number_of(given[1], "my"));
+      },
       "The same patch with orthotropic friction: mu times mx along x and times my along y.");
   define<const PyPatch&>(
       type, "def wrench(self, twists: numpy.typing.ArrayLike, mu: float = 1.0, load: float = 1.0, *, error: bool = False) -> typing.Any",
