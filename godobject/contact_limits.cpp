@@ -63,7 +63,7 @@ ContactLimits::ContactLimits(const FingerParameters& parameters, double moment_m
   const double mu = parameters.mu;
   const double mu_dynamic = parameters.mu_dynamic.value_or(mu);
   if (mu_dynamic > mu) throw out_of_range("mu_dynamic", mu_dynamic, "1", "0 <= mu_dynamic <= mu");
-  const double sliding = std::max(mu_dynamic, least_sliding_share * mu);
+  const double sliding = std::max(mu_dynamic, min_sliding_fraction * mu);
   if (parameters.mu_r) {
     const double mu_r = *parameters.mu_r;
     const RadiusLaw radius_law = RadiusLaw::of_mu_r(mu_r, parameters.gamma, mu, moment_max);

@@ -22,7 +22,7 @@ template <class Real>
 void check_projection(const BasicFingerCurve<Real>& curve, Projection projection);
 
 /// A sliding force of none (μ_d = 0), in units of the sticking one: it has a direction, below rounding, and the moment may keep a limit.
-inline constexpr double least_sliding_share = 1e-15;
+inline constexpr double min_sliding_fraction = 1e-15;
 
 /// The fraction of the sliding limit within which a sliding contact comes to rest (FingerParameters::rest_margin). `sliding_fraction` ∈ [0, 1]
 /// is the sliding limit divided by the sticking limit; the result is 1 if that is 1.

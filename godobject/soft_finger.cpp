@@ -74,7 +74,7 @@ void keep_static(FrictionLimits<double>& limits, const FrictionMemory<double>& m
   const bool turns = is_box ? memory.moment_slides : slides;
   if (slides && turns) return;
   const FrictionLimit<double>& moment = turns ? limits.sliding : limits.sticking;
-  const double force = slides ? std::max(limits.sliding.force, least_sliding_share * limits.sticking.force) : limits.sticking.force;
+  const double force = slides ? std::max(limits.sliding.force, min_sliding_fraction * limits.sticking.force) : limits.sticking.force;
   limits.sliding = {force, force == moment.force ? moment.radius : moment.force / force * moment.radius};
 }
 

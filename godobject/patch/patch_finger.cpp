@@ -84,7 +84,7 @@ KeptDeflection PatchFinger::friction(const ContactLimits& limits, const TrialDef
 
   const auto project = [&](bool slides) -> PatchProjection {
     const double limit = limits.mu(slides) * trial.limit_load;
-    const bool has_friction = limit > least_sliding_share * limits.mu(false) * trial.limit_load;
+    const bool has_friction = limit > min_sliding_fraction * limits.mu(false) * trial.limit_load;
     if (has_friction) return projector_.project(wrench, limit, stiffness, std::sqrt(twist_stiffness / stiffness), last_slip);
     return {true, {}, {wrench.fx / stiffness, wrench.fy / stiffness, trial.twist}};
   };
