@@ -23,14 +23,14 @@ from ._core import Law, finger_numbers
 _Function = TypeVar("_Function", bound=Callable[..., Any])
 
 
-def _tells(function: _Function) -> _Function:
+def _check_keywords(function: _Function) -> _Function:
     """Names an unknown keyword, and the one that was meant."""
     known = [name for name in inspect.signature(function).parameters if name != "finger"]
     if len(known) < len(inspect.signature(function).parameters):
         known += finger_numbers
 
     @functools.wraps(function)
-    def telling(*arguments: Any, **given: Any) -> Any:
+    def wrapper(*arguments: Any, **given: Any) -> Any:
         for name in given:
             if name not in known:
                 near = difflib.get_close_matches(name, known, 1)
@@ -40,7 +40,7 @@ def _tells(function: _Function) -> _Function:
                 raise ValueError(f"{name}: got {given[name]!r}, expected a dict, such as " + ("{'load': 'Fz'}" if name == "columns" else "{'moment': 'Nmm'}"))
         return function(*arguments, **given)
 
-    return cast("_Function", telling)
+    return cast("_Function", wrapper)
 
 
 def run(subcommand: str, *arguments: str, **options: Any) -> Columns:
@@ -63,7 +63,7 @@ def _run(words: list[str], options: dict[str, Any], notes: list[str] | None = No
     return call.run(notes)
 
 
-@_tells
+@_check_keywords
 def validate(
     law: str | Law | Sequence[str | Law] | None = None,
     *,
@@ -85,7 +85,7 @@ def validate(
     return run("validate", **locals())
 
 
-@_tells
+@_check_keywords
 def choose(
     law: str | Law | None = None,
     tolerance: float = 0.01,
@@ -129,7 +129,7 @@ class Fit(Columns):
     notes: list[str]
 
 
-@_tells
+@_check_keywords
 def fit(
     model: str,
     data: Data | None = None,
@@ -170,7 +170,7 @@ def fit(
     return result
 
 
-@_tells
+@_check_keywords
 def translate(
     law: str | Law | None = None,
     radius_law: str | None = None,
@@ -203,7 +203,7 @@ def translate(
     return run("translate", **locals())
 
 
-@_tells
+@_check_keywords
 def replay(
     trace: Data,
     law: str | Law | None = None,
