@@ -8,7 +8,7 @@
 #include "limitcurve/table/buckets.hpp"
 #include "limitcurve/table/builder.hpp"
 #include "limitcurve/table/check.hpp"
-#include "limitcurve/table/own_curve.hpp"
+#include "limitcurve/table/user_curve.hpp"
 
 #include <algorithm>
 #include <bit>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "limitcurve/table/own_curve.hpp"
+#include "limitcurve/table/user_curve.hpp"
 
 #include "limitcurve/internal/number.hpp"
 
