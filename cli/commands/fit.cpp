@@ -93,7 +93,7 @@ class Fit final : public Subcommand {
     } else {
       write(results, found.report.estimates, found.report.note, covariance_ ? &found.report.correlation : nullptr);
     }
-    if (!data_.empty()) say_what_to_type(found);
+    if (!data_.empty()) suggest_parameters(found);
   }
 
  private:
@@ -169,7 +169,7 @@ class Fit final : public Subcommand {
   static constexpr int digits = 6;  ///< of a number to type
 
   /// The fitted finger as options of replay and as fields of FingerParameters.
-  void say_what_to_type(const fit::ModelFit& found) const {
+  void suggest_parameters(const fit::ModelFit& found) const {
     const std::vector<fit::Estimate>& estimates = found.report.estimates;
     const auto value = [&](const std::string& name, double otherwise) {
       for (const fit::Estimate& estimate : estimates) {
