@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "c/handles.hpp"
 
-#include "godobject/finger/finger_numbers.hpp"
+#include "godobject/finger/finger_parameter_table.hpp"
 #include "godobject/friction.hpp"
 #include "godobject/scene/passivity.hpp"
 
@@ -20,7 +20,7 @@ namespace limitcurve::c {
 
 namespace {
 
-/// The members of the structure, in the order of `finger_numbers`.
+/// The members of the structure, in the order of `finger_parameter_table`.
 using Parameters = limitcurve_finger_parameters;
 constexpr std::array members{&Parameters::mu,
                              &Parameters::mu_dynamic,
@@ -34,7 +34,7 @@ constexpr std::array members{&Parameters::mu,
                              &Parameters::rest_margin,
                              &Parameters::max_displacement,
                              &Parameters::fault_decay};
-static_assert(members.size() == finger_numbers.size());
+static_assert(members.size() == finger_parameter_table.size());
 
 }  // namespace
 
@@ -43,7 +43,7 @@ FingerParameters parameters_of(const limitcurve_finger_parameters& given) {
   if (given.radius_law == nullptr && std::isnan(given.mu_r)) throw std::invalid_argument("radius_law: got NULL, expected it, or mu_r");
   if (given.radius_law != nullptr) parameters.radius_law = RadiusLaw::parse(given.radius_law);
   auto member = members.begin();
-  for_each_number(parameters, [&](const FingerNumber&, auto& value) {
+  for_each_number(parameters, [&](const ParameterInfo&, auto& value) {
     const double number = given.**member++;
     // An absent number is NaN.
     if (std::is_same_v<decltype(value), double&> || !std::isnan(number)) value = number;
@@ -138,7 +138,7 @@ limitcurve_finger_parameters limitcurve_finger_defaults(void) {
   result.radius_law = "constant:a=0.005";
   auto member = members.begin();
   const FingerParameters standard;
-  for_each_number(standard, [&](const FingerNumber&, std::optional<double> value) {
+  for_each_number(standard, [&](const ParameterInfo&, std::optional<double> value) {
     result.** member++ = value.value_or(std::numeric_limits<double>::quiet_NaN());
   });
   return result;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "godobject/contact_limits.hpp"
 
-#include "godobject/finger/finger_numbers.hpp"
+#include "godobject/finger/finger_parameter_table.hpp"
 #include "limitcurve/contact/load_curves.hpp"
 #include "limitcurve/contact/load_to_hold.hpp"
 #include "limitcurve/internal/number.hpp"
@@ -22,7 +22,7 @@ double in_range(std::string_view name, double value, std::string_view unit, cons
 }
 
 void check_ranges(const FingerParameters& parameters) {
-  for_each_number(parameters, [](const FingerNumber& number, std::optional<double> value) {
+  for_each_number(parameters, [](const ParameterInfo& number, std::optional<double> value) {
     if (value) in_range(number.name, *value, number.unit, number.range);
   });
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "python/core.hpp"
 
-#include "godobject/finger/finger_numbers.hpp"
+#include "godobject/finger/finger_parameter_table.hpp"
 #include "limitcurve/internal/interruption.hpp"
 #include "limitcurve/internal/number.hpp"
 #include "limitcurve/version.hpp"
@@ -291,8 +291,8 @@ NB_MODULE(_core, module) {
               "tuple[list[numpy.typing.NDArray[numpy.float64]], list[str]]"),
       "A table's columns as arrays of one length, without masked rows; and of each what is wrong with it, '' if it has numbers.");
   nb::list names;
-  for (const auto& number : limitcurve::godobject::finger_numbers) names.append(nb::str(number.name.data(), number.name.size()));
-  module.attr("finger_numbers") = names;
+  for (const auto& number : limitcurve::godobject::finger_parameter_table) names.append(nb::str(number.name.data(), number.name.size()));
+  module.attr("finger_parameter_table") = names;
   module.def(
       "numbers_of", [](nb::handle values, const std::string& name) { return numbers_of<double>(values, name).array; }, nb::arg("values"),
       nb::arg("name"), nb::sig("def numbers_of(values: numpy.typing.ArrayLike, name: str) -> numpy.typing.NDArray[numpy.float64]"),

@@ -4,7 +4,7 @@
 
 #include "cli/io/law_argument.hpp"
 #include "cli/io/unit_checks.hpp"
-#include "godobject/finger/finger_numbers.hpp"
+#include "godobject/finger/finger_parameter_table.hpp"
 #include "godobject/scene/passivity.hpp"
 #include "godobject/soft_finger.hpp"
 #include "limitcurve/internal/number.hpp"
@@ -287,7 +287,7 @@ FingerParameters parameters_of(const nb::dict& given, double moment_ratio) {
       radius_law = cli::read_radius_law(nb::cast<std::string>(value));
       continue;
     }
-    for_each_number(parameters, [&](const FingerNumber& number, auto& field) {
+    for_each_number(parameters, [&](const ParameterInfo& number, auto& field) {
       const bool may_be_absent = !std::is_same_v<decltype(field), double&>;
       if (number.name == name && !(may_be_absent && value.is_none())) field = number_of(value, name);
     });
@@ -305,7 +305,7 @@ FingerParameters parameters_of(const nb::dict& given, double moment_ratio) {
 std::string parameters_signature(bool of_patch) {
   std::string text;
   const FingerParameters standard;
-  for_each_number(standard, [&](const FingerNumber& number, const auto& value) {
+  for_each_number(standard, [&](const ParameterInfo& number, const auto& value) {
     if (of_patch && number.name.find("mu_r") != std::string_view::npos) return;
     if (of_patch && number.name == "gamma") return;
     text.append(text.empty() ? "" : ", ").append(number.name);

@@ -3,7 +3,7 @@
 
 #include "limitcurve/internal/number_list.hpp"
 
-#include "godobject/finger/finger_numbers.hpp"
+#include "godobject/finger/finger_parameter_table.hpp"
 #include "limitcurve/internal/did_you_mean.hpp"
 #include "limitcurve/internal/number.hpp"
 
@@ -97,7 +97,7 @@ void Options::choice(const std::string& name, std::size_t& value, std::vector<st
 }
 
 void Options::finger(godobject::FingerParameters& value, const std::vector<std::string_view>& required, bool rare) {
-  godobject::for_each_number(value, [&](const godobject::FingerNumber& number, auto& field) {
+  godobject::for_each_number(value, [&](const godobject::ParameterInfo& number, auto& field) {
     if (number.rare != rare) return;
     std::string name = "--" + std::string(number.name);
     std::replace(name.begin(), name.end(), '_', '-');

@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ._call import Call, Columns, Data
-from ._core import Law, finger_numbers
+from ._core import Law, finger_parameter_table
 
 
 _Function = TypeVar("_Function", bound=Callable[..., Any])
@@ -27,7 +27,7 @@ def _check_keywords(function: _Function) -> _Function:
     """Names an unknown keyword, and the one that was meant."""
     known = [name for name in inspect.signature(function).parameters if name != "finger"]
     if len(known) < len(inspect.signature(function).parameters):
-        known += finger_numbers
+        known += finger_parameter_table
 
     @functools.wraps(function)
     def wrapper(*arguments: Any, **given: Any) -> Any:

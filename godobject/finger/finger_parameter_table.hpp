@@ -13,7 +13,7 @@
 namespace limitcurve::godobject {
 
 /// A number among the parameters of a finger: what the options of the command, Python's keywords, C's structure and the checks are made from.
-struct FingerNumber {
+struct ParameterInfo {
   std::string_view name;
   std::variant<double FingerParameters::*, std::optional<double> FingerParameters::*> member;
   std::string_view unit;
@@ -26,7 +26,7 @@ struct FingerNumber {
 inline constexpr Range coefficient{0.0, 1e15, "a number >= 0, up to 1e15"};
 inline constexpr Range spring{1e-15, 1e15, "a number > 0, from 1e-15 to 1e15"};
 
-inline constexpr std::array finger_numbers = std::to_array<FingerNumber>({
+inline constexpr std::array finger_parameter_table = std::to_array<ParameterInfo>({
     {"mu", &FingerParameters::mu, "1", coefficient, "Friction coefficient mu [1]"},
     {"mu_dynamic", &FingerParameters::mu_dynamic, "1", coefficient, "Friction coefficient while slipping (default mu)"},
     {"mu_r", &FingerParameters::mu_r, "m", coefficient,
@@ -56,7 +56,8 @@ inline constexpr std::array finger_numbers = std::to_array<FingerNumber>({
 /// Calls `take(number, value)` for each; the value is a double or an optional one.
 template <class Parameters, class Take>
 void for_each_number(Parameters& parameters, const Take& take) {
-  for (const FingerNumber& number : finger_numbers) std::visit([&](auto member) { take(number, parameters.*member); }, number.member);
+  for (const ParameterInfo& number : finger_parameter_table)
+    std::visit([&](auto member) { take(number, parameters.*member); }, number.member);
 }
 
 }  // namespace limitcurve::godobject
