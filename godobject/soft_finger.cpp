@@ -178,7 +178,7 @@ FingerState SoftFinger::try_step(const AnySurface& surface, const DevicePose& de
   return state;
 }
 
-FingerOutput SoftFinger::refuse(Fault fault) noexcept {
+FingerOutput SoftFinger::mark_invalid(Fault fault) noexcept {
   return fade(state_, parameters_.fault_decay, fault);
 }
 

@@ -77,7 +77,7 @@ class SoftFinger {
   [[nodiscard]] FingerOutput preview(const Contact& contact, double twist, double time_step = 0.0) const noexcept;
 
   /// A step without a sample: as for an invalid one, with a reason that the caller knows.
-  FingerOutput refuse(Fault fault) noexcept;
+  FingerOutput mark_invalid(Fault fault) noexcept;
 
   [[nodiscard]] const FingerOutput& output() const& noexcept { return state_.output; }
   [[nodiscard]] FingerOutput output() && noexcept { return state_.output; }

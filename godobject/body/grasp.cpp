@@ -80,13 +80,13 @@ Grasp::Grasp(const BodyParameters& parameters, const BodyState& state, AnySurfac
 
 void Grasp::step(std::span<const DevicePose> devices, double time_step, const Eigen::Vector3d& force,
                  const Eigen::Vector3d& moment) noexcept {
-  if (!(time_step > 0.0 && is_time_step(time_step))) return refuse(Fault::time_step);
+  if (!(time_step > 0.0 && is_time_step(time_step))) return mark_invalid(Fault::time_step);
   Load external;
   external.add(force + parameters_.mass * parameters_.gravity, moment, gyration_);
   // The speeds that the forces alone would give.
   const BodyState pushed{Eigen::Vector3d::Zero(), Orientation::Identity(), external.force * (time_step / parameters_.mass),
                          moment * (time_step / parameters_.inertia.minCoeff())};
-  if (!is_plausible(pushed)) return refuse(Fault::force);
+  if (!is_plausible(pushed)) return mark_invalid(Fault::force);
   // In whole, or in parts, counted in the smallest.
   bool all_solved = true;
   int size = max_parts;
@@ -102,7 +102,7 @@ void Grasp::step(std::span<const DevicePose> devices, double time_step, const Ei
     }
     all_solved = all_solved && solved;
     const BodyState next = end_of(attempt, part);
-    if (!is_plausible(next)) return refuse(Fault::body);
+    if (!is_plausible(next)) return mark_invalid(Fault::body);
     state_ = next;
     commit(poses, part, done > 0);
     divided_ += done == 0 && size < max_parts;
@@ -114,15 +114,15 @@ void Grasp::step(std::span<const DevicePose> devices, double time_step, const Ei
 }
 
 void Grasp::carry(const BodyState& state, std::span<const DevicePose> devices, double time_step) noexcept {
-  if (!is_time_step(time_step)) return refuse(Fault::time_step);
-  if (!is_plausible(state)) return refuse(Fault::body);
+  if (!is_time_step(time_step)) return mark_invalid(Fault::time_step);
+  if (!is_plausible(state)) return mark_invalid(Fault::body);
   state_ = state;
   commit(devices, time_step, false);
   remember(devices);
 }
 
 void Grasp::place(const BodyState& state, std::span<const DevicePose> devices) noexcept {
-  if (!is_plausible(state)) return refuse(Fault::body);
+  if (!is_plausible(state)) return mark_invalid(Fault::body);
   state_ = state;
   const double dissipated = dissipated_;
   commit(devices, 0.0, false);
@@ -214,8 +214,8 @@ void Grasp::commit(std::span<const DevicePose> devices, double time_step, bool c
 }
 
 /// A refused step: nothing moves, and every finger holds its last output.
-void Grasp::refuse(Fault fault) noexcept {
-  for (SoftFinger& finger : fingers_) finger.refuse(fault);
+void Grasp::mark_invalid(Fault fault) noexcept {
+  for (SoftFinger& finger : fingers_) finger.mark_invalid(fault);
 }
 
 /// A try with the velocities ξ: its residual is the change of momentum minus the impulse of the loads at the end of the step, in units of

@@ -106,7 +106,7 @@ class Grasp {
   [[nodiscard]] static DevicePose in_body(const BodyState& state, const DevicePose& device) noexcept;
   [[nodiscard]] Load preview(const BodyState& state, std::span<const DevicePose> devices, double time_step) const noexcept;
   void commit(std::span<const DevicePose> devices, double time_step, bool continues) noexcept;
-  void refuse(Fault fault) noexcept;
+  void mark_invalid(Fault fault) noexcept;
   void remember(std::span<const DevicePose> devices) noexcept;
   [[nodiscard]] std::span<const DevicePose> between(std::span<const DevicePose> devices, double fraction) noexcept;
   [[nodiscard]] Attempt attempt(const Vector6& velocities, std::span<const DevicePose> devices, double time_step,

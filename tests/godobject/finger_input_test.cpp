@@ -160,7 +160,7 @@ TEST(SoftFinger, NamesTheReasonOfAFault) {
   on_pose({{2e6, 0.0, -0.002}}, Fault::too_far);
   on_pose({{0.0, 0.0, -0.002}, Orientation(1.1, 0.0, 0.0, 0.0)}, Fault::orientation);
   on_pose({{0.6, 0.0, -0.002}}, Fault::displacement);
-  expect(finger.refuse(Fault::body), Fault::body);
+  expect(finger.mark_invalid(Fault::body), Fault::body);
 }
 
 // One bad sample does not change the force; a device that stops sending positions must not keep its force for ever.
