@@ -35,7 +35,7 @@ void add_curve(const WrenchStudy& study, const char* family, const std::string& 
 struct LookUp {
   explicit LookUp(const Table& built) : table(built) {}
   LookUp(const LookUp& other)
-      : table({other.table.law_name(), other.table.tolerance(), other.table.certified_error()}, other.table.cells()) {}
+      : table({other.table.law_name(), other.table.tolerance(), other.table.checked_error()}, other.table.cells()) {}
   UnitWrench operator()(SlipTwist twist) const { return table.wrench(twist); }
   Table table;
 };

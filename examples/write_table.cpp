@@ -35,8 +35,8 @@ int main(int argc, char** argv) try {
     worst = std::max({worst, std::abs(looked_up.force - right.force), std::abs(looked_up.moment - right.moment)});
   }
   std::printf("%s: %zu cells, %zu bytes, certified to %.2g; worst of 10001 lookups %.2g\n", path, read.cell_count(), read.bytes(),
-              read.certified_error(), worst);
-  return worst <= read.certified_error() && read.certified_error() <= tolerance ? 0 : 1;
+              read.checked_error(), worst);
+  return worst <= read.checked_error() && read.checked_error() <= tolerance ? 0 : 1;
 } catch (const std::exception& error) {
   std::fprintf(stderr, "example_write_table: error: %s\n", error.what());
   return 2;

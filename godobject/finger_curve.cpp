@@ -29,9 +29,7 @@ BasicFingerCurve<Real>::BasicFingerCurve(const Polygon<3>& box) {
 
 template <class Real>
 BasicFingerCurve<Real>::BasicFingerCurve(const BasicTable<Real>& table)
-    : view_(table.view()),
-      owner_(std::make_shared<const BasicTable<Real>>(table)),
-      error_(table.certified_error() + table.profile_error()) {}
+    : view_(table.view()), owner_(std::make_shared<const BasicTable<Real>>(table)), error_(table.checked_error() + table.profile_error()) {}
 
 template <class Real>
 UnitWrench BasicFingerCurve<Real>::wrench(SlipTwist twist) const noexcept {

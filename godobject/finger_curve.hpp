@@ -57,7 +57,7 @@ class BasicFingerCurve {
   /// m₀: moment intercept over force intercept.
   [[nodiscard]] double moment_ratio() const noexcept { return moment_max() / force_max(); }
 
-  /// Error of a table against its law [unit wrenches], certified_error + profile_error; 0 for a closed form.
+  /// Error of a table against its law [unit wrenches], checked_error + profile_error; 0 for a closed form.
   [[nodiscard]] double error() const noexcept { return error_; }
 
   /// The wrench of a slip twist. Signs of the twist do not count; a zero twist gives wrench 0.

@@ -44,7 +44,7 @@ Law parse_law(std::string_view text);
 
 // law->evaluate(s)              unit wrench at s ∈ [0, ∞] and a bound of its error, at most 1e-14 relative: microseconds to
 //                               half a millisecond
-// Table::build(law, 1e-8)       the curve for a control loop: certified_error() ≤ tolerance·max(1, m₀), tolerance 1e-14 to
+// Table::build(law, 1e-8)       the curve for a control loop: checked_error() ≤ tolerance·max(1, m₀), tolerance 1e-14 to
 //                               1e-1: milliseconds
 // table.wrench(SlipTwist), table.gauge(UnitWrench), table.along(UnitWrench)    ten to a hundred nanoseconds, no allocation
 // to_csv(table), to_json(table), to_header(table), read_table_csv(text, name)  table files: table_file.hpp

@@ -21,10 +21,10 @@ namespace limitcurve {
 
 /// The name of a table's law, its tolerance and its errors.
 struct TableFacts {
-  std::string law_name;          ///< or the name of the curve
-  double tolerance = 0.0;        ///< the tolerance given to `build`
-  double certified_error = 0.0;  ///< bound of the absolute error of f and of m: ≤ tolerance·max(force_max, m_max)
-  double profile_error = 0.0;    ///< absolute error of the law itself, from samples of the pressure (PressureLaw::profile_error); add it
+  std::string law_name;        ///< or the name of the curve
+  double tolerance = 0.0;      ///< the tolerance given to `build`
+  double checked_error = 0.0;  ///< bound of the absolute error of f and of m: ≤ tolerance·max(force_max, m_max)
+  double profile_error = 0.0;  ///< absolute error of the law itself, from samples of the pressure (PressureLaw::profile_error); add it
 };
 
 /// One cell: the support function along one side, D(t) = Σ cᵢ (t − x)ⁱ, from t = x to the next cell's x, or to 1.
@@ -53,7 +53,7 @@ struct TableOptions {
   std::size_t bytes = 4096;
 };
 
-/// A table: a limit curve that interpolates the support function of another, with a certified error, in 0.3 to 96 KiB. Models LimitCurve.
+/// A table: a limit curve that interpolates the support function of another, with a checked error, in 0.3 to 96 KiB. Models LimitCurve.
 ///
 /// Inside the rim D(x) = H(x, 1), x = c/a; outside D(x) = H(1, x), x = a/c. D is a polynomial of degree 3 to 6 in each cell. Cells join with
 /// their first derivatives, and the builder proves that every cell is convex. Hence the slip twist is exactly the normal of the table's own
@@ -98,8 +98,8 @@ class BasicTable {
   [[nodiscard]] const std::string& law_name() const noexcept { return data_->facts.law_name; }
   [[nodiscard]] double tolerance() const noexcept { return data_->facts.tolerance; }
   /// Bound of the absolute error of f and of m, from a comparison with the exact curve in every cell.
-  [[nodiscard]] double certified_error() const noexcept { return data_->facts.certified_error; }
-  /// Absolute error of the law itself if its pressure is known at samples only. Add it to certified_error(). 0 for laws given by a formula.
+  [[nodiscard]] double checked_error() const noexcept { return data_->facts.checked_error; }
+  /// Absolute error of the law itself if its pressure is known at samples only. Add it to checked_error(). 0 for laws given by a formula.
   [[nodiscard]] double profile_error() const noexcept { return data_->facts.profile_error; }
   [[nodiscard]] std::size_t cell_count() const noexcept { return data_->cells.inside.size() + data_->cells.outside.size(); }
   /// The degree of D.
@@ -117,7 +117,7 @@ class BasicTable {
   [[nodiscard]] const CurveView<Real>& view() const noexcept { return view_; }
   [[nodiscard]] const TablePieces<Real>& pieces() const noexcept { return view_.table; }
 
-  /// The wrench of a slip twist, to certified_error(). Signs of the twist do not count; a zero twist gives wrench 0. About 4 ns.
+  /// The wrench of a slip twist, to checked_error(). Signs of the twist do not count; a zero twist gives wrench 0. About 4 ns.
   [[nodiscard]] UnitWrench wrench(SlipTwist twist) const noexcept {
     twist = {arithmetic::abs(twist.slide), arithmetic::abs(twist.spin)};
     const double sum = twist.slide + twist.spin;

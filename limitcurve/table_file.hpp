@@ -16,12 +16,12 @@ namespace limitcurve {
 /// FNV-1a (64 bits) of the facts and rows of the table as text: "fnv1a:" and 16 hexadecimal digits.
 std::string checksum(const Table& table);
 
-/// The table as CSV: comment lines `# name: value` (law, tolerance, certified_error, index_bits, octaves, linear_error, profile_error,
+/// The table as CSV: comment lines `# name: value` (law, tolerance, checked_error, index_bits, octaves, linear_error, profile_error,
 /// version, checksum), the meaning of the columns, the header `side,x,force,moment,c0,…,c6`, one row for each cell, and one row of each
 /// side at the rim. TableContents has the meaning and order of rows.
 std::string to_csv(const Table& table);
 
-/// The table as one JSON object: {"format": "limitcurve table 2", "law", "tolerance", "certified_error", "index_bits", "octaves",
+/// The table as one JSON object: {"format": "limitcurve table 2", "law", "tolerance", "checked_error", "index_bits", "octaves",
 /// "linear_error", "profile_error", "version", "checksum", "columns", "inside", "outside"}, the sides as arrays of [x, force, moment, c0,
 /// …, c6].
 std::string to_json(const Table& table);
@@ -32,7 +32,7 @@ std::string to_json(const Table& table);
 /// internal linkage. The cell is found by bisection. NAME is `name`; if that is empty, `limitcurve_table_<law>_<first 8 digits of the
 /// checksum>`, which no other table has.
 /// Throws std::invalid_argument, with the name, unless it is a C identifier that begins with a letter and has no double underscore.
-/// With `is_single` all is in float: literals, tolerances, and certified_error, which is `single_precision_error`; at the ratio of speeds as
+/// With `is_single` all is in float: literals, tolerances, and checked_error, which is `single_precision_error`; at the ratio of speeds as
 /// a float, and closest_point within 5e-6.
 std::string to_header(const Table& table, std::string_view name = {}, bool is_single = false);
 
@@ -52,7 +52,7 @@ struct TableContents {
 
   std::string law;
   double tolerance = 0.0;
-  double certified_error = 0.0;
+  double checked_error = 0.0;
   int index_bits = 0;
   int octaves = 0;
   /// Largest error of force and moment under linear interpolation in x between rows, rounded up to two digits.

@@ -107,7 +107,7 @@ void add_limit_curve(nb::class_<Class>& type) {
       [](const Class& self, const BoundArguments& given) {
         return of_cors<2, 256>(given[0], [&](double s) { return components(curve_in(self).wrench({s, 1.0})); });
       },
-      "Unit wrenches at COR distances of c contact radii; of a table within certified_error. As Law.evaluate.");
+      "Unit wrenches at COR distances of c contact radii; of a table within checked_error. As Law.evaluate.");
   define<const Class&>(
       type, "def wrench(self, slide: numpy.typing.ArrayLike, spin: numpy.typing.ArrayLike) -> tuple[typing.Any, typing.Any]",
       [](const Class& self, const BoundArguments& given) {
@@ -166,7 +166,7 @@ bool same(const Table& one, const Table& other) {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(),
                       [](const TableCell& c, const TableCell& d) { return c.x == d.x && c.coefficients == d.coefficients; });
   };
-  return one.certified_error() == other.certified_error() && equal(one.cells().inside, other.cells().inside) &&
+  return one.checked_error() == other.checked_error() && equal(one.cells().inside, other.cells().inside) &&
          equal(one.cells().outside, other.cells().outside);
 }
 
@@ -194,16 +194,16 @@ nb::object tangent_ellipses(const Table& self, const BoundArguments& given) {
 
 void add_tables(nb::module_& module) {
   nb::class_<Table> type(module, "Table",
-                         "A limit curve as a lookup table, 1 to 96 KiB, with a certified error. It drives fingers and batches.\n\n"
+                         "A limit curve as a lookup table, 1 to 96 KiB, with a checked error. It drives fingers and batches.\n\n"
                          ">>> import limitcurve as lc\n"
                          ">>> table = lc.Table('hertz', tolerance=1e-8)\n"
-                         ">>> table.certified_error <= 1e-8, table.nbytes <= 4096\n"
+                         ">>> table.checked_error <= 1e-8, table.nbytes <= 4096\n"
                          "(True, True)\n");
   copies_are_itself(type);
   add_limit_curve(type);
   type.def("__getstate__",
            [](const Table& self) {
-             return nb::make_tuple(self.law_name(), self.tolerance(), self.certified_error(), self.profile_error(), self.cells().index_bits,
+             return nb::make_tuple(self.law_name(), self.tolerance(), self.checked_error(), self.profile_error(), self.cells().index_bits,
                                    self.cells().octaves, cells_of(self));
            })
       .def("__setstate__", [](Table& self, const nb::tuple& state) {
@@ -249,7 +249,7 @@ void add_tables(nb::module_& module) {
       "name: of the table in a header, NAME_wrench(slide, spin); if empty, one that no other table has.");
   type.def("__eq__",
            [](const Table& self, nb::handle other) { return nb::isinstance<Table>(other) && same(self, nb::cast<const Table&>(other)); })
-      .def("__hash__", [](const Table& self) { return std::hash<double>()(self.certified_error()); });
+      .def("__hash__", [](const Table& self) { return std::hash<double>()(self.checked_error()); });
   define<const Table&>(
       type,
       "def tangent_ellipse(self, force: numpy.typing.ArrayLike | None = None, moment: numpy.typing.ArrayLike | None = None, p: "
@@ -272,14 +272,14 @@ void add_tables(nb::module_& module) {
           "The cells as rows (side, x, c0 ... c6), in the order of a file: D(t) = sum ci (t - x)^i from t = x to the next larger x of its\n"
           "side, or to 1. On side 0, inside the rim, t = c/a, and (D', D - t D') is force and moment; on side 1, outside, t = a/c, and\n"
           "it is moment and force.")
-      .def_prop_ro("certified_error", &Table::certified_error, "Bound of the absolute error of f and m against the law.")
+      .def_prop_ro("checked_error", &Table::checked_error, "Bound of the absolute error of f and m against the law.")
       .def_prop_ro("profile_error", &Table::profile_error,
                    "Additional error because the pressure is known only at samples; 0 for a formula.")
       .def_prop_ro("tolerance", &Table::tolerance, "Requested tolerance.")
       .def_prop_ro("law_name", &Table::law_name, "The law in words.")
       .def_prop_ro("nbytes", &Table::bytes, "Bytes that a look-up may touch.")
       .def("__repr__",
-           [](const Table& self) { return "<Table of " + self.law_name() + ", error <= " + format_number(self.certified_error()) + ">"; });
+           [](const Table& self) { return "<Table of " + self.law_name() + ", error <= " + format_number(self.checked_error()) + ">"; });
 }
 
 void add_closed_curves(nb::module_& module) {

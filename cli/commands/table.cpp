@@ -18,12 +18,12 @@ namespace {
 class Table final : public Subcommand {
  public:
   [[nodiscard]] Manual manual() const override {
-    return {"table", "Writes a lookup table of the limit curve with a certified error",
+    return {"table", "Writes a lookup table of the limit curve with a checked error",
             "The name of the file selects its format: .csv, .json, .h (C99) or .hpp (constexpr C++17, no dependencies).\n"
             "Without --name the names in a header hold the law and the checksum, so that each table has its own.\n"
-            "Columns: law; tolerance; certified_error, an upper bound of the absolute error of force and moment in unit wrenches;\n"
+            "Columns: law; tolerance; checked_error, an upper bound of the absolute error of force and moment in unit wrenches;\n"
             "nodes, the number of polynomials in the table; bytes that a look-up may touch; profile_error, the error because a\n"
-            "measured pressure is known at samples only, to be added to certified_error (0 for a law given by a formula).",
+            "measured pressure is known at samples only, to be added to checked_error (0 for a law given by a formula).",
             "limitcurve table --law hertz --tolerance 1e-6 -o hertz.csv"};
   }
 
@@ -47,7 +47,7 @@ class Table final : public Subcommand {
       throw out_of_range("--tolerance", tolerance_, "1", format_number(finest) + " or more with --real float");
     const double of_table = is_single ? std::max(0.1 * tolerance_, tolerance_ - 0.9 * finest) : tolerance_;
     const auto table = limitcurve::Table::build(law_, of_table, {.bytes = bytes_});
-    const double error = is_single ? single_precision_error(table) : table.certified_error();
+    const double error = is_single ? single_precision_error(table) : table.checked_error();
     if (const double least = error / std::max(1.0, table.moment_ratio()); is_single && least > tolerance_) {
       throw std::runtime_error("table of " + table.law_name() + " in single precision: expected a tolerance of " + format_number(least) +
                                " or more");
@@ -55,7 +55,7 @@ class Table final : public Subcommand {
     AtomicFile file(file_);
     file.output().write(text_of(table));
     file.commit();
-    Rows rows(results, {"law", "tolerance", "certified_error", "nodes", "bytes", "profile_error"});
+    Rows rows(results, {"law", "tolerance", "checked_error", "nodes", "bytes", "profile_error"});
     rows.row(table.law_name(), tolerance_, error, table.cell_count(), table.bytes() / (is_single ? 2 : 1), table.profile_error());
     rows.finish();
   }

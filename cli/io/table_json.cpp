@@ -90,7 +90,7 @@ limitcurve::Table read_table_json(std::string_view text, const std::string& sour
   const auto number = [&](const char* name) { return member(whole, name, &json::is_number, source, "a number").get<double>(); };
   const TableContents contents{.law = text_of("law"),
                                .tolerance = number("tolerance"),
-                               .certified_error = number("certified_error"),
+                               .checked_error = number("checked_error"),
                                .index_bits = whole_number(whole, "index_bits", source),
                                .octaves = whole_number(whole, "octaves", source),
                                .linear_error = number("linear_error"),

@@ -184,13 +184,13 @@ StepChoice choose_step(const Scene& scene, double tolerance) {
   auto& candidates = result.candidates;
   std::map<std::string, ReplayOptions> steps;
   const auto error_of = [&](const FingerCurve& curve, double of_table, Projection projection, const FingerParameters& finger) {
-    return error_margin * effect_of(curve, projection, finger).largest + per_table_error * (reference.certified_error() + of_table);
+    return error_margin * effect_of(curve, projection, finger).largest + per_table_error * (reference.checked_error() + of_table);
   };
   /// The coarsest table whose error fits, because all cost the same; the first if the error is not the table's. None is so fine that the
   /// reference's own error counts beside its.
   const auto sufficient_table = [&](Projection projection, const FingerParameters& finger, double& error) -> const Table& {
     for (std::size_t i = 0;; ++i) {
-      error = error_of(tables[i], tables[i].certified_error(), projection, finger);
+      error = error_of(tables[i], tables[i].checked_error(), projection, finger);
       if (error <= tolerance || tables[i].tolerance() < 100.0 * reference.tolerance()) return tables[i];
       if (i == 0 && !(error_of(fine, 0.0, projection, finger) <= tolerance)) return tables[i];
       if (i + 1 == tables.size()) tables.push_back(finest_table(scene.law, 0.1 * tables[i].tolerance()));

@@ -83,7 +83,7 @@ class Replay {
   void body() const&& = delete;
   /// Number of steps of a free body whose equations were not solved: `Grasp::unsolved`.
   [[nodiscard]] std::size_t unsolved() const noexcept { return grasp_.unsolved(); }
-  /// Error of the fingers' curve against the one of its kind [unit wrenches]: certified_error + profile_error of its table, 0 for a closed
+  /// Error of the fingers' curve against the one of its kind [unit wrenches]: checked_error + profile_error of its table, 0 for a closed
   /// form.
   [[nodiscard]] double curve_error() const noexcept { return curve_error_; }
 

@@ -19,8 +19,8 @@ namespace limitcurve::table {
 
 namespace {
 
-/// Margin of the certified error above the largest error found, because the true maximum is near a sample, not at it.
-constexpr double certificate_margin = 0.05;
+/// Margin of the checked error above the largest error found, because the true maximum is near a sample, not at it.
+constexpr double check_margin = 0.05;
 
 /// Builds both sides of a table with an error of at most `target`.
 template <class Real>
@@ -250,7 +250,7 @@ class Builder {
 /// Error bound of the finished table in its own arithmetic: the largest error, plus the error of the exact curve. A maximum of the error is
 /// bracketed by three of the pieces' samples, and found between them, unless it is clearly smaller than another.
 template <class Real>
-double certify(const Source& source, const BasicTable<Real>& table, const std::array<std::vector<Piece>, 2>& sides) {
+double find_error(const Source& source, const BasicTable<Real>& table, const std::array<std::vector<Piece>, 2>& sides) {
   struct Bracket {
     double error;
     bool outside;
@@ -291,10 +291,10 @@ double certify(const Source& source, const BasicTable<Real>& table, const std::a
     };
     boost::math::tools::brent_find_minima(error, 0.0, 1.0, bits, steps);
   }
-  return (1.0 + certificate_margin) * worst + exact_error;
+  return (1.0 + check_margin) * worst + exact_error;
 }
 
-/// The certified error that a tolerance allows, what rounding has of it, and the error of cells.
+/// The checked error that a tolerance allows, what rounding has of it, and the error of cells.
 template <class Real>
 struct Errors {
   double allowed;
@@ -308,7 +308,7 @@ struct Errors {
     const double own = std::max({spin.error, slide.error, source.at(false, 1.0).error});
     allowed = tolerance * scale;
     rounding = 1.5 * double{std::numeric_limits<Real>::epsilon()} * scale;
-    target = 0.95 * (allowed - rounding - own) / (1.0 + certificate_margin);
+    target = 0.95 * (allowed - rounding - own) / (1.0 + check_margin);
   }
 };
 
@@ -328,11 +328,11 @@ std::optional<BasicTable<Real>> build_of_degree(const Source& source, double tol
     }
     TableFacts facts{source.name, tolerance, allowed, source.profile_error};
     const BasicTable<Real> table(facts, builder.cells());
-    facts.certified_error = certify(source, table, builder.sides()) + rounding;
-    if (facts.certified_error <= allowed) return BasicTable<Real>(facts, builder.cells());
+    facts.checked_error = find_error(source, table, builder.sides()) + rounding;
+    if (facts.checked_error <= allowed) return BasicTable<Real>(facts, builder.cells());
     // Smaller cells with far larger errors meet rounding.
-    if (!(facts.certified_error < 2.0 * last)) return std::nullopt;
-    last = facts.certified_error;
+    if (!(facts.checked_error < 2.0 * last)) return std::nullopt;
+    last = facts.checked_error;
     target *= 0.8;
   }
   return std::nullopt;

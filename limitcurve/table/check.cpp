@@ -102,8 +102,8 @@ void check_facts(const TableFacts& facts, double scale) {
       throw std::invalid_argument("the name of the table's law has a control character");
   }
   if (!(facts.tolerance > 0.0 && facts.tolerance <= 1.0)) throw out_of_range("tolerance", facts.tolerance, "1", "0 < tolerance <= 1");
-  if (!(facts.certified_error >= 0.0 && facts.certified_error <= facts.tolerance * scale)) {
-    throw out_of_range("certified_error", facts.certified_error, "1", "0 <= certified_error <= tolerance * max(force_max, moment_max)");
+  if (!(facts.checked_error >= 0.0 && facts.checked_error <= facts.tolerance * scale)) {
+    throw out_of_range("checked_error", facts.checked_error, "1", "0 <= checked_error <= tolerance * max(force_max, moment_max)");
   }
   if (!(facts.profile_error >= 0.0 && facts.profile_error <= std::numeric_limits<double>::max())) {
     throw out_of_range("profile_error", facts.profile_error, "1", "0 <= profile_error, and finite");

@@ -66,7 +66,7 @@ std::string in_float(const std::string& code) {
 }  // namespace
 
 double single_precision_error(const Table& table) {
-  return table.certified_error() + table::rounding_in_single_precision(table::in_single_precision(table.cells()));
+  return table.checked_error() + table::rounding_in_single_precision(table::in_single_precision(table.cells()));
 }
 
 std::string to_header(const Table& table, std::string_view chosen_name, bool is_single) {
@@ -90,7 +90,7 @@ std::string to_header(const Table& table, std::string_view chosen_name, bool is_
   };
   // Words between @ are replaced below.
   std::string text = R"(// Friction limit curve of the pressure law @LAW@, written by limitcurve @VERSION@.
-// |error| of force and moment <= certified_error, compared with the exact curve. Add profile_error if the pressure is known at samples
+// |error| of force and moment <= checked_error, compared with the exact curve. Add profile_error if the pressure is known at samples
 // only (0 for a law given by a formula). Checksum @CHECKSUM@
 // C99, C++17 and CUDA; needs no other header. All names begin with the table's, and are local to the file that includes this one.
 #ifndef @GUARD@
@@ -251,7 +251,7 @@ LIMITCURVE_TABLE_FUNCTION @NAME@_unit_wrench @NAME@_closest_point(double force, 
   put("@ROUNDING@", is_single ? "5e-7f" : "1e-15");
   put("@ONSET@", is_single ? "1.0000038f" : "1.0 + 1e-12");
   put("@TOLERANCE@", literal(is_single ? single_precision_error(table) : table.tolerance()));
-  put("@CERTIFIED@", is_single ? literal(single_precision_error(table) * (1 + 1e-7)) : literal(table.certified_error()));
+  put("@CERTIFIED@", is_single ? literal(single_precision_error(table) * (1 + 1e-7)) : literal(table.checked_error()));
   put("@PROFILE@", literal(table.profile_error()));
   put("@RATIO@", literal(table.moment_ratio()));
   put("@RIM@", literal(table.rim().force) + ", " + literal(table.rim().moment));

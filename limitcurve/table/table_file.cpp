@@ -25,7 +25,7 @@ constexpr std::string_view legend =
     "# One row a polynomial, in the order of the curve from pure spin to pure sliding; and one at x = 1 for each side, the rim.\n"
     "# c: distance of the centre of rotation, a: contact radius. x = c/a inside the rim, a/c outside. force = F/(mu P),\n"
     "# moment = M/(mu P a). D(x) = c0 + c1 t + ... + c6 t^6 from the x of the row to the next larger one, t = x - that of the row.\n"
-    "# Inside the rim force = D' and moment = D - x D'; outside moment = D' and force = D - x D': to certified_error. A straight\n"
+    "# Inside the rim force = D' and moment = D - x D'; outside moment = D' and force = D - x D': to checked_error. A straight\n"
     "# line between two rows: to linear_error.\n";
 
 UnitWrench wrench(const Table& table, bool outside, double x) {
@@ -72,7 +72,7 @@ TableContents contents_of(const Table& table) {
   const TableCells& cells = table.cells();
   TableContents contents{.law = table.law_name(),
                          .tolerance = table.tolerance(),
-                         .certified_error = table.certified_error(),
+                         .checked_error = table.checked_error(),
                          .index_bits = cells.index_bits,
                          .octaves = cells.octaves,
                          .profile_error = table.profile_error(),
@@ -80,7 +80,7 @@ TableContents contents_of(const Table& table) {
                          .outside = rows_of(table, cells.outside, true)};
   // The largest error at 31 points of a cell is within 1 % of the true maximum.
   const double chords = 1.01 * std::max(error_of_chords(table, contents.inside, false), error_of_chords(table, contents.outside, true));
-  contents.linear_error = rounded_up(chords + table.certified_error());
+  contents.linear_error = rounded_up(chords + table.checked_error());
   std::reverse(contents.outside.begin(), contents.outside.end());
   return contents;
 }
@@ -98,14 +98,14 @@ std::string csv_rows(const TableContents& contents) {
   return text;
 }
 
-constexpr std::array<std::string_view, 9> fact_names{"law",          "tolerance",     "certified_error", "index_bits", "octaves",
-                                                     "linear_error", "profile_error", "version",         "checksum"};
+constexpr std::array<std::string_view, 9> fact_names{"law",          "tolerance",     "checked_error", "index_bits", "octaves",
+                                                     "linear_error", "profile_error", "version",       "checksum"};
 
 /// The facts that belong to the contents: those before the version.
 std::array<std::string, 7> facts_of(const TableContents& contents) {
   return {contents.law,
           format_number(contents.tolerance),
-          format_number(contents.certified_error),
+          format_number(contents.checked_error),
           std::to_string(contents.index_bits),
           std::to_string(contents.octaves),
           format_number(contents.linear_error),
@@ -234,7 +234,7 @@ Table read_table_csv(std::string_view text, std::string_view source) {
     const std::size_t column = line.size() - value->size() + 1;
     if (name == "law") contents.law = *value;
     if (name == "tolerance") contents.tolerance = number(reader, *value, column);
-    if (name == "certified_error") contents.certified_error = number(reader, *value, column);
+    if (name == "checked_error") contents.checked_error = number(reader, *value, column);
     if (name == "index_bits") contents.index_bits = whole_number(reader, *value, column);
     if (name == "octaves") contents.octaves = whole_number(reader, *value, column);
     if (name == "linear_error") contents.linear_error = number(reader, *value, column);
@@ -263,7 +263,7 @@ Table table_of(const TableContents& contents, std::string_view expected_checksum
                                 std::string(expected_checksum) + ", its contents have " + actual);
   }
   try {
-    return Table({contents.law, contents.tolerance, contents.certified_error, contents.profile_error},
+    return Table({contents.law, contents.tolerance, contents.checked_error, contents.profile_error},
                  {.index_bits = contents.index_bits,
                   .octaves = contents.octaves,
                   .inside = cells_of(contents.inside, "inside"),

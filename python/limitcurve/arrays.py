@@ -97,7 +97,7 @@ def _slip(cells: Cells, slide: Any, spin: Any) -> "tuple[Any, ...]":
     return xp, rests, outside, cells.rows[xp.where(outside, beyond, xp.searchsorted(cells.inside, x, side="right")) - 1], x
 
 def wrench(cells: Cells, slide: Any, spin: Any) -> "tuple[Any, Any]":
-    """F/(mu P) and M/(mu P a) of slips of slide |v| and spin a|omega|, without signs; no slip gives 0. Error: certified_error."""
+    """F/(mu P) and M/(mu P a) of slips of slide |v| and spin a|omega|, without signs; no slip gives 0. Error: checked_error."""
     xp, rests, *place = _slip(cells, slide, spin)
     force, moment = _wrench(xp, *place)
     return xp.where(rests, 0.0, force), xp.where(rests, 0.0, moment)

@@ -37,7 +37,7 @@ def test_laws_and_curves(way, tmp_path):
         other = way(thing)
         assert same(other.evaluate(C), thing.evaluate(C)) and repr(other) == repr(thing)
     table, other = things[4], way(things[4])
-    for fact in ("certified_error", "profile_error", "tolerance", "law_name", "moment_ratio", "nbytes"):
+    for fact in ("checked_error", "profile_error", "tolerance", "law_name", "moment_ratio", "nbytes"):
         assert getattr(other, fact) == getattr(table, fact)
     assert np.array_equal(other.cells, table.cells)
 

@@ -139,7 +139,7 @@ def test_a_table_survives_its_files(tmp_path):
     for name in ("t.csv", "t.json"):
         TABLE.save(tmp_path / name)
         again = lc.Table.load(tmp_path / name)
-        assert np.array_equal(again.evaluate(c), TABLE.evaluate(c)) and again.certified_error == TABLE.certified_error
+        assert np.array_equal(again.evaluate(c), TABLE.evaluate(c)) and again.checked_error == TABLE.checked_error
     TABLE.save(tmp_path / "t.h")
     assert "hertz" in (tmp_path / "t.h").read_text()
 

@@ -59,7 +59,7 @@ class Report(CommandLineTest):
         for row in self.read("materials"):
             self.assertTrue((self.directory / row["file"]).exists())
         for row in self.read("tables"):
-            self.assertLessEqual(float(row["certified_error"]), float(row["tolerance"]))
+            self.assertLessEqual(float(row["checked_error"]), float(row["tolerance"]))
         for row in self.read("table_error"):
             self.assertLessEqual(max(abs(float(row["force_error"])), abs(float(row["moment_error"]))), float(row["tolerance"]))
         for row in self.read("steady_twist"):

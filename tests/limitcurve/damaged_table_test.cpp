@@ -33,8 +33,8 @@ TEST_F(DamagedTable, WhatIsWholeIsTaken) {
 
 TEST_F(DamagedTable, IsRefusedForItsFacts) {
   for (const double error : {-1.0, 1.1e-8, std::nan("")}) {
-    facts_.certified_error = error;
-    expect_mention(complaint_of(cells_), "certified_error");
+    facts_.checked_error = error;
+    expect_mention(complaint_of(cells_), "checked_error");
   }
   facts_ = {"uniform", std::nan(""), 1e-8};
   expect_mention(complaint_of(cells_), "tolerance");

@@ -259,7 +259,7 @@ TEST(Samples, OfManyPiecesHaveTheWrenchThatEachPieceAloneGives) {
 // It took 80 000: fifteen around each sample for each cell that was tried.
 TEST(Samples, ATableOfAThousandTakesFewWrenches) {
   const auto law = std::make_shared<test::CountedLaw>(samples(many_samples(1000, 0.0), "hertz.csv"));
-  EXPECT_LE(Table::build(law, 1e-8).certified_error(), 1e-8);
+  EXPECT_LE(Table::build(law, 1e-8).checked_error(), 1e-8);
   EXPECT_LT(law->count, 15000U);
 }
 
@@ -298,7 +298,7 @@ TEST(Table, FollowsJumpsInsideTheContact) {
     }
     const Law law = samples(profile, "jumps");
     const Table table = Table::build(law, 1e-10);
-    EXPECT_LE(table.certified_error(), 1e-10) << seed;
+    EXPECT_LE(table.checked_error(), 1e-10) << seed;
     double worst = 0.0;
     for (int i = 0; i < 400; ++i) {
       // Half of them next to a jump.
@@ -309,7 +309,7 @@ TEST(Table, FollowsJumpsInsideTheContact) {
       const UnitWrench found = table.wrench(SlipTwist::about_cor(s));
       worst = std::max({worst, std::fabs(found.force - exact.force), std::fabs(found.moment - exact.moment)});
     }
-    EXPECT_LE(worst, table.certified_error() + 1e-13) << seed;
+    EXPECT_LE(worst, table.checked_error() + 1e-13) << seed;
   }
 }
 

@@ -78,7 +78,7 @@ TEST_P(TableFileSuite, ReadsBackTheSameBits) {
     EXPECT_EQ(to_csv(read), text);
     EXPECT_EQ(checksum(read), checksum(table));
     EXPECT_EQ(read.law_name(), table.law_name());
-    EXPECT_EQ(read.certified_error(), table.certified_error());
+    EXPECT_EQ(read.checked_error(), table.checked_error());
     EXPECT_EQ(read.bytes(), table.bytes());
     for (const SlipTwist twist : probes()) EXPECT_EQ(read.wrench(twist), table.wrench(twist));
   }
@@ -170,7 +170,7 @@ TEST(TableFile, EveryEditedDigitIsNoticed) {
 
 TEST(TableFile, EveryFactIsHeldByTheChecksum) {
   const std::string text = to_csv(Table::build(hertz(), 1e-3));
-  for (const char* fact : {"law", "tolerance", "certified_error", "index_bits", "octaves", "linear_error"}) {
+  for (const char* fact : {"law", "tolerance", "checked_error", "index_bits", "octaves", "linear_error"}) {
     const std::string prefix = "# " + std::string(fact) + ": ";
     std::string edited = text;
     const std::size_t value = edited.find(prefix) + prefix.size();

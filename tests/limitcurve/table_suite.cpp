@@ -42,12 +42,12 @@ class TableSuite : public testing::TestWithParam<TableCase> {
   std::vector<Table> tables_;
 };
 
-TEST_P(TableSuite, CertifiedErrorHoldsEverywhereAndIsNoLargerThanItNeedBe) {
+TEST_P(TableSuite, CheckedErrorHoldsEverywhereAndIsNoLargerThanItNeedBe) {
   for (const Table& table : tables_) {
-    EXPECT_LE(table.certified_error(), table.tolerance() * scale_);
+    EXPECT_LE(table.checked_error(), table.tolerance() * scale_);
     const double worst = worst_error(table, exact_of(law_), 10000);
-    EXPECT_LE(worst, table.certified_error()) << table.tolerance();
-    EXPECT_GE(worst, 0.3 * table.certified_error()) << table.tolerance();
+    EXPECT_LE(worst, table.checked_error()) << table.tolerance();
+    EXPECT_GE(worst, 0.3 * table.checked_error()) << table.tolerance();
   }
 }
 
@@ -82,7 +82,7 @@ TEST_P(TableSuite, IsMadeAgainOfItsCells) {
   for (const Table& table : tables_) {
     const TableCells cells = table.cells();
     EXPECT_EQ(cells.inside.size() + cells.outside.size(), table.cell_count());
-    const Table again({table.law_name(), table.tolerance(), table.certified_error()}, cells);
+    const Table again({table.law_name(), table.tolerance(), table.checked_error()}, cells);
     EXPECT_EQ(again.bytes(), table.bytes());
     for (int i = 0; i < 1000; ++i) {
       const SlipTwist twist = probe(random, i);

@@ -45,10 +45,10 @@ TEST(Table, ReachesTheFinestTolerance) {
       EXPECT_THROW(Table::build(law, Table::finest_tolerance), std::runtime_error) << name;
     }
     const Table table = Table::build(law, finest);
-    EXPECT_LE(table.certified_error(), finest) << name;
+    EXPECT_LE(table.checked_error(), finest) << name;
     EXPECT_LE(table.bytes(), 65536U) << name;
     const auto exact = [&](SlipTwist twist) { return law->evaluate(twist.cor()).wrench; };
-    EXPECT_LE(worst_error(table, exact, 1000), table.certified_error() + rounding) << name;
+    EXPECT_LE(worst_error(table, exact, 1000), table.checked_error() + rounding) << name;
     expect_convex_and_smooth(table);
   }
 }
@@ -71,8 +71,8 @@ TEST(Table, HasTheLowestDegreeWithinItsBudget) {
         EXPECT_LE(table.degree(), last);
         EXPECT_LE(table.pieces().halvings, steps) << name << ' ' << tolerance << ' ' << bytes;  // a search takes longer than all degrees
         EXPECT_GE(table.bytes(), more);
-        EXPECT_EQ(table.degree(), Table(TableFacts{"again", tolerance, table.certified_error()}, table.cells()).degree());
-        EXPECT_LE(worst_error(table, exact_of(law), 300), table.certified_error() + 2e-16);
+        EXPECT_EQ(table.degree(), Table(TableFacts{"again", tolerance, table.checked_error()}, table.cells()).degree());
+        EXPECT_LE(worst_error(table, exact_of(law), 300), table.checked_error() + 2e-16);
         last = table.degree();
         more = table.bytes();
         steps = table.pieces().halvings;
@@ -115,7 +115,7 @@ TEST(Table, ManyLookUpsGiveTheBitsOfSingleOnes) {
   }
 }
 
-TEST(Table, CertifiedErrorHoldsBetweenRepresentablePlaces) {
+TEST(Table, CheckedErrorHoldsBetweenRepresentablePlaces) {
   // At twists (slide, spin), whose quotient rounds: the slope of the curve is steep where pressures are concentrated at the centre.
   std::mt19937_64 random(7);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
@@ -130,7 +130,7 @@ TEST(Table, CertifiedErrorHoldsBetweenRepresentablePlaces) {
       worst = std::max(
           {worst, std::fabs(static_cast<double>(read.force - exact.force)), std::fabs(static_cast<double>(read.moment - exact.moment))});
     }
-    EXPECT_LE(worst, table.certified_error()) << name;
+    EXPECT_LE(worst, table.checked_error()) << name;
   }
 }
 
@@ -149,11 +149,11 @@ Law profile(double jump_at, double jump_to) {
 TEST(Table, TakesMeasuredProfiles) {
   for (const Law& law : {profile(0.5, 1.0), profile(0.35, 0.6), profile(0.7, 0.3)}) {
     const Table table = Table::build(law, 1e-10);
-    EXPECT_LE(worst_error(table, exact_of(law), 1000), table.certified_error());
-    EXPECT_LE(table.certified_error(), 1e-10);
+    EXPECT_LE(worst_error(table, exact_of(law), 1000), table.checked_error());
+    EXPECT_LE(table.checked_error(), 1e-10);
     expect_convex_and_smooth(table);
   }
-  EXPECT_LE(Table::build(profile(0.5, 1.0), 1e-12).certified_error(), 1e-12);
+  EXPECT_LE(Table::build(profile(0.5, 1.0), 1e-12).checked_error(), 1e-12);
 }
 
 struct NamedCurve {
@@ -172,23 +172,23 @@ TEST(Table, TakesAnyCurveWhoseNormalTurnsSmoothly) {
     SCOPED_TRACE(curve.name);
     EXPECT_EQ(curve.table.law_name(), curve.name);
     const double scale = std::max(curve.exact({1.0, 0.0}).force, curve.exact({0.0, 1.0}).moment);
-    EXPECT_LE(curve.table.certified_error(), curve.table.tolerance() * scale);
-    EXPECT_LE(worst_error(curve.table, curve.exact, 10000), curve.table.certified_error());
+    EXPECT_LE(curve.table.checked_error(), curve.table.tolerance() * scale);
+    EXPECT_LE(worst_error(curve.table, curve.exact, 10000), curve.table.checked_error());
     EXPECT_EQ(curve.table.wrench({1.0, 0.0}), curve.exact({1.0, 0.0}));
     EXPECT_EQ(curve.table.wrench({0.0, 1.0}), curve.exact({0.0, 1.0}));
     expect_convex_and_smooth(curve.table);
   }
 }
 
-TEST(FloatTable, CertifiedErrorHoldsInItsOwnArithmetic) {
+TEST(FloatTable, CheckedErrorHoldsInItsOwnArithmetic) {
   for (const char* name :
        {"hertz", "uniform", "flat-punch", "cone", "power:n=-0.9", "xydas-kao:k=3", "gaussian:sigma=1e-3", "gaussian:sigma=1e3"}) {
     const Law law = parse_law(name);
     for (const double tolerance : {1e-1, 1e-4, 5e-7}) {
       SCOPED_TRACE(std::string(name) + ' ' + std::to_string(tolerance));
       const FloatTable table = FloatTable::build(law, tolerance);
-      EXPECT_LE(table.certified_error(), tolerance * std::max(1.0, law->moment_ratio()));
-      EXPECT_LE(worst_error(table, exact_of(law), 3000), table.certified_error());
+      EXPECT_LE(table.checked_error(), tolerance * std::max(1.0, law->moment_ratio()));
+      EXPECT_LE(worst_error(table, exact_of(law), 3000), table.checked_error());
       EXPECT_EQ(table.wrench({1.0, 0.0}), (UnitWrench{1.0, 0.0}));
       EXPECT_EQ(table.moment_ratio(), double{static_cast<float>(law->moment_ratio())});
       expect_convex_and_smooth(table);
@@ -220,8 +220,8 @@ TEST(Table, FollowsWhatIsNearerToAnEndThanBucketsGet) {
     for (const double s : {0.0, 1e-22, 1e-20, 1e-18, 3e-17, 1e-16, 1e-15, 1e-12, 1e-8, 0.1, 1.0, 3.0}) {
       const UnitWrench exact = law->evaluate(s).wrench;
       const UnitWrench found = table.wrench(SlipTwist::about_cor(s));
-      EXPECT_NEAR(found.force, exact.force, table.certified_error()) << s;
-      EXPECT_NEAR(found.moment, exact.moment, table.certified_error()) << s;
+      EXPECT_NEAR(found.force, exact.force, table.checked_error()) << s;
+      EXPECT_NEAR(found.moment, exact.moment, table.checked_error()) << s;
     }
   }
 }
@@ -236,7 +236,7 @@ TEST(Table, NamesTheFinestToleranceThatIsPossible) {
   const std::string finest = "finest that is possible is ";
   expect_mention(text, finest);
   const double possible = std::stod(text.substr(text.find(finest) + finest.size()));
-  EXPECT_LE(build(possible).certified_error(), possible);
+  EXPECT_LE(build(possible).checked_error(), possible);
   EXPECT_THROW(build(possible / 2.5), std::runtime_error);
 }
 

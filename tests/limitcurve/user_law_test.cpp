@@ -85,7 +85,7 @@ void expect_honest_table(const Law& law, const Discs& truth, double tolerance) {
       const UnitWrench exact = truth.wrench(s);
       const UnitWrench found = table.wrench(SlipTwist::about_cor(s));
       const double off = std::max(std::fabs(found.force - exact.force), std::fabs(found.moment - exact.moment));
-      ASSERT_LE(off, table.certified_error()) << law->name() << ' ' << s;
+      ASSERT_LE(off, table.checked_error()) << law->name() << ' ' << s;
     }
   } catch (const std::exception& error) {
     EXPECT_NE(std::string(error.what()).find(law->name()), std::string::npos) << error.what();

@@ -45,7 +45,7 @@ def numbers_to_remember(data):
     radial, closest = (max(twist.where(boundary="table", projection=name).column("error")) for name in ("radial", "closest-point"))
     ratios = twist.column("stiffness_ratio")
     table = data["tables"].where(law="hertz", tolerance=1e-8)[0]
-    error = table["certified_error"]
+    error = table["checked_error"]
     look_up = data["work_precision_wrench"].where(law="hertz", family="table", parameter=1e-8)[0]["mean_ns"]
     step = data["work_precision_step"].where(boundary="table 1e-8", projection="closest-point")[0]["many_warm_ns"]
     return [
@@ -86,9 +86,9 @@ def materials_table(data):
         return f'<a href="{html.escape(name)}">{html.escape(name)}</a>'
 
     return facts_table(
-        ("material", "μ", "μ<sub>r</sub> [mm]", "law", "radius a [mm]", "certified error", "nodes", "bytes", "file"),
+        ("material", "μ", "μ<sub>r</sub> [mm]", "law", "radius a [mm]", "checked error", "nodes", "bytes", "file"),
         [(row["material"], f"{row['mu']:g}", f"{1e3 * row['mu_r']:g}", row["law"], f"{1e3 * row['radius']:.2f}",
-          f"{row['certified_error']:.1e}", f"{row['nodes']:.0f}", f"{row['bytes']:.0f}", link(row["file"])) for row in data["materials"]])
+          f"{row['checked_error']:.1e}", f"{row['nodes']:.0f}", f"{row['bytes']:.0f}", link(row["file"])) for row in data["materials"]])
 
 
 def laws_table(data):

@@ -109,7 +109,7 @@ double largest_error(const BasicTable<Real>& table, const Exact& exact, int plac
 }
 
 template <class Real>
-void expect_certified(double finest) {
+void expect_checked(double finest) {
   const int places = studies_are_whole() ? 4000 : 1000;
   double worst = 0.0;
   int tables = 0;
@@ -128,25 +128,25 @@ void expect_certified(double finest) {
     try {
       const auto table = own ? BasicTable<Real>::build(curve, tolerance, {.name = "own"}) : BasicTable<Real>::build(law, tolerance);
       const double error = largest_error(table, exact, places);
-      EXPECT_LE(error, table.certified_error()) << seed << ' ' << table.law_name() << ' ' << tolerance;
-      EXPECT_LE(table.certified_error(), tolerance * std::max(exact({1.0, 0.0}).force, exact({0.0, 1.0}).moment) * (1.0 + 1e-15));
-      worst = std::max(worst, error / table.certified_error());
+      EXPECT_LE(error, table.checked_error()) << seed << ' ' << table.law_name() << ' ' << tolerance;
+      EXPECT_LE(table.checked_error(), tolerance * std::max(exact({1.0, 0.0}).force, exact({0.0, 1.0}).moment) * (1.0 + 1e-15));
+      worst = std::max(worst, error / table.checked_error());
       ++tables;
     } catch (const std::runtime_error&) {
       // Not possible; the error says so, and what is.
     }
   }
   testing::Test::RecordProperty("tables", tables);
-  testing::Test::RecordProperty("worst_error_over_certificate", std::to_string(worst));
+  testing::Test::RecordProperty("worst_error_over_checked", std::to_string(worst));
   EXPECT_GT(tables, 0);
 }
 
-TEST(Certificate, HoldsForLawsOfAllKinds) {
-  expect_certified<double>(-14.0);
+TEST(CheckedError, HoldsForLawsOfAllKinds) {
+  expect_checked<double>(-14.0);
 }
 
-TEST(Certificate, HoldsInSinglePrecision) {
-  expect_certified<float>(-6.3);
+TEST(CheckedError, HoldsInSinglePrecision) {
+  expect_checked<float>(-6.3);
 }
 
 }  // namespace
