@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Inner: installed because other headers need it; it may change in every version.
+// Internal: installed because other headers need it; it may change in every version.
 
 #include "finger.hpp"
 #include "finger_curve.hpp"

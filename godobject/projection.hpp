@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Inner but for the enumeration Projection: it may change in every version.
+// Internal but for the enumeration Projection: it may change in every version.
 
 #include "../limitcurve/contact/radius_law.hpp"
 #include "../limitcurve/curve_view.hpp"

@@ -87,7 +87,7 @@ class PressureLaw {
 
   /// The result of `evaluate` before rounding to double, by Method::automatic. Its error leaves out the interpolation error of samples
   /// (profile_error). Tables of a fine tolerance are built from it, because the error of `forces` is too large for them.
-  [[nodiscard]] virtual evaluators::Quadrature<Extended> unrounded(Extended s, Slope slope) const noexcept;
+  [[nodiscard]] virtual Quadrature<Extended> unrounded(Extended s, Slope slope) const noexcept;
 
   /// Bound of the absolute error of f and m, at every s, that comes from a pressure known at samples only. `evaluate` includes it.
   /// 0 for a law given by a formula.
@@ -95,7 +95,7 @@ class PressureLaw {
 
   /// The pressure projected on a line through the contact centre, at the distance t ≥ 0 [contact radii] from it: see
   /// evaluators::line_profile.
-  [[nodiscard]] virtual evaluators::Quadrature<double> line_profile(double t) const noexcept;
+  [[nodiscard]] virtual Quadrature<double> line_profile(double t) const noexcept;
 
   /// Whether `evaluate` can use `method` for this law.
   [[nodiscard]] virtual bool allows(Method method) const noexcept;

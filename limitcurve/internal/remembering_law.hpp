@@ -32,9 +32,9 @@ class RememberingLaw final : public PressureLaw {
     return known_.emplace(s, law_->forces(s, slope)).first->second;
   }
   WrenchEstimate evaluate(double s, Method method) const noexcept override { return law_->evaluate(s, method); }
-  evaluators::Quadrature<Extended> unrounded(Extended s, Slope slope) const noexcept override { return law_->unrounded(s, slope); }
+  Quadrature<Extended> unrounded(Extended s, Slope slope) const noexcept override { return law_->unrounded(s, slope); }
   double profile_error() const noexcept override { return law_->profile_error(); }
-  evaluators::Quadrature<double> line_profile(double t) const noexcept override { return law_->line_profile(t); }
+  Quadrature<double> line_profile(double t) const noexcept override { return law_->line_profile(t); }
   bool allows(Method method) const noexcept override { return law_->allows(method); }
 
  private:

@@ -74,13 +74,13 @@ class MixtureLaw final : public PressureLawOf<MixtureLaw> {
     return sum;
   }
 
-  evaluators::Quadrature<double> line_profile(double t) const noexcept override {
-    evaluators::Quadrature<double> sum{};
+  Quadrature<double> line_profile(double t) const noexcept override {
+    Quadrature<double> sum{};
     for (const Part& part : parts_) {
       const auto fraction = static_cast<double>(part.fraction);
       // Beyond the rim of a part its whole pressure is on one side.
       const bool beyond = t >= static_cast<double>(part.law->breaks().back());
-      const auto one = beyond ? evaluators::Quadrature<double>{{1.0, 0.0, 0.0}, {}} : part.law->line_profile(t);
+      const auto one = beyond ? Quadrature<double>{{1.0, 0.0, 0.0}, {}} : part.law->line_profile(t);
       sum.forces.force += fraction * one.forces.force;
       sum.forces.moment += fraction * one.forces.moment;
       sum.error.force += fraction * one.error.force;
@@ -89,8 +89,8 @@ class MixtureLaw final : public PressureLawOf<MixtureLaw> {
     return sum;
   }
 
-  evaluators::Quadrature<Extended> unrounded(Extended s, Slope slope) const noexcept override {
-    evaluators::Quadrature<Extended> sum{};
+  Quadrature<Extended> unrounded(Extended s, Slope slope) const noexcept override {
+    Quadrature<Extended> sum{};
     for (const Part& part : parts_) {
       const auto [forces, error] = part.law->unrounded(s, slope);
       sum.forces.force += part.fraction * forces.force;

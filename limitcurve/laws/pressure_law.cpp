@@ -77,12 +77,12 @@ UnitForces<double> PressureLaw::forces(double s, Slope slope) const noexcept {
   return evaluators::ring(*this, s, slope).forces;
 }
 
-evaluators::Quadrature<Extended> PressureLaw::unrounded(Extended s, Slope slope) const noexcept {
+Quadrature<Extended> PressureLaw::unrounded(Extended s, Slope slope) const noexcept {
   if (const auto forces = closed(s, slope)) return {*forces, {0, 0, 0}};
   return evaluators::ring(*this, s, slope);
 }
 
-evaluators::Quadrature<double> PressureLaw::line_profile(double t) const noexcept {
+Quadrature<double> PressureLaw::line_profile(double t) const noexcept {
   return evaluators::line_profile(*this, t);
 }
 

@@ -139,10 +139,8 @@ class SamplesLaw final : public PressureLawOf<SamplesLaw> {
   }
 
   UnitForces<double> forces(double s, Slope slope) const noexcept override { return evaluators::ring(pieces_, s, slope).forces; }
-  evaluators::Quadrature<Extended> unrounded(Extended s, Slope slope) const noexcept override {
-    return evaluators::ring(pieces_, s, slope);
-  }
-  evaluators::Quadrature<double> line_profile(double t) const noexcept override { return evaluators::line_profile(pieces_, t); }
+  Quadrature<Extended> unrounded(Extended s, Slope slope) const noexcept override { return evaluators::ring(pieces_, s, slope); }
+  Quadrature<double> line_profile(double t) const noexcept override { return evaluators::line_profile(pieces_, t); }
   WrenchEstimate evaluate(double s, Method method) const noexcept override {
     s = std::fabs(s);
     WrenchEstimate estimate =

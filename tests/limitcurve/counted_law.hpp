@@ -23,7 +23,7 @@ class CountedLaw final : public PressureLawOf<CountedLaw> {
     return law_->forces(s, slope);
   }
   WrenchEstimate evaluate(double s, Method method) const noexcept override { return law_->evaluate(s, method); }
-  evaluators::Quadrature<Extended> unrounded(Extended s, Slope slope) const noexcept override { return law_->unrounded(s, slope); }
+  Quadrature<Extended> unrounded(Extended s, Slope slope) const noexcept override { return law_->unrounded(s, slope); }
   mutable std::size_t count = 0;
 
  private:
