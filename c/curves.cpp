@@ -110,7 +110,7 @@ void limitcurve_table_free(limitcurve_table* table) {
   free_handle(table);
 }
 
-limitcurve_status limitcurve_table_certified_error(const limitcurve_table* table, double* error) {
+limitcurve_status limitcurve_table_checked_error(const limitcurve_table* table, double* error) {
   if (is_no_handle("table", table) || is_missing("error", error)) return LIMITCURVE_INVALID;
   *error = table->table ? table->table->checked_error() : 0.0;
   return LIMITCURVE_OK;

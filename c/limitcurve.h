@@ -102,7 +102,7 @@ LIMITCURVE_API const char* limitcurve_table_csv(const limitcurve_table* table);
 LIMITCURVE_API void limitcurve_table_free(limitcurve_table* table);
 
 /* Bound of the absolute error of unit force and moment against the law; 0 for an ellipse or a box. */
-LIMITCURVE_API limitcurve_status limitcurve_table_certified_error(const limitcurve_table* table, double* error);
+LIMITCURVE_API limitcurve_status limitcurve_table_checked_error(const limitcurve_table* table, double* error);
 
 /* Bytes that a look-up may touch; 0 for an ellipse or a box. */
 LIMITCURVE_API limitcurve_status limitcurve_table_bytes(const limitcurve_table* table, size_t* bytes);

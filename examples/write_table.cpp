@@ -34,7 +34,7 @@ int main(int argc, char** argv) try {
     const limitcurve::UnitWrench right = exact.wrench(twist);
     worst = std::max({worst, std::abs(looked_up.force - right.force), std::abs(looked_up.moment - right.moment)});
   }
-  std::printf("%s: %zu cells, %zu bytes, certified to %.2g; worst of 10001 lookups %.2g\n", path, read.cell_count(), read.bytes(),
+  std::printf("%s: %zu cells, %zu bytes, checked to %.2g; worst of 10001 lookups %.2g\n", path, read.cell_count(), read.bytes(),
               read.checked_error(), worst);
   return worst <= read.checked_error() && read.checked_error() <= tolerance ? 0 : 1;
 } catch (const std::exception& error) {

@@ -12,11 +12,6 @@
 
 namespace limitcurve {
 
-namespace evaluators {
-template <class Real>
-struct Quadrature;
-}
-
 /// The method that evaluates eq. (17). README, "Evaluators", has the domain, error and cost of each.
 enum class Method {
   automatic,  ///< closed if the law has a closed form, else ring

@@ -65,6 +65,10 @@ struct TableContents {
   std::vector<Row> outside;
 };
 
+/// The key of the error before version 0.3.0, and what to say of a file that has it.
+inline constexpr const char* old_error_key = "certified_error";
+std::string old_key_message(std::string_view law, double tolerance);
+
 /// The table with these contents. Throws std::invalid_argument, whose message begins with `source`, if their checksum is not
 /// `expected_checksum` or they are not a limit curve.
 Table table_of(const TableContents& contents, std::string_view expected_checksum, std::string_view source);

@@ -14,7 +14,7 @@ struct TangentEllipse {
 };
 
 /// The ellipse that touches the curve where the contact slips: it has the curve's wrench there, and its normal. Signs do not count; no
-/// slip gives the ellipse through the intercepts, (1, m₀), NaN gives NaN. A table certifies f and m, not the slope that p (q) has near
+/// slip gives the ellipse through the intercepts, (1, m₀), NaN gives NaN. A table's checked error is that of f and m, not the slope that p (q) has near
 /// pure spin (pure sliding): there the relative error of a table of 1e-8 is 2e-6, for a sharp peak (xydas-kao:k=0.05) 3e-4.
 [[nodiscard]] TangentEllipse tangent_ellipse(const Table& curve, SlipTwist slip) noexcept;
 

@@ -79,4 +79,11 @@ struct UnitForces {
   Real force_slope;
 };
 
+/// A value and the truncation error of its quadrature, without rounding.
+template <class Real>
+struct Quadrature {
+  UnitForces<Real> forces;
+  UnitForces<Real> error;
+};
+
 }  // namespace limitcurve

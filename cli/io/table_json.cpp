@@ -88,6 +88,7 @@ limitcurve::Table read_table_json(std::string_view text, const std::string& sour
   if (format != expected_format) fail(source, "not a table: expected an object with \"format\": " + quoted(expected_format));
   const auto text_of = [&](const char* name) { return member(whole, name, &json::is_string, source, "a text").get<std::string>(); };
   const auto number = [&](const char* name) { return member(whole, name, &json::is_number, source, "a number").get<double>(); };
+  if (whole.contains(old_error_key)) fail(source, old_key_message(text_of("law"), number("tolerance")));
   const TableContents contents{.law = text_of("law"),
                                .tolerance = number("tolerance"),
                                .checked_error = number("checked_error"),

@@ -11,13 +11,6 @@ class CubicPieces;
 /// the level of one term. docs/theory.md has the kernels.
 namespace limitcurve::evaluators {
 
-/// A value and the truncation error of its quadrature, without rounding.
-template <class Real>
-struct Quadrature {
-  UnitForces<Real> forces;
-  UnitForces<Real> error;
-};
-
 /// The angular integral in closed form (complete elliptic integrals), the radial one by quadrature, split at ρ = s and at the law's breaks.
 Quadrature<Extended> ring(const PressureLaw& law, Extended s, Slope slope = Slope::wanted) noexcept;
 Quadrature<double> ring(const PressureLaw& law, double s, Slope slope = Slope::wanted) noexcept;

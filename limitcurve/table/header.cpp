@@ -118,7 +118,7 @@ typedef struct @NAME@_unit_wrench {
 } @NAME@_unit_wrench;
 
 LIMITCURVE_TABLE_DATA double @NAME@_tolerance = @TOLERANCE@;
-LIMITCURVE_TABLE_DATA double @NAME@_certified_error = @CERTIFIED@;
+LIMITCURVE_TABLE_DATA double @NAME@_checked_error = @CHECKED@;
 LIMITCURVE_TABLE_DATA double @NAME@_profile_error = @PROFILE@;
 /// Moment of a pure twist, mu_r / (mu a).
 LIMITCURVE_TABLE_DATA double @NAME@_moment_ratio = @RATIO@;
@@ -251,7 +251,7 @@ LIMITCURVE_TABLE_FUNCTION @NAME@_unit_wrench @NAME@_closest_point(double force, 
   put("@ROUNDING@", is_single ? "5e-7f" : "1e-15");
   put("@ONSET@", is_single ? "1.0000038f" : "1.0 + 1e-12");
   put("@TOLERANCE@", literal(is_single ? single_precision_error(table) : table.tolerance()));
-  put("@CERTIFIED@", is_single ? literal(single_precision_error(table) * (1 + 1e-7)) : literal(table.checked_error()));
+  put("@CHECKED@", is_single ? literal(single_precision_error(table) * (1 + 1e-7)) : literal(table.checked_error()));
   put("@PROFILE@", literal(table.profile_error()));
   put("@RATIO@", literal(table.moment_ratio()));
   put("@RIM@", literal(table.rim().force) + ", " + literal(table.rim().moment));

@@ -204,6 +204,11 @@ std::vector<TableCell> cells_of(const std::vector<Row>& rows, std::string_view s
 
 }  // namespace
 
+std::string old_key_message(std::string_view law, double tolerance) {
+  return "'" + std::string(old_error_key) + "' is now 'checked_error': make the table anew, limitcurve table --law '" + std::string(law) +
+         "' --tolerance " + format_number(tolerance) + " -o FILE";
+}
+
 std::string checksum(const Table& table) {
   return checksum(contents_of(table));
 }
@@ -230,6 +235,7 @@ Table read_table_csv(std::string_view text, std::string_view source) {
   for (const std::string_view name : fact_names) {
     line = reader.line();
     const std::optional<std::string_view> value = fact(line, name);
+    if (!value && fact(line, old_error_key)) reader.fail(3, old_key_message(contents.law, contents.tolerance));
     if (!value) reader.fail(1, "expected '# " + std::string(name) + ": …'");
     const std::size_t column = line.size() - value->size() + 1;
     if (name == "law") contents.law = *value;

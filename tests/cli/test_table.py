@@ -168,7 +168,7 @@ class Exports(CommandLineTest):
                 self.assertAlmostEqual(found, number, delta=error, msg=f"{law} at {c}")
 
     def test_headers_in_single_precision(self):
-        """Each wrench within its certificate of a fine table at the same ratio, closest points within 5e-6; no double in it. On 32-bit ARM the same numbers."""
+        """Each wrench within its checked error of a fine table at the same ratio, closest points within 5e-6; no double in it. On 32-bit ARM the same numbers."""
         arm = [["arm-linux-gnueabihf-gcc", "-static", "-O2", "-mfloat-abi=hard", "-mfpu=neon-vfpv4", "-ffp-contract=fast"],
                ["arm-linux-gnueabi-gcc", "-static", "-mfloat-abi=soft"]]
         arm = [one for one in arm if shutil.which("qemu-arm") and shutil.which(one[0])]

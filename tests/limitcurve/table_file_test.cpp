@@ -210,6 +210,14 @@ TEST(TableFile, NamesWhatIsWrongAndWhere) {
 }
 
 // A checksum keeps accidents out, not contents that are no curve.
+TEST(TableFile, RefusesTheOldKeyOfTheErrorWithTheCommandThatMakesTheTableAnew) {
+  std::string text = to_csv(Table::build(hertz(), 1e-4));
+  text.replace(text.find("# checked_error"), 15, "# certified_error");
+  EXPECT_EQ(complaint(text),
+            "torn.csv:4:3: 'certified_error' is now 'checked_error': make the table anew, limitcurve table --law 'hertz' --tolerance "
+            "0.0001 -o FILE");
+}
+
 TEST(TableFile, RefusesRowsThatAreNoTableWhateverTheirChecksum) {
   const std::string text = to_csv(Table::build(hertz(), 1e-3));
   const auto with_its_checksum = [](std::string edited) {
