@@ -55,8 +55,8 @@ class Page(CommandLineTest):
         every = [text for quoted in QUOTATIONS.values() for text in quoted]
         for text in every:
             self.assertEqual(self.TEXT.count(text), 1, text)
-        rooms = [room for room in ROOT.iterdir() if room.is_dir() and room.name not in ("build", "out", ".git", "tests")]
-        pages = [*ROOT.glob("*.md"), *(page for room in rooms for kind in ("*.md", "*.rst", "figures/*.py") for page in room.rglob(kind))]
+        modules = [module for module in ROOT.iterdir() if module.is_dir() and module.name not in ("build", "out", ".git", "tests")]
+        pages = [*ROOT.glob("*.md"), *(page for module in modules for kind in ("*.md", "*.rst", "figures/*.py") for page in module.rglob(kind))]
         pages.remove(ROOT / "docs" / "paper.md")
         self.assertGreater(len(pages), 20)
         for path in pages:
