@@ -2,9 +2,8 @@
 #include "fit/ratio_fit.hpp"
 
 #include "fit/contact_fit.hpp"
+#include "fit/internal/chance.hpp"
 #include "limitcurve/internal/number.hpp"
-
-#include <boost/math/distributions/chi_squared.hpp>
 
 #include <cmath>
 #include <limits>
@@ -47,13 +46,12 @@ FitReport fit_ratio(std::span<const RatioSample> samples, const PressureLaw& law
   double chi_squared = 0.0;
   for (const RatioSample& sample : samples) chi_squared += weight(sample) * (sample.ratio - mean) * (sample.ratio - mean);
   const auto freedom = static_cast<double>(samples.size() - 1);
-  const boost::math::chi_squared distribution(freedom);
   constexpr double significant = 0.05;
   const Estimate ratio{"ratio", mean, counted ? 1.0 / std::sqrt(weights) : std::numeric_limits<double>::quiet_NaN(), "m"};
   FitReport report;
   report.estimates = {ratio, implied_radius(ratio, law)};
   if (counted) {
-    const double p_value = boost::math::cdf(boost::math::complement(distribution, chi_squared));
+    const double p_value = internal::chi_squared_chance(freedom, chi_squared);
     report.estimates.insert(
         report.estimates.end(),
         {{"chi_squared", chi_squared, 0.0, "1"}, {"degrees_of_freedom", freedom, 0.0, "1"}, {"p_value", p_value, 0.0, "1"}});
@@ -61,7 +59,7 @@ FitReport fit_ratio(std::span<const RatioSample> samples, const PressureLaw& law
       report.warnings.push_back("the ratios differ by more than their standard errors explain (p = " + format_number(p_value, 3) + ")");
     }
   } else {
-    const double bound = boost::math::quantile(boost::math::complement(distribution, significant));
+    const double bound = internal::chi_squared_bound(freedom, significant);
     const double refuted = chi_squared > 0.0 ? bound / chi_squared : std::numeric_limits<double>::infinity();
     report.estimates.insert(
         report.estimates.end(),

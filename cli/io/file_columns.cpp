@@ -15,10 +15,10 @@ struct Unit {
   double value;  ///< in SI units
 };
 
-const std::vector<Unit> lengths{{"m", 1.0}, {"cm", 0.01}, {"mm", 1e-3}, {"um", 1e-6}, {"in", 0.0254}};
-const std::vector<Unit> forces{{"N", 1.0}, {"mN", 1e-3}, {"uN", 1e-6}, {"kN", 1e3}, {"kgf", 9.80665}, {"lbf", 4.4482216152605}};
-const std::vector<Unit> angles{{"rad", 1.0}, {"deg", std::numbers::pi / 180.0}};
-const std::vector<Unit> times{{"s", 1.0}, {"ms", 1e-3}};
+const std::vector<Unit> length_units{{"m", 1.0}, {"cm", 0.01}, {"mm", 1e-3}, {"um", 1e-6}, {"in", 0.0254}};
+const std::vector<Unit> force_units{{"N", 1.0}, {"mN", 1e-3}, {"uN", 1e-6}, {"kN", 1e3}, {"kgf", 9.80665}, {"lbf", 4.4482216152605}};
+const std::vector<Unit> angle_units{{"rad", 1.0}, {"deg", std::numbers::pi / 180.0}};
+const std::vector<Unit> time_units{{"s", 1.0}, {"ms", 1e-3}};
 
 std::vector<Unit> products(const std::vector<Unit>& first, const std::vector<Unit>& second) {
   std::vector<Unit> all;
@@ -59,12 +59,12 @@ void FileColumns::read_names(std::string_view list) {
 }
 
 void FileColumns::read_units(std::string_view list) {
-  static const std::vector<Unit> moments = products(forces, lengths);
-  const std::array<Quantity, 5> quantities{{{"length", &FileColumns::length, lengths},
-                                            {"force", &FileColumns::force, forces},
+  static const std::vector<Unit> moments = products(force_units, length_units);
+  const std::array<Quantity, 5> quantities{{{"length", &FileColumns::length, length_units},
+                                            {"force", &FileColumns::force, force_units},
                                             {"moment", &FileColumns::moment, moments},
-                                            {"angle", &FileColumns::angle, angles},
-                                            {"time", &FileColumns::time, times}}};
+                                            {"angle", &FileColumns::angle, angle_units},
+                                            {"time", &FileColumns::time, time_units}}};
   for_each_item(list, units_text, [&](const std::string& name, const std::string& unit) {
     const auto quantity = std::find_if(quantities.begin(), quantities.end(), [&](const Quantity& one) { return one.name == name; });
     if (quantity == quantities.end()) return false;

@@ -53,9 +53,9 @@ std::filesystem::path temporary_name(const std::filesystem::path& target) {
 
 /// Where the links of a name lead, even to a file that is not there yet.
 std::filesystem::path target_of(std::filesystem::path path) {
-  std::error_code none;
-  for (int links = 0; links < 40 && std::filesystem::is_symlink(std::filesystem::symlink_status(path, none)); ++links)
-    path = path.parent_path() / std::filesystem::read_symlink(path, none);
+  std::error_code ignored;
+  for (int links = 0; links < 40 && std::filesystem::is_symlink(std::filesystem::symlink_status(path, ignored)); ++links)
+    path = path.parent_path() / std::filesystem::read_symlink(path, ignored);
   return path;
 }
 
@@ -87,9 +87,9 @@ int AtomicFile::open() {
 }
 
 AtomicFile::~AtomicFile() {
-  std::error_code none;
+  std::error_code ignored;
   if (descriptor_ >= 0) descriptor::close(descriptor_);
-  if (named_) std::filesystem::remove(temporary_, none);
+  if (named_) std::filesystem::remove(temporary_, ignored);
 }
 
 void AtomicFile::commit() {

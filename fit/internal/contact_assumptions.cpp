@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "fit/internal/contact_assumptions.hpp"
 
+#include "fit/internal/chance.hpp"
 #include "fit/internal/report.hpp"
 #include "fit/internal/warnings.hpp"
 #include "limitcurve/internal/number.hpp"
 
-#include <Eigen/Dense>
-#include <boost/math/distributions/fisher_f.hpp>
+#include <Eigen/QR>
 
 #include <algorithm>
 #include <array>
@@ -88,7 +88,7 @@ void test_scatter(ContactFit& fit, std::span<const Sample> samples, double gamma
   const double after = (residuals - columns * trend).squaredNorm();
   const auto freedom = static_cast<double>(waves - fitted);
   const double ratio = (residuals.squaredNorm() - after) / freedom / (after / spare);
-  const double chance = boost::math::cdf(boost::math::complement(boost::math::fisher_f(freedom, spare), std::max(ratio, 0.0)));
+  const double chance = fisher_chance(freedom, spare, std::max(ratio, 0.0));
   if (!(chance < 0.05)) return;
   // Beyond slips of a narrow range the trend means nothing; no two models differ by more.
   constexpr double most = 0.2;

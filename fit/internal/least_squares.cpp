@@ -3,8 +3,12 @@
 
 #include "limitcurve/internal/interruption.hpp"
 
-#include <ceres/ceres.h>
-#include <Eigen/Dense>
+#include <ceres/cost_function.h>
+#include <ceres/loss_function.h>
+#include <ceres/problem.h>
+#include <ceres/solver.h>
+#include <Eigen/LU>
+#include <Eigen/SVD>
 
 #include <algorithm>
 #include <array>

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "fit/internal/report.hpp"
+#include "fit/internal/chance.hpp"
 
 #include "limitcurve/internal/number.hpp"
-
-#include <boost/math/distributions/students_t.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -72,7 +71,7 @@ void set_estimates(FitReport& report, std::span<const Quantity> quantities, std:
 
 std::string note_of_few_rows(std::size_t spare) {
   if (spare == 0 || spare >= 30) return "";
-  const double rare = boost::math::quantile(boost::math::students_t(static_cast<double>(spare)), 0.975);
+  const double rare = student_quantile(static_cast<double>(spare), 0.975);
   return "; few rows: a 95 % interval is +- " + format_number(rare, 3) + " std_error";
 }
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "fit/internal/warnings.hpp"
 
+#include "fit/internal/chance.hpp"
 #include "fit/internal/report.hpp"
 #include "limitcurve/internal/number.hpp"
-
-#include <boost/math/distributions/students_t.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -55,7 +54,7 @@ void warn_of_growth(FitReport& report, double assumed, const Estimate& gamma, do
   const double difference = std::fabs(gamma.value - assumed);
   // Ignore the last digits of exact data.
   if (!(spare > 0.0) || difference < 1e-6) return;
-  const double rare = boost::math::quantile(boost::math::students_t(spare), 1.0 - 0.5 / 2000.0);
+  const double rare = student_quantile(spare, 1.0 - 0.5 / 2000.0);
   if (!(difference > rare * gamma.std_error)) return;
   report.gamma_refused = true;
   // Gross outliers may hide the gain.

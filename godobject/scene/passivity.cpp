@@ -43,8 +43,8 @@ double device_damping_needed(double stiffness, double damping, double sample_tim
   // Spring and damper have their maxima at one θ: at π without delay, at 0 with a damper < 0.
   if (delay == 0 || damping <= 0.0) return most;
   const auto negative = [&](double theta) {
-    const double spring = theta > 0.0 ? std::sin((delay + 0.5) * theta) / std::sin(0.5 * theta) : 2.0 * delay + 1.0;
-    return damping * std::cos((delay + 1) * theta) - 0.5 * stiffness * sample_time * spring;
+    const double swing = theta > 0.0 ? std::sin((delay + 0.5) * theta) / std::sin(0.5 * theta) : 2.0 * delay + 1.0;
+    return damping * std::cos((delay + 1) * theta) - 0.5 * stiffness * sample_time * swing;
   };
   // A cosine polynomial of degree N + 1: between two of these places it has one extremum at most, which a parabola nearly is.
   const double step = std::numbers::pi / (32 * (delay + 1));

@@ -139,6 +139,8 @@ void require_hold(const PivotOptions& options, const FingerParameters& finger) {
   }
 }
 
+}  // namespace
+
 /// The load of the fingers over time: the schedule, or the operator.
 class GripLoad {
  public:
@@ -191,8 +193,6 @@ class GripLoad {
   double load_ = 0.0;
   bool regrips_ = false;
 };
-
-}  // namespace
 
 class Pivot::Scene {
  public:

@@ -10,7 +10,7 @@
 
 namespace limitcurve {
 
-namespace {
+namespace patch {
 
 /// A wrench or a twist in units in which the forces of pure slides along x and y and the moment of a pure spin are 1.
 struct Vector {
@@ -22,6 +22,12 @@ struct Vector {
   friend Vector operator-(const Vector& a, const Vector& b) noexcept { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
   friend Vector operator*(const Vector& a, double scale) noexcept { return {a.x * scale, a.y * scale, a.z * scale}; }
 };
+
+}  // namespace patch
+
+namespace {
+
+using patch::Vector;
 
 double dot(const Vector& a, const Vector& b) noexcept {
   return a.x * b.x + a.y * b.y + a.z * b.z;
@@ -161,7 +167,7 @@ PatchWrench about(const PatchPoint& centre, const PatchWrench& wrench) noexcept 
 struct Patch::Direction {
   Patch isotropic;
   double size = std::numeric_limits<double>::quiet_NaN();
-  Vector w{};  ///< of length 1, if size > 0 is finite
+  patch::Vector w{};  ///< of length 1, if size > 0 is finite
 
   Direction(const Patch& patch, const PatchWrench& wrench) noexcept : isotropic(patch.shape_, 1.0, 1.0) {
     if (std::isnan(wrench.fx) || std::isnan(wrench.fy) || std::isnan(wrench.moment)) return;

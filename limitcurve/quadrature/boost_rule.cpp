@@ -20,7 +20,7 @@ using Quiet = policies::policy<policies::promote_double<false>, policies::domain
                                policies::overflow_error<policies::ignore_error>, policies::evaluation_error<policies::ignore_error>>;
 
 /// The kernels of docs/theory.md by Carlson's integrals: (2/π)·E, (2/π)·qB and the slope's (2/π)·D, by B + (1−q²)D = E.
-UnitForces<double> ring_kernel(double rho, double s, double from_cor) {
+UnitForces<double> ring_kernel_by_carlson(double rho, double s, double from_cor) {
   constexpr double scale = 0.6366197723675814;
   const double larger = std::max(rho, s);
   const double q = std::min(rho, s) / larger;
@@ -35,7 +35,7 @@ UnitForces<double> ring_kernel(double rho, double s, double from_cor) {
 /// ∫₀^length of integrand(from_left, from_right) ≥ 0, and a bound of its error: Boost's estimate, which is that of the last row but
 /// one, and the rounding of the kernels and the pressure.
 template <class Integrand>
-std::pair<double, double> integrate(const Integrand& integrand, double length, double tolerance) {
+std::pair<double, double> integrate_by_boost(const Integrand& integrand, double length, double tolerance) {
   static boost::math::quadrature::tanh_sinh<double, Quiet> rule;
   const double half = 0.5 * length;
   double error = 0.0;
@@ -77,9 +77,9 @@ Quadrature<double> boost(const PressureLaw& law, double s, Slope slope, double t
       const double rim = (outer - right) + from_right;
       const double from_cor = s <= left ? (left - s) + from_left : (s - right) + from_right;
       const double weight = exponent != 0.0 && !is_last ? std::pow(rim, exponent) : scale;
-      return 2.0 * rho * law.density(RadialPosition<double>{rho, rim}) * weight * ring_kernel(rho, s, from_cor).*part;
+      return 2.0 * rho * law.density(RadialPosition<double>{rho, rim}) * weight * ring_kernel_by_carlson(rho, s, from_cor).*part;
     };
-    const auto [value, error] = integrate(integrand, length, tolerance);
+    const auto [value, error] = integrate_by_boost(integrand, length, tolerance);
     sum.forces.*part += value;
     sum.error.*part += error;
   };

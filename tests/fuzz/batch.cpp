@@ -63,8 +63,7 @@ void run(fuzz::Bytes bytes) {
 }  // namespace
 
 /// A batch of contacts in both precisions with arbitrary bits. Tests compare it with fingers on ordinary input.
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+static const fuzz::Target batch_target("batch", [](const std::uint8_t* data, std::size_t size) {
   run<double>({data, size});
   run<float>({data, size});
-  return 0;
-}
+});

@@ -8,6 +8,7 @@
 #include <cstring>
 #include <filesystem>
 #include <limits>
+#include <map>
 #include <optional>
 #include <span>
 #include <stdexcept>
@@ -16,11 +17,18 @@
 
 #include <unistd.h>
 
-/// The body of a fuzz target, called by libFuzzer or by replay_seeds.cpp; each target defines it.
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
-
 /// What the fuzz targets share.
 namespace limitcurve::fuzz {
+
+/// A target: what the program does with an input if its first argument is `name`, which is also the folder of the target's seeds.
+struct Target {
+  using Body = void (*)(const std::uint8_t* data, std::size_t size);
+  Target(std::string_view name, Body body) { all().emplace(name, body); }
+  static std::map<std::string_view, Body>& all() {
+    static std::map<std::string_view, Body> targets;
+    return targets;
+  }
+};
 
 /// Ends the program, which is how libFuzzer learns of a finding, unless `holds`.
 inline void require(bool holds, std::string_view what) {

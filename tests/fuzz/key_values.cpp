@@ -25,7 +25,7 @@ std::optional<std::string> read(std::string_view text, Grip& grip) {
 }  // namespace
 
 /// The lists of the command line, `from=2,to=0,target=30deg` and `0.25,0.5,1`: values within their ranges, or a complaint.
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+static const fuzz::Target key_values_target("key_values", [](const std::uint8_t* data, std::size_t size) {
   const std::string_view text = fuzz::as_text(data, size);
   Grip grip;
   if (!read(text, grip)) {
@@ -40,7 +40,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
 
   std::vector<double> numbers;
-  if (fuzz::complaint_of([&] { numbers = read_number_list(text, ranges::distance); })) return 0;
+  if (fuzz::complaint_of([&] { numbers = read_number_list(text, ranges::distance); })) return;
   std::string written;
   for (const double number : numbers) {
     fuzz::require(number >= 0.0, "an item out of its range");
@@ -48,5 +48,4 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     written += format_number(number);
   }
   fuzz::require(read_number_list(written, ranges::distance) == numbers, "a list does not come back");
-  return 0;
-}
+});

@@ -5,10 +5,10 @@
 using namespace limitcurve;
 
 /// The grammar of the pressure laws: what it accepts has a name that makes the same law, and evaluates honestly.
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+static const fuzz::Target law_target("law", [](const std::uint8_t* data, std::size_t size) {
   Law law;
   const std::string_view text = fuzz::as_text(data, size);
-  if (fuzz::complaint_of([&] { law = parse_law(text); })) return 0;
+  if (fuzz::complaint_of([&] { law = parse_law(text); })) return;
   Law again;
   fuzz::require(!fuzz::complaint_of([&] { again = parse_law(law->name()); }), "a law's own name is refused");
   fuzz::require(again->name() == law->name(), "a law's own name makes another law");
@@ -16,5 +16,4 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const UnitForces<double> one = law->forces(0.7);
   const UnitForces<double> other = again->forces(0.7);
   fuzz::require(one.force == other.force && one.moment == other.moment, "a law's own name makes another wrench");
-  return 0;
-}
+});

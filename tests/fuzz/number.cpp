@@ -5,14 +5,14 @@
 using namespace limitcurve;
 
 /// Numbers: any double comes back through its text, and any text that is a number is the number that strtod sees.
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+static const fuzz::Target number_target("number", [](const std::uint8_t* data, std::size_t size) {
   const double value = fuzz::Bytes(data, size).take<double>();
   const auto again = parse_number(format_number(value));
   fuzz::require(again && fuzz::same(*again, value), "a double does not come back through its text");
 
   const std::string_view text = fuzz::as_text(data, size);
   const auto number = parse_number(text);
-  if (!number) return 0;
+  if (!number) return;
   const auto back = parse_number(format_number(*number));
   fuzz::require(back && fuzz::same(*back, *number), "a number that was read does not come back through its text");
   const std::string terminated(text);
@@ -20,5 +20,4 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const double expected = std::strtod(terminated.c_str(), &end);
   fuzz::require(end == terminated.c_str() + terminated.size(), "a number that strtod does not know");
   fuzz::require(fuzz::same(*number, expected), "another number than strtod's");
-  return 0;
-}
+});

@@ -37,7 +37,7 @@ void require_honest(const Patch& patch) {
 }  // namespace
 
 /// A patch: the first line is the argument; @ stands for a file with the rest. The result is an error or a valid patch.
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+static const fuzz::Target patch_target("patch", [](const std::uint8_t* data, std::size_t size) {
   static fuzz::TemporaryFile file;
   const std::string_view text = fuzz::as_text(data, size);
   const std::size_t end = std::min(text.find('\n'), text.size());
@@ -46,16 +46,15 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::size_t colon = argument.find(':');
   const std::string kind = argument.substr(0, colon);
   const bool reads = kind == "points" || kind == "polygon" || kind == "image";
-  if (reads && argument.substr(std::min(colon + 1, argument.size()), 1) != "@") return 0;
-  if (kind == "ellipse" && argument.find("law=hertz") == std::string::npos && argument.find("law=cone") == std::string::npos) return 0;
-  if (argument.find("samples") != std::string::npos || argument.find("mix") != std::string::npos) return 0;
+  if (reads && argument.substr(std::min(colon + 1, argument.size()), 1) != "@") return;
+  if (kind == "ellipse" && argument.find("law=hertz") == std::string::npos && argument.find("law=cone") == std::string::npos) return;
+  if (argument.find("samples") != std::string::npos || argument.find("mix") != std::string::npos) return;
   file.replace(text.substr(std::min(end + 1, text.size())));
   if (reads) argument.replace(colon + 1, 1, file.path());
   std::optional<Patch> patch;
   if (const auto complaint = fuzz::complaint_of([&] { patch = cli::parse_patch(argument).patch(); })) {
     fuzz::require(complaint->substr(0, 7) == "patch '", "a complaint that does not name the patch");
-    return 0;
+    return;
   }
   require_honest(*patch);
-  return 0;
-}
+});

@@ -6,9 +6,9 @@
 using namespace limitcurve;
 
 /// The grammar of the radius laws: what it accepts is a power law that says so itself, and radii are positive.
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+static const fuzz::Target radius_law_target("radius_law", [](const std::uint8_t* data, std::size_t size) {
   std::optional<RadiusLaw> law;
-  if (fuzz::complaint_of([&] { law = RadiusLaw::parse(fuzz::as_text(data, size)); })) return 0;
+  if (fuzz::complaint_of([&] { law = RadiusLaw::parse(fuzz::as_text(data, size)); })) return;
   fuzz::require(law->coefficient() > 0.0 && fuzz::is_finite(law->coefficient()), "a coefficient that is no radius");
   fuzz::require(law->exponent() >= 0.0 && law->exponent() <= 1.0, "an exponent out of range");
   fuzz::require(law->radius(1.0) == law->coefficient(), "the radius at 1 N is not the coefficient");
@@ -21,5 +21,4 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string name = "power:c=" + format_number(law->coefficient()) + ",gamma=" + format_number(law->exponent());
   const RadiusLaw again = RadiusLaw::parse(name);
   fuzz::require(again.radius(3.0) == law->radius(3.0), "the same power law has another radius");
-  return 0;
-}
+});

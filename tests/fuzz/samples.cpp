@@ -5,7 +5,7 @@
 using namespace limitcurve;
 
 /// Measured profiles, `samples:FILE` of a pressure law and of a radius law: a complaint that names the file, or an honest law.
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+static const fuzz::Target samples_target("samples", [](const std::uint8_t* data, std::size_t size) {
   static fuzz::TemporaryFile file;
   file.replace(fuzz::as_text(data, size));
   const std::string argument = "samples:" + file.path();
@@ -29,5 +29,4 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       fuzz::require(radius_law->load_of_product(load) >= 0.0, "a load below 0 or NaN");
     }
   }
-  return 0;
-}
+});

@@ -51,9 +51,8 @@ void run(fuzz::Bytes bytes, const fuzz::CurveAndProjection<double>& choice) {
 }  // namespace
 
 /// The step of the god-object, fed with any bits: finite output, wrench within the limit, slip work ≥ 0, no exception.
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+static const fuzz::Target step_target("step", [](const std::uint8_t* data, std::size_t size) {
   fuzz::Bytes bytes(data, size);
   const auto& choice = fuzz::any_curve<double>(bytes);
   run(bytes, choice);
-  return 0;
-}
+});

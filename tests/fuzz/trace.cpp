@@ -31,13 +31,13 @@ std::vector<Row> read(const std::string& file) {
 
 /// A trace: rows of finite numbers, or an error with its place; the rows survive a round trip when written again; and the god-object
 /// replays it in finite numbers.
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+static const fuzz::Target trace_target("trace", [](const std::uint8_t* data, std::size_t size) {
   static fuzz::TemporaryFile file;
   file.replace(fuzz::as_text(data, size));
   std::vector<Row> rows;
   if (const auto complaint = fuzz::complaint_of([&] { rows = read(file.path()); })) {
     fuzz::require(complaint->substr(0, file.path().size() + 1) == file.path() + ":", "a complaint that does not name the place");
-    return 0;
+    return;
   }
   fuzz::require(!rows.empty(), "a file of no rows is accepted");
 
@@ -68,5 +68,4 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     fuzz::require((contact.cor >= 0.0) == (contact.state == godobject::ContactState::slip),
                   "a centre of rotation without slip, or the reverse");
   }
-  return 0;
-}
+});

@@ -14,7 +14,7 @@
 #include <tuple>
 #include <utility>
 
-namespace limitcurve::godobject::test {
+namespace limitcurve::godobject::test::brute_force_test {
 namespace {
 
 using std::numbers::pi;
@@ -387,4 +387,4 @@ TEST(BruteForce, AFingerWrittenOutDoesTheSame) {
 }
 
 }  // namespace
-}  // namespace limitcurve::godobject::test
+}  // namespace limitcurve::godobject::test::brute_force_test

@@ -14,9 +14,6 @@
 namespace limitcurve::godobject::test {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 TEST(SoftFinger, TakesLimitsNotQuotients) {
   struct Case {
     const char* name;

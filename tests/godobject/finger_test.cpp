@@ -8,7 +8,7 @@
 #include <numbers>
 #include <utility>
 
-namespace limitcurve::godobject::test {
+namespace limitcurve::godobject::test::finger_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -212,4 +212,4 @@ TEST(SoftFinger, LeavesAnglesBitForBitAloneWithoutAJump) {
 }
 
 }  // namespace
-}  // namespace limitcurve::godobject::test
+}  // namespace limitcurve::godobject::test::finger_test

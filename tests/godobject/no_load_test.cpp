@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace limitcurve::godobject::test {
+namespace limitcurve::godobject::test::no_load_test {
 namespace {
 
 /// Fingers whose radius is constant, or a power of the load or an interpolation that is 0 or infinite without a load.
@@ -123,4 +123,4 @@ TEST(NoLoad, ANaNKeepsNothing) {
 }
 
 }  // namespace
-}  // namespace limitcurve::godobject::test
+}  // namespace limitcurve::godobject::test::no_load_test

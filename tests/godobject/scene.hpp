@@ -10,12 +10,16 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <random>
 #include <string>
 #include <string_view>
 
 /// What the tests of this folder share: a finger on the plane z = 0, and seeded random numbers.
 namespace limitcurve::godobject::test {
+
+inline constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// A finger at (x, y), `depth` beneath the plane z = 0.
 inline Contact on_plane(double x, double y, double depth) {

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace limitcurve::godobject::test {
+namespace limitcurve::godobject::test::steady_twist_test {
 namespace {
 
 constexpr double mu = 0.6;
@@ -156,4 +156,4 @@ TEST(SteadyTwist, HalvingTheTimeStepHalvesThePathError) {
 }
 
 }  // namespace
-}  // namespace limitcurve::godobject::test
+}  // namespace limitcurve::godobject::test::steady_twist_test

@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: MIT
 // What each approximation is, beyond being a limit curve (curve_suite.cpp).
 #include "limitcurve/approximations.hpp"
+#include "special_values.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 namespace limitcurve::test {
 
 namespace {
-
-constexpr double inf = std::numeric_limits<double>::infinity();
 
 TEST(Polygon, CornerOfTheBoxServesEveryTwistThatSlidesAndSpins) {
   const Box curve = box(1.0, 0.6);
@@ -35,7 +33,6 @@ TEST(Polygon, DiamondHasTwoVertices) {
 }
 
 TEST(Approximations, RefuseBadParameters) {
-  const double nan = std::nan("");
   // The square of 1e-200 is 0: its ellipse had no wrench.
   for (const double bad : {0.0, -1.0, nan, inf, 1e-200, 1e200}) {
     EXPECT_THROW(Ellipse(bad, 1.0), std::invalid_argument) << bad;

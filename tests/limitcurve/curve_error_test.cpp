@@ -5,13 +5,13 @@
 #include "limitcurve/exact_curve.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/validate.hpp"
+#include "special_values.hpp"
 #include "tests/superellipse.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <random>
 #include <string>
@@ -21,8 +21,6 @@
 namespace limitcurve::test {
 
 namespace {
-
-constexpr double inf = std::numeric_limits<double>::infinity();
 
 /// Extremes of model radius/exact radius, and its mean square, by plain counting over 40000 CORs.
 struct Counted {

@@ -18,7 +18,7 @@
 #include <string>
 #include <vector>
 
-namespace limitcurve::test {
+namespace limitcurve::test::curve_suite {
 
 namespace {
 
@@ -312,4 +312,4 @@ INSTANTIATE_TEST_SUITE_P(EveryCurve, CurveSuite, testing::ValuesIn(all_curves())
 
 }  // namespace
 
-}  // namespace limitcurve::test
+}  // namespace limitcurve::test::curve_suite

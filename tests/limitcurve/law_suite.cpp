@@ -5,6 +5,7 @@
 #include "limitcurve/laws.hpp"
 #include "limitcurve/quadrature/evaluators.hpp"
 #include "reference.hpp"
+#include "special_values.hpp"
 #include "tests/function_law.hpp"
 
 #include <gtest/gtest.h>
@@ -23,7 +24,6 @@ namespace limitcurve::test {
 
 namespace {
 
-constexpr double inf = std::numeric_limits<double>::infinity();
 /// By what `evaluate` and the suite's own integrals may differ where long double is double.
 constexpr double lost = accuracy::has_extended ? 0.0 : accuracy::evaluate_by_quadrature;
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "limitcurve/contact/load_curves.hpp"
 #include "limitcurve/contact/load_to_hold.hpp"
+#include "special_values.hpp"
 
 #include "limitcurve/approximations.hpp"
 #include "limitcurve/exact_curve.hpp"
@@ -10,18 +11,16 @@
 
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <random>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
-namespace limitcurve::test {
+namespace limitcurve::test::load_curves_test {
 
 namespace {
 
-constexpr double inf = std::numeric_limits<double>::infinity();
 constexpr double mu = 0.7;
 const std::array<double, 5> loads{0.1, 0.5, 1.0, 3.0, 20.0};
 const std::array<const char*, 4> radius_laws{"constant:a=0.005", "hertz:R=0.008,E=2e5", "power:c=0.00207,gamma=0.259",
@@ -273,4 +272,4 @@ TEST(LoadCurves, RefuseBadInput) {
 
 }  // namespace
 
-}  // namespace limitcurve::test
+}  // namespace limitcurve::test::load_curves_test

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "limitcurve/internal/number.hpp"
+#include "special_values.hpp"
 
 #include <gtest/gtest.h>
 
@@ -36,7 +37,6 @@ TEST(Number, IsWrittenAsShortAsItCan) {
 }
 
 TEST(Number, WhatIsNotFiniteHasAName) {
-  constexpr double inf = std::numeric_limits<double>::infinity();
   EXPECT_EQ(format_number(inf), "inf");
   EXPECT_EQ(format_number(-inf), "-inf");
   EXPECT_EQ(format_number(std::nan("")), "nan");

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include "complaint.hpp"
 #include "limitcurve/contact/radius_law.hpp"
+#include "special_values.hpp"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -13,16 +14,6 @@
 namespace limitcurve::test {
 
 namespace {
-
-template <class Call>
-std::string complaint(Call&& call) {
-  try {
-    call();
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "accepted";
-}
 
 std::string complaint_about(const std::string& text) {
   return complaint([&] { RadiusLaw::parse(text); });
@@ -124,9 +115,8 @@ TEST(RadiusLaw, SaysWhatIsWrong) {
 }
 
 TEST(RadiusLaw, FactoriesRefuseToo) {
-  constexpr double infinite = std::numeric_limits<double>::infinity();
   EXPECT_THROW(RadiusLaw::constant(0.0), std::invalid_argument);
-  EXPECT_THROW(RadiusLaw::hertz(infinite, 1.0), std::invalid_argument);
+  EXPECT_THROW(RadiusLaw::hertz(inf, 1.0), std::invalid_argument);
   EXPECT_THROW(RadiusLaw::hertz(1.0, -1.0), std::invalid_argument);
   EXPECT_THROW(RadiusLaw::power(0.002, std::nan("")), std::invalid_argument);
   // Each is a good number, their ratio is not.

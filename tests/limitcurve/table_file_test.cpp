@@ -27,7 +27,7 @@ namespace limitcurve {
 namespace {
 
 /// What complaint a damaged file gets.
-std::string complaint(const std::string& text) {
+std::string complaint_about_table(const std::string& text) {
   try {
     read_table_csv(text, "torn.csv");
   } catch (const std::invalid_argument& error) {
@@ -147,7 +147,7 @@ INSTANTIATE_TEST_SUITE_P(Laws, TableFileSuite, testing::Values("hertz", "uniform
 TEST(TableFile, EveryTornPrefixIsRefusedByPlace) {
   const std::string text = to_csv(Table::build(hertz(), 1e-2));
   for (std::size_t length = 0; length < text.size(); ++length) {
-    EXPECT_EQ(complaint(text.substr(0, length)).rfind("torn.csv:", 0), 0U) << "first " << length << " bytes";
+    EXPECT_EQ(complaint_about_table(text.substr(0, length)).rfind("torn.csv:", 0), 0U) << "first " << length << " bytes";
   }
 }
 
@@ -159,7 +159,7 @@ TEST(TableFile, EveryEditedDigitIsNoticed) {
     std::string edited = text;
     edited[i] = edited[i] == '9' ? '0' : static_cast<char>(edited[i] + 1);
     // The last of seventeen digits may change and still denote the same double.
-    if (complaint(edited) == "none") {
+    if (complaint_about_table(edited) == "none") {
       EXPECT_EQ(to_csv(read_table_csv(edited, "edited.csv")), text) << "byte " << i;
     } else {
       ++noticed;
@@ -175,7 +175,7 @@ TEST(TableFile, EveryFactIsHeldByTheChecksum) {
     std::string edited = text;
     const std::size_t value = edited.find(prefix) + prefix.size();
     edited.replace(value, edited.find('\n', value) - value, "7");
-    EXPECT_TRUE(has(complaint(edited), "edited or damaged")) << fact << ": " << complaint(edited);
+    EXPECT_TRUE(has(complaint_about_table(edited), "edited or damaged")) << fact << ": " << complaint_about_table(edited);
   }
 }
 
@@ -187,26 +187,28 @@ TEST(TableFile, TheErrorOfAProfileIsHeldByTheChecksumToo) {
   EXPECT_EQ(read_table_csv(text, "table.csv").profile_error(), table.profile_error());
   const std::size_t line = text.find("# profile_error: ");
   std::string edited = text;
-  EXPECT_TRUE(has(complaint(edited.replace(line, text.find('\n', line) - line, "# profile_error: 0")), "edited or damaged"));
+  EXPECT_TRUE(has(complaint_about_table(edited.replace(line, text.find('\n', line) - line, "# profile_error: 0")), "edited or damaged"));
   edited = text;
-  EXPECT_TRUE(has(complaint(edited.erase(line, text.find('\n', line) + 1 - line)), "expected '# profile_error: …'"));
+  EXPECT_TRUE(has(complaint_about_table(edited.erase(line, text.find('\n', line) + 1 - line)), "expected '# profile_error: …'"));
 }
 
 TEST(TableFile, NamesWhatIsWrongAndWhere) {
-  EXPECT_EQ(complaint("a,b\n1,2\n"), "torn.csv:1:1: not a table: expected the first line '# limitcurve table, format 2'");
+  EXPECT_EQ(complaint_about_table("a,b\n1,2\n"), "torn.csv:1:1: not a table: expected the first line '# limitcurve table, format 2'");
   const std::string text = to_csv(Table::build(hertz(), 1e-3));
-  EXPECT_TRUE(has(complaint("# limitcurve table, format 21" + text.substr(text.find('\n'))), "torn.csv:1:1: not a table"));
+  EXPECT_TRUE(has(complaint_about_table("# limitcurve table, format 21" + text.substr(text.find('\n'))), "torn.csv:1:1: not a table"));
   const std::size_t header = text.find("side,x");
   const std::string line = std::to_string(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(header), '\n') + 2);
   const auto with = [&](std::string_view from, std::string_view to) {
     std::string edited = text;
     return edited.replace(edited.find(from), from.size(), to);
   };
-  EXPECT_EQ(complaint(with("inside,0,0,", "inside,0,x,")), "torn.csv:" + line + ":10: expected a number, got 'x'");
-  EXPECT_EQ(complaint(with("inside,0,", "aside,0,")), "torn.csv:" + line + ":1: expected inside or outside, got 'aside'");
-  EXPECT_EQ(complaint(with("# octaves: ", "# octaves: 1.5x")).rfind("torn.csv:6:12: expected a whole number, got '1.5x", 0), 0U);
-  EXPECT_TRUE(has(complaint(with("side,x,", "side,y,")), "expected the header side,x,force,moment,c0"));
-  EXPECT_TRUE(has(complaint(with("# law: hertz", "# law: cone")), "torn.csv: the table was edited or damaged: its checksum is fnv1a:"));
+  EXPECT_EQ(complaint_about_table(with("inside,0,0,", "inside,0,x,")), "torn.csv:" + line + ":10: expected a number, got 'x'");
+  EXPECT_EQ(complaint_about_table(with("inside,0,", "aside,0,")), "torn.csv:" + line + ":1: expected inside or outside, got 'aside'");
+  EXPECT_EQ(complaint_about_table(with("# octaves: ", "# octaves: 1.5x")).rfind("torn.csv:6:12: expected a whole number, got '1.5x", 0),
+            0U);
+  EXPECT_TRUE(has(complaint_about_table(with("side,x,", "side,y,")), "expected the header side,x,force,moment,c0"));
+  EXPECT_TRUE(
+      has(complaint_about_table(with("# law: hertz", "# law: cone")), "torn.csv: the table was edited or damaged: its checksum is fnv1a:"));
 }
 
 // A checksum keeps accidents out, not contents that are no curve.
@@ -221,12 +223,12 @@ TEST(TableFile, RefusesTheOldKeyOfTheErrorWithTheCommandThatMakesTheTableAnew) {
 TEST(TableFile, RefusesRowsThatAreNoTableWhateverTheirChecksum) {
   const std::string text = to_csv(Table::build(hertz(), 1e-3));
   const auto with_its_checksum = [](std::string edited) {
-    const std::string told = complaint(edited);
+    const std::string told = complaint_about_table(edited);
     constexpr std::string_view before_actual = "its contents have ";
     const std::size_t actual = told.find(before_actual);
     if (actual == std::string::npos) return told;
     const std::size_t sum = edited.find("fnv1a:");
-    return complaint(edited.replace(sum, 22, told.substr(actual + before_actual.size())));
+    return complaint_about_table(edited.replace(sum, 22, told.substr(actual + before_actual.size())));
   };
   EXPECT_EQ(with_its_checksum(text), "none");
   const std::size_t rim = text.find("outside,1,");
@@ -248,7 +250,7 @@ TEST(TableFile, NamesOfHeadersAreCIdentifiers) {
   const Table table = Table::build(hertz(), 1e-2);
   EXPECT_TRUE(has(to_header(table, "thumb"), "thumb_wrench(double slide, double spin)"));
   for (const char* name : {"2nd", "a-b", "_a", "a__b", "a b", "d\xc3\xa9", "int", "class", "main"}) {
-    test::expect_mention(test::complaint([&] { (void)to_header(table, name); }), std::string("'") + name + "'");
+    test::expect_mention(test::complaint_about_table([&] { (void)to_header(table, name); }), std::string("'") + name + "'");
   }
 }
 

@@ -7,6 +7,7 @@
 #include "limitcurve/laws.hpp"
 #include "limitcurve/pressure_law.hpp"
 #include "limitcurve/quadrature/evaluators.hpp"
+#include "special_values.hpp"
 #include "table_errors.hpp"
 #include "tests/function_law.hpp"
 #include "tests/repetitions.hpp"
@@ -85,8 +86,6 @@ TEST(Table, HasTheLowestDegreeWithinItsBudget) {
 }
 
 TEST(Table, ManyLookUpsGiveTheBitsOfSingleOnes) {
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  constexpr double inf = std::numeric_limits<double>::infinity();
   std::mt19937_64 random(3);
   std::normal_distribution<double> normal;
   std::vector<SlipTwist> twists{{0, 0},  {nan, 1}, {1, nan}, {inf, 1},        {0, inf},        {inf, inf},

@@ -3,13 +3,13 @@
 #include "limitcurve/approximations.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/table.hpp"
+#include "special_values.hpp"
 #include "tests/limitcurve/complaint.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <memory>
 #include <string>
 #include <utility>
@@ -36,7 +36,6 @@ TEST(OwnCurve, IsATable) {
 }
 
 TEST(OwnCurve, IsToldWhichRequirementItBreaks) {
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   const std::pair<std::function<UnitWrench(double, double)>, std::string> wrong[] = {
       {[](double v, double w) {
          return v > 0.4 ? UnitWrench{nan, 0.1} : ellipse(v, w, 0.6);

@@ -4,6 +4,7 @@
 #include "limitcurve/exact_curve.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/table.hpp"
+#include "special_values.hpp"
 #include "tests/function_law.hpp"
 #include "tests/repetitions.hpp"
 
@@ -22,7 +23,6 @@
 namespace limitcurve::test {
 namespace {
 
-constexpr double inf = std::numeric_limits<double>::infinity();
 constexpr std::array<double, 15> cors{0.0, 1e-6, 0.1, 0.31, 0.37, 0.5, 0.62, 0.75, 0.9, 1.0, 1.1, 2.0, 30.0, 1e6, inf};
 
 /// Pressures of discs on each other, each a law of one piece: a sum with a kink, a jump or a
@@ -141,13 +141,13 @@ TEST(OwnLaw, ThatHidesSomethingAtRandomIsRefusedOrSaysALargerError) {
 /// Pressures that are invalid: `evaluate` never has a NaN, and says that it knows nothing; curves and
 /// tables refuse them.
 TEST(OwnLaw, WithoutASensiblePressureIsRefused) {
-  constexpr Extended nan = std::numeric_limits<Extended>::quiet_NaN();
+  constexpr Extended not_a_number = std::numeric_limits<Extended>::quiet_NaN();
   const std::vector<Extended> whole{0, 1};
   const std::vector<std::pair<const char*, std::function<Extended(Extended)>>> pressures{
       {"twice the load", [](Extended) { return 2; }},
       {"nothing", [](Extended) { return 0; }},
-      {"not a number", [](Extended) { return nan; }},
-      {"not a number in a ring", [](Extended rho) { return rho > 0.5L && rho < 0.6L ? nan : 1; }},
+      {"not a number", [](Extended) { return not_a_number; }},
+      {"not a number in a ring", [](Extended rho) { return rho > 0.5L && rho < 0.6L ? not_a_number : 1; }},
       {"infinite", [](Extended) { return std::numeric_limits<Extended>::infinity(); }},
       {"huge", [](Extended) { return std::numeric_limits<Extended>::max(); }},
       {"negative in a ring", [](Extended rho) { return rho > 0.5L && rho < 0.6L ? -1 : 1; }},
@@ -167,7 +167,8 @@ TEST(OwnLaw, WithoutASensiblePressureIsRefused) {
     EXPECT_THROW(ExactCurve{law}, std::invalid_argument) << name;
     EXPECT_THROW(Table::build(law, 1e-2), std::invalid_argument) << name;
   }
-  for (const std::vector<Extended>& breaks : std::vector<std::vector<Extended>>{{}, {0}, {0.1L, 1}, {0, 1, 0.5L}, {0, 0, 1}, {0, nan}}) {
+  for (const std::vector<Extended>& breaks :
+       std::vector<std::vector<Extended>>{{}, {0}, {0.1L, 1}, {0, 1, 0.5L}, {0, 0, 1}, {0, not_a_number}}) {
     const Law law = std::make_shared<FunctionLaw>(
         "bad breaks", [](Extended) { return 1; }, breaks);
     EXPECT_THROW(ExactCurve{law}, std::invalid_argument) << breaks.size();

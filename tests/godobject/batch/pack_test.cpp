@@ -21,7 +21,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace limitcurve::godobject::test {
+namespace limitcurve::godobject::test::pack_test {
 namespace {
 
 using kernel::InstructionSet;
@@ -246,4 +246,4 @@ TEST(Packs, AreFingersOnAPlane) {
 }
 
 }  // namespace
-}  // namespace limitcurve::godobject::test
+}  // namespace limitcurve::godobject::test::pack_test

@@ -10,7 +10,7 @@
 #include <numbers>
 #include <vector>
 
-namespace limitcurve::godobject::test {
+namespace limitcurve::godobject::test::curved_surface_test {
 namespace {
 
 using Eigen::AngleAxisd;
@@ -260,4 +260,4 @@ TEST(CurvedSurface, ABallThatSlidesPastGainsWhatIsSaid) {
 }
 
 }  // namespace
-}  // namespace limitcurve::godobject::test
+}  // namespace limitcurve::godobject::test::curved_surface_test

@@ -10,7 +10,7 @@
 
 #include <numbers>
 
-namespace limitcurve::godobject::test {
+namespace limitcurve::godobject::test::grasp_test {
 namespace {
 
 using Eigen::Quaterniond;
@@ -317,4 +317,4 @@ TEST(Grasp, RefusesInvalidSteps) {
 }
 
 }  // namespace
-}  // namespace limitcurve::godobject::test
+}  // namespace limitcurve::godobject::test::grasp_test

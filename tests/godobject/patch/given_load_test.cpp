@@ -14,9 +14,6 @@ namespace {
 using Eigen::AngleAxisd;
 using Eigen::Vector3d;
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 /// The place on a ball of this radius [m] after a way along a great circle; the force there, along and across it.
 struct Ball {
   double radius;

@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-namespace limitcurve::godobject {
+namespace limitcurve::godobject::patch_finger_test {
 
 namespace {
 
@@ -347,4 +347,4 @@ TEST(PatchFinger, BadParametersAreNamed) {
   EXPECT_NE(complaint(tripod(), usual(), 1e-9).find("point_radius = 1e-09"), std::string::npos);
 }
 
-}  // namespace limitcurve::godobject
+}  // namespace limitcurve::godobject::patch_finger_test

@@ -9,7 +9,7 @@
 
 #include <numbers>
 
-namespace limitcurve::godobject::test {
+namespace limitcurve::godobject::test::passivity_test {
 namespace {
 
 constexpr double sample_time = 1e-3;
@@ -183,4 +183,4 @@ TEST(Passivity, SaysWhatToChange) {
 }
 
 }  // namespace
-}  // namespace limitcurve::godobject::test
+}  // namespace limitcurve::godobject::test::passivity_test

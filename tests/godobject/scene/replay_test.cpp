@@ -10,7 +10,7 @@
 #include <limits>
 #include <numbers>
 
-namespace limitcurve::godobject::test {
+namespace limitcurve::godobject::test::replay_test {
 namespace {
 
 static_assert(noexcept(std::declval<Replay&>().step(0.0, std::declval<std::span<const DevicePose>>(), std::declval<const BodyPose&>())));
@@ -268,4 +268,4 @@ TEST(Kinds, ReadBackAsTheyArePrinted) {
 }
 
 }  // namespace
-}  // namespace limitcurve::godobject::test
+}  // namespace limitcurve::godobject::test::replay_test

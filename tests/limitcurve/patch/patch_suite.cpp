@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "../special_values.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/patch/patch.hpp"
 #include "patch_reference.hpp"
@@ -7,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <random>
 #include <stdexcept>
@@ -140,8 +140,6 @@ TEST_P(EveryPatch, GaugeOfAWrenchThatSlipsIsOne) {
   }
   EXPECT_EQ(patch.gauge({0.0, 0.0, 0.0}), 0.0);
   EXPECT_EQ(load_to_hold(patch, 0.0, {0.0, 0.0, 0.0}), 0.0);
-  constexpr double inf = std::numeric_limits<double>::infinity();
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(load_to_hold(patch, 0.0, {0.0, 0.0, 1.0}), inf);
   EXPECT_EQ(patch.gauge({inf, 0.0, 0.0}), inf);
   EXPECT_TRUE(std::isnan(patch.gauge({1.0, nan, 1.0})) && std::isnan(patch.gauge({inf, 1.0, nan})));
@@ -172,8 +170,6 @@ TEST_P(EveryPatch, SlipIsTheTwistThatNeedsTheWrench) {
 
 TEST_P(EveryPatch, NothingIsUndefined) {
   const auto& [name, patch, bound] = GetParam();
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  constexpr double inf = std::numeric_limits<double>::infinity();
   const PatchFriction rest = patch.evaluate({0, 0, 0});
   EXPECT_EQ(rest.power, 0.0);
   EXPECT_EQ(rest.wrench.fx, 0.0);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "../special_values.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/table.hpp"
 #include "patch_cases.hpp"
@@ -8,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <random>
 #include <string>
@@ -16,9 +16,6 @@
 
 namespace limitcurve::test {
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double inf = std::numeric_limits<double>::infinity();
 
 TEST(PatchInput, BadOnesAreNamed) {
   const auto has = [](const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; };

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace limitcurve::godobject::test {
+namespace limitcurve::godobject::test::energy_search_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -180,4 +180,4 @@ TEST(EnergySearch, TheDampingThatIsNamedIsEnough) {
 }
 
 }  // namespace
-}  // namespace limitcurve::godobject::test
+}  // namespace limitcurve::godobject::test::energy_search_test
