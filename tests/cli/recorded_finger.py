@@ -4,7 +4,6 @@
 import math
 
 COLUMNS = "time,state,px,py,angle,depth,load,fx,fy,moment,cor"
-STIFFNESS = 1000.0
 M0 = 3 * math.pi / 16  # Hertz
 FINGER = ["--law", "hertz", "--radius-law", "constant:a=0.006", "--mu", "0.6", "--stiffness", "1000", "--twist-stiffness", "0.036"]
 MEASURED = [word for word in FINGER if word not in ("--radius-law", "constant:a=0.006")]  # without radius law, for --mu-r

@@ -151,25 +151,8 @@ class Fit(CommandLineTest):
         validated = next(row for row in rows("validate", "--law", "cone") if row["model"] == "ellipse-least-squares")
         self.assertEqual(self.fitted("ellipse", "--law", "cone")[0]["force_max"], validated["parameter"])
 
-    def test_ratio_and_radius_come_back(self):
-        found, _ = self.fitted("ratio", "--law", "uniform", "--data", self.slips("uniform"))
-        self.assert_close(found["mu"], 0.7, 1e-8)
-        self.assert_close(found["radius"], 0.005, 1e-8)
-        self.assert_close(found["ratio"], 0.005 * 2 / 3, 1e-8)
-        self.assert_close(found["mu_r"], 0.7 * 0.005 * 2 / 3, 1e-8)
-
-    def test_the_law_is_told(self):
-        for law in ["flat-punch", "uniform", "parabolic"]:
-            found, said = self.fitted("law", "--data", self.slips(law, noise=1e-3))
-            self.assertIn(f"note: the model is {law}\n", said)
-            self.assert_close(found["radius"], 0.005, 2e-3)
-
-    def test_how_a_radius_grows(self):
-        lines = ["load,radius"] + [f"{load},{0.00207 * load ** 0.259!r}" for load in (0.5, 1, 2, 3, 5, 8)]
-        found, _ = self.fitted("load", "--data", self.file("radii.csv", "\n".join(lines)))
-        self.assert_close(found["c"], 0.00207, 1e-8)
-        self.assert_close(found["gamma"], 0.259, 1e-8)
-        fixed, _ = self.fitted("load", "--load-model", "hertz", "--data", self.directory / "radii.csv")
+    def test_the_model_of_a_radius_and_loads_with_moments(self):
+        fixed, _ = self.fitted("load", "--load-model", "hertz", "--data", DATA / "fit" / "radii.csv")
         self.assertEqual(fixed["gamma"], 1 / 3)
         moments = self.file("moments.csv", "load,moment\n1,0.002\n2,0.005\n4,0.0125\n8,0.03125\n16,0.08\n")
         self.assertIn("mu_r", self.fitted("load", "--data", moments)[0])
@@ -183,14 +166,11 @@ class Fit(CommandLineTest):
         self.assertNotIn("was assumed", said)
         self.assert_close(found["c"], 0.00435, 1e-6)
 
-    def test_a_radius_may_shrink(self):
-        """As in every other language; the option took no negative number."""
-        slips = "load,force,moment\n" + "".join(f"{load},{0.6 * load * f!r},{0.6 * load * 0.005 * load ** -0.4 * m!r}\n" for load in (0.5, 1, 2, 4, 8)
-                                                for f, m in [(1, 0), (0, 3 * math.pi / 16)])
-        found, _ = self.fitted("ratio", "--law", "hertz", "--data", self.file("slips.csv", slips), "--gamma", "-0.4")
-        self.assert_close(found["c"], 0.005, 1e-9)
+    def test_a_negative_gamma_is_an_option_too(self):
+        call = ["fit", "ratio", "--law", "hertz", "--data", DATA / "fit" / "slips.csv", "--gamma"]
+        self.assertEqual(run(*call, "-0.4").returncode, 0)
         for gamma in ("-0.6", "1.1"):
-            self.assert_fails(2, ["gamma", gamma, "-0.5 <= gamma <= 1"], "fit", "ratio", "--data", self.directory / "slips.csv", "--gamma", gamma)
+            self.assert_fails(2, ["gamma", gamma, "-0.5 <= gamma <= 1"], *call, gamma)
 
     def growing(self, law):
         points = rows("c-curves", "--law", law, "--radius-law", "power:c=0.00435,gamma=0.257", "--mu", "0.7", "--cors",
@@ -207,17 +187,6 @@ class Fit(CommandLineTest):
             for model in ("ellipse", "law", "ratio"):
                 _, said = self.fitted(model, "--data", data, "--loss", loss)
                 self.assertIn("warning: rows 4, 17, 30 of 45 (the first is 1): gross outliers", said)
-
-    def test_one_force_ten_times_too_large(self):
-        """Once, with sigmas, force_max came out as 8.67 for 0.8."""
-        lines = ["load,force,moment,sigma_force,sigma_moment"]
-        for i, row in enumerate(rows("p-curves", "--law", "hertz", "--radius-law", "constant:a=0.005", "--mu", "0.8", "--loads", "2", "--points", "20")):
-            force = row["force"] * (10 if i == 3 else 1)
-            lines.append(f"2,{force!r},{row['moment']!r},0.01,0.00003")
-        data = self.file("gross.csv", "\n".join(lines))
-        for loss in ("huber", "cauchy"):
-            for model, name in (("ellipse", "force_max"), ("law", "mu")):
-                self.assert_close(self.fitted(model, "--data", data, "--loss", loss)[0][name], 0.8, 0.05)
 
     def test_every_row_notes_the_model_and_what_was_assumed(self):
         data = self.growing("uniform")

@@ -139,16 +139,6 @@ class Bulk(unittest.TestCase):
         complaint.seek(0)
         return process.returncode, complaint.read().decode(), megabytes * (len(block) // len(line)), usage.ru_maxrss / 1024
 
-    def test_a_long_trace_is_streamed(self):
-        line = b"0,0.01,0.02,-0.001,0.1," + b"-" * 1000 + b"\n"
-        header = b"time,x,y,z,twist,remark\n"
-        status, complaint, _, little = self.stream(REPLAY, header, line, 4)
-        self.assertEqual((status, complaint), (0, ""))
-        status, complaint, _, much = self.stream(REPLAY, header, line, BULK)
-        self.assertEqual((status, complaint), (0, ""))
-        self.assertLess(much, little + 4)
-        print(f"replay of {BULK} MB: {much:.0f} MB", file=sys.stderr)
-
     def test_a_fit_holds_its_numbers_and_no_more(self):
         # A fit goes over its data many times, and must hold them; but not what else a row has.
         rest = b"," + b"-" * 20000 + b"\n"

@@ -20,15 +20,6 @@ class Pivot(CommandLineTest):
         call = ["pivot", "--case", "exact", "--duration", "1"]
         self.assertEqual(rows(*call, "--grip", grip)[-1]["angle"], rows(*call, "--release", "over=1,from=1.5,to=0.5")[-1]["angle"])
 
-    def test_a_block_that_has_begun_to_slip_is_held_less(self):
-        call = ["pivot", "--case", "exact", "--release", "from=0.45,to=0.39,over=2", "--duration", "2"]
-        as_ever, slippery = rows(*call), rows(*call, "--mu-dynamic", "1.5", "--mu-r-dynamic", "0.009")
-        # The sticking limit counts until it slips; then it turns farther.
-        first = next(i for i, row in enumerate(as_ever) if row["state"] == "slip")
-        self.assertEqual([row["angle"] for row in slippery[:first]], [row["angle"] for row in as_ever[:first]])
-        self.assertGreater(slippery[-1]["angle"], as_ever[-1]["angle"] + 0.1)
-        self.assert_fails(2, ["mu_dynamic", "0 <= mu_dynamic <= mu"], *call, "--mu-dynamic", "2")
-
     def test_every_nth_row(self):
         call = ["pivot", "--case", "exact", "--duration", "0.1"]
         lines = run(*call).stdout.splitlines()
@@ -71,20 +62,6 @@ class Pivot(CommandLineTest):
             if turns:
                 self.assertGreater(len(turns), 50)
                 self.assertAlmostEqual(turns[len(turns) // 2], 1, delta=0.2)
-
-    # The default grip holds the block of every material.
-    def test_every_material_holds_the_block_at_first(self):
-        starts = {"sandpaper": 0.5, "rayon": 1.9, "suede": 1.4}
-        for material, start in starts.items():
-            for case in CASES:
-                found = rows("pivot", "--case", case, "--material", material)
-                self.assertEqual((found[0]["load"], found[0]["state"]), (start, "stick"))
-                self.assertEqual({row["state"] for row in found[:1000]}, {"stick"}, (material, case))
-                self.assertAlmostEqual(found[2000]["load"], 0.9 * start, delta=1e-12)
-                found = rows("pivot", "--case", case, "--material", material, "--operator", "target=30deg", "--duration", "0.5")
-                self.assertEqual((found[0]["load"], found[-1]["state"]), (2 * start, "stick"))
-        found = rows("pivot", "--case", "exact", "--mass", "3", "--duration", "1")
-        self.assertEqual({row["state"] for row in found}, {"stick"})
 
     def test_a_material_is_the_row_of_its_table(self):
         with open(DATA / "materials.csv", encoding="utf-8") as file:

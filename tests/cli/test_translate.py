@@ -125,38 +125,6 @@ class Translate(CommandLineTest):
         self.assert_fails(2, "--load", *reading, "mujoco.torsional=0.005", "--load", "1")
         self.assert_fails(2, "--law", "translate", "--mu", "1", "--read", "mujoco.torsional=0.005")
 
-    def test_errors_at_the_same_centre_of_rotation_and_over_the_loads(self):
-        """By an independent sum over the exact curve: an ellipse's wrench at c has the direction (s, m0²) of its normal."""
-        m0 = 2 / 3
-        worst = 0
-        cors = [m0 * math.tan(math.pi / 2 * (i + 0.5) / 500) for i in range(500)]
-        for row in rows("eval", "--law", "uniform", "--c", numbers(cors)):
-            s = row["c"] / m0
-            worst = max(worst, math.hypot(row["force"] - s / math.hypot(s, 1), row["moment"] / m0 - 1 / math.hypot(s, 1)))
-        for row in rows(*self.CONTACT, "--loads", "8,16"):
-            if row["model"] == "ellipse":
-                self.assertAlmostEqual(row["cor_error"], worst, delta=1e-4)
-                # At half the load the radius is 2^-0.25 of what it was: the moment is too large by as much.
-                self.assertAlmostEqual(row["loads_error"], 2 ** 0.25 - 1, delta=5e-3)
-            if row["model"] == "box":
-                self.assertAlmostEqual(row["cor_error"], 1, delta=1e-6)
-            self.assertGreaterEqual(row["loads_error"], row["max_error"])
-
-    def test_units_of_length_do_not_matter(self):
-        """Once, of a Gaussian of sigma = 1e-3, the error at a centre of rotation was sampled at its ends only."""
-        def errors(sigma, radius, load):
-            return [(row["max_error"], row["cor_error"], row["loads_error"], row["value"] / (radius * sigma if row["unit"] == "m" else 1))
-                    for row in rows("translate", "--quiet", "--law", f"gaussian:sigma={sigma}", "--radius-law", f"power:c={radius},gamma=0.25", "--mu", "0.8",
-                                    "--load", load) if "sqrt" not in str(row["formula"])]
-        reference = errors(1, 0.005, 1)
-        for sigma, radius in ((1e-6, 0.005), (1e-3, 5), (1e3, 0.005), (1e6, 1e-9)):
-            for row, expected in zip(errors(sigma, radius, 1), reference, strict=True):
-                for value, right in zip(row, expected, strict=True):
-                    self.assert_close(value, right, 1e-6)
-        for row, expected in zip(errors(1, 0.005, 1000), reference, strict=True):
-            for value, right in zip(row[:3], expected[:3], strict=True):
-                self.assert_close(value, right, 1e-6)
-
     def test_explained_on_standard_error(self):
         done = run(*self.CONTACT, "--explain")
         self.assertEqual(done.returncode, 0)

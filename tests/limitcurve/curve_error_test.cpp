@@ -80,19 +80,20 @@ double xydas_kao_moment(double k, double j) {
 }
 
 // Once the error was inf for k = 0.1 (truth 2.843), and for the Gaussian it depended on the unit of length (truth 0.5708).
-TEST(CurveError, InTheCentreOfRotationDoesNotDependOnUnitsOfLength) {
+TEST(CurveError, DoesNotDependOnUnitsOfLength) {
+  const auto error_of = [](const Law& law) { return curve_error(Ellipse::through_intercepts(law->moment_ratio()), ExactCurve(law)); };
+  const CurveError metre = error_of(gaussian(1.0));
   for (const double sigma : {1e-6, 1e-3, 1.0, 1e3, 1e6}) {
-    const ExactCurve exact(gaussian(sigma));
-    const double m0 = exact.moment_ratio();
-    const CurveError error = curve_error(Ellipse::through_intercepts(m0), exact);
+    const CurveError error = error_of(gaussian(sigma));
+    EXPECT_NEAR(error.max_over_estimate, metre.max_over_estimate, 1e-8) << sigma;
+    EXPECT_NEAR(error.rms_error, metre.rms_error, 1e-8) << sigma;
     EXPECT_NEAR(error.max_cor_error, 0.5 * std::numbers::pi - 1.0, 1e-9) << sigma;
     EXPECT_NEAR(error.min_cor_ratio, 0.25 * std::numbers::pi, 1e-9) << sigma;
   }
   for (const double k : {0.1, 0.09, 0.07, 0.05, 0.03, 0.01}) {
-    const ExactCurve exact(xydas_kao(k));
     const double load = 2.0 * xydas_kao_moment(k, 1.0);
     const double m0 = 2.0 * xydas_kao_moment(k, 2.0) / load;
-    const CurveError error = curve_error(Ellipse::through_intercepts(exact.moment_ratio()), exact);
+    const CurveError error = error_of(xydas_kao(k));
     const double near_spin = m0 * xydas_kao_moment(k, 0.0) / load;
     EXPECT_NEAR(error.max_cor_ratio / near_spin, 1.0, 1e-9) << k;
   }

@@ -51,20 +51,6 @@ void expect_ellipse(const char* law_name, double bound) {
   }
 }
 
-TEST(PatchEllipse, OfEqualAxesHoldsWhatTheDiscHolds) {
-  for (const Law& law : {hertz(), uniform(), parabolic()}) {
-    const Patch patch = Patch::ellipse(law, 0.004, 0.004);
-    for (const double force : {0.0, 0.3, 1.0}) {
-      for (const double moment : {0.0, 0.001, 0.02}) {
-        const double disc = load_to_hold(ExactCurve(law), {0.7, RadiusLaw::constant(0.004)}, force, moment);
-        for (const PatchPoint along : {PatchPoint{0.6, -0.8}, PatchPoint{1.0, 0.0}, PatchPoint{-std::sqrt(0.5), -std::sqrt(0.5)}}) {
-          EXPECT_NEAR(load_to_hold(patch, 0.7, {along.x * force, along.y * force, moment}), disc, 1e-10 * disc) << force << ' ' << moment;
-        }
-      }
-    }
-  }
-}
-
 TEST(PatchEllipse, SmoothLawsAreTheIntegralOverRays) {
   for (const char* law : {"hertz", "flat-punch", "uniform", "parabolic", "cone", "power:n=2.3", "power:n=-0.3", "power:n=0.2"}) {
     expect_ellipse(law, accuracy::patch_ellipse);

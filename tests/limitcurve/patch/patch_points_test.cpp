@@ -70,6 +70,34 @@ TEST(PatchPoints, TwoHoldWhatEachBearsOfIt) {
   }
 }
 
+// A point at the COR bears any part of its load in any direction: there the limit surface is flat, and has one normal.
+TEST(PatchPoints, WhatOneBearsInPartSlipsAboutIt) {
+  const std::vector<PatchLoad> loads{{0.01, 0.02, 0.25}, {0.04, 0.02, 0.125}, {0.01, 0.07, 0.125}, {0.03, 0.06, 0.5}};
+  const Patch patch = Patch::points(loads);
+  for (const PatchLoad& at : loads) {
+    PatchWrench others{0.0, 0.0, 0.0};
+    double power = 0.0;
+    for (const PatchLoad& one : loads) {
+      const double x = one.x - at.x;
+      const double y = one.y - at.y;
+      const double arm = std::hypot(x, y);
+      if (arm == 0.0) continue;
+      others = {others.fx - one.load * y / arm, others.fy + one.load * x / arm, others.moment + one.load * (one.x * x + one.y * y) / arm};
+      power += 3.0 * one.load * arm;
+    }
+    for (const auto& [part, angle] : {std::pair{0.0, 0.0}, {0.5, 1.0}, {0.999, 2.0}, {-0.7, 0.1}}) {
+      const double fx = part * at.load * std::cos(angle);
+      const double fy = part * at.load * std::sin(angle);
+      const auto [slip, gauge, error] = patch.slip({others.fx + fx, others.fy + fy, others.moment + at.x * fy - at.y * fx});
+      EXPECT_NEAR(gauge, 1.0, 1e-12) << at.load << ' ' << part;
+      EXPECT_NEAR(slip.omega * power, 3.0, 1e-11) << at.load << ' ' << part;
+      EXPECT_EQ(slip.vx, slip.omega * at.y);
+      EXPECT_EQ(slip.vy, -slip.omega * at.x);
+      EXPECT_LT(error, 1e-11);
+    }
+  }
+}
+
 TEST(PatchPoints, OneHoldsNoMoment) {
   const Patch patch = Patch::points(std::vector<PatchLoad>{{0.25, 0.5, 3.0}}).orthotropic(1.0, 2.0);
   EXPECT_NEAR(load_to_hold(patch, 0.5, {3.0, 8.0, 0.25 * 8.0 - 0.5 * 3.0}), 10.0, 1e-14);
