@@ -5,7 +5,6 @@ import html
 import re
 from pathlib import Path
 
-from . import touch_charts
 from .chart_style import Table, save, write_whole
 
 
@@ -41,7 +40,6 @@ def anchor(title):
 def write(data, numbers, sections, pictures):
     """Writes index.html. `numbers` is (value, text); `sections` is (title, [(figure, caption, what to use)], HTML folded after them); `pictures` has what
     `picture` returned of each figure."""
-    touch = {"limit_curves": touch_charts.limit_curves(data), "load_curves": touch_charts.load_curves(data)}  # take their place on a screen
     head = "".join(f"<li><b>{html.escape(value)}</b>{html.escape(text)}</li>" for value, text in numbers)
     contents = "".join(f'<li><a href="#{anchor(title)}">{title}</a></li>' for title, _, _ in sections)
     parts = []
@@ -51,7 +49,7 @@ def write(data, numbers, sections, pictures):
         for name, caption, use in figures:
             svg, tables = pictures[name]
             picture = svg.replace("<svg ", f'<svg role="img" aria-label="{plain}" ', 1)
-            parts.append(f'<figure id="{name}">{touch.get(name, "")}<div class="still">{picture}</div><figcaption>{caption}'
+            parts.append(f'<figure id="{name}"><div class="still">{picture}</div><figcaption>{caption}'
                          f'<p class="use"><b>So:</b> {use}</p>{links(name, tables)}</figcaption></figure>')
         if after:
             parts.append(f'<details><summary>The numbers</summary><div class="wide" role="region" aria-label="{plain}: table" tabindex="0">{after}</div></details>')
@@ -80,7 +78,6 @@ Eq. (n) is that of the paper named at the end. Each figure has its data below it
 <footer>A. Frisoli, F. Barbagli, E. Ruffaldi, K. Salisbury, M. Bergamasco, <em>A limit-curve based soft finger god-object algorithm</em>, Haptics Symposium
 2006.</footer>
 </main>
-{touch_charts.script(data)}
 </body>
 </html>
 """.encode("utf-8"))
