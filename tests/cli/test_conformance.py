@@ -62,22 +62,25 @@ class Questions(CommandLineTest):
                 self.check(question, [float(word) for word in line.split()], 2e-9 * max(ratio, 1 / ratio))
 
     def test_hold(self):
-        """Answers what is finite, and refuses the rest, in options and in files."""
+        """Answers what is finite, in one call a contact, and refuses the rest, in options and in files."""
+        contacts = defaultdict(list)
         for law, asked in questions().items():
             for question in asked:
-                what, radius, of, expected = question
+                what, radius, of, _ = question
+                words = "--law", law, "--radius-law", radius, "--mu", repr(of[0])
                 if what not in ("hold", "margin"):
                     continue
-                words = ["hold", "--law", law, "--radius-law", radius, "--mu", repr(of[0])]
+                if all(map(math.isfinite, of)):
+                    contacts[words].append((question, (of[1] if what == "margin" else 1.0, *of[-2:])))
+                    continue
                 force, moment = map(repr, of[-2:])
-                if not all(map(math.isfinite, of)):
-                    self.assert_fails(2, "number", *words, f"--force={force}", f"--moment={moment}")
-                    self.assert_fails(2, ["x.csv:2:", "number"], *words, "--data", self.file("x.csv", f"force,moment\n{force},{moment}\n"))
-                elif what == "hold":
-                    self.check(question, [rows(*words, f"--force={force}", f"--moment={moment}")[0]["hold_load"]], 1e-11)
-                else:
-                    data = self.file("x.csv", f"load,force,moment\n{of[1]!r},{force},{moment}\n")
-                    self.check(question, [rows(*words, "--data", data)[0]["margin"]], 1e-11)
+                self.assert_fails(2, "number", "hold", *words, f"--force={force}", f"--moment={moment}")
+                self.assert_fails(2, ["x.csv:2:", "number"], "hold", *words, "--data", self.file("x.csv", f"force,moment\n{force},{moment}\n"))
+        for words, asked in contacts.items():
+            lines = "".join(",".join(map(repr, numbers)) + "\n" for _, numbers in asked)
+            found = rows("hold", *words, "--data", self.file("x.csv", "load,force,moment\n" + lines))
+            for (question, _), row in zip(asked, found, strict=True):
+                self.check(question, [row["hold_load" if question[0] == "hold" else "margin"]], 1e-11)
 
     def test_eval_and_lookup_take_any_sign(self):
         rows("table", "--law", "hertz", "--tolerance", 1e-9, "-o", self.directory / "t.csv")

@@ -9,6 +9,7 @@ import subprocess
 import sys
 import time
 import unittest
+from concurrent.futures import ThreadPoolExecutor
 
 from command_line import EXECUTABLE, CommandLineTest, PROGRESS, run
 
@@ -69,18 +70,49 @@ def slowly(*texts):
 
 
 ROWS = "time,x,y,z,twist\n0,0,0,-0.001,0\n", "0.001,0,0,-0.001,0\n"
+REPLAY = ["replay", "--trace", "-", *FINGER]
+
+
+def on_pipes(*arguments, seconds, last=ROWS[1]):
+    """Standard error and exit status of a replay whose last row comes after so many seconds."""
+    with subprocess.Popen([EXECUTABLE, *REPLAY, *arguments], stdin=subprocess.PIPE, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True) as process:
+        process.stdin.write(ROWS[0])
+        process.stdin.flush()
+        time.sleep(seconds)
+        process.stdin.write(last)
+        process.stdin.close()
+        return process.stderr.read(), process.wait()
+
+
+def after_a_while(*arguments, last=ROWS[1], **options):
+    return on_terminal(*REPLAY, *arguments, feed=slowly(ROWS[0], last), **{"results": False, **options})
+
+
+# Calls that wait, each for some seconds: all begin at once.
+WAITING = {
+    "bar": after_a_while, "beside results": lambda: after_a_while("--format", "csv", results=True),
+    "short row": lambda: after_a_while(last="0.001,0,0,-0.001\n", environment={"NO_COLOR": "1"}),
+    "bad number": lambda: after_a_while(last="0.001,0,0,x,0\n", environment={"NO_COLOR": "1"}),
+    "quiet": lambda: after_a_while("--quiet"), "dumb": lambda: after_a_while(environment={"TERM": "dumb"}),
+    "lines": lambda: on_pipes(seconds=5.5), "no lines": lambda: on_pipes("--quiet", seconds=5.5),
+}
+
+
+def setUpModule():
+    pool = ThreadPoolExecutor(len(WAITING))
+    unittest.addModuleCleanup(pool.shutdown)
+    WAITING.update({name: pool.submit(call) for name, call in WAITING.items()})
 
 
 @unittest.skipIf(sys.platform == "win32", "no pseudo-terminals")
 class Bar(CommandLineTest):
     def test_a_bar_that_is_gone_at_the_end(self):
-        replay = ["replay", "--trace", "-", *FINGER]
-        status, seen, printed = on_terminal(*replay, results=False, feed=slowly(*ROWS))
+        status, seen, printed = WAITING["bar"].result()
         self.assertEqual((status, printed.count("\n")), (0, 3))
         self.assertRegex(seen, r"\rlimitcurve: replay: \[ *#+ *\] 1 s")
         self.assertEqual(shown(seen), [""])
         # Where the results come to the same terminal, they stand alone too.
-        status, seen, _ = on_terminal(*replay, "--format", "csv", feed=slowly(*ROWS))
+        status, seen, _ = WAITING["beside results"].result()
         self.assertRegex(seen, r"\rlimitcurve: replay: \[ *#+ *\] 1 s")
         self.assertEqual(shown(seen), [*printed.split("\n")])
 
@@ -94,15 +126,15 @@ class Bar(CommandLineTest):
         self.assertEqual(shown(seen), [""])
 
     def test_one_line_of_error_stands(self):
-        for last in "0.001,0,0,-0.001\n", "0.001,0,0,x,0\n":
-            status, seen, _ = on_terminal("replay", "--trace", "-", *FINGER, results=False, feed=slowly(ROWS[0], last), environment={"NO_COLOR": "1"})
+        for call in "short row", "bad number":
+            status, seen, _ = WAITING[call].result()
             self.assertEqual(status, 2)
             self.assertIn("replay: [", seen)
             self.assertRegex("\n".join(shown(seen)), r"\Alimitcurve: error: standard input:3:[^\n]+\n\Z")
 
     def test_no_bar(self):
-        for arguments, environment in [(["--quiet"], {}), ([], {"TERM": "dumb"})]:
-            status, seen, _ = on_terminal("replay", "--trace", "-", *FINGER, *arguments, results=False, feed=slowly(*ROWS), environment=environment)
+        for call in "quiet", "dumb":
+            status, seen, _ = WAITING[call].result()
             self.assertEqual((status, seen), (0, ""))
 
 
@@ -163,23 +195,13 @@ class Colours(CommandLineTest):
 
 
 class Lines(CommandLineTest):
-    def of(self, *arguments, seconds, last=ROWS[1]):
-        with subprocess.Popen([EXECUTABLE, "replay", "--trace", "-", *FINGER, *arguments], stdin=subprocess.PIPE, stdout=subprocess.DEVNULL,
-                              stderr=subprocess.PIPE, text=True) as process:
-            process.stdin.write(ROWS[0])
-            process.stdin.flush()
-            time.sleep(seconds)
-            process.stdin.write(last)
-            process.stdin.close()
-            return process.stderr.read(), process.wait()
-
     def test_a_line_now_and_then(self):
-        said, status = self.of(seconds=5.5)
+        said, status = WAITING["lines"].result()
         self.assertEqual(status, 0)
         self.assertRegex(said, r"\A(limitcurve: replay: \d+ s\n)+\Z")
         self.assertEqual(PROGRESS.sub("", said), "")
-        self.assertEqual(self.of("--quiet", seconds=5.5), ("", 0))
-        said, status = self.of("--quiet", seconds=0, last="0.001,0,0,x,0\n")
+        self.assertEqual(WAITING["no lines"].result(), ("", 0))
+        said, status = on_pipes("--quiet", seconds=0, last="0.001,0,0,x,0\n")
         self.assertEqual(status, 2)
         self.assertRegex(said, r"\Alimitcurve: error: [^\n]+\n\Z")
 
