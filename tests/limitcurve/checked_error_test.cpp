@@ -113,7 +113,7 @@ void expect_checked(double finest) {
   const int places = studies_are_whole() ? 4000 : 1000;
   double worst = 0.0;
   int tables = 0;
-  for (int seed = 0; seed < study_cases(400); ++seed) {
+  for (int seed = 0; seed < repetitions(studies_are_whole() ? 400 : 20, 10); ++seed) {
     Draw draw(seed);
     const double tolerance = draw.decades(finest, -1.0);
     const bool own = draw.uniform(0.0, 1.0) < 0.1;

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <map>
 #include <ostream>
 #include <random>
 #include <string>
@@ -34,12 +35,17 @@ void PrintTo(const TableCase& test, std::ostream* stream) {
 
 class TableSuite : public testing::TestWithParam<TableCase> {
  protected:
-  void SetUp() override {
-    for (const double tolerance : GetParam().tolerances) tables_.push_back(Table::build(law_, tolerance));
+  /// Built once for all tests of this law.
+  static const std::vector<Table>& tables_of(const Law& law) {
+    static std::map<std::string, std::vector<Table>> known;
+    std::vector<Table>& tables = known[GetParam().law];
+    if (!tables.empty()) return tables;
+    for (const double tolerance : GetParam().tolerances) tables.push_back(Table::build(law, tolerance));
+    return tables;
   }
   const Law law_ = parse_law(GetParam().law);
   const double scale_ = std::max(1.0, law_->moment_ratio());
-  std::vector<Table> tables_;
+  const std::vector<Table>& tables_ = tables_of(law_);
 };
 
 TEST_P(TableSuite, CheckedErrorHoldsEverywhereAndIsNoLargerThanItNeedBe) {
