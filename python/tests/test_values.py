@@ -28,7 +28,7 @@ def test_single_precision_in_single_precision_out():
     f, m = lc.Law("hertz").evaluate(np.linspace(0, 2, 5, dtype=np.float32))
     assert f.dtype == m.dtype == np.float32
     assert isinstance(lc.Law("hertz").evaluate(np.float32(1))[0], np.float32)
-    assert isinstance(lc.Law("hertz").evaluate(1)[0], float)
+    assert isinstance(lc.Law("hertz").evaluate(1)[0], float) and len(lc.Law("hertz").evaluate(1, error=True)) == 4
 
 
 def test_strided_reversed_and_read_only_arrays_are_read():
@@ -46,39 +46,20 @@ def test_not_a_number_gives_not_a_number():
         assert math.isnan(f[0]) and math.isnan(m[0]) and f[1] > 0
 
 
-def test_errors_bound_the_error():
-    # uniform pressure, c at the rim: f = 2/pi * ∫… has the closed value 8/(3 pi) (E(1) and K terms cancel).
-    f, _, f_error, _ = lc.Law("uniform").evaluate(1.0, error=True)
-    assert abs(f - 8 / (3 * math.pi)) <= f_error + 2e-16
-
-
-@given(st.floats(0, 1e3), st.floats(0, 1e3))
-def test_gauge_is_one_on_the_curve_and_scales(c, factor):
-    f, m = TABLE.evaluate(c)
-    assert TABLE.gauge(f, m) == pytest.approx(1, abs=1e-12)
-    assert TABLE.gauge(factor * f, factor * m) == pytest.approx(factor, rel=1e-12, abs=1e-300)
-
-
-def test_wrench_is_of_a_ratio_without_signs():
+def test_wrench_broadcasts():
     slide, spin = np.array([0.0, -0.3, 2e-9, 5]), np.array([1.0, -1e-9, 0.7])[:, None]
     for curve in (TABLE, lc.ellipse(1, 0.6)):
         f, m = curve.wrench(slide, spin)
-        exact = curve.evaluate(np.abs(slide / spin))
-        assert f.shape == m.shape == (3, 4) and np.allclose(f, exact[0], atol=1e-15) and np.allclose(m, exact[1], atol=1e-15)
-        assert curve.wrench(0, 0) == (0, 0) and np.isnan(curve.wrench([1, math.nan], 1)[0]).tolist() == [False, True]
+        assert f.shape == m.shape == (3, 4) and (f[2, 1], m[2, 1]) == curve.wrench(-0.3, 0.7)
         assert isinstance(curve.wrench(1, np.float64(2))[0], float) and isinstance(curve.wrench(np.float32(1), np.float32(2))[1], np.float32)
 
 
-def test_an_engine_with_the_tangent_ellipse_finds_the_curve():
+def test_the_tangent_ellipse_of_a_slip_or_a_wrench_broadcasts():
     slide, spin = np.array([0.1, 1, 30.0]), np.array([1.0, -0.7])[:, None]
     p, q = TABLE.tangent_ellipse(slip=(slide, spin))
-    for i, j in np.ndindex(2, 3):
-        assert lc.ellipse(p[i, j], q[i, j]).wrench(slide[j], spin[i, 0]) == pytest.approx(TABLE.wrench(slide[j], spin[i, 0]), rel=1e-14)
     f, m = TABLE.wrench(slide, spin)
     for again in (TABLE.tangent_ellipse(f, -m, p, q), TABLE.tangent_ellipse(-f, m)):
         assert np.allclose(again, (p, q), rtol=1e-9)
-    assert TABLE.tangent_ellipse(0, 0) == TABLE.tangent_ellipse(0, 0, 1, 1) == TABLE.tangent_ellipse(slip=(0, 0)) == (1, TABLE.moment_ratio)
-    assert np.isnan(TABLE.tangent_ellipse(math.nan, 1)).all() and np.isnan(TABLE.tangent_ellipse(1, 1, math.nan, 1)).all()
     for wrong in ({}, {"force": 1}, {"force": 1, "moment": 1, "p": 1}, {"force": 1, "moment": 1, "slip": (1, 1)}, {"slip": (1, 1, 1)}):
         with pytest.raises(ValueError, match="expected"):
             TABLE.tangent_ellipse(**wrong)
@@ -98,37 +79,23 @@ def test_single_numbers_are_arrays_of_one():
         assert TABLE.gauge(kind(1), kind(-0.5)) == TABLE.gauge(kind(1), kind(0.5)) and TABLE.gauge(kind("inf"), kind(1)) == np.inf
 
 
-def test_gauge_and_load_to_hold_broadcast():
+def test_load_to_hold_broadcasts():
     force, moment = np.linspace(0, 2, 5), np.linspace(0, 5e-3, 4)[:, None]
-    loads = TABLE.load_to_hold(force, moment, mu=0.6, radius_law="power:c=0.002,gamma=0.3")
-    assert loads.shape == (4, 5) and loads[0, 0] == 0
-    assert np.allclose(loads[0], force / 0.6, rtol=1e-12)  # pure sliding: P = F/mu
-    assert (np.diff(loads, axis=0) >= 0).all() and (np.diff(loads, axis=1) >= 0).all()
-    radius = 0.002 * loads**0.3
-    with np.errstate(invalid="ignore"):
-        gauge = TABLE.gauge(np.nan_to_num(force / (0.6 * loads)), np.nan_to_num(moment / (0.6 * loads * radius)))
-    assert np.allclose(gauge.ravel()[1:], 1, atol=1e-9)
-
-
-def test_load_to_hold_of_a_patch_broadcasts():
-    patch = lc.Patch.points([-0.01, 0.01], [0.5, 0.5], [1, 1])  # two points hold along y what each bears: (|F| + |M|/d)/mu
-    force, moment = np.linspace(-2, 2, 5), np.linspace(0, 5e-3, 4)[:, None]
-    loads = patch.load_to_hold(0, force, moment, mu=0.4)
-    assert loads.shape == (4, 5)
-    assert np.allclose(loads, (abs(force) + abs(moment) / 0.01) / 0.4, rtol=1e-11)
-    assert isinstance(patch.load_to_hold(0, 1, 0, mu=0.5), float)
+    for call in (lambda f, m: TABLE.load_to_hold(f, m, mu=0.6, radius_law="power:c=0.002,gamma=0.3"),
+                 lambda f, m: lc.Patch("rectangle:x=0.02,y=0.01").load_to_hold(0, f, m, mu=0.4)):
+        loads = call(force, moment)
+        assert loads.shape == (4, 5) and loads[0, 0] == 0 and loads[3, 2] == call(force[2], moment[3, 0])
+        assert isinstance(call(1, 0), float) and math.isnan(call(math.nan, 0))
     # About the origin: a force along x at the points' height has a moment of -y fx there.
-    assert patch.load_to_hold(1, 0, -0.5, mu=0.5) == pytest.approx(2)
-    assert patch.load_to_hold(1, 0, 0, mu=0) == math.inf and math.isnan(patch.load_to_hold(math.nan, 0, 0, mu=1))
-    table = lc.Table("hertz", tolerance=1e-10)
-    disc = lc.Patch("ellipse:law=hertz,a=0.006,b=0.006").load_to_hold(0.6, -0.8, 2e-3, mu=0.6)
-    assert table.load_to_hold(1, 2e-3, mu=0.6, radius_law="constant:a=0.006") == pytest.approx(disc, rel=1e-8)
+    assert lc.Patch.points([-0.01, 0.01], [0.5, 0.5], [1, 1]).load_to_hold(1, 0, -0.5, mu=0.5) == pytest.approx(2)
 
 
-def test_slip_of_a_patch_is_the_inverse_of_its_wrench():
+def test_wrenches_and_slips_of_a_patch_broadcast():
     patch = lc.Patch("rectangle:x=0.02,y=0.01,my=0.6")
     twists = np.array([[[0.01, 0.02, 1.0], [-0.3, 0.02, 0.5]], [[0.0, 0.001, -1.0], [0.1, 0.1, 20.0]]])
-    wrenches, powers, _ = patch.wrench(twists, 0.7, 3, error=True)
+    wrenches, powers, errors = patch.wrench(twists, 0.7, 3, error=True)
+    assert wrenches.shape == (2, 2, 3) and powers.shape == errors.shape == (2, 2)
+    assert np.allclose(wrenches, 0.7 * 3 * patch.wrench(twists), rtol=1e-14)
     slips = patch.slip(*np.moveaxis(wrenches, -1, 0))
     assert np.allclose(slips * powers[..., None], twists, rtol=1e-8, atol=1e-10)
     assert patch.slip(1, 0, 0).shape == (3,) and np.isnan(patch.slip([0, math.nan], 0, 0)).all()
@@ -205,7 +172,6 @@ def test_a_finger_that_is_pulled_feels_mu_p():
         out = finger.update([1e-4 * i, 0, 0], np.array([0.0, 0, 1]), 0.002, 0.0, 1e-3)
     assert out.state == lc.ContactState.slip and str(out.state) == "slip"
     assert out.load == 2.0 and np.allclose(out.force, [-1.2, 0, 0], atol=1e-12) and out.moment == 0 and out.cor == math.inf
-    assert finger.margin() == 0 and finger.load_to_hold() == pytest.approx(2)
     out.force[:] = out.normal[:] = out.proxy[:] = 7  # arrays of a result are copies
     assert np.allclose(out.force, [-1.2, 0, 0], atol=1e-12) and out.normal.tolist() == [0, 0, 1] and out.proxy[0] < 0.0199
     other = finger.copy()
@@ -232,14 +198,6 @@ def test_fingers_and_batches_do_what_replay_does(data):
         assert not one((0.1, 0, 0), (0, 0, 1), last, 4.0, landed=True).force[:2].any()  # anew where it lands
 
 
-def test_a_faulty_sample_is_a_state_and_not_an_error():
-    finger = lc.SoftFinger(TABLE, mu=0.6)
-    finger.update((0, 0, 0), (0, 0, 1), 0.001, 0)
-    for bad in [((math.nan, 0, 0), (0, 0, 1), 0.001, 0), ((0, 0, 0), (0, 0, 2), 0.001, 0), ((0, 0, 0), (0, 0, 1), math.inf, 0), ((9, 0, 0), (0, 0, 1), 0.001, 0)]:
-        assert str(finger.update(*bad).state) == "invalid"
-    assert str(finger.update((0, 0, 0), (0, 0, 1), 0.001, 0, -1.0).state) == "invalid"
-
-
 def test_a_batch_steps_in_place_and_shows_its_arrays():
     batch = lc.Batch(TABLE, 4, mu=0.6, radius_law="constant:a=0.006")
     views = batch.fx, batch.moment, batch.state
@@ -255,18 +213,6 @@ def test_a_batch_steps_in_place_and_shows_its_arrays():
     assert (views[0] == 0).all()  # a view keeps its batch
 
 
-def test_a_patch_of_a_disc_is_a_law():
-    patch = lc.Patch("ellipse:law=hertz,a=0.004,b=0.004")
-    law = lc.Law("hertz")
-    cors = np.array([0.0, 0.002, 0.004, 0.02])
-    twists = np.stack([np.zeros(4), -cors, np.ones(4)], axis=1)  # omega = 1 about (c, 0)
-    wrench, power, error = patch.wrench(twists.reshape(2, 2, 3), 0.5, 3, error=True)
-    f, m = law.evaluate(cors / 0.004)
-    assert wrench.shape == (2, 2, 3) and power.shape == error.shape == (2, 2)
-    assert np.allclose(-wrench[..., 1].ravel(), 1.5 * f, atol=1e-11) and np.allclose(wrench[..., 2].ravel(), 1.5 * 0.004 * m, atol=1e-13)
-    assert np.allclose(power, (wrench * twists.reshape(2, 2, 3)).sum(axis=-1), rtol=1e-9)
-
-
 def test_patches_from_arrays_are_those_from_files(tmp_path):
     x, y, load = [0, 0.01, 0.0], [0, 0, 0.01], [1, 2, 1.5]
     (tmp_path / "p.csv").write_text("x,y,load\n" + "".join(f"{a},{b},{c}\n" for a, b, c in zip(x, y, load)))
@@ -277,26 +223,13 @@ def test_patches_from_arrays_are_those_from_files(tmp_path):
     assert lc.Patch.image(np.ones((4, 8)), 0.0025).radius == pytest.approx(math.hypot(0.01, 0.005), rel=0.2)
     finger = lc.SoftFinger(rectangle, mu=0.6)
     assert str(finger.update((0, 0, 0), (0, 0, 1), 0.001, 0).state) == "stick"
-
-
-def test_a_patch_on_a_finger_is_the_disc_of_its_law():
-    with_ = {"mu": 0.6, "stiffness": 1000, "twist_stiffness": 0.036}
-    disc = lc.SoftFinger(lc.Patch("ellipse:law=hertz,a=0.006,b=0.006"), **with_)
-    round_ = lc.SoftFinger(lc.Table("hertz", 1e-12), radius_law="constant:a=0.006", **with_)
-    for i in range(50):
-        outputs = [finger.update((1e-4 * i, 0, 0), (0, 0, 1), 0.002, 0.02 * i) for finger in (disc, round_)]
-        assert outputs[0].state == outputs[1].state and outputs[0].converged
-        assert np.allclose(outputs[0].force, outputs[1].force, atol=1e-9) and outputs[0].moment == pytest.approx(outputs[1].moment, abs=1e-11)
-    assert disc.centre_of_rotation() == pytest.approx(round_.centre_of_rotation(), abs=1e-6)
+    assert finger.update((0.01, 0, 0), (0, 0, 1), 0.001, 0).force[0] == pytest.approx(-0.6) and finger.output.converged
 
 
 def test_a_late_device_needs_more_damping():
     assert lc.device_damping_needed(1e-3, delay=2, stiffness=1000) == pytest.approx((2.5, 2.5e-3 * 0.025))
-    lc.require_passive(1e-3, 2.51, delay=2, stiffness=1000)
     with pytest.raises(ValueError, match="a delay of 2 samples need .* 2.5 N s/m"):
         lc.require_passive(1e-3, 2.49, delay=2, stiffness=1000)
-    with pytest.raises(ValueError, match="delay = -1"):
-        lc.device_damping_needed(1e-3, delay=-1)
 
 
 def test_a_batch_says_which_samples_were_not_usable():
@@ -318,35 +251,22 @@ def test_a_finger_says_why_a_sample_is_invalid():
         assert str(output.state) == "invalid" and str(output.fault) == fault and output.fault == lc.Fault[fault]
 
 
-def test_friction_is_what_a_finger_does():
-    memory = lc.FrictionMemory()
-    result = lc.apply_friction(TABLE, 2.4, 0.0, limit=1.2, radius=0.006, stiffness_ratio=25000, memory=memory)
+def test_friction_has_a_memory_and_limits_while_it_slides():
+    given, memory = {"limit": 1.2, "radius": 0.006, "stiffness_ratio": 25000}, lc.FrictionMemory()
+    result = lc.apply_friction(TABLE, 2.4, 0.0, **given, memory=memory)
     assert result.slips and result.force_fraction == pytest.approx(0.5, rel=1e-12) and memory.force_slides
-    result = lc.apply_friction(TABLE, 0.1, 1e-4, limit=1.2, radius=0.006, stiffness_ratio=25000, memory=memory)
-    assert not result.slips and result.force_fraction == result.moment_fraction == 1 and math.isnan(result.cor)
-
-
-def test_the_radius_may_be_larger_during_slip():
-    result = lc.apply_friction(TABLE, 2.4, 0.0, limit=1.2, radius=0.006, stiffness_ratio=25000, sliding_limit=0.6, sliding_radius=0.012)
+    result = lc.apply_friction(TABLE, 2.4, 0.0, **given, sliding_limit=0.6, sliding_radius=0.012)
     assert result.slips and result.force_fraction == pytest.approx(0.25, rel=1e-12)
-    with pytest.raises(ValueError, match="sliding_radius = 0.013"):
-        lc.apply_friction(TABLE, 2.4, 0.0, limit=1.2, radius=0.006, stiffness_ratio=25000, sliding_limit=0.6, sliding_radius=0.013)
+    for wrong in ({"sliding_limit": 0.6, "sliding_radius": 0.013}, {"moment_stick_fraction": -0.1}):
+        with pytest.raises(ValueError, match=list(wrong)[-1]):
+            lc.apply_friction(TABLE, 2.4, 0.0, **given, **wrong)
 
 
 def test_on_a_box_force_and_moment_come_to_rest_apart():
-    memory = lc.FrictionMemory()
-
-    def states(force, moment):
-        lc.apply_friction(lc.box(1, 0.6), force, moment, limit=1.0, radius=0.01, stiffness_ratio=25000, sliding_limit=0.8,
-                          force_stick_fraction=0.9, moment_stick_fraction=0.5, memory=memory)
-        return memory.force_slides, memory.moment_slides
-
-    assert states(1.2, 0.007) == (True, True)  # beyond 1 N, and beyond 1 N * 10 mm * 0.6
-    assert states(0.75, 0.003) == (True, True)  # 0.94 of the force that slides, 0.63 of the moment
-    assert states(0.7, 0.003) == (False, True)
-    assert states(0.1, 0.002) == (False, False)
-    with pytest.raises(ValueError, match="moment_stick_fraction"):
-        lc.apply_friction(lc.box(1, 0.6), 1, 0, limit=1, radius=0.01, stiffness_ratio=25000, moment_stick_fraction=-0.1)
+    memory, apart = lc.FrictionMemory(), {"sliding_limit": 0.8, "force_stick_fraction": 0.9, "moment_stick_fraction": 0.5}
+    for force, moment, slides in ((1.2, 0.007, (True, True)), (0.7, 0.003, (False, True))):
+        lc.apply_friction(lc.box(1, 0.6), force, moment, limit=1.0, radius=0.01, stiffness_ratio=25000, memory=memory, **apart)
+        assert (memory.force_slides, memory.moment_slides) == slides
 
 
 def test_the_cells_of_a_table_are_its_file(tmp_path):

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "limitcurve/accuracy.hpp"
-#include "limitcurve/contact/load_to_hold.hpp"
-#include "limitcurve/exact_curve.hpp"
 #include "limitcurve/laws.hpp"
 #include "patch_cases.hpp"
 #include "tests/limitcurve/complaint.hpp"
