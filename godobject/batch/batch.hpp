@@ -103,7 +103,7 @@ using FloatContactArrays = BasicContactArrays<float>;
 ///     batch.step(arrays.batch());  // every millisecond, after x, y, twist and depth are written
 ///
 /// Results have the same bits on every instruction set (godobject/README.md, "Many contacts"). Immutable: any number of threads may share one, each with
-/// its part of the arrays. Allocates at construction only. Cost: bench/ and the README of the repository.
+/// its part of the arrays. Allocates at construction only. Cost: studies/chart and the README of the repository.
 template <class Real>
 class BasicBatch {
  public:

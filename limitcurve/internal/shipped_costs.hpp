@@ -6,7 +6,7 @@
 #include <limits>
 #include <string_view>
 
-/// What models cost on one machine, mean nanoseconds: read them as ratios. Written by scripts/maintain/work_precision; do not edit.
+/// What models cost on one machine, mean nanoseconds: read them as ratios. Written by studies/chart/measure; do not edit.
 namespace limitcurve::shipped_costs {
 
 inline constexpr std::string_view measured = "2026-11-27, a virtual machine, x86_64, Intel(R) Xeon(R) Processor, 2 cores, GCC 12.2.0";

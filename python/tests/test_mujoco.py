@@ -85,7 +85,7 @@ def test_the_traps_of_the_page_which_number_do_i_type():
 
 @pytest.mark.parametrize("law", ["hertz", "uniform", "power:n=-0.9"])
 def test_with_numbers_that_follow_the_slip_the_cone_is_the_exact_curve(law):
-    table, pushed = lc.Table(law, 1e-8), runpy.run_path(ROOT / "scripts/maintain/engines/push.py")["pushed"]
+    table, pushed = lc.Table(law, 1e-8), runpy.run_path(ROOT / "studies/engines/push.py")["pushed"]
     for lever in (0.05, 0.2, 0.5, 1, 2):
         assert np.abs(pushed(table, lever, True)[:2]).max() < 1e-4, lever
     assert pushed(table, 0.2, False)[1] > 0.3 and pushed(table, 2, False)[1] < -0.1  # of the usual ellipse

@@ -5,7 +5,6 @@ import doctest
 import importlib.resources
 import importlib.util
 import inspect
-import pathlib
 import subprocess
 import sys
 
@@ -49,12 +48,6 @@ def test_every_public_name_says_what_it_is():
 def test_stubs_are_installed():
     files = {entry.name for entry in importlib.resources.files("limitcurve").iterdir()}
     assert {"py.typed", "_core.pyi"} <= files
-
-
-def test_the_report_has_its_data_with_it():
-    """Within the package: a checkout beside it once hid that it had none."""
-    data = importlib.import_module("limitcurve.report.csv_files").DATA
-    assert data == pathlib.Path(lc.__file__).parent / "report" / "data" and (data / "fit" / "slips.csv").is_file()
 
 
 def test_the_command_is_installed():

@@ -56,7 +56,7 @@ class Page(CommandLineTest):
         for text in every:
             self.assertEqual(self.TEXT.count(text), 1, text)
         modules = [module for module in ROOT.iterdir() if module.is_dir() and module.name not in ("build", "out", ".git", "tests")]
-        pages = [*ROOT.glob("*.md"), *(page for module in modules for kind in ("*.md", "*.rst", "figures/*.py") for page in module.rglob(kind))]
+        pages = [*ROOT.glob("*.md"), *(page for module in modules for kind in ("*.md", "*.rst", "*_figures.py") for page in module.rglob(kind))]
         pages.remove(ROOT / "docs" / "paper.md")
         self.assertGreater(len(pages), 20)
         for path in pages:

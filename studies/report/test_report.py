@@ -1,0 +1,129 @@
+# SPDX-License-Identifier: MIT
+"""The report, from the source tree and the executable alone: its data, its page without the figures, which scripts/demo draws, and what ends it early.
+The whole page is tested in a browser, by tests/site/test_report.py.
+
+    LIMITCURVE=EXECUTABLE LIMITCURVE_DATA=data PYTHONPATH=tests/cli python3 -B studies/report/test_report.py"""
+
+import csv
+import math
+import os
+import re
+import resource
+import shutil
+import signal
+import subprocess
+import time
+import unittest
+
+from command_line import DATA, EXECUTABLE, PROGRESS, CommandLineTest
+
+PYTHON = "/usr/bin/python3"  # Debian's own: another that is first on the PATH may lack matplotlib
+
+
+def call(folder, *flags, command=EXECUTABLE):
+    return {"args": [PYTHON, "-B", *flags, "-m", "report", "--command", command, "-o", folder], "text": True, "stdout": subprocess.PIPE,
+            "stderr": subprocess.PIPE, "env": {**os.environ, "PYTHONPATH": str(DATA.parent / "studies")}}
+
+
+@unittest.skipIf(subprocess.run([PYTHON, "-c", "import matplotlib"], capture_output=True, check=False).returncode, "no matplotlib")
+class Report(CommandLineTest):
+    def read(self, name):
+        with open(self.directory / f"{name}.csv", newline="", encoding="utf-8") as file:
+            return list(csv.DictReader(line for line in file if not line.startswith("#")))
+
+    def test_data_and_words(self):
+        whole = call(self.directory)
+        undrawn = "from report import __main__, page; page.picture = lambda data, draw, name: ('<svg />', ()); __main__.main()"
+        whole["args"][2:4] = ["-c", undrawn]
+        done = subprocess.run(**whole, check=False)
+        self.assertEqual((done.returncode, PROGRESS.sub("", done.stderr)), (0, ""))
+        self.assertIn("index.html", done.stdout)
+        self.assertEqual({entry.suffix for entry in self.directory.iterdir()}, {".csv", ".html"})  # nothing hidden is left
+        self.check_data()
+        page = (self.directory / "index.html").read_text(encoding="utf-8")
+        self.assertIn("</html>", page)
+        # Self-contained: it loads nothing, and is the same wherever it was made.
+        self.assertNotRegex(page, r"<(script|link|img)[^>]+(src|href)=(?!\"data:)")
+        for text in [page, *(path.read_text(encoding="utf-8") for path in self.directory.glob("*.csv"))]:
+            self.assertNotIn(str(DATA), text)
+        # Each figure says what to do about it; a number without an error has none on the page.
+        self.assertEqual(page.count('<p class="use">'), page.count("<figure "))
+        self.assertRegex(page, r"<td>chi_squared_per_n</td><td[^>]*>[\d.]+</td><td>–</td>")
+        for name in ("Fig. 1", "Fig. 2", "Fig. 3", "Fig. 4", "Fig. 5", "Figs. 7 to 11"):  # of the paper
+            self.assertIn(name, page)
+        self.check_that_lost_has_one_meaning(page)
+
+    def check_data(self):
+        for path in self.directory.glob("*.csv"):
+            for row in self.read(path.stem):  # of another length than the header
+                self.assertFalse(None in row or None in row.values(), path)
+        for row in self.read("materials"):
+            self.assertTrue((self.directory / row["file"]).exists())
+        for row in self.read("tables"):
+            self.assertLessEqual(float(row["checked_error"]), float(row["tolerance"]))
+        for row in self.read("table_error"):
+            self.assertLessEqual(max(abs(float(row["force_error"])), abs(float(row["moment_error"]))), float(row["tolerance"]))
+        for row in self.read("steady_twist"):
+            if (row["boundary"], row["projection"]) == ("table", "closest-point"):
+                self.assertLess(float(row["error"]), 1e-7)
+        # The fitted curve lies within its band, and most slips near it.
+        for row in self.read("fit_band"):
+            inner, curve, outer = (math.hypot(float(row[f"{edge}force"]), 200 * float(row[f"{edge}moment"])) for edge in ("inner_", "", "outer_"))
+            self.assertTrue(inner < curve < outer, row)
+
+    def check_that_lost_has_one_meaning(self, page):
+        """The angles on the page are those at which the block is lost, as in the map."""
+        turned = {}
+        for row in self.read("pivot"):
+            if row["grip"] == "release" and float(row["grip_slip"]) >= 0.005:
+                turned.setdefault(row["case"], math.degrees(float(row["angle"])))
+        said = re.search(r"by ([\d.]+)° and ([\d.]+)° when it has slid 5 mm past", page)
+        # A row is 10 ms after the one before it.
+        self.assertAlmostEqual(float(said[1]), turned["coupled"], delta=0.5)
+        self.assertAlmostEqual(float(said[2]), turned["exact"], delta=0.5)
+        self.assertIn("when it has slid 5 mm past the grip and is lost, over the offset", page)
+
+    def assert_ends(self, told, folder, **options):
+        limit = options.pop("limit", None)
+        flags = options.pop("flags", ())
+        done = subprocess.run(**call(folder, *flags, **options), check=False,
+                              preexec_fn=limit and (lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit))))
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertRegex(PROGRESS.sub("", done.stderr), r"\Areport: error: [^\n]+\n\Z")
+        for text in told:
+            self.assertIn(text, done.stderr)
+
+    def test_what_it_cannot_do_is_one_line(self):
+        out = self.directory / "out"
+        self.assert_ends(["matplotlib is missing", "python3-matplotlib"], out, flags=["-S"])  # no packages
+        self.assertFalse(out.exists())
+        self.assert_ends(["taken", "File exists"], self.file("taken", ""))
+        self.assert_ends(["below", "Not a directory"], self.directory / "taken" / "below")
+        self.assert_ends(["curves.csv", "File too large"], out, limit=4096)  # as a disk that fills
+        self.assertEqual([path.name for path in out.iterdir()], ["laws.csv"])
+        self.assert_ends(["cannot run '/no-such-command'", "No such file"], out, command="/no-such-command")
+        self.assert_ends(["false laws", "exit status 1"], out, command="/bin/false")
+        self.assertEqual(subprocess.run([PYTHON, "-B", "-m", "report"], capture_output=True, env=call(out)["env"], check=False).returncode, 2)
+
+    def test_an_interruption_is_one_line(self):
+        out = self.directory / "out"
+        with subprocess.Popen(**call(out)) as process:
+            while not (out / "curves.csv").exists():
+                time.sleep(0.01)
+            process.send_signal(signal.SIGINT)
+            said = process.communicate()[1]
+        self.assertEqual((process.returncode, PROGRESS.sub("", said)), (-signal.SIGINT, "report: interrupted\n"))
+        self.assertEqual([path.name for path in out.iterdir() if path.name.startswith(".")], [])
+
+    def test_librsvg_draws_the_figures_of_the_pages(self):
+        # It sets the parts of a text on top of each other: a formula is a path.
+        docs = DATA.parent / "docs"
+        for path in [*docs.glob("*.svg"), *docs.glob("stability/*.svg")]:
+            self.assertNotIn("<tspan", path.read_text(encoding="utf-8"), path)
+            if shutil.which("rsvg-convert"):
+                drawn = subprocess.run(["rsvg-convert", path], capture_output=True, check=True)
+                self.assertEqual((drawn.stdout[:4], drawn.stderr), (b"\x89PNG", b""), path)
+
+
+if __name__ == "__main__":
+    unittest.main()
