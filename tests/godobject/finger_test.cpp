@@ -211,5 +211,15 @@ TEST(SoftFinger, LeavesAnglesBitForBitAloneWithoutAJump) {
   }
 }
 
+// 1e4 turns: 2e-8 is a few roundings of the angle.
+TEST(SoftFinger, TenThousandTurnsLoseNoAngle) {
+  auto finger = hertz_finger();
+  for (int i = 0; i <= 100000; ++i) {
+    const long double angle = 0.2L * std::numbers::pi_v<long double> * i;
+    finger.update(on_plane(0.0, 0.0, 0.002), static_cast<double>(std::remainder(angle, 2.0L * std::numbers::pi_v<long double>)));
+    ASSERT_NEAR(finger.state().sample.angle, static_cast<double>(angle), 2e-8) << i;
+  }
+}
+
 }  // namespace
 }  // namespace limitcurve::godobject::test::finger_test

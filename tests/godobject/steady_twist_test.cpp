@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 namespace limitcurve::godobject::test::steady_twist_test {
 namespace {
 
@@ -153,6 +155,27 @@ TEST(SteadyTwist, HalvingTheTimeStepHalvesThePathError) {
     EXPECT_LT(error, 0.55 * last) << steps;
     last = error;
   }
+}
+
+// What docs/paper.md says of eq. (23) and of the c-curve where the radius grows with the load: 0.255 N, and 0.438, 0.416, 0.4135 N in steps of
+// 100, 10, 1 µm, where eq. (17) has 0.487 N.
+TEST(SteadyTwist, UnderAGrowingRadiusOnlyTheClosestPointSettlesAtEquation17) {
+  const Table table = Table::build(hertz(), 1e-8);
+  const auto force = [&](Projection projection, double step) {
+    FingerParameters with = parameters(0.6, 0.006, 1000.0, 0.036);
+    with.radius_law = RadiusLaw::power(0.006, 1.0 / 3.0);
+    SoftFinger finger(table, with, projection);
+    const int count = static_cast<int>(std::lround(0.04 / step));
+    for (int i = 0; i <= count; ++i) finger.update(on_plane(step * i, 0.0, 0.001), step * i / 0.005);
+    return finger.output().force.norm();
+  };
+  EXPECT_NEAR(force(Projection::radial, 1e-5), 0.255, 0.0005);
+  EXPECT_NEAR(force(Projection::c_curve, 1e-4), 0.438, 0.0005);
+  EXPECT_NEAR(force(Projection::c_curve, 1e-5), 0.416, 0.0005);
+  EXPECT_NEAR(force(Projection::c_curve, 1e-6), 0.4135, 0.0005);
+  // (3π/8)s(1 − s²/4), s = 5/6.
+  const double s = 5.0 / 6.0;
+  EXPECT_NEAR(force(Projection::closest_point, 1e-5), 0.6 * 3.0 * std::numbers::pi / 8.0 * s * (1.0 - 0.25 * s * s), 1e-7);
 }
 
 }  // namespace

@@ -259,5 +259,21 @@ TEST(CurvedSurface, ABallThatSlidesPastGainsWhatIsSaid) {
   }
 }
 
+// Round a rod of eight edges, just below its faces: no friction is left along the normal of the next face, and no edge gives energy.
+TEST(CurvedSurface, AnEdgeTurnsFrictionIntoTheNextFace) {
+  constexpr double face_angle = 0.25 * std::numbers::pi;
+  SoftFinger finger = finger_of(skin());
+  for (int i = 0; i < 4000; ++i) {
+    const double angle = 0.002 * i;
+    const double of_face = face_angle * std::round(angle / face_angle);
+    const Vector3d normal(std::cos(of_face), std::sin(of_face), 0.0);
+    const Vector3d place = 0.019 * Vector3d(std::cos(angle), std::sin(angle), 0.0);
+    const double depth = 0.02 - normal.dot(place);
+    const FingerOutput output = finger.update(Contact{place + depth * normal, normal, depth}, 0.0);
+    ASSERT_LE(std::fabs(output.force.dot(normal)), 1e-15 * (1.0 + output.load)) << i;
+    ASSERT_GE(output.slip_work, 0.0) << i;
+  }
+}
+
 }  // namespace
 }  // namespace limitcurve::godobject::test::curved_surface_test

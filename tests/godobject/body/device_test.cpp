@@ -175,5 +175,38 @@ TEST(Device, ADampedTouchDownKeepsTheMomentum) {
   }
 }
 
+// A steady speed under time stamps that are off by up to 30 % of a step: the damper has the stamps' velocity. A stamp that repeats the last one
+// gives no velocity, and no infinite force.
+TEST(Device, ADamperFollowsAClockThatJittersOrStandsStill) {
+  FingerParameters with = skin();
+  with.damping = 5.0;
+  SoftFinger finger = finger_of(with);
+  Random random(9);
+  double last = 0.0;
+  const auto load = [&](double time) { return finger.update(on_plane(0.0, 0.0, 0.05 * time), 0.0, time - last).load; };
+  for (int i = 0; i < 100; ++i) {
+    const double time = 1e-3 * (1.0 + i + random.uniform(-0.3, 0.3));
+    const double found = load(time);
+    ASSERT_NEAR(found, 0.05 * (1000.0 * time + (i == 0 ? 0.0 : 5.0)), 1e-12) << i;
+    last = time;
+  }
+  EXPECT_NEAR(finger.update(on_plane(0.0, 0.0, 0.05 * last + 5e-5), 0.0, 0.0).load, 1000.0 * (0.05 * last + 5e-5), 1e-12);
+}
+
+// Frozen for ten seconds at half the limit, then 2 cm away: nothing creeps, and no step exceeds the limit.
+TEST(Device, ThatFreezesAndGoesOnElsewhereFeelsNoMoreThanTheLimit) {
+  SoftFinger finger = finger_of(skin());
+  finger.update(on_plane(0.0, 0.0, 0.001), 0.0);
+  finger.update(on_plane(3e-4, 0.0, 0.001), 0.0);
+  const FingerOutput held = finger.output();
+  for (int i = 0; i < 10000; ++i) {
+    finger.update(on_plane(3e-4, 0.0, 0.001), 0.0);
+    ASSERT_EQ(finger.output().proxy, held.proxy) << i;
+  }
+  for (int i = 0; i < 100; ++i) {
+    ASSERT_LE(finger.update(on_plane(0.02 + 1e-5 * i, 0.0, 0.001), 0.0).force.norm(), 0.6 * (1.0 + 1e-12)) << i;
+  }
+}
+
 }  // namespace
 }  // namespace limitcurve::godobject::test
