@@ -118,10 +118,6 @@ void check_subcommand(const std::string& name, const std::vector<Entry>& entries
     expected += ' ' + entry.app->get_name();
     known.push_back(entry.app->get_name());
   }
-  if (name == "report") {
-    throw std::invalid_argument(
-        "the report is no subcommand: 'python3 -m limitcurve.report -o DIR' of the Python package writes it, or scripts/demo");
-  }
   if (name == "fit") {
     throw std::invalid_argument("subcommand '" + name + "' is not in this executable (it needs Ceres), expected one of" + expected);
   }
