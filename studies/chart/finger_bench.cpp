@@ -10,7 +10,7 @@
 // mean_ns: processor time of this process for a step (batches: a contact). worst_ns: a motion is timed in stretches of 128 steps (grasp:
 // 32); this is the mean step of the slowest stretch, where each stretch counts with its fastest pass, so that interrupts do not count.
 // Empty if all stretches are alike. result: the mean of the steps' return values, to check that two commits do the same work.
-#include <adaptor.hpp>  // of the tree that is measured: finger_bench.cmake
+#include <adaptor.hpp>  // of the commit that is measured
 #include "motion.hpp"
 #include "workload.hpp"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "elliptic.hpp"
 #include "limitcurve/pressure_law.hpp"
-#include "limitcurve/quadrature/elliptic.hpp"
 
 #include <boost/math/quadrature/gauss.hpp>
 
@@ -63,7 +63,7 @@ class FixedGauss {
       const double larger = std::max(radius, s);
       const double q = std::min(radius, s) / larger;
       const double complement = from_cor / larger * ((radius + s) / larger);
-      const auto [b, d] = elliptic_pair(q, complement);
+      const auto [b, d] = study::elliptic_pair(q, complement);
       const double e = b + complement * d;
       const bool within = radius <= s;
       sum.force += weight * (within ? e : q * b);

@@ -4,9 +4,14 @@
 #include "limitcurve/pressure_law.hpp"
 
 #include <boost/math/quadrature/gauss_kronrod.hpp>
+#include <boost/math/quadrature/tanh_sinh.hpp>
+#include <boost/math/special_functions/ellint_rd.hpp>
+#include <boost/math/special_functions/ellint_rf.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -68,6 +73,81 @@ inline double printed_integrand(const PressureLaw& law, bool moment, double s, d
   const double weight = 2.0 / 3.14159265358979323846 * radius * pressure_at(law, radius, 1.0 - radius);
   return weight * (moment ? radius * radius - s * x : s - x) / distance;
 }
+
+/// The angular integral in closed form by Carlson's integrals, the radius by Boost's tanh–sinh rule, split at ρ = s and where the pressure
+/// has kinks, with the rim's infinite pressure taken into the variable.
+class BoostSplit {
+ public:
+  BoostSplit(const PressureLaw& law, double tolerance)
+      : law_(&law), tolerance_(tolerance), exponent_(static_cast<double>(law.rim_exponent())) {}
+
+  UnitWrench operator()(double s) const {
+    UnitWrench sum{};
+    const std::vector<Extended>& breaks = law_->breaks();
+    for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
+      const auto left = static_cast<double>(breaks[i]);
+      const auto right = static_cast<double>(breaks[i + 1]);
+      const double split = std::clamp(s, left, right);
+      for (double UnitWrench::*const part : {&UnitWrench::force, &UnitWrench::moment}) {
+        if (left < split) sum.*part += piece(s, left, split, part);
+        if (split < right) sum.*part += piece(s, split, right, part);
+      }
+    }
+    return sum;
+  }
+
+ private:
+  using Quiet = boost::math::policies::policy<boost::math::policies::promote_double<false>,
+                                              boost::math::policies::domain_error<boost::math::policies::ignore_error>,
+                                              boost::math::policies::overflow_error<boost::math::policies::ignore_error>,
+                                              boost::math::policies::evaluation_error<boost::math::policies::ignore_error>>;
+
+  static UnitWrench kernel(double rho, double s, double from_cor) {
+    constexpr double scale = 0.6366197723675814;  // 2/π
+    const double larger = std::max(rho, s);
+    const double q = std::min(rho, s) / larger;
+    const double complement = std::max(from_cor / larger * ((rho + s) / larger), std::numeric_limits<double>::min());
+    const double d = boost::math::ellint_rd(0.0, complement, 1.0, Quiet()) / 3.0;
+    const double b = boost::math::ellint_rf(0.0, complement, 1.0, Quiet()) - d;
+    const double e = b + complement * d;
+    return rho <= s ? UnitWrench{scale * e, scale * rho * q * b} : UnitWrench{scale * q * b, scale * rho * e};
+  }
+
+  double piece(double s, double left, double right, double UnitWrench::*part) const {
+    static boost::math::quadrature::tanh_sinh<double, Quiet> rule;
+    const auto outer = static_cast<double>(law_->breaks().back());
+    const double length = right - left;
+    // The pressure grows like rim^exponent: on the last piece rim = length·y^power takes that factor into dy.
+    const bool is_last = right == outer && exponent_ != 0.0;
+    const double power = is_last ? 1.0 / (1.0 + exponent_) : 1.0;
+    const double scale = is_last ? std::pow(length, exponent_) * power : 1.0;
+    const auto integrand = [&](double from_left, double from_right) {
+      if (is_last) {
+        const double log_y = from_left < from_right ? std::log1p(-from_left / length) : std::log(from_right / length);
+        from_left = length * -std::expm1(power * log_y);
+        from_right = length * std::exp(power * log_y);
+      }
+      const double rho = from_left < from_right ? left + from_left : right - from_right;
+      if (rho < std::numeric_limits<double>::min()) return 0.0;
+      const double rim = (outer - right) + from_right;
+      const double from_cor = s <= left ? (left - s) + from_left : (s - right) + from_right;
+      const double weight = exponent_ != 0.0 && !is_last ? std::pow(rim, exponent_) : scale;
+      return 2.0 * rho * law_->density(RadialPosition<double>{rho, rim}) * weight * kernel(rho, s, from_cor).*part;
+    };
+    // Boost passes the distance from the nearer end of [−1, 1], negative at the left end.
+    const double half = 0.5 * length;
+    return half * rule.integrate(
+                      [&](double, double end) {
+                        const double near = half * std::fabs(end);
+                        return end < 0.0 ? integrand(near, length - near) : integrand(length - near, near);
+                      },
+                      tolerance_);
+  }
+
+  const PressureLaw* law_;
+  double tolerance_;
+  double exponent_;
+};
 
 /// Eq. (17) as printed by two nested adaptive Gauss–Kronrod rules of Boost.
 class BoostNested {

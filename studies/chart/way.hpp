@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "../../tests/limitcurve/reference.hpp"
 #include "limitcurve/pressure_law.hpp"
 #include "limitcurve/wrench.hpp"
-#include "tests/limitcurve/reference.hpp"
 
 #include <benchmark/benchmark.h>
 

@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: MIT
 // Error against time of every method to compute a friction wrench, ours and others'. studies/chart/measure runs it and draws the
 // chart; by hand it is a Google Benchmark.
+#include "by_ring.hpp"
 #include "fixed_gauss.hpp"
+#include "number_text.hpp"
 #include "peers.hpp"
 #include "way.hpp"
 #include "work_precision_step.hpp"
 
 #include "limitcurve/approximations.hpp"
 #include "limitcurve/exact_curve.hpp"
-#include "limitcurve/internal/number.hpp"
 #include "limitcurve/laws.hpp"
-#include "limitcurve/quadrature/closed_form.hpp"
-#include "limitcurve/quadrature/evaluators.hpp"
 #include "limitcurve/table.hpp"
 
 #include <benchmark/benchmark.h>
@@ -47,36 +46,14 @@ void add_of_cor(const WrenchStudy& study, const char* kind, const char* family, 
   study.add(kind, family, parameter, bytes, [rule](SlipTwist twist) { return rule(std::min(twist.cor(), farthest)); });
 }
 
-/// The law's own closed form, inlined as in a loop with a fixed law.
-template <class Real, UnitForces<Real> (*form)(Real) noexcept>
-void add_closed(const WrenchStudy& study, const char* parameter) {
-  study.add("ours", "closed", parameter, 0, [](SlipTwist twist) {
-    const UnitForces<Real> forces = form(static_cast<Real>(twist.cor()));
-    return UnitWrench{static_cast<double>(forces.force), static_cast<double>(forces.moment)};
-  });
-}
-
-void add_closed_forms(const WrenchStudy& study, const std::string& law) {
-  if (law == "hertz") {
-    add_closed<double, closed_form::hertz<double>>(study, "double");
-    add_closed<float, closed_form::hertz<float>>(study, "float");
-  } else if (law == "uniform") {
-    add_closed<double, closed_form::uniform<double>>(study, "double");
-    add_closed<float, closed_form::uniform<float>>(study, "float");
-  } else if (law == "flat-punch") {
-    add_closed<double, closed_form::flat_punch<double>>(study, "double");
-    add_closed<float, closed_form::flat_punch<float>>(study, "float");
-  }
-}
-
 void add_evaluators(const WrenchStudy& study) {
   const Law law = study.law();
-  study.add("ours", "forces", "double", 0, [law](SlipTwist twist) {
+  study.add("ours", law->allows(limitcurve::Method::closed) ? "closed" : "forces", "double", 0, [law](SlipTwist twist) {
     const UnitForces<double> forces = law->forces(twist.cor(), Slope::unwanted);
     return UnitWrench{forces.force, forces.moment};
   });
-  study.add("ours", "ring", "double", 0, [law](SlipTwist twist) {
-    const UnitForces<double> forces = evaluators::ring(*law, twist.cor(), Slope::unwanted).forces;
+  study.add("ours", "ring", "double", 0, [law, rule = study::ByRing(*law)](SlipTwist twist) {
+    const UnitForces<double> forces = rule.forces(twist.cor(), Slope::unwanted);
     return UnitWrench{forces.force, forces.moment};
   });
   const auto add_method = [&](const char* family, limitcurve::Method method) {
@@ -118,13 +95,10 @@ void add_peers(const WrenchStudy& study) {
     add_of_cor(study, "others", "grid", std::to_string(cells), Grid(law, cells));
   }
   for (const double tolerance : {1e-1, 1e-2, 1e-4, 1e-6, 1e-8, 1e-12}) {
-    add_of_cor(study, "others", "Boost split", format_number(tolerance), [&law, tolerance](double cor) {
-      const UnitForces<double> forces = evaluators::boost(law, cor, Slope::unwanted, tolerance).forces;
-      return UnitWrench{forces.force, forces.moment};
-    });
+    add_of_cor(study, "others", "Boost split", study::number_text(tolerance), BoostSplit(law, tolerance));
   }
   for (const double tolerance : {1e-1, 1e-3, 1e-6, 1e-9, 1e-12}) {
-    add_of_cor(study, "others", "Boost nested", format_number(tolerance), BoostNested(law, tolerance));
+    add_of_cor(study, "others", "Boost nested", study::number_text(tolerance), BoostNested(law, tolerance));
   }
 }
 
@@ -150,7 +124,6 @@ int main(int argc, char** argv) {
   std::deque<WrenchStudy> studies;  // methods refer to them
   for (const char* name : {"hertz", "uniform", "flat-punch", "xydas-kao:k=3", "power:n=2.3"}) {
     const WrenchStudy& study = studies.emplace_back(name, parse_law(name));
-    add_closed_forms(study, name);
     add_evaluators(study);
     add_gauss<7, 10, 15, 20, 30>(study);
     add_curves(study);

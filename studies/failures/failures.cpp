@@ -2,11 +2,11 @@
 // stability_study DIR: measures every entry of docs/stability.md and writes summary.csv (a line for each finding) and a CSV for each figure
 // (panel,series,x,value) into DIR. studies/failures/measure draws and documents them.
 #include "failures.hpp"
-#include "limitcurve/internal/number.hpp"
 #include "motion/geometry.hpp"
 #include "motion/projection.hpp"
 #include "motion/reality.hpp"
 #include "motion/stepping.hpp"
+#include "number_text.hpp"
 #include "numerics/fits.hpp"
 #include "numerics/quadrature.hpp"
 #include "numerics/tables.hpp"
@@ -55,7 +55,8 @@ void write(const Figure& figure, const std::filesystem::path& folder) {
   std::ofstream file(path);
   file << "panel,series,x,value\n";
   for (const Row& row : figure.rows) {
-    file << quoted(row.panel) << ',' << quoted(row.series) << ',' << format_number(row.x) << ',' << format_number(row.value) << '\n';
+    file << quoted(row.panel) << ',' << quoted(row.series) << ',' << study::number_text(row.x) << ',' << study::number_text(row.value)
+         << '\n';
   }
   close(file, path);
 }
@@ -70,7 +71,7 @@ void run(const std::filesystem::path& folder) {
       const Hazard hazard = measure();
       for (const Finding& finding : hazard.findings) {
         summary << entry.name << ',' << quoted(finding.hazard) << ',' << quoted(finding.method) << ',' << quoted(finding.quantity) << ','
-                << format_number(finding.breaks) << ',' << format_number(finding.stands) << '\n';
+                << study::number_text(finding.breaks) << ',' << study::number_text(finding.stands) << '\n';
       }
       for (const Figure& figure : hazard.figures) write(figure, folder);
     }

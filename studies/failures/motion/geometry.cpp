@@ -2,11 +2,13 @@
 // Entry "geometry": shapes.
 #include "geometry.hpp"
 
+#include "../../../tests/touch.hpp"
+#include "../numerics/sampling.hpp"
+#include "../random.hpp"
 #include "godobject/soft_finger.hpp"
 #include "godobject/surface.hpp"
 #include "limitcurve/approximations.hpp"
 #include "limitcurve/laws.hpp"
-#include "tests/touch.hpp"
 
 #include <Eigen/Geometry>
 

@@ -2,6 +2,7 @@
 // Entry "reality": real devices.
 #include "reality.hpp"
 
+#include "../../../tests/touch.hpp"
 #include "../numerics/sampling.hpp"
 #include "../random.hpp"
 #include "bristles.hpp"
@@ -9,7 +10,6 @@
 #include "godobject/surface.hpp"
 #include "limitcurve/approximations.hpp"
 #include "limitcurve/laws.hpp"
-#include "tests/touch.hpp"
 
 #include <algorithm>
 #include <array>

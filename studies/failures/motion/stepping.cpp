@@ -2,12 +2,12 @@
 // Entry "time": finger springs on a light body.
 #include "stepping.hpp"
 
+#include "../../../tests/integrators.hpp"
 #include "../numerics/sampling.hpp"
 #include "godobject/surface.hpp"
 #include "limitcurve/approximations.hpp"
-#include "limitcurve/internal/number.hpp"
 #include "limitcurve/laws.hpp"
-#include "tests/integrators.hpp"
+#include "number_text.hpp"
 
 #include <algorithm>
 #include <array>
@@ -149,7 +149,7 @@ Hazard stiffness_and_damping() {
       for (const double kappa : stiffnesses) {
         const bool gains = gains_energy(integrators[i], kappa, zeta, false);
         lost[i] += gains;
-        figure.rows.push_back({names[i], format_number(zeta), kappa, gains ? 1.0 : 0.0});
+        figure.rows.push_back({names[i], study::number_text(zeta), kappa, gains ? 1.0 : 0.0});
       }
     }
     lost[i] /= static_cast<double>(stiffnesses.size() * dampings.size());
@@ -190,7 +190,7 @@ Hazard block_of_ten_grams() {
   for (const auto& [integrator, stiffness] : {std::pair(0U, 2000.0), std::pair(1U, 2e5)}) {
     found.findings.push_back(
         {"10 g between two fingers, 1 kHz", std::string(names[integrator]) + ", undamped",
-         "distance from the grip after 5 s, in static spring deflections (1000: lost; " + format_number(stiffness / 1000.0) + " kN/m)",
+         "distance from the grip after 5 s, in static spring deflections (1000: lost; " + study::number_text(stiffness / 1000.0) + " kN/m)",
          held(integrators[integrator], stiffness, 5.0).fallen / (0.01 * 9.81 / (2.0 * stiffness)),
          held(Integrator::implicit_euler, stiffness, 5.0).fallen / (0.01 * 9.81 / (2.0 * stiffness))});
   }

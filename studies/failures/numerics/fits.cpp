@@ -2,15 +2,14 @@
 // Entry "fits": curves with few parameters, fitted to the exact one and to measurements.
 #include "fits.hpp"
 
+#include "../../../tests/fit/synthetic.hpp"
+#include "../../../tests/superellipse.hpp"
 #include "fit/fit.hpp"
 #include "gaussian_sum.hpp"
 #include "limitcurve/exact_curve.hpp"
-#include "limitcurve/internal/number.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/table.hpp"
 #include "sampling.hpp"
-#include "tests/fit/synthetic.hpp"
-#include "tests/superellipse.hpp"
 #include "truth.hpp"
 
 #include <algorithm>

@@ -2,12 +2,12 @@
 // Entry "quadrature": eq. (17) as one integral over the radius, where it breaks.
 #include "quadrature.hpp"
 
+#include "../../../tests/function_law.hpp"
+#include "by_ring.hpp"
 #include "customary_quadrature.hpp"
+#include "elliptic.hpp"
 #include "limitcurve/laws.hpp"
-#include "limitcurve/quadrature/elliptic.hpp"
-#include "limitcurve/quadrature/evaluators.hpp"
 #include "sampling.hpp"
-#include "tests/function_law.hpp"
 #include "truth.hpp"
 
 #include <boost/math/special_functions/ellint_rf.hpp>
@@ -29,7 +29,7 @@ double hertz_density(double rho) {
 }
 
 double our_force(const PressureLaw& law, double s) {
-  return evaluators::ring(law, s).forces.force;
+  return study::ByRing(law).forces(s).force;
 }
 
 void raise(double& worst, double value) {
@@ -271,7 +271,7 @@ Hazard vanishing_complement() {
     const double complement = 4.0 * delta / ((1.0 + delta) * (1.0 + delta));
     const std::array values{or_nothing([&] { return boost::math::ellint_1(std::sqrt((1.0 - delta) * (1.0 + delta))); }),
                             or_nothing([&] { return boost::math::ellint_rf(0.0, delta * delta, 1.0); }),
-                            (1.0 + q) * elliptic_pair(q, complement).first_kind()};
+                            (1.0 + q) * study::elliptic_pair(q, complement).first_kind()};
     for (std::size_t i = 0; i < values.size(); ++i) {
       const double error = std::isfinite(values[i]) ? relative_error(values[i], truth) : infinity;
       figure.rows.push_back({"first kind", series[i], delta, error});

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The truth of the study against mpmath's 30 digits.
 #include "truth.hpp"
-#include "tests/limitcurve/reference.hpp"
+#include "../../../tests/limitcurve/reference.hpp"
 
 #include <gtest/gtest.h>
 
