@@ -159,7 +159,7 @@ TEST(SteadyTwist, HalvingTheTimeStepHalvesThePathError) {
 
 // What docs/paper.md says of eq. (23) and of the c-curve where the radius grows with the load: 0.255 N, and 0.438, 0.416, 0.4135 N in steps of
 // 100, 10, 1 µm, where eq. (17) has 0.487 N.
-TEST(SteadyTwist, UnderAGrowingRadiusOnlyTheClosestPointSettlesAtEquation17) {
+TEST(SteadyTwist, GrowingRadius) {
   const Table table = Table::build(hertz(), 1e-8);
   const auto force = [&](Projection projection, double step) {
     FingerParameters with = parameters(0.6, 0.006, 1000.0, 0.036);
