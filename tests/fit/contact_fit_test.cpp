@@ -13,7 +13,7 @@
 #include <limits>
 #include <string>
 
-namespace limitcurve::fit {
+namespace limitcurve::fit::contact_fit_test {
 namespace {
 
 using synthetic::Curve;
@@ -360,4 +360,4 @@ TEST(ContactFit, ShapeThatNoiseHidesIsReportedUnknown) {
 }
 
 }  // namespace
-}  // namespace limitcurve::fit
+}  // namespace limitcurve::fit::contact_fit_test

@@ -250,7 +250,7 @@ TEST(TableFile, NamesOfHeadersAreCIdentifiers) {
   const Table table = Table::build(hertz(), 1e-2);
   EXPECT_TRUE(has(to_header(table, "thumb"), "thumb_wrench(double slide, double spin)"));
   for (const char* name : {"2nd", "a-b", "_a", "a__b", "a b", "d\xc3\xa9", "int", "class", "main"}) {
-    test::expect_mention(test::complaint_about_table([&] { (void)to_header(table, name); }), std::string("'") + name + "'");
+    test::expect_mention(test::complaint([&] { (void)to_header(table, name); }), std::string("'") + name + "'");
   }
 }
 

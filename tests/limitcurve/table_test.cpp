@@ -33,6 +33,8 @@ using test::complaint;
 using test::exact_of;
 using test::expect_convex_and_smooth;
 using test::expect_mention;
+using test::inf;
+using test::nan;
 using test::worst_error;
 
 /// At 1e-14 the rounding of s = c/a in `forces` counts; the reference has the ratio exactly, and the rounding to double of its own. Where long

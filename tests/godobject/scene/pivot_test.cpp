@@ -10,7 +10,7 @@
 
 #include <numbers>
 
-namespace limitcurve::godobject::test {
+namespace limitcurve::godobject::test::pivot_test {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180.0;
@@ -203,4 +203,4 @@ TEST(Pivot, NamesWhatIsWrongWithItsOptions) {
 }
 
 }  // namespace
-}  // namespace limitcurve::godobject::test
+}  // namespace limitcurve::godobject::test::pivot_test

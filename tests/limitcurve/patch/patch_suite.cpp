@@ -19,6 +19,9 @@ namespace limitcurve {
 
 namespace {
 
+using test::inf;
+using test::nan;
+
 struct Kind {
   std::string name;
   Patch patch;
