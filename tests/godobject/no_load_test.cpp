@@ -112,7 +112,6 @@ TEST(NoLoad, ATrialFromAfarKeepsWhatANearerOneDoes) {
 // A limit that is NaN keeps no friction, whatever the curve.
 TEST(NoLoad, ANaNKeepsNothing) {
 #ifdef NDEBUG
-  const double nan = std::numeric_limits<double>::quiet_NaN();
   for_each_curve_and_projection(hertz(), [&](const FingerCurve& curve, Projection projection, const std::string& kind) {
     const FrictionLimits<double> limits{{nan, 0.005}, {nan, 0.005}, 25000.0};
     FrictionMemory<double> memory;

@@ -22,8 +22,8 @@ TYPED_TEST_SUITE(BatchInput, Reals);
 
 TYPED_TEST(BatchInput, WhatIsNotUsableTouchesNothingAndItsNeighboursNeither) {
   using Real = TypeParam;
-  constexpr Real infinity = std::numeric_limits<Real>::infinity();
-  constexpr std::array<Real, 4> nonsense{std::numeric_limits<Real>::quiet_NaN(), infinity, -infinity, Real(1e7)};
+  using Limits = std::numeric_limits<Real>;
+  constexpr std::array<Real, 4> nonsense{Limits::quiet_NaN(), Limits::infinity(), -Limits::infinity(), Real(1e7)};
   constexpr std::size_t count = 130;
   for (const Case<Real>& with : cases<Real>()) {
     const BasicBatch<Real> batch(with.curve, with.with, with.projection);

@@ -61,7 +61,6 @@ class Motion {
  public:
   template <class Real>
   void next(BasicContactArrays<Real>& arrays) {
-    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     for (std::size_t i = 0; i < arrays.size(); ++i) {
       const double stride = std::pow(10.0, between(-8.0, -2.0));
       Real& x = arrays.x()[i];
@@ -74,9 +73,9 @@ class Motion {
       angle += static_cast<Real>(100.0 * between(-stride, stride));
       arrays.depth()[i] = static_cast<Real>(between(-0.0003, 0.003));
       const double chance = between(0.0, 1.0);
-      if (chance < 0.01) x = static_cast<Real>(nan);
+      if (chance < 0.01) x = std::numeric_limits<Real>::quiet_NaN();
       if (chance > 0.01 && chance < 0.02) angle = Real(1e7);
-      if (chance > 0.02 && chance < 0.03) arrays.depth()[i] = static_cast<Real>(nan);
+      if (chance > 0.02 && chance < 0.03) arrays.depth()[i] = std::numeric_limits<Real>::quiet_NaN();
       if (chance > 0.03 && chance < 0.04) arrays.depth()[i] = Real(1e9);
       if (chance > 0.04 && chance < 0.05) arrays.depth()[i] = std::numeric_limits<Real>::denorm_min();
       if (chance > 0.05 && chance < 0.06) x = Real(9e5);

@@ -273,7 +273,6 @@ TEST(Grasp, ResetStartsAnew) {
 
 // A refused step moves nothing, not by one bit, says so, and is over with the next one.
 TEST(Grasp, RefusesInvalidSteps) {
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   constexpr double inf = std::numeric_limits<double>::infinity();
   BodyParameters body = BodyParameters::block(0.1, edges);
   body.gravity = {0.0, -9.81, 0.0};

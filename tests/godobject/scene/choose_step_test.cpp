@@ -256,9 +256,8 @@ TEST(ChooseStep, RefusesWhatMeansNothing) {
     change(wrong);
     EXPECT_THROW(choose_step(wrong, tolerance), std::invalid_argument);
   };
-  const double nan = std::nan("");
   refuses([](Scene& s) { s.law = nullptr; });
-  for (const double bad : {0.0, -1.0, nan, HUGE_VAL}) {
+  for (const double bad : {0.0, -1.0, std::nan(""), HUGE_VAL}) {
     refuses([=](Scene& s) { s.mu = bad; });
     refuses([=](Scene& s) { s.least_load = bad; });
     refuses([=](Scene& s) { s.most_load = bad; });
@@ -268,14 +267,14 @@ TEST(ChooseStep, RefusesWhatMeansNothing) {
     refuses([=](Scene& s) { s.mu_r = bad; });
     refuses([](Scene&) {}, bad);
   }
-  for (const double bad : {-1.0, nan, HUGE_VAL}) {
+  for (const double bad : {-1.0, std::nan(""), HUGE_VAL}) {
     refuses([=](Scene& s) { s.slide_speed = bad; });
     refuses([=](Scene& s) { s.twist_rate = bad; });
   }
   for (double Scene::*slide : {&Scene::slide_speed, &Scene::slide}) {
     for (double Scene::*twist : {&Scene::twist_rate, &Scene::twist}) refuses([=](Scene& s) { s.*slide = s.*twist = 0.0; });
   }
-  refuses([=](Scene& s) { s.twist = nan; });
+  refuses([=](Scene& s) { s.twist = std::nan(""); });
 }
 
 }  // namespace

@@ -7,7 +7,6 @@
 
 #include <gtest/gtest.h>
 
-#include <limits>
 #include <numbers>
 
 namespace limitcurve::godobject::test::replay_test {
@@ -177,7 +176,6 @@ TEST(Replay, TwoFingersCarryABlock) {
 }
 
 TEST(Replay, HoldsOnSamplesThatAreNotUsable) {
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   for (const BodyMotion motion : {BodyMotion::fixed, BodyMotion::prescribed, BodyMotion::free}) {
     ReplayOptions with = options();
     with.finger.fault_decay = 1.0;
@@ -214,7 +212,6 @@ TEST(Replay, HeldForceAndNormalTurnWithTheBody) {
   Replay replay(with);
   moved(replay, 0.0, pose({0.0, 0.0, -0.002}));
   moved(replay, 0.001, pose({0.0003, 0.0, -0.002}));
-  const double nan = std::numeric_limits<double>::quiet_NaN();
   const Quaterniond turned(Eigen::AngleAxisd(0.7, Vector3d(1.0, 2.0, 0.5).normalized()));
   const SceneContact contact = moved(replay, 0.002, pose({nan, 0.0, 0.0}), {Vector3d::Zero(), turned});
   ASSERT_EQ(contact.state, ContactState::invalid);

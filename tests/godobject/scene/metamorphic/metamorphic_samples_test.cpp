@@ -91,7 +91,6 @@ TEST(Metamorphic, AStepInTwoHalvesIsTheSameWhereNothingSlips) {
 /// A row that must be refused: a place that is not finite, one farther than a finger moves in a sample, an orientation that is none, a body nowhere,
 /// a time that is over.
 Row refused(const Row& like, int how) {
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   constexpr double inf = std::numeric_limits<double>::infinity();
   Row row = like;
   for (DevicePose& finger : row.fingers) {
