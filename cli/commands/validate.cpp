@@ -108,8 +108,8 @@ class Validate final : public Subcommand {
       found.emplace_back(text, disc_models(patch));
     }
     Rows rows(results, columns());
-    for (const auto& [text, models] : found) {
-      for (const DiscModel& model : models) write(rows, text, model.name, model.parameter, model.error);
+    for (const auto& [text, found_models] : found) {
+      for (const DiscModel& model : found_models) write(rows, text, model.name, model.parameter, model.error);
     }
     rows.finish();
   }
