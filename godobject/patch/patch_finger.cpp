@@ -17,7 +17,7 @@ namespace {
 using Eigen::Vector3d;
 
 /// A tangent vector, turned about the normal.
-Vector3d turned(const Vector3d& tangent, const Vector3d& normal, double angle) noexcept {
+Vector3d turned_about(const Vector3d& tangent, const Vector3d& normal, double angle) noexcept {
   return tangent * std::cos(angle) + normal.cross(tangent) * std::sin(angle);
 }
 
@@ -30,7 +30,7 @@ Vector3d zero_axis(const Vector3d& n, const Spin& spin, const Vector3d& last) no
   if (spin.started) {
     const Orientation q(spin.scalar, spin.axis[0], spin.axis[1], spin.axis[2]);
     const Vector3d tangent = tangent_part(q * Vector3d::UnitX());
-    if (const double length = tangent.norm(); length > 1e-6) return turned(tangent / length, n, -spin.angle);
+    if (const double length = tangent.norm(); length > 1e-6) return turned_about(tangent / length, n, -spin.angle);
   }
   const Vector3d tangent = tangent_part(last);
   if (const double length = tangent.norm(); length > 0.1) return tangent / length;
@@ -76,7 +76,7 @@ KeptDeflection PatchFinger::friction(const ContactLimits& limits, const TrialDef
                                      double angle, const PatchMemory& last, bool may_begin, FrictionMemory<double>& friction,
                                      PatchMemory& next) const noexcept {
   next.zero_axis = zero_axis(normal, spin, last.zero_axis);
-  next.axis = turned(next.zero_axis, normal, angle);
+  next.axis = turned_about(next.zero_axis, normal, angle);
   const double stiffness = trial.springs.stiffness;
   const double twist_stiffness = trial.springs.twist_stiffness;
   const PatchWrench wrench = in_axes(next.axis, normal, trial.tangential * stiffness, trial.twist * twist_stiffness);

@@ -19,7 +19,7 @@ namespace {
 using Row = TableContents::Row;
 
 constexpr std::string_view title = "# limitcurve table, format 2";
-constexpr std::string_view columns = "x,force,moment,c0,c1,c2,c3,c4,c5,c6";
+constexpr std::string_view piece_columns = "x,force,moment,c0,c1,c2,c3,c4,c5,c6";
 constexpr std::size_t coefficients_from = 3;
 constexpr std::string_view legend =
     "# One row a polynomial, in the order of the curve from pure spin to pure sliding; and one at x = 1 for each side, the rim.\n"
@@ -176,7 +176,8 @@ Row read_row(const Reader& reader, std::string_view line) {
   for (std::size_t i = 0; i < values.size(); ++i) {
     const bool last = i + 1 == values.size();
     const std::size_t end = last ? line.size() : line.find(',', begin);
-    if (begin == 0 || end == std::string_view::npos) reader.fail(line.size() + 1, "expected the columns side," + std::string(columns));
+    if (begin == 0 || end == std::string_view::npos)
+      reader.fail(line.size() + 1, "expected the columns side," + std::string(piece_columns));
     values[i] = number(reader, line.substr(begin, end - begin), begin + 1);
     begin = end + 1;
   }
@@ -223,7 +224,7 @@ std::string to_csv(const Table& table) {
   for (std::size_t i = 0; i < facts.size(); ++i) add(i, facts[i]);
   add(facts.size(), version);
   add(facts.size() + 1, checksum(contents));
-  return text.append(legend).append("side,").append(columns) + "\n" + csv_rows(contents);
+  return text.append(legend).append("side,").append(piece_columns) + "\n" + csv_rows(contents);
 }
 
 Table read_table_csv(std::string_view text, std::string_view source) {
@@ -250,7 +251,7 @@ Table read_table_csv(std::string_view text, std::string_view source) {
   do {
     line = reader.line();
   } while (line.starts_with("#"));
-  if (line != "side," + std::string(columns)) reader.fail(1, "expected the header side," + std::string(columns));
+  if (line != "side," + std::string(piece_columns)) reader.fail(1, "expected the header side," + std::string(piece_columns));
   while (!reader.at_end()) {
     line = reader.line();
     const std::string_view side = line.substr(0, line.find(','));
@@ -299,7 +300,7 @@ std::string to_json(const Table& table) {
   for (std::size_t i = 1; i < facts.size(); ++i) add(fact_names[i], facts[i]);
   add("version", quoted(version));
   add("checksum", quoted(checksum(contents)));
-  std::string names = quoted(columns);
+  std::string names = quoted(piece_columns);
   for (std::size_t comma = 0; (comma = names.find(',', comma)) != std::string::npos; comma += 4) names.replace(comma, 1, "\", \"");
   add("columns", "[" + names + "]");
   const auto side = [](const std::vector<Row>& rows) {
