@@ -101,7 +101,7 @@ TEST(MetamorphicPatch, AYawedBodyFrameTurnsNothingInTheWorld) {
     options.surface = surface.surface;
     options.fingers = 2;
     options.motion = BodyMotion::prescribed;
-    const Scene scene{options.finger, Replay(options), {}, surface.name == "plane"};
+    const RandomScene scene{options.finger, Replay(options), {}, surface.name == "plane"};
     const std::array devices{RandomDevice(options.surface, random), RandomDevice(options.surface, random)};
     std::vector<Row> here;
     std::vector<Row> there;
