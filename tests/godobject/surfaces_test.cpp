@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace limitcurve::godobject::test {
+namespace limitcurve::godobject::test::surfaces_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -110,4 +110,4 @@ TEST(Surfaces, AreDefinedAtTheirCentres) {
 }
 
 }  // namespace
-}  // namespace limitcurve::godobject::test
+}  // namespace limitcurve::godobject::test::surfaces_test

@@ -20,7 +20,7 @@
 #include <string>
 #include <vector>
 
-namespace limitcurve::test {
+namespace limitcurve::test::own_law_test {
 namespace {
 
 constexpr std::array<double, 15> cors{0.0, 1e-6, 0.1, 0.31, 0.37, 0.5, 0.62, 0.75, 0.9, 1.0, 1.1, 2.0, 30.0, 1e6, inf};
@@ -192,4 +192,4 @@ TEST(OwnLaw, ThatComputesItsRimFromTheRadiusSaysWhatItLost) {
 }
 
 }  // namespace
-}  // namespace limitcurve::test
+}  // namespace limitcurve::test::own_law_test

@@ -12,7 +12,7 @@
 
 /// Replays of two fingers in random scenes that must give the same output: on every surface, with every curve, projection and set of
 /// parameters.
-namespace limitcurve::godobject::test {
+namespace limitcurve::godobject::test::metamorphic {
 
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
@@ -33,14 +33,14 @@ struct Row {
 using Felt = std::array<SceneContact, 2>;
 
 /// Two fingers on a body that rests, unless a test moves it.
-struct RandomScene {
+struct Scene {
   FingerParameters finger;
   Replay start;
   std::vector<Row> rows;
   bool is_plane;
 };
 
-inline std::vector<Felt> replay(const RandomScene& scene, const std::vector<Row>& with) {
+inline std::vector<Felt> replay(const Scene& scene, const std::vector<Row>& with) {
   Replay replay = scene.start;
   std::vector<Felt> result;
   for (const Row& row : with) {
@@ -63,13 +63,13 @@ inline ReplayOptions options_of(const Choice& choice) {
 }
 
 /// Calls `body(scene, felt, random)` for every choice, with two fingers that move at random on a body at rest.
-inline void for_each_scene(std::uint64_t seed, const std::function<void(const RandomScene&, const std::vector<Felt>&, Random&)>& body) {
+inline void for_each_scene(std::uint64_t seed, const std::function<void(const Scene&, const std::vector<Felt>&, Random&)>& body) {
   int slips = 0;
   int sticks = 0;
   for_each_choice(seed, [&](const Choice& choice, Random& random) {
     ReplayOptions options = options_of(choice);
     options.motion = BodyMotion::prescribed;
-    RandomScene scene{options.finger, Replay(options), {}, choice.surface.name == "plane"};
+    Scene scene{options.finger, Replay(options), {}, choice.surface.name == "plane"};
     const std::array devices{RandomDevice(options.surface, random), RandomDevice(options.surface, random)};
     for (int i = 0; i < rows; ++i) {
       const double time = i * time_step;
@@ -98,7 +98,7 @@ struct Map {
 
 /// That `one`, mapped, is `other` within a tolerance. The centre of rotation is the direction of a slip, whose error is that of the places by the
 /// length of the slip [m]; a slip not longer than the tolerance is one in one scene and none in the other.
-inline void expect_alike(const RandomScene& scene, const SceneContact& one, double slip, const SceneContact& other, const Map& map,
+inline void expect_alike(const Scene& scene, const SceneContact& one, double slip, const SceneContact& other, const Map& map,
                          const Tolerance& within) {
   const double least = 10.0 * (within.length + rim * within.angle);
   const bool touch = one.load > 0.0 && other.load > 0.0;
@@ -135,7 +135,7 @@ inline double slip_in(const std::vector<Felt>& felt, std::size_t row, std::size_
 }
 
 /// Compares the output at rest, with each row's own map, with another.
-inline void expect_alike_by_rows(const RandomScene& scene, const std::vector<Felt>& one, const std::vector<Felt>& other,
+inline void expect_alike_by_rows(const Scene& scene, const std::vector<Felt>& one, const std::vector<Felt>& other,
                                  const std::function<Map(std::size_t)>& map, const Tolerance& within) {
   ASSERT_EQ(one.size(), other.size());
   for (std::size_t i = 0; i < one.size(); ++i) {
@@ -147,7 +147,7 @@ inline void expect_alike_by_rows(const RandomScene& scene, const std::vector<Fel
   }
 }
 
-inline void expect_alike(const RandomScene& scene, const std::vector<Felt>& one, const std::vector<Felt>& other, const Map& map,
+inline void expect_alike(const Scene& scene, const std::vector<Felt>& one, const std::vector<Felt>& other, const Map& map,
                          const Tolerance& within) {
   expect_alike_by_rows(
       scene, one, other, [&](std::size_t) { return map; }, within);
@@ -195,8 +195,8 @@ inline Row moved(const Row& row, const BodyPose& by) {
 
 // A position within 0.3 m is right to its ulp, some 5e-17 m, after each of the products that turn it and turn it back; an angle
 // likewise to 2e-16 rad.
-inline Tolerance rounding(const RandomScene& scene, double size = 0.3) {
+inline Tolerance rounding(const Scene& scene, double size = 0.3) {
   return Tolerance::of(scene.finger, time_step, ulp * size, 4.0 * ulp, rows);
 }
 
-}  // namespace limitcurve::godobject::test
+}  // namespace limitcurve::godobject::test::metamorphic

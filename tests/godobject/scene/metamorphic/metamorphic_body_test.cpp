@@ -5,7 +5,7 @@
 
 #include "godobject/body/grasp.hpp"
 
-namespace limitcurve::godobject::test {
+namespace limitcurve::godobject::test::metamorphic {
 namespace {
 
 constexpr int steps = 150;
@@ -152,4 +152,4 @@ TEST(Metamorphic, AFreeBodyLaterOrWithARefusedRowDoesTheSame) {
 }
 
 }  // namespace
-}  // namespace limitcurve::godobject::test
+}  // namespace limitcurve::godobject::test::metamorphic

@@ -3,7 +3,7 @@
 // every surface, with every curve, projection and set of parameters.
 #include "tests/godobject/scene/metamorphic/metamorphic.hpp"
 
-namespace limitcurve::godobject::test {
+namespace limitcurve::godobject::test::metamorphic {
 namespace {
 
 constexpr double little = 1e-12;
@@ -131,4 +131,4 @@ TEST(Metamorphic, AParameterMovedALittleMovesTheForceALittle) {
 }
 
 }  // namespace
-}  // namespace limitcurve::godobject::test
+}  // namespace limitcurve::godobject::test::metamorphic

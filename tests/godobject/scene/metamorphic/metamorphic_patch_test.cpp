@@ -6,7 +6,7 @@
 #include "godobject/body/grasp.hpp"
 #include "limitcurve/patch/patch.hpp"
 
-namespace limitcurve::godobject::test {
+namespace limitcurve::godobject::test::metamorphic {
 namespace {
 
 constexpr double quarter = 1.5707963267948966;
@@ -101,7 +101,7 @@ TEST(MetamorphicPatch, AYawedBodyFrameTurnsNothingInTheWorld) {
     options.surface = surface.surface;
     options.fingers = 2;
     options.motion = BodyMotion::prescribed;
-    const RandomScene scene{options.finger, Replay(options), {}, surface.name == "plane"};
+    const Scene scene{options.finger, Replay(options), {}, surface.name == "plane"};
     const std::array devices{RandomDevice(options.surface, random), RandomDevice(options.surface, random)};
     std::vector<Row> here;
     std::vector<Row> there;
@@ -184,4 +184,4 @@ TEST(MetamorphicPatch, AFreeBodyHeldByPatchesKeepsItsMomentum) {
 }
 
 }  // namespace
-}  // namespace limitcurve::godobject::test
+}  // namespace limitcurve::godobject::test::metamorphic

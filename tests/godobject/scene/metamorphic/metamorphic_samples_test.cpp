@@ -3,7 +3,7 @@
 // every surface, with every curve, projection and set of parameters.
 #include "tests/godobject/scene/metamorphic/metamorphic.hpp"
 
-namespace limitcurve::godobject::test {
+namespace limitcurve::godobject::test::metamorphic {
 namespace {
 
 /// What two fingers feel in the rows of `with` that a scene has too: `inserted[i]` says that row i is not one of the scene's.
@@ -18,7 +18,7 @@ std::vector<Felt> without(const std::vector<Felt>& felt, const std::vector<bool>
 // A sample that is repeated, at once or later, changes nothing, whether the finger sticks or slips; but for dampers, which feel that the
 // finger has stopped. The inserted rows are not compared: a finger that repeats its position does not slip.
 TEST(Metamorphic, ARepeatedSampleChangesNothing) {
-  for_each_scene(8, [](const RandomScene& scene, const std::vector<Felt>& felt, Random& random) {
+  for_each_scene(8, [](const Scene& scene, const std::vector<Felt>& felt, Random& random) {
     if (scene.finger.damping > 0.0) return;
     std::vector<Row> longer;
     std::vector<bool> inserted;
@@ -41,7 +41,7 @@ TEST(Metamorphic, ARepeatedSampleChangesNothing) {
 // all between, which errs by at most a quarter of what they differ by.
 TEST(Metamorphic, AStepInTwoHalvesIsTheSameWhereNothingSlips) {
   int halved = 0;
-  for_each_scene(9, [&](const RandomScene& scene, const std::vector<Felt>& felt, Random&) {
+  for_each_scene(9, [&](const Scene& scene, const std::vector<Felt>& felt, Random&) {
     if (scene.finger.damping > 0.0) return;
     const auto rests = [](const Felt& row) { return row[0].state == ContactState::stick && row[1].state == ContactState::stick; };
     double spin_error = 0.0;
@@ -112,7 +112,7 @@ constexpr int kinds_of_refusal = 10;
 // One refused row after any row but before the first: it is `invalid`, and nothing that follows differs. Dampers only: the step after it
 // knows no velocity; where the finger sticks, the one after that is as it was.
 TEST(Metamorphic, ARefusedRowLeavesNoTrace) {
-  for_each_scene(10, [](const RandomScene& scene, const std::vector<Felt>& felt, Random& random) {
+  for_each_scene(10, [](const Scene& scene, const std::vector<Felt>& felt, Random& random) {
     for (int how = 0; how < kinds_of_refusal; ++how) {
       const auto after = static_cast<std::size_t>(random.uniform(0.0, rows - 1.0));
       SCOPED_TRACE("refused " + std::to_string(how) + " after row " + std::to_string(after));
@@ -150,4 +150,4 @@ TEST(Metamorphic, ARefusedRowLeavesNoTrace) {
 }
 
 }  // namespace
-}  // namespace limitcurve::godobject::test
+}  // namespace limitcurve::godobject::test::metamorphic

@@ -3,11 +3,11 @@
 // surface, with every curve, projection and set of parameters.
 #include "tests/godobject/scene/metamorphic/metamorphic.hpp"
 
-namespace limitcurve::godobject::test {
+namespace limitcurve::godobject::test::metamorphic {
 namespace {
 
 TEST(Metamorphic, ATurnedSceneFeelsTheSame) {
-  for_each_scene(1, [](const RandomScene& scene, const std::vector<Felt>& felt, Random& random) {
+  for_each_scene(1, [](const Scene& scene, const std::vector<Felt>& felt, Random& random) {
     const BodyPose by{Vector3d::Zero(), random_orientation(random)};
     std::vector<Row> turned;
     for (const Row& row : scene.rows) turned.push_back(moved(row, by));
@@ -18,7 +18,7 @@ TEST(Metamorphic, ATurnedSceneFeelsTheSame) {
 
 // A kilometre away positions are resolved to 1.1e-13 m. The body's frame is exact; on the plane, without a body, so is the depth.
 TEST(Metamorphic, ASceneAKilometreAwayFeelsTheSame) {
-  for_each_scene(2, [](const RandomScene& scene, const std::vector<Felt>& felt, Random& random) {
+  for_each_scene(2, [](const Scene& scene, const std::vector<Felt>& felt, Random& random) {
     const Vector3d away = 1000.0 * random_direction(random);
     const auto carried = [&](const Vector3d& at) { return Vector3d(at + away); };
     const auto same = [](const Vector3d& way) { return way; };
@@ -38,7 +38,7 @@ TEST(Metamorphic, ASceneAKilometreAwayFeelsTheSame) {
 
 // All these surfaces are their own mirror image at x = 0. No number is rounded otherwise, but sums may be added in another order.
 TEST(Metamorphic, AMirroredSceneFeelsMirrored) {
-  for_each_scene(3, [](const RandomScene& scene, const std::vector<Felt>& felt, Random&) {
+  for_each_scene(3, [](const Scene& scene, const std::vector<Felt>& felt, Random&) {
     const auto mirror = [](const Vector3d& way) { return Vector3d(-way.x(), way.y(), way.z()); };
     std::vector<Row> mirrored = scene.rows;
     for (Row& row : mirrored) {
@@ -55,7 +55,7 @@ TEST(Metamorphic, AMirroredSceneFeelsMirrored) {
 
 // Times are multiples of 1/1024 s: time steps are the same to the last bit.
 TEST(Metamorphic, ALaterSceneFeelsTheSame) {
-  for_each_scene(4, [](const RandomScene& scene, const std::vector<Felt>& felt, Random& random) {
+  for_each_scene(4, [](const Scene& scene, const std::vector<Felt>& felt, Random& random) {
     const double later = 1024.0 * std::floor(random.uniform(-1000.0, 1000.0));
     std::vector<Row> shifted = scene.rows;
     for (Row& row : shifted) row.time += later;
@@ -65,7 +65,7 @@ TEST(Metamorphic, ALaterSceneFeelsTheSame) {
 
 // What a device calls its own zero, any turn of it about any of its axes, does not matter; a twist that begins elsewhere only shifts α.
 TEST(Metamorphic, TheZeroOfTheDevicesAnglesDoesNotMatter) {
-  for_each_scene(5, [](const RandomScene& scene, const std::vector<Felt>& felt, Random& random) {
+  for_each_scene(5, [](const Scene& scene, const std::vector<Felt>& felt, Random& random) {
     const Quaterniond yaw(Eigen::AngleAxisd(random.uniform(-3.0, 3.0), Vector3d::UnitZ()));
     const Quaterniond any = random_orientation(random);
     for (const Quaterniond& zero : {yaw, any}) {
@@ -88,7 +88,7 @@ TEST(Metamorphic, TheZeroOfTheDevicesAnglesDoesNotMatter) {
 
 // The body is carried about with the fingers on it, 0.3 m and half a turn to and fro.
 TEST(Metamorphic, ABodyMovedWithItsFingersFeelsLikeOneAtRest) {
-  for_each_scene(6, [](const RandomScene& scene, const std::vector<Felt>& felt, Random& random) {
+  for_each_scene(6, [](const Scene& scene, const std::vector<Felt>& felt, Random& random) {
     const std::array<Wave, 4> waves{Wave(random, 0.0, 0.3, 1.0, 20.0), Wave(random, 0.0, 0.3, 1.0, 20.0), Wave(random, 0.0, 0.3, 1.0, 20.0),
                                     Wave(random, 0.0, 3.0, 1.0, 20.0)};
     const Vector3d axis = random_direction(random);
@@ -108,7 +108,7 @@ TEST(Metamorphic, ABodyMovedWithItsFingersFeelsLikeOneAtRest) {
 
 // Two fingers at one point have the same output as a single finger there.
 TEST(Metamorphic, TwoEqualFingersFeelAlike) {
-  for_each_scene(7, [](const RandomScene& scene, const std::vector<Felt>& felt, Random&) {
+  for_each_scene(7, [](const Scene& scene, const std::vector<Felt>& felt, Random&) {
     std::vector<Row> equal = scene.rows;
     for (Row& row : equal) row.fingers[1] = row.fingers[0];
     const std::vector<Felt> both = replay(scene, equal);
@@ -122,4 +122,4 @@ TEST(Metamorphic, TwoEqualFingersFeelAlike) {
 }
 
 }  // namespace
-}  // namespace limitcurve::godobject::test
+}  // namespace limitcurve::godobject::test::metamorphic
