@@ -72,7 +72,7 @@ class Hold(CommandLineTest):
         """In every command that takes one: mu_r = mu m0 a, with gamma the exponent of the radius."""
         m0 = 3 * math.pi / 16
         common = ["--law", "hertz", "--mu", "0.6"]
-        sized, measured = ["--radius-law", "power:c=0.005,gamma=-0.3"], ["--mu-r", repr(0.6 * m0 * 0.005), "--gamma", "-0.3"]
+        sized, measured = ["--radius-law", "power:c=0.005,gamma=0.3"], ["--mu-r", repr(0.6 * m0 * 0.005), "--gamma", "0.3"]
         for command in (["hold", "--data", self.data("force,moment,load", [(1, 0.003, 2.5)])], ["p-curves", "--loads", "0,0.5,3"],
                         ["c-curves", "--loads", "0,1,2", "--cors", "0,0.002,inf"], ["translate", "--load", "2", "--loads", "1,4"],
                         ["hold", "--curve", "box", "--force", "1", "--moment", "0.003"]):
