@@ -94,7 +94,7 @@ WAITING = {
     "short row": lambda: after_a_while(last="0.001,0,0,-0.001\n", environment={"NO_COLOR": "1"}),
     "bad number": lambda: after_a_while(last="0.001,0,0,x,0\n", environment={"NO_COLOR": "1"}),
     "quiet": lambda: after_a_while("--quiet"), "dumb": lambda: after_a_while(environment={"TERM": "dumb"}),
-    "lines": lambda: on_pipes(seconds=5.5), "no lines": lambda: on_pipes("--quiet", seconds=5.5),
+    "lines": lambda: on_pipes(seconds=7), "no lines": lambda: on_pipes("--quiet", seconds=7),
 }
 
 
