@@ -23,6 +23,7 @@ Ellipse::Ellipse(double force_max, double moment_max) : force_max_(force_max), m
 }
 
 SlopedPoint Ellipse::point(SlipTwist twist) const noexcept {
+  twist = twist.magnitudes();
   const double total = twist.slide + twist.spin;
   const double x = force_max_ * (twist.slide / total);
   const double y = moment_max_ * (twist.spin / total);
@@ -34,6 +35,7 @@ SlopedPoint Ellipse::point(SlipTwist twist) const noexcept {
 }
 
 RadialPoint Ellipse::along(UnitWrench direction) const noexcept {
+  direction = direction.magnitudes();
   const double length = gauge(direction);
   const double force = direction.force / length;
   const double moment = direction.moment / length;

@@ -103,6 +103,7 @@ class Polygon {
   [[nodiscard]] SlopedPoint point(SlipTwist twist) const noexcept { return {wrench(twist), {0.0, 0.0}}; }
 
   [[nodiscard]] RadialPoint along(UnitWrench direction) const noexcept {
+    direction = direction.magnitudes();
     const std::size_t face = face_along(direction);
     const double length = length_on(face, direction);
     return {{direction.force / length, direction.moment / length}, face_normal(face)};

@@ -31,6 +31,7 @@ class ExactCurve {
   }
 
   [[nodiscard]] SlopedPoint point(SlipTwist twist) const noexcept {
+    twist = twist.magnitudes();
     // du = −u² ds. Towards pure sliding df/ds vanishes like u³; the lower bound on u keeps u⁻² finite and the limit correct.
     const double u = (std::max)(twist.spin_fraction(), 1e-80);
     const double s = (std::min)(twist.cor(), 1e80);
@@ -40,6 +41,7 @@ class ExactCurve {
   }
 
   [[nodiscard]] RadialPoint along(UnitWrench direction) const noexcept {
+    direction = direction.magnitudes();
     // First guess: the ellipse's normal, which is within a factor of two of the curve's.
     const double spin = direction.moment / moment_ratio_;
     return search_along(*this, direction, spin / (direction.force * moment_ratio_ + spin));

@@ -132,7 +132,7 @@ class BasicTable {
   void wrench(std::span<const SlipTwist> twists, std::span<UnitWrench> wrenches) const noexcept;
 
   [[nodiscard]] SlopedPoint point(SlipTwist twist) const noexcept {
-    const auto [outside, x] = place(twist);
+    const auto [outside, x] = place(twist.magnitudes());
     const Jet<Real> jet = view_.table.jet(outside, x);
     // u = 1/(1+s) = q/(1+q): ds/du = −(1+s)², dq/du = (1+q)².
     const double rate = (outside ? 1 : -1) * (1 + x) * (1 + x) * jet.second;

@@ -33,6 +33,7 @@ struct Superellipse {
 
   /// d ln(y/x)/du = 1/((n−1)u(1−u)); at the ends that of u = 1e-80: for n > 2 it has no bound.
   [[nodiscard]] SlopedPoint point(SlipTwist twist) const noexcept {
+    twist = twist.magnitudes();
     constexpr double end_distance = 1e-80;
     const double total = twist.slide + twist.spin;
     const double slide = std::max(twist.slide / total, end_distance);
@@ -45,6 +46,7 @@ struct Superellipse {
   }
 
   [[nodiscard]] RadialPoint along(UnitWrench direction) const noexcept {
+    direction = direction.magnitudes();
     const double x = direction.force / force_max;
     const double y = direction.moment / moment_max;
     const double length = gauge(direction);

@@ -110,15 +110,28 @@ TEST_P(CurveSuite, EndsOnTheAxes) {
   EXPECT_NEAR(spin.moment / slide.force / curve().moment_ratio, 1.0, 2 * epsilon);
 }
 
-/// Wrenches are magnitudes, whatever the senses of sliding and turning; a twist of zero holds.
-TEST_P(CurveSuite, SignsOfTheTwistDoNotCountAndNoSlipGivesNoWrench) {
+TEST_P(CurveSuite, NoSlipGivesNoWrench) {
   EXPECT_EQ(curve().wrench({0.0, 0.0}), UnitWrench{});
   EXPECT_EQ(curve().wrench({-0.0, 0.0}), UnitWrench{});
+}
+
+/// Twists and wrenches are magnitudes, whatever the senses of sliding and turning: every member gives the same bits.
+TEST_P(CurveSuite, SignsAreIgnored) {
   for (const SlipTwist twist : twists_) {
     const UnitWrench wrench = curve().wrench(twist);
-    EXPECT_EQ(curve().wrench({-twist.slide, twist.spin}), wrench) << twist.cor();
-    EXPECT_EQ(curve().wrench({twist.slide, -twist.spin}), wrench) << twist.cor();
-    EXPECT_EQ(curve().wrench({-twist.slide, -twist.spin}), wrench) << twist.cor();
+    const SlopedPoint point = curve().point(twist);
+    const RadialPoint ray = curve().along(wrench);
+    for (const auto& [x, y] : {std::pair{-1.0, 1.0}, {1.0, -1.0}, {-1.0, -1.0}}) {
+      const SlipTwist signed_twist{x * twist.slide, y * twist.spin};
+      const UnitWrench signed_wrench{x * wrench.force, y * wrench.moment};
+      EXPECT_EQ(curve().wrench(signed_twist), wrench) << twist.cor();
+      EXPECT_EQ(curve().point(signed_twist).wrench, point.wrench) << twist.cor();
+      EXPECT_EQ(curve().point(signed_twist).slope, point.slope) << twist.cor();
+      EXPECT_EQ(curve().along(signed_wrench).wrench, ray.wrench) << twist.cor();
+      EXPECT_EQ(curve().along(signed_wrench).normal.slide, ray.normal.slide) << twist.cor();
+      EXPECT_EQ(curve().along(signed_wrench).normal.spin, ray.normal.spin) << twist.cor();
+      EXPECT_EQ(curve().gauge(signed_wrench), curve().gauge(wrench)) << twist.cor();
+    }
   }
 }
 
@@ -170,16 +183,10 @@ TEST_P(CurveSuite, GaugeIsHomogeneous) {
   }
 }
 
-/// A NaN never holds, and signs of a wrench count as little as those of a twist.
-TEST_P(CurveSuite, GaugeIsOfMagnitudesAndKeepsNaNAndInfinity) {
+/// A NaN never holds.
+TEST_P(CurveSuite, GaugeKeepsNaNAndInfinity) {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   constexpr double infinite = std::numeric_limits<double>::infinity();
-  for (const UnitWrench wrench : {UnitWrench{0.9, 0.5}, {0.3, 0.1}, {0.0, 2.0}, {2.0, 0.0}}) {
-    const double gauge = curve().gauge(wrench);
-    EXPECT_EQ(curve().gauge({-wrench.force, wrench.moment}), gauge);
-    EXPECT_EQ(curve().gauge({wrench.force, -wrench.moment}), gauge);
-    EXPECT_EQ(curve().gauge({-wrench.force, -wrench.moment}), gauge);
-  }
   for (const double other : {0.0, 0.3, -0.3, infinite, none}) {
     for (const bool force_first : {true, false}) {
       const auto pair = [&](double value) { return force_first ? std::pair(value, other) : std::pair(other, value); };
