@@ -3,7 +3,9 @@
 // interface of real ones (OpenHaptics: a callback at 1 kHz that reads a column-major transform in millimetres and writes force [N] and
 // torque [N mm]; CHAI3D's cGenericHapticDevice has getPosition, getRotation and setForceAndTorque, in metres). Neither is needed to
 // build this.
+//     example_haptic_loop [DAMPING]     of the device [N s/m]; too little for the finger's gains is an error
 #include "godobject/godobject.hpp"
+#include "godobject/scene/passivity.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/table.hpp"
 
@@ -11,16 +13,19 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
+#include <exception>
 
 namespace lc = limitcurve;
 namespace god = limitcurve::godobject;
 
-/// A simulated device: a handle of 60 g in a user's hand, which is a spring and a damper towards the position that the user
-/// wants. y is up, as in most device frames. The scheduler calls back once a millisecond.
+/// A simulated device: a handle of 60 g on damped bearings, in a user's hand, which is a spring and a damper towards the position that the
+/// user wants. y is up, as in most device frames. The scheduler calls back once a millisecond.
 class StandInDevice {
  public:
   using Callback = void (*)(StandInDevice& device, void* user_data);
 
+  explicit StandInDevice(const god::DeviceDamping& damping) : damping_(damping) {}
   void get_transform(double (&columns)[16]) const noexcept {
     const double c = std::cos(angle_), s = std::sin(angle_);
     const double about_y[16] = {c, 0, -s, 0, 0, 1, 0, 0, s, 0, c, 0, 1e3 * place_.x(), 1e3 * place_.y(), 1e3 * place_.z(), 1};
@@ -47,12 +52,13 @@ class StandInDevice {
 
  private:
   void move(double time) noexcept {
-    velocity_ += time / 0.06 * (hand_force() + force_);
+    velocity_ += time / 0.06 * (hand_force() + force_ - damping_.sliding * velocity_);
     place_ += time * velocity_;
-    spin_ += time / 2e-5 * (0.1 * (wanted_angle_ - angle_) - 2e-3 * spin_ + torque_);
+    spin_ += time / 2e-5 * (0.1 * (wanted_angle_ - angle_) - 2e-3 * spin_ + torque_ - damping_.twist * spin_);
     angle_ += time * spin_;
   }
 
+  god::DeviceDamping damping_;
   Eigen::Vector3d place_{0.0, 0.01, 0.0}, velocity_ = Eigen::Vector3d::Zero(), force_ = Eigen::Vector3d::Zero(), wanted_ = place_;
   double angle_ = 0.0, spin_ = 0.0, torque_ = 0.0, wanted_angle_ = 0.0;
 };
@@ -60,14 +66,17 @@ class StandInDevice {
 /// The finger for a haptic loop: construct it before the loop, call `step` once in each cycle.
 class TouchOfPlane {
  public:
-  explicit TouchOfPlane(double greatest_force)
-      : finger_(lc::Table::build(lc::hertz(), 1e-6), parameters()), greatest_force_(greatest_force) {}
+  /// Throws if the device has not the damping that these gains need: kT/2 + |b|, here 1.5 N s/m, and kT more for each sample of delay.
+  TouchOfPlane(double greatest_force, const god::DeviceDamping& device)
+      : finger_(lc::Table::build(lc::hertz(), 1e-6), parameters()), greatest_force_(greatest_force) {
+    god::require_passive(finger_.parameters(), time_step, device);
+  }
 
   /// Device in, force [N] and torque [N m] in the device's frame out. Allocates nothing and never throws.
   void step(const Eigen::Vector3d& position, const Eigen::Quaterniond& orientation, Eigen::Vector3d& force,
             Eigen::Vector3d& torque) noexcept {
     // The plane through the device's origin: its outward normal is z, the device's is y.
-    const god::FingerOutput output = finger_.update(ground_, {y_up_ * position, y_up_ * orientation}, 1e-3);
+    const god::FingerOutput output = finger_.update(ground_, {y_up_ * position, y_up_ * orientation}, time_step);
     force = y_up_.conjugate() * (output.load * output.normal + output.force);
     torque = y_up_.conjugate() * (output.moment * output.normal);
     // A force beyond the motors' limit is scaled, so its direction stays.
@@ -78,16 +87,18 @@ class TouchOfPlane {
   [[nodiscard]] god::FingerOutput output() const noexcept { return finger_.output(); }
 
  private:
+  static constexpr double time_step = 1e-3;  // [s]
+
   static god::FingerParameters parameters() {
     god::FingerParameters result;
     result.mu = 0.6;
     result.radius_law = lc::RadiusLaw::power(0.00207, 0.259);  // a silicone finger
     result.stiffness = 1000.0;
     result.twist_stiffness = 0.01;
-    result.damping = 1.0;  // > kT/2 = 0.5 N s/m
+    result.damping = 1.0;
     result.twist_damping = 1e-5;
     result.max_displacement = 0.02;  // a jump of 20 mm in a millisecond is a fault
-    result.fault_decay = 0.95;       // then the last force fades in about 50 ms
+    result.fault_decay = 0.95;       // then the last force falls to a tenth in 45 ms
     return result;
   }
 
@@ -111,9 +122,10 @@ void servo(StandInDevice& device, void* user_data) {
   device.set_torque({1e3 * torque.x(), 1e3 * torque.y(), 1e3 * torque.z()});
 }
 
-int main() {
-  StandInDevice device;
-  TouchOfPlane touch(device.greatest_force());
+int main(int argc, char** argv) try {
+  const god::DeviceDamping damping{argc > 1 ? std::strtod(argv[1], nullptr) : 2.0, 5e-5};
+  StandInDevice device(damping);
+  TouchOfPlane touch(device.greatest_force(), damping);
   bool right = true;
   const auto report = [&](const char* what, god::ContactState expected) {
     const god::FingerOutput output = touch.output();
@@ -138,4 +150,7 @@ int main() {
   report("dragged and turned on", god::ContactState::slip);
   right = right && touch.output().force.norm() < 0.6 * touch.output().load;  // less than with pure sliding
   return right ? 0 : 1;
+} catch (const std::exception& error) {
+  std::fprintf(stderr, "%s\n", error.what());
+  return 1;
 }
