@@ -248,8 +248,8 @@ LIMITCURVE_API limitcurve_status limitcurve_finger_update(limitcurve_finger* fin
                                                           limitcurve_finger_output* output);
 
 /* One step where a physics engine gives the load [N] and not a depth: `depth` is not read, the output has the load, and NaN for the depth. The
- * point is where the finger is on the surface; with a load <= 0 the finger is free, and one that is not finite is bad input. Springs and
- * dampers stay in the tangent plane, whatever the surface's radius. The rest as above. [real time] */
+ * point is where the finger is on the surface; with a load <= 0 the finger is free, and one that is not finite is bad input. Friction
+ * reaches its limit on a surface of any radius. The rest as above. [real time] */
 LIMITCURVE_API limitcurve_status limitcurve_finger_update_under_load(limitcurve_finger* finger, const limitcurve_contact* contact,
                                                                      double load, double time_step, limitcurve_finger_output* output);
 

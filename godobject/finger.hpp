@@ -149,6 +149,8 @@ struct FingerState {
   FingerFaults faults{};
   FrictionMemory<double> friction{};
   PatchMemory patch{};
+  /// Under a given load: the normal that holds the proxy, within 0.25 rad of the present one (finger/springs.hpp).
+  Eigen::Vector3d held_normal = Eigen::Vector3d::UnitZ();
   bool in_contact = false;    ///< unchanged by invalid samples
   double limit_load = 0.0;    ///< P of the friction limit [N]: k_l d plus the damper's force; `FingerOutput::load` less the surface's push
   double trial_force = 0.0;   ///< trial wrench of the last step (eq. 7): force of springs and dampers if the proxy stayed [N]

@@ -112,9 +112,9 @@ ProxyUpdate move_proxy(const TrialDeflection& trial, const KeptDeflection& kept,
                        const FingerOutput& last) noexcept {
   const MovedProxy followed = kept.force_reduced ? follow(trial, sample, kept.tangential) : MovedProxy{trial.proxy, trial.spring.height};
   const double angle = kept.moment_reduced ? sample.angle + trial.relaxed_twist + kept.twist : last.angle;
-  const bool slid = trial.moves_to_near_side || (kept.force_reduced && followed.proxy != trial.proxy);
+  const bool slid = trial.moves_along_normal || (kept.force_reduced && followed.proxy != trial.proxy);
   const bool turned = angle != last.angle;
-  const bool slips = trial.moves_to_near_side || (kept.slips && (slid || turned));
+  const bool slips = trial.moves_along_normal || (kept.slips && (slid || turned));
   const bool turns_freely = kept.moment_reduced && !kept.slips;  // without torsion it turns with the finger
   return {slips ? followed.proxy : last.proxy,
           slips || turns_freely ? angle : last.angle,
@@ -192,7 +192,11 @@ FingerOutput SoftFinger::advance(FingerState& state, const StepInput& input) con
   const FingerSample sample = take_sample(state.sample, input, continues);
   if (!input.touches()) return release(state, sample, input);
   if (!continues) touch_down(state, sample);
-  if (input.load) turn_with_normal(state.output.proxy, state.sample, sample);
+  if (input.load && continues) {
+    carry_with_normal(state.output.proxy, state.held_normal, sample);
+  } else {
+    state.held_normal = sample.normal;
+  }
   const FingerOutput& last = state.output;
 
   // a. The trial deflection of springs and dampers if the proxy stays (eq. 7).
@@ -217,7 +221,7 @@ FingerOutput SoftFinger::advance(FingerState& state, const StepInput& input) con
   output.load = input.load ? *input.load : trial.load(moved.height);
   output.force = kept.tangential * trial.springs.stiffness;
   output.moment = kept.twist * trial.springs.twist_stiffness;
-  output.cor = !moved.slips ? nan : kept.slips ? kept.cor : inf;  // moved to the near side it slides without a turn
+  output.cor = !moved.slips ? nan : kept.slips ? kept.cor : inf;  // moved along the normal it slides without a turn
   const double work = moved.along_slope * output.force.dot(trial.tangential - kept.tangential) + output.moment * (trial.twist - kept.twist);
   output.slip_work = !moved.slips ? 0.0 : kept.converged ? std::max(work, 0.0) : work;
   output.converged = kept.converged;

@@ -35,7 +35,8 @@ class SoftFinger {
   /// twist against the finger, α_p − α_g, and by `DevicePose::twist`. The device's x axis must not be normal to the surface. Where it is
   /// (tangent part below 1e-6), the patch's last axis is used, projected on to the tangent plane. `update(contact, twist)` has no
   /// orientation and does the same; a contact then begins with the world's x axis, turned by the shortest rotation from z to the normal.
-  /// The contact point is the centre of pressure: springs act there, and moments refer to it.
+  /// Without an orientation a closed path of the normal turns the patch by its solid angle: 0.8 rad in 100 circles at 0.05 rad. The
+  /// contact point is the centre of pressure: springs act there, and moments refer to it.
   ///
   /// Points get a radius ε: |u| becomes √(|u|² + ε²ω²), which changes the limit by less than ε/m₀ of it. Without it a point under the
   /// centre of rotation bears any force up to its limit, and the search has no derivative there. `point_radius` is ε [m], at least 1e-3 m₀;
@@ -64,9 +65,14 @@ class SoftFinger {
   /// orientation, all in the surface's frame. Without contact (P ≤ 0) the finger is free; a load that is not finite is a fault. The output has
   /// that load, and no depth: NaN. `landed` as in `Contact`; the rest as in `update`.
   ///
-  /// Springs and dampers stay in the tangent plane, and the proxy turns with the normal, so that a ball of any radius, also of one less than
-  /// P/k_l, is like the plane. The spring energy has no part along the normal. A finger may change between both ways of `update` in a contact;
-  /// in that step dampers do not act.
+  /// The proxy is a point in space, as in `update`, and its spring acts as far as it lies in the tangent plane. So the force of a stick is
+  /// a function of point and normal: no loop of both turns it. This holds while the normal stays within 0.25 rad of one direction, as on a
+  /// ball of radius 4 μP/k_l or more; there friction is that of the plane within 0.04 μP. If the normal tilts farther, as on a smaller
+  /// ball, the proxy is carried along: friction still reaches its limit, but on the way is off that of the plane by up to 0.3 μP, and a
+  /// stick creeps. A circle of the normal at 0.3 rad (0.5 rad) turns its deflection by 0.09 rad (0.6 rad).
+  ///
+  /// No path gains more energy than a sampled spring does (scene/passivity.hpp). The spring energy has a part along the normal. A finger
+  /// may change between both ways of `update` in a contact; in that step dampers do not act.
   FingerOutput update_under_load(const Eigen::Vector3d& point, const Eigen::Vector3d& normal, double load, double twist,
                                  double time_step = 0.0, bool landed = false) noexcept;
   FingerOutput update_under_load(const Eigen::Vector3d& point, const Eigen::Vector3d& normal, double load, const Orientation& orientation,

@@ -59,7 +59,7 @@ constexpr const char* update_under_load_signature =
 constexpr const char* update_under_load_doc =
     "One step where a physics engine gives the load [N] and not a depth. point: where the finger is on the surface [m], whose\n"
     "motion friction sees. With a load <= 0 the finger is free; one that is not finite is bad input. The output has that load, and\n"
-    "NaN for the depth. Springs and dampers stay in the tangent plane, whatever the surface's radius. The rest as in `update`.";
+    "NaN for the depth. Friction reaches its limit on a surface of any radius. The rest as in `update`.";
 
 FingerOutput update_under_load(PyFinger& finger, const BoundArguments& given) {
   return finger.update_under_load(three_numbers(given[0], "point"), three_numbers(given[1], "normal"), number_of(given[2], "load"),

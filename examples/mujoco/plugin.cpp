@@ -37,7 +37,7 @@ void each_number(Pair& p, Visit&& visit) {  // the numbers that make a pair, on 
   const auto all = [&](auto& array) { std::for_each(array.begin(), array.end(), visit); };
   visit(p.object), visit(p.load), visit(p.slide_weight), visit(p.twist_weight), all(p.lever), all(p.finger_at);
   all(f.output.proxy), visit(f.output.angle), visit(f.in_contact), visit(f.faults.seen);
-  all(f.sample.goal), all(f.sample.normal), visit(f.sample.angle);
+  all(f.sample.goal), all(f.sample.normal), all(f.held_normal), visit(f.sample.angle);
   all(f.spin.axis), visit(f.spin.scalar), visit(f.spin.started);
   visit(f.friction.force_slides), visit(f.friction.search_start), visit(f.friction.search_rate);
   all(f.patch.zero_axis), all(f.patch.axis), all(f.patch.slip);
@@ -131,7 +131,9 @@ struct Skin {  // what the bodies of one plugin instance share: plugin_data of o
     Vector3d goal = point;
     if (state.spin.started) {
       const Quaterniond last(state.spin.scalar, state.spin.axis[0], state.spin.axis[1], state.spin.axis[2]);
-      goal += state.sample.goal - (pair.finger_at + last * (turn.conjugate() * (point - at)));
+      const Vector3d way = point - (pair.finger_at + last * (turn.conjugate() * (point - at)));
+      const Vector3d n = (normal + state.sample.normal).normalized();
+      goal = state.sample.goal + way - n * n.dot(way);  // by its steps a ball that rolls would sink
     }
     SoftFinger& soft = make_finger(pair);
     soft.restore(state);

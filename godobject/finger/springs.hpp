@@ -43,20 +43,28 @@ struct Deflection {
   }
 };
 
-/// Under a given load springs and dampers stay in the tangent plane, whatever the surface's radius: the proxy turns with the normal about the
-/// contact point, from the last sample to the present one. The way between both points has the tangent plane half way.
-inline void turn_with_normal(Eigen::Vector3d& proxy, FingerSample& last, const FingerSample& sample) noexcept {
-  if (last.normal == sample.normal) return;
-  const Eigen::Vector3d half_way = (last.normal + sample.normal).normalized();
-  // Turns what is tangent to `from`, as far as the normal turns from there; a normal that is turned over leaves it.
-  const auto turned = [](const Eigen::Vector3d& vector, const Eigen::Vector3d& from, const Eigen::Vector3d& to) -> Eigen::Vector3d {
-    const Eigen::Vector3d tangent = vector - from * from.dot(vector);
-    return tangent - (from + to) * (to.dot(tangent) / std::max(1.0 + from.dot(to), 1e-12));
-  };
-  const Eigen::Vector3d deflection = turned(turned(proxy - last.goal, last.normal, half_way), half_way, sample.normal);
-  last.goal = sample.goal - turned(sample.goal - last.goal, half_way, sample.normal);
-  last.normal = sample.normal;
-  proxy = last.goal + deflection;
+/// The tilt of the normal up to which a proxy under a given load stays where it is in space: 0.25 rad, by its cosine and sine.
+inline constexpr double held_tilt_cosine = 0.9689124217106447;
+inline constexpr double held_tilt_sine = 0.24740395925452294;
+
+/// Under a given load the proxy is a point in space, as under a depth: a stick's force follows from the pose, not from the path. Only what
+/// the normal tilts beyond 0.25 rad from the one that holds the proxy turns both about the contact point, so that the springs reach the
+/// limit on a ball smaller than their deflection, too. The turn keeps the length of the springs, and so their energy.
+inline void carry_with_normal(Eigen::Vector3d& proxy, Eigen::Vector3d& held, const FingerSample& sample) noexcept {
+  const Eigen::Vector3d& n = sample.normal;
+  const double cosine = held.dot(n);
+  if (cosine >= held_tilt_cosine) return;
+  const Eigen::Vector3d across = held - n * cosine;
+  const double sine = across.norm();
+  if (!(sine > 1e-6)) {  // turned over: no turn is the shortest
+    held = n;
+    return;
+  }
+  const Eigen::Vector3d turned = (n * held_tilt_cosine + across * (held_tilt_sine / sine)).normalized();
+  const Eigen::Vector3d both = held + turned;
+  const Eigen::Vector3d apart = proxy - sample.goal;
+  proxy += turned * (2.0 * held.dot(apart)) - both * (both.dot(apart) / (1.0 + held.dot(turned)));
+  held = turned;
 }
 
 /// Step a: springs and dampers if the proxy stays (eq. 7).
@@ -64,7 +72,7 @@ struct TrialDeflection {
   Springs springs;
   Deflection spring;                   ///< deflection of the spring, before friction
   Eigen::Vector3d proxy;               ///< x_p [m]
-  bool moves_to_near_side = false;     ///< the proxy was on the far side of a curved surface, and is moved to the finger's near side
+  bool moves_along_normal = false;     ///< the proxy was beyond the finger, or higher than friction holds it
   Eigen::Vector3d relaxed_tangential;  ///< deflection at which springs and dampers are relaxed: along the surface [m],
   double relaxed_height;               ///< along the normal [m],
   double relaxed_twist;                ///< and in twist [rad]
@@ -88,13 +96,16 @@ struct TrialDeflection {
     const double damper = springs.stiffness - parameters.stiffness;
     // The depth alone sets the limit, as in the paper: what friction gives must not change it.
     limit_load = load ? *load : std::max(parameters.stiffness * sample.depth + damper * (sample.depth - last.depth), 0.0);
-    if (load) {
-      spring.height = 0.0;
-    } else if (spring.height < 0.0) {
-      // Springs do not pull a finger in: move the proxy to the finger's near side, not farther away than it was.
-      moves_to_near_side = true;
-      spring.height = std::min(-spring.height, sample.depth);
-      proxy = sample.goal + spring.tangential + n * (spring.height - sample.depth);
+    if (!load) {
+      // Springs do not pull a finger in: a proxy beyond it moves to its near side, not farther away than it was. Nor does friction hold a
+      // proxy higher above the touched face than μ d: it was left on a face that the finger dropped from.
+      const double most = (1.0 + parameters.mu) * sample.depth;
+      const bool is_too_high = spring.height > most && spring.height - most > 1e-15 * sample.goal.lpNorm<1>();
+      moves_along_normal = spring.height < 0.0 || is_too_high;
+      if (moves_along_normal) {
+        spring.height = is_too_high ? most : std::min(-spring.height, sample.depth);
+        proxy = sample.goal + spring.tangential + n * (spring.height - sample.depth);
+      }
     }
     tangential = spring.tangential - relaxed_tangential;
     twist = (angle - sample.angle) - relaxed_twist;

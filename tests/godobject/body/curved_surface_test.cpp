@@ -182,6 +182,89 @@ TEST(CurvedSurface, DampedFrictionIsTangent) {
   }
 }
 
+// Whatever contacts a host gives one after the other: the load is at most k_l d (1 + μ), which friction holds, and the held force gains at
+// most ½ k_l |Δx|² in a sample.
+TEST(CurvedSurface, NoContactsBearMoreThanFrictionHolds) {
+  Random random(9);
+  const auto vector = [&](double size) {
+    return Vector3d(random.uniform(-size, size), random.uniform(-size, size), random.uniform(-size, size));
+  };
+  for (int run = 0; run < 300; ++run) {
+    const double mu = random.logarithmic(0.01, 3.0);
+    SoftFinger finger = finger_of(parameters(mu));
+    const double size = random.logarithmic(1e-6, 1e-2);
+    const double tilt = random.logarithmic(1e-4, 3.0);
+    Vector3d at = Vector3d::Zero();
+    FingerOutput held;
+    for (int i = 0; i < 300; ++i) {
+      const Vector3d way = vector(size);
+      const double before = finger.spring_energy();
+      at += way;
+      const Vector3d normal = (held.normal + vector(tilt)).normalized();
+      const double depth = random.logarithmic(1e-6, 5e-3);
+      const FingerOutput out = finger.update({at + normal * depth, normal, depth}, 0.0);
+      const double after = finger.spring_energy();
+      EXPECT_LE(out.load, 1000.0 * depth * (1.0 + mu) * (1.0 + 1e-9)) << run;
+      const double won = (held.force + held.normal * held.load).dot(way) + after - before;
+      const double allowed = 500.0 * way.squaredNorm() + 1e-12 * std::max(before, after) + 1e-18;
+      EXPECT_TRUE(i == 0 || won <= allowed) << run << ' ' << i << ' ' << won << ' ' << allowed;
+      held = out;
+    }
+  }
+}
+
+// A finger drops down a step of 5 mm, from tread to tread in one sample or in many: it rests there, and bears what friction holds.
+TEST(CurvedSurface, AStairKeepsNoSpringsOfTheUpperTread) {
+  for (const double mu : {0.0, 0.1, 0.6}) {
+    for (const double depth : {1e-4, 0.002}) {
+      for (const int parts : {1, 2, 4, 10, 100}) {  // of 10 ms
+        SoftFinger finger = finger_of(parameters(mu));
+        const Vector3d from(-2e-5, 0.0, 2e-4);
+        const Vector3d to(1e-5, 0.0, -depth);
+        const auto go = [&](const Vector3d& x) {
+          const double tread = x.x() < 0.0 ? 0.005 : 0.0;
+          return finger.update({{x.x(), x.y(), tread}, Vector3d::UnitZ(), tread - x.z()}, 0.0, 0.01 / parts);
+        };
+        for (int i = 0; i < parts; ++i) go(from + (to - from) * i / parts);
+        go(to);
+        const FingerOutput rest = go(to);
+        EXPECT_LE(rest.load, 1000.0 * depth * (1.0 + mu) * (1.0 + 1e-12)) << mu << ' ' << depth << ' ' << parts;
+        EXPECT_EQ(rest.state, ContactState::stick) << mu << ' ' << depth << ' ' << parts;
+        EXPECT_TRUE(same_bits(go(to).proxy, rest.proxy));
+      }
+    }
+  }
+}
+
+// A finger that trembles in a corner of two faces, of which the host gives the nearer: its sticks keep the springs.
+TEST(CurvedSurface, ACornerKeepsItsSticks) {
+  Random random(10);
+  int sticks = 0;
+  int lowered = 0;
+  for (int run = 0; run < 50; ++run) {
+    const double mu = random.logarithmic(0.1, 3.0);
+    SoftFinger finger = finger_of(parameters(mu));
+    const double size = random.logarithmic(1e-6, 3e-5);
+    Vector3d x(1e-4, 0.0, 1e-4);
+    Vector3d velocity = Vector3d::Zero();
+    for (int i = 0; i < 2000; ++i) {
+      velocity = 0.98 * velocity + size * Vector3d(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+      x += velocity + 0.01 * (Vector3d(-3e-4, 0.0, -3e-4) - x);
+      const bool floor = x.z() < x.x();
+      const double depth = -(floor ? x.z() : x.x());
+      const Vector3d normal = floor ? Vector3d::UnitZ() : Vector3d::UnitX();
+      const Vector3d before = finger.output().proxy;
+      const bool touched = finger.state().in_contact;
+      const FingerOutput out = finger.update({x + normal * depth, normal, depth}, 0.0);
+      if (!touched || depth <= 0.0) continue;
+      sticks += out.state == ContactState::stick;
+      lowered += normal.dot(before - x) > (1.0 + mu) * depth * (1.0 + 1e-9);
+    }
+  }
+  EXPECT_GT(sticks, 1000);
+  EXPECT_LT(lowered, sticks / 500);
+}
+
 // Point 7: a ball of 0.1 kg between fingers on its surface loses energy in every slip. In the first edition it gained 8e-5 of it in a step.
 TEST(CurvedSurface, ABallBetweenFingersNeverWinsEnergy) {
   Random random(8);

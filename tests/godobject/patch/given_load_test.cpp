@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A finger whose load a physics engine gives: friction on a ball of any radius is that on the plane.
+// A finger whose load a physics engine gives: a stick is a function of the pose, and friction reaches its limit on a ball of any radius.
 #include "godobject/surface.hpp"
 #include "limitcurve/patch/patch.hpp"
 #include "tests/godobject/scene.hpp"
@@ -23,20 +23,22 @@ struct Ball {
   [[nodiscard]] Vector3d along(double way) const { return {std::cos(way / radius), 0.0, -std::sin(way / radius)}; }
 };
 
-std::vector<SoftFinger> fingers() {
+std::vector<SoftFinger> fingers(std::optional<double> mu_dynamic = {}) {
   FingerParameters with = parameters(0.8, 0.005, 144.0, 0.01);
   FingerParameters damped = with;
   damped.damping = 1.44;
   damped.twist_damping = 1e-4;
-  damped.mu_dynamic = 0.5;
+  damped.mu_dynamic = mu_dynamic;
   damped.radius_law = RadiusLaw::hertz(0.008, 2e5);
   return {hertz_finger(with), exact_hertz_finger(damped), {box(1.0, 0.5), damped}, {Patch::rectangle(0.01, 0.005), damped}};
 }
 
-// To and fro, with a twist, under loads that ease and press: P/k_l is 24 mm at most, so that the smallest balls are smaller than the deflection.
-TEST(GivenLoad, ABallOfAnyRadiusIsLikeThePlane) {
+// To and fro, with a twist, under loads that ease and press. On a ball a deflection counts by its sine; on a smaller one than 4 μP/k_l the
+// proxy is carried along.
+TEST(GivenLoad, FrictionOnABallIsNearlyThePlanes) {
+  constexpr double longest = 0.8 * 3.4 / 144.0;  // μP/k_l
   for (const SoftFinger& finger : fingers()) {
-    for (const double radius : {1e-3, 4e-3, 0.03, 0.1, 1e3}) {
+    for (const auto& [radius, within] : {std::pair{0.05 * longest, 0.3}, {0.2 * longest, 0.3}, {4.0 * longest, 0.04}, {1e3, 2e-4}}) {
       const Ball ball{radius};
       const Ball plane{infinity};
       SoftFinger round = finger;
@@ -52,17 +54,114 @@ TEST(GivenLoad, ABallOfAnyRadiusIsLikeThePlane) {
         const double unit = 0.8 * load;
         ASSERT_EQ(out.load, load);
         ASSERT_TRUE(std::isnan(out.depth));
-        ASSERT_NEAR(out.force.dot(ball.along(way)), expected.force.x(), 2e-4 * unit) << radius << ' ' << i;
-        ASSERT_NEAR(out.force.y(), expected.force.y(), 2e-4 * unit) << radius << ' ' << i;
+        ASSERT_NEAR(out.force.dot(ball.along(way)), expected.force.x(), within * unit) << radius << ' ' << i;
+        ASSERT_NEAR(out.force.y(), expected.force.y(), within * unit) << radius << ' ' << i;
         ASSERT_NEAR(out.force.dot(out.normal), 0.0, 1e-14) << radius << ' ' << i;
-        ASSERT_NEAR(out.moment, expected.moment, 2e-4 * unit * 0.005) << radius << ' ' << i;
+        ASSERT_NEAR(out.moment, expected.moment, within * unit * 0.005) << radius << ' ' << i;
         ASSERT_GE(out.slip_work, 0.0);
-        ASSERT_NEAR(round.spring_energy(), flat.spring_energy(), 1e-3 * unit * unit / 144.0) << radius << ' ' << i;
+        ASSERT_NEAR(round.spring_energy(), flat.spring_energy(), 2.5 * within * unit * unit / 144.0) << radius << ' ' << i;
         slips += out.state == ContactState::slip;
         sticks += out.state == ContactState::stick;
       }
       EXPECT_GT(slips, 500);
       EXPECT_GT(sticks, 500);
+    }
+  }
+}
+
+// Loops of point and normal within a cone of 0.25 rad leave a stick's force, to the bit, and it is that of `update`.
+TEST(GivenLoad, AStickDoesNotKnowItsPath) {
+  Random random(6);
+  const auto vector = [&](double size) {
+    return Vector3d(random.uniform(-size, size), random.uniform(-size, size), random.uniform(-size, size));
+  };
+  for (int loop = 0; loop < 200; ++loop) {
+    SoftFinger loaded = hertz_finger(parameters(100.0));
+    SoftFinger deep = loaded;
+    const Vector3d middle = vector(1.0).normalized();
+    const auto pose = [&] {  // two of them are by less than 0.25 rad apart
+      const Contact at{vector(1e-3), (middle + vector(0.07)).normalized(), 0.0};
+      return Contact{at.point, at.normal, 0.005};
+    };
+    const auto go = [&](const Contact& to) {
+      const FingerOutput out = loaded.update_under_load(to.point, to.normal, 5.0, 0.0);
+      EXPECT_TRUE(same_bits(out.force, deep.update(to, 0.0).force)) << loop;
+      EXPECT_EQ(out.state, ContactState::stick);
+      return out.force;
+    };
+    go(pose());
+    const Contact begin = pose();
+    const Vector3d force = go(begin);
+    EXPECT_GT(force.norm(), 0.0);
+    for (int i = 0; i < 100; ++i) go(pose());
+    EXPECT_TRUE(same_bits(go(begin), force)) << loop;
+  }
+}
+
+// To the limit, and nearly to the opposite one and back, again and again: from a radius of 4 μP/k_l on a stick stays one, and keeps its
+// force. On a smaller ball the proxy is carried along, so that a slip begins before the force is what it was.
+TEST(GivenLoad, ABallIsAFunctionOfThePoseFromARadius) {
+  for (const double radius : {1.0, 3.7, 4.0, 8.0}) {  // in units of μP/k_l
+    SoftFinger finger = hertz_finger(parameters(0.8, 0.005, 144.0, 0.01));
+    constexpr double longest = 0.8 * 2.0 / 144.0;
+    const Ball ball{radius * longest};
+    const auto at = [&](double way) { return finger.update_under_load(ball.point(way), ball.normal(way), 2.0, 0.0); };
+    for (int i = 0; i <= 3000; ++i) at(1e-3 * i * longest);
+    const double back = 2.99 * longest;
+    const Vector3d force = at(back).force;
+    const double between = 2.0 * std::atan(1.0 / radius) * ball.radius - 0.03 * longest;
+    int slips = 0;
+    for (int i = 0; i <= 2000; ++i)
+      slips += at(back - 0.5 * between * (1.0 - std::cos(0.002 * std::numbers::pi * i))).state == ContactState::slip;
+    EXPECT_EQ(slips == 0, radius >= 4.0) << radius;
+    EXPECT_EQ(same_bits(at(back).force, force), radius >= 4.0) << radius;
+  }
+}
+
+// Beyond the cone a circle of the normal turns the deflection of a finger at rest, by what soft_finger.hpp says.
+TEST(GivenLoad, AWiderConeCreepsAsIsSaid) {
+  for (const auto& [tilt, said] : {std::pair{0.25, 0.0}, {0.3, 0.09}, {0.5, 0.6}}) {
+    SoftFinger finger = hertz_finger(parameters(100.0));
+    const Vector3d point(3e-4, 0.0, 0.0);
+    finger.update_under_load(Vector3d::Zero(), Vector3d::UnitZ(), 1.0, 0.0);
+    Vector3d last = Vector3d::Zero();
+    for (int i = 0; i <= 20 * 400; ++i) {
+      const AngleAxisd round(2.0 * std::numbers::pi * i / 400.0, Vector3d::UnitZ());
+      finger.update_under_load(point, round * Vector3d(std::sin(tilt), 0.0, std::cos(tilt)), 1.0, 0.0);
+      if (i % 400 != 0) continue;
+      const Vector3d deflection = finger.output().proxy - point;
+      const double turn = std::atan2(last.cross(deflection).norm(), last.dot(deflection));
+      EXPECT_TRUE(i < 4000 || std::fabs(turn - 0.95 * said) <= 0.05 * said + 1e-15) << tilt << ' ' << i << ' ' << turn;
+      EXPECT_NEAR(deflection.norm(), 3e-4, 1e-12);
+      last = deflection;
+    }
+  }
+}
+
+// The held force gains at most ½ k_l |Δx|² in a sample, as every sampled spring (passivity.hpp), whatever a host's normals do.
+TEST(GivenLoad, NoTiltWinsEnergy) {
+  Random random(7);
+  const auto vector = [&](double size) {
+    return Vector3d(random.uniform(-size, size), random.uniform(-size, size), random.uniform(-size, size));
+  };
+  for (int run = 0; run < 300; ++run) {
+    SoftFinger finger = hertz_finger(parameters(random.logarithmic(0.01, 100.0)));
+    const double size = random.logarithmic(1e-5, 1e-3);
+    const double tilt = random.logarithmic(1e-3, 3.0);
+    Vector3d point = Vector3d::Zero();
+    FingerOutput held;
+    for (int i = 0; i < 300; ++i) {
+      const Vector3d any = vector(size);
+      const Vector3d way = any - held.normal * held.normal.dot(any);
+      const double before = finger.spring_energy();
+      point += way;
+      const Vector3d normal = (held.normal + vector(tilt)).normalized();
+      const FingerOutput out = finger.update_under_load(point, normal, random.uniform(0.1, 2.0), 0.0);
+      const double after = finger.spring_energy();
+      const double won = held.force.dot(way) + after - before;
+      const double allowed = 500.0 * way.squaredNorm() + 1e-12 * std::max(before, after);
+      EXPECT_TRUE(i == 0 || won <= allowed) << run << ' ' << i << ' ' << won << ' ' << allowed;
+      held = out;
     }
   }
 }
@@ -76,13 +175,14 @@ TEST(GivenLoad, ADamperBrakesOnABallSmallerThanTheDeflection) {
     const Ball ball{radius};
     for (int i = 0; i < 20; ++i) finger.update_under_load(ball.point(1e-5 * i), ball.normal(1e-5 * i), 3.4, 0.0, 1e-3);
     EXPECT_EQ(finger.output().state, ContactState::stick);
-    EXPECT_NEAR(finger.output().force.dot(ball.along(1.9e-4)), -(144.0 * 1.9e-4 + 1.44 * 0.01), 1e-6) << radius;
+    const auto chord = [&](double way) { return std::isinf(radius) ? way : radius * std::sin(way / radius); };
+    EXPECT_NEAR(finger.output().force.dot(ball.along(1.9e-4)), -(144.0 * chord(1.9e-4) + 1440.0 * chord(1e-5)), 1e-12) << radius;
   }
 }
 
 // On the plane it is `update` with the depth at which springs and dampers give that load, to the bit.
 TEST(GivenLoad, OnThePlaneItIsUpdate) {
-  for (const SoftFinger& finger : fingers()) {
+  for (const SoftFinger& finger : fingers(0.5)) {
     SoftFinger deep = finger;
     SoftFinger loaded = finger;
     Random random(3);
@@ -122,7 +222,7 @@ TEST(GivenLoad, NoPathWinsEnergy) {
       const FingerOutput out = finger.update_under_load(point, normal, random.uniform(0.01, 5.0), 0.0, 1e-3);
       if (i > 0) won += out.force.dot(point - last) + finger.spring_energy() - before;
       passed += out.force.norm() * (point - last).norm();
-      EXPECT_LE(won, 1e-6 * passed) << mu << ' ' << i;
+      EXPECT_LE(won, 1e-6 * passed + 1e-20) << mu << ' ' << i;
       last = point;
     }
     EXPECT_GT(passed, mu == 0.0 ? -1.0 : 0.001);
