@@ -42,6 +42,8 @@ class Random {
   double uniform(double low, double high) { return low + (high - low) * unit_(engine_); }
   /// Evenly in the logarithm.
   double logarithmic(double low, double high) { return low * std::pow(high / low, unit_(engine_)); }
+  /// Each component within ± size.
+  Eigen::Vector3d vector(double size) { return {uniform(-size, size), uniform(-size, size), uniform(-size, size)}; }
   std::uint64_t bits() { return engine_(); }
 
  private:

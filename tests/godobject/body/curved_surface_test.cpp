@@ -186,9 +186,6 @@ TEST(CurvedSurface, DampedFrictionIsTangent) {
 // most ½ k_l |Δx|² in a sample.
 TEST(CurvedSurface, NoContactsBearMoreThanFrictionHolds) {
   Random random(9);
-  const auto vector = [&](double size) {
-    return Vector3d(random.uniform(-size, size), random.uniform(-size, size), random.uniform(-size, size));
-  };
   for (int run = 0; run < 300; ++run) {
     const double mu = random.logarithmic(0.01, 3.0);
     SoftFinger finger = finger_of(parameters(mu));
@@ -197,10 +194,10 @@ TEST(CurvedSurface, NoContactsBearMoreThanFrictionHolds) {
     Vector3d at = Vector3d::Zero();
     FingerOutput held;
     for (int i = 0; i < 300; ++i) {
-      const Vector3d way = vector(size);
+      const Vector3d way = random.vector(size);
       const double before = finger.spring_energy();
       at += way;
-      const Vector3d normal = (held.normal + vector(tilt)).normalized();
+      const Vector3d normal = (held.normal + random.vector(tilt)).normalized();
       const double depth = random.logarithmic(1e-6, 5e-3);
       const FingerOutput out = finger.update({at + normal * depth, normal, depth}, 0.0);
       const double after = finger.spring_energy();
@@ -248,7 +245,7 @@ TEST(CurvedSurface, ACornerKeepsItsSticks) {
     Vector3d x(1e-4, 0.0, 1e-4);
     Vector3d velocity = Vector3d::Zero();
     for (int i = 0; i < 2000; ++i) {
-      velocity = 0.98 * velocity + size * Vector3d(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+      velocity = 0.98 * velocity + random.vector(size);
       x += velocity + 0.01 * (Vector3d(-3e-4, 0.0, -3e-4) - x);
       const bool floor = x.z() < x.x();
       const double depth = -(floor ? x.z() : x.x());

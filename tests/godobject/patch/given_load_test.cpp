@@ -72,15 +72,12 @@ TEST(GivenLoad, FrictionOnABallIsNearlyThePlanes) {
 // Loops of point and normal within a cone of 0.25 rad leave a stick's force, to the bit, and it is that of `update`.
 TEST(GivenLoad, AStickDoesNotKnowItsPath) {
   Random random(6);
-  const auto vector = [&](double size) {
-    return Vector3d(random.uniform(-size, size), random.uniform(-size, size), random.uniform(-size, size));
-  };
   for (int loop = 0; loop < 200; ++loop) {
     SoftFinger loaded = hertz_finger(parameters(100.0));
     SoftFinger deep = loaded;
-    const Vector3d middle = vector(1.0).normalized();
+    const Vector3d middle = random.vector(1.0).normalized();
     const auto pose = [&] {  // two of them are by less than 0.25 rad apart
-      const Contact at{vector(1e-3), (middle + vector(0.07)).normalized(), 0.0};
+      const Contact at{random.vector(1e-3), (middle + random.vector(0.07)).normalized(), 0.0};
       return Contact{at.point, at.normal, 0.005};
     };
     const auto go = [&](const Contact& to) {
@@ -141,9 +138,6 @@ TEST(GivenLoad, AWiderConeCreepsAsIsSaid) {
 // The held force gains at most ½ k_l |Δx|² in a sample, as every sampled spring (passivity.hpp), whatever a host's normals do.
 TEST(GivenLoad, NoTiltWinsEnergy) {
   Random random(7);
-  const auto vector = [&](double size) {
-    return Vector3d(random.uniform(-size, size), random.uniform(-size, size), random.uniform(-size, size));
-  };
   for (int run = 0; run < 300; ++run) {
     SoftFinger finger = hertz_finger(parameters(random.logarithmic(0.01, 100.0)));
     const double size = random.logarithmic(1e-5, 1e-3);
@@ -151,11 +145,11 @@ TEST(GivenLoad, NoTiltWinsEnergy) {
     Vector3d point = Vector3d::Zero();
     FingerOutput held;
     for (int i = 0; i < 300; ++i) {
-      const Vector3d any = vector(size);
+      const Vector3d any = random.vector(size);
       const Vector3d way = any - held.normal * held.normal.dot(any);
       const double before = finger.spring_energy();
       point += way;
-      const Vector3d normal = (held.normal + vector(tilt)).normalized();
+      const Vector3d normal = (held.normal + random.vector(tilt)).normalized();
       const FingerOutput out = finger.update_under_load(point, normal, random.uniform(0.1, 2.0), 0.0);
       const double after = finger.spring_energy();
       const double won = held.force.dot(way) + after - before;
