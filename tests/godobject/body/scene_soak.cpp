@@ -46,14 +46,8 @@ constexpr double rounding_bound = 1e-12;
 
 constexpr int steps_per_scene = 500;
 
-using godobject::vector;
-
-Vector3d vector(Random& random, double size) {
-  return {random.uniform(-size, size), random.uniform(-size, size), random.uniform(-size, size)};
-}
-
 Quaterniond rotation(Random& random, double angle) {
-  return Quaterniond(Eigen::AngleAxisd(random.uniform(-angle, angle), (vector(random, 1.0) + Vector3d(1e-9, 0.0, 0.0)).normalized()));
+  return Quaterniond(Eigen::AngleAxisd(random.uniform(-angle, angle), (random.vector(1.0) + Vector3d(1e-9, 0.0, 0.0)).normalized()));
 }
 
 AnySurface surface(Random& random, double size) {
@@ -113,7 +107,7 @@ class SoakScene {
   SoakScene(const Choice& choice, std::uint64_t seed, Tally& tally)
       : random_(seed), tally_(tally), size_(random_.logarithmic(0.01, 0.1)), hand_(make(choice)) {
     devices_.resize(hand_.finger_count());
-    for (DevicePose& device : devices_) device = {vector(random_, 0.9 * size_), rotation(random_, 3.0), 0.0};
+    for (DevicePose& device : devices_) device = {random_.vector(0.9 * size_), rotation(random_, 3.0), 0.0};
   }
 
   /// How it goes wrong; empty if it does not.
@@ -136,7 +130,7 @@ class SoakScene {
           return "momentum is off by " + format_number(tally_.momentum_error) + " in step " + std::to_string(i);
       } else {
         if (kind > 5) {
-          body.position += vector(random_, 0.3 * stride);
+          body.position += random_.vector(0.3 * stride);
           body.orientation = (rotation(random_, stride / size_) * body.orientation).normalized();
         }
         hand_.carry(body, devices_, time_step);
@@ -150,7 +144,7 @@ class SoakScene {
 
  private:
   Grasp make(const Choice& choice) {
-    BodyParameters body = BodyParameters::block(random_.logarithmic(1e-3, 10.0), Vector3d::Constant(size_) + 0.5 * vector(random_, size_));
+    BodyParameters body = BodyParameters::block(random_.logarithmic(1e-3, 10.0), Vector3d::Constant(size_) + 0.5 * random_.vector(size_));
     if (random_.bits() % 2 == 0) body.gravity.setZero();
     if (random_.bits() % 3 == 0) body.free = {true, true, false, false, false, true};
     const FingerParameters with = finger(random_);
@@ -162,9 +156,9 @@ class SoakScene {
   void wander(DevicePose& device, double stride) {
     // Now and then it jumps: to another side, off, or deep into the body; and back if it is too far.
     if (random_.bits() % 100 == 0 || (device.position - hand_.body().position).norm() > 1.2 * size_) {
-      device.position = hand_.body().to_world(vector(random_, 0.9 * size_));
+      device.position = hand_.body().to_world(random_.vector(0.9 * size_));
     } else {
-      device.position += vector(random_, stride);
+      device.position += random_.vector(stride);
     }
     device.orientation = (rotation(random_, stride / size_) * device.orientation).normalized();
     device.twist += random_.uniform(-1.0, 1.0) * stride / size_;
@@ -180,15 +174,15 @@ class SoakScene {
     const double depth = random_.logarithmic(1e-3, 0.1) * size_;
     // Pressed along the axis that a planar body turns about, or in the plane.
     const auto axis = static_cast<Eigen::Index>(random_.bits() % 3);
-    Vector3d at = vector(random_, 0.3 * size_);
+    Vector3d at = random_.vector(0.3 * size_);
     at[axis] = 0.0;
     const Vector3d reach = (half.x() - depth) * Vector3d::Unit(axis);
     const std::array<DevicePose, 2> pinch{DevicePose{at + reach}, DevicePose{at - reach}};
     held.place(BodyState{}, pinch);
     BodyState knocked;
     const double speed = random_.logarithmic(1e-3, 1.0);
-    knocked.velocity = vector(random_, speed);
-    knocked.angular_velocity = vector(random_, speed / size_);
+    knocked.velocity = random_.vector(speed);
+    knocked.angular_velocity = random_.vector(speed / size_);
     if (planar) {
       knocked.velocity.z() = 0.0;
       knocked.angular_velocity.head<2>().setZero();
