@@ -211,7 +211,6 @@ TEST(TableFile, NamesWhatIsWrongAndWhere) {
       has(complaint_about_table(with("# law: hertz", "# law: cone")), "torn.csv: the table was edited or damaged: its checksum is fnv1a:"));
 }
 
-// A checksum keeps accidents out, not contents that are no curve.
 TEST(TableFile, RefusesTheOldKeyOfTheErrorWithTheCommandThatMakesTheTableAnew) {
   std::string text = to_csv(Table::build(hertz(), 1e-4));
   text.replace(text.find("# checked_error"), 15, "# certified_error");
@@ -220,6 +219,7 @@ TEST(TableFile, RefusesTheOldKeyOfTheErrorWithTheCommandThatMakesTheTableAnew) {
             "0.0001 -o FILE");
 }
 
+// A checksum keeps accidents out, not contents that are no curve.
 TEST(TableFile, RefusesRowsThatAreNoTableWhateverTheirChecksum) {
   const std::string text = to_csv(Table::build(hertz(), 1e-3));
   const auto with_its_checksum = [](std::string edited) {
