@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "complaint.hpp"
 #include "limitcurve/contact/radius_law.hpp"
+#include "complaint.hpp"
 #include "special_values.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "limitcurve/table/single_precision.hpp"
+#include "limitcurve/export/single_precision.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "limitcurve/internal/number.hpp"
-#include "limitcurve/table/single_precision.hpp"
+#include "limitcurve/export/single_precision.hpp"
 #include "limitcurve/table_file.hpp"
 #include "limitcurve/version.hpp"
 
