@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-namespace limitcurve::fit {
+namespace limitcurve::fit::invariance_test {
 namespace {
 
 using synthetic::Random;
@@ -198,4 +198,4 @@ TEST(Invariance, GrowthOverTheLoadTooIsFittedAlike) {
 }
 
 }  // namespace
-}  // namespace limitcurve::fit
+}  // namespace limitcurve::fit::invariance_test

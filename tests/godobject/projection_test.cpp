@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace limitcurve::godobject::test {
+namespace limitcurve::godobject::test::projection_test {
 namespace {
 
 /// A trial outside a curve, and what a projection is given with it.
@@ -272,4 +272,4 @@ TEST(Projection, NeverCreatesEnergy) {
 }
 
 }  // namespace
-}  // namespace limitcurve::godobject::test
+}  // namespace limitcurve::godobject::test::projection_test
