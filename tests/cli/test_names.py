@@ -26,7 +26,7 @@ def fields(source, structure):
 
 
 def cpp_names():
-    finger, friction, batch, contact = (text("godobject", name + ".hpp") for name in ("finger", "friction", "batch", "contact"))
+    finger, friction, batch, contact = (text("godobject", name + ".hpp") for name in ("finger", "friction", "batch/batch", "contact"))
     found = set()
     for source, structures in ((finger, ("FingerParameters", "FingerOutput")), (friction, ("FrictionLimits", "FrictionMemory", "FrictionResult")),
                                (batch, ("BasicContactBatch",)), (contact, ("Contact",))):

@@ -196,8 +196,8 @@ TEST(TableFile, RefusesTheOldKeyOfTheErrorWithTheCommandThatMakesTheTableAnew) {
   std::string text = to_csv(Table::build(hertz(), 1e-4));
   text.replace(text.find("# checked_error"), 15, "# certified_error");
   EXPECT_EQ(complaint_about_table(text),
-            "torn.csv:4:3: 'certified_error' is now 'checked_error': make the table anew, limitcurve table --law 'hertz' --tolerance "
-            "0.0001 -o FILE");
+            "torn.csv:4:3: 'certified_error' is now 'checked_error': make the table anew with limitcurve table --law 'hertz' --tolerance "
+            "1e-04 -o FILE");
 }
 
 // A checksum keeps accidents out, not contents that are no curve.
