@@ -8,7 +8,10 @@
 
 #include <array>
 #include <cmath>
+#include <functional>
+#include <limits>
 #include <optional>
+#include <sstream>
 #include <stdexcept>
 
 namespace limitcurve::cli {
@@ -33,11 +36,14 @@ class Translate final : public Subcommand {
         "its name for the value; formula, of mu, mu_r = mu m0 a, m0, a, and f, the other body's friction, taken as 1; two_bodies,\n"
         "how the engine combines the values of two bodies. With --loads also low and high: the range of the value over these loads,\n"
         "for randomisation.\n"
-        "--mu-r R, as it is measured, with --gamma G if it grows with the load: in place of --radius-law.\n"
+        "With several values of --mu: the coefficients for each, and a last column mu. mu_r follows mu; drawn apart, they are of no pad.\n"
+        "--mu-r R, as it is measured, with --gamma G if it grows with the load: instead of --radius-law.\n"
         "--patch P, in place of --law, --radius-law and --load: a contact that is not round (see 'limitcurve patch').\n"
-        "--read ENGINE.PARAMETER=VALUE, with --mu and --law alone: what a number in a scene means. Columns: engine; parameter;\n"
-        "value; moment_per_load [m], the largest moment over the load (none: it sets no moment); radius [m], the contact radius that a\n"
-        "contact of the law needs for it; note. PARAMETER is the engine's name or a short one: friction, torsional, patch_radius, ...\n"
+        "--read ENGINE.PARAMETER=VALUE, with --law and --mu alone: what a number in a scene means. PARAMETER is the engine's name or a\n"
+        "short one: friction, torsional, patch_radius, ... VALUE may be all that an attribute has: 'mujoco.friction=1 0.005 0.0001'.\n"
+        "Numbers of one engine belong to one contact, until a parameter comes again; its friction replaces --mu.\n"
+        "Columns: engine; parameter; value; moment_per_load [m], the largest moment over the load (none: the number sets no moment);\n"
+        "radius [m], the contact radius that a contact of the law needs for it; note, with the defaults that were taken.\n"
         "--explain writes what else each engine needs, and its documentation, to standard error.",
         "limitcurve translate --law hertz --radius-law power:c=0.00207,gamma=0.259 --mu 0.8 --load 2"};
   }
@@ -46,7 +52,7 @@ class Translate final : public Subcommand {
     options.law(law_, Presence::optional);
     options.moment(moment_);
     options.text("--patch", patch_, "PATCH", "In place of --law, --radius-law and --load: a pressure patch");
-    options.number("--mu", friction_, positive, "Friction coefficient mu [1]", Presence::required);
+    options.numbers("--mu", frictions_, positive, "Friction coefficient mu [1], or several: 0.4,1.2", Presence::optional);
     options.number("--load", load_, positive, "Normal load P [N] at which the limits are exact");
     options.numbers("--loads", loads_, positive,
                     "LOW,HIGH: range of loads [N] for loads_error (default: a quarter of --load to four times --load)", Presence::optional);
@@ -55,7 +61,7 @@ class Translate final : public Subcommand {
         "One engine alone: mujoco, newton, genesis, physx, isaac, sapien, bullet, ...", Presence::optional);
     options.repeated(
         "--read", "ENGINE.PARAMETER=VALUE", [this](const std::string& text) { readings_.push_back(text); },
-        "What a number in an engine's scene means; may be repeated", Presence::optional);
+        "What numbers in an engine's scene mean; may be repeated", Presence::optional);
     options.flag("--explain", explain_, "Write to standard error what else each engine needs");
   }
 
@@ -69,9 +75,11 @@ class Translate final : public Subcommand {
       refuse("--load", load_.has_value(), "--read, which finds the moment over the load");
       refuse("--loads", !loads_.empty(), "--read, which finds the moment over the load");
       refuse("--engine", !engine_.empty(), "--read, which names the engine");
+      refuse("--mu", frictions_.size() > 1, "--read if it has several values");
       if (law_ == nullptr) throw std::invalid_argument("--law is required");
       return read(results);
     }
+    if (frictions_.empty()) throw std::invalid_argument("--mu is required");
     if (!patch_.empty()) {
       const char* const why = "--patch, which has its own size and moments at every load";
       refuse("--law", law_ != nullptr, why);
@@ -80,9 +88,13 @@ class Translate final : public Subcommand {
       refuse("--loads", !loads_.empty(), why);
       const Patch patch = read_patch(patch_, *results.messages);
       refuse_factors(*results.messages, patch);
-      return write(results, engines::translate(patch, friction_));
+      return write(results, [&](double mu) { return engines::translate(patch, mu); });
     }
-    if (law_ == nullptr) throw std::invalid_argument("expected one of --law, --patch and --read");
+    if (law_ == nullptr && moment_.mu_r) {
+      law_ = hertz();
+      results.messages->say("limitcurve: note: no --law: the errors are against Hertz's curve; the coefficients need no law beside --mu-r");
+    }
+    if (law_ == nullptr) throw std::invalid_argument("expected one of --law, --mu-r, --patch and --read");
     moment_.check();
     if (!load_) throw std::invalid_argument("--load is required");
     if (!loads_.empty() && (loads_.size() != 2 || loads_[0] > loads_[1])) {
@@ -90,9 +102,12 @@ class Translate final : public Subcommand {
     }
     const engines::LoadRange range =
         loads_.empty() ? engines::LoadRange{*load_ / 4.0, 4.0 * *load_} : engines::LoadRange{loads_[0], loads_[1]};
-    const RadiusLaw radius_law = moment_.with(friction_, law_).radius(law_->moment_ratio());
-    results.messages->say(radius_warnings(radius_law, std::array{range.low, range.high, *load_}));
-    write(results, engines::translate(law_, radius_law, friction_, *load_, range));
+    for (const double mu : frictions_) {
+      results.messages->say(
+          radius_warnings(moment_.with(mu, law_).radius(law_->moment_ratio()), std::array{range.low, range.high, *load_}));
+    }
+    write(results,
+          [&](double mu) { return engines::translate(law_, moment_.with(mu, law_).radius(law_->moment_ratio()), mu, *load_, range); });
   }
 
  private:
@@ -111,55 +126,77 @@ class Translate final : public Subcommand {
     if (engine_.empty()) messages.say("limitcurve: note: left out, because they have one coefficient of friction for x and y:" + names);
   }
 
-  void write(const Results& results, const std::vector<engines::EngineContact>& contacts) const {
+  /// `translate` gives the contacts of a friction.
+  void write(const Results& results, const std::function<std::vector<engines::EngineContact>(double)>& translate) const {
     std::vector<std::string> columns{"engine",    "parameter",   "value", "unit",    "model",     "max_error",
                                      "cor_error", "loads_error", "note",  "formula", "two_bodies"};
     if (!loads_.empty()) columns.insert(columns.end(), {"low", "high"});
+    if (frictions_.size() > 1) columns.emplace_back("mu");
     Rows rows(results, columns);
-    for (const engines::EngineContact& contact : contacts) {
-      if (!engine_.empty() && contact.engine != engine_) continue;
-      for (const engines::EngineCoefficient& coefficient : contact.coefficients) {
-        rows.row_by([&](const auto& cell) {
-          cell(contact.engine);
-          cell(coefficient.parameter);
-          cell(coefficient.value);
-          cell(coefficient.unit);
-          cell(contact.model);
-          cell(contact.error.max_error);
-          cell(contact.max_wrench_error);
-          cell(contact.max_error_over_loads);
-          cell(coefficient.note);
-          cell(coefficient.formula);
-          cell(coefficient.two_bodies);
-          if (loads_.empty()) return;
-          cell(coefficient.low);
-          cell(coefficient.high);
-        });
-      }
-      if (explain_) {
-        results.messages->say("limitcurve: note: " + contact.engine + ", " + contact.model + ": " + contact.caveat + " (" +
-                              contact.documentation + ")");
+    for (const double mu : frictions_) {
+      for (const engines::EngineContact& contact : translate(mu)) {
+        if (!engine_.empty() && contact.engine != engine_) continue;
+        for (const engines::EngineCoefficient& coefficient : contact.coefficients) {
+          rows.row_by([&](const auto& cell) {
+            cell(contact.engine);
+            cell(coefficient.parameter);
+            cell(coefficient.value);
+            cell(coefficient.unit);
+            cell(contact.model);
+            cell(contact.error.max_error);
+            cell(contact.max_wrench_error);
+            cell(contact.max_error_over_loads);
+            cell(coefficient.note);
+            cell(coefficient.formula);
+            cell(coefficient.two_bodies);
+            if (!loads_.empty()) {
+              cell(coefficient.low);
+              cell(coefficient.high);
+            }
+            if (frictions_.size() > 1) cell(mu);
+          });
+        }
+        if (explain_ && mu == frictions_.front()) {
+          results.messages->say("limitcurve: note: " + contact.engine + ", " + contact.model + ": " + contact.caveat + " (" +
+                                contact.documentation + ")");
+        }
       }
     }
     rows.finish();
   }
 
+  /// The numbers of one --read.
+  static void append_numbers(const std::string& text, std::vector<engines::EngineNumber>& numbers) {
+    const std::size_t point = text.find_first_of(".:");  // newton:torsionalFriction, too
+    const std::size_t equals = text.rfind('=');
+    std::istringstream values(equals == std::string::npos || point >= equals ? "" : text.substr(equals + 1));
+    const std::size_t before = numbers.size();
+    for (std::string word; values >> word;) {
+      const auto value = word == "true" ? 1.0 : word == "false" ? 0.0 : parse_number(word);
+      if (!value) throw std::invalid_argument("--read: got '" + text + "', expected a number or true or false after '='");
+      const std::size_t index = numbers.size() - before;
+      numbers.push_back({text.substr(0, point),
+                         text.substr(point + 1, equals - point - 1) + (index == 0 ? "" : "[" + std::to_string(index) + "]"), *value});
+    }
+    if (numbers.size() == before) {
+      throw std::invalid_argument("--read: got '" + text + "', expected ENGINE.PARAMETER=VALUE, such as mujoco.torsional=0.005");
+    }
+  }
+
   void read(const Results& results) const {
+    std::vector<engines::EngineNumber> numbers;
+    for (const std::string& text : readings_) append_numbers(text, numbers);
+    std::vector<engines::CoefficientMeaning> meanings;
+    try {
+      meanings =
+          engines::read_coefficients(numbers, frictions_.empty() ? std::numeric_limits<double>::quiet_NaN() : frictions_.front(), law_);
+    } catch (const std::invalid_argument& error) {
+      throw std::invalid_argument(std::string("--read: ") + error.what());
+    }
     Rows rows(results, {"engine", "parameter", "value", "moment_per_load", "radius", "note"});
-    for (const std::string& text : readings_) {
-      const std::size_t point = text.find('.');
-      const std::size_t equals = text.rfind('=');
-      const auto value = equals == std::string::npos ? std::nullopt : parse_number(text.substr(equals + 1));
-      if (!value || point >= equals) {
-        throw std::invalid_argument("--read: got '" + text + "', expected ENGINE.PARAMETER=VALUE, such as mujoco.torsional=0.005");
-      }
-      try {
-        const auto found =
-            engines::read_coefficient(text.substr(0, point), text.substr(point + 1, equals - point - 1), *value, friction_, law_);
-        rows.row(found.engine, found.parameter, *value, if_any(found.moment_per_load), if_any(found.radius), found.note);
-      } catch (const std::invalid_argument& error) {
-        throw std::invalid_argument(std::string("--read: ") + error.what());
-      }
+    for (std::size_t i = 0; i < meanings.size(); ++i) {
+      const engines::CoefficientMeaning& found = meanings[i];
+      rows.row(found.engine, found.parameter, numbers[i].value, if_any(found.moment_per_load), if_any(found.radius), found.note);
     }
     rows.finish();
   }
@@ -167,7 +204,7 @@ class Translate final : public Subcommand {
   Law law_;
   MomentArgument moment_;
   std::string patch_;
-  double friction_ = 0.0;
+  std::vector<double> frictions_;
   std::optional<double> load_;
   std::vector<double> loads_;
   std::string engine_;

@@ -83,8 +83,8 @@ std::vector<std::string> words(std::string_view text) {
 struct Formula {
   std::string_view text;
   double (*value)(double mu, double lever);
-  double (*lever)(double mu, double value);  ///< its inverse; null where it sets no moment
-  std::string_view use;                      ///< what the engine makes of it
+  double (*moment)(double value, double factor);  ///< over the load; `factor`: the parameter in column `times`. Null: it sets no moment
+  std::string_view use;                           ///< what the engine makes of it; @: that parameter
 };
 
 double friction_of(double mu, double /*lever*/) {
@@ -93,11 +93,8 @@ double friction_of(double mu, double /*lever*/) {
 double moment_of(double mu, double lever) {
   return mu * lever;
 }
-double lever_of_moment(double mu, double value) {
-  return value / mu;
-}
-double itself(double /*mu*/, double length) {
-  return length;
+double itself(double value, double /*factor*/) {
+  return value;
 }
 
 constexpr double hertz_ratio = 3.0 * std::numbers::pi / 16.0;
@@ -107,15 +104,16 @@ constexpr std::array formulas{
     Formula{"mu_x", friction_of, nullptr, "times load: the force's limit along x"},
     Formula{"mu_y", friction_of, nullptr, "times load: the force's limit along y"},
     Formula{"mu/f", friction_of, nullptr, "times f and load: the force's limit"},
-    Formula{"mu_r", moment_of, lever_of_moment, "times load: the moment's limit"},
-    Formula{"mu_r/f", moment_of, lever_of_moment, "times f and load: the moment's limit"},
+    Formula{"mu_r", moment_of, itself, "times load: the moment's limit"},
+    Formula{"mu_r/f", moment_of, itself, "times f and load: the moment's limit"},
     Formula{"mu_r/1000", [](double mu, double lever) { return 1e-3 * (mu * lever); }, nullptr, ""},
-    Formula{"m0 a", itself, itself, "times mu and load: the moment's limit"},
+    Formula{"m0 a", [](double /*mu*/, double lever) { return lever; }, [](double value, double factor) { return factor * value; },
+            "times @ and load: the moment's limit"},
     Formula{"16 m0 a/(3 pi)", [](double /*mu*/, double lever) { return lever / hertz_ratio; },
-            [](double /*mu*/, double value) { return value * hertz_ratio; }, "times 3 pi/16 and mu and load: the moment's limit"},
+            [](double value, double factor) { return hertz_ratio * factor * value; }, "times 3 pi/16 and @ and load: the moment's limit"},
     Formula{"sqrt(m0 a/pi)", [](double /*mu*/, double lever) { return std::sqrt(lever / std::numbers::pi); },
-            [](double /*mu*/, double value) { return std::numbers::pi * value * value; },
-            "pi times its square and mu and load: the moment's limit"},
+            [](double value, double factor) { return std::numbers::pi * value * value * factor; },
+            "pi times its square and @ and load: the moment's limit"},
 };
 
 /// Null for a number.
@@ -124,8 +122,11 @@ const Formula* find_formula(std::string_view text) {
   return found == formulas.end() ? nullptr : &*found;
 }
 
-std::string with_use(const Formula* formula, const std::string& note) {
+std::string note_of(const Facts& coefficient) {
+  const std::string& note = coefficient.at("note");
+  const Formula* const formula = find_formula(coefficient.at("formula"));
   std::string result(formula == nullptr || note.starts_with("times") ? "" : formula->use);
+  if (const std::size_t at = result.find('@'); at != std::string::npos) result.replace(at, 1, coefficient.at("times"));
   if (!result.empty() && !note.empty()) result += "; ";
   return result + note;
 }
@@ -154,7 +155,7 @@ struct Friction {
   double y;
   [[nodiscard]] bool has(const Facts& coefficient) const {
     const std::string& when = coefficient.at("when");
-    return when.empty() || when == (x == y ? "one" : "two");
+    return when.empty() || when == (x == y ? "one" : "two");  // not "read"
   }
 };
 
@@ -186,8 +187,7 @@ std::vector<EngineContact> contacts_of(double mu, const Friction& friction, cons
         return formula->value(text == "mu_x" ? friction.x : text == "mu_y" ? friction.y : mu, lever);
       };
       contact.coefficients.push_back({coefficient.at("parameter"), value(levers.here), coefficient.at("unit"), text,
-                                      coefficient.at("two_bodies"), with_use(formula, coefficient.at("note")), value(levers.least),
-                                      value(levers.greatest)});
+                                      coefficient.at("two_bodies"), note_of(coefficient), value(levers.least), value(levers.greatest)});
     }
     contacts.push_back(std::move(contact));
   }
@@ -288,7 +288,7 @@ std::vector<EngineContact> translate(const Patch& patch, double mu) {
   const char* const build = "; for one contact point (a ball, a capsule across); several: no torsion (condim 3), geometry of radius m0 a";
   for (EngineContact& contact : contacts) {
     for (EngineCoefficient& one : contact.coefficients) {
-      if (const Formula* const formula = find_formula(one.formula); formula != nullptr && formula->lever != nullptr) one.note += build;
+      if (const Formula* const formula = find_formula(one.formula); formula != nullptr && formula->moment != nullptr) one.note += build;
     }
   }
   return contacts;
@@ -318,36 +318,104 @@ std::string find_engine(std::string_view name) {
                               did_you_mean(name, {known.begin(), known.end()}));
 }
 
-CoefficientMeaning read_coefficient(std::string_view engine, std::string_view parameter, double value, double mu, const Law& law) {
-  require("mu", mu, "1");
-  const std::string id = find_engine(engine);
+namespace {
+
+/// The row of an engine's parameter, by any of its names.
+const Facts& find_coefficient(std::string_view engine, std::string_view parameter) {
   std::vector<std::string> known;
   for (const Facts& facts : all_coefficients()) {
-    if (facts.at("engine") != id) continue;
-    std::vector<std::string> names = words(facts.at("word"));
-    const std::string word = names.front();
-    names.push_back(facts.at("parameter"));
-    if (std::find(names.begin(), names.end(), parameter) == names.end()) {
-      if (std::find(known.begin(), known.end(), word) == known.end()) known.push_back(word);
-      continue;
-    }
-    if (!(value >= 0.0) || std::isinf(value))
-      throw out_of_range(id + "." + std::string(parameter), value, facts.at("unit"), ">= 0 and finite");
-    const Formula* const formula = find_formula(facts.at("formula"));
-    CoefficientMeaning meaning{id, facts.at("parameter"), nan, nan, with_use(formula, facts.at("note"))};
-    if (formula == nullptr || formula->lever == nullptr) return meaning;
-    const double lever = formula->lever(mu, value);
-    meaning.moment_per_load = mu * lever;
-    meaning.radius = lever / law->moment_ratio();
-    constexpr double smallest = 1e-3;
-    constexpr double largest = 2e-2;
-    if (!(meaning.radius >= smallest && meaning.radius <= largest)) meaning.note += "; no fingertip: its contact radius is 3 to 10 mm";
-    return meaning;
+    if (facts.at("engine") != engine) continue;
+    const std::vector<std::string> names = words(facts.at("word"));
+    if (parameter == facts.at("parameter") || std::find(names.begin(), names.end(), parameter) != names.end()) return facts;
+    if (std::find(known.begin(), known.end(), names.front()) == known.end()) known.push_back(names.front());
   }
   std::string expected;
   for (const std::string& one : known) expected += " " + one;
-  throw std::invalid_argument(id + " has no parameter '" + std::string(parameter) + "', expected one of" + expected +
+  throw std::invalid_argument(std::string(engine) + " has no parameter '" + std::string(parameter) + "', expected one of" + expected +
                               " or the engine's own name" + did_you_mean(parameter, {known.begin(), known.end()}));
+}
+
+/// Whether a number limits the force.
+bool is_friction(const Facts& coefficient) {
+  const Formula* const formula = find_formula(coefficient.at("formula"));
+  return formula != nullptr && formula->value == friction_of && coefficient.at("times").empty();
+}
+
+/// The numbers of one contact, by their rows.
+using ContactNumbers = std::map<const Facts*, double>;
+
+double friction_in(const ContactNumbers& contact, const Facts* factor, double otherwise) {
+  if (factor != nullptr && is_friction(*factor) && contact.contains(factor)) return contact.at(factor);
+  const auto found = std::find_if(contact.begin(), contact.end(), [](const auto& number) { return is_friction(*number.first); });
+  return found == contact.end() ? otherwise : found->second;
+}
+
+CoefficientMeaning meaning_of(const Facts& row, double value, const ContactNumbers& contact, double mu, double moment_ratio) {
+  CoefficientMeaning meaning{row.at("engine"), row.at("parameter"), nan, nan, note_of(row)};
+  const Formula* const formula = find_formula(row.at("formula"));
+  if (formula == nullptr || formula->moment == nullptr) return meaning;
+  const auto other = [&](const char* column) {
+    return row.at(column).empty() ? nullptr : &find_coefficient(meaning.engine, row.at(column));
+  };
+  const Facts* const times = other("times");
+  const double friction = friction_in(contact, times, mu);
+  double factor = friction;
+  if (times != nullptr && !is_friction(*times)) {
+    const bool is_given = contact.contains(times);
+    factor = is_given ? contact.at(times) : parse_number(times->at("default")).value();
+    if (!is_given) meaning.note += "; with " + row.at("times") + " " + times->at("default") + ", the default";
+  }
+  meaning.moment_per_load = formula->moment(value, factor);
+  if (const Facts* const needed = other("needs"); needed != nullptr) {  // a switch: its formula is the number that turns it on
+    const double least = parse_number(needed->at("formula")).value();
+    const std::string condition = row.at("needs") + " " + needed->at("formula");
+    if (contact.contains(needed)) {
+      if (contact.at(needed) < least) meaning.moment_per_load = 0.0, meaning.note += "; needs " + condition;
+    } else if (parse_number(needed->at("default")).value() < least) {
+      meaning.note += "; if " + condition + ": the default is " + needed->at("default");
+    }
+  }
+  if (meaning.moment_per_load == 0.0) {
+    meaning.radius = 0.0;
+    meaning.note += "; no moment";
+    return meaning;
+  }
+  if (std::isnan(friction))
+    throw std::invalid_argument(meaning.engine + "." + meaning.parameter + ": expected mu, or the friction beside it");
+  meaning.radius = meaning.moment_per_load / friction / moment_ratio;
+  constexpr double smallest = 1e-3;
+  constexpr double largest = 2e-2;
+  if (!(meaning.radius >= smallest && meaning.radius <= largest)) meaning.note += "; no fingertip: its contact radius is 3 to 10 mm";
+  return meaning;
+}
+
+}  // namespace
+
+std::vector<CoefficientMeaning> read_coefficients(std::span<const EngineNumber> numbers, double mu, const Law& law) {
+  if (!std::isnan(mu)) require("mu", mu, "1");
+  std::vector<const Facts*> rows;
+  std::vector<std::size_t> contact_of;  // of each number
+  std::vector<ContactNumbers> contacts;
+  std::map<std::string, std::size_t> latest;  // contact of each engine
+  for (const EngineNumber& number : numbers) {
+    const std::string engine = find_engine(number.engine);
+    const Facts& row = find_coefficient(engine, number.parameter);
+    if (!(number.value >= 0.0) || std::isinf(number.value)) {
+      throw out_of_range(engine + "." + number.parameter, number.value, row.at("unit"), ">= 0 and finite");
+    }
+    if (!latest.contains(engine) || contacts[latest[engine]].contains(&row)) {
+      latest[engine] = contacts.size();
+      contacts.emplace_back();
+    }
+    contacts[latest[engine]][&row] = number.value;
+    rows.push_back(&row);
+    contact_of.push_back(latest[engine]);
+  }
+  std::vector<CoefficientMeaning> meanings;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    meanings.push_back(meaning_of(*rows[i], numbers[i].value, contacts[contact_of[i]], mu, law->moment_ratio()));
+  }
+  return meanings;
 }
 
 }  // namespace limitcurve::engines

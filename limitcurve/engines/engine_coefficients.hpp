@@ -5,6 +5,7 @@
 #include "../pressure_law.hpp"
 #include "../validate.hpp"
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -66,18 +67,26 @@ std::vector<std::string> engines_of_one_friction();
 /// The name in `translate` of an engine that may have others (isaac-lab, pybullet). Throws std::invalid_argument with all names.
 std::string find_engine(std::string_view name);
 
+/// A number in an engine's scene. The parameter is the engine's own name, or a word from data/engines/coefficients.csv: friction, torsional, ….
+struct EngineNumber {
+  std::string engine;
+  std::string parameter;
+  double value;
+};
+
 /// What a number in an engine's scene means.
 struct CoefficientMeaning {
   std::string engine;
   std::string parameter;   ///< in the engine's spelling
-  double moment_per_load;  ///< largest moment over load [m]; NaN for a number that sets no moment
+  double moment_per_load;  ///< largest moment over load [m]; NaN for a number that sets no moment of its own
   double radius;           ///< contact radius [m] that a contact of the law needs for it; NaN as above
-  std::string note;        ///< how the engine uses the number; whether that is a fingertip's radius
+  std::string note;        ///< how the engine uses the number, what was assumed; whether that is a fingertip's radius
 };
 
-/// The inverse of `translate`: the meaning of `value` ≥ 0 for an engine's parameter under friction `mu` > 0. The parameter is the engine's
-/// own name, or a short name from data/engines/coefficients.csv: friction, torsional, patch_radius, …. Throws std::invalid_argument for an
-/// unknown name, with the known ones, and for values out of range.
-CoefficientMeaning read_coefficient(std::string_view engine, std::string_view parameter, double value, double mu, const Law& law);
+/// The inverse of `translate`, a row for each number, in their order. Numbers of one engine belong to one contact; a parameter that an
+/// engine has had already begins its next contact. A contact's friction is the one among its numbers, else `mu` > 0. Another number that is
+/// missing is the engine's default, but a switch is on; the note says so. A number that another one switches off has moment 0. Throws
+/// std::invalid_argument for an unknown name, with the known ones, for values < 0 or not finite, and if a radius needs `mu` and it is NaN.
+std::vector<CoefficientMeaning> read_coefficients(std::span<const EngineNumber> numbers, double mu, const Law& law);
 
 }  // namespace limitcurve::engines

@@ -174,7 +174,7 @@ def fit(
 def translate(
     law: str | Law | None = None,
     radius_law: str | None = None,
-    mu: float | None = None,
+    mu: ArrayLike | None = None,
     load: float | None = None,
     *,
     mu_r: float | None = None,
@@ -189,9 +189,11 @@ def translate(
 
     With `mu_r` and `gamma`, as measured, in place of radius_law. With `patch` in place of law, radius law and load: for a contact
     that is not round. Columns: engine, parameter, value, unit, model,
-    max_error, cor_error, loads_error, note, formula, two_bodies; with `loads` also low and high, the range of the value over these loads.
+    max_error, cor_error, loads_error, note, formula, two_bodies; with `loads` also low and high, the range of the value over these loads;
+    with several values of mu also mu.
 
-    `read`, with law and mu alone: what a number in a scene means. Columns: engine, parameter, value, moment_per_load, radius [m], note.
+    `read`, with law and mu alone: what numbers in a scene mean. Numbers of one engine belong to one contact, until a parameter comes
+    again. Columns: engine, parameter, value, moment_per_load, radius [m], note.
 
     >>> import limitcurve as lc
     >>> table = lc.translate("hertz", "constant:a=0.006", mu=0.6, load=2)

@@ -45,7 +45,7 @@ class Translate(CommandLineTest):
             if str(row["formula"]).startswith("mu"):
                 self.assertTrue(row["two_bodies"], row)
         notes = {(row["engine"], row["parameter"]): row["note"] for row in rows(*self.CONTACT)}
-        self.assertIn("times mu and load", notes["physx", "PxShape.minTorsionalPatchRadius"])
+        self.assertIn("times dynamic_friction and load", notes["physx", "PxShape.minTorsionalPatchRadius"])
         self.assertIn("times f and load: the moment's limit", notes["bullet", "setSpinningFriction"])
         self.assertNotIn("force", notes["gazebo", "surface/friction/torsional/coefficient"])
 
@@ -120,11 +120,41 @@ class Translate(CommandLineTest):
         both = rows(*reading, "dart.friction=0.5", "--read", "ode.torsional=0.002")
         self.assertEqual([(row["engine"], row["radius"]) for row in both], [("dart", ""), ("ode", 0.006)])
         for text, expected in (("mujoco.torsional", "ENGINE.PARAMETER=VALUE"), ("torsional=1", "ENGINE.PARAMETER=VALUE"), ("mujoco.torsional=a", "ENGINE.PARAMETER"),
-                               ("mujoco.torsional=-1", "-1"), ("mujoco.torsion=1", "torsional"), ("mujco.torsional=1", "mujoco")):
+                               ("mujoco.cone=pyramidal", "true or false"), ("mujoco.torsional=-1", "-1"), ("mujoco.torsion=1", "torsional"), ("mujco.torsional=1", "mujoco")):
             self.assert_fails(2, ["--read", expected], *reading, text)
         self.assert_fails(2, "--load", *reading, "mujoco.torsional=0.005", "--load", "1")
         self.assert_fails(2, "--law", "translate", "--mu", "1", "--read", "mujoco.torsional=0.005")
+        self.assert_fails(2, "--mu", *reading, "mujoco.torsional=0.005", "--mu", "1,2")
 
+    def test_names_and_attributes_as_they_stand_in_files(self):
+        reading = ["translate", "--law", "uniform", "--mu", "0.5"]
+        for text in ("bullet.spinning_friction", "newton:torsionalFriction", "newton.shape_material_mu_torsional", "mujoco.geom_friction[1]", "mujoco.friction[1]",
+                     "mujoco.pair.torsional", "physxCollision:minTorsionalPatchRadius"):
+            row, = rows(*reading, "--read", text + "=0.01")
+            self.assert_close(row["moment_per_load"], 0.005 if "Patch" in text else 0.01, 1e-14)
+        found = rows("translate", "--law", "uniform", "--read", "mujoco.friction=1.5 0.006 0.0002")  # friction and all
+        self.assertEqual([(row["value"], row["moment_per_load"]) for row in found], [(1.5, ""), (0.006, 0.006), (0.0002, "")])
+        self.assert_close(found[1]["radius"], 0.006, 1e-14)
+        found = rows(*reading, "--read", "mujoco.pair.friction=1 1 0.005 0.0001 0.0001", "--read", "mujoco.pair.condim=3")
+        self.assertEqual(found[2]["moment_per_load"], 0)
+        found = rows(*reading, "--read", "gazebo.use_patch_radius=false", "--read", "gazebo.patch_radius=0.1")
+        self.assertEqual(found[1]["moment_per_load"], 0)
+        self.assert_fails(2, "mu", "translate", "--law", "uniform", "--read", "mujoco.torsional=0.005")
+
+    def test_several_frictions(self):
+        """mu_r follows mu: the rows of each are those of a call of its own."""
+        call = self.CONTACT[:self.CONTACT.index("--mu")] + ["--load", "16"]
+        both = rows(*call, "--mu", "0.4,1.2")
+        for mu in (0.4, 1.2):
+            self.assertEqual([{key: value for key, value in row.items() if key != "mu"} for row in both if row["mu"] == mu], rows(*call, "--mu", str(mu)))
+
+    def test_a_measured_moment_needs_no_law(self):
+        done = run("translate", "--mu", "0.5", "--mu-r", "0.002", "--load", "3")
+        self.assertIn("Hertz", done.stderr)
+        found, known = ({row["parameter"]: row["value"] for row in rows("translate", "--quiet", *law, "--mu", "0.5", "--mu-r", "0.002", "--load", "3")}
+                        for law in ([], ["--law", "uniform"]))
+        for parameter, value in found.items():
+            self.assert_close(value, known[parameter], 1e-14)
     def test_explained_on_standard_error(self):
         done = run(*self.CONTACT, "--explain")
         self.assertEqual(done.returncode, 0)
