@@ -67,5 +67,6 @@ double moment_capacity(double moment_ratio, const RadiusLaw& radius_law, double 
 // p_curve(curve, contact, load, points)          the limit curve at one load [N]: force [N], moment [N m] and COR [m] of each point
 // load_to_hold(curve, contact, F, M)             the smallest grip [N] that holds a force and a moment without slip
 // Patch::rectangle(0.02, 0.01).wrench(twist)     contacts that are not round, and load_to_hold(patch, mu, wrench): patch.hpp
+// half_spaces(patch, 32)                         inequalities inside the limit surface, for a planner: patch/half_spaces.hpp
 
 }  // namespace limitcurve

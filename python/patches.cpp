@@ -4,6 +4,7 @@
 
 #include "cli/io/unit_checks.hpp"
 
+#include "limitcurve/patch/half_spaces.hpp"
 #include "limitcurve/internal/number.hpp"
 
 #include <nanobind/stl/optional.h>
@@ -11,6 +12,7 @@
 #include <nanobind/stl/tuple.h>
 #include <nanobind/stl/vector.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -83,6 +85,18 @@ nb::object slips(const PyPatch& patch, const BoundArguments& given) {
                                                    return std::array{twist.vx, twist.vy, twist.omega};
                                                  });
   return nb::module_::import_("numpy").attr("stack")(twists, -1);
+}
+
+nb::object half_spaces_of(const PyPatch& patch, const BoundArguments& given) {
+  const double rows = number_of(given[0], "rows", 32.0);
+  if (!(rows >= 8.0) || rows != std::floor(rows)) throw out_of_range("rows", rows, "1", "a whole number >= 8");
+  const HalfSpaces found = half_spaces(patch, static_cast<std::size_t>(std::min(rows, 1e6)));
+  const auto array = [](const auto& vectors) {
+    std::vector<std::tuple<double, double, double>> numbers;
+    for (const auto& [fx, fy, moment] : vectors) numbers.emplace_back(fx, fy, moment);
+    return nb::module_::import_("numpy").attr("array")(nb::cast(numbers));
+  };
+  return nb::make_tuple(array(found.rows), array(found.vertices), found.share);
 }
 
 /// A kind of patch from columns of numbers.
@@ -216,6 +230,12 @@ void add_patches(nb::module_& module) {
       "The twists (vx, vy, omega) [m/s, rad/s] about the origin with which the patch slips under friction wrenches [N, N m], broadcast\n"
       "against each other: shape (…, 3). They have power 1 W against the wrench; NaN for wrench 0, and where no load holds. Releases the\n"
       "GIL.");
+  define<const PyPatch&>(type, "def half_spaces(self, rows: int = 32) -> tuple[typing.Any, typing.Any, float]", &half_spaces_of,
+                         "Friction for a planner: A of shape (n, 3), V of shape (v, 3) and their share, inside the limit surface. A @ (fx, "
+                         "fy, moment) <= mu N\n"
+                         "holds, about the origin; so does V.T @ x with x >= 0 and sum(x) <= mu N. n is the largest of 8, 14, 32, 62, 128 "
+                         "that fits in `rows`.\n"
+                         "The share is the polytope's radius over the limit surface's, in the worst direction.");
   type.def("__repr__", &in_words)
       .def_prop_ro("moment_ratio", &Patch::moment_ratio, "m0: the moment of a pure spin over mu P [m].")
       .def_prop_ro("radius", &Patch::radius, "Largest distance of a point from the centre of pressure [m].")

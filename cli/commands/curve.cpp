@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include "cli/commands/half_spaces.hpp"
 #include "cli/commands/subcommands.hpp"
 
 #include "limitcurve/contact/load_curves.hpp"
+
+#include <optional>
 
 namespace limitcurve::cli {
 
@@ -12,16 +15,20 @@ class Curve final : public Subcommand {
   [[nodiscard]] Manual manual() const override {
     return {"curve", "The unit limit curve at evenly spaced slip angles",
             "Columns: c in contact radii, from 0 (pure twist) to inf (pure slide); force in units of mu P and moment in\n"
-            "units of mu P a; x = F/F_max and y = M/M_max, the paper's normalised plane.",
+            "units of mu P a; x = F/F_max and y = M/M_max, the paper's normalised plane.\n"
+            "--half-spaces N: at most N inequalities inside the limit surface instead, for a planner, with mu P = 1 and a = 1: see\n"
+            "'limitcurve patch'. For a radius a divide the moments of the rows by a, and multiply those of the vertices.",
             "limitcurve curve --law uniform --points 181"};
   }
 
   void declare(Options& options) override {
     options.law(law_);
     options.count("--points", points_, 2, 10'000'000, "Number of points");
+    options.count("--half-spaces", half_spaces_, 8, 1'000'000, "Instead of points: rows of inequalities");
   }
 
   void run(const Results& results) override {
+    if (half_spaces_) return write_half_spaces(results, half_spaces(Patch::ellipse(law_, 1.0, 1.0), *half_spaces_));
     Rows rows(results, {"c", "force", "moment", "x", "y"});
     const double moment_ratio = law_->moment_ratio();
     std::size_t done = 0;
@@ -36,6 +43,7 @@ class Curve final : public Subcommand {
  private:
   Law law_;
   std::size_t points_ = 91;
+  std::optional<std::size_t> half_spaces_;
 };
 
 }  // namespace

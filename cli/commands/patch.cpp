@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "cli/commands/half_spaces.hpp"
 #include "cli/commands/subcommands.hpp"
 #include "cli/io/csv_reader.hpp"
 #include "cli/io/patch_argument.hpp"
@@ -23,7 +24,7 @@ class PatchCommand final : public Subcommand {
  public:
   [[nodiscard]] Manual manual() const override {
     return {
-        "patch", "Contacts that are not round: the wrench of each sliding twist, or the slip under each wrench",
+        "patch", "Contacts that are not round: the wrench of each sliding twist, the slip under each wrench, or inequalities for a planner",
         "Patches: points:FILE.csv (columns x,y,load), polygon:FILE.csv (x,y), rectangle:x=0.02,y=0.01 (full sides),\n"
         "ellipse:law=hertz,a=0.004,b=0.002 (semi-axes), image:FILE.csv,pixel=0.0005 (rows of pressures, the first row at the\n"
         "largest y; the origin is the centre of pressure; pixel=0.004x0.005 along x and y; an empty pixel, B or nan has no sensor; a\n"
@@ -37,6 +38,9 @@ class PatchCommand final : public Subcommand {
         "just holds it [N], inf if none does; vx, vy, omega: the slip at that load, of power 1 W against the wrench, nan for wrench 0 or\n"
         "without such a load; error: bound of |dF|/(mu P) and |dM|/(mu P m0), from the wrench to what the slip needs. Where the limit\n"
         "surface is flat the slip is about a point of the patch, exactly; error leaves out the force that this point bears.\n"
+        "--half-spaces N: at most N rows of inequalities inside the limit surface, for a planner, and their vertices, about the origin.\n"
+        "Columns: kind; a row has fx F_x + fy F_y + moment M <= mu N, units 1, 1, 1/m; a vertex is a wrench for mu N = 1, units 1, 1, m;\n"
+        "share: the polytope's radius over the limit surface's in the worst direction. N: 8, 14, 32, 62 or 128.\n"
         "--law with --radius-law or --mu-r, in place of --patch: a round contact; wrenches are force,moment, slips slide,spin [m/s, "
         "rad/s].",
         "limitcurve patch --patch rectangle:x=0.02,y=0.01 --twists data/patches/twists.csv --mu 0.5 --load 4"};
@@ -48,17 +52,22 @@ class PatchCommand final : public Subcommand {
     options.moment(moment_);
     options.text("--twists", twists_, "FILE", "CSV of twists, or - for standard input");
     options.text("--wrenches", wrenches_, "FILE", "In place of --twists: CSV of wrenches, or - for standard input");
+    options.count("--half-spaces", half_spaces_, 8, 1'000'000,
+                  "In place of --twists: rows of inequalities, whatever --mu and the load are");
     options.number("--mu", mu_, positive, "Coefficient of friction");
     options.number("--load", load_, positive, "With --twists: normal load P [N] (default 1)");
   }
 
   void run(const Results& results) override {
     if (patch_.empty() == (law_ == nullptr)) throw std::invalid_argument("expected one of --patch and --law");
-    if (twists_.empty() == wrenches_.empty()) throw std::invalid_argument("expected one of --twists and --wrenches");
+    if (int{!twists_.empty()} + int{!wrenches_.empty()} + int{half_spaces_.has_value()} != 1) {
+      throw std::invalid_argument("expected one of --twists, --wrenches and --half-spaces");
+    }
     if (load_ && twists_.empty()) throw std::invalid_argument("--load: goes with --twists; with --wrenches it is a result");
     if (law_ != nullptr) return slip_of_round_contact(results);
     if (moment_.given()) throw std::invalid_argument("--radius-law, --mu-r, --gamma: not with --patch, which has its own size and moments");
     const Patch patch = read_patch(patch_, *results.messages);
+    if (half_spaces_) return write_half_spaces(results, half_spaces(patch, *half_spaces_));
     if (!wrenches_.empty()) return slip(results, patch);
     UnitChecks questions;
     if (load_) questions.load(*load_);
@@ -92,6 +101,7 @@ class PatchCommand final : public Subcommand {
   }
 
   void slip_of_round_contact(const Results& results) const {
+    if (half_spaces_) throw std::invalid_argument("--half-spaces: goes with --patch; for a law see 'limitcurve curve'");
     if (wrenches_.empty()) throw std::invalid_argument("--law: goes with --wrenches; for twists see 'limitcurve eval'");
     moment_.check();
     const ContactFriction contact = moment_.with(mu_, law_);
@@ -131,6 +141,7 @@ class PatchCommand final : public Subcommand {
   MomentArgument moment_;
   std::string twists_;
   std::string wrenches_;
+  std::optional<std::size_t> half_spaces_;
   double mu_ = 1.0;
   std::optional<double> load_;
 };

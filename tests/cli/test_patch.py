@@ -1,10 +1,15 @@
 # SPDX-License-Identifier: MIT
 """Contacts that are not round: `patch`. References are made here, by sums and quadrature."""
 
+import csv
+import io
 import math
+import os
+import re
+import subprocess
 import unittest
 
-from command_line import header, rows, run
+from command_line import DATA, EXECUTABLE, header, rows, run
 from patch_case import PatchCase, by_points
 
 COLUMNS = "vx,vy,omega,fx,fy,moment,power,error"
@@ -30,6 +35,33 @@ class Patch(PatchCase):
         for wrong, told in (("columns=32", "a second frame, expected frame=N"), ("columns=32,frame=3", "no frame 3 of 2"), ("columns=31,frame=1", "a row of 384 pixels"),
                             ("columns=384,frame=1", "of several rows"), ("columns=1.5", "whole number"), ("frame=1", "only with columns=N")):
             self.refused(f"image:{log},pixel=0.002,{wrong}", told)
+
+    def test_half_spaces(self):
+        """The door's columns; the round contact of `curve` is the ellipse of `patch`. What they keep is asserted in half_spaces_test.cpp."""
+        call = ["patch", "--patch", "rectangle:x=0.2,y=0.1", "--half-spaces"]
+        self.assertEqual(header(*call, "14"), "kind,fx,fy,moment,share")
+        found = rows(*call, "20")
+        self.assertEqual([sum(row["kind"] == kind for row in found) for kind in ("row", "vertex")], [14, 18])
+        products = [[sum(a[key] * b[key] for key in ("fx", "fy", "moment")) for a in found if a["kind"] == "row"] for b in found if b["kind"] == "vertex"]
+        self.assertAlmostEqual(max(map(max, products)), 1, delta=1e-9)
+        self.assertEqual(rows("curve", "--law", "hertz", "--half-spaces", "14"), rows("patch", "--patch", "ellipse:law=hertz,a=1,b=1", "--half-spaces", "14"))
+        one = self.file("one.csv", "x,y,load\n1,2,3\n")
+        for wrong, told in (([*call, "7"], "--half-spaces"), ([*call, "8", "--twists", self.twists((1.0, 0.0, 0.0))], "expected one of"),
+                            (["patch", "--patch", f"points:{one}", "--half-spaces", "8"], "single point")):
+            done = run(*wrong)
+            self.assertEqual(done.returncode, 2)
+            self.assertIn(told, done.stderr)
+
+    def test_bolts_tyres_and_pucks(self):
+        """The commands of docs/not_robots.md give its answers."""
+        page = (DATA.parent / "docs" / "not_robots.md").read_text(encoding="utf-8")
+        lines = [re.split(r" (?<!\\)\| ", line.strip("| "))[1:] for line in page.splitlines() if "limitcurve" in line and line.startswith("|")]
+        self.assertEqual(len(lines), 5)
+        for command, column, answer in lines:
+            path = os.path.dirname(EXECUTABLE) + os.pathsep + os.environ["PATH"]
+            done = subprocess.run(["sh", "-c", command.strip("`").replace("\\|", "|")], cwd=self.folder, env={**os.environ, "PATH": path}, capture_output=True, text=True, check=True)
+            row, = csv.DictReader(io.StringIO(done.stdout))
+            self.assertAlmostEqual(float(row[column.strip("`")]) / float(answer.split("=")[-1]), 1, delta=5e-4)
 
     def test_a_square_spins_as_it_must(self):
         (row,) = self.wrenches("rectangle:x=2,y=2", (0.0, 0.0, -2.0), mu=0.5, load=3)

@@ -155,6 +155,7 @@ class Translate(CommandLineTest):
                         for law in ([], ["--law", "uniform"]))
         for parameter, value in found.items():
             self.assert_close(value, known[parameter], 1e-14)
+
     def test_explained_on_standard_error(self):
         done = run(*self.CONTACT, "--explain")
         self.assertEqual(done.returncode, 0)
