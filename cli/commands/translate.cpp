@@ -90,15 +90,16 @@ class Translate final : public Subcommand {
       refuse_factors(*results.messages, patch);
       return write(results, [&](double mu) { return engines::translate(patch, mu); });
     }
-    if (law_ == nullptr && moment_.mu_r) {
-      law_ = hertz();
-      results.messages->say("limitcurve: note: no --law: the errors are against Hertz's curve; the coefficients need no law beside --mu-r");
-    }
-    if (law_ == nullptr) throw std::invalid_argument("expected one of --law, --mu-r, --patch and --read");
+    if (law_ == nullptr && !moment_.mu_r) throw std::invalid_argument("expected one of --law, --mu-r, --patch and --read");
     moment_.check();
+    if (moment_.mu_r && frictions_.size() > 1) throw std::invalid_argument("--mu: one value beside --mu-r, which was measured under it");
     if (!load_) throw std::invalid_argument("--load is required");
     if (!loads_.empty() && (loads_.size() != 2 || loads_[0] > loads_[1])) {
       throw std::invalid_argument("--loads: expected two numbers LOW,HIGH with LOW <= HIGH");
+    }
+    if (law_ == nullptr) {
+      law_ = hertz();
+      results.messages->say("limitcurve: note: no --law: the errors are against Hertz's curve; the coefficients need no law beside --mu-r");
     }
     const engines::LoadRange range =
         loads_.empty() ? engines::LoadRange{*load_ / 4.0, 4.0 * *load_} : engines::LoadRange{loads_[0], loads_[1]};

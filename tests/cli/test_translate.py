@@ -110,7 +110,7 @@ class Translate(CommandLineTest):
         self.assertAlmostEqual(1e3 * row["radius"], 8.5, delta=0.05)
         for text, parameter, moment in (("mujoco.torsional=0.005", "geom.friction[1]", 0.005), ("mujoco.geom.friction[1]=5e-3", "geom.friction[1]", 0.005),
                                         ("isaac-lab.min_torsional_patch_radius=0.1", "physxCollision:minTorsionalPatchRadius", 0.05),
-                                        ("gazebo.patch_radius=0.016", "surface/friction/torsional/patch_radius", 0.5 * 0.003 * math.pi),
+                                        ("gazebo.patch_radius=0.016", "surface/friction/torsional/patch_radius", 0.003 * math.pi),
                                         ("pybullet.spinningFriction=0.1", "setSpinningFriction", 0.1)):
             row, = rows(*reading, text)
             self.assertEqual(row["parameter"], parameter)
@@ -119,7 +119,7 @@ class Translate(CommandLineTest):
             self.assertEqual("no fingertip" in row["note"], not 1e-3 <= row["radius"] <= 2e-2)
         both = rows(*reading, "dart.friction=0.5", "--read", "ode.torsional=0.002")
         self.assertEqual([(row["engine"], row["radius"]) for row in both], [("dart", ""), ("ode", 0.006)])
-        for text, expected in (("mujoco.torsional", "ENGINE.PARAMETER=VALUE"), ("torsional=1", "ENGINE.PARAMETER=VALUE"), ("mujoco.torsional=a", "ENGINE.PARAMETER"),
+        for text, expected in (("mujoco.torsional", "ENGINE.PARAMETER=VALUE"), ("torsional=1", "ENGINE.PARAMETER=VALUE"), ("mujoco.torsional=a", "a number"),
                                ("mujoco.cone=pyramidal", "true or false"), ("mujoco.torsional=-1", "-1"), ("mujoco.torsion=1", "torsional"), ("mujco.torsional=1", "mujoco")):
             self.assert_fails(2, ["--read", expected], *reading, text)
         self.assert_fails(2, "--load", *reading, "mujoco.torsional=0.005", "--load", "1")
@@ -147,6 +147,7 @@ class Translate(CommandLineTest):
         both = rows(*call, "--mu", "0.4,1.2")
         for mu in (0.4, 1.2):
             self.assertEqual([{key: value for key, value in row.items() if key != "mu"} for row in both if row["mu"] == mu], rows(*call, "--mu", str(mu)))
+        self.assert_fails(2, ["--mu", "--mu-r"], "translate", "--mu", "0.4,1.2", "--mu-r", "0.002", "--load", "3")
 
     def test_a_measured_moment_needs_no_law(self):
         done = run("translate", "--mu", "0.5", "--mu-r", "0.002", "--load", "3")
