@@ -90,8 +90,9 @@ class Rows:
             at.refuse(f"got {value:g}, expected a friction number >= 0")
         engine = re.split("[.:]", parameter)[0]
         mu = self.mu or mu
-        texts = [f"{parameter}={value * metre!r}", *(f"{engine}.{other}" for other in others)] + [f"{engine}.friction={mu!r}"] * (mu is not None)
-        self.found.append(([at.file, at.line, what, count, parameter, value, math.nan, math.nan, verdict, math.nan, note], mu or 1.0, texts, metre))
+        others = [*others, *[f"friction={mu!r}"] * (mu is not None)]
+        row = [at.file, at.line, what, count, parameter, value, math.nan, math.nan, verdict, math.nan, note]
+        self.found.append((row, mu or 1.0, [f"{parameter}={value * metre!r}", *(f"{engine}.{other}" for other in others)], metre))
 
     def finish(self, only=""):
         kept = [found for found in self.found if re.search(only, found[0][2])]
@@ -104,7 +105,8 @@ class Rows:
                 if self.how and row[6] == row[6]:
                     name = str(table["parameter"][place]).replace("pair.friction[2]", "geom.friction[1]")
                     row[9] = self.wanted(str(table["engine"][place]), mu).get(name, math.nan) / metre
-                row[8] = row[8] or ("no moment" if row[6] == 0 else "note" if not self.how or row[6] != row[6] else "too large" if row[5] > 2 * row[9] else "ok")
+                means = "no moment" if row[6] == 0 else "note" if not self.how or row[6] != row[6] else "too large" if row[5] > 2 * row[9] else "ok"
+                row[8] = row[8] or means
                 place += len(texts)
         return [row for row, *_ in kept]
 
@@ -132,7 +134,8 @@ class Surface:
     """What a geom, a pair or a default class says; `at`: the element that states its torsional number."""
 
     def __init__(self, friction=None, other=None):
-        self.friction, self.condim, self.priority, self.contype, self.conaffinity, self.at, self.condim_at = friction, 3, 0, 1, 1, None, None
+        self.friction, self.condim, self.priority, self.contype, self.conaffinity = friction, 3, 0, 1, 1
+        self.at = self.condim_at = None
         self.__dict__.update(other.__dict__ if other else {})
 
     def state(self, element):
@@ -205,8 +208,10 @@ def lint_mjcf(root, rows):
         element, s, weld = members[0]
         if s.at is None and s.condim < 4:
             continue
-        meets = [(*k[:2], v) for k, top in tops.items() if k[2] & s.conaffinity or s.contype & k[3] for w, v in top if w != weld or len(members) > 1]
-        above, larger = [k[1] for k in meets if k[1] > s.priority], [k[2] for k in meets if k[1] == s.priority and k[2] > s.friction[1]]
+        bits = [(k, top) for k, top in tops.items() if k[2] & s.conaffinity or s.contype & k[3]]
+        meets = [(*k[:2], number) for k, top in bits for other, number in top if other != weld or len(members) > 1]
+        above = [k[1] for k in meets if k[1] > s.priority]
+        larger = [k[2] for k in meets if k[1] == s.priority and k[2] > s.friction[1]]
         verdict, note = "", "" if s.at else "the default, not written"
         if not (s.contype or s.conaffinity) and not any(m[0].get("name") in in_pair for m in members):
             verdict, note = "no contact", "contype and conaffinity 0"
@@ -217,14 +222,15 @@ def lint_mjcf(root, rows):
         elif above:
             verdict, note = "hidden", f"beside geoms of priority {max(above)}: their numbers count"
         elif larger or (s.friction[1] < 0.005 and s.priority == 0):
-            verdict, note = "hidden", f'beside {max(larger) if larger else 0.005:g}: the larger counts; give priority="{s.priority + 1}" or a pair'
-        name = element.get("name") or element.get("class") or ""
-        rows.add(s.at or s.condim_at, f"geom {name}".strip(), "mujoco.torsional", s.friction[1], s.friction[0], (), verdict, note, len(members))
+            verdict, note = "hidden", f'beside {max(larger, default=0.005):g}: the larger counts; give priority="{s.priority + 1}" or a pair'
+        at, what = s.at or s.condim_at, f"geom {element.get('name') or element.get('class') or ''}".strip()
+        rows.add(at, what, "mujoco.torsional", s.friction[1], s.friction[0], (), verdict, note, len(members))
     for pair, s in scene.pairs:
         if s.at or s.condim > 3:
             dead = s.condim_at is None and s.friction[2] != 0.005
-            rows.add(s.at or s.condim_at, f"pair {pair.get('geom1')} {pair.get('geom2')}", "mujoco.pair.torsional", s.friction[2], s.friction[0], (),
-                     "dead" if dead else "unused" if s.condim < 4 else "", "a pair has condim 3 unless it says so, whatever its geoms have" * dead)
+            at, what = s.at or s.condim_at, f"pair {pair.get('geom1')} {pair.get('geom2')}"
+            verdict, note = "dead" if dead else "unused" if s.condim < 4 else "", "a pair has condim 3 unless it says so, whatever its geoms have"
+            rows.add(at, what, "mujoco.pair.torsional", s.friction[2], s.friction[0], (), verdict, note * dead)
 
 
 def lint_urdf(root, rows):
@@ -247,17 +253,20 @@ def lint_sdf(root, rows):
         torsional, what = collision.child("surface", "friction", "torsional"), f"collision {collision.get('name', '')}".strip()
         at = {c.tag: c for c in torsional.children} if torsional else {}
         value = {tag: at[tag].numbers()[0] for tag in ("coefficient", "patch_radius", "surface_radius") if tag in at}
-        patch, mu = "use_patch_radius" not in at or at["use_patch_radius"].text.strip().lower() in ("1", "true"), value.get("coefficient", 1.0)
+        patch = "use_patch_radius" not in at or at["use_patch_radius"].text.strip().lower() in ("1", "true")
+        mu = value.get("coefficient", 1.0)
         if "patch_radius" in value:
             dead = value["patch_radius"] > 0 and not (patch and mu)
             note = "use_patch_radius is false" if not patch else f"with coefficient {mu:g}" + ", the default" * ("coefficient" not in value)
-            rows.add(at["patch_radius"], what, "gazebo.patch_radius", value["patch_radius"], mu, [f"coefficient={mu}", f"use_patch_radius={int(patch)}"],
-                     "dead" if dead else "", note)
+            others = [f"coefficient={mu}", f"use_patch_radius={int(patch)}"]
+            rows.add(at["patch_radius"], what, "gazebo.patch_radius", value["patch_radius"], mu, others, "dead" if dead else "", note)
         elif "coefficient" in value and patch:
-            rows.add(at["coefficient"], what, "gazebo.coefficient", mu, verdict="no moment", note="patch_radius is 0 here: the other surface's counts")
+            note = "patch_radius is 0 here: the other surface's counts"
+            rows.add(at["coefficient"], what, "gazebo.coefficient", mu, verdict="no moment", note=note)
         if "surface_radius" in value:
-            rows.add(at["surface_radius"], what, "gazebo.surface_radius", value["surface_radius"], verdict="dead" if patch and value["surface_radius"] else "note",
-                     note="use_patch_radius is true: not read" if patch else "lever sqrt(value depth)")
+            verdict = "dead" if patch and value["surface_radius"] else "note"
+            note = "use_patch_radius is true: not read" if patch else "lever sqrt(value depth)"
+            rows.add(at["surface_radius"], what, "gazebo.surface_radius", value["surface_radius"], verdict=verdict, note=note)
 
 
 def lint_usda(root, rows):
@@ -267,7 +276,8 @@ def lint_usda(root, rows):
     mu, condim = float(*frictions) if len(frictions) == 1 else None, max(map(int, re.findall(r"mjc:condim\s*=\s*(\d)", text)), default=3)
     for line, row in enumerate(text.splitlines(), 1):
         named = re.match(r'\s*(?:def|over|class)\s+(?:\w+\s+)?"([^"]*)"', row)
-        prim, found = named[1] if named else prim, re.match(r"\s*(?:custom\s+|uniform\s+)*(?:float|double|half)\s+([\w:]+)(\.timeSamples)?", row)
+        prim = named[1] if named else prim
+        found = re.match(r"\s*(?:custom\s+|uniform\s+)*(?:float|double|half)\s+([\w:]+)(\.timeSamples)?", row)
         if found and found[1] in USD:
             at, value = Element(f"prim {prim}", {}, root.file, line), re.fullmatch(number, row[found.end(1):].split("(")[0].rstrip())
             if value is None:
@@ -301,7 +311,8 @@ def main(arguments=None):
     parser.add_argument("--mu", type=float, help="friction coefficient, instead of the file's")
     parser.add_argument("--only", default="", metavar="REGEX", help="only geoms, links and prims whose column `what` matches")
     given = parser.parse_args(arguments)
-    how = {"patch": given.patch} if given.patch else {"law": given.law, "radius_law": given.radius_law, "load": given.load} if given.radius_law else {}
+    how = {"law": given.law, "radius_law": given.radius_law, "load": given.load} if given.radius_law else {}
+    how = {"patch": given.patch} if given.patch else how
     rows = Rows(given.law, given.mu, how)
     try:
         lint(given.file, rows)

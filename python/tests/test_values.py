@@ -277,3 +277,15 @@ def test_the_cells_of_a_table_are_its_file(tmp_path):
     assert TABLE.cells.shape == (len(written), 9) and np.array_equal(TABLE.cells, written)
     x, c = TABLE.cells[1, 1], TABLE.cells[1, 2:]  # inside, at the beginning of a cell: D = c0, D' = c1
     assert TABLE.evaluate(x) == pytest.approx((c[1], c[0] - x * c[1]), rel=1e-15)
+
+
+def test_half_spaces_are_arrays():
+    A, V, share = lc.Patch("rectangle:x=0.2,y=0.1").half_spaces(20)
+    assert (A.shape, V.shape) == ((14, 3), (18, 3))
+    assert np.max(A @ V.T) == pytest.approx(1.0)
+    table = lc.run("patch", patch="rectangle:x=0.2,y=0.1", half_spaces=20)
+    assert np.array_equal(np.vstack([A, V]), np.column_stack([table[name] for name in ("fx", "fy", "moment")]))
+    assert share == table["share"][0]
+    for rows in (7, 8.5, float("nan")):
+        with pytest.raises(ValueError, match="rows"):
+            lc.Patch("rectangle:x=0.2,y=0.1").half_spaces(rows)
