@@ -118,7 +118,7 @@ SLIPS = {"load": [1.0, 1, 2, 2], "force": [0.6, 0.02, 1.21, 0.03], "moment": [0,
     (lambda: lc.fit("law", SLIPS, units="moment=Nmm"), "units: got 'moment=Nmm', expected a dict"), (lambda: lc.fit("law", SLIPS, columns="a"), "columns: got 'a'"),
     (lambda: lc.fit("lwa", SLIPS), "did you mean 'law'"),
     (lambda: lc.translate("hertz", mu=1, read={"mujoco.torsional": 5}), "read: got {'mujoco.torsional': 5}, expected 'ENGINE.PARAMETER=VALUE'"),
-    (lambda: lc.translate("hertz", mu=1, read="mujoco.torsional"), "^read: got 'mujoco.torsional'"), (lambda: lc.translate("hertz", mu=-1, load=1), "^mu: got '-1'"),
+    (lambda: lc.translate("hertz", mu=1, read="mujoco.torsional"), "^read: got 'mujoco.torsional'"), (lambda: lc.translate("hertz", mu=-1, load=1), "^mu: item 1 of '-1'"),
     (lambda: lc.replay(trace_of(9), "hertz"), "^mu, stiffness, twist_stiffness are required"),
     (lambda: lc.run("eval", law="hertz", cc=1), "did you mean 'c'|not expected: cc"), (lambda: lc.fit("law", {**SLIPS, "force": list("abcd")}), r"^data\['force'\]: got an array of <U1"),
 ])
