@@ -19,13 +19,13 @@ namespace limitcurve {
 
 namespace {
 
-using Vector = std::array<double, 3>;  ///< a twist or a wrench about the centre of pressure, in units in which H is nearly |n|
+using Triple = std::array<double, 3>;  ///< a twist or a wrench about the centre of pressure, in units in which H is nearly |n|
 
-double dot(const Vector& a, const Vector& b) {
+double product(const Triple& a, const Triple& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-Vector cross(const Vector& a, const Vector& b) {
+Triple normal_to(const Triple& a, const Triple& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
@@ -46,14 +46,14 @@ constexpr std::array all_rings{Rings{8, 4, latitudes_8}, Rings{14, 6, latitudes_
                                Rings{62, 12, latitudes_62}, Rings{128, 18, latitudes_128}};
 
 /// Unit vectors, each followed by its opposite.
-std::vector<Vector> directions_of(const Rings& rings) {
-  std::vector<Vector> directions;
+std::vector<Triple> directions_of(const Rings& rings) {
+  std::vector<Triple> directions;
   for (const double latitude : rings.latitudes) {
     const double b = latitude * (std::numbers::pi / 180.0);
     const int count = latitude == 90.0 ? 1 : latitude == 0.0 ? rings.directions / 2 : rings.directions;
     for (int i = 0; i < count; ++i) {
       const double a = 2.0 * std::numbers::pi * i / rings.directions;
-      const Vector one{std::cos(a) * std::cos(b), std::sin(a) * std::cos(b), std::sin(b)};
+      const Triple one{std::cos(a) * std::cos(b), std::sin(a) * std::cos(b), std::sin(b)};
       directions.push_back(one);
       directions.push_back({-one[0], -one[1], -one[2]});
     }
@@ -62,23 +62,23 @@ std::vector<Vector> directions_of(const Rings& rings) {
 }
 
 /// The vertices of {p·x ≤ 1 for all planes p}, which is bounded: the points of three planes that no other cuts off.
-std::vector<Vector> vertices_of(const std::vector<Vector>& planes) {
+std::vector<Triple> vertices_of(const std::vector<Triple>& planes) {
   constexpr double parallel = 1e-12;
   constexpr double outside = 1.0 + 1e-9;  // a point too many makes the polytope smaller, no more
   constexpr double same = 1e-8;
-  std::vector<Vector> found;
+  std::vector<Triple> found;
   for (std::size_t i = 0; i < planes.size(); ++i) {
     for (std::size_t j = i + 1; j < planes.size(); ++j) {
-      const Vector first = cross(planes[i], planes[j]);
+      const Triple first = normal_to(planes[i], planes[j]);
       for (std::size_t k = j + 1; k < planes.size(); ++k) {
-        const double volume = dot(first, planes[k]);
+        const double volume = product(first, planes[k]);
         if (!(std::fabs(volume) > parallel)) continue;
-        const Vector second = cross(planes[j], planes[k]);
-        const Vector third = cross(planes[k], planes[i]);
-        Vector point;
+        const Triple second = normal_to(planes[j], planes[k]);
+        const Triple third = normal_to(planes[k], planes[i]);
+        Triple point;
         for (std::size_t n = 0; n < 3; ++n) point[n] = (first[n] + second[n] + third[n]) / volume;
-        const auto cuts = [&](const Vector& plane) { return dot(plane, point) > outside; };
-        const auto is_same = [&](const Vector& other) {
+        const auto cuts = [&](const Triple& plane) { return product(plane, point) > outside; };
+        const auto is_same = [&](const Triple& other) {
           return std::max({std::fabs(other[0] - point[0]), std::fabs(other[1] - point[1]), std::fabs(other[2] - point[2])}) < same;
         };
         if (std::any_of(planes.begin(), planes.end(), cuts) || std::any_of(found.begin(), found.end(), is_same)) continue;
@@ -97,7 +97,7 @@ HalfSpaces half_spaces(const Patch& patch, std::size_t rows) {
   if (!(patch.moment_ratio() > 0.0)) throw std::invalid_argument("half_spaces: a single point bears no moment, expected a patch that does");
   const PatchPoint centre = patch.centre();
   // The powers of the slides along x and y and of the spin: 1, 1, m0 but for orthotropic friction.
-  const Vector unit{patch.power({1.0, 0.0, 0.0}), patch.power({0.0, 1.0, 0.0}), patch.moment_ratio()};
+  const Triple unit{patch.power({1.0, 0.0, 0.0}), patch.power({0.0, 1.0, 0.0}), patch.moment_ratio()};
   double error = 0.0;  // of the patch's own power: a fraction
   const auto see_error_at =
       [&](const PatchTwist& twist) {  // beside it: the force of a point under the COR has no direction, but no power either
@@ -105,8 +105,8 @@ HalfSpaces half_spaces(const Patch& patch, std::size_t rows) {
         error = std::max(error, patch.about_origin({twist.vx + near * patch.radius() * twist.omega, twist.vy, twist.omega}).error);
       };
   HalfSpaces result;
-  std::vector<Vector> planes;
-  for (const Vector& direction : directions_of(*std::prev(above))) {
+  std::vector<Triple> planes;
+  for (const Triple& direction : directions_of(*std::prev(above))) {
     const PatchTwist twist{direction[0] / unit[0], direction[1] / unit[1], direction[2] / unit[2]};
     const PatchTwist at_origin{twist.vx + twist.omega * centre.y, twist.vy - twist.omega * centre.x, twist.omega};
     const double power = patch.power(twist);
@@ -115,7 +115,7 @@ HalfSpaces half_spaces(const Patch& patch, std::size_t rows) {
     result.rows.push_back({at_origin.vx / power, at_origin.vy / power, at_origin.omega / power});
   }
   double largest = 0.0;
-  for (const Vector& vertex : vertices_of(planes)) {
+  for (const Triple& vertex : vertices_of(planes)) {
     PatchWrench wrench{unit[0] * vertex[0], unit[1] * vertex[1], unit[2] * vertex[2]};
     wrench.moment += centre.x * wrench.fy - centre.y * wrench.fx;
     const PatchSlip slip = patch.slip(wrench);

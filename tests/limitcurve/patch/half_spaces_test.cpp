@@ -20,7 +20,7 @@ namespace limitcurve::test {
 namespace {
 
 /// A patch, and the power of a twist about the origin by brute force, which is accurate to `error`.
-struct Case {
+struct HalfSpaceCase {
   const char* name;
   Patch patch;
   std::function<double(const PatchTwist&)> power;
@@ -50,7 +50,7 @@ std::vector<PatchLoad> squares(double x, double y, double pitch, const std::func
   return points;
 }
 
-std::vector<Case> cases() {
+std::vector<HalfSpaceCase> half_space_cases() {
   const std::vector<PatchLoad> uneven{{0.1, 0.05, 1.0}, {0.1, -0.05, 2.0}, {-0.1, 0.02, 0.5}};
   const auto in_ell = [](double x, double y) { return x > 0 && y > 0 && x < 4 && y < 3 && (x < 1 || y < 1) ? 1.0 : 0.0; };
   const auto everywhere = [](double, double) { return 1.0; };
@@ -86,7 +86,7 @@ double largest(const HalfSpaces& half_spaces, const PatchWrench& wrench) {
 TEST(HalfSpaces, NoWrenchInsideSlips) {
   const int planes = repetitions(studies_are_whole() ? 2000 : 400, 50);
   const int wrenches = repetitions(studies_are_whole() ? 1000000 : 4000);
-  for (const Case& one : cases()) {
+  for (const HalfSpaceCase& one : half_space_cases()) {
     const HalfSpaces inside = half_spaces(one.patch, 32);
     std::mt19937_64 bits(3);
     std::normal_distribution<double> normal;
@@ -115,7 +115,7 @@ TEST(HalfSpaces, NoWrenchInsideSlips) {
 }
 
 TEST(HalfSpaces, KeepTheStatedShareInEveryDirection) {
-  for (const Case& one : cases()) {
+  for (const HalfSpaceCase& one : half_space_cases()) {
     const PatchPoint centre = one.patch.centre();
     for (std::size_t i = 0; i < 5; ++i) {
       const std::size_t rows = std::array<std::size_t, 5>{8, 14, 32, 62, 128}[i];
