@@ -34,14 +34,14 @@ limitcurve_status limitcurve_law_parse(const char* text, limitcurve_law** law) {
   });
 }
 
-limitcurve_status limitcurve_law_samples(const double* radii, const double* pressures, size_t count, const char* source,
+limitcurve_status limitcurve_law_samples(const double* radii, const double* pressures, size_t count, const char* source, double rim,
                                          limitcurve_law** law) {
   if (is_missing("source", source)) return LIMITCURVE_INVALID;
   if (count > 0 && (is_missing("radii", radii) || is_missing("pressures", pressures))) return LIMITCURVE_INVALID;
   return make_handle(law, [&] {
     std::vector<PressureSample> rows;
     for (std::size_t i = 0; i < count; ++i) rows.push_back({radii[i], pressures[i]});
-    const Law measured = samples(rows, source);
+    const Law measured = samples(rows, source, rim);
     return limitcurve_law{measured, measured->name()};
   });
 }

@@ -59,10 +59,11 @@ typedef struct limitcurve_law limitcurve_law;
  * limitcurve_law_samples. */
 LIMITCURVE_API limitcurve_status limitcurve_law_parse(const char* text, limitcurve_law** law);
 
-/* A measured profile: pressures (any unit) at `count` >= 4 increasing radii (any unit); the last radius is the contact's edge. `source`
- * is its name. */
+/* A measured profile: pressures (any unit) at `count` >= 4 increasing radii (any unit). `rim` is the radius, in that unit, that the contact
+ * radius stands for; 0: the last radius with pressure, which is wrong if noise or an offset of the sensor goes on beyond the contact.
+ * Negative pressures are noise: pressures up to 1.5 times the most negative count as 0. `source` is its name. */
 LIMITCURVE_API limitcurve_status limitcurve_law_samples(const double* radii, const double* pressures, size_t count, const char* source,
-                                                        limitcurve_law** law);
+                                                        double rim, limitcurve_law** law);
 
 LIMITCURVE_API void limitcurve_law_free(limitcurve_law* law);
 

@@ -40,19 +40,24 @@ struct PressureSample {
   double pressure;
 };
 
-/// A measured pressure profile. The radius where the pressure ends is scaled to a (of rows without pressure at the end the first counts), the
-/// pressure to load 1. Evaluated by ring, piece by piece.
+/// A measured pressure profile, scaled to load 1. Evaluated by ring, piece by piece.
 ///  - Between samples: a monotone cubic, which does not overshoot (Fritsch and Carlson 1980; slopes by Fritsch and Butland 1984).
 ///  - From the centre to the first radius: the pressure of the first sample.
-///  - Two samples at the same radius: a jump. A repeated sample is ignored. A negative pressure is noise and counts as zero.
+///  - Two samples at the same radius: a jump. A repeated sample is ignored.
+///  - `rim`: the radius, in the unit of the samples, that the contact radius a stands for. 0: the last radius with pressure. That is wrong
+///    if noise or an offset of the sensor goes on beyond the contact; no rule finds the true one, and `remarks` warns. If `rim` is
+///    named, a sample beyond one without pressure that bears the fraction ε of the load changes a force by at most ε μP and a moment by
+///    at most ε μP max(r, mean radius of the load), r being where its pressure ends.
+///  - Negative pressures are noise, which tells its own size: pressures up to 1.5 times the most negative count as 0. `remarks` counts
+///    them. Refused if that takes more than 2 % of the load, or if the most negative is above 10 % of the largest pressure.
 ///
 /// The error that `evaluate` returns includes the interpolation error. It is estimated by leaving out samples, of even radii every other
 /// one, so that all gaps double: the change of the wrench, bounded from above. It exceeds the true error wherever the samples resolve the
 /// profile.
 /// Throws std::invalid_argument for fewer than 4 samples, a number that is not finite, a radius that is negative, smaller than the one
-/// before or nearer to it than 1e-9 of the last radius (equal is allowed), and a profile without pressure. `source` names the data in
-/// `name()`.
-Law samples(std::span<const PressureSample> rows, std::string_view source);
+/// before or nearer to it than 1e-9 of the last radius (equal is allowed), a rim beyond 1e-3 to 1e3 times the last radius, and a profile
+/// without pressure. `source` names the data in `name()`.
+Law samples(std::span<const PressureSample> rows, std::string_view source, double rim = 0.0);
 
 /// The law with the name `text`: `hertz uniform parabolic flat-punch cone power:n=2.3 xydas-kao:k=3 gaussian:sigma=0.4
 /// mix:0.7*hertz+0.3*uniform`. Throws `std::invalid_argument`, which quotes the text and says what was expected.

@@ -88,6 +88,13 @@ class PressureLaw {
   /// 0 for a law given by a formula.
   [[nodiscard]] virtual double profile_error() const noexcept { return 0.0; }
 
+  /// Of a measured profile: the radius, in the unit of its samples, that the contact radius stands for. 0 for a law given by a formula.
+  [[nodiscard]] virtual double rim() const noexcept { return 0.0; }
+
+  /// What a user should know of a measured profile, a line each: "note: …" of what was done with it, "warning: …" if the last radius is
+  /// probably not the rim.
+  [[nodiscard]] virtual std::vector<std::string> remarks() const { return {}; }
+
   /// The pressure projected on a line through the contact centre, at the distance t ≥ 0 [contact radii] from it: see
   /// evaluators::line_profile.
   [[nodiscard]] virtual Quadrature<double> line_profile(double t) const noexcept;

@@ -64,20 +64,26 @@ void add_laws(nb::module_& module) {
         std::string text = string_of(given[0], "text");
         std::vector<PressureSample> profile;
         Law law = cli::read_law(text, profile);
+        warn(law->remarks());
         new (self) PyLaw{std::move(law), std::move(text), std::move(profile)};
       },
       "ValueError names the error in the text or in the file, and the expected input.");
   define_static(
-      type, "def samples(radius: numpy.typing.ArrayLike, pressure: numpy.typing.ArrayLike, source: str = 'arrays') -> Law",
+      type,
+      "def samples(radius: numpy.typing.ArrayLike, pressure: numpy.typing.ArrayLike, source: str = 'arrays', rim: float | None = None) -> "
+      "Law",
       [](const BoundArguments& given) {
         const auto all = columns_of("", {"radius", "pressure"}, nb::list(nb::make_tuple(given[0], given[1])));
         std::vector<PressureSample> rows;
         for (std::size_t i = 0; i < all[0].size; ++i) rows.push_back({all[0].data[i], all[1].data[i]});
-        Law law = samples(rows, string_of(given[2], "source", "arrays"));
+        Law law = samples(rows, string_of(given[2], "source", "arrays"), given[3].is_none() ? 0.0 : number_of(given[3], "rim"));
+        warn(law->remarks());
         std::string text = law->name();
         return PyLaw{std::move(law), std::move(text), std::move(rows)};
       },
-      "A measured profile: pressures [any unit] at increasing radii [any unit]; the last radius is the edge of the contact.");
+      "A measured profile: pressures [any unit] at increasing radii [any unit]. `rim` is the radius, in that unit, that the contact\n"
+      "radius stands for; without it the last radius with pressure. Negative pressures are noise, and tell its size. Warns of what was\n"
+      "done, and where the last radius is probably not the rim.");
   define<const PyLaw&>(
       type, "def evaluate(self, c: numpy.typing.ArrayLike, *, error: bool = False, method: str = 'auto') -> tuple[typing.Any, ...]",
       [](const PyLaw& self, const BoundArguments& given) {
@@ -94,6 +100,9 @@ void add_laws(nb::module_& module) {
       .def_prop_ro(
           "profile_error", [](const PyLaw& self) { return self.law->profile_error(); },
           "Error of f and m because the pressure is known only at samples; 0 for a formula.")
+      .def_prop_ro(
+          "rim", [](const PyLaw& self) { return self.law->rim(); },
+          "Radius of a measured profile, in the unit of its samples, that the contact radius stands for; 0 for a formula.")
       .def_prop_ro(
           "arrays",
           [](nb::handle self) -> nb::object {

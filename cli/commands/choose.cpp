@@ -64,7 +64,13 @@ class Choose final : public Subcommand {
 
   void run(const Results& results) override {
     if (patch_.empty() == (law_ == nullptr)) throw std::invalid_argument("expected one of --law and --patch");
+    if (scene_wanted_) {
+      take_own_radii(radius_law_, scene_.mu_r.has_value(), law_, *results.messages);
+    } else if (law_ != nullptr) {
+      results.messages->say(law_->remarks());
+    }
     if (radius_law_ && scene_.mu_r) throw std::invalid_argument("--mu-r: not with --radius-law, expected one of them");
+    note_profile_error(law_, *results.messages);
     if (!patch_.empty() && scene_wanted_) throw std::invalid_argument("--scene: goes with --law, got --patch");
     scene_wanted_ ? choose_for_scene(results) : choose_curve(results);
   }

@@ -34,6 +34,7 @@ class Eval final : public Subcommand {
   }
 
   void run(const Results& results) override {
+    results.messages->say(law_->remarks());
     const Method method = method_of(*law_, method_names()[method_]);
     const double radius = radius_.value_or(1.0);
     const double force_unit = friction_ * load_;

@@ -5,8 +5,11 @@
 #include "cli/io/unit_checks.hpp"
 
 #include "godobject/finger_curve.hpp"
+#include "limitcurve/contact/hold_error.hpp"
 #include "limitcurve/contact/load_to_hold.hpp"
+#include "limitcurve/exact_curve.hpp"
 #include "limitcurve/patch/patch.hpp"
+#include "limitcurve/table.hpp"
 
 #include <algorithm>
 #include <array>
@@ -27,6 +30,18 @@ struct Need {
   double moment = 0.0;
 };
 
+/// The exact curve, for wrenches of any size.
+class AnySizeCurve : public ExactCurve {
+ public:
+  using ExactCurve::ExactCurve;
+
+  [[nodiscard]] double gauge(UnitWrench wrench) const noexcept {
+    const double size = std::max(wrench.force, wrench.moment);
+    if (!(size > 0.0 && size <= std::numeric_limits<double>::max())) return wrench.force + wrench.moment;
+    return size * ExactCurve::gauge({wrench.force / size, wrench.moment / size});
+  }
+};
+
 class Hold final : public Subcommand {
  public:
   [[nodiscard]] Manual manual() const override {
@@ -39,7 +54,8 @@ class Hold final : public Subcommand {
         "and --data has fx,fy,moment; the moment is about the origin of the patch. With --mass the weight pulls along --down, and the\n"
         "centre of mass is --offset from the origin towards (-Y, X), which is positive x by default.\n"
         "Columns: force,moment (with --patch fx,fy,moment) [N, N m]; hold_load [N], inf if no load holds. Where --data has a column\n"
-        "load [N], also margin at that load: 1 without friction, 0 on the limit and beyond, as in 'limitcurve replay --details'.",
+        "load [N], also margin at that load: 1 without friction, 0 on the limit and beyond, as in 'limitcurve replay --details'. Where\n"
+        "--law is measured, also hold_error [N]: an estimate of how far hold_load is off because the pressure is known only at samples.",
         "limitcurve hold --law hertz --radius-law hertz:R=0.008,E=2e5 --mu 0.8 --fingers 2 --mass 0.2 --offset 0.02"};
   }
 
@@ -74,18 +90,14 @@ class Hold final : public Subcommand {
     if (mass_ && columns_.given()) throw std::invalid_argument("--units: goes with --data, or with --force and --moment");
     if (!down_.empty() && (patch_.empty() || !mass_)) throw std::invalid_argument("--down: goes with --patch and --mass");
     if (patch_.empty()) {
-      torsion_.check();
+      torsion_.check(law_, *results.messages);
       // Without friction no radius matters, and measured moments give none.
       const ContactFriction contact = mu_ > 0.0 ? torsion_.with(mu_, law_) : ContactFriction{0.0, RadiusLaw::constant(1e-3)};
-      const godobject::FingerCurve curve = make_finger_curve(kind, law_, 1e-8);
-      const RadiusLaw radius_law = contact.radius(curve.moment_ratio());
-      write(
-          results, [&](const Need& need) { return load_to_hold(curve, contact, need.fx, need.moment); },
-          [&](const Need& need, double load) {
-            const double limit = mu_ * load;
-            return curve.gauge({std::fabs(need.fx) / limit, std::fabs(need.moment) / (limit * radius_law.radius(load))});
-          });
-      if (loads_[1] > 0.0) questions_.radii(radius_law, loads_);
+      if (kind == godobject::CurveKind::exact) {
+        hold_round(results, AnySizeCurve(law_), contact, kind);
+      } else {
+        hold_round(results, make_finger_curve(kind, law_, 1e-8), contact, kind);
+      }
       results.messages->say(questions_.lines());
       return;
     }
@@ -94,14 +106,43 @@ class Hold final : public Subcommand {
     if (curve_) throw std::invalid_argument("--curve: not with --patch, which is its own limit surface");
     const Patch patch = read_patch(patch_, *results.messages);
     const auto least = [&](const Need& need) { return load_to_hold(patch, mu_, {need.fx, need.fy, need.moment}); };
-    write(results, least, [&](const Need& need, double load) { return least(need) / load; });
+    write(results, least, [&](const Need& need, double load) { return least(need) / load; }, {});
     results.messages->say(questions_.lines());
   }
 
  private:
-  /// `least(need)` is the load that holds, `gauge(need, load)` the fraction of the limit at a load.
+  template <class Curve>
+  void hold_round(const Results& results, const Curve& curve, const ContactFriction& contact, godobject::CurveKind kind) {
+    const RadiusLaw radius_law = contact.radius(curve.moment_ratio());
+    const bool is_closed = kind == godobject::CurveKind::ellipse || kind == godobject::CurveKind::box;
+    std::function<double(const Need&, double)> error;
+    if (law_->profile_error() > 0.0) {
+      error = [&](const Need& need, double load) { return hold_error(curve, *law_, contact, load, need.fx, need.moment, is_closed); };
+    }
+    // By quadrature a row costs up to 2 ms, a table up to some seconds.
+    constexpr std::size_t rows_of_a_table = 500;
+    const bool may_be_slow = kind == godobject::CurveKind::exact && !law_->closed(1);
+    std::size_t rows = 0;
+    std::optional<godobject::FingerCurve> table;
+    write(
+        results,
+        [&](const Need& need) {
+          if (may_be_slow && ++rows == rows_of_a_table) table = make_finger_curve(kind, law_, 0.0);
+          return table ? load_to_hold(*table, contact, need.fx, need.moment) : load_to_hold(curve, contact, need.fx, need.moment);
+        },
+        [&](const Need& need, double load) {
+          const double limit = mu_ * load;
+          const UnitWrench wrench{std::fabs(need.fx) / limit, std::fabs(need.moment) / (limit * radius_law.radius(load))};
+          return table ? table->gauge(wrench) : curve.gauge(wrench);
+        },
+        error);
+    if (loads_[1] > 0.0) questions_.radii(radius_law, loads_);
+  }
+
+  /// `least(need)` is the load that holds, `gauge(need, load)` the fraction of the limit at a load, `error(need, load)` the error of the load
+  /// that holds, if the law is measured.
   void write(const Results& results, const std::function<double(const Need&)>& least,
-             const std::function<double(const Need&, double)>& gauge) {
+             const std::function<double(const Need&, double)>& gauge, const std::function<double(const Need&, double)>& error) {
     const bool is_round = patch_.empty();
     std::vector<std::string> columns =
         is_round ? std::vector<std::string>{"force", "moment"} : std::vector<std::string>{"fx", "fy", "moment"};
@@ -111,6 +152,7 @@ class Hold final : public Subcommand {
     const bool has_loads = reader && reader->has(load_column);
     columns.emplace_back("hold_load");
     if (has_loads) columns.emplace_back("margin");
+    if (error) columns.emplace_back("hold_error");
     Rows rows(results, columns);
     const auto row = [&](const Need& need, std::optional<double> load) {
       questions_.wrench(std::hypot(need.fx, need.fy), need.moment);
@@ -127,6 +169,7 @@ class Hold final : public Subcommand {
         cell(need.moment);
         cell(hold);
         if (load) cell(hold == 0.0 ? 1.0 : *load == 0.0 || mu_ == 0.0 ? 0.0 : std::max(0.0, 1.0 - gauge(need, *load)));
+        if (error) cell(error(need, hold));
       });
     };
     if (!reader) {

@@ -46,6 +46,7 @@ class LoadCurves final : public Subcommand {
       throw std::invalid_argument(std::string(stiffness_ ? "--twist-stiffness" : "--stiffness") +
                                   ": absent, expected both stiffnesses or none");
     }
+    moment_.check(law_, *results.messages);
     const ContactFriction contact = moment_.with(friction_, law_);
     std::vector<std::string> columns{at_cors_ ? "c" : "load", at_cors_ ? "load" : "c", "force", "moment"};
     if (stiffness_) columns.insert(columns.end(), {"r", "rho"});

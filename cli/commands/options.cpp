@@ -113,7 +113,7 @@ void Options::finger(godobject::FingerParameters& value, const std::vector<std::
 void Options::law(Law& value, Presence presence) {
   this->value(
       "--law", "LAW", [&value](const std::string& text) { value = read_law(text); },
-      "Pressure law: hertz, uniform, power:n=2.3, samples:FILE.csv, …; 'limitcurve laws' lists them", presence);
+      "Pressure law: hertz, uniform, power:n=2.3, samples:FILE.csv[,rim=RADIUS], …; 'limitcurve laws' lists them", presence);
 }
 
 void Options::radius_law(std::optional<RadiusLawArgument>& value) {

@@ -100,10 +100,10 @@ class PatchCommand final : public Subcommand {
     rows.finish();
   }
 
-  void slip_of_round_contact(const Results& results) const {
+  void slip_of_round_contact(const Results& results) {
     if (half_spaces_) throw std::invalid_argument("--half-spaces: goes with --patch; for a law see 'limitcurve curve'");
     if (wrenches_.empty()) throw std::invalid_argument("--law: goes with --wrenches; for twists see 'limitcurve eval'");
-    moment_.check();
+    moment_.check(law_, *results.messages);
     const ContactFriction contact = moment_.with(mu_, law_);
     const godobject::FingerCurve curve = make_finger_curve(godobject::CurveKind::exact, law_, 0.0);
     const RadiusLaw radius_law = contact.radius(curve.moment_ratio());

@@ -135,6 +135,7 @@ class Pivot final : public Subcommand {
     if (!case_ && !settings_.curve && !settings_.projection && !radius_law_) {
       throw std::invalid_argument("--case is required, unless --curve, --projection or --radius-law is given");
     }
+    if (settings_.law != nullptr) results.messages->say(settings_.law->remarks());
     settings_.kind = case_.value_or(PivotCase::exact);
     if (!material_.empty()) {
       const Material material = find_material(material_);

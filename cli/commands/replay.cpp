@@ -148,6 +148,7 @@ class Replay final : public Subcommand {
 
   void run(const Results& results) override {
     check_patch();
+    take_own_radii(radius_law_, replay_.finger.mu_r.has_value(), replay_.law, *results.messages);
     if (radius_law_ && replay_.finger.mu_r) throw std::invalid_argument("--mu-r: not with --radius-law, expected one of them");
     if (radius_law_) {
       replay_.finger.radius_law = radius_law_->of(replay_.finger.mu, replay_.law);

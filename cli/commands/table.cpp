@@ -39,6 +39,7 @@ class Table final : public Subcommand {
   }
 
   void run(const Results& results) override {
+    results.messages->say(law_->remarks());
     const bool is_single = real_ == 1;
     const TableWriter text_of = table_writer(file_, "--output", name_, is_single);
     // Rounding of float takes most of the finest tolerance.

@@ -91,9 +91,10 @@ class Translate final : public Subcommand {
       return write(results, [&](double mu) { return engines::translate(patch, mu); });
     }
     if (law_ == nullptr && !moment_.mu_r) throw std::invalid_argument("expected one of --law, --mu-r, --patch and --read");
-    moment_.check();
+    moment_.check(law_, *results.messages);
     if (moment_.mu_r && frictions_.size() > 1) throw std::invalid_argument("--mu: one value beside --mu-r, which was measured under it");
     if (!load_) throw std::invalid_argument("--load is required");
+    note_profile_error(law_, *results.messages);
     if (!loads_.empty() && (loads_.size() != 2 || loads_[0] > loads_[1])) {
       throw std::invalid_argument("--loads: expected two numbers LOW,HIGH with LOW <= HIGH");
     }

@@ -62,6 +62,7 @@ class Validate final : public Subcommand {
 
   void run(const Results& results) override {
     if (!laws_.empty() && !patches_.empty()) throw std::invalid_argument("--patch: got --law too, expected one of them");
+    for (const Law& law : laws_) results.messages->say(law->remarks());
     if (!file_.empty()) return validate_points(results);
     if (mu_ || load_ || radius_) throw std::invalid_argument("--mu, --load, --radius: go with --points");
     if (!patches_.empty()) return validate_patches(results);

@@ -2,6 +2,10 @@
 #include "cli/io/law_argument.hpp"
 
 #include "cli/io/csv_reader.hpp"
+#include "limitcurve/internal/key_values.hpp"
+#include "limitcurve/internal/number.hpp"
+#include "limitcurve/internal/own_radii.hpp"
+#include "limitcurve/pressure_law.hpp"
 
 #include <optional>
 #include <stdexcept>
@@ -17,6 +21,17 @@ std::optional<std::string> measured_file(const std::string& text, const std::str
   if (text == kind || text == kind + ":") throw std::invalid_argument("'" + text + "': no file, expected " + kind + ":FILE.csv");
   if (!text.starts_with(kind + ":")) return std::nullopt;
   return text.substr(kind.size() + 1);
+}
+
+/// The file of a law `samples:FILE.csv[,rim=RADIUS]`, and the rim, 0 if it names none; nothing for a law of another kind.
+std::optional<std::pair<std::string, double>> measured_profile(const std::string& text) {
+  const auto rest = measured_file(text, "samples");
+  if (!rest) return std::nullopt;
+  std::string_view items;
+  std::string file = split_file("samples", *rest, items);
+  double rim = 0.0;
+  read_key_values(items, {number_key("rim", rim, positive, false)});
+  return std::pair(std::move(file), rim);
 }
 
 /// Reads samples from a file with the columns load and `value`.
@@ -45,16 +60,18 @@ Law read_law(const std::string& text) {
 }
 
 Law read_law(const std::string& text, std::vector<PressureSample>& profile) {
-  if (const auto file = measured_file(text, "samples")) {
-    CsvReader reader(*file, {"radius", "pressure"});
+  if (const auto measured = measured_profile(text)) {
+    CsvReader reader(measured->first, {"radius", "pressure"});
     while (reader.next()) profile.push_back({reader.number(0, non_negative), reader.number(1, finite)});
   }
   return law_of(text, profile);
 }
 
 Law law_of(const std::string& text, const std::vector<PressureSample>& profile) {
-  const auto file = measured_file(text, "samples");
-  return file ? made_of(*file, [&] { return samples(profile, *file); }) : parse_law(text);
+  const auto measured = measured_profile(text);
+  if (!measured) return parse_law(text);
+  const auto& [file, rim] = *measured;
+  return made_of(file, [&, &name = file, &radius = rim] { return samples(profile, name, radius); });
 }
 
 RadiusLawArgument::RadiusLawArgument(std::string text, std::vector<LoadSample> rows) : text_(std::move(text)), rows_(std::move(rows)) {
@@ -79,14 +96,34 @@ RadiusLawArgument read_radius_law(const std::string& text) {
   return {text, {}};
 }
 
-void MomentArgument::check() const {
+void take_own_radii(std::optional<RadiusLawArgument>& radius_law, bool has_mu_r, Law& law, Messages& messages) {
+  if (law == nullptr) return;
+  std::vector<std::string> remarks;
+  if (!radius_law && !has_mu_r && law->rim() > 0.0) {
+    radius_law.emplace("constant:a=" + format_number(law->rim()), std::vector<LoadSample>{});
+    remarks.push_back("note: without --radius-law and --mu-r the radii of " + law->name() +
+                      " are the contact's, in metres, at every load");
+    law = with_own_radii(law);
+  }
+  messages.say(law->remarks());
+  messages.say(remarks);
+}
+
+void note_profile_error(const Law& law, Messages& messages) {
+  if (law == nullptr || law->profile_error() == 0.0) return;
+  const WrenchEstimate spin = law->evaluate(0.0);
+  messages.say("limitcurve: note: " + law->name() + ": its largest moment may be off by " +
+               format_number(100.0 * spin.error.moment / spin.wrench.moment, 2) + " %, because the pressure is known only at samples");
+}
+
+void MomentArgument::check(Law& law, Messages& messages) {
+  if (law != nullptr) take_own_radii(radius_law, mu_r.has_value(), law, messages);
   if (radius_law && mu_r) throw std::invalid_argument("--mu-r: not with --radius-law, expected one of them");
   if (!radius_law && !mu_r) throw std::invalid_argument("--radius-law is required, or --mu-r in its place");
   if (gamma && !mu_r) throw std::invalid_argument("--gamma: goes with --mu-r");
 }
 
 ContactFriction MomentArgument::with(double mu, const Law& law) const {
-  check();
   ContactFriction contact{.mu = mu, .mu_r = mu_r, .gamma = gamma.value_or(0.0)};
   if (radius_law) contact.radius_law = radius_law->of(mu, law);
   return contact;

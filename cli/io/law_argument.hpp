@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "cli/io/messages.hpp"
+
 #include "limitcurve/contact/contact_friction.hpp"
 #include "limitcurve/laws.hpp"
 
@@ -11,7 +13,8 @@
 
 namespace limitcurve::cli {
 
-/// Reads a law from a command line: the library's grammar, or `samples:FILE.csv`, a measured profile with the columns radius,pressure.
+/// Reads a law from a command line: the library's grammar, or `samples:FILE.csv[,rim=RADIUS]`, a measured profile with the columns
+/// radius,pressure, and the radius in the file's unit that the contact radius stands for.
 /// Throws std::invalid_argument with the place of the error in the text or in the file.
 Law read_law(const std::string& text);
 /// The same, and the rows of a measured profile; `profile` stays empty for other laws.
@@ -43,15 +46,23 @@ class RadiusLawArgument {
 /// or `moments:FILE.csv`, measured moment limits with the columns load,moment [N, N m]. Throws like `read_law`.
 RadiusLawArgument read_radius_law(const std::string& text);
 
+/// Says a law's remarks. Without radius law and mu_r the radii of a measured profile become the contact's own, in metres, at every load.
+void take_own_radii(std::optional<RadiusLawArgument>& radius_law, bool has_mu_r, Law& law, Messages& messages);
+
+/// Notes the error of the largest moment of a law whose pressure is known only at samples.
+void note_profile_error(const Law& law, Messages& messages);
+
 /// The options of a contact's moment: --radius-law, or --mu-r with --gamma in its place.
 struct MomentArgument {
   std::optional<RadiusLawArgument> radius_law;
   std::optional<double> mu_r;
   std::optional<double> gamma;
 
-  /// Throws std::invalid_argument with the options, of which one is expected.
-  void check() const;
+  /// Takes a measured profile's own radii where no option gives a size, and says the law's remarks. Throws std::invalid_argument with the
+  /// options, of which one is expected.
+  void check(Law& law, Messages& messages);
   [[nodiscard]] bool given() const { return radius_law || mu_r || gamma; }
+  /// After `check`.
   [[nodiscard]] ContactFriction with(double mu, const Law& law) const;
 };
 

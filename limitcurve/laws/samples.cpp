@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "limitcurve/internal/number.hpp"
+#include "limitcurve/internal/own_radii.hpp"
+#include "limitcurve/internal/signed_noise.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/quadrature/cubic_pieces.hpp"
 #include "limitcurve/quadrature/evaluators.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <stdexcept>
 
@@ -66,20 +67,25 @@ class MonotoneCubic {
   std::span<const PressureSample> run_;
 };
 
-/// A measured profile as cubics that carry the unit load.
-CubicPieces cubics(std::span<const PressureSample> profile, std::string_view source) {
+/// A measured profile as cubics that carry the unit load, its radii in units of `rim`. If that is `named`, a sample without pressure divides
+/// the profile like a jump: then what is beyond it does not change the slope before it, however little it is.
+CubicPieces cubics(std::span<const PressureSample> profile, std::string_view source, double rim, bool named) {
   std::vector<PressureSample> scaled;
-  const double outer = profile.back().radius;
-  for (const PressureSample& sample : profile) scaled.push_back({sample.radius / outer, std::max(sample.pressure, 0.0)});
+  for (const PressureSample& sample : profile) scaled.push_back({sample.radius / rim, sample.pressure});
   if (scaled.front().radius > 0.0) scaled.insert(scaled.begin(), {0.0, scaled.front().pressure});
   std::vector<Piece> pieces;
   // Jumps divide the profile into runs.
-  for (std::size_t begin = 0; begin < scaled.size();) {
+  for (std::size_t begin = 0; begin + 1 < scaled.size();) {
     std::size_t end = begin + 1;
-    while (end < scaled.size() && scaled[end].radius > scaled[end - 1].radius) ++end;
+    while (end < scaled.size() && scaled[end].radius > scaled[end - 1].radius) {
+      if (named && end - begin > 1 && scaled[end - 1].pressure == 0.0) break;
+      ++end;
+    }
     MonotoneCubic(std::span(scaled).subspan(begin, end - begin)).append_to(pieces);
-    begin = end;
+    begin = end < scaled.size() && scaled[end].radius == scaled[end - 1].radius ? end : end - 1;
   }
+  // Without pressure up to the rim.
+  if (scaled.back().radius < 1.0) pieces.push_back({scaled.back().radius, 1 - Extended(scaled.back().radius), 0, 0, 0, 0});
   // ∫ 2ρ p dρ of a cubic, piece by piece: exact.
   Extended load = 0;
   for (const Piece& p : pieces) {
@@ -105,32 +111,75 @@ std::vector<std::size_t> places_of_samples(std::span<const PressureSample> rows)
   return places;
 }
 
-/// The profile with an interpolation error: a bound of the change of the wrench if samples are left out (`coarser`). With g' the law of those
-/// that stay and δ = |g − g'|, and because the kernels of force and moment are at most min(1, s/ρ) and ρ·min(1, ρ/s):
-///   |Δf| ≤ min(∫ 2ρδ dρ, s ∫ 2δ dρ),  |Δm| ≤ min(∫ 2ρ²δ dρ, s⁻¹ ∫ 2ρ³δ dρ).
-/// The difference of both wrenches would be no estimate: it changes sign, and is 0 at some s.
+/// The profile with an estimate of its interpolation error, from the change of the wrench if samples are left out (`coarser`). Let Λ(ρ) be the
+/// load within ρ, Λ′ that of the samples that stay, and K(ρ) the force or the moment of a ring of load 1, which is monotone: then the change
+/// is ∫ (Λ − Λ′) dK. In cells between radii ρᵢ, with Dᵢ a safety factor times the largest |Λ − Λ′| in the cell and its neighbours, but ≤ 1:
+///   |Δf| ≤ min(Σ Dᵢ (K_f(ρᵢ) − K_f(ρᵢ₊₁)), s ∫ 2|g − g′| dρ),  |Δm| ≤ Σ Dᵢ (K_m(ρᵢ₊₁) − K_m(ρᵢ)).
+/// This is 0 for pure sliding, and never more than profiles on the disc can differ. The difference of both wrenches would be no estimate: it
+/// changes sign, and is 0 at some s.
 class SamplesLaw final : public PressureLawOf<SamplesLaw> {
  public:
-  SamplesLaw(std::span<const PressureSample> profile, std::string_view source) : source_(source), pieces_(cubics(profile, source)) {
+  /// `named_rim` 0: the last radius is the rim. `notes` are remarks on the data.
+  SamplesLaw(std::span<const PressureSample> profile, std::string_view source, double named_rim, std::vector<std::string> notes)
+      : source_(source),
+        named_rim_(named_rim),
+        rim_(named_rim > 0.0 ? named_rim : profile.back().radius),
+        notes_(std::move(notes)),
+        profile_(profile.begin(), profile.end()),
+        pieces_(cubics(profile, source, rim_, named_rim > 0.0)) {
     for (const Piece& piece : pieces_.pieces()) breaks_.push_back(piece.left);
-    breaks_.push_back(1);
-    const CubicPieces coarse = cubics(coarser(profile), source);
-    for (std::size_t i = 0; i + 1 < breaks_.size(); ++i) {
-      // The midpoint rule suffices: the integrand is an absolute value with kinks, and an estimate needs few digits.
-      constexpr int parts = 16;
+    breaks_.push_back(named_rim > 0.0 ? pieces_.pieces().back().left + pieces_.pieces().back().width : 1);
+    const CubicPieces coarse = cubics(coarser(profile), source, rim_, named_rim > 0.0);
+    double highest = 0.0;
+    for (const PressureSample& sample : profile) highest = std::max(highest, sample.pressure);
+    // If gaps double, an error of order p changes by 2ᵖ − 1 times itself: p ≥ 1, but 1/2 if the pressure is unbounded at the rim.
+    const double safety = profile.back().pressure > 0.5 * highest ? 6.0 : 3.0;
+    constexpr std::size_t most_cells = 64;
+    const std::size_t pieces = breaks_.size() - (profile.back().radius < rim_ ? 2 : 1);  // without the last, which is empty
+    const std::size_t pieces_per_cell = (pieces + most_cells - 1) / most_cells;
+    std::vector<double> largest{0.0};
+    double difference = 0.0;  // Λ − Λ′
+    for (std::size_t i = 0; i < pieces; ++i) {
+      // The midpoint rule suffices: an estimate needs few digits.
+      constexpr int parts = 32;
       const double width = static_cast<double>(breaks_[i + 1] - breaks_[i]) / parts;
       for (int k = 0; k < parts; ++k) {
         const double rho = static_cast<double>(breaks_[i]) + (k + 0.5) * width;
-        double fraction = 2.0 * width * std::fabs(pieces_(rho) - coarse(rho));
-        for (double& moment : distance_) {
-          moment += fraction;
-          fraction *= rho;
-        }
+        const double change = 2.0 * width * (pieces_(rho) - coarse(rho));
+        distance_ += std::fabs(change);
+        difference += rho * change;
+        largest.back() = std::max(largest.back(), std::fabs(difference));
       }
+      if ((i + 1) % pieces_per_cell != 0 && i + 1 < pieces) continue;
+      edges_.push_back(static_cast<double>(breaks_[i + 1]));
+      largest.push_back(std::fabs(difference));
     }
+    largest.back() = 0.0;
+    // Λ − Λ′ passes through 0: neighbours count, too.
+    for (std::size_t i = 0; i < edges_.size(); ++i)
+      differences_.push_back(std::min(1.0, safety * std::max({largest[i > 0 ? i - 1 : 0], largest[i], largest[i + 1]})));
   }
 
-  std::string name() const override { return "samples:" + source_; }
+  std::string name() const override { return "samples:" + source_ + (named_rim_ > 0.0 ? ",rim=" + format_number(named_rim_) : ""); }
+  double rim() const noexcept override { return rim_; }
+  [[nodiscard]] Law with_own_radii() const { return std::make_shared<SamplesLaw>(profile_, source_, profile_.back().radius, notes_); }
+  std::vector<std::string> remarks() const override {
+    constexpr double least_moment_ratio = 0.45;  // Hertz 0.59, a Gaussian of sigma 0.4 0.47; noise and offsets beyond the contact less
+    std::vector<std::string> lines = notes_;
+    const double ratio = moment_ratio();
+    if (named_rim_ == 0.0 && ratio < least_moment_ratio) {
+      lines.push_back("warning: " + source_ + ": the mean radius of its load is " + format_number(ratio * rim_, 3) +
+                      ", but the contact radius stands for the last radius with pressure, " + format_number(rim_, 3) +
+                      ": is that noise or an offset of the sensor? rim=RADIUS names the radius that it stands for");
+    }
+    const auto [load, moment] = beyond_rim();
+    if (load > 0.0) {
+      lines.push_back("note: " + source_ + ": " + format_number(100.0 * load, 2) + " % of the load and " +
+                      format_number(100.0 * moment / ratio, 2) +
+                      " % of the moment of a pure twist lie beyond rim=" + format_number(named_rim_) + ": an offset of the sensor?");
+    }
+    return lines;
+  }
   const std::vector<Extended>& breaks() const noexcept override { return breaks_; }
 
   template <class Real>
@@ -145,17 +194,45 @@ class SamplesLaw final : public PressureLawOf<SamplesLaw> {
     s = std::fabs(s);
     WrenchEstimate estimate =
         method == Method::automatic ? evaluators::rounded(unrounded(s, Slope::wanted)) : PressureLaw::evaluate(s, method);
-    estimate.error.force += std::min(distance_[1], s * distance_[0]);
-    estimate.error.moment += std::min(distance_[2], distance_[3] / s);
+    double force = 0.0;
+    double moment = 0.0;
+    UnitWrench before{1.0, 0.0};
+    for (std::size_t i = 0; i < edges_.size() && std::isfinite(s); ++i) {
+      const UnitWrench ring = evaluators::ring_wrench(edges_[i], s);
+      force += differences_[i] * (before.force - ring.force);
+      moment += differences_[i] * (ring.moment - before.moment);
+      before = ring;
+    }
+    estimate.error.force += std::min(force, s * distance_);
+    estimate.error.moment += moment;
     return estimate;
   }
-  double profile_error() const noexcept override { return std::max(distance_[1], distance_[2]); }
+  double profile_error() const noexcept override {
+    return *std::max_element(differences_.begin(), differences_.end()) * std::max(1.0, edges_.back());
+  }
 
  private:
+  /// Load and moment of a pure twist beyond the rim.
+  [[nodiscard]] std::pair<double, double> beyond_rim() const {
+    std::pair<double, double> sum{0.0, 0.0};
+    for (const Piece& piece : pieces_.pieces()) {
+      constexpr int parts = 32;
+      const double begin = std::max(static_cast<double>(piece.left), 1.0);
+      const double width = (static_cast<double>(piece.left + piece.width) - begin) / parts;
+      for (int k = 0; k < parts && width > 0.0; ++k) {
+        const double rho = begin + (k + 0.5) * width;
+        const double load = 2.0 * rho * width * piece(rho);
+        sum.first += load;
+        sum.second += rho * load;
+      }
+    }
+    return sum;
+  }
+
   /// The profile with samples left out, so that each gap is about twice as wide as the widest gap of the profile within it, or wider: of even
   /// radii every other sample. A narrow gap beside a wide one tells nothing about it. The ends of each run between jumps stay; gaps are merged from
   /// the run's outer end, and what is left at its inner end joins the last. A run with a gap wider than a third of it has too little to
-  /// compare with: it becomes constant at its highest pressure, which is as far from it as any profile that does not overshoot.
+  /// compare with: each gap becomes constant at its higher pressure, which is as far from it as any profile that does not overshoot.
   static std::vector<PressureSample> coarser(std::span<const PressureSample> profile) {
     constexpr double about_twice = 1.8;
     constexpr double rounding = 1e-9;  // of radii that are meant to be even
@@ -166,19 +243,18 @@ class SamplesLaw final : public PressureLawOf<SamplesLaw> {
       std::vector<std::size_t> places{last};
       double widest = 0.0;
       double widest_of_run = 0.0;
-      double highest = profile[last].pressure;
       for (std::size_t i = last; i-- > begin;) {
         widest = std::max(widest, profile[i + 1].radius - profile[i].radius);
         widest_of_run = std::max(widest, widest_of_run);
-        highest = std::max(highest, profile[i].pressure);
         if (profile[places.back()].radius - profile[i].radius < about_twice * widest) continue;
         places.push_back(i);
         widest = 0.0;
       }
-      const PressureSample& inner = profile[begin];
-      const PressureSample& outer = profile[last];
-      if (3.0 * widest_of_run > (1.0 + rounding) * (outer.radius - inner.radius)) {
-        kept.insert(kept.end(), {{inner.radius, highest}, {outer.radius, highest}});
+      if (3.0 * widest_of_run > (1.0 + rounding) * (profile[last].radius - profile[begin].radius)) {
+        for (std::size_t i = begin; i < last; ++i) {
+          const double higher = std::max(profile[i].pressure, profile[i + 1].pressure);
+          kept.insert(kept.end(), {{profile[i].radius, higher}, {profile[i + 1].radius, higher}});
+        }
       } else {
         places.back() = begin;
         for (auto place = places.rbegin(); place != places.rend(); ++place) kept.push_back(profile[*place]);
@@ -189,14 +265,25 @@ class SamplesLaw final : public PressureLawOf<SamplesLaw> {
   }
 
   std::string source_;
+  double named_rim_;
+  double rim_;
+  std::vector<std::string> notes_;
+  std::vector<PressureSample> profile_;
   CubicPieces pieces_;
   std::vector<Extended> breaks_;
-  std::array<double, 4> distance_{};  // ∫ 2ρᵏδ dρ, k = 0 … 3
+  std::vector<double> edges_;        ///< outer ends of the cells
+  std::vector<double> differences_;  ///< Dᵢ
+  double distance_ = 0.0;            ///< ∫ 2|g − g′| dρ
 };
 
 }  // namespace
 
-Law samples(std::span<const PressureSample> rows, std::string_view source) {
+Law with_own_radii(const Law& law) {
+  const auto* const measured = dynamic_cast<const SamplesLaw*>(law.get());
+  return measured == nullptr ? law : measured->with_own_radii();
+}
+
+Law samples(std::span<const PressureSample> rows, std::string_view source, double rim) {
   const std::vector<std::size_t> places = places_of_samples(rows);
   std::vector<PressureSample> profile;
   for (const std::size_t place : places) profile.push_back(rows[place]);
@@ -224,11 +311,30 @@ Law samples(std::span<const PressureSample> rows, std::string_view source) {
   if (!(profile.back().radius > profile.front().radius)) throw refuse(profile.size() - 1, "expected a last radius > the first");
   if (profile[profile.size() - 2].radius == profile.back().radius)
     throw refuse(profile.size() - 1, "a jump at the last radius, expected one pressure there");
+  if (rim != 0.0 && !(rim >= 1e-3 * profile.back().radius && rim <= 1e3 * profile.back().radius)) {
+    throw std::invalid_argument("profile '" + std::string(source) + "': got rim = " + format_number(rim) +
+                                ", expected a radius > 0 in the unit of the file, whose last is " + format_number(profile.back().radius));
+  }
+  std::vector<double> pressures;
+  std::vector<double> areas;
+  for (std::size_t i = 0; i < profile.size(); ++i) {
+    pressures.push_back(profile[i].pressure);
+    areas.push_back(profile[i].radius * (profile[std::min(i + 1, profile.size() - 1)].radius - profile[i > 0 ? i - 1 : 0].radius));
+  }
+  constexpr std::size_t enough = 7;
+  std::vector<std::string> notes;
+  if (profile.size() < enough) {
+    notes.push_back("note: " + std::string(source) + ": " + std::to_string(profile.size()) +
+                    " samples are too few to estimate the error between them; expected 7 or more");
+  }
+  const SignedNoise noise = remove_noise(pressures, areas, "profile '" + std::string(source) + "'");
+  if (noise.zeroed > 0) notes.push_back("note: " + std::string(source) + ": " + noise.text());
+  for (std::size_t i = 0; i < profile.size(); ++i) profile[i].pressure = pressures[i];
   // The contact ends where its pressure does: a sensor's line goes on.
   const auto inner = [&]() -> const PressureSample& { return profile[profile.size() - 2]; };
   while (profile.back().pressure <= 0.0 && inner().pressure <= 0.0 && inner().radius > profile.front().radius) profile.pop_back();
   if (profile.back().radius == inner().radius) profile.pop_back();
-  return std::make_shared<SamplesLaw>(profile, source);
+  return std::make_shared<SamplesLaw>(profile, source, rim, std::move(notes));
 }
 
 }  // namespace limitcurve

@@ -179,6 +179,11 @@ Quadrature<double> ring(const CubicPieces& pressure, double s, Slope slope) noex
   return ring_in(pressure, s, slope);
 }
 
+UnitWrench ring_wrench(double rho, double s) noexcept {
+  const auto [force, moment, slope] = ring_kernel(rho, s, std::fabs(rho - s));
+  return {force, moment};
+}
+
 Quadrature<Extended> punch(const PressureLaw& law, Extended s) noexcept {
   return integrate_pieces(law.breaks(), law.punch_exponent(), s, 3, [&](const SplitPosition<Extended>& position) -> Sums<Extended> {
     const Extended t = position.at.radius;

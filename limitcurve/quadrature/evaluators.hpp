@@ -19,6 +19,9 @@ Quadrature<double> ring(const PressureLaw& law, double s, Slope slope = Slope::w
 Quadrature<Extended> ring(const CubicPieces& pressure, Extended s, Slope slope = Slope::wanted) noexcept;
 Quadrature<double> ring(const CubicPieces& pressure, double s, Slope slope = Slope::wanted) noexcept;
 
+/// Unit wrench of a ring of radius ρ, in contact radii, that carries the whole load: the kernel of `ring`. s finite.
+UnitWrench ring_wrench(double rho, double s) noexcept;
+
 /// The law as a superposition of flat punches of radius t, split at t = s. The law must have a punch density.
 Quadrature<Extended> punch(const PressureLaw& law, Extended s) noexcept;
 

@@ -51,6 +51,15 @@ static void laws_and_tables(void) {
   limitcurve_table_free(table);
 }
 
+static void measured_profile(void) {
+  const double radii[6] = {0, 1, 2, 3, 4, 9}, pressures[6] = {8, 7, 5, 2, 0, 0.01};
+  limitcurve_law* law = NULL;
+  CHECK(limitcurve_law_samples(radii, pressures, 6, "pad", 4, &law) == LIMITCURVE_OK);
+  CHECK(strcmp(limitcurve_law_name(law), "samples:pad,rim=4") == 0);
+  limitcurve_law_free(law);
+  CHECK(limitcurve_law_samples(radii, pressures, 6, "pad", -1, &law) == LIMITCURVE_INVALID);
+}
+
 static void fingers(void) {
   limitcurve_law* law = NULL;
   limitcurve_table* table = NULL;
@@ -203,6 +212,7 @@ static void fits(void) {
 int main(void) {
   CHECK(strlen(limitcurve_version()) >= 5 && strcmp(limitcurve_error(), "") == 0);
   laws_and_tables();
+  measured_profile();
   fingers();
   batches();
   fits();

@@ -32,6 +32,22 @@ class Hold(CommandLineTest):
         slips = next(row["load"] for row in run_of if row["state"] == "slip")
         self.assertAlmostEqual(slips / hold, 1, delta=2e-3)
 
+    def test_a_measured_pressure_has_its_own_size_and_error(self):
+        rows_of = [(0.5e-3 * i, math.sqrt(max(0.0, 1 - (i / 12) ** 2))) for i in range(30)]
+        rows_of[25] = (rows_of[25][0], 0.004)
+        profile = self.file("q.csv", "radius,pressure\n" + "".join(f"{r!r},{p!r}\n" for r, p in rows_of))
+        law = f"samples:{profile}"
+        wrench = ["--mu", "0.6", "--force", "1", "--moment", "2e-3"]
+        own = run("hold", "--law", law, *wrench)
+        self.assertEqual(own.stdout.splitlines()[0], "force,moment,hold_load,hold_error")
+        self.assertIn("are the contact's, in metres, at every load", own.stderr)
+        named = run("hold", "--law", law + ",rim=0.006", "--radius-law", "constant:a=0.006", *wrench)
+        self.assert_close(float(own.stdout.split(",")[-2]), float(named.stdout.split(",")[-2]), 1e-12)
+        self.assertIn("lie beyond rim=0.006", named.stderr)
+        last = run("hold", "--law", law, "--radius-law", "constant:a=0.006", *wrench)
+        self.assertIn("rim=RADIUS names the radius", last.stderr)
+        self.assert_fails(2, "rim", "eval", "--law", law + ",rm=1", "--c", "1")
+
     def test_the_weight_on_a_pad(self):
         data = [(4.905, 0.0, -0.0981), (0.0, -4.905, -0.0981), (2.943, -3.924, 0.0981)]
         expected = [row["hold_load"] for row in rows("hold", *PATCH, "--data", self.data("fx,fy,moment", data))]

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "counted_law.hpp"
 #include "limitcurve/accuracy.hpp"
+#include "limitcurve/exact_curve.hpp"
+#include "limitcurve/contact/hold_error.hpp"
+#include "limitcurve/internal/own_radii.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/table.hpp"
 #include "tests/function_law.hpp"
@@ -163,7 +166,7 @@ TEST(Samples, OfAFormulaAreExactWhereTheirRadiiCrowdAtTheRim) {
 }
 
 TEST(Samples, NoiseEntersTheStatedError) {
-  const Law law = samples(sampled([](double r) { return (1.0 - r) * (1.0 + r); }, 150, 0.2), "noisy.csv");
+  const Law law = samples(sampled([](double r) { return (1.0 - r) * (1.0 + r); }, 150, 0.2), "noisy.csv", 4.2);
   for (const double s : {0.3, 1.0, 2.0}) {
     const WrenchEstimate estimate = law->evaluate(s);
     const WrenchEstimate exact = parabolic()->evaluate(s);
@@ -199,13 +202,173 @@ TEST(Samples, ARunOfTwoSamplesHasAnErrorToo) {
     rows.push_back({0.1 * i, pressure + 1e-9});
     if (i > 0 && i < 10) rows.push_back({0.1 * i, pressure});
   }
-  expect_within_stated_error(*samples(rows, "twice.csv"), *hertz(), 0.1);
+  expect_within_stated_error(*samples(rows, "twice.csv"), *hertz(), 0.14);
   // Two samples on either side of a jump.
   const std::array<PressureSample, 4> jump{{{0.0, 2.0}, {0.5, 1.5}, {0.5, 1.0}, {1.0, 0.0}}};
   const auto curved = [](Extended r) { return r < 0.5 ? 2.0 - 2.0 * r * r : 2.0 - r * (1.0 + r); };
-  expect_within_stated_error(*samples(jump, "jump.csv"), *test::law_of_function("curved", curved, {0, 0.5L, 1}), 0.3);
+  expect_within_stated_error(*samples(jump, "jump.csv"), *test::law_of_function("curved", curved, {0, 0.5L, 1}), 0.65);
   const auto early = [](Extended r) { return r < 0.5 ? (r < 0.01 ? 2.0 : 1.5) : (r < 0.51 ? 1.0 : 1e-9); };
-  expect_within_stated_error(*samples(jump, "jump.csv"), *test::law_of_function("early", early, {0, 0.01L, 0.5L, 0.51L, 1}), 0.5);
+  expect_within_stated_error(*samples(jump, "jump.csv"), *test::law_of_function("early", early, {0, 0.01L, 0.5L, 0.51L, 1}), 0.65);
+}
+
+double hertz_pressure(double r) {
+  return r < 1.0 ? std::sqrt((1.0 - r) * (1.0 + r)) : 0.0;
+}
+
+/// A sensor's line of 53 rows to 26 mm, over a Hertz contact of 6 mm with a peak of 1.
+std::vector<PressureSample> sensor_line() {
+  std::vector<PressureSample> rows;
+  for (int i = 0; i <= 52; ++i) rows.push_back({0.5 * i, hertz_pressure(0.5 * i / 6.0)});
+  return rows;
+}
+
+// With last radius and rim one, a sample of 1e-6 of the load at 20 mm moved a grip from 2.03 to 3.80 N.
+TEST(Samples, ASampleChangesAWrenchByNoMoreThanItsShareOfTheLoadIfTheSizeIsNamed) {
+  std::mt19937_64 random(2);
+  const auto number = [&random] { return std::generate_canonical<double, 53>(random); };
+  const Law clean = samples(sensor_line(), "clean.csv", 6.0);
+  const double mean = 6.0 * clean->moment_ratio();
+  EXPECT_EQ(samples(sensor_line(), "clean.csv")->rim(), 6.0);
+  for (int i = 0; i < 60; ++i) {
+    std::vector<PressureSample> rows = sensor_line();
+    const auto row = 13 + static_cast<std::size_t>(39.0 * number());
+    rows[row].pressure = std::pow(10.0, -6.0 * number());
+    const Law named = samples(rows, "named.csv", 6.0);
+    const Law own = with_own_radii(samples(rows, "own.csv"));
+    double share = 0.0;
+    for (int k = 0; k < 20000; ++k) {
+      const double rho = 1.0 + (k + 0.5) * 4e-4 / 2.0;
+      share += 2.0 * rho * 2e-4 * named->density(RadialPosition<double>{rho, 1.0 - rho});
+    }
+    const double radius = rows[std::min<std::size_t>(row + 1, 52)].radius;
+    for (const double c : {0.0, 0.3, 2.0, 6.0, 11.0, 20.0, 300.0}) {
+      const UnitWrench before = clean->evaluate(c / 6.0).wrench;
+      for (const auto& [law, unit] : {std::pair(named, 6.0), std::pair(own, own->rim())}) {
+        const UnitWrench after = law->evaluate(c / unit).wrench;
+        EXPECT_LE(std::fabs(after.force - before.force), 1.001 * share + 1e-12) << row << ' ' << c;
+        EXPECT_LE(std::fabs(unit * after.moment - 6.0 * before.moment), 1.001 * share * std::max(radius, mean) + 1e-12) << row << ' ' << c;
+      }
+    }
+  }
+}
+
+TEST(Samples, ARimThatIsTheLastRadiusChangesNothing) {
+  const std::vector<PressureSample> rows = sampled(hertz_pressure, 40, 0.0);
+  const Law law = samples(rows, "hertz.csv");
+  const Law named = samples(rows, "hertz.csv", rows.back().radius);
+  EXPECT_EQ(named->name(), "samples:hertz.csv,rim=4.2");
+  for (const double s : cors) EXPECT_EQ(named->evaluate(s).wrench, law->evaluate(s).wrench);
+  // A rim elsewhere is another unit of length, no more.
+  for (const double factor : {0.4, 3.0}) {
+    const Law scaled = samples(rows, "hertz.csv", factor * rows.back().radius);
+    for (const double s : cors) {
+      const UnitWrench expected = law->evaluate(s).wrench;
+      const WrenchEstimate found = scaled->evaluate(s / factor);
+      EXPECT_NEAR(found.wrench.force, expected.force, 1e-14);
+      EXPECT_NEAR(factor * found.wrench.moment, expected.moment, 1e-14);
+      EXPECT_NEAR(found.error.force, law->evaluate(s).error.force, 1e-12);
+    }
+    EXPECT_LE(Table::build(scaled, 1e-6).checked_error(), 1e-6 * std::max(1.0, scaled->moment_ratio()));
+  }
+}
+
+TEST(Samples, SignedNoiseTellsItsOwnSize) {
+  std::mt19937_64 random(3);
+  std::normal_distribution<double> error(0.0, 1.0);
+  int right = 0;
+  constexpr int draws = 100;
+  for (int i = 0; i < draws; ++i) {
+    const double noise = std::array{5e-4, 2e-3, 5e-3}[static_cast<std::size_t>(i % 3)];
+    std::vector<PressureSample> rows;
+    for (int k = 0; k <= 520; ++k) rows.push_back({0.05 * k, hertz_pressure(0.05 * k / 6.0) + noise * error(random)});
+    const Law law = samples(rows, "signed.csv");
+    if (std::fabs(law->rim() - 6.0) < 0.11) ++right;
+    ASSERT_FALSE(law->remarks().empty());
+    EXPECT_NE(law->remarks().front().find("count as 0"), std::string::npos);
+    if (law->rim() < 6.2) EXPECT_NEAR(law->rim() * law->moment_ratio() / (6.0 * 0.58904862254808621), 1.0, 5e-3);
+  }
+  EXPECT_GE(right, 98);
+}
+
+TEST(Samples, SayWhatIsOddAboutThem) {
+  const auto remark = [](const std::vector<PressureSample>& rows, double rim = 0.0) {
+    std::string all;
+    for (const std::string& line : samples(rows, "p.csv", rim)->remarks()) all += line + "\n";
+    return all;
+  };
+  std::vector<PressureSample> rows = sensor_line();
+  EXPECT_EQ(remark(rows), "");
+  EXPECT_EQ(remark(rows, 6.0), "");
+  rows[40].pressure = 0.004;
+  EXPECT_NE(remark(rows).find("warning: p.csv: the mean radius of its load is 3.55,"), std::string::npos) << remark(rows);
+  EXPECT_NE(remark(rows, 6.0).find("note: p.csv: 0.4 % of the load and 2.2 % of the moment"), std::string::npos) << remark(rows, 6.0);
+  EXPECT_EQ(remark({{0, 3}, {1, 2.5}, {2, 2}, {3, 1}, {4, 0}}),
+            "note: p.csv: 5 samples are too few to estimate the error between them; expected 7 or more\n");
+}
+
+TEST(Samples, PureSlidingIsExactAndNoErrorExceedsWhatProfilesCanDiffer) {
+  const std::array<PressureSample, 4> ring{{{0.0, 0.0}, {0.0599, 0.0}, {0.06, 1.0}, {0.065, 1.0}}};
+  for (const Law& law : {samples(ring, "ring.csv"), samples(sampled(hertz_pressure, 30, 0.5), "noisy.csv")}) {
+    const UnitWrench slide = law->evaluate(std::numeric_limits<double>::infinity()).error;
+    EXPECT_LE(slide.force, std::numeric_limits<double>::epsilon());
+    EXPECT_EQ(slide.moment, 0.0);
+    for (const double s : cors) {
+      const WrenchEstimate estimate = law->evaluate(s);
+      const UnitWrench rim{s < 1.0 ? s / 2.0 : 1.0 - 1.0 / (2.0 * s), 1.0};  // less and more than a ring at the rim has
+      EXPECT_LE(estimate.error.force, std::min(1.0, 1.0 - 0.9 * rim.force) + 1e-15) << s;
+      EXPECT_LE(estimate.error.moment, rim.moment + 1e-15) << s;
+    }
+  }
+}
+
+// Of 33 000 such comparisons the bound by |g − g'| was below the true error in 599.
+TEST(Samples, OfRandomLawsStateNoErrorBelowTheTrueOne) {
+  std::mt19937_64 random(3);
+  const auto number = [&random] { return std::generate_canonical<double, 53>(random); };
+  for (int i = study_cases(1500, 100); i > 0; --i) {
+    const double n = -0.5 + 3.5 * number();
+    const Law truth = power(n);
+    const auto count = static_cast<int>(std::lround(7.0 * std::pow(200.0 / 7.0, number())));
+    const bool even = number() < 0.5;
+    std::vector<double> radii{0.0, 1.0};
+    for (int k = 1; k < count - 1; ++k) radii.push_back(even ? static_cast<double>(k) / (count - 1) : number());
+    std::sort(radii.begin(), radii.end());
+    std::vector<PressureSample> rows;
+    for (const double r : radii) {
+      if (!rows.empty() && r - rows.back().radius < 1e-4) continue;
+      // A pressure that is infinite at the rim is measured within.
+      const double measured = r == 1.0 && n < 0.0 ? 1.0 - 0.25 * (1.0 - rows.back().radius) : r;
+      rows.push_back({r, std::pow((1.0 - measured) * (1.0 + measured), n)});
+    }
+    if (rows.size() < 7) continue;
+    const Law law = samples(rows, "random.csv");
+    for (const double s : {0.0, 0.01, 0.1, 0.3, 0.5, 0.7, 0.9, 1.0, 1.3, 3.0, 20.0}) {
+      const WrenchEstimate estimate = law->evaluate(s);
+      const UnitForces<double> exact = truth->forces(s);
+      EXPECT_NEAR(estimate.wrench.force, exact.force, estimate.error.force + 1e-12) << n << ' ' << rows.size() << ' ' << s;
+      EXPECT_NEAR(estimate.wrench.moment, exact.moment, estimate.error.moment + 1e-12) << n << ' ' << rows.size() << ' ' << s;
+    }
+  }
+}
+
+TEST(Samples, TheLoadToHoldIsOffByNoMoreThanItsStatedError) {
+  const ExactCurve truth(hertz());
+  for (const std::size_t count : {8U, 12U, 30U, 100U}) {
+    const Law law = samples(sampled(hertz_pressure, count, 0.0), "hertz.csv");
+    const ExactCurve curve(law);
+    for (const ContactFriction& contact : {ContactFriction{.mu = 0.6, .radius_law = RadiusLaw::constant(0.006)},
+                                           ContactFriction{.mu = 0.6, .radius_law = RadiusLaw::power(0.005, 0.3)},
+                                           ContactFriction{.mu = 0.6, .mu_r = 0.002, .gamma = 0.25}}) {
+      for (const double moment : {0.0, 1e-4, 1e-3, 2e-3, 1e-2}) {
+        const double load = load_to_hold(curve, contact, 1.0, moment);
+        const double error = hold_error(curve, *law, contact, load, 1.0, moment);
+        EXPECT_NEAR(load, load_to_hold(truth, contact, 1.0, moment), error + 1e-12 * load) << count << ' ' << moment;
+        EXPECT_LT(error, 0.2 * load);
+        if (moment == 0.0) EXPECT_LT(error, 1e-12);
+      }
+    }
+  }
+  EXPECT_EQ(hold_error(truth, *hertz(), {.mu = 0.6, .radius_law = RadiusLaw::constant(0.006)}, 2.0, 1.0, 1e-3), 0.0);
 }
 
 TEST(Samples, TheInterpolantDoesNotOvershoot) {
@@ -281,6 +444,10 @@ TEST(Samples, RefusesWhatIsNoProfile) {
   EXPECT_NE(complaint({{-1, 1}, {1, 1}, {1.5, 1}, {2, 1}}).find("radius >= 0"), std::string::npos);
   EXPECT_NE(complaint({{0, 0}, {1, 0}, {1.5, 0}, {2, 0}}).find("no pressure"), std::string::npos);
   EXPECT_NE(complaint({{0, 1}, {1, 1}, {1, 3}, {1, 2}, {2, 1}}).find("at most two"), std::string::npos);
+  EXPECT_NE(complaint({{0, 1}, {1, 1}, {2, -0.2}, {3, 0}}).find("a pressure of -0.2"), std::string::npos);
+  EXPECT_NE(complaint({{0, 1}, {1, 1}, {2, 0.11}, {3, 0.11}, {4, 0.11}, {5, -0.09}}).find("% of the load"), std::string::npos);
+  EXPECT_THROW(samples(sensor_line(), "p.csv", -1.0), std::invalid_argument);
+  EXPECT_THROW(samples(sensor_line(), "p.csv", 6e-3), std::invalid_argument);
   EXPECT_NE(complaint({{0, 1}, {1, 1}, {2, 1}, {2, 0}}).find("jump at the last radius"), std::string::npos);
 }
 

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "../pressure_law.hpp"
+#include "contact_friction.hpp"
+
+#include <cmath>
+
+namespace limitcurve {
+
+/// How far `load_to_hold` may be off [N] because the pressure of `law` is known only at samples: an estimate, like the law's stated error; 0
+/// for a law given by a formula. `load` is the load that holds `force` [N] and `moment` [N·m] on `curve`, a curve of the law; of an ellipse
+/// or a box with the law's intercepts set `intercepts_only`. First order in the error. Does not throw for arguments that `load_to_hold`
+/// accepted. Cost: one call of `along` and one or two of `evaluate`.
+///
+/// The load is the largest of (F v/μ + M w/(μ a))/H(v, w) over the slips: at the slip where it touches, a change of the curve enters by
+/// δH = v δf + w δm alone (envelope theorem), and by 1/(1 + γω) if the radius grows with the load.
+template <class Curve>
+double hold_error(const Curve& curve, const PressureLaw& law, const ContactFriction& contact, double load, double force, double moment,
+                  bool intercepts_only = false) {
+  if (law.profile_error() == 0.0 || !(load > 0.0 && std::isfinite(load))) return 0.0;
+  const RadiusLaw radius_law = detail::radius_law_of(curve, contact);
+  const double limit = contact.mu * load;
+  const auto [touched, normal] = curve.along({std::fabs(force) / limit, std::fabs(moment) / (limit * radius_law.radius(load))});
+  UnitWrench error{};
+  if (!intercepts_only) error = law.evaluate(normal.cor()).error;
+  // A measured μ_r scales the moments by 1/m₀.
+  if (intercepts_only || contact.mu_r) {
+    const WrenchEstimate spin = law.evaluate(0.0);
+    error.moment += intercepts_only ? spin.error.moment : touched.moment * spin.error.moment / spin.wrench.moment;
+  }
+  const double support = normal.slide * touched.force + normal.spin * touched.moment;
+  const double growth = 1.0 + radius_law.exponent(load) * normal.spin * touched.moment / support;
+  return load * (normal.slide * error.force + normal.spin * error.moment) / (support * growth);
+}
+
+}  // namespace limitcurve
