@@ -4,7 +4,7 @@
 #include "limitcurve/approximations.hpp"
 #include "limitcurve/internal/names.hpp"
 #include "limitcurve/pressure_law.hpp"
-#include "limitcurve/table.hpp"
+#include "limitcurve/table/builder.hpp"
 
 #include <algorithm>
 #include <array>
@@ -98,19 +98,14 @@ Projection parse_projection(std::string_view text) {
 }
 
 Table finest_table(const Law& law, double tolerance) {
-  for (;; tolerance *= 10.0) {
-    try {
-      return Table::build(law, tolerance);
-    } catch (const std::runtime_error&) {
-      if (!(tolerance < Table::coarsest_tolerance)) throw;
-    }
-  }
+  return table::finest(law, tolerance);
 }
 
 FingerCurve make_finger_curve(CurveKind kind, const Law& law, double tolerance) {
   switch (kind) {
     case CurveKind::exact:
-      return finest_table(law, Table::finest_tolerance);
+      // A measured profile is known to a millionth at best: its finest table would take minutes.
+      return finest_table(law, law->profile_error() > 0.0 ? 1e-10 : Table::finest_tolerance);
     case CurveKind::table:
       return Table::build(law, tolerance);
     case CurveKind::ellipse:

@@ -104,32 +104,65 @@ BasicTable<Real> built(const std::string& name, double tolerance, const Attempt&
   throw std::runtime_error(failed + "the finest that is possible is " + format_number(*finest));
 }
 
+/// Tables of a law at any tolerance.
+template <class Real>
+class Attempts {
+ public:
+  Attempts(const Law& law, TableOptions options) : bytes_(options.bytes), name_(options.name.empty() ? law->name() : options.name) {
+    quick_ = with_profile(quick_source(law, name_), *law);
+    fine_ = with_profile(fine_source(law, name_), *law);
+    scale_ = std::max(1.0, law->moment_ratio());
+    known_error_ = own_error(*law);
+  }
+
+  [[nodiscard]] const std::string& name() const noexcept { return name_; }
+
+  [[nodiscard]] std::optional<BasicTable<Real>> table(double tolerance) {
+    // Down to this tolerance the error of `forces` is small enough.
+    constexpr double quick_tolerance = 1e-11;
+    if (tolerance >= quick_tolerance && known_error_ <= std::max(quick_error, 0.01 * tolerance) * scale_) {
+      if (auto built = table::build<Real>(quick_, tolerance, bytes_)) return built;
+    }
+    begun_ = begins(fine_, tolerance);
+    return begun_ ? table::build<Real>(fine_, tolerance, bytes_) : std::nullopt;
+  }
+
+  /// Whether there is a table, after one has failed. If that did not begin, neither do finer ones; where the coarser ones begin is found without
+  /// building them.
+  [[nodiscard]] bool possible(double tolerance) { return begun_ ? table(tolerance).has_value() : begins(quick_, tolerance); }
+
+ private:
+  [[nodiscard]] bool begins(const table::Source& source, double tolerance) const {
+    return tolerance * scale_ > known_error_ && table::begins<Real>(source, tolerance);
+  }
+
+  std::size_t bytes_;
+  std::string name_;
+  table::Source quick_;
+  table::Source fine_;
+  double scale_;
+  double known_error_;
+  bool begun_ = true;
+};
+
 }  // namespace
 
 template <class Real>
 BasicTable<Real> BasicTable<Real>::build(const Law& law, double tolerance, TableOptions options) {
-  // Down to this tolerance the error of `forces` is small enough.
-  constexpr double quick_tolerance = 1e-11;
   checked(law);
-  if (options.name.empty()) options.name = law->name();
-  const table::Source quick = with_profile(quick_source(law, options.name), *law);
-  const table::Source fine = with_profile(fine_source(law, options.name), *law);
-  const double scale = std::max(1.0, law->moment_ratio());
-  const double known_error = own_error(*law);
-  const auto begins = [&](const table::Source& source, double wanted) {
-    return wanted * scale > known_error && table::begins<Real>(source, wanted);
-  };
-  bool begun = true;
-  const auto attempt = [&](double wanted) -> std::optional<BasicTable> {
-    if (wanted >= quick_tolerance && known_error <= std::max(quick_error, 0.01 * wanted) * scale) {
-      if (auto table = table::build<Real>(quick, wanted, options.bytes)) return table;
-    }
-    begun = begins(fine, wanted);
-    return begun ? table::build<Real>(fine, wanted, options.bytes) : std::nullopt;
-  };
-  // If it does not begin, neither do finer ones; where the coarser ones begin is found without building them.
-  return built<Real>(options.name, tolerance, attempt,
-                     [&](double wanted) { return begun ? attempt(wanted).has_value() : begins(quick, wanted); });
+  Attempts<Real> attempts(law, std::move(options));
+  return built<Real>(
+      attempts.name(), tolerance, [&](double wanted) { return attempts.table(wanted); },
+      [&](double wanted) { return attempts.possible(wanted); });
+}
+
+Table table::finest(const Law& law, double tolerance) {
+  checked(law);
+  Attempts<double> attempts(law, {});
+  for (double wanted = tolerance; wanted < Table::coarsest_tolerance; wanted *= 10.0) {
+    if (auto table = attempts.table(wanted)) return std::move(*table);
+  }
+  return Table::build(law, Table::coarsest_tolerance);
 }
 
 template <class Real>

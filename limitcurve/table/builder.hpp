@@ -43,6 +43,9 @@ struct Source {
 template <class Real>
 [[nodiscard]] std::optional<BasicTable<Real>> build(const Source& source, double tolerance, std::size_t bytes);
 
+/// The table of a law at a tolerance; if there is none, at 10, 100, … times that. Each is tried once. Throws like Table::build.
+[[nodiscard]] Table finest(const Law& law, double tolerance);
+
 /// Whether such a table can begin at x = 0 on both sides: a first cell may have to be narrower than any can be.
 template <class Real>
 [[nodiscard]] bool begins(const Source& source, double tolerance);
