@@ -57,6 +57,7 @@ class Fit final : public Subcommand {
     });
     options.text("--data", data_, "FILE", "CSV of measurements, or - for standard input");
     options.file_columns(file_columns_);
+    options.least_load(file_columns_);
     options.law(law_, Presence::optional);
     options.text("--patch", patch_, "PATCH", "For friction: the pressure patch");
     options.number("--load", load_, positive, "For friction: normal load P [N]; without it mu is mu P [N]");
@@ -74,7 +75,10 @@ class Fit final : public Subcommand {
 
   void run(const Results& results) override {
     messages_ = results.messages;
-    if (data_.empty() && file_columns_.given()) throw std::invalid_argument("--columns, --units: go with --data");
+    file_columns_.messages = messages_;
+    if (law_ != nullptr) messages_->say(law_->remarks());
+    if (data_.empty() && (file_columns_.given() || file_columns_.least_load))
+      throw std::invalid_argument("--columns, --units, --least-load: go with --data");
     if (covariance_ && (data_.empty() || models[model_] == "friction"))
       throw std::invalid_argument("--covariance: only with --data, and not for fit friction");
     if (residuals_ && (data_.empty() || (models[model_] != "law" && models[model_] != "ellipse")))
@@ -209,8 +213,9 @@ class Fit final : public Subcommand {
     add("mu-r", "mu_r", format_number(estimates[of_load ? 0 : 1].value, digits));
     if (gamma != 0.0) add("gamma", "gamma", growth);
     if (!of_load && (!law.empty() || found.model == "ellipse") && std::filesystem::exists(descriptor::path_of(data_))) {
-      say("note",
-          "to type, for the load that would hold each row: limitcurve hold" + options + " --data '" + data_ + "'" + file_columns_.options);
+      say("note", "to type, for the load that would hold each row: limitcurve hold" + options + " --data '" + data_ + "'" +
+                      file_columns_.options +
+                      (file_columns_.least_load ? " --least-load " + format_number(*file_columns_.least_load) : ""));
     }
     say("note", "to type into replay:" + options + "; into FingerParameters: " + fields);
   }

@@ -70,6 +70,7 @@ class Hold final : public Subcommand {
     options.number("--moment", moment_, finite, "Friction moment M [N m]");
     options.text("--data", data_, "FILE", "In place of --force and --moment: CSV of them, or - for standard input");
     options.file_columns(columns_);
+    options.least_load(columns_);
     options.count("--fingers", fingers_, 1, 100,
                   "In place of --force and --moment: number of fingers that share an object's weight (default 2)");
     options.number("--mass", mass_, positive, "Mass of the object [kg]");
@@ -86,7 +87,9 @@ class Hold final : public Subcommand {
     const int given =
         static_cast<int>(!force_.empty() || moment_) + static_cast<int>(!data_.empty()) + static_cast<int>(fingers_ || mass_ || offset_);
     if (given != 1) throw std::invalid_argument("expected one of --force with --moment, --data, and --mass with --offset");
+    columns_.messages = results.messages;
     if (data_.empty() && !columns_.names.empty()) throw std::invalid_argument("--columns: goes with --data");
+    if (data_.empty() && columns_.least_load) throw std::invalid_argument("--least-load: goes with --data");
     if (mass_ && columns_.given()) throw std::invalid_argument("--units: goes with --data, or with --force and --moment");
     if (!down_.empty() && (patch_.empty() || !mass_)) throw std::invalid_argument("--down: goes with --patch and --mass");
     if (patch_.empty()) {

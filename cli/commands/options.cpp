@@ -43,11 +43,16 @@ void Options::numbers(const std::string& name, std::vector<double>& values, Rang
 void Options::file_columns(FileColumns& columns) {
   value(
       "--columns", "LIST", [&columns](const std::string& list) { columns.read_names(list); },
-      "The file's names of columns, such as load=Fz,force=Fxy,moment=Tz", Presence::optional);
+      "The file's names of columns, such as load=-Fz,force=Fx:Fy,moment=Tz: -Fz turns the sign, Fx:Fy is the length of a vector",
+      Presence::optional);
   value(
       "--units", "LIST", [&columns](const std::string& list) { columns.read_units(list); },
       "Units of the file, and of a single force, moment and load: " + std::string(units_text) + " (default m, N, Nm, rad, s)",
       Presence::optional);
+}
+
+void Options::least_load(FileColumns& columns) {
+  number("--least-load", columns.least_load, positive, "Leave out rows of --data with a smaller load, such as those of the empty gripper");
 }
 
 void Options::count(const std::string& name, std::size_t& value, std::size_t least, std::size_t most, const std::string& help) {

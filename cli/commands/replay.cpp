@@ -155,6 +155,7 @@ class Replay final : public Subcommand {
     } else if (!replay_.finger.mu_r && patch_.empty()) {
       throw std::invalid_argument("--radius-law is required, unless --mu-r is given");
     }
+    columns_.messages = results.messages;
     check_gains(*results.messages);
     const BodyArgument body = body_argument();
     const bool in_space = !on_plane_ || body.motion != BodyMotion::fixed || fingers_ > 1;

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cerrno>
+#include <cmath>
 #include <cstddef>
 #include <filesystem>
 #include <initializer_list>
@@ -77,6 +78,7 @@ std::string excerpt(std::string_view text) {
 std::string_view other_than_text(std::string_view line) {
   if (line.starts_with("\x93NUMPY")) return "a NumPy file, expected CSV: numpy.savetxt writes it";
   if (line.starts_with("\xff\xfe") || line.starts_with("\xfe\xff")) return "a text in UTF-16, expected UTF-8";
+  if (line.starts_with("#ROSBAG")) return "a rosbag, expected CSV: 'rostopic echo -b FILE.bag -p /TOPIC > FILE.csv' writes it";
   if (line.starts_with("PK\x03\x04")) return "a spreadsheet or another zip file, expected CSV: export it";
   if (line.find('\0') != std::string_view::npos) return "a byte 0, expected a CSV text in UTF-8";
   return {};
@@ -128,7 +130,8 @@ CsvReader::CsvReader(const std::string& file, std::vector<std::string> columns, 
       expected_(std::move(expected)),
       descriptor_(memory_ != nullptr ? descriptor::standard_input : open_to_read(file)),
       size_(size_of(file)),
-      places_(columns_.size() + optional_columns.size(), missing) {
+      places_(columns_.size() + optional_columns.size(), missing),
+      file_columns_(file_columns) {
   for (std::string& column : optional_columns) columns_.push_back(std::move(column));
   try {
     take(file_columns);
@@ -139,7 +142,7 @@ CsvReader::CsvReader(const std::string& file, std::vector<std::string> columns, 
       line_number_ = 1;
       throw complaint_at(0, "an empty file, expected a header line with " + expected_);
     }
-    find_columns();
+    find_header();
   } catch (...) {
     if (descriptor_ != descriptor::standard_input) descriptor::close(descriptor_);
     throw;
@@ -160,6 +163,12 @@ void CsvReader::take_names_in_memory() {
 }
 
 bool CsvReader::next_line() {
+  if (line_ahead_) {
+    line_ = std::move(*line_ahead_);
+    line_ahead_.reset();
+    line_number_ = number_ahead_;
+    return true;
+  }
   line_.clear();
   for (;;) {
     const std::size_t end = chunk_.find('\n', position_);
@@ -213,6 +222,27 @@ bool CsvReader::next_meaningful_line() {
   return false;
 }
 
+void CsvReader::restart() {
+  rows_ = 0;
+  columns_.clear();
+  places_.clear();
+}
+
+std::size_t CsvReader::next_fields() {
+  const std::string now = line_;
+  const std::size_t number_now = line_number_;
+  std::size_t fields = 0;
+  if (next_meaningful_line()) {
+    fields = field_count_;
+    number_ahead_ = line_number_;
+    line_ahead_ = std::move(line_);
+  }
+  line_ = now;
+  line_number_ = number_now;
+  split();
+  return fields;
+}
+
 void CsvReader::split() {
   field_count_ = 0;
   std::size_t begin = 0;
@@ -256,11 +286,77 @@ void CsvReader::take(const FileColumns& file_columns) {
   };
   for (const std::string& column : columns_) units_.push_back(unit_of(column));
   const std::vector<std::string> own = columns_;
+  load_ = static_cast<std::size_t>(std::find(own.begin(), own.end(), "load") - own.begin());
   for (const auto& [name, in_file] : file_columns.names) {
     const auto place = std::find(own.begin(), own.end(), name);
     if (place == own.end()) throw std::invalid_argument("--columns: got '" + name + "', expected one of " + joined(own, own.size()));
     columns_[static_cast<std::size_t>(place - own.begin())] = in_file;
     renamed_.push_back(static_cast<std::size_t>(place - own.begin()));
+  }
+}
+
+void CsvReader::say(const std::string& note) const {
+  if (file_columns_.messages != nullptr) file_columns_.messages->say("limitcurve: note: " + name_ + ": " + note);
+}
+
+/// The first of some lines that has the columns. If none has, the complaint is that of the first.
+void CsvReader::find_header() {
+  constexpr std::size_t most_lines = 20;
+  if (memory_ != nullptr || file_columns_.messages == nullptr) return find_columns();
+  const std::string first = line_;
+  const std::size_t first_number = line_number_;
+  for (std::size_t i = 0; i < most_lines; ++i) {
+    try {
+      if (i > 0 && !next_meaningful_line()) break;
+      find_columns();
+      if (i > 0) say("the header is line " + std::to_string(line_number_) + "; what precedes it is skipped");
+      return;
+    } catch (const std::invalid_argument&) {
+      std::fill(places_.begin(), places_.end(), missing);
+    }
+  }
+  line_ = first;
+  line_number_ = first_number;
+  split();
+  find_columns();
+}
+
+/// Columns whose name in --columns has a sign or is several names, unless the file has a column of just that name.
+void CsvReader::find_sources() {
+  const auto place_of = [&](std::string_view name) {
+    const auto end = fields_.begin() + static_cast<std::ptrdiff_t>(field_count_);
+    const auto found = std::find_if(fields_.begin(), end, [&](const Field& field) { return field.text == name; });
+    return found == end ? missing : static_cast<std::size_t>(found - fields_.begin());
+  };
+  sources_.assign(columns_.size(), {});
+  for (std::size_t i = 0; i < renamed_.size(); ++i) {
+    const auto& [own, in_file] = file_columns_.names[i];
+    const std::size_t column = renamed_[i];
+    if (places_[column] != missing) {
+      const char last = in_file.back();
+      const std::string other = in_file.substr(0, in_file.size() - 1) + static_cast<char>(last + 1);
+      if (own == "force" && (last == 'x' || last == 'X') && place_of(other) != missing)
+        say("force=" + in_file + " leaves out " + other + "; force=" + in_file + ":" + other + " is their length");
+      continue;
+    }
+    Source source;
+    std::string_view rest = in_file;
+    source.turned = rest.starts_with('-');
+    if (source.turned) rest.remove_prefix(1);
+    const bool is_vector = rest.find(':') != std::string_view::npos;
+    if (is_vector && (own != "force" || source.turned)) {
+      throw std::invalid_argument("--columns: got '" + own + "=" + in_file + "', expected one column, because only a force is the length of several");
+    }
+    if (!is_vector && !source.turned) continue;
+    while (!rest.empty()) {
+      const std::string_view name = rest.substr(0, rest.find(':'));
+      rest.remove_prefix(std::min(name.size() + 1, rest.size()));
+      source.places.push_back(place_of(name));
+      if (source.places.back() == missing) throw no_column("'" + std::string(name) + "'");
+      if (memory_ != nullptr) memory_->require_numbers(source.places.back());
+    }
+    places_[column] = source.places.at(0);
+    sources_[column] = std::move(source);
   }
 }
 
@@ -273,6 +369,9 @@ void CsvReader::find_columns() {
       places_[column] = i;
     }
   }
+  find_sources();
+  if (file_columns_.least_load && (load_ == columns_.size() || places_[load_] == missing))
+    throw no_column(load_ == columns_.size() ? "'load'" : "'" + columns_[load_] + "' for --least-load");
   for (std::size_t column = 0; column < columns_.size(); ++column) {
     const bool wanted = column < required_ || std::find(renamed_.begin(), renamed_.end(), column) != renamed_.end();
     if (wanted && places_[column] == missing) throw no_column("'" + columns_[column] + "'");
@@ -281,6 +380,20 @@ void CsvReader::find_columns() {
 }
 
 bool CsvReader::next() {
+  while (next_row()) {
+    if (!file_columns_.least_load || number(load_, finite) >= *file_columns_.least_load * file_columns_.force) return true;
+    ++left_out_;
+  }
+  if (left_out_ > 0) {
+    const std::string limit = "a load below " + format_number(*file_columns_.least_load);
+    if (left_out_ == rows_) throw complaint_at(0, "all " + std::to_string(rows_) + " rows have " + limit + ", expected one row or more");
+    say(std::to_string(left_out_) + " of " + std::to_string(rows_) + " rows have " + limit + ", and are left out");
+    left_out_ = 0;
+  }
+  return false;
+}
+
+bool CsvReader::next_row() {
   let_interrupt();
   if (memory_ != nullptr ? rows_ == memory_->rows_ : !next_meaningful_line()) {
     if (rows_ > 0) return false;
@@ -306,18 +419,31 @@ bool CsvReader::next() {
 }
 
 double CsvReader::number(std::size_t column, const Range& range) const {
+  const double unit = units_.empty() ? 1.0 : units_[column];
+  const Source* const source = sources_.empty() || sources_[column].places.empty() ? nullptr : &sources_[column];
+  double value = raw_number(column, places_[column], range);
+  if (source != nullptr) {
+    if (source->turned) value = 0.0 - value;
+    for (std::size_t i = 1; i < source->places.size(); ++i) value = std::hypot(value, raw_number(column, source->places[i], range));
+  }
+  if (range.contains(value)) return unit * value;
+  std::string hint;
+  if (column == load_ && file_columns_.messages != nullptr && std::isfinite(value))
+    hint = "; --columns load=-NAME turns the sign of all, --least-load 0.1 leaves out rows of less";
+  const bool as_read = memory_ != nullptr || source != nullptr;
+  throw complaint(column, "got '" + (as_read ? format_number(value) : excerpt(text(column))) + "', expected " + std::string(range.text) + hint);
+}
+
+/// The number at a place of the row; `column` is for the complaint.
+double CsvReader::raw_number(std::size_t column, std::size_t place, const Range& range) const {
   if (memory_ != nullptr) {
-    memory_->require_numbers(places_[column]);
-    const double value = memory_->numbers_[places_[column]][rows_ - 1];
-    if (range.contains(value)) return units_[column] * value;
-    throw complaint(column, "got '" + format_number(value) + "', expected " + std::string(range.text));
+    memory_->require_numbers(place);
+    return memory_->numbers_[place][rows_ - 1];
   }
-  try {
-    return units_.empty() ? read_number(text(column), range) : units_[column] * read_number(text(column), range);
-  } catch (const std::invalid_argument&) {
-    throw complaint(
-        column, "got '" + excerpt(text(column)) + "', expected " + std::string(range.text) + std::string(other_separator(text(column))));
-  }
+  const std::string& field = fields_[place].text;
+  const auto value = parse_number(field);
+  if (value) return *value;
+  throw complaint(column, "got '" + excerpt(field) + "', expected " + std::string(range.text) + std::string(other_separator(field)));
 }
 
 std::invalid_argument CsvReader::no_column(const std::string& column) const {

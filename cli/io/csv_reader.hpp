@@ -55,7 +55,7 @@ class MemoryColumns {
 class CsvReader {
  public:
   /// Opens `file`, or MemoryColumns of that path, and reads its header, which must have all of `columns`; `expected`: what a message says it
-  /// must have, if that is more.
+  /// must have, if that is more. With `file_columns.messages` the header is the first of 20 lines that has them.
   CsvReader(const std::string& file, std::vector<std::string> columns, std::vector<std::string> optional_columns = {},
             const FileColumns& file_columns = {}, std::string expected = {});
   /// Opens a file of numbers without header. Its columns are 0, 1, …, one for each field of the first row.
@@ -66,7 +66,13 @@ class CsvReader {
 
   /// Moves to the next row; false after the last. A row with fewer or more fields than the header (such as a truncated line) is an error,
   /// and so is a file without rows.
+  /// Rows below --least-load are left out, and counted in a note.
   bool next();
+
+  /// Of a file without header: forgets the rows that were read, as if the file began with the next.
+  void restart();
+  /// Number of fields of the row that `next` will find, 0 after the last; that row is read in advance.
+  [[nodiscard]] std::size_t next_fields();
 
   /// Number of fields in the header, or in the first row if there is no header.
   [[nodiscard]] std::size_t field_count() const { return header_fields_; }
@@ -98,11 +104,22 @@ class CsvReader {
   /// A longer line is an error; this bounds the memory.
   static constexpr std::size_t longest_line = 1 << 20;
 
+  /// A column of the file, or several whose length counts, or one with the other sign.
+  struct Source {
+    std::vector<std::size_t> places;
+    bool turned = false;
+  };
+
   void take_names_in_memory();
+  void find_header();
+  void say(const std::string& note) const;
+  bool next_row();
   bool next_line();
   bool next_meaningful_line();
   void split();
   void find_columns();
+  void find_sources();
+  [[nodiscard]] double raw_number(std::size_t column, std::size_t place, const Range& range) const;
   void take(const FileColumns& file_columns);
   [[nodiscard]] std::invalid_argument complaint_at(std::size_t offset, const std::string& what) const;
 
@@ -125,6 +142,12 @@ class CsvReader {
   std::vector<Field> fields_;
   std::size_t field_count_ = 0;
   std::vector<std::size_t> places_;
+  std::vector<Source> sources_;  ///< of columns that --columns gives a sign or several names; else without places
+  FileColumns file_columns_;
+  std::size_t load_ = missing;  ///< the column of loads, if it is asked for
+  std::size_t left_out_ = 0;    ///< rows below the least load
+  std::optional<std::string> line_ahead_;  ///< what next_fields read
+  std::size_t number_ahead_ = 0;
   std::size_t header_fields_ = 0;
   bool has_header_ = true;
 };

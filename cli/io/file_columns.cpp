@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "cli/io/file_columns.hpp"
 
+#include "cli/io/range.hpp"
+#include "limitcurve/internal/number.hpp"
+
 #include <algorithm>
 #include <array>
 #include <numbers>
@@ -51,7 +54,7 @@ void for_each_item(std::string_view list, std::string_view expected, const Take&
 }  // namespace
 
 void FileColumns::read_names(std::string_view list) {
-  for_each_item(list, "a list such as load=Fz,force=Fxy", [&](const std::string& own, const std::string& other) {
+  for_each_item(list, "a list such as load=-Fz,force=Fx:Fy,moment=Tz", [&](const std::string& own, const std::string& other) {
     names.emplace_back(own, other);
     return true;
   });
@@ -69,8 +72,9 @@ void FileColumns::read_units(std::string_view list) {
     const auto quantity = std::find_if(quantities.begin(), quantities.end(), [&](const Quantity& one) { return one.name == name; });
     if (quantity == quantities.end()) return false;
     const auto known = std::find_if(quantity->units.begin(), quantity->units.end(), [&](const Unit& one) { return one.name == unit; });
-    if (known == quantity->units.end()) return false;
-    this->*quantity->of = known->value;
+    const auto number = known == quantity->units.end() ? parse_number(unit) : known->value;
+    if (!number || !positive.contains(*number)) return false;
+    this->*quantity->of = *number;
     return true;
   });
   options.append(" --units '").append(list).append("'");

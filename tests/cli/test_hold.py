@@ -32,6 +32,28 @@ class Hold(CommandLineTest):
         slips = next(row["load"] for row in run_of if row["state"] == "slip")
         self.assertAlmostEqual(slips / hold, 1, delta=2e-3)
 
+    def test_a_force_torque_log_as_it_comes(self):
+        """The options are those of fit and replay, too."""
+        log = self.file("log.csv", 'Sensor 7\n\n"gain","3"\n"t","Fx","Fy","Fz","Tz"\n0,0.01,0,0.02,0\n1,0.6,-0.8,-5.1,0.002\n2,0.3,0.4,-5,0\n')
+        columns = "load=-Fz,force=Fx:Fy,moment=Tz"
+        done = run("hold", *CONTACT, "--data", log, "--columns", columns, "--least-load", "0.1")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        table = [dict(zip(done.stdout.splitlines()[0].split(","), map(float, line.split(",")))) for line in done.stdout.splitlines()[1:]]
+        self.assertEqual([row["force"] for row in table], [1.0, 0.5])
+        self.assertIn("the header is line 4", done.stderr)
+        self.assertIn("1 of 3 rows have a load below 0.1, and are left out", done.stderr)
+        self.assertNotIn("Fy", done.stderr)
+        done = run("hold", *CONTACT, "--data", log, "--columns", columns.replace(":Fy", ""), "--least-load", "0.1")
+        self.assertIn("force=Fx leaves out Fy; force=Fx:Fy is their length", done.stderr)
+        plain = self.file("plain.csv", log.read_text()[log.read_text().index('"t"'):])
+        for options, told in ((["--columns", columns], "expected a finite number >= 0; --columns load=-NAME turns the sign of all, --least-load 0.1"),
+                              (["--columns", columns.replace("Tz", "Tx:Tz")], "got 'moment=Tx:Tz', expected one column"),
+                              (["--columns", columns.replace("Fy", "Fq")], "no column 'Fq'"),
+                              (["--columns", columns, "--least-load", "9"], "all 3 rows have a load below 9")):
+            self.assert_fails(2, told, "hold", *CONTACT, "--data", plain, *options)
+        bag = self.file("log.bag", "#ROSBAG V2.0\n")
+        self.assert_fails(2, "rostopic echo -b FILE.bag -p /TOPIC", "hold", *CONTACT, "--data", bag)
+
     def test_a_measured_pressure_has_its_own_size_and_error(self):
         rows_of = [(0.5e-3 * i, math.sqrt(max(0.0, 1 - (i / 12) ** 2))) for i in range(30)]
         rows_of[25] = (rows_of[25][0], 0.004)
