@@ -130,6 +130,9 @@ PyPatch image(const BoundArguments& given) {
     pressure = 0.0;
     ++made.without_sensor;
   }
+  std::optional<double> floor;
+  if (!given[3].is_none()) floor = number_of(given[3], "floor");
+  made.remove_noise(floor);
   return asked(std::move(made));
 }
 
@@ -201,11 +204,12 @@ void add_patches(nb::module_& module) {
       "Uniform pressure on a simple polygon [m].");
   define_static(
       type,
-      "def image(pressures: numpy.typing.ArrayLike, pixel: float | None = None, *, spacing: tuple[float, float] | None = None) -> Patch",
+      "def image(pressures: numpy.typing.ArrayLike, pixel: float | None = None, *, spacing: tuple[float, float] | None = None,"
+      " floor: float | None = None) -> Patch",
       &image,
       "A pressure image; the first row is at the largest y; pixels are squares of side `pixel` [m], or rectangles with the `spacing`\n"
       "(dy, dx) of rows and columns; the origin is the centre of pressure. A pixel that is masked or NaN has no sensor: it counts as\n"
-      "without pressure, with a warning.");
+      "without pressure, with a warning. Negative pressures are noise, and tell up to which pressure all count as 0; `floor` says it.");
   define<const PyPatch&>(
       type, "def orthotropic(self, mx: float, my: float) -> Patch",
       [](const PyPatch& self, const BoundArguments& given) {

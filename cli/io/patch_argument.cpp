@@ -7,6 +7,7 @@
 #include "cli/io/unit_checks.hpp"
 #include "limitcurve/internal/key_values.hpp"
 #include "limitcurve/internal/number_list.hpp"
+#include "limitcurve/internal/signed_noise.hpp"
 
 #include "limitcurve/internal/did_you_mean.hpp"
 #include "limitcurve/internal/number.hpp"
@@ -14,6 +15,7 @@
 #include "limitcurve/pressure_law.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <limits>
 #include <optional>
@@ -114,7 +116,7 @@ bool read_tekscan(PatchArgument& patch, std::optional<double> frame) {
       for (std::size_t begin = 0; begin <= all.size();) {
         const std::size_t end = std::min(all.find(',', begin), all.size());
         const std::string_view text = all.substr(begin, end - begin);
-        add_pixel(patch, text, [&] { return in_place([&] { return read_number(trimmed(text), non_negative); }); });
+        add_pixel(patch, text, [&] { return in_place([&] { return read_number(trimmed(text), finite); }); });
         begin = end + 1;
       }
       const std::size_t columns = patch.numbers.size() - before;
@@ -131,27 +133,81 @@ bool read_tekscan(PatchArgument& patch, std::optional<double> frame) {
   return true;
 }
 
-/// With `columns` each row of the file is a frame, flattened, of which `frame` selects one, counted from 1.
-void read_pixels(PatchArgument& patch, std::optional<double> frame, std::optional<double> columns) {
-  if (!columns && read_tekscan(patch, frame)) return;
-  if (frame && !columns) throw std::invalid_argument("frame: only with columns=N, or for a file of Tekscan's, which begins with DATA_TYPE");
+/// What the file of an image has, beside pixels.
+struct ImageFile {
+  std::optional<double> frame = {};
+  std::optional<double> columns = {};
+  double skip = 0.0;  ///< fields of each row before the pixels
+};
+
+/// Whether the row that was read is a text such as a header: no number, and no pixel without sensor.
+bool is_text(const CsvReader& reader) {
+  for (std::size_t column = 0; column < reader.field_count(); ++column) {
+    const std::string_view text = reader.text(column);
+    if (text.empty() || text == "B" || parse_number(text)) return false;
+  }
+  return true;
+}
+
+/// The size ROWS,COLUMNS that a first row of two whole numbers may state.
+std::optional<std::pair<double, double>> size_in(const CsvReader& reader) {
+  constexpr Range whole{1.0, 1e6, "a whole number", true};
+  if (reader.field_count() != 2) return std::nullopt;
+  const auto rows = parse_number(reader.text(0));
+  const auto columns = parse_number(reader.text(1));
+  if (!rows || !columns || !whole.contains(*rows) || !whole.contains(*columns) || *rows * *columns == 2.0) return std::nullopt;
+  return std::pair(*rows, *columns);
+}
+
+/// With `columns`, or a first row with the size, each row of the file is a frame, flattened, of which `frame` selects one, counted from 1.
+void read_pixels(PatchArgument& patch, ImageFile of) {
+  if (!of.columns && read_tekscan(patch, of.frame)) return;
   CsvReader reader(patch.file);
   std::size_t row = 0;
+  std::size_t texts = 0;
+  const auto skip = static_cast<std::size_t>(of.skip);
+  std::optional<std::pair<double, double>> size;
   while (reader.next()) {
-    ++row;
-    if (columns && frame && static_cast<double>(row) != *frame) continue;
-    patch.columns = columns ? static_cast<std::size_t>(*columns) : reader.field_count();
-    if (columns && (reader.field_count() % patch.columns != 0 || reader.field_count() == patch.columns)) {
-      throw reader.complaint(0, "a row of " + std::to_string(reader.field_count()) + " pixels, expected a frame of several rows of " +
-                                    std::to_string(patch.columns));
+    if (row == 0 && is_text(reader)) {
+      ++texts;
+      reader.restart();
+      continue;
     }
-    if (columns && !patch.numbers.empty())
+    if (row == 0 && !size && (size = size_in(reader))) {
+      const double pixels = size->first * size->second;
+      if (reader.next_fields() == static_cast<std::size_t>(pixels) + skip) {
+        if (of.columns.value_or(size->second) != size->second)
+          throw reader.complaint(0, "the size is " + format_number(size->first) + "," + format_number(size->second) +
+                                        ", got columns=" + format_number(*of.columns));
+        of.columns = size->second;
+        patch.notes.push_back("the first row, " + format_number(size->first) + "," + format_number(size->second) +
+                              ", is the size of a frame");
+        reader.restart();
+        continue;
+      }
+    }
+    ++row;
+    if (of.frame && !of.columns)
+      throw std::invalid_argument("frame: only with columns=N, or for a file of Tekscan's, which begins with DATA_TYPE");
+    if (of.columns && of.frame && static_cast<double>(row) != *of.frame) continue;
+    if (skip >= reader.field_count())
+      throw reader.complaint(0, "a row of " + std::to_string(reader.field_count()) + " fields, skip leaves none");
+    const std::size_t pixels = reader.field_count() - skip;
+    patch.columns = of.columns ? static_cast<std::size_t>(*of.columns) : pixels;
+    if (of.columns && (pixels % patch.columns != 0 || pixels == patch.columns)) {
+      throw reader.complaint(0, "a row of " + std::to_string(pixels) + " pixels, expected a frame of several rows of " +
+                                    std::to_string(patch.columns) +
+                                    (pixels % patch.columns == 1 ? "; is the first a time? skip=1 leaves it out" : ""));
+    }
+    if (of.columns && !patch.numbers.empty())
       throw reader.complaint(0, "a second frame, expected frame=N, which says the one, counted from 1");
-    for (std::size_t column = 0; column < reader.field_count(); ++column)
-      add_pixel(patch, reader.text(column), [&] { return reader.number(column, non_negative); });
-    patch.frames_in_blocks = !columns && reader.blank_lines() > 0;
+    for (std::size_t column = skip; column < reader.field_count(); ++column)
+      add_pixel(patch, reader.text(column), [&] { return reader.number(column, finite); });
+    patch.frames_in_blocks = !of.columns && reader.blank_lines() > 0;
   }
-  if (patch.numbers.empty()) throw std::invalid_argument(patch.file + ": no frame " + format_number(*frame) + " of " + std::to_string(row));
+  if (texts > 0) patch.notes.push_back(std::to_string(texts) + (texts == 1 ? " row" : " rows") + " of text skipped");
+  if (patch.numbers.empty())
+    throw std::invalid_argument(patch.file + ": no frame " + format_number(of.frame.value_or(1.0)) + " of " + std::to_string(row));
 }
 
 /// `0.0005`, or `0.004x0.005`: along x and along y.
@@ -170,27 +226,33 @@ PatchArgument parse(std::string_view kind, std::string_view rest) {
     read_columns(patch, kind == "points" ? std::vector<std::string>{"x", "y", "load"} : std::vector<std::string>{"x", "y"});
   } else if (kind == "image") {
     patch.file = split_file(kind, rest, items);
-    std::optional<double> frame;
-    const auto take_frame = [&](std::string_view text) { frame = read_number(text, finite); };
-    std::optional<double> columns;
-    const auto take_columns = [&](std::string_view text) { columns = read_number(text, Range{1.0, 1e6, "a whole number from 1", true}); };
+    ImageFile of;
+    const auto take_frame = [&](std::string_view text) { of.frame = read_number(text, finite); };
+    const auto take_columns = [&](std::string_view text) {
+      of.columns = read_number(text, Range{1.0, 1e6, "a whole number from 1", true});
+    };
+    double floor = std::numeric_limits<double>::quiet_NaN();
     read_key_values(items, with_factors({{"pixel", [&](std::string_view text) { read_pixel(text, patch); }, false, "SIDE or XxY"},
                                          {"columns", take_columns, false, "N"},
-                                         {"frame", take_frame, false, "N"}},
+                                         {"frame", take_frame, false, "N"},
+                                         number_key("skip", of.skip, Range{0.0, 1e6, "a whole number", true}, false),
+                                         number_key("floor", floor, non_negative, false)},
                                         patch));
-    read_pixels(patch, frame, columns);
+    read_pixels(patch, of);
     if (patch.x == 0.0 || patch.y == 0.0) throw std::invalid_argument("no pixel=…, expected the sides of a pixel [m]");
+    patch.remove_noise(std::isnan(floor) ? std::nullopt : std::optional(floor));
   } else if (kind == "rectangle") {
     read_key_values(rest, with_factors({number_key("x", patch.x, positive), number_key("y", patch.y, positive)}, patch));
   } else if (kind == "ellipse") {
-    const auto take_law = [&patch](std::string_view text) {
-      patch.law = text;
-      patch.profile.clear();
-      read_law(patch.law, patch.profile);
-    };
-    read_key_values(
-        rest,
-        with_factors({{"law", take_law, true, "LAW"}, number_key("a", patch.x, positive), number_key("b", patch.y, positive)}, patch));
+    double rim = 0.0;
+    const auto take_law = [&patch](std::string_view text) { patch.law = text; };
+    read_key_values(rest, with_factors({{"law", take_law, true, "LAW"},
+                                        number_key("a", patch.x, positive),
+                                        number_key("b", patch.y, positive),
+                                        number_key("rim", rim, positive, false)},
+                                       patch));
+    if (rim > 0.0) patch.law += ",rim=" + format_number(rim);
+    with_prefix("'law' in '" + std::string(rest) + "': ", [&] { return read_law(patch.law, patch.profile); });
   } else {
     refuse_kind(kind, ':' + std::string(rest));
   }
@@ -225,8 +287,19 @@ Patch PatchArgument::patch() const {
   });
 }
 
+void PatchArgument::remove_noise(std::optional<double> floor) {
+  const SignedNoise noise =
+      limitcurve::remove_noise(numbers, std::vector<double>(numbers.size(), 1.0), file.empty() ? "pressures" : file, floor);
+  if (noise.zeroed > 0) notes.push_back(noise.text());
+}
+
 std::vector<std::string> PatchArgument::remarks() const {
   std::vector<std::string> lines;
+  for (const std::string& note : notes) lines.push_back("note: " + (file.empty() ? "pressures" : file) + ": " + note);
+  if (!law.empty()) {
+    const std::vector<std::string> of_law = law_of(law, profile)->remarks();
+    lines.insert(lines.end(), of_law.begin(), of_law.end());
+  }
   if (without_sensor > 0) {
     lines.push_back("note: " + (file.empty() ? "pressures" : file) + ": " + std::to_string(without_sensor) + " of " +
                     std::to_string(numbers.size()) + " pixels have no sensor, and count as without pressure");

@@ -7,6 +7,7 @@
 #include "limitcurve/patch/patch.hpp"
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,7 +28,10 @@ struct PatchArgument {
   std::vector<PressureSample> profile = {};
   double mx = 1.0;
   double my = 1.0;
+  std::vector<std::string> notes = {};  ///< on its file
 
+  /// Of an image: sets noise around 0 to 0, up to `floor` or by the size that negative pressures tell (limitcurve/internal/signed_noise.hpp).
+  void remove_noise(std::optional<double> floor);
   /// Throws std::invalid_argument with text, file and the place of the error in it.
   [[nodiscard]] Patch patch() const;
   /// What a user must know of it, and what is to be asked: "note: …", "warning: …".
@@ -42,8 +46,9 @@ struct PatchArgument {
 /// sides), `ellipse:law=hertz,a=0.004,b=0.002`, `image:FILE.csv,pixel=0.0005` (rows of pressures, no header; `pixel=0.004x0.005` along x
 /// and y), each with `,mx=…,my=…` if friction differs along x and y. An empty pixel, `B` or `nan` has no sensor, and counts as without
 /// pressure. With
-/// `columns=32` each row of an image is a frame, flattened. An image may be an ASCII file of Tekscan's, whose header has the sides of a pixel.
-/// `frame=2` says which of the frames. Throws std::invalid_argument with the place of the error in the text or in the file.
+/// `columns=32`, or if the first row is the size `32,32`, each row of an image is a frame, flattened; `frame=2` says which of the frames.
+/// `skip=1` leaves out the first field of each row, a time; rows of text before the numbers are skipped. Negative pressures are noise;
+/// `floor=P` says up to which pressure. An image may be an ASCII file of Tekscan's, whose header has the sides of a pixel. Throws std::invalid_argument with the place of the error in the text or in the file.
 PatchArgument parse_patch(const std::string& text);
 /// The patch itself; says its remarks.
 Patch read_patch(const std::string& text, Messages& messages);
