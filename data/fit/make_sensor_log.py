@@ -9,6 +9,9 @@ centre of rotation, sticks while force and moment grow, then slips on the exact 
 sensor has Gaussian noise and a resolution; an encoder on the plate gives slide and twist. A sample is a slip if the encoder moves,
 which is sometimes wrong near the onset, as in reality: those samples lie inside the limit curve.
 
+wrench_log.csv is what a force-torque sensor alone gives, as `rostopic echo -p` writes it: pushes of the same kind by a finger of constant
+radius, the load along -z of the sensor, rows of the empty gripper between the pushes.
+
 Standard library only; the seed is below. Numbers are rounded to the sensor's resolution, so that every machine writes the same bytes.
 """
 
@@ -98,6 +101,29 @@ def slips(rows):
     return chosen
 
 
+def wrench_log(noise):
+    """24 pushes of 1 s, 0.3 s of the empty gripper before each; force and moment grow for half a second, then the finger slips."""
+    rate, pushes, mu, mu_r, height = 50, 24, 0.6, 0.00212, 0.03
+    names = [f"field.wrench.{part}.{axis}" for part in ("force", "torque") for axis in "xyz"]
+    lines = [f"# Synthetic, not measured: made by make_sensor_log.py from mu = {mu}, mu_r = {mu_r} m and the Hertz law.\n",
+             ",".join(["%time", "field.header.seq", "field.header.stamp", "field.header.frame_id", *names]) + "\n"]
+    stamp = 1_700_000_000_000_000_000
+    for push in range(pushes):
+        full = 1.0 + 5.0 * push / (pushes - 1)
+        spin = ((push * 7) % pushes + 0.5) / pushes
+        unit_force, unit_moment = hertz((1 - spin) / spin * MOMENT_RATIO)
+        direction = 2.4 * push
+        for k in range(-15, rate):
+            load, grip = (full, min(2.0 * k / rate, 1.0)) if k >= 0 else (-0.02, 0.0)
+            force, moment = grip * mu * load * unit_force, (-1) ** push * grip * mu_r / MOMENT_RATIO * load * unit_moment
+            fx, fy = force * math.cos(direction), force * math.sin(direction)
+            wrench = [rounded(value + noise.gauss(0, 0.01), 0.001) for value in (fx, fy, -load)]
+            wrench += [rounded(value + noise.gauss(0, 5e-5), 1e-5) for value in (-height * fy, height * fx, moment)]
+            sequence = len(lines) - 2
+            lines.append(f"{stamp + sequence * 20_000_000},{sequence},{stamp + sequence * 20_000_000},ft_sensor,{','.join(wrench)}\n")
+    return "".join(lines)
+
+
 def files():
     noise = random.Random(SEED)
     rows = trials(noise)
@@ -130,6 +156,7 @@ def files():
                                f"ratio,{MOMENT_RATIO * C:.17g},m/N^gamma\n"
                                f"c,{C},m/N^gamma\n"
                                f"gamma,{GAMMA},1\n")
+    out["wrench_log.csv"] = wrench_log(noise)
     return out
 
 
