@@ -104,6 +104,10 @@ BasicTable<Real> built(const std::string& name, double tolerance, const Attempt&
   throw std::runtime_error(failed + "the finest that is possible is " + format_number(*finest));
 }
 
+}  // namespace
+
+namespace table {
+
 /// Tables of a law at any tolerance.
 template <class Real>
 class Attempts {
@@ -145,12 +149,12 @@ class Attempts {
   bool begun_ = true;
 };
 
-}  // namespace
+}  // namespace table
 
 template <class Real>
 BasicTable<Real> BasicTable<Real>::build(const Law& law, double tolerance, TableOptions options) {
   checked(law);
-  Attempts<Real> attempts(law, std::move(options));
+  table::Attempts<Real> attempts(law, std::move(options));
   return built<Real>(
       attempts.name(), tolerance, [&](double wanted) { return attempts.table(wanted); },
       [&](double wanted) { return attempts.possible(wanted); });
@@ -158,7 +162,7 @@ BasicTable<Real> BasicTable<Real>::build(const Law& law, double tolerance, Table
 
 Table table::finest(const Law& law, double tolerance) {
   checked(law);
-  Attempts<double> attempts(law, {});
+  table::Attempts<double> attempts(law, {});
   for (double wanted = tolerance; wanted < Table::coarsest_tolerance; wanted *= 10.0) {
     if (auto table = attempts.table(wanted)) return std::move(*table);
   }

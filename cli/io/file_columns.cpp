@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "cli/io/file_columns.hpp"
 
-#include "cli/io/range.hpp"
 #include "limitcurve/internal/number.hpp"
+#include "limitcurve/internal/range.hpp"
 
 #include <algorithm>
 #include <array>
@@ -10,6 +10,8 @@
 #include <stdexcept>
 
 namespace limitcurve::cli {
+
+using namespace ranges;
 
 namespace {
 

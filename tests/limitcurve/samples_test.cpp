@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "counted_law.hpp"
 #include "limitcurve/accuracy.hpp"
-#include "limitcurve/exact_curve.hpp"
 #include "limitcurve/contact/hold_error.hpp"
+#include "limitcurve/contact/load_to_hold.hpp"
+#include "limitcurve/exact_curve.hpp"
 #include "limitcurve/internal/own_radii.hpp"
 #include "limitcurve/laws.hpp"
 #include "limitcurve/table.hpp"
@@ -285,7 +286,9 @@ TEST(Samples, SignedNoiseTellsItsOwnSize) {
     if (std::fabs(law->rim() - 6.0) < 0.11) ++right;
     ASSERT_FALSE(law->remarks().empty());
     EXPECT_NE(law->remarks().front().find("count as 0"), std::string::npos);
-    if (law->rim() < 6.2) EXPECT_NEAR(law->rim() * law->moment_ratio() / (6.0 * 0.58904862254808621), 1.0, 5e-3);
+    if (law->rim() < 6.2) {
+      EXPECT_NEAR(law->rim() * law->moment_ratio() / (6.0 * 0.58904862254808621), 1.0, 5e-3);
+    }
   }
   EXPECT_GE(right, 98);
 }
