@@ -345,7 +345,8 @@ void CsvReader::find_sources() {
     if (source.turned) rest.remove_prefix(1);
     const bool is_vector = rest.find(':') != std::string_view::npos;
     if (is_vector && (own != "force" || source.turned)) {
-      throw std::invalid_argument("--columns: got '" + own + "=" + in_file + "', expected one column, because only a force is the length of several");
+      throw std::invalid_argument("--columns: got '" + own + "=" + in_file +
+                                  "', expected one column, because only a force is the length of several");
     }
     if (!is_vector && !source.turned) continue;
     while (!rest.empty()) {
@@ -431,7 +432,8 @@ double CsvReader::number(std::size_t column, const Range& range) const {
   if (column == load_ && file_columns_.messages != nullptr && std::isfinite(value))
     hint = "; --columns load=-NAME turns the sign of all, --least-load 0.1 leaves out rows of less";
   const bool as_read = memory_ != nullptr || source != nullptr;
-  throw complaint(column, "got '" + (as_read ? format_number(value) : excerpt(text(column))) + "', expected " + std::string(range.text) + hint);
+  throw complaint(column,
+                  "got '" + (as_read ? format_number(value) : excerpt(text(column))) + "', expected " + std::string(range.text) + hint);
 }
 
 /// The number at a place of the row; `column` is for the complaint.

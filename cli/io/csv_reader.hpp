@@ -144,8 +144,8 @@ class CsvReader {
   std::vector<std::size_t> places_;
   std::vector<Source> sources_;  ///< of columns that --columns gives a sign or several names; else without places
   FileColumns file_columns_;
-  std::size_t load_ = missing;  ///< the column of loads, if it is asked for
-  std::size_t left_out_ = 0;    ///< rows below the least load
+  std::size_t load_ = missing;             ///< the column of loads, if it is asked for
+  std::size_t left_out_ = 0;               ///< rows below the least load
   std::optional<std::string> line_ahead_;  ///< what next_fields read
   std::size_t number_ahead_ = 0;
   std::size_t header_fields_ = 0;

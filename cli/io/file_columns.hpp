@@ -27,12 +27,13 @@ struct FileColumns {
   double angle = 1.0;                                           ///< in rad
   double time = 1.0;                                            ///< in s
   std::string options = {};                                     ///< as they were typed
-  std::optional<double> least_load = {};  ///< in the file's unit: rows with a smaller load are left out
-  Messages* messages = nullptr;           ///< for notes; with it the header may follow other lines
+  std::optional<double> least_load = {};                        ///< in the file's unit: rows with a smaller load are left out
+  Messages* messages = nullptr;                                 ///< for notes; with it the header may follow other lines
 };
 
 /// What --units takes, for help and messages.
 inline constexpr const char* units_text =
-    "length=m|cm|mm|um|in, force=N|mN|uN|kN|kgf|lbf, moment=a force and a length in a row, such as Nmm or lbfin, angle=rad|deg, time=s|ms; or a number, the unit in SI";
+    "length=m|cm|mm|um|in, force=N|mN|uN|kN|kgf|lbf, moment=a force and a length in a row, such as Nmm or lbfin, angle=rad|deg, time=s|ms; "
+    "or a number, the unit in SI";
 
 }  // namespace limitcurve::cli
