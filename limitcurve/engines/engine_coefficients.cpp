@@ -10,12 +10,9 @@
 #include "limitcurve/patch/patch.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <map>
-#include <numbers>
 #include <stdexcept>
 
 namespace limitcurve::engines {
@@ -23,113 +20,6 @@ namespace limitcurve::engines {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-using Facts = std::map<std::string, std::string, std::less<>>;  ///< a row's cells by their columns
-
-/// The rows of a CSV text; cells may be quoted.
-std::vector<Facts> read_facts(std::string_view text) {
-  std::vector<std::string> columns;
-  std::vector<Facts> rows;
-  while (!text.empty()) {
-    const std::size_t end = text.find('\n');
-    const std::string_view line = text.substr(0, end);
-    text.remove_prefix(std::min(text.size(), line.size() + 1));
-    if (line.empty() || line.front() == '#') continue;
-    std::vector<std::string> cells(1);
-    bool quoted = false;
-    for (std::size_t i = 0; i < line.size(); ++i) {
-      if (line[i] == '"' && quoted && line.substr(i + 1, 1) == "\"") {
-        cells.back() += line[++i];
-      } else if (line[i] == '"') {
-        quoted = !quoted;
-      } else if (line[i] == ',' && !quoted) {
-        cells.emplace_back();
-      } else {
-        cells.back() += line[i];
-      }
-    }
-    if (columns.empty()) {
-      columns = cells;
-      continue;
-    }
-    if (cells.size() != columns.size()) throw std::logic_error("data/engines: expected a cell a column: " + std::string(line));
-    Facts& row = rows.emplace_back();
-    for (std::size_t i = 0; i < cells.size(); ++i) row[columns[i]] = cells[i];
-  }
-  return rows;
-}
-
-const std::vector<Facts>& all_engines() {
-  static const std::vector<Facts> rows = read_facts(engines_csv);
-  return rows;
-}
-
-const std::vector<Facts>& all_coefficients() {
-  static const std::vector<Facts> rows = read_facts(coefficients_csv);
-  return rows;
-}
-
-std::vector<std::string> words(std::string_view text) {
-  std::vector<std::string> result;
-  while (!text.empty()) {
-    const std::string_view word = text.substr(0, text.find(' '));
-    if (!word.empty()) result.emplace_back(word);
-    text.remove_prefix(std::min(text.size(), word.size() + 1));
-  }
-  return result;
-}
-
-/// A formula of coefficients.csv: the number that an engine wants for a friction μ and a lever m₀ a [m].
-struct Formula {
-  std::string_view text;
-  double (*value)(double mu, double lever);
-  double (*moment)(double value, double factor);  ///< over the load; `factor`: the parameter in column `times`. Null: it sets no moment
-  std::string_view use;                           ///< what the engine makes of it; @: that parameter
-};
-
-double friction_of(double mu, double /*lever*/) {
-  return mu;
-}
-double moment_of(double mu, double lever) {
-  return mu * lever;
-}
-double itself(double value, double /*factor*/) {
-  return value;
-}
-
-constexpr double hertz_ratio = 3.0 * std::numbers::pi / 16.0;
-
-constexpr std::array formulas{
-    Formula{"mu", friction_of, nullptr, "times load: the force's limit"},
-    Formula{"mu_x", friction_of, nullptr, "times load: the force's limit along x"},
-    Formula{"mu_y", friction_of, nullptr, "times load: the force's limit along y"},
-    Formula{"mu/f", friction_of, nullptr, "times f and load: the force's limit"},
-    Formula{"mu_r", moment_of, itself, "times load: the moment's limit"},
-    Formula{"mu_r/f", moment_of, itself, "times f and load: the moment's limit"},
-    Formula{"mu_r/1000", [](double mu, double lever) { return 1e-3 * (mu * lever); }, nullptr, ""},
-    Formula{"m0 a", [](double /*mu*/, double lever) { return lever; }, [](double value, double factor) { return factor * value; },
-            "times @ and load: the moment's limit"},
-    Formula{"16 m0 a/(3 pi)", [](double /*mu*/, double lever) { return lever / hertz_ratio; },
-            [](double value, double factor) { return hertz_ratio * factor * value; }, "times 3 pi/16 and @ and load: the moment's limit"},
-    Formula{"sqrt(m0 a/pi)", [](double /*mu*/, double lever) { return std::sqrt(lever / std::numbers::pi); },
-            [](double value, double factor) { return std::numbers::pi * value * value * factor; },
-            "pi times its square and @ and load: the moment's limit"},
-};
-
-/// Null for a number.
-const Formula* find_formula(std::string_view text) {
-  const auto found = std::find_if(formulas.begin(), formulas.end(), [&](const Formula& one) { return one.text == text; });
-  return found == formulas.end() ? nullptr : &*found;
-}
-
-std::string note_of(const Facts& coefficient) {
-  const std::string& note = coefficient.at("note");
-  const Formula* const formula = find_formula(coefficient.at("formula"));
-  std::string result(formula == nullptr || note.starts_with("times") ? "" : formula->use);
-  if (const std::size_t at = result.find('@'); at != std::string::npos) result.replace(at, 1, coefficient.at("times"));
-  if (!result.empty() && !note.empty()) result += "; ";
-  return result + note;
-}
 
 void require(const char* name, double value, const char* unit) {
   if (!(value > 0.0) || std::isinf(value)) throw out_of_range(name, value, unit, "> 0 and finite");
@@ -316,106 +206,6 @@ std::string find_engine(std::string_view name) {
   for (const std::string& one : known) expected += " " + one;
   throw std::invalid_argument("unknown engine '" + std::string(name) + "', expected one of" + expected +
                               did_you_mean(name, {known.begin(), known.end()}));
-}
-
-namespace {
-
-/// The row of an engine's parameter, by any of its names.
-const Facts& find_coefficient(std::string_view engine, std::string_view parameter) {
-  std::vector<std::string> known;
-  for (const Facts& facts : all_coefficients()) {
-    if (facts.at("engine") != engine) continue;
-    const std::vector<std::string> names = words(facts.at("word"));
-    if (parameter == facts.at("parameter") || std::find(names.begin(), names.end(), parameter) != names.end()) return facts;
-    if (std::find(known.begin(), known.end(), names.front()) == known.end()) known.push_back(names.front());
-  }
-  std::string expected;
-  for (const std::string& one : known) expected += " " + one;
-  throw std::invalid_argument(std::string(engine) + " has no parameter '" + std::string(parameter) + "', expected one of" + expected +
-                              " or the engine's own name" + did_you_mean(parameter, {known.begin(), known.end()}));
-}
-
-/// Whether a number limits the force.
-bool is_friction(const Facts& coefficient) {
-  const Formula* const formula = find_formula(coefficient.at("formula"));
-  return formula != nullptr && formula->value == friction_of && coefficient.at("times").empty();
-}
-
-/// The numbers of one contact, by their rows.
-using ContactNumbers = std::map<const Facts*, double>;
-
-double friction_in(const ContactNumbers& contact, const Facts* factor, double otherwise) {
-  if (factor != nullptr && is_friction(*factor) && contact.contains(factor)) return contact.at(factor);
-  const auto found = std::find_if(contact.begin(), contact.end(), [](const auto& number) { return is_friction(*number.first); });
-  return found == contact.end() ? otherwise : found->second;
-}
-
-CoefficientMeaning meaning_of(const Facts& row, double value, const ContactNumbers& contact, double mu, double moment_ratio) {
-  CoefficientMeaning meaning{row.at("engine"), row.at("parameter"), nan, nan, note_of(row)};
-  const Formula* const formula = find_formula(row.at("formula"));
-  if (formula == nullptr || formula->moment == nullptr) return meaning;
-  const auto other = [&](const char* column) {
-    return row.at(column).empty() ? nullptr : &find_coefficient(meaning.engine, row.at(column));
-  };
-  const Facts* const times = other("times");
-  const double friction = friction_in(contact, times, mu);
-  double factor = friction;
-  if (times != nullptr && !is_friction(*times)) {
-    const bool is_given = contact.contains(times);
-    factor = is_given ? contact.at(times) : parse_number(times->at("default")).value();
-    if (!is_given) meaning.note += "; with " + row.at("times") + " " + times->at("default") + ", the default";
-  }
-  meaning.moment_per_load = formula->moment(value, factor);
-  if (const Facts* const needed = other("needs"); needed != nullptr) {  // a switch: its formula is the number that turns it on
-    const double least = parse_number(needed->at("formula")).value();
-    const std::string condition = row.at("needs") + " " + needed->at("formula");
-    if (contact.contains(needed)) {
-      if (contact.at(needed) < least) meaning.moment_per_load = 0.0, meaning.note += "; needs " + condition;
-    } else if (parse_number(needed->at("default")).value() < least) {
-      meaning.note += "; if " + condition + ": the default is " + needed->at("default");
-    }
-  }
-  if (meaning.moment_per_load == 0.0) {
-    meaning.radius = 0.0;
-    meaning.note += "; no moment";
-    return meaning;
-  }
-  if (std::isnan(friction))
-    throw std::invalid_argument(meaning.engine + "." + meaning.parameter + ": expected mu, or the friction beside it");
-  meaning.radius = meaning.moment_per_load / friction / moment_ratio;
-  constexpr double smallest = 1e-3;
-  constexpr double largest = 2e-2;
-  if (!(meaning.radius >= smallest && meaning.radius <= largest)) meaning.note += "; no fingertip: its contact radius is 3 to 10 mm";
-  return meaning;
-}
-
-}  // namespace
-
-std::vector<CoefficientMeaning> read_coefficients(std::span<const EngineNumber> numbers, double mu, const Law& law) {
-  if (!std::isnan(mu)) require("mu", mu, "1");
-  std::vector<const Facts*> rows;
-  std::vector<std::size_t> contact_of;  // of each number
-  std::vector<ContactNumbers> contacts;
-  std::map<std::string, std::size_t> latest;  // contact of each engine
-  for (const EngineNumber& number : numbers) {
-    const std::string engine = find_engine(number.engine);
-    const Facts& row = find_coefficient(engine, number.parameter);
-    if (!(number.value >= 0.0) || std::isinf(number.value)) {
-      throw out_of_range(engine + "." + number.parameter, number.value, row.at("unit"), ">= 0 and finite");
-    }
-    if (!latest.contains(engine) || contacts[latest[engine]].contains(&row)) {
-      latest[engine] = contacts.size();
-      contacts.emplace_back();
-    }
-    contacts[latest[engine]][&row] = number.value;
-    rows.push_back(&row);
-    contact_of.push_back(latest[engine]);
-  }
-  std::vector<CoefficientMeaning> meanings;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    meanings.push_back(meaning_of(*rows[i], numbers[i].value, contacts[contact_of[i]], mu, law->moment_ratio()));
-  }
-  return meanings;
 }
 
 }  // namespace limitcurve::engines

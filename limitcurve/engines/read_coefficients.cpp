@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+#include "limitcurve/engines/engine_coefficients.hpp"
+
+#include "limitcurve/engines/engine_facts.hpp"
+#include "limitcurve/internal/did_you_mean.hpp"
+#include "limitcurve/internal/number.hpp"
+#include "limitcurve/pressure_law.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <stdexcept>
+
+namespace limitcurve::engines {
+
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// The row of an engine's parameter, by any of its names.
+const Facts& find_coefficient(std::string_view engine, std::string_view parameter) {
+  std::vector<std::string> known;
+  for (const Facts& facts : all_coefficients()) {
+    if (facts.at("engine") != engine) continue;
+    const std::vector<std::string> names = words(facts.at("word"));
+    if (parameter == facts.at("parameter") || std::find(names.begin(), names.end(), parameter) != names.end()) return facts;
+    if (std::find(known.begin(), known.end(), names.front()) == known.end()) known.push_back(names.front());
+  }
+  std::string expected;
+  for (const std::string& one : known) expected += " " + one;
+  throw std::invalid_argument(std::string(engine) + " has no parameter '" + std::string(parameter) + "', expected one of" + expected +
+                              " or the engine's own name" + did_you_mean(parameter, {known.begin(), known.end()}));
+}
+
+/// Whether a number limits the force.
+bool is_friction(const Facts& coefficient) {
+  const Formula* const formula = find_formula(coefficient.at("formula"));
+  return formula != nullptr && formula->value == friction_of && coefficient.at("times").empty();
+}
+
+/// The numbers of one contact, by their rows.
+using ContactNumbers = std::map<const Facts*, double>;
+
+double friction_in(const ContactNumbers& contact, const Facts* factor, double otherwise) {
+  if (factor != nullptr && is_friction(*factor) && contact.contains(factor)) return contact.at(factor);
+  const auto found = std::find_if(contact.begin(), contact.end(), [](const auto& number) { return is_friction(*number.first); });
+  return found == contact.end() ? otherwise : found->second;
+}
+
+CoefficientMeaning meaning_of(const Facts& row, double value, const ContactNumbers& contact, double mu, double moment_ratio) {
+  CoefficientMeaning meaning{row.at("engine"), row.at("parameter"), nan, nan, note_of(row)};
+  const Formula* const formula = find_formula(row.at("formula"));
+  if (formula == nullptr || formula->moment == nullptr) return meaning;
+  const auto other = [&](const char* column) {
+    return row.at(column).empty() ? nullptr : &find_coefficient(meaning.engine, row.at(column));
+  };
+  const Facts* const times = other("times");
+  const double friction = friction_in(contact, times, mu);
+  double factor = friction;
+  if (times != nullptr && !is_friction(*times)) {
+    const bool is_given = contact.contains(times);
+    factor = is_given ? contact.at(times) : parse_number(times->at("default")).value();
+    if (!is_given) meaning.note += "; with " + row.at("times") + " " + times->at("default") + ", the default";
+  }
+  meaning.moment_per_load = formula->moment(value, factor);
+  if (const Facts* const needed = other("needs"); needed != nullptr) {  // a switch: its formula is the number that turns it on
+    const double least = parse_number(needed->at("formula")).value();
+    const std::string condition = row.at("needs") + " " + needed->at("formula");
+    if (contact.contains(needed)) {
+      if (contact.at(needed) < least) meaning.moment_per_load = 0.0, meaning.note += "; needs " + condition;
+    } else if (parse_number(needed->at("default")).value() < least) {
+      meaning.note += "; if " + condition + ": the default is " + needed->at("default");
+    }
+  }
+  if (meaning.moment_per_load == 0.0) {
+    meaning.radius = 0.0;
+    meaning.note += "; no moment";
+    return meaning;
+  }
+  if (std::isnan(friction))
+    throw std::invalid_argument(meaning.engine + "." + meaning.parameter + ": expected mu, or the friction beside it");
+  meaning.radius = meaning.moment_per_load / friction / moment_ratio;
+  constexpr double smallest = 1e-3;
+  constexpr double largest = 2e-2;
+  if (!(meaning.radius >= smallest && meaning.radius <= largest)) meaning.note += "; no fingertip: its contact radius is 3 to 10 mm";
+  return meaning;
+}
+
+}  // namespace
+
+std::vector<CoefficientMeaning> read_coefficients(std::span<const EngineNumber> numbers, double mu, const Law& law) {
+  if (mu <= 0.0 || std::isinf(mu)) throw out_of_range("mu", mu, "1", "> 0 and finite");
+  std::vector<const Facts*> rows;
+  std::vector<std::size_t> contact_of;  // of each number
+  std::vector<ContactNumbers> contacts;
+  std::map<std::string, std::size_t> latest;  // contact of each engine
+  for (const EngineNumber& number : numbers) {
+    const std::string engine = find_engine(number.engine);
+    const Facts& row = find_coefficient(engine, number.parameter);
+    if (!(number.value >= 0.0) || std::isinf(number.value)) {
+      throw out_of_range(engine + "." + number.parameter, number.value, row.at("unit"), ">= 0 and finite");
+    }
+    if (!latest.contains(engine) || contacts[latest[engine]].contains(&row)) {
+      latest[engine] = contacts.size();
+      contacts.emplace_back();
+    }
+    contacts[latest[engine]][&row] = number.value;
+    rows.push_back(&row);
+    contact_of.push_back(latest[engine]);
+  }
+  std::vector<CoefficientMeaning> meanings;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    meanings.push_back(meaning_of(*rows[i], numbers[i].value, contacts[contact_of[i]], mu, law->moment_ratio()));
+  }
+  return meanings;
+}
+
+}  // namespace limitcurve::engines
