@@ -16,8 +16,6 @@ namespace limitcurve::engines {
 
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
 /// The row of an engine's parameter, by any of its names.
 const Facts& find_coefficient(std::string_view engine, std::string_view parameter) {
   std::vector<std::string> known;
@@ -49,7 +47,8 @@ double friction_in(const ContactNumbers& contact, const Facts* factor, double ot
 }
 
 CoefficientMeaning meaning_of(const Facts& row, double value, const ContactNumbers& contact, double mu, double moment_ratio) {
-  CoefficientMeaning meaning{row.at("engine"), row.at("parameter"), nan, nan, note_of(row)};
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  CoefficientMeaning meaning{row.at("engine"), row.at("parameter"), unknown, unknown, note_of(row)};
   const Formula* const formula = find_formula(row.at("formula"));
   if (formula == nullptr || formula->moment == nullptr) return meaning;
   const auto other = [&](const char* column) {

@@ -370,7 +370,9 @@ TEST(Samples, TheLoadToHoldIsOffByNoMoreThanItsStatedError) {
         const double error = hold_error(curve, *law, contact, load, 1.0, moment);
         EXPECT_NEAR(load, load_to_hold(truth, contact, 1.0, moment), error + 1e-12 * load) << count << ' ' << moment;
         EXPECT_LT(error, 0.2 * load);
-        if (moment == 0.0) EXPECT_LT(error, 1e-12);
+        if (moment == 0.0) {
+          EXPECT_LT(error, 1e-12);
+        }
       }
     }
   }
