@@ -121,7 +121,7 @@ class Translate final : public Subcommand {
     for (const std::string& engine : engines::engines_of_one_friction()) {
       if (engine == engine_) {
         throw std::invalid_argument("--engine: " + engine + " has one coefficient of friction, and mx = " + format_number(mx) +
-                                    ", my = " + format_number(my) + " differ: expected an engine with two, mujoco, gazebo or ode");
+                                    ", my = " + format_number(my) + " differ: expected an engine with two, mujoco, gazebo, gz-sim or ode");
       }
       names += ' ' + engine;
     }

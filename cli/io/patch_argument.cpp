@@ -140,11 +140,12 @@ struct ImageFile {
   double skip = 0.0;  ///< fields of each row before the pixels
 };
 
-/// Whether the row that was read is a text such as a header: no number, and no pixel without sensor.
+/// Whether the row that was read is a text such as a header: no number, and no pixel without sensor. Numbers between other separators are no text.
 bool is_text(const CsvReader& reader) {
+  constexpr std::string_view numeric = "+-.0123456789";
   for (std::size_t column = 0; column < reader.field_count(); ++column) {
     const std::string_view text = reader.text(column);
-    if (text.empty() || text == "B" || parse_number(text)) return false;
+    if (text.empty() || text == "B" || numeric.find(text.front()) != std::string_view::npos || parse_number(text)) return false;
   }
   return true;
 }

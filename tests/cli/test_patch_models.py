@@ -134,7 +134,7 @@ class HowWrongIsRound(PatchCase):
         spin = rows("patch", "--patch", patch, "--twists", self.twists((0, 0, 1)))[0]["moment"]
         done = run("translate", "--patch", patch, "--mu", "0.4")
         found = {(row["engine"], row["parameter"]): float(row["value"]) for row in csv.DictReader(done.stdout.splitlines())}
-        self.assertEqual({engine for engine, _ in found}, {"mujoco", "gazebo", "ode"})
+        self.assertEqual({engine for engine, _ in found}, {"mujoco", "gazebo", "gz-sim", "ode"})
         for engine, along, across, moment in (("mujoco", "pair.friction[0]", "pair.friction[1]", found["mujoco", "pair.friction[2]"]),
                                               ("ode", "surface.mu", "surface.mu2", found["ode", "surface.rhoN"]),
                                               ("gazebo", "surface/friction/ode/mu", "surface/friction/ode/mu2", found["gazebo", "surface/friction/torsional/coefficient"]

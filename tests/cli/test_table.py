@@ -50,8 +50,9 @@ class Tables(CommandLineTest):
         hertz = rows("eval", "--law", "hertz", "--c", places)
         for form in [*FORMS, "h"]:
             path, facts = self.build(measured, 1e-4, form)
-            self.assertAlmostEqual(facts["profile_error"], largest, delta=0.02 * largest)
-            self.assertGreaterEqual(facts["profile_error"], largest - 1e-9)
+            # A bound at every centre of rotation, so that it may exceed the errors at some.
+            self.assertGreaterEqual(facts["profile_error"], largest)
+            self.assertLessEqual(facts["profile_error"], 2 * largest)
             self.assertRegex(path.read_text(), f'profile_error"?( =|:) {facts["profile_error"]}')
             if form == "h":
                 continue
