@@ -13,6 +13,8 @@
 #include <optional>
 #include <sstream>
 #include <stdexcept>
+#include <string>
+#include <utility>
 
 namespace limitcurve::cli {
 
@@ -177,8 +179,9 @@ class Translate final : public Subcommand {
       const auto value = word == "true" ? 1.0 : word == "false" ? 0.0 : parse_number(word);
       if (!value) throw std::invalid_argument("--read: got '" + text + "', expected a number or true or false after '='");
       const std::size_t index = numbers.size() - before;
-      numbers.push_back({text.substr(0, point),
-                         text.substr(point + 1, equals - point - 1) + (index == 0 ? "" : "[" + std::to_string(index) + "]"), *value});
+      std::string name = text.substr(point + 1, equals - point - 1);
+      if (index > 0) name.append("[").append(std::to_string(index)).append("]");
+      numbers.push_back({text.substr(0, point), std::move(name), *value});
     }
     if (numbers.size() == before) {
       throw std::invalid_argument("--read: got '" + text + "', expected ENGINE.PARAMETER=VALUE, such as mujoco.torsional=0.005");

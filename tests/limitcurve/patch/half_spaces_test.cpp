@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "limitcurve/patch/half_spaces.hpp"
 
-#include "tests/limitcurve/complaint.hpp"
 #include "limitcurve/laws.hpp"
 #include "patch_cases.hpp"
+#include "tests/limitcurve/complaint.hpp"
 #include "tests/repetitions.hpp"
 
 #include <gtest/gtest.h>
