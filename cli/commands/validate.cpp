@@ -29,22 +29,24 @@ namespace {
 class Validate final : public Subcommand {
  public:
   [[nodiscard]] Manual manual() const override {
-    return {"validate", "Errors of ellipse, box and diamond against the exact curve",
-            "Errors are relative radii in the paper's normalised plane (0.07 is 7 %). An over-estimate holds where the real finger slips.\n"
-            "max_cor_error is the largest |c_model/c_exact - 1|, inf if it is unbounded.\n"
-            "Models and their parameter: ellipse (through the intercepts), ellipse-least-squares and ellipse-inner (inside the curve,\n"
-            "with the least largest error): the force semi-axis in units of mu P; box (uncoupled limits): inf, and diamond: 1, the\n"
-            "exponents n of x^n + y^n = 1.\n"
-            "With --patch the contact is not round (see 'limitcurve patch') and law names the patch. Errors compare the model's power\n"
-            "with the patch's, over all sliding twists; rms_error is over centres of rotation in 128 directions at 121\n"
-            "distances, evenly and logarithmically from 1e-3 to 1e3 m0 (m0: moment of a pure spin over mu P). Models and their parameter:\n"
-            "disc:LAW, the law and radius with the least largest error, and disc-equal-area:LAW: the radius [m]; ellipsoid\n"
-            "sqrt(v^2 + m0^2 w^2): m0 [m].\n"
-            "With --points: the errors of points of a limit curve that other code, or a measurement, gave. Columns force,moment of the\n"
-            "unit curve (F/(mu P), M/(mu P a)), unless --mu, --load, --radius scale it, and c, the distance of the COR, for\n"
-            "max_cor_error; with --patch fx,fy,moment about its origin. Signs of force, moment and c do not matter. model: the file;\n"
-            "parameter: the number of points; an error is gauge - 1, the gauge being 1 on the limit.",
-            "limitcurve validate --law hertz --law uniform"};
+    return {
+        "validate", "Errors of ellipse, box and diamond against the exact curve",
+        "Errors are relative radii in the paper's normalised plane (0.07 is 7 %). An over-estimate holds where the real finger slips.\n"
+        "max_cor_error is the largest |c_model/c_exact - 1|, inf if it is unbounded.\n"
+        "Models and their parameter: ellipse (through the intercepts), ellipse-least-squares and ellipse-inner (inside the curve,\n"
+        "with the least largest error): the force semi-axis in units of mu P; box (uncoupled limits): inf, and diamond: 1, the\n"
+        "exponents n of x^n + y^n = 1.\n"
+        "With --patch the contact is not round (see 'limitcurve patch') and law names the patch. Errors compare the model's power\n"
+        "with the patch's, over all sliding twists; rms_error is over centres of rotation in 128 directions at 121\n"
+        "distances, evenly and logarithmically from 1e-3 to 1e3 m0 (m0: moment of a pure spin over mu P). Models and their parameter:\n"
+        "disc:LAW, the law and radius with the least largest error, and disc-equal-area:LAW: the radius [m]; ellipsoid\n"
+        "sqrt(v^2 + m0^2 w^2): m0 [m].\n"
+        "With --points: the errors of points of a limit curve that other code, or a measurement, gave. Columns force,moment of the\n"
+        "unit curve (F/(mu P), M/(mu P a)), unless --mu, --load, --radius scale it, and c, the distance of the COR, for\n"
+        "max_cor_error, where its wrench differs from the point's by more than 1e-6 of mu P and mu P a; with --patch fx,fy,moment about\n"
+        "its origin. Signs of force, moment and c do not matter. model: the file; parameter: the number of points; an error is\n"
+        "gauge - 1, the gauge being 1 on the limit.",
+        "limitcurve validate --law hertz --law uniform"};
   }
 
   void declare(Options& options) override {
@@ -115,6 +117,10 @@ class Validate final : public Subcommand {
     rows.finish();
   }
 
+  /// A c whose unit wrench is as close as this to that of the point is right: six digits of force and moment tell no more, least near the
+  /// ends, where large changes of c change neither.
+  static constexpr double same_wrench = 1e-6;
+
   /// A point of a curve that is to be judged.
   struct Point {
     PatchWrench wrench;  ///< of a round contact its force is fx
@@ -131,7 +137,7 @@ class Validate final : public Subcommand {
     std::vector<Point> points;
     while (reader.next()) {
       const auto number = [&](std::size_t i) { return reader.number(i, finite); };
-      points.push_back(is_round ? Point{{number(0), 0.0, number(1)}, has_cor ? std::fabs(reader.number(2, distance)) : 0.0}
+      points.push_back(is_round ? Point{{number(0), 0.0, number(1)}, has_cor ? std::fabs(reader.number(2, signed_distance)) : 0.0}
                                 : Point{{number(0), number(1), number(2)}, 0.0});
       const auto [fx, fy, moment] = points.back().wrench;
       if (fx == 0.0 && fy == 0.0 && moment == 0.0) throw reader.complaint(0, "force and moment are 0, expected a point of the limit curve");
@@ -163,9 +169,10 @@ class Validate final : public Subcommand {
         const UnitWrench wrench{std::fabs(point.wrench.fx) / limit, std::fabs(point.wrench.moment) / (limit * radius)};
         const RadialPoint on_curve = exact.along(wrench);
         const double cor = radius * on_curve.normal.cor();
-        if (has_cor && point.cor != cor) {
-          const double apart = cor == 0.0 ? infinite : std::fabs(point.cor / cor - 1.0);
-          error.max_cor_error = std::max(error.max_cor_error, std::isnan(apart) ? infinite : apart);
+        const UnitWrench given = exact.wrench(std::isinf(point.cor) ? SlipTwist{1.0, 0.0} : SlipTwist{point.cor, radius});
+        if (has_cor && std::hypot(given.force - on_curve.wrench.force, given.moment - on_curve.wrench.moment) > same_wrench) {
+          error.max_cor_error =
+              std::max(error.max_cor_error, cor == 0.0 || std::isinf(point.cor) ? infinite : std::fabs(point.cor / cor - 1.0));
         }
         return gauge_from(wrench, on_curve.wrench);
       });

@@ -113,6 +113,13 @@ class Points(CommandLineTest):
         self.assertEqual(self.judged(("--law", "hertz"), "force,moment", [point[:2] for point in exact])["max_cor_error"], "")
         self.assertEqual(self.judged(("--law", "hertz"), "force,moment,c", [(0.0, 0.5, 1.0)])["max_cor_error"], math.inf)
 
+    def test_a_centre_of_rotation_counts_as_far_as_the_point_tells_it(self):
+        moment = 3 * math.pi / 16
+        told = [(1, 1e-12, math.inf), (1, 0, -1e9), (1e-12, moment, 0), (1e-17, -moment, 1e-17), (-0.8835729338, 0.2208932335, -1)]
+        self.assertEqual(self.judged(("--law", "hertz"), "force,moment,c", told)["max_cor_error"], 0)
+        for point, error in (((1, 0, 100), 1), ((0.99, 0.0628, math.inf), math.inf), ((0.8835729338, 0.2208932335, -1.01), 0.01)):
+            self.assertAlmostEqual(self.judged(("--law", "hertz"), "force,moment,c", [point])["max_cor_error"], error, delta=1e-6)
+
     def test_methods_of_the_page(self):
         """What public code computes, written out here, has the errors that docs/validate.md says."""
         square, pad = ("--patch", "rectangle:x=0.1,y=0.1"), ("--patch", "rectangle:x=0.082,y=0.0625")
