@@ -90,6 +90,7 @@ limitcurve_status limitcurve_patch_slip(const limitcurve_patch* patch, const dou
                                         double* errors) {
   if (is_no_handle("patch", patch)) return LIMITCURVE_INVALID;
   if (count > 0 && (is_missing("wrenches", wrenches) || is_missing("twists", twists))) return LIMITCURVE_INVALID;
+  if (refuse_numbers("wrenches", wrenches, 3 * count)) return LIMITCURVE_INVALID;
   return guarded([&] {
     for (std::size_t i = 0; i < count; ++i) {
       const double* const wrench = wrenches + 3 * i;

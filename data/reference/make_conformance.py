@@ -183,7 +183,7 @@ def questions():
         if usual:
             for pair in ((math.nan, 0.1), (0.1, math.nan), (math.inf, 0.1), (0.1, -math.inf), (1e-300, 0.0), (1e30, 1e30), (1e300, 1e300)):
                 yield "closest", law, (*pair, 1.0)
-            yield from (("closest", law, of) for of in ((2.0, 0.1, math.nan), (2e38, -2e38, 1e3)))
+            yield from (("closest", law, of) for of in ((2.0, 0.1, math.nan), (2e38, -2e38, 1e3), (1e37, 0.1, 1e-3), (0.1, 1e37, 1e3), (1e306, 0.1, 1e-3), (0.1, -1e306, 1e3)))
             for pair in ((0.0, 0.0), (math.nan, 0.0), (1.0, math.nan), (math.inf, 0.0), (1e-300, 0.0), (1e300, 0.0)):
                 yield "hold", law, (0.6, "constant:a=0.005", *pair)
         for radius in ("constant:a=0.005", "power:c=0.00207,gamma=0.259") if usual else ("constant:a=0.005",):

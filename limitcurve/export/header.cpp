@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "limitcurve/internal/number.hpp"
 #include "limitcurve/export/single_precision.hpp"
+#include "limitcurve/internal/number.hpp"
 #include "limitcurve/table_file.hpp"
 #include "limitcurve/version.hpp"
 
@@ -112,10 +112,10 @@ std::string to_header(const Table& table, std::string_view chosen_name, bool is_
 #endif
 
 /// force = F/(mu P), moment = M/(mu P a): friction force and moment without units.
-typedef struct @NAME@_unit_wrench {
+typedef struct @NAME@_friction {
   double force;
   double moment;
-} @NAME@_unit_wrench;
+} @NAME@_friction;
 
 LIMITCURVE_TABLE_DATA double @NAME@_tolerance = @TOLERANCE@;
 LIMITCURVE_TABLE_DATA double @NAME@_checked_error = @CHECKED@;
@@ -124,7 +124,7 @@ LIMITCURVE_TABLE_DATA double @NAME@_profile_error = @PROFILE@;
 LIMITCURVE_TABLE_DATA double @NAME@_moment_ratio = @RATIO@;
 
 /// The wrench at c = a, the centre of rotation on the rim.
-LIMITCURVE_TABLE_DATA @NAME@_unit_wrench @NAME@_rim = {@RIM@};
+LIMITCURVE_TABLE_DATA @NAME@_friction @NAME@_rim = {@RIM@};
 
 /// The support function D(x) in pieces. A row is the x at which a piece begins, then the coefficients of D in powers of the distance from
 /// it. Inside the rim x = c/a, force = D', moment = D - x D'. Outside x = a/c, moment = D', force = D - x D'.
@@ -165,8 +165,8 @@ LIMITCURVE_TABLE_FUNCTION @NAME@_jet @NAME@_evaluate(int outside, double x) {
 
 /// The unit wrench of a contact that slides with speed `slide` and turns with rim speed `spin` (a times the angular velocity): magnitudes,
 /// whatever the signs. Only the ratio matters, |slide|/|spin| = c/a; without slip both are 0.
-LIMITCURVE_TABLE_FUNCTION @NAME@_unit_wrench @NAME@_wrench(double slide, double spin) {
-  @NAME@_unit_wrench found = {0.0, 0.0};
+LIMITCURVE_TABLE_FUNCTION @NAME@_friction @NAME@_wrench(double slide, double spin) {
+  @NAME@_friction found = {0.0, 0.0};
   if (slide < 0.0) slide = -slide;
   if (spin < 0.0) spin = -spin;
   if (slide == 0.0 && spin == 0.0) return found;
@@ -179,8 +179,13 @@ LIMITCURVE_TABLE_FUNCTION @NAME@_unit_wrench @NAME@_wrench(double slide, double 
 
 /// The curve's point nearest to a trial, if chi > 0 (closest_point), or on the ray through it, if chi = 0. `gauge` is how many times
 /// farther the trial reaches in the direction of the normal there. Newton's method in a bracket.
-LIMITCURVE_TABLE_FUNCTION @NAME@_unit_wrench @NAME@_project(double force, double moment, double chi, double *gauge) {
+LIMITCURVE_TABLE_FUNCTION @NAME@_friction @NAME@_project(double force, double moment, double chi, double *gauge) {
   const int on_ray = !(chi > 0.0);
+  const double far = @FAR@ * (force > moment ? force : moment); /* from afar only the direction counts */
+  if (far > 1.0) {
+    force /= far;
+    moment /= far;
+  }
   const int outside = on_ray ? force * @NAME@_rim.moment > moment * @NAME@_rim.force
                              : force - @NAME@_rim.force > chi * (moment - @NAME@_rim.moment);
   const double leading = outside ? moment : force;
@@ -207,8 +212,8 @@ LIMITCURVE_TABLE_FUNCTION @NAME@_unit_wrench @NAME@_project(double force, double
     x = next > low && next < high ? next : 0.5 * (low + high);
     jet = @NAME@_evaluate(outside, x);
   }
-  *gauge = (trailing + x * leading) / (jet.trailing + x * jet.leading);
-  const @NAME@_unit_wrench found = {outside ? jet.trailing : jet.leading, outside ? jet.leading : jet.trailing};
+  *gauge = (trailing + x * leading) / (jet.trailing + x * jet.leading) * (far > 1.0 ? far : 1.0);
+  const @NAME@_friction found = {outside ? jet.trailing : jet.leading, outside ? jet.leading : jet.trailing};
   return found;
 }
 
@@ -221,9 +226,9 @@ LIMITCURVE_TABLE_FUNCTION double @NAME@_gauge(double force, double moment) {
 
 /// What a trial, the unit wrench of springs that would stick, becomes: the nearest point of the curve if it slips, else itself. A change of
 /// the moment costs chi = a^2 k_l/k_r, in [1e-3, 1e3], times one of the force. Signs are kept.
-LIMITCURVE_TABLE_FUNCTION @NAME@_unit_wrench @NAME@_closest_point(double force, double moment, double chi) {
+LIMITCURVE_TABLE_FUNCTION @NAME@_friction @NAME@_closest_point(double force, double moment, double chi) {
   double gauge = 0.0;
-  @NAME@_unit_wrench found = @NAME@_project(force < 0.0 ? -force : force, moment < 0.0 ? -moment : moment, chi, &gauge);
+  @NAME@_friction found = @NAME@_project(force < 0.0 ? -force : force, moment < 0.0 ? -moment : moment, chi, &gauge);
   const int slips = gauge > @ONSET@;
   const double nan = 0.0 * (force - force + moment - moment + chi - chi); /* else 0 */
   found.force = nan + (!slips ? force : force < 0.0 ? -found.force : found.force);
@@ -249,6 +254,7 @@ LIMITCURVE_TABLE_FUNCTION @NAME@_unit_wrench @NAME@_closest_point(double force, 
   put("@VERSION@", std::string(version));
   put("@CHECKSUM@", sum);
   put("@ROUNDING@", is_single ? "5e-7f" : "1e-15");
+  put("@FAR@", is_single ? "1e-14f" : "1e-32");
   put("@ONSET@", is_single ? "1.0000038f" : "1.0 + 1e-12");
   put("@TOLERANCE@", literal(is_single ? single_precision_error(table) : table.tolerance()));
   put("@CHECKED@", is_single ? literal(single_precision_error(table) * (1 + 1e-7)) : literal(table.checked_error()));

@@ -36,6 +36,8 @@ def _given(cells: Cells, *numbers: Any) -> "tuple[Any, ...]":
         raise TypeError(f"cells: got {type(cells).__name__}, expected what cells() made of a table")
     rows = cells.rows
     xp = rows.__array_namespace__() if hasattr(rows, "__array_namespace__") else sys.modules[type(rows).__module__.partition(".")[0]]
+    if any(map(np.ma.is_masked, numbers)):
+        raise ValueError("got masked numbers, expected none: fill or compress them")
     return xp, *(xp.asarray(number, dtype=rows.dtype) for number in numbers)
 
 def _constant(array: Any) -> Any:
@@ -126,10 +128,12 @@ def closest_point(cells: Cells, force: Any, moment: Any, chi: Any) -> "tuple[Any
     nothing = sum(0 * _constant(number) for number in (force, moment, chi))
     return xp.where(slips, force_sign * to_force, force) + nothing, xp.where(slips, moment_sign * to_moment, moment) + nothing, slips
 
-def tangent_ellipse(cells: Cells, force: Any = 0, moment: Any = 0, p: Any = None, q: Any = None, *, slip: Any = None) -> "tuple[Any, Any]":
+def tangent_ellipse(cells: Cells, force: Any = None, moment: Any = None, p: Any = None, q: Any = None, *, slip: Any = None) -> "tuple[Any, Any]":
     """Semi-axes, as Table.tangent_ellipse: of the unit wrench that an engine found with the semi-axes p and q; without these on its ray;
     or of slip = (|v|, a|omega|)."""
     limits = _given(cells)[0].finfo(cells.rows.dtype)
+    if (force is None) != (moment is None) or (force is None) == (slip is None) or (p is None) != (q is None) or (p is not None and force is None):
+        raise ValueError("tangent_ellipse: expected force and moment, or these with p and q, or slip=(v, u)")
 
     def per_x(x: Any, first: Any, second: Any) -> Any:  # D'/x, D'(0) = 0
         least = float(limits.tiny) * 2.0**30
@@ -153,7 +157,7 @@ def tangent_ellipse(cells: Cells, force: Any = 0, moment: Any = 0, p: Any = None
         largest = xp.maximum(f, m)
         f, m = (part / xp.where(largest == 0, 1.0, largest) for part in (f, m))
         if axes:
-            f, m = f / axes[0], m / axes[1]
+            f, m = f / _magnitude(xp, axes[0])[1], m / _magnitude(xp, axes[1])[1]
         size = xp.hypot(f, m)
         rests, nothing = size == 0, 0 * _constant(size)
         f, m = f / xp.where(rests, 1.0, size), m / xp.where(rests, 1.0, size)

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Laws, tables, fingers, batches and patches: shapes, types of numbers, and values against independent results."""
 
+import functools
 import math
 import pickle
 
@@ -10,6 +11,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as hnp
+from limitcurve import arrays
 
 TABLE = lc.Table("hertz", tolerance=1e-8)
 CORS = st.floats(min_value=0, allow_nan=False) | st.just(math.inf)
@@ -61,9 +63,10 @@ def test_the_tangent_ellipse_of_a_slip_or_a_wrench_broadcasts():
     f, m = TABLE.wrench(slide, spin)
     for again in (TABLE.tangent_ellipse(f, -m, p, q), TABLE.tangent_ellipse(-f, m)):
         assert np.allclose(again, (p, q), rtol=1e-9)
-    for wrong in ({}, {"force": 1}, {"force": 1, "moment": 1, "p": 1}, {"force": 1, "moment": 1, "slip": (1, 1)}, {"slip": (1, 1, 1)}):
-        with pytest.raises(ValueError, match="expected"):
-            TABLE.tangent_ellipse(**wrong)
+    for wrong in ({}, {"force": 1}, {"force": 1, "moment": 1, "q": 1}, {"p": 1, "q": 1, "slip": (1, 1)}, {"force": 1, "moment": 1, "slip": (1, 1)}, {"slip": (1, 1, 1)}):
+        for call in (TABLE.tangent_ellipse, functools.partial(arrays.tangent_ellipse, arrays.cells(TABLE))):
+            with pytest.raises(ValueError, match="expected"):
+                call(**wrong)
 
 
 def test_single_numbers_are_arrays_of_one():

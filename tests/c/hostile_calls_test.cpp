@@ -62,6 +62,17 @@ class HostileCalls : public testing::Test {
   limitcurve_patch* patch = nullptr;
 };
 
+TEST_F(HostileCalls, AWrenchOfAPatchIsFinite) {
+  const std::array wrenches{1.0, not_a_number, 0.0};
+  std::array out{7.0, 7.0, 7.0};
+  for (const limitcurve_status status : {limitcurve_patch_load_to_hold(patch, 0.5, wrenches.data(), 1, out.data()),
+                                         limitcurve_patch_slip(patch, wrenches.data(), 1, out.data(), nullptr)}) {
+    EXPECT_EQ(status, LIMITCURVE_INVALID);
+    EXPECT_NE(std::string(limitcurve_error()).find("wrenches[1]: got nan"), std::string::npos) << limitcurve_error();
+  }
+  EXPECT_EQ(out[0], 7.0);
+}
+
 TEST_F(HostileCalls, OddNumbersAndNullAreErrorsOrRightAnswers) {
   const std::array texts{"hertz",
                          "",

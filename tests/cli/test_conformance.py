@@ -18,8 +18,9 @@ int main(void) {
   char what[16];
   double a, b, chi;
   while (scanf("%15s %lf %lf %lf", what, &a, &b, &chi) == 4) {
-    const t_unit_wrench found = what[0] == 'w' ? t_wrench(a, b) : t_closest_point(a, b, chi);
-    if (what[0] == 'g') printf("%.17g\\n", t_gauge(a, b)); else printf("%.17g %.17g\\n", found.force, found.moment);
+    const t_friction found = what[0] == 'w' ? t_wrench((REAL)a, (REAL)b) : t_closest_point((REAL)a, (REAL)b, (REAL)chi);
+    if (what[0] == 'g') printf("%.17g\\n", (double)t_gauge((REAL)a, (REAL)b));
+    else printf("%.17g %.17g\\n", (double)found.force, (double)found.moment);
   }
   return 0;
 }
@@ -49,17 +50,24 @@ class Questions(CommandLineTest):
 
     def test_the_exported_header(self):
         for law, asked in questions().items():
-            rows("table", "--law", law, "--tolerance", 1e-9, "--name", "t", "-o", self.directory / "t.h")
-            self.file("ask.c", ASK)
-            subprocess.run(["cc", "-std=c99", "-O1", "-Wall", "-Wextra", "-Werror", "ask.c", "-o", "ask"], cwd=self.directory, check=True)
-            asked = [question for question in asked if question[0] in ("wrench", "gauge", "closest")]
-            lines = "".join(f"{what} {' '.join(map(repr, [*of, 1.0][:3]))}\n" for what, _, of, _ in asked)
-            answers = subprocess.run([self.directory / "ask"], input=lines, capture_output=True, text=True, check=True).stdout.splitlines()
-            self.assertEqual(len(answers), len(asked))
-            ratio = rows("eval", "--law", law, "--c", 0)[0]["moment"]
-            for question, line in zip(asked, answers):
-                # Errors of a table are in units of the larger of 1 and m0.
-                self.check(question, [float(word) for word in line.split()], 2e-9 * max(ratio, 1 / ratio))
+            self.of_header(law, asked, "double", 2e-9, 0, math.inf)
+
+    def test_the_exported_header_in_single_precision(self):
+        self.of_header("hertz", questions()["hertz"], "float", 2e-6, 2.0**-149, 2.0**127)
+
+    def of_header(self, law, asked, real, tolerance, least, most):
+        rows("table", "--law", law, "--tolerance", tolerance / 2, "--name", "t", "--real", real, "-o", self.directory / "t.h")
+        self.file("ask.c", ASK)
+        subprocess.run(["cc", "-std=c99", "-O1", "-Wall", "-Wextra", "-Werror", "-DREAL=" + real, "ask.c", "-o", "ask"], cwd=self.directory, check=True)
+        asked = [question for question in asked if question[0] in ("wrench", "gauge", "closest")
+                 and not any(0 < abs(x) < least or most <= abs(x) < math.inf for x in question[2])]
+        lines = "".join(f"{what} {' '.join(map(repr, [*of, 1.0][:3]))}\n" for what, _, of, _ in asked)
+        answers = subprocess.run([self.directory / "ask"], input=lines, capture_output=True, text=True, check=True).stdout.splitlines()
+        self.assertEqual(len(answers), len(asked))
+        ratio = rows("eval", "--law", law, "--c", 0)[0]["moment"]
+        for question, line in zip(asked, answers):
+            # Errors of a table are in units of the larger of 1 and m0.
+            self.check(question, [float(word) for word in line.split()], tolerance * max(ratio, 1 / ratio))
 
     def test_hold(self):
         """Answers what is finite, in one call a contact, and refuses the rest, in options and in files."""
@@ -81,6 +89,17 @@ class Questions(CommandLineTest):
             found = rows("hold", *words, "--data", self.file("x.csv", "load,force,moment\n" + lines))
             for (question, _), row in zip(asked, found, strict=True):
                 self.check(question, [row["hold_load" if question[0] == "hold" else "margin"]], 1e-11)
+
+    def test_points_of_other_code(self):
+        """Wrenches are points of the curve with their slips' centres of rotation, at the ends, too; gauges are their distances from it."""
+        for law, asked in questions().items():
+            slips = [(of, answer) for what, _, of, answer in asked if what == "wrench" and math.isfinite(sum(answer)) and any(answer)]
+            lines = "".join(f"{f!r},{m!r},{v / w if w else math.copysign(math.inf, v)!r}\n" for (v, w), (f, m) in slips)
+            row, = rows("validate", "--law", law, "--points", self.file("p.csv", "force,moment,c\n" + lines))
+            self.assertLess(max(row["max_error"], row["max_cor_error"]), 1e-9, (law, row))
+            far = [(of, answer[0] - 1) for what, _, of, answer in asked if what == "gauge" and 1e-3 < answer[0] < 1e3]
+            row, = rows("validate", "--law", law, "--points", self.file("p.csv", "force,moment\n" + "".join(f"{f!r},{m!r}\n" for (f, m), _ in far)))
+            self.check(("rms_error", law, far, [math.sqrt(sum(error**2 for _, error in far) / len(far))]), [row["rms_error"]], 1e-9)
 
     def test_eval_and_lookup_take_any_sign(self):
         rows("table", "--law", "hertz", "--tolerance", 1e-9, "-o", self.directory / "t.csv")

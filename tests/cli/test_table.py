@@ -151,7 +151,7 @@ int main(int count, char **words) {
   for (int i = 0; i < atoi(words[count - 1]); ++i) {
     float moment, x = i % 2 ? any() : 1.0f - (float)pow(10.0, -7.0 * any()), out = (float)(i % 3 == 0);
     float force = wrench_of(out != 0 ? 1.0f : x, out != 0 ? x : 1.0f, &moment);
-    fine_unit_wrench to = fine_wrench(out != 0 ? 1.0f : x, out != 0 ? x : 1.0f);
+    fine_friction to = fine_wrench(out != 0 ? 1.0f : x, out != 0 ? x : 1.0f);
     most[0] = fmax(most[0], fmax(fabs(force - to.force), fabs(moment - to.moment)));
     float f = i % 50 ? 2 * any() : 0, m = i % 51 ? 1.5f * any() : 0, chi = (float)pow(10.0, 6 * any() - 3);
     force = closest_to(-f, m, chi, &moment), to = fine_closest_point(-f, m, chi);

@@ -10,6 +10,8 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <regex>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -33,6 +35,18 @@ TEST(ExportedHeader, ItsNameIsACIdentifier) {
   }
 }
 
+// Two tables in one program: whatever one is called, no name of the other ends as one of its own.
+TEST(ExportedHeader, NoNameIsTheEndOfAnother) {
+  const std::string header = to_header(Table::build(hertz(), 1e-2), "thumb");
+  const std::regex own("\\bthumb(_\\w+)");
+  std::set<std::string> names;
+  for (std::sregex_iterator found(header.begin(), header.end(), own); found != std::sregex_iterator(); ++found) names.insert((*found)[1]);
+  EXPECT_GE(names.size(), 12U);
+  for (const std::string& longer : names) {
+    for (const std::string& name : names) EXPECT_FALSE(longer != name && longer.ends_with(name)) << longer << ' ' << name;
+  }
+}
+
 TEST(ExportedHeader, CarriesTheTablesChecksum) {
   const Table table = Table::build(hertz(), 1e-4);
   EXPECT_TRUE(contains(to_header(table), checksum(table)));
@@ -47,7 +61,7 @@ void expect_compiles(const Table& table, const std::string& compiler, const std:
   std::ofstream(folder / "table.h") << header;
   constexpr std::string_view name_begins = "typedef struct ";
   const std::size_t name_at = header.find(name_begins) + name_begins.size();
-  const std::string name = header.substr(name_at, header.find("_unit_wrench", name_at) - name_at);
+  const std::string name = header.substr(name_at, header.find("_friction", name_at) - name_at);
   const std::vector<SlipTwist> twists = probes();
   std::ofstream program(folder / ("use." + extension));
   program << "#include \"table.h\"\n#include \"table.h\"\n#include <stdio.h>\nstatic const double twists[][2] = {";
@@ -59,7 +73,7 @@ void expect_compiles(const Table& table, const std::string& compiler, const std:
             << "static_assert(" << name << "_wrench(0.0, 2.0).moment == " << name << "_moment_ratio, \"\");\n";
   }
   program << "int main(void) {\n  for (unsigned i = 0; i < sizeof twists / sizeof *twists; ++i) {\n    const " << name
-          << "_unit_wrench found = " << name << "_wrench(twists[i][0], twists[i][1]);\n"
+          << "_friction found = " << name << "_wrench(twists[i][0], twists[i][1]);\n"
           << "    printf(\"%.17g %.17g\\n\", found.force, found.moment);\n  }\n  return 0;\n}\n";
   program.close();
   const std::string directory = "cd '" + folder.string() + "' && ";
@@ -91,7 +105,7 @@ TEST(ExportedHeader, OfManyTablesLiveInOneProgram) {
     std::ofstream(folder / ("table" + number + ".h")) << header;
     constexpr std::string_view name_begins = "typedef struct ";
     const std::size_t name_at = header.find(name_begins) + name_begins.size();
-    const std::string name = header.substr(name_at, header.find("_unit_wrench", name_at) - name_at);
+    const std::string name = header.substr(name_at, header.find("_friction", name_at) - name_at);
     EXPECT_TRUE(contains(name, "limitcurve_table_")) << name;
     all << "#include \"table" << number << ".h\"\n";
     // Chosen names may even be equal, in files of their own.

@@ -27,7 +27,7 @@ std::vector<std::array<double, 3>> by_header(const Table& table, const std::stri
 int main(void) {
   double in[3];
   while (fread(in, sizeof in, 1, stdin) == 1) {
-    const thumb_unit_wrench to = thumb_closest_point(in[0], in[1], in[2]);
+    const thumb_friction to = thumb_closest_point(in[0], in[1], in[2]);
     const double out[3] = {thumb_gauge(in[0], in[1]), to.force, to.moment};
     fwrite(out, sizeof out, 1, stdout);
   }
