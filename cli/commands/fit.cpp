@@ -9,6 +9,7 @@
 #include "cli/io/unit_checks.hpp"
 
 #include "limitcurve/internal/number.hpp"
+#include "limitcurve/internal/shell_word.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -206,14 +207,14 @@ class Fit final : public Subcommand {
       fields += (fields.empty() ? "." : ", .") + std::string(field) + " = " + text;
     };
     const std::string law = law_of(found);
-    if (!law.empty()) options = " --law " + law;
+    if (!law.empty()) options = " --law " + shell_word(law);
     if (found.model == "ellipse") options = " --curve ellipse";
     const bool of_load = estimates.front().name == "mu_r";
     if (!of_load) add("mu", "mu", format_number(estimates[0].value, digits));
     add("mu-r", "mu_r", format_number(estimates[of_load ? 0 : 1].value, digits));
     if (gamma != 0.0) add("gamma", "gamma", growth);
     if (!of_load && (!law.empty() || found.model == "ellipse") && std::filesystem::exists(descriptor::path_of(data_))) {
-      say("note", "to type, for the load that would hold each row: limitcurve hold" + options + " --data '" + data_ + "'" +
+      say("note", "to type, for the load that would hold each row: limitcurve hold" + options + " --data " + shell_word(data_) +
                       file_columns_.options +
                       (file_columns_.least_load ? " --least-load " + format_number(*file_columns_.least_load) : ""));
     }

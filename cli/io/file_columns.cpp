@@ -3,6 +3,7 @@
 
 #include "limitcurve/internal/number.hpp"
 #include "limitcurve/internal/range.hpp"
+#include "limitcurve/internal/shell_word.hpp"
 
 #include <algorithm>
 #include <array>
@@ -60,7 +61,7 @@ void FileColumns::read_names(std::string_view list) {
     names.emplace_back(own, other);
     return true;
   });
-  options.append(" --columns '").append(list).append("'");
+  options.append(" --columns ").append(shell_word(list));
 }
 
 void FileColumns::read_units(std::string_view list) {
@@ -79,7 +80,7 @@ void FileColumns::read_units(std::string_view list) {
     this->*quantity->of = *number;
     return true;
   });
-  options.append(" --units '").append(list).append("'");
+  options.append(" --units ").append(shell_word(list));
 }
 
 }  // namespace limitcurve::cli

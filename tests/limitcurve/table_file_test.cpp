@@ -2,6 +2,7 @@
 #include "limitcurve/table_file.hpp"
 #include "complaint.hpp"
 #include "limitcurve/internal/number.hpp"
+#include "limitcurve/internal/shell_word.hpp"
 #include "limitcurve/laws.hpp"
 #include "probes.hpp"
 
@@ -196,8 +197,17 @@ TEST(TableFile, RefusesTheOldKeyOfTheErrorWithTheCommandThatMakesTheTableAnew) {
   std::string text = to_csv(Table::build(hertz(), 1e-4));
   text.replace(text.find("# checked_error"), 15, "# certified_error");
   EXPECT_EQ(complaint_about_table(text),
-            "torn.csv:4:3: 'certified_error' is now 'checked_error': make the table anew with limitcurve table --law 'hertz' --tolerance "
+            "torn.csv:4:3: 'certified_error' is now 'checked_error': make the table anew with limitcurve table --law hertz --tolerance "
             "1e-04 -o FILE");
+}
+
+TEST(ShellWord, IsWhatAShellReadsAsTheText) {
+  EXPECT_EQ(shell_word("mix:0.7*hertz+0.3*uniform"), "'mix:0.7*hertz+0.3*uniform'");
+  EXPECT_EQ(shell_word("samples:my dir/p.csv"), "'samples:my dir/p.csv'");
+  EXPECT_EQ(shell_word("power:n=2.3"), "power:n=2.3");
+  EXPECT_EQ(shell_word("it's $HOME.csv"), "'it'\\''s $HOME.csv'");
+  EXPECT_EQ(shell_word("~"), "'~'");
+  EXPECT_EQ(shell_word(""), "''");
 }
 
 // A checksum keeps accidents out, not contents that are no curve.
