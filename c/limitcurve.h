@@ -362,8 +362,8 @@ LIMITCURVE_API void limitcurve_patch_free(limitcurve_patch* patch);
 LIMITCURVE_API limitcurve_status limitcurve_patch_wrench(const limitcurve_patch* patch, const double* twists, size_t count,
                                                          double* wrenches, double* powers, double* errors);
 
-/* The smallest loads [N] under which the patch bears `count` wrenches (fx, fy, moment) [N, N m] about the origin, three numbers each, with
- * friction `mu` >= 0; inf where no load holds. */
+/* The smallest loads [N], of all points together, under which the patch bears `count` wrenches (fx, fy, moment) [N, N m] about the origin,
+ * three numbers each, with friction `mu` >= 0; inf where no load holds. */
 LIMITCURVE_API limitcurve_status limitcurve_patch_load_to_hold(const limitcurve_patch* patch, double mu, const double* wrenches,
                                                                size_t count, double* loads);
 

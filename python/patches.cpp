@@ -4,8 +4,8 @@
 
 #include "cli/io/unit_checks.hpp"
 
-#include "limitcurve/patch/half_spaces.hpp"
 #include "limitcurve/internal/number.hpp"
+#include "limitcurve/patch/half_spaces.hpp"
 
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/pair.h>
@@ -227,8 +227,8 @@ void add_patches(nb::module_& module) {
       "def load_to_hold(self, fx: numpy.typing.ArrayLike, fy: numpy.typing.ArrayLike, moment: numpy.typing.ArrayLike, *, mu: "
       "numpy.typing.ArrayLike) -> typing.Any",
       &loads_to_hold,
-      "The least loads [N] that hold friction wrenches [N, N m] about the origin, broadcast against each other and mu; inf if no load\n"
-      "does. Releases the GIL.");
+      "The least loads [N], of all points together, that hold friction wrenches [N, N m] about the origin, broadcast against each\n"
+      "other and mu; inf if no load does. Releases the GIL.");
   define<const PyPatch&>(
       type, "def slip(self, fx: numpy.typing.ArrayLike, fy: numpy.typing.ArrayLike, moment: numpy.typing.ArrayLike) -> typing.Any", &slips,
       "The twists (vx, vy, omega) [m/s, rad/s] about the origin with which the patch slips under friction wrenches [N, N m], broadcast\n"

@@ -53,9 +53,10 @@ class Hold final : public Subcommand {
         "--patch P, in place of --law and --radius-law: a contact that is not round (see 'limitcurve patch'); then --force is FX,FY,\n"
         "and --data has fx,fy,moment; the moment is about the origin of the patch. With --mass the weight pulls along --down, and the\n"
         "centre of mass is --offset from the origin towards (-Y, X), which is positive x by default.\n"
-        "Columns: force,moment (with --patch fx,fy,moment) [N, N m]; hold_load [N], inf if no load holds. Where --data has a column\n"
-        "load [N], also margin at that load: 1 without friction, 0 on the limit and beyond, as in 'limitcurve replay --details'. Where\n"
-        "--law is measured, also hold_error [N]: an estimate of how far hold_load is off because the pressure is known only at samples.",
+        "Columns: force,moment (with --patch fx,fy,moment) [N, N m]; hold_load [N], of a patch the total of its points, inf if no load\n"
+        "holds. Where --data has a column load [N], also margin at that load: 1 without friction, 0 on the limit and beyond, as in\n"
+        "'limitcurve replay --details'. Where --law is measured, also hold_error [N]: an estimate of how far hold_load is off because\n"
+        "the pressure is known only at samples.",
         "limitcurve hold --law hertz --radius-law hertz:R=0.008,E=2e5 --mu 0.8 --fingers 2 --mass 0.2 --offset 0.02"};
   }
 
