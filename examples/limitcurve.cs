@@ -46,11 +46,11 @@ static unsafe class LimitCurve {
   [DllImport(Library)] public static extern Status limitcurve_table_build(IntPtr law, double tolerance, out IntPtr table);
   [DllImport(Library)] public static extern void limitcurve_table_free(IntPtr table);
   [DllImport(Library)] public static extern FingerParameters limitcurve_finger_defaults();
-  [DllImport(Library)] public static extern Status limitcurve_finger_new(IntPtr table, in FingerParameters parameters,
+  [DllImport(Library)] public static extern Status limitcurve_finger_new(IntPtr table, ref FingerParameters parameters,
     Projection projection, out IntPtr finger);
-  [DllImport(Library)] public static extern Status limitcurve_finger_update(IntPtr finger, in Contact contact, double timeStep,
+  [DllImport(Library)] public static extern Status limitcurve_finger_update(IntPtr finger, ref Contact contact, double timeStep,
     out FingerOutput output);
-  [DllImport(Library)] public static extern Status limitcurve_finger_update_under_load(IntPtr finger, in Contact contact, double load,
+  [DllImport(Library)] public static extern Status limitcurve_finger_update_under_load(IntPtr finger, ref Contact contact, double load,
     double timeStep, out FingerOutput output);
   [DllImport(Library)] public static extern void limitcurve_finger_free(IntPtr finger);
 }
