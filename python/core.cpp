@@ -268,6 +268,17 @@ void translate(const std::exception_ptr& thrown, void*) {
 
 NB_MODULE(_core, module) {
   using namespace limitcurve::python;
+  // Types are registered once a process: imported again, for example by an add-on's reloader, the module has those of the first.
+  constexpr const char* name = "limitcurve._core";
+  static bool is_registered = false;
+  nb::dict kept = nb::borrow<nb::dict>(PyInterpreterState_GetDict(PyInterpreterState_Get()));
+  if (kept.contains(name)) {
+    nb::cast<nb::dict>(module.attr("__dict__")).update(nb::cast<nb::dict>(kept[name].attr("__dict__")));
+    return;
+  }
+  if (is_registered) throw std::runtime_error("limitcurve._core: another interpreter of this process has imported it, expected one");
+  is_registered = true;
+  kept[name] = module;
   module.doc() = "Laws, tables, fingers, batches, patches and the command line: the C++ library. Use it as `limitcurve`.";
   nb::register_exception_translator(translate);
   module.attr("version") = nb::str(limitcurve::version.data(), limitcurve::version.size());

@@ -45,6 +45,29 @@ def test_every_public_name_says_what_it_is():
             assert inspect.getdoc(getattr(lc, name)), name
 
 
+def again(code):
+    done = subprocess.run([sys.executable, "-c", "import limitcurve, sys\nlaw = limitcurve.Law('hertz')\n" + code], capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stderr) == (0, "")
+
+
+@pytest.mark.parametrize("names", ["limitcurve", "limitcurve._core"])
+def test_importing_twice_keeps_the_types_of_the_first(names):
+    again(f"for k in [k for k in sys.modules if k.startswith('{names}')]: del sys.modules[k]\n"
+          "import limitcurve as second, limitcurve._core as core\n"
+          "assert second.Law is core.Law is type(law) and second.Table(law).wrench(1, 1) == core.Table('hertz').wrench(1, 1)\n"
+          "assert second.__version__ and law.evaluate([0.5])[0] > 0")
+
+
+def test_another_interpreter_is_told_so_and_the_first_keeps_working():
+    interpreters = "_xxsubinterpreters" if sys.version_info < (3, 13) else "_interpreters"
+    if importlib.util.find_spec(interpreters) is None:
+        pytest.skip("no interpreters")
+    again(f"import {interpreters} as other\n"
+          "try:\n    failed = other.run_string(other.create(), 'import limitcurve')\nexcept Exception as error:\n    failed = error\n"
+          "assert 'ImportError' in repr(failed), failed\n"
+          "assert law.evaluate([0.5])[0] > 0 and repr(limitcurve.Law('hertz')) and limitcurve.Table(law).wrench(1, 1)")
+
+
 def test_stubs_are_installed():
     files = {entry.name for entry in importlib.resources.files("limitcurve").iterdir()}
     assert {"py.typed", "_core.pyi"} <= files
