@@ -65,6 +65,9 @@ def test_masked_pixels_have_no_sensor_and_masked_rows_are_none():
     assert np.array_equal(fitted, lc.fit("ratio", {name: np.asarray(column)[rows] for name, column in data.items()}, law="hertz", quiet=True)["value"])
     with pytest.raises(ValueError, match="^c: got masked numbers"):
         TABLE.evaluate(np.ma.masked_array([1.0, 2], [0, 1]))
+    for call in (lc.arrays.wrench, lc.arrays.tangent_ellipse):
+        with pytest.raises(ValueError, match="got masked numbers"):
+            call(lc.arrays.cells(TABLE), np.ma.masked_array([1.0, 2], [0, 1]), 1)
     assert TABLE.evaluate(np.ma.masked_array([1.0, 2]))[0].shape == (2,)  # a mask that leaves nothing out
 
 

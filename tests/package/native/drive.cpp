@@ -100,6 +100,27 @@ void use_curve(const FingerCurve& curve) {
   }
 }
 
+// Inlined functions are this file's, the others and spans the library's.
+template <class Real>
+void use_table(const BasicTable<Real>& table, const Ellipse& ellipse) {
+  constexpr double inlined = sizeof(Real) == sizeof(float) ? 1e-6 : 1e-12;
+  std::vector<SlipTwist> twists;
+  for (int i = 0; i <= 2000; ++i) twists.push_back(SlipTwist{std::sqrt(0x1p-10 * i), std::sqrt(2.0 - 0x1p-10 * i)});
+  std::vector<UnitWrench> wrenches(twists.size());
+  std::vector<double> gauges(twists.size());
+  table.wrench(twists, wrenches);
+  table.gauge(wrenches, gauges);
+  for (std::size_t i = 0; i < twists.size(); ++i) {
+    const auto [point, normal] = table.along(wrenches[i]);
+    keep("table", {wrenches[i].force, wrenches[i].moment, gauges[i], point.force, point.moment, normal.slide, normal.spin});
+    const UnitWrench single = table.wrench(twists[i]);
+    const UnitWrench of_ellipse = ellipse.wrench(twists[i]);
+    keep("inlined",
+         {single.force, single.moment, table.point(twists[i]).wrench.moment, table.gauge(wrenches[i]), of_ellipse.force, of_ellipse.moment},
+         inlined);
+  }
+}
+
 // A user's own matrices of the sizes that the library has.
 void invert() {
   Eigen::Matrix<double, 6, 6> matrix = Eigen::Matrix<double, 6, 6>::Identity();
@@ -131,6 +152,8 @@ int main(int argc, char** argv) {
     drive_fingers(curve);
     use_curve(curve);
   }
+  use_table(table, Ellipse::through_intercepts(table.moment_ratio()));
+  use_table(FloatTable::build(hertz(), 1e-6), Ellipse::through_intercepts(table.moment_ratio()));
   step_batch(table);
   replay_scene();
   invert();
