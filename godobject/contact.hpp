@@ -41,6 +41,19 @@ struct DevicePose {
   double twist = 0.0;  ///< added twist about the contact normal [rad], for a device that measures an angle only
 };
 
+/// The pose of a body: of its frame in the world. A finger's frame is that of the body it touches, which may move: `state` and `output` stay in
+/// it. Who finds contacts in the world calls `finger.update(to_body(body, contact), to_body(body, orientation), dt)` and takes
+/// `to_world(body, output)`; a finger that is given the world's coordinates feels no friction from a body that moves beneath it.
+struct BodyPose {
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< of the body's origin [m]; of a free body the centre of mass
+  Orientation orientation = Orientation::Identity();   ///< body to world, of unit length
+
+  [[nodiscard]] Eigen::Vector3d to_body(const Eigen::Vector3d& point) const noexcept {
+    return orientation.conjugate() * (point - position);
+  }
+  [[nodiscard]] Eigen::Vector3d to_world(const Eigen::Vector3d& point) const noexcept { return position + orientation * point; }
+};
+
 /// The state of a contact query between steps: the face that the finger is on, so that a finger pressed deep into a thin plate does not
 /// come out at the other side. Plain data, one for each finger; a SoftFinger keeps that of its last good sample.
 struct ContactMemory {
@@ -59,6 +72,17 @@ struct Contact {
   /// and the springs are relaxed as in a first contact. A surface of your own sets it, or does without: only the first contact is one then.
   bool landed = false;
 };
+
+/// An orientation, a device's pose, a contact of the world in the body's frame.
+[[nodiscard]] inline Orientation to_body(const BodyPose& body, const Orientation& orientation) noexcept {
+  return body.orientation.conjugate() * orientation;
+}
+[[nodiscard]] inline DevicePose to_body(const BodyPose& body, const DevicePose& device) noexcept {
+  return {body.to_body(device.position), to_body(body, device.orientation), device.twist};
+}
+[[nodiscard]] inline Contact to_body(const BodyPose& body, const Contact& contact) noexcept {
+  return {body.to_body(contact.point), body.orientation.conjugate() * contact.normal, contact.depth, contact.memory, contact.landed};
+}
 
 /// The spin of a device about the surface normal along its path: ∫ω·n dt, n the present normal. For a moment M about the normal the power
 /// is M·dα/dt. Moving without turning gives no spin, on any surface; the device's initial orientation does not matter. A `SoftFinger` has

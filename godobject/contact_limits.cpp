@@ -16,15 +16,9 @@ namespace limitcurve::godobject {
 
 namespace {
 
-double in_range(std::string_view name, double value, std::string_view unit, const Range& range) {
-  if (!range.contains(value)) throw out_of_range(name, value, unit, range.text);
-  return value;
-}
-
-void check_ranges(const FingerParameters& parameters) {
-  for_each_number(parameters, [](const ParameterInfo& number, std::optional<double> value) {
-    if (value) in_range(number.name, *value, number.unit, number.range);
-  });
+/// μ of a contact that slides.
+double mu_of_slip(const FingerParameters& parameters) noexcept {
+  return std::max(parameters.mu_dynamic.value_or(parameters.mu), min_sliding_fraction * parameters.mu);
 }
 
 /// The sliding limit divided by the sticking limit; 1 if that is 0.
@@ -57,34 +51,53 @@ double stick_fraction(double sliding_fraction, double rest_margin) noexcept {
   return sliding_fraction > rounding ? sliding_fraction / (sliding_fraction + rest_margin * (1.0 - sliding_fraction)) : 0.0;
 }
 
-ContactLimits::ContactLimits(const FingerParameters& parameters, double moment_max) {
-  check_ranges(parameters);
-  in_range("moment_max", moment_max, "1", spring);
+std::optional<BadParameter> first_bad(const FingerParameters& parameters, std::optional<double> moment_max) noexcept {
+  std::optional<BadParameter> bad;
+  const auto require = [&](bool holds, std::string_view name, double value, std::string_view unit, std::string_view range) {
+    if (!holds && !bad) bad = {name, value, unit, range};
+  };
+  for_each_number(parameters, [&](const ParameterInfo& number, std::optional<double> value) {
+    if (value) require(number.range.contains(*value), number.name, *value, number.unit, number.range.text);
+  });
+  if (moment_max) require(spring.contains(*moment_max), "moment_max", *moment_max, "1", spring.text);
   const double mu = parameters.mu;
   const double mu_dynamic = parameters.mu_dynamic.value_or(mu);
-  if (mu_dynamic > mu) throw out_of_range("mu_dynamic", mu_dynamic, "1", "0 <= mu_dynamic <= mu");
-  const double sliding = std::max(mu_dynamic, min_sliding_fraction * mu);
+  require(mu_dynamic <= mu, "mu_dynamic", mu_dynamic, "1", "0 <= mu_dynamic <= mu");
+  const std::optional<double>& of_slip = parameters.mu_r_dynamic;
+  if (!parameters.mu_r) {
+    require(parameters.gamma == 0.0, "gamma", parameters.gamma, "1", "0 without mu_r");
+    if (of_slip) require(false, "mu_r_dynamic", *of_slip, "m", "absent without mu_r");
+    const double radius = parameters.radius_law.coefficient();
+    require(spring.contains(radius), "radius_law coefficient", radius, "m/N^gamma", spring.text);
+    return bad;
+  }
+  const double mu_r = *parameters.mu_r;
+  require(moment_max.has_value(), "mu_r", mu_r, "m", "absent with a patch, which has its own moments");
+  require(mu > 0.0 || mu_r == 0.0, "mu_r", mu_r, "m", "0 where mu is 0");
+  if (of_slip) {
+    require(*of_slip <= mu_r, "mu_r_dynamic", *of_slip, "m", "0 <= mu_r_dynamic <= mu_r");
+    require(mu_of_slip(parameters) > 0.0 || *of_slip == 0.0, "mu_r_dynamic", *of_slip, "m", "0 where mu_dynamic is 0");
+  }
+  return bad;
+}
+
+ContactLimits::ContactLimits(const FingerParameters& parameters, std::optional<double> moment_max) {
+  if (const auto bad = first_bad(parameters, moment_max)) throw out_of_range(bad->name, bad->value, bad->unit, bad->range);
+  const double mu = parameters.mu;
+  const double sliding = mu_of_slip(parameters);
   if (parameters.mu_r) {
     const double mu_r = *parameters.mu_r;
-    const RadiusLaw radius_law = RadiusLaw::of_mu_r(mu_r, parameters.gamma, mu, moment_max);
+    const RadiusLaw radius_law = RadiusLaw::of_mu_r(mu_r, parameters.gamma, mu, *moment_max);
     sticking_ = {mu, radius_law.coefficient()};
     // By default both coefficients fall by the same factor, so that the radius stays.
     sliding_ = {sliding, sticking_.radius};
     if (parameters.mu_r_dynamic) {
-      const double mu_r_dynamic = *parameters.mu_r_dynamic;
-      if (mu_r_dynamic > mu_r) {
-        throw out_of_range("mu_r_dynamic", mu_r_dynamic, "m", "0 <= mu_r_dynamic <= mu_r");
-      }
-      sliding_.radius = RadiusLaw::of_mu_r(mu_r_dynamic, 0.0, sliding, moment_max).coefficient();
+      sliding_.radius = RadiusLaw::of_mu_r(*parameters.mu_r_dynamic, 0.0, sliding, *moment_max).coefficient();
     }
     has_torsion_ = mu_r > 0.0;
     if (parameters.gamma != 0.0) radius_law_ = radius_law;
   } else {
-    if (parameters.gamma != 0.0) throw out_of_range("gamma", parameters.gamma, "1", "0 without mu_r");
-    if (parameters.mu_r_dynamic) {
-      throw out_of_range("mu_r_dynamic", *parameters.mu_r_dynamic, "m", "absent without mu_r");
-    }
-    const double radius = in_range("radius_law coefficient", parameters.radius_law.coefficient(), "m/N^gamma", spring);
+    const double radius = parameters.radius_law.coefficient();
     sticking_ = {mu, radius};
     sliding_ = {sliding, radius};
     if (parameters.radius_law.depends_on_load()) radius_law_ = parameters.radius_law;

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <concepts>
 #include <optional>
+#include <string_view>
 
 namespace limitcurve::godobject {
 
@@ -28,13 +29,24 @@ inline constexpr double min_sliding_fraction = 1e-15;
 /// is the sliding limit divided by the sticking limit; the result is 1 if that is 1.
 [[nodiscard]] double stick_fraction(double sliding_fraction, double rest_margin) noexcept;
 
+/// A parameter out of range: name, value, unit and range are those of `out_of_range`.
+struct BadParameter {
+  std::string_view name;
+  double value;
+  std::string_view unit;
+  std::string_view range;
+};
+
+/// The first bad parameter of a finger, springs, dampers and fault parameters too; none: all are good. `moment_max` [1] is the limit curve's
+/// moment of a pure twist, M/(μPa); absent for a patch. Does not allocate.
+[[nodiscard]] std::optional<BadParameter> first_bad(const FingerParameters& parameters, std::optional<double> moment_max) noexcept;
+
 /// The friction limits of a finger as a function of its load: μP and a(P). With a moment coefficient the radius follows from it,
 /// a = μ_r P^γ/(μ m_max). Immutable.
 class ContactLimits {
  public:
-  /// `moment_max` [1] is the limit curve's moment of a pure twist, M/(μPa). The constructor checks all parameters, springs, dampers and fault
-  /// parameters too; it throws std::invalid_argument with parameter, value, unit and range.
-  ContactLimits(const FingerParameters& parameters, double moment_max);
+  /// Throws std::invalid_argument for the first bad parameter; of good ones it does not allocate.
+  ContactLimits(const FingerParameters& parameters, std::optional<double> moment_max);
 
   /// The limits at a load P [N] ≥ 0, for springs of the ratio k_l/k_r [1/m²]. Numbers for every radius law, at P = 0 too: a(P) counts as
   /// 1e100 m at most, and P as 1e-100 N at least where the c-curve divides by it (in float 1e30 and 1e-30).

@@ -99,7 +99,7 @@ struct FingerOutput {
   Eigen::Vector3d proxy = Eigen::Vector3d::Zero();    ///< x_p [m]; while free, the finger's position
   double angle = 0.0;                                 ///< α_p [rad], measured like the device's twist; while free, the twist
   double depth = 0.0;                                 ///< d [m]; NaN in a step under a given load
-  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< outward, at the contact; the whole force on the user is normal·load + force
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< outward, at the contact
   /// Normal force on the user [N], 0 while free: the load that bounds friction (`FingerState::limit_load`, k_l d and the damper's part) plus the
   /// push of a curved surface, k_l times its rise from x_g to the proxy, < 0 on a convex one; on a plane both are one. The push is part of the
   /// gradient of the springs' energy: a closed loop gains nothing with it, and may gain without. `load_to_hold` has the same unit.
@@ -111,7 +111,20 @@ struct FingerOutput {
   /// False: the search for a patch's closest point did not converge. The wrench is on the limit surface, but not the closest point.
   bool converged = true;
   Fault fault = Fault::none;  ///< the reason of `ContactState::invalid`; none in any other state
+
+  /// The force on the user [N]. After `update_under_load` apply `force` and `moment_vector()` alone: the engine pushes.
+  [[nodiscard]] Eigen::Vector3d whole_force() const noexcept { return normal * load + force; }
+  /// The moment on the user [N m], at the contact.
+  [[nodiscard]] Eigen::Vector3d moment_vector() const noexcept { return normal * moment; }
 };
+
+/// The result of a step in a body's frame, as the world sees it.
+[[nodiscard]] inline FingerOutput to_world(const BodyPose& body, FingerOutput output) noexcept {
+  output.proxy = body.to_world(output.proxy);
+  output.normal = body.orientation * output.normal;
+  output.force = body.orientation * output.force;
+  return output;
+}
 
 /// The last good sample of the device: where the finger is against the surface.
 struct FingerSample {

@@ -199,6 +199,9 @@ template <class Real, class Number>
 /// Applies friction (step b of the paper, eqs. 8–12, 19–23): the fraction of the trial deflection that the limit curve allows. Updates
 /// `memory`.
 ///
+/// Call it in every step of a contact, also where there is no displacement: else the moment of a twist alone is not limited. `memory` (new in
+/// each contact), deflection and angle are the caller's to keep, shortened by the fractions.
+///
 /// Stick and slip: a contact at rest holds while its trial is within the sticking limit. After slip begins, the sliding limit acts, until a
 /// trial is within the stick fraction of the sliding limit; in that step the contact comes to rest. Slip work force·(r − r′) + moment·(ρ − ρ′)
 /// is never negative. No allocation, no exception, no NaN from finite input; a NaN keeps no friction. Cost: at most max_search_steps

@@ -20,8 +20,8 @@
 /// for (int step = 0; step < 1000; ++step) {  // every millisecond
 ///   const godobject::DevicePose device{{1e-5 * step, 0, -1e-3}, Eigen::Quaterniond::Identity()};  // [m]
 ///   const godobject::FingerOutput output = finger.update(plate, device, 1e-3);                     // [s]
-///   const Eigen::Vector3d force = output.normal * output.load + output.force;                     // [N]; output.moment [N m]
-///   if (output.state == godobject::ContactState::invalid || !(force.norm() < 2)) return 1;
+///   // On the user: output.whole_force() [N], output.moment_vector() [N m].
+///   if (output.state == godobject::ContactState::invalid || !(output.whole_force().norm() < 2)) return 1;
 /// }
 /// ```
 ///
@@ -34,7 +34,7 @@
 ///  - FingerParameters (finger.hpp): friction, contact radius a(P), springs, dampers;
 ///  - a Projection: closest_point converges to eq. (17)'s wrench; radial and c_curve are the paper's (§5).
 /// `update` takes an AnySurface (plane, sphere, capsule, cylinder, box, or your own: surface.hpp), or a Contact that other code has
-/// found.
+/// found, in the frame of the touched body (BodyPose).
 ///
 /// A SoftFinger takes a Patch, too: a contact that is not round. Batch and FloatBatch step thousands of contacts in one call (batch.hpp).
 /// apply_friction is the friction step alone, for simulators with their own springs (friction.hpp). body/grasp.hpp holds a rigid body with

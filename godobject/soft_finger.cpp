@@ -144,6 +144,10 @@ FingerOutput SoftFinger::update(const Contact& contact, double twist, double tim
   return advance(state_, {contact, twist, time_step, state_.spin});
 }
 
+FingerOutput SoftFinger::update(const Contact& contact, const Orientation& orientation, double time_step) noexcept {
+  return advance(state_, sense(contact, orientation, time_step, state_));
+}
+
 FingerOutput SoftFinger::update_under_load(const Vector3d& point, const Vector3d& normal, double load, double twist, double time_step,
                                            bool landed) noexcept {
   // A load that is not finite makes a depth that is NaN.
@@ -152,14 +156,7 @@ FingerOutput SoftFinger::update_under_load(const Vector3d& point, const Vector3d
 
 FingerOutput SoftFinger::update_under_load(const Vector3d& point, const Vector3d& normal, double load, const Orientation& orientation,
                                            double time_step, bool landed) noexcept {
-  StepInput input{{point, normal, 0.0 * load, {}, landed}, 0.0, time_step, state_.spin, Fault::none, true, load};
-  if (is_unit(orientation)) {
-    input.spin = state_.spin.moved(orientation, normal);
-  } else {
-    input.contact.depth = nan;
-    input.fault = orientation.coeffs().allFinite() ? Fault::orientation : Fault::not_finite;
-  }
-  return advance(state_, input);
+  return advance(state_, sense({point, normal, 0.0 * load, {}, landed}, orientation, time_step, state_, load));
 }
 
 FingerOutput SoftFinger::preview(const AnySurface& surface, const DevicePose& device, double time_step) const noexcept {
@@ -172,10 +169,26 @@ FingerOutput SoftFinger::preview(const Contact& contact, double twist, double ti
   return advance(state, {contact, twist, time_step, state.spin});
 }
 
+FingerOutput SoftFinger::preview(const Contact& contact, const Orientation& orientation, double time_step) const noexcept {
+  FingerState state = state_;
+  return advance(state, sense(contact, orientation, time_step, state));
+}
+
 FingerState SoftFinger::try_step(const AnySurface& surface, const DevicePose& device, double time_step) const noexcept {
   FingerState state = state_;
   advance(state, sense(surface, device, time_step, state, false));
   return state;
+}
+
+std::optional<BadParameter> SoftFinger::refusal(const FingerParameters& parameters) const noexcept {
+  return first_bad(parameters, curve_ ? std::optional(curve_->moment_max()) : std::nullopt);
+}
+
+bool SoftFinger::change(const FingerParameters& parameters) noexcept {
+  if (refusal(parameters)) return false;
+  limits_ = ContactLimits(parameters, curve_ ? std::optional(curve_->moment_max()) : std::nullopt);
+  parameters_ = parameters;
+  return true;
 }
 
 FingerOutput SoftFinger::mark_invalid(Fault fault) noexcept {

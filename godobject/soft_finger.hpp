@@ -21,7 +21,7 @@ struct StepInput;
 ///
 ///     SoftFinger finger(Table::build(hertz(), 1e-6), {.mu = 0.6, .damping = 2.0});
 ///     const FingerOutput output = finger.update(surface, device_pose, 1e-3);  // every millisecond
-///     device.send(output.normal * output.load + output.force, output.moment);
+///     device.send(output.whole_force(), output.moment_vector());
 ///
 /// Distinct fingers on distinct threads need no lock. A step does not allocate, throw or lock; about 0.1 µs on a plane.
 class SoftFinger {
@@ -59,6 +59,8 @@ class SoftFinger {
   /// One step with a contact that other code found, and the device's twist α_s [rad] about the normal. The twist may wrap around at any
   /// multiple of 2π: a jump of more than π between steps counts as a turn in the other direction.
   FingerOutput update(const Contact& contact, double twist, double time_step = 0.0) noexcept;
+  /// The same with the device's orientation in place of a twist, which is its `Spin` about the normals then.
+  FingerOutput update(const Contact& contact, const Orientation& orientation, double time_step = 0.0) noexcept;
 
   /// One step where a physics engine gives the load P [N], and not a depth: friction is bounded at P; the engine pushes apart. `point`: where
   /// the finger is on the surface [m], whose motion friction sees; the outward normal; the twist α_s [rad] about it, or the device's
@@ -81,6 +83,16 @@ class SoftFinger {
   /// The result that `update` would have, without a change of the state.
   [[nodiscard]] FingerOutput preview(const AnySurface& surface, const DevicePose& device, double time_step = 0.0) const noexcept;
   [[nodiscard]] FingerOutput preview(const Contact& contact, double twist, double time_step = 0.0) const noexcept;
+  [[nodiscard]] FingerOutput preview(const Contact& contact, const Orientation& orientation, double time_step = 0.0) const noexcept;
+
+  /// Other parameters in the loop, as where the finger touches another material. False, and nothing changed, if one is bad (`refusal`). Sets
+  /// parameters and limits and nothing else: `output`, proxy, angle and memories keep their bits. The next step has the new springs at the
+  /// same deflection, so that load and force scale with k; the energy ½Δk|x|² comes from whoever changes k. Where the limit fell below the
+  /// force it slips in that step, at work ≥ 0. `margin`, `load_to_hold` and `spring_energy` use the new parameters at once, with the last
+  /// step's wrench and deflection. Does not allocate; nor free, as long as the caller has a copy of a sampled radius law that it replaces.
+  bool change(const FingerParameters& parameters) noexcept;
+  /// The first bad parameter, for which `change` is false and the constructor throws; none: `change` takes them.
+  [[nodiscard]] std::optional<BadParameter> refusal(const FingerParameters& parameters) const noexcept;
 
   /// A step without a sample: as for an invalid one, with a reason that the caller knows.
   FingerOutput mark_invalid(Fault fault) noexcept;

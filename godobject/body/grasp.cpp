@@ -36,7 +36,7 @@ struct Motion {
 /// angle and J the inertia, these angular velocities are ω ± J⁻¹(t × Jω).
 Motion moved(const BodyParameters& body, const BodyState& from, const Eigen::Vector3d& velocity, const Eigen::Vector3d& angular_velocity,
              double time_step) noexcept {
-  BodyState next{from.position + velocity * time_step, turned(from.orientation, angular_velocity, time_step), velocity, angular_velocity};
+  BodyState next{{from.position + velocity * time_step, turned(from.orientation, angular_velocity, time_step)}, velocity, angular_velocity};
   if (!(body.free[3] && body.free[4] && body.free[5])) return {next, angular_momentum(body, next)};
   const Eigen::Vector3d rate = from.orientation.conjugate() * angular_velocity;
   const Eigen::Vector3d quarter = quarter_turn(rate, time_step);
@@ -84,7 +84,7 @@ void Grasp::step(std::span<const DevicePose> devices, double time_step, const Ei
   Load external;
   external.add(force + parameters_.mass * parameters_.gravity, moment, gyration_);
   // The speeds that the forces alone would give.
-  const BodyState pushed{Eigen::Vector3d::Zero(), Orientation::Identity(), external.force * (time_step / parameters_.mass),
+  const BodyState pushed{{}, external.force * (time_step / parameters_.mass),
                          moment * (time_step / parameters_.inertia.minCoeff())};
   if (!is_plausible(pushed)) return mark_invalid(Fault::force);
   // In whole, or in parts, counted in the smallest.
@@ -131,13 +131,11 @@ void Grasp::place(const BodyState& state, std::span<const DevicePose> devices) n
 }
 
 Eigen::Vector3d Grasp::force_on_user(std::size_t index) const noexcept {
-  const FingerOutput& output = fingers_[index].output();
-  return state_.orientation * Eigen::Vector3d(output.force + output.normal * output.load);
+  return state_.orientation * fingers_[index].output().whole_force();
 }
 
 Eigen::Vector3d Grasp::moment_on_user(std::size_t index) const noexcept {
-  const FingerOutput& output = fingers_[index].output();
-  return state_.orientation * Eigen::Vector3d(output.normal * output.moment);
+  return state_.orientation * fingers_[index].output().moment_vector();
 }
 
 double Grasp::energy() const noexcept {
@@ -170,24 +168,18 @@ std::span<const DevicePose> Grasp::between(std::span<const DevicePose> devices, 
   return {between_.data(), last_count_};
 }
 
-/// A device pose in the body's frame.
-DevicePose Grasp::in_body(const BodyState& state, const DevicePose& device) noexcept {
-  return {state.to_body(device.position), state.orientation.conjugate() * device.orientation, device.twist};
-}
-
 /// The fingers' load on the body if `state` were its next state: the opposite of the users' forces, on the lines through finger and proxy,
 /// so that both ends have the same moment. What rests keeps the sticking limit. Does not change the fingers.
 Grasp::Load Grasp::preview(const BodyState& state, std::span<const DevicePose> devices, double time_step) const noexcept {
   Load load;
   for (std::size_t i = 0; i < fingers_.size() && i < devices.size(); ++i) {
-    const DevicePose device = in_body(state, devices[i]);
+    const DevicePose device = to_body(state, devices[i]);
     const FingerState next = fingers_[i].try_step(surface_, device, time_step);
     const FingerOutput& output = next.output;
     // After a refused sample the force acts at the last good position.
     const Eigen::Vector3d finger = output.state != ContactState::invalid ? device.position : next.sample.position();
-    const Eigen::Vector3d force = state.orientation * Eigen::Vector3d(-output.force - output.normal * output.load);
-    load.add(force, (state.orientation * finger).cross(force) - state.orientation * Eigen::Vector3d(output.normal * output.moment),
-             gyration_);
+    const Eigen::Vector3d force = state.orientation * Eigen::Vector3d(-output.whole_force());
+    load.add(force, (state.orientation * finger).cross(force) - state.orientation * output.moment_vector(), gyration_);
   }
   return load;
 }
@@ -202,7 +194,7 @@ void Grasp::commit(std::span<const DevicePose> devices, double time_step, bool c
       continue;
     }
     const FingerOutput before = finger.output();
-    dissipated_ += finger.update(surface_, in_body(state_, devices[i]), time_step).slip_work;
+    dissipated_ += finger.update(surface_, to_body(state_, devices[i]), time_step).slip_work;
     if (!continues) continue;
     FingerOutput& now = finger.state_.output;
     now.slip_work += before.slip_work;
@@ -308,7 +300,7 @@ bool Grasp::begin_slips(const Attempt& at, std::span<const DevicePose> devices, 
     SoftFinger& finger = fingers_[i];
     if (!finger.limits_.falls()) continue;
     FrictionMemory<double>& memory = finger.state_.friction;
-    const FrictionMemory<double> next = finger.try_step(surface_, in_body(end, devices[i]), time_step).friction;
+    const FrictionMemory<double> next = finger.try_step(surface_, to_body(end, devices[i]), time_step).friction;
     begins = begins || (next.force_slides && !memory.force_slides) || (next.moment_slides && !memory.moment_slides);
     memory.force_slides = memory.force_slides || next.force_slides;
     memory.moment_slides = memory.moment_slides || next.moment_slides;
@@ -345,7 +337,7 @@ bool Grasp::may_divide(std::span<const DevicePose> devices, double time_step) co
   if (std::min(devices.size(), fingers_.size()) != last_count_) return false;
   for (std::size_t i = 0; i < last_count_; ++i) {
     if (fingers_[i].output().state == ContactState::invalid) return false;
-    if (fingers_[i].try_step(surface_, in_body(state_, devices[i]), time_step).output.state == ContactState::invalid) return false;
+    if (fingers_[i].try_step(surface_, to_body(state_, devices[i]), time_step).output.state == ContactState::invalid) return false;
   }
   return true;
 }

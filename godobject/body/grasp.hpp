@@ -103,7 +103,6 @@ class Grasp {
     double unit;  ///< of the velocities at the beginning, and of those that the loads give in the step [m/s]
   };
 
-  [[nodiscard]] static DevicePose in_body(const BodyState& state, const DevicePose& device) noexcept;
   [[nodiscard]] Load preview(const BodyState& state, std::span<const DevicePose> devices, double time_step) const noexcept;
   void commit(std::span<const DevicePose> devices, double time_step, bool continues) noexcept;
   void mark_invalid(Fault fault) noexcept;

@@ -34,16 +34,9 @@ struct BodyParameters {
 };
 
 /// Pose and velocity of a body. The body's frame has its origin at the centre of mass and its axes along the principal axes of inertia.
-struct BodyState {
-  Eigen::Vector3d position = Eigen::Vector3d::Zero();          ///< of the centre of mass [m]
-  Orientation orientation = Orientation::Identity();           ///< body to world, of unit length
+struct BodyState : BodyPose {
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();          ///< [m/s]
   Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();  ///< [rad/s], world axes
-
-  [[nodiscard]] Eigen::Vector3d to_body(const Eigen::Vector3d& point) const noexcept {
-    return orientation.conjugate() * (point - position);
-  }
-  [[nodiscard]] Eigen::Vector3d to_world(const Eigen::Vector3d& point) const noexcept { return position + orientation * point; }
 };
 
 /// The orientation after a rotation with the angular velocity ω [rad/s] (world axes) for a time [s]: exp(ω t/2) q, of unit length. Sine and

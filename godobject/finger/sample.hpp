@@ -47,6 +47,19 @@ template <class Vector>
   return {contact, device.twist, time_step, last.spin.moved(device.orientation, contact.normal), Fault::none, may_begin};
 }
 
+/// The same with a contact that other code found, or of which it gives the load.
+[[nodiscard]] inline StepInput sense(const Contact& contact, const Orientation& orientation, double time_step, const FingerState& last,
+                                     std::optional<double> load = {}) noexcept {
+  StepInput input{contact, 0.0, time_step, last.spin, Fault::none, true, load};
+  if (is_unit(orientation)) {
+    input.spin = last.spin.moved(orientation, contact.normal);
+  } else {
+    input.contact.depth = std::numeric_limits<double>::quiet_NaN();
+    input.fault = orientation.coeffs().allFinite() ? Fault::orientation : Fault::not_finite;
+  }
+  return input;
+}
+
 /// Checks that what was sensed is plausible: finite, a normal of unit length, a time step ≥ 0, and within `max_displacement` of the last
 /// good position, or of the last refused one. Returns what is not.
 [[nodiscard]] inline Fault accept(FingerFaults& faults, const StepInput& input, const FingerSample& last,

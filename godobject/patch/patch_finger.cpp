@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 
 namespace limitcurve::godobject {
@@ -109,10 +110,7 @@ KeptDeflection PatchFinger::friction(const ContactLimits& limits, const TrialDef
 }  // namespace
 
 SoftFinger::SoftFinger(const Patch& patch, const FingerParameters& parameters, double point_radius)
-    : parameters_(parameters), limits_(parameters, 1.0) {
-  if (parameters.mu_r) {
-    throw out_of_range("mu_r", *parameters.mu_r, "m", "absent with a patch, which has its own moments");
-  }
+    : parameters_(parameters), limits_(parameters, std::nullopt) {
   patch_ = std::make_shared<const PatchFinger>(patch, point_radius);
 }
 

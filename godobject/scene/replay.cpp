@@ -15,21 +15,21 @@ namespace {
 /// Transforms the output of a finger from the body's frame to the world. After an invalid sample the held wrench and its normal turn with
 /// the body; the position is the last good one.
 void describe(SceneContact& contact, const SoftFinger& finger, const BodyState& body) noexcept {
-  const FingerOutput& output = finger.output();
+  const FingerOutput output = to_world(body, finger.output());
   contact.state = output.state;
   contact.fault = output.fault;
   contact.dissipated += output.slip_work;
   contact.load = output.load;
-  contact.force = body.orientation * output.force;
+  contact.force = output.force;
   contact.moment = output.moment;
-  if (finger.state().faults.seen) contact.normal = body.orientation * output.normal;
+  if (finger.state().faults.seen) contact.normal = output.normal;
   contact.cor = output.cor;
   contact.centre_of_rotation = finger.centre_of_rotation();
   if (contact.centre_of_rotation.allFinite()) contact.centre_of_rotation = body.to_world(contact.centre_of_rotation);
   contact.margin = finger.margin();
   contact.load_to_hold = finger.load_to_hold();
   if (output.state == ContactState::invalid) return;
-  contact.proxy = body.to_world(output.proxy);
+  contact.proxy = output.proxy;
   contact.angle = output.angle;
   contact.depth = output.depth;
 }
@@ -73,10 +73,7 @@ void Replay::move(std::span<const DevicePose> fingers, const BodyPose& body, dou
     return;
   }
   BodyState state = grasp_.body();
-  if (motion_ == BodyMotion::prescribed) {
-    state.position = body.position;
-    state.orientation = body.orientation;
-  }
+  if (motion_ == BodyMotion::prescribed) static_cast<BodyPose&>(state) = body;
   grasp_.carry(state, fingers, time_step);
 }
 

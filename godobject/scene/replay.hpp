@@ -14,12 +14,6 @@
 
 namespace limitcurve::godobject {
 
-/// The pose of a body with a prescribed motion.
-struct BodyPose {
-  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< of the centre of mass [m]
-  Orientation orientation = Orientation::Identity();   ///< body to world, of unit length
-};
-
 /// The motion of the body that the fingers touch.
 enum class BodyMotion {
   fixed,       ///< it does not move; its frame is the world's

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: MIT
+// What a host with collisions of its own needs: orientations, a body that moves, materials of the touched object.
+#include "tests/godobject/scene.hpp"
+#include "tests/real_time_guard.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+namespace limitcurve::godobject::test {
+namespace {
+
+using Eigen::AngleAxisd;
+using Eigen::Vector3d;
+
+/// Plain data in doubles, booleans and enumerations: bytes of padding aside.
+void expect_same(const FingerOutput& one, const FingerOutput& other) {
+  EXPECT_TRUE(same_bits(one.proxy, other.proxy) && same_bits(one.normal, other.normal) && same_bits(one.force, other.force));
+  EXPECT_TRUE(same_bits({one.angle, one.load, one.moment}, {other.angle, other.load, other.moment}));
+  EXPECT_TRUE(same_bits({one.depth, one.cor, one.slip_work}, {other.depth, other.cor, other.slip_work}));
+  EXPECT_EQ(one.state, other.state);
+  EXPECT_EQ(one.fault, other.fault);
+}
+
+TEST(Host, AContactWithAnOrientationIsThePoseOnTheSurface) {
+  const AnySurface ball{SphereSurface(0.03)};
+  FingerParameters with = parameters();
+  with.damping = 1.0;
+  auto of_pose = exact_hertz_finger(with);
+  auto of_contact = exact_hertz_finger(with);
+  std::array<int, 4> seen{};
+  for (int i = 0; i < 2000; ++i) {
+    const double angle = 2e-3 * i + 0.3 * std::sin(0.05 * i);
+    const Vector3d outward(std::sin(angle), 0.3, std::cos(angle));
+    DevicePose device{outward.normalized() * (0.029 + 0.0015 * std::sin(0.01 * i)),
+                      Orientation(AngleAxisd(0.01 * i, Vector3d(0.6, 0.0, 0.8)) * AngleAxisd(0.2 * std::sin(0.1 * i), Vector3d::UnitY()))};
+    if (i % 100 == 99) device.orientation.w() = i % 200 == 99 ? nan : 3.0;
+    const Contact contact = ball.contact(device.position, of_contact.state().contact);
+    expect_same(of_pose.preview(ball, device, 1e-3), of_contact.preview(contact, device.orientation, 1e-3));
+    const FingerOutput expected = of_pose.update(ball, device, 1e-3);
+    expect_same(expected, of_contact.update(contact, device.orientation, 1e-3));
+    ++seen[static_cast<std::size_t>(expected.state)];
+    ASSERT_FALSE(testing::Test::HasFailure()) << "step " << i;
+  }
+  for (const int times : seen) EXPECT_GE(times, 20);
+}
+
+/// The wrist's turn about the normal is the spin: 0.3 rad about z and k_r give the moment, whatever it did about x before.
+TEST(Host, AnOrientationTurnsTheFingerAboutTheNormalAlone) {
+  auto finger = hertz_finger();
+  for (int i = 0; i <= 100; ++i) finger.update(on_plane(0, 0, 0.002), Orientation(AngleAxisd(0.005 * i, Vector3d::UnitX())));
+  EXPECT_NEAR(finger.output().moment, 0.0, 1e-15);
+  const Orientation tilted(AngleAxisd(0.5, Vector3d::UnitX()));
+  const FingerOutput turned = finger.update(on_plane(0, 0, 0.002), Orientation(AngleAxisd(0.01, Vector3d::UnitZ()) * tilted));
+  EXPECT_NEAR(turned.moment, -0.01 * finger.parameters().twist_stiffness, 1e-15);
+  EXPECT_EQ(turned.moment_vector(), Vector3d(0, 0, turned.moment));
+  EXPECT_EQ(turned.whole_force(), turned.force + Vector3d(0, 0, turned.load));
+}
+
+/// A finger slides and turns on a ball that tumbles through the world. Pose, position and contact in the world are made by matrices.
+TEST(Host, ABodyThatMovesIsFeltAsTheSameMotionSeenFromIt) {
+  auto seen_from_body = exact_hertz_finger();
+  auto in_world = exact_hertz_finger();
+  const AnySurface ball{SphereSurface(0.03)};
+  Random random(71);
+  std::array<int, 4> seen{};
+  for (int i = 0; i < 3000; ++i) {
+    const double angle = 0.4 * std::sin(0.02 * i);
+    const Vector3d position = Vector3d(std::sin(angle), 0.1 * std::cos(0.013 * i), std::cos(angle)) * 0.0285;
+    const Orientation orientation(AngleAxisd(0.3 * std::sin(0.017 * i), Vector3d(0.0, 0.6, 0.8)));
+    const Contact contact = ball.contact(position, {});
+    const Eigen::Matrix3d turn = (AngleAxisd(0.004 * i, Vector3d(0.48, 0.6, 0.64)) * AngleAxisd(0.7, Vector3d::UnitX())).matrix();
+    const BodyPose body{Vector3d(0.2 * std::sin(0.003 * i), -1e-4 * i, 0.1), Orientation(turn)};
+    const auto to_world_by_matrix = [&](const Vector3d& point) { return Vector3d(turn * point + body.position); };
+    const Contact found{to_world_by_matrix(contact.point), turn * contact.normal, contact.depth};
+    const Orientation held(Eigen::Matrix3d(turn * orientation.matrix()));
+
+    const FingerOutput expected = seen_from_body.update(contact, orientation, 1e-3);
+    const FingerOutput output = to_world(body, in_world.update(to_body(body, found), to_body(body, held), 1e-3));
+    ASSERT_EQ(output.state, expected.state) << i;
+    ++seen[static_cast<std::size_t>(output.state)];
+    EXPECT_LT((output.proxy - to_world_by_matrix(expected.proxy)).norm(), 1e-12);
+    EXPECT_LT((output.whole_force() - turn * expected.whole_force()).norm(), 1e-12 * expected.load);
+    EXPECT_LT((output.moment_vector() - turn * expected.moment_vector()).norm(), 1e-12 * expected.load * 0.005);
+    EXPECT_LT((to_body(body, DevicePose{to_world_by_matrix(position), held, 0.1}).position - position).norm(), 1e-15);
+  }
+  EXPECT_GT(seen[1], 100);
+  EXPECT_GT(seen[2], 100);
+}
+
+TEST(Host, ABodyThatMovesBeneathAStillFingerDragsIt) {
+  auto finger = hertz_finger();
+  BodyPose body;
+  for (int i = 0; i < 100; ++i) {
+    body.position.x() = 1e-4 * i;
+    const FingerOutput output = to_world(body, finger.update(to_body(body, on_plane(0, 0, 0.002)), to_body(body, Orientation::Identity())));
+    if (i == 99) EXPECT_NEAR(output.force.x(), 0.6 * 2.0, 1e-12);
+  }
+}
+
+TEST(Host, OtherParametersLeaveProxyAndOutput) {
+  for_each_curve_and_projection(hertz(), [&](const FingerCurve& curve, Projection projection, const std::string& name) {
+    SoftFinger finger(curve, parameters(), projection);
+    finger.update(on_plane(0, 0, 0.002), 0.0);
+    finger.update(on_plane(6e-4, 0, 0.002), 0.02, 1e-3);
+    ASSERT_EQ(finger.output().state, ContactState::stick) << name;
+    const FingerState before = finger.state();
+    SoftFinger other = finger;
+    // The same ones: every number of this step and of the next ones.
+    ASSERT_TRUE(other.change(finger.parameters()));
+    for (int i = 0; i < 50; ++i) {
+      expect_same(finger.output(), other.output());
+      finger.update(on_plane(6e-4 + 2e-5 * i, 1e-5 * i, 0.002), 0.02 + 0.003 * i, 1e-3);
+      other.update(on_plane(6e-4 + 2e-5 * i, 1e-5 * i, 0.002), 0.02 + 0.003 * i, 1e-3);
+    }
+    // Springs thrice as stiff: load and force of the next step are thrice as large, and so is the energy at once.
+    finger.restore(before);
+    const double energy = finger.spring_energy();
+    FingerParameters stiffer = parameters(0.6, 0.005, 3000.0, 0.12);
+    ASSERT_TRUE(finger.change(stiffer));
+    expect_same(finger.output(), before.output);
+    EXPECT_NEAR(finger.spring_energy(), 3.0 * energy, 1e-15 * energy);
+    FingerOutput next = finger.update(on_plane(6e-4, 0, 0.002), 0.02, 1e-3);
+    EXPECT_EQ(next.state, ContactState::stick);
+    EXPECT_TRUE(same_bits(next.proxy, before.output.proxy));
+    EXPECT_NEAR(next.load, 3.0 * before.output.load, 1e-14);
+    EXPECT_NEAR(next.force.x(), 3.0 * before.output.force.x(), 1e-14);
+    EXPECT_NEAR(next.moment, 3.0 * before.output.moment, 1e-16);
+    // Less friction: the margin is gone at once, and the next step slips to the smaller limit. A pure slide, so that it is μP.
+    finger.reset();
+    ASSERT_TRUE(finger.change(parameters()));
+    finger.update(on_plane(0, 0, 0.002), 0.0);
+    finger.update(on_plane(6e-4, 0, 0.002), 0.0);
+    EXPECT_NEAR(finger.margin(), 0.5, 1e-9) << name;
+    EXPECT_NEAR(finger.load_to_hold(), 1.0, 1e-9) << name;
+    ASSERT_TRUE(finger.change(parameters(0.2)));
+    EXPECT_EQ(finger.margin(), 0.0) << name;
+    EXPECT_NEAR(finger.load_to_hold(), 3.0, 1e-9) << name;
+    next = finger.update(on_plane(6e-4, 0, 0.002), 0.0);
+    EXPECT_EQ(next.state, ContactState::slip) << name;
+    EXPECT_NEAR(next.force.x(), -0.4, 1e-9) << name;
+    EXPECT_NEAR(next.slip_work, 0.4 * 2e-4, 1e-9) << name;
+  });
+}
+
+/// What other engines allow: a coefficient of slip above that of rest, and no stiffness.
+TEST(Host, BadParametersChangeNothing) {
+  auto finger = hertz_finger();
+  finger.update(on_plane(0, 0, 0.002), 0.0);
+  const auto refuses = [&](auto edit, std::string_view name) {
+    FingerParameters bad = parameters(0.3);
+    edit(bad);
+    EXPECT_FALSE(finger.change(bad)) << name;
+    EXPECT_EQ(finger.refusal(bad)->name, name);
+    EXPECT_EQ(finger.parameters().mu, 0.6);
+    EXPECT_THROW(SoftFinger(*finger.curve(), bad), std::invalid_argument) << name;
+  };
+  refuses([](FingerParameters& bad) { bad.mu_dynamic = 0.7; }, "mu_dynamic");
+  refuses([](FingerParameters& bad) { bad.stiffness = 0.0; }, "stiffness");
+  refuses([](FingerParameters& bad) { bad.twist_stiffness = nan; }, "twist_stiffness");
+  refuses([](FingerParameters& bad) { bad.gamma = 0.1; }, "gamma");
+  refuses([](FingerParameters& bad) { bad.mu_r_dynamic = 0.1; }, "mu_r_dynamic");
+  refuses([](FingerParameters& bad) { bad.mu = 0.0, bad.mu_r = 1e-3; }, "mu_r");
+  refuses([](FingerParameters& bad) { bad.mu_r = 1e-3, bad.mu_r_dynamic = 2e-3; }, "mu_r_dynamic");
+  // So little friction that slip has none at all: the moment has no radius.
+  refuses([](FingerParameters& bad) { bad.mu = 1e-310, bad.mu_dynamic = 0.0, bad.mu_r = bad.mu_r_dynamic = 1e-3; }, "mu_r_dynamic");
+  FingerParameters good = parameters(0.3);
+  good.mu_r = 1e-3;
+  EXPECT_FALSE(finger.refusal(good));
+  EXPECT_TRUE(finger.change(good));
+  EXPECT_EQ(finger.parameters().mu, 0.3);
+}
+
+#ifdef LIMITCURVE_GUARDS_REAL_TIME
+TEST(Host, AChangeNeitherAllocatesNorFrees) {
+  auto finger = exact_hertz_finger();
+  const std::array<LoadSample, 3> radii{{{0.5, 3e-3}, {1.0, 4e-3}, {4.0, 6e-3}}};
+  std::array<FingerParameters, 4> materials{parameters(), parameters(0.3), parameters(0.4), parameters(0.5)};
+  materials[1].radius_law = RadiusLaw::sampled(radii);
+  materials[2].mu_r = 2e-3;
+  materials[2].gamma = 0.3;
+  materials[2].mu_r_dynamic = 1e-3;
+  materials[3].mu_dynamic = 0.6;  // refused
+  int changed = 0;
+  const int count = limitcurve::test::allocations_and_locks([&] {
+    for (int i = 0; i < 400; ++i) {
+      changed += finger.change(materials[static_cast<std::size_t>(i % 4)]);
+      finger.update(on_plane(1e-5 * i, 0, 0.002), Orientation::Identity(), 1e-3);
+    }
+  });
+  EXPECT_EQ(count, 0);
+  EXPECT_EQ(changed, 300);
+}
+#endif
+
+}  // namespace
+}  // namespace limitcurve::godobject::test
