@@ -39,9 +39,13 @@ static_assert(members.size() == finger_parameter_table.size());
 }  // namespace
 
 FingerParameters parameters_of(const limitcurve_finger_parameters& given) {
-  FingerParameters parameters;
   if (given.radius_law == nullptr && std::isnan(given.mu_r)) throw std::invalid_argument("radius_law: got NULL, expected it, or mu_r");
-  if (given.radius_law != nullptr) parameters.radius_law = RadiusLaw::parse(given.radius_law);
+  return parameters_of(given, FingerParameters().radius_law);
+}
+
+FingerParameters parameters_of(const limitcurve_finger_parameters& given, const RadiusLaw& otherwise) {
+  FingerParameters parameters;
+  parameters.radius_law = given.radius_law != nullptr ? RadiusLaw::parse(given.radius_law) : otherwise;
   auto member = members.begin();
   for_each_number(parameters, [&](const ParameterInfo&, auto& value) {
     const double number = given.**member++;
@@ -86,6 +90,14 @@ void write(const FingerOutput& step, limitcurve_finger_output& output) noexcept 
   output.state = static_cast<limitcurve_state>(step.state);
   output.converged = step.converged ? 1 : 0;
   output.fault = static_cast<limitcurve_fault>(step.fault);
+}
+
+Contact contact_of(const limitcurve_contact& given) noexcept {
+  return {Eigen::Vector3d(given.point), Eigen::Vector3d(given.normal), given.depth, {}, given.landed != 0};
+}
+
+Orientation orientation_of(const double* given) noexcept {
+  return {given[0], given[1], given[2], given[3]};
 }
 
 bool is_limit(double force, double radius) noexcept {
@@ -166,8 +178,59 @@ void limitcurve_finger_free(limitcurve_finger* finger) {
 limitcurve_status limitcurve_finger_update(limitcurve_finger* finger, const limitcurve_contact* contact, double time_step,
                                            limitcurve_finger_output* output) {
   if (is_no_handle("finger", finger) || is_missing("contact", contact) || is_missing("output", output)) return LIMITCURVE_INVALID;
-  const Contact touched{Eigen::Vector3d(contact->point), Eigen::Vector3d(contact->normal), contact->depth, {}, contact->landed != 0};
-  write(finger->finger.update(touched, contact->twist, time_step), *output);
+  write(finger->finger.update(contact_of(*contact), contact->twist, time_step), *output);
+  return LIMITCURVE_OK;
+}
+
+limitcurve_status limitcurve_finger_update_pose(limitcurve_finger* finger, const limitcurve_contact* contact, const double orientation[4],
+                                                double time_step, limitcurve_finger_output* output) {
+  if (is_no_handle("finger", finger) || is_missing("contact", contact) || is_missing("orientation", orientation) ||
+      is_missing("output", output))
+    return LIMITCURVE_INVALID;
+  write(finger->finger.update(contact_of(*contact), orientation_of(orientation), time_step), *output);
+  return LIMITCURVE_OK;
+}
+
+limitcurve_status limitcurve_finger_preview(const limitcurve_finger* finger, const limitcurve_contact* contact, double time_step,
+                                            limitcurve_finger_output* output) {
+  if (is_no_handle("finger", finger) || is_missing("contact", contact) || is_missing("output", output)) return LIMITCURVE_INVALID;
+  write(finger->finger.preview(contact_of(*contact), contact->twist, time_step), *output);
+  return LIMITCURVE_OK;
+}
+
+limitcurve_status limitcurve_finger_preview_pose(const limitcurve_finger* finger, const limitcurve_contact* contact,
+                                                 const double orientation[4], double time_step, limitcurve_finger_output* output) {
+  if (is_no_handle("finger", finger) || is_missing("contact", contact) || is_missing("orientation", orientation) ||
+      is_missing("output", output))
+    return LIMITCURVE_INVALID;
+  write(finger->finger.preview(contact_of(*contact), orientation_of(orientation), time_step), *output);
+  return LIMITCURVE_OK;
+}
+
+limitcurve_status limitcurve_finger_change(limitcurve_finger* finger, const limitcurve_finger_parameters* parameters) {
+  if (is_no_handle("finger", finger) || is_missing("parameters", parameters)) return LIMITCURVE_INVALID;
+  limitcurve_status status = LIMITCURVE_OK;
+  const limitcurve_status read = guarded([&] {
+    SoftFinger& changed = finger->finger;
+    const FingerParameters next = parameters_of(*parameters, changed.parameters().radius_law);
+    if (const auto bad = changed.refusal(next)) {
+      status = refuse(bad->name, bad->value, bad->range);
+    } else {
+      changed.change(next);
+    }
+  });
+  return read != LIMITCURVE_OK ? read : status;
+}
+
+limitcurve_status limitcurve_finger_copy_state(const limitcurve_finger* from, limitcurve_finger* to) {
+  if (is_no_handle("from", from) || is_no_handle("to", to)) return LIMITCURVE_INVALID;
+  to->finger.restore(from->finger.state());
+  return LIMITCURVE_OK;
+}
+
+limitcurve_status limitcurve_finger_spring_energy(const limitcurve_finger* finger, double* spring_energy) {
+  if (is_no_handle("finger", finger) || is_missing("spring_energy", spring_energy)) return LIMITCURVE_INVALID;
+  *spring_energy = finger->finger.spring_energy();
   return LIMITCURVE_OK;
 }
 

@@ -9,6 +9,7 @@
 #include <memory>
 #include <new>
 #include <stdexcept>
+#include <string_view>
 #include <utility>
 
 /// Errors and handles, for every function of the C interface.
@@ -16,9 +17,10 @@ namespace limitcurve::c {
 
 /// Stores the message for limitcurve_error(), truncated to the thread's fixed buffer. No allocation.
 limitcurve_status complain(limitcurve_status status, const char* message) noexcept;
-/// "NAME: WHAT", "NAME[INDEX]: got VALUE, expected EXPECTED". No allocation.
+/// "NAME: WHAT", "NAME[INDEX]: got VALUE, expected EXPECTED", "NAME: got VALUE, expected EXPECTED". No allocation.
 limitcurve_status refuse(const char* name, const char* what) noexcept;
 limitcurve_status refuse(const char* name, std::size_t index, double value, const char* expected) noexcept;
+limitcurve_status refuse(std::string_view name, double value, std::string_view expected) noexcept;
 
 /// Whether one of the caller's numbers is not finite; refuses it.
 inline bool refuse_numbers(const char* name, const double* numbers, std::size_t count) noexcept {

@@ -42,6 +42,8 @@ namespace limitcurve::c {
 
 /// Converts the parameters to the library's type; throws if they are refused.
 godobject::FingerParameters parameters_of(const limitcurve_finger_parameters& given);
+/// Without a radius law: this one.
+godobject::FingerParameters parameters_of(const limitcurve_finger_parameters& given, const RadiusLaw& otherwise);
 godobject::Projection projection_of(limitcurve_projection projection);
 
 }  // namespace limitcurve::c

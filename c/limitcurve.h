@@ -197,7 +197,7 @@ typedef enum limitcurve_fault {
   LIMITCURVE_FAULT_NONE = 0,
   LIMITCURVE_FAULT_NOT_FINITE = 1,   /* a NaN or an infinity in the point, the normal, the depth or the twist */
   LIMITCURVE_FAULT_TOO_FAR = 2,      /* one of them is beyond 1e6 */
-  LIMITCURVE_FAULT_ORIENTATION = 3,  /* not of this interface: a device's orientation is not of unit length */
+  LIMITCURVE_FAULT_ORIENTATION = 3,  /* the device's orientation is not of unit length */
   LIMITCURVE_FAULT_NORMAL = 4,       /* the normal is not of unit length */
   LIMITCURVE_FAULT_TIME_STEP = 5,    /* the time step is < 0 or not finite */
   LIMITCURVE_FAULT_DISPLACEMENT = 6, /* more than max_displacement since the last sample */
@@ -214,7 +214,8 @@ typedef struct limitcurve_contact {
   int landed;       /* not 0: the finger left the surface since the last step and landed on it anew, as from one wall to another */
 } limitcurve_contact;
 
-/* Result of a step. The rendered force is normal * load + force, the rendered moment is about the normal. */
+/* Result of a step. The whole force on the user is normal * load + force, the moment is about the normal. After an update under a load apply
+ * `force` and the moment alone: the engine pushes. */
 typedef struct limitcurve_finger_output {
   double proxy[3]; /* position of the proxy [m] */
   double angle;    /* of the proxy [rad] */
@@ -253,6 +254,28 @@ LIMITCURVE_API limitcurve_status limitcurve_finger_update(limitcurve_finger* fin
  * reaches its limit on a surface of any radius. The rest as above. [real time] */
 LIMITCURVE_API limitcurve_status limitcurve_finger_update_under_load(limitcurve_finger* finger, const limitcurve_contact* contact,
                                                                      double load, double time_step, limitcurve_finger_output* output);
+
+/* The same with the device's orientation (w, x, y, z; finger to surface, of unit length) in place of `twist`, which is not read. [real time] */
+LIMITCURVE_API limitcurve_status limitcurve_finger_update_pose(limitcurve_finger* finger, const limitcurve_contact* contact,
+                                                               const double orientation[4], double time_step,
+                                                               limitcurve_finger_output* output);
+
+/* The result that an update would have, without a change of the finger. [real time] */
+LIMITCURVE_API limitcurve_status limitcurve_finger_preview(const limitcurve_finger* finger, const limitcurve_contact* contact,
+                                                           double time_step, limitcurve_finger_output* output);
+LIMITCURVE_API limitcurve_status limitcurve_finger_preview_pose(const limitcurve_finger* finger, const limitcurve_contact* contact,
+                                                                const double orientation[4], double time_step,
+                                                                limitcurve_finger_output* output);
+
+/* Other parameters in the loop, as where the finger touches another material; with a bad one nothing changes. Proxy, angle and the last
+ * output stay; the next step has the new springs at the same deflection. radius_law NULL: the finger keeps its own; then [real time]. */
+LIMITCURVE_API limitcurve_status limitcurve_finger_change(limitcurve_finger* finger, const limitcurve_finger_parameters* parameters);
+
+/* Gives one finger the state of another: proxy, memories and output, not its parameters. [real time] */
+LIMITCURVE_API limitcurve_status limitcurve_finger_copy_state(const limitcurve_finger* from, limitcurve_finger* to);
+
+/* Energy in the springs [J], 0 while free. [real time] */
+LIMITCURVE_API limitcurve_status limitcurve_finger_spring_energy(const limitcurve_finger* finger, double* spring_energy);
 
 /* Back to the state before any contact. [real time] */
 LIMITCURVE_API limitcurve_status limitcurve_finger_reset(limitcurve_finger* finger);

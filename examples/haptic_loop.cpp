@@ -77,8 +77,8 @@ class TouchOfPlane {
             Eigen::Vector3d& torque) noexcept {
     // The plane through the device's origin: its outward normal is z, the device's is y.
     const god::FingerOutput output = finger_.update(ground_, {y_up_ * position, y_up_ * orientation}, time_step);
-    force = y_up_.conjugate() * (output.load * output.normal + output.force);
-    torque = y_up_.conjugate() * (output.moment * output.normal);
+    force = y_up_.conjugate() * output.whole_force();
+    torque = y_up_.conjugate() * output.moment_vector();
     // A force beyond the motors' limit is scaled, so its direction stays.
     const double share = std::min(1.0, greatest_force_ / std::max(force.norm(), 1e-300));
     force *= share;

@@ -123,6 +123,7 @@ bool truth_of(nb::handle value);
 
 /// Three numbers from a sequence or an array. ValueError with `name` if they are not.
 Eigen::Vector3d three_numbers(nb::handle values, const char* name);
+Eigen::Vector4d four_numbers(nb::handle values, const char* name);
 
 /// str(object).
 std::string text_of(const nb::object& object);

@@ -224,17 +224,29 @@ bool truth_of(nb::handle value) {
   return truth == 1;
 }
 
-Eigen::Vector3d three_numbers(nb::handle values, const char* name) {
+/// As many numbers as the vector has.
+template <class Vector>
+static Vector vector_of(nb::handle values, const char* name, const std::string& expected) {
   nb::object items = nb::borrow(values);
   if (!nb::isinstance<nb::list>(items) && !nb::isinstance<nb::tuple>(items)) {
     if (!items.type().is(numpy("ndarray"))) items = numbers_of<double>(values, name).array;
     items = items.attr("tolist")();
-    if (!nb::isinstance<nb::list>(items)) throw std::invalid_argument(std::string(name) + ": got one number, expected three");
+    if (!nb::isinstance<nb::list>(items)) throw std::invalid_argument(std::string(name) + ": got one number, expected " + expected);
   }
-  const nb::tuple three(items);  // a copy: converting a number may change a list
-  if (nb::len(three) != 3)
-    throw std::invalid_argument(std::string(name) + ": got " + std::to_string(nb::len(three)) + " numbers, expected three");
-  return {number_of(three[0], name), number_of(three[1], name), number_of(three[2], name)};
+  const nb::tuple all(items);  // a copy: converting a number may change a list
+  Vector vector;
+  if (nb::len(all) != static_cast<std::size_t>(vector.size()))
+    throw std::invalid_argument(std::string(name) + ": got " + std::to_string(nb::len(all)) + " numbers, expected " + expected);
+  for (Eigen::Index i = 0; i < vector.size(); ++i) vector[i] = number_of(all[static_cast<std::size_t>(i)], name);
+  return vector;
+}
+
+Eigen::Vector3d three_numbers(nb::handle values, const char* name) {
+  return vector_of<Eigen::Vector3d>(values, name, "three");
+}
+
+Eigen::Vector4d four_numbers(nb::handle values, const char* name) {
+  return vector_of<Eigen::Vector4d>(values, name, "four");
 }
 
 std::string text_of(const nb::object& object) {

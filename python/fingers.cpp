@@ -42,9 +42,12 @@ struct PyFinger : SoftFinger {
       : SoftFinger(std::move(finger)), contact(nb::borrow(on)), given(std::move(keywords)) {}
 };
 
-constexpr const char* update_signature =
-    "def update(self, point: collections.abc.Sequence[float] | numpy.typing.NDArray[typing.Any], normal: collections.abc.Sequence[float] | "
-    "numpy.typing.NDArray[typing.Any], depth: float, twist: float, dt: float = 0.0, landed: bool = False) -> FingerOutput";
+/// A method that takes a contact, and the device's twist or orientation.
+std::string contact_signature(const char* name, const char* held) {
+  constexpr const char* vector = "collections.abc.Sequence[float] | numpy.typing.NDArray[typing.Any]";
+  return std::string("def ") + name + "(self, point: " + vector + ", normal: " + vector + ", depth: float, " + held + ": " +
+         (std::string_view(held) == "twist" ? "float" : vector) + ", dt: float = 0.0, landed: bool = False) -> FingerOutput";
+}
 constexpr const char* update_doc =
     "One step. Input: the contact (surface point [m], outward unit normal, depth [m] below the surface, <= 0 outside), the\n"
     "device's twist [rad] about the normal, and the time dt [s] since the last step, for the dampers. landed: the finger left the\n"
@@ -66,10 +69,42 @@ FingerOutput update_under_load(PyFinger& finger, const BoundArguments& given) {
                                   number_of(given[3], "twist"), number_of(given[4], "dt", 0.0), truth_of(given[5]));
 }
 
+Contact contact_of(const BoundArguments& given) {
+  return {three_numbers(given[0], "point"), three_numbers(given[1], "normal"), number_of(given[2], "depth"), {}, truth_of(given[5])};
+}
+
 FingerOutput update(PyFinger& finger, const BoundArguments& given) {
-  return finger.update(
-      {three_numbers(given[0], "point"), three_numbers(given[1], "normal"), number_of(given[2], "depth"), {}, truth_of(given[5])},
-      number_of(given[3], "twist"), number_of(given[4], "dt", 0.0));
+  return finger.update(contact_of(given), number_of(given[3], "twist"), number_of(given[4], "dt", 0.0));
+}
+
+FingerOutput preview(const PyFinger& finger, const BoundArguments& given) {
+  return finger.preview(contact_of(given), number_of(given[3], "twist"), number_of(given[4], "dt", 0.0));
+}
+
+Orientation orientation_of(nb::handle given) {
+  const Eigen::Vector4d q = four_numbers(given, "orientation");
+  return {q[0], q[1], q[2], q[3]};
+}
+
+FingerOutput update_pose(PyFinger& finger, const BoundArguments& given) {
+  return finger.update(contact_of(given), orientation_of(given[3]), number_of(given[4], "dt", 0.0));
+}
+
+FingerOutput preview_pose(const PyFinger& finger, const BoundArguments& given) {
+  return finger.preview(contact_of(given), orientation_of(given[3]), number_of(given[4], "dt", 0.0));
+}
+
+void change(PyFinger& finger, const BoundArguments& given) {
+  nb::dict all = read_files(without(given.by_name, ""));
+  if (finger.patch() != nullptr && all.contains("radius_law")) throw std::invalid_argument("radius_law: not with a Patch, which has its own size");
+  const double ratio = finger.patch() != nullptr ? finger.patch()->moment_ratio() : finger.curve()->moment_ratio();
+  const FingerParameters parameters = parameters_of(all, ratio);
+  if (const auto bad = finger.refusal(parameters)) throw out_of_range(bad->name, bad->value, bad->unit, bad->range);
+  finger.change(parameters);
+  for (const char* const kept : {"projection", "point_radius"}) {
+    if (finger.given.contains(kept)) all[kept] = finger.given[kept];
+  }
+  finger.given = all;
 }
 
 void add_output(nb::module_& module) {
@@ -89,7 +124,8 @@ void add_output(nb::module_& module) {
       .value("body", Fault::body, "the pose of the touched body is none")
       .value("force", Fault::force, "the force or the moment on the touched body is none");
   nb::class_<FingerOutput> type(module, "FingerOutput",
-                                "Result of a step. The rendered force is normal * load + force, the rendered moment is about the normal.");
+                                "Result of a step. The user feels `whole_force` and `moment_vector`; after `update_under_load` apply\n"
+                                "`force` and `moment_vector` alone, the engine pushes.");
   pickle_plainly<FingerOutput>(type);
   type.def_ro("state", &FingerOutput::state, "ContactState")
       .def_prop_ro(
@@ -102,7 +138,9 @@ void add_output(nb::module_& module) {
               "normal force on the user [N]: what bounds friction (k_l depth), and on a curved surface its own push")
       .def_prop_ro(
           "force", [](const FingerOutput& self) { return self.force; }, "friction on the user [N], tangential")
+      .def_prop_ro("whole_force", &FingerOutput::whole_force, "on the user [N]: normal * load + force")
       .def_ro("moment", &FingerOutput::moment, "friction on the user about the normal [N m]")
+      .def_prop_ro("moment_vector", &FingerOutput::moment_vector, "on the user [N m]: normal * moment")
       .def_ro("cor", &FingerOutput::cor, "distance of the slip's centre of rotation [m]; NaN unless it slips")
       .def_ro("slip_work", &FingerOutput::slip_work, "dissipated in this step [J], >= 0")
       .def_ro("converged", &FingerOutput::converged, "False: the search for a patch's closest point did not converge")
@@ -158,7 +196,25 @@ void add_finger_types(nb::module_& module) {
       },
       "A finger with a limit curve; parameter names of the C++ FingerParameters, SI units. Projections: 'closest-point', 'radial',\n"
       "'c-curve'. ValueError names a parameter out of range.");
-  define<PyFinger&>(type, update_signature, &update, update_doc);
+  define<PyFinger&>(type, contact_signature("update", "twist"), &update, update_doc);
+  define<PyFinger&>(type, contact_signature("update_pose", "orientation"), &update_pose,
+                    "The same with the device's orientation (w, x, y, z; finger to surface) in place of its twist about the normal.");
+  define<const PyFinger&>(type, contact_signature("preview", "twist"), &preview, "What `update` would give; nothing changes.");
+  define<const PyFinger&>(type, contact_signature("preview_pose", "orientation"), &preview_pose,
+                          "What `update_pose` would give; nothing changes.");
+  define<PyFinger&>(type, "def change(self, *, " + parameters_signature() + ") -> None", &change,
+                    "Other parameters in the loop, as where the finger touches another material: those that are absent have their default,\n"
+                    "as in the constructor. Proxy, angle and `output` stay; the next step has the new springs at the same deflection. Where\n"
+                    "the limit fell below the force it slips. ValueError for a bad one; then nothing changes.");
+  define<PyFinger&>(
+      type, "def copy_state(self, other: SoftFinger) -> None",
+      [](PyFinger& self, const BoundArguments& given) {
+        const PyFinger* other = nullptr;
+        if (!nb::try_cast(given[0], other) || other == nullptr)
+          throw std::invalid_argument("other: got " + shown(given[0]) + ", expected a SoftFinger");
+        self.restore(other->state());
+      },
+      "Takes the state of another finger: proxy, memories and output, not its parameters.");
   define<PyFinger&>(type, update_under_load_signature, &update_under_load, update_under_load_doc);
   define<PyFinger&>(type, "def reset(self) -> None", &SoftFinger::reset, "Back to the state before any contact.");
   type.def_prop_ro(

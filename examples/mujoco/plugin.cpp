@@ -143,7 +143,7 @@ struct Skin {  // what the bodies of one plugin instance share: plugin_data of o
   }
   // Friction on the finger, and its reaction, after `step`.
   void apply(mjData* d, int body, int object, const FingerOutput& out) const {
-    const Vector3d force = outward_ * out.force, moment = outward_ * Vector3d(out.normal * out.moment), back = -force, turn_back = -moment;
+    const Vector3d force = outward_ * out.force, moment = outward_ * out.moment_vector(), back = -force, turn_back = -moment;
     mj_applyFT(model_, d, force.data(), moment.data(), point_.data(), body, d->qfrc_passive);
     mj_applyFT(model_, d, back.data(), turn_back.data(), point_.data(), object, d->qfrc_passive);
   }

@@ -71,7 +71,7 @@ class Fingers:
             out = finger.update_under_load(place, (0, 0, normal), loads[i], self.twists[i], DT)
             force = -(turn @ out.force)
             wrench[:3] += force
-            wrench[3:] += np.cross(turn @ place, force) - turn[:, 2] * (normal * out.moment)
+            wrench[3:] += np.cross(turn @ place, force) - turn @ out.moment_vector
             self.dissipated += out.slip_work
         data.xfrc_applied[1] = wrench
 

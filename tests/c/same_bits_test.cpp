@@ -166,6 +166,8 @@ TEST(SameBits, UpdateOfAFinger) {
   parameters.damping = 1;
   parameters.twist_damping = 1e-5;
   ASSERT_EQ(limitcurve_finger_new(table, &parameters, LIMITCURVE_CLOSEST_POINT, &finger), LIMITCURVE_OK);
+  limitcurve_finger* second = nullptr;
+  ASSERT_EQ(limitcurve_finger_new(table, &parameters, LIMITCURVE_CLOSEST_POINT, &second), LIMITCURVE_OK);
   FingerParameters same;
   same.mu = 0.6;
   same.mu_dynamic = 0.5;
@@ -190,7 +192,25 @@ TEST(SameBits, UpdateOfAFinger) {
     const Eigen::Vector3d point(contact.point);
     const Eigen::Vector3d upward(contact.normal);
     FingerOutput expected;
-    if (i % 128 < 64) {
+    if (i % 1024 >= 896) {  // by the orientation, in place of the twist; the preview is that of a second finger in the same state
+      const Orientation held(Eigen::AngleAxisd(contact.twist, Eigen::Vector3d(0.6, 0, 0.8)));
+      const double orientation[4] = {held.w(), held.x(), held.y(), held.z()};
+      const Contact touched{point, upward, contact.depth, {}, i % 64 == 63};
+      ASSERT_EQ(limitcurve_finger_copy_state(finger, second), LIMITCURVE_OK);
+      ASSERT_EQ(limitcurve_finger_preview(second, &given, 1e-3, &output), LIMITCURVE_OK);
+      ASSERT_EQ(bits(output.moment), bits(expected_finger.preview(touched, twist, 1e-3).moment));
+      ASSERT_EQ(limitcurve_finger_preview_pose(second, &given, orientation, 1e-3, &output), LIMITCURVE_OK);
+      ASSERT_EQ(bits(output.moment), bits(expected_finger.preview(touched, held, 1e-3).moment));
+      ASSERT_EQ(limitcurve_finger_update_pose(finger, &given, orientation, 1e-3, &output), LIMITCURVE_OK);
+      expected = expected_finger.update(touched, held, 1e-3);
+      parameters.mu = same.mu = i % 2 == 0 ? 0.7 : 0.6;
+      parameters.radius_law = nullptr;  // the finger's own
+      ASSERT_EQ(limitcurve_finger_change(finger, &parameters), LIMITCURVE_OK);
+      ASSERT_TRUE(expected_finger.change(same));
+      double energy = 0;
+      ASSERT_EQ(limitcurve_finger_spring_energy(finger, &energy), LIMITCURVE_OK);
+      ASSERT_EQ(bits(energy), bits(expected_finger.spring_energy()));
+    } else if (i % 128 < 64) {
       ASSERT_EQ(limitcurve_finger_update(finger, &given, 1e-3, &output), LIMITCURVE_OK);
       expected = expected_finger.update({point, upward, contact.depth, {}, i % 64 == 63}, twist, 1e-3);
     } else {  // by the load, in place of the depth
@@ -219,6 +239,10 @@ TEST(SameBits, UpdateOfAFinger) {
     }
   }
   for (const std::size_t times : seen) EXPECT_GE(times, 100U);  // every state is among them
+  parameters.mu_dynamic = 0.8;
+  EXPECT_EQ(limitcurve_finger_change(finger, &parameters), LIMITCURVE_INVALID);
+  EXPECT_STREQ(limitcurve_error(), "mu_dynamic: got 0.8, expected 0 <= mu_dynamic <= mu");
+  limitcurve_finger_free(second);
   limitcurve_finger_free(finger);
   limitcurve_table_free(table);
   limitcurve_law_free(law);

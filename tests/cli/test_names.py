@@ -49,7 +49,7 @@ def c_names():
 
 def python_names():
     sources = "".join(text("python", name) for name in ("fingers.cpp", "batches.cpp"))
-    found = set(re.findall(r'(?:nb::arg|def_ro|def_prop_ro|add_view|\.def)\(\s*"(\w+)"', sources))
+    found = set(re.findall(r'(?:nb::arg|def_ro|def_prop_ro|add_view|\.def|contact_signature)\(\s*"(\w+)"', sources))
     for name, signature in re.findall(r'"def (\w+)\((.*?)\) ->', re.sub(r'"\s*\n\s*"', "", sources)):
         found |= {name, *re.findall(r"(\w+): ", signature)}
     found |= set(re.findall(r'\{"(\w+)",\s*&FingerParameters', text("godobject", "finger", "finger_parameter_table.hpp"))) | {"radius_law", "projection"}

@@ -40,7 +40,7 @@ struct Work {
   /// With another normal force in place of the load.
   void add(const DevicePose& to, const FingerOutput& output, double load) {
     const Vector3d force = output.normal * load + output.force;
-    const Vector3d moment = output.normal * output.moment;
+    const Vector3d moment = output.moment_vector();
     if (known_) {
       const AngleAxisd turn(to.orientation * last_.orientation.conjugate());
       sum += 0.5 * (force + force_).dot(to.position - last_.position) + 0.5 * (moment + moment_).dot(turn.axis() * turn.angle());
@@ -202,7 +202,7 @@ TEST(CurvedSurface, NoContactsBearMoreThanFrictionHolds) {
       const FingerOutput out = finger.update({at + normal * depth, normal, depth}, 0.0);
       const double after = finger.spring_energy();
       EXPECT_LE(out.load, 1000.0 * depth * (1.0 + mu) * (1.0 + 1e-9)) << run;
-      const double won = (held.force + held.normal * held.load).dot(way) + after - before;
+      const double won = held.whole_force().dot(way) + after - before;
       const double allowed = 500.0 * way.squaredNorm() + 1e-12 * std::max(before, after) + 1e-18;
       EXPECT_TRUE(i == 0 || won <= allowed) << run << ' ' << i << ' ' << won << ' ' << allowed;
       held = out;

@@ -39,7 +39,7 @@ class SlowUser {
     const bool has_contact = finger_.state().in_contact;
     if (had_contact && has_contact) {
       const Eigen::Vector3d way = to.position - last_;
-      const Eigen::Vector3d felt = from.normal * from.load + from.force;
+      const Eigen::Vector3d felt = from.whole_force();
       const Eigen::Vector3d at_end = with.stiffness * (from.proxy - to.position);
       const double turn = finger_.state().sample.angle - before.sample.angle;
       const double moment_at_end = from.moment - with.twist_stiffness * turn;
@@ -96,7 +96,7 @@ class SampledUser {
     const FingerOutput now = finger_.update(surface, to, time_step_);
     if (started_) {
       if (touches) {
-        const Eigen::Vector3d force = held.normal * held.load + held.force;
+        const Eigen::Vector3d force = held.whole_force();
         won_.work += force.dot(way) + held.moment * (held.normal.dot(turn) + twist);
         won_.rounding += 16.0 * std::numeric_limits<double>::epsilon() *
                          (force.norm() * (0.1 + to.position.norm()) + std::fabs(held.moment) * (1.0 + std::fabs(now.angle)));
