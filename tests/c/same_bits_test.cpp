@@ -193,7 +193,7 @@ TEST(SameBits, UpdateOfAFinger) {
     const Eigen::Vector3d upward(contact.normal);
     FingerOutput expected;
     if (i % 1024 >= 896) {  // by the orientation, in place of the twist; the preview is that of a second finger in the same state
-      const Orientation held(Eigen::AngleAxisd(contact.twist, Eigen::Vector3d(0.6, 0, 0.8)));
+      const Orientation held(Eigen::AngleAxisd(twist, Eigen::Vector3d(0.6, 0, 0.8)));
       const double orientation[4] = {held.w(), held.x(), held.y(), held.z()};
       const Contact touched{point, upward, contact.depth, {}, i % 64 == 63};
       ASSERT_EQ(limitcurve_finger_copy_state(finger, second), LIMITCURVE_OK);
@@ -206,6 +206,7 @@ TEST(SameBits, UpdateOfAFinger) {
       parameters.mu = same.mu = i % 2 == 0 ? 0.7 : 0.6;
       parameters.radius_law = nullptr;  // the finger's own
       ASSERT_EQ(limitcurve_finger_change(finger, &parameters), LIMITCURVE_OK);
+      ASSERT_EQ(limitcurve_finger_change(second, &parameters), LIMITCURVE_OK);
       ASSERT_TRUE(expected_finger.change(same));
       double energy = 0;
       ASSERT_EQ(limitcurve_finger_spring_energy(finger, &energy), LIMITCURVE_OK);

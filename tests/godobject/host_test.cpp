@@ -5,7 +5,10 @@
 
 #include <gtest/gtest.h>
 
-#include <cstring>
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <string_view>
 
 namespace limitcurve::godobject::test {
 namespace {
@@ -13,11 +16,14 @@ namespace {
 using Eigen::AngleAxisd;
 using Eigen::Vector3d;
 
-/// Plain data in doubles, booleans and enumerations: bytes of padding aside.
+std::array<std::uint64_t, 15> bits_of(const FingerOutput& out) {
+  return std::bit_cast<std::array<std::uint64_t, 15>>(
+      std::array{out.proxy.x(), out.proxy.y(), out.proxy.z(), out.normal.x(), out.normal.y(), out.normal.z(), out.force.x(), out.force.y(),
+                 out.force.z(), out.angle, out.depth, out.load, out.moment, out.cor, out.slip_work});
+}
+
 void expect_same(const FingerOutput& one, const FingerOutput& other) {
-  EXPECT_TRUE(same_bits(one.proxy, other.proxy) && same_bits(one.normal, other.normal) && same_bits(one.force, other.force));
-  EXPECT_TRUE(same_bits({one.angle, one.load, one.moment}, {other.angle, other.load, other.moment}));
-  EXPECT_TRUE(same_bits({one.depth, one.cor, one.slip_work}, {other.depth, other.cor, other.slip_work}));
+  EXPECT_EQ(bits_of(one), bits_of(other));
   EXPECT_EQ(one.state, other.state);
   EXPECT_EQ(one.fault, other.fault);
 }
