@@ -96,7 +96,8 @@ FingerOutput preview_pose(const PyFinger& finger, const BoundArguments& given) {
 
 void change(PyFinger& finger, const BoundArguments& given) {
   nb::dict all = read_files(without(given.by_name, ""));
-  if (finger.patch() != nullptr && all.contains("radius_law")) throw std::invalid_argument("radius_law: not with a Patch, which has its own size");
+  if (finger.patch() != nullptr && all.contains("radius_law"))
+    throw std::invalid_argument("radius_law: not with a Patch, which has its own size");
   const double ratio = finger.patch() != nullptr ? finger.patch()->moment_ratio() : finger.curve()->moment_ratio();
   const FingerParameters parameters = parameters_of(all, ratio);
   if (const auto bad = finger.refusal(parameters)) throw out_of_range(bad->name, bad->value, bad->unit, bad->range);
@@ -202,10 +203,11 @@ void add_finger_types(nb::module_& module) {
   define<const PyFinger&>(type, contact_signature("preview", "twist"), &preview, "What `update` would give; nothing changes.");
   define<const PyFinger&>(type, contact_signature("preview_pose", "orientation"), &preview_pose,
                           "What `update_pose` would give; nothing changes.");
-  define<PyFinger&>(type, "def change(self, *, " + parameters_signature() + ") -> None", &change,
-                    "Other parameters in the loop, as where the finger touches another material: those that are absent have their default,\n"
-                    "as in the constructor. Proxy, angle and `output` stay; the next step has the new springs at the same deflection. Where\n"
-                    "the limit fell below the force it slips. ValueError for a bad one; then nothing changes.");
+  define<PyFinger&>(
+      type, "def change(self, *, " + parameters_signature() + ") -> None", &change,
+      "Other parameters in the loop, as where the finger touches another material: those that are absent have their default,\n"
+      "as in the constructor. Proxy, angle and `output` stay; the next step has the new springs at the same deflection. Where\n"
+      "the limit fell below the force it slips. ValueError for a bad one; then nothing changes.");
   define<PyFinger&>(
       type, "def copy_state(self, other: SoftFinger) -> None",
       [](PyFinger& self, const BoundArguments& given) {

@@ -84,8 +84,7 @@ void Grasp::step(std::span<const DevicePose> devices, double time_step, const Ei
   Load external;
   external.add(force + parameters_.mass * parameters_.gravity, moment, gyration_);
   // The speeds that the forces alone would give.
-  const BodyState pushed{{}, external.force * (time_step / parameters_.mass),
-                         moment * (time_step / parameters_.inertia.minCoeff())};
+  const BodyState pushed{{}, external.force * (time_step / parameters_.mass), moment * (time_step / parameters_.inertia.minCoeff())};
   if (!is_plausible(pushed)) return mark_invalid(Fault::force);
   // In whole, or in parts, counted in the smallest.
   bool all_solved = true;

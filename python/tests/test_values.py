@@ -203,6 +203,28 @@ def test_a_finger_that_is_pulled_feels_mu_p():
     assert finger.output.state == lc.ContactState.free and other.output.state == lc.ContactState.slip
 
 
+def test_a_finger_takes_orientations_and_other_materials():
+    skin = {"mu": 0.6, "radius_law": "constant:a=0.006", "stiffness": 1000, "twist_stiffness": 0.036}
+    finger, other = lc.SoftFinger(TABLE, **skin), lc.SoftFinger(TABLE, **skin)
+    touch = {"point": (0, 0, 0), "normal": (0, 0, 1), "depth": 0.002}
+    for i in range(200):
+        turn = 0.005 * i
+        held = (math.cos(turn / 2), 0, 0, math.sin(turn / 2))
+        ahead = finger.preview_pose(**touch, orientation=held, dt=1e-3), other.preview(**touch, twist=turn, dt=1e-3)
+        out = finger.update_pose(**touch, orientation=held, dt=1e-3)
+        assert out.moment == ahead[0].moment and other.update(**touch, twist=turn, dt=1e-3).moment == ahead[1].moment
+    assert out.moment == pytest.approx(-7.2e-3 * 3 * math.pi / 16, abs=1e-9) and other.output.moment == pytest.approx(out.moment, abs=1e-9)
+    assert np.array_equal(out.whole_force, [0, 0, 2]) and np.array_equal(out.moment_vector, [0, 0, out.moment])
+    before = finger.output.moment
+    with pytest.raises(ValueError, match="mu_dynamic = 0.4"):
+        finger.change(**(skin | {"mu": 0.3, "mu_dynamic": 0.4}))
+    finger.change(**(skin | {"mu": 0.3}))
+    assert finger.output.moment == before and finger.margin() == 0 and finger.load_to_hold() == pytest.approx(4, rel=1e-6)
+    other.copy_state(pickle.loads(pickle.dumps(finger)))
+    assert other.output.moment == before and other.load_to_hold() == pytest.approx(2, rel=1e-6)
+    assert finger.update_pose(**touch, orientation=held).moment == pytest.approx(before / 2, abs=1e-9)
+
+
 def test_fingers_and_batches_do_what_replay_does(data):
     given = {"mu": 0.6, "mu_dynamic": 0.5, "radius_law": "power:c=0.00207,gamma=0.259", "stiffness": 1000, "twist_stiffness": 0.036}
     trace = np.loadtxt(data / "traces/slide_twist_load.csv", delimiter=",", skiprows=2)
