@@ -53,7 +53,7 @@ class Questions(CommandLineTest):
             self.of_header(law, asked, "double", 2e-9, 0, math.inf)
 
     def test_the_exported_header_in_single_precision(self):
-        self.of_header("hertz", questions()["hertz"], "float", 2e-6, 2.0**-149, 2.0**127)
+        self.of_header("hertz", questions()["hertz"], "float", 2e-6, 2.0**-149, 2.0**128)
 
     def of_header(self, law, asked, real, tolerance, least, most):
         rows("table", "--law", law, "--tolerance", tolerance / 2, "--name", "t", "--real", real, "-o", self.directory / "t.h")
