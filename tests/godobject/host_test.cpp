@@ -100,7 +100,9 @@ TEST(Host, ABodyThatMovesBeneathAStillFingerDragsIt) {
   for (int i = 0; i < 100; ++i) {
     body.position.x() = 1e-4 * i;
     const FingerOutput output = to_world(body, finger.update(to_body(body, on_plane(0, 0, 0.002)), to_body(body, Orientation::Identity())));
-    if (i == 99) EXPECT_NEAR(output.force.x(), 0.6 * 2.0, 1e-12);
+    if (i == 99) {
+      EXPECT_NEAR(output.force.x(), 0.6 * 2.0, 1e-12);
+    }
   }
 }
 
