@@ -132,9 +132,8 @@ class SamplesLaw final : public PressureLawOf<SamplesLaw> {
     const CubicPieces coarse = cubics(coarser(profile), source, rim_, named_rim > 0.0);
     double highest = 0.0;
     for (const PressureSample& sample : profile) highest = std::max(highest, sample.pressure);
-    // If gaps double, an error of order p changes by 2ᵖ − 1 times itself: p ≥ 1, but 1/2 if the pressure is unbounded at the rim. Noise, and
-    // random profiles of few rows, need half as much again.
-    const double safety = profile.back().pressure > 0.5 * highest ? 9.0 : 4.5;
+    // If gaps double, an error of order p changes by 2ᵖ − 1 times itself: p ≥ 1, but 1/2 if the pressure is unbounded at the rim.
+    const double safety = profile.back().pressure > 0.5 * highest ? 6.0 : 3.0;
     constexpr std::size_t most_cells = 64;
     const std::size_t pieces = breaks_.size() - (profile.back().radius < rim_ ? 2 : 1);  // without the last, which is empty
     const std::size_t pieces_per_cell = (pieces + most_cells - 1) / most_cells;
