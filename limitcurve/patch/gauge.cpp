@@ -152,14 +152,12 @@ Vector polished(Vector twist, const Vector& w, const Support& support, double& m
   return twist;
 }
 
-/// The wrench about `centre` of one about the origin. A moment within its rounding is 0: a single point bears no other. One epsilon is the
-/// caller's, one that of the centre, which orthotropic friction stretches and back, one that of the mean of several points at one place, and
-/// one is rounding here.
+/// The wrench about `centre` of one about the origin. A moment within its rounding is 0: a single point bears no other.
 PatchWrench about(const PatchPoint& centre, const PatchWrench& wrench) noexcept {
   const double x = centre.x * wrench.fy;
   const double y = centre.y * wrench.fx;
   const double moment = wrench.moment - (x - y);
-  const bool is_rounding = std::fabs(moment) <= 4.0 * patch::epsilon * (std::fabs(x) + std::fabs(y));
+  const bool is_rounding = std::fabs(moment) <= 2.0 * patch::epsilon * (std::fabs(x) + std::fabs(y));
   return {wrench.fx, wrench.fy, is_rounding ? 0.0 : moment};
 }
 

@@ -49,24 +49,6 @@ TEST(PatchPoints, ASinglePointHasForceAndNoMoment) {
   EXPECT_EQ(patch.evaluate({0, 0, 1}).power, 0.0);
 }
 
-TEST(PatchPoints, ASinglePointBearsAForceThroughItselfWhereverItIs) {
-  std::mt19937 bits(71);
-  std::uniform_real_distribution<double> number(-1.0, 1.0);
-  for (int i = 0; i < 5000; ++i) {
-    const double x = number(bits);
-    const double y = number(bits);
-    const double mx = std::pow(10.0, number(bits));
-    const double my = std::pow(10.0, number(bits));
-    const std::vector<PatchLoad> at_one_place(1 + static_cast<std::size_t>(i % 3), {x, y, 2.0 + number(bits)});
-    const double fx = number(bits);
-    const double fy = number(bits);
-    const Patch patch = Patch::points(at_one_place).orthotropic(mx, my);
-    const double load = std::hypot(fx / mx, fy / my) / 0.5;
-    EXPECT_NEAR(load_to_hold(patch, 0.5, {fx, fy, x * fy - y * fx}), load, 1e-14 * load) << x << ' ' << y << ' ' << mx << ' ' << my;
-    EXPECT_NEAR(patch.slip({fx, fy, x * fy - y * fx}).gauge, 0.5 * load, 1e-14 * load);
-  }
-}
-
 TEST(PatchPoints, TwoHoldWhatEachBearsOfIt) {
   // Along y each bears its part of force and moment; along x the two may share as they like. The least load by bisection of one unknown.
   std::mt19937 bits(11);
