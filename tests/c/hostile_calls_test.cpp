@@ -150,9 +150,29 @@ TEST_F(HostileCalls, OddNumbersAndNullAreErrorsOrRightAnswers) {
           const limitcurve_contact contact{
               {number(), number(), 0}, {0, 0, random() % 4 == 0 ? number() : 1}, number(), number(), static_cast<int>(random())};
           limitcurve_finger_output output{};
-          const limitcurve_status status =
-              random() % 2 == 0 ? limitcurve_finger_update(finger, or_null(&contact), number(), or_null(&output))
-                                : limitcurve_finger_update_under_load(finger, or_null(&contact), number(), number(), or_null(&output));
+          const double orientation[4] = {random() % 4 == 0 ? number() : 1, 0, 0, 0};
+          if (random() % 4 == 0) {
+            parameters.mu = number();
+            parameters.mu_dynamic = number();
+            expect_told(limitcurve_finger_change(or_null(finger), or_null(&parameters)));
+          }
+          double energy = 0;
+          expect_told(limitcurve_finger_copy_state(or_null(finger), or_null(finger)));
+          expect_told(limitcurve_finger_spring_energy(or_null(finger), or_null(&energy)));
+          EXPECT_GE(energy, 0);
+          expect_told(limitcurve_finger_preview(or_null(finger), or_null(&contact), number(), or_null(&output)));
+          expect_told(limitcurve_finger_preview_pose(finger, or_null(&contact), or_null(orientation), number(), or_null(&output)));
+          limitcurve_status status = LIMITCURVE_OK;
+          switch (random() % 3) {
+            case 0:
+              status = limitcurve_finger_update(finger, or_null(&contact), number(), or_null(&output));
+              break;
+            case 1:
+              status = limitcurve_finger_update_pose(finger, or_null(&contact), or_null(orientation), number(), or_null(&output));
+              break;
+            default:
+              status = limitcurve_finger_update_under_load(finger, or_null(&contact), number(), number(), or_null(&output));
+          }
           expect_told(status);
           if (status != LIMITCURVE_OK) continue;
           EXPECT_TRUE(std::isfinite(output.load) && std::isfinite(output.force[0]) && std::isfinite(output.moment) &&
