@@ -123,7 +123,7 @@ class Attempts {
 
   [[nodiscard]] std::optional<BasicTable<Real>> table(double tolerance) {
     // Down to this tolerance the error of `forces` is small enough.
-    constexpr double quick_tolerance = 1e-11;
+    constexpr double quick_tolerance = 1e-12;
     if (tolerance >= quick_tolerance && known_error_ <= std::max(quick_error, 0.01 * tolerance) * scale_) {
       if (auto built = table::build<Real>(quick_, tolerance, bytes_)) return built;
     }

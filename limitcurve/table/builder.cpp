@@ -220,12 +220,13 @@ class Builder {
   /// Makes D end at `value`: bends the widest piece that stays convex, and raises those after it. False if there is none.
   static bool end_at(std::vector<Piece>& side, Extended value) {
     const Extended rise = value - side.back().end();
+    // Rounding is left: on a nearly straight side only a piece too narrow to bend may stay convex.
+    if (std::fabs(rise) <= std::numeric_limits<double>::epsilon() / 2 * value) return true;
     Piece* bent = nullptr;
     for (Piece& one : side) {
       if (one.stays_convex(rise) && (bent == nullptr || one.width() > bent->width())) bent = &one;
     }
-    // On a nearly straight side no piece may stay convex; that is accepted if the difference is only rounding.
-    if (bent == nullptr) return std::fabs(rise) <= std::numeric_limits<double>::epsilon() / 2 * value;
+    if (bent == nullptr) return false;
     bent->raise_end(rise);
     for (Piece& after : side) {
       if (after.left() > bent->left()) after.raise(rise);
