@@ -207,7 +207,7 @@ class Fit(CommandLineTest):
             end = rows("replay", "--trace", trace, *typed, "--stiffness", "1000", "--twist-stiffness", "0.04")[-1]
             # mu m0 P a(P) under 4 N; approximations have their own largest moment.
             self.assert_close(end["moment"], -0.7 * 2 / 3 * 4 * 0.00435 * 4 ** 0.257, 5e-6 if "law" in call else 0.05)
-        own = self.file("my law.csv", "radius,pressure\n0,1\n0.3,1\n0.7,1\n1,1\n")
+        own = self.file("my law.csv", "radius,pressure\n" + "".join(f"{i / 20},1\n" for i in range(21)))
         # The whole line: each row is a slip, so that it holds up to the scatter.
         for call, slips in ((["ellipse"], DATA / "fit" / "slips.csv"), (["law", "--law", "uniform", "--gamma", "0.257"], data),
                            (["law", "--law", "uniform", "--fit-gamma", "--columns", "load=F'z", "--units", "force=N"], self.renamed(data, {"load": "F'z"}, {})),
