@@ -57,7 +57,7 @@ nb::object wrench(const PyPatch& patch, const BoundArguments& given) {
   });
 }
 
-nb::object loads_to_hold(const PyPatch& patch, const BoundArguments& given) {
+nb::object loads_to_hold_patch(const PyPatch& patch, const BoundArguments& given) {
   cli::UnitChecks questions;
   const nb::object loads =
       of_numbers<1, 16, 4>({given[0], given[1], given[2], given[3]}, {"fx", "fy", "moment", "mu"},
@@ -226,7 +226,7 @@ void add_patches(nb::module_& module) {
       type,
       "def load_to_hold(self, fx: numpy.typing.ArrayLike, fy: numpy.typing.ArrayLike, moment: numpy.typing.ArrayLike, *, mu: "
       "numpy.typing.ArrayLike) -> typing.Any",
-      &loads_to_hold,
+      &loads_to_hold_patch,
       "The least loads [N], of all points together, that hold friction wrenches [N, N m] about the origin, broadcast against each\n"
       "other and mu; inf if no load does. Releases the GIL.");
   define<const PyPatch&>(
