@@ -128,11 +128,13 @@ def closest_point(cells: Cells, force: Any, moment: Any, chi: Any) -> "tuple[Any
     nothing = sum(0 * _constant(number) for number in (force, moment, chi))
     return xp.where(slips, force_sign * to_force, force) + nothing, xp.where(slips, moment_sign * to_moment, moment) + nothing, slips
 
+
 def tangent_ellipse(cells: Cells, force: Any = None, moment: Any = None, p: Any = None, q: Any = None, *, slip: Any = None) -> "tuple[Any, Any]":
     """Semi-axes, as Table.tangent_ellipse: of the unit wrench that an engine found with the semi-axes p and q; without these on its ray;
     or of slip = (|v|, a|omega|)."""
     limits = _given(cells)[0].finfo(cells.rows.dtype)
-    if (force is None) != (moment is None) or (force is None) == (slip is None) or (p is None) != (q is None) or (p is not None and force is None):
+    if ((force is None) != (moment is None) or (force is None) == (slip is None) or (p is None) != (q is None)
+            or (p is not None and force is None) or (slip is not None and len(slip) != 2)):
         raise ValueError("tangent_ellipse: expected force and moment, or these with p and q, or slip=(v, u)")
 
     def per_x(x: Any, first: Any, second: Any) -> Any:  # D'/x, D'(0) = 0
