@@ -70,7 +70,8 @@ bool is_masked(nb::handle values) {
 }
 
 void warn(const std::string& text) {
-  if (PyErr_WarnEx(PyExc_UserWarning, text.c_str(), 1) != 0) throw nb::python_error();
+  // Not by PyErr_WarnEx, which takes UTF-8 alone: a text may have the name of a file.
+  nb::module_::import_("warnings").attr("warn")(text, nb::handle(PyExc_UserWarning));
 }
 
 void warn(const std::vector<std::string>& remarks) {
