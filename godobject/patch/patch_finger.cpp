@@ -3,6 +3,8 @@
 #include "godobject/patch/patch_projection.hpp"
 #include "godobject/soft_finger.hpp"
 #include "limitcurve/internal/number.hpp"
+#include "limitcurve/patch/patch.hpp"
+#include "limitcurve/wrench.hpp"
 
 #include <Eigen/Geometry>
 
