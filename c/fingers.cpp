@@ -100,6 +100,16 @@ Orientation orientation_of(const double* given) noexcept {
   return {given[0], given[1], given[2], given[3]};
 }
 
+/// Writes a step's result, unless something is NULL. `held` is the orientation, or the contact again for its twist.
+template <class Step>
+limitcurve_status step(const limitcurve_finger* finger, const limitcurve_contact* contact, const void* held,
+                       limitcurve_finger_output* output, const Step& take) {
+  if (is_no_handle("finger", finger) || is_missing("contact", contact) || is_missing("orientation", held) || is_missing("output", output))
+    return LIMITCURVE_INVALID;
+  write(take(), *output);
+  return LIMITCURVE_OK;
+}
+
 bool is_limit(double force, double radius) noexcept {
   return force >= 0.0 && std::isfinite(force) && radius >= 0.0 && std::isfinite(radius);
 }
@@ -177,34 +187,41 @@ void limitcurve_finger_free(limitcurve_finger* finger) {
 
 limitcurve_status limitcurve_finger_update(limitcurve_finger* finger, const limitcurve_contact* contact, double time_step,
                                            limitcurve_finger_output* output) {
-  if (is_no_handle("finger", finger) || is_missing("contact", contact) || is_missing("output", output)) return LIMITCURVE_INVALID;
-  write(finger->finger.update(contact_of(*contact), contact->twist, time_step), *output);
-  return LIMITCURVE_OK;
+  return step(finger, contact, contact, output, [&] { return finger->finger.update(contact_of(*contact), contact->twist, time_step); });
 }
 
 limitcurve_status limitcurve_finger_update_pose(limitcurve_finger* finger, const limitcurve_contact* contact, const double orientation[4],
                                                 double time_step, limitcurve_finger_output* output) {
-  if (is_no_handle("finger", finger) || is_missing("contact", contact) || is_missing("orientation", orientation) ||
-      is_missing("output", output))
-    return LIMITCURVE_INVALID;
-  write(finger->finger.update(contact_of(*contact), orientation_of(orientation), time_step), *output);
-  return LIMITCURVE_OK;
+  return step(finger, contact, orientation, output,
+              [&] { return finger->finger.update(contact_of(*contact), orientation_of(orientation), time_step); });
 }
 
 limitcurve_status limitcurve_finger_preview(const limitcurve_finger* finger, const limitcurve_contact* contact, double time_step,
                                             limitcurve_finger_output* output) {
-  if (is_no_handle("finger", finger) || is_missing("contact", contact) || is_missing("output", output)) return LIMITCURVE_INVALID;
-  write(finger->finger.preview(contact_of(*contact), contact->twist, time_step), *output);
-  return LIMITCURVE_OK;
+  return step(finger, contact, contact, output, [&] { return finger->finger.preview(contact_of(*contact), contact->twist, time_step); });
 }
 
 limitcurve_status limitcurve_finger_preview_pose(const limitcurve_finger* finger, const limitcurve_contact* contact,
                                                  const double orientation[4], double time_step, limitcurve_finger_output* output) {
-  if (is_no_handle("finger", finger) || is_missing("contact", contact) || is_missing("orientation", orientation) ||
-      is_missing("output", output))
-    return LIMITCURVE_INVALID;
-  write(finger->finger.preview(contact_of(*contact), orientation_of(orientation), time_step), *output);
-  return LIMITCURVE_OK;
+  return step(finger, contact, orientation, output,
+              [&] { return finger->finger.preview(contact_of(*contact), orientation_of(orientation), time_step); });
+}
+
+limitcurve_status limitcurve_finger_update_under_load(limitcurve_finger* finger, const limitcurve_contact* contact, double load,
+                                                      double time_step, limitcurve_finger_output* output) {
+  return step(finger, contact, contact, output, [&] {
+    const Contact touched = contact_of(*contact);
+    return finger->finger.update_under_load(touched.point, touched.normal, load, contact->twist, time_step, touched.landed);
+  });
+}
+
+limitcurve_status limitcurve_finger_update_under_load_pose(limitcurve_finger* finger, const limitcurve_contact* contact, double load,
+                                                           const double orientation[4], double time_step,
+                                                           limitcurve_finger_output* output) {
+  return step(finger, contact, orientation, output, [&] {
+    const Contact touched = contact_of(*contact);
+    return finger->finger.update_under_load(touched.point, touched.normal, load, orientation_of(orientation), time_step, touched.landed);
+  });
 }
 
 limitcurve_status limitcurve_finger_change(limitcurve_finger* finger, const limitcurve_finger_parameters* parameters) {
@@ -231,15 +248,6 @@ limitcurve_status limitcurve_finger_copy_state(const limitcurve_finger* from, li
 limitcurve_status limitcurve_finger_spring_energy(const limitcurve_finger* finger, double* spring_energy) {
   if (is_no_handle("finger", finger) || is_missing("spring_energy", spring_energy)) return LIMITCURVE_INVALID;
   *spring_energy = finger->finger.spring_energy();
-  return LIMITCURVE_OK;
-}
-
-limitcurve_status limitcurve_finger_update_under_load(limitcurve_finger* finger, const limitcurve_contact* contact, double load,
-                                                      double time_step, limitcurve_finger_output* output) {
-  if (is_no_handle("finger", finger) || is_missing("contact", contact) || is_missing("output", output)) return LIMITCURVE_INVALID;
-  write(finger->finger.update_under_load(Eigen::Vector3d(contact->point), Eigen::Vector3d(contact->normal), load, contact->twist, time_step,
-                                         contact->landed != 0),
-        *output);
   return LIMITCURVE_OK;
 }
 

@@ -255,10 +255,13 @@ LIMITCURVE_API limitcurve_status limitcurve_finger_update(limitcurve_finger* fin
 LIMITCURVE_API limitcurve_status limitcurve_finger_update_under_load(limitcurve_finger* finger, const limitcurve_contact* contact,
                                                                      double load, double time_step, limitcurve_finger_output* output);
 
-/* The same with the device's orientation (w, x, y, z; finger to surface, of unit length) in place of `twist`, which is not read. [real time] */
+/* Both with the device's orientation (w, x, y, z; finger to surface, of unit length) in place of `twist`, which is not read. [real time] */
 LIMITCURVE_API limitcurve_status limitcurve_finger_update_pose(limitcurve_finger* finger, const limitcurve_contact* contact,
                                                                const double orientation[4], double time_step,
                                                                limitcurve_finger_output* output);
+LIMITCURVE_API limitcurve_status limitcurve_finger_update_under_load_pose(limitcurve_finger* finger, const limitcurve_contact* contact,
+                                                                          double load, const double orientation[4], double time_step,
+                                                                          limitcurve_finger_output* output);
 
 /* The result that an update would have, without a change of the finger. [real time] */
 LIMITCURVE_API limitcurve_status limitcurve_finger_preview(const limitcurve_finger* finger, const limitcurve_contact* contact,

@@ -42,10 +42,10 @@ struct PyFinger : SoftFinger {
       : SoftFinger(std::move(finger)), contact(nb::borrow(on)), given(std::move(keywords)) {}
 };
 
-/// A method that takes a contact, and the device's twist or orientation.
-std::string contact_signature(const char* name, const char* held) {
+/// A method that takes a contact, by its depth or its load, and the device's twist or orientation.
+std::string contact_signature(const char* name, const char* held, const char* pressed = "depth") {
   constexpr const char* vector = "collections.abc.Sequence[float] | numpy.typing.NDArray[typing.Any]";
-  return std::string("def ") + name + "(self, point: " + vector + ", normal: " + vector + ", depth: float, " + held + ": " +
+  return std::string("def ") + name + "(self, point: " + vector + ", normal: " + vector + ", " + pressed + ": float, " + held + ": " +
          (std::string_view(held) == "twist" ? "float" : vector) + ", dt: float = 0.0, landed: bool = False) -> FingerOutput";
 }
 constexpr const char* update_doc =
@@ -55,10 +55,6 @@ constexpr const char* update_doc =
     "Bad input (not finite, a normal that is not of unit length, a jump, dt < 0) raises nothing; it gives the state `invalid`, with\n"
     "the reason in `fault`: the last good output is held, and fades.";
 
-constexpr const char* update_under_load_signature =
-    "def update_under_load(self, point: collections.abc.Sequence[float] | numpy.typing.NDArray[typing.Any], normal: "
-    "collections.abc.Sequence[float] | numpy.typing.NDArray[typing.Any], load: float, twist: float, dt: float = 0.0, landed: bool = False) "
-    "-> FingerOutput";
 constexpr const char* update_under_load_doc =
     "One step where a physics engine gives the load [N] and not a depth. point: where the finger is on the surface [m], whose\n"
     "motion friction sees. With a load <= 0 the finger is free; one that is not finite is bad input. The output has that load, and\n"
@@ -88,6 +84,11 @@ Orientation orientation_of(nb::handle given) {
 
 FingerOutput update_pose(PyFinger& finger, const BoundArguments& given) {
   return finger.update(contact_of(given), orientation_of(given[3]), number_of(given[4], "dt", 0.0));
+}
+
+FingerOutput update_under_load_pose(PyFinger& finger, const BoundArguments& given) {
+  return finger.update_under_load(three_numbers(given[0], "point"), three_numbers(given[1], "normal"), number_of(given[2], "load"),
+                                  orientation_of(given[3]), number_of(given[4], "dt", 0.0), truth_of(given[5]));
 }
 
 FingerOutput preview_pose(const PyFinger& finger, const BoundArguments& given) {
@@ -217,7 +218,9 @@ void add_finger_types(nb::module_& module) {
         self.restore(other->state());
       },
       "Takes the state of another finger: proxy, memories and output, not its parameters.");
-  define<PyFinger&>(type, update_under_load_signature, &update_under_load, update_under_load_doc);
+  define<PyFinger&>(type, contact_signature("update_under_load", "twist", "load"), &update_under_load, update_under_load_doc);
+  define<PyFinger&>(type, contact_signature("update_under_load_pose", "orientation", "load"), &update_under_load_pose,
+                    "The same with the device's orientation in place of its twist.");
   define<PyFinger&>(type, "def reset(self) -> None", &SoftFinger::reset, "Back to the state before any contact.");
   type.def_prop_ro(
       "output", [](const PyFinger& self) { return self.output(); }, "Result of the last step.");

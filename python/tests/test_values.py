@@ -223,6 +223,7 @@ def test_a_finger_takes_orientations_and_other_materials():
     other.copy_state(pickle.loads(pickle.dumps(finger)))
     assert other.output.moment == before and other.load_to_hold() == pytest.approx(2, rel=1e-6)
     assert finger.update_pose(**touch, orientation=held).moment == pytest.approx(before / 2, abs=1e-9)
+    assert finger.update_under_load_pose((0, 0, 0), (0, 0, 1), 4, held, 1e-3).moment == pytest.approx(before / 2, abs=1e-9)  # it holds
 
 
 def test_fingers_and_batches_do_what_replay_does(data):

@@ -163,12 +163,16 @@ TEST_F(HostileCalls, OddNumbersAndNullAreErrorsOrRightAnswers) {
           expect_told(limitcurve_finger_preview(or_null(finger), or_null(&contact), number(), or_null(&output)));
           expect_told(limitcurve_finger_preview_pose(finger, or_null(&contact), or_null(orientation), number(), or_null(&output)));
           limitcurve_status status = LIMITCURVE_OK;
-          switch (random() % 3) {
+          switch (random() % 4) {
             case 0:
               status = limitcurve_finger_update(finger, or_null(&contact), number(), or_null(&output));
               break;
             case 1:
               status = limitcurve_finger_update_pose(finger, or_null(&contact), or_null(orientation), number(), or_null(&output));
+              break;
+            case 2:
+              status = limitcurve_finger_update_under_load_pose(finger, or_null(&contact), number(), or_null(orientation), number(),
+                                                                or_null(&output));
               break;
             default:
               status = limitcurve_finger_update_under_load(finger, or_null(&contact), number(), number(), or_null(&output));

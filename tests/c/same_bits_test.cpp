@@ -211,6 +211,10 @@ TEST(SameBits, UpdateOfAFinger) {
       double energy = 0;
       ASSERT_EQ(limitcurve_finger_spring_energy(finger, &energy), LIMITCURVE_OK);
       ASSERT_EQ(bits(energy), bits(expected_finger.spring_energy()));
+      if (i % 4 == 0) {
+        ASSERT_EQ(limitcurve_finger_update_under_load_pose(finger, &given, 2, orientation, 1e-3, &output), LIMITCURVE_OK);
+        expected = expected_finger.update_under_load(point, upward, 2, held, 1e-3, touched.landed);
+      }
     } else if (i % 128 < 64) {
       ASSERT_EQ(limitcurve_finger_update(finger, &given, 1e-3, &output), LIMITCURVE_OK);
       expected = expected_finger.update({point, upward, contact.depth, {}, i % 64 == 63}, twist, 1e-3);
