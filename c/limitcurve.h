@@ -123,7 +123,7 @@ LIMITCURVE_API limitcurve_status limitcurve_table_gauge(const limitcurve_table* 
 enum {
   LIMITCURVE_RADIAL = 0,
   LIMITCURVE_C_CURVE = 1,
-  LIMITCURVE_CLOSEST_POINT = 2 /* maximum dissipation: settles at the wrench of the slip. Recommended */
+  LIMITCURVE_CLOSEST_POINT = 2 /* maximum dissipation: the wrench of the slip, if its direction stays. Recommended */
 };
 typedef int limitcurve_projection; /* one of these; an int, so that any other number is an error, not undefined */
 

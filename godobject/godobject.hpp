@@ -32,7 +32,7 @@
 /// A finger has
 ///  - a limit curve, FingerCurve: a Table of any law, an Ellipse, or a box (the paper's uncoupled step);
 ///  - FingerParameters (finger.hpp): friction, contact radius a(P), springs, dampers;
-///  - a Projection: closest_point converges to eq. (17)'s wrench; radial and c_curve are the paper's (§5).
+///  - a Projection: closest_point settles at eq. (17)'s wrench if the slide keeps its direction; radial and c_curve are the paper's (§5).
 /// `update` takes an AnySurface (plane, sphere, capsule, cylinder, box, or your own: surface.hpp), or a Contact that other code has
 /// found, in the frame of the touched body (BodyPose).
 ///

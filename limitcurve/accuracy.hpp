@@ -28,8 +28,8 @@ inline constexpr double patch_ellipse_other = 1e-10;
 /// `CurveError`: absolute error of its largest and smallest values.
 inline constexpr double curve_error = 1e-9;
 
-/// `SoftFinger` with Projection::closest_point and a table of tolerance 1e-8, under a constant twist: distance of the steady wrench from
-/// eq. (17)'s, in the plane of unit wrenches.
+/// `SoftFinger` with Projection::closest_point and a table of tolerance 1e-8, under a constant twist whose slide keeps its
+/// direction: distance of the steady wrench from eq. (17)'s, in the plane of unit wrenches. About a centre fixed in space: docs/theory.md.
 inline constexpr double steady_wrench = 1e-7;
 
 }  // namespace limitcurve::accuracy

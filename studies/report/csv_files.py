@@ -146,7 +146,7 @@ def replays(files):
 
 def steady_twist(files):
     """steady_twist: law, boundary, projection, cor, stiffness_ratio, force, moment, exact_force,
-    exact_moment, error: the unit wrench at which a finger settles that turns about its rim, against
+    exact_moment, error: the unit wrench at which a finger settles that slides straight on and turns, v/ω = a, against
     k_r/(k_l (m0 a)^2). The error is the norm of the difference, each part over its limit."""
     m0 = files.moment_ratios["hertz"]
     [exact] = numbers(files.command.rows("eval", "--law", "hertz", "--c", 1), "force", "moment")

@@ -51,9 +51,9 @@ def numbers_to_remember(data):
     return [
         (largest, f"The usual ellipse overestimates what a contact bears by up to {largest} ({worst['law']}; for {best['law']} "
                   f"by {least}). Its centre of rotation is off by up to {percent(worst_cor_error(data), 0)}."),
-        (percent(radial, 0), f"With the radial projection the friction of a steady twist is off by up to {percent(radial, 0)} "
-                             f"of its limits (stiffness ratios κ from {min(ratios):.2g} to {max(ratios):.2g}). With the closest "
-                             f"point it is off by {closest:.0e}."),
+        (percent(radial, 0), f"If a finger slides straight on and turns, v/ω = a, the radial projection misses the friction by up to "
+                             f"{percent(radial, 0)} of its limits (stiffness ratios κ from {min(ratios):.2g} to {max(ratios):.2g}); the "
+                             f"closest point misses it by {closest:.0e}."),
         (f"{look_up:.0f} ns", f"A look-up takes {look_up:.0f} ns in a table of {table['bytes']:.0f} bytes, whose error is at most "
                               f"{short(float(f'{error:.1e}'))}. A step of a finger on it takes {step:.0f} ns. A finer table takes "
                               "hardly longer."),
@@ -189,9 +189,9 @@ or to the closest point.""",
              "Use a table and the closest point where a finger slides and turns at once."),
         ], ""),
         ("The projection matters more than the curve", [
-            ("steady_twist", f"""A finger turns steadily about a centre at c = {twist['cor']:g} a. Errors are fractions of the
-limits. With the closest point the wrench settles at that of eq. (17), at every stiffness. With the radial projection the ratio
-of the springs decides where it settles, whatever the curve. On the ellipse the closest point has the ellipse’s own error.""",
+            ("steady_twist", f"""A finger slides straight on and turns, v/ω = c = {twist['cor']:g} a. Errors are fractions of the limits. With the closest
+point the wrench settles at that of eq. (17), at every stiffness; on the ellipse only the ellipse’s own error remains. With the
+radial projection the ratio of the springs decides, whatever the curve. About a centre that stays the force lags: keep k<sub>l</sub> ≫ μP/c.""",
              "Use the radial projection only if k<sub>r</sub> is near k<sub>l</sub>(μ<sub>r</sub>/μ)²."),
         ], ""),
         experiment_figures.section(data),

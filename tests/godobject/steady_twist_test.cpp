@@ -14,7 +14,7 @@ constexpr double radius = 0.005;
 constexpr double stiffness = 1000.0;
 constexpr double depth = 0.002;
 constexpr double load = stiffness * depth;
-/// Unit wrench that a finger settles at when it is moved at a constant twist about a centre at s = c/a for long: ninety
+/// Unit wrench that a finger settles at when it slides straight on and turns at a constant v/ω = c = sa for long: ninety
 /// times the give of the softer spring, which the length of the transient is counted in (docs/theory.md, "The step").
 UnitWrench settled(const FingerCurve& curve, Projection projection, double s, double kappa) {
   const double m0 = curve.moment_ratio();
@@ -86,6 +86,111 @@ TEST(SteadyTwist, ClosestPointObeysALoadDependentRadius) {
   EXPECT_NEAR(finger.output().force.norm(), mu * load * expected.force, 1e-9);
   EXPECT_NEAR(std::fabs(finger.output().moment), mu * load * a * expected.moment, 1e-11);
   EXPECT_NEAR(finger.output().cor, c, 1e-6 * c);
+}
+
+/// A finger whose device turns about a centre fixed in space: wrench and COR that it settles at, and by how much the force lags the device.
+struct Trailing {
+  double cor;     ///< c′ [m]
+  double force;   ///< [N]
+  double moment;  ///< [N m]
+  double lag;     ///< angle from the device's velocity to the force that drags the proxy [rad]
+};
+
+/// Hertz by its closed form (docs/theory.md), for c ≤ a: F(c) and F′(c), with M′ = −c F′.
+double hertz_force(double cor) {
+  const double s = cor / radius;
+  return mu * load * 3.0 * std::numbers::pi / 8.0 * s * (1.0 - 0.25 * s * s);
+}
+double hertz_moment(double cor) {
+  const double square = cor * cor / (radius * radius);
+  return mu * load * radius * 3.0 * std::numbers::pi / 16.0 * (1.0 - square + 0.375 * square * square);
+}
+double hertz_rate(double cor) {
+  const double s = cor / radius;
+  return mu * load * 3.0 * std::numbers::pi / 8.0 * (1.0 - 0.75 * s * s) / radius;
+}
+
+/// The law: the proxy runs on a circle of radius c′ and is dragged along its path, so that springs and damper in line, k_l + iωb, stretch
+/// by e = iF/(k_l + iωb), and the device is at c′ + e: c² = (c′ + Fωb/K²)² + (F k_l/K²)², K² = k_l² + (ωb)². `drag` is ωb [N/m].
+Trailing trailing_by_law(double c, double k, double drag) {
+  const double square = k * k + drag * drag;
+  double low = 0.0;
+  double high = c;
+  for (int i = 0; i < 100; ++i) {
+    const double middle = 0.5 * (low + high);
+    const double force = hertz_force(middle);
+    (std::hypot(middle + force * drag / square, force * k / square) < c ? low : high) = middle;
+  }
+  const double force = hertz_force(low);
+  return {low, force, hertz_moment(low), std::asin(force * k / (square * c))};
+}
+
+/// Independent of the step: equilibrium and flow of a sliding contact as differential equations in the slip's COR c′, the force's direction φ
+/// and the speed v of the slip, by Runge and Kutta. With u along the force and h the device's place,
+///   Ġ = k(ḣ − v u) + b(ḧ − d(vu)/dt) along and across u,   Ṁ = −c′F′ċ′ = k_r(ω − v/c′).
+/// Without a damper the first one gives v, and with the last ċ′ = (ḣ·u − ωc′)/(F′(1/k + c′²/k_r)). The time unit is 1/ω.
+Trailing trailing_by_integration(double c, double k, double twist_stiffness, double drag) {
+  using State = std::array<double, 3>;
+  const auto rate = [&](double t, const State& at) -> State {
+    const auto [cor, direction, speed] = at;
+    const double behind = direction - t - 0.5 * std::numbers::pi;
+    // The device's velocity along and across the force; its acceleration is (−across, along).
+    const double along = c * std::cos(behind);
+    const double across = -c * std::sin(behind);
+    const double slope = hertz_rate(cor);
+    if (drag == 0.0) return {(along - cor) / (slope * (1.0 / k + cor * cor / twist_stiffness)), k * across / hertz_force(cor), 0.0};
+    const double cor_rate = twist_stiffness * (speed / cor - 1.0) / (cor * slope);
+    return {cor_rate, (k * across + drag * along) / (hertz_force(cor) + drag * speed),
+            (k * (along - speed) - drag * across - slope * cor_rate) / drag};
+  };
+  State state{0.5 * c, 0.5 * std::numbers::pi, 0.5 * c};
+  constexpr double step = 1e-3;
+  const auto moved = [](State at, const State& by, double factor) {
+    for (std::size_t i = 0; i < at.size(); ++i) at[i] += factor * by[i];
+    return at;
+  };
+  constexpr int count = 20000;
+  for (int i = 0; i < count; ++i) {
+    const double t = step * i;
+    const State first = rate(t, state);
+    const State second = rate(t + 0.5 * step, moved(state, first, 0.5 * step));
+    const State third = rate(t + 0.5 * step, moved(state, second, 0.5 * step));
+    const State fourth = rate(t + step, moved(state, third, step));
+    state = moved(moved(moved(moved(state, first, step / 6.0), second, step / 3.0), third, step / 3.0), fourth, step / 6.0);
+  }
+  return {state[0], hertz_force(state[0]), hertz_moment(state[0]), step * count + 0.5 * std::numbers::pi - state[1]};
+}
+
+// docs/theory.md, "The step": about a centre that stays, a finger is a trailer. Both laws, to four digits at 1 mrad a step.
+TEST(SteadyTwist, AboutAFixedCentreTheFingerTrails) {
+  const Table table = Table::build(hertz(), 1e-8);
+  constexpr double rate = 2.0;  // [rad/s]
+  for (const double c : {0.3 * radius, 0.9 * radius}) {
+    for (const auto& [k, damping] : {std::pair{1000.0, 0.0}, {5000.0, 0.0}, {1000.0, 200.0}, {5000.0, 1000.0}}) {
+      for (const double twist_stiffness : {0.004, 0.04}) {
+        const Trailing law = trailing_by_law(c, k, rate * damping);
+        const Trailing integrated = trailing_by_integration(c, k, twist_stiffness, rate * damping);
+        const std::string where = "c " + std::to_string(c) + " k " + std::to_string(k) + " b " + std::to_string(damping);
+        EXPECT_NEAR(integrated.cor, law.cor, 1e-8 * radius) << where;
+        EXPECT_NEAR(integrated.lag, law.lag, 1e-8) << where;
+        FingerParameters soft = parameters(mu, radius, k, twist_stiffness);
+        soft.damping = damping;
+        SoftFinger finger(table, soft);
+        constexpr double step = 1e-3;
+        double angle = 0.0;
+        for (int i = 0; i <= 12000; ++i) {
+          angle = step * i;
+          finger.update(on_plane(c * std::cos(angle), c * std::sin(angle), load / k), angle, step / rate);
+        }
+        const FingerOutput& output = finger.output();
+        const double lag = angle + 1.5 * std::numbers::pi - std::atan2(output.force.y(), output.force.x());
+        EXPECT_NEAR(output.force.norm(), law.force, 1e-4 * mu * load) << where;
+        EXPECT_NEAR(std::fabs(output.moment), law.moment, 1e-4 * mu * load * radius) << where;
+        EXPECT_NEAR(output.cor, law.cor, 1e-4 * radius) << where;
+        EXPECT_NEAR(std::remainder(lag, 2.0 * std::numbers::pi), law.lag, 1e-3) << where;
+      }
+    }
+  }
 }
 
 /// Slip, in lengths max(μP/k_l, aΓ/k_r), after which a finger that starts from rest stays within accuracy::steady_wrench of eq. (17), under a
