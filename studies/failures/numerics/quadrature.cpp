@@ -278,7 +278,7 @@ Hazard vanishing_complement() {
       if (error > 1e-12) raise(breaks_down[i], delta);
     }
   }
-  const std::string quantity = "least relative distance of ρ and s at which K is right to 1e-12";
+  const std::string quantity = "least relative distance of ρ and s at which K is accurate to 1e-12";
   found.findings.push_back({"complement of the modulus vanishes", "Boost's K of the modulus k", quantity, breaks_down[0], breaks_down[2]});
   found.findings.push_back({"complement of the modulus vanishes", "R_F of the squared distance", quantity, breaks_down[1], breaks_down[2]});
   return found;
