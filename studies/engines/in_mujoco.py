@@ -95,7 +95,7 @@ def held():
     box, elliptic, pyramid = 'type="box" size="0.01 0.006 0.01"', 'cone="elliptic" impratio="10"', 'cone="pyramidal"'
     noslip, more = 'noslip_iterations="3"', f'{elliptic} noslip_iterations="200"'
     for setting, contact, geom, option in (
-        ("ball as typed", hold.DISC, disc, f"{elliptic} {noslip}"), ("ball without noslip", hold.DISC, disc, elliptic),
+        ("ball as listed", hold.DISC, disc, f"{elliptic} {noslip}"), ("ball without noslip", hold.DISC, disc, elliptic),
         ("ball without noslip, impratio 1e4", hold.DISC, disc, 'cone="elliptic" impratio="1e4"'),
         ("ball, pyramid", hold.DISC, disc, pyramid), ("ball, pyramid and noslip", hold.DISC, disc, f"{pyramid} {noslip}"),
         ("box 20x12 mm by one ball", patch, pad, f"{elliptic} {noslip}"),
