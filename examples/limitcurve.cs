@@ -10,7 +10,7 @@ enum State { Free = 0, Stick = 1, Slip = 2, Invalid = 3 }
 [StructLayout(LayoutKind.Sequential)]
 struct FingerParameters {
   public double mu, muDynamic;
-  public IntPtr radiusLaw;  // Marshal.StringToCoTaskMemUTF8; read by limitcurve_finger_new only
+  public IntPtr radiusLaw;  // Marshal.StringToCoTaskMemUTF8; read by the call only; NULL in limitcurve_finger_change: as it was
   public double muR, gamma, muRDynamic, stiffness, twistStiffness;
   public double damping, twistDamping, restMargin, maxDisplacement, faultDecay;
 }
@@ -50,7 +50,20 @@ static unsafe class LimitCurve {
     Projection projection, out IntPtr finger);
   [DllImport(Library)] public static extern Status limitcurve_finger_update(IntPtr finger, ref Contact contact, double timeStep,
     out FingerOutput output);
+  [DllImport(Library)] public static extern Status limitcurve_finger_update_pose(IntPtr finger, ref Contact contact, double[] orientation,
+    double timeStep, out FingerOutput output);
   [DllImport(Library)] public static extern Status limitcurve_finger_update_under_load(IntPtr finger, ref Contact contact, double load,
     double timeStep, out FingerOutput output);
+  [DllImport(Library)] public static extern Status limitcurve_finger_update_under_load_pose(IntPtr finger, ref Contact contact, double load,
+    double[] orientation, double timeStep, out FingerOutput output);
+  [DllImport(Library)] public static extern Status limitcurve_finger_preview(IntPtr finger, ref Contact contact, double timeStep,
+    out FingerOutput output);
+  [DllImport(Library)] public static extern Status limitcurve_finger_preview_pose(IntPtr finger, ref Contact contact, double[] orientation,
+    double timeStep, out FingerOutput output);
+  [DllImport(Library)] public static extern Status limitcurve_finger_change(IntPtr finger, ref FingerParameters parameters);
+  [DllImport(Library)] public static extern Status limitcurve_finger_copy_state(IntPtr from, IntPtr to);
+  [DllImport(Library)] public static extern Status limitcurve_finger_spring_energy(IntPtr finger, out double springEnergy);
+  [DllImport(Library)] public static extern Status limitcurve_finger_margin(IntPtr finger, out double margin, out double loadToHold);
+  [DllImport(Library)] public static extern Status limitcurve_finger_reset(IntPtr finger);
   [DllImport(Library)] public static extern void limitcurve_finger_free(IntPtr finger);
 }

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+// A soft finger on triangle meshes that move, found by Bullet's collisions.
+#include "godobject/godobject.hpp"
+
+#include <btBulletCollisionCommon.h>
+
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+namespace lc = limitcurve;
+namespace god = limitcurve::godobject;
+
+static Eigen::Vector3d eigen(const btVector3& v) {
+  return {v.x(), v.y(), v.z()};
+}
+static god::BodyPose pose(const btTransform& at) {
+  const btQuaternion q = at.getRotation();
+  return {eigen(at.getOrigin()), god::Orientation(q.w(), q.x(), q.y(), q.z()).normalized()};
+}
+
+/// The deepest of Bullet's contact points, in the world's frame.
+struct Deepest : btCollisionWorld::ContactResultCallback {
+  const btCollisionObject* object = nullptr;
+  god::Contact contact;
+  btScalar addSingleResult(btManifoldPoint& p, const btCollisionObjectWrapper*, int, int, const btCollisionObjectWrapper* other, int,
+                           int) override {
+    if (-p.getDistance() > contact.depth) {
+      object = other->getCollisionObject();
+      contact = {eigen(p.getPositionWorldOnB()), eigen(p.m_normalWorldOnB).normalized(), -p.getDistance()};
+    }
+    return 0;
+  }
+};
+
+/// A finger whose tip is a ball, which may sink in by its radius.
+class BallFinger {
+ public:
+  BallFinger(const god::SoftFinger& finger, double radius) : finger_(finger), ball_(btScalar(radius)) { tip_.setCollisionShape(&ball_); }
+
+  /// One step: force and moment on the user in the world's frame.
+  god::FingerOutput update(btCollisionWorld& world, const btTransform& device, double dt) {
+    Deepest found;
+    tip_.setWorldTransform(device);
+    world.contactTest(&tip_, found);
+    const bool changed = std::exchange(object_, found.object) != found.object;
+    if (found.object == nullptr) {
+      finger_.reset();
+      return {};
+    }
+    const god::BodyPose body = pose(found.object->getWorldTransform());
+    god::Contact contact = to_body(body, found.contact);
+    // On another body, or on a wall that faces the other way, the finger lands anew.
+    contact.landed = changed || contact.normal.dot(finger_.output().normal) < 0;
+    return to_world(body, finger_.update(contact, to_body(body, pose(device).orientation), dt));
+  }
+
+ private:
+  god::SoftFinger finger_;
+  btSphereShape ball_;
+  btCollisionObject tip_;
+  const btCollisionObject* object_ = nullptr;
+};
+
+int main() {
+  btDefaultCollisionConfiguration configuration;
+  btCollisionDispatcher dispatcher(&configuration);
+  btDbvtBroadphase broadphase;
+  btCollisionWorld world(&dispatcher, &broadphase, &configuration);
+  btTriangleMesh triangles;  // a floor, and a ceiling 30 mm above
+  for (const btScalar z : {btScalar(0), btScalar(0.03)}) {
+    const btVector3 a(-1, -1, z), b(1, -1, z), c(1, 1, z), d(-1, 1, z);
+    triangles.addTriangle(a, b, c);
+    triangles.addTriangle(a, c, d);
+  }
+  btBvhTriangleMeshShape shape(&triangles, true);
+  btCollisionObject slot;
+  slot.setCollisionShape(&shape);
+  world.addCollisionObject(&slot);
+
+  god::FingerParameters skin;
+  skin.mu = 0.6;
+  skin.radius_law = lc::RadiusLaw::constant(0.006);
+  BallFinger finger(god::SoftFinger(lc::Table::build(lc::hertz(), 1e-8), skin), 0.005);
+  const auto at = [](double x, double z) { return btTransform(btQuaternion::getIdentity(), {btScalar(x), 0, btScalar(z)}); };
+  const auto ratio = [](const god::FingerOutput& out) { return out.force.x() / (0.6 * out.load); };
+
+  god::FingerOutput out;
+  for (int i = 0; i < 1000; ++i) out = finger.update(world, at(2e-5 * i, 0.003), 1e-3);
+  const double slide = ratio(out);
+  for (int i = 0; i < 1000; ++i) {  // now the slot moves along, and faster
+    slot.setWorldTransform(at(4e-5 * i, 0));
+    out = finger.update(world, at(0.02, 0.003), 1e-3);
+  }
+  const double carried = ratio(out);
+  out = finger.update(world, at(0.02, 0.027), 1e-3);  // to the ceiling in one step
+  std::printf("F/(mu P): slide %.6f, carried along %.6f, at another wall %.6f; load %.6f N\n", slide, carried, ratio(out), out.load);
+  return std::abs(slide + 1) < 1e-5 && std::abs(carried - 1) < 1e-5 && out.force.norm() == 0 && std::abs(out.load - 2) < 1e-4 ? 0 : 1;
+}
