@@ -14,7 +14,7 @@ from repository import FILES  # noqa: E402  (it lies beside this file)
 project = "limitcurve"
 version = release = re.search(r'version = "(.*)"', (ROOT / "limitcurve" / "version.hpp").read_text(encoding="utf-8"))[1]
 root_doc = "index"
-include_patterns = [*sorted(name for name in FILES if name.endswith(".md") and not name.startswith(".")), "docs/index.rst", "build/reference/*.md"]
+include_patterns = [*sorted(name for name in FILES if name.endswith(".md") and not name.startswith(".")), "build/reference/*.md"]
 # Sphinx follows links, and in build/wine the z: is the whole machine.
 exclude_patterns = ["out", *(f"build/{path.name}" for path in (ROOT / "build").iterdir() if path.name != "reference")]
 extensions = ["myst_parser", "breathe", "sphinx.ext.autodoc", "sphinx_copybutton", "docstrings", "headers", "repository", "formulas"]

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""The site's pages are the repository's Markdown files: this module gives their names, and adapts links to folders."""
+"""The site's pages are the repository's Markdown files, its first page README.md: this module gives their names, adapts links to folders, and
+puts the sidebar (sidebar.txt) under the first page."""
 
 import posixpath
 import re
@@ -15,11 +16,11 @@ LINK = re.compile(r"(?<!!)\[((?:[^][]|\[[^]]*\])*)\]\(([^)#:\s]+)(#[^)\s]*)?\)")
 
 
 class PagesAtTheTop(Project):
-    """docs/drive.md is the page drive.html, fit/README.md is fit/README.html, build/reference/c.md (headers.py) is reference/c.html."""
+    """README.md is index.html, docs/drive.md drive.html, fit/README.md fit/README.html, build/reference/c.md (headers.py) reference/c.html."""
 
     def path2doc(self, filename):
         name = super().path2doc(filename)
-        return name and re.sub(r"^(docs|build)/", "", name)
+        return name and ("index" if name == "README" else re.sub(r"^(docs|build)/", "", name))
 
 
 def resolve_links(app, docname, source):
@@ -33,6 +34,9 @@ def resolve_links(app, docname, source):
             return match[0]
         return f"[{text}]({target}/README.md{anchor})" if f"{path}/README.md" in FILES else text
 
+    if docname == "index":
+        source[0] = source[0].replace("[Playground](docs/playground)", '<a href="playground/index.html">Playground</a>')
+        source[0] += "\n" + (ROOT / "docs" / "site" / "sidebar.txt").read_text(encoding="utf-8")
     source[0] = LINK.sub(resolved, source[0])
 
 
