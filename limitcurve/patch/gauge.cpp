@@ -169,7 +169,7 @@ struct Patch::Direction {
   double size = std::numeric_limits<double>::quiet_NaN();
   patch::Vector w{};  ///< of length 1, if size > 0 is finite
 
-  Direction(const Patch& patch, const PatchWrench& wrench) noexcept : isotropic(patch.shape_, 1.0, 1.0) {
+  Direction(const Patch& patch, const PatchWrench& wrench) noexcept : isotropic(patch.shape_) {
     if (std::isnan(wrench.fx) || std::isnan(wrench.fy) || std::isnan(wrench.moment)) return;
     w = {wrench.fx / patch.mx_, wrench.fy / patch.my_, wrench.moment == 0.0 ? 0.0 : wrench.moment / patch.moment_ratio_};
     size = std::hypot(std::hypot(w.x, w.y), w.z);

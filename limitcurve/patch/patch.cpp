@@ -65,15 +65,22 @@ PatchFriction Shape::about_origin(const PatchTwist& twist, PatchPoint factors) c
 
 }  // namespace patch
 
-Patch::Patch(std::shared_ptr<const patch::Shape> shape, double mx, double my)
-    : shape_(std::move(shape)), mx_(mx), my_(my), moment_ratio_(shape_->moment_ratio), radius_(shape_->radius / std::min(mx, my)) {}
+Patch::Patch(std::shared_ptr<const patch::Shape> isotropic) : Patch(isotropic, 1.0, 1.0, isotropic->centre) {}
+
+Patch::Patch(std::shared_ptr<const patch::Shape> shape, double mx, double my, PatchPoint centre)
+    : shape_(std::move(shape)),
+      centre_(centre),
+      mx_(mx),
+      my_(my),
+      moment_ratio_(shape_->moment_ratio),
+      radius_(shape_->radius / std::min(mx, my)) {}
 
 Patch Patch::points(std::span<const PatchLoad> loads) {
-  return {patch::make_points(loads), 1.0, 1.0};
+  return Patch(patch::make_points(loads));
 }
 
 Patch Patch::polygon(std::span<const PatchPoint> vertices) {
-  return {patch::make_polygon(vertices), 1.0, 1.0};
+  return Patch(patch::make_polygon(vertices));
 }
 
 Patch Patch::rectangle(double x, double y) {
@@ -84,11 +91,11 @@ Patch Patch::rectangle(double x, double y) {
 }
 
 Patch Patch::ellipse(const Law& law, double a, double b) {
-  return {patch::make_ellipse(checked(law), checked_length("a", a), checked_length("b", b)), 1.0, 1.0};
+  return Patch(patch::make_ellipse(checked(law), checked_length("a", a), checked_length("b", b)));
 }
 
 Patch Patch::image(std::span<const double> pressures, std::size_t columns, double width, double height) {
-  return {patch::make_image(pressures, columns, checked_length("pixel", width), checked_length("pixel", height)), 1.0, 1.0};
+  return Patch(patch::make_image(pressures, columns, checked_length("pixel", width), checked_length("pixel", height)));
 }
 
 Patch Patch::orthotropic(double mx, double my) const {
@@ -96,12 +103,12 @@ Patch Patch::orthotropic(double mx, double my) const {
   if (!fits(mx)) throw out_of_range("mx", mx, "1", "1e-6 <= mx <= 1e6");
   if (!fits(my)) throw out_of_range("my", my, "1", "1e-6 <= my <= 1e6");
   if (mx == 1.0 && my == 1.0) return *this;
-  return {shape_->stretched(my, mx), mx_ * mx, my_ * my};
+  return {shape_->stretched(my, mx), mx_ * mx, my_ * my, centre_};
 }
 
 Patch Patch::smoothed(double radius) const {
   auto smooth = shape_->smoothed(checked_length("radius", radius) * std::sqrt(mx_ * my_));
-  return smooth ? Patch(std::move(smooth), mx_, my_) : *this;
+  return smooth ? Patch(std::move(smooth), mx_, my_, centre_) : *this;
 }
 
 // Orthotropic friction: diag(mx, my)(v + ω ẑ × x) is the velocity of the point (my x, mx y) under the twist (mx v_x, my v_y, ω). So H is
@@ -124,10 +131,6 @@ PatchFriction Patch::about_origin(const PatchTwist& twist) const noexcept {
 
 double Patch::nanoseconds() const noexcept {
   return shape_->nanoseconds();
-}
-
-PatchPoint Patch::centre() const noexcept {
-  return {shape_->centre.x / my_, shape_->centre.y / mx_};
 }
 
 Patch::RoundMeasures Patch::round_measures() const {

@@ -121,7 +121,7 @@ class Patch {
   [[nodiscard]] PatchSlip slip(const PatchWrench& wrench) const;
 
   /// Centre of pressure [m].
-  [[nodiscard]] PatchPoint centre() const noexcept;
+  [[nodiscard]] PatchPoint centre() const noexcept { return centre_; }
   /// m₀ = H(0, 0, 1) [m]: the moment of a pure spin about the centre of pressure. It is the largest moment.
   [[nodiscard]] double moment_ratio() const noexcept { return moment_ratio_; }
   /// Largest distance of a point of the patch from the centre of pressure [m]; for a law without rim, of its last break.
@@ -143,18 +143,20 @@ class Patch {
  private:
   struct Direction;
 
-  Patch(std::shared_ptr<const patch::Shape> shape, double mx, double my);
+  explicit Patch(std::shared_ptr<const patch::Shape> isotropic);
+  Patch(std::shared_ptr<const patch::Shape> shape, double mx, double my, PatchPoint centre);
 
   std::shared_ptr<const patch::Shape> shape_;  ///< under isotropic friction: the patch with x times my and y times mx
+  PatchPoint centre_{};                        ///< of the patch itself: of one point it is that point to the last bit
   double mx_ = 1.0;
   double my_ = 1.0;
   double moment_ratio_ = 0.0;
   double radius_ = 0.0;
 };
 
-/// The smallest load [N] under which the patch bears a wrench [N, N m] about the origin of its coordinates without slip, with friction `mu`
-/// ≥ 0 and the patch's shape of pressure at every load. 0 for wrench 0; inf if no load holds. Throws std::invalid_argument for arguments out
-/// of range. Error and cost are those of `Patch::gauge`.
+/// The smallest load [N], of all points together, under which the patch bears a wrench [N, N m] about the origin of its coordinates
+/// without slip, with friction `mu` ≥ 0 and the patch's shape of pressure at every load. 0 for wrench 0; inf if no load holds. Throws
+/// std::invalid_argument for arguments out of range. Error and cost are those of `Patch::gauge`.
 double load_to_hold(const Patch& patch, double mu, const PatchWrench& wrench);
 
 }  // namespace limitcurve

@@ -11,8 +11,9 @@ namespace limitcurve::patch {
 
 namespace {
 
-/// Makes the loads sum to 1; returns their centre of pressure.
+/// Makes the loads sum to 1; returns their centre of pressure: from the first point, so that of points at one place it is that place.
 PatchPoint normalise(std::vector<PatchLoad>& loads) {
+  const PatchLoad first = loads.front();
   Extended total = 0;
   Extended x = 0;
   Extended y = 0;
@@ -21,11 +22,11 @@ PatchPoint normalise(std::vector<PatchLoad>& loads) {
   for (const PatchLoad& point : loads) {
     const Extended load = Extended(point.load) / heaviest;
     total += load;
-    x += load * point.x;
-    y += load * point.y;
+    x += load * (Extended(point.x) - first.x);
+    y += load * (Extended(point.y) - first.y);
   }
   for (PatchLoad& point : loads) point.load = static_cast<double>(Extended(point.load) / heaviest / total);
-  return {static_cast<double>(x / total), static_cast<double>(y / total)};
+  return {static_cast<double>(first.x + x / total), static_cast<double>(first.y + y / total)};
 }
 
 std::vector<PatchLoad> stretch_loads(std::vector<PatchLoad> loads, double sx, double sy) {
@@ -49,9 +50,10 @@ std::vector<PatchPoint> places_of(const std::vector<PatchLoad>& loads) {
 struct Points final : Shape {
   std::vector<PatchLoad> loads;  ///< not stretched
   PatchPoint stretch;            ///< of x and y, by orthotropic friction
+  PatchPoint middle;             ///< the centre of pressure, not stretched: divided back, it would lie beside a single point
 
-  explicit Points(std::vector<PatchLoad> points, PatchPoint scale = {1.0, 1.0}) : loads(std::move(points)), stretch(scale) {
-    const PatchPoint middle = normalise(loads);
+  explicit Points(std::vector<PatchLoad> points, PatchPoint scale = {1.0, 1.0})
+      : loads(std::move(points)), stretch(scale), middle(normalise(loads)) {
     centre = {stretch.x * middle.x, stretch.y * middle.y};
     for (const PatchLoad& point : loads) {
       radius = std::max(radius, std::hypot(stretch.x * (point.x - middle.x), stretch.y * (point.y - middle.y)));
@@ -90,7 +92,7 @@ struct Points final : Shape {
 
   [[nodiscard]] PatchFriction evaluate(const PatchTwist& twist, double& lost) const noexcept {
     const PatchTwist unstretched{twist.vx / stretch.y, twist.vy / stretch.x, twist.omega};
-    return sum(unstretched, {centre.x / stretch.x, centre.y / stretch.y}, {stretch.y, stretch.x}, lost);
+    return sum(unstretched, middle, {stretch.y, stretch.x}, lost);
   }
   [[nodiscard]] PatchFriction evaluate(const PatchTwist& twist) const noexcept override {
     double lost = 0.0;

@@ -98,10 +98,30 @@ TEST(PatchPoints, WhatOneBearsInPartSlipsAboutIt) {
   }
 }
 
-TEST(PatchPoints, OneHoldsNoMoment) {
-  const Patch patch = Patch::points(std::vector<PatchLoad>{{0.25, 0.5, 3.0}}).orthotropic(1.0, 2.0);
-  EXPECT_NEAR(load_to_hold(patch, 0.5, {3.0, 8.0, 0.25 * 8.0 - 0.5 * 3.0}), 10.0, 1e-14);
-  EXPECT_EQ(load_to_hold(patch, 0.5, {3.0, 8.0, 0.0}), std::numeric_limits<double>::infinity());
+/// By the law of friction itself: a force through the point, and no other wrench. Loads at one place are one point.
+TEST(PatchPoints, OneHoldsForcesThroughItself) {
+  std::mt19937 bits(71);
+  std::uniform_real_distribution<double> number(-1.0, 1.0);
+  for (int i = 0; i < 5000; ++i) {
+    const double length = std::pow(10.0, 9.0 * number(bits));
+    const double newton = std::pow(10.0, 9.0 * number(bits));
+    const double x = length * number(bits);
+    const double y = length * number(bits);
+    const double mx = std::pow(10.0, 6.0 * number(bits));
+    const double my = std::pow(10.0, 6.0 * number(bits));
+    std::vector<PatchLoad> at_one_place;
+    for (int k = 0; k <= i % 4; ++k) at_one_place.push_back({x, y, 1.1 + number(bits)});
+    const Patch patch = i % 2 == 0 ? Patch::points(at_one_place).orthotropic(mx, my)
+                                   : Patch::points(at_one_place).orthotropic(mx, 1.0).orthotropic(1.0, my);
+    const double fx = newton * number(bits);
+    const double fy = newton * number(bits);
+    const double moment = x * fy - y * fx;
+    const double load = std::hypot(fx / mx, fy / my) / 0.5;
+    EXPECT_NEAR(load_to_hold(patch, 0.5, {fx, fy, moment}), load, 1e-14 * load) << x << ' ' << y << ' ' << mx << ' ' << my;
+    EXPECT_NEAR(patch.slip({fx, fy, moment}).gauge, 0.5 * load, 1e-14 * load);
+    const double more = 1e-14 * (std::fabs(x * fy) + std::fabs(y * fx));
+    EXPECT_EQ(load_to_hold(patch, 0.5, {fx, fy, moment + more}), std::numeric_limits<double>::infinity());
+  }
 }
 
 TEST(PatchOrthotropic, IsTheSumOfItsPoints) {
