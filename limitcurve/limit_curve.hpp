@@ -3,7 +3,6 @@
 
 #include "wrench.hpp"
 
-#include <algorithm>
 #include <concepts>
 #include <limits>
 
@@ -47,30 +46,6 @@ template <class Curve>
   if (!(sum > 0.0 && sum <= (std::numeric_limits<double>::max)())) [[unlikely]]
     return sum;
   return gauge_from(wrench, curve.along(wrench).wrench);
-}
-
-/// The point where the ray through `direction` meets a strictly convex curve, and its normal. Newton's method in the spin fraction u,
-/// starting at `u` ∈ [0, 1], inside a bracket: f(u)·M − m(u)·F falls from M·f_max ≥ 0 at u = 0 to −F·m_max ≤ 0 at u = 1.
-/// Cost: usually 4 to 7 evaluations of `point`, at most 61.
-template <class Curve>
-RadialPoint search_along(const Curve& curve, UnitWrench direction, double u) noexcept {
-  constexpr int search_limit = 60;
-  double low = 0.0;
-  double high = 1.0;
-  SlopedPoint here = curve.point(SlipTwist::of_spin_fraction(u));
-  for (int i = 0; i < search_limit; ++i) {
-    const double cross = here.wrench.force * direction.moment - here.wrench.moment * direction.force;
-    (cross > 0.0 ? low : high) = u;
-    const double slope = here.slope.force * direction.moment - here.slope.moment * direction.force;
-    double next = u - cross / slope;
-    // On a flat face or at a singularity the Newton step leaves the bracket or is NaN: bisect instead.
-    if (!(next > low && next < high)) next = cross == 0.0 ? u : 0.5 * (low + high);
-    const double step = next - u;
-    u = next;
-    here = curve.point(SlipTwist::of_spin_fraction(u));
-    if (step * step <= 1e-32 * u * (1.0 - u) || high - low < 1e-16) break;
-  }
-  return {here.wrench, SlipTwist::of_spin_fraction(u)};
 }
 
 }  // namespace limitcurve

@@ -30,18 +30,6 @@ struct Need {
   double moment = 0.0;
 };
 
-/// The exact curve, for wrenches of any size.
-class AnySizeCurve : public ExactCurve {
- public:
-  using ExactCurve::ExactCurve;
-
-  [[nodiscard]] double gauge(UnitWrench wrench) const noexcept {
-    const double size = std::max(wrench.force, wrench.moment);
-    if (!(size > 0.0 && size <= std::numeric_limits<double>::max())) return wrench.force + wrench.moment;
-    return size * ExactCurve::gauge({wrench.force / size, wrench.moment / size});
-  }
-};
-
 class Hold final : public Subcommand {
  public:
   [[nodiscard]] Manual manual() const override {
@@ -97,12 +85,8 @@ class Hold final : public Subcommand {
       torsion_.check(law_, *results.messages);
       // Without friction no radius matters, and measured moments give none.
       const ContactFriction contact = mu_ > 0.0 ? torsion_.with(mu_, law_) : ContactFriction{0.0, RadiusLaw::constant(1e-3)};
-      // Of a formula without a closed form a table is as fast, and finds a slip next to the centre of a sharp peak.
-      const bool is_exact = kind == godobject::CurveKind::exact;
-      if (is_exact && (law_->closed(1) || law_->profile_error() > 0.0)) {
-        hold_round(results, AnySizeCurve(law_), contact, kind);
-      } else if (is_exact) {
-        hold_round(results, make_finger_curve(godobject::CurveKind::table, law_, 1e-11), contact, kind);
+      if (kind == godobject::CurveKind::exact) {
+        hold_round(results, ExactCurve(law_), contact, kind);
       } else {
         hold_round(results, make_finger_curve(kind, law_, 1e-8), contact, kind);
       }
@@ -127,9 +111,9 @@ class Hold final : public Subcommand {
     if (law_->profile_error() > 0.0) {
       error = [&](const Need& need, double load) { return hold_error(curve, *law_, contact, load, need.fx, need.moment, is_closed); };
     }
-    // By quadrature a row costs up to 2 ms, a table up to some seconds.
+    // By quadrature a row costs up to some ms, a table up to some seconds.
     constexpr std::size_t rows_of_a_table = 500;
-    const bool may_be_slow = kind == godobject::CurveKind::exact && law_->profile_error() > 0.0;
+    const bool may_be_slow = kind == godobject::CurveKind::exact && !law_->closed(1);
     std::size_t rows = 0;
     std::optional<godobject::FingerCurve> table;
     write(
