@@ -45,7 +45,7 @@ class BasicFingerCurve {
   /// A pressure law is not a limit curve: a compile-time error says what to write.
   template <std::same_as<Law> Other>
   BasicFingerCurve(const Other&) {  // NOLINT
-    static_assert(!std::same_as<Other, Law>, "a finger takes a limit curve, not a pressure law: write Table::build(law, 1e-6)");
+    static_assert(!std::same_as<Other, Law>, "a finger takes a limit curve, not a pressure law: write Table::build(law)");
   }
 
   [[nodiscard]] const CurveView<Real>& view() const& noexcept { return view_; }

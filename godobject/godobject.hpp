@@ -15,7 +15,7 @@
 /// ```cpp
 /// #include "godobject/godobject.hpp"
 /// using namespace limitcurve;
-/// godobject::SoftFinger finger(Table::build(hertz(), 1e-6), {.mu = 0.6, .stiffness = 1000, .twist_stiffness = 0.025, .damping = 1});
+/// godobject::SoftFinger finger(Table::build(hertz()), {.mu = 0.6, .stiffness = 1000, .twist_stiffness = 0.025, .damping = 1});
 /// const godobject::AnySurface plate{godobject::PlaneSurface()};
 /// for (int step = 0; step < 1000; ++step) {  // every millisecond
 ///   const godobject::DevicePose device{{1e-5 * step, 0, -1e-3}, Eigen::Quaterniond::Identity()};  // [m]

@@ -19,7 +19,7 @@ struct StepInput;
 /// A soft-finger god-object on one surface: steps a–c of the paper, corrected (docs/paper.md).
 /// The limit curve, or the limit surface of a patch, bounds force and moment together; the projection decides how a slipping proxy moves.
 ///
-///     SoftFinger finger(Table::build(hertz(), 1e-6), {.mu = 0.6, .damping = 2.0});
+///     SoftFinger finger(Table::build(hertz()), {.mu = 0.6, .damping = 2.0});
 ///     const FingerOutput output = finger.update(surface, device_pose, 1e-3);  // every millisecond
 ///     device.send(output.whole_force(), output.moment_vector());
 ///

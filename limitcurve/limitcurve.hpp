@@ -22,7 +22,7 @@
 /// #include "limitcurve/limitcurve.hpp"
 /// using namespace limitcurve;
 /// const Law law = parse_law("xydas-kao:k=3");                              // a pressure under the finger
-/// const Table table = Table::build(law, 1e-6);                             // its limit curve, for a loop
+/// const Table table = Table::build(law);                                   // its limit curve, for a loop
 /// const UnitWrench unit = table.wrench(SlipTwist::about_cor(0.5));         // slip about a centre of rotation at c = 0.5 a
 /// const double mu = 0.6, load = 2, radius = 0.005;                         // [1], [N], [m]
 /// const double force = mu * load * unit.force, moment = mu * load * radius * unit.moment;  // [N], [N m]

@@ -112,7 +112,8 @@ namespace table {
 template <class Real>
 class Attempts {
  public:
-  Attempts(const Law& law, TableOptions options) : bytes_(options.bytes), name_(options.name.empty() ? law->name() : options.name) {
+  Attempts(const Law& law, TableOptions options)
+      : preferred_bytes_(options.preferred_bytes), name_(options.name.empty() ? law->name() : options.name) {
     quick_ = with_profile(quick_source(law, name_), *law);
     fine_ = with_profile(fine_source(law, name_), *law);
     scale_ = std::max(1.0, law->moment_ratio());
@@ -125,10 +126,10 @@ class Attempts {
     // Down to this tolerance the error of `forces` is small enough.
     constexpr double quick_tolerance = 1e-12;
     if (tolerance >= quick_tolerance && known_error_ <= std::max(quick_error, 0.01 * tolerance) * scale_) {
-      if (auto built = table::build<Real>(quick_, tolerance, bytes_)) return built;
+      if (auto built = table::build<Real>(quick_, tolerance, preferred_bytes_)) return built;
     }
     begun_ = begins(fine_, tolerance);
-    return begun_ ? table::build<Real>(fine_, tolerance, bytes_) : std::nullopt;
+    return begun_ ? table::build<Real>(fine_, tolerance, preferred_bytes_) : std::nullopt;
   }
 
   /// Whether there is a table, after one has failed. If that did not begin, neither do finer ones; where the coarser ones begin is found without
@@ -140,7 +141,7 @@ class Attempts {
     return tolerance * scale_ > known_error_ && table::begins<Real>(source, tolerance);
   }
 
-  std::size_t bytes_;
+  std::size_t preferred_bytes_;
   std::string name_;
   table::Source quick_;
   table::Source fine_;
@@ -187,7 +188,7 @@ BasicTable<Real> BasicTable<Real>::build_from(const std::function<UnitWrench(Sli
                                return {x, wrench.force, wrench.moment, error};
                              },
                              {}};
-  const auto attempt = [&](double wanted) { return table::build<Real>(source, wanted, options.bytes); };
+  const auto attempt = [&](double wanted) { return table::build<Real>(source, wanted, options.preferred_bytes); };
   return built<Real>(options.name, tolerance, attempt, [&](double wanted) { return attempt(wanted).has_value(); });
 }
 

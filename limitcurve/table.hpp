@@ -47,13 +47,13 @@ struct TableCells {
 /// How to build a table.
 struct TableOptions {
   std::string name = {};  ///< becomes law_name(); if empty, that of the law
-  /// The fastest table with at most so many bytes(): D has the lowest degree, 3 to 5, that needs no search of a cell. If none fits, a table
-  /// of degree 6 and any size; or 3 where 6 meets rounding. A look-up takes about 0.5 ns more for each degree, and 4 ns for each step of a
+  /// The fastest table with at most so many bytes(): D has the lowest degree, 3 to 5, that needs no search of a cell. If none fits, a larger
+  /// table of degree 6; or of 3 where 6 meets rounding. A look-up takes about 0.5 ns more for each degree, and 4 ns for each step of a
   /// search, if no table can do without.
-  std::size_t bytes = 4096;
+  std::size_t preferred_bytes = 4096;
 };
 
-/// A table: a limit curve that interpolates the support function of another, with a checked error, in 0.3 to 96 KiB. Models LimitCurve.
+/// A table: a limit curve that interpolates the support function of another, with a checked error, in at most max_bytes. Models LimitCurve.
 ///
 /// Inside the rim D(x) = H(x, 1), x = c/a; outside D(x) = H(1, x), x = a/c. D is a polynomial of degree 3 to 6 in each cell. Cells join with
 /// their first derivatives, and the builder proves that every cell is convex. Hence the slip twist is exactly the normal of the table's own
@@ -66,6 +66,8 @@ class BasicTable {
   /// The range of the tolerance.
   static constexpr double finest_tolerance = sizeof(Real) == sizeof(float) ? 5e-7 : 1e-14;
   static constexpr double coarsest_tolerance = 1e-1;
+  /// The default: in double a look-up of a finer table costs almost no more; in float rounding is nearly as large.
+  static constexpr double default_tolerance = sizeof(Real) == sizeof(float) ? 1e-6 : 1e-8;
   /// The largest bytes() of a table.
   static constexpr std::size_t max_bytes = 98304;
 
@@ -73,7 +75,7 @@ class BasicTable {
   /// seconds by quadrature.
   /// Throws std::invalid_argument for a law that `checked` refuses and a tolerance out of range. Throws std::runtime_error if the tolerance needs more than max_bytes
   /// or is finer than the law's own error; the message names the law and the finest possible tolerance.
-  static BasicTable build(const Law& law, double tolerance, TableOptions options = {});
+  static BasicTable build(const Law& law, double tolerance = default_tolerance, TableOptions options = {});
 
   /// The table of any curve that has `wrench(SlipTwist)` to 1e-15 and no corners or faces: an ellipse, your own curve; not a box or a
   /// diamond. |error| ≤ tolerance·max(force_max, m_max). Throws like the other `build`; std::invalid_argument, with the requirement and the
@@ -118,6 +120,7 @@ class BasicTable {
   [[nodiscard]] const TablePieces<Real>& pieces() const noexcept { return view_.table; }
 
   /// The wrench of a slip twist, to checked_error(). Signs of the twist do not count; a zero twist gives wrench 0. About 4 ns.
+  /// Inlined, as `point` and `gauge`: your compiler's flags may change its last bits (docs/interfaces.md).
   [[nodiscard]] UnitWrench wrench(SlipTwist twist) const noexcept {
     twist = {arithmetic::abs(twist.slide), arithmetic::abs(twist.spin)};
     const double sum = twist.slide + twist.spin;
@@ -128,7 +131,7 @@ class BasicTable {
     return {wrench[0], wrench[1]};
   }
 
-  /// The wrenches of many slip twists, as far as both arrays go: the bits of single ones.
+  /// The wrenches of many slip twists, as far as both arrays go: the library's bits, whatever your flags.
   void wrench(std::span<const SlipTwist> twists, std::span<UnitWrench> wrenches) const noexcept;
 
   [[nodiscard]] SlopedPoint point(SlipTwist twist) const noexcept {

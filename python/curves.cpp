@@ -137,7 +137,7 @@ void add_limit_curve(nb::class_<Class>& type) {
       [](const Class& self, const BoundArguments& given) { return loads_to_hold(curve_in(self), given); },
       "The least load [N] that holds friction forces [N] and moments [N m], of any sign; inf if no load does. All numbers broadcast.\n\n"
       "`radius_law` gives the contact radius a(P), as on the command line; or `mu_r` [m/N^gamma] is given as measured, and the moment\n"
-      "limit is mu_r P^(1+gamma).");
+      "limit is mu_r P^(1+gamma). Of a measured pressure lc.run('hold', ...) estimates the error, hold_error.");
   type.def_prop_ro(
       "moment_ratio", [](const Class& self) { return curve_in(self).moment_ratio(); }, "m0, the unit moment of a pure twist.");
 }
@@ -194,7 +194,7 @@ nb::object tangent_ellipses(const Table& self, const BoundArguments& given) {
 
 void add_tables(nb::module_& module) {
   nb::class_<Table> type(module, "Table",
-                         "A limit curve as a lookup table, 1 to 96 KiB, with a checked error. It drives fingers and batches.\n\n"
+                         "A limit curve as a lookup table with a checked error. It drives fingers and batches.\n\n"
                          ">>> import limitcurve as lc\n"
                          ">>> table = lc.Table('hertz', tolerance=1e-8)\n"
                          ">>> table.checked_error <= 1e-8, table.nbytes <= 4096\n"
@@ -218,19 +218,20 @@ void add_tables(nb::module_& module) {
         new (&self) Table(TableFacts{nb::cast<std::string>(state[0]), number(1), number(2), number(3)}, cells);
       });
   define<Table*>(
-      type, "def __init__(self, law: str | Law, tolerance: float = 1e-06, bytes: int = 4096) -> None",
+      type, "def __init__(self, law: str | Law, tolerance: float = 1e-08, preferred_bytes: int = 4096) -> None",
       [](Table* self, const BoundArguments& given) {
         const Law of = law_of(given[0]);
-        const double tolerance = number_of(given[1], "tolerance", 1e-6);
+        const double tolerance = number_of(given[1], "tolerance", Table::default_tolerance);
         TableOptions options;
-        if (!given[2].is_none() && !nb::try_cast(given[2], options.bytes))
-          throw std::invalid_argument("bytes: got " + shown(given[2]) + ", expected a whole number");
+        if (!given[2].is_none() && !nb::try_cast(given[2], options.preferred_bytes))
+          throw std::invalid_argument("preferred_bytes: got " + shown(given[2]) + ", expected a whole number");
         const nb::gil_scoped_release release;
         new (self) Table(Table::build(of, tolerance, options));
       },
       "The table of a law: |error| <= tolerance * max(1, m0) in f and m, tolerance in [1e-14, 0.1]. Its polynomials have the lowest\n"
-      "degree, 3 to 5, with which nbytes <= bytes, else 6: the lowest is the fastest. Milliseconds for a law in closed form, up to\n"
-      "seconds by quadrature. RuntimeError if the law does not allow that tolerance. Releases the GIL.");
+      "degree, 3 to 5, with which nbytes <= preferred_bytes, else 6: the lowest is the fastest. Milliseconds in closed form, up to "
+      "seconds\n"
+      "by quadrature. RuntimeError if the law does not allow that tolerance. Releases the GIL.");
   define_static(
       type, "def load(path: str | os.PathLike[str]) -> Table",
       [](const BoundArguments& given) { return cli::read_table(path_of(given[0])); },

@@ -9,6 +9,7 @@
 #include "limitcurve/table_file.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <stdexcept>
 
 namespace limitcurve::cli {
@@ -29,11 +30,12 @@ class Table final : public Subcommand {
 
   void declare(Options& options) override {
     options.law(law_);
-    options.number("--tolerance", tolerance_, positive, "Largest error of force and moment, in unit wrenches", Presence::required);
+    options.number("--tolerance", tolerance_, positive,
+                   "Largest error of force and moment, in unit wrenches (default 1e-8; of float 1e-6)");
     options.text("-o,--output", file_, "FILE", "File to write", Presence::required);
     options.count(
-        "--bytes", bytes_, 0, 98304,
-        "Memory that a look-up may touch: the polynomials get the lowest degree, 3 to 5, that fits, which is the fastest; else 6");
+        "--preferred-bytes", bytes_, 0, limitcurve::Table::max_bytes,
+        "Memory that a look-up should touch: the polynomials get the lowest degree, 3 to 5, that fits, which is the fastest; else 6");
     options.choice("--real", real_, {"double", "float"}, "Numbers of a header");
     options.text("--name", name_, "NAME", "Of the table in a .h or .hpp file: NAME_wrench(slide, spin)");
   }
@@ -41,15 +43,16 @@ class Table final : public Subcommand {
   void run(const Results& results) override {
     results.messages->say(law_->remarks());
     const bool is_single = real_ == 1;
+    const double tolerance = tolerance_.value_or(is_single ? FloatTable::default_tolerance : limitcurve::Table::default_tolerance);
     const TableWriter text_of = table_writer(file_, "--output", name_, is_single);
     // Rounding of float takes most of the finest tolerance.
     const double finest = FloatTable::finest_tolerance;
-    if (is_single && !(tolerance_ >= finest))
-      throw out_of_range("--tolerance", tolerance_, "1", format_number(finest) + " or more with --real float");
-    const double of_table = is_single ? std::max(0.1 * tolerance_, tolerance_ - 0.9 * finest) : tolerance_;
-    const auto table = limitcurve::Table::build(law_, of_table, {.bytes = bytes_});
+    if (is_single && !(tolerance >= finest))
+      throw out_of_range("--tolerance", tolerance, "1", format_number(finest) + " or more with --real float");
+    const double of_table = is_single ? std::max(0.1 * tolerance, tolerance - 0.9 * finest) : tolerance;
+    const auto table = limitcurve::Table::build(law_, of_table, {.preferred_bytes = bytes_});
     const double error = is_single ? single_precision_error(table) : table.checked_error();
-    if (const double least = error / std::max(1.0, table.moment_ratio()); is_single && least > tolerance_) {
+    if (const double least = error / std::max(1.0, table.moment_ratio()); is_single && least > tolerance) {
       throw std::runtime_error("table of " + table.law_name() + " in single precision: expected a tolerance of " + format_number(least) +
                                " or more");
     }
@@ -57,14 +60,14 @@ class Table final : public Subcommand {
     file.output().write(text_of(table));
     file.commit();
     Rows rows(results, {"law", "tolerance", "checked_error", "nodes", "bytes", "profile_error"});
-    rows.row(table.law_name(), tolerance_, error, table.cell_count(), table.bytes() / (is_single ? 2 : 1), table.profile_error());
+    rows.row(table.law_name(), tolerance, error, table.cell_count(), table.bytes() / (is_single ? 2 : 1), table.profile_error());
     rows.finish();
   }
 
  private:
   Law law_;
-  double tolerance_ = 0.0;
-  std::size_t bytes_ = TableOptions{}.bytes;
+  std::optional<double> tolerance_;
+  std::size_t bytes_ = TableOptions{}.preferred_bytes;
   std::string file_;
   std::string name_;
   std::size_t real_ = 0;

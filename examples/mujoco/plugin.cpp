@@ -89,7 +89,7 @@ struct Skin {  // what the bodies of one plugin instance share: plugin_data of o
     double x = 0, y = 0;
     char rest;
     const std::string patch = text("patch");
-    if (patch.empty()) curve_ = shared_curve(text("law", "hertz"), number("tolerance").value_or(1e-6));
+    if (patch.empty()) curve_ = shared_curve(text("law", "hertz"), number("tolerance").value_or(Table::default_tolerance));
     if (std::sscanf(patch.c_str(), "rectangle:x=%lf,y=%lf%c", &x, &y, &rest) == 2) patch_ = Patch::rectangle(x, y);
     if (!curve_ && !patch_) throw std::invalid_argument("patch: got '" + patch + "', expected rectangle:x=LENGTH,y=LENGTH");
     for (int body = 1; body < m->nbody; ++body)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "../../limitcurve/patch/patch.hpp"
+#include "../../limitcurve/table.hpp"
 #include "../body/grasp.hpp"
 #include "../finger_curve.hpp"
 #include "../surface.hpp"
@@ -45,7 +46,7 @@ struct ReplayOptions {
   Law law = {};                        ///< pressure law; this or a patch must be set
   CurveKind curve = CurveKind::table;  ///< of the law
   Projection projection = Projection::closest_point;
-  double tolerance = 1e-6;                          ///< of the table, in unit wrenches; used by `CurveKind::table` only
+  double tolerance = Table::default_tolerance;      ///< of the table, in unit wrenches; used by `CurveKind::table` only
   std::optional<Patch> patch = {};                  ///< in place of law, curve, projection and tolerance: the contact is not round
   double point_radius = 0.0;                        ///< of a patch: as in SoftFinger
   FingerParameters finger = {};                     ///< of every finger

@@ -34,7 +34,7 @@ struct Source {
 };
 
 /// The table of a curve with |error| ≤ tolerance·max(force_max, m_max), checked in the arithmetic of the table; nothing if that is not
-/// possible within BasicTable::max_bytes. The fastest with at most so many `bytes`, or of degree 6 (TableOptions::bytes).
+/// possible within BasicTable::max_bytes. The fastest with at most so many `bytes`, or of degree 6 (TableOptions::preferred_bytes).
 ///
 /// Each side is built from x = 0 to the rim. In a cell D′ interpolates the curve at Chebyshev–Lobatto nodes, in extended precision; D
 /// is its running integral. So the curve and its normal are continuous by construction. (Hermite interpolation of D would lose digits in

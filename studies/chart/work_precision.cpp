@@ -76,7 +76,7 @@ void add_curves(const WrenchStudy& study) {
   for (const int digits : {2, 4, 6, 8, 10, 12, 14}) {
     const LookUp look_up(Table::build(study.law(), std::pow(10.0, -digits)));
     study.add("ours", "table", "1e-" + std::to_string(digits), look_up.table.bytes(), look_up);
-    const LookUp large(Table::build(study.law(), std::pow(10.0, -digits), {.bytes = Table::max_bytes}));
+    const LookUp large(Table::build(study.law(), std::pow(10.0, -digits), {.preferred_bytes = Table::max_bytes}));
     if (large.table.bytes() != look_up.table.bytes())
       study.add("ours", "large table", "1e-" + std::to_string(digits), large.table.bytes(), large);
   }

@@ -22,7 +22,7 @@ class DamagedTable : public testing::Test {
   [[nodiscard]] std::string complaint_of(const TableCells& cells) const {
     return complaint([&] { Table(facts_, cells); });
   }
-  const Table table_ = Table::build(uniform(), 1e-8, {.bytes = 0});
+  const Table table_ = Table::build(uniform(), 1e-8, {.preferred_bytes = 0});
   TableFacts facts_{"uniform", 1e-8, 1e-8};
   TableCells cells_ = table_.cells();
 };

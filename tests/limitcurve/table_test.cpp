@@ -57,8 +57,8 @@ TEST(Table, ReachesTheFinestTolerance) {
 }
 
 TEST(Table, IsSmallForHertz) {
-  EXPECT_LE(Table::build(hertz(), 1e-8, {.bytes = 0}).bytes(), 1536U);
-  EXPECT_LE(FloatTable::build(hertz(), 5e-7, {.bytes = 0}).bytes(), 768U);
+  EXPECT_LE(Table::build(hertz(), 1e-8, {.preferred_bytes = 0}).bytes(), 1536U);
+  EXPECT_LE(FloatTable::build(hertz(), 5e-7, {.preferred_bytes = 0}).bytes(), 768U);
 }
 
 TEST(Table, HasTheLowestDegreeWithinItsBudget) {
@@ -67,9 +67,9 @@ TEST(Table, HasTheLowestDegreeWithinItsBudget) {
     for (const double tolerance : {1e-3, 1e-6, 1e-8, 1e-10}) {
       std::size_t more = 0;
       int last = 7;
-      int steps = Table::build(law, tolerance, {.bytes = 0}).pieces().halvings;
+      int steps = Table::build(law, tolerance, {.preferred_bytes = 0}).pieces().halvings;
       for (const std::size_t bytes : {0U, 2048U, 4096U, 16384U, 98304U}) {
-        const Table table = Table::build(law, tolerance, {.bytes = bytes});
+        const Table table = Table::build(law, tolerance, {.preferred_bytes = bytes});
         EXPECT_TRUE(table.degree() == 6 || table.bytes() <= bytes) << name << ' ' << tolerance << ' ' << bytes;
         EXPECT_LE(table.degree(), last);
         EXPECT_LE(table.pieces().halvings, steps) << name << ' ' << tolerance << ' ' << bytes;  // a search takes longer than all degrees

@@ -83,7 +83,7 @@ class Ring final : public PressureLawOf<Ring> {
 
 TEST(OwnLaw, TakesOptions) {
   const std::shared_ptr<Ring> ring = std::make_shared<Ring>();
-  EXPECT_LE(Table::build(ring, 1e-8, {.bytes = 8192}).bytes(), 8192U);
+  EXPECT_LE(Table::build(ring, 1e-8, {.preferred_bytes = 8192}).bytes(), 8192U);
 }
 
 }  // namespace

@@ -176,7 +176,7 @@ Hazard even_spacing() {
     const int even = 2 * static_cast<int>(nodes / 2.0);
     figure.rows.push_back({"numbers", "even nodes", 3.0 * even, even_error(even)});
   }
-  const TableOptions fewest{.bytes = 1};  // of the highest degree, which needs the fewest numbers
+  const TableOptions fewest{.preferred_bytes = 1};  // of the highest degree, which needs the fewest numbers
   for (const double tolerance : in_ratios(1e-2, 1e-11, 19)) {
     const Table table = Table::build(law, tolerance, fewest);
     const double error = worst_of([&](double s) { return table.wrench(SlipTwist::about_cor(s)); });

@@ -53,7 +53,7 @@ TEST(ExportedHeader, ItsClosestPointIsTheLibrarys) {
                                   Table::build(uniform(), 1e-4),
                                   Table::build(gaussian(0.4), 1e-7),
                                   Table::build(flat_punch(), 1e-8),
-                                  Table::build(hertz(), 1e-12, {.bytes = 0}),
+                                  Table::build(hertz(), 1e-12, {.preferred_bytes = 0}),
                                   Table({"cone", 1e-6, 1e-6}, FloatTable::build(cone(), 1e-6).cells())};
   for (const Table& table : tables) {
     ++of_degree[static_cast<std::size_t>(table.degree())];
